@@ -4,9 +4,9 @@
 #include "base/visible.h"
 #include "cli/cli.h"
 #include "cli/options.h"
-#include "lab/lessons/variant.h"
-#include "lab/settings/parameters.h"
-#include "tui/control/session/laboratory_main.h"
+#include "lessons/variant.h"
+#include "scenario/parameters.h"
+#include "lab/session/laboratory_main.h"
 
 #include <errno.h>
 #include <signal.h>

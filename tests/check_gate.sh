@@ -16,7 +16,7 @@ judge() { # NAME: well if nothing was found
 		echo "$found" | sed 's/^/# /'
 	fi
 }
-# every symbol that an object file of the product wants from elsewhere: "libtui.a:terminal.o open"
+# every symbol that an object file of the product wants from elsewhere: "liblab.a:terminal.o open"
 wanted=$(for library in lib*.a; do
 	case $library in libsuite.a | libfuzz*) ;; *) nm -A --undefined-only "$library" 2>/dev/null ;; esac
 done | awk '{ sub(/:$/, "", $1); print $1, $NF }' | sed 's/ _/ /; s/@.*//')
@@ -30,12 +30,12 @@ found=$(printf '%s\n' "$wanted" | grep -q '^libbase.a:output.o rename' || echo '
 judge "the gate is found"
 
 only 'fopen|freopen|tmpfile|mkstemp|mkostemp|creat|openat' 'nobody' "no file is opened by another way"
-only 'open' 'libbase.a:(input|output).o|libtui.a:terminal.o' \
+only 'open' 'libbase.a:(input|output).o|liblab.a:terminal.o' \
 	"files are opened by the gates, the terminal by itself"
 only 'rename|renameat|renameat2|link|linkat|symlink|unlink|unlinkat|remove|mkdir|mkdirat|rmdir|truncate|ftruncate|chmod|fchmod' \
-	'libbase.a:output.o|libtui.a:picture.o' "files are made, renamed and removed by the gate"
+	'libbase.a:output.o|liblab.a:picture.o' "files are made, renamed and removed by the gate"
 only 'system|popen|execl|execlp|execle|execv|execvp|execve|posix_spawn' 'nobody' "no program is started"
-only '(mv)?w?add(n)?(w)?str|w?add_wch|waddch|addch|tputs|putp|vid_puts' 'libtui.a:(picture|painter|terminal).o' \
+only '(mv)?w?add(n)?(w)?str|w?add_wch|waddch|addch|tputs|putp|vid_puts' 'liblab.a:(picture|painter|terminal).o' \
 	"the terminal is written to by its own files"
 
 # Text for standard error goes through the door; what is left are words of the program itself.
@@ -44,6 +44,6 @@ found=$(cd "$source" && grep -rnE --include='*.c' '(^|[^_])(f?printf|vf?printf|p
 judge "standard error gets text through the door"
 found=$(cd "$source" && grep -rnE --include='*.c' 'perror\(|psignal\(|dprintf\(|write\(STDERR_FILENO|write\(2,' .)
 judge "and by no other way"
-found=$(cd "$source" && grep -rnE --include='*.c' 'asker *= *ASKER_(COMMAND_LINE|KEYBOARD|SCRIPT)' lab view figure)
+found=$(cd "$source" && grep -rnE --include='*.c' 'asker *= *ASKER_(COMMAND_LINE|KEYBOARD|SCRIPT)' run export lessons scenario problems answers picture views panes help)
 judge "who asks is not made up below the front ends"
 echo "1..$number"

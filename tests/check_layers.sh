@@ -43,10 +43,10 @@ below() { # LOWER HIGHER...: the lower library wants nothing that a higher one d
 	done
 }
 curses='initscr|newterm|endwin|wget_wch|wgetch|stdscr|w?add.*str|wrefresh|setupterm|tigetstr|tputs|putp'
-for library in libbase.a libphysics.a libtheory.a liblab.a libview.a libfigure.a libcli.a; do
+for library in libbase.a libmethods.a libtheory.a librun.a libviews.a libpaper.a libcli.a; do
 	lacks $library "$curses" "$library does not touch the terminal"
 done
-for library in libphysics.a $(ls libbar*.a libpd_*.a libmpm_*.a 2>/dev/null); do
+for library in libmethods.a $(ls libbar*.a libpd_*.a libmpm_*.a 2>/dev/null); do
 	lacks $library 'printf|fprintf|__printf_chk|__fprintf_chk|puts|putchar|exit|_exit|abort|time|clock|clock_gettime|gettimeofday|rand|random|drand48|fopen|open|getenv' \
 		"$library prints nothing, opens nothing, tells no time"
 done
@@ -56,27 +56,27 @@ for library in lib[!s]*.a; do
 	case $library in libfuzzmain.a) continue ;; esac
 	lacks "$library" "($libm)[fl]?" "$library calls the elementary functions of src/base/math"
 done
-for library in libbase.a libphysics.a libtheory.a liblab.a libview.a libfigure.a libtui.a; do
+for library in libbase.a libmethods.a libtheory.a librun.a libviews.a libpaper.a liblab.a; do
 	lacks $library 'exit|_exit|quick_exit' "$library does not exit"
 done
-below libbase.a libphysics.a libtheory.a liblab.a libview.a libfigure.a libtui.a libcli.a
-below libphysics.a libtheory.a liblab.a libview.a libfigure.a libtui.a libcli.a
-below libtheory.a libphysics.a liblab.a libview.a libfigure.a libtui.a libcli.a
-below liblab.a libview.a libfigure.a libtui.a libcli.a
-below libview.a libfigure.a libtui.a libcli.a
-below libfigure.a libtui.a libcli.a
-below libtui.a libcli.a
+below libbase.a libmethods.a libtheory.a librun.a libviews.a libpaper.a liblab.a libcli.a
+below libmethods.a libtheory.a librun.a libviews.a libpaper.a liblab.a libcli.a
+below libtheory.a libmethods.a librun.a libviews.a libpaper.a liblab.a libcli.a
+below librun.a libviews.a libpaper.a liblab.a libcli.a
+below libviews.a libpaper.a liblab.a libcli.a
+below libpaper.a liblab.a libcli.a
+below liblab.a libcli.a
 # A front end knows a method by method.h alone; what is of one problem it asks the laboratory.
-for library in libview.a libfigure.a libtui.a; do
-	shares_none $library libphysics.a '^simulation_' "$library calls no method by its name"
+for library in libviews.a libpaper.a liblab.a; do
+	shares_none $library libmethods.a '^simulation_' "$library calls no method by its name"
 done
-for folder in view figure tui; do
-	found=$(grep -rn '#include "physics/[^"]*/' "${MATVIB_SRCDIR:-..}/src/$folder")
+for folder in picture views panes help film plain terminal lab; do
+	found=$(grep -rn '#include "methods/[^"]*/' "${MATVIB_SRCDIR:-..}/src/$folder")
 	judge "src/$folder includes no method's header"
 done
 # They ask a simulation what it has and a problem for its concerns, never which problem or method it is or how many
 # dimensions it has. verify alone speaks of named problems: it is about them.
-for folder in view figure tui cli; do
+for folder in picture views panes help film plain terminal lab cli; do
 	found=$(cd "${MATVIB_SRCDIR:-..}/src/$folder" && grep -rnE --include='*.[ch]' \
 		'\<(PROBLEM|METHOD)_[A-Z]|\<problem_[a-z0-9_]+\>([^(]|$)|(->|\.)dimensions\>|(problem|method)->(word|name), "' . | grep -v '^\./verify/')
 	judge "src/$folder asks for no problem, method or number of dimensions"
@@ -131,9 +131,9 @@ find_circles() { # LAYER LIBRARY...: the circles of its members, and under each 
 			}
 		}'
 }
-for layer in base physics theory lab view figure tui cli; do
+for layer in base methods theory run views paper lab cli; do
 	libraries=lib$layer.a
-	[ $layer = physics ] && libraries="$libraries $(ls libbar*.a libpd_*.a libmpm_*.a 2>/dev/null)"
+	[ $layer = methods ] && libraries="$libraries $(ls libbar*.a libpd_*.a libmpm_*.a 2>/dev/null)"
 	# shellcheck disable=SC2086 # several libraries
 	found=$(find_circles $layer $libraries)
 	judge "$layer has no circle of files"
@@ -177,6 +177,6 @@ find_strangers() { # LIBRARY...: "file name" of what does not
 			if (!found && !(file == "functions" && $NF ~ "^(" libm ")$")) print file ".c exports " $NF
 		}' libm="$libm" | sort -u
 }
-found=$(find_strangers libbase.a libphysics.a $(ls libbar*.a libpd_*.a libmpm_*.a 2>/dev/null) libtheory.a liblab.a libview.a libfigure.a libtui.a libcli.a)
+found=$(find_strangers libbase.a libmethods.a $(ls libbar*.a libpd_*.a libmpm_*.a 2>/dev/null) libtheory.a librun.a libviews.a libpaper.a liblab.a libcli.a)
 judge "every exported name has its module's prefix"
 echo "1..$number"

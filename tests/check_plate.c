@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A method that nobody knows, driven through method.h alone: slices, fields, snapshots, and by a row of its
  * own an experiment and tables, on 58,800 nodes. */
-#include "lab/export/export.h"
-#include "lab/lab_case.h"
-#include "lab/problems/solver.h"
+#include "export/export.h"
+#include "run/lab_case.h"
+#include "problems/solver.h"
 #include "plate.h"
 #include "suite.h"
 

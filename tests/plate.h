@@ -9,7 +9,7 @@
 #ifndef TESTS_PLATE_H
 #define TESTS_PLATE_H
 
-#include "physics/method.h"
+#include "methods/method.h"
 
 enum { PLATE_COLUMNS = 420, PLATE_ROWS = 140 }; /* 58,800 nodes, as the notched beam has */
 

@@ -14,7 +14,7 @@ if command -v tic >/dev/null 2>&1 && command -v infocmp >/dev/null 2>&1; then
 	tic -x -o "$scratch/compiled" "$MATVIB_SRCDIR/data/terminfo/fallback.ti"
 	for compiled in matvib-256 matvib-8; do
 		described=$(awk -v name="\"$compiled\"" '/^{/ { on = index($0, name); next } on { gsub(/[ ",}]/, ""); printf "%s", $0 }' \
-			"$MATVIB_SRCDIR/src/tui/terminal/fallback.inc")
+			"$MATVIB_SRCDIR/src/terminal/fallback.inc")
 		TERMINFO=$described infocmp -1 -x "$compiled" 2>/dev/null | grep -v '^#' >is
 		infocmp -A "$scratch/compiled" -1 -x "$compiled" | grep -v '^#' >wanted
 		result "$compiled has a source" test -s wanted

@@ -7,8 +7,8 @@
 #include "cli/cli.h"
 #include "cli/options.h"
 #include "cli/verify/verify.h"
-#include "lab/lessons/lesson.h"
-#include "lab/settings/parameters.h"
+#include "lessons/lesson.h"
+#include "scenario/parameters.h"
 
 #include <stdio.h>
 #include <string.h>

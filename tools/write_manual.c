@@ -6,13 +6,13 @@
 #include "cli/cli.h"
 #include "cli/options.h"
 #include "cli/sweep/sweep_result.h"
-#include "lab/answers/choices.h"
-#include "lab/lessons/lesson.h"
-#include "lab/lessons/run_numbers.h"
-#include "lab/settings/parameters.h"
-#include "lab/problems/references.h"
-#include "tui/control/session/script.h"
-#include "view/help/commands.h"
+#include "answers/choices.h"
+#include "lessons/lesson.h"
+#include "lessons/run_numbers.h"
+#include "scenario/parameters.h"
+#include "answers/references.h"
+#include "lab/session/script.h"
+#include "help/command.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -380,7 +380,7 @@ static bool write_series(const char *scenario)
         scenario_load(scenario, &settings, &status) ? problem_simulate(&settings, 1, &status) : NULL;
     strcpy(settings.output.columns, "all");
     if (plain && (simulation = problem_simulate(&settings, 1, &status)))
-        references = problem_references(&settings, simulation, &status);
+        references = references_create(&settings, simulation, &status);
     int count = references ? references_columns(references, columns) : 0;
     for (int i = 0; i < count; i++) {
         const char *name = columns[i].quantity.name;

@@ -5,7 +5,7 @@
 
 #include "cli/options.h"
 #include "cli/verify/verify.h"
-#include "lab/settings/parameters.h"
+#include "scenario/parameters.h"
 
 #include <stdio.h>
 #include <string.h>

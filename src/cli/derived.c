@@ -4,7 +4,7 @@
 #include "cli/derived.h"
 
 #include "base/text.h"
-#include "lab/problems/references.h"
+#include "answers/references.h"
 
 #include <errno.h>
 #include <stdio.h>

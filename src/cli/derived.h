@@ -4,7 +4,7 @@
 #define CLI_DERIVED_H
 
 #include "base/status.h"
-#include "lab/settings/settings.h"
+#include "scenario/settings.h"
 
 #include <stddef.h>
 

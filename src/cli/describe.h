@@ -4,7 +4,7 @@
 #define CLI_DESCRIBE_H
 
 #include "cli/options.h"
-#include "lab/export/crate.h"
+#include "export/crate.h"
 
 /* Whether it may be written, before anything is; true where it was not asked for. */
 bool describe_may_begin(const Options *, const Crate *, Status *);

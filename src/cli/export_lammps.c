@@ -3,7 +3,7 @@
 #include "cli/cli.h"
 #include "cli/options.h"
 #include "cli/progress.h"
-#include "lab/export/lammps.h"
+#include "export/lammps.h"
 
 #include <stdio.h>
 

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `matvib figure SCENARIO --view NAME --output FILE`: runs without a screen, then draws what a view of the
  * laboratory shows, at the end or at several times, on one page. */
-#include "figure/figure.h"
+#include "picture/paper/figure_file.h"
 
 #include "cli/cli.h"
 #include "cli/options.h"
 #include "cli/progress.h"
-#include "lab/export/frames.h"
+#include "export/frames.h"
 #include "base/output.h"
-#include "view/views/view.h"
+#include "views/view.h"
 
 #include <signal.h>
 #include <stdio.h>

@@ -9,10 +9,10 @@
 
 #include "base/output.h"
 #include "base/text.h"
-#include "figure/figure.h"
-#include "lab/answers/fit_data.h"
-#include "lab/run/overlay.h"
-#include "lab/settings/parameters.h"
+#include "picture/paper/figure_file.h"
+#include "answers/fit_data.h"
+#include "run/overlay.h"
+#include "scenario/parameters.h"
 
 #include <math.h>
 #include <stdio.h>

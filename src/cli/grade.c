@@ -9,10 +9,10 @@
 #include "base/output.h"
 #include "base/text.h"
 #include "base/visible.h"
-#include "figure/leaflet.h"
-#include "lab/export/csv.h"
-#include "tui/control/session/grading.h"
-#include "view/help/commands.h"
+#include "picture/paper/leaflet.h"
+#include "export/csv.h"
+#include "lab/session/grading.h"
+#include "help/command.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -4,8 +4,8 @@
 #include "cli/options.h"
 #include "cli/progress.h"
 
-#include "tui/control/session/grading.h"
-#include "view/help/commands.h"
+#include "lab/session/grading.h"
+#include "help/command.h"
 
 #include <stdio.h>
 #include <stdlib.h>

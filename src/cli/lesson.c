@@ -3,9 +3,9 @@
 #include "cli/cli.h"
 #include "cli/options.h"
 
-#include "figure/leaflet.h"
-#include "lab/lessons/lesson.h"
-#include "view/help/commands.h"
+#include "picture/paper/leaflet.h"
+#include "lessons/lesson.h"
+#include "help/command.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -2,8 +2,8 @@
 /* `matvib list`: the built-in scenarios with their titles; `matvib lesson --list`: the lessons. */
 #include "cli/cli.h"
 #include "cli/options.h"
-#include "lab/lessons/lesson.h"
-#include "view/help/commands.h"
+#include "lessons/lesson.h"
+#include "help/command.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -8,9 +8,9 @@
 #include "base/output.h"
 #include "base/text.h"
 #include "base/visible.h"
-#include "tui/control/session/laboratory_main.h"
-#include "tui/control/session/script.h"
-#include "tui/film/camera.h"
+#include "lab/session/laboratory_main.h"
+#include "lab/session/script.h"
+#include "film/camera.h"
 
 #include <errno.h>
 #include <math.h>

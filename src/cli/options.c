@@ -9,10 +9,10 @@
 
 #include "base/threads.h"
 #include "base/text.h"
-#include "view/views/view.h"
-#include "lab/settings/parameters.h"
-#include "lab/problems/references.h"
-#include "tui/control/session/script.h"
+#include "views/view.h"
+#include "scenario/parameters.h"
+#include "answers/references.h"
+#include "lab/session/script.h"
 
 #include <math.h>
 #include <stdint.h>

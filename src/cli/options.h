@@ -5,8 +5,8 @@
 #define CLI_OPTIONS_H
 
 #include "base/status.h"
-#include "lab/export/export.h"
-#include "lab/settings/scenario.h"
+#include "export/export.h"
+#include "scenario/scenario.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -3,8 +3,8 @@
 #include "cli/cli.h"
 #include "cli/derived.h"
 #include "cli/options.h"
-#include "lab/settings/parameters.h"
-#include "lab/problems/references.h"
+#include "scenario/parameters.h"
+#include "answers/references.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -5,10 +5,10 @@
 #include "cli/progress.h"
 #include "base/text.h"
 #include "cli/describe.h"
-#include "lab/export/export.h"
-#include "lab/export/vtk.h"
-#include "lab/answers/summary.h"
-#include "lab/settings/changes.h"
+#include "export/export.h"
+#include "export/vtk.h"
+#include "answers/summary.h"
+#include "scenario/changes.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -8,8 +8,8 @@
 #include "base/math/functions.h"
 #include "base/output.h"
 #include "base/text.h"
-#include "lab/answers/summary.h"
-#include "lab/export/wav.h"
+#include "answers/summary.h"
+#include "export/wav.h"
 
 #include <math.h>
 #include <stdio.h>

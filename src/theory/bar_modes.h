@@ -14,7 +14,7 @@
 #ifndef THEORY_BAR_MODES_H
 #define THEORY_BAR_MODES_H
 
-#include "theory/bar.h"
+#include "theory/elastic_bar.h"
 
 /* In part i phi = size sin(phase + wave_number (x - from)); the greatest |phi| is 1. */
 typedef struct BarMode {

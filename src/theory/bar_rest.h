@@ -14,7 +14,7 @@
 #ifndef THEORY_BAR_REST_H
 #define THEORY_BAR_REST_H
 
-#include "theory/bar.h"
+#include "theory/elastic_bar.h"
 
 enum { REST_SUPPORT_MAX = 4 };
 

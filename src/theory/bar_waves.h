@@ -5,7 +5,7 @@
 #ifndef THEORY_BAR_WAVES_H
 #define THEORY_BAR_WAVES_H
 
-#include "theory/bar.h"
+#include "theory/elastic_bar.h"
 
 /* Velocity, its slope and stress at t = 0: modes, and a pulse that is on its way to the right. */
 double bar_waves_start_velocity(const BarTheory *, double x);

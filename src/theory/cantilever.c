@@ -15,7 +15,7 @@
  * The solution is kept as displacement, velocity and acceleration of the tip at equal times, close enough
  * that the quintic between two of them is as good as the solver; beside it the q_n, from which bending moment
  * and shear force of a section follow, M = E I w'' and Q = E I w'''. */
-#include "theory/beam.h"
+#include "theory/elastic_beam.h"
 #include "theory/quiet.h"
 #include "base/math/functions.h"
 

@@ -16,7 +16,7 @@
  * only F of what particles do, which is most of paper M's 5 % and 20 %. trace and determinant are those of
  * the 2x2 matrix of the step; its eigenvalues exp((-decay +- i Omega) dt) are the answer:
  * Omega = acos(trace / (2 sqrt(determinant)))/dt, decay = -log(determinant)/(2 dt). */
-#include "theory/bar.h"
+#include "theory/elastic_bar.h"
 #include "theory/bar_rest.h"
 #include "theory/quiet.h"
 #include "base/math/functions.h"

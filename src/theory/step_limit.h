@@ -18,7 +18,7 @@
 #ifndef THEORY_STEP_LIMIT_H
 #define THEORY_STEP_LIMIT_H
 
-#include "theory/bar.h"
+#include "theory/elastic_bar.h"
 
 /* On the bar with its supports and padding; of a longer bar the ends with 32 cells between them. INFINITY
  * where no node is free; NAN: not enough memory. */

@@ -14,7 +14,7 @@
 #ifndef THEORY_STEP_SPECTRUM_H
 #define THEORY_STEP_SPECTRUM_H
 
-#include "theory/bar.h"
+#include "theory/elastic_bar.h"
 
 typedef struct StepMode {
     bool known; /* false: shorter than two cells, beyond the stability limit, not enough memory (errno

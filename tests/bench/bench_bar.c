@@ -4,8 +4,8 @@
  * The plain loop is what one writes first: hat functions, update stress first, one loop over the particles
  * for each of map, strain with force, and update; scalar, compiled with the flags of the rest of the program.
  * Runs are interleaved and the best of several counts, so that a busy machine disturbs the ratios little. */
-#include "physics/mpm_bar/bar.h"
-#include "physics/mpm_bar/kernels/kernels.h"
+#include "methods/mpm/line/mpm_bar.h"
+#include "methods/mpm/line/kernels/bar_kernels.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -3,11 +3,11 @@
  * sizes of the screen; then seen from near, and the inspector. A frame is at most 33 ms long.
  *
  * Usage: bench_map [SCENARIO [STEPS [COLOUR]]] */
-#include "lab/settings/parameters.h"
-#include "physics/pd_plane/fracture/fronts.h"
-#include "view/map/map.h"
-#include "view/views/view.h"
-#include "view/scene.h"
+#include "scenario/parameters.h"
+#include "methods/bonds/cracks/fronts.h"
+#include "views/map/map.h"
+#include "views/view.h"
+#include "views/scene.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -3,7 +3,7 @@
  * yardstick is a plain loop over particles and their nodes, measured in the same run: it is ours, as no
  * program of the distribution solves this problem. All are measured in turn, several times, and the best
  * counts, since the machine may have other work. */
-#include "physics/mpm_plane/kernels/plane_kernels.h"
+#include "methods/mpm/plane/kernels/plane_kernels.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -4,7 +4,7 @@
 #ifndef BENCH_LAMMPS_H
 #define BENCH_LAMMPS_H
 
-#include "physics/pd_plane/beam_internal.h"
+#include "methods/bonds/plane/bonds_internal.h"
 
 /* Bonds per second of the program `lmp`, one process, each bond counted once: the best of three runs of 100
  * steps. 0: `why` says why there is no number, as a phrase. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What is heard is what the readout says: the frequencies in both ears, fitted, have its ratio. */
-#include "tests/suite.h"
+#include "suite.h"
 
 #include <math.h>
 #include <stdint.h>

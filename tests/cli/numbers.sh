@@ -182,7 +182,7 @@ tells_why() { # FILE
 	grep -q "The lag is all lumping: over lumped masses the way to nodes and back is a filter (F" text &&
 		grep -q "), and the mesh is too slow (K" text
 }
-for file in README.md src/view/help/help_text.c $lesson/late.lesson $lesson/cure.lesson $lesson/filters.lesson; do
+for file in README.md src/help/help_text.c $lesson/late.lesson $lesson/cure.lesson $lesson/filters.lesson; do
 	result "$file tells why mode 5 is late" tells_why $file
 done
 
@@ -195,8 +195,8 @@ claim $lesson/late.lesson "w is " 4.2 " % too low" predicted_error
 claim $lesson/late.lesson "so every period is " 4.4 " % too long" period_error
 claim $lesson/late.lesson "4.2 % of 90 periods are " 3.8 "" periods
 claim README.md "The frequency is " 4.2 " % low" predicted_error
-claim src/lab/answers/choices.c "nearer to the period (" .57 " off" predicted_period -1 5
-claim src/lab/answers/choices.c "off, " .76 " from the frequency" predicted_error 1 5
+claim src/answers/choices.c "nearer to the period (" .57 " off" predicted_period -1 5
+claim src/answers/choices.c "off, " .76 " from the frequency" predicted_error 1 5
 run mode5 --set mpm.transfer=apic --end 2
 claim $lesson/late.lesson "mesh is too slow (K, " 1.3 " %)" predicted_error
 awk '$1 == "predicted_error" { print "filter", 100 * (1 - (1 - 0.042388) / (1 + $2 / 100)) }' measured >filter

@@ -6,11 +6,11 @@
  * Each sequence is a script, played in a child process that ends by itself with status 0, or has failed:
  * crashed, leaked, hung. The script that failed is made as short as it goes, printed, and kept as
  * sequence-SEED.script for `matvib mode1 --paused --script`. */
-#include "lab/lessons/lesson.h"
-#include "lab/settings/parameters.h"
-#include "lab/settings/scenario.h"
-#include "tui/control/session/script.h"
-#include "view/help/commands.h"
+#include "lessons/lesson.h"
+#include "scenario/parameters.h"
+#include "scenario/scenario.h"
+#include "lab/session/script.h"
+#include "help/command.h"
 
 #include <errno.h>
 #include <fcntl.h>

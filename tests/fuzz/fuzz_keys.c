@@ -2,7 +2,7 @@
 /* Any bytes as keys: every key has a name, and after enough silence the next one is itself. */
 #include "fuzz/fuzz.h"
 
-#include "tui/keyboard.h"
+#include "lab/keyboard.h"
 
 #include <stdio.h>
 #include <stdlib.h>

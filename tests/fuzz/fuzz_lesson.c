@@ -3,8 +3,8 @@
  * drawn. */
 #include "fuzz/fuzz.h"
 
-#include "lab/lessons/lesson.h"
-#include "view/help/commands.h"
+#include "lessons/lesson.h"
+#include "help/command.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -2,7 +2,7 @@
 /* Any bytes as a foreign series: refused in one line, or a table whose numbers are where they should be. */
 #include "fuzz/fuzz.h"
 
-#include "lab/run/overlay.h"
+#include "run/overlay.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -5,8 +5,8 @@
 #include "fuzz/fuzz.h"
 
 #include "base/input.h"
-#include "lab/settings/scenario.h"
-#include "tui/plain/plain.h"
+#include "scenario/scenario.h"
+#include "plain/plain.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -2,7 +2,7 @@
 /* Any bytes as the file of a session: refused in one line, or read. */
 #include "fuzz/fuzz.h"
 
-#include "tui/control/session/session.h"
+#include "lab/session/session.h"
 
 #include <stdio.h>
 #include <string.h>

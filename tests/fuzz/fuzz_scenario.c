@@ -3,8 +3,8 @@
  * same. */
 #include "fuzz/fuzz.h"
 
-#include "lab/settings/parameters.h"
-#include "lab/settings/scenario.h"
+#include "scenario/parameters.h"
+#include "scenario/scenario.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Any bytes as what a terminal sends to the laboratory; a zero byte and the two after it resize it. */
 #include "fuzz/fuzz.h"
-#include "tui/keyboard.h"
+#include "lab/keyboard.h"
 
-#include "lab/settings/scenario.h"
-#include "tui/control/laboratory.h"
-#include "tui/control/writing.h"
-#include "tui/control/opening.h"
+#include "scenario/scenario.h"
+#include "lab/laboratory.h"
+#include "lab/writing.h"
+#include "lab/opening.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Films hold what the screen showed: a .cast played to a terminal, the pictures of a GIF counted and
  * measured. Both against what a script prints of the same keys. */
-#include "tests/suite.h"
+#include "suite.h"
 
 #include <stdio.h>
 #include <stdlib.h>

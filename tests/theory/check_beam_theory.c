@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Periods of the beam between two pins, and the cantilever that moves along itself. */
 #include "suite.h"
-#include "theory/beam.h"
+#include "theory/elastic_beam.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the mesh makes of a wave: frequencies, decay, stability limits, v_cm. */
 #include "suite.h"
-#include "theory/bar.h"
+#include "theory/elastic_bar.h"
 
 #include <math.h>
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The exact bar: wave equation, ends and start for every kind of support, energies, loads in closed form. */
 #include "suite.h"
-#include "theory/bar.h"
+#include "theory/elastic_bar.h"
 
 #include <math.h>
 

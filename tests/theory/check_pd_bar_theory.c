@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The lattice's prediction against the engine, and what counts eigenvalues against a dense solver. */
 #include "base/linear/band.h"
-#include "physics/pd_bar/pd_bar.h"
+#include "methods/bonds/line/pd_bar.h"
 #include "suite.h"
 #include "theory/frequency.h"
-#include "theory/pd_bar.h"
+#include "theory/pd_bar_theory.h"
 #include "theory/pd_waves.h"
 
 #include <gsl/gsl_eigen.h>

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The prediction against runs of the engine, with motions so small that particles stay where they are. */
-#include "physics/bar_case.h"
+#include "methods/bar_case.h"
 #include "suite.h"
-#include "theory/bar.h"
+#include "theory/elastic_bar.h"
 #include "theory/frequency.h"
 
 #include <math.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What one step does to a bar at rest on its mesh: how large it may be, and how a mode goes on. The tables
  * are those of an independent program, and the engine has the last word. */
-#include "physics/bar_case.h"
+#include "methods/bar_case.h"
 #include "suite.h"
 #include "theory/bar_rest.h"
 #include "theory/step_limit.h"

@@ -8,7 +8,7 @@
 #include "base/input.h"
 #include "base/output.h"
 #include "base/text.h"
-#include "lab/settings/scenario.h"
+#include "scenario/scenario.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -9,7 +9,7 @@
 
 #include "base/status.h"
 #include "cli/options.h"
-#include "lab/settings/parameters.h"
+#include "scenario/parameters.h"
 
 #include <stdio.h>
 

@@ -3,7 +3,7 @@
 #ifndef CLI_SWEEP_RESULT_H
 #define CLI_SWEEP_RESULT_H
 
-#include "lab/export/export.h"
+#include "export/export.h"
 
 typedef enum ResultColumn {
     RESULT_FREQUENCY_MEASURED,

@@ -4,7 +4,7 @@
 #include "cli/sweep/sweep_table.h"
 
 #include "base/text.h"
-#include "lab/export/csv.h"
+#include "export/csv.h"
 
 #include <math.h>
 #include <string.h>

@@ -3,7 +3,7 @@
  * run. */
 #include "cli/verify/verify_quantity.h"
 
-#include "physics/pd_plane/fracture/fronts.h"
+#include "methods/bonds/cracks/fronts.h"
 
 /* The number `what` of the first front; NAN: there is no front, or it has no such number. */
 static double front_number(VerifyRun *run, const VerifyRow *row,

@@ -2,8 +2,8 @@
 /* What a verification reads from a run: see verify_quantity.h. Times are those of rows. */
 #include "cli/verify/verify_quantity.h"
 
-#include "lab/answers/crack.h"
-#include "physics/pd_plane/fracture/crack_cost.h"
+#include "answers/crack_growth.h"
+#include "methods/bonds/cracks/crack_cost.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -2,8 +2,8 @@
 /* Runs a scenario step by step as `matvib run` does, and keeps its rows. */
 #include "cli/verify/verify_run.h"
 
-#include "lab/settings/parameters.h"
-#include "lab/settings/scenario.h"
+#include "scenario/parameters.h"
+#include "scenario/scenario.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -63,7 +63,7 @@ bool verify_run_open(VerifyRun *run, const char *scenario, int threads, Patience
         return false;
     run->settings.patience = patience;
     run->sim = problem_simulate(&run->settings, threads, status);
-    run->refs = run->sim ? problem_references(&run->settings, run->sim, status) : NULL;
+    run->refs = run->sim ? references_create(&run->settings, run->sim, status) : NULL;
     if (!run->refs)
         return false;
     const long every = run->settings.output.every;

@@ -3,8 +3,8 @@
 #ifndef CLI_VERIFY_RUN_H
 #define CLI_VERIFY_RUN_H
 
-#include "lab/problems/problem.h"
-#include "lab/problems/references.h"
+#include "problems/problem.h"
+#include "answers/references.h"
 #include "theory/frequency.h"
 
 enum { VERIFY_STARTS = 21 };

@@ -1,0 +1,423 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Answers for the bar that both methods share: its theory, which column shows its frequency, exact answers
+ * beside the run. */
+#include "answers/bar_answers.h"
+
+#include "theory/swing.h"
+
+#include <errno.h>
+#include <limits.h>
+#include <math.h>
+#include <string.h>
+
+_Static_assert(OVERTONES_MAX + 1 <= BAR_MODES_MAX, "the theory has room for every overtone");
+
+/* --- settings to theory --------------------------------------------------------------------------- */
+
+bool bar_theory_of(const Settings *settings, BarTheory *theory, Status *status)
+{
+    const BarSupports ends = settings->supports.ends;
+    *theory = (BarTheory){
+        .length = settings->geometry.length,
+        .youngs_modulus = settings->material.youngs_modulus,
+        .density = settings->material.density,
+        .left_fixed = ends == BAR_FIXED_FREE || ends == BAR_FIXED_FIXED,
+        .right_fixed = ends == BAR_FREE_FIXED || ends == BAR_FIXED_FIXED,
+        .body_force = settings->loads.body_force,
+        .traction = settings->loads.traction,
+    };
+    if (settings->method == METHOD_MPM) { /* the others have no such parameters */
+        Pulse pulse;
+        if (!pulse_read(settings->start.pulse, &pulse, status))
+            return false;
+        theory->pulse.centre = pulse.centre;
+        theory->pulse.width = pulse.width;
+        theory->pulse.velocity = pulse.velocity;
+        theory->joint = settings->joint.place;
+        theory->joint_modulus = settings->joint.beyond.youngs_modulus;
+        theory->joint_density = settings->joint.beyond.density;
+        theory->of_sines = settings->start.shape == SHAPE_SINE && bar_is_layered(theory);
+    }
+    theory->modes[0].number = settings->start.mode;
+    theory->modes[0].velocity = settings->start.velocity;
+    Overtone overtones[OVERTONES_MAX];
+    int count = overtones_read(settings->start.overtones, overtones, status);
+    if (count < 0)
+        return false;
+    for (int i = 0; i < count; i++) {
+        theory->modes[1 + i].number = overtones[i].mode;
+        theory->modes[1 + i].velocity = overtones[i].velocity;
+    }
+    theory->n_modes = 1 + count;
+    return true;
+}
+
+/* dt = courant dx/c, c = sqrt(E/rho) of the faster part where the bar has two; lattices take the same step,
+ * so that a duel compares like with like. */
+double bar_time_step(const Settings *settings)
+{
+    const Material *material = &settings->material, *beyond = &settings->joint.beyond;
+    double speed = sqrt(material->youngs_modulus / material->density);
+    if (settings->method == METHOD_MPM && settings->joint.place > 0)
+        speed = fmax(speed, sqrt(beyond->youngs_modulus / beyond->density));
+    return settings->time.courant * settings->mesh.cell_size / speed;
+}
+
+double bar_start(double x, const void *theory)
+{
+    return bar_waves_start_velocity(theory, x);
+}
+
+double bar_start_slope(double x, const void *theory)
+{
+    return bar_waves_start_slope(theory, x);
+}
+
+double bar_start_stress(double x, const void *theory)
+{
+    return bar_waves_start_stress(theory, x);
+}
+
+/* --- does it make sense? -------------------------------------------------------------------------- */
+
+bool bar_check_modes(const Settings *settings, double particles, Status *status)
+{
+    if (settings->start.mode == 0 && settings->start.velocity != 0 &&
+        settings->supports.ends != BAR_FREE_FREE)
+        return status_fail(status, STATUS_USAGE,
+                           "initial.mode: 0 is rigid motion, which a held bar has not (1 or more, or "
+                           "bar.supports = free-free)");
+    if (settings->start.mode > particles)
+        return status_fail(
+            status, STATUS_USAGE,
+            "initial.mode: %d is finer than the particles can show (at most %.0f, their number)",
+            settings->start.mode, particles);
+    Overtone overtones[OVERTONES_MAX];
+    int count = overtones_read(settings->start.overtones, overtones, status);
+    for (int i = 0; i < count; i++) {
+        if (overtones[i].mode == settings->start.mode)
+            return status_fail(status, STATUS_USAGE,
+                               "initial.overtones: mode %d is initial.mode already (other modes)",
+                               settings->start.mode);
+        if (overtones[i].mode > particles)
+            return status_fail(status, STATUS_USAGE,
+                               "initial.overtones: mode %d is finer than the particles can show (at most "
+                               "%.0f, their number)",
+                               overtones[i].mode, particles);
+    }
+    return count >= 0;
+}
+
+/* --- what to watch -------------------------------------------------------------------------------- */
+
+static bool is_loaded(const BarTheory *theory)
+{
+    return theory->body_force != 0 || theory->traction != 0;
+}
+
+/* Whether the loads make the bar vibrate, and whether its centre of mass shows it. */
+static bool load_vibrates(const BarTheory *theory, bool *centre)
+{
+    bool free_free = !theory->left_fixed && !theory->right_fixed;
+    bool fixed_fixed = theory->left_fixed && theory->right_fixed;
+    *centre = !free_free;
+    if (free_free)
+        return theory->traction != 0; /* a body force moves the bar as a whole */
+    return theory->body_force != 0 || (theory->traction != 0 && !fixed_fixed);
+}
+
+int bar_watched_mode(const BarTheory *theory)
+{
+    for (int i = 0; i < theory->n_modes; i++)
+        if (theory->modes[i].velocity != 0 && theory->modes[i].number > 0)
+            return theory->modes[i].number;
+    return 0;
+}
+
+/* Whether a mode moves the centre of mass: mean of its shape over the bar against rounding, of which symmetry
+ * leaves none. */
+static bool moves_centre(const BarTheory *theory, int mode)
+{
+    return fabs(bar_mode_mean(theory, mode)) > 1e-9;
+}
+
+/* By symmetry the centre of mass may stand still, or move evenly: then the strain energy is watched. It
+ * swings twice in a period of a mode; under a load that pulls from rest it never turns its sign, and swings
+ * once. */
+BarWatch bar_watch(const BarTheory *theory)
+{
+    BarWatch watch = {.column = "v_cm", .times = 1, .kept = NAN, .overlap = 1};
+    int mode = bar_watched_mode(theory);
+    bool centre = true, by_load = mode == 0;
+    if (theory->pulse.velocity != 0)
+        return watch; /* it is of many modes, and of no one frequency */
+    if (by_load) {
+        if (!load_vibrates(theory, &centre))
+            return watch;
+        mode = 1;
+    } else {
+        centre = moves_centre(theory, mode);
+    }
+    watch.moving = true;
+    watch.mode = mode;
+    if (!centre) {
+        watch.column = "strain";
+        watch.times = by_load ? 1 : 2;
+    }
+    watch.ratios[watch.n_lines++] = 1;
+    watch.exact = bar_frequency(theory, mode);
+    return watch;
+}
+
+/* With what is predicted beside it. */
+static BarWatch predicted_watch(const Settings *settings, const BarTheory *theory, BarFrequency *frequency,
+                                double dt)
+{
+    BarWatch watch = bar_watch(theory);
+    watch.predicted = watch.moving && frequency ? frequency(settings, theory, dt, watch.mode) : NAN;
+    watch.predicted_known = watch.predicted > 0;
+    return watch;
+}
+
+static const double DIES = 0.9; /* share of the energy that a period keeps */
+
+enum { MODES_FITTED = 6 };
+
+/* How much of a mode of two materials the column shows, of a start with sines. */
+static double shown_of_sines(const BarTheory *theory, bool centre, int mode)
+{
+    double sum = 0;
+    for (int i = 0; i < theory->n_modes; i++)
+        sum += theory->modes[i].velocity * bar_share_of_sine(theory, theory->modes[i].number, mode);
+    return fabs(centre ? sum * bar_mode_mean(theory, mode) : sum);
+}
+
+/* The modes of which a sine is made on two materials, those that show most first. Returns how many. */
+static int modes_of_sines(const BarTheory *theory, bool centre, int first, int modes[MODES_FITTED])
+{
+    enum { BEYOND = 12 };
+    for (int count = 0; count < MODES_FITTED; count++) {
+        double most = 0;
+        for (int mode = 1; mode <= first + BEYOND; mode++) {
+            bool taken = mode == first;
+            for (int k = 0; k < count; k++)
+                taken = taken || modes[k] == mode;
+            const double shown = taken ? 0 : shown_of_sines(theory, centre, mode);
+            if (shown > most)
+                most = shown, modes[count] = mode;
+        }
+        if (!(most > 0))
+            return count;
+    }
+    return MODES_FITTED;
+}
+
+/* The modes that show in the column: the watched one, those that were given a velocity, and the lowest of
+ * those that a load sets in motion, or those that a sine on two materials is made of. Returns how many. */
+static int modes_shown(const BarTheory *theory, const BarWatch *watch, int modes[MODES_FITTED])
+{
+    enum { BY_LOAD = 12 }; /* modes up to this number; their shares fall as the square of it, or faster */
+    const bool centre = strcmp(watch->column, "v_cm") == 0;
+    int candidates[1 + BAR_MODES_MAX + BY_LOAD] = {watch->mode}, n = 1, count = 0;
+    if (theory->of_sines)
+        n += modes_of_sines(theory, centre, watch->mode, candidates + 1);
+    for (int i = 0; i < theory->n_modes && !theory->of_sines; i++)
+        if (theory->modes[i].velocity != 0 && theory->modes[i].number > 0)
+            candidates[n++] = theory->modes[i].number;
+    for (int mode = 1; is_loaded(theory) && mode <= BY_LOAD; mode++)
+        candidates[n++] = mode;
+    for (int i = 0; i < n && count < MODES_FITTED; i++) {
+        bool known = centre && !moves_centre(theory, candidates[i]);
+        for (int k = 0; k < count; k++)
+            known = known || modes[k] == candidates[i];
+        if (!known)
+            modes[count++] = candidates[i];
+    }
+    return count;
+}
+
+/* Under a load, or with several modes in motion, the column is no pure cosine: its other lines are fitted
+ * beside, at the frequencies that the mesh gives them, else the continuum. The strain energy swings twice as
+ * fast as each mode, and under a load as fast as it too. */
+static void set_lines(BarWatch *watch, const Settings *settings, const BarTheory *theory,
+                      BarFrequency *frequency, double dt)
+{
+    int modes[MODES_FITTED];
+    const int n_modes = modes_shown(theory, watch, modes);
+    const bool squares = strcmp(watch->column, "strain") == 0;
+    if (n_modes == 1 && !is_loaded(theory))
+        return;
+    const double of_mesh = frequency(settings, theory, dt, watch->mode);
+    for (int i = 0; i < n_modes; i++) {
+        double ratio = of_mesh > 0 ? frequency(settings, theory, dt, modes[i]) / of_mesh
+                                   : bar_frequency(theory, modes[i]) / watch->exact;
+        for (int times = 1; times <= 2; times++) {
+            const bool swings = squares ? times == 2 || is_loaded(theory) : times == 1;
+            const bool first = i == 0 && times == (int)watch->times;
+            if (swings && !first && ratio > 0 && watch->n_lines < FREQUENCY_LINES_MAX)
+                watch->ratios[watch->n_lines++] = ratio * times / watch->times;
+        }
+    }
+}
+
+/* --- columns -------------------------------------------------------------------------------------- */
+
+const BarAnswers *bar_answers(const References *refs)
+{
+    return refs->own;
+}
+
+static void release(void *own)
+{
+    BarAnswers *bar = own;
+    pd_bar_modes_free(bar->modes);
+}
+
+BarAnswers *bar_answers_create(References *refs, Status *status)
+{
+    return plan_own(refs, sizeof(BarAnswers), release, status);
+}
+
+static double exact_v_cm(References *refs, long step, double time, const double *row)
+{
+    (void)step, (void)row;
+    return bar_waves_centre_velocity(&bar_answers(refs)->theory, time);
+}
+
+bool bar_prepare(References *refs, const Settings *settings, const Simulation *sim, BarFrequency *frequency,
+                 Answer *predicted, const char *meaning, Status *status)
+{
+    BarAnswers *bar = refs->own;
+    if (!bar_theory_of(settings, &bar->theory, status))
+        return false;
+    bar->watch = predicted_watch(settings, &bar->theory,
+                                 refs->unaccounted[REFERENCE_PREDICTED] ? NULL : frequency, sim->dt);
+    if (bar->watch.moving)
+        set_lines(&bar->watch, settings, &bar->theory, frequency, sim->dt);
+
+    static const Quantity exact = {"v_cm_exact", "exact", "length/time",
+                                   "velocity of the centre of mass of the continuum (eq. 20)"};
+    const Quantity of_mesh = {"v_cm_predicted", "predicted", "length/time", meaning};
+    plan_method(refs, sim, "v_cm");
+    plan_answer(refs, &exact, COLUMN_EXACT, "v_cm", exact_v_cm);
+    if (predicted)
+        plan_answer(refs, &of_mesh, COLUMN_PREDICTED, "v_cm", predicted);
+    return true;
+}
+
+double bar_profile(const References *refs, const char *field, double x, double time)
+{
+    const BarTheory *theory = &bar_answers(refs)->theory;
+    if (!(x >= 0 && x <= theory->length))
+        return NAN;
+    if (strcmp(field, "u") == 0)
+        return bar_waves_displacement(theory, x, time);
+    if (strcmp(field, "x") == 0)
+        return x + bar_waves_displacement(theory, x, time);
+    if (strcmp(field, "v") == 0)
+        return bar_waves_velocity(theory, x, time);
+    if (strcmp(field, "stress") == 0)
+        return bar_waves_stress(theory, x, time);
+    /* a pulse's stress of the start stretches, and changes no density */
+    const double modulus = bar_modulus_at(theory, x), strain = bar_waves_stress(theory, x, time) / modulus;
+    if (strcmp(field, "strain") == 0)
+        return strain;
+    if (strcmp(field, "density") == 0)
+        return bar_density_at(theory, x) / (1 + strain - bar_waves_start_stress(theory, x) / modulus);
+    return NAN;
+}
+
+/* --- readout -------------------------------------------------------------------------------------- */
+
+/* The frequency of the watched column by least squares (theory/frequency.h), started at what is predicted,
+ * else exact. The strain energy goes as the square of the motion: its frequency is divided by watch->times.
+ */
+void bar_read_out(const References *refs, const double *rows, size_t n_rows, int n_columns, Readout *out)
+{
+    const BarWatch *watch = &bar_answers(refs)->watch;
+    out->moving = watch->moving;
+    out->column = watch->column;
+    out->times = watch->times;
+    out->mode = watch->mode;
+    out->overlap = watch->overlap;
+    if (!watch->moving)
+        return;
+    out->exact_known = true;
+    out->exact = watch->exact;
+    out->predicted_known = watch->predicted_known;
+    out->predicted = watch->predicted_known ? watch->predicted : NAN;
+    out->kept_predicted = watch->kept;
+    int column = plan_find(refs, watch->column);
+    double expected = watch->times * (watch->predicted_known ? watch->predicted : watch->exact);
+    if (readout_fit(rows, n_rows, n_columns, column, expected, watch->ratios, watch->n_lines,
+                    &out->measured)) {
+        out->measured /= watch->times;
+        out->measured_known = true;
+    }
+    /* without the first row: what the particles are given is not yet what comes back from the grid */
+    Swing swing;
+    if (n_rows > 2 && watch->n_lines == 1 &&
+        swing_fit(rows + n_columns + column, (size_t)n_columns, n_rows - 1,
+                  rows[(size_t)n_columns + 1] - rows[1], expected / watch->times, watch->times > 1, &swing)) {
+        out->kept_measured = swing_kept(swing.decay, watch->exact);
+        /* laid through a swing that dies within some periods, one of constant height is drawn off */
+        if (out->measured_known && watch->kept < DIES)
+            out->measured = swing.frequency;
+    }
+}
+
+bool bar_prediction_is_whole(double count, const char *parts, Status *status)
+{
+    if (errno == ECANCELED)
+        return status_fail(status, STATUS_FAILED, "the prediction for the bar was given up");
+    return errno != ENOMEM || status_fail(status, STATUS_FAILED,
+                                          "not enough memory to predict the motion of %g %s", count, parts);
+}
+
+/* --- derived numbers ------------------------------------------------------------------------------ */
+
+void bar_derived_step(Derived out[DERIVED_MAX], int *n, double speed, double dt)
+{
+    derived_add(out, n, "wave_speed", "wave speed c", "length/time", speed, false);
+    derived_add(out, n, "dt", "time step dt", "time", dt, false);
+}
+
+void bar_derived_wave(Derived out[DERIVED_MAX], int *n, const Settings *settings, const BarTheory *theory,
+                      BarFrequency *frequency, double dt)
+{
+    const BarWatch watch = predicted_watch(settings, theory, frequency, dt);
+    if (!watch.moving)
+        return;
+    if (bar_is_layered(theory)) {
+        derived_add(out, n, "beta", "wave number", "1/length", watch.exact / bar_wave_speed(theory), false);
+        derived_add(out, n, "beta2", "  beyond the joint", "1/length",
+                    watch.exact / sqrt(theory->joint_modulus / theory->joint_density), false);
+    } else
+        derived_add(out, n, "beta", "wave number", "1/length", bar_wave_number(theory, watch.mode), false);
+    derived_add_answer(out, n, REFERENCE_FREQUENCY, "omega", "frequency w", "1/time", watch.exact);
+    if (watch.predicted_known)
+        derived_add_answer(out, n, REFERENCE_PREDICTED, "omega_predicted", "w of this mesh", "1/time",
+                           watch.predicted);
+    derived_add_answer(out, n, REFERENCE_FREQUENCY, "period", "period", "time", 2 * M_PI / watch.exact);
+    derived_add_answer(out, n, REFERENCE_FREQUENCY, "steps_per_period", "steps/period", "1",
+                       2 * M_PI / watch.exact / dt);
+}
+
+/* --- every mode ----------------------------------------------------------------------------------- */
+
+int bar_modes_of(double count)
+{
+    return count >= 1 && count < INT_MAX ? (int)count : 0;
+}
+
+bool bar_mode(const Settings *settings, int number, BarWave *wave_of, ModeOnMesh *out, Dispersion *wave)
+{
+    BarTheory theory;
+    if (!bar_theory_of(settings, &theory, NULL))
+        return false;
+    *wave = wave_of(settings, &theory, bar_wave_number(&theory, number));
+    *out = (ModeOnMesh){.exact = bar_frequency(&theory, number), .predicted = NAN};
+    if (wave->known && wave->frequency > 0)
+        out->predicted = wave->frequency;
+    return true;
+}

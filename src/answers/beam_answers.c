@@ -1,0 +1,457 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Answers for the beams that do not depend on the method: beam theories beside, zeros and periods of a
+ * record. */
+#include "answers/beam_answers.h"
+
+#include "base/math/functions.h"
+#include "theory/elastic_beam.h"
+#include "theory/swing.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* What References.own is of a beam. */
+typedef struct BeamAnswers {
+    BeamTheory theory;                         /* as the scenario has it */
+    BeamBody body;                             /* as the method has it */
+    double euler, timoshenko, timoshenko_real; /* periods of the simply supported beam */
+    MovingCantilever *moving;
+    double speed; /* of the same */
+} BeamAnswers;
+
+static const BeamAnswers *own(const References *refs)
+{
+    return refs->own;
+}
+
+static void release(void *answers)
+{
+    BeamAnswers *beam = answers;
+    if (beam->moving)
+        moving_cantilever_free(beam->moving);
+}
+
+static BeamAnswers *own_create(References *refs, Status *status)
+{
+    return plan_own(refs, sizeof(BeamAnswers), release, status);
+}
+
+BeamTheory beam_theory_of(const Settings *settings)
+{
+    return (BeamTheory){.length = settings->geometry.length,
+                        .height = settings->geometry.height,
+                        .youngs_modulus = settings->material.youngs_modulus,
+                        .density = settings->material.density,
+                        .poisson = settings->method == METHOD_MPM ? settings->material.poisson : 1.0 / 3,
+                        .amplitude = settings->start.amplitude};
+}
+
+/* The zeros of a column: how many, the first and the last two. */
+typedef struct Zeros {
+    long count;
+    double first, last, before;
+} Zeros;
+
+/* Changes of sign of a column, at most `most` of them, each placed by the straight line between its two rows
+ * (column 1 of a row is its time). */
+static Zeros find_zeros(const double *rows, size_t n_rows, int n_columns, int column, long most)
+{
+    Zeros zeros = {0, NAN, NAN, NAN};
+    const size_t width = (size_t)n_columns, at = (size_t)column;
+    for (size_t k = 1; k < n_rows && zeros.count < most; k++) {
+        const double *a = rows + (k - 1) * width, *b = rows + k * width;
+        if ((a[at] < 0) == (b[at] < 0))
+            continue;
+        zeros.before = zeros.last;
+        zeros.last = a[1] + (b[1] - a[1]) * a[at] / (a[at] - b[at]);
+        if (zeros.count++ == 0)
+            zeros.first = zeros.last;
+    }
+    return zeros;
+}
+
+/* --- simply supported ----------------------------------------------------------------------------- */
+
+static double u_euler(References *refs, long step, double time, const double *row)
+{
+    (void)step, (void)row;
+    return beam_midpoint(&own(refs)->theory, own(refs)->euler, time);
+}
+
+static double v_euler(References *refs, long step, double time, const double *row)
+{
+    (void)step, (void)row;
+    return beam_midpoint_velocity(&own(refs)->theory, own(refs)->euler, time);
+}
+
+static double u_timoshenko(References *refs, long step, double time, const double *row)
+{
+    (void)step, (void)row;
+    return beam_midpoint(&own(refs)->theory, own(refs)->timoshenko, time);
+}
+
+static double v_timoshenko(References *refs, long step, double time, const double *row)
+{
+    (void)step, (void)row;
+    return beam_midpoint_velocity(&own(refs)->theory, own(refs)->timoshenko, time);
+}
+
+static double u_plane(References *refs, long step, double time, const double *row)
+{
+    (void)step, (void)row;
+    return beam_midpoint(&own(refs)->theory, own(refs)->body.plane, time);
+}
+
+static double v_plane(References *refs, long step, double time, const double *row)
+{
+    (void)step, (void)row;
+    return beam_midpoint_velocity(&own(refs)->theory, own(refs)->body.plane, time);
+}
+
+/* Under a weight that is there from t = 0 on the state of rest stands beside the run, whatever the way to it.
+ */
+static double u_rest(References *refs, long step, double time, const double *row)
+{
+    (void)step, (void)time, (void)row;
+    return beam_sag(&own(refs)->body.real, own(refs)->body.weight);
+}
+
+static double u_solved(References *refs, long step, double time, const double *row)
+{
+    (void)step, (void)time, (void)row;
+    return own(refs)->body.solved;
+}
+
+static void plan_rest(References *refs, const Simulation *sim)
+{
+    static const Quantity rest = {"u_rest", "Timoshenko", "m",
+                                  "the middle at rest by Timoshenko, at the beam's real span and height"};
+    static const Quantity solved = {"u_solved", "one solution", "m",
+                                    "the probe of this very lattice at rest, by one solution"};
+    plan_method(refs, sim, "u_probe");
+    plan_method(refs, sim, "v_probe");
+    plan_answer(refs, &rest, COLUMN_EXACT, "u_probe", u_rest);
+    if (isfinite(own(refs)->body.solved))
+        plan_answer(refs, &solved, COLUMN_PREDICTED, "u_probe", u_solved);
+}
+
+/* Under its weight: what the lattice comes to rest at against one solution of it, and that against theory. */
+int beam_find_rest(const References *refs, const Simulation *sim, Finding *out)
+{
+    const BeamBody *body = &own(refs)->body;
+    double row[COLUMNS_MAX];
+    int n = 0;
+    if (body->weight == 0)
+        return 0;
+    const double theory = beam_sag(&body->real, body->weight);
+    if (sim->stage != 0 || sim->item != 0)
+        row[simulation_find_series(sim, "u_probe")] = NAN;
+    else
+        sim->method->row((Simulation *)sim, row);
+    const double now = row[simulation_find_series(sim, "u_probe")];
+    if (isfinite(body->solved)) {
+        out[n++] = (Finding){"u_middle", "middle", now, body->solved, "one solution", NULL};
+        out[n++] = (Finding){"off", "off by", now / body->solved - 1, 0, NULL, NULL};
+        out[n++] =
+            (Finding){"sag_ratio", "one solution over Timoshenko", body->solved / theory, 0, NULL, NULL};
+    } else {
+        out[n++] = (Finding){"u_middle", "middle", now, theory, "Timoshenko", NULL};
+    }
+    if (sim->kinetic_left > 0 || sim->at_rest)
+        out[n++] = (Finding){"kinetic_left", "kinetic over its largest", sim->kinetic_left, 0, NULL, NULL};
+    return n;
+}
+
+bool beam_prepare_supported(References *refs, const Settings *settings, const Simulation *sim,
+                            const BeamBody *body, Status *status)
+{
+    static const Quantity u_e = {"u_euler", "Euler", "m", "mid-point displacement by Euler-Bernoulli"};
+    static const Quantity v_e = {"v_euler", "Euler", "m/s", "mid-point velocity by Euler-Bernoulli"};
+    static const Quantity u_t = {"u_timoshenko", "Timoshenko", "m", "mid-point displacement by Timoshenko"};
+    static const Quantity v_t = {"v_timoshenko", "Timoshenko", "m/s", "mid-point velocity by Timoshenko"};
+    static const Quantity u_p = {"u_plane", "plane", "m",
+                                 "mid-point displacement by the exact plane problem"};
+    static const Quantity v_p = {"v_plane", "plane", "m/s", "mid-point velocity by the exact plane problem"};
+    BeamAnswers *beam = own_create(refs, status);
+    if (!beam)
+        return false;
+    beam->theory = beam_theory_of(settings);
+    beam->body = *body;
+    beam->euler = beam_period_euler(&beam->theory);
+    beam->timoshenko = beam_period_timoshenko(&beam->theory);
+    beam->timoshenko_real = beam_period_timoshenko(&body->real);
+    beam->theory.damping = body->damping;
+    if (body->weight != 0) {
+        plan_rest(refs, sim);
+        return true;
+    }
+    plan_method(refs, sim, "u_probe");
+    plan_method(refs, sim, "v_probe");
+    plan_answer(refs, &u_e, COLUMN_EXACT, "u_probe", u_euler);
+    plan_answer(refs, &v_e, COLUMN_EXACT, "v_probe", v_euler);
+    plan_answer(refs, &u_t, COLUMN_EXACT, "u_probe", u_timoshenko);
+    plan_answer(refs, &v_t, COLUMN_EXACT, "v_probe", v_timoshenko);
+    if (isfinite(body->plane)) {
+        plan_answer(refs, &u_p, COLUMN_EXACT, "u_probe", u_plane);
+        plan_answer(refs, &v_p, COLUMN_EXACT, "v_probe", v_plane);
+    }
+    return true;
+}
+
+/* Timoshenko's beam keeps the sine: what a two-dimensional body should give. */
+double beam_supported_profile(const References *refs, const char *field, double x, double time)
+{
+    const BeamTheory *beam = &own(refs)->theory;
+    if (!(x >= 0 && x <= beam->length))
+        return NAN;
+    const BeamBody *body = &own(refs)->body;
+    if (body->weight != 0) {
+        const double between = x - (beam->length - body->real.length) / 2;
+        return strcmp(field, "vy") == 0 ? 0
+               : strcmp(field, "uy") == 0 && between >= 0 && between <= body->real.length
+                   ? beam_sag_at(&body->real, body->weight, between)
+                   : NAN;
+    }
+    double shape = math_sin(M_PI * x / beam->length);
+    if (strcmp(field, "uy") == 0)
+        return shape * beam_midpoint(beam, own(refs)->timoshenko, time);
+    if (strcmp(field, "vy") == 0)
+        return shape * beam_midpoint_velocity(beam, own(refs)->timoshenko, time);
+    return NAN;
+}
+
+/* y = 0 in the middle. */
+double beam_supported_section(const References *refs, const char *field, double x, double y, double time)
+{
+    const BeamTheory *beam = &own(refs)->theory;
+    if (!(x >= 0 && x <= beam->length) || own(refs)->body.weight != 0)
+        return NAN;
+    if (strcmp(field, "sxx") == 0)
+        return beam_bending_stress(beam, x, y, time);
+    if (strcmp(field, "sxy") == 0)
+        return beam_shear_stress(beam, x, y, time);
+    return NAN;
+}
+
+/* Whether it comes back often enough to be measured: a beam that is braked almost critically does not. */
+static bool swings(const BeamAnswers *beam)
+{
+    const double most = 0.9,
+                 slowest = fmax(beam->timoshenko, beam->body.predicted); /* NAN counts for nothing */
+    return beam->body.damping * slowest / (4 * M_PI) < most;
+}
+
+/* A swing that dies: its period and what a period keeps, by one fit. */
+static void read_damped(const References *refs, const double *rows, size_t n_rows, int n_columns,
+                        Readout *out)
+{
+    const double expected = out->predicted_known ? out->predicted : out->real_size;
+    const size_t width = (size_t)n_columns;
+    Swing swing;
+    out->decay_exact = own(refs)->body.damping / 2;
+    out->kept_predicted = swing_kept(out->decay_exact, 2 * M_PI / out->exact);
+    if (n_rows < 2 || !swing_fit(rows + plan_find(refs, "u_probe"), width, n_rows, rows[width + 1] - rows[1],
+                                 2 * M_PI / expected, false, &swing))
+        return;
+    out->measured = 2 * M_PI / swing.frequency;
+    out->measured_known = true;
+    out->decay_measured = swing.decay;
+    out->kept_measured = swing_kept(swing.decay, 2 * M_PI / out->exact);
+}
+
+/* Beam theory is Timoshenko's period of the beam as it was asked for, and the same at its real size that of
+ * the beam as it lies on the lattice, a little thinner and shorter; predicted is the lattice's own. */
+void beam_read_supported(const References *refs, const double *rows, size_t n_rows, int n_columns,
+                         Readout *out)
+{
+    out->is_period = true;
+    out->column = "u_probe";
+    const BeamAnswers *beam = own(refs);
+    const double damping = beam->body.damping;
+    out->exact = beam_damped_period(beam->timoshenko, damping);
+    out->moving = (beam->theory.amplitude != 0 || beam->body.weight != 0) && swings(beam);
+    if (!out->moving)
+        return;
+    out->exact_known = true;
+    out->predicted = beam_damped_period(beam->body.predicted, damping);
+    out->predicted_known = isfinite(out->predicted);
+    out->real_size = beam_damped_period(beam->timoshenko_real, damping);
+    if (damping > 0) {
+        read_damped(refs, rows, n_rows, n_columns, out);
+        return;
+    }
+    const double expected = out->predicted_known ? out->predicted : out->real_size;
+    double frequency;
+    if (readout_fit(rows, n_rows, n_columns, plan_find(refs, "u_probe"), 2 * M_PI / expected, &(double){1}, 1,
+                    &frequency)) {
+        out->measured = 2 * M_PI / frequency;
+        out->measured_known = true;
+    }
+    const Zeros zeros = find_zeros(rows, n_rows, n_columns, plan_find(refs, "u_probe"), LONG_MAX);
+    if (zeros.count > 1)
+        out->by_zeros = 2 * (zeros.last - zeros.first) / (double)(zeros.count - 1);
+}
+
+/* --- axially moving cantilever -------------------------------------------------------------------- */
+
+static double u_modal(References *refs, long step, double time, const double *row)
+{
+    (void)step, (void)row;
+    return moving_cantilever_tip(own(refs)->moving, time);
+}
+
+static double v_modal(References *refs, long step, double time, const double *row)
+{
+    (void)step, (void)row;
+    return moving_cantilever_tip_velocity(own(refs)->moving, time);
+}
+
+/* The straight line v = a + b k through the velocities of the last 0.1 ms by least squares, read at its
+ * newest end, k = 0, going back:
+ *
+ *     a = (2 (2n - 1) sum v_k - 6 sum k v_k)/(n (n + 1))
+ *
+ * A mean over the same window would lag by half of it; the line does not, and damps the thickness modes (1
+ * MHz and more) to a hundredth all the same. The first rows stand for themselves until three are there. */
+static double v_filtered(References *refs, long step, double time, const double *row)
+{
+    (void)step, (void)time;
+    const Window *window = &refs->window;
+    long n = window->filled;
+    if (n < 3)
+        return row[refs->window.of];
+    /* with k = 0 for the newest and going back: value at 0 of the line */
+    double sum = 0, moment = 0;
+    for (long k = 0; k < n; k++) {
+        long at = window->next - 1 - k;
+        double value = window->values[at < 0 ? at + window->size : at];
+        sum += value;
+        moment += (double)k * value;
+    }
+    double count = (double)n;
+    return (2 * (2 * count - 1) * sum - 6 * moment) / (count * (count + 1));
+}
+
+bool beam_prepare_moving(References *refs, const Settings *settings, const Simulation *sim,
+                         const BeamBody *body, Status *status)
+{
+    static const Quantity u_m = {"u_modal", "modal", "m", "tip displacement by the modal equations"};
+    static const Quantity v_m = {"v_modal", "modal", "m/s", "the tip's material velocity by the same"};
+    static const Quantity v_f = {"v_filtered", "filtered 0.1 ms", "m/s",
+                                 "v_probe without its thickness modes: the end of the straight line "
+                                 "through the last 0.1 ms"};
+    const double window = 1e-4;
+    BeamAnswers *beam = own_create(refs, status);
+    if (!beam)
+        return false;
+    beam->theory = beam_theory_of(settings);
+    /* the last step may lie beyond the end by almost a step */
+    double end = (double)problem_last_step(sim->dt, settings->time.end) * sim->dt;
+    BeamTheory asking = beam->theory;
+    asking.from_tip = body->from_tip;
+    asking.patience = settings->patience;
+    beam->moving = moving_cantilever_solve(&asking, settings->motion.speed, fmax(end, sim->dt), status);
+    if (!beam->moving)
+        return false;
+    beam->speed = settings->motion.speed;
+    beam->body = *body;
+    const long rows = lround(window / sim->dt) + 1;
+    if (body->rings && !plan_window(refs, sim, "v_probe", rows < 1000000 ? rows : 1000000))
+        return status_fail(status, STATUS_FAILED, "not enough memory to filter the velocity");
+    plan_method(refs, sim, "u_probe");
+    plan_method(refs, sim, "v_probe");
+    plan_method(refs, sim, "length");
+    plan_answer(refs, &u_m, COLUMN_EXACT, "u_probe", u_modal);
+    plan_answer(refs, &v_m, COLUMN_EXACT, "v_probe", v_modal);
+    if (body->rings)
+        plan_filter(refs, &v_f, "v_probe", v_filtered);
+    return true;
+}
+
+/* x of the beam at t = 0, 0 at the mouth; it moves out of it. */
+double beam_moving_section(const References *refs, const char *field, double x, double y, double time)
+{
+    const BeamAnswers *beam = own(refs);
+    const double from_root = x + beam->speed * time;
+    if (strcmp(field, "sxx") == 0)
+        return moving_cantilever_bending_stress(beam->moving, &beam->theory, from_root, y, time);
+    if (strcmp(field, "sxy") == 0)
+        return moving_cantilever_shear_stress(beam->moving, &beam->theory, from_root, y, time);
+    return NAN;
+}
+
+/* The period grows with the length, so the time between the last two zeros is given (twice, for a whole
+ * period), against that between the same zeros of the modal solution. */
+void beam_read_moving(const References *refs, const double *rows, size_t n_rows, int n_columns, Readout *out)
+{
+    out->is_period = true;
+    out->drifting = true;
+    out->column = "u_probe";
+    out->moving = own(refs)->theory.amplitude != 0;
+    if (!out->moving)
+        return;
+    int u = plan_find(refs, "u_probe"), modal = plan_find(refs, "u_modal");
+    if (u < 0 || modal < 0)
+        return; /* theory does not know this run */
+    Zeros measured = find_zeros(rows, n_rows, n_columns, u, LONG_MAX);
+    Zeros exact = find_zeros(rows, n_rows, n_columns, modal, LONG_MAX);
+    long both = measured.count < exact.count ? measured.count : exact.count;
+    if (both < 2)
+        return;
+    if (measured.count > both)
+        measured = find_zeros(rows, n_rows, n_columns, u, both);
+    if (exact.count > both)
+        exact = find_zeros(rows, n_rows, n_columns, modal, both);
+    out->measured_known = out->exact_known = true;
+    out->measured = 2 * (measured.last - measured.before);
+    out->exact = 2 * (exact.last - exact.before);
+    out->late = (measured.last - exact.last) / out->exact;
+}
+
+/* --- notched -------------------------------------------------------------------------------------- */
+
+bool beam_prepare_notched(References *refs, const Settings *settings, const Simulation *sim, Status *status)
+{
+    (void)settings, (void)status;
+    plan_method(refs, sim, "u_probe");
+    plan_method(refs, sim, "v_probe");
+    return true;
+}
+
+void beam_read_nothing(const References *refs, const double *rows, size_t n_rows, int n_columns, Readout *out)
+{
+    (void)refs, (void)rows, (void)n_rows, (void)n_columns;
+    out->is_period = out->unjudged = true;
+    out->column = "u_probe";
+}
+
+/* --- moving: what its lengthening alone does ------------------------------------------------------- */
+
+static double length_at(const References *refs, double time)
+{
+    return own(refs)->theory.length + own(refs)->speed * time;
+}
+
+double beam_moving_envelope(const References *refs, const char *column, double time)
+{
+    const BeamTheory *beam = &own(refs)->theory;
+    const double growth = length_at(refs, time) / beam->length, tip = 2 * fabs(beam->amplitude);
+    if (strcmp(column, "u_probe") == 0)
+        return tip * sqrt(growth);
+    if (strcmp(column, "v_probe") == 0)
+        return tip * beam_cantilever_frequency(beam, beam->length) * math_pow(growth, -1.5);
+    return NAN;
+}
+
+double beam_moving_frequency(const References *refs, double time)
+{
+    return beam_cantilever_frequency(&own(refs)->theory, length_at(refs, time)) / (2 * M_PI);
+}
+
+int beam_thickness_lines(const References *refs, double out[THICKNESS_LINES_MAX])
+{
+    memcpy(out, own(refs)->body.thickness, sizeof own(refs)->body.thickness);
+    return own(refs)->body.n_thickness;
+}

@@ -1,0 +1,365 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The table of a duel: one function for each quantity writes its label and its value for either run, in
+ * the order of the list at the end. A row is shown if at least one of the runs has a value. */
+#include "answers/comparison.h"
+
+#include "base/text.h"
+#include "scenario/parameters.h"
+#include "answers/summary.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* A run at its present step. */
+typedef struct Standing {
+    Experiment *experiment;
+    const Readout *readout;
+    CrackFacts crack;
+    bool breaks; /* `crack` is known */
+    FrontsFacts fronts;
+    bool follows; /* `fronts` are known */
+} Standing;
+
+/* A row: its label for this run and, if there is one, its value. False: the run has no such number. */
+typedef bool Fill(const Standing *, char *label, char *value);
+
+/* A number into a value's text. */
+static bool put(char *value, const char *format, double number)
+{
+    snprintf(value, COMPARISON_TEXT_MAX, format, number);
+    return true;
+}
+
+/* --- frequency or period --------------------------------------------------------------------------- */
+
+static bool fill_answer(const Standing *run, const char *word, const char *format, bool known, double answer,
+                        char *label, char *value)
+{
+    const Readout *readout = run->readout;
+    if (!readout->moving)
+        return false;
+    snprintf(label, COMPARISON_TEXT_MAX, readout->is_period ? "T %s, ms" : "w %s", word);
+    return known && put(value, format, readout->is_period ? answer / 1e-3 : answer);
+}
+
+/* The measured frequency (or period, ms) by least squares over the record; while there is none, why. */
+static bool fill_measured(const Standing *run, char *label, char *value)
+{
+    const Readout *readout = run->readout;
+    /* while rows come in the fit is a little behind them, see experiment_rest() */
+    const char *format = experiment_is_flowing(run->experiment) ? "~%.3f" : "%.4f";
+    if (fill_answer(run, "measured", format, readout->measured_known, readout->measured, label, value))
+        return true;
+    snprintf(value, COMPARISON_TEXT_MAX,
+             readout->unaccounted                 ? "not known"
+             : experiment_at_end(run->experiment) ? "none"
+                                                  : "measuring");
+    return readout->moving;
+}
+
+static bool fill_predicted(const Standing *run, char *label, char *value)
+{
+    return fill_answer(run, "predicted", "%.4f", run->readout->predicted_known, run->readout->predicted,
+                       label, value);
+}
+
+static bool fill_exact(const Standing *run, char *label, char *value)
+{
+    return fill_answer(run, experiment_settings(run->experiment)->problem->answer, "%.4f",
+                       run->readout->exact_known, run->readout->exact, label, value);
+}
+
+/* Relative error against the exact answer: 100 (measured/exact - 1) %, of a period the reciprocal's. */
+static bool fill_error(const Standing *run, char *label, char *value)
+{
+    const Readout *readout = run->readout;
+    snprintf(label, COMPARISON_TEXT_MAX, readout->is_period ? "T off by" : "w off by");
+    return readout->moving && readout->measured_known && readout->exact_known &&
+           put(value, experiment_is_flowing(run->experiment) ? "~%+.1f %%" : "%+.2f %%",
+               readout->is_period ? readout->error_period : readout->error_frequency);
+}
+
+/* By how many periods of the exact answer the run is behind at its present time. */
+static bool fill_late(const Standing *run, char *label, char *value)
+{
+    const Readout *readout = run->readout;
+    snprintf(label, COMPARISON_TEXT_MAX, "late, periods");
+    return readout->moving && readout->measured_known && isfinite(readout->late) &&
+           put(value, "%.2f", readout->late);
+}
+
+/* --- energy ---------------------------------------------------------------------------------------- */
+
+/* The column of a run's series by its name; -1: it has none. */
+static int column_of(const Standing *run, const char *name)
+{
+    int n;
+    const Column *columns = experiment_columns(run->experiment, &n);
+    for (int i = 0; i < n; i++)
+        if (strcmp(columns[i].quantity.name, name) == 0)
+            return i;
+    return -1;
+}
+
+/* 100 (E* now over E* at the start, - 1) %: the loss without the ripple of staggered velocities and stresses,
+ * where E* is kept (invariant.h). */
+static bool fill_loss(const Standing *run, char *label, char *value)
+{
+    double now, start;
+    snprintf(label, COMPARISON_TEXT_MAX, "energy E* change");
+    return experiment_invariant(run->experiment, &now, &start) && start > 0 &&
+           put(value, "%+.3f %%", 100 * (now / start - 1));
+}
+
+/* kinetic + strain over their sum at the start, where there is no E* to tell more. */
+static bool fill_total(const Standing *run, char *label, char *value)
+{
+    const int total = column_of(run, "total");
+    const double *row = experiment_row(run->experiment);
+    const Record *record = experiment_record(run->experiment);
+    double now, start;
+    snprintf(label, COMPARISON_TEXT_MAX, "energy, of start");
+    if (experiment_invariant(run->experiment, &now, &start))
+        return false; /* E* has it */
+    if (total < 0 || !row || record->count == 0 || !(record_row(record, 0)[total] > 0))
+        return false;
+    return put(value, "%.2f %%", 100 * row[total] / record_row(record, 0)[total]);
+}
+
+/* A part of the kinetic energy that the grid's own does not hold, as a mean over a tenth of the run, or over
+ * what there is of it: `word` says which, and `part` takes it from a row's energies. */
+typedef double HiddenPart(double kinetic, double grid, double null);
+
+static bool fill_part(const Standing *run, const char *word, HiddenPart *part, char *label, char *value)
+{
+    const int kinetic = column_of(run, "kinetic"), grid = column_of(run, "kinetic_grid");
+    const int null = column_of(run, "kinetic_null");
+    const Record *record = experiment_record(run->experiment);
+    const double to = experiment_time(run->experiment),
+                 span = experiment_settings(run->experiment)->time.end / 10;
+    double all = 0, hidden = 0;
+    char number[NUMBER_TEXT_MAX];
+    text_rounded(number, span, 3);
+    if (to > span)
+        snprintf(label, COMPARISON_TEXT_MAX, "%s, last t %.8s", word, number);
+    else
+        snprintf(label, COMPARISON_TEXT_MAX, "%s, since t 0", word);
+    if (kinetic < 0 || grid < 0 || null < 0 || record->count == 0)
+        return false;
+    for (size_t i = record_find(record, to - span); i < record->count && record_row(record, i)[1] <= to;
+         i++) {
+        const double *row = record_row(record, i);
+        all += row[kinetic];
+        hidden += part(row[kinetic], row[grid], record_known(record, i, null));
+    }
+    return all > 0 && put(value, "%.2f %%", 100 * hidden / all);
+}
+
+/* Motion that no nodal velocities represent. */
+static double in_null_space(double kinetic, double grid, double null)
+{
+    (void)kinetic, (void)grid;
+    return null;
+}
+
+/* What the nodes would have more of, were their mass not lumped. */
+static double by_lumping(double kinetic, double grid, double null)
+{
+    return kinetic - grid - null;
+}
+
+static bool fill_null(const Standing *run, char *label, char *value)
+{
+    return fill_part(run, "null", in_null_space, label, value);
+}
+
+static bool fill_lumping(const Standing *run, char *label, char *value)
+{
+    return fill_part(run, "lumping", by_lumping, label, value);
+}
+
+/* --- what happened --------------------------------------------------------------------------------- */
+
+/* Of a bar in its own unit, of a beam in seconds, which are few. */
+static bool put_time(char *value, double time)
+{
+    char number[NUMBER_TEXT_MAX];
+    if (time >= 0.01)
+        return put(value, "t %.2f", time);
+    text_rounded(number, time, 3);
+    snprintf(value, COMPARISON_TEXT_MAX, "t %.12s", number);
+    return true;
+}
+
+static bool fill_crossing(const Standing *run, char *label, char *value)
+{
+    int count;
+    const Simulation *sim = experiment_simulation(run->experiment);
+    const Event *events = experiment_events(run->experiment, &count);
+    snprintf(label, COMPARISON_TEXT_MAX, "first crossing");
+    if (column_of(run, "kinetic_grid") < 0)
+        return false; /* there is no grid */
+    for (int i = 0; i < count; i++)
+        if (events[i].kind == EVENT_CROSSING && events[i].step <= sim->step)
+            return put_time(value, (double)events[i].step * sim->dt);
+    snprintf(value, COMPARISON_TEXT_MAX, "none yet");
+    return true;
+}
+
+static bool fill_broken(const Standing *run, char *label, char *value)
+{
+    snprintf(label, COMPARISON_TEXT_MAX, "broken bonds");
+    return (run->breaks || run->follows) &&
+           put(value, "%.0f", (double)(run->breaks ? run->crack.measured.broken : run->fronts.broken));
+}
+
+static bool fill_tips(const Standing *run, char *label, char *value)
+{
+    snprintf(label, COMPARISON_TEXT_MAX, "tips of cracks");
+    return run->follows && put(value, "%.0f", run->fronts.n_tips);
+}
+
+static bool fill_fastest(const Standing *run, char *label, char *value)
+{
+    snprintf(label, COMPARISON_TEXT_MAX, "fastest, m/s");
+    return run->follows && isfinite(run->fronts.fastest) && put(value, "%.0f", run->fronts.fastest);
+}
+
+static bool fill_branch(const Standing *run, char *label, char *value)
+{
+    snprintf(label, COMPARISON_TEXT_MAX, "branched at t, µs");
+    return run->follows && run->fronts.branched && put(value, "%.1f", run->fronts.branch_time / 1e-6);
+}
+
+static bool fill_first_break(const Standing *run, char *label, char *value)
+{
+    snprintf(label, COMPARISON_TEXT_MAX, "first break, µs");
+    if (run->breaks && isnan(run->crack.measured.first_break)) {
+        snprintf(value, COMPARISON_TEXT_MAX, "none yet");
+        return true;
+    }
+    return run->breaks && put(value, "%.1f", run->crack.measured.first_break / 1e-6);
+}
+
+static bool fill_length(const Standing *run, char *label, char *value)
+{
+    snprintf(label, COMPARISON_TEXT_MAX, "crack's length, mm");
+    return run->breaks && put(value, "%.1f", run->crack.measured.length / 1e-3);
+}
+
+static bool fill_tip_x(const Standing *run, char *label, char *value)
+{
+    snprintf(label, COMPARISON_TEXT_MAX, "its tip at x, mm");
+    return run->breaks && run->crack.measured.begun && put(value, "%.1f", run->crack.measured.x / 1e-3);
+}
+
+static bool fill_tip_y(const Standing *run, char *label, char *value)
+{
+    snprintf(label, COMPARISON_TEXT_MAX, "and y, mm");
+    return run->breaks && run->crack.measured.begun && put(value, "%.1f", run->crack.measured.y / 1e-3);
+}
+
+static bool fill_work(const Standing *run, char *label, char *value)
+{
+    const int work = column_of(run, "work");
+    const double *row = experiment_row(run->experiment);
+    snprintf(label, COMPARISON_TEXT_MAX, "work of the load");
+    return work >= 0 && !simulation_has(experiment_simulation(run->experiment), HAS_RELATIVE_ENERGY) && row &&
+           fabs(row[work]) > 0 && put(value, "%.4g", row[work]);
+}
+
+/* Where one of the two stands apart: it failed. */
+static bool fill_stop(const Standing *run, char *label, char *value)
+{
+    const Simulation *sim = experiment_simulation(run->experiment);
+    const Problem *facts = experiment_settings(run->experiment)->problem;
+    snprintf(label, COMPARISON_TEXT_MAX, "stopped at t%s%s", facts->si ? "," : "", facts->shown_time_unit);
+    return experiment_failed(run->experiment, NULL) &&
+           put(value, "%.4g", (double)experiment_newest(run->experiment) * sim->dt / facts->shown_time);
+}
+
+static bool fill_step(const Standing *run, char *label, char *value)
+{
+    snprintf(label, COMPARISON_TEXT_MAX, "time step");
+    return put(value, "%.4g", experiment_simulation(run->experiment)->dt);
+}
+
+static const struct {
+    Fill *fill;
+    ColumnKind kind;
+    bool if_different; /* else it is not worth a row */
+} quantities[] = {
+    {fill_stop, COLUMN_MEASURED, false},       {fill_measured, COLUMN_MEASURED, false},
+    {fill_predicted, COLUMN_PREDICTED, false}, {fill_exact, COLUMN_EXACT, false},
+    {fill_broken, COLUMN_MEASURED, false},     {fill_first_break, COLUMN_MEASURED, false},
+    {fill_tips, COLUMN_MEASURED, false},       {fill_fastest, COLUMN_MEASURED, false},
+    {fill_branch, COLUMN_MEASURED, false},     {fill_length, COLUMN_MEASURED, false},
+    {fill_tip_x, COLUMN_MEASURED, false},      {fill_tip_y, COLUMN_MEASURED, false},
+    {fill_loss, COLUMN_MEASURED, false},       {fill_null, COLUMN_MEASURED, false},
+    {fill_crossing, COLUMN_MEASURED, false},   {fill_error, COLUMN_EXACT, false},
+    {fill_late, COLUMN_EXACT, false},          {fill_lumping, COLUMN_MEASURED, false},
+    {fill_total, COLUMN_MEASURED, false},      {fill_work, COLUMN_MEASURED, false},
+    {fill_step, COLUMN_MEASURED, true},
+};
+enum { QUANTITIES = sizeof quantities / sizeof *quantities };
+
+/* --- the table ------------------------------------------------------------------------------------- */
+
+/* What several rows need of a run, asked once. */
+static Standing standing_of(Experiment *experiment)
+{
+    Standing run = {.experiment = experiment, .readout = experiment_readout(experiment)};
+    run.breaks = crack_facts(experiment_simulation(experiment), &run.crack);
+    const CrackFronts *fronts = experiment_fronts(experiment);
+    run.follows = fronts != NULL;
+    if (fronts)
+        crack_fronts_facts(fronts, &run.fronts);
+    return run;
+}
+
+/* The keys in which the two differ, as they stand in a scenario file. */
+static int add_keys(const Duel *duel, Comparison *rows)
+{
+    const Settings *settings[2] = {experiment_settings(duel->a), experiment_settings(duel->b)};
+    int count = 0;
+    for (int i = 0; i < duel->n_keys; i++) {
+        const Parameter *parameter = parameter_find(duel->keys[i].key);
+        const char *key = duel->keys[i].key;
+        char value[LIST_MAX];
+        if (!parameter && !settings_row_is_key(settings[0], key))
+            continue;
+        Comparison *row = &rows[count++];
+        *row = (Comparison){.kind = COLUMN_MEASURED};
+        snprintf(row->label, sizeof row->label, "%s", parameter ? parameter->label : key);
+        for (int run = 0; run < 2; run++) {
+            if (parameter)
+                settings_show(settings[run], parameter, value);
+            else
+                settings_row_key_show(settings[run], key, value);
+            snprintf(row->values[run], sizeof row->values[run], "%.*s", COMPARISON_TEXT_MAX - 1, value);
+        }
+    }
+    return count;
+}
+
+/* The keys first, then each quantity that either run has. */
+int comparison_of_duel(const Duel *duel, Comparison rows[COMPARISONS_MAX])
+{
+    if (!duel->b)
+        return 0;
+    const Standing runs[2] = {standing_of(duel->a), standing_of(duel->b)};
+    int count = add_keys(duel, rows);
+    for (int i = 0; i < QUANTITIES; i++) {
+        Comparison row = {.kind = quantities[i].kind};
+        bool any = false;
+        for (int run = 0; run < 2; run++)
+            if (quantities[i].fill(&runs[run], row.label, row.values[run]))
+                any = true;
+            else
+                strcpy(row.values[run], "-");
+        if (any && !(quantities[i].if_different && strcmp(row.values[0], row.values[1]) == 0))
+            rows[count++] = row;
+    }
+    return count;
+}

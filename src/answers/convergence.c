@@ -1,0 +1,346 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The studies of convergence.h: each is a function that makes the settings of its point k from those of
+ * the scenario. A point is computed by predicted answers alone (problem.h), no run is made; the observed
+ * order is the slope of a straight line through log |error| over log size. */
+#include "answers/known.h"
+#include "answers/convergence.h"
+#include "answers/waves.h"
+#include "scenario/parameters.h"
+#include "base/math/functions.h"
+
+#include <math.h>
+#include <stddef.h>
+
+/* --- the studies ---------------------------------------------------------------------------------- */
+
+static const double by_halves[] = {4, 2, 1, 0.5};
+static const double cells_by_halves[] = {2, 1, 0.5, 0.25, 0.125};
+static const double nodes_in_horizon[] = {2, 3, 4, 5, 6, 8};
+/* Paper P's Table 1: horizon and spacing, m, and the period that it prints, s. */
+static const double table_1[][3] = {{5e-3, 1.2e-3, 0.98e-3},    {2.5e-3, 0.6e-3, 0.90e-3},
+                                    {2e-3, 0.5e-3, 0.875e-3},   {1.5e-3, 0.35e-3, 0.87e-3},
+                                    {1.25e-3, 0.3e-3, 0.88e-3}, {1e-3, 0.25e-3, 0.865e-3}};
+
+#define LENGTH_OF(array) ((int)(sizeof(array) / sizeof *(array)))
+
+/* delta -> 0 with m = delta/dx kept: converges to the local theory. */
+static bool refine_horizon(const Settings *base, int k, Settings *out)
+{
+    if (k >= LENGTH_OF(by_halves))
+        return false;
+    *out = *base;
+    out->lattice.horizon *= by_halves[k];
+    out->lattice.spacing *= by_halves[k];
+    return true;
+}
+
+/* m -> infinity with delta kept: converges to peridynamics of this horizon, not to the local theory. */
+static bool refine_spacing(const Settings *base, int k, Settings *out)
+{
+    if (k >= LENGTH_OF(nodes_in_horizon))
+        return false;
+    *out = *base;
+    out->lattice.spacing = base->lattice.horizon / nodes_in_horizon[k];
+    return true;
+}
+
+/* Paper P's Table 1: horizon and spacing fall together, but not in one proportion, and floor(h/dx) rows make
+ * some of the beams thinner; so its periods are not monotone. */
+static bool take_from_table(const Settings *base, int k, Settings *out)
+{
+    if (k >= LENGTH_OF(table_1))
+        return false;
+    *out = *base;
+    out->lattice.horizon = table_1[k][0];
+    out->lattice.spacing = table_1[k][1];
+    return true;
+}
+
+static double printed_in_table(int k)
+{
+    return table_1[k][2];
+}
+
+/* The bar's cells halved again and again; courant is kept, so the step is halved too. */
+static bool refine_cells(const Settings *base, int k, Settings *out)
+{
+    if (k >= LENGTH_OF(cells_by_halves))
+        return false;
+    *out = *base;
+    out->mesh.cell_size *= cells_by_halves[k];
+    return true;
+}
+
+/* An even number of cells in the height: a row of nodes lies in the middle. */
+static bool refine_plane_cells(const Settings *base, int k, Settings *out)
+{
+    static const int cells_in_height[] = {2, 4, 8, 16};
+    if (k >= LENGTH_OF(cells_in_height))
+        return false;
+    *out = *base;
+    out->mesh.cell_size = base->geometry.height / cells_in_height[k];
+    return true;
+}
+
+/* The same cells with two, three and four particles along each of their sides. */
+enum { CELLS_IN_LINE = 3, PARTICLES_LEAST = 2 };
+static const char *const particle_lines[] = {"2 x 2", "3 x 3", "4 x 4", NULL};
+
+static bool refine_particles(const Settings *base, int k, Settings *out)
+{
+    if (k >= CELLS_IN_LINE * CONVERGENCE_LINES_MAX || !refine_plane_cells(base, k % CELLS_IN_LINE, out))
+        return false;
+    out->mesh.particles_per_cell = PARTICLES_LEAST + k / CELLS_IN_LINE;
+    return true;
+}
+
+/* Cells that grow smaller, then horizons with m kept.
+ */
+enum { SIZES_OF_METHOD = 4 };
+static const char *const method_lines[] = {"MPM", "bonds", NULL};
+
+static bool refine_methods(const Settings *base, int k, Settings *out)
+{
+    if (k < SIZES_OF_METHOD) {
+        if (!refine_plane_cells(base, k, out))
+            return false;
+        out->method = METHOD_MPM;
+        return true;
+    }
+    if (!refine_horizon(base, k - SIZES_OF_METHOD, out))
+        return false;
+    out->method = METHOD_PD;
+    return true;
+}
+
+/* T over theory's as delta -> 0 with m kept and nothing corrected. The surface's defect vanishes then; what
+ * stays is that the sum over so few nodes is no integral. Its moduli are those of long waves along its rows,
+ *
+ *     C11 = 9E/8 (c_L/c_L0)^2,   C12 = C66 = 3E/8 (c_T/c_T0)^2,   T/T_0 = sqrt(E/(C11 - C12^2/C11))
+ *
+ * for bonds are central forces, and a beam bends freely across. At m = 4 it is 1.0692; it falls to 1 with
+ * larger m. */
+static double limit_of_horizon(const Settings *settings)
+{
+    const double long_wave = 1e-3 / settings->lattice.horizon;
+    if (settings->lattice.surface_correction != SURFACE_NONE)
+        return NAN;
+    const double along = waves_on_lattice(settings, settings->lattice.influence, false, 0, long_wave),
+                 across = waves_on_lattice(settings, settings->lattice.influence, true, 0, long_wave);
+    const double c11 = 9.0 / 8 * along * along, c12 = 3.0 / 8 * across * across;
+    return 1 / sqrt(c11 - c12 * c12 / c11);
+}
+
+static double horizon_of(const Settings *settings)
+{
+    return settings->lattice.horizon;
+}
+
+static double spacing_of(const Settings *settings)
+{
+    return settings->lattice.spacing;
+}
+
+static double cell_size_of(const Settings *settings)
+{
+    return settings->mesh.cell_size;
+}
+
+static double size_by_method(const Settings *settings)
+{
+    return settings->method == METHOD_PD ? horizon_of(settings) : cell_size_of(settings);
+}
+
+enum { VIBRATING_LATTICE = CONCERN_LATTICE | CONCERN_DEFLECTION | CONCERN_BEAM };
+
+enum { BEAM_OF_CELLS = CONCERN_BEAM | CONCERN_SECTIONS, BEAM_OF_BOTH = BEAM_OF_CELLS | CONCERN_LATTICE };
+
+#define BOTH_METHODS(by)                                                                                     \
+    {                                                                                                        \
+        "methods", "cells or horizon smaller", "cell or horizon", BEAM_OF_BOTH, by, refine_methods, NULL,    \
+            size_by_method, method_lines, SIZES_OF_METHOD, NULL                                              \
+    }
+
+static const ConvergenceStudy studies[] = {
+    {"cells", "cells smaller", "cell size", CONCERN_BAR | CONCERN_MESH, METHOD_MPM, refine_cells, NULL,
+     cell_size_of, NULL, 0, NULL},
+    {"cells", "cells smaller", "cell size", BEAM_OF_CELLS, METHOD_MPM, refine_plane_cells, NULL, cell_size_of,
+     NULL, 0, NULL},
+    {"particles", "cells smaller, more particles", "cell size", BEAM_OF_CELLS, METHOD_MPM, refine_particles,
+     NULL, cell_size_of, particle_lines, CELLS_IN_LINE, NULL},
+    {"delta", "horizon smaller, m kept", "horizon", VIBRATING_LATTICE, METHOD_PD, refine_horizon, NULL,
+     horizon_of, NULL, 0, limit_of_horizon},
+    {"m", "m larger, horizon kept", "spacing", VIBRATING_LATTICE, METHOD_PD, refine_spacing, NULL, spacing_of,
+     NULL, 0, NULL},
+    {"table", "Table 1 of paper P", "horizon", VIBRATING_LATTICE, METHOD_PD, take_from_table,
+     printed_in_table, horizon_of, NULL, 0, NULL},
+    BOTH_METHODS(METHOD_MPM),
+    BOTH_METHODS(METHOD_PD),
+};
+
+/* A study needs a predicted answer that knows all parameters at work (known.h). */
+int convergence_studies(const Settings *settings, const ConvergenceStudy *out[CONVERGENCE_STUDIES_MAX])
+{
+    const Problem *problem = settings->problem;
+    const Solver *solver = problem_solver(problem, settings->method);
+    int count = 0;
+    const bool predicts = solver && solver->predict && !known_unaccounted_now(settings, REFERENCE_PREDICTED);
+    for (int i = 0; i < LENGTH_OF(studies) && predicts; i++)
+        if ((problem->concerns & studies[i].concerns) == studies[i].concerns &&
+            settings->method == studies[i].method)
+            out[count++] = &studies[i];
+    return count;
+}
+
+int convergence_count(const ConvergenceStudy *study, const Settings *settings)
+{
+    Settings refined;
+    int count = 0;
+    while (count < CONVERGENCE_POINTS_MAX && study->refine(settings, count, &refined))
+        count++;
+    return count;
+}
+
+/* --- points --------------------------------------------------------------------------------------- */
+
+/* Point k, by predicted answers alone: 100 (predicted/real size - 1) in percent over the size of the lattice
+ * or the mesh, and nodes in a horizon or cells in the bar. Settings that cannot be solved give a point that
+ * is not known; false: memory was short or it was given up. */
+bool convergence_point(const ConvergenceStudy *study, const Settings *settings, int k, ConvergencePoint *out,
+                       Status *status)
+{
+    Settings refined;
+    Status why = {STATUS_DONE, ""};
+    *out = (ConvergencePoint){.size = NAN, .nodes = NAN, .error = NAN, .paper = NAN};
+    out->prediction.real_height = NAN;
+    if (!study->refine(settings, k, &refined))
+        return true;
+    const Solver *solver = problem_solver(refined.problem, refined.method);
+    const bool lattice = refined.method == METHOD_PD;
+    refined.time.step = 0;     /* each lattice has its own critical step */
+    refined.time.rest = false; /* and its own period, however it is braked */
+    refined.damping.rate = 0;
+    out->size = study->size_of(&refined);
+    if (study->paper)
+        out->paper = study->paper(k);
+    out->of_mesh = !lattice;
+    out->nodes = lattice ? refined.lattice.horizon / refined.lattice.spacing
+                         : refined.geometry.length / refined.mesh.cell_size;
+    if (!solver->check(&refined, &why))
+        return true;
+    if (!solver->predict(&refined, &out->prediction, &why)) {
+        if (why.code == STATUS_USAGE)
+            return true; /* too coarse or too fine to be one */
+        return status_fail(status, why.code, "%s", why.text);
+    }
+    const Prediction *is = &out->prediction;
+    out->known = isfinite(is->predicted) && isfinite(is->real_size);
+    out->error = 100 * (is->predicted / is->real_size - 1);
+    return true;
+}
+
+/* p of error = C size^p between two points: log(e_a/e_b)/log(h_a/h_b). NAN where the error changes its sign
+ * between them, for then there is no such p. */
+double convergence_order(const ConvergencePoint *a, const ConvergencePoint *b)
+{
+    const double ratio = a->error / b->error;
+    return a->known && b->known && ratio > 0 ? math_log(ratio) / math_log(a->size / b->size) : NAN;
+}
+
+double convergence_limit(const ConvergenceStudy *study, const Settings *settings)
+{
+    return study->limit ? study->limit(settings) : NAN;
+}
+
+double convergence_order_to(double limit, const ConvergencePoint *a, const ConvergencePoint *b)
+{
+    ConvergencePoint from = *a, to = *b;
+    from.error -= 100 * (limit - 1);
+    to.error -= 100 * (limit - 1);
+    return convergence_order(&from, &to);
+}
+
+/* The slope of the straight line through the known points by least squares,
+ *
+ *     slope = (n sum xy - sum x sum y)/(n sum x^2 - (sum x)^2),   x = log size, y = log |error|
+ *
+ * NAN for fewer than three points, and where the error does not fall throughout with one sign: then the
+ * points are not yet in the range where an order means anything. */
+double convergence_fitted_order(const ConvergencePoint *points, int count)
+{
+    double n = 0, sum_x = 0, sum_y = 0, sum_xx = 0, sum_xy = 0;
+    const ConvergencePoint *before = NULL;
+    for (const ConvergencePoint *point = points; point < points + count; point++) {
+        if (!point->known)
+            continue;
+        const bool falls =
+            !before || (point->error * before->error > 0 && fabs(point->error) < fabs(before->error));
+        if (!falls)
+            return NAN;
+        const double x = math_log(point->size), y = math_log(fabs(point->error));
+        n += 1;
+        sum_x += x;
+        sum_y += y;
+        sum_xx += x * x;
+        sum_xy += x * y;
+        before = point;
+    }
+    return n < 3 ? NAN : (n * sum_xy - sum_x * sum_y) / (n * sum_xx - sum_x * sum_x);
+}
+
+/* --- what is known -------------------------------------------------------------------------------- */
+
+/* Of the same run, whatever it is called and however it is looked at. */
+static bool is_of(const Convergence *convergence, const Settings *settings)
+{
+    return convergence->n_studies > 0 && convergence->base.problem == settings->problem &&
+           convergence->base.method == settings->method && settings_same(&convergence->base, settings);
+}
+
+static int index_of(const Convergence *convergence, const ConvergenceStudy *study)
+{
+    for (int i = 0; i < convergence->n_studies; i++)
+        if (convergence->studies[i] == study)
+            return i;
+    return -1;
+}
+
+void convergence_begin(Convergence *convergence, const Settings *settings)
+{
+    if (is_of(convergence, settings))
+        return;
+    convergence->base = *settings;
+    convergence->n_studies = convergence_studies(settings, convergence->studies);
+    for (int i = 0; i < convergence->n_studies; i++)
+        convergence->known[i] = 0;
+}
+
+int convergence_known(const Convergence *convergence, const Settings *settings, const ConvergenceStudy *study,
+                      const ConvergencePoint **points)
+{
+    const int i = is_of(convergence, settings) ? index_of(convergence, study) : -1;
+    if (i < 0)
+        return 0;
+    *points = convergence->points[i];
+    return convergence->known[i];
+}
+
+bool convergence_lacks(const Convergence *convergence, const Settings *settings,
+                       const ConvergenceStudy *study)
+{
+    const ConvergencePoint *points;
+    return convergence_known(convergence, settings, study, &points) < convergence_count(study, settings);
+}
+
+/* The point behind those that are known, by convergence_point(). */
+bool convergence_next(Convergence *convergence, const ConvergenceStudy *study, Patience patience,
+                      Status *status)
+{
+    const int i = index_of(convergence, study);
+    convergence->base.patience = patience;
+    if (!convergence_point(study, &convergence->base, convergence->known[i],
+                           &convergence->points[i][convergence->known[i]], status))
+        return false;
+    convergence->known[i]++;
+    return true;
+}

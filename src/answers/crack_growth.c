@@ -1,0 +1,107 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The numbers of the crack for front ends: those that the method measures (pd_plane/crack.h), with the
+ * angles over the heights of figure 10, each known only when the crack has grown so far. */
+#include "answers/crack_growth.h"
+
+#include "base/text.h"
+
+#include "methods/bonds/cracks/crack_speed.h"
+
+#include <math.h>
+
+const double crack_heights[CRACK_ANGLES] = {0.010, 0.020, 0.038};
+
+/* Angles over the heights of paper P's fig. 10, NAN until the tip is as far above the path's first row. */
+bool crack_facts(const Simulation *sim, CrackFacts *facts)
+{
+    if (!crack_measure(sim, &facts->measured))
+        return false;
+    double x, y = 0;
+    crack_path(sim, &x, &y, 1);
+    for (int i = 0; i < CRACK_ANGLES; i++) {
+        /* the first row of the path is the next one above the notch's end */
+        const bool far = facts->measured.begun && facts->measured.y >= y + crack_heights[i];
+        facts->angles[i] = far ? crack_angle(sim, crack_heights[i]) : NAN;
+    }
+    facts->angle = crack_angle(sim, INFINITY);
+    return true;
+}
+
+static bool cost_of_fronts(const Simulation *sim, const CrackFronts *fronts, const Patience *patience,
+                           CrackCost *cost)
+{
+    CrackPath paths[CRACK_FRONTS_MAX * CRACK_PATHS_MAX];
+    int count = 0;
+    for (int f = 0; f < fronts->count; f++)
+        for (int k = 0; k < fronts->fronts[f].n_paths; k++)
+            paths[count++] = fronts->fronts[f].paths[k];
+    return crack_cost_along(sim, paths, count, fronts->length, patience, cost);
+}
+
+bool crack_price(const Simulation *sim, const Settings *settings, const CrackFronts *fronts,
+                 const Patience *patience, CrackPrice *price)
+{
+    price->critical_energy = settings->bonds.critical_energy;
+    const bool known = fronts ? cost_of_fronts(sim, fronts, patience, &price->cost)
+                              : crack_cost(sim, patience, &price->cost);
+    return known && price->cost.area > 0;
+}
+
+void crack_fronts_facts(const CrackFronts *fronts, FrontsFacts *facts)
+{
+    *facts = (FrontsFacts){.broken = fronts->broken, .fastest = NAN, .angle = NAN, .surface_ratio = NAN};
+    for (int f = 0; f < fronts->count; f++) {
+        const CrackFront *front = &fronts->fronts[f];
+        facts->n_tips += front->n_tips;
+        if (isfinite(front->fastest) && !(front->fastest <= facts->fastest)) {
+            facts->fastest = front->fastest;
+            facts->angle = front->angle;
+        }
+        if (front->branched && (!facts->branched || front->branch_time < facts->branch_time)) {
+            facts->branched = true;
+            facts->branch[0] = front->branch[0];
+            facts->branch[1] = front->branch[1];
+            facts->branch_time = front->branch_time;
+            facts->half_angle = front->half_angle;
+        }
+    }
+    if (fronts->broken > 0 && fronts->length > 0)
+        facts->surface_ratio = fronts->surface / fronts->length;
+}
+
+void crack_fronts_lines(const FrontsFacts *facts, double rayleigh, const char *microseconds, char first[160],
+                        char second[160])
+{
+    first[0] = second[0] = '\0';
+    if (facts->n_tips == 0)
+        text_append(first, 160, "no crack yet");
+    else
+        text_append(first, 160, "%d tip%s", facts->n_tips, facts->n_tips == 1 ? "" : "s");
+    if (facts->fastest > 0)
+        text_append(first, 160, "  fastest %.0f m/s = %.2f c_R", facts->fastest, facts->fastest / rayleigh);
+    text_append(first, 160, "  broken bonds %ld", facts->broken);
+    if (facts->branched) {
+        text_append(second, 160, "branch x %.1f, y %.1f mm, %.1f %s", facts->branch[0] / 1e-3,
+                    facts->branch[1] / 1e-3, facts->branch_time / 1e-6, microseconds);
+        if (isfinite(facts->half_angle))
+            text_append(second, 160, "  half angle %.0f deg", facts->half_angle);
+    } else if (isfinite(facts->angle))
+        text_append(second, 160, "%.0f deg from the cut", facts->angle);
+    if (isfinite(facts->surface_ratio))
+        text_append(second, 160, "%ssurface made / length %.2f", second[0] ? "  " : "", facts->surface_ratio);
+}
+
+double crack_speed_at(const CrackFronts *fronts, const CrackFront *front, size_t sample)
+{
+    return crack_fronts_speed(fronts, front, sample);
+}
+
+double crack_rayleigh_speed(const Settings *settings)
+{
+    return crack_speed_rayleigh(settings->material.youngs_modulus, settings->material.density);
+}
+
+size_t crack_line(const Simulation *sim, double *x, double *y, size_t max)
+{
+    return crack_path(sim, x, y, max);
+}

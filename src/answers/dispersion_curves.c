@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Hands the questions of dispersion.h on to the solver, and leaves out what does not account for a
+ * parameter that is at work (known.h). */
+#include "answers/dispersion_curves.h"
+#include "answers/known.h"
+
+#include <math.h>
+
+/* How many modes the mesh carries; 0: the method has none, or a parameter is at work that they do not know.
+ */
+int dispersion_modes(const Settings *settings)
+{
+    const Solver *solver = problem_solver(settings->problem, settings->method);
+    if (!solver || !solver->modes || known_unaccounted_now(settings, REFERENCE_FREQUENCY))
+        return 0;
+    return solver->modes(settings);
+}
+
+/* Mode `number`, 1 first: exact and predicted frequency; without predicted where that does not know a
+ * parameter. */
+bool dispersion_mode(const Settings *settings, int number, ModeOnMesh *out)
+{
+    if (number < 1 || number > dispersion_modes(settings) ||
+        !problem_solver(settings->problem, settings->method)->mode(settings, number, out))
+        return false;
+    if (known_unaccounted_now(settings, REFERENCE_PREDICTED)) {
+        out->predicted = NAN;
+        out->n_factors = 0;
+    }
+    return true;
+}
+
+const char *dispersion_other_way(const Settings *settings, int which, int number, double *frequency)
+{
+    const Solver *solver = problem_solver(settings->problem, settings->method);
+    if (!solver || !solver->other_way || number < 1 || number > dispersion_modes(settings) ||
+        known_unaccounted_now(settings, REFERENCE_PREDICTED))
+        return NULL;
+    return solver->other_way(settings, which, number, frequency);
+}

@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Every mode of a bar on its mesh or lattice: what a dispersion plot shows, with the reasons for its error
+ * apart.
+ *
+ * Source: the discrete dispersion relations of theory/elastic_bar.h and theory/pd_bar_theory.h. Units: any
+ * consistent system.
+ */
+#ifndef LAB_DISPERSION_H
+#define LAB_DISPERSION_H
+
+#include "problems/problem.h"
+
+enum { MODE_FACTORS_MAX = 4 };
+
+/* One of the reasons for which predicted/exact is not 1. */
+typedef struct ModeFactor {
+    const char *name;    /* "mesh K" */
+    const char *meaning; /* NULL: the name is enough */
+    double value;
+} ModeFactor;
+
+/* One mode. predicted/exact is the product of the factors. */
+struct ModeOnMesh {
+    double exact;     /* omega_n of the continuum, radians per unit time */
+    double predicted; /* of this mesh and time step, away from the ends; NAN: such a wave does
+                       * not swing */
+    int n_factors;
+    ModeFactor factors[MODE_FACTORS_MAX];
+};
+
+/* How many modes the mesh can represent, one for each cell or for each node of a lattice; 0: there is
+ * neither. */
+int dispersion_modes(const Settings *);
+
+/* Mode number 1 to dispersion_modes(). False: no such mode. */
+bool dispersion_mode(const Settings *, int number, ModeOnMesh *);
+
+/* The same mode by other ways of the method on this very mesh, to be compared: the name of the way (which =
+ * 0, 1, ...) and its predicted frequency, NAN where such a wave does not swing. NULL: there is none more. */
+const char *dispersion_other_way(const Settings *, int which, int number, double *frequency);
+
+#endif

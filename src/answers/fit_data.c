@@ -1,0 +1,54 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Data and parameters of a fit (fit_data.h). */
+#include "answers/fit_data.h"
+
+#include "base/text.h"
+#include "scenario/parameters.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+bool fit_data_take(FitData *data, const Overlay *table, int y, Status *status)
+{
+    const double *times = table->columns[table->x].values, *values = table->columns[y].values;
+    *data = (FitData){.times = malloc((table->count + 1) * sizeof(double)),
+                      .values = malloc((table->count + 1) * sizeof(double))};
+    if (!data->times || !data->values)
+        return status_fail(status, STATUS_FAILED, "out of memory");
+    for (size_t k = 0; k < table->count; k++)
+        if (isfinite(times[k]) && isfinite(values[k])) {
+            if (times[k] < 0)
+                return status_fail(status, STATUS_USAGE, "%s: a time below 0: %g (a run begins at 0)",
+                                   table->file, times[k]);
+            data->times[data->count] = times[k];
+            data->values[data->count++] = values[k];
+        }
+    return true;
+}
+
+void fit_data_free(FitData *data)
+{
+    free(data->times);
+    free(data->values);
+    *data = (FitData){.times = NULL};
+}
+
+bool fit_data_keys(char *list, FitTask *task, Status *status)
+{
+    char *place;
+    for (char *key = strtok_r(list, ", ", &place); key; key = strtok_r(NULL, ", ", &place)) {
+        if (task->n_keys == FIT_KEYS_MAX)
+            return status_fail(status, STATUS_USAGE, "at most %d parameters", FIT_KEYS_MAX);
+        task->keys[task->n_keys++] = key;
+    }
+    return task->n_keys > 0 || status_fail(status, STATUS_USAGE, "no parameter is named (KEY,KEY)");
+}
+
+bool fit_data_end(const FitData *data, Settings *settings, Status *status)
+{
+    char end[NUMBER_TEXT_MAX];
+    const double last = data->count > 0 ? data->times[data->count - 1] : 0;
+    text_shortest(end, last);
+    return !(last > 0) || settings_set(settings, "time.end", end, status);
+}

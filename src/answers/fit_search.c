@@ -1,0 +1,308 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The search of fit.h: runs of a simulation as the model of a least-squares fit by GSL.
+ *
+ *     chi^2(p) = sum_k f_k^2,  f_k(p) = s(t_k; p) - y_k              residuals, one run for each p
+ *     d f_k/d p_i by central differences, two runs each
+ *     cov(p) from J and the noise that f looks like                  theory/noise.h
+ *
+ * The parameters are sought as multiples of their values at the start, so that a modulus of 1e11 and a
+ * fraction of 1 weigh alike. A run must be smooth in them: a particle that crosses a cell in one run and not
+ * in the other leaves a step in chi^2 that the search may stop at. Runs go one after the other; it is asked
+ * between blocks of steps whether to go on. */
+#include "answers/fit_internal.h"
+
+#include "base/math/functions.h"
+#include "base/text.h"
+#include "scenario/parameters.h"
+#include "theory/quiet.h"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_multifit_nlinear.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { ITERATIONS_MAX = 60, SEARCHES_MAX = 3 };
+
+#define DIFFERENCE 1e-4 /* of a parameter, relative, for its derivative */
+#define TOLERANCE  1e-8 /* relative change of the parameters at which the search has settled */
+#define ROUND_OFF  1e-6 /* residuals of so little of the data are none */
+#define NOT_WHITE  0.05 /* the chance below which residuals are not called so */
+#define NO_NOISE   1e-3
+#define NO_FIT     0.5 /* the share of the data that is left */
+
+const char fit_not_covered[] =
+    "Intervals cover noise in the data. They do not cover the error of mesh and time step, for which the\n"
+    "values make up (fit again on a finer mesh), what the model lacks, or a minimum that was not found.";
+
+/* Parameters are sought as multiples of what they are to begin with. */
+static bool place(const Search *search, const gsl_vector *scaled, Settings *settings)
+{
+    *settings = *search->task->settings;
+    for (int i = 0; i < search->task->n_keys; i++) {
+        const double value = search->starts[i] * gsl_vector_get(scaled, (size_t)i);
+        if (!fit_put(settings, search->task->keys[i], value))
+            return false;
+    }
+    return true;
+}
+
+/* f_k = s(t_k; p) - y_k. Where no run can be made the residuals are huge, so that the search turns back. */
+static int residuals(const gsl_vector *scaled, void *context, gsl_vector *out)
+{
+    Search *search = context;
+    const FitTask *task = search->task;
+    Settings settings;
+    const bool sound = place(search, scaled, &settings) && fit_run_at_data(search, &settings);
+    if (search->interrupted || (!sound && !search->began))
+        return GSL_EFAILED;
+    search->began = true;
+    for (size_t k = 0; k < task->count; k++)
+        gsl_vector_set(out, k,
+                       sound ? search->model[k] - task->values[k] : 1e3 * (1 + fabs(task->values[k])));
+    return GSL_SUCCESS;
+}
+
+/* --- the search ---------------------------------------------------------------------------------- */
+
+/* What is sought must be there, real, not 0 and named once, and there must be more data than parameters: else
+ * s^2 = chi^2/(n - m) has no meaning. */
+static bool find_parameters(Search *search, Status *status)
+{
+    const FitTask *task = search->task;
+    if (task->count <= (size_t)task->n_keys)
+        return status_fail(status, STATUS_USAGE, "%zu data are too few for %d parameters", task->count,
+                           task->n_keys);
+    for (int i = 0; i < task->n_keys; i++) {
+        const char *key = task->keys[i];
+        const Parameter *parameter = parameter_find(key);
+        const RowColumn *of_row = row_key_column(key);
+        if (of_row ? !isfinite(settings_row_number(task->settings, key))
+                   : !parameter || !parameter_applies_to(task->settings, parameter))
+            return status_fail(status, STATUS_USAGE, "%.80s: this run has no such parameter", key);
+        if (of_row ? of_row->value == ROW_EDGE : parameter->type != PARAMETER_REAL)
+            return status_fail(status, STATUS_USAGE, "%s: is no real number and cannot be fitted", key);
+        for (int j = 0; j < i; j++)
+            if (strcmp(task->keys[j], key) == 0)
+                return status_fail(status, STATUS_USAGE, "%s: is named twice", key);
+        search->starts[i] = fit_value(task->settings, key);
+        if (search->starts[i] == 0)
+            return status_fail(status, STATUS_USAGE,
+                               "%s: is 0 at the start, so a relative change does nothing (give it a value)",
+                               key);
+    }
+    return true;
+}
+
+/* What the search has for its work. */
+typedef struct Space {
+    gsl_multifit_nlinear_workspace *work;
+    gsl_vector *start;
+    double *slopes, *left; /* J and f row by row */
+} Space;
+
+/* rms of the data about their mean, or of a datum that never changes. */
+static double spread_of(const FitTask *task)
+{
+    double mean = 0, squares = 0;
+    for (size_t k = 0; k < task->count; k++)
+        mean += task->values[k] / (double)task->count;
+    for (size_t k = 0; k < task->count; k++)
+        squares += math_pow(task->values[k] - mean, 2) / (double)task->count;
+    return squares > 0 ? sqrt(squares) : fabs(mean);
+}
+
+/* J has no column of zeros. */
+static bool all_matter(const FitTask *task, const gsl_matrix *jacobian, Status *status)
+{
+    for (int i = 0; i < task->n_keys; i++) {
+        size_t k = 0;
+        while (k < task->count && gsl_matrix_get(jacobian, k, (size_t)i) == 0)
+            k++;
+        if (k == task->count)
+            return status_fail(status, STATUS_USAGE, "%s: changes nothing of %s in these data", task->keys[i],
+                               task->column);
+    }
+    return true;
+}
+
+/* Takes over where a search has ended, if it is the best so far. */
+static bool judge(const Search *search, Space *space, Status *status)
+{
+    const FitTask *task = search->task;
+    FitResult *result = search->result;
+    const int m = task->n_keys;
+    const gsl_matrix *jacobian = gsl_multifit_nlinear_jac(space->work);
+    const gsl_vector *f = gsl_multifit_nlinear_residual(space->work);
+    const gsl_vector *position = gsl_multifit_nlinear_position(space->work);
+    double values[FIT_KEYS_MAX], squares = 0;
+    for (int i = 0; i < m; i++)
+        values[i] = search->starts[i] * gsl_vector_get(position, (size_t)i);
+    for (size_t k = 0; k < task->count; k++) {
+        space->left[k] = gsl_vector_get(f, k);
+        squares += space->left[k] * space->left[k];
+        for (int i = 0; i < m; i++)
+            space->slopes[k * (size_t)m + (size_t)i] =
+                gsl_matrix_get(jacobian, k, (size_t)i) / search->starts[i];
+    }
+    if (!all_matter(task, jacobian, status))
+        return false;
+    const double rms = sqrt(squares / (double)task->count);
+    if (result->searches++ > 0 && rms >= result->rms)
+        return true;
+    memcpy(result->values, values, sizeof values);
+    result->rms = rms;
+    result->share = rms > 0 ? rms / spread_of(task) : 0;
+    if (!noise_judge(task->times, space->left, space->slopes, task->count, m, &result->noise))
+        return status_fail(status, STATUS_FAILED, "not enough memory for a fit");
+    const Noise *noise = &result->noise;
+    result->left = result->share < ROUND_OFF                              ? FIT_NOTHING
+                   : noise->white >= NOT_WHITE || noise->correlation == 0 ? FIT_WHITE
+                                                                          : FIT_LASTING;
+    if (result->left != FIT_NOTHING && fmax(noise->chance, noise->white) < NO_NOISE)
+        result->left = FIT_NO_NOISE;
+    return true;
+}
+
+/* Levenberg and Marquardt by trust regions until p changes by less than TOLERANCE. */
+static bool search_from(Search *search, const Beginning *from, Space *space, Status *status)
+{
+    gsl_multifit_nlinear_fdf functions = {
+        .f = residuals, .n = search->task->count, .p = (size_t)search->task->n_keys, .params = search};
+    int info = 0;
+    gsl_vector_set_all(space->start, 1);
+    gsl_vector_set(space->start, (size_t)from->key, from->factor);
+    int outcome = gsl_multifit_nlinear_init(space->start, &functions, space->work);
+    if (outcome == GSL_SUCCESS && !all_matter(search->task, gsl_multifit_nlinear_jac(space->work), status))
+        return false;
+    if (outcome == GSL_SUCCESS)
+        outcome =
+            gsl_multifit_nlinear_driver(ITERATIONS_MAX, TOLERANCE, 0, 0, NULL, NULL, &info, space->work);
+    const int iterations = (int)gsl_multifit_nlinear_niter(space->work);
+    search->result->iterations += iterations;
+    if (search->interrupted) {
+        if (status)
+            *status = search->why;
+        return false;
+    }
+    /* no step downhill is left to the last digit: that is a minimum too */
+    if (outcome != GSL_SUCCESS && outcome != GSL_ENOPROG)
+        return status_fail(status, STATUS_FAILED, "the fit does not settle after %d iterations (%s)",
+                           iterations, gsl_strerror(outcome));
+    return judge(search, space, status);
+}
+
+/* From one beginning after the other, until what is left looks like noise; one more run at the best p. */
+static bool search_best(Search *search, Space *space, Status *status)
+{
+    const FitTask *task = search->task;
+    FitResult *result = search->result;
+    Beginning list[BEGINNINGS_MAX];
+    Status why = {0};
+    result->beginnings = fit_beginnings(search, list);
+    if (result->beginnings == 0) {
+        if (status)
+            *status = search->why;
+        return false;
+    }
+    for (int i = 0; i < SEARCHES_MAX && i < result->beginnings && isfinite(list[i].chi2); i++) {
+        search_from(search, &list[i], space, result->searches > 0 ? NULL : &why);
+        if (search->interrupted || (result->searches > 0 && result->left != FIT_NO_NOISE))
+            break;
+    }
+    if (search->interrupted || result->searches == 0) {
+        if (status)
+            *status = search->interrupted ? search->why : why;
+        return false;
+    }
+    result->settings = *task->settings;
+    for (int i = 0; i < task->n_keys; i++)
+        fit_put(&result->settings, task->keys[i], result->values[i]);
+    if (fit_run_at_data(search, &result->settings))
+        return true;
+    if (status)
+        *status = search->why;
+    return false;
+}
+
+/* Takes some 10 runs for each parameter to find where to begin, then 2 m + 1 in each iteration. */
+bool fit_solve(const FitTask *task, FitResult *result, Status *status)
+{
+    *result = (FitResult){0};
+    Search *search = calloc(1, sizeof *search);
+    if (!search)
+        return status_fail(status, STATUS_FAILED, "not enough memory for a fit");
+    search->task = task;
+    search->result = result;
+    if (!find_parameters(search, status)) {
+        free(search);
+        return false;
+    }
+    const size_t m = (size_t)task->n_keys;
+    gsl_multifit_nlinear_parameters options = gsl_multifit_nlinear_default_parameters();
+    options.fdtype = GSL_MULTIFIT_NLINEAR_CTRDIFF;
+    options.h_df = DIFFERENCE;
+    quiet_begin();
+    Space space = {.work = gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &options, task->count, m),
+                   .start = gsl_vector_alloc(m),
+                   .slopes = malloc(task->count * m * sizeof(double)),
+                   .left = malloc(task->count * sizeof(double))};
+    result->model = search->model = calloc(task->count, sizeof *search->model);
+    bool sound = search->model && space.work && space.start && space.slopes && space.left;
+    if (!sound)
+        status_fail(status, STATUS_FAILED, "not enough memory for a fit");
+    sound = sound && search_best(search, &space, status);
+    if (space.work)
+        gsl_multifit_nlinear_free(space.work);
+    if (space.start)
+        gsl_vector_free(space.start);
+    free(space.slopes);
+    free(space.left);
+    free(search);
+    quiet_end();
+    return sound;
+}
+
+void fit_free(FitResult *result)
+{
+    free(result->model);
+    result->model = NULL;
+}
+
+/* --- in words ------------------------------------------------------------------------------------ */
+
+/* In a few words, and in a sentence. */
+static const struct {
+    const char *brief, *sentence;
+} left_words[] = {
+    [FIT_NOTHING] = {"the run goes through all data",
+                     "that is round-off: the run goes through all data, and there is no noise to judge by"},
+    [FIT_WHITE] = {"they look like noise", "they look like noise of which each datum has its own"},
+    [FIT_LASTING] = {"they look like noise that lasts, the intervals allow for it",
+                     "they look like noise that lasts from datum to datum; the intervals allow for it"},
+    [FIT_NO_NOISE] = {"they are no noise: the intervals do not hold",
+                      "they are no noise: the data have something that the run has not, and the intervals do "
+                      "not hold"},
+};
+
+static bool is_fit(const FitResult *result)
+{
+    return result->share < NO_FIT;
+}
+
+const char *fit_verdict(const FitResult *result)
+{
+    return is_fit(result) ? left_words[result->left].brief : "nearly as large as the data: that is no fit";
+}
+
+void fit_tell(const FitResult *result, char *out, size_t size)
+{
+    *out = '\0';
+    text_append(out, size, "residuals, root mean square: %.4g (began at %.4g), %.3g %% of the data\n",
+                result->rms, result->rms_before, 100 * result->share);
+    text_append(out, size, "%s\n", left_words[result->left].sentence);
+    if (result->left == FIT_LASTING)
+        text_append(out, size, "correlation of neighbours: %.3f\n", result->noise.correlation);
+    if (!is_fit(result))
+        text_append(out, size, "nearly as large as the data: that is a minimum, and no fit\n");
+}

@@ -1,0 +1,176 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The references of a run (references.h): made by its solver, then read by whatever shows, writes or judges
+ * the run. */
+#include "base/assertion.h"
+#include "base/text.h"
+#include "answers/known.h"
+#include "problems/solver.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+References *references_create(const Settings *settings, const Simulation *sim, Status *status)
+{
+    const Solver *solver = problem_allows(settings->problem, settings->method, status)
+                               ? problem_solver(settings->problem, settings->method)
+                               : NULL;
+    if (!solver)
+        return NULL;
+    References *refs = calloc(1, sizeof *refs);
+    if (!refs) {
+        status_fail(status, STATUS_FAILED, "not enough memory for the reference solutions");
+        return NULL;
+    }
+    static const Quantity step = {"step", "step", "1", "whole time steps done"};
+    Quantity time = {"time", "t", settings->problem->unit_of_time, "step * dt"};
+    refs->solver = solver;
+    for (int i = 0; i < REFERENCES; i++)
+        refs->unaccounted[i] = known_unaccounted(settings, (Reference)i);
+    refs->dt = sim->dt;
+    plan_answer(refs, &step, COLUMN_MEASURED, NULL, NULL);
+    plan_answer(refs, &time, COLUMN_MEASURED, NULL, NULL);
+    if (solver->prepare && !solver->prepare(refs, settings, sim, status)) {
+        references_destroy(refs);
+        return NULL;
+    }
+    plan_rest_of_method(refs, sim);
+    return refs;
+}
+
+void references_destroy(References *refs)
+{
+    if (!refs)
+        return;
+    if (refs->own && refs->release)
+        refs->release(refs->own);
+    free(refs->own);
+    free(refs->window.values);
+    free(refs);
+}
+
+int references_columns(const References *refs, Column columns[COLUMNS_MAX])
+{
+    for (int i = 0; i < refs->n_columns; i++)
+        columns[i] = refs->plan[i].column;
+    return refs->n_columns;
+}
+
+long references_memory(const References *refs)
+{
+    return refs->window.size;
+}
+
+void references_reset(References *refs)
+{
+    refs->window.filled = refs->window.next = 0;
+}
+
+static void remember(Window *window, double value)
+{
+    if (window->size == 0)
+        return;
+    window->values[window->next] = value;
+    window->next = (window->next + 1) % window->size;
+    if (window->filled < window->size)
+        window->filled++;
+}
+
+static void fill_row(References *refs, long step, double time, const double *method_row,
+                     const double *earlier, double *row)
+{
+    row[0] = (double)step;
+    row[1] = time;
+    for (int i = 2; i < refs->n_columns; i++) {
+        const PlannedColumn *planned = &refs->plan[i];
+        ASSERT(planned->answer || planned->from_method >= 0);
+        if (!planned->answer)
+            row[i] = method_row[planned->from_method];
+        else if (planned->remembers && earlier)
+            row[i] = earlier[i];
+        else
+            row[i] = planned->answer(refs, step, time, method_row);
+    }
+}
+
+void references_row(References *refs, long step, double time, const double *method_row, double *row)
+{
+    if (refs->window.size > 0)
+        remember(&refs->window, method_row[refs->window.of]);
+    fill_row(refs, step, time, method_row, NULL, row);
+}
+
+void references_row_again(References *refs, long step, double time, const double *method_row,
+                          const double *earlier, double *row)
+{
+    fill_row(refs, step, time, method_row, earlier, row);
+}
+
+double references_profile(const References *refs, const char *field, double x, double time)
+{
+    const Solver *solver = refs->solver;
+    return solver->profile && !refs->unaccounted[REFERENCE_EXACT] ? solver->profile(refs, field, x, time)
+                                                                  : NAN;
+}
+
+double references_section(const References *refs, const char *field, double x, double y, double time)
+{
+    const Solver *solver = refs->solver;
+    return solver->section && !refs->unaccounted[REFERENCE_EXACT] ? solver->section(refs, field, x, y, time)
+                                                                  : NAN;
+}
+
+double references_envelope(const References *refs, const char *column, double time)
+{
+    const Solver *solver = refs->solver;
+    return solver->envelope && !refs->unaccounted[REFERENCE_EXACT] ? solver->envelope(refs, column, time)
+                                                                   : NAN;
+}
+
+double references_standing_frequency(const References *refs, double time)
+{
+    const Solver *solver = refs->solver;
+    return solver->standing_frequency && !refs->unaccounted[REFERENCE_FREQUENCY]
+               ? solver->standing_frequency(refs, time)
+               : NAN;
+}
+
+int references_findings(const References *refs, const Simulation *sim, Finding out[FINDINGS_MAX])
+{
+    const Solver *solver = refs->solver;
+    return solver && solver->findings && !refs->unaccounted[REFERENCE_EXACT]
+               ? solver->findings(refs, sim, out)
+               : 0;
+}
+
+int findings_text(const Finding *findings, int n_findings, bool with_exact, int columns, char *out,
+                  size_t size)
+{
+    size_t used = 0;
+    out[0] = '\0';
+    for (int i = 0; i < n_findings; i++) {
+        char text[160], measured[NUMBER_TEXT_MAX], exact[NUMBER_TEXT_MAX];
+        const Finding *finding = &findings[i];
+        text_rounded(measured, finding->measured, 4);
+        text_rounded(exact, finding->exact, 4);
+        int n = snprintf(text, sizeof text, "%s%s %s", i ? "  " : "", finding->label,
+                         isfinite(finding->measured) ? measured
+                         : finding->missing          ? finding->missing
+                                                     : "not yet");
+        if (with_exact && finding->exact != 0)
+            n += snprintf(text + n, sizeof text - (size_t)n, " (%s %s)",
+                          finding->word ? finding->word : "exact", exact);
+        if (used + (size_t)n >= size || (int)used + n > columns)
+            return i;
+        used += (size_t)snprintf(out + used, size - used, "%s", text);
+    }
+    return n_findings;
+}
+
+int references_thickness_lines(const References *refs, double out[THICKNESS_LINES_MAX])
+{
+    const Solver *solver = refs->solver;
+    return solver->thickness_lines && !refs->unaccounted[REFERENCE_PREDICTED]
+               ? solver->thickness_lines(refs, out)
+               : 0;
+}

@@ -1,0 +1,138 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What a run is judged by: the frequency of a record beside theory's. */
+#include "problems/solver.h"
+
+#include "base/assertion.h"
+
+#include "theory/frequency.h"
+
+#include <math.h>
+
+bool readout_fit(const double *rows, size_t n_rows, int n_columns, int column, double start,
+                 const double *ratios, int n_lines, double *frequency)
+{
+    enum { SAMPLES_MAX = 4096, PER_PERIOD = 12, PER_PERIOD_OF_EACH = 3 };
+    double samples[SAMPLES_MAX];
+    size_t width = (size_t)n_columns;
+    if (n_rows < 8 || !(start > 0))
+        return false;
+    double t0 = rows[1], dt = (rows[(n_rows - 1) * width + 1] - t0) / (double)(n_rows - 1);
+    double span = dt * (double)(n_rows - 1);
+    if (!(dt > 0) || start * span < (n_lines > 1 ? 2 * M_PI * (1 - 1e-3) : M_PI))
+        return false;
+    double highest = 1;
+    for (int i = 0; i < n_lines; i++)
+        highest = fmax(highest, ratios[i]);
+    /* a long record is sampled as thinly as its period allows; of one that is longer still, the beginning is
+     * fitted; each sample costs as much as there are lines */
+    const double per_period = fmax(PER_PERIOD, PER_PERIOD_OF_EACH * highest);
+    const size_t most = (size_t)(SAMPLES_MAX * 2 / (1 + n_lines));
+    double thinnest = fmax(1, floor(2 * M_PI / start / per_period / dt));
+    size_t stride = (n_rows + most - 1) / most;
+    if ((double)stride > thinnest)
+        stride = (size_t)thinnest;
+    size_t count = (n_rows - 1) / stride + 1;
+    if (count > most)
+        count = most;
+    for (size_t k = 0; k < count; k++)
+        samples[k] = rows[k * stride * width + (size_t)column];
+    FrequencyFit fit;
+    if (!frequency_fit_lines(samples, count, t0, dt * (double)stride, start, ratios, n_lines, &fit, NULL))
+        return false;
+    *frequency = fit.frequency;
+    return true;
+}
+
+/* Root mean square of a column about its mean. */
+static double liveliness(const double *rows, size_t n_rows, int n_columns, int column)
+{
+    double sum = 0, squares = 0;
+    for (size_t i = 0; i < n_rows; i++)
+        sum += rows[i * (size_t)n_columns + (size_t)column];
+    for (size_t i = 0; i < n_rows; i++) {
+        const double off = rows[i * (size_t)n_columns + (size_t)column] - sum / (double)n_rows;
+        squares += off * off;
+    }
+    return sqrt(squares / (double)n_rows);
+}
+
+/* What has come to rest long before the end swings no more than a little in the last quarter of its record.
+ */
+static const char *why_unmeasured(const References *refs, const Readout *readout, const double *rows,
+                                  size_t n_rows, int n_columns)
+{
+    const int column = plan_find(refs, readout->column);
+    const double turn = readout->predicted_known ? readout->predicted : readout->exact;
+    const double period = readout->is_period ? turn : 2 * M_PI / (turn * readout->times);
+    const size_t quarter = n_rows / 4;
+    if (quarter < 8 || column < 0 || !(readout->time >= period))
+        return "too short a run to measure it";
+    const double first = liveliness(rows, quarter, n_columns, column);
+    const double last = liveliness(rows + (n_rows - quarter) * (size_t)n_columns, quarter, n_columns, column);
+    return last < first / 2 ? "the motion has decayed: nothing to measure" : "no steady frequency to measure";
+}
+
+void references_readout(const References *refs, const double *rows, size_t n_rows, int n_columns,
+                        Readout *readout)
+{
+    ASSERT_INT(n_columns, ==, refs->n_columns); /* a record of this run */
+    *readout = (Readout){.measured = NAN,
+                         .predicted = NAN,
+                         .exact = NAN,
+                         .swing = NAN,
+                         .error_frequency = NAN,
+                         .error_period = NAN,
+                         .predicted_error_frequency = NAN,
+                         .late = NAN,
+                         .real_size = NAN,
+                         .overlap = 1,
+                         .kept_measured = NAN,
+                         .kept_predicted = NAN,
+                         .decay_measured = NAN,
+                         .decay_exact = NAN,
+                         .by_zeros = NAN,
+                         .column = "",
+                         .unmeasured = "",
+                         .times = 1};
+    if (n_rows > 0)
+        readout->time = rows[(n_rows - 1) * (size_t)n_columns + 1];
+    if (refs->solver && refs->solver->readout)
+        refs->solver->readout(refs, rows, n_rows, n_columns, readout);
+    if (readout->moving && readout->exact_known && readout->exact > 0)
+        readout->swing = readout->is_period ? readout->exact : 2 * M_PI / readout->exact;
+    if (refs->unaccounted[REFERENCE_PREDICTED] || refs->unaccounted[REFERENCE_FREQUENCY]) {
+        readout->predicted_known = false;
+        readout->predicted = readout->kept_predicted = NAN;
+    }
+    if (refs->unaccounted[REFERENCE_FREQUENCY]) {
+        readout->measured_known = readout->exact_known = false;
+        readout->measured = readout->exact = readout->by_zeros = readout->real_size = NAN;
+        readout->kept_measured = readout->decay_measured = readout->decay_exact = NAN;
+        readout->unaccounted = refs->unaccounted[REFERENCE_FREQUENCY];
+        readout->unmeasured = "a parameter is at work that it does not account for";
+    } else if (readout->moving && !readout->measured_known)
+        readout->unmeasured = why_unmeasured(refs, readout, rows, n_rows, n_columns);
+    /* a period is the inverse of a frequency, and so are their errors */
+    bool period = readout->is_period;
+    if (readout->measured_known && readout->exact_known) {
+        double ratio = readout->measured / readout->exact;
+        readout->error_frequency = 100 * ((period ? 1 / ratio : ratio) - 1);
+        readout->error_period = 100 * ((period ? ratio : 1 / ratio) - 1);
+    }
+    if (readout->predicted_known && readout->exact_known) {
+        double ratio = readout->predicted / readout->exact;
+        readout->predicted_error_frequency = 100 * ((period ? 1 / ratio : ratio) - 1);
+    }
+    readout->late = readout_late(readout, readout->time);
+}
+
+double readout_late(const Readout *readout, double time)
+{
+    if (!readout->measured_known || !readout->exact_known)
+        return NAN;
+    if (readout->drifting)
+        return readout->late;
+    if (readout->is_period)
+        return time / readout->exact - time / readout->measured;
+    return (readout->exact - readout->measured) * time / (2 * M_PI);
+}

@@ -1,0 +1,350 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The words at the end of a run (summary.h): measured frequency beside predicted and exact, change of the
+ * energy, crack. Written from a RunSummary by `matvib run`, from a live experiment by the laboratory. */
+#include "answers/summary.h"
+#include "base/text.h"
+#include "answers/known.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#define ENERGY_TOLD 10.0 /* per cent that a sound run does not swing by */
+
+static int find(const Column *columns, int n_columns, const char *name)
+{
+    for (int i = 0; i < n_columns; i++)
+        if (strcmp(columns[i].quantity.name, name) == 0)
+            return i;
+    return -1;
+}
+
+/* The mean over `count` rows of total less work: what a scheme without loss keeps. */
+static double mean_energy(const double *rows, size_t count, int n_columns, int total, int work)
+{
+    double sum = 0;
+    for (size_t i = 0; i < count; i++) {
+        const double *row = rows + i * (size_t)n_columns;
+        sum += row[total] - (work >= 0 ? row[work] : 0);
+    }
+    return sum / (double)count;
+}
+
+/* The time over which means are taken: one period, in which kinetic and strain energy change places twice, so
+ * that a scheme's oscillation of the total at twice the frequency averages out; a tenth of the run where
+ * there is none. */
+static double span_of(RunSummary *summary, double end)
+{
+    const Readout *readout = &summary->readout;
+    const double turn = readout->predicted_known ? readout->predicted : readout->exact;
+    const double period = readout->is_period ? turn : 2 * M_PI / turn;
+    const bool known = readout->moving && readout->exact_known && !readout->drifting && period > 0;
+    summary->energy_measure = known && end >= period ? ENERGY_PERIOD : ENERGY_TENTH;
+    return summary->energy_measure == ENERGY_PERIOD ? period : end / 10;
+}
+
+/* How much the energy has changed, in percent. E* (invariant.h) where it exists, for it does not oscillate;
+ * else
+ *
+ *     100 (mean of the last span - mean of the first)/(mean of the first)
+ *
+ * of total less work, unless that is no part of its balance. A run that begins at rest has nothing at first,
+ * one that is struck next to nothing: then it is a share of the largest work done. rows: count x n_columns;
+ * nothing is set where there is no energy to speak of. */
+static void take_energy(RunSummary *summary, const Simulation *sim, const Column *columns, int n_columns,
+                        const double *rows, size_t count, const double invariant[2])
+{
+    const size_t width = (size_t)n_columns;
+    const int total = find(columns, n_columns, "total");
+    const int work = simulation_has(sim, HAS_RELATIVE_ENERGY) ? -1 : find(columns, n_columns, "work");
+    if (invariant[0] > 0 && isfinite(invariant[1])) {
+        summary->energy_measure = ENERGY_INVARIANT;
+        summary->energy_change = 100 * (invariant[1] / invariant[0] - 1);
+        return;
+    }
+    if (total < 0 || count == 0)
+        return;
+    double largest = 0;
+    /* the work of a load oscillates with the body, so the largest is taken, not that at the end */
+    for (size_t i = 0; i < count && work >= 0; i++)
+        largest = fmax(largest, fabs(rows[i * width + (size_t)work]));
+    summary->energy_of_work = !(rows[total] > 0) || largest > rows[total];
+    if (summary->energy_of_work && !(largest > 0))
+        return;
+    const double end = rows[(count - 1) * width + 1], span = span_of(summary, end) * (1 - 1e-9);
+    size_t first = 1, last = 1;
+    while (first < count && rows[first * width + 1] < span)
+        first++;
+    while (last < count && rows[(count - last - 1) * width + 1] > end - span)
+        last++;
+    const double before = mean_energy(rows, first, n_columns, total, work);
+    const double after = mean_energy(rows + (count - last) * width, last, n_columns, total, work);
+    summary->energy_change = 100 * (after - before) / (summary->energy_of_work ? largest : before);
+    const int kinetic = find(columns, n_columns, "kinetic");
+    summary->energy_of_feed =
+        summary->readout.drifting && kinetic >= 0 && rows[kinetic] > 0.5 * fabs(rows[total]);
+    double most = rows[total];
+    for (size_t i = 0; i < count; i++)
+        most = fmax(most, mean_energy(rows + i * width, 1, n_columns, total, work));
+    summary->energy_most = summary->energy_of_work ? 0 : 100 * (most / rows[total] - 1);
+}
+
+/* What a run's rows give: the energy's change, and the last row. */
+void summary_rows(RunSummary *summary, const Simulation *sim, const Column *columns, int n_columns,
+                  const double *rows, size_t count, const double invariant[2])
+{
+    take_energy(summary, sim, columns, n_columns, rows, count, invariant);
+    summary->at_rest = sim->at_rest;
+    summary->n_columns = n_columns;
+    memcpy(summary->columns, columns, (size_t)n_columns * sizeof *columns);
+    if (count > 0)
+        memcpy(summary->last_row, rows + (count - 1) * (size_t)n_columns, (size_t)n_columns * sizeof *rows);
+}
+
+void summary_crack(RunSummary *summary, const Simulation *sim, const Settings *settings)
+{
+    summary->crack_known = crack_facts(sim, &summary->crack);
+    CrackFronts fronts = {.count = 0};
+    summary->fronts_known = crack_fronts_update(&fronts, sim);
+    if (summary->fronts_known)
+        crack_fronts_facts(&fronts, &summary->fronts);
+    summary->price_known = (summary->crack_known || summary->fronts_known) &&
+                           crack_price(sim, settings, summary->fronts_known ? &fronts : NULL,
+                                       &settings->patience, &summary->price);
+    crack_fronts_free(&fronts);
+    if (summary->crack_known || summary->fronts_known)
+        summary->rayleigh_speed = crack_rayleigh_speed(settings);
+}
+
+/* All of it from a live run, at the step on screen; what follows from rows is that of the newest step. */
+void summary_of(Experiment *experiment, RunSummary *summary)
+{
+    const Record *record = experiment_record(experiment);
+    int n;
+    const Column *columns = experiment_columns(experiment, &n);
+    *summary = (RunSummary){0};
+    summary->dt = experiment_simulation(experiment)->dt;
+    summary->steps = experiment_newest(experiment);
+    summary->time = (double)summary->steps * summary->dt;
+    summary->rows = summary->steps + 1;
+    summary->readout = *experiment_readout(experiment);
+    summary->readout.time = summary->time;
+    summary->readout.late = readout_late(&summary->readout, summary->time);
+    summary->failed = experiment_failed(experiment, &summary->failure);
+    double invariant[2] = {NAN, NAN};
+    if (experiment_simulation(experiment)->step != summary->steps ||
+        !experiment_invariant(experiment, &invariant[1], &invariant[0]))
+        invariant[0] = NAN;
+    summary_rows(summary, experiment_simulation(experiment), columns, n, record->rows, record->count,
+                 invariant);
+    summary->n_derived = experiment_derived(experiment, summary->derived);
+    /* the findings and the crack are those of the step on screen */
+    if (experiment_simulation(experiment)->step == summary->steps)
+        summary->n_findings = references_findings(experiment_references(experiment),
+                                                  experiment_simulation(experiment), summary->findings);
+    if (experiment_simulation(experiment)->step == summary->steps)
+        summary_crack(summary, experiment_simulation(experiment), experiment_settings(experiment));
+}
+
+typedef struct Writer {
+    char *out;
+    size_t used;
+} Writer;
+
+static void add(Writer *writer, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+static void add(Writer *writer, const char *format, ...)
+{
+    if (writer->used >= SUMMARY_MAX)
+        return;
+    va_list arguments;
+    va_start(arguments, format);
+    int n = vsnprintf(writer->out + writer->used, SUMMARY_MAX - writer->used, format, arguments);
+    va_end(arguments);
+    writer->used += n > 0 ? (size_t)n : 0;
+}
+
+static void add_known(Writer *writer, const char *word, bool known, double value)
+{
+    char text[NUMBER_TEXT_MAX];
+    if (!known)
+        return;
+    text_rounded(text, value, 7);
+    add(writer, "  %s %s", word, text);
+}
+
+/* Of a run without a frequency that is said only where nothing else was found. */
+static void add_readout(Writer *writer, const Readout *readout, const char *answer, bool found)
+{
+    const char *what = readout->is_period ? "period" : "frequency";
+    if (!readout->moving) {
+        if (!found && !readout->unjudged)
+            add(writer, "nothing vibrates: no %s to measure\n", what);
+        return;
+    }
+    add(writer, "%s", what);
+    if (readout->unaccounted)
+        add(writer, "  not known with %s", readout->unaccounted);
+    else if (!readout->measured_known)
+        add(writer, "  %s", readout->unmeasured);
+    add_known(writer, "measured", readout->measured_known, readout->measured);
+    add_known(writer, "predicted", readout->predicted_known, readout->predicted);
+    add_known(writer, answer, readout->exact_known, readout->exact);
+    add_known(writer, "at its real size", isfinite(readout->real_size), readout->real_size);
+    if (readout->is_period && (readout->measured_known || readout->predicted_known || readout->exact_known))
+        add(writer, "  s");
+    add(writer, "\n");
+    if (!readout->measured_known || !readout->exact_known)
+        return;
+    add(writer, "error  frequency %+.4g %%  period %+.4g %%", readout->error_frequency,
+        readout->error_period);
+    if (readout->predicted_known)
+        add(writer, "  (frequency predicted %+.4g %%)", readout->predicted_error_frequency);
+    if (readout->predicted_known && readout->overlap < READOUT_PURE)
+        add(writer, "  (a mixture of modes: overlap %.3g with the one predicted)", readout->overlap);
+    add(writer, "\n%s by %.3g periods%s\n", readout->late < 0 ? "early" : "late", fabs(readout->late),
+        strcmp(readout->column, "strain") == 0 ? " (measured on the strain energy)" : "");
+}
+
+/* How fast a damped swing dies, and how fast it swings meanwhile. */
+static void add_decay(Writer *writer, const Readout *readout)
+{
+    if (!isfinite(readout->decay_exact))
+        return;
+    add(writer, "decay");
+    add_known(writer, "measured", isfinite(readout->decay_measured), readout->decay_measured);
+    add_known(writer, "theory", true, readout->decay_exact);
+    add(writer, "  1/s, half the damping\nfrequency");
+    add_known(writer, "measured", readout->measured_known, 1 / readout->measured);
+    add_known(writer, "predicted", readout->predicted_known, 1 / readout->predicted);
+    add_known(writer, "theory", readout->exact_known, 1 / readout->exact);
+    add(writer, "  Hz\n");
+}
+
+/* What a motion that dies keeps; one that theory says is kept has E* for that. */
+static void add_kept(Writer *writer, const Readout *readout)
+{
+    if (!(readout->kept_predicted < READOUT_UNDAMPED))
+        return;
+    add(writer, "a period keeps");
+    if (isfinite(readout->kept_measured))
+        add(writer, "  measured %.4g %%", 100 * readout->kept_measured);
+    add(writer, "  predicted %.4g %%  of the energy\n", 100 * readout->kept_predicted);
+}
+
+/* A time in microseconds, or that it has not come. */
+static void add_time(Writer *writer, const char *word, double seconds, const char *never, const char *unit)
+{
+    if (isnan(seconds))
+        add(writer, "%s %s", word, never);
+    else
+        add(writer, "%s %.2f %s", word, 1e6 * seconds, unit);
+}
+
+/* Each share per area of the crack, so that it can be set beside G0. A bond breaks at the first step beyond
+ * s0, so what it held beyond goes with the time step; without it stands what the cost comes to as that falls,
+ * but for what else differs between the runs. */
+static void add_cost(Writer *writer, const CrackPrice *price, double dt)
+{
+    const CrackCost *cost = &price->cost;
+    char step[NUMBER_TEXT_MAX];
+    add(writer, "cost  %.1f J/m^2: path %.1f  beside %.1f  far %.1f  beyond s0 %.1f\n",
+        cost->total / cost->area, cost->through / cost->area, cost->beside / cost->area,
+        cost->far / cost->area, cost->beyond / cost->area);
+    add(writer, "G0  %.1f J/m^2, on this lattice %.1f\n", price->critical_energy, cost->plane);
+    text_rounded(step, dt, 6);
+    add(writer, "all with this time step, %s s; as it falls the cost comes to some %.0f J/m^2\n", step,
+        (cost->total - cost->beyond) / cost->area);
+}
+
+/* First break, angles, tip, speed against Rayleigh's, and where the energy went. */
+void summary_crack_text(const RunSummary *summary, const char *microseconds, char out[SUMMARY_MAX])
+{
+    Writer writer = {out, 0};
+    const Crack *crack = &summary->crack.measured;
+    out[0] = '\0';
+    if (summary->fronts_known) {
+        char lines[2][160];
+        crack_fronts_lines(&summary->fronts, summary->rayleigh_speed, microseconds, lines[0], lines[1]);
+        add(&writer, "cracks  %s\n%s%s", lines[0], lines[1], lines[1][0] ? "\n" : "");
+        if (summary->price_known)
+            add_cost(&writer, &summary->price, summary->dt);
+    }
+    if (!summary->crack_known)
+        return;
+    add_time(&writer, "crack  first break", crack->first_break, "none", microseconds);
+    add_time(&writer, "  twentieth", crack->twentieth_break, "none", microseconds);
+    add_time(&writer, "  protected zone", crack->arrival, "not yet", microseconds);
+    add(&writer, "\n");
+    bool any = false;
+    for (int i = 0; i < CRACK_ANGLES; i++) {
+        if (isnan(summary->crack.angles[i]))
+            continue;
+        add(&writer, "%s%.1f deg over %.0f mm", any ? "  " : "angle of fit  ", summary->crack.angles[i],
+            1e3 * crack_heights[i]);
+        any = true;
+    }
+    add(&writer, "%s", any ? "\n" : "");
+    if (crack->begun)
+        add(&writer, "tip  x %.1f mm  y %.1f mm", 1e3 * crack->x, 1e3 * crack->y);
+    else
+        add(&writer, "no crack yet");
+    add(&writer, "  broken bonds %ld\n", crack->broken);
+    if (crack->fastest > 0)
+        add(&writer, "tip's speed  at most %.0f m/s = %.2f c_R\n", crack->fastest,
+            crack->fastest / summary->rayleigh_speed);
+    if (summary->price_known)
+        add_cost(&writer, &summary->price, summary->dt);
+}
+
+/* The energy's change in per cent; less than 5e-4 % is written as 0. */
+void summary_energy_text(const RunSummary *summary, char out[SUMMARY_MAX])
+{
+    static const char *const names[] = {[ENERGY_INVARIANT] = "energy E*",
+                                        [ENERGY_PERIOD] = "energy, first period to last,",
+                                        [ENERGY_TENTH] = "energy, first tenth to last,"};
+    const double change = summary->energy_change;
+    Writer writer = {out, 0};
+    out[0] = '\0';
+    if (summary->energy_measure == ENERGY_NOT_KNOWN || !isfinite(change))
+        return;
+    add(&writer, fabs(change) < 5e-4 ? "%s changed by %.3f %% of the %s" : "%s changed by %+.3g %% of the %s",
+        names[summary->energy_measure], fabs(change) < 5e-4 ? 0 : change,
+        summary->energy_of_work   ? "work"
+        : summary->energy_of_feed ? "start, nearly all of it feed motion"
+                                  : "start");
+    /* what came within the first tenth is not in the change from it to the last */
+    if (summary->energy_most > ENERGY_TOLD && summary->energy_most > 2 * change)
+        add(&writer, "; at most %+.3g %% on the way", summary->energy_most);
+}
+
+void summary_text(const RunSummary *summary, const Settings *settings, char out[SUMMARY_MAX])
+{
+    Writer writer = {out, 0};
+    const Problem *facts = settings->problem;
+    out[0] = '\0';
+    char time[NUMBER_TEXT_MAX], dt[NUMBER_TEXT_MAX];
+    text_rounded(time, summary->time, 8);
+    text_rounded(dt, summary->dt, 6);
+    add(&writer, "%ld steps to t = %s%s%s  (dt %s)%s\n", summary->steps, time, facts->si ? " " : "",
+        facts->si ? facts->unit_of_time : "", dt,
+        summary->failed    ? ", where the run failed"
+        : summary->at_rest ? ", where it came to rest"
+                           : "");
+    if (!summary->crack_known && !summary->fronts_known)
+        add_readout(&writer, &summary->readout, facts->answer, summary->n_findings > 0 || summary->at_rest);
+    add_decay(&writer, &summary->readout);
+    add_kept(&writer, &summary->readout);
+    char found[SUMMARY_MAX];
+    findings_text(summary->findings, summary->n_findings, true, SUMMARY_MAX, found, sizeof found);
+    add(&writer, "%s%s", found, *found ? "\n" : "");
+    char unaccounted[KNOWN_TEXT_MAX];
+    if (known_text(settings, unaccounted, NULL))
+        add(&writer, "%s\n", unaccounted);
+    char text[SUMMARY_MAX];
+    summary_crack_text(summary, "us", text);
+    add(&writer, "%s", text);
+    summary_energy_text(summary, text);
+    add(&writer, "%s%s", text, *text ? "\n" : "");
+}

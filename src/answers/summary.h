@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What a run came to, in words: printed by `matvib run`, shown by the laboratory at the end. */
+#ifndef LAB_SUMMARY_H
+#define LAB_SUMMARY_H
+
+#include "run/experiment.h"
+#include "export/export.h"
+
+enum { SUMMARY_MAX = 1024 };
+
+/* Fills in the columns, the last row and the energy from the rows of a run whose readout is known.
+ * `invariant`: E* at the start and at the end, NAN where it is not known. */
+void summary_rows(RunSummary *, const Simulation *, const Column *columns, int n_columns, const double *rows,
+                  size_t count, const double invariant[2]);
+
+/* Of a beam with a notch what there is to tell of its crack; else nothing. */
+void summary_crack(RunSummary *, const Simulation *, const Settings *);
+
+/* The same numbers for a run on screen, to its newest step. */
+void summary_of(Experiment *, RunSummary *);
+
+/* "energy E* changed by -82.5 % of the start": the measure, the change, relative to what. "": not known. */
+void summary_energy_text(const RunSummary *, char out[SUMMARY_MAX]);
+
+/* The crack in a few lines of at most 76 columns, each ended by '\n'; "": there is no crack. What a
+ * microsecond is written as, "us" or with its sign, is the caller's. */
+void summary_crack_text(const RunSummary *, const char *microseconds, char out[SUMMARY_MAX]);
+
+/* A few lines of at most 76 columns, ASCII, each ended by '\n'. */
+void summary_text(const RunSummary *, const Settings *, char out[SUMMARY_MAX]);
+
+#endif

@@ -1,0 +1,423 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The files of an export: tables, frames for ParaView, the scenarios that stand beside. */
+#include "base/text.h"
+#include "export/csv.h"
+#include "export/export_internal.h"
+#include "scenario/parameters.h"
+#include "scenario/scenario.h"
+#include "export/vtk.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { CHUNK = 512 }; /* things of a table at once */
+
+/* --- what is to be written ------------------------------------------------------------------------- */
+
+static const char *const plurals[TABLES] = {"particles", "nodes", "bonds"};
+
+static const char *table_name(const Outputs *outputs, int i)
+{
+    const char *const given[TABLES] = {outputs->particles, outputs->nodes, outputs->bonds};
+    return given[i];
+}
+
+enum { NAMES_A_QUESTION = 256 };
+
+/* All names that will be files, collected to see whether two are the same and whether any exists. */
+typedef struct Names {
+    char **real;
+    size_t count, room;
+    int standard;
+    bool force;
+} Names;
+
+static bool take_name(Names *names, const char *name, Status *status)
+{
+    if (!output_may_begin(name, names->force, status))
+        return false;
+    if (output_is_standard(name)) {
+        if (names->standard++ > 0)
+            return status_fail(status, STATUS_USAGE, "two outputs cannot both be standard output");
+        return true;
+    }
+    char **grown = names->real;
+    if (names->count == names->room) {
+        names->room = 2 * names->room + 16;
+        grown = realloc(names->real, names->room * sizeof *grown);
+        if (grown)
+            names->real = grown;
+    }
+    char *real = grown ? output_real_name(name, status) : NULL;
+    if (!real)
+        return grown ? false : status_fail(status, STATUS_FAILED, "not enough memory for file names");
+    names->real[names->count++] = real;
+    return true;
+}
+
+static int compare_names(const void *a, const void *b)
+{
+    return strcmp(*(char *const *)a, *(char *const *)b);
+}
+
+/* There may be a million of them: two that are alike stand side by side once they are sorted. */
+static bool all_differ(Names *names, Status *status)
+{
+    if (names->count > 0)
+        qsort(names->real, names->count, sizeof *names->real, compare_names);
+    for (size_t i = 1; i < names->count; i++)
+        if (strcmp(names->real[i - 1], names->real[i]) == 0)
+            return status_fail(status, STATUS_USAGE, "%s: two outputs cannot be the same file",
+                               names->real[i]);
+    return true;
+}
+
+static char *name_beside(const char *name)
+{
+    char *out;
+    return asprintf(&out, "%s.ini", name) < 0 ? NULL : out;
+}
+
+/* Whether a scenario stands beside a table: not beside what is no file. */
+static bool has_beside(const OutputFile *file)
+{
+    return file->target != NULL;
+}
+
+static bool take_table_names(Names *names, const char *name, Status *status)
+{
+    if (!name)
+        return true;
+    if (!take_name(names, name, status))
+        return false;
+    if (output_is_direct(name))
+        return true;
+    char *beside = name_beside(name);
+    bool good = beside ? take_name(names, beside, status)
+                       : status_fail(status, STATUS_FAILED, "not enough memory for file names");
+    free(beside);
+    return good;
+}
+
+static bool take_vtk_names(Names *names, const char *name, size_t frames, const Patience *patience,
+                           Status *status)
+{
+    if (!name)
+        return true;
+    if (output_is_standard(name))
+        return status_fail(status, STATUS_USAGE, "--vtk: needs a file, not standard output");
+    bool good = true;
+    for (size_t i = 0; good && i < frames + (frames > 1); i++) {
+        char *one = i < frames ? vtk_frame_name(name, i, frames) : vtk_collection_name(name);
+        good = one ? take_name(names, one, status)
+                   : status_fail(status, STATUS_FAILED, "not enough memory for file names");
+        free(one);
+        if (good && i % NAMES_A_QUESTION == 0 && !patience_lasts(patience, (double)i / (double)frames))
+            good = status_fail(status, STATUS_FAILED, "the export was given up");
+    }
+    return good;
+}
+
+/* Nothing is touched before all names are known to be good. */
+bool export_check_names(const Export *export, Status *status)
+{
+    const Outputs *outputs = export->outputs;
+    Names names = {.force = outputs->force};
+    bool good = take_table_names(&names, outputs->series, status);
+    for (int i = 0; good && i < TABLES; i++)
+        good = take_table_names(&names, table_name(outputs, i), status);
+    good = good &&
+           take_vtk_names(&names, outputs->vtk, export->frames.count, &export->settings->patience, status) &&
+           all_differ(&names, status);
+    for (size_t i = 0; i < names.count; i++)
+        free(names.real[i]);
+    free(names.real);
+    return good;
+}
+
+static bool find_set(Table *table, const Simulation *sim, int i, Status *status)
+{
+    for (table->set = 0; table->set < sim->n_sets; table->set++)
+        if (strcmp(sim->sets[table->set].plural, plurals[i]) == 0)
+            break;
+    if (table->set == sim->n_sets)
+        return status_fail(status, STATUS_USAGE, "--%s: the method %s has none", plurals[i],
+                           sim->method->name);
+    for (int f = 0; f < sim->n_fields && table->n_fields < TABLE_FIELDS_MAX; f++)
+        if (sim->fields[f].set == table->set && sim->fields[f].in_table)
+            table->fields[table->n_fields++] = f;
+    table->indexed = table->n_fields == 0 || !sim->fields[table->fields[0]].integer;
+    return true;
+}
+
+static bool open_beside(OutputFile *beside, const OutputFile *file, const Outputs *outputs, Status *status)
+{
+    if (!has_beside(file))
+        return true;
+    char *name = name_beside(file->name);
+    bool opened = name ? output_open(beside, outputs->asker, name, outputs->force, status)
+                       : status_fail(status, STATUS_FAILED, "not enough memory for file names");
+    free(name);
+    return opened;
+}
+
+static void write_table_header(const Export *export, const Table *table)
+{
+    const char *names[TABLE_FIELDS_MAX + 3] = {"step", "time"};
+    int n = 2;
+    if (table->indexed)
+        names[n++] = export->sim->sets[table->set].name;
+    for (int i = 0; i < table->n_fields; i++)
+        names[n++] = export->sim->fields[table->fields[i]].quantity.name;
+    csv_header(table->file.stream, export->outputs->dialect, names, n);
+}
+
+static void write_series_header(const Export *export)
+{
+    const char *names[COLUMNS_MAX];
+    for (int i = 0; i < export->n_written; i++)
+        names[i] = export->columns[export->written[i]].quantity.name;
+    csv_header(export->series.stream, export->outputs->dialect, names, export->n_written);
+}
+
+bool export_open_files(Export *export, Status *status)
+{
+    const Outputs *outputs = export->outputs;
+    if (outputs->series) {
+        if (!output_open(&export->series, outputs->asker, outputs->series, outputs->force, status) ||
+            !open_beside(&export->series_beside, &export->series, outputs, status))
+            return false;
+        write_series_header(export);
+    }
+    for (int i = 0; i < TABLES; i++) {
+        Table *table = &export->tables[i];
+        table->name = table_name(outputs, i);
+        if (!table->name)
+            continue;
+        if (!find_set(table, export->sim, i, status) ||
+            !output_open(&table->file, outputs->asker, table->name, outputs->force, status) ||
+            !open_beside(&table->beside, &table->file, outputs, status))
+            return false;
+        write_table_header(export, table);
+    }
+    return true;
+}
+
+bool export_write_row(Export *export, const double *row, Status *status)
+{
+    export->rows++;
+    if (!export->series.stream)
+        return true;
+    double written[COLUMNS_MAX];
+    for (int i = 0; i < export->n_written; i++)
+        written[i] = row[export->written[i]];
+    csv_row(export->series.stream, export->outputs->dialect, written, export->n_written);
+    return output_sound(&export->series, status);
+}
+
+/* --- frames ---------------------------------------------------------------------------------------- */
+
+static bool write_table(Export *export, Table *table, Status *status)
+{
+    Simulation *sim = export->sim;
+    const int before = table->indexed ? 3 : 2, width = before + table->n_fields;
+    size_t count = sim->counts[table->set], snapshot = simulation_snapshot_size(sim);
+    int stages = sim->sets[table->set].ready_after;
+    double *fields = malloc(((size_t)table->n_fields + 1) * CHUNK * sizeof *fields);
+    void *present = stages > 0 ? malloc(snapshot) : NULL;
+    if (!fields || (stages > 0 && !present)) {
+        free(fields);
+        free(present);
+        return status_fail(status, STATUS_FAILED, "not enough memory to write %s", table->name);
+    }
+    double row[TABLE_FIELDS_MAX + 3] = {(double)sim->step, simulation_time(sim)};
+    if (present)
+        simulation_snapshot(sim, present);
+    /* what a stage cannot do any more stays as it stands */
+    for (int i = 0; i < stages && simulation_stage(sim, NULL); i++)
+        ;
+    for (size_t first = 0; first < count; first += CHUNK) {
+        size_t n = count - first < CHUNK ? count - first : CHUNK;
+        for (int f = 0; f < table->n_fields; f++)
+            sim->method->field(sim, table->fields[f], first, n, fields + (size_t)f * CHUNK);
+        for (size_t k = 0; k < n; k++) {
+            row[2] = (double)(first + k);
+            for (int f = 0; f < table->n_fields; f++)
+                row[before + f] = fields[(size_t)f * CHUNK + k];
+            csv_row(table->file.stream, export->outputs->dialect, row, width);
+        }
+    }
+    if (present)
+        simulation_restore(sim, present);
+    free(present);
+    free(fields);
+    return output_sound(&table->file, status);
+}
+
+static bool write_vtk(Export *export, Status *status)
+{
+    if (!export->outputs->vtk)
+        return true;
+    OutputFile *file = &export->vtk[export->next_frame];
+    char *name = vtk_frame_name(export->outputs->vtk, export->next_frame, export->frames.count);
+    bool written = name && output_open(file, export->outputs->asker, name, export->outputs->force, status);
+    if (!name || (written && !vtk_write_frame(file->stream, export->sim, export->outputs->vtk_data)))
+        written = status_fail(status, STATUS_FAILED, "not enough memory to write %s", export->outputs->vtk);
+    free(name);
+    return written && output_finish(file, status);
+}
+
+static bool write_frame(Export *export, Status *status)
+{
+    for (int i = 0; i < TABLES; i++)
+        if (export->tables[i].name && !write_table(export, &export->tables[i], status))
+            return false;
+    if (!write_vtk(export, status))
+        return false;
+    export->next_frame++;
+    return true;
+}
+
+bool export_write_due_frame(Export *export, bool at_last, Status *status)
+{
+    bool left = export->next_frame < export->frames.count;
+    if (!left || (!at_last && export->frames.steps[export->next_frame] != export->sim->step))
+        return true;
+    export->frames.steps[export->next_frame] = export->sim->step;
+    return write_frame(export, status);
+}
+
+/* --- the end --------------------------------------------------------------------------------------- */
+
+static void describe(FILE *to, const Quantity *quantity)
+{
+    fprintf(to, "%s [%s]: %s\n", quantity->name, quantity->unit, quantity->meaning);
+}
+
+static void describe_series(const Export *export, FILE *to)
+{
+    for (int i = 0; i < export->n_written; i++)
+        describe(to, &export->columns[export->written[i]].quantity);
+}
+
+static void describe_table(const Export *export, const Table *table, FILE *to)
+{
+    const Simulation *sim = export->sim;
+    describe(to, &export->columns[0].quantity);
+    describe(to, &export->columns[1].quantity);
+    if (table->indexed)
+        fprintf(to, "%s [1]: which one, counted from 0\n", sim->sets[table->set].name);
+    for (int i = 0; i < table->n_fields; i++)
+        describe(to, &sim->fields[table->fields[i]].quantity);
+}
+
+/* `table`: NULL for the series. */
+static bool write_beside(const Export *export, const Settings *scenario, OutputFile *beside,
+                         const Table *table, Status *status)
+{
+    char *comment = NULL;
+    size_t size = 0;
+    if (!beside->stream)
+        return true;
+    FILE *text = open_memstream(&comment, &size);
+    if (!text)
+        return status_fail(status, STATUS_FAILED, "not enough memory to write %s", beside->name);
+    fprintf(text, "matvib " PACKAGE_VERSION "\n");
+    if (*export->failure.text)
+        fprintf(text, "the run stopped: %s\n", export->failure.text);
+    if (export->outputs->dialect == DIALECT_SEMICOLON)
+        fprintf(text,
+                "written with --dialect semicolon, which no scenario holds: give it again for these bytes\n");
+    fprintf(text, "\nColumns:\n");
+    if (table)
+        describe_table(export, table, text);
+    else
+        describe_series(export, text);
+    bool written = text_stream_close(text, &comment)
+                       ? scenario_write(beside->stream, scenario, comment, status)
+                       : status_fail(status, STATUS_FAILED, "not enough memory to write %s", beside->name);
+    free(comment);
+    return written && output_finish(beside, status);
+}
+
+static bool write_collection(Export *export, Status *status)
+{
+    if (!export->outputs->vtk || export->frames.count < 2)
+        return true;
+    char *name = vtk_collection_name(export->outputs->vtk);
+    bool opened = name && output_open(&export->collection, export->outputs->asker, name,
+                                      export->outputs->force, status);
+    if (!name)
+        status_fail(status, STATUS_FAILED, "not enough memory to write %s", export->outputs->vtk);
+    free(name);
+    if (!opened)
+        return false;
+    vtk_begin_collection(export->collection.stream);
+    for (size_t i = 0; i < export->next_frame; i++)
+        vtk_add_to_collection(export->collection.stream, export->vtk[i].name,
+                              (double)export->frames.steps[i] * export->sim->dt);
+    vtk_end_collection(export->collection.stream);
+    return output_finish(&export->collection, status);
+}
+
+/* The scenario that gives these files again. A run that failed wrote frames of a plan for a longer run: they
+ * are named one by one; if they are too many for that, the scenario is the one that fails. */
+static Settings scenario_beside(const Export *export)
+{
+    Settings scenario = *export->settings;
+    size_t n = export->next_frame, length = 0;
+    problem_end_at(&scenario, export->sim->dt, export->last);
+    if (export->planned_last == export->last || (scenario.output.frames < 2 && !*export->settings->output.at))
+        return scenario;
+    char at[LIST_MAX] = "";
+    for (size_t i = 0; i < n; i++) {
+        char text[NUMBER_TEXT_MAX];
+        text_shortest(text, (double)export->frames.steps[i] * export->sim->dt);
+        length += (size_t)snprintf(at + length, length < sizeof at ? sizeof at - length : 0, "%s%s",
+                                   i > 0 ? "," : "", text);
+        if (length >= sizeof at || n > TIMES_MAX)
+            return *export->settings;
+    }
+    memcpy(scenario.output.at, at, length + 1);
+    scenario.output.frames = 0;
+    return scenario;
+}
+
+bool export_finish_files(Export *export, Status *status)
+{
+    Settings scenario = scenario_beside(export);
+    bool good = !export->series.stream || output_finish(&export->series, status);
+    good = good && write_beside(export, &scenario, &export->series_beside, NULL, status);
+    for (int i = 0; good && i < TABLES; i++) {
+        Table *table = &export->tables[i];
+        if (table->name)
+            good = output_finish(&table->file, status) &&
+                   write_beside(export, &scenario, &table->beside, table, status);
+    }
+    return good && write_collection(export, status);
+}
+
+bool export_commit_files(Export *export, Status *status)
+{
+    bool good = output_commit(&export->series, status) && output_commit(&export->series_beside, status);
+    for (int i = 0; good && i < TABLES; i++)
+        good = output_commit(&export->tables[i].file, status) &&
+               output_commit(&export->tables[i].beside, status);
+    for (size_t i = 0; good && i < export->next_frame && export->vtk; i++)
+        good = output_commit(&export->vtk[i], status);
+    return good && output_commit(&export->collection, status);
+}
+
+void export_close_files(Export *export)
+{
+    output_close(&export->series);
+    output_close(&export->series_beside);
+    for (int i = 0; i < TABLES; i++) {
+        output_close(&export->tables[i].file);
+        output_close(&export->tables[i].beside);
+    }
+    for (size_t i = 0; export->vtk && i < export->frames.count; i++)
+        output_close(&export->vtk[i]);
+    output_close(&export->collection);
+}

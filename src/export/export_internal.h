@@ -1,0 +1,60 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the files behind export.h share: a run under way, and its files. */
+#ifndef LAB_EXPORT_INTERNAL_H
+#define LAB_EXPORT_INTERNAL_H
+
+#include "export/export.h"
+#include "export/frames.h"
+#include "run/record.h"
+
+enum { TABLES = 3, TABLE_FIELDS_MAX = 32 };
+
+/* A table of one set of things. */
+typedef struct Table {
+    const char *name;
+    OutputFile file, beside;
+    int set;
+    bool indexed; /* else its first columns, whole numbers, say which thing it is */
+    int fields[TABLE_FIELDS_MAX], n_fields;
+} Table;
+
+typedef struct Export {
+    const Settings *settings;
+    const Outputs *outputs;
+    Simulation *sim;
+    References *refs;
+    Column columns[COLUMNS_MAX];
+    int n_columns;
+    int written[COLUMNS_MAX], n_written; /* those of the series, by output.columns */
+    long last, planned_last;             /* they differ where the run failed */
+    Frames frames;
+    size_t next_frame;
+    OutputFile series, series_beside;
+    Table tables[TABLES];
+    OutputFile *vtk; /* one for each frame */
+    OutputFile collection;
+    Record record;
+    double *block;
+    double newest[COLUMNS_MAX]; /* the row of the newest step that has one */
+    double invariant;           /* E* at t = 0; NAN: there is none */
+    long rows;
+    Status failure; /* of a run that stopped by itself */
+} Export;
+
+/* export_files.c: names are checked before anything is touched; then every file is begun. */
+bool export_check_names(const Export *, Status *);
+bool export_open_files(Export *, Status *);
+
+/* A row of the series. */
+bool export_write_row(Export *, const double *row, Status *);
+
+/* The frame of this step, if one is due; where the run has failed, its last step takes the place of the rest.
+ */
+bool export_write_due_frame(Export *, bool at_last, Status *);
+
+/* The scenarios beside, and everything on the disk; then everything under its name. */
+bool export_finish_files(Export *, Status *);
+bool export_commit_files(Export *, Status *);
+void export_close_files(Export *);
+
+#endif

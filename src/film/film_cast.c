@@ -1,0 +1,79 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The film as a recording for asciinema, version 2: a line that describes it, then a line for each picture,
+ * [seconds, "o", "bytes for the terminal"]. The bytes are those that ncurses would send to an xterm. */
+#include "film/film.h"
+
+#include "base/text.h"
+#include "terminal/picture.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const char term[] = "xterm-256color";
+
+struct Film {
+    FILE *stream;
+    Picture picture;
+    int width, height; /* of the picture before */
+};
+
+static void put_event(Film *film, double seconds)
+{
+    size_t count;
+    const char *bytes = picture_bytes(&film->picture, &count);
+    fprintf(film->stream, "[%.3f, \"o\", ", seconds);
+    text_put_json(film->stream, bytes, count);
+    fputs("]\n", film->stream);
+    picture_sent(&film->picture, count);
+}
+
+static Film *open_cast(FILE *stream, const FilmLook *look, Status *status)
+{
+    const char *stand_in;
+    Film *film = calloc(1, sizeof *film);
+    if (!film)
+        status_fail(status, STATUS_FAILED, "out of memory");
+    if (!film || !picture_open(&film->picture, term, PICTURE_NO_KEYS, false, &stand_in, status)) {
+        free(film);
+        return NULL;
+    }
+    film->stream = stream;
+    film->picture.colours = 256;
+    film->picture.light = look->light;
+    film->picture.utf8 = true;
+    fprintf(stream, "{\"version\": 2, \"width\": %d, \"height\": %d, \"title\": ", look->width, look->height);
+    text_put_json(stream, look->title, strlen(look->title));
+    fprintf(stream, ", \"env\": {\"TERM\": \"%s\"}}\n", term);
+    return film;
+}
+
+static bool add_to_cast(Film *film, const Canvas *canvas, double seconds, Status *status)
+{
+    (void)status;
+    Picture *picture = &film->picture;
+    if (film->width != canvas->width || film->height != canvas->height) {
+        picture_resize(picture, canvas->width, canvas->height);
+        if (film->width > 0)
+            fprintf(film->stream, "[%.3f, \"r\", \"%dx%d\"]\n", seconds, canvas->width, canvas->height);
+        film->width = canvas->width;
+        film->height = canvas->height;
+    }
+    picture_show(picture, canvas);
+    put_event(film, seconds);
+    return true;
+}
+
+static bool end_cast(Film *film, double seconds, Status *status)
+{
+    (void)status;
+    fprintf(film->stream, "[%.3f, \"o\", \"\"]\n", seconds);
+    return true;
+}
+
+static void close_cast(Film *film)
+{
+    picture_close(&film->picture);
+    free(film);
+}
+
+const FilmFormat film_cast = {".cast", 30, open_cast, add_to_cast, end_cast, close_cast};

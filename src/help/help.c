@@ -1,0 +1,286 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The help: keys by group, what the curves mean, and what is solved, with every equation and every slip of
+ * the papers. */
+#include "answers/choices.h"
+#include "help/help_text.h"
+#include "panes/panes.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { TEXT_MAX = 24000, LINES_MAX = 400 };
+
+/* Lines of text with a style each. Too many: the last ones are left out. */
+typedef struct HelpLines {
+    char text[TEXT_MAX];
+    size_t used;
+    struct {
+        size_t at;
+        Style style;
+    } lines[LINES_MAX];
+    int count;
+} HelpLines;
+
+static void put_line(HelpLines *written, Style style, const char *text)
+{
+    size_t length = strlen(text) + 1;
+    if (written->count == LINES_MAX || written->used + length > TEXT_MAX)
+        return;
+    memcpy(written->text + written->used, text, length);
+    written->lines[written->count].at = written->used;
+    written->lines[written->count++].style = style;
+    written->used += length;
+}
+
+/* A paragraph, broken into lines of `width` columns, further ones indented like the first. */
+static void put_text(HelpLines *written, Style style, int width, int indent, const char *text)
+{
+    const int least = indent + 8;
+    width = width > least ? width : least;
+    while (*text) {
+        char line[512];
+        const char *rest;
+        const size_t length = area_paragraph_line(text, width - indent, &rest);
+        snprintf(line, sizeof line, "%*s%.*s", indent, "", (int)length, text);
+        put_line(written, style, line);
+        text = rest;
+    }
+}
+
+/* --- keys ----------------------------------------------------------------------------------------- */
+
+static void write_verbs(HelpLines *written, int width)
+{
+    put_line(written, STYLE_NORMAL, "");
+    put_line(written, STYLE_HEADING, "Behind :");
+    for (int i = 0; i < n_line_verbs; i++) {
+        char line[256];
+        snprintf(line, sizeof line, "  %s %s", line_verbs[i].name, line_verbs[i].arguments);
+        put_line(written, STYLE_NORMAL, line);
+        put_text(written, STYLE_NORMAL, width, 13 < width / 3 ? 13 : 4, line_verbs[i].help);
+    }
+}
+
+/* The keys, and what they do beside them or, on a narrow screen, below. */
+static void put_key(HelpLines *written, int width, const char *keys, const char *help)
+{
+    enum { COLUMN = 13 };
+    char line[256];
+    const bool beside = COLUMN < width / 3 && glyphs_columns(keys) < COLUMN - 2;
+    const char *rest = help;
+    if (beside) {
+        const size_t length = area_paragraph_line(help, width - COLUMN, &rest);
+        snprintf(line, sizeof line, "  %-10s %.*s", keys, (int)length, help);
+    } else {
+        snprintf(line, sizeof line, "  %s", keys);
+    }
+    put_line(written, STYLE_NORMAL, line);
+    put_text(written, STYLE_NORMAL, width, beside ? COLUMN : 4, rest);
+}
+
+/* The five keys that matter. */
+static void write_first_keys(HelpLines *written, int width)
+{
+    static const struct {
+        const char *keys, *help;
+    } first[] = {
+        {"Space", "runs and pauses"},
+        {"]", "goes on by one stage of a time step, with its equation and numbers; [ goes back"},
+        {"Left Right", "change the marked parameter; Up and Down mark another one"},
+        {"T", "lessons, from the first time step on"},
+        {"o", "other scenarios"},
+    };
+    put_line(written, STYLE_HEADING, "Five keys to begin with");
+    for (size_t i = 0; i < sizeof first / sizeof *first; i++)
+        put_key(written, width, first[i].keys, first[i].help);
+    put_line(written, STYLE_NORMAL, "");
+}
+
+/* What there is to see: the caption has room for its first sentences only. */
+static void write_about(HelpLines *written, const Settings *settings, int width)
+{
+    put_text(written, STYLE_HEADING, width, 0,
+             settings->title[0] ? settings->title : settings->problem->title);
+    if (settings->about[0])
+        put_text(written, STYLE_NORMAL, width, 2, settings->about);
+    put_line(written, STYLE_NORMAL, "");
+}
+
+static void write_keys(HelpLines *written, int width)
+{
+    const char *group = "";
+    for (int i = 0; i < n_commands; i++) {
+        if (strcmp(commands[i].group, group) != 0) {
+            if (*group)
+                put_line(written, STYLE_NORMAL, "");
+            put_line(written, STYLE_HEADING, group = commands[i].group);
+        }
+        if (command_help(&commands[i]))
+            put_key(written, width, commands[i].keys, command_help(&commands[i]));
+    }
+    write_verbs(written, width);
+}
+
+/* --- curves --------------------------------------------------------------------------------------- */
+
+static void write_curves(HelpLines *written, int width, const HelpText *text)
+{
+    static const struct {
+        const char *word, *meaning;
+    } words[] = {
+        {"measured", "what this run does: solid. A number with ~ is a little behind while the run goes on. "
+                     "In a time plot each column shows the least and the largest of "
+                     "its rows, so no peak is lost."},
+        {"predicted", "what the equations of this very mesh or lattice and this time step give, worked out "
+                      "beforehand: dashed. It holds the error of the method."},
+        {"faint",
+         "curves of an earlier run: the one before the last edit, or pinned ones with their letter."},
+    };
+    static const struct {
+        const char *word, *meaning;
+    } last_words[] = {
+        {"timeline",
+         "under the plots, from 0 to the end of the run: the line is what has been computed, the "
+         "dot is where we are. x: a particle crossed into another cell; b: bonds broke, in the plots over "
+         "time too; L: late or early by half a period, by whole ones; E: the energy left "
+         "its range; c: a "
+         "parameter was changed; R: it came to rest; !: the run stopped."},
+        {"spectrum",
+         "view 6: how large each sine in the record is. A record of the length t shows no line finer than "
+         "2 pi/t: a longer one is sharper."},
+    };
+    put_line(written, STYLE_HEADING, "What the curves mean");
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
+        put_line(written, STYLE_FOCUS, words[i].word);
+        put_text(written, STYLE_NORMAL, width, 4, words[i].meaning);
+    }
+    put_line(written, STYLE_NORMAL, "");
+    for (size_t i = 0; i < text->n_words; i++) {
+        put_line(written, STYLE_FOCUS, text->words[i].word);
+        put_text(written, STYLE_NORMAL, width, 4, text->words[i].meaning);
+    }
+    put_line(written, STYLE_NORMAL, "");
+    for (size_t i = 0; i < sizeof last_words / sizeof *last_words; i++) {
+        put_line(written, STYLE_FOCUS, last_words[i].word);
+        put_text(written, STYLE_NORMAL, width, 4, last_words[i].meaning);
+    }
+}
+
+/* --- what is solved ------------------------------------------------------------------------------- */
+
+static void write_passages(HelpLines *written, int width, bool ascii, const HelpPassage *passages,
+                           size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        const char *text = ascii && passages[i].ascii ? passages[i].ascii : passages[i].text;
+        if (passages[i].heading && written->count > 0)
+            put_line(written, STYLE_NORMAL, "");
+        if (passages[i].heading)
+            put_text(written, STYLE_HEADING, width, 0, text);
+        else
+            put_text(written, STYLE_NORMAL, width, 2, text);
+    }
+}
+
+static void write_solved(HelpLines *written, const Screen *screen, int width, const HelpText *text)
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    const bool ascii = screen->look.glyphs == GLYPHS_ASCII;
+    const HelpPassage step = {true, text->step, NULL};
+    write_passages(written, width, ascii, text->before, text->n_before);
+    write_passages(written, width, ascii, text->answers, text->n_answers);
+    write_passages(written, width, ascii, &step, 1);
+    for (int i = 0; i < sim->n_stages; i++) {
+        const Stage *stage = &sim->stages[i];
+        char line[160];
+        snprintf(line, sizeof line, "%d %s   (%s)", i + 1, stage->name, stage->source);
+        put_text(written, STYLE_FOCUS, width, 2, line);
+        put_text(written, STYLE_NORMAL, width, 4, ascii ? stage->ascii : stage->equation);
+        put_text(written, STYLE_FAINT, width, 4, stage->sentence);
+    }
+    write_passages(written, width, ascii, text->after, text->n_after);
+}
+
+/* --- where the papers are silent ------------------------------------------------------------------- */
+
+static void write_choices(HelpLines *written, const Settings *settings, int width)
+{
+    put_text(written, STYLE_HEADING, width, 0,
+             "Where the paper is silent or does otherwise, and what is done here");
+    for (const Choice *choice = choices; choice < choices + n_choices; choice++) {
+        char line[512];
+        if (!choice_is_about(choice, settings->problem, settings->method))
+            continue;
+        put_text(written, STYLE_FOCUS, width, 0, choice->what);
+        snprintf(line, sizeof line, "paper: %s", choice->paper);
+        put_text(written, STYLE_FAINT, width, 4, line);
+        snprintf(line, sizeof line, "here: %s", choice->here);
+        put_text(written, STYLE_NORMAL, width, 4, line);
+    }
+}
+
+static int page_of(const HelpShown *help)
+{
+    return help->page < 0 ? 0 : help->page >= HELP_PAGES ? HELP_PAGES - 1 : help->page;
+}
+
+/* The lines of the page that is open, for a screen of this width. */
+static void write_page(HelpLines *written, const Screen *screen, int screen_width)
+{
+    const int width = screen_width - 2 < 100 ? screen_width - 2 : 100, page = page_of(&screen->help);
+    const HelpText *text = help_text_of(experiment_simulation(screen->experiment));
+    written->used = 0;
+    written->count = 0;
+    if (page == 0) {
+        write_first_keys(written, width);
+        write_about(written, experiment_settings(screen->experiment), width);
+        write_keys(written, width);
+    }
+    if (page == 1)
+        write_curves(written, width, text);
+    if (page == 2)
+        write_solved(written, screen, width, text);
+    if (page == 3)
+        write_choices(written, experiment_settings(screen->experiment), width);
+}
+
+int help_pages(void)
+{
+    return HELP_PAGES;
+}
+
+int help_most(const Screen *screen, int width, int height)
+{
+    HelpLines written;
+    if (layout_make(screen, width, height).kind == LAYOUT_TOO_SMALL)
+        return 0; /* nothing of it is shown, and its lines need some width */
+    write_page(&written, screen, width);
+    const int room = height - 3; /* without title, heading and bar */
+    return written.count > room ? written.count - room : 0;
+}
+
+void help_draw(const Screen *screen, Area area)
+{
+    static const char *const names[HELP_PAGES] = {"this scenario, the keys", "the curves", "what is solved",
+                                                  "where the paper is silent"};
+    const int page = page_of(&screen->help), room = area.rect.height - 1;
+    HelpLines written;
+    write_page(&written, screen, area.rect.width);
+
+    int first = screen->help.scroll;
+    if (first > written.count - room)
+        first = written.count - room;
+    if (first < 0)
+        first = 0;
+    char heading[96];
+    snprintf(heading, sizeof heading, "Help %d of %d: %s", page + 1, HELP_PAGES, names[page]);
+    area_rule(area, 0, heading, STYLE_FOCUS);
+    if (written.count > room) {
+        snprintf(heading, sizeof heading, " lines %d-%d of %d ", first + 1,
+                 first + room < written.count ? first + room : written.count, written.count);
+        if (glyphs_columns(heading) + 30 < area.rect.width)
+            area_text_right(area, area.rect.width - 2, 0, heading, STYLE_FAINT);
+    }
+    for (int y = 0; y < room && first + y < written.count; y++)
+        area_text(area, 1, 1 + y, written.text + written.lines[first + y].at, written.lines[first + y].style);
+}

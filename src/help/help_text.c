@@ -1,0 +1,383 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The passages of the help: one set for each kind of simulation, told apart by what it has. */
+#include "help/help_text.h"
+
+/* --- words of the curves --------------------------------------------------------------------------- */
+
+static const HelpWord bar_words[] = {
+    {"exact", "the continuum's exact answer, without mesh and time step: dotted."},
+    {"w", "the frequency in radians per time, by least squares of cosine, sine and offset. T is the period: "
+          "its error has the other sign."},
+    {"late", "by how many periods the run is behind the exact answer now: a small error of frequency grows "
+             "into a large lag."},
+    {"v_cm", "the velocity of the centre of mass. Its amplitude may fall while the energy is still there: "
+             "it then sits in particle velocities that cancel within a cell."},
+    {"lumping",
+     "kinetic energy that the grid has, but counts too small, because each node carries its mass alone. It "
+     "is there from the start and is not lost. The shares below the energies are means over what the plot "
+     "shows."},
+    {"null space",
+     "kinetic energy of motions that no velocities of the nodes can give to the particles: the grid cannot "
+     "see them, and nothing pulls them back. It grows where particles move far within their cells."},
+    {"ripple",
+     "velocities and stresses are known half a step apart, so their sum ripples by about half of "
+     "w times the time step. It is no loss: E* takes velocity and stress where they belong together, and "
+     "does not ripple. What E* loses is lost."},
+    {"K and F",
+     "view 5, the error of w. The lag is all lumping: over lumped masses the way to nodes and back is a "
+     "filter (F), and the mesh is too slow (K). With consistent masses it is 1/F. The axis goes by square "
+     "roots: an error that grows like the square of n is a straight line."},
+    {"R, T",
+     "of a pulse that meets a joint: what is sent back of its velocity, and what is let on, while each is "
+     "in one piece. Of two materials mode n is their own n-th; a sine is a mixture of them."},
+};
+
+static const HelpWord pd_bar_words[] = {
+    {"exact", "the continuum's exact answer, without mesh and time step: dotted."},
+    {"w", "the frequency in radians per time, by least squares of cosine, sine and offset. T is the period: "
+          "its error has the other sign."},
+    {"late", "by how many periods the run is behind the exact answer now: a small error of frequency grows "
+             "into a large lag."},
+    {"v_cm", "the velocity of the centre of mass. Predicted: the start is resolved into all modes of the "
+             "lattice with its ends, and each swings at its own frequency."},
+    {"lattice",
+     "view 5, the error of w far from the ends: bonds forgive short waves. free end: what the nodes "
+     "there add, which lack partners, or were stiffened to make up for it. The curve leaves it out."},
+    {"stress",
+     "the force of all bonds through a section, the mean of the sections beside a node. At a free end "
+     "half of it is missing: beyond the last node no bond goes through."},
+    {"strain", "the mean stretch of a node's bonds, weighted with their lengths: a mean over the horizon."},
+    {"force", "view 4: what a bond answers to its stretch s. Nodes stand where their most stretched bond is; "
+              "heights are logarithms of how many."},
+    {"mirrored",
+     "beyond a fixed end lie mirror images of the nodes, with the opposite displacement. So the end "
+     "itself stays where it is, and sines are exact modes of a bar fixed at both ends."},
+};
+
+/* What bonds that break show, in beams and in plates. */
+static const char of_force[] =
+    "view 4: what a bond answers to its stretch s, and s0 where it breaks. Nodes stand where their most "
+    "stretched bond is; heights are logarithms of how many.";
+static const char of_cost[] =
+    "the energy that a crack should cost for its area, and s0 follow from each other: edit either. View 3, "
+    "again: what the crack has cost so far.";
+static const char of_residual[] =
+    "kinetic + strain + dissipated energy less the work of the load: 0 but for the time step. A bond breaks "
+    "at "
+    "the first step beyond its limit and takes the overshoot along, so breaking is first order in time: with "
+    "half the step the residual halves.";
+static const char of_damage[] =
+    "the share of a node's bonds that is broken. A crack right through reads 0.4 to 0.5, not 1.";
+
+static const HelpWord beam_words[] = {
+    {"beam theory",
+     "Euler-Bernoulli's beam, Timoshenko's, or the modes of a cantilever that grows longer, without "
+     "lattice and time step: dotted. They have names of their own."},
+    {"probe", "the mid-point of a supported beam, the tip of a cantilever."},
+    {"Euler", "Euler-Bernoulli: plane sections stay at right angles. Timoshenko adds shear and rotation: "
+              "what a two-dimensional body should give."},
+    {"T",
+     "the period, by least squares. Predicted: that of the lowest vibration of this very lattice with its "
+     "supports and its surface correction. Theory at its real size: Timoshenko's, for the lattice makes "
+     "the beam a little thinner and shorter than asked for."},
+    {"zeros", "the same period from the zeros of the swing alone: where the two differ the record is short "
+              "or no pure sine."},
+    {"modal", "the moving cantilever by its first bending modes on the growing length. Filtered: the end of "
+              "the straight line through the last 0.1 ms, which has no thickness modes."},
+    {"~L^1/2", "how far a swing reaches as the beam grows slowly: the displacement as the root of its "
+               "length, the velocity as L^-3/2, for energy over frequency is kept."},
+    {"section", ":show section: the displacement along the beam through its height at the chosen "
+                "particle. On the line -y duy/dx sections stay plane and upright."},
+    {"force", of_force},
+    {"G0", of_cost},
+    {"residual", of_residual},
+    {"height", "view 6: the predicted lines are rows of the lattice that ring against each other through "
+               "the beam's height."},
+    {"damage", of_damage},
+    {"horizon",
+     "view 5: the period over the reach of the bonds, with the two beam theories. Each earlier run with "
+     "another horizon leaves its dot."},
+};
+
+static const HelpWord plate_words[] = {
+    {"rows",
+     "cuts, loads, supports, impulses, protected regions and the probe, each a line among the parameters. "
+     "Enter edits it as text, p moves it on the map, Tab takes its other end; A adds one, C copies, D "
+     "deletes."},
+    {"probe", "the node at the place that the row of that name gives. No theory stands beside its curves."},
+    {"cracks",
+     ":show cracks: how fast the tip of each crack runs, again: how far it has come. One is followed "
+     "from each end of a cut inside the plate; where there are several each curve ends in a letter."},
+    {"c_R", "the speed of Rayleigh's wave along an edge, dotted: no crack that is pulled open outruns it."},
+    {"deg",
+     "from the cut: the angle between the cut and the straight line through its crack. Half angle: half "
+     "of that between two branches, over 10 mm behind the place where the crack split."},
+    {"surface", "made / length: as many metres of cut as the broken bonds would make, over the length of the "
+                "cracks. 1 is as clean as a cut; what is more broke beside the crack."},
+    {"force", of_force},
+    {"G0", of_cost},
+    {"residual", of_residual},
+    {"damage", of_damage},
+};
+
+static const HelpWord plane_words[] = {
+    {"beam theory",
+     "Euler-Bernoulli's beam, Timoshenko's, or the modes of a cantilever that grows longer, without "
+     "mesh and time step: dotted. They have names of their own."},
+    {"plane",
+     "the exact answer of the plane problem with its ends held as whole sections: Rayleigh and Lamb's "
+     "bending wave. What smaller and smaller cells go to."},
+    {"T", "the period, by least squares. Predicted: the lowest eigenvalue of this very mesh, of what "
+          "stiffness and "
+          "masses become on the way from particles to nodes and back."},
+    {"modal", "the moving cantilever by its first bending modes on the growing length."},
+    {"~L^1/2", "how far a swing reaches as the beam grows slowly: the displacement as the root of its "
+               "length, the velocity as L^-3/2, for energy over frequency is kept."},
+    {"section",
+     ":show section, again: displacement, bending stress and shear through the height at the chosen "
+     "particle. Dashed are the columns of particles of its cell, solid their mean: what is between the "
+     "columns is the false shear of a cell that cannot bend."},
+    {"mesh",
+     ":magnify 16, or Z and + : the cells under the particles, bars of mass and momentum on the nodes while "
+     "a step is under way, arrows from who gives to who takes; of a beam that leaves its channel its common "
+     "speed v0 is no part of the momentum's bars. The cross on the chosen particle: its principal stresses, "
+     "dotted where they press."},
+    {"null space",
+     "view 3: motion of the particles that no node feels. Lumping: what the nodes' masses, taken as "
+     "single points, leave out."},
+    {"order",
+     ":show convergence: cells, particles, methods. An order of 2: half the cell, a quarter of the error."},
+};
+
+/* --- what is solved -------------------------------------------------------------------------------- */
+
+static const HelpPassage bar_before[] = {
+    {true, "What is solved: axial vibration of a bar", NULL},
+    {false, "Momentum and Hooke's law along a line, small strains:", NULL},
+    {false, "ρ dv/dt = dσ/dx + ρ b      dσ/dt = E dv/dx", "rho dv/dt = ds/dx + rho b      ds/dt = E dv/dx"},
+    {false, "Weak form, with a test function w that vanishes where the bar is held:", NULL},
+    {false, "∫ w ρ dv/dt dx = -∫ w′ σ dx + ∫ w ρ b dx + w t at the ends",
+     "int w rho dv/dt dx = -int w' s dx + int w rho b dx + w t at the ends"},
+    {false, "The integrals become sums over particles of mass m and volume m/ρ.",
+     "The integrals become sums over particles of mass m and volume m/rho."},
+};
+
+static const HelpPassage pd_bar_before[] = {
+    {true, "What is solved: axial vibration of a bar, by bonds", NULL},
+    {false, "ρ d²u/dt² = Σ c G w s V sign(ξ+η) + ρ b      s = (|ξ+η| - |ξ|)/|ξ|",
+     "rho d2u/dt2 = sum c G w s V sign(xi+eta) + rho b      s = (|xi+eta| - |xi|)/|xi|"},
+    {false,
+     "The sum runs over the family: all nodes nearer than the horizon δ. ξ is where the other lies at first, "
+     "η how far the two have moved apart; c = 2E/(A δ²), from equal strain energy in a stretched bar, with "
+     "cross-section A = 1.",
+     "The sum runs over the family: all nodes nearer than the horizon delta. xi is where the other lies at "
+     "first, eta how far the two have moved apart; c = 2E/(A delta^2), from equal strain energy in a "
+     "stretched "
+     "bar, with cross-section A = 1."},
+    {false, "On a line the stretch is linear in the displacements, at any amplitude.", NULL},
+    {false,
+     "Conical influence: c₁ (1 - |ξ|/δ) in place of c, c₁ = E/(Δx² Σ (1 - mΔx/δ) w_m m) over one side, which "
+     "is "
+     "6E/(A δ²) on a fine lattice.",
+     "Conical influence: c1 (1 - |xi|/delta) in place of c, c1 = E/(dx^2 sum (1 - m dx/delta) w_m m) over "
+     "one "
+     "side, which is 6E/(A delta^2) on a fine lattice."},
+    {false,
+     "w counts a node at the edge of the horizon by the part of its cell inside: partial leaves out those "
+     "whose "
+     "middle lies beyond, hhb does not. G is the mean of the two "
+     "nodes' surface factors: the energy of a uniform strain over what their families hold.",
+     NULL},
+};
+
+static const HelpPassage bar_exact[] = {
+    {true, "The exact answer", NULL},
+    {false, "v = A φ(x) cos ωt    u = A/ω φ(x) sin ωt    ω = β c,  c = √(E/ρ)",
+     "v = A f(x) cos wt    u = A/w f(x) sin wt    w = beta c,  c = sqrt(E/rho)"},
+    {false,
+     "φ = sin βx if the left end is held, cos βx if it is free; β = (2n-1)π/2L with one free end, nπ/L "
+     "with two equal ends. Several modes add up.",
+     "f = sin(beta x) if the left end is held, cos(beta x) if it is free; beta = (2n-1) pi/2L with one free "
+     "end, "
+     "n pi/L with two equal ends. Several modes add up."},
+};
+
+static const HelpPassage bar_after[] = {
+    {true, "What this mesh makes of a wave (hat, uGIMP)", NULL},
+    {false, "ω² = (c/Δx)² F K    K = 4 sin²(βΔx/2)\nF = 1 - (1/3 + 1/(6P²))(1 - cos βΔx)",
+     "w^2 = (c/dx)^2 F K    K = 4 sin^2(beta dx/2)\nF = 1 - (1/3 + 1/(6P^2))(1 - cos(beta dx))"},
+    {false,
+     "K is the usual dispersion of linear elements; F, what particle to node to particle leaves of a wave, "
+     "is the larger part of the error. P: particles per cell.",
+     NULL},
+    {true, "Slips of the paper, and what is done instead", NULL},
+    {false,
+     "eqs. 5, 6: as printed they are no tensor expressions. In one dimension the strain increment is "
+     "Δt Σ N′v without the 1/2, and the vorticity increment is 0: a line cannot spin.",
+     "eqs. 5, 6: as printed they are no tensor expressions. In one dimension the strain increment is dt sum "
+     "N'v "
+     "without the 1/2, and the vorticity increment is 0: a line cannot spin."},
+    {false, "eq. 7: the density is the particle's.", NULL},
+    {false, "eq. 9: a stray t.", NULL},
+    {false, "eqs. 14, 15: they start from the particle's own velocity and place.", NULL},
+    {false, "eq. 17: L is a length. \"In elements\" is true only where a cell has the size 1.", NULL},
+    {false, "A particle gives to two nodes here, to four in two dimensions, to eight in three.", NULL},
+};
+
+static const HelpPassage pd_bar_after[] = {
+    {true, "What this lattice makes of a wave", NULL},
+    {false, "ω² = 8EG/(ρδ²) Σ (w_m/m) sin²(mβΔx/2)      sin(ΩΔt/2) = ωΔt/2",
+     "w^2 = 8EG/(rho delta^2) sum (w_m/m) sin^2(m beta dx/2)      sin(W dt/2) = w dt/2"},
+    {false,
+     "m counts the spacings Δx within the horizon; G is the surface factor of a whole family, 1 where "
+     "nothing is "
+     "corrected; Ω is what the run shows. For long waves ω = βc (1 - β²(δ² + Δx²)/48): the horizon sets the "
+     "error, more than the spacing.",
+     "m counts the spacings dx within the horizon; G is the surface factor of a whole family, 1 where "
+     "nothing is "
+     "corrected; W is what the run shows. For long waves w = beta c (1 - beta^2 (delta^2 + dx^2)/48): the "
+     "horizon sets the error, more than the spacing."},
+    {false,
+     "Conical influence: w_m (1 - mΔx/δ) times (δ/Δx)²/(2 Σ w_m m (1 - mΔx/δ)) in place of w_m. For long "
+     "waves "
+     "ω = βc (1 - β²(δ² - ⅔ Δx²)/80).",
+     "Conical influence: w_m (1 - m dx/delta) times (delta/dx)^2/(2 sum w_m m (1 - m dx/delta)) in place of "
+     "w_m. For long waves w = beta c (1 - beta^2 (delta^2 - 2/3 dx^2)/80)."},
+    {false,
+     "Exact for a bar fixed at both ends. With a free end the frequencies are eigenvalues of the lattice as "
+     "it lies.",
+     NULL},
+};
+
+static const HelpPassage beam_before[] = {
+    {true, "What is solved: points that pull at each other", NULL},
+    {false, "ρ d²u/dt² = Σ c G w s V (ξ+η)/|ξ+η| + b      s = (|ξ+η| - |ξ|)/|ξ|",
+     "rho d2u/dt2 = sum c G w s V (xi+eta)/|xi+eta| + b      s = (|xi+eta| - |xi|)/|xi|"},
+    {false,
+     "The sum runs over the family: all points nearer than the horizon δ. ξ is where the other lies at "
+     "first, η how far the two have moved apart; c = 6E/(πδ³(1-ν)) with ν = 1/3, the only value that "
+     "this theory has in two dimensions.",
+     "The sum runs over the family: all points nearer than the horizon delta. xi is where the other lies at "
+     "first, "
+     "eta how far the two have moved apart; c = 6E/(pi delta^3 (1-nu)) with nu = 1/3, the only value that "
+     "this "
+     "theory has in two dimensions."},
+    {false, "Conical influence: c₁ (1 - |ξ|/δ) in place of c, c₁ = 4c.",
+     "Conical influence: c1 (1 - |xi|/delta) in place of c, c1 = 4c."},
+    {false,
+     "w makes points near the horizon count less and less, from 1 at |ξ| = δ - Δx/2 along (δ + Δx/2 - "
+     "|ξ|)/Δx: "
+     "partial leaves out those beyond δ, hhb goes on to 0. It is not the share of their area. "
+     "G makes up for what bonds near a surface lack (surface correction).",
+     "w makes points near the horizon count less and less, from 1 at |xi| = delta - dx/2 along (delta + dx/2 "
+     "- "
+     "|xi|)/dx: partial leaves out those beyond delta, hhb goes on to 0. It is not the share of their area. "
+     "G makes up for what bonds near a surface lack (surface correction)."},
+    {false, "A bond breaks for ever at the critical stretch: s₀ = √(4πG₀/(9Eδ)), conical √(5πG₀/(9Eδ)).",
+     "A bond breaks for ever at the critical stretch: s0 = sqrt(4 pi G0/(9 E delta)), conical sqrt(5 pi "
+     "G0/(9 E "
+     "delta))."},
+};
+
+static const HelpPassage plane_before[] = {
+    {true, "What is solved: a beam in plane stress, by particles and cells", NULL},
+    {false, "ρ dv/dt = div σ      dσ/dt = D dε/dt      D: Young's modulus E and Poisson's ratio ν",
+     "rho dv/dt = div s      ds/dt = D de/dt      D: Young's modulus E and Poisson's ratio nu"},
+    {false,
+     "Each particle carries mass, velocity and stress. In each step they are mapped to the nodes of square "
+     "cells, N = N_x N_y; the nodes feel forces and move; the particles take the change and the mesh is put "
+     "back.",
+     NULL},
+    {false, "Small strains: the stress is not turned with the particle.", NULL},
+    {false,
+     "The stress at the start is the one that the bent beam has when its sections may get thinner "
+     "(relaxed); else it rings through its height.",
+     NULL},
+};
+
+static const HelpPassage plane_after[] = {
+    {true, "The right answers", NULL},
+    {false, "(k² + q²)² tanh(ph/2) = 4k²pq tanh(qh/2)    p² = k² - ω²/c²    q² = k² - ω²ρ/G    k = π/L",
+     "(k^2 + q^2)^2 tanh(ph/2) = 4k^2 pq tanh(qh/2)    p^2 = k^2 - w^2/c^2    q^2 = k^2 - w^2 rho/G    k = "
+     "pi/L"},
+    {false, "Moving cantilever: bending modes of the length outside the channel, L(t) = L0 + v0 t.", NULL},
+    {true, "What this mesh makes of it", NULL},
+    {false, "ω² = lowest eigenvalue of M_L⁻¹ M_C M_L⁻¹ K      sin(ΩΔt/2) = ωΔt/2",
+     "w^2 = lowest eigenvalue of M_L^-1 M_C M_L^-1 K      sin(W dt/2) = w dt/2"},
+    {false,
+     "K adds up over the particles, so it is stiffer the further they lie from the middle of their cells: "
+     "three "
+     "along a side lock more than two.",
+     NULL},
+    {false,
+     "A particle that enters another cell jumps from one slope of a hat to the next. The jump feeds stress "
+     "that no "
+     "node feels, and the energy grows: uGIMP, or a mesh that rides along (mesh.velocity).",
+     NULL},
+};
+
+static const HelpPassage plate_after[] = {
+    {true, "What a crack is held against", NULL},
+    {false, "c_R = c_s √(2 - 2/√3)    c_s = √(3E/(8ρ))",
+     "c_R = c_s sqrt(2 - 2/sqrt(3))    c_s = sqrt(3E/(8 rho))"},
+    {false,
+     "Rayleigh's speed in plane stress at ν = 1/3. A speed is taken over the time in which that wave goes "
+     "four "
+     "horizons: over less the tip's jumps from spacing to spacing would show.",
+     "Rayleigh's speed in plane stress at nu = 1/3. A speed is taken over the time in which that wave goes "
+     "four "
+     "horizons: over less the tip's jumps from spacing to spacing would show."},
+    {false,
+     "No formula tells where a crack in a plate goes. What must hold all the way is the sum of the energies.",
+     NULL},
+};
+
+static const HelpPassage beam_after[] = {
+    {true, "The right answers", NULL},
+    {false, "Euler-Bernoulli: T = 2L²/π / √(Eh²/12ρ). Timoshenko: the same with shear and rotation, κ = 5/6.",
+     "Euler-Bernoulli: T = 2L^2/pi / sqrt(E h^2/(12 rho)). Timoshenko: the same with shear and rotation, "
+     "kappa = 5/6."},
+    {false,
+     "Moving cantilever: bending modes of the length outside the channel, L(t) = L0 + v0 t; its amplitude "
+     "grows and it swings ever more slowly.",
+     NULL},
+    {true, "Slips of the paper, and what is done instead", NULL},
+    {false, "Before eq. 9: \"Eq. (5)\" means eq. 8.", NULL},
+    {false, "ν = .33 of the notched beam is 1/3.", "nu = .33 of the notched beam is 1/3."},
+    {false, "Velocity Verlet and central differences give the same positions.", NULL},
+    {false, "The time step of 1e-8 s is far below the critical one; periods do not depend on it.", NULL},
+    {false,
+     "Table 1 is not monotone because a beam of floor(h/dx) layers is up to 4 % thinner and the supports "
+     "lie a spacing nearer: see real height and real span.",
+     NULL},
+};
+
+/* --- by what the simulation has ------------------------------------------------------------------------- */
+
+#define LIST(list) list, sizeof list / sizeof *list
+
+const HelpText *help_text_of(const Simulation *sim)
+{
+    static const HelpText bar = {"One time step", LIST(bar_words), LIST(bar_before), LIST(bar_exact),
+                                 LIST(bar_after)};
+    static const HelpText pd_bar = {"One time step (velocity Verlet)", LIST(pd_bar_words),
+                                    LIST(pd_bar_before), LIST(bar_exact), LIST(pd_bar_after)};
+    static const HelpText beam = {
+        "One time step (velocity Verlet)", LIST(beam_words), LIST(beam_before), NULL, 0, LIST(beam_after)};
+    static const HelpText plate = {
+        "One time step (velocity Verlet)", LIST(plate_words), LIST(beam_before), NULL, 0, LIST(plate_after)};
+    static const HelpText plane = {"One time step",  LIST(plane_words), LIST(plane_before), NULL, 0,
+                                   LIST(plane_after)};
+    static const struct {
+        unsigned has;
+        const HelpText *text;
+    } texts[] = {{HAS_PLANE | HAS_MESH, &plane},
+                 {HAS_LINE | HAS_MESH, &bar},
+                 {HAS_LINE | HAS_BONDS, &pd_bar},
+                 {HAS_PLANE | HAS_BONDS | HAS_ROWS, &plate},
+                 {HAS_PLANE | HAS_BONDS, &beam}};
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
+        if (simulation_has(sim, texts[i].has))
+            return texts[i].text;
+    return &beam;
+}

@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The functions of the command table, a file for each kind; private to src/tui. */
+#ifndef TUI_COMMANDS_H
+#define TUI_COMMANDS_H
+
+#include "lab/laboratory.h"
+
+typedef struct CommandFunction {
+    CommandId id;
+    void (*run)(Laboratory *);
+} CommandFunction;
+
+/* One for each row of the command table. */
+extern const CommandFunction command_functions[];
+extern const int n_command_functions;
+
+#define COMMAND(id, function, ...) void function(Laboratory *);
+#define DIGIT(n)
+#include "help/command_rows.inc"
+#undef COMMAND
+#undef DIGIT
+
+/* time_commands.c */
+bool command_answer_go_to(Laboratory *, const char *text);
+
+/* until_commands.c: they answer the `:` line. */
+bool command_answer_until(Laboratory *, const char *text);
+bool command_answer_event(Laboratory *, const char *text);
+bool command_answer_magnify(Laboratory *, const char *text);
+bool command_answer_loop(Laboratory *, const char *text);
+
+/* move_commands.c */
+void command_close_inspector(Screen *);
+void command_zoom_out(Screen *);
+bool command_close_top(Laboratory *); /* what lies on top; false: there is nothing */
+
+/* view_commands.c */
+void command_show_view(Laboratory *, const View *);
+void command_show_digit(Laboratory *, int digit); /* the view that has this key */
+
+/* map_commands.c: the map of a beam. */
+void command_map_whole(Screen *); /* ends it */
+void command_map_magnify(Screen *, int direction);
+void command_map_pan(Screen *, int x, int y);
+bool command_map_is_focused(const Screen *);
+void command_map_enlarge(Laboratory *, int direction); /* displacements; 0: automatic */
+
+#endif

@@ -1,0 +1,259 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The run as files, asked for with x. The files are those of `matvib run`, by the same function. */
+#include "lab/laboratory.h"
+#include "lab/writing.h"
+
+#include "base/text.h"
+#include "picture/paper/figure_file.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { EXPORTS = 3, PATH_BYTES = NAME_MAX_BYTES + 32, SPREADSHEET_ROWS = 1048576 };
+
+static const char *const suffixes[EXPORTS] = {"-series.csv", "-particles.csv", "-nodes.csv"};
+
+/* The runs that are written: of a duel both. NULL: there are no more. */
+static const Experiment *run_of(const Duel *duel, int run)
+{
+    return run == 0 ? duel->a : run == 1 ? duel->b : NULL;
+}
+
+static bool has_set(const Experiment *experiment, const char *name)
+{
+    const Simulation *simulation = experiment_simulation(experiment);
+    for (int i = 0; i < simulation->n_sets; i++)
+        if (strcmp(simulation->sets[i].name, name) == 0)
+            return true;
+    return false;
+}
+
+/* The files of a run of an export; a table that its method has not is left empty. */
+static void file_names(const Duel *duel, int run, const char *name, char paths[EXPORTS][PATH_BYTES])
+{
+    for (int i = 0; i < EXPORTS; i++)
+        snprintf(paths[i], PATH_BYTES, "%.255s%s%s", name, run == 0 ? "" : "-b", suffixes[i]);
+    if (!has_set(run_of(duel, run), "node"))
+        paths[2][0] = '\0';
+}
+
+/* The first of these files that exists; "" if none does. */
+static void find_existing(const Duel *duel, const char *name, char found[PATH_BYTES + 4])
+{
+    char paths[EXPORTS][PATH_BYTES];
+    for (int run = 0; run_of(duel, run); run++) {
+        file_names(duel, run, name, paths);
+        for (int i = 0; i < EXPORTS; i++)
+            for (int beside = 0; beside < 2 && paths[i][0]; beside++) {
+                snprintf(found, PATH_BYTES + 4, "%.*s%s", PATH_BYTES - 1, paths[i], beside ? ".ini" : "");
+                if (access(found, F_OK) == 0)
+                    return;
+            }
+    }
+    found[0] = '\0';
+}
+
+/* The scenario's name without folder and ending, and a number if files of that name are there already. */
+static void default_name(const Laboratory *lab, char name[NAME_MAX_BYTES])
+{
+    char base[NAME_MAX_BYTES], found[PATH_BYTES + 4];
+    const char *slash = strrchr(lab->scenario, '/');
+    snprintf(base, sizeof base, "%.200s", slash ? slash + 1 : lab->scenario);
+    char *dot = strrchr(base, '.');
+    if (dot && dot > base)
+        *dot = '\0';
+    if (!base[0])
+        strcpy(base, "run");
+    snprintf(name, NAME_MAX_BYTES, "%s", base);
+    for (int i = 2; i < 1000; i++) {
+        find_existing(&lab->player.duel, name, found);
+        if (!found[0])
+            return;
+        snprintf(name, NAME_MAX_BYTES, "%.200s-%d", base, i);
+    }
+}
+
+static bool show_progress(double share, void *context)
+{
+    Laboratory *lab = context;
+    laboratory_say(lab, MESSAGE_INFO, "exporting %d %%   ^C cancels", (int)(100 * share));
+    return laboratory_go_on(lab);
+}
+
+/* One run. False: it could not be written, which has been said. */
+static bool write_run(Laboratory *lab, int run, bool force, RunSummary *summary)
+{
+    char paths[EXPORTS][PATH_BYTES];
+    Settings *settings = malloc(sizeof *settings);
+    if (!settings) {
+        laboratory_say(lab, MESSAGE_ERROR, "out of memory");
+        return false;
+    }
+    file_names(&lab->player.duel, run, lab->exporting.name, paths);
+    experiment_scenario(run_of(&lab->player.duel, run), lab->exporting.newest, settings);
+    Outputs outputs = {.series = paths[0],
+                       .particles = paths[1],
+                       .nodes = paths[2][0] ? paths[2] : NULL,
+                       .asker = lab->asker,
+                       .force = force};
+    Status status = {STATUS_DONE, ""};
+    bool sound = export_run(settings, &outputs, lab->options.threads > 0 ? lab->options.threads : 1,
+                            show_progress, lab, summary, &status);
+    free(settings);
+    if (!sound && !summary->failed)
+        laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
+    return sound || summary->failed;
+}
+
+/* Steps of a run that the export reaches to. */
+static long steps_of(const Laboratory *lab, int run)
+{
+    const Experiment *experiment = run_of(&lab->player.duel, run);
+    if (!experiment)
+        return 0;
+    return lab->exporting.newest ? experiment_newest(experiment) : experiment_step(experiment);
+}
+
+static void write_export(Laboratory *lab, bool force)
+{
+    char paths[EXPORTS][PATH_BYTES];
+    RunSummary first, second = {0};
+    if (!writing_allowed(lab, lab->exporting.name))
+        return;
+    const bool both = steps_of(lab, 1) > 0;
+    if (!write_run(lab, 0, force, &first) || (both && !write_run(lab, 1, force, &second)))
+        return;
+    lab->editing.changed = false;
+    file_names(&lab->player.duel, 0, lab->exporting.name, paths);
+    char *whole = realpath(paths[0], NULL);
+    char beside[PATH_BYTES + 64] = "";
+    if (both) {
+        char others[EXPORTS][PATH_BYTES];
+        file_names(&lab->player.duel, 1, lab->exporting.name, others);
+        const char *slash = strrchr(others[0], '/');
+        snprintf(beside, sizeof beside, "; of B likewise %s (%ld rows)", slash ? slash + 1 : others[0],
+                 second.rows);
+    }
+    laboratory_say(lab, first.failed || second.failed ? MESSAGE_WARNING : MESSAGE_INFO,
+                   "wrote %s%s (%ld rows), particles%s, each with its .ini%s", both ? "A: " : "",
+                   whole ? whole : paths[0], first.rows, paths[2][0] ? ", nodes" : "", beside);
+    free(whole);
+}
+
+static bool answer_replace(Laboratory *lab, const char *text)
+{
+    (void)text;
+    write_export(lab, true);
+    return true;
+}
+
+static bool export_named(Laboratory *lab, const char *text)
+{
+    char found[PATH_BYTES + 4], name[NAME_MAX_BYTES], paths[EXPORTS][PATH_BYTES];
+    size_t length = strlen(text);
+    if (figure_is_name(text))
+        return exporting_figure(lab, text);
+    if (length > 4 && strcmp(text + length - 4, ".csv") == 0)
+        length -= 4;
+    if (length == 0)
+        return prompt_refuse(&lab->prompting, "a name is wanted");
+    snprintf(name, sizeof name, "%.*s", (int)length, text); /* the text may be the name already */
+    memcpy(lab->exporting.name, name, sizeof name);
+    file_names(&lab->player.duel, 0, name, paths);
+    if (!writing_name_fits(lab, paths[0]))
+        return false;
+    find_existing(&lab->player.duel, lab->exporting.name, found);
+    if (found[0])
+        prompt_ask_replace(&lab->prompting, answer_replace, found);
+    else
+        write_export(lab, false);
+    return true;
+}
+
+/* --- how much it will be ---------------------------------------------------------------------------- */
+
+/* Rows that the series will have: one every so many steps, the first and the last always. */
+static long series_rows(const Laboratory *lab)
+{
+    const Experiment *experiment = lab->screen.experiment;
+    const long every = experiment_settings(experiment)->output.every;
+    const long last = lab->exporting.newest ? experiment_newest(experiment) : experiment_step(experiment);
+    return last / every + 1 + (last % every != 0);
+}
+
+/* Bytes of the series, from some of the rows that there are. */
+static double series_bytes(const Laboratory *lab)
+{
+    enum { SAMPLES = 200 };
+    const Experiment *experiment = lab->screen.experiment;
+    const Record *record = experiment_record(experiment);
+    int count;
+    const Column *columns = experiment_columns(experiment, &count);
+    size_t rows = 0;
+    double bytes = 0;
+    for (size_t i = 0; i < record->count; i += 1 + record->count / SAMPLES, rows++)
+        for (int k = 0; k < record->n_columns; k++) {
+            char number[NUMBER_TEXT_MAX];
+            if (export_writes(experiment_settings(experiment), experiment_simulation(experiment), k,
+                              columns[k].quantity.name))
+                bytes += (double)text_shortest(number, record_row(record, i)[k]) + 1;
+        }
+    return rows ? bytes / (double)rows * (double)series_rows(lab) : 0;
+}
+
+static void ask_name(Laboratory *lab)
+{
+    char name[NAME_MAX_BYTES];
+    const long rows = series_rows(lab);
+    const double megabytes = series_bytes(lab) / 1e6;
+    default_name(lab, name);
+    prompt_ask(&lab->prompting, export_named, false, name, "export %ld row%s, %.*f MB, as", rows,
+               rows == 1 ? "" : "s",
+               megabytes < 0.1  ? 3
+               : megabytes < 10 ? 1
+                                : 0,
+               megabytes);
+    Prompt *prompt = &lab->screen.prompt;
+    snprintf(prompt->hint, sizeof prompt->hint,
+             "writes NAME-series.csv and its tables%s; NAME.svg, .pdf or .png: a figure of the view",
+             lab->player.duel.b ? ", those of B as NAME-b-series.csv" : "");
+    const long every = 1 + (rows - 1) / (SPREADSHEET_ROWS - 1); /* one row is the heading */
+    if (every > 1)
+        snprintf(prompt->hint, sizeof prompt->hint,
+                 "more rows than a spreadsheet takes (%d with the heading): output.every=%ld would fit",
+                 SPREADSHEET_ROWS, every * experiment_settings(lab->screen.experiment)->output.every);
+}
+
+static bool answer_which(Laboratory *lab, const char *text)
+{
+    lab->exporting.newest = strcmp(text, "newest") == 0;
+    if (!lab->exporting.newest && strcmp(text, "here") != 0)
+        return prompt_refuse(&lab->prompting, "here or newest");
+    if (lab->exporting.name[0])
+        return export_named(lab, lab->exporting.name);
+    ask_name(lab);
+    return true;
+}
+
+bool exporting_ask(Laboratory *lab, const char *name)
+{
+    Experiment *experiment = lab->screen.experiment;
+    player_pause(lab);
+    if (lab->screen.playback.state == STATE_COMPUTING) {
+        laboratory_say(lab, MESSAGE_INFO, "wait until the run has come to its time, or cancel with Esc");
+        return true;
+    }
+    lab->exporting.newest = true;
+    snprintf(lab->exporting.name, sizeof lab->exporting.name, "%s", name);
+    if (experiment_newest(experiment) == 0)
+        laboratory_say(lab, MESSAGE_INFO, "nothing has been computed yet: Space runs");
+    else if (experiment_step(experiment) < experiment_newest(experiment))
+        prompt_ask(&lab->prompting, answer_which, false, "newest", "export to here or to the newest time?");
+    else if (name[0])
+        return export_named(lab, name);
+    else
+        ask_name(lab);
+    return true;
+}

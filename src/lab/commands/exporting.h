@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What leaves the laboratory: the run as files, the focused view as a figure. */
+#ifndef TUI_EXPORTING_H
+#define TUI_EXPORTING_H
+
+#include <stdbool.h>
+
+#include "panes/screen.h"
+
+typedef struct Laboratory Laboratory;
+
+enum { NAME_MAX_BYTES = 256 };
+
+/* The file or files that are being asked for. */
+typedef struct Exporting {
+    char name[NAME_MAX_BYTES];
+    bool newest;      /* of the run: to its newest step, not to here */
+    const View *view; /* of a figure */
+} Exporting;
+
+/* Asks how far and under which name, as far as that is not known; `name` "": it is asked for. False: refused.
+ */
+bool exporting_ask(Laboratory *, const char *name);
+
+/* "[VIEW] FILE": a view, or else the focused one, as a figure. False: refused, as an answer to a prompt. */
+bool exporting_figure(Laboratory *, const char *words);
+
+#endif

@@ -1,0 +1,77 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The commands of the program itself: export, filter, help, leaving. */
+#include "lab/commands/commands.h"
+
+#include <string.h>
+
+void command_export(Laboratory *lab)
+{
+    exporting_ask(lab, "");
+}
+
+void command_filter(Laboratory *lab)
+{
+    if (lab->screen.panes.inspecting)
+        command_close_inspector(&lab->screen);
+    lab->screen.panes.focus = PANE_PARAMETERS;
+    prompt_ask(&lab->prompting, edit_answer_filter, false, lab->screen.parameters.filter,
+               "parameters whose name holds");
+}
+
+void command_help_pages(Laboratory *lab)
+{
+    lab->screen.help.open = true;
+    lab->screen.help.page = lab->screen.help.scroll = 0;
+}
+
+static bool answer_quit(Laboratory *lab, const char *text)
+{
+    (void)text;
+    lab->closed = true;
+    return true;
+}
+
+static bool quit_key(Laboratory *lab, const char *key)
+{
+    if (strcmp(key, "q") != 0 && strcmp(key, "F10") != 0)
+        return false;
+    prompt_refuse(&lab->prompting, "y leaves, n stays"); /* Enter or Esc is no clear answer, and the keys
+                                                            behind it must not become commands */
+    return true;
+}
+
+static const Typing quit_typing = {.key = quit_key};
+
+void command_quit(Laboratory *lab)
+{
+    if (command_close_top(lab))
+        return;
+    if (!lab->editing.changed) {
+        lab->closed = true;
+        return;
+    }
+    prompt_ask(&lab->prompting, answer_quit, true, "",
+               "parameters were changed and nothing was exported: leave?");
+    lab->prompting.typing = &quit_typing;
+}
+
+void command_interrupt(Laboratory *lab)
+{
+    if (lesson_entry_cancel(lab))
+        laboratory_say(lab, MESSAGE_INFO, "cancelled");
+    else if (lab->screen.prompt.open && lab->prompting.answer == answer_quit)
+        lab->closed = true; /* pressed twice it needs no answer */
+    else if (!refining_stop(lab) && !command_close_top(lab))
+        command_quit(lab);
+}
+
+void command_redraw(Laboratory *lab)
+{
+    lab->host.redraw(lab->host.context);
+}
+
+void command_suspend(Laboratory *lab)
+{
+    if (lab->asker != ASKER_REPLAY) /* a replay does not suspend the program */
+        lab->host.suspend(lab->host.context);
+}

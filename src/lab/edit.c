@@ -1,0 +1,249 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The parameter pane: choosing, nudging and editing in place. */
+#include "lab/laboratory.h"
+#include "lab/prompt/line_edit.h"
+#include "lab/row_edit.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+const Parameter *edit_selected(const Screen *screen)
+{
+    ParameterRow rows[PARAMETER_ROWS_MAX];
+    int count = screen_parameter_rows(screen, rows);
+    int selected = screen->parameters.selected;
+    return selected >= 0 && selected < count ? rows[selected].parameter : NULL;
+}
+
+void edit_move(Screen *screen, int by)
+{
+    ParameterRow rows[PARAMETER_ROWS_MAX];
+    int count = screen_parameter_rows(screen, rows);
+    int direction = by < 0 ? -1 : 1, at = screen->parameters.selected, last = at;
+    for (int left = by * direction; left > 0;) {
+        at += direction;
+        if (at < 0 || at >= count)
+            break;
+        if (rows[at].heading)
+            continue;
+        last = at;
+        left--;
+    }
+    screen->parameters.selected = last < 0 ? 0 : last >= count && count > 0 ? count - 1 : last;
+}
+
+bool edit_answer_filter(Laboratory *lab, const char *text)
+{
+    ParameterRow rows[PARAMETER_ROWS_MAX];
+    snprintf(lab->screen.parameters.filter, sizeof lab->screen.parameters.filter, "%.31s", text);
+    int count = screen_parameter_rows(&lab->screen, rows);
+    lab->screen.parameters.selected = 0;
+    while (lab->screen.parameters.selected < count && !rows[lab->screen.parameters.selected].parameter &&
+           !rows[lab->screen.parameters.selected].is_row)
+        lab->screen.parameters.selected++;
+    if (lab->screen.parameters.selected < count)
+        return true;
+    lab->screen.parameters.filter[0] = '\0';
+    lab->screen.parameters.selected = 0;
+    edit_move(&lab->screen, 1);
+    return prompt_refuse(&lab->prompting, "no parameter has that in its name");
+}
+
+/* A run that begins anew seeks the time that the first of these edits found on screen. */
+static void return_to_time(Laboratory *lab)
+{
+    Experiment *experiment = lab->screen.experiment;
+    if (experiment_pending(experiment, NULL)) {
+        const double step = round(lab->editing.anchor_time / experiment_simulation(experiment)->dt);
+        const long last = experiment_last_step(experiment);
+        lab->player.goal_step = step < (double)last ? (long)step : last;
+        lab->player.goal_stage = 0;
+        duel_seek(&lab->player.duel, lab->player.goal_step, 0);
+        lab->editing.anchor_step = lab->player.goal_step;
+    } else
+        lab->editing.anchor_step = experiment_step(experiment);
+}
+
+void edit_changed(Laboratory *lab)
+{
+    lab->editing.changed = true;
+    lab->screen.summary_known = false;
+    player_forget_rates(&lab->player); /* a step may take longer now */
+    laboratory_say(lab, MESSAGE_NONE, "%s", "");
+    if (lab->player.pace_automatic)
+        lesson_entry_choose_pace(lab);
+    player_settle(lab);
+    const char *advice = experiment_advice(lab->screen.experiment);
+    if (advice && *advice)
+        laboratory_say(lab, MESSAGE_WARNING, "%s", advice);
+}
+
+/* Where a particle was at first; 0 in a direction that there is not. */
+static void place_of(const Simulation *sim, size_t particle, double place[SIMULATION_DIMENSIONS_MAX])
+{
+    for (int d = 0; d < SIMULATION_DIMENSIONS_MAX; d++)
+        if (sim->position[d] >= 0)
+            sim->method->field(sim, sim->position[d], particle, 1, &place[d]);
+}
+
+static size_t nearest_to(const Simulation *sim, const double place[SIMULATION_DIMENSIONS_MAX])
+{
+    size_t nearest = 0;
+    double least = INFINITY;
+    for (size_t i = 0; i < sim->counts[0]; i++) {
+        double here[SIMULATION_DIMENSIONS_MAX] = {0}, square = 0;
+        place_of(sim, i, here);
+        for (int d = 0; d < SIMULATION_DIMENSIONS_MAX; d++)
+            square += (here[d] - place[d]) * (here[d] - place[d]);
+        if (square < least)
+            least = square, nearest = i;
+    }
+    return nearest;
+}
+
+bool edit_change_runs(Laboratory *lab, const Settings *settings, DuelChange verb, Status *status)
+{
+    size_t *chosen = &lab->screen.chosen.particle;
+    const Simulation *sim = experiment_simulation(lab->screen.experiment);
+    const size_t before = sim->counts[0];
+    double place[SIMULATION_DIMENSIONS_MAX] = {0};
+    if (*chosen < before)
+        place_of(sim, *chosen, place);
+    if (!duel_change(&lab->player.duel, settings, verb, status))
+        return false;
+    sim = experiment_simulation(lab->screen.experiment);
+    if (*chosen < before && sim->counts[0] != before)
+        *chosen = nearest_to(sim, place);
+    return true;
+}
+
+/* What can be undone from now on; the oldest change makes room. */
+static void remember(Editing *editing, const Settings *before)
+{
+    if (editing->n_undo == UNDO_MAX)
+        memmove(editing->undo, editing->undo + 1, (size_t)--editing->n_undo * sizeof *editing->undo);
+    editing->undo[editing->n_undo++] = *before;
+    editing->n_redo = 0;
+}
+
+bool edit_change(Laboratory *lab, const Settings *settings, DuelChange verb, Status *status)
+{
+    Settings old = *experiment_settings(lab->screen.experiment);
+    bool same = settings_same(&old, settings);
+    long step;
+    int stage;
+    player_place(lab, &step, &stage);
+    /* the time on screen is a multiple of the time step; edits of the step in a row would make it wander */
+    if (step != lab->editing.anchor_step)
+        lab->editing.anchor_time = (double)step * experiment_simulation(lab->screen.experiment)->dt;
+    /* a run that was at its end comes back to its end, which may lie a part of a step later */
+    if (step >= experiment_last_step(lab->screen.experiment) && settings->time.end == old.time.end)
+        lab->editing.anchor_time = 2 * old.time.end;
+    Status said = {STATUS_DONE, ""};
+    bool taken = edit_change_runs(lab, settings, verb, &said);
+    laboratory_say(lab, MESSAGE_NONE, "%s", ""); /* in place of how far the building had come */
+    if (!taken) {
+        *status = said;
+        return false;
+    }
+    if (same && experiment_pending(lab->screen.experiment, NULL)) {
+        return_to_time(lab); /* the same run with another column */
+        player_settle(lab);
+    }
+    if (same)
+        return true;
+    return_to_time(lab);
+    remember(&lab->editing, &old);
+    edit_changed(lab);
+    player_tell_duel_over(lab, &said);
+    return true;
+}
+
+void edit_nudge(Laboratory *lab, int direction, bool fine)
+{
+    const Parameter *parameter = edit_selected(&lab->screen);
+    int kind, row;
+    if (!parameter) {
+        if (screen_selected_row(&lab->screen, &kind, &row))
+            laboratory_say(lab, MESSAGE_INFO,
+                           row == ROW_NEW          ? "Enter adds a %s"
+                           : row_kinds[kind].usual ? "the %s: Enter edits, p moves it"
+                                                   : "a %s: Enter edits, p moves, C copies, D deletes it",
+                           row_kinds[kind].one);
+        return;
+    }
+    Settings settings = *experiment_settings(lab->screen.experiment);
+    Status status = {STATUS_DONE, ""};
+    if (!settings_nudge(&settings, parameter, direction, fine)) {
+        char range[96];
+        parameter_range(parameter, settings.problem, range, sizeof range);
+        if (parameter->nudge == NUDGE_NONE)
+            laboratory_say(lab, MESSAGE_INFO, "%s: Enter edits it", parameter->label);
+        else
+            laboratory_say(lab, MESSAGE_INFO, "%s: %s", parameter->label, range);
+    } else if (!edit_change(lab, &settings, experiment_edit, &status))
+        laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
+}
+
+static bool accept_value(Laboratory *lab, Status *status)
+{
+    const Parameter *parameter = edit_selected(&lab->screen);
+    Settings settings = *experiment_settings(lab->screen.experiment);
+    return !parameter || (settings_set(&settings, parameter->key, lab->screen.parameters.edit.text, status) &&
+                          edit_change(lab, &settings, experiment_edit, status));
+}
+
+void edit_begin(Laboratory *lab)
+{
+    Screen *screen = &lab->screen;
+    const Parameter *parameter = edit_selected(&lab->screen);
+    if (!parameter)
+        return;
+    if (parameter->type == PARAMETER_CHOICE || parameter->type == PARAMETER_FLAG) {
+        Settings settings = *experiment_settings(lab->screen.experiment);
+        Status status = {STATUS_DONE, ""};
+        if (!settings_nudge(&settings, parameter, 1, false) ||
+            !edit_change(lab, &settings, experiment_edit, &status))
+            laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
+        return;
+    }
+    settings_get(experiment_settings(lab->screen.experiment), parameter, screen->parameters.edit.text);
+    screen->parameters.edit.cursor = glyphs_count(screen->parameters.edit.text);
+    screen->parameters.edit.problem[0] = '\0';
+    screen->parameters.edit.open = true;
+    lab->editing.fresh = true;
+    lab->editing.accept = accept_value;
+}
+
+/* True: taken, the editor is closed. */
+static bool accept_edit(Laboratory *lab)
+{
+    FieldEdit *edit = &lab->screen.parameters.edit;
+    Status status = {STATUS_DONE, ""};
+    edit->open = !lab->editing.accept(lab, &status);
+    if (edit->open)
+        snprintf(edit->problem, sizeof edit->problem, "%.159s", status.text);
+    return !edit->open;
+}
+
+void edit_key(Laboratory *lab, const Key *key)
+{
+    Screen *screen = &lab->screen;
+    const char *name = key->name;
+    if (strcmp(name, "Enter") == 0)
+        accept_edit(lab);
+    else if (strcmp(name, "Esc") == 0 || strcmp(name, "F10") == 0)
+        screen->parameters.edit.open = false;
+    else if (strcmp(name, "Up") == 0 || strcmp(name, "S-Tab") == 0) {
+        if (accept_edit(lab))
+            edit_move(&lab->screen, -1);
+    } else if (strcmp(name, "Down") == 0 || strcmp(name, "Tab") == 0) {
+        if (accept_edit(lab))
+            edit_move(&lab->screen, 1);
+    } else if (line_edit_key(screen->parameters.edit.text, sizeof screen->parameters.edit.text,
+                             &screen->parameters.edit.cursor, name, lab->editing.fresh)) {
+        lab->editing.fresh = false;
+        screen->parameters.edit.problem[0] = '\0';
+    }
+}

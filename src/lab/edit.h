@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Parameters changed by the user: chosen, nudged and edited in their pane, undone and done again. */
+#ifndef TUI_EDIT_H
+#define TUI_EDIT_H
+
+#include "run/duel.h"
+#include "terminal/keys.h"
+#include "panes/screen.h"
+
+typedef struct Laboratory Laboratory;
+
+enum { UNDO_MAX = 32 };
+
+typedef struct Editing {
+    Settings *undo, *redo; /* UNDO_MAX each, the newest last */
+    Settings *draft;       /* of a row that is being moved: row_edit.h */
+    int n_undo, n_redo;
+    bool changed;                           /* since the last export: quitting asks */
+    double anchor_time;                     /* the time that edits in a row come back to, */
+    long anchor_step;                       /* and the step that it was at the last of them; -1: none */
+    bool (*accept)(Laboratory *, Status *); /* takes what stands in the open field; false: refused */
+    bool fresh; /* the text in the field is the old value: a first character replaces it */
+} Editing;
+
+/* The parameter in the chosen row; NULL: it has none. */
+const Parameter *edit_selected(const Screen *);
+void edit_move(Screen *, int rows); /* the choice */
+
+void edit_nudge(Laboratory *, int direction, bool fine);
+void edit_begin(Laboratory *); /* opens the field; of a choice: takes the next one */
+void edit_key(Laboratory *, const Key *);
+bool edit_answer_filter(Laboratory *, const char *text);
+
+/* New parameters, undoable. False: refused, the status says why. */
+bool edit_change(Laboratory *, const Settings *, DuelChange, Status *);
+
+/* duel_change(), not undoable; the chosen particle stays the one nearest to where it was at first. */
+bool edit_change_runs(Laboratory *, const Settings *, DuelChange, Status *);
+void edit_changed(Laboratory *); /* what follows from it */
+
+#endif

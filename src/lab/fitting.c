@@ -1,0 +1,112 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A fit of the run on screen to the overlay: the search of answers/fit_search.h in front of a screen that
+ * goes on answering. */
+#include "lab/fitting.h"
+
+#include "base/text.h"
+#include "answers/fit_data.h"
+#include "scenario/parameters.h"
+#include "lab/laboratory.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* The series of the run that the overlay is compared with: the one on screen, or else the first that it has.
+ * Sets the overlay's column; NULL: there is none. */
+static const char *series_of(const Laboratory *lab, int *y)
+{
+    const Simulation *sim = experiment_simulation(lab->screen.experiment);
+    const char *shown = view_time_curve(&lab->screen);
+    *y = overlay_column_for(&lab->overlay, shown, false);
+    if (*y >= 0 && simulation_find_series(sim, shown) >= 0)
+        return shown;
+    for (int i = 0; i < sim->n_series; i++)
+        if ((*y = overlay_column_for(&lab->overlay, sim->series[i].name, false)) >= 0)
+            return sim->series[i].name;
+    return NULL;
+}
+
+typedef struct Waiting {
+    Laboratory *lab;
+    const FitTask *task;
+    long asked;
+} Waiting;
+
+static bool wait_for_fit(double share, void *context)
+{
+    Waiting *waiting = context;
+    Laboratory *lab = waiting->lab;
+    (void)share; /* of one run; how many it takes nobody knows */
+    laboratory_say(lab, MESSAGE_INFO, "fitting %d parameter%s to %zu data, %ld blocks of steps   ^C stops",
+                   waiting->task->n_keys, waiting->task->n_keys == 1 ? "" : "s", waiting->task->count,
+                   ++waiting->asked);
+    return laboratory_go_on(lab);
+}
+
+/* "bar.density 1.02 +- 0.01, ...; residuals 3e-3, before 2e-2: they look like noise; correlation 0.4" */
+static void say_result(Laboratory *lab, const FitTask *task, const FitResult *result)
+{
+    char text[sizeof lab->screen.message.text] = "fitted:", digits[2][NUMBER_TEXT_MAX];
+    for (int i = 0; i < task->n_keys; i++) {
+        text_rounded(digits[0], result->values[i], 6);
+        text_rounded(digits[1], result->noise.half_widths[i], 2);
+        text_append(text, sizeof text, "%s %s %s +- %s", i ? "," : "", task->keys[i], digits[0], digits[1]);
+    }
+    text_rounded(digits[0], result->rms, 3);
+    text_rounded(digits[1], result->rms_before, 3);
+    text_append(text, sizeof text, " (95 %%); residuals %s, before %s: %s", digits[0], digits[1],
+                fit_verdict(result));
+    for (int i = 1; i < task->n_keys; i++)
+        for (int j = 0; j < i; j++)
+            text_append(text, sizeof text, "%s %.2f", i + j == 1 ? "; correlation" : ",",
+                        result->noise.correlations[i][j]);
+    laboratory_say(lab, MESSAGE_INFO, "%s; u: as before", text);
+}
+
+static bool solve(Laboratory *lab, FitTask *task, Settings *settings, Status *status)
+{
+    FitResult result = {0};
+    Waiting waiting = {lab, task, 0};
+    task->patience = (Patience){wait_for_fit, &waiting};
+    bool sound = fit_solve(task, &result, status);
+    for (int i = 0; i < task->n_keys && sound; i++)
+        fit_put(settings, task->keys[i], result.values[i]);
+    sound = sound && edit_change(lab, settings, experiment_rerun, status);
+    if (sound)
+        say_result(lab, task, &result);
+    else
+        laboratory_say(lab, MESSAGE_NONE, "%s", "");
+    fit_free(&result);
+    return sound;
+}
+
+bool fitting_answer(Laboratory *lab, const char *words)
+{
+    Settings settings = *experiment_base(lab->screen.experiment), begun = settings;
+    FitTask task = {.settings = &begun, .threads = lab->options.threads > 0 ? lab->options.threads : 1};
+    FitData data = {.times = NULL};
+    Status status = {STATUS_DONE, ""};
+    char list[sizeof lab->screen.prompt.text], keys[FIT_KEYS_MAX][KEY_MAX];
+    int y = -1;
+    snprintf(list, sizeof list, "%s", words);
+    if (!lab->screen.overlay || lab->overlay.along)
+        return prompt_refuse(&lab->prompting, "a series over time is wanted first: overlay FILE.csv");
+    if (!(task.column = series_of(lab, &y)))
+        return prompt_refuse(&lab->prompting, "the overlay has no column of this run's series");
+    char column[OVERLAY_NAME_MAX];
+    snprintf(column, sizeof column, "%s", task.column); /* the run on screen goes, and its names with it */
+    task.column = column;
+    player_pause(lab);
+    bool sound = fit_data_keys(list, &task, &status);
+    for (int i = 0; i < task.n_keys && sound; i++) {
+        sound = settings_meant_key(&settings, task.keys[i], keys[i], &status);
+        task.keys[i] = keys[i];
+    }
+    sound = sound && fit_data_take(&data, &lab->overlay, y, &status) && fit_data_end(&data, &begun, &status);
+    task.times = data.times;
+    task.values = data.values;
+    task.count = data.count;
+    sound = sound && solve(lab, &task, &settings, &status);
+    fit_data_free(&data);
+    return sound || prompt_refuse(&lab->prompting, status.text);
+}

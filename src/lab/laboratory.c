@@ -1,0 +1,90 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Opening, drawing and closing the laboratory. */
+#include "lab/laboratory.h"
+#include "lab/prompt/line.h"
+#include "lab/opening.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+bool laboratory_open(Laboratory *lab, const LaboratoryOptions *options, const Host *host, Status *status)
+{
+    *lab = (Laboratory){.host = *host,
+                        .options = *options,
+                        .overlay = {.y = -1},
+                        .player = {.run_limit = -1},
+                        .prompting = {.shown = &lab->screen.prompt}};
+    lab->asker = options->replay || options->last ? ASKER_REPLAY : laboratory_user(lab);
+    lab->carry_out = laboratory_command;
+    lab->run_line = line_run;
+    lab->utf8 = true;
+    lab->editing.undo = calloc(UNDO_MAX, sizeof *lab->editing.undo);
+    lab->editing.redo = calloc(UNDO_MAX, sizeof *lab->editing.redo);
+    lab->editing.draft = calloc(1, sizeof *lab->editing.draft);
+    if (!lab->editing.undo || !lab->editing.redo || !lab->editing.draft) {
+        laboratory_close(lab);
+        return status_fail(status, STATUS_FAILED, "out of memory");
+    }
+    screen_default(&lab->screen);
+    Settings settings = *options->settings;
+    opening_show_progress(lab, &settings);
+    lab->screen.experiment = opening_experiment(lab, &settings, status);
+    if (!lab->screen.experiment) {
+        laboratory_close(lab);
+        return false;
+    }
+    opening_name(lab, options->scenario);
+    opening_begin(lab);
+    if (options->is_coarse)
+        opening_tell_coarse(lab);
+    if (options->paused)
+        lab->player.resume = lab->screen.playback.state = STATE_PAUSED;
+    if (options->reached)
+        memcpy(lab->screen.lesson.reached, options->reached, sizeof lab->screen.lesson.reached);
+    lab->screen.offers_lesson = options->first_start && !options->lesson;
+    if (options->lesson && !lesson_play_open(lab, options->lesson, status)) {
+        laboratory_close(lab);
+        return false;
+    }
+    return true;
+}
+
+void laboratory_close(Laboratory *lab)
+{
+    lesson_play_close(lab);
+    duel_close(&lab->player.duel);
+    experiment_destroy(lab->screen.experiment);
+    overlay_close(&lab->overlay);
+    free(lab->editing.undo);
+    free(lab->editing.redo);
+    free(lab->editing.draft);
+    lab->screen.experiment = NULL;
+    lab->editing.undo = lab->editing.redo = lab->editing.draft = NULL;
+}
+
+bool laboratory_draw(Laboratory *lab, Canvas *canvas, int width, int height)
+{
+    player_drop_part(&lab->player);
+    /* a screen without room for all panes begins with the plot; Tab reaches the others */
+    const bool was_whole = lab->width == 0 || screen_is_whole(lab->width, lab->height);
+    const bool is_whole = screen_is_whole(width, height);
+    if (was_whole && !is_whole && lab->screen.panes.focus == PANE_PARAMETERS && !lab->screen.lesson.open &&
+        !lab->screen.parameters.edit.open && !lab->screen.prompt.open) {
+        lab->screen.panes.focus = PANE_LOWER;
+        lab->focus_lent = true;
+    } else if (!was_whole && is_whole && lab->focus_lent) {
+        /* the focus was only lent: Enter and the arrows mean the parameters again */
+        if (lab->screen.panes.focus == PANE_LOWER)
+            lab->screen.panes.focus = PANE_PARAMETERS;
+        lab->focus_lent = false;
+    }
+    lab->width = width;
+    lab->height = height;
+    if (screen_view_in(&lab->screen, lab->screen.panes.focus))
+        lab->screen.panes.last_plot = lab->screen.panes.focus;
+    lab->screen.playback.goes_on = lab->player.resume == STATE_RUNNING;
+    if ((canvas->width != width || canvas->height != height) && !canvas_open(canvas, width, height, NULL))
+        return false;
+    screen_draw(&lab->screen, canvas);
+    return true;
+}

@@ -1,0 +1,115 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The laboratory's state and what changes it: keys and frames. A host (a terminal's event loop, a script)
+ * owns clock and picture and calls in here; session/laboratory_main.h is how the program opens it. Each part
+ * of the state is described where its functions are. */
+#ifndef TUI_LABORATORY_H
+#define TUI_LABORATORY_H
+
+#include "base/output.h"
+#include "run/overlay.h"
+#include "lab/commands/exporting.h"
+#include "lab/edit.h"
+#include "lab/lesson/lesson_play.h"
+#include "lab/player.h"
+#include "lab/prompt/prompt.h"
+#include "lab/refining.h"
+#include "lab/session/laboratory_main.h"
+#include "terminal/keys.h"
+#include "panes/screen.h"
+
+#define FRAME_SECONDS 0.033 /* a frame is at most that long, so a key is answered within it */
+
+typedef struct Session Session;
+
+/* What the laboratory asks of its host. */
+typedef struct Host {
+    double (*now)(void *context); /* seconds, only ever growing */
+    /* `steps` time steps were done: lets a virtual clock go on. */
+    void (*worked)(void *context, long steps);
+    /* In the middle of work that cannot be cut into frames, screen.message.text says what: draw, look for ^C;
+     * false: give up. While the laboratory is being opened there is nothing to draw. */
+    bool (*go_on)(void *context);
+    void (*redraw)(void *context);  /* everything anew */
+    void (*suspend)(void *context); /* ^Z */
+    void *context;
+    /* A key waits, for which the engine makes room at once; NULL: keys come between frames. */
+    bool (*key_waits)(void *context);
+    /* What `:tell` was asked for, in lines; NULL: it is said in the key line. */
+    void (*tell)(void *context, const char *text);
+} Host;
+
+/* What keys before this one have left behind. */
+typedef struct Held {
+    enum { DRAG_NOTHING, DRAG_VALUE, DRAG_TIME } drag; /* what the pressed mouse holds */
+    int drag_x;                                        /* where it was nudged last */
+    bool pasted_line; /* a pasted line has ended; what is pasted behind it is another word */
+} Held;
+
+struct Laboratory {
+    Screen screen;
+
+    /* The tables of commands and of lines stand above all that they call; from there they are reached so. */
+    void (*carry_out)(Laboratory *, CommandId);
+    bool (*run_line)(Laboratory *, const char *line);
+
+    Host host;
+    LaboratoryOptions options;
+    Asker asker;        /* on whose behalf the laboratory does what it does now */
+    Session *recording; /* notes every key; NULL: none */
+    bool utf8;          /* glyphs beyond ASCII can be shown */
+    bool closed;        /* the user has left */
+    bool given_up;      /* work of this key or frame is: ^C, or a session that is done again says so */
+
+    Player player;
+    Prompting prompting;
+    Editing editing;
+    LessonPlay play;
+    Homework homework;
+    Exporting exporting;
+    Refining refining;
+    Held held;
+    Overlay overlay;               /* behind screen.overlay */
+    char scenario[NAME_MAX_BYTES]; /* behind screen.scenario */
+
+    int width, height; /* of the picture, for focus and mouse */
+    bool focus_lent;   /* to the lower plot, while there is no room for all panes */
+    double said_at;    /* when the message came */
+    double built_at;   /* when the building of a simulation began */
+};
+
+/* At t = 0, running or paused as the options say. False: the status says why; nothing is left open. */
+bool laboratory_open(Laboratory *, const LaboratoryOptions *, const Host *, Status *);
+void laboratory_close(Laboratory *);
+
+/* Whose keys come from its host, a session that is done again apart. */
+Asker laboratory_user(const Laboratory *);
+
+/* One key. */
+void laboratory_key(Laboratory *, const Key *);
+
+/* Carries out a command, as its key does. */
+void laboratory_command(Laboratory *, CommandId);
+
+/* Whether there is a function that carries it out: true for every row of the command table. */
+bool laboratory_can(CommandId);
+
+/* Whether there is work for frames; if not, the host may sleep until a key. */
+bool laboratory_active(const Laboratory *);
+
+/* One frame's share of the engine's work, until `deadline` at the latest (by the host's clock). False: there
+ * is nothing new to be drawn, for a step that takes longer than the frame goes on; to draw now would throw
+ * away what has been done of it. */
+bool laboratory_frame(Laboratory *, double deadline);
+
+/* Of work that cannot be cut into frames: asks the host, and notes in the session that is recorded if it is
+ * to be given up. */
+bool laboratory_go_on(Laboratory *);
+
+/* Draws on a canvas of this size. */
+bool laboratory_draw(Laboratory *, Canvas *, int width, int height);
+
+/* In the key line, until a key is pressed or, of MESSAGE_INFO, it has been read; MESSAGE_NONE: nothing
+ * more. */
+void laboratory_say(Laboratory *, MessageKind, const char *format, ...) __attribute__((format(printf, 3, 4)));
+
+#endif

@@ -1,0 +1,280 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Where a key goes: to the question that is open, the field under edit, the help, or the table of commands.
+ */
+#include "lab/laboratory.h"
+
+#include "base/visible.h"
+#include "lab/row_edit.h"
+#include "lab/session/session.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* --- help ------------------------------------------------------------------------------------------- */
+
+static void turn_page(Screen *screen, int direction)
+{
+    int pages = help_pages();
+    screen->help.page = (screen->help.page + direction + pages) % pages;
+    screen->help.scroll = 0;
+}
+
+static void scroll_help(Laboratory *lab, int lines)
+{
+    int most = help_most(&lab->screen, lab->width, lab->height);
+    int to = lab->screen.help.scroll + lines;
+    lab->screen.help.scroll = to < 0 ? 0 : to > most ? most : to;
+}
+
+static void help_command(Laboratory *lab, CommandId id)
+{
+    int page = lab->height > 6 ? lab->height - 5 : 1;
+    switch (id) {
+    case COMMAND_UP:
+        scroll_help(lab, -1);
+        break;
+    case COMMAND_DOWN:
+        scroll_help(lab, 1);
+        break;
+    case COMMAND_PAGE_UP:
+        scroll_help(lab, -page);
+        break;
+    case COMMAND_PAGE_DOWN:
+    case COMMAND_RUN_PAUSE: /* Space, as in a pager */
+        scroll_help(lab, page);
+        break;
+    case COMMAND_RIGHT:
+    case COMMAND_NEXT_PANE:
+    case COMMAND_HELP:
+        turn_page(&lab->screen, 1);
+        break;
+    case COMMAND_LEFT:
+    case COMMAND_PREVIOUS_PANE:
+        turn_page(&lab->screen, -1);
+        break;
+    case COMMAND_CANCEL:
+    case COMMAND_QUIT:
+    case COMMAND_ENTER:
+        lab->screen.help.open = false;
+        break;
+    default:
+        break;
+    }
+}
+
+/* --- the mouse --------------------------------------------------------------------------------------- */
+
+static bool holds(Rect rect, int x, int y)
+{
+    return x >= rect.x && x < rect.x + rect.width && y >= rect.y && y < rect.y + rect.height;
+}
+
+/* A key in the key line is pressed, a place of the timeline is gone to, a field is chosen (and, once
+ * chosen, edited), a row of a table or of the log, a particle or a node is chosen, a pane takes the focus. */
+static void click(Laboratory *lab, int x, int y)
+{
+    Screen *screen = &lab->screen;
+    if (screen->parameters.rows.placing) {
+        row_edit_point(lab, x, y);
+        return;
+    }
+    if (y == lab->height - 1) {
+        CommandId id = screen_key_command(screen, lab->width, x);
+        if (screen->help.open)
+            help_command(lab, id);
+        else if (id != COMMAND_NONE)
+            laboratory_command(lab, id);
+        return;
+    }
+    if (screen->help.open)
+        return;
+    const long step = screen_timeline_step(screen, lab->width, lab->height, x, y);
+    if (step >= 0) {
+        lab->held.drag = DRAG_TIME;
+        player_pause(lab);
+        player_seek(lab, step, 0);
+        return;
+    }
+    for (int pane = 0; pane < PANE_COUNT; pane++)
+        if (holds(screen_pane(screen, lab->width, lab->height, (PaneId)pane), x, y) &&
+            screen->panes.focus != (PaneId)pane) {
+            screen->panes.focus = (PaneId)pane;
+            screen->panes.followed = false;
+            screen->time.cursor = NAN;
+        }
+    if (lesson_play_click(lab, x, y) || screen_click_view(screen, lab->width, lab->height, x, y) ||
+        screen_choose_in_strip(screen, lab->width, lab->height, x, y))
+        return;
+    int row = screen_parameter_at(screen, lab->width, lab->height, x, y);
+    if (row < 0)
+        return;
+    lab->held.drag = DRAG_VALUE;
+    lab->held.drag_x = x;
+    if (row == screen->parameters.selected)
+        laboratory_command(lab, COMMAND_ENTER);
+    screen->parameters.selected = row;
+}
+
+/* A value gets smaller to the left and larger to the right; the time follows the mouse. */
+static void drag(Laboratory *lab, int x, int y)
+{
+    enum { CELLS_A_NUDGE = 2 };
+    const int nudges = (x - lab->held.drag_x) / CELLS_A_NUDGE;
+    if (lab->screen.parameters.rows.placing) {
+        row_edit_point(lab, x, y);
+    } else if (lab->held.drag == DRAG_TIME) {
+        player_seek(lab, screen_timeline_nearest(&lab->screen, lab->width, lab->height, x), 0);
+    } else if (lab->held.drag == DRAG_VALUE && nudges != 0) {
+        lab->screen.parameters.edit.open = false; /* the press began a drag, not an edit */
+        lab->held.drag_x += CELLS_A_NUDGE * nudges;
+        for (int i = 0; i < abs(nudges); i++)
+            edit_nudge(lab, nudges > 0 ? 1 : -1, false);
+    }
+}
+
+static void wheel(Laboratory *lab, int direction, int x, int y)
+{
+    enum { LINES = 3 };
+    if (lab->screen.help.open)
+        scroll_help(lab, LINES * direction);
+    else if (!screen_scroll_view(&lab->screen, lab->width, lab->height, x, y, LINES * direction))
+        laboratory_command(lab, direction < 0 ? COMMAND_UP : COMMAND_DOWN);
+}
+
+/* False: not the mouse. In the middle of a field or a question the mouse does nothing. */
+static bool mouse_key(Laboratory *lab, const Key *key)
+{
+    bool busy = lab->screen.prompt.open || lab->screen.parameters.edit.open;
+    const bool drags = strcmp(key->name, "Drag") == 0;
+    if (!drags)
+        lab->held.drag = DRAG_NOTHING;
+    if (strcmp(key->name, "Click") == 0) {
+        if (!busy)
+            click(lab, key->x, key->y);
+    } else if (drags) {
+        drag(lab, key->x, key->y);
+    } else if (strcmp(key->name, "WheelUp") == 0 || strcmp(key->name, "WheelDown") == 0) {
+        if (!busy)
+            wheel(lab, key->name[5] == 'U' ? -1 : 1, key->x, key->y);
+    } else
+        return false;
+    return true;
+}
+
+/* These work in a question and in a field too. */
+static bool is_for_everywhere(CommandId id)
+{
+    return id == COMMAND_INTERRUPT || id == COMMAND_REDRAW || id == COMMAND_SUSPEND;
+}
+
+static bool takes_text(const Screen *screen)
+{
+    return screen->parameters.edit.open || (screen->prompt.open && !screen->prompt.yes_no);
+}
+
+static void text_key(Laboratory *lab, const char *name)
+{
+    Key key = {.x = -1, .y = -1};
+    snprintf(key.name, sizeof key.name, "%s", name);
+    if (lab->screen.prompt.open)
+        prompt_key(lab, &key);
+    else
+        edit_key(lab, &key);
+}
+
+/* Pasted text goes into a field or a question and never means commands; the end of a pasted line parts words.
+ */
+static void take_pasted(Laboratory *lab, const char *what)
+{
+    const bool ends_line = strcmp(what, "Enter") == 0;
+    if (!takes_text(&lab->screen)) {
+        laboratory_say(lab, MESSAGE_INFO,
+                       "pasted text goes into a field or a question only; : asks for a command");
+        return;
+    }
+    if (!ends_line && lab->held.pasted_line)
+        text_key(lab, "Space");
+    if (!ends_line)
+        text_key(lab, what);
+    lab->held.pasted_line = ends_line;
+}
+
+/* At a first start one key begins the first lesson; any other key does what it always does. */
+static bool take_offer(Laboratory *lab, const Key *key)
+{
+    Status status = {STATUS_DONE, ""};
+    const bool taken = lab->screen.offers_lesson && strcmp(key->name, "Enter") == 0;
+    lab->screen.offers_lesson = false;
+    if (taken && !lesson_play_open(lab, builtin_lessons[0].name, &status))
+        laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
+    return taken;
+}
+
+/* What was refused is read as a message: a key that does something else goes on, Enter and the keys of an
+ * editor mend the answer. Pasted text never comes here. */
+static void leave_refused(Laboratory *lab, const char *key)
+{
+    const Prompt *prompt = &lab->screen.prompt;
+    const bool is_character = !key[1] || strcmp(key, "Space") == 0;
+    if (prompt->open && !prompt->yes_no && prompt->problem[0] && is_character && command_by_key(key))
+        prompt_close(&lab->prompting);
+}
+
+static void take_key(Laboratory *lab, const Key *key)
+{
+    const Command *command = command_by_key(key->name);
+    const char *pasted = keys_pasted(key->name);
+    player_drop_part(&lab->player);
+    if (lab->recording)
+        session_note(lab->recording, lab, key);
+    laboratory_say(lab, MESSAGE_NONE, "%s", "");
+    if (pasted) {
+        take_pasted(lab, pasted);
+        return;
+    }
+    lab->held.pasted_line = false;
+    if (take_offer(lab, key))
+        return;
+    leave_refused(lab, key->name);
+    if (command && is_for_everywhere(command->id))
+        laboratory_command(lab, command->id);
+    else if (mouse_key(lab, key) || (!lab->screen.prompt.open && row_edit_key(lab, key->name)))
+        return;
+    else if (lab->screen.prompt.open)
+        prompt_key(lab, key);
+    else if (lab->screen.parameters.edit.open)
+        edit_key(lab, key);
+    else if (lab->screen.help.open)
+        help_command(lab, command ? command->id : COMMAND_NONE);
+    else if (lesson_play_key(lab, key))
+        return;
+    else if (command)
+        laboratory_command(lab, command->id);
+    else if (strlen(key->name) == 1 && key->name[0] >= '1' && key->name[0] <= '9')
+        laboratory_command(lab, command_of_digit(key->name[0] - '0')); /* says that no view has it */
+    else if (strlen(key->name) == 1)
+        laboratory_say(lab, MESSAGE_INFO, "the key %s does nothing; ? tells what the others do", key->name);
+}
+
+/* Who hands in what is missing half of it should know at once. */
+static void tell_lost_recording(Laboratory *lab)
+{
+    Status why = {STATUS_DONE, ""};
+    if (lab->recording && session_is_lost(lab->recording, &why))
+        laboratory_say(lab, MESSAGE_ERROR, "this session is kept no further: %s", why.text);
+}
+
+void laboratory_key(Laboratory *lab, const Key *key)
+{
+    if (!visible_is_clean(key->name))
+        return; /* no text, and no session could keep it */
+    if (lesson_entry_keeps(lab, key))
+        return;
+    lesson_entry_note(lab, key);
+    take_key(lab, key);
+    tell_lost_recording(lab);
+    lesson_play_continue(lab);
+    lab->given_up = false;
+}

@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Messages in the key line. They may hold names of files and scenarios: what would act on the terminal is
+ * written out. */
+#include "lab/laboratory.h"
+
+#include "base/visible.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+
+void laboratory_say(Laboratory *lab, MessageKind kind, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    char text[sizeof lab->screen.message.text];
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    visible_text(lab->screen.message.text, sizeof lab->screen.message.text, text);
+    lab->screen.message.kind = lab->screen.message.text[0] ? kind : MESSAGE_NONE;
+    lab->said_at = lab->host.now(lab->host.context);
+}

@@ -1,0 +1,507 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The state in which a page of a lesson is entered, and its goal. */
+#include "lab/laboratory.h"
+#include "lab/lesson/lesson_entry.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#define GOAL_SECONDS 8.0 /* within which a page's run comes to its goal, slowly enough to be watched */
+#define EVENT_PACE   0.2 /* steps a frame at most, where the distance is not known */
+#define HURRY_PACE   1e6 /* steps a frame, for what is not to be watched */
+
+const LessonPage *lesson_entry_page(const Laboratory *lab)
+{
+    const LessonShown *shown = &lab->screen.lesson;
+    return shown->open && shown->lesson ? &shown->lesson->pages[shown->page] : NULL;
+}
+
+/* --- goals ------------------------------------------------------------------------------------------ */
+
+/* What the run is to stop at for it. The end of a run needs no stop. */
+static Stop goal_stop(const Laboratory *lab, const LessonUntil *until)
+{
+    Stop stop = {.kind = STOP_NEVER};
+    if (until->kind == UNTIL_TIME)
+        stop = (Stop){.kind = STOP_AT_TIME, .time = until->number};
+    else if (until->kind == UNTIL_STEP)
+        stop = (Stop){.kind = STOP_AT_STEP, .step = (long)until->number};
+    else if (until->kind == UNTIL_EVENT && !stop_read(&stop, until->word, lab->screen.experiment, NULL))
+        stop.kind = STOP_NEVER;
+    return stop;
+}
+
+/* The first event of the page's kind behind the place where it was opened, as far as the run has come; -1:
+ * none. */
+static long event_step(const Laboratory *lab, const Stop *stop)
+{
+    int count;
+    const Event *events = experiment_events(lab->screen.experiment, &count);
+    for (int i = 0; i < count; i++)
+        if (events[i].step > lab->play.step && events[i].step <= experiment_step(lab->screen.experiment) &&
+            stop->events >> events[i].kind & 1)
+            return events[i].step;
+    return -1;
+}
+
+/* The whole step at which the goal is a place of the run; -1: it is none, or not known. */
+static long goal_step(const Laboratory *lab, const LessonUntil *until)
+{
+    const Stop stop = goal_stop(lab, until);
+    const long last = experiment_last_step(lab->screen.experiment);
+    const long step = until->kind == UNTIL_END || until->kind == UNTIL_GOAL ? last
+                      : stop.kind == STOP_AT_EVENT                          ? event_step(lab, &stop)
+                                                   : stop_step(&stop, lab->screen.experiment);
+    return step < last ? step : last;
+}
+
+static bool has_value(const Laboratory *lab, const LessonUntil *until)
+{
+    const Settings *now = experiment_settings(lab->screen.experiment);
+    const Parameter *parameter = parameter_find(until->word);
+    Settings wanted = *now;
+    char is[LIST_MAX], should_be[LIST_MAX];
+    if (!settings_set(&wanted, until->word, until->value, NULL))
+        return false;
+    settings_get(now, parameter, is);
+    settings_get(&wanted, parameter, should_be);
+    return strcmp(is, should_be) == 0;
+}
+
+static bool is_met(Laboratory *lab, const LessonUntil *until)
+{
+    const Experiment *experiment = lab->screen.experiment;
+    const Command *command = until->kind == UNTIL_COMMAND ? command_by_name(until->word) : NULL;
+    switch (until->kind) {
+    case UNTIL_NOTHING:
+        return true;
+    case UNTIL_STEP:
+    case UNTIL_TIME:
+    case UNTIL_END:
+    case UNTIL_EVENT:
+        return goal_step(lab, until) >= 0 && experiment_step(experiment) >= goal_step(lab, until);
+    case UNTIL_STAGE:
+        return (double)experiment_stage(experiment) >= until->number;
+    case UNTIL_COMMAND:
+        return !command || command_set_has(&lab->play.used, command->id);
+    case UNTIL_VALUE:
+        return has_value(lab, until);
+    case UNTIL_GOAL:
+        return lesson_judge_goal(lab);
+    }
+    return true;
+}
+
+/* Where a page's goal leaves the run. What was only to be looked at, a command, leaves nothing behind. */
+static void goal_place(const Laboratory *lab, const LessonUntil *until, long *step, int *stage)
+{
+    if (until->kind == UNTIL_STAGE) {
+        *stage = (int)until->number;
+    } else if (goal_step(lab, until) >= 0) {
+        *step = goal_step(lab, until);
+        *stage = 0;
+    }
+}
+
+/* --- what a page does ------------------------------------------------------------------------------- */
+
+static bool is_run(const LessonAction *action)
+{
+    return action->line && strcmp(action->line, "run-pause") == 0;
+}
+
+static void run_line(Laboratory *lab, const char *line)
+{
+    const bool changed = lab->editing.changed; /* quitting does not ask about what the lesson changes */
+    const CommandSet used = lab->play.used, hinted = lab->screen.used;
+    const Asker user = lab->asker;
+    lab->asker = ASKER_LESSON;
+    const bool done = lab->run_line(lab, line);
+    lab->asker = user;
+    if (!done) {
+        snprintf(lab->play.refused, sizeof lab->play.refused, "%.80s: %.200s", line,
+                 lab->screen.prompt.problem);
+        laboratory_say(lab, MESSAGE_ERROR, "%s", lab->play.refused);
+    }
+    if (done && lesson_opening(line))
+        player_pause(lab); /* a page is read before it is run */
+    if (screen_view_in(&lab->screen, lab->screen.panes.focus)) {
+        /* on a small screen a view comes to the front: below the page, to which the keys still go */
+        lab->screen.panes.last_plot = lab->screen.panes.focus;
+        lab->screen.panes.focus = PANE_PARAMETERS;
+    }
+    lab->play.used = used;
+    lab->screen.used = hinted;
+    lab->editing.changed = lab->editing.changed && changed;
+}
+
+static void run_action(Laboratory *lab, const LessonAction *action)
+{
+    const LessonUntil *goal = action->goal;
+    char line[KEY_MAX + VALUE_MAX + 8];
+    if (is_run(action) && lab->screen.playback.state == STATE_RUNNING)
+        return; /* it would pause */
+    if (action->line) {
+        run_line(lab, action->line);
+    } else if (goal->kind == UNTIL_VALUE) {
+        snprintf(line, sizeof line, "set %s %s", goal->word, goal->value);
+        run_line(lab, line);
+    } else if (goal->kind == UNTIL_EVENT) {
+        const Stop stop = goal_stop(lab, goal);
+        lab->play.step = experiment_step(lab->screen.experiment);
+        lab->play.hurries = true;
+        lab->screen.playback.pace = HURRY_PACE;
+        lab->player.resume = STATE_RUNNING;
+        player_stop_at(lab, &stop);
+        player_settle(lab);
+    } else {
+        long step = experiment_step(lab->screen.experiment);
+        int stage = 0;
+        goal_place(lab, goal, &step, &stage);
+        player_seek(lab, step, stage);
+    }
+}
+
+/* A goal is run to, and where a number is asked for the end, so fast that one can follow. */
+void lesson_entry_choose_pace(Laboratory *lab)
+{
+    Screen *screen = &lab->screen;
+    const LessonPage *page = lesson_entry_page(lab);
+    player_choose_pace(screen);
+    if (!page)
+        return;
+    const bool to_end = page->exercise && page->exercise->kind == EXERCISE_NUMBER;
+    const long goal = to_end ? experiment_last_step(screen->experiment) : goal_step(lab, &page->until);
+    const long way = goal - experiment_step(screen->experiment);
+    if (way > 0)
+        screen->playback.pace = player_pace_for((double)way, GOAL_SECONDS);
+    else if (page->until.kind == UNTIL_EVENT)
+        screen->playback.pace = fmin(screen->playback.pace, EVENT_PACE);
+}
+
+/* Where the page begins its reader's part: from here a goal is run to. */
+static void arrive(Laboratory *lab)
+{
+    LessonPlay *play = &lab->play;
+    Screen *screen = &lab->screen;
+    const LessonUntil *until = &lesson_entry_page(lab)->until;
+    const Stop stop = goal_stop(lab, until);
+    play->arriving = false;
+    play->step = experiment_step(screen->experiment);
+    play->stage = experiment_stage(screen->experiment);
+    if (lesson_entry_page(lab)->exercise)
+        lesson_judge_enter(lab);
+    player_stop_at(lab, &stop);
+    if (screen->message.kind != MESSAGE_ERROR)
+        laboratory_say(lab, MESSAGE_NONE, "%s",
+                       ""); /* its text tells what the page did, and what is to be feared */
+    if (lab->player.pace_automatic)
+        lesson_entry_choose_pace(lab);
+}
+
+/* Whether the run is on its way to where it should be. */
+static bool is_on_the_way(const Laboratory *lab)
+{
+    const RunState state = lab->screen.playback.state;
+    return state == STATE_COMPUTING || (lab->play.hurries && state == STATE_RUNNING);
+}
+
+void lesson_play_continue(Laboratory *lab)
+{
+    LessonPlay *play = &lab->play;
+    const LessonPage *page = lesson_entry_page(lab);
+    LessonShown *shown = &lab->screen.lesson;
+    if (play->busy)
+        return;
+    play->busy = true;
+    if (play->hurries && !is_on_the_way(lab)) {
+        play->hurries = false;
+        laboratory_say(lab, MESSAGE_NONE, "%s", ""); /* the reader need not be told where it stopped */
+    }
+    while (play->next < play->n_queue && !is_on_the_way(lab)) {
+        if (page && play->next == play->n_queue - 1 && is_run(&play->queue[play->next]))
+            arrive(lab); /* where it stands before it runs */
+        run_action(lab, &play->queue[play->next++]);
+    }
+    if (page && play->arriving && play->next == play->n_queue && !is_on_the_way(lab))
+        arrive(lab);
+    if (page && !play->arriving && !shown->met)
+        shown->met = is_met(lab, &page->until);
+    play->busy = false;
+}
+
+/* --- keys on its way --------------------------------------------------------------------------------- */
+
+static bool is_arriving(const Laboratory *lab)
+{
+    return lab->play.arriving && lesson_entry_page(lab);
+}
+
+/* Turning to another page, closing the lesson or the program does not wait, unless something before it does.
+ */
+static bool leaves(const Laboratory *lab, const Key *key)
+{
+    static const CommandId leaving[] = {COMMAND_PAGE_UP, COMMAND_PAGE_DOWN, COMMAND_LESSONS, COMMAND_QUIT};
+    const Command *command = command_by_key(key->name);
+    bool known = strcmp(key->name, "n") == 0 || strcmp(key->name, "b") == 0;
+    for (size_t i = 0; command && i < sizeof leaving / sizeof *leaving; i++)
+        known = known || command->id == leaving[i];
+    return known && lab->play.n_waiting == 0;
+}
+
+bool lesson_entry_keeps(Laboratory *lab, const Key *key)
+{
+    static const CommandId always[] = {COMMAND_INTERRUPT, COMMAND_CANCEL, COMMAND_REDRAW, COMMAND_SUSPEND};
+    LessonPlay *play = &lab->play;
+    const Command *command = command_by_key(key->name);
+    if (!is_arriving(lab) || leaves(lab, key) || (lab->screen.prompt.open && lab->screen.prompt.yes_no))
+        return false;
+    for (size_t i = 0; command && i < sizeof always / sizeof *always; i++)
+        if (command->id == always[i])
+            return false;
+    if (key->x < 0 && play->n_waiting < LESSON_KEYS_MAX)
+        play->waiting[play->n_waiting++] = *key;
+    laboratory_say(lab, MESSAGE_INFO, "the page is on its way, and keys wait for it; ^C gives it up");
+    return true;
+}
+
+bool lesson_entry_next_key(Laboratory *lab, Key *key)
+{
+    LessonPlay *play = &lab->play;
+    if (play->n_waiting == 0 || is_arriving(lab) || lab->closed)
+        return false;
+    *key = play->waiting[0];
+    memmove(play->waiting, play->waiting + 1, (size_t)--play->n_waiting * sizeof *play->waiting);
+    return true;
+}
+
+bool lesson_entry_cancel(Laboratory *lab)
+{
+    LessonPlay *play = &lab->play;
+    const bool computes = lab->screen.playback.state == STATE_COMPUTING, arrives = is_arriving(lab);
+    if (computes)
+        duel_cancel(&lab->player.duel);
+    if (arrives) {
+        play->n_queue = play->next = play->n_waiting = 0;
+        play->arriving = play->hurries = play->run.known = false;
+        play->touched = true;
+    }
+    if (computes || arrives)
+        player_pause(lab);
+    return computes || arrives;
+}
+
+/* --- the state of a page ---------------------------------------------------------------------------- */
+
+/* Only goes to a place of the run, whatever the place before it was. */
+static bool is_move(const LessonAction *action)
+{
+    if (!action->line)
+        return action->goal->kind == UNTIL_STEP || action->goal->kind == UNTIL_TIME ||
+               action->goal->kind == UNTIL_END;
+    return line_meaning(action->line).kind == LINE_PLACE || strncmp(action->line, "goto ", 5) == 0;
+}
+
+static bool is_look(const LessonAction *action)
+{
+    return action->line &&
+           (strncmp(action->line, "show ", 5) == 0 || strncmp(action->line, "particle ", 9) == 0 ||
+            strncmp(action->line, "node ", 5) == 0);
+}
+
+/* A goal that a later one overtakes is left out; opening a scenario makes all before it void. */
+static void queue_action(LessonPlay *play, LessonAction action)
+{
+    const bool in_step = action.goal && action.goal->kind == UNTIL_STAGE;
+    if (action.line && lesson_opening(action.line))
+        play->n_queue = 0;
+    for (int i = play->n_queue - 1; i >= 0 && (is_move(&action) || in_step); i--) {
+        LessonAction *before = &play->queue[i];
+        const bool stage = before->goal && before->goal->kind == UNTIL_STAGE;
+        if (stage || (!in_step && is_move(before)))
+            memmove(before, before + 1, (size_t)(--play->n_queue - i) * sizeof *before);
+        else if (!is_look(before))
+            break;
+    }
+    if (play->n_queue < LESSON_QUEUE_MAX)
+        play->queue[play->n_queue++] = action;
+}
+
+static void queue_part(LessonPlay *play, const LessonPart *part, bool with_run)
+{
+    for (int i = 0; i < part->n_actions; i++) {
+        const LessonAction action = {.line = part->actions[i]};
+        if (with_run || !is_run(&action))
+            queue_action(play, action);
+    }
+}
+
+/* Of what the reader finds himself the way that the lesson knows is gone, to the end of its run. */
+static void queue_goal(LessonPlay *play, const LessonPage *page)
+{
+    static const LessonUntil end = {.kind = UNTIL_END};
+    const LessonUntil *until = &page->until;
+    queue_part(play, &page->solution, false);
+    if (until->kind == UNTIL_GOAL)
+        until = &end;
+    if (until->kind != UNTIL_NOTHING && until->kind != UNTIL_COMMAND)
+        queue_action(play, (LessonAction){.goal = until});
+}
+
+static bool has_opening(const LessonPart *part)
+{
+    for (int i = 0; i < part->n_actions; i++)
+        if (lesson_opening(part->actions[i]))
+            return true;
+    return false;
+}
+
+/* The page from which on the state has to be made. */
+static int first_needed(const Lesson *lesson, int page)
+{
+    if (has_opening(&lesson->pages[page].first))
+        return page;
+    while (page > 0) {
+        const LessonPage *before = &lesson->pages[--page];
+        if (has_opening(&before->first) || has_opening(&before->revealed))
+            return page;
+    }
+    return 0;
+}
+
+static bool is_back(const Laboratory *lab, const LessonPart *part)
+{
+    for (int i = 0; i < part->n_actions; i++) {
+        const LessonAction action = {.line = part->actions[i]};
+        double time;
+        if (is_move(&action) && (sscanf(action.line, "%*[a-z] %lf", &time) != 1 ||
+                                 time < experiment_time(lab->screen.experiment)))
+            return true;
+    }
+    return false;
+}
+
+/* Whether the run is just what this page leaves to the next one. */
+static bool is_left_well(const Laboratory *lab, const LessonPage *page, const LessonPage *next)
+{
+    const Experiment *experiment = lab->screen.experiment;
+    const LessonPlay *play = &lab->play;
+    long step = play->step;
+    int stage = play->stage;
+    if (!page || play->touched || play->arriving || play->next < play->n_queue)
+        return false;
+    if (page->question && lab->screen.lesson.answer < 0 && page->revealed.n_actions > 0)
+        return false;
+    if (page->until.kind == UNTIL_VALUE || page->until.kind == UNTIL_STEP || page->until.kind == UNTIL_GOAL)
+        return false; /* other values before it, or its last stage, are seen still */
+    goal_place(lab, &page->until, &step, &stage);
+    return experiment_step(experiment) == step && experiment_stage(experiment) == stage &&
+           experiment_newest(experiment) == step && !experiment_failed(experiment, NULL) &&
+           !is_back(lab, &next->first);
+}
+
+int *lesson_entry_reached(Laboratory *lab)
+{
+    for (int i = 0; i < LESSONS_MAX && builtin_lessons[i].name; i++)
+        if (strcmp(builtin_lessons[i].name, lab->play.name) == 0)
+            return &lab->screen.lesson.reached[i];
+    return NULL;
+}
+
+static void queue_page(Laboratory *lab, int page)
+{
+    const LessonShown *shown = &lab->screen.lesson;
+    const LessonPage *pages = shown->lesson->pages;
+    LessonPlay *play = &lab->play;
+    const bool goes_on = shown->page >= 0 && page == shown->page + 1 &&
+                         is_left_well(lab, lesson_entry_page(lab), &pages[page]);
+    play->n_queue = play->next = 0;
+    for (int i = goes_on ? page : first_needed(shown->lesson, page); i < page; i++) {
+        queue_part(play, &pages[i].first, false);
+        queue_part(play, &pages[i].revealed, false);
+        queue_goal(play, &pages[i]);
+    }
+    queue_part(play, &pages[page].first, true);
+}
+
+/* The row of the parameter pane that the arrows change, so that fields beside a text work as they do there.
+ */
+void lesson_entry_select(Laboratory *lab, const char *key)
+{
+    ParameterRow rows[PARAMETER_ROWS_MAX];
+    lab->screen.parameters.filter[0] = '\0';
+    const int count = screen_parameter_rows(&lab->screen, rows);
+    for (int i = 0; i < count; i++)
+        if (rows[i].parameter && strcmp(rows[i].parameter->key, key) == 0)
+            lab->screen.parameters.selected = i;
+}
+
+void lesson_entry_show(Laboratory *lab, int page)
+{
+    Screen *screen = &lab->screen;
+    LessonShown *shown = &screen->lesson;
+    LessonPlay *play = &lab->play;
+    if (lab->screen.playback.state == STATE_COMPUTING)
+        duel_cancel(&lab->player.duel); /* for the page that is left */
+    player_pause(lab);
+    queue_page(lab, page);
+    shown->page = page;
+    shown->answer = shown->marked = -1;
+    shown->verdict[0] = '\0';
+    shown->scroll = 0;
+    shown->met = false;
+    play->arriving = true;
+    play->run.known = false;
+    play->touched = false;
+    play->refused[0] = '\0';
+    play->used = (CommandSet){{0}};
+    play->warned = false;
+    play->asker = lab->asker;
+    int *reached = lesson_entry_reached(lab);
+    if (reached && *reached < page + 1)
+        *reached = page + 1;
+    screen->panes.zoomed = screen->panes.inspecting = screen->playback.at_limit = false;
+    screen->panes.focus = PANE_PARAMETERS;
+    screen->playback.rate = 0;
+    lab->player.pace_automatic = true;
+    play->hurries = false;
+    lesson_play_continue(lab);
+    const LessonPage *now = lesson_entry_page(lab);
+    if (now->n_fields > 0)
+        lesson_entry_select(lab, now->fields[0]);
+}
+
+void lesson_entry_reveal(Laboratory *lab)
+{
+    LessonPlay *play = &lab->play;
+    play->n_queue -= play->next;
+    memmove(play->queue, play->queue + play->next, (size_t)play->n_queue * sizeof *play->queue);
+    play->next = 0;
+    queue_part(play, &lesson_entry_page(lab)->revealed, true);
+    play->arriving = true;
+}
+
+bool lesson_entry_is_stepping(const Laboratory *lab)
+{
+    const LessonPage *page = lesson_entry_page(lab);
+    return page && (page->until.kind == UNTIL_STAGE || page->until.kind == UNTIL_STEP || lab->play.stage > 0);
+}
+
+void lesson_entry_note(Laboratory *lab, const Key *key)
+{
+    static const CommandId harmless[] = {
+        COMMAND_RUN_PAUSE, COMMAND_STEP_FORWARD,  COMMAND_STEP_FORWARD_TEN, COMMAND_STAGE_FORWARD,
+        COMMAND_STEP_BACK, COMMAND_STEP_BACK_TEN, COMMAND_STAGE_BACK,       COMMAND_FASTER,
+        COMMAND_SLOWER,    COMMAND_ENTER,         COMMAND_PAGE_UP,          COMMAND_PAGE_DOWN,
+        COMMAND_NARROWER,  COMMAND_REDRAW};
+    const LessonPage *page = lesson_entry_page(lab);
+    const Command *command = command_by_key(key->name);
+    const bool answers = page && page->question && lab->screen.lesson.answer < 0 && key->name[0] >= '1' &&
+                         key->name[0] < '1' + page->n_choices && !key->name[1];
+    bool known = answers;
+    for (size_t i = 0; command && i < sizeof harmless / sizeof *harmless; i++)
+        known = known || command->id == harmless[i];
+    if (page && (!known || lab->screen.parameters.edit.open || lab->screen.prompt.open))
+        lab->play.touched = true;
+}

@@ -1,0 +1,87 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* How a page of a lesson is entered: in one state, whichever way one came.
+ *
+ * That state is what the pages leave behind that begin with the last one that opens a scenario, as if each
+ * had been read: what it does, what follows its answer, and where its goal is. From the page before nothing
+ * needs to be done again where its reader left it just so. */
+#ifndef TUI_LESSON_ENTRY_H
+#define TUI_LESSON_ENTRY_H
+
+#include "base/output.h"
+#include "lessons/lesson.h"
+#include "lab/lesson/lesson_judge.h"
+#include "terminal/keys.h"
+#include "help/command.h"
+
+typedef struct Laboratory Laboratory;
+
+enum { LESSON_QUEUE_MAX = 256, LESSON_NAME_MAX = 256, LESSON_KEYS_MAX = 64 };
+
+/* What is still to be done: a line as behind `:`, or to come where the goal of a page is. */
+typedef struct LessonAction {
+    const char *line; /* NULL: the goal */
+    const LessonUntil *goal;
+} LessonAction;
+
+/* The lesson that is open, and what is still to be done for its page. */
+typedef struct LessonPlay {
+    Lesson lesson;
+    char name[LESSON_NAME_MAX];
+    LessonAction queue[LESSON_QUEUE_MAX];
+    int n_queue, next;
+    bool arriving;                /* the page's state is not reached as yet */
+    Key waiting[LESSON_KEYS_MAX]; /* for it: keys that came meanwhile */
+    int n_waiting;
+    bool hurries; /* the run goes on to what the goal of a page before waits for */
+    bool touched; /* since then the reader did more than to run and to step */
+    long step;    /* where the page leaves the run, its goal apart */
+    int stage;
+    CommandSet used;   /* since the page was opened */
+    bool warned;       /* that the page still waits */
+    Asker asker;       /* who turned to the page */
+    char refused[320]; /* what it wanted to do and could not, and why; "": nothing */
+    ExerciseRun run;   /* of a page with an exercise */
+    bool busy;
+} LessonPlay;
+
+/* The page that is open; NULL: there is none, or the list of lessons. */
+const LessonPage *lesson_entry_page(const Laboratory *);
+
+/* Turns to a page, and brings about its state. */
+void lesson_entry_show(Laboratory *, int page);
+
+/* The row of the parameter pane that the arrows change, so that fields beside a text work as they do there.
+ */
+void lesson_entry_select(Laboratory *, const char *key);
+
+/* How fast a run goes under the page that is open; without one, as anywhere. */
+void lesson_entry_choose_pace(Laboratory *);
+
+/* How far one has come in the lesson that is open; NULL: it is a file, whose progress is not kept. */
+int *lesson_entry_reached(Laboratory *);
+
+/* What follows the answer. */
+void lesson_entry_reveal(Laboratory *);
+
+/* Whether the page is read within a time step, or step by step: Space would run away under it. */
+bool lesson_entry_is_stepping(const Laboratory *);
+
+/* To be told of each key that the reader presses. */
+void lesson_entry_note(Laboratory *, const Key *);
+
+/* An answer or an edit means the run that the page asks about, so that while the page is on its way keys wait
+ * for it, but for those that leave it. True: this one does, or is for nothing (of the mouse: what it points
+ * at goes). */
+bool lesson_entry_keeps(Laboratory *, const Key *);
+
+/* The next key that has waited, once the page is there. */
+bool lesson_entry_next_key(Laboratory *, Key *);
+
+/* What is on its way, to a time or a page to its state, stays where it is; nothing is asked about the run of
+ * such a page until it is entered again. False: nothing is. */
+bool lesson_entry_cancel(Laboratory *);
+
+/* What is left to be done, once the run has come to where it should be. */
+void lesson_play_continue(Laboratory *);
+
+#endif

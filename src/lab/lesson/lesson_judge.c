@@ -1,0 +1,162 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Calculates what is right and holds runs against goals (lesson_judge.h). */
+#include "lab/lesson/lesson_judge.h"
+
+#include "answers/summary.h"
+#include "scenario/settings_compare.h"
+#include "lab/laboratory.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const LessonPage *page_of(const Laboratory *lab)
+{
+    return &lab->screen.lesson.lesson->pages[lab->screen.lesson.page];
+}
+
+bool lesson_judge_counts(const Laboratory *lab)
+{
+    const char *opened = lab->options.lesson;
+    return opened && strncmp(opened, lab->play.name, sizeof lab->play.name - 1) == 0;
+}
+
+/* The mark of the page that is open. */
+ExerciseMark *lesson_judge_mark(Laboratory *lab)
+{
+    return lesson_judge_counts(lab) ? &lab->homework.marks[lab->screen.lesson.page]
+                                    : &lab->homework.elsewhere;
+}
+
+void lesson_judge_enter(Laboratory *lab)
+{
+    lab->play.run.known = true;
+    lab->play.run.entered = *experiment_base(lab->screen.experiment);
+    lab->play.run.was_judged = false;
+    lab->homework.elsewhere = (ExerciseMark){0};
+}
+
+void lesson_judge_say(Laboratory *lab, bool right, const char *text)
+{
+    LessonShown *shown = &lab->screen.lesson;
+    snprintf(shown->verdict, sizeof shown->verdict, "%s", text);
+    shown->verdict_right = right;
+}
+
+/* --- the right number ------------------------------------------------------------------------------- */
+
+typedef struct Waiting {
+    Laboratory *lab;
+    double begun;
+} Waiting;
+
+static bool wait_for_run(double share, void *context)
+{
+    const double patient_seconds = 0.15; /* what takes no longer is not worth a picture */
+    const Waiting *waiting = context;
+    Laboratory *lab = waiting->lab;
+    if (!lab->given_up && lab->host.now(lab->host.context) < waiting->begun + patient_seconds)
+        return true;
+    laboratory_say(lab, MESSAGE_INFO, "looking at your answer: %d %%   ^C gives up", (int)(100 * share));
+    return laboratory_go_on(lab);
+}
+
+/* The numbers of a run before it begins, for words behind "was". */
+static bool summary_before(const Exercise *exercise, const Settings *entered, RunSummary *before,
+                           Status *status)
+{
+    *before = (RunSummary){0};
+    return !exercise->expression.has_was || run_numbers_beforehand(entered, before, status);
+}
+
+bool lesson_judge_run(Laboratory *lab, const Settings *of, RunSummary *summary, Status *status)
+{
+    Settings settings = *of;
+    Waiting waiting = {lab, lab->host.now(lab->host.context)};
+    settings.patience = (Patience){wait_for_run, &waiting};
+    return export_run(&settings, &(Outputs){0}, lab->options.threads > 0 ? lab->options.threads : 1,
+                      wait_for_run, &waiting, summary, status);
+}
+
+bool lesson_judge_value(const Laboratory *lab, const Settings *settings, const RunSummary *summary,
+                        double *value, Status *status)
+{
+    const Exercise *exercise = page_of(lab)->exercise;
+    RunSummary before;
+    *value = NAN;
+    if (!summary_before(exercise, settings, &before, status))
+        return false;
+    *value = expression_value(&exercise->expression, &(ExpressionRun){settings, summary},
+                              &(ExpressionRun){settings, &before});
+    return true;
+}
+
+bool lesson_judge_number(Laboratory *lab, double *right, Status *status)
+{
+    const ExerciseRun *run = &lab->play.run;
+    RunSummary summary;
+    *right = NAN;
+    if (!run->known)
+        return status_fail(status, STATUS_USAGE,
+                           "this page was given up on its way: turn to another one and back");
+    return lesson_judge_run(lab, &run->entered, &summary, status) &&
+           lesson_judge_value(lab, &run->entered, &summary, right, status);
+}
+
+/* --- goals ------------------------------------------------------------------------------------------ */
+
+/* A run that was changed on its way is another one at each time: no goal is met by it. Nor by a run that
+ * differs in something else than what the page gives to be changed: what a goal asks is asked of its run. */
+static bool fulfils(Laboratory *lab, const Exercise *exercise, char *why, size_t size)
+{
+    Experiment *experiment = lab->screen.experiment;
+    const ExerciseRun *run = &lab->play.run;
+    RunSummary summary, before;
+    Status status = {STATUS_DONE, ""};
+    if (experiment_base(experiment)->n_changes > run->entered.n_changes) {
+        snprintf(why, size, "a value was changed on the way; r begins anew");
+        return false;
+    }
+    if (!summary_before(exercise, &run->entered, &before, &status)) {
+        snprintf(why, size, "%s", status.text);
+        return false;
+    }
+    summary_of(experiment, &summary);
+    if (exercise_failing(exercise, &(ExpressionRun){experiment_settings(experiment), &summary},
+                         &(ExpressionRun){&run->entered, &before}, why, size))
+        return false;
+    const LessonPage *page = page_of(lab);
+    char key[KEY_MAX];
+    if (page->n_fields == 0 || !settings_differ_beyond(experiment_base(experiment), &run->entered,
+                                                       page->fields, page->n_fields, key))
+        return true;
+    snprintf(why, size, "%s was changed too", key);
+    return false;
+}
+
+bool lesson_judge_goal(Laboratory *lab)
+{
+    const LessonPage *page = page_of(lab);
+    Experiment *experiment = lab->screen.experiment;
+    ExerciseRun *run = &lab->play.run;
+    const Settings *base = experiment_base(experiment);
+    char why[ANSWER_MAX], verdict[ANSWER_MAX + 20];
+    if (!run->known || !experiment_at_end(experiment) || experiment_failed(experiment, NULL) ||
+        lab->screen.playback.state == STATE_COMPUTING || settings_same(base, &run->entered) ||
+        (run->was_judged && settings_same(base, &run->judged)))
+        return false;
+    const bool met = fulfils(lab, page->exercise, why, sizeof why);
+    ExerciseMark *mark = lesson_judge_mark(lab);
+    run->judged = *base;
+    run->was_judged = true;
+    snprintf(verdict, sizeof verdict, met ? "Done." : "Not yet: %s.", why);
+    lesson_judge_say(lab, met, verdict);
+    if (mark->right)
+        return met;
+    mark->tries++;
+    mark->judged = true;
+    mark->right = met;
+    settings_name(base, &run->entered, mark->value, sizeof mark->value);
+    snprintf(mark->right_answer, sizeof mark->right_answer, "%s", page->exercise->expression.text);
+    return met;
+}

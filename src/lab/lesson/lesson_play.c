@@ -1,0 +1,259 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Lessons: pages beside the run, and what the laboratory does when one is opened. */
+#include "lab/laboratory.h"
+#include "lab/prompt/line.h"
+#include "lab/lesson/lesson_exercise.h"
+#include "lab/lesson/lesson_progress.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* --- opening and closing ---------------------------------------------------------------------------- */
+
+static void forget_lesson(Laboratory *lab)
+{
+    lesson_free(&lab->play.lesson);
+    lab->play.n_queue = lab->play.next = lab->play.n_waiting = 0;
+    lab->play.name[0] = '\0';
+    lab->screen.lesson.lesson = NULL;
+}
+
+const char laboratory_all_lessons[] = "-";
+
+bool lesson_play_open(Laboratory *lab, const char *name, Status *status)
+{
+    if (strcmp(name, laboratory_all_lessons) == 0) {
+        lab->screen.lesson.open = true;
+        return true;
+    }
+    Lesson lesson;
+    if (!lesson_load_for(name, lab->options.student ? lab->options.student : "", command_line_for_lessons,
+                         &lesson, status))
+        return false;
+    forget_lesson(lab);
+    lab->play.lesson = lesson;
+    snprintf(lab->play.name, sizeof lab->play.name, "%s", name);
+    LessonShown *shown = &lab->screen.lesson;
+    shown->open = true;
+    shown->lesson = &lab->play.lesson;
+    shown->page = -1;
+    shown->counts = lab->options.student && lesson_judge_counts(lab);
+    const int *reached = lesson_entry_reached(lab);
+    const int page = reached && *reached > 1 && *reached < lesson.n_pages ? *reached - 1 : 0;
+    lesson_entry_show(lab, page);
+    if (page > 0)
+        laboratory_say(lab, MESSAGE_INFO, "you had come to page %d; b turns back", page + 1);
+    return true;
+}
+
+void lesson_play_close(Laboratory *lab)
+{
+    if (lab->play.name[0])
+        lesson_progress_write(lab->play.asker, lab->screen.lesson.reached);
+    forget_lesson(lab);
+    lab->screen.lesson.open = false;
+}
+
+void lesson_play_toggle(Laboratory *lab)
+{
+    if (lab->screen.lesson.open) {
+        lesson_play_close(lab);
+        return;
+    }
+    lab->screen.lesson.open = true;
+    lab->screen.lesson.scroll = 0;
+    lab->screen.panes.focus = PANE_PARAMETERS;
+}
+
+bool lesson_play_answer(Laboratory *lab, const char *text)
+{
+    Status status = {STATUS_DONE, ""};
+    return lesson_play_open(lab, text, &status) || prompt_refuse(&lab->prompting, status.text);
+}
+
+static void open_from_list(Laboratory *lab, int lesson)
+{
+    Status status = {STATUS_DONE, ""};
+    if (lesson >= screen_lesson_count())
+        return;
+    lab->screen.lesson.chosen = lesson;
+    if (!lesson_play_open(lab, builtin_lessons[lesson].name, &status))
+        laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
+}
+
+/* --- pages ------------------------------------------------------------------------------------------ */
+
+/* At the end of a lesson comes the next one, after the last the list; a file has none. */
+static void open_next(Laboratory *lab)
+{
+    int next = 0;
+    while (builtin_lessons[next].name && strcmp(builtin_lessons[next].name, lab->play.name) != 0)
+        next++;
+    const bool known = builtin_lessons[next].name != NULL;
+    const bool more = known && ++next < screen_lesson_count();
+    if (!known) {
+        laboratory_say(lab, MESSAGE_INFO, "that was the last page; T closes the lesson");
+        return;
+    }
+    lesson_play_close(lab);
+    lesson_play_toggle(lab);
+    if (more)
+        open_from_list(lab, next);
+}
+
+/* `unasked`: whatever the page waits for. */
+static void turn_page(Laboratory *lab, int direction, bool unasked)
+{
+    LessonShown *shown = &lab->screen.lesson;
+    const LessonPage *page = lesson_entry_page(lab);
+    const bool open_question = page->question && shown->answer < 0;
+    if (direction > 0 && !unasked && (open_question || !shown->met) && !lab->play.warned) {
+        lab->play.warned = true; /* pressed again, the key leaves the page out */
+        laboratory_say(lab, MESSAGE_INFO, "%s; n goes on anyway",
+                       open_question ? "the question waits for an answer" : "this page waits for something");
+    } else if (shown->page + direction < 0) {
+        laboratory_say(lab, MESSAGE_INFO, "this is the first page");
+    } else if (shown->page + direction == shown->lesson->n_pages) {
+        open_next(lab);
+    } else {
+        lesson_entry_show(lab, shown->page + direction);
+    }
+}
+
+static void take_answer(Laboratory *lab, int choice)
+{
+    lab->screen.lesson.answer = choice;
+    lesson_exercise_choose(lab, choice);
+    lab->play.warned = false;
+    lesson_entry_reveal(lab);
+}
+
+/* --- keys ------------------------------------------------------------------------------------------- */
+
+static int digit_of(const Key *key)
+{
+    return key->name[0] >= '1' && key->name[0] <= '9' && !key->name[1] ? key->name[0] - '1' : -1;
+}
+
+bool lesson_play_click(Laboratory *lab, int x, int y)
+{
+    const int lesson = screen_lesson_at(&lab->screen, lab->width, lab->height, x, y);
+    if (lesson >= 0)
+        open_from_list(lab, lesson);
+    return lesson >= 0;
+}
+
+/* What the page offers comes first: its question, then its field until it has the value. */
+void lesson_play_enter(Laboratory *lab)
+{
+    const LessonShown *shown = &lab->screen.lesson;
+    const LessonPage *page = lesson_entry_page(lab);
+    const bool waits = page && page->n_fields > 0 && (page->until.kind == UNTIL_NOTHING || !shown->met);
+    if (!page)
+        open_from_list(lab, shown->chosen);
+    else if (page->n_choices > 0 && shown->answer < 0 && shown->marked >= 0)
+        take_answer(lab, shown->marked);
+    else if (page->n_choices > 0 && shown->answer < 0)
+        laboratory_say(lab, MESSAGE_INFO, "a number answers the question: 1 to %d; n goes on anyway",
+                       page->n_choices);
+    else if (page->question && shown->answer < 0)
+        lesson_exercise_ask(lab);
+    else if (waits)
+        edit_begin(lab);
+    else
+        turn_page(lab, 1, false);
+}
+
+/* Under a page that is read stage by stage a run would carry off what it speaks of: Space does the next
+ * stage, or says how to go on. */
+static void step_for_space(Laboratory *lab)
+{
+    const LessonPage *page = lesson_entry_page(lab);
+    if (page->n_choices > 0 && lab->screen.lesson.answer < 0)
+        laboratory_say(lab, MESSAGE_INFO, "a number answers the question: 1 to %d", page->n_choices);
+    else if (page->until.kind == UNTIL_NOTHING || lab->screen.lesson.met)
+        laboratory_say(lab, MESSAGE_INFO, "this page waits for nothing more: n goes on");
+    else
+        lab->carry_out(lab, COMMAND_STAGE_FORWARD);
+}
+
+bool lesson_play_turn(Laboratory *lab, int direction)
+{
+    if (!lesson_entry_page(lab) || lab->screen.panes.focus != PANE_PARAMETERS)
+        return false;
+    turn_page(lab, direction, false);
+    return true;
+}
+
+bool lesson_play_key(Laboratory *lab, const Key *key)
+{
+    static const struct {
+        const char *key;
+        int direction;
+        bool unasked;
+    } turns[] = {{"n", 1, true}, {"b", -1, true}, {"PageDown", 1, false}, {"PageUp", -1, false}};
+    const LessonShown *shown = &lab->screen.lesson;
+    const LessonPage *page = lesson_entry_page(lab);
+    const int digit = digit_of(key);
+    if (!shown->open)
+        return false;
+    if (!page && digit >= 0) {
+        open_from_list(lab, digit);
+        return true;
+    }
+    if (!page)
+        return false;
+    if (page->n_choices > 0 && shown->answer < 0 && digit >= 0) {
+        if (digit < page->n_choices)
+            take_answer(lab, digit);
+        return true;
+    }
+    for (size_t i = 0; i < sizeof turns / sizeof *turns; i++)
+        if (strcmp(key->name, turns[i].key) == 0) {
+            turn_page(lab, turns[i].direction, turns[i].unasked);
+            return true;
+        }
+    const bool stops = lab->screen.playback.state != STATE_RUNNING && lesson_entry_is_stepping(lab);
+    if (stops && strcmp(key->name, "Space") == 0) {
+        step_for_space(lab);
+        return true;
+    }
+    return false;
+}
+
+void lesson_play_move(Laboratory *lab, int x, int y)
+{
+    LessonShown *shown = &lab->screen.lesson;
+    const LessonPage *page = lesson_entry_page(lab);
+    if (x) {
+        if (page && page->n_fields > 0)
+            edit_nudge(lab, x, false);
+        return;
+    }
+    if (!page) {
+        const int chosen = shown->chosen + y, last = screen_lesson_count() - 1;
+        shown->chosen = chosen < 0 ? 0 : chosen > last ? last : chosen;
+        return;
+    }
+    const int most = screen_lesson_most(&lab->screen, lab->width, lab->height), to = shown->scroll + y;
+    if (page->n_choices > 0 && shown->answer < 0 && most == 0) {
+        const int last = page->n_choices - 1, marked = shown->marked + y;
+        shown->marked = shown->marked < 0 ? (y > 0 ? 0 : last)
+                        : marked < 0      ? 0
+                        : marked > last   ? last
+                                          : marked;
+        return;
+    }
+    if (page->n_fields > 1 && most == 0) {
+        const Parameter *selected = edit_selected(&lab->screen);
+        int at = 0;
+        while (selected && at < page->n_fields && strcmp(page->fields[at], selected->key) != 0)
+            at++;
+        at += y < 0 ? -1 : 1;
+        if (at >= 0 && at < page->n_fields)
+            lesson_entry_select(lab, page->fields[at]);
+        return;
+    }
+    shown->scroll = to < 0 ? 0 : to > most ? most : to;
+}

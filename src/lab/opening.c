@@ -1,0 +1,193 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Opening the laboratory and other scenarios in it: what a run is begun with, and at which pace. */
+#include "lab/laboratory.h"
+#include "lab/commands/commands.h"
+#include "lab/second_run.h"
+#include "lab/opening.h"
+
+#include "base/visible.h"
+#include "scenario/scenario.h"
+#include "views/view.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void read_view(Laboratory *lab)
+{
+    const ViewSettings *view = &experiment_settings(lab->screen.experiment)->view;
+    Screen *screen = &lab->screen;
+    double value;
+    views_open(screen, view);
+    if (sscanf(view->pace, "%lf", &value) == 1 && value > 0) {
+        screen->playback.pace = value;
+        lab->player.pace_automatic = false;
+    }
+    screen_read_view(screen, view);
+}
+
+/* The first row that can be edited. */
+static int first_parameter(const Screen *screen)
+{
+    ParameterRow rows[PARAMETER_ROWS_MAX];
+    int count = screen_parameter_rows(screen, rows);
+    for (int i = 0; i < count; i++)
+        if (rows[i].parameter)
+            return i;
+    return 0;
+}
+
+static size_t history_size(const Laboratory *lab)
+{
+    return lab->options.history ? lab->options.history : (size_t)256 << 20;
+}
+
+static int threads_of(const Laboratory *lab)
+{
+    return lab->options.threads > 0 ? lab->options.threads : 1;
+}
+
+void opening_begin(Laboratory *lab)
+{
+    Screen *screen = &lab->screen;
+    lab->player.pace_automatic = true;
+    lab->editing.n_undo = lab->editing.n_redo = 0;
+    lab->editing.changed = false;
+    lab->editing.anchor_step = screen->log.event = -1;
+    screen->bookmarks.count = screen->log.first = 0;
+    lab->player.owed = 0;
+    player_forget_rates(&lab->player);
+    lab->player.frames_in_time = 0;
+    screen->playback.at_limit = false;
+    screen->summary_known = false;
+    screen->time.cursor = NAN;
+    if (screen->panes.inspecting && screen->panes.focus == PANE_INSPECTOR)
+        screen->panes.focus = screen->panes.before_inspector;
+    screen->panes.inspecting = false;
+    const Simulation *simulation = experiment_simulation(screen->experiment);
+    screen->chosen.particle = screen_middle_particle(simulation);
+    screen->chosen.is_node = false;
+    screen->chosen.node = simulation->n_sets > 1 ? simulation->counts[1] / 2 : 0;
+    player_choose_pace(&lab->screen);
+    read_view(lab);
+    screen->duel = &lab->player.duel;
+    screen->convergence = &lab->refining.convergence;
+    duel_open(&lab->player.duel, screen->experiment, history_size(lab), threads_of(lab));
+    lab->player.second_ended = false;
+    screen->parameters.selected = first_parameter(screen);
+    lab->player.resume = screen->playback.state = STATE_RUNNING;
+    player_stop_at(lab, &(Stop){.kind = STOP_NEVER});
+    player_loop(lab, &(Stretch){.on = false});
+    screen->playback.slow = false;
+    laboratory_say(lab, MESSAGE_NONE, "%s", "");
+    second_run_open(lab);
+    const char *advice = experiment_advice(screen->experiment);
+    if (advice && !screen->message.text[0])
+        laboratory_say(lab, MESSAGE_WARNING, "%s", advice);
+}
+
+void opening_name(Laboratory *lab, const char *name)
+{
+    visible_text(lab->scenario, sizeof lab->scenario, name ? name : "");
+    lab->screen.scenario = lab->scenario;
+}
+
+/* Building that takes no longer is not reported. */
+#define BUILDING_SECONDS 0.15
+
+static bool show_building(double share, void *context)
+{
+    Laboratory *lab = context;
+    double now = lab->host.now(lab->host.context);
+    if (share <= 0)
+        lab->built_at = now;
+    if (!lab->given_up && now < lab->built_at + BUILDING_SECONDS)
+        return true;
+    /* before there is a screen the terminal hands on ^C alone */
+    laboratory_say(lab, MESSAGE_INFO, "building the run: %d %%   %s gives up", (int)(100 * share),
+                   lab->screen.experiment ? "Esc" : "^C");
+    return laboratory_go_on(lab);
+}
+
+void opening_show_progress(Laboratory *lab, Settings *settings)
+{
+    settings->patience = (Patience){show_building, lab};
+}
+
+Experiment *opening_experiment(const Laboratory *lab, const Settings *settings, Status *status)
+{
+    return experiment_create(settings, history_size(lab), threads_of(lab), status);
+}
+
+Asker laboratory_user(const Laboratory *lab)
+{
+    /* what is filmed is told by its content, and a file that looks like a session may hold a script's keys */
+    if (lab->options.camera)
+        return ASKER_REPLAY;
+    return lab->options.script ? ASKER_SCRIPT : ASKER_KEYBOARD;
+}
+
+/* Another scenario in the place of this one. False: the status says why, and this one stays. */
+static bool open_scenario(Laboratory *lab, const char *name, Status *status)
+{
+    Settings *settings = malloc(sizeof *settings);
+    if (!settings)
+        return status_fail(status, STATUS_FAILED, "out of memory");
+    Experiment *experiment = NULL;
+    if (scenario_load(name, settings, status) && settings_check(settings, status) &&
+        (view_check(&settings->view, status) || (scenario_blame(name, NULL, 0, status), false))) {
+        opening_show_progress(lab, settings);
+        experiment = opening_experiment(lab, settings, status);
+        laboratory_say(lab, MESSAGE_NONE, "%s", "");
+        if (!experiment && status)
+            scenario_blame(name, NULL, 0, status);
+    }
+    if (experiment) {
+        experiment_destroy(lab->screen.experiment);
+        lab->screen.experiment = experiment;
+        Screen fresh;
+        screen_default(&fresh);
+        lab->screen.views.n_variants = 0;
+        lab->screen.time.window = fresh.time.window;
+        lab->screen.views.references = fresh.views.references;
+        command_map_whole(&lab->screen);
+        opening_name(lab, name);
+        opening_begin(lab);
+    }
+    free(settings);
+    return experiment != NULL;
+}
+
+static bool open_or_refuse(Laboratory *lab, const char *name)
+{
+    Status status = {STATUS_DONE, ""};
+    return open_scenario(lab, name, &status) || prompt_refuse(&lab->prompting, status.text);
+}
+
+void opening_tell_coarse(Laboratory *lab)
+{
+    if (!lab->screen.message.text[0])
+        laboratory_say(lab, MESSAGE_INFO, "coarse form of %s; :full opens the whole",
+                       scenario_whole(lab->scenario));
+}
+
+bool opening_answer(Laboratory *lab, const char *text)
+{
+    const char *form = scenario_on_screen(text);
+    if (!text[0])
+        return true;
+    const bool opened = open_or_refuse(lab, form);
+    if (opened && form != text)
+        opening_tell_coarse(lab);
+    return opened;
+}
+
+bool opening_whole(Laboratory *lab, const char *text)
+{
+    const char *whole = text[0] ? text : scenario_whole(lab->scenario);
+    if (!whole)
+        return prompt_refuse(&lab->prompting,
+                             "this is no coarse form (full SCENARIO opens one at full size)");
+    return open_or_refuse(lab, whole);
+}

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Opening a scenario: its run is made, and put in the place of another. */
+#ifndef TUI_OPENING_H
+#define TUI_OPENING_H
+
+#include "run/experiment.h"
+
+typedef struct Laboratory Laboratory;
+
+/* Settings whose simulation shows on the screen how far its building has come; copies of them do too. */
+void opening_show_progress(Laboratory *, Settings *);
+
+Experiment *opening_experiment(const Laboratory *, const Settings *, Status *);
+
+/* What belongs to a run and not to the way it is looked at, begins anew with the one that is in place. */
+void opening_begin(Laboratory *);
+void opening_name(Laboratory *, const char *name);
+
+/* Another scenario in the place of this one, or its coarse form, which is then said. */
+bool opening_answer(Laboratory *, const char *text);
+
+/* The same at full size; "": that of which this is the coarse form. */
+bool opening_whole(Laboratory *, const char *text);
+
+/* Says that this is the coarse form of what was asked for. */
+void opening_tell_coarse(Laboratory *);
+
+#endif

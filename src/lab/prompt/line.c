@@ -1,0 +1,422 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The command line behind `:`: commands by name, KEY=VALUE, a time, and verbs that take arguments. */
+#include "lab/laboratory.h"
+#include "lab/commands/commands.h"
+#include "lab/prompt/line.h"
+#include "lab/writing.h"
+#include "lab/row_edit.h"
+#include "lab/second_run.h"
+#include "lab/fitting.h"
+#include "lab/opening.h"
+#include "picture/words/tell.h"
+#include "views/view.h"
+
+#include "base/text.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* --- what was entered before ------------------------------------------------------------------------ */
+
+static void remember(LineHistory *past, const char *text)
+{
+    if (past->count > 0 && strcmp(past->lines[past->count - 1], text) == 0)
+        return;
+    if (past->count == LINE_HISTORY_MAX) {
+        memmove(past->lines[0], past->lines[1], sizeof past->lines - sizeof past->lines[0]);
+        past->count--;
+    }
+    snprintf(past->lines[past->count++], sizeof past->lines[0], "%s", text);
+}
+
+static void recall(Prompting *prompting, int direction)
+{
+    LineHistory *past = &prompting->past;
+    Prompt *prompt = prompting->shown;
+    const int to = past->at + direction;
+    if (to < 0 || to > past->count)
+        return;
+    if (past->at == past->count)
+        memcpy(past->unfinished, prompt->text, sizeof past->unfinished);
+    past->at = to;
+    memcpy(prompt->text, to == past->count ? past->unfinished : past->lines[to], sizeof prompt->text);
+    prompt->cursor = glyphs_count(prompt->text);
+    prompt->problem[0] = prompt->hint[0] = '\0';
+    prompting->fresh = false;
+}
+
+/* --- verbs ------------------------------------------------------------------------------------------ */
+
+static bool assign(Laboratory *lab, const char *key, const char *value)
+{
+    Settings settings = *experiment_settings(lab->screen.experiment);
+    Status status = {STATUS_DONE, ""};
+    return (settings_set(&settings, key, value, &status) && view_check(&settings.view, &status) &&
+            edit_change(lab, &settings, experiment_edit, &status)) ||
+           prompt_refuse(&lab->prompting, status.text);
+}
+
+/* Whether so many bytes mean a key, or several. */
+static bool means_key(const Laboratory *lab, const char *words, size_t length)
+{
+    char called[KEY_MAX], key[KEY_MAX];
+    snprintf(called, sizeof called, "%.*s", (int)length, words);
+    return length < sizeof called &&
+           (!settings_meant_key(experiment_settings(lab->screen.experiment), called, key, NULL) ||
+            parameter_find(key) || text_key_find(key));
+}
+
+/* The bytes of the key before a value: all before '=', which may be a label's words, or else as many words
+ * as are a key, or else the first. */
+static size_t key_length(const Laboratory *lab, const char *words)
+{
+    const size_t first = strcspn(words, " =");
+    size_t length = strcspn(words, "="), most = first;
+    while (length > 0 && words[length - 1] == ' ')
+        length--;
+    if (strchr(words, '=') && means_key(lab, words, length))
+        return length;
+    for (const char *space = strchr(words, ' '); space; space = strchr(space + 1, ' '))
+        if (means_key(lab, words, (size_t)(space - words)))
+            most = (size_t)(space - words);
+    return most;
+}
+
+/* "KEY = VALUE" and, behind `set`, also "KEY VALUE"; the key by its end or by its label too. */
+static bool set(Laboratory *lab, const char *words)
+{
+    char called[KEY_MAX], key[KEY_MAX];
+    Status status = {STATUS_DONE, ""};
+    const size_t length = key_length(lab, words);
+    const char *value = words + length + strspn(words + length, " ");
+    if (*value == '=')
+        value += 1 + strspn(value + 1, " ");
+    if (length == 0 || length >= sizeof called || !*value)
+        return prompt_refuse(&lab->prompting, "a key and a value are wanted, as in set initial.mode 5");
+    snprintf(called, sizeof called, "%.*s", (int)length, words);
+    return settings_meant_key(experiment_settings(lab->screen.experiment), called, key, &status)
+               ? assign(lab, key, value)
+               : prompt_refuse(&lab->prompting, status.text);
+}
+
+static bool export_as(Laboratory *lab, const char *words)
+{
+    return exporting_ask(lab, words);
+}
+
+/* The next word, or what stands between quotes; false: there is none. */
+static bool take_word(const char **words, char *out, size_t size)
+{
+    *words += strspn(*words, " ");
+    const bool quoted = **words == '"';
+    *words += quoted;
+    const size_t length = strcspn(*words, quoted ? "\"" : " ");
+    snprintf(out, size, "%.*s", (int)length, *words);
+    *words += length;
+    *words += quoted && **words == '"';
+    return length > 0;
+}
+
+static bool reading(double share, void *context)
+{
+    Laboratory *lab = context;
+    laboratory_say(lab, MESSAGE_INFO, "reading %d %%   ^C cancels", (int)(100 * share));
+    return laboratory_go_on(lab);
+}
+
+static void drop_overlay(Laboratory *lab)
+{
+    overlay_close(&lab->overlay);
+    lab->screen.overlay = NULL;
+}
+
+static bool overlay(Laboratory *lab, const char *words)
+{
+    char path[NAME_MAX_BYTES], x[OVERLAY_NAME_MAX], y[OVERLAY_NAME_MAX];
+    Screen *screen = &lab->screen;
+    Overlay read;
+    Status status = {STATUS_DONE, ""};
+    if (!take_word(&words, path, sizeof path)) {
+        laboratory_say(lab, MESSAGE_INFO,
+                       screen->overlay ? "%s is taken away" : "no series lies over the plots",
+                       lab->overlay.file);
+        drop_overlay(lab);
+        return true;
+    }
+    const bool x_given = take_word(&words, x, sizeof x), y_given = take_word(&words, y, sizeof y);
+    if (!overlay_load(&read, path, reading, lab, &status))
+        return prompt_refuse(&lab->prompting, status.text);
+    if (!overlay_choose(&read, x_given ? x : NULL, y_given ? y : NULL, view_time_curve(screen),
+                        view_profile_curve(screen), &status)) {
+        overlay_close(&read);
+        return prompt_refuse(&lab->prompting, status.text);
+    }
+    drop_overlay(lab);
+    lab->overlay = read;
+    screen->overlay = &lab->overlay;
+    const double *place = read.columns[read.x].values;
+    char from[NUMBER_TEXT_MAX], to[NUMBER_TEXT_MAX];
+    text_rounded(from, read.count ? place[0] : NAN, 5);
+    text_rounded(to, read.count ? place[read.count - 1] : NAN, 5);
+    laboratory_say(lab, MESSAGE_INFO, "%s: %zu rows, %s from %s to %s; :overlay alone takes it away",
+                   read.file, read.count, read.along ? "x" : "t", from, to);
+    return true;
+}
+
+/* By its number, from 1 on, or by its word; 0: it is neither. */
+static int variant_of(const View *view, const Screen *screen, const char *which)
+{
+    long number;
+    if (text_to_long(which, &number))
+        return number > 0 && number < 100 ? (int)number : 0;
+    for (int i = 0; i < view_variants(view, screen); i++) {
+        const char *word = view_variant_word(view, screen, i);
+        if (word && strcmp(word, which) == 0)
+            return i + 1;
+    }
+    return 0;
+}
+
+static bool show(Laboratory *lab, const char *words)
+{
+    char word[32] = "", which[32] = "", known[160], why[256];
+    int first = 0, second = 0;
+    const bool sound = sscanf(words, "%31s%n", word, &first) == 1 &&
+                       (!words[first] || sscanf(words + first, "%31s%n", which, &second) == 1) &&
+                       !words[first + second];
+    const View *view = view_named(word);
+    const int variant = !view || !which[0] ? 1 : variant_of(view, &lab->screen, which);
+    view_names(known, sizeof known);
+    snprintf(why, sizeof why, "a view is wanted (%s), and its variant, as in show probe angle or show 1 2",
+             known);
+    if (!sound || !view || variant < 1)
+        return prompt_refuse(&lab->prompting, why);
+    if (view_missing(view, &lab->screen))
+        return prompt_refuse(&lab->prompting, view_missing(view, &lab->screen));
+    command_show_view(lab, view);
+    view_choose_variant(view, &lab->screen, variant - 1);
+    return true;
+}
+
+/* In words, by who shows them as lines, or else as far as the key line has room. */
+static bool tell(Laboratory *lab, const char *words)
+{
+    Words told = {.text = NULL};
+    char known[256], why[300];
+    tell_names(known, sizeof known);
+    snprintf(why, sizeof why, "tell what? (%s)", known);
+    if (!tell_named(&lab->screen, words, &told))
+        return prompt_refuse(&lab->prompting, why);
+    for (char *end = told.text; end && !lab->host.tell && (end = strchr(end, '\n'));)
+        *end = ' ';
+    if (told.text && lab->host.tell)
+        lab->host.tell(lab->host.context, told.text);
+    else
+        laboratory_say(lab, MESSAGE_INFO, "%s", told.text ? told.text : "there is nothing to tell");
+    words_close(&told);
+    return true;
+}
+
+static bool references(Laboratory *lab, const char *words)
+{
+    for (int i = 0; i < SHOW_COUNT; i++)
+        if (strcmp(words, parameter_reference_words[i]) == 0) {
+            lab->screen.views.references = (ReferencesShown)i;
+            return true;
+        }
+    return prompt_refuse(&lab->prompting, "which reference curves? (all | exact | predicted | none)");
+}
+
+/* Which of one of the simulation's sets: particles, nodes. */
+static bool choose(Laboratory *lab, const char *words, int set, const char *what, size_t *chosen)
+{
+    const Simulation *sim = experiment_simulation(lab->screen.experiment);
+    const long count = set < sim->n_sets ? (long)sim->counts[set] : 0;
+    long number;
+    char why[64];
+    snprintf(why, sizeof why, count > 0 ? "which %s? (0 to %ld)" : "there is no %s in this run", what,
+             count - 1);
+    if (!text_to_long(words, &number) || number < 0 || number >= count)
+        return prompt_refuse(&lab->prompting, why);
+    *chosen = (size_t)number;
+    lab->screen.chosen.is_node = set > 0;
+    return true;
+}
+
+static bool particle(Laboratory *lab, const char *words)
+{
+    return choose(lab, words, 0, "particle", &lab->screen.chosen.particle);
+}
+
+static bool node(Laboratory *lab, const char *words)
+{
+    return choose(lab, words, 1, "node", &lab->screen.chosen.node);
+}
+
+/* "particle 12 velocity" of "velocity", where that is a field of the chosen thing. */
+static void name_thing(const Screen *screen, const char *words, char out[FOLLOW_TEXT_MAX])
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    const bool node = screen->chosen.is_node && sim->n_sets > 1;
+    size_t word = strcspn(words, " ");
+    for (int set = 0; set < sim->n_sets; set++)
+        if (strlen(sim->sets[set].name) == word && strncmp(words, sim->sets[set].name, word) == 0)
+            word = 0;
+    if (word == 0)
+        snprintf(out, FOLLOW_TEXT_MAX, "%.63s", words);
+    else
+        snprintf(out, FOLLOW_TEXT_MAX, "%s %zu %.30s", sim->sets[node].name,
+                 node ? screen->chosen.node : screen->chosen.particle, words);
+}
+
+/* Its column is shown in the probe view. */
+static bool plot(Laboratory *lab, const char *words)
+{
+    Screen *screen = &lab->screen;
+    Settings settings = *experiment_settings(screen->experiment);
+    Status status = {STATUS_DONE, ""};
+    char thing[FOLLOW_TEXT_MAX], *follow = settings.output.follow;
+    const size_t used = strlen(follow);
+    name_thing(screen, words, thing);
+    if (!*words)
+        memset(follow, 0, sizeof settings.output.follow);
+    else if (used + strlen(thing) + 3 > sizeof settings.output.follow)
+        return prompt_refuse(&lab->prompting, "too many things are followed: plot alone ends them");
+    else
+        snprintf(follow + used, sizeof settings.output.follow - used, "%s%s", used ? ", " : "", thing);
+    if (!edit_change(lab, &settings, experiment_edit, &status))
+        return prompt_refuse(&lab->prompting, status.text);
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    const View *view = view_named("probe");
+    if (!*words) {
+        view_choose_variant(view, screen, 0);
+        laboratory_say(lab, MESSAGE_INFO, "nothing is followed any more");
+        return true;
+    }
+    command_show_view(lab, view);
+    view_choose_variant(view, screen, variant_of(view, screen, sim->series[sim->n_series - 1].name) - 1);
+    return true;
+}
+
+static bool set_row(Laboratory *lab, int kind, const char *words)
+{
+    Status status = {STATUS_DONE, ""};
+    return row_edit_line(lab, kind, words, &status) || prompt_refuse(&lab->prompting, status.text);
+}
+
+static bool cut(Laboratory *lab, const char *words)
+{
+    return set_row(lab, ROWS_CUTS, words);
+}
+
+static bool load(Laboratory *lab, const char *words)
+{
+    return set_row(lab, ROWS_LOADS, words);
+}
+
+static bool support(Laboratory *lab, const char *words)
+{
+    return set_row(lab, ROWS_SUPPORTS, words);
+}
+
+static bool impulse(Laboratory *lab, const char *words)
+{
+    return set_row(lab, ROWS_IMPULSES, words);
+}
+
+static bool protect(Laboratory *lab, const char *words)
+{
+    return set_row(lab, ROWS_PROTECTED, words);
+}
+
+#define LINE(id, function, ...) [LINE_##id] = function,
+static bool (*const verbs[LINE_COUNT])(Laboratory *, const char *words) = {
+#include "help/line_rows.inc"
+};
+#undef LINE
+
+/* --- the line --------------------------------------------------------------------------------------- */
+
+static bool answer_line(Laboratory *lab, const char *text)
+{
+    text += strspn(text, " :");
+    char line[sizeof lab->screen.prompt.text];
+    snprintf(line, sizeof line, "%s", text);
+    for (size_t end = strlen(line); end > 0 && line[end - 1] == ' ';)
+        line[--end] = '\0';
+    if (!*line)
+        return true;
+    remember(&lab->prompting.past, line);
+    return line_run(lab, line);
+}
+
+/* An unknown first word, with the nearest one that there is. */
+static bool refuse_word(Laboratory *lab, const char *line, const char *end)
+{
+    enum { MOST = COMMAND_COUNT + LINE_COUNT };
+    const char *known[MOST + 1] = {NULL}, *nearest;
+    char word[64], why[200];
+    int count = 0;
+    for (int i = 0; i < n_line_verbs && count < MOST; i++)
+        known[count++] = line_verbs[i].name;
+    for (int i = 0; i < n_commands && count < MOST; i++)
+        known[count++] = commands[i].name;
+    snprintf(word, sizeof word, "%.*s", (int)(end - line), line);
+    const FixedKey *fixed = fixed_key_find(experiment_settings(lab->screen.experiment), word);
+    if (fixed) {
+        char text[sizeof lab->screen.prompt.problem];
+        fixed_key_text(fixed, text, sizeof text);
+        return prompt_refuse(&lab->prompting, text);
+    }
+    nearest = parameter_nearest_word(known, word);
+    snprintf(why, sizeof why, "%s: unknown%s%s%s: a command (Tab completes), KEY=VALUE or a time is wanted",
+             word, nearest ? " (did you mean " : "", nearest ? nearest : "", nearest ? "?)" : "");
+    return prompt_refuse(&lab->prompting, why);
+}
+
+bool line_run(Laboratory *lab, const char *text)
+{
+    const LineMeaning line = line_meaning(text);
+    switch (line.kind) {
+    case LINE_VERB:
+        return verbs[line.verb->id](lab, line.words);
+    case LINE_COMMAND:
+        lab->carry_out(lab, line.command->id);
+        return true;
+    case LINE_ASSIGNMENT:
+        return set(lab, text);
+    case LINE_PLACE:
+        return command_answer_go_to(lab, text);
+    case LINE_UNKNOWN:
+        break;
+    }
+    return refuse_word(lab, text, line.words);
+}
+
+/* --- the question ----------------------------------------------------------------------------------- */
+
+static bool line_key_of(Laboratory *lab, const char *key)
+{
+    const bool up = strcmp(key, "Up") == 0;
+    if (!up && strcmp(key, "Down") != 0)
+        return false;
+    recall(&lab->prompting, up ? -1 : 1);
+    return true;
+}
+
+/* What Tab has just shown stays until the next character. */
+static void forget_hint(Laboratory *lab, const char *key)
+{
+    if (strcmp(key, "Tab") != 0)
+        lab->screen.prompt.hint[0] = '\0';
+}
+
+static const Typing typing = {.key = line_key_of, .offer = complete_line, .typed = forget_hint};
+
+void line_ask(Laboratory *lab)
+{
+    lab->prompting.past.at = lab->prompting.past.count;
+    prompt_ask(&lab->prompting, answer_line, false, "", ":");
+    lab->prompting.typing = &typing;
+}

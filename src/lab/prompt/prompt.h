@@ -1,0 +1,64 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Questions at the foot of the screen: asked, typed into, answered. A question is answered by a function of
+ * whoever asked it, and may bring keys and completions of its own. */
+#ifndef TUI_PROMPT_H
+#define TUI_PROMPT_H
+
+#include "terminal/keys.h"
+#include "panes/screen.h"
+
+typedef struct Laboratory Laboratory;
+
+enum { LINE_HISTORY_MAX = 32 };
+
+/* What was entered behind `:`, the newest last. */
+typedef struct LineHistory {
+    char lines[LINE_HISTORY_MAX][sizeof((Prompt *)0)->text];
+    char unfinished[sizeof((Prompt *)0)->text]; /* what was being typed when an earlier one was fetched */
+    int count, at;                              /* at: the one on screen; count: the unfinished one */
+} LineHistory;
+
+/* Takes an answer to a prompt. False: refused, prompt.problem says why, the prompt stays. */
+typedef bool (*Answer)(Laboratory *, const char *text);
+
+/* What is special about typing the answer to one kind of question; each member may be NULL. */
+typedef struct Completion Completion;
+typedef struct Typing {
+    bool (*key)(Laboratory *, const char *key);         /* false: the key does what it does everywhere */
+    void (*offer)(Completion *, const Laboratory *lab); /* what Tab completes */
+    void (*typed)(Laboratory *, const char *key);       /* the text has changed */
+} Typing;
+
+typedef struct Prompting {
+    Prompt *shown; /* screen.prompt */
+    Answer answer;
+    const Typing *typing;   /* NULL: nothing special */
+    bool fresh;             /* the text is a proposal: a first character replaces it */
+    int tabbed;             /* candidates that Tab has shown; the next Tab shows those behind them */
+    int suggestion;         /* for a duel, the one that is offered; -1: what was the last one's */
+    ScenarioList scenarios; /* behind shown->scenarios */
+    LineHistory past;
+} Prompting;
+
+void prompt_ask(Prompting *, Answer, bool yes_no, const char *text, const char *format, ...)
+    __attribute__((format(printf, 5, 6)));
+
+/* Asks whether a file that exists is replaced: only y does. */
+void prompt_ask_replace(Prompting *, Answer, const char *name);
+
+void prompt_fill(Prompting *, const char *text); /* in place of what was typed; typing replaces it */
+void prompt_close(Prompting *);
+
+/* Says in the question that is open why its answer is not taken; returns false. */
+bool prompt_refuse(Prompting *, const char *why);
+
+void prompt_key(Laboratory *, const Key *);
+
+/* complete.c: Tab, and what it offers in the questions that have something to offer. */
+void complete_tab(Laboratory *);
+void complete_line(Completion *, const Laboratory *);
+void complete_assignments(Completion *, const Laboratory *); /* KEY=VALUE ... */
+void complete_scenarios(Completion *, const Laboratory *);
+void complete_files(Completion *, const Laboratory *);
+
+#endif

@@ -1,0 +1,425 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Rows of a plate: as text in their pane, and moved on the map (row_edit.h). */
+#include "lab/row_edit.h"
+
+#include "base/text.h"
+#include "views/view.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static void select_row(Screen *screen, int kind, int row)
+{
+    ParameterRow rows[PARAMETER_ROWS_MAX];
+    const int count = screen_parameter_rows(screen, rows);
+    for (int i = 0; i < count; i++)
+        if (rows[i].is_row && rows[i].kind == kind && rows[i].row == row)
+            screen->parameters.selected = i;
+}
+
+/* "cut1", or the first of these that is free. */
+static void new_name(const Settings *settings, int kind, char out[ROW_NAME_MAX])
+{
+    const char *one = row_kinds[kind].one;
+    int number = 1;
+    do
+        snprintf(out, ROW_NAME_MAX, "%.*s%d", (int)strcspn(one, " "), one, number++);
+    while (settings_row_find(settings, kind, out) >= 0);
+}
+
+/* --- as text ----------------------------------------------------------------------------------------------
+ */
+
+/* "NAME = VALUES" or "NAME VALUES"; of the kind that has no names the values alone. */
+static bool part(int kind, const char *text, char name[KEY_MAX], const char **values)
+{
+    text += strspn(text, " ");
+    name[0] = '\0';
+    *values = text;
+    if (row_kinds[kind].usual)
+        return true;
+    const size_t length = strcspn(text, " =");
+    if (length == 0 || length >= KEY_MAX)
+        return false;
+    snprintf(name, KEY_MAX, "%.*s", (int)length, text);
+    *values = text + length + strspn(text + length, " =");
+    return **values != '\0';
+}
+
+static bool apply(Laboratory *lab, const Settings *settings, Status *status)
+{
+    return edit_change(lab, settings, experiment_edit, status);
+}
+
+bool row_edit_line(Laboratory *lab, int kind, const char *words, Status *status)
+{
+    Settings settings = *experiment_settings(lab->screen.experiment);
+    char name[KEY_MAX];
+    const char *values;
+    if (!settings_have_rows(&settings, kind))
+        return status_fail(status, STATUS_USAGE, "problem %s has no %s", settings.problem->word,
+                           row_kinds[kind].section);
+    if (!part(kind, words, name, &values))
+        return status_fail(status, STATUS_USAGE, "a %s is NAME %s, or NAME none", row_kinds[kind].one,
+                           row_kinds[kind].form);
+    const bool sound = strcmp(values, "none") == 0 && !row_kinds[kind].usual
+                           ? settings_row_remove(&settings, kind, name, status)
+                           : settings_row_set(&settings, kind, name, values, status);
+    if (!sound || !apply(lab, &settings, status))
+        return false;
+    const int row = settings_row_find(&settings, kind, name);
+    if (row >= 0) { /* the keys that edit rows mean it now, so it is to be seen */
+        lab->screen.parameters.filter[0] = '\0';
+        lab->screen.panes.focus = PANE_PARAMETERS;
+        select_row(&lab->screen, kind, row);
+    }
+    return true;
+}
+
+/* What was shown is rounded: a word that was left as it stood there means the value that it stands for. */
+static void keep_digits(const Settings *settings, int kind, int row, const char *typed,
+                        char out[ROW_TEXT_MAX])
+{
+    char shown[ROW_TEXT_MAX], exact[ROW_TEXT_MAX], words[ROW_TEXT_MAX];
+    char *show, *get, *type;
+    settings_row_show(settings, kind, row, shown);
+    settings_row_get(settings, kind, row, exact);
+    snprintf(words, sizeof words, "%s", typed);
+    const char *was = strtok_r(shown, " ", &show), *is = strtok_r(exact, " ", &get);
+    out[0] = '\0';
+    for (char *word = strtok_r(words, " ", &type); word; word = strtok_r(NULL, " ", &type)) {
+        text_append(out, ROW_TEXT_MAX, "%s%s", out[0] ? " " : "",
+                    was && is && strcmp(word, was) == 0 ? is : word);
+        was = was ? strtok_r(NULL, " ", &show) : NULL;
+        is = is ? strtok_r(NULL, " ", &get) : NULL;
+    }
+}
+
+/* The last row of a kind comes to a place further up. */
+static void put_in_place(Settings *settings, int kind, int row)
+{
+    RowList *list = &settings->rows[kind];
+    const Row moved = list->rows[list->count - 1];
+    memmove(&list->rows[row + 1], &list->rows[row], (size_t)(list->count - 1 - row) * sizeof moved);
+    list->rows[row] = moved;
+}
+
+/* Under another name it is another row in the place of the old one. */
+static bool accept(Laboratory *lab, Status *status)
+{
+    int kind, row;
+    char name[KEY_MAX];
+    const char *values, *text = lab->screen.parameters.edit.text;
+    if (!screen_selected_row(&lab->screen, &kind, &row) || row == ROW_NEW)
+        return true;
+    Settings settings = *experiment_settings(lab->screen.experiment);
+    if (!part(kind, text, name, &values))
+        return status_fail(status, STATUS_USAGE, "a %s is NAME = %s", row_kinds[kind].one,
+                           row_kinds[kind].form);
+    char old[ROW_NAME_MAX], meant[ROW_TEXT_MAX];
+    snprintf(old, sizeof old, "%s", settings.rows[kind].rows[row].name);
+    keep_digits(&settings, kind, row, values, meant);
+    const bool renamed = strcmp(old, name) != 0;
+    if (renamed && settings_row_find(&settings, kind, name) >= 0)
+        return status_fail(status, STATUS_USAGE, "%s.%s: there is one of that name already",
+                           row_kinds[kind].section, name);
+    if ((renamed && !settings_row_remove(&settings, kind, old, status)) ||
+        !settings_row_set(&settings, kind, name, meant, status))
+        return false;
+    if (renamed)
+        put_in_place(&settings, kind, row);
+    if (!apply(lab, &settings, status))
+        return false;
+    select_row(&lab->screen, kind,
+               settings_row_find(experiment_settings(lab->screen.experiment), kind, name));
+    return true;
+}
+
+static void open_field(Laboratory *lab, int kind, int row)
+{
+    FieldEdit *edit = &lab->screen.parameters.edit;
+    const Settings *settings = experiment_settings(lab->screen.experiment);
+    char values[ROW_TEXT_MAX];
+    settings_row_show(settings, kind, row, values);
+    edit->text[0] = '\0';
+    if (!row_kinds[kind].usual)
+        text_append(edit->text, sizeof edit->text, "%s = ", settings->rows[kind].rows[row].name);
+    text_append(edit->text, sizeof edit->text, "%s", values);
+    edit->cursor = glyphs_count(edit->text);
+    edit->problem[0] = '\0';
+    edit->open = true;
+    lab->editing.fresh = false;
+    lab->editing.accept = accept;
+}
+
+void row_edit_begin(Laboratory *lab)
+{
+    int kind, row;
+    if (!screen_selected_row(&lab->screen, &kind, &row))
+        return;
+    if (row == ROW_NEW)
+        row_edit_add(lab);
+    else
+        open_field(lab, kind, row);
+}
+
+/* --- on the map
+ * --------------------------------------------------------------------------------------------- */
+
+/* The columns of an end's place along x and along y; -1: it has none of its own. */
+static void columns_of_end(const Settings *settings, int kind, int row, int end, int columns[2])
+{
+    int met[2] = {0, 0};
+    const bool lies = kind == ROWS_LOADS && settings_row_value(settings, kind, row, 0) <= ROW_BOTTOM;
+    columns[0] = columns[1] = -1;
+    for (int i = 0; i < row_kinds[kind].n_columns; i++) {
+        const RowValue value = row_kinds[kind].columns[i].value;
+        const int axis = value == ROW_ALONG_X ? 0 : value == ROW_ALONG_Y ? 1 : lies ? 0 : 1;
+        if (value != ROW_ALONG_X && value != ROW_ALONG_Y && value != ROW_ALONG_EDGE)
+            continue;
+        if (met[axis]++ == end)
+            columns[axis] = i;
+    }
+}
+
+static double extent(const Settings *settings, int axis)
+{
+    return axis == 0 ? settings->geometry.length : settings->geometry.height;
+}
+
+/* A place of an end, m; what was a share of the plate stays one. */
+static void put_place(Settings *settings, const RowsShown *shown, int column, int axis, double place)
+{
+    const Row *row = &settings->rows[shown->kind].rows[shown->row];
+    char key[KEY_MAX], text[32];
+    snprintf(key, sizeof key, "%s%s%s.%s", row_kinds[shown->kind].section, *row->name ? "." : "", row->name,
+             row_kinds[shown->kind].columns[column].word);
+    if (row->shares >> column & 1)
+        snprintf(text, sizeof text, "%.13g%%", 100 * place / extent(settings, axis));
+    else
+        snprintf(text, sizeof text, "%.15g", place);
+    settings_row_key_set(settings, key, text, NULL);
+}
+
+/* Both ends together stop where the first of them meets an edge. */
+static void shift(Laboratory *lab, const double by[2])
+{
+    const RowsShown *shown = &lab->screen.parameters.rows;
+    Settings *draft = lab->editing.draft;
+    for (int axis = 0; axis < 2; axis++) {
+        double way = by[axis];
+        int columns[2][2];
+        for (int end = 0; end < 2; end++) {
+            columns_of_end(draft, shown->kind, shown->row, end, columns[end]);
+            if (columns[end][axis] < 0 || (shown->end != end && shown->end != ROW_BOTH_ENDS))
+                continue;
+            const double at = settings_row_value(draft, shown->kind, shown->row, columns[end][axis]);
+            way = fmin(fmax(way, -at), extent(draft, axis) - at);
+        }
+        for (int end = 0; end < 2 && way != 0; end++)
+            if (columns[end][axis] >= 0 && (shown->end == end || shown->end == ROW_BOTH_ENDS))
+                put_place(draft, shown, columns[end][axis], axis,
+                          settings_row_value(draft, shown->kind, shown->row, columns[end][axis]) + way);
+    }
+}
+
+/* What is one place, as the probe, has no other end. */
+static bool has_ends(const Settings *settings, const RowsShown *shown)
+{
+    int columns[2];
+    columns_of_end(settings, shown->kind, shown->row, 1, columns);
+    return columns[0] >= 0 || columns[1] >= 0;
+}
+
+static void say_place(Laboratory *lab)
+{
+    static const char *const ends[] = {"first end", "second end", "both ends"};
+    const RowsShown *shown = &lab->screen.parameters.rows;
+    char values[ROW_TEXT_MAX];
+    settings_row_show(lab->editing.draft, shown->kind, shown->row, values);
+    if (has_ends(lab->editing.draft, shown))
+        laboratory_say(
+            lab, MESSAGE_INFO,
+            "%s   %s: arrows one spacing, ( ) PgUp PgDn ten   Tab the other   Enter take   Esc drop", values,
+            ends[shown->end]);
+    else
+        laboratory_say(lab, MESSAGE_INFO,
+                       "%s   arrows move it one spacing, ( ) PgUp PgDn ten   Enter take   Esc drop", values);
+}
+
+static void show_map(Laboratory *lab)
+{
+    char line[48];
+    snprintf(line, sizeof line, "show %s", view_of_map()->word);
+    lab->run_line(lab, line);
+}
+
+static void begin_placing(Laboratory *lab, int kind, int row, int end)
+{
+    Screen *screen = &lab->screen;
+    screen->parameters.rows =
+        (RowsShown){.placing = true, .kind = kind, .row = row, .end = end, .draft = lab->editing.draft};
+    if (!screen->views.upper->is_map && !screen->views.lower->is_map)
+        show_map(lab);
+    screen->panes.focus = PANE_PARAMETERS;
+    player_pause(lab);
+    say_place(lab);
+}
+
+static void end_placing(Laboratory *lab)
+{
+    lab->screen.parameters.rows = (RowsShown){.placing = false};
+    laboratory_say(lab, MESSAGE_NONE, "%s", "");
+}
+
+static void take(Laboratory *lab)
+{
+    const RowsShown shown = lab->screen.parameters.rows;
+    Status status = {STATUS_DONE, ""};
+    Settings settings = *lab->editing.draft;
+    end_placing(lab);
+    if (!apply(lab, &settings, &status)) {
+        lab->screen.parameters.rows = shown;
+        laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
+        return;
+    }
+    select_row(&lab->screen, shown.kind, shown.row);
+}
+
+bool row_edit_key(Laboratory *lab, const char *key)
+{
+    static const struct {
+        const char *keys[2];
+        int x, y, spacings;
+    } moves[] = {{{"Left", "h"}, -1, 0, 1},  {{"Right", "l"}, 1, 0, 1},    {{"Up", "k"}, 0, 1, 1},
+                 {{"Down", "j"}, 0, -1, 1},  {{"S-Left", "("}, -1, 0, 10}, {{"S-Right", ")"}, 1, 0, 10},
+                 {{"PageUp", ""}, 0, 1, 10}, {{"PageDown", ""}, 0, -1, 10}};
+    RowsShown *shown = &lab->screen.parameters.rows;
+    if (!shown->placing)
+        return false;
+    const double spacing = lab->editing.draft->lattice.spacing;
+    for (size_t i = 0; i < sizeof moves / sizeof *moves; i++)
+        if (strcmp(key, moves[i].keys[0]) == 0 || strcmp(key, moves[i].keys[1]) == 0) {
+            shift(lab, (double[]){moves[i].x * moves[i].spacings * spacing,
+                                  moves[i].y * moves[i].spacings * spacing});
+            say_place(lab);
+            return true;
+        }
+    if (strcmp(key, "Enter") == 0) {
+        take(lab);
+    } else if (strcmp(key, "Esc") == 0 || strcmp(key, "F10") == 0 || strcmp(key, "q") == 0) {
+        end_placing(lab);
+    } else if (strcmp(key, "Tab") == 0) {
+        if (has_ends(lab->editing.draft, shown))
+            shown->end = (shown->end + 1) % ROW_ENDS;
+        say_place(lab);
+    } else
+        say_place(lab);
+    return true;
+}
+
+/* An end comes to the nearest whole spacing, between the nodes. */
+void row_edit_point(Laboratory *lab, int x, int y)
+{
+    const RowsShown *shown = &lab->screen.parameters.rows;
+    const Settings *draft = lab->editing.draft;
+    double place[2], by[2] = {0, 0};
+    int columns[2];
+    if (!shown->placing || !view_map_place(&lab->screen, lab->width, lab->height, x, y, place))
+        return;
+    columns_of_end(draft, shown->kind, shown->row, shown->end == ROW_SECOND_END, columns);
+    for (int axis = 0; axis < 2; axis++)
+        if (columns[axis] >= 0)
+            by[axis] = draft->lattice.spacing * round(place[axis] / draft->lattice.spacing) -
+                       settings_row_value(draft, shown->kind, shown->row, columns[axis]);
+    shift(lab, by);
+    say_place(lab);
+}
+
+/* --- commands
+ * ------------------------------------------------------------------------------------------------ */
+
+static bool have_rows(Laboratory *lab)
+{
+    const bool any = settings_have_rows(experiment_settings(lab->screen.experiment), ROWS_CUTS);
+    if (!any)
+        laboratory_say(lab, MESSAGE_INFO,
+                       "there are no cuts, loads or supports to be edited here: a plate has");
+    return any;
+}
+
+/* A row that is there; false: none is chosen, and that is said. */
+static bool chosen(Laboratory *lab, int *kind, int *row)
+{
+    const bool any = lab->screen.panes.focus == PANE_PARAMETERS && !lab->screen.lesson.open &&
+                     screen_selected_row(&lab->screen, kind, row) && *row != ROW_NEW;
+    if (!any) /* where it is not marked nobody sees which one it is */
+        laboratory_say(lab, MESSAGE_INFO, "choose a cut, load, support ... among the parameters first");
+    return any;
+}
+
+/* Puts a row into the draft and lets it be moved. */
+static void place_new(Laboratory *lab, int kind, const char *values)
+{
+    Settings *draft = lab->editing.draft;
+    char name[ROW_NAME_MAX];
+    Status status = {STATUS_DONE, ""};
+    new_name(draft, kind, name);
+    if (settings_row_set(draft, kind, name, values, &status))
+        begin_placing(lab, kind, settings_row_find(draft, kind, name), ROW_BOTH_ENDS);
+    else
+        laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
+}
+
+void row_edit_add(Laboratory *lab)
+{
+    int kind = ROWS_CUTS, row;
+    if (!have_rows(lab))
+        return;
+    if (!screen_selected_row(&lab->screen, &kind, &row) || !row_kinds[kind].fresh)
+        kind = ROWS_CUTS;
+    *lab->editing.draft = *experiment_settings(lab->screen.experiment);
+    place_new(lab, kind, row_kinds[kind].fresh);
+}
+
+void row_edit_copy(Laboratory *lab)
+{
+    int kind, row;
+    char values[ROW_TEXT_MAX];
+    if (!have_rows(lab) || !chosen(lab, &kind, &row))
+        return;
+    if (!row_kinds[kind].fresh) {
+        laboratory_say(lab, MESSAGE_INFO, "there is one %s only", row_kinds[kind].one);
+        return;
+    }
+    *lab->editing.draft = *experiment_settings(lab->screen.experiment);
+    settings_row_get(lab->editing.draft, kind, row, values);
+    place_new(lab, kind, values);
+}
+
+void row_edit_delete(Laboratory *lab)
+{
+    int kind, row;
+    Status status = {STATUS_DONE, ""};
+    if (!have_rows(lab) || !chosen(lab, &kind, &row))
+        return;
+    Settings settings = *experiment_settings(lab->screen.experiment);
+    char name[ROW_NAME_MAX];
+    snprintf(name, sizeof name, "%s", settings.rows[kind].rows[row].name);
+    if (!row_kinds[kind].fresh)
+        laboratory_say(lab, MESSAGE_INFO, "the %s stays: it can be moved", row_kinds[kind].one);
+    else if (!settings_row_remove(&settings, kind, name, &status) || !apply(lab, &settings, &status))
+        laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
+    else
+        laboratory_say(lab, MESSAGE_INFO, "%s %s is gone; u brings it back", row_kinds[kind].one, name);
+}
+
+void row_edit_move(Laboratory *lab)
+{
+    int kind, row;
+    if (!have_rows(lab) || !chosen(lab, &kind, &row))
+        return;
+    *lab->editing.draft = *experiment_settings(lab->screen.experiment);
+    begin_placing(lab, kind, row, row_kinds[kind].usual ? ROW_BOTH_ENDS : ROW_FIRST_END);
+}

@@ -1,0 +1,115 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* From the words of the command line to a laboratory on its host, with the session that is kept of it. */
+#include "lab/session/laboratory_main.h"
+
+#include "base/output.h"
+#include "base/visible.h"
+#include "lab/laboratory.h"
+#include "lab/lesson/lesson_progress.h"
+#include "terminal/loop.h"
+#include "lab/session/script.h"
+#include "lab/session/session.h"
+#include "lab/session/state_file.h"
+#include "plain/plain.h"
+
+#include <errno.h>
+#include <locale.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static const char *const last_session = "last.session";
+
+/* The session that is to be done again, if one is; its scenario takes the place of that of the options. */
+static bool open_replay(LaboratoryOptions *options, Session **replay, Status *status)
+{
+    char *last = options->last ? state_file(last_session) : NULL;
+    const char *file = options->last ? last : options->replay;
+    bool sound = true;
+    if (options->last && (!last || access(last, F_OK) != 0))
+        sound = status_fail(status, STATUS_USAGE, "--last: no session has been kept (%s)",
+                            last ? last : "there is no home folder");
+    else if (file) {
+        *replay = session_read(file, status);
+        sound = *replay != NULL;
+    }
+    if (sound && *replay) {
+        char origin[SESSION_ORIGIN_MAX];
+        session_options(*replay, options);
+        options->fast |= options->last;
+        session_origin(*replay, origin, sizeof origin);
+        if (*origin && (options->script || options->camera || options->plain)) /* else the screen says it */
+            visible_print(stderr, "matvib: %s: %s\n", file, origin);
+    }
+    free(last);
+    return sound;
+}
+
+static bool open_recording(const LaboratoryOptions *options, Session **recording, Status *status)
+{
+    if (options->record && !output_may_begin(options->record, options->force, status))
+        return false;
+    *recording = session_begin(options, status);
+    if (*recording && options->record)
+        session_record(*recording, options->record, options->force);
+    return *recording != NULL;
+}
+
+/* Nobody sits there: keys come from a file. */
+static bool is_unattended(const LaboratoryOptions *options)
+{
+    return options->script || options->camera || (options->plain && !isatty(STDIN_FILENO));
+}
+
+/* Finishes the recording that was asked for, and keeps the last session of a terminal; that the latter cannot
+ * be kept is no failure. */
+static bool keep(const LaboratoryOptions *options, Session *recording, Status *status)
+{
+    const bool sound = session_finish(recording, status);
+    char *last = is_unattended(options) ? NULL : state_file(last_session);
+    Status ignored = {0};
+    if (last) {
+        output_make_own_folders(ASKER_COMMAND_LINE, last);
+        output_remove_remains(last);
+        session_keep(recording, last, &ignored);
+    }
+    free(last);
+    return sound;
+}
+
+/* Nothing has been kept of an earlier session. A script never counts as a first start. */
+static bool is_first_start(const LaboratoryOptions *options)
+{
+    char *last = is_unattended(options) ? NULL : state_file(last_session);
+    const bool first = last && access(last, F_OK) != 0;
+    free(last);
+    return first;
+}
+
+int laboratory_main(const LaboratoryOptions *given, Status *status)
+{
+    LaboratoryOptions options = *given;
+    Session *replay = NULL, *recording = NULL;
+    int result = STATUS_DONE, reached[LESSONS_MAX] = {0};
+    lesson_progress_read(reached);
+    options.reached = reached;
+    options.first_start = is_first_start(&options);
+    /* names, widths and the character set are the user's; numbers have a point everywhere */
+    setlocale(LC_ALL, "");
+    /* a film has the characters of UTF-8, whatever the terminal has that asked for it */
+    if (options.camera && !setlocale(LC_CTYPE, "C.UTF-8"))
+        setlocale(LC_CTYPE, "en_US.UTF-8");
+    setlocale(LC_NUMERIC, "C");
+    if (!open_replay(&options, &replay, status) || !open_recording(&options, &recording, status)) {
+        result = (int)status->code;
+    } else {
+        result = options.plain ? plain_play(stdin, "standard input", stdout, &options, recording, status)
+                 : options.script || options.camera ? script_run(&options, replay, recording, status)
+                                                    : loop_run(&options, replay, recording, status);
+        if (session_has_keys(recording) && !keep(&options, recording, status) && result == STATUS_DONE)
+            result = (int)status->code;
+    }
+    session_free(replay);
+    session_free(recording);
+    return result;
+}

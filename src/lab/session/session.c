@@ -1,0 +1,309 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Keeping a session: its keys in memory and, as they come, in a file. */
+#include "lab/session/session_internal.h"
+
+#include "base/hash.h"
+#include "base/text.h"
+#include "base/visible.h"
+#include "base/output.h"
+#include "scenario/scenario.h"
+#include "scenario/scenario_lines.h"
+#include "lab/laboratory.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { EVENTS_MAX = 1000000 };
+
+/* --- recording -------------------------------------------------------------------------------------- */
+
+bool session_append(Session *session, const SessionEvent *event)
+{
+    if (session->count == session->room) {
+        size_t room = session->room ? 2 * session->room : 64;
+        SessionEvent *events =
+            room <= 2 * (size_t)EVENTS_MAX ? realloc(session->events, room * sizeof *events) : NULL;
+        if (!events)
+            return false;
+        session->events = events;
+        session->room = room;
+    }
+    session->events[session->count++] = *event;
+    return true;
+}
+
+Session *session_begin(const LaboratoryOptions *options, Status *status)
+{
+    Session *session = calloc(1, sizeof *session);
+    if (!session) {
+        status_fail(status, STATUS_FAILED, "not enough memory for a session");
+        return NULL;
+    }
+    session->settings = *options->settings;
+    session->paused = options->paused;
+    session->first = options->first_start;
+    visible_text(session->scenario, sizeof session->scenario, options->scenario);
+    visible_text(session->lesson, sizeof session->lesson, options->lesson ? options->lesson : "");
+    visible_text(session->student, sizeof session->student, options->student ? options->student : "");
+    snprintf(session->program, sizeof session->program, "%s", PACKAGE_VERSION);
+    session->check = HASH_BEGIN;
+    if (options->reached)
+        memcpy(session->reached, options->reached, sizeof session->reached);
+    return session;
+}
+
+static SessionEvent event_now(const Session *session, const Laboratory *lab, double now)
+{
+    const Experiment *experiment = lab->screen.experiment;
+    return (SessionEvent){.on_the_way = lab->screen.playback.state == STATE_COMPUTING,
+                          .step = experiment_step(experiment),
+                          .stage = experiment_stage(experiment),
+                          .seconds = fmin(fmax(now - session->last, 0), SESSION_SECONDS_MOST),
+                          .width = lab->width,
+                          .height = lab->height,
+                          .key = {.x = -1, .y = -1}};
+}
+
+static bool write_head(FILE *, uint64_t *check, const Session *, Status *);
+static void write_event(FILE *, uint64_t *check, const SessionEvent *);
+
+/* A line is in the file before its key does anything, so that what crashed can be done again. */
+static void record_event(Session *session, const SessionEvent *event)
+{
+    OutputFile *file = &session->file;
+    Status *trouble = &session->trouble;
+    if (!session->begun) {
+        session->begun = true;
+        if (!output_open(file, ASKER_COMMAND_LINE, session->record, session->replaces, trouble) ||
+            !write_head(file->stream, &session->check, session, trouble) || !output_publish(file, trouble))
+            output_close(file);
+    }
+    if (!file->stream)
+        return;
+    write_event(file->stream, &session->check, event);
+    fflush(file->stream);
+    if (!output_sound(file, trouble))
+        output_close(file);
+}
+
+/* Behind a key that was not kept the others would mean something else. */
+static void note(Session *session, const SessionEvent *event, double now)
+{
+    if (!session->full)
+        session->full = !session_append(session, event);
+    if (!session->full && session->record)
+        record_event(session, event);
+    session->last = now;
+}
+
+void session_record(Session *session, const char *file, bool force)
+{
+    session->record = file;
+    session->replaces = force;
+}
+
+/* What is missing in what was recorded or kept, if something is. */
+static bool is_whole(const Session *session, const char *name, Status *status)
+{
+    return !session->full ||
+           status_fail(status, STATUS_FAILED, "%s: memory was short for more than its first %zu keys", name,
+                       session->count);
+}
+
+bool session_is_lost(Session *session, Status *status)
+{
+    if (session->told || !session->begun || (session->trouble.code == STATUS_DONE && !session->full))
+        return false;
+    session->told = true;
+    *status = session->trouble;
+    return session->trouble.code != STATUS_DONE || !is_whole(session, session->record, status);
+}
+
+bool session_finish(Session *session, Status *status)
+{
+    OutputFile *file = &session->file;
+    if (file->stream)
+        output_finish(file, &session->trouble);
+    output_close(file);
+    if (session->trouble.code != STATUS_DONE) {
+        *status = session->trouble;
+        return false;
+    }
+    return !session->begun || is_whole(session, session->record, status);
+}
+
+void session_note_start(Session *session, const Laboratory *lab)
+{
+    session->last = lab->host.now(lab->host.context);
+    session->version = lab->options.lesson ? lab->play.lesson.version : 0;
+}
+
+void session_note(Session *session, const Laboratory *lab, const Key *key)
+{
+    double now = lab->host.now(lab->host.context);
+    SessionEvent event = event_now(session, lab, now);
+    event.key = *key;
+    note(session, &event, now);
+}
+
+void session_note_stop(Session *session, const Laboratory *lab)
+{
+    double now = lab->host.now(lab->host.context);
+    SessionEvent event = event_now(session, lab, now);
+    event.is_stop = true;
+    note(session, &event, now);
+}
+
+void session_note_end(Session *session, const Laboratory *lab)
+{
+    double now = lab->host.now(lab->host.context);
+    SessionEvent event = event_now(session, lab, now);
+    event.is_end = true;
+    note(session, &event, now);
+}
+
+static void put(FILE *file, uint64_t *check, const char *text)
+{
+    *check = hash_bytes(*check, text, strlen(text));
+    fputs(text, file);
+}
+
+static void write_event(FILE *file, uint64_t *check, const SessionEvent *event)
+{
+    char line[SESSION_LINE_MAX] = "";
+    text_append(line, sizeof line, "%s %s%ld",
+                event->is_end    ? "end"
+                : event->is_stop ? "stop"
+                                 : "at",
+                event->on_the_way ? "~" : "", event->step);
+    if (event->stage > 0)
+        text_append(line, sizeof line, "/%d", event->stage);
+    text_append(line, sizeof line, " %.3f %dx%d", event->seconds, event->width, event->height);
+    if (!event->is_end && !event->is_stop)
+        text_append(line, sizeof line, " %s", event->key.name);
+    if (event->key.x >= 0)
+        text_append(line, sizeof line, " %d %d", event->key.x, event->key.y);
+    text_append(line, sizeof line, "\n");
+    put(file, check, line);
+    if (event->is_end)
+        fprintf(file, "check %016" PRIx64 "\n", *check);
+}
+
+static bool write_scenario_lines(FILE *file, const Session *session, Status *status)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *memory = open_memstream(&text, &size);
+    bool sound = memory && scenario_write(memory, &session->settings, NULL, status);
+    if (memory && !text_stream_close(memory, &text))
+        sound = false;
+    for (char *line = text; sound && line && *line;) {
+        size_t length = strcspn(line, "\n");
+        fprintf(file, "|%s%.*s\n", length ? " " : "", (int)length, line);
+        line += length + (line[length] == '\n');
+    }
+    free(text);
+    if (!sound && !*status->text)
+        status_fail(status, STATUS_FAILED, "not enough memory for a session");
+    return sound;
+}
+
+static bool write_head_lines(FILE *file, const Session *session, Status *status)
+{
+    fprintf(file, "# matvib session: matvib --replay FILE does it again\nscenario %s\n%s", session->scenario,
+            session->paused ? "paused\n" : "");
+    if (session->first)
+        fputs("first\n", file);
+    if (*session->lesson)
+        fprintf(file, "lesson %s\n", session->lesson);
+    if (*session->student)
+        fprintf(file, "student %s\n", session->student);
+    fprintf(file, "version %016" PRIx64 " %s\n", session->version, session->program);
+    for (int i = 0; i < LESSONS_MAX && builtin_lessons[i].name; i++)
+        if (session->reached[i] > 0)
+            fprintf(file, "reached %s %d\n", builtin_lessons[i].name, session->reached[i]);
+    return write_scenario_lines(file, session, status);
+}
+
+static bool write_head(FILE *file, uint64_t *check, const Session *session, Status *status)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *memory = open_memstream(&text, &size);
+    bool sound = memory && write_head_lines(memory, session, status);
+    if (memory && !text_stream_close(memory, &text))
+        sound = false;
+    if (sound)
+        put(file, check, text);
+    else if (!*status->text)
+        status_fail(status, STATUS_FAILED, "not enough memory for a session");
+    free(text);
+    return sound;
+}
+
+bool session_keep(const Session *session, const char *name, Status *status)
+{
+    OutputFile file;
+    if (!output_open_own(&file, ASKER_COMMAND_LINE, name, status))
+        return false;
+    uint64_t check = HASH_BEGIN;
+    bool sound = write_head(file.stream, &check, session, status);
+    for (size_t i = 0; i < session->count; i++)
+        write_event(file.stream, &check, &session->events[i]);
+    sound = sound && output_finish(&file, status) && output_commit(&file, status);
+    output_close(&file);
+    return sound && is_whole(session, name, status);
+}
+
+bool session_has_keys(const Session *session)
+{
+    return session->count > 0 || session->full;
+}
+
+void session_options(const Session *session, LaboratoryOptions *options)
+{
+    options->settings = &session->settings;
+    options->scenario = session->scenario;
+    options->paused = session->paused;
+    options->first_start = session->first;
+    options->lesson = *session->lesson ? session->lesson : NULL;
+    options->student = *session->student ? session->student : NULL;
+    options->reached = session->reached;
+}
+
+void session_facts(const Session *session, SessionFacts *facts)
+{
+    *facts = (SessionFacts){.student = session->student,
+                            .lesson = session->lesson,
+                            .program = session->program,
+                            .version = session->version,
+                            .check = session->check,
+                            .keys = session->keys,
+                            .n_keys = session->count,
+                            .ended = session->ended,
+                            .sound = session->sound};
+}
+
+void session_origin(const Session *session, char *out, size_t size)
+{
+    *out = '\0';
+    if (strcmp(session->program, PACKAGE_VERSION) != 0)
+        snprintf(out, size, "of matvib %s: digits may differ", *session->program ? session->program : "1");
+}
+
+const SessionEvent *session_event(const Session *session, size_t index)
+{
+    return index < session->count ? &session->events[index] : NULL;
+}
+
+void session_free(Session *session)
+{
+    if (session) {
+        output_close(&session->file);
+        free(session->events);
+    }
+    free(session);
+}

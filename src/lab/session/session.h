@@ -1,0 +1,106 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A session: the scenario that the laboratory was opened with and every key since, each with the step of the
+ * run at which it came. Doing them again gives the same run to the last bit, however fast the machine is.
+ *
+ * The file is text. "scenario NAME" and lines "| ..." hold the resolved scenario; "paused" that it opened
+ * paused; "first" that it was the first of its user; "lesson NAME" that it opened with a lesson, "reached
+ * NAME PAGE" how far one had come in it, "student NAME" whose homework it is, "version HASH PROGRAM" of the
+ * lesson's text (0: there is none) and the program; then one line a key,
+ *
+ *     at STEP[/STAGE] SECONDS WIDTHxHEIGHT NAME [X Y]
+ *
+ * with the seconds since the line before, for those who replay at the same pace, the size of the screen, and
+ * the cell of a mouse key; "~" before the step says that the run was on its way elsewhere (the key did not
+ * wait for it). "stop STEP[/STAGE] SECONDS WIDTHxHEIGHT" says that what the key before it began, and what is
+ * not cut into frames (a fit, an export, an answer that is looked at), was given up. "end STEP[/STAGE]
+ * SECONDS WIDTHxHEIGHT" says where the session was left, "check HASH" behind it is of all lines before: it
+ * tells a file that was changed by mistake, and nothing against somebody who calculates it anew - what such a
+ * session does is judged by doing it again. */
+#ifndef TUI_SESSION_H
+#define TUI_SESSION_H
+
+#include "base/status.h"
+#include "scenario/settings.h"
+#include "terminal/keys.h"
+#include "lab/session/laboratory_main.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+
+typedef struct Laboratory Laboratory;
+typedef struct Session Session;
+
+enum { SESSION_NAME_MAX = 256, SESSION_ORIGIN_MAX = 128 };
+
+/* One key, and where it came. */
+typedef struct SessionEvent {
+    bool is_end;  /* no key: the session was left here */
+    bool is_stop; /* no key: what the one before began was given up */
+    bool on_the_way;
+    long step;
+    int stage;
+    double seconds; /* since the event before */
+    int width, height;
+    Key key;
+} SessionEvent;
+
+/* Begins to record. NULL: the scenario cannot be written, or no memory. */
+Session *session_begin(const LaboratoryOptions *, Status *);
+
+/* The laboratory is open: from now on time counts. */
+void session_note_start(Session *, const Laboratory *);
+
+/* Notes a key that comes now; where memory is short or the session very long, no more keys are noted. */
+void session_note(Session *, const Laboratory *, const Key *);
+
+/* Notes that the work of the last key is given up. */
+void session_note_stop(Session *, const Laboratory *);
+
+/* Notes that the session is left now. */
+void session_note_end(Session *, const Laboratory *);
+
+/* From the first key on every line goes to this file as it comes, and outlives a crash. */
+void session_record(Session *, const char *file, bool force);
+
+/* Says once that no more lines go to that file, and why. */
+bool session_is_lost(Session *, Status *);
+
+/* That file is complete. False: something is missing in it, and the status says why. */
+bool session_finish(Session *, Status *);
+
+/* Writes what was noted to a file of the program's own, whole or not at all. */
+bool session_keep(const Session *, const char *file, Status *);
+
+bool session_has_keys(const Session *); /* something has been noted, or would have been with more memory */
+
+/* Reads a session to do again. NULL: "FILE:LINE: what is wrong (what is allowed)". */
+Session *session_read(const char *file, Status *);
+Session *session_read_stream(FILE *, const char *name, Status *);
+
+/* Makes the options those of the session: settings, scenario, paused, lesson, reached. */
+void session_options(const Session *, LaboratoryOptions *);
+
+/* What is to be said before it is done again: "of matvib 1.0.0: digits may differ"; "": nothing, it is of
+ * this program. Programs before 2 named themselves only in a lesson. */
+void session_origin(const Session *, char *out, size_t size);
+
+/* What was noted, in order; NULL: there are no more. */
+const SessionEvent *session_event(const Session *, size_t index);
+
+/* What a session says of itself; what it does not say is "" or 0. Valid until it is freed. */
+typedef struct SessionFacts {
+    const char *student, *lesson, *program;
+    uint64_t version; /* of the lesson's text */
+    uint64_t check;   /* of its lines, */
+    uint64_t keys;    /* and of those of its keys and their times alone */
+    size_t n_keys;
+    bool ended; /* it goes on to its end */
+    bool sound; /* its check is that of its lines */
+} SessionFacts;
+
+void session_facts(const Session *, SessionFacts *);
+
+void session_free(Session *); /* NULL is allowed */
+
+#endif

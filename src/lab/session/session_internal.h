@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What a session is made of, for the two files that record and read it. Private to this folder. */
+#ifndef TUI_SESSION_INTERNAL_H
+#define TUI_SESSION_INTERNAL_H
+
+#include "base/output.h"
+#include "lessons/variant.h"
+#include "lab/session/session.h"
+#include "panes/screen.h"
+
+enum { SESSION_LINE_MAX = 1100, SESSION_PROGRAM_MAX = 64 };
+
+#define SESSION_SECONDS_MOST 1e6 /* between two keys: eleven days */
+
+struct Session {
+    Settings settings;
+    char scenario[SESSION_NAME_MAX], lesson[SESSION_NAME_MAX];
+    int reached[LESSONS_MAX];
+    char student[STUDENT_MAX], program[SESSION_PROGRAM_MAX];
+    uint64_t version; /* of the lesson's text */
+    uint64_t check;   /* of the lines so far */
+    uint64_t keys;    /* of those of keys, where it was read */
+    bool ended, sound;
+    bool paused, first;
+    SessionEvent *events;
+    size_t count, room;
+    bool full;
+    const char *record; /* the file that lines go to as they come; NULL: none */
+    bool replaces, begun;
+    OutputFile file; /* behind `record`, once there is a key */
+    Status trouble;  /* why not all of it could be written */
+    bool told;       /* that is known to who sits there */
+    double last;     /* when the last event came, by the host's clock */
+};
+
+/* False: no memory, or the session is very long. */
+bool session_append(Session *, const SessionEvent *);
+
+#endif

@@ -1,0 +1,400 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Reads an expression by descent into steps for a stack, and does them (expression.h). */
+#include "lessons/expression.h"
+
+#include "base/text.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { DEPTH_MAX = 24, TOKEN_MAX = 64 };
+
+typedef struct Parser {
+    Expression *out;
+    const char *at; /* behind the token */
+    char token[TOKEN_MAX];
+    int token_start, token_end; /* in the text; where the one before it ended is `last_end` */
+    int last_end;
+    int depth;
+    Status *status;
+} Parser;
+
+/* --- tokens ----------------------------------------------------------------------------------------- */
+
+static bool is_letter(char c)
+{
+    return isalpha((unsigned char)c) || c == '_';
+}
+
+static size_t number_length(const char *text)
+{
+    size_t length = strspn(text, "0123456789.");
+    if (length > 0 && (text[length] == 'e' || text[length] == 'E')) {
+        const size_t sign = text[length + 1] == '-' || text[length + 1] == '+';
+        const size_t digits = strspn(text + length + 1 + sign, "0123456789");
+        length += digits > 0 ? 1 + sign + digits : 0;
+    }
+    return length;
+}
+
+static size_t token_length(const char *text)
+{
+    size_t length = 0;
+    if (is_letter(*text)) {
+        while (is_letter(text[length]) || isdigit((unsigned char)text[length]) || text[length] == '.' ||
+               (text[length] == '-' && is_letter(text[length + 1])))
+            length++;
+        return length;
+    }
+    if (isdigit((unsigned char)*text) || *text == '.')
+        return number_length(text);
+    if (strchr("<>!", *text) && text[0] && text[1] == '=')
+        return 2;
+    return *text != '\0';
+}
+
+static void next(Parser *parser)
+{
+    parser->last_end = parser->token_end;
+    parser->at += strspn(parser->at, " \t");
+    const size_t length = token_length(parser->at);
+    parser->token_start = (int)(parser->at - parser->out->text);
+    parser->at += length;
+    parser->token_end = (int)(parser->at - parser->out->text);
+    snprintf(parser->token, sizeof parser->token, "%.*s", (int)length, parser->at - length);
+}
+
+static bool is(const Parser *parser, const char *token)
+{
+    return strcmp(parser->token, token) == 0;
+}
+
+static bool take(Parser *parser, const char *token)
+{
+    if (!is(parser, token))
+        return false;
+    next(parser);
+    return true;
+}
+
+static bool expected(Parser *parser, const char *what)
+{
+    return status_fail(parser->status, STATUS_USAGE, "%s is wanted, not: %.40s", what,
+                       *parser->token ? parser->token : "the end of the line");
+}
+
+/* --- steps ------------------------------------------------------------------------------------------ */
+
+static bool put(Parser *parser, ExpressionStep step)
+{
+    Expression *out = parser->out;
+    if (out->n_steps == EXPRESSION_STEPS_MAX)
+        return status_fail(parser->status, STATUS_USAGE, "is too long (at most %d numbers and signs)",
+                           EXPRESSION_STEPS_MAX);
+    out->steps[out->n_steps++] = step;
+    return true;
+}
+
+static bool deeper(Parser *parser)
+{
+    return ++parser->depth <= DEPTH_MAX ||
+           status_fail(parser->status, STATUS_USAGE,
+                       "has too many parentheses within each other (at most %d)", DEPTH_MAX);
+}
+
+static bool read_sum(Parser *);
+static bool read_truth(Parser *);
+
+static bool read_word(Parser *parser, bool was)
+{
+    char word[TOKEN_MAX];
+    const RunNumber *number = run_number_find(parser->token);
+    const Parameter *key = parameter_find(parser->token);
+    snprintf(word, sizeof word, "%s", parser->token);
+    if (!number && !key)
+        return status_fail(parser->status, STATUS_USAGE,
+                           "%.40s is neither a number of a run nor a parameter (see: man 5 matvib)", word);
+    if (was && number && !number->beforehand)
+        return status_fail(parser->status, STATUS_USAGE,
+                           "was %s: is known of a run that has ended only (was is for parameters, mesh and "
+                           "time step)",
+                           word);
+    if (key && key->type == PARAMETER_TEXT)
+        return status_fail(parser->status, STATUS_USAGE, "%s is no number", word);
+    parser->out->has_was |= was;
+    next(parser);
+    return number ? put(parser, (ExpressionStep){.kind = STEP_WORD, .word = number, .was = was})
+                  : put(parser, (ExpressionStep){.kind = STEP_KEY, .key = key, .was = was});
+}
+
+static bool read_number(Parser *parser)
+{
+    double value;
+    if (!text_to_double(parser->token, &value))
+        return expected(parser, "a number");
+    next(parser);
+    take(parser, "%");
+    return put(parser, (ExpressionStep){.kind = STEP_CONSTANT, .number = value});
+}
+
+static bool read_factor(Parser *parser)
+{
+    bool sound;
+    if (!deeper(parser))
+        return false;
+    if (take(parser, "-")) {
+        sound = read_factor(parser) && put(parser, (ExpressionStep){.kind = STEP_MINUS});
+    } else if (take(parser, "abs")) {
+        sound = (take(parser, "(") || expected(parser, "( behind abs")) && read_sum(parser) &&
+                (take(parser, ")") || expected(parser, ")")) &&
+                put(parser, (ExpressionStep){.kind = STEP_ABS});
+    } else if (take(parser, "(")) {
+        sound = read_sum(parser) && (take(parser, ")") || expected(parser, ")"));
+    } else if (take(parser, "was")) {
+        sound = is_letter(*parser->token) ? read_word(parser, true)
+                                          : expected(parser, "a parameter or a word of the mesh behind was");
+    } else if (is_letter(*parser->token)) {
+        sound = read_word(parser, false);
+    } else {
+        sound = read_number(parser);
+    }
+    parser->depth--;
+    return sound;
+}
+
+static bool read_product(Parser *parser)
+{
+    bool sound = read_factor(parser);
+    while (sound && (is(parser, "*") || is(parser, "/"))) {
+        const bool times = is(parser, "*");
+        next(parser);
+        sound =
+            read_factor(parser) && put(parser, (ExpressionStep){.kind = times ? STEP_MULTIPLY : STEP_DIVIDE});
+    }
+    return sound;
+}
+
+static bool read_sum(Parser *parser)
+{
+    bool sound = read_product(parser);
+    while (sound && (is(parser, "+") || is(parser, "-"))) {
+        const bool plus = is(parser, "+");
+        next(parser);
+        sound =
+            read_product(parser) && put(parser, (ExpressionStep){.kind = plus ? STEP_ADD : STEP_SUBTRACT});
+    }
+    return sound;
+}
+
+/* The word of a choice behind its parameter, as the number that settings_number() has for it. */
+static bool read_choice(Parser *parser, const Parameter *key)
+{
+    static const char *const flags[] = {"no", "yes", NULL};
+    const char *const *choices = key->type == PARAMETER_FLAG ? flags : key->choices;
+    char known[160] = "";
+    for (int i = 0; choices[i]; i++) {
+        if (is(parser, choices[i])) {
+            next(parser);
+            return put(parser, (ExpressionStep){.kind = STEP_CONSTANT, .number = i});
+        }
+        text_append(known, sizeof known, "%s%s", i ? " | " : "", choices[i]);
+    }
+    return status_fail(parser->status, STATUS_USAGE, "%s is compared with one of its choices (%s)", key->key,
+                       known);
+}
+
+/* A relation between two sums, or between a parameter and one of its choices. */
+static bool read_relation(Parser *parser)
+{
+    static const struct {
+        const char *token;
+        ExpressionVerb kind;
+    } relations[] = {{"<", STEP_LESS},      {"<=", STEP_NOT_MORE}, {">", STEP_MORE},
+                     {">=", STEP_NOT_LESS}, {"=", STEP_EQUAL},     {"!=", STEP_UNEQUAL}};
+    const int first = parser->out->n_steps;
+    if (!read_sum(parser))
+        return false;
+    const ExpressionStep *step = &parser->out->steps[first];
+    const bool has_words = parser->out->n_steps == first + 1 && step->kind == STEP_KEY &&
+                           (step->key->type == PARAMETER_CHOICE || step->key->type == PARAMETER_FLAG);
+    const Parameter *key = has_words ? step->key : NULL;
+    for (size_t i = 0; i < sizeof relations / sizeof *relations; i++) {
+        if (!is(parser, relations[i].token))
+            continue;
+        if (key && relations[i].kind != STEP_EQUAL && relations[i].kind != STEP_UNEQUAL)
+            return expected(parser, "= or !=");
+        next(parser);
+        return (key ? read_choice(parser, key) : read_sum(parser)) &&
+               put(parser, (ExpressionStep){.kind = relations[i].kind});
+    }
+    return expected(parser, "a relation (< <= > >= = !=)");
+}
+
+/* Whether this parenthesis holds a relation, so that it is one of truths. */
+static bool holds_truth(const Parser *parser)
+{
+    int open = 1;
+    for (const char *c = parser->at; *c && open > 0; c++) {
+        open += (*c == '(') - (*c == ')');
+        if (open > 0 && strchr("<>=", *c))
+            return true;
+    }
+    return false;
+}
+
+static bool read_claim(Parser *parser)
+{
+    bool sound;
+    if (!deeper(parser))
+        return false;
+    if (is(parser, "(") && holds_truth(parser)) {
+        next(parser);
+        sound = read_truth(parser) && (take(parser, ")") || expected(parser, ")"));
+    } else {
+        sound = read_relation(parser);
+    }
+    parser->depth--;
+    return sound;
+}
+
+static bool read_either(Parser *parser)
+{
+    bool sound = read_claim(parser);
+    while (sound && take(parser, "or"))
+        sound = read_claim(parser) && put(parser, (ExpressionStep){.kind = STEP_OR});
+    return sound;
+}
+
+static bool read_truth(Parser *parser)
+{
+    bool sound = read_either(parser);
+    while (sound && take(parser, "and"))
+        sound = read_either(parser) && put(parser, (ExpressionStep){.kind = STEP_AND});
+    return sound;
+}
+
+/* A goal is a list of claims, each of which is told by itself where it does not hold. */
+static bool read_claims(Parser *parser)
+{
+    Expression *out = parser->out;
+    do {
+        const int text = parser->token_start, first = out->n_steps;
+        if (out->n_claims == EXPRESSION_CLAIMS_MAX)
+            return status_fail(parser->status, STATUS_USAGE, "asks for too much (at most %d things)",
+                               EXPRESSION_CLAIMS_MAX);
+        if (!read_either(parser))
+            return false;
+        out->claims[out->n_claims++] = (ExpressionClaim){text, parser->last_end - text, first, out->n_steps};
+    } while (take(parser, "and"));
+    return true;
+}
+
+bool expression_read(const char *text, ExpressionKind kind, Expression *out, Status *status)
+{
+    *out = (Expression){.kind = kind};
+    if (strlen(text) >= sizeof out->text)
+        return status_fail(status, STATUS_USAGE, "is too long (at most %d bytes)", EXPRESSION_MAX - 1);
+    strcpy(out->text, text);
+    Parser parser = {.out = out, .at = out->text, .status = status};
+    next(&parser);
+    return (kind == EXPRESSION_TRUTH ? read_claims(&parser) : read_sum(&parser)) &&
+           (!*parser.token || expected(&parser, kind == EXPRESSION_TRUTH ? "and, or" : "+ - * /"));
+}
+
+/* --- values ----------------------------------------------------------------------------------------- */
+
+static double value_of(const ExpressionStep *step, const ExpressionRun *run)
+{
+    if (step->kind == STEP_CONSTANT)
+        return step->number;
+    if (step->kind == STEP_WORD)
+        return step->word->value(run->summary, step->word->word);
+    /* what the run does not have is not known; nor is a word that stands for "as it comes" a number */
+    char text[LIST_MAX];
+    if (!parameter_applies_to(run->settings, step->key))
+        return NAN;
+    settings_get(run->settings, step->key, text);
+    const char *automatic = parameter_automatic(step->key, run->settings->problem);
+    return automatic && strcmp(automatic, text) == 0 ? NAN : settings_number(run->settings, step->key);
+}
+
+/* The truth of a relation or the number of a sign, from what stands left and right of it. */
+static double combine(const ExpressionStep *step, double a, double b)
+{
+    switch (step->kind) {
+    case STEP_ADD:
+        return a + b;
+    case STEP_SUBTRACT:
+        return a - b;
+    case STEP_MULTIPLY:
+        return a * b;
+    case STEP_DIVIDE:
+        return a / b;
+    case STEP_LESS:
+        return a < b;
+    case STEP_NOT_MORE:
+        return a <= b;
+    case STEP_MORE:
+        return a > b;
+    case STEP_NOT_LESS:
+        return a >= b;
+    case STEP_EQUAL:
+        return a == b;
+    case STEP_UNEQUAL:
+        return a != b && !isnan(a) && !isnan(b);
+    case STEP_AND:
+        return a != 0 && b != 0;
+    case STEP_OR:
+        return a != 0 || b != 0;
+    default:
+        return NAN;
+    }
+}
+
+/* Does the steps from `first` to before `end`; *left: what stood left of the relation, where there is one
+ * only.
+ */
+static double calculate(const Expression *expression, int first, int end, const ExpressionRun *now,
+                        const ExpressionRun *was, double *left)
+{
+    double stack[EXPRESSION_STEPS_MAX];
+    int top = 0, relations = 0;
+    for (int i = first; i < end; i++) {
+        const ExpressionStep *step = &expression->steps[i];
+        if (step->kind <= STEP_KEY) {
+            stack[top++] = value_of(step, step->was ? was : now);
+        } else if (step->kind == STEP_MINUS || step->kind == STEP_ABS) {
+            const double a = stack[top - 1];
+            stack[top - 1] = step->kind == STEP_MINUS ? -a : fabs(a);
+        } else {
+            const double a = stack[top - 2], b = stack[--top];
+            if (step->kind >= STEP_LESS && step->kind <= STEP_UNEQUAL)
+                *left = relations++ == 0 ? a : NAN;
+            stack[top - 1] = combine(step, a, b);
+        }
+    }
+    return top > 0 ? stack[0] : NAN;
+}
+
+double expression_value(const Expression *expression, const ExpressionRun *now, const ExpressionRun *was)
+{
+    double left = NAN;
+    if (expression->kind == EXPRESSION_TRUTH)
+        return expression_failing(expression, now, was, &left) < 0;
+    return calculate(expression, 0, expression->n_steps, now, was, &left);
+}
+
+int expression_failing(const Expression *expression, const ExpressionRun *now, const ExpressionRun *was,
+                       double *left)
+{
+    for (int i = 0; i < expression->n_claims; i++) {
+        const ExpressionClaim *claim = &expression->claims[i];
+        *left = NAN;
+        if (calculate(expression, claim->first, claim->end, now, was, left) == 0)
+            return i;
+    }
+    return -1;
+}

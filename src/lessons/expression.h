@@ -1,0 +1,89 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What an exercise asks of a run, as a line of text: "abs(error) < 1 and cells <= 60 and dt >= was dt".
+ *
+ *     truth    either { "and" either }
+ *     either   claim { "or" claim }
+ *     claim    sum relation sum | KEY ("=" | "!=") WORD | "(" truth ")"
+ *     relation "<" | "<=" | ">" | ">=" | "=" | "!="
+ *     sum      product { ("+" | "-") product }
+ *     product  factor { ("*" | "/") factor }
+ *     factor   NUMBER ["%"] | ["was"] WORD | ["was"] KEY | "abs" "(" sum ")" | "(" sum ")" | "-" factor
+ *
+ * WORD is a number of a run (run_numbers.h), KEY a parameter ("mesh.cell_size"); a parameter with choices is
+ * compared with one of them. The rows of a plate ("loads.top.sy") are no parameters and cannot be asked for.
+ * `was` takes the value that a parameter, the mesh or the step had as the page was opened. "or" binds closer
+ * than "and", so that what a goal asks for can be read off as a list. A % behind a number only says its unit:
+ * errors are in percent already. What is not known fulfils no relation. */
+#ifndef LAB_EXPRESSION_H
+#define LAB_EXPRESSION_H
+
+#include "lessons/run_numbers.h"
+#include "scenario/parameters.h"
+
+enum { EXPRESSION_MAX = 240, EXPRESSION_STEPS_MAX = 96, EXPRESSION_CLAIMS_MAX = 8 };
+
+typedef enum ExpressionKind { EXPRESSION_NUMBER, EXPRESSION_TRUTH } ExpressionKind;
+
+typedef enum ExpressionVerb {
+    STEP_CONSTANT,
+    STEP_WORD,
+    STEP_KEY,
+    STEP_MINUS,
+    STEP_ABS,
+    STEP_ADD,
+    STEP_SUBTRACT,
+    STEP_MULTIPLY,
+    STEP_DIVIDE,
+    STEP_LESS,
+    STEP_NOT_MORE,
+    STEP_MORE,
+    STEP_NOT_LESS,
+    STEP_EQUAL,
+    STEP_UNEQUAL,
+    STEP_AND,
+    STEP_OR
+} ExpressionVerb;
+
+/* One step of a calculation with a stack. */
+typedef struct ExpressionStep {
+    ExpressionVerb kind;
+    bool was;
+    double number;
+    const RunNumber *word;
+    const Parameter *key;
+} ExpressionStep;
+
+/* A part between "and" and "and": its text and its steps. */
+typedef struct ExpressionClaim {
+    int text, length;
+    int first, end;
+} ExpressionClaim;
+
+typedef struct Expression {
+    char text[EXPRESSION_MAX];
+    ExpressionKind kind;
+    ExpressionStep steps[EXPRESSION_STEPS_MAX];
+    int n_steps;
+    ExpressionClaim claims[EXPRESSION_CLAIMS_MAX]; /* of a truth */
+    int n_claims;
+    bool has_was;
+} Expression;
+
+/* A run that it is held against. */
+typedef struct ExpressionRun {
+    const Settings *settings;
+    const RunSummary *summary;
+} ExpressionRun;
+
+/* Reads one of the kind that is wanted. False: the status says what is wrong, and where. */
+bool expression_read(const char *text, ExpressionKind, Expression *, Status *);
+
+/* Its value, 1 or 0 of a truth; NAN: not known. `was` is for words behind "was", with what is known
+ * beforehand. */
+double expression_value(const Expression *, const ExpressionRun *now, const ExpressionRun *was);
+
+/* The first claim that does not hold: its index, -1 where all do; *left is what stands left of its relation,
+ * NAN where it has none or several. */
+int expression_failing(const Expression *, const ExpressionRun *now, const ExpressionRun *was, double *left);
+
+#endif

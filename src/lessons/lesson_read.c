@@ -1,0 +1,434 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Reads and checks a lesson (lesson.h): lines, commands by the table of keywords, then what a page must
+ * and must not have. Every error names file and line. Nothing is executed here; the laboratory plays the
+ * pages. */
+#include "lessons/lesson.h"
+
+#include "base/hash.h"
+#include "base/input.h"
+#include "base/text.h"
+#include "base/visible.h"
+#include "run/stop.h"
+#include "scenario/parameters.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { ACTIONS_MAX = 32, TEXT_BYTES_MAX = 4096, LINE_BYTES_MAX = 4096 };
+
+/* Where reading stands. */
+typedef struct Reader {
+    Lesson *lesson;
+    LessonPage *page; /* NULL: before the first */
+    LessonPart *part; /* of the page that is being read */
+    bool paragraph;   /* the next line of text goes on with the last */
+    bool opened;      /* up to the page's question a scenario has been opened, */
+    bool opens;       /* or is behind it */
+    LessonJudge may_do;
+    Status *status;
+} Reader;
+
+static bool no_memory(Status *status)
+{
+    return status_fail(status, STATUS_FAILED, "not enough memory for a lesson");
+}
+
+static bool keep(Reader *reader, char **where, const char *text)
+{
+    free(*where);
+    *where = strdup(text);
+    return *where || no_memory(reader->status);
+}
+
+/* --- lines ------------------------------------------------------------------------------------------ */
+
+static bool read_title(Reader *reader, const char *text)
+{
+    return keep(reader, &reader->lesson->title, text);
+}
+
+static bool read_about(Reader *reader, const char *text)
+{
+    return keep(reader, &reader->lesson->about, text);
+}
+
+/* What must and must not stand on one page. */
+static bool judge_page(const Reader *reader, const LessonPage *page, Status *status)
+{
+    const ExerciseKind exercise = page->exercise ? page->exercise->kind : EXERCISE_NONE;
+    const bool asks = exercise == EXERCISE_NUMBER || exercise == EXERCISE_WORDS;
+    const bool reveals = reader->part == &page->revealed;
+    if (page->question && exercise == EXERCISE_GOAL)
+        return status_fail(status, STATUS_USAGE, "page \"%.40s\" asks (@ask) and has a @goal (one of them)",
+                           page->title);
+    if (page->question && !asks && (page->n_choices < 2 || page->right < 0))
+        return status_fail(
+            status, STATUS_USAGE,
+            "the question of page \"%.40s\" wants two choices at least, one of them @right, or "
+            "@answer or @words",
+            page->title);
+    if (page->question && asks && page->n_choices > 0)
+        return status_fail(status, STATUS_USAGE,
+                           "the question of page \"%.40s\" has choices and @%s (one of them)", page->title,
+                           exercise == EXERCISE_NUMBER ? "answer" : "words");
+    if (exercise == EXERCISE_GOAL && page->solution.n_actions == 0)
+        return status_fail(status, STATUS_USAGE, "the goal of page \"%.40s\" wants a way to it (@solve LINE)",
+                           page->title);
+    if (exercise != EXERCISE_GOAL && page->solution.n_actions > 0)
+        return status_fail(status, STATUS_USAGE, "page \"%.40s\" solves (@solve) what is no @goal",
+                           page->title);
+    if (!page->question && reveals && page->until.kind == UNTIL_NOTHING)
+        return status_fail(status, STATUS_USAGE,
+                           "page \"%.40s\" reveals, but neither asks (@ask) nor waits for anything (@until)",
+                           page->title);
+    if (!page->question && page->revealed.n_actions > 0)
+        return status_fail(status, STATUS_USAGE,
+                           "page \"%.40s\" does something after its goal: only an "
+                           "answer is followed by @do",
+                           page->title);
+    return true;
+}
+
+const char *lesson_opening(const char *line)
+{
+    static const char *const words[] = {"open ", "full "};
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
+        const char *name = line + strlen(words[i]);
+        if (strncmp(line, words[i], strlen(words[i])) == 0 && name[strspn(name, " ")])
+            return name + strspn(name, " ");
+    }
+    return NULL;
+}
+
+static bool end_page(Reader *reader)
+{
+    const LessonPage *page = reader->page;
+    if (!page)
+        return true;
+    const ExerciseKind kind = lesson_exercise(page);
+    const bool of_run = kind == EXERCISE_NUMBER || kind == EXERCISE_GOAL;
+    if (of_run && !reader->opened)
+        return status_fail(reader->status, STATUS_USAGE,
+                           "page \"%.40s\" asks about a run that no page up to it opens (@do open SCENARIO)",
+                           page->title);
+    reader->opened |= reader->opens;
+    return judge_page(reader, page, reader->status);
+}
+
+static bool read_page(Reader *reader, const char *text)
+{
+    Lesson *lesson = reader->lesson;
+    if (!end_page(reader))
+        return false;
+    if (lesson->n_pages == LESSON_PAGES_MAX)
+        return status_fail(reader->status, STATUS_USAGE, "too many pages (at most %d)", LESSON_PAGES_MAX);
+    LessonPage *pages = realloc(lesson->pages, (size_t)(lesson->n_pages + 1) * sizeof *pages);
+    if (!pages)
+        return no_memory(reader->status);
+    lesson->pages = pages;
+    reader->page = &pages[lesson->n_pages++];
+    *reader->page = (LessonPage){.right = -1};
+    reader->part = &reader->page->first;
+    return keep(reader, &reader->page->title, text);
+}
+
+static bool add_action(Reader *reader, LessonPart *part, const char *word, const char *text)
+{
+    if (!reader->may_do(text, reader->status))
+        return status_prefix(reader->status, "%s", word);
+    if (part->n_actions == ACTIONS_MAX)
+        return status_fail(reader->status, STATUS_USAGE, "too many things to do (at most %d)", ACTIONS_MAX);
+    char **actions = realloc(part->actions, (size_t)(part->n_actions + 1) * sizeof *actions);
+    if (!actions)
+        return no_memory(reader->status);
+    part->actions = actions;
+    actions[part->n_actions] = NULL;
+    return keep(reader, &actions[part->n_actions++], text);
+}
+
+static bool read_do(Reader *reader, const char *text)
+{
+    bool *opens = reader->part == &reader->page->first ? &reader->opened : &reader->opens;
+    *opens |= lesson_opening(text) != NULL;
+    return add_action(reader, reader->part, "@do", text);
+}
+
+static bool read_solve(Reader *reader, const char *text)
+{
+    return add_action(reader, &reader->page->solution, "@solve", text);
+}
+
+/* Until it is known who reads, the parameter stays as it is. */
+static bool read_variant(Reader *reader, const char *text)
+{
+    Lesson *lesson = reader->lesson;
+    LessonPart *part = reader->part;
+    char line[KEY_MAX + 8];
+    if (part != &reader->page->first)
+        return status_fail(reader->status, STATUS_USAGE, "@variant stands before @reveal");
+    if (lesson->n_variants == LESSON_VARIANTS_MAX)
+        return status_fail(reader->status, STATUS_USAGE, "too many variants (at most %d)",
+                           LESSON_VARIANTS_MAX);
+    LessonVariant *variant = &lesson->variants[lesson->n_variants];
+    *variant = (LessonVariant){.page = lesson->n_pages - 1, .action = part->n_actions};
+    if (!variant_read(text, &variant->variant, reader->status))
+        return status_prefix(reader->status, "@variant");
+    lesson->n_variants++;
+    snprintf(line, sizeof line, "set %s 1", variant->variant.key);
+    return add_action(reader, part, "@variant", line);
+}
+
+static bool new_exercise(Reader *reader, bool (*read)(const char *, Exercise *, Status *), const char *word,
+                         const char *text)
+{
+    LessonPage *page = reader->page;
+    if (page->exercise)
+        return status_fail(reader->status, STATUS_USAGE, "a page has one exercise only");
+    page->exercise = calloc(1, sizeof *page->exercise);
+    if (!page->exercise)
+        return no_memory(reader->status);
+    if (!read)
+        page->exercise->kind = EXERCISE_WORDS;
+    return !read || read(text, page->exercise, reader->status) || status_prefix(reader->status, "@%s", word);
+}
+
+static bool has_asked(const Reader *reader)
+{
+    return reader->page->question ||
+           status_fail(reader->status, STATUS_USAGE, "an answer comes after its question (@ask)");
+}
+
+static bool read_answer(Reader *reader, const char *text)
+{
+    return has_asked(reader) && new_exercise(reader, exercise_read_answer, "answer", text);
+}
+
+static bool read_words(Reader *reader, const char *text)
+{
+    return has_asked(reader) && new_exercise(reader, NULL, "words", text);
+}
+
+static bool read_goal(Reader *reader, const char *text)
+{
+    if (reader->page->until.kind != UNTIL_NOTHING)
+        return status_fail(reader->status, STATUS_USAGE, "a page has one goal (@until or @goal)");
+    reader->page->until = (LessonUntil){.kind = UNTIL_GOAL};
+    return new_exercise(reader, exercise_read_goal, "goal", text);
+}
+
+static bool read_field(Reader *reader, const char *text)
+{
+    LessonPage *page = reader->page;
+    if (!parameter_find(text))
+        return status_fail(reader->status, STATUS_USAGE, "%.40s is no parameter (see: matvib params)", text);
+    if (page->n_fields == LESSON_FIELDS_MAX)
+        return status_fail(reader->status, STATUS_USAGE, "too many fields (at most %d)", LESSON_FIELDS_MAX);
+    snprintf(page->fields[page->n_fields++], KEY_MAX, "%.*s", KEY_MAX - 1, text);
+    return true;
+}
+
+static bool read_ask(Reader *reader, const char *text)
+{
+    if (reader->page->question)
+        return status_fail(reader->status, STATUS_USAGE, "a page asks one question only");
+    return keep(reader, &reader->page->question, text);
+}
+
+static bool read_choice(Reader *reader, const char *text)
+{
+    LessonPage *page = reader->page;
+    if (!page->question)
+        return status_fail(reader->status, STATUS_USAGE, "a choice comes after its question (@ask)");
+    if (page->n_choices == LESSON_CHOICES_MAX)
+        return status_fail(reader->status, STATUS_USAGE, "too many choices (at most %d)", LESSON_CHOICES_MAX);
+    return keep(reader, &page->choices[page->n_choices++], text);
+}
+
+static bool read_right(Reader *reader, const char *text)
+{
+    if (reader->page->right >= 0)
+        return status_fail(reader->status, STATUS_USAGE, "one choice only is right");
+    reader->page->right = reader->page->n_choices;
+    return read_choice(reader, text);
+}
+
+static bool read_reveal(Reader *reader, const char *text)
+{
+    (void)text;
+    reader->part = &reader->page->revealed;
+    return true;
+}
+
+static bool read_until(Reader *reader, const char *text)
+{
+    if (reader->page->until.kind == UNTIL_GOAL)
+        return status_fail(reader->status, STATUS_USAGE, "a page has one goal (@until or @goal)");
+    static const struct {
+        const char *word;
+        UntilKind kind;
+        int words; /* behind it */
+    } kinds[] = {{"step", UNTIL_STEP, 1}, {"time", UNTIL_TIME, 1},       {"stage", UNTIL_STAGE, 1},
+                 {"end", UNTIL_END, 0},   {"command", UNTIL_COMMAND, 1}, {"value", UNTIL_VALUE, 2}};
+    for (int i = 0; stop_event_words[i]; i++)
+        if (strcmp(text, stop_event_words[i]) == 0) {
+            reader->page->until = (LessonUntil){.kind = UNTIL_EVENT};
+            strcpy(reader->page->until.word, text);
+            return true;
+        }
+    char word[16] = "", one[KEY_MAX] = "", two[VALUE_MAX] = "", more;
+    int count = sscanf(text, "%15s %39s %63s %c", word, one, two, &more) - 1;
+    LessonUntil *until = &reader->page->until;
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
+        if (strcmp(kinds[i].word, word) != 0 || kinds[i].words != count)
+            continue;
+        *until = (LessonUntil){.kind = kinds[i].kind};
+        strcpy(until->word, one);
+        strcpy(until->value, two);
+        bool number = until->kind <= UNTIL_STAGE;
+        if ((!number || (text_to_double(one, &until->number) && until->number >= 0)) &&
+            (until->kind != UNTIL_VALUE || parameter_find(one)))
+            return true;
+    }
+    return status_fail(reader->status, STATUS_USAGE,
+                       "until what? (step N | time T | stage N | end | crossing | break | event | rest | "
+                       "command NAME | value KEY VALUE)");
+}
+
+typedef enum Wants { WANTS_NOTHING, WANTS_TEXT } Wants;
+
+static const struct {
+    const char *word;
+    bool (*read)(Reader *, const char *text);
+    bool of_page;
+    Wants wants;
+} words[] = {
+    {"title", read_title, false, WANTS_TEXT},     {"about", read_about, false, WANTS_TEXT},
+    {"page", read_page, false, WANTS_TEXT},       {"do", read_do, true, WANTS_TEXT},
+    {"field", read_field, true, WANTS_TEXT},      {"ask", read_ask, true, WANTS_TEXT},
+    {"choice", read_choice, true, WANTS_TEXT},    {"right", read_right, true, WANTS_TEXT},
+    {"reveal", read_reveal, true, WANTS_NOTHING}, {"until", read_until, true, WANTS_TEXT},
+    {"variant", read_variant, true, WANTS_TEXT},  {"answer", read_answer, true, WANTS_TEXT},
+    {"words", read_words, true, WANTS_NOTHING},   {"goal", read_goal, true, WANTS_TEXT},
+    {"solve", read_solve, true, WANTS_TEXT},
+};
+
+static bool read_word(Reader *reader, char *line)
+{
+    size_t length = strcspn(line, " ");
+    const char *text = line + length + strspn(line + length, " ");
+    reader->paragraph = false;
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
+        if (strlen(words[i].word) != length || strncmp(words[i].word, line, length) != 0)
+            continue;
+        if (words[i].of_page && !reader->page)
+            return status_fail(reader->status, STATUS_USAGE, "@%s belongs to a page (@page TITLE)",
+                               words[i].word);
+        if (!words[i].of_page && reader->page && words[i].read != read_page)
+            return status_fail(reader->status, STATUS_USAGE, "@%s belongs before the first page",
+                               words[i].word);
+        if ((words[i].wants == WANTS_TEXT) != (*text != '\0'))
+            return status_fail(reader->status, STATUS_USAGE, "@%s: %s", words[i].word,
+                               *text ? "takes nothing" : "something is missing behind it");
+        return words[i].read(reader, text);
+    }
+    char known[240] = "";
+    for (size_t i = 0, used = 0; i < sizeof words / sizeof *words && used < sizeof known; i++)
+        used += (size_t)snprintf(known + used, sizeof known - used, "%s@%s", i ? " | " : "", words[i].word);
+    return status_fail(reader->status, STATUS_USAGE, "@%.*s is not known (%s)",
+                       length < 20 ? (int)length : 20, line, known);
+}
+
+static bool read_text(Reader *reader, const char *line)
+{
+    if (!*line) {
+        reader->paragraph = false;
+        return true;
+    }
+    if (!reader->page)
+        return status_fail(reader->status, STATUS_USAGE, "text belongs to a page (@page TITLE)");
+    if (reader->page->question && reader->part == &reader->page->first)
+        return status_fail(reader->status, STATUS_USAGE,
+                           "a question is one line (text comes before @ask, or after @reveal)");
+    char **text = &reader->part->text, *longer;
+    const char *between = !*text ? "" : reader->paragraph ? " " : "\n";
+    if (asprintf(&longer, "%s%s%s", *text ? *text : "", between, line) < 0)
+        return no_memory(reader->status);
+    free(*text);
+    *text = longer;
+    reader->paragraph = true;
+    return strlen(longer) <= TEXT_BYTES_MAX ||
+           status_fail(reader->status, STATUS_USAGE, "too much text for a page (at most %d bytes)",
+                       TEXT_BYTES_MAX);
+}
+
+static bool read_line(Reader *reader, char *line)
+{
+    for (size_t length = strlen(line); length > 0 && strchr(" \t\r\n", line[length - 1]);)
+        line[--length] = '\0';
+    if (!visible_is_clean(line))
+        return status_fail(reader->status, STATUS_USAGE, "is not text in UTF-8");
+    Lesson *lesson = reader->lesson;
+    lesson->version_1 = hash_bytes(hash_bytes(lesson->version_1, line, strlen(line)), "\n", 1);
+    if (*line == '#')
+        return true;
+    lesson->version = hash_bytes(hash_bytes(lesson->version, line, strlen(line)), "\n", 1);
+    if (!lesson_knows_braces(lesson, line, reader->status))
+        return false;
+    return *line == '@' ? read_word(reader, line + 1) : read_text(reader, line);
+}
+
+bool lesson_read(FILE *stream, const char *name, LessonJudge may_do, Lesson *lesson, Status *status)
+{
+    Reader reader = {.lesson = lesson, .may_do = may_do, .status = status};
+    InputLines lines = {.stream = stream, .name = name};
+    char line[LINE_BYTES_MAX + 1];
+    bool sound = true;
+    InputGot got;
+    *lesson = (Lesson){.version = HASH_BEGIN, .version_1 = HASH_BEGIN};
+    while (sound && (got = input_line(&lines, line, sizeof line, status)) != INPUT_END)
+        if (got == INPUT_WRONG)
+            sound = false;
+        else if (!(sound = read_line(&reader, line)))
+            status_prefix(status, "%s:%ld", name, lines.number);
+    if (sound && (!lesson->title || lesson->n_pages == 0))
+        sound = status_fail(status, STATUS_USAGE, "%s: is no lesson (@title and a @page are wanted)", name);
+    else if (sound && !end_page(&reader)) {
+        status_prefix(status, "%s", name);
+        sound = false;
+    }
+    if (!sound)
+        lesson_free(lesson);
+    return sound;
+}
+
+ExerciseKind lesson_exercise(const LessonPage *page)
+{
+    return page->exercise ? page->exercise->kind : page->question ? EXERCISE_CHOICE : EXERCISE_NONE;
+}
+
+static void free_part(LessonPart *part)
+{
+    free(part->text);
+    for (int i = 0; i < part->n_actions; i++)
+        free(part->actions[i]);
+    free(part->actions);
+}
+
+void lesson_free(Lesson *lesson)
+{
+    for (int i = 0; i < lesson->n_pages; i++) {
+        LessonPage *page = &lesson->pages[i];
+        free(page->title);
+        free(page->question);
+        for (int k = 0; k < page->n_choices; k++)
+            free(page->choices[k]);
+        free_part(&page->first);
+        free_part(&page->revealed);
+        free_part(&page->solution);
+        free(page->exercise);
+    }
+    free(lesson->pages);
+    free(lesson->title);
+    free(lesson->about);
+    *lesson = (Lesson){0};
+}

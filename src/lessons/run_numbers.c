@@ -1,0 +1,208 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The table of a run's numbers (run_numbers.h). */
+#include "lessons/run_numbers.h"
+
+#include "problems/problem.h"
+
+#include <math.h>
+#include <string.h>
+
+static double measured(const RunSummary *run, const char *word)
+{
+    (void)word;
+    return run->readout.measured_known ? run->readout.measured : NAN;
+}
+
+static double predicted(const RunSummary *run, const char *word)
+{
+    (void)word;
+    return run->readout.predicted_known ? run->readout.predicted : NAN;
+}
+
+static double exact(const RunSummary *run, const char *word)
+{
+    (void)word;
+    return run->readout.exact_known ? run->readout.exact : NAN;
+}
+
+static double error(const RunSummary *run, const char *word)
+{
+    (void)word;
+    return run->readout.error_frequency;
+}
+
+static double period_error(const RunSummary *run, const char *word)
+{
+    (void)word;
+    return run->readout.error_period;
+}
+
+static double predicted_error(const RunSummary *run, const char *word)
+{
+    (void)word;
+    return run->readout.predicted_error_frequency;
+}
+
+static double late(const RunSummary *run, const char *word)
+{
+    (void)word;
+    return run->readout.late;
+}
+
+static double energy_change(const RunSummary *run, const char *word)
+{
+    (void)word;
+    return run->energy_measure == ENERGY_NOT_KNOWN ? NAN : run->energy_change;
+}
+
+static double last_time(const RunSummary *run, const char *word)
+{
+    (void)word;
+    return run->time;
+}
+
+static double steps(const RunSummary *run, const char *word)
+{
+    (void)word;
+    return (double)run->steps;
+}
+
+static double derived(const RunSummary *run, const char *word)
+{
+    for (int i = 0; i < run->n_derived; i++)
+        if (strcmp(run->derived[i].name, word) == 0)
+            return run->derived[i].value;
+    return NAN;
+}
+
+/* Of the notched beam's crack; of a plate what its cracks have. */
+static double crack(const RunSummary *run, double value)
+{
+    return run->crack_known ? value : NAN;
+}
+
+static double either(const RunSummary *run, double of_crack, double of_fronts)
+{
+    return run->fronts_known ? of_fronts : crack(run, of_crack);
+}
+
+static double crack_start(const RunSummary *run, const char *word)
+{
+    (void)word;
+    return crack(run, run->crack.measured.first_break);
+}
+
+static double crack_angle_all(const RunSummary *run, const char *word)
+{
+    (void)word;
+    return either(run, run->crack.angle, run->fronts.angle);
+}
+
+static double crack_length(const RunSummary *run, const char *word)
+{
+    (void)word;
+    return crack(run, run->crack.measured.length);
+}
+
+static double crack_speed(const RunSummary *run, const char *word)
+{
+    (void)word;
+    return either(run, run->crack.measured.fastest, run->fronts.fastest);
+}
+
+static double broken_bonds(const RunSummary *run, const char *word)
+{
+    (void)word;
+    if (run->crack_known || run->fronts_known)
+        return either(run, (double)run->crack.measured.broken, (double)run->fronts.broken);
+    for (int i = 0; i < run->n_columns; i++)
+        if (strcmp(run->columns[i].quantity.name, "broken_bonds") == 0)
+            return run->last_row[i];
+    return NAN;
+}
+
+static double of_branch(const RunSummary *run, double value)
+{
+    return run->fronts_known && run->fronts.branched ? value : NAN;
+}
+
+static double branch_time(const RunSummary *run, const char *word)
+{
+    (void)word;
+    return of_branch(run, run->fronts.branch_time);
+}
+
+static double branch_angle(const RunSummary *run, const char *word)
+{
+    (void)word;
+    return of_branch(run, run->fronts.half_angle);
+}
+
+static double crack_tips(const RunSummary *run, const char *word)
+{
+    (void)word;
+    return run->fronts_known ? (double)run->fronts.n_tips : NAN;
+}
+
+static double crack_cost_of(const RunSummary *run, const char *word)
+{
+    (void)word;
+    return run->price_known ? run->price.cost.total / run->price.cost.area : NAN;
+}
+
+const RunNumber run_numbers[] = {
+    {"measured", "frequency of a bar (radians per time), period of a beam (s), as measured", measured, false},
+    {"predicted", "the same by the equations of this very mesh or lattice", predicted, false},
+    {"exact", "the same of the continuum, or by beam theory", exact, false},
+    {"error", "error of the measured frequency, %", error, false},
+    {"period_error", "error of the measured period, %", period_error, false},
+    {"predicted_error", "error of the predicted frequency, %", predicted_error, false},
+    {"late", "periods behind the exact answer at the end", late, false},
+    {"energy_change", "change of the energy from the start to the end, %", energy_change, false},
+    {"end", "the time at the end", last_time, false},
+    {"steps", "steps to the end", steps, false},
+    {"dt", "the time step", derived, true},
+    {"cells", "cells of the mesh", derived, true},
+    {"particles", "particles or lattice points", derived, true},
+    {"cells_per_wave", "cells to a wave length", derived, true},
+    {"wave_speed", "speed of waves", derived, true},
+    {"family", "partners of a lattice point inside the body", derived, true},
+    {"bonds", "bonds of the lattice", derived, true},
+    {"real_height", "height that a beam has on its lattice, m", derived, true},
+    {"critical_energy", "energy that an area of crack should cost, J/m^2", derived, true},
+    {"rayleigh_speed", "speed of Rayleigh's wave, m/s", derived, true},
+    {"crack_start", "time of the first break at the notch, s", crack_start, false},
+    {"crack_angle",
+     "angle of the crack's path against the upright, of a plate's fastest against its cut, degrees",
+     crack_angle_all, false},
+    {"crack_length", "length of the crack's path, m", crack_length, false},
+    {"crack_speed", "largest speed of the crack's tip, m/s", crack_speed, false},
+    {"crack_cost", "energy that an area of crack took, J/m^2", crack_cost_of, false},
+    {"broken_bonds", "bonds that broke, those of notch and cuts apart", broken_bonds, false},
+    {"crack_tips", "tips that the cracks of a plate have", crack_tips, false},
+    {"branch_time", "time at which a plate's crack branched first, s", branch_time, false},
+    {"branch_angle", "half of the angle between its branches, degrees", branch_angle, false},
+    {NULL, NULL, NULL, false},
+};
+
+const RunNumber *run_number_find(const char *word)
+{
+    for (const RunNumber *row = run_numbers; row->word; row++)
+        if (strcmp(row->word, word) == 0)
+            return row;
+    return NULL;
+}
+
+bool run_numbers_beforehand(const Settings *settings, RunSummary *summary, Status *status)
+{
+    *summary = (RunSummary){
+        .readout = {
+            .error_frequency = NAN, .error_period = NAN, .predicted_error_frequency = NAN, .late = NAN}};
+    Simulation *sim = problem_simulate(settings, 1, status);
+    if (!sim)
+        return false;
+    summary->dt = sim->dt;
+    summary->n_derived = problem_derived(settings, sim, summary->derived);
+    simulation_destroy(sim);
+    return true;
+}

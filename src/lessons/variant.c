@@ -1,0 +1,205 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Draws values from names (variant.h). */
+#include "lessons/variant.h"
+
+#include "base/hash.h"
+#include "base/math/functions.h"
+#include "base/visible.h"
+#include "scenario/parameters.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#ifdef HAVE_UTF8PROC
+#include <utf8proc.h>
+#endif
+
+enum { VALUES_MOST = 50 };
+
+static bool is_allowed(const Parameter *parameter, double value)
+{
+    return value >= parameter->least && value <= parameter->most &&
+           !(parameter->above_least && value == parameter->least);
+}
+
+/* The distance of neighbouring values, 1, 2 or 5 times a power of ten: mantissa x 10^exponent, the finest
+ * with which there are not more than VALUES_MOST. */
+static void find_step(const Variant *variant, int *mantissa, int *exponent)
+{
+    static const int mantissas[] = {1, 2, 5};
+    const double range = variant->to - variant->from;
+    *exponent = (int)floor(math_log10(range / VALUES_MOST)) - 1;
+    if (variant->whole && *exponent < 0)
+        *exponent = 0;
+    for (;; ++*exponent)
+        for (int i = 0; i < 3; i++) {
+            *mantissa = mantissas[i];
+            if (range / (*mantissa * math_pow(10, *exponent)) <= VALUES_MOST - 1 + 1e-6)
+                return;
+        }
+}
+
+/* All bits of a hash matter for its remainder (the finish of splitmix64, S. Vigna, public domain). */
+static uint64_t mix(uint64_t hash)
+{
+    hash = (hash ^ hash >> 30) * 0xbf58476d1ce4e5b9u;
+    hash = (hash ^ hash >> 27) * 0x94d049bb133111ebu;
+    return hash ^ hash >> 31;
+}
+
+bool variant_read(const char *text, Variant *variant, Status *status)
+{
+    char from[NUMBER_TEXT_MAX], to[NUMBER_TEXT_MAX], more;
+    *variant = (Variant){.from = NAN};
+    if (sscanf(text, "%39s from %31s to %31s %c", variant->key, from, to, &more) != 3 ||
+        !text_to_double(from, &variant->from) || !text_to_double(to, &variant->to))
+        return status_fail(status, STATUS_USAGE, "\"%.60s\" is no variant (KEY from A to B)", text);
+    const Parameter *parameter = parameter_find(variant->key);
+    if (!parameter)
+        return status_fail(status, STATUS_USAGE, "%s is no parameter (see: matvib params)", variant->key);
+    if (parameter->type != PARAMETER_REAL && parameter->type != PARAMETER_INTEGER)
+        return status_fail(status, STATUS_USAGE, "%s has no numbers to draw from", variant->key);
+    variant->whole = parameter->type == PARAMETER_INTEGER;
+    const double range = variant->to - variant->from;
+    if (!(range > 0) || !(range >= 1e-9 * fmax(fabs(variant->from), fabs(variant->to))) ||
+        fabs(variant->from) > 1e100 || fabs(variant->to) > 1e100 || range < 1e-100 ||
+        (variant->whole && (range < 1 || variant->from != floor(variant->from))))
+        return status_fail(status, STATUS_USAGE, "%s: nothing lies between %s and %s (the smaller one first)",
+                           variant->key, from, to);
+    return (is_allowed(parameter, variant->from) && is_allowed(parameter, variant->to)) ||
+           status_fail(status, STATUS_USAGE, "%s: from %s to %s is more than is allowed (see: matvib params)",
+                       variant->key, from, to);
+}
+
+/* The values that there are: whole numbers of steps, from the first to the last. */
+typedef struct Values {
+    int mantissa, exponent;
+    double step, first, last;
+} Values;
+
+static Values values_of(const Variant *variant)
+{
+    Values values;
+    find_step(variant, &values.mantissa, &values.exponent);
+    values.step = values.mantissa * math_pow(10, values.exponent);
+    values.first = ceil(variant->from / values.step - 1e-6);
+    values.last = floor(variant->to / values.step + 1e-6);
+    return values;
+}
+
+/* Written as a whole number of steps, so that no rounding of a product is in it. */
+static void write_value(const Values *values, double steps, char out[NUMBER_TEXT_MAX])
+{
+    char text[NUMBER_TEXT_MAX];
+    snprintf(text, sizeof text, "%.0fe%d", steps * values->mantissa, values->exponent);
+    enum { DIGITS = 6 }; /* more than most have; 8.5e10 is read better than 85000000000 */
+    const double value = strtod(text, NULL);
+    text_rounded(out, value, DIGITS);
+    if (strtod(out, NULL) != value)
+        text_shortest(out, value);
+}
+
+void variant_draw(const Variant *variant, const char *title, const char *student, char out[NUMBER_TEXT_MAX])
+{
+    const Values values = values_of(variant);
+    uint64_t hash = HASH_BEGIN;
+    const char *const parts[] = {student, title, variant->key};
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++)
+        hash = hash_bytes(hash, parts[i], strlen(parts[i]) + 1); /* with the end, so that parts stay parts */
+    const double index = (double)(mix(hash) % (uint64_t)(values.last - values.first + 1));
+    write_value(&values, values.first + index, out);
+}
+
+bool variant_beside(const Variant *variant, const char *value, int direction, char out[NUMBER_TEXT_MAX])
+{
+    const Values values = values_of(variant);
+    const double steps = round(strtod(value, NULL) / values.step) + direction;
+    if (!(steps >= values.first && steps <= values.last))
+        return false;
+    write_value(&values, steps, out);
+    return true;
+}
+
+/* Bytes of the blank that a text begins with: a space, or what only looks like one (no-break, wide, ...). */
+static size_t blank_bytes(const char *text)
+{
+    static const char *const blanks[] = {" ", "\xc2\xa0", "\xe2\x80\xaf", "\xe2\x81\x9f", "\xe3\x80\x80"};
+    for (size_t i = 0; i < sizeof blanks / sizeof *blanks; i++)
+        if (strncmp(text, blanks[i], strlen(blanks[i])) == 0)
+            return strlen(blanks[i]);
+    const bool is_typographic = strncmp(text, "\xe2\x80", 2) == 0 && (unsigned char)text[2] >= 0x80 &&
+                                (unsigned char)text[2] <= 0x8a; /* U+2000 to U+200A */
+    return is_typographic ? 3 : 0;
+}
+
+#ifdef HAVE_UTF8PROC
+static char *compose(const char *text, Status *status)
+{
+    char *composed = (char *)utf8proc_NFC((const utf8proc_uint8_t *)text);
+    if (!composed)
+        status_fail(status, STATUS_FAILED, "not enough memory for a name");
+    return composed;
+}
+#else
+/* Combining marks of letters (U+0300 to U+036F), voicing marks of kana and the parts of Korean syllables. */
+static bool is_combining(const char *text)
+{
+    const unsigned char *byte = (const unsigned char *)text;
+    return byte[0] == 0xcc || (byte[0] == 0xcd && byte[1] < 0xb0) ||
+           (byte[0] == 0xe3 && byte[1] == 0x82 && (byte[2] == 0x99 || byte[2] == 0x9a)) ||
+           (byte[0] == 0xe1 && byte[1] >= 0x84 && byte[1] <= 0x87);
+}
+
+static char *compose(const char *text, Status *status)
+{
+    char *same = strdup(text);
+    for (const char *at = text; same && *at; at++)
+        if (is_combining(at)) {
+            status_fail(status, STATUS_USAGE,
+                        "%.80s: an accent is a character of its own (a letter with its accent as one; this "
+                        "matvib was built without libutf8proc, which joins them)",
+                        text);
+            free(same);
+            return NULL;
+        }
+    if (!same)
+        status_fail(status, STATUS_FAILED, "not enough memory for a name");
+    return same;
+}
+#endif
+
+bool variant_student(const char *text, char out[STUDENT_MAX], Status *status)
+{
+    enum { CHARACTERS_MAX = 60 };
+    size_t used = 0;
+    int characters = 0;
+    bool space = false, fits = true;
+    if (!visible_is_clean(text))
+        return status_fail(status, STATUS_USAGE, "%.80s: is no name (UTF-8 without control characters)",
+                           text);
+    char *name = compose(text, status);
+    if (!name)
+        return false;
+    for (const char *at = name; *at && fits;) {
+        const size_t blank = blank_bytes(at);
+        if (blank > 0) {
+            space = used > 0;
+            at += blank;
+            continue;
+        }
+        characters += ((unsigned char)*at & 0xc0) != 0x80;
+        fits = characters <= CHARACTERS_MAX && used + 2 < STUDENT_MAX;
+        if (space && fits)
+            out[used++] = ' ';
+        space = false;
+        if (fits)
+            out[used++] = *at;
+        at++;
+    }
+    free(name);
+    out[used] = '\0';
+    if (used == 0)
+        return status_fail(status, STATUS_USAGE, "the name is empty");
+    return fits || status_fail(status, STATUS_USAGE, "the name is too long (at most %d characters, %d bytes)",
+                               CHARACTERS_MAX, STUDENT_MAX - 2);
+}

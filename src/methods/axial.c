@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What both bar methods take from axial.h: which particles bear the traction, and where front ends find
+ * the motion. A particle bears it if its middle lies in the layer h of paper M, eq. 11: (k + 1/2) spacing
+ * < h, with a tolerance for a layer that ends on a middle. */
+#include "methods/axial.h"
+
+#include <math.h>
+
+int axial_particles_in_layer(double layer, double spacing, int particles)
+{
+    double within = ceil(layer / spacing - 0.5 - 1e-9);
+    return within < particles ? (int)within : particles;
+}
+
+bool axial_check_layer(double layer, double spacing, double length, Status *status)
+{
+    if (!(layer >= 0 && layer <= length))
+        return status_fail(status, STATUS_USAGE,
+                           "load.traction_layer: %g is out of range (0 to the length %g)", layer, length);
+    if (layer > 0 && layer <= 0.5 * spacing)
+        return status_fail(status, STATUS_USAGE,
+                           "load.traction_layer: %g holds no particle (more than %g, or 0 for %g)", layer,
+                           0.5 * spacing, spacing);
+    return true;
+}
+
+void axial_set_motion(Simulation *sim, unsigned has, double spacing)
+{
+    sim->has = HAS_LINE | has;
+    sim->columns = sim->counts[0];
+    sim->rows = 1;
+    sim->spacing = spacing;
+    sim->dimensions = 1;
+    sim->position[0] = AXIAL_X0;
+    sim->displacement[0] = AXIAL_U;
+    sim->velocity[0] = AXIAL_V;
+    sim->position[1] = sim->displacement[1] = sim->velocity[1] = -1;
+}

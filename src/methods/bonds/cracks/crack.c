@@ -1,0 +1,228 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The crack of the notched beam (crack.h), measured from the damage of nodes: path, tip, length, angle and
+ * speed. Called at the end of the damage stage (beam_break.c) and by whoever shows or tabulates the crack;
+ * nothing here changes the motion. */
+#include "methods/bonds/cracks/crack.h"
+#include "methods/bonds/plane/bonds_internal.h"
+#include "methods/bonds/cracks/crack_speed.h"
+#include "base/math/functions.h"
+
+#include <math.h>
+
+#define BEFORE_NOTCH 0.01  /* m; the crack is looked for from here */
+#define ABOVE_NOTCH  0.002 /* m; the angle is measured from here */
+
+/* NULL: the simulation is no beam with a notch. */
+static const Beam *notched(const Simulation *sim)
+{
+    const Beam *beam = sim->method->links == beam_links ? (const Beam *)sim : NULL;
+    return beam && beam->def.problem == BEAM_NOTCHED ? beam : NULL;
+}
+
+/* Rows in which there can be a crack: a row that lies just at the notch's end is the notch's. */
+static bool is_above_notch(const Beam *beam, int j)
+{
+    return lattice_y(&beam->lattice, j) > beam->def.notch_depth + 1e-6 * beam->lattice.spacing;
+}
+
+/* Where the crack is looked for: from the load to 10 mm beyond the notch. Farther out single nodes beside
+ * supports and load may be damaged too. */
+typedef struct Region {
+    double low, high;
+    int from, end; /* columns, with one or two to spare */
+} Region;
+
+static Region region_of(const Beam *beam)
+{
+    const double notch = beam->def.notch_position, load = beam->def.load_position;
+    Region region = {load < notch ? load : notch - BEFORE_NOTCH, load < notch ? notch + BEFORE_NOTCH : load,
+                     0, beam->lattice.nx};
+    const double first = beam->lattice.x0, dx = beam->lattice.spacing;
+    region.from = (int)fmax(region.from, (region.low - first) / dx - 2);
+    region.end = (int)fmin(region.end, (region.high - first) / dx + 2);
+    return region;
+}
+
+/* A cracked node of the region, outside the protected zones. */
+static bool is_cracked(const Beam *beam, const Region *region, int i, int j)
+{
+    size_t node = (size_t)j * (size_t)beam->lattice.nx + (size_t)i;
+    if (beam->damage[node] <= CRACK_DAMAGE || beam->unbreakable[node])
+        return false;
+    double x = lattice_x(&beam->lattice, i);
+    return x >= region->low && x <= region->high;
+}
+
+/* sum phi x / sum phi over the row's cracked nodes. False: there are none. */
+static bool row_centre(const Beam *beam, int j, double *centre)
+{
+    const Region region = region_of(beam);
+    double sum = 0, weights = 0;
+    for (int i = region.from; i < region.end; i++)
+        if (is_cracked(beam, &region, i, j)) {
+            double damage = beam->damage[(size_t)j * (size_t)beam->lattice.nx + (size_t)i];
+            sum += damage * lattice_x(&beam->lattice, i);
+            weights += damage;
+        }
+    *centre = weights > 0 ? sum / weights : 0;
+    return weights > 0;
+}
+
+size_t crack_path(const Simulation *sim, double *x, double *y, size_t max)
+{
+    const Beam *beam = notched(sim);
+    size_t n = 0;
+    for (int j = 0; beam && j < beam->lattice.ny && n < max; j++) {
+        if (is_above_notch(beam, j) && row_centre(beam, j, &x[n]))
+            y[n++] = lattice_y(&beam->lattice, j);
+    }
+    return n;
+}
+
+/* The tip: of the highest row with a cracked node the node with most damage. False: it has not begun. */
+static bool find_tip(const Beam *beam, double *x, double *y)
+{
+    const Region region = region_of(beam);
+    *x = beam->def.notch_position;
+    *y = beam->def.notch_depth;
+    for (int j = beam->lattice.ny - 1; j >= 0 && is_above_notch(beam, j); j--) {
+        double most = 0;
+        for (int i = region.from; i < region.end; i++) {
+            double damage = beam->damage[(size_t)j * (size_t)beam->lattice.nx + (size_t)i];
+            if (is_cracked(beam, &region, i, j) && damage > most) {
+                most = damage;
+                *x = lattice_x(&beam->lattice, i);
+            }
+        }
+        if (most > 0) {
+            *y = lattice_y(&beam->lattice, j);
+            return true;
+        }
+    }
+    return false;
+}
+
+/* From the notch's end through the centres of the rows, upwards: sum hypot(dx, dy), m. Rows that did not
+ * break are bridged by a straight line. */
+static double path_length(const Beam *beam)
+{
+    double x = beam->def.notch_position, y = beam->def.notch_depth, length = 0;
+    for (int j = 0; j < beam->lattice.ny; j++) {
+        double next_y = lattice_y(&beam->lattice, j), next_x;
+        if (!is_above_notch(beam, j) || !row_centre(beam, j, &next_x))
+            continue;
+        length += math_hypot(next_x - x, next_y - y);
+        x = next_x;
+        y = next_y;
+    }
+    return length;
+}
+
+/* Length and tip only grow: where a centre moves back because its row breaks further, the crack does not
+ * shrink. */
+void crack_follow(Beam *beam)
+{
+    StateHead *head = beam->head;
+    double x, y;
+    head->crack_length = fmax(head->crack_length, path_length(beam));
+    if (find_tip(beam, &x, &y) && y > head->tip_y) {
+        head->tip_x = x;
+        head->tip_y = y;
+    }
+}
+
+/* --- how fast ------------------------------------------------------------------------------------- */
+
+/* The tip is noted every so many steps that the ring of CRACK_TIPS places holds the window of crack_speed.h,
+ * at least two of them; the speed is then the slope of a line through n_tips places. */
+void crack_begin(Beam *beam)
+{
+    const double dt = beam->sim.dt,
+                 window = crack_speed_window(beam->def.horizon, beam->def.youngs_modulus, beam->def.density);
+    beam->tip_every = (long)fmin(1e9, fmax(1, ceil(window / dt / (CRACK_TIPS - 1))));
+    beam->n_tips = (int)fmax(2, fmin(CRACK_TIPS, round(window / ((double)beam->tip_every * dt)) + 1));
+    beam->head->tip_x = beam->def.notch_position;
+    beam->head->tip_y = beam->def.notch_depth;
+}
+
+/* The speed from the last n_tips places up to number `last` in the ring; 0 while there are fewer. */
+static double speed_up_to(const Beam *beam, long last)
+{
+    double x[CRACK_TIPS], y[CRACK_TIPS];
+    if (last < beam->n_tips - 1)
+        return 0;
+    for (int k = 0; k < beam->n_tips; k++) {
+        const long at = (last - beam->n_tips + 1 + k) % CRACK_TIPS;
+        x[k] = beam->head->tips_x[at];
+        y[k] = beam->head->tips_y[at];
+    }
+    return crack_speed(x, y, (size_t)beam->n_tips, (double)beam->tip_every * beam->sim.dt);
+}
+
+void crack_note_tip(Beam *beam, long step)
+{
+    StateHead *head = beam->head;
+    if (step % beam->tip_every)
+        return;
+    const long number = step / beam->tip_every;
+    head->tips_x[number % CRACK_TIPS] = head->tip_x;
+    head->tips_y[number % CRACK_TIPS] = head->tip_y;
+    if (head->arrival < 0)
+        head->fastest = fmax(head->fastest, speed_up_to(beam, number));
+}
+
+double crack_speed_now(const Beam *beam)
+{
+    return speed_up_to(beam, beam->sim.step / beam->tip_every);
+}
+
+static double time_of(const Beam *beam, long step)
+{
+    return step < 0 ? NAN : (double)step * beam->sim.dt;
+}
+
+bool crack_measure(const Simulation *sim, Crack *crack)
+{
+    const Beam *beam = notched(sim);
+    if (!beam)
+        return false;
+    *crack = (Crack){
+        .first_break = time_of(beam, beam->head->first_break),
+        .twentieth_break = time_of(beam, beam->head->twentieth_break),
+        .arrival = time_of(beam, beam->head->arrival),
+        .speed = crack_speed_now(beam),
+        .fastest = beam->head->fastest,
+        .broken = beam->head->broken,
+        .notch = (long)beam->facts.notch_bonds,
+    };
+    crack->begun = find_tip(beam, &crack->x, &crack->y);
+    crack->length = beam->head->crack_length;
+    return true;
+}
+
+/* The angle of the path against the vertical, degrees, over `height` from ABOVE_NOTCH above the notch's end:
+ * the straight line x = a + b y through the rows' centres by least squares,
+ *
+ *     b = (n sum xy - sum x sum y)/(n sum y^2 - (sum y)^2),   angle = atan b
+ *
+ * NAN with fewer than two rows. */
+double crack_angle(const Simulation *sim, double height)
+{
+    const Beam *beam = notched(sim);
+    if (!beam)
+        return NAN;
+    double low = beam->def.notch_depth + ABOVE_NOTCH, tolerance = 1e-6 * beam->lattice.spacing;
+    double n = 0, sx = 0, sy = 0, sxy = 0, syy = 0;
+    for (int j = 0; j < beam->lattice.ny; j++) {
+        double y = lattice_y(&beam->lattice, j), x;
+        if (y < low - tolerance || y > low + height + tolerance || !row_centre(beam, j, &x))
+            continue;
+        n += 1;
+        sx += x;
+        sy += y;
+        sxy += x * y;
+        syy += y * y;
+    }
+    double spread = n * syy - sy * sy;
+    return n < 2 ? NAN : math_atan((n * sxy - sx * sy) / spread) * 180 / M_PI;
+}

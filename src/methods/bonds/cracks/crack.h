@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The crack of the notched beam: the quantities that paper P gives for it (figs. 9 and 10), measured.
+ *
+ * The crack has begun when a node above the notch's end, between the notch - 10 mm and the load and not in a
+ * protected zone, is cracked; the tip is the highest of these. The path is the damage-weighted centre of the
+ * cracked nodes of each row. SI units. */
+#ifndef PHYSICS_PD_CRACK_H
+#define PHYSICS_PD_CRACK_H
+
+#include "methods/method.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#define CRACK_DAMAGE                                                                                         \
+    0.35 /* a node with more damage is cracked: one that a crack has passed has 0.4 to 0.5                   \
+          */
+
+typedef struct Crack {
+    double first_break; /* time of the first broken bond with its middle within 2 delta of the notch's end;
+                         * NAN: none */
+    double twentieth_break; /* of the twentieth; NAN: fewer */
+    double arrival;         /* time at which the tip came to the load's protected zone; NAN: not yet */
+    double speed;   /* of the tip over the last crack_speed_window(), m/s; 0: it stands, or it is too early */
+    double fastest; /* the largest until it came to the protected zone, m/s */
+    bool begun;
+    double x, y; /* the tip; the notch's end before it has begun */
+    double
+        length;  /* of the path from the notch's end to the tip, at its longest so far: the centres of rows
+                  * shift as bonds beside the path break, but a crack does not heal; 0 before it has begun */
+    long broken; /* bonds, without the notch's */
+    long notch;  /* bonds cut by the notch */
+} Crack;
+
+/* False: the simulation is no beam with a notch. */
+bool crack_measure(const Simulation *beam, Crack *crack);
+
+/* The angle (degrees) between the notch and the straight line through the path (least squares of x over y)
+ * over `height` from 2 mm above the notch's end; NAN: fewer than two rows of path. */
+double crack_angle(const Simulation *beam, double height);
+
+/* The path: at most `max` rows from the notch's end upwards, x and y of each; returns how many there are. */
+size_t crack_path(const Simulation *beam, double *x, double *y, size_t max);
+
+#endif

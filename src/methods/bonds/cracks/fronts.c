@@ -1,0 +1,478 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The cracks of a plate (fronts.h). First the run's broken bonds are gone through in the order in which they
+ * broke, and each node that cracks is dealt to the front that it is connected with; when all are known, each
+ * node cracks once more, for the advance over time and the steps at which lines split. Called after whole
+ * steps by whoever shows or tabulates the cracks; nothing here changes the motion. */
+#include "methods/bonds/cracks/front_shape.h"
+
+#include "base/math/functions.h"
+#include "methods/bonds/cracks/crack.h"
+#include "methods/bonds/cracks/crack_speed.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { OF_CUT = -1 };
+
+/* A node while the run is gone through. */
+enum { NODE_WHOLE, NODE_CRACKED, NODE_OF_CUT, NODE_ASKED };
+
+/* --- whose node it is ------------------------------------------------------------------------ */
+
+static void add_end(CrackFronts *fronts, const Beam *beam, const PlateCut *cut, const double from[2],
+                    const double to[2])
+{
+    const double x = to[0] - from[0], y = to[1] - from[1], length = math_hypot(x, y);
+    if (!beam_holds(beam, to[0], to[1]) || fronts->count == CRACK_FRONTS_MAX)
+        return;
+    CrackFront *front = &fronts->fronts[fronts->count++];
+    *front = (CrackFront){.end = {to[0], to[1]},
+                          .along = {x / length, y / length},
+                          .first = NAN,
+                          .branch_time = NAN,
+                          .half_angle = NAN,
+                          .angle = NAN,
+                          .fastest = NAN,
+                          .fastest_at = NAN};
+    memcpy(front->cut, cut->name, sizeof front->cut);
+    front->axis = fabs(x) >= fabs(y) ? 0 : 1;
+    front->sign = front->along[front->axis] > 0 ? 1 : -1;
+}
+
+/* Beyond the end, or so far to a side that the cut itself damaged no bond of it. */
+static bool is_beyond(const Beam *beam, const CrackFront *front, double x, double y)
+{
+    const double along = x * front->along[0] + y * front->along[1],
+                 aside = fabs(x * front->along[1] - y * front->along[0]);
+    return along > 1e-6 * beam->lattice.spacing || aside > beam->def.horizon;
+}
+
+/* Each front grows along the axis along which its cracked nodes reach farther from its end. */
+static void turn_fronts(Growth *growth)
+{
+    const Beam *beam = growth->beam;
+    double least[CRACK_FRONTS_MAX][2] = {{0}}, most[CRACK_FRONTS_MAX][2] = {{0}};
+    for (size_t k = 0; k < growth->n_cracks; k++) {
+        const size_t node = growth->cracks[k].node;
+        const int f = growth->front_of[node];
+        for (int d = 0; d < 2; d++) {
+            const double away =
+                front_place(beam, d, front_line_of(beam, d, node)) - growth->fronts->fronts[f].end[d];
+            least[f][d] = fmin(least[f][d], away);
+            most[f][d] = fmax(most[f][d], away);
+        }
+    }
+    for (int f = 0; f < growth->fronts->count; f++) {
+        CrackFront *front = &growth->fronts->fronts[f];
+        const int own = front->axis;
+        const double reach[2] = {fmax(-least[f][0], most[f][0]), fmax(-least[f][1], most[f][1])};
+        if (reach[1 - own] > reach[own]) {
+            front->axis = 1 - own;
+            front->sign = most[f][1 - own] >= -least[f][1 - own] ? 1 : -1;
+        }
+    }
+}
+
+/* --- once more through the run --------------------------------------------------------------- */
+
+/* Into the order in which they broke, those of a step as they were gathered: digit by digit of the step. */
+static bool sort_breaks(Growth *growth)
+{
+    enum { BITS = 8, DIGITS = 1 << BITS };
+    const size_t n = growth->n_breaks;
+    Break *other = malloc((n + 1) * sizeof *other);
+    size_t places[DIGITS];
+    if (!other)
+        return false;
+    /* the cuts' steps, OF_CUT, become 0 */
+    for (int shift = 0; (growth->beam->sim.step + 1) >> shift > 0; shift += BITS) {
+        memset(places, 0, sizeof places);
+        for (size_t k = 0; k < n; k++)
+            places[(growth->breaks[k].step - OF_CUT) >> shift & (DIGITS - 1)]++;
+        for (size_t digit = 0, place = 0; digit < DIGITS; digit++) {
+            const size_t count = places[digit];
+            places[digit] = place;
+            place += count;
+        }
+        for (size_t k = 0; k < n; k++)
+            other[places[(growth->breaks[k].step - OF_CUT) >> shift & (DIGITS - 1)]++] = growth->breaks[k];
+        Break *sorted = other;
+        other = growth->breaks;
+        growth->breaks = sorted;
+    }
+    free(other);
+    return true;
+}
+
+static double weight_of_family(const Beam *beam, size_t node)
+{
+    const size_t nx = (size_t)beam->lattice.nx;
+    BondPlace family[FAMILY_MAX];
+    const size_t n = beam_family(beam, (int)(node % nx), (int)(node / nx), family);
+    double all = 0;
+    for (size_t k = 0; k < n; k++)
+        all += beam->lattice.offsets[family[k].offset].weight;
+    return all;
+}
+
+/* One bond of a node is gone; returns the share of its family that is. */
+static double weaken(Growth *growth, size_t node, double weight)
+{
+    if (growth->all[node] == 0)
+        growth->all[node] = weight_of_family(growth->beam, node);
+    growth->broken[node] += weight;
+    return growth->broken[node] / growth->all[node];
+}
+
+/* Each bond that broke up to the state's step, and the weights of the nodes at its ends; the cuts' bonds
+ * count in the damage from the start, and what they alone have damaged so much is no crack. */
+static bool gather(Growth *growth)
+{
+    const Beam *beam = growth->beam;
+    const Lattice *lattice = &beam->lattice;
+    const size_t nx = (size_t)lattice->nx;
+    size_t room = 0;
+    for (size_t byte = 0; byte < lattice_slots(lattice) / 8; byte++)
+        for (size_t bit = 0; beam->broken[byte] >> bit != 0; bit++) {
+            if (!(beam->broken[byte] >> bit & 1))
+                continue;
+            const size_t slot = 8 * byte + bit;
+            const BondPlace place = lattice_slot_place(lattice, slot);
+            const Offset *offset = &lattice->offsets[place.offset];
+            const bool of_cut = beam->notched[byte] >> bit & 1;
+            if (growth->n_breaks == room) {
+                room = room ? 2 * room : 1024;
+                Break *more = realloc(growth->breaks, room * sizeof *more);
+                if (!more)
+                    return false;
+                growth->breaks = more;
+            }
+            if (!of_cut && beam->broken_at[slot] > beam->sim.step)
+                continue; /* in the step that has begun */
+            growth->breaks[growth->n_breaks++] = (Break){
+                .step = of_cut ? OF_CUT : beam->broken_at[slot],
+                .nodes = {(uint32_t)((size_t)place.j * nx + (size_t)place.i),
+                          (uint32_t)((size_t)(place.j + offset->q) * nx + (size_t)(place.i + offset->p))},
+                .weight = offset->weight};
+        }
+    if (!sort_breaks(growth))
+        return false;
+    for (; growth->n_of_cuts < growth->n_breaks && growth->breaks[growth->n_of_cuts].step == OF_CUT;
+         growth->n_of_cuts++)
+        for (int end = 0; end < 2; end++) {
+            const Break *gone = &growth->breaks[growth->n_of_cuts];
+            if (weaken(growth, gone->nodes[end], gone->weight) > CRACK_DAMAGE)
+                growth->cracked[gone->nodes[end]] = NODE_OF_CUT;
+        }
+    return true;
+}
+
+/* --- whose node it is ------------------------------------------------------------------------ */
+
+/* A horizon of a cut's end is its front's, and from there on a node is of the front of the nearest node of
+ * its family that is of one: cracks that pass each other by stay two. */
+static int front_of_node(const Growth *growth, uint32_t node)
+{
+    const Beam *beam = growth->beam;
+    const Lattice *lattice = &beam->lattice;
+    const int i = front_line_of(beam, 0, node), j = front_line_of(beam, 1, node);
+    const double x = front_place(beam, 0, i), y = front_place(beam, 1, j);
+    int nearest = FRONT_NONE;
+    double least = (1 + 1e-9) * beam->def.horizon;
+    for (int f = 0; f < growth->fronts->count; f++) {
+        const double *end = growth->fronts->fronts[f].end, away = math_hypot(x - end[0], y - end[1]);
+        if (away < least)
+            least = away, nearest = f;
+    }
+    for (int k = 0; k < 2 * lattice->n_offsets; k++) {
+        const Offset *offset = &lattice->offsets[k / 2];
+        const int sign = k % 2 ? -1 : 1, other_i = i + sign * offset->p, other_j = j + sign * offset->q;
+        if (other_i < 0 || other_i >= lattice->nx || other_j < 0 || other_j >= lattice->ny)
+            continue;
+        const int f = growth->front_of[(size_t)other_j * (size_t)lattice->nx + (size_t)other_i];
+        const double away = math_hypot(offset->p, offset->q) * lattice->spacing;
+        if (f != FRONT_NONE && (away < least || (away == least && f < nearest)))
+            least = away, nearest = f;
+    }
+    if (nearest == FRONT_NONE)
+        return FRONT_NONE;
+    const CrackFront *front = &growth->fronts->fronts[nearest];
+    return is_beyond(beam, front, x - front->end[0], y - front->end[1]) ? nearest : FRONT_NONE;
+}
+
+/* For all nodes of a round by what was so before it, so that their order does not matter; those that cracked
+ * before, of no front until one of these reached them, come in the next round. */
+static void take_round(Growth *growth, int32_t step, size_t *count)
+{
+    const Lattice *lattice = &growth->beam->lattice;
+    const size_t first = growth->n_cracks;
+    size_t n_next = 0;
+    for (size_t k = 0; k < *count; k++) {
+        growth->found[k] = (uint8_t)front_of_node(growth, growth->asked[k]);
+        growth->cracked[growth->asked[k]] = NODE_CRACKED;
+    }
+    for (size_t k = 0; k < *count; k++)
+        if (growth->found[k] != FRONT_NONE) {
+            growth->front_of[growth->asked[k]] = growth->found[k];
+            growth->cracks[growth->n_cracks++] = (CrackedNode){step, growth->asked[k]};
+        }
+    for (size_t k = first; k < growth->n_cracks; k++) {
+        BondPlace family[FAMILY_MAX];
+        const uint32_t node = growth->cracks[k].node, nx = (uint32_t)lattice->nx;
+        const size_t n = beam_family(growth->beam, (int)(node % nx), (int)(node / nx), family);
+        for (size_t b = 0; b < n; b++) {
+            const Offset *offset = &lattice->offsets[family[b].offset];
+            const uint32_t owner = (uint32_t)family[b].j * nx + (uint32_t)family[b].i,
+                           other =
+                               (uint32_t)(family[b].j + offset->q) * nx + (uint32_t)(family[b].i + offset->p),
+                           near = owner == node ? other : owner;
+            if (growth->cracked[near] != NODE_CRACKED || growth->front_of[near] != FRONT_NONE)
+                continue;
+            growth->cracked[near] = NODE_ASKED;
+            growth->next[n_next++] = near;
+        }
+    }
+    uint32_t *asked = growth->asked;
+    growth->asked = growth->next;
+    growth->next = asked;
+    *count = n_next;
+}
+
+/* Which nodes cracked, when, and of which front. */
+static void deal(Growth *growth)
+{
+    const Beam *beam = growth->beam;
+    memset(growth->front_of, FRONT_NONE, lattice_nodes(&beam->lattice));
+    for (size_t next = growth->n_of_cuts; next < growth->n_breaks;) {
+        const int32_t step = growth->breaks[next].step;
+        size_t count = 0;
+        for (; next < growth->n_breaks && growth->breaks[next].step == step; next++)
+            for (int end = 0; end < 2; end++) {
+                const uint32_t node = growth->breaks[next].nodes[end];
+                if (weaken(growth, node, growth->breaks[next].weight) <= CRACK_DAMAGE ||
+                    growth->cracked[node] != NODE_WHOLE || beam->unbreakable[node])
+                    continue;
+                growth->cracked[node] = NODE_ASKED;
+                growth->asked[count++] = node;
+            }
+        while (count > 0)
+            take_round(growth, step, &count);
+    }
+}
+
+/* --- how far it has come --------------------------------------------------------------------- */
+
+static void touch_line(Growth *growth, int front, int line)
+{
+    const size_t at = (size_t)front * (size_t)growth->lines + (size_t)line;
+    if (!growth->is_touched[at])
+        growth->touched[growth->n_touched++] = (uint32_t)at;
+    growth->is_touched[at] = 1;
+}
+
+static void take_crack(Growth *growth, const CrackedNode *crack)
+{
+    const Beam *beam = growth->beam;
+    const int f = growth->front_of[crack->node];
+    CrackFront *front = &growth->fronts->fronts[f];
+    const int line = front_line_of(beam, front->axis, crack->node);
+    growth->cracked[crack->node] = NODE_CRACKED;
+    touch_line(growth, f, line);
+    const double advance = front->sign * (front_place(beam, front->axis, line) - front->end[front->axis]);
+    if (advance <= 0)
+        return;
+    if (!front->begun)
+        front->first = crack->step * beam->sim.dt;
+    front->begun = true;
+    front->advance = fmax(front->advance, advance);
+}
+
+/* A line can only have come apart where a node of it has cracked. */
+static void look_for_splits(Growth *growth, int32_t step)
+{
+    Group groups[FRONT_GROUPS_MAX];
+    for (size_t k = 0; k < growth->n_touched; k++) {
+        const uint32_t at = growth->touched[k];
+        const int f = (int)(at / (uint32_t)growth->lines), line = (int)(at % (uint32_t)growth->lines);
+        growth->is_touched[at] = 0;
+        if (growth->split[at] < 0 && front_groups(growth, f, line, groups) > 1)
+            growth->split[at] = step;
+    }
+    growth->n_touched = 0;
+}
+
+static void go_through(Growth *growth)
+{
+    const Beam *beam = growth->beam;
+    CrackFronts *fronts = growth->fronts;
+    const long last = beam->sim.step, every = lround(fronts->every / beam->sim.dt);
+    size_t next = 0;
+    memset(growth->cracked, NODE_WHOLE, lattice_nodes(&beam->lattice));
+    for (long step = 0; step <= last; step++) {
+        while (next < growth->n_cracks && growth->cracks[next].step <= step)
+            take_crack(growth, &growth->cracks[next++]);
+        if (step % CRACK_FRONT_LOOK == 0)
+            look_for_splits(growth, (int32_t)step);
+        for (int f = 0; step % every == 0 && f < fronts->count; f++)
+            fronts->fronts[f].advances[step / every] = fronts->fronts[f].advance;
+    }
+}
+
+static double path_length(const CrackPath *path)
+{
+    double length = 0;
+    for (size_t k = 1; k < path->count; k++)
+        length += math_hypot(path->x[k] - path->x[k - 1], path->y[k] - path->y[k - 1]);
+    return length;
+}
+
+/* --- all together ---------------------------------------------------------------------------- */
+
+double crack_fronts_speed(const CrackFronts *fronts, const CrackFront *front, size_t sample)
+{
+    const size_t half = fronts->window / 2;
+    if (sample < half || sample + half >= fronts->n_samples)
+        return NAN;
+    for (size_t k = sample - half; k < sample + half; k++)
+        if (front->advances[k + 1] - front->advances[k] > fronts->jump)
+            return NAN;
+    double across[CRACK_FRONT_WINDOW_MAX] = {0};
+    return crack_speed(front->advances + (sample - half), across, 2 * half + 1, fronts->every);
+}
+
+static void find_fastest(const CrackFronts *fronts, CrackFront *front)
+{
+    for (size_t k = 0; front->begun && k < fronts->n_samples; k++) {
+        const double speed = crack_fronts_speed(fronts, front, k);
+        if (isfinite(speed) && !(speed <= front->fastest)) {
+            front->fastest = speed;
+            front->fastest_at = (double)k * fronts->every;
+        }
+    }
+}
+
+static double length_of_cuts(const Beam *beam)
+{
+    double length = 0;
+    for (int i = 0; i < beam->def.plate.n_cuts; i++) {
+        const PlateCut *cut = &beam->def.plate.cuts[i];
+        length += math_hypot(cut->x1 - cut->x0, cut->y1 - cut->y0);
+    }
+    return length;
+}
+
+/* Times at which the advance is kept: as many as fit into the window of a speed, at most one a step. */
+static bool plan_samples(CrackFronts *fronts, const Beam *beam)
+{
+    const double dt = beam->sim.dt;
+    const double window = crack_speed_window(beam->def.horizon, beam->def.youngs_modulus, beam->def.density);
+    const long every = (long)fmin(1e9, fmax(1, ceil(window / dt / (CRACK_FRONT_WINDOW_MAX - 2))));
+    fronts->every = (double)every * dt;
+    fronts->window = 2 * (size_t)fmax(1, round(window / fronts->every / 2)) + 1;
+    fronts->n_samples = (size_t)(beam->sim.step / every) + 1;
+    fronts->jump = beam->def.horizon;
+    for (int f = 0; f < fronts->count; f++)
+        if (!(fronts->fronts[f].advances = calloc(fronts->n_samples, sizeof(double))))
+            return false;
+    return true;
+}
+
+static bool work_out(Growth *growth)
+{
+    const Beam *beam = growth->beam;
+    CrackFronts *fronts = growth->fronts;
+    if (!plan_samples(fronts, beam) || !gather(growth))
+        return false;
+    deal(growth);
+    turn_fronts(growth);
+    memset(growth->split, -1, (size_t)fronts->count * (size_t)growth->lines * sizeof *growth->split);
+    go_through(growth);
+    for (int f = 0; f < fronts->count; f++) {
+        CrackFront *front = &fronts->fronts[f];
+        front_find_tips(growth, f);
+        front_find_branch(growth, f);
+        find_fastest(fronts, front);
+        if (!front_find_lines(growth, f) || !front_find_paths(growth, f))
+            return false;
+        front->angle = crack_fronts_angle(front, INFINITY);
+        for (int k = 0; k < front->n_paths; k++)
+            fronts->length += path_length(&front->paths[k]);
+    }
+    fronts->surface = beam->facts.notch_bonds > 0 ? (double)beam->head->broken * length_of_cuts(beam) /
+                                                        (double)beam->facts.notch_bonds
+                                                  : NAN;
+    return true;
+}
+
+static bool measure(CrackFronts *fronts, const Beam *beam)
+{
+    const size_t nodes = lattice_nodes(&beam->lattice);
+    const int nx = beam->lattice.nx, ny = beam->lattice.ny;
+    Growth growth = {.beam = beam, .fronts = fronts, .lines = nx > ny ? nx : ny};
+    growth.front_of = malloc(nodes);
+    growth.cracked = calloc(nodes, 1);
+    growth.cracks = malloc(nodes * sizeof *growth.cracks);
+    growth.asked = malloc(nodes * sizeof *growth.asked);
+    growth.next = malloc(nodes * sizeof *growth.next);
+    growth.found = malloc(nodes);
+    growth.all = calloc(nodes, sizeof *growth.all);
+    growth.broken = calloc(nodes, sizeof *growth.broken);
+    const size_t lines = (size_t)fronts->count * (size_t)growth.lines;
+    growth.split = malloc(lines * sizeof *growth.split);
+    growth.touched = malloc(lines * sizeof *growth.touched);
+    growth.is_touched = calloc(lines, 1);
+    const bool sound = growth.front_of && growth.cracked && growth.cracks && growth.asked && growth.next &&
+                       growth.found && growth.all && growth.broken && growth.split && growth.touched &&
+                       growth.is_touched && work_out(&growth);
+    free(growth.front_of);
+    free(growth.cracked);
+    free(growth.cracks);
+    free(growth.asked);
+    free(growth.next);
+    free(growth.found);
+    free(growth.all);
+    free(growth.broken);
+    free(growth.split);
+    free(growth.touched);
+    free(growth.is_touched);
+    free(growth.breaks);
+    return sound;
+}
+
+void crack_fronts_free(CrackFronts *fronts)
+{
+    for (int f = 0; f < fronts->count; f++) {
+        free(fronts->fronts[f].advances);
+        free(fronts->fronts[f].away);
+        for (int k = 0; k < fronts->fronts[f].n_paths; k++)
+            free(fronts->fronts[f].paths[k].x);
+    }
+    *fronts = (CrackFronts){.count = 0};
+}
+
+bool crack_fronts_update(CrackFronts *fronts, const Simulation *sim)
+{
+    const Beam *beam = sim->method->links == beam_links ? (const Beam *)sim : NULL;
+    if (beam && fronts->count > 0 && fronts->of == sim && fronts->step == sim->step &&
+        fronts->broken == beam->head->broken && fronts->dissipated == beam->head->dissipated)
+        return true;
+    crack_fronts_free(fronts);
+    if (!beam || beam->def.problem != BEAM_PLATE)
+        return false;
+    for (int i = 0; i < beam->def.plate.n_cuts; i++) {
+        const PlateCut *cut = &beam->def.plate.cuts[i];
+        const double from[2] = {cut->x0, cut->y0}, to[2] = {cut->x1, cut->y1};
+        add_end(fronts, beam, cut, from, to);
+        add_end(fronts, beam, cut, to, from);
+    }
+    if (fronts->count == 0 || !measure(fronts, beam)) {
+        crack_fronts_free(fronts);
+        return false;
+    }
+    fronts->of = sim;
+    fronts->step = sim->step;
+    fronts->broken = beam->head->broken;
+    fronts->dissipated = beam->head->dissipated;
+    return true;
+}

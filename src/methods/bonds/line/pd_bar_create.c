@@ -1,0 +1,142 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The bar by peridynamics: its memory, its start, its state as bytes, and the table of functions through
+ * which a driver runs it (method.h). The state is one block: head, u with its mirrored nodes, v, f. */
+#include "methods/axial.h"
+#include "methods/bonds/line/pd_bar_internal.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* --- the state as bytes --------------------------------------------------------------------------- */
+
+static size_t state_size(const Simulation *sim)
+{
+    return ((const PdBar *)sim)->state_size;
+}
+
+static void save(const Simulation *sim, void *bytes)
+{
+    const PdBar *bar = (const PdBar *)sim;
+    memcpy(bytes, bar->head, bar->state_size);
+}
+
+static void load(Simulation *sim, const void *bytes)
+{
+    PdBar *bar = (PdBar *)sim;
+    memcpy(bar->head, bytes, bar->state_size);
+}
+
+static bool change(Simulation *sim, const char *key, double value, Status *status)
+{
+    PdBar *bar = (PdBar *)sim;
+    if (sim->stage != 0 || sim->item != 0)
+        return status_fail(status, STATUS_USAGE, "%s: can be changed between steps only", key);
+    double *live = strcmp(key, "load.body_force") == 0 ? &bar->head->body_force
+                   : strcmp(key, "load.traction") == 0 ? &bar->head->traction
+                                                       : NULL;
+    if (!live)
+        return status_fail(status, STATUS_USAGE,
+                           "%s: cannot change in mid-run (load.body_force and load.traction can)", key);
+    if (!isfinite(value))
+        return status_fail(status, STATUS_USAGE, "%s: %g is not allowed (a number)", key, value);
+    *live = value;
+    pd_bar_forces(bar); /* the coming half kick takes the force of the new load */
+    return true;
+}
+
+static void destroy(Simulation *sim)
+{
+    PdBar *bar = (PdBar *)sim;
+    free(bar->memory);
+    free(bar->head);
+    free(bar->sound);
+    free(bar);
+}
+
+static const Method method = {
+    .name = "pd",
+    .title = "bond-based peridynamics",
+    .destroy = destroy,
+    .stage = pd_bar_stage,
+    .steps = pd_bar_steps,
+    .row = pd_bar_row,
+    .field = pd_bar_field,
+    .links = pd_bar_links,
+    .explain = pd_bar_explain,
+    .state_size = state_size,
+    .save = save,
+    .load = load,
+    .change = change,
+};
+
+/* --- a new one ------------------------------------------------------------------------------------ */
+
+/* The state is one block: head, u of n + 2 reach nodes (mirrored ones at both sides), v and f of n. */
+static bool lay_out(PdBar *bar)
+{
+    bar->memory = pd_bar_lattice(&bar->def, &bar->lattice);
+    if (!bar->memory)
+        return false;
+    const size_t n = (size_t)bar->lattice.n, padded = bar->lattice.padded;
+    bar->state_size = sizeof(PdBarHead) + (padded + 2 * n) * sizeof(double);
+    bar->head = calloc(1, bar->state_size);
+    bar->sound = malloc(bar->state_size);
+    if (!bar->head || !bar->sound)
+        return false;
+    bar->u = (double *)(bar->head + 1);
+    bar->v = bar->u + padded;
+    bar->f = bar->v + n;
+    return true;
+}
+
+enum { NODES_A_QUESTION = 16384 };
+
+/* u = 0, v from the definition, and the force that the first half kick takes. */
+static bool begin(PdBar *bar, Status *status)
+{
+    const PdBarDef *def = &bar->def;
+    bar->head->body_force = def->body_force;
+    bar->head->traction = def->traction;
+    for (int i = 0; i < bar->lattice.n && def->initial_velocity; i++) {
+        if (i % NODES_A_QUESTION == 0 && !patience_lasts(&def->patience, (double)i / bar->lattice.n))
+            return status_fail(status, STATUS_FAILED, "the building of the bar was given up");
+        double x = pd_bar_position(&bar->lattice, i);
+        bar->v[i] = def->initial_velocity(x, def->initial_context);
+        if (!isfinite(bar->v[i]))
+            return status_fail(status, STATUS_USAGE, "initial.velocity: no finite number at x = %g", x);
+    }
+    pd_bar_forces(bar);
+    return true;
+}
+
+Simulation *pd_bar_create(const PdBarDef *def, Status *status)
+{
+    double critical;
+    if (!pd_bar_critical(def, &critical, status))
+        return NULL;
+    PdBar *bar = calloc(1, sizeof *bar);
+    if (!bar) {
+        status_fail(status, STATUS_FAILED, "not enough memory for the bar");
+        return NULL;
+    }
+    bar->def = *def;
+    bar->critical_step = critical;
+    Simulation *sim = &bar->sim;
+    sim->method = &method;
+    sim->stages = pd_bar_stage_table;
+    sim->n_stages = PD_BAR_STAGES;
+    sim->dt = def->dt;
+    if (!lay_out(bar)) {
+        status_fail(status, STATUS_FAILED, "not enough memory for the lattice of the bar");
+        destroy(sim);
+        return NULL;
+    }
+    sim->stage_items = (size_t)bar->lattice.n;
+    pd_bar_set_fields(bar);
+    if (!begin(bar, status)) {
+        destroy(sim);
+        return NULL;
+    }
+    return sim;
+}

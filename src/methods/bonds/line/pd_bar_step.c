@@ -1,0 +1,159 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* One time step of the bar by peridynamics, velocity Verlet (paper P, eqs. 9 to 11):
+ *
+ *     v_i += dt/(2 rho) f_i                               half kick
+ *     u_i += dt v_i                                       drift
+ *     u(-1 - i) = -u_i and likewise at the right          mirrored nodes of a fixed end
+ *     f_i = sum_m k_{i,i+m} (u_{i+m} - u_i) - k_{i-m,i} (u_i - u_{i-m})   bonds, k = c G w V/|xi|
+ *     f_i += rho b +- t/layer                             loads
+ *     v_i += dt/(2 rho) f_i                               second half kick
+ *
+ * f is a force density. Arrays of n nodes, u with `reach` mirrored nodes at either side (pd_bar_internal.h).
+ * Each stage is a function of a range of nodes; whole steps call the same functions over all of them. A step
+ * fails when two neighbours meet or part by a spacing, and the state goes back to before it. */
+#include "methods/bonds/line/pd_bar_internal.h"
+
+#include <math.h>
+#include <string.h>
+
+/* The load on node i as a force density: rho b and, within `layer` of a free end, the traction spread over
+ * that layer, t/layer, outwards positive: to the left at the left end. A short bar's node may lie in both
+ * layers. */
+double pd_bar_load(const PdBar *bar, int i)
+{
+    const PdBarLattice *lattice = &bar->lattice;
+    double force = bar->def.density * bar->head->body_force, pull = bar->head->traction / lattice->layer;
+    if (i < lattice->layer_left)
+        force -= pull;
+    if (i >= lattice->n - lattice->layer_right)
+        force += pull;
+    return force;
+}
+
+static bool is_loaded(const PdBar *bar)
+{
+    return bar->head->body_force != 0 || bar->head->traction != 0;
+}
+
+/* --- what the stages do to nodes [first, end) --- */
+
+/* v += dt/(2 rho) f of nodes [first, end): eqs. 9 and 11, each half of a step. */
+static void kick(PdBar *bar, int first, int end)
+{
+    const double factor = bar->sim.dt / (2 * bar->def.density);
+    for (int i = first; i < end; i++)
+        bar->v[i] += factor * bar->f[i];
+}
+
+/* u += dt v, eq. 10. The load's work is sum f_load h v^{n+1/2} dt: with the velocity at the middle of the
+ * step it is of second order, as the scheme is, and energy less work keeps its value. */
+static void drift(PdBar *bar, int first, int end)
+{
+    const double dt = bar->sim.dt;
+    double *u = bar->u + bar->lattice.reach;
+    for (int i = first; i < end; i++)
+        u[i] += dt * bar->v[i];
+    for (int i = first; i < end && is_loaded(bar); i++)
+        bar->head->work += pd_bar_load(bar, i) * bar->lattice.h * bar->v[i] * dt;
+}
+
+/* A support holds the point half a spacing beyond the last node. Continued as an odd function, u(-1 - i) =
+ * -u_i, the displacement is zero there and the families near it are whole. */
+static void mirror(PdBar *bar, int first, int end)
+{
+    const int n = bar->lattice.n, reach = bar->lattice.reach;
+    double *u = bar->u + reach;
+    for (int i = first; bar->def.left_fixed && i < end && i < reach; i++)
+        u[-1 - i] = -u[i];
+    for (int i = first > n - reach ? first : n - reach; bar->def.right_fixed && i < end; i++)
+        u[2 * n - 1 - i] = -u[i];
+}
+
+/* f_i = sum_m [k_{i,i+m} (u_{i+m} - u_i) - k_{i-m,i} (u_i - u_{i-m})], linear in u; k per bond from
+ * pd_bar_lattice.c, 0 where a free end leaves no partner. Each node adds up its own family, so the bits do
+ * not depend on where a stage is cut, and every bond is computed twice. */
+static void bonds(PdBar *bar, int first, int end)
+{
+    const double *u = bar->u + bar->lattice.reach;
+    double *f = bar->f;
+    for (int i = first; i < end; i++)
+        f[i] = 0;
+    for (int m = 1; m <= bar->lattice.reach; m++) {
+        const double *stiffness = bar->lattice.stiffness[m - 1] + bar->lattice.reach;
+        for (int i = first; i < end; i++)
+            f[i] += stiffness[i] * (u[i + m] - u[i]) - stiffness[i - m] * (u[i] - u[i - m]);
+    }
+}
+
+/* Behind the bonds, so that f is what the second half kick needs. */
+static void load(PdBar *bar, int first, int end)
+{
+    for (int i = first; i < end && is_loaded(bar); i++)
+        bar->f[i] += pd_bar_load(bar, i);
+}
+
+typedef void RangeStage(PdBar *bar, int first, int end);
+
+static RangeStage *const range_stages[PD_BAR_STAGES] = {
+    [PD_BAR_HALF_KICK] = kick, [PD_BAR_DRIFT] = drift, [PD_BAR_MIRROR] = mirror,
+    [PD_BAR_BONDS] = bonds,    [PD_BAR_LOAD] = load,   [PD_BAR_SECOND_KICK] = kick,
+};
+
+/* Fails unless |u_{i+1} - u_i| < h for all neighbours: a spacing nearer, two nodes have met, and the stretch
+ * is no longer linear in u. At a fixed end the neighbour is the node's own mirror image, which it meets at
+ * the support. Beyond the critical step this is where a run ends. Written so that a NaN fails too. */
+static bool check_gaps(PdBar *bar, int first, int end, Status *status)
+{
+    const double *u = bar->u + bar->lattice.reach, h = bar->lattice.h;
+    const int neighbours_end = bar->def.right_fixed ? bar->lattice.n : bar->lattice.n - 1;
+    int wrong = first == 0 && bar->def.left_fixed && !(fabs(u[0] - u[-1]) < h) ? 0 : -1;
+    for (int i = first; wrong < 0 && i < end && i < neighbours_end; i++)
+        if (!(fabs(u[i + 1] - u[i]) < h))
+            wrong = i;
+    if (wrong < 0)
+        return true;
+    const long step = bar->sim.step + 1;
+    return simulation_fail(&bar->sim, status,
+                           "unstable: particle %d has met or lost its neighbour in step %ld, t = %.6g (a "
+                           "smaller time.courant, initial.velocity or load)",
+                           wrong, step, (double)step * bar->sim.dt);
+}
+
+/* One stage on nodes [first, end); the bonds look for trouble first, so that a failing stage has written
+ * nothing. */
+bool pd_bar_stage(Simulation *sim, int stage, size_t first, size_t end, Status *status)
+{
+    PdBar *bar = (PdBar *)sim;
+    if (stage == PD_BAR_BONDS && !check_gaps(bar, (int)first, (int)end, status))
+        return false;
+    range_stages[stage](bar, (int)first, (int)end);
+    return true;
+}
+
+/* f of the displacements as they are: at t = 0, and when a load is changed between steps, since the half kick
+ * that comes takes it. */
+void pd_bar_forces(PdBar *bar)
+{
+    for (int stage = PD_BAR_MIRROR; stage <= PD_BAR_LOAD; stage++)
+        range_stages[stage](bar, 0, bar->lattice.n);
+}
+
+/* --- whole steps --- */
+
+/* A step may fail at the bonds only, before f is written; the state before it is kept aside and put back. */
+bool pd_bar_steps(Simulation *sim, long count, double *rows, long *done, Status *status)
+{
+    PdBar *bar = (PdBar *)sim;
+    for (*done = 0; *done < count; ++*done) {
+        memcpy(bar->sound, bar->head, bar->state_size);
+        for (int stage = 0; stage < PD_BAR_STAGES; stage++)
+            if (!pd_bar_stage(sim, stage, 0, sim->stage_items, status)) {
+                memcpy(bar->head, bar->sound, bar->state_size);
+                return false;
+            }
+        sim->step++;
+        if (rows)
+            sim->method->row(sim, rows + *done * sim->n_series);
+    }
+    return true;
+}

@@ -1,0 +1,191 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Broken bonds: when each broke, what energy it held, and the damage of nodes, the last stage of a step:
+ *
+ *     mu = 1 while s < s0 at all times so far, else 0                                                  (6)
+ *     phi_i = 1 - sum_j mu w V_j / sum_j w V_j                                                         (5)
+ *
+ * A bond stretched to s0 is broken by the kernels (bond_kernels.c) and carries no force in that same
+ * evaluation. Here the energy that it held, c G w s^2 |xi| V^2/2 times the thickness (J, s at that step, so a
+ * little past s0), goes to "dissipated" and its ends are marked; only marked nodes compute their damage
+ * again. The notch's bonds count in phi but in neither sum. On the notched beam the stage also follows the
+ * crack (crack.c). */
+#include "methods/bonds/plane/bonds_internal.h"
+#include "methods/bonds/cracks/crack.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Damage of a node is worked out again at the end of the step, once however many of its bonds broke. */
+static void mark_dirty(Beam *beam, size_t node)
+{
+    if (!beam->is_dirty[node]) {
+        beam->is_dirty[node] = 1;
+        beam->dirty[beam->n_dirty++] = (uint32_t)node;
+    }
+}
+
+static void mark_ends(Beam *beam, BondPlace place)
+{
+    const Offset *offset = &beam->lattice.offsets[place.offset];
+    size_t nx = (size_t)beam->lattice.nx;
+    mark_dirty(beam, (size_t)place.j * nx + (size_t)place.i);
+    mark_dirty(beam, (size_t)(place.j + offset->q) * nx + (size_t)(place.i + offset->p));
+}
+
+/* The crack starts with a bond whose middle lies within two horizons of the notch's end. */
+static bool is_near_tip(const Beam *beam, BondPlace place)
+{
+    if (beam->def.problem != BEAM_NOTCHED)
+        return false;
+    const Offset *offset = &beam->lattice.offsets[place.offset];
+    double x = lattice_x(&beam->lattice, place.i) + offset->x / 2 - beam->def.notch_position;
+    double y = lattice_y(&beam->lattice, place.j) + offset->y / 2 - beam->def.notch_depth;
+    double limit = 2 * beam->def.horizon * (1 + 1e-9);
+    return x * x + y * y <= limit * limit;
+}
+
+/* The breaks of one band in the order in which the kernels met them: bands one after the other, so that
+ * dissipated is the same sum at any number of threads. Step -1 is the start: broken_at 0. False: memory was
+ * short, the log is not whole. */
+bool beam_take_log(Beam *beam, BondLog *log, long step)
+{
+    bool written = !log->no_memory;
+    for (size_t k = 0; k < log->n_breaks; k++) {
+        BondPlace place = lattice_slot_place(&beam->lattice, log->breaks[k].slot);
+        beam->broken_at[log->breaks[k].slot] = (int32_t)(step + 1);
+        beam->head->broken++;
+        beam->head->dissipated += log->breaks[k].energy;
+        beam->head->near_tip += is_near_tip(beam, place);
+        mark_ends(beam, place);
+    }
+    log->n_breaks = 0;
+    log->no_memory = false;
+    return written;
+}
+
+/* Eq. 5, the volumes being equal: sum w of broken bonds over sum w of the family, counting bonds that broke
+ * in steps up to `step`. 0 whole, 1 alone; a node beside a crack that has passed has 0.4 to 0.5. */
+static double node_damage(const Beam *beam, size_t node, long step)
+{
+    const Lattice *lattice = &beam->lattice;
+    int i = (int)(node % (size_t)lattice->nx), j = (int)(node / (size_t)lattice->nx);
+    BondPlace family[FAMILY_MAX];
+    size_t n = beam_family(beam, i, j, family);
+    double all = 0, broken = 0;
+    for (size_t k = 0; k < n; k++) {
+        double weight = lattice->offsets[family[k].offset].weight;
+        all += weight;
+        size_t slot = lattice_slot(lattice, family[k]);
+        if (beam_bit(beam->broken, slot) && beam->broken_at[slot] <= step)
+            broken += weight;
+    }
+    return n ? broken / all : 0;
+}
+
+void beam_report(Beam *beam, EventKind kind, long step, const char *text)
+{
+    Simulation *sim = &beam->sim;
+    int before = sim->n_events;
+    simulation_report(sim, kind, text);
+    if (sim->n_events > before)
+        sim->events[before].step = step;
+}
+
+/* What paper P tells of its crack: when it began (first and twentieth bond with the middle within two
+ * horizons of the notch's end), and when it came to the load: within half a horizon of the protected zone,
+ * which bonds cannot pass. */
+static void report_crack(Beam *beam, long step)
+{
+    StateHead *head = beam->head;
+    if (head->first_break < 0 && head->near_tip >= 1) {
+        head->first_break = step;
+        beam_report(beam, EVENT_BREAK, step, "first bond broke near the notch's end");
+    }
+    if (head->twentieth_break < 0 && head->near_tip >= 20) {
+        head->twentieth_break = step;
+        beam_report(beam, EVENT_BREAK, step, "twentieth bond broke near the notch's end");
+    }
+    crack_follow(beam);
+    Crack crack;
+    if (head->arrival < 0 && crack_measure(&beam->sim, &crack) && beam->def.protected_depth > 0 &&
+        crack.y >= beam->def.height - beam->def.protected_depth - beam->def.horizon / 2) {
+        head->arrival = step;
+        beam_report(beam, EVENT_BREAK, step, "the crack reached the protected zone of the load");
+    }
+}
+
+/* The damage of marked nodes, and what follows from it; by the damage stage alone. */
+static void update_dirty(Beam *beam, long step)
+{
+    for (size_t k = 0; k < beam->n_dirty; k++) {
+        size_t node = beam->dirty[k];
+        beam->damage[node] = node_damage(beam, node, step);
+        beam->is_dirty[node] = 0;
+    }
+    beam->n_dirty = 0;
+    beam->crack.valid = false;
+    if (beam->def.problem == BEAM_NOTCHED)
+        report_crack(beam, step);
+    else if (beam->head->first_break < 0 && beam->head->broken > 0) {
+        beam->head->first_break = step;
+        beam_report(beam, EVENT_BREAK, step, "first bond broke");
+    }
+}
+
+/* The damage stage of a step; `step` counts the one that ends. The tip is noted every few steps whether or
+ * not anything broke, for its speed is a slope over time. */
+void beam_update_damage(Beam *beam, long step)
+{
+    if (beam->n_dirty > 0)
+        update_dirty(beam, step);
+    if (beam->def.problem == BEAM_NOTCHED)
+        crack_note_tip(beam, step);
+}
+
+/* After a snapshot is restored: damage follows from the bits of broken bonds and their steps. In the middle
+ * of a step bonds that broke in this step do not count yet; their ends stay marked for the coming damage
+ * stage. */
+void beam_rebuild_damage(Beam *beam)
+{
+    const Lattice *lattice = &beam->lattice;
+    long step = beam->sim.step;
+    memset(beam->is_dirty, 0, lattice_nodes(lattice));
+    memset(beam->damage, 0, lattice_nodes(lattice) * sizeof *beam->damage);
+    beam->n_dirty = 0;
+    for (size_t byte = 0; byte < lattice_slots(lattice) / 8; byte++)
+        for (size_t bit = 0; beam->broken[byte] >> bit != 0; bit++)
+            if (beam->broken[byte] >> bit & 1)
+                mark_ends(beam, lattice_slot_place(lattice, 8 * byte + bit));
+    for (size_t k = 0; k < beam->n_dirty; k++)
+        beam->damage[beam->dirty[k]] = node_damage(beam, beam->dirty[k], step);
+    size_t n_due = 0;
+    for (size_t k = 0; k < beam->n_dirty; k++) {
+        uint32_t node = beam->dirty[k];
+        beam->is_dirty[node] = node_damage(beam, node, step + 1) > beam->damage[node];
+        if (beam->is_dirty[node])
+            beam->dirty[n_due++] = node;
+    }
+    beam->n_dirty = n_due;
+    beam->crack.valid = false;
+}
+
+bool beam_holds(const Beam *beam, double x, double y)
+{
+    const double spacing = beam->lattice.spacing;
+    return x > spacing && x < beam->def.length - spacing && y > spacing && y < beam->def.height - spacing;
+}
+
+static bool has_fronts(const Beam *beam)
+{
+    bool any = false;
+    for (int i = 0; beam->def.problem == BEAM_PLATE && i < beam->def.plate.n_cuts; i++) {
+        const PlateCut *cut = &beam->def.plate.cuts[i];
+        any = any || beam_holds(beam, cut->x0, cut->y0) || beam_holds(beam, cut->x1, cut->y1);
+    }
+    return any;
+}
+
+void beam_set_breaking(Beam *beam)
+{
+    beam->sim.has |= HAS_BREAKING | (has_fronts(beam) ? HAS_FRONTS : 0u);
+}

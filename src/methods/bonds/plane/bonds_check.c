@@ -1,0 +1,171 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Is a definition sound? Each line names the key as in a scenario file, what is wrong and what is allowed. */
+#include "methods/bonds/plane/bonds_internal.h"
+
+#include "methods/bonds/plane/plate/cuts.h"
+#include "methods/bonds/plane/plate/plate_check.h"
+
+#include <math.h>
+
+typedef struct Bound {
+    const char *key;
+    double value;
+    bool positive; /* else: not negative */
+} Bound;
+
+static bool is_bounded(const Bound *bound)
+{
+    return isfinite(bound->value) && (bound->positive ? bound->value > 0 : bound->value >= 0);
+}
+
+static bool check_bounds(const BeamDef *def, Status *status)
+{
+    const Bound of_body[] = {
+        {"length", def->length, true},       {"height", def->height, true},
+        {"thickness", def->thickness, true}, {"youngs_modulus", def->youngs_modulus, true},
+        {"density", def->density, true},
+    };
+    const Bound bounds[] = {
+        {"pd.spacing", def->spacing, true},
+        {"pd.horizon", def->horizon, true},
+        {"pd.critical_stretch", def->critical_stretch, false},
+        {"pd.protected", def->protected_depth, false},
+        {"time.step", def->dt, false},
+        {"load.ramp", def->load_ramp, false},
+        {"damping.rate", def->damping, false},
+    };
+    for (size_t k = 0; k < sizeof of_body / sizeof *of_body; k++)
+        if (!is_bounded(&of_body[k]))
+            return status_fail(status, STATUS_USAGE, "%s.%s: %g is not allowed (greater than 0)",
+                               beam_word(def), of_body[k].key, of_body[k].value);
+    for (size_t k = 0; k < sizeof bounds / sizeof *bounds; k++)
+        if (!is_bounded(&bounds[k]))
+            return status_fail(status, STATUS_USAGE, "%s: %g is not allowed (%s)", bounds[k].key,
+                               bounds[k].value, bounds[k].positive ? "greater than 0" : "0 or more");
+    if (!isfinite(def->body_force))
+        return status_fail(status, STATUS_USAGE, "load.body_force: %g is not a number", def->body_force);
+    if (def->threads < 1)
+        return status_fail(status, STATUS_USAGE, "--threads: %d is not allowed (1 or more)", def->threads);
+    return true;
+}
+
+static bool check_lattice(const BeamDef *def, Status *status)
+{
+    double ratio = def->horizon / def->spacing;
+    if (ratio < 1 - 1e-9)
+        return status_fail(status, STATUS_USAGE,
+                           "pd.horizon: %g is below the spacing (at least pd.spacing = %g)", def->horizon,
+                           def->spacing);
+    if (def->influence == INFLUENCE_CONICAL && ratio < 1.5)
+        return status_fail(
+            status, STATUS_USAGE,
+            "pd.influence: conical leaves bonds as long as the horizon nothing, and pd.horizon "
+            "is %.3g spacings (at least 1.5, or constant)",
+            ratio);
+    if (ratio > LATTICE_REACH_MAX * (1 + 1e-9))
+        return status_fail(status, STATUS_USAGE,
+                           "pd.horizon: %g is %.3g spacings (at most %d times pd.spacing)", def->horizon,
+                           ratio, LATTICE_REACH_MAX);
+    if (!(def->critical_stretch < 0.5))
+        return status_fail(status, STATUS_USAGE, "pd.critical_stretch: %g is not allowed (0 to below 0.5)",
+                           def->critical_stretch);
+    return true;
+}
+
+static bool check_vibrating(const BeamDef *def, Status *status)
+{
+    if (!isfinite(def->amplitude) || fabs(def->amplitude) > def->length / 2)
+        return status_fail(status, STATUS_USAGE,
+                           "initial.amplitude: %g is not allowed (within half of beam.length)",
+                           def->amplitude);
+    return true;
+}
+
+static bool check_moving(const BeamDef *def, Status *status)
+{
+    if (!check_vibrating(def, status))
+        return false;
+    if (!(def->speed >= 0) || !isfinite(def->speed))
+        return status_fail(status, STATUS_USAGE, "motion.speed: %g is not allowed (0 or more)", def->speed);
+    if (!(def->channel >= def->horizon) || !isfinite(def->channel))
+        return status_fail(status, STATUS_USAGE,
+                           "motion.channel: %g is not allowed (at least pd.horizon = %g)", def->channel,
+                           def->horizon);
+    if (!(def->channel > def->speed * def->end))
+        return status_fail(
+            status, STATUS_USAGE,
+            "motion.channel: %g is too short for time.end (more than motion.speed * time.end = %g)",
+            def->channel, def->speed * def->end);
+    return true;
+}
+
+static bool check_notched(const BeamDef *def, Status *status)
+{
+    double dx = def->spacing;
+    if (!(def->notch_position > 0 && def->notch_position < def->length))
+        return status_fail(status, STATUS_USAGE,
+                           "notch.position: %g is outside the beam (between 0 and beam.length = %g)",
+                           def->notch_position, def->length);
+    if (!(def->notch_depth >= 0 && def->notch_depth < def->height))
+        return status_fail(status, STATUS_USAGE,
+                           "notch.depth: %g is not allowed (0 to below beam.height = %g)", def->notch_depth,
+                           def->height);
+    if (!isfinite(def->load_stress))
+        return status_fail(status, STATUS_USAGE, "load.stress: %g is not a number", def->load_stress);
+    if (!(def->load_width > 0))
+        return status_fail(status, STATUS_USAGE, "load.width: %g is not allowed (greater than 0)",
+                           def->load_width);
+    if (!(def->load_position - def->load_width / 2 > -1e-6 * dx &&
+          def->load_position + def->load_width / 2 < def->length + 1e-6 * dx))
+        return status_fail(status, STATUS_USAGE,
+                           "load.position: the load from %g to %g is off the beam (0 to beam.length = %g)",
+                           def->load_position - def->load_width / 2, def->load_position + def->load_width / 2,
+                           def->length);
+    if (!(def->support_left >= 0 && def->support_left < def->support_right))
+        return status_fail(status, STATUS_USAGE,
+                           "supports.left: %g is not allowed (0 to below supports.right = %g)",
+                           def->support_left, def->support_right);
+    if (!(def->support_right <= def->length))
+        return status_fail(status, STATUS_USAGE,
+                           "supports.right: %g is off the beam (at most beam.length = %g)",
+                           def->support_right, def->length);
+    return true;
+}
+
+bool beam_check(const BeamDef *def, Status *status)
+{
+    static bool (*const of_problem[])(const BeamDef *, Status *) = {
+        [BEAM_SIMPLY_SUPPORTED] = check_vibrating,
+        [BEAM_MOVING_CANTILEVER] = check_moving,
+        [BEAM_NOTCHED] = check_notched,
+        [BEAM_PLATE] = NULL, /* what it has is looked at on its lattice */
+    };
+    Lattice measured;
+    return check_bounds(def, status) && check_lattice(def, status) &&
+           (!of_problem[def->problem] || of_problem[def->problem](def, status)) &&
+           (def->dt == 0 || beam_check_damping(def->damping, def->dt, status)) &&
+           lattice_measure(&measured, def, status) &&
+           (def->problem != BEAM_PLATE ||
+            plate_check(&def->plate, &measured, sqrt(def->youngs_modulus / def->density), status));
+}
+
+static int cut_that(const BeamDef *def, bool (*holds)(const PlateCut *, const Lattice *))
+{
+    Lattice lattice;
+    if (def->problem != BEAM_PLATE || !lattice_measure(&lattice, def, NULL))
+        return -1;
+    for (int k = 0; k < def->plate.n_cuts; k++)
+        if (holds(&def->plate.cuts[k], &lattice))
+            return k;
+    return -1;
+}
+
+int beam_one_sided_cut(const BeamDef *def)
+{
+    return cut_that(def, cut_runs_along_nodes);
+}
+
+int beam_outer_cut(const BeamDef *def)
+{
+    return cut_that(def, cut_runs_outside);
+}

@@ -1,0 +1,316 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A beam from its definition: lattice and bonds (the model), memory, state at t = 0, critical time step, and
+ * the table of functions through which a driver runs it (method.h). Long work calls BeamDef.patience and may
+ * be stopped by it; on any failure nothing is left allocated. */
+#include "methods/bonds/plane/bonds_internal.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The three problems of paper P as it gives them; what it leaves open (size of the notched beam, width of its
+ * load, protected zones) is chosen so that its results come out. */
+BeamDef beam_default(BeamProblem problem)
+{
+    BeamDef def = {
+        .problem = problem,
+        .length = 0.1,
+        .height = 0.005,
+        .thickness = 0.005,
+        .youngs_modulus = 71e9,
+        .density = 2700,
+        .horizon = 1e-3,
+        .spacing = 0.25e-3,
+        .surface_correction = SURFACE_ENERGY,
+        .volume_correction = VOLUME_PARTIAL,
+        .amplitude = 3e-6,
+        .end = 1.8e-3,
+        .threads = 1,
+    };
+    if (problem == BEAM_MOVING_CANTILEVER) {
+        def.speed = 10;
+        def.channel = 0.055;
+        def.clamp = CLAMP_FULL;
+        def.end = 5e-3;
+    }
+    if (problem == BEAM_NOTCHED) {
+        def.length = 0.21;
+        def.height = 0.07;
+        def.thickness = 0.0254;
+        def.youngs_modulus = 34.48e9;
+        def.density = 2400;
+        def.horizon = 2e-3;
+        def.spacing = 0.5e-3;
+        def.critical_stretch = 0.00085;
+        def.protected_depth = 0.003;
+        def.amplitude = 0;
+        def.notch_position = 0.065;
+        def.notch_depth = 0.0175;
+        def.load_stress = 60e6;
+        def.load_ramp = 1e-6;
+        def.load_position = 0.105;
+        def.load_width = 0.003;
+        def.support_left = 0.005;
+        def.support_right = 0.205;
+        def.dt = 1e-7;
+        def.end = 3e-4;
+    }
+    if (problem == BEAM_PLATE) {
+        def.height = 0.04;
+        def.thickness = 0.001;
+        def.youngs_modulus = 65e9;
+        def.density = 2235;
+        def.amplitude = 0;
+        def.plate.probe_x = def.length / 2;
+        def.plate.probe_y = def.height / 2;
+        def.end = 5e-5;
+    }
+    return def;
+}
+
+static void destroy(Simulation *sim)
+{
+    Beam *beam = (Beam *)sim;
+    pool_destroy(beam->pool);
+    for (int band = 0; beam->band_logs && band < beam->n_bands; band++)
+        free(beam->band_logs[band].breaks);
+    free(beam->band_logs);
+    free(beam->band_of_row);
+    free(beam->band_first);
+    free(beam->coefficient);
+    free(beam->notched);
+    free(beam->unbreakable);
+    free(beam->rooted);
+    free(beam->state);
+    free(beam->broken_at);
+    free(beam->damage);
+    free(beam->dirty);
+    free(beam->is_dirty);
+    free(beam->halo);
+    free(beam->row_energy);
+    free(beam->row_squares);
+    free(beam->row_work);
+    free(beam->row_speeds);
+    free(beam->scratch);
+    free(beam->rescue.state);
+    lattice_free(&beam->lattice);
+    free(beam);
+}
+
+/* Zeroed, aligned to a cache line. NULL: no memory, or given up on the way, for gigabytes take their time. */
+static void *zeroed(Beam *beam, size_t bytes)
+{
+    const size_t piece = 4 << 20;
+    bytes = (bytes + 63) / 64 * 64;
+    char *block = aligned_alloc(64, bytes ? bytes : 64);
+    for (size_t at = 0; block && at < bytes; at += piece) {
+        memset(block + at, 0, bytes - at < piece ? bytes - at : piece);
+        if (!beam_go_on(beam, BUILDING_BONDS, NULL)) {
+            free(block);
+            return NULL;
+        }
+    }
+    return block;
+}
+
+/* Two threads begin at the two ends and meet near the middle, so bands get smaller towards it: nobody waits
+ * long for the last one. Elsewhere they are as large as is worth while, since each has a halo to add. */
+static void cut_into_bands(Beam *beam)
+{
+    int ny = beam->lattice.ny, middle = ny / 2, most = 8 + ny / 8192;
+    beam->n_bands = 0;
+    for (int row = 0; row < ny;) {
+        /* above the middle the mirror image of below */
+        int rows = row < middle ? (middle - row) / 2 : (row - middle + 1);
+        rows = rows < 1 ? 1 : rows > most ? most : rows;
+        beam->band_first[beam->n_bands] = row;
+        for (int end = row + rows; row < end && row < ny; row++)
+            beam->band_of_row[row] = beam->n_bands;
+        beam->n_bands++;
+    }
+    beam->band_first[beam->n_bands] = ny;
+}
+
+/* All arrays. The state is one block, so that a snapshot is one copy: head, then ux, uy, vx, vy, fx, fy (each
+ * ny rows of `stride` doubles), then a bit for each slot of a bond, set where it is broken; the head is
+ * padded to a cache line. */
+static bool allocate(Beam *beam, Status *status)
+{
+    const Lattice *lattice = &beam->lattice;
+    size_t nodes = lattice_nodes(lattice), slots = lattice_slots(lattice);
+    beam->array = (size_t)lattice->ny * lattice->stride;
+    size_t head = (sizeof(StateHead) + 63) / 64 * 64, arrays = 6 * beam->array * sizeof(double);
+    beam->state_size = head + arrays + slots / 8;
+
+    beam->band_of_row = zeroed(beam, (size_t)lattice->ny * sizeof *beam->band_of_row);
+    beam->band_first = zeroed(beam, ((size_t)lattice->ny + 1) * sizeof *beam->band_first);
+    if (!beam->band_of_row || !beam->band_first)
+        return beam_go_on(beam, BUILDING_BONDS, status) &&
+               status_fail(status, STATUS_FAILED, "not enough memory for %d rows (pd.spacing)", lattice->ny);
+    cut_into_bands(beam);
+    size_t bands = (size_t)beam->n_bands, reach = (size_t)lattice->reach;
+
+    beam->coefficient = zeroed(beam, slots * sizeof *beam->coefficient);
+    beam->notched = zeroed(beam, slots / 8);
+    beam->unbreakable = zeroed(beam, nodes);
+    beam->rooted = zeroed(beam, (size_t)lattice->ny * lattice->n_tiles * (size_t)lattice->n_offsets);
+    beam->state = zeroed(beam, beam->state_size);
+    beam->rescue.state = malloc(beam->state_size);
+    beam->broken_at = calloc(slots, sizeof *beam->broken_at);
+    beam->damage = zeroed(beam, nodes * sizeof *beam->damage);
+    beam->dirty = zeroed(beam, nodes * sizeof *beam->dirty);
+    beam->is_dirty = zeroed(beam, nodes);
+    beam->halo = zeroed(beam, bands * 2 * reach * lattice->stride * sizeof *beam->halo);
+    beam->row_energy = zeroed(beam, (size_t)lattice->ny * sizeof *beam->row_energy);
+    beam->row_squares = zeroed(beam, 2 * (size_t)lattice->ny * sizeof *beam->row_squares);
+    beam->row_work = zeroed(beam, 2 * (size_t)lattice->ny * sizeof *beam->row_work);
+    beam->row_speeds = zeroed(beam, 2 * (size_t)lattice->ny * sizeof *beam->row_speeds);
+    beam->band_logs = zeroed(beam, bands * sizeof *beam->band_logs);
+    beam->scratch = zeroed(beam, (size_t)beam->def.threads * BONDS_SCRATCH * sizeof *beam->scratch);
+    if (!beam->coefficient || !beam->notched || !beam->unbreakable || !beam->rooted || !beam->state ||
+        !beam->rescue.state || !beam->broken_at || !beam->damage || !beam->dirty || !beam->is_dirty ||
+        !beam->halo || !beam->row_energy || !beam->row_squares || !beam->row_work || !beam->row_speeds ||
+        !beam->band_logs || !beam->scratch)
+        return beam_go_on(beam, BUILDING_BONDS, status) &&
+               status_fail(status, STATUS_FAILED, "not enough memory for %zu bonds (pd.spacing)",
+                           lattice_bonds(lattice));
+
+    double *arrays_at = (double *)((char *)beam->state + head);
+    double **each[] = {&beam->nodes.ux, &beam->nodes.uy, &beam->nodes.vx,
+                       &beam->nodes.vy, &beam->nodes.fx, &beam->nodes.fy};
+    for (size_t k = 0; k < 6; k++)
+        *each[k] = arrays_at + k * beam->array;
+    beam->head = beam->state;
+    beam->broken = (uint8_t *)beam->state + head + arrays;
+    beam->head->load_stress = beam->def.load_stress;
+    beam->head->critical_stretch = beam->def.critical_stretch;
+    beam->head->body_force = beam->def.body_force;
+    beam->head->first_break = beam->head->twentieth_break = beam->head->arrival = -1;
+    if (beam->def.threads > 1) {
+        beam->pool = pool_create(beam->def.threads, status);
+        return beam->pool != NULL;
+    }
+    return true;
+}
+
+/* Velocity Verlet is stable for dt < 2/omega_max of the lattice (beam_critical.c); auto takes half of it. A
+ * step above it is refused. (Paper P takes 1e-8 s, far below; periods do not depend on it.) */
+static bool set_time_step(Beam *beam, Status *status)
+{
+    double critical;
+    if (!beam_critical_step(beam, &critical, status))
+        return false;
+    beam->facts.critical_step = critical;
+    beam->sim.dt = beam->def.dt > 0 ? beam->def.dt : critical / 2;
+    if (!(beam->sim.dt <= critical))
+        return status_fail(status, STATUS_USAGE,
+                           "time.step: %g is above the critical time step (at most %.4g, or auto)",
+                           beam->sim.dt, critical);
+    return true;
+}
+
+/* Forces at t = 0, which the first half kick needs: eq. 8 with the load at t = 0. A bond that is stretched
+ * too far by the initial shape breaks now and counts as broken before the first step. */
+static bool start(Beam *beam, Status *status)
+{
+    if (!beam_ask_forces(beam, BUILDING_START, status))
+        return false;
+    for (int band = 0; band < beam->n_bands; band++) {
+        const BeamDef *def = &beam->def;
+        if (beam->band_logs[band].unstable &&
+            !isfinite(def->youngs_modulus / def->density / (def->spacing * def->spacing)))
+            return status_fail(status, STATUS_USAGE,
+                               "%s.density: %g is too light for the forces of its bonds (a larger one)",
+                               beam_word(def), def->density);
+        if (beam->band_logs[band].unstable)
+            return status_fail(status, STATUS_USAGE,
+                               "initial.amplitude: %g tears the beam apart at the start (a smaller one)",
+                               beam->def.amplitude);
+        if (!beam_take_log(beam, &beam->band_logs[band], -1))
+            return status_fail(status, STATUS_FAILED, "not enough memory for the broken bonds");
+    }
+    for (int j = 0; j < beam->lattice.ny; j++)
+        beam_add_loads(beam, j, 0);
+    for (int j = 0; j < beam->lattice.ny; j++)
+        beam_weigh(beam, j);
+    crack_begin(beam);
+    beam_update_damage(beam, 0);
+    beam_rebuild_damage(beam);
+    return true;
+}
+
+static const Method beam_method = {
+    .name = "pd",
+    .title = "peridynamics",
+    .destroy = destroy,
+    .stage = beam_stage,
+    .steps = beam_steps,
+    .row = beam_row,
+    .field = beam_field,
+    .links = beam_links,
+    .explain = beam_explain,
+    .state_size = beam_state_size,
+    .save = beam_save,
+    .load = beam_load,
+    .change = beam_change,
+};
+
+/* In this order, for each part needs those before it: sizes, lattice, memory, bonds, what is held and loaded,
+ * time step, start. The critical step is found with u = 0 and nothing held, so before the initial motion is
+ * set; the first force comes last, when what is held already stands where it should. */
+static bool build(Beam *beam, const BeamOptions *options, Status *status)
+{
+    if (!beam_check(&beam->def, status) || !lattice_init(&beam->lattice, &beam->def, status) ||
+        !allocate(beam, status) || !beam_set_bonds(beam, status))
+        return false;
+    if (!beam_set_problem(beam, status) || !set_time_step(beam, status) || !beam_set_damping(beam, status))
+        return false;
+    if (!beam_set_motion(beam, options, status) || !start(beam, status))
+        return false;
+
+    const Lattice *lattice = &beam->lattice;
+    beam->facts.micromodulus = lattice->micromodulus;
+    beam->facts.damping = beam->damping;
+    beam->facts.nx = lattice->nx;
+    beam->facts.ny = lattice->ny;
+    beam->facts.real_height = lattice->ny * lattice->spacing;
+    if (beam->def.problem == BEAM_MOVING_CANTILEVER)
+        beam->facts.real_span = beam->def.length;
+    beam->facts.family = 2 * (size_t)lattice->n_offsets;
+    beam->facts.bonds = lattice_bonds(lattice);
+    beam_set_stages(beam);
+    beam->sim.stage_items = (size_t)lattice->ny;
+    beam_set_fields(beam);
+    beam_set_series(beam);
+    return true;
+}
+
+Simulation *beam_create_with(const BeamDef *definition, const BeamOptions *options, Status *status)
+{
+    Beam *beam = calloc(1, sizeof *beam);
+    if (!beam) {
+        status_fail(status, STATUS_FAILED, "not enough memory");
+        return NULL;
+    }
+    beam->sim.method = &beam_method;
+    beam->def = *definition;
+    beam->free_body = options && options->free_body;
+    beam->kernels = bond_kernels(options && options->force_level ? options->level : cpu_best());
+    if (!beam->kernels || !build(beam, options, status)) {
+        if (!beam->kernels)
+            status_fail(status, STATUS_FAILED, "this machine has no %s", cpu_name(options->level));
+        destroy(&beam->sim);
+        return NULL;
+    }
+    return &beam->sim;
+}
+
+Simulation *beam_create(const BeamDef *definition, Status *status)
+{
+    return beam_create_with(definition, NULL, status);
+}
+
+void beam_facts(const Simulation *sim, BeamFacts *facts)
+{
+    *facts = ((const Beam *)sim)->facts;
+}

@@ -1,0 +1,90 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Single bonds as they stand, families, and the links that front ends draw. One bond by eqs. 2 and 3:
+ *
+ *     s = (|xi + eta| - |xi|)/|xi|        written so that small strains keep their digits (offset_stretch)
+ *     pull = c G w V s                    force density on its ends, N/m^3, along (xi + eta)/|xi + eta|
+ *     energy = pull s |xi| V b/2          J, b the thickness
+ *
+ * A broken bond has the coefficient c G w V = 0, so its pull and energy are 0. */
+#include "base/assertion.h"
+#include "methods/bonds/plane/bonds_internal.h"
+
+#include <math.h>
+
+/* Eqs. 2, 3 for one bond as the state stands: what the inspector and the tables show. The kernels do not call
+ * it. */
+BondNow beam_bond(const Beam *beam, BondPlace place)
+{
+    const Lattice *lattice = &beam->lattice;
+    const Offset *offset = &lattice->offsets[place.offset];
+    size_t own = lattice_at(lattice, place.i, place.j);
+    size_t other = lattice_at(lattice, place.i + offset->p, place.j + offset->q);
+    size_t slot = lattice_slot(lattice, place), nx = (size_t)lattice->nx;
+    double ex = beam->nodes.ux[other] - beam->nodes.ux[own], ey = beam->nodes.uy[other] - beam->nodes.uy[own];
+    double rx = offset->x + ex, ry = offset->y + ey, length = sqrt(rx * rx + ry * ry);
+    BondNow bond = {
+        .a = (size_t)place.j * nx + (size_t)place.i,
+        .b = (size_t)(place.j + offset->q) * nx + (size_t)(place.i + offset->p),
+        .stretch = offset_stretch(offset, ex, ey),
+        .direction_x = length > 0 ? rx / length : 0,
+        .direction_y = length > 0 ? ry / length : 0,
+        .broken = beam_bit(beam->broken, slot),
+        .notch = beam_bit(beam->notched, slot),
+    };
+    bond.pull = beam->coefficient[slot] * bond.stretch;
+    bond.energy = bond.pull * bond.stretch * offset->length * beam->system.energy_scale;
+    return bond;
+}
+
+/* A node owns half of its bonds; those of the other half are owned by the nodes below it and to its left,
+ * mirrored. */
+size_t beam_family(const Beam *beam, int i, int j, BondPlace *out)
+{
+    const Lattice *lattice = &beam->lattice;
+    size_t n = 0;
+    /* the bonds that others own, then its own: so the other ends come row by row, column by column */
+    for (int q = lattice->reach; q >= 0; q--)
+        for (int o = lattice->first[q + 1] - 1; o >= lattice->first[q]; o--)
+            if (lattice_has(lattice, i - lattice->offsets[o].p, j - q))
+                out[n++] = (BondPlace){i - lattice->offsets[o].p, j - q, o};
+    for (int o = 0; o < lattice->n_offsets; o++)
+        if (lattice_has(lattice, i + lattice->offsets[o].p, j + lattice->offsets[o].q))
+            out[n++] = (BondPlace){i, j, o};
+    return n;
+}
+
+/* A bond as one of its ends sees it. */
+static Link link_from(const Beam *beam, BondPlace place, size_t end)
+{
+    const BondNow bond = beam_bond(beam, place);
+    return (Link){.set = SET_PARTICLE,
+                  .index = bond.a == end ? bond.b : bond.a,
+                  .stretch = bond.stretch,
+                  .pull = bond.pull * beam_volume(beam),
+                  .broken = bond.broken,
+                  .broken_at = bond.broken ? beam->broken_at[lattice_slot(&beam->lattice, place)] : 0};
+}
+
+/* Of a bond its two ends, each as the other sees it; of a node its family. Pull in N/m: force
+ * density times V. */
+size_t beam_links(const Simulation *sim, int set, size_t index, Link *out, size_t max)
+{
+    const Beam *beam = (const Beam *)sim;
+    ASSERT_INT(index, <, sim->counts[set]);
+    if (set == SET_BOND) {
+        const BondPlace place = lattice_bond_place(&beam->lattice, index);
+        const BondNow bond = beam_bond(beam, place);
+        const size_t others[2] = {bond.b, bond.a}; /* of its ends a and b */
+        size_t n = max < 2 ? max : 2;
+        for (size_t k = 0; k < n; k++)
+            out[k] = link_from(beam, place, others[k]);
+        return n;
+    }
+    size_t nx = (size_t)beam->lattice.nx;
+    BondPlace family[FAMILY_MAX];
+    size_t n = beam_family(beam, (int)(index % nx), (int)(index / nx), family);
+    n = n < max ? n : max;
+    for (size_t k = 0; k < n; k++)
+        out[k] = link_from(beam, family[k], index);
+    return n;
+}

@@ -1,0 +1,289 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The fields of a beam that front ends read (Simulation.fields): for each its
+ * index, a row with name, unit and meaning, and the case that fills it. Everything is computed when it is
+ * read, from the state as it stands, in mid-step too; nothing here is part of a step. Strain energy and
+ * largest stretch of nodes, which need all bonds, go through the vector loops of beam_shares.c. SI units. */
+#include "base/assertion.h"
+#include "methods/bonds/plane/bonds_internal.h"
+#include "base/math/functions.h"
+
+#include <math.h>
+#include <string.h>
+
+static const Set sets[N_SETS] = {
+    [SET_PARTICLE] = {"particle", "particles", 0},
+    [SET_BOND] = {"bond", "bonds", 0},
+};
+
+/* --- one row each --------------------------------------------------------------------------------- */
+
+typedef enum FieldIndex {
+    F_X0,
+    F_Y0,
+    F_UX,
+    F_UY,
+    F_VX,
+    F_VY,
+    F_DAMAGE,
+    F_SURFACE,
+    F_STRAIN_ENERGY,
+    F_FX,
+    F_FY,
+    F_SPEED,
+    F_STRETCH,
+    F_FAMILY,
+    F_SURFACE_X,
+    F_SURFACE_Y,
+    F_HELD,
+    F_LOADED,
+    F_PROBE,
+    F_PROTECTED,
+    F_I,
+    F_J,
+    F_XI,
+    F_YI,
+    F_XJ,
+    F_YJ,
+    F_BOND_STRETCH,
+    F_BROKEN,
+    F_BROKEN_AT,
+    F_NOTCH,
+    F_PULL,
+    F_BOND_ENERGY,
+    N_FIELDS
+} FieldIndex;
+
+#define PARTICLE(name, label, unit, meaning, table, whole)                                                   \
+    FIELD_ROW(SET_PARTICLE, table, whole, name, label, unit, meaning)
+#define BOND(name, label, unit, meaning, table, whole)                                                       \
+    FIELD_ROW(SET_BOND, table, whole, name, label, unit, meaning)
+
+static const Field fields[N_FIELDS] = {
+    [F_X0] = PARTICLE("x0", "x0", "m", "reference position along x", true, false),
+    [F_Y0] = PARTICLE("y0", "y0", "m", "reference position along y", true, false),
+    [F_UX] = PARTICLE("ux", "ux", "m", "displacement along x", true, false),
+    [F_UY] = PARTICLE("uy", "uy", "m", "displacement along y", true, false),
+    [F_VX] = PARTICLE("vx", "vx", "m/s", "velocity along x", true, false),
+    [F_VY] = PARTICLE("vy", "vy", "m/s", "velocity along y", true, false),
+    [F_DAMAGE] = PARTICLE("damage", "damage", "1",
+                          "broken share of the family, the notch's bonds included (eq. 5)", true, false),
+    [F_SURFACE] = PARTICLE("surface_factor", "surface factor", "1",
+                           "surface correction of the node: the mean of its two directions", true, false),
+    [F_STRAIN_ENERGY] = PARTICLE("strain_energy", "strain energy", "J",
+                                 "half of the energy of the node's bonds", true, false),
+    [F_FX] = PARTICLE("fx", "force x", "N/m^3", "force density along x", false, false),
+    [F_FY] = PARTICLE("fy", "force y", "N/m^3", "force density along y", false, false),
+    [F_SPEED] = PARTICLE("speed", "speed", "m/s", "magnitude of the velocity", false, false),
+    [F_STRETCH] =
+        PARTICLE("stretch", "stretch", "1", "largest stretch of the node's whole bonds", false, false),
+    [F_FAMILY] = PARTICLE("family", "family", "1", "number of bonds, broken ones included", false, true),
+    [F_SURFACE_X] = PARTICLE("surface_x", "g_x", "1", "surface factor along x", false, false),
+    [F_SURFACE_Y] = PARTICLE("surface_y", "g_y", "1", "surface factor along y", false, false),
+    [F_HELD] = PARTICLE("held", "held", "1", "1: a support or the channel holds the node", false, true),
+    [F_LOADED] = PARTICLE("loaded", "loaded", "1", "1: the load acts on the node", false, true),
+    [F_PROBE] = PARTICLE("probe", "probe", "1", "1: the probe is the mean of such nodes", false, true),
+    [F_PROTECTED] = PARTICLE("protected", "protected", "1", "1: bonds of the node never break", false, true),
+    [F_I] = BOND("i", "i", "1", "particle at one end", true, true),
+    [F_J] = BOND("j", "j", "1", "particle at the other end", true, true),
+    [F_XI] = BOND("x_i", "x_i", "m", "reference position of particle i along x", true, false),
+    [F_YI] = BOND("y_i", "y_i", "m", "reference position of particle i along y", true, false),
+    [F_XJ] = BOND("x_j", "x_j", "m", "reference position of particle j along x", true, false),
+    [F_YJ] = BOND("y_j", "y_j", "m", "reference position of particle j along y", true, false),
+    [F_BOND_STRETCH] =
+        BOND("stretch", "stretch", "1", "stretch s between the two particles (eq. 3)", true, false),
+    [F_BROKEN] = BOND("broken", "broken", "1", "1: the bond is broken", true, true),
+    [F_BROKEN_AT] = BOND("broken_at", "broken at", "1",
+                         "step after which it was broken; 0: notch; -1: not broken", true, true),
+    [F_NOTCH] = BOND("notch", "notch", "1", "1: the notch cuts the bond", false, true),
+    [F_PULL] = BOND("pull", "pull", "N/m^3", "force density on its ends, positive in tension", false, false),
+    [F_BOND_ENERGY] = BOND("energy", "energy", "J", "strain energy of the bond", false, false),
+};
+
+/* --- what fills them ------------------------------------------------------------------------------ */
+
+/* Bonds of a node at rest, broken ones included. */
+static double family_size(const Beam *beam, int i, int j)
+{
+    const Lattice *lattice = &beam->lattice;
+    const int reach = lattice->reach;
+    /* far from the surface every family is whole: no need to count, as views read this in every frame */
+    if (i >= reach && j >= reach && i < lattice->nx - reach && j < lattice->ny - reach)
+        return 2 * lattice->n_offsets;
+    BondPlace family[FAMILY_MAX];
+    return (double)beam_family(beam, i, j, family);
+}
+
+/* At present: a column leaves the channel as time goes on. */
+static bool is_held(const Beam *beam, int i, int j)
+{
+    bool held = i < beam_held_columns(beam, simulation_time(&beam->sim));
+    for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++)
+        held = held || patch_has(&s->patch, i, j);
+    return held;
+}
+
+static bool is_loaded(const Beam *beam, int i, int j)
+{
+    bool loaded = false;
+    for (const Load *load = beam->loads; load < beam->loads + beam->n_loads; load++)
+        loaded = loaded || patch_has(&load->patch, i, j);
+    return loaded;
+}
+
+static bool is_at_probe(const Beam *beam, int i, int j)
+{
+    return (i == beam->probe_i[0] || i == beam->probe_i[1]) &&
+           (j == beam->probe_j[0] || j == beam->probe_j[1]);
+}
+
+/* The padded array of the state that a field is; NULL: it is none. */
+static const double *array_of(const Beam *beam, int field)
+{
+    const NodeArrays *nodes = &beam->nodes;
+    const double *const arrays[N_FIELDS] = {[F_UX] = nodes->ux, [F_UY] = nodes->uy, [F_VX] = nodes->vx,
+                                            [F_VY] = nodes->vy, [F_FX] = nodes->fx, [F_FY] = nodes->fy};
+    return arrays[field];
+}
+
+/* Views read these of all nodes in every frame: row by row. */
+static void copy_array(const Beam *beam, const double *array, size_t first, size_t count, double *out)
+{
+    const size_t nx = (size_t)beam->lattice.nx;
+    for (size_t node = first, part; node < first + count; node += part) {
+        const size_t i = node % nx, left = first + count - node;
+        part = nx - i < left ? nx - i : left;
+        memcpy(out + (node - first), array + lattice_at(&beam->lattice, (int)i, (int)(node / nx)),
+               part * sizeof *out);
+    }
+}
+
+/* The value of one node's field; strain energy and stretch go over bonds (beam_shares.c). */
+static double node_field(const Beam *beam, int field, size_t node)
+{
+    const Lattice *lattice = &beam->lattice;
+    const NodeArrays *nodes = &beam->nodes;
+    const int i = (int)(node % (size_t)lattice->nx), j = (int)(node / (size_t)lattice->nx);
+    const size_t at = lattice_at(lattice, i, j);
+    switch (field) {
+    case F_X0:
+        return lattice_x(lattice, i);
+    case F_Y0:
+        return lattice_y(lattice, j);
+    case F_SURFACE:
+        return (lattice->factor_x[node] + lattice->factor_y[node]) / 2;
+    case F_SPEED:
+        return math_hypot(nodes->vx[at], nodes->vy[at]);
+    case F_FAMILY:
+        return family_size(beam, i, j);
+    case F_SURFACE_X:
+        return lattice->factor_x[node];
+    case F_SURFACE_Y:
+        return lattice->factor_y[node];
+    case F_HELD:
+        return is_held(beam, i, j);
+    case F_LOADED:
+        return is_loaded(beam, i, j);
+    case F_PROBE:
+        return is_at_probe(beam, i, j);
+    case F_PROTECTED:
+        return beam->unbreakable[node];
+    default:
+        return 0;
+    }
+}
+
+/* The value of one bond's field; its ends are its owner i and j = i + offset. */
+static double bond_field(const Beam *beam, int field, BondPlace place)
+{
+    const Lattice *lattice = &beam->lattice;
+    const Offset *offset = &lattice->offsets[place.offset];
+    const BondNow bond = beam_bond(beam, place);
+    switch (field) {
+    case F_I:
+        return (double)bond.a;
+    case F_J:
+        return (double)bond.b;
+    case F_XI:
+        return lattice_x(lattice, place.i);
+    case F_YI:
+        return lattice_y(lattice, place.j);
+    case F_XJ:
+        return lattice_x(lattice, place.i + offset->p);
+    case F_YJ:
+        return lattice_y(lattice, place.j + offset->q);
+    case F_BOND_STRETCH:
+        return bond.stretch;
+    case F_BROKEN:
+        return bond.broken;
+    case F_BROKEN_AT:
+        return bond.broken ? (double)beam->broken_at[lattice_slot(lattice, place)] : -1;
+    case F_NOTCH:
+        return bond.notch;
+    case F_PULL:
+        return bond.pull;
+    case F_BOND_ENERGY:
+        return bond.energy;
+    default:
+        return 0;
+    }
+}
+
+void beam_field(const Simulation *sim, int field, size_t first, size_t count, double *out)
+{
+    const Beam *beam = (const Beam *)sim;
+    ASSERT_INT(field, <, sim->n_fields);
+    ASSERT_INT(first + count, <=, sim->counts[fields[field].set]);
+    if (count == 0)
+        return;
+    if (field == F_STRAIN_ENERGY) {
+        beam_strain_energies(beam, first, count, out);
+        return;
+    }
+    if (field == F_STRETCH) {
+        beam_largest_stretches(beam, first, count, out);
+        return;
+    }
+    if (array_of(beam, field)) {
+        copy_array(beam, array_of(beam, field), first, count, out);
+        return;
+    }
+    if (field == F_DAMAGE) {
+        memcpy(out, beam->damage + first, count * sizeof *out);
+        return;
+    }
+    if (fields[field].set == SET_PARTICLE) {
+        for (size_t k = 0; k < count; k++)
+            out[k] = node_field(beam, field, first + k);
+        return;
+    }
+    BondPlace place = lattice_bond_place(&beam->lattice, first);
+    for (size_t k = 0; k < count; k++) {
+        out[k] = bond_field(beam, field, place);
+        place = lattice_next_bond(&beam->lattice, place);
+    }
+}
+
+void beam_set_fields(Beam *beam)
+{
+    Simulation *sim = &beam->sim;
+    sim->sets = sets;
+    sim->n_sets = N_SETS;
+    sim->counts[SET_PARTICLE] = lattice_nodes(&beam->lattice);
+    sim->counts[SET_BOND] = lattice_bonds(&beam->lattice);
+    sim->fields = fields;
+    sim->n_fields = N_FIELDS;
+    sim->common_speed = beam->def.problem == BEAM_MOVING_CANTILEVER ? beam->def.speed : 0;
+    sim->has = HAS_PLANE | HAS_BONDS | HAS_STRETCH | (beam->def.problem == BEAM_PLATE ? HAS_ROWS : 0u);
+    if (beam->def.critical_stretch > 0)
+        beam_set_breaking(beam);
+    sim->columns = (size_t)beam->lattice.nx;
+    sim->rows = (size_t)beam->lattice.ny;
+    sim->spacing = beam->lattice.spacing;
+    sim->dimensions = 2;
+    sim->position[0] = F_X0;
+    sim->position[1] = F_Y0;
+    sim->displacement[0] = F_UX;
+    sim->displacement[1] = F_UY;
+    sim->velocity[0] = F_VX;
+    sim->velocity[1] = F_VY;
+}

@@ -1,0 +1,196 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The row of a step, the columns of a beam's series:
+ *
+ *     probe      mean over up to four nodes beside the point (beam_set_problem)
+ *     kinetic    sum rho (vx^2 + vy^2)/2 V b            strain   sum of bonds c G w s^2 |xi| V^2/2 b
+ *     damped     sum over steps of alpha sum rho |v|^2 V b dt, v at mid-step
+ *     total      kinetic + strain + dissipated + damped; less the work it keeps its value to O(dt^2); to
+ * O(dt) where bonds break
+ *
+ * V = dx^2, b the thickness; SI units. Each column is a function and a row of the table below, which says
+ * which problems have it. Called between steps only, when u, v and the broken bonds belong to the same time.
+ */
+#include "methods/bonds/plane/bonds_internal.h"
+#include "methods/bonds/cracks/crack.h"
+
+/* The mean over the up to four nodes around the probe, which an even number of rows or columns puts between
+ * nodes; where it lies on one, the same node counts four times. */
+static double probe(const Beam *beam, const double *array)
+{
+    double sum = 0;
+    for (int b = 0; b < 2; b++)
+        for (int a = 0; a < 2; a++)
+            sum += array[lattice_at(&beam->lattice, beam->probe_i[a], beam->probe_j[b])];
+    return sum / 4;
+}
+
+static double u_probe(Beam *beam)
+{
+    return probe(beam, beam->nodes.uy);
+}
+
+static double v_probe(Beam *beam)
+{
+    return probe(beam, beam->nodes.vy);
+}
+
+static double ux_probe(Beam *beam)
+{
+    return probe(beam, beam->nodes.ux);
+}
+
+static double vx_probe(Beam *beam)
+{
+    return probe(beam, beam->nodes.vx);
+}
+
+void beam_note_squares(Beam *beam, int j)
+{
+    const size_t first = lattice_at(&beam->lattice, 0, j), count = beam->lattice.columns;
+    const double *vx = beam->nodes.vx + first, *vy = beam->nodes.vy + first;
+    beam->row_squares[2 * j] = beam->kernels->dot(vx, vx, count);
+    beam->row_squares[2 * j + 1] = beam->kernels->dot(vy, vy, count);
+}
+
+/* sum rho |v|^2/2 V b, row by row in a fixed order: the same bits with any vector width and thread. */
+void beam_keep_kinetic(Beam *beam)
+{
+    double sum = 0;
+    for (int k = 0; k < 2 * beam->lattice.ny; k++)
+        sum += beam->row_squares[k];
+    beam->kinetic = sum * beam->def.density / 2 * beam_volume(beam) * beam->def.thickness;
+    beam->kinetic_known = true;
+}
+
+double beam_kinetic(Beam *beam)
+{
+    if (!beam->kinetic_known) {
+        for (int j = 0; j < beam->lattice.ny; j++)
+            beam_note_squares(beam, j);
+        beam_keep_kinetic(beam);
+    }
+    return beam->kinetic;
+}
+
+static double work(Beam *beam)
+{
+    return beam->head->work;
+}
+
+static double dissipated(Beam *beam)
+{
+    return beam->head->dissipated;
+}
+
+/* Less the work this is what the scheme keeps, to second order in dt; it oscillates at twice the frequency.
+ */
+static double total(Beam *beam)
+{
+    return beam_kinetic(beam) + beam_strain(beam) + beam->head->dissipated + beam->head->damped;
+}
+
+static double damped(Beam *beam)
+{
+    return beam->head->damped;
+}
+
+static double broken_bonds(Beam *beam)
+{
+    return (double)beam->head->broken;
+}
+
+/* L(t) = L0 + v0 t, what has left the channel. */
+static double length(Beam *beam)
+{
+    return beam->def.length + beam->def.speed * simulation_time(&beam->sim);
+}
+
+/* The tip as the damage shows it, looked for once however many columns ask for it. */
+static const CrackCache *crack(Beam *beam)
+{
+    Crack measured;
+    if (!beam->crack.valid && crack_measure(&beam->sim, &measured))
+        beam->crack = (CrackCache){true, measured.x, measured.y};
+    return &beam->crack;
+}
+
+static double crack_x(Beam *beam)
+{
+    return crack(beam)->x;
+}
+
+static double crack_y(Beam *beam)
+{
+    return crack(beam)->y;
+}
+
+static double crack_length(Beam *beam)
+{
+    return beam->head->crack_length;
+}
+
+static double crack_speed_of(Beam *beam)
+{
+    return crack_speed_now(beam);
+}
+
+typedef struct SeriesEntry {
+    Quantity quantity;
+    double (*value)(Beam *beam);
+    unsigned problems; /* bits of BeamProblem */
+} SeriesEntry;
+
+enum { ALL = 1 << BEAM_SIMPLY_SUPPORTED | 1 << BEAM_MOVING_CANTILEVER | 1 << BEAM_NOTCHED | 1 << BEAM_PLATE };
+
+static const SeriesEntry series[BEAM_SERIES_MAX] = {
+    {{"u_probe", "u", "m", "transverse displacement at the probe"}, u_probe, ALL},
+    {{"v_probe", "v", "m/s", "transverse velocity at the probe"}, v_probe, ALL},
+    {{"ux_probe", "ux", "m", "displacement along the plate at the probe"}, ux_probe, 1 << BEAM_PLATE},
+    {{"vx_probe", "vx", "m/s", "velocity along the plate at the probe"}, vx_probe, 1 << BEAM_PLATE},
+    {{"length", "length", "m", "length outside the channel, L0 + v0 t"}, length, 1 << BEAM_MOVING_CANTILEVER},
+    {{"crack_x", "crack x", "m", "the crack's tip along the beam; the notch's end before it begins"},
+     crack_x,
+     1 << BEAM_NOTCHED},
+    {{"crack_y", "crack y", "m", "the crack's tip above the bottom; the notch's end before it begins"},
+     crack_y,
+     1 << BEAM_NOTCHED},
+    {{"crack_length", "crack length", "m",
+      "the crack's path from the notch's end to its tip; it never shrinks"},
+     crack_length,
+     1 << BEAM_NOTCHED},
+    {{"crack_speed", "tip speed", "m/s",
+      "the tip's speed over the time in which Rayleigh's wave goes 4 horizons, up to now; it belongs to the "
+      "middle of that time"},
+     crack_speed_of,
+     1 << BEAM_NOTCHED},
+    {{"kinetic", "kinetic", "J", "kinetic energy"}, beam_kinetic, ALL},
+    {{"strain", "strain", "J", "energy of the bonds"}, beam_strain, ALL},
+    {{"work", "work", "J", "work of loads, moving supports and weight"}, work, ALL},
+    {{"dissipated", "dissipated", "J", "energy of the bonds when they broke"}, dissipated, ALL},
+    {{"total", "total", "J", "kinetic + strain + dissipated + damped; less the work it keeps its value"},
+     total,
+     ALL},
+    {{"broken_bonds", "broken bonds", "1", "bonds broken in the run, without those cut before"},
+     broken_bonds,
+     ALL},
+    {{"damped", "damped", "J", "energy that damping has taken"}, damped, ALL},
+};
+
+void beam_row(Simulation *sim, double *out)
+{
+    Beam *beam = (Beam *)sim;
+    for (int k = 0; k < sim->n_series; k++)
+        out[k] = series[beam->series_entry[k]].value(beam);
+}
+
+void beam_set_series(Beam *beam)
+{
+    Simulation *sim = &beam->sim;
+    for (int k = 0; k < BEAM_SERIES_MAX; k++)
+        if ((series[k].problems >> beam->def.problem & 1) &&
+            (series[k].value != damped || beam->damping > 0)) {
+            beam->series_entry[sim->n_series] = k;
+            beam->series[sim->n_series++] = series[k].quantity;
+        }
+    sim->series = beam->series;
+}

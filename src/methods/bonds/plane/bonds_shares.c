@@ -1,0 +1,117 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Fields of nodes that come from their bonds, read by views and tables between stages:
+ *
+ *     strain energy of node i      1/2 sum_j c G w s^2 |xi| V^2/2 b     half of each bond's energy
+ *     largest stretch of node i    max_j s over live bonds              (eq. 3 of paper P)
+ *
+ * with b the thickness of the beam. A view may colour by them in every frame, so bonds are not looked up node
+ * by node but taken row by row, a direction at a time in a vector loop, and each value is added to both ends.
+ * Which nodes are wanted is a range of indices, first to first + count, cut into a slice of each row. */
+#include "methods/bonds/plane/bonds_internal.h"
+
+#include <limits.h>
+
+typedef enum FamilyValue { BOND_ENERGY, LARGEST_STRETCH } FamilyValue;
+
+/* The wanted nodes of one row: columns from .. end - 1, and where their values go. */
+typedef struct RowSlice {
+    int from, end;
+    double *out; /* of column `from`; NULL: none is wanted */
+} RowSlice;
+
+/* The part of row j that lies in [first, first + count). */
+static RowSlice row_slice(const Beam *beam, int j, size_t first, size_t count, double *out)
+{
+    size_t nx = (size_t)beam->lattice.nx, start = (size_t)j * nx, stop = start + nx;
+    size_t low = start > first ? start : first, high = stop < first + count ? stop : first + count;
+    if (low >= high)
+        return (RowSlice){0, 0, NULL};
+    return (RowSlice){(int)(low - start), (int)(high - start), out + (low - first)};
+}
+
+static int smaller(int a, int b)
+{
+    return a < b ? a : b;
+}
+
+static int larger(int a, int b)
+{
+    return a > b ? a : b;
+}
+
+/* Gives the values of `count` bonds to their ends, of which the first is in column `first`. */
+static void share(const Beam *beam, FamilyValue what, const double *values, int first, int count,
+                  RowSlice slice)
+{
+    int from = larger(first, slice.from), end = smaller(first + count, slice.end);
+    if (from >= end)
+        return;
+    double *out = slice.out + (from - slice.from);
+    (what == BOND_ENERGY ? beam->kernels->accumulate : beam->kernels->raise_to)(out, values + (from - first),
+                                                                                (size_t)(end - from));
+}
+
+/* The bonds from row j in direction o that end in a slice. */
+static void share_direction(const Beam *beam, FamilyValue what, int j, int o, RowSlice owners,
+                            RowSlice others)
+{
+    const Lattice *lattice = &beam->lattice;
+    int p = lattice->offsets[o].p, tile_columns = (int)lattice->tile_columns;
+    int from = INT_MAX, end = 0;
+    if (owners.out)
+        from = owners.from, end = owners.end;
+    if (others.out)
+        from = smaller(from, others.from - p), end = larger(end, others.end - p);
+    /* bonds have both ends on the lattice */
+    from = larger(from, larger(0, -p));
+    end = smaller(end, smaller(lattice->nx, lattice->nx - p));
+    while (from < end) {
+        int stop = smaller(end, (from / tile_columns + 1) * tile_columns);
+        BondPlace place = {from, j, o};
+        double values[LATTICE_TILE];
+        (what == BOND_ENERGY ? beam->kernels->energies
+                             : beam->kernels->stretches)(&beam->system, place, (size_t)(stop - from), values);
+        share(beam, what, values, from, stop - from, owners);
+        share(beam, what, values, from + p, stop - from, others);
+        from = stop;
+    }
+}
+
+/* A node meets its bonds in the same order whatever the slice, so that its sum has the same bits. */
+static void family_field(const Beam *beam, FamilyValue what, size_t first, size_t count, double *out)
+{
+    const Lattice *lattice = &beam->lattice;
+    const RowSlice none = {0, 0, NULL};
+    for (size_t k = 0; k < count; k++)
+        out[k] = what == BOND_ENERGY ? 0 : BONDS_NO_STRETCH;
+    size_t nx = (size_t)lattice->nx;
+    int last = (int)((first + count - 1) / nx);
+    for (int j = larger(0, (int)(first / nx) - lattice->reach); j <= last; j++) {
+        RowSlice owners = row_slice(beam, j, first, count, out);
+        for (int q = 0; q <= lattice->reach && j + q < lattice->ny; q++) {
+            RowSlice others = row_slice(beam, j + q, first, count, out);
+            for (int o = lattice->first[q]; o < lattice->first[q + 1]; o++) {
+                /* within a row one end after the other, or the order would depend on where tiles and slices
+                 * begin */
+                share_direction(beam, what, j, o, owners, q == 0 ? none : others);
+                if (q == 0)
+                    share_direction(beam, what, j, o, none, others);
+            }
+        }
+    }
+}
+
+void beam_strain_energies(const Beam *beam, size_t first, size_t count, double *out)
+{
+    family_field(beam, BOND_ENERGY, first, count, out);
+    for (size_t k = 0; k < count; k++)
+        out[k] *= beam->system.energy_scale;
+}
+
+void beam_largest_stretches(const Beam *beam, size_t first, size_t count, double *out)
+{
+    family_field(beam, LARGEST_STRETCH, first, count, out);
+    for (size_t k = 0; k < count; k++)
+        if (out[k] <= BONDS_NO_STRETCH)
+            out[k] = 0;
+}

@@ -1,0 +1,120 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The state as bytes, and the parameters that may change in mid-run. A snapshot is the block of the state
+ * (head, six node arrays, bits of broken bonds); what follows from it (coefficients, damage, the crack) is
+ * computed again when it is put back. */
+#include "methods/bonds/plane/bonds_internal.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+size_t beam_state_size(const Simulation *sim)
+{
+    return ((const Beam *)sim)->state_size;
+}
+
+/* One copy: the state is one block (beam_create.c). */
+void beam_save(const Simulation *sim, void *bytes)
+{
+    const Beam *beam = (const Beam *)sim;
+    memcpy(bytes, beam->state, beam->state_size);
+}
+
+/* Coefficients follow the bits: a bond whose bit differs is broken or made whole again. */
+static void follow_bits(Beam *beam, const uint8_t *bits)
+{
+    for (size_t byte = 0; byte < lattice_slots(&beam->lattice) / 8; byte++) {
+        unsigned differ = beam->broken[byte] ^ bits[byte];
+        for (size_t bit = 0; differ >> bit != 0; bit++)
+            if (differ >> bit & 1) {
+                size_t slot = 8 * byte + bit;
+                BondPlace place = lattice_slot_place(&beam->lattice, slot);
+                beam->coefficient[slot] =
+                    beam_bit(bits, slot) ? 0 : lattice_coefficient(&beam->lattice, place);
+            }
+    }
+}
+
+/* Bonds that could break once in a run may have done so: that stays true of it. */
+static void set_breaking(Beam *beam)
+{
+    bonds_set_limits(&beam->system, beam->head->critical_stretch);
+    if (beam->head->critical_stretch > 0)
+        beam_set_breaking(beam);
+}
+
+/* Puts a snapshot back: only bonds whose bit differs are touched, so a short way back is cheap; damage and
+ * crack are computed anew from the bits. */
+void beam_load(Simulation *sim, const void *bytes)
+{
+    Beam *beam = (Beam *)sim;
+    size_t head = (size_t)((char *)beam->broken - (char *)beam->state);
+    follow_bits(beam, (const uint8_t *)bytes + head);
+    memcpy(beam->state, bytes, beam->state_size);
+    set_breaking(beam);
+    sim->at_rest = beam->head->rested;
+    sim->kinetic_left = beam->head->kinetic_left;
+    beam_rebuild_damage(beam);
+    beam_set_stages(beam);
+    beam->strain_known = beam->kinetic_known = false;
+    beam->rescue.valid = false;
+}
+
+/* Parameters that a run may change between steps: they stand in the state's head, so a snapshot brings back
+ * its own. */
+typedef struct LiveParameter {
+    const char *key;
+    size_t offset; /* in the state's head */
+    bool (*allowed)(const Beam *beam, double value);
+    const char *what;
+} LiveParameter;
+
+static bool any_stress(const Beam *beam, double value)
+{
+    return beam->def.problem == BEAM_NOTCHED && isfinite(value);
+}
+
+static bool any_stretch(const Beam *beam, double value)
+{
+    (void)beam;
+    return value >= 0 && value < 0.5;
+}
+
+static bool any_weight(const Beam *beam, double value)
+{
+    (void)beam;
+    return isfinite(value);
+}
+
+static const LiveParameter live_parameters[] = {
+    {"load.body_force", offsetof(StateHead, body_force), any_weight, "a number in m/s^2"},
+    {"load.stress", offsetof(StateHead, load_stress), any_stress, "a stress in Pa, on the notched beam"},
+    {"pd.critical_stretch", offsetof(StateHead, critical_stretch), any_stretch, "0 to below 0.5"},
+};
+
+bool beam_change(Simulation *sim, const char *key, double value, Status *status)
+{
+    Beam *beam = (Beam *)sim;
+    if (sim->stage != 0 || sim->item != 0)
+        return status_fail(status, STATUS_USAGE, "%s: can be changed between steps only", key);
+    for (size_t k = 0; k < sizeof live_parameters / sizeof *live_parameters; k++) {
+        const LiveParameter *live = &live_parameters[k];
+        if (strcmp(live->key, key) != 0)
+            continue;
+        if (!live->allowed(beam, value))
+            return status_fail(status, STATUS_USAGE, "%s: %g is not allowed (%s)", key, value, live->what);
+        memcpy((char *)beam->head + live->offset, &value, sizeof value);
+        set_breaking(beam);
+        beam->rescue.valid = false;
+        /* it may move anew */
+        beam->head->most_kinetic = 0;
+        beam->head->moved = sim->step;
+        beam->head->kinetic_left = sim->kinetic_left = beam->def.to_rest ? 1 : 0;
+        beam->head->rested = sim->at_rest = false;
+        beam_set_stages(beam);
+        return true;
+    }
+    return status_fail(
+        status, STATUS_USAGE,
+        "%s: cannot change in mid-run (load.stress, load.body_force and pd.critical_stretch can)", key);
+}

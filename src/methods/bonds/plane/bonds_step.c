@@ -1,0 +1,344 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* One time step of a beam by velocity Verlet, paper P:
+ *
+ *     v^{n+1/2} = v^n + dt/2 a^n                               half kick             (9)
+ *     u^{n+1} = u^n + dt v^{n+1/2}                             drift                 (10)
+ *     u, v of held components set                              constraints           (12, 13)
+ *     rho a^{n+1} = sum G f(u^{n+1}) V_j + b(t^{n+1})          bonds, body force     (8)
+ *     v^{n+1} = v^{n+1/2} + dt/2 a^{n+1}                       second half kick      (11)
+ *     phi of nodes whose bonds broke                           damage                (5, 6)
+ *
+ * Damping brakes the half steps, and weight joins the body force (beam_damping.c).
+ *
+ * (Paper P says "Eq. (5)" above eq. 9 where it means eq. 8.) The scheme is of second order and stable up to
+ * dt = 2/omega_max (beam_critical.c). It keeps linear momentum to round-off; the energy ripples by O(dt^2)
+ * about a constant value while no bond breaks. Where bonds break the balance is of first order in dt: a bond
+ * breaks at the first step past s0 and takes the overshoot with it. That is no error of the sums.
+ *
+ * Arrays over nodes are padded rows (lattice.h): u m, v m/s, f = rho a N/m^3. Each stage is a function of one
+ * row of the lattice; whole steps call the same functions for bands of rows, several threads at once, and
+ * join the end of one step to the start of the next. A step fails when a bond doubles its length or
+ * collapses, or when there is no memory for the list of broken bonds. */
+#include "methods/bonds/plane/bonds_internal.h"
+
+#include <math.h>
+
+/* --- what the stages do to one row; `step` is the number of whole steps before this one --- */
+
+/* At held columns (clamp = full: vx = v0 too, clamp = guide: vx free) and at supports. Called after each half
+ * kick and after the drift with the time that this part of the step has reached: after the first half kick a
+ * column counts as held if it was at t^n, from the drift on if it is at t^{n+1}. Taking one time for all
+ * would shift each release by a step. */
+static void constrain_velocity(Beam *beam, int j, double time)
+{
+    const NodeArrays *nodes = &beam->nodes;
+    size_t row = lattice_at(&beam->lattice, 0, j);
+    size_t held = (size_t)beam_held_columns(beam, time);
+    for (size_t i = row; i < row + held; i++) {
+        nodes->vy[i] = 0;
+        if (beam->def.clamp == CLAMP_FULL)
+            nodes->vx[i] = beam->def.speed;
+    }
+    for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++) {
+        if (!patch_has_row(&s->patch, j))
+            continue;
+        const size_t from = row + (size_t)s->patch.i, end = from + (size_t)s->patch.columns;
+        for (size_t i = from; s->x && i < end; i++)
+            nodes->vx[i] = s->vx;
+        for (size_t i = from; s->y && i < end; i++)
+            nodes->vy[i] = s->vy;
+    }
+}
+
+/* u in the channel, (v0 t, 0) in the laboratory's frame; at supports it follows from their velocity. */
+static void constrain_displacement(Beam *beam, int j, double time)
+{
+    const NodeArrays *nodes = &beam->nodes;
+    size_t row = lattice_at(&beam->lattice, 0, j);
+    size_t held = (size_t)beam_held_columns(beam, time);
+    for (size_t i = row; i < row + held; i++) {
+        nodes->uy[i] = 0;
+        if (beam->def.clamp == CLAMP_FULL)
+            nodes->ux[i] = beam->def.speed * time;
+    }
+}
+
+/* v += dt/(2 rho) f, eqs. 9 and 11: f is rho a, so the density divides here and nowhere else. */
+static void kick(Beam *beam, int j)
+{
+    size_t row = lattice_at(&beam->lattice, 0, j), count = beam->lattice.columns;
+    double factor = beam->sim.dt / (2 * beam->def.density);
+    beam->kernels->add(beam->nodes.vx + row, beam->nodes.fx + row, factor, count);
+    beam->kernels->add(beam->nodes.vy + row, beam->nodes.fy + row, factor, count);
+}
+
+/* Eq. 9 of row j; held components keep the velocity that they are given, whatever the bonds pull. */
+static void half_kick(Beam *beam, int j, long step)
+{
+    beam_brake_first(beam, j);
+    kick(beam, j);
+    constrain_velocity(beam, j, (double)step * beam->sim.dt);
+}
+
+/* Eq. 10 of row j, and the work that belongs to it. */
+static void drift(Beam *beam, int j, long step)
+{
+    size_t row = lattice_at(&beam->lattice, 0, j), count = beam->lattice.columns;
+    double dt = beam->sim.dt;
+    beam->kernels->add(beam->nodes.ux + row, beam->nodes.vx + row, dt, count);
+    beam->kernels->add(beam->nodes.uy + row, beam->nodes.vy + row, dt, count);
+    beam_note_work(beam, j, step);
+    beam_note_speeds(beam, j);
+}
+
+/* Eqs. 12, 13 at the end of the drift: displacements where they are given, and the velocities that belong to
+ * them. */
+static void constraints(Beam *beam, int j, long step)
+{
+    double time = (double)(step + 1) * beam->sim.dt;
+    constrain_displacement(beam, j, time);
+    constrain_velocity(beam, j, time);
+}
+
+/* b of eq. 8 at t^{n+1}, added to what the bonds have left in f. */
+static void body_force(Beam *beam, int j, long step)
+{
+    beam_weigh(beam, j);
+    beam_add_loads(beam, j, (double)(step + 1) * beam->sim.dt);
+}
+
+/* Eq. 11. */
+static void second_kick(Beam *beam, int j, long step)
+{
+    kick(beam, j);
+    beam_brake_second(beam, j);
+    constrain_velocity(beam, j, (double)(step + 1) * beam->sim.dt);
+    beam_note_reaction(beam, j);
+}
+
+/* Enters the bonds that broke into the list of the run. False: a bond is beyond all bounds, or memory was
+ * short. */
+static bool take_log(Beam *beam, BondLog *log, long step, Status *status)
+{
+    bool written = beam_take_log(beam, log, step);
+    if (log->unstable) {
+        log->unstable = false;
+        BondPlace place = lattice_slot_place(&beam->lattice, log->unstable_slot);
+        return simulation_fail(
+            &beam->sim, status,
+            "unstable: at node %zu a bond has doubled its length or collapsed in step %ld, "
+            "t = %.6g s (a smaller time.step or a smaller load)",
+            (size_t)place.j * (size_t)beam->lattice.nx + (size_t)place.i, step + 1,
+            (double)(step + 1) * beam->sim.dt);
+    }
+    if (!written)
+        return simulation_fail(&beam->sim, status,
+                               "not enough memory for the list of broken bonds in step %ld", step + 1);
+    return true;
+}
+
+/* --- stage by stage --- */
+
+typedef void RowStage(Beam *beam, int j, long step);
+
+static RowStage *const row_stages[N_STAGES] = {
+    [STAGE_HALF_KICK] = half_kick,     [STAGE_DRIFT] = drift,
+    [STAGE_CONSTRAINTS] = constraints, [STAGE_BODY_FORCE] = body_force,
+    [STAGE_SECOND_KICK] = second_kick,
+};
+
+/* The bonds that rows [first, end) own, eqs. 2, 3, 6 and 8. Forces that cross from one band of rows to the
+ * next wait in the halos until the last slice, so that f is whole only when the stage is. */
+static bool bonds_stage(Beam *beam, int first, int end, Status *status)
+{
+    BondLog *log = &beam->band_logs[0];
+    log->scratch = beam->scratch;
+    for (int j = first; j < end; j++)
+        beam_bonds_of_row(beam, j, log, true);
+    if (!take_log(beam, log, beam->sim.step, status))
+        return false;
+    if (end < beam->lattice.ny)
+        return true;
+    for (int j = 0; j < beam->lattice.ny; j++)
+        beam_add_halos(beam, j);
+    beam_keep_strain(beam); /* whoever goes by stages looks at each step */
+    return true;
+}
+
+/* One stage on rows [first, end), for whoever looks at a step from inside; called in order, in any slices. */
+bool beam_stage(Simulation *sim, int stage, size_t first, size_t end, Status *status)
+{
+    Beam *beam = (Beam *)sim;
+    beam->kinetic_known = false;
+    if (stage <= STAGE_BONDS)
+        beam->strain_known = false;
+    beam->rescue.valid = false;
+    if (stage == STAGE_BONDS)
+        return bonds_stage(beam, (int)first, (int)end, status);
+    if (stage == STAGE_DAMAGE) {
+        if (end == sim->stage_items) {
+            beam_update_damage(beam, sim->step + 1);
+            beam_look_for_rest(beam, sim->step + 1);
+        }
+        return true;
+    }
+    for (size_t j = first; j < end; j++)
+        row_stages[stage](beam, (int)j, sim->step);
+    if (end < sim->stage_items)
+        return true;
+    /* once all rows are there: the sums are then those of whole steps */
+    if (stage == STAGE_DRIFT || stage == STAGE_SECOND_KICK)
+        beam_add_work(beam, stage == STAGE_SECOND_KICK);
+    if (stage == STAGE_DRIFT)
+        beam_add_speeds(beam);
+    return true;
+}
+
+/* --- whole steps --- */
+
+/* What a step does before its bond forces, on one row: nothing here looks at another row. */
+static void begin_row(Beam *beam, int j, long step)
+{
+    half_kick(beam, j, step);
+    drift(beam, j, step);
+    constraints(beam, j, step);
+}
+
+/* And behind them: the row first receives what the bands below have for it. */
+static void end_row(Beam *beam, int j, long step)
+{
+    beam_add_halos(beam, j);
+    body_force(beam, j, step);
+    second_kick(beam, j, step);
+}
+
+static void begin_chunk(void *context, int band, int worker)
+{
+    (void)worker;
+    Beam *beam = context;
+    for (int j = beam->band_first[band]; j < beam->band_first[band + 1]; j++)
+        begin_row(beam, j, beam->sim.step);
+}
+
+static void end_chunk(void *context, int band, int worker)
+{
+    (void)worker;
+    Beam *beam = context;
+    for (int j = beam->band_first[band]; j < beam->band_first[band + 1]; j++)
+        end_row(beam, j, beam->sim.step);
+}
+
+/* Of a step whose row is taken: with what the row needs of the velocities. */
+static void watched_end_chunk(void *context, int band, int worker)
+{
+    Beam *beam = context;
+    end_chunk(context, band, worker);
+    for (int j = beam->band_first[band]; j < beam->band_first[band + 1]; j++)
+        beam_note_squares(beam, j);
+}
+
+/* The end of this step and the start of the next, while the row is at hand. */
+static void turn_chunk(void *context, int band, int worker)
+{
+    (void)worker;
+    Beam *beam = context;
+    for (int j = beam->band_first[band]; j < beam->band_first[band + 1]; j++) {
+        end_row(beam, j, beam->sim.step);
+        begin_row(beam, j, beam->sim.step + 1);
+    }
+}
+
+/* Whole steps, `done` of `count`, fewer where the beam comes to rest; rows: n_series numbers for each, or
+ * NULL. The end of a step and the beginning of the next touch the same row of nodes and nothing else, so they
+ * are one pass while the row is in the cache (turn_chunk); only a row of the series in between parts them. On
+ * failure the state is in the middle of the step that failed. */
+static bool run_steps(Beam *beam, long count, double *rows, long *done, Status *status)
+{
+    Simulation *sim = &beam->sim;
+    bool begun = false;
+    for (*done = 0; *done < count && !beam->sim.at_rest; ++*done) {
+        beam->strain_known = beam->kinetic_known = false;
+        if (!begun) {
+            beam_run(beam, begin_chunk, beam->n_bands);
+            beam_add_work(beam, 0);
+            beam_add_speeds(beam);
+        }
+
+        beam_bond_forces(beam, rows != NULL);
+        bool sound = true;
+        for (int band = 0; band < beam->n_bands; band++)
+            sound = take_log(beam, &beam->band_logs[band], sim->step, status) && sound;
+        if (!sound)
+            return false;
+
+        bool pause = rows || *done + 1 == count || beam_asks_for_rest(beam, sim->step + 1);
+        beam_run(beam, rows ? watched_end_chunk : pause ? end_chunk : turn_chunk, beam->n_bands);
+        if (rows)
+            beam_keep_kinetic(beam);
+        begun = !pause;
+        beam_add_work(beam, 1);
+        if (begun) {
+            beam_add_work(beam, 0);
+            beam_add_speeds(beam);
+        }
+        beam_update_damage(beam, sim->step + 1);
+        if (pause)
+            beam_look_for_rest(beam, sim->step + 1);
+        sim->step++;
+        if (rows)
+            beam_row(sim, rows + *done * sim->n_series);
+    }
+    return true;
+}
+
+/* --- a run that becomes unstable is put back to its last sound step: the state of at most RESCUE_EVERY steps
+ * before is restored, and the steps since are computed again --- */
+
+enum { RESCUE_EVERY = 64 };
+
+static void keep_rescue(Beam *beam)
+{
+    Rescue *rescue = &beam->rescue;
+    rescue->valid = true;
+    beam_save(&beam->sim, rescue->state);
+    rescue->step = beam->sim.step;
+    rescue->n_events = beam->sim.n_events;
+    rescue->events_beyond = beam->sim.events_beyond;
+}
+
+/* From the state that was kept to the last sound step. The steps since are computed again and cannot fail,
+ * for they did not the first time; events since are cut off first, for they are told again. */
+static void go_back(Beam *beam)
+{
+    Simulation *sim = &beam->sim;
+    Status failure = sim->failure;
+    long sound = sim->step, done;
+    sim->step = beam->rescue.step;
+    sim->n_events = beam->rescue.n_events;
+    sim->events_beyond = beam->rescue.events_beyond;
+    beam_load(sim, beam->rescue.state);
+    run_steps(beam, sound - sim->step, NULL, &done, NULL);
+    sim->failed = true;
+    sim->failure = failure;
+}
+
+/* A copy of the state every 64 steps is little beside them; a failure costs up to 63 steps more. */
+bool beam_steps(Simulation *sim, long count, double *rows, long *done, Status *status)
+{
+    Beam *beam = (Beam *)sim;
+    *done = 0;
+    while (*done < count && !sim->at_rest) {
+        if (!beam->rescue.valid || sim->step >= beam->rescue.step + RESCUE_EVERY)
+            keep_rescue(beam);
+        long left = count - *done, until = beam->rescue.step + RESCUE_EVERY - sim->step, part;
+        if (until < left)
+            left = until;
+        bool sound = run_steps(beam, left, rows ? rows + *done * sim->n_series : NULL, &part, status);
+        *done += part;
+        if (!sound) {
+            go_back(beam);
+            return false;
+        }
+    }
+    return true;
+}

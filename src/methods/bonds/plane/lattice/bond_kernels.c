@@ -1,0 +1,302 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The forces and energies of bonds, for rows of the lattice: the stage of a step in which all the time goes.
+ * What is computed, and why without a root, stands in bonds.h.
+ *
+ * Bonds of one direction xi whose owners stand side by side in a row are a segment: owner i at u[i], the
+ * other end at v[i], coefficient c G w V at coefficient[i], no list of indices. A tile is a piece of a row
+ * with all its directions to one row distance q; its forces go into two padded arrays first, a row for each
+ * direction, and are then added to the owners and subtracted, p columns on, from the other ends (p the
+ * direction's columns).
+ *
+ * The file is compiled once for each CpuLevel. Blocks are always eight columns, and every sum keeps eight
+ * partial sums, so that the width of the vectors leaves no trace. Units: m, N/m^3 for forces, J for energies.
+ */
+#include "methods/bonds/plane/lattice/bond_segment.h"
+
+#if defined(__AVX512F__)
+#define LEVEL   CPU_AVX512
+#define KERNELS bond_kernels_avx512
+#elif defined(__AVX2__)
+#define LEVEL   CPU_AVX2
+#define KERNELS bond_kernels_avx2
+#else
+#define LEVEL   CPU_PLAIN
+#define KERNELS bond_kernels_plain
+#endif
+
+/* The segment of direction o that begins at column `from` of row j: the other ends lie q rows and p columns
+ * on, at one fixed distance in memory, which is why no list of indices is needed. */
+KERNEL_INLINE Segment segment_of(const BondSystem *system, int j, int o, size_t from, size_t count,
+                                 double *coefficient)
+{
+    const Lattice *lattice = system->lattice;
+    const Offset *direction = &lattice->offsets[o];
+    size_t own = lattice_at(lattice, 0, j) + from;
+    ptrdiff_t shift = (ptrdiff_t)lattice->stride * direction->q + direction->p;
+    return (Segment){
+        direction,
+        system->series_limit[o],
+        system->break_limit[o],
+        system->ux + own,
+        system->uy + own,
+        system->ux + own + shift,
+        system->uy + own + shift,
+        coefficient,
+        count,
+        system->rooted +
+            ((size_t)j * lattice->n_tiles + from / lattice->tile_columns) * (size_t)lattice->n_offsets + o,
+        {(int)from, j, o}};
+}
+
+/* Where the forces of a row distance come together: two padded arrays with a row of BONDS_SPAN per direction,
+ * of which `count` from LATTICE_BLOCK on hold forces and the rest zeros. */
+typedef struct Parts {
+    double *x, *y;
+    int n; /* directions */
+    const Offset *offsets;
+    size_t count;
+} Parts;
+
+/* Adds every bond's force to its owner. */
+KERNEL_INLINE void add_own(const Parts *parts, int n, double *restrict fx, double *restrict fy)
+{
+    const double *restrict px = parts->x + BONDS_MARGIN, *restrict py = parts->y + BONDS_MARGIN;
+    for (size_t i = 0; i < parts->count; i += LANES) {
+        Vector x = vector_load(fx + i), y = vector_load(fy + i);
+        for (int o = 0; o < n; o++) {
+            x += vector_load(px + o * BONDS_SPAN + i);
+            y += vector_load(py + o * BONDS_SPAN + i);
+        }
+        vector_store(fx + i, x);
+        vector_store(fy + i, y);
+    }
+}
+
+/* Subtracts it from the other end, p columns on. */
+KERNEL_INLINE void subtract_other(const Parts *parts, int n, double *restrict fx, double *restrict fy)
+{
+    const double *restrict px = parts->x, *restrict py = parts->y;
+    ptrdiff_t shift[2 * LATTICE_REACH_MAX + 1];
+    for (int o = 0; o < n; o++)
+        shift[o] = o * BONDS_SPAN + BONDS_MARGIN - LATTICE_BLOCK - parts->offsets[o].p;
+    for (size_t i = 0; i < parts->count + 2 * LATTICE_BLOCK; i += LANES) {
+        Vector x = vector_load(fx + i - LATTICE_BLOCK), y = vector_load(fy + i - LATTICE_BLOCK);
+        for (int o = 0; o < n; o++) {
+            x -= vector_load(px + (ptrdiff_t)i + shift[o]);
+            y -= vector_load(py + (ptrdiff_t)i + shift[o]);
+        }
+        vector_store(fx + i - LATTICE_BLOCK, x);
+        vector_store(fy + i - LATTICE_BLOCK, y);
+    }
+}
+
+KERNEL_INLINE void gather(const Parts *parts, int n, double *fx, double *fy, double *other_x, double *other_y)
+{
+    add_own(parts, n, fx, fy);
+    subtract_other(parts, n, other_x, other_y);
+}
+
+/* The same with the number of directions a constant, for the families in use (3 and 4 spacings). */
+static void gather_parts(const Parts *parts, double *fx, double *fy, double *other_x, double *other_y)
+{
+    switch (parts->n) {
+    case 1:
+        gather(parts, 1, fx, fy, other_x, other_y);
+        break;
+    case 3:
+        gather(parts, 3, fx, fy, other_x, other_y);
+        break;
+    case 4:
+        gather(parts, 4, fx, fy, other_x, other_y);
+        break;
+    case 5:
+        gather(parts, 5, fx, fy, other_x, other_y);
+        break;
+    case 7:
+        gather(parts, 7, fx, fy, other_x, other_y);
+        break;
+    default:
+        gather(parts, parts->n, fx, fy, other_x, other_y);
+    }
+}
+
+/* Zeros behind the forces of `count` columns, which subtract_other() reads: once for tiles of one width.
+ * Those before them are never written. */
+static void clear_margins(double *scratch, int n, size_t count)
+{
+    for (int o = 0; o < n; o++)
+        for (int i = 0; i < BONDS_MARGIN; i += LANES) {
+            const size_t at = (size_t)(o * BONDS_SPAN + BONDS_MARGIN + i) + count;
+            vector_store(scratch + at, (Vector){0});
+            vector_store(scratch + BONDS_SCRATCH / 2 + at, (Vector){0});
+        }
+}
+
+/* All bonds from columns [from, from + count) of row j to row j + q. */
+KERNEL_INLINE double tile(const BondSystem *system, int j, int q, size_t from, size_t count,
+                          double *const *fx, double *const *fy, BondLog *log, bool with_energy)
+{
+    const Lattice *lattice = system->lattice;
+    const int first = lattice->first[q];
+    const Parts parts = {log->scratch, log->scratch + BONDS_SCRATCH / 2, lattice->first[q + 1] - first,
+                         lattice->offsets + first, count};
+    double *coefficient = system->coefficient + lattice_slot(lattice, (BondPlace){(int)from, j, first});
+    double energy = 0, sums[LATTICE_BLOCK];
+
+    for (int o = 0; o < parts.n; o++, coefficient += count) {
+        Segment segment = segment_of(system, j, first + o, from, count, coefficient);
+        double *px = parts.x + o * BONDS_SPAN + BONDS_MARGIN, *py = parts.y + o * BONDS_SPAN + BONDS_MARGIN;
+        segment_forces(system, &segment, with_energy, px, py, sums, log);
+        if (with_energy)
+            energy += sum_lanes(sums) * segment.direction->length * system->energy_scale;
+    }
+    gather_parts(&parts, fx[0] + from, fy[0] + from, fx[q] + from, fy[q] + from);
+    return energy;
+}
+
+/* Rows that bonds of row j can reach; the topmost ones have fewer. */
+static int rows_above(const Lattice *lattice, int j)
+{
+    int above = lattice->ny - 1 - j;
+    return above < lattice->reach ? above : lattice->reach;
+}
+
+/* All bonds that row j owns, tile by tile, so that the rows which a tile reaches stay in the cache while all
+ * its row distances are done. energy: J, the sum of their energies; NULL: not asked for. */
+static void forces(const BondSystem *system, int j, double *const *fx, double *const *fy, BondLog *log,
+                   double *energy)
+{
+    const Lattice *lattice = system->lattice;
+    double sum = 0;
+    for (size_t t = 0, before = 0; t < lattice->n_tiles; t++) {
+        size_t from = lattice_tile(lattice, t), count = lattice_tile(lattice, t + 1) - from;
+        if (count != before)
+            clear_margins(log->scratch, 2 * lattice->reach + 1, before = count);
+        for (int q = 0; q <= rows_above(lattice, j); q++)
+            if (energy)
+                sum += tile(system, j, q, from, count, fx, fy, log, true);
+            else
+                tile(system, j, q, from, count, fx, fy, log, false);
+    }
+    if (energy)
+        *energy = sum;
+}
+
+/* The same sum in the same order without the forces: equal to the last bit to what forces() gives. */
+static double energy_of_row(const BondSystem *system, int j)
+{
+    const Lattice *lattice = system->lattice;
+    double sum = 0;
+    for (size_t t = 0; t < lattice->n_tiles; t++) {
+        size_t from = lattice_tile(lattice, t), count = lattice_tile(lattice, t + 1) - from;
+        for (int q = 0; q <= rows_above(lattice, j); q++) {
+            double part = 0, sums[LATTICE_BLOCK];
+            double *coefficient =
+                system->coefficient + lattice_slot(lattice, (BondPlace){(int)from, j, lattice->first[q]});
+            for (int o = lattice->first[q]; o < lattice->first[q + 1]; o++, coefficient += count) {
+                Segment segment = segment_of(system, j, o, from, count, coefficient);
+                segment_energy(system, &segment, sums);
+                part += sum_lanes(sums) * segment.direction->length * system->energy_scale;
+            }
+            sum += part;
+        }
+    }
+    return sum;
+}
+
+static Segment segment_at(const BondSystem *system, BondPlace first, size_t count)
+{
+    double *coefficient = system->coefficient + lattice_slot(system->lattice, first);
+    return segment_of(system, first.j, first.offset, (size_t)first.i, count, coefficient);
+}
+
+/* The stretches of bonds that stand side by side, by the root, and their coefficients. */
+KERNEL_INLINE Vector stretches_at(const Segment *segment, size_t i, Vector *k)
+{
+    const double x = segment->direction->x, y = segment->direction->y, whole = segment->direction->length;
+    const Vector ex = vector_load(segment->vx + i) - vector_load(segment->ux + i),
+                 ey = vector_load(segment->vy + i) - vector_load(segment->uy + i);
+    const Vector rx = x + ex, ry = y + ey;
+    const Vector d = ex * (x + rx) + ey * (y + ry);
+    __builtin_prefetch(segment->coefficient + i + AHEAD);
+    *k = vector_load(segment->coefficient + i);
+    return d / (whole * (vector_root(rx * rx + ry * ry) + whole));
+}
+
+static void stretches(const BondSystem *system, BondPlace first, size_t count, double *restrict out)
+{
+    const Segment segment = segment_at(system, first, count);
+    size_t i = 0;
+    for (; i + LANES <= count; i += LANES) {
+        Vector k;
+        const Vector s = stretches_at(&segment, i, &k), none = (Vector){0} + BONDS_NO_STRETCH;
+        const VectorMask live = k != 0;
+        vector_store(out + i, (Vector)(((VectorMask)s & live) | ((VectorMask)none & ~live)));
+    }
+    for (; i < count; i++)
+        out[i] = segment.coefficient[i] != 0 ? bond_at(&segment, i).stretch : BONDS_NO_STRETCH;
+}
+
+/* c G w V s^2 |xi|/2; a broken bond has the coefficient zero. */
+static void energies(const BondSystem *system, BondPlace first, size_t count, double *restrict out)
+{
+    const Segment segment = segment_at(system, first, count);
+    const double whole = segment.direction->length;
+    size_t i = 0;
+    for (; i + LANES <= count; i += LANES) {
+        Vector k;
+        const Vector s = stretches_at(&segment, i, &k);
+        vector_store(out + i, k * s * s * whole * 0.5);
+    }
+    for (; i < count; i++) {
+        const Bond bond = bond_at(&segment, i);
+        out[i] = bond_energy(&segment, i, &bond) * whole * 0.5;
+    }
+}
+
+static void accumulate(double *restrict y, const double *restrict x, size_t count)
+{
+    size_t i = 0;
+    for (; i + LANES <= count; i += LANES)
+        vector_store(y + i, vector_load(y + i) + vector_load(x + i));
+    for (; i < count; i++)
+        y[i] += x[i];
+}
+
+static void raise_to(double *restrict y, const double *restrict x, size_t count)
+{
+    size_t i = 0;
+    for (; i + LANES <= count; i += LANES) {
+        const Vector a = vector_load(x + i), b = vector_load(y + i);
+        const VectorMask more = a > b;
+        vector_store(y + i, (Vector)(((VectorMask)a & more) | ((VectorMask)b & ~more)));
+    }
+    for (; i < count; i++)
+        y[i] = x[i] > y[i] ? x[i] : y[i];
+}
+
+/* y += factor x; count is a multiple of a block, padding included. */
+static void add(double *y, const double *x, double factor, size_t count)
+{
+    for (size_t i = 0; i < count; i += LANES)
+        vector_store(y + i, vector_load(y + i) + factor * vector_load(x + i));
+}
+
+/* x . y by eight partial sums, the same bits at every vector width. */
+static double dot(const double *x, const double *y, size_t count)
+{
+    Vector sum[PARTS];
+    double lanes[LATTICE_BLOCK];
+    for (int part = 0; part < PARTS; part++)
+        sum[part] = (Vector){0};
+    for (size_t i = 0; i < count; i += LATTICE_BLOCK)
+        for (int part = 0; part < PARTS; part++)
+            sum[part] += vector_load(x + i + part * LANES) * vector_load(y + i + part * LANES);
+    for (int part = 0; part < PARTS; part++)
+        vector_store(lanes + part * LANES, sum[part]);
+    return sum_lanes(lanes);
+}
+
+extern const BondKernels KERNELS;
+const BondKernels KERNELS = {LEVEL,      forces,   energy_of_row, stretches, energies,
+                             accumulate, raise_to, add,           dot};

@@ -1,0 +1,333 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The lattice of a beam, made once when the beam is created: families, surface correction, numbers of bonds.
+ *
+ *     family, w        as pd_plane/bonds/volume.h has them
+ *     micromodulus     c = 6 E/(pi delta^3 (1 - nu)), nu = 1/3                                 (4)
+ *                      or conical, c_1 (1 - |xi|/delta) with c_1 = 4 c; then nodes from the
+ *                      distance delta on are no family, for nothing binds them
+ *
+ * The correction G of eq. 8, of a bond in direction n between i and j, is one of
+ *
+ *     energy   g_i = (9/16) E / (sum_j c n^4 |xi| w V/4) for x and for y,  gbar = (g_i + g_j)/2,
+ *              G = ((n_x/gbar_x)^2 + (n_y/gbar_y)^2)^(-1/2)
+ *     volume   G = 2 pi delta^2/(V_i + V_j),  V_i = sum_j w V of all members
+ *
+ * (9/16) E is the energy density of a unit uniaxial strain at nu = 1/3 in plane stress, E/(2 (1 - nu^2)); the
+ * sum below it is what the family of node i stores. */
+#include "methods/bonds/plane/lattice/lattice.h"
+
+#include "base/math/functions.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* (1 - (1 + e)^(-1/2))/e for |e| <= 2^-8, as its Chebyshev series cut after the fifth power and written in
+ * powers of e: off by at most 4.7e-17, relative to 1/2. */
+static const double inverse_root_series[LATTICE_SERIES] = {0.5,
+                                                           -0.37500000000000006,
+                                                           0.3124999999725654,
+                                                           -0.27343749995999106,
+                                                           0.2460985445241859,
+                                                           -0.22559118152047733};
+
+static double factor_at(const BeamDef *def, double length)
+{
+    return volume_factor(def->volume_correction, def->horizon, def->spacing, length);
+}
+
+/* One direction of bonds, (p, q) spacings: length, volume factor and the coefficients of the series by which
+ * the kernels get the stretch. With e = (|xi + eta|^2 - |xi|^2)/|xi|^2 the elongation over the deformed
+ * length is e times a power series in e; what is stored is in powers of d = e |xi|^2 itself and over |xi|,
+ * C_k = a_k/|xi|^(2k+3) with the a_k above, so that no kernel divides. */
+static void add_offset(Lattice *lattice, const BeamDef *def, int p, int q)
+{
+    Offset *offset = &lattice->offsets[lattice->n_offsets++];
+    double dx = lattice->spacing, delta = def->horizon;
+    offset->p = p;
+    offset->q = q;
+    offset->x = p * dx;
+    offset->y = q * dx;
+    offset->squared = offset->x * offset->x + offset->y * offset->y;
+    offset->length = sqrt(offset->squared);
+    offset->weight = factor_at(def, offset->length);
+    offset->influence = def->influence == INFLUENCE_CONICAL ? fmax(0, 1 - offset->length / delta) : 1;
+    double scale = 1 / offset->length;
+    for (int k = 0; k < LATTICE_SERIES; k++) {
+        scale /= offset->squared;
+        offset->series[k] = inverse_root_series[k] * scale;
+    }
+}
+
+/* Half of the family, each bond once: q > 0, and of q = 0 those with p > 0. By rows, since the kernels go
+ * through the rows that a node reaches. */
+static void add_offsets(Lattice *lattice, const BeamDef *def)
+{
+    const double dx = lattice->spacing, limit = def->influence == INFLUENCE_CONICAL
+                                                    ? def->horizon * (1 - 1e-9)
+                                                    : volume_reach(def->volume_correction, def->horizon, dx);
+    lattice->reach = (int)(limit / dx);
+    for (int q = 0; q <= lattice->reach; q++) {
+        lattice->first[q] = lattice->n_offsets;
+        for (int p = q == 0 ? 1 : -lattice->reach; p <= lattice->reach; p++)
+            if (math_hypot(p * dx, q * dx) <= limit)
+                add_offset(lattice, def, p, q);
+    }
+    lattice->first[lattice->reach + 1] = lattice->n_offsets;
+}
+
+/* g_x and g_y of node (i, j), 1: (9/16) E over the energy density that its family stores at a unit strain
+ * along x, or y, where a bond is stretched by s = n_x^2 (n_y^2) and half of its energy c s^2 |xi| w V/2 is
+ * the node's. `ends`: how many of its two bonds in directions xi and -xi exist. The notch is ignored: the
+ * correction is that of the body without it. In the bulk g is not 1 either (1.1398 at delta = 4 dx,
+ * partial): it repairs the sum over nodes too, which is less than the integral. */
+static void energy_factors(const Lattice *lattice, int i, int j, double *factor_x, double *factor_y)
+{
+    double volume = lattice->spacing * lattice->spacing, sum_x = 0, sum_y = 0;
+    for (int o = 0; o < lattice->n_offsets; o++) {
+        const Offset *offset = &lattice->offsets[o];
+        int ends = lattice_has(lattice, i + offset->p, j + offset->q) +
+                   lattice_has(lattice, i - offset->p, j - offset->q);
+        double nx = offset->x / offset->length, ny = offset->y / offset->length;
+        double share =
+            ends * lattice->micromodulus * offset->influence * offset->length * offset->weight * volume / 4;
+        sum_x += nx * nx * nx * nx * share;
+        sum_y += ny * ny * ny * ny * share;
+    }
+    *factor_x = 9.0 / 16 * lattice->youngs_modulus / sum_x;
+    *factor_y = 9.0 / 16 * lattice->youngs_modulus / sum_y;
+}
+
+/* V_i = sum w V over the nodes that are there, m^2: less than pi delta^2 near the surface. */
+static double family_area(const Lattice *lattice, const BeamDef *def, int i, int j)
+{
+    const double dx = lattice->spacing, limit = volume_reach(def->volume_correction, def->horizon, dx);
+    const int reach = (int)(limit / dx);
+    double area = 0;
+    for (int q = 0; q <= reach; q++)
+        for (int p = q == 0 ? 1 : -reach; p <= reach; p++) {
+            const int ends = lattice_has(lattice, i + p, j + q) + lattice_has(lattice, i - p, j - q);
+            if (math_hypot(p * dx, q * dx) <= limit)
+                area += ends * factor_at(def, sqrt(p * dx * (p * dx) + q * dx * (q * dx))) * dx * dx;
+        }
+    return area;
+}
+
+bool lattice_go_on(const BeamDef *def, double share, Status *status)
+{
+    return patience_lasts(&def->patience, share) ||
+           status_fail(status, STATUS_FAILED, "the building of the beam was given up");
+}
+
+/* The factors of all nodes, before the coefficients of bonds are made of them. False: interrupted. */
+static bool set_factors(Lattice *lattice, const BeamDef *def, Status *status)
+{
+    const double nodes = (double)lattice_nodes(lattice);
+    size_t node = 0;
+    for (int j = 0; j < lattice->ny; j++) {
+        for (int i = 0; i < lattice->nx; i++, node++) {
+            const double share = 0.5 + 0.5 * (double)node / nodes;
+            if (node % LATTICE_NODES_A_QUESTION == 0 && !lattice_go_on(def, BUILDING_BONDS * share, status))
+                return false;
+            lattice->factor_x[node] = lattice->factor_y[node] = 1;
+            if (lattice->correction == SURFACE_ENERGY)
+                energy_factors(lattice, i, j, &lattice->factor_x[node], &lattice->factor_y[node]);
+            if (lattice->correction == SURFACE_VOLUME)
+                lattice->factor_x[node] = lattice->factor_y[node] =
+                    M_PI * lattice->horizon * lattice->horizon / family_area(lattice, def, i, j);
+        }
+    }
+    return true;
+}
+
+/* The number of the first bond that each node owns, in the order of nodes and then of offsets: what a table
+ * counts. */
+static bool number_bonds(Lattice *lattice, const BeamDef *def, Status *status)
+{
+    const double nodes = (double)lattice_nodes(lattice);
+    size_t node = 0;
+    uint32_t number = 0;
+    for (int j = 0; j < lattice->ny; j++)
+        for (int i = 0; i < lattice->nx; i++) {
+            const double share = 0.5 * (double)node / nodes;
+            if (node % LATTICE_NODES_A_QUESTION == 0 && !lattice_go_on(def, BUILDING_BONDS * share, status))
+                return false;
+            lattice->first_bond[node++] = number;
+            for (int o = 0; o < lattice->n_offsets; o++)
+                number += lattice_has(lattice, i + lattice->offsets[o].p, j + lattice->offsets[o].q);
+        }
+    lattice->first_bond[node] = number;
+    return true;
+}
+
+/* c G w V of one bond, the factor of its stretch in eq. 8: force density per unit stretch, N/m^3. With the
+ * energy correction G is the radius, in the bond's direction n, of an ellipse whose half axes are the mean
+ * factors of both ends (gbar_x, gbar_y): gbar_x along x, gbar_y along y, in between what an ellipse has, as
+ * Madenci and Oterkus do it. */
+double lattice_coefficient(const Lattice *lattice, BondPlace bond)
+{
+    const Offset *offset = &lattice->offsets[bond.offset];
+    size_t a = (size_t)bond.j * (size_t)lattice->nx + (size_t)bond.i;
+    size_t b = (size_t)(bond.j + offset->q) * (size_t)lattice->nx + (size_t)(bond.i + offset->p);
+    double factor = 1;
+    if (lattice->correction == SURFACE_ENERGY) {
+        double nx = offset->x / offset->length, ny = offset->y / offset->length;
+        double x = nx / ((lattice->factor_x[a] + lattice->factor_x[b]) / 2);
+        double y = ny / ((lattice->factor_y[a] + lattice->factor_y[b]) / 2);
+        factor = 1 / sqrt(x * x + y * y);
+    } else if (lattice->correction == SURFACE_VOLUME) {
+        /* 2 pi delta^2 / (V_a + V_b) from pi delta^2 / V of both ends */
+        factor = 2 / (1 / lattice->factor_x[a] + 1 / lattice->factor_x[b]);
+    }
+    return lattice->micromodulus * offset->influence * factor * offset->weight * lattice->spacing *
+           lattice->spacing;
+}
+
+/* The bond of a slot. Slots go by rows of nodes, in these by tiles of columns, in a tile by offsets and then
+ * by columns: neighbours in memory are what a vector takes at once. */
+BondPlace lattice_slot_place(const Lattice *lattice, size_t slot)
+{
+    size_t n_offsets = (size_t)lattice->n_offsets, row = n_offsets * lattice->columns, within = slot % row;
+    size_t tile = within / n_offsets / lattice->tile_columns;
+    size_t from = lattice_tile(lattice, tile), count = lattice_tile(lattice, tile + 1) - from;
+    within -= from * n_offsets;
+    return (BondPlace){(int)(from + within % count), (int)(slot / row), (int)(within / count)};
+}
+
+static bool exists(const Lattice *lattice, BondPlace bond)
+{
+    const Offset *offset = &lattice->offsets[bond.offset];
+    return lattice_has(lattice, bond.i + offset->p, bond.j + offset->q);
+}
+
+BondPlace lattice_next_bond(const Lattice *lattice, BondPlace bond)
+{
+    do {
+        if (++bond.offset == lattice->n_offsets) {
+            bond.offset = 0;
+            if (++bond.i == lattice->nx) {
+                bond.i = 0;
+                bond.j++;
+            }
+        }
+    } while (bond.j < lattice->ny && !exists(lattice, bond));
+    return bond;
+}
+
+/* The bond of a number, by bisection over the nodes' first bonds: what a table's row shows. */
+BondPlace lattice_bond_place(const Lattice *lattice, size_t number)
+{
+    /* the last node whose first bond is not beyond the number; nodes that own nothing are skipped */
+    size_t low = 0, high = lattice_nodes(lattice);
+    while (high - low > 1) {
+        size_t middle = low + (high - low) / 2;
+        if (lattice->first_bond[middle] <= number)
+            low = middle;
+        else
+            high = middle;
+    }
+    BondPlace bond = {(int)(low % (size_t)lattice->nx), (int)(low / (size_t)lattice->nx), -1};
+    for (size_t left = number - lattice->first_bond[low] + 1; left > 0; left--)
+        bond = lattice_next_bond(lattice, bond);
+    return bond;
+}
+
+/* Columns and rows: nx = round(L/dx) (moving cantilever: of L and the channel), ny = floor(h/dx + 1e-9), of
+ * the notched beam and of plates round(h/dx). So a beam is up to a spacing lower than its h, and its period
+ * longer: T goes as 1/height. y = 0 is the mid-plane, on the notched beam and on plates the bottom. */
+static bool count_nodes(Lattice *lattice, const BeamDef *def, Status *status)
+{
+    double dx = def->spacing, length = def->length;
+    double columns, rows;
+    lattice->x0 = 0;
+    if (def->problem == BEAM_MOVING_CANTILEVER) {
+        lattice->x0 = -def->channel;
+        length += def->channel;
+    }
+    columns = round(length / dx);
+    const bool from_below = def->problem == BEAM_NOTCHED || def->problem == BEAM_PLATE;
+    const char *word = def->problem == BEAM_PLATE ? "plate" : "beam";
+    rows = from_below ? round(def->height / dx) : floor(def->height / dx + 1e-9);
+    if (columns < 4)
+        return status_fail(status, STATUS_USAGE,
+                           "pd.spacing: the %s is only %.0f nodes long (at least 4; %s.length is %g)", word,
+                           columns, word, def->length);
+    if (rows < 2)
+        return status_fail(status, STATUS_USAGE,
+                           "pd.spacing: the %s is only %.0f nodes high (at least 2; %s.height is %g)", word,
+                           rows, word, def->height);
+    /* bounds of memory: two gigabytes of coefficients, as much of node arrays */
+    const double bonds_max = 268435456, nodes_max = 33554432;
+    double bonds = columns * rows * lattice->n_offsets;
+    if (bonds > bonds_max)
+        return status_fail(status, STATUS_USAGE,
+                           "pd.spacing: %.4g nodes with %d bonds each are too many for memory (at most %.0f "
+                           "nodes: a larger spacing, or a smaller horizon)",
+                           columns * rows, lattice->n_offsets, floor(bonds_max / lattice->n_offsets));
+    /* rows are padded: a high beam of a few columns takes as much as a wider one */
+    if ((columns + 3 * LATTICE_BLOCK) * rows > nodes_max)
+        return status_fail(
+            status, STATUS_USAGE,
+            "pd.spacing: %.3g rows of %.3g nodes are too many for memory (at most %.0f rows: a "
+            "larger spacing)",
+            rows, columns, floor(nodes_max / (columns + 3 * LATTICE_BLOCK)));
+    lattice->nx = (int)columns;
+    lattice->ny = (int)rows;
+    lattice->y0 = from_below ? 0 : -(lattice->ny * dx / 2);
+    return true;
+}
+
+/* c = 6 E/(pi delta^3 (1 - nu)), eq. 4: such that a plane under a uniform strain stores what elasticity says;
+ * there |xi| dA c stands under the integral, and with c_1 (1 - |xi|/delta) it comes to a quarter.
+ * One constant for each bond leaves room for one elastic constant only, so nu = 1/3 in plane stress, always.
+ */
+bool lattice_measure(Lattice *lattice, const BeamDef *def, Status *status)
+{
+    *lattice = (Lattice){.spacing = def->spacing,
+                         .horizon = def->horizon,
+                         .youngs_modulus = def->youngs_modulus,
+                         .correction = def->surface_correction};
+    lattice->micromodulus =
+        6 * def->youngs_modulus / (M_PI * def->horizon * def->horizon * def->horizon * (1 - 1.0 / 3));
+    if (def->influence == INFLUENCE_CONICAL)
+        lattice->micromodulus *= 4;
+    add_offsets(lattice, def);
+    return count_nodes(lattice, def, status);
+}
+
+/* Sizes and padding, then the arrays. Rows are padded to whole blocks of the widest vector, whatever the
+ * machine has. */
+bool lattice_init(Lattice *lattice, const BeamDef *def, Status *status)
+{
+    if (!lattice_measure(lattice, def, status))
+        return false;
+    lattice->columns = ((size_t)lattice->nx + LATTICE_BLOCK - 1) / LATTICE_BLOCK * LATTICE_BLOCK;
+    size_t tiles = (lattice->columns + LATTICE_TILE - 1) / LATTICE_TILE,
+           blocks = lattice->columns / LATTICE_BLOCK;
+    lattice->tile_columns = (blocks + tiles - 1) / tiles * LATTICE_BLOCK;
+    lattice->n_tiles = (lattice->columns + lattice->tile_columns - 1) / lattice->tile_columns;
+    lattice->stride = lattice->columns + 2 * LATTICE_BLOCK;
+    if (lattice->stride % 512 == 0)
+        lattice->stride += LATTICE_BLOCK; /* rows a page apart would share their places in the cache */
+
+    size_t nodes = lattice_nodes(lattice);
+    lattice->factor_x = malloc(nodes * sizeof *lattice->factor_x);
+    lattice->factor_y = malloc(nodes * sizeof *lattice->factor_y);
+    lattice->first_bond = malloc((nodes + 1) * sizeof *lattice->first_bond);
+    if (!lattice->factor_x || !lattice->factor_y || !lattice->first_bond) {
+        lattice_free(lattice);
+        return status_fail(status, STATUS_FAILED, "not enough memory for %zu nodes", nodes);
+    }
+    if (number_bonds(lattice, def, status) && set_factors(lattice, def, status))
+        return true;
+    lattice_free(lattice);
+    return false;
+}
+
+void lattice_free(Lattice *lattice)
+{
+    free(lattice->factor_x);
+    free(lattice->factor_y);
+    free(lattice->first_bond);
+    lattice->factor_x = lattice->factor_y = NULL;
+    lattice->first_bond = NULL;
+}

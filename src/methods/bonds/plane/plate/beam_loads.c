@@ -1,0 +1,117 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Loads and moving supports, row by row, and their work.
+ *
+ *     b = (sx, sy) min(1, t/t0)/dx, N/m^3
+ *
+ * A traction (Pa) on an edge becomes a body force in the one layer of nodes along it, which stands for the
+ * depth dx. Its work in a step is that at the middle, b(t^{n+1/2}) v^{n+1/2} V dt times the thickness: of
+ * second order like the scheme. What a moving support does to a node is minus the force density that the node
+ * has, and what damping takes from it (beam_damping.c), so its work is
+ *
+ *     (alpha rho v - (f^n + f^{n+1})/2) v V dt
+ *
+ * times the thickness, one half of it in each half of the step, when f^n and f^{n+1} are at hand. Each row
+ * notes its own work, and the rows are added in their order: the number of threads leaves no trace. */
+#include "methods/bonds/plane/bonds_internal.h"
+
+#include <math.h>
+#include <string.h>
+
+/* The pressure on the notched beam is live, p > 0 downwards. */
+static double load_scale(const Beam *beam)
+{
+    return beam->def.problem == BEAM_NOTCHED ? beam->head->load_stress : 1;
+}
+
+int beam_supports(const Simulation *sim, Support out[PLATE_ROWS_MAX])
+{
+    const Beam *beam = (const Beam *)sim;
+    memcpy(out, beam->supports, sizeof beam->supports);
+    return beam->n_supports;
+}
+
+int beam_loads(const Simulation *sim, Load out[PLATE_ROWS_MAX])
+{
+    const Beam *beam = (const Beam *)sim;
+    memcpy(out, beam->loads, sizeof beam->loads);
+    for (Load *load = out; load < out + beam->n_loads; load++) {
+        load->sx *= load_scale(beam);
+        load->sy *= load_scale(beam);
+    }
+    return beam->n_loads;
+}
+
+void beam_load_force(const Beam *beam, const Load *load, double time, double force[2])
+{
+    const double share = load_share(load, time, beam->sim.dt), dx = beam->lattice.spacing;
+    const double scale = load_scale(beam);
+    force[0] = load->sx * scale * share / dx;
+    force[1] = load->sy * scale * share / dx;
+}
+
+void beam_add_loads(Beam *beam, int j, double time)
+{
+    for (const Load *load = beam->loads; load < beam->loads + beam->n_loads; load++) {
+        double force[2];
+        if (!patch_has_row(&load->patch, j))
+            continue;
+        beam_load_force(beam, load, time, force);
+        const size_t from = lattice_at(&beam->lattice, load->patch.i, j),
+                     end = from + (size_t)load->patch.columns;
+        for (size_t i = from; load->sx != 0 && i < end; i++)
+            beam->nodes.fx[i] += force[0];
+        for (size_t i = from; load->sy != 0 && i < end; i++)
+            beam->nodes.fy[i] += force[1];
+    }
+}
+
+/* sum (f - alpha rho v) v over the nodes of row j that supports move, W/m^3: of the components that are
+ * given. */
+static double moved_power(const Beam *beam, int j)
+{
+    const double drag = beam->damping * beam->def.density;
+    double power = 0;
+    for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++) {
+        if (!patch_has_row(&s->patch, j))
+            continue;
+        const size_t from = lattice_at(&beam->lattice, s->patch.i, j), end = from + (size_t)s->patch.columns;
+        for (size_t i = from; s->x && s->vx != 0 && i < end; i++)
+            power += (beam->nodes.fx[i] - drag * s->vx) * s->vx;
+        for (size_t i = from; s->y && s->vy != 0 && i < end; i++)
+            power += (beam->nodes.fy[i] - drag * s->vy) * s->vy;
+    }
+    return power;
+}
+
+void beam_note_work(Beam *beam, int j, long step)
+{
+    const double dt = beam->sim.dt;
+    double power = 0;
+    for (const Load *load = beam->loads; load < beam->loads + beam->n_loads; load++) {
+        double force[2];
+        if (!patch_has_row(&load->patch, j))
+            continue;
+        beam_load_force(beam, load, ((double)step + 0.5) * dt, force);
+        const size_t from = lattice_at(&beam->lattice, load->patch.i, j),
+                     end = from + (size_t)load->patch.columns;
+        for (size_t i = from; load->sx != 0 && i < end; i++)
+            power += force[0] * beam->nodes.vx[i];
+        for (size_t i = from; load->sy != 0 && i < end; i++)
+            power += force[1] * beam->nodes.vy[i];
+    }
+    beam->row_work[2 * j] = (power - moved_power(beam, j) / 2) * beam_volume(beam) * beam->def.thickness * dt;
+}
+
+void beam_note_reaction(Beam *beam, int j)
+{
+    beam->row_work[2 * j + 1] =
+        -moved_power(beam, j) / 2 * beam_volume(beam) * beam->def.thickness * beam->sim.dt;
+}
+
+void beam_add_work(Beam *beam, int half)
+{
+    for (int j = 0; j < beam->lattice.ny; j++) {
+        beam->head->work += beam->row_work[2 * j + half];
+        beam->row_work[2 * j + half] = 0;
+    }
+}

@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Patches: rectangles of nodes on which something acts. Whatever holds or loads a body, a beam's support, the
+ * pressure on its top, a region of a plate, is one; so a step knows no more of them than this. */
+#ifndef PHYSICS_PD_PATCHES_H
+#define PHYSICS_PD_PATCHES_H
+
+#include "methods/bonds/plane/lattice/lattice.h"
+#include "methods/bonds/plane/plate/plate.h"
+
+static inline bool patch_has(const Patch *patch, int i, int j)
+{
+    return i >= patch->i && i < patch->i + patch->columns && j >= patch->j && j < patch->j + patch->rows;
+}
+
+static inline bool patch_has_row(const Patch *patch, int j)
+{
+    return patch->columns > 0 && j >= patch->j && j < patch->j + patch->rows;
+}
+
+/* The nodes from one place to the other, ends included to 1e-6 dx; `inside`: those strictly inside, by as
+ * much. May be empty (columns or rows 0). */
+Patch patch_of(const Lattice *, double x0, double y0, double x1, double y1, bool inside);
+
+/* The nodes of a stretch of an edge: one layer. */
+Patch patch_of_edge(const Lattice *, PlateEdge, double from, double to);
+
+bool patch_is_empty(const Patch *);
+bool patches_meet(const Patch *, const Patch *);
+
+/* The share of a load that acts at a time, in steps of dt. */
+double load_share(const Load *, double time, double dt);
+
+#endif

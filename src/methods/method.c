@@ -1,0 +1,437 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The driver that all methods share: stages, steps, snapshots, events. */
+#include "methods/method.h"
+
+#include "base/assertion.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* --- things that are followed: their columns stand behind the method's, which knows nothing of them ---- */
+
+typedef struct Follow Follow;
+struct Follow {
+    int own; /* columns of the method */
+    int count;
+    struct {
+        int field;
+        size_t index;
+        char name[FOLLOW_TEXT_MAX], label[FOLLOW_TEXT_MAX], meaning[FOLLOW_TEXT_MAX];
+    } things[FOLLOW_MAX];
+    Quantity *series; /* all */
+    void *present;    /* room for a snapshot, where what is followed is not ready between steps */
+    int holders;      /* the simulation, and who else has its names */
+};
+
+struct Follow *simulation_hold_names(const Simulation *sim)
+{
+    if (sim->follow)
+        sim->follow->holders++;
+    return sim->follow;
+}
+
+void simulation_release_names(struct Follow *follow)
+{
+    if (!follow || --follow->holders > 0)
+        return;
+    free(follow->series);
+    free(follow->present);
+    free(follow);
+}
+
+static bool follow_steps(Simulation *, long count, double *rows, long *done, Status *);
+static void follow_row(Simulation *, double *row);
+
+/* --- steps --------------------------------------------------------------------------------------------- */
+
+double simulation_carried(const Simulation *sim, int field)
+{
+    return field < 0                       ? 0
+           : field == sim->displacement[0] ? sim->common_speed * simulation_time(sim)
+           : field == sim->velocity[0]     ? sim->common_speed
+                                           : 0;
+}
+
+bool simulation_has(const Simulation *sim, unsigned what)
+{
+    return (sim->has & what) == what;
+}
+
+double simulation_time(const Simulation *sim)
+{
+    return (double)sim->step * sim->dt;
+}
+
+static bool may_go_on(const Simulation *sim, Status *status)
+{
+    if (!sim->failed)
+        return true;
+    if (status)
+        *status = sim->failure;
+    return false;
+}
+
+/* A piece of a stage, at most `items` of its things (0: all that are left). Stages are loops over ranges, so
+ * a picture can be drawn, or a key answered, within a step of a large run; the bits do not depend on the
+ * cuts. */
+bool simulation_slice(Simulation *sim, size_t items, bool *stage_done, Status *status)
+{
+    *stage_done = false;
+    ASSERT_INT(sim->stage, <, sim->n_stages);
+    ASSERT_INT(sim->item, <, sim->stage_items);
+    if (!may_go_on(sim, status))
+        return false;
+    size_t left = sim->stage_items - sim->item;
+    size_t end = sim->item + (items == 0 || items > left ? left : items);
+    if (!sim->method->stage(sim, sim->stage, sim->item, end, status))
+        return false;
+    if (end < sim->stage_items) {
+        sim->item = end;
+        return true;
+    }
+    sim->item = 0;
+    *stage_done = true;
+    if (++sim->stage == sim->n_stages) {
+        sim->stage = 0;
+        sim->step++;
+    }
+    return true;
+}
+
+bool simulation_stage(Simulation *sim, Status *status)
+{
+    bool stage_done;
+    return simulation_slice(sim, 0, &stage_done, status);
+}
+
+/* As many steps as a hundredth of a second or so takes: how often a long run is asked whether it is still
+ * wanted. */
+long simulation_steps_a_question(const Simulation *sim)
+{
+    enum { ITEMS = 400000, STEPS_MAX = 4096 };
+    size_t largest = 1;
+    for (int set = 0; set < sim->n_sets; set++)
+        largest = sim->counts[set] > largest ? sim->counts[set] : largest;
+    const size_t steps = ITEMS / largest;
+    return steps < 1 ? 1 : steps > STEPS_MAX ? STEPS_MAX : (long)steps;
+}
+
+/* Whole steps by the method's fast path where it has one; what has been begun stage by stage is finished
+ * first. rows: the series after each step, n_series numbers apiece. On failure `done` says how many were
+ * whole. */
+bool simulation_steps(Simulation *sim, long count, double *rows, long *done, Status *status)
+{
+    ASSERT_INT(count, >=, 0);
+    long counted = 0;
+    long *total = done ? done : &counted;
+    *total = 0;
+    while (sim->stage != 0 || sim->item != 0)
+        if (!simulation_stage(sim, status))
+            return false;
+    if (!may_go_on(sim, status))
+        return false;
+    if (sim->follow)
+        return follow_steps(sim, count, rows, total, status);
+    if (sim->method->steps)
+        return sim->method->steps(sim, count, rows, total, status);
+    for (; *total < count && !sim->at_rest; ++*total) {
+        do {
+            if (!simulation_stage(sim, status))
+                return false;
+        } while (sim->stage != 0);
+        if (rows)
+            sim->method->row(sim, rows + *total * sim->n_series);
+    }
+    return true;
+}
+
+void simulation_row(Simulation *sim, double *row)
+{
+    /* between steps only */
+    ASSERT_INT(sim->stage, ==, 0);
+    ASSERT_INT(sim->item, ==, 0);
+    if (sim->follow)
+        follow_row(sim, row);
+    else
+        sim->method->row(sim, row);
+}
+
+/* A snapshot is this head and then the method's own bytes. */
+typedef struct SnapshotHead {
+    long step;
+    int stage;
+    int n_events;
+    long events_beyond;
+} SnapshotHead;
+
+size_t simulation_snapshot_size(const Simulation *sim)
+{
+    return sizeof(SnapshotHead) + sim->method->state_size(sim);
+}
+
+void simulation_snapshot(const Simulation *sim, void *bytes)
+{
+    SnapshotHead head = {sim->step, sim->stage, sim->n_events, sim->events_beyond};
+    memcpy(bytes, &head, sizeof head);
+    sim->method->save(sim, (char *)bytes + sizeof head);
+}
+
+/* The run stands where it stood; of its events those are left that were known then. */
+void simulation_restore(Simulation *sim, const void *bytes)
+{
+    SnapshotHead head;
+    memcpy(&head, bytes, sizeof head);
+    ASSERT_INT(head.n_events, <=, SIMULATION_EVENTS_MAX);
+    sim->step = head.step;
+    sim->stage = head.stage;
+    sim->item = 0;
+    sim->n_events = head.n_events;
+    sim->events_beyond = head.events_beyond;
+    sim->failed = false;
+    sim->method->load(sim, (const char *)bytes + sizeof head);
+}
+
+void simulation_report(Simulation *sim, EventKind kind, const char *text)
+{
+    if (sim->n_events == SIMULATION_EVENTS_MAX) {
+        sim->events_beyond++;
+        return;
+    }
+    Event *event = &sim->events[sim->n_events++];
+    event->step = sim->step;
+    event->kind = kind;
+    snprintf(event->text, sizeof event->text, "%s", text);
+}
+
+bool simulation_fail(Simulation *sim, Status *status, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    sim->failed = true;
+    sim->failure.code = STATUS_FAILED;
+    vsnprintf(sim->failure.text, sizeof sim->failure.text, format, arguments);
+    va_end(arguments);
+    if (status)
+        *status = sim->failure;
+    return false;
+}
+
+int simulation_find_field(const Simulation *sim, int set, const char *name)
+{
+    for (int i = 0; i < sim->n_fields; i++)
+        if (sim->fields[i].set == set && strcmp(sim->fields[i].quantity.name, name) == 0)
+            return i;
+    return -1;
+}
+
+double simulation_value(const Simulation *sim, int field, size_t index)
+{
+    double value = NAN;
+    if (field >= 0)
+        sim->method->field(sim, field, index, 1, &value);
+    return value;
+}
+
+int simulation_find_series(const Simulation *sim, const char *name)
+{
+    for (int i = 0; i < sim->n_series; i++)
+        if (strcmp(sim->series[i].name, name) == 0)
+            return i;
+    return -1;
+}
+
+int simulation_find_stage(const Simulation *sim, const char *id)
+{
+    for (int i = 0; i < sim->n_stages; i++)
+        if (strcmp(sim->stages[i].id, id) == 0)
+            return i;
+    return -1;
+}
+
+void simulation_destroy(Simulation *sim)
+{
+    if (sim)
+        simulation_release_names(sim->follow);
+    if (sim)
+        sim->method->destroy(sim);
+}
+
+/* --- what is followed ------------------------------------------------------------------------------------
+ */
+
+static bool same_words(const char *a, const char *b)
+{
+    while (*a && tolower((unsigned char)*a) == tolower((unsigned char)*b))
+        a++, b++;
+    return !*a && !*b;
+}
+
+static int find_set(const Simulation *sim, const char *word)
+{
+    for (int set = 0; set < sim->n_sets; set++)
+        if (strcmp(sim->sets[set].name, word) == 0)
+            return set;
+    return -1;
+}
+
+static int find_field(const Simulation *sim, int set, const char *words)
+{
+    const int by_name = simulation_find_field(sim, set, words);
+    for (int i = 0; i < sim->n_fields && by_name < 0; i++)
+        if (sim->fields[i].set == set && same_words(sim->fields[i].quantity.label, words))
+            return i;
+    return by_name;
+}
+
+static bool refuse_field(const Simulation *sim, int set, const char *words, Status *status)
+{
+    char known[256] = "";
+    size_t used = 0;
+    for (int i = 0; i < sim->n_fields && used < sizeof known; i++)
+        if (sim->fields[i].set == set)
+            used += (size_t)snprintf(known + used, sizeof known - used, "%s%s", used ? " | " : "",
+                                     sim->fields[i].quantity.name);
+    return status_fail(status, STATUS_USAGE, "%.40s is no field of a %s (%s)", words, sim->sets[set].name,
+                       known);
+}
+
+static bool find_thing(const Simulation *sim, const char *thing, int *field, size_t *index, Status *status)
+{
+    char word[16] = "";
+    unsigned long number = 0;
+    int end = 0;
+    int digits = 0; /* %lu would take a sign */
+    const bool whole = sscanf(thing, "%15s %n%9lu %n", word, &digits, &number, &end) == 2 && end > 0 &&
+                       thing[end] && isdigit((unsigned char)thing[digits]);
+    const int set = whole ? find_set(sim, word) : -1;
+    if (set < 0)
+        return status_fail(status, STATUS_USAGE,
+                           "\"%.60s\" is nothing to follow (%s NUMBER FIELD, as in %s 0 %s)", thing,
+                           sim->sets[0].name, sim->sets[0].name, sim->fields[0].quantity.name);
+    if (number >= sim->counts[set])
+        return status_fail(status, STATUS_USAGE, "there is no %s %lu (0 to %zu)", word, number,
+                           sim->counts[set] - 1);
+    *index = number;
+    *field = find_field(sim, set, thing + end);
+    return *field >= 0 || refuse_field(sim, set, thing + end, status);
+}
+
+bool simulation_asks(const char *names, const char *column)
+{
+    const size_t length = strlen(column);
+    for (const char *at = names + strspn(names, ", "); *at; at += strspn(at, ", ")) {
+        const size_t n = strcspn(at, ", ");
+        if ((n == length && memcmp(at, column, n) == 0) || (n == 3 && memcmp(at, "all", 3) == 0))
+            return true;
+        at += n;
+    }
+    return false;
+}
+
+bool simulation_is_costly(const Simulation *sim, const char *column)
+{
+    for (const char *const *name = sim->method->costly; name && *name; name++)
+        if (strcmp(*name, column) == 0)
+            return true;
+    return false;
+}
+
+void simulation_ask_columns(Simulation *sim, const char *names)
+{
+    ASSERT(!sim->follow);
+    for (int i = sim->n_series - 1; i >= 0; i--)
+        if (simulation_is_costly(sim, sim->series[i].name) && !simulation_asks(names, sim->series[i].name))
+            sim->method->leave_out(sim, i);
+}
+
+bool simulation_follow(Simulation *sim, const char *thing, Status *status)
+{
+    int field = -1;
+    size_t index = 0;
+    if (!find_thing(sim, thing, &field, &index, status))
+        return false;
+    Follow *follow = sim->follow ? sim->follow : calloc(1, sizeof *follow);
+    if (!follow || (!sim->follow &&
+                    !(follow->series = calloc((size_t)sim->n_series + FOLLOW_MAX, sizeof *follow->series)))) {
+        free(follow);
+        return status_fail(status, STATUS_FAILED, "not enough memory to follow a thing");
+    }
+    if (!sim->follow) {
+        memcpy(follow->series, sim->series, (size_t)sim->n_series * sizeof *sim->series);
+        follow->own = sim->n_series;
+        follow->holders = 1;
+        sim->follow = follow;
+        sim->series = follow->series;
+    }
+    if (follow->count == FOLLOW_MAX)
+        return status_fail(status, STATUS_USAGE, "too many things are followed (at most %d)", FOLLOW_MAX);
+    const Field *row = &sim->fields[field];
+    if (sim->sets[row->set].ready_after > 0 && !follow->present &&
+        !(follow->present = malloc(simulation_snapshot_size(sim))))
+        return status_fail(status, STATUS_FAILED, "not enough memory to follow a thing");
+    const char *set = sim->sets[row->set].name;
+    char name[FOLLOW_TEXT_MAX];
+    snprintf(name, sizeof name, "%s_%zu_%s", set, index, row->quantity.name);
+    if (simulation_find_series(sim, name) >= 0)
+        return status_fail(status, STATUS_USAGE, "%s is followed twice (once)", thing);
+    const int i = follow->count++;
+    follow->things[i].field = field;
+    follow->things[i].index = index;
+    memcpy(follow->things[i].name, name, sizeof name);
+    snprintf(follow->things[i].label, FOLLOW_TEXT_MAX, "%s of %s %zu", row->quantity.label, set, index);
+    snprintf(follow->things[i].meaning, FOLLOW_TEXT_MAX, "%s %zu: %.40s", set, index, row->quantity.meaning);
+    follow->series[sim->n_series++] = (Quantity){follow->things[i].name, follow->things[i].label,
+                                                 row->quantity.unit, follow->things[i].meaning};
+    return true;
+}
+
+/* --- values ------------------------------------------------------------------------------------------- */
+
+/* The value where the field is ready: now, or after some stages of a step that is then taken back. */
+static double value_of(Simulation *sim, int field, size_t index)
+{
+    const int stages = sim->sets[sim->fields[field].set].ready_after;
+    void *present = sim->follow->present;
+    double value = NAN;
+    if (stages > 0)
+        simulation_snapshot(sim, present);
+    for (int i = 0; i < stages; i++)
+        if (!simulation_stage(sim, NULL))
+            break; /* the run will fail by itself, in its own time */
+    sim->method->field(sim, field, index, 1, &value);
+    if (stages > 0)
+        simulation_restore(sim, present);
+    return value;
+}
+
+/* The method sees its own columns only, for it may go by their number. */
+static void follow_row(Simulation *sim, double *row)
+{
+    const Follow *follow = sim->follow;
+    const int all = sim->n_series;
+    sim->n_series = follow->own;
+    sim->method->row(sim, row);
+    sim->n_series = all;
+    for (int i = 0; i < follow->count; i++)
+        row[follow->own + i] = value_of(sim, follow->things[i].field, follow->things[i].index);
+}
+
+static bool follow_steps(Simulation *sim, long count, double *rows, long *done, Status *status)
+{
+    Follow *follow = sim->follow;
+    for (*done = 0; *done < count && !sim->at_rest; ++*done) {
+        long one;
+        sim->follow = NULL; /* a step as ever */
+        const bool sound = simulation_steps(sim, 1, NULL, &one, status);
+        sim->follow = follow;
+        if (!sound)
+            return false;
+        if (rows)
+            follow_row(sim, rows + *done * sim->n_series);
+    }
+    return true;
+}

@@ -1,0 +1,187 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What a particle and a node of its cell exchange, factor by factor: the single terms of the sums of the
+ * step,
+ *
+ *     m N_i                          mass                            (2)
+ *     m v N_i                        momentum                        (3), APIC: v + C (x_i - x) in place of v
+ *     -N'_i stress V                 internal force                  (10), V = m/rho
+ *     N_i (m b + t V/h)              external force                  (11)
+ *     dt N'_i v_i                    strain increment                (5), v_i = p_i/m_i (4)
+ *     dt N_i f_i/m_i                 velocity                        (14)
+ *     dt N_i p_i/m_i                 position                        (15)
+ *
+ * for the inspector and the written-out sums (bar_explain.c). The stages themselves do not call this: their
+ * loops are in kernels.c. */
+#include "methods/mpm/line/bar_state.h"
+#include "methods/mpm/line/kernels/shape.h"
+
+#define TABLE_TO(momentum, momentum_ascii, momentum_note, taken, taken_ascii, taken_note, taken_adds, place, \
+                 place_ascii, place_note)                                                                    \
+    {                                                                                                        \
+        [GIVE_MASS] = {"map", BAR_PARTICLES, BAR_NODES, "mass", false, "m N", "m N", NULL},                  \
+        [GIVE_MOMENTUM] = {"map", BAR_PARTICLES, BAR_NODES,      "momentum",                                 \
+                           false, momentum,      momentum_ascii, momentum_note},                             \
+        [GIVE_F_INT] =                                                                                       \
+            {"force", BAR_PARTICLES, BAR_NODES, "f_int", false, "-N′ σ V", "-N' s V", "V = m/rho"},          \
+        [GIVE_F_EXT] = {"force", BAR_PARTICLES, BAR_NODES, "f_ext",                                          \
+                        false,   "N load",      "N load",  "load = m b + t V/h"},                            \
+        [GIVE_MOMENTUM_AGAIN] = {"map_again", BAR_PARTICLES, BAR_NODES,      "momentum",                     \
+                                 false,       momentum,      momentum_ascii, momentum_note},                 \
+        [TAKE_STRAIN] = {"strain", BAR_NODES, BAR_PARTICLES, "strain_increment",                             \
+                         false,    "Δt N′ v", "dt N' v",     NULL},                                          \
+        [TAKE_VELOCITY] = {"update",   BAR_NODES, BAR_PARTICLES, "v",                                        \
+                           taken_adds, taken,     taken_ascii,   taken_note},                                \
+        [TAKE_PLACE] = {"update", BAR_NODES, BAR_PARTICLES, "x", true, place, place_ascii, place_note},      \
+    }
+#define TABLE(...) TABLE_TO(__VA_ARGS__, "Δt N v", "dt N v", NULL)
+
+static const Exchange flip_exchanges[BAR_EXCHANGES] =
+    TABLE("m v N", "m v N", NULL, "Δt N a", "dt N a", "a = f/m", true);
+static const Exchange blend_exchanges[BAR_EXCHANGES] =
+    TABLE("m v N", "m v N", NULL, "N gain", "N gain", "gain = alpha dt f/m + (1 - alpha)(v_i - v_p)", true);
+static const Exchange mass_exchanges[BAR_EXCHANGES] =
+    TABLE("m v N", "m v N", NULL, "Δt N a", "dt N a", "a of M a = f", true);
+static const Exchange mass_blend_exchanges[BAR_EXCHANGES] =
+    TABLE("m v N", "m v N", NULL, "N gain", "N gain", "gain = alpha dt a + (1 - alpha)(v_i - v_p)", true);
+static const Exchange pic_exchanges[BAR_EXCHANGES] = TABLE("m v N", "m v N", NULL, "N v", "N v", NULL, false);
+static const Exchange apic_exchanges[BAR_EXCHANGES] =
+    TABLE("m w N", "m w N", "w = v + C (x_i - x_p)", "N v", "N v", NULL, false);
+
+static const Exchange series_exchanges[BAR_EXCHANGES] = TABLE_TO(
+    "m v N", "m v N", NULL, "N v", "N v", NULL, false, "Δt N w", "dt N w", "w = (v_p before + v_i)/2");
+
+/* Which table: what a transfer and the masses make of eqs. 3, 14 and 15. */
+const Exchange *bar_exchanges(const BarHead *head, int *count)
+{
+    *count = BAR_EXCHANGES;
+    const bool blended = head->mass_blend < 1.0;
+    return head->transfer == MPM_APIC   ? apic_exchanges
+           : head->transfer == MPM_FMPM ? series_exchanges
+           : head->flip_fraction == 1.0 ? (blended ? mass_exchanges : flip_exchanges)
+           : head->flip_fraction == 0.0 ? pic_exchanges
+           : blended                    ? mass_blend_exchanges
+                                        : blend_exchanges;
+}
+
+/* Whether the numbers of an exchange can be had at this point of the step: computed already, not yet
+ * overwritten. */
+static bool at_hand(const Bar *bar, BarExchange exchange)
+{
+    const bool updated = bar_has_done(bar, OP_UPDATE), strained = bar_has_done(bar, OP_STRAIN);
+    const bool forced = bar_has_done(bar, OP_FORCE);
+    switch (exchange) {
+    case GIVE_MASS:
+        return true;
+    case GIVE_MOMENTUM:
+        return !updated;
+    case GIVE_F_INT:
+        return forced && (bar->head->algorithm == MPM_USF || !strained);
+    case GIVE_F_EXT:
+        return forced && bar_is_loaded(bar) && (bar->head->algorithm == MPM_USF || !strained);
+    case GIVE_MOMENTUM_AGAIN:
+        return updated && bar->head->algorithm == MPM_MUSL && bar_has_done(bar, OP_MAP_AGAIN);
+    case TAKE_STRAIN:
+        return strained;
+    case TAKE_VELOCITY:
+    case TAKE_PLACE:
+        return updated;
+    case BAR_EXCHANGES:
+        break;
+    }
+    return false;
+}
+
+/* The particle's velocity as seen at node a of its cell: v, with APIC v + C (x_a - x). */
+static double given_velocity(const Bar *bar, int particle, int cell, int a, double s)
+{
+    const int slot = particle % bar->slots, k = particle / bar->slots;
+    if (bar->head->transfer != MPM_APIC)
+        return bar->v[slot][k];
+    double arm = shape_node_offset(bar->def.shape, bar->n_cells, cell, a) - s;
+    return bar->v[slot][k] + bar->affine[slot][k] * (bar->dx * arm);
+}
+
+/* Gravity and the particle's part of the traction, eq. 11. */
+static double load_on(const Bar *bar, int particle, double volume)
+{
+    int side = (particle >= bar->n_particles - bar->layer_right) - (particle < bar->layer_left);
+    return bar_particle_mass(bar, particle) * bar->head->body_force +
+           side * bar->head->traction * volume / bar->layer;
+}
+
+/* With flip_fraction alpha < 1 a particle's new velocity is
+ *
+ *     v' = alpha (v + sum N_i kick_i) + (1 - alpha) sum N_i v_i
+ *        = v + sum N_i [alpha kick_i + (1 - alpha)(v_i - v)],   as sum N_i = 1;
+ *
+ * this is the bracket of node a. The old v is no longer stored after the update: it is solved for. */
+static double blended_gain(const Bar *bar, const double n[], int cell, int particle, int a)
+{
+    const double alpha = bar->head->flip_fraction, speed = bar->dx / bar->dt;
+    const double now = bar->v[particle % bar->slots][particle / bar->slots];
+    double kick = 0, mean = 0;
+    for (int i = 0; i < bar->support; i++) {
+        kick += n[i] * bar->node_kick[cell + i];
+        mean += n[i] * bar->node_drift[cell + i] * speed;
+    }
+    const double old = (now - (1 - alpha) * mean) / alpha - kick;
+    return alpha * bar->node_kick[cell + a] + (1 - alpha) * (bar->node_drift[cell + a] * speed - old);
+}
+
+/* The factors of one term, in the order of the exchange's words. 0: not at hand, or the node is none of the
+ * particle's cell. */
+int bar_exchange(const Simulation *sim, int exchange, size_t from, size_t to,
+                 double factors[EXCHANGE_FACTORS_MAX])
+{
+    const Bar *bar = bar_of_const(sim);
+    if (!at_hand(bar, (BarExchange)exchange))
+        return 0;
+    const bool gives = bar->sim.exchanges[exchange].from == BAR_PARTICLES;
+    const int particle = (int)(gives ? from : to), node = (int)(gives ? to : from);
+    const int cell = bar_cell_of(bar, particle), a = node - cell;
+    if (a < 0 || a >= bar->support)
+        return 0;
+    const int slot = particle % bar->slots, k = particle / bar->slots;
+    const double s = bar->s[slot][k], volume = bar->volume[slot][k];
+    double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX], v[BAR_SUPPORT_MAX];
+    shape_at(bar->def.shape, bar_half(bar, particle), bar->n_cells, cell, s, n, dn);
+#define FACTORS(count, ...)                                                                                  \
+    do {                                                                                                     \
+        const double list[] = {__VA_ARGS__};                                                                 \
+        for (int i = 0; i < (count); i++)                                                                    \
+            factors[i] = list[i];                                                                            \
+        return count;                                                                                        \
+    } while (0)
+    switch ((BarExchange)exchange) {
+    case GIVE_MASS:
+        FACTORS(2, bar_particle_mass(bar, particle), n[a]);
+    case GIVE_MOMENTUM:
+    case GIVE_MOMENTUM_AGAIN:
+        FACTORS(3, bar_particle_mass(bar, particle), given_velocity(bar, particle, cell, a, s), n[a]);
+    case GIVE_F_INT:
+        FACTORS(3, -dn[a] / bar->dx, bar->stress[slot][k], volume);
+    case GIVE_F_EXT:
+        FACTORS(2, n[a], load_on(bar, particle, volume));
+    case TAKE_STRAIN:
+        bar_strain_velocities(bar, cell, v);
+        FACTORS(3, bar->dt, dn[a] / bar->dx, v[a]);
+    case TAKE_VELOCITY:
+        if (bar->head->transfer != MPM_FLIP || bar->head->flip_fraction == 0.0)
+            FACTORS(2, n[a], bar_integrated_velocity(bar, node));
+        if (bar->head->flip_fraction != 1.0)
+            FACTORS(2, n[a], blended_gain(bar, n, cell, particle, a));
+        FACTORS(3, bar->dt, n[a], bar->node_kick[node] / bar->dt);
+    case TAKE_PLACE:
+        if (bar->head->transfer == MPM_FMPM) {
+            /* the velocity before is no longer stored: it is solved for */
+            const double now = bar->v[slot][k];
+            const double before = 2.0 * (bar->moved[slot][k] - s) * (bar->dx / bar->dt) - now;
+            FACTORS(3, bar->dt, n[a], 0.5 * (before + bar_integrated_velocity(bar, node)));
+        }
+        FACTORS(3, bar->dt, n[a], bar_integrated_velocity(bar, node));
+    case BAR_EXCHANGES:
+        break;
+    }
+#undef FACTORS
+    return 0;
+}

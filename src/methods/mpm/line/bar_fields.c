@@ -1,0 +1,306 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What front ends read of a bar: fields, series, links. Computed when read, from the state as it stands in
+ * mid-step too: which stages are done decides whether a place is the old or the new one, and a node's field
+ * is 0 before its stage. */
+#include "base/assertion.h"
+#include "methods/axial.h"
+#include "methods/mpm/line/bar_state.h"
+#include "methods/mpm/line/kernels/shape.h"
+
+/* One list for the rows below and for the functions that fill them; it begins with those of axial.h. */
+enum FieldIndex {
+    P_CELL = AXIAL_FIELDS,
+    P_NATURAL,
+    P_STRAIN_INCREMENT,
+    P_MOMENTUM,
+    P_AFFINE,
+    P_STRETCH,
+    N_X,
+    N_MASS,
+    N_MOMENTUM,
+    N_VELOCITY,
+    N_F_INT,
+    N_F_EXT,
+    N_F,
+    N_ACCELERATION,
+    N_MASS_0,
+    N_MASS_1,
+    N_MASS_2,
+    N_MASS_3,
+    N_ACTIVE,
+    N_FIXED,
+    FIELDS
+};
+_Static_assert((int)FIELDS == (int)BAR_FIELDS, "a bar has room for its fields");
+
+#define SHOWN(name, label, unit, meaning) FIELD_ROW(BAR_PARTICLES, false, false, name, label, unit, meaning)
+#define NODE(name, label, unit, meaning)  FIELD_ROW(BAR_NODES, true, false, name, label, unit, meaning)
+#define ROW_OF_MASSES(name, label, which) NODE(name, label, "mass/length^2", "mass matrix: " which)
+
+static const Field fields[FIELDS] = {
+    AXIAL_FIELD_ROWS("axial stress, tension positive", "sum of the strain increments"),
+    [P_CELL] = FIELD_ROW(BAR_PARTICLES, false, true, "cell", "cell", "1",
+                         "cell of the mesh that the particle is in"),
+    [P_NATURAL] = SHOWN("natural", "place in cell", "1", "0 at the left edge of its cell, 1 at the right"),
+    [P_STRAIN_INCREMENT] =
+        SHOWN("strain_increment", "strain increment", "1", "strain of this time step; 0 before its stage"),
+    [P_MOMENTUM] = SHOWN("momentum", "momentum", "mass/(length*time)", "mass times velocity"),
+    [P_AFFINE] = SHOWN("affine", "slope C", "1/time", "slope of the velocity that APIC carries"),
+    [P_STRETCH] = FIELD_ROW(BAR_PARTICLES, true, false, "stretch", "stretch", "1",
+                            "length of the particle's domain over that at rest"),
+    [N_X] = NODE("x", "x", "length", "position of the node (Greville abscissa of a B-spline)"),
+    [N_MASS] = NODE("mass", "mass", "mass/length^2", "mass mapped from the particles"),
+    [N_MOMENTUM] = NODE("momentum", "momentum", "mass/(length*time)", "momentum"),
+    [N_VELOCITY] =
+        NODE("velocity", "velocity", "length/time", "momentum over mass; 0 where the node is inactive"),
+    [N_F_INT] = NODE("f_int", "internal force", "force/length^2", "force of the particles' stress"),
+    [N_F_EXT] = NODE("f_ext", "external force", "force/length^2", "force of body force and traction"),
+    [N_F] = NODE("f", "force", "force/length^2", "whole force; 0 at fixed nodes"),
+    [N_ACCELERATION] = FIELD_ROW(BAR_NODES, false, false, "acceleration", "acceleration", "length/time^2",
+                                 "force over mass"),
+    [N_MASS_0] = ROW_OF_MASSES("mass_0", "M(i,i)", "the node's own"),
+    [N_MASS_1] = ROW_OF_MASSES("mass_1", "M(i,i+1)", "shared with the next node"),
+    [N_MASS_2] = ROW_OF_MASSES("mass_2", "M(i,i+2)", "shared with the next node but one"),
+    [N_MASS_3] = ROW_OF_MASSES("mass_3", "M(i,i+3)", "shared with the next node but two"),
+    [N_ACTIVE] = FIELD_ROW(BAR_NODES, false, true, "active", "active", "1", "1: the node has mass"),
+    [N_FIXED] = FIELD_ROW(BAR_NODES, false, true, "fixed", "fixed", "1", "1: a support holds the node"),
+};
+
+/* The slope C is a column of the table with APIC, the acceleration where masses are not lumped; their matrix
+ * is there only then, as far as it reaches. */
+void bar_list_fields(Bar *bar)
+{
+    const bool lumped = bar_is_lumped(bar);
+    int count = 0;
+    for (int kind = 0; kind < FIELDS; kind++) {
+        if (kind >= N_MASS_0 && kind <= N_MASS_3 && (lumped || kind - N_MASS_0 > bar->reach))
+            continue;
+        if (kind == P_STRETCH && bar->def.shape != MPM_CPDI)
+            continue;
+        Field *field = &bar->fields[count];
+        *field = fields[kind];
+        if ((kind == P_AFFINE && bar->head->transfer == MPM_APIC) || (kind == N_ACCELERATION && !lumped))
+            field->in_table = true;
+        bar->field_kinds[count++] = kind;
+    }
+    bar->sim.fields = bar->fields;
+    bar->sim.n_fields = count;
+}
+
+const Quantity bar_series[BAR_SERIES] = {
+    AXIAL_SERIES_BEGIN,
+    {"kinetic_grid", "seen by grid", "force/length",
+     "the part of it that the grid sees: sum p^2/(2m) of the nodes, boundary applied"},
+    {"kinetic_null", "null space", "force/length",
+     "the part of it that no velocities of the grid can give: the rest is seen, or lost to lumped masses"},
+    {"strain", "strain", "force/length", "strain energy of the particles"},
+    AXIAL_SERIES_END,
+};
+
+/* Eq. 5: de = dt sum N'_i v_i / dx, N' by s. */
+static double strain_increment(const Bar *bar, int particle, int cell, double s)
+{
+    double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX], v[BAR_SUPPORT_MAX], gradient = 0.0;
+    shape_at(bar->def.shape, bar_half(bar, particle), bar->n_cells, cell, s, n, dn);
+    bar_strain_velocities(bar, cell, v);
+    for (int a = 0; a < bar->support; a++)
+        gradient += dn[a] * v[a];
+    return bar->dt / bar->dx * gradient;
+}
+
+/* Values of `count` particles from `first` on, whose cells are met on the way. x of a moved particle counts
+ * from its old cell until the last stage; u as a difference of cells and of places within them keeps all
+ * digits of a small motion. */
+static void particle_field(const Bar *bar, int field, int first, int count, double *out)
+{
+    const bool moved = bar_has_done(bar, OP_UPDATE), strained = bar_has_done(bar, OP_STRAIN);
+    int cell = bar_cell_of(bar, first);
+    for (int i = 0; i < count; i++) {
+        int p = first + i, j = p % bar->slots, k = p / bar->slots;
+        while (bar->first[cell + 1] <= p)
+            cell++;
+        double s = bar->s[j][k], place = moved ? bar->moved[j][k] : s, start = (j + 0.5) / bar->slots;
+        switch (field) {
+        case AXIAL_X0:
+            out[i] = (k + start) * bar->dx;
+            break;
+        case AXIAL_X:
+            out[i] = ((cell - bar->origin) + place) * bar->dx;
+            break;
+        case AXIAL_U:
+            out[i] = ((cell - bar->origin - k) + (place - start)) * bar->dx;
+            break;
+        case AXIAL_V:
+            out[i] = bar->v[j][k];
+            break;
+        case AXIAL_STRESS:
+            out[i] = bar->stress[j][k];
+            break;
+        case AXIAL_STRAIN:
+            out[i] = bar->stress[j][k] / bar_modulus(bar, p);
+            break;
+        case AXIAL_DENSITY:
+            out[i] = bar_particle_mass(bar, p) / bar->volume[j][k];
+            break;
+        case AXIAL_MASS:
+            out[i] = bar_particle_mass(bar, p);
+            break;
+        case P_CELL:
+            out[i] = cell;
+            break;
+        case P_NATURAL:
+            out[i] = place;
+            break;
+        case P_STRAIN_INCREMENT:
+            out[i] = strained ? strain_increment(bar, p, cell, s) : 0.0;
+            break;
+        case P_MOMENTUM:
+            out[i] = bar_particle_mass(bar, p) * bar->v[j][k];
+            break;
+        case P_AFFINE:
+            out[i] = bar->affine[j][k];
+            break;
+        case P_STRETCH:
+            out[i] = bar->volume[j][k] * bar->slots / bar->dx;
+            break;
+        default:
+            out[i] = 0.0;
+        }
+    }
+}
+
+/* The grid is forgotten between steps, and each of its fields is 0 before its stage. */
+static void node_field(const Bar *bar, int field, int first, int count, double *out)
+{
+    const bool mapped = bar->sim.stage > 0 && bar_has_done(bar, OP_MAP);
+    const bool forced = bar_has_done(bar, OP_FORCE);
+    for (int n = 0; n < count; n++) {
+        int i = first + n;
+        switch (field) {
+        case N_X:
+            out[n] = bar_node_position(bar, i);
+            break;
+        case N_MASS:
+            out[n] = mapped ? bar->node_mass[i] : 0.0;
+            break;
+        case N_MOMENTUM:
+            out[n] = mapped ? bar->node_momentum[i] : 0.0;
+            break;
+        case N_VELOCITY:
+            out[n] = mapped ? bar_node_velocity(bar, i) : 0.0;
+            break;
+        case N_F_INT:
+            out[n] = forced ? bar->node_f_int[i] : 0.0;
+            break;
+        case N_F_EXT:
+            out[n] = forced && bar_is_loaded(bar) ? bar->node_f_ext[i] : 0.0;
+            break;
+        case N_F:
+            out[n] = forced ? bar_node_force(bar, i) : 0.0;
+            break;
+        case N_ACCELERATION:
+            out[n] = mapped ? bar_node_acceleration(bar, i) : 0.0;
+            break;
+        case N_MASS_0:
+        case N_MASS_1:
+        case N_MASS_2:
+        case N_MASS_3:
+            out[n] = mapped ? bar_mass_between(bar, i, i + field - N_MASS_0) : 0.0;
+            break;
+        case N_ACTIVE:
+            out[n] = mapped && bar->node_inverse[i] > 0.0;
+            break;
+        case N_FIXED:
+            out[n] = bar_node_is_fixed(bar, i);
+            break;
+        default:
+            out[n] = 0.0;
+        }
+    }
+}
+
+void bar_field(const Simulation *sim, int field, size_t first, size_t count, double *out)
+{
+    const Bar *bar = bar_of_const(sim);
+    ASSERT_INT(field, <, sim->n_fields);
+    ASSERT_INT(first + count, <=, sim->counts[sim->fields[field].set]);
+    if (count == 0)
+        return;
+    if (sim->fields[field].set == BAR_PARTICLES)
+        particle_field(bar, bar->field_kinds[field], (int)first, (int)count, out);
+    else
+        node_field(bar, bar->field_kinds[field], (int)first, (int)count, out);
+}
+
+/* N and dN/dx of a particle and a node of its cell. */
+static Link link_of(const Bar *bar, int set, int index, int particle, int cell, int node)
+{
+    double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
+    double s = bar->s[particle % bar->slots][particle / bar->slots];
+    shape_at(bar->def.shape, bar_half(bar, particle), bar->n_cells, cell, s, n, dn);
+    return (Link){.set = set,
+                  .index = (size_t)index,
+                  .weight = n[node - cell],
+                  .gradient = {dn[node - cell] / bar->dx}};
+}
+
+/* During a step shape functions are those of its beginning. A uGIMP particle far from a ghost node has no
+ * part in it: such pairs are left out. */
+size_t bar_links(const Simulation *sim, int set, size_t index, Link *out, size_t max)
+{
+    const Bar *bar = bar_of_const(sim);
+    ASSERT_INT(index, <, sim->counts[set]);
+    size_t count = 0;
+    if (set == BAR_PARTICLES) {
+        int cell = bar_cell_of(bar, (int)index);
+        for (int node = cell; node < cell + bar->support && count < max; node++) {
+            Link link = link_of(bar, BAR_NODES, node, (int)index, cell, node);
+            if (link.weight != 0.0 || link.gradient[0] != 0.0)
+                out[count++] = link;
+        }
+        return count;
+    }
+    int node = (int)index, low = node - bar->support + 1, high = node;
+    low = low < 0 ? 0 : low;
+    high = high < bar->n_cells ? high : bar->n_cells - 1;
+    for (int cell = low; cell <= high; cell++)
+        for (int p = bar->first[cell]; p < bar->first[cell + 1] && count < max; p++) {
+            Link link = link_of(bar, BAR_PARTICLES, p, p, cell, node);
+            if (link.weight != 0.0 || link.gradient[0] != 0.0)
+                out[count++] = link;
+        }
+    return count;
+}
+
+/* CPDI's functions differ from particle to particle: those of the one that is nearest in the cell. */
+static double half_near(const Bar *bar, int cell, double s)
+{
+    double half = bar->gimp_half, nearest = INFINITY;
+    for (int p = bar->first[cell]; p < bar->first[cell + 1]; p++) {
+        const double distance = fabs(bar->s[p % bar->slots][p / bar->slots] - s);
+        if (distance < nearest) {
+            nearest = distance;
+            half = bar_half(bar, p);
+        }
+    }
+    return half;
+}
+
+/* N and dN/dx of all functions that are not 0 at a place; a place on the right end of the mesh belongs to the
+ * last cell. */
+size_t bar_shapes(const Simulation *sim, const double *at, Link *out, size_t max)
+{
+    const Bar *bar = bar_of_const(sim);
+    double place = at[0] / bar->dx + bar->origin;
+    if (!(place >= 0.0 && place <= bar->n_cells))
+        return 0;
+    int cell = (int)place < bar->n_cells ? (int)place : bar->n_cells - 1;
+    double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
+    shape_at(bar->def.shape, half_near(bar, cell, place - cell), bar->n_cells, cell, place - cell, n, dn);
+    size_t count = 0;
+    for (int a = 0; a < bar->support && count < max; a++)
+        if (n[a] != 0.0 || dn[a] != 0.0)
+            out[count++] = (Link){
+                .set = BAR_NODES, .index = (size_t)(cell + a), .weight = n[a], .gradient = {dn[a] / bar->dx}};
+    return count;
+}

@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The sums of one particle or node of the bar, written out term by term. For bar_explain.c only. */
+#ifndef PHYSICS_MPM_BAR_SUMS_H
+#define PHYSICS_MPM_BAR_SUMS_H
+
+#include "methods/mpm/line/bar_state.h"
+#include "methods/calculation.h"
+
+enum { LINKS_MAX = 64 };
+
+/* The particle or node whose sums are written, and where they go. */
+typedef struct BarSubject {
+    const Bar *bar;
+    const void *before; /* the state before the stage; NULL: not known */
+    int set, index;
+    Link links[LINKS_MAX];
+    size_t n_links;
+    Calculation *calculation;
+} BarSubject;
+
+/* A label of a node: "p13 = " from "p%d = ". */
+typedef struct BarLabel {
+    char text[48];
+} BarLabel;
+
+BarLabel bar_label(const char *before, int node, const char *after);
+
+/* Adds to the sum one term for each link of the subject, and the factor they share; returns their total. */
+double bar_add_terms(const BarSubject *, BarExchange, CalculationSum *);
+
+/* "m v N: 0.1 to 12 + 0.3 to 13 = 0.4": how a quantity of the chosen particle is divided among its nodes. */
+void bar_write_shares(const BarSubject *, BarExchange, const char *label, double whole);
+
+/* "v13 = p/m = 0.2 / 0.5 = 0.4": a quantity over the mass of the chosen node. */
+void bar_write_ratio(const BarSubject *, const char *label, double above, double result);
+
+#endif

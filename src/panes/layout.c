@@ -1,0 +1,166 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Where panes lie. While a run goes on the plots have the rows; paused, the box with what happens within a
+ * step takes some of them. The timeline, where it has no row of its own, takes one from the lower plot while
+ * we are back in time. */
+#include "panes/panes.h"
+#include "views/view.h"
+
+enum {
+    LEAST_WIDTH = 40,
+    LEAST_HEIGHT = 12,
+    FULL_WIDTH = 80,
+    FULL_HEIGHT = 20,
+    WIDE = 120, /* from here on there is a column at the right */
+    WIDER = 130,
+    PARAMETERS_WIDTH = 25,
+    WIDE_PARAMETERS_WIDTH = 28,
+    LESSON_WIDTH = 37,
+    WIDE_LESSON_WIDTH = 46,
+    LECTURE_FIELD_WIDTH = 40,
+    SIDE_HEIGHT = 30,
+    INSPECTOR_WIDTH = 79,
+    TIMELINE_WIDTH = 100,
+    TIMELINE_HEIGHT = 30,
+    LEGEND_HEIGHT = 40
+};
+
+#define TALL_SHARE 0.2 /* height over length */
+
+/* A caption is short; a stage, a summary and a table of runs are not. */
+static bool has_caption(const Screen *screen)
+{
+    return !screen_second_run(screen) && pane_runs_rows(screen) == 0 &&
+           (screen->playback.state == STATE_RUNNING ||
+            (screen->playback.state == STATE_COMPUTING && screen->playback.goes_on));
+}
+
+/* While a run goes on no more than the words need where there is a map: it takes the rest. */
+static int box_rows(const Screen *screen, int height, bool map)
+{
+    if (has_caption(screen))
+        return height < 27 ? 3 : height < 30 ? 4 : height < 40 || map ? 5 : 6;
+    return height < 22 ? 4 : height < 27 ? 5 : height < 30 ? 6 : height < 40 ? 9 : 10;
+}
+
+/* The tables and the energies one below the other, in so many rows; the second table only where all three
+ * have room. */
+static void lay_out_sides(const Screen *screen, Rect rect, Layout *layout)
+{
+    enum { LEAST_ROWS = 8 };
+    const int sets = experiment_simulation(screen->experiment)->n_sets > 1 ? 2 : 1;
+    /* beside a lesson energies would answer what is still to be asked: its pages show them */
+    const int first = screen->lesson.open ? 0 : 1;
+    const int tables = rect.height / (first + 2) >= LEAST_ROWS ? sets : 1;
+    const int energies = first == 0 ? 0 : tables == 2 ? rect.height - 2 * (rect.height / 3) : rect.height / 2;
+    const int rest = rect.height - energies;
+    layout->sides[0] = (Rect){rect.x, rect.y, energies ? rect.width : 0, energies};
+    layout->sides[1] = (Rect){rect.x, rect.y + energies, rect.width, tables == 2 ? rest / 2 : rest};
+    if (tables == 2)
+        layout->sides[2] = (Rect){rect.x, rect.y + energies + rest / 2, rect.width, rest - rest / 2};
+}
+
+static void lay_out_full(const Screen *screen, int width, int height, Layout *layout)
+{
+    /* a beam that stands in a plot pane is not drawn twice */
+    const bool drawn = simulation_has(experiment_simulation(screen->experiment), HAS_PLANE) &&
+                       (screen->views.upper->is_map || screen->views.lower->is_map);
+    const int box = box_rows(screen, height, drawn);
+    const int mesh = drawn ? 0 : height < 28 ? 2 : height < 40 ? 3 : 4;
+    const int top = 1 + mesh, middle = height - 2 - box - mesh;
+    const int fields = screen->lesson.open ? width < WIDE ? LESSON_WIDTH : WIDE_LESSON_WIDTH
+                       : width < WIDER     ? PARAMETERS_WIDTH
+                                           : WIDE_PARAMETERS_WIDTH;
+    /* two runs side by side take what else joins at the right */
+    const bool tables =
+        !screen->lesson.open || simulation_has(experiment_simulation(screen->experiment), HAS_MESH);
+    const bool side = width >= WIDE && height >= SIDE_HEIGHT && !screen_second_run(screen) && tables;
+    const int side_width = side ? (width < WIDER ? 39 : width < 150 ? 45 : width * 3 / 10) : 0;
+    const int left = fields + 1, plots = width - left - (side ? side_width + 1 : 0);
+    /* the map of a beam that is not slender wants height more than the curve below it */
+    const Settings *settings = experiment_settings(screen->experiment);
+    const bool tall = drawn && screen->views.upper->is_map &&
+                      settings->geometry.height > TALL_SHARE * settings->geometry.length;
+    const int lower = tall ? middle * 4 / 9 + 1 : (middle + (has_caption(screen) ? 2 : 3)) / 2,
+              upper = middle - lower;
+    /* on a large screen with a row for what its marks are */
+    const bool own = width >= TIMELINE_WIDTH && height >= TIMELINE_HEIGHT;
+    const int timeline = own && height >= LEGEND_HEIGHT ? 2 : own || screen_is_rewound(screen);
+
+    layout->kind = LAYOUT_FULL;
+    layout->panes[PANE_MESH] = (Rect){0, 1, mesh ? width : 0, mesh};
+    layout->panes[PANE_PARAMETERS] = (Rect){0, top, fields, middle};
+    layout->panes[PANE_UPPER] = (Rect){left, top, plots, upper};
+    layout->panes[PANE_LOWER] = (Rect){left, top + upper, plots, lower - timeline};
+    if (timeline)
+        layout->timeline = (Rect){left, top + middle - timeline, plots, timeline};
+    layout->panes[PANE_BOX] = (Rect){0, top + middle, width, box};
+    if (screen->panes.inspecting) {
+        /* over the plots, and where its columns need the room over the fields too */
+        const bool beside = width >= INSPECTOR_WIDTH + fields + 1;
+        layout->panes[PANE_INSPECTOR] =
+            (Rect){beside ? left : 0, top, beside ? width - left : width, middle - timeline};
+        layout->panes[PANE_UPPER] = layout->panes[PANE_LOWER] = (Rect){0};
+        if (!beside) {
+            layout->panes[PANE_PARAMETERS] = (Rect){0};
+            if (timeline)
+                layout->timeline = (Rect){0, top + middle - timeline, width, timeline};
+        }
+        return;
+    }
+    if (side) {
+        /* a beam lies along the whole width, and what joins at the right stands beside the lower plot */
+        const int above = drawn && screen->views.upper->is_map ? upper : 0;
+        if (above)
+            layout->panes[PANE_UPPER].width = width - left;
+        lay_out_sides(screen, (Rect){width - side_width, top + above, side_width, middle - above}, layout);
+    }
+}
+
+/* What is far away is read in few and large things: time and state, two plots, the parameter under the
+ * arrows; in the middle of a step its stage. */
+static void lay_out_lecture(const Screen *screen, int width, int height, Layout *layout)
+{
+    const bool inside = experiment_stage(screen->experiment) > 0 || screen->playback.state == STATE_FAILED;
+    const int banner = banner_rows(screen, width, height);
+    const int box = !inside ? 0 : height < LECTURE_LARGE_HEIGHT ? 5 : 9;
+    const int top = 1 + banner, middle = height - top - 2 - box, upper = (middle - 1) / 2;
+    layout->kind = LAYOUT_FULL;
+    layout->banner = (Rect){0, 1, width, banner};
+    layout->panes[PANE_UPPER] = (Rect){0, top + 1, width, upper};
+    layout->panes[PANE_LOWER] = (Rect){0, top + 1 + upper, width, middle - 1 - upper};
+    layout->panes[PANE_PARAMETERS] = (Rect){0, top + middle, LECTURE_FIELD_WIDTH, 1};
+    layout->panes[PANE_BOX] = (Rect){0, height - 1 - box, box ? width : 0, box};
+    if (screen->panes.inspecting) {
+        layout->panes[PANE_INSPECTOR] = (Rect){0, top + 1, width, middle - 1};
+        layout->panes[PANE_UPPER] = layout->panes[PANE_LOWER] = (Rect){0};
+    }
+}
+
+Layout layout_make(const Screen *screen, int width, int height)
+{
+    Layout layout = {.kind = LAYOUT_TOO_SMALL};
+    if (width < LEAST_WIDTH || height < LEAST_HEIGHT)
+        return layout;
+    layout.title = (Rect){0, 0, width, 1};
+    layout.keys = (Rect){0, height - 1, width, 1};
+    if (width >= FULL_WIDTH && height >= FULL_HEIGHT && !screen->panes.zoomed) {
+        if (screen->panes.lecture && !screen->lesson.open)
+            lay_out_lecture(screen, width, height, &layout);
+        else
+            lay_out_full(screen, width, height, &layout);
+        return layout;
+    }
+    layout_small(screen, width, height, &layout);
+    return layout;
+}
+
+bool screen_is_whole(int width, int height)
+{
+    return width >= FULL_WIDTH && height >= FULL_HEIGHT;
+}
+
+Rect screen_pane(const Screen *screen, int width, int height, PaneId pane)
+{
+    Layout layout = layout_make(screen, width, height);
+    return pane < PANE_COUNT ? layout.panes[pane] : (Rect){0};
+}

@@ -1,0 +1,360 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The box at the bottom. Of a duel: its readout, but within a time step. Running: a caption. At the end: the
+ * summary. Paused: the stage box, pane_stage.c. */
+#include "panes/panes.h"
+#include "views/inspector/inspector.h"
+#include "views/views.h"
+#include "answers/summary.h"
+#include "views/plots/runs.h"
+#include "views/plots/time_plot.h"
+
+#include "base/math/functions.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* --- caption while running ------------------------------------------------------------------------ */
+
+/* "v_cm: velocity of the centre of mass": what the run is judged by, "" if nothing is. */
+static void gloss_text(const Screen *screen, char *out, size_t size)
+{
+    int n;
+    const Column *columns = experiment_columns(screen->experiment, &n);
+    const int column = screen_column(screen, experiment_readout(screen->experiment)->column);
+    out[0] = '\0';
+    if (column >= 0)
+        snprintf(out, size, "%s: %s", columns[column].quantity.label, columns[column].quantity.meaning);
+}
+
+/* A hint stands until its command was used, then the next one comes. */
+static void hint_of(const Screen *screen, char *out, size_t size)
+{
+    char pictures[96], gloss[160];
+    snprintf(pictures, sizeof pictures, "%d shows the energies, %d the fields; again: the next.",
+             view_energies.digit, view_profile.digit);
+    gloss_text(screen, gloss, sizeof gloss);
+    const struct {
+        CommandId id;
+        const char *text;
+    } hints[] = {
+        {gloss[0] ? COMMAND_RUN_PAUSE : COMMAND_NONE, gloss},
+        {COMMAND_STAGE_FORWARD, "Space pauses; ] goes through one time step."},
+        {COMMAND_RIGHT, "Left and Right change the marked parameter."},
+        {COMMAND_INSPECT, "i, when paused, looks inside one particle."},
+        {COMMAND_REFERENCES, "e hides the answers: let the class guess."},
+        {command_of_digit(view_energies.digit), pictures},
+        {COMMAND_QUESTION, "t toggles what this scenario asks about."},
+        {COMMAND_EXPORT, "x writes this run as CSV."},
+        {COMMAND_HELP, "? explains the keys and what is solved."},
+    };
+    const size_t n_hints = sizeof hints / sizeof *hints;
+    size_t i = 0;
+    for (; i < n_hints; i++) {
+        const bool right = hints[i].id == COMMAND_RIGHT &&
+                           (screen->lesson.open || command_set_has(&screen->used, COMMAND_LEFT));
+        const bool nothing = hints[i].id == COMMAND_INSPECT && !inspector_find(screen);
+        if (command_find(hints[i].id) && !command_set_has(&screen->used, hints[i].id) && !right && !nothing)
+            break;
+    }
+    snprintf(out, size, "%s", i < n_hints ? hints[i].text : "");
+}
+
+/* What else there is, for who has not asked for it yet. */
+static void draw_offers(const Screen *screen, Area area, int y, int begin)
+{
+    static const struct {
+        CommandId id;
+        const char *text;
+    } offers[] = {{COMMAND_LESSONS, "T lessons"}, {COMMAND_OPEN, "o scenarios"}};
+    char text[64] = "";
+    for (size_t i = 0; i < sizeof offers / sizeof *offers; i++)
+        if (!command_set_has(&screen->used, offers[i].id))
+            text_append(text, sizeof text, "%s%s", text[0] ? "  " : "New here?  ", offers[i].text);
+    if (begin + 2 + glyphs_columns(text) < area.rect.width)
+        area_text_right(area, area.rect.width - 1, y, text, STYLE_NORMAL);
+}
+
+/* " (continuum)" behind the word "exact", and so on; beam theories have names of their own. */
+static const char *gloss_of(const char *label)
+{
+    return strcmp(label, "exact") == 0       ? " (continuum)"
+           : strcmp(label, "predicted") == 0 ? " (this mesh)"
+                                             : "";
+}
+
+/* "Solid measured, dotted exact (continuum)" as the plots over time draw them; in brief without what stands
+ * in brackets. */
+static void line_words(const Screen *screen, bool brief, char *out, size_t size)
+{
+    static const char *const words[] = {
+        [LINE_SOLID] = "solid", [LINE_DOTTED] = "dotted", [LINE_DASHED] = "dashed"};
+    const bool ascii = screen->look.glyphs == GLYPHS_ASCII;
+    int n;
+    const Column *columns = experiment_columns(screen->experiment, &n);
+    snprintf(out, size, "%s measured", ascii ? "*" : "Solid");
+    for (int i = 0; i < n; i++) {
+        const Legend legend = time_plot_legend(columns, i);
+        const char letter[] = {legend.letter, '\0'};
+        if (columns[i].kind == COLUMN_MEASURED || columns[i].of < 0 ||
+            !time_plot_shows(screen, &columns[i]) || strstr(out, legend.name))
+            continue;
+        text_append(out, size, ", %s %s%s", ascii ? letter : words[legend.line], legend.name,
+                    brief ? "" : gloss_of(legend.name));
+    }
+}
+
+/* Whether a plot over time draws a reference so. */
+static bool is_drawn(const Screen *screen, LineStyle line)
+{
+    int n;
+    const Column *columns = experiment_columns(screen->experiment, &n);
+    for (int i = 0; i < n; i++)
+        if (columns[i].kind != COLUMN_MEASURED && columns[i].of >= 0 &&
+            time_plot_shows(screen, &columns[i]) && time_plot_legend(columns, i).line == line)
+            return true;
+    return false;
+}
+
+/* Takes the sentences with a word out of a text. */
+static void drop_sentences(char *text, const char *word)
+{
+    char *to = text;
+    for (char *from = text, *next; *from; from = next) {
+        for (next = from; *next && !(strchr(".?!", *next) && (next[1] == ' ' || !next[1]));)
+            next++;
+        while (*next && (strchr(".?!", *next) || *next == ' '))
+            next++;
+        const size_t length = (size_t)(next - from);
+        const char *found = strstr(from, word);
+        if (found && found < next)
+            continue;
+        memmove(to, from, length);
+        to += length;
+    }
+    *to = '\0';
+}
+
+/* What a scenario says of itself, without what it says of lines that are not drawn: their answer may have
+ * left, or be hidden. */
+static void about_text(const Screen *screen, char about[ABOUT_MAX])
+{
+    memcpy(about, experiment_settings(screen->experiment)->about, ABOUT_MAX);
+    if (!is_drawn(screen, LINE_DOTTED))
+        drop_sentences(about, "otted");
+    if (!is_drawn(screen, LINE_DASHED))
+        drop_sentences(about, "ashed");
+}
+
+/* Cuts a text to the whole sentences that fit; the help has all of it. */
+static void keep_sentences(char *text, int width, int rows)
+{
+    size_t end = strlen(text);
+    while (end > 0 && area_paragraph_lines(width, text) > rows) {
+        do
+            end--;
+        while (end > 0 && !(strchr(".?!", text[end - 1]) && text[end] == ' '));
+        text[end] = '\0';
+    }
+}
+
+/* " 4200 steps/s, about 9 s left ": known after the first frames, for pace and machine as they are. In brief
+ * the time alone. */
+static void rate_text(const Screen *screen, bool brief, char *out, size_t size)
+{
+    const Experiment *experiment = screen->experiment;
+    const double rate = screen->playback.rate * FRAMES_PER_SECOND;
+    const long left = experiment_last_step(experiment) - experiment_step(experiment);
+    out[0] = '\0';
+    if (screen->playback.state != STATE_RUNNING || !(rate > 0) || left < 1)
+        return;
+    const double seconds = (double)left / rate;
+    const double grain = math_pow(10, floor(math_log10(rate)) - 1); /* two digits: the third would dance */
+    snprintf(out, size,
+             brief       ? " "
+             : rate < 10 ? " %.1f steps/s, "
+                         : " %.0f steps/s, ",
+             round(rate / grain) * grain);
+    if (seconds < 100)
+        text_append(out, size, "about %.0f s left ", fmax(1, seconds));
+    else
+        text_append(out, size, "about %.0f min left ", ceil(seconds / 60));
+}
+
+/* The heading of the box says what the run is about, where the title line has no room for that; else what the
+ * lines are. */
+static void draw_caption_heading(const Screen *screen, Area area, const char *lines, bool has_headline)
+{
+    const Settings *settings = experiment_settings(screen->experiment);
+    const char *text = has_headline ? lines : settings->title[0] ? settings->title : settings->problem->title;
+    area_rule(area, 0, text, STYLE_HEADING);
+    char rate[64];
+    for (int brief = 0; brief < 2; brief++) {
+        rate_text(screen, brief, rate, sizeof rate);
+        if (5 + glyphs_columns(text) + glyphs_columns(rate) + 2 <= area.rect.width) {
+            area_text_right(area, area.rect.width - 1, 0, rate, STYLE_FAINT);
+            return;
+        }
+    }
+}
+
+/* A text that ends in row `last` and has room from row `first` on. Returns its rows. */
+static int draw_from_below(Area area, int first, int last, const char *text, Style style)
+{
+    const int width = area.rect.width - 2, lines = area_paragraph_lines(width, text);
+    const int top = last - lines + 1 > first ? last - lines + 1 : first;
+    return last >= first ? area_paragraph(area, 1, top, width, last - top + 1, text, style) : 0;
+}
+
+/* What happened last or, as long as nothing has, what is advised; false: neither. */
+static bool news_of(const Screen *screen, char *out, size_t size, Style *style)
+{
+    int count;
+    const Event *events = experiment_events(screen->experiment, &count);
+    while (count > 0 && events[count - 1].step > experiment_step(screen->experiment))
+        count--; /* what is still to come, or to come again */
+    *style = count > 0 ? STYLE_NORMAL : STYLE_WARNING;
+    if (count > 0) {
+        char time[48];
+        const double dt = experiment_simulation(screen->experiment)->dt;
+        screen_time_text(screen, dt * (double)events[count - 1].step, time, sizeof time);
+        snprintf(out, size, "%s: %s", time, events[count - 1].text);
+    } else {
+        snprintf(out, size, "%s", experiment_advice(screen->experiment));
+    }
+    return out[0] != '\0';
+}
+
+static void draw_caption(const Screen *screen, Area area)
+{
+    const int width = area.rect.width - 2, rows = area.rect.height;
+    char lines[256], news[512], hint[160];
+    line_words(screen, false, lines, sizeof lines);
+    if (5 + glyphs_columns(lines) > area.rect.width)
+        line_words(screen, true, lines, sizeof lines);
+    const bool in_heading =
+        title_has_headline(screen, area.canvas->width) && 5 + glyphs_columns(lines) <= area.rect.width;
+    draw_caption_heading(screen, area, lines, in_heading);
+
+    int last = rows - 1, y = 1;
+    Style style;
+    const bool has_news = news_of(screen, news, sizeof news, &style);
+    const int needed = has_news ? area_paragraph_lines(width, news) : 0;
+    if (!screen->lesson.open && last > y && needed < last) { /* what happens is told whole before any hint */
+        hint_of(screen, hint, sizeof hint);
+        const int end = 1 + area_text(area, 1, last, hint, STYLE_FAINT);
+        draw_offers(screen, area, last--, hint[0] ? end : 0);
+    }
+    if (!in_heading && last - needed >= y)
+        y += area_paragraph(area, 1, y, width, last - needed - y + 1, lines, STYLE_NORMAL);
+    if (has_news)
+        last -= draw_from_below(area, y, last, news, style);
+    char about[ABOUT_MAX];
+    about_text(screen, about);
+    keep_sentences(about, width, last - y + 1);
+    if (about[0])
+        area_paragraph(area, 1, y, width, last - y + 1, about, STYLE_NORMAL);
+}
+
+/* --- summary -------------------------------------------------------------------------------------- */
+
+static void draw_summary(const Screen *screen, Area area)
+{
+    const bool failed = screen->playback.state == STATE_FAILED;
+    const RunSummary *summary = &screen->summary;
+    const Readout *readout = experiment_readout(screen->experiment);
+    const int rows = area.rect.height;
+    area_rule(area, 0, failed ? "The run stopped" : "The run is complete",
+              failed ? STYLE_ERROR : STYLE_HEADING);
+    int y = 1;
+    Status status = {STATUS_DONE, ""};
+    if (experiment_failed(screen->experiment, &status) && y < rows)
+        y += area_paragraph(area, 1, y, area.rect.width - 2, 2, status.text, STYLE_ERROR);
+    char time[48], text[200];
+    screen_time_text(screen, experiment_time(screen->experiment), time, sizeof time);
+    snprintf(text, sizeof text, "%ld steps to %s", experiment_step(screen->experiment), time);
+    char energy[SUMMARY_MAX] = "";
+    if (screen->summary_known)
+        summary_energy_text(summary, energy);
+    text_append(text, sizeof text, "%s%s", *energy ? "  " : "", energy);
+    const int width = area.rect.width - 2;
+    y += area_phrases(area, 1, y, width, rows - y, text, STYLE_NORMAL);
+    if (readout->moving && readout->measured_known && y < rows) {
+        const double unit = readout->is_period ? 1e-3 : 1;
+        const char *tail = readout->is_period ? " ms" : "";
+        snprintf(text, sizeof text, "%s measured %.5f", readout->is_period ? "period" : "frequency w",
+                 readout->measured / unit);
+        if (readout->predicted_known && screen_shows_predicted(screen))
+            text_append(text, sizeof text, "  predicted %.5f", readout->predicted / unit);
+        if (readout->exact_known && screen_shows_exact(screen))
+            text_append(text, sizeof text, "  %s %.5f%s  %+.3f %%", screen_problem(screen)->answer,
+                        readout->exact / unit, tail,
+                        readout->is_period ? readout->error_period : readout->error_frequency);
+        y += area_phrases(area, 1, y, width, rows - y, text, STYLE_NORMAL);
+    }
+    char found[SUMMARY_MAX] = "";
+    if (screen->summary_known)
+        findings_text(summary->findings, summary->n_findings, screen_shows_exact(screen), SUMMARY_MAX, found,
+                      sizeof found);
+    if (*found && y < rows)
+        y += area_phrases(area, 1, y, width, rows - y, found, STYLE_NORMAL);
+    char crack[SUMMARY_MAX] = "", *line = crack;
+    if (screen->summary_known)
+        summary_crack_text(summary, "µs", crack);
+    for (char *end; y < rows && (end = strchr(line, '\n')); line = end + 1) {
+        *end = '\0';
+        y += area_phrases(area, 1, y, width, rows - y, line, STYLE_NORMAL);
+    }
+    area_phrases(area, 1, y, width, rows - y,
+                 "Space runs it again, x writes it as CSV.  T lessons, o other scenarios, ? what is solved.",
+                 STYLE_NORMAL);
+}
+
+/* In the longest free piece of the box's upper edge. */
+static void draw_ghost_names(const Screen *screen, Area area)
+{
+    enum { RULE = 0x2500, LEAST = 6 };
+    const Canvas *canvas = area.canvas;
+    int begin = 0, columns = 0;
+    for (int x = 0, run = 0; x < area.rect.width; x++) {
+        const Cell *cell = &canvas->cells[area.rect.y * canvas->width + area.rect.x + x];
+        run = cell->glyph == RULE ? run + 1 : 0;
+        if (run > columns)
+            columns = run, begin = x + 1 - run;
+    }
+    char text[160];
+    runs_ghost_names(screen, columns - 4, text, sizeof text);
+    if (columns < LEAST || !text[0])
+        return;
+    const int end = begin + columns - 1, width = glyphs_columns(text);
+    area_text_right(area, end, 0, " ", STYLE_FRAME);
+    area_text_right(area, end - 1, 0, text, STYLE_NORMAL);
+    area_text_right(area, end - 1 - width, 0, " ", STYLE_FRAME);
+}
+
+/* True: the ghosts are named in it. */
+static bool draw_box(const Screen *screen, Area area)
+{
+    enum { LEAST = 4 }; /* rows in which there is more to be said than a heading */
+    const bool between = experiment_stage(screen->experiment) == 0 && !experiment_before(screen->experiment);
+    const int table = between ? pane_runs(screen, area) : 0;
+    area = area_part(area, 0, table, area.rect.width, area.rect.height - table);
+    if (table > 0 && area.rect.height < LEAST)
+        return true;
+    if (screen_second_run(screen) && between)
+        pane_duel(screen, area);
+    else if (screen->playback.state == STATE_RUNNING || screen->playback.state == STATE_COMPUTING)
+        draw_caption(screen, area);
+    else if ((screen->playback.state == STATE_ENDED || screen->playback.state == STATE_FAILED) &&
+             experiment_stage(screen->experiment) == 0)
+        draw_summary(screen, area);
+    else
+        pane_stage(screen, area);
+    return table > 0;
+}
+
+void pane_box(const Screen *screen, Area area)
+{
+    if (!draw_box(screen, area) && area.rect.height > 0)
+        draw_ghost_names(screen, area);
+}

@@ -1,0 +1,113 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The readout of a duel in the box at the bottom: label, A, B; in as many columns beside each other as the
+ * table needs and the box has room for. */
+#include "panes/panes.h"
+
+#include "answers/comparison.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { LABEL_LEAST = 12, VALUE_LEAST = 7, GROUPS_MAX = 3 };
+
+/* What may be told: no theory where a class is to guess. */
+static int rows_shown(const Screen *screen, Comparison rows[COMPARISONS_MAX])
+{
+    const int all = comparison_of_duel(screen->duel, rows);
+    int count = 0;
+    for (int i = 0; i < all; i++)
+        if (rows[i].kind == COLUMN_MEASURED || (rows[i].kind == COLUMN_EXACT && screen_shows_exact(screen)) ||
+            (rows[i].kind == COLUMN_PREDICTED && screen_shows_predicted(screen)))
+            rows[count++] = rows[i];
+    return count;
+}
+
+/* How wide the table of these rows is: the widest label and the widest value of each run. */
+static void measure(const Comparison *rows, int count, int *label, int values[2])
+{
+    *label = LABEL_LEAST;
+    values[0] = values[1] = VALUE_LEAST;
+    for (int i = 0; i < count; i++) {
+        *label = glyphs_columns(rows[i].label) > *label ? glyphs_columns(rows[i].label) : *label;
+        for (int run = 0; run < 2; run++)
+            if (glyphs_columns(rows[i].values[run]) > values[run])
+                values[run] = glyphs_columns(rows[i].values[run]);
+    }
+}
+
+/* A and B head their columns; where the words of the heading reach so far the first values have them. */
+static void draw_letters(Area area, const int ends[2], int heading, bool own_row)
+{
+    const Style styles[2] = {STYLE_MEASURED, STYLE_SECOND};
+    for (int run = 0; run < 2; run++) {
+        const char letter[] = {' ', "AB"[run], ' ', '\0'};
+        if (own_row || area.rect.x + ends[0] > heading + 1)
+            area_text_right(area, ends[run] + 2, own_row, letter, styles[run]);
+    }
+}
+
+static void draw_group(Area area, const Comparison *rows, int count, int heading, bool own_row)
+{
+    int label, values[2];
+    measure(rows, count, &label, values);
+    const int ends[2] = {label + 1 + values[0], label + 1 + values[0] + 1 + values[1]};
+    const Style styles[2] = {STYLE_MEASURED, STYLE_SECOND};
+    draw_letters(area, ends, heading, own_row);
+    for (int y = 0; y < count; y++) {
+        const int row = 1 + own_row + y;
+        area_text(area, 1, row, rows[y].label, STYLE_NORMAL);
+        for (int run = 0; run < 2; run++)
+            area_text_right(area, ends[run] + 1, row, rows[y].values[run], styles[run]);
+    }
+}
+
+/* The scenario's title asks what the duel is to answer. */
+static const char *heading_of(const Experiment *experiment, int width)
+{
+    enum { LETTERS = 16 }; /* of the last columns */
+    const Settings *settings = experiment_settings(experiment);
+    const char *title = settings->title[0] ? settings->title : settings->problem->title;
+    return 5 + glyphs_columns(title) + LETTERS < width ? title : "Duel";
+}
+
+/* "A usf", "B usl"; false: there is no room for it. */
+static bool name_values(Comparison *row, const int values[2])
+{
+    for (int run = 0; run < 2; run++)
+        if (glyphs_columns(row->values[run]) + 2 > values[run])
+            return false;
+    for (int run = 0; run < 2; run++) {
+        char value[COMPARISON_TEXT_MAX];
+        memcpy(value, row->values[run], sizeof value);
+        snprintf(row->values[run], sizeof row->values[run], "%c %.*s", "AB"[run], COMPARISON_TEXT_MAX - 3,
+                 value);
+    }
+    return true;
+}
+
+void pane_duel(const Screen *screen, Area area)
+{
+    Comparison rows[COMPARISONS_MAX];
+    int count = rows_shown(screen, rows), label, values[2];
+    const int height = area.rect.height - 1;
+    const char *heading = heading_of(screen->experiment, area.rect.width);
+    measure(rows, count, &label, values);
+    const int width = 1 + label + 1 + values[0] + 1 + values[1] + 1;
+    int groups = area.rect.width / width;
+    groups = groups > GROUPS_MAX ? GROUPS_MAX : groups < 1 ? 1 : groups;
+    const bool own_row = count <= groups * (height - 1);
+    if (!own_row && (count < 1 || !name_values(&rows[0], values)))
+        heading = "Duel";
+    area_rule(area, 0, heading, screen_is_focused(screen, PANE_BOX) ? STYLE_FOCUS : STYLE_HEADING);
+    if (height < 1)
+        return;
+    const int each = height - own_row;
+    if (count > groups * each)
+        count = groups * each;
+    const int used = (count + each - 1) / each, end = area.rect.x + 4 + glyphs_columns(heading);
+    for (int i = 0; i < used; i++) {
+        const int first = i * each, here = count - first < each ? count - first : each;
+        draw_group(area_part(area, i * (area.rect.width / used), 0, width, area.rect.height), rows + first,
+                   here, end, own_row);
+    }
+}

@@ -1,0 +1,240 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A lesson: a page of text in place of the parameters, with the question it asks, the parameters it offers,
+ * and in the last row what is to be done to go on. */
+#include "panes/panes.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* Writes down the pane from a row on, which may lie above it. */
+typedef struct Pen {
+    Area area;
+    int y;
+    int end; /* of what is written: the row after it, without a gap */
+} Pen;
+
+static void write_paragraphs(Pen *pen, const char *text, Style style)
+{
+    const int width = pen->area.rect.width - 2;
+    while (text && *text) {
+        char paragraph[1024];
+        const size_t length = strcspn(text, "\n");
+        snprintf(paragraph, sizeof paragraph, "%.*s", (int)length, text);
+        const int lines = area_paragraph_lines(width, paragraph);
+        area_paragraph(pen->area, 1, pen->y, width, lines, paragraph, style);
+        pen->end = pen->y + lines;
+        pen->y = pen->end + 1;
+        text += length + (text[length] == '\n');
+    }
+}
+
+static void write_question(Pen *pen, const LessonShown *lesson, const LessonPage *page)
+{
+    const bool chooses = page->n_choices > 0;
+    const int answer = lesson->answer, width = pen->area.rect.width - 2;
+    write_paragraphs(pen, page->question, STYLE_HEADING);
+    if (answer < 0 && chooses)
+        pen->y--; /* the choices stand close to it */
+    for (int i = 0; i < page->n_choices && answer < 0; i++) {
+        const int lines = area_paragraph_lines(width - 3, page->choices[i]);
+        const bool marked = i == lesson->marked;
+        for (int y = 0; y < lines && marked; y++)
+            for (int x = 1; x < width + 1; x++)
+                area_put(pen->area, x, pen->y + y, ' ', STYLE_SELECTED);
+        area_print(pen->area, 2, pen->y, marked ? STYLE_SELECTED : STYLE_KEY, "%d", i + 1);
+        area_paragraph(pen->area, 4, pen->y, width - 3, lines, page->choices[i],
+                       marked ? STYLE_SELECTED : STYLE_NORMAL);
+        pen->end = pen->y += lines;
+    }
+    if (answer < 0 || !chooses)
+        return;
+    char text[512];
+    if (answer == page->right)
+        snprintf(text, sizeof text, "Right: %.400s.", page->choices[answer]);
+    else
+        snprintf(text, sizeof text, "You said: %.200s. It is: %.200s.", page->choices[answer],
+                 page->choices[page->right]);
+    write_paragraphs(pen, text, answer == page->right ? STYLE_CHANGED : STYLE_WARNING);
+}
+
+static void write_page(Pen *pen, const Screen *screen)
+{
+    const LessonPage *page = &screen->lesson.lesson->pages[screen->lesson.page];
+    write_paragraphs(pen, page->title, STYLE_HEADING);
+    write_paragraphs(pen, page->first.text, STYLE_NORMAL);
+    if (page->question)
+        write_question(pen, &screen->lesson, page);
+    write_paragraphs(pen, screen->lesson.verdict,
+                     screen->lesson.verdict_right ? STYLE_CHANGED : STYLE_WARNING);
+    if (page->question ? screen->lesson.answer >= 0 : screen->lesson.met)
+        write_paragraphs(pen, page->revealed.text, STYLE_NORMAL);
+    ParameterRow rows[PARAMETER_ROWS_MAX];
+    const int count = page->n_fields ? screen_parameter_rows(screen, rows) : 0;
+    for (int i = 0; i < page->n_fields; i++) {
+        const Parameter *parameter = parameter_find(page->fields[i]);
+        const bool chosen = screen->parameters.selected >= 0 && screen->parameters.selected < count &&
+                            rows[screen->parameters.selected].parameter == parameter;
+        pane_parameter(screen, pen->area, pen->y++, parameter, chosen);
+        pen->end = pen->y;
+    }
+}
+
+static void write_list(Pen *pen, const Screen *screen)
+{
+    write_paragraphs(pen, "What shall we look at?", STYLE_NORMAL);
+    for (int i = 0; i < LESSONS_MAX && builtin_lessons[i].name; i++) {
+        Lesson lesson;
+        if (!lesson_load(builtin_lessons[i].name, command_line_for_lessons, &lesson, NULL))
+            continue;
+        const bool chosen = i == screen->lesson.chosen;
+        const Style style = chosen ? STYLE_SELECTED : STYLE_NORMAL;
+        char pages[24] = "";
+        for (int x = 1; chosen && x < pen->area.rect.width - 1; x++)
+            area_put(pen->area, x, pen->y, ' ', style);
+        if (screen->lesson.reached[i] > 0)
+            snprintf(pages, sizeof pages, "%d/%d", screen->lesson.reached[i], lesson.n_pages);
+        area_print(pen->area, 1, pen->y, chosen ? style : STYLE_KEY, "%2d", i + 1);
+        const int most = pen->area.rect.width - 5 - (*pages ? 1 + glyphs_columns(pages) : 0);
+        area_text(area_part(pen->area, 4, pen->y, most, 1), 0, 0, lesson.title, style);
+        area_text_right(pen->area, pen->area.rect.width - 1, pen->y++, pages, chosen ? style : STYLE_FAINT);
+        pen->end = pen->y;
+        lesson_free(&lesson);
+    }
+}
+
+static void write_all(Pen *pen, const Screen *screen)
+{
+    if (screen->lesson.lesson)
+        write_page(pen, screen);
+    else
+        write_list(pen, screen);
+}
+
+/* What is to be done to go on. */
+static void footer_text(const Screen *screen, char *out, size_t size)
+{
+    const LessonShown *shown = &screen->lesson;
+    const LessonPage *page = shown->lesson ? &shown->lesson->pages[shown->page] : NULL;
+    if (!page) {
+        snprintf(out, size, "1 to 9, or ↑ ↓ and Enter   T closes");
+        return;
+    }
+    const LessonUntil *until = &page->until;
+    const Command *command = until->kind == UNTIL_COMMAND ? command_by_name(until->word) : NULL;
+    const Parameter *parameter = until->kind == UNTIL_VALUE ? parameter_find(until->word) : NULL;
+    char key[COMMAND_KEY_MAX] = "", time[48];
+    if (command)
+        command_first_key(command, key);
+    if (page->question && page->n_choices == 0 && shown->answer < 0)
+        snprintf(out, size, "Enter: your %s   n goes on",
+                 lesson_exercise(page) == EXERCISE_WORDS ? "words" : "answer");
+    else if (page->question && shown->answer < 0 && shown->counts)
+        snprintf(out, size, "1 %s %d: your first answer counts", page->n_choices == 2 ? "or" : "to",
+                 page->n_choices);
+    else if (page->question && shown->answer < 0)
+        snprintf(out, size, "1 %s %d, or ↑ ↓ Enter: your answer", page->n_choices == 2 ? "or" : "to",
+                 page->n_choices);
+    else if (until->kind != UNTIL_NOTHING && !shown->met)
+        switch (until->kind) {
+        case UNTIL_STEP:
+            snprintf(out, size, "] to the end of step %.0f", until->number);
+            break;
+        case UNTIL_TIME:
+            screen_time_text(screen, until->number, time, sizeof time);
+            snprintf(out, size, "Space runs to %s", time);
+            break;
+        case UNTIL_EVENT:
+            snprintf(out, size, "Space runs to a%s %s", strchr("aeiou", until->word[0]) ? "n" : "",
+                     until->word);
+            break;
+        case UNTIL_STAGE:
+            snprintf(out, size, "] to stage %.0f", until->number);
+            break;
+        case UNTIL_COMMAND:
+            snprintf(out, size, "press %s", key);
+            break;
+        case UNTIL_VALUE:
+            snprintf(out, size, "set %s to %s", parameter ? parameter->label : until->word, until->value);
+            break;
+        default:
+            snprintf(out, size, "Space runs to the end");
+        }
+    else if (shown->page + 1 == shown->lesson->n_pages)
+        snprintf(out, size, "the end   n next lesson   T closes");
+    else if (page->n_fields > 0 && until->kind == UNTIL_NOTHING)
+        snprintf(out, size, "n goes on   b back");
+    else
+        snprintf(out, size, "%sEnter goes on   b back", until->kind != UNTIL_NOTHING ? "done   " : "");
+}
+
+/* Heading and footer. */
+enum { MARGIN_ROWS = 2 };
+
+static int lines_of(const Screen *screen, Area area)
+{
+    Pen pen = {.area = area_part(area, 0, 0, area.rect.width, 0)};
+    write_all(&pen, screen);
+    return pen.end;
+}
+
+/* Lines above what is shown: of the list, as many as the chosen one needs to be seen. */
+int pane_lesson_above(const Screen *screen, Area area)
+{
+    const int to_chosen = lines_of(screen, area) - screen_lesson_count() + screen->lesson.chosen + 1;
+    const int rows = area.rect.height - MARGIN_ROWS;
+    if (screen->lesson.lesson)
+        return screen->lesson.scroll;
+    return to_chosen > rows ? to_chosen - rows : 0;
+}
+
+/* "── A title  1/7 ──": of a long title the end gives way, not the page. */
+static void draw_heading(const Screen *screen, Area area)
+{
+    const LessonShown *shown = &screen->lesson;
+    const Style style = screen_is_focused(screen, PANE_PARAMETERS) ? STYLE_FOCUS : STYLE_HEADING;
+    char heading[160], page[32];
+    if (!shown->lesson) {
+        area_rule(area, 0, "Lessons", style);
+        return;
+    }
+    snprintf(page, sizeof page, "  %d/%d", shown->page + 1, shown->lesson->n_pages);
+    snprintf(heading, sizeof heading, "%.120s%s", shown->lesson->title, page);
+    area_rule(area, 0, heading, style);
+    if (glyphs_columns(heading) + 5 < area.rect.width)
+        return;
+    area_rule(area_part(area, 0, 0, area.rect.width - glyphs_columns(page) - 1, 1), 0, shown->lesson->title,
+              style);
+    area_text_right(area, area.rect.width - 1, 0, page, style);
+}
+
+void pane_lesson(const Screen *screen, Area area)
+{
+    const int rows = area.rect.height - MARGIN_ROWS;
+    char footer[192];
+    draw_heading(screen, area);
+    Pen pen = {.area = area_part(area, 0, 1, area.rect.width, rows), .y = -pane_lesson_above(screen, area)};
+    write_all(&pen, screen);
+    footer_text(screen, footer, sizeof footer);
+    const int last = area.rect.height - 1, end = area.rect.width - 1;
+    const int used = area_text(area, 1, last, footer, STYLE_KEY) + 2;
+    static const char *const more[] = {"more below", "more", "↓"};
+    for (size_t i = 0; pen.end > rows && i < sizeof more / sizeof *more; i++)
+        if (used + glyphs_columns(more[i]) < end) {
+            area_text_right(area, end, last, more[i], STYLE_FAINT);
+            break;
+        }
+}
+
+int pane_lesson_rows(const Screen *screen, int width)
+{
+    Canvas none = {.width = width};
+    return lines_of(screen, (Area){&none, {0, 0, width, 0}, screen->look.glyphs}) + MARGIN_ROWS;
+}
+
+int screen_lesson_count(void)
+{
+    int count = 0;
+    while (count < LESSONS_MAX && builtin_lessons[count].name)
+        count++;
+    return count;
+}

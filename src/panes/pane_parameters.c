@@ -1,0 +1,366 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The parameter pane: fields by group, read-only numbers below, unit and range of the chosen field in its
+ * last row. */
+#include "panes/panes.h"
+
+#include "base/text.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static bool holds(const char *text, const char *part)
+{
+    size_t length = strlen(part);
+    for (; *text; text++) {
+        size_t i = 0;
+        while (i < length && text[i] && tolower((unsigned char)text[i]) == tolower((unsigned char)part[i]))
+            i++;
+        if (i == length)
+            return true;
+    }
+    return length == 0;
+}
+
+static bool passes(const ParametersShown *shown, const char *label, const char *key)
+{
+    return holds(label, shown->filter) || holds(key, shown->filter);
+}
+
+/* Whether a derived number is one of the fields too. */
+static bool is_field(const Derived *derived, const Problem *problem)
+{
+    for (int i = 0; i < n_parameters; i++) {
+        const char *point = strchr(parameters[i].key, '.');
+        if (point && strcmp(point + 1, derived->name) == 0 && parameter_applies(&parameters[i], problem))
+            return true;
+    }
+    return false;
+}
+
+/* The rows of a plate of one kind under its section's name, and a place for a new one. */
+static int add_rows(const Screen *screen, int kind, ParameterRow *rows, int room)
+{
+    const Settings *settings = experiment_settings(screen->experiment);
+    const RowKind *about = &row_kinds[kind];
+    const RowList *list = &settings->rows[kind];
+    int count = 0;
+    if (!settings_have_rows(settings, kind))
+        return 0;
+    const int places = list->count + (about->fresh && list->count < ROWS_OF_KIND_MAX);
+    for (int row = 0; row < places && count + 1 < room; row++) {
+        const bool is_new = row == list->count;
+        if (!passes(&screen->parameters, is_new ? "" : list->rows[row].name, about->section))
+            continue;
+        if (count == 0)
+            rows[count++] = (ParameterRow){.heading = about->section, .derived = -1};
+        rows[count++] =
+            (ParameterRow){.derived = -1, .is_row = true, .kind = kind, .row = is_new ? ROW_NEW : row};
+    }
+    return count;
+}
+
+const Settings *screen_rows_shown(const Screen *screen, int *kind, int *row)
+{
+    ParameterRow rows[PARAMETER_ROWS_MAX];
+    const RowsShown *shown = &screen->parameters.rows;
+    *kind = *row = -1;
+    if (shown->placing) {
+        *kind = shown->kind;
+        *row = shown->row;
+        return shown->draft;
+    }
+    const int count = screen_parameter_rows(screen, rows), selected = screen->parameters.selected;
+    if (screen_is_focused(screen, PANE_PARAMETERS) && selected >= 0 && selected < count &&
+        rows[selected].is_row) {
+        *kind = rows[selected].kind;
+        *row = rows[selected].row;
+    }
+    return experiment_settings(screen->experiment);
+}
+
+int screen_parameter_rows(const Screen *screen, ParameterRow rows[PARAMETER_ROWS_MAX])
+{
+    const Settings *settings = experiment_settings(screen->experiment);
+    const char *group = "";
+    int count = 0;
+    for (int i = 0; i < n_parameters && count + 2 < PARAMETER_ROWS_MAX; i++) {
+        const Parameter *parameter = &parameters[i];
+        if (!parameter_applies_to(settings, parameter) ||
+            !passes(&screen->parameters, parameter->label, parameter->key))
+            continue;
+        if (strcmp(parameter->group, group) != 0)
+            rows[count++] = (ParameterRow){.heading = group = parameter->group, .derived = -1};
+        rows[count++] = (ParameterRow){.parameter = parameter, .derived = -1};
+    }
+    for (int kind = 0; kind < ROW_KINDS; kind++)
+        count += add_rows(screen, kind, rows + count, PARAMETER_ROWS_MAX - count);
+    Derived derived[DERIVED_MAX];
+    int n_derived = experiment_derived(screen->experiment, derived);
+    bool begun = false;
+    for (int i = 0; i < n_derived && count + 1 < PARAMETER_ROWS_MAX; i++) {
+        if (is_field(&derived[i], settings->problem) ||
+            !passes(&screen->parameters, derived[i].label, derived[i].name))
+            continue;
+        if (!begun)
+            rows[count++] = (ParameterRow){.heading = "Follows from these", .derived = -1};
+        begun = true;
+        rows[count++] = (ParameterRow){.derived = i};
+    }
+    return count;
+}
+
+bool screen_selected_row(const Screen *screen, int *kind, int *row)
+{
+    ParameterRow rows[PARAMETER_ROWS_MAX];
+    const int count = screen_parameter_rows(screen, rows), selected = screen->parameters.selected;
+    if (selected < 0 || selected >= count || !rows[selected].is_row)
+        return false;
+    *kind = rows[selected].kind;
+    *row = rows[selected].row;
+    return true;
+}
+
+/* A size of a beam as the lattice has it, where that is another one than asked for; "" where it is not. */
+static void real_text(const Screen *screen, const Parameter *parameter, char out[NUMBER_TEXT_MAX])
+{
+    const Settings *settings = experiment_settings(screen->experiment);
+    out[0] = '\0';
+    if (parameter->type != PARAMETER_REAL)
+        return;
+    const double nominal = settings_number(settings, parameter);
+    double real = NAN;
+    if (strcmp(parameter->key, "beam.height") == 0)
+        real = screen_derived(screen, "real_height");
+    else if (strcmp(parameter->key, "beam.length") == 0 &&
+             !(settings->problem->concerns & (CONCERN_MOTION | CONCERN_SUPPORTS)))
+        real = screen_derived(screen, "real_span");
+    if (fabs(real - nominal) > 1e-6 * nominal)
+        text_fitted(real, 4, 8, out);
+}
+
+/* The first row shown, so that the chosen one stands near the middle. */
+int pane_parameters_first(const ParametersShown *shown, int count, int room)
+{
+    int first = shown->selected - room / 2;
+    if (first > count - room)
+        first = count - room;
+    return first > 0 ? first : 0;
+}
+
+/* The field under edit, from column `from` on or, where that leaves too little, farther left. */
+static void draw_field(const Screen *screen, Area area, int y, int from)
+{
+    int room = area.rect.width - from < 12 ? 12 : area.rect.width - from,
+        cursor = screen->parameters.edit.cursor;
+    Area field = area_part(area, area.rect.width - room, y, room, 1);
+    const char *text = screen->parameters.edit.text;
+    for (; cursor >= room && *text; cursor--)
+        glyph_next(&text);
+    for (int x = 0; x < room; x++)
+        area_put(field, x, 0, ' ', STYLE_EDIT);
+    area_text(field, 0, 0, text, STYLE_EDIT);
+    area.canvas->cursor_x = field.rect.x + (cursor < room ? cursor : room - 1);
+    area.canvas->cursor_y = field.rect.y;
+}
+
+/* A row of a plate: its name and its values; while it is edited both are in the field, as in a file. */
+static void draw_row(const Screen *screen, Area area, int y, const ParameterRow *row, bool chosen)
+{
+    const Settings *settings = experiment_settings(screen->experiment);
+    const bool focused = chosen && screen_is_focused(screen, PANE_PARAMETERS);
+    const Style style = focused ? STYLE_SELECTED : row->row == ROW_NEW ? STYLE_FAINT : STYLE_NORMAL;
+    for (int x = 1; focused && x < area.rect.width; x++)
+        area_put(area, x, y, ' ', style);
+    if (focused && screen->parameters.edit.open) {
+        draw_field(screen, area, y, 1);
+        return;
+    }
+    if (row->row == ROW_NEW) {
+        char text[ROW_NAME_MAX + 8];
+        snprintf(text, sizeof text, "+ %s", row_kinds[row->kind].one);
+        area_text(area, 2, y, text, style);
+    } else {
+        char text[ROW_TEXT_MAX];
+        const int label = 2 + area_text(area, 2, y, settings->rows[row->kind].rows[row->row].name, style) +
+                          (row_kinds[row->kind].usual ? -1 : 0);
+        settings_row_show(settings, row->kind, row->row, text);
+        const int columns = glyphs_columns(text), room = area.rect.width - label - 1;
+        area_text(area_part(area, label + 1, y, room, 1), columns < room ? room - columns : 0, 0, text,
+                  style);
+    }
+    if (focused && !screen->prompt.open) {
+        area.canvas->cursor_x = area.rect.x + 1;
+        area.canvas->cursor_y = area.rect.y + y;
+    }
+}
+
+void pane_parameter(const Screen *screen, Area area, int y, const Parameter *parameter, bool chosen)
+{
+    const Settings *settings = experiment_settings(screen->experiment);
+    const bool focused = chosen && screen_is_focused(screen, PANE_PARAMETERS);
+    const int width = area.rect.width;
+    Style style = focused ? STYLE_SELECTED : STYLE_NORMAL;
+    for (int x = 1; focused && x < width; x++)
+        area_put(area, x, y, ' ', style);
+    char value[LIST_MAX];
+    settings_show(settings, parameter, value);
+    if (value[0] == '\0')
+        snprintf(value, sizeof value, "-");
+    /* a number is never cut: where both have no room, the label is shorter */
+    const bool is_number = parameter->type == PARAMETER_REAL || parameter->type == PARAMETER_INTEGER;
+    const int wanted = 3 + glyphs_columns(parameter->label);
+    if (is_number && glyphs_columns(value) > width - wanted && parameter->type == PARAMETER_REAL)
+        text_fitted(settings_number(settings, parameter), 6, width - wanted < 10 ? 10 : width - wanted,
+                    value);
+    const int label_width = is_number ? width - glyphs_columns(value) - 1 : width;
+    const int indent = is_number && 2 + glyphs_columns(parameter->label) > label_width ? 1 : 2;
+    int label = area_text(area_part(area, 0, y, label_width, 1), indent, 0, parameter->label, style) + indent;
+
+    if (focused && screen->parameters.edit.open) {
+        draw_field(screen, area, y, label + 1);
+        return;
+    }
+    const int columns = glyphs_columns(value), room = width - label - 1;
+    if (focused && parameter->type == PARAMETER_CHOICE && columns + 2 <= room) {
+        char marked[LIST_MAX + 8];
+        snprintf(marked, sizeof marked, "‹%s›", value);
+        area_text_right(area, width, y, marked, style);
+    } else if (columns <= room) {
+        char real[NUMBER_TEXT_MAX], brackets[NUMBER_TEXT_MAX + 4];
+        real_text(screen, parameter, real);
+        snprintf(brackets, sizeof brackets, "(%s) ", real);
+        area_text_right(area, width, y, value, style);
+        if (real[0] && glyphs_columns(brackets) + columns + 1 <= room)
+            area_text_right(area, width - columns, y, brackets, focused ? style : STYLE_FAINT);
+    } else {
+        area_text(area_part(area, label + 1, y, room, 1), 0, 0, value, style);
+    }
+    if (focused && !screen->prompt.open) {
+        area.canvas->cursor_x = area.rect.x + 1;
+        area.canvas->cursor_y = area.rect.y + y;
+    }
+}
+
+static void draw_derived(Area area, int y, const Derived *derived, bool chosen)
+{
+    const Style style = chosen ? STYLE_SELECTED : STYLE_FAINT;
+    char value[NUMBER_TEXT_MAX];
+    for (int x = 1; chosen && x < area.rect.width; x++)
+        area_put(area, x, y, ' ', style);
+    int label = area_text(area, 2, y, derived->label, style) + 2;
+    if (derived->integer)
+        snprintf(value, sizeof value, "%.0f", derived->value);
+    else
+        text_fitted(derived->value, 6, area.rect.width - label - 1, value);
+    area_text_right(area, area.rect.width, y, value, style);
+}
+
+/* Below the fields: the unit of the chosen one, and what it may be. */
+enum { HINT_ROWS = 2 };
+
+static int room_of(int height)
+{
+    return height > HINT_ROWS ? height - HINT_ROWS : height;
+}
+
+/* A text in both rows of the hint, parted at a space. False: it fits into the first, and stands there. */
+static bool draw_wrapped(Area area, const char *text)
+{
+    const int room = area.rect.width - 2, top = area.rect.height - HINT_ROWS;
+    size_t cut = strlen(text);
+    while (cut > 0 && (cut > (size_t)room || (text[cut] && text[cut] != ' ')))
+        cut--;
+    if (cut == 0)
+        cut = strlen(text); /* one word */
+    area_print(area, 2, top, STYLE_FAINT, "%.*s", (int)cut, text);
+    if (!text[cut])
+        return false;
+    area_text(area, 2, top + 1, text + cut + 1, STYLE_FAINT);
+    return true;
+}
+
+/* The values of a row that have no room beside its name or, while it is edited, what they are. */
+static bool draw_row_hint(const Screen *screen, Area area, const ParameterRow *row)
+{
+    const Settings *settings = experiment_settings(screen->experiment);
+    const RowKind *kind = &row_kinds[row->kind];
+    char values[ROW_TEXT_MAX];
+    if (row->row == ROW_NEW || screen->parameters.edit.open)
+        return draw_wrapped(area, kind->form);
+    settings_row_show(settings, row->kind, row->row, values);
+    const int label = glyphs_columns(settings->rows[row->kind].rows[row->row].name);
+    return draw_wrapped(area, 2 + label + 1 + glyphs_columns(values) > area.rect.width ? values : kind->form);
+}
+
+static void draw_hint(const Screen *screen, Area area, const ParameterRow *row, const Derived *derived)
+{
+    char unit[96] = "", range[96] = "", real[NUMBER_TEXT_MAX] = "";
+    if (row->parameter) {
+        snprintf(unit, sizeof unit, "%s",
+                 parameter_unit(row->parameter, experiment_settings(screen->experiment)->problem));
+        parameter_range(row->parameter, experiment_settings(screen->experiment)->problem, range,
+                        sizeof range);
+        real_text(screen, row->parameter, real);
+    } else if (row->derived >= 0) {
+        snprintf(unit, sizeof unit, "%s", derived[row->derived].unit);
+        snprintf(range, sizeof range, "read only");
+    } else if (row->is_row) {
+        if (draw_row_hint(screen, area, row))
+            return;
+        snprintf(range, sizeof range, "%s",
+                 row->row == ROW_NEW          ? "Enter adds one"
+                 : row_kinds[row->kind].usual ? "Enter edits, p moves it"
+                                              : "Enter edits  p C D: ?");
+    }
+    if (unit[0] && strcmp(unit, "1") != 0)
+        area_print(area, 2, area.rect.height - 2, STYLE_FAINT, real[0] ? "in %s, lattice %s" : "unit: %s",
+                   unit, real);
+    area_text(area, 2, area.rect.height - 1, range, STYLE_FAINT);
+}
+
+void pane_parameters(const Screen *screen, Area area)
+{
+    ParameterRow rows[PARAMETER_ROWS_MAX];
+    Derived derived[DERIVED_MAX];
+    const int count = screen_parameter_rows(screen, rows);
+    experiment_derived(screen->experiment, derived);
+    const bool focused = screen_is_focused(screen, PANE_PARAMETERS);
+    const int room = room_of(area.rect.height),
+              first = pane_parameters_first(&screen->parameters, count, room);
+
+    for (int y = 0; y < room && first + y < count; y++) {
+        const ParameterRow *row = &rows[first + y];
+        const bool chosen = first + y == screen->parameters.selected;
+        if (row->heading)
+            area_text(area, 1, y, row->heading, focused ? STYLE_FOCUS : STYLE_HEADING);
+        else if (row->parameter)
+            pane_parameter(screen, area, y, row->parameter, chosen);
+        else if (row->is_row)
+            draw_row(screen, area, y, row, chosen);
+        else
+            draw_derived(area, y, &derived[row->derived], chosen && focused);
+    }
+    if (count == 0)
+        area_text(area, 1, 0, "no parameter of that name", STYLE_FAINT);
+    if (room == area.rect.height)
+        return;
+    if (focused && screen->parameters.selected >= 0 && screen->parameters.selected < count)
+        draw_hint(screen, area, &rows[screen->parameters.selected], derived);
+    else if (first + room < count) {
+        char text[40];
+        snprintf(text, sizeof text, "%d more below", count - first - room);
+        area_text(area, 2, area.rect.height - 1, text, STYLE_FAINT);
+    }
+}
+
+/* Of a lecture: the one that the arrows change. */
+void pane_chosen_parameter(const Screen *screen, Area area)
+{
+    ParameterRow rows[PARAMETER_ROWS_MAX];
+    const int count = screen_parameter_rows(screen, rows);
+    if (screen->parameters.selected >= 0 && screen->parameters.selected < count &&
+        rows[screen->parameters.selected].parameter)
+        pane_parameter(screen, area, 0, rows[screen->parameters.selected].parameter, true);
+}

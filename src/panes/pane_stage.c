@@ -1,0 +1,317 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The stage box: the stage just done (or, between steps, the next one), its equation, the sums of the chosen
+ * particle or node with their numbers, and where there is room its sentence, the state of the thing, and the
+ * list of all stages. */
+#include "panes/panes.h"
+#include "panes/stage_flow.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { LIST_WIDTH = 26, LEAST_BODY = 4, SUMS_MAX = 8192, FIELDS_TEXT_MAX = 64 };
+
+/* What the box speaks of. */
+typedef struct Subject {
+    const Screen *screen;
+    const Simulation *sim;
+    int stage;
+    bool done;
+    int set;
+    size_t index;
+} Subject;
+
+static Subject subject_of(const Screen *screen)
+{
+    Subject subject = {.screen = screen, .sim = experiment_simulation(screen->experiment)};
+    const Simulation *sim = subject.sim;
+    subject.stage = screen_box_stage(screen, &subject.done);
+    subject.set = screen->chosen.is_node && simulation_has(sim, HAS_MESH);
+    const size_t chosen = subject.set ? screen->chosen.node : screen->chosen.particle,
+                 count = sim->counts[subject.set];
+    subject.index = chosen < count ? chosen : count - 1;
+    return subject;
+}
+
+/* --- numbers of a thing --------------------------------------------------------------------------- */
+
+/* Two values as texts of at least so many digits, or as many more as it takes to tell them apart. */
+static void pair_text(double before, double now, char was[NUMBER_TEXT_MAX], char is[NUMBER_TEXT_MAX])
+{
+    for (int digits = 5; digits <= 9; digits++) {
+        text_fitted(before, digits, 16, was);
+        text_fitted(now, digits, 16, is);
+        if (strcmp(was, is) != 0)
+            return;
+    }
+}
+
+/* One field with its label, its unit and, where the stage changed it, what it was. */
+typedef struct FieldPhrase {
+    char label[80], was[NUMBER_TEXT_MAX + 16], now[NUMBER_TEXT_MAX], unit[40];
+    bool changed;
+    int columns;
+} FieldPhrase;
+
+static FieldPhrase phrase_of(const Subject *subject, int field)
+{
+    const Field *row = &subject->sim->fields[field];
+    FieldPhrase phrase = {.changed = false};
+    double value = NAN, before;
+    char arrow[4];
+    subject->sim->method->field(subject->sim, field, subject->index, 1, &value);
+    snprintf(phrase.label, sizeof phrase.label, "%s ", row->quantity.label);
+    screen_unit_text(subject->screen, row, phrase.unit, sizeof phrase.unit);
+    glyphs_plain(subject->screen->look.glyphs, "→", arrow, sizeof arrow);
+    phrase.changed =
+        subject->done &&
+        experiment_field_before(subject->screen->experiment, field, subject->index, 1, &before) &&
+        before != value && !(isnan(before) && isnan(value));
+    text_fitted(value, 5, 12, phrase.now);
+    if (phrase.changed) {
+        char was[NUMBER_TEXT_MAX];
+        pair_text(before, value, was, phrase.now);
+        snprintf(phrase.was, sizeof phrase.was, "%s %s ", was, arrow);
+    }
+    phrase.columns = glyphs_columns(phrase.label) + glyphs_columns(phrase.was) + glyphs_columns(phrase.now) +
+                     glyphs_columns(phrase.unit);
+    return phrase;
+}
+
+/* "particle 25  stress 0.41517 → 0.41152  strain ...": fields on as many lines as they take. With no area the
+ * lines are only counted. */
+static int draw_fields(const Subject *subject, const Area *area, int width, int y, const int *fields,
+                       int count)
+{
+    char name[64];
+    snprintf(name, sizeof name, "%s %zu", subject->sim->sets[subject->set].name, subject->index);
+    int x = glyphs_columns(name), line = 0;
+    if (area)
+        area_text(*area, 0, y, name, STYLE_HEADING);
+    for (int i = 0; i < count; i++) {
+        const FieldPhrase phrase = phrase_of(subject, fields[i]);
+        if (x + 2 + phrase.columns > width) {
+            line++;
+            x = 0;
+        }
+        x += 2;
+        if (area) {
+            int at = x + area_text(*area, x, y + line, phrase.label, STYLE_FAINT);
+            at += area_text(*area, at, y + line, phrase.was, STYLE_NORMAL);
+            at += area_text(*area, at, y + line, phrase.now, phrase.changed ? STYLE_CHANGED : STYLE_NORMAL);
+            area_text(*area, at, y + line, phrase.unit, STYLE_FAINT);
+        }
+        x += phrase.columns;
+    }
+    return line + 1;
+}
+
+static void add_field(int fields[], int *count, int field)
+{
+    for (int i = 0; i < *count; i++)
+        if (fields[i] == field)
+            return;
+    if (field >= 0 && *count < FIELDS_TEXT_MAX)
+        fields[(*count)++] = field;
+}
+
+/* The fields that a stage names of the subject's set; with `all` those of its table too. */
+static int fields_of(const Subject *subject, const char *words, bool all, int fields[FIELDS_TEXT_MAX])
+{
+    int count = 0;
+    char word[64];
+    const bool named =
+        !all || subject->set == stage_flow_target(subject->sim, &subject->sim->stages[subject->stage]);
+    while (named && text_next_word(&words, word, sizeof word))
+        add_field(fields, &count, simulation_find_field(subject->sim, subject->set, word));
+    for (int i = 0; all && i < subject->sim->n_fields; i++)
+        if (subject->sim->fields[i].set == subject->set && subject->sim->fields[i].in_table)
+            add_field(fields, &count, i);
+    return count;
+}
+
+/* --- the sums ------------------------------------------------------------------------------------- */
+
+/* One line of a sum; on the last one of a sum its result is marked. */
+static void draw_line(Area area, int y, const char *text, size_t length, bool last)
+{
+    char line[512];
+    size_t used = 0;
+    for (size_t i = 0; i < length && used + 1 < sizeof line; i++) {
+        const bool held = strncmp(text + i, "\u00a0", 2) == 0; /* a no-break space has done its work */
+        line[used++] = held ? ' ' : text[i];
+        i += held;
+    }
+    line[used] = '\0';
+    char *result = last ? strrchr(line, '=') : NULL;
+    if (!result) {
+        area_text(area, 0, y, line, STYLE_NORMAL);
+        return;
+    }
+    const char first = result[1];
+    result[1] = '\0';
+    const int x = area_text(area, 0, y, line, STYLE_NORMAL);
+    result[1] = first;
+    area_text(area, x, y, result + 1, STYLE_CHANGED);
+}
+
+/* Lines of sums, each ended by '\n', broken where they must be. Returns the lines; with an area they are
+ * drawn. */
+static int sums_on(const Area *area, int width, int y, const char *sums)
+{
+    int used = 0;
+    while (*sums != '\0') {
+        const char *rest;
+        const size_t length = area_paragraph_line(sums, width, &rest);
+        if (area && y + used < area->rect.height)
+            draw_line(*area, y + used, sums, length, rest[-1] == '\n');
+        used++;
+        sums = rest;
+    }
+    return used;
+}
+
+/* The sums with as many terms as there are rows for. Returns the rows. */
+static int choose_sums(const Subject *subject, int width, int rows, char sums[SUMS_MAX])
+{
+    static const int terms[] = {0, 24, 16, 12, 8, 6, 5, 4, 3, 2};
+    enum { CHOICES = sizeof terms / sizeof *terms };
+    const Simulation *sim = subject->sim;
+    int lines = 0;
+    sums[0] = '\0';
+    if (!subject->done || !sim->method->explain)
+        return 0;
+    for (int i = 0; i < CHOICES; i++) {
+        char text[SUMS_MAX];
+        sim->method->explain(sim, subject->stage, subject->set, subject->index,
+                             experiment_before(subject->screen->experiment), terms[i], text, sizeof text);
+        glyphs_plain(subject->screen->look.glyphs, text, sums, SUMS_MAX);
+        lines = sums_on(NULL, width, 0, sums);
+        if (lines <= rows)
+            break;
+    }
+    return lines;
+}
+
+/* --- the box -------------------------------------------------------------------------------------- */
+
+/* In the order of need: the sums, the equation, the sentence, the state. Drawn in the order of reading. */
+static void draw_body(const Subject *subject, Area area)
+{
+    const Stage *stage = &subject->sim->stages[subject->stage];
+    const int width = area.rect.width, rows = area.rect.height;
+    char sums[SUMS_MAX], equation[512];
+    snprintf(equation, sizeof equation, "%s",
+             subject->screen->look.glyphs == GLYPHS_ASCII ? stage->ascii : stage->equation);
+    int sum_rows = choose_sums(subject, width, rows - 1, sums);
+    if (sum_rows + area_paragraph_lines(width, equation) >
+        rows) /* its first line says what the sums are of */
+        equation[strcspn(equation, "\n")] = '\0';
+    int room = rows - sum_rows - area_paragraph_lines(width, equation);
+    if (room < 0) {
+        equation[0] = '\0';
+        room = rows - sum_rows;
+    }
+    int fields[FIELDS_TEXT_MAX];
+    int n_fields = fields_of(subject, subject->done ? stage->writes : stage->reads, !subject->done, fields);
+    if (!subject->done)
+        n_fields = fields_of(subject, stage->reads, false, fields);
+    int field_rows =
+        !subject->done && n_fields > 0 ? draw_fields(subject, NULL, width, 0, fields, n_fields) : 0;
+    field_rows = field_rows <= room ? field_rows : 0;
+    room -= field_rows;
+    const int sentence_rows = area_paragraph_lines(width, stage->sentence);
+    const bool sentence = room >= sentence_rows;
+    room -= sentence ? sentence_rows : 0;
+    if (subject->done) {
+        n_fields = fields_of(subject, stage->writes, true, fields);
+        field_rows = draw_fields(subject, NULL, width, 0, fields, n_fields);
+        field_rows = field_rows <= room ? field_rows : 0;
+    }
+
+    int y = equation[0] ? area_paragraph(area, 0, 0, width, rows, equation, STYLE_NORMAL) : 0;
+    if (sentence)
+        y += area_paragraph(area, 0, y, width, rows - y, stage->sentence, STYLE_FAINT);
+    y += sums_on(&area, width, y, sums);
+    if (field_rows > 0)
+        draw_fields(subject, &area, width, y, fields, n_fields);
+}
+
+/* All stages, a pointer at the one that the box speaks of; where there is room, each with what it does. */
+static void draw_list(const Subject *subject, Area area)
+{
+    const Simulation *sim = subject->sim;
+    for (int i = 0; i < sim->n_stages; i++) {
+        const bool here = i == subject->stage;
+        const Style style = here ? STYLE_SELECTED : i < subject->stage ? STYLE_NORMAL : STYLE_FAINT;
+        area_print(area, 1, i, style, "%s%d %s", here ? "> " : "  ", i + 1, sim->stages[i].name);
+        const char *equation =
+            subject->screen->look.glyphs == GLYPHS_ASCII ? sim->stages[i].ascii : sim->stages[i].equation;
+        char line[160];
+        snprintf(line, sizeof line, "%.*s", (int)strcspn(equation, "\n"), equation);
+        const char *gap = strstr(line, "  ");
+        Area rest = area_part(area, LIST_WIDTH + 2, i, area.rect.width, 1);
+        if (glyphs_columns(line) <= rest.rect.width || (gap && gap - line <= rest.rect.width))
+            area_phrases(rest, 0, 0, rest.rect.width, 1, line, STYLE_FAINT);
+    }
+}
+
+/* "stress, strain, density": the labels of fields, each once. */
+static void labels_of(const Simulation *sim, const char *words, char *out, size_t size)
+{
+    char word[64];
+    out[0] = '\0';
+    while (text_next_word(&words, word, sizeof word)) {
+        int field = -1;
+        for (int set = 0; field < 0 && set < sim->n_sets; set++)
+            field = simulation_find_field(sim, set, word);
+        text_append(out, size, "%s%s", *out ? ", " : "",
+                    field >= 0 ? sim->fields[field].quantity.label : word);
+    }
+}
+
+static void draw_heading_of(const Subject *subject, Area area)
+{
+    const Simulation *sim = subject->sim;
+    const Stage *stage = &sim->stages[subject->stage];
+    char text[128], reads[256], writes[256], flow[600], plain[600];
+    const bool both = screen_second_run(subject->screen) != NULL;
+    snprintf(text, sizeof text, "%s%s %d of %d: %s", both ? "A: " : "",
+             !subject->done ? both ? "next, stage" : "Next: stage"
+             : both         ? "stage"
+                            : "Stage",
+             subject->stage + 1, sim->n_stages, stage->name);
+    area_rule(area, 0, text, screen_is_focused(subject->screen, PANE_BOX) ? STYLE_FOCUS : STYLE_HEADING);
+    const int heading = 5 + glyphs_columns(text), source = glyphs_columns(stage->source) + 2;
+    if (heading + source + 2 <= area.rect.width) {
+        snprintf(text, sizeof text, " %s ", stage->source);
+        area_text_right(area, area.rect.width - 1, 0, text, STYLE_FAINT);
+    }
+    labels_of(sim, stage->reads, reads, sizeof reads);
+    labels_of(sim, stage->writes, writes, sizeof writes);
+    snprintf(flow, sizeof flow, " %s → %s ", reads, writes);
+    glyphs_plain(subject->screen->look.glyphs, flow, plain, sizeof plain);
+    if (heading + 1 + glyphs_columns(plain) + source + 2 <= area.rect.width)
+        area_text(area, heading + 1, 0, plain, STYLE_FAINT);
+}
+
+void pane_stage(const Screen *screen, Area area)
+{
+    const Subject subject = subject_of(screen);
+    draw_heading_of(&subject, area);
+    Area body = area_part(area, 0, 1, area.rect.width, area.rect.height - 1);
+    const bool zoomed = screen->panes.zoomed && screen->panes.focus == PANE_BOX;
+    const int stages = subject.sim->n_stages, width = body.rect.width;
+    if (width >= 100 && body.rect.height >= stages) {
+        draw_list(&subject, area_part(body, 0, 0, LIST_WIDTH, body.rect.height));
+        for (int y = 0; y < body.rect.height; y++)
+            area_put(body, LIST_WIDTH, y, 0x2502, STYLE_FRAME);
+        body = area_part(body, LIST_WIDTH + 1, 0, width, body.rect.height);
+    } else if (zoomed && body.rect.height >= stages + 1 + LEAST_BODY) {
+        /* above the sums, which need the whole width */
+        draw_list(&subject, area_part(body, 0, 0, width, stages));
+        area_rule(area_part(body, 0, stages, width, 1), 0, "", STYLE_FRAME);
+        body = area_part(body, 0, stages + 1, width, body.rect.height);
+    }
+    draw_body(&subject, area_part(body, 1, 0, body.rect.width - 2, body.rect.height));
+}

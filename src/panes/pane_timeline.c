@@ -1,0 +1,132 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The timeline: from 0 to the end of the run, what of it has been computed, where we are, and what happened
+ * when. */
+#include "panes/panes.h"
+
+#include <math.h>
+#include <stdio.h>
+
+/* How events are marked; where several share a cell the one further down is seen. */
+static const struct {
+    EventKind kind;
+    char letter;
+    Style style;
+    const char *word; /* for the legend */
+} marks[] = {
+    {EVENT_CROSSING, 'x', STYLE_NORMAL, "crossing"}, {EVENT_BREAK, 'b', STYLE_NORMAL, "break"},
+    {EVENT_LATE, 'L', STYLE_NORMAL, "late"},         {EVENT_ENERGY, 'E', STYLE_WARNING, "energy"},
+    {EVENT_CHANGE, 'c', STYLE_CHANGED, "change"},    {EVENT_REST, 'R', STYLE_NORMAL, "rest"},
+    {EVENT_FAILURE, '!', STYLE_ERROR, "stopped"},
+};
+enum { MARKS = sizeof marks / sizeof *marks };
+
+char pane_timeline_letter(EventKind kind)
+{
+    for (int i = 0; i < MARKS; i++)
+        if (marks[i].kind == kind)
+            return marks[i].letter;
+    return ' ';
+}
+
+/* Where the line lies in a timeline of so many columns: the first cell is t = 0, the last one the end. */
+typedef struct Line {
+    int first, cells;
+    char end[NUMBER_TEXT_MAX + 8];
+} Line;
+
+static Line line_of(const Screen *screen, int width)
+{
+    const Problem *facts = screen_problem(screen);
+    const double dt = experiment_simulation(screen->experiment)->dt;
+    char number[NUMBER_TEXT_MAX];
+    Line line = {.first = GUTTER};
+    text_fitted(dt * (double)experiment_last_step(screen->experiment) / facts->shown_time, 4, 10, number);
+    snprintf(line.end, sizeof line.end, "%s%s", number, facts->shown_time_unit);
+    line.cells = width - GUTTER - 2 - glyphs_columns(line.end);
+    return line;
+}
+
+static int cell_of(const Screen *screen, const Line *line, long step)
+{
+    const long last = experiment_last_step(screen->experiment);
+    const double share = last > 0 ? (double)step / (double)last : 0;
+    const int cell = (int)floor(share * (line->cells - 1) + 0.5);
+    return line->first + (cell < line->cells ? cell : line->cells - 1);
+}
+
+long screen_bookmark_step(const Screen *screen, int index)
+{
+    const double dt = experiment_simulation(screen->experiment)->dt;
+    const long step = lround(screen->bookmarks.places[index].time / dt),
+               last = experiment_last_step(screen->experiment);
+    return step < last ? step : last;
+}
+
+/* What the marks are that there are. */
+static void draw_marks(const Bookmarks *bookmarks, Area area, int x, const bool seen[MARKS])
+{
+    Legend legend[MARKS + 2];
+    char keys[MARKS][3];
+    int n = 0;
+    legend[n++] = (Legend){.style = STYLE_FOCUS, .name = "here", .key = "● "};
+    if (bookmarks->count > 0)
+        legend[n++] = (Legend){.style = STYLE_KEY, .name = "bookmark", .key = "m "};
+    for (size_t m = 0; m < MARKS; m++)
+        if (seen[m]) {
+            snprintf(keys[m], sizeof keys[m], "%c ", marks[m].letter);
+            legend[n++] = (Legend){.style = marks[m].style, .name = marks[m].word, .key = keys[m]};
+        }
+    legend_draw(area, x, 1, legend, n);
+}
+
+void pane_timeline(const Screen *screen, Area area)
+{
+    const Line line = line_of(screen, area.rect.width);
+    if (line.cells < 8 || area.rect.height < 1)
+        return;
+    const int newest = cell_of(screen, &line, experiment_newest(screen->experiment));
+    /* of a duel A's, by whose times the axes go */
+    area_text_right(area, line.first, 0, screen_second_run(screen) ? "A t 0" : "t 0", STYLE_NORMAL);
+    area_text(area, line.first + line.cells + 1, 0, line.end, STYLE_NORMAL);
+    for (int x = line.first; x < line.first + line.cells; x++)
+        area_put(area, x, 0, x > newest ? 0x00b7 : 0x2500, x > newest ? STYLE_FAINT : STYLE_NORMAL);
+    area_put(area, line.first, 0, 0x251c, STYLE_NORMAL);
+    area_put(area, newest, 0, 0x2524, STYLE_NORMAL);
+
+    int count;
+    bool seen[MARKS] = {false};
+    const Event *events = experiment_events(screen->experiment, &count);
+    for (size_t m = 0; m < MARKS; m++)
+        for (int i = 0; i < count; i++)
+            if (events[i].kind == marks[m].kind) {
+                seen[m] = true;
+                area_put(area, cell_of(screen, &line, events[i].step), 0,
+                         (uint32_t)(unsigned char)marks[m].letter, marks[m].style);
+            }
+    for (int i = 0; i < screen->bookmarks.count; i++)
+        area_put(area, cell_of(screen, &line, screen_bookmark_step(screen, i)), 0, 'm', STYLE_KEY);
+    area_put(area, cell_of(screen, &line, experiment_step(screen->experiment)), 0, 0x25cf, STYLE_FOCUS);
+    if (area.rect.height > 1)
+        draw_marks(&screen->bookmarks, area, line.first, seen);
+}
+
+long screen_timeline_nearest(const Screen *screen, int width, int height, int x)
+{
+    const Rect rect = layout_make(screen, width, height).timeline;
+    const Line line = line_of(screen, rect.width);
+    int cell = x - rect.x - line.first;
+    if (rect.width < 1 || line.cells < 8)
+        return experiment_step(screen->experiment);
+    cell = cell < 0 ? 0 : cell >= line.cells ? line.cells - 1 : cell;
+    return lround((double)cell / (line.cells - 1) * (double)experiment_last_step(screen->experiment));
+}
+
+long screen_timeline_step(const Screen *screen, int width, int height, int x, int y)
+{
+    const Rect rect = layout_make(screen, width, height).timeline;
+    const Line line = line_of(screen, rect.width);
+    const int cell = x - rect.x - line.first;
+    if (rect.width < 1 || y != rect.y || line.cells < 8 || cell < 0 || cell >= line.cells)
+        return -1;
+    return screen_timeline_nearest(screen, width, height, x);
+}

@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The panes of the screen: each draws itself into an area from what the screen says. Private to src/view. */
+#ifndef VIEW_PANES_H
+#define VIEW_PANES_H
+
+#include "base/text.h"
+#include "picture/area.h"
+#include "picture/axes.h"
+#include "picture/heading.h"
+#include "picture/plot.h"
+#include "panes/screen_runs.h"
+
+/* --- where panes lie --- */
+
+typedef enum LayoutKind { LAYOUT_TOO_SMALL, LAYOUT_ONE_PANE, LAYOUT_FULL } LayoutKind;
+
+/* From here on the letters of a lecture are twice as large. */
+enum { LECTURE_LARGE_WIDTH = 120, LECTURE_LARGE_HEIGHT = 36 };
+
+enum { SIDES_MAX = 3, GUTTER = 6, SIDE_BY_SIDE = 120 /* columns from which on two runs stand so */ };
+
+typedef struct Layout {
+    LayoutKind kind;
+    Rect title, keys;
+    Rect banner;   /* of a lecture; width 0: there is none */
+    Rect timeline; /* one row under the plots; width 0: there is none */
+    Rect panes[PANE_COUNT];
+    Rect sides[SIDES_MAX]; /* what joins on a large screen: energies, particles, nodes */
+} Layout;
+
+Layout layout_make(const Screen *, int width, int height);
+void layout_small(const Screen *, int width, int height, Layout *); /* without room for all panes */
+
+/* --- the other panes --- */
+
+void pane_title(const Screen *, Area);
+bool title_has_headline(const Screen *, int width); /* what the run is about stands in it */
+void pane_banner(const Screen *, Area);             /* of a lecture: time and state in large letters */
+void pane_chosen_parameter(const Screen *, Area);   /* of a lecture: the one that the arrows change */
+int banner_rows(const Screen *, int width, int height);
+void pane_keys(const Screen *, Area);
+void pane_parameters(const Screen *, Area);
+int pane_parameters_first(const ParametersShown *shown, int count,
+                          int room); /* row at the top of so much room */
+void pane_lesson(const Screen *, Area);
+int pane_lesson_rows(const Screen *, int width); /* that all of it needs, heading and footer too */
+int pane_lesson_above(const Screen *, Area);     /* lines that lie above what is shown */
+void pane_timeline(const Screen *, Area);
+char pane_timeline_letter(EventKind); /* its mark in the timeline; ' ': it has none */
+void pane_mesh(const Screen *, Area);
+void pane_lattice(const Screen *, Area);                /* the same for a bar without a mesh */
+bool pane_lattice_choose(Screen *, Rect, int x, int y); /* the node near a place of the screen */
+void pane_box(const Screen *, Area);
+void pane_stage(const Screen *, Area);
+void pane_duel(const Screen *, Area); /* the readout of a duel, in place of the box */
+/* A table of the runs in one picture, on top of the box. Returns its rows; 0: there are too few runs, or it
+ * has no room. */
+int pane_runs(const Screen *, Area);
+int pane_runs_rows(const Screen *); /* how many it would like */
+void help_draw(const Screen *, Area);
+/* "640 m/s = 0.30 c_R, fastest 904 = 0.42": how fast a crack's tip is now. */
+void beam_lines_tip_speed(const Crack *, double rayleigh, char out[160]);
+
+/* Two lines that tell what a beam's run is judged by, for a pane of so many columns; false: it is a bar,
+ * or comes to rest: its findings tell more. */
+bool beam_lines(const Screen *, int width, char first[160], char second[160]);
+
+/* The scenarios to choose from, on as many rows as there are and fit, above row `bottom`. */
+void pane_scenarios(const ScenarioList *, Area, int bottom);
+
+/* One parameter with its value, as a row of its own; `chosen`: the arrows change it. */
+void pane_parameter(const Screen *, Area, int y, const Parameter *, bool chosen);
+
+#endif

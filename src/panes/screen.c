@@ -1,0 +1,158 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The whole screen: each pane drawn where the layout puts it, and what the mouse finds in the plot panes. */
+#include "panes/screen.h"
+#include "views/inspector/inspector.h"
+#include "panes/panes.h"
+#include "views/views.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+void screen_default(Screen *screen)
+{
+    *screen = (Screen){
+        .look = {.glyphs = GLYPHS_BRAILLE, .colours = 256},
+        .playback = {.state = STATE_PAUSED, .pace = 1},
+        .panes = {.focus = PANE_PARAMETERS, .last_plot = PANE_LOWER},
+        .views = {.upper = view_at_home(PANE_UPPER, NULL), .lower = view_at_home(PANE_LOWER, NULL)},
+        .time = {.cursor = NAN},
+        .eye = {.magnified = 1, .centre = {0.5, 0.5}},
+        .log = {.event = -1},
+    };
+}
+
+void screen_read_view(Screen *screen, const ViewSettings *view)
+{
+    double window;
+    if (sscanf(view->window, "%lf", &window) == 1 && window > 0)
+        screen->time.window = window;
+    for (int i = 0; i < SHOW_COUNT; i++)
+        if (strcmp(view->references, parameter_reference_words[i]) == 0)
+            screen->views.references = (ReferencesShown)i;
+    const View *map = view_of_map();
+    for (int i = 0; i < view_variants(map, screen); i++) {
+        const char *word = view_variant_word(map, screen, i);
+        if (word && strcmp(view->colour, word) == 0)
+            view_choose_variant(map, screen, i);
+    }
+}
+
+/* --- the whole ------------------------------------------------------------------------------------ */
+
+static Area area_of(const ScreenLook *look, Canvas *canvas, Rect rect)
+{
+    return area_part((Area){canvas, {0, 0, canvas->width, canvas->height}, look->glyphs}, rect.x, rect.y,
+                     rect.width, rect.height);
+}
+
+static void draw_too_small(Canvas *canvas)
+{
+    char text[64];
+    snprintf(text, sizeof text, "matvib needs 40x12, this is %dx%d", canvas->width, canvas->height);
+    Area whole = {canvas, {0, 0, canvas->width, canvas->height}, GLYPHS_ASCII};
+    int lines = area_paragraph_lines(canvas->width, text), y = (canvas->height - lines) / 2;
+    y = y > 0 ? y : 0;
+    area_paragraph(whole, 0, y, canvas->width, canvas->height - y, text, STYLE_NORMAL);
+}
+
+static void draw_pane(const Screen *screen, PaneId pane, Area area)
+{
+    if (area.rect.width < 1 || area.rect.height < 1)
+        return;
+    switch (pane) {
+    case PANE_PARAMETERS:
+        if (screen->lesson.open)
+            pane_lesson(screen, area);
+        else if (area.rect.height == 1)
+            pane_chosen_parameter(screen, area);
+        else
+            pane_parameters(screen, area);
+        break;
+    case PANE_MESH:
+        pane_mesh(screen, area);
+        break;
+    case PANE_UPPER:
+        view_draw(screen->views.upper, screen, area, screen_is_focused(screen, pane));
+        break;
+    case PANE_LOWER:
+        view_draw(screen->views.lower, screen, area, screen_is_focused(screen, pane));
+        break;
+    case PANE_BOX:
+        pane_box(screen, area);
+        break;
+    case PANE_INSPECTOR:
+        if (inspector_find(screen))
+            inspector_find(screen)->draw(screen, area);
+        break;
+    case PANE_COUNT:
+        break;
+    }
+}
+
+void screen_draw(const Screen *screen, Canvas *canvas)
+{
+    canvas_clear(canvas);
+    canvas->large = screen->panes.lecture;
+    const Layout layout = layout_make(screen, canvas->width, canvas->height);
+    if (layout.kind == LAYOUT_TOO_SMALL) {
+        draw_too_small(canvas);
+        if (screen->look.glyphs == GLYPHS_ASCII)
+            canvas_to_ascii(canvas);
+        return;
+    }
+    if (screen->help.open) {
+        Rect all = {0, 1, canvas->width, canvas->height - 2};
+        help_draw(screen, area_of(&screen->look, canvas, all));
+    } else {
+        if (layout.banner.width > 0)
+            pane_banner(screen, area_of(&screen->look, canvas, layout.banner));
+        for (int pane = 0; pane < PANE_COUNT; pane++)
+            draw_pane(screen, (PaneId)pane, area_of(&screen->look, canvas, layout.panes[pane]));
+        if (layout.timeline.width > 0)
+            pane_timeline(screen, area_of(&screen->look, canvas, layout.timeline));
+        if (layout.sides[0].width > 0)
+            view_energies.draw(screen, area_of(&screen->look, canvas, layout.sides[0]), STYLE_HEADING, 0);
+        for (int i = 1; i < SIDES_MAX; i++)
+            if (layout.sides[i].width > 0)
+                view_table.draw(screen, area_of(&screen->look, canvas, layout.sides[i]), STYLE_HEADING,
+                                i - 1);
+    }
+    pane_title(screen, area_of(&screen->look, canvas, layout.title));
+    pane_keys(screen, area_of(&screen->look, canvas, layout.keys));
+    if (screen->look.glyphs == GLYPHS_ASCII)
+        canvas_to_ascii(canvas);
+}
+
+/* --- views ------------------------------------------------------------------------------------------- */
+
+void screen_sketch(const Screen *screen, const View *view, int columns, int rows, Sketch *sketch)
+{
+    Canvas canvas = {.width = columns, .height = rows, .sketch = sketch};
+    sketch_open(sketch);
+    sketch->of_moment = view->of_moment;
+    sketch->compares = view->compares;
+    sketch->upright = view->upright;
+    screen_time_text(screen, experiment_time(screen->experiment), sketch->time, sizeof sketch->time);
+    view_draw(view, screen, (Area){&canvas, {0, 0, columns, rows}, GLYPHS_NONE}, false);
+}
+
+bool screen_click_view(Screen *screen, int width, int height, int x, int y)
+{
+    for (PaneId pane = PANE_UPPER; pane <= PANE_LOWER; pane++) {
+        const View *view = screen_view_in(screen, pane);
+        if (view->click && view->click(screen, screen_pane(screen, width, height, pane), x, y))
+            return true;
+    }
+    return false;
+}
+
+bool screen_scroll_view(Screen *screen, int width, int height, int x, int y, int by)
+{
+    for (PaneId pane = PANE_UPPER; pane <= PANE_LOWER; pane++) {
+        const View *view = screen_view_in(screen, pane);
+        if (view->scroll && view->scroll(screen, screen_pane(screen, width, height, pane), x, y, by))
+            return true;
+    }
+    return false;
+}

@@ -1,0 +1,161 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What panes and views ask of the runs on screen: which ones there are, what is known of them, how far their
+ * fields reach, and their times and units as text. */
+#include "panes/screen_runs.h"
+
+#include "base/math/functions.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+Experiment *screen_second_run(const Screen *screen)
+{
+    return screen->duel ? screen->duel->b : NULL;
+}
+
+bool screen_is_shared(const Screen *screen)
+{
+    return screen_second_run(screen) && screen->side == SIDE_BOTH;
+}
+
+Screen screen_of_side(const Screen *screen, DuelSide side)
+{
+    Screen one = *screen;
+    one.side = side;
+    one.experiment = side == SIDE_B ? screen->duel->b : screen->duel->a;
+    return one;
+}
+
+Experiment *screen_clock_run(const Screen *screen)
+{
+    return screen_second_run(screen) ? screen->duel->a : screen->experiment;
+}
+
+bool screen_shows_exact(const Screen *screen)
+{
+    return screen->views.references == SHOW_ALL || screen->views.references == SHOW_EXACT;
+}
+
+bool screen_shows_predicted(const Screen *screen)
+{
+    return screen->views.references == SHOW_ALL || screen->views.references == SHOW_PREDICTED;
+}
+
+bool screen_is_focused(const Screen *screen, PaneId pane)
+{
+    return screen->panes.focus == pane;
+}
+
+bool screen_is_rewound(const Screen *screen)
+{
+    return experiment_newest(screen->experiment) > experiment_step(screen->experiment);
+}
+
+const Problem *screen_problem(const Screen *screen)
+{
+    return experiment_settings(screen->experiment)->problem;
+}
+
+void screen_time_text(const Screen *screen, double time, char *out, size_t size)
+{
+    const Problem *facts = screen_problem(screen);
+    const double unit = facts->shown_time, dt = experiment_simulation(screen->experiment)->dt / unit;
+    int decimals = dt > 0 ? (int)ceil(-math_log10(dt) - 1e-9) : 2;
+    decimals = decimals < 0 ? 0 : decimals > 6 ? 6 : decimals;
+    snprintf(out, size, "t %.*f%s", decimals, time / unit, facts->shown_time_unit);
+}
+
+int screen_column(const Screen *screen, const char *name)
+{
+    int count;
+    const Column *columns = experiment_columns(screen->experiment, &count);
+    for (int i = 0; i < count; i++)
+        if (strcmp(columns[i].quantity.name, name) == 0)
+            return i;
+    return -1;
+}
+
+double screen_derived(const Screen *screen, const char *name)
+{
+    Derived derived[DERIVED_MAX];
+    const int count = experiment_derived(screen->experiment, derived);
+    for (int i = 0; i < count; i++)
+        if (strcmp(derived[i].name, name) == 0)
+            return derived[i].value;
+    return NAN;
+}
+
+int screen_box_stage(const Screen *screen, bool *done)
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    int stage = experiment_stage(screen->experiment);
+    *done = true;
+    if (stage > 0)
+        return stage - 1;
+    if (experiment_before(screen->experiment))
+        return sim->n_stages - 1;
+    *done = false;
+    return 0;
+}
+
+static double reach_of(Experiment *experiment, int field, const double *now, size_t count)
+{
+    enum { TIMES = 24, PLACES = 8, PARTS = 4 }; /* parts: none waits for the one before */
+    const Simulation *sim = experiment_simulation(experiment);
+    const References *refs = experiment_references(experiment);
+    const Readout *readout = experiment_readout(experiment);
+    const char *name = sim->fields[field].quantity.name;
+    double reach = 0, length = 0, parts[PARTS] = {0};
+    for (size_t i = 0; i < count; i++) {
+        double *most = &parts[i % PARTS];
+        *most = fabs(now[i]) > *most ? fabs(now[i]) : *most;
+    }
+    for (int part = 0; part < PARTS; part++)
+        reach = fmax(reach, parts[part]);
+    if (count > 0)
+        sim->method->field(sim, sim->position[0], count - 1, 1, &length);
+    const double span =
+        readout->swing > 0 && !readout->drifting ? readout->swing : experiment_settings(experiment)->time.end;
+    for (int i = 0; i <= TIMES; i++)
+        for (int k = 1; k <= PLACES; k++) {
+            double value = fabs(references_profile(refs, name, length * k / PLACES, span * i / TIMES));
+            if (isfinite(value))
+                reach = fmax(reach, value);
+        }
+    return isfinite(reach) ? reach : 0;
+}
+
+Experiment *screen_other_run(const Screen *screen)
+{
+    Experiment *second = screen_second_run(screen);
+    return second && screen->experiment == second ? screen->duel->a : second;
+}
+
+/* Two runs are compared by one scale. */
+double screen_field_reach(const Screen *screen, int field, const double *now, size_t count)
+{
+    double reach = reach_of(screen->experiment, field, now, count);
+    Experiment *other = screen_other_run(screen);
+    if (!other)
+        return reach;
+    const Simulation *sim = experiment_simulation(other);
+    const char *name = experiment_simulation(screen->experiment)->fields[field].quantity.name;
+    const int same = simulation_find_field(sim, 0, name);
+    const size_t others = sim->counts[0];
+    double *values = same >= 0 ? malloc((others + 1) * sizeof *values) : NULL;
+    if (values) {
+        sim->method->field(sim, same, 0, others, values);
+        reach = fmax(reach, reach_of(other, same, values, others));
+    }
+    free(values);
+    return reach;
+}
+
+void screen_unit_text(const Screen *screen, const Field *field, char *out, size_t size)
+{
+    const char *unit = field->quantity.unit;
+    const bool none = !screen_problem(screen)->si || strcmp(unit, "1") == 0;
+    snprintf(out, size, "%s%s", none ? "" : " ", none ? "" : unit);
+}

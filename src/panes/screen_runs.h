@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What panes and views ask of the runs on screen. */
+#ifndef VIEW_SCREEN_RUNS_H
+#define VIEW_SCREEN_RUNS_H
+
+#include "panes/screen.h"
+
+/* The second run of a duel; NULL: there is none. */
+Experiment *screen_second_run(const Screen *);
+
+/* The run beside the one on this screen, A of B and B of A; NULL: there is one alone. */
+Experiment *screen_other_run(const Screen *);
+
+/* Both runs of a duel share the picture: what only one of them can have is left to the pictures of one run.
+ */
+bool screen_is_shared(const Screen *);
+
+/* The screen of one run of a duel, for a picture of its own. */
+Screen screen_of_side(const Screen *, DuelSide);
+
+/* The run whose times the axes of time go by: A, in a picture of B as well. */
+Experiment *screen_clock_run(const Screen *);
+
+bool screen_shows_exact(const Screen *);
+bool screen_shows_predicted(const Screen *);
+bool screen_is_focused(const Screen *, PaneId);
+bool screen_is_rewound(const Screen *); /* more has been computed than is shown */
+
+/* The time of the run with so many decimals less than the step has, but with two at least where it has them.
+ */
+void screen_shorter_time(const Screen *, int less, char *out, size_t size);
+
+/* What is settled by the problem of the run shown, its units above all. */
+const Problem *screen_problem(const Screen *);
+
+/* "t 12.34" with as many decimals as the time step has: columns do not dance. */
+void screen_time_text(const Screen *, double time, char *out, size_t size);
+
+/* How far a particle field reaches: what it is now and, where the exact answer is known, will be; rounded up
+ * so that a scale made of it keeps still. */
+double screen_field_reach(const Screen *, int field, const double *now, size_t count);
+
+/* The column of the record by name; -1: there is none. */
+int screen_column(const Screen *, const char *name);
+
+/* A derived number by name; NAN: there is none. */
+double screen_derived(const Screen *, const char *name);
+
+/* The stage that the box speaks of: the last one done (*done) or, between steps, the next. */
+int screen_box_stage(const Screen *, bool *done);
+
+/* " m/s" after a value of a field; "" where it has none, and for the bar, whose units are whatever one likes
+ * so long as they fit together. */
+void screen_unit_text(const Screen *, const Field *, char *out, size_t size);
+
+#endif

@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Which particle or node is the chosen one: all panes show that, and the arrows go on from it. */
+#include "panes/screen.h"
+
+void selection_next(Selection *selection, const Simulation *sim, int direction, size_t by)
+{
+    const bool node = selection->is_node && sim->n_sets > 1;
+    size_t *chosen = node ? &selection->node : &selection->particle;
+    const size_t count = sim->counts[node ? 1 : 0];
+    if (count == 0)
+        return;
+    if (direction < 0)
+        *chosen = *chosen > by ? *chosen - by : 0;
+    else
+        *chosen = *chosen + by < count ? *chosen + by : count - 1;
+}
+
+size_t screen_middle_particle(const Simulation *sim)
+{
+    return sim->columns > 0 ? sim->rows / 2 * sim->columns + sim->columns / 2 : sim->counts[0] / 2;
+}
+
+const View *screen_view_in(const Screen *screen, PaneId pane)
+{
+    return pane == PANE_UPPER ? screen->views.upper : pane == PANE_LOWER ? screen->views.lower : NULL;
+}

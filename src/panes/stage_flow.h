@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Between which things a stage hands on, as its exchanges say. */
+#ifndef VIEW_STAGE_FLOW_H
+#define VIEW_STAGE_FLOW_H
+
+#include "methods/method.h"
+
+typedef enum Flow { FLOW_NONE, FLOW_TO_NODES, FLOW_TO_PARTICLES, FLOW_FORGET } Flow;
+
+Flow stage_flow(const Simulation *, const Stage *);
+
+/* The set that a stage writes to. A name that particles and nodes share (mass, x) counts as the one that the
+ * other names of the stage tell. */
+int stage_flow_target(const Simulation *, const Stage *);
+
+#endif

@@ -1,0 +1,190 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Text and glyphs in a part of the canvas: clipped to it, broken at spaces, cut with an ellipsis. */
+#include "picture/sketch.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+static int least(int a, int b)
+{
+    return a < b ? a : b;
+}
+
+Area area_part(Area area, int x, int y, int width, int height)
+{
+    const Rect whole = area.rect;
+    int right = least(x + width, whole.width), bottom = least(y + height, whole.height);
+    x = x > 0 ? x : 0;
+    y = y > 0 ? y : 0;
+    area.rect = (Rect){whole.x + x, whole.y + y, right > x ? right - x : 0, bottom > y ? bottom - y : 0};
+    return area;
+}
+
+static bool has_row(Area area, int y)
+{
+    return y >= 0 && y < area.rect.height;
+}
+
+void area_put(Area area, int x, int y, uint32_t glyph, Style style)
+{
+    if (x >= 0 && x < area.rect.width && has_row(area, y) && !area.canvas->sketch)
+        canvas_put(area.canvas, area.rect.x + x, area.rect.y + y, glyph, style);
+}
+
+void area_put_back(Area area, int x, int y, uint32_t glyph, Style style, Style back)
+{
+    area_put(area, x, y, glyph, style);
+    if (area.canvas->sketch)
+        return;
+    if (x >= 0 && x < area.rect.width && has_row(area, y) && area.rect.x + x < area.canvas->width &&
+        area.rect.y + y < area.canvas->height)
+        area.canvas->cells[(size_t)(area.rect.y + y) * (size_t)area.canvas->width + (size_t)(area.rect.x + x)]
+            .back = (uint16_t)(1 + back);
+}
+
+int area_text(Area area, int x, int y, const char *text, Style style)
+{
+    if (area.canvas->sketch) {
+        sketch_note(area.canvas->sketch, text, style == STYLE_FAINT);
+        return glyphs_columns(text);
+    }
+    if (x < 0 || x >= area.rect.width || !has_row(area, y))
+        return 0;
+    return canvas_text(area.canvas, area.rect.x + x, area.rect.y + y, area.rect.width - x, text, style);
+}
+
+int area_print(Area area, int x, int y, Style style, const char *format, ...)
+{
+    char text[1024];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    return area_text(area, x, y, text, style);
+}
+
+void area_text_right(Area area, int end, int y, const char *text, Style style)
+{
+    int x = end - glyphs_columns(text);
+    area_text(area, x > 0 ? x : 0, y, text, style);
+}
+
+int area_text_whole(Area area, int x, int y, int width, const char *text, Style style)
+{
+    int columns = glyphs_columns(text);
+    if (columns > width || x + columns > area.rect.width)
+        return 0;
+    return area_text(area, x, y, text, style);
+}
+
+size_t area_paragraph_line(const char *text, int width, const char **rest)
+{
+    const char *here = text, *space = NULL, *gap = NULL;
+    for (int columns = 0; *here != '\0' && *here != '\n'; columns++) {
+        if (*here == ' ') {
+            space = here;
+            if (here[1] == ' ' && columns >= width / 4)
+                gap = here;
+        }
+        if (columns == width && width > 0) { /* no room at all: better too long than without end */
+            const char *end = gap ? gap : space ? space : here;
+            *rest = end + strspn(end, " ");
+            while (end > text && end[-1] == ' ')
+                end--;
+            return (size_t)(end - text);
+        }
+        glyph_next(&here);
+    }
+    *rest = *here == '\n' ? here + 1 : here;
+    return (size_t)(here - text);
+}
+
+static int paragraph(const Area *area, int x, int y, int width, int rows, const char *text, Style style)
+{
+    int lines = 0;
+    if (width < 1)
+        return 0;
+    while (*text != '\0' && lines < rows) {
+        const char *rest;
+        size_t length = area_paragraph_line(text, width, &rest);
+        /* what does not fit is not silently gone, and no word is cut for the ellipsis */
+        const bool cut = lines == rows - 1 && *rest != '\0';
+        if (cut && width > 2)
+            length = area_paragraph_line(text, width - 2, &rest);
+        if (area) {
+            char line[1024];
+            length = length < sizeof line - 8 ? length : sizeof line - 8;
+            memcpy(line, text, length);
+            strcpy(line + length, cut ? " …" : "");
+            area_text(area_part(*area, x, y + lines, width, 1), 0, 0, line, style);
+        }
+        text = rest;
+        lines++;
+    }
+    return lines;
+}
+
+int area_paragraph(Area area, int x, int y, int width, int rows, const char *text, Style style)
+{
+    if (area.canvas->sketch)
+        return area_text(area, x, y, text, style) > 0;
+    return paragraph(&area, x, y, width, rows, text, style);
+}
+
+int area_paragraph_lines(int width, const char *text)
+{
+    return paragraph(NULL, 0, 0, width, 10000, text, STYLE_NORMAL);
+}
+
+int area_phrases(Area area, int x, int y, int width, int rows, const char *text, Style style)
+{
+    if (area.canvas->sketch)
+        return area_text(area, x, y, text, style) > 0;
+    int line = 0, used = 0;
+    while (*text != '\0' && line < rows) {
+        const char *end = strstr(text, "  ");
+        size_t length = end ? (size_t)(end - text) : strlen(text);
+        char phrase[256];
+        length = length < sizeof phrase - 1 ? length : sizeof phrase - 1;
+        memcpy(phrase, text, length);
+        phrase[length] = '\0';
+        const int columns = glyphs_columns(phrase), gap = used ? 2 : 0;
+        if (used && used + gap + columns > width) {
+            line++;
+            used = 0;
+            continue;
+        }
+        Area part = area_part(area, x + used + gap, y + line, width - used - gap, 1);
+        used += gap + area_text(part, 0, 0, phrase, style);
+        text += strlen(phrase);
+        text += strspn(text, " ");
+    }
+    return line + (used > 0);
+}
+
+void area_rule(Area area, int y, const char *heading, Style heading_style)
+{
+    if (area.canvas->sketch) {
+        sketch_heading(area.canvas->sketch, heading);
+        return;
+    }
+    for (int x = 0; x < area.rect.width; x++)
+        area_put(area, x, y, 0x2500, STYLE_FRAME);
+    if (heading[0] != '\0' && area.rect.width > 4) {
+        int used = area_text(area_part(area, 2, y, area.rect.width - 3, 1), 1, 0, heading, heading_style);
+        area_put(area, 2, y, ' ', STYLE_FRAME);
+        area_put(area, 3 + used, y, ' ', STYLE_FRAME);
+    }
+}
+
+uint32_t area_bar(Area area, double share)
+{
+    enum { LEVELS = 8, LOWEST = 0x2581, HALF = 0x2584, FULL = 0x2588 };
+    const int level = share >= 1 ? LEVELS : 1 + (int)(share * LEVELS);
+    if (area.glyphs == GLYPHS_ASCII)
+        return (uint32_t) "..::-=+*#"[level];
+    if (area.glyphs == GLYPHS_BLOCK) /* a console has no other ones */
+        return level <= 1 ? '_' : level <= LEVELS / 2 ? HALF : FULL;
+    return (uint32_t)(LOWEST + (level < LEVELS ? level : LEVELS) - 1);
+}

@@ -1,0 +1,372 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Round ticks and the places of values: linear, by square roots, by powers of ten; and how axes are drawn. */
+#include "picture/sketch.h"
+
+#include "base/math/functions.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Powers of ten by a table: pow(10, -3) is not 1e-3 everywhere, and pictures are compared exactly. */
+static double power_of_ten(int exponent)
+{
+    double power = 1;
+    for (int i = 0; i < (exponent < 0 ? -exponent : exponent); i++)
+        power *= 10;
+    return exponent < 0 ? 1 / power : power;
+}
+
+static int decade_of(double value)
+{
+    int decade = (int)floor(math_log10(value));
+    /* log10 of 1000 may be a hair below 3 */
+    while (power_of_ten(decade + 1) <= value * (1 + 1e-12))
+        decade++;
+    while (power_of_ten(decade) > value * (1 + 1e-12))
+        decade--;
+    return decade;
+}
+
+static double round_on(double value, const double *ladder, int rungs)
+{
+    if (!(value > 1e-290) || !(value < 1e290))
+        return 1;
+    double power = power_of_ten(decade_of(value));
+    for (int i = 0; i < rungs; i++)
+        if (ladder[i] * power >= value * (1 - 1e-12))
+            return ladder[i] * power;
+    return 10 * power;
+}
+
+double axis_round_up(double value)
+{
+    static const double ladder[] = {1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8};
+    return round_on(value, ladder, sizeof ladder / sizeof *ladder);
+}
+
+double axis_step_up(double value)
+{
+    static const double ladder[] = {1, 2, 5};
+    return round_on(value, ladder, 3);
+}
+
+double axis_step_down(double value)
+{
+    double up = axis_step_up(value);
+    if (up <= value * (1 + 1e-12))
+        return up;
+    double power = power_of_ten(decade_of(up));
+    double digit = up / power;
+    return digit > 4 ? 2 * power : digit > 1.5 ? power : power / 2;
+}
+
+static int ticks_within(double low, double high, double step)
+{
+    double slack = 1e-9 * (high - low);
+    return (int)(floor((high + slack) / step) - ceil((low - slack) / step)) + 1;
+}
+
+Axis axis_make(double low, double high, int most)
+{
+    if (!(low < high) || !isfinite(low) || !isfinite(high) || !isfinite(high - low))
+        low = 0, high = 1;
+    most = most < 2 ? 2 : most > TICKS_MAX ? TICKS_MAX : most;
+    Axis axis = {.low = low, .high = high};
+    axis.step = axis_step_down((high - low) / (most + 1));
+    while (ticks_within(low, high, axis.step) > most)
+        axis.step = axis_step_up(axis.step * 1.5);
+
+    double largest = fmax(fabs(low), fabs(high));
+    int decade = decade_of(largest), step_decade = decade_of(axis.step);
+    if (decade >= 4 || decade < -1)
+        axis.exponent = decade >= 0 ? decade / 3 * 3 : -((2 - decade) / 3 * 3);
+    axis.decimals = axis.exponent - step_decade;
+    axis.decimals = axis.decimals < 0 ? 0 : axis.decimals > 9 ? 9 : axis.decimals;
+    return axis;
+}
+
+Axis axis_symmetric(double amplitude, int most)
+{
+    double end = amplitude > 0 ? axis_round_up(amplitude * 1.02) : 1;
+    const Axis axis = axis_make(-end, end, most);
+    /* steps of 2 are too many and those of 5 go beyond 4: 0 must not be the only tick */
+    return axis.step > end * (1 + 1e-9) ? axis_make(-axis.step, axis.step, most) : axis;
+}
+
+Axis axis_around(double low, double high, int most)
+{
+    if (!isfinite(low) || !isfinite(high) || low > high)
+        low = 0, high = 1;
+    double reach = fmax(fabs(low), fabs(high));
+    if (reach == 0)
+        return axis_make(0, 1, most);
+    if (low >= 0 && low < 0.6 * high)
+        return axis_make(0, axis_round_up(high), most);
+    if (high <= 0 && high > 0.6 * low)
+        return axis_make(-axis_round_up(-low), 0, most);
+    if (high - low <= 1e-9 * reach) {
+        double room = reach > 0 ? 0.05 * reach : 1;
+        return axis_make(low - room, high + room, most);
+    }
+    double step = axis_step_up((high - low) / 4);
+    return axis_make(floor(low / step) * step, ceil(high / step) * step, most);
+}
+
+Axis axis_count(double high, int most)
+{
+    Axis axis = axis_make(0, high > 1 ? ceil(axis_round_up(high)) : 1, most);
+    if (axis.step < 1) {
+        axis.step = 1;
+        axis.decimals = 0;
+    }
+    return axis;
+}
+
+Axis axis_make_root(double low, double high, int most)
+{
+    if (!(low < high) || !isfinite(low) || !isfinite(high))
+        low = -1, high = 0;
+    return (Axis){.scale = SCALE_ROOT, .low = low, .high = high, .step = 1.0 / (most < 2 ? 2 : most)};
+}
+
+Axis axis_make_log(double low, double high, int most)
+{
+    if (!(low > 0) || !(low < high) || !isfinite(high))
+        low = 0.1, high = 1;
+    const int first = decade_of(low), last = decade_of(high) + (decade_of(high) < math_log10(high) - 1e-9);
+    const int decades = last > first ? last - first : 1, step = (decades + most - 1) / (most < 2 ? 2 : most);
+    return (Axis){.scale = SCALE_LOG,
+                  .low = power_of_ten(first),
+                  .high = power_of_ten(first + decades),
+                  .step = step < 1 ? 1 : step};
+}
+
+double axis_place(const Axis *axis, double value)
+{
+    switch (axis->scale) {
+    case SCALE_LINEAR:
+        break;
+    case SCALE_ROOT:
+        return value < 0 ? -sqrt(-value) : sqrt(value);
+    case SCALE_LOG:
+        return value > 0      ? math_log10(value)
+               : isnan(value) ? value
+                              : -400; /* below all that a double can be */
+    }
+    return value;
+}
+
+static double axis_length(const Axis *axis)
+{
+    return axis_place(axis, axis->high) - axis_place(axis, axis->low);
+}
+
+/* From 0 outwards, each far enough from the one before. */
+static int root_ticks(const Axis *axis, double ticks[TICKS_MAX])
+{
+    static const double ladder[] = {1, 5, 20, 50};
+    const double least = axis->step * axis_length(axis) * (1 - 1e-9);
+    double below[TICKS_MAX];
+    int n_below = 0, count = 0;
+    for (int sign = -1; sign <= 1; sign += 2) {
+        const double end = sign < 0 ? -axis->low : axis->high;
+        double before = 0;
+        if (!(end > 0))
+            continue;
+        for (int decade = decade_of(end) / 2 * 2 - 6; decade <= decade_of(end) + 2; decade += 2)
+            for (int i = 0; i < 4; i++) {
+                const double value = ladder[i] * power_of_ten(decade), place = sqrt(value);
+                if (value > end * (1 + 1e-9) || place - before < least)
+                    continue;
+                before = place;
+                if (sign < 0 && n_below < TICKS_MAX / 2 - 1)
+                    below[n_below++] = -value;
+                else if (sign > 0 && count < TICKS_MAX / 2)
+                    ticks[n_below + 1 + count++] = value;
+            }
+    }
+    for (int i = 0; i < n_below; i++)
+        ticks[i] = below[n_below - 1 - i];
+    ticks[n_below] = 0;
+    return n_below + 1 + count;
+}
+
+static int log_ticks(const Axis *axis, double ticks[TICKS_MAX])
+{
+    const int first = decade_of(axis->low), last = decade_of(axis->high), step = (int)axis->step;
+    int count = 0;
+    for (int decade = first; decade <= last && count < TICKS_MAX; decade++)
+        if ((last - decade) % step == 0)
+            ticks[count++] = power_of_ten(decade);
+    return count;
+}
+
+double axis_enlargement(double reach, double room)
+{
+    if (!(reach > 0))
+        return 1;
+    /* a coarse step: a scale that changes is worse than one that is a little small */
+    double factor = room / axis_step_up(reach);
+    return factor < 1 ? 1 : axis_step_down(factor);
+}
+
+int axis_ticks(const Axis *axis, double ticks[TICKS_MAX])
+{
+    if (axis->scale == SCALE_ROOT)
+        return root_ticks(axis, ticks);
+    if (axis->scale == SCALE_LOG)
+        return log_ticks(axis, ticks);
+    double slack = 1e-9 * (axis->high - axis->low);
+    double first = ceil((axis->low - slack) / axis->step);
+    int count = ticks_within(axis->low, axis->high, axis->step);
+    count = count < TICKS_MAX ? count : TICKS_MAX;
+    for (int i = 0; i < count; i++)
+        ticks[i] = (first + i) * axis->step;
+    return count;
+}
+
+void axis_label(const Axis *axis, double tick, char out[TICK_TEXT_MAX])
+{
+    if (axis->scale == SCALE_LOG) {
+        const int decade = decade_of(tick);
+        if (decade < -2 || decade > 3)
+            snprintf(out, TICK_TEXT_MAX, "1e%d", decade);
+        else
+            snprintf(out, TICK_TEXT_MAX, "%g", tick);
+        return;
+    }
+    if (axis->scale == SCALE_ROOT) {
+        snprintf(out, TICK_TEXT_MAX, "%g", tick);
+        return;
+    }
+    double value = tick / power_of_ten(axis->exponent);
+    if (fabs(value) < 0.5 * power_of_ten(-axis->decimals))
+        value = 0; /* never "-0" */
+    snprintf(out, TICK_TEXT_MAX, "%.*f", axis->decimals, value);
+}
+
+void axis_scale_text(const Axis *axis, const char *unit, char out[TICK_TEXT_MAX])
+{
+    static const struct {
+        int exponent;
+        const char *prefix;
+    } prefixes[] = {{-9, "n"}, {-6, "µ"}, {-3, "m"}, {3, "k"}, {6, "M"}, {9, "G"}};
+    const bool si = strcmp(unit, "m") == 0 || strcmp(unit, "s") == 0 || strcmp(unit, "Pa") == 0 ||
+                    strcmp(unit, "J") == 0 || strcmp(unit, "m/s") == 0 || strcmp(unit, "Hz") == 0 ||
+                    strcmp(unit, "N") == 0 || strcmp(unit, "J/m³") == 0;
+    out[0] = '\0';
+    if (si) {
+        for (size_t i = 0; i < sizeof prefixes / sizeof *prefixes; i++)
+            if (axis->exponent == prefixes[i].exponent) {
+                snprintf(out, TICK_TEXT_MAX, "%s%s", prefixes[i].prefix, unit);
+                return;
+            }
+        if (axis->exponent == 0) {
+            snprintf(out, TICK_TEXT_MAX, "%s", unit);
+            return;
+        }
+    }
+    if (axis->exponent)
+        snprintf(out, TICK_TEXT_MAX, "x10^%d%s%s", axis->exponent, si ? " " : "", si ? unit : "");
+}
+
+int axis_column(const Axis *axis, double value, int cells)
+{
+    double place = (axis_place(axis, value) - axis_place(axis, axis->low)) / axis_length(axis) * cells;
+    if (!(place >= -1e-9 * cells) || !(place <= cells * (1 + 1e-9)))
+        return -1;
+    int column = (int)floor(place + 1e-9);
+    return column < cells ? column : cells - 1;
+}
+
+int axis_row(const Axis *axis, double value, int cells)
+{
+    double place =
+        (axis_place(axis, axis->high) - axis_place(axis, value)) / axis_length(axis) * (4 * cells - 1);
+    if (!(place >= -0.5) || !(place <= 4 * cells - 0.5))
+        return -1;
+    int row = (int)floor(place + 0.5 + 1e-9) / 4;
+    return row < cells ? row : cells - 1;
+}
+
+/* To be read from afar every second one is left, the one at zero among them. */
+static int few_ticks(Area area, int count, double ticks[TICKS_MAX])
+{
+    if (!area.canvas->large || count <= 3)
+        return count;
+    int zero = 0, left = 0;
+    for (int i = 0; i < count; i++)
+        if (fabs(ticks[i]) < fabs(ticks[zero]))
+            zero = i;
+    for (int i = zero % 2; i < count; i += 2)
+        ticks[left++] = ticks[i];
+    return left;
+}
+
+Area axes_draw(Area area, const Axis *x, const Axis *y, const char *x_name, int gutter)
+{
+    int rows = area.rect.height - 1, columns = area.rect.width - gutter - 1;
+    if (rows < 1 || columns < 4)
+        return area_part(area, 0, 0, 0, 0);
+    Area inner = area_part(area, gutter + 1, 0, columns, rows);
+    if (area.canvas->sketch) {
+        sketch_axes(area.canvas->sketch, x, y, x_name);
+        return inner;
+    }
+
+    double ticks[TICKS_MAX];
+    char text[TICK_TEXT_MAX];
+    for (int row = 0; row < rows; row++)
+        area_put(area, gutter, row, 0x2502, STYLE_FRAME);
+    int zero = y->low < 0 && y->high > 0 ? axis_row(y, 0, rows) : -1;
+    int count = few_ticks(area, axis_ticks(y, ticks), ticks), before = rows + 1;
+    for (int i = 0; i < count; i++) {
+        int row = axis_row(y, ticks[i], rows);
+        axis_label(y, ticks[i], text);
+        /* where two would stand in one row the first has it, but the line of 0 is that of 0 alone */
+        const bool beside_zero = row == zero && fabs(ticks[i]) > 1e-9 * (y->high - y->low);
+        if (row < 0 || row == before || beside_zero || glyphs_columns(text) > gutter)
+            continue;
+        before = row;
+        area_text_right(area, gutter, row, text, STYLE_NORMAL);
+        area_put(area, gutter, row, 0x2524, STYLE_FRAME);
+    }
+    for (int column = 0; zero >= 0 && column < columns; column++)
+        area_put(inner, column, zero, 0x2500, STYLE_FRAME);
+
+    int name = glyphs_columns(x_name), limit = area.rect.width - (name ? name + 1 : 0), used = gutter - 1;
+    count = few_ticks(area, axis_ticks(x, ticks), ticks);
+    for (int i = 0; i < count; i++) {
+        int column = axis_column(x, ticks[i], columns);
+        axis_label(x, ticks[i], text);
+        int width = glyphs_columns(text), start = gutter + 1 + column - width / 2;
+        if (start + width > area.rect.width && !name)
+            start = area.rect.width - width;
+        if (column < 0 || start <= used || start + width > limit)
+            continue;
+        area_text(area, start, rows, text, STYLE_NORMAL);
+        used = start + width;
+    }
+    area_text_right(area, area.rect.width, rows, x_name, STYLE_FAINT);
+    return inner;
+}
+
+void axes_mark(Area inner, const Axis *x, const Axis *y, double at_x, double at_y, uint32_t glyph,
+               Style style)
+{
+    if (inner.canvas->sketch)
+        sketch_mark(inner.canvas->sketch, at_x, at_y, glyph, style);
+    else
+        area_put(inner, axis_column(x, at_x, inner.rect.width), axis_row(y, at_y, inner.rect.height), glyph,
+                 style);
+}
+
+void axes_rule(Area inner, const Axis *x, double at_x, Style style)
+{
+    if (inner.canvas->sketch)
+        sketch_rule(inner.canvas->sketch, at_x, style);
+    const int column = axis_column(x, at_x, inner.rect.width);
+    for (int row = 0; column >= 0 && row < inner.rect.height; row++)
+        area_put(inner, column, row, 0x2502, style);
+}

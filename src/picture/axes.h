@@ -1,0 +1,80 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Axes with round ticks: steps of 1, 2 or 5 times a power of ten, and a common power of ten for their labels.
+ * An axis may also go by square roots, where small and large errors are to be read side by side, or by powers
+ * of ten. */
+#ifndef VIEW_AXES_H
+#define VIEW_AXES_H
+
+#include "picture/area.h"
+
+enum { TICKS_MAX = 64, TICK_TEXT_MAX = 24 };
+
+typedef enum AxisScale { SCALE_LINEAR, SCALE_ROOT, SCALE_LOG } AxisScale;
+
+typedef struct Axis {
+    AxisScale scale;
+    double low, high; /* what is shown */
+    double step;      /* distance of the ticks; by roots: least distance, as a share of the axis */
+    int exponent;     /* labels are value / 10^exponent; a multiple of 3 */
+    int decimals;     /* of the labels */
+} Axis;
+
+/* An axis from low to high with at most `most` ticks (at least 2 are aimed at). low < high, both finite; else
+ * 0 to 1. */
+Axis axis_make(double low, double high, int most);
+
+/* An axis around zero that holds +-amplitude, rounded up generously so that it keeps still while a run goes
+ * on. */
+Axis axis_symmetric(double amplitude, int most);
+
+/* An axis on which a value stands at the signed root of its distance from 0: what grows like a square is a
+ * straight line. Ticks: 0, and 1, 5, 20, 50 times a power of 100 as far as there is room for `most` of them.
+ */
+Axis axis_make_root(double low, double high, int most);
+
+/* Powers of ten from below `low` to above `high`, both positive. */
+Axis axis_make_log(double low, double high, int most);
+
+/* An axis that holds low and high, and 0 if it is not far; rounded outwards. */
+Axis axis_around(double low, double high, int most);
+
+/* From 0 to a number of things, 1 at least: the ticks are whole. */
+Axis axis_count(double high, int most);
+
+/* The next of 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8 times a power of ten that is not below a positive value. */
+double axis_round_up(double value);
+
+/* The next of 1, 2, 5 times a power of ten that is not below (not above) a positive value. */
+double axis_step_up(double value);
+double axis_step_down(double value);
+
+/* A factor of 1, 2 or 5 times a power of ten by which a displacement of at most `reach` becomes at most
+ * `room`. Taken from what the whole run reaches, so that it does not change while it goes on. */
+double axis_enlargement(double reach, double room);
+
+/* The values of the ticks; returns how many. */
+int axis_ticks(const Axis *, double ticks[TICKS_MAX]);
+
+/* The label of a tick: all labels of an axis have the same number of decimals. */
+void axis_label(const Axis *, double tick, char out[TICK_TEXT_MAX]);
+
+/* The common power of ten with the unit: "x10^-3", "mm", "x10^6 Pa", "kHz"; "" if there is nothing to say. */
+void axis_scale_text(const Axis *, const char *unit, char out[TICK_TEXT_MAX]);
+
+/* Draws both axes along the edges of an area: labels of y in a gutter of `gutter` columns at the left, labels
+ * of x in the last row, `x_name` at its end. Returns the part that is left for the curves. */
+Area axes_draw(Area, const Axis *x, const Axis *y, const char *x_name, int gutter);
+
+/* Where a value stands, in a measure that is even along the axis: the value itself, its root, its logarithm.
+ */
+double axis_place(const Axis *, double value);
+
+/* The column and row of a value within `cells` cells; -1 if it is outside. */
+int axis_column(const Axis *, double value, int cells);
+int axis_row(const Axis *, double value, int cells);
+
+/* A glyph at a place of the plot, and a vertical line across it, in the part that axes_draw() left. */
+void axes_mark(Area inner, const Axis *x, const Axis *y, double at_x, double at_y, uint32_t glyph, Style);
+void axes_rule(Area inner, const Axis *x, double at_x, Style);
+
+#endif

@@ -1,0 +1,89 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A grid of cells, each a glyph and a style: the screen as data. Panes draw on it; the terminal shows a copy
+ * of it, and a test dumps it as text. No cell holds what would act on a terminal or move what stands beside
+ * it, wherever the text comes from. */
+#ifndef VIEW_CANVAS_H
+#define VIEW_CANVAS_H
+
+#include "picture/glyph.h"
+
+#include "base/status.h"
+#include "picture/glyph.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* What a cell means; the theme gives it a colour and attributes. Never the only carrier of meaning. */
+typedef enum Style {
+    STYLE_NORMAL,
+    STYLE_TITLE, /* title line and key line */
+    STYLE_FRAME, /* borders, axes */
+    STYLE_FOCUS, /* border of the focused pane */
+    STYLE_HEADING,
+    STYLE_FAINT,    /* ghosts, hints, read-only rows */
+    STYLE_SELECTED, /* the chosen row */
+    STYLE_EDIT,     /* a field under edit */
+    STYLE_CHANGED,  /* a value that the last stage changed */
+    STYLE_WARNING,
+    STYLE_ERROR,
+    STYLE_KEY,      /* a key's name in the key line */
+    STYLE_MEASURED, /* curves */
+    STYLE_PREDICTED,
+    STYLE_EXACT,
+    STYLE_SECOND, /* the second run of a duel, a second curve */
+    STYLE_THIRD,
+    STYLE_GHOST_A, /* earlier runs that are kept, by their letters */
+    STYLE_GHOST_B,
+    STYLE_GHOST_C,
+    STYLE_GHOST_D,
+    STYLE_GHOST_E,
+    STYLE_RAMP_0, /* heat maps: STYLE_RAMP_0 + 0..RAMP_STEPS-1 */
+    STYLE_COUNT = STYLE_RAMP_0 + 16
+} Style;
+
+enum { RAMP_STEPS = 16 };
+
+enum { CELL_FOLLOWS = 0x110000 }; /* no scalar value: the second half of the character before */
+
+typedef struct Cell {
+    uint32_t glyph; /* one Unicode scalar value; 0 counts as a space; CELL_FOLLOWS behind a wide one */
+    uint16_t style; /* Style; a half-block cell of a heat map carries its lower colour in back */
+    uint16_t back;  /* 0, or 1 + Style whose colour is the cell's background */
+} Cell;
+
+typedef struct Rect {
+    int x, y, width, height;
+} Rect;
+
+typedef struct Canvas {
+    int width, height;
+    Cell *cells;            /* height x width */
+    int cursor_x, cursor_y; /* where the hardware cursor stands; -1: hidden */
+    bool large;             /* to be read from afar: thick curves, few labels, no faint words */
+    struct Sketch *sketch;  /* not NULL: there are no cells, all goes in there (sketch.h) */
+} Canvas;
+
+bool canvas_open(Canvas *, int width, int height, Status *); /* all spaces; also resizes an open one */
+void canvas_close(Canvas *);
+void canvas_clear(Canvas *);
+
+/* Outside the canvas: nothing. What cannot be shown in cells (glyph_shown) becomes ' ' or '?'; of a wide
+ * character that is cut or half overwritten nothing is left. */
+void canvas_put(Canvas *, int x, int y, uint32_t glyph, Style);
+
+/* Writes UTF-8 from (x, y), cut at `width` columns with an ellipsis as the last; of a number that does not
+ * fit nothing is left. Returns the columns used. */
+int canvas_text(Canvas *, int x, int y, int width, const char *text, Style);
+
+/* The whole grid as UTF-8, one line a row, trailing spaces cut; for tests and scripts. malloc'ed; NULL: no
+ * memory. */
+char *canvas_dump(const Canvas *);
+/* Likewise the styles, one letter per cell. */
+char *canvas_dump_styles(const Canvas *);
+
+/* Replaces what is not ASCII, one column for one column ('?' where nothing stands for it); for terminals
+ * without UTF-8. */
+void canvas_to_ascii(Canvas *);
+void canvas_to_words(Canvas *); /* letters stay (glyph_told) */
+
+#endif

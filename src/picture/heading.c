@@ -1,0 +1,173 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Legends and the heading line of a plot, which gives way by a fixed order where room is short. */
+#include "picture/heading.h"
+
+#include "picture/sketch.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* A sketch takes the whole legend. */
+static int sketch_legend(Sketch *sketch, const Legend *legend, int n_legend)
+{
+    for (int i = 0; i < n_legend; i++) {
+        SketchKey key = {.line = legend[i].line, .style = legend[i].style};
+        snprintf(key.name, sizeof key.name, "%s", legend[i].name);
+        if (legend[i].key && legend[i].key[0] && legend[i].key[1] == ':')
+            key.letter = legend[i].key[0];
+        sketch_key(sketch, &key);
+    }
+    return n_legend;
+}
+
+static int legend_room(Area area)
+{
+    enum { NO_LIMIT = 10000 };
+    return area.canvas->sketch ? NO_LIMIT : area.rect.width;
+}
+
+int legend_draw(Area area, int x, int y, const Legend *legend, int n_legend)
+{
+    if (area.canvas->sketch)
+        return sketch_legend(area.canvas->sketch, legend, n_legend);
+    for (int i = 0; i < n_legend; i++) {
+        const int columns = 3 + glyphs_columns(legend[i].name);
+        if (x + columns + 1 > area.rect.width)
+            return i;
+        for (int k = -1; k <= columns + 1; k++)
+            area_put(area, x + k, y, ' ', STYLE_FRAME);
+        const char *key =
+            legend[i].key ? legend[i].key : plot_key(legend[i].line, legend[i].letter, area.glyphs);
+        area_text(area, x, y, key, legend[i].style);
+        area_text(area, x + 3, y, legend[i].name, STYLE_NORMAL);
+        x += columns + 2;
+    }
+    return n_legend;
+}
+
+const char *legend_short_name(const char *name)
+{
+    static const char *const words[][2] = {
+        {"predicted", "pred"},
+        {"measured", "meas"},
+        {"displacement", "displ."},
+        {"measured, middle row", "meas"},
+        {"% error, sqrt scale", "error of w, %"},
+        {"force, N/m^5", "f, N/m^5"},
+    };
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (strcmp(name, words[i][0]) == 0)
+            return words[i][1];
+    return strncmp(name, "filtered ", 9) == 0 ? "filt" : name;
+}
+
+enum { NAME_KINDS = 4 };
+
+/* The value alone of "courant number 0.1": its last word or, with its unit, from its number on. */
+static const char *value_of(const char *name)
+{
+    const char *value = name;
+    for (const char *word = name; (word = strchr(word, ' ')) != NULL;) {
+        const bool has_number = strchr("-.0123456789", *value) != NULL;
+        value = has_number ? value : word + 1;
+        word++;
+    }
+    return value;
+}
+
+/* How an entry is named where room is short, by what gives way first; NULL: it is not of that kind. */
+static const char *shorter_name(const Legend *entry, int kind)
+{
+    const bool ghost = entry->key && entry->key[0] && entry->key[1] == ':';
+    const bool run = (entry->name[0] == 'A' || entry->name[0] == 'B') && entry->name[1] == ' ';
+    switch (kind) {
+    case 0:
+        return !run ? NULL : entry->name[0] == 'A' ? "A" : "B";
+    case 1:
+        return legend_short_name(entry->name);
+    case 2:
+        return ghost ? value_of(entry->name) : NULL;
+    default:
+        return ghost ? "" : NULL; /* its letter has to do */
+    }
+}
+
+static int legend_columns(const Legend *legend, int n_legend)
+{
+    int columns = -1; /* after the last one there is no gap */
+    for (int i = 0; i < n_legend; i++)
+        columns += glyphs_columns(legend[i].name) + 5;
+    return columns;
+}
+
+/* One kind of names after the other gives way until the whole legend has room: so many kinds. */
+static void shorten_legend(int room, int kinds, Legend *legend, int n_legend)
+{
+    for (int kind = 0; kind < kinds; kind++)
+        for (int i = 0, columns = legend_columns(legend, n_legend); i < n_legend && columns > room; i++) {
+            const char *name = shorter_name(&legend[i], kind);
+            columns -= name ? glyphs_columns(legend[i].name) - glyphs_columns(name) : 0;
+            legend[i].name = name ? name : legend[i].name;
+        }
+}
+
+/* The solid line of the one run that there is goes without saying. */
+static int leave_out_measured(Legend *legend, int n_legend)
+{
+    for (int i = 0; i < n_legend; i++)
+        if (strcmp(legend[i].name, legend_short_name("measured")) == 0) {
+            memmove(&legend[i], &legend[i + 1], (size_t)(n_legend - i - 1) * sizeof *legend);
+            return n_legend - 1;
+        }
+    return n_legend;
+}
+
+/* As many as there is room for; where there are none `legend` may be NULL. Returns how many. */
+static int copy_legend(Legend shown[LEGENDS_MAX], const Legend *legend, int n_legend)
+{
+    n_legend = n_legend < LEGENDS_MAX ? n_legend : LEGENDS_MAX;
+    for (int i = 0; i < n_legend; i++)
+        shown[i] = legend[i];
+    return n_legend;
+}
+
+void legend_draw_short(Area area, int x, int y, const Legend *legend, int n_legend)
+{
+    Legend shown[LEGENDS_MAX];
+    n_legend = copy_legend(shown, legend, n_legend);
+    shorten_legend(legend_room(area) - x, NAME_KINDS, shown, n_legend);
+    legend_draw(area, x, y, shown, n_legend);
+}
+
+int heading_draw(Area area, Style heading, const char *name, const char *scale, const Legend *legend,
+                 int n_legend)
+{
+    enum { SHORT_NAME = 1, NO_MEASURED, LETTERS_ONLY }; /* what gives way, one after the other */
+    char text[160];
+    Legend shown[LEGENDS_MAX];
+    int n_shown = 0, x = 0;
+    for (int pass = 0; pass <= LETTERS_ONLY; pass++) {
+        const char *title = pass >= SHORT_NAME ? legend_short_name(name) : name;
+        snprintf(text, sizeof text, "%s%s%s", title, !scale[0] ? "" : scale[0] == 'x' ? " " : ", ", scale);
+        x = 4 + glyphs_columns(text) + 1;
+        const int room = legend_room(area) - x;
+        n_legend = copy_legend(shown, legend, n_legend);
+        shorten_legend(room, NAME_KINDS - 2, shown, n_legend);
+        n_shown = pass >= NO_MEASURED ? leave_out_measured(shown, n_legend) : n_legend;
+        shorten_legend(room, pass >= LETTERS_ONLY ? NAME_KINDS : 0, shown, n_shown);
+        if (legend_columns(shown, n_shown) <= room)
+            break;
+    }
+    area_rule(area, 0, text, heading);
+    return legend_draw(area, x, 0, shown, n_shown) + n_legend - n_shown;
+}
+
+bool heading_hint(Area area, int begin, int end, const char *hint)
+{
+    char text[96];
+    glyphs_plain(area.glyphs, hint, text, sizeof text);
+    if (begin + glyphs_columns(text) >= end)
+        return false;
+    area_text_right(area, end, 0, text, STYLE_FAINT);
+    return true;
+}

@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Legends and the heading line of a plot. */
+#ifndef VIEW_HEADING_H
+#define VIEW_HEADING_H
+
+#include "picture/plot.h"
+
+/* One entry of a legend. */
+typedef struct Legend {
+    LineStyle line;
+    char letter;
+    Style style;
+    const char *name;
+    const char *key; /* what stands for it, 2 columns; NULL: a piece of the line */
+} Legend;
+
+/* Draws entries of a legend from column x on as far as there is room; returns how many. */
+int legend_draw(Area, int x, int y, const Legend *, int n_legend);
+
+enum { LEGENDS_MAX = 32 }; /* under one heading */
+
+/* The same of all entries: names are shortened until there is room, of ghosts to what they are or to the
+ * letter. */
+void legend_draw_short(Area, int x, int y, const Legend *, int n_legend);
+
+/* Draws the heading line of a plot: name, scale, legend as far as there is room. Where it is short names are
+ * shortened first; then the solid line of what is measured goes without saying. Returns how many entries of
+ * the legend that were. */
+int heading_draw(Area, Style heading, const char *name, const char *scale, const Legend *, int n_legend);
+
+/* Writes a hint into a heading line, up to column `end`; false: there is no room behind column `begin`. */
+bool heading_hint(Area, int begin, int end, const char *hint);
+
+/* A curve's or a picture's name where room is short: "measured" is "meas", "displacement" is "displ.". */
+const char *legend_short_name(const char *name);
+
+#endif

@@ -1,0 +1,486 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A sketch with axes on paper: frame, ticks, strokes cut at the frame, marks, labels and legend. */
+#include "picture/paper/draw.h"
+
+#include "base/math/functions.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define TICK    3.0   /* length of a tick */
+#define GAP     3.0   /* between a tick and its label */
+#define DENSE   3.0   /* points of a curve in one point of the page from which it is drawn thinner */
+#define NOISE   100.0 /* times that a curve goes up and down for its way across: then it fills an area */
+#define BETWEEN 6.0   /* least distance of two labels beside each other */
+
+#define SMALL 250.0 /* a plot narrower than this has smaller marks */
+#define NEAR  0.05  /* share of the axis within which nodes share a sign */
+
+enum {
+    SIGN_SUPPORT = 0x25b2,
+    SIGN_LOAD = 0x25bc,
+    SIGN_ROLLER = 0x25cb,
+    SIGN_DOT = 0x25cf, /* a probe, the tip of a crack */
+    SIGN_PROBE = '+',  /* of a plate */
+    SIGN_LEFT = 0x2190 /* then up, right, down: loads of a plate */
+};                     /* as on the screen; else it is a letter */
+
+typedef struct Frame {
+    Paper *paper;
+    const Sketch *sketch;
+    Box box; /* of the curves */
+} Frame;
+
+/* --- places ---------------------------------------------------------------------------------------- */
+
+static double share_of(const Axis *axis, double value)
+{
+    const double low = axis_place(axis, axis->low), high = axis_place(axis, axis->high);
+    return (axis_place(axis, value) - low) / (high - low);
+}
+
+static double x_of(const Frame *frame, double value)
+{
+    return frame->box.x + share_of(&frame->sketch->plot.x, value) * frame->box.width;
+}
+
+static double y_of(const Frame *frame, double value)
+{
+    return frame->box.y + (1 - share_of(&frame->sketch->plot.y, value)) * frame->box.height;
+}
+
+static double range_of(const Axis *axis)
+{
+    return axis->high - axis->low;
+}
+
+/* What lies far outside is cut off: a file has room for a few digits. */
+static double bounded(double place, double low, double size)
+{
+    return fmin(fmax(place, low - 4 * size), low + 5 * size);
+}
+
+/* --- axes ------------------------------------------------------------------------------------------ */
+
+static void straight(Paper *paper, double x0, double y0, double x1, double y1, Colour colour, double width)
+{
+    const double points[] = {x0, y0, x1, y1};
+    paper->kind->line(paper, points, 2, &(Pencil){.colour = colour, .width = width});
+}
+
+static void tick_label(const Axis *axis, double tick, char *out, size_t size)
+{
+    char text[TICK_TEXT_MAX];
+    axis_label(axis, tick, text);
+    if (axis->scale == SCALE_LOG) /* powers of ten, all in one way */
+        snprintf(text, sizeof text, "1e%ld", lround(math_log10(tick)));
+    ink_words(text, out, size);
+}
+
+static double widest_label(const Axis *axis, const Type *type)
+{
+    double ticks[TICKS_MAX], widest = 0;
+    const int count = axis_ticks(axis, ticks);
+    for (int i = 0; i < count; i++) {
+        char text[64];
+        tick_label(axis, ticks[i], text, sizeof text);
+        widest = fmax(widest, draw_words_width(text, type));
+    }
+    return widest;
+}
+
+static void draw_grid(const Frame *frame)
+{
+    const Plot *plot = &frame->sketch->plot;
+    const Box *box = &frame->box;
+    double ticks[TICKS_MAX];
+    int count = axis_ticks(&plot->x, ticks);
+    for (int i = 0; i < count; i++)
+        straight(frame->paper, x_of(frame, ticks[i]), box->y, x_of(frame, ticks[i]), box->y + box->height,
+                 GRID, 0.4);
+    count = axis_ticks(&plot->y, ticks);
+    for (int i = 0; i < count; i++)
+        straight(frame->paper, box->x, y_of(frame, ticks[i]), box->x + box->width, y_of(frame, ticks[i]),
+                 GRID, 0.4);
+    if (plot->y.low < 0 && plot->y.high > 0)
+        straight(frame->paper, box->x, y_of(frame, 0), box->x + box->width, y_of(frame, 0), 0x9a9a9a, 0.5);
+}
+
+static void draw_axes(const Frame *frame, double left)
+{
+    const Sketch *sketch = frame->sketch;
+    const Box *box = &frame->box;
+    Paper *paper = frame->paper;
+    Type type = {.size = SIZE_TICKS, .align = ALIGN_RIGHT};
+    double ticks[TICKS_MAX], used = -INFINITY;
+    char text[SKETCH_TEXT_MAX];
+    int count = axis_ticks(&sketch->plot.y, ticks);
+    for (int i = 0; i < count; i++) {
+        const double y = y_of(frame, ticks[i]);
+        straight(paper, box->x - TICK, y, box->x, y, BLACK, 0.6);
+        tick_label(&sketch->plot.y, ticks[i], text, sizeof text);
+        paper->kind->text(paper, box->x - TICK - GAP, y + 0.36 * SIZE_TICKS, text, &type);
+    }
+    type.align = ALIGN_CENTRE;
+    count = axis_ticks(&sketch->plot.x, ticks);
+    for (int i = 0; i < count; i++) {
+        const double x = x_of(frame, ticks[i]), bottom = box->y + box->height;
+        straight(paper, x, bottom, x, bottom + TICK, BLACK, 0.6);
+        tick_label(&sketch->plot.x, ticks[i], text, sizeof text);
+        const double half = draw_words_width(text, &type) / 2;
+        if (x - half < used)
+            continue;
+        used = x + half + BETWEEN;
+        paper->kind->text(paper, x, bottom + TICK + SIZE_TICKS, text, &type);
+    }
+    const double corners[] = {box->x,
+                              box->y,
+                              box->x,
+                              box->y + box->height,
+                              box->x + box->width,
+                              box->y + box->height,
+                              box->x + box->width,
+                              box->y,
+                              box->x,
+                              box->y};
+    paper->kind->line(paper, corners, 5, &(Pencil){.colour = BLACK, .width = 0.6});
+
+    Type name = {.size = SIZE_WORDS, .align = ALIGN_CENTRE};
+    draw_words(paper, box->x + box->width / 2, box->y + box->height + TICK + SIZE_TICKS + 11, sketch->x_name,
+               &name);
+    const char *heading = sketch->map ? "y, mm" : sketch->heading;
+    name.upwards = true;
+    name.size = fmin(SIZE_WORDS, SIZE_WORDS * box->height / draw_words_width(heading, &name));
+    draw_words(paper, left + SIZE_WORDS, box->y + box->height / 2, heading, &name);
+}
+
+/* --- strokes --------------------------------------------------------------------------------------- */
+
+/* A ghost's letter is known by the legend; the ghosts among the strokes come in the same order. */
+static char letter_of(const Sketch *sketch, int stroke)
+{
+    int earlier = 0;
+    for (int i = 0; i < stroke; i++)
+        earlier += sketch->plot.strokes[i].rank == RANK_GHOST && ink_is_ghost(sketch->plot.strokes[i].style);
+    for (int i = 0; i < sketch->n_keys; i++)
+        if (sketch->keys[i].letter && ink_is_ghost(sketch->keys[i].style) && earlier-- == 0)
+            return sketch->keys[i].letter;
+    return 0;
+}
+
+static void draw_line(const Frame *frame, const Stroke *stroke, const Pencil *pencil, double *places)
+{
+    const double *points = frame->sketch->plot.points + 2 * stroke->first;
+    size_t count = 0;
+    for (size_t i = 0; i <= stroke->count; i++) {
+        if (i < stroke->count && isfinite(points[2 * i]) && isfinite(points[2 * i + 1])) {
+            places[2 * count] = bounded(x_of(frame, points[2 * i]), frame->box.x, frame->box.width);
+            places[2 * count + 1] = bounded(y_of(frame, points[2 * i + 1]), frame->box.y, frame->box.height);
+            count++;
+            continue;
+        }
+        if (count > 1)
+            frame->paper->kind->line(frame->paper, places, count, pencil);
+        count = 0;
+    }
+}
+
+/* Lower edge there and upper edge back. */
+static void draw_band(const Frame *frame, const Stroke *stroke, double *places)
+{
+    const double *points = frame->sketch->plot.points + 2 * stroke->first;
+    const size_t pairs = stroke->count / 2;
+    size_t last = 2 * pairs;
+    for (size_t i = 0; i < 2 * pairs; i++) {
+        const size_t at = i % 2 == 0 ? i / 2 : last - 1 - i / 2;
+        places[2 * at] = bounded(x_of(frame, points[2 * i]), frame->box.x, frame->box.width);
+        places[2 * at + 1] = bounded(y_of(frame, points[2 * i + 1]), frame->box.y, frame->box.height);
+    }
+    if (pairs < 2)
+        return;
+    frame->paper->kind->fill(frame->paper, places, 2 * pairs, ink_fill(stroke->style, stroke->fill));
+    frame->paper->kind->line(frame->paper, places + 2 * pairs, pairs,
+                             &(Pencil){.colour = ink_of(stroke->style), .width = 0.5});
+}
+
+static void draw_rules(const Frame *frame)
+{
+    const Sketch *sketch = frame->sketch;
+    for (size_t i = 0; i < sketch->n_marks; i++)
+        if (sketch->marks[i].glyph == SKETCH_RULE)
+            straight(frame->paper, x_of(frame, sketch->marks[i].x), frame->box.y,
+                     x_of(frame, sketch->marks[i].x), frame->box.y + frame->box.height,
+                     ink_of(sketch->marks[i].style), 0.5);
+}
+
+/* A curve that swings so fast that it fills an area would hide all others: it lies behind them, and paler. */
+static bool is_noise(const Frame *frame, const Stroke *stroke)
+{
+    const double *points = frame->sketch->plot.points + 2 * stroke->first;
+    double way = 0;
+    for (size_t i = 1; i < stroke->count && stroke->kind == STROKE_LINE; i++) {
+        const double up = fabs(y_of(frame, points[2 * i + 1]) - y_of(frame, points[2 * i - 1]));
+        way += isfinite(up) ? fmin(up, frame->box.height) : 0;
+    }
+    return way > NOISE * frame->box.width;
+}
+
+static Pencil pencil_of(const Frame *frame, int index)
+{
+    const Stroke *stroke = &frame->sketch->plot.strokes[index];
+    return ink_pencil(stroke->style, stroke->line, letter_of(frame->sketch, index));
+}
+
+static bool is_broken(const Frame *frame, int index)
+{
+    return frame->sketch->plot.strokes[index].kind == STROKE_LINE && pencil_of(frame, index).dashes[0] > 0;
+}
+
+static void draw_stroke(const Frame *frame, int index, bool noise, double *places)
+{
+    const Plot *plot = &frame->sketch->plot;
+    const Stroke *stroke = &plot->strokes[index];
+    Pencil pencil = pencil_of(frame, index);
+    if (noise)
+        pencil.colour = ink_pale(pencil.colour);
+    if ((double)stroke->count > DENSE * frame->box.width)
+        pencil.width *= noise ? 0.5 : 0.7;
+    if (stroke->kind == STROKE_LINE)
+        draw_line(frame, stroke, &pencil, places);
+    else if (stroke->kind == STROKE_BAND)
+        draw_band(frame, stroke, places);
+    for (size_t k = stroke->first; stroke->kind == STROKE_DOTS && k < stroke->first + stroke->count; k++)
+        frame->paper->kind->disc(frame->paper, x_of(frame, plot->points[2 * k]),
+                                 y_of(frame, plot->points[2 * k + 1]), 1.2, pencil.colour, NULL);
+}
+
+/* By rank, noise below all; a broken line lies over a whole one, which shows between its dashes. */
+static void draw_strokes(const Frame *frame)
+{
+    const Plot *plot = &frame->sketch->plot;
+    double *places = malloc((plot->n_points + 1) * 2 * sizeof *places);
+    bool noise[STROKES_MAX];
+    if (!places)
+        return;
+    for (int i = 0; i < plot->n_strokes; i++)
+        noise[i] = is_noise(frame, &plot->strokes[i]);
+    frame->paper->kind->clip(frame->paper, &frame->box);
+    draw_rules(frame);
+    for (int broken = 0; broken <= 1; broken++)
+        for (int rank = RANK_BAND - 1; rank <= RANK_MARK; rank++)
+            for (int i = 0; i < plot->n_strokes; i++)
+                if (plot->strokes[i].count > 0 && broken == is_broken(frame, i) &&
+                    rank == (noise[i] ? RANK_BAND - 1 : plot->strokes[i].rank))
+                    draw_stroke(frame, i, noise[i], places);
+    frame->paper->kind->clip(frame->paper, NULL);
+    free(places);
+}
+
+/* --- marks ----------------------------------------------------------------------------------------- */
+
+static void draw_letter(const Frame *frame, const SketchMark *mark, double x, double y)
+{
+    const char text[2] = {(char)mark->glyph, '\0'};
+    const Type type = {.size = SIZE_TICKS, .bold = true, .colour = ink_of(mark->style)};
+    frame->paper->kind->text(frame->paper, x + 3, y + 2.5, text, &type);
+}
+
+/* Its middle is the place. */
+static void draw_arrow(const Frame *frame, uint32_t glyph, double x, double y, double size)
+{
+    static const double ways[][2] = {{-1, 0}, {0, -1}, {1, 0}, {0, 1}};
+    const double *way = ways[glyph - SIGN_LEFT], half = 4.5 * size, wide = 2.2 * size;
+    const double neck_x = x + 0.1 * half * way[0], neck_y = y + 0.1 * half * way[1];
+    const double shaft[] = {x - half * way[0], y - half * way[1], neck_x, neck_y};
+    const double head[] = {x + half * way[0],      y + half * way[1],      neck_x + wide * way[1],
+                           neck_y + wide * way[0], neck_x - wide * way[1], neck_y - wide * way[0]};
+    frame->paper->kind->line(frame->paper, shaft, 2, &(Pencil){.colour = BLACK, .width = 1.1 * size});
+    frame->paper->kind->fill(frame->paper, head, 3, BLACK);
+}
+
+/* A letter on white, so that it is read on any colour. */
+static void draw_letter_sign(const Frame *frame, const SketchMark *mark, double x, double y, double size)
+{
+    const char text[2] = {(char)mark->glyph, '\0'};
+    const Type type = {
+        .size = SIZE_TICKS, .bold = true, .align = ALIGN_CENTRE, .colour = ink_of(mark->style)};
+    frame->paper->kind->disc(frame->paper, x, y, 4.2 * size, WHITE,
+                             &(Pencil){.colour = type.colour, .width = 0.7 * size});
+    frame->paper->kind->text(frame->paper, x, y + 2.7, text, &type);
+}
+
+static void draw_cross(const Frame *frame, double x, double y, double size)
+{
+    const double half = 4 * size, across[] = {x - half, y, x + half, y}, up[] = {x, y - half, x, y + half};
+    const Pencil pencil = {.colour = ink_of(STYLE_MEASURED), .width = 1.6 * size};
+    frame->paper->kind->line(frame->paper, across, 2, &pencil);
+    frame->paper->kind->line(frame->paper, up, 2, &pencil);
+}
+
+/* Supports hang below their place, loads of beams stand above it. */
+static void draw_sign(const Frame *frame, const SketchMark *mark, double x, double y)
+{
+    const uint32_t glyph = mark->glyph;
+    const double size = frame->box.width < SMALL ? 0.7 : 1;
+    const double away = size * (glyph == SIGN_LOAD ? -6 : 6), half = 3.2 * size;
+    const double corners[] = {x, y, x - half, y + away, x + half, y + away};
+    if (glyph == SIGN_DOT)
+        frame->paper->kind->disc(frame->paper, x, y, 2.4 * size, ink_of(mark->style), NULL);
+    else if (glyph == SIGN_ROLLER)
+        frame->paper->kind->disc(frame->paper, x, y + 2.8 * size, 2.6 * size, WHITE,
+                                 &(Pencil){.colour = BLACK, .width = 0.9 * size});
+    else if (glyph == SIGN_SUPPORT || glyph == SIGN_LOAD)
+        frame->paper->kind->fill(frame->paper, corners, 3, BLACK);
+    else if (glyph >= SIGN_LEFT && glyph < SIGN_LEFT + 4)
+        draw_arrow(frame, glyph, x, y, size);
+    else if (glyph == SIGN_PROBE)
+        draw_cross(frame, x, y, size);
+    else
+        draw_letter_sign(frame, mark, x, y, size);
+}
+
+/* Supports of nodes beside each other are one sign, in their middle, as loads are; of other signs each means
+ * a place. */
+static bool is_shared(const Sketch *sketch, const SketchMark *a, const SketchMark *b)
+{
+    const bool spreads = a->glyph == SIGN_SUPPORT || a->glyph == SIGN_ROLLER || a->glyph == SIGN_LOAD;
+    return a->glyph == b->glyph && spreads && fabs(a->x - b->x) <= NEAR * range_of(&sketch->plot.x);
+}
+
+static size_t draw_signs(const Frame *frame, size_t first)
+{
+    const Sketch *sketch = frame->sketch;
+    const SketchMark *begin = &sketch->marks[first];
+    double sum_x = 0, sum_y = 0;
+    size_t end = first;
+    do {
+        sum_x += x_of(frame, sketch->marks[end].x);
+        sum_y += y_of(frame, sketch->marks[end].y);
+        end++;
+    } while (end < sketch->n_marks && is_shared(sketch, begin, &sketch->marks[end]));
+    draw_sign(frame, begin, sum_x / (double)(end - first), sum_y / (double)(end - first));
+    return end;
+}
+
+/* Dots, rings and letters of a plot; a letter stands beside its place, several at one place in a row. */
+static void draw_marks(const Frame *frame)
+{
+    const Sketch *sketch = frame->sketch;
+    const Box *box = &frame->box;
+    double before_x = NAN, before_y = NAN, shift = 0;
+    const double size = box->width < SMALL ? 0.6 : 1;
+    for (size_t i = 0; i < sketch->n_marks; i++) {
+        const SketchMark *mark = &sketch->marks[i];
+        const double x = x_of(frame, mark->x), y = y_of(frame, mark->y);
+        const Colour colour = ink_of(mark->style);
+        if (mark->glyph == SKETCH_RULE || !(x >= box->x - 0.1 && x <= box->x + box->width + 0.1 &&
+                                            y >= box->y - 0.1 && y <= box->y + box->height + 0.1))
+            continue; /* a rule lies behind the curves */
+        if (mark->glyph == 0x25cf) {
+            frame->paper->kind->disc(frame->paper, x, y, mark->style == STYLE_CHANGED ? 2.4 : 1.7 * size,
+                                     colour, NULL);
+        } else if (mark->glyph == 0x25cb || mark->glyph == 'o') {
+            frame->paper->kind->disc(frame->paper, x, y, 1.6 * size, WHITE,
+                                     &(Pencil){.colour = colour, .width = 0.8});
+        } else {
+            shift = fabs(x - before_x) < 4 && fabs(y - before_y) < 4 ? shift + 6 : 0;
+            before_x = x;
+            before_y = y;
+            draw_letter(frame, mark, x + shift, y);
+        }
+    }
+}
+
+/* Of the usual size or, where a drawing had to shrink, as small as it takes: a row of it has the height 1. */
+static void draw_label(const Frame *frame, const SketchLabel *label)
+{
+    const double row = frame->box.height / range_of(&frame->sketch->plot.y);
+    const Type type = {.size = fmin(SIZE_WORDS, 0.8 * row),
+                       .colour = ink_of(label->style),
+                       .align = label->side < 0    ? ALIGN_RIGHT
+                                : label->side == 0 ? ALIGN_CENTRE
+                                                   : ALIGN_LEFT};
+    const double x = x_of(frame, label->x), y = y_of(frame, label->y);
+    if (label->on_line) {
+        const double half = draw_words_width(label->text, &type) / 2 + 2, up = type.size / 2;
+        const double patch[] = {x - half, y - up, x + half, y - up, x + half, y + up, x - half, y + up};
+        frame->paper->kind->fill(frame->paper, patch, 4, WHITE);
+    }
+    draw_words(frame->paper, x, y + 0.36 * type.size, label->text, &type);
+}
+
+/* --- the whole --------------------------------------------------------------------------------------- */
+
+/* What stands around the box of the curves. */
+typedef struct Margins {
+    double left, right, above, below;
+} Margins;
+
+static Margins margins_of(const Sketch *sketch)
+{
+    const double labels = widest_label(&sketch->plot.y, &(Type){.size = SIZE_TICKS});
+    if (sketch->bare)
+        return (Margins){0, 0, 0, 0};
+    return (Margins){SIZE_WORDS + 5 + labels + GAP + TICK, 12, 4, TICK + SIZE_TICKS + 14};
+}
+
+double draw_plot_height(const Sketch *sketch, double width)
+{
+    if (sketch->stretch <= 0)
+        return 0;
+    const Margins margins = margins_of(sketch);
+    const double scale = (width - margins.left - margins.right) / range_of(&sketch->plot.x);
+    return margins.above + scale * sketch->stretch * range_of(&sketch->plot.y) + margins.below;
+}
+
+/* A map or drawing keeps its scale: the box shrinks one way. */
+static void fit(const Sketch *sketch, Box *box)
+{
+    const double x = range_of(&sketch->plot.x), y = sketch->stretch * range_of(&sketch->plot.y);
+    const double scale = fmin(box->width / x, box->height / y);
+    box->width = scale * x;
+    box->height = scale * y;
+}
+
+static void draw_body(const Frame *frame)
+{
+    const Plot *plot = &frame->sketch->plot;
+    const Place place = {
+        .scale_x = frame->box.width / range_of(&plot->x),
+        .scale_y = -frame->box.height / range_of(&plot->y),
+        .x0 = x_of(frame, 0),
+        .y0 = y_of(frame, 0),
+    };
+    frame->paper->kind->clip(frame->paper, &frame->box);
+    draw_heat(frame->paper, frame->sketch->map, &place);
+    frame->paper->kind->clip(frame->paper, NULL);
+}
+
+void draw_plot(Paper *paper, const Sketch *sketch, Box box)
+{
+    const Margins margins = margins_of(sketch);
+    Frame frame = {paper,
+                   sketch,
+                   {box.x + margins.left, box.y + margins.above, box.width - margins.left - margins.right,
+                    box.height - margins.above - margins.below}};
+    if (frame.box.width < 20 || frame.box.height < 10)
+        return;
+    const bool of_body = sketch->stretch > 0; /* its marks are signs */
+    if (of_body)
+        fit(sketch, &frame.box);
+    else
+        draw_grid(&frame);
+    if (sketch->map)
+        draw_body(&frame);
+    draw_strokes(&frame);
+    if (!sketch->bare)
+        draw_axes(&frame, box.x);
+    if (!of_body)
+        draw_marks(&frame);
+    for (size_t i = 0; of_body && i < sketch->n_marks;)
+        i = draw_signs(&frame, i);
+    for (int i = 0; i < sketch->n_labels; i++)
+        draw_label(&frame, &sketch->labels[i]);
+}

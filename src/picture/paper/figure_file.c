@@ -1,0 +1,284 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A figure from its name to its file: which views make one, panels side by side, what the page says of the
+ * run. */
+#include "picture/paper/figure_file.h"
+
+#include "base/text.h"
+#include "picture/paper/page.h"
+#include "views/view.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#define WIDTH_DEFAULT 160.0 /* mm: the text of an A4 page */
+
+enum { NAME_MAX_BYTES = 48 };
+
+/* --- kinds of files -------------------------------------------------------------------------------- */
+
+typedef enum Format { FORMAT_SVG, FORMAT_PDF, FORMAT_PNG, FORMAT_NONE } Format;
+
+static Format format_of(const char *file)
+{
+    static const char *const endings[] = {".svg", ".pdf", ".png"};
+    const char *dot = strrchr(file, '.');
+    for (int i = 0; dot && i < FORMAT_NONE; i++)
+        if (strcasecmp(dot, endings[i]) == 0)
+            return (Format)i;
+    return FORMAT_NONE;
+}
+
+bool figure_is_name(const char *file)
+{
+    return format_of(file) != FORMAT_NONE;
+}
+
+bool figure_allowed(const char *file, Status *status)
+{
+    const Format format = format_of(file);
+    if (format == FORMAT_NONE)
+        return status_fail(status, STATUS_USAGE, "%.200s: is no figure (FILE.svg, FILE.pdf or FILE.png)",
+                           file);
+    return format == FORMAT_SVG || paper_has_cairo(status);
+}
+
+/* --- views by name --------------------------------------------------------------------------------- */
+
+/* "beam", or "beam:damage" for a variant; "": there is no such variant, or no figure. */
+static void name_of(const Screen *screen, const View *view, int variant, char out[NAME_MAX_BYTES])
+{
+    const char *word = view->word, *part = view_variant_word(view, screen, variant);
+    out[0] = '\0';
+    if (view_is_on_paper(view, screen) && (part || variant == 0))
+        snprintf(out, NAME_MAX_BYTES, "%s%s%s", word, part ? ":" : "", part ? part : "");
+}
+
+static void list_names(const Screen *screen, char *out, size_t size)
+{
+    char name[NAME_MAX_BYTES];
+    size_t used = 0;
+    out[0] = '\0';
+    for (int i = 0; i < n_views; i++)
+        for (int variant = 0; name_of(screen, views[i], variant, name), name[0]; variant++) {
+            /* the view is named once: profile:u|v|stress */
+            const char *part = variant > 0 ? strchr(name, ':') + 1 : name;
+            const char *gap = variant > 0 ? "|" : used > 0 ? " " : "";
+            if (used < size)
+                used += (size_t)snprintf(out + used, size - used, "%s%s", gap, part);
+            if (!strchr(name, ':'))
+                break;
+        }
+}
+
+bool figure_view(Screen *screen, const char *wanted, const View **view, Status *status)
+{
+    char name[NAME_MAX_BYTES], all[400];
+    *view = view_named(wanted); /* by its digit */
+    if (*view && view_is_on_paper(*view, screen))
+        return true;
+    for (int i = 0; i < n_views; i++)
+        for (int variant = 0; name_of(screen, views[i], variant, name), name[0]; variant++) {
+            const char *colon = strchr(name, ':');
+            const bool whole = strcmp(name, wanted) == 0;
+            const bool bare = colon && strlen(wanted) == (size_t)(colon - name) &&
+                              strncmp(name, wanted, (size_t)(colon - name)) == 0;
+            *view = views[i];
+            if (whole)
+                view_choose_variant(*view, screen, variant);
+            if (whole || bare)
+                return true;
+            if (!colon)
+                break;
+        }
+    list_names(screen, all, sizeof all);
+    return status_fail(status, STATUS_USAGE, "%.60s: no such view here (%s)", wanted, all);
+}
+
+void figure_names(const Screen *screen, FILE *stream)
+{
+    char name[NAME_MAX_BYTES];
+    for (int i = 0; i < n_views; i++)
+        for (int variant = 0; name_of(screen, views[i], variant, name), name[0]; variant++) {
+            fprintf(stream, "%s\n", name);
+            if (!strchr(name, ':'))
+                break;
+        }
+}
+
+/* --- what stands around the panels ------------------------------------------------------------------ */
+
+/* "cuts: notch 0 50% 50% 50%;  loads: top top 0% 100% 0 1.2e7,  bottom ...". */
+static void tell_rows(const Settings *settings, char *out, size_t size)
+{
+    char text[ROW_TEXT_MAX];
+    for (int kind = 0; kind < ROW_KINDS; kind++)
+        for (int row = 0; settings_have_rows(settings, kind) && row < settings->rows[kind].count; row++) {
+            const char *name = settings->rows[kind].rows[row].name;
+            settings_row_show(settings, kind, row, text);
+            text_append(out, size, "%s%s%s%s%s", row > 0 ? ",  " : ";  ",
+                        row > 0 ? "" : row_kinds[kind].section, row > 0 ? "" : ": ", name, *name ? " " : "");
+            text_append(out, size, "%s", text);
+        }
+}
+
+/* All parameters of the run but where its files go: group by group, "Bar: length 25, density 1;  Start: mode
+ * 5". */
+static void tell_parameters(const Settings *settings, char *out, size_t size)
+{
+    const char *group = "";
+    size_t used = 0;
+    out[0] = '\0';
+    for (int i = 0; i < n_parameters; i++) {
+        const Parameter *parameter = &parameters[i];
+        char value[LIST_MAX];
+        if (!parameter_applies_to(settings, parameter) || strncmp(parameter->key, "output.", 7) == 0)
+            continue;
+        settings_show(settings, parameter, value);
+        const char *unit = settings->problem->si ? parameter_unit(parameter, settings->problem) : "";
+        if (!value[0] || strcmp(value, "-") == 0)
+            continue;
+        const bool more = strcmp(group, parameter->group) == 0;
+        double number;
+        if (strcmp(unit, "1") == 0 || !text_to_double(value, &number))
+            unit = ""; /* of a word */
+        if (used < size)
+            used += (size_t)snprintf(out + used, size - used, "%s%s%s%s %s%s%s",
+                                     used == 0 ? ""
+                                     : more    ? ",  "
+                                               : ";  ",
+                                     more ? "" : parameter->group, more ? "" : ": ", parameter->label, value,
+                                     unit[0] ? " " : "", unit);
+        group = parameter->group;
+    }
+    tell_rows(settings, out, size);
+    text_append(out, size, ".  matvib " PACKAGE_VERSION);
+}
+
+void figure_open(Figure *figure, double width, double height)
+{
+    *figure = (Figure){.width = width > 0 ? width : WIDTH_DEFAULT, .height = height};
+}
+
+void figure_close(Figure *figure)
+{
+    for (int i = 0; i < figure->count; i++) {
+        sketch_close(&figure->panels[i]->sketch);
+        free(figure->panels[i]);
+    }
+    figure->count = 0;
+}
+
+static bool no_memory(Status *status)
+{
+    return status_fail(status, STATUS_FAILED, "not enough memory for a figure");
+}
+
+/* --- panels ----------------------------------------------------------------------------------------- */
+
+/* "t 0.1200 ms" as "t = 0.12 ms". */
+static void caption_of(const char *time, char *out, size_t size)
+{
+    const char *number = time + strcspn(time, "0123456789"), *point = strchr(number, '.');
+    const size_t whole = strspn(number, "0123456789");
+    size_t kept = whole;
+    for (size_t i = 1; point && point[i] >= '0' && point[i] <= '9'; i++)
+        if (point[i] != '0')
+            kept = whole + 1 + i;
+    snprintf(out, size, "t = %.*s%s", (int)kept, number, number + strspn(number, "0123456789."));
+}
+
+bool figure_add(Figure *figure, const Screen *screen, const View *view, int panels, Status *status)
+{
+    const Settings *settings = experiment_settings(screen->experiment);
+    if (figure->count == FIGURE_PANELS_MAX)
+        return status_fail(status, STATUS_USAGE, "a page has room for %d pictures", FIGURE_PANELS_MAX);
+    FigurePanel *panel = calloc(1, sizeof *panel);
+    if (!panel)
+        return no_memory(status);
+    /* as many ticks as a pane of the terminal of that size has */
+    int columns, rows;
+    page_panel_cells(figure, panels, &columns, &rows);
+    errno = 0;
+    screen_sketch(screen, view, columns, rows, &panel->sketch);
+    const Sketch *sketch = &panel->sketch;
+    /* a screen is drawn again, a page is not */
+    const bool in_want = errno == ENOMEM || sketch->plot.lost;
+    if (in_want || !sketch->has_axes) {
+        if (in_want)
+            no_memory(status);
+        else
+            status_fail(status, sketch->n_notes > 0 ? STATUS_FAILED : STATUS_USAGE, "%s: nothing to draw: %s",
+                        *sketch->heading ? sketch->heading : view->word,
+                        sketch->n_notes > 0 ? sketch->notes[0].text
+                                            : "the page is too small for it (at least 30x30 mm)");
+        sketch_close(&panel->sketch);
+        free(panel);
+        return false;
+    }
+    if (sketch->of_moment || panels > 1)
+        caption_of(sketch->time, panel->caption, sizeof panel->caption);
+    if (figure->count == 0) {
+        snprintf(figure->title, sizeof figure->title, "%s", settings->title);
+        tell_parameters(settings, figure->parameters, sizeof figure->parameters);
+    }
+    figure->panels[figure->count++] = panel;
+    return true;
+}
+
+/* --- the file --------------------------------------------------------------------------------------- */
+
+double figure_enlargement(const Figure *figure, bool *differ)
+{
+    double least = 0, most = 0;
+    for (int i = 0; i < figure->count; i++) {
+        const SketchMap *map = figure->panels[i]->sketch.map;
+        const double factor = map ? map->enlarged : 0;
+        least = i == 0 || factor < least ? factor : least;
+        most = factor > most ? factor : most;
+    }
+    *differ = least < most;
+    return least;
+}
+
+/* What is compared is drawn to one measure. */
+static void share_ranges(Figure *figure)
+{
+    double low = INFINITY, high = -INFINITY;
+    for (int i = 0; i < figure->count; i++)
+        if (figure->panels[i]->sketch.map) {
+            low = fmin(low, figure->panels[i]->sketch.map->low);
+            high = fmax(high, figure->panels[i]->sketch.map->high);
+        }
+    for (int i = 0; i < figure->count; i++)
+        if (figure->panels[i]->sketch.map) {
+            figure->panels[i]->sketch.map->low = low;
+            figure->panels[i]->sketch.map->high = high;
+        }
+}
+
+bool figure_write(Figure *figure, Asker asker, const char *name, bool force, Status *status)
+{
+    OutputFile file;
+    if (!figure_allowed(name, status) || !output_open(&file, asker, name, force, status))
+        return false;
+    share_ranges(figure);
+    const double width = page_width(figure), height = page_height(figure);
+    const Format format = format_of(name);
+    Paper *paper = format == FORMAT_SVG   ? paper_svg(file.stream, width, height, figure->title, status)
+                   : format == FORMAT_PDF ? paper_pdf(file.stream, width, height, figure->title, status)
+                                          : paper_png(file.stream, width, height, status);
+    bool sound = paper != NULL;
+    if (paper) {
+        errno = 0;
+        page_draw(figure, paper);
+        const bool in_want = errno == ENOMEM;
+        sound = paper_finish(paper, status) && (!in_want || no_memory(status));
+    }
+    sound = sound && output_finish(&file, status) && output_commit(&file, status);
+    output_close(&file);
+    return sound;
+}

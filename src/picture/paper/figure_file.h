@@ -1,0 +1,55 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Figures for paper: what views show, taken down as sketches (picture/sketch.h) and drawn with lines and
+ * fonts on one page with title, axes, legend and the parameters of the run, as SVG, PDF or PNG.
+ *
+ * Colours are told apart by all kinds of colour vision, and lines by their dashes, so that a copy in black
+ * and white says the same. The same figure gives the same bytes. */
+#ifndef FIGURE_FIGURE_H
+#define FIGURE_FIGURE_H
+
+#include "base/output.h"
+#include "panes/screen.h"
+
+enum { FIGURE_PANELS_MAX = 24, FIGURE_TEXT_MAX = 12288 };
+
+typedef struct FigurePanel {
+    char caption[64]; /* "t 12.3": where a picture is of one moment, or there are several */
+    Sketch sketch;
+} FigurePanel;
+
+typedef struct Figure {
+    char title[256];
+    char parameters[FIGURE_TEXT_MAX]; /* phrases parted by two spaces */
+    double width, height;             /* mm; height 0: as much as it takes */
+    FigurePanel *panels[FIGURE_PANELS_MAX];
+    int count;
+} Figure;
+
+/* Whether a name ends in .svg, .pdf or .png. */
+bool figure_is_name(const char *file);
+
+/* Whether a file of that name can be written, by its ending .svg, .pdf or .png. Nothing is touched. */
+bool figure_allowed(const char *file, Status *);
+
+/* The view that a name stands for on this screen: "profile:stress" chooses a variant, "profile" has the one
+ * that the screen shows. */
+bool figure_view(Screen *, const char *name, const View **view, Status *);
+
+/* The names that figure_view() takes for this screen, one a line, each with what it shows. */
+void figure_names(const Screen *, FILE *);
+
+void figure_open(Figure *, double width, double height);
+void figure_close(Figure *);
+
+/* Adds what a view shows at present as the next of so many panels. False: it has nothing to show (the status
+ * says why), or there are too many panels. */
+bool figure_add(Figure *, const Screen *, const View *, int panels, Status *);
+
+/* The factor of the displacements that suits all maps of the figure: the least. *differ: they have several.
+ * 0: there are no maps. */
+double figure_enlargement(const Figure *, bool *differ);
+
+/* Draws the page, whole or not at all. Maps of one field share the range of their colours. */
+bool figure_write(Figure *, Asker, const char *file, bool force, Status *);
+
+#endif

@@ -1,0 +1,307 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Strokes on cells: each becomes dots, and a cell shows those of the highest rank that fell into it. */
+#include "picture/sketch.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* --- dots on cells --- */
+
+/* What the curves have left in one cell: only the dots of the highest rank. */
+typedef struct Spot {
+    uint8_t dots;
+    uint8_t count;
+    int8_t rank;
+    uint16_t style;
+    uint32_t glyph; /* a letter or a shade in place of dots; 0: none */
+} Spot;
+
+typedef struct Raster {
+    Spot *spots;
+    int columns, rows; /* cells */
+    int across, down;  /* dots in a cell */
+    bool thick;        /* lines of two dots */
+    Glyphs glyphs;
+} Raster;
+
+int plot_dots_across(Glyphs glyphs)
+{
+    return glyphs == GLYPHS_NONE ? 16 : glyphs == GLYPHS_BRAILLE ? 2 : 1;
+}
+
+int plot_dots_down(Glyphs glyphs)
+{
+    return glyphs == GLYPHS_BRAILLE ? 4 : glyphs == GLYPHS_BLOCK ? 2 : 1;
+}
+
+/* The bit of a dot in Unicode's order of braille dots. */
+static uint8_t braille_bit(int x, int y)
+{
+    static const uint8_t bits[4][2] = {{0x01, 0x08}, {0x02, 0x10}, {0x04, 0x20}, {0x40, 0x80}};
+    return bits[y][x];
+}
+
+/* Half blocks have no room for dots and dashes: such lines are drawn with letters. */
+static uint32_t letter_of(const Raster *raster, const Stroke *stroke)
+{
+    if (raster->glyphs == GLYPHS_ASCII)
+        return (uint32_t)stroke->letter;
+    if (raster->glyphs == GLYPHS_BLOCK && stroke->kind != STROKE_BAND) {
+        if (stroke->line == LINE_DOTTED)
+            return 0x00b7;
+        if (stroke->line == LINE_DASHED)
+            return '-';
+    }
+    return 0;
+}
+
+static void put_dot(Raster *raster, const Stroke *stroke, int x, int y)
+{
+    if (x < 0 || y < 0 || x >= raster->columns * raster->across || y >= raster->rows * raster->down)
+        return;
+    Spot *spot =
+        &raster->spots[(size_t)(y / raster->down) * (size_t)raster->columns + (size_t)(x / raster->across)];
+    if (spot->rank > stroke->rank)
+        return;
+    if (spot->rank < stroke->rank || spot->style != stroke->style)
+        *spot = (Spot){.rank = (int8_t)stroke->rank, .style = (uint16_t)stroke->style};
+    spot->glyph = letter_of(raster, stroke);
+    if (raster->glyphs == GLYPHS_BRAILLE)
+        spot->dots |= braille_bit(x % 2, y % 4);
+    else
+        spot->dots |= (uint8_t)(1 << y % raster->down);
+}
+
+/* --- lines --- */
+
+/* Where along a broken line we are. It begins anew every few dots of the absolute x, so that a pattern moves
+ * with its curve when the window moves by whole cells, instead of crawling along it. */
+typedef struct Pattern {
+    int begun_at, place;
+    long offset; /* dots left of the window */
+} Pattern;
+
+enum { PATTERN_CHUNK = 12 };
+
+static bool pattern_lit(Pattern *pattern, LineStyle line, int x)
+{
+    if (line == LINE_SOLID)
+        return true;
+    if ((x + pattern->offset) % PATTERN_CHUNK == 0 && pattern->begun_at != x) {
+        pattern->begun_at = x;
+        pattern->place = 0;
+    }
+    int place = pattern->place++;
+    return line == LINE_DOTTED ? place % 3 == 0 : place % 6 < 4;
+}
+
+/* Cuts a segment to 0 <= y <= bottom; false: nothing is left. */
+static bool cut(double *x0, double *y0, double *x1, double *y1, double bottom)
+{
+    if ((*y0 < 0 && *y1 < 0) || (*y0 > bottom && *y1 > bottom))
+        return false;
+    double *ends[2][4] = {{x0, y0, x1, y1}, {x1, y1, x0, y0}};
+    for (int e = 0; e < 2; e++) {
+        double *x = ends[e][0], *y = ends[e][1], *to_x = ends[e][2], *to_y = ends[e][3];
+        double edge = *y < 0 ? 0 : *y > bottom ? bottom : *y;
+        if (edge != *y) {
+            *x += (*to_x - *x) * (edge - *y) / (*to_y - *y);
+            *y = edge;
+        }
+    }
+    return true;
+}
+
+static int dot_of(double place)
+{
+    return (int)floor(place);
+}
+
+static void draw_segment(Raster *raster, const Stroke *stroke, Pattern *pattern, double x0, double y0,
+                         double x1, double y1, bool first)
+{
+    double right = raster->columns * raster->across, bottom = raster->rows * raster->down - 0.5;
+    if (fmax(x0, x1) < 0 || fmin(x0, x1) > right || !cut(&y0, &x0, &y1, &x1, right - 1e-6) ||
+        !cut(&x0, &y0, &x1, &y1, bottom))
+        return;
+    int ax = dot_of(x0), ay = dot_of(y0), bx = dot_of(x1), by = dot_of(y1);
+    int steps = abs(bx - ax) > abs(by - ay) ? abs(bx - ax) : abs(by - ay);
+    for (int i = first ? 0 : 1; i <= steps; i++) {
+        double share = steps ? (double)i / steps : 0;
+        int x = (int)lround(ax + share * (bx - ax)), y = (int)lround(ay + share * (by - ay));
+        if (!pattern_lit(pattern, stroke->line, x))
+            continue;
+        put_dot(raster, stroke, x, y);
+        if (raster->thick) {
+            put_dot(raster, stroke, x + 1, y);
+            put_dot(raster, stroke, x, y + 1);
+        }
+    }
+}
+
+/* --- strokes --- */
+
+typedef struct Place {
+    double x, y; /* in dots from the upper left corner */
+} Place;
+
+static Place place_of(const Plot *plot, const Raster *raster, size_t point)
+{
+    double width = raster->columns * raster->across, height = raster->rows * raster->down;
+    const double left = axis_place(&plot->x, plot->x.low), right = axis_place(&plot->x, plot->x.high);
+    double x = (axis_place(&plot->x, plot->points[2 * point]) - left) / (right - left) * width;
+    const double top = axis_place(&plot->y, plot->y.high), bottom = axis_place(&plot->y, plot->y.low);
+    double y =
+        (top - axis_place(&plot->y, plot->points[2 * point + 1])) / (top - bottom) * (height - 1) + 0.5;
+    /* the right end belongs to the last dot; rounding must not lose what lies on an edge */
+    if (x >= width && x <= width * (1 + 1e-9))
+        x = width - 0.5;
+    if (x < 0 && x > -1e-9 * width)
+        x = 0;
+    return (Place){x, y};
+}
+
+static void draw_line(const Plot *plot, const Stroke *stroke, Raster *raster)
+{
+    double dot = (plot->x.high - plot->x.low) / (raster->columns * raster->across);
+    double offset = plot->x.low / dot;
+    Pattern pattern = {.begun_at = -1, .offset = fabs(offset) < 1e15 ? lround(offset) : 0};
+    bool begun = false;
+    Place before = {0, 0};
+    for (size_t i = 0; i < stroke->count; i++) {
+        Place here = place_of(plot, raster, stroke->first + i);
+        if (!isfinite(here.x) || !isfinite(here.y)) {
+            begun = false;
+            continue;
+        }
+        if (begun)
+            draw_segment(raster, stroke, &pattern, before.x, before.y, here.x, here.y, i == 1);
+        else if (i + 1 == stroke->count || !isfinite(plot->points[2 * (stroke->first + i + 1) + 1]))
+            draw_segment(raster, stroke, &pattern, here.x, here.y, here.x, here.y, true);
+        before = here;
+        begun = true;
+    }
+}
+
+static void draw_dots(const Plot *plot, const Stroke *stroke, Raster *raster)
+{
+    for (size_t i = 0; i < stroke->count; i++) {
+        Place here = place_of(plot, raster, stroke->first + i);
+        if (fabs(here.x) < 1e6 && fabs(here.y) < 1e6)
+            put_dot(raster, stroke, dot_of(here.x), dot_of(here.y));
+    }
+}
+
+static bool band_lit(int fill, int x, int y)
+{
+    switch (fill) {
+    case 0:
+        return true;
+    case 1:
+        return (x + y) % 2 == 0;
+    case 2:
+        return x % 2 == 0 && y % 2 == 0;
+    default:
+        return x % 2 == 0 && (y + x) % 4 == 0;
+    }
+}
+
+static void draw_band(const Plot *plot, const Stroke *stroke, Raster *raster)
+{
+    const int columns = raster->columns * raster->across, rows = raster->rows * raster->down;
+    static const uint32_t shades[] = {0x2593, 0x2592, 0x2591, 0x00b7};
+    size_t i = 0;
+    for (int x = 0; x < columns; x++) {
+        /* the pair of points whose x is the last one not beyond this column's middle */
+        while (i + 3 < stroke->count && place_of(plot, raster, stroke->first + i + 2).x <= x + 0.5)
+            i += 2;
+        if (i + 1 >= stroke->count)
+            return;
+        Place low = place_of(plot, raster, stroke->first + i),
+              high = place_of(plot, raster, stroke->first + i + 1);
+        bool covered = low.x <= x + 0.5 + 1e-6 && (i + 3 < stroke->count || low.x >= x - 0.5);
+        if (!covered || !isfinite(low.y) || !isfinite(high.y) || low.y - high.y < 1e-9 * rows)
+            continue;
+        int top = high.y < 0 ? 0 : dot_of(high.y), bottom = low.y > rows ? rows : dot_of(low.y);
+        for (int y = top; y < bottom || (y == bottom && y == rows - 1); y++) {
+            if (raster->glyphs == GLYPHS_BRAILLE) {
+                if (band_lit(stroke->fill, x, y))
+                    put_dot(raster, stroke, x, y);
+                continue;
+            }
+            put_dot(raster, stroke, x, y);
+            Spot *spot = &raster->spots[(size_t)(y / raster->down) * (size_t)raster->columns + (size_t)x];
+            if (spot->rank == stroke->rank && spot->style == stroke->style && raster->glyphs == GLYPHS_BLOCK)
+                spot->glyph = shades[stroke->fill & 3];
+        }
+    }
+}
+
+static uint32_t glyph_of(const Raster *raster, const Spot *spot)
+{
+    static const uint32_t halves[] = {' ', 0x2580, 0x2584, 0x2588};
+    if (spot->glyph)
+        return spot->glyph;
+    if (raster->glyphs == GLYPHS_BRAILLE)
+        return 0x2800u + spot->dots;
+    return halves[spot->dots & 3];
+}
+
+void plot_draw(const Plot *plot, Area area)
+{
+    if (area.canvas->sketch) {
+        sketch_plot(area.canvas->sketch, plot);
+        return;
+    }
+    Raster raster = {
+        .columns = area.rect.width,
+        .rows = area.rect.height,
+        .across = plot_dots_across(area.glyphs),
+        .down = plot_dots_down(area.glyphs),
+        /* where a dot is a whole cell or half of one it is thick already */
+        .thick = area.canvas->large && area.glyphs == GLYPHS_BRAILLE,
+        .glyphs = area.glyphs,
+    };
+    const size_t count = (size_t)raster.columns * (size_t)raster.rows;
+    raster.spots = count ? malloc(count * sizeof *raster.spots) : NULL;
+    if (!raster.spots)
+        return;
+    for (size_t i = 0; i < count; i++)
+        raster.spots[i] = (Spot){.rank = -1};
+    for (int i = 0; i < plot->n_strokes; i++) {
+        const Stroke *stroke = &plot->strokes[i];
+        if (stroke->kind == STROKE_LINE)
+            draw_line(plot, stroke, &raster);
+        else if (stroke->kind == STROKE_DOTS)
+            draw_dots(plot, stroke, &raster);
+        else
+            draw_band(plot, stroke, &raster);
+    }
+    for (int y = 0; y < raster.rows; y++)
+        for (int x = 0; x < raster.columns; x++) {
+            const Spot *spot = &raster.spots[(size_t)y * (size_t)raster.columns + (size_t)x];
+            if (spot->rank >= 0 && (spot->dots || spot->glyph))
+                area_put(area, x, y, glyph_of(&raster, spot), (Style)spot->style);
+        }
+    free(raster.spots);
+}
+
+const char *plot_key(LineStyle line, char letter, Glyphs glyphs)
+{
+    static const char *const keys[] = {[LINE_SOLID] = "⠒⠒", [LINE_DOTTED] = "··", [LINE_DASHED] = "--"};
+    static const char *const blocks[] = {[LINE_SOLID] = "▄▄", [LINE_DOTTED] = "··", [LINE_DASHED] = "--"};
+    static const struct {
+        char letter;
+        const char *key;
+    } letters[] = {{'*', "**"}, {'.', ".."}, {'-', "--"}, {'o', "oo"}, {'x', "xx"},
+                   {',', ",,"}, {':', "::"}, {'#', "##"}, {'+', "++"}};
+    if (glyphs == GLYPHS_BLOCK)
+        return blocks[line];
+    if (glyphs == GLYPHS_BRAILLE)
+        return keys[line];
+    for (size_t i = 0; i < sizeof letters / sizeof *letters; i++)
+        if (letters[i].letter == letter)
+            return letters[i].key;
+    return "  ";
+}

@@ -1,0 +1,69 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A plot is a short list of strokes in the plot's own coordinates: lines, dots, filled bands. Back ends draw
+ * the same list with braille dots, half blocks or letters.
+ *
+ * Where strokes share a cell the one of higher rank is seen and the other is not: a measured curve stays
+ * clean where the exact one lies beside it. */
+#ifndef VIEW_PLOT_H
+#define VIEW_PLOT_H
+
+#include "picture/area.h"
+#include "picture/axes.h"
+
+#include <stddef.h>
+
+typedef enum StrokeKind {
+    STROKE_LINE, /* through its points; a NAN breaks it */
+    STROKE_DOTS, /* a dot at each point */
+    STROKE_BAND  /* filled between two curves: points come in pairs (x, low), (x, high) */
+} StrokeKind;
+
+typedef enum LineStyle { LINE_SOLID, LINE_DOTTED, LINE_DASHED } LineStyle;
+
+/* Who is seen where strokes meet. */
+enum { RANK_BAND, RANK_GHOST, RANK_EXACT, RANK_PREDICTED, RANK_SECOND, RANK_MEASURED, RANK_MARK };
+
+typedef struct Stroke {
+    StrokeKind kind;
+    LineStyle line;
+    Style style;
+    int rank;
+    int fill;            /* of a band: 0 dense to 3 thin */
+    char letter;         /* what ASCII draws it with */
+    size_t first, count; /* its points */
+} Stroke;
+
+enum { STROKES_MAX = 96 };
+
+typedef struct Plot {
+    Axis x, y;
+    Stroke strokes[STROKES_MAX];
+    int n_strokes;
+    double *points; /* x, y, x, y, ... */
+    size_t n_points, room;
+    bool lost; /* memory was short for a point */
+} Plot;
+
+void plot_open(Plot *, Axis x, Axis y);
+void plot_close(Plot *);
+
+/* Begins a stroke; plot_point() adds to the last one begun. Without memory a point is lost. */
+void plot_begin(Plot *, StrokeKind, LineStyle, Style, int rank, char letter);
+void plot_point(Plot *, double x, double y);
+
+/* A curve of many samples, cut to the axis of x: for each of `columns` columns the first, least, largest and
+ * last sample, in the order in which they come, so that nothing that the curve does is left out. */
+typedef double PlotSample(const void *context, size_t index, double *x); /* returns y */
+void plot_curve(Plot *, PlotSample *, const void *context, size_t first, size_t end, int columns);
+
+/* Draws all strokes into an area that axes_draw() left. */
+void plot_draw(const Plot *, Area);
+
+/* A short sample of a line for a legend, 2 columns: UTF-8. */
+const char *plot_key(LineStyle, char letter, Glyphs);
+
+/* How finely the glyphs of an area can draw: dots in a cell. */
+int plot_dots_across(Glyphs);
+int plot_dots_down(Glyphs);
+
+#endif

@@ -1,0 +1,280 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The parts of the screen in words (tell.h). */
+#include "picture/words/tell.h"
+
+#include "base/text.h"
+#include "views/inspector/inspector.h"
+#include "panes/panes.h"
+#include "views/view.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* As large as what is drawn there asks for; what adapts itself to the room leaves nothing out. */
+enum { TALL = 60, HELP_ROWS = 2000, SKETCH_ROWS = 24, DIGITS = 5 };
+
+static const struct {
+    const char *word;
+    TellPart part;
+} names[] = {
+    {"where", TELL_WHERE},   {"stage", TELL_STAGE},         {"parameters", TELL_PARAMETERS},
+    {"lesson", TELL_LESSON}, {"inspector", TELL_INSPECTOR}, {"body", TELL_BODY},
+    {"help", TELL_HELP},
+};
+
+/* --- what is drawn as words -------------------------------------------------------------------------- */
+
+static void tell_drawn(const Screen *screen, void (*draw)(const Screen *, Area), int rows, bool numbered,
+                       Words *words)
+{
+    Screen plain = *screen;
+    Canvas canvas = {.width = 0};
+    const Rect all = {0, 0, WORDS_WIDTH - (numbered ? 3 : 0), rows};
+    plain.look = (ScreenLook){.glyphs = GLYPHS_ASCII};
+    words->lost |= !canvas_open(&canvas, all.width, rows, NULL);
+    if (canvas.cells) {
+        draw(&plain, (Area){&canvas, all, GLYPHS_ASCII});
+        canvas_to_words(&canvas);
+        words_canvas(words, &canvas, numbered);
+    }
+    canvas_close(&canvas);
+}
+
+static void draw_upper(const Screen *screen, Area area)
+{
+    view_draw(screen->views.upper, screen, area, true);
+}
+
+static void draw_inspector(const Screen *screen, Area area)
+{
+    const Inspector *inspector = inspector_find(screen);
+    if (inspector)
+        inspector->draw(screen, area);
+}
+
+/* --- parts -------------------------------------------------------------------------------------------- */
+
+static void tell_where(const Screen *screen, Words *words)
+{
+    static const char *const states[] = {"paused", "running", "on the way", "at the end",
+                                         "stopped by a failure"};
+    const Experiment *experiment = screen->experiment;
+    const Settings *settings = experiment_settings(experiment);
+    const Simulation *sim = experiment_simulation(experiment);
+    const long back = experiment_newest(experiment) - experiment_step(experiment);
+    const Duel *duel = screen_second_run(screen) ? screen->duel : NULL;
+    char time[48], text[400];
+    screen_time_text(screen, experiment_time(experiment), time, sizeof time);
+    snprintf(text, sizeof text, "%s: %s, step %ld of %ld",
+             screen->scenario && *screen->scenario ? screen->scenario : settings->title, time,
+             experiment_step(experiment), experiment_last_step(experiment));
+    if (experiment_stage(experiment) > 0)
+        text_append(text, sizeof text, ", stage %d of %d is done", experiment_stage(experiment),
+                    sim->n_stages);
+    text_append(text, sizeof text, ", %s", states[screen->playback.state]);
+    if (back > 0)
+        text_append(text, sizeof text, ", %ld step%s back from the newest", back, back == 1 ? "" : "s");
+    if (duel)
+        text_append(text, sizeof text, "; two runs: A %s, B %s", duel->names[0], duel->names[1]);
+    words_say(words, 2, "%s.", text);
+}
+
+static void tell_focus(const Screen *screen, Words *words)
+{
+    static const char *const panes[] = {"the parameters", "the body", "", "", "the stage", "the inspector"};
+    const View *view = screen_view_in(screen, screen->panes.focus);
+    if (view)
+        words_say(words, 2, "Keys go to: the view %s.", view->word);
+    else
+        words_say(words, 2, "Keys go to: %s.",
+                  screen->lesson.open && screen->panes.focus == PANE_PARAMETERS ? "the lesson"
+                                                                                : panes[screen->panes.focus]);
+}
+
+static void tell_row(const Settings *settings, int kind, int row, Words *words)
+{
+    const RowKind *about = &row_kinds[kind];
+    char values[ROW_TEXT_MAX];
+    if (row == ROW_NEW) {
+        words_say(words, 2, "A new %s (%s): Enter adds one.", about->one, about->form);
+        return;
+    }
+    settings_row_show(settings, kind, row, values);
+    words_say(words, 2, "Row %s %s (%s): %s; Enter edits it, p moves it%s.", about->one,
+              settings->rows[kind].rows[row].name, about->form, values,
+              about->usual ? "" : ", C copies, D deletes");
+}
+
+static void tell_derived(const Screen *screen, int index, Words *words)
+{
+    Derived derived[DERIVED_MAX];
+    char value[NUMBER_TEXT_MAX];
+    experiment_derived(screen->experiment, derived);
+    text_rounded(value, derived[index].value, DIGITS);
+    words_say(words, 2, "%s: %s %s; it follows from the parameters.", derived[index].label, value,
+              derived[index].unit);
+}
+
+static void tell_parameter(const Screen *screen, Words *words)
+{
+    ParameterRow rows[PARAMETER_ROWS_MAX];
+    const int count = screen_parameter_rows(screen, rows), selected = screen->parameters.selected;
+    const Settings *settings = experiment_settings(screen->experiment);
+    const ParameterRow *row = selected >= 0 && selected < count ? &rows[selected] : NULL;
+    if (row && row->is_row)
+        tell_row(settings, row->kind, row->row, words);
+    else if (row && row->derived >= 0)
+        tell_derived(screen, row->derived, words);
+    if (!row || !row->parameter)
+        return;
+    char value[LIST_MAX], range[160];
+    settings_show(settings, row->parameter, value);
+    parameter_range(row->parameter, settings->problem, range, sizeof range);
+    words_say(words, 2, "Parameter %s (%s): %s; allowed: %s.", row->parameter->label, row->parameter->key,
+              *value ? value : "-", range);
+}
+
+/* "50 particles, 34 nodes.", then what the table has of the chosen one. */
+static void tell_body(const Screen *screen, Words *words)
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    const int set = screen->chosen.is_node && sim->n_sets > 1;
+    const size_t wanted = set ? screen->chosen.node : screen->chosen.particle;
+    const size_t index = wanted < sim->counts[set] ? wanted : sim->counts[set] - 1;
+    char text[1200] = "";
+    for (int i = 0; i < sim->n_sets; i++)
+        text_append(text, sizeof text, "%s%zu %s", i ? ", " : "", sim->counts[i], sim->sets[i].plural);
+    text_append(text, sizeof text, ". Chosen is %s %zu:", sim->sets[set].name, index);
+    for (int i = 0; i < sim->n_fields; i++) {
+        const Field *field = &sim->fields[i];
+        char value[NUMBER_TEXT_MAX], unit[40];
+        double number = NAN;
+        if (field->set != set || !field->in_table)
+            continue;
+        sim->method->field(sim, i, index, 1, &number);
+        text_rounded(value, number, DIGITS);
+        screen_unit_text(screen, field, unit, sizeof unit);
+        text_append(text, sizeof text, " %s %s%s,", field->quantity.label, value, unit);
+    }
+    text[strlen(text) - 1] = '.';
+    words_say(words, 2, "%s", text);
+}
+
+void tell_view(const Screen *screen, const View *view, Words *words)
+{
+    const char *variant = view_variant_word(view, screen, view_variant(view, screen));
+    const char *missing = view_missing(view, screen);
+    Sketch sketch;
+    if (missing) {
+        words_say(words, 2, "View %s: %s.", view->word, missing);
+        return;
+    }
+    screen_sketch(screen, view, WORDS_WIDTH, SKETCH_ROWS, &sketch);
+    if (sketch.has_axes)
+        words_say(words, 2, "View %s%s%s:", view->word, variant ? " " : "", variant ? variant : "");
+    if (!tell_sketch(&sketch, view->has_time_axis ? screen->time.cursor : NAN, words)) {
+        Screen alone = *screen;
+        alone.views.upper = view;
+        words_say(words, 2, "View %s%s%s.", view->word, variant ? " " : "", variant ? variant : "");
+        tell_drawn(&alone, draw_upper, SKETCH_ROWS, false, words);
+    }
+    if (view->tell)
+        view->tell(screen, words);
+    words->lost |= sketch.plot.lost;
+    sketch_close(&sketch);
+}
+
+void tell_part(const Screen *screen, TellPart part, Words *words)
+{
+    switch (part) {
+    case TELL_LESSON:
+        if (screen->lesson.open)
+            tell_drawn(screen, pane_lesson, TALL, false, words);
+        break;
+    case TELL_WHERE:
+        tell_where(screen, words);
+        break;
+    case TELL_FOCUS:
+        tell_focus(screen, words);
+        break;
+    case TELL_PARAMETER:
+        tell_parameter(screen, words);
+        break;
+    case TELL_STAGE:
+        tell_drawn(screen, pane_box, SKETCH_ROWS, true, words);
+        break;
+    case TELL_UPPER:
+        tell_view(screen, screen->views.upper, words);
+        break;
+    case TELL_LOWER:
+        tell_view(screen, screen->views.lower, words);
+        break;
+    case TELL_INSPECTOR:
+        if (screen->panes.inspecting)
+            tell_drawn(screen, draw_inspector, TALL, false, words);
+        break;
+    case TELL_PARAMETERS:
+        tell_drawn(screen, pane_parameters, PARAMETER_ROWS_MAX, false, words);
+        break;
+    case TELL_BODY:
+        tell_body(screen, words);
+        break;
+    case TELL_HELP:
+        tell_drawn(screen, help_draw, HELP_ROWS, false, words);
+        break;
+    case TELL_COUNT:
+        break;
+    }
+}
+
+bool tell_named(const Screen *screen, const char *word, Words *words)
+{
+    const View *view = view_named(word);
+    for (int part = 0; !*word && part < TELL_PARTS; part++)
+        tell_part(screen, (TellPart)part, words);
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        if (strcmp(word, names[i].word) == 0) {
+            tell_part(screen, names[i].part, words);
+            return true;
+        }
+    if (view)
+        tell_view(screen, view, words);
+    return view || !*word;
+}
+
+const char *tell_word(int i)
+{
+    return i < (int)(sizeof names / sizeof *names) ? names[i].word : NULL;
+}
+
+void tell_names(char *out, size_t size)
+{
+    view_names(out, size);
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        text_append(out, size, ", %s", names[i].word);
+}
+
+void tell_prompt(const Screen *screen, Words *words)
+{
+    const Prompt *prompt = &screen->prompt;
+    const FieldEdit *edit = &screen->parameters.edit;
+    if (!prompt->open && edit->open && edit->problem[0])
+        words_say(words, 2, "Refused: %s", edit->problem);
+    if (!prompt->open && edit->open)
+        words_say(words, 2, "The next line is its value; Esc leaves it.");
+    if (!prompt->open)
+        return;
+    words_say(words, 2, "Asked: %s", prompt->question);
+    if (prompt->yes_no)
+        words_say(words, 2, "Answer y or n.");
+    else if (prompt->text[0])
+        words_say(words, 2, "The next line is the answer; Esc leaves it; an empty line takes: %s",
+                  prompt->text);
+    else
+        words_say(words, 2, "The next line is the answer; Esc leaves it.");
+    if (prompt->problem[0])
+        words_say(words, 2, "Refused: %s", prompt->problem);
+    else if (prompt->hint[0])
+        words_say(words, 2, "%s", prompt->hint);
+}

@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The screen in plain words. What panes draw as words (a stage, a lesson, a table) is told as it is drawn,
+ * without frames; what views draw as curves or colours is told in sentences, made from what they plot. */
+#ifndef VIEW_TELL_H
+#define VIEW_TELL_H
+
+#include "panes/screen.h"
+#include "picture/words/words.h"
+
+/* The parts of the screen, in the order in which they are told. */
+typedef enum TellPart {
+    TELL_LESSON,
+    TELL_WHERE, /* scenario, time, step, state */
+    TELL_FOCUS, /* which pane the keys go to */
+    TELL_PARAMETER,
+    TELL_BODY,  /* what it is made of, and the chosen particle or node with its numbers */
+    TELL_STAGE, /* the stage at hand; between steps what comes, at the end what came out */
+    TELL_UPPER,
+    TELL_LOWER,
+    TELL_INSPECTOR,
+    TELL_PARTS, /* so far what is told by itself when it has changed; the others are asked for */
+    TELL_PARAMETERS = TELL_PARTS,
+    TELL_HELP,
+    TELL_COUNT
+} TellPart;
+
+void tell_part(const Screen *, TellPart, Words *);
+
+/* By what a person calls it: a view (and its present variant) or a part; "" all parts. False: there is no
+ * such thing. `known` says what there is. */
+bool tell_named(const Screen *, const char *word, Words *);
+void tell_names(char *out, size_t size);
+
+/* The word of a part by its number, from 0 on; NULL: there are no more. */
+const char *tell_word(int i);
+
+/* A question or a field that is open, and what may be answered. */
+void tell_prompt(const Screen *, Words *);
+
+/* One view: from what it plots, and by its own function what stands out. */
+void tell_view(const Screen *, const View *, Words *);
+
+/* tell_sketch.c: the curves of a plot, or the colours of a map; false: there are neither. `cursor` is the
+ * place at which each curve is read too; NAN: none. */
+bool tell_sketch(const struct Sketch *, double cursor, Words *);
+
+#endif

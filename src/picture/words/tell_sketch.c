@@ -1,0 +1,392 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Sentences about a plot or a map, from the display list that figures are made of (sketch.h). */
+#include "picture/sketch.h"
+#include "picture/words/tell.h"
+
+#include "base/math/functions.h"
+#include "base/text.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define ROUNDING 1e-9 /* of what an axis shows */
+
+enum { DIGITS = 4, NAME_MAX = 96 };
+
+/* --- numbers with their names ---------------------------------------------------------------------- */
+
+/* An axis's name is "v_cm x10^-3", "t, ms" or "x": the power of ten belongs to the labels, a unit to the
+ * values. */
+typedef struct Measure {
+    char name[SKETCH_TEXT_MAX], unit[24];
+    double scale;   /* values are divided by it */
+    double nothing; /* what is less is no more than rounding */
+} Measure;
+
+static Measure measure_of(const Axis *axis, const char *name)
+{
+    Measure measure = {.scale = 1, .nothing = ROUNDING * fmax(fabs(axis->low), fabs(axis->high))};
+    glyphs_plain(GLYPHS_ASCII, name, measure.name, sizeof measure.name);
+    char *power = strstr(measure.name, " x10^"), *comma = strrchr(measure.name, ',');
+    if (power) {
+        *power = '\0';
+    } else if (comma && (!comma[1] || comma[1] == ' ')) {
+        const char *word = comma + 1 + strspn(comma + 1, " ");
+        const size_t unit = strcspn(word, " "); /* behind it stands how the axis goes */
+        measure.scale = math_pow(10, axis->exponent);
+        if (unit > 0)
+            snprintf(measure.unit, sizeof measure.unit, " %.*s", unit < 22 ? (int)unit : 22, word);
+        *comma = '\0';
+    }
+    return measure;
+}
+
+static const char *number(const Measure *measure, double value, char out[NAME_MAX])
+{
+    char digits[NUMBER_TEXT_MAX];
+    text_rounded(digits, fabs(value) < measure->nothing ? 0 : value / measure->scale, DIGITS);
+    snprintf(out, NAME_MAX, "%s%s", digits, measure->unit);
+    return out;
+}
+
+/* --- a curve --------------------------------------------------------------------------------------- */
+
+typedef struct Curve {
+    const double *points; /* x, y, ...; the finite ones count */
+    size_t count;
+    bool upright; /* x is plotted over y */
+    size_t first, last, least, greatest;
+    long crossings; /* of zero */
+    double crossed; /* where the last one was */
+} Curve;
+
+static bool is_finite(const Curve *curve, size_t i)
+{
+    return isfinite(curve->points[2 * i]) && isfinite(curve->points[2 * i + 1]);
+}
+
+static double x_at(const Curve *curve, size_t i)
+{
+    return curve->points[2 * i + curve->upright];
+}
+
+static double y_at(const Curve *curve, size_t i)
+{
+    return curve->points[2 * i + !curve->upright];
+}
+
+/* False: nothing of it is a number. */
+static bool look_at(const double *points, size_t count, bool upright, Curve *curve)
+{
+    *curve = (Curve){.points = points, .count = count, .upright = upright, .first = count};
+    size_t before = count; /* the last one that is not on zero itself */
+    for (size_t i = 0; i < count; i++) {
+        if (!is_finite(curve, i))
+            continue;
+        if (curve->first == count)
+            curve->first = curve->least = curve->greatest = i;
+        curve->last = i;
+        curve->least = y_at(curve, i) < y_at(curve, curve->least) ? i : curve->least;
+        curve->greatest = y_at(curve, i) > y_at(curve, curve->greatest) ? i : curve->greatest;
+        if (y_at(curve, i) == 0)
+            continue;
+        if (before < count && (y_at(curve, before) > 0) != (y_at(curve, i) > 0)) {
+            const double share = y_at(curve, before) / (y_at(curve, before) - y_at(curve, i));
+            curve->crossings++;
+            curve->crossed = x_at(curve, before) + share * (x_at(curve, i) - x_at(curve, before));
+        }
+        before = i;
+    }
+    return curve->first < count;
+}
+
+/* Between its points; NAN: it does not reach there. Points ascend in x. */
+static double value_at(const Curve *curve, double x)
+{
+    size_t low = curve->first, high = curve->last;
+    if (!(x >= x_at(curve, low) && x <= x_at(curve, high)))
+        return NAN;
+    while (high - low > 1) {
+        const size_t middle = low + (high - low) / 2;
+        *(x_at(curve, middle) <= x ? &low : &high) = middle;
+    }
+    const double width = x_at(curve, high) - x_at(curve, low);
+    const double share = width > 0 ? (x - x_at(curve, low)) / width : 0;
+    return y_at(curve, low) + share * (y_at(curve, high) - y_at(curve, low));
+}
+
+static bool ascends(const Curve *curve)
+{
+    for (size_t i = curve->first; i < curve->last; i++)
+        if (!(x_at(curve, i) < x_at(curve, i + 1)))
+            return false;
+    return true;
+}
+
+static bool is_monotone(const Curve *curve, int direction)
+{
+    double before = y_at(curve, curve->first);
+    for (size_t i = curve->first; i <= curve->last; i++) {
+        if (!is_finite(curve, i))
+            continue;
+        if (direction * (y_at(curve, i) - before) < 0)
+            return false;
+        before = y_at(curve, i);
+    }
+    return true;
+}
+
+/* --- what is said of it ---------------------------------------------------------------------------- */
+
+/* The legend's entry that looks like the stroke; entries of the same look come in the same order. */
+static void name_of(const Sketch *sketch, int index, char name[NAME_MAX])
+{
+    const Stroke *stroke = &sketch->plot.strokes[index];
+    int earlier = 0;
+    for (int i = 0; i < index; i++)
+        earlier +=
+            sketch->plot.strokes[i].style == stroke->style && sketch->plot.strokes[i].line == stroke->line;
+    const SketchKey *named = NULL;
+    for (int i = 0; i < sketch->n_keys; i++) {
+        const SketchKey *key = &sketch->keys[i];
+        const bool of_run =
+            (key->name[0] == 'A' || key->name[0] == 'B') && (!key->name[1] || key->name[1] == ' ');
+        const bool alike = stroke->kind == STROKE_BAND ? !of_run : key->line == stroke->line;
+        if (key->style == stroke->style && alike && (!named || earlier-- > 0))
+            named = key;
+    }
+    if (named && named->letter)
+        snprintf(name, NAME_MAX, "earlier run %c, %.70s", named->letter, named->name);
+    else
+        snprintf(name, NAME_MAX, "%.90s",
+                 named                             ? named->name
+                 : stroke->kind == STROKE_BAND     ? "a part"
+                 : stroke->style == STYLE_MEASURED ? "measured"
+                                                   : "a curve");
+}
+
+static void say_curve(Words *words, const char *name, const Curve *curve, const Measure *x, const Measure *y)
+{
+    char a[NAME_MAX], b[NAME_MAX], c[NAME_MAX], d[NAME_MAX], text[1200] = "";
+    const double first = y_at(curve, curve->first), last = y_at(curve, curve->last);
+    const double least = y_at(curve, curve->least), greatest = y_at(curve, curve->greatest);
+    if (curve->first == curve->last) {
+        words_say(words, 4, "  %s: %s at %s %s.", name, number(y, first, a), x->name,
+                  number(x, x_at(curve, curve->first), b));
+        return;
+    }
+    text_append(text, sizeof text, "from %s %s to %s: ", x->name, number(x, x_at(curve, curve->first), a),
+                number(x, x_at(curve, curve->last), b));
+    if (!(greatest - least > y->nothing))
+        text_append(text, sizeof text, "stays at %s", number(y, first, a));
+    else if (is_monotone(curve, 1) || is_monotone(curve, -1))
+        text_append(text, sizeof text, "%s all the way from %s to %s", last > first ? "rises" : "falls",
+                    number(y, first, a), number(y, last, b));
+    else
+        text_append(text, sizeof text, "begins at %s, least %s at %s, greatest %s at %s", number(y, first, a),
+                    number(y, least, b), number(x, x_at(curve, curve->least), c), number(y, greatest, d),
+                    number(x, x_at(curve, curve->greatest), (char[NAME_MAX]){0}));
+    const bool changes = greatest - least > y->nothing;
+    number(x, curve->crossed, a);
+    if (changes && curve->crossings == 1)
+        text_append(text, sizeof text, "; crosses zero once, at %s", a);
+    else if (changes && curve->crossings > 1)
+        text_append(text, sizeof text, "; crosses zero %ld times, the last at %s", curve->crossings, a);
+    if (changes && !is_monotone(curve, 1) && !is_monotone(curve, -1)) {
+        size_t before = curve->last;
+        while (before > curve->first && (!is_finite(curve, before) || y_at(curve, before) == last))
+            before--;
+        text_append(text, sizeof text, "; ends at %s, %s", number(y, last, a),
+                    y_at(curve, before) < last ? "rising" : "falling");
+    }
+    words_say(words, 4, "  %s: %s.", name, text);
+}
+
+/* How far the measured curve is from another one. */
+static void say_distance(Words *words, const char *name, const char *other_name, const Curve *curve,
+                         const Curve *other, const Measure *x, const Measure *y)
+{
+    double most = 0, at = NAN, end = NAN;
+    if (!ascends(curve) || !ascends(other))
+        return;
+    for (size_t i = curve->first; i <= curve->last; i++) {
+        const double away = y_at(curve, i) - value_at(other, x_at(curve, i));
+        if (!isfinite(away))
+            continue;
+        end = away;
+        if (isnan(at) || fabs(away) > most)
+            most = fabs(away), at = x_at(curve, i);
+    }
+    char a[NAME_MAX], b[NAME_MAX], c[NAME_MAX];
+    if (!isnan(at) && !(most > y->nothing))
+        words_say(words, 4, "  %s lies on %s.", name, other_name);
+    else if (!isnan(at))
+        words_say(words, 4, "  %s is away from %s by at most %s, at %s %s; at the end it is %s %s.", name,
+                  other_name, number(y, most, a), x->name, number(x, at, b), number(y, fabs(end), c),
+                  end > 0   ? "above"
+                  : end < 0 ? "below"
+                            : "beside");
+}
+
+static void say_band(Words *words, const char *name, const double *points, size_t count, const Measure *x,
+                     const Measure *y)
+{
+    double most = -1, at = NAN, last = NAN;
+    for (size_t i = 0; i + 1 < count; i += 2) {
+        const double height = points[2 * i + 3] - points[2 * i + 1];
+        if (!isfinite(height))
+            continue;
+        last = height;
+        if (height > most)
+            most = height, at = points[2 * i];
+    }
+    char a[NAME_MAX], b[NAME_MAX], c[NAME_MAX];
+    if (!isnan(at))
+        words_say(words, 4, "  %s: a band of height %s at the end, at most %s at %s %s.", name,
+                  number(y, last, a), number(y, most, b), x->name, number(x, at, c));
+}
+
+static void say_dots(Words *words, const char *name, const Curve *curve, const Measure *x, const Measure *y)
+{
+    char a[NAME_MAX], b[NAME_MAX], c[NAME_MAX], d[NAME_MAX];
+    words_say(words, 4, "  %s: %zu dots, least %s at %s %s, greatest %s at %s.", name, curve->count,
+              number(y, y_at(curve, curve->least), a), x->name, number(x, x_at(curve, curve->least), b),
+              number(y, y_at(curve, curve->greatest), c), number(x, x_at(curve, curve->greatest), d));
+}
+
+/* The same thing drawn twice, as a line and as dots, is told once; two cracks that grow alike are two. */
+static bool is_told(const Sketch *sketch, int index)
+{
+    const Plot *plot = &sketch->plot;
+    for (int i = 0; i < index; i++)
+        if (plot->strokes[i].kind != plot->strokes[index].kind &&
+            plot->strokes[i].count == plot->strokes[index].count &&
+            plot->strokes[i].style == plot->strokes[index].style &&
+            memcmp(plot->points + 2 * plot->strokes[i].first, plot->points + 2 * plot->strokes[index].first,
+                   2 * plot->strokes[i].count * sizeof(double)) == 0)
+            return true;
+    return false;
+}
+
+/* Whether words can say how far the measured curve is from this one: another curve of the same thing, not a
+ * value that is marked from edge to edge. */
+static bool is_beside(const Sketch *sketch, const Stroke *stroke)
+{
+    const Plot *plot = &sketch->plot;
+    const double *points = plot->points + 2 * stroke->first;
+    const bool marked = stroke->count == 2 && points[0] == plot->x.low && points[2] == plot->x.high;
+    return sketch->compares && stroke->kind == STROKE_LINE && !marked &&
+           (stroke->style == STYLE_EXACT || stroke->style == STYLE_PREDICTED ||
+            stroke->style == STYLE_SECOND);
+}
+
+static void say_strokes(const Sketch *sketch, double cursor, Words *words)
+{
+    const Plot *plot = &sketch->plot;
+    const Measure across = measure_of(&plot->x, sketch->x_name);
+    const Measure up = measure_of(&plot->y, sketch->heading);
+    Measure x = sketch->upright ? up : across, y = sketch->upright ? across : up;
+    const char *height = strrchr(up.name, ','); /* "bending, y": the picture, and what goes up in it */
+    if (sketch->upright && height)
+        snprintf(x.name, sizeof x.name, "%s", height + 1 + strspn(height + 1, " "));
+    Curve measured = {.count = 0};
+    char name[NAME_MAX], whose[NAME_MAX] = "", a[NAME_MAX], b[NAME_MAX];
+    words_say(words, 4, "  %s over %s.", y.name, x.name);
+    for (int i = 0; i < plot->n_strokes; i++) {
+        const Stroke *stroke = &plot->strokes[i];
+        const double *points = plot->points + 2 * stroke->first;
+        Curve curve;
+        if (stroke->count == 0 || is_told(sketch, i) ||
+            !look_at(points, stroke->count, sketch->upright, &curve))
+            continue;
+        name_of(sketch, i, name);
+        if (stroke->kind == STROKE_BAND)
+            say_band(words, name, points, stroke->count, &x, &y);
+        else if (stroke->kind == STROKE_DOTS)
+            say_dots(words, name, &curve, &x, &y);
+        else
+            say_curve(words, name, &curve, &x, &y);
+        if (stroke->kind == STROKE_LINE && isfinite(value_at(&curve, cursor)))
+            words_say(words, 4, "  %s at the cursor, %s %s: %s.", name, x.name, number(&x, cursor, a),
+                      number(&y, value_at(&curve, cursor), b));
+        if (stroke->kind == STROKE_LINE && stroke->style == STYLE_MEASURED && measured.count == 0) {
+            measured = curve;
+            snprintf(whose, sizeof whose, "%s", name);
+        }
+    }
+    for (int i = 0; i < plot->n_strokes && measured.count > 0; i++) {
+        const Stroke *stroke = &plot->strokes[i];
+        Curve curve;
+        if (!is_beside(sketch, stroke) ||
+            !look_at(plot->points + 2 * stroke->first, stroke->count, sketch->upright, &curve))
+            continue;
+        name_of(sketch, i, name);
+        say_distance(words, whose, name, &measured, &curve, &x, &y);
+    }
+}
+
+/* --- a map ------------------------------------------------------------------------------------------ */
+
+/* "37 % along, at the upper edge" */
+static void place_of(const SketchMap *map, size_t piece, char out[NAME_MAX])
+{
+    const int column = (int)(piece % (size_t)map->nx), row = (int)(piece / (size_t)map->nx);
+    const double along = map->nx > 1 ? 100.0 * column / (map->nx - 1) : 0;
+    if (row == 0 || row == map->ny - 1)
+        snprintf(out, NAME_MAX, "%.0f %% along, at the %s edge", along, row == 0 ? "lower" : "upper");
+    else
+        snprintf(out, NAME_MAX, "%.0f %% along, %.0f %% up", along, 100.0 * row / (map->ny - 1));
+}
+
+/* "greatest: 1.2 J/m^3, 37 % along, at the upper edge." */
+static void say_piece(Words *words, const char *what, const SketchMap *map, size_t piece)
+{
+    char place[NAME_MAX], value[NUMBER_TEXT_MAX];
+    place_of(map, piece, place);
+    text_rounded(value, map->value[piece], DIGITS);
+    words_say(words, 4, "  %s: %s%s%s, %s.", what, value, map->unit[0] ? " " : "", map->unit, place);
+}
+
+static void say_map(const Sketch *sketch, Words *words)
+{
+    const SketchMap *map = sketch->map;
+    const size_t count = (size_t)map->nx * (size_t)map->ny;
+    size_t least = count, greatest = count, shown = 0;
+    for (size_t i = 0; i < count; i++) {
+        if (!isfinite(map->value[i]))
+            continue;
+        shown++;
+        least = least == count || map->value[i] < map->value[least] ? i : least;
+        greatest = greatest == count || map->value[i] > map->value[greatest] ? i : greatest;
+    }
+    char times[NUMBER_TEXT_MAX], value[NUMBER_TEXT_MAX];
+    text_factor(map->enlarged, times);
+    words_say(words, 4, "  %d by %d nodes, coloured by %s; displacements are drawn %s times as large.",
+              map->nx, map->ny, sketch->heading, times);
+    if (shown > 0 && map->value[greatest] == map->value[least]) {
+        text_rounded(value, map->value[least], DIGITS);
+        words_say(words, 4, "  everywhere %s%s%s.", value, map->unit[0] ? " " : "", map->unit);
+    } else if (shown > 0) {
+        say_piece(words, "greatest", map, greatest);
+        say_piece(words, "least", map, least);
+    }
+    if (shown < count)
+        words_say(words, 4, "  %zu nodes are too much damaged to have a colour.", count - shown);
+}
+
+bool tell_sketch(const Sketch *sketch, double cursor, Words *words)
+{
+    if (!sketch->has_axes)
+        return false;
+    if (sketch->map)
+        say_map(sketch, words);
+    else if (sketch->plot.n_strokes > 0)
+        say_strokes(sketch, cursor, words);
+    for (int i = 0; i < sketch->n_labels; i++)
+        words_say(words, 4, "  in the drawing: %s", sketch->labels[i].text);
+    for (int i = 0; i < sketch->n_notes; i++)
+        words_say(words, 4, "  %s", sketch->notes[i].text + strspn(sketch->notes[i].text, " "));
+    return true;
+}

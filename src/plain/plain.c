@@ -1,0 +1,501 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The host of plain words: lines become keys, and what they changed is told. */
+#include "plain/plain.h"
+
+#include "base/input.h"
+#include "base/signals.h"
+#include "base/visible.h"
+#include "lab/session/session.h"
+
+#include <limits.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+#include <wchar.h>
+
+#define PROGRESS_SECONDS 5.0 /* of the wall, between two words about work that takes long */
+
+/* Everything has room on such a screen. */
+enum { WIDTH = 132, HEIGHT = 43, PLAIN_LINE_MAX = 4096 };
+
+static double now(void *context)
+{
+    return ((const Plain *)context)->time;
+}
+
+static void worked(void *context, long steps)
+{
+    (void)context;
+    (void)steps;
+}
+
+static double wall(void)
+{
+    struct timespec time;
+    clock_gettime(CLOCK_MONOTONIC, &time);
+    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
+}
+
+/* --- what is told ------------------------------------------------------------------------------------- */
+
+/* In the encoding of the locale, with a question mark for what it does not have. */
+static void put(Plain *plain, const char *text)
+{
+    for (const char *at = text; *at;) {
+        char bytes[MB_LEN_MAX];
+        mbstate_t state = {0};
+        const uint32_t glyph = glyph_next(&at);
+        const size_t count = glyph < 0x80 ? (size_t)-1 : wcrtomb(bytes, (wchar_t)glyph, &state);
+        if (count != (size_t)-1)
+            fwrite(bytes, 1, count, plain->out);
+        else
+            fputc(glyph < 0x80 ? (int)glyph : '?', plain->out);
+    }
+    plain->said = true;
+}
+
+static void put_words(Plain *plain, Words *words)
+{
+    if (words->text)
+        put(plain, words->text);
+    words_close(words);
+}
+
+static void say(Plain *plain, const char *text)
+{
+    Words words = {.text = NULL};
+    words_say(&words, 2, "%s", text);
+    put_words(plain, &words);
+}
+
+static void echo(Plain *plain, const char *line)
+{
+    Words words = {.text = NULL};
+    words_say(&words, 2, "> %s", line);
+    put_words(plain, &words);
+}
+
+static void tell_where(Plain *plain)
+{
+    Words words = {.text = NULL};
+    tell_part(&plain->lab.screen, TELL_WHERE, &words);
+    put_words(plain, &words);
+}
+
+static void tell_asked(void *context, const char *text)
+{
+    put(context, text);
+}
+
+/* Work that takes long is told now and then to whoever sits there; false: it is given up. */
+static bool go_on(void *context)
+{
+    Plain *plain = context;
+    if (plain->talks && wall() > plain->told_at + PROGRESS_SECONDS) {
+        plain->told_at = wall();
+        if (plain->lab.screen.message.text[0])
+            say(plain, plain->lab.screen.message.text);
+        else if (plain->lab.screen.experiment)
+            tell_where(plain);
+        fflush(plain->out);
+    }
+    return signals_ended_by() == 0;
+}
+
+static void forget_told(void *context)
+{
+    Plain *plain = context;
+    for (int part = 0; part < TELL_PARTS; part++)
+        words_close(&plain->last[part]);
+}
+
+static void suspend(void *context)
+{
+    Plain *plain = context;
+    if (plain->talks)
+        raise(SIGTSTP);
+    else
+        say(plain, "There is no shell to go back to: the lines come from a file.");
+}
+
+/* What of the screen changes with a single step goes without saying there, a stage apart. */
+static bool is_due(const Plain *plain, TellPart part, bool still, bool moved_far)
+{
+    const Screen *screen = &plain->lab.screen;
+    const bool first = !plain->last[TELL_WHERE].text;
+    const bool rests = screen->playback.state == STATE_ENDED || screen->playback.state == STATE_FAILED;
+    if (part == TELL_STAGE)
+        return experiment_stage(screen->experiment) > 0 || rests || (first && !screen->lesson.open);
+    if (part == TELL_UPPER || part == TELL_LOWER)
+        return moved_far || first;
+    if (part == TELL_BODY) /* within a step the stage tells of the chosen one */
+        return still && !first && experiment_stage(screen->experiment) == 0;
+    if (part == TELL_FOCUS || part == TELL_PARAMETER)
+        return !first;
+    return true;
+}
+
+static bool has_line(const char *text, const char *line, size_t length)
+{
+    for (const char *at = text; at && *at; at = strchr(at, '\n') + 1) /* each line has an end: words.c */
+        if (strncmp(at, line, length) == 0)
+            return true;
+    return false;
+}
+
+/* Of a page that is still open only the lines that are new. */
+static void tell_page(Plain *plain, const char *text, const char *before)
+{
+    const size_t heading = strcspn(text, "\n") + 1;
+    const bool same = *text && strncmp(before, text, heading) == 0;
+    for (const char *line = text; *line;) {
+        const size_t length = strcspn(line, "\n") + 1;
+        Words words = {.text = NULL};
+        if (!same || !has_line(before, line, length))
+            words_say(&words, 2, "%.*s", (int)length - 1, line);
+        put_words(plain, &words);
+        line += length;
+    }
+}
+
+/* Each part that is another one than when it was told last. */
+static void tell_changes(Plain *plain)
+{
+    const Screen *screen = &plain->lab.screen;
+    const Experiment *experiment = screen->experiment;
+    const long step = experiment_step(experiment), stage = experiment_stage(experiment);
+    const bool still = step == plain->step && stage == plain->stage;
+    const bool moved_far = still || labs(step - plain->step) > 1;
+    const bool was_told = plain->last[TELL_WHERE].text != NULL;
+    for (int part = 0; part < TELL_PARTS; part++) {
+        Words words = {.text = NULL};
+        tell_part(screen, (TellPart)part, &words);
+        const char *text = words.text ? words.text : "", *before = plain->last[part].text;
+        const bool is_news = strcmp(text, before ? before : "") != 0;
+        if (is_news && is_due(plain, (TellPart)part, still, moved_far) &&
+            (was_told || part != TELL_STAGE || !before))
+            part == TELL_LESSON ? tell_page(plain, text, before ? before : "") : put(plain, text);
+        if (words.lost)
+            say(plain, "Memory was short: something is left out.");
+        words_close(&plain->last[part]);
+        plain->last[part] = words;
+    }
+    plain->step = step;
+    plain->stage = stage;
+}
+
+/* Parameters of the same run that have another value now. */
+static void tell_edits(Plain *plain)
+{
+    const Experiment *experiment = plain->lab.screen.experiment;
+    const Settings *settings = experiment_settings(experiment);
+    for (int i = 0; i < n_parameters && experiment == plain->of; i++) {
+        char was[LIST_MAX], is[LIST_MAX];
+        Words words = {.text = NULL};
+        if (!parameter_applies_to(settings, &parameters[i]) ||
+            !parameter_applies_to(&plain->settings, &parameters[i]))
+            continue;
+        settings_get(&plain->settings, &parameters[i], was);
+        settings_get(settings, &parameters[i], is);
+        if (strcmp(was, is) != 0)
+            words_say(&words, 2, "%s (%s): %s, before: %s.", parameters[i].label, parameters[i].key,
+                      *is ? is : "-", *was ? was : "-");
+        put_words(plain, &words);
+    }
+    char about[64], was[ROW_TEXT_MAX], is[ROW_TEXT_MAX];
+    const bool both = experiment == plain->of && settings->problem == plain->settings.problem;
+    for (int i = 0; both && settings_rows_difference(settings, &plain->settings, i, about, is, was); i++) {
+        Words words = {.text = NULL};
+        words_say(&words, 2, "%s: %s, before: %s.", about, is, was);
+        put_words(plain, &words);
+    }
+    plain->of = experiment;
+    plain->settings = *settings;
+}
+
+static void tell_message(Plain *plain)
+{
+    Message *message = &plain->lab.screen.message;
+    if (message->kind != MESSAGE_NONE)
+        say(plain, message->text);
+    message->kind = MESSAGE_NONE;
+}
+
+static void tell_question(Plain *plain)
+{
+    Words words = {.text = NULL};
+    tell_prompt(&plain->lab.screen, &words);
+    put_words(plain, &words);
+}
+
+/* --- keys ---------------------------------------------------------------------------------------------- */
+
+static void press(Plain *plain, const char *name)
+{
+    Key key = {.x = -1, .y = -1};
+    if (plain->lab.closed)
+        return;
+    snprintf(key.name, sizeof key.name, "%.15s", name);
+    laboratory_key(&plain->lab, &key);
+}
+
+/* Presses the first character of a text, and returns what is behind it. */
+static const char *press_character(Plain *plain, const char *text)
+{
+    char name[8];
+    size_t length = 1;
+    while (((unsigned char)text[length] & 0xc0) == 0x80 && length < 4)
+        length++;
+    snprintf(name, sizeof name, "%.*s", (int)length, text);
+    press(plain, strcmp(name, " ") == 0 ? "Space" : name);
+    return text + length;
+}
+
+static void type(Plain *plain, const char *text)
+{
+    while (*text)
+        text = press_character(plain, text);
+}
+
+/* ^C of somebody who sits there meant the work, not the program. */
+static void forget_interrupt(const Plain *plain)
+{
+    if (plain->talks && signals_ended_by() == SIGINT)
+        signals_forget();
+}
+
+/* The clock of a run by lines goes on by frames; of somebody who sits there it is that of the wall. */
+static void pass_time(Plain *plain)
+{
+    const double at = wall();
+    plain->time += plain->talks ? at - plain->seen_at : FRAME_SECONDS;
+    plain->seen_at = at;
+}
+
+/* Frames until nothing is under way: a run to where it stops, a stretch of time once, slow motion through one
+ * time step. */
+static void let_it_work(Plain *plain)
+{
+    Laboratory *lab = &plain->lab;
+    const long begun = experiment_step(lab->screen.experiment);
+    double before = experiment_time(lab->screen.experiment);
+    long stage = experiment_stage(lab->screen.experiment);
+    bool came_back = false;
+    plain->told_at = wall();
+    while (laboratory_active(lab)) {
+        pass_time(plain);
+        laboratory_frame(lab, plain->time);
+        const Experiment *experiment = lab->screen.experiment;
+        came_back |= experiment_time(experiment) < before && lab->screen.playback.looping;
+        before = experiment_time(experiment);
+        if (lab->screen.playback.slow && experiment_stage(experiment) != stage)
+            tell_changes(plain);
+        stage = experiment_stage(experiment);
+        if (!go_on(plain)) {
+            forget_interrupt(plain);
+            press(plain, lab->screen.playback.state == STATE_RUNNING ? "Space" : "^C");
+            return;
+        }
+        if ((came_back && lab->screen.playback.state == STATE_RUNNING) ||
+            (lab->screen.playback.slow && experiment_step(experiment) != begun))
+            press(plain, "Space");
+    }
+}
+
+/* --- lines --------------------------------------------------------------------------------------------- */
+
+static bool is_key(const char *line)
+{
+    return keys_known(line) && strcmp(line, ":") != 0;
+}
+
+/* In place of what stands in the question or the field. */
+static void answer(Plain *plain, const char *line)
+{
+    const Prompt *prompt = &plain->lab.screen.prompt;
+    if (line[0] && line[1] && keys_known(line)) {
+        press(plain, line); /* Esc, Down, Tab, ... */
+    } else if (prompt->open && prompt->yes_no) {
+        *line ? (void)press_character(plain, line) : press(plain, "Enter");
+    } else {
+        if (*line) {
+            press(plain, "End");
+            press(plain, "^U");
+            type(plain, line);
+        }
+        press(plain, "Enter");
+    }
+}
+
+/* Behind `:`; what is refused is told and leaves no question open. */
+static void command(Plain *plain, const char *line)
+{
+    const Prompt *prompt = &plain->lab.screen.prompt;
+    if (strlen(line) >= sizeof prompt->text) {
+        say(plain, "The line is too long for a command.");
+        return;
+    }
+    if (plain->lab.screen.parameters.rows.placing) {
+        say(plain,
+            "A row is being moved: Left, Right, Up and Down do it, Tab takes its other end, Enter takes "
+            "it, Esc drops it.");
+        return;
+    }
+    press(plain, ":");
+    type(plain, line);
+    press(plain, "Enter");
+    if (!prompt->open || !prompt->problem[0])
+        return;
+    say(plain, prompt->problem);
+    press(plain, "Esc");
+}
+
+static void take(Plain *plain, const char *line)
+{
+    const Screen *screen = &plain->lab.screen;
+    const Experiment *before = screen->experiment;
+    if (screen->help.open)
+        press(plain, "Esc");
+    if (screen->prompt.open || screen->parameters.edit.open)
+        answer(plain, line);
+    else if (!*line)
+        press(plain, "Enter");
+    else if (is_key(line))
+        press(plain, line);
+    else
+        command(plain, line);
+    /* what is opened by hand waits to be looked at */
+    if (screen->experiment != before && screen->playback.state == STATE_RUNNING && !screen->lesson.lesson)
+        press(plain, "Space");
+}
+
+/* The help is told whole, and closed again by the next line. */
+static void tell_help(Plain *plain)
+{
+    Words words = {.text = NULL};
+    Screen *screen = &plain->lab.screen;
+    const int open = screen->help.page;
+    for (screen->help.page = 0; screen->help.page < help_pages(); screen->help.page++)
+        tell_part(screen, TELL_HELP, &words);
+    screen->help.page = open;
+    put_words(plain, &words);
+}
+
+static bool draw(Plain *plain, Status *status)
+{
+    return laboratory_draw(&plain->lab, &plain->canvas, WIDTH, HEIGHT) ||
+           status_fail(status, STATUS_FAILED, "out of memory");
+}
+
+bool plain_line(Plain *plain, const char *typed, Status *status)
+{
+    char line[PLAIN_LINE_MAX + 1];
+    snprintf(line, sizeof line, "%s", typed);
+    for (char *tab = line; (tab = strchr(tab, '\t'));)
+        *tab = ' ';
+    if (plain->echo)
+        echo(plain, line);
+    plain->said = false;
+    if (plain->talks)
+        pass_time(plain);
+    if (visible_is_clean(line))
+        take(plain, line);
+    else
+        say(plain, "This line is no text in UTF-8, or holds characters that cannot be seen.");
+    forget_interrupt(plain);
+    tell_message(plain); /* it would not outlast the work */
+    let_it_work(plain);
+    if (!draw(plain, status))
+        return false;
+    tell_message(plain);
+    tell_edits(plain);
+    if (plain->lab.screen.help.open)
+        tell_help(plain);
+    tell_changes(plain);
+    tell_question(plain);
+    if (!plain->said)
+        say(plain, plain->lab.closed ? "Left." : "Done.");
+    fflush(plain->out);
+    return true;
+}
+
+/* --- from beginning to end ----------------------------------------------------------------------------- */
+
+bool plain_open(Plain *plain, const LaboratoryOptions *options, FILE *out, Status *status)
+{
+    const Host host = {now, worked, go_on, forget_told, suspend, plain, NULL, tell_asked};
+    LaboratoryOptions how = *options;
+    how.paused = true;
+    *plain = (Plain){.out = out, .seen_at = wall()};
+    if (!laboratory_open(&plain->lab, &how, &host, status))
+        return false;
+    plain->lab.screen.look.glyphs = GLYPHS_ASCII;
+    plain->lab.utf8 = false;
+    say(plain,
+        "matvib in plain words. A line is a key by its name (] is a stage, . a step, Space a run) or a "
+        "command: until end, show energies, initial.mode=3, tell stage. tell alone tells all again, "
+        "help every command, quit leaves.");
+    let_it_work(plain);
+    if (!draw(plain, status)) {
+        plain_close(plain);
+        return false;
+    }
+    tell_message(plain);
+    tell_edits(plain);
+    tell_changes(plain);
+    tell_question(plain);
+    fflush(out);
+    return true;
+}
+
+void plain_close(Plain *plain)
+{
+    forget_told(plain);
+    laboratory_close(&plain->lab);
+    canvas_close(&plain->canvas);
+}
+
+static bool read_lines(Plain *plain, FILE *in, const char *name, Status *status)
+{
+    InputLines lines = {.stream = in, .name = name};
+    char line[PLAIN_LINE_MAX + 1];
+    InputGot got = INPUT_LINE;
+    while (!plain->lab.closed && signals_ended_by() == 0) {
+        if (plain->talks) {
+            fputs("> ", plain->out);
+            fflush(plain->out);
+        }
+        if ((got = input_line(&lines, line, sizeof line, status)) != INPUT_LINE)
+            break;
+        for (size_t end = strlen(line); end > 0 && line[end - 1] == ' ';)
+            line[--end] = '\0';
+        if (!plain_line(plain, line + strspn(line, " "), status))
+            return false;
+    }
+    return got != INPUT_WRONG;
+}
+
+int plain_play(FILE *in, const char *name, FILE *out, const LaboratoryOptions *options, Session *recording,
+               Status *status)
+{
+    Plain *plain = calloc(1, sizeof *plain);
+    signals_catch();
+    bool sound = plain || status_fail(status, STATUS_FAILED, "out of memory");
+    if (sound && (sound = plain_open(plain, options, out, status))) {
+        plain->echo = !isatty(fileno(in));
+        plain->talks = !plain->echo;
+        plain->lab.recording = recording;
+        session_note_start(recording, &plain->lab);
+        sound = read_lines(plain, in, name, status);
+        session_note_end(recording, &plain->lab);
+        plain_close(plain);
+    }
+    free(plain);
+    const int ended_by = signals_ended_by();
+    if (ended_by && status)
+        *status = (Status){STATUS_DONE, ""}; /* that reading was interrupted needs no word */
+    signals_release();
+    return ended_by ? 128 + ended_by : sound ? STATUS_DONE : (int)status->code;
+}

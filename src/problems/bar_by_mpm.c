@@ -1,0 +1,346 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The bar by the material point method: settings to simulation, exact and predicted answers beside. */
+#include "answers/bar_answers.h"
+#include "problems/solvers.h"
+#include "theory/step_limit.h"
+#include "theory/step_spectrum.h"
+#include "theory/swing.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+
+static double best_blend(const Settings *settings)
+{
+    return bar_mass_blend_auto(settings->mpm.shape, settings->mesh.particles_per_cell,
+                               settings->time.courant);
+}
+
+double bar_mass_blend_of(const Settings *settings)
+{
+    const double given = settings->mpm.mass_blend;
+    return given > 0 ? given : best_blend(settings);
+}
+
+BarMesh bar_mesh_of(const Settings *settings, double dt)
+{
+    static const MeshAlgorithm algorithms[] = {
+        [MPM_USF] = MESH_USF, [MPM_USL] = MESH_USL, [MPM_MUSL] = MESH_MUSL};
+    static const MeshShape shapes[] = {[MPM_HAT] = MESH_HAT,
+                                       [MPM_GIMP] = MESH_GIMP,
+                                       [MPM_BSPLINE2] = MESH_BSPLINE2,
+                                       [MPM_BSPLINE3] = MESH_BSPLINE3,
+                                       [MPM_CPDI] = MESH_GIMP}; /* at rest they are the same */
+    const Transfer *mpm = &settings->mpm;
+    return (BarMesh){.cell_size = settings->mesh.cell_size,
+                     .particles_per_cell = settings->mesh.particles_per_cell,
+                     .padding = settings->mesh.padding,
+                     .algorithm = algorithms[mpm->algorithm],
+                     .shape = shapes[mpm->shape],
+                     .apic = mpm->transfer == MPM_APIC,
+                     .flip_fraction = mpm->flip_fraction,
+                     .consistent = 1 - bar_mass_blend_of(settings),
+                     .fmpm_order = mpm->transfer == MPM_FMPM ? mpm->fmpm_order : 0,
+                     .dt = dt,
+                     .patience = settings->patience};
+}
+
+BarDef bar_mpm_definition(const Settings *settings)
+{
+    return (BarDef){
+        .length = settings->geometry.length,
+        .youngs_modulus = settings->material.youngs_modulus,
+        .density = settings->material.density,
+        .supports = settings->supports.ends,
+        .joint = settings->joint.place,
+        .joint_modulus = settings->joint.beyond.youngs_modulus,
+        .joint_density = settings->joint.beyond.density,
+        .cell_size = settings->mesh.cell_size,
+        .particles_per_cell = settings->mesh.particles_per_cell,
+        .padding = settings->mesh.padding,
+        .body_force = settings->loads.body_force,
+        .traction = settings->loads.traction,
+        .traction_layer = settings->loads.traction_layer,
+        .algorithm = settings->mpm.algorithm,
+        .shape = settings->mpm.shape,
+        .transfer = settings->mpm.transfer,
+        .flip_fraction = settings->mpm.flip_fraction,
+        .mass_blend = settings->mpm.mass_blend,
+        .fmpm_order = settings->mpm.fmpm_order,
+        .courant = settings->time.courant,
+        .patience = settings->patience,
+    };
+}
+
+static bool check(const Settings *settings, Status *status)
+{
+    const BarDef bar = bar_mpm_definition(settings);
+    Pulse pulse;
+    const double cells = round(bar.length / bar.cell_size);
+    return bar_check(&bar, status) && pulse_read(settings->start.pulse, &pulse, status) &&
+           bar_check_modes(settings, cells * bar.particles_per_cell, status) &&
+           problem_check_steps(settings->time.end, bar_time_step(settings), status);
+}
+
+static Simulation *simulate(const Settings *settings, int threads, Status *status)
+{
+    (void)threads; /* a bar is too small to be shared */
+    BarTheory theory;
+    if (!bar_theory_of(settings, &theory, status))
+        return NULL;
+    BarDef def = bar_mpm_definition(settings);
+    def.initial_velocity = bar_start;
+    def.initial_slope = settings->mpm.affine_start == AFFINE_GRADIENT ? bar_start_slope : NULL;
+    def.initial_stress = theory.pulse.velocity != 0 ? bar_start_stress : NULL;
+    def.initial_context = &theory;
+    return bar_create(&def, status);
+}
+
+static double predicted_frequency(const Settings *settings, const BarTheory *theory, double dt, int mode)
+{
+    const BarMesh mesh = bar_mesh_of(settings, dt);
+    const StepMode found = step_mode(theory, &mesh, mode);
+    return found.known ? found.frequency : NAN;
+}
+
+static bool predict(const Settings *settings, Prediction *out, Status *status)
+{
+    BarTheory theory;
+    if (!bar_theory_of(settings, &theory, status))
+        return false;
+    const int mode = bar_watched_mode(&theory);
+    *out = (Prediction){NAN, NAN, NAN, NAN};
+    if (mode > 0) {
+        out->theory = out->real_size = bar_frequency(&theory, mode);
+        out->predicted = predicted_frequency(settings, &theory, bar_time_step(settings), mode);
+    }
+    return true;
+}
+
+static double predicted_v_cm(References *refs, long step, double time, const double *row)
+{
+    (void)time, (void)row;
+    return dispersion_centre_velocity(&bar_answers(refs)->theory, &bar_answers(refs)->mesh, step);
+}
+
+static bool prepare(References *refs, const Settings *settings, const Simulation *sim, Status *status)
+{
+    BarTheory theory;
+    if (!bar_theory_of(settings, &theory, status))
+        return false;
+    BarAnswers *bar = bar_answers_create(refs, status);
+    if (!bar)
+        return false;
+    bar->mesh = bar_mesh_of(settings, sim->dt);
+    const bool whole = dispersion_predicts_centre_velocity(&theory, &bar->mesh);
+    errno = 0;
+    if (!bar_prepare(refs, settings, sim, predicted_frequency, whole ? predicted_v_cm : NULL,
+                     "velocity of the centre of mass predicted for this mesh", status))
+        return false;
+    const StepMode found = step_mode(&theory, &bar->mesh, bar->watch.mode);
+    if (bar->watch.mode > 0 && found.known) {
+        bar->watch.overlap = found.overlap;
+        bar->watch.kept = found.frequency > 0 ? swing_kept(found.decay, bar->watch.exact) : NAN;
+    }
+    return bar_prediction_is_whole(round(settings->geometry.length / settings->mesh.cell_size), "cells",
+                                   status);
+}
+
+/* --- derived numbers and advice ------------------------------------------------------------------- */
+
+static int derived(const Settings *settings, const Simulation *sim, Derived out[DERIVED_MAX])
+{
+    int n = 0;
+    BarTheory theory;
+    double dt = sim ? sim->dt : bar_time_step(settings);
+    double cells = round(settings->geometry.length / settings->mesh.cell_size);
+    if (!bar_theory_of(settings, &theory, NULL))
+        return 0;
+    BarMesh mesh = bar_mesh_of(settings, dt);
+    bar_derived_step(out, &n, bar_wave_speed(&theory), dt);
+    bar_derived_wave(out, &n, settings, &theory, predicted_frequency, dt);
+    int mode = bar_watched_mode(&theory);
+    if (bar_watch(&theory).moving)
+        derived_add(out, &n, "cells_per_wave", "cells/wave", "1",
+                    2 * M_PI / bar_largest_wave_number(&theory, mode > 0 ? mode : 1) /
+                        settings->mesh.cell_size,
+                    false);
+    /* the sampled mode is a mixture, and swings at more than the frequency predicted */
+    const StepMode found = step_mode(&theory, &mesh, mode);
+    if (mode > 0 && found.known && found.overlap < READOUT_PURE)
+        derived_add_answer(out, &n, REFERENCE_PREDICTED, "mode_overlap", "mode overlap", "1", found.overlap);
+    if (settings->mpm.mass_blend == 0)
+        derived_add(out, &n, "mass_blend", "mass blend mu*", "1", bar_mass_blend_of(settings), false);
+    derived_add(out, &n, "cells", "cells", "1", cells, true);
+    derived_add(out, &n, "particles", "particles", "1", cells * settings->mesh.particles_per_cell, true);
+    double largest = step_limit(&theory, &mesh);
+    if (isfinite(largest))
+        derived_add_answer(out, &n, REFERENCE_PREDICTED, "largest_courant", "courant limit", "1", largest);
+    return n;
+}
+
+/* The largest courant number that is stable, asked for one that is not. The best mass blend depends on it:
+ * what is stable with the share of the step asked for need not be with its own, so the step falls until it
+ * is. */
+static double stable_courant(const Settings *settings, const BarTheory *theory, double largest)
+{
+    enum { TRIES_MAX = 100 };
+    Settings smaller = *settings;
+    if (settings->mpm.mass_blend > 0)
+        return largest;
+    for (int i = 0; i < TRIES_MAX; i++) {
+        smaller.time.courant = largest * (1 - 1e-4);
+        const BarMesh mesh = bar_mesh_of(&smaller, bar_time_step(&smaller));
+        largest = step_limit(theory, &mesh);
+        if (smaller.time.courant <= largest)
+            break;
+    }
+    return smaller.time.courant;
+}
+
+bool bar_limit(const Settings *settings, char *text, size_t size, Status *status)
+{
+    BarTheory theory;
+    if (!bar_theory_of(settings, &theory, status))
+        return false;
+    BarMesh mesh = bar_mesh_of(settings, bar_time_step(settings));
+    const double courant = settings->time.courant;
+    errno = 0;
+    const double largest = step_limit(&theory, &mesh);
+    if (errno == ENOMEM)
+        return status_fail(status, STATUS_FAILED, "not enough memory for the largest stable time step");
+    if (courant > largest && !settings->time.unstable)
+        return status_fail(
+            status, STATUS_USAGE,
+            "time.courant: %.6g is unstable on this mesh (at most %.5g, or time.unstable = yes)", courant,
+            stable_courant(settings, &theory, largest));
+    if (courant > largest)
+        snprintf(text, size, "courant %.4g is beyond the largest stable one, %.5g: this run will blow up",
+                 courant, largest);
+    else if (courant >= (settings->mpm.algorithm == MPM_USL ? 0.7 : 1))
+        snprintf(text, size, "courant %.4g is near the largest stable one, %.5g", courant, largest);
+    return true;
+}
+
+/* --- every mode on the mesh ----------------------------------------------------------------------- */
+
+/* Of two materials a mode is no wave of one length. */
+static int modes(const Settings *settings)
+{
+    BarTheory theory;
+    if (!bar_theory_of(settings, &theory, NULL) || bar_is_layered(&theory))
+        return 0;
+    return bar_modes_of(round(settings->geometry.length / settings->mesh.cell_size));
+}
+
+static Dispersion wave_on_mesh(const Settings *settings, const BarTheory *theory, double wave_number)
+{
+    const BarMesh mesh = bar_mesh_of(settings, bar_time_step(settings));
+    return dispersion_of_bar(theory, &mesh, wave_number);
+}
+
+/* The lumped mesh alone, sqrt(K)/theta; particle -> node -> particle, sqrt(F); masses that are not lumped, T;
+ * the time step. */
+static void mesh_factors(const Dispersion *wave, ModeOnMesh *mode)
+{
+    const double filter = sqrt(wave->filter);
+    int n = 0;
+    mode->factors[n++] = (ModeFactor){"mesh K", "lumped masses on linear springs",
+                                      wave->space_only / (filter * wave->moves * mode->exact)};
+    mode->factors[n++] = (ModeFactor){"filter F", "what particle to node to particle leaves", filter};
+    if (wave->moves != 1)
+        mode->factors[n++] = (ModeFactor){"masses T", "nodal velocity over p/m", wave->moves};
+    mode->factors[n++] = (ModeFactor){"dt", NULL, wave->frequency / wave->space_only};
+    mode->n_factors = n;
+}
+
+static bool mode(const Settings *settings, int number, ModeOnMesh *out)
+{
+    Dispersion wave;
+    if (!bar_mode(settings, number, wave_on_mesh, out, &wave))
+        return false;
+    if (isfinite(out->predicted))
+        mesh_factors(&wave, out);
+    return true;
+}
+
+/* Lumped and consistent masses, the blend between, and FMPM that comes to the consistent ones. */
+static const char *other_way(const Settings *settings, int which, int number, double *frequency)
+{
+    const double best = best_blend(settings);
+    const bool allowed = best >= BAR_MASS_BLEND_LEAST;
+    const struct {
+        const char *name;
+        double blend;
+        int order;
+    } ways[] = {
+        {"lumped", 1, 0},     {allowed ? "mu*" : "no mu*", allowed ? best : 1, 0},
+        {"consistent", 0, 0}, {"FMPM(2)", 1, 2},
+        {"FMPM(4)", 1, 4},
+    };
+    BarTheory theory;
+    if (which < 0 || which >= (int)(sizeof ways / sizeof *ways) || !bar_theory_of(settings, &theory, NULL))
+        return NULL;
+    BarMesh mesh = bar_mesh_of(settings, bar_time_step(settings));
+    mesh.apic = false;
+    mesh.flip_fraction = 1;
+    mesh.consistent = 1 - ways[which].blend;
+    mesh.fmpm_order = ways[which].order;
+    const Dispersion wave = dispersion_of_bar(&theory, &mesh, bar_wave_number(&theory, number));
+    *frequency = wave.known && wave.frequency > 0 ? wave.frequency : NAN;
+    return ways[which].name;
+}
+
+static const char *damping(const Settings *settings)
+{
+    const Transfer *mpm = &settings->mpm;
+    if (mpm->transfer == MPM_FLIP && mpm->flip_fraction < 1)
+        return "PIC damping";
+    if (mpm->transfer == MPM_FMPM)
+        return "FMPM filters velocities";
+    if (mpm->transfer == MPM_APIC)
+        return "APIC filters velocities";
+    return mpm->algorithm == MPM_USL ? "USL damping" : NULL;
+}
+
+/* Waves are followed through a joint for a while, and without loads. */
+static const char *unaccounted(const Settings *settings, Reference reference)
+{
+    BarTheory theory;
+    if (reference != REFERENCE_EXACT || !bar_theory_of(settings, &theory, NULL) ||
+        bar_waves_known(&theory, settings->time.end))
+        return NULL;
+    return "bar2.joint";
+}
+
+static const char *const known[] = {BAR_KEYS, BAR_MESH_KEYS, BAR_TRANSFER_KEYS, BAR_WAVE_KEYS, NULL};
+/* The continuum does not know by what it is computed; its frequencies do not depend on the loads. */
+static const char *const method_changes[] = {"mpm.algorithm",  "mpm.transfer",   "mpm.flip_fraction",
+                                             "mpm.mass_blend", "mpm.fmpm_order", NULL};
+static const char *const all_changes[] = {
+    "mpm.algorithm",  "mpm.transfer",    "mpm.flip_fraction", "mpm.mass_blend",
+    "mpm.fmpm_order", "load.body_force", "load.traction",     NULL};
+
+const Solver bar_by_mpm = {
+    .method = METHOD_MPM,
+    .understands = {[REFERENCE_EXACT] = {known, method_changes},
+                    [REFERENCE_PREDICTED] = {known, NULL},
+                    [REFERENCE_FREQUENCY] = {known, all_changes},
+                    [REFERENCE_ENERGY] = {known, all_changes}},
+    .unaccounted = unaccounted,
+    .check = check,
+    .simulate = simulate,
+    .limit = bar_limit,
+    .derived = derived,
+    .predict = predict,
+    .prepare = prepare,
+    .profile = bar_profile,
+    .readout = bar_read_out,
+    .findings = bar_findings,
+    .modes = modes,
+    .mode = mode,
+    .other_way = other_way,
+    .invariant = bar_invariant,
+    .invariant_kept = bar_invariant_kept,
+    .damping = damping,
+};

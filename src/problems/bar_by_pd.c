@@ -1,0 +1,215 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The bar by peridynamics: settings to simulation, exact and predicted answers beside. */
+#include "answers/bar_answers.h"
+#include "problems/solvers.h"
+#include "methods/bonds/line/pd_bar.h"
+#include "theory/pd_bar_theory.h"
+#include "theory/pd_waves.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+
+_Static_assert((int)PD_WHOLE_VOLUMES == (int)VOLUME_NONE && (int)PD_HHB_VOLUMES == (int)VOLUME_HHB,
+               "theory and method count volumes by the same numbers");
+
+PdBarDef bar_pd_definition(const Settings *settings)
+{
+    const BarSupports ends = settings->supports.ends;
+    return (PdBarDef){
+        .length = settings->geometry.length,
+        .youngs_modulus = settings->material.youngs_modulus,
+        .density = settings->material.density,
+        .left_fixed = ends == BAR_FIXED_FREE || ends == BAR_FIXED_FIXED,
+        .right_fixed = ends == BAR_FREE_FIXED || ends == BAR_FIXED_FIXED,
+        .spacing = lattice_spacing(settings),
+        .horizon = lattice_horizon(settings),
+        .surface_correction = settings->lattice.surface_correction,
+        .volume_correction = settings->lattice.volume_correction,
+        .influence = settings->lattice.influence,
+        .body_force = settings->loads.body_force,
+        .traction = settings->loads.traction,
+        .traction_layer = settings->loads.traction_layer,
+        .dt = bar_time_step(settings),
+        .patience = settings->patience,
+    };
+}
+
+PdBarTheory bar_lattice_of(const Settings *settings)
+{
+    return (PdBarTheory){.spacing = lattice_spacing(settings),
+                         .horizon = lattice_horizon(settings),
+                         .volumes = (PdVolumes)settings->lattice.volume_correction,
+                         .conical = settings->lattice.influence == INFLUENCE_CONICAL,
+                         .energy_correction = settings->lattice.surface_correction == SURFACE_ENERGY,
+                         .dt = bar_time_step(settings),
+                         .patience = settings->patience};
+}
+
+static bool check(const Settings *settings, Status *status)
+{
+    /* the mesh is checked too: the nodes lie where its particles would, and its cells make the time step */
+    const BarDef mesh = bar_mpm_definition(settings);
+    const PdBarDef def = bar_pd_definition(settings);
+    return bar_check(&mesh, status) && pd_bar_check(&def, status) &&
+           bar_check_modes(settings, round(def.length / def.spacing), status) &&
+           problem_check_steps(settings->time.end, def.dt, status);
+}
+
+static Simulation *simulate(const Settings *settings, int threads, Status *status)
+{
+    (void)threads; /* a bar is too small to be shared */
+    BarTheory theory;
+    if (!bar_theory_of(settings, &theory, status))
+        return NULL;
+    PdBarDef def = bar_pd_definition(settings);
+    def.initial_velocity = bar_start;
+    def.initial_context = &theory;
+    return pd_bar_create(&def, status);
+}
+
+static double predicted_frequency(const Settings *settings, const BarTheory *theory, double dt, int mode)
+{
+    const PdBarTheory lattice = bar_lattice_of(settings);
+    (void)dt; /* the lattice knows it */
+    return pd_bar_frequency(theory, &lattice, mode);
+}
+
+static double predicted_v_cm(References *refs, long step, double time, const double *row)
+{
+    (void)time, (void)row;
+    return pd_bar_centre_velocity(bar_answers(refs)->modes, step);
+}
+
+static bool prepare(References *refs, const Settings *settings, const Simulation *sim, Status *status)
+{
+    BarTheory theory;
+    if (!bar_theory_of(settings, &theory, status))
+        return false;
+    BarAnswers *bar = bar_answers_create(refs, status);
+    if (!bar)
+        return false;
+    const PdBarTheory lattice = bar_lattice_of(settings);
+    errno = 0;
+    if (!refs->unaccounted[REFERENCE_PREDICTED])
+        bar->modes = pd_bar_modes_create(&theory, &lattice);
+    const bool prepared =
+        bar_prepare(refs, settings, sim, predicted_frequency, bar->modes ? predicted_v_cm : NULL,
+                    "velocity of the centre of mass predicted for this lattice", status);
+    return bar_prediction_is_whole(round(settings->geometry.length / lattice.spacing), "nodes", status) &&
+           prepared;
+}
+
+static int derived(const Settings *settings, const Simulation *sim, Derived out[DERIVED_MAX])
+{
+    enum { QUICKLY = 2000 }; /* nodes for which the eigenvalue is found in no time */
+    const double dt = sim ? sim->dt : bar_time_step(settings), spacing = lattice_spacing(settings);
+    const double nodes = round(settings->geometry.length / spacing);
+    int n = 0;
+    BarTheory theory;
+    if (!bar_theory_of(settings, &theory, NULL))
+        return 0;
+    bar_derived_step(out, &n, bar_wave_speed(&theory), dt);
+    bar_derived_wave(out, &n, settings, &theory, nodes <= QUICKLY ? predicted_frequency : NULL, dt);
+    derived_add(out, &n, "particles", "particles", "1", nodes, true);
+    derived_add(out, &n, "lattice_spacing", "spacing h", "length", spacing, false);
+    derived_add(out, &n, "lattice_horizon", "horizon delta", "length", lattice_horizon(settings), false);
+    if (!sim)
+        return n;
+    PdBarFacts facts;
+    pd_bar_facts(sim, &facts);
+    derived_add(out, &n, "family", "bonds of a node", "1", (double)facts.family, true);
+    derived_add(out, &n, "micromodulus", "micromodulus c", "force/length^4", facts.micromodulus, false);
+    derived_add(out, &n, "modulus_of_bonds", "E of the bonds", "force/area", facts.modulus, false);
+    derived_add(out, &n, "end_factor", "g at a free end", "1", facts.end_factor, false);
+    derived_add(out, &n, "dt_crit", "critical dt", "time", facts.critical_step, false);
+    derived_add(out, &n, "largest_courant", "courant limit", "1",
+                settings->time.courant * facts.critical_step / dt, false);
+    return n;
+}
+
+static bool limit(const Settings *settings, char *text, size_t size, Status *status)
+{
+    const PdBarDef def = bar_pd_definition(settings);
+    const double courant = settings->time.courant;
+    double critical;
+    if (!pd_bar_critical(&def, &critical, status))
+        return false;
+    if (def.dt > critical)
+        return status_fail(status, STATUS_USAGE,
+                           "time.courant: the time step %.6g is above the critical one, %.6g (courant at "
+                           "most %.5g)",
+                           def.dt, critical, courant * critical / def.dt);
+    if (def.dt > 0.95 * critical)
+        snprintf(text, size, "time step %.4g is near the critical one, %.5g", def.dt, critical);
+    return true;
+}
+
+/* --- every mode on the lattice -------------------------------------------------------------------- */
+
+static int modes(const Settings *settings)
+{
+    return bar_modes_of(round(settings->geometry.length / lattice_spacing(settings)));
+}
+
+static Dispersion wave_on_lattice(const Settings *settings, const BarTheory *theory, double wave_number)
+{
+    const PdBarTheory lattice = bar_lattice_of(settings);
+    return pd_bar_dispersion(theory, &lattice, wave_number);
+}
+
+static void lattice_factors(const Dispersion *wave, ModeOnMesh *mode)
+{
+    mode->factors[0] =
+        (ModeFactor){"lattice", "each node bonded to all within the horizon", wave->space_only / mode->exact};
+    mode->factors[1] = (ModeFactor){"dt", NULL, wave->frequency / wave->space_only};
+    mode->n_factors = 2;
+}
+
+static bool mode(const Settings *settings, int number, ModeOnMesh *out)
+{
+    Dispersion wave;
+    if (!bar_mode(settings, number, wave_on_lattice, out, &wave))
+        return false;
+    if (isfinite(out->predicted))
+        lattice_factors(&wave, out);
+    return true;
+}
+
+static const char *const of_continuum[] = {BAR_KEYS, BAR_MESH_KEYS, BAR_LATTICE_KEYS, NULL};
+static const char *const of_lattice[] = {BAR_KEYS, BAR_MESH_KEYS, BAR_LATTICE_KEYS, NULL};
+static const char *const load_changes[] = {"load.body_force", "load.traction", NULL}; /* no frequency */
+
+/* Both shapes of the micromodulus on this lattice, and the integrals that they stand for. */
+static const char *other_way(const Settings *settings, int which, int number, double *frequency)
+{
+    static const char *const names[] = {"constant", "conical", "its integral", "its integral"};
+    BarTheory theory;
+    if (which >= (int)(sizeof names / sizeof *names) || !bar_theory_of(settings, &theory, NULL))
+        return NULL;
+    PdBarTheory lattice = bar_lattice_of(settings);
+    const double wave = bar_wave_number(&theory, number);
+    lattice.conical = which % 2 == 1;
+    const PdShape shape = lattice.conical ? PD_CONICAL : PD_CONSTANT;
+    *frequency = which < 2
+                     ? pd_bar_dispersion(&theory, &lattice, wave).frequency
+                     : wave * bar_wave_speed(&theory) * sqrt(pd_waves_line(shape, wave * lattice.horizon));
+    return names[which];
+}
+
+const Solver bar_by_pd = {
+    .method = METHOD_PD,
+    .understands = {[REFERENCE_EXACT] = {of_continuum, NULL},
+                    [REFERENCE_PREDICTED] = {of_lattice, NULL},
+                    [REFERENCE_FREQUENCY] = {of_continuum, load_changes}},
+    .check = check,
+    .simulate = simulate,
+    .limit = limit,
+    .derived = derived,
+    .prepare = prepare,
+    .profile = bar_profile,
+    .readout = bar_read_out,
+    .modes = modes,
+    .mode = mode,
+    .other_way = other_way,
+};

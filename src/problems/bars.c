@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The bar: axial vibration in one dimension, by both methods. */
+#include "problems/solvers.h"
+
+static const ParameterUse uses[] = {
+    {USE("bar.length", 25)},
+    {USE("bar.youngs_modulus", 100)},
+    {USE("bar.density", 1)},
+    {USE("bar.supports", BAR_FIXED_FREE)},
+    {USE("initial.mode", 1)},
+    {USE("initial.velocity", 0.1)},
+    {USE("mesh.cell_size", 1)},
+    {USE("mesh.particles_per_cell", 2)},
+    {USE("mesh.padding", 4)},
+    {USE("pd.spacing", 0), .automatic = "auto"},
+    {USE("pd.horizon", 0), .automatic = "auto"},
+    {USE("pd.surface_correction", SURFACE_ENERGY), .choices = 2, .others = "is for beams"},
+    {USE("time.courant", 0.1)},
+    {USE("time.end", 100)},
+};
+
+static const Solver *const solvers[] = {&bar_by_mpm, &bar_by_pd, NULL};
+
+const Problem problem_bar = {
+    .word = "bar",
+    .body = "bar",
+    .answer = "exact",
+    .title = "axial vibration of a bar",
+    .concerns = CONCERN_BAR | CONCERN_MODES | CONCERN_MESH | CONCERN_METHODS | CONCERN_LATTICE |
+                CONCERN_PULL | CONCERN_WAVES,
+    .uses = uses,
+    .n_uses = sizeof uses / sizeof *uses,
+    .solvers = solvers,
+    .unit_of_time = "time",
+    .shown_time = 1,
+    .shown_time_unit = "",
+};

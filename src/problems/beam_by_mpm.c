@@ -1,0 +1,259 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Beams by the material point method: settings to simulation, derived numbers, the largest step, answers. */
+#include "answers/beam_answers.h"
+#include "problems/solvers.h"
+#include "methods/mpm/plane/plane_modes.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* --- settings to simulation ----------------------------------------------------------------------- */
+
+static PlaneDef definition(const Settings *settings, int threads)
+{
+    return (PlaneDef){
+        .leaves_channel = settings->problem->concerns & CONCERN_MOTION,
+        .length = settings->geometry.length,
+        .height = settings->geometry.height,
+        .thickness = settings->geometry.thickness,
+        .youngs_modulus = settings->material.youngs_modulus,
+        .density = settings->material.density,
+        .poisson = settings->material.poisson,
+        .cell_size = settings->mesh.cell_size,
+        .particles_per_cell = settings->mesh.particles_per_cell,
+        .padding = settings->mesh.padding,
+        .grid_velocity = settings->mesh.velocity,
+        .algorithm = settings->mpm.algorithm,
+        .shape = settings->mpm.shape,
+        .flip_fraction = settings->mpm.flip_fraction,
+        .amplitude = settings->start.amplitude,
+        .start = settings->start.start,
+        .stress = settings->start.stress,
+        .ends = settings->supports.sections,
+        .speed = settings->motion.speed,
+        .channel = settings->motion.channel,
+        .clamp = settings->motion.clamp,
+        .courant = settings->time.courant,
+        .end = settings->time.end,
+        .threads = threads,
+        .patience = settings->patience,
+    };
+}
+
+static bool check(const Settings *settings, Status *status)
+{
+    const PlaneDef def = definition(settings, 1);
+    return plane_check(&def, status) && problem_check_steps(settings->time.end, plane_step(&def), status);
+}
+
+static Simulation *simulate(const Settings *settings, int threads, Status *status)
+{
+    const PlaneDef def = definition(settings, threads);
+    return plane_create(&def, status);
+}
+
+/* --- answers -------------------------------------------------------------------------------------- */
+
+/* The plane problem's own period belongs to ends that are held as whole sections. */
+static double plane_period(const Settings *settings)
+{
+    const BeamTheory theory = beam_theory_of(settings);
+    return settings->supports.sections == PLANE_SECTION ? beam_period_plane(&theory) : NAN;
+}
+
+static bool make_body(const Settings *settings, BeamBody *body, Status *status)
+{
+    const PlaneDef def = definition(settings, 1);
+    *body = (BeamBody){.real = beam_theory_of(settings),
+                       .plane = plane_period(settings),
+                       .from_tip = def.cell_size / def.particles_per_cell / 2};
+    return plane_predicted_period(&def, &body->predicted, status);
+}
+
+/* `theory` is the limit of ever smaller cells. */
+static bool predict(const Settings *settings, Prediction *out, Status *status)
+{
+    BeamBody body;
+    if (!make_body(settings, &body, status))
+        return false;
+    *out = (Prediction){body.predicted, body.plane, body.plane, settings->geometry.height};
+    if (!isfinite(body.plane))
+        out->theory = out->real_size = beam_period_timoshenko(&body.real);
+    return true;
+}
+
+static bool prepare_supported(References *refs, const Settings *settings, const Simulation *sim,
+                              Status *status)
+{
+    BeamBody body;
+    return make_body(settings, &body, status) && beam_prepare_supported(refs, settings, sim, &body, status);
+}
+
+static bool prepare_moving(References *refs, const Settings *settings, const Simulation *sim, Status *status)
+{
+    BeamBody body;
+    return make_body(settings, &body, status) && beam_prepare_moving(refs, settings, sim, &body, status);
+}
+
+/* --- derived numbers and advice ------------------------------------------------------------------- */
+
+static int derived(const Settings *settings, const Simulation *sim, Derived out[DERIVED_MAX])
+{
+    const PlaneDef def = definition(settings, 1);
+    int n = 0;
+    derived_add(out, &n, "dt", "time step dt", "s", plane_step(&def), false);
+    derived_add(out, &n, "wave_speed", "wave speed c", "m/s", def.courant * def.cell_size / plane_step(&def),
+                false);
+    derived_add(out, &n, "cells_in_height", "cells in height", "1", round(def.height / def.cell_size), true);
+    if (sim) {
+        derived_add(out, &n, "particles", "particles", "1", (double)sim->counts[0], true);
+        derived_add(out, &n, "columns", "columns", "1", (double)sim->columns, true);
+        derived_add(out, &n, "rows", "rows", "1", (double)sim->rows, true);
+        derived_add(out, &n, "nodes", "nodes", "1", (double)sim->counts[1], true);
+    }
+    if (!def.leaves_channel) {
+        const BeamTheory theory = beam_theory_of(settings);
+        derived_add_answer(out, &n, REFERENCE_FREQUENCY, "period_euler", "T Euler", "s",
+                           beam_period_euler(&theory));
+        derived_add_answer(out, &n, REFERENCE_FREQUENCY, "period_timoshenko", "T Timoshenko", "s",
+                           beam_period_timoshenko(&theory));
+        if (isfinite(plane_period(settings)))
+            derived_add_answer(out, &n, REFERENCE_FREQUENCY, "period_plane", "T plane", "s",
+                               plane_period(settings));
+    }
+    return n;
+}
+
+/* Below the first warning no mesh is unstable, and the limit is not worked out. */
+static bool limit(const Settings *settings, char *text, size_t size, Status *status)
+{
+    const PlaneDef def = definition(settings, 1);
+    double largest;
+    if (def.courant < (def.algorithm == MPM_USL ? 0.7 : 1))
+        return true;
+    if (!plane_courant_limit(&def, &largest, status))
+        return false;
+    if (def.courant > largest && !settings->time.unstable)
+        return status_fail(
+            status, STATUS_USAGE,
+            "time.courant: %.6g is unstable on this mesh (at most %.5g, or time.unstable = yes)", def.courant,
+            largest);
+    if (def.courant > largest)
+        snprintf(text, size, "courant %.4g is beyond the largest stable one, %.5g: this run will blow up",
+                 def.courant, largest);
+    else
+        snprintf(text, size, "courant %.4g is near the largest stable one, %.5g", def.courant, largest);
+    return true;
+}
+
+/* Hats on a mesh that stays behind: each cell that a particle enters makes its strain rate jump. */
+static bool advice(const Settings *settings, char *text, size_t size, Status *status)
+{
+    (void)status;
+    if (settings->problem->concerns & CONCERN_MOTION && settings->mpm.shape == MPM_HAT &&
+        settings->mesh.velocity < settings->motion.speed)
+        snprintf(text, size, "hats do not survive many crossings of cells: gimp does, or mesh.velocity = %g",
+                 settings->motion.speed);
+    return true;
+}
+
+static const char *damping(const Settings *settings)
+{
+    if (settings->mpm.flip_fraction < 1)
+        return "PIC damping";
+    return settings->mpm.algorithm == MPM_USL ? "USL damping" : NULL;
+}
+
+/* --- the sharp invariant -------------------------------------------------------------------------- */
+
+/* Velocities of the particles one component after the other, without the common speed; the strain energy. */
+static bool take_state(Simulation *sim, double *velocity, double *strain)
+{
+    double row[COLUMNS_MAX];
+    const int energy = simulation_find_series(sim, "strain");
+    if (energy < 0 || sim->n_series > COLUMNS_MAX)
+        return false;
+    simulation_row(sim, row);
+    *strain = row[energy];
+    for (int d = 0; d < 2; d++)
+        sim->method->field(sim, sim->velocity[d], 0, sim->counts[0], velocity + (size_t)d * sim->counts[0]);
+    return true;
+}
+
+/* E* (answers/invariant.h): sum of m v^n v^(n+1)/2 and the strain energy that belongs to it. */
+static double one_step_ahead(Simulation *sim, const Settings *settings)
+{
+    const size_t count = 2 * sim->counts[0];
+    double *before = malloc(2 * count * sizeof *before), *after = before + count, old, new, sum = NAN;
+    if (before && take_state(sim, before, &old) && simulation_steps(sim, 1, NULL, NULL, NULL) &&
+        take_state(sim, after, &new)) {
+        const double mass = settings->material.density * sim->spacing * sim->spacing;
+        sum = 0;
+        for (size_t i = 0; i < count; i++)
+            sum += before[i] * after[i];
+        sum =
+            sum / 2 * mass * settings->geometry.thickness + (settings->mpm.algorithm == MPM_USF ? new : old);
+    }
+    free(before);
+    return sum;
+}
+
+static double invariant(Simulation *sim, const Settings *settings)
+{
+    void *present = malloc(simulation_snapshot_size(sim));
+    if (!present)
+        return NAN;
+    simulation_snapshot(sim, present);
+    const double value = one_step_ahead(sim, settings);
+    simulation_restore(sim, present);
+    free(present);
+    return value;
+}
+
+/* A channel does work. */
+static bool invariant_kept(const Settings *settings)
+{
+    return settings->mpm.flip_fraction == 1 && !(settings->problem->concerns & CONCERN_MOTION);
+}
+
+/* --- the solvers ---------------------------------------------------------------------------------- */
+
+#define BEAM_KEYS                                                                                            \
+    "scenario.method", "beam.length", "beam.height", "beam.thickness", "beam.youngs_modulus",                \
+        "beam.density", "beam.poisson", "initial.amplitude", "motion.speed", "motion.channel",               \
+        "motion.clamp", "mesh.cell_size", "mesh.particles_per_cell", "mesh.padding", "mesh.velocity",        \
+        "mpm.algorithm", "mpm.shape", "mpm.flip_fraction", "supports.ends", "initial.stress",                \
+        "time.courant", "time.unstable", "time.end"
+
+/* The motion beside is that of a deflection let go; frequencies are those of any start. */
+static const char *const of_motion[] = {BEAM_KEYS, NULL};
+static const char *const of_any_start[] = {BEAM_KEYS, "initial.start", NULL};
+static const char *const changes[] = {"mpm.algorithm", "mpm.flip_fraction", NULL};
+
+#define ALIKE                                                                                                \
+    .method = METHOD_MPM, .check = check, .simulate = simulate, .derived = derived, .limit = limit,          \
+    .advice = advice, .damping = damping, .invariant = invariant, .invariant_kept = invariant_kept,          \
+    .understands = {[REFERENCE_EXACT] = {of_motion, changes},                                                \
+                    [REFERENCE_PREDICTED] = {of_any_start, NULL},                                            \
+                    [REFERENCE_FREQUENCY] = {of_any_start, changes},                                         \
+                    [REFERENCE_ENERGY] = {of_any_start, changes}}
+
+const Solver beam_by_mpm_supported = {
+    ALIKE,
+    .predict = predict,
+    .prepare = prepare_supported,
+    .profile = beam_supported_profile,
+    .section = beam_supported_section,
+    .readout = beam_read_supported,
+};
+
+const Solver beam_by_mpm_moving = {
+    ALIKE,
+    .prepare = prepare_moving,
+    .section = beam_moving_section,
+    .readout = beam_read_moving,
+    .envelope = beam_moving_envelope,
+    .standing_frequency = beam_moving_frequency,
+};

@@ -1,0 +1,170 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A bar that hangs: gravity from t = 0 on, damping by the transfer until it is at rest, and beside it the
+ * exact state of rest at any strain. The engine is that of the bar. */
+#include "answers/bar_answers.h"
+#include "problems/solvers.h"
+#include "theory/column.h"
+#include "base/math/functions.h"
+
+#include <math.h>
+#include <string.h>
+
+static HangingColumn column_of(const Settings *settings)
+{
+    return (HangingColumn){.length = settings->geometry.length,
+                           .youngs_modulus = settings->material.youngs_modulus,
+                           .density = settings->material.density,
+                           .body_force = settings->loads.body_force};
+}
+
+static bool check(const Settings *settings, Status *status)
+{
+    const BarDef def = bar_mpm_definition(settings);
+    return bar_check(&def, status) &&
+           problem_check_steps(settings->time.end, bar_time_step(settings), status);
+}
+
+static Simulation *simulate(const Settings *settings, int threads, Status *status)
+{
+    (void)threads;
+    const BarDef def = bar_mpm_definition(settings);
+    return bar_create(&def, status);
+}
+
+static const HangingColumn *own_column(const References *refs)
+{
+    return refs->own;
+}
+
+static double exact_x_cm(References *refs, long step, double time, const double *row)
+{
+    (void)step, (void)time, (void)row;
+    return column_centre(own_column(refs));
+}
+
+static bool prepare(References *refs, const Settings *settings, const Simulation *sim, Status *status)
+{
+    static const Quantity x = {"x_cm_exact", "exact", "length", "centre of mass of the bar at rest, exact"};
+    HangingColumn *column = plan_own(refs, sizeof *column, NULL, status);
+    if (!column)
+        return false;
+    *column = column_of(settings);
+    plan_method(refs, sim, "x_cm");
+    plan_answer(refs, &x, COLUMN_EXACT, "x_cm", exact_x_cm);
+    return true;
+}
+
+static double profile(const References *refs, const char *field, double x, double time)
+{
+    const HangingColumn *column = own_column(refs);
+    (void)time;
+    if (!(x >= 0 && x <= column->length))
+        return NAN;
+    const double u = column_displacement(column, x), stress = column_stress(column, x);
+    const double strain = stress / column->youngs_modulus;
+    return strcmp(field, "u") == 0         ? u
+           : strcmp(field, "x") == 0       ? x + u
+           : strcmp(field, "v") == 0       ? 0
+           : strcmp(field, "stress") == 0  ? stress
+           : strcmp(field, "strain") == 0  ? strain
+           : strcmp(field, "density") == 0 ? column->density * math_exp(-strain)
+                                           : NAN;
+}
+
+static void read_out(const References *refs, const double *rows, size_t n_rows, int n_columns, Readout *out)
+{
+    (void)refs, (void)rows, (void)n_rows, (void)n_columns;
+    out->column = "x_cm"; /* which comes to rest: there is no frequency */
+}
+
+static double field_of(const Simulation *sim, const char *name, size_t particle)
+{
+    double value;
+    sim->method->field(sim, simulation_find_field(sim, 0, name), particle, 1, &value);
+    return value;
+}
+
+static int findings(const References *refs, const Simulation *sim, Finding *out)
+{
+    const HangingColumn *column = own_column(refs);
+    const size_t last = sim->counts[0] - 1;
+    out[0] = (Finding){.name = "u_last",
+                       .label = "last particle's u",
+                       .measured = field_of(sim, "u", last),
+                       .exact = column_displacement(column, field_of(sim, "x0", last))};
+    out[1] = (Finding){.name = "stress_first",
+                       .label = "first particle's stress",
+                       .measured = field_of(sim, "stress", 0),
+                       .exact = column_stress(column, field_of(sim, "x0", 0))};
+    return 2;
+}
+
+static int derived(const Settings *settings, const Simulation *sim, Derived out[DERIVED_MAX])
+{
+    const HangingColumn column = column_of(settings);
+    const double cells = round(column.length / settings->mesh.cell_size),
+                 count = settings->mesh.particles_per_cell;
+    const double last = column.length - settings->mesh.cell_size / count / 2;
+    int n = 0;
+    bar_derived_step(out, &n, sqrt(column.youngs_modulus / column.density),
+                     sim ? sim->dt : bar_time_step(settings));
+    derived_add(out, &n, "cells", "cells", "1", cells, true);
+    derived_add(out, &n, "particles", "particles", "1", cells * count, true);
+    derived_add_answer(out, &n, REFERENCE_EXACT, "stress_support", "support bears", "force/area",
+                       column_stress(&column, 0)); /* rho b L; the first particle stands a little below */
+    derived_add_answer(out, &n, REFERENCE_EXACT, "strain_largest", "largest strain", "1",
+                       column_stress(&column, 0) / column.youngs_modulus);
+    derived_add_answer(out, &n, REFERENCE_EXACT, "u_last", "last u, exact", "length",
+                       column_displacement(&column, last));
+    derived_add_answer(out, &n, REFERENCE_EXACT, "u_last_linear", "  for small strain", "length",
+                       column_linear(&column, last));
+    return n;
+}
+
+/* Rest does not know by what way it was come to. */
+static const char *const of_rest[] = {BAR_KEYS, BAR_MESH_KEYS, BAR_TRANSFER_KEYS, NULL};
+static const char *const changes[] = {"mpm.algorithm", "mpm.transfer", "mpm.flip_fraction", NULL};
+
+static const Solver hanging_column_by_mpm = {
+    .method = METHOD_MPM,
+    .understands = {[REFERENCE_EXACT] = {of_rest, changes}},
+    .check = check,
+    .simulate = simulate,
+    .limit = bar_limit,
+    .derived = derived,
+    .prepare = prepare,
+    .profile = profile,
+    .readout = read_out,
+    .findings = findings,
+};
+
+static const ParameterUse uses[] = {
+    {USE("bar.length", 25)},
+    {USE("bar.youngs_modulus", 100)},
+    {USE("bar.density", 1)},
+    {USE("bar.supports", BAR_FIXED_FREE), .choices = 1, .others = "is for bars that vibrate"},
+    {USE("mesh.cell_size", 1)},
+    {USE("mesh.particles_per_cell", 2)},
+    {USE("mesh.padding", 40)},
+    {USE("mpm.shape", MPM_GIMP)},
+    {USE("mpm.flip_fraction", 0)},
+    {USE("load.body_force", 0.1)},
+    {USE("time.courant", 0.1)},
+    {USE("time.end", 300)},
+};
+
+static const Solver *const solvers[] = {&hanging_column_by_mpm, NULL};
+
+const Problem problem_hanging_column = {
+    .word = "hanging-column",
+    .body = "column",
+    .answer = "exact",
+    .title = "a bar that hangs at rest",
+    .concerns = CONCERN_BAR | CONCERN_MESH | CONCERN_WEIGHT,
+    .uses = uses,
+    .n_uses = sizeof uses / sizeof *uses,
+    .solvers = solvers,
+    .unit_of_time = "time",
+    .shown_time = 1,
+    .shown_time_unit = "",
+};

@@ -1,0 +1,111 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The functions of problem.h for settings of any problem: finds row and solver, and hands over to them. */
+#include "problems/problem.h"
+
+#include "base/text.h"
+#include "answers/known.h"
+#include "scenario/parameters.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+const Problem *problem_find(const char *word)
+{
+    for (int i = 0; problems[i]; i++)
+        if (strcmp(problems[i]->word, word) == 0)
+            return problems[i];
+    return NULL;
+}
+
+static const Solver *need_solver(const Settings *settings, Status *status)
+{
+    problem_allows(settings->problem, settings->method, status);
+    return problem_solver(settings->problem, settings->method);
+}
+
+/* The series gets the columns of the things that are followed. */
+static bool follow_all(const Settings *settings, Simulation *sim, Status *status)
+{
+    const char *rest = settings->output.follow;
+    for (rest += strspn(rest, " ,"); *rest; rest += strspn(rest, " ,")) {
+        char thing[FOLLOW_TEXT_MAX];
+        size_t length = strcspn(rest, ",");
+        snprintf(thing, sizeof thing, "%.*s", (int)length, rest);
+        for (size_t end = strlen(thing); end > 0 && thing[end - 1] == ' ';)
+            thing[--end] = '\0';
+        rest += length;
+        if (!simulation_follow(sim, thing, status))
+            return status_prefix(status, "output.follow");
+    }
+    return true;
+}
+
+Simulation *problem_simulate(const Settings *settings, int threads, Status *status)
+{
+    const Solver *solver = need_solver(settings, status);
+    Simulation *sim = solver ? solver->simulate(settings, threads, status) : NULL;
+    if (sim)
+        simulation_ask_columns(sim, settings->output.columns);
+    if (!sim ||
+        (problem_check_steps(settings->time.end, sim->dt, status) && follow_all(settings, sim, status)))
+        return sim;
+    simulation_destroy(sim);
+    return NULL;
+}
+
+int problem_derived(const Settings *settings, const Simulation *sim, Derived out[DERIVED_MAX])
+{
+    const Solver *solver = problem_solver(settings->problem, settings->method);
+    const int all = solver && solver->derived ? solver->derived(settings, sim, out) : 0;
+    int count = 0;
+    for (int i = 0; i < all; i++)
+        if (!out[i].by_reference || !known_unaccounted(settings, out[i].reference))
+            out[count++] = out[i];
+    return count;
+}
+
+bool problem_advice(const Settings *settings, char *advice, size_t size, Status *status)
+{
+    const Solver *solver = need_solver(settings, status);
+    if (size > 0)
+        advice[0] = '\0';
+    if (!solver || (solver->advice && !solver->advice(settings, advice, size, status)))
+        return false;
+    /* the limit is predicted: with a parameter that the prediction does not account for it is not known */
+    return !solver->limit || known_unaccounted_now(settings, REFERENCE_PREDICTED) ||
+           solver->limit(settings, advice, size, status);
+}
+
+bool problem_time_step(const Settings *settings, double *dt, Status *status)
+{
+    Simulation *sim = problem_simulate(settings, 1, status);
+    if (!sim)
+        return false;
+    *dt = sim->dt;
+    simulation_destroy(sim);
+    return true;
+}
+
+void problem_end_at(Settings *settings, double dt, long step)
+{
+    double times[TIMES_MAX];
+    settings->time.end = (double)step * dt;
+    if (settings->problem->concerns & CONCERN_STEP)
+        settings->time.step = dt;
+    while (settings->n_changes > 0 && settings->changes[settings->n_changes - 1].step > step)
+        settings->n_changes--;
+    int n = settings_times_read(settings->output.at, times, NULL), kept = n;
+    while (kept > 0 && lround(times[kept - 1] / dt) > step)
+        kept--;
+    if (kept == n)
+        return;
+    size_t length = 0;
+    settings->output.at[0] = '\0';
+    for (int i = 0; i < kept; i++) {
+        char text[NUMBER_TEXT_MAX];
+        text_shortest(text, times[i]);
+        length += (size_t)snprintf(settings->output.at + length, sizeof settings->output.at - length, "%s%s",
+                                   i > 0 ? "," : "", text);
+    }
+}

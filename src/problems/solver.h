@@ -1,0 +1,65 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What solvers share: the plan of the columns of a series, the references in full, and what helps to fill
+ * them. Not for front ends. */
+#ifndef LAB_SOLVER_H
+#define LAB_SOLVER_H
+
+#include "answers/references.h"
+
+/* A column of the series: a number of the method's row, or an answer worked out beside it. */
+typedef double Answer(References *, long step, double time, const double *row);
+
+typedef struct PlannedColumn {
+    Column column;
+    int from_method; /* index into the method's row; -1: not from there */
+    Answer *answer;  /* NULL: not an answer; step and time are neither */
+    bool remembers;  /* the answer depends on earlier rows */
+} PlannedColumn;
+
+/* The last rows of one number of the method, for a filter. */
+typedef struct Window {
+    int of;         /* in the method's row */
+    double *values; /* a ring */
+    long size, filled, next;
+} Window;
+
+struct References {
+    const Solver *solver;                /* NULL: none, the simulation came from elsewhere */
+    const char *unaccounted[REFERENCES]; /* what each does not account for: known.h; NULL: it knows the run */
+    PlannedColumn plan[COLUMNS_MAX];
+    int n_columns;
+    double dt;
+    Window window; /* of size 0: nothing is remembered */
+    void *own;     /* the solver's: what its answers are worked out from */
+    void (*release)(void *own);
+};
+
+/* For prepare(): appends columns to the plan. */
+void plan_method(References *, const Simulation *, const char *series); /* no such series: nothing */
+void plan_rest_of_method(References *, const Simulation *);             /* all that is not planned yet */
+/* An answer that is exact or predicted, and is not known, is left out. */
+void plan_answer(References *, const Quantity *, ColumnKind, const char *of, Answer *);
+void plan_filter(References *, const Quantity *, const char *of, Answer *); /* an answer that remembers */
+int plan_find(const References *, const char *column);                      /* -1: there is none */
+
+/* Zeroed memory for what is the solver's own; freed with the references, after `release` (NULL: nothing in it
+ * is to be freed). NULL: there is none, the status says so. */
+void *plan_own(References *, size_t size, void (*release)(void *own), Status *);
+
+/* So many of the last rows of a series are remembered. False: not enough memory. */
+bool plan_window(References *, const Simulation *, const char *series, long rows);
+
+/* One or more cosines in a column fitted by least squares (theory/frequency.h); at most a few thousand of its
+ * rows are looked at, spread evenly. `start`: radians per unit time, the frequency expected of the first
+ * line. Several lines need a whole period of it, one a half. False: not yet. */
+bool readout_fit(const double *rows, size_t n_rows, int n_columns, int column, double start,
+                 const double *ratios, int n_lines, double *frequency);
+
+/* Appends a derived number; that of a reference is left out where the reference is not known. */
+void derived_add_answer(Derived out[DERIVED_MAX], int *count, Reference, const char *name, const char *label,
+                        const char *unit, double value);
+
+void derived_add(Derived out[DERIVED_MAX], int *count, const char *name, const char *label, const char *unit,
+                 double value, bool integer);
+
+#endif

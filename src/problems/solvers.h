@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* For the rows of problems: their parameters, and the solvers that there are. */
+#ifndef LAB_SOLVERS_H
+#define LAB_SOLVERS_H
+
+#include "problems/problem.h"
+
+/* The head of a ParameterUse. */
+#define USE(name, value) .key = name, .usual = value
+
+extern const Solver bar_by_mpm, bar_by_pd;
+extern const Solver beam_by_mpm_supported, beam_by_mpm_moving;
+extern const Solver beam_by_pd_supported, beam_by_pd_moving, beam_by_pd_notched, beam_by_pd_plate;
+
+#endif

@@ -1,0 +1,450 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Two runs side by side (duel.h): A is the scenario, B the same with some keys changed. Every verb acts on
+ * A and then brings B to the same time; B is made anew whenever A becomes another run. If B fails alone it
+ * stays at its last sound step. */
+#include "run/duel.h"
+
+#include "base/text.h"
+#include "scenario/parameters.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* --- keys ------------------------------------------------------------------------------------------ */
+
+int duel_read_keys(const char *text, Assignment keys[DUEL_MAX], Status *status)
+{
+    int count = 0;
+    for (text += strspn(text, " "); *text; text += strspn(text, " ")) {
+        const int length = (int)strcspn(text, " "), key = (int)strcspn(text, "= ");
+        if (text[key] != '=' || key == 0 || key >= KEY_MAX || length - key - 1 >= VALUE_MAX) {
+            status_fail(status, STATUS_USAGE, "%.*s is not KEY=VALUE", length < 60 ? length : 60, text);
+            return -1;
+        }
+        if (count == DUEL_MAX) {
+            status_fail(status, STATUS_USAGE, "too many keys differ (at most %d)", DUEL_MAX);
+            return -1;
+        }
+        snprintf(keys[count].key, sizeof keys[count].key, "%.*s", key, text);
+        snprintf(keys[count].value, sizeof keys[count].value, "%.*s", length - key - 1, text + key + 1);
+        count++;
+        text += length;
+    }
+    return count;
+}
+
+void duel_write_keys(const Assignment *keys, int n_keys, char *out, size_t size)
+{
+    size_t used = 0;
+    out[0] = '\0';
+    for (int i = 0; i < n_keys && used < size; i++)
+        used +=
+            (size_t)snprintf(out + used, size - used, "%s%s=%s", i ? " " : "", keys[i].key, keys[i].value);
+}
+
+/* The parameter at its next choice or size; false: it has none. */
+static bool suggest(const Settings *settings, const Parameter *parameter, Assignment *key)
+{
+    Settings other = *settings;
+    char value[LIST_MAX];
+    if (!parameter || !parameter_applies_to(settings, parameter) ||
+        !parameter_can_be_asked(parameter, settings->problem) ||
+        !settings_answer_otherwise(&other, parameter))
+        return false;
+    settings_get(&other, parameter, value);
+    snprintf(key->key, sizeof key->key, "%s", parameter->key);
+    snprintf(key->value, sizeof key->value, "%.*s", VALUE_MAX - 1, value);
+    return true;
+}
+
+static bool is_of_method(const Settings *settings, const Parameter *parameter)
+{
+    return strncmp(parameter->key, settings->method == METHOD_MPM ? "mpm." : "pd.", 3) == 0;
+}
+
+int duel_suggest(const Settings *settings, int which, Assignment keys[DUEL_MAX])
+{
+    const Parameter *question = settings_question(settings);
+    if (suggest(settings, question, keys) && which-- == 0)
+        return 1;
+    for (int of_method = 1; of_method >= 0; of_method--)
+        for (int i = 0; i < n_parameters; i++)
+            if (&parameters[i] != question && is_of_method(settings, &parameters[i]) == of_method &&
+                suggest(settings, &parameters[i], keys) && which-- == 0)
+                return 1;
+    return 0;
+}
+
+static bool is_duel_key(const Duel *duel, const char *key)
+{
+    for (int i = 0; i < duel->n_keys; i++)
+        if (strcmp(duel->keys[i].key, key) == 0)
+            return true;
+    return false;
+}
+
+/* B's settings where A's are these: changes in mid-run keep their time, those of B's own keys are left out.
+ */
+static bool second_settings(const Duel *duel, const Settings *first, Settings *out, Status *status)
+{
+    double dt = 0, other_dt = 0;
+    *out = *first;
+    out->n_duel = out->n_changes = 0;
+    if (!settings_set_method(out, duel->keys, duel->n_keys, status))
+        return false;
+    for (int i = 0; i < duel->n_keys; i++)
+        if (!settings_set(out, duel->keys[i].key, duel->keys[i].value, status))
+            return false;
+    if (!settings_check(out, status))
+        return false;
+    if (first->n_changes > 0 &&
+        (!problem_time_step(first, &dt, status) || !problem_time_step(out, &other_dt, status)))
+        return false;
+    for (int i = 0; i < first->n_changes; i++) {
+        if (is_duel_key(duel, first->changes[i].to.key))
+            continue;
+        Change *change = &out->changes[out->n_changes++];
+        *change = first->changes[i];
+        change->step = lround((double)change->step * dt / other_dt);
+    }
+    char advice[160];
+    return settings_check(out, status) && problem_advice(out, advice, sizeof advice, status);
+}
+
+static void write_names(Duel *duel)
+{
+    const Settings *settings[2] = {experiment_settings(duel->a), experiment_settings(duel->b)};
+    for (int run = 0; run < 2; run++) {
+        char *name = duel->names[run];
+        name[0] = '\0';
+        for (int i = 0; i < duel->n_keys; i++) {
+            const Parameter *parameter = parameter_find(duel->keys[i].key);
+            char value[LIST_MAX];
+            /* the spacing of a lattice says nothing of cells */
+            if (parameter && parameter_applies_to(settings[run], parameter))
+                settings_spell(settings[run], parameter, value);
+            else if (settings_row_is_key(settings[run], duel->keys[i].key))
+                settings_row_key_show(settings[run], duel->keys[i].key, value);
+            else
+                continue;
+            if (!text_list_add(name, DUEL_NAME_MAX, value))
+                break;
+        }
+    }
+}
+
+/* --- the exact answers ----------------------------------------------------------------------------- */
+
+static bool same_number(double a, double b)
+{
+    return (isnan(a) && isnan(b)) || fabs(a - b) <= 1e-9 * (fabs(a) + fabs(b));
+}
+
+/* Whether one curve stands for both: the exact answer at a few places and times. */
+static bool same_exact(const Experiment *a, const Experiment *b)
+{
+    enum { TIMES = 7, PLACES = 5 };
+    const Simulation *sim = experiment_simulation(a);
+    const char *field = profile_field(sim, 1);
+    const double end = experiment_settings(a)->time.end;
+    double last = 0;
+    if (!field || sim->counts[0] == 0)
+        return true;
+    sim->method->field(sim, sim->position[0], sim->counts[0] - 1, 1, &last);
+    for (int i = 1; i <= TIMES; i++)
+        for (int k = 1; k <= PLACES; k++) {
+            const double x = last * k / PLACES, time = end * i / (TIMES + 0.5);
+            if (!same_number(references_profile(experiment_references(a), field, x, time),
+                             references_profile(experiment_references(b), field, x, time)))
+                return false;
+        }
+    return true;
+}
+
+/* --- beginning and end ----------------------------------------------------------------------------- */
+
+void duel_open(Duel *duel, Experiment *a, size_t history, int threads)
+{
+    experiment_destroy(duel->b);
+    *duel = (Duel){.a = a, .history = history, .threads = threads};
+}
+
+void duel_close(Duel *duel)
+{
+    experiment_destroy(duel->b);
+    duel->b = NULL;
+}
+
+/* The step at which B stands while A stands at its goal: A's whole step counts. */
+static long follow(const Duel *duel)
+{
+    long step;
+    int stage;
+    experiment_goal(duel->a, &step, &stage);
+    const double time = (double)step * experiment_simulation(duel->a)->dt;
+    /* a step that ends at the same time but for rounding is not beyond it */
+    const double steps = floor(time / experiment_simulation(duel->b)->dt * (1 + 1e-12) + 1e-9);
+    const long most =
+        experiment_failed(duel->b, NULL) ? experiment_newest(duel->b) : experiment_last_step(duel->b);
+    return steps < (double)most ? (long)steps : most;
+}
+
+static void seek_second(Duel *duel)
+{
+    if (duel->b)
+        experiment_seek(duel->b, follow(duel), 0);
+}
+
+/* A new B for A as it is now. */
+static bool make_second(Duel *duel, Status *status)
+{
+    Settings *settings = malloc(sizeof *settings);
+    if (!settings)
+        return status_fail(status, STATUS_FAILED, "not enough memory");
+    Experiment *fresh = NULL;
+    if (second_settings(duel, experiment_base(duel->a), settings, status))
+        fresh = experiment_create(settings, duel->history / 2, duel->threads, status);
+    free(settings);
+    if (!fresh)
+        return false;
+    experiment_destroy(duel->b);
+    duel->b = fresh;
+    duel->same_exact = same_exact(duel->a, duel->b);
+    write_names(duel);
+    seek_second(duel);
+    return true;
+}
+
+static void let_go(Duel *duel, bool keep_ghost)
+{
+    Experiment *b = duel->b;
+    duel->b = NULL;
+    if (!b)
+        return;
+    if (keep_ghost)
+        experiment_become_ghost(b, duel->a);
+    else
+        experiment_destroy(b);
+    experiment_set_history(duel->a, duel->history);
+}
+
+void duel_end(Duel *duel)
+{
+    let_go(duel, true);
+}
+
+bool duel_start(Duel *duel, const Assignment *keys, int n_keys, Status *status)
+{
+    Settings *settings = malloc(sizeof *settings);
+    if (!settings)
+        return status_fail(status, STATUS_FAILED, "not enough memory");
+    Duel tried = {.n_keys = n_keys};
+    memcpy(tried.keys, keys, (size_t)n_keys * sizeof *keys);
+    const Settings *base = experiment_base(duel->a);
+    bool sound = second_settings(&tried, base, settings, status);
+    if (sound && settings_same(base, settings))
+        sound = status_fail(status, STATUS_USAGE, "both runs would be the same: a key must differ");
+    free(settings);
+    if (!sound)
+        return false;
+    duel_end(duel);
+    memcpy(duel->keys, tried.keys, sizeof duel->keys);
+    duel->n_keys = n_keys;
+    if (!make_second(duel, status))
+        return false;
+    experiment_set_history(duel->a, duel->history / 2);
+    return true;
+}
+
+/* --- stepping -------------------------------------------------------------------------------------- */
+
+/* B's failure is B's: it stays at its last sound step. */
+static void catch_up(Duel *duel)
+{
+    if (!duel->b)
+        return;
+    seek_second(duel);
+    while (experiment_pending(duel->b, NULL)) {
+        const long left = follow(duel) - experiment_step(duel->b);
+        if (!experiment_work(duel->b, left > 0 ? left : 1, NULL))
+            seek_second(duel);
+    }
+}
+
+bool duel_advance(Duel *duel, long steps, Status *status)
+{
+    const bool sound = experiment_advance(duel->a, steps, status);
+    catch_up(duel);
+    if (duel->b)
+        experiment_flow(duel->b);
+    return sound;
+}
+
+bool duel_next_stage(Duel *duel, Status *status)
+{
+    const bool sound = experiment_next_stage(duel->a, status);
+    catch_up(duel);
+    return sound;
+}
+
+void duel_seek(Duel *duel, long step, int stage)
+{
+    experiment_seek(duel->a, step, stage);
+    seek_second(duel);
+}
+
+Experiment *duel_turn(const Duel *duel)
+{
+    const bool first = experiment_pending(duel->a, NULL);
+    const bool second = duel->b && experiment_pending(duel->b, NULL);
+    if (first && second)
+        return experiment_time(duel->b) < experiment_time(duel->a) ? duel->b : duel->a;
+    return first ? duel->a : second ? duel->b : NULL;
+}
+
+bool duel_pending(const Duel *duel, long *steps_left)
+{
+    long first = 0, second = 0;
+    const bool a = experiment_pending(duel->a, &first);
+    const bool b = duel->b && experiment_pending(duel->b, &second);
+    if (steps_left)
+        *steps_left = (a ? first : 0) + (b ? second : 0);
+    return a || b;
+}
+
+bool duel_work(Duel *duel, long steps, Status *status)
+{
+    Experiment *turn = duel_turn(duel);
+    bool sound = true;
+    if (turn && turn == duel->b)
+        experiment_work(duel->b, steps, NULL);
+    else if (turn)
+        sound = experiment_work(duel->a, steps, status);
+    if (!sound)
+        seek_second(duel); /* A stands where it failed */
+    return sound;
+}
+
+static size_t items_of(const Experiment *experiment, double share)
+{
+    const size_t all = experiment_simulation(experiment)->stage_items;
+    const size_t items = share < 1 ? (size_t)(share * (double)all) : all;
+    return items > 0 ? items : 1;
+}
+
+bool duel_advance_part(Duel *duel, double share, bool *whole, Status *status)
+{
+    bool sound = true, first = true;
+    if (!duel->b || !experiment_pending(duel->b, NULL)) {
+        sound = experiment_advance_part(duel->a, items_of(duel->a, share), &first, status);
+        if (first || !sound)
+            seek_second(duel);
+    } else {
+        bool second;
+        experiment_flow(duel->b);
+        experiment_work_part(duel->b, items_of(duel->b, share), &second, NULL);
+    }
+    *whole = first && !(duel->b && experiment_pending(duel->b, NULL));
+    return sound;
+}
+
+bool duel_work_part(Duel *duel, double share, bool *whole, Status *status)
+{
+    Experiment *turn = duel_turn(duel);
+    *whole = true;
+    if (!turn)
+        return true;
+    const bool sound =
+        experiment_work_part(turn, items_of(turn, share), whole, turn == duel->b ? NULL : status);
+    if (!sound)
+        seek_second(duel);
+    return sound || turn == duel->b;
+}
+
+void duel_drop_part(Duel *duel)
+{
+    experiment_drop_part(duel->a);
+    if (duel->b)
+        experiment_drop_part(duel->b);
+}
+
+void duel_cancel(Duel *duel)
+{
+    const bool waits = !experiment_pending(duel->a, NULL);
+    experiment_cancel(duel->a);
+    if (waits)
+        let_go(duel, false);
+    else
+        seek_second(duel);
+}
+
+/* --- other settings -------------------------------------------------------------------------------- */
+
+/* A begins again: so does B, made anew where it is no longer the same. */
+static bool restart_second(Duel *duel, Status *status)
+{
+    Settings *settings = malloc(sizeof *settings);
+    if (!settings)
+        return status_fail(status, STATUS_FAILED, "not enough memory");
+    bool sound = second_settings(duel, experiment_base(duel->a), settings, status);
+    if (sound && settings_same(settings, experiment_base(duel->b)))
+        sound = experiment_restart(duel->b, false, status);
+    else if (sound)
+        sound = make_second(duel, status);
+    free(settings);
+    return sound;
+}
+
+/* What does not touch a computed run. */
+static bool edit_second(Duel *duel, const Settings *wanted, Status *status)
+{
+    Settings *settings = malloc(sizeof *settings);
+    if (!settings)
+        return status_fail(status, STATUS_FAILED, "not enough memory");
+    *settings = *experiment_settings(duel->b);
+    settings->time.end = wanted->time.end;
+    settings->output.every = wanted->output.every;
+    settings->output.frames = wanted->output.frames;
+    memcpy(settings->output.at, wanted->output.at, sizeof settings->output.at);
+    memcpy(settings->output.columns, wanted->output.columns, sizeof settings->output.columns);
+    const bool sound = experiment_edit(duel->b, settings, status);
+    free(settings);
+    seek_second(duel);
+    return sound;
+}
+
+bool duel_restart(Duel *duel, bool keep_ghost, Status *status)
+{
+    if (!experiment_restart(duel->a, keep_ghost, status))
+        return false;
+    if (duel->b && !restart_second(duel, status))
+        let_go(duel, false);
+    return true;
+}
+
+bool duel_change(Duel *duel, const Settings *wanted, DuelChange change, Status *status)
+{
+    if (!duel->b)
+        return change(duel->a, wanted, status);
+    Settings *second = malloc(sizeof *second);
+    if (!second)
+        return status_fail(status, STATUS_FAILED, "not enough memory");
+    const bool possible = second_settings(duel, wanted, second, status);
+    free(second);
+    if (!possible)
+        return status_prefix(status, "run B");
+    const bool anew = experiment_recomputes(duel->a, wanted);
+    if (anew && change == experiment_edit)
+        change = experiment_rerun;
+    if (!change(duel->a, wanted, status))
+        return false;
+    Status why = {STATUS_DONE, ""};
+    if (anew ? !make_second(duel, &why) : !edit_second(duel, wanted, &why)) {
+        let_go(duel, false);
+        if (status)
+            *status = why;
+    }
+    return true;
+}

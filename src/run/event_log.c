@@ -1,0 +1,237 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The events of a run in one list (event_log.h): what was known before it (advice, changes), what the
+ * method reported, and what follows from the record: drift of the energy by levels, lag behind the exact
+ * answer. Brought up to date after each piece of work. */
+#include "run/experiment_internal.h"
+#include "base/text.h"
+#include "answers/known.h"
+#include "scenario/changes.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+void event_log_forget(EventLog *log)
+{
+    log->begun = false;
+}
+
+static void add(Event *events, int *count, int most, long step, EventKind kind, const char *text)
+{
+    if (*count == most)
+        return;
+    Event *event = &events[(*count)++];
+    event->step = step;
+    event->kind = kind;
+    snprintf(event->text, sizeof event->text, "%.119s", text);
+}
+
+/* --- what was known beforehand, and what was changed --------------------------------------------------- */
+
+static void add_advice(EventLog *log, const Settings *settings, long step, char last[160])
+{
+    char advice[160] = "";
+    if (!problem_advice(settings, advice, sizeof advice, NULL) || strcmp(advice, last) == 0)
+        return;
+    memcpy(last, advice, sizeof advice);
+    if (advice[0])
+        add(log->planned, &log->n_planned, EVENT_LOG_PLANNED_MAX, step, EVENT_ADVICE, advice);
+}
+
+/* Which references are left out, and because of which parameter. */
+static void add_unaccounted(EventLog *log, const Settings *settings)
+{
+    char text[KNOWN_TEXT_MAX];
+    long step;
+    if (known_text(settings, text, &step))
+        add(log->planned, &log->n_planned, EVENT_LOG_PLANNED_MAX, step, EVENT_ADVICE, text);
+}
+
+static void add_changes(EventLog *log, const Settings *settings)
+{
+    char last[160] = "", text[KEY_MAX + VALUE_MAX + 8];
+    Settings then;
+    changes_in_force(settings, -1, &then);
+    add_advice(log, &then, 0, last);
+    for (int i = 0; i < settings->n_changes; i++) {
+        const Change *change = &settings->changes[i];
+        snprintf(text, sizeof text, "%s = %s", change->to.key, change->to.value);
+        add(log->planned, &log->n_planned, EVENT_LOG_PLANNED_MAX, change->step, EVENT_CHANGE, text);
+        changes_in_force(settings, change->step, &then);
+        add_advice(log, &then, change->step, last);
+    }
+}
+
+/* --- energy ------------------------------------------------------------------------------------------- */
+
+/* A drift is reported when it is beyond a level in two periods in a row: the sum of energies that are half a
+ * step apart ripples. */
+static const double levels[] = {.01, .02, .05, .1, .2, .5, 1, 2, 5, 10, 100, 1000};
+enum { LEVELS = sizeof levels / sizeof *levels };
+
+static int column_of(const Experiment *experiment, const char *name)
+{
+    for (int i = 0; i < experiment->n_columns; i++)
+        if (strcmp(experiment->columns[i].quantity.name, name) == 0)
+            return i;
+    return -1;
+}
+
+static bool crossed_before(const Experiment *experiment, long step)
+{
+    for (int i = 0; i < experiment->n_events; i++)
+        if (experiment->events[i].kind == EVENT_CROSSING)
+            return experiment->events[i].step <= step;
+    return false;
+}
+
+/* Why the energy drifts, as far as it is known. */
+static const char *cause_of(const Experiment *experiment, long step, bool gain)
+{
+    Settings then;
+    changes_in_force(&experiment->base, step, &then);
+    const Solver *solver = problem_solver(then.problem, then.method);
+    const char *damping = solver && solver->damping && !gain ? solver->damping(&then) : NULL;
+    return damping ? damping : crossed_before(experiment, step) ? "cell crossing" : "";
+}
+
+static void add_drift(EnergyWatch *watch, const Experiment *experiment, double drift)
+{
+    const double least = fmin(fabs(drift), fabs(watch->before));
+    if (drift * watch->before <= 0 || watch->level == LEVELS || least < levels[watch->level])
+        return;
+    while (watch->level < LEVELS && least >= levels[watch->level])
+        watch->level++;
+    char number[NUMBER_TEXT_MAX], text[120];
+    text_rounded(number, 100 * fabs(watch->before), 2);
+    const char *cause = cause_of(experiment, watch->before_step, drift > 0);
+    snprintf(text, sizeof text, "energy %s %% %s the start%s%s", number, drift > 0 ? "above" : "below",
+             *cause ? ": " : "", cause);
+    add(watch->events, &watch->n_events, EVENT_LOG_DRIFTS_MAX, watch->before_step, EVENT_ENERGY, text);
+}
+
+static void end_block(EnergyWatch *watch, const Experiment *experiment, long step)
+{
+    const double mean = watch->sum / (double)watch->count;
+    if (watch->block == 0)
+        watch->first = mean;
+    const double drift = watch->first > 0 ? mean / watch->first - 1 : 0;
+    add_drift(watch, experiment, drift);
+    watch->before = drift;
+    watch->before_step = step;
+    watch->sum = 0;
+    watch->count = 0;
+}
+
+static void watch_energy(EnergyWatch *watch, const Experiment *experiment, const Readout *readout)
+{
+    const Record *record = &experiment->record;
+    const int total = column_of(experiment, "total"), work = column_of(experiment, "work");
+    const size_t rows = record->count - (record->loose_last && record->count > 0);
+    if (rows < watch->rows || record->spacing != watch->spacing) {
+        /* the period that the run really has is the mesh's own: it holds whole ripples */
+        const double turn = readout->predicted_known ? readout->predicted : readout->exact;
+        const bool known = readout->moving && readout->exact_known && !readout->drifting && turn > 0;
+        *watch = (EnergyWatch){.spacing = record->spacing,
+                               .period = !known               ? 0
+                                         : readout->is_period ? turn
+                                                              : 2 * M_PI / turn};
+    }
+    if (!(watch->period > 0) || total < 0)
+        return;
+    for (; watch->rows < rows; watch->rows++) {
+        const double *row = record_row(record, watch->rows);
+        const long block = (long)floor(row[1] / watch->period);
+        if (block != watch->block && watch->count > 0)
+            end_block(watch, experiment, (long)record_row(record, watch->rows - 1)[0]);
+        watch->block = block;
+        watch->sum += row[total] - (work >= 0 ? row[work] : 0);
+        watch->count++;
+    }
+}
+
+/* --- the lag ------------------------------------------------------------------------------------------ */
+
+/* Periods that the run falls behind in a unit of time; 0: not known. What the mesh predicts does not change
+ * while the run goes on; it counts where the run does as predicted. */
+static double lag_per_time(const Readout *readout)
+{
+    Readout steady = *readout;
+    if (!readout->measured_known || !readout->exact_known || readout->drifting)
+        return 0;
+    if (readout->predicted_known && fabs(readout->measured / readout->predicted - 1) < 0.01)
+        steady.measured = readout->predicted;
+    return readout_late(&steady, 1);
+}
+
+static void add_lags(EventLog *log, const Experiment *experiment)
+{
+    static const struct {
+        double periods;
+        const char *words;
+    } lags[EVENT_LOG_LAGS_MAX] = {{.5, "half a period"}, {1, "a whole period"}, {2, "two periods"},
+                                  {5, "five periods"},   {10, "ten periods"},   {20, "twenty periods"}};
+    for (int i = 0; i < EVENT_LOG_LAGS_MAX && log->late != 0; i++) {
+        const double step = lags[i].periods / fabs(log->late) / experiment->sim->dt;
+        char text[120];
+        if (step > (double)experiment->newest)
+            return;
+        snprintf(text, sizeof text, "%s %s against %s", lags[i].words, log->late > 0 ? "late" : "early",
+                 experiment->base.problem->answer);
+        add(log->events, &log->count, EVENT_LOG_MAX, lround(step), EVENT_LATE, text);
+    }
+}
+
+/* --- together ----------------------------------------------------------------------------------------- */
+
+/* Whether another event of the log has the same in it, with more detail: changes, and growth that the drift
+ * covers. */
+static bool is_covered(const EventLog *log, const Event *event)
+{
+    const double seen = (double)(log->energy.before_step);
+    return event->kind == EVENT_CHANGE ||
+           (event->kind == EVENT_ENERGY && log->energy.period > 0 && (double)event->step <= seen);
+}
+
+static void sort(Event *events, int count)
+{
+    for (int i = 1; i < count; i++) { /* mostly in order already, and equal ones keep theirs */
+        const Event event = events[i];
+        int at = i;
+        for (; at > 0 && events[at - 1].step > event.step; at--)
+            events[at] = events[at - 1];
+        events[at] = event;
+    }
+}
+
+void event_log_update(EventLog *log, const Experiment *experiment, const Readout *readout)
+{
+    if (!log->begun) {
+        *log = (EventLog){.begun = true, .newest = -1};
+        add_changes(log, &experiment->base);
+        add_unaccounted(log, &experiment->base);
+    }
+    const double late = lag_per_time(readout);
+    if (log->newest == experiment->newest && log->failed == experiment->failed &&
+        log->n_reported == experiment->n_events && !(log->late < late) && !(log->late > late))
+        return;
+    log->late = late;
+    log->newest = experiment->newest;
+    log->failed = experiment->failed;
+    log->n_reported = experiment->n_events;
+    watch_energy(&log->energy, experiment, readout);
+    log->count = 0;
+    for (int i = 0; i < log->n_planned; i++)
+        if (log->planned[i].step <= experiment->newest)
+            log->events[log->count++] = log->planned[i];
+    for (int i = 0; i < experiment->n_events; i++)
+        if (!is_covered(log, &experiment->events[i]))
+            log->events[log->count++] = experiment->events[i];
+    for (int i = 0; i < log->energy.n_events; i++)
+        log->events[log->count++] = log->energy.events[i];
+    add_lags(log, experiment);
+    sort(log->events, log->count);
+    if (experiment->failed)
+        add(log->events, &log->count, EVENT_LOG_MAX, experiment->newest, EVENT_FAILURE,
+            experiment->failure.text);
+}

@@ -1,0 +1,423 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Creates and destroys an experiment and answers what front ends read of it: step, rows, readout,
+ * references, events (experiment.h). Forward and backward motion is in experiment_run.c, other settings in
+ * experiment_edit.c. */
+#include "run/experiment_internal.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* --- life ----------------------------------------------------------------------------------------- */
+
+void experiment_keep_given(Experiment *experiment, const Settings *settings)
+{
+    memcpy(experiment->given, settings->changes, sizeof experiment->given);
+    experiment->n_given = settings->n_changes;
+}
+
+static Experiment *new_experiment(const Settings *settings, int threads, Status *status)
+{
+    Experiment *experiment = calloc(1, sizeof *experiment);
+    if (!experiment) {
+        status_fail(status, STATUS_FAILED, "not enough memory");
+        return NULL;
+    }
+    experiment->threads = threads;
+    experiment->row_step = -1;
+    experiment_keep_given(experiment, settings);
+    return experiment;
+}
+
+Experiment *experiment_create(const Settings *settings, size_t history, int threads, Status *status)
+{
+    Experiment *experiment = new_experiment(settings, threads, status);
+    if (!experiment || experiment_open(experiment, settings, history, threads, status))
+        return experiment;
+    experiment_destroy(experiment);
+    return NULL;
+}
+
+void experiment_destroy(Experiment *experiment)
+{
+    if (!experiment)
+        return;
+    for (int i = 0; i < GHOSTS_MAX; i++)
+        experiment_drop_ghost(&experiment->ghosts[i]);
+    experiment_close(experiment);
+    for (int i = 0; i < SPECTRUM_SPANS; i++)
+        spectrum_close(&experiment->spectra[i]);
+    free(experiment->before.bytes);
+    free(experiment->part.bytes);
+    free(experiment);
+}
+
+void experiment_set_history(Experiment *experiment, size_t history)
+{
+    history_set_budget(&experiment->history, history);
+}
+
+/* --- what there is -------------------------------------------------------------------------------- */
+
+const Settings *experiment_settings(const Experiment *experiment)
+{
+    return &experiment->now;
+}
+
+const Settings *experiment_base(const Experiment *experiment)
+{
+    return &experiment->base;
+}
+
+const Simulation *experiment_simulation(const Experiment *experiment)
+{
+    return experiment->sim;
+}
+
+References *experiment_references(const Experiment *experiment)
+{
+    return experiment->refs;
+}
+
+const Record *experiment_record(const Experiment *experiment)
+{
+    return &experiment->record;
+}
+
+const Column *experiment_columns(const Experiment *experiment, int *count)
+{
+    *count = experiment->n_columns;
+    return experiment->columns;
+}
+
+const Ghost *experiment_ghosts(const Experiment *experiment)
+{
+    return experiment->ghosts;
+}
+
+const char *experiment_advice(const Experiment *experiment)
+{
+    return experiment->advice;
+}
+
+const Event *experiment_events(Experiment *experiment, int *count)
+{
+    event_log_update(&experiment->log, experiment, experiment_readout(experiment));
+    *count = experiment->log.count;
+    return experiment->log.events;
+}
+
+int experiment_derived(Experiment *experiment, Derived out[DERIVED_MAX])
+{
+    if (experiment->n_derived == 0 ||
+        memcmp(&experiment->derived_for, &experiment->now, sizeof experiment->now) != 0)
+        experiment_derive(experiment, (Patience){0}); /* a picture is not interrupted */
+    memcpy(out, experiment->derived, (size_t)experiment->n_derived * sizeof *out);
+    return experiment->n_derived;
+}
+
+double experiment_time(const Experiment *experiment)
+{
+    return simulation_time(experiment->sim);
+}
+
+long experiment_step(const Experiment *experiment)
+{
+    return experiment->sim->step;
+}
+
+int experiment_stage(const Experiment *experiment)
+{
+    return experiment->sim->stage;
+}
+
+long experiment_newest(const Experiment *experiment)
+{
+    return experiment->newest;
+}
+
+long experiment_last_step(const Experiment *experiment)
+{
+    return experiment->last;
+}
+
+bool experiment_at_end(const Experiment *experiment)
+{
+    return experiment->sim->stage == 0 && experiment->sim->step >= experiment->last;
+}
+
+bool experiment_failed(const Experiment *experiment, Status *status)
+{
+    if (experiment->failed && status)
+        *status = experiment->failure;
+    return experiment->failed;
+}
+
+void experiment_scenario(const Experiment *experiment, bool to_newest, Settings *out)
+{
+    long step = to_newest ? experiment->newest : experiment->sim->step;
+    *out = experiment->base;
+    problem_end_at(out, experiment->sim->dt, step);
+}
+
+/* A fit over thousands of rows is not free: while rows come in, it is done when their number has grown by a
+ * tenth; once they stop coming, exactly. */
+const Readout *experiment_readout(Experiment *experiment)
+{
+    const Record *record = &experiment->record;
+    size_t rows = record->count - (record->loose_last && record->count > 0 ? 1 : 0);
+    size_t known = experiment->readout_rows;
+    bool still = !experiment->flowing || experiment->sim->step >= experiment->last;
+    if (known == 0 || rows < known || rows > known + known / 10 || (still && rows != known)) {
+        references_readout(experiment->refs, record->rows, rows, record->n_columns, &experiment->readout);
+        experiment->readout_rows = rows;
+    }
+    experiment->readout.time = simulation_time(experiment->sim);
+    experiment->readout.late = readout_late(&experiment->readout, experiment->readout.time);
+    return &experiment->readout;
+}
+
+const CrackFronts *experiment_fronts(Experiment *experiment)
+{
+    return crack_fronts_update(&experiment->fronts, experiment->sim) ? &experiment->fronts : NULL;
+}
+
+const Spectrum *experiment_spectrum(Experiment *experiment, int column, SpectrumSpan span)
+{
+    Spectrum *spectrum = &experiment->spectra[span];
+    return spectrum_of(&experiment->record, column, span, spectrum) ? spectrum : NULL;
+}
+
+const Spectrum *experiment_ghost_spectrum(Experiment *experiment, int i, int column, SpectrumSpan span)
+{
+    Ghost *ghost = &experiment->ghosts[i];
+    return spectrum_of(&ghost->record, column, span, &ghost->spectra[span]) ? &ghost->spectra[span] : NULL;
+}
+
+/* The record's row where it is kept; else it is worked out, which is possible between steps only. */
+const double *experiment_row(Experiment *experiment)
+{
+    Simulation *sim = experiment->sim;
+    const double *kept = record_of_step(&experiment->record, sim->step);
+    if (kept)
+        return kept;
+    const double *near =
+        record_row(&experiment->record, record_find(&experiment->record, simulation_time(sim)));
+    if (experiment->row_step == sim->step)
+        return experiment->row;
+    if (sim->stage != 0)
+        return near;
+    simulation_row(sim, experiment->block);
+    references_row_again(experiment->refs, sim->step, simulation_time(sim), experiment->block, near,
+                         experiment->row);
+    experiment->row_step = sim->step;
+    return experiment->row;
+}
+
+/* --- forwards ------------------------------------------------------------------------------------- */
+
+bool experiment_advance(Experiment *experiment, long steps, Status *status)
+{
+    experiment_drop_part(experiment);
+    experiment->pending = false;
+    experiment->flowing = true;
+    experiment->before.known = false;
+    return experiment_do_steps(experiment, steps, status);
+}
+
+void experiment_flow(Experiment *experiment)
+{
+    experiment->flowing = true;
+}
+
+void experiment_rest(Experiment *experiment)
+{
+    experiment->flowing = false;
+}
+
+bool experiment_is_flowing(const Experiment *experiment)
+{
+    return experiment->flowing;
+}
+
+/* A snapshot in a buffer that grows. False: not enough memory. */
+static bool keep_state(const Simulation *sim, unsigned char **bytes, size_t *room)
+{
+    size_t size = simulation_snapshot_size(sim);
+    if (size > *room) {
+        unsigned char *more = realloc(*bytes, size);
+        if (!more)
+            return false;
+        *bytes = more;
+        *room = size;
+    }
+    simulation_snapshot(sim, *bytes);
+    return true;
+}
+
+static void note_before(Experiment *experiment)
+{
+    const Simulation *sim = experiment->sim;
+    Before *before = &experiment->before;
+    before->known = keep_state(sim, &before->bytes, &before->room);
+    before->head = simulation_snapshot_size(sim) - sim->method->state_size(sim);
+}
+
+static bool next_stage(Experiment *experiment, Status *status)
+{
+    if (experiment_at_end(experiment))
+        return true;
+    experiment_row(experiment); /* in the middle of a step it could not be worked out */
+    note_before(experiment);
+    if (experiment_do_stage(experiment, status))
+        return true;
+    experiment->before.known = false;
+    return false;
+}
+
+bool experiment_next_stage(Experiment *experiment, Status *status)
+{
+    experiment_drop_part(experiment);
+    experiment->pending = false;
+    return next_stage(experiment, status);
+}
+
+const void *experiment_before(const Experiment *experiment)
+{
+    const Before *before = &experiment->before;
+    return before->known ? before->bytes + before->head : NULL;
+}
+
+bool experiment_field_before(Experiment *experiment, int field, size_t first, size_t count, double *out)
+{
+    Simulation *sim = experiment->sim;
+    if (!experiment->before.known)
+        return false;
+    void *present = malloc(simulation_snapshot_size(sim));
+    if (!present)
+        return false;
+    simulation_snapshot(sim, present);
+    simulation_restore(sim, experiment->before.bytes);
+    sim->method->field(sim, field, first, count, out);
+    simulation_restore(sim, present);
+    free(present);
+    return true;
+}
+
+/* --- seeking -------------------------------------------------------------------------------------- */
+
+void experiment_seek(Experiment *experiment, long step, int stage)
+{
+    experiment_drop_part(experiment);
+    if (step < 0)
+        step = 0, stage = 0;
+    if (step >= experiment->last)
+        step = experiment->last, stage = 0;
+    experiment->goal_step = step;
+    experiment->goal_stage = stage > 0 ? stage : 0;
+    experiment->pending = experiment->sim->step != step || experiment->sim->stage != experiment->goal_stage;
+}
+
+bool experiment_pending(const Experiment *experiment, long *steps_left)
+{
+    if (!experiment->pending)
+        return false;
+    const Simulation *sim = experiment->sim;
+    long from = sim->step;
+    if (from > experiment->goal_step) {
+        const Keyframe *frame = history_nearest(&experiment->history, experiment->goal_step);
+        from = frame ? frame->step : 0;
+    }
+    if (steps_left)
+        *steps_left = experiment->goal_step - from;
+    return true;
+}
+
+void experiment_goal(const Experiment *experiment, long *step, int *stage)
+{
+    const Simulation *sim = experiment->sim;
+    *step = experiment->pending ? experiment->goal_step : sim->step;
+    *stage = experiment->pending ? experiment->goal_stage : sim->stage;
+}
+
+bool experiment_work(Experiment *experiment, long steps, Status *status)
+{
+    Simulation *sim = experiment->sim;
+    experiment_drop_part(experiment);
+    if (!experiment->pending)
+        return true;
+    experiment_approach(experiment, experiment->goal_step, experiment->goal_stage);
+    if (sim->step < experiment->goal_step) {
+        experiment->before.known = false;
+        bool begun = sim->stage != 0;
+        bool sound = !begun || experiment_do_steps(experiment, 0, status);
+        long left = experiment->goal_step - sim->step;
+        if (!sound || !experiment_do_steps(experiment, left < steps ? left : steps, status)) {
+            experiment->pending = false;
+            return false;
+        }
+        if (sim->step < experiment->goal_step)
+            return true;
+    }
+    experiment->pending = false;
+    if (sim->stage == 0)
+        experiment->before.known = false;
+    while (sim->step == experiment->goal_step && sim->stage < experiment->goal_stage &&
+           sim->stage + 1 < sim->n_stages)
+        if (!next_stage(experiment, status))
+            return false;
+    return true;
+}
+
+void experiment_cancel(Experiment *experiment)
+{
+    experiment_drop_part(experiment);
+    experiment->pending = false;
+}
+
+/* --- steps in parts ------------------------------------------------------------------------------- */
+
+static bool do_part(Experiment *experiment, size_t items, bool *whole, Status *status)
+{
+    Part *part = &experiment->part;
+    experiment->before.known = false;
+    if (!part->begun) {
+        if (!keep_state(experiment->sim, &part->bytes, &part->room)) {
+            *whole = true; /* there is no way back from the middle, so there must be no stop in it */
+            return experiment_do_steps(experiment, experiment->sim->stage == 0 ? 1 : 0, status);
+        }
+        part->begun = true;
+    }
+    bool sound = experiment_do_slice(experiment, items, whole, status);
+    part->begun = sound && !*whole;
+    return sound;
+}
+
+bool experiment_advance_part(Experiment *experiment, size_t items, bool *whole, Status *status)
+{
+    if (experiment->pending)
+        experiment_drop_part(experiment);
+    experiment->pending = false;
+    experiment->flowing = true;
+    return do_part(experiment, items, whole, status);
+}
+
+bool experiment_work_part(Experiment *experiment, size_t items, bool *whole, Status *status)
+{
+    *whole = true;
+    if (!experiment->pending)
+        return true;
+    if (!experiment->part.begun)
+        experiment_approach(experiment, experiment->goal_step, experiment->goal_stage);
+    if (experiment->sim->step >= experiment->goal_step)
+        return experiment_work(experiment, 0, status);
+    experiment->pending = do_part(experiment, items, whole, status);
+    return experiment->pending;
+}
+
+void experiment_drop_part(Experiment *experiment)
+{
+    if (experiment->part.begun)
+        simulation_restore(experiment->sim, experiment->part.bytes);
+    experiment->part.begun = false;
+}

@@ -1,0 +1,152 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* One run and all that is kept of it: settings, simulation, references, record, keyframes, ghosts.
+ *
+ * It has two times: the present (what is on screen, may be rewound) and the newest (what has been computed).
+ * Work is done in pieces that the caller sizes, so that an event loop stays alive: there is no clock here.
+ *
+ * Settings are those in force at the present step: where a live parameter was changed in mid-run, what is on
+ * screen before the change is the old value and after it the new one. Edits start from a copy of them. What a
+ * file should hold (values at t = 0, and the changes) is experiment_scenario(). */
+#ifndef LAB_EXPERIMENT_H
+#define LAB_EXPERIMENT_H
+
+#include "answers/references.h"
+#include "answers/crack_growth.h"
+#include "answers/profile.h"
+#include "run/record.h"
+#include "scenario/settings.h"
+#include "answers/spectrum.h"
+
+enum { GHOSTS_MAX = 5, LEGEND_MAX = 60 };
+
+/* The curves of an earlier run, kept behind those of the present one. */
+typedef struct Ghost {
+    bool used, pinned;       /* not pinned: the curve before the last edit, replaced by the next */
+    char letter;             /* 'a', 'b', ... */
+    char legend[LEGEND_MAX]; /* what it is as against the present run: "cell size 1", "USL" */
+    Settings settings;
+    Record record;
+    Column columns[COLUMNS_MAX];
+    int n_columns;
+    Readout readout; /* of its whole record */
+    Profile profile; /* as it was last on screen */
+    Spectrum spectra[SPECTRUM_SPANS];
+    struct Follow *names; /* of followed columns */
+} Ghost;
+
+typedef struct Experiment Experiment;
+
+/* At t = 0, not yet advanced; row 0 is recorded. `history` is the memory for keyframes in bytes. NULL: the
+ * status says why. */
+Experiment *experiment_create(const Settings *, size_t history, int threads, Status *);
+void experiment_destroy(Experiment *);
+
+/* The state of affairs; read only, valid until the next call that changes the experiment. */
+const Settings *experiment_settings(const Experiment *); /* in force at the present step */
+const Settings *experiment_base(const Experiment *);     /* at t = 0, with the changes in mid-run */
+const Simulation *experiment_simulation(const Experiment *);
+References *experiment_references(const Experiment *);
+const Record *experiment_record(const Experiment *);
+const Column *experiment_columns(const Experiment *, int *count);
+const Ghost *experiment_ghosts(const Experiment *); /* GHOSTS_MAX of them */
+const char *experiment_advice(const Experiment *);  /* "" or a line to be shown */
+/* The cracks of a plate up to the present step, NULL: there are none. */
+const CrackFronts *experiment_fronts(Experiment *);
+const Readout *experiment_readout(Experiment *);                             /* see experiment_rest() */
+const Spectrum *experiment_spectrum(Experiment *, int column, SpectrumSpan); /* NULL: too few rows as yet */
+const Spectrum *experiment_ghost_spectrum(Experiment *, int ghost, int column, SpectrumSpan);
+const double *experiment_row(Experiment *); /* all columns at the present whole step */
+/* The energy without the ripple of staggered velocities and stresses (E* of paper M's method: sum of m v^n
+ * v^{n+1}/2 and the strain energy between), at the present step and at t = 0. False: not known; it is for
+ * bars without load, FLIP alone, between steps. */
+bool experiment_invariant(Experiment *, double *now, double *start);
+
+/* What happened, in plain words, up to the newest step even when rewound; ascending in step. */
+const Event *experiment_events(Experiment *, int *count);
+
+/* The settings whose run from t = 0 gives what has been computed: to the newest step, or only to the present
+ * one. For export_run() and scenario_write(): its time.end is the actual last time, its time.step the number
+ * in use. */
+void experiment_scenario(const Experiment *, bool to_newest, Settings *);
+int experiment_derived(Experiment *, Derived out[DERIVED_MAX]);
+
+double experiment_time(const Experiment *);
+long experiment_step(const Experiment *); /* present */
+int experiment_stage(const Experiment *);
+long experiment_newest(const Experiment *);    /* whole steps computed so far */
+long experiment_last_step(const Experiment *); /* the step at which time.end is reached */
+bool experiment_at_end(const Experiment *);
+bool experiment_failed(const Experiment *, Status *);
+
+/* Goes on by whole steps, at most to the end; a step that has begun is finished first and not counted (so 0
+ * steps finish it, and do nothing else). A seek that is pending is given up. False: the run failed; then it
+ * stands at the last sound whole step. */
+bool experiment_advance(Experiment *, long steps, Status *);
+
+/* For steps that take longer than a frame: at most so many items of the step at hand (Simulation.stage_items
+ * to each of its stages) or, of a seek that is pending, of the way to its goal. *whole: a step came to its
+ * end, or there was none to do. Until then the state is no moment of the run, not to be looked at: whoever
+ * wants to, and whatever else is done to the experiment, goes back to where the step began by
+ * experiment_drop_part(). */
+bool experiment_advance_part(Experiment *, size_t items, bool *whole, Status *);
+bool experiment_work_part(Experiment *, size_t items, bool *whole, Status *);
+void experiment_drop_part(Experiment *);
+
+/* Rows come, by experiment_work(), as by experiment_advance(). */
+void experiment_flow(Experiment *);
+
+/* No rows come for the time being: what is worked out now and then only while the run goes on, the readout,
+ * is worked out exactly. */
+void experiment_rest(Experiment *);
+bool experiment_is_flowing(const Experiment *);
+
+/* The next stage only; nothing at the end of the run. */
+bool experiment_next_stage(Experiment *, Status *);
+
+/* The state before the last stage as Method.save wrote it, for Method.explain; NULL: not known. */
+const void *experiment_before(const Experiment *);
+
+/* Values of a field before the last stage, for highlighting what changed; false: not known. */
+bool experiment_field_before(Experiment *, int field, size_t first, size_t count, double *out);
+
+/* To step `step` with `stage` stages of the next one done, forwards or backwards: sets the goal (at most the
+ * last step). Then call experiment_work() until nothing is pending. */
+void experiment_seek(Experiment *, long step, int stage);
+bool experiment_pending(const Experiment *, long *steps_left);
+bool experiment_work(Experiment *, long steps, Status *);
+void experiment_goal(const Experiment *, long *step,
+                     int *stage);     /* of work that is pending, or the present */
+void experiment_cancel(Experiment *); /* stay where the work has come to */
+
+/* Back to t = 0, parameters kept as they are on screen (a live one that was changed in mid-run by hand holds
+ * from the start); the curves so far are forgotten unless `keep_ghost`. */
+bool experiment_restart(Experiment *, bool keep_ghost, Status *);
+
+/* New settings, made from a copy of experiment_settings(). Where only live parameters differ they change at
+ * the present step (the end of the step that has begun; at t = 0 and at the end of the run as a restart
+ * parameter), and the future that was computed is cut off. A restart parameter begins anew at t = 0 and seeks
+ * the time that was on screen: call experiment_work() until nothing is pending. Either way the curves that go
+ * stay as the unpinned ghost. time.end, output.*, texts and view alone do not recompute. False: refused,
+ * nothing has changed. */
+bool experiment_edit(Experiment *, const Settings *, Status *);
+
+/* The same, but live parameters hold from t = 0 on as all others do: another run to compare with. */
+bool experiment_rerun(Experiment *, const Settings *, Status *);
+
+/* Whether these settings make a run that is another one from some step on. */
+bool experiment_recomputes(const Experiment *, const Settings *);
+
+/* Settings as they once were, with the changes in mid-run that they had then: for undo. */
+bool experiment_replace(Experiment *, const Settings *, Status *);
+
+/* Pins the present curves as a ghost (with the unpinned one's place at most GHOSTS_MAX - 1 of them), or
+ * unpins the one of the same settings. False: all places are taken, or no memory. */
+bool experiment_pin(Experiment *, Status *);
+
+/* The run is over, its curves stay with `heir` as the unpinned ghost. */
+void experiment_become_ghost(Experiment *, Experiment *heir);
+
+/* Other memory for keyframes, in bytes: some are given up where it is less. */
+void experiment_set_history(Experiment *, size_t history);
+
+#endif

@@ -1,0 +1,318 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Edits: another run in the place of this one, or another future of it. */
+#include "answers/known.h"
+#include "run/experiment_internal.h"
+#include "scenario/changes.h"
+#include "scenario/parameters.h"
+
+#include <math.h>
+#include <string.h>
+
+static void forget_answers(Experiment *experiment)
+{
+    experiment->before.known = false;
+    experiment->row_step = -1;
+    experiment->invariant.any = false;
+    event_log_forget(&experiment->log);
+    experiment->readout_rows = 0;
+    experiment->n_derived = 0;
+    for (int i = 0; i < SPECTRUM_SPANS; i++)
+        spectrum_close(&experiment->spectra[i]);
+}
+
+static void exchange(Experiment *a, Experiment *b)
+{
+    enum { CHUNK = 4096 };
+    unsigned char *one = (unsigned char *)a, *other = (unsigned char *)b, chunk[CHUNK];
+    for (size_t left = sizeof *a, size; left > 0; left -= size, one += size, other += size) {
+        size = left < CHUNK ? left : CHUNK;
+        memcpy(chunk, one, size);
+        memcpy(one, other, size);
+        memcpy(other, chunk, size);
+    }
+}
+
+/* Another run takes the place of this one, and seeks the time that was on screen; the end, where that was the
+ * end. */
+static bool replace_run(Experiment *experiment, const Settings *settings, bool keep_ghost, bool seek,
+                        Status *status)
+{
+    const long step = experiment->pending ? experiment->goal_step : experiment->sim->step;
+    const double time = (double)step * experiment->sim->dt;
+    const bool ended =
+        step >= experiment_last_step(experiment) && settings->time.end == experiment->base.time.end;
+    Experiment *fresh = experiment_create(settings, experiment->history.budget, experiment->threads, status);
+    if (!fresh)
+        return false;
+    if (settings_same(settings, &experiment->base)) {
+        /* the same curves come again */
+    } else if (keep_ghost && experiment_is_pinned(experiment)) {
+        experiment_drop_unpinned(experiment);
+    } else if (keep_ghost && experiment_has_curve(experiment)) {
+        Remains remains = experiment_remains(experiment);
+        experiment_make_ghost(experiment, false, &experiment->record, &remains);
+    }
+    /* what outlives a run */
+    memcpy(fresh->ghosts, experiment->ghosts, sizeof fresh->ghosts);
+    memset(experiment->ghosts, 0, sizeof experiment->ghosts);
+    memcpy(fresh->given, experiment->given, sizeof fresh->given);
+    fresh->n_given = experiment->n_given;
+    fresh->flowing = experiment->flowing;
+    exchange(experiment, fresh);
+    experiment_destroy(fresh);
+    experiment_write_legends(experiment);
+    if (seek)
+        experiment_seek(experiment,
+                        ended ? experiment_last_step(experiment) : lround(time / experiment->sim->dt), 0);
+    return true;
+}
+
+/* Copies the value of one parameter. */
+static void copy_value(Settings *to, const Settings *from, const Parameter *parameter)
+{
+    char text[LIST_MAX];
+    settings_get(from, parameter, text);
+    settings_set(to, parameter->key, text, NULL);
+}
+
+/* What changes in mid-run begins with its own first value, whatever is in force now. */
+static void begin_changed_ones(Settings *settings, const Settings *base)
+{
+    for (int i = 0; i < settings->n_changes; i++) {
+        const Parameter *parameter = parameter_find(settings->changes[i].to.key);
+        if (parameter)
+            copy_value(settings, base, parameter);
+    }
+}
+
+/* The same run from its beginning; nothing has to be made anew. */
+static void rewind_run(Experiment *experiment, bool keep_ghost)
+{
+    Record old;
+    const bool kept = keep_ghost && experiment_has_curve(experiment);
+    Remains remains = {0};
+    if (kept)
+        remains = experiment_remains(experiment);
+    experiment_rewind(experiment, &old);
+    if (kept && old.count > 0)
+        experiment_make_ghost(experiment, false, &old, &remains);
+    experiment_drop_remains(&remains);
+    record_close(&old);
+    experiment->pending = false;
+    forget_answers(experiment);
+    experiment_write_legends(experiment);
+}
+
+bool experiment_restart(Experiment *experiment, bool keep_ghost, Status *status)
+{
+    experiment_drop_part(experiment);
+    Settings settings = experiment->now;
+    memcpy(settings.changes, experiment->given, sizeof settings.changes);
+    settings.n_changes = experiment->n_given;
+    begin_changed_ones(&settings, &experiment->base);
+    if (settings_same(&settings, &experiment->base))
+        rewind_run(experiment, keep_ghost);
+    else if (!replace_run(experiment, &settings, keep_ghost, false, status))
+        return false;
+    if (!keep_ghost)
+        experiment_drop_unpinned(experiment);
+    return true;
+}
+
+typedef struct Difference {
+    bool restart, live;
+} Difference;
+
+/* Another end is another run where it is for the problem, or where other answers are known so far. */
+static bool end_matters(const Settings *now, const Settings *wanted)
+{
+    bool matters = now->problem->end_matters;
+    for (Reference r = 0; r < REFERENCES; r++)
+        matters = matters || !known_unaccounted(now, r) != !known_unaccounted(wanted, r);
+    return matters && now->time.end != wanted->time.end;
+}
+
+static bool recomputes(const Parameter *parameter)
+{
+    if (strcmp(parameter->key, "time.end") == 0)
+        return false; /* that is end_matters() */
+    /* the critical stretch says the same */
+    if (strcmp(parameter->key, "pd.critical_energy") == 0)
+        return false;
+    return !parameter->output || strcmp(parameter->key, "output.follow") == 0; /* columns from t = 0 on */
+}
+
+static bool differs(const Settings *a, const Settings *b, const Parameter *parameter)
+{
+    char one[LIST_MAX], other[LIST_MAX];
+    if (!parameter_applies_to(a, parameter))
+        return false;
+    settings_get(a, parameter, one);
+    settings_get(b, parameter, other);
+    return strcmp(one, other) != 0;
+}
+
+static Difference compare(const Settings *now, const Settings *wanted)
+{
+    Difference difference = {false, false};
+    if (now->problem != wanted->problem || now->method != wanted->method || !changes_same(now, wanted) ||
+        !settings_rows_same(now, wanted))
+        return (Difference){true, false};
+    difference.restart = end_matters(now, wanted);
+    for (int i = 0; i < n_parameters; i++)
+        if (differs(now, wanted, &parameters[i]) && recomputes(&parameters[i])) {
+            if (parameters[i].live)
+                difference.live = true;
+            else
+                difference.restart = true;
+        }
+    return difference;
+}
+
+bool experiment_recomputes(const Experiment *experiment, const Settings *wanted)
+{
+    const Difference difference = compare(&experiment->now, wanted);
+    return difference.restart || difference.live;
+}
+
+/* Changes are known by their step; with another time step they keep their time. */
+static void move_changes(Change *changes, int count, double from_dt, double to_dt)
+{
+    for (int i = 0; i < count; i++)
+        changes[i].step = lround((double)changes[i].step * from_dt / to_dt);
+}
+
+/* Those that were made by hand become plain values; so does a given one that the new settings overrule. */
+static void take_given_changes(const Experiment *experiment, Settings *wanted)
+{
+    const Settings *now = &experiment->now;
+    wanted->n_changes = 0;
+    for (int i = 0; i < experiment->n_given; i++) {
+        const Parameter *parameter = parameter_find(experiment->given[i].to.key);
+        if (!parameter || !differs(now, wanted, parameter))
+            wanted->changes[wanted->n_changes++] = experiment->given[i];
+    }
+}
+
+static bool edit_from_start(Experiment *experiment, const Settings *wanted, bool live_from_start,
+                            Status *status)
+{
+    Settings settings = *wanted;
+    experiment_drop_part(experiment);
+    double dt = experiment->sim->dt, new_dt = dt;
+    if (live_from_start)
+        take_given_changes(experiment, &settings);
+    if (settings.problem == experiment->base.problem)
+        begin_changed_ones(&settings, &experiment->base);
+    if (settings.n_changes > 0 && !problem_time_step(&settings, &new_dt, status))
+        return false;
+    move_changes(settings.changes, settings.n_changes, dt, new_dt);
+    if (!replace_run(experiment, &settings, true, true, status))
+        return false;
+    move_changes(experiment->given, experiment->n_given, dt, new_dt);
+    if (live_from_start)
+        experiment_keep_given(experiment, &settings);
+    return true;
+}
+
+static bool edit_live(Experiment *experiment, const Settings *wanted, Status *status)
+{
+    const Settings before = experiment->now;
+    long step = experiment->sim->step + (experiment->sim->stage != 0);
+    if (experiment->pending && experiment->goal_step >= step)
+        step = experiment->goal_step + (experiment->goal_stage != 0);
+    char advice[sizeof experiment->advice];
+    if (!problem_advice(wanted, advice, sizeof advice, status))
+        return false;
+    Record old = {0};
+    Remains remains = {0};
+    if (experiment->newest > step && !record_copy(&old, &experiment->record))
+        return status_fail(status, STATUS_FAILED, "not enough memory to keep the curves");
+    if (old.count > 0)
+        remains = experiment_remains(experiment);
+    for (int i = 0; i < n_parameters; i++) {
+        char text[LIST_MAX];
+        if (!differs(&before, wanted, &parameters[i]) || !recomputes(&parameters[i]))
+            continue;
+        settings_get(wanted, &parameters[i], text);
+        if (!experiment_change(experiment, step, parameters[i].key, text, status)) {
+            record_close(&old);
+            experiment_drop_remains(&remains);
+            return false;
+        }
+    }
+    memcpy(experiment->advice, advice, sizeof advice);
+    if (old.count > 0)
+        experiment_make_ghost(experiment, false, &old, &remains);
+    record_close(&old);
+    forget_answers(experiment);
+    experiment_write_legends(experiment);
+    return true;
+}
+
+/* What does not touch the computed run. */
+static void take_over_rest(Settings *to, const Settings *from)
+{
+    memcpy(to->title, from->title, sizeof to->title);
+    memcpy(to->about, from->about, sizeof to->about);
+    memcpy(to->question, from->question, sizeof to->question);
+    memcpy(to->duel, from->duel, sizeof to->duel);
+    to->n_duel = from->n_duel;
+    to->view = from->view;
+    to->output.every = from->output.every;
+    to->output.frames = from->output.frames;
+    memcpy(to->output.at, from->output.at, sizeof to->output.at);
+    memcpy(to->output.columns, from->output.columns, sizeof to->output.columns);
+}
+
+bool experiment_edit(Experiment *experiment, const Settings *wanted, Status *status)
+{
+    if (!settings_check(wanted, status))
+        return false;
+    if (wanted->time.end != experiment->base.time.end &&
+        !problem_check_steps(wanted->time.end, experiment->sim->dt, status))
+        return false;
+    experiment_drop_part(experiment);
+    Difference difference = compare(&experiment->now, wanted);
+    /* what is on screen, or will be as soon as the work is done */
+    long step = experiment->pending ? experiment->goal_step : experiment->sim->step;
+    int stage = experiment->pending ? experiment->goal_stage : experiment->sim->stage;
+    if (difference.restart)
+        return edit_from_start(experiment, wanted, false, status);
+    if (difference.live && stage == 0 && (step == 0 || step >= experiment->last))
+        return edit_from_start(experiment, wanted, true, status);
+    if (difference.live && !edit_live(experiment, wanted, status))
+        return false;
+    take_over_rest(&experiment->base, wanted);
+    take_over_rest(&experiment->now, wanted);
+    if (wanted->time.end != experiment->base.time.end) {
+        experiment_set_end(experiment, wanted->time.end);
+        if (experiment->pending)
+            experiment_seek(experiment, experiment->goal_step, experiment->goal_stage);
+        forget_answers(experiment);
+    }
+    return true;
+}
+
+bool experiment_replace(Experiment *experiment, const Settings *wanted, Status *status)
+{
+    Difference difference = compare(&experiment->now, wanted);
+    if (!difference.restart && !difference.live)
+        return experiment_edit(experiment, wanted, status);
+    return edit_from_start(experiment, wanted, false, status);
+}
+
+bool experiment_rerun(Experiment *experiment, const Settings *wanted, Status *status)
+{
+    return edit_from_start(experiment, wanted, true, status);
+}
+
+void experiment_become_ghost(Experiment *experiment, Experiment *heir)
+{
+    if (experiment_has_curve(experiment)) {
+        Remains remains = experiment_remains(experiment);
+        experiment_make_ghost(heir, false, &experiment->record, &remains);
+        experiment_write_legends(heir);
+    }
+    experiment_destroy(experiment);
+}

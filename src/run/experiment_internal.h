@@ -1,0 +1,144 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the files behind experiment.h share. */
+#ifndef LAB_EXPERIMENT_INTERNAL_H
+#define LAB_EXPERIMENT_INTERNAL_H
+
+#include "run/experiment.h"
+#include "run/event_log.h"
+#include "run/history.h"
+
+/* The state before the last stage. */
+typedef struct Before {
+    unsigned char *bytes;
+    size_t room, head; /* what simulation_snapshot() puts before the method's own bytes */
+    bool known;
+} Before;
+
+/* The state before a step that is done in parts. */
+typedef struct Part {
+    unsigned char *bytes;
+    size_t room;
+    bool begun;
+} Part;
+
+/* What is known of E*: at t = 0, and at one step. */
+typedef struct Invariant {
+    bool any;
+    double start, now;
+    long step; /* that `now` belongs to; -1: none */
+} Invariant;
+
+struct Experiment {
+    /* the run */
+    Settings base; /* values at t = 0, and the changes in mid-run */
+    Settings now;  /* what is in force at the present step */
+    Simulation *sim;
+    References *refs;
+    Column columns[COLUMNS_MAX];
+    int n_columns;
+    Record record;
+    History history;
+    double *block; /* rows of the method, on their way into the record */
+    long newest;   /* whole steps computed */
+    long last;     /* the step at which the run ends */
+    bool failed;   /* the run cannot go beyond the newest step */
+    Status failure;
+    Event events[SIMULATION_EVENTS_MAX]; /* up to the newest step, whatever is on screen */
+    int n_events;
+    char advice[160];
+
+    /* what is kept beside it */
+    int threads;
+    Change given[CHANGES_MAX]; /* the changes that came with the settings, not made by hand */
+    int n_given;
+    Ghost ghosts[GHOSTS_MAX];
+    bool pending;
+    long goal_step;
+    int goal_stage;
+    Before before;
+    Part part;
+    double row[COLUMNS_MAX];
+    long row_step; /* the step that `row` belongs to; -1: none */
+    Readout readout;
+    size_t readout_rows; /* how many rows it was worked out from */
+    bool flowing;        /* rows come in: it is worked out now and then only */
+    Spectrum spectra[SPECTRUM_SPANS];
+    Invariant invariant;
+    CrackFronts fronts;
+    EventLog log;
+    Derived derived[DERIVED_MAX];
+    int n_derived; /* 0: not known */
+    Settings derived_for;
+};
+
+/* --- the run: experiment_run.c ---------------------------------------------------------------------- */
+
+/* At t = 0, row 0 recorded; of an experiment that is all zeros. False: refused; it is to be closed. */
+bool experiment_open(Experiment *, const Settings *, size_t history, int threads, Status *);
+void experiment_close(Experiment *);
+
+/* Works out the derived numbers of the settings as they are now; what is given up is asked for again. */
+void experiment_derive(Experiment *, Patience);
+
+/* Back to t = 0, as if nothing had been computed. The record so far is handed over. */
+void experiment_rewind(Experiment *, Record *old);
+
+/* Finishes the step that has begun, if one has; then at most `steps` whole steps, not beyond the last. Rows
+ * that are recorded already are not worked out again. False: the run failed, and stands at its last sound
+ * whole step; or memory was short. */
+bool experiment_do_steps(Experiment *, long steps, Status *);
+
+/* The next stage; nothing at the end of the run. */
+bool experiment_do_stage(Experiment *, Status *);
+
+/* At most so many items of the step's stages (Simulation.stage_items). *whole: the step came to its end, or
+ * there is none to do. In the middle the state is no moment of the run. */
+bool experiment_do_slice(Experiment *, size_t items, bool *whole, Status *);
+
+/* Goes to the last keyframe at or before a step, if that is a way to get there from here: it is where the
+ * present is beyond the step, or before the keyframe. */
+void experiment_approach(Experiment *, long step, int stage);
+
+/* A live parameter changes after `step` whole steps, which is the present one or, while a step goes on, the
+ * next: what was computed beyond is forgotten. */
+bool experiment_change(Experiment *, long step, const char *key, const char *value, Status *);
+
+/* Another time.end (where the problem allows it without a new run); rows beyond it are forgotten. */
+void experiment_set_end(Experiment *, double end);
+
+/* --- ghosts: ghosts.c --------------------------------------------------------------------------------- */
+
+/* What a run leaves behind besides its record. */
+typedef struct Remains {
+    Settings base;
+    Column columns[COLUMNS_MAX];
+    int n_columns;
+    Readout readout;      /* of the whole record */
+    Profile profile;      /* empty where memory is short */
+    struct Follow *names; /* of followed columns: simulation_hold_names() */
+} Remains;
+
+void experiment_drop_remains(Remains *);
+
+Remains experiment_remains(const Experiment *);
+
+/* Record and remains are handed over, not copied. The unpinned ghost has its place for itself. False: all
+ * places for pinned ones are taken. */
+bool experiment_make_ghost(Experiment *, bool pinned, Record *, Remains *);
+void experiment_drop_ghost(Ghost *);
+void experiment_drop_unpinned(Experiment *);
+
+/* Whether there is a curve worth keeping: one that is still on its way to the time on screen is not. */
+bool experiment_has_curve(const Experiment *);
+
+/* Whether a pinned ghost shows all that this run would leave behind. */
+bool experiment_is_pinned(const Experiment *);
+
+/* Legends tell what differs from the run that is on screen now. */
+void experiment_write_legends(Experiment *);
+
+/* --- life: experiment.c -------------------------------------------------------------------------------- */
+
+void experiment_keep_given(Experiment *, const Settings *); /* its changes came with it */
+
+#endif

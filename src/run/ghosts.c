@@ -1,0 +1,135 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Ghosts: the curves of earlier runs behind those of the present one. */
+#include "run/experiment_internal.h"
+#include "scenario/parameters.h"
+
+#include <string.h>
+
+void experiment_drop_ghost(Ghost *ghost)
+{
+    record_close(&ghost->record);
+    profile_close(&ghost->profile);
+    simulation_release_names(ghost->names);
+    for (int i = 0; i < SPECTRUM_SPANS; i++)
+        spectrum_close(&ghost->spectra[i]);
+    memset(ghost, 0, sizeof *ghost);
+}
+
+void experiment_write_legends(Experiment *experiment)
+{
+    for (int i = 0; i < GHOSTS_MAX; i++) {
+        Ghost *ghost = &experiment->ghosts[i];
+        if (ghost->used)
+            settings_name(&ghost->settings, &experiment->base, ghost->legend, sizeof ghost->legend);
+    }
+}
+
+/* The readout of a run at the newest row of its record. */
+static Readout read_whole(const Experiment *experiment)
+{
+    const Record *record = &experiment->record;
+    Readout readout;
+    size_t rows = record->count - (record->loose_last && record->count > 0 ? 1 : 0);
+    references_readout(experiment->refs, record->rows, rows, record->n_columns, &readout);
+    return readout;
+}
+
+Remains experiment_remains(const Experiment *experiment)
+{
+    Remains remains = {
+        .base = experiment->base, .n_columns = experiment->n_columns, .readout = read_whole(experiment)};
+    memcpy(remains.columns, experiment->columns, sizeof remains.columns);
+    profile_take(&remains.profile, experiment->sim, NULL);
+    remains.names = simulation_hold_names(experiment->sim);
+    return remains;
+}
+
+void experiment_drop_remains(Remains *remains)
+{
+    profile_close(&remains->profile);
+    simulation_release_names(remains->names);
+    memset(remains, 0, sizeof *remains);
+}
+
+/* A place for a ghost; the unpinned one has its place for itself. NULL: all are taken. */
+static Ghost *find_place(Experiment *experiment, bool pinned)
+{
+    Ghost *found = NULL;
+    int n_pinned = 0;
+    for (int i = GHOSTS_MAX - 1; i >= 0; i--) {
+        Ghost *ghost = &experiment->ghosts[i];
+        n_pinned += ghost->used && ghost->pinned;
+        if (!ghost->used)
+            found = ghost;
+    }
+    for (int i = 0; i < GHOSTS_MAX && !pinned; i++)
+        if (experiment->ghosts[i].used && !experiment->ghosts[i].pinned)
+            found = &experiment->ghosts[i];
+    return pinned && n_pinned == GHOSTS_MAX - 1 ? NULL : found;
+}
+
+bool experiment_make_ghost(Experiment *experiment, bool pinned, Record *record, Remains *remains)
+{
+    Ghost *ghost = find_place(experiment, pinned);
+    if (!ghost)
+        return false;
+    experiment_drop_ghost(ghost);
+    ghost->used = true;
+    ghost->pinned = pinned;
+    ghost->letter = (char)('a' + (ghost - experiment->ghosts));
+    ghost->settings = remains->base;
+    ghost->record = *record;
+    memcpy(ghost->columns, remains->columns, sizeof ghost->columns);
+    ghost->n_columns = remains->n_columns;
+    ghost->readout = remains->readout;
+    ghost->profile = remains->profile;
+    ghost->names = remains->names;
+    memset(record, 0, sizeof *record);
+    memset(remains, 0, sizeof *remains);
+    return true;
+}
+
+bool experiment_has_curve(const Experiment *experiment)
+{
+    return experiment->record.count > 1 &&
+           !(experiment->pending && experiment->newest < experiment->goal_step);
+}
+
+bool experiment_is_pinned(const Experiment *experiment)
+{
+    for (int i = 0; i < GHOSTS_MAX; i++) {
+        const Ghost *ghost = &experiment->ghosts[i];
+        if (ghost->used && ghost->pinned && settings_same(&ghost->settings, &experiment->base) &&
+            ghost->record.count >= experiment->record.count)
+            return true;
+    }
+    return false;
+}
+
+void experiment_drop_unpinned(Experiment *experiment)
+{
+    for (int i = 0; i < GHOSTS_MAX; i++)
+        if (!experiment->ghosts[i].pinned)
+            experiment_drop_ghost(&experiment->ghosts[i]);
+}
+
+bool experiment_pin(Experiment *experiment, Status *status)
+{
+    for (int i = 0; i < GHOSTS_MAX; i++) {
+        Ghost *ghost = &experiment->ghosts[i];
+        if (ghost->used && ghost->pinned && settings_same(&ghost->settings, &experiment->base)) {
+            experiment_drop_ghost(ghost);
+            return true;
+        }
+    }
+    if (!find_place(experiment, true))
+        return status_fail(status, STATUS_USAGE, "%d curves are pinned already (unpin one first)",
+                           GHOSTS_MAX - 1);
+    Record copy;
+    if (!record_copy(&copy, &experiment->record))
+        return status_fail(status, STATUS_FAILED, "not enough memory to pin the curves");
+    Remains remains = experiment_remains(experiment);
+    experiment_make_ghost(experiment, true, &copy, &remains);
+    experiment_write_legends(experiment);
+    return true;
+}

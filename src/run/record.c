@@ -1,0 +1,158 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Keeps the rows of a run within a budget (record.h): every `spacing` steps, doubled when the budget is
+ * full, with the newest row kept beside until the next one that is due. */
+#include "run/record.h"
+
+#include "base/assertion.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { ROWS_LEAST = 16 };
+
+static double *row_at(Record *record, size_t i)
+{
+    return record->rows + i * (size_t)record->n_columns;
+}
+
+static size_t bytes_of(const Record *record, size_t rows)
+{
+    return rows * (size_t)record->n_columns * sizeof(double);
+}
+
+static bool is_due(const Record *record, double step)
+{
+    return (long)step % record->spacing == 0;
+}
+
+void record_open(Record *record, int n_columns, long every, size_t budget)
+{
+    ASSERT_INT(n_columns, >=, 2); /* step and time */
+    size_t most = budget / ((size_t)n_columns * sizeof(double));
+    *record = (Record){.n_columns = n_columns,
+                       .spacing = every > 0 ? every : 1,
+                       .most = most < ROWS_LEAST ? ROWS_LEAST : most};
+}
+
+void record_close(Record *record)
+{
+    free(record->rows);
+    *record = (Record){0};
+}
+
+/* Doubles the spacing and drops the rows that no longer are due; the newest is about to be followed. */
+static void thin(Record *record)
+{
+    size_t kept = 0;
+    record->spacing *= 2;
+    record->thinned = true;
+    for (size_t i = 0; i < record->count; i++)
+        if (is_due(record, row_at(record, i)[0])) {
+            if (kept != i)
+                memcpy(row_at(record, kept), row_at(record, i), bytes_of(record, 1));
+            kept++;
+        }
+    record->count = kept;
+}
+
+static bool make_room(Record *record)
+{
+    if (record->count < record->room)
+        return true;
+    if (record->room == record->most) {
+        while (record->count == record->room)
+            thin(record);
+        return true;
+    }
+    size_t room = record->room ? 2 * record->room : 1024;
+    if (room > record->most)
+        room = record->most;
+    double *rows = realloc(record->rows, bytes_of(record, room));
+    if (!rows)
+        return false;
+    record->rows = rows;
+    record->room = room;
+    return true;
+}
+
+bool record_append(Record *record, const double *row)
+{
+    if (record->loose_last) {
+        record->count--;
+        record->loose_last = false;
+    }
+    ASSERT(record->count == 0 || row[0] > row_at(record, record->count - 1)[0]); /* each step once */
+    if (!make_room(record))
+        return false;
+    memcpy(row_at(record, record->count++), row, bytes_of(record, 1));
+    record->loose_last = !is_due(record, row[0]);
+    return true;
+}
+
+void record_cut(Record *record, long step)
+{
+    size_t count = record->count;
+    while (count > 0 && row_at(record, count - 1)[0] > (double)step)
+        count--;
+    if (count == record->count)
+        return;
+    record->count = count;
+    record->loose_last = count > 0 && !is_due(record, row_at(record, count - 1)[0]);
+}
+
+bool record_copy(Record *to, const Record *from)
+{
+    *to = *from;
+    to->rows = NULL;
+    to->room = from->count;
+    if (from->count == 0)
+        return true;
+    to->rows = malloc(bytes_of(from, from->count));
+    if (!to->rows) {
+        *to = (Record){0};
+        return false;
+    }
+    memcpy(to->rows, from->rows, bytes_of(from, from->count));
+    return true;
+}
+
+const double *record_row(const Record *record, size_t i)
+{
+    ASSERT_INT(i, <, record->count);
+    return record->rows + i * (size_t)record->n_columns;
+}
+
+double record_known(const Record *record, size_t i, int column)
+{
+    enum { LOOK_BACK = 64 };
+    double value = record_row(record, i)[column];
+    for (int k = 0; k < LOOK_BACK && isnan(value) && i > 0; k++)
+        value = record_row(record, --i)[column];
+    return value;
+}
+
+const double *record_of_step(const Record *record, long step)
+{
+    if (record->count == 0 || step < 0)
+        return NULL;
+    size_t i = (size_t)(step / record->spacing);
+    if (i >= record->count || (step % record->spacing != 0))
+        i = record->count - 1;
+    const double *row = record_row(record, i);
+    return row[0] == (double)step ? row : NULL;
+}
+
+size_t record_find(const Record *record, double t)
+{
+    size_t low = 0,
+           high = record->count; /* rows before `low` are not later than t, from `high` on they are */
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        if (record_row(record, middle)[1] <= t)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low > 0 ? low - 1 : 0;
+}

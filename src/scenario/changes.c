@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Changes in mid-run (changes.h): what is in force at a step is the settings with all changes up to it
+ * applied in order. */
+#include "scenario/changes.h"
+#include "scenario/parameters.h"
+#include "answers/references.h"
+
+#include <limits.h>
+#include <stdio.h>
+#include <string.h>
+
+bool changes_advice(const Settings *settings, char *advice, size_t size, Status *status)
+{
+    if (!problem_advice(settings, advice, size, status))
+        return false;
+    for (int i = 0; i < settings->n_changes; i++) {
+        Settings then;
+        char later[160];
+        changes_in_force(settings, settings->changes[i].step, &then);
+        if (!problem_advice(&then, later, sizeof later, status))
+            return status_prefix(status, "changes.%ld", settings->changes[i].step);
+        if (*later && size > 0 && !*advice)
+            snprintf(advice, size, "%s", later);
+    }
+    return true;
+}
+
+bool changes_apply(const Settings *settings, Simulation *sim, Status *status)
+{
+    for (int i = 0; i < settings->n_changes; i++) {
+        const Change *change = &settings->changes[i];
+        if (change->step != sim->step)
+            continue;
+        Settings now;
+        Status why;
+        changes_in_force(settings, change->step, &now);
+        const Parameter *parameter = parameter_find(change->to.key);
+        if (!sim->method->change(sim, change->to.key, settings_number(&now, parameter), &why))
+            return simulation_fail(sim, status, "step %ld: %s", sim->step, why.text);
+        char text[KEY_MAX + VALUE_MAX + 8];
+        snprintf(text, sizeof text, "%s = %s", change->to.key, change->to.value);
+        simulation_report(sim, EVENT_CHANGE, text);
+    }
+    return true;
+}
+
+long changes_next(const Settings *settings, long step)
+{
+    for (int i = 0; i < settings->n_changes; i++)
+        if (settings->changes[i].step > step)
+            return settings->changes[i].step;
+    return LONG_MAX;
+}
+
+void changes_in_force(const Settings *settings, long step, Settings *out)
+{
+    *out = *settings;
+    for (int i = 0; i < settings->n_changes && settings->changes[i].step <= step; i++)
+        settings_set(out, settings->changes[i].to.key, settings->changes[i].to.value, NULL);
+}
+
+bool changes_same(const Settings *a, const Settings *b)
+{
+    if (a->n_changes != b->n_changes)
+        return false;
+    for (int i = 0; i < a->n_changes; i++) {
+        const Change *one = &a->changes[i], *other = &b->changes[i];
+        if (one->step != other->step || strcmp(one->to.key, other->to.key) != 0 ||
+            strcmp(one->to.value, other->to.value) != 0)
+            return false;
+    }
+    return true;
+}
+
+bool changes_add(Settings *settings, long step, const char *key, const char *value, Status *status)
+{
+    int n = settings->n_changes;
+    while (n > 0 && settings->changes[n - 1].step > step)
+        n--;
+    for (int i = 0; i < n; i++)
+        if (settings->changes[i].step == step && strcmp(settings->changes[i].to.key, key) == 0) {
+            memmove(&settings->changes[i], &settings->changes[i + 1],
+                    (size_t)(n - i - 1) * sizeof settings->changes[0]);
+            n--;
+            break;
+        }
+    if (n == CHANGES_MAX)
+        return status_fail(status, STATUS_USAGE, "%s: too many changes in one run (at most %d)", key,
+                           CHANGES_MAX);
+    Change *change = &settings->changes[n];
+    change->step = step;
+    snprintf(change->to.key, sizeof change->to.key, "%s", key);
+    snprintf(change->to.value, sizeof change->to.value, "%s", value);
+    settings->n_changes = n + 1;
+    return true;
+}

@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Changes of live parameters in mid-run: how they are applied, and what is in force when.
+ *
+ * A change "STEP = KEY=VALUE" is applied between steps, when STEP whole steps have been done; the row of that
+ * step is from before it. */
+#ifndef LAB_CHANGES_H
+#define LAB_CHANGES_H
+
+#include "scenario/settings.h"
+
+/* problem_advice() for the settings at the start and after each change. */
+bool changes_advice(const Settings *, char *advice, size_t size, Status *);
+
+/* Applies those of the simulation's present step; they become events of the run. False: the method refuses;
+ * the simulation is marked as failed. */
+bool changes_apply(const Settings *, Simulation *, Status *);
+
+/* The next step later than this one at which something changes; LONG_MAX: none. */
+long changes_next(const Settings *, long step);
+
+/* The settings in force at a step: the values from the start and the changes up to and with this step. */
+void changes_in_force(const Settings *, long step, Settings *out);
+
+/* Whether two settings have the same changes. */
+bool changes_same(const Settings *, const Settings *);
+
+/* Adds a change, in the place of one of the same key and step; those of later steps are forgotten. */
+bool changes_add(Settings *, long step, const char *key, const char *value, Status *);
+
+#endif

@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The words and macros of which the rows of the parameter table are made; for who reads parameter_rows.inc.
+ */
+#ifndef LAB_PARAMETER_TABLE_H
+#define LAB_PARAMETER_TABLE_H
+
+#include "scenario/parameters.h"
+
+#include <math.h>
+
+static const char *const bar_supports[] = {"fixed-free", "free-fixed", "fixed-fixed", "free-free", NULL};
+static const char *const algorithms[] = {"usf", "usl", "musl", NULL};
+static const char *const shapes[] = {"hat", "gimp", "bspline2", "bspline3", "cpdi", NULL};
+static const char *const transfers[] = {"flip", "apic", "fmpm", NULL};
+static const char *const affine_starts[] = {"gradient", "zero", NULL};
+static const char *const surface_corrections[] = {"none", "energy", "volume", NULL};
+static const char *const volume_corrections[] = {"none", "partial", "hhb", NULL};
+static const char *const influences[] = {"constant", "conical", NULL};
+static const char *const clamps[] = {"full", "guide", NULL};
+static const char *const plane_ends[] = {"section", "point", NULL};
+static const char *const start_shapes[] = {"sine", "exact", NULL};
+static const char *const plane_starts[] = {"deflection", "velocity", NULL};
+static const char *const plane_stresses[] = {"relaxed", "grid", "beam", NULL};
+static const char *const flags[] = {"no", "yes", NULL};
+
+/* Enum members are read and written as int. */
+_Static_assert(sizeof(MpmAlgorithm) == sizeof(int) && sizeof(Clamp) == sizeof(int), "enums are ints");
+
+#define AT(member)    .offset = offsetof(Settings, member)
+#define ABOVE_ZERO    .least = 0, .most = HUGE_VAL, .above_least = true
+#define FROM_ZERO     .least = 0, .most = HUGE_VAL
+#define ANY           .least = -HUGE_VAL, .most = HUGE_VAL
+#define CHOICE(words) .type = PARAMETER_CHOICE, .choices = words, .nudge = NUDGE_NEXT
+
+#endif

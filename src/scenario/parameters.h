@@ -1,0 +1,221 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The parameter table: one row for each key of a scenario file that has a value. The scenario reader and
+ * writer, --set, the fields on screen, `matvib params`, completion and the manual page read this table;
+ * none repeats it. To add a parameter: one row in parameter_rows.inc and the member it fills in settings.h.
+ */
+#ifndef LAB_PARAMETERS_H
+#define LAB_PARAMETERS_H
+
+#include "problems/problem.h"
+
+#include <stddef.h>
+
+typedef enum ParameterType {
+    PARAMETER_REAL,
+    PARAMETER_INTEGER,
+    PARAMETER_CHOICE, /* an enum; values are indices into choices */
+    PARAMETER_FLAG,   /* a bool: yes | no */
+    PARAMETER_TEXT    /* LIST_MAX bytes */
+} ParameterType;
+
+typedef enum Nudge {
+    NUDGE_NONE,
+    NUDGE_ONE,     /* +1, -1 */
+    NUDGE_DOUBLE,  /* x2, /2 */
+    NUDGE_1_2_5,   /* 1, 2, 5, 10, ...; 0 and then negative below the least rung, where these are allowed */
+    NUDGE_SHARE,   /* 0, 0.1, 0.2, 0.5, 0.8, 0.9, ..., 0.999, 1: as fine at 1 as a share has to be */
+    NUDGE_SPACING, /* one lattice spacing more or less: places and sizes of a beam */
+    NUDGE_NEXT     /* next choice */
+} Nudge;
+
+/* Methods that read a parameter. */
+enum { BY_EVERY_METHOD = 0, BY_MPM = 1 << METHOD_MPM, BY_PD = 1 << METHOD_PD };
+
+typedef struct Parameter {
+    const char *key;       /* "bar.youngs_modulus": section.key of the scenario file */
+    int concern;           /* of the problems that have it: problems/problem.h */
+    const char *group;     /* heading on screen: "Bar", "Start", "Mesh", "Method", "Time", ... */
+    const char *label;     /* on screen, at most 15 columns: "Young's modulus" */
+    const char *dimension; /* in units of one's own that fit each other: "force/area"; "" for a number */
+    const char *unit;      /* SI: "Pa" */
+    ParameterType type;
+    size_t offset;                    /* of the member in Settings */
+    double least, most;               /* inclusive range */
+    bool above_least;                 /* the least itself is not allowed */
+    const char *const *choices;       /* ended by NULL */
+    const char *renamed, *renamed_to; /* a choice's word in older files, and the one it has now; NULL: none */
+    const char *automatic;            /* a word that stands for 0, "auto"; NULL: none */
+    double automatic_value;           /* it stands for this instead of 0 */
+    Nudge nudge;
+    bool live;   /* may change in mid-run */
+    int methods; /* that read it; 0: every one */
+    bool stated; /* it is a part of the problem: at work, it is refused by a method that does not read it */
+    const char *help; /* one line */
+    double usual;     /* the default, where the problem has no other */
+    double neutral;   /* the value at which it does nothing to the run, as if there were no such parameter */
+    bool output;      /* about what is written of a run, not about the run */
+} Parameter;
+
+extern const Parameter parameters[];
+extern const int n_parameters;
+
+/* What a text may be; empty is always allowed. */
+typedef enum TextRule {
+    TEXT_ANY,
+    TEXT_VIEW,       /* a view's digit, 1 to 9, or its word */
+    TEXT_POSITIVE,   /* a number > 0 */
+    TEXT_REFERENCES, /* one of parameter_reference_words */
+    TEXT_COLOUR      /* one of parameter_colour_words */
+} TextRule;
+
+/* Keys of a scenario file that hold words and are no parameters of the run: title, question, view. */
+typedef struct TextKey {
+    const char *key;
+    size_t offset; /* of the char array in Settings */
+    size_t size;
+    const char *help;
+    TextRule rule;
+} TextKey;
+
+extern const TextKey text_keys[];
+extern const int n_text_keys;
+
+extern const char *const parameter_method_titles[]; /* on screen: "MPM" */
+
+/* The words of view.references, ended by NULL. */
+extern const char *const parameter_reference_words[];
+
+/* The words of view.colour, ended by NULL, in the order in which the beam view goes through them. */
+extern const char *const parameter_colour_words[];
+
+/* Whether what is run with these settings has what the word stands for. */
+bool parameter_colour_is_there(const Settings *, const char *word);
+
+/* What one may look for as a parameter, but follows from the method: it has one value, and a reason for it.
+ */
+typedef struct FixedKey {
+    const char *key;    /* "beam.poisson"; its end, "poisson", finds it too */
+    int concern;        /* of the problems that have it */
+    int methods;        /* by which it is fixed */
+    const char *value;  /* "1/3" */
+    const char *reason; /* why: the end of a sentence */
+} FixedKey;
+
+extern const FixedKey fixed_keys[]; /* ended by a NULL key */
+
+/* The row of such a key for these settings; NULL: it is none. */
+const FixedKey *fixed_key_find(const Settings *, const char *key);
+
+/* "beam.poisson: is 1/3 here and cannot be set: why". */
+void fixed_key_text(const FixedKey *, char *out, size_t size);
+
+/* The row of a key; NULL: unknown. */
+const Parameter *parameter_find(const char *key);
+const TextKey *text_key_find(const char *key);
+
+/* The key that is meant by its whole, by its end ("cell_size", "modulus") or by the words beside its field on
+ * screen ("cell size"), among those that these settings have. False: there are several such, and the status
+ * names them. What is called so nowhere is handed back as it is. */
+bool settings_meant_key(const Settings *, const char *words, char key[KEY_MAX], Status *);
+
+/* The known key of this problem nearest to a wrong one, for "did you mean"; NULL: nothing is near. */
+const char *parameter_nearest(const Problem *problem, const char *key);
+
+/* The unit for this problem: in the bar's consistent units a dimension; "": a number. */
+const char *parameter_unit(const Parameter *, const Problem *);
+
+/* The line of help for this problem. */
+const char *parameter_help(const Parameter *, const Problem *);
+
+/* The nearest of some words (ended by NULL) to a wrong one; NULL: nothing is near. */
+const char *parameter_nearest_word(const char *const *words, const char *wrong);
+
+/* Whether the problem has it, by any method. */
+bool parameter_applies(const Parameter *, const Problem *);
+
+/* The methods that read it in this problem: a mask, or BY_EVERY_METHOD. */
+int parameter_methods(const Parameter *, const Problem *);
+
+/* Its default in this problem. */
+double parameter_usual(const Parameter *, const Problem *);
+
+/* Where the problem overrides its row; NULL: nowhere. */
+const ParameterUse *parameter_use(const Parameter *, const Problem *);
+
+/* Whether it differs from its neutral value, at which it does nothing. */
+bool settings_are_at_work(const Settings *, const Parameter *);
+
+/* Whether a run of these settings reads it: of their problem and of their method. */
+bool parameter_applies_to(const Settings *, const Parameter *);
+
+/* All values at the defaults of a problem, method as usual for it, texts empty. */
+void settings_default(Settings *, const Problem *);
+
+/* Sets one value from text as it stands in a scenario file or after --set; parameters and text keys. False:
+ * unknown key (with the nearest one), not used by this problem or its method, not a number, out of range: the
+ * status's text is "KEY: what is wrong (what is allowed)", and nothing is changed. */
+bool settings_set(Settings *, const char *key, const char *text, Status *);
+
+/* Sets the method alone, where it is among the keys: which of the others there are depends on it, so it comes
+ * first wherever it stands. */
+bool settings_set_method(Settings *, const Assignment *keys, int n_keys, Status *);
+
+/* Puts a number that is known to be allowed. */
+void settings_put(Settings *, const Parameter *, double value);
+bool settings_in_range(const Parameter *, const Problem *, double value);
+
+/* The value as text that settings_set() reads back to the same value. */
+void settings_get(const Settings *, const Parameter *, char out[LIST_MAX]);
+
+/* The same for reading: at most six digits. */
+void settings_show(const Settings *, const Parameter *, char out[LIST_MAX]);
+
+/* The value as number: index for a choice, 0 or 1 for a flag; NAN for a text. */
+double settings_number(const Settings *, const Parameter *);
+
+/* The next value upwards (+1) or downwards (-1) by the parameter's nudge, kept in its range and such that
+ * settings_check() allows it; a fine one goes by the second digit, a tenth of a spacing, a cell more or less.
+ * False: there is none, nothing is changed. */
+bool settings_nudge(Settings *, const Parameter *, int direction, bool fine);
+
+/* The word that stands for its automatic_value in this problem; NULL: none. */
+const char *parameter_automatic(const Parameter *, const Problem *);
+
+/* What a scenario asks about: its question.key, or what its method leaves open. NULL: nothing. */
+const Parameter *settings_question(const Settings *);
+
+/* Whether it is a size of a mesh or lattice: it is asked about by a smaller one. */
+bool parameter_is_size(const Parameter *);
+
+/* Whether a scenario can ask about it: it has choices, or it is a size of the mesh or lattice. */
+bool parameter_can_be_asked(const Parameter *, const Problem *);
+
+/* To the other answer to a question: what can be left out ("none") is taken away and put back, a size goes
+ * one rung down from the usual one or back to it, of other things the next value is taken. False: there is
+ * none. */
+bool settings_answer_otherwise(Settings *, const Parameter *);
+
+/* How many of its choices there are in this problem, the first ones; 0: it has no choices. */
+int parameter_choices(const Parameter *, const Problem *);
+
+/* What is allowed, in words: "> 0", "1 to 8", "usf | usl | musl". */
+void parameter_range(const Parameter *, const Problem *, char *out, size_t size);
+
+/* What no single value shows: critical stretch and energy both given, notch outside the beam, load off the
+ * beam, overtones that cannot be read, mode 0 with a fixed end, ... The status names the key. */
+bool settings_check(const Settings *, Status *);
+
+/* Whether two settings lead to the same run. */
+bool settings_same(const Settings *a, const Settings *b);
+
+/* What `a` is as against `b`, for a legend: "USL, cell size 1"; "the same" where nothing differs. What does
+ * not fit whole is left out, and " ..." says so. */
+void settings_name(const Settings *a, const Settings *b, char *out, size_t size);
+
+/* What a change of settings did: "cell size 0.25 -> 0.5, USF -> USL". */
+void settings_name_change(const Settings *from, const Settings *to, char *out, size_t size);
+
+/* A value as a title or legend spells it: "USL", "hat", "0.5". */
+void settings_spell(const Settings *, const Parameter *, char out[LIST_MAX]);
+
+#endif

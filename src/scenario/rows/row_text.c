@@ -1,0 +1,228 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* One row of a kind: its line in, its values, its line out. */
+#include "base/assertion.h"
+#include "base/quantity.h"
+#include "base/text.h"
+#include "scenario/rows/row_text.h"
+#include "scenario/settings.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* --- a line in words ------------------------------------------------------------------------------ */
+
+enum { WORDS_MAX = 2 * ROW_VALUES_MAX, WORD_MAX = 48 };
+
+typedef struct Words {
+    char all[WORDS_MAX][WORD_MAX];
+    int count;
+} Words;
+
+static int edge_of(const char *word)
+{
+    for (int i = 0; row_edge_words[i]; i++)
+        if (strcmp(row_edge_words[i], word) == 0)
+            return i;
+    return -1;
+}
+
+/* The optional value that a word stands for; -1: none. */
+static int option_of(const RowKind *kind, const char *word)
+{
+    for (int i = 0; i < kind->n_columns; i++)
+        if (kind->columns[i].optional && strcmp(kind->columns[i].word, word) == 0)
+            return i;
+    return -1;
+}
+
+/* "5 mm" and "50 %" are one value: a unit goes with the number before it. */
+static bool goes_with(const RowKind *kind, const char *last, const char *word)
+{
+    const bool unit = *word == '%' || isalpha((unsigned char)*word) || (unsigned char)*word >= 0x80;
+    const char end = last[strlen(last) - 1];
+    return unit && option_of(kind, word) < 0 && edge_of(word) < 0 &&
+           (isdigit((unsigned char)end) || end == '.' || end == ')') &&
+           strlen(last) + strlen(word) < WORD_MAX;
+}
+
+/* False: a word is longer than any value, or there are more than any row has. */
+static bool cut_into_words(const RowKind *kind, const char *text, Words *words)
+{
+    char word[WORD_MAX];
+    words->count = 0;
+    for (text += strspn(text, " \t"); *text; text += strspn(text, " \t")) {
+        const size_t length = strcspn(text, " \t");
+        if (length >= sizeof word)
+            return false;
+        memcpy(word, text, length);
+        word[length] = '\0';
+        text += length;
+        char *last = words->count > 0 ? words->all[words->count - 1] : NULL;
+        if (last && goes_with(kind, last, word))
+            strcat(last, word);
+        else if (words->count < WORDS_MAX)
+            strcpy(words->all[words->count++], word);
+        else
+            return false;
+    }
+    return true;
+}
+
+/* --- one value ------------------------------------------------------------------------------------ */
+
+static bool is_place(RowValue value)
+{
+    return value == ROW_ALONG_X || value == ROW_ALONG_Y || value == ROW_ALONG_EDGE;
+}
+
+static bool is_share(const char *word)
+{
+    const size_t length = strlen(word);
+    return length > 1 && word[length - 1] == '%' && strchr(word, '%') == word + length - 1;
+}
+
+static bool read_number(const RowColumn *column, const char *word, bool share, double *value,
+                        const char *about, Status *status)
+{
+    char why[QUANTITY_WHY_MAX], number[WORD_MAX];
+    snprintf(number, sizeof number, "%.*s", (int)(strlen(word) - share), word);
+    const bool place = is_place(column->value);
+    if (!share && strchr(word, '%'))
+        snprintf(why, sizeof why, place ? "is no share" : "is a share, which only a place can be");
+    else if (quantity_read(number, share ? "" : column->unit, value, why))
+        return true;
+    return status_fail(status, STATUS_USAGE, "%s: %s: %s %s (%s %s%s)", about, column->word, word, why,
+                       place ? "a place in" : "in", column->unit, place ? ", or a share such as 50%" : "");
+}
+
+bool row_read_value(const RowKind *kind, int index, const char *word, Row *row, const char *about,
+                    Status *status)
+{
+    const RowColumn *column = &kind->columns[index];
+    const unsigned bit = 1u << index;
+    const bool share = is_place(column->value) && is_share(word);
+    double value = 0;
+    if (column->value == ROW_EDGE) {
+        value = edge_of(word);
+        if (value < 0)
+            return status_fail(status, STATUS_USAGE, "%s: %.60s is no edge (top | bottom | left | right)",
+                               about, word);
+    } else if (strlen(word) >= WORD_MAX) {
+        return status_fail(status, STATUS_USAGE, "%s: %s: the value is too long (at most %d bytes)", about,
+                           column->word, WORD_MAX - 1);
+    } else if (!read_number(column, word, share, &value, about, status)) {
+        return false;
+    }
+    if (is_place(column->value) && !(value >= 0 && (!share || value <= 100)))
+        return status_fail(status, STATUS_USAGE, "%s: %s: %s is off the plate (%s)", about, column->word,
+                           word, share ? "0% to 100%" : "0 or more");
+    if (column->value == ROW_TIME && !(value > 0))
+        return status_fail(status, STATUS_USAGE, "%s: %s: %s is not allowed (a time above 0)", about,
+                           column->word, word);
+    row->values[index] = value;
+    row->shares = share ? row->shares | bit : row->shares & ~bit;
+    row->given |= bit;
+    return true;
+}
+
+/* --- a row ---------------------------------------------------------------------------------------- */
+
+static bool refuse(const RowKind *kind, const char *about, const char *what, Status *status)
+{
+    return status_fail(status, STATUS_USAGE, "%s: %s (%s)", about, what, kind->form);
+}
+
+bool row_read(const RowKind *kind, const char *text, Row *row, const char *about, Status *status)
+{
+    Words words;
+    Row read = {0};
+    int column = 0, at = 0;
+    memcpy(read.name, row->name, sizeof read.name);
+    if (!cut_into_words(kind, text, &words))
+        return refuse(kind, about, "has more or longer values than it can have", status);
+    for (; column < kind->n_columns && !kind->columns[column].optional; column++, at++) {
+        if (at == words.count || option_of(kind, words.all[at]) >= 0) {
+            char what[64];
+            snprintf(what, sizeof what, "%s is missing", kind->columns[column].word);
+            return refuse(kind, about, at == 0 ? "has no value" : what, status);
+        }
+        if (!row_read_value(kind, column, words.all[at], &read, about, status))
+            return false;
+    }
+    const unsigned fixed = read.given;
+    for (; at < words.count; at += 2) {
+        char what[WORD_MAX + 64];
+        const char *word = words.all[at];
+        const int option = option_of(kind, word);
+        if (option < 0)
+            snprintf(what, sizeof what, "%s is too much", word);
+        else if (read.given >> option & 1)
+            snprintf(what, sizeof what, "%s stands twice", word);
+        else if (at + 1 == words.count)
+            snprintf(what, sizeof what, "%s has no value", word);
+        else if (row_read_value(kind, option, words.all[at + 1], &read, about, status))
+            continue;
+        else
+            return false;
+        return refuse(kind, about, what, status);
+    }
+    if (kind->needs_optional && read.given == fixed)
+        return refuse(kind, about, "gives no velocity", status);
+    *row = read;
+    return true;
+}
+
+/* `digits` 0: as many as it takes to read back to the same bits. */
+static void add_value(const RowKind *kind, const Row *row, int index, int digits, char *out, size_t size)
+{
+    char number[NUMBER_TEXT_MAX];
+    const RowColumn *column = &kind->columns[index];
+    if (digits == 0)
+        text_shortest(number, row->values[index]);
+    else
+        text_rounded(number, row->values[index], digits);
+    text_append(out, size, "%s%s%s%s%s", *out ? " " : "", column->optional ? column->word : "",
+                column->optional ? " " : "",
+                column->value == ROW_EDGE ? row_edge_words[(int)row->values[index]] : number,
+                row->shares >> index & 1 ? "%" : "");
+}
+
+void row_write(const RowKind *kind, const Row *row, int digits, char out[ROW_TEXT_MAX])
+{
+    out[0] = '\0';
+    for (int i = 0; i < kind->n_columns; i++)
+        if (row->given >> i & 1)
+            add_value(kind, row, i, digits, out, ROW_TEXT_MAX);
+}
+
+static bool same_value(const Row *a, const Row *b, int index)
+{
+    const unsigned bit = 1u << index;
+    return a->values[index] == b->values[index] && (a->shares & bit) == (b->shares & bit) &&
+           (a->given & bit) == (b->given & bit);
+}
+
+bool row_same(const RowKind *kind, const Row *a, const Row *b)
+{
+    for (int i = 0; i < kind->n_columns; i++)
+        if (!same_value(a, b, i))
+            return false;
+    return strcmp(a->name, b->name) == 0;
+}
+
+void row_write_difference(const RowKind *kind, const Row *row, const Row *other, char out[ROW_TEXT_MAX])
+{
+    out[0] = '\0';
+    for (int i = 0; i < kind->n_columns; i++) {
+        if (same_value(row, other, i))
+            continue;
+        if (!kind->columns[i].optional)
+            text_append(out, ROW_TEXT_MAX, "%s%s", *out ? " " : "", kind->columns[i].word);
+        if (row->given >> i & 1)
+            add_value(kind, row, i, 6, out, ROW_TEXT_MAX);
+        else
+            text_append(out, ROW_TEXT_MAX, "%sno %s", *out ? " " : "", kind->columns[i].word);
+    }
+}

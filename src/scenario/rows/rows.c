@@ -1,0 +1,273 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The rows of settings (rows.h): found, set, removed, read as values, by their place and by their keys. */
+#include "base/assertion.h"
+#include "base/text.h"
+#include "problems/problem.h"
+#include "scenario/rows/row_text.h"
+#include "scenario/settings.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static bool has_names(const RowKind *kind)
+{
+    return !kind->usual;
+}
+
+int row_kind_find(const char *section)
+{
+    for (int kind = 0; kind < ROW_KINDS; kind++)
+        if (strcmp(row_kinds[kind].section, section) == 0)
+            return kind;
+    return -1;
+}
+
+bool settings_have_rows(const Settings *settings, int kind)
+{
+    return (row_kinds[kind].concern & settings->problem->concerns) != 0;
+}
+
+void settings_default_rows(Settings *settings)
+{
+    for (int kind = 0; kind < ROW_KINDS; kind++)
+        if (settings_have_rows(settings, kind) && row_kinds[kind].usual)
+            settings_row_set(settings, kind, "", row_kinds[kind].usual, NULL);
+}
+
+int settings_row_find(const Settings *settings, int kind, const char *name)
+{
+    const RowList *list = &settings->rows[kind];
+    for (int i = 0; i < list->count; i++)
+        if (strcmp(list->rows[i].name, name) == 0)
+            return i;
+    return -1;
+}
+
+/* "loads.top", "probe". */
+static void key_of(const RowKind *kind, const char *name, char out[KEY_MAX])
+{
+    snprintf(out, KEY_MAX, "%s%s%.*s", kind->section, *name ? "." : "", ROW_NAME_MAX, name);
+}
+
+static bool check_name(const RowKind *kind, const char *name, const char *about, Status *status)
+{
+    static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
+    if (!has_names(kind))
+        return !*name ||
+               status_fail(status, STATUS_USAGE, "%s: has no rows with names (%s)", about, kind->form);
+    if (*name && strlen(name) < ROW_NAME_MAX && name[strspn(name, letters)] == '\0')
+        return true;
+    return status_fail(status, STATUS_USAGE,
+                       "%s: this is no name for a %s (1 to %d letters, digits, _ and -)", about, kind->one,
+                       ROW_NAME_MAX - 1);
+}
+
+bool settings_row_set(Settings *settings, int index, const char *name, const char *text, Status *status)
+{
+    const RowKind *kind = &row_kinds[index];
+    RowList *list = &settings->rows[index];
+    char about[KEY_MAX];
+    key_of(kind, name, about);
+    if (!settings_have_rows(settings, index))
+        return status_fail(status, STATUS_USAGE, "%s: problem %s has no %s (only: plate)", about,
+                           settings->problem->word, kind->section);
+    if (!check_name(kind, name, about, status))
+        return false;
+    int at = settings_row_find(settings, index, name);
+    if (at < 0 && list->count == ROWS_OF_KIND_MAX)
+        return status_fail(status, STATUS_USAGE, "%s: too many %s (at most %d)", about, kind->section,
+                           ROWS_OF_KIND_MAX);
+    Row row = {0};
+    strcpy(row.name, name);
+    if (!row_read(kind, text, &row, about, status))
+        return false;
+    list->rows[at < 0 ? list->count++ : at] = row;
+    return true;
+}
+
+static bool no_such_row(const Settings *settings, int index, const char *name, Status *status)
+{
+    const RowKind *kind = &row_kinds[index];
+    char there[160] = "", about[KEY_MAX];
+    key_of(kind, name, about);
+    for (int i = 0; i < settings->rows[index].count; i++)
+        text_list_add(there, sizeof there, settings->rows[index].rows[i].name);
+    return status_fail(status, STATUS_USAGE, "%s: there is no %s of that name (%s)", about, kind->one,
+                       *there ? there : "none at all");
+}
+
+bool settings_row_remove(Settings *settings, int index, const char *name, Status *status)
+{
+    RowList *list = &settings->rows[index];
+    const int at = settings_row_find(settings, index, name);
+    if (!has_names(&row_kinds[index]))
+        return status_fail(status, STATUS_USAGE, "%s: cannot be left out (%s)", row_kinds[index].section,
+                           row_kinds[index].form);
+    if (at < 0)
+        return no_such_row(settings, index, name, status);
+    memmove(&list->rows[at], &list->rows[at + 1], (size_t)(list->count - at - 1) * sizeof *list->rows);
+    memset(&list->rows[--list->count], 0, sizeof *list->rows);
+    return true;
+}
+
+void settings_row_get(const Settings *settings, int kind, int row, char out[ROW_TEXT_MAX])
+{
+    row_write(&row_kinds[kind], &settings->rows[kind].rows[row], 0, out);
+}
+
+void settings_row_show(const Settings *settings, int kind, int row, char out[ROW_TEXT_MAX])
+{
+    row_write(&row_kinds[kind], &settings->rows[kind].rows[row], 6, out);
+}
+
+double row_whole(const Settings *settings, const Row *row, RowValue value, const char **key)
+{
+    bool height = value == ROW_ALONG_Y;
+    if (value == ROW_ALONG_EDGE)
+        height = (int)row->values[0] == ROW_LEFT || (int)row->values[0] == ROW_RIGHT;
+    if (key)
+        *key = height ? "plate.height" : "plate.length";
+    return height ? settings->geometry.height : settings->geometry.length;
+}
+
+double settings_row_value(const Settings *settings, int kind, int row, int column)
+{
+    const Row *at = &settings->rows[kind].rows[row];
+    ASSERT_INT(row, <, settings->rows[kind].count);
+    ASSERT_INT(column, <, row_kinds[kind].n_columns);
+    const RowColumn *what = &row_kinds[kind].columns[column];
+    if (!(at->given >> column & 1))
+        return what->absent;
+    if (!(at->shares >> column & 1))
+        return at->values[column];
+    return at->values[column] * row_whole(settings, at, what->value, NULL) / 100;
+}
+
+/* --- by keys -------------------------------------------------------------------------------------- */
+
+/* A key in its parts. */
+typedef struct RowKey {
+    int kind;
+    char name[ROW_NAME_MAX];
+    char value[16]; /* "": the whole row */
+} RowKey;
+
+/* Copies up to a dot; false: it is longer than that. */
+static bool next_part(const char **key, char *out, size_t size)
+{
+    const size_t length = strcspn(*key, ".");
+    if (length >= size)
+        return false;
+    memcpy(out, *key, length);
+    out[length] = '\0';
+    *key += length + ((*key)[length] == '.');
+    return true;
+}
+
+/* The kind of a key's section; -1: none. */
+static int kind_of(const char **key)
+{
+    char section[16];
+    return strchr(*key, '.') && next_part(key, section, sizeof section) ? row_kind_find(section) : -1;
+}
+
+static bool cut_key(const char *key, RowKey *out)
+{
+    *out = (RowKey){0};
+    out->kind = kind_of(&key);
+    return out->kind >= 0 &&
+           (!has_names(&row_kinds[out->kind]) || next_part(&key, out->name, sizeof out->name)) &&
+           next_part(&key, out->value, sizeof out->value) && !*key;
+}
+
+static int find_column(const RowKind *kind, const char *word)
+{
+    for (int i = 0; i < kind->n_columns; i++)
+        if (strcmp(kind->columns[i].word, word) == 0)
+            return i;
+    return -1;
+}
+
+bool settings_row_is_key(const Settings *settings, const char *key)
+{
+    const int kind = kind_of(&key);
+    return kind >= 0 && settings_have_rows(settings, kind);
+}
+
+/* One value of a row that is there. */
+static bool set_value(Settings *settings, const RowKey *at, const char *key, const char *text, Status *status)
+{
+    const RowKind *kind = &row_kinds[at->kind];
+    const int row = settings_row_find(settings, at->kind, at->name), column = find_column(kind, at->value);
+    char about[KEY_MAX], words[160] = "";
+    if (row < 0)
+        return no_such_row(settings, at->kind, at->name, status);
+    for (int i = 0; i < kind->n_columns; i++)
+        text_list_add(words, sizeof words, kind->columns[i].word);
+    if (column < 0)
+        return status_fail(status, STATUS_USAGE, "%s: a %s has no such value (%s)", key, kind->one, words);
+    key_of(kind, at->name, about);
+    Row changed = settings->rows[at->kind].rows[row];
+    if (!row_read_value(kind, column, text, &changed, about, status))
+        return false;
+    settings->rows[at->kind].rows[row] = changed;
+    return true;
+}
+
+bool settings_row_key_set(Settings *settings, const char *key, const char *text, Status *status)
+{
+    RowKey at;
+    if (!cut_key(key, &at)) {
+        const char *rest = key;
+        const int index = kind_of(&rest);
+        if (index < 0)
+            return status_fail(status, STATUS_USAGE, "%s: no such rows", key);
+        const RowKind *kind = &row_kinds[index];
+        return status_fail(status, STATUS_USAGE,
+                           "%s: this is no name for a %s (1 to %d letters, digits, _ and -)", key, kind->one,
+                           ROW_NAME_MAX - 1);
+    }
+    if (*at.value)
+        return set_value(settings, &at, key, text, status);
+    if (strcmp(text, "none") == 0)
+        return settings_row_remove(settings, at.kind, at.name, status);
+    return settings_row_set(settings, at.kind, at.name, text, status);
+}
+
+const RowColumn *row_key_column(const char *key)
+{
+    RowKey at;
+    if (!cut_key(key, &at) || !*at.value)
+        return NULL;
+    const int column = find_column(&row_kinds[at.kind], at.value);
+    return column < 0 ? NULL : &row_kinds[at.kind].columns[column];
+}
+
+double settings_row_number(const Settings *settings, const char *key)
+{
+    RowKey at;
+    if (!cut_key(key, &at) || !*at.value)
+        return NAN;
+    const int row = settings_row_find(settings, at.kind, at.name),
+              column = find_column(&row_kinds[at.kind], at.value);
+    return row >= 0 && column >= 0 ? settings_row_value(settings, at.kind, row, column) : NAN;
+}
+
+void settings_row_key_show(const Settings *settings, const char *key, char out[ROW_TEXT_MAX])
+{
+    RowKey at;
+    _Static_assert((int)ROW_TEXT_MAX == (int)LIST_MAX, "whatever a key stands for has room in either");
+    const int row = cut_key(key, &at) ? settings_row_find(settings, at.kind, at.name) : -1,
+              column = row >= 0 ? find_column(&row_kinds[at.kind], at.value) : -1;
+    strcpy(out, "none");
+    if (row >= 0 && !*at.value)
+        settings_row_show(settings, at.kind, row, out);
+    if (column < 0)
+        return;
+    const double value = settings_row_value(settings, at.kind, row, column);
+    if (row_kinds[at.kind].columns[column].value == ROW_EDGE)
+        strcpy(out, row_edge_words[(int)value]);
+    else if (isfinite(value))
+        text_rounded(out, value, 6);
+}

@@ -1,0 +1,404 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Reads a scenario (scenario.h): lines come from scenario_lines.c as entries; problem and method are taken
+ * first, since the allowed keys depend on them, then every entry by its key, then values from the command
+ * line; then the whole is checked. An error gets the line or option that gave the key it names. */
+#include "scenario/scenario.h"
+
+#include "base/input.h"
+#include "base/text.h"
+#include "scenario/parameters.h"
+#include "scenario/scenario_lines.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* What is being read: the lines, where they come from and what stands above them. */
+typedef struct Source {
+    const char *file;
+    Entries entries;
+    const Override *overrides;
+    int n_overrides;
+} Source;
+
+const char scenario_unnamed[] = "mode5";
+
+static void full_key(const Entry *entry, char out[80])
+{
+    snprintf(out, 80, "%s.%s", entry->section, entry->name);
+}
+
+static const Entry *find_entry(const Source *source, const char *section, const char *name)
+{
+    for (int i = 0; i < source->entries.count; i++) {
+        const Entry *entry = &source->entries.all[i];
+        if (strcmp(entry->section, section) == 0 && strcmp(entry->name, name) == 0)
+            return entry;
+    }
+    return NULL;
+}
+
+static bool at_line(const Source *source, const Entry *entry, Status *status)
+{
+    return status_prefix(status, "%s:%d", source->file, entry->line);
+}
+
+/* --- keys that stand twice ------------------------------------------------------------------------ */
+
+static bool same_key(const Entry *a, const Entry *b)
+{
+    if (strcmp(a->section, b->section) != 0 || strcmp(a->name, b->name) != 0)
+        return false;
+    if (strcmp(a->section, "changes") != 0)
+        return true;
+    /* several parameters may change in one step, each once */
+    size_t n = strcspn(a->value, " ="), m = strcspn(b->value, " =");
+    return n == m && strncmp(a->value, b->value, n) == 0;
+}
+
+static bool check_twice(const Source *source, Status *status)
+{
+    const Entry *all = source->entries.all;
+    for (int i = 0; i < source->entries.count; i++)
+        for (int j = 0; j < i; j++)
+            if (same_key(&all[i], &all[j])) {
+                char key[80];
+                full_key(&all[i], key);
+                status_fail(status, STATUS_USAGE, "%s: stands twice (first in line %d)", key, all[j].line);
+                return at_line(source, &all[i], status);
+            }
+    const Entry *stretch = find_entry(source, "pd", "critical_stretch");
+    const Entry *energy = find_entry(source, "pd", "critical_energy");
+    if (stretch && energy) {
+        const Entry *later = stretch->line > energy->line ? stretch : energy;
+        status_fail(status, STATUS_USAGE, "pd.%s: pd.%s is given in line %d and says the same (one of them)",
+                    later->name, later == stretch ? energy->name : stretch->name,
+                    later == stretch ? energy->line : stretch->line);
+        return at_line(source, later, status);
+    }
+    return true;
+}
+
+/* --- applying the lines --------------------------------------------------------------------------- */
+
+/* The index of a word; -1 and a status if it is none of them. */
+static int choose(const char *const *words, const Entry *entry, Status *status)
+{
+    char allowed[128];
+    size_t used = 0;
+    for (int i = 0; words[i]; i++) {
+        if (strcmp(words[i], entry->value) == 0)
+            return i;
+        used += (size_t)snprintf(allowed + used, sizeof allowed - used, "%s%s", i ? " | " : "", words[i]);
+    }
+    status_fail(status, STATUS_USAGE, "scenario.%s: %.60s is not a choice (%s)", entry->name, entry->value,
+                allowed);
+    return -1;
+}
+
+static bool begin(const Source *source, Settings *settings, Status *status)
+{
+    const Entry *problem = find_entry(source, "scenario", "problem");
+    const char *words[PROBLEMS_MAX + 1] = {NULL};
+    for (int i = 0; i < PROBLEMS_MAX && problems[i]; i++)
+        words[i] = problems[i]->word;
+    int chosen = problem ? choose(words, problem, status) : 0;
+    if (chosen < 0)
+        return at_line(source, problem, status);
+    settings_default(settings, problems[chosen]);
+    const Entry *method = find_entry(source, "scenario", "method");
+    chosen = method ? choose(settings_method_words, method, status) : (int)settings->method;
+    if (chosen < 0)
+        return at_line(source, method, status);
+    settings->method = (MethodKind)chosen;
+    return true;
+}
+
+static bool fill_assignment(Assignment *to, const char *key, const char *value, Status *status)
+{
+    if (strlen(key) >= sizeof to->key || strlen(value) >= sizeof to->value)
+        return status_fail(status, STATUS_USAGE, "%.60s: the value is too long (at most %zu bytes)", key,
+                           sizeof to->value - 1);
+    strcpy(to->key, key);
+    strcpy(to->value, value);
+    return true;
+}
+
+static bool take_duel(const Entry *entry, Settings *settings, Status *status)
+{
+    if (settings->n_duel == DUEL_MAX)
+        return status_fail(status, STATUS_USAGE, "duel: too many keys differ (at most %d)", DUEL_MAX);
+    return fill_assignment(&settings->duel[settings->n_duel++], entry->name, entry->value, status);
+}
+
+static bool take_change(const Entry *entry, Settings *settings, Status *status)
+{
+    long step;
+    char text[ABOUT_MAX];
+    memcpy(text, entry->value, sizeof text);
+    char *equals = strchr(text, '=');
+    if (!text_to_long(entry->name, &step) || step < 0)
+        return status_fail(status, STATUS_USAGE, "changes.%s: is no step (STEP = KEY=VALUE, STEP >= 0)",
+                           entry->name);
+    if (!equals)
+        return status_fail(status, STATUS_USAGE, "changes.%s: \"%.60s\" changes nothing (STEP = KEY=VALUE)",
+                           entry->name, text);
+    *equals = '\0';
+    text[strcspn(text, " ")] = '\0';
+    if (settings->n_changes == CHANGES_MAX)
+        return status_fail(status, STATUS_USAGE, "changes.%s: too many changes (at most %d)", entry->name,
+                           CHANGES_MAX);
+    /* kept in order of steps, those of one step in the order of the file */
+    int place = settings->n_changes++;
+    for (; place > 0 && settings->changes[place - 1].step > step; place--)
+        settings->changes[place] = settings->changes[place - 1];
+    memset(&settings->changes[place], 0, sizeof settings->changes[place]);
+    settings->changes[place].step = step;
+    return fill_assignment(&settings->changes[place].to, text, equals + 1 + strspn(equals + 1, " "), status);
+}
+
+static bool take_entry(const Entry *entry, Settings *settings, Status *status)
+{
+    if (strcmp(entry->section, "duel") == 0)
+        return take_duel(entry, settings, status);
+    if (strcmp(entry->section, "changes") == 0)
+        return take_change(entry, settings, status);
+    char key[80];
+    full_key(entry, key);
+    if (strcmp(key, "scenario.problem") == 0 || strcmp(key, "scenario.method") == 0)
+        return true;
+    return settings_set(settings, key, entry->value, status);
+}
+
+static bool take_overrides(const Source *source, Settings *settings, Status *status)
+{
+    bool stretch = false, energy = false;
+    /* the method first: which keys there are depends on it */
+    for (int i = 0; i < source->n_overrides; i++)
+        if (strcmp(source->overrides[i].key, "scenario.method") == 0 &&
+            !settings_set(settings, source->overrides[i].key, source->overrides[i].value, status))
+            return status_prefix(status, "%s", source->overrides[i].origin);
+    for (int i = 0; i < source->n_overrides; i++) {
+        const Override *override = &source->overrides[i];
+        stretch |= strcmp(override->key, "pd.critical_stretch") == 0;
+        energy |= strcmp(override->key, "pd.critical_energy") == 0;
+        if (stretch && energy)
+            status_fail(status, STATUS_USAGE,
+                        "%s: pd.critical_stretch and pd.critical_energy say the same (one of them)",
+                        override->key);
+        else if (settings_set(settings, override->key, override->value, status))
+            continue;
+        return status_prefix(status, "%s", override->origin);
+    }
+    return true;
+}
+
+/* --- where a fault of the whole comes from -------------------------------------------------------- */
+
+/* Whether a message is about a key: it begins with it, or names it. */
+static bool names(const char *message, const char *key, bool at_start)
+{
+    const char *found = strstr(message, key);
+    for (; found; found = strstr(found + 1, key)) {
+        char after = found[strlen(key)];
+        bool whole = (found == message || found[-1] == ' ') &&
+                     (after == ':' || after == ' ' || after == ')' || after == ',' || after == '\0');
+        if (whole && (!at_start || found == message))
+            return true;
+    }
+    return false;
+}
+
+/* Or, of one value of a row, whether it is about that row and names this value, or none of its values. */
+static bool is_about(const char *message, const char *key, bool at_start)
+{
+    char row[KEY_MAX], section[KEY_MAX];
+    const RowColumn *column = row_key_column(key);
+    if (names(message, key, at_start))
+        return true;
+    if (!column)
+        return false;
+    snprintf(row, sizeof row, "%.*s", (int)(strrchr(key, '.') - key), key);
+    if (!names(message, row, at_start))
+        return false;
+    if (names(message, column->word, false))
+        return true;
+    snprintf(section, sizeof section, "%.*s", (int)strcspn(key, "."), key);
+    const RowKind *kind = &row_kinds[row_kind_find(section)];
+    for (int k = 0; k < kind->n_columns; k++)
+        if (names(message, kind->columns[k].word, false))
+            return false;
+    return true;
+}
+
+/* As messages spell it. */
+static void spelled_key(const Entry *entry, char out[80])
+{
+    if (strcmp(entry->section, "duel") == 0)
+        snprintf(out, 80, "duel: %s", entry->name);
+    else
+        full_key(entry, out);
+}
+
+/* The status of a check gets its origin: the option or line that gave the key with which the message begins,
+ * else one that gave another key of the message. False: neither. */
+static bool find_origin(const Source *source, Status *status)
+{
+    for (int at_start = 1; at_start >= 0; at_start--) {
+        for (int i = source->n_overrides - 1; i >= 0; i--)
+            if (is_about(status->text, source->overrides[i].key, at_start)) {
+                status_prefix(status, "%s", source->overrides[i].origin);
+                return true;
+            }
+        for (int i = 0; i < source->entries.count; i++) {
+            const Entry *entry = &source->entries.all[i];
+            char key[80];
+            spelled_key(entry, key);
+            if (!is_about(status->text, key, at_start))
+                continue;
+            at_line(source, entry, status);
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Without either the origin is the last option or line. */
+static bool blame(const Source *source, Status *status)
+{
+    if (!status || find_origin(source, status))
+        return false;
+    if (source->n_overrides > 0)
+        return status_prefix(status, "%s", source->overrides[source->n_overrides - 1].origin);
+    return at_line(source, &source->entries.all[source->entries.count - 1], status);
+}
+
+static bool apply(const Source *source, Settings *settings, Status *status)
+{
+    if (!check_twice(source, status) || !begin(source, settings, status))
+        return false;
+    if (source->entries.whole_rows)
+        strcpy(settings->output.columns, "all");
+    for (int i = 0; i < source->entries.count; i++)
+        if (!take_entry(&source->entries.all[i], settings, status))
+            return at_line(source, &source->entries.all[i], status);
+    if (!take_overrides(source, settings, status))
+        return false;
+    return settings_check(settings, status) || blame(source, status);
+}
+
+/* --- files and built-ins -------------------------------------------------------------------------- */
+
+static bool read_with(FILE *stream, const char *name, const Override *overrides, int count,
+                      Settings *settings, Status *status)
+{
+    Source source = {.file = name, .overrides = overrides, .n_overrides = count};
+    Settings read;
+    bool good = entries_read(&source.entries, stream, name, status) && apply(&source, &read, status);
+    entries_free(&source.entries);
+    if (good)
+        *settings = read;
+    return good;
+}
+
+bool scenario_read(FILE *stream, const char *name, Settings *settings, Status *status)
+{
+    return read_with(stream, name, NULL, 0, settings, status);
+}
+
+const BuiltinScenario *scenario_builtin(const char *name)
+{
+    for (const BuiltinScenario *builtin = builtin_scenarios; builtin->name; builtin++)
+        if (strcmp(builtin->name, name) == 0)
+            return builtin;
+    return NULL;
+}
+
+static bool not_found(const char *name, Status *status)
+{
+    enum { MOST = 100 };
+    int error = errno, count = 0;
+    const char *names_of[MOST + 1] = {NULL};
+    for (; builtin_scenarios[count].name && count < MOST; count++)
+        names_of[count] = builtin_scenarios[count].name;
+    const char *nearest = parameter_nearest_word(names_of, name);
+    if (error != ENOENT)
+        return false; /* the status says why */
+    if (nearest)
+        return status_fail(status, STATUS_USAGE, "%s: no such scenario or file (did you mean %s?)", name,
+                           nearest);
+    return status_fail(status, STATUS_USAGE, "%s: no such scenario or file (see: matvib list)", name);
+}
+
+/* NULL: as input_open() has it. */
+static FILE *open_scenario(const char *name_or_path, Status *status)
+{
+    const BuiltinScenario *builtin = scenario_builtin(name_or_path);
+    return builtin ? input_text(builtin->text, name_or_path, status)
+                   : input_open(name_or_path, SCENARIO_BYTES_MAX, status);
+}
+
+void scenario_blame(const char *name_or_path, const Override *overrides, int count, Status *status)
+{
+    Source source = {.file = name_or_path, .overrides = overrides, .n_overrides = count};
+    char key[KEY_MAX] = "";
+    const size_t length = strcspn(status->text, ":");
+    if (length < sizeof key)
+        memcpy(key, status->text, length);
+    FILE *stream = parameter_find(key) || text_key_find(key) ? open_scenario(name_or_path, NULL) : NULL;
+    if (!stream)
+        return;
+    if (!entries_read(&source.entries, stream, name_or_path, NULL) || !find_origin(&source, status))
+        status_prefix(status, "%s", name_or_path);
+    entries_free(&source.entries);
+    fclose(stream);
+}
+
+bool scenario_load_with(const char *name_or_path, const Override *overrides, int count, Settings *settings,
+                        Status *status)
+{
+    FILE *stream = open_scenario(name_or_path, status);
+    if (!stream)
+        return not_found(name_or_path, status);
+    bool good = read_with(stream, name_or_path, overrides, count, settings, status);
+    fclose(stream);
+    return good;
+}
+
+bool scenario_load(const char *name_or_path, Settings *settings, Status *status)
+{
+    return scenario_load_with(name_or_path, NULL, 0, settings, status);
+}
+
+/* --- coarse forms for the screen -------------------------------------------------------------------- */
+
+static const struct {
+    const char *whole, *coarse;
+} forms[] = {{"moving-cantilever-mpm", "moving-cantilever-mpm-coarse"}};
+
+enum { N_FORMS = sizeof forms / sizeof *forms };
+
+const char *scenario_on_screen(const char *name_or_path)
+{
+    for (int i = 0; i < N_FORMS; i++)
+        if (strcmp(forms[i].whole, name_or_path) == 0)
+            return forms[i].coarse;
+    return name_or_path;
+}
+
+const char *scenario_whole(const char *name)
+{
+    for (int i = 0; i < N_FORMS; i++)
+        if (strcmp(forms[i].coarse, name) == 0)
+            return forms[i].whole;
+    return NULL;
+}
+
+bool scenario_title(const BuiltinScenario *builtin, char title[TITLE_MAX])
+{
+    Settings settings;
+    if (!scenario_load(builtin->name, &settings, NULL))
+        return false;
+    strcpy(title, settings.title);
+    return true;
+}

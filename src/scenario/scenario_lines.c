@@ -1,0 +1,306 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Feeds inih line by line and collects its entries (scenario_lines.h). What is handed over is recorded as
+ * expected, so that a line which inih would read otherwise is refused, not misread. */
+#include "scenario/scenario_lines.h"
+
+#include "base/visible.h"
+#include "scenario/parameters.h"
+
+#include <errno.h>
+#include <ini.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char *const scenario_sections[] = {
+    "scenario", "bar",  "bar2",   "beam",     "plate", "motion",   "initial",  "mesh",      "mpm",
+    "pd",       "cuts", "notch",  "load",     "loads", "supports", "impulses", "protected", "probe",
+    "damping",  "time", "output", "question", "duel",  "changes",  "view",     NULL,
+};
+
+/* What is handed to inih next must come back as a key, as more of the value above, or not at all. */
+typedef enum Expected { NOTHING, A_KEY, MORE } Expected;
+
+typedef struct Reader {
+    FILE *stream;
+    const char *file;
+    Status *status;
+    Entries *entries;
+    bool failed;
+    Expected expected;
+    char section[16];
+    bool may_continue; /* the last key's value may go on */
+} Reader;
+
+static bool fail(Reader *reader, const char *what, const char *allowed)
+{
+    reader->failed = true;
+    return status_fail(reader->status, STATUS_USAGE, "%s:%d: %s (%s)", reader->file, reader->entries->lines,
+                       what, allowed);
+}
+
+static bool fail_about(Reader *reader, const char *subject, const char *what)
+{
+    reader->failed = true;
+    return status_fail(reader->status, STATUS_USAGE, "%s:%d: %s: %s", reader->file, reader->entries->lines,
+                       subject, what);
+}
+
+/* --- one raw line --------------------------------------------------------------------------------- */
+
+enum { RAW_MAX = 1000 };
+
+/* Reads up to the end of the line, which may be LF, CR LF or the end of the file. False: nothing is left, or
+ * the reader failed. */
+static bool raw_line(Reader *reader, char raw[RAW_MAX + 1])
+{
+    int c, n = 0;
+    errno = 0;
+    while ((c = getc(reader->stream)) != EOF && c != '\n') {
+        if (n == 0)
+            reader->entries->lines++;
+        if (c == '\0')
+            return fail(reader, "a NUL byte", "a scenario is text");
+        if (n == RAW_MAX)
+            return fail(reader, "the line is too long", "at most 1000 bytes with its comment");
+        raw[n++] = (char)c;
+    }
+    if (ferror(reader->stream)) {
+        reader->failed = true;
+        return status_fail(reader->status, STATUS_USAGE, "%s: cannot be read: %s", reader->file,
+                           strerror(errno ? errno : EIO));
+    }
+    if (c == EOF && n == 0)
+        return false;
+    if (n == 0)
+        reader->entries->lines++;
+    if (n > 0 && raw[n - 1] == '\r')
+        n--;
+    raw[n] = '\0';
+    if (reader->entries->lines > SCENARIO_LINES_MAX)
+        return fail(reader, "too many lines for a scenario", "at most 5000");
+    return true;
+}
+
+/* A tab is as good as a space; anything else that is not text is refused. */
+static bool clean_line(Reader *reader, char *raw)
+{
+    if (reader->entries->lines == 1 && strncmp(raw, "\xef\xbb\xbf", 3) == 0)
+        memmove(raw, raw + 3, strlen(raw + 3) + 1);
+    for (char *c = raw; *c; c++)
+        if (*c == '\t')
+            *c = ' ';
+    if (visible_is_clean(raw))
+        return true;
+    return fail(reader, "bytes that are no text", "UTF-8 without control characters");
+}
+
+/* Cuts the comment and the spaces at the end. */
+static void cut_comment(char *line)
+{
+    for (char *c = line; *c; c++)
+        if ((*c == '#' || *c == ';') && (c == line || c[-1] == ' ')) {
+            *c = '\0';
+            break;
+        }
+    size_t n = strlen(line);
+    while (n > 0 && line[n - 1] == ' ')
+        line[--n] = '\0';
+}
+
+/* The .csv.ini of 1.x, whose series had all columns and no key that asks for them. */
+static void note_column(Entries *entries, const char *line)
+{
+    static const char *const columns[] = {"# kinetic_grid [", "# kinetic_null ["};
+    for (size_t i = 0; i < sizeof columns / sizeof *columns; i++)
+        entries->whole_rows = entries->whole_rows || strncmp(line, columns[i], strlen(columns[i])) == 0;
+}
+
+/* --- what a line is ------------------------------------------------------------------------------- */
+
+static size_t word_length(const char *text)
+{
+    return strspn(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.-");
+}
+
+/* Whether a word is a key, or one without its section. */
+static bool is_key(const char *word)
+{
+    for (int i = 0; i < n_parameters + n_text_keys; i++) {
+        const char *key = i < n_parameters ? parameters[i].key : text_keys[i - n_parameters].key;
+        if (strcmp(key, word) == 0 || strcmp(strchr(key, '.') + 1, word) == 0)
+            return true;
+    }
+    return strcmp(word, "problem") == 0 || strcmp(word, "method") == 0;
+}
+
+bool scenario_looks_like_key(const char *text)
+{
+    char word[KEY_MAX];
+    size_t n = word_length(text);
+    snprintf(word, sizeof word, "%.*s", (int)n, text);
+    return n > 0 && text[n + strspn(text + n, " ")] == '=' && is_key(word);
+}
+
+bool scenario_may_continue(const char *section, const char *name)
+{
+    static const char *const keys[][2] = {{"scenario", "about"}, {"initial", "overtones"}, {"output", "at"}};
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
+        if (strcmp(section, keys[i][0]) == 0 && strcmp(name, keys[i][1]) == 0)
+            return true;
+    return false;
+}
+
+static bool accept_section(Reader *reader, const char *line)
+{
+    size_t n = word_length(line + 1);
+    if (line[n + 1] != ']' || line[n + 2] != '\0')
+        return fail(reader, "a section's line must be its name in brackets", "such as [mesh]");
+    char name[KEY_MAX];
+    snprintf(name, sizeof name, "%.*s", (int)n, line + 1);
+    for (const char *const *known = scenario_sections; *known; known++)
+        if (strcmp(*known, name) == 0) {
+            strcpy(reader->section, name);
+            reader->may_continue = false;
+            return true;
+        }
+    char subject[KEY_MAX + 2], what[96];
+    snprintf(subject, sizeof subject, "[%s]", name);
+    const char *nearest = parameter_nearest_word(scenario_sections, name);
+    if (nearest)
+        snprintf(what, sizeof what, "unknown section (did you mean [%s]?)", nearest);
+    else
+        snprintf(what, sizeof what, "unknown section (see: man 5 matvib)");
+    return fail_about(reader, subject, what);
+}
+
+static bool accept_key(Reader *reader, const char *line)
+{
+    size_t n = word_length(line);
+    const char *equals = line + n + strspn(line + n, " ");
+    if (n == 0 || *equals != '=')
+        return fail(reader, "this is no line of a scenario", "[SECTION], KEY = VALUE or # comment");
+    char name[64];
+    snprintf(name, sizeof name, "%.*s", (int)n, line);
+    if (n >= KEY_MAX)
+        return fail_about(reader, name, "unknown key (no key is that long)");
+    if (!*reader->section)
+        return fail_about(reader, name, "stands before any section (begin with [scenario])");
+    if (equals[1] == '#' || equals[1] == ';')
+        return fail_about(reader, name,
+                          "the value begins like a comment (a space before # or ; makes it one)");
+    reader->may_continue = scenario_may_continue(reader->section, name);
+    reader->expected = A_KEY;
+    return true;
+}
+
+static bool accept_indented(Reader *reader, const char *text)
+{
+    if (scenario_looks_like_key(text)) {
+        char name[64];
+        snprintf(name, sizeof name, "%.*s", (int)word_length(text), text);
+        return fail_about(reader, name, "is indented (keys begin in the first column)");
+    }
+    if (!reader->may_continue)
+        return fail(reader, "the indented line continues nothing",
+                    "only scenario.about, initial.overtones and output.at go on in the next line");
+    reader->expected = MORE;
+    return true;
+}
+
+static bool accept_line(Reader *reader, const char *line)
+{
+    if (strlen(line) > SCENARIO_LINE_MAX)
+        return fail(reader, "the line is too long", "at most 190 bytes");
+    if (!*line)
+        return true;
+    return (*line == ' '   ? accept_indented(reader, line + strspn(line, " "))
+            : *line == '[' ? accept_section(reader, line)
+                           : accept_key(reader, line));
+}
+
+/* inih's fgets: gives it lines that mean to inih what they mean to us. */
+static char *next_line(char *out, int size, void *context)
+{
+    Reader *reader = context;
+    char raw[RAW_MAX + 1];
+    if (!reader->failed && reader->expected != NOTHING)
+        fail(reader, "the line cannot be read", "KEY = VALUE");
+    if (reader->failed || !raw_line(reader, raw) || !clean_line(reader, raw))
+        return NULL;
+    note_column(reader->entries, raw);
+    cut_comment(raw);
+    if (!accept_line(reader, raw))
+        return NULL;
+    if (snprintf(out, (size_t)size, "%s\n", raw) >= size) {
+        fail(reader, "the line is too long", "shorter");
+        return NULL;
+    }
+    return out;
+}
+
+/* --- what inih makes of it ------------------------------------------------------------------------ */
+
+static bool add_entry(Reader *reader, const char *name, const char *value)
+{
+    Entries *entries = reader->entries;
+    if (entries->count == entries->room) {
+        int room = entries->room ? 2 * entries->room : 32;
+        Entry *all = realloc(entries->all, (size_t)room * sizeof *all);
+        if (!all) {
+            reader->failed = true;
+            return status_fail(reader->status, STATUS_FAILED, "not enough memory for %s", reader->file);
+        }
+        entries->all = all;
+        entries->room = room;
+    }
+    Entry *entry = &entries->all[entries->count++];
+    memset(entry, 0, sizeof *entry);
+    entry->line = entries->lines;
+    snprintf(entry->section, sizeof entry->section, "%s", reader->section);
+    snprintf(entry->name, sizeof entry->name, "%s", name);
+    snprintf(entry->value, sizeof entry->value, "%s", value);
+    return true;
+}
+
+/* Lines of a text are joined by a space, those of a list by nothing. */
+static bool add_more(Reader *reader, const char *text)
+{
+    Entry *entry = &reader->entries->all[reader->entries->count - 1];
+    size_t length = strlen(entry->value);
+    bool list = strcmp(entry->name, "about") != 0;
+    int n = snprintf(entry->value + length, sizeof entry->value - length, "%s%s", list || !length ? "" : " ",
+                     text);
+    if (n < 0 || (size_t)n >= sizeof entry->value - length)
+        return fail_about(reader, entry->name, "is too long (at most 1023 bytes)");
+    return true;
+}
+
+static int take(void *context, const char *section, const char *name, const char *value)
+{
+    Reader *reader = context;
+    Expected expected = reader->expected;
+    (void)section; /* kept by the reader, which sees empty sections too */
+    reader->expected = NOTHING;
+    return expected == A_KEY ? add_entry(reader, name, value) : expected == MORE && add_more(reader, value);
+}
+
+bool entries_read(Entries *entries, FILE *stream, const char *file, Status *status)
+{
+    *entries = (Entries){0};
+    Reader reader = {.stream = stream, .file = file, .status = status, .entries = entries};
+    int line = ini_parse_stream(next_line, &reader, take, &reader);
+    if (reader.failed)
+        return false;
+    if (line != 0 || reader.expected != NOTHING)
+        return fail(&reader, "the line cannot be read", "KEY = VALUE");
+    if (entries->count == 0)
+        return status_fail(status, STATUS_USAGE, "%s:1: holds no scenario (at least [scenario] and a key)",
+                           file);
+    return true;
+}
+
+void entries_free(Entries *entries)
+{
+    free(entries->all);
+    *entries = (Entries){0};
+}

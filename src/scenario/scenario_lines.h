@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The lines of a scenario file, before anything is known of their meaning: inih cuts them, and a reader in
+ * front of it counts them and refuses what inih would damage silently (indented keys, long lines, NUL bytes,
+ * sections without keys, text behind a bracket). */
+#ifndef LAB_SCENARIO_LINES_H
+#define LAB_SCENARIO_LINES_H
+
+#include "base/status.h"
+#include "scenario/settings.h"
+
+#include <stdio.h>
+
+enum {
+    SCENARIO_LINE_MAX = 190, /* bytes of a line without its comment: inih's own buffer has 200 */
+    SCENARIO_LINES_MAX =
+        5000, /* no scenario needs more; a wrong file is refused before it fills the memory */
+    SCENARIO_BYTES_MAX = 5000000
+};
+
+typedef struct Entry {
+    int line;
+    char section[16];
+    char name[KEY_MAX];
+    char value[ABOUT_MAX];
+} Entry;
+
+typedef struct Entries {
+    Entry *all;
+    int count, room;
+    int lines;       /* of the file */
+    bool whole_rows; /* its comments describe a column that is written only when it is asked for */
+} Entries;
+
+/* The sections there are, in the order in which they are written; ended by NULL. */
+extern const char *const scenario_sections[];
+
+/* Whether a value may go on in indented lines below: scenario.about, initial.overtones, output.at. */
+bool scenario_may_continue(const char *section, const char *name);
+
+/* Whether a text begins with the name of a key and '='. Such a line may not be a continuation. */
+bool scenario_looks_like_key(const char *text);
+
+/* Reads a whole stream. False: the status says "FILE:LINE: ..."; entries are to be freed in any case. */
+bool entries_read(Entries *, FILE *stream, const char *file, Status *);
+void entries_free(Entries *);
+
+#endif

@@ -1,0 +1,221 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Settings as a scenario file that reads back to the last bit. */
+#include "scenario/scenario.h"
+
+#include "base/text.h"
+#include "base/visible.h"
+#include "scenario/parameters.h"
+#include "scenario/scenario_lines.h"
+
+#include <errno.h>
+#include <string.h>
+
+/* --- texts ---------------------------------------------------------------------------------------- */
+
+/* A text that the reader would cut or strip: comment signs after a space or at the start, spaces at an end.
+ */
+static bool would_be_damaged(const char *text)
+{
+    size_t n = strlen(text);
+    if (!visible_is_clean(text) || (n > 0 && (text[0] == ' ' || text[n - 1] == ' ')))
+        return true;
+    for (size_t i = 0; i < n; i++)
+        if ((text[i] == '#' || text[i] == ';') && (i == 0 || text[i - 1] == ' '))
+            return true;
+    return false;
+}
+
+/* Whether a text may be cut before `next`: a text at a single space, a list behind a comma. */
+static bool may_cut(const char *text, const char *next, bool list)
+{
+    if (next <= text || *next == ' ' || !*next)
+        return false;
+    if (list)
+        return next[-1] == ',';
+    return next[-1] == ' ' && next - 1 > text && next[-2] != ' ' && !scenario_looks_like_key(next);
+}
+
+/* How much of a text goes into one line: all of it, or up to the last place where it may be cut within
+ * `width` (failing that within the line's limit); 0: nowhere. */
+static size_t line_share(const char *text, size_t width, bool list)
+{
+    size_t most = SCENARIO_LINE_MAX - 16;
+    if (strlen(text) <= width)
+        return strlen(text);
+    for (size_t n = width; n > 0; n--)
+        if (may_cut(text, text + n, list))
+            return n;
+    for (size_t n = width; n <= most && text[n]; n++)
+        if (may_cut(text, text + n, list))
+            return n;
+    return strlen(text) <= most ? strlen(text) : 0;
+}
+
+static bool write_text(FILE *stream, const char *section, const char *name, const char *text, Status *status)
+{
+    bool list = strcmp(name, "about") != 0, may_continue = scenario_may_continue(section, name);
+    size_t room = SCENARIO_LINE_MAX - strlen(name) - 3;
+    if (would_be_damaged(text) || (!may_continue && strlen(text) > room))
+        return status_fail(status, STATUS_USAGE,
+                           "%s.%s: this text would not read back (one short line; no # or ; after a space)",
+                           section, name);
+    fprintf(stream, "%s =", name);
+    const char *margin = " ";
+    while (*text) {
+        size_t share = may_continue ? line_share(text, 96, list) : strlen(text);
+        if (share == 0)
+            return status_fail(status, STATUS_USAGE,
+                               "%s.%s: this text cannot be cut into lines (spaces, commas)", section, name);
+        size_t shown = share;
+        while (shown > 0 && text[shown - 1] == ' ')
+            shown--;
+        fprintf(stream, "%s%.*s\n", margin, (int)shown, text);
+        text += share;
+        margin = "    ";
+        if (!*text)
+            return true;
+    }
+    fputc('\n', stream);
+    return true;
+}
+
+/* --- sections ------------------------------------------------------------------------------------- */
+
+/* The name behind the dot if the key is of this section; NULL: it is not. */
+static const char *name_in(const char *key, const char *section)
+{
+    size_t n = strlen(section);
+    return strncmp(key, section, n) == 0 && key[n] == '.' ? key + n + 1 : NULL;
+}
+
+static bool write_parameter(FILE *stream, const Settings *settings, const Parameter *parameter,
+                            const char *section, const char *name, Status *status)
+{
+    char value[LIST_MAX];
+    settings_get(settings, parameter, value);
+    if (parameter->type == PARAMETER_TEXT)
+        return write_text(stream, section, name, value, status);
+    bool stretch = strcmp(name, "critical_stretch") == 0, energy = strcmp(name, "critical_energy") == 0;
+    if ((stretch && settings->bonds.energy_given) || (energy && !settings->bonds.energy_given)) {
+        /* critical stretch and energy follow from each other; written both, the value would be given twice */
+        settings_show(settings, parameter, value);
+        fprintf(stream, "# %s = %s%s%s\n", name, value, *parameter->unit ? " " : "", parameter->unit);
+        return true;
+    }
+    fprintf(stream, "%s =%s%s\n", name, *value ? " " : "", value);
+    return true;
+}
+
+static bool write_duel(FILE *stream, const Settings *settings, Status *status)
+{
+    for (int i = 0; i < settings->n_duel; i++)
+        if (!write_text(stream, "duel", settings->duel[i].key, settings->duel[i].value, status))
+            return false;
+    return true;
+}
+
+/* The rows of a section, or the values of the one that has no name. */
+static void write_rows(FILE *stream, const Settings *settings, int kind)
+{
+    char text[ROW_TEXT_MAX], word[ROW_TEXT_MAX];
+    for (int row = 0; row < settings->rows[kind].count; row++) {
+        settings_row_get(settings, kind, row, text);
+        const char *rest = text;
+        if (!row_kinds[kind].usual)
+            fprintf(stream, "%s = %s\n", settings->rows[kind].rows[row].name, text);
+        else
+            for (int i = 0; text_next_word(&rest, word, sizeof word); i++)
+                fprintf(stream, "%s = %s\n", row_kinds[kind].columns[i].word, word);
+    }
+}
+
+static bool write_changes(FILE *stream, const Settings *settings)
+{
+    for (int i = 0; i < settings->n_changes; i++)
+        fprintf(stream, "%ld = %s=%s\n", settings->changes[i].step, settings->changes[i].to.key,
+                settings->changes[i].to.value);
+    return true;
+}
+
+static bool write_words(FILE *stream, const Settings *settings, const char *section, Status *status)
+{
+    for (int i = 0; i < n_text_keys; i++) {
+        const char *name = name_in(text_keys[i].key, section);
+        const char *text = (const char *)settings + text_keys[i].offset;
+        if (name && (*text || strcmp(name, "title") == 0) && !write_text(stream, section, name, text, status))
+            return false;
+    }
+    return true;
+}
+
+static bool write_section(FILE *stream, const Settings *settings, const char *section, Status *status)
+{
+    if (!write_words(stream, settings, section, status))
+        return false;
+    if (strcmp(section, "scenario") == 0)
+        fprintf(stream, "problem = %s\nmethod = %s\n", settings->problem->word,
+                settings_method_words[settings->method]);
+    for (int i = 0; i < n_parameters; i++) {
+        const char *name = name_in(parameters[i].key, section);
+        if (name && parameter_applies_to(settings, &parameters[i]) &&
+            parameters[i].offset != offsetof(Settings, method) && /* stands above, for beams too */
+            !write_parameter(stream, settings, &parameters[i], section, name, status))
+            return false;
+    }
+    const int kind = row_kind_find(section);
+    if (kind >= 0 && settings_have_rows(settings, kind))
+        write_rows(stream, settings, kind);
+    if (strcmp(section, "duel") == 0)
+        return write_duel(stream, settings, status);
+    if (strcmp(section, "changes") == 0)
+        return write_changes(stream, settings);
+    return true;
+}
+
+static bool has_section(const Settings *settings, const char *section)
+{
+    if (strcmp(section, "duel") == 0)
+        return settings->n_duel > 0;
+    if (strcmp(section, "changes") == 0)
+        return settings->n_changes > 0;
+    if (strcmp(section, "scenario") == 0)
+        return true;
+    const int kind = row_kind_find(section);
+    if (kind >= 0 && settings->rows[kind].count > 0)
+        return true;
+    for (int i = 0; i < n_text_keys; i++)
+        if (name_in(text_keys[i].key, section) && *((const char *)settings + text_keys[i].offset))
+            return true;
+    for (int i = 0; i < n_parameters; i++)
+        if (name_in(parameters[i].key, section) && parameter_applies_to(settings, &parameters[i]))
+            return true;
+    return false;
+}
+
+static void write_comment(FILE *stream, const char *comment)
+{
+    while (comment && *comment) {
+        size_t n = strcspn(comment, "\n");
+        fprintf(stream, "#%s%.*s\n", n ? " " : "", (int)n, comment);
+        comment += n;
+        if (*comment == '\n')
+            comment++;
+    }
+}
+
+bool scenario_write(FILE *stream, const Settings *settings, const char *comment, Status *status)
+{
+    write_comment(stream, comment);
+    bool first = !comment || !*comment;
+    for (const char *const *section = scenario_sections; *section; section++) {
+        if (!has_section(settings, *section))
+            continue;
+        fprintf(stream, "%s[%s]\n", first ? "" : "\n", *section);
+        first = false;
+        if (!write_section(stream, settings, *section, status))
+            return false;
+    }
+    if (fflush(stream) != 0 || ferror(stream))
+        return status_fail(status, STATUS_FAILED, "cannot write the scenario: %s", strerror(errno));
+    return true;
+}

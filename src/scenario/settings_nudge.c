@@ -1,0 +1,203 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* From one value of a parameter to the next, and to the other answer to a question. */
+#include "scenario/parameters.h"
+
+#include "base/math/functions.h"
+#include "base/text.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* --- nudges --------------------------------------------------------------------------------------- */
+
+/* Rungs 1, 2, 5 of each decade are numbered: 0 is 1, 1 is 2, 2 is 5, 3 is 10, -1 is 0.5. */
+static double rung_value(long rung)
+{
+    static const char steps[] = "125";
+    long decade = (rung - (((rung % 3) + 3) % 3)) / 3;
+    char text[NUMBER_TEXT_MAX];
+    snprintf(text, sizeof text, "%ce%ld", steps[((rung % 3) + 3) % 3], decade);
+    return strtod(text, NULL); /* as if it had been typed */
+}
+
+/* The first rung above a positive value (direction 1) or below it (-1). */
+static long next_rung(double value, int direction)
+{
+    long rung = 3 * (long)floor(math_log10(value)) - 3;
+    while (rung_value(rung) <= value * (1 + 1e-12))
+        rung++;
+    if (direction > 0)
+        return rung;
+    rung--;
+    while (rung_value(rung) >= value * (1 - 1e-12))
+        rung--;
+    return rung;
+}
+
+/* Up and down the ladder ... -2 -1 0 1 2 5 ...; the least rung beside 0 depends on what is usual. */
+static double next_on_ladder(double value, int direction, double usual, bool whole)
+{
+    double least = whole ? 1 : 1e-3 * (usual == 0 ? 1 : math_pow(10, floor(math_log10(fabs(usual)) + 1e-9)));
+    int outwards = value < 0 ? -direction : direction;
+    if (value == 0)
+        return direction * rung_value(next_rung(least, 1) - 1);
+    if (outwards < 0 && fabs(value) <= least * (1 + 1e-9))
+        return 0;
+    return copysign(rung_value(next_rung(fabs(value), outwards)), value);
+}
+
+/* What is written with twelve digits, so that 0.003 + 0.0005 is 0.0035 and nothing piles up. */
+static double as_typed(double value)
+{
+    char text[NUMBER_TEXT_MAX];
+    snprintf(text, sizeof text, "%.12g", value);
+    return strtod(text, NULL);
+}
+
+/* Up and down the shares of a whole. */
+static double next_share(double value, int direction)
+{
+    static const double shares[] = {0, .1, .2, .5, .8, .9, .95, .98, .99, .995, .998, .999, 1};
+    enum { SHARES = sizeof shares / sizeof *shares };
+    int at = direction > 0 ? 0 : SHARES - 1;
+    while (at >= 0 && at < SHARES && (shares[at] - value) * direction <= 1e-12)
+        at += direction;
+    return at >= 0 && at < SHARES ? shares[at] : value;
+}
+
+/* One more or less in the second digit: 0.025 0.026, 70 71, 100 99. */
+static double next_digit(double value, int direction, double usual)
+{
+    const double towards = value * (1 + direction * copysign(1e-9, value));
+    if (value == 0)
+        return next_on_ladder(0, direction, usual, false);
+    const double next = as_typed(value + direction * math_pow(10, floor(math_log10(fabs(towards))) - 1));
+    const double least = 1e-3 * math_pow(10, usual == 0 ? 0 : floor(math_log10(fabs(usual)) + 1e-9));
+    return fabs(next) < fabs(value) && fabs(next) < least ? 0 : next;
+}
+
+/* A cell more or less in the bar. */
+static double next_cell_size(const Settings *settings, double value, int direction)
+{
+    const double cells = round(settings->geometry.length / value) - direction;
+    return cells >= 1 ? settings->geometry.length / cells : value;
+}
+
+static double nudged_finely(const Settings *settings, const Parameter *parameter, double value, int direction)
+{
+    if (parameter->offset == offsetof(Settings, mesh.cell_size))
+        return next_cell_size(settings, value, direction);
+    if (parameter->type == PARAMETER_INTEGER || parameter->nudge == NUDGE_ONE)
+        return value + direction;
+    if (parameter->nudge == NUDGE_SHARE)
+        return as_typed(value + 0.001 * direction);
+    if (parameter->nudge == NUDGE_SPACING)
+        return as_typed(value + 0.1 * direction * lattice_spacing(settings));
+    return next_digit(value, direction, parameter_usual(parameter, settings->problem));
+}
+
+static double nudged(const Settings *settings, const Parameter *parameter, double value, int direction)
+{
+    double usual = parameter_usual(parameter, settings->problem);
+    int n = 0;
+    switch (parameter->nudge) {
+    case NUDGE_ONE:
+        return value + direction;
+    case NUDGE_DOUBLE:
+        return direction > 0 ? value * 2 : value / 2;
+    case NUDGE_1_2_5:
+        return next_on_ladder(value, direction, usual, parameter->type == PARAMETER_INTEGER);
+    case NUDGE_SHARE:
+        return next_share(value, direction);
+    case NUDGE_SPACING: {
+        const double dx = lattice_spacing(settings);
+        return as_typed((value / dx + direction) * dx);
+    }
+    case NUDGE_NEXT:
+        n = parameter_choices(parameter, settings->problem);
+        return (int)(value + direction + n) % n;
+    case NUDGE_NONE:
+        break;
+    }
+    return value;
+}
+
+/* A length of the bar's lattice that was left to itself is nudged from what it comes to. */
+static double nudge_start(const Settings *settings, const Parameter *parameter)
+{
+    if (parameter->offset == offsetof(Settings, lattice.spacing))
+        return lattice_spacing(settings);
+    if (parameter->offset == offsetof(Settings, lattice.horizon))
+        return lattice_horizon(settings);
+    return settings_number(settings, parameter);
+}
+
+bool settings_nudge(Settings *settings, const Parameter *parameter, int direction, bool fine)
+{
+    enum { TRIES = 60 }; /* a rung that the other values do not allow is passed over */
+    if (!parameter_applies_to(settings, parameter) || parameter->type == PARAMETER_TEXT)
+        return false;
+    double start = nudge_start(settings, parameter), value = start;
+    const double word = parameter->automatic_value;
+    if (word != 0 && (start == word ? direction > 0 : start == 0 && direction < 0)) { /* it stands below 0 */
+        settings_put(settings, parameter, start == word ? 0 : word);
+        return true;
+    }
+    const bool by_digit = fine && parameter->nudge != NUDGE_NEXT;
+    for (int i = 0; i < TRIES; i++) {
+        double next = (by_digit ? nudged_finely : nudged)(settings, parameter, value, direction);
+        if (next == value || next == start || !settings_in_range(parameter, settings->problem, next))
+            return false;
+        Settings candidate = *settings;
+        settings_put(&candidate, parameter, next);
+        if (settings_check(&candidate, NULL)) {
+            *settings = candidate;
+            return true;
+        }
+        if (!by_digit && parameter->nudge != NUDGE_NEXT && parameter->nudge != NUDGE_1_2_5)
+            return false;
+        value = next;
+    }
+    return false;
+}
+
+/* --- questions ------------------------------------------------------------------------------------ */
+
+const Parameter *settings_question(const Settings *settings)
+{
+    const Parameter *asked = parameter_find(settings->question);
+    if (!asked || !parameter_applies_to(settings, asked)) /* or it asks about the bar's other method */
+        asked = parameter_find(settings->method == METHOD_MPM ? "mpm.algorithm" : "pd.surface_correction");
+    return asked && parameter_applies_to(settings, asked) ? asked : NULL;
+}
+
+/* A size: one rung below the usual one and, from anywhere else, back to it. */
+static bool answer_by_size(Settings *settings, const Parameter *parameter)
+{
+    const double usual = parameter_usual(parameter, settings->problem);
+    if (settings_number(settings, parameter) == usual)
+        return settings_nudge(settings, parameter, -1, false);
+    Settings candidate = *settings;
+    settings_put(&candidate, parameter, usual);
+    if (!settings_check(&candidate, NULL))
+        return false;
+    *settings = candidate;
+    return true;
+}
+
+bool settings_answer_otherwise(Settings *settings, const Parameter *parameter)
+{
+    char now[LIST_MAX];
+    if (parameter_is_size(parameter))
+        return answer_by_size(settings, parameter);
+    for (int i = 0; i < parameter_choices(parameter, settings->problem); i++) {
+        const char *usual = parameter->choices[(int)parameter_usual(parameter, settings->problem)];
+        if (strcmp(parameter->choices[i], "none") != 0 || strcmp(usual, "none") == 0)
+            continue;
+        settings_get(settings, parameter, now);
+        return settings_set(settings, parameter->key, strcmp(now, "none") == 0 ? usual : "none", NULL);
+    }
+    return settings_nudge(settings, parameter, 1, false);
+}

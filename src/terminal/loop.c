@@ -1,0 +1,285 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "terminal/loop.h"
+
+#include "base/visible.h"
+#include "lab/laboratory.h"
+#include "lab/session/replay.h"
+#include "terminal/terminal.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#define PROGRESS_SECONDS 0.1 /* between pictures during work that is not cut into frames */
+
+typedef struct Loop {
+    Laboratory lab;
+    Terminal *terminal;
+    Canvas canvas;
+    double due;       /* when the next frame of a run begins */
+    double draw_time; /* what a picture takes, so that the engine leaves room for it */
+    double drawn_at;
+    long frames;
+    int frame_fd; /* -1: nobody listens */
+    Replay replay;
+    char origin[SESSION_ORIGIN_MAX]; /* of what is replayed; "": nothing is to be said of it */
+    bool fast;                       /* replay as fast as it can */
+    double replayed_at;              /* when its last key was done again */
+    bool told;        /* something stands on the shell's last line that tell how far the opening has come */
+    bool stale;       /* the picture shown is out of date */
+    bool unannounced; /* a picture is not yet announced, for the terminal has not taken all of it */
+} Loop;
+
+static double now(void *context)
+{
+    (void)context;
+    struct timespec time;
+    clock_gettime(CLOCK_MONOTONIC, &time);
+    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
+}
+
+static void worked(void *context, long steps)
+{
+    (void)context;
+    (void)steps;
+}
+
+static void announce(Loop *loop)
+{
+    char text[48];
+    loop->unannounced = false;
+    if (loop->frame_fd < 0)
+        return;
+    int length = snprintf(text, sizeof text, "frame %ld%s\n", loop->frames,
+                          laboratory_active(&loop->lab) ? "" : " idle");
+    ssize_t written = write(loop->frame_fd, text, (size_t)length);
+    (void)written; /* unread frames are dropped */
+}
+
+static void draw(Loop *loop)
+{
+    int width, height;
+    double begin = now(NULL);
+    terminal_size(loop->terminal, &width, &height);
+    if (laboratory_draw(&loop->lab, &loop->canvas, width, height))
+        terminal_show(loop->terminal, &loop->canvas);
+    loop->stale = false;
+    loop->unannounced = true;
+    loop->frames++;
+    loop->drawn_at = now(NULL);
+    loop->draw_time = 0.8 * loop->draw_time + 0.2 * (loop->drawn_at - begin);
+}
+
+/* Before the screen is taken over, progress stands on the shell's last line, and ^C ends the program. */
+static void tell_opening(Loop *loop)
+{
+    if (!isatty(STDERR_FILENO) || now(NULL) - loop->drawn_at < PROGRESS_SECONDS)
+        return;
+    loop->drawn_at = now(NULL);
+    visible_progress(stderr, "%s", loop->lab.screen.message.text);
+    loop->told = true;
+}
+
+static void forget_opening(Loop *loop)
+{
+    if (loop->told)
+        visible_progress(stderr, "%s", "");
+    loop->told = false;
+}
+
+static bool go_on(void *context)
+{
+    Loop *loop = context;
+    Key key;
+    bool stop = false;
+    if (!loop->terminal) {
+        tell_opening(loop);
+        return true;
+    }
+    terminal_wait(loop->terminal, 0);
+    while (terminal_key(loop->terminal, &key))
+        stop |= strcmp(key.name, "^C") == 0 || strcmp(key.name, "Esc") == 0;
+    terminal_resized(loop->terminal);
+    if (now(NULL) - loop->drawn_at > PROGRESS_SECONDS && !terminal_is_behind(loop->terminal))
+        draw(loop);
+    return !stop && terminal_signal(loop->terminal) == 0;
+}
+
+static bool key_waits(void *context)
+{
+    const Loop *loop = context;
+    return terminal_has_input(loop->terminal);
+}
+
+static void redraw(void *context)
+{
+    Loop *loop = context;
+    terminal_redraw(loop->terminal);
+}
+
+static void suspend(void *context)
+{
+    Loop *loop = context;
+    terminal_suspend(loop->terminal);
+    loop->due = now(NULL);
+}
+
+static bool open_loop(Loop *loop, const LaboratoryOptions *options, Status *status)
+{
+    TerminalOptions how = {.glyphs = options->glyphs, .theme = options->theme, .mouse = !options->no_mouse};
+    Host host = {now, worked, go_on, redraw, suspend, loop, key_waits, NULL};
+    /* the laboratory first: what is wrong with a scenario is said where the shell can show it */
+    bool open = laboratory_open(&loop->lab, options, &host, status);
+    forget_opening(loop);
+    if (!open)
+        return false;
+    loop->terminal = terminal_open(&how, status);
+    if (!loop->terminal) {
+        laboratory_close(&loop->lab);
+        return false;
+    }
+    Screen *screen = &loop->lab.screen;
+    screen->look.glyphs = terminal_glyphs(loop->terminal);
+    screen->look.colours = terminal_colours(loop->terminal);
+    screen->look.light = terminal_is_light(loop->terminal);
+    loop->lab.utf8 = terminal_is_utf8(loop->terminal);
+    const char *stand_in = terminal_stand_in(loop->terminal);
+    if (stand_in && !screen->message.text[0])
+        laboratory_say(&loop->lab, MESSAGE_INFO, "TERM=%.40s is not known here: drawn as on %s",
+                       getenv("TERM"), stand_in);
+    return true;
+}
+
+static bool is_replaying(const Loop *loop)
+{
+    return replay_next(&loop->replay) != NULL;
+}
+
+/* When the next key of the replay is due; only while there is one. */
+static double replay_due(const Loop *loop)
+{
+    return loop->fast ? 0 : loop->replayed_at + replay_next(&loop->replay)->seconds;
+}
+
+/* Begun and ended, for the first key takes a message away. */
+static void say_replay(Loop *loop, const char *how, const char *what)
+{
+    if (*loop->origin)
+        laboratory_say(&loop->lab, MESSAGE_INFO, "%s, %s", how, loop->origin);
+    else
+        laboratory_say(&loop->lab, MESSAGE_INFO, "%s: %s", how, what);
+}
+
+static void end_replay(Loop *loop, const char *how)
+{
+    replay_end(&loop->replay, &loop->lab);
+    say_replay(loop, how, "the laboratory is yours");
+    loop->stale = true;
+}
+
+/* Keys of the replay that are due. Until then a run goes on as it does, but not beyond where the key came. */
+static void replay_round(Loop *loop)
+{
+    Laboratory *lab = &loop->lab;
+    double deadline = now(NULL) + FRAME_SECONDS - loop->draw_time;
+    while (is_replaying(loop) && !lab->closed && now(NULL) >= replay_due(loop)) {
+        loop->stale = true;
+        if (!replay_go_on(&loop->replay, lab, deadline))
+            return;
+        loop->replayed_at = now(NULL);
+        if (!is_replaying(loop))
+            end_replay(loop, "the session has been done again");
+        if (!loop->fast || lab->screen.playback.state == STATE_COMPUTING || now(NULL) >= deadline)
+            return;
+    }
+    if (is_replaying(loop))
+        lab->player.run_limit =
+            replay_next(&loop->replay)->on_the_way ? -1 : replay_next(&loop->replay)->step;
+}
+
+static void one_round(Loop *loop)
+{
+    Laboratory *lab = &loop->lab;
+    Key key;
+    while (is_replaying(loop) && terminal_key(loop->terminal, &key))
+        end_replay(loop, "the replay ends here");
+    if (is_replaying(loop))
+        replay_round(loop);
+    while (!lab->closed && terminal_signal(loop->terminal) == 0 && terminal_key(loop->terminal, &key)) {
+        /* a terminal may send reports that nobody asked for */
+        if (key.x < 0 || !loop->lab.options.no_mouse)
+            laboratory_key(lab, &key);
+        loop->stale = true;
+    }
+    if (terminal_resized(loop->terminal))
+        loop->stale = true;
+    if (lab->closed)
+        return;
+    double begin = now(NULL);
+    /* a key between two frames is shown at once, but does not make the run go faster */
+    if (laboratory_active(lab) && (begin >= loop->due || lab->screen.playback.state == STATE_COMPUTING)) {
+        if (laboratory_frame(lab, begin + FRAME_SECONDS - loop->draw_time))
+            loop->stale = true;
+        loop->due = loop->due + FRAME_SECONDS > begin ? loop->due + FRAME_SECONDS : begin + FRAME_SECONDS;
+        /* where the engine is the limit it does not wait for a frame that has room for another step */
+        if (lab->player.frames_in_time == 0)
+            loop->due = now(NULL);
+    }
+    if (loop->stale && !terminal_is_behind(loop->terminal))
+        draw(loop);
+    if (loop->unannounced && !terminal_is_behind(loop->terminal))
+        announce(loop);
+    if (is_replaying(loop)) {
+        double left = replay_due(loop) - now(NULL), frame_left = loop->due - now(NULL);
+        if (laboratory_active(lab) && left > frame_left)
+            left = frame_left;
+        terminal_wait(loop->terminal, left > 0 ? left : 0);
+    } else if (!laboratory_active(lab)) {
+        terminal_wait(loop->terminal, -1);
+        loop->due = now(NULL);
+    } else {
+        double left = lab->screen.playback.state == STATE_COMPUTING ? 0 : loop->due - now(NULL);
+        terminal_wait(loop->terminal, left > 0 ? left : 0);
+    }
+}
+
+int loop_run(const LaboratoryOptions *options, const Session *replay, Session *recording, Status *status)
+{
+    Loop *loop = calloc(1, sizeof *loop);
+    if (!loop) {
+        status_fail(status, STATUS_FAILED, "out of memory");
+        return STATUS_FAILED;
+    }
+    const char *descriptor = getenv("MATVIB_FRAME_FD");
+    loop->frame_fd = descriptor && *descriptor ? atoi(descriptor) : -1;
+    if (!open_loop(loop, options, status)) {
+        free(loop);
+        return (int)status->code;
+    }
+    int signal_number = 0;
+    loop->lab.recording = recording;
+    session_note_start(recording, &loop->lab);
+    loop->replay = (Replay){.session = replay};
+    if (replay)
+        session_origin(replay, loop->origin, sizeof loop->origin);
+    loop->fast = options->fast;
+    loop->replayed_at = now(NULL);
+    if (is_replaying(loop))
+        say_replay(loop, "a session is done again", "any key takes over");
+    else if (replay)
+        end_replay(loop, "the session holds no keys");
+    loop->stale = true;
+    loop->due = now(NULL);
+    while (!loop->lab.closed && signal_number == 0) {
+        one_round(loop);
+        signal_number = terminal_signal(loop->terminal);
+    }
+    terminal_close(loop->terminal);
+    session_note_end(recording, &loop->lab);
+    laboratory_close(&loop->lab);
+    canvas_close(&loop->canvas);
+    free(loop);
+    return signal_number ? 128 + signal_number : 0;
+}

@@ -1,0 +1,387 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "terminal/picture.h"
+
+#include "terminal/fallback.h"
+
+#include "terminal/theme.h"
+
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <sys/mman.h>
+#include <unistd.h>
+#include <wchar.h>
+
+#include <curses.h>
+#include <term.h>
+
+/* --- the terminal's description -------------------------------------------------------------------- */
+
+bool picture_choose_glyphs(const char *name, const char *codeset, const char *term, Glyphs *glyphs)
+{
+    static const char *const names[] = {"braille", "block", "ascii"};
+    for (int i = 0; name && i < GLYPHS_COUNT; i++)
+        if (strcmp(name, names[i]) == 0) {
+            *glyphs = (Glyphs)i;
+            return true;
+        }
+    if (name && strcmp(name, "auto") != 0)
+        return false;
+    if (!codeset || strcmp(codeset, "UTF-8") != 0)
+        *glyphs = GLYPHS_ASCII;
+    else /* the font of the Linux console has blocks, but no braille */
+        *glyphs = term && strcmp(term, "linux") == 0 ? GLYPHS_BLOCK : GLYPHS_BRAILLE;
+    return true;
+}
+
+/* A server's database seldom knows the newest terminals and often not PuTTY; almost all of them understand
+ * what a better known one does. In the order in which they are tried, ended by NULL. */
+static const char *const *stand_ins_of(const char *term)
+{
+    static const char *const as_xterm[] = {"xterm-256color", "xterm", "vt100", NULL};
+    static const char *const as_screen[] = {"screen-256color", "screen", "vt100", NULL};
+    static const char *const as_any[] = {"vt100", "ansi", NULL};
+    static const struct {
+        const char *begins;
+        const char *const *stand_ins;
+    } families[] = {
+        {"xterm", as_xterm},   {"putty", as_xterm},   {"rxvt", as_xterm},    {"alacritty", as_xterm},
+        {"foot", as_xterm},    {"gnome", as_xterm},   {"konsole", as_xterm}, {"vte", as_xterm},
+        {"st-", as_xterm},     {"wezterm", as_xterm}, {"ghostty", as_xterm}, {"contour", as_xterm},
+        {"mintty", as_xterm},  {"nsterm", as_xterm},  {"iterm", as_xterm},   {"ms-terminal", as_xterm},
+        {"screen", as_screen}, {"tmux", as_screen},   {"", as_any}, /* any other */
+    };
+    size_t family = 0;
+    while (strncasecmp(term, families[family].begins, strlen(families[family].begins)) != 0)
+        family++;
+    return families[family].stand_ins;
+}
+
+static const char *capability(const char *name)
+{
+    const char *text = tigetstr(name);
+    return text && text != (char *)-1 ? text : "";
+}
+
+/* Without padding, "$<5>", which a handler of signals could not wait for either. */
+static void append(Picture *picture, const char *text)
+{
+    for (; *text && picture->farewell_length + 1 < sizeof picture->farewell; text++) {
+        if (strncmp(text, "$<", 2) == 0 && strchr(text, '>'))
+            text = strchr(text, '>');
+        else
+            picture->farewell[picture->farewell_length++] = *text;
+    }
+}
+
+static const char mouse_on[] = "\033[?1002h", mouse_off[] = "\033[?1002l\033[?1006l\033[?1000l";
+static const char paste_on[] = "\033[?2004h", paste_off[] = "\033[?2004l";
+static const char hold_on[] = "\033[?2026h", hold_off[] = "\033[?2026l", hold_query[] = "\033[?2026$p";
+
+static void compose_farewell(Picture *picture)
+{
+    picture->farewell_length = 0;
+    append(picture, picture->synchronised ? hold_off : "");
+    append(picture, paste_off);
+    append(picture, picture->mouse ? mouse_off : "");
+    append(picture, capability("sgr0"));
+    /* without an alternate screen the shell goes on on an empty one */
+    append(picture, capability("rmcup")[0] ? "" : capability("clear"));
+    append(picture, capability("rmkx"));
+    append(picture, capability("cnorm"));
+    append(picture, capability("rmcup"));
+}
+
+/* --- bytes ----------------------------------------------------------------------------------------- */
+
+void picture_redraw(Picture *picture)
+{
+    clearok(curscr, TRUE);
+    canvas_close(&picture->shown);
+    erase();
+}
+
+static void put(Picture *picture, const char *bytes, size_t count)
+{
+    if (picture->length + count > picture->room) {
+        const size_t room = 2 * (picture->length + count);
+        char *more = realloc(picture->bytes, room);
+        if (!more) {
+            picture_redraw(picture);
+            return;
+        }
+        picture->bytes = more;
+        picture->room = room;
+    }
+    memcpy(picture->bytes + picture->length, bytes, count);
+    picture->length += count;
+}
+
+/* What curses wrote into its file since then is dropped: the next picture is written over it, which spares
+ * the kernel to fetch and clear the same pages 30 times a second. */
+static void drop(const Picture *picture)
+{
+    (void)!lseek(picture->memory, 0, SEEK_SET);
+}
+
+/* What curses wrote into its file is to be sent. */
+static void take(Picture *picture)
+{
+    char piece[4096];
+    ssize_t got;
+    off_t left = lseek(picture->memory, 0, SEEK_CUR);
+    drop(picture);
+    while (left > 0 && (got = read(picture->memory, piece,
+                                   left < (off_t)sizeof piece ? (size_t)left : sizeof piece)) > 0) {
+        put(picture, piece, (size_t)got);
+        left -= got;
+    }
+    drop(picture);
+}
+
+const char *picture_bytes(const Picture *picture, size_t *left)
+{
+    *left = picture->length - picture->first;
+    return *left > 0 ? picture->bytes + picture->first : NULL;
+}
+
+void picture_sent(Picture *picture, size_t count)
+{
+    picture->first += count;
+    if (picture->first == picture->length)
+        picture->first = picture->length = 0;
+}
+
+/* --- opening and closing --------------------------------------------------------------------------- */
+
+static FILE *open_memory(void)
+{
+#ifdef HAVE_MEMFD_CREATE
+    const int descriptor = memfd_create("matvib", MFD_CLOEXEC);
+    return descriptor >= 0 ? fdopen(descriptor, "w+") : NULL;
+#else
+    return tmpfile();
+#endif
+}
+
+/* NULL: neither the terminal nor one like it is known here, nor those that the program knows by itself. */
+static SCREEN *open_curses(const char *term, FILE *output, FILE *input, const char **stand_in)
+{
+    *stand_in = NULL;
+    SCREEN *screen = newterm(term, output, input);
+    for (const char *const *name = stand_ins_of(term); !screen && *name; name++) {
+        *stand_in = *name;
+        screen = newterm(*name, output, input);
+    }
+    if (screen)
+        return screen;
+    const bool many = strstr(stand_ins_of(term)[0], "256") != NULL;
+    *stand_in = "most terminals of today";
+    return fallback_open(many ? FALLBACK_MANY_COLOURS : FALLBACK_FEW_COLOURS, output, input);
+}
+
+static int count_colours(void)
+{
+    const char *no_color = getenv("NO_COLOR");
+    const int colours = tigetnum("colors");
+    if ((no_color && *no_color) || colours < 8 || start_color() == ERR || use_default_colors() == ERR)
+        return 0;
+    return colours >= 256 ? 256 : 8;
+}
+
+static FILE *curses_output, *curses_input;
+
+static bool open_files(int input, Status *status)
+{
+    const int keyboard = input == PICTURE_NO_KEYS ? -1 : fcntl(input, F_DUPFD_CLOEXEC, 0);
+    curses_output = open_memory();
+    curses_input = input == PICTURE_NO_KEYS ? open_memory() : keyboard >= 0 ? fdopen(keyboard, "r") : NULL;
+    return (curses_output && curses_input) ||
+           status_fail(status, STATUS_FAILED, "not enough memory or files for the screen");
+}
+
+static void close_files(void)
+{
+    if (curses_output)
+        fclose(curses_output);
+    if (curses_input)
+        fclose(curses_input);
+    curses_output = curses_input = NULL;
+}
+
+static bool cannot_draw(const char *term, Status *status)
+{
+    return status_fail(status, STATUS_USAGE,
+                       "the laboratory cannot draw on this terminal (TERM=%s); use: matvib run SCENARIO",
+                       term && *term ? term : "unset");
+}
+
+/* What keys and pictures need, once curses knows the terminal. */
+static bool prepare(Picture *picture, Status *status)
+{
+    picture->keys = newpad(1, 1);
+    if (!picture->keys)
+        return status_fail(status, STATUS_FAILED, "out of memory");
+    /* neither is the user's palette to be reset, nor Alt to be told by an eighth bit */
+    orig_colors = NULL;
+    meta_on = NULL;
+    picture->colours = count_colours();
+    picture->mouse = picture->mouse && capability("kmous")[0] != '\0' &&
+                     mousemask(BUTTON1_PRESSED | BUTTON1_RELEASED | BUTTON4_PRESSED | BUTTON5_PRESSED |
+                                   REPORT_MOUSE_POSITION,
+                               NULL) != 0;
+    mouseinterval(0);
+    meta(picture->keys, TRUE);
+    nodelay(picture->keys, TRUE);
+    typeahead(-1); /* whether a key waits is asked by who draws */
+    compose_farewell(picture);
+    return true;
+}
+
+bool picture_open(Picture *picture, const char *term, int input, bool mouse, const char **stand_in,
+                  Status *status)
+{
+    if (!term || !*term || strcmp(term, "dumb") == 0)
+        return cannot_draw(term, status);
+    if (!open_files(input, status)) {
+        close_files();
+        return false;
+    }
+    setenv("NCURSES_NO_PADDING", "1", 1); /* it was for terminals that could not keep up with their line */
+    picture->memory = fileno(curses_output);
+    picture->mouse = mouse;
+    picture->curses = open_curses(term, curses_output, curses_input, stand_in);
+    if (!picture->curses)
+        status_fail(status, STATUS_USAGE,
+                    "the terminal TERM=%s is not known on this machine; use: matvib run SCENARIO", term);
+    else if (!capability("cup")[0])
+        cannot_draw(term, status);
+    else if (prepare(picture, status))
+        return true;
+    picture_close(picture);
+    return false;
+}
+
+void picture_close(Picture *picture)
+{
+    if (picture->keys)
+        delwin(picture->keys);
+    if (picture->curses) {
+        endwin();
+        delscreen(picture->curses);
+    }
+    close_files();
+    canvas_close(&picture->shown);
+    free(picture->bytes);
+    *picture = (Picture){0};
+}
+
+void picture_enter(Picture *picture)
+{
+    picture_redraw(picture);
+    keypad(picture->keys, TRUE);
+    refresh();
+    take(picture);
+    put(picture, paste_on, sizeof paste_on - 1);
+    if (picture->mouse)
+        put(picture, mouse_on, sizeof mouse_on - 1);
+    if (!picture->synchronised)
+        put(picture, hold_query, sizeof hold_query - 1);
+    clearok(curscr, TRUE); /* a terminal that does not know the query may show a letter of it */
+}
+
+/* The same bytes as after a crash: so they are tried each time. */
+void picture_leave(Picture *picture)
+{
+    endwin();
+    drop(picture);
+    put(picture, picture->farewell, picture->farewell_length);
+}
+
+void picture_resize(Picture *picture, int width, int height)
+{
+    resize_term(height, width);
+    picture_redraw(picture);
+}
+
+void picture_synchronise(Picture *picture)
+{
+    picture->synchronised = true;
+    compose_farewell(picture);
+}
+
+/* --- cells ----------------------------------------------------------------------------------------- */
+
+static attr_t attributes_of(Look look)
+{
+    return (attr_t)((look.attributes & LOOK_BOLD ? A_BOLD : 0) | (look.attributes & LOOK_DIM ? A_DIM : 0) |
+                    (look.attributes & LOOK_UNDERLINE ? A_UNDERLINE : 0) |
+                    (look.attributes & LOOK_REVERSE ? A_REVERSE : 0));
+}
+
+/* The last word before the terminal: what the C library takes for wider, narrower or no character at all
+ * than the canvas does would move all that stands behind it. */
+static wchar_t shown_glyph(const Picture *picture, uint32_t glyph)
+{
+    if (glyph < 0x7f)
+        return glyph < ' ' ? L' ' : (wchar_t)glyph;
+    const bool fits = picture->utf8 && wcwidth((wchar_t)glyph) == glyph_columns(glyph);
+    return fits ? (wchar_t)glyph : L'?';
+}
+
+static void put_cell(const Picture *picture, int x, int y, Cell cell)
+{
+    const Look look = theme_look(picture->colours, picture->light, cell.style, cell.back);
+    const wchar_t text[] = {shown_glyph(picture, cell.glyph), L'\0'};
+    const bool coloured = look.foreground != LOOK_DEFAULT || look.background != LOOK_DEFAULT;
+    const int pair = coloured ? alloc_pair(look.foreground, look.background) : 0;
+    cchar_t character;
+    const int count = text[0] == L'?' && glyph_columns(cell.glyph) == 2 ? 2 : 1;
+    for (int i = 0; i < count; i++)
+        if (setcchar(&character, text, attributes_of(look), (short)(pair > 0 ? pair : 0), NULL) == OK)
+            mvadd_wch(y, x + i, &character);
+}
+
+static bool same_cell(const Cell *a, const Cell *b)
+{
+    return a->glyph == b->glyph && a->style == b->style && a->back == b->back;
+}
+
+static void put_cursor(const Canvas *canvas)
+{
+    const bool visible =
+        canvas->cursor_x >= 0 && canvas->cursor_x < COLS && canvas->cursor_y >= 0 && canvas->cursor_y < LINES;
+    leaveok(stdscr, !visible);
+    if (visible)
+        move(canvas->cursor_y, canvas->cursor_x);
+    curs_set(visible);
+}
+
+void picture_show(Picture *picture, const Canvas *canvas)
+{
+    Canvas *shown = &picture->shown;
+    const bool fresh = shown->width != canvas->width || shown->height != canvas->height;
+    if (fresh && !canvas_open(shown, canvas->width, canvas->height, NULL))
+        return;
+    const size_t before = picture->length;
+    if (picture->synchronised)
+        put(picture, hold_on, sizeof hold_on - 1);
+    for (int y = 0; y < canvas->height && y < LINES; y++)
+        for (int x = 0; x < canvas->width && x < COLS; x++) {
+            const size_t at = (size_t)y * (size_t)canvas->width + (size_t)x;
+            const Cell *cell = &canvas->cells[at];
+            if (cell->glyph != CELL_FOLLOWS && (fresh || !same_cell(cell, &shown->cells[at])))
+                put_cell(picture, x, y, *cell);
+        }
+    put_cursor(canvas);
+    memcpy(shown->cells, canvas->cells, (size_t)canvas->width * (size_t)canvas->height * sizeof(Cell));
+    refresh();
+    const size_t began = picture->length;
+    take(picture);
+    if (picture->length == began)
+        picture->length = before; /* nothing changed */
+    else if (picture->synchronised)
+        put(picture, hold_off, sizeof hold_off - 1);
+}

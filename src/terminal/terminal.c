@@ -1,0 +1,450 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "terminal/terminal.h"
+
+#include "base/signals.h"
+#include "base/wait.h"
+#include "terminal/picture.h"
+#include "terminal/theme.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <langinfo.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <sys/select.h>
+#include <termios.h>
+#include <time.h>
+#include <unistd.h>
+
+/* Signals reach a handler, and a handler reaches only what is static. */
+static volatile sig_atomic_t signal_resized, signal_stop, signal_continued;
+static struct termios before; /* the terminal's modes when we came */
+static bool in_use;           /* from before it is opened until it is closed */
+static Terminal *opened;      /* NULL: the screen is the shell's */
+
+static const int crashes[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
+static const int others[] = {SIGWINCH, SIGTSTP, SIGCONT};
+enum { N_CRASHES = sizeof crashes / sizeof *crashes, N_OTHERS = sizeof others / sizeof *others };
+
+enum { PATIENCE_MS = 300, PATIENCE_PIECES = 20 }; /* with a terminal that takes nothing, when we leave */
+
+struct Terminal {
+    Picture picture;
+    int width, height;
+    int input, output; /* what is read from and written to; neither blocks */
+    Glyphs glyphs;
+    const char *stand_in; /* as which an unknown TERM is treated; NULL: it is known */
+    KeyReader keys;
+    sigset_t mask_outside; /* the signal mask before we came, in force while sleeping */
+    struct sigaction old_crashes[N_CRASHES], old_others[N_OTHERS];
+};
+
+static double now(void)
+{
+    struct timespec time;
+    clock_gettime(CLOCK_MONOTONIC, &time);
+    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
+}
+
+/* --- bytes to the terminal -------------------------------------------------------------------------- */
+
+/* Writes what the terminal takes. The rest waits: neither keys nor signals do, so that a terminal that takes
+ * nothing any more (a connection that hangs) can still be left. */
+static void send_some(Terminal *terminal)
+{
+    size_t left;
+    for (const char *bytes; bytes = picture_bytes(&terminal->picture, &left), left > 0;) {
+        const ssize_t written = write(terminal->output, bytes, left);
+        if (written < 0 && errno == EINTR)
+            continue;
+        if (written < 0 && (errno == EAGAIN || errno == EWOULDBLOCK))
+            return;
+        /* that the terminal is gone will be noticed when reading */
+        picture_sent(&terminal->picture, written > 0 ? (size_t)written : left);
+    }
+}
+
+/* Also allowed in a handler of signals. False: the terminal takes nothing for too long. */
+static bool wait_for_room(int output)
+{
+    struct pollfd screen = {.fd = output, .events = POLLOUT};
+    return poll(&screen, 1, PATIENCE_MS) > 0;
+}
+
+static void send_all(Terminal *terminal)
+{
+    send_some(terminal);
+    for (int i = 0; i < PATIENCE_PIECES && terminal_is_behind(terminal) && wait_for_room(terminal->output);
+         i++)
+        send_some(terminal);
+}
+
+/* --- crashes ---------------------------------------------------------------------------------------- */
+
+/* Gives the screen back without curses, in whatever state that is; all calls here are allowed in a handler.
+ */
+static void say_farewell(void)
+{
+    const Terminal *terminal = opened;
+    if (!terminal)
+        return;
+    const char *bytes = terminal->picture.farewell;
+    size_t left = terminal->picture.farewell_length;
+    while (left > 0 && wait_for_room(terminal->output)) {
+        const ssize_t written = write(terminal->output, bytes, left);
+        if (written < 0)
+            break;
+        bytes += written;
+        left -= (size_t)written;
+    }
+    tcsetattr(STDIN_FILENO, TCSANOW, &before);
+}
+
+/* A crash must not leave a terminal without echo behind. */
+static void on_crash(int number)
+{
+    say_farewell();
+    signal(number, SIG_DFL);
+    raise(number);
+}
+
+static void on_signal(int number)
+{
+    if (number == SIGWINCH)
+        signal_resized = 1;
+    else if (number == SIGTSTP)
+        signal_stop = 1;
+    else
+        signal_continued = 1;
+}
+
+static void catch_signal(int number, void (*handler)(int), int flags, struct sigaction *old)
+{
+    struct sigaction action = {.sa_handler = handler, .sa_flags = flags};
+    sigemptyset(&action.sa_mask);
+    sigaction(number, &action, old);
+}
+
+/* What asks for an end or for a look at the terminal comes only while terminal_wait() sleeps. */
+static void catch_signals(Terminal *terminal)
+{
+    static char spare[32768]; /* for the handler when the stack is what has run out */
+    const stack_t stack = {.ss_sp = spare, .ss_size = sizeof spare};
+    sigset_t blocked;
+    signal_resized = signal_stop = signal_continued = 0;
+    signals_catch();
+    signals_block(&terminal->mask_outside);
+    sigemptyset(&blocked);
+    for (int i = 0; i < N_OTHERS; i++)
+        sigaddset(&blocked, others[i]);
+    sigprocmask(SIG_BLOCK, &blocked, NULL);
+    sigaltstack(&stack, NULL);
+    for (int i = 0; i < N_CRASHES; i++)
+        catch_signal(crashes[i], on_crash, SA_ONSTACK, &terminal->old_crashes[i]);
+    for (int i = 0; i < N_OTHERS; i++)
+        catch_signal(others[i], on_signal, 0, &terminal->old_others[i]);
+}
+
+static void release_signals(const Terminal *terminal)
+{
+    for (int i = 0; i < N_CRASHES; i++)
+        sigaction(crashes[i], &terminal->old_crashes[i], NULL);
+    signals_release();
+    for (int i = 0; i < N_OTHERS; i++)
+        sigaction(others[i], &terminal->old_others[i], NULL);
+    sigprocmask(SIG_SETMASK, &terminal->mask_outside, NULL);
+}
+
+/* --- opening and closing ---------------------------------------------------------------------------- */
+
+static bool read_size(Terminal *terminal)
+{
+    struct winsize size;
+    int width = 80, height = 24;
+    if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 && size.ws_row > 0) {
+        width = size.ws_col;
+        height = size.ws_row;
+    }
+    bool changed = width != terminal->width || height != terminal->height;
+    terminal->width = width;
+    terminal->height = height;
+    return changed;
+}
+
+/* Opens the terminal again, not blocking: set on the descriptor that is shared with the shell, the flag
+ * would change the shell's too. */
+static int open_again(int descriptor, int how)
+{
+    const char *name = ttyname(descriptor);
+    const int own = name ? open(name, how | O_NONBLOCK | O_NOCTTY | O_CLOEXEC) : -1;
+    if (own >= 0 && own < FD_SETSIZE)
+        return own;
+    if (own >= 0)
+        close(own);
+    return descriptor;
+}
+
+static void close_again(int own, int descriptor)
+{
+    if (own >= 0 && own != descriptor)
+        close(own);
+}
+
+/* Every key comes as it is, nothing is echoed, and output is not changed on its way. */
+static void take_screen(Terminal *terminal)
+{
+    struct termios raw = before;
+    raw.c_iflag &= ~(tcflag_t)(BRKINT | ICRNL | INLCR | IGNCR | ISTRIP | IXON);
+    raw.c_lflag &= ~(tcflag_t)(ECHO | ECHONL | ICANON | ISIG | IEXTEN);
+    raw.c_oflag &= ~(tcflag_t)OPOST;
+    raw.c_cc[VMIN] = 1;
+    raw.c_cc[VTIME] = 0;
+    tcsetattr(STDIN_FILENO, TCSANOW, &raw);
+    picture_enter(&terminal->picture);
+    send_some(terminal);
+}
+
+/* Never waits for the line to drain, which may take for ever. */
+static void give_screen_back(Terminal *terminal)
+{
+    picture_leave(&terminal->picture);
+    send_all(terminal);
+    tcsetattr(STDIN_FILENO, TCSANOW, &before);
+}
+
+/* A library that finds no memory or no thread may leave by exit(), in the middle of anything: ncurses does.
+ * What it wrote before may have gone with the screen. */
+static void leave(void)
+{
+    if (!in_use)
+        return;
+    say_farewell();
+    fputs("matvib: a library ended the program, most likely for want of memory\n", stderr);
+}
+
+static bool prepare_leaving(Status *status)
+{
+    static bool prepared;
+    if (!prepared && atexit(leave) != 0)
+        return status_fail(status, STATUS_FAILED, "out of memory");
+    prepared = true;
+    return true;
+}
+
+static bool open_picture(Terminal *terminal, const TerminalOptions *options, Status *status)
+{
+    const char *term = getenv("TERM"), *codeset = nl_langinfo(CODESET);
+    Picture *picture = &terminal->picture;
+    if (!picture_choose_glyphs(options->glyphs, codeset, term, &terminal->glyphs))
+        return status_fail(status, STATUS_USAGE, "--glyphs: unknown set '%s' (auto, braille, block or ascii)",
+                           options->glyphs);
+    if (!isatty(STDIN_FILENO) || !isatty(STDOUT_FILENO))
+        return status_fail(status, STATUS_USAGE,
+                           "the laboratory needs a terminal; without one use: matvib run SCENARIO");
+    picture->light = theme_is_light(options->theme, getenv("COLORFGBG"));
+    picture->utf8 = strcmp(codeset, "UTF-8") == 0;
+    terminal->input = open_again(STDIN_FILENO, O_RDONLY);
+    terminal->output = open_again(STDOUT_FILENO, O_WRONLY);
+    return picture_open(picture, term, terminal->input, options->mouse, &terminal->stand_in, status);
+}
+
+static void free_terminal(Terminal *terminal)
+{
+    close_again(terminal->input, STDIN_FILENO);
+    close_again(terminal->output, STDOUT_FILENO);
+    free(terminal);
+    in_use = false;
+}
+
+Terminal *terminal_open(const TerminalOptions *options, Status *status)
+{
+    Terminal *terminal = prepare_leaving(status) ? calloc(1, sizeof *terminal) : NULL;
+    if (!terminal) {
+        status_fail(status, STATUS_FAILED, "out of memory");
+        return NULL;
+    }
+    terminal->input = STDIN_FILENO;
+    terminal->output = STDOUT_FILENO;
+    in_use = true;
+    /* before curses, which installs handlers for signals that have none */
+    catch_signals(terminal);
+    if (!open_picture(terminal, options, status)) {
+        release_signals(terminal);
+        free_terminal(terminal);
+        return NULL;
+    }
+    errno = 0;
+    keys_define(terminal->picture.keys);
+    if (errno == ENOMEM) { /* a key that curses has no room for would do nothing */
+        picture_close(&terminal->picture);
+        release_signals(terminal);
+        free_terminal(terminal);
+        status_fail(status, STATUS_FAILED, "out of memory");
+        return NULL;
+    }
+    tcgetattr(STDIN_FILENO, &before);
+    read_size(terminal);
+    picture_resize(&terminal->picture, terminal->width, terminal->height);
+    opened = terminal;
+    take_screen(terminal);
+    return terminal;
+}
+
+void terminal_close(Terminal *terminal)
+{
+    if (!terminal)
+        return;
+    give_screen_back(terminal);
+    opened = NULL;
+    picture_close(&terminal->picture);
+    release_signals(terminal);
+    free_terminal(terminal);
+}
+
+void terminal_size(const Terminal *terminal, int *width, int *height)
+{
+    *width = terminal->width;
+    *height = terminal->height;
+}
+
+int terminal_colours(const Terminal *terminal)
+{
+    return terminal->picture.colours;
+}
+
+bool terminal_is_light(const Terminal *terminal)
+{
+    return terminal->picture.light;
+}
+
+bool terminal_is_utf8(const Terminal *terminal)
+{
+    return terminal->picture.utf8;
+}
+
+const char *terminal_stand_in(const Terminal *terminal)
+{
+    return terminal->stand_in;
+}
+
+Glyphs terminal_glyphs(const Terminal *terminal)
+{
+    return terminal->glyphs;
+}
+
+/* --- pictures and keys ------------------------------------------------------------------------------ */
+
+void terminal_show(Terminal *terminal, const Canvas *canvas)
+{
+    picture_show(&terminal->picture, canvas);
+    send_some(terminal);
+}
+
+bool terminal_is_behind(const Terminal *terminal)
+{
+    size_t left;
+    picture_bytes(&terminal->picture, &left);
+    return left > 0;
+}
+
+void terminal_redraw(Terminal *terminal)
+{
+    picture_redraw(&terminal->picture);
+}
+
+static void answer_signals(Terminal *terminal)
+{
+    if (signal_stop) {
+        signal_stop = 0;
+        terminal_suspend(terminal);
+    }
+    if (signal_continued) { /* after SIGSTOP, which cannot be caught: the shell has used the screen */
+        signal_continued = 0;
+        signal_resized = 1;
+        picture_leave(&terminal->picture);
+        take_screen(terminal);
+    }
+}
+
+void terminal_wait(Terminal *terminal, double seconds)
+{
+    if (signals_ended_by() || signal_resized || signal_stop || signal_continued) {
+        answer_signals(terminal); /* it came through terminal_signal() */
+        return;
+    }
+    struct timespec time = {.tv_sec = (time_t)seconds};
+    time.tv_nsec = (long)((seconds - (double)time.tv_sec) * 1e9);
+    struct pollfd files[] = {
+        {.fd = terminal->input, .events = POLLIN},
+        {.fd = terminal_is_behind(terminal) ? terminal->output : -1, .events = POLLOUT},
+    };
+    const int ready = wait_for(files, 2, seconds < 0 ? NULL : &time, &terminal->mask_outside);
+    if (ready > 0 && files[0].revents & (POLLHUP | POLLERR | POLLNVAL))
+        signals_end(SIGHUP); /* nobody is there any more */
+    if (ready > 0 && files[1].revents)
+        send_some(terminal);
+    answer_signals(terminal);
+}
+
+bool terminal_has_input(const Terminal *terminal)
+{
+    struct pollfd keyboard = {.fd = terminal->input, .events = POLLIN};
+    const struct timespec at_once = {0, 0};
+    return wait_for(&keyboard, 1, &at_once, NULL) > 0;
+}
+
+bool terminal_key(Terminal *terminal, Key *key)
+{
+    const bool any = keys_read(&terminal->keys, terminal->picture.keys, now(), key);
+    if (terminal->keys.answered && !terminal->picture.synchronised)
+        picture_synchronise(&terminal->picture);
+    return any;
+}
+
+bool terminal_resized(Terminal *terminal)
+{
+    if (!signal_resized)
+        return false;
+    signal_resized = 0;
+    if (!read_size(terminal))
+        return terminal->picture.shown.width == 0;
+    picture_resize(&terminal->picture, terminal->width, terminal->height);
+    return true;
+}
+
+int terminal_signal(const Terminal *terminal)
+{
+    sigset_t ours;
+    /* one that waits comes in between */
+    sigprocmask(SIG_SETMASK, &terminal->mask_outside, &ours);
+    sigprocmask(SIG_SETMASK, &ours, NULL);
+    return signals_ended_by();
+}
+
+void terminal_suspend(Terminal *terminal)
+{
+    give_screen_back(terminal);
+    struct sigaction ours;
+    catch_signal(SIGTSTP, SIG_DFL, 0, &ours);
+    sigset_t stop, old;
+    sigemptyset(&stop);
+    sigaddset(&stop, SIGTSTP);
+    raise(SIGTSTP);
+    sigprocmask(SIG_UNBLOCK, &stop, &old); /* here the program stops, and here it goes on */
+    sigprocmask(SIG_SETMASK, &old, NULL);
+    sigaction(SIGTSTP, &ours, NULL);
+    /* the SIGCONT that woke us has done its work */
+    sigset_t woken, pending;
+    int number;
+    sigemptyset(&woken);
+    sigaddset(&woken, SIGCONT);
+    while (sigpending(&pending) == 0 && sigismember(&pending, SIGCONT) == 1 && sigwait(&woken, &number) == 0)
+        continue;
+    signal_continued = 0;
+    signal_resized = 1; /* meanwhile the window may have become another */
+    take_screen(terminal);
+}

@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The real terminal: signals, modes, bytes in and out; picture.h draws, keys.h reads.
+ *
+ * One can be open at a time. While it is open, SIGWINCH, SIGCONT, SIGTSTP and the signals that ask for an end
+ * (base/signals.h) are blocked and come through only in terminal_wait() and terminal_signal(); so none is
+ * lost between looking and sleeping. Nothing here waits for a terminal that does not read: what it does not
+ * take is sent later, and on leaving given up after a third of a second without a byte. On a crash, and when
+ * a library calls exit(), the terminal is restored too. */
+#ifndef TUI_TERMINAL_H
+#define TUI_TERMINAL_H
+
+#include "base/status.h"
+#include "terminal/keys.h"
+#include "picture/canvas.h"
+#include "panes/screen.h"
+
+typedef struct TerminalOptions {
+    const char *glyphs; /* "auto" (NULL), "braille", "block", "ascii" */
+    const char *theme;  /* "auto" (NULL), "light", "dark" */
+    bool mouse;
+} TerminalOptions;
+
+typedef struct Terminal Terminal;
+
+/* Takes over standard input and output. NULL: they are no terminal, or one that
+ * cannot place its cursor. */
+Terminal *terminal_open(const TerminalOptions *, Status *);
+void terminal_close(Terminal *); /* as it was before; NULL is allowed */
+
+void terminal_size(const Terminal *, int *width, int *height);
+int terminal_colours(const Terminal *); /* 256, 8 or 0 */
+bool terminal_is_light(const Terminal *);
+bool terminal_is_utf8(const Terminal *);
+Glyphs terminal_glyphs(const Terminal *);
+
+/* The known terminal as which one with an unknown TERM is treated; NULL: its own description is used. */
+const char *terminal_stand_in(const Terminal *);
+
+/* Shows a canvas: what differs from what was shown last is written; nothing, if nothing does. */
+void terminal_show(Terminal *, const Canvas *);
+
+/* Whether the terminal has not yet taken all of what was shown: the next picture had better wait. */
+bool terminal_is_behind(const Terminal *);
+
+/* The next show draws everything anew. */
+void terminal_redraw(Terminal *);
+
+/* Sleeps until a key or a signal comes, the terminal takes output again, or the time is over; seconds < 0:
+ * without limit, 0: not at all. Once a signal asked for an end it does not sleep. */
+void terminal_wait(Terminal *, double seconds);
+
+/* Whether there is something to read at once. */
+bool terminal_has_input(const Terminal *);
+
+/* The next key that has come in; at most the 25 ms behind Esc are waited. False: none. */
+bool terminal_key(Terminal *, Key *);
+
+/* Whether the size has changed since the last call (the new one is in force then). */
+bool terminal_resized(Terminal *);
+
+/* The signal that asks for an end, one that came just now too; 0: none. */
+int terminal_signal(const Terminal *);
+
+/* Stops the program as the shell's job control wants it, and comes back on fg. */
+void terminal_suspend(Terminal *);
+
+#endif

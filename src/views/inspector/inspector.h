@@ -1,0 +1,36 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The inspector, the pane that `i` opens over the plots: the chosen particle, node or family with all that it
+ * exchanges with others. One for each kind of simulation, a file each: what it needs and what it does. */
+#ifndef VIEW_INSPECTOR_H
+#define VIEW_INSPECTOR_H
+
+#include "panes/panes.h"
+
+typedef struct Inspector {
+    unsigned needs; /* what the simulation must have, all of it (HAS_...) */
+    void (*draw)(const Screen *, Area);
+    /* The arrows: to the next thing, `page` at a time; y downwards. NULL: as in the mesh strip. */
+    void (*move)(Screen *, int x, int y, int page);
+} Inspector;
+
+extern const Inspector inspector_mesh, inspector_bonds, inspector_family;
+
+/* The one that fits the simulation; NULL: none does. */
+const Inspector *inspector_find(const Screen *);
+
+/* The arrows in it. False: they do what they do in the mesh strip. */
+bool inspector_move(Screen *, int x, int y, int page);
+
+/* From the chosen particle to the node that it shares most with, or back: in the strip the grid lies above
+ * the particles. */
+void inspector_choose_across(Screen *, bool node);
+
+/* A node's row of the mass matrix, node by node with their sum, which is the node's mass: the rows that it
+ * takes, 0 where masses are lumped or not mapped yet, and the drawing, from row y on. */
+int inspector_mass_rows(const Simulation *, int set, size_t node);
+void inspector_draw_masses(const Simulation *, int set, size_t node, Area, int y);
+
+/* An end of the first bond, as the lattice counts them, that broke in a step; -1: none that is known. */
+long inspector_broken_node(const Screen *, long step);
+
+#endif

@@ -1,0 +1,168 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The lines under a beam's plots: what its run is judged by. Phrases are parted by two spaces, what matters
+ * most first; what has no room is left out whole. */
+#include "panes/panes.h"
+
+#include "answers/crack_growth.h"
+
+#include <math.h>
+#include <stdio.h>
+
+static double percent(double ratio)
+{
+    return 100 * (ratio - 1);
+}
+
+/* The periods of earlier runs, by the letters of their curves. */
+static void append_ghosts(const Experiment *experiment, char line[160])
+{
+    const Ghost *ghosts = experiment_ghosts(experiment);
+    for (int i = 0; i < GHOSTS_MAX; i++)
+        if (ghosts[i].used && ghosts[i].readout.is_period && ghosts[i].readout.measured_known)
+            text_append(line, 160, "  %c: %.4f", ghosts[i].letter, ghosts[i].readout.measured / 1e-3);
+}
+
+static void supported_lines(const Screen *screen, int width, char first[160], char second[160])
+{
+    const bool narrow = width < 60;
+    const Readout *readout = experiment_readout(screen->experiment);
+    const double euler = screen_derived(screen, "period_euler"), timoshenko = readout->exact;
+    char theory[80] = ""; /* where the first line has no room for it, it begins the second */
+    if (readout->measured_known) {
+        snprintf(first, 160, "T %s%.4f ms", narrow ? "" : "measured ", readout->measured / 1e-3);
+        if (screen_shows_exact(screen)) {
+            text_append(first, 160, "  Euler %+.2f %%", percent(readout->measured / euler));
+            snprintf(theory, sizeof theory, "Timoshenko %+.2f %%", percent(readout->measured / timoshenko));
+        }
+    } else {
+        snprintf(first, 160, "T measuring");
+        if (screen_shows_exact(screen)) {
+            text_append(first, 160, "  Euler %.4f ms", euler / 1e-3);
+            snprintf(theory, sizeof theory, "Timoshenko %.4f ms", timoshenko / 1e-3);
+        }
+    }
+    if (theory[0] && glyphs_columns(first) + 2 + glyphs_columns(theory) <= width)
+        text_append(first, 160, "  %s", theory);
+    else
+        snprintf(second, 160, "%s", theory);
+    if (isfinite(readout->by_zeros))
+        text_append(second, 160, "%sby its zeros %.4f ms", second[0] ? "  " : "", readout->by_zeros / 1e-3);
+    append_ghosts(screen->experiment, second);
+    if (screen_shows_predicted(screen) && readout->predicted_known)
+        text_append(second, 160, "%s%s %.4f ms", second[0] ? "  " : "", "predicted",
+                    readout->predicted / 1e-3);
+}
+
+/* A swing that dies: how fast, and how fast it swings meanwhile, beside theory. */
+static void damped_lines(const Screen *screen, char first[160], char second[160])
+{
+    const Readout *readout = experiment_readout(screen->experiment);
+    const bool exact = screen_shows_exact(screen), measured = isfinite(readout->decay_measured);
+    snprintf(first, 160, measured ? "decay %.5g 1/s" : "decay measuring", readout->decay_measured);
+    if (exact)
+        text_append(first, 160, ", theory %.5g%s", readout->decay_exact, measured ? "" : " 1/s");
+    if (readout->measured_known) {
+        text_append(first, 160, "  T %.4f ms", readout->measured / 1e-3);
+        snprintf(second, 160, "f %.1f Hz", 1 / readout->measured);
+    } else
+        snprintf(second, 160, "f measuring");
+    if (screen_shows_predicted(screen) && readout->predicted_known)
+        text_append(second, 160, ", predicted %.1f", 1 / readout->predicted);
+    if (exact)
+        text_append(second, 160, "  Timoshenko %.1f", 1 / readout->exact);
+}
+
+static void moving_lines(const Screen *screen, int width, char first[160], char second[160])
+{
+    const bool narrow = width < 52;
+    const Readout *readout = experiment_readout(screen->experiment);
+    const int length = screen_column(screen, "length");
+    const double *row = experiment_row(screen->experiment);
+    const double standing = references_standing_frequency(experiment_references(screen->experiment),
+                                                          experiment_time(screen->experiment));
+    if (length >= 0 && row)
+        snprintf(first, 160, narrow ? "length %.1f mm" : "length %.2f mm", row[length] / 1e-3);
+    if (readout->measured_known) {
+        text_append(first, 160, narrow ? "  f %.1f Hz" : "  f measured %.1f Hz", 1 / readout->measured);
+        if (screen_shows_exact(screen))
+            text_append(first, 160, "  modal %.1f", 1 / readout->exact);
+        if (screen_shows_exact(screen))
+            text_append(second, 160, "last swing T %+.2f %%  %s by %.3f T", readout->error_period,
+                        readout->late < 0 ? "early" : "late", fabs(readout->late));
+    } else {
+        text_append(first, 160, "  f measuring");
+    }
+    if (screen_shows_exact(screen))
+        text_append(second, 160, "%sat fixed length %.1f Hz", second[0] ? "  " : "", standing);
+}
+
+void beam_lines_tip_speed(const Crack *crack, double rayleigh, char out[160])
+{
+    snprintf(out, 160, "%.0f m/s = %.2f c_R, fastest %.0f = %.2f", crack->speed, crack->speed / rayleigh,
+             crack->fastest, crack->fastest / rayleigh);
+}
+
+/* What a beam that breaks is judged by. */
+static void crack_lines(const CrackFacts *facts, double rayleigh, char first[160], char second[160])
+{
+    const Crack *crack = &facts->measured;
+    snprintf(first, 160, "broken bonds %ld", crack->broken);
+    if (crack->begun)
+        text_append(first, 160, "  tip at x %.1f, y %.1f mm", crack->x / 1e-3, crack->y / 1e-3);
+    else
+        text_append(first, 160, "  no crack yet");
+    if (crack->begun && crack->fastest > 0) {
+        char speed[160];
+        beam_lines_tip_speed(crack, rayleigh, speed);
+        text_append(first, 160, "  %s", speed);
+    }
+    for (int i = CRACK_ANGLES - 1; i >= 0 && !second[0]; i--)
+        if (isfinite(facts->angles[i]))
+            snprintf(second, 160, "fit over %.0f mm %.0f deg", crack_heights[i] / 1e-3, facts->angles[i]);
+    if (isnan(crack->first_break))
+        return;
+    text_append(second, 160, "%s%s %.1f", second[0] ? "  " : "",
+                isnan(crack->arrival) ? "first break" : "grew from", crack->first_break / 1e-6);
+    if (isfinite(crack->arrival))
+        text_append(second, 160, " to %.1f", crack->arrival / 1e-6);
+    text_append(second, 160, " µs");
+}
+
+/* What comes to rest has no period, but other numbers. */
+static bool has_findings(const Screen *screen)
+{
+    Finding findings[FINDINGS_MAX];
+    return references_findings(experiment_references(screen->experiment),
+                               experiment_simulation(screen->experiment), findings) > 0;
+}
+
+bool beam_lines(const Screen *screen, int width, char first[160], char second[160])
+{
+    const bool leaves = experiment_settings(screen->experiment)->problem->concerns & CONCERN_MOTION;
+    first[0] = second[0] = '\0';
+    CrackFacts facts;
+    const CrackFronts *fronts = experiment_fronts(screen->experiment);
+    if (crack_facts(experiment_simulation(screen->experiment), &facts))
+        crack_lines(&facts, crack_rayleigh_speed(experiment_settings(screen->experiment)), first, second);
+    else if (fronts) {
+        FrontsFacts found;
+        crack_fronts_facts(fronts, &found);
+        crack_fronts_lines(&found, crack_rayleigh_speed(experiment_settings(screen->experiment)), "µs", first,
+                           second);
+    } else if (!simulation_has(experiment_simulation(screen->experiment), HAS_PLANE))
+        return false;
+    else if (!experiment_readout(screen->experiment)->moving &&
+             (has_findings(screen) || experiment_readout(screen->experiment)->unjudged))
+        return false;
+    else if (!experiment_readout(screen->experiment)->moving)
+        snprintf(first, 160, "nothing vibrates: no period to measure");
+    else if (experiment_readout(screen->experiment)->unaccounted)
+        snprintf(first, 160, "T: not known with %s", experiment_readout(screen->experiment)->unaccounted);
+    else if (isfinite(experiment_readout(screen->experiment)->decay_exact))
+        damped_lines(screen, first, second);
+    else if (leaves)
+        moving_lines(screen, width, first, second);
+    else
+        supported_lines(screen, width, first, second);
+    return true;
+}

@@ -1,0 +1,150 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the nodes of a beam can be coloured by, and the range of the ramp for it. */
+#include "views/map/map.h"
+
+#include <math.h>
+
+static const Colouring colourings[MAP_COLOURINGS] = {
+    [MAP_UY] = {"uy", "uy", "displacement across the beam", "m", true, "displacement along y"},
+    [MAP_UX] = {"ux", "ux", "displacement along the beam", "m", true, "displacement along x"},
+    [MAP_VELOCITY] = {"vy", "vy", "velocity across the beam", "m/s", true, "velocity along y"},
+    [MAP_ENERGY] = {"strain_energy", "energy density", "strain energy density", "J/m³", false, NULL},
+    [MAP_DAMAGE] = {"damage", "damage", "damage: broken share of the family", "", false, NULL},
+    [MAP_FAMILY] = {"family", "family", "share of a whole family that is left", "", false, NULL},
+    [MAP_SURFACE] = {"surface_factor", "surface factor", "surface factor: the soft skin stiffened", "", false,
+                     NULL},
+    [MAP_SXX] = {"sxx", "stress xx", "stress along the beam", "Pa", true, "stress xx"},
+    [MAP_SYY] = {"syy", "stress yy", "stress across the beam", "Pa", true, "stress yy"},
+    [MAP_SXY] = {"sxy", "stress xy", "shear stress", "Pa", true, NULL},
+    [MAP_MISES] = {"mises", "von Mises", "von Mises' stress", "Pa", false, NULL},
+    [MAP_KINETIC] = {"kinetic_energy", "kinetic density", "kinetic energy density", "J/m³", false, NULL},
+};
+
+/* Of a body that moves along as a whole. */
+static const Colouring beside_travel = {"ux", "ux - v0 t", "displacement along the beam beside v0 t",
+                                        "m",  true,        NULL};
+
+static bool is_there(const Simulation *sim, int variant)
+{
+    return variant == MAP_DRAWING || simulation_find_field(sim, 0, colourings[variant].field) >= 0;
+}
+
+const char *map_meaning(const Map *map)
+{
+    const Colouring *colouring = map->colouring;
+    return map->scene.slender || !colouring->flat ? colouring->meaning : colouring->flat;
+}
+
+int map_variants(const Simulation *sim)
+{
+    int count = 0;
+    for (int variant = 0; variant < MAP_VARIANTS; variant++)
+        count += is_there(sim, variant);
+    return count;
+}
+
+MapVariant map_variant(const Simulation *sim, int number)
+{
+    int variant = 0;
+    for (; variant < MAP_DRAWING; variant++)
+        if (is_there(sim, variant) && number-- == 0)
+            break;
+    return (MapVariant)variant;
+}
+
+/* The range that values have, with round ends. */
+static void round_range(Map *map, double least, double most)
+{
+    if (most - least < 1e-9 * fabs(most))
+        least = 0;
+    const Axis axis = axis_make(least, most, 5);
+    map->low = floor(least / axis.step + 1e-9) * axis.step;
+    map->high = ceil(most / axis.step - 1e-9) * axis.step;
+}
+
+/* The share of a whole family that a node has: it lacks what lies beyond a surface, and what is broken. */
+static void share_of_family(Map *map)
+{
+    const size_t count = map->body.count;
+    double whole = 1;
+    for (size_t i = 0; i < count; i++)
+        whole = fmax(whole, map->value[i]);
+    for (size_t i = 0; i < count; i++)
+        map->value[i] *= (1 - map->damage[i]) / whole;
+    map->low = 0;
+    map->high = 1;
+}
+
+/* A value that all but a few nodes keep below: a load's edge or a crack's tip must not leave the rest of the
+ * beam without colour. */
+static double most_values(const Map *map, double most)
+{
+    enum { BINS = 256, PASSES = 3 };
+    const size_t few = map->body.count / 100;
+    for (int pass = 0; pass < PASSES && most > 0; pass++) {
+        size_t bins[BINS] = {0}, above = 0;
+        for (size_t i = 0; i < map->body.count; i++) {
+            const double share = map->value[i] / most * BINS;
+            bins[share >= BINS ? BINS - 1 : share > 0 ? (int)share : 0]++;
+        }
+        int bin = BINS - 1;
+        while (bin > 0 && above + bins[bin] <= few)
+            above += bins[bin--];
+        most *= (bin + 1.0) / BINS;
+        if (bin > BINS / 8)
+            break;
+    }
+    return most;
+}
+
+bool map_colour(Map *map, MapVariant variant)
+{
+    const Colouring *colouring = map->colouring = &colourings[variant < MAP_COLOURINGS ? variant : MAP_UY];
+    const int field = simulation_find_field(map->sim, 0, colouring->field);
+    const size_t count = map->body.count;
+    if (field < 0)
+        return false;
+    map->sim->method->field(map->sim, field, 0, count, map->value);
+    const bool travels = variant == MAP_UX && fabs(map->sim->common_speed) > 0;
+    const double carried = simulation_carried(map->sim, field);
+    for (size_t i = 0; i < count && travels; i++)
+        map->value[i] -= carried;
+    if (travels)
+        map->colouring = &beside_travel;
+    double least = INFINITY, most = -INFINITY;
+    for (size_t i = 0; i < count; i++) {
+        least = map->value[i] < least ? map->value[i] : least;
+        most = map->value[i] > most ? map->value[i] : most;
+    }
+    if (!isfinite(least) || !isfinite(most))
+        return false;
+    if (variant == MAP_FAMILY) {
+        share_of_family(map);
+    } else if (variant == MAP_SURFACE) {
+        round_range(map, least, most_values(map, most));
+        map->open_ended = most > map->high;
+    } else if (variant == MAP_DAMAGE) {
+        /* a crack right through leaves half of the family at best */
+        map->low = 0;
+        map->high = 0.5;
+        map->open_ended = most > map->high;
+    } else {
+        const bool density = variant == MAP_ENERGY || variant == MAP_KINETIC;
+        double reach, scale = 1;
+        if (density)
+            scale = 1 / (map->body.spacing * map->body.spacing * map->settings->geometry.thickness);
+        else if (travels) /* of a section that turns about its middle by the slope of the swing */
+            reach = fmax(fmax(-least, most), map_reach(map, map->sim->displacement[1], map->uy) *
+                                                 map->body.size[1] / (2 * map->settings->geometry.length));
+        else
+            reach = map_reach(map, field, map->value);
+        for (size_t i = 0; i < count && density; i++)
+            map->value[i] *= scale;
+        if (density)
+            reach = most_values(map, scale * most);
+        map->high = reach > 0 ? axis_round_up(reach) : 1;
+        map->low = map->colouring->is_signed ? -map->high : 0;
+        map->open_ended = most * scale > map->high;
+    }
+    return true;
+}

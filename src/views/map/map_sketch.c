@@ -1,0 +1,79 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The map of a beam on paper: its nodes as pieces with their colours, and what is drawn over them as lines
+ * and signs, in millimetres of the beam, displacements enlarged as on the screen. */
+#include "views/map/map.h"
+#include "picture/sketch.h"
+
+#include "answers/crack_growth.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* --- the pieces ------------------------------------------------------------------------------------ */
+
+static void take_nodes(const Map *map, SketchMap *out)
+{
+    const bool hides = strcmp(map->colouring->field, "damage") != 0;
+    for (size_t node = 0; node < map->body.count; node++) {
+        double column, row;
+        map_node_place(map, node, &column, &row);
+        map_sketch_place(map, column, row, &out->x[node], &out->y[node]);
+        out->value[node] = hides && map->damage[node] > CRACK_DAMAGE ? NAN : map->value[node];
+    }
+    out->size = map->body.spacing / MAP_MILLI;
+    out->enlarged = map->enlarged;
+    out->low = map->low;
+    out->high = map->high;
+    out->is_signed = map->colouring->is_signed;
+    snprintf(out->unit, sizeof out->unit, "%s", map->colouring->unit);
+}
+
+/* What is seen: as much as on the screen; a beam that is pressed fills the picture, but for its supports. */
+static void take_axes(const Map *map, Sketch *sketch)
+{
+    const Body *body = &map->body;
+    double low[2], high[2];
+    map_sketch_place(map, 0, map->area.rect.height, &low[0], &low[1]);
+    map_sketch_place(map, map->area.rect.width, 0, &high[0], &high[1]);
+    if (map->scene.pressed && map->screen->eye.magnified <= 1)
+        for (int d = 0; d < 2; d++) {
+            const double margin = (d == 0 ? 0.01 : 0.1) * body->size[d];
+            low[d] = (body->low[d] - margin) / MAP_MILLI;
+            high[d] = (body->low[d] + body->size[d] + margin) / MAP_MILLI;
+        }
+    const Axis x = axis_make(low[0], high[0], map->area.rect.width / 9);
+    const Axis y = axis_make(low[1], high[1], 5);
+    sketch_axes(sketch, &x, &y, "x, mm");
+}
+
+static void name_lines(Sketch *sketch, const Map *map)
+{
+    static const SketchKey keys[] = {
+        {LINE_SOLID, STYLE_CHANGED, 0, "crack's path"},
+        {LINE_DOTTED, STYLE_FAINT, 0, "30° from the notch (paper)"},
+        {LINE_SOLID, STYLE_HEADING, 0, "notch"},
+        {LINE_DASHED, STYLE_FRAME, 0, "protected"},
+    };
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
+        for (int k = 0; k < sketch->plot.n_strokes && map->scene.pressed; k++)
+            if (sketch->plot.strokes[k].style == keys[i].style) {
+                sketch_key(sketch, &keys[i]);
+                break;
+            }
+}
+
+void map_sketch(Map *map)
+{
+    Sketch *sketch = map->area.canvas->sketch;
+    SketchMap *out = sketch_map(sketch, map->body.nx, map->body.ny);
+    if (!out)
+        return;
+    sketch->stretch = map->stretch;
+    take_nodes(map, out);
+    take_axes(map, sketch);
+    map_draw_lines(map);
+    map_draw_signs(map);
+    name_lines(sketch, map);
+    sketch_heading(sketch, map_meaning(map));
+}

@@ -1,0 +1,176 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What plots over time have in common: the window, the mark of the present, how far references will reach. */
+#include "views/plots/time_plot.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* --- the time window ------------------------------------------------------------------------------ */
+
+static double automatic_window(const Screen *screen, double end)
+{
+    enum { PERIODS = 4 };
+    const Readout *readout = experiment_readout(screen_clock_run(screen));
+    const double window =
+        readout->swing > 0 && !readout->drifting ? axis_step_up(PERIODS * readout->swing) : end;
+    return window < end ? window : end;
+}
+
+void time_plot_window(const Screen *screen, double *from, double *to)
+{
+    const Experiment *clock = screen_clock_run(screen);
+    const double present = experiment_time(clock);
+    const double dt = experiment_simulation(clock)->dt;
+    const double newest = dt * (double)experiment_newest(clock);
+    const double last = dt * (double)experiment_last_step(clock);
+    double window = screen->time.window > 0 ? screen->time.window : automatic_window(screen, last);
+    if (!(window > 0))
+        window = last > 0 ? last : 1;
+    /* it shows the newest; rewound far, the present stands in the middle */
+    double right = newest - present <= window / 2 ? newest : present + window / 2;
+    right = fmax(right, present);
+    /* move by whole hundredths, so that curves shift by whole cells and do not shimmer */
+    const double grain = window / 100;
+    *from = right <= window ? 0 : ceil((right - window) / grain - 1e-9) * grain;
+    *to = *from + window;
+}
+
+/* The same window, but such that it begins at a whole cell of a plot of so many columns. */
+Axis time_plot_axis(const Screen *screen, int columns)
+{
+    double from, to;
+    time_plot_window(screen, &from, &to);
+    const double window = to - from, cell = window / (columns > 0 ? columns : 1);
+    if (from > 0)
+        from = ceil(from / cell - 1e-9) * cell;
+    return axis_make(from, from + window, columns / 9);
+}
+
+/* --- curves --------------------------------------------------------------------------------------- */
+
+static double curve_sample(const void *context, size_t index, double *x)
+{
+    const Curve *curve = context;
+    const double *row = record_row(curve->record, index);
+    *x = row[1];
+    if (curve->value)
+        return curve->value(row, curve->context);
+    double value = row[curve->column];
+    if (curve->minus >= 0)
+        value -= row[curve->minus];
+    if (curve->plus >= 0)
+        value += row[curve->plus];
+    return value;
+}
+
+void time_plot_curve(Plot *plot, const Curve *curve, int columns)
+{
+    const Record *record = curve->record;
+    if (record->count == 0)
+        return;
+    size_t first = record_find(record, plot->x.low), end = record_find(record, plot->x.high) + 2;
+    plot_curve(plot, curve_sample, curve, first, end < record->count ? end : record->count, columns);
+}
+
+size_t time_plot_stride(const Record *record)
+{
+    enum { ROWS = 20000 };
+    return 1 + record->count / ROWS;
+}
+
+/* The largest magnitude of a column in the whole record, so that the axis does not depend on the window. */
+double time_plot_reach(const Record *record, int column)
+{
+    double reach = 0;
+    for (size_t i = 0; i < record->count; i += time_plot_stride(record)) {
+        double value = fabs(record_row(record, i)[column]);
+        if (value > reach && isfinite(value))
+            reach = value;
+    }
+    return reach;
+}
+
+void time_plot_range_to_come(const Screen *screen, double least[COLUMNS_MAX], double most[COLUMNS_MAX])
+{
+    enum { TIMES = 96 };
+    int n;
+    experiment_columns(screen->experiment, &n);
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    References *refs = experiment_references(screen->experiment);
+    const long last = experiment_last_step(screen->experiment);
+    double from, to, nothing[COLUMNS_MAX] = {0}, earlier[COLUMNS_MAX] = {0}, row[COLUMNS_MAX];
+    time_plot_window(screen, &from, &to);
+    long steps = sim->dt > 0 ? (long)((to - from) / sim->dt) : 0;
+    steps = steps < last ? steps : last;
+    for (int k = 0; k < n; k++)
+        least[k] = INFINITY, most[k] = -INFINITY;
+    for (int i = 0; i <= TIMES; i++) {
+        long step = steps / TIMES * i + steps % TIMES * i / TIMES;
+        references_row_again(refs, step, sim->dt * (double)step, nothing, earlier, row);
+        for (int k = 0; k < n; k++)
+            if (isfinite(row[k])) {
+                least[k] = fmin(least[k], row[k]);
+                most[k] = fmax(most[k], row[k]);
+            }
+    }
+}
+
+void time_plot_breaks(const Screen *screen, Area inner, const Axis *x)
+{
+    const double dt = experiment_simulation(screen->experiment)->dt;
+    int count;
+    const Event *events = experiment_events(screen->experiment, &count);
+    for (int i = 0; i < count; i++) {
+        const double time = dt * (double)events[i].step;
+        const int column = axis_column(x, time, inner.rect.width);
+        if (events[i].kind != EVENT_BREAK || column < 0)
+            continue;
+        axes_rule(inner, x, time, STYLE_FAINT);
+        area_put(inner, column, 0, 'b', STYLE_NORMAL);
+    }
+}
+
+void time_plot_now(const Screen *screen, Area inner, const Axis *x)
+{
+    const Experiment *clock = screen_clock_run(screen);
+    if (experiment_newest(clock) > experiment_step(clock))
+        axes_rule(inner, x, experiment_time(clock), STYLE_FOCUS);
+    if (isfinite(screen->time.cursor))
+        axes_rule(inner, x, screen->time.cursor, STYLE_SELECTED);
+}
+
+const char *time_plot_name(const Screen *screen, const Axis *x, char *out, size_t size)
+{
+    char scale[TICK_TEXT_MAX];
+    const Problem *facts = screen_problem(screen);
+    axis_scale_text(x, facts->si ? facts->unit_of_time : "", scale);
+    snprintf(out, size, scale[0] ? "t, %s" : "t", scale);
+    return out;
+}
+
+Legend time_plot_legend(const Column *columns, int column)
+{
+    const char *label = columns[column].quantity.label;
+    int exact_before = 0; /* of the same curve: beams have two theories */
+    for (int i = 0; i < column; i++)
+        exact_before += columns[i].kind == COLUMN_EXACT && columns[i].of == columns[column].of;
+    switch (columns[column].kind) {
+    case COLUMN_EXACT:
+        if (exact_before > 0)
+            return (Legend){LINE_DASHED, '-', STYLE_THIRD, label, NULL};
+        break;
+    case COLUMN_PREDICTED:
+        return (Legend){LINE_DASHED, '-', STYLE_PREDICTED, label, NULL};
+    case COLUMN_MEASURED:
+        return (Legend){LINE_SOLID, 'o', STYLE_SECOND, label, NULL};
+    }
+    return (Legend){LINE_DOTTED, '.', STYLE_EXACT, label, NULL};
+}
+
+bool time_plot_shows(const Screen *screen, const Column *column)
+{
+    return column->kind == COLUMN_EXACT       ? screen_shows_exact(screen)
+           : column->kind == COLUMN_PREDICTED ? screen_shows_predicted(screen)
+                                              : true;
+}

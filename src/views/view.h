@@ -1,0 +1,120 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A view: one picture of a run that can stand in either of the two plot panes.
+ *
+ * A view is one value of type View in one file, src/views/view_NAME.c, with static functions behind it;
+ * view_list.c names it once. Scenario keys ([view] upper, lower), `:show`, `figure --view`, the digit keys,
+ * the key line, completion, the help and the manual all read that list, so no other file knows that the
+ * view is there, and none knows the key that it usually has. A view decides by what the simulation has
+ * (methods/method.h, Simulation.has) whether there is something to show. */
+#ifndef VIEW_VIEW_H
+#define VIEW_VIEW_H
+
+#include "picture/area.h"
+#include "panes/screen.h"
+
+/* How two runs of a duel are shown. */
+typedef enum ViewDuel {
+    DUEL_IN_AXES,  /* in the same axes; on a wide screen each in its own */
+    DUEL_TOGETHER, /* always in the same: a run is a dot, or a letter in a list */
+    DUEL_APART     /* always each in its own, as far as there is room: else A alone */
+} ViewDuel;
+
+/* Whether it stands in its pane when a run is opened that says nothing of views; of several the one that asks
+ * for more. */
+typedef enum ViewOpening { OPENS_ON_DEMAND, OPENS_ALWAYS, OPENS_IN_PLANE } ViewOpening;
+
+struct Words;
+
+struct View {
+    const char *word;  /* names it wherever a view is named: small letters and '-', e.g. "energies" */
+    const char *brief; /* for the key line, at most 8 columns */
+    const char *help;  /* one line */
+    int digit;         /* the key that shows it, 1 to 9; 0: it is shown by its word alone */
+
+    PaneId home; /* PANE_UPPER: a picture over x; PANE_LOWER: one over time */
+    ViewOpening opens;
+
+    void (*draw)(const Screen *, Area, Style heading, int variant);
+    /* What stands out in it, in plain words, behind what is told of every view: the curves and colours that
+     * it draws, or its words (picture/words/tell.h). NULL: nothing more. */
+    void (*tell)(const Screen *, struct Words *);
+    int (*variants)(const Screen *);                          /* how many there are; NULL: one */
+    const char *(*variant_word)(const Screen *, int variant); /* NULL: there is one, without a name */
+
+    ViewDuel duel;
+    bool names_run;         /* in DUEL_IN_AXES: its legend does not tell whose picture it is */
+    bool of_moment;         /* shows one moment, not the time up to it */
+    bool compares;          /* its curves are of one quantity, measured and others (sketch.h) */
+    bool upright;           /* its plots go across, over a height */
+    bool has_time_axis;     /* along which the arrows move a cursor */
+    bool is_map;            /* of the body itself: it can be magnified, displacements drawn larger */
+    bool on_paper;          /* makes figures */
+    unsigned on_paper_with; /* which of these the simulation must have for it; 0: nothing */
+    unsigned needs;         /* one of these the simulation must have (method.h); 0: nothing */
+    const char *lacking;    /* why there is nothing to show without */
+
+    /* Whether a variant shows the start of the run whatever the time; NULL: none does. */
+    bool (*shows_start)(const Screen *, int variant);
+
+    /* The study whose points a variant shows, worked out while one waits; NULL: it shows none. */
+    const ConvergenceStudy *(*study)(const Screen *, int variant);
+
+    /* The column or field that its present variant draws, for a foreign curve beside it; NULL: none. */
+    const char *(*curve)(const Screen *);
+
+    /* Keys and mouse in its pane, which lies at `rect`; NULL: what every plot does. move: arrows, `page`
+     * rows at a time. enter: the step to go to, -1: none. follow: what Enter has drawn over time, in the
+     * words of `:plot`. click, scroll: false where they hit nothing. */
+    void (*move)(Screen *, Rect rect, int x, int y, int page);
+    long (*enter)(Screen *);
+    void (*follow)(const Screen *, char out[FOLLOW_TEXT_MAX]);
+    bool (*click)(Screen *, Rect rect, int x, int y);
+    bool (*scroll)(Screen *, Rect rect, int x, int y, int by);
+};
+
+/* The list, in the order of help and manual; view_list.c. */
+extern const View *const views[];
+extern const int n_views;
+
+/* One view by what a person calls it: its word or its digit. NULL: there is none. */
+const View *view_named(const char *word);
+const View *view_of_digit(int digit);
+
+/* "profile, probe, ... or 1 to 9": what view_named() takes. */
+void view_names(char *out, size_t size);
+
+/* What stands in a plot pane when such a run is opened. */
+const View *view_at_home(PaneId, const Simulation *);
+
+/* The view that is a map; NULL: there is none. */
+const View *view_of_map(void);
+
+/* Whether the views that a scenario names exist; false: the status says which and what there is. */
+bool view_check(const ViewSettings *, Status *);
+
+/* --- one view on one screen -------------------------------------------------------------------------- */
+
+/* Why it has nothing to show for this run; NULL: it has. */
+const char *view_missing(const View *, const Screen *);
+
+/* How many variants there are, at least 1, and the one that is chosen, counted from 0. */
+int view_variants(const View *, const Screen *);
+int view_variant(const View *, const Screen *);
+void view_choose_variant(const View *, Screen *, int variant);
+
+/* Whether it can be drawn on paper for this run, and its present variant can. */
+bool view_is_on_paper(const View *, const Screen *);
+bool view_makes_figure(const View *, const Screen *);
+
+/* The word of a variant; NULL: there is no such variant, or only one. */
+const char *view_variant_word(const View *, const Screen *, int variant);
+
+bool view_shows_start(const View *, const Screen *);
+
+/* The study whose points the present variant shows; NULL: none. */
+const ConvergenceStudy *view_study(const View *, const Screen *);
+
+/* Draws it into a pane, both runs of a duel as it likes. */
+void view_draw(const View *, const Screen *, Area, bool focused);
+
+#endif

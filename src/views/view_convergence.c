@@ -1,0 +1,338 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What becomes of the error when mesh or lattice are refined: the predicted answers of a study beside theory,
+ * as many of its points as are known, and the order with which the error falls. The lattices of paper P's
+ * Table 1 are shown as periods, for what they differ in is the size that their layers give the beam. */
+#include "panes/panes.h"
+#include "views/views.h"
+
+#include "answers/convergence.h"
+
+#include <math.h>
+#include <stdio.h>
+
+/* A study as it stands. */
+typedef struct Study {
+    const ConvergenceStudy *of;
+    const ConvergencePoint *points;
+    int known, count;
+    int lines, line_points; /* one after the other */
+    bool periods;           /* of a beam, in s, and sizes in m; else frequencies, in the bar's own units */
+    double limit;           /* convergence_limit() */
+} Study;
+
+static int studies_of(const Experiment *experiment, const ConvergenceStudy *out[CONVERGENCE_STUDIES_MAX])
+{
+    return convergence_studies(experiment_settings(experiment), out);
+}
+
+static int variants_of(const Screen *screen)
+{
+    const ConvergenceStudy *studies[CONVERGENCE_STUDIES_MAX];
+    return studies_of(screen->experiment, studies);
+}
+
+static const ConvergenceStudy *study_of(const Screen *screen, int variant)
+{
+    const ConvergenceStudy *studies[CONVERGENCE_STUDIES_MAX];
+    return variant < studies_of(screen->experiment, studies) ? studies[variant] : NULL;
+}
+
+static const char *word_of(const Screen *screen, int variant)
+{
+    const ConvergenceStudy *study = study_of(screen, variant);
+    return study ? study->word : NULL;
+}
+
+static bool shows_start(const Screen *screen, int variant)
+{
+    (void)screen, (void)variant;
+    return true;
+}
+
+static Study study_on(const Screen *screen, const ConvergenceStudy *of)
+{
+    const Settings *settings = experiment_settings(screen->experiment);
+    Study study = {.of = of,
+                   .count = convergence_count(of, settings),
+                   .periods = settings->problem->si,
+                   .limit = convergence_limit(of, settings)};
+    study.line_points = of->lines ? of->line_points : study.count;
+    while (of->lines && of->lines[study.lines])
+        study.lines++;
+    study.lines = study.lines ? study.lines : 1;
+    if (screen->convergence)
+        study.known = convergence_known(screen->convergence, settings, of, &study.points);
+    return study;
+}
+
+/* As it is shown: a beam's in millimetres and milliseconds. */
+static double shown(const Study *study, double value)
+{
+    return study->periods ? value / 1e-3 : value;
+}
+
+/* --- words ---------------------------------------------------------------------------------------- */
+
+static double last_order(const Study *study)
+{
+    const int n = study->known;
+    return n < 2 ? NAN
+           : isfinite(study->limit)
+               ? convergence_order_to(study->limit, &study->points[n - 2], &study->points[n - 1])
+               : convergence_order(&study->points[n - 2], &study->points[n - 1]);
+}
+
+/* The error does not vanish however small the horizon is: said, lest the curve be taken for one that does not
+ * converge. */
+static void append_limit(const Study *study, double order, char out[160])
+{
+    text_append(out, 160, "  T tends to %.3f of theory, not to 1", study->limit);
+    if (isfinite(order))
+        text_append(out, 160, "  to that with order %.2f", order);
+    text_append(out, 160, "  without correction m has to grow too");
+}
+
+/* How many points of a line are known. */
+static int known_in_line(const Study *study, int line)
+{
+    const int known = study->known - line * study->line_points;
+    return known < 0 ? 0 : known > study->line_points ? study->line_points : known;
+}
+
+/* "  order: 2 x 2 2.00, 3 x 3 2.01" */
+static void append_orders(const Study *study, char out[160])
+{
+    for (int line = 0; line < study->lines; line++) {
+        const int known = known_in_line(study, line);
+        const double fitted = convergence_fitted_order(study->points + line * study->line_points, known);
+        if (known < study->line_points)
+            return;
+        text_append(out, 160, line > 0 ? ", %s" : "  order: %s", study->of->lines[line]);
+        if (isfinite(fitted))
+            text_append(out, 160, " %.2f", fitted);
+        else
+            text_append(out, 160, " none");
+    }
+}
+
+static void verdict_of(const Screen *screen, const Study *study, char out[160])
+{
+    if (study->known < study->count && screen->playback.state == STATE_RUNNING && !screen->panes.lecture) {
+        snprintf(out, 160, "%d of %d points  they come while the run is paused", study->known, study->count);
+        return;
+    }
+    const double order = last_order(study), fitted = convergence_fitted_order(study->points, study->known);
+    snprintf(out, 160, "%d of %d points", study->known, study->count);
+    if (study->of->lines)
+        append_orders(study, out);
+    else if (study->of->paper)
+        text_append(out, 160, "  the layers make the beam thinner: see its height");
+    else if (isfinite(study->limit))
+        append_limit(study, order, out);
+    else if (isfinite(fitted))
+        text_append(out, 160, "  fitted order %.2f  the last two %.2f", fitted, order);
+    else if (isfinite(order))
+        text_append(out, 160, "  order of the last two %.2f  no one order", order);
+    else if (study->known > 1)
+        text_append(out, 160, "  no one order: the error does not fall with one sign");
+}
+
+/* Of point k: its size, its answers, its error, the order from the one before. */
+static void point_line(const Study *study, int k, char out[200])
+{
+    const ConvergencePoint *point = &study->points[k];
+    const Prediction *is = &point->prediction;
+    const int line = k / study->line_points, in_line = k % study->line_points;
+    snprintf(out, 200, "%s %.4g%s", study->of->lines ? study->of->lines[line] : study->of->size,
+             shown(study, point->size), study->periods ? " mm" : "");
+    if (study->of->paper)
+        text_append(out, 200, ", %.1f high", is->real_height / 1e-3);
+    else
+        text_append(out, 200, point->of_mesh ? ", %.0f cells" : ", m %.3g", point->nodes);
+    if (!point->known) {
+        text_append(out, 200, ": none can be made");
+        return;
+    }
+    text_append(out, 200, ": %+.2f %%", point->error);
+    const double order =
+        in_line > 0 && !study->of->paper ? convergence_order(&study->points[k - 1], point) : NAN;
+    if (isfinite(order))
+        text_append(out, 200, ", order %.2f", order);
+    text_append(out, 200, ", %s %.4f", study->of->paper ? "T" : "predicted", shown(study, is->predicted));
+    if (study->of->paper)
+        text_append(out, 200, ", paper %.3f", point->paper / 1e-3);
+    text_append(out, 200, ", theory %.4f%s", shown(study, is->real_size), study->periods ? " ms" : "");
+}
+
+/* --- pictures ------------------------------------------------------------------------------------- */
+
+static void widen(double value, double *least, double *most)
+{
+    *least = fmin(*least, value);
+    *most = fmax(*most, value);
+}
+
+/* The size of the error over what is refined, by powers of ten: an order is a slope. A ring is an error below
+ * theory. */
+static void draw_errors(Area area, Area plot_area, Style heading, const Study *study)
+{
+    double least = INFINITY, most = 0, smallest = INFINITY, largest = 0;
+    for (int k = 0; k < study->known; k++) {
+        const ConvergencePoint *point = &study->points[k];
+        if (!point->known || !(fabs(point->error) > 0))
+            continue;
+        widen(fabs(point->error), &least, &most);
+        widen(shown(study, point->size), &smallest, &largest);
+    }
+    const int rows = plot_area.rect.height - 1;
+    const Axis y = axis_make_log(least * 0.99, most * 1.01, rows < 5 ? 3 : 5);
+    const Axis x = axis_make_log(smallest * 0.99, largest * 1.01, area.rect.width / 9);
+    static const struct {
+        LineStyle line;
+        Style style;
+        char letter;
+    } looks[CONVERGENCE_LINES_MAX] = {{LINE_DASHED, STYLE_PREDICTED, '-'},
+                                      {LINE_SOLID, STYLE_SECOND, '*'},
+                                      {LINE_DOTTED, STYLE_THIRD, '.'}};
+    const bool ascii = area.glyphs == GLYPHS_ASCII;
+    Legend legend[CONVERGENCE_LINES_MAX + 2];
+    int n_legend = 0;
+    for (int line = 0; line < study->lines && study->of->lines; line++)
+        legend[n_legend++] =
+            (Legend){looks[line].line, looks[line].letter, looks[line].style, study->of->lines[line], NULL};
+    legend[n_legend++] = (Legend){LINE_SOLID, 'O', STYLE_PREDICTED,
+                                  study->periods ? "T above theory" : "w above", ascii ? "O " : "● "};
+    legend[n_legend++] = (Legend){LINE_SOLID, 'o', STYLE_PREDICTED, "below", ascii ? "o " : "○ "};
+    char name[64];
+    snprintf(name, sizeof name, "%s%s", study->of->size, study->periods ? ", mm" : "");
+    heading_draw(area, heading, "|error|, %", "", legend, n_legend);
+    Area inner = axes_draw(plot_area, &x, &y, name, GUTTER);
+    Plot plot;
+    plot_open(&plot, x, y);
+    for (int k = 0; k < study->known; k++) {
+        const int line = k / study->line_points;
+        if (k % study->line_points == 0)
+            plot_begin(&plot, STROKE_LINE, looks[line].line, looks[line].style, RANK_PREDICTED,
+                       looks[line].letter);
+        if (study->points[k].known)
+            plot_point(&plot, shown(study, study->points[k].size), fabs(study->points[k].error));
+    }
+    plot_draw(&plot, inner);
+    plot_close(&plot);
+    for (int k = 0; k < study->known; k++)
+        if (study->points[k].known)
+            axes_mark(inner, &x, &y, shown(study, study->points[k].size), fabs(study->points[k].error),
+                      study->points[k].error < 0 ? 0x25cb : 0x25cf, looks[k / study->line_points].style);
+}
+
+static double predicted_of(const ConvergencePoint *point)
+{
+    return point->prediction.predicted;
+}
+
+static double theory_of(const ConvergencePoint *point)
+{
+    return point->prediction.real_size;
+}
+
+static double paper_of(const ConvergencePoint *point)
+{
+    return point->paper;
+}
+
+/* The periods of Table 1 and what theory says of a beam of that height and span. */
+static void draw_periods(Area area, Area plot_area, Style heading, const Study *study)
+{
+    static const struct {
+        double (*of)(const ConvergencePoint *);
+        LineStyle line;
+        Style style;
+        int rank;
+        char letter;
+        const char *name;
+    } curves[] = {{predicted_of, LINE_DASHED, STYLE_PREDICTED, RANK_PREDICTED, '-', "predicted"},
+                  {theory_of, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, '.', "theory, real size"},
+                  {paper_of, LINE_SOLID, STYLE_SECOND, RANK_SECOND, 'p', "paper"}};
+    enum { CURVES = sizeof curves / sizeof *curves };
+    double least = INFINITY, most = -INFINITY, largest = 0;
+    Legend legend[CURVES];
+    for (int i = 0; i < CURVES; i++) {
+        legend[i] = (Legend){curves[i].line, curves[i].letter, curves[i].style, curves[i].name, NULL};
+        for (int k = 0; k < study->known; k++) {
+            widen(shown(study, curves[i].of(&study->points[k])), &least, &most);
+            largest = fmax(largest, shown(study, study->points[k].size));
+        }
+    }
+    const Axis y = axis_around(least, most, plot_area.rect.height < 6 ? 3 : 5);
+    const Axis x = axis_make(0, axis_round_up(1.05 * largest), area.rect.width / 9);
+    heading_draw(area, heading, "Table 1: T, ms", "", legend, CURVES);
+    Area inner = axes_draw(plot_area, &x, &y, "horizon, mm", GUTTER);
+    Plot plot;
+    plot_open(&plot, x, y);
+    for (int i = 0; i < CURVES; i++) {
+        plot_begin(&plot, STROKE_LINE, curves[i].line, curves[i].style, curves[i].rank, curves[i].letter);
+        for (int k = 0; k < study->known; k++)
+            plot_point(&plot, shown(study, study->points[k].size),
+                       shown(study, curves[i].of(&study->points[k])));
+    }
+    plot_draw(&plot, inner);
+    plot_close(&plot);
+    for (int k = 0; k < study->known; k++)
+        axes_mark(inner, &x, &y, shown(study, study->points[k].size),
+                  shown(study, predicted_of(&study->points[k])), 0x25cf, STYLE_PREDICTED);
+}
+
+static int known_points(const Study *study)
+{
+    int count = 0;
+    for (int k = 0; k < study->known; k++)
+        count += study->points[k].known;
+    return count;
+}
+
+static void draw(const Screen *screen, Area area, Style heading, int variant)
+{
+    const ConvergenceStudy *of = study_of(screen, variant);
+    char line[200];
+    if (!of) {
+        area_rule(area, 0, "convergence", heading);
+        area_paragraph(area, 1, 1, area.rect.width - 2, area.rect.height - 1,
+                       "There is no predicted answer here that could converge.", STYLE_FAINT);
+        return;
+    }
+    const Study study = study_on(screen, of);
+    verdict_of(screen, &study, line);
+    if (known_points(&study) < 2) {
+        area_rule(area, 0, of->title, heading);
+        area_paragraph(area, 1, 1, area.rect.width - 2, area.rect.height - 1, line, STYLE_FAINT);
+        return;
+    }
+    const int height = area.rect.height, spare = height - 9;
+    const int table = spare >= study.known + 1 ? study.known : 0, under = height < 6 ? 0 : 1 + table;
+    Area plot_area = area_part(area, 0, 1, area.rect.width, height - 1 - under);
+    if (of->paper)
+        draw_periods(area, plot_area, heading, &study);
+    else
+        draw_errors(area, plot_area, heading, &study);
+    if (under > 0)
+        area_phrases(area, 1, height - under, area.rect.width - 2, 1, line, STYLE_NORMAL);
+    for (int k = 0; k < table; k++) {
+        point_line(&study, k, line);
+        area_text(area, 1, height - table + k, line, STYLE_FAINT);
+    }
+}
+
+const View view_convergence = {
+    .word = "convergence",
+    .brief = "converge",
+    .help = "convergence: the predicted error as cells, horizon or spacing grow smaller, particles more; "
+            "both methods; Table 1",
+    .home = PANE_LOWER,
+    .draw = draw,
+    .variants = variants_of,
+    .variant_word = word_of,
+    .duel = DUEL_TOGETHER,
+    .on_paper = true,
+    .shows_start = shows_start,
+    .study = study_of,
+};

@@ -1,0 +1,553 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Errors by mode. A bar: by how much each mode of its mesh is off, which is the picture that explains the
+ * paper's 5 % and 20 %. A beam: its period over the horizon, between the two beam theories. Earlier runs
+ * leave their dot.
+ */
+#include "views/plots/runs.h"
+#include "views/views.h"
+#include "views/waves_plane.h"
+
+#include "answers/dispersion_curves.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* One run in the picture. */
+typedef struct Dot {
+    double x, y;
+    char letter; /* 0: there is one run only */
+    Style style;
+    bool filled; /* a run that goes on; ghosts are rings */
+} Dot;
+
+static const char *dot_key(Glyphs glyphs)
+{
+    return glyphs == GLYPHS_ASCII ? "O " : "● ";
+}
+
+/* Ghosts first, so that the present run lies on top; a letter stands beside its dot, on the side where there
+ * is room. */
+static void draw_run_dots(Area inner, const Axis *x, const Axis *y, const Dot *dots, int count)
+{
+    for (int i = 0; i < count; i++) {
+        const int column = axis_column(x, dots[i].x, inner.rect.width);
+        const int row = axis_row(y, dots[i].y, inner.rect.height);
+        if (column < 0 || row < 0)
+            continue;
+        axes_mark(inner, x, y, dots[i].x, dots[i].y, dots[i].filled ? 0x25cf : 0x25cb, dots[i].style);
+        if (!dots[i].letter)
+            continue;
+        if (inner.canvas->sketch) { /* a letter on paper stands beside its place anyhow */
+            axes_mark(inner, x, y, dots[i].x, dots[i].y, (uint32_t)(unsigned char)dots[i].letter,
+                      dots[i].style);
+            continue;
+        }
+        int before = 0; /* dots on the same place have their letters in a row */
+        for (int k = 0; k < i; k++)
+            before += axis_column(x, dots[k].x, inner.rect.width) == column &&
+                      axis_row(y, dots[k].y, inner.rect.height) == row;
+        const int apart = 2 + 2 * before;
+        area_put(inner, column + apart < inner.rect.width ? column + apart : column - apart, row,
+                 (uint32_t)(unsigned char)dots[i].letter, dots[i].style);
+    }
+}
+
+static Dot dot_of(const Run *run, double x, double y)
+{
+    const bool ghost = !run->experiment;
+    return (Dot){x, y, run->letter, ghost ? STYLE_NORMAL : run->style, !ghost};
+}
+
+static void widen(double value, double *least, double *most)
+{
+    if (!isfinite(value))
+        return;
+    *least = value < *least ? value : *least;
+    *most = value > *most ? value : *most;
+}
+
+static void say_instead(Area area, Style heading, const char *name, const char *text)
+{
+    area_rule(area, 0, name, heading);
+    area_paragraph(area, 1, 1, area.rect.width - 2, area.rect.height - 1, text, STYLE_FAINT);
+}
+
+/* The lines under a plot: as many as the pane can spare. */
+static int lines_under(Area area, int wanted)
+{
+    const int spare = area.rect.height - 7;
+    return spare < 0 ? 0 : spare < wanted ? spare : wanted;
+}
+
+/* --- a bar ---------------------------------------------------------------------------------------- */
+
+static double percent(double ratio)
+{
+    return 100 * (ratio - 1);
+}
+
+/* Two lines under the plot that have no room in full. */
+static bool are_cut(Area area, const char *first, const char *second)
+{
+    const int room = area.rect.width - 1;
+    return glyphs_columns(first) > room || glyphs_columns(second) > room;
+}
+
+/* A factor's letter where its name is "mesh K". */
+static const char *letter_of(const char *name)
+{
+    const char *space = strrchr(name, ' ');
+    return space ? space + 1 : name;
+}
+
+/* "= mesh K (1-1.33 %) x filter F (1-2.96 %)": they multiply, so their errors do not quite add up. */
+static void append_factor(char line[160], const char *name, double value, bool brief)
+{
+    if (brief)
+        text_append(line, 160, "%s (1%+.2f%%)%s", line[0] ? "" : "=", percent(value), name);
+    else
+        text_append(line, 160, "%s %s (1%+.2f %%)", line[0] ? " x" : "=", name, percent(value));
+}
+
+/* "mode 5: measured -4.24 %, predicted -4.24 %" and where it comes from; in brief "pred" and letters. */
+static void mode_lines(const Screen *screen, bool brief, char first[160], char second[160])
+{
+    const Readout *readout = experiment_readout(screen->experiment);
+    ModeOnMesh mode;
+    first[0] = second[0] = '\0';
+    if (readout->mode < 1 || !readout->moving) {
+        snprintf(first, 160, "nothing vibrates here: no mode to measure");
+        return;
+    }
+    snprintf(first, 160, "mode %d:", readout->mode);
+    if (readout->measured_known)
+        text_append(first, 160, " measured %+.2f %%", percent(readout->measured / readout->exact));
+    else
+        text_append(first, 160, " measuring");
+    const bool found = dispersion_mode(experiment_settings(screen->experiment), readout->mode, &mode);
+    if (!screen_shows_predicted(screen))
+        return;
+    if (!found || isnan(mode.predicted)) {
+        const bool has_waves = dispersion_modes(experiment_settings(screen->experiment)) > 0;
+        snprintf(second, 160, "%s",
+                 found       ? "such a wave does not swing with this time step"
+                 : has_waves ? "too short a wave for this mesh"
+                             : "its modes are no waves of one length here");
+        if (!has_waves && readout->predicted_known)
+            text_append(first, 160, ", %s %+.2f %%", brief ? legend_short_name("predicted") : "predicted",
+                        percent(readout->predicted / readout->exact));
+        return;
+    }
+    /* the readout's prediction knows of free ends, the curve does not */
+    const double predicted = readout->predicted_known ? readout->predicted : mode.predicted;
+    text_append(first, 160, ", %s %+.2f %%", brief ? legend_short_name("predicted") : "predicted",
+                percent(predicted / mode.exact));
+    for (int i = 0; i < mode.n_factors; i++) {
+        const char *name = mode.factors[i].name;
+        append_factor(second, brief ? letter_of(name) : name, mode.factors[i].value, brief);
+    }
+    if (fabs(predicted / mode.predicted - 1) > 1e-9)
+        append_factor(second, brief ? "end" : "free end", predicted / mode.predicted, brief);
+}
+
+/* What the factors' names mean; where room is short, the last of them. */
+static void factor_line(Experiment *experiment, int width, char out[160])
+{
+    ModeOnMesh mode;
+    int named = 0;
+    out[0] = '\0';
+    if (!dispersion_mode(experiment_settings(experiment), 1, &mode))
+        return;
+    for (int i = 0; i < mode.n_factors; i++) {
+        if (!mode.factors[i].meaning)
+            continue;
+        if (width <= 78)
+            out[named = 0] = '\0';
+        text_append(out, 160, "%s%s: %s", named++ ? "; " : "", mode.factors[i].name, mode.factors[i].meaning);
+    }
+}
+
+/* The curve of each run that can go on: of both in a duel. */
+static void add_predicted(Plot *plot, const Run *run, int last, int every)
+{
+    ModeOnMesh mode;
+    plot_begin(plot, STROKE_LINE, LINE_DASHED, STYLE_PREDICTED, RANK_PREDICTED, '-');
+    for (int n = 1; n <= last; n += every)
+        if (dispersion_mode(run->settings, n, &mode))
+            plot_point(plot, n, percent(mode.predicted / mode.exact));
+}
+
+/* --- the other ways of a method --- */
+
+enum { WAYS_MAX = 6 };
+static const char transfer_letters[WAYS_MAX] = {'l', '*', 'c', '2', '4', '6'};
+static const char shape_letters[WAYS_MAX] = {'c', 'k', 'C', 'K'};
+
+static const char *letters_of(const Screen *screen)
+{
+    return simulation_has(experiment_simulation(screen->experiment), HAS_MESH) ? transfer_letters
+                                                                               : shape_letters;
+}
+
+static const Style way_styles[WAYS_MAX] = {STYLE_GHOST_A, STYLE_GHOST_B, STYLE_GHOST_C,
+                                           STYLE_GHOST_D, STYLE_GHOST_E, STYLE_FAINT};
+
+static double error_by_way(const Settings *settings, int which, int number)
+{
+    ModeOnMesh mode;
+    double frequency;
+    if (!dispersion_other_way(settings, which, number, &frequency) ||
+        !dispersion_mode(settings, number, &mode))
+        return NAN;
+    return percent(frequency / mode.exact);
+}
+
+static int count_ways(const Settings *settings)
+{
+    int count = 0;
+    double unused;
+    while (count < WAYS_MAX && dispersion_other_way(settings, count, 1, &unused))
+        count++;
+    return count;
+}
+
+static void add_ways(Plot *plot, const Settings *settings, const char *letters, int n_ways, int last,
+                     int every)
+{
+    for (int i = 0; i < n_ways; i++) {
+        plot_begin(plot, STROKE_LINE, LINE_SOLID, way_styles[i], RANK_GHOST, letters[i]);
+        for (int n = 1; n <= last; n += every)
+            plot_point(plot, n, error_by_way(settings, i, n));
+    }
+}
+
+/* A letter on each curve: colour alone tells nobody apart. */
+static void mark_ways(Area inner, const Axis *x, const Axis *y, const Settings *settings, const char *letters,
+                      int n_ways, int last)
+{
+    for (int i = 0; i < n_ways; i++) {
+        const int n = 1 + (last - 1) * (3 + i) / 10;
+        const double error = error_by_way(settings, i, n);
+        if (isfinite(error))
+            axes_mark(inner, x, y, n, error, (uint32_t)(unsigned char)letters[i], way_styles[i]);
+    }
+}
+
+/* "l lumped  * mu*  c consistent" */
+static void name_ways(const Screen *screen, int n_ways, char out[160])
+{
+    out[0] = '\0';
+    for (int i = 0; i < n_ways; i++) {
+        double unused;
+        text_append(out, 160, "%s%c %s", i ? "  " : "", letters_of(screen)[i],
+                    dispersion_other_way(experiment_settings(screen->experiment), i, 1, &unused));
+    }
+}
+
+static int bar_dots(const Screen *screen, Dot dots[RUNS_MAX])
+{
+    Run runs[RUNS_MAX];
+    const int n_runs = runs_of(screen, runs);
+    int count = 0;
+    for (int i = 0; i < n_runs; i++) {
+        const Readout *readout = runs[i].readout;
+        if (readout->mode > 0 && readout->measured_known)
+            dots[count++] = dot_of(&runs[i], readout->mode, percent(readout->measured / readout->exact));
+    }
+    return count;
+}
+
+/* The modes that are shown: all that the mesh can carry or, as a variant, those around the present one. */
+static int last_mode(Experiment *experiment, int variant)
+{
+    enum { NEAR = 12 };
+    const int all = dispersion_modes(experiment_settings(experiment));
+    const int mode = experiment_readout(experiment)->mode;
+    const int near = mode > NEAR / 2 ? 2 * mode : NEAR;
+    return all == 0 || (variant == 1 && near < all) ? near : all; /* 0: of which there are no waves */
+}
+
+static void draw_bar(const Screen *screen, Area area, Style heading, int variant, bool with_ways)
+{
+    const Settings *settings = experiment_settings(screen->experiment);
+    const int n_ways = with_ways ? count_ways(settings) : 0;
+    const int last = last_mode(screen->experiment, variant), under = lines_under(area, 3);
+    Area plot_area = area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under);
+    const int width = plot_area.rect.width - GUTTER - 1, rows = plot_area.rect.height - 1;
+    const int columns = width > 1 ? width * plot_dots_across(area.glyphs) : 2;
+    const int every = last > columns ? (last + columns - 1) / columns : 1;
+
+    Dot dots[RUNS_MAX];
+    const int n_dots = bar_dots(screen, dots);
+    double least = 0, most = 0;
+    ModeOnMesh mode;
+    Run runs[RUNS_MAX];
+    const int n_runs = runs_of(screen, runs);
+    bool predicted = false;
+    for (int i = 0; i < n_runs && screen_shows_predicted(screen); i++)
+        for (int n = 1; n <= last && runs[i].experiment; n += every)
+            if (dispersion_mode(runs[i].settings, n, &mode)) {
+                widen(percent(mode.predicted / mode.exact), &least, &most);
+                predicted |= isfinite(mode.predicted);
+            }
+    for (int i = 0; i < n_dots; i++)
+        if (dots[i].x <= last)
+            widen(dots[i].y, &least, &most);
+    for (int i = 0; i < n_ways; i++)
+        for (int n = 1; n <= last; n += every)
+            widen(error_by_way(settings, i, n), &least, &most);
+    const double low = least < -0.01 ? -axis_round_up(-1.02 * least) : -1;
+    Axis x = axis_make(0, last > 1 ? last : 2, area.rect.width / 9);
+    Axis y = axis_make_root(low, most > 0.01 ? axis_round_up(1.02 * most) : 0, rows < 10 ? rows : 10);
+
+    Legend legend[3]; /* the other ways have a letter on their curve, and a line below that names them */
+    int n_legend = 0;
+    legend[n_legend++] = (Legend){LINE_SOLID, 'O', STYLE_MEASURED, "measured", dot_key(area.glyphs)};
+    if (screen_shows_exact(screen))
+        legend[n_legend++] = (Legend){LINE_DOTTED, '.', STYLE_EXACT, "exact", NULL};
+    if (predicted)
+        legend[n_legend++] = (Legend){LINE_DASHED, '-', STYLE_PREDICTED, "predicted", NULL};
+    heading_draw(area, heading,
+                 area.rect.width >= 70 ? "error of w, % (square-root scale)" : "% error, sqrt scale", "",
+                 legend, n_legend);
+    Area inner = axes_draw(plot_area, &x, &y, "mode n", GUTTER);
+
+    Plot plot;
+    plot_open(&plot, x, y);
+    if (screen_shows_exact(screen)) {
+        plot_begin(&plot, STROKE_LINE, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, '.');
+        plot_point(&plot, 0, 0);
+        plot_point(&plot, last, 0);
+    }
+    add_ways(&plot, settings, letters_of(screen), n_ways, last, every);
+    for (int i = 0; i < n_runs && predicted; i++)
+        if (runs[i].experiment)
+            add_predicted(&plot, &runs[i], last, every);
+    plot_draw(&plot, inner);
+    mark_ways(inner, &x, &y, settings, letters_of(screen), n_ways, last);
+    plot_close(&plot);
+    draw_run_dots(inner, &x, &y, dots, n_dots);
+
+    char first[160], second[160], factors[160];
+    mode_lines(screen, false, first, second);
+    char brief[2][160];
+    mode_lines(screen, true, brief[0], brief[1]);
+    if (are_cut(area, first, ""))
+        memcpy(first, brief[0], sizeof first);
+    if (are_cut(area, "", second))
+        memcpy(second, brief[1], sizeof second);
+    factor_line(screen->experiment, area.rect.width, factors);
+    if (n_ways > 0) {
+        memcpy(second, first, sizeof second);
+        name_ways(screen, n_ways, first);
+    }
+    const int at = area.rect.height - under;
+    if (under > 0)
+        area_text(area, 1, at, first, STYLE_NORMAL);
+    if (under > 1)
+        area_text(area, 1, at + 1, second, STYLE_NORMAL);
+    if (under > 2)
+        area_text_whole(area, 1, at + 2, area.rect.width - 1, factors, STYLE_FAINT);
+}
+
+/* --- a beam --------------------------------------------------------------------------------------- */
+
+static double milliseconds(double seconds)
+{
+    return seconds / 1e-3;
+}
+
+/* A supported beam has a period; that of a moving one grows, so what is told is how far its last swing is
+ * off.
+ */
+static double beam_answer(const Readout *readout)
+{
+    return readout->drifting ? readout->error_period : milliseconds(readout->measured);
+}
+
+/* What a period depends on: how far bonds reach or, where there are none, the cells. */
+static double reach_of(const Screen *screen, const Settings *settings)
+{
+    return simulation_has(experiment_simulation(screen->experiment), HAS_BONDS) ? settings->lattice.horizon
+                                                                                : settings->mesh.cell_size;
+}
+
+static int beam_dots(const Screen *screen, Dot dots[RUNS_MAX])
+{
+    Run runs[RUNS_MAX];
+    const int n_runs = runs_of(screen, runs);
+    const Settings *own = experiment_settings(screen->experiment);
+    int count = 0;
+    for (int i = 0; i < n_runs; i++) {
+        const Settings *settings = runs[i].settings;
+        if (settings->problem == own->problem && settings->method == own->method &&
+            runs[i].readout->measured_known)
+            dots[count++] = dot_of(&runs[i], reach_of(screen, settings), beam_answer(runs[i].readout));
+    }
+    return count;
+}
+
+static void period_lines(const Readout *readout, double height, double span, bool brief, char first[160],
+                         char second[160])
+{
+    first[0] = second[0] = '\0';
+    if (!readout->measured_known) {
+        snprintf(first, 160, "T measuring");
+    } else if (readout->drifting) {
+        snprintf(first, 160,
+                 brief ? "last swing %.4f ms, %+.2f %% of modal"
+                       : "the last swing took %.4f ms, %+.2f %% of the modal one's",
+                 milliseconds(readout->measured), readout->error_period);
+    } else {
+        snprintf(first, 160,
+                 brief ? "T %.4f ms: %+.2f %%, its size %+.2f %%"
+                       : "T %.4f ms: %+.2f %%, its real size alone %+.2f %%",
+                 milliseconds(readout->measured), percent(readout->measured / readout->exact),
+                 percent(readout->real_size / readout->exact));
+        snprintf(second, 160, "real height %.4g mm, span %.4g mm%s", height / 1e-3, span / 1e-3,
+                 brief ? "" : "; T as span^2/height");
+    }
+}
+
+static void draw_beam(const Screen *screen, Area area, Style heading)
+{
+    const Readout *readout = experiment_readout(screen->experiment);
+    const Settings *settings = experiment_settings(screen->experiment);
+    const int under = lines_under(area, readout->drifting ? 1 : 2);
+    Area plot_area = area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under);
+    const int rows = plot_area.rect.height - 1;
+    const struct {
+        const char *name;
+        double value;
+        LineStyle line;
+        char letter;
+        Style style;
+    } theories[] = {
+        {readout->drifting ? "modal" : "Euler",
+         readout->drifting ? 0 : milliseconds(screen_derived(screen, "period_euler")), LINE_DOTTED, '.',
+         STYLE_EXACT},
+        {"Timoshenko", readout->drifting ? NAN : milliseconds(screen_derived(screen, "period_timoshenko")),
+         LINE_DASHED, '-', STYLE_THIRD},
+    };
+
+    Dot dots[RUNS_MAX];
+    const int n_dots = beam_dots(screen, dots);
+    double least = INFINITY, most = -INFINITY, furthest = reach_of(screen, settings);
+    for (int i = 0; i < 2; i++)
+        widen(theories[i].value, &least, &most);
+    for (int i = 0; i < n_dots; i++) {
+        widen(dots[i].y, &least, &most);
+        furthest = fmax(furthest, dots[i].x);
+    }
+    Axis x = axis_make(0, axis_round_up(1.2 * furthest), area.rect.width / 9);
+    Axis y = readout->drifting ? axis_symmetric(fmax(fabs(least), fabs(most)), rows < 5 ? 3 : 5)
+                               : axis_around(least, most, rows < 5 ? 3 : 5);
+    Legend legend[3] = {{LINE_SOLID, 'O', STYLE_MEASURED, "measured", dot_key(area.glyphs)}};
+    int n_legend = 1;
+    for (int i = 0; i < 2 && screen_shows_exact(screen); i++)
+        if (isfinite(theories[i].value))
+            legend[n_legend++] =
+                (Legend){theories[i].line, theories[i].letter, theories[i].style, theories[i].name, NULL};
+    heading_draw(area, heading, readout->drifting ? "error of the last swing, %" : "period, ms", "", legend,
+                 n_legend);
+    char scale[TICK_TEXT_MAX], name[TICK_TEXT_MAX + 12];
+    axis_scale_text(&x, "m", scale);
+    snprintf(name, sizeof name, "%s, %s",
+             simulation_has(experiment_simulation(screen->experiment), HAS_BONDS) ? "horizon" : "cell size",
+             scale);
+    Area inner = axes_draw(plot_area, &x, &y, name, GUTTER);
+    Plot plot;
+    plot_open(&plot, x, y);
+    for (int i = 0; i < 2 && screen_shows_exact(screen); i++) {
+        if (!isfinite(theories[i].value))
+            continue;
+        plot_begin(&plot, STROKE_LINE, theories[i].line, theories[i].style, RANK_EXACT, theories[i].letter);
+        plot_point(&plot, x.low, theories[i].value);
+        plot_point(&plot, x.high, theories[i].value);
+    }
+    plot_draw(&plot, inner);
+    plot_close(&plot);
+    draw_run_dots(inner, &x, &y, dots, n_dots);
+
+    char lines[2][160];
+    const double height = screen_derived(screen, "real_height"), span = screen_derived(screen, "real_span");
+    period_lines(readout, height, span, false, lines[0], lines[1]);
+    if (are_cut(area, lines[0], lines[1]))
+        period_lines(readout, height, span, true, lines[0], lines[1]);
+    for (int i = 0; i < under; i++)
+        area_text(area, 1, area.rect.height - under + i, lines[i], i == 0 ? STYLE_NORMAL : STYLE_FAINT);
+}
+
+/* --- either --------------------------------------------------------------------------------------- */
+
+static void say_instead_of_period(Area area, Style heading)
+{
+    char text[96];
+    snprintf(text, sizeof text,
+             "What breaks has no period to be compared. The log (%d) tells when and where.", view_log.digit);
+    say_instead(area, heading, "convergence", text);
+}
+
+/* All modes, those near the present one if there are more, and all by the other ways of the method. */
+static bool has_near(const Screen *screen)
+{
+    return last_mode(screen->experiment, 1) < last_mode(screen->experiment, 0);
+}
+
+static bool shows_ways(const Screen *screen, int variant)
+{
+    return variant == 1 + has_near(screen);
+}
+
+/* The bonds of a plane carry waves that know its directions. */
+static bool has_waves(const Screen *screen)
+{
+    return simulation_has(experiment_simulation(screen->experiment), HAS_PLANE | HAS_BONDS);
+}
+
+static int variants_of(const Screen *screen)
+{
+    if (has_waves(screen))
+        return 3;
+    return 1 + has_near(screen) + (count_ways(experiment_settings(screen->experiment)) > 0);
+}
+
+static const char *word_of(const Screen *screen, int variant)
+{
+    static const char *const waves[] = {"period", "pressure", "shear"};
+    if (has_waves(screen))
+        return waves[variant];
+    if (shows_ways(screen, variant))
+        return letters_of(screen) == shape_letters ? "shapes" : "transfers";
+    return variant == 1 ? "near" : "all";
+}
+
+static void draw(const Screen *screen, Area area, Style heading, int variant)
+{
+    const Settings *settings = experiment_settings(screen->experiment);
+    if (simulation_has(experiment_simulation(screen->experiment), HAS_LINE))
+        draw_bar(screen, area, heading, shows_ways(screen, variant) ? 0 : variant,
+                 shows_ways(screen, variant));
+    else if (has_waves(screen) && variant > 0)
+        waves_plane_draw(screen, area, heading, variant == 2);
+    else if (settings->problem->concerns & CONCERN_NOTCH)
+        say_instead_of_period(area, heading);
+    else if (!experiment_readout(screen->experiment)->moving)
+        say_instead(area, heading, "convergence", "Nothing vibrates here: there is no period to measure.");
+    else
+        draw_beam(screen, area, heading);
+}
+
+const View view_dispersion = {
+    .word = "dispersion",
+    .brief = "errors",
+    .help = "dispersion: error of every mode; beams: period over horizon or cell size, waves",
+    .digit = 5,
+    .home = PANE_LOWER,
+    .draw = draw,
+    .variants = variants_of,
+    .variant_word = word_of,
+    .duel = DUEL_TOGETHER,
+    .on_paper = true,
+};

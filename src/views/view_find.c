@@ -1,0 +1,114 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Views by what people call them, and where they stand when a run is opened: all read off the list. */
+#include "views/view.h"
+
+#include <stdio.h>
+#include <string.h>
+
+const View *view_of_digit(int digit)
+{
+    for (int i = 0; i < n_views && digit != 0; i++)
+        if (views[i]->digit == digit)
+            return views[i];
+    return NULL;
+}
+
+const View *view_named(const char *word)
+{
+    for (int i = 0; i < n_views; i++)
+        if (strcmp(views[i]->word, word) == 0)
+            return views[i];
+    return word[0] >= '1' && word[0] <= '9' && word[1] == '\0' ? view_of_digit(word[0] - '0') : NULL;
+}
+
+void view_names(char *out, size_t size)
+{
+    size_t used = 0;
+    for (int i = 0; i < n_views && used < size; i++)
+        used += (size_t)snprintf(out + used, size - used, "%s, ", views[i]->word);
+    if (used < size)
+        snprintf(out + used, size - used, "or 1 to 9");
+}
+
+const View *view_at_home(PaneId home, const Simulation *sim)
+{
+    const bool plane = sim && simulation_has(sim, HAS_PLANE);
+    const View *found = views[0];
+    ViewOpening most = OPENS_ON_DEMAND;
+    for (int i = 0; i < n_views; i++)
+        if (views[i]->home == home && views[i]->opens > most &&
+            (views[i]->opens != OPENS_IN_PLANE || plane)) {
+            found = views[i];
+            most = found->opens;
+        }
+    return found;
+}
+
+const View *view_of_map(void)
+{
+    for (int i = 0; i < n_views; i++)
+        if (views[i]->is_map)
+            return views[i];
+    return NULL;
+}
+
+/* Of "profile:v" the view; "profile" and "1" are whole. */
+static const View *view_of_name(const char *name)
+{
+    char word[VALUE_MAX];
+    snprintf(word, sizeof word, "%.*s", (int)strcspn(name, ":"), name);
+    return view_named(word);
+}
+
+bool view_check(const ViewSettings *view, Status *status)
+{
+    const char *const names[2] = {view->upper, view->lower};
+    char known[160];
+    for (int i = 0; i < 2; i++)
+        if (names[i][0] && !view_of_name(names[i])) {
+            view_names(known, sizeof known);
+            return status_fail(status, STATUS_USAGE, "view.%s: %.60s is not allowed (%s)",
+                               i == 0 ? "upper" : "lower", names[i], known);
+        }
+    return true;
+}
+
+/* A view that a scenario names, with its variant; one that cannot be shown gives way. */
+static const View *open_named(Screen *screen, const char *name, PaneId home)
+{
+    const View *view = view_of_name(name);
+    const char *variant = strchr(name, ':');
+    if (!view || view_missing(view, screen))
+        return view_at_home(home, experiment_simulation(screen->experiment));
+    for (int i = 0; variant && i < view_variants(view, screen); i++) {
+        const char *word = view_variant_word(view, screen, i);
+        if (word && strcmp(word, variant + 1) == 0)
+            view_choose_variant(view, screen, i);
+    }
+    return view;
+}
+
+void views_open(Screen *screen, const ViewSettings *settings)
+{
+    screen->views.upper = open_named(screen, settings->upper, PANE_UPPER);
+    screen->views.lower = open_named(screen, settings->lower, PANE_LOWER);
+}
+
+/* The view whose curve is meant: that in focus, else the first of the list with such an axis. */
+static const char *curve_of(const Screen *screen, bool over_time)
+{
+    const View *view = screen->panes.focus == PANE_UPPER ? screen->views.upper : screen->views.lower;
+    for (int i = 0; i < n_views && (!view->curve || view->has_time_axis != over_time); i++)
+        view = views[i];
+    return view->curve ? view->curve(screen) : "";
+}
+
+const char *view_time_curve(const Screen *screen)
+{
+    return curve_of(screen, true);
+}
+
+const char *view_profile_curve(const Screen *screen)
+{
+    return curve_of(screen, false);
+}

@@ -1,0 +1,444 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What is measured at the probe, over time, with the reference curves, earlier runs and the readout.
+ */
+#include "views/plots/overlay_plot.h"
+#include "views/plots/runs.h"
+#include "views/plots/time_plot.h"
+#include "views/views.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* The columns that can stand in the probe view: what is measured and is no energy. */
+static bool is_energy(const char *name)
+{
+    static const char *const energies[] = {"kinetic",    "kinetic_grid", "strain", "work",
+                                           "dissipated", "damped",       "total"};
+    for (size_t i = 0; i < sizeof energies / sizeof *energies; i++)
+        if (strcmp(name, energies[i]) == 0)
+            return true;
+    return false;
+}
+
+/* What a beam that breaks is looked at for comes first; where bonds never break there is nothing to count. */
+static int probe_columns(const Screen *screen, int out[COLUMNS_MAX])
+{
+    int n, count = 0;
+    const Column *columns = experiment_columns(screen->experiment, &n);
+    const bool cracks = crack_variants(screen) > 0;
+    const bool breaks = simulation_has(experiment_simulation(screen->experiment), HAS_BREAKING);
+    const int broken = screen_column(screen, "broken_bonds"), speed = screen_column(screen, "crack_speed");
+    if (cracks && broken >= 0)
+        out[count++] = broken;
+    for (int i = 2; i < n; i++) {
+        const bool has_picture =
+            cracks && (i == broken || i == speed); /* the first one, and one of a crack's */
+        if (columns[i].kind == COLUMN_MEASURED && columns[i].of < 0 && !is_energy(columns[i].quantity.name) &&
+            !has_picture && (i != broken || breaks))
+            out[count++] = i;
+    }
+    return count;
+}
+
+/* The column of a variant; after the first one stand the pictures of a crack, *picture tells which (-1: it is
+ * a column). */
+static int probe_column(const Screen *screen, int variant, int *picture)
+{
+    int columns[COLUMNS_MAX];
+    const int count = probe_columns(screen, columns), pictures = crack_variants(screen);
+    *picture = variant > 0 && variant <= pictures ? variant - 1 : -1;
+    if (variant > pictures)
+        variant -= pictures;
+    return variant < count ? columns[variant] : -1;
+}
+
+static int variants_of(const Screen *screen)
+{
+    int columns[COLUMNS_MAX];
+    const int count = probe_columns(screen, columns) + crack_variants(screen);
+    return count > 0 ? count : 1;
+}
+
+static const char *word_of(const Screen *screen, int variant)
+{
+    int n, picture;
+    const int column = probe_column(screen, variant, &picture);
+    if (picture >= 0)
+        return crack_variant_word(picture);
+    return column >= 0 ? experiment_columns(screen->experiment, &n)[column].quantity.name : NULL;
+}
+
+static const char *curve(const Screen *screen)
+{
+    int n, picture;
+    const Column *columns = experiment_columns(screen->experiment, &n);
+    const int column = probe_column(screen, view_variant(&view_probe, screen), &picture);
+    return column >= 0 ? columns[column].quantity.name : "";
+}
+
+static bool has_envelope(const Screen *screen, const char *name)
+{
+    return screen_shows_exact(screen) &&
+           isfinite(references_envelope(experiment_references(screen->experiment), name, 0));
+}
+
+/* How far a beam that grows would swing by its lengthening alone. */
+static void add_envelope(const Screen *screen, Plot *plot, const char *name)
+{
+    enum { PIECES = 24 }; /* single dots, which no curve is drawn with */
+    const References *refs = experiment_references(screen->experiment);
+    if (!has_envelope(screen, name))
+        return;
+    for (int sign = -1; sign <= 1; sign += 2) {
+        plot_begin(plot, STROKE_DOTS, LINE_DOTTED, STYLE_FAINT, RANK_GHOST, ',');
+        for (int i = 0; i <= PIECES; i++) {
+            const double t = plot->x.low + (plot->x.high - plot->x.low) * i / PIECES;
+            plot_point(plot, t, sign * references_envelope(refs, name, t));
+        }
+    }
+}
+
+/* --- the curves of the picture -------------------------------------------------------------------- */
+
+/* What a run measures, or a reference for it. */
+typedef struct Line {
+    const Run *run;
+    int column;
+    Legend legend;
+    int rank;
+    bool own; /* measured: the run's letter stands at its end */
+} Line;
+
+enum { REFERENCES_MAX = 6, LINES_MAX = 2 * (REFERENCES_MAX + 1) };
+
+/* Adds those of a run that goes on. Two runs share a picture without the curves that only tell of one: each
+ * has its smoothed curve, where there is one, and the exact one stands for both where it is the same. */
+static int add_lines(const Screen *screen, const Run *run, const char *name, Line *lines, int count)
+{
+    const bool shared = screen_is_shared(screen);
+    const bool doubled = shared && run->experiment != screen->experiment && screen->duel->same_exact;
+    const int column = run_column(run, name), most = count + 1 + REFERENCES_MAX;
+    Line *own = &lines[count++];
+    *own = (Line){run, column, run_legend(run), run->rank, true};
+    for (int i = 2; i < run->n_columns && count < most; i++) {
+        const ColumnKind kind = run->columns[i].kind;
+        Line line = {run, i, {0}, kind == COLUMN_EXACT ? RANK_EXACT : RANK_PREDICTED, false};
+        if (run->columns[i].of != column)
+            continue;
+        const bool shown = time_plot_shows(screen, &run->columns[i]);
+        line.legend = time_plot_legend(run->columns, i);
+        if (kind == COLUMN_MEASURED) {
+            line.rank = RANK_SECOND;
+            own->rank = RANK_BAND; /* the raw one lies below */
+        }
+        if (shared && kind == COLUMN_MEASURED)
+            *own = (Line){run, i, own->legend, run->rank, true};
+        else if (shown && !(shared && kind == COLUMN_PREDICTED) && !(doubled && kind == COLUMN_EXACT))
+            lines[count++] = line;
+    }
+    return count;
+}
+
+/* What the axis of the values has to hold. */
+typedef struct Range {
+    double reach, least, most;
+    bool swings; /* around zero; what only grows has its own range */
+} Range;
+
+static void widen_range(const Screen *screen, const Run *run, const char *name, Range *range)
+{
+    const int column = run_column(run, name);
+    const Record *record = run->record;
+    Screen one = *screen;
+    double least[COLUMNS_MAX], most[COLUMNS_MAX];
+    bool asked = false;
+    one.experiment = run->experiment;
+    range->reach = fmax(range->reach, time_plot_reach(record, column));
+    for (int i = 2; i < run->n_columns; i++) {
+        if (run->columns[i].of != column)
+            continue;
+        if (!asked)
+            time_plot_range_to_come(&one, least, most);
+        asked = range->swings = true;
+        if (run->columns[i].kind != COLUMN_MEASURED) {
+            range->reach = fmax(range->reach, fmax(-least[i], most[i]));
+            range->least = fmin(range->least, least[i]);
+            range->most = fmax(range->most, most[i]);
+        }
+    }
+    for (size_t i = 0; i < record->count; i += time_plot_stride(record)) {
+        const double value = record_row(record, i)[column];
+        range->least = value < range->least ? value : range->least;
+        range->most = value > range->most ? value : range->most;
+    }
+}
+
+/* --- lines under the plot ------------------------------------------------------------------------- */
+
+/* "a period keeps 68.4 %, predicted 68.4 %" of the energy, where it does not keep all of it. */
+static void append_kept(const Readout *readout, bool predicted, bool narrow, char out[160])
+{
+    const bool measured = isfinite(readout->kept_measured);
+    if (!(readout->kept_predicted < READOUT_UNDAMPED) || !(measured || predicted))
+        return;
+    text_append(out, 160, narrow ? "%skept" : "%sa period keeps", out[0] ? "  " : "");
+    if (measured)
+        text_append(out, 160, " %.3g %%", 100 * readout->kept_measured);
+    if (predicted && !(narrow && measured))
+        text_append(out, 160, "%s predicted %.3g %%", measured ? "," : "", 100 * readout->kept_predicted);
+}
+
+/* What the run is judged by. In a narrow pane the words are shorter; a number is never
+ * cut. */
+static void frequency_lines(const Screen *screen, int width, char first[160], char second[160])
+{
+    const Readout *readout = experiment_readout(screen->experiment);
+    if (beam_lines(screen, width, first, second)) {
+        append_kept(readout, screen_shows_predicted(screen), width < 52, second);
+        return;
+    }
+    const bool exact = readout->exact_known && screen_shows_exact(screen);
+    const bool predicted = readout->predicted_known && screen_shows_predicted(screen);
+    if (!readout->moving) {
+        Finding findings[FINDINGS_MAX];
+        const int n = references_findings(experiment_references(screen->experiment),
+                                          experiment_simulation(screen->experiment), findings);
+        const bool with_exact = screen_shows_exact(screen);
+        const int fitted = findings_text(findings, n, with_exact, width, first, 160);
+        findings_text(findings + fitted, n - fitted, with_exact, width, second, 160);
+        if (n == 0 && !readout->unjudged)
+            snprintf(first, 160, "nothing vibrates: no frequency to measure");
+        return;
+    }
+    const bool narrow = width < 52;
+    /* while rows come in the fit is a little behind them, see experiment_rest() */
+    const bool about = screen->playback.state == STATE_RUNNING && experiment_is_flowing(screen->experiment);
+    if (readout->measured_known)
+        text_append(first, 160, narrow ? "w %s%.*f" : "w measured %s%.*f", about ? "~" : "", about ? 3 : 4,
+                    readout->measured);
+    else if (readout->unaccounted)
+        text_append(first, 160, narrow ? "w ? %s" : "w: not known with %s", readout->unaccounted);
+    else if (experiment_at_end(screen->experiment))
+        text_append(first, 160, narrow ? "w none" : "w: %s", readout->unmeasured);
+    else
+        text_append(first, 160, narrow ? "w ..." : "w measuring");
+    if (predicted)
+        text_append(first, 160, narrow ? " pred %.4f" : "  predicted %.4f", readout->predicted);
+    if (exact)
+        text_append(first, 160, narrow ? " exact %.4f" : "  exact %.4f", readout->exact);
+    if (readout->measured_known && exact) {
+        text_append(second, 160, "w %+.*f %%", about ? 1 : 2, readout->error_frequency);
+        /* of what dies its decay is told first */
+        if (width >= 100 || !(readout->kept_predicted < READOUT_UNDAMPED)) {
+            text_append(second, 160, "  T %+.*f %%", about ? 1 : 2, readout->error_period);
+            text_append(second, 160, narrow ? "  %s %.2f T" : "  %s by %.2f periods",
+                        readout->late < 0 ? "early" : "late", fabs(readout->late));
+        }
+        if (predicted && readout->overlap < READOUT_PURE)
+            text_append(second, 160, narrow ? "  mixture %.2f" : "  mixture of modes, overlap %.3f",
+                        readout->overlap);
+    }
+    append_kept(readout, predicted, narrow, second);
+}
+
+/* The values of every curve at the cursor: with so many digits, and in short words if wanted. */
+static void cursor_line(const Screen *screen, const Line *lines, int n_lines, const char *curve, int digits,
+                        bool brief, char out[160])
+{
+    char time[48], number[NUMBER_TEXT_MAX], letter[2] = "";
+    out[0] = '\0';
+    for (int i = 0; i < n_lines; i++) {
+        const Record *record = lines[i].run->record;
+        if (record->count == 0)
+            return;
+        const double *row = record_row(record, record_find(record, screen->time.cursor));
+        if (i == 0) {
+            screen_time_text(screen, row[1], time, sizeof time);
+            snprintf(out, 160, "%s", time);
+        }
+        if (i > 0 && !isfinite(row[lines[i].column]))
+            continue;
+        text_fitted(row[lines[i].column], digits, 12, number);
+        letter[0] = lines[i].run->letter;
+        const char *name = lines[i].own && letter[0] ? letter : lines[i].legend.name;
+        text_append(out, 160, "  %s %s", brief ? legend_short_name(name) : name, number);
+    }
+    const double foreign = overlay_value(screen, curve, false, screen->time.cursor);
+    if (isfinite(foreign)) {
+        text_fitted(foreign, digits, 12, number);
+        text_append(out, 160, "  %s %s", brief ? "file" : screen->overlay->file, number);
+    }
+}
+
+/* One line for each run of a duel: what matters most first. */
+static void draw_both(const Screen *screen, Area area, const char *cursor)
+{
+    const int width = area.rect.width - 2, rows = area.rect.height;
+    if (cursor[0]) {
+        area_phrases(area, 1, 0, width, rows, cursor, STYLE_SELECTED);
+        return;
+    }
+    for (int run = 0; run < 2 && run < rows; run++) {
+        const Screen one = screen_of_side(screen, run == 0 ? SIDE_A : SIDE_B);
+        char first[160], second[160], text[336];
+        frequency_lines(&one, width < 80 ? 40 : width, first, second);
+        snprintf(text, sizeof text, "%c %s%s%s", "AB"[run], first, second[0] ? "  " : "", second);
+        area_phrases(area, 1, run, width, 1, text, STYLE_NORMAL);
+    }
+}
+
+static void draw_readout(const Screen *screen, Area area, const Line *lines, int n_lines, const char *curve)
+{
+    char first[160], second[160], cursor[160] = "";
+    const int width = area.rect.width - 2, rows = area.rect.height;
+    /* every value is seen: with fewer digits and shorter words, else on both lines */
+    static const struct {
+        int digits;
+        bool brief;
+    } forms[] = {{5, false}, {5, true}, {4, true}, {3, true}};
+    const size_t n_forms = rows > 1 ? 3 : 4;
+    for (size_t i = 0; isfinite(screen->time.cursor) && i < n_forms; i++) {
+        cursor_line(screen, lines, n_lines, curve, forms[i].digits, forms[i].brief, cursor);
+        if (glyphs_columns(cursor) <= width)
+            break;
+    }
+    if (screen_is_shared(screen)) {
+        draw_both(screen, area, cursor);
+        return;
+    }
+    frequency_lines(screen, width, first, second);
+    if (cursor[0] && rows > 1 && glyphs_columns(cursor) > width) {
+        cursor_line(screen, lines, n_lines, curve, 5, false, cursor);
+        area_phrases(area, 1, 0, width, rows, cursor, STYLE_SELECTED);
+        return;
+    }
+    if (cursor[0]) {
+        area_phrases(area, 1, rows - 1, width, 1, cursor, STYLE_SELECTED);
+        if (rows > 1)
+            area_phrases(area, 1, 0, width, 1, first, STYLE_NORMAL);
+        return;
+    }
+    if (rows == 1 && second[0])
+        text_append(first, sizeof first, "   %s", second);
+    area_phrases(area, 1, 0, width, 1, first, STYLE_NORMAL);
+    if (rows > 1)
+        area_phrases(area, 1, 1, width, 1, second, STYLE_NORMAL);
+}
+
+static int lines_under(const Screen *screen, Area area, const char *curve)
+{
+    const bool cursor = isfinite(screen->time.cursor);
+    const bool judged = strcmp(experiment_readout(screen->experiment)->column, curve) == 0 || cursor ||
+                        screen_problem(screen)->si;
+    if (!judged || area.rect.height < 6)
+        return 0;
+    if (screen_is_shared(screen))
+        return area.rect.height >= 8 ? 2 : cursor;
+    return area.rect.width >= 100 || area.rect.height < 8 ? 1 : 2;
+}
+
+static void draw(const Screen *screen, Area area, Style heading, int variant)
+{
+    int n, picture;
+    const Column *columns = experiment_columns(screen->experiment, &n);
+    const int column = probe_column(screen, variant, &picture);
+    if (picture >= 0) {
+        crack_draw(screen, area, heading, picture);
+        return;
+    }
+    if (column < 0) {
+        area_rule(area, 0, "over time", heading);
+        return;
+    }
+    const Quantity *quantity = &columns[column].quantity;
+    const int under = lines_under(screen, area, quantity->name);
+    Area plot_area = area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under);
+    const int width = plot_area.rect.width - GUTTER - 1, dots = width * plot_dots_across(area.glyphs);
+
+    Run runs[RUNS_MAX];
+    const int n_runs = runs_with(runs, runs_of(screen, runs), quantity->name);
+    Line lines[LINES_MAX];
+    int n_lines = 0, n_ghosts = 0;
+    Range range = {.least = INFINITY, .most = -INFINITY};
+    for (int i = n_runs - 1; i >= 0; i--) {
+        n_ghosts += runs[i].ghost >= 0;
+        if (runs[i].experiment)
+            widen_range(screen, &runs[i], quantity->name, &range);
+        if (runs[i].experiment && runs[i].shown)
+            n_lines = add_lines(screen, &runs[i], quantity->name, lines, n_lines);
+    }
+    overlay_widen(screen, quantity->name, false, &range.least, &range.most);
+    range.reach = fmax(range.reach, overlay_reach(screen, quantity->name, false));
+    if (has_envelope(screen, quantity->name)) {
+        const double end = experiment_settings(screen->experiment)->time.end;
+        const References *refs = experiment_references(screen->experiment);
+        range.reach = fmax(range.reach, fmax(references_envelope(refs, quantity->name, 0),
+                                             references_envelope(refs, quantity->name, end)));
+    }
+    const int rows = plot_area.rect.height - 1, most_ticks = rows < 5 ? 3 : rows < 12 ? 5 : 7;
+    const bool counts = strcmp(quantity->unit, "1") == 0; /* of things */
+    /* what swings far from zero, a place, is seen about its own middle; what is conserved is not magnified */
+    const bool aside = range.least > 0 && range.most > (1 + 1e-9) * range.least;
+    Axis y = counts                                        ? axis_count(range.most, most_ticks)
+             : (range.swings && !aside) || range.least < 0 ? axis_symmetric(range.reach, most_ticks)
+                                                           : axis_around(range.least, range.most, most_ticks);
+    Axis x = time_plot_axis(screen, width);
+
+    char scale[TICK_TEXT_MAX], name[32];
+    axis_scale_text(&y, quantity->unit, scale);
+    Legend entries[LINES_MAX + RUNS_MAX + 1];
+    int n_entries = 0;
+    for (int own = 1; own >= 0; own--)
+        for (int i = 0; i < n_lines; i++)
+            if (lines[i].own == own)
+                entries[n_entries++] = lines[i].legend;
+    n_entries += runs_ghost_legends(runs, n_runs, entries + n_entries);
+    if (has_envelope(screen, quantity->name))
+        entries[n_entries++] =
+            (Legend){LINE_DOTTED, ',', STYLE_FAINT, quantity->name[0] == 'u' ? "~L^1/2" : "~L^-3/2",
+                     area.glyphs == GLYPHS_ASCII ? NULL : "· "};
+    heading_draw(area, heading, quantity->label, scale, entries, n_entries);
+    Area inner = axes_draw(plot_area, &x, &y, time_plot_name(screen, &x, name, sizeof name), GUTTER);
+    Plot plot;
+    plot_open(&plot, x, y);
+    runs_add_ghosts(&plot, runs, n_runs, quantity->name, dots);
+    for (int i = 0; i < n_lines; i++) {
+        const Line *line = &lines[i];
+        plot_begin(&plot, STROKE_LINE, line->legend.line, line->legend.style, line->rank,
+                   line->legend.letter);
+        time_plot_curve(
+            &plot, &(Curve){.record = line->run->record, .column = line->column, .minus = -1, .plus = -1},
+            dots);
+    }
+    overlay_stroke(screen, &plot, quantity->name, false, dots);
+    add_envelope(screen, &plot, quantity->name);
+    time_plot_breaks(screen, inner, &x);
+    time_plot_now(screen, inner, &x);
+    plot_draw(&plot, inner);
+    overlay_marks(screen, inner, &plot, quantity->name, false);
+    runs_draw_letters(&plot, inner, runs, n_ghosts, quantity->name); /* they come first */
+    for (int i = 0; i < n_lines; i++)
+        if (lines[i].own)
+            run_letter_over_time(&plot, inner, lines[i].run, lines[i].column);
+    plot_close(&plot);
+    if (under > 0)
+        draw_readout(screen, area_part(area, 0, area.rect.height - under, area.rect.width, under), lines,
+                     n_lines, quantity->name);
+}
+
+const View view_probe = {
+    .word = "probe",
+    .brief = "v_cm",
+    .help = "the probe over time; again: its velocity, length, a crack's path and angle",
+    .digit = 2,
+    .home = PANE_LOWER,
+    .opens = OPENS_ALWAYS,
+    .draw = draw,
+    .variants = variants_of,
+    .variant_word = word_of,
+    .compares = true,
+    .has_time_axis = true,
+    .on_paper = true,
+    .curve = curve,
+};

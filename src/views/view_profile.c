@@ -1,0 +1,309 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A field of the particles along the bar, or along the middle of a beam, with the exact curve behind.
+ */
+#include "views/plots/overlay_plot.h"
+#include "views/plots/runs.h"
+#include "views/views.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static int variants_of(const Screen *screen)
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    int count = 0;
+    while (profile_field(sim, count))
+        count++;
+    return count ? count : 1;
+}
+
+static const char *word_of(const Screen *screen, int variant)
+{
+    return profile_field(experiment_simulation(screen->experiment), variant);
+}
+
+/* A run's part of the picture: what is now, of a ghost what was last on screen. */
+typedef struct Curve {
+    const Run *run;
+    Profile taken; /* of a run that goes on */
+    const Profile *profile;
+    const double *values;
+} Curve;
+
+/* False: this run has nothing to show here. */
+static bool open_curve(Curve *curve, const Run *run, const char *field)
+{
+    *curve = (Curve){.run = run, .profile = run->profile};
+    if (run->experiment) {
+        profile_take(&curve->taken, experiment_simulation(run->experiment), field);
+        curve->profile = &curve->taken;
+    }
+    curve->values = curve->profile->count > 0 ? profile_values(curve->profile, field) : NULL;
+    return curve->values != NULL;
+}
+
+/* How far the exact answer reaches over the run, so that the axis keeps still; 0: not known. */
+static double exact_reach(const Run *run, const char *field, const double *x, size_t count, double base)
+{
+    enum { TIMES = 24, PLACES = 12 };
+    const References *refs = experiment_references(run->experiment);
+    const Readout *readout = run->readout;
+    const double span = readout->swing > 0 && !readout->drifting ? readout->swing : run->settings->time.end;
+    double reach = 0;
+    for (int i = 0; count > 0 && i <= TIMES; i++)
+        for (int k = 0; k <= PLACES; k++) {
+            double place = x[(count - 1) * (size_t)k / PLACES];
+            double value = references_profile(refs, field, place, span * i / TIMES) - base;
+            reach = fabs(value) > reach ? fabs(value) : reach;
+        }
+    return reach;
+}
+
+/* A displacement so much smaller than the body is long is nothing yet, not a curve to be looked at. */
+static double least_reach(const Simulation *sim, const char *field, const Profile *profile)
+{
+    const double rounding = 1e-15;
+    bool moves = false;
+    for (int d = 0; d < SIMULATION_DIMENSIONS_MAX; d++)
+        moves |=
+            sim->displacement[d] >= 0 && strcmp(sim->fields[sim->displacement[d]].quantity.name, field) == 0;
+    return moves ? rounding * fabs(profile->x[profile->count - 1] - profile->x[0]) : 0;
+}
+
+static Axis value_axis(const Screen *screen, const Simulation *sim, const char *field, const Curve *curves,
+                       int n_curves, int rows)
+{
+    const int most = rows < 5 ? 3 : rows < 12 ? 5 : 7;
+    double reach = 0, base = 0;
+    if (strcmp(field, "damage") == 0)
+        return axis_make(0, 1, most);
+    if (strcmp(field, "density") == 0 && simulation_has(sim, HAS_LINE))
+        base = experiment_settings(screen->experiment)->material.density;
+    for (int k = 0; k < n_curves; k++) {
+        const Profile *profile = curves[k].profile;
+        if (!curves[k].run->experiment)
+            continue;
+        reach = fmax(reach, exact_reach(curves[k].run, field, profile->x, profile->count, base));
+        for (size_t i = 0; i < profile->count; i++)
+            if (isfinite(curves[k].values[i]) && fabs(curves[k].values[i] - base) > reach)
+                reach = fabs(curves[k].values[i] - base);
+    }
+    double least = base, highest = base;
+    overlay_widen(screen, field, true, &least, &highest);
+    reach = fmax(reach, fmax(base - least, highest - base));
+    reach = fmax(reach, least_reach(sim, field, curves[n_curves - 1].profile));
+    if (base != 0) {
+        double end = reach > 0 ? axis_round_up(reach * 1.02) : 0.01 * base;
+        return axis_make(base - end, base + end, most);
+    }
+    return axis_symmetric(reach, most);
+}
+
+/* All particles of the runs that go on, with half a distance at their end. */
+static Axis place_axis(const Curve *curves, int n_curves, int most)
+{
+    double from = INFINITY, to = -INFINITY, margin = 0;
+    for (int k = 0; k < n_curves; k++) {
+        const Profile *profile = curves[k].profile;
+        double low = INFINITY, high = -INFINITY;
+        if (!curves[k].run->experiment)
+            continue;
+        for (size_t i = 0; i < profile->count; i++) {
+            low = fmin(low, profile->x[i]);
+            high = fmax(high, profile->x[i]);
+        }
+        margin = fmax(margin, (high - low) / (double)profile->count);
+        from = fmin(from, low);
+        to = fmax(to, high);
+    }
+    if (from > 0 && from < 2 * margin)
+        from = 0;
+    return axis_make(from, to + margin, most);
+}
+
+static void draw_exact(Experiment *experiment, Plot *plot, const char *field, const Profile *row, int dots)
+{
+    const References *refs = experiment_references(experiment);
+    const double time = experiment_time(experiment);
+    const double from = row->x[0], to = row->x[row->count - 1], margin = (to - from) / (double)row->count / 2;
+    plot_begin(plot, STROKE_LINE, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, '.');
+    for (int i = 0; i <= dots; i++) {
+        double x = from - margin + (to - from + 2 * margin) * i / dots;
+        plot_point(plot, x, references_profile(refs, field, x, time));
+    }
+}
+
+/* Particles that lie well apart are seen one by one. */
+static void draw_particles(const Plot *plot, Area inner, const Curve *curve)
+{
+    const Profile *profile = curve->profile;
+    const int places = inner.canvas->sketch ? 4 * inner.rect.width : inner.rect.width;
+    if (!curve->run->experiment || (size_t)places < 2 * profile->count)
+        return;
+    for (size_t i = 0; i < profile->count; i++)
+        axes_mark(inner, &plot->x, &plot->y, profile->x[i], curve->values[i],
+                  inner.glyphs == GLYPHS_ASCII      ? (curve->run->letter == 'B' ? 'x' : 'o')
+                  : curve->run->line == LINE_DASHED ? 0x25cb
+                                                    : 0x25cf,
+                  curve->run->style);
+}
+
+/* What a ghost's letter stands for: its moment, where it is another one than the present, and what differs.
+ */
+static void tell_moment(const Screen *screen, Run *run, bool wide)
+{
+    const double dt = experiment_simulation(screen->experiment)->dt;
+    char moment[48], word[LEGEND_MAX];
+    if (fabs(run->profile->time - experiment_time(screen->experiment)) < 0.51 * dt)
+        return;
+    screen_time_text(screen, run->profile->time, moment, sizeof moment);
+    snprintf(word, sizeof word, "%s", run->word);
+    snprintf(run->word, sizeof run->word, wide ? "at %s, %s" : "at %s", moment, word);
+}
+
+static void draw_legends(const Screen *screen, Area area, Style heading, const char *label, const char *scale,
+                         const Curve *curves, int n_curves, bool exact)
+{
+    Legend legend[RUNS_MAX + 1];
+    Run runs[RUNS_MAX];
+    int n_legend = 0;
+    for (int i = n_curves - 1; i >= 0; i--) { /* the present run first */
+        runs[i] = *curves[i].run;
+        if (runs[i].ghost >= 0)
+            tell_moment(screen, &runs[i], area.rect.width >= 90 || area.canvas->sketch);
+        else if (runs[i].shown)
+            legend[n_legend++] = run_legend(&runs[i]);
+        if (runs[i].experiment && !runs[i].letter &&
+            simulation_has(experiment_simulation(runs[i].experiment), HAS_PLANE))
+            text_append(runs[i].word, sizeof runs[i].word, ", middle row");
+    }
+    if (exact)
+        legend[n_legend++] = (Legend){LINE_DOTTED, '.', STYLE_EXACT, screen_problem(screen)->answer, NULL};
+    n_legend += runs_ghost_legends(runs, n_curves, legend + n_legend);
+    heading_draw(area, heading, label, scale, legend, n_legend);
+}
+
+static void close_curves(Curve *curves, int n_curves)
+{
+    for (int i = 0; i < n_curves; i++)
+        profile_close(&curves[i].taken);
+}
+
+/* At t = 0 nothing has moved yet: what there is to see of a bar is the velocity. */
+static int variant_shown(const Screen *screen, int variant)
+{
+    const Experiment *clock = screen_clock_run(screen);
+    const bool at_start = experiment_step(clock) == 0 && experiment_stage(clock) == 0;
+    return variant == 0 && at_start && screen->playback.state != STATE_RUNNING &&
+                   simulation_has(experiment_simulation(screen->experiment), HAS_LINE)
+               ? 1
+               : variant;
+}
+
+static const char *curve(const Screen *screen)
+{
+    const int variant = view_variant(&view_profile, screen);
+    const char *name =
+        profile_field(experiment_simulation(screen->experiment), variant_shown(screen, variant));
+    return name ? name : "";
+}
+
+static void draw(const Screen *screen, Area area, Style heading, int variant)
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    const char *name = profile_field(sim, variant_shown(screen, variant));
+    Run runs[RUNS_MAX];
+    Curve curves[RUNS_MAX];
+    int n_runs = runs_of(screen, runs), n_curves = 0;
+    for (int i = 0; i < n_runs && name; i++)
+        if (open_curve(&curves[n_curves], &runs[i], name))
+            n_curves++;
+    if (n_curves == 0 || !curves[n_curves - 1].run->experiment) {
+        area_rule(area, 0, "profile", heading);
+        close_curves(curves, n_curves);
+        return;
+    }
+    const Profile *present = curves[n_curves - 1].profile;
+    const Quantity *quantity = &sim->fields[simulation_find_field(sim, 0, name)].quantity;
+    /* beside the common motion of the body; a foreign series has that in it */
+    const bool carried =
+        fabs(sim->common_speed) > 0 && (quantity == &sim->fields[sim->displacement[0]].quantity ||
+                                        quantity == &sim->fields[sim->velocity[0]].quantity);
+    char label[64];
+    snprintf(label, sizeof label, "%s%s", quantity->label,
+             !carried                                              ? ""
+             : quantity == &sim->fields[sim->velocity[0]].quantity ? " - v0"
+                                                                   : " - v0 t");
+    const int rows = area.rect.height - 2;
+    Axis y = value_axis(screen, sim, name, curves, n_curves, rows);
+    Axis x = place_axis(curves, n_curves, area.rect.width / 9);
+
+    const bool exact =
+        screen_shows_exact(screen) &&
+        isfinite(references_profile(experiment_references(screen->experiment), name,
+                                    present->x[present->count / 2], experiment_time(screen->experiment)));
+    char scale[TICK_TEXT_MAX], x_scale[TICK_TEXT_MAX], x_name[TICK_TEXT_MAX + 4];
+    axis_scale_text(&y, quantity->unit, scale);
+    axis_scale_text(&x, sim->fields[sim->position[0]].quantity.unit, x_scale);
+    strcpy(x_name, x_scale[0] ? "x, " : "x");
+    strcat(x_name, x_scale);
+    draw_legends(screen, area, heading, label, scale, curves, n_curves, exact);
+    Area inner =
+        axes_draw(area_part(area, 0, 1, area.rect.width, area.rect.height - 1), &x, &y, x_name, GUTTER);
+
+    Plot plot;
+    plot_open(&plot, x, y);
+    const int dots = inner.rect.width * plot_dots_across(area.glyphs);
+    if (exact && inner.rect.width > 0)
+        draw_exact(screen->experiment, &plot, name, present, dots);
+    if (exact && inner.rect.width > 0 && screen_is_shared(screen) && !screen->duel->same_exact &&
+        n_curves > 1)
+        draw_exact(screen->duel->b, &plot, name, curves[n_curves - 2].profile, dots);
+    for (int k = 0; k < n_curves; k++) {
+        if (!curves[k].run->shown)
+            continue;
+        run_begin(&plot, curves[k].run);
+        for (size_t i = 0; i < curves[k].profile->count; i++)
+            plot_point(&plot, curves[k].profile->x[i], curves[k].values[i]);
+    }
+    if (!carried)
+        overlay_stroke(screen, &plot, name, true, dots);
+    plot_draw(&plot, inner);
+    for (int k = 0; k < n_curves; k++) {
+        const Profile *profile = curves[k].profile;
+        if (!curves[k].run->shown)
+            continue;
+        draw_particles(&plot, inner, &curves[k]);
+        run_letter(curves[k].run, &plot, inner, profile->x[profile->count - 1],
+                   curves[k].values[profile->count - 1]);
+        for (int m = 0; m < RUN_MARKS; m++) {
+            const double place = run_mark(curves[k].run, &plot, inner, m);
+            size_t i = 0;
+            while (i < profile->count && profile->x[i] < place)
+                i++;
+            if (i > 0 && i < profile->count)
+                run_letter(curves[k].run, &plot, inner, profile->x[i], curves[k].values[i]);
+        }
+    }
+    if (!carried)
+        overlay_marks(screen, inner, &plot, name, true);
+    plot_close(&plot);
+    close_curves(curves, n_curves);
+}
+
+const View view_profile = {
+    .word = "profile",
+    .brief = "profile",
+    .help = "along the bar or beam: displacement; again: velocity and other fields",
+    .digit = 1,
+    .home = PANE_UPPER,
+    .opens = OPENS_ALWAYS,
+    .draw = draw,
+    .variants = variants_of,
+    .variant_word = word_of,
+    .of_moment = true,
+    .compares = true,
+    .on_paper = true,
+    .curve = curve,
+};

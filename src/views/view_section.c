@@ -1,0 +1,356 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A body in the plane through its height, at the chosen particle's x, beside what beam theory says of a
+ * section: the axial displacement lies on the line -y duy/dx where sections stay plane and upright (eq. 14 of
+ * paper P); the bending stress is a straight line; the shear stress a parabola. Where cells hold several
+ * columns of particles those of the chosen one's cell are drawn, and their mean: what shears them apart is no
+ * shear of the beam but that of cells that cannot bend. */
+#include "views/map/map.h"
+#include "views/views.h"
+#include "base/math/functions.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* What is drawn: a field of set 0. */
+typedef struct Picture {
+    const char *field, *name, *unit;
+    const char *theory; /* the line beside, where theory knows the run */
+    const char *own;    /* the same for the section's own moment or force; "": from the slope */
+    const char *resultant, *resultant_unit; /* NULL: none */
+    int power;                              /* of y in the resultant: a moment or a force */
+} Picture;
+
+static const Picture pictures[] = {
+    {"ux", "section, y", "m", "-y duy/dx (eq. 14)", "", NULL, NULL, 0},
+    {"sxx", "bending, y", "Pa", "beam theory", "same moment", "moment", "N m", 1},
+    {"sxy", "shear, y", "Pa", "beam theory", "same force", "force", "N", 0},
+};
+
+enum { PICTURES = sizeof pictures / sizeof *pictures, COLUMNS_MOST = 12 };
+
+/* The columns of one cell, the chosen one among them. */
+typedef struct Section {
+    const Screen *screen;
+    const Simulation *sim;
+    const Picture *of;
+    Body body;
+    size_t chosen, first, columns; /* columns of the lattice: first, first + 1, ... */
+    size_t rows;
+    double x, middle;          /* where it is at rest, and the height of the axis */
+    double *y, *mean, *theory; /* over the rows, in one block with the values of each column */
+    double *values[COLUMNS_MOST];
+    bool known; /* the theory is that of the run; else of the section's own moment or force */
+    double resultant;
+} Section;
+
+static double named_at(const Section *section, const char *name, size_t row, size_t column)
+{
+    return simulation_value(section->sim, simulation_find_field(section->sim, 0, name),
+                            row * (size_t)section->body.nx + column);
+}
+
+/* The mean of a field over the middle row, or the two middle ones, of a column. */
+static double on_axis(const Section *section, const char *name, size_t column)
+{
+    const size_t rows = section->rows;
+    return (named_at(section, name, (rows - 1) / 2, column) + named_at(section, name, rows / 2, column)) / 2;
+}
+
+/* --- what is there ---------------------------------------------------------------------------------- */
+
+/* The columns whose particles of the middle row lie in one cell of the mesh. */
+static void find_cell(Section *section)
+{
+    const Simulation *sim = section->sim;
+    section->first = section->chosen;
+    section->columns = 1;
+    if (!simulation_has(sim, HAS_MESH) || !section->of->resultant)
+        return;
+    const int node_x = simulation_find_field(sim, 1, "x");
+    const double from = simulation_value(sim, node_x, 0), cell = simulation_value(sim, node_x, 1) - from;
+    const size_t row = section->rows / 2;
+    const double own = floor((named_at(section, "x", row, section->chosen) - from) / cell);
+    while (section->first > 0 &&
+           floor((named_at(section, "x", row, section->first - 1) - from) / cell) == own)
+        section->first--;
+    const size_t nx = (size_t)section->body.nx;
+    while (section->first + section->columns < nx && section->columns < COLUMNS_MOST &&
+           floor((named_at(section, "x", row, section->first + section->columns) - from) / cell) == own)
+        section->columns++;
+}
+
+/* What of a stress adds up over the height: force sum sxy dA, moment sum sxx y dA. */
+static void add_up(Section *section)
+{
+    const double area =
+        section->body.spacing * experiment_settings(section->screen->experiment)->geometry.thickness;
+    section->resultant = 0;
+    for (size_t j = 0; j < section->rows; j++)
+        section->resultant +=
+            section->mean[j] * math_pow(section->y[j] - section->middle, section->of->power) * area;
+}
+
+/* The line -y duy/dx by the slope over two spacings, one at an end; the stresses of theory as it knows the
+ * run, or those that have the section's own moment M or force Q: M y/I, 3 Q/(2 A) (1 - (2 y/h)^2). */
+static double theory_at(const Section *section, double y, double time)
+{
+    const Settings *settings = experiment_settings(section->screen->experiment);
+    const double height = section->body.size[1], area = height * settings->geometry.thickness;
+    if (section->known)
+        return references_section(experiment_references(section->screen->experiment), section->of->field,
+                                  section->x, y, time);
+    if (section->of->power == 1)
+        return section->resultant * y * 12 / (area * height * height);
+    return 1.5 * section->resultant / area * (1 - 4 * y * y / (height * height));
+}
+
+static double slope_of(const Section *section)
+{
+    const size_t at = section->chosen, left = at > 0 ? at - 1 : at,
+                 right = at + 1 < (size_t)section->body.nx ? at + 1 : at;
+    return (on_axis(section, "uy", right) - on_axis(section, "uy", left)) /
+           (named_at(section, "x0", 0, right) - named_at(section, "x0", 0, left));
+}
+
+static bool take_section(Section *section, const Screen *screen, const Picture *of)
+{
+    *section = (Section){.screen = screen, .of = of, .sim = experiment_simulation(screen->experiment)};
+    if (!body_of(section->sim, &section->body) || section->body.ny < 2 || section->body.nx < 2)
+        return false;
+    const size_t nx = (size_t)section->body.nx, count = section->body.count;
+    const size_t rows = section->rows = (size_t)section->body.ny;
+    section->chosen = (screen->chosen.particle < count ? screen->chosen.particle : 0) % nx;
+    section->middle = section->body.low[1] + section->body.size[1] / 2;
+    find_cell(section);
+    section->y = calloc((3 + section->columns) * rows, sizeof *section->y);
+    if (!section->y)
+        return false;
+    section->mean = section->y + rows;
+    section->theory = section->mean + rows;
+    for (size_t c = 0; c < section->columns; c++) {
+        section->values[c] = section->theory + (1 + c) * rows;
+        section->x += named_at(section, "x0", 0, section->first + c) / (double)section->columns;
+        const double of_axis = of->resultant ? 0 : on_axis(section, of->field, section->first + c);
+        for (size_t j = 0; j < rows; j++) {
+            section->y[j] = named_at(section, "y0", j, section->first + c);
+            section->values[c][j] = named_at(section, of->field, j, section->first + c) - of_axis;
+            section->mean[j] += section->values[c][j] / (double)section->columns;
+        }
+    }
+    const double time = experiment_time(screen->experiment), slope = slope_of(section);
+    add_up(section);
+    section->known = of->resultant && isfinite(references_section(experiment_references(screen->experiment),
+                                                                  of->field, section->x, 0, time));
+    for (size_t j = 0; j < rows; j++) {
+        const double y = section->y[j] - section->middle;
+        section->theory[j] = of->resultant ? theory_at(section, y, time) : -y * slope;
+    }
+    return true;
+}
+
+/* Sections of a beam stay plane; of a plate nothing of the kind is known. */
+static bool is_beam(const Screen *screen)
+{
+    return screen_problem(screen)->concerns & CONCERN_BEAM;
+}
+
+/* --- words ------------------------------------------------------------------------------------------ */
+
+/* How far the section is from the line, root mean square, and against how far the line reaches. */
+static double off_line(const Section *section, double *share)
+{
+    double off = 0, line = 0;
+    for (size_t j = 0; j < section->rows; j++) {
+        const double there = section->theory[j];
+        off += (section->mean[j] - there) * (section->mean[j] - there);
+        line += there * there;
+    }
+    *share = line > 0 ? sqrt(off / line) : NAN;
+    return sqrt(off / (double)section->rows);
+}
+
+/* How far the columns of the cell are from their mean, root mean square. */
+static double apart(const Section *section)
+{
+    double sum = 0;
+    for (size_t c = 0; c < section->columns; c++)
+        for (size_t j = 0; j < section->rows; j++) {
+            const double off = section->values[c][j] - section->mean[j];
+            sum += off * off;
+        }
+    return sqrt(sum / (double)(section->columns * section->rows));
+}
+
+static void append_quantity(char out[160], const char *before, double value, const char *unit)
+{
+    Axis axis = axis_symmetric(fabs(value), 3);
+    char number[NUMBER_TEXT_MAX], scale[TICK_TEXT_MAX];
+    text_fitted(value / math_pow(10, axis.exponent), 3, 8, number);
+    axis_scale_text(&axis, unit, scale);
+    text_append(out, 160, "%s %s%s%s", before, number, scale[0] ? " " : "", scale);
+}
+
+static void section_line(const Section *section, char out[160])
+{
+    const Picture *of = section->of;
+    double share, away = off_line(section, &share);
+    snprintf(out, 160, "at x %.2f mm", section->x / 1e-3);
+    if (!is_beam(section->screen))
+        return;
+    if (!of->resultant) {
+        char slope[NUMBER_TEXT_MAX];
+        append_quantity(out, "  off the line by", away, of->unit);
+        if (share < 1)
+            text_append(out, 160, " = %.1f %%", 100 * share);
+        text_fitted(slope_of(section), 3, 10, slope);
+        text_append(out, 160, "  duy/dx %s", slope);
+        return;
+    }
+    text_append(out, 160, "  %s %.3g %s", of->resultant, section->resultant, of->resultant_unit);
+    if (share < 1)
+        text_append(out, 160, "  off %s by %.1f %%", section->known ? "theory" : "the line", 100 * share);
+    if (!section->known)
+        text_append(out, 160, "  theory not known");
+    if (section->columns > 1)
+        append_quantity(out, "  columns apart", apart(section), of->unit);
+}
+
+/* --- the picture ------------------------------------------------------------------------------------- */
+
+/* So that the axis keeps still while the body swings: what theory reaches in the run too. */
+static double reach_of(const Section *section)
+{
+    enum { TIMES = 32, HEIGHTS = 2 };
+    const double end = experiment_settings(section->screen->experiment)->time.end;
+    double reach = 0;
+    for (size_t j = 0; j < section->rows; j++) {
+        reach = fmax(reach, fabs(section->theory[j]));
+        for (size_t c = 0; c < section->columns; c++)
+            reach = fmax(reach, fabs(section->values[c][j]));
+    }
+    for (int i = 0; i <= TIMES && section->known; i++)
+        for (int k = 0; k <= HEIGHTS; k++)
+            reach = fmax(reach, fabs(theory_at(section, section->body.size[1] * k / 4, end * i / TIMES)));
+    return reach;
+}
+
+static void draw_strokes(const Section *section, Plot *plot, bool theory)
+{
+    const double bottom = section->body.low[1], height = section->body.size[1];
+    const double time = experiment_time(section->screen->experiment);
+    const bool straight = !section->of->resultant;
+    if (theory) {
+        enum { PIECES = 48 };
+        const double slope = straight ? slope_of(section) : 0;
+        plot_begin(plot, STROKE_LINE, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, '.');
+        for (int i = 0; i <= PIECES; i++) {
+            const double y = bottom + height * i / PIECES, up = y - section->middle;
+            plot_point(plot, straight ? -up * slope : theory_at(section, up, time), y);
+        }
+    }
+    for (size_t c = 0; c < section->columns && section->columns > 1; c++) {
+        plot_begin(plot, STROKE_LINE, LINE_DASHED, STYLE_SECOND, RANK_SECOND, '-');
+        for (size_t j = 0; j < section->rows; j++)
+            plot_point(plot, section->values[c][j], section->y[j]);
+    }
+    plot_begin(plot, STROKE_LINE, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '*');
+    for (size_t j = 0; j < section->rows; j++)
+        plot_point(plot, section->mean[j], section->y[j]);
+}
+
+static void draw_section(const Section *section, Area area, Style heading)
+{
+    const bool theory = screen_shows_exact(section->screen) && is_beam(section->screen),
+               several = section->columns > 1;
+    const int under = area.rect.height < 8 ? 0 : 1;
+    Area plot_area = area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under);
+    const double bottom = section->body.low[1];
+    const Axis x = axis_symmetric(reach_of(section), area.rect.width / 9);
+    const Axis y = axis_make(bottom, bottom + section->body.size[1], plot_area.rect.height < 6 ? 3 : 5);
+    Legend legend[3];
+    int n = 0;
+    legend[n++] = (Legend){LINE_SOLID, '*', STYLE_MEASURED, several ? "mean" : "measured", NULL};
+    if (several)
+        legend[n++] = (Legend){LINE_DASHED, '-', STYLE_SECOND, "columns", NULL};
+    if (theory)
+        legend[n++] = (Legend){
+            LINE_DOTTED, '.', STYLE_EXACT,
+            section->known || !section->of->resultant ? section->of->theory : section->of->own, NULL};
+    char scale[TICK_TEXT_MAX], x_scale[TICK_TEXT_MAX], name[TICK_TEXT_MAX + 8], line[160];
+    axis_scale_text(&y, "m", scale);
+    axis_scale_text(&x, section->of->unit, x_scale);
+    snprintf(name, sizeof name, "%s, %s", section->of->field, x_scale);
+    heading_draw(area, heading, section->of->name, scale, legend, n);
+    Area inner = axes_draw(plot_area, &x, &y, name, GUTTER);
+    Plot plot;
+    plot_open(&plot, x, y);
+    draw_strokes(section, &plot, theory);
+    plot_draw(&plot, inner);
+    plot_close(&plot);
+    section_line(section, line);
+    if (under > 0)
+        area_phrases(area, 1, area.rect.height - 1, area.rect.width - 2, 1, line, STYLE_NORMAL);
+}
+
+/* --- the view ---------------------------------------------------------------------------------------- */
+
+/* Those whose field there is, one after the other; NULL: no more. */
+static const Picture *picture_of(const Screen *screen, int variant)
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    for (int i = 0; i < PICTURES; i++)
+        if (simulation_find_field(sim, 0, pictures[i].field) >= 0 && variant-- == 0)
+            return &pictures[i];
+    return NULL;
+}
+
+static int variants_of(const Screen *screen)
+{
+    int count = 0;
+    while (picture_of(screen, count))
+        count++;
+    return count;
+}
+
+static const char *word_of(const Screen *screen, int variant)
+{
+    const Picture *picture = picture_of(screen, variant);
+    return picture ? picture->field : NULL;
+}
+
+static void draw(const Screen *screen, Area area, Style heading, int variant)
+{
+    const Picture *picture = picture_of(screen, variant);
+    Section section = {.y = NULL};
+    if (picture && simulation_has(experiment_simulation(screen->experiment), HAS_PLANE) &&
+        take_section(&section, screen, picture)) {
+        draw_section(&section, area, heading);
+    } else {
+        area_rule(area, 0, "section", heading);
+        area_paragraph(area, 1, 1, area.rect.width - 2, area.rect.height - 1,
+                       "A bar has no height: only a body in the plane has a section to look at.",
+                       STYLE_FAINT);
+    }
+    free(section.y);
+}
+
+const View view_section = {
+    .word = "section",
+    .brief = "section",
+    .help = "a beam or plate through its height at the chosen particle: displacement; again: bending stress, "
+            "shear",
+    .home = PANE_UPPER,
+    .draw = draw,
+    .variants = variants_of,
+    .variant_word = word_of,
+    .duel = DUEL_APART,
+    .of_moment = true,
+    .compares = true,
+    .upright = true,
+    .on_paper = true,
+    .on_paper_with = HAS_PLANE,
+    .needs = HAS_PLANE,
+    .lacking = "a bar has no height to look through",
+};

@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The names of the views for their list, and of the pictures that some of them have in a file of their own.
+ */
+#ifndef VIEW_VIEWS_H
+#define VIEW_VIEWS_H
+
+#include "views/view.h"
+
+extern const View view_profile, view_probe, view_energies, view_shapes, view_dispersion, view_convergence,
+    view_spectrum, view_table, view_beam, view_section, view_fronts, view_log;
+
+/* Of a body that breaks: the crack's path, angle and speed among the probe's pictures, what it costs and
+ * where that went among the energies. Counts of 0: it does not break. */
+int crack_variants(const Screen *);
+const char *crack_variant_word(int variant);
+void crack_draw(const Screen *, Area, Style heading, int variant);
+int crack_cost_variants(const Screen *);
+const char *crack_cost_variant_word(const Screen *, int variant);
+void crack_cost_draw(const Screen *, Area, Style heading, int variant);
+
+/* A bond's force over its stretch, in the place of shape functions where there is no mesh. */
+void bond_law_draw(const Screen *, Area, Style heading);
+
+#endif

@@ -1,0 +1,518 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Lessons: their files are read, and every page of the program's own does what it says and fits the screen.
+ */
+#include "suite.h"
+#include "lab/tui_case.h"
+#include "lab/prompt/line.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* --- the format ------------------------------------------------------------------------------------- */
+
+static bool read_text(const char *text, Lesson *lesson, Status *status)
+{
+    FILE *stream = fmemopen((void *)text, strlen(text), "r");
+    ck_assert_ptr_nonnull(stream);
+    *status = (Status){STATUS_DONE, ""};
+    bool sound = lesson_read(stream, "my.lesson", command_line_for_lessons, lesson, status);
+    fclose(stream);
+    return sound;
+}
+
+START_TEST(a_lesson_is_read)
+{
+    Lesson lesson;
+    Status status;
+    ck_assert_msg(
+        read_text("# mine\n@title A title\n@about More of it\n\n@page One\n@do open mode5\n"
+                  "@field mesh.cell_size\nFirst\nline.\n\nSecond.\r\n@until value mesh.cell_size 0.5\n"
+                  "@page Two\n@ask Why?\n@choice so\n@right  thus \n@reveal\n@do pin\nBecause.\n",
+                  &lesson, &status),
+        "%s", status.text);
+    ck_assert_str_eq(lesson.title, "A title");
+    ck_assert_str_eq(lesson.about, "More of it");
+    ck_assert_int_eq(lesson.n_pages, 2);
+    const LessonPage *one = &lesson.pages[0], *two = &lesson.pages[1];
+    ck_assert_str_eq(one->title, "One");
+    ck_assert_str_eq(one->first.text, "First line.\nSecond.");
+    ck_assert_int_eq(one->first.n_actions, 1);
+    ck_assert_str_eq(one->first.actions[0], "open mode5");
+    ck_assert_int_eq(one->n_fields, 1);
+    ck_assert_int_eq(one->until.kind, UNTIL_VALUE);
+    ck_assert_str_eq(one->until.word, "mesh.cell_size");
+    ck_assert_str_eq(one->until.value, "0.5");
+    ck_assert_ptr_null(one->question);
+    ck_assert_str_eq(two->question, "Why?");
+    ck_assert_int_eq(two->n_choices, 2);
+    ck_assert_int_eq(two->right, 1);
+    ck_assert_str_eq(two->choices[1], "thus");
+    ck_assert_str_eq(two->revealed.text, "Because.");
+    ck_assert_str_eq(two->revealed.actions[0], "pin");
+    ck_assert_ptr_null(two->first.text);
+    lesson_free(&lesson);
+}
+END_TEST
+
+static const struct {
+    const char *text, *says;
+} wrong[] = {
+    {"", "my.lesson: is no lesson (@title and a @page are wanted)"},
+    {"@title x\n", "my.lesson: is no lesson (@title and a @page are wanted)"},
+    {"text\n", "my.lesson:1: text belongs to a page (@page TITLE)"},
+    {"@title\n", "my.lesson:1: @title: something is missing behind it"},
+    {"@do x\n", "my.lesson:1: @do belongs to a page (@page TITLE)"},
+    {"@title x\n@page y\n@title z\n", "my.lesson:3: @title belongs before the first page"},
+    {"@titel x\n",
+     "my.lesson:1: @titel is not known (@title | @about | @page | @do | @field | @ask | @choice | "
+     "@right | @reveal | @until | @variant | @answer | @words | @goal | @solve)"},
+    {"@title x\n@page y\n@field mesh.size\n", "my.lesson:3: mesh.size is no parameter (see: matvib params)"},
+    {"@title x\n@page y\n@until then\n", "my.lesson:3: until what? (step N | time T | stage N | end | "
+                                         "crossing | break | event | rest | command NAME "
+                                         "| value KEY VALUE)"},
+    {"@title x\n@page y\n@until step -1\n",
+     "my.lesson:3: until what? (step N | time T | stage N | end | crossing | break | event | rest | command "
+     "NAME | value KEY VALUE)"},
+    {"@title x\n@page y\n@ask a\nb?\n",
+     "my.lesson:4: a question is one line (text comes before @ask, or after @reveal)"},
+    {"@title x\n@page y\n@choice a\n", "my.lesson:3: a choice comes after its question (@ask)"},
+    {"@title x\n@page y\n@ask a\n@right b\n@right c\n", "my.lesson:5: one choice only is right"},
+    {"@title x\n@page y\n@ask a\n@right b\n@page z\n",
+     "my.lesson:5: the question of page \"y\" wants two choices at least, one of them @right, or @answer or "
+     "@words"},
+    {"@title x\n@page y\n@ask a\n@choice b\n@choice c\n",
+     "my.lesson: the question of page \"y\" wants two choices at least, one of them @right, or @answer or "
+     "@words"},
+    {"@title x\n@page y\n@reveal\n",
+     "my.lesson: page \"y\" reveals, but neither asks (@ask) nor waits for anything (@until)"},
+    {"@title x\n@page y\n@until end\n@reveal\n@do pin\n",
+     "my.lesson: page \"y\" does something after its goal: only an answer is followed by @do"},
+    {"@title x\n@page y\n@reveal now\n", "my.lesson:3: @reveal: takes nothing"},
+    {"@title x\n@page y\n\xff\n", "my.lesson:3: is not text in UTF-8"},
+    {"@title x\n@page \xc2\x9b 2J\n", "my.lesson:2: is not text in UTF-8"},
+    {"@title x\n@page y\n@do write .bash_aliases\n",
+     "my.lesson:3: @do: write: a lesson may not (it changes the laboratory only)"},
+    {"@title x\n@page y\n@do write\n",
+     "my.lesson:3: @do: write: a lesson may not (it changes the laboratory only)"},
+    {"@title x\n@page y\n@do export a\n",
+     "my.lesson:3: @do: export: a lesson may not (it changes the laboratory only)"},
+    {"@title x\n@page y\n@do figure a.svg\n",
+     "my.lesson:3: @do: figure: a lesson may not (it changes the laboratory only)"},
+    {"@title x\n@page y\n@do lesson other\n",
+     "my.lesson:3: @do: lesson: a lesson may not (it changes the laboratory only)"},
+    {"@title x\n@page y\n@ask a\n@right b\n@choice c\n@reveal\n@do quit\n",
+     "my.lesson:7: @do: quit: a lesson may not (it changes the laboratory only)"},
+    {"@title x\n@page y\n@do suspend\n",
+     "my.lesson:3: @do: suspend: a lesson may not (it changes the laboratory only)"},
+    /* exercises */
+    {"@title x\n@page y\n@answer 1 within 1\n", "my.lesson:3: an answer comes after its question (@ask)"},
+    {"@title x\n@page y\n@words\n", "my.lesson:3: an answer comes after its question (@ask)"},
+    {"@title x\n@page y\n@ask a\n@words\n@answer 1 within 1\n", "my.lesson:5: a page has one exercise only"},
+    {"@title x\n@page y\n@ask a\n@answer error\n",
+     "my.lesson:4: @answer: how near is right? (EXPRESSION within NUMBER, or NUMBER %)"},
+    {"@title x\n@page y\n@ask a\n@answer error within 0\n",
+     "my.lesson:4: @answer: within 0: is no tolerance (NUMBER > 0, or NUMBER %)"},
+    {"@title x\n@page y\n@ask a\n@answer error within 2 %%\n",
+     "my.lesson:4: @answer: within 2 %%: is no tolerance (NUMBER > 0, or NUMBER %)"},
+    {"@title x\n@page y\n@ask a\n@answer eror within 2 %\n",
+     "my.lesson:4: @answer: eror is neither a number of a run nor a parameter (see: man 5 matvib)"},
+    {"@title x\n@page y\n@do open mode5\n@ask a\n@answer error within 2 %\n@choice b\n",
+     "my.lesson: the question of page \"y\" has choices and @answer (one of them)"},
+    {"@title x\n@page y\n@do open mode5\n@ask a\n@goal error < 1\n@solve pin\n",
+     "my.lesson: page \"y\" asks (@ask) and has a @goal (one of them)"},
+    {"@title x\n@page y\n@ask a\n@answer error within 1 %\n@reveal\n@do open mode5\n@page z\n",
+     "my.lesson:7: page \"y\" asks about a run that no page up to it opens (@do open SCENARIO)"},
+    {"@title x\n@page y\n@do open mode5\n@goal error < 1\n",
+     "my.lesson: the goal of page \"y\" wants a way to it (@solve LINE)"},
+    {"@title x\n@page y\n@solve pin\n", "my.lesson: page \"y\" solves (@solve) what is no @goal"},
+    {"@title x\n@page y\n@until end\n@goal error < 1\n",
+     "my.lesson:4: a page has one goal (@until or @goal)"},
+    {"@title x\n@page y\n@goal error < 1\n@until end\n",
+     "my.lesson:4: a page has one goal (@until or @goal)"},
+    {"@title x\n@page y\n@goal error\n",
+     "my.lesson:3: @goal: a relation (< <= > >= = !=) is wanted, not: the end of the line"},
+    {"@title x\n@page y\n@goal error < 1\n@solve write a\n",
+     "my.lesson:4: @solve: write: a lesson may not (it changes the laboratory only)"},
+    {"@title x\n@page y\n@variant initial.mode\n",
+     "my.lesson:3: @variant: \"initial.mode\" is no variant (KEY from A to B)"},
+    {"@title x\n@page y\n@variant mode from 1 to 2\n",
+     "my.lesson:3: @variant: mode is no parameter (see: matvib params)"},
+    {"@title x\n@page y\n@variant mpm.shape from 1 to 2\n",
+     "my.lesson:3: @variant: mpm.shape has no numbers to draw from"},
+    {"@title x\n@page y\n@variant initial.mode from 2 to 2\n",
+     "my.lesson:3: @variant: initial.mode: nothing lies between 2 and 2 (the smaller one first)"},
+    {"@title x\n@page y\n@variant bar.density from -1 to 2\n",
+     "my.lesson:3: @variant: bar.density: from -1 to 2 is more than is allowed (see: matvib params)"},
+    {"@title x\n@page y\n@ask a\n@words\n@reveal\n@variant initial.mode from 2 to 3\n",
+     "my.lesson:6: @variant stands before @reveal"},
+    {"@title x\n@page y\n{initial.mode}\n", "my.lesson:3: {initial.mode}: there is no @variant of it above"},
+    {"@title x\n@page y\n@do !rm\n",
+     "my.lesson:3: @do: !rm: unknown (a command, KEY=VALUE or a time is wanted)"},
+};
+
+START_TEST(what_is_wrong_is_told_with_its_line)
+{
+    Lesson lesson;
+    Status status;
+    ck_assert(!read_text(*wrong[_i].text ? wrong[_i].text : "\n", &lesson, &status));
+    ck_assert_str_eq(status.text, wrong[_i].says);
+    ck_assert_int_eq(status.code, STATUS_USAGE);
+    ck_assert_int_eq(lesson.n_pages, 0);
+}
+END_TEST
+
+/* --- the program's own ------------------------------------------------------------------------------ */
+
+static const char *text_of(const Bench *bench)
+{
+    return bench->lab.screen.message.text;
+}
+
+static const LessonPage *page_of(const Bench *bench)
+{
+    const LessonShown *shown = &bench->lab.screen.lesson;
+    return &shown->lesson->pages[shown->page];
+}
+
+static void finish_work(Bench *bench)
+{
+    while (bench->lab.screen.playback.state == STATE_COMPUTING || bench->lab.play.arriving)
+        frame(bench);
+}
+
+/* Does what the page waits for, as a reader would: where time has to pass Space runs and stops there by
+ * itself, and step by step Space is not more than the next stage. */
+static void satisfy(Bench *bench, const LessonUntil *until)
+{
+    char line[160];
+    Laboratory *lab = &bench->lab;
+    const bool steps = until->kind == UNTIL_STAGE || until->kind == UNTIL_STEP;
+    switch (until->kind) {
+    case UNTIL_STEP:
+    case UNTIL_STAGE:
+    case UNTIL_TIME:
+    case UNTIL_END:
+    case UNTIL_EVENT:
+        for (int i = 0; i < 1000 && !lab->screen.lesson.met; i++) {
+            if (lab->screen.playback.state != STATE_RUNNING)
+                press(bench, "Space");
+            ck_assert_msg(!steps || lab->screen.playback.state != STATE_RUNNING, "Space runs away");
+            frame(bench);
+        }
+        ck_assert_msg(lab->screen.playback.state != STATE_RUNNING, "page %d does not stop by itself",
+                      lab->screen.lesson.page + 1);
+        break;
+    case UNTIL_COMMAND:
+        ck_assert_msg(command_by_name(until->word) != NULL, "no command %s", until->word);
+        laboratory_command(lab, command_by_name(until->word)->id);
+        if (lab->screen.prompt.open)
+            press(bench, "Esc");
+        break;
+    case UNTIL_VALUE:
+        snprintf(line, sizeof line, "set %s %s", until->word, until->value);
+        ck_assert_msg(line_run(lab, line), "%s", lab->screen.prompt.problem);
+        break;
+    case UNTIL_GOAL:
+        for (int i = 0; i < page_of(bench)->solution.n_actions; i++)
+            ck_assert_msg(line_run(lab, page_of(bench)->solution.actions[i]), "%s",
+                          lab->screen.prompt.problem);
+        finish_work(bench);
+        player_seek(lab, experiment_last_step(lab->screen.experiment), 0);
+        break;
+    case UNTIL_NOTHING:
+        break;
+    }
+    finish_work(bench);
+    lesson_play_continue(lab);
+}
+
+/* What a page has its reader set is so from the start of the run that is shown, not from where it stands. */
+static void check_whole_run(const Bench *bench, const char *name)
+{
+    const Settings *settings = experiment_settings(bench->lab.screen.experiment);
+    for (int i = 0; i < settings->n_changes; i++)
+        ck_assert_msg(settings->changes[i].step == 0, "%s, page %d: %s holds from step %ld on only", name,
+                      bench->lab.screen.lesson.page + 1, page_of(bench)->until.word,
+                      settings->changes[i].step);
+}
+
+/* On no usual screen anything has to be scrolled or, within a step, read without the box, and nothing that a
+ * page did was refused. */
+static void check_page(Bench *bench, const char *name)
+{
+    const LessonShown *shown = &bench->lab.screen.lesson;
+    finish_work(bench);
+    lesson_play_continue(&bench->lab);
+    ck_assert_msg(bench->lab.screen.message.kind != MESSAGE_ERROR, "%s, page %d: %s", name, shown->page + 1,
+                  text_of(bench));
+    ck_assert_int_eq(bench->lab.play.next, bench->lab.play.n_queue);
+    static const int sizes[][2] = {{60, 18}, {80, 24}, {132, 43}};
+    const bool in_step = experiment_stage(bench->lab.screen.experiment) > 0;
+    if (bench->lab.screen.panes.focus != PANE_PARAMETERS)
+        return; /* the inspector was asked for, and lies over the text */
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        const int width = sizes[i][0], height = sizes[i][1];
+        const int most = screen_lesson_most(&bench->lab.screen, width, height);
+        ck_assert_msg(most == 0, "%s, page %d (%s) is %d rows too long at %dx%d", name, shown->page + 1,
+                      page_of(bench)->title, most, width, height);
+        ck_assert_msg(!in_step || screen_pane(&bench->lab.screen, width, height, PANE_BOX).width > 0,
+                      "%s, page %d (%s) has no box at %dx%d", name, shown->page + 1, page_of(bench)->title,
+                      width, height);
+    }
+}
+
+static void type(Bench *bench, const char *text)
+{
+    for (char key[2] = ""; (key[0] = *text); text++)
+        press(bench, *text == ' ' ? "Space" : key);
+}
+
+/* Answers the question of the page as it is right. */
+static void answer(Bench *bench, const LessonPage *page)
+{
+    char text[NUMBER_TEXT_MAX] = "because";
+    Status status = {STATUS_DONE, ""};
+    double right;
+    if (lesson_exercise(page) == EXERCISE_CHOICE) {
+        press(bench, (char[]){(char)('1' + page->right), '\0'});
+        return;
+    }
+    if (lesson_exercise(page) == EXERCISE_NUMBER) {
+        ck_assert_msg(lesson_judge_number(&bench->lab, &right, &status), "%s", status.text);
+        exercise_write_number(right, text);
+    }
+    press(bench, "Enter");
+    type(bench, text);
+    press(bench, "Enter");
+}
+
+/* The whole screen, once the page's state is reached. */
+static char *entered(Bench *bench)
+{
+    finish_work(bench);
+    lesson_play_continue(&bench->lab);
+    ck_assert(laboratory_draw(&bench->lab, &bench->canvas, bench->width, bench->height));
+    char *dump = canvas_dump(&bench->canvas);
+    ck_assert_ptr_nonnull(dump);
+    return dump;
+}
+
+static Bench *open_lesson(const char *name)
+{
+    Status status = {STATUS_DONE, ""};
+    Bench *bench = open_bench("mode1", true);
+    bench->width = 132;
+    bench->height = 43;
+    ck_assert_msg(lesson_play_open(&bench->lab, name, &status), "%s", status.text);
+    return bench;
+}
+
+/* Names the first line that differs. */
+static void check_same(Bench *bench, const char *page, const char *how)
+{
+    char *dump = entered(bench);
+    size_t line = 0, i = 0;
+    for (; dump[i] && dump[i] == page[i]; i++)
+        if (dump[i] == '\n')
+            line = i + 1;
+    ck_assert_msg(dump[i] == page[i], "%s, page %d, %s, is another one:\n%.*s\nand was:\n%.*s",
+                  bench->lab.play.name, bench->lab.screen.lesson.page + 1, how,
+                  (int)strcspn(dump + line, "\n"), dump + line, (int)strcspn(page + line, "\n"), page + line);
+    free(dump);
+}
+
+static void check_on_screen(Bench *bench, const char *dump, const char *text)
+{
+    ck_assert_msg(strstr(dump, text), "%s, page %d: \"%s\" is not seen:\n%s", bench->lab.play.name,
+                  bench->lab.screen.lesson.page + 1, text, dump);
+}
+
+/* The whole of a small screen. */
+static char *entered_small(Bench *bench)
+{
+    const int width = bench->width, height = bench->height;
+    bench->width = 60;
+    bench->height = 18;
+    char *dump = entered(bench);
+    bench->width = width;
+    bench->height = height;
+    return dump;
+}
+
+/* On a small screen too the page has all its choices and its field. */
+static void check_small_page(Bench *bench)
+{
+    const LessonPage *now = page_of(bench);
+    char *dump = entered_small(bench), text[64];
+    check_on_screen(bench, dump, now->title);
+    for (int i = 0; i < now->n_choices; i++) {
+        snprintf(text, sizeof text, "  %d %.40s", i + 1, now->choices[i]);
+        check_on_screen(bench, dump, text);
+    }
+    for (int i = 0; i < now->n_fields; i++)
+        check_on_screen(bench, dump, parameter_find(now->fields[i])->label);
+    free(dump);
+}
+
+/* And stays when it is answered, and the keys go to it. */
+static void check_small_answer(Bench *bench, int count)
+{
+    const LessonPage *now = page_of(bench);
+    if (now->until.kind == UNTIL_COMMAND)
+        return;
+    char *dump = entered_small(bench);
+    check_on_screen(bench, dump, now->title);
+    check_on_screen(bench, dump, bench->lab.screen.lesson.page + 1 < count ? "goes on" : "n next lesson");
+    free(dump);
+}
+
+/* Each page does what it says and fits. It is entered in one state: as one reads; backwards; and by somebody
+ * who does something else on each page and goes on. */
+START_TEST(every_page_is_entered_in_one_state)
+{
+    const char *name = builtin_lessons[_i].name;
+    Bench *bench = open_lesson(name);
+    const LessonShown *shown = &bench->lab.screen.lesson;
+    const int count = shown->lesson->n_pages;
+    char *pages[LESSON_PAGES_MAX];
+    for (int page = 0; page < count; page++) {
+        ck_assert_int_eq(shown->page, page);
+        check_small_page(bench);
+        pages[page] = entered(bench);
+        check_page(bench, name);
+        const LessonPage *now = page_of(bench);
+        ck_assert_msg(now->until.kind == UNTIL_NOTHING || !shown->met,
+                      "%s, page %d waits for what is so already", name, page + 1);
+        for (int i = 0; i < now->n_fields; i++)
+            ck_assert_msg(parameter_applies_to(experiment_settings(bench->lab.screen.experiment),
+                                               parameter_find(now->fields[i])),
+                          "%s, page %d: %s is not of this problem", name, page + 1, now->fields[i]);
+        if (now->question) {
+            answer(bench, now);
+            ck_assert_msg(shown->answer == (now->n_choices > 0 ? now->right : 0), "%s, page %d: %s", name,
+                          page + 1, shown->verdict);
+            check_page(bench, name);
+        }
+        satisfy(bench, &now->until);
+        if (now->until.kind == UNTIL_VALUE)
+            check_whole_run(bench, name);
+        ck_assert_msg(shown->met, "%s, page %d waits for ever", name, page + 1);
+        check_page(bench, name);
+        check_small_answer(bench, count);
+        if (page + 1 < count)
+            press(bench, now->n_fields > 0 && now->until.kind == UNTIL_NOTHING ? "n" : "Enter");
+    }
+    /* backwards, and leaving pages out: where not everything is wanted, each lesson on a bar one of both */
+    const bool line = experiment_simulation(bench->lab.screen.experiment)->dimensions == 1;
+    const bool back = suite_wide() || (line && _i % 2 == 0), leaving = suite_wide() || (line && _i % 2 != 0);
+    for (int page = count - 1; back && page >= 0; page--) {
+        if (page + 1 < count)
+            press(bench, "b");
+        ck_assert_int_eq(shown->page, page);
+        if (page + 1 < count)
+            check_same(bench, pages[page], "from the next one");
+    }
+    close_bench(bench);
+    bench = open_lesson(name);
+    shown = &bench->lab.screen.lesson;
+    for (int page = 0; leaving && page < count; page++) {
+        ck_assert_int_eq(shown->page, page);
+        check_same(bench, pages[page], "from one that was left out");
+        static const char *const else_done[] = {"3 Tab Right z > Space", "e 5 Tab", "> <"};
+        press_all(bench, else_done[page % 3]);
+        for (int i = 0; i < 5; i++)
+            frame(bench);
+        if (bench->lab.screen.prompt.open)
+            press(bench, "Esc"); /* Space at the end of a run may ask */
+        if (page + 1 < count)
+            press(bench, "n");
+    }
+    close_bench(bench);
+    for (int page = 0; page < count; page++)
+        free(pages[page]);
+}
+END_TEST
+
+/* The arrows go among the choices, and Enter takes the one that they stand on. */
+START_TEST(arrows_choose_an_answer)
+{
+    Bench *bench = open_lesson("one-step");
+    const LessonShown *shown = &bench->lab.screen.lesson;
+    press(bench, "Enter");
+    ck_assert_ptr_nonnull(page_of(bench)->question);
+    press(bench, "Enter");
+    ck_assert_int_eq(shown->answer, -1); /* none is marked */
+    press(bench, "Up");
+    ck_assert_int_eq(shown->marked, page_of(bench)->n_choices - 1);
+    press_all(bench, "Up Up Down Enter");
+    ck_assert_int_eq(shown->answer, 1);
+    press(bench, "b");
+    ck_assert_int_eq(shown->marked, -1);
+    close_bench(bench);
+}
+END_TEST
+
+/* A page that is left does not keep its reader waiting for what it computes. */
+START_TEST(a_turned_page_is_not_waited_for)
+{
+    Bench *bench = open_lesson("late");
+    press_all(bench, "n n");
+    finish_work(bench);
+    Key answer = {.name = "3", .x = -1, .y = -1}, on = {.name = "n", .x = -1, .y = -1};
+    laboratory_key(&bench->lab, &answer);
+    lesson_play_continue(&bench->lab);
+    ck_assert_int_eq(bench->lab.screen.playback.state, STATE_COMPUTING);
+    laboratory_key(&bench->lab, &on);
+    ck_assert_int_eq(bench->lab.screen.lesson.page, 3);
+    ck_assert_int_eq(bench->lab.player.goal_step, 1310); /* its own, not that of the answer */
+    close_bench(bench);
+}
+END_TEST
+
+START_TEST(a_page_can_be_left_out)
+{
+    Status status = {STATUS_DONE, ""};
+    Bench *bench = open_bench("mode1", true);
+    ck_assert(lesson_play_open(&bench->lab, "one-step", &status));
+    const int pages = bench->lab.screen.lesson.lesson->n_pages;
+    for (int i = 0; i < 2 * pages && bench->lab.screen.lesson.page < pages - 1; i++)
+        press(bench, "PageDown");
+    ck_assert_int_eq(bench->lab.screen.lesson.page, pages - 1);
+    /* the next lesson by one key, after the last one the list */
+    press(bench, "n");
+    ck_assert_str_eq(bench->lab.play.name, builtin_lessons[1].name);
+    ck_assert_int_eq(bench->lab.screen.lesson.page, 0);
+    press(bench, "T");
+    ck_assert(!bench->lab.screen.lesson.open);
+    const char *last = builtin_lessons[screen_lesson_count() - 1].name;
+    ck_assert(lesson_play_open(&bench->lab, last, &status));
+    while (bench->lab.screen.lesson.lesson &&
+           bench->lab.screen.lesson.page + 1 < bench->lab.screen.lesson.lesson->n_pages)
+        press(bench, "n");
+    press(bench, "n");
+    ck_assert(bench->lab.screen.lesson.open);
+    ck_assert_ptr_null(bench->lab.screen.lesson.lesson);
+    press(bench, "T");
+    ck_assert(!bench->lab.screen.lesson.open);
+    close_bench(bench);
+}
+END_TEST
+
+void add_cases(Suite *suite)
+{
+    int count = 0;
+    while (builtin_lessons[count].name)
+        count++;
+    TCase *format = tcase_create("format"), *own = tcase_create("own"), *turning = tcase_create("turning");
+    tcase_add_test(format, a_lesson_is_read);
+    tcase_add_loop_test(format, what_is_wrong_is_told_with_its_line, 0, (int)(sizeof wrong / sizeof *wrong));
+    tcase_add_loop_test(own, every_page_is_entered_in_one_state, 0, count);
+    tcase_add_test(turning, arrows_choose_an_answer);
+    tcase_add_test(turning, a_turned_page_is_not_waited_for);
+    tcase_add_test(turning, a_page_can_be_left_out);
+    suite_add_tcase(suite, format);
+    suite_add_tcase(suite, own);
+    suite_add_tcase(suite, turning);
+}

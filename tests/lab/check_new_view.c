@@ -1,0 +1,163 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A view that the program does not know: this file and its name in the list, as CONTRIBUTING says. The list
+ * here takes the place of src/views/view_list.c when this program is linked; nothing else is replaced,
+ * so whatever shows the view has found it there. */
+#include "suite.h"
+#include "lab/tui_case.h"
+
+#include "picture/paper/figure_file.h"
+#include "scenario/scenario.h"
+#include "help/command.h"
+#include "panes/panes.h"
+#include "views/views.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#define LACKING "nothing here can break"
+
+/* --- the view ------------------------------------------------------------------------------------- */
+
+static int variants_of(const Screen *screen)
+{
+    (void)screen;
+    return 2;
+}
+
+static const char *word_of(const Screen *screen, int variant)
+{
+    (void)screen;
+    return variant == 1 ? "second" : "first";
+}
+
+static void draw(const Screen *screen, Area area, Style heading, int variant)
+{
+    const Axis x = axis_make(0, 1, 3), y = axis_make(0, 2, 3);
+    (void)screen;
+    heading_draw(area, heading, variant == 1 ? "a new view, the second" : "a new view", "", NULL, 0);
+    axes_draw(area_part(area, 0, 1, area.rect.width, area.rect.height - 1), &x, &y, "x", GUTTER);
+}
+
+/* Enter in it goes to a step of its own. */
+static long enter(Screen *screen)
+{
+    (void)screen;
+    return 7;
+}
+
+static const View view_new = {
+    .word = "new-view",
+    .brief = "new",
+    .help = "a picture that only its own file and the list know",
+    .digit = 9,
+    .home = PANE_LOWER,
+    .draw = draw,
+    .variants = variants_of,
+    .variant_word = word_of,
+    .on_paper = true,
+    .enter = enter,
+};
+
+/* It has no key, and wants what a bar has not. */
+static const View view_needy = {
+    .word = "needy",
+    .brief = "needy",
+    .help = "something about bonds that break",
+    .home = PANE_UPPER,
+    .draw = draw,
+    .needs = HAS_BREAKING,
+    .lacking = LACKING,
+};
+
+const View *const views[] = {&view_profile, &view_probe, &view_beam, &view_new, &view_needy};
+const int n_views = sizeof views / sizeof *views;
+
+/* --- what finds it ---------------------------------------------------------------------------------- */
+
+static void enter_line(Bench *bench, const char *line)
+{
+    press(bench, ":");
+    for (const char *at = line; *at; at++)
+        press(bench, *at == ' ' ? "Space" : (const char[]){*at, '\0'});
+    press(bench, "Enter");
+}
+
+START_TEST(it_is_shown_by_digit_and_word)
+{
+    Bench *bench = open_bench("mode1", true);
+    const Screen *screen = &bench->lab.screen;
+    ck_assert(!shows(bench, "a new view"));
+    press(bench, "9");
+    ck_assert_ptr_eq(screen->views.lower, &view_new);
+    ck_assert(shows(bench, "a new view"));
+    press(bench, "9"); /* again: the next variant */
+    ck_assert(shows(bench, "a new view, the second"));
+    press(bench, "2");
+    ck_assert(!shows(bench, "a new view"));
+    enter_line(bench, "show new-view");
+    ck_assert(shows(bench, "a new view"));
+    enter_line(bench, "show new-view 2");
+    ck_assert(shows(bench, "a new view, the second"));
+    enter_line(bench, "show needy");
+    ck_assert(shows(bench, LACKING));
+    press(bench, "Esc");
+    press(bench, "3"); /* the digit of a view that is not in the list */
+    ck_assert(shows(bench, "no view has the key 3"));
+    close_bench(bench);
+}
+END_TEST
+
+START_TEST(enter_does_what_it_says)
+{
+    Bench *bench = open_bench("mode1", true);
+    enter_line(bench, "show new-view");
+    bench->lab.screen.panes.focus = PANE_LOWER;
+    press(bench, "Enter");
+    while (experiment_pending(bench->lab.screen.experiment, &(long){0}))
+        frame(bench);
+    ck_assert_int_eq(experiment_step(bench->lab.screen.experiment), 7);
+    close_bench(bench);
+}
+END_TEST
+
+START_TEST(scenarios_help_and_figures_know_it)
+{
+    Status status = {STATUS_DONE, ""};
+    ViewSettings wanted = {.lower = "new-view"};
+    ck_assert_msg(view_check(&wanted, &status), "%s", status.text);
+    strcpy(wanted.lower, "log"); /* known to the program, not to this list */
+    ck_assert(!view_check(&wanted, &status));
+    ck_assert_str_eq(status.text,
+                     "view.lower: log is not allowed (profile, probe, beam, new-view, needy, or 1 to 9)");
+    ck_assert_str_eq(command_help(command_find(command_of_digit(9))), view_new.help);
+    ck_assert_str_eq(command_brief(command_find(command_of_digit(9))), "new");
+    ck_assert_ptr_null(command_help(command_find(command_of_digit(3))));
+
+    Bench *bench = open_bench("mode1", true);
+    Screen *screen = &bench->lab.screen;
+    const View *view = NULL;
+    char names[512] = "";
+    FILE *stream = fmemopen(names, sizeof names, "w");
+    figure_names(screen, stream);
+    fclose(stream);
+    ck_assert_ptr_nonnull(strstr(names, "new-view:first\nnew-view:second\n"));
+    ck_assert(figure_view(screen, "new-view:second", &view, &status));
+    ck_assert_ptr_eq(view, &view_new);
+    ck_assert_int_eq(view_variant(view, screen), 1);
+    press(bench, ":");
+    for (const char *at = "show ne"; *at; at++)
+        press(bench, *at == ' ' ? "Space" : (const char[]){*at, '\0'});
+    press(bench, "Tab"); /* needy has nothing to show here */
+    ck_assert_str_eq(screen->prompt.text, "show new-view");
+    close_bench(bench);
+}
+END_TEST
+
+void add_cases(Suite *suite)
+{
+    TCase *found = tcase_create("found");
+    tcase_add_test(found, it_is_shown_by_digit_and_word);
+    tcase_add_test(found, enter_does_what_it_says);
+    tcase_add_test(found, scenarios_help_and_figures_know_it);
+    suite_add_tcase(suite, found);
+}

@@ -1,0 +1,158 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The paper's notched beam to the end: when and where it cracks (paper P, figs. 9 and 10), with the numbers
+ * of an independent program and the tolerances that its own sensitivity asks for. */
+#include "methods/beam_case.h"
+#include "methods/bonds/cracks/crack.h"
+#include "methods/bonds/cracks/crack_cost.h"
+#include "suite.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdlib.h>
+
+typedef struct TipAt {
+    long step;
+    double x, y; /* mm */
+} TipAt;
+
+static void expect_balance(Simulation *sim)
+{
+    double total = series_now(sim, "total"), work = series_now(sim, "work");
+    ck_assert_msg(fabs(total - work) < 0.01 * work, "energy %.6g, work %.6g at step %ld", total, work,
+                  sim->step);
+}
+
+START_TEST(the_crack_goes_as_the_paper_says)
+{
+    static const TipAt tips[] = {{1040, 66.8, 22.8}, {1360, 74.3, 36.8},  {1680, 85.8, 51.8},
+                                 {2000, 94.8, 59.8}, {2320, 100.3, 65.3}, {2480, 100.8, 66.3}};
+    BeamDef def = beam_default(BEAM_NOTCHED);
+    def.threads = 2;
+    Simulation *sim = beam_case_create(&def, NULL);
+    Crack crack;
+    for (size_t k = 0; k < sizeof tips / sizeof *tips; k++) {
+        advance(sim, tips[k].step - sim->step);
+        ck_assert(crack_measure(sim, &crack));
+        ck_assert_msg(fabs(crack.x * 1e3 - tips[k].x) < 1 && fabs(crack.y * 1e3 - tips[k].y) < 1,
+                      "tip at %.2f, %.2f mm at step %ld", crack.x * 1e3, crack.y * 1e3, sim->step);
+        ck_assert_msg(fabs(series_now(sim, "crack_y") - crack.y) < 1e-12, "the series tells another tip");
+        expect_balance(sim);
+    }
+    ck_assert_double_eq_tol(crack.first_break, 73.4e-6, 2e-6);
+    ck_assert_double_eq_tol(crack.twentieth_break, 82.8e-6, 2e-6);
+    ck_assert_msg(crack.arrival > 235e-6 && crack.arrival < 256e-6, "arrived at %.4g s", crack.arrival);
+    advance(sim, 3000 - sim->step);
+    expect_balance(sim);
+    ck_assert_double_eq_tol(crack_angle(sim, 0.010), 26, 3);
+    ck_assert_double_eq_tol(crack_angle(sim, 0.020), 29, 3);
+    ck_assert_double_eq_tol(crack_angle(sim, 0.038), 35, 3);
+    ck_assert(crack_measure(sim, &crack));
+    ck_assert_msg(labs(crack.broken - 6941) < 70, "%ld bonds broken", crack.broken);
+    ck_assert_int_eq(crack.notch, 1378);
+    /* an independent program has 879 m/s with the tip's path smoothed over nine rows, 838 over twice the
+     * time; Rayleigh's speed is 2134 */
+    ck_assert_double_eq_tol(crack.fastest, 879, 0.02 * 879);
+    /* G0 = 35.68: what the path's own bonds take lies below it, what is dissipated above */
+    CrackCost cost;
+    ck_assert(crack_cost(sim, &(Patience){0}, &cost));
+    ck_assert_double_eq_tol(cost.plane / 35.68, 0.9537, 2e-4);
+    ck_assert_double_eq_tol(cost.total / cost.area, 44.7, 0.5);
+    ck_assert_double_eq_tol(cost.through / cost.area, 31.2, 1);
+    ck_assert_double_eq_tol(cost.beside / cost.area, 9.0, 0.5);
+    simulation_destroy(sim);
+}
+END_TEST
+
+/* The load's width rules the start: five millimetres instead of three bring it forward by a quarter. */
+typedef struct Asked {
+    int count, most;
+    double share;
+} Asked;
+
+static bool goes_on(double share, void *context)
+{
+    Asked *asked = context;
+    ck_assert_msg(asked->count == 0 ? share == 0 : share > asked->share && share <= 1, "%g after %g", share,
+                  asked->share);
+    asked->share = share;
+    return ++asked->count <= asked->most;
+}
+
+/* A shattered plate and a path of many pieces: it is asked often enough, from 0 on, and given up at each
+ * answer; what it comes to does not depend on who asks. */
+START_TEST(a_cost_can_be_given_up)
+{
+    enum { PIECES = 30000 };
+    static double x[PIECES], y[PIECES];
+    for (int k = 0; k < PIECES; k++)
+        x[k] = 0.02 + 1e-6 * k, y[k] = 0.02;
+    const BeamDef def = struck_plate();
+    Simulation *sim = beam_case_create(&def, NULL);
+    advance(sim, 700);
+    const double pairs = series_now(sim, "broken_bonds") * (PIECES + 1);
+    const CrackPath path = {PIECES, x, y};
+    CrackCost alone, cost;
+    Asked asked = {0, INT_MAX, 0};
+    ck_assert(crack_cost_along(sim, &path, 1, 0.03, &(Patience){0}, &alone));
+    ck_assert(crack_cost_along(sim, &path, 1, 0.03, &(Patience){goes_on, &asked}, &cost));
+    ck_assert_mem_eq(&alone, &cost, sizeof cost);
+    ck_assert_double_gt(cost.far, 0);
+    ck_assert_msg(asked.count > 3 && asked.count > 0.7 * pairs / CRACK_COST_PAIRS_A_QUESTION,
+                  "asked %d times over %g pairs", asked.count, pairs);
+    for (int most = 0; most < 3; most++) {
+        asked = (Asked){0, most, 0};
+        ck_assert(!crack_cost_along(sim, &path, 1, 0.03, &(Patience){goes_on, &asked}, &cost));
+        ck_assert_int_eq(asked.count, most + 1);
+    }
+    simulation_destroy(sim);
+}
+END_TEST
+
+START_TEST(a_wider_load_cracks_earlier)
+{
+    BeamDef def = beam_default(BEAM_NOTCHED);
+    def.threads = 2;
+    def.load_width = 0.005;
+    Simulation *sim = beam_case_create(&def, NULL);
+    advance(sim, 700);
+    Crack crack;
+    ck_assert(crack_measure(sim, &crack));
+    ck_assert_msg(crack.first_break < 60e-6 && crack.twentieth_break < 65e-6, "started at %.4g and %.4g s",
+                  crack.first_break, crack.twentieth_break);
+    simulation_destroy(sim);
+}
+END_TEST
+
+/* A bond breaks at the first step beyond s0: what it holds beyond is of first order in the step. */
+START_TEST(half_the_step_overshoots_half)
+{
+    double share[2];
+    for (int k = 0; k < 2; k++) {
+        BeamDef def = small_beam(BEAM_NOTCHED);
+        CrackCost cost;
+        def.dt /= k + 1;
+        Simulation *sim = beam_case_create(&def, NULL);
+        advance(sim, 900 * (k + 1));
+        ck_assert(crack_cost(sim, &(Patience){0}, &cost));
+        ck_assert_double_gt(cost.through, 0);
+        ck_assert_double_eq_tol(cost.through + cost.beside + cost.far + cost.beyond,
+                                series_now(sim, "dissipated"), 1e-12 * cost.total);
+        share[k] = cost.beyond / cost.total;
+        simulation_destroy(sim);
+    }
+    ck_assert_msg(share[1] > 0.35 * share[0] && share[1] < 0.65 * share[0], "%.4f at dt, %.4f at dt/2",
+                  share[0], share[1]);
+}
+END_TEST
+
+void add_cases(Suite *suite)
+{
+    TCase *paper = tcase_create("paper");
+    tcase_add_test(paper, the_crack_goes_as_the_paper_says);
+    tcase_add_test(paper, a_wider_load_cracks_earlier);
+    TCase *cost = tcase_create("cost");
+    tcase_add_test(cost, a_cost_can_be_given_up);
+    suite_add_tcase(suite, cost);
+    tcase_add_test(paper, half_the_step_overshoots_half);
+    suite_add_tcase(suite, paper);
+}

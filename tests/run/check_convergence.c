@@ -1,0 +1,184 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Convergence of predicted answers against an independent eigenvalue solver's. */
+#include "answers/convergence.h"
+#include "scenario/parameters.h"
+#include "suite.h"
+
+#include <math.h>
+#include <string.h>
+
+static const ConvergenceStudy *study_of(const Settings *settings, const char *word)
+{
+    const ConvergenceStudy *studies[CONVERGENCE_STUDIES_MAX];
+    const int count = convergence_studies(settings, studies);
+    for (int i = 0; i < count; i++)
+        if (strcmp(studies[i]->word, word) == 0)
+            return studies[i];
+    ck_abort_msg("there is no study %s", word);
+    return NULL;
+}
+
+static ConvergencePoint point_of(const ConvergenceStudy *study, const Settings *settings, int k)
+{
+    ConvergencePoint point;
+    Status status = {STATUS_DONE, ""};
+    ck_assert_msg(convergence_point(study, settings, k, &point, &status), "%s", status.text);
+    return point;
+}
+
+static Settings beam(double spacing, SurfaceCorrection correction)
+{
+    Settings settings;
+    settings_default(&settings, &problem_supported_beam);
+    settings.lattice.spacing = spacing;
+    settings.lattice.horizon = 4 * spacing;
+    settings.lattice.surface_correction = correction;
+    return settings;
+}
+
+/* T over Timoshenko's at the real size, m = 4: the surface's defect is of first order in the horizon. */
+START_TEST(horizon_goes_to_nothing)
+{
+    static const double none[] = {1.3799167620744666, 1.2174829805062173, 1.1417138344071445};
+    static const double energy[] = {1.0888627499995562, 1.012011595698079, 0.9931990740292188};
+    ConvergencePoint points[3];
+    for (int corrected = 0; corrected < 2; corrected++) {
+        const Settings settings = beam(0.25e-3, corrected ? SURFACE_ENERGY : SURFACE_NONE);
+        const ConvergenceStudy *study = study_of(&settings, "delta");
+        ck_assert_int_eq(convergence_count(study, &settings), 4);
+        for (int k = 0; k < 3; k++) {
+            points[k] = point_of(study, &settings, k);
+            const Prediction *is = &points[k].prediction;
+            ck_assert(points[k].known);
+            ck_assert_double_eq_tol(points[k].nodes, 4, 1e-12);
+            ck_assert_double_eq_tol(is->predicted / is->real_size / (corrected ? energy : none)[k], 1, 1e-8);
+        }
+        if (!corrected) {
+            /* 38.0, 21.7, 14.2 %: to a limit that is not 0, so the order falls with the horizon */
+            ck_assert_double_eq_tol(convergence_order(&points[0], &points[1]), 0.805, 1e-3);
+            ck_assert_double_eq_tol(convergence_fitted_order(points, 3), 0.711, 1e-3);
+            /* the moduli of the sums at m = 4 are .877364 and .887934 of the integrals', added up elsewhere
+             */
+            const double limit = convergence_limit(study, &settings);
+            ck_assert_double_eq_tol(limit, 1.069224991, 1e-7);
+            ck_assert_double_eq_tol(convergence_order_to(limit, &points[0], &points[1]), 1.0674, 1e-4);
+            ck_assert_double_eq_tol(convergence_order_to(limit, &points[1], &points[2]), 1.0323, 1e-4);
+        } else {
+            ck_assert(isnan(convergence_order(&points[1], &points[2])));
+            ck_assert(isnan(convergence_fitted_order(points, 3)));
+            ck_assert(isnan(convergence_limit(study, &settings)));
+        }
+    }
+}
+END_TEST
+
+/* A cone at m = 4, and the study of a lattice that is braked: its own period all the same. */
+START_TEST(a_cone_converges_faster)
+{
+    static const double none[] = {0.95748677629, 0.9127696879}; /* ms */
+    static const double energy[] = {0.85473345358, 0.84928103662};
+    for (int corrected = 0; corrected < 2; corrected++)
+        for (int braked = 0; braked < 2; braked++) {
+            Settings settings = beam(0.25e-3, corrected ? SURFACE_ENERGY : SURFACE_NONE);
+            settings.lattice.influence = INFLUENCE_CONICAL;
+            settings.damping.rate = braked ? DAMPING_CRITICAL : 0;
+            settings.time.rest = braked;
+            const ConvergenceStudy *study = study_of(&settings, "delta");
+            for (int k = 1; k < 3; k++) {
+                const ConvergencePoint point = point_of(study, &settings, k);
+                ck_assert(point.known);
+                ck_assert_double_eq_tol(1e3 * point.prediction.predicted / (corrected ? energy : none)[k - 1],
+                                        1, 1e-8);
+            }
+        }
+}
+END_TEST
+
+START_TEST(more_nodes_in_the_horizon)
+{
+    static const double ratios[] = {0.9710222088639553, 0.9903040921705474, 0.9931990740292188,
+                                    0.9996769105981892, 0.9980261132325362};
+    const Settings settings = beam(0.25e-3, SURFACE_ENERGY);
+    const ConvergenceStudy *study = study_of(&settings, "m");
+    for (int k = 0; k < 5; k++) {
+        const ConvergencePoint point = point_of(study, &settings, k);
+        ck_assert_double_eq_tol(point.prediction.predicted / point.prediction.real_size / ratios[k], 1, 1e-8);
+        ck_assert_double_eq_tol(point.error, 100 * (ratios[k] - 1), 1e-5);
+    }
+}
+END_TEST
+
+/* Paper P's Table 1 and why it is not monotone: its layers make the beam up to 4 % thinner. */
+START_TEST(table_1_and_its_layers)
+{
+    static const double predicted[] = {.992689, .914972, .865502, .874865, .882377, .853668};
+    static const double real_size[] = {.871059, .892347, .855229, .876906, .892347, .859514};
+    const Settings settings = beam(0.5e-3, SURFACE_ENERGY);
+    const ConvergenceStudy *study = study_of(&settings, "table");
+    ck_assert_int_eq(convergence_count(study, &settings), 6);
+    for (int k = 0; k < 6; k++) {
+        const Prediction is = point_of(study, &settings, k).prediction;
+        ck_assert_double_eq_tol(is.predicted * 1e3, predicted[k], 6e-7);
+        ck_assert_double_eq_tol(is.real_size * 1e3, real_size[k], 6e-7);
+    }
+}
+END_TEST
+
+START_TEST(cells_of_a_bar_are_of_second_order)
+{
+    Settings settings;
+    settings_default(&settings, &problem_bar);
+    settings.start.mode = 5;
+    const ConvergenceStudy *study = study_of(&settings, "cells");
+    ConvergencePoint points[CONVERGENCE_POINTS_MAX];
+    const int count = convergence_count(study, &settings);
+    ck_assert_int_eq(count, 5);
+    for (int k = 0; k < count; k++)
+        points[k] = point_of(study, &settings, k);
+    ck_assert(!points[0].known); /* 12.5 cells are none */
+    ck_assert_double_eq_tol(points[1].error, -4.2388, 1e-3);
+    ck_assert_double_eq_tol(convergence_order(&points[3], &points[4]), 2, 0.01);
+    ck_assert_double_eq_tol(convergence_fitted_order(points, count), 2, 0.02);
+}
+END_TEST
+
+static bool never(double share, void *context)
+{
+    (void)share, (void)context;
+    return false;
+}
+
+START_TEST(a_point_can_be_given_up)
+{
+    Settings settings = beam(0.25e-3, SURFACE_ENERGY);
+    settings.patience.go_on = never;
+    ConvergencePoint point;
+    Status status = {STATUS_DONE, ""};
+    ck_assert(!convergence_point(study_of(&settings, "m"), &settings, 3, &point, &status));
+    ck_assert_str_ne(status.text, "");
+}
+END_TEST
+
+START_TEST(what_cannot_converge_has_no_study)
+{
+    const ConvergenceStudy *studies[CONVERGENCE_STUDIES_MAX];
+    Settings settings;
+    settings_default(&settings, &problem_notched_beam);
+    ck_assert_int_eq(convergence_studies(&settings, studies), 0);
+    settings_default(&settings, &problem_moving_cantilever);
+    ck_assert_int_eq(convergence_studies(&settings, studies), 0);
+}
+END_TEST
+
+void add_cases(Suite *suite)
+{
+    TCase *studies = tcase_create("studies");
+    tcase_add_test(studies, horizon_goes_to_nothing);
+    tcase_add_test(studies, a_cone_converges_faster);
+    tcase_add_test(studies, more_nodes_in_the_horizon);
+    tcase_add_test(studies, table_1_and_its_layers);
+    tcase_add_test(studies, cells_of_a_bar_are_of_second_order);
+    tcase_add_test(studies, a_point_can_be_given_up);
+    tcase_add_test(studies, what_cannot_converge_has_no_study);
+    suite_add_tcase(suite, studies);
+}

@@ -1,0 +1,475 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The map of a beam, the drawing and the family inspector: what they show is where and what the simulation
+ * says, read from the cells as a reader would. */
+#include "views/view.h"
+#include "views/inspector/inspector.h"
+#include "suite.h"
+#include "views/map/map.h"
+#include "views/scene.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void open_scene(Scene *scene, const char *words)
+{
+    Status status = {STATUS_DONE, ""};
+    ck_assert_msg(scene_open(scene, words, &status), "%s: %s", words, status.text);
+}
+
+/* A row of the screen as text with one byte a column. */
+static void row_text(const Scene *scene, int y, char *out)
+{
+    const Canvas *canvas = &scene->canvas;
+    for (int x = 0; x < canvas->width; x++) {
+        const uint32_t glyph = canvas->cells[y * canvas->width + x].glyph;
+        out[x] = (char)(glyph >= ' ' && glyph < 0x7f ? glyph : glyph ? '?' : ' ');
+    }
+    out[canvas->width] = '\0';
+}
+
+/* The first row that holds a text; NULL: none does. */
+static const char *find_row(const Scene *scene, const char *wanted, char *out)
+{
+    for (int y = 0; y < scene->canvas.height; y++) {
+        row_text(scene, y, out);
+        const char *found = strstr(out, wanted);
+        if (found)
+            return found;
+    }
+    return NULL;
+}
+
+/* --- the map ---------------------------------------------------------------------------------------- */
+
+/* A place on the map and the node under it belong together, whatever is magnified or moved. */
+START_TEST(a_node_is_found_where_it_is_drawn)
+{
+    static const char *const scenes[] = {
+        "supported-beam-coarse 80x24 700 upper 8",
+        "moving-cantilever-coarse 80x24 2000 upper 8",
+        "notched-beam-coarse 132x43 1000 upper 8 focus 2 zoom magnified 64 at 0.3,0.3",
+    };
+    Scene scene;
+    open_scene(&scene, scenes[_i]);
+    const Rect pane = screen_pane(&scene.screen, scene.canvas.width, scene.canvas.height, PANE_UPPER);
+    const Area whole = {&scene.canvas, pane, GLYPHS_BRAILLE};
+    Map map;
+    ck_assert(map_open(&map, &scene.screen, area_part(whole, 1, 1, pane.width - 2, pane.height - 2)));
+    int seen = 0;
+    for (size_t node = 0; node < map.body.count; node++) {
+        double column, row, back_column, back_row;
+        map_node_place(&map, node, &column, &row);
+        if (column < 0 || row < 0 || column >= map.area.rect.width || row >= map.area.rect.height)
+            continue;
+        ck_assert(screen_click_view(&scene.screen, scene.canvas.width, scene.canvas.height,
+                                    map.area.rect.x + (int)column, map.area.rect.y + (int)row));
+        map_node_place(&map, scene.screen.chosen.particle, &back_column, &back_row);
+        ck_assert_double_le(fabs(back_column - column), 1);
+        ck_assert_double_le(fabs(back_row - row), 1);
+        seen++;
+    }
+    ck_assert_int_gt(seen, 5);
+    map_close(&map);
+    scene_close(&scene);
+}
+END_TEST
+
+/* Lengths are to scale, two columns for a row, and displacements drawn by the stated factor. */
+START_TEST(factors_are_those_that_are_stated)
+{
+    char row[256], wanted[64];
+    Scene scene;
+    open_scene(&scene, "notched-beam-coarse 132x43 1000 upper 8 focus 2 zoom view.exaggeration=40");
+    ck_assert_ptr_nonnull(find_row(&scene, "u x 40  to scale", row));
+    Map map;
+    ck_assert(map_open(&map, &scene.screen, (Area){&scene.canvas, {1, 2, 130, 39}, GLYPHS_BRAILLE}));
+    ck_assert_double_eq(map.enlarged, 40);
+    double x[2], y[2];
+    const size_t nx = (size_t)map.body.nx, a = 50 * nx + 10, b = a + 20;
+    map_node_place(&map, a, &x[0], &y[0]);
+    map_node_place(&map, b, &x[1], &y[1]);
+    const double columns = (20 * map.body.spacing + 40 * (map.ux[b] - map.ux[a])) * map.scale_x;
+    const double rows = -40 * (map.uy[b] - map.uy[a]) * map.scale_x / 2;
+    ck_assert_double_eq_tol(x[1] - x[0], columns, 1e-9);
+    ck_assert_double_eq_tol(y[1] - y[0], rows, 1e-9);
+    map_close(&map);
+    scene_close(&scene);
+    /* a slender beam is stretched, and that is said */
+    open_scene(&scene, "moving-cantilever-coarse 80x24 500 upper 8");
+    const Rect pane = screen_pane(&scene.screen, 80, 24, PANE_UPPER);
+    ck_assert(map_open(
+        &map, &scene.screen,
+        (Area){&scene.canvas, {pane.x + 1, pane.y + 1, pane.width - 2, pane.height - 2}, GLYPHS_BRAILLE}));
+    ck_assert_double_gt(map.stretch, 1);
+    ck_assert_double_eq_tol(map.scale_y, map.stretch * map.scale_x / 2, 1e-9 * map.scale_y);
+    snprintf(wanted, sizeof wanted, "height x %.0f", map.stretch);
+    ck_assert_ptr_nonnull(find_row(&scene, wanted, row));
+    map_close(&map);
+    scene_close(&scene);
+}
+END_TEST
+
+/* The ramp holds all values, its ends are round, and that of a signed field is even. */
+START_TEST(ramps_hold_their_values)
+{
+    Scene scene;
+    open_scene(&scene, "notched-beam-coarse 80x24 1200 upper 8");
+    for (int variant = 0; variant < MAP_COLOURINGS; variant++) {
+        Map map;
+        ck_assert(map_open(&map, &scene.screen, (Area){&scene.canvas, {26, 1, 54, 8}, GLYPHS_BRAILLE}));
+        if (!map_colour(&map, (MapVariant)variant)) { /* bonds have no stress */
+            ck_assert_int_ge(variant, MAP_SXX);
+            map_close(&map);
+            continue;
+        }
+        ck_assert_double_lt(map.low, map.high);
+        if (map.colouring->is_signed)
+            ck_assert_double_eq(map.low, -map.high);
+        const double digits = map.high / pow(10, floor(log10(map.high)) - 1);
+        ck_assert_double_eq_tol(digits, round(digits), 1e-6);
+        for (size_t i = 0; i < map.body.count; i++) {
+            ck_assert_double_ge(map.value[i], map.low - 1e-12);
+            if (!map.open_ended)
+                ck_assert_double_le(map.value[i], map.high * (1 + 1e-12));
+        }
+        size_t beyond = 0;
+        for (size_t i = 0; i < map.body.count; i++)
+            beyond += map.value[i] > map.high;
+        ck_assert_uint_le(beyond, map.body.count / 100);
+        map_close(&map);
+    }
+    scene_close(&scene);
+}
+END_TEST
+
+/* The share of the family falls towards the surface, to a half and less on it. */
+START_TEST(the_skin_lacks_neighbours)
+{
+    Scene scene;
+    open_scene(&scene, "supported-beam-coarse 80x24 0 upper 8");
+    Map map;
+    ck_assert(map_open(&map, &scene.screen, (Area){&scene.canvas, {26, 1, 54, 8}, GLYPHS_BRAILLE}));
+    ck_assert(map_colour(&map, MAP_FAMILY));
+    const size_t nx = (size_t)map.body.nx, middle = nx / 2;
+    ck_assert_double_eq(map.value[(size_t)(map.body.ny / 2) * nx + middle], 1);
+    ck_assert_double_eq_tol(map.value[middle], 28.0 / 48.0, 1e-12); /* of 48 neighbours 28 are left */
+    map_close(&map);
+    scene_close(&scene);
+}
+END_TEST
+
+/* Cells with ink between two columns of a row of cells. */
+static int ink(const Scene *scene, int from, int to, int y)
+{
+    int count = 0;
+    for (int x = from; x < to; x++)
+        count += scene->canvas.cells[y * scene->canvas.width + x].glyph > ' ';
+    return count;
+}
+
+/* Near enough, whole bonds are lines; where the notch has cut them there is none but the notch's own. */
+START_TEST(broken_bonds_are_missing)
+{
+    char row[256];
+    Scene scene;
+    open_scene(&scene, "notched-beam-coarse 80x24 0 upper 8 focus 2 zoom magnified 64 at 0.30952,0.1");
+    ck_assert_ptr_nonnull(find_row(&scene, "lines: whole bonds", row));
+    Map map;
+    ck_assert(map_open(&map, &scene.screen, (Area){&scene.canvas, {1, 2, 78, 20}, GLYPHS_BRAILLE}));
+    ck_assert(map.nodes_seen);
+    /* the notch stands in the middle: left and right of it, as wide as a spacing, is the gap */
+    const int half = (int)(map.body.spacing * map.scale_x / 2) - 2, middle = 1 + 39;
+    ck_assert_int_gt(half, 2);
+    const int spacing = 2 * (half + 2);
+    for (int y = 3; y < 20; y++) {
+        ck_assert_int_le(ink(&scene, middle - half, middle + half, y), 1);
+        ck_assert_int_ge(ink(&scene, middle + half + 2, middle + half + 2 + spacing, y), 1);
+    }
+    map_close(&map);
+    scene_close(&scene);
+}
+END_TEST
+
+/* A word of view.colour is taken where the simulation has what it stands for, and chooses that variant. */
+START_TEST(every_colour_word_is_known)
+{
+    static const char *const runs[] = {"supported-beam-coarse 80x24 0 upper 8",
+                                       "supported-beam-mpm-coarse 80x24 0 upper 8"};
+    static const int expected[] = {8, 10};
+    for (int run = 0; run < 2; run++) {
+        Scene scene;
+        Status status = {STATUS_DONE, ""};
+        open_scene(&scene, runs[run]);
+        Settings settings = *experiment_settings(scene.screen.experiment);
+        int found = 0, taken = 0;
+        for (int i = 0; parameter_colour_words[i]; i++) {
+            if (!settings_set(&settings, "view.colour", parameter_colour_words[i], &status)) {
+                ck_assert_ptr_nonnull(strstr(status.text, "is not allowed (uy | ux | velocity | energy | "));
+                continue;
+            }
+            taken++;
+            screen_read_view(&scene.screen, &settings.view);
+            const int variant = view_variant(view_of_map(), &scene.screen);
+            found += strcmp(view_variant_word(view_of_map(), &scene.screen, variant),
+                            parameter_colour_words[i]) == 0;
+        }
+        ck_assert_int_eq(found, expected[run]);
+        ck_assert_int_eq(taken, found); /* what there is not is refused, and nothing else is */
+        ck_assert_int_eq(view_variants(view_of_map(), &scene.screen), found);
+        ck_assert(!settings_set(&settings, "view.colour", "mauve", &status));
+        ck_assert_ptr_nonnull(strstr(status.text, "uy | ux | velocity"));
+        scene_close(&scene);
+    }
+}
+END_TEST
+
+/* The bending stress of a beam bent upwards: pulled above, pressed below, none in the middle. */
+START_TEST(bending_stress_is_seen)
+{
+    Scene scene;
+    open_scene(&scene, "supported-beam-mpm-coarse 80x24 0 upper 8");
+    Map map;
+    ck_assert(map_open(&map, &scene.screen, (Area){&scene.canvas, {26, 1, 54, 8}, GLYPHS_BRAILLE}));
+    ck_assert(map_colour(&map, MAP_SXX));
+    const size_t nx = (size_t)map.body.nx, ny = (size_t)map.body.ny;
+    for (size_t j = 0; j < ny; j++) {
+        const double share = map.value[j * nx + nx / 2] / map.value[nx / 2];
+        ck_assert_double_eq_tol(share, 1 - 2 * (double)j / (double)(ny - 1), 0.3);
+    }
+    ck_assert_double_lt(map.value[nx / 2], -1e5);
+    map_close(&map);
+    scene_close(&scene);
+}
+END_TEST
+
+/* --- the inspector ---------------------------------------------------------------------------------- */
+
+/* The two numbers at the end of the row that begins with a name. */
+static void read_forces(const Scene *scene, const char *name, double out[2])
+{
+    char row[256];
+    const char *found = find_row(scene, name, row);
+    ck_assert_msg(found != NULL, "no row %s", name);
+    ck_assert_int_eq(sscanf(found + 20, "%lf %lf", &out[0], &out[1]), 2);
+}
+
+/* What is printed adds up to what is printed, at every stage, and that is the force of the node. */
+START_TEST(the_forces_add_up)
+{
+    static const int nodes[] = {14596 /* under the load */, 3640 /* at the notch */, 7455};
+    for (int n = 0; n < 3; n++) {
+        char words[200], row[256];
+        if (!suite_wide() && n != _i % 3)
+            continue;
+        snprintf(words, sizeof words, "notched-beam-coarse 80x24 950 inspect focus 5 particle %d stage %d",
+                 nodes[n], _i);
+        Scene scene;
+        open_scene(&scene, words);
+        double left[2], middle[2], right[2], all[2], load[2] = {0, 0}, f[2];
+        read_forces(&scene, "bonds to the left", left);
+        read_forces(&scene, "bonds up and down", middle);
+        read_forces(&scene, "bonds to the right", right);
+        read_forces(&scene, "all its bonds", all);
+        const bool old = find_row(&scene, "f, of the last step", row) != NULL;
+        const bool whole = find_row(&scene, "f of the node", row) != NULL;
+        ck_assert_int_eq(old, _i == 2 || _i == 3);
+        ck_assert_int_eq(whole, _i < 2 || _i > 4);
+        read_forces(&scene, old ? "f, of the last step" : whole ? "f of the node" : "f, without the load", f);
+        if (whole)
+            read_forces(&scene, "load on the node", load);
+        for (int d = 0; d < 2; d++) {
+            ck_assert_double_eq_tol(left[d] + middle[d] + right[d], all[d], 1e-9);
+            if (!old)
+                ck_assert_double_eq_tol(all[d] + load[d], f[d], 1e-9);
+        }
+        /* the node under the load feels it */
+        if (whole)
+            ck_assert_int_eq(load[1] < 0, n == 0);
+        const char *power = find_row(&scene, "x10^", row);
+        int exponent = 0;
+        ck_assert_int_eq(sscanf(power, "x10^%d", &exponent), 1);
+        const Simulation *sim = experiment_simulation(scene.screen.experiment);
+        double fy = 0;
+        sim->method->field(sim, simulation_find_field(sim, 0, "fy"), (size_t)nodes[n], 1, &fy);
+        ck_assert_double_eq_tol(f[1], fy / pow(10, exponent), 0.006);
+        scene_close(&scene);
+    }
+}
+END_TEST
+
+/* The number of percent that the reader sees is the largest stretch that the method knows. */
+START_TEST(the_most_stretched_bond_is_named)
+{
+    char row[256];
+    Scene scene;
+    open_scene(&scene, "notched-beam-coarse 80x24 1000 inspect focus 5 particle 3640");
+    const Simulation *sim = experiment_simulation(scene.screen.experiment);
+    double stretch = 0, percent = 0, said = 0;
+    sim->method->field(sim, simulation_find_field(sim, 0, "stretch"), 3640, 1, &stretch);
+    const char *found = find_row(&scene, "s = ", row);
+    ck_assert_int_eq(sscanf(found, "s = %lf = %lf", &said, &percent), 2);
+    ck_assert_double_eq_tol(said, stretch, 1e-3 * stretch);
+    ck_assert_double_eq_tol(percent, 100 * stretch / 0.00085, 0.06);
+    ck_assert_ptr_nonnull(find_row(&scene, "holds: below s0", row));
+    scene_close(&scene);
+    open_scene(&scene, "supported-beam-coarse 80x24 100 inspect focus 5");
+    ck_assert_ptr_nonnull(find_row(&scene, "bonds never break here", row));
+    scene_close(&scene);
+    /* in a protected zone bonds are stretched beyond s0 and hold all the same */
+    open_scene(&scene, "notched-beam-coarse 80x24 600 inspect focus 5 pd.critical_stretch=1e-4");
+    sim = experiment_simulation(scene.screen.experiment);
+    const int stretched = simulation_find_field(sim, 0, "stretch");
+    size_t node = 0;
+    for (stretch = 0; node < sim->counts[0] && stretch <= 1e-4; node++)
+        sim->method->field(sim, stretched, node, 1, &stretch);
+    ck_assert_uint_lt(node, sim->counts[0]);
+    scene.screen.chosen.particle = node - 1;
+    screen_draw(&scene.screen, &scene.canvas);
+    ck_assert_ptr_nonnull(find_row(&scene, "holds: protected, near load or support", row));
+    scene_close(&scene);
+}
+END_TEST
+
+/* In the step in which the first bond breaks its node says so, with the other end and the stretch that broke
+ * it: that of the two ends as they lie. A step before nothing is said of it, a step later only when it was.
+ */
+START_TEST(the_bond_that_breaks_is_named)
+{
+    enum { FIRST = 732 };
+    char row[256];
+    Scene scene;
+    open_scene(&scene, "notched-beam-coarse 80x24 732 inspect focus 5");
+    const long found = inspector_broken_node(&scene.screen, FIRST);
+    ck_assert_int_ge(found, 0);
+    scene.screen.chosen.particle = (size_t)found;
+    screen_draw(&scene.screen, &scene.canvas);
+    size_t ends[2] = {0, 0};
+    double said = 0, percent = 0, critical = 0, at[2][2];
+    ck_assert_int_eq(sscanf(find_row(&scene, "bond ", row), "bond %zu-%zu breaks", &ends[0], &ends[1]), 2);
+    ck_assert_uint_eq(ends[0], (size_t)found);
+    ck_assert_int_eq(
+        sscanf(find_row(&scene, "s = ", row), "s = %lf = %lf %% of s0 = %lf", &said, &percent, &critical), 3);
+    const Simulation *sim = experiment_simulation(scene.screen.experiment);
+    double rest[2];
+    for (int d = 0; d < 2; d++) {
+        for (int end = 0; end < 2; end++)
+            sim->method->field(sim, sim->position[d], ends[end], 1, &at[end][d]);
+        rest[d] = at[1][d] - at[0][d];
+        for (int end = 0; end < 2; end++) {
+            double moved;
+            sim->method->field(sim, sim->displacement[d], ends[end], 1, &moved);
+            at[end][d] += moved;
+        }
+    }
+    const double length = hypot(rest[0], rest[1]);
+    const double stretch = hypot(at[1][0] - at[0][0], at[1][1] - at[0][1]) / length - 1;
+    ck_assert_double_eq_tol(said, stretch, 1e-3 * stretch);
+    ck_assert_double_eq(critical, 0.00085);
+    ck_assert_double_ge(stretch, critical);
+    ck_assert_double_eq_tol(percent, 100 * stretch / critical, 0.06);
+    scene_close(&scene);
+    snprintf(row, sizeof row, "notched-beam-coarse 80x24 731 inspect focus 5 particle %ld", found);
+    open_scene(&scene, row);
+    ck_assert_ptr_null(find_row(&scene, "breaks in this step", row));
+    scene_close(&scene);
+    snprintf(row, sizeof row, "notched-beam-coarse 80x24 733 inspect focus 5 particle %ld", found);
+    open_scene(&scene, row);
+    ck_assert_ptr_nonnull(find_row(&scene, "broke in step 732", row));
+    scene_close(&scene);
+}
+END_TEST
+
+/* A node at the notch has lost the bonds that cross it, and says so. */
+START_TEST(the_notch_is_told_from_the_crack)
+{
+    char row[256];
+    Scene scene;
+    open_scene(&scene, "notched-beam-coarse 80x24 0 inspect focus 5 particle 2164"); /* row 10, left of it */
+    ck_assert_ptr_nonnull(find_row(&scene, "48 bonds, 20 cut by the notch", row));
+    int cut = 0, broken = 0;
+    int top = 0;
+    for (row_text(&scene, top, row); !strstr(row, "20 cut"); row_text(&scene, ++top, row))
+        ;
+    for (int y = top + 1; y <= top + 9; y++) {
+        row_text(&scene, y, row);
+        for (int x = 0; x < 37; x++) {
+            cut += row[x] == '|';
+            broken += row[x] == 'x';
+        }
+    }
+    ck_assert_int_eq(cut, 20);
+    ck_assert_int_eq(broken, 0);
+    scene_close(&scene);
+}
+END_TEST
+
+START_TEST(arrows_go_from_node_to_node)
+{
+    Scene scene;
+    open_scene(&scene, "supported-beam-coarse 80x24 0 inspect focus 5 particle 1100"); /* nx 200, ny 10 */
+    Screen *screen = &scene.screen;
+    ck_assert(inspector_move(screen, 1, 0, 1));
+    ck_assert_uint_eq(screen->chosen.particle, 1101);
+    ck_assert(inspector_move(screen, 0, -1, 1)); /* up */
+    ck_assert_uint_eq(screen->chosen.particle, 1301);
+    ck_assert(inspector_move(screen, 0, 1, 10)); /* beyond the lowest row */
+    ck_assert_uint_eq(screen->chosen.particle, 101);
+    ck_assert(inspector_move(screen, -1, 0, 500));
+    ck_assert_uint_eq(screen->chosen.particle, 0);
+    scene_close(&scene);
+}
+END_TEST
+
+/* --- the drawing ------------------------------------------------------------------------------------ */
+
+START_TEST(the_drawing_has_its_dimensions)
+{
+    static const char *const wanted[] = {" 210 mm ", " 65 mm ",        " 105 mm ", " 17.5 mm ",
+                                         " 70 mm ",  "60 MPa on 3 mm", "200 mm"};
+    char row[256];
+    Scene scene;
+    open_scene(&scene, "notched-beam-coarse 80x24 0 upper 8 variant 7 focus 2 zoom");
+    for (size_t i = 0; i < sizeof wanted / sizeof *wanted; i++)
+        ck_assert_msg(find_row(&scene, wanted[i], row) != NULL, "no %s", wanted[i]);
+    scene_close(&scene);
+}
+END_TEST
+
+/* Displacements may be drawn so large that the load leaves the picture, at any of its edges. */
+START_TEST(what_is_drawn_far_too_large_stays_in_the_picture)
+{
+    for (int power = 2; power < 14; power++) {
+        char words[160], row[256];
+        Scene scene;
+        snprintf(words, sizeof words, "notched-beam-coarse 80x24 2 upper 8 variant 4 view.exaggeration=1e%d",
+                 power);
+        open_scene(&scene, words);
+        ck_assert_msg(find_row(&scene, " MPa x 0.", row), "1e%d times: no load in the picture", power);
+        scene_close(&scene);
+    }
+}
+END_TEST
+
+void add_cases(Suite *suite)
+{
+    TCase *map = tcase_create("map");
+    tcase_add_loop_test(map, a_node_is_found_where_it_is_drawn, 0, 3);
+    tcase_add_test(map, factors_are_those_that_are_stated);
+    tcase_add_test(map, what_is_drawn_far_too_large_stays_in_the_picture);
+    tcase_add_test(map, ramps_hold_their_values);
+    tcase_add_test(map, the_skin_lacks_neighbours);
+    tcase_add_test(map, broken_bonds_are_missing);
+    tcase_add_test(map, every_colour_word_is_known);
+    tcase_add_test(map, bending_stress_is_seen);
+    tcase_add_test(map, the_drawing_has_its_dimensions);
+    suite_add_tcase(suite, map);
+    TCase *family = tcase_create("family");
+    tcase_add_loop_test(family, the_forces_add_up, 0, 7);
+    tcase_add_test(family, the_most_stretched_bond_is_named);
+    tcase_add_test(family, the_bond_that_breaks_is_named);
+    tcase_add_test(family, the_notch_is_told_from_the_crack);
+    tcase_add_test(family, arrows_go_from_node_to_node);
+    suite_add_tcase(suite, family);
+}

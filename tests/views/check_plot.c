@@ -1,0 +1,243 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Ticks are round, labels agree with them, and a curve's column shows all that its samples do. */
+#include "suite.h"
+#include "picture/plot.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+static uint64_t random_bits(uint64_t *state)
+{
+    *state ^= *state << 13, *state ^= *state >> 7, *state ^= *state << 17;
+    return *state;
+}
+
+static double random_share(uint64_t *state)
+{
+    return (double)(random_bits(state) >> 11) * 0x1p-53;
+}
+
+START_TEST(ticks_are_1_2_5)
+{
+    uint64_t state = 12345;
+    for (int i = 0; i < 20000; i++) {
+        double scale = pow(10, random_share(&state) * 24 - 12), low = (random_share(&state) - 0.5) * scale;
+        double high = low + scale * (0.01 + random_share(&state));
+        int most = 2 + (int)(random_bits(&state) % 9);
+        Axis axis = axis_make(low, high, most);
+        double ticks[TICKS_MAX];
+        int count = axis_ticks(&axis, ticks);
+        ck_assert_msg(count >= 1 && count <= most, "%d ticks in %g..%g", count, low, high);
+        double digit = axis.step / pow(10, floor(log10(axis.step * (1 + 1e-9))));
+        ck_assert_msg(fabs(digit - 1) < 1e-6 || fabs(digit - 2) < 1e-6 || fabs(digit - 5) < 1e-6, "step %g",
+                      axis.step);
+        ck_assert_int_eq(axis.exponent % 3, 0);
+        for (int k = 0; k < count; k++) {
+            char text[TICK_TEXT_MAX];
+            axis_label(&axis, ticks[k], text);
+            double shown = strtod(text, NULL) * pow(10, axis.exponent);
+            ck_assert_msg(fabs(shown - ticks[k]) <= 1e-6 * axis.step + 1e-12 * fabs(ticks[k]),
+                          "tick %.17g is labelled %s x10^%d", ticks[k], text, axis.exponent);
+            ck_assert(ticks[k] >= low - 1e-6 * (high - low) && ticks[k] <= high + 1e-6 * (high - low));
+        }
+    }
+}
+END_TEST
+
+START_TEST(rounded_up_is_above_and_near)
+{
+    uint64_t state = 99;
+    for (int i = 0; i < 20000; i++) {
+        double value = pow(10, random_share(&state) * 40 - 20), up = axis_round_up(value);
+        ck_assert_msg(up >= value * (1 - 1e-9) && up <= 1.5 * value, "%g -> %g", value, up);
+        double step = axis_step_up(value), down = axis_step_down(value);
+        ck_assert_msg(step >= value * (1 - 1e-9) && step <= 2.51 * value, "%g -> %g", value, step);
+        ck_assert_msg(down <= value * (1 + 1e-9) && down >= value / 2.51, "%g -> %g", value, down);
+    }
+}
+END_TEST
+
+/* Around 0 there is a tick on either side; things are counted in whole numbers. */
+START_TEST(ticks_tell_a_scale)
+{
+    uint64_t state = 7;
+    double ticks[TICKS_MAX];
+    for (int i = 0; i < 5000; i++) {
+        const int most = 3 + (int)(random_bits(&state) % 6);
+        const double reach = pow(10, random_share(&state) * 12 - 6);
+        Axis axis = axis_symmetric(reach, most);
+        ck_assert_msg(axis_ticks(&axis, ticks) >= 3 && axis.high >= reach, "+-%g, %d ticks", reach, most);
+        axis = axis_count(floor(reach), most);
+        const int count = axis_ticks(&axis, ticks);
+        ck_assert(count >= 2 && axis.high >= floor(reach));
+        for (int k = 0; k < count; k++)
+            ck_assert_msg(ticks[k] == floor(ticks[k]), "%g of %g things", ticks[k], reach);
+    }
+}
+END_TEST
+
+START_TEST(an_axis_says_its_power_of_ten)
+{
+    char text[TICK_TEXT_MAX];
+    Axis axis = axis_make(-0.0071, 0.0071, 3);
+    axis_label(&axis, axis.step, text);
+    ck_assert_str_eq(text, "5");
+    axis_scale_text(&axis, "length/time", text);
+    ck_assert_str_eq(text, "x10^-3");
+    axis = axis_make(0, 1.8e-3, 5);
+    axis_scale_text(&axis, "s", text);
+    ck_assert_str_eq(text, "ms");
+    axis = axis_make(-3e-6, 3e-6, 5);
+    axis_scale_text(&axis, "m", text);
+    ck_assert_str_eq(text, "µm");
+    axis = axis_make(0, 25, 6);
+    axis_scale_text(&axis, "length", text);
+    ck_assert_str_eq(text, "");
+    axis = axis_make(NAN, 4, 6);
+    ck_assert(axis.low == 0 && axis.high == 1);
+    axis = axis_make(2, 2, 6);
+    ck_assert(axis.low == 0 && axis.high == 1);
+}
+END_TEST
+
+/* --- curves --- */
+
+typedef struct Samples {
+    double x[4000], y[4000];
+} Samples;
+
+static double sample(const void *context, size_t index, double *x)
+{
+    const Samples *samples = context;
+    *x = samples->x[index];
+    return samples->y[index];
+}
+
+static bool is_lit(const Canvas *canvas, Glyphs glyphs, int x, int y)
+{
+    static const int bits[4][2] = {{0x01, 0x08}, {0x02, 0x10}, {0x04, 0x20}, {0x40, 0x80}};
+    int across = plot_dots_across(glyphs), down = plot_dots_down(glyphs);
+    uint32_t glyph = canvas->cells[y / down * canvas->width + x / across].glyph;
+    if (glyphs == GLYPHS_BRAILLE)
+        return glyph >= 0x2800 && glyph <= 0x28ff && (glyph - 0x2800) & (uint32_t)bits[y % 4][x % 2];
+    if (glyphs == GLYPHS_BLOCK)
+        return glyph == 0x2588 || glyph == (y % 2 ? 0x2584 : 0x2580);
+    return glyph == '*';
+}
+
+START_TEST(each_column_shows_least_and_largest)
+{
+    enum { COLUMNS = 20, ROWS = 6, COUNT = 4000 };
+    static Samples samples;
+    uint64_t state = 7 + (uint64_t)_i;
+    for (int i = 0; i < COUNT; i++) {
+        samples.x[i] = (double)i / COUNT;
+        /* rare spikes: what a sample per column would miss */
+        double spike = random_bits(&state) % 97 == 0 ? random_share(&state) - 0.5 : 0;
+        samples.y[i] = 0.3 * sin(40 * samples.x[i]) + spike;
+    }
+    const Glyphs glyphs = (Glyphs)_i;
+    Canvas canvas = {0};
+    ck_assert(canvas_open(&canvas, COLUMNS, ROWS, NULL));
+    Plot plot;
+    plot_open(&plot, axis_make(0, 1, 5), axis_make(-1, 1, 5));
+    plot_begin(&plot, STROKE_LINE, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '*');
+    int dots = COLUMNS * plot_dots_across(glyphs), rows = ROWS * plot_dots_down(glyphs);
+    plot_curve(&plot, sample, &samples, 0, COUNT, dots);
+    ck_assert_uint_le(plot.n_points, 4 * (size_t)dots);
+    plot_draw(&plot, (Area){&canvas, {0, 0, COLUMNS, ROWS}, glyphs});
+    for (int column = 0; column < dots; column++) {
+        double least = 1, largest = -1;
+        for (int i = 0; i < COUNT; i++)
+            if ((int)floor(samples.x[i] * dots) == column)
+                least = fmin(least, samples.y[i]), largest = fmax(largest, samples.y[i]);
+        int top = (int)floor((1 - largest) / 2 * (rows - 1) + 0.5);
+        int bottom = (int)floor((1 - least) / 2 * (rows - 1) + 0.5);
+        for (int row = top; row <= bottom; row++)
+            ck_assert_msg(is_lit(&canvas, glyphs, column, row), "column %d: dot %d of %d..%d is dark", column,
+                          row, top, bottom);
+    }
+    plot_close(&plot);
+    canvas_close(&canvas);
+}
+END_TEST
+
+START_TEST(what_is_measured_wins_a_cell)
+{
+    Canvas canvas = {0};
+    ck_assert(canvas_open(&canvas, 10, 3, NULL));
+    Plot plot;
+    plot_open(&plot, axis_make(0, 1, 5), axis_make(-1, 1, 5));
+    plot_begin(&plot, STROKE_LINE, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '*');
+    plot_point(&plot, 0, 0), plot_point(&plot, 1, 0);
+    plot_begin(&plot, STROKE_LINE, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, '.');
+    plot_point(&plot, 0, 0.1), plot_point(&plot, 1, 0.1);
+    plot_begin(&plot, STROKE_LINE, LINE_DOTTED, STYLE_FAINT, RANK_GHOST, ',');
+    plot_point(&plot, 0.5, 5), plot_point(&plot, 0.5, -5);
+    plot_draw(&plot, (Area){&canvas, {0, 0, 10, 3}, GLYPHS_BRAILLE});
+    char *styles = canvas_dump_styles(&canvas);
+    ck_assert_str_eq(styles, ".....f....\nmmmmmmmmmm\n.....f....\n");
+    free(styles);
+    plot_close(&plot);
+    canvas_close(&canvas);
+}
+END_TEST
+
+START_TEST(broken_and_wild_curves_do_no_harm)
+{
+    uint64_t state = 4711;
+    for (int i = 0; i < 3000; i++) {
+        Canvas canvas = {0};
+        int width = 1 + (int)(random_bits(&state) % 30), height = 1 + (int)(random_bits(&state) % 9);
+        ck_assert(canvas_open(&canvas, width, height, NULL));
+        Area whole = {&canvas, {0, 0, width, height}, (Glyphs)(i % GLYPHS_COUNT)};
+        Plot plot;
+        plot_open(&plot, axis_make(0, 1, 5), axis_around(-1, random_share(&state), 4));
+        Area inner = axes_draw(whole, &plot.x, &plot.y, "t", 4);
+        plot_begin(&plot, (StrokeKind)(i % 3), (LineStyle)(i % 3), STYLE_EXACT, RANK_EXACT, '.');
+        for (int k = 0; k < 40; k++) {
+            static const double odd[] = {NAN, INFINITY, -INFINITY, 1e300, -1e300, 0, 1e-300};
+            uint64_t pick = random_bits(&state) % 20;
+            double y = pick < 7 ? odd[pick] : random_share(&state) * 4 - 2;
+            plot_point(&plot, k % 5 ? k / 40.0 : random_share(&state) * 3 - 1, y);
+        }
+        plot_draw(&plot, inner);
+        plot_close(&plot);
+        canvas_close(&canvas);
+    }
+}
+END_TEST
+
+START_TEST(axes_keep_their_gutter)
+{
+    Canvas canvas = {0};
+    ck_assert(canvas_open(&canvas, 30, 6, NULL));
+    Axis x = axis_make(0, 25, 6), y = axis_symmetric(0.0071, 3);
+    Area inner = axes_draw((Area){&canvas, {0, 0, 30, 6}, GLYPHS_BRAILLE}, &x, &y, "x", 4);
+    ck_assert_int_eq(inner.rect.x, 5);
+    ck_assert_int_eq(inner.rect.height, 5);
+    char *dump = canvas_dump(&canvas);
+    ck_assert_str_eq(
+        dump, "    │\n   5┤\n   0┤─────────────────────────\n  -5┤\n    │\n     0    5   10   15   20   x\n");
+    free(dump);
+    canvas_close(&canvas);
+}
+END_TEST
+
+void add_cases(Suite *suite)
+{
+    TCase *axes = tcase_create("axes");
+    tcase_add_test(axes, ticks_are_1_2_5);
+    tcase_add_test(axes, rounded_up_is_above_and_near);
+    tcase_add_test(axes, ticks_tell_a_scale);
+    tcase_add_test(axes, an_axis_says_its_power_of_ten);
+    tcase_add_test(axes, axes_keep_their_gutter);
+    suite_add_tcase(suite, axes);
+    TCase *curves = tcase_create("curves");
+    tcase_add_loop_test(curves, each_column_shows_least_and_largest, 0, GLYPHS_COUNT);
+    tcase_add_test(curves, what_is_measured_wins_a_cell);
+    tcase_add_test(curves, broken_and_wild_curves_do_no_harm);
+    suite_add_tcase(suite, curves);
+}

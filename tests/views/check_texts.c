@@ -1,0 +1,202 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What is said in words is shown whole: captions, summaries, stages, the title line, the key line and every
+ * page of the help, of every scenario, at the sizes that people have. */
+#include "suite.h"
+#include "scenario/scenario.h"
+#include "panes/panes.h"
+#include "views/scene.h"
+
+#include <locale.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { ELLIPSIS = 0x2026 };
+
+static const int sizes[][2] = {{60, 18}, {80, 24}, {132, 43}, {200, 60}};
+
+/* Nothing in a part of the picture ends in an ellipsis. */
+static void check_whole(const Scene *scene, Rect part, const char *what)
+{
+    const Canvas *canvas = &scene->canvas;
+    for (int y = part.y; y < part.y + part.height; y++)
+        for (int x = part.x; x < part.x + part.width; x++)
+            if (canvas->cells[y * canvas->width + x].glyph == ELLIPSIS) {
+                char *text = canvas_dump(canvas);
+                ck_abort_msg("%s, %s at %dx%d, row %d is cut:\n%s", scene->scenario, what, canvas->width,
+                             canvas->height, y, text);
+            }
+}
+
+static void draw_at(Scene *scene, int width, int height)
+{
+    ck_assert(canvas_open(&scene->canvas, width, height, NULL));
+    screen_draw(&scene->screen, &scene->canvas);
+}
+
+/* The box, the title and the keys in one state of the run. */
+static void check_box(Scene *scene, RunState state, const char *what)
+{
+    scene->screen.playback.state = state;
+    scene->screen.panes.focus = PANE_BOX;
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        const int width = sizes[i][0], height = sizes[i][1];
+        draw_at(scene, width, height);
+        check_whole(scene, screen_pane(&scene->screen, width, height, PANE_BOX), what);
+        check_whole(scene, (Rect){0, 0, width, 1}, what);
+        check_whole(scene, (Rect){0, height - 1, width, 1}, what);
+    }
+}
+
+START_TEST(captions_are_shown_whole)
+{
+    char words[128];
+    Scene scene;
+    Status status = {STATUS_DONE, ""};
+    snprintf(words, sizeof words, "%s 80x24 3", builtin_scenarios[_i].name);
+    ck_assert_msg(scene_open(&scene, words, &status), "%s", status.text);
+    check_box(&scene, STATE_RUNNING, "the caption");
+    check_box(&scene, STATE_PAUSED, "the next stage");
+    check_box(&scene, STATE_ENDED, "the summary");
+    scene_close(&scene);
+}
+END_TEST
+
+START_TEST(help_is_shown_whole)
+{
+    static const char *const scenarios[] = {"mode5", "mode5-peridynamics", "supported-beam-coarse",
+                                            "notched-beam-coarse"};
+    char words[128];
+    Scene scene;
+    Status status = {STATUS_DONE, ""};
+    snprintf(words, sizeof words, "%s 80x24 3", scenarios[_i]);
+    ck_assert_msg(scene_open(&scene, words, &status), "%s", status.text);
+    scene.screen.help.open = true;
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
+        for (int page = 0; page < HELP_PAGES; page++) {
+            const int width = sizes[i][0], height = sizes[i][1];
+            scene.screen.help.page = page;
+            const int most = help_most(&scene.screen, width, height);
+            for (int scroll = 0; scroll <= most + height; scroll += height - 4) {
+                scene.screen.help.scroll = scroll < most ? scroll : most;
+                draw_at(&scene, width, height);
+                check_whole(&scene, (Rect){0, 0, width, height}, "the help");
+            }
+        }
+    scene_close(&scene);
+}
+END_TEST
+
+/* The displacement has six rows at 80x24 while a run goes on, and the first page of the help begins with the
+ * keys that matter. */
+START_TEST(what_matters_has_room)
+{
+    Scene scene;
+    Status status = {STATUS_DONE, ""};
+    ck_assert_msg(scene_open(&scene, "mode5 80x24 3 running", &status), "%s", status.text);
+    ck_assert_int_eq(screen_pane(&scene.screen, 80, 24, PANE_UPPER).height,
+                     8); /* heading and axis with them */
+    char *text = canvas_dump(&scene.canvas);
+    ck_assert(strncmp(text, " Why is mode 5 late?", 20) == 0);
+    ck_assert_ptr_nonnull(strstr(text, "v_cm: velocity of the centre of mass"));
+    ck_assert_ptr_nonnull(strstr(text, "New here?  T lessons  o scenarios"));
+    free(text);
+    scene.screen.help.open = true;
+    draw_at(&scene, 80, 24);
+    text = canvas_dump(&scene.canvas);
+    ck_assert_ptr_nonnull(strstr(text, "Five keys to begin with\n   Space"));
+    free(text);
+    scene_close(&scene);
+}
+END_TEST
+
+/* Rows of a pane in which nothing stands. */
+static int empty_rows(const Scene *scene, Rect part)
+{
+    const Canvas *canvas = &scene->canvas;
+    int count = 0;
+    for (int y = part.y; y < part.y + part.height; y++) {
+        int x = part.x;
+        while (x < part.x + part.width && canvas->cells[y * canvas->width + x].glyph == ' ')
+            x++;
+        count += x == part.x + part.width;
+    }
+    return count;
+}
+
+/* On a large screen the map of a beam lies along all that the fields leave, higher than half of the rows
+ * where the beam is high; no more than two rows of the box below it are empty, and nothing leaves the screen.
+ */
+START_TEST(the_map_grows_with_the_screen)
+{
+    static const struct {
+        const char *words;
+        int width, least; /* of the map */
+    } cases[] = {{"supported-beam-coarse 132x43 100 upper 8", 103, 14},
+                 {"supported-beam-coarse 132x43 100 upper 8 running", 103, 15},
+                 {"supported-beam-coarse 200x60 100 upper 8", 171, 23},
+                 {"notched-beam-coarse 132x43 100 upper 8", 103, 17},
+                 {"notched-beam-coarse 200x60 100 upper 8 running", 171, 27}};
+    Scene scene;
+    Status status = {STATUS_DONE, ""};
+    ck_assert_msg(scene_open(&scene, cases[_i].words, &status), "%s", status.text);
+    const int width = scene.canvas.width, height = scene.canvas.height;
+    const Rect map = screen_pane(&scene.screen, width, height, PANE_UPPER);
+    const Rect below = screen_pane(&scene.screen, width, height, PANE_LOWER);
+    const Rect box = screen_pane(&scene.screen, width, height, PANE_BOX);
+    ck_assert_int_eq(map.width, cases[_i].width);
+    ck_assert_int_ge(map.height, cases[_i].least);
+    ck_assert_int_ge(below.y, map.y + map.height);
+    ck_assert_int_le(empty_rows(&scene, box), scene.screen.playback.state == STATE_RUNNING ? 1 : 2);
+    char *text = canvas_dump(&scene.canvas);
+    ck_assert_ptr_nonnull(strstr(text, "── energy"));
+    ck_assert_ptr_nonnull(strstr(text, "── particles"));
+    free(text);
+    scene_close(&scene);
+}
+END_TEST
+
+/* The large letters of a lecture hold time, the error of the frequency or the period, and, where all three
+ * have room, the state: at the sizes of a projector the error is always among them, once it is known, in
+ * the style of what has changed and as high as the other numbers. */
+START_TEST(a_lecture_has_its_number_in_large_letters)
+{
+    static const char *const words[] = {"mode5 80x24 1310 running lecture", "mode5 132x43 1310 lecture",
+                                        "mode5 200x60 1310 lecture", "mode5 80x24 20 lecture",
+                                        "mode5 80x24 1310 lecture none"};
+    const bool known = _i < 3;
+    Scene scene;
+    Status status = {STATUS_DONE, ""};
+    ck_assert_msg(scene_open(&scene, words[_i], &status), "%s", status.text);
+    const Canvas *canvas = &scene.canvas;
+    const int rows = banner_rows(&scene.screen, canvas->width, canvas->height);
+    int inked = 0, last = -1;
+    for (int y = 1; y <= rows; y++) {
+        int here = 0;
+        for (int x = 0; x < canvas->width; x++)
+            here += canvas->cells[y * canvas->width + x].style == STYLE_CHANGED &&
+                    canvas->cells[y * canvas->width + x].glyph >= 0x2580 &&
+                    canvas->cells[y * canvas->width + x].glyph <= 0x2588;
+        inked += here;
+        last = here > 0 ? y : last;
+    }
+    ck_assert_msg(known ? inked > 20 : inked == 0, "%s: %d cells of the error", words[_i], inked);
+    ck_assert_int_eq(last, known ? rows : -1);
+    scene_close(&scene);
+}
+END_TEST
+
+void add_cases(Suite *suite)
+{
+    int count = 0;
+    setlocale(LC_CTYPE, "C.UTF-8");
+    while (builtin_scenarios[count].name)
+        count++;
+    TCase *texts = tcase_create("texts");
+    tcase_add_loop_test(texts, captions_are_shown_whole, 0, count);
+    tcase_add_loop_test(texts, help_is_shown_whole, 0, 4);
+    tcase_add_test(texts, what_matters_has_room);
+    tcase_add_loop_test(texts, a_lecture_has_its_number_in_large_letters, 0, 5);
+    tcase_add_loop_test(texts, the_map_grows_with_the_screen, 0, 5);
+    suite_add_tcase(suite, texts);
+}
