@@ -1,0 +1,238 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Codes of one's own that are wrong in one place: the bar (bar.py) and the beam (beams.py) with a mistake.
+
+mistakes.py                          against tests/golden/mistakes.txt
+mistakes.py --mistake ID [CASE] [N]  N rows of a case (bar_A, bar_B, beam, beam_plain) as CSV: step, time, v_cm or vy
+"""
+import sys
+
+import numpy as np
+
+import bar
+import beams
+import bonds
+import golden
+
+
+class WrongBar(bar.Bar):
+    """USF, hat, FLIP and lumped masses, each stage as bar.py has it but for the mistake."""
+
+    def __init__(self, mistake, n, A, **given):
+        super().__init__(modes=((n, A),), **given)
+        self.mistake, self.made, beta = mistake, 0, (n - 0.5) * np.pi / self.L
+        if mistake == "start_at_centres":
+            self.v = A * np.sin(beta * (np.floor(self.x / self.dx) + 0.5) * self.dx)
+        elif mistake == "mode_of_fixed_fixed":
+            self.v = A * np.sin(n * np.pi / self.L * self.x)
+        elif mistake == "mass_of_cell":
+            self.m = np.full(len(self.x), self.rho0 * self.dx)
+        elif mistake == "strain_last":
+            self.algorithm = "usl"
+        elif mistake == "pic":
+            self.transfer = "pic"
+
+    def shapes(self):
+        super().shapes()
+        if self.mistake == "gradient_without_h":
+            self.dN = self.dN * self.dx
+        if self.mistake == "fix_next_node":
+            self.free[:2] = True, False
+
+    def velocity_of(self, p):
+        """Of every node, also of one that should be held and was forgotten."""
+        return np.where(self.active, p / np.where(self.active, self.mass, 1), 0)
+
+    def map(self):
+        left = (self.mass, self.p) if self.mistake == "keep_grid" and self.made else (0, 0)
+        super().map()
+        self.mass, self.p = self.mass + left[0], self.p + left[1]
+
+    def fix(self):
+        held = self.free.copy()
+        if self.mistake in ("no_fix_momentum", "fix_after_strain"):
+            self.free[:] = True
+        super().fix()
+        self.free = held
+
+    def strain(self):
+        old = self.stress, self.rho
+        super().strain()
+        de = (self.stress - old[0]) / self.E
+        if self.mistake in ("strain_without_dt", "stress_not_added", "density_kept", "density_inverted"):
+            u, (first, last) = self.u.copy(), np.flatnonzero(self.active)[[0, -1]]
+            u[:first], u[last + 1:] = u[first], u[last]
+            de = (1 if self.mistake == "strain_without_dt" else self.dt) * (self.dN @ u)
+        if self.mistake == "strain_without_dt":
+            self.stress, self.rho = old[0] + self.E * de, old[1] / (1 + de)
+        elif self.mistake == "stress_not_added":
+            self.stress = self.E * de
+        elif self.mistake == "density_kept":
+            self.rho = old[1]
+        elif self.mistake == "density_inverted":
+            self.rho = old[1] * (1 + de)
+        elif self.mistake == "fix_after_strain":
+            self.p[~self.free] = 0
+        self.stress_before = old[0]
+
+    def force(self):
+        stress = self.stress_before if self.mistake == "old_stress_new_start" else self.stress
+        volume = self.m / self.rho
+        if self.mistake == "volume_of_cell":
+            volume = volume * round(1 / (2 * self.half))
+        elif self.mistake == "mass_for_volume":
+            volume = self.m
+        elif self.mistake == "no_volume":
+            volume = 1
+        self.f = (1 if self.mistake == "force_sign" else -1) * (self.dN.T @ (stress * volume))
+        if self.mistake == "half_first_kick" and not self.made:
+            self.f = self.f / 2
+        if self.mistake != "no_fix_force":
+            self.f[~self.free] = 0
+        self.a, self.u_before = self.velocity_of(self.f), self.velocity_of(self.p)
+
+    def update(self):
+        before = self.v
+        super().update()
+        if self.mistake == "x_by_own_velocity":
+            self.moved = self.x + self.dt * self.v
+        elif self.mistake == "x_by_old_node_velocity":
+            self.moved = self.x + self.dt * (self.N @ self.u_before)
+        elif self.mistake == "moved_weights":
+            there = bar.hat((self.moved[:, None] - self.node) / self.dx)[0]
+            self.v = before + self.dt * (there @ self.a)
+
+    def step(self):
+        super().step()
+        self.made += 1
+
+    def told(self):
+        return {"v_cm": self.v.mean(), "kinetic": (self.m * self.v ** 2).sum() / 2}
+
+
+class WrongBody(bonds.Body):
+    """The scheme of bonds.py but for the mistake; nothing breaks."""
+
+    mistake = "right"
+
+    def set_bonds(self, volume, influence):
+        delta = self.delta
+        if self.mistake == "horizon_strict":
+            self.delta = delta * (1 - 1e-8)
+        super().set_bonds(volume, influence)
+        if self.mistake == "horizon_strict":  # the family alone is smaller
+            whole = self.length <= delta - self.dx / 2
+            self.delta, self.c = delta, 9 * self.E / (np.pi * delta ** 3)
+            self.w = np.where(whole, 1, (delta + self.dx / 2 - self.length) / self.dx)
+        elif self.mistake == "no_volume_factor":
+            self.w = np.ones(len(self.w))
+        elif self.mistake == "micromodulus_3d":
+            self.c = 12 * self.E / (np.pi * delta ** 4)
+        elif self.mistake == "micromodulus_plane_strain":
+            self.c = 48 * self.E / (5 * np.pi * delta ** 3)
+
+    def surface_factors(self, surface):
+        return super().surface_factors("none" if self.mistake == "no_surface_factor" else surface)
+
+    def start(self):
+        super().start()
+        if self.mistake == "start_unsupported":  # held from the first step on
+            self.u = self.u_given
+            self.bonds()
+
+    def half_kick(self):
+        self.v_before = self.v
+        super().half_kick()
+        if self.mistake == "euler_forward":  # the whole kick at once, by the force of the old place
+            self.v = self.v_before + self.dt * self.f / self.rho
+            self.hold(self.step_number)
+
+    def drift(self):
+        kicked = self.v
+        if self.mistake == "euler_forward":
+            self.v = self.v_before
+        super().drift()
+        self.v = kicked
+
+    def bonds(self):
+        super().bonds()
+        if self.mistake == "counted_twice":
+            self.f = 2 * self.f
+        elif self.mistake in ("one_way", "stretch_of_current", "direction_of_reference"):
+            now = self.xi + self.u[:, self.j] - self.u[:, self.i]
+            length = np.hypot(*now)
+            pull = self.k * self.s * now / length
+            if self.mistake == "stretch_of_current":
+                pull = pull * self.length / length
+            elif self.mistake == "direction_of_reference":
+                pull = self.k * self.s * self.xi / self.length
+            first = (self.xi[0] > 0) | ((self.xi[0] == 0) & (self.xi[1] > 0))  # which end is the left one
+            at_i, at_j = (first, ~first) if self.mistake == "one_way" else (1, 1)
+            self.f = np.array([self.families(p * at_i, -p * at_j) for p in pull])
+
+    def second_kick(self):
+        if self.mistake == "euler_forward":
+            self.hold(self.step_number + 1)
+        else:
+            super().second_kick()
+
+    def told(self):
+        return {"v_probe": self.v[1, self.probe].mean()}
+
+
+def code_of(given, mistake):
+    """A code of one's own at its start, made from the settings of a case."""
+    number = lambda *keys: [float(given[key]) for key in keys]
+    if "bar.length" in given:
+        L, E, rho, dx, courant = number("bar.length", "bar.youngs_modulus", "bar.density", "mesh.cell_size",
+                                        "time.courant")
+        return WrongBar(mistake, int(given["initial.mode"]), float(given["initial.velocity"]), L=L, E=E, rho=rho, dx=dx,
+                        P=int(given["mesh.particles_per_cell"]), courant=courant)
+    kind = type("WrongBeam", (WrongBody,), {"mistake": mistake})
+    beams.Body, right = kind, beams.Body
+    E, rho, thickness, dt = number("beam.youngs_modulus", "beam.density", "beam.thickness", "time.step")
+    body = beams.supported_beam(*number("beam.length", "beam.height", "pd.spacing", "pd.horizon", "initial.amplitude"),
+                                E=E, rho=rho, thickness=thickness, dt=dt, surface=given["pd.surface_correction"],
+                                volume=given["pd.volume_correction"])
+    beams.Body, body.u_given = right, body.u.copy()
+    body.start()
+    return body
+
+
+def compare(name, case):
+    given, steps = golden.settings(case), [int(n) for n in next(words for words in case if words[0] == "steps")[1:]]
+    rows = {}
+    for words in case:
+        if words[0] == "mistake":
+            rows.setdefault(words[1], {})[words[2]] = golden.numbers(words[3:])
+    for mistake, expected in rows.items():
+        told, code, step = golden.Comparison(f"mistakes.txt {name} {mistake}"), code_of(given, mistake), 0
+        share = 1e-11 if isinstance(code, bar.Bar) else 1e-9
+        for at, position in zip(steps, range(len(steps))):
+            while step < at:
+                code.step()
+                step += 1
+            for what, value in code.told().items():
+                digits = expected[what][:position + 1]
+                if position < len(expected[what]) and abs(digits[-1]) < 1e150:  # beyond it, squares are no numbers
+                    told.near(f"{what} at step {at}", value, digits[-1], share * np.abs(digits).max())
+        told.tell()
+
+
+def write_rows(mistake, name, steps):
+    code = code_of(golden.settings(dict(golden.cases("mistakes.txt"))[name]), mistake)
+    column = "v_cm" if isinstance(code, bar.Bar) else "vy"
+    print(f"step,time,{column}")
+    for step in range(steps + 1):
+        if step:
+            code.step()
+        print(f"{step},{step * code.dt:.17g},{next(iter(code.told().values())):.17g}")
+
+
+if __name__ == "__main__":
+    if sys.argv[1:2] == ["--mistake"]:
+        write_rows(sys.argv[2], *sys.argv[3:4] or ["bar_A"], int((sys.argv[4:5] or ["100"])[0]))
+        sys.exit()
+    with np.errstate(all="ignore"):  # some of them blow up
+        for name, case in golden.cases("mistakes.txt"):
+            compare(name, case)
+    golden.end()
