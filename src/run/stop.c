@@ -170,7 +170,8 @@ static bool is_at_rest(Stop *stop, Experiment *experiment)
     const double *now = experiment_row(experiment);
     if (!stop->rests || column < 0 || !now)
         return false;
-    for (size_t i = 0; stop->most == 0 && i < record->count; i++)
+    const bool first = stop->most == 0;
+    for (size_t i = 0; first && i < record->count; i++)
         stop->most = fmax(stop->most, record_row(record, i)[column]);
     stop->most = fmax(stop->most, now[column]);
     const bool still = now[column] < REST_KINETIC * stop->most;

@@ -324,6 +324,17 @@ START_TEST(only_curves_of_one_thing_are_compared)
 }
 END_TEST
 
+/* A single step is told without its curves, several steps with them. */
+START_TEST(curves_are_told_after_several_steps)
+{
+    Talk *talk = open_talk("mode5");
+    line(talk, "step");
+    ck_assert_ptr_null(strstr(line(talk, "step"), "measured"));
+    ck_assert_ptr_nonnull(strstr(line(talk, "until step 31"), "measured"));
+    close_talk(talk);
+}
+END_TEST
+
 START_TEST(cracks_have_the_names_of_their_cuts)
 {
     Talk *talk = open_talk("two-cracks");
@@ -482,6 +493,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, what_never_ends_does);
     tcase_add_test(tcase, equations_and_alternatives_keep_their_bars);
     tcase_add_test(tcase, only_curves_of_one_thing_are_compared);
+    tcase_add_test(tcase, curves_are_told_after_several_steps);
     tcase_add_test(tcase, cracks_have_the_names_of_their_cuts);
     tcase_add_test(tcase, the_help_of_a_plate_is_of_plates);
     tcase_add_test(tcase, strange_lines_do_no_harm);

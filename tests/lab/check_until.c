@@ -188,11 +188,12 @@ END_TEST
 /* Where the kinetic energy has gone and stays away: not at a turning point, and by whichever way it is
  * damped. */
 static const struct {
-    const char *line;
+    const char *line, *before; /* an edit, and what is done before the run is asked to find its rest */
     double from, to;
-} rests[] = {{"time.rest=yes", 2.0e-3, 2.2e-3},
-             {"time.rest=no", 2.25e-3, 2.4e-3},
-             {"damping.rate=7260", 3.0e-3, 3.8e-3}};
+} rests[] = {{"time.rest=yes", NULL, 2.0e-3, 2.2e-3},
+             {"time.rest=no", NULL, 2.25e-3, 2.4e-3},
+             {"time.rest=no", "until t 0.001", 2.25e-3, 2.4e-3},
+             {"damping.rate=7260", NULL, 3.0e-3, 3.8e-3}};
 
 START_TEST(a_damped_run_stops_at_rest)
 {
@@ -203,6 +204,10 @@ START_TEST(a_damped_run_stops_at_rest)
     enter_line(bench, rests[_i].line);
     enter_line(bench, "r");
     bench->lab.screen.playback.pace = 500;
+    if (rests[_i].before) {
+        enter_line(bench, rests[_i].before);
+        run_until_paused(bench);
+    }
     enter_line(bench, "until rest");
     ck_assert_int_eq(lab->screen.playback.state, STATE_RUNNING);
     for (int i = 0; i < 100000 && lab->screen.playback.state == STATE_RUNNING; i++)

@@ -108,6 +108,30 @@ START_TEST(a_cost_can_be_given_up)
 }
 END_TEST
 
+/* A row of bonds' middles a little farther than a horizon from the path is not beside it: as when it lies
+ * twice as far beyond, with nothing else passed on the way. */
+START_TEST(beside_is_within_a_horizon)
+{
+    const BeamDef def = struck_plate();
+    Simulation *sim = beam_case_create(&def, NULL);
+    advance(sim, 700);
+    double beside = 0;
+    for (int row = 20; row < 60; row++) {
+        CrackCost cost[2];
+        for (int k = 0; k < 2; k++) {
+            const double level = row * def.spacing / 2 - (k == 0 ? 1.004 : 1.02) * def.horizon;
+            const double x[2] = {-1, 1}, y[2] = {level, level};
+            ck_assert(crack_cost_along(sim, &(CrackPath){2, x, y}, 1, 0.03, &(Patience){0}, &cost[k]));
+        }
+        ck_assert_double_eq(cost[0].beside, cost[1].beside);
+        ck_assert_double_eq(cost[0].far, cost[1].far);
+        beside += cost[0].beside;
+    }
+    ck_assert_double_gt(beside, 0);
+    simulation_destroy(sim);
+}
+END_TEST
+
 START_TEST(a_wider_load_cracks_earlier)
 {
     BeamDef def = beam_default(BEAM_NOTCHED);
@@ -152,6 +176,7 @@ void add_cases(Suite *suite)
     tcase_add_test(paper, a_wider_load_cracks_earlier);
     TCase *cost = tcase_create("cost");
     tcase_add_test(cost, a_cost_can_be_given_up);
+    tcase_add_test(cost, beside_is_within_a_horizon);
     suite_add_tcase(suite, cost);
     tcase_add_test(paper, half_the_step_overshoots_half);
     suite_add_tcase(suite, paper);

@@ -11,6 +11,7 @@
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <wchar.h>
 
 static const char *matvib(void)
 {
@@ -421,6 +422,19 @@ START_TEST(no_text_leaves_its_cells)
 }
 END_TEST
 
+/* A wide sign that the C library does not know is as many question marks as it has columns. */
+START_TEST(an_unknown_sign_keeps_its_columns)
+{
+    const bool known = wcwidth(0x2fff0) == 2;
+    Session session;
+    session_open_paused(&session, 80, 24, NULL);
+    session_keys(&session, ":\xf0\xaf\xbf\xb0x");
+    ck_assert_msg(session_shows(&session, known ? ": \xf0\xaf\xbf\xb0x" : ": ??x"), "%s",
+                  session_row(&session, 23));
+    session_close(&session);
+}
+END_TEST
+
 START_TEST(the_c_locale_gets_ascii)
 {
     Session session;
@@ -545,6 +559,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, the_mouse_is_asked_for_unless_it_is_not_wanted);
     tcase_add_test(tcase, pictures_are_whole_where_the_terminal_can_wait);
     tcase_add_test(tcase, no_text_leaves_its_cells);
+    tcase_add_test(tcase, an_unknown_sign_keeps_its_columns);
     tcase_add_test(tcase, the_c_locale_gets_ascii);
     tcase_add_loop_test(tcase, works_on_many_terminals, 0, 2 * N_TERMS);
     tcase_add_test(tcase, tells_what_an_unknown_terminal_is_taken_for);

@@ -3,6 +3,7 @@
  * digit by digit): where and when they branch, how fast they run, at which angle; and that what is told at a
  * step does not depend on the way there. Angles and speeds as the reference rounded or smoothed them: within
  * what its own definition leaves open, less than half a degree and one in a hundred. */
+#include "answers/crack_growth.h"
 #include "problems/problem.h"
 #include "run/lab_case.h"
 #include "methods/bonds/cracks/crack_speed.h"
@@ -238,6 +239,26 @@ START_TEST(a_speed_needs_its_window)
 }
 END_TEST
 
+/* Of several cracks that branched the earliest is told, whichever cut comes first. */
+START_TEST(the_first_branch_is_told)
+{
+    static CrackFronts fronts = {.count = 3};
+    for (int f = 0; f < fronts.count; f++)
+        fronts.fronts[f] = (CrackFront){.branched = true,
+                                        .branch = {.01 * (f + 1), .02},
+                                        .branch_time = 1e-6 * ((f + _i) % 3 + 1),
+                                        .half_angle = 10 * (f + 1),
+                                        .fastest = NAN,
+                                        .angle = NAN};
+    FrontsFacts facts;
+    crack_fronts_facts(&fronts, &facts);
+    const int first = (3 - _i) % 3;
+    ck_assert(facts.branched);
+    ck_assert(facts.branch_time == 1e-6);
+    ck_assert(facts.branch[0] == .01 * (first + 1) && facts.half_angle == 10 * (first + 1));
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     TCase *reference = tcase_create("reference"), *tells = tcase_create("tells");
@@ -248,6 +269,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tells, joining_is_no_speed);
     tcase_add_test(tells, fronts_do_not_remember);
     tcase_add_test(tells, a_speed_needs_its_window);
+    tcase_add_loop_test(tells, the_first_branch_is_told, 0, 3);
     suite_add_tcase(suite, reference);
     suite_add_tcase(suite, tells);
 }
