@@ -3,8 +3,8 @@
 #include "base/threads.h"
 #include "base/visible.h"
 #include "cli/cli.h"
+#include "cli/homework.h"
 #include "cli/options.h"
-#include "lessons/variant.h"
 #include "scenario/parameters.h"
 #include "lab/session/laboratory_main.h"
 
@@ -62,13 +62,14 @@ static int open_laboratory(bool for_lesson, int count, char **arguments, Status 
     }
     if (options.list)
         return cli_list_lessons(status);
-    char student[STUDENT_MAX] = "";
-    if (options.name && !variant_student(options.name, student, status)) {
-        status_prefix(status, "--name");
+    const char *word = options.n_words > 0 ? options.words[0] : NULL;
+    if (options.print)
+        return cli_lesson_print(word, status);
+    HomeworkFile homework;
+    if (!homework_begin(&options, for_lesson ? word : NULL, &homework, status))
         return (int)status->code;
-    }
     if (options.handout)
-        return cli_lesson_handout(&options, student, status);
+        return cli_lesson_handout(&options, homework.student, status);
     bool again = options.replay || options.last;
     if (again && (options.n_words > 0 || options.n_overrides > 0 || options.steps > 0 || options.paused)) {
         status_fail(status, STATUS_USAGE, "%s: a session has its own scenario and parameters",
@@ -80,20 +81,21 @@ static int open_laboratory(bool for_lesson, int count, char **arguments, Status 
                     again ? "the session" : "--script");
         return (int)status->code;
     }
-    const char *word = options.n_words > 0 ? options.words[0] : NULL;
     const char *const named = word && !for_lesson ? word : scenario_unnamed;
     const char *scenario = named;
     const char *lesson = !for_lesson ? NULL : word ? word : laboratory_all_lessons;
     if (is_slip(scenario, status) || !options_words(&options, 0, 1, "[SCENARIO]", status) ||
         !load_for_screen(&options, &scenario, &settings, status))
         return (int)status->code;
+    const char *recording = *homework.file ? homework.file : options.record;
     const int result = laboratory_main(
         &(LaboratoryOptions){
             .settings = &settings,
             .scenario = scenario,
             .is_coarse = scenario != named,
             .lesson = lesson,
-            .student = *student ? student : NULL,
+            .student = *homework.student ? homework.student : NULL,
+            .student_id = *homework.id ? homework.id : NULL,
             .paused = options.paused || for_lesson,
             .glyphs = options.glyphs,
             .theme = options.theme,
@@ -102,7 +104,7 @@ static int open_laboratory(bool for_lesson, int count, char **arguments, Status 
             .threads = options.threads > 0 ? (int)options.threads : threads_default(!options.script),
             .script = options.script,
             .plain = options.plain,
-            .record = options.record,
+            .record = recording,
             .replay = options.replay,
             .last = options.last,
             .fast = options.fast,
@@ -113,6 +115,8 @@ static int open_laboratory(bool for_lesson, int count, char **arguments, Status 
         status);
     if (result != STATUS_DONE && status)
         options_blame(&options, scenario, status);
+    if (result == STATUS_DONE && *homework.file && access(homework.file, F_OK) == 0)
+        printf("Hand in this file: %s\n", homework.file);
     return result;
 }
 

@@ -62,6 +62,9 @@ FILE *input_text(const char *text, const char *name, Status *status)
     return stream;
 }
 
+/* U+FEFF in UTF-8: spreadsheets and editors of Windows begin their files so. */
+static const char byte_order_mark[] = "\xef\xbb\xbf";
+
 InputGot input_line(InputLines *lines, char *line, size_t size, Status *status)
 {
     size_t length = 0;
@@ -92,5 +95,7 @@ InputGot input_line(InputLines *lines, char *line, size_t size, Status *status)
     lines->cut = byte == EOF;
     length -= length > 0 && line[length - 1] == '\r';
     line[length] = '\0';
+    if (lines->number == 1 && strncmp(line, byte_order_mark, strlen(byte_order_mark)) == 0)
+        memmove(line, line + strlen(byte_order_mark), length - strlen(byte_order_mark) + 1);
     return INPUT_LINE;
 }

@@ -29,8 +29,9 @@ typedef struct InputLines {
 
 typedef enum InputGot { INPUT_LINE, INPUT_END, INPUT_WRONG } InputGot;
 
-/* Reads the next line without its end (LF or CR LF). INPUT_WRONG: it is longer than size - 1 bytes, holds a
- * zero byte or cannot be read; the status says so as "NAME:NUMBER: ...". */
+/* Reads the next line without its end (LF or CR LF), the first without a mark of UTF-8 (BOM). INPUT_WRONG: it
+ * is longer than size - 1 bytes, holds a zero byte or cannot be read; the status says so as "NAME:NUMBER:
+ * ...". */
 InputGot input_line(InputLines *, char *line, size_t size, Status *);
 
 #endif

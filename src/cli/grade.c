@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* `matvib grade LESSON SESSION...`: sessions of homework are done again and marked, a row for each exercise.
- */
+/* `matvib grade LESSON SESSION...`: sessions of homework are done again and marked, a row for each exercise
+ * and, in another table, for each student. */
 #include "cli/cli.h"
 #include "cli/distinct.h"
 #include "cli/options.h"
 #include "cli/progress.h"
+#include "cli/students.h"
 
 #include "base/output.h"
 #include "base/text.h"
@@ -32,7 +33,8 @@ typedef struct Marking {
     FILE *table;
     Dialect dialect;
     Leaflet *sheets; /* NULL: none are asked for */
-    int refused;     /* sessions without marks */
+    Students students;
+    int refused; /* sessions without marks */
 } Marking;
 
 static bool go_on(double share, void *context)
@@ -162,6 +164,7 @@ static bool mark_all(Marking *marking, const Options *options, Status *status)
         visible_text(file, sizeof file, options->words[i]);
         marking->refused += grades->count == 0;
         write_rows(marking, file, grades);
+        sound = students_add(&marking->students, &marking->lesson, grades, status);
         if (marking->sheets)
             write_sheet(marking, file, grades);
     }
@@ -177,31 +180,52 @@ static bool read_limit(const char *text, double *seconds, Status *status)
            status_fail(status, STATUS_USAGE, "--limit: not a number from 1 to %g: %.60s", SECONDS_MOST, text);
 }
 
+static void begin_table(const Options *options, FILE *stream)
+{
+    if (options->bom)
+        fputs("\xef\xbb\xbf", stream);
+}
+
+/* Two tables and the pages: all are there at the end, or none. */
 static bool write_all(Marking *marking, const Options *options, Status *status)
 {
-    OutputFile file;
+    OutputFile file, students = {.stream = NULL};
     Leaflet sheets = {.paper = NULL};
     const char *name = options->output ? options->output : "-";
     if (!output_open(&file, ASKER_COMMAND_LINE, name, options->force, status))
         return false;
     marking->table = file.stream;
     marking->sheets = options->sheet ? &sheets : NULL;
-    bool sound = (!options->sheet || leaflet_open(&sheets, ASKER_COMMAND_LINE, options->sheet, options->force,
+    begin_table(options, file.stream);
+    bool sound = (!options->students ||
+                  output_open(&students, ASKER_COMMAND_LINE, options->students, options->force, status)) &&
+                 (!options->sheet || leaflet_open(&sheets, ASKER_COMMAND_LINE, options->sheet, options->force,
                                                   marking->lesson.title, status)) &&
-                 mark_all(marking, options, status) && output_finish(&file, status) &&
-                 (!options->sheet || leaflet_finish(&sheets, status)) && output_commit(&file, status);
+                 mark_all(marking, options, status);
+    if (sound && options->students) {
+        begin_table(options, students.stream);
+        students_write(&marking->students, &marking->lesson, students.stream, marking->dialect);
+    }
+    sound = sound && output_finish(&file, status) &&
+            (!options->students || output_finish(&students, status)) &&
+            (!options->sheet || leaflet_finish(&sheets, status)) && output_commit(&file, status) &&
+            (!options->students || output_commit(&students, status));
     leaflet_close(&sheets);
     output_close(&file);
+    output_close(&students);
+    students_free(&marking->students);
     return sound;
 }
 
 static bool may_write(const Options *options, Status *status)
 {
-    const char *const outputs[] = {options->output ? options->output : "-", options->sheet};
+    const char *const outputs[] = {options->output ? options->output : "-", options->students,
+                                   options->sheet};
     const char *const *sessions = (const char *const *)options->words + 1;
     return (!options->output || output_may_begin(options->output, options->force, status)) &&
+           (!options->students || output_may_begin(options->students, options->force, status)) &&
            (!options->sheet || leaflet_allowed(options->sheet, options->force, status)) &&
-           distinct_files(outputs, 2, sessions, options->n_words - 1, status);
+           distinct_files(outputs, 3, sessions, options->n_words - 1, status);
 }
 
 int cli_grade(int count, char **arguments, Status *status)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* `matvib lesson NAME --handout FILE.pdf`: a lesson's exercises on paper. */
+/* `matvib lesson NAME --handout FILE.pdf`: a lesson's exercises on paper; `--print`: its text. */
 #include "cli/cli.h"
 #include "cli/options.h"
 
@@ -83,4 +83,17 @@ int cli_lesson_handout(const Options *options, const char *student, Status *stat
     if (sound)
         printf("wrote %s\n", options->handout);
     return sound ? STATUS_DONE : (int)status->code;
+}
+
+int cli_lesson_print(const char *name, Status *status)
+{
+    const BuiltinLesson *builtin = name ? lesson_builtin(name) : NULL;
+    if (!name)
+        status_fail(status, STATUS_USAGE, "--print: which lesson? (matvib lesson NAME --print)");
+    else if (!builtin)
+        status_fail(status, STATUS_USAGE,
+                    "--print: %.60s: is no lesson of the program (matvib lesson --list)", name);
+    else
+        fputs(builtin->text, stdout);
+    return builtin ? STATUS_DONE : (int)status->code;
 }

@@ -81,8 +81,8 @@ typedef struct Options {
     const char *seconds, *pitch;                 /* of a sound */
     const char *fps, *speed, *idle, *from, *to;  /* of a film */
 
-    const char *name, *handout, *sheet, *limit; /* of homework */
-    bool key;
+    const char *name, *id, *handout, *students, *sheet, *limit; /* of homework */
+    bool key, print, bom;
 
     bool paused, no_mouse, last, fast, plain;
     const char *record, *replay;

@@ -19,6 +19,7 @@
  *     @words                in place of choices: free text for the teacher
  *     @goal EXPRESSION      in place of @until: what the reader's own run is to fulfil at its end
  * (expression.h)
+ *     @points N             what the page's exercise counts in a student's sum (1)
  *     @solve LINE           behind it: how it is reached, for the teacher's key and for the pages behind
  *
  * State: a page is entered as the pages before it leave the laboratory that begin with the last that did
@@ -85,6 +86,7 @@ typedef struct LessonPage {
     int n_fields;
     LessonUntil until;
     Exercise *exercise;  /* NULL: none, or a choice */
+    double points;       /* that its exercise counts; 0: not said, which is 1 */
     LessonPart solution; /* of a goal: actions */
 } LessonPage;
 
@@ -138,6 +140,7 @@ bool lesson_draw(Lesson *, const char *student, Status *);
 bool lesson_knows_braces(const Lesson *, const char *line, Status *);
 
 ExerciseKind lesson_exercise(const LessonPage *);
+double lesson_points(const LessonPage *); /* 0: it has no exercise */
 
 /* The scenario that a line opens, behind "open" or "full"; NULL: it opens none. */
 const char *lesson_opening(const char *line);

@@ -77,6 +77,9 @@ static bool judge_page(const Reader *reader, const LessonPage *page, Status *sta
     if (exercise != EXERCISE_GOAL && page->solution.n_actions > 0)
         return status_fail(status, STATUS_USAGE, "page \"%.40s\" solves (@solve) what is no @goal",
                            page->title);
+    if (page->points > 0 && lesson_exercise(page) == EXERCISE_NONE)
+        return status_fail(status, STATUS_USAGE, "page \"%.40s\" has points (@points), but no exercise",
+                           page->title);
     if (!page->question && reveals && page->until.kind == UNTIL_NOTHING)
         return status_fail(status, STATUS_USAGE,
                            "page \"%.40s\" reveals, but neither asks (@ask) nor waits for anything (@until)",
@@ -216,6 +219,17 @@ static bool read_goal(Reader *reader, const char *text)
     return new_exercise(reader, exercise_read_goal, "goal", text);
 }
 
+static bool read_points(Reader *reader, const char *text)
+{
+    enum { POINTS_MOST = 1000 };
+    double *points = &reader->page->points;
+    if (*points > 0)
+        return status_fail(reader->status, STATUS_USAGE, "a page has its points once");
+    return (text_to_double(text, points) && *points > 0 && *points <= POINTS_MOST) ||
+           status_fail(reader->status, STATUS_USAGE, "@points %.40s: not a number above 0, up to %d", text,
+                       POINTS_MOST);
+}
+
 static bool read_field(Reader *reader, const char *text)
 {
     LessonPage *page = reader->page;
@@ -309,7 +323,7 @@ static const struct {
     {"reveal", read_reveal, true, WANTS_NOTHING}, {"until", read_until, true, WANTS_TEXT},
     {"variant", read_variant, true, WANTS_TEXT},  {"answer", read_answer, true, WANTS_TEXT},
     {"words", read_words, true, WANTS_NOTHING},   {"goal", read_goal, true, WANTS_TEXT},
-    {"solve", read_solve, true, WANTS_TEXT},
+    {"solve", read_solve, true, WANTS_TEXT},      {"points", read_points, true, WANTS_TEXT},
 };
 
 static bool read_word(Reader *reader, char *line)
@@ -404,6 +418,11 @@ bool lesson_read(FILE *stream, const char *name, LessonJudge may_do, Lesson *les
 ExerciseKind lesson_exercise(const LessonPage *page)
 {
     return page->exercise ? page->exercise->kind : page->question ? EXERCISE_CHOICE : EXERCISE_NONE;
+}
+
+double lesson_points(const LessonPage *page)
+{
+    return lesson_exercise(page) == EXERCISE_NONE ? 0 : page->points > 0 ? page->points : 1;
 }
 
 static void free_part(LessonPart *part)

@@ -7,6 +7,7 @@
 #include "base/visible.h"
 #include "scenario/parameters.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -133,6 +134,16 @@ static size_t blank_bytes(const char *text)
 }
 
 #ifdef HAVE_UTF8PROC
+static bool is_letter(const char *text, size_t bytes)
+{
+    utf8proc_int32_t character;
+    if (utf8proc_iterate((const utf8proc_uint8_t *)text, (utf8proc_ssize_t)bytes, &character) < 1)
+        return false;
+    const utf8proc_category_t category = utf8proc_category(character);
+    return (category >= UTF8PROC_CATEGORY_LU && category <= UTF8PROC_CATEGORY_MC) ||
+           category == UTF8PROC_CATEGORY_ND;
+}
+
 static char *compose(const char *text, Status *status)
 {
     char *composed = (char *)utf8proc_NFC((const utf8proc_uint8_t *)text);
@@ -141,6 +152,11 @@ static char *compose(const char *text, Status *status)
     return composed;
 }
 #else
+static bool is_letter(const char *text, size_t bytes)
+{
+    return bytes == 1 && isalnum((unsigned char)*text);
+}
+
 /* Combining marks of letters (U+0300 to U+036F), voicing marks of kana and the parts of Korean syllables. */
 static bool is_combining(const char *text)
 {
@@ -202,4 +218,27 @@ bool variant_student(const char *text, char out[STUDENT_MAX], Status *status)
         return status_fail(status, STATUS_USAGE, "the name is empty");
     return fits || status_fail(status, STATUS_USAGE, "the name is too long (at most %d characters, %d bytes)",
                                CHARACTERS_MAX, STUDENT_MAX - 2);
+}
+
+void variant_file_word(const char *name, char *out, size_t size)
+{
+    size_t used = 0;
+    bool gap = false;
+    for (size_t bytes; *name; name += bytes) {
+        bytes = 1;
+        while (((unsigned char)name[bytes] & 0xc0) == 0x80)
+            bytes++;
+        if (!is_letter(name, bytes)) {
+            gap = used > 0;
+            continue;
+        }
+        if (used + gap + bytes >= size)
+            break;
+        if (gap)
+            out[used++] = '-';
+        memcpy(out + used, name, bytes);
+        used += bytes;
+        gap = false;
+    }
+    out[used] = '\0';
 }

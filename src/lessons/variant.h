@@ -32,4 +32,8 @@ bool variant_beside(const Variant *, const char *value, int direction, char out[
  * without that library cannot compose. */
 bool variant_student(const char *text, char out[STUDENT_MAX], Status *);
 
+/* A name as part of the name of a file: its letters and digits, one hyphen for all that is between them; "":
+ * it has none. Letters beyond ASCII are known to libutf8proc, without it they are left out. */
+void variant_file_word(const char *name, char *out, size_t size);
+
 #endif

@@ -166,6 +166,56 @@ result "and the same again" cmp t1.csv marks.csv
 expect "for a spreadsheet with a decimal comma" 0 own.lesson right.session --dialect semicolon
 result "it has semicolons and commas" says out "^Ada Lovelace;1 Frequency;$(echo "$ada" | tr . ,);"
 
+# --- a row for each student ---
+cat >points.lesson <<'END'
+@title Points
+@about For the test
+@page Number
+@do open mode5
+@do set time.end 20
+@ask Its courant number?
+@answer time.courant within 1 %
+@points 2.5
+@page Choose
+@do open mode5
+@ask Which?
+@right this
+@choice that
+@page Words
+@ask Why?
+@words
+@points 4
+END
+# does NAME ID FILE: what play.script says
+does() { "$MATVIB" lesson points.lesson --name "$1" ${2:+--id "$2"} --record "$3" --script play.script; }
+printf 'wait 1\nkey Enter\ntype .1\nkey Enter\nexpect Right:\nkey n\nwait 1\nkey 2\n' >play.script
+result "a first session" does "Zoë Ångström" 17 zoe-1.session
+printf 'wait 1\nkey Enter\ntype 7\nkey Enter\nkey n\nwait 1\nkey 1\nkey n\nwait 1\nkey Enter\ntype so\nkey Enter\n' >play.script
+result "a second one, without the ID" does "Zoë Ångström" "" zoe-2.session
+printf 'wait 1\nkey Enter\ntype 77\nkey Enter\nkey n\nwait 1\nkey 1\nkey n\nwait 1\nkey Enter\ntype no\nkey Enter\n' >play.script
+result "another of that name" does "Zoë Ångström" 18 zoe-3.session
+printf 'wait 1\nkey n\n' >play.script
+result "one who does nothing" does Bo bo@example.org bo.session
+sed '/^end/d' bo.session | sed 's/^student .*/student Cut/' >cut-1.session
+expect "a table of students" 1 points.lesson zoe-1.session zoe-2.session zoe-3.session bo.session cut-1.session \
+	--output rows.csv --students students.csv --dialect semicolon --bom
+result "rows and students begin with the mark of UTF-8" \
+	test "$(head -qc 3 rows.csv students.csv | od -An -tx1 | tr -d ' \n')" = efbbbfefbbbf
+tail -n +2 students.csv >students
+cat >students.right <<'END'
+17;Zoë Ångström;2,5;7,5;1 Number: right; 2 Choose: not right; 3 Words: to be read;4;2;
+18;Zoë Ångström;1;7,5;1 Number: not right; 2 Choose: right; 3 Words: to be read;4;1;
+bo@example.org;Bo;0;7,5;1 Number: no answer; 2 Choose: no answer; 3 Words: no answer;0;1;
+bo@example.org;Cut;;7,5;;0;0;cut: it has no end
+END
+tr -d '"' <students >students.plain
+result "the best of each exercise, a choice's first answer, weights, IDs" diff students.right students.plain
+expect "for Moodle" 0 points.lesson bo.session --students moodle.csv --output /dev/null
+result "its columns" test "$(head -n 1 moodle.csv)" = \
+	"ID number,Full name,Grade,Maximum grade,Feedback comments,To read,Sessions,Remark"
+refuse "it is not overwritten" "moodle.csv: exists (--force replaces it)" points.lesson bo.session --students moodle.csv
+refuse "nor both tables in one" "./m.csv: two outputs cannot be the same file" points.lesson bo.session --output m.csv --students ./m.csv
+
 # --- what gets no mark ---
 edited() { sed "$2" "$1" >"$3"; }
 # sealed FILE TO: with the check that its lines have, as somebody who knows how would calculate it (FNV-1a by
@@ -371,6 +421,41 @@ for lesson in late energy ${MATVIB_WIDE:+crack}; do
 	result "homework-$lesson: every number and goal is right" test "$(grep -c ',1,1,[0-9]*,[^,]*,$' $lesson.csv)" -ge "$wanted"
 done
 
+# --- a student without options ---
+# begins TEXT: what stands on standard output of a lesson that is begun by lines and left again
+begins() { printf ':goto 1\nq\n' | "$MATVIB" lesson "$1" --name "$2" --plain >out 2>err; }
+mkdir -p hand && cp own.lesson hand
+cd hand || exit 1
+result "a name is all it takes" begins own.lesson " ../Zoë  O'Hara/"
+result "the file to hand in is named" test "$(tail -n 1 out)" = "Hand in this file: own-Zoë-O-Hara.session"
+result "and is there" test -s own-Zoë-O-Hara.session
+cp own-Zoë-O-Hara.session before
+result "once more" begins ../own.lesson "Zoë O'Hara"
+result "is another file" test "$(tail -n 1 out)" = "Hand in this file: own-Zoë-O-Hara-2.session"
+result "and the first is as it was" cmp before own-Zoë-O-Hara.session
+result "and again" begins own.lesson "Zoë O'Hara"
+result "the next" test -s own-Zoë-O-Hara-3.session
+"$MATVIB" grade own.lesson own-Zoë-O-Hara.session >out 2>err
+result "it is marked" says out "^\.\./Zoë O'Hara/,1 Frequency,,,0,0,,own-"
+result "a name without letters" begins own.lesson "?!"
+result "leaves the lesson's" test -s own.session
+"$MATVIB" lesson own.lesson --name Ada --script /dev/null >out 2>err
+result "a script keeps nothing by itself" test ! -e own-Ada.session
+cd ..
+mkdir gone
+printf 'q\n' | (cd gone && rmdir ../gone && "$MATVIB" lesson late --name Ada --plain) >out 2>err
+result "a folder that takes no file is told" says err '^matvib: late-Ada.session: '
+result "before the first page" test ! -s out
+"$MATVIB" lesson homework-late --print >out 2>err
+result "a lesson of the program is printed" cmp out "$MATVIB_SRCDIR/data/lessons/homework-late.lesson"
+{
+	printf '\357\273\277'
+	cat own.lesson
+} >bom.lesson
+"$MATVIB" grade --key bom.lesson >out 2>err
+result "a lesson from Windows begins with a mark" lines err 0
+expect "which is no other text" 0 bom.lesson right.session
+
 # --- names of files ---
 cp cut.session "$(printf 'x\033[31mred\nline')"
 expect "a name that acts" 1 own.lesson "$(printf 'x\033[31mred\nline')"
@@ -414,6 +499,9 @@ refuse "a key of one lesson" "right.session: is one argument too many (LESSON)" 
 subcommand=lesson
 refuse "the key is the teacher's" "--key: is matvib grade --key LESSON" own.lesson --key
 refuse "a handout of which lesson" "--handout: which lesson? (matvib lesson NAME --handout FILE.pdf)" --handout a.pdf
+refuse "a lesson of one's own is no sample" "--print: own.lesson: is no lesson of the program (matvib lesson --list)" own.lesson --print
+refuse "a print of which lesson" "--print: which lesson? (matvib lesson NAME --print)" --print
+refuse "an ID of nobody" "--id: goes with --name" own.lesson --id 17
 refuse "an empty name" "--name: the name is empty" own.lesson --name " "
 refuse "a name that acts" '--name: \x1b[2J: is no name (UTF-8 without control characters)' own.lesson --name "$(printf '\033[2J')"
 sed 's/^@solve.*/@solve set mesh.cell_size 2.5/' own.lesson >stuck.lesson

@@ -57,6 +57,7 @@ short() {
 	*" verify") echo "$1 M-fig3" ;;
 	"matvib run"* | "matvib movie"* | "matvib sound"* | "matvib fit"* | "matvib figure"* | "matvib verify"* | "matvib sweep"* | "matvib export-lammps"*) echo "$1" ;;
 	"matvib grade"*) echo "$1" ;;
+	"matvib lesson homework-late") echo "printf ':goto 1\nq\n' | $1 --name Ada --plain" ;; # who asks is no pipe
 	"matvib lesson "*" --record "*) echo "echo key . | $1 --script -" ;;
 	"matvib list"* | "matvib params"* | "matvib show"*) echo "$1" ;;
 	*" --plain") echo "$1 </dev/null" ;;

@@ -120,7 +120,7 @@ START_TEST(beside_is_within_a_horizon)
         CrackCost cost[2];
         for (int k = 0; k < 2; k++) {
             const double level = row * def.spacing / 2 - (k == 0 ? 1.004 : 1.02) * def.horizon;
-            const double x[2] = {-1, 1}, y[2] = {level, level};
+            double x[2] = {-1, 1}, y[2] = {level, level};
             ck_assert(crack_cost_along(sim, &(CrackPath){2, x, y}, 1, 0.03, &(Patience){0}, &cost[k]));
         }
         ck_assert_double_eq(cost[0].beside, cost[1].beside);

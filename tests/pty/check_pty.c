@@ -124,6 +124,41 @@ static void expect_quiet(const Session *session)
     ck_assert_int_eq(after, before);
 }
 
+/* Who begins homework at a terminal is asked for a name, and told at the end what to hand in. */
+START_TEST(homework_asks_whose_it_is)
+{
+    Session session;
+    char folder[] = "/tmp/matvib-homework-XXXXXX", was[1024];
+    char file[128], program[1100];
+    ck_assert_ptr_nonnull(getcwd(was, sizeof was));
+    ck_assert_ptr_nonnull(realpath(matvib(), program));
+    ck_assert_ptr_nonnull(mkdtemp(folder));
+    ck_assert_int_eq(chdir(folder), 0);
+    session_open(&session, 80, 24, NULL, (const char *const[]){program, "lesson", "homework-late", NULL});
+    session_wait_for(&session, "Your name");
+    session_send(&session, "\033[2J\r");
+    session_wait_for(&session, "is no name");
+    session_send(&session, "Ada Lovelace\r");
+    session_wait_for(&session, "Your ID");
+    session_send(&session, "17\r");
+    session_wait_for(&session, "Your mode");
+    session_send(&session, "q");
+    session_wait_for(&session, "Hand in this file: homework-late-Ada-Lovelace.session");
+    ck_assert_int_eq(session_exit(&session), 0);
+    session_close(&session);
+    snprintf(file, sizeof file, "%s/homework-late-Ada-Lovelace.session", folder);
+    char text[400] = "";
+    FILE *kept = fopen(file, "r");
+    ck_assert_ptr_nonnull(kept);
+    ck_assert_uint_gt(fread(text, 1, sizeof text - 1, kept), 0);
+    fclose(kept);
+    ck_assert_ptr_nonnull(strstr(text, "\nstudent Ada Lovelace\nid 17\n"));
+    unlink(file);
+    ck_assert_int_eq(chdir(was), 0);
+    rmdir(folder);
+}
+END_TEST
+
 START_TEST(idle_costs_nothing)
 {
     Session session;
@@ -543,6 +578,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, opens_running);
     tcase_add_test(tcase, a_still_picture_writes_nothing);
     tcase_add_test(tcase, pasted_text_runs_no_commands);
+    tcase_add_test(tcase, homework_asks_whose_it_is);
     tcase_add_test(tcase, idle_costs_nothing);
     tcase_add_test(tcase, a_key_is_answered_while_a_crack_runs);
     tcase_add_test(tcase, escape_is_answered_while_a_crack_runs);

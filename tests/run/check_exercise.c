@@ -401,6 +401,29 @@ START_TEST(a_lesson_has_its_own_values)
 }
 END_TEST
 
+START_TEST(a_name_is_part_of_a_files_name)
+{
+    char word[16];
+    static const struct {
+        const char *name, *word;
+    } cases[] = {{"Ada Lovelace", "Ada-Lovelace"},
+                 {"../../etc/passwd", "etc-passwd"},
+                 {"-rf *", "rf"},
+                 {" .. ", ""},
+                 {"a.b--c_1", "a-b-c-1"},
+                 {"", ""},
+                 {"Twenty letters and more", "Twenty-letters"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        variant_file_word(cases[i].name, word, sizeof word);
+        ck_assert_str_eq(word, cases[i].word);
+    }
+#ifdef HAVE_UTF8PROC
+    variant_file_word("Zo\xc3\xab \xe6\x9d\x8e\xe2\x88\x95x", word, sizeof word); /* U+2215: a slash */
+    ck_assert_str_eq(word, "Zo\xc3\xab-\xe6\x9d\x8e-x");
+#endif
+}
+END_TEST
+
 START_TEST(a_name_is_a_name)
 {
     char name[STUDENT_MAX];
@@ -475,6 +498,7 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(variants, values_lie_in_their_range, 0, (int)(sizeof ranges / sizeof *ranges));
     tcase_add_test(variants, a_lesson_has_its_own_values);
     tcase_add_test(variants, a_name_is_a_name);
+    tcase_add_test(variants, a_name_is_part_of_a_files_name);
     suite_add_tcase(suite, expressions);
     suite_add_tcase(suite, answers);
     suite_add_tcase(suite, variants);

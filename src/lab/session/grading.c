@@ -262,6 +262,7 @@ bool grading_session(const GradingTask *task, const char *file, Grades *grades, 
     if (session) {
         session_facts(session, &facts);
         snprintf(grades->student, sizeof grades->student, "%s", facts.student);
+        snprintf(grades->id, sizeof grades->id, "%s", facts.id);
         const char *refused = why_refused(&facts, task, &lesson);
         sound = refused ? remark(grades, refused) : replay_session(task, session, grades, status);
         if (sound && grades->count > 0)

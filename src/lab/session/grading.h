@@ -28,6 +28,7 @@ enum { GRADING_REMARK_MAX = 256 };
 
 typedef struct Grades {
     char student[STUDENT_MAX];       /* "": not known */
+    char id[STUDENT_MAX];            /* "": not told */
     char remark[GRADING_REMARK_MAX]; /* why there are no marks, or what is to be known of them; "": nothing */
     Grade grades[LESSON_PAGES_MAX];
     int count; /* 0: there are no marks */

@@ -48,6 +48,7 @@ Session *session_begin(const LaboratoryOptions *options, Status *status)
     visible_text(session->scenario, sizeof session->scenario, options->scenario);
     visible_text(session->lesson, sizeof session->lesson, options->lesson ? options->lesson : "");
     visible_text(session->student, sizeof session->student, options->student ? options->student : "");
+    visible_text(session->id, sizeof session->id, options->student_id ? options->student_id : "");
     snprintf(session->program, sizeof session->program, "%s", PACKAGE_VERSION);
     session->check = HASH_BEGIN;
     if (options->reached)
@@ -221,6 +222,8 @@ static bool write_head_lines(FILE *file, const Session *session, Status *status)
         fprintf(file, "lesson %s\n", session->lesson);
     if (*session->student)
         fprintf(file, "student %s\n", session->student);
+    if (*session->id)
+        fprintf(file, "id %s\n", session->id);
     fprintf(file, "version %016" PRIx64 " %s\n", session->version, session->program);
     for (int i = 0; i < LESSONS_MAX && builtin_lessons[i].name; i++)
         if (session->reached[i] > 0)
@@ -271,12 +274,14 @@ void session_options(const Session *session, LaboratoryOptions *options)
     options->first_start = session->first;
     options->lesson = *session->lesson ? session->lesson : NULL;
     options->student = *session->student ? session->student : NULL;
+    options->student_id = *session->id ? session->id : NULL;
     options->reached = session->reached;
 }
 
 void session_facts(const Session *session, SessionFacts *facts)
 {
     *facts = (SessionFacts){.student = session->student,
+                            .id = session->id,
                             .lesson = session->lesson,
                             .program = session->program,
                             .version = session->version,

@@ -4,8 +4,8 @@
  *
  * The file is text. "scenario NAME" and lines "| ..." hold the resolved scenario; "paused" that it opened
  * paused; "first" that it was the first of its user; "lesson NAME" that it opened with a lesson, "reached
- * NAME PAGE" how far one had come in it, "student NAME" whose homework it is, "version HASH PROGRAM" of the
- * lesson's text (0: there is none) and the program; then one line a key,
+ * NAME PAGE" how far one had come in it, "student NAME" and "id ID" whose homework it is, "version HASH
+ * PROGRAM" of the lesson's text (0: there is none) and the program; then one line a key,
  *
  *     at STEP[/STAGE] SECONDS WIDTHxHEIGHT NAME [X Y]
  *
@@ -90,7 +90,7 @@ const SessionEvent *session_event(const Session *, size_t index);
 
 /* What a session says of itself; what it does not say is "" or 0. Valid until it is freed. */
 typedef struct SessionFacts {
-    const char *student, *lesson, *program;
+    const char *student, *id, *lesson, *program;
     uint64_t version; /* of the lesson's text */
     uint64_t check;   /* of its lines, */
     uint64_t keys;    /* and of those of its keys and their times alone */

@@ -16,7 +16,7 @@ struct Session {
     Settings settings;
     char scenario[SESSION_NAME_MAX], lesson[SESSION_NAME_MAX];
     int reached[LESSONS_MAX];
-    char student[STUDENT_MAX], program[SESSION_PROGRAM_MAX];
+    char student[STUDENT_MAX], id[STUDENT_MAX], program[SESSION_PROGRAM_MAX];
     uint64_t version; /* of the lesson's text */
     uint64_t check;   /* of the lines so far */
     uint64_t keys;    /* of those of keys, where it was read */

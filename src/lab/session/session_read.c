@@ -117,15 +117,17 @@ static bool read_student(Session *session, const char *text, Status *status)
     return variant_student(text, session->student, status);
 }
 
+static bool read_id(Session *session, const char *text, Status *status)
+{
+    return variant_student(text, session->id, status);
+}
+
 /* What a session says of its origin: a word, then a text. */
 static const struct {
     const char *word;
     bool (*read)(Session *, const char *text, Status *);
-} origins[] = {{"lesson ", read_lesson},
-               {"student ", read_student},
-               {"version ", read_version},
-               {"check ", read_check},
-               {"reached ", read_reached}};
+} origins[] = {{"lesson ", read_lesson},   {"student ", read_student}, {"id ", read_id},
+               {"version ", read_version}, {"check ", read_check},     {"reached ", read_reached}};
 
 /* One line; those of the scenario go on to `scenario`. */
 static bool read_line(Session *session, char *line, FILE *scenario, Status *status)

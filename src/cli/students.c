@@ -1,0 +1,116 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Sums of marks for each student (students.h). */
+#include "cli/students.h"
+
+#include "base/text.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+struct Student {
+    char name[STUDENT_MAX], id[STUDENT_MAX], remark[GRADING_REMARK_MAX];
+    int sessions; /* that are marked */
+    /* of each page, whether a session has it so */
+    bool right[LESSON_PAGES_MAX], wrong[LESSON_PAGES_MAX], unread[LESSON_PAGES_MAX];
+};
+
+static bool is_same(const Student *student, const Grades *grades)
+{
+    return strcmp(student->name, grades->student) == 0 &&
+           (!*student->id || !*grades->id || strcmp(student->id, grades->id) == 0);
+}
+
+static Student *find(Students *students, const Grades *grades, Status *status)
+{
+    for (int i = 0; i < students->count; i++)
+        if (is_same(&students->list[i], grades))
+            return &students->list[i];
+    Student *list = realloc(students->list, (size_t)(students->count + 1) * sizeof *list);
+    if (!list) {
+        status_fail(status, STATUS_FAILED, "out of memory");
+        return NULL;
+    }
+    students->list = list;
+    Student *student = &list[students->count++];
+    *student = (Student){.sessions = 0};
+    snprintf(student->name, sizeof student->name, "%s", grades->student);
+    return student;
+}
+
+bool students_add(Students *students, const Lesson *lesson, const Grades *grades, Status *status)
+{
+    if (!*grades->student)
+        return true;
+    Student *student = find(students, grades, status);
+    if (!student)
+        return false;
+    if (*grades->id)
+        snprintf(student->id, sizeof student->id, "%s", grades->id);
+    if (*grades->remark && !strstr(student->remark, grades->remark))
+        text_append(student->remark, sizeof student->remark, "%s%s", *student->remark ? "; " : "",
+                    grades->remark);
+    student->sessions += grades->count > 0;
+    for (int i = 0; i < grades->count; i++) {
+        const Grade *grade = &grades->grades[i];
+        const bool judged = grade->mark.tries > 0 && grade->mark.judged;
+        student->right[grade->page] |= judged && grade->mark.right;
+        student->wrong[grade->page] |= judged && !grade->mark.right;
+        student->unread[grade->page] |= grade->mark.tries > 0 && !judged &&
+                                        lesson_exercise(&lesson->pages[grade->page]) == EXERCISE_WORDS;
+    }
+    return true;
+}
+
+static bool has_right(const Student *student, const Lesson *lesson, int page)
+{
+    const bool once = lesson_exercise(&lesson->pages[page]) == EXERCISE_CHOICE;
+    return student->right[page] && !(once && student->wrong[page]);
+}
+
+enum { ID, NAME, GRADE, MAXIMUM, FEEDBACK, UNREAD, SESSIONS, REMARK, CELLS };
+enum { FEEDBACK_MAX = 8192 };
+static const char *const heads[CELLS] = {"ID number",         "Full name", "Grade",    "Maximum grade",
+                                         "Feedback comments", "To read",   "Sessions", "Remark"};
+
+static void write_student(const Student *student, const Lesson *lesson, FILE *stream, Dialect dialect)
+{
+    double sum = 0, most = 0, unread = 0;
+    char feedback[FEEDBACK_MAX] = "", grade[NUMBER_TEXT_MAX] = "", maximum[NUMBER_TEXT_MAX],
+         to_read[NUMBER_TEXT_MAX], sessions[NUMBER_TEXT_MAX];
+    for (int page = 0; page < lesson->n_pages; page++) {
+        const double points = lesson_points(&lesson->pages[page]);
+        const bool right = has_right(student, lesson, page);
+        most += points;
+        sum += right ? points : 0;
+        unread += student->unread[page] ? points : 0;
+        if (points > 0 && student->sessions > 0)
+            text_append(feedback, sizeof feedback, "%s%d %s: %s", *feedback ? "; " : "", page + 1,
+                        lesson->pages[page].title,
+                        right                   ? "right"
+                        : student->wrong[page]  ? "not right"
+                        : student->unread[page] ? "to be read"
+                                                : "no answer");
+    }
+    if (student->sessions > 0)
+        text_shortest(grade, sum);
+    text_shortest(maximum, most);
+    text_shortest(to_read, unread);
+    snprintf(sessions, sizeof sessions, "%d", student->sessions);
+    csv_words(stream, dialect,
+              (const char *[CELLS]){student->id, student->name, grade, maximum, feedback, to_read, sessions,
+                                    student->remark},
+              CELLS);
+}
+
+void students_write(const Students *students, const Lesson *lesson, FILE *stream, Dialect dialect)
+{
+    csv_header(stream, dialect, heads, CELLS);
+    for (int i = 0; i < students->count; i++)
+        write_student(&students->list[i], lesson, stream, dialect);
+}
+
+void students_free(Students *students)
+{
+    free(students->list);
+    *students = (Students){.count = 0};
+}
