@@ -4,7 +4,7 @@
 #include "film/film.h"
 
 #include "base/text.h"
-#include "terminal/picture.h"
+#include "terminal/grid.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -13,18 +13,18 @@ static const char term[] = "xterm-256color";
 
 struct Film {
     FILE *stream;
-    Picture picture;
+    Grid grid;
     int width, height; /* of the picture before */
 };
 
 static void put_event(Film *film, double seconds)
 {
     size_t count;
-    const char *bytes = picture_bytes(&film->picture, &count);
+    const char *bytes = grid_bytes(&film->grid, &count);
     fprintf(film->stream, "[%.3f, \"o\", ", seconds);
     text_put_json(film->stream, bytes, count);
     fputs("]\n", film->stream);
-    picture_sent(&film->picture, count);
+    grid_sent(&film->grid, count);
 }
 
 static Film *open_cast(FILE *stream, const FilmLook *look, Status *status)
@@ -33,14 +33,14 @@ static Film *open_cast(FILE *stream, const FilmLook *look, Status *status)
     Film *film = calloc(1, sizeof *film);
     if (!film)
         status_fail(status, STATUS_FAILED, "out of memory");
-    if (!film || !picture_open(&film->picture, term, PICTURE_NO_KEYS, false, &stand_in, status)) {
+    if (!film || !grid_open(&film->grid, term, GRID_NO_KEYS, false, &stand_in, status)) {
         free(film);
         return NULL;
     }
     film->stream = stream;
-    film->picture.colours = 256;
-    film->picture.light = look->light;
-    film->picture.utf8 = true;
+    film->grid.colours = 256;
+    film->grid.light = look->light;
+    film->grid.utf8 = true;
     fprintf(stream, "{\"version\": 2, \"width\": %d, \"height\": %d, \"title\": ", look->width, look->height);
     text_put_json(stream, look->title, strlen(look->title));
     fprintf(stream, ", \"env\": {\"TERM\": \"%s\"}}\n", term);
@@ -50,15 +50,15 @@ static Film *open_cast(FILE *stream, const FilmLook *look, Status *status)
 static bool add_to_cast(Film *film, const Canvas *canvas, double seconds, Status *status)
 {
     (void)status;
-    Picture *picture = &film->picture;
+    Grid *grid = &film->grid;
     if (film->width != canvas->width || film->height != canvas->height) {
-        picture_resize(picture, canvas->width, canvas->height);
+        grid_resize(grid, canvas->width, canvas->height);
         if (film->width > 0)
             fprintf(film->stream, "[%.3f, \"r\", \"%dx%d\"]\n", seconds, canvas->width, canvas->height);
         film->width = canvas->width;
         film->height = canvas->height;
     }
-    picture_show(picture, canvas);
+    grid_show(grid, canvas);
     put_event(film, seconds);
     return true;
 }
@@ -72,7 +72,7 @@ static bool end_cast(Film *film, double seconds, Status *status)
 
 static void close_cast(Film *film)
 {
-    picture_close(&film->picture);
+    grid_close(&film->grid);
     free(film);
 }
 

@@ -126,14 +126,14 @@ void screen_draw(const Screen *screen, Canvas *canvas)
 
 /* --- views ------------------------------------------------------------------------------------------- */
 
-void screen_sketch(const Screen *screen, const View *view, int columns, int rows, Sketch *sketch)
+void screen_picture(const Screen *screen, const View *view, int columns, int rows, Picture *picture)
 {
-    Canvas canvas = {.width = columns, .height = rows, .sketch = sketch};
-    sketch_open(sketch);
-    sketch->of_moment = view->of_moment;
-    sketch->compares = view->compares;
-    sketch->upright = view->upright;
-    screen_time_text(screen, experiment_time(screen->experiment), sketch->time, sizeof sketch->time);
+    Canvas canvas = {.width = columns, .height = rows, .picture = picture};
+    picture_open(picture);
+    picture->of_moment = view->of_moment;
+    picture->compares = view->compares;
+    picture->upright = view->upright;
+    screen_time_text(screen, experiment_time(screen->experiment), picture->time, sizeof picture->time);
     view_draw(view, screen, (Area){&canvas, {0, 0, columns, rows}, GLYPHS_NONE}, false);
 }
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Text and glyphs in a part of the canvas: clipped to it, broken at spaces, cut with an ellipsis. */
-#include "picture/sketch.h"
+#include "picture/picture.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -28,14 +28,14 @@ static bool has_row(Area area, int y)
 
 void area_put(Area area, int x, int y, uint32_t glyph, Style style)
 {
-    if (x >= 0 && x < area.rect.width && has_row(area, y) && !area.canvas->sketch)
+    if (x >= 0 && x < area.rect.width && has_row(area, y) && !area.canvas->picture)
         canvas_put(area.canvas, area.rect.x + x, area.rect.y + y, glyph, style);
 }
 
 void area_put_back(Area area, int x, int y, uint32_t glyph, Style style, Style back)
 {
     area_put(area, x, y, glyph, style);
-    if (area.canvas->sketch)
+    if (area.canvas->picture)
         return;
     if (x >= 0 && x < area.rect.width && has_row(area, y) && area.rect.x + x < area.canvas->width &&
         area.rect.y + y < area.canvas->height)
@@ -45,8 +45,8 @@ void area_put_back(Area area, int x, int y, uint32_t glyph, Style style, Style b
 
 int area_text(Area area, int x, int y, const char *text, Style style)
 {
-    if (area.canvas->sketch) {
-        sketch_note(area.canvas->sketch, text, style == STYLE_FAINT);
+    if (area.canvas->picture) {
+        picture_note(area.canvas->picture, text, style == STYLE_FAINT);
         return glyphs_columns(text);
     }
     if (x < 0 || x >= area.rect.width || !has_row(area, y))
@@ -127,7 +127,7 @@ static int paragraph(const Area *area, int x, int y, int width, int rows, const 
 
 int area_paragraph(Area area, int x, int y, int width, int rows, const char *text, Style style)
 {
-    if (area.canvas->sketch)
+    if (area.canvas->picture)
         return area_text(area, x, y, text, style) > 0;
     return paragraph(&area, x, y, width, rows, text, style);
 }
@@ -139,7 +139,7 @@ int area_paragraph_lines(int width, const char *text)
 
 int area_phrases(Area area, int x, int y, int width, int rows, const char *text, Style style)
 {
-    if (area.canvas->sketch)
+    if (area.canvas->picture)
         return area_text(area, x, y, text, style) > 0;
     int line = 0, used = 0;
     while (*text != '\0' && line < rows) {
@@ -165,8 +165,8 @@ int area_phrases(Area area, int x, int y, int width, int rows, const char *text,
 
 void area_rule(Area area, int y, const char *heading, Style heading_style)
 {
-    if (area.canvas->sketch) {
-        sketch_heading(area.canvas->sketch, heading);
+    if (area.canvas->picture) {
+        picture_heading(area.canvas->picture, heading);
         return;
     }
     for (int x = 0; x < area.rect.width; x++)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Round ticks and the places of values: linear, by square roots, by powers of ten; and how axes are drawn. */
-#include "picture/sketch.h"
+#include "picture/picture.h"
 
 #include "base/math/functions.h"
 
@@ -310,8 +310,8 @@ Area axes_draw(Area area, const Axis *x, const Axis *y, const char *x_name, int 
     if (rows < 1 || columns < 4)
         return area_part(area, 0, 0, 0, 0);
     Area inner = area_part(area, gutter + 1, 0, columns, rows);
-    if (area.canvas->sketch) {
-        sketch_axes(area.canvas->sketch, x, y, x_name);
+    if (area.canvas->picture) {
+        picture_axes(area.canvas->picture, x, y, x_name);
         return inner;
     }
 
@@ -355,8 +355,8 @@ Area axes_draw(Area area, const Axis *x, const Axis *y, const char *x_name, int 
 void axes_mark(Area inner, const Axis *x, const Axis *y, double at_x, double at_y, uint32_t glyph,
                Style style)
 {
-    if (inner.canvas->sketch)
-        sketch_mark(inner.canvas->sketch, at_x, at_y, glyph, style);
+    if (inner.canvas->picture)
+        picture_mark(inner.canvas->picture, at_x, at_y, glyph, style);
     else
         area_put(inner, axis_column(x, at_x, inner.rect.width), axis_row(y, at_y, inner.rect.height), glyph,
                  style);
@@ -364,8 +364,8 @@ void axes_mark(Area inner, const Axis *x, const Axis *y, double at_x, double at_
 
 void axes_rule(Area inner, const Axis *x, double at_x, Style style)
 {
-    if (inner.canvas->sketch)
-        sketch_rule(inner.canvas->sketch, at_x, style);
+    if (inner.canvas->picture)
+        picture_rule(inner.canvas->picture, at_x, style);
     const int column = axis_column(x, at_x, inner.rect.width);
     for (int row = 0; column >= 0 && row < inner.rect.height; row++)
         area_put(inner, column, row, 0x2502, style);

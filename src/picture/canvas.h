@@ -57,10 +57,10 @@ typedef struct Rect {
 
 typedef struct Canvas {
     int width, height;
-    Cell *cells;            /* height x width */
-    int cursor_x, cursor_y; /* where the hardware cursor stands; -1: hidden */
-    bool large;             /* to be read from afar: thick curves, few labels, no faint words */
-    struct Sketch *sketch;  /* not NULL: there are no cells, all goes in there (sketch.h) */
+    Cell *cells;             /* height x width */
+    int cursor_x, cursor_y;  /* where the hardware cursor stands; -1: hidden */
+    bool large;              /* to be read from afar: thick curves, few labels, no faint words */
+    struct Picture *picture; /* not NULL: there are no cells, all goes in there (picture.h) */
 } Canvas;
 
 bool canvas_open(Canvas *, int width, int height, Status *); /* all spaces; also resizes an open one */

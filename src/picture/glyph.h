@@ -12,7 +12,7 @@ typedef enum Glyphs {
     GLYPHS_BLOCK,   /* half blocks: what the Linux console has too */
     GLYPHS_ASCII,   /* one letter a curve; nothing else on the screen is beyond ASCII either */
     GLYPHS_COUNT,
-    GLYPHS_NONE = GLYPHS_COUNT /* no cells: what is drawn goes into a sketch, as finely as it can be told */
+    GLYPHS_NONE = GLYPHS_COUNT /* no cells: what is drawn goes into a picture, as finely as it can be told */
 } Glyphs;
 
 /* The next scalar value of a text, which moves on; 0 at its end, '?' for bytes that are no UTF-8. */

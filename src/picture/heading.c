@@ -2,20 +2,20 @@
 /* Legends and the heading line of a plot, which gives way by a fixed order where room is short. */
 #include "picture/heading.h"
 
-#include "picture/sketch.h"
+#include "picture/picture.h"
 
 #include <stdio.h>
 #include <string.h>
 
-/* A sketch takes the whole legend. */
-static int sketch_legend(Sketch *sketch, const Legend *legend, int n_legend)
+/* A picture takes the whole legend. */
+static int picture_legend(Picture *picture, const Legend *legend, int n_legend)
 {
     for (int i = 0; i < n_legend; i++) {
-        SketchKey key = {.line = legend[i].line, .style = legend[i].style};
+        PictureKey key = {.line = legend[i].line, .style = legend[i].style};
         snprintf(key.name, sizeof key.name, "%s", legend[i].name);
         if (legend[i].key && legend[i].key[0] && legend[i].key[1] == ':')
             key.letter = legend[i].key[0];
-        sketch_key(sketch, &key);
+        picture_key(picture, &key);
     }
     return n_legend;
 }
@@ -23,13 +23,13 @@ static int sketch_legend(Sketch *sketch, const Legend *legend, int n_legend)
 static int legend_room(Area area)
 {
     enum { NO_LIMIT = 10000 };
-    return area.canvas->sketch ? NO_LIMIT : area.rect.width;
+    return area.canvas->picture ? NO_LIMIT : area.rect.width;
 }
 
 int legend_draw(Area area, int x, int y, const Legend *legend, int n_legend)
 {
-    if (area.canvas->sketch)
-        return sketch_legend(area.canvas->sketch, legend, n_legend);
+    if (area.canvas->picture)
+        return picture_legend(area.canvas->picture, legend, n_legend);
     for (int i = 0; i < n_legend; i++) {
         const int columns = 3 + glyphs_columns(legend[i].name);
         if (x + columns + 1 > area.rect.width)

@@ -3,7 +3,7 @@
 
 #include "base/signals.h"
 #include "base/wait.h"
-#include "terminal/picture.h"
+#include "terminal/grid.h"
 #include "terminal/theme.h"
 
 #include <errno.h>
@@ -33,7 +33,7 @@ enum { N_CRASHES = sizeof crashes / sizeof *crashes, N_OTHERS = sizeof others / 
 enum { PATIENCE_MS = 300, PATIENCE_PIECES = 20 }; /* with a terminal that takes nothing, when we leave */
 
 struct Terminal {
-    Picture picture;
+    Grid grid;
     int width, height;
     int input, output; /* what is read from and written to; neither blocks */
     Glyphs glyphs;
@@ -57,14 +57,14 @@ static double now(void)
 static void send_some(Terminal *terminal)
 {
     size_t left;
-    for (const char *bytes; bytes = picture_bytes(&terminal->picture, &left), left > 0;) {
+    for (const char *bytes; bytes = grid_bytes(&terminal->grid, &left), left > 0;) {
         const ssize_t written = write(terminal->output, bytes, left);
         if (written < 0 && errno == EINTR)
             continue;
         if (written < 0 && (errno == EAGAIN || errno == EWOULDBLOCK))
             return;
         /* that the terminal is gone will be noticed when reading */
-        picture_sent(&terminal->picture, written > 0 ? (size_t)written : left);
+        grid_sent(&terminal->grid, written > 0 ? (size_t)written : left);
     }
 }
 
@@ -92,8 +92,8 @@ static void say_farewell(void)
     const Terminal *terminal = opened;
     if (!terminal)
         return;
-    const char *bytes = terminal->picture.farewell;
-    size_t left = terminal->picture.farewell_length;
+    const char *bytes = terminal->grid.farewell;
+    size_t left = terminal->grid.farewell_length;
     while (left > 0 && wait_for_room(terminal->output)) {
         const ssize_t written = write(terminal->output, bytes, left);
         if (written < 0)
@@ -204,14 +204,14 @@ static void take_screen(Terminal *terminal)
     raw.c_cc[VMIN] = 1;
     raw.c_cc[VTIME] = 0;
     tcsetattr(STDIN_FILENO, TCSANOW, &raw);
-    picture_enter(&terminal->picture);
+    grid_enter(&terminal->grid);
     send_some(terminal);
 }
 
 /* Never waits for the line to drain, which may take for ever. */
 static void give_screen_back(Terminal *terminal)
 {
-    picture_leave(&terminal->picture);
+    grid_leave(&terminal->grid);
     send_all(terminal);
     tcsetattr(STDIN_FILENO, TCSANOW, &before);
 }
@@ -238,18 +238,18 @@ static bool prepare_leaving(Status *status)
 static bool open_picture(Terminal *terminal, const TerminalOptions *options, Status *status)
 {
     const char *term = getenv("TERM"), *codeset = nl_langinfo(CODESET);
-    Picture *picture = &terminal->picture;
-    if (!picture_choose_glyphs(options->glyphs, codeset, term, &terminal->glyphs))
+    Grid *grid = &terminal->grid;
+    if (!grid_choose_glyphs(options->glyphs, codeset, term, &terminal->glyphs))
         return status_fail(status, STATUS_USAGE, "--glyphs: unknown set '%s' (auto, braille, block or ascii)",
                            options->glyphs);
     if (!isatty(STDIN_FILENO) || !isatty(STDOUT_FILENO))
         return status_fail(status, STATUS_USAGE,
                            "the laboratory needs a terminal; without one use: matvib run SCENARIO");
-    picture->light = theme_is_light(options->theme, getenv("COLORFGBG"));
-    picture->utf8 = strcmp(codeset, "UTF-8") == 0;
+    grid->light = theme_is_light(options->theme, getenv("COLORFGBG"));
+    grid->utf8 = strcmp(codeset, "UTF-8") == 0;
     terminal->input = open_again(STDIN_FILENO, O_RDONLY);
     terminal->output = open_again(STDOUT_FILENO, O_WRONLY);
-    return picture_open(picture, term, terminal->input, options->mouse, &terminal->stand_in, status);
+    return grid_open(grid, term, terminal->input, options->mouse, &terminal->stand_in, status);
 }
 
 static void free_terminal(Terminal *terminal)
@@ -278,9 +278,9 @@ Terminal *terminal_open(const TerminalOptions *options, Status *status)
         return NULL;
     }
     errno = 0;
-    keys_define(terminal->picture.keys);
+    keys_define(terminal->grid.keys);
     if (errno == ENOMEM) { /* a key that curses has no room for would do nothing */
-        picture_close(&terminal->picture);
+        grid_close(&terminal->grid);
         release_signals(terminal);
         free_terminal(terminal);
         status_fail(status, STATUS_FAILED, "out of memory");
@@ -288,7 +288,7 @@ Terminal *terminal_open(const TerminalOptions *options, Status *status)
     }
     tcgetattr(STDIN_FILENO, &before);
     read_size(terminal);
-    picture_resize(&terminal->picture, terminal->width, terminal->height);
+    grid_resize(&terminal->grid, terminal->width, terminal->height);
     opened = terminal;
     take_screen(terminal);
     return terminal;
@@ -300,7 +300,7 @@ void terminal_close(Terminal *terminal)
         return;
     give_screen_back(terminal);
     opened = NULL;
-    picture_close(&terminal->picture);
+    grid_close(&terminal->grid);
     release_signals(terminal);
     free_terminal(terminal);
 }
@@ -313,17 +313,17 @@ void terminal_size(const Terminal *terminal, int *width, int *height)
 
 int terminal_colours(const Terminal *terminal)
 {
-    return terminal->picture.colours;
+    return terminal->grid.colours;
 }
 
 bool terminal_is_light(const Terminal *terminal)
 {
-    return terminal->picture.light;
+    return terminal->grid.light;
 }
 
 bool terminal_is_utf8(const Terminal *terminal)
 {
-    return terminal->picture.utf8;
+    return terminal->grid.utf8;
 }
 
 const char *terminal_stand_in(const Terminal *terminal)
@@ -340,20 +340,20 @@ Glyphs terminal_glyphs(const Terminal *terminal)
 
 void terminal_show(Terminal *terminal, const Canvas *canvas)
 {
-    picture_show(&terminal->picture, canvas);
+    grid_show(&terminal->grid, canvas);
     send_some(terminal);
 }
 
 bool terminal_is_behind(const Terminal *terminal)
 {
     size_t left;
-    picture_bytes(&terminal->picture, &left);
+    grid_bytes(&terminal->grid, &left);
     return left > 0;
 }
 
 void terminal_redraw(Terminal *terminal)
 {
-    picture_redraw(&terminal->picture);
+    grid_redraw(&terminal->grid);
 }
 
 static void answer_signals(Terminal *terminal)
@@ -365,7 +365,7 @@ static void answer_signals(Terminal *terminal)
     if (signal_continued) { /* after SIGSTOP, which cannot be caught: the shell has used the screen */
         signal_continued = 0;
         signal_resized = 1;
-        picture_leave(&terminal->picture);
+        grid_leave(&terminal->grid);
         take_screen(terminal);
     }
 }
@@ -399,9 +399,9 @@ bool terminal_has_input(const Terminal *terminal)
 
 bool terminal_key(Terminal *terminal, Key *key)
 {
-    const bool any = keys_read(&terminal->keys, terminal->picture.keys, now(), key);
-    if (terminal->keys.answered && !terminal->picture.synchronised)
-        picture_synchronise(&terminal->picture);
+    const bool any = keys_read(&terminal->keys, terminal->grid.keys, now(), key);
+    if (terminal->keys.answered && !terminal->grid.synchronised)
+        grid_synchronise(&terminal->grid);
     return any;
 }
 
@@ -411,8 +411,8 @@ bool terminal_resized(Terminal *terminal)
         return false;
     signal_resized = 0;
     if (!read_size(terminal))
-        return terminal->picture.shown.width == 0;
-    picture_resize(&terminal->picture, terminal->width, terminal->height);
+        return terminal->grid.shown.width == 0;
+    grid_resize(&terminal->grid, terminal->width, terminal->height);
     return true;
 }
 

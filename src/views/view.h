@@ -44,7 +44,7 @@ struct View {
     ViewDuel duel;
     bool names_run;         /* in DUEL_IN_AXES: its legend does not tell whose picture it is */
     bool of_moment;         /* shows one moment, not the time up to it */
-    bool compares;          /* its curves are of one quantity, measured and others (sketch.h) */
+    bool compares;          /* its curves are of one quantity, measured and others (picture.h) */
     bool upright;           /* its plots go across, over a height */
     bool has_time_axis;     /* along which the arrows move a cursor */
     bool is_map;            /* of the body itself: it can be magnified, displacements drawn larger */

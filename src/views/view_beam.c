@@ -88,7 +88,7 @@ static void draw_title(const Map *map, Area area, Style heading)
     const Colouring *colouring = map->colouring;
     const int *order = map->screen->eye.magnified > 1 ? near_order : whole_order;
     const int room = area.rect.width - 6;
-    const char *times = area.canvas->sketch ? "×" : "x";
+    const char *times = area.canvas->picture ? "×" : "x";
     char title[192] = "", parts[PARTS][64] = {"", "", "", "", "", "", ""}, number[NUMBER_TEXT_MAX];
     crack_texts(map, parts[TIP], parts[FIT], sizeof parts[TIP]);
     if (map->scene.leaves) {
@@ -110,7 +110,7 @@ static void draw_title(const Map *map, Area area, Style heading)
         snprintf(parts[STRETCHED], sizeof parts[STRETCHED], "height %s %s", times, number);
     else
         snprintf(parts[STRETCHED], sizeof parts[STRETCHED], "to scale");
-    if (area.canvas->sketch) { /* on paper the field stands beside its colours */
+    if (area.canvas->picture) { /* on paper the field stands beside its colours */
         for (int i = 0; i < PARTS; i++)
             add_part(title, sizeof title, (int)sizeof title, parts[order[i]]);
         area_text(area, 0, 0, title, STYLE_NORMAL);
@@ -224,8 +224,8 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
         map_close(&map);
         return;
     }
-    if (area.canvas->sketch) {
-        map_sketch(&map);
+    if (area.canvas->picture) {
+        map_picture(&map);
         draw_title(&map, area, heading);
         area_text(area, 0, 0, note_of(&map, false), STYLE_FAINT);
         map_close(&map);

@@ -126,7 +126,7 @@ static void draw_law_heading(const Screen *screen, Area area, Style heading, con
                              int most)
 {
     static const char *const band[GLYPHS_NONE + 1] = {"⢕⢕", "▒▒", "++"};
-    const bool paper = area.canvas->sketch;
+    const bool paper = area.canvas->picture;
     char nodes[64] = "nodes";
     if (paper)
         text_append(nodes, sizeof nodes, " by their largest s, log scale to %d", most);
@@ -170,7 +170,7 @@ void bond_law_draw(const Screen *screen, Area area, Style heading)
     Area inner = axes_draw(plot_area, &x, &y, name, GUTTER);
 
     /* on paper too a bin has enough nodes to be counted */
-    const bool paper = area.canvas->sketch;
+    const bool paper = area.canvas->picture;
     const int dots = inner.rect.width * (paper ? 1 : plot_dots_across(area.glyphs));
     int *bins = dots > 0 ? calloc((size_t)dots, sizeof *bins) : NULL;
     const int most = bins ? count_nodes(&x, &all, bins, dots) : 0;

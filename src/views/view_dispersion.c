@@ -38,7 +38,7 @@ static void draw_run_dots(Area inner, const Axis *x, const Axis *y, const Dot *d
         axes_mark(inner, x, y, dots[i].x, dots[i].y, dots[i].filled ? 0x25cf : 0x25cb, dots[i].style);
         if (!dots[i].letter)
             continue;
-        if (inner.canvas->sketch) { /* a letter on paper stands beside its place anyhow */
+        if (inner.canvas->picture) { /* a letter on paper stands beside its place anyhow */
             axes_mark(inner, x, y, dots[i].x, dots[i].y, (uint32_t)(unsigned char)dots[i].letter,
                       dots[i].style);
             continue;

@@ -326,7 +326,7 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     overlay_widen(screen, line, false, &(double){0}, &most);
     /* bands are told apart by colour or, without colours, by how densely they are filled: the legend shows a
      * piece of each */
-    const bool solid = screen->look.colours > 0 && area.glyphs != GLYPHS_NONE && !area.canvas->sketch;
+    const bool solid = screen->look.colours > 0 && area.glyphs != GLYPHS_NONE && !area.canvas->picture;
     const double swing = swing_of(screen);
     static const char *const keys[GLYPHS_NONE + 1][4] = {
         [GLYPHS_BRAILLE] = {"⣿⣿", "⢕⢕", "⠅⠅", "⠁⠁"},
@@ -365,7 +365,7 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     Area inner = axes_draw(plot_area, &x, &y, time_plot_name(screen, &x, name, sizeof name), GUTTER);
     Plot plot;
     plot_open(&plot, x, y);
-    if (swing > 0 && !area.canvas->sketch)
+    if (swing > 0 && !area.canvas->picture)
         add_means(&plot, &stack, swing, dots, solid);
     else
         add_stack(&plot, &stack, dots, solid);

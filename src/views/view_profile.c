@@ -138,7 +138,7 @@ static void draw_exact(Experiment *experiment, Plot *plot, const char *field, co
 static void draw_particles(const Plot *plot, Area inner, const Curve *curve)
 {
     const Profile *profile = curve->profile;
-    const int places = inner.canvas->sketch ? 4 * inner.rect.width : inner.rect.width;
+    const int places = inner.canvas->picture ? 4 * inner.rect.width : inner.rect.width;
     if (!curve->run->experiment || (size_t)places < 2 * profile->count)
         return;
     for (size_t i = 0; i < profile->count; i++)
@@ -171,7 +171,7 @@ static void draw_legends(const Screen *screen, Area area, Style heading, const c
     for (int i = n_curves - 1; i >= 0; i--) { /* the present run first */
         runs[i] = *curves[i].run;
         if (runs[i].ghost >= 0)
-            tell_moment(screen, &runs[i], area.rect.width >= 90 || area.canvas->sketch);
+            tell_moment(screen, &runs[i], area.rect.width >= 90 || area.canvas->picture);
         else if (runs[i].shown)
             legend[n_legend++] = run_legend(&runs[i]);
         if (runs[i].experiment && !runs[i].letter &&

@@ -14,27 +14,27 @@
 #include <string.h>
 
 /* What is drawn: a field of set 0. */
-typedef struct Picture {
+typedef struct SectionPart {
     const char *field, *name, *unit;
     const char *theory; /* the line beside, where theory knows the run */
     const char *own;    /* the same for the section's own moment or force; "": from the slope */
     const char *resultant, *resultant_unit; /* NULL: none */
     int power;                              /* of y in the resultant: a moment or a force */
-} Picture;
+} SectionPart;
 
-static const Picture pictures[] = {
+static const SectionPart parts[] = {
     {"ux", "section, y", "m", "-y duy/dx (eq. 14)", "", NULL, NULL, 0},
     {"sxx", "bending, y", "Pa", "beam theory", "same moment", "moment", "N m", 1},
     {"sxy", "shear, y", "Pa", "beam theory", "same force", "force", "N", 0},
 };
 
-enum { PICTURES = sizeof pictures / sizeof *pictures, COLUMNS_MOST = 12 };
+enum { PARTS = sizeof parts / sizeof *parts, COLUMNS_MOST = 12 };
 
 /* The columns of one cell, the chosen one among them. */
 typedef struct Section {
     const Screen *screen;
     const Simulation *sim;
-    const Picture *of;
+    const SectionPart *of;
     Body body;
     size_t chosen, first, columns; /* columns of the lattice: first, first + 1, ... */
     size_t rows;
@@ -114,7 +114,7 @@ static double slope_of(const Section *section)
            (named_at(section, "x0", 0, right) - named_at(section, "x0", 0, left));
 }
 
-static bool take_section(Section *section, const Screen *screen, const Picture *of)
+static bool take_section(Section *section, const Screen *screen, const SectionPart *of)
 {
     *section = (Section){.screen = screen, .of = of, .sim = experiment_simulation(screen->experiment)};
     if (!body_of(section->sim, &section->body) || section->body.ny < 2 || section->body.nx < 2)
@@ -194,7 +194,7 @@ static void append_quantity(char out[160], const char *before, double value, con
 
 static void section_line(const Section *section, char out[160])
 {
-    const Picture *of = section->of;
+    const SectionPart *of = section->of;
     double share, away = off_line(section, &share);
     snprintf(out, 160, "at x %.2f mm", section->x / 1e-3);
     if (!is_beam(section->screen))
@@ -297,35 +297,35 @@ static void draw_section(const Section *section, Area area, Style heading)
 /* --- the view ---------------------------------------------------------------------------------------- */
 
 /* Those whose field there is, one after the other; NULL: no more. */
-static const Picture *picture_of(const Screen *screen, int variant)
+static const SectionPart *part_of(const Screen *screen, int variant)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
-    for (int i = 0; i < PICTURES; i++)
-        if (simulation_find_field(sim, 0, pictures[i].field) >= 0 && variant-- == 0)
-            return &pictures[i];
+    for (int i = 0; i < PARTS; i++)
+        if (simulation_find_field(sim, 0, parts[i].field) >= 0 && variant-- == 0)
+            return &parts[i];
     return NULL;
 }
 
 static int variants_of(const Screen *screen)
 {
     int count = 0;
-    while (picture_of(screen, count))
+    while (part_of(screen, count))
         count++;
     return count;
 }
 
 static const char *word_of(const Screen *screen, int variant)
 {
-    const Picture *picture = picture_of(screen, variant);
-    return picture ? picture->field : NULL;
+    const SectionPart *part = part_of(screen, variant);
+    return part ? part->field : NULL;
 }
 
 static void draw(const Screen *screen, Area area, Style heading, int variant)
 {
-    const Picture *picture = picture_of(screen, variant);
+    const SectionPart *part = part_of(screen, variant);
     Section section = {.y = NULL};
-    if (picture && simulation_has(experiment_simulation(screen->experiment), HAS_PLANE) &&
-        take_section(&section, screen, picture)) {
+    if (part && simulation_has(experiment_simulation(screen->experiment), HAS_PLANE) &&
+        take_section(&section, screen, part)) {
         draw_section(&section, area, heading);
     } else {
         area_rule(area, 0, "section", heading);

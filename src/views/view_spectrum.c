@@ -25,11 +25,11 @@ typedef struct Mark {
     bool exact;
 } Mark;
 
-typedef struct Picture {
+typedef struct Scale {
     const Spectrum *spectrum;
     double unit; /* radians per unit time in one unit of the axis */
     Axis x;
-} Picture;
+} Scale;
 
 /* --- what is asked for ---------------------------------------------------------------------------- */
 
@@ -106,13 +106,13 @@ static double highest_of(const Screen *screen)
 
 static double sample(const void *context, size_t index, double *x)
 {
-    const Picture *picture = context;
+    const Scale *picture = context;
     *x = (double)index * picture->spectrum->step / picture->unit;
     return picture->spectrum->amplitudes[index];
 }
 
 /* One bin beyond the axis at most. */
-static size_t bins_within(const Picture *picture)
+static size_t bins_within(const Scale *picture)
 {
     const double bins = ceil(picture->x.high * picture->unit / picture->spectrum->step) + 1;
     return bins < (double)picture->spectrum->count ? (size_t)bins : picture->spectrum->count;
@@ -128,7 +128,7 @@ static const Spectrum *spectrum_of_run(Experiment *experiment, const Run *run, c
                              : experiment_ghost_spectrum(experiment, run->ghost, at, span);
 }
 
-static double largest_of(const Picture *picture)
+static double largest_of(const Scale *picture)
 {
     double largest = 0;
     for (size_t k = 1; k < bins_within(picture); k++)
@@ -172,7 +172,7 @@ static double side_lobe(double bins)
 /* The places of the highest peaks, ascending: three bins apart at least, four times what a higher one leaks
  * there; those of the logarithmic picture at least a fiftieth of the axis apart and a thousandth of the
  * highest. */
-static int peaks_of(const Picture *picture, bool fast, double peaks[PEAKS_MAX])
+static int peaks_of(const Scale *picture, bool fast, double peaks[PEAKS_MAX])
 {
     const double *a = picture->spectrum->amplitudes;
     const size_t end = bins_within(picture), fiftieth = fast ? end / 50 + 1 : 0,
@@ -205,7 +205,7 @@ static int peaks_of(const Picture *picture, bool fast, double peaks[PEAKS_MAX])
     return count;
 }
 
-static void peak_line(const Screen *screen, const Picture *picture, bool fast, char out[160])
+static void peak_line(const Screen *screen, const Scale *picture, bool fast, char out[160])
 {
     double peaks[PEAKS_MAX];
     const int count = peaks_of(picture, fast, peaks);
@@ -265,8 +265,7 @@ static bool thickness_line(Experiment *experiment, int width, char out[160])
     return count > 0;
 }
 
-static void add_marks(const Screen *screen, Plot *plot, const Picture *picture, const Mark *marks,
-                      int n_marks)
+static void add_marks(const Screen *screen, Plot *plot, const Scale *picture, const Mark *marks, int n_marks)
 {
     for (int i = 0; i < n_marks; i++) {
         if (marks[i].exact ? !screen_shows_exact(screen) : !screen_shows_predicted(screen))
@@ -281,10 +280,10 @@ static void add_marks(const Screen *screen, Plot *plot, const Picture *picture, 
 }
 
 /* A run's letter stands at its highest peak. */
-static void letter_at_peak(Experiment *experiment, const Plot *plot, Area inner, const Picture *picture,
+static void letter_at_peak(Experiment *experiment, const Plot *plot, Area inner, const Scale *picture,
                            const Run *run, const char *column, SpectrumSpan span)
 {
-    Picture of_run = *picture;
+    Scale of_run = *picture;
     of_run.spectrum = spectrum_of_run(experiment, run, column, span);
     if (!run->letter || !run->shown || !of_run.spectrum)
         return;
@@ -311,7 +310,7 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     const int n_marks = marks_of(screen, choice.fast, marks);
     /* what breaks has no line of its own: all that the mesh does is shown */
     choice.fast |= screen_problem(screen)->si && !experiment_readout(screen->experiment)->moving;
-    Picture picture = {.unit = !screen_problem(screen)->si ? 1 : 2e3 * M_PI};
+    Scale picture = {.unit = !screen_problem(screen)->si ? 1 : 2e3 * M_PI};
     picture.spectrum =
         experiment_spectrum(screen->experiment, choice.column, choice.fast ? SPECTRUM_FAST : SPECTRUM_SLOW);
     char name[64], text[160], lines[160];
@@ -336,7 +335,7 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     const int n_runs = runs_with(runs, runs_of(screen, runs), quantity->name);
     double largest = 0;
     for (int i = 0; i < n_runs; i++) {
-        Picture of_run = picture;
+        Scale of_run = picture;
         of_run.spectrum = spectrum_of_run(screen->experiment, &runs[i], quantity->name, span);
         if (runs[i].experiment && of_run.spectrum)
             largest = fmax(largest, largest_of(&of_run));
@@ -375,7 +374,7 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     plot_open(&plot, picture.x, y);
     add_marks(screen, &plot, &picture, marks, n_marks);
     for (int i = 0; i < n_runs; i++) {
-        Picture of_run = picture;
+        Scale of_run = picture;
         of_run.spectrum = spectrum_of_run(screen->experiment, &runs[i], quantity->name, span);
         if (!runs[i].shown || !of_run.spectrum)
             continue;

@@ -91,7 +91,7 @@ void waves_plane_draw(const Screen *screen, Area area, Style heading, bool trans
             most = fmax(most, speed(settings, &curves[i], transverse, (double)k / POINTS));
     Axis x = axis_make(0, 1, area.rect.width / 9), y = axis_make(0, axis_round_up(most), rows < 5 ? 3 : 5);
     /* on screen one entry stands for both dashed curves; paper and words have room for each */
-    const bool roomy = area.canvas->sketch != NULL;
+    const bool roomy = area.canvas->picture != NULL;
     const Legend legend[] = {{LINE_SOLID, 'c', STYLE_MEASURED, "c constant", NULL},
                              {LINE_SOLID, 'k', STYLE_SECOND, "k conical", NULL},
                              {LINE_DASHED, '-', STYLE_MEASURED,

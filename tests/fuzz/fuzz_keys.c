@@ -21,7 +21,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     enum { PIECE = 1000 };
     static Keyboard keyboard;
     Key key;
-    FUZZ_ASSERT(keyboard.picture.curses || keyboard_open(&keyboard, "xterm-256color"));
+    FUZZ_ASSERT(keyboard.grid.curses || keyboard_open(&keyboard, "xterm-256color"));
     for (size_t i = 0; i < size; i += PIECE) {
         FUZZ_ASSERT(keyboard_type(&keyboard, data + i, size - i < PIECE ? size - i : PIECE));
         while (keyboard_next(&keyboard, &key))

@@ -77,7 +77,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     Host host = {now, worked, go_on, nothing, nothing, NULL, NULL, NULL};
     time_now = 0;
     FUZZ_ASSERT(laboratory_open(&lab, &options, &host, &status));
-    FUZZ_ASSERT(keyboard.picture.curses || keyboard_open(&keyboard, "xterm-256color"));
+    FUZZ_ASSERT(keyboard.grid.curses || keyboard_open(&keyboard, "xterm-256color"));
     keyboard.time += 60; /* nothing is open any more */
     for (size_t i = 0; i < size && i < BYTES_MAX && !lab.closed; i++) {
         if (data[i] == 0 && i + 2 < size) {

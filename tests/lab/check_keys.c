@@ -25,7 +25,7 @@ static const char *decode_bytes(const char *bytes, size_t count)
     static Keyboard keyboard;
     Key key;
     size_t length = 0;
-    if (!keyboard.picture.curses)
+    if (!keyboard.grid.curses)
         open_keyboard(&keyboard, "xterm-256color");
     keyboard.reader = (KeyReader){0};
     out[0] = '\0';

@@ -8,7 +8,7 @@
 #include "scenario/scenario.h"
 #include "lab/session/session.h"
 #include "plain/plain.h"
-#include "picture/sketch.h"
+#include "picture/picture.h"
 #include "views/view.h"
 
 #include <math.h>
@@ -367,22 +367,22 @@ END_TEST
 /* Told of a curve y(x) from 0 to 10. */
 static Words told_of(double (*curve)(double), double (*exact)(double), const char *heading)
 {
-    Sketch sketch;
+    Picture picture;
     Words words = {.text = NULL};
-    sketch_open(&sketch);
-    sketch.compares = true;
+    picture_open(&picture);
+    picture.compares = true;
     const Axis x = axis_make(0, 10, 5), y = axis_make(-2, 2, 5);
-    sketch_axes(&sketch, &x, &y, "t");
-    sketch_heading(&sketch, heading);
+    picture_axes(&picture, &x, &y, "t");
+    picture_heading(&picture, heading);
     for (int which = 0; which < (exact ? 2 : 1); which++) {
-        plot_begin(&sketch.plot, STROKE_LINE, which ? LINE_DOTTED : LINE_SOLID,
+        plot_begin(&picture.plot, STROKE_LINE, which ? LINE_DOTTED : LINE_SOLID,
                    which ? STYLE_EXACT : STYLE_MEASURED, RANK_MEASURED, 'm');
         for (int i = 0; i <= 1000; i++)
-            plot_point(&sketch.plot, 0.01 * i, (which ? exact : curve)(0.01 * i));
+            plot_point(&picture.plot, 0.01 * i, (which ? exact : curve)(0.01 * i));
     }
-    sketch_key(&sketch, &(SketchKey){LINE_DOTTED, STYLE_EXACT, 0, "exact"});
-    ck_assert(tell_sketch(&sketch, 5, &words));
-    sketch_close(&sketch);
+    picture_key(&picture, &(PictureKey){LINE_DOTTED, STYLE_EXACT, 0, "exact"});
+    ck_assert(tell_picture(&picture, 5, &words));
+    picture_close(&picture);
     is_plain(words.text);
     for (char *at = words.text; (at = strchr(at, '\n'));) /* as one line, for what is looked for */
         *at = ' ', at += strspn(at, " ") > 1 ? 1 : 0;
@@ -446,20 +446,20 @@ END_TEST
 /* 5 by 3 pieces with one that stands out. */
 static Words told_of_map(size_t greatest, double peak)
 {
-    Sketch sketch;
+    Picture picture;
     Words words = {.text = NULL};
     const Axis axis = axis_make(0, 1, 5);
-    sketch_open(&sketch);
-    sketch_axes(&sketch, &axis, &axis, "x, mm");
-    sketch_heading(&sketch, "damage");
-    SketchMap *map = sketch_map(&sketch, 5, 3);
+    picture_open(&picture);
+    picture_axes(&picture, &axis, &axis, "x, mm");
+    picture_heading(&picture, "damage");
+    PictureMap *map = picture_map(&picture, 5, 3);
     ck_assert_ptr_nonnull(map);
     map->enlarged = 10;
     for (size_t i = 0; i < 15; i++)
         map->x[i] = map->y[i] = map->value[i] = 0;
     map->value[greatest] = peak;
-    ck_assert(tell_sketch(&sketch, NAN, &words));
-    sketch_close(&sketch);
+    ck_assert(tell_picture(&picture, NAN, &words));
+    picture_close(&picture);
     return words;
 }
 

@@ -4,10 +4,10 @@
 #define TESTS_TUI_KEYBOARD_H
 
 #include "terminal/keys.h"
-#include "terminal/picture.h"
+#include "terminal/grid.h"
 
 typedef struct Keyboard {
-    Picture picture;
+    Grid grid;
     KeyReader reader;
     int ends[2];
     double time; /* s; the test's own clock */

@@ -23,11 +23,11 @@
 
 /* --- pictures ------------------------------------------------------------------------------------- */
 
-typedef struct Picture {
+typedef struct Screenshot {
     const char *name, *words;
-} Picture;
+} Screenshot;
 
-static const Picture pictures[] = {
+static const Screenshot pictures[] = {
     {"first", "mode1 80x24 0 running"},
     {"start-paused", "mode1 80x24 0"},
     {"running", "mode5 80x24 1234 running"},
@@ -201,7 +201,7 @@ static void tell_difference(const char *is, const char *wanted)
     fflush(stdout);
 }
 
-static void compare(const Picture *picture, const Canvas *canvas)
+static void compare(const Screenshot *picture, const Canvas *canvas)
 {
     char path[128], *text = canvas_dump(canvas), *golden;
     ck_assert_ptr_nonnull(text);
@@ -262,7 +262,7 @@ static void expect_whole_numbers(const Canvas *canvas, const char *what)
 /* It looks as it did, and in other sizes and glyphs it keeps to the rules. */
 START_TEST(screens_look_as_they_did)
 {
-    const Picture *picture = &pictures[_i];
+    const Screenshot *picture = &pictures[_i];
     Scene scene;
     Status status = {STATUS_DONE, ""};
     ck_assert_msg(scene_open(&scene, picture->words, &status), "%s", status.text);

@@ -7,7 +7,7 @@
 #include "lab/laboratory.h"
 #include "lab/session/replay.h"
 #include "film/camera.h"
-#include "terminal/picture.h"
+#include "terminal/grid.h"
 #include "terminal/theme.h"
 
 #include <langinfo.h>
@@ -354,7 +354,7 @@ static bool open_script(Script *script, const LaboratoryOptions *options, Status
     Host host = {now, worked, go_on, nothing, nothing, script, NULL, NULL};
     const char *codeset = nl_langinfo(CODESET);
     Glyphs glyphs;
-    if (!picture_choose_glyphs(options->glyphs, codeset, NULL, &glyphs))
+    if (!grid_choose_glyphs(options->glyphs, codeset, NULL, &glyphs))
         return status_fail(status, STATUS_USAGE, "--glyphs: unknown set '%s' (auto, braille, block or ascii)",
                            options->glyphs);
     script->camera = options->camera;

@@ -14,25 +14,25 @@ enum { FIGURE_WORDS_MAX = 640 };
 #define LINE_HEIGHT 1.35 /* in sizes */
 
 /* Axes, curves, marks; or a map with its lines and signs. */
-void draw_plot(Paper *, const Sketch *, Box);
+void draw_plot(Paper *, const Picture *, Box);
 
 /* The height at which a map of that width is drawn to its scale; 0: it is a plot, and any will do. */
-double draw_plot_height(const Sketch *, double width);
+double draw_plot_height(const Picture *, double width);
 
 /* A place of the plot in points: x0 + scale_x x, y0 + scale_y y. */
 typedef struct Place {
     double x0, scale_x, y0, scale_y;
 } Place;
 
-void draw_heat(Paper *, const SketchMap *, const Place *);
+void draw_heat(Paper *, const PictureMap *, const Place *);
 
 /* The colours of a map with their values, from the top of the box on; returns the height. Paper NULL: it is
  * only measured; so the others. */
-double draw_heat_bar(Paper *, const Sketch *, Box);
+double draw_heat_bar(Paper *, const Picture *, Box);
 
 /* The legend, in as many rows as it takes from the top of the box on; returns their height. Paper NULL: it is
  * only measured. */
-double draw_legend_rows(Paper *, const Sketch *, Box);
+double draw_legend_rows(Paper *, const Picture *, Box);
 
 /* Phrases that are parted by two spaces, wrapped, from the top of the box on; returns their height. Paper
  * NULL: likewise. */

@@ -15,7 +15,7 @@
 
 enum { LEVELS = 128, BAR_PIECES = 64 };
 
-static int level_of(const SketchMap *map, double value)
+static int level_of(const PictureMap *map, double value)
 {
     if (isnan(value))
         return -1;
@@ -23,14 +23,14 @@ static int level_of(const SketchMap *map, double value)
     return level < 0 ? 0 : level >= LEVELS ? LEVELS - 1 : level;
 }
 
-static Colour colour_of(const SketchMap *map, int level)
+static Colour colour_of(const PictureMap *map, int level)
 {
     return ink_heat((level + 0.5) / LEVELS, map->is_signed);
 }
 
 /* A corner of a piece: where the pieces that meet there put it, in the mean, so that a bent body has no gaps.
  * One that has been torn away has no say. */
-static void corner_of(const SketchMap *map, int column, int row, int right, int up, double *x, double *y)
+static void corner_of(const PictureMap *map, int column, int row, int right, int up, double *x, double *y)
 {
     const size_t own = (size_t)row * (size_t)map->nx + (size_t)column;
     const double own_x = map->x[own] + (right - 0.5) * map->size,
@@ -71,7 +71,7 @@ static void add_point(double *points, size_t *count, double x, double y)
 /* Neighbours in a row with the same colour are one area: its upper edge there, its lower edge back. It
  * reaches a little under the next one to the right and over the row below, so that no white shows between
  * them. */
-static void draw_run(Paper *paper, const SketchMap *map, int row, int first, int end, const Place *place,
+static void draw_run(Paper *paper, const PictureMap *map, int row, int first, int end, const Place *place,
                      double *points)
 {
     size_t count = 0;
@@ -92,7 +92,7 @@ static void draw_run(Paper *paper, const SketchMap *map, int row, int first, int
         colour_of(map, level_of(map, map->value[(size_t)row * (size_t)map->nx + (size_t)first])));
 }
 
-void draw_heat(Paper *paper, const SketchMap *map, const Place *place)
+void draw_heat(Paper *paper, const PictureMap *map, const Place *place)
 {
     double *points = malloc(((size_t)map->nx + 1) * 4 * sizeof *points);
     if (!points)
@@ -113,18 +113,18 @@ void draw_heat(Paper *paper, const SketchMap *map, const Place *place)
 /* --- the bar ---------------------------------------------------------------------------------------- */
 
 /* "strain energy density ×10³ J/m³": what the colours tell, and in what. */
-static void bar_name(const Sketch *sketch, const Axis *axis, char *out, size_t size)
+static void bar_name(const Picture *picture, const Axis *axis, char *out, size_t size)
 {
-    const char *unit = sketch->map->unit;
+    const char *unit = picture->map->unit;
     char scale[TICK_TEXT_MAX];
     axis_scale_text(axis, unit, scale);
     if (*unit && (!*scale || *scale == 'x') && !strstr(scale, unit))
-        snprintf(out, size, "%s%s%s, %s", sketch->heading, *scale ? " " : "", scale, unit);
+        snprintf(out, size, "%s%s%s, %s", picture->heading, *scale ? " " : "", scale, unit);
     else
-        snprintf(out, size, "%s%s%s", sketch->heading, *scale == 'x' ? " " : *scale ? ", " : "", scale);
+        snprintf(out, size, "%s%s%s", picture->heading, *scale == 'x' ? " " : *scale ? ", " : "", scale);
 }
 
-static void draw_ramp(Paper *paper, const SketchMap *map, Box box)
+static void draw_ramp(Paper *paper, const PictureMap *map, Box box)
 {
     for (int i = 0; i < BAR_PIECES; i++) {
         const double x0 = box.x + box.width * i / BAR_PIECES, x1 = box.x + box.width * (i + 1) / BAR_PIECES;
@@ -138,15 +138,15 @@ static void draw_ramp(Paper *paper, const SketchMap *map, Box box)
 }
 
 /* The name stands beside the bar or, where that would leave it too short, above it. */
-double draw_heat_bar(Paper *paper, const Sketch *sketch, Box box)
+double draw_heat_bar(Paper *paper, const Picture *picture, Box box)
 {
-    const SketchMap *map = sketch->map;
+    const PictureMap *map = picture->map;
     if (!map)
         return 0;
     const Type words = {.size = SIZE_WORDS}, numbers = {.size = SIZE_TICKS, .align = ALIGN_CENTRE};
     Axis axis = axis_make(map->low, map->high, 7);
-    char name[SKETCH_TEXT_MAX + 2 * TICK_TEXT_MAX], text[TICK_TEXT_MAX];
-    bar_name(sketch, &axis, name, sizeof name);
+    char name[PICTURE_TEXT_MAX + 2 * TICK_TEXT_MAX], text[TICK_TEXT_MAX];
+    bar_name(picture, &axis, name, sizeof name);
     const double beside = draw_words_width(name, &words) + 18;
     const bool above = box.width - beside < 140;
     const double down = above ? LINE_HEIGHT * SIZE_WORDS : 0;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A sketch with axes on paper: frame, ticks, strokes cut at the frame, marks, labels and legend. */
+/* A picture with axes on paper: frame, ticks, strokes cut at the frame, marks, labels and legend. */
 #include "picture/paper/draw.h"
 
 #include "base/math/functions.h"
@@ -29,7 +29,7 @@ enum {
 
 typedef struct Frame {
     Paper *paper;
-    const Sketch *sketch;
+    const Picture *picture;
     Box box; /* of the curves */
 } Frame;
 
@@ -43,12 +43,12 @@ static double share_of(const Axis *axis, double value)
 
 static double x_of(const Frame *frame, double value)
 {
-    return frame->box.x + share_of(&frame->sketch->plot.x, value) * frame->box.width;
+    return frame->box.x + share_of(&frame->picture->plot.x, value) * frame->box.width;
 }
 
 static double y_of(const Frame *frame, double value)
 {
-    return frame->box.y + (1 - share_of(&frame->sketch->plot.y, value)) * frame->box.height;
+    return frame->box.y + (1 - share_of(&frame->picture->plot.y, value)) * frame->box.height;
 }
 
 static double range_of(const Axis *axis)
@@ -93,7 +93,7 @@ static double widest_label(const Axis *axis, const Type *type)
 
 static void draw_grid(const Frame *frame)
 {
-    const Plot *plot = &frame->sketch->plot;
+    const Plot *plot = &frame->picture->plot;
     const Box *box = &frame->box;
     double ticks[TICKS_MAX];
     int count = axis_ticks(&plot->x, ticks);
@@ -110,25 +110,25 @@ static void draw_grid(const Frame *frame)
 
 static void draw_axes(const Frame *frame, double left)
 {
-    const Sketch *sketch = frame->sketch;
+    const Picture *picture = frame->picture;
     const Box *box = &frame->box;
     Paper *paper = frame->paper;
     Type type = {.size = SIZE_TICKS, .align = ALIGN_RIGHT};
     double ticks[TICKS_MAX], used = -INFINITY;
-    char text[SKETCH_TEXT_MAX];
-    int count = axis_ticks(&sketch->plot.y, ticks);
+    char text[PICTURE_TEXT_MAX];
+    int count = axis_ticks(&picture->plot.y, ticks);
     for (int i = 0; i < count; i++) {
         const double y = y_of(frame, ticks[i]);
         straight(paper, box->x - TICK, y, box->x, y, BLACK, 0.6);
-        tick_label(&sketch->plot.y, ticks[i], text, sizeof text);
+        tick_label(&picture->plot.y, ticks[i], text, sizeof text);
         paper->kind->text(paper, box->x - TICK - GAP, y + 0.36 * SIZE_TICKS, text, &type);
     }
     type.align = ALIGN_CENTRE;
-    count = axis_ticks(&sketch->plot.x, ticks);
+    count = axis_ticks(&picture->plot.x, ticks);
     for (int i = 0; i < count; i++) {
         const double x = x_of(frame, ticks[i]), bottom = box->y + box->height;
         straight(paper, x, bottom, x, bottom + TICK, BLACK, 0.6);
-        tick_label(&sketch->plot.x, ticks[i], text, sizeof text);
+        tick_label(&picture->plot.x, ticks[i], text, sizeof text);
         const double half = draw_words_width(text, &type) / 2;
         if (x - half < used)
             continue;
@@ -148,9 +148,9 @@ static void draw_axes(const Frame *frame, double left)
     paper->kind->line(paper, corners, 5, &(Pencil){.colour = BLACK, .width = 0.6});
 
     Type name = {.size = SIZE_WORDS, .align = ALIGN_CENTRE};
-    draw_words(paper, box->x + box->width / 2, box->y + box->height + TICK + SIZE_TICKS + 11, sketch->x_name,
+    draw_words(paper, box->x + box->width / 2, box->y + box->height + TICK + SIZE_TICKS + 11, picture->x_name,
                &name);
-    const char *heading = sketch->map ? "y, mm" : sketch->heading;
+    const char *heading = picture->map ? "y, mm" : picture->heading;
     name.upwards = true;
     name.size = fmin(SIZE_WORDS, SIZE_WORDS * box->height / draw_words_width(heading, &name));
     draw_words(paper, left + SIZE_WORDS, box->y + box->height / 2, heading, &name);
@@ -159,20 +159,21 @@ static void draw_axes(const Frame *frame, double left)
 /* --- strokes --------------------------------------------------------------------------------------- */
 
 /* A ghost's letter is known by the legend; the ghosts among the strokes come in the same order. */
-static char letter_of(const Sketch *sketch, int stroke)
+static char letter_of(const Picture *picture, int stroke)
 {
     int earlier = 0;
     for (int i = 0; i < stroke; i++)
-        earlier += sketch->plot.strokes[i].rank == RANK_GHOST && ink_is_ghost(sketch->plot.strokes[i].style);
-    for (int i = 0; i < sketch->n_keys; i++)
-        if (sketch->keys[i].letter && ink_is_ghost(sketch->keys[i].style) && earlier-- == 0)
-            return sketch->keys[i].letter;
+        earlier +=
+            picture->plot.strokes[i].rank == RANK_GHOST && ink_is_ghost(picture->plot.strokes[i].style);
+    for (int i = 0; i < picture->n_keys; i++)
+        if (picture->keys[i].letter && ink_is_ghost(picture->keys[i].style) && earlier-- == 0)
+            return picture->keys[i].letter;
     return 0;
 }
 
 static void draw_line(const Frame *frame, const Stroke *stroke, const Pencil *pencil, double *places)
 {
-    const double *points = frame->sketch->plot.points + 2 * stroke->first;
+    const double *points = frame->picture->plot.points + 2 * stroke->first;
     size_t count = 0;
     for (size_t i = 0; i <= stroke->count; i++) {
         if (i < stroke->count && isfinite(points[2 * i]) && isfinite(points[2 * i + 1])) {
@@ -190,7 +191,7 @@ static void draw_line(const Frame *frame, const Stroke *stroke, const Pencil *pe
 /* Lower edge there and upper edge back. */
 static void draw_band(const Frame *frame, const Stroke *stroke, double *places)
 {
-    const double *points = frame->sketch->plot.points + 2 * stroke->first;
+    const double *points = frame->picture->plot.points + 2 * stroke->first;
     const size_t pairs = stroke->count / 2;
     size_t last = 2 * pairs;
     for (size_t i = 0; i < 2 * pairs; i++) {
@@ -207,18 +208,18 @@ static void draw_band(const Frame *frame, const Stroke *stroke, double *places)
 
 static void draw_rules(const Frame *frame)
 {
-    const Sketch *sketch = frame->sketch;
-    for (size_t i = 0; i < sketch->n_marks; i++)
-        if (sketch->marks[i].glyph == SKETCH_RULE)
-            straight(frame->paper, x_of(frame, sketch->marks[i].x), frame->box.y,
-                     x_of(frame, sketch->marks[i].x), frame->box.y + frame->box.height,
-                     ink_of(sketch->marks[i].style), 0.5);
+    const Picture *picture = frame->picture;
+    for (size_t i = 0; i < picture->n_marks; i++)
+        if (picture->marks[i].glyph == PICTURE_RULE)
+            straight(frame->paper, x_of(frame, picture->marks[i].x), frame->box.y,
+                     x_of(frame, picture->marks[i].x), frame->box.y + frame->box.height,
+                     ink_of(picture->marks[i].style), 0.5);
 }
 
 /* A curve that swings so fast that it fills an area would hide all others: it lies behind them, and paler. */
 static bool is_noise(const Frame *frame, const Stroke *stroke)
 {
-    const double *points = frame->sketch->plot.points + 2 * stroke->first;
+    const double *points = frame->picture->plot.points + 2 * stroke->first;
     double way = 0;
     for (size_t i = 1; i < stroke->count && stroke->kind == STROKE_LINE; i++) {
         const double up = fabs(y_of(frame, points[2 * i + 1]) - y_of(frame, points[2 * i - 1]));
@@ -229,18 +230,18 @@ static bool is_noise(const Frame *frame, const Stroke *stroke)
 
 static Pencil pencil_of(const Frame *frame, int index)
 {
-    const Stroke *stroke = &frame->sketch->plot.strokes[index];
-    return ink_pencil(stroke->style, stroke->line, letter_of(frame->sketch, index));
+    const Stroke *stroke = &frame->picture->plot.strokes[index];
+    return ink_pencil(stroke->style, stroke->line, letter_of(frame->picture, index));
 }
 
 static bool is_broken(const Frame *frame, int index)
 {
-    return frame->sketch->plot.strokes[index].kind == STROKE_LINE && pencil_of(frame, index).dashes[0] > 0;
+    return frame->picture->plot.strokes[index].kind == STROKE_LINE && pencil_of(frame, index).dashes[0] > 0;
 }
 
 static void draw_stroke(const Frame *frame, int index, bool noise, double *places)
 {
-    const Plot *plot = &frame->sketch->plot;
+    const Plot *plot = &frame->picture->plot;
     const Stroke *stroke = &plot->strokes[index];
     Pencil pencil = pencil_of(frame, index);
     if (noise)
@@ -259,7 +260,7 @@ static void draw_stroke(const Frame *frame, int index, bool noise, double *place
 /* By rank, noise below all; a broken line lies over a whole one, which shows between its dashes. */
 static void draw_strokes(const Frame *frame)
 {
-    const Plot *plot = &frame->sketch->plot;
+    const Plot *plot = &frame->picture->plot;
     double *places = malloc((plot->n_points + 1) * 2 * sizeof *places);
     bool noise[STROKES_MAX];
     if (!places)
@@ -280,7 +281,7 @@ static void draw_strokes(const Frame *frame)
 
 /* --- marks ----------------------------------------------------------------------------------------- */
 
-static void draw_letter(const Frame *frame, const SketchMark *mark, double x, double y)
+static void draw_letter(const Frame *frame, const PictureMark *mark, double x, double y)
 {
     const char text[2] = {(char)mark->glyph, '\0'};
     const Type type = {.size = SIZE_TICKS, .bold = true, .colour = ink_of(mark->style)};
@@ -301,7 +302,7 @@ static void draw_arrow(const Frame *frame, uint32_t glyph, double x, double y, d
 }
 
 /* A letter on white, so that it is read on any colour. */
-static void draw_letter_sign(const Frame *frame, const SketchMark *mark, double x, double y, double size)
+static void draw_letter_sign(const Frame *frame, const PictureMark *mark, double x, double y, double size)
 {
     const char text[2] = {(char)mark->glyph, '\0'};
     const Type type = {
@@ -320,7 +321,7 @@ static void draw_cross(const Frame *frame, double x, double y, double size)
 }
 
 /* Supports hang below their place, loads of beams stand above it. */
-static void draw_sign(const Frame *frame, const SketchMark *mark, double x, double y)
+static void draw_sign(const Frame *frame, const PictureMark *mark, double x, double y)
 {
     const uint32_t glyph = mark->glyph;
     const double size = frame->box.width < SMALL ? 0.7 : 1;
@@ -343,23 +344,23 @@ static void draw_sign(const Frame *frame, const SketchMark *mark, double x, doub
 
 /* Supports of nodes beside each other are one sign, in their middle, as loads are; of other signs each means
  * a place. */
-static bool is_shared(const Sketch *sketch, const SketchMark *a, const SketchMark *b)
+static bool is_shared(const Picture *picture, const PictureMark *a, const PictureMark *b)
 {
     const bool spreads = a->glyph == SIGN_SUPPORT || a->glyph == SIGN_ROLLER || a->glyph == SIGN_LOAD;
-    return a->glyph == b->glyph && spreads && fabs(a->x - b->x) <= NEAR * range_of(&sketch->plot.x);
+    return a->glyph == b->glyph && spreads && fabs(a->x - b->x) <= NEAR * range_of(&picture->plot.x);
 }
 
 static size_t draw_signs(const Frame *frame, size_t first)
 {
-    const Sketch *sketch = frame->sketch;
-    const SketchMark *begin = &sketch->marks[first];
+    const Picture *picture = frame->picture;
+    const PictureMark *begin = &picture->marks[first];
     double sum_x = 0, sum_y = 0;
     size_t end = first;
     do {
-        sum_x += x_of(frame, sketch->marks[end].x);
-        sum_y += y_of(frame, sketch->marks[end].y);
+        sum_x += x_of(frame, picture->marks[end].x);
+        sum_y += y_of(frame, picture->marks[end].y);
         end++;
-    } while (end < sketch->n_marks && is_shared(sketch, begin, &sketch->marks[end]));
+    } while (end < picture->n_marks && is_shared(picture, begin, &picture->marks[end]));
     draw_sign(frame, begin, sum_x / (double)(end - first), sum_y / (double)(end - first));
     return end;
 }
@@ -367,16 +368,16 @@ static size_t draw_signs(const Frame *frame, size_t first)
 /* Dots, rings and letters of a plot; a letter stands beside its place, several at one place in a row. */
 static void draw_marks(const Frame *frame)
 {
-    const Sketch *sketch = frame->sketch;
+    const Picture *picture = frame->picture;
     const Box *box = &frame->box;
     double before_x = NAN, before_y = NAN, shift = 0;
     const double size = box->width < SMALL ? 0.6 : 1;
-    for (size_t i = 0; i < sketch->n_marks; i++) {
-        const SketchMark *mark = &sketch->marks[i];
+    for (size_t i = 0; i < picture->n_marks; i++) {
+        const PictureMark *mark = &picture->marks[i];
         const double x = x_of(frame, mark->x), y = y_of(frame, mark->y);
         const Colour colour = ink_of(mark->style);
-        if (mark->glyph == SKETCH_RULE || !(x >= box->x - 0.1 && x <= box->x + box->width + 0.1 &&
-                                            y >= box->y - 0.1 && y <= box->y + box->height + 0.1))
+        if (mark->glyph == PICTURE_RULE || !(x >= box->x - 0.1 && x <= box->x + box->width + 0.1 &&
+                                             y >= box->y - 0.1 && y <= box->y + box->height + 0.1))
             continue; /* a rule lies behind the curves */
         if (mark->glyph == 0x25cf) {
             frame->paper->kind->disc(frame->paper, x, y, mark->style == STYLE_CHANGED ? 2.4 : 1.7 * size,
@@ -394,9 +395,9 @@ static void draw_marks(const Frame *frame)
 }
 
 /* Of the usual size or, where a drawing had to shrink, as small as it takes: a row of it has the height 1. */
-static void draw_label(const Frame *frame, const SketchLabel *label)
+static void draw_label(const Frame *frame, const PictureLabel *label)
 {
-    const double row = frame->box.height / range_of(&frame->sketch->plot.y);
+    const double row = frame->box.height / range_of(&frame->picture->plot.y);
     const Type type = {.size = fmin(SIZE_WORDS, 0.8 * row),
                        .colour = ink_of(label->style),
                        .align = label->side < 0    ? ALIGN_RIGHT
@@ -418,27 +419,27 @@ typedef struct Margins {
     double left, right, above, below;
 } Margins;
 
-static Margins margins_of(const Sketch *sketch)
+static Margins margins_of(const Picture *picture)
 {
-    const double labels = widest_label(&sketch->plot.y, &(Type){.size = SIZE_TICKS});
-    if (sketch->bare)
+    const double labels = widest_label(&picture->plot.y, &(Type){.size = SIZE_TICKS});
+    if (picture->bare)
         return (Margins){0, 0, 0, 0};
     return (Margins){SIZE_WORDS + 5 + labels + GAP + TICK, 12, 4, TICK + SIZE_TICKS + 14};
 }
 
-double draw_plot_height(const Sketch *sketch, double width)
+double draw_plot_height(const Picture *picture, double width)
 {
-    if (sketch->stretch <= 0)
+    if (picture->stretch <= 0)
         return 0;
-    const Margins margins = margins_of(sketch);
-    const double scale = (width - margins.left - margins.right) / range_of(&sketch->plot.x);
-    return margins.above + scale * sketch->stretch * range_of(&sketch->plot.y) + margins.below;
+    const Margins margins = margins_of(picture);
+    const double scale = (width - margins.left - margins.right) / range_of(&picture->plot.x);
+    return margins.above + scale * picture->stretch * range_of(&picture->plot.y) + margins.below;
 }
 
 /* A map or drawing keeps its scale: the box shrinks one way. */
-static void fit(const Sketch *sketch, Box *box)
+static void fit(const Picture *picture, Box *box)
 {
-    const double x = range_of(&sketch->plot.x), y = sketch->stretch * range_of(&sketch->plot.y);
+    const double x = range_of(&picture->plot.x), y = picture->stretch * range_of(&picture->plot.y);
     const double scale = fmin(box->width / x, box->height / y);
     box->width = scale * x;
     box->height = scale * y;
@@ -446,7 +447,7 @@ static void fit(const Sketch *sketch, Box *box)
 
 static void draw_body(const Frame *frame)
 {
-    const Plot *plot = &frame->sketch->plot;
+    const Plot *plot = &frame->picture->plot;
     const Place place = {
         .scale_x = frame->box.width / range_of(&plot->x),
         .scale_y = -frame->box.height / range_of(&plot->y),
@@ -454,33 +455,33 @@ static void draw_body(const Frame *frame)
         .y0 = y_of(frame, 0),
     };
     frame->paper->kind->clip(frame->paper, &frame->box);
-    draw_heat(frame->paper, frame->sketch->map, &place);
+    draw_heat(frame->paper, frame->picture->map, &place);
     frame->paper->kind->clip(frame->paper, NULL);
 }
 
-void draw_plot(Paper *paper, const Sketch *sketch, Box box)
+void draw_plot(Paper *paper, const Picture *picture, Box box)
 {
-    const Margins margins = margins_of(sketch);
+    const Margins margins = margins_of(picture);
     Frame frame = {paper,
-                   sketch,
+                   picture,
                    {box.x + margins.left, box.y + margins.above, box.width - margins.left - margins.right,
                     box.height - margins.above - margins.below}};
     if (frame.box.width < 20 || frame.box.height < 10)
         return;
-    const bool of_body = sketch->stretch > 0; /* its marks are signs */
+    const bool of_body = picture->stretch > 0; /* its marks are signs */
     if (of_body)
-        fit(sketch, &frame.box);
+        fit(picture, &frame.box);
     else
         draw_grid(&frame);
-    if (sketch->map)
+    if (picture->map)
         draw_body(&frame);
     draw_strokes(&frame);
-    if (!sketch->bare)
+    if (!picture->bare)
         draw_axes(&frame, box.x);
     if (!of_body)
         draw_marks(&frame);
-    for (size_t i = 0; of_body && i < sketch->n_marks;)
+    for (size_t i = 0; of_body && i < picture->n_marks;)
         i = draw_signs(&frame, i);
-    for (int i = 0; i < sketch->n_labels; i++)
-        draw_label(&frame, &sketch->labels[i]);
+    for (int i = 0; i < picture->n_labels; i++)
+        draw_label(&frame, &picture->labels[i]);
 }

@@ -146,13 +146,13 @@ double draw_phrases(Paper *paper, const char *text, Box box, const Type *type)
 /* --- legend ---------------------------------------------------------------------------------------- */
 
 /* What stands for an entry is what was drawn in its style. */
-static void draw_sample(Paper *paper, const Sketch *sketch, const SketchKey *key, double x, double y)
+static void draw_sample(Paper *paper, const Picture *picture, const PictureKey *key, double x, double y)
 {
     const double ends[] = {x, y, x + SAMPLE, y};
     const Pencil pencil = ink_pencil(key->style, key->line, key->letter);
     bool lined = false, marked = false; /* dots are marks too */
-    for (int i = 0; i < sketch->plot.n_strokes; i++) {
-        const Stroke *stroke = &sketch->plot.strokes[i];
+    for (int i = 0; i < picture->plot.n_strokes; i++) {
+        const Stroke *stroke = &picture->plot.strokes[i];
         if (stroke->style != key->style)
             continue;
         lined |= stroke->kind == STROKE_LINE;
@@ -164,8 +164,8 @@ static void draw_sample(Paper *paper, const Sketch *sketch, const SketchKey *key
         paper->kind->line(paper, corners, 5, &(Pencil){.colour = pencil.colour, .width = 0.5});
         return;
     }
-    for (size_t i = 0; i < sketch->n_marks; i++)
-        marked |= sketch->marks[i].style == key->style && sketch->marks[i].glyph >= 0x80;
+    for (size_t i = 0; i < picture->n_marks; i++)
+        marked |= picture->marks[i].style == key->style && picture->marks[i].glyph >= 0x80;
     if (!lined && marked)
         paper->kind->disc(paper, x + SAMPLE / 2, y, 1.7, pencil.colour, NULL);
     else
@@ -173,7 +173,7 @@ static void draw_sample(Paper *paper, const Sketch *sketch, const SketchKey *key
 }
 
 /* Of an earlier run it is told what it was, "a: cell size 1", not what came after: "1 -> 0.5". */
-static void name_of(const SketchKey *key, char out[SKETCH_TEXT_MAX + 4])
+static void name_of(const PictureKey *key, char out[PICTURE_TEXT_MAX + 4])
 {
     size_t used = key->letter ? (size_t)sprintf(out, "%c: ", key->letter) : 0;
     for (const char *from = key->name; *from;) {
@@ -187,14 +187,14 @@ static void name_of(const SketchKey *key, char out[SKETCH_TEXT_MAX + 4])
     out[used] = '\0';
 }
 
-double draw_legend_rows(Paper *paper, const Sketch *sketch, Box box)
+double draw_legend_rows(Paper *paper, const Picture *picture, Box box)
 {
     const Type type = {.size = SIZE_WORDS};
     const double row = 1.5 * SIZE_WORDS;
     double x = 0, y = 0;
-    for (int i = 0; i < sketch->n_keys; i++) {
-        const SketchKey *key = &sketch->keys[i];
-        char name[SKETCH_TEXT_MAX + 4];
+    for (int i = 0; i < picture->n_keys; i++) {
+        const PictureKey *key = &picture->keys[i];
+        char name[PICTURE_TEXT_MAX + 4];
         name_of(key, name);
         const double width = SAMPLE + BEHIND + draw_words_width(name, &type);
         if (x > 0 && x + width > box.width) {
@@ -202,10 +202,10 @@ double draw_legend_rows(Paper *paper, const Sketch *sketch, Box box)
             y += row;
         }
         if (paper) {
-            draw_sample(paper, sketch, key, box.x + x, box.y + y + 0.62 * SIZE_WORDS);
+            draw_sample(paper, picture, key, box.x + x, box.y + y + 0.62 * SIZE_WORDS);
             draw_words(paper, box.x + x + SAMPLE + BEHIND, box.y + y + 0.95 * SIZE_WORDS, name, &type);
         }
         x += width + BETWEEN;
     }
-    return sketch->n_keys > 0 ? y + row : 0;
+    return picture->n_keys > 0 ? y + row : 0;
 }

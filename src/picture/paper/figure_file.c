@@ -166,7 +166,7 @@ void figure_open(Figure *figure, double width, double height)
 void figure_close(Figure *figure)
 {
     for (int i = 0; i < figure->count; i++) {
-        sketch_close(&figure->panels[i]->sketch);
+        picture_close(&figure->panels[i]->picture);
         free(figure->panels[i]);
     }
     figure->count = 0;
@@ -203,24 +203,24 @@ bool figure_add(Figure *figure, const Screen *screen, const View *view, int pane
     int columns, rows;
     page_panel_cells(figure, panels, &columns, &rows);
     errno = 0;
-    screen_sketch(screen, view, columns, rows, &panel->sketch);
-    const Sketch *sketch = &panel->sketch;
+    screen_picture(screen, view, columns, rows, &panel->picture);
+    const Picture *picture = &panel->picture;
     /* a screen is drawn again, a page is not */
-    const bool in_want = errno == ENOMEM || sketch->plot.lost;
-    if (in_want || !sketch->has_axes) {
+    const bool in_want = errno == ENOMEM || picture->plot.lost;
+    if (in_want || !picture->has_axes) {
         if (in_want)
             no_memory(status);
         else
-            status_fail(status, sketch->n_notes > 0 ? STATUS_FAILED : STATUS_USAGE, "%s: nothing to draw: %s",
-                        *sketch->heading ? sketch->heading : view->word,
-                        sketch->n_notes > 0 ? sketch->notes[0].text
-                                            : "the page is too small for it (at least 30x30 mm)");
-        sketch_close(&panel->sketch);
+            status_fail(status, picture->n_notes > 0 ? STATUS_FAILED : STATUS_USAGE,
+                        "%s: nothing to draw: %s", *picture->heading ? picture->heading : view->word,
+                        picture->n_notes > 0 ? picture->notes[0].text
+                                             : "the page is too small for it (at least 30x30 mm)");
+        picture_close(&panel->picture);
         free(panel);
         return false;
     }
-    if (sketch->of_moment || panels > 1)
-        caption_of(sketch->time, panel->caption, sizeof panel->caption);
+    if (picture->of_moment || panels > 1)
+        caption_of(picture->time, panel->caption, sizeof panel->caption);
     if (figure->count == 0) {
         snprintf(figure->title, sizeof figure->title, "%s", settings->title);
         tell_parameters(settings, figure->parameters, sizeof figure->parameters);
@@ -235,7 +235,7 @@ double figure_enlargement(const Figure *figure, bool *differ)
 {
     double least = 0, most = 0;
     for (int i = 0; i < figure->count; i++) {
-        const SketchMap *map = figure->panels[i]->sketch.map;
+        const PictureMap *map = figure->panels[i]->picture.map;
         const double factor = map ? map->enlarged : 0;
         least = i == 0 || factor < least ? factor : least;
         most = factor > most ? factor : most;
@@ -249,14 +249,14 @@ static void share_ranges(Figure *figure)
 {
     double low = INFINITY, high = -INFINITY;
     for (int i = 0; i < figure->count; i++)
-        if (figure->panels[i]->sketch.map) {
-            low = fmin(low, figure->panels[i]->sketch.map->low);
-            high = fmax(high, figure->panels[i]->sketch.map->high);
+        if (figure->panels[i]->picture.map) {
+            low = fmin(low, figure->panels[i]->picture.map->low);
+            high = fmax(high, figure->panels[i]->picture.map->high);
         }
     for (int i = 0; i < figure->count; i++)
-        if (figure->panels[i]->sketch.map) {
-            figure->panels[i]->sketch.map->low = low;
-            figure->panels[i]->sketch.map->high = high;
+        if (figure->panels[i]->picture.map) {
+            figure->panels[i]->picture.map->low = low;
+            figure->panels[i]->picture.map->high = high;
         }
 }
 

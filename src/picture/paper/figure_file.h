@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Figures for paper: what views show, taken down as sketches (picture/sketch.h) and drawn with lines and
+/* Figures for paper: what views show, taken down as picturees (picture/picture.h) and drawn with lines and
  * fonts on one page with title, axes, legend and the parameters of the run, as SVG, PDF or PNG.
  *
  * Colours are told apart by all kinds of colour vision, and lines by their dashes, so that a copy in black
@@ -14,7 +14,7 @@ enum { FIGURE_PANELS_MAX = 24, FIGURE_TEXT_MAX = 12288 };
 
 typedef struct FigurePanel {
     char caption[64]; /* "t 12.3": where a picture is of one moment, or there are several */
-    Sketch sketch;
+    Picture picture;
 } FigurePanel;
 
 typedef struct Figure {

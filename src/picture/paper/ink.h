@@ -6,7 +6,7 @@
 #include <stdbool.h>
 
 #include "picture/paper/paper.h"
-#include "picture/sketch.h"
+#include "picture/picture.h"
 
 #define BLACK 0x000000u
 #define WHITE 0xffffffu

@@ -14,29 +14,29 @@ enum { COLUMNS_MANY = 3 }; /* from so many panels on they stand in two columns *
 
 static const Type small = {.size = SIZE_SMALL, .colour = GREY};
 
-static bool has_key(const Sketch *sketch, const SketchKey *key)
+static bool has_key(const Picture *picture, const PictureKey *key)
 {
-    for (int i = 0; i < sketch->n_keys; i++)
-        if (strcmp(sketch->keys[i].name, key->name) == 0 && sketch->keys[i].letter == key->letter)
+    for (int i = 0; i < picture->n_keys; i++)
+        if (strcmp(picture->keys[i].name, key->name) == 0 && picture->keys[i].letter == key->letter)
             return true;
     return false;
 }
 
 /* The panel whose legend and colours can stand for all: the one that names most. NULL: there is none, or no
  * other panel. */
-static const Sketch *common_of(const Figure *figure)
+static const Picture *common_of(const Figure *figure)
 {
-    const Sketch *most = &figure->panels[0]->sketch;
+    const Picture *most = &figure->panels[0]->picture;
     for (int i = 1; i < figure->count; i++)
-        if (figure->panels[i]->sketch.n_keys > most->n_keys)
-            most = &figure->panels[i]->sketch;
+        if (figure->panels[i]->picture.n_keys > most->n_keys)
+            most = &figure->panels[i]->picture;
     for (int i = 0; i < figure->count; i++) {
-        const Sketch *sketch = &figure->panels[i]->sketch;
-        for (int k = 0; k < sketch->n_keys; k++)
-            if (!has_key(most, &sketch->keys[k]))
+        const Picture *picture = &figure->panels[i]->picture;
+        for (int k = 0; k < picture->n_keys; k++)
+            if (!has_key(most, &picture->keys[k]))
                 return NULL;
         if (most->map &&
-            (!sketch->map || sketch->map->low != most->map->low || sketch->map->high != most->map->high))
+            (!picture->map || picture->map->low != most->map->low || picture->map->high != most->map->high))
             return NULL;
     }
     return figure->count > 1 ? most : NULL;
@@ -45,25 +45,25 @@ static const Sketch *common_of(const Figure *figure)
 /* --- a panel --------------------------------------------------------------------------------------- */
 
 /* Explanations, or results. */
-static double draw_notes(Paper *paper, const Sketch *sketch, bool faint, Box box)
+static double draw_notes(Paper *paper, const Picture *picture, bool faint, Box box)
 {
     double height = 0;
-    for (int i = 0; i < sketch->n_notes; i++) {
-        if (sketch->notes[i].faint != faint)
+    for (int i = 0; i < picture->n_notes; i++) {
+        if (picture->notes[i].faint != faint)
             continue;
-        const Type type = {.size = SIZE_WORDS, .colour = sketch->notes[i].faint ? GREY : BLACK};
+        const Type type = {.size = SIZE_WORDS, .colour = picture->notes[i].faint ? GREY : BLACK};
         const Box rest = {box.x, box.y + height, box.width, box.height - height};
-        height += draw_phrases(paper, sketch->notes[i].text, rest, &type);
+        height += draw_phrases(paper, picture->notes[i].text, rest, &type);
     }
     return height;
 }
 
 /* Under a panel: results, and explanations if they do not stand once for all. */
-static double draw_all_notes(Paper *paper, const Sketch *sketch, bool alone, Box box)
+static double draw_all_notes(Paper *paper, const Picture *picture, bool alone, Box box)
 {
-    const double results = draw_notes(paper, sketch, false, box);
+    const double results = draw_notes(paper, picture, false, box);
     box.y += results;
-    return results + (alone ? draw_notes(paper, sketch, true, box) : 0);
+    return results + (alone ? draw_notes(paper, picture, true, box) : 0);
 }
 
 /* What stands above and below the picture itself; `alone`: with a legend of its own. */
@@ -71,11 +71,11 @@ static double height_around(const FigurePanel *panel, double width, bool alone)
 {
     const Box box = {0, 0, width, 0};
     double height = panel->caption[0] ? LINE_HEIGHT * SIZE_WORDS : 0;
-    if (alone && panel->sketch.n_keys > 0)
-        height += draw_legend_rows(NULL, &panel->sketch, box) + 2;
+    if (alone && panel->picture.n_keys > 0)
+        height += draw_legend_rows(NULL, &panel->picture, box) + 2;
     if (alone)
-        height += draw_heat_bar(NULL, &panel->sketch, box);
-    const double notes = draw_all_notes(NULL, &panel->sketch, alone, box);
+        height += draw_heat_bar(NULL, &panel->picture, box);
+    const double notes = draw_all_notes(NULL, &panel->picture, alone, box);
     return height + (notes > 0 ? notes + 4 : 0);
 }
 
@@ -87,19 +87,19 @@ static void draw_panel(Paper *paper, const FigurePanel *panel, Box box, bool alo
         box.y += LINE_HEIGHT * SIZE_WORDS;
         box.height -= LINE_HEIGHT * SIZE_WORDS;
     }
-    if (alone && panel->sketch.n_keys > 0) {
-        const double height = draw_legend_rows(paper, &panel->sketch, box) + 2;
+    if (alone && panel->picture.n_keys > 0) {
+        const double height = draw_legend_rows(paper, &panel->picture, box) + 2;
         box.y += height;
         box.height -= height;
     }
-    double notes = draw_all_notes(NULL, &panel->sketch, alone, box);
+    double notes = draw_all_notes(NULL, &panel->picture, alone, box);
     notes += notes > 0 ? 4 : 0;
-    const double bar = alone ? draw_heat_bar(NULL, &panel->sketch, box) : 0;
+    const double bar = alone ? draw_heat_bar(NULL, &panel->picture, box) : 0;
     box.height -= notes + bar;
-    draw_plot(paper, &panel->sketch, box);
+    draw_plot(paper, &panel->picture, box);
     if (bar > 0)
-        draw_heat_bar(paper, &panel->sketch, (Box){box.x, box.y + box.height, box.width, bar});
-    draw_all_notes(paper, &panel->sketch, alone,
+        draw_heat_bar(paper, &panel->picture, (Box){box.x, box.y + box.height, box.width, bar});
+    draw_all_notes(paper, &panel->picture, alone,
                    (Box){box.x, box.y + box.height + bar + 4, box.width, notes});
 }
 
@@ -132,7 +132,7 @@ static double plot_height(const Figure *figure)
     double height = 0;
     for (int i = 0; i < figure->count; i++)
         height =
-            fmax(height, draw_plot_height(&figure->panels[i]->sketch, panel_width(figure, figure->count)));
+            fmax(height, draw_plot_height(&figure->panels[i]->picture, panel_width(figure, figure->count)));
     return height > 0 ? height : usual_height(figure, figure->count);
 }
 
@@ -140,7 +140,7 @@ static double plot_height(const Figure *figure)
 static double lay_out(Paper *paper, const Figure *figure, double height)
 {
     const double width = figure->width * MILLIMETRES - 2 * MARGIN;
-    const Sketch *common = common_of(figure);
+    const Picture *common = common_of(figure);
     const Type title = {.size = SIZE_TITLE, .bold = true};
     const Box whole = {MARGIN, MARGIN, width, 0};
     double y = MARGIN;

@@ -12,7 +12,7 @@
 #include <string.h>
 
 /* As large as what is drawn there asks for; what adapts itself to the room leaves nothing out. */
-enum { TALL = 60, HELP_ROWS = 2000, SKETCH_ROWS = 24, DIGITS = 5 };
+enum { TALL = 60, HELP_ROWS = 2000, PICTURE_ROWS = 24, DIGITS = 5 };
 
 static const struct {
     const char *word;
@@ -165,24 +165,24 @@ void tell_view(const Screen *screen, const View *view, Words *words)
 {
     const char *variant = view_variant_word(view, screen, view_variant(view, screen));
     const char *missing = view_missing(view, screen);
-    Sketch sketch;
+    Picture picture;
     if (missing) {
         words_say(words, 2, "View %s: %s.", view->word, missing);
         return;
     }
-    screen_sketch(screen, view, WORDS_WIDTH, SKETCH_ROWS, &sketch);
-    if (sketch.has_axes)
+    screen_picture(screen, view, WORDS_WIDTH, PICTURE_ROWS, &picture);
+    if (picture.has_axes)
         words_say(words, 2, "View %s%s%s:", view->word, variant ? " " : "", variant ? variant : "");
-    if (!tell_sketch(&sketch, view->has_time_axis ? screen->time.cursor : NAN, words)) {
+    if (!tell_picture(&picture, view->has_time_axis ? screen->time.cursor : NAN, words)) {
         Screen alone = *screen;
         alone.views.upper = view;
         words_say(words, 2, "View %s%s%s.", view->word, variant ? " " : "", variant ? variant : "");
-        tell_drawn(&alone, draw_upper, SKETCH_ROWS, false, words);
+        tell_drawn(&alone, draw_upper, PICTURE_ROWS, false, words);
     }
     if (view->tell)
         view->tell(screen, words);
-    words->lost |= sketch.plot.lost;
-    sketch_close(&sketch);
+    words->lost |= picture.plot.lost;
+    picture_close(&picture);
 }
 
 void tell_part(const Screen *screen, TellPart part, Words *words)
@@ -202,7 +202,7 @@ void tell_part(const Screen *screen, TellPart part, Words *words)
         tell_parameter(screen, words);
         break;
     case TELL_STAGE:
-        tell_drawn(screen, pane_box, SKETCH_ROWS, true, words);
+        tell_drawn(screen, pane_box, PICTURE_ROWS, true, words);
         break;
     case TELL_UPPER:
         tell_view(screen, screen->views.upper, words);

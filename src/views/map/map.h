@@ -183,11 +183,11 @@ Flow map_flow(const Map *, bool *inside);
 void map_cross_text(const Map *, char *out, size_t size);
 
 /* The picture on paper; and how lines and signs go into it, at places in columns and rows of the area. */
-void map_sketch(Map *);
+void map_picture(Map *);
 #define MAP_MILLI 1e-3
-void map_sketch_place(const Map *, double column, double row, double *x, double *y); /* of the body, in mm */
-void map_sketch_line(Map *, double from_x, double from_y, double to_x, double to_y, Style, int every);
-void map_sketch_sign(Map *, double column, double row, uint32_t glyph, Style);
+void map_picture_place(const Map *, double column, double row, double *x, double *y); /* of the body, in mm */
+void map_picture_line(Map *, double from_x, double from_y, double to_x, double to_y, Style, int every);
+void map_picture_sign(Map *, double column, double row, uint32_t glyph, Style);
 
 /* The beam before it moves, with its dimensions. */
 void map_drawing(const Screen *, Area, Style heading);

@@ -284,7 +284,7 @@ static void scale_words(double stretch, bool to_scale, const char *times, char *
 /* The page has as much height as the drawing takes. */
 static void draw_on_paper(Drawing *drawing, const Screen *screen)
 {
-    Sketch *sketch = drawing_paper(drawing);
+    Picture *picture = drawing_paper(drawing);
     const int columns = drawing->area.rect.width;
     const double rise = drawing->body->size[1] * drawing->scale / 2;
     char words[64];
@@ -293,10 +293,10 @@ static void draw_on_paper(Drawing *drawing, const Screen *screen)
     const double end =
         drawing->bottom + 1 + drawing->scene.around + APART * (drawing->dimension_rows - 1) + 0.5;
     const Axis x = axis_make(0, columns, 2), y = axis_make(-end, 0, 2);
-    sketch_axes(sketch, &x, &y, "");
-    sketch->bare = true;
-    sketch->stretch = 2; /* rows, columns */
-    screen_time_text(screen, 0, sketch->time, sizeof sketch->time);
+    picture_axes(picture, &x, &y, "");
+    picture->bare = true;
+    picture->stretch = 2; /* rows, columns */
+    screen_time_text(screen, 0, picture->time, sizeof picture->time);
     draw_all(drawing, APART);
     scale_words((drawing->bottom - drawing->top) / rise, rise >= LEAST_ROWS - 1, "×", words, sizeof words);
     area_text(drawing->area, 0, 0, words, STYLE_NORMAL);
@@ -314,7 +314,7 @@ void map_drawing(const Screen *screen, Area area, Style heading)
     const int columns = area.rect.width - 2 - MARGIN_RIGHT;
     add_lengths(&drawing);
     drawing.scale = columns / body.size[0];
-    if (area.canvas->sketch && columns >= 20) {
+    if (area.canvas->picture && columns >= 20) {
         draw_on_paper(&drawing, screen);
         return;
     }
@@ -329,8 +329,8 @@ void map_drawing(const Screen *screen, Area area, Style heading)
     if (columns < 20 || rows < LEAST_ROWS) {
         area_rule(area, 0, "drawing", heading);
         area_text(area, 1, 1,
-                  area.canvas->sketch ? "it needs a wider page"
-                                      : "z gives the drawing the room that it needs",
+                  area.canvas->picture ? "it needs a wider page"
+                                       : "z gives the drawing the room that it needs",
                   STYLE_FAINT);
         return;
     }

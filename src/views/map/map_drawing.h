@@ -6,7 +6,7 @@
 #define VIEW_MAP_DRAWING_H
 
 #include "views/map/map.h"
-#include "picture/sketch.h"
+#include "picture/picture.h"
 
 enum { DIMENSIONS_MAX = 4 };
 
@@ -27,7 +27,7 @@ typedef struct Drawing {
     int n_dimensions, dimension_rows;
 } Drawing;
 
-Sketch *drawing_paper(const Drawing *); /* NULL: it is drawn in cells */
+Picture *drawing_paper(const Drawing *); /* NULL: it is drawn in cells */
 double drawing_column(const Drawing *, double x);
 double drawing_row(const Drawing *, double share); /* of the height */
 

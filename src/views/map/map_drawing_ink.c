@@ -6,9 +6,9 @@
 #include <stdio.h>
 #include <string.h>
 
-Sketch *drawing_paper(const Drawing *drawing)
+Picture *drawing_paper(const Drawing *drawing)
 {
-    return drawing->area.canvas->sketch;
+    return drawing->area.canvas->picture;
 }
 
 double drawing_column(const Drawing *drawing, double x)
@@ -34,7 +34,7 @@ void drawing_trace(const Drawing *drawing, StrokeKind kind, Style style, int cou
 void drawing_put(const Drawing *drawing, double x, double y, uint32_t glyph, Style style)
 {
     if (drawing_paper(drawing))
-        sketch_mark(drawing_paper(drawing), x, -y, glyph, style);
+        picture_mark(drawing_paper(drawing), x, -y, glyph, style);
     else
         area_put(drawing->area, (int)x, (int)y, glyph, style);
 }
@@ -47,11 +47,11 @@ void drawing_label(const Drawing *drawing, double x, double y, int side, const c
         area_text(drawing->area, from, (int)y, text, style);
         return;
     }
-    SketchLabel out = {.x = x, .y = -y, .side = side, .on_line = side == 0, .style = style};
+    PictureLabel out = {.x = x, .y = -y, .side = side, .on_line = side == 0, .style = style};
     text += strspn(text, " ");
     size_t length = strlen(text);
     while (length > 0 && text[length - 1] == ' ')
         length--;
     snprintf(out.text, sizeof out.text, "%.*s", (int)length, text);
-    sketch_label(drawing_paper(drawing), &out);
+    picture_label(drawing_paper(drawing), &out);
 }

@@ -2,7 +2,7 @@
 /* A foreign series over the plots: which view it belongs to, its stroke, marks and part of the axes. */
 #include "views/plots/overlay_plot.h"
 
-#include "picture/sketch.h"
+#include "picture/picture.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -74,11 +74,11 @@ static void put_mark(Area inner, const Plot *plot, double x, double y)
 }
 
 /* On paper its dots are all drawn and need no marks; the legend names it. */
-static void name_on_paper(Sketch *sketch, const char *name)
+static void name_on_paper(Picture *picture, const char *name)
 {
-    SketchKey key = {.style = STYLE_THIRD};
+    PictureKey key = {.style = STYLE_THIRD};
     snprintf(key.name, sizeof key.name, "%s", name);
-    sketch_key(sketch, &key);
+    picture_key(picture, &key);
 }
 
 static void draw_name(Area inner, const char *name)
@@ -100,8 +100,8 @@ void overlay_marks(const Screen *screen, Area inner, const Plot *plot, const cha
     size_t first, end;
     if (!column || width < 4)
         return;
-    if (inner.canvas->sketch) {
-        name_on_paper(inner.canvas->sketch, screen->overlay->file);
+    if (inner.canvas->picture) {
+        name_on_paper(inner.canvas->picture, screen->overlay->file);
         return;
     }
     const double *x = screen->overlay->columns[screen->overlay->x].values;

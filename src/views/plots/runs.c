@@ -125,7 +125,7 @@ void run_letter(const Run *run, const Plot *plot, Area inner, double x, double y
 double run_mark(const Run *run, const Plot *plot, Area inner, int k)
 {
     enum { CELLS = 40 }; /* in less the letter at the end suffices; on paper a ghost has dashes of its own */
-    if (run->ghost < 0 || run->style == STYLE_FAINT || inner.canvas->sketch || inner.rect.width < CELLS)
+    if (run->ghost < 0 || run->style == STYLE_FAINT || inner.canvas->picture || inner.rect.width < CELLS)
         return NAN;
     const double share = (k + (run->ghost + 0.5) / GHOSTS_MAX) / RUN_MARKS;
     return plot->x.low + share * (plot->x.high - plot->x.low);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A sketch holds what a view shows, in the view's own numbers: strokes against the record, words against the
+/* A picture holds what a view shows, in the view's own numbers: strokes against the record, words against the
  * heading and the legend. */
 #include "views/view.h"
 #include "suite.h"
@@ -12,7 +12,7 @@
 typedef struct Drawing {
     Scene scene;
     const Simulation *sim;
-    Sketch sketch;
+    Picture picture;
 } Drawing;
 
 /* In place: the screen points into its scene. `window` is that of plots over time; 0: as the scene has it. */
@@ -23,12 +23,12 @@ static void open_drawing(Drawing *drawing, const char *words, const char *view, 
     drawing->sim = experiment_simulation(drawing->scene.screen.experiment);
     if (window > 0)
         drawing->scene.screen.time.window = window;
-    screen_sketch(&drawing->scene.screen, view_named(view), 84, 25, &drawing->sketch);
+    screen_picture(&drawing->scene.screen, view_named(view), 84, 25, &drawing->picture);
 }
 
 static void close_drawing(Drawing *drawing)
 {
-    sketch_close(&drawing->sketch);
+    picture_close(&drawing->picture);
     scene_close(&drawing->scene);
 }
 
@@ -39,18 +39,18 @@ static double field_of(const Drawing *drawing, int field, size_t i)
     return value;
 }
 
-static const Stroke *stroke_of(const Sketch *sketch, Style style)
+static const Stroke *stroke_of(const Picture *picture, Style style)
 {
-    for (int i = 0; i < sketch->plot.n_strokes; i++)
-        if (sketch->plot.strokes[i].style == style)
-            return &sketch->plot.strokes[i];
+    for (int i = 0; i < picture->plot.n_strokes; i++)
+        if (picture->plot.strokes[i].style == style)
+            return &picture->plot.strokes[i];
     return NULL;
 }
 
-static bool has_key(const Sketch *sketch, const char *name)
+static bool has_key(const Picture *picture, const char *name)
 {
-    for (int i = 0; i < sketch->n_keys; i++)
-        if (strcmp(sketch->keys[i].name, name) == 0)
+    for (int i = 0; i < picture->n_keys; i++)
+        if (strcmp(picture->keys[i].name, name) == 0)
             return true;
     return false;
 }
@@ -59,23 +59,23 @@ START_TEST(curve_over_time_is_the_record)
 {
     Drawing drawing;
     open_drawing(&drawing, "mode1 80x24 900", "probe", 10);
-    const Sketch *sketch = &drawing.sketch;
+    const Picture *picture = &drawing.picture;
     const Record *record = experiment_record(drawing.scene.screen.experiment);
-    ck_assert(sketch->has_axes);
-    ck_assert_str_eq(sketch->x_name, "t");
-    ck_assert(strncmp(sketch->heading, "v_cm", 4) == 0);
-    ck_assert(has_key(sketch, "measured") && has_key(sketch, "exact") && has_key(sketch, "predicted"));
-    const Stroke *measured = stroke_of(sketch, STYLE_MEASURED);
+    ck_assert(picture->has_axes);
+    ck_assert_str_eq(picture->x_name, "t");
+    ck_assert(strncmp(picture->heading, "v_cm", 4) == 0);
+    ck_assert(has_key(picture, "measured") && has_key(picture, "exact") && has_key(picture, "predicted"));
+    const Stroke *measured = stroke_of(picture, STYLE_MEASURED);
     ck_assert_ptr_nonnull(measured);
     /* 901 rows are fewer than what paper can tell apart: every one is a point of the line */
     ck_assert_uint_eq(measured->count, 901);
     for (size_t i = 0; i < measured->count; i++) {
-        const double *row = record_row(record, i), *point = sketch->plot.points + 2 * (measured->first + i);
+        const double *row = record_row(record, i), *point = picture->plot.points + 2 * (measured->first + i);
         ck_assert_double_eq(point[0], row[1]);
         ck_assert_double_eq(point[1], row[2]);
     }
-    ck_assert_int_gt(sketch->n_notes, 0);
-    ck_assert_ptr_nonnull(strstr(sketch->notes[0].text, "w measured"));
+    ck_assert_int_gt(picture->n_notes, 0);
+    ck_assert_ptr_nonnull(strstr(picture->notes[0].text, "w measured"));
     close_drawing(&drawing);
 }
 END_TEST
@@ -84,14 +84,14 @@ START_TEST(profile_is_the_field)
 {
     Drawing drawing;
     open_drawing(&drawing, "mode5 80x24 300", "profile", 0);
-    const Sketch *sketch = &drawing.sketch;
-    const Stroke *measured = stroke_of(sketch, STYLE_MEASURED);
+    const Picture *picture = &drawing.picture;
+    const Stroke *measured = stroke_of(picture, STYLE_MEASURED);
     ck_assert_ptr_nonnull(measured);
     ck_assert_uint_eq(measured->count, drawing.sim->counts[0]);
     const int field = simulation_find_field(drawing.sim, 0, "u");
     for (size_t i = 0; i < measured->count; i++) {
         const double value = field_of(&drawing, field, i);
-        ck_assert_double_eq(sketch->plot.points[2 * (measured->first + i) + 1], value);
+        ck_assert_double_eq(picture->plot.points[2 * (measured->first + i) + 1], value);
     }
     close_drawing(&drawing);
 }
@@ -101,14 +101,14 @@ START_TEST(particles_are_marks_in_coordinates)
 {
     Drawing drawing;
     open_drawing(&drawing, "mode5 80x24 0", "shapes", 0);
-    const Sketch *sketch = &drawing.sketch;
-    ck_assert_uint_gt(sketch->n_marks, 0);
+    const Picture *picture = &drawing.picture;
+    ck_assert_uint_gt(picture->n_marks, 0);
     const int field = simulation_find_field(drawing.sim, 0, "x");
-    for (size_t i = 0; i < sketch->n_marks; i++) {
+    for (size_t i = 0; i < picture->n_marks; i++) {
         bool found = false;
         for (size_t p = 0; p < drawing.sim->counts[0] && !found; p++)
-            found = field_of(&drawing, field, p) == sketch->marks[i].x;
-        ck_assert_msg(found, "no particle lies at %g", sketch->marks[i].x);
+            found = field_of(&drawing, field, p) == picture->marks[i].x;
+        ck_assert_msg(found, "no particle lies at %g", picture->marks[i].x);
     }
     close_drawing(&drawing);
 }
@@ -118,14 +118,14 @@ START_TEST(earlier_run_has_its_letter_and_its_words)
 {
     Drawing drawing;
     open_drawing(&drawing, "mode5 80x24 900 ghost mesh.cell_size=0.5", "probe", 0);
-    const Sketch *sketch = &drawing.sketch;
+    const Picture *picture = &drawing.picture;
     bool letter = false, words = false;
-    for (size_t i = 0; i < sketch->n_marks; i++)
-        letter |= sketch->marks[i].glyph == 'a';
-    for (int i = 0; i < sketch->n_keys; i++)
-        words |= sketch->keys[i].letter == 'a' && strstr(sketch->keys[i].name, "cell size") != NULL;
+    for (size_t i = 0; i < picture->n_marks; i++)
+        letter |= picture->marks[i].glyph == 'a';
+    for (int i = 0; i < picture->n_keys; i++)
+        words |= picture->keys[i].letter == 'a' && strstr(picture->keys[i].name, "cell size") != NULL;
     ck_assert_msg(letter && words, "letter %d, words %d, last key \"%s\"", letter, words,
-                  sketch->n_keys ? sketch->keys[sketch->n_keys - 1].name : "");
+                  picture->n_keys ? picture->keys[picture->n_keys - 1].name : "");
     close_drawing(&drawing);
 }
 END_TEST
@@ -134,8 +134,8 @@ START_TEST(map_is_the_nodes)
 {
     Drawing drawing;
     open_drawing(&drawing, "notched-beam-coarse 80x24 30 variant 4", "beam", 0);
-    const Sketch *sketch = &drawing.sketch;
-    const SketchMap *map = sketch->map;
+    const Picture *picture = &drawing.picture;
+    const PictureMap *map = picture->map;
     ck_assert_ptr_nonnull(map);
     ck_assert_uint_eq((size_t)map->nx * (size_t)map->ny, drawing.sim->counts[0]);
     const int damage = simulation_find_field(drawing.sim, 0, "damage");
@@ -145,7 +145,7 @@ START_TEST(map_is_the_nodes)
         ck_assert_double_eq(map->value[i], field_of(&drawing, damage, i));
         ck_assert_double_eq_tol(map->x[i], 1e3 * (x + map->enlarged * u), 1e-9);
     }
-    ck_assert_int_gt(sketch->plot.n_strokes, 0); /* the notch at least */
+    ck_assert_int_gt(picture->plot.n_strokes, 0); /* the notch at least */
     close_drawing(&drawing);
 }
 END_TEST
@@ -156,22 +156,22 @@ START_TEST(drawing_is_to_scale)
 {
     Drawing drawing;
     open_drawing(&drawing, "notched-beam-coarse 80x24 3 variant 7", "beam", 0);
-    const Sketch *sketch = &drawing.sketch;
-    ck_assert(sketch->has_axes && sketch->bare);
-    ck_assert_str_eq(sketch->time, "t 0.0000 ms");
-    const double *box = sketch->plot.points; /* its first corners: upper left, upper right, lower right */
+    const Picture *picture = &drawing.picture;
+    ck_assert(picture->has_axes && picture->bare);
+    ck_assert_str_eq(picture->time, "t 0.0000 ms");
+    const double *box = picture->plot.points; /* its first corners: upper left, upper right, lower right */
     const double length = box[2] - box[0], height = box[3] - box[5];
-    ck_assert_double_eq_tol(length / (sketch->stretch * height), 3, 1e-9);
-    const Stroke *notch = stroke_of(sketch, STYLE_HEADING);
+    ck_assert_double_eq_tol(length / (picture->stretch * height), 3, 1e-9);
+    const Stroke *notch = stroke_of(picture, STYLE_HEADING);
     ck_assert_ptr_nonnull(notch);
-    const double *ends = sketch->plot.points + 2 * notch->first;
+    const double *ends = picture->plot.points + 2 * notch->first;
     ck_assert_double_eq_tol((ends[0] - box[0]) / length, 65 / 210.0, 1e-9);
     ck_assert_double_eq_tol((ends[3] - ends[1]) / height, 0.25, 1e-9);
     static const char *const lengths[] = {"70 mm", "17.5 mm", "65 mm", "105 mm", "200 mm", "210 mm"};
     for (size_t i = 0; i < sizeof lengths / sizeof *lengths; i++) {
         int found = 0;
-        for (int k = 0; k < sketch->n_labels; k++)
-            found += strcmp(sketch->labels[k].text, lengths[i]) == 0;
+        for (int k = 0; k < picture->n_labels; k++)
+            found += strcmp(picture->labels[k].text, lengths[i]) == 0;
         ck_assert_msg(found == 1, "%s", lengths[i]);
     }
     close_drawing(&drawing);
@@ -182,17 +182,17 @@ START_TEST(view_without_a_picture_says_why)
 {
     Drawing drawing;
     open_drawing(&drawing, "mode1 80x24 0", "spectrum", 0);
-    const Sketch *sketch = &drawing.sketch;
-    ck_assert(!sketch->has_axes);
-    ck_assert_int_gt(sketch->n_notes, 0);
-    ck_assert_ptr_nonnull(strstr(sketch->notes[0].text, "needs more time"));
+    const Picture *picture = &drawing.picture;
+    ck_assert(!picture->has_axes);
+    ck_assert_int_gt(picture->n_notes, 0);
+    ck_assert_ptr_nonnull(strstr(picture->notes[0].text, "needs more time"));
     close_drawing(&drawing);
 }
 END_TEST
 
 void add_cases(Suite *suite)
 {
-    TCase *cases = tcase_create("sketch");
+    TCase *cases = tcase_create("picture");
     tcase_add_test(cases, curve_over_time_is_the_record);
     tcase_add_test(cases, profile_is_the_field);
     tcase_add_test(cases, particles_are_marks_in_coordinates);

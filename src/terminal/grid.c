@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "terminal/picture.h"
+#include "terminal/grid.h"
 
 #include "terminal/fallback.h"
 
@@ -19,7 +19,7 @@
 
 /* --- the terminal's description -------------------------------------------------------------------- */
 
-bool picture_choose_glyphs(const char *name, const char *codeset, const char *term, Glyphs *glyphs)
+bool grid_choose_glyphs(const char *name, const char *codeset, const char *term, Glyphs *glyphs)
 {
     static const char *const names[] = {"braille", "block", "ascii"};
     for (int i = 0; name && i < GLYPHS_COUNT; i++)
@@ -66,13 +66,13 @@ static const char *capability(const char *name)
 }
 
 /* Without padding, "$<5>", which a handler of signals could not wait for either. */
-static void append(Picture *picture, const char *text)
+static void append(Grid *grid, const char *text)
 {
-    for (; *text && picture->farewell_length + 1 < sizeof picture->farewell; text++) {
+    for (; *text && grid->farewell_length + 1 < sizeof grid->farewell; text++) {
         if (strncmp(text, "$<", 2) == 0 && strchr(text, '>'))
             text = strchr(text, '>');
         else
-            picture->farewell[picture->farewell_length++] = *text;
+            grid->farewell[grid->farewell_length++] = *text;
     }
 }
 
@@ -80,78 +80,78 @@ static const char mouse_on[] = "\033[?1002h", mouse_off[] = "\033[?1002l\033[?10
 static const char paste_on[] = "\033[?2004h", paste_off[] = "\033[?2004l";
 static const char hold_on[] = "\033[?2026h", hold_off[] = "\033[?2026l", hold_query[] = "\033[?2026$p";
 
-static void compose_farewell(Picture *picture)
+static void compose_farewell(Grid *grid)
 {
-    picture->farewell_length = 0;
-    append(picture, picture->synchronised ? hold_off : "");
-    append(picture, paste_off);
-    append(picture, picture->mouse ? mouse_off : "");
-    append(picture, capability("sgr0"));
+    grid->farewell_length = 0;
+    append(grid, grid->synchronised ? hold_off : "");
+    append(grid, paste_off);
+    append(grid, grid->mouse ? mouse_off : "");
+    append(grid, capability("sgr0"));
     /* without an alternate screen the shell goes on on an empty one */
-    append(picture, capability("rmcup")[0] ? "" : capability("clear"));
-    append(picture, capability("rmkx"));
-    append(picture, capability("cnorm"));
-    append(picture, capability("rmcup"));
+    append(grid, capability("rmcup")[0] ? "" : capability("clear"));
+    append(grid, capability("rmkx"));
+    append(grid, capability("cnorm"));
+    append(grid, capability("rmcup"));
 }
 
 /* --- bytes ----------------------------------------------------------------------------------------- */
 
-void picture_redraw(Picture *picture)
+void grid_redraw(Grid *grid)
 {
     clearok(curscr, TRUE);
-    canvas_close(&picture->shown);
+    canvas_close(&grid->shown);
     erase();
 }
 
-static void put(Picture *picture, const char *bytes, size_t count)
+static void put(Grid *grid, const char *bytes, size_t count)
 {
-    if (picture->length + count > picture->room) {
-        const size_t room = 2 * (picture->length + count);
-        char *more = realloc(picture->bytes, room);
+    if (grid->length + count > grid->room) {
+        const size_t room = 2 * (grid->length + count);
+        char *more = realloc(grid->bytes, room);
         if (!more) {
-            picture_redraw(picture);
+            grid_redraw(grid);
             return;
         }
-        picture->bytes = more;
-        picture->room = room;
+        grid->bytes = more;
+        grid->room = room;
     }
-    memcpy(picture->bytes + picture->length, bytes, count);
-    picture->length += count;
+    memcpy(grid->bytes + grid->length, bytes, count);
+    grid->length += count;
 }
 
 /* What curses wrote into its file since then is dropped: the next picture is written over it, which spares
  * the kernel to fetch and clear the same pages 30 times a second. */
-static void drop(const Picture *picture)
+static void drop(const Grid *grid)
 {
-    (void)!lseek(picture->memory, 0, SEEK_SET);
+    (void)!lseek(grid->memory, 0, SEEK_SET);
 }
 
 /* What curses wrote into its file is to be sent. */
-static void take(Picture *picture)
+static void take(Grid *grid)
 {
     char piece[4096];
     ssize_t got;
-    off_t left = lseek(picture->memory, 0, SEEK_CUR);
-    drop(picture);
-    while (left > 0 && (got = read(picture->memory, piece,
-                                   left < (off_t)sizeof piece ? (size_t)left : sizeof piece)) > 0) {
-        put(picture, piece, (size_t)got);
+    off_t left = lseek(grid->memory, 0, SEEK_CUR);
+    drop(grid);
+    while (left > 0 &&
+           (got = read(grid->memory, piece, left < (off_t)sizeof piece ? (size_t)left : sizeof piece)) > 0) {
+        put(grid, piece, (size_t)got);
         left -= got;
     }
-    drop(picture);
+    drop(grid);
 }
 
-const char *picture_bytes(const Picture *picture, size_t *left)
+const char *grid_bytes(const Grid *grid, size_t *left)
 {
-    *left = picture->length - picture->first;
-    return *left > 0 ? picture->bytes + picture->first : NULL;
+    *left = grid->length - grid->first;
+    return *left > 0 ? grid->bytes + grid->first : NULL;
 }
 
-void picture_sent(Picture *picture, size_t count)
+void grid_sent(Grid *grid, size_t count)
 {
-    picture->first += count;
-    if (picture->first == picture->length)
-        picture->first = picture->length = 0;
+    grid->first += count;
+    if (grid->first == grid->length)
+        grid->first = grid->length = 0;
 }
 
 /* --- opening and closing --------------------------------------------------------------------------- */
@@ -195,9 +195,9 @@ static FILE *curses_output, *curses_input;
 
 static bool open_files(int input, Status *status)
 {
-    const int keyboard = input == PICTURE_NO_KEYS ? -1 : fcntl(input, F_DUPFD_CLOEXEC, 0);
+    const int keyboard = input == GRID_NO_KEYS ? -1 : fcntl(input, F_DUPFD_CLOEXEC, 0);
     curses_output = open_memory();
-    curses_input = input == PICTURE_NO_KEYS ? open_memory() : keyboard >= 0 ? fdopen(keyboard, "r") : NULL;
+    curses_input = input == GRID_NO_KEYS ? open_memory() : keyboard >= 0 ? fdopen(keyboard, "r") : NULL;
     return (curses_output && curses_input) ||
            status_fail(status, STATUS_FAILED, "not enough memory or files for the screen");
 }
@@ -219,29 +219,28 @@ static bool cannot_draw(const char *term, Status *status)
 }
 
 /* What keys and pictures need, once curses knows the terminal. */
-static bool prepare(Picture *picture, Status *status)
+static bool prepare(Grid *grid, Status *status)
 {
-    picture->keys = newpad(1, 1);
-    if (!picture->keys)
+    grid->keys = newpad(1, 1);
+    if (!grid->keys)
         return status_fail(status, STATUS_FAILED, "out of memory");
     /* neither is the user's palette to be reset, nor Alt to be told by an eighth bit */
     orig_colors = NULL;
     meta_on = NULL;
-    picture->colours = count_colours();
-    picture->mouse = picture->mouse && capability("kmous")[0] != '\0' &&
-                     mousemask(BUTTON1_PRESSED | BUTTON1_RELEASED | BUTTON4_PRESSED | BUTTON5_PRESSED |
-                                   REPORT_MOUSE_POSITION,
-                               NULL) != 0;
+    grid->colours = count_colours();
+    grid->mouse = grid->mouse && capability("kmous")[0] != '\0' &&
+                  mousemask(BUTTON1_PRESSED | BUTTON1_RELEASED | BUTTON4_PRESSED | BUTTON5_PRESSED |
+                                REPORT_MOUSE_POSITION,
+                            NULL) != 0;
     mouseinterval(0);
-    meta(picture->keys, TRUE);
-    nodelay(picture->keys, TRUE);
+    meta(grid->keys, TRUE);
+    nodelay(grid->keys, TRUE);
     typeahead(-1); /* whether a key waits is asked by who draws */
-    compose_farewell(picture);
+    compose_farewell(grid);
     return true;
 }
 
-bool picture_open(Picture *picture, const char *term, int input, bool mouse, const char **stand_in,
-                  Status *status)
+bool grid_open(Grid *grid, const char *term, int input, bool mouse, const char **stand_in, Status *status)
 {
     if (!term || !*term || strcmp(term, "dumb") == 0)
         return cannot_draw(term, status);
@@ -250,66 +249,66 @@ bool picture_open(Picture *picture, const char *term, int input, bool mouse, con
         return false;
     }
     setenv("NCURSES_NO_PADDING", "1", 1); /* it was for terminals that could not keep up with their line */
-    picture->memory = fileno(curses_output);
-    picture->mouse = mouse;
-    picture->curses = open_curses(term, curses_output, curses_input, stand_in);
-    if (!picture->curses)
+    grid->memory = fileno(curses_output);
+    grid->mouse = mouse;
+    grid->curses = open_curses(term, curses_output, curses_input, stand_in);
+    if (!grid->curses)
         status_fail(status, STATUS_USAGE,
                     "the terminal TERM=%s is not known on this machine; use: matvib run SCENARIO", term);
     else if (!capability("cup")[0])
         cannot_draw(term, status);
-    else if (prepare(picture, status))
+    else if (prepare(grid, status))
         return true;
-    picture_close(picture);
+    grid_close(grid);
     return false;
 }
 
-void picture_close(Picture *picture)
+void grid_close(Grid *grid)
 {
-    if (picture->keys)
-        delwin(picture->keys);
-    if (picture->curses) {
+    if (grid->keys)
+        delwin(grid->keys);
+    if (grid->curses) {
         endwin();
-        delscreen(picture->curses);
+        delscreen(grid->curses);
     }
     close_files();
-    canvas_close(&picture->shown);
-    free(picture->bytes);
-    *picture = (Picture){0};
+    canvas_close(&grid->shown);
+    free(grid->bytes);
+    *grid = (Grid){0};
 }
 
-void picture_enter(Picture *picture)
+void grid_enter(Grid *grid)
 {
-    picture_redraw(picture);
-    keypad(picture->keys, TRUE);
+    grid_redraw(grid);
+    keypad(grid->keys, TRUE);
     refresh();
-    take(picture);
-    put(picture, paste_on, sizeof paste_on - 1);
-    if (picture->mouse)
-        put(picture, mouse_on, sizeof mouse_on - 1);
-    if (!picture->synchronised)
-        put(picture, hold_query, sizeof hold_query - 1);
+    take(grid);
+    put(grid, paste_on, sizeof paste_on - 1);
+    if (grid->mouse)
+        put(grid, mouse_on, sizeof mouse_on - 1);
+    if (!grid->synchronised)
+        put(grid, hold_query, sizeof hold_query - 1);
     clearok(curscr, TRUE); /* a terminal that does not know the query may show a letter of it */
 }
 
 /* The same bytes as after a crash: so they are tried each time. */
-void picture_leave(Picture *picture)
+void grid_leave(Grid *grid)
 {
     endwin();
-    drop(picture);
-    put(picture, picture->farewell, picture->farewell_length);
+    drop(grid);
+    put(grid, grid->farewell, grid->farewell_length);
 }
 
-void picture_resize(Picture *picture, int width, int height)
+void grid_resize(Grid *grid, int width, int height)
 {
     resize_term(height, width);
-    picture_redraw(picture);
+    grid_redraw(grid);
 }
 
-void picture_synchronise(Picture *picture)
+void grid_synchronise(Grid *grid)
 {
-    picture->synchronised = true;
-    compose_farewell(picture);
+    grid->synchronised = true;
+    compose_farewell(grid);
 }
 
 /* --- cells ----------------------------------------------------------------------------------------- */
@@ -323,18 +322,18 @@ static attr_t attributes_of(Look look)
 
 /* The last word before the terminal: what the C library takes for wider, narrower or no character at all
  * than the canvas does would move all that stands behind it. */
-static wchar_t shown_glyph(const Picture *picture, uint32_t glyph)
+static wchar_t shown_glyph(const Grid *grid, uint32_t glyph)
 {
     if (glyph < 0x7f)
         return glyph < ' ' ? L' ' : (wchar_t)glyph;
-    const bool fits = picture->utf8 && wcwidth((wchar_t)glyph) == glyph_columns(glyph);
+    const bool fits = grid->utf8 && wcwidth((wchar_t)glyph) == glyph_columns(glyph);
     return fits ? (wchar_t)glyph : L'?';
 }
 
-static void put_cell(const Picture *picture, int x, int y, Cell cell)
+static void put_cell(const Grid *grid, int x, int y, Cell cell)
 {
-    const Look look = theme_look(picture->colours, picture->light, cell.style, cell.back);
-    const wchar_t text[] = {shown_glyph(picture, cell.glyph), L'\0'};
+    const Look look = theme_look(grid->colours, grid->light, cell.style, cell.back);
+    const wchar_t text[] = {shown_glyph(grid, cell.glyph), L'\0'};
     const bool coloured = look.foreground != LOOK_DEFAULT || look.background != LOOK_DEFAULT;
     const int pair = coloured ? alloc_pair(look.foreground, look.background) : 0;
     cchar_t character;
@@ -359,29 +358,29 @@ static void put_cursor(const Canvas *canvas)
     curs_set(visible);
 }
 
-void picture_show(Picture *picture, const Canvas *canvas)
+void grid_show(Grid *grid, const Canvas *canvas)
 {
-    Canvas *shown = &picture->shown;
+    Canvas *shown = &grid->shown;
     const bool fresh = shown->width != canvas->width || shown->height != canvas->height;
     if (fresh && !canvas_open(shown, canvas->width, canvas->height, NULL))
         return;
-    const size_t before = picture->length;
-    if (picture->synchronised)
-        put(picture, hold_on, sizeof hold_on - 1);
+    const size_t before = grid->length;
+    if (grid->synchronised)
+        put(grid, hold_on, sizeof hold_on - 1);
     for (int y = 0; y < canvas->height && y < LINES; y++)
         for (int x = 0; x < canvas->width && x < COLS; x++) {
             const size_t at = (size_t)y * (size_t)canvas->width + (size_t)x;
             const Cell *cell = &canvas->cells[at];
             if (cell->glyph != CELL_FOLLOWS && (fresh || !same_cell(cell, &shown->cells[at])))
-                put_cell(picture, x, y, *cell);
+                put_cell(grid, x, y, *cell);
         }
     put_cursor(canvas);
     memcpy(shown->cells, canvas->cells, (size_t)canvas->width * (size_t)canvas->height * sizeof(Cell));
     refresh();
-    const size_t began = picture->length;
-    take(picture);
-    if (picture->length == began)
-        picture->length = before; /* nothing changed */
-    else if (picture->synchronised)
-        put(picture, hold_off, sizeof hold_off - 1);
+    const size_t began = grid->length;
+    take(grid);
+    if (grid->length == began)
+        grid->length = before; /* nothing changed */
+    else if (grid->synchronised)
+        put(grid, hold_off, sizeof hold_off - 1);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Sentences about a plot or a map, from the display list that figures are made of (sketch.h). */
-#include "picture/sketch.h"
+/* Sentences about a plot or a map, from the display list that figures are made of (picture.h). */
+#include "picture/picture.h"
 #include "picture/words/tell.h"
 
 #include "base/math/functions.h"
@@ -20,7 +20,7 @@ enum { DIGITS = 4, NAME_MAX = 96 };
 /* An axis's name is "v_cm x10^-3", "t, ms" or "x": the power of ten belongs to the labels, a unit to the
  * values. */
 typedef struct Measure {
-    char name[SKETCH_TEXT_MAX], unit[24];
+    char name[PICTURE_TEXT_MAX], unit[24];
     double scale;   /* values are divided by it */
     double nothing; /* what is less is no more than rounding */
 } Measure;
@@ -141,16 +141,16 @@ static bool is_monotone(const Curve *curve, int direction)
 /* --- what is said of it ---------------------------------------------------------------------------- */
 
 /* The legend's entry that looks like the stroke; entries of the same look come in the same order. */
-static void name_of(const Sketch *sketch, int index, char name[NAME_MAX])
+static void name_of(const Picture *picture, int index, char name[NAME_MAX])
 {
-    const Stroke *stroke = &sketch->plot.strokes[index];
+    const Stroke *stroke = &picture->plot.strokes[index];
     int earlier = 0;
     for (int i = 0; i < index; i++)
         earlier +=
-            sketch->plot.strokes[i].style == stroke->style && sketch->plot.strokes[i].line == stroke->line;
-    const SketchKey *named = NULL;
-    for (int i = 0; i < sketch->n_keys; i++) {
-        const SketchKey *key = &sketch->keys[i];
+            picture->plot.strokes[i].style == stroke->style && picture->plot.strokes[i].line == stroke->line;
+    const PictureKey *named = NULL;
+    for (int i = 0; i < picture->n_keys; i++) {
+        const PictureKey *key = &picture->keys[i];
         const bool of_run =
             (key->name[0] == 'A' || key->name[0] == 'B') && (!key->name[1] || key->name[1] == ' ');
         const bool alike = stroke->kind == STROKE_BAND ? !of_run : key->line == stroke->line;
@@ -257,9 +257,9 @@ static void say_dots(Words *words, const char *name, const Curve *curve, const M
 }
 
 /* The same thing drawn twice, as a line and as dots, is told once; two cracks that grow alike are two. */
-static bool is_told(const Sketch *sketch, int index)
+static bool is_told(const Picture *picture, int index)
 {
-    const Plot *plot = &sketch->plot;
+    const Plot *plot = &picture->plot;
     for (int i = 0; i < index; i++)
         if (plot->strokes[i].kind != plot->strokes[index].kind &&
             plot->strokes[i].count == plot->strokes[index].count &&
@@ -272,24 +272,24 @@ static bool is_told(const Sketch *sketch, int index)
 
 /* Whether words can say how far the measured curve is from this one: another curve of the same thing, not a
  * value that is marked from edge to edge. */
-static bool is_beside(const Sketch *sketch, const Stroke *stroke)
+static bool is_beside(const Picture *picture, const Stroke *stroke)
 {
-    const Plot *plot = &sketch->plot;
+    const Plot *plot = &picture->plot;
     const double *points = plot->points + 2 * stroke->first;
     const bool marked = stroke->count == 2 && points[0] == plot->x.low && points[2] == plot->x.high;
-    return sketch->compares && stroke->kind == STROKE_LINE && !marked &&
+    return picture->compares && stroke->kind == STROKE_LINE && !marked &&
            (stroke->style == STYLE_EXACT || stroke->style == STYLE_PREDICTED ||
             stroke->style == STYLE_SECOND);
 }
 
-static void say_strokes(const Sketch *sketch, double cursor, Words *words)
+static void say_strokes(const Picture *picture, double cursor, Words *words)
 {
-    const Plot *plot = &sketch->plot;
-    const Measure across = measure_of(&plot->x, sketch->x_name);
-    const Measure up = measure_of(&plot->y, sketch->heading);
-    Measure x = sketch->upright ? up : across, y = sketch->upright ? across : up;
+    const Plot *plot = &picture->plot;
+    const Measure across = measure_of(&plot->x, picture->x_name);
+    const Measure up = measure_of(&plot->y, picture->heading);
+    Measure x = picture->upright ? up : across, y = picture->upright ? across : up;
     const char *height = strrchr(up.name, ','); /* "bending, y": the picture, and what goes up in it */
-    if (sketch->upright && height)
+    if (picture->upright && height)
         snprintf(x.name, sizeof x.name, "%s", height + 1 + strspn(height + 1, " "));
     Curve measured = {.count = 0};
     char name[NAME_MAX], whose[NAME_MAX] = "", a[NAME_MAX], b[NAME_MAX];
@@ -298,10 +298,10 @@ static void say_strokes(const Sketch *sketch, double cursor, Words *words)
         const Stroke *stroke = &plot->strokes[i];
         const double *points = plot->points + 2 * stroke->first;
         Curve curve;
-        if (stroke->count == 0 || is_told(sketch, i) ||
-            !look_at(points, stroke->count, sketch->upright, &curve))
+        if (stroke->count == 0 || is_told(picture, i) ||
+            !look_at(points, stroke->count, picture->upright, &curve))
             continue;
-        name_of(sketch, i, name);
+        name_of(picture, i, name);
         if (stroke->kind == STROKE_BAND)
             say_band(words, name, points, stroke->count, &x, &y);
         else if (stroke->kind == STROKE_DOTS)
@@ -319,10 +319,10 @@ static void say_strokes(const Sketch *sketch, double cursor, Words *words)
     for (int i = 0; i < plot->n_strokes && measured.count > 0; i++) {
         const Stroke *stroke = &plot->strokes[i];
         Curve curve;
-        if (!is_beside(sketch, stroke) ||
-            !look_at(plot->points + 2 * stroke->first, stroke->count, sketch->upright, &curve))
+        if (!is_beside(picture, stroke) ||
+            !look_at(plot->points + 2 * stroke->first, stroke->count, picture->upright, &curve))
             continue;
-        name_of(sketch, i, name);
+        name_of(picture, i, name);
         say_distance(words, whose, name, &measured, &curve, &x, &y);
     }
 }
@@ -330,7 +330,7 @@ static void say_strokes(const Sketch *sketch, double cursor, Words *words)
 /* --- a map ------------------------------------------------------------------------------------------ */
 
 /* "37 % along, at the upper edge" */
-static void place_of(const SketchMap *map, size_t piece, char out[NAME_MAX])
+static void place_of(const PictureMap *map, size_t piece, char out[NAME_MAX])
 {
     const int column = (int)(piece % (size_t)map->nx), row = (int)(piece / (size_t)map->nx);
     const double along = map->nx > 1 ? 100.0 * column / (map->nx - 1) : 0;
@@ -341,7 +341,7 @@ static void place_of(const SketchMap *map, size_t piece, char out[NAME_MAX])
 }
 
 /* "greatest: 1.2 J/m^3, 37 % along, at the upper edge." */
-static void say_piece(Words *words, const char *what, const SketchMap *map, size_t piece)
+static void say_piece(Words *words, const char *what, const PictureMap *map, size_t piece)
 {
     char place[NAME_MAX], value[NUMBER_TEXT_MAX];
     place_of(map, piece, place);
@@ -349,9 +349,9 @@ static void say_piece(Words *words, const char *what, const SketchMap *map, size
     words_say(words, 4, "  %s: %s%s%s, %s.", what, value, map->unit[0] ? " " : "", map->unit, place);
 }
 
-static void say_map(const Sketch *sketch, Words *words)
+static void say_map(const Picture *picture, Words *words)
 {
-    const SketchMap *map = sketch->map;
+    const PictureMap *map = picture->map;
     const size_t count = (size_t)map->nx * (size_t)map->ny;
     size_t least = count, greatest = count, shown = 0;
     for (size_t i = 0; i < count; i++) {
@@ -364,7 +364,7 @@ static void say_map(const Sketch *sketch, Words *words)
     char times[NUMBER_TEXT_MAX], value[NUMBER_TEXT_MAX];
     text_factor(map->enlarged, times);
     words_say(words, 4, "  %d by %d nodes, coloured by %s; displacements are drawn %s times as large.",
-              map->nx, map->ny, sketch->heading, times);
+              map->nx, map->ny, picture->heading, times);
     if (shown > 0 && map->value[greatest] == map->value[least]) {
         text_rounded(value, map->value[least], DIGITS);
         words_say(words, 4, "  everywhere %s%s%s.", value, map->unit[0] ? " " : "", map->unit);
@@ -376,17 +376,17 @@ static void say_map(const Sketch *sketch, Words *words)
         words_say(words, 4, "  %zu nodes are too much damaged to have a colour.", count - shown);
 }
 
-bool tell_sketch(const Sketch *sketch, double cursor, Words *words)
+bool tell_picture(const Picture *picture, double cursor, Words *words)
 {
-    if (!sketch->has_axes)
+    if (!picture->has_axes)
         return false;
-    if (sketch->map)
-        say_map(sketch, words);
-    else if (sketch->plot.n_strokes > 0)
-        say_strokes(sketch, cursor, words);
-    for (int i = 0; i < sketch->n_labels; i++)
-        words_say(words, 4, "  in the drawing: %s", sketch->labels[i].text);
-    for (int i = 0; i < sketch->n_notes; i++)
-        words_say(words, 4, "  %s", sketch->notes[i].text + strspn(sketch->notes[i].text, " "));
+    if (picture->map)
+        say_map(picture, words);
+    else if (picture->plot.n_strokes > 0)
+        say_strokes(picture, cursor, words);
+    for (int i = 0; i < picture->n_labels; i++)
+        words_say(words, 4, "  in the drawing: %s", picture->labels[i].text);
+    for (int i = 0; i < picture->n_notes; i++)
+        words_say(words, 4, "  %s", picture->notes[i].text + strspn(picture->notes[i].text, " "));
     return true;
 }

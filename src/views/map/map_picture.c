@@ -2,7 +2,7 @@
 /* The map of a beam on paper: its nodes as pieces with their colours, and what is drawn over them as lines
  * and signs, in millimetres of the beam, displacements enlarged as on the screen. */
 #include "views/map/map.h"
-#include "picture/sketch.h"
+#include "picture/picture.h"
 
 #include "answers/crack_growth.h"
 
@@ -12,13 +12,13 @@
 
 /* --- the pieces ------------------------------------------------------------------------------------ */
 
-static void take_nodes(const Map *map, SketchMap *out)
+static void take_nodes(const Map *map, PictureMap *out)
 {
     const bool hides = strcmp(map->colouring->field, "damage") != 0;
     for (size_t node = 0; node < map->body.count; node++) {
         double column, row;
         map_node_place(map, node, &column, &row);
-        map_sketch_place(map, column, row, &out->x[node], &out->y[node]);
+        map_picture_place(map, column, row, &out->x[node], &out->y[node]);
         out->value[node] = hides && map->damage[node] > CRACK_DAMAGE ? NAN : map->value[node];
     }
     out->size = map->body.spacing / MAP_MILLI;
@@ -30,12 +30,12 @@ static void take_nodes(const Map *map, SketchMap *out)
 }
 
 /* What is seen: as much as on the screen; a beam that is pressed fills the picture, but for its supports. */
-static void take_axes(const Map *map, Sketch *sketch)
+static void take_axes(const Map *map, Picture *picture)
 {
     const Body *body = &map->body;
     double low[2], high[2];
-    map_sketch_place(map, 0, map->area.rect.height, &low[0], &low[1]);
-    map_sketch_place(map, map->area.rect.width, 0, &high[0], &high[1]);
+    map_picture_place(map, 0, map->area.rect.height, &low[0], &low[1]);
+    map_picture_place(map, map->area.rect.width, 0, &high[0], &high[1]);
     if (map->scene.pressed && map->screen->eye.magnified <= 1)
         for (int d = 0; d < 2; d++) {
             const double margin = (d == 0 ? 0.01 : 0.1) * body->size[d];
@@ -44,36 +44,36 @@ static void take_axes(const Map *map, Sketch *sketch)
         }
     const Axis x = axis_make(low[0], high[0], map->area.rect.width / 9);
     const Axis y = axis_make(low[1], high[1], 5);
-    sketch_axes(sketch, &x, &y, "x, mm");
+    picture_axes(picture, &x, &y, "x, mm");
 }
 
-static void name_lines(Sketch *sketch, const Map *map)
+static void name_lines(Picture *picture, const Map *map)
 {
-    static const SketchKey keys[] = {
+    static const PictureKey keys[] = {
         {LINE_SOLID, STYLE_CHANGED, 0, "crack's path"},
         {LINE_DOTTED, STYLE_FAINT, 0, "30° from the notch (paper)"},
         {LINE_SOLID, STYLE_HEADING, 0, "notch"},
         {LINE_DASHED, STYLE_FRAME, 0, "protected"},
     };
     for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
-        for (int k = 0; k < sketch->plot.n_strokes && map->scene.pressed; k++)
-            if (sketch->plot.strokes[k].style == keys[i].style) {
-                sketch_key(sketch, &keys[i]);
+        for (int k = 0; k < picture->plot.n_strokes && map->scene.pressed; k++)
+            if (picture->plot.strokes[k].style == keys[i].style) {
+                picture_key(picture, &keys[i]);
                 break;
             }
 }
 
-void map_sketch(Map *map)
+void map_picture(Map *map)
 {
-    Sketch *sketch = map->area.canvas->sketch;
-    SketchMap *out = sketch_map(sketch, map->body.nx, map->body.ny);
+    Picture *picture = map->area.canvas->picture;
+    PictureMap *out = picture_map(picture, map->body.nx, map->body.ny);
     if (!out)
         return;
-    sketch->stretch = map->stretch;
+    picture->stretch = map->stretch;
     take_nodes(map, out);
-    take_axes(map, sketch);
+    take_axes(map, picture);
     map_draw_lines(map);
     map_draw_signs(map);
-    name_lines(sketch, map);
-    sketch_heading(sketch, map_meaning(map));
+    name_lines(picture, map);
+    picture_heading(picture, map_meaning(map));
 }

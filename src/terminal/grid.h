@@ -3,10 +3,10 @@
  *
  * ncurses writes without asking whether the terminal takes anything, and tries again for ever when it does
  * not. So here it writes into a file in memory; the bytes are taken from there and sent by somebody who can
- * wait for a signal meanwhile (terminal.c), who sets the modes of the line too. One picture can be open at a
+ * wait for a signal meanwhile (terminal.c), who sets the modes of the line too. One grid can be open at a
  * time. */
-#ifndef TUI_PICTURE_H
-#define TUI_PICTURE_H
+#ifndef TUI_GRID_H
+#define TUI_GRID_H
 
 #include "base/status.h"
 #include "picture/canvas.h"
@@ -15,7 +15,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-typedef struct Picture {
+typedef struct Grid {
     struct screen *curses;
     struct _win_st *keys; /* where keys are read from: a pad, for to read from a window draws it */
     int memory;           /* what curses writes to, a descriptor */
@@ -28,26 +28,26 @@ typedef struct Picture {
     size_t room;
     char farewell[256]; /* gives the screen back, whatever state it is in; a handler of signals may send it */
     size_t farewell_length;
-} Picture;
+} Grid;
 
-enum { PICTURE_NO_KEYS = -1 };
+enum { GRID_NO_KEYS = -1 };
 
-/* Keys are read from the descriptor `input`; PICTURE_NO_KEYS: there are none. `*stand_in`: the known
+/* Keys are read from the descriptor `input`; GRID_NO_KEYS: there are none. `*stand_in`: the known
  * terminal that an unknown TERM is treated as; NULL: it is known itself. Nothing is to be sent yet. False:
  * TERM cannot be drawn on; there is nothing to close then. */
-bool picture_open(Picture *, const char *term, int input, bool mouse, const char **stand_in, Status *);
-void picture_close(Picture *); /* sends nothing: see picture_leave() */
+bool grid_open(Grid *, const char *term, int input, bool mouse, const char **stand_in, Status *);
+void grid_close(Grid *); /* sends nothing: see grid_leave() */
 
-void picture_enter(Picture *);                            /* takes the screen over */
-void picture_leave(Picture *);                            /* gives it back */
-void picture_resize(Picture *, int width, int height);    /* the next one is drawn anew */
-void picture_redraw(Picture *);                           /* likewise */
-void picture_show(Picture *, const Canvas *);             /* what lies beyond the size is left out */
-void picture_synchronise(Picture *);                      /* the terminal told that it can */
-const char *picture_bytes(const Picture *, size_t *left); /* what is to be sent; 0: nothing */
-void picture_sent(Picture *, size_t count);               /* of these */
+void grid_enter(Grid *);                            /* takes the screen over */
+void grid_leave(Grid *);                            /* gives it back */
+void grid_resize(Grid *, int width, int height);    /* the next one is drawn anew */
+void grid_redraw(Grid *);                           /* likewise */
+void grid_show(Grid *, const Canvas *);             /* what lies beyond the size is left out */
+void grid_synchronise(Grid *);                      /* the terminal told that it can */
+const char *grid_bytes(const Grid *, size_t *left); /* what is to be sent; 0: nothing */
+void grid_sent(Grid *, size_t count);               /* of these */
 
 /* The glyph set for a name, a locale's character set and a TERM; false: the name is unknown. */
-bool picture_choose_glyphs(const char *name, const char *codeset, const char *term, Glyphs *);
+bool grid_choose_glyphs(const char *name, const char *codeset, const char *term, Glyphs *);
 
 #endif
