@@ -355,29 +355,6 @@ void output_close(OutputFile *file)
 
 /* --- what is no file written whole -------------------------------------------------------------------- */
 
-FILE *output_update(Asker asker, const char *name, Status *status)
-{
-    struct stat what;
-    if (!output_allowed(asker, name, status))
-        return NULL;
-    const int descriptor = open(name, O_RDWR | O_CREAT | O_NONBLOCK | O_NOCTTY | O_CLOEXEC, 0666);
-    FILE *stream = NULL;
-    if (descriptor < 0)
-        errno == ENAMETOOLONG ? too_long(name, status) : cannot_write(name, status);
-    else if (fstat(descriptor, &what) != 0 || !S_ISREG(what.st_mode))
-        status_fail(status, STATUS_USAGE, "%s: is a pipe or a device (a file is wanted)", name);
-    else if (!(stream = fdopen(descriptor, "r+")))
-        cannot_write(name, status);
-    if (!stream && descriptor >= 0)
-        close(descriptor);
-    return stream;
-}
-
-bool output_cut(FILE *stream, long size)
-{
-    return ftruncate(fileno(stream), size) == 0 && fseek(stream, size, SEEK_SET) == 0;
-}
-
 void output_remove(Asker asker, const char *name)
 {
     if (output_allowed(asker, name, NULL))

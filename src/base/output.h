@@ -67,11 +67,6 @@ bool output_commit(OutputFile *, Status *);
  * until output_finish(). */
 bool output_publish(OutputFile *, Status *);
 
-/* A file whose lines are added to and read back: opened or made, whatever it holds. NULL: the status says
- * why.
- */
-FILE *output_update(Asker, const char *name, Status *);
-bool output_cut(FILE *, long size); /* such a file ends here now, and goes on here */
 void output_remove(Asker, const char *name);
 
 /* Makes a folder; *made: it was not there. output_remove_folder() takes back one that is empty. */

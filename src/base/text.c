@@ -109,12 +109,6 @@ bool text_stream_close(FILE *stream, char *const *text)
     return fclose(stream) == 0 && written && *text;
 }
 
-bool text_at_end(FILE *stream, const char *name, Status *status)
-{
-    return feof(stream) || status_fail(status, errno == ENOMEM ? STATUS_FAILED : STATUS_USAGE,
-                                       "%s: cannot be read: %s", name, strerror(errno ? errno : EIO));
-}
-
 size_t text_distance(const char *a, const char *b)
 {
     enum { MAX = 64 };

@@ -34,10 +34,6 @@ bool text_to_size(const char *text, long least, long most, int size[2]);
  * the end it is NULL, and fclose() does not report it. `*text` is freed by the caller either way. */
 bool text_stream_close(FILE *stream, char *const *text);
 
-/* Whether a stream came to its end; after getline(), which says -1 too where memory is short or reading
- * fails. Otherwise the status says why, by errno. */
-bool text_at_end(FILE *stream, const char *name, Status *);
-
 /* Writes a text as XML has it, in an element or an attribute; a control character becomes a space. */
 void text_put_xml(FILE *stream, const char *text);
 

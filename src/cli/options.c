@@ -38,7 +38,6 @@ const Option options_table[] = {
      "a run for each value, KEY=A,B,C or KEY=LO:HI:N; given twice: the product", OPTION_AXIS, AT(axes)},
     {"--with", "KEY=VALUES", " sweep ", "changes value by value together with the --vary before it",
      OPTION_AXIS, AT(axes)},
-    {"--jobs", "N", " sweep ", "runs at the same time (1)", OPTION_COUNT, AT(jobs)},
     {"--view", "NAME", " figure ", "what is drawn, as in profile or profile:stress; --list prints the names",
      OPTION_TEXT, AT(view)},
     {"--against", "KEY=VALUE", " figure ", "draws the run with this value behind; up to four times",
@@ -46,8 +45,7 @@ const Option options_table[] = {
     {"--output", "FILE", " figure ", "the figure: FILE.svg, FILE.pdf or FILE.png", OPTION_TEXT, AT(output)},
     {"--output", "DIR", " export-lammps ", "the folder that the files go to; it is made if missing",
      OPTION_TEXT, AT(output)},
-    {"--output", "FILE", " sweep ", "where the table goes; an interrupted sweep goes on from FILE.partial",
-     OPTION_TEXT, AT(output)},
+    {"--output", "FILE", " sweep ", "where the table goes", OPTION_TEXT, AT(output)},
     {"--output", "FILE", " movie ", "the film: FILE.cast (asciinema), FILE.svg (animated) or FILE.gif",
      OPTION_TEXT, AT(output)},
     {"--data", "FILE", " fit ", "the measured series: a CSV file with a column of times", OPTION_TEXT,
@@ -284,7 +282,10 @@ static bool take(const Option *option, const char *value, Options *options, Stat
 /* Options that stand elsewhere now. */
 static const struct {
     const char *command, *name, *place;
-} moved[] = {{"lesson", "--key", "matvib grade --key LESSON"}};
+} moved[] = {
+    {"lesson", "--key", "matvib grade --key LESSON"},
+    {"sweep", "--jobs", "--threads N now, which shares the runs out too (or --plan, for other machines)"},
+};
 
 static bool unknown(const char *command, const char *name, Status *status)
 {

@@ -72,7 +72,6 @@ typedef struct Options {
 
     SweepAxis axes[AXES_MAX]; /* --vary and --with, in their order */
     int n_axes;
-    long jobs;
     const char *output;
     const char *view;
     OptionList against;

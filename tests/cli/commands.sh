@@ -163,7 +163,4 @@ for words in 'show pipe' 'run pipe' 'lesson pipe' '--replay pipe' 'mode1 --scrip
 done
 printf 'key :\ntype overlay pipe\nkey Enter\nexpect is a pipe or a device\n' >over
 expect "an overlay" 0 mode1 --paused --script over
-mkfifo t.csv.partial
-refuse "rows of a sweep" 't.csv.partial: is a pipe or a device (a file is wanted)' \
-	sweep mode1 --vary mpm.algorithm=usf,musl --output t.csv
 echo "1..$number"

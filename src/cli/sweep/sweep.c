@@ -1,25 +1,26 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* `matvib sweep SCENARIO --vary KEY=A,B,C ...`: many runs that differ in some parameters, a row for each. */
+/* `matvib sweep SCENARIO --vary KEY=A,B,C ...`: many runs that differ in some parameters, a row for each. The
+ * threads of a pool take one combination after the other; every run has its row's place from the start, so
+ * that neither the table nor what is told depends on how many run side by side. */
+#include "base/hash.h"
+#include "base/output.h"
 #include "base/text.h"
-#include "base/threads.h"
 #include "base/visible.h"
 #include "cli/cli.h"
 #include "cli/describe.h"
 #include "cli/options.h"
-#include "cli/sweep/sweep_jobs.h"
-#include "cli/sweep/sweep_partial.h"
+#include "cli/progress.h"
 #include "cli/sweep/sweep_plan.h"
 #include "cli/sweep/sweep_table.h"
-#include "base/output.h"
+#include "methods/pool.h"
 
+#include <inttypes.h>
 #include <math.h>
+#include <pthread.h>
 #include <stdlib.h>
-#include <string.h>
 #include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
-
-enum { JOBS_MAX = 1024 };
 
 typedef struct Sweep {
     const Options *options;
@@ -28,26 +29,33 @@ typedef struct Sweep {
     double *keys;
     SweepResult *results;
     const Problem *problem;
-    SweepPartial partial;
-    int threads, jobs;
-    int next, ready, to_do, left_out;
-    bool written; /* the rows are where they were wanted */
-    bool shows_progress;
-    double began, shown;
+    int at_once, threads; /* runs side by side, and threads of each */
+    pthread_mutex_t lock; /* of what follows */
+    int next;             /* combination that nobody has taken */
+    double share;         /* sum over the combinations of what is done of each */
+    Progress progress;
 } Sweep;
-
-static double seconds(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
 
 /* --- before the first run ------------------------------------------------------------------------- */
 
 static bool no_memory(Status *status)
 {
     return status_fail(status, STATUS_FAILED, "not enough memory for the rows of the sweep");
+}
+
+/* A hash of the scenario of a combination: its file may change while others run. 0: there was no memory. */
+static uint64_t number_of(const Settings *settings)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *stream = open_memstream(&text, &size);
+    if (!stream)
+        return 0;
+    bool written = scenario_write(stream, settings, NULL, NULL);
+    written = text_stream_close(stream, &text) && written;
+    uint64_t number = written ? hash_bytes(HASH_BEGIN, text, size) | 1 : 0;
+    free(text);
+    return number;
 }
 
 /* Every combination is read and checked before the first one runs, so that bad input is found at once, not
@@ -71,7 +79,7 @@ static bool check_combinations(Sweep *sweep, Status *status)
                                    key->origin, key->key);
             sweep->keys[(size_t)i * (size_t)plan->n_keys + (size_t)k] = value;
         }
-        sweep->numbers[i] = sweep_partial_number(&settings, sweep->options->steps);
+        sweep->numbers[i] = number_of(&settings);
         if (sweep->numbers[i] == 0)
             return no_memory(status);
     }
@@ -81,23 +89,16 @@ static bool check_combinations(Sweep *sweep, Status *status)
 
 static bool prepare(Sweep *sweep, Status *status)
 {
-    const Options *options = sweep->options;
-    if (options->jobs > JOBS_MAX)
-        return status_fail(status, STATUS_USAGE, "--jobs: %ld are too many (1 to %d)", options->jobs,
-                           JOBS_MAX);
-    if (!sweep_plan_read(&sweep->plan, options, status))
+    if (!sweep_plan_read(&sweep->plan, sweep->options, status))
         return false;
-    int count = sweep->plan.n_combinations;
+    const int count = sweep->plan.n_combinations, threads = progress_threads(sweep->options->threads);
     sweep->numbers = calloc((size_t)count, sizeof *sweep->numbers);
     sweep->results = calloc((size_t)count, sizeof *sweep->results);
     sweep->keys = calloc((size_t)count * (size_t)sweep->plan.n_keys, sizeof *sweep->keys);
     if (!sweep->numbers || !sweep->results || !sweep->keys)
         return no_memory(status);
-    const int cores = threads_default(false);
-    sweep->jobs = options->jobs == 0 ? 1 : options->jobs < count ? (int)options->jobs : count;
-    sweep->threads = options->threads > 0       ? (int)options->threads
-                     : cores >= 2 * sweep->jobs ? cores / sweep->jobs
-                                                : 1;
+    sweep->at_once = threads < count ? threads : count;
+    sweep->threads = threads / sweep->at_once;
     return check_combinations(sweep, status);
 }
 
@@ -107,117 +108,102 @@ static void give_back(Sweep *sweep)
     free(sweep->numbers);
     free(sweep->results);
     free(sweep->keys);
+    pthread_mutex_destroy(&sweep->lock);
 }
 
-/* --- one run, in a worker ------------------------------------------------------------------------- */
+/* --- the runs, on any thread ---------------------------------------------------------------------- */
 
-static void run_combination(void *context, int combination, RunProgress progress, void *progress_context,
-                            SweepResult *result)
+typedef struct OneRun {
+    Sweep *sweep;
+    double share;
+} OneRun;
+
+static bool show_share(double share, void *context)
 {
-    const Sweep *sweep = context;
+    OneRun *run = context;
+    Sweep *sweep = run->sweep;
+    pthread_mutex_lock(&sweep->lock);
+    sweep->share += share - run->share;
+    run->share = share;
+    const bool goes_on = progress_show(sweep->share / sweep->plan.n_combinations, &sweep->progress);
+    pthread_mutex_unlock(&sweep->lock);
+    return goes_on;
+}
+
+static double seconds(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+static void run_combination(Sweep *sweep, int combination)
+{
+    SweepResult *result = &sweep->results[combination];
+    OneRun run = {sweep, 0};
     Settings settings;
     RunSummary summary;
     Status *why = &result->failure;
-    if (!sweep_plan_load(&sweep->plan, sweep->options, combination, false, &settings, why))
+    if (!show_share(0, &run) ||
+        !sweep_plan_load(&sweep->plan, sweep->options, combination, false, &settings, why))
         return;
-    const uint64_t number = sweep_partial_number(&settings, sweep->options->steps);
-    if (number == 0) {
-        no_memory(why);
-        return;
-    }
+    const uint64_t number = number_of(&settings);
     if (number != sweep->numbers[combination]) {
-        status_fail(why, STATUS_FAILED, "%s has changed since the sweep began", sweep->options->words[0]);
+        number == 0 ? no_memory(why)
+                    : status_fail(why, STATUS_FAILED, "%s has changed since the sweep began",
+                                  sweep->options->words[0]);
         return;
     }
     if (sweep->options->steps > 0 &&
         !sweep_plan_load(&sweep->plan, sweep->options, combination, true, &settings, why))
         return;
-    settings.patience = (Patience){progress, progress_context};
+    settings.patience = (Patience){show_share, &run};
     double began = seconds();
-    if (export_run(&settings, &(Outputs){0}, sweep->threads, progress, progress_context, &summary, why))
+    if (export_run(&settings, &(Outputs){0}, sweep->threads, show_share, &run, &summary, why))
         sweep_result_of(&summary, &settings, seconds() - began, result);
+    show_share(1, &run);
 }
 
-/* --- meanwhile, in the parent --------------------------------------------------------------------- */
-
-static int next_combination(void *context)
+/* One after the other, so that none waits behind a long one while a thread has nothing to do. */
+static void run_while_there_are(void *context, int chunk, int worker)
 {
+    (void)chunk, (void)worker;
     Sweep *sweep = context;
-    while (sweep->next < sweep->plan.n_combinations && sweep->results[sweep->next].done)
-        sweep->next++;
-    return sweep->next < sweep->plan.n_combinations ? sweep->next++ : -1;
+    for (;;) {
+        pthread_mutex_lock(&sweep->lock);
+        const int combination = sweep->next++;
+        pthread_mutex_unlock(&sweep->lock);
+        if (combination >= sweep->plan.n_combinations)
+            return;
+        run_combination(sweep, combination);
+    }
 }
 
-static void wipe_bar(const Sweep *sweep)
+static void warn(const Sweep *sweep, int combination)
 {
-    if (sweep->shown > 0)
-        visible_progress(stderr, "%s", "");
-}
-
-static void warn(const Sweep *sweep, const char *what, int combination, const char *why)
-{
+    const SweepResult *result = &sweep->results[combination];
     char values[512];
-    wipe_bar(sweep);
-    sweep_plan_describe(&sweep->plan, combination, values, sizeof values);
-    visible_print(stderr, "%s: %s: %s\n", what, values, why);
-}
-
-static bool take_result(void *context, int combination, const SweepResult *result, Status *status)
-{
-    Sweep *sweep = context;
-    sweep->results[combination] = *result;
-    sweep->ready++;
-    if (result->done && result->failure.text[0])
-        warn(sweep, "no frequency", combination, result->failure.text);
-    if (result->done)
-        return sweep_partial_add(&sweep->partial, sweep->numbers[combination], result, status);
-    warn(sweep, "left out", combination, result->failure.text);
-    sweep->left_out++;
-    return true;
-}
-
-static void show_progress(void *context, double begun)
-{
-    enum { WIDTH = 30 };
-    Sweep *sweep = context;
-    double now = sweep->shows_progress ? seconds() : 0;
-    if (!sweep->shows_progress || now - sweep->began < 0.5 || now - sweep->shown < 0.1)
+    if (!result->failure.text[0])
         return;
-    sweep->shown = now;
-    char bar[WIDTH + 1];
-    double share = (sweep->ready + begun) / sweep->to_do;
-    double left = share > 0 ? (now - sweep->began) * (1 - share) / share : 0;
-    for (int i = 0; i < WIDTH; i++)
-        bar[i] = i < (int)(share * WIDTH) ? '#' : '.';
-    bar[WIDTH] = '\0';
-    visible_progress(stderr, "[%s] %3.0f %%  %d of %d runs  %.0f s left ", bar, floor(100 * share),
-                     sweep->ready, sweep->to_do, ceil(left));
+    sweep_plan_describe(&sweep->plan, combination, values, sizeof values);
+    visible_print(stderr, "%s: %s: %s\n", result->done ? "no frequency" : "left out", values,
+                  result->failure.text);
 }
 
 static int run_all(Sweep *sweep, Status *status)
 {
-    int count = sweep->plan.n_combinations, there = 0;
-    for (int i = 0; i < count; i++)
-        there += sweep->results[i].done;
-    sweep->to_do = count - there;
-    if (there > 0)
-        visible_print(stderr, "%d of %d rows are in %s already\n", there, count, sweep->partial.name);
-    sweep->shows_progress = !sweep->options->quiet && isatty(STDERR_FILENO);
-    sweep->began = seconds();
-    SweepWork work = {.jobs = sweep->jobs,
-                      .context = sweep,
-                      .next = next_combination,
-                      .run = run_combination,
-                      .finished = take_result,
-                      .progress = show_progress};
-    int result = sweep_jobs(&work, status);
-    wipe_bar(sweep);
-    if (result > 128 && sweep->partial.stream)
-        status_fail(status, STATUS_FAILED, "interrupted; %ld of %d rows are in %s, the same command goes on",
-                    sweep->partial.rows, count, sweep->partial.name);
-    else if (result > 128)
-        status_fail(status, STATUS_FAILED, "interrupted");
-    return result;
+    Pool *pool = pool_create(sweep->at_once, status);
+    if (!pool)
+        return (int)status->code;
+    progress_begin(&sweep->progress, sweep->options->quiet);
+    pool_run(pool, run_while_there_are, sweep, sweep->at_once);
+    progress_end(&sweep->progress);
+    pool_destroy(pool);
+    if (progress_signal() != 0)
+        return status_fail(status, STATUS_FAILED, "interrupted"), 128 + progress_signal();
+    for (int i = 0; i < sweep->plan.n_combinations; i++)
+        warn(sweep, i);
+    return STATUS_DONE;
 }
 
 /* --- the table ------------------------------------------------------------------------------------ */
@@ -315,10 +301,9 @@ static int write_all(Sweep *sweep, int count, char **arguments, Status *status)
         sweep_table_write_text(&table, stdout);
     else if (!options->output)
         sweep_table_write_csv(&table, options->outputs.dialect, stdout);
-    sweep->written = true;
-    if (sweep->left_out == 0)
+    if (table.rows == all)
         return STATUS_DONE;
-    return status_fail(status, STATUS_FAILED, "%d of %d combinations have no row", sweep->left_out, all),
+    return status_fail(status, STATUS_FAILED, "%d of %d combinations have no row", all - table.rows, all),
            STATUS_FAILED;
 }
 
@@ -330,18 +315,19 @@ static bool is_regular(const char *name)
     return !output_is_standard(name) && (stat(name, &what) != 0 || S_ISREG(what.st_mode));
 }
 
-static bool open_partial(Sweep *sweep, Status *status)
+static bool may_begin(const Sweep *sweep, Status *status)
 {
     const Options *options = sweep->options;
+    const Crate crate = crate_of(options);
+    if (!describe_may_begin(options, &crate, status))
+        return false;
     if (!options->output)
         return true;
     char *beside = beside_name(options->output, status);
-    bool good = beside && output_may_begin(options->output, options->force, status) &&
-                (!is_regular(options->output) || output_may_begin(beside, options->force, status));
+    const bool good = beside && output_may_begin(options->output, options->force, status) &&
+                      (!is_regular(options->output) || output_may_begin(beside, options->force, status));
     free(beside);
-    return good && (!is_regular(options->output) ||
-                    sweep_partial_open(&sweep->partial, options->output, sweep->numbers,
-                                       sweep->plan.n_combinations, options->force, sweep->results, status));
+    return good;
 }
 
 static int print_plan(const Sweep *sweep, Status *status)
@@ -359,18 +345,14 @@ static int print_plan(const Sweep *sweep, Status *status)
 
 static int sweep_through(Sweep *sweep, int count, char **arguments, Status *status)
 {
-    const Crate crate = crate_of(sweep->options);
     if (!prepare(sweep, status))
         return (int)status->code;
     if (sweep->options->plan)
         return print_plan(sweep, status);
-    if (!describe_may_begin(sweep->options, &crate, status) || !open_partial(sweep, status))
+    if (!may_begin(sweep, status))
         return (int)status->code;
-    int result = run_all(sweep, status);
-    if (result == STATUS_DONE)
-        result = write_all(sweep, count, arguments, status);
-    sweep_partial_close(&sweep->partial, sweep->written);
-    return result;
+    const int result = run_all(sweep, status);
+    return result == STATUS_DONE ? write_all(sweep, count, arguments, status) : result;
 }
 
 int cli_sweep(int count, char **arguments, Status *status)
@@ -380,6 +362,7 @@ int cli_sweep(int count, char **arguments, Status *status)
         !options_words(&options, 1, 1, "SCENARIO", status))
         return (int)status->code;
     Sweep sweep = {.options = &options};
+    pthread_mutex_init(&sweep.lock, NULL);
     int result = sweep_through(&sweep, count, arguments, status);
     give_back(&sweep);
     return result;
