@@ -293,6 +293,13 @@ static void write_parameter(const Parameter *parameter, int concern)
     if (parameter->live)
         fputs(" May change in mid\\-run.", stdout);
     putchar('\n');
+    for (int i = 1; parameter->choice_help && i < parameter_choices(parameter, first); i++) {
+        puts(".br");
+        say_in("B", parameter->choices[i]);
+        fputs(": ", stdout);
+        say(parameter->choice_help(i));
+        putchar('\n');
+    }
 }
 
 static bool write_parameters(const char *which)

@@ -26,6 +26,8 @@ static void print_parameter(const Settings *settings, const Parameter *parameter
     printf("  %-42s %s%s%s\n      %s\n", assignment, range, parameter->live ? "  [live]" : "",
            choice ? methods[parameter_methods(parameter, settings->problem)] : "",
            parameter_help(parameter, settings->problem));
+    for (int i = 1; parameter->choice_help && i < parameter_choices(parameter, settings->problem); i++)
+        printf("      %-22s %s\n", parameter->choices[i], parameter->choice_help(i));
 }
 
 static void print_indented(const char *text)

@@ -53,6 +53,13 @@ typedef struct Field {
         {name, label, unit, meaning}, set, in_table, integer                                                 \
     }
 
+/* In the equation of a stage that a wrong code does, what differs from the right one stands between these
+ * marks; the second pair is that of the line in ASCII. */
+#define STAGE_WRONG_OPEN        "»"
+#define STAGE_WRONG_CLOSE       "«"
+#define STAGE_WRONG_OPEN_ASCII  ">>"
+#define STAGE_WRONG_CLOSE_ASCII "<<"
+
 /* One stage of a time step. */
 typedef struct Stage {
     const char *id;       /* "map", "strain": stable, for scripts and tests */

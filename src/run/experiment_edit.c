@@ -161,7 +161,8 @@ static Difference compare(const Settings *now, const Settings *wanted)
     difference.restart = end_matters(now, wanted);
     for (int i = 0; i < n_parameters; i++)
         if (differs(now, wanted, &parameters[i]) && recomputes(&parameters[i])) {
-            if (parameters[i].live)
+            if (parameter_is_live(&parameters[i], settings_number(now, &parameters[i]),
+                                  settings_number(wanted, &parameters[i])))
                 difference.live = true;
             else
                 difference.restart = true;

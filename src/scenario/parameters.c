@@ -212,7 +212,10 @@ void parameter_range(const Parameter *parameter, const Problem *problem, char *o
     const char *automatic = parameter_automatic(parameter, problem);
     const char *or_word = automatic ? *automatic ? automatic : "empty" : "";
     const char *or_bar = automatic ? " | " : "";
-    if (parameter->choices) {
+    if (parameter->choice_help) {
+        snprintf(out, size, "%s, or one of %d: matvib params %s", parameter->choices[0],
+                 parameter_choices(parameter, problem) - 1, problem->word);
+    } else if (parameter->choices) {
         size_t used = 0;
         for (int i = 0; i < parameter_choices(parameter, problem) && used < size; i++)
             used += (size_t)snprintf(out + used, size - used, "%s%s", i ? " | " : "", parameter->choices[i]);

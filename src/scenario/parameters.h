@@ -39,16 +39,21 @@ typedef struct Parameter {
     const char *dimension; /* in units of one's own that fit each other: "force/area"; "" for a number */
     const char *unit;      /* SI: "Pa" */
     ParameterType type;
-    size_t offset;                    /* of the member in Settings */
-    double least, most;               /* inclusive range */
-    bool above_least;                 /* the least itself is not allowed */
-    const char *const *choices;       /* ended by NULL */
+    size_t offset;              /* of the member in Settings */
+    double least, most;         /* inclusive range */
+    bool above_least;           /* the least itself is not allowed */
+    const char *const *choices; /* ended by NULL */
+    const char *(*choice_help)(
+        int);   /* a sentence for each of many, NULL for the first; NULL: help says it all */
+    bool wrong; /* at work, the code is wrong in one place */
     const char *renamed, *renamed_to; /* a choice's word in older files, and the one it has now; NULL: none */
     const char *automatic;            /* a word that stands for 0, "auto"; NULL: none */
     double automatic_value;           /* it stands for this instead of 0 */
     Nudge nudge;
-    bool live;   /* may change in mid-run */
-    int methods; /* that read it; 0: every one */
+    bool live; /* may change in mid-run, */
+    bool (*of_start)(
+        int choice); /* but not from or to these choices, which hold from the start on; NULL: to all */
+    int methods;     /* that read it; 0: every one */
     bool stated; /* it is a part of the problem: at work, it is refused by a method that does not read it */
     const char *help; /* one line */
     double usual;     /* the default, where the problem has no other */
@@ -141,6 +146,17 @@ double parameter_usual(const Parameter *, const Problem *);
 
 /* Where the problem overrides its row; NULL: nowhere. */
 const ParameterUse *parameter_use(const Parameter *, const Problem *);
+
+/* Whether it may change in mid-run from one value to another. */
+bool parameter_is_live(const Parameter *, double from, double to);
+
+/* What a wrong code does in a run of these settings, from the start on or later: the choice's word, and its
+ * row. NULL: nothing is wrong. */
+const char *settings_mistake(const Settings *);
+const Parameter *settings_mistake_row(const Settings *);
+
+/* Refuses what is not for wrong codes: "KEY: WORD is a mistake, and WHAT". True: there is none. */
+bool settings_refuse_mistake(const Settings *, const char *what, Status *);
 
 /* Whether it differs from its neutral value, at which it does nothing. */
 bool settings_are_at_work(const Settings *, const Parameter *);

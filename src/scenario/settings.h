@@ -95,6 +95,7 @@ typedef struct Transfer {
     double mass_blend; /* 0: the best one */
     int fmpm_order;
     AffineStart affine_start;
+    int mistake; /* of a code that is wrong in one place; 0: none */
 } Transfer;
 
 /* The nodes of peridynamics and the reach of their bonds. */

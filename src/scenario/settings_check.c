@@ -46,8 +46,16 @@ static bool check_changes(const Settings *settings, Status *status)
     for (int i = 0; i < settings->n_changes; i++) {
         const Change *change = &settings->changes[i];
         const Parameter *parameter = parameter_find(change->to.key);
+        const double before = parameter ? settings_number(&then, parameter) : 0;
         if (!settings_set(&then, change->to.key, change->to.value, status))
             return status_prefix(status, "changes.%ld", change->step);
+        if (parameter && parameter->live &&
+            !parameter_is_live(parameter, before, settings_number(&then, parameter)))
+            return status_fail(
+                status, STATUS_USAGE, "changes.%ld: %s: %s is made at the start and holds for the whole run",
+                change->step, change->to.key,
+                parameter->choices[(
+                    int)(parameter->of_start((int)before) ? before : settings_number(&then, parameter))]);
         if (!parameter || !parameter->live)
             return status_fail(
                 status, STATUS_USAGE,

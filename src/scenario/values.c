@@ -328,6 +328,47 @@ void settings_get(const Settings *settings, const Parameter *parameter, char out
     write_value(settings, parameter, 0, out);
 }
 
+/* Among these changes is one of a key to another value than its neutral one. */
+static const Change *change_of(const Settings *settings, const Parameter *parameter)
+{
+    for (int i = 0; i < settings->n_changes; i++)
+        if (strcmp(settings->changes[i].to.key, parameter->key) == 0 &&
+            strcmp(settings->changes[i].to.value, parameter->choices[0]) != 0)
+            return &settings->changes[i];
+    return NULL;
+}
+
+const Parameter *settings_mistake_row(const Settings *settings)
+{
+    for (int i = 0; i < n_parameters; i++)
+        if (parameters[i].wrong && parameter_applies_to(settings, &parameters[i]) &&
+            (settings_are_at_work(settings, &parameters[i]) || change_of(settings, &parameters[i])))
+            return &parameters[i];
+    return NULL;
+}
+
+const char *settings_mistake(const Settings *settings)
+{
+    const Parameter *row = settings_mistake_row(settings);
+    if (!row)
+        return NULL;
+    return settings_are_at_work(settings, row) ? row->choices[(int)settings_number(settings, row)]
+                                               : change_of(settings, row)->to.value;
+}
+
+bool settings_refuse_mistake(const Settings *settings, const char *what, Status *status)
+{
+    const Parameter *row = settings_mistake_row(settings);
+    return !row || status_fail(status, STATUS_USAGE, "%s: %s is a mistake, and %s", row->key,
+                               settings_mistake(settings), what);
+}
+
+bool parameter_is_live(const Parameter *parameter, double from, double to)
+{
+    return parameter->live &&
+           (!parameter->of_start || (!parameter->of_start((int)from) && !parameter->of_start((int)to)));
+}
+
 bool settings_are_at_work(const Settings *settings, const Parameter *parameter)
 {
     char text[LIST_MAX];

@@ -140,6 +140,28 @@ START_TEST(sums_of_a_bar_add_up)
 }
 END_TEST
 
+START_TEST(sums_of_a_wrong_bar_add_up)
+{
+    const char *keys[] = {"mesh.particles_per_cell",
+                          "3",
+                          "bar.length",
+                          "10",
+                          "mesh.cell_size",
+                          "0.5",
+                          "load.body_force",
+                          "1e-3",
+                          "mpm.mistake",
+                          bar_mistake_words[_i + 1],
+                          NULL};
+    Experiment *experiment = experiment_with("mode5", keys, _i % 2 ? 37 : 0);
+    Tally tally = {0};
+    expect_all_sums(experiment, 1, &tally);
+    ck_assert_int_gt(tally.sums, 1000);
+    ck_assert_int_gt(tally.fields, 500);
+    experiment_destroy(experiment);
+}
+END_TEST
+
 START_TEST(sums_of_a_beam_add_up)
 {
     static const char *const scenarios[] = {"supported-beam-coarse", "moving-cantilever-coarse",
@@ -428,6 +450,7 @@ void add_cases(Suite *suite)
     TCase *sums = tcase_create("sums");
     tcase_add_test(sums, a_wrong_sum_is_seen);
     tcase_add_loop_test(sums, sums_of_a_bar_add_up, 0, BAR_VARIANTS);
+    tcase_add_loop_test(sums, sums_of_a_wrong_bar_add_up, 0, 24);
     tcase_add_loop_test(sums, sums_of_a_beam_add_up, 0, 3);
     tcase_add_loop_test(sums, columns_of_the_inspector_add_up, 0, 12);
     tcase_add_loop_test(sums, forces_of_bonds_add_up, 0, 2);

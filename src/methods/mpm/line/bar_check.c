@@ -2,6 +2,7 @@
 /* The definition of a bar: its defaults, and whether it is sound. Each line names the key as
  * in a scenario file, what is wrong and what is allowed. */
 #include "methods/axial.h"
+#include "methods/mpm/line/bar_mistakes.h"
 #include "methods/mpm/line/bar_state.h"
 
 #include <math.h>
@@ -148,7 +149,7 @@ bool bar_check(const BarDef *def, Status *status)
     if ((long)round(cells) * def->particles_per_cell > PARTICLES_MAX)
         return status_fail(status, STATUS_USAGE,
                            "mesh.particles_per_cell: more than %d particles are not possible", PARTICLES_MAX);
-    return check_joint(def, status) &&
+    return check_joint(def, status) && bar_check_mistake(def, status) &&
            axial_check_layer(def->traction_layer, def->cell_size / def->particles_per_cell, def->length,
                              status);
 }

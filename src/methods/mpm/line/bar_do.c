@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The work of a bar's stages on a range of cells: the kernels, the supports, and what makes a run fail.
  * Stages one by one and whole steps in tiles (bar_tiles.c) both call this. */
+#include "methods/mpm/line/bar_mistakes.h"
 #include "methods/mpm/line/bar_state.h"
 #include "methods/mpm/line/kernels/bar_kernels.h"
 
@@ -77,6 +78,8 @@ static void fix_and_divide(Bar *bar, int first, int end, bool factor)
 bool bar_do(Bar *bar, BarOp op, int first, int end, Status *status)
 {
     const BarKernels *kernels = bar->kernels;
+    if (bar_mistake(bar))
+        return bar_do_wrongly(bar, op, first, end, status);
     switch (op) {
     case OP_MAP:
         map(bar, first, end);
@@ -115,6 +118,7 @@ bool bar_do(Bar *bar, BarOp op, int first, int end, Status *status)
 
 void bar_map_and_fix(Bar *bar)
 {
-    map(bar, 0, bar->n_cells);
-    fix_and_divide(bar, 0, bar->n_cells, true);
+    Status unused; /* neither of them fails */
+    bar_do(bar, OP_MAP, 0, bar->n_cells, &unused);
+    bar_do(bar, OP_FIX, 0, bar->n_cells, &unused);
 }

@@ -12,8 +12,11 @@
  *
  * for the inspector and the written-out sums (bar_explain.c). The stages themselves do not call this: their
  * loops are in kernels.c. */
+#include "methods/mpm/line/bar_mistakes.h"
 #include "methods/mpm/line/bar_state.h"
 #include "methods/mpm/line/kernels/shape.h"
+
+#include <math.h>
 
 #define TABLE_TO(momentum, momentum_ascii, momentum_note, taken, taken_ascii, taken_note, taken_adds, place, \
                  place_ascii, place_note)                                                                    \
@@ -128,6 +131,17 @@ static double blended_gain(const Bar *bar, const double n[], int cell, int parti
     return alpha * bar->node_kick[cell + a] + (1 - alpha) * (bar->node_drift[cell + a] * speed - old);
 }
 
+/* N of a particle at a node of its cell, by which it takes its velocity. */
+static double kick_weight(const Bar *bar, int particle, int node, double weight)
+{
+    double n[2];
+    int cell;
+    if (!bar_mistake(bar))
+        return weight;
+    bar_kick_weights(bar, particle, &cell, n);
+    return node == cell || node == cell + 1 ? n[node - cell] : 0.0;
+}
+
 /* The factors of one term, in the order of the exchange's words. 0: not at hand, or the node is none of the
  * particle's cell. */
 int bar_exchange(const Simulation *sim, int exchange, size_t from, size_t to,
@@ -159,18 +173,23 @@ int bar_exchange(const Simulation *sim, int exchange, size_t from, size_t to,
     case GIVE_MOMENTUM_AGAIN:
         FACTORS(3, bar_particle_mass(bar, particle), given_velocity(bar, particle, cell, a, s), n[a]);
     case GIVE_F_INT:
+        if (bar_mistake(bar))
+            FACTORS(3, copysign(bar_slope_scale(bar), bar_force_share(bar)) * dn[a],
+                    bar_force_stress(bar, particle), bar_force_volume(bar, particle));
         FACTORS(3, -dn[a] / bar->dx, bar->stress[slot][k], volume);
     case GIVE_F_EXT:
         FACTORS(2, n[a], load_on(bar, particle, volume));
     case TAKE_STRAIN:
         bar_strain_velocities(bar, cell, v);
+        if (bar_mistake(bar))
+            FACTORS(3, bar_strain_span(bar), bar_slope_scale(bar) * dn[a], v[a]);
         FACTORS(3, bar->dt, dn[a] / bar->dx, v[a]);
     case TAKE_VELOCITY:
         if (bar->head->transfer != MPM_FLIP || bar->head->flip_fraction == 0.0)
             FACTORS(2, n[a], bar_integrated_velocity(bar, node));
         if (bar->head->flip_fraction != 1.0)
             FACTORS(2, n[a], blended_gain(bar, n, cell, particle, a));
-        FACTORS(3, bar->dt, n[a], bar->node_kick[node] / bar->dt);
+        FACTORS(3, bar->dt, kick_weight(bar, particle, node, n[a]), bar->node_kick[node] / bar->dt);
     case TAKE_PLACE:
         if (bar->head->transfer == MPM_FMPM) {
             /* the velocity before is no longer stored: it is solved for */
@@ -178,7 +197,7 @@ int bar_exchange(const Simulation *sim, int exchange, size_t from, size_t to,
             const double before = 2.0 * (bar->moved[slot][k] - s) * (bar->dx / bar->dt) - now;
             FACTORS(3, bar->dt, n[a], 0.5 * (before + bar_integrated_velocity(bar, node)));
         }
-        FACTORS(3, bar->dt, n[a], bar_integrated_velocity(bar, node));
+        FACTORS(3, bar->dt, n[a], bar_moving_velocity(bar, particle, node));
     case BAR_EXCHANGES:
         break;
     }

@@ -2,6 +2,7 @@
 /* The sums behind a stage with their numbers, for one particle or one node, as in "p13 = 0.5 × 0.2 = 0.1":
  * what the laboratory shows when a stage has just been done. The terms come from bar_exchange.c, bar_sums.c
  * makes sums of them; which sums a stage has is the table at the end of this file. */
+#include "methods/mpm/line/bar_mistakes.h"
 #include "methods/mpm/line/bar_sums.h"
 #include "methods/mpm/line/kernels/shape.h"
 
@@ -122,12 +123,25 @@ static void write_system(const BarSubject *subject, RowOf of)
 
 /* --- map ------------------------------------------------------------------------------------------ */
 
+/* Of a grid that nobody empties the sum begins with what was there. */
+static void write_kept(const BarSubject *subject, const double *kept, const double *whole,
+                       CalculationSum *sum)
+{
+    const BarMistake *mistake = bar_mistake(subject->bar);
+    if (!mistake || !mistake->keeps_grid)
+        return;
+    sum->has_base = true;
+    sum->base = kept[subject->index];
+    sum->result = whole[subject->index];
+}
+
 /* Eq. 3 at a node, term by term: p = sum m v N, APIC's w = v + C (x_i - x) in place of v. */
 static void write_momentum(const BarSubject *subject, BarExchange exchange)
 {
     const BarLabel label = bar_label("p", subject->index, " = ");
     CalculationSum sum = {.label = label.text};
     sum.result = bar_add_terms(subject, exchange, &sum);
+    write_kept(subject, subject->bar->kept_momentum, subject->bar->node_momentum, &sum);
     calculation_sum(subject->calculation, &sum);
 }
 
@@ -138,6 +152,7 @@ static void map_node(const BarSubject *subject)
     const BarLabel label = bar_label("m", subject->index, " = ");
     CalculationSum sum = {.label = label.text, .result = subject->bar->node_mass[subject->index]};
     bar_add_terms(subject, GIVE_MASS, &sum);
+    write_kept(subject, subject->bar->kept_mass, subject->bar->node_mass, &sum);
     calculation_sum(subject->calculation, &sum);
     write_momentum(subject, GIVE_MOMENTUM);
 }
@@ -177,9 +192,10 @@ static void hold_node(const BarSubject *subject)
     Calculation *calculation = subject->calculation;
     const int i = subject->index;
     calculation_write(calculation, "p%d", i);
-    if (!bar_node_is_fixed(bar, i)) {
+    if (!bar_holds_momentum(bar, OP_FIX, i)) {
         calculation_number(calculation, " = ", bar->node_momentum[i]);
-        calculation_write(calculation, " stays: no support holds the node\n");
+        calculation_write(calculation, bar_node_is_fixed(bar, i) ? " stays, though a support holds the node\n"
+                                                                 : " stays: no support holds the node\n");
         return;
     }
     if (subject->before)
@@ -205,7 +221,10 @@ static void fix_particle(const BarSubject *subject)
     }
     for (size_t i = 0; i < subject->n_links; i++)
         if (bar_node_is_fixed(subject->bar, (int)subject->links[i].index)) {
-            calculation_write(subject->calculation, "its node %zu is fixed and cannot move\n",
+            calculation_write(subject->calculation,
+                              bar_holds_momentum(subject->bar, OP_FIX, (int)subject->links[i].index)
+                                  ? "its node %zu is fixed and cannot move\n"
+                                  : "its node %zu is fixed, and moves on\n",
                               subject->links[i].index);
             return;
         }
@@ -221,8 +240,34 @@ static void strain_node(const BarSubject *subject)
         write_system(subject, ROW_OF_VELOCITY);
         return;
     }
+    if (bar_holds_momentum(subject->bar, OP_STRAIN, i)) {
+        const double velocity = subject->bar->node_velocity[i];
+        bar_write_ratio(subject, bar_label("it strains by v", i, " = p/m = ").text,
+                        velocity * subject->bar->node_mass[i], velocity);
+        calculation_write(subject->calculation, "then p%d → 0: a support holds the node\n", i);
+        return;
+    }
     bar_write_ratio(subject, bar_label("v", i, " = p/m = ").text, subject->bar->node_momentum[i],
                     bar_node_velocity(subject->bar, i));
+}
+
+/* Eq. 8, or what a code has in its place: the density before is solved for. */
+static void write_density(const BarSubject *subject, double density, double stretch)
+{
+    const BarMistake *mistake = bar_mistake(subject->bar);
+    const bool other = mistake && mistake->thinned;
+    const double ratio = other ? 1 / mistake->thinned(1, stretch) : 1 / stretch;
+    CalculationSum thin = {.label = other ? "ρ = ρ (1 + Δε) = " : "ρ = ρ/(1 + Δε) = ", .result = density};
+    if (other && ratio == 1) {
+        calculation_number(subject->calculation, "ρ stays ", density);
+        calculation_end_line(subject->calculation);
+        return;
+    }
+    if (!other)
+        calculation_add(&thin, 1, density * stretch, 0, 0)->divisor = stretch;
+    else
+        calculation_add(&thin, 2, density / ratio, ratio, 0);
+    calculation_sum(subject->calculation, &thin);
 }
 
 /* Eqs. 5, 7 and 8 for one particle: de = dt sum N' v, the stress from that before the stage, the density from
@@ -241,11 +286,14 @@ static void strain_particle(const BarSubject *subject)
     const double was = subject->before
                            ? calculation_before(bar->block, &bar->stress[slot][k], subject->before)
                            : stress - modulus * increment; /* with its rounding */
-    calculation_change(subject->calculation, "σ = σ + E Δε = ", was, modulus, increment, stress, NULL);
-
-    CalculationSum thin = {.label = "ρ = ρ/(1 + Δε) = ", .result = density};
-    calculation_add(&thin, 1, density * (1 + increment), 0, 0)->divisor = 1 + increment;
-    calculation_sum(subject->calculation, &thin);
+    const BarMistake *mistake = bar_mistake(bar);
+    if (mistake && mistake->only_newest) {
+        CalculationSum newest = {.label = "σ = E Δε = ", .result = stress};
+        calculation_add(&newest, 2, modulus, increment, 0);
+        calculation_sum(subject->calculation, &newest);
+    } else
+        calculation_change(subject->calculation, "σ = σ + E Δε = ", was, modulus, increment, stress, NULL);
+    write_density(subject, density, 1 + increment);
     if (!bar_is_lumped(bar))
         write_system(subject, ROW_OF_VELOCITY);
 }
@@ -257,16 +305,21 @@ static void force_node(const BarSubject *subject)
 {
     const Bar *bar = subject->bar;
     const int i = subject->index;
-    CalculationSum internal = {.label = "f_int = Σ -N′ (σ V) = ", .result = bar->node_f_int[i]};
+    const double share = bar_load_share(bar);
+    CalculationSum internal = {.label = bar_force_share(bar) > 0 ? "f_int = Σ N′ (σ V) = "
+                                                                 : "f_int = Σ -N′ (σ V) = ",
+                               .scale = share == 1 ? 0 : share,
+                               .result = bar->node_f_int[i]};
     bar_add_terms(subject, GIVE_F_INT, &internal);
     calculation_sum(subject->calculation, &internal);
     const bool loaded = bar_is_loaded(bar) && bar->node_f_ext[i] != 0.0;
     if (loaded) {
-        CalculationSum external = {.label = "f_ext = ", .result = bar->node_f_ext[i]};
+        CalculationSum external = {
+            .label = "f_ext = ", .scale = share == 1 ? 0 : share, .result = bar->node_f_ext[i]};
         bar_add_terms(subject, GIVE_F_EXT, &external);
         calculation_sum(subject->calculation, &external);
     }
-    if (bar_node_is_fixed(bar, i)) {
+    if (bar_holds_force(bar, i)) {
         calculation_write(subject->calculation, "the node is fixed: f = 0, the support bears the rest\n");
     } else if (loaded) {
         CalculationSum whole = {.label = "f = f_int + f_ext = ", .result = bar_node_force(bar, i)};
@@ -285,12 +338,12 @@ static void force_node(const BarSubject *subject)
 static void force_particle(const BarSubject *subject)
 {
     const Bar *bar = subject->bar;
-    const int slot = subject->index % bar->slots, k = subject->index / bar->slots;
-    const double stress = bar->stress[slot][k], volume = bar->volume[slot][k];
+    const double stress = bar_force_stress(bar, subject->index),
+                 volume = bar_force_volume(bar, subject->index);
     CalculationSum pull = {.label = "σ V = ", .result = stress * volume};
     calculation_add(&pull, 2, stress, volume, 0);
     calculation_sum(subject->calculation, &pull);
-    bar_write_shares(subject, GIVE_F_INT, "-N′ σ V: ", 0);
+    bar_write_shares(subject, GIVE_F_INT, bar_force_share(bar) > 0 ? "N′ σ V: " : "-N′ σ V: ", 0);
     if (bar_is_loaded(bar)) {
         double f[EXCHANGE_FACTORS_MAX] = {0};
         bar_exchange(&bar->sim, GIVE_F_EXT, (size_t)subject->index, subject->links[0].index, f);
@@ -371,6 +424,20 @@ static void write_slope(const BarSubject *subject)
     calculation_sum(subject->calculation, &sum);
 }
 
+/* The terms of eq. 14 with the weights that a wrong code takes; returns their sum. */
+static double write_kicks(const BarSubject *subject, CalculationSum *sum)
+{
+    const Bar *bar = subject->bar;
+    double n[2], kick = 0;
+    int cell;
+    bar_kick_weights(bar, subject->index, &cell, n);
+    for (int a = 0; a < 2; a++) {
+        kick += n[a] * bar->node_kick[cell + a];
+        calculation_add(sum, 2, n[a], bar->node_kick[cell + a] / bar->dt, 0);
+    }
+    return kick;
+}
+
 /* Eq. 14: v + dt sum N_i f_i/m_i (FLIP), sum N_i v_i (PIC, APIC), or both and their mean weighted with
  * alpha. */
 static void write_velocity(const BarSubject *subject)
@@ -386,7 +453,9 @@ static void write_velocity(const BarSubject *subject)
     CalculationSum flip = {.label = alpha == 1.0 ? "v = " : "FLIP: ", .has_base = true, .scale = bar->dt};
     CalculationSum mean = {.label = "PIC: "};
     double kick = 0;
-    for (size_t i = 0; i < subject->n_links; i++) {
+    if (bar_mistake(bar))
+        kick = write_kicks(subject, &flip);
+    for (size_t i = 0; i < subject->n_links && !bar_mistake(bar); i++) {
         const Link *link = &subject->links[i];
         const int node = (int)link->index;
         if (link->weight == 0.0)
@@ -419,7 +488,11 @@ static void update_particle(const BarSubject *subject)
                             .has_base = true,
                             .base = (from_origin + bar->s[slot][k]) * bar->dx,
                             .result = (from_origin + bar->moved[slot][k]) * bar->dx};
-    bar_add_terms(subject, TAKE_PLACE, &place);
+    const BarMistake *mistake = bar_mistake(bar);
+    if (mistake && mistake->moves == MOVES_BY_ITSELF)
+        calculation_add(&place, 2, bar->dt, *velocity_of_particle(bar, subject->index), 0);
+    else
+        bar_add_terms(subject, TAKE_PLACE, &place);
     calculation_sum(subject->calculation, &place);
     if (bar->head->transfer == MPM_APIC)
         write_slope(subject);

@@ -4,6 +4,7 @@
  * is 0 before its stage. */
 #include "base/assertion.h"
 #include "methods/axial.h"
+#include "methods/mpm/line/bar_mistakes.h"
 #include "methods/mpm/line/bar_state.h"
 #include "methods/mpm/line/kernels/shape.h"
 
@@ -105,7 +106,7 @@ static double strain_increment(const Bar *bar, int particle, int cell, double s)
     bar_strain_velocities(bar, cell, v);
     for (int a = 0; a < bar->support; a++)
         gradient += dn[a] * v[a];
-    return bar->dt / bar->dx * gradient;
+    return (bar_mistake(bar) ? bar_strain_span(bar) * bar_slope_scale(bar) : bar->dt / bar->dx) * gradient;
 }
 
 /* Values of `count` particles from `first` on, whose cells are met on the way. x of a moved particle counts

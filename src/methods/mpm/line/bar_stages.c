@@ -10,6 +10,7 @@
  * with the latter mapped anew from the particles; gradients are those of the old places in all three. The
  * transfer (FLIP, PIC blend, APIC, FMPM) and the masses (lumped, blended) change what some stages say, so
  * each stage has a row for each. The work of a stage is bar_do.c. */
+#include "methods/mpm/line/bar_mistakes.h"
 #include "methods/mpm/line/bar_state.h"
 
 /* FLIP with lumped masses; the other transfers below name only what they change. */
@@ -222,6 +223,18 @@ static void take_unsaid(const char **member, const char *other)
         *member = other;
 }
 
+/* What a wrong code does in a stage of the right one. */
+static void write_wrongly(Stage *stage, const BarMistake *mistake, BarOp op)
+{
+    const bool also = mistake->also_equation && op == mistake->also;
+    if (op != mistake->stage && !also)
+        return;
+    stage->equation = also ? mistake->also_equation : mistake->equation;
+    stage->ascii = also ? mistake->also_ascii : mistake->ascii;
+    stage->source = mistake->id;
+    stage->sentence = mistake->sentence;
+}
+
 static Stage stage_of(int transfer, BarOp op)
 {
     Stage stage = wordings[transfer].stages[op];
@@ -271,8 +284,11 @@ const BarSchedule *bar_schedule(const Bar *bar)
 void bar_list_stages(Bar *bar)
 {
     const BarSchedule *schedule = bar_schedule(bar);
-    for (int i = 0; i < schedule->count; i++)
+    for (int i = 0; i < schedule->count; i++) {
         bar->stages[i] = stage_of(transfer_of(bar), schedule->ops[i]);
+        if (bar_mistake(bar))
+            write_wrongly(&bar->stages[i], bar_mistake(bar), schedule->ops[i]);
+    }
     bar->sets[BAR_PARTICLES] = (Set){"particle", "particles", 0};
     bar->sets[BAR_NODES] = (Set){"node", "nodes", schedule->nodes_ready};
     bar->sim.stages = bar->stages;

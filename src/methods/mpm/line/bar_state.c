@@ -2,6 +2,7 @@
 /* What is asked of a bar's state in the middle of a step: which stages are done, where a particle and a node
  * are, and what a node has at present, whatever the order of the stages. For what front ends read (fields,
  * exchanges, explanations); the stages themselves need none of it. */
+#include "methods/mpm/line/bar_mistakes.h"
 #include "methods/mpm/line/bar_state.h"
 #include "methods/mpm/line/kernels/shape.h"
 
@@ -16,6 +17,10 @@ bool bar_has_done(const Bar *bar, BarOp op)
 
 bool bar_node_is_fixed(const Bar *bar, int node)
 {
+    const BarMistake *mistake = bar_mistake(bar);
+    if (mistake && mistake->holds_next)
+        return (bar->fixed_left > 0 && node == bar->fixed_left) ||
+               (bar->fixed_right > 0 && node == bar->n_nodes - 1 - bar->fixed_right);
     return node < bar->fixed_left || node >= bar->n_nodes - bar->fixed_right;
 }
 
@@ -59,7 +64,7 @@ double bar_integrated_velocity(const Bar *bar, int node)
 
 double bar_node_force(const Bar *bar, int node)
 {
-    if (bar_node_is_fixed(bar, node))
+    if (bar_holds_force(bar, node))
         return 0.0;
     return bar_is_loaded(bar) ? bar->node_f_int[node] + bar->node_f_ext[node] : bar->node_f_int[node];
 }

@@ -60,6 +60,7 @@ typedef struct BarHead {
     double flip_fraction, body_force, traction;
     double mass_blend; /* mu, never 0 */
     int fmpm_order;
+    int mistake;      /* 0: none; the algorithm and the FLIP fraction above are those that it makes */
     double work;      /* of the external force so far */
     Growth growth;    /* what the energy check has seen */
     int64_t cell_sum; /* sum of the particles' cells: exact, for x_cm */
@@ -119,18 +120,20 @@ struct Bar {
     /* state: one block; what lies beyond the particle part exists only within a step */
     void *memory; /* what was allocated: the block, then scratch */
     void *block;
-    size_t bytes_flip, bytes_apic, bytes_whole; /* to the end of the FLIP part, the APIC part, everything */
+    size_t bytes_flip, bytes_apic, bytes_kept, bytes_whole; /* to the end of the FLIP part, the APIC part, the
+                                                                kept grid, everything */
     BarHead *head;
     int32_t *first;    /* of each cell: its first particle; n_cells + 1 entries */
     uint64_t *crossed; /* one bit per particle: has crossed a cell's edge */
     double *s[BAR_SLOTS_MAX];
     double *v[BAR_SLOTS_MAX];
     double *stress[BAR_SLOTS_MAX];
-    double *volume[BAR_SLOTS_MAX];    /* m / rho: needs no division to be updated */
-    double *affine[BAR_SLOTS_MAX];    /* C of APIC */
-    double *half[BAR_SLOTS_MAX];      /* half a CPDI particle's length over dx, when the step began */
-    double *moved[BAR_SLOTS_MAX];     /* s after the step, still counted from the old cell */
-    double *node_mass, *node_inverse; /* the inverse is 0 where the node is inactive */
+    double *volume[BAR_SLOTS_MAX];     /* m / rho: needs no division to be updated */
+    double *affine[BAR_SLOTS_MAX];     /* C of APIC */
+    double *kept_mass, *kept_momentum; /* of nodes that nobody empties (bar_mistakes.h) */
+    double *half[BAR_SLOTS_MAX];       /* half a CPDI particle's length over dx, when the step began */
+    double *moved[BAR_SLOTS_MAX];      /* s after the step, still counted from the old cell */
+    double *node_mass, *node_inverse;  /* the inverse is 0 where the node is inactive */
     double *node_momentum, *node_f_int, *node_f_ext;
     double *node_velocity; /* that strains the particles; before the momentum is integrated that of p */
     double *node_kick;     /* dt times the acceleration, dt f / m */
@@ -243,6 +246,9 @@ static inline int bar_run_end(const Bar *bar, int c, int end)
 
 /* Counts the odd cells anew, after `first` was put back. */
 void bar_count_odd_cells(Bar *bar);
+
+/* Of the part of the state that lasts from step to step, with these live parameters. */
+size_t bar_lasting_bytes(const Bar *, const BarHead *);
 
 const BarSchedule *bar_schedule(const Bar *bar);
 void bar_list_stages(Bar *bar); /* for front ends, as live parameters are */

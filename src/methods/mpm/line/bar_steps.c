@@ -27,7 +27,7 @@ bool bar_stage(Simulation *sim, int stage, size_t first, size_t end, Status *sta
     /* what a step that can be looked at has not written yet is 0, so that its snapshots are the same bytes
      * whatever ran before */
     if (stage == 0 && first == 0)
-        memset((char *)bar->block + bar->bytes_apic, 0, bar->bytes_whole - bar->bytes_apic);
+        memset((char *)bar->block + bar->bytes_kept, 0, bar->bytes_whole - bar->bytes_kept);
     if (!bar_do(bar, schedule->ops[stage], (int)first, (int)end, status))
         return false;
     return stage + 1 < schedule->count || end < sim->stage_items || check_energy(bar, status);
@@ -35,22 +35,16 @@ bool bar_stage(Simulation *sim, int stage, size_t first, size_t end, Status *sta
 
 /* --- whole steps --------------------------------------------------------------------------------- */
 
-/* The part of the state that lasts from step to step; with APIC the slopes C are in it. */
-static size_t particle_bytes(const Bar *bar)
-{
-    return bar->head->transfer == MPM_APIC ? bar->bytes_apic : bar->bytes_flip;
-}
-
 static void keep(Simulation *sim)
 {
     Bar *bar = bar_of(sim);
-    memcpy(bar->backup, bar->block, particle_bytes(bar));
+    memcpy(bar->backup, bar->block, bar_lasting_bytes(bar, bar->head));
 }
 
 static void put_back(Simulation *sim)
 {
     Bar *bar = bar_of(sim);
-    memcpy(bar->block, bar->backup, particle_bytes(bar));
+    memcpy(bar->block, bar->backup, bar_lasting_bytes(bar, bar->head));
     bar_count_odd_cells(bar);
 }
 

@@ -19,6 +19,7 @@
  * particle may come from the next cell. A distance of CLEARANCE cells covers both; tasks that need nothing
  * from ahead follow at once. A failure, or a particle that jumps over a whole cell, ends the pipeline, and
  * the caller does the steps again stage by stage over the whole bar (bar_steps.c). */
+#include "methods/mpm/line/bar_mistakes.h"
 #include "methods/mpm/line/bar_null.h"
 #include "methods/mpm/line/bar_state.h"
 #include "methods/mpm/line/kernels/bar_kernels.h"
@@ -167,8 +168,8 @@ bool bar_tiles_pay(const Bar *bar, bool with_rows)
 {
     /* a load's work is summed over all nodes step by step, and so is the energy of the affine motion over the
      * cells, and of two materials: tiles would add them up in another order. One solution for all nodes needs
-     * all of them. */
-    if (!bar_is_lumped(bar) || bar_is_loaded(bar) ||
+     * all of them. What a wrong code does is done stage by stage. */
+    if (bar_mistake(bar) || !bar_is_lumped(bar) || bar_is_loaded(bar) ||
         (with_rows && (bar->head->transfer == MPM_APIC || bar->def.joint > 0.0)))
         return false;
     return bar->n_cells >= CELLS_LEAST;

@@ -4,10 +4,12 @@
  * = 0 particles stand at s = (j + 1/2)/P in their cells, with stress 0, volume m/rho and the velocity of eq.
  * 19; m = rho dx/P, dt by eq. 21. */
 #include "methods/axial.h"
+#include "methods/mpm/line/bar_mistakes.h"
 #include "methods/mpm/line/bar_state.h"
 #include "methods/mpm/line/kernels/bar_kernels.h"
 #include "methods/mpm/line/kernels/shape.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -64,6 +66,9 @@ static void lay_out(Bar *bar, unsigned char *block)
     for (int j = 0; j < bar->slots; j++)
         ARRAY(bar->affine[j], places);
     bar->bytes_apic = layout.size;
+    ARRAY(bar->kept_mass, nodes);
+    ARRAY(bar->kept_momentum, nodes);
+    bar->bytes_kept = layout.size;
     for (int j = 0; j < bar->slots && bar->def.shape == MPM_CPDI; j++)
         ARRAY(bar->half[j], places);
     for (int j = 0; j < bar->slots; j++)
@@ -94,7 +99,7 @@ static void lay_out(Bar *bar, unsigned char *block)
         }
     ARRAY(bar->odd, ((size_t)bar->n_cells / BAR_CELL_BLOCK + 1) * sizeof(int16_t));
     ARRAY(bar->old_first, ((size_t)bar->n_cells + 1) * sizeof(int32_t));
-    ARRAY(bar->backup, bar->bytes_apic);
+    ARRAY(bar->backup, bar->bytes_kept);
     bar->bytes_memory = layout.size + 64; /* room to begin at a multiple of 64 */
 #undef ARRAY
 }
@@ -119,8 +124,14 @@ static void take_schedule(Bar *bar)
 /* Between steps the grid is forgotten and is not saved. */
 static size_t saved_bytes(const Bar *bar, const BarHead *head)
 {
-    if (bar->sim.stage != 0)
-        return bar->bytes_whole;
+    return bar->sim.stage != 0 ? bar->bytes_whole : bar_lasting_bytes(bar, head);
+}
+
+size_t bar_lasting_bytes(const Bar *bar, const BarHead *head)
+{
+    const BarMistake *mistake = bar_mistake_of(head->mistake);
+    if (mistake && mistake->keeps_grid)
+        return bar->bytes_kept;
     return head->transfer == MPM_APIC ? bar->bytes_apic : bar->bytes_flip;
 }
 
@@ -143,8 +154,8 @@ static void load(Simulation *sim, const void *bytes)
     memcpy(&head, bytes, sizeof head);
     size_t size = saved_bytes(bar, &head);
     memcpy(bar->block, bytes, size);
-    if (size == bar->bytes_flip)
-        memset((char *)bar->block + size, 0, bar->bytes_apic - size);
+    if (size < bar->bytes_kept)
+        memset((char *)bar->block + size, 0, bar->bytes_kept - size);
     bar_count_odd_cells(bar);
     take_schedule(bar);
 }
@@ -154,6 +165,17 @@ static double blend_of(const BarDef *def, double mass_blend)
 {
     return mass_blend == 0.0 ? bar_mass_blend_auto(def->shape, def->particles_per_cell, def->courant)
                              : mass_blend;
+}
+
+/* Another scheme that is taken for this one is run as that. */
+static void take_mistake(BarHead *head, int mistake)
+{
+    const BarMistake *row = bar_mistake_of(mistake);
+    head->mistake = mistake;
+    if (!row)
+        return;
+    head->algorithm = row->algorithm;
+    head->flip_fraction = row->of_grid ? 0.0 : 1.0;
 }
 
 /* How momentum is transferred: the values that the run would have then, if they fit each other. C of APIC
@@ -167,6 +189,9 @@ static bool change_method(Bar *bar, const char *key, double value, Status *statu
     def.flip_fraction = head->flip_fraction;
     def.mass_blend = head->mass_blend;
     def.fmpm_order = head->fmpm_order;
+    def.mistake = head->mistake;
+    if (def.mistake != 0) /* one is made of these */
+        def.algorithm = MPM_USF, def.flip_fraction = 1.0;
     bool algorithm = strcmp(key, "mpm.algorithm") == 0, transfer = strcmp(key, "mpm.transfer") == 0;
     if (algorithm || transfer) {
         int last = algorithm ? MPM_MUSL : MPM_FMPM;
@@ -183,6 +208,8 @@ static bool change_method(Bar *bar, const char *key, double value, Status *statu
     else if (strcmp(key, "mpm.fmpm_order") == 0 && value >= 1 && value <= FMPM_ORDER_MAX &&
              value == floor(value))
         def.fmpm_order = (int)value;
+    else if (strcmp(key, "mpm.mistake") == 0 && value >= 0 && value == floor(value) && value < INT_MAX)
+        def.mistake = (int)value;
     else if (strcmp(key, "mpm.fmpm_order") == 0)
         return status_fail(status, STATUS_USAGE, "%s: %g is out of range (1 to %d)", key, value,
                            FMPM_ORDER_MAX);
@@ -190,12 +217,22 @@ static bool change_method(Bar *bar, const char *key, double value, Status *statu
         return status_fail(status, STATUS_USAGE, "%s: cannot be changed in mid-run", key);
     if (!bar_check(&def, status))
         return false;
+    if (def.mistake != head->mistake &&
+        (bar_mistake_is_of_start(def.mistake) || bar_mistake_is_of_start(head->mistake)))
+        return status_fail(
+            status, STATUS_USAGE, "%s: %s is made at the start and holds for the whole run", key,
+            bar_mistake_words[bar_mistake_is_of_start(def.mistake) ? def.mistake : head->mistake]);
+    if (def.mistake != head->mistake) {
+        memset(bar->kept_mass, 0, (size_t)bar->n_nodes * sizeof(double));
+        memset(bar->kept_momentum, 0, (size_t)bar->n_nodes * sizeof(double));
+    }
     if (def.transfer != head->transfer)
         for (int j = 0; j < bar->slots; j++)
             memset(bar->affine[j], 0, (size_t)bar->places * sizeof(double));
     head->algorithm = def.algorithm;
     head->transfer = def.transfer;
     head->flip_fraction = def.flip_fraction;
+    take_mistake(head, def.mistake);
     head->mass_blend = blend_of(&def, def.mass_blend);
     head->fmpm_order = def.fmpm_order;
     take_schedule(bar);
@@ -275,6 +312,8 @@ static void derive(Bar *bar)
     }
     bar->dt = def->courant * bar->dx / speed;
     bar->mass = def->density * bar->dx / bar->slots;
+    if (def->mistake != 0 && bar_mistake_of(def->mistake)->mass_of_cell)
+        bar->mass = def->density * bar->dx;
     bar->mass_floor = 1e-12 * lightest * bar->dx;
     bar->gimp_half = 0.5 / bar->slots;
 
@@ -311,6 +350,7 @@ enum { PLACES_A_QUESTION = 16384 }; /* a millisecond or less, as each takes a si
 static bool begin(Bar *bar, Status *status)
 {
     const BarDef *def = &bar->def;
+    const bool at_centres = def->mistake != 0 && bar_mistake_of(def->mistake)->starts_at_centres;
     *bar->head = (BarHead){.algorithm = def->algorithm,
                            .transfer = def->transfer,
                            .flip_fraction = def->flip_fraction,
@@ -318,6 +358,7 @@ static bool begin(Bar *bar, Status *status)
                            .traction = def->traction,
                            .mass_blend = blend_of(def, def->mass_blend),
                            .fmpm_order = def->fmpm_order};
+    take_mistake(bar->head, def->mistake);
     for (int c = 0; c <= bar->n_cells; c++) {
         int place = c - bar->origin;
         place = place < 0 ? 0 : place > bar->places ? bar->places : place;
@@ -331,7 +372,7 @@ static bool begin(Bar *bar, Status *status)
             if (k % PLACES_A_QUESTION == 0 &&
                 !patience_lasts(&def->patience, (j + (double)k / bar->places) / bar->slots))
                 return status_fail(status, STATUS_FAILED, "the building of the bar was given up");
-            double x = (k + s) * bar->dx;
+            double x = (k + (at_centres ? 0.5 : s)) * bar->dx;
             bar->s[j][k] = s;
             bar->v[j][k] = def->initial_velocity ? def->initial_velocity(x, def->initial_context) : 0.0;
             bar->volume[j][k] = bar->mass / def->density;

@@ -49,6 +49,8 @@ typedef struct BarDef {
     int fmpm_order;       /* k of FMPM(k), 1 to FMPM_ORDER_MAX; 1 is PIC */
     double mass_blend;    /* mu: 1 lumped masses, less: M = (1 - mu) M_c + mu M_l; 0: bar_mass_blend_auto() */
 
+    int mistake; /* what a wrong code does instead: an index of bar_mistake_words; 0: none */
+
     double courant; /* dt = courant * dx / c, c = sqrt(E / rho) (eq. 21), of two materials the larger c */
 
     Patience patience; /* asked while the bar is being built, with share 0 first */
@@ -80,6 +82,16 @@ BarDef bar_default(void);
  * words of our own; blends of lumped and consistent mass are as old as finite elements. */
 double bar_mass_blend_auto(MpmShape shape, int particles_per_cell, double courant);
 
+/* The mistakes that such codes make, "none" first, ended by NULL; each at its index. They are defined for
+ * USF, hats, FLIP and lumped masses on a bar of one material. Those of the start or of a factor cannot come
+ * or go in mid-run. */
+extern const char *const bar_mistake_words[];
+bool bar_mistake_is_of_start(int mistake);
+const char *bar_mistake_sentence(int mistake); /* what is done, in one sentence; NULL: no mistake */
+
+/* Whether the bar is to start with modes of a bar whose right end is held as the left one is. */
+bool bar_mistake_starts_as_held(int mistake);
+
 /* Below this the matrix may be nearly singular where particles are few: see bar_check(). */
 #define BAR_MASS_BLEND_LEAST 0.05
 
@@ -99,8 +111,8 @@ bool bar_check(const BarDef *definition, Status *status);
  * 100 and 1000 times is reported too. Heating by cell crossing stays far below.
  *
  * Live parameters: mpm.algorithm, mpm.transfer, mpm.flip_fraction, mpm.fmpm_order,
- * mpm.mass_blend, load.body_force, load.traction. They belong to the state: a snapshot that is put back
- * brings those of its time, and the stages that go with them. */
+ * mpm.mass_blend, mpm.mistake, load.body_force, load.traction. They belong to the state: a snapshot that is
+ * put back brings those of its time, and the stages that go with them. */
 Simulation *bar_create(const BarDef *definition, Status *status);
 
 #endif

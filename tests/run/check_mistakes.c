@@ -1,0 +1,327 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Codes that are wrong in one place: their digits against those of independent codes, what they are shown
+ * with, and that nothing fast knows of them. */
+#include "run/lab_case.h"
+
+#include "methods/mpm/line/bar_mistakes.h"
+#include "problems/problem.h"
+#include "suite.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { AT_MAX = 8 };
+
+static Simulation *simulate(const Settings *settings)
+{
+    Status status = {0};
+    Simulation *sim = problem_simulate(settings, 1, &status);
+    ck_assert_msg(sim != NULL, "%s", status.text);
+    return sim;
+}
+
+static int series_of(const Simulation *sim, const char *name)
+{
+    for (int i = 0; i < sim->n_series; i++)
+        if (strcmp(sim->series[i].name, name) == 0)
+            return i;
+    ck_abort_msg("no column %s", name);
+    return -1;
+}
+
+static const char *key_of(const Settings *settings)
+{
+    return settings->method == METHOD_MPM ? "mpm.mistake" : "pd.mistake";
+}
+
+/* --- digits ----------------------------------------------------------------------------------------- */
+
+typedef struct Case {
+    char name[40];
+    Settings settings;
+    int n_at;
+    long at[AT_MAX];
+} Case;
+
+/* One line of a mistake: its column after the steps of the case, to a share of the largest so far; beyond
+ * 1e150 squares are no numbers. */
+static void compare(const Case *now, const char *mistake, const char *column, const char *numbers,
+                    double *worst)
+{
+    Settings settings = now->settings;
+    const bool bar = settings.problem == &problem_bar;
+    const double share = bar ? 1e-11 : 1e-9;
+    if (strcmp(mistake, "right") != 0)
+        set(&settings, key_of(&settings), mistake);
+    Simulation *sim = simulate(&settings);
+    double largest = 0;
+    Status status = {0};
+    const int column_at = series_of(sim, column);
+    for (int i = 0; i < now->n_at; i++) {
+        char *end;
+        const double expected = strtod(numbers, &end);
+        if (end == numbers)
+            break;
+        numbers = end;
+        if (!(fabs(expected) < 1e150))
+            break;
+        largest = fmax(largest, fabs(expected));
+        ck_assert_msg(simulation_steps(sim, now->at[i] - sim->step, NULL, NULL, &status), "%s %s: %s",
+                      now->name, mistake, status.text);
+        double row[32];
+        simulation_row(sim, row);
+        const double off = fabs(row[column_at] - expected) / largest;
+        *worst = fmax(*worst, off / share);
+        ck_assert_msg(off <= share,
+                      "%s %s: %s after step %ld is %.17g, not %.17g (off by %.2g of the largest)", now->name,
+                      mistake, column, now->at[i], row[column_at], expected, off);
+    }
+    simulation_destroy(sim);
+}
+
+START_TEST(digits_are_those_of_codes_that_are_wrong_in_one_place)
+{
+    FILE *file = fopen(source_path("tests/golden/mistakes.txt"), "r");
+    ck_assert_ptr_nonnull(file);
+    static Case now;
+    char line[800], key[40], value[64];
+    int runs = 0, read = 0;
+    double worst = 0;
+    while (fgets(line, sizeof line, file)) {
+        if (sscanf(line, "case %39s", now.name) == 1) {
+            if (strncmp(now.name, "beam", 4) == 0)
+                break;
+            const bool bar = strncmp(now.name, "bar", 3) == 0;
+            settings_default(&now.settings, bar ? &problem_bar : &problem_supported_beam);
+            now.n_at = 0;
+        } else if (sscanf(line, "set %39s %63s", key, value) == 2) {
+            set(&now.settings, key, value);
+        } else if (strncmp(line, "steps", 5) == 0) {
+            for (char *at = line + 5, *end; now.n_at < AT_MAX; at = end) {
+                now.at[now.n_at] = strtol(at, &end, 10);
+                if (end == at)
+                    break;
+                now.n_at++;
+            }
+            ck_assert_int_eq(now.n_at, AT_MAX);
+        } else if (sscanf(line, "mistake %39s %63s %n", key, value, &read) == 2) {
+            compare(&now, key, value, line + read, &worst);
+            runs += strcmp(value, "kinetic") != 0;
+        }
+    }
+    fclose(file);
+    ck_assert_int_eq(runs, 50);
+    ck_assert_double_gt(worst, 0);
+}
+END_TEST
+
+/* --- the bar ---------------------------------------------------------------------------------------- */
+
+static int bar_mistakes(void)
+{
+    int n = 0;
+    while (bar_mistake_words[n + 1])
+        n++;
+    return n;
+}
+
+static Settings wrong_bar(int mistake)
+{
+    Settings settings = bar_settings(3, 100);
+    set(&settings, "bar.length", "12");
+    set(&settings, "mesh.cell_size", "0.5");
+    set(&settings, "mesh.particles_per_cell", "3");
+    set(&settings, "load.traction", "0.01");
+    set(&settings, "mpm.mistake", bar_mistake_words[mistake]);
+    return settings;
+}
+
+/* In pieces of three cells, in whole steps, and from a snapshot in the middle: one way. */
+START_TEST(bits_do_not_depend_on_how_it_is_run)
+{
+    const Settings settings = wrong_bar(_i + 1);
+    Simulation *whole = simulate(&settings), *pieces = simulate(&settings), *other = simulate(&settings);
+    Status status = {0};
+    double row[32];
+    ck_assert(simulation_steps(whole, 70, NULL, NULL, &status));
+    while (pieces->step < 70) {
+        bool done;
+        ck_assert(simulation_slice(pieces, 3, &done, &status));
+        if (pieces->item == 0 && pieces->step == 20 && pieces->stage == 4) {
+            size_t size;
+            unsigned char *bytes = state_of(pieces, &size);
+            simulation_restore(other, bytes);
+            free(bytes);
+        }
+        if (pieces->stage == 0 && pieces->item == 0)
+            simulation_row(pieces, row); /* whoever looks leaves no trace */
+    }
+    expect_same_states(whole, pieces, bar_mistake_words[_i + 1]);
+    ck_assert(simulation_steps(other, 69 - other->step, NULL, NULL, &status)); /* and the one begun */
+    expect_same_states(whole, other, bar_mistake_words[_i + 1]);
+    simulation_destroy(whole);
+    simulation_destroy(pieces);
+    simulation_destroy(other);
+}
+END_TEST
+
+/* A bar that is long enough for steps in tiles takes them without a mistake alone. */
+START_TEST(nothing_fast_knows_of_a_mistake)
+{
+    Settings settings = bar_settings(5, 1);
+    set(&settings, "bar.length", "1000");
+    Simulation *sim = simulate(&settings);
+    ck_assert(bar_tiles_pay(bar_of(sim), true));
+    simulation_destroy(sim);
+    set(&settings, "mpm.mistake", bar_mistake_words[_i + 1]);
+    sim = simulate(&settings);
+    ck_assert(!bar_tiles_pay(bar_of(sim), true));
+    simulation_destroy(sim);
+}
+END_TEST
+
+/* What has another way on the fast path has it on the slow one too: a row that says nothing would be the
+ * right code. Only mass_of_cell is right at one particle a cell, gradient_without_h with cells of 1. */
+START_TEST(each_differs_from_the_right_code)
+{
+    Settings settings = wrong_bar(_i + 1);
+    Simulation *wrong = simulate(&settings);
+    set(&settings, "mpm.mistake", "none");
+    Simulation *right = simulate(&settings);
+    double one[32], other[32], off = 0;
+    Status status = {0};
+    ck_assert(simulation_steps(wrong, 3, NULL, NULL, &status) &&
+              simulation_steps(right, 3, NULL, NULL, &status));
+    simulation_row(wrong, one);
+    simulation_row(right, other);
+    for (int k = 0; k < wrong->n_series; k++)
+        off = fmax(off, fabs(one[k] - other[k]) / fmax(fabs(other[k]), 1e-6));
+    ck_assert_msg(off > 1e-11, "%s: %.2g", bar_mistake_words[_i + 1], off);
+    simulation_destroy(wrong);
+    simulation_destroy(right);
+}
+END_TEST
+
+START_TEST(what_they_are_not_defined_for_is_refused_by_name)
+{
+    static const char *const others[][3] = {
+        {"mpm.algorithm", "musl", "mpm.algorithm = usf"},
+        {"mpm.shape", "gimp", "mpm.shape = hat"},
+        {"mpm.transfer", "apic", "mpm.transfer = flip"},
+        {"mpm.flip_fraction", "0.9", "mpm.flip_fraction = 1"},
+        {"mpm.mass_blend", "0.5", "mpm.mass_blend = 1"},
+        {"bar2.joint", "6", "bar2.joint = 0"},
+    };
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
+        Settings settings = wrong_bar(_i + 1);
+        Status status = {0};
+        char expected[160];
+        set(&settings, "load.traction", "0");
+        set(&settings, others[i][0], others[i][1]);
+        ck_assert(!settings_check(&settings, &status));
+        snprintf(expected, sizeof expected, "mpm.mistake: %s is defined for %s only",
+                 bar_mistake_words[_i + 1], others[i][2]);
+        ck_assert_str_eq(status.text, expected);
+    }
+}
+END_TEST
+
+/* From the start on, or on the way; and back. */
+START_TEST(those_of_the_start_begin_the_run_anew)
+{
+    const Settings right = wrong_bar(0), wrong = wrong_bar(_i + 1);
+    const bool of_start = bar_mistake_is_of_start(_i + 1);
+    Status status = {0};
+    Experiment *experiment = open_experiment(&right, 1 << 24);
+    experiment_seek(experiment, 10, 0);
+    finish_work(experiment);
+    ck_assert_msg(experiment_edit(experiment, &wrong, &status), "%s", status.text);
+    ck_assert_int_eq(experiment_settings(experiment)->n_changes, of_start ? 0 : 1);
+    experiment_seek(experiment, 20, 0);
+    finish_work(experiment);
+    Simulation *sim = simulate(of_start ? &wrong : &right);
+    ck_assert(simulation_steps(sim, 10, NULL, NULL, &status));
+    ck_assert(of_start || sim->method->change(sim, "mpm.mistake", _i + 1, &status));
+    if (!of_start)
+        simulation_report(sim, EVENT_CHANGE, "");
+    ck_assert(simulation_steps(sim, 10, NULL, NULL, &status));
+    expect_same_states(sim, experiment_simulation(experiment), bar_mistake_words[_i + 1]);
+    /* and back: the scheme is the right one again */
+    ck_assert(sim->method->change(sim, "mpm.mistake", 0, &status) == !of_start);
+    ck_assert(of_start || strstr(sim->stages[2].equation, STAGE_WRONG_OPEN) == NULL);
+    ck_assert(of_start || (bar_of(sim)->head->algorithm == MPM_USF && bar_of(sim)->head->flip_fraction == 1));
+    ck_assert(!of_start || !sim->method->change(sim, "mpm.mistake", 0, &status));
+    simulation_destroy(sim);
+    experiment_destroy(experiment);
+    Settings later = right;
+    later.n_changes = 1;
+    later.changes[0] = (Change){.step = 5, .to = {.key = "mpm.mistake"}};
+    snprintf(later.changes[0].to.value, VALUE_MAX, "%s", bar_mistake_words[_i + 1]);
+    ck_assert(settings_check(&later, &status) == !of_start);
+}
+END_TEST
+
+/* --- what is shown ---------------------------------------------------------------------------------- */
+
+static int count_of(const char *text, const char *mark)
+{
+    int n = 0;
+    for (text = strstr(text, mark); text; text = strstr(text + strlen(mark), mark))
+        n++;
+    return n;
+}
+
+/* The stage that a mistake is in shows what differs, once or more, and in both spellings alike. */
+static void expect_marks(const Simulation *sim, const char *id)
+{
+    int marked = 0;
+    for (int i = 0; i < sim->n_stages; i++) {
+        const Stage *stage = &sim->stages[i];
+        const int open = count_of(stage->equation, STAGE_WRONG_OPEN);
+        ck_assert_int_eq(open, count_of(stage->equation, STAGE_WRONG_CLOSE));
+        ck_assert_int_eq(open, count_of(stage->ascii, STAGE_WRONG_OPEN_ASCII));
+        ck_assert_int_eq(open, count_of(stage->ascii, STAGE_WRONG_CLOSE_ASCII));
+        ck_assert_int_eq(open > 0, strcmp(stage->source, id) == 0);
+        marked += open;
+        for (const char *line = stage->equation; open > 0 && *line;
+             line += strcspn(line, "\n"), line += *line == '\n') {
+            int columns = 0;
+            for (const char *c = line; *c && *c != '\n'; c++)
+                columns += ((unsigned char)*c & 0xc0) != 0x80;
+            ck_assert_msg(columns <= 76, "%s: %d columns", id, columns);
+        }
+        for (const char *line = stage->ascii; open > 0 && *line;
+             line += strcspn(line, "\n"), line += *line == '\n')
+            ck_assert_msg(strcspn(line, "\n") <= 76, "%s: %zu columns", id, strcspn(line, "\n"));
+        for (const char *c = stage->ascii; *c; c++)
+            ck_assert_msg((unsigned char)*c < 128, "%s: %s", id, stage->ascii);
+    }
+    ck_assert_msg(marked > 0, "%s is marked nowhere", id);
+}
+
+START_TEST(the_stage_shows_what_differs)
+{
+    const Settings settings = wrong_bar(_i + 1);
+    Simulation *sim = simulate(&settings);
+    expect_marks(sim, bar_mistake_words[_i + 1]);
+    simulation_destroy(sim);
+}
+END_TEST
+
+void add_cases(Suite *suite)
+{
+    TCase *digits = tcase_create("digits"), *bar = tcase_create("bar");
+    const int n = bar_mistakes();
+    tcase_set_timeout(digits, 300);
+    tcase_add_test(digits, digits_are_those_of_codes_that_are_wrong_in_one_place);
+    tcase_add_loop_test(bar, bits_do_not_depend_on_how_it_is_run, 0, n);
+    tcase_add_loop_test(bar, nothing_fast_knows_of_a_mistake, 0, n);
+    tcase_add_loop_test(bar, each_differs_from_the_right_code, 0, n);
+    tcase_add_loop_test(bar, what_they_are_not_defined_for_is_refused_by_name, 0, n);
+    tcase_add_loop_test(bar, those_of_the_start_begin_the_run_anew, 0, n);
+    tcase_add_loop_test(bar, the_stage_shows_what_differs, 0, n);
+    suite_add_tcase(suite, digits);
+    suite_add_tcase(suite, bar);
+}
