@@ -102,8 +102,10 @@ static bool take_alike(Figure *figure, Screen *screen, const View *view, const F
     Settings settings = *experiment_settings(screen->experiment);
     snprintf(settings.view.exaggeration, sizeof settings.view.exaggeration, "%.6g", least);
     const double width = figure->width, height = figure->height;
+    const bool bare = figure->bare;
     figure_close(figure);
     figure_open(figure, width, height);
+    figure->bare = bare;
     return experiment_edit(screen->experiment, &settings, status) &&
            take_frames(figure, screen, view, frames, progress, status);
 }
@@ -113,6 +115,7 @@ static bool draw_frames(Screen *screen, const View *view, const Frames *frames, 
 {
     Figure figure;
     figure_open(&figure, options->size[0], options->size[1]);
+    figure.bare = options->bare;
     const bool sound = take_frames(&figure, screen, view, frames, progress, status) &&
                        take_alike(&figure, screen, view, frames, progress, status) &&
                        (progress_show(1, progress) || interrupted(status)) &&

@@ -139,6 +139,8 @@ const Option options_table[] = {
      AT(fast)},
     {"--script", "FILE", " open lesson movie ",
      "keys from FILE (- is standard input), screens to standard output", OPTION_TEXT, AT(script)},
+    {"--bare", NULL, " figure ", "curves and axes alone fill the page: no title, legend, results, parameters",
+     OPTION_FLAG, AT(bare)},
     {"--size", "WxH", " figure ", "width and height of the page in mm (160 wide, as high as it takes)",
      OPTION_SIZE, AT(size), .most = 9999},
     {"--size", "WxH", " open lesson movie ", "size of the screens of a script (80x24)", OPTION_SIZE, AT(size),

@@ -58,7 +58,7 @@ typedef struct Options {
     const char *words[WORDS_MAX]; /* arguments that are no options */
     int n_words;
     bool help; /* --help: nothing else counts */
-    bool full, list;
+    bool full, list, bare;
 
     Override overrides[OVERRIDES_MAX];
     int n_overrides;

@@ -85,6 +85,21 @@ expect "five runs behind" 2 mode5 --view probe --against initial.mode=1 --agains
 expect "a size in millimetres" 0 mode1 --end 5 --view energies --size 100x70 --output small.svg
 result "is kept" says small.svg '<svg.* width="100mm" height="70mm"'
 
+# --- bare ---
+expect "curves and axes alone" 0 mode5 --end 5 --view probe --bare --output bare.svg
+result "have their numbers" has_word bare.svg "−5"
+result "no title" sh -c '! grep -q ">Why is mode 5 late?</text>" bare.svg'
+result "no legend, parameters or results" sh -c '! grep -q -e ">measured<" -e "particles/cell" -e "ω measured" bare.svg'
+# the frame of the axes: left of it are digits, the rest of the page is the picture
+frame() {
+	grep -o 'points="[^"]*"' bare.svg | tr -d 'a-z="' | tr ' ' '\n' | awk -F , '
+		NF == 2 { if (!n++ || $1 > most) most = $1; if (n == 1 || $1 < least) least = $1 }
+		END { exit !(least < 35 && most > 160 / 25.4 * 72 - 16) }'
+}
+result "the curve fills the page" frame
+expect "several" 0 mode5 --end 5 --view profile --frames 2 --bare --output bare.svg --force
+result "have their times" says bare.svg '>t = 5<'
+
 # --- maps ---
 expect "a cracked beam at three times" 0 notched-beam-coarse --view beam:damage --at 1e-4,1.8e-4,2.6e-4 --output crack.svg
 if command -v xmllint >/dev/null 2>&1; then

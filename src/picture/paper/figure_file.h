@@ -21,6 +21,7 @@ typedef struct Figure {
     char title[256];
     char parameters[FIGURE_TEXT_MAX]; /* phrases parted by two spaces */
     double width, height;             /* mm; height 0: as much as it takes */
+    bool bare;                        /* curves and axes alone, from edge to edge */
     FigurePanel *panels[FIGURE_PANELS_MAX];
     int count;
 } Figure;

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #define MARGIN      10.0
+#define BARE_MARGIN 3.0         /* for the ends of lines and digits */
 #define MILLIMETRES (72 / 25.4) /* points in one */
 
 enum { COLUMNS_MANY = 3 }; /* from so many panels on they stand in two columns */
@@ -66,6 +67,11 @@ static double draw_all_notes(Paper *paper, const Picture *picture, bool alone, B
     return results + (alone ? draw_notes(paper, picture, true, box) : 0);
 }
 
+static double margin_of(const Figure *figure)
+{
+    return figure->bare ? BARE_MARGIN : MARGIN;
+}
+
 /* What stands above and below the picture itself; `alone`: with a legend of its own. */
 static double height_around(const FigurePanel *panel, double width, bool alone)
 {
@@ -112,7 +118,7 @@ static int columns_of(const Figure *figure)
 
 static double panel_width(const Figure *figure, int count)
 {
-    const double inner = figure->width * MILLIMETRES - 2 * MARGIN;
+    const double inner = figure->width * MILLIMETRES - 2 * margin_of(figure);
     return count >= COLUMNS_MANY ? (inner - MARGIN) / 2 : inner;
 }
 
@@ -136,9 +142,31 @@ static double plot_height(const Figure *figure)
     return height > 0 ? height : usual_height(figure, figure->count);
 }
 
+/* Pictures alone, each with its axes and, beside others, its time. */
+static double lay_out_bare(Paper *paper, const Figure *figure, double height)
+{
+    const int columns = columns_of(figure), rows = (figure->count + columns - 1) / columns;
+    const double wide = panel_width(figure, figure->count);
+    const double caption = figure->count > 1 ? LINE_HEIGHT * SIZE_WORDS : 0;
+    double high = plot_height(figure) + caption;
+    if (height > 0)
+        high = (height - 2 * BARE_MARGIN - (rows - 1) * MARGIN) / rows;
+    for (int i = 0; i < figure->count && paper; i++) {
+        const double x = BARE_MARGIN + i % columns * (wide + MARGIN);
+        const double y = BARE_MARGIN + i / columns * (high + MARGIN);
+        const Type words = {.size = SIZE_WORDS, .bold = true};
+        if (caption > 0)
+            draw_words(paper, x, y + SIZE_WORDS, figure->panels[i]->caption, &words);
+        draw_plot(paper, &figure->panels[i]->sketch, (Box){x, y + caption, wide, high - caption});
+    }
+    return 2 * BARE_MARGIN + rows * high + (rows - 1) * MARGIN;
+}
+
 /* Draws the page, or measures it if there is no paper: its height follows from what is on it. */
 static double lay_out(Paper *paper, const Figure *figure, double height)
 {
+    if (figure->bare)
+        return lay_out_bare(paper, figure, height);
     const double width = figure->width * MILLIMETRES - 2 * MARGIN;
     const Picture *common = common_of(figure);
     const Type title = {.size = SIZE_TITLE, .bold = true};
