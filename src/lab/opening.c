@@ -149,6 +149,7 @@ static bool open_scenario(Laboratory *lab, const char *name, Status *status)
         Screen fresh;
         screen_default(&fresh);
         lab->screen.views.n_variants = 0;
+        lab->screen.parameters.filter[0] = '\0';
         lab->screen.time.window = fresh.time.window;
         lab->screen.views.references = fresh.views.references;
         command_map_whole(&lab->screen);

@@ -18,7 +18,7 @@
 #define PROGRESS_SECONDS 5.0 /* of the wall, between two words about work that takes long */
 
 /* Everything has room on such a screen. */
-enum { WIDTH = 132, HEIGHT = 43, PLAIN_LINE_MAX = 4096 };
+enum { WIDTH = 132, HEIGHT = 43, PLAIN_LINE_MAX = 4096, HELP_LINES = 15 };
 
 static double now(void *context)
 {
@@ -371,12 +371,33 @@ static void take(Plain *plain, const char *line)
         press(plain, "Space");
 }
 
-/* The help is told whole, and closed again by the next line. */
+/* So much of the help as a screen has: its first lines, up to a whole one. */
+static void cut_help(Words *words)
+{
+    char *end = words->text;
+    for (int lines = 0; end && *end && lines < HELP_LINES; lines++) {
+        end = strchr(end, '\n');
+        end += end != NULL;
+    }
+    if (end)
+        *end = '\0';
+}
+
+/* The help is told from its beginning, or whole, and closed again by the next line. */
 static void tell_help(Plain *plain)
 {
     Words words = {.text = NULL};
     Screen *screen = &plain->lab.screen;
     const int open = screen->help.page;
+    if (!plain->all_help) {
+        screen->help.page = 0;
+        tell_part(screen, TELL_HELP, &words);
+        screen->help.page = open;
+        cut_help(&words);
+        put_words(plain, &words);
+        say(plain, "help all tells all keys and commands, help WORD one of them, a view or a parameter.");
+        return;
+    }
     for (screen->help.page = 0; screen->help.page < help_pages(); screen->help.page++)
         tell_part(screen, TELL_HELP, &words);
     screen->help.page = open;
@@ -398,6 +419,7 @@ bool plain_line(Plain *plain, const char *typed, Status *status)
     if (plain->echo)
         echo(plain, line);
     plain->said = false;
+    plain->all_help = strcmp(line, "help all") == 0 || strcmp(line, ":help all") == 0;
     if (plain->talks)
         pass_time(plain);
     if (visible_is_clean(line))
@@ -436,7 +458,7 @@ bool plain_open(Plain *plain, const LaboratoryOptions *options, FILE *out, Statu
     say(plain,
         "matvib in plain words. A line is a key by its name (] is a stage, . a step, Space a run) or a "
         "command: until end, show energies, initial.mode=3, tell stage. tell alone tells all again, "
-        "help every command, quit leaves.");
+        "help what there is, quit leaves.");
     let_it_work(plain);
     if (!draw(plain, status)) {
         plain_close(plain);

@@ -24,6 +24,7 @@ typedef struct Plain {
     double time;    /* virtual, unless somebody sits there */
     double seen_at; /* on the wall: so far it has gone on */
     bool echo;      /* input is no terminal: each line is repeated before what it did */
+    bool all_help;  /* not the beginning alone is asked for */
     bool talks;     /* progress of long work is told */
     double told_at;
     Words last[TELL_PARTS]; /* what was told of each */

@@ -140,7 +140,7 @@ static void keep_nearest(const char *right, const char *wrong, const char **near
 static size_t too_far(const char *wrong)
 {
     size_t length = strlen(wrong), share = length / 3;
-    return length < 3 ? length : (share < 2 ? 2 : share) + 1;
+    return length < 4 ? (length + 1) / 2 : (share < 2 ? 2 : share) + 1;
 }
 
 const char *parameter_nearest_word(const char *const *words, const char *wrong)

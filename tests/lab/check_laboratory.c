@@ -759,8 +759,10 @@ START_TEST(export_writes_and_does_not_overwrite)
     enter_folder(folder);
     Bench *bench = open_bench("mode1", true);
     press(bench, "x");
-    ck_assert(!bench->lab.screen.prompt.open); /* there is nothing yet */
-    press_all(bench, "> x");
+    ck_assert(shows(bench, "nothing has been computed yet"));
+    press_all(bench, "q Enter"); /* a name, not a key */
+    ck_assert(!bench->lab.closed && shows(bench, "nothing has been computed yet"));
+    press_all(bench, "Esc > x");
     ck_assert_str_eq(bench->lab.screen.prompt.text, "mode1");
     press(bench, "Enter");
     ck_assert_msg(shows(bench, "mode1-series.csv (11 rows)"), "%s", bench->lab.screen.message.text);

@@ -300,8 +300,9 @@ END_TEST
 START_TEST(equations_and_alternatives_keep_their_bars)
 {
     Talk *talk = open_talk("notched-beam-coarse");
-    says(talk, "help", "s = (|xi+eta| - |xi|)/|xi|");
-    says(talk, "help", "all|exact|predicted|none");
+    says(talk, "help", "help all tells all keys");
+    says(talk, "help all", "s = (|xi+eta| - |xi|)/|xi|");
+    says(talk, "help all", "all|exact|predicted|none");
     line(talk, "Esc");
     line(talk, "/");
     line(talk, "follow");
@@ -352,12 +353,12 @@ END_TEST
 START_TEST(the_help_of_a_plate_is_of_plates)
 {
     Talk *talk = open_talk("two-cracks");
-    ck_assert_ptr_nonnull(strstr(line(talk, "help"), "surface"));
+    ck_assert_ptr_nonnull(strstr(line(talk, "help all"), "surface"));
     ck_assert_ptr_null(strstr(talk->text, "antilever:"));
     ck_assert_ptr_null(strstr(talk->text, "Timoshenko"));
     line(talk, "Esc");
     line(talk, "open supported-beam-coarse");
-    says(talk, "help", "Moving cantilever:");
+    says(talk, "help all", "Moving cantilever:");
     close_talk(talk);
 }
 END_TEST

@@ -237,18 +237,36 @@ static bool answer_which(Laboratory *lab, const char *text)
     return true;
 }
 
+static const char nothing_computed[] = "nothing has been computed yet: Esc, then Space runs";
+static const char computing[] = "wait until the run has come to its time, or cancel with Esc";
+
+/* Who types a name without looking up types it into a question, where it does nothing. */
+static bool answer_in_vain(Laboratory *lab, const char *text)
+{
+    (void)text;
+    return prompt_refuse(&lab->prompting,
+                         lab->screen.playback.state == STATE_COMPUTING ? computing : nothing_computed);
+}
+
+static void refuse(Laboratory *lab, const char *why)
+{
+    Prompt *prompt = &lab->screen.prompt;
+    prompt_ask(&lab->prompting, answer_in_vain, false, "", "export as");
+    snprintf(prompt->hint, sizeof prompt->hint, "%s", why);
+}
+
 bool exporting_ask(Laboratory *lab, const char *name)
 {
     Experiment *experiment = lab->screen.experiment;
     player_pause(lab);
     if (lab->screen.playback.state == STATE_COMPUTING) {
-        laboratory_say(lab, MESSAGE_INFO, "wait until the run has come to its time, or cancel with Esc");
+        refuse(lab, computing);
         return true;
     }
     lab->exporting.newest = true;
     snprintf(lab->exporting.name, sizeof lab->exporting.name, "%s", name);
     if (experiment_newest(experiment) == 0)
-        laboratory_say(lab, MESSAGE_INFO, "nothing has been computed yet: Space runs");
+        refuse(lab, nothing_computed);
     else if (experiment_step(experiment) < experiment_newest(experiment))
         prompt_ask(&lab->prompting, answer_which, false, "newest", "export to here or to the newest time?");
     else if (name[0])

@@ -244,6 +244,30 @@ static bool choose(Laboratory *lab, const char *words, int set, const char *what
     return true;
 }
 
+static bool help_on(Laboratory *lab, const char *words)
+{
+    const Command *command = *words ? command_by_name(words) : command_find(COMMAND_HELP);
+    const LineVerb *verb = line_verb_find(words, strlen(words));
+    const Parameter *parameter = parameter_find(words);
+    const View *view = view_named(words);
+    if (!*words || strcmp(words, "all") == 0)
+        lab->carry_out(lab, COMMAND_HELP);
+    else if (verb)
+        laboratory_say(lab, MESSAGE_INFO, "%s %s: %s", verb->name, verb->arguments, verb->help);
+    else if (view)
+        laboratory_say(lab, MESSAGE_INFO, "%s: %s", view->word, view->help);
+    else if (command) {
+        char key[COMMAND_KEY_MAX];
+        command_first_key(command, key);
+        laboratory_say(lab, MESSAGE_INFO, "%s (%s): %s", command->name, key, command_help(command));
+    } else if (parameter)
+        laboratory_say(lab, MESSAGE_INFO, "%s: %s", parameter->key, parameter->help);
+    else
+        return prompt_refuse(&lab->prompting,
+                             "help on what? (a command, a word behind :, a view or a parameter; all)");
+    return true;
+}
+
 static bool particle(Laboratory *lab, const char *words)
 {
     return choose(lab, words, 0, "particle", &lab->screen.chosen.particle);
