@@ -157,7 +157,7 @@ static double lay_out_bare(Paper *paper, const Figure *figure, double height)
         const Type words = {.size = SIZE_WORDS, .bold = true};
         if (caption > 0)
             draw_words(paper, x, y + SIZE_WORDS, figure->panels[i]->caption, &words);
-        draw_plot(paper, &figure->panels[i]->sketch, (Box){x, y + caption, wide, high - caption});
+        draw_plot(paper, &figure->panels[i]->picture, (Box){x, y + caption, wide, high - caption});
     }
     return 2 * BARE_MARGIN + rows * high + (rows - 1) * MARGIN;
 }
