@@ -4,13 +4,11 @@
 #include "answers/fit_internal.h"
 
 #include "base/text.h"
-#include "scenario/changes.h"
+#include "problems/problem.h"
+#include "run/advance.h"
 #include "scenario/parameters.h"
 
 #include <stdio.h>
-#include <stdlib.h>
-
-enum { BLOCK = 256 };
 
 /* s at some times, on its way along a run. */
 typedef struct Trace {
@@ -27,42 +25,43 @@ static void trace(Trace *to, double time, double margin, double value)
     for (; to->done < to->count && to->times[to->done] <= time + margin; to->done++) {
         const double passed = to->times[to->done] - to->time;
         const double share = time > to->time ? passed / (time - to->time) : 1;
-        to->values[to->done] = to->value + share * (value - to->value);
+        to->values[to->done] = share == 1 ? value : to->value + share * (value - to->value);
     }
     to->time = time;
     to->value = value;
 }
 
+typedef struct Follow {
+    Trace to;
+    int column;
+} Follow;
+
+static bool follow_row(void *owner, Run *run, long step, const double *row, Status *status)
+{
+    Follow *follow = owner;
+    (void)status;
+    trace(&follow->to, (double)step * run->sim->dt, 1e-9 * run->sim->dt, row[follow->column]);
+    return true;
+}
+
 /* A run to the last of the times as any run goes: changes in mid-run come into force, rest ends it; what
  * follows is as it was then. False: it failed on the way, or was given up. */
-static bool follow(Search *search, const Settings *settings, Simulation *simulation, int column, double *rows,
-                   Trace *to)
+static bool follow_to_end(Search *search, Run *run, Trace *to)
 {
-    const double margin = 1e-9 * simulation->dt;
-    simulation_row(simulation, rows);
-    to->value = rows[column];
-    trace(to, 0, 0, to->value);
-    if (!changes_apply(settings, simulation, &search->why))
+    Follow follow = {.to = *to, .column = simulation_find_series(run->sim, search->task->column)};
+    const Sink sink = {.every = 1, .row = follow_row, .owner = &follow};
+    if (follow.column < 0)
+        return status_fail(&search->why, STATUS_USAGE, "%s: the method's series has no such column",
+                           search->task->column);
+    /* the data may end long before the run would, or after */
+    run->last = to->count > 0 ? problem_last_step(run->sim->dt, to->times[to->count - 1]) + 1 : 0;
+    run->patience = search->task->patience;
+    if (!run_start(run, &sink, &search->why) || !run_to_end(run, &sink, &search->why)) {
+        search->interrupted = !run->failed;
         return false;
-    while (to->done < to->count && !simulation->at_rest) {
-        const long next = changes_next(settings, simulation->step);
-        long count = simulation_steps_a_question(simulation), got = 0;
-        count = count < BLOCK ? count : BLOCK;
-        count = next - simulation->step < count ? next - simulation->step : count;
-        if (!simulation_steps(simulation, count, rows, &got, &search->why))
-            return false;
-        for (long k = 0; k < got; k++)
-            trace(to, (double)(simulation->step - got + k + 1) * simulation->dt, margin,
-                  rows[k * simulation->n_series + column]);
-        if (!changes_apply(settings, simulation, &search->why))
-            return false;
-        if (!patience_lasts(&search->task->patience, 0)) {
-            search->interrupted = true;
-            return status_fail(&search->why, STATUS_FAILED, "interrupted");
-        }
     }
-    for (; to->done < to->count; to->done++)
-        to->values[to->done] = to->value;
+    for (; follow.to.done < to->count; follow.to.done++)
+        to->values[follow.to.done] = follow.to.value;
     return true;
 }
 
@@ -76,21 +75,12 @@ bool fit_run(Search *search, const Settings *settings, const double *times, doub
         return false;
     Settings asked = *settings;
     snprintf(asked.output.columns, sizeof asked.output.columns, "%s", search->task->column);
-    Simulation *simulation = problem_simulate(&asked, search->task->threads, &search->why);
-    if (!simulation)
-        return false;
-    const int column = simulation_find_series(simulation, search->task->column);
-    double *rows = column >= 0 ? malloc(BLOCK * (size_t)simulation->n_series * sizeof *rows) : NULL;
-    Trace to = {.times = times, .values = values, .count = count};
-    bool sound = rows != NULL;
-    if (column < 0)
-        status_fail(&search->why, STATUS_USAGE, "%s: the method's series has no such column",
-                    search->task->column);
-    else if (!rows)
-        status_fail(&search->why, STATUS_FAILED, "out of memory");
-    sound = sound && follow(search, settings, simulation, column, rows, &to);
-    free(rows);
-    simulation_destroy(simulation);
+    Run run;
+    const bool sound =
+        run_open(&run, settings, problem_simulate(&asked, search->task->threads, &search->why),
+                 &search->why) &&
+        follow_to_end(search, &run, &(Trace){.times = times, .values = values, .count = count});
+    run_close(&run);
     return sound;
 }
 

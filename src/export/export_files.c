@@ -167,9 +167,9 @@ static void write_table_header(const Export *export, const Table *table)
     const char *names[TABLE_FIELDS_MAX + 3] = {"step", "time"};
     int n = 2;
     if (table->indexed)
-        names[n++] = export->sim->sets[table->set].name;
+        names[n++] = export->run.sim->sets[table->set].name;
     for (int i = 0; i < table->n_fields; i++)
-        names[n++] = export->sim->fields[table->fields[i]].quantity.name;
+        names[n++] = export->run.sim->fields[table->fields[i]].quantity.name;
     csv_header(table->file.stream, export->outputs->dialect, names, n);
 }
 
@@ -195,7 +195,7 @@ bool export_open_files(Export *export, Status *status)
         table->name = table_name(outputs, i);
         if (!table->name)
             continue;
-        if (!find_set(table, export->sim, i, status) ||
+        if (!find_set(table, export->run.sim, i, status) ||
             !output_open(&table->file, outputs->asker, table->name, outputs->force, status) ||
             !open_beside(&table->beside, &table->file, outputs, status))
             return false;
@@ -218,41 +218,49 @@ bool export_write_row(Export *export, const double *row, Status *status)
 
 /* --- frames ---------------------------------------------------------------------------------------- */
 
-static bool write_table(Export *export, Table *table, Status *status)
+/* A table of the present step, on its way into its file. */
+typedef struct Sheet {
+    Table *table;
+    Dialect dialect;
+    double *fields;
+} Sheet;
+
+static void write_things(Simulation *sim, void *context)
 {
-    Simulation *sim = export->sim;
-    const int before = table->indexed ? 3 : 2, width = before + table->n_fields;
-    size_t count = sim->counts[table->set], snapshot = simulation_snapshot_size(sim);
-    int stages = sim->sets[table->set].ready_after;
-    double *fields = malloc(((size_t)table->n_fields + 1) * CHUNK * sizeof *fields);
-    void *present = stages > 0 ? malloc(snapshot) : NULL;
-    if (!fields || (stages > 0 && !present)) {
-        free(fields);
-        free(present);
-        return status_fail(status, STATUS_FAILED, "not enough memory to write %s", table->name);
-    }
+    const Sheet *sheet = context;
+    const Table *table = sheet->table;
+    const int before = table->indexed ? 3 : 2;
+    const size_t count = sim->counts[table->set];
     double row[TABLE_FIELDS_MAX + 3] = {(double)sim->step, simulation_time(sim)};
-    if (present)
-        simulation_snapshot(sim, present);
     /* what a stage cannot do any more stays as it stands */
-    for (int i = 0; i < stages && simulation_stage(sim, NULL); i++)
+    for (int i = 0; i < sim->sets[table->set].ready_after && simulation_stage(sim, NULL); i++)
         ;
     for (size_t first = 0; first < count; first += CHUNK) {
-        size_t n = count - first < CHUNK ? count - first : CHUNK;
+        const size_t n = count - first < CHUNK ? count - first : CHUNK;
         for (int f = 0; f < table->n_fields; f++)
-            sim->method->field(sim, table->fields[f], first, n, fields + (size_t)f * CHUNK);
+            sim->method->field(sim, table->fields[f], first, n, sheet->fields + (size_t)f * CHUNK);
         for (size_t k = 0; k < n; k++) {
             row[2] = (double)(first + k);
             for (int f = 0; f < table->n_fields; f++)
-                row[before + f] = fields[(size_t)f * CHUNK + k];
-            csv_row(table->file.stream, export->outputs->dialect, row, width);
+                row[before + f] = sheet->fields[(size_t)f * CHUNK + k];
+            csv_row(table->file.stream, sheet->dialect, row, before + table->n_fields);
         }
     }
-    if (present)
-        simulation_restore(sim, present);
-    free(present);
-    free(fields);
-    return output_sound(&table->file, status);
+}
+
+static bool write_table(Export *export, Table *table, Status *status)
+{
+    Simulation *sim = export->run.sim;
+    Sheet sheet = {table, export->outputs->dialect,
+                   malloc(((size_t)table->n_fields + 1) * CHUNK * sizeof *sheet.fields)};
+    bool written = sheet.fields != NULL;
+    if (written && sim->sets[table->set].ready_after == 0)
+        write_things(sim, &sheet);
+    else
+        written = written && simulation_visit(sim, NULL, write_things, &sheet);
+    free(sheet.fields);
+    return written ? output_sound(&table->file, status)
+                   : status_fail(status, STATUS_FAILED, "not enough memory to write %s", table->name);
 }
 
 static bool write_vtk(Export *export, Status *status)
@@ -262,14 +270,15 @@ static bool write_vtk(Export *export, Status *status)
     OutputFile *file = &export->vtk[export->next_frame];
     char *name = vtk_frame_name(export->outputs->vtk, export->next_frame, export->frames.count);
     bool written = name && output_open(file, export->outputs->asker, name, export->outputs->force, status);
-    if (!name || (written && !vtk_write_frame(file->stream, export->sim, export->outputs->vtk_data)))
+    if (!name || (written && !vtk_write_frame(file->stream, export->run.sim, export->outputs->vtk_data)))
         written = status_fail(status, STATUS_FAILED, "not enough memory to write %s", export->outputs->vtk);
     free(name);
     return written && output_finish(file, status);
 }
 
-static bool write_frame(Export *export, Status *status)
+bool export_write_frame(Export *export, Status *status)
 {
+    export->frames.steps[export->next_frame] = export->run.sim->step;
     for (int i = 0; i < TABLES; i++)
         if (export->tables[i].name && !write_table(export, &export->tables[i], status))
             return false;
@@ -277,15 +286,6 @@ static bool write_frame(Export *export, Status *status)
         return false;
     export->next_frame++;
     return true;
-}
-
-bool export_write_due_frame(Export *export, bool at_last, Status *status)
-{
-    bool left = export->next_frame < export->frames.count;
-    if (!left || (!at_last && export->frames.steps[export->next_frame] != export->sim->step))
-        return true;
-    export->frames.steps[export->next_frame] = export->sim->step;
-    return write_frame(export, status);
 }
 
 /* --- the end --------------------------------------------------------------------------------------- */
@@ -303,7 +303,7 @@ static void describe_series(const Export *export, FILE *to)
 
 static void describe_table(const Export *export, const Table *table, FILE *to)
 {
-    const Simulation *sim = export->sim;
+    const Simulation *sim = export->run.sim;
     describe(to, &export->columns[0].quantity);
     describe(to, &export->columns[1].quantity);
     if (table->indexed)
@@ -324,8 +324,8 @@ static bool write_beside(const Export *export, const Settings *scenario, OutputF
     if (!text)
         return status_fail(status, STATUS_FAILED, "not enough memory to write %s", beside->name);
     fprintf(text, "matvib " PACKAGE_VERSION "\n");
-    if (*export->failure.text)
-        fprintf(text, "the run stopped: %s\n", export->failure.text);
+    if (*export->run.failure.text)
+        fprintf(text, "the run stopped: %s\n", export->run.failure.text);
     if (export->outputs->dialect == DIALECT_SEMICOLON)
         fprintf(text,
                 "written with --dialect semicolon, which no scenario holds: give it again for these bytes\n");
@@ -356,7 +356,7 @@ static bool write_collection(Export *export, Status *status)
     vtk_begin_collection(export->collection.stream);
     for (size_t i = 0; i < export->next_frame; i++)
         vtk_add_to_collection(export->collection.stream, export->vtk[i].name,
-                              (double)export->frames.steps[i] * export->sim->dt);
+                              (double)export->frames.steps[i] * export->run.sim->dt);
     vtk_end_collection(export->collection.stream);
     return output_finish(&export->collection, status);
 }
@@ -367,13 +367,14 @@ static Settings scenario_beside(const Export *export)
 {
     Settings scenario = *export->settings;
     size_t n = export->next_frame, length = 0;
-    problem_end_at(&scenario, export->sim->dt, export->last);
-    if (export->planned_last == export->last || (scenario.output.frames < 2 && !*export->settings->output.at))
+    problem_end_at(&scenario, export->run.sim->dt, export->run.last);
+    if (export->planned_last == export->run.last ||
+        (scenario.output.frames < 2 && !*export->settings->output.at))
         return scenario;
     char at[LIST_MAX] = "";
     for (size_t i = 0; i < n; i++) {
         char text[NUMBER_TEXT_MAX];
-        text_shortest(text, (double)export->frames.steps[i] * export->sim->dt);
+        text_shortest(text, (double)export->frames.steps[i] * export->run.sim->dt);
         length += (size_t)snprintf(at + length, length < sizeof at ? sizeof at - length : 0, "%s%s",
                                    i > 0 ? "," : "", text);
         if (length >= sizeof at || n > TIMES_MAX)

@@ -5,6 +5,7 @@
 
 #include "export/export.h"
 #include "export/frames.h"
+#include "run/advance.h"
 #include "run/record.h"
 
 enum { TABLES = 3, TABLE_FIELDS_MAX = 32 };
@@ -21,12 +22,13 @@ typedef struct Table {
 typedef struct Export {
     const Settings *settings;
     const Outputs *outputs;
-    Simulation *sim;
+    Run run;
+    Sink sinks[2]; /* series and frames */
     References *refs;
     Column columns[COLUMNS_MAX];
     int n_columns;
     int written[COLUMNS_MAX], n_written; /* those of the series, by output.columns */
-    long last, planned_last;             /* they differ where the run failed */
+    long planned_last;                   /* the run's own is another where it failed, or came to rest */
     Frames frames;
     size_t next_frame;
     OutputFile series, series_beside;
@@ -34,11 +36,9 @@ typedef struct Export {
     OutputFile *vtk; /* one for each frame */
     OutputFile collection;
     Record record;
-    double *block;
     double newest[COLUMNS_MAX]; /* the row of the newest step that has one */
     double invariant;           /* E* at t = 0; NAN: there is none */
     long rows;
-    Status failure; /* of a run that stopped by itself */
 } Export;
 
 /* export_files.c: names are checked before anything is touched; then every file is begun. */
@@ -48,9 +48,8 @@ bool export_open_files(Export *, Status *);
 /* A row of the series. */
 bool export_write_row(Export *, const double *row, Status *);
 
-/* The frame of this step, if one is due; where the run has failed, its last step takes the place of the rest.
- */
-bool export_write_due_frame(Export *, bool at_last, Status *);
+/* The next frame: of the step at which the simulation stands, whichever was planned. */
+bool export_write_frame(Export *, Status *);
 
 /* The scenarios beside, and everything on the disk; then everything under its name. */
 bool export_finish_files(Export *, Status *);

@@ -195,6 +195,31 @@ void simulation_restore(Simulation *sim, const void *bytes)
     sim->method->load(sim, (const char *)bytes + sizeof head);
 }
 
+bool simulation_visit(Simulation *sim, const void *there, void (*look)(Simulation *, void *), void *context)
+{
+    void *present = malloc(simulation_snapshot_size(sim));
+    if (!present)
+        return false;
+    simulation_snapshot(sim, present);
+    if (there)
+        simulation_restore(sim, there);
+    look(sim, context);
+    simulation_restore(sim, present);
+    free(present);
+    return true;
+}
+
+static void stay(Simulation *sim, void *context)
+{
+    (void)sim;
+    (void)context;
+}
+
+bool simulation_forget_failure(Simulation *sim)
+{
+    return simulation_visit(sim, NULL, stay, NULL);
+}
+
 void simulation_report(Simulation *sim, EventKind kind, const char *text)
 {
     if (sim->n_events == SIMULATION_EVENTS_MAX) {

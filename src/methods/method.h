@@ -319,6 +319,15 @@ void simulation_snapshot(const Simulation *, void *bytes);
 /* Puts a snapshot of this simulation back; events after it are forgotten, a failure too. */
 void simulation_restore(Simulation *, const void *bytes);
 
+/* Puts a snapshot back (NULL: none, it stays where it is), lets somebody look at that moment and go on from
+ * it as he likes, and comes back to the present. False: no memory, nobody has looked. */
+bool simulation_visit(Simulation *, const void *there, void (*look)(Simulation *, void *context),
+                      void *context);
+
+/* A simulation that has failed goes no further even where it stands at a sound moment; from here on it is as
+ * one that was brought there, and may walk up to its failure again. False: no memory. */
+bool simulation_forget_failure(Simulation *);
+
 /* Appends an event; for methods. Text as by printf's rules is made by the caller. */
 void simulation_report(Simulation *, EventKind, const char *text);
 

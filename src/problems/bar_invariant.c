@@ -23,20 +23,27 @@ static bool take_state(Simulation *sim, double *velocity, double *mass, double *
     return true;
 }
 
-/* One step ahead; the simulation stands somewhere else afterwards. */
-static double one_step_ahead(Simulation *sim, MpmAlgorithm algorithm)
+/* E* of the state at which it is looked at. */
+typedef struct Ahead {
+    MpmAlgorithm algorithm;
+    double value;
+} Ahead;
+
+/* Goes one step ahead. */
+static void one_step_ahead(Simulation *sim, void *context)
 {
+    Ahead *ahead = context;
     const size_t count = sim->counts[0];
-    double *numbers = malloc((3 * count + 1) * sizeof *numbers), sum = NAN;
+    double *numbers = malloc((3 * count + 1) * sizeof *numbers);
     double *before = numbers, *after = numbers + count, *mass = numbers + 2 * count, old, new;
     if (numbers && take_state(sim, before, mass, &old) && simulation_steps(sim, 1, NULL, NULL, NULL) &&
         take_state(sim, after, mass, &new)) {
-        sum = algorithm == MPM_USF ? new : old;
+        double sum = ahead->algorithm == MPM_USF ? new : old;
         for (size_t i = 0; i < count; i++)
             sum += mass[i] * before[i] * after[i] / 2;
+        ahead->value = sum;
     }
     free(numbers);
-    return sum;
 }
 
 bool bar_invariant_kept(const Settings *settings)
@@ -47,12 +54,7 @@ bool bar_invariant_kept(const Settings *settings)
 
 double bar_invariant(Simulation *sim, const Settings *settings)
 {
-    void *present = malloc(simulation_snapshot_size(sim));
-    if (!present)
-        return NAN;
-    simulation_snapshot(sim, present);
-    const double value = one_step_ahead(sim, settings->mpm.algorithm);
-    simulation_restore(sim, present);
-    free(present);
-    return value;
+    Ahead ahead = {settings->mpm.algorithm, NAN};
+    simulation_visit(sim, NULL, one_step_ahead, &ahead);
+    return ahead.value;
 }

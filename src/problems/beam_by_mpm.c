@@ -183,33 +183,34 @@ static bool take_state(Simulation *sim, double *velocity, double *strain)
 }
 
 /* E* (answers/invariant.h): sum of m v^n v^(n+1)/2 and the strain energy that belongs to it. */
-static double one_step_ahead(Simulation *sim, const Settings *settings)
+typedef struct Ahead {
+    const Settings *settings;
+    double value;
+} Ahead;
+
+static void one_step_ahead(Simulation *sim, void *context)
 {
+    Ahead *ahead = context;
+    const Settings *settings = ahead->settings;
     const size_t count = 2 * sim->counts[0];
-    double *before = malloc(2 * count * sizeof *before), *after = before + count, old, new, sum = NAN;
+    double *before = malloc(2 * count * sizeof *before), *after = before + count, old, new;
     if (before && take_state(sim, before, &old) && simulation_steps(sim, 1, NULL, NULL, NULL) &&
         take_state(sim, after, &new)) {
         const double mass = settings->material.density * sim->spacing * sim->spacing;
-        sum = 0;
+        double sum = 0;
         for (size_t i = 0; i < count; i++)
             sum += before[i] * after[i];
-        sum =
+        ahead->value =
             sum / 2 * mass * settings->geometry.thickness + (settings->mpm.algorithm == MPM_USF ? new : old);
     }
     free(before);
-    return sum;
 }
 
 static double invariant(Simulation *sim, const Settings *settings)
 {
-    void *present = malloc(simulation_snapshot_size(sim));
-    if (!present)
-        return NAN;
-    simulation_snapshot(sim, present);
-    const double value = one_step_ahead(sim, settings);
-    simulation_restore(sim, present);
-    free(present);
-    return value;
+    Ahead ahead = {settings, NAN};
+    simulation_visit(sim, NULL, one_step_ahead, &ahead);
+    return ahead.value;
 }
 
 /* A channel does work. */

@@ -172,7 +172,7 @@ static void add_lags(EventLog *log, const Experiment *experiment)
     } lags[EVENT_LOG_LAGS_MAX] = {{.5, "half a period"}, {1, "a whole period"}, {2, "two periods"},
                                   {5, "five periods"},   {10, "ten periods"},   {20, "twenty periods"}};
     for (int i = 0; i < EVENT_LOG_LAGS_MAX && log->late != 0; i++) {
-        const double step = lags[i].periods / fabs(log->late) / experiment->sim->dt;
+        const double step = lags[i].periods / fabs(log->late) / experiment->run.sim->dt;
         char text[120];
         if (step > (double)experiment->newest)
             return;
@@ -212,12 +212,12 @@ void event_log_update(EventLog *log, const Experiment *experiment, const Readout
         add_unaccounted(log, &experiment->base);
     }
     const double late = lag_per_time(readout);
-    if (log->newest == experiment->newest && log->failed == experiment->failed &&
+    if (log->newest == experiment->newest && log->failed == experiment->run.failed &&
         log->n_reported == experiment->n_events && !(log->late < late) && !(log->late > late))
         return;
     log->late = late;
     log->newest = experiment->newest;
-    log->failed = experiment->failed;
+    log->failed = experiment->run.failed;
     log->n_reported = experiment->n_events;
     watch_energy(&log->energy, experiment, readout);
     log->count = 0;
@@ -231,7 +231,7 @@ void event_log_update(EventLog *log, const Experiment *experiment, const Readout
         log->events[log->count++] = log->energy.events[i];
     add_lags(log, experiment);
     sort(log->events, log->count);
-    if (experiment->failed)
+    if (experiment->run.failed)
         add(log->events, &log->count, EVENT_LOG_MAX, experiment->newest, EVENT_FAILURE,
-            experiment->failure.text);
+            experiment->run.failure.text);
 }

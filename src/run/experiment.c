@@ -71,7 +71,7 @@ const Settings *experiment_base(const Experiment *experiment)
 
 const Simulation *experiment_simulation(const Experiment *experiment)
 {
-    return experiment->sim;
+    return experiment->run.sim;
 }
 
 References *experiment_references(const Experiment *experiment)
@@ -118,17 +118,17 @@ int experiment_derived(Experiment *experiment, Derived out[DERIVED_MAX])
 
 double experiment_time(const Experiment *experiment)
 {
-    return simulation_time(experiment->sim);
+    return simulation_time(experiment->run.sim);
 }
 
 long experiment_step(const Experiment *experiment)
 {
-    return experiment->sim->step;
+    return experiment->run.sim->step;
 }
 
 int experiment_stage(const Experiment *experiment)
 {
-    return experiment->sim->stage;
+    return experiment->run.sim->stage;
 }
 
 long experiment_newest(const Experiment *experiment)
@@ -138,26 +138,26 @@ long experiment_newest(const Experiment *experiment)
 
 long experiment_last_step(const Experiment *experiment)
 {
-    return experiment->last;
+    return experiment->run.last;
 }
 
 bool experiment_at_end(const Experiment *experiment)
 {
-    return experiment->sim->stage == 0 && experiment->sim->step >= experiment->last;
+    return experiment->run.sim->stage == 0 && experiment->run.sim->step >= experiment->run.last;
 }
 
 bool experiment_failed(const Experiment *experiment, Status *status)
 {
-    if (experiment->failed && status)
-        *status = experiment->failure;
-    return experiment->failed;
+    if (experiment->run.failed && status)
+        *status = experiment->run.failure;
+    return experiment->run.failed;
 }
 
 void experiment_scenario(const Experiment *experiment, bool to_newest, Settings *out)
 {
-    long step = to_newest ? experiment->newest : experiment->sim->step;
+    long step = to_newest ? experiment->newest : experiment->run.sim->step;
     *out = experiment->base;
-    problem_end_at(out, experiment->sim->dt, step);
+    problem_end_at(out, experiment->run.sim->dt, step);
 }
 
 /* A fit over thousands of rows is not free: while rows come in, it is done when their number has grown by a
@@ -167,19 +167,19 @@ const Readout *experiment_readout(Experiment *experiment)
     const Record *record = &experiment->record;
     size_t rows = record->count - (record->loose_last && record->count > 0 ? 1 : 0);
     size_t known = experiment->readout_rows;
-    bool still = !experiment->flowing || experiment->sim->step >= experiment->last;
+    bool still = !experiment->flowing || experiment->run.sim->step >= experiment->run.last;
     if (known == 0 || rows < known || rows > known + known / 10 || (still && rows != known)) {
         references_readout(experiment->refs, record->rows, rows, record->n_columns, &experiment->readout);
         experiment->readout_rows = rows;
     }
-    experiment->readout.time = simulation_time(experiment->sim);
+    experiment->readout.time = simulation_time(experiment->run.sim);
     experiment->readout.late = readout_late(&experiment->readout, experiment->readout.time);
     return &experiment->readout;
 }
 
 const CrackFronts *experiment_fronts(Experiment *experiment)
 {
-    return crack_fronts_update(&experiment->fronts, experiment->sim) ? &experiment->fronts : NULL;
+    return crack_fronts_update(&experiment->fronts, experiment->run.sim) ? &experiment->fronts : NULL;
 }
 
 const Spectrum *experiment_spectrum(Experiment *experiment, int column, SpectrumSpan span)
@@ -197,7 +197,7 @@ const Spectrum *experiment_ghost_spectrum(Experiment *experiment, int i, int col
 /* The record's row where it is kept; else it is worked out, which is possible between steps only. */
 const double *experiment_row(Experiment *experiment)
 {
-    Simulation *sim = experiment->sim;
+    Simulation *sim = experiment->run.sim;
     const double *kept = record_of_step(&experiment->record, sim->step);
     if (kept)
         return kept;
@@ -207,8 +207,8 @@ const double *experiment_row(Experiment *experiment)
         return experiment->row;
     if (sim->stage != 0)
         return near;
-    simulation_row(sim, experiment->block);
-    references_row_again(experiment->refs, sim->step, simulation_time(sim), experiment->block, near,
+    simulation_row(sim, experiment->run.block);
+    references_row_again(experiment->refs, sim->step, simulation_time(sim), experiment->run.block, near,
                          experiment->row);
     experiment->row_step = sim->step;
     return experiment->row;
@@ -257,7 +257,7 @@ static bool keep_state(const Simulation *sim, unsigned char **bytes, size_t *roo
 
 static void note_before(Experiment *experiment)
 {
-    const Simulation *sim = experiment->sim;
+    const Simulation *sim = experiment->run.sim;
     Before *before = &experiment->before;
     before->known = keep_state(sim, &before->bytes, &before->room);
     before->head = simulation_snapshot_size(sim) - sim->method->state_size(sim);
@@ -288,20 +288,22 @@ const void *experiment_before(const Experiment *experiment)
     return before->known ? before->bytes + before->head : NULL;
 }
 
+typedef struct Look {
+    int field;
+    size_t first, count;
+    double *out;
+} Look;
+
+static void look(Simulation *sim, void *context)
+{
+    const Look *at = context;
+    sim->method->field(sim, at->field, at->first, at->count, at->out);
+}
+
 bool experiment_field_before(Experiment *experiment, int field, size_t first, size_t count, double *out)
 {
-    Simulation *sim = experiment->sim;
-    if (!experiment->before.known)
-        return false;
-    void *present = malloc(simulation_snapshot_size(sim));
-    if (!present)
-        return false;
-    simulation_snapshot(sim, present);
-    simulation_restore(sim, experiment->before.bytes);
-    sim->method->field(sim, field, first, count, out);
-    simulation_restore(sim, present);
-    free(present);
-    return true;
+    return experiment->before.known && simulation_visit(experiment->run.sim, experiment->before.bytes, look,
+                                                        &(Look){field, first, count, out});
 }
 
 /* --- seeking -------------------------------------------------------------------------------------- */
@@ -311,18 +313,19 @@ void experiment_seek(Experiment *experiment, long step, int stage)
     experiment_drop_part(experiment);
     if (step < 0)
         step = 0, stage = 0;
-    if (step >= experiment->last)
-        step = experiment->last, stage = 0;
+    if (step >= experiment->run.last)
+        step = experiment->run.last, stage = 0;
     experiment->goal_step = step;
     experiment->goal_stage = stage > 0 ? stage : 0;
-    experiment->pending = experiment->sim->step != step || experiment->sim->stage != experiment->goal_stage;
+    experiment->pending =
+        experiment->run.sim->step != step || experiment->run.sim->stage != experiment->goal_stage;
 }
 
 bool experiment_pending(const Experiment *experiment, long *steps_left)
 {
     if (!experiment->pending)
         return false;
-    const Simulation *sim = experiment->sim;
+    const Simulation *sim = experiment->run.sim;
     long from = sim->step;
     if (from > experiment->goal_step) {
         const Keyframe *frame = history_nearest(&experiment->history, experiment->goal_step);
@@ -335,14 +338,14 @@ bool experiment_pending(const Experiment *experiment, long *steps_left)
 
 void experiment_goal(const Experiment *experiment, long *step, int *stage)
 {
-    const Simulation *sim = experiment->sim;
+    const Simulation *sim = experiment->run.sim;
     *step = experiment->pending ? experiment->goal_step : sim->step;
     *stage = experiment->pending ? experiment->goal_stage : sim->stage;
 }
 
 bool experiment_work(Experiment *experiment, long steps, Status *status)
 {
-    Simulation *sim = experiment->sim;
+    Simulation *sim = experiment->run.sim;
     experiment_drop_part(experiment);
     if (!experiment->pending)
         return true;
@@ -382,9 +385,9 @@ static bool do_part(Experiment *experiment, size_t items, bool *whole, Status *s
     Part *part = &experiment->part;
     experiment->before.known = false;
     if (!part->begun) {
-        if (!keep_state(experiment->sim, &part->bytes, &part->room)) {
+        if (!keep_state(experiment->run.sim, &part->bytes, &part->room)) {
             *whole = true; /* there is no way back from the middle, so there must be no stop in it */
-            return experiment_do_steps(experiment, experiment->sim->stage == 0 ? 1 : 0, status);
+            return experiment_do_steps(experiment, experiment->run.sim->stage == 0 ? 1 : 0, status);
         }
         part->begun = true;
     }
@@ -409,7 +412,7 @@ bool experiment_work_part(Experiment *experiment, size_t items, bool *whole, Sta
         return true;
     if (!experiment->part.begun)
         experiment_approach(experiment, experiment->goal_step, experiment->goal_stage);
-    if (experiment->sim->step >= experiment->goal_step)
+    if (experiment->run.sim->step >= experiment->goal_step)
         return experiment_work(experiment, 0, status);
     experiment->pending = do_part(experiment, items, whole, status);
     return experiment->pending;
@@ -418,6 +421,6 @@ bool experiment_work_part(Experiment *experiment, size_t items, bool *whole, Sta
 void experiment_drop_part(Experiment *experiment)
 {
     if (experiment->part.begun)
-        simulation_restore(experiment->sim, experiment->part.bytes);
+        simulation_restore(experiment->run.sim, experiment->part.bytes);
     experiment->part.begun = false;
 }

@@ -30,6 +30,8 @@ static void exchange(Experiment *a, Experiment *b)
         memcpy(one, other, size);
         memcpy(other, chunk, size);
     }
+    a->run.settings = &a->base;
+    b->run.settings = &b->base;
 }
 
 /* Another run takes the place of this one, and seeks the time that was on screen; the end, where that was the
@@ -37,8 +39,8 @@ static void exchange(Experiment *a, Experiment *b)
 static bool replace_run(Experiment *experiment, const Settings *settings, bool keep_ghost, bool seek,
                         Status *status)
 {
-    const long step = experiment->pending ? experiment->goal_step : experiment->sim->step;
-    const double time = (double)step * experiment->sim->dt;
+    const long step = experiment->pending ? experiment->goal_step : experiment->run.sim->step;
+    const double time = (double)step * experiment->run.sim->dt;
     const bool ended =
         step >= experiment_last_step(experiment) && settings->time.end == experiment->base.time.end;
     Experiment *fresh = experiment_create(settings, experiment->history.budget, experiment->threads, status);
@@ -63,7 +65,7 @@ static bool replace_run(Experiment *experiment, const Settings *settings, bool k
     experiment_write_legends(experiment);
     if (seek)
         experiment_seek(experiment,
-                        ended ? experiment_last_step(experiment) : lround(time / experiment->sim->dt), 0);
+                        ended ? experiment_last_step(experiment) : lround(time / experiment->run.sim->dt), 0);
     return true;
 }
 
@@ -200,7 +202,7 @@ static bool edit_from_start(Experiment *experiment, const Settings *wanted, bool
 {
     Settings settings = *wanted;
     experiment_drop_part(experiment);
-    double dt = experiment->sim->dt, new_dt = dt;
+    double dt = experiment->run.sim->dt, new_dt = dt;
     if (live_from_start)
         take_given_changes(experiment, &settings);
     if (settings.problem == experiment->base.problem)
@@ -219,7 +221,7 @@ static bool edit_from_start(Experiment *experiment, const Settings *wanted, bool
 static bool edit_live(Experiment *experiment, const Settings *wanted, Status *status)
 {
     const Settings before = experiment->now;
-    long step = experiment->sim->step + (experiment->sim->stage != 0);
+    long step = experiment->run.sim->step + (experiment->run.sim->stage != 0);
     if (experiment->pending && experiment->goal_step >= step)
         step = experiment->goal_step + (experiment->goal_stage != 0);
     char advice[sizeof experiment->advice];
@@ -271,16 +273,16 @@ bool experiment_edit(Experiment *experiment, const Settings *wanted, Status *sta
     if (!settings_check(wanted, status))
         return false;
     if (wanted->time.end != experiment->base.time.end &&
-        !problem_check_steps(wanted->time.end, experiment->sim->dt, status))
+        !problem_check_steps(wanted->time.end, experiment->run.sim->dt, status))
         return false;
     experiment_drop_part(experiment);
     Difference difference = compare(&experiment->now, wanted);
     /* what is on screen, or will be as soon as the work is done */
-    long step = experiment->pending ? experiment->goal_step : experiment->sim->step;
-    int stage = experiment->pending ? experiment->goal_stage : experiment->sim->stage;
+    long step = experiment->pending ? experiment->goal_step : experiment->run.sim->step;
+    int stage = experiment->pending ? experiment->goal_stage : experiment->run.sim->stage;
     if (difference.restart)
         return edit_from_start(experiment, wanted, false, status);
-    if (difference.live && stage == 0 && (step == 0 || step >= experiment->last))
+    if (difference.live && stage == 0 && (step == 0 || step >= experiment->run.last))
         return edit_from_start(experiment, wanted, true, status);
     if (difference.live && !edit_live(experiment, wanted, status))
         return false;

@@ -3,6 +3,7 @@
 #ifndef LAB_EXPERIMENT_INTERNAL_H
 #define LAB_EXPERIMENT_INTERNAL_H
 
+#include "run/advance.h"
 #include "run/experiment.h"
 #include "run/event_log.h"
 #include "run/history.h"
@@ -32,17 +33,14 @@ struct Experiment {
     /* the run */
     Settings base; /* values at t = 0, and the changes in mid-run */
     Settings now;  /* what is in force at the present step */
-    Simulation *sim;
+    Run run;       /* its `failed`: it cannot go beyond the newest step */
     References *refs;
     Column columns[COLUMNS_MAX];
     int n_columns;
     Record record;
     History history;
-    double *block; /* rows of the method, on their way into the record */
-    long newest;   /* whole steps computed */
-    long last;     /* the step at which the run ends */
-    bool failed;   /* the run cannot go beyond the newest step */
-    Status failure;
+    Sink sinks[2];                       /* record and keyframes */
+    long newest;                         /* whole steps computed */
     Event events[SIMULATION_EVENTS_MAX]; /* up to the newest step, whatever is on screen */
     int n_events;
     char advice[160];

@@ -5,28 +5,18 @@
 #include "answers/invariant.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 enum { RUNNING_MAX = 20000, PAUSED_MAX = 500000 }; /* particles; a picture must not wait for more */
 
-/* At t = 0. */
-static double invariant_at_start(Experiment *experiment)
+static void look(Simulation *sim, void *context)
 {
-    const Keyframe *first = history_nearest(&experiment->history, 0);
-    void *present = first ? malloc(simulation_snapshot_size(experiment->sim)) : NULL;
-    if (!present)
-        return NAN;
-    simulation_snapshot(experiment->sim, present);
-    simulation_restore(experiment->sim, first->bytes);
-    const double value = invariant_now(experiment->sim, &experiment->base);
-    simulation_restore(experiment->sim, present);
-    free(present);
-    return value;
+    Experiment *experiment = context;
+    experiment->invariant.start = invariant_now(sim, &experiment->base);
 }
 
 bool experiment_invariant(Experiment *experiment, double *now, double *start)
 {
-    Simulation *sim = experiment->sim;
+    Simulation *sim = experiment->run.sim;
     Invariant *known = &experiment->invariant;
     if (!invariant_exists(&experiment->now) || !invariant_exists(&experiment->base))
         return false;
@@ -34,8 +24,8 @@ bool experiment_invariant(Experiment *experiment, double *now, double *start)
         return false;
     const bool busy = experiment->flowing && sim->counts[0] > RUNNING_MAX;
     if (!known->any) {
-        *known = (Invariant){.any = true, .step = -1};
-        known->start = invariant_at_start(experiment);
+        *known = (Invariant){.any = true, .step = -1, .start = NAN};
+        simulation_visit(sim, history_nearest(&experiment->history, 0)->bytes, look, experiment);
     }
     if (known->step != sim->step && sim->stage == 0 && sim->item == 0 && !busy && !sim->failed) {
         known->now = invariant_now(sim, &experiment->now);

@@ -11,24 +11,18 @@
 #include <string.h>
 
 static const size_t record_budget = (size_t)32 << 20;
-enum { BLOCK = 256 }; /* rows that a method writes at once */
-
 /* What takes longer than a step is found every so many steps: no picture is as wide as a run has steps. A
  * power of two, so that a record that is thinned keeps these rows. */
 enum { WHOLE_ROWS = 8 };
 
-/* --- life ----------------------------------------------------------------------------------------- */
-
-static bool take_row(Experiment *experiment, const double *method_row, long step)
+static bool out_of_memory(Status *status)
 {
-    double row[COLUMNS_MAX];
-    references_row(experiment->refs, step, (double)step * experiment->sim->dt, method_row, row);
-    return record_append(&experiment->record, row);
+    return status_fail(status, STATUS_FAILED, "not enough memory for the run's record");
 }
 
 static void copy_events(Experiment *experiment)
 {
-    const Simulation *sim = experiment->sim;
+    const Simulation *sim = experiment->run.sim;
     memcpy(experiment->events, sim->events, (size_t)sim->n_events * sizeof sim->events[0]);
     experiment->n_events = sim->n_events;
 }
@@ -36,8 +30,47 @@ static void copy_events(Experiment *experiment)
 static void note_now(Experiment *experiment)
 {
     if (experiment->base.n_changes > 0)
-        changes_in_force(&experiment->base, experiment->sim->step, &experiment->now);
+        changes_in_force(&experiment->base, experiment->run.sim->step, &experiment->now);
 }
+
+/* --- what is kept on the way ------------------------------------------------------------------------ */
+
+static bool keep_row(void *owner, Run *run, long step, const double *method_row, Status *status)
+{
+    Experiment *experiment = owner;
+    double row[COLUMNS_MAX];
+    references_row(experiment->refs, step, (double)step * run->sim->dt, method_row, row);
+    if (!record_append(&experiment->record, row))
+        return out_of_memory(status);
+    experiment->newest = step;
+    return true;
+}
+
+static long next_keyframe(const void *owner, long step)
+{
+    const Experiment *experiment = owner;
+    return step < 0 ? 0 : step + history_next(&experiment->history, step);
+}
+
+static bool keep_frame(void *owner, Run *run, Status *status)
+{
+    Experiment *experiment = owner;
+    return history_keep(&experiment->history, run->sim) || out_of_memory(status);
+}
+
+/* Rows that are recorded already are not worked out again. */
+static const Sink *sinks_of(Experiment *experiment)
+{
+    experiment->sinks[0] = (Sink){.every = 1,
+                                  .from = experiment->record.count > 0 ? experiment->newest + 1 : 0,
+                                  .row = keep_row,
+                                  .owner = experiment,
+                                  .beside = &experiment->sinks[1]};
+    experiment->sinks[1] = (Sink){.next = next_keyframe, .state = keep_frame, .owner = experiment};
+    return experiment->sinks;
+}
+
+/* --- life ----------------------------------------------------------------------------------------- */
 
 /* They do not depend on the state, and take searches for eigenvalues: once for all pictures that have the
  * same settings. */
@@ -47,18 +80,13 @@ void experiment_derive(Experiment *experiment, Patience patience)
     settings.patience = patience;
     const int before = errno; /* of whoever draws, and asks for memory too */
     errno = 0;
-    experiment->n_derived = problem_derived(&settings, experiment->sim, experiment->derived);
+    experiment->n_derived = problem_derived(&settings, experiment->run.sim, experiment->derived);
     if (errno == ENOMEM || errno == ECANCELED) /* what is missing is asked for again */
         memset(&experiment->derived_for, 0, sizeof experiment->derived_for);
     else {
         experiment->derived_for = experiment->now;
         errno = before;
     }
-}
-
-static bool out_of_memory(Status *status)
-{
-    return status_fail(status, STATUS_FAILED, "not enough memory for the run's record");
 }
 
 static bool goes_on(const Settings *settings, Status *status)
@@ -70,24 +98,15 @@ static bool goes_on(const Settings *settings, Status *status)
 /* The record and the first keyframe; of a large beam each takes as long as one asks to hear of it. */
 static bool begin(Experiment *experiment, size_t history, Status *status)
 {
-    Simulation *sim = experiment->sim;
     experiment->n_columns = references_columns(experiment->refs, experiment->columns);
     record_open(&experiment->record, experiment->n_columns, 1, record_budget);
     history_open(&experiment->history, history);
-    experiment->last = problem_last_step(sim->dt, experiment->base.time.end);
-    experiment->block = malloc(BLOCK * (size_t)sim->n_series * sizeof *experiment->block);
-    if (!experiment->block)
-        return out_of_memory(status);
-    if (!goes_on(&experiment->base, status))
-        return false;
-    simulation_row(sim, experiment->block);
-    if (!take_row(experiment, experiment->block, 0))
-        return out_of_memory(status);
-    if (!goes_on(&experiment->base, status) || !changes_apply(&experiment->base, sim, status))
+    if (!goes_on(&experiment->base, status) || !run_start(&experiment->run, sinks_of(experiment), status) ||
+        !goes_on(&experiment->base, status))
         return false;
     copy_events(experiment);
     changes_in_force(&experiment->base, 0, &experiment->now);
-    return history_keep(&experiment->history, sim) || out_of_memory(status);
+    return true;
 }
 
 bool experiment_open(Experiment *experiment, const Settings *settings, size_t history, int threads,
@@ -100,11 +119,11 @@ bool experiment_open(Experiment *experiment, const Settings *settings, size_t hi
     /* a view may show any of the columns, whatever is written of the run */
     Settings shown = *settings;
     strcpy(shown.output.columns, "all");
-    experiment->sim = problem_simulate(&shown, threads, status);
-    if (experiment->sim)
-        experiment->sim->whole_rows = WHOLE_ROWS;
-    if (experiment->sim)
-        experiment->refs = references_create(settings, experiment->sim, status);
+    if (!run_open(&experiment->run, &experiment->base, problem_simulate(&shown, threads, status), status))
+        return false;
+    experiment->run.patience = (Patience){0}; /* the caller does a little at a time */
+    experiment->run.sim->whole_rows = WHOLE_ROWS;
+    experiment->refs = references_create(settings, experiment->run.sim, status);
     if (!experiment->refs || !begin(experiment, history, status))
         return false;
     experiment_derive(experiment, settings->patience);
@@ -113,14 +132,14 @@ bool experiment_open(Experiment *experiment, const Settings *settings, size_t hi
 
 void experiment_rewind(Experiment *experiment, Record *old)
 {
-    Simulation *sim = experiment->sim;
+    Simulation *sim = experiment->run.sim;
     simulation_restore(sim, history_nearest(&experiment->history, 0)->bytes);
     history_reset(&experiment->history);
     *old = experiment->record;
     record_open(&experiment->record, experiment->n_columns, 1, record_budget);
     references_reset(experiment->refs);
-    simulation_row(sim, experiment->block);
-    if (!take_row(experiment, experiment->block, 0)) {
+    simulation_row(sim, experiment->run.block);
+    if (!keep_row(experiment, &experiment->run, 0, experiment->run.block, NULL)) {
         /* no memory for another record: then there is nothing to hand over */
         record_close(&experiment->record);
         experiment->record = *old;
@@ -128,8 +147,8 @@ void experiment_rewind(Experiment *experiment, Record *old)
         record_cut(&experiment->record, 0);
     }
     experiment->newest = 0;
-    experiment->last = problem_last_step(sim->dt, experiment->base.time.end);
-    experiment->failed = false;
+    experiment->run.last = problem_last_step(sim->dt, experiment->base.time.end);
+    experiment->run.failed = false;
     copy_events(experiment);
     note_now(experiment);
 }
@@ -138,106 +157,51 @@ void experiment_close(Experiment *experiment)
 {
     references_destroy(experiment->refs);
     crack_fronts_free(&experiment->fronts);
-    simulation_destroy(experiment->sim);
+    run_close(&experiment->run);
     record_close(&experiment->record);
     history_close(&experiment->history);
-    free(experiment->block);
 }
 
 /* --- forwards ------------------------------------------------------------------------------------- */
-
-/* At a whole step, its row taken: changes come into force, a keyframe is kept. */
-static bool arrive(Experiment *experiment, Status *status)
-{
-    if (!changes_apply(&experiment->base, experiment->sim, status))
-        return false;
-    if (experiment->sim->step == experiment->newest)
-        copy_events(experiment);
-    history_keep(&experiment->history, experiment->sim);
-    note_now(experiment);
-    return true;
-}
 
 static long least(long a, long b)
 {
     return a < b ? a : b;
 }
 
-/* A run that is to end at rest ends where it has come to it; what was asked for beyond is not pending. */
-static void end_at_rest(Experiment *experiment)
+/* As run_advance(), and what is known of the place to which it came. */
+static bool advance(Experiment *experiment, RunUnit unit, long count, Status *status)
 {
-    if (!experiment->sim->at_rest || experiment->sim->stage != 0)
-        return;
-    experiment->last = experiment->sim->step;
-    if (experiment->goal_step >= experiment->last) {
-        experiment->goal_step = experiment->last;
+    Run *run = &experiment->run;
+    const long last = run->last;
+    const bool sound = run_advance(run, (RunUntil){unit, count}, sinks_of(experiment), status);
+    if (run->last < last && experiment->goal_step >= run->last) {
+        experiment->goal_step = run->last; /* at rest: what was asked for beyond is not pending */
         experiment->goal_stage = 0;
     }
+    if (run->sim->stage == 0 && run->sim->step == experiment->newest)
+        copy_events(experiment);
+    note_now(experiment);
+    return sound;
 }
 
-/* Whole steps from a whole step, to the next place at which something has to be done. */
-static bool one_block(Experiment *experiment, long steps, Status *status)
+/* Up to a step, by what is known of the run. */
+static void replay(Experiment *experiment, long step)
 {
-    Simulation *sim = experiment->sim;
-    bool fresh = sim->step >= experiment->newest;
-    long count = least(steps, experiment->last - sim->step),
-         next = changes_next(&experiment->base, sim->step);
-    count = least(count, history_next(&experiment->history, sim->step));
-    count = least(count, next == LONG_MAX ? count : next - sim->step);
-    count = least(count, fresh ? BLOCK : experiment->newest - sim->step);
-    long before = sim->step, done;
-    bool sound = simulation_steps(sim, count, fresh ? experiment->block : NULL, &done, status);
-    end_at_rest(experiment);
-    for (long k = 0; fresh && k < done; k++) {
-        if (!take_row(experiment, experiment->block + k * sim->n_series, before + k + 1))
-            return out_of_memory(status);
-        experiment->newest = before + k + 1;
-    }
-    return sound && arrive(experiment, status);
-}
-
-static bool finish_step(Experiment *experiment, Status *status)
-{
-    Simulation *sim = experiment->sim;
-    while (sim->stage != 0)
-        if (!simulation_stage(sim, status))
-            return false;
-    end_at_rest(experiment);
-    if (sim->step > experiment->newest) {
-        simulation_row(sim, experiment->block);
-        if (!take_row(experiment, experiment->block, sim->step))
-            return out_of_memory(status);
-        experiment->newest = sim->step;
-    }
-    return arrive(experiment, status);
-}
-
-/* A simulation that has failed goes no further even where it is sound; its own snapshot, put back, wipes the
- * failure away, so that one can walk up to it again. */
-static void wipe_failure(Simulation *sim)
-{
-    void *bytes = malloc(simulation_snapshot_size(sim));
-    if (!bytes)
-        return;
-    simulation_snapshot(sim, bytes);
-    simulation_restore(sim, bytes);
-    free(bytes);
+    const Simulation *sim = experiment->run.sim;
+    if (sim->step < step)
+        advance(experiment, RUN_STEPS, step - sim->step, NULL);
 }
 
 /* Back to the last sound whole step; the record holds everything up to there. */
 static bool fail(Experiment *experiment, const Status *why, Status *status)
 {
-    Simulation *sim = experiment->sim;
-    experiment->failed = true;
-    experiment->failure = *why;
-    if (sim->stage == 0 && sim->item == 0 && sim->step == experiment->newest) {
-        wipe_failure(sim);
-    } else {
-        const Keyframe *frame = history_nearest(&experiment->history, experiment->newest);
-        simulation_restore(sim, frame->bytes);
-        while (sim->step < experiment->newest)
-            if (!one_block(experiment, experiment->newest - sim->step, NULL))
-                break;
+    Run *run = &experiment->run;
+    run->failed = true;
+    run->failure = *why;
+    if (run->sim->step != experiment->newest || !run_is_sound(run)) {
+        simulation_restore(run->sim, history_nearest(&experiment->history, experiment->newest)->bytes);
+        replay(experiment, experiment->newest);
     }
     note_now(experiment);
     if (status)
@@ -247,61 +211,58 @@ static bool fail(Experiment *experiment, const Status *why, Status *status)
 
 static bool may_go_on(const Experiment *experiment, Status *status)
 {
-    if (!experiment->failed || experiment->sim->step < experiment->newest)
+    if (!experiment->run.failed || experiment->run.sim->step < experiment->newest)
         return true;
     if (status)
-        *status = experiment->failure;
+        *status = experiment->run.failure;
     return false;
+}
+
+/* As advance(); where the run cannot go on it stands at its last sound whole step. */
+static bool go(Experiment *experiment, RunUnit unit, long count, Status *status)
+{
+    Status why = {0};
+    return advance(experiment, unit, count, &why) || fail(experiment, &why, status);
 }
 
 bool experiment_do_steps(Experiment *experiment, long steps, Status *status)
 {
-    Status why = {0};
-    if (experiment->sim->stage != 0 && !finish_step(experiment, &why))
-        return fail(experiment, &why, status);
-    while (steps > 0 && experiment->sim->step < experiment->last) {
-        if (!may_go_on(experiment, status))
+    const Simulation *sim = experiment->run.sim;
+    if ((sim->stage != 0 || sim->item != 0) && !go(experiment, RUN_STEPS, 0, status))
+        return false;
+    if (experiment->run.failed && sim->step < experiment->newest) {
+        const long known = least(steps, experiment->newest - sim->step);
+        if (!go(experiment, RUN_STEPS, known, status))
             return false;
-        long before = experiment->sim->step;
-        if (!one_block(experiment, steps, &why))
-            return fail(experiment, &why, status);
-        steps -= experiment->sim->step - before;
+        steps -= known;
     }
-    return true;
+    return steps == 0 || sim->step >= experiment->run.last ||
+           (may_go_on(experiment, status) && go(experiment, RUN_STEPS, steps, status));
 }
 
 bool experiment_do_stage(Experiment *experiment, Status *status)
 {
-    Status why = {0};
-    Simulation *sim = experiment->sim;
-    if (sim->stage == 0 && sim->step >= experiment->last)
-        return true;
-    if (!simulation_stage(sim, &why))
-        return fail(experiment, &why, status);
-    return sim->stage != 0 || finish_step(experiment, &why) || fail(experiment, &why, status);
+    return go(experiment, RUN_STAGES, 1, status);
 }
 
 bool experiment_do_slice(Experiment *experiment, size_t items, bool *whole, Status *status)
 {
-    Status why = {0};
-    Simulation *sim = experiment->sim;
-    bool stage_done = false, begun = sim->stage != 0 || sim->item != 0;
-    *whole = !begun && sim->step >= experiment->last;
+    const Simulation *sim = experiment->run.sim;
+    const bool begun = sim->stage != 0 || sim->item != 0;
+    *whole = !begun && sim->step >= experiment->run.last;
     if (*whole)
         return true;
-    if (!begun && !may_go_on(experiment, status))
+    if ((!begun && !may_go_on(experiment, status)) || !go(experiment, RUN_ITEMS, (long)items, status))
         return false;
-    if (!simulation_slice(sim, items, &stage_done, &why))
-        return fail(experiment, &why, status);
-    *whole = stage_done && sim->stage == 0;
-    return !*whole || finish_step(experiment, &why) || fail(experiment, &why, status);
+    *whole = sim->stage == 0 && sim->item == 0;
+    return true;
 }
 
 /* --- backwards ------------------------------------------------------------------------------------ */
 
 void experiment_approach(Experiment *experiment, long step, int stage)
 {
-    Simulation *sim = experiment->sim;
+    Simulation *sim = experiment->run.sim;
     const Keyframe *frame = history_nearest(&experiment->history, step);
     bool beyond = sim->step > step || (sim->step == step && sim->stage > stage);
     if (frame && (beyond || frame->step > sim->step)) {
@@ -312,33 +273,42 @@ void experiment_approach(Experiment *experiment, long step, int stage)
 
 /* --- another future ------------------------------------------------------------------------------- */
 
+/* References that look back see rows again. */
+static bool see_row(void *owner, Run *run, long step, const double *method_row, Status *status)
+{
+    double row[COLUMNS_MAX];
+    (void)status;
+    references_row(owner, step, (double)step * run->sim->dt, method_row, row);
+    return true;
+}
+
+typedef struct Span {
+    Experiment *experiment;
+    long first, last;
+} Span;
+
+static void see_span(Simulation *sim, void *context)
+{
+    const Span *span = context;
+    Run *run = &span->experiment->run;
+    const Sink sink = {.every = 1, .from = span->first, .row = see_row, .owner = span->experiment->refs};
+    if (sim->step >= span->first) {
+        simulation_row(sim, run->block);
+        see_row(sink.owner, run, sim->step, run->block, NULL);
+    }
+    run_advance(run, (RunUntil){RUN_STEPS, span->last - sim->step}, &sink, NULL);
+}
+
 /* A filter looks back over rows that the record may have thinned out; then they are computed again. */
 static void refill_references(Experiment *experiment, long step)
 {
-    long memory = references_memory(experiment->refs);
+    const long memory = references_memory(experiment->refs);
     if (memory == 0)
         return;
-    long first = step - memory > 0 ? step - memory : 0;
-    double row[COLUMNS_MAX];
-    size_t bytes = simulation_snapshot_size(experiment->sim);
-    void *present = malloc(bytes);
-    const Keyframe *frame = history_nearest(&experiment->history, first);
+    const Span span = {experiment, step - memory > 0 ? step - memory : 0, step};
     references_reset(experiment->refs);
-    if (!present)
-        return;
-    simulation_snapshot(experiment->sim, present);
-    simulation_restore(experiment->sim, frame->bytes);
-    Simulation *sim = experiment->sim;
-    for (bool sound = true; sound; sound = one_block(experiment, 1, NULL)) {
-        if (sim->step >= first) {
-            simulation_row(sim, experiment->block);
-            references_row(experiment->refs, sim->step, simulation_time(sim), experiment->block, row);
-        }
-        if (sim->step >= step)
-            break;
-    }
-    simulation_restore(sim, present);
-    free(present);
+    simulation_visit(experiment->run.sim, history_nearest(&experiment->history, span.first)->bytes, see_span,
+                     (void *)&span);
 }
 
 static int find_column(const Experiment *experiment, const char *name)
@@ -363,9 +333,9 @@ static bool write_rows_again(const Experiment *experiment, References *refs, con
                              int n_columns, long step, Record *out)
 {
     int series[COLUMNS_MAX], kept[COLUMNS_MAX];
-    double row[COLUMNS_MAX], *given = experiment->block;
+    double row[COLUMNS_MAX], *given = experiment->run.block;
     for (int i = 0; i < experiment->n_columns; i++)
-        series[i] = simulation_find_series(experiment->sim, experiment->columns[i].quantity.name);
+        series[i] = simulation_find_series(experiment->run.sim, experiment->columns[i].quantity.name);
     for (int i = 0; i < n_columns; i++)
         kept[i] = find_column(experiment, columns[i].quantity.name);
     const bool memory = references_memory(refs) > 0;
@@ -395,7 +365,7 @@ static bool renew_references(Experiment *experiment, long step, Status *status)
 {
     if (!patience_lasts(&experiment->base.patience, 0))
         return status_fail(status, STATUS_FAILED, "the change was given up");
-    References *refs = references_create(&experiment->base, experiment->sim, status);
+    References *refs = references_create(&experiment->base, experiment->run.sim, status);
     if (!refs)
         return false;
     Column columns[COLUMNS_MAX];
@@ -428,9 +398,9 @@ static void cut(Experiment *experiment, long step)
         experiment->newest = step;
     while (experiment->n_events > 0 && experiment->events[experiment->n_events - 1].step > step)
         experiment->n_events--;
-    experiment->failed = experiment->failed && !shorter;
+    experiment->run.failed = experiment->run.failed && !shorter;
     if (shorter)
-        experiment->last = problem_last_step(experiment->sim->dt, experiment->base.time.end);
+        experiment->run.last = problem_last_step(experiment->run.sim->dt, experiment->base.time.end);
     if (shorter)
         refill_references(experiment, step);
 }
@@ -446,36 +416,38 @@ bool experiment_change(Experiment *experiment, long step, const char *key, const
     cut(experiment, step);
     note_now(experiment);
     experiment_derive(experiment, experiment->base.patience);
-    experiment->failed = false; /* what stopped the run may not stop the changed one */
-    Simulation *sim = experiment->sim;
+    experiment->run.failed = false; /* what stopped the run may not stop the changed one */
+    Simulation *sim = experiment->run.sim;
     if (sim->stage != 0 || sim->step != step)
         return true;
-    Status why = {0};
-    bool others = changes_next(&before, step - 1) == step;
+    const bool others = changes_next(&before, step - 1) == step;
     if (others && step > 0) {
         /* the state must be that of a run which never knew another order of changes */
         simulation_restore(sim, history_nearest(&experiment->history, step - 1)->bytes);
-        while (sim->step < step)
-            if (!one_block(experiment, step - sim->step, &why))
-                return fail(experiment, &why, status);
-        return true;
+        return go(experiment, RUN_STEPS, step - sim->step, status);
     }
-    return arrive(experiment, &why) || fail(experiment, &why, status);
+    Status why = {0};
+    if (!run_change(&experiment->run, &why))
+        return fail(experiment, &why, status);
+    copy_events(experiment);
+    history_keep(&experiment->history, sim);
+    note_now(experiment);
+    return true;
 }
 
 void experiment_set_end(Experiment *experiment, double end)
 {
-    Simulation *sim = experiment->sim;
+    Simulation *sim = experiment->run.sim;
     const double before = experiment->base.time.end;
     experiment->base.time.end = experiment->now.time.end = end;
     /* a run that has come to rest before does not go on */
-    const bool rested = experiment->last < problem_last_step(sim->dt, before);
+    const bool rested = experiment->run.last < problem_last_step(sim->dt, before);
     const long last = problem_last_step(sim->dt, end);
-    experiment->last = rested ? least(last, experiment->last) : last;
-    if (sim->step > experiment->last || (sim->step == experiment->last && sim->stage > 0)) {
-        experiment_approach(experiment, experiment->last, 0);
-        experiment_do_steps(experiment, experiment->last - sim->step, NULL);
+    experiment->run.last = rested ? least(last, experiment->run.last) : last;
+    if (sim->step > experiment->run.last || (sim->step == experiment->run.last && sim->stage > 0)) {
+        experiment_approach(experiment, experiment->run.last, 0);
+        experiment_do_steps(experiment, experiment->run.last - sim->step, NULL);
     }
-    if (experiment->newest > experiment->last)
-        cut(experiment, experiment->last);
+    if (experiment->newest > experiment->run.last)
+        cut(experiment, experiment->run.last);
 }

@@ -39,8 +39,8 @@ Remains experiment_remains(const Experiment *experiment)
     Remains remains = {
         .base = experiment->base, .n_columns = experiment->n_columns, .readout = read_whole(experiment)};
     memcpy(remains.columns, experiment->columns, sizeof remains.columns);
-    profile_take(&remains.profile, experiment->sim, NULL);
-    remains.names = simulation_hold_names(experiment->sim);
+    profile_take(&remains.profile, experiment->run.sim, NULL);
+    remains.names = simulation_hold_names(experiment->run.sim);
     return remains;
 }
 

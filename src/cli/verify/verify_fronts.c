@@ -11,7 +11,7 @@ static double front_number(VerifyRun *run, const VerifyRow *row,
 {
     CrackFronts fronts = {0};
     double number = NAN;
-    if (crack_fronts_update(&fronts, run->sim) && fronts.count > 0)
+    if (crack_fronts_update(&fronts, run->passing.sim) && fronts.count > 0)
         number = what(run, row, &fronts.fronts[0]);
     crack_fronts_free(&fronts);
     return row->scale != 0 ? row->scale * number : number;

@@ -93,7 +93,7 @@ static double derived_of(const VerifyRun *run, const char *name)
 static Finding finding_of(VerifyRun *run, const VerifyRow *row)
 {
     Finding findings[FINDINGS_MAX];
-    const int count = references_findings(run->refs, run->sim, findings);
+    const int count = references_findings(run->refs, run->passing.sim, findings);
     for (int i = 0; i < count; i++)
         if (strcmp(findings[i].name, row->column) == 0)
             return findings[i];
@@ -386,13 +386,13 @@ double quantity_energy_gained(VerifyRun *run, const VerifyRow *row)
 /* Whether a particle enters another cell: *out. */
 static bool crosses(const Settings *settings, bool *out, Status *status)
 {
-    Simulation *sim = problem_simulate(settings, 1, status);
-    bool sound =
-        sim && verify_steps(settings, sim, problem_last_step(sim->dt, settings->time.end), 1, status);
+    Run run;
+    const bool sound = run_open(&run, settings, problem_simulate(settings, 1, status), status) &&
+                       run_start(&run, NULL, status) && run_to_end(&run, NULL, status);
     *out = false;
-    for (int i = 0; sound && i < sim->n_events; i++)
-        *out = *out || sim->events[i].kind == EVENT_CROSSING;
-    simulation_destroy(sim);
+    for (int i = 0; sound && i < run.sim->n_events; i++)
+        *out = *out || run.sim->events[i].kind == EVENT_CROSSING;
+    run_close(&run);
     return sound;
 }
 
@@ -415,18 +415,20 @@ static bool stays_bounded(const Settings *settings, bool *bounded, Status *statu
 {
     enum { STEPS = 20000 };
     double row[COLUMNS_MAX];
-    Simulation *sim = problem_simulate(settings, 1, status);
-    if (!sim)
-        return false;
-    int total = simulation_find_series(sim, "total");
-    simulation_row(sim, row);
-    double start = row[total];
-    Status stopped; /* a run that blows up may stop by itself: that is the answer, not a failure */
-    *bounded = verify_steps(settings, sim, STEPS, 1, &stopped);
-    simulation_row(sim, row);
-    *bounded = *bounded && row[total] < 100 * start;
-    simulation_destroy(sim);
-    return true;
+    Run run;
+    const bool open = run_open(&run, settings, problem_simulate(settings, 1, status), status);
+    if (open) {
+        const int total = simulation_find_series(run.sim, "total");
+        simulation_row(run.sim, row);
+        const double start = row[total];
+        Status stopped; /* a run that blows up may stop by itself: that is the answer, not a failure */
+        run.last = STEPS;
+        *bounded = run_to_end(&run, NULL, &stopped);
+        simulation_row(run.sim, row);
+        *bounded = *bounded && row[total] < 100 * start;
+    }
+    run_close(&run);
+    return open;
 }
 
 double quantity_courant_limit(VerifyRun *run, const VerifyRow *row)
@@ -450,9 +452,10 @@ double quantity_middle_factor(VerifyRun *run, const VerifyRow *row)
     (void)row;
     double factor = NAN;
     size_t columns = (size_t)derived_of(run, "columns"), rows = (size_t)derived_of(run, "rows");
-    int field = simulation_find_field(run->sim, 0, "surface_factor");
+    int field = simulation_find_field(run->passing.sim, 0, "surface_factor");
     if (field >= 0)
-        run->sim->method->field(run->sim, field, rows / 2 * columns + columns / 2, 1, &factor);
+        run->passing.sim->method->field(run->passing.sim, field, rows / 2 * columns + columns / 2, 1,
+                                        &factor);
     return factor;
 }
 
@@ -460,18 +463,21 @@ double quantity_energy_after_steps(VerifyRun *run, const VerifyRow *row)
 {
     Settings settings = run->settings;
     settings.time.step = row->from * derived_of(run, "dt_crit");
-    Simulation *sim = problem_simulate(&settings, run->threads, &run->failure);
+    Status *status = &run->failure;
     double values[COLUMNS_MAX], ratio = NAN;
-    if (sim && simulation_steps(sim, 1, NULL, NULL, &run->failure)) {
-        int total = simulation_find_series(sim, "total");
-        simulation_row(sim, values);
-        double start = values[total];
-        if (verify_steps(&settings, sim, (long)row->to, 1, &run->failure)) {
-            simulation_row(sim, values);
+    Run other;
+    if (run_open(&other, &settings, problem_simulate(&settings, run->threads, status), status) &&
+        run_advance(&other, (RunUntil){RUN_STEPS, 1}, NULL, status)) {
+        const int total = simulation_find_series(other.sim, "total");
+        simulation_row(other.sim, values);
+        const double start = values[total];
+        other.last = 1 + (long)row->to;
+        if (run_to_end(&other, NULL, status)) {
+            simulation_row(other.sim, values);
             ratio = values[total] / start;
         }
     }
-    simulation_destroy(sim);
+    run_close(&other);
     return ratio;
 }
 
@@ -480,7 +486,7 @@ double quantity_energy_after_steps(VerifyRun *run, const VerifyRow *row)
 static Crack crack_of(const VerifyRun *run)
 {
     Crack crack = {.first_break = NAN, .twentieth_break = NAN};
-    crack_measure(run->sim, &crack);
+    crack_measure(run->passing.sim, &crack);
     return crack;
 }
 
@@ -497,7 +503,7 @@ double quantity_twentieth_break(VerifyRun *run, const VerifyRow *row)
 double quantity_plane_energy(VerifyRun *run, const VerifyRow *row)
 {
     CrackCost cost;
-    return crack_cost(run->sim, &(Patience){0}, &cost) ? scaled(row, cost.plane) : NAN;
+    return crack_cost(run->passing.sim, &(Patience){0}, &cost) ? scaled(row, cost.plane) : NAN;
 }
 
 double quantity_broken_bonds(VerifyRun *run, const VerifyRow *row)
@@ -507,10 +513,10 @@ double quantity_broken_bonds(VerifyRun *run, const VerifyRow *row)
 
 double quantity_angle_over(VerifyRun *run, const VerifyRow *row)
 {
-    return crack_angle(run->sim, row->from);
+    return crack_angle(run->passing.sim, row->from);
 }
 
 double quantity_angle_turned(VerifyRun *run, const VerifyRow *row)
 {
-    return crack_angle(run->sim, row->to) - crack_angle(run->sim, row->from);
+    return crack_angle(run->passing.sim, row->to) - crack_angle(run->passing.sim, row->from);
 }

@@ -25,34 +25,36 @@ bool verify_settings(const char *scenario, Settings *settings, Status *status)
     return scenario_load_with(name, overrides, count, settings, status);
 }
 
-bool verify_steps(const Settings *settings, Simulation *sim, long steps, double share, Status *status)
+/* Columns that need the past want a row of every step: those between are overwritten by the next. */
+static bool fill_row(void *owner, Run *passing, long step, const double *row, Status *status)
 {
-    const long block = simulation_steps_a_question(sim);
-    for (long left = steps; left > 0; left -= block) {
-        if (!patience_lasts(&settings->patience, share))
-            return status_fail(status, STATUS_FAILED, "interrupted");
-        if (!simulation_steps(sim, left < block ? left : block, NULL, NULL, status))
-            return false;
-    }
+    VerifyRun *run = owner;
+    const long every = run->settings.output.every;
+    const size_t place = (size_t)((step + every - 1) / every);
+    (void)status;
+    if (place >= run->count)
+        return true; /* the last step, where it is no multiple */
+    references_row(run->refs, step, (double)step * passing->sim->dt, row,
+                   run->rows + place * (size_t)run->n_columns);
     return true;
 }
 
-/* Steps, and after every `every`-th a row. Columns that need the past want a row of every step: those between
- * are overwritten by the next. */
-static bool fill_rows(VerifyRun *run, long every, Status *status)
+/* Its rows, one for each `every`-th step up to its end, which may come before that of its time. */
+static bool fill_rows(VerifyRun *run, Status *status)
 {
-    const long stride = references_memory(run->refs) ? 1 : every, last = (long)(run->count - 1) * every;
-    double *method_row = calloc((size_t)run->sim->n_series, sizeof *method_row);
-    bool sound = method_row || status_fail(status, STATUS_FAILED, "not enough memory");
-    for (long step = 0; sound && step <= last; step += stride) {
-        double *row = run->rows + (size_t)((step + every - 1) / every) * (size_t)run->n_columns;
-        simulation_row(run->sim, method_row);
-        references_row(run->refs, step, (double)step * run->sim->dt, method_row, row);
-        sound = step == last ||
-                verify_steps(&run->settings, run->sim, stride, (double)step / (double)last, status);
-    }
-    free(method_row);
-    return sound;
+    const long every = run->settings.output.every;
+    const Sink sink = {.every = references_memory(run->refs) ? 1 : every, .row = fill_row, .owner = run};
+    run->count = (size_t)(run->passing.last / every) + 1;
+    run->passing.last = (long)(run->count - 1) * every;
+    run->spacing = (double)every * run->passing.sim->dt;
+    run->rows = calloc(run->count * (size_t)run->n_columns, sizeof *run->rows);
+    if (!run->rows)
+        return status_fail(status, STATUS_FAILED, "not enough memory for the rows of a run");
+    references_reset(run->refs);
+    if (!run_start(&run->passing, &sink, status) || !run_to_end(&run->passing, &sink, status))
+        return false;
+    run->count = (size_t)(run->passing.last / every) + 1;
+    return true;
 }
 
 bool verify_run_open(VerifyRun *run, const char *scenario, int threads, Patience patience)
@@ -62,22 +64,16 @@ bool verify_run_open(VerifyRun *run, const char *scenario, int threads, Patience
     if (!verify_settings(scenario, &run->settings, status))
         return false;
     run->settings.patience = patience;
-    run->sim = problem_simulate(&run->settings, threads, status);
-    run->refs = run->sim ? references_create(&run->settings, run->sim, status) : NULL;
+    if (!run_open(&run->passing, &run->settings, problem_simulate(&run->settings, threads, status), status))
+        return false;
+    run->refs = references_create(&run->settings, run->passing.sim, status);
     if (!run->refs)
         return false;
-    const long every = run->settings.output.every;
     run->n_columns = references_columns(run->refs, run->columns);
-    run->count = (size_t)(problem_last_step(run->sim->dt, run->settings.time.end) / every) + 1;
-    run->spacing = (double)every * run->sim->dt;
-    run->rows = calloc(run->count * (size_t)run->n_columns, sizeof *run->rows);
-    if (!run->rows)
-        return status_fail(status, STATUS_FAILED, "not enough memory for the rows of a run");
-    references_reset(run->refs);
-    if (!fill_rows(run, every, status))
+    if (!fill_rows(run, status))
         return false;
     references_readout(run->refs, run->rows, run->count, run->n_columns, &run->readout);
-    run->n_derived = problem_derived(&run->settings, run->sim, run->derived);
+    run->n_derived = problem_derived(&run->settings, run->passing.sim, run->derived);
     return true;
 }
 
@@ -85,7 +81,7 @@ void verify_run_close(VerifyRun *run)
 {
     free(run->rows);
     references_destroy(run->refs);
-    simulation_destroy(run->sim);
+    run_close(&run->passing);
     *run = (VerifyRun){0};
 }
 

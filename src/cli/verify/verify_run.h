@@ -5,6 +5,7 @@
 
 #include "problems/problem.h"
 #include "answers/references.h"
+#include "run/advance.h"
 #include "theory/frequency.h"
 
 enum { VERIFY_STARTS = 21 };
@@ -13,7 +14,7 @@ typedef struct VerifyRun {
     const char *scenario; /* as the row names it; NULL: none was run */
     int threads;
     Settings settings;
-    Simulation *sim; /* at the end of the run */
+    Run passing; /* at its end */
     References *refs;
     Column columns[COLUMNS_MAX];
     int n_columns;
@@ -28,10 +29,6 @@ typedef struct VerifyRun {
     double starts[VERIFY_STARTS]; /* what energy they have left, in order */
     Status failure;               /* why there is no run; code STATUS_DONE: there is */
 } VerifyRun;
-
-/* As simulation_steps(), asking the patience of the settings on the way; `share` of the run is done before.
- */
-bool verify_steps(const Settings *, Simulation *, long steps, double share, Status *);
 
 /* Runs a scenario: its name and KEY=VALUE ... behind, parted by spaces; rows every output.every steps. False:
  * the run's failure says why. The run is closed in any case by verify_run_close(). */
