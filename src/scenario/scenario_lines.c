@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Feeds inih line by line and collects its entries (scenario_lines.h). What is handed over is recorded as
- * expected, so that a line which inih would read otherwise is refused, not misread. */
+/* Reads a scenario line by line: what a line may be is decided here, what a key means is not
+ * (scenario_lines.h). */
 #include "scenario/scenario_lines.h"
 
 #include "base/visible.h"
 #include "scenario/parameters.h"
 
 #include <errno.h>
-#include <ini.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -17,16 +16,12 @@ const char *const scenario_sections[] = {
     "damping",  "time", "output", "question", "duel",  "changes",  "view",     NULL,
 };
 
-/* What is handed to inih next must come back as a key, as more of the value above, or not at all. */
-typedef enum Expected { NOTHING, A_KEY, MORE } Expected;
-
 typedef struct Reader {
     FILE *stream;
     const char *file;
     Status *status;
     Entries *entries;
     bool failed;
-    Expected expected;
     char section[16];
     bool may_continue; /* the last key's value may go on */
 } Reader;
@@ -150,6 +145,43 @@ bool scenario_may_continue(const char *section, const char *name)
     return false;
 }
 
+/* --- entries -------------------------------------------------------------------------------------- */
+
+static bool add_entry(Reader *reader, const char *name, const char *value)
+{
+    Entries *entries = reader->entries;
+    if (entries->count == entries->room) {
+        int room = entries->room ? 2 * entries->room : 32;
+        Entry *all = realloc(entries->all, (size_t)room * sizeof *all);
+        if (!all) {
+            reader->failed = true;
+            return status_fail(reader->status, STATUS_FAILED, "not enough memory for %s", reader->file);
+        }
+        entries->all = all;
+        entries->room = room;
+    }
+    Entry *entry = &entries->all[entries->count++];
+    memset(entry, 0, sizeof *entry);
+    entry->line = entries->lines;
+    snprintf(entry->section, sizeof entry->section, "%s", reader->section);
+    snprintf(entry->name, sizeof entry->name, "%s", name);
+    snprintf(entry->value, sizeof entry->value, "%s", value);
+    return true;
+}
+
+/* Lines of a text are joined by a space, those of a list by nothing. */
+static bool add_more(Reader *reader, const char *text)
+{
+    Entry *entry = &reader->entries->all[reader->entries->count - 1];
+    size_t length = strlen(entry->value);
+    bool list = strcmp(entry->name, "about") != 0;
+    int n = snprintf(entry->value + length, sizeof entry->value - length, "%s%s", list || !length ? "" : " ",
+                     text);
+    if (n < 0 || (size_t)n >= sizeof entry->value - length)
+        return fail_about(reader, entry->name, "is too long (at most 1023 bytes)");
+    return true;
+}
+
 static bool accept_section(Reader *reader, const char *line)
 {
     size_t n = word_length(line + 1);
@@ -189,8 +221,7 @@ static bool accept_key(Reader *reader, const char *line)
         return fail_about(reader, name,
                           "the value begins like a comment (a space before # or ; makes it one)");
     reader->may_continue = scenario_may_continue(reader->section, name);
-    reader->expected = A_KEY;
-    return true;
+    return add_entry(reader, name, equals + 1 + strspn(equals + 1, " "));
 }
 
 static bool accept_indented(Reader *reader, const char *text)
@@ -203,8 +234,7 @@ static bool accept_indented(Reader *reader, const char *text)
     if (!reader->may_continue)
         return fail(reader, "the indented line continues nothing",
                     "only scenario.about, initial.overtones and output.at go on in the next line");
-    reader->expected = MORE;
-    return true;
+    return add_more(reader, text);
 }
 
 static bool accept_line(Reader *reader, const char *line)
@@ -218,81 +248,23 @@ static bool accept_line(Reader *reader, const char *line)
                            : accept_key(reader, line));
 }
 
-/* inih's fgets: gives it lines that mean to inih what they mean to us. */
-static char *next_line(char *out, int size, void *context)
-{
-    Reader *reader = context;
-    char raw[RAW_MAX + 1];
-    if (!reader->failed && reader->expected != NOTHING)
-        fail(reader, "the line cannot be read", "KEY = VALUE");
-    if (reader->failed || !raw_line(reader, raw) || !clean_line(reader, raw))
-        return NULL;
-    note_column(reader->entries, raw);
-    cut_comment(raw);
-    if (!accept_line(reader, raw))
-        return NULL;
-    if (snprintf(out, (size_t)size, "%s\n", raw) >= size) {
-        fail(reader, "the line is too long", "shorter");
-        return NULL;
-    }
-    return out;
-}
-
-/* --- what inih makes of it ------------------------------------------------------------------------ */
-
-static bool add_entry(Reader *reader, const char *name, const char *value)
-{
-    Entries *entries = reader->entries;
-    if (entries->count == entries->room) {
-        int room = entries->room ? 2 * entries->room : 32;
-        Entry *all = realloc(entries->all, (size_t)room * sizeof *all);
-        if (!all) {
-            reader->failed = true;
-            return status_fail(reader->status, STATUS_FAILED, "not enough memory for %s", reader->file);
-        }
-        entries->all = all;
-        entries->room = room;
-    }
-    Entry *entry = &entries->all[entries->count++];
-    memset(entry, 0, sizeof *entry);
-    entry->line = entries->lines;
-    snprintf(entry->section, sizeof entry->section, "%s", reader->section);
-    snprintf(entry->name, sizeof entry->name, "%s", name);
-    snprintf(entry->value, sizeof entry->value, "%s", value);
-    return true;
-}
-
-/* Lines of a text are joined by a space, those of a list by nothing. */
-static bool add_more(Reader *reader, const char *text)
-{
-    Entry *entry = &reader->entries->all[reader->entries->count - 1];
-    size_t length = strlen(entry->value);
-    bool list = strcmp(entry->name, "about") != 0;
-    int n = snprintf(entry->value + length, sizeof entry->value - length, "%s%s", list || !length ? "" : " ",
-                     text);
-    if (n < 0 || (size_t)n >= sizeof entry->value - length)
-        return fail_about(reader, entry->name, "is too long (at most 1023 bytes)");
-    return true;
-}
-
-static int take(void *context, const char *section, const char *name, const char *value)
-{
-    Reader *reader = context;
-    Expected expected = reader->expected;
-    (void)section; /* kept by the reader, which sees empty sections too */
-    reader->expected = NOTHING;
-    return expected == A_KEY ? add_entry(reader, name, value) : expected == MORE && add_more(reader, value);
-}
+/* --- the whole file --------------------------------------------------------------------------------- */
 
 bool entries_read(Entries *entries, FILE *stream, const char *file, Status *status)
 {
     *entries = (Entries){0};
     Reader reader = {.stream = stream, .file = file, .status = status, .entries = entries};
-    int line = ini_parse_stream(next_line, &reader, take, &reader);
+    char raw[RAW_MAX + 1];
+    while (raw_line(&reader, raw)) {
+        if (!clean_line(&reader, raw))
+            return false;
+        note_column(entries, raw);
+        cut_comment(raw);
+        if (!accept_line(&reader, raw))
+            return false;
+    }
     if (reader.failed)
         return false;
-    if (line != 0 || reader.expected != NOTHING)
-        return fail(&reader, "the line cannot be read", "KEY = VALUE");
     if (entries->count == 0)
         return status_fail(status, STATUS_USAGE, "%s:1: holds no scenario (at least [scenario] and a key)",
                            file);

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The lines of a scenario file, before anything is known of their meaning: inih cuts them, and a reader in
- * front of it counts them and refuses what inih would damage silently (indented keys, long lines, NUL bytes,
- * sections without keys, text behind a bracket). */
+/* The lines of a scenario file, before anything is known of their meaning. What a reader of INI files would
+ * silently take for something else (indented keys, long lines, NUL bytes, unknown sections) is refused. */
 #ifndef LAB_SCENARIO_LINES_H
 #define LAB_SCENARIO_LINES_H
 
@@ -11,7 +10,7 @@
 #include <stdio.h>
 
 enum {
-    SCENARIO_LINE_MAX = 190, /* bytes of a line without its comment: inih's own buffer has 200 */
+    SCENARIO_LINE_MAX = 190, /* bytes of a line without its comment */
     SCENARIO_LINES_MAX =
         5000, /* no scenario needs more; a wrong file is refused before it fills the memory */
     SCENARIO_BYTES_MAX = 5000000
