@@ -96,6 +96,7 @@ bool bar_do(Bar *bar, BarOp op, int first, int end, Status *status)
     }
     case OP_FORCE:
         kernels->force(bar, first, end);
+        bar_add_forces(bar, end);
         find_kicks(bar, end);
         return true;
     case OP_INTEGRATE:

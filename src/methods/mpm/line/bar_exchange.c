@@ -17,6 +17,7 @@
 #include "methods/mpm/line/kernels/shape.h"
 
 #include <math.h>
+#include <string.h>
 
 #define TABLE_TO(momentum, momentum_ascii, momentum_note, taken, taken_ascii, taken_note, taken_adds, place, \
                  place_ascii, place_note)                                                                    \
@@ -26,8 +27,7 @@
                            false, momentum,      momentum_ascii, momentum_note},                             \
         [GIVE_F_INT] =                                                                                       \
             {"force", BAR_PARTICLES, BAR_NODES, "f_int", false, "-N′ σ V", "-N' s V", "V = m/rho"},          \
-        [GIVE_F_EXT] = {"force", BAR_PARTICLES, BAR_NODES, "f_ext",                                          \
-                        false,   "N load",      "N load",  "load = m b + t V/h"},                            \
+        [GIVE_F_EXT] = {"force", BAR_PARTICLES, BAR_NODES, "f_ext", false, "N load", "N load", NULL},        \
         [GIVE_MOMENTUM_AGAIN] = {"map_again", BAR_PARTICLES, BAR_NODES,      "momentum",                     \
                                  false,       momentum,      momentum_ascii, momentum_note},                 \
         [TAKE_STRAIN] = {"strain", BAR_NODES, BAR_PARTICLES, "strain_increment",                             \
@@ -54,9 +54,8 @@ static const Exchange series_exchanges[BAR_EXCHANGES] = TABLE_TO(
     "m v N", "m v N", NULL, "N v", "N v", NULL, false, "Δt N w", "dt N w", "w = (v_p before + v_i)/2");
 
 /* Which table: what a transfer and the masses make of eqs. 3, 14 and 15. */
-const Exchange *bar_exchanges(const BarHead *head, int *count)
+static const Exchange *exchanges_of(const BarHead *head)
 {
-    *count = BAR_EXCHANGES;
     const bool blended = head->mass_blend < 1.0;
     return head->transfer == MPM_APIC   ? apic_exchanges
            : head->transfer == MPM_FMPM ? series_exchanges
@@ -64,6 +63,14 @@ const Exchange *bar_exchanges(const BarHead *head, int *count)
            : head->flip_fraction == 0.0 ? pic_exchanges
            : blended                    ? mass_blend_exchanges
                                         : blend_exchanges;
+}
+
+void bar_list_exchanges(Bar *bar)
+{
+    memcpy(bar->exchanges, exchanges_of(bar->head), sizeof bar->exchanges);
+    bar->exchanges[GIVE_F_EXT].note = *bar->force_words.load ? bar->force_words.load : NULL;
+    bar->sim.exchanges = bar->exchanges;
+    bar->sim.n_exchanges = BAR_EXCHANGES;
 }
 
 /* Whether the numbers of an exchange can be had at this point of the step: computed already, not yet
@@ -102,14 +109,6 @@ static double given_velocity(const Bar *bar, int particle, int cell, int a, doub
         return bar->v[slot][k];
     double arm = shape_node_offset(bar->def.shape, bar->n_cells, cell, a) - s;
     return bar->v[slot][k] + bar->affine[slot][k] * (bar->dx * arm);
-}
-
-/* Gravity and the particle's part of the traction, eq. 11. */
-static double load_on(const Bar *bar, int particle, double volume)
-{
-    int side = (particle >= bar->n_particles - bar->layer_right) - (particle < bar->layer_left);
-    return bar_particle_mass(bar, particle) * bar->head->body_force +
-           side * bar->head->traction * volume / bar->layer;
 }
 
 /* With flip_fraction alpha < 1 a particle's new velocity is
@@ -178,7 +177,7 @@ int bar_exchange(const Simulation *sim, int exchange, size_t from, size_t to,
                     bar_force_stress(bar, particle), bar_force_volume(bar, particle));
         FACTORS(3, -dn[a] / bar->dx, bar->stress[slot][k], volume);
     case GIVE_F_EXT:
-        FACTORS(2, n[a], load_on(bar, particle, volume));
+        FACTORS(2, n[a], bar_load_on(bar, particle));
     case TAKE_STRAIN:
         bar_strain_velocities(bar, cell, v);
         if (bar_mistake(bar))

@@ -345,9 +345,9 @@ static void force_particle(const BarSubject *subject)
     calculation_sum(subject->calculation, &pull);
     bar_write_shares(subject, GIVE_F_INT, bar_force_share(bar) > 0 ? "N′ σ V: " : "-N′ σ V: ", 0);
     if (bar_is_loaded(bar)) {
-        double f[EXCHANGE_FACTORS_MAX] = {0};
-        bar_exchange(&bar->sim, GIVE_F_EXT, (size_t)subject->index, subject->links[0].index, f);
-        bar_write_shares(subject, GIVE_F_EXT, "N load: ", f[1]);
+        const double load = bar_load_on(bar, subject->index);
+        bar_write_load(subject, load);
+        bar_write_shares(subject, GIVE_F_EXT, "N load: ", load);
     }
     if (!bar_is_lumped(bar))
         write_system(subject, ROW_OF_ACCELERATION);

@@ -55,7 +55,7 @@ static const Field fields[FIELDS] = {
     [N_VELOCITY] =
         NODE("velocity", "velocity", "length/time", "momentum over mass; 0 where the node is inactive"),
     [N_F_INT] = NODE("f_int", "internal force", "force/length^2", "force of the particles' stress"),
-    [N_F_EXT] = NODE("f_ext", "external force", "force/length^2", "force of body force and traction"),
+    [N_F_EXT] = NODE("f_ext", "external force", "force/length^2", "force of the loads that act"),
     [N_F] = NODE("f", "force", "force/length^2", "whole force; 0 at fixed nodes"),
     [N_ACCELERATION] = FIELD_ROW(BAR_NODES, false, false, "acceleration", "acceleration", "length/time^2",
                                  "force over mass"),
@@ -80,6 +80,8 @@ void bar_list_fields(Bar *bar)
             continue;
         Field *field = &bar->fields[count];
         *field = fields[kind];
+        if (kind == N_F_EXT)
+            field->quantity.meaning = bar->force_words.meaning;
         if ((kind == P_AFFINE && bar->head->transfer == MPM_APIC) || (kind == N_ACCELERATION && !lumped))
             field->in_table = true;
         bar->field_kinds[count++] = kind;

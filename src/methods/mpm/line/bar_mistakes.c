@@ -96,6 +96,7 @@ bool bar_check_mistake(const BarDef *def, Status *status)
                         : def->flip_fraction != 1.0 ? "mpm.flip_fraction = 1"
                         : def->mass_blend != 1.0    ? "mpm.mass_blend = 1"
                         : def->joint > 0.0          ? "bar2.joint = 0"
+                        : def->forces               ? "the forces of [load]"
                                                     : NULL;
     return !other ||
            status_fail(status, STATUS_USAGE, "mpm.mistake: %s is defined for %s only", row->id, other);

@@ -8,8 +8,9 @@
  *
  * USF strains with the velocities that particles begin the step with, USL with those that it has made, MUSL
  * with the latter mapped anew from the particles; gradients are those of the old places in all three. The
- * transfer (FLIP, PIC blend, APIC, FMPM) and the masses (lumped, blended) change what some stages say, so
- * each stage has a row for each. The work of a stage is bar_do.c. */
+ * transfer (FLIP, PIC blend, APIC, FMPM) and the masses (lumped, blended) change what some stages say,
+ * so each stage has a row for each; of the force stage they say what is made of f_int and f_ext, bar_forces.c
+ * says what these are. The work of a stage is bar_do.c. */
 #include "methods/mpm/line/bar_mistakes.h"
 #include "methods/mpm/line/bar_state.h"
 
@@ -43,10 +44,8 @@ static const Stage flip[OP_COUNT] = {
                    .writes = "strain_increment stress strain density"},
     [OP_FORCE] = {.id = "force",
                   .name = "nodal forces",
-                  .equation = "f_int = -Σ N_i′ σ_p m_p/ρ_p    f_ext = Σ N_i m_p b + Σ N_i t m_p/(ρ_p h)\n"
-                              "f_i = f_int + f_ext,   f_i = 0 at fixed nodes",
-                  .ascii = "f_int = -sum N_i' s m/rho    f_ext = sum N_i m b + sum N_i t m/(rho h)\n"
-                           "f_i = f_int + f_ext,   f_i = 0 at fixed nodes",
+                  .equation = "f_i = f_int + f_ext,   f_i = 0 at fixed nodes",
+                  .ascii = "f_i = f_int + f_ext,   f_i = 0 at fixed nodes",
                   .source = "eqs. 10, 11, 12",
                   .sentence = "The stress of the particles pulls at their nodes, one way at the left, "
                               "the other way at the right.",
@@ -142,10 +141,8 @@ static const Stage mass[OP_COUNT] = {
     [OP_STRAIN] = {.equation = "M v = p    Δε = Δt Σ N_i′ v_i    σ ← σ + E Δε    ρ ← ρ/(1 + Δε)",
                    .ascii = "M v = p   de = dt sum N_i' v_i   s <- s + E de   rho <- rho/(1 + de)",
                    .source = "eqs. 5, 7, 8, 9"},
-    [OP_FORCE] = {.equation = "f_int = -Σ N_i′ σ_p m_p/ρ_p    f_ext = Σ N_i m_p b + Σ N_i t m_p/(ρ_p h)\n"
-                              "M a = f,   f_i = f_int + f_ext,   no a_i at fixed nodes",
-                  .ascii = "f_int = -sum N_i' s m/rho    f_ext = sum N_i m b + sum N_i t m/(rho h)\n"
-                           "M a = f,   f_i = f_int + f_ext,   no a_i at fixed nodes",
+    [OP_FORCE] = {.equation = "M a = f,   f_i = f_int + f_ext,   no a_i at fixed nodes",
+                  .ascii = "M a = f,   f_i = f_int + f_ext,   no a_i at fixed nodes",
                   .sentence = "The stress of the particles pulls at their nodes; "
                               "how the nodes yield to it follows for all of them together."},
     [OP_INTEGRATE] =
@@ -185,10 +182,8 @@ static const Stage series[OP_COUNT] = {
                 .reads = "momentum mass"},
     [OP_STRAIN] = {.equation = "v of FMPM(k)    Δε = Δt Σ N_i′ v_i    σ ← σ + E Δε    ρ ← ρ/(1 + Δε)",
                    .ascii = "v of FMPM(k)   de = dt sum N_i' v_i   s <- s + E de   rho <- rho/(1 + de)"},
-    [OP_FORCE] = {.equation = "f_int = -Σ N_i′ σ_p m_p/ρ_p    f_ext = Σ N_i m_p b + Σ N_i t m_p/(ρ_p h)\n"
-                              "a: the series of f_i = f_int + f_ext,   no a_i at fixed nodes",
-                  .ascii = "f_int = -sum N_i' s m/rho    f_ext = sum N_i m b + sum N_i t m/(rho h)\n"
-                           "a: the series of f_i = f_int + f_ext,   no a_i at fixed nodes",
+    [OP_FORCE] = {.equation = "a: the series of f_i = f_int + f_ext,   no a_i at fixed nodes",
+                  .ascii = "a: the series of f_i = f_int + f_ext,   no a_i at fixed nodes",
                   .sentence = "The stress of the particles pulls at their nodes; "
                               "their accelerations follow from the forces as velocities do from momenta."},
     [OP_INTEGRATE] = {.equation = "p_i ← p_i + Δt f_i      v_i ← v_i + Δt a_i: the series of the new p",
@@ -286,6 +281,8 @@ void bar_list_stages(Bar *bar)
     const BarSchedule *schedule = bar_schedule(bar);
     for (int i = 0; i < schedule->count; i++) {
         bar->stages[i] = stage_of(transfer_of(bar), schedule->ops[i]);
+        if (schedule->ops[i] == OP_FORCE)
+            bar_word_forces(bar, &bar->stages[i]);
         if (bar_mistake(bar))
             write_wrongly(&bar->stages[i], bar_mistake(bar), schedule->ops[i]);
     }

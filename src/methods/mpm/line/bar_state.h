@@ -33,6 +33,14 @@ enum {
 
 enum { BAR_PARTICLES, BAR_NODES, BAR_SETS };
 
+enum { BAR_EQUATION_MAX = 400 };
+
+/* What is said of the external forces at work: the force stage's equation, its exchange's note, the field's
+ * meaning. */
+typedef struct BarForceWords {
+    char equation[BAR_EQUATION_MAX], ascii[BAR_EQUATION_MAX], load[120], meaning[160];
+} BarForceWords;
+
 /* The work of a stage. Stage tables are lists of these. */
 typedef enum BarOp {
     OP_MAP,
@@ -45,6 +53,19 @@ typedef enum BarOp {
     OP_FORGET,
     OP_COUNT
 } BarOp;
+
+/* What particles and nodes give each other; the terms of the sums of a step. */
+typedef enum BarExchange {
+    GIVE_MASS,
+    GIVE_MOMENTUM,
+    GIVE_F_INT,
+    GIVE_F_EXT,
+    GIVE_MOMENTUM_AGAIN,
+    TAKE_STRAIN,
+    TAKE_VELOCITY,
+    TAKE_PLACE,
+    BAR_EXCHANGES
+} BarExchange;
 
 /* The stages of an algorithm. */
 typedef struct BarSchedule {
@@ -89,6 +110,8 @@ struct Bar {
     const BarKernels *kernels;
     Stage stages[OP_COUNT];
     Set sets[BAR_SETS];
+    BarForceWords force_words;
+    Exchange exchanges[BAR_EXCHANGES];
     Field fields[BAR_FIELDS]; /* those that there are at present, and which each of them is */
     int field_kinds[BAR_FIELDS];
     Quantity series[BAR_SERIES]; /* those that are not left out, and which each of them is */
@@ -214,7 +237,7 @@ static inline double bar_half(const Bar *bar, int particle)
 /* Whether a load acts: only then are there external forces. */
 static inline bool bar_is_loaded(const Bar *bar)
 {
-    return bar->head->body_force != 0.0 || bar->head->traction != 0.0;
+    return bar->head->body_force != 0.0 || bar->head->traction != 0.0 || bar->def.forces;
 }
 
 /* Whether a node's velocity is its own momentum over its own mass; else it is one of M v = p, or FMPM's. */
@@ -281,6 +304,16 @@ double bar_mass_between(const Bar *bar, int i, int j);
 /* The cell in which a particle is (during a step: in which it began it). */
 int bar_cell_of(const Bar *bar, int particle);
 
+/* The terms of the external force that are at work; what they are together on a particle. */
+int bar_forces(const Bar *bar, const BarForce *out[BAR_FORCES_MAX]);
+double bar_load_on(const Bar *bar, int particle);
+
+/* Adds those of the definition to f_ext at the end of the stage, whose slice ends at cell `end`. */
+void bar_add_forces(Bar *bar, int end);
+
+/* Words the force stage, whose equation is what it makes of f_int and f_ext. */
+void bar_word_forces(Bar *bar, Stage *stage);
+
 /* bar_fields.c, bar_exchange.c, bar_explain.c: what front ends read. The fields there are depend on live
  * parameters. */
 void bar_list_fields(Bar *bar);
@@ -288,20 +321,9 @@ extern const Quantity bar_series[BAR_SERIES]; /* all that there may be, in the o
 void bar_field(const Simulation *sim, int field, size_t first, size_t count, double *out);
 size_t bar_links(const Simulation *sim, int set, size_t index, Link *out, size_t max);
 size_t bar_shapes(const Simulation *sim, const double *at, Link *out, size_t max);
-typedef enum BarExchange {
-    GIVE_MASS,
-    GIVE_MOMENTUM,
-    GIVE_F_INT,
-    GIVE_F_EXT,
-    GIVE_MOMENTUM_AGAIN,
-    TAKE_STRAIN,
-    TAKE_VELOCITY,
-    TAKE_PLACE,
-    BAR_EXCHANGES
-} BarExchange;
 int bar_exchange(const Simulation *sim, int exchange, size_t from, size_t to,
                  double factors[EXCHANGE_FACTORS_MAX]);
-const Exchange *bar_exchanges(const BarHead *head, int *count);
+void bar_list_exchanges(Bar *bar);
 void bar_explain(const Simulation *sim, int stage, int set, size_t index, const void *before, int terms,
                  char *out, size_t size);
 

@@ -3,6 +3,8 @@
  * are exactly 0 by their shape function are left out. */
 #include "methods/mpm/line/bar_sums.h"
 
+#include "base/text.h"
+
 BarLabel bar_label(const char *before, int node, const char *after)
 {
     BarLabel label;
@@ -57,6 +59,19 @@ void bar_write_shares(const BarSubject *subject, BarExchange exchange, const cha
         if (n > 0)
             calculation_add(&sum, 1, f[0] * f[1] * (n == 3 ? f[2] : 1), 0, 0)->to = (long)node;
     }
+    calculation_sum(subject->calculation, &sum);
+}
+
+void bar_write_load(const BarSubject *subject, double load)
+{
+    const BarForce *forces[BAR_FORCES_MAX];
+    const int count = bar_forces(subject->bar, forces);
+    char label[sizeof subject->bar->force_words.load + 4] = "";
+    text_append(label, sizeof label, "%s = ", subject->bar->force_words.load);
+    CalculationSum sum = {.label = label, .result = load};
+    for (int i = 0; i < count; i++)
+        calculation_add(&sum, 1,
+                        forces[i]->on(&subject->bar->sim, (size_t)subject->index, forces[i]->context), 0, 0);
     calculation_sum(subject->calculation, &sum);
 }
 

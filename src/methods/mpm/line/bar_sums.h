@@ -31,6 +31,9 @@ double bar_add_terms(const BarSubject *, BarExchange, CalculationSum *);
 /* "m v N: 0.1 to 12 + 0.3 to 13 = 0.4": how a quantity of the chosen particle is divided among its nodes. */
 void bar_write_shares(const BarSubject *, BarExchange, const char *label, double whole);
 
+/* "load = m b + t V/h = 0.1 + 0.2 = 0.3": what acts on the chosen particle from outside, term by term. */
+void bar_write_load(const BarSubject *, double load);
+
 /* "v13 = p/m = 0.2 / 0.5 = 0.4": a quantity over the mass of the chosen node. */
 void bar_write_ratio(const BarSubject *, const char *label, double above, double result);
 

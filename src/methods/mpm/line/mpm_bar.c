@@ -113,12 +113,12 @@ static void destroy(Simulation *sim)
     free(bar);
 }
 
-/* What front ends read depends on algorithm and transfer, which may change between steps. */
+/* What front ends read depends on algorithm, transfer and loads, which may change between steps. */
 static void take_schedule(Bar *bar)
 {
     bar_list_stages(bar);
     bar_list_fields(bar);
-    bar->sim.exchanges = bar_exchanges(bar->head, &bar->sim.n_exchanges);
+    bar_list_exchanges(bar);
 }
 
 /* Between steps the grid is forgotten and is not saved. */
@@ -255,6 +255,7 @@ static bool change(Simulation *sim, const char *key, double value, Status *statu
     if (!isfinite(value))
         return status_fail(status, STATUS_USAGE, "%s: %g is no finite number", key, value);
     *load = value;
+    take_schedule(bar);
     return true;
 }
 
