@@ -333,7 +333,9 @@ static int add_keys(const Duel *duel, Comparison *rows)
         *row = (Comparison){.kind = COLUMN_MEASURED};
         snprintf(row->label, sizeof row->label, "%s", parameter ? parameter->label : key);
         for (int run = 0; run < 2; run++) {
-            if (parameter)
+            if (parameter && !parameter_applies_to(settings[run], parameter))
+                strcpy(value, "-"); /* its method has no such thing */
+            else if (parameter)
                 settings_show(settings[run], parameter, value);
             else
                 settings_row_key_show(settings[run], key, value);

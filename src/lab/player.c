@@ -114,6 +114,7 @@ void player_stop_at(Laboratory *lab, const Stop *stop)
 {
     lab->player.stop = *stop;
     stop_words(stop, lab->screen.playback.until);
+    lab->screen.playback.until_step = lab->screen.experiment ? stop_step(stop, lab->screen.experiment) : -1;
 }
 
 void player_loop(Laboratory *lab, const Stretch *loop)

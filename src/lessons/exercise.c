@@ -65,7 +65,7 @@ double exercise_at_start(const Exercise *exercise, const ExpressionRun *end)
     return expression_value(sum, &(ExpressionRun){end->settings, &start}, end);
 }
 
-bool exercise_read_number(const char *text, double *number)
+static bool read_plain(const char *text, double *number)
 {
     char copy[ANSWER_MAX];
     if (strlen(text) >= sizeof copy)
@@ -77,6 +77,24 @@ bool exercise_read_number(const char *text, double *number)
     if (comma && !strchr(copy, '.'))
         *comma = '.';
     return text_to_double(copy, number);
+}
+
+bool exercise_read_number(const char *text, double *number)
+{
+    const char *slash = strchr(text, '/');
+    char above[ANSWER_MAX];
+    double below;
+    if (!slash)
+        return read_plain(text, number);
+    if ((size_t)(slash - text) >= sizeof above)
+        return false;
+    snprintf(above, sizeof above, "%.*s", (int)(slash - text), text);
+    for (slash++; *slash == ' ';)
+        slash++;
+    if (!read_plain(above, number) || !read_plain(slash, &below) || below == 0)
+        return false;
+    *number /= below;
+    return isfinite(*number);
 }
 
 void exercise_write_number(double number, char out[NUMBER_TEXT_MAX])

@@ -39,7 +39,7 @@ bool exercise_accepts(const Exercise *, double right, double given);
  * known. `end` is what the run came to at its end. */
 double exercise_at_start(const Exercise *, const ExpressionRun *end);
 
-/* A number as a student writes it: "1.5", "1,5", "1.5 %". */
+/* A number as a student writes it: "1.5", "1,5", "1.5 %", "100/17". */
 bool exercise_read_number(const char *text, double *number);
 
 /* A right answer as it is told; "": it is not known. */

@@ -158,13 +158,14 @@ static void keep_sentences(char *text, int width, int rows)
     }
 }
 
-/* " 4200 steps/s, about 9 s left ": known after the first frames, for pace and machine as they are. In brief
- * the time alone. */
+/* " 4200 steps/s, about 9 s left ": known after the first frames, for pace and machine as they are, up to
+ * where it stops. In brief the time alone. */
 static void rate_text(const Screen *screen, bool brief, char *out, size_t size)
 {
     const Experiment *experiment = screen->experiment;
     const double rate = screen->playback.rate * FRAMES_PER_SECOND;
-    const long left = experiment_last_step(experiment) - experiment_step(experiment);
+    const long last = experiment_last_step(experiment), stop = screen->playback.until_step;
+    const long left = (stop >= 0 && stop < last ? stop : last) - experiment_step(experiment);
     out[0] = '\0';
     if (screen->playback.state != STATE_RUNNING || !(rate > 0) || left < 1)
         return;

@@ -110,8 +110,7 @@ static void write_all(Pen *pen, const Screen *screen)
         write_list(pen, screen);
 }
 
-/* What is to be done to go on. */
-static void footer_text(const Screen *screen, char *out, size_t size)
+void pane_lesson_footer(const Screen *screen, char *out, size_t size)
 {
     const LessonShown *shown = &screen->lesson;
     const LessonPage *page = shown->lesson ? &shown->lesson->pages[shown->page] : NULL;
@@ -214,10 +213,10 @@ void pane_lesson(const Screen *screen, Area area)
     draw_heading(screen, area);
     Pen pen = {.area = area_part(area, 0, 1, area.rect.width, rows), .y = -pane_lesson_above(screen, area)};
     write_all(&pen, screen);
-    footer_text(screen, footer, sizeof footer);
+    pane_lesson_footer(screen, footer, sizeof footer);
     const int last = area.rect.height - 1, end = area.rect.width - 1;
     const int used = area_text(area, 1, last, footer, STYLE_KEY) + 2;
-    static const char *const more[] = {"more below", "more", "↓"};
+    static const char *const more[] = {"↓ more below", "↓ more", "↓"};
     for (size_t i = 0; pen.end > rows && i < sizeof more / sizeof *more; i++)
         if (used + glyphs_columns(more[i]) < end) {
             area_text_right(area, end, last, more[i], STYLE_FAINT);

@@ -43,6 +43,8 @@ void pane_parameters(const Screen *, Area);
 int pane_parameters_first(const ParametersShown *shown, int count,
                           int room); /* row at the top of so much room */
 void pane_lesson(const Screen *, Area);
+/* What is to be done to go on: "Space runs to t 5". */
+void pane_lesson_footer(const Screen *, char *out, size_t size);
 int pane_lesson_rows(const Screen *, int width); /* that all of it needs, heading and footer too */
 int pane_lesson_above(const Screen *, Area);     /* lines that lie above what is shown */
 void pane_timeline(const Screen *, Area);

@@ -163,6 +163,7 @@ typedef struct Playback {
     bool slow;                  /* STATE_PAUSED, but stage follows stage by itself */
     bool looping;               /* running comes back at the end of a stretch of time */
     char until[STOP_WORDS_MAX]; /* what it stops at; "": nothing */
+    long until_step;            /* where that is; -1: not known */
     double work_share;          /* STATE_COMPUTING: share done */
     bool goes_on;               /* STATE_COMPUTING: once that is done the run goes on */
 } Playback;

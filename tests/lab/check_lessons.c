@@ -67,7 +67,7 @@ static const struct {
     {"@title x\n@page y\n@title z\n", "my.lesson:3: @title belongs before the first page"},
     {"@titel x\n",
      "my.lesson:1: @titel is not known (@title | @about | @page | @do | @field | @ask | @choice | "
-     "@right | @reveal | @until | @variant | @answer | @words | @goal | @solve)"},
+     "@right | @reveal | @until | @variant | @answer | @words | @goal | @solve | @points)"},
     {"@title x\n@page y\n@field mesh.size\n", "my.lesson:3: mesh.size is no parameter (see: matvib params)"},
     {"@title x\n@page y\n@until then\n", "my.lesson:3: until what? (step N | time T | stage N | end | "
                                          "crossing | break | event | rest | command NAME "

@@ -46,7 +46,7 @@ void command_quit(Laboratory *lab)
 {
     if (command_close_top(lab))
         return;
-    if (!lab->editing.changed) {
+    if (!lab->editing.changed || lab->screen.lesson.lesson) {
         lab->closed = true;
         return;
     }

@@ -180,13 +180,32 @@ void lesson_entry_choose_pace(Laboratory *lab)
         screen->playback.pace = fmin(screen->playback.pace, EVENT_PACE);
 }
 
+/* A page that waits for nothing goes on to where the next one begins in the same run. */
+static Stop next_begin(const Laboratory *lab)
+{
+    const LessonShown *shown = &lab->screen.lesson;
+    Stop stop = {.kind = STOP_NEVER};
+    if (shown->page + 1 >= shown->lesson->n_pages || lesson_entry_page(lab)->exercise)
+        return stop;
+    const LessonPart *next = &shown->lesson->pages[shown->page + 1].first;
+    for (int i = 0; i < next->n_actions && !lesson_opening(next->actions[i]); i++) {
+        const LineMeaning line = line_meaning(next->actions[i]);
+        double time;
+        char more;
+        if (strncmp(next->actions[i], "goto ", 5) == 0 && sscanf(line.words, "%lf %c", &time, &more) == 1 &&
+            time > experiment_time(lab->screen.experiment))
+            return (Stop){.kind = STOP_AT_TIME, .time = time};
+    }
+    return stop;
+}
+
 /* Where the page begins its reader's part: from here a goal is run to. */
 static void arrive(Laboratory *lab)
 {
     LessonPlay *play = &lab->play;
     Screen *screen = &lab->screen;
     const LessonUntil *until = &lesson_entry_page(lab)->until;
-    const Stop stop = goal_stop(lab, until);
+    const Stop stop = until->kind == UNTIL_NOTHING ? next_begin(lab) : goal_stop(lab, until);
     play->arriving = false;
     play->step = experiment_step(screen->experiment);
     play->stage = experiment_stage(screen->experiment);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Lessons: pages beside the run, and what the laboratory does when one is opened. */
 #include "lab/laboratory.h"
+#include "panes/panes.h"
 #include "lab/prompt/line.h"
 #include "lab/lesson/lesson_exercise.h"
 #include "lab/lesson/lesson_progress.h"
@@ -53,6 +54,7 @@ void lesson_play_close(Laboratory *lab)
         lesson_progress_write(lab->play.asker, lab->screen.lesson.reached);
     forget_lesson(lab);
     lab->screen.lesson.open = false;
+    lab->editing.changed = false; /* what was tried beside a page is nobody's work */
 }
 
 void lesson_play_toggle(Laboratory *lab)
@@ -109,9 +111,16 @@ static void turn_page(Laboratory *lab, int direction, bool unasked)
     const LessonPage *page = lesson_entry_page(lab);
     const bool open_question = page->question && shown->answer < 0;
     if (direction > 0 && !unasked && (open_question || !shown->met) && !lab->play.warned) {
+        char wanted[160];
         lab->play.warned = true; /* pressed again, the key leaves the page out */
-        laboratory_say(lab, MESSAGE_INFO, "%s; n goes on anyway",
-                       open_question ? "the question waits for an answer" : "this page waits for something");
+        pane_lesson_footer(&lab->screen, wanted, sizeof wanted);
+        if (shown->counts && lesson_exercise(page) != EXERCISE_NONE)
+            laboratory_say(lab, MESSAGE_INFO,
+                           "this exercise has no mark yet; n goes on anyway, b comes back");
+        else if (open_question)
+            laboratory_say(lab, MESSAGE_INFO, "the question waits for an answer; n goes on anyway");
+        else
+            laboratory_say(lab, MESSAGE_INFO, "this page waits: %s; n goes on anyway", wanted);
     } else if (shown->page + direction < 0) {
         laboratory_say(lab, MESSAGE_INFO, "this is the first page");
     } else if (shown->page + direction == shown->lesson->n_pages) {

@@ -31,14 +31,14 @@ static void supported_lines(const Screen *screen, int width, char first[160], ch
     if (readout->measured_known) {
         snprintf(first, 160, "T %s%.4f ms", narrow ? "" : "measured ", readout->measured / 1e-3);
         if (screen_shows_exact(screen)) {
-            text_append(first, 160, "  Euler %+.2f %%", percent(readout->measured / euler));
-            snprintf(theory, sizeof theory, "Timoshenko %+.2f %%", percent(readout->measured / timoshenko));
+            text_append(first, 160, "  Timoshenko %+.2f %%", percent(readout->measured / timoshenko));
+            snprintf(theory, sizeof theory, "Euler %+.2f %%", percent(readout->measured / euler));
         }
     } else {
         snprintf(first, 160, "T measuring");
         if (screen_shows_exact(screen)) {
-            text_append(first, 160, "  Euler %.4f ms", euler / 1e-3);
-            snprintf(theory, sizeof theory, "Timoshenko %.4f ms", timoshenko / 1e-3);
+            text_append(first, 160, "  Timoshenko %.4f ms", timoshenko / 1e-3);
+            snprintf(theory, sizeof theory, "Euler %.4f ms", euler / 1e-3);
         }
     }
     if (theory[0] && glyphs_columns(first) + 2 + glyphs_columns(theory) <= width)
