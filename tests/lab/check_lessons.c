@@ -2,6 +2,7 @@
 /* Lessons: their files are read, and every page of the program's own does what it says and fits the screen.
  */
 #include "suite.h"
+#include "lab/lesson_numbers.h"
 #include "lab/tui_case.h"
 #include "lab/prompt/line.h"
 
@@ -379,9 +380,11 @@ START_TEST(every_page_is_entered_in_one_state)
     char *pages[LESSON_PAGES_MAX];
     for (int page = 0; page < count; page++) {
         ck_assert_int_eq(shown->page, page);
+        SeenNumbers seen = {.count = 0};
         check_small_page(bench);
         pages[page] = entered(bench);
         check_page(bench, name);
+        lesson_numbers_see(bench, &seen);
         const LessonPage *now = page_of(bench);
         ck_assert_msg(now->until.kind == UNTIL_NOTHING || !shown->met,
                       "%s, page %d waits for what is so already", name, page + 1);
@@ -394,12 +397,15 @@ START_TEST(every_page_is_entered_in_one_state)
             ck_assert_msg(shown->answer == (now->n_choices > 0 ? now->right : 0), "%s, page %d: %s", name,
                           page + 1, shown->verdict);
             check_page(bench, name);
+            lesson_numbers_see(bench, &seen);
         }
         satisfy(bench, &now->until);
         if (now->until.kind == UNTIL_VALUE)
             check_whole_run(bench, name);
         ck_assert_msg(shown->met, "%s, page %d waits for ever", name, page + 1);
         check_page(bench, name);
+        lesson_numbers_see(bench, &seen);
+        lesson_numbers_check(bench, name, &seen);
         check_small_answer(bench, count);
         if (page + 1 < count)
             press(bench, now->n_fields > 0 && now->until.kind == UNTIL_NOTHING ? "n" : "Enter");
