@@ -128,6 +128,7 @@ BeamDef beam_definition(const Settings *settings, int threads)
                              (settings->time.rest && settings->damping.rate == 0),
         .to_rest = settings->time.rest,
         .changes_until = settings->n_changes > 0 ? settings->changes[settings->n_changes - 1].step : 0,
+        .mistake = settings->lattice.mistake,
         .dt = settings->time.step,
         .end = settings->time.end,
         .threads = threads,

@@ -176,6 +176,18 @@ START_TEST(sums_of_a_beam_add_up)
 }
 END_TEST
 
+START_TEST(sums_of_a_wrong_beam_add_up)
+{
+    const char *keys[] = {"pd.mistake", beam_mistake_words[_i + 1], NULL};
+    Experiment *experiment = experiment_with("supported-beam-coarse", keys, 3);
+    Tally tally = {0};
+    expect_all_sums(experiment, 37, &tally);
+    ck_assert_int_gt(tally.sums, 200);
+    ck_assert_int_gt(tally.fields, 150);
+    experiment_destroy(experiment);
+}
+END_TEST
+
 START_TEST(a_wrong_sum_is_seen)
 {
     PrintedSum sum;
@@ -452,6 +464,7 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(sums, sums_of_a_bar_add_up, 0, BAR_VARIANTS);
     tcase_add_loop_test(sums, sums_of_a_wrong_bar_add_up, 0, 24);
     tcase_add_loop_test(sums, sums_of_a_beam_add_up, 0, 3);
+    tcase_add_loop_test(sums, sums_of_a_wrong_beam_add_up, 0, 11);
     tcase_add_loop_test(sums, columns_of_the_inspector_add_up, 0, 12);
     tcase_add_loop_test(sums, forces_of_bonds_add_up, 0, 2);
     tcase_add_loop_test(sums, no_box_is_cut, 0, sizeof everything / sizeof *everything);

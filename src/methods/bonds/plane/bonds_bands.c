@@ -7,7 +7,7 @@
  * each band has a halo: `reach` rows that collect what it gives to rows above it. When all bands are done the
  * halos are added to the rows, always in the order of the bands: the bits do not depend on the number of
  * threads. */
-#include "methods/bonds/plane/bonds_internal.h"
+#include "methods/bonds/plane/bonds_mistakes.h"
 
 #include <string.h>
 
@@ -54,7 +54,11 @@ void beam_bonds_of_row(Beam *beam, int j, BondLog *log, bool with_energy)
         fx[q] = inside ? beam->nodes.fx + at : halo_row(beam, band, 0, j + q - end);
         fy[q] = inside ? beam->nodes.fy + at : halo_row(beam, band, 1, j + q - end);
     }
-    beam->kernels->forces(&beam->system, j, fx, fy, log, with_energy ? &beam->row_energy[j] : NULL);
+    double *energy = with_energy ? &beam->row_energy[j] : NULL;
+    if (bonds_mistake(beam))
+        bonds_forces_of_row(beam, j, fx, fy, log, energy);
+    else
+        beam->kernels->forces(&beam->system, j, fx, fy, log, energy);
 }
 
 /* Row j receives from every band below it whose halo reaches it: those that end at most `reach` rows below j.

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Is a definition sound? Each line names the key as in a scenario file, what is wrong and what is allowed. */
-#include "methods/bonds/plane/bonds_internal.h"
+#include "methods/bonds/plane/bonds_mistakes.h"
 
 #include "methods/bonds/plane/plate/cuts.h"
 #include "methods/bonds/plane/plate/plate_check.h"
@@ -141,7 +141,7 @@ bool beam_check(const BeamDef *def, Status *status)
         [BEAM_PLATE] = NULL, /* what it has is looked at on its lattice */
     };
     Lattice measured;
-    return check_bounds(def, status) && check_lattice(def, status) &&
+    return check_bounds(def, status) && check_lattice(def, status) && bonds_check_mistake(def, status) &&
            (!of_problem[def->problem] || of_problem[def->problem](def, status)) &&
            (def->dt == 0 || beam_check_damping(def->damping, def->dt, status)) &&
            lattice_measure(&measured, def, status) &&

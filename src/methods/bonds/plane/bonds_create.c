@@ -2,7 +2,7 @@
 /* A beam from its definition: lattice and bonds (the model), memory, state at t = 0, critical time step, and
  * the table of functions through which a driver runs it (method.h). Long work calls BeamDef.patience and may
  * be stopped by it; on any failure nothing is left allocated. */
-#include "methods/bonds/plane/bonds_internal.h"
+#include "methods/bonds/plane/bonds_mistakes.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -185,6 +185,7 @@ static bool allocate(Beam *beam, Status *status)
     beam->head->load_stress = beam->def.load_stress;
     beam->head->critical_stretch = beam->def.critical_stretch;
     beam->head->body_force = beam->def.body_force;
+    beam->head->mistake = beam->def.mistake;
     beam->head->first_break = beam->head->twentieth_break = beam->head->arrival = -1;
     if (beam->def.threads > 1) {
         beam->pool = pool_create(beam->def.threads, status);
@@ -198,7 +199,15 @@ static bool allocate(Beam *beam, Status *status)
 static bool set_time_step(Beam *beam, Status *status)
 {
     double critical;
-    if (!beam_critical_step(beam, &critical, status))
+    if (beam->def.mistake != 0) { /* a wrong code is run with the step of the right one */
+        BeamDef right = beam->def;
+        right.mistake = 0;
+        Simulation *sim = beam_create(&right, status);
+        if (!sim)
+            return false;
+        critical = ((const Beam *)sim)->facts.critical_step;
+        destroy(sim);
+    } else if (!beam_critical_step(beam, &critical, status))
         return false;
     beam->facts.critical_step = critical;
     beam->sim.dt = beam->def.dt > 0 ? beam->def.dt : critical / 2;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The stages as people read them, and the sum of the stage just done with its numbers. */
-#include "methods/bonds/plane/bonds_internal.h"
+#include "methods/bonds/plane/bonds_mistakes.h"
 #include "methods/bonds/plane/verlet.h"
 #include "methods/calculation.h"
 
@@ -90,6 +90,14 @@ void beam_set_stages(Beam *beam)
         body_force->sentence = "The weight, where there is one, pulls at every node alike.";
         body_force->reads = "fy";
     }
+    const BondsMistake *mistake = bonds_mistake(beam);
+    for (int k = 0; mistake && k < MISTAKE_LINES && mistake->lines[k].equation; k++) {
+        Stage *stage = &beam->stages[mistake->lines[k].stage];
+        stage->equation = mistake->lines[k].equation;
+        stage->ascii = mistake->lines[k].ascii;
+        stage->source = mistake->id;
+        stage->sentence = mistake->sentence;
+    }
     beam->sim.stages = beam->stages;
     beam->sim.n_stages = N_STAGES;
 }
@@ -162,7 +170,10 @@ static void explain_kick(const Beam *beam, Calculation *calculation, bool second
                          const NodeNow *was)
 {
     const double factor = beam->sim.dt / (2 * beam->def.density);
-    if (was && beam->damping > 0) {
+    const BondsMistake *mistake = bonds_mistake(beam);
+    if (mistake && mistake->stages[second ? STAGE_SECOND_KICK : STAGE_HALF_KICK]) {
+        write_pair(calculation, "vx, vy stay ", now->vx, now->vy, "m/s");
+    } else if (was && beam->damping > 0) {
         explain_damped(beam, calculation, second, now, was);
     } else if (was) {
         write_change(calculation, "vx = vx + Δt/(2ρ) fx = ", was->vx, factor, was->fx, now->vx, "m/s");
@@ -175,9 +186,15 @@ static void explain_kick(const Beam *beam, Calculation *calculation, bool second
 /* Eq. 10: u = u + dt v. */
 static void explain_drift(const Beam *beam, Calculation *calculation, const NodeNow *now, const NodeNow *was)
 {
+    const BondsMistake *mistake = bonds_mistake(beam);
+    const double kick = beam->sim.dt / beam->def.density;
     if (was) {
         write_change(calculation, "ux = ux + Δt vx = ", was->ux, beam->sim.dt, was->vx, now->ux, "m");
         write_change(calculation, "uy = uy + Δt vy = ", was->uy, beam->sim.dt, was->vy, now->uy, "m");
+        if (mistake && mistake->stages[STAGE_DRIFT]) {
+            write_change(calculation, "vx = vx + Δt/ρ fx = ", was->vx, kick, was->fx, now->vx, "m/s");
+            write_change(calculation, "vy = vy + Δt/ρ fy = ", was->vy, kick, was->fy, now->vy, "m/s");
+        }
     } else {
         write_pair(calculation, "ux, uy = ", now->ux, now->uy, "m");
     }
@@ -242,12 +259,7 @@ static void explain_bonds(const Beam *beam, Calculation *calculation, size_t ind
     size_t n = beam_family(beam, (int)(index % nx), (int)(index / nx), family);
     CalculationSum sums[2] = {{.label = "fx = ", .unit = "N/m³"}, {.label = "fy = ", .unit = "N/m³"}};
     for (size_t k = 0; k < n; k++) {
-        bonds[k] = beam_bond(beam, family[k]);
-        if (bonds[k].a != index) { /* seen from this end */
-            bonds[k].direction_x = -bonds[k].direction_x;
-            bonds[k].direction_y = -bonds[k].direction_y;
-            bonds[k].b = bonds[k].a;
-        }
+        bonds[k] = bonds_seen_from(beam, family[k], index);
     }
     qsort(bonds, n, sizeof *bonds, by_pull);
     write_lost(beam, calculation, family, n);

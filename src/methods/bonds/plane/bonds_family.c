@@ -7,7 +7,7 @@
  *
  * A broken bond has the coefficient c G w V = 0, so its pull and energy are 0. */
 #include "base/assertion.h"
-#include "methods/bonds/plane/bonds_internal.h"
+#include "methods/bonds/plane/bonds_mistakes.h"
 
 #include <math.h>
 
@@ -56,9 +56,9 @@ size_t beam_family(const Beam *beam, int i, int j, BondPlace *out)
 /* A bond as one of its ends sees it. */
 static Link link_from(const Beam *beam, BondPlace place, size_t end)
 {
-    const BondNow bond = beam_bond(beam, place);
+    const BondNow bond = bonds_seen_from(beam, place, end);
     return (Link){.set = SET_PARTICLE,
-                  .index = bond.a == end ? bond.b : bond.a,
+                  .index = bond.b,
                   .stretch = bond.stretch,
                   .pull = bond.pull * beam_volume(beam),
                   .broken = bond.broken,

@@ -36,6 +36,7 @@ typedef struct StateHead {
     double kinetic_left;                  /* the newest of these over it */
     long moved;                           /* the last step that was looked at and was not at rest */
     bool rested;                          /* the motion has come to rest */
+    int mistake;                          /* 0: none; a live parameter */
     double crack_length;                  /* of the path, as long as it ever was, m */
     long broken;                          /* bonds that broke in the run; the notch's are not among them */
     long near_tip;                        /* of these with their middle within 2 delta of the notch's end */
@@ -193,6 +194,7 @@ void beam_look_for_rest(Beam *beam, long step);
 /* beam_step.c */
 bool beam_stage(Simulation *sim, int stage, size_t first, size_t end, Status *status);
 bool beam_steps(Simulation *sim, long count, double *rows, long *done, Status *status);
+void beam_constrain_velocity(Beam *beam, int j, double time); /* of what is held then */
 
 /* plate/beam_loads.c: what loads and moving supports do to row j. */
 void beam_load_force(const Beam *beam, const Load *, double time, double force[2]); /* on a node, N/m^3 */

@@ -52,12 +52,21 @@ typedef struct BeamDef {
     bool to_rest;           /* the run is over when the motion is ... */
     long changes_until;     /* ... and this many steps are done: Method.change is to be called till then */
 
+    int mistake; /* what a wrong code does instead: an index of beam_mistake_words; 0: none */
+
     double dt;   /* s; 0: half the critical time step */
     double end;  /* s: the channel must hold the beam until then; moving cantilever */
     int threads; /* at least 1 */
 
     Patience patience; /* asked while the beam is being built, with share 0 first */
 } BeamDef;
+
+/* The mistakes that such codes make, "none" first, ended by NULL; each at its index. They are defined for
+ * whole bonds of one stiffness without damping. Those of the start, the family or a factor cannot come or go
+ * in mid-run. */
+extern const char *const beam_mistake_words[];
+bool beam_mistake_is_of_start(int mistake);
+const char *beam_mistake_sentence(int mistake); /* what is done, in one sentence; NULL: no mistake */
 
 /* The defaults of the problem, as in the manual page on scenario files. */
 BeamDef beam_default(BeamProblem problem);
@@ -85,7 +94,7 @@ int beam_outer_cut(const BeamDef *definition);
  * Series: u_probe v_probe, of a plate also ux_probe vx_probe; length (moving) or crack_x crack_y crack_length
  * (notched); kinetic strain work dissipated total broken_bonds; damped where damping is at work. total =
  * kinetic + strain + dissipated + damped; less the work it keeps its value. broken_bonds leaves out the
- * notch's. Live parameters: load.stress, load.body_force, pd.critical_stretch.
+ * notch's. Live parameters: load.stress, load.body_force, pd.critical_stretch, pd.mistake.
  *
  * The crack as the paper speaks of it (first break, tip, angle, arrival): methods/bonds/cracks/crack.h.
  */
@@ -105,6 +114,9 @@ typedef struct BeamFacts {
 } BeamFacts;
 
 void beam_facts(const Simulation *beam, BeamFacts *facts);
+
+/* Whether whole steps go bands of rows at a time; what a wrong code does is done stage by stage. */
+bool beam_goes_fast(const Simulation *beam);
 
 /* What holds and what loads its nodes, with the pressure of now; returns how many there are. The channel of a
  * moving cantilever is not among them. */

@@ -3,7 +3,7 @@
  * (eqs. 12, 13), loads, what is protected, probe, and the shape at t = 0 (eqs. 15 to 18). Places are compared
  * with a tolerance of 1e-6 dx where nodes or bonds lie exactly on a limit, so that rounding does not decide.
  * An error names the key. */
-#include "methods/bonds/plane/bonds_internal.h"
+#include "methods/bonds/plane/bonds_mistakes.h"
 
 #include "base/math/functions.h"
 #include "methods/bonds/plane/plate/cuts.h"
@@ -261,16 +261,17 @@ static void bend_cantilever(const Beam *beam, double x, double y, double u[2])
     u[1] = U * (cosh_x - cos_x - ratio * (sinh_x - sin_x));
 }
 
-/* The nodes of a patch get a velocity and begin where they belong, in the components that are given. */
-static void move_patch(Beam *beam, Patch patch, bool x, bool y, double vx, double vy)
+/* The nodes of a patch get a velocity and begin where they belong, in the components that are given; or
+ * `bent`, where they are. */
+static void move_patch(Beam *beam, Patch patch, bool x, bool y, double vx, double vy, bool bent)
 {
     for (int j = patch.j; j < patch.j + patch.rows; j++)
         for (int i = patch.i; i < patch.i + patch.columns; i++) {
             const size_t at = lattice_at(&beam->lattice, i, j);
             if (x)
-                beam->nodes.ux[at] = 0, beam->nodes.vx[at] = vx;
+                beam->nodes.ux[at] *= bent, beam->nodes.vx[at] = vx;
             if (y)
-                beam->nodes.uy[at] = 0, beam->nodes.vy[at] = vy;
+                beam->nodes.uy[at] *= bent, beam->nodes.vy[at] = vy;
         }
 }
 
@@ -301,10 +302,13 @@ bool beam_set_motion(Beam *beam, const BeamOptions *options, Status *status)
         }
     const PlateDef *plate = &beam->def.plate;
     for (const PlateRegion *r = plate->impulses; r < plate->impulses + plate->n_impulses; r++)
-        move_patch(beam, patch_of(lattice, r->x0, r->y0, r->x1, r->y1, false), true, true, r->vx, r->vy);
+        move_patch(beam, patch_of(lattice, r->x0, r->y0, r->x1, r->y1, false), true, true, r->vx, r->vy,
+                   false);
+    const BondsMistake *mistake = bonds_mistake(beam);
+    const bool bent = mistake && mistake->starts_bent;
     /* supports begin as they are to go on, and undeformed; set after the first force instead, the energy
      * would jump */
     for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++)
-        move_patch(beam, s->patch, s->x, s->y, s->vx, s->vy);
+        move_patch(beam, s->patch, s->x, s->y, s->vx, s->vy, bent);
     return true;
 }

@@ -2,8 +2,9 @@
 /* The state as bytes, and the parameters that may change in mid-run. A snapshot is the block of the state
  * (head, six node arrays, bits of broken bonds); what follows from it (coefficients, damage, the crack) is
  * computed again when it is put back. */
-#include "methods/bonds/plane/bonds_internal.h"
+#include "methods/bonds/plane/bonds_mistakes.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -92,15 +93,39 @@ static const LiveParameter live_parameters[] = {
     {"pd.critical_stretch", offsetof(StateHead, critical_stretch), any_stretch, "0 to below 0.5"},
 };
 
+/* Of those that are no matter of the start or of a factor. */
+static bool change_mistake(Beam *beam, double value, Status *status)
+{
+    BeamDef def = beam->def;
+    def.critical_stretch = beam->head->critical_stretch;
+    def.mistake = value >= 0 && value == floor(value) && value < INT_MAX ? (int)value : -1;
+    if (!bonds_check_mistake(&def, status))
+        return false;
+    const int of_start = beam_mistake_is_of_start(def.mistake) ? def.mistake : beam->head->mistake;
+    if (def.mistake != beam->head->mistake && beam_mistake_is_of_start(of_start))
+        return status_fail(status, STATUS_USAGE,
+                           "pd.mistake: %s is made at the start and holds for the whole run",
+                           beam_mistake_words[of_start]);
+    beam->head->mistake = def.mistake;
+    beam->rescue.valid = false;
+    beam_set_stages(beam);
+    return true;
+}
+
 bool beam_change(Simulation *sim, const char *key, double value, Status *status)
 {
     Beam *beam = (Beam *)sim;
     if (sim->stage != 0 || sim->item != 0)
         return status_fail(status, STATUS_USAGE, "%s: can be changed between steps only", key);
+    if (strcmp(key, "pd.mistake") == 0)
+        return change_mistake(beam, value, status);
     for (size_t k = 0; k < sizeof live_parameters / sizeof *live_parameters; k++) {
         const LiveParameter *live = &live_parameters[k];
         if (strcmp(live->key, key) != 0)
             continue;
+        if (bonds_mistake(beam) && live->offset == offsetof(StateHead, critical_stretch) && value != 0)
+            return status_fail(status, STATUS_USAGE, "pd.mistake: %s is defined for %s = 0 only",
+                               bonds_mistake(beam)->id, key);
         if (!live->allowed(beam, value))
             return status_fail(status, STATUS_USAGE, "%s: %g is not allowed (%s)", key, value, live->what);
         memcpy((char *)beam->head + live->offset, &value, sizeof value);
@@ -116,5 +141,6 @@ bool beam_change(Simulation *sim, const char *key, double value, Status *status)
     }
     return status_fail(
         status, STATUS_USAGE,
-        "%s: cannot change in mid-run (load.stress, load.body_force and pd.critical_stretch can)", key);
+        "%s: cannot change in mid-run (load.stress, load.body_force, pd.critical_stretch and pd.mistake can)",
+        key);
 }

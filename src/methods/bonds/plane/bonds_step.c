@@ -19,7 +19,7 @@
  * row of the lattice; whole steps call the same functions for bands of rows, several threads at once, and
  * join the end of one step to the start of the next. A step fails when a bond doubles its length or
  * collapses, or when there is no memory for the list of broken bonds. */
-#include "methods/bonds/plane/bonds_internal.h"
+#include "methods/bonds/plane/bonds_mistakes.h"
 
 #include <math.h>
 
@@ -29,7 +29,7 @@
  * kick and after the drift with the time that this part of the step has reached: after the first half kick a
  * column counts as held if it was at t^n, from the drift on if it is at t^{n+1}. Taking one time for all
  * would shift each release by a step. */
-static void constrain_velocity(Beam *beam, int j, double time)
+void beam_constrain_velocity(Beam *beam, int j, double time)
 {
     const NodeArrays *nodes = &beam->nodes;
     size_t row = lattice_at(&beam->lattice, 0, j);
@@ -77,7 +77,7 @@ static void half_kick(Beam *beam, int j, long step)
 {
     beam_brake_first(beam, j);
     kick(beam, j);
-    constrain_velocity(beam, j, (double)step * beam->sim.dt);
+    beam_constrain_velocity(beam, j, (double)step * beam->sim.dt);
 }
 
 /* Eq. 10 of row j, and the work that belongs to it. */
@@ -97,7 +97,7 @@ static void constraints(Beam *beam, int j, long step)
 {
     double time = (double)(step + 1) * beam->sim.dt;
     constrain_displacement(beam, j, time);
-    constrain_velocity(beam, j, time);
+    beam_constrain_velocity(beam, j, time);
 }
 
 /* b of eq. 8 at t^{n+1}, added to what the bonds have left in f. */
@@ -112,7 +112,7 @@ static void second_kick(Beam *beam, int j, long step)
 {
     kick(beam, j);
     beam_brake_second(beam, j);
-    constrain_velocity(beam, j, (double)(step + 1) * beam->sim.dt);
+    beam_constrain_velocity(beam, j, (double)(step + 1) * beam->sim.dt);
     beam_note_reaction(beam, j);
 }
 
@@ -124,6 +124,12 @@ static bool take_log(Beam *beam, BondLog *log, long step, Status *status)
     if (log->unstable) {
         log->unstable = false;
         BondPlace place = lattice_slot_place(&beam->lattice, log->unstable_slot);
+        if (bonds_mistake(beam)) /* which goes on as long as there are numbers */
+            return simulation_fail(
+                &beam->sim, status,
+                "unstable: at node %zu a bond's pull is no number any more in step %ld, t = %.6g s",
+                (size_t)place.j * (size_t)beam->lattice.nx + (size_t)place.i, step + 1,
+                (double)(step + 1) * beam->sim.dt);
         return simulation_fail(
             &beam->sim, status,
             "unstable: at node %zu a bond has doubled its length or collapsed in step %ld, "
@@ -182,8 +188,10 @@ bool beam_stage(Simulation *sim, int stage, size_t first, size_t end, Status *st
         }
         return true;
     }
+    const BondsMistake *mistake = bonds_mistake(beam);
+    RowStage *const work = mistake && mistake->stages[stage] ? mistake->stages[stage] : row_stages[stage];
     for (size_t j = first; j < end; j++)
-        row_stages[stage](beam, (int)j, sim->step);
+        work(beam, (int)j, sim->step);
     if (end < sim->stage_items)
         return true;
     /* once all rows are there: the sums are then those of whole steps */
@@ -248,6 +256,28 @@ static void turn_chunk(void *context, int band, int worker)
     }
 }
 
+bool beam_goes_fast(const Simulation *sim)
+{
+    return !bonds_mistake((const Beam *)sim);
+}
+
+/* Whole steps, stage by stage over all rows. */
+static bool run_stages(Beam *beam, long count, double *rows, long *done, Status *status)
+{
+    Simulation *sim = &beam->sim;
+    const bool kept = beam->rescue.valid;
+    for (*done = 0; *done < count && !sim->at_rest; ++*done) {
+        for (int stage = 0; stage < N_STAGES; stage++)
+            if (!beam_stage(sim, stage, 0, (size_t)beam->lattice.ny, status))
+                return false;
+        sim->step++;
+        if (rows)
+            beam_row(sim, rows + *done * sim->n_series);
+    }
+    beam->rescue.valid = kept; /* these were whole steps */
+    return true;
+}
+
 /* Whole steps, `done` of `count`, fewer where the beam comes to rest; rows: n_series numbers for each, or
  * NULL. The end of a step and the beginning of the next touch the same row of nodes and nothing else, so they
  * are one pass while the row is in the cache (turn_chunk); only a row of the series in between parts them. On
@@ -256,6 +286,8 @@ static bool run_steps(Beam *beam, long count, double *rows, long *done, Status *
 {
     Simulation *sim = &beam->sim;
     bool begun = false;
+    if (!beam_goes_fast(sim))
+        return run_stages(beam, count, rows, done, status);
     for (*done = 0; *done < count && !beam->sim.at_rest; ++*done) {
         beam->strain_known = beam->kinetic_known = false;
         if (!begun) {

@@ -16,6 +16,8 @@
  * sum below it is what the family of node i stores. */
 #include "methods/bonds/plane/lattice/lattice.h"
 
+#include "methods/bonds/plane/bonds_mistakes.h"
+
 #include "base/math/functions.h"
 
 #include <math.h>
@@ -32,7 +34,19 @@ static const double inverse_root_series[LATTICE_SERIES] = {0.5,
 
 static double factor_at(const BeamDef *def, double length)
 {
+    const BondsMistake *mistake = bonds_mistake_of(def->mistake);
+    if (mistake && mistake->no_volume_factor)
+        return 1;
     return volume_factor(def->volume_correction, def->horizon, def->spacing, length);
+}
+
+/* The members of a family lie no farther than this. */
+static double reach_of(const BeamDef *def)
+{
+    const BondsMistake *mistake = bonds_mistake_of(def->mistake);
+    if (mistake && mistake->within_horizon)
+        return def->horizon * (1 - 1e-9);
+    return volume_reach(def->volume_correction, def->horizon, def->spacing);
 }
 
 /* One direction of bonds, (p, q) spacings: length, volume factor and the coefficients of the series by which
@@ -62,9 +76,8 @@ static void add_offset(Lattice *lattice, const BeamDef *def, int p, int q)
  * through the rows that a node reaches. */
 static void add_offsets(Lattice *lattice, const BeamDef *def)
 {
-    const double dx = lattice->spacing, limit = def->influence == INFLUENCE_CONICAL
-                                                    ? def->horizon * (1 - 1e-9)
-                                                    : volume_reach(def->volume_correction, def->horizon, dx);
+    const double dx = lattice->spacing,
+                 limit = def->influence == INFLUENCE_CONICAL ? def->horizon * (1 - 1e-9) : reach_of(def);
     lattice->reach = (int)(limit / dx);
     for (int q = 0; q <= lattice->reach; q++) {
         lattice->first[q] = lattice->n_offsets;
@@ -100,7 +113,7 @@ static void energy_factors(const Lattice *lattice, int i, int j, double *factor_
 /* V_i = sum w V over the nodes that are there, m^2: less than pi delta^2 near the surface. */
 static double family_area(const Lattice *lattice, const BeamDef *def, int i, int j)
 {
-    const double dx = lattice->spacing, limit = volume_reach(def->volume_correction, def->horizon, dx);
+    const double dx = lattice->spacing, limit = reach_of(def);
     const int reach = (int)(limit / dx);
     double area = 0;
     for (int q = 0; q <= reach; q++)
@@ -290,6 +303,11 @@ bool lattice_measure(Lattice *lattice, const BeamDef *def, Status *status)
         6 * def->youngs_modulus / (M_PI * def->horizon * def->horizon * def->horizon * (1 - 1.0 / 3));
     if (def->influence == INFLUENCE_CONICAL)
         lattice->micromodulus *= 4;
+    const BondsMistake *mistake = bonds_mistake_of(def->mistake);
+    if (mistake && mistake->micromodulus)
+        lattice->micromodulus = mistake->micromodulus(def);
+    if (mistake && mistake->no_surface_factor)
+        lattice->correction = SURFACE_NONE;
     add_offsets(lattice, def);
     return count_nodes(lattice, def, status);
 }

@@ -1,0 +1,201 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The mistakes of a beam's code, and what they do (bonds_mistakes.h). */
+#include "methods/bonds/plane/bonds_mistakes.h"
+
+#include <math.h>
+
+/* --- the rows --------------------------------------------------------------------------------------- */
+
+static double of_three_dimensions(const BeamDef *def)
+{
+    const double delta = def->horizon;
+    return 12 * def->youngs_modulus / (M_PI * delta * delta * delta * delta);
+}
+
+static double of_plane_strain(const BeamDef *def)
+{
+    const double delta = def->horizon;
+    return 48 * def->youngs_modulus / (5 * M_PI * delta * delta * delta);
+}
+
+static double to_the_left_one(double lengthening, bool left)
+{
+    (void)lengthening;
+    return left ? 1 : 0;
+}
+
+static double to_both_twice(double lengthening, bool left)
+{
+    (void)lengthening, (void)left;
+    return 2;
+}
+
+static double over_the_length_now(double lengthening, bool left)
+{
+    (void)left;
+    return 1 / lengthening;
+}
+
+static void nothing(Beam *beam, int j, long step)
+{
+    (void)beam, (void)j, (void)step;
+}
+
+/* u += dt v, then v += dt a: the force is still that of the old place. */
+static void drift_and_kick(Beam *beam, int j, long step)
+{
+    const size_t row = lattice_at(&beam->lattice, 0, j), count = beam->lattice.columns;
+    const double dt = beam->sim.dt, kick = dt / beam->def.density;
+    beam->kernels->add(beam->nodes.ux + row, beam->nodes.vx + row, dt, count);
+    beam->kernels->add(beam->nodes.uy + row, beam->nodes.vy + row, dt, count);
+    beam_note_work(beam, j, step);
+    beam_note_speeds(beam, j);
+    beam->kernels->add(beam->nodes.vx + row, beam->nodes.fx + row, kick, count);
+    beam->kernels->add(beam->nodes.vy + row, beam->nodes.fy + row, kick, count);
+    beam_constrain_velocity(beam, j, (double)step * dt);
+}
+
+#define LINES(...) __VA_ARGS__
+static const BondsMistake mistakes[] = {
+#define MISTAKE(name, words, written, ...)                                                                   \
+    {.id = name, .sentence = words, .lines = LINES written, __VA_ARGS__},
+#include "methods/bonds/plane/bonds_mistake_rows.inc"
+#undef MISTAKE
+};
+enum { MISTAKES = sizeof mistakes / sizeof *mistakes };
+
+const char *const beam_mistake_words[] = {
+    "none",
+#define MISTAKE(name, ...) name,
+#include "methods/bonds/plane/bonds_mistake_rows.inc"
+#undef MISTAKE
+    NULL,
+};
+
+const BondsMistake *bonds_mistake_of(int mistake)
+{
+    return mistake > 0 && mistake <= MISTAKES ? &mistakes[mistake - 1] : NULL;
+}
+
+const BondsMistake *bonds_mistake(const Beam *beam)
+{
+    return bonds_mistake_of(beam->head->mistake);
+}
+
+bool beam_mistake_is_of_start(int mistake)
+{
+    const BondsMistake *row = bonds_mistake_of(mistake);
+    return row && row->of_start;
+}
+
+const char *beam_mistake_sentence(int mistake)
+{
+    const BondsMistake *row = bonds_mistake_of(mistake);
+    return row ? row->sentence : NULL;
+}
+
+bool bonds_check_mistake(const BeamDef *def, Status *status)
+{
+    if (def->mistake == 0)
+        return true;
+    const BondsMistake *row = bonds_mistake_of(def->mistake);
+    if (!row)
+        return status_fail(status, STATUS_USAGE, "pd.mistake: %d is no choice (0 to %d)", def->mistake,
+                           MISTAKES);
+    const bool hhb = def->volume_correction == VOLUME_HHB && (row->within_horizon || row->no_volume_factor);
+    const char *other = def->influence != INFLUENCE_CONSTANT          ? "pd.influence = constant"
+                        : def->critical_stretch != 0                  ? "pd.critical_stretch = 0"
+                        : def->damping != 0 || def->critically_damped ? "damping.rate = 0"
+                        : hhb ? "pd.volume_correction = partial or none"
+                              : NULL;
+    return !other ||
+           status_fail(status, STATUS_USAGE, "pd.mistake: %s is defined for %s only", row->id, other);
+}
+
+/* --- bonds ------------------------------------------------------------------------------------------ */
+
+/* Whether the owner of bonds of this direction is their left end, or of upright ones the lower. */
+static bool owner_is_left(const Offset *offset)
+{
+    return offset->p > 0 || (offset->p == 0 && offset->q > 0);
+}
+
+/* What a bond pulls at its owner and at its other end, along the direction from the one to the other. */
+typedef struct Pull {
+    double x, y; /* the direction */
+    double own, other;
+    double energy; /* over V |xi|/2 and the thickness */
+} Pull;
+
+static Pull pull_of(const Beam *beam, const Offset *offset, double coefficient, double ex, double ey)
+{
+    const BondsMistake *mistake = bonds_mistake(beam);
+    const double x = offset->x + ex, y = offset->y + ey, length = sqrt(x * x + y * y);
+    const double stretch = offset_stretch(offset, ex, ey), whole = coefficient * stretch;
+    const double lengthening = length / offset->length;
+    Pull pull = {x / length, y / length, whole, whole, whole * stretch};
+    if (mistake && mistake->along_rest) {
+        pull.x = offset->x / offset->length;
+        pull.y = offset->y / offset->length;
+    }
+    if (mistake && mistake->share) {
+        pull.own *= mistake->share(lengthening, owner_is_left(offset));
+        pull.other *= mistake->share(lengthening, !owner_is_left(offset));
+    }
+    return pull;
+}
+
+BondNow bonds_seen_from(const Beam *beam, BondPlace place, size_t index)
+{
+    BondNow bond = beam_bond(beam, place);
+    const bool own = bond.a == index;
+    if (bonds_mistake(beam)) {
+        const Offset *offset = &beam->lattice.offsets[place.offset];
+        const size_t at = lattice_at(&beam->lattice, place.i, place.j);
+        const size_t to = lattice_at(&beam->lattice, place.i + offset->p, place.j + offset->q);
+        const Pull pull =
+            pull_of(beam, offset, beam->coefficient[lattice_slot(&beam->lattice, place)],
+                    beam->nodes.ux[to] - beam->nodes.ux[at], beam->nodes.uy[to] - beam->nodes.uy[at]);
+        bond.pull = own ? pull.own : pull.other;
+        bond.direction_x = pull.x;
+        bond.direction_y = pull.y;
+    }
+    if (own)
+        return bond;
+    bond.direction_x = -bond.direction_x;
+    bond.direction_y = -bond.direction_y;
+    bond.b = bond.a;
+    return bond;
+}
+
+void bonds_forces_of_row(Beam *beam, int j, double *const *fx, double *const *fy, BondLog *log,
+                         double *energy)
+{
+    const Lattice *lattice = &beam->lattice;
+    const NodeArrays *nodes = &beam->nodes;
+    double sum = 0;
+    for (int o = 0; o < lattice->n_offsets; o++) {
+        const Offset *offset = &lattice->offsets[o];
+        for (int i = 0; i < lattice->nx; i++) {
+            if (!lattice_has(lattice, i + offset->p, j + offset->q))
+                continue;
+            const size_t slot = lattice_slot(lattice, (BondPlace){i, j, o}), own = lattice_at(lattice, i, j);
+            const size_t other = lattice_at(lattice, i + offset->p, j + offset->q);
+            if (beam->coefficient[slot] == 0)
+                continue;
+            const Pull pull = pull_of(beam, offset, beam->coefficient[slot],
+                                      nodes->ux[other] - nodes->ux[own], nodes->uy[other] - nodes->uy[own]);
+            fx[0][i] += pull.own * pull.x;
+            fy[0][i] += pull.own * pull.y;
+            fx[offset->q][i + offset->p] -= pull.other * pull.x;
+            fy[offset->q][i + offset->p] -= pull.other * pull.y;
+            sum += pull.energy * offset->length;
+            if (!isfinite(pull.own + pull.x + pull.y) && !log->unstable) {
+                log->unstable = true;
+                log->unstable_slot = slot;
+            }
+        }
+    }
+    if (energy)
+        *energy = sum * beam->system.energy_scale;
+}

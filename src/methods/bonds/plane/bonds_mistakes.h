@@ -1,0 +1,55 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A beam as it is computed by a code that is wrong in one place. For the files of this folder only.
+ *
+ * A mistake is a row of bonds_mistake_rows.inc: its id, one sentence, the stage that it is in with the
+ * equation as it is wrongly written, and what it does instead. Nobody else knows one mistake from another:
+ * the lattice, the stages and the written sums ask the row for what this code takes. All of them are of
+ * velocity Verlet with whole bonds of one stiffness, undamped.
+ *
+ * Beams with a mistake do their steps stage by stage, bond by bond. The time step, and its limit, are those
+ * of the right code. */
+#ifndef PHYSICS_PD_MISTAKES_H
+#define PHYSICS_PD_MISTAKES_H
+
+#include "methods/bonds/plane/bonds_internal.h"
+
+enum { MISTAKE_LINES = 3 };
+
+/* A line of a stage as a wrong code has it, what differs between marks (STAGE_WRONG in method.h). */
+typedef struct MistakeLine {
+    int stage;
+    const char *equation, *ascii; /* NULL: no further line */
+} MistakeLine;
+
+typedef struct BondsMistake {
+    const char *id, *sentence;
+    MistakeLine lines[MISTAKE_LINES];
+    bool of_start; /* it is in the start, the family or a factor: it cannot come in mid-run */
+
+    /* What this code does; what is not said it does as it should be done. */
+    double (*micromodulus)(const BeamDef *); /* c */
+    bool within_horizon;                     /* the family lies nearer than delta, not as far as that */
+    bool no_volume_factor, no_surface_factor;
+    bool starts_bent; /* the shape at t = 0 is that without supports */
+    /* The share of a bond's pull that an end gets, the left one (below the other where none is) or the right
+     * one; of its length over that at rest. */
+    double (*share)(double lengthening, bool left);
+    bool along_rest;                                    /* it pulls along xi */
+    void (*stages[N_STAGES])(Beam *, int j, long step); /* of row j, in place of the right ones */
+} BondsMistake;
+
+/* NULL: none. */
+const BondsMistake *bonds_mistake(const Beam *);
+const BondsMistake *bonds_mistake_of(int mistake);
+
+/* Whether these are what mistakes are defined for; else the status names the key. */
+bool bonds_check_mistake(const BeamDef *, Status *);
+
+/* A bond as one of its ends, node `index`, meets it: seen from there, with what this code lets it pull. */
+BondNow bonds_seen_from(const Beam *, BondPlace, size_t index);
+
+/* Adds to fx[q], fy[q] what the bonds of row j give (beam_bonds_of_row()), and tells their energy, J. Nothing
+ * breaks; what is no number is logged as unstable. */
+void bonds_forces_of_row(Beam *, int j, double *const *fx, double *const *fy, BondLog *, double *energy);
+
+#endif
