@@ -229,6 +229,8 @@ static bool search_best(Search *search, Space *space, Status *status)
 bool fit_solve(const FitTask *task, FitResult *result, Status *status)
 {
     *result = (FitResult){0};
+    if (!settings_refuse_mistake(task->settings, "a fit is of the right code", status))
+        return false;
     Search *search = calloc(1, sizeof *search);
     if (!search)
         return status_fail(status, STATUS_FAILED, "not enough memory for a fit");

@@ -4,6 +4,7 @@
 #include "answers/summary.h"
 #include "base/text.h"
 #include "answers/known.h"
+#include "scenario/parameters.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -124,6 +125,7 @@ void summary_of(Experiment *experiment, RunSummary *summary)
     int n;
     const Column *columns = experiment_columns(experiment, &n);
     *summary = (RunSummary){0};
+    summary->mistake = settings_mistake(experiment_settings(experiment));
     summary->dt = experiment_simulation(experiment)->dt;
     summary->steps = experiment_newest(experiment);
     summary->time = (double)summary->steps * summary->dt;
@@ -175,7 +177,7 @@ static void add_known(Writer *writer, const char *word, bool known, double value
 }
 
 /* Of a run without a frequency that is said only where nothing else was found. */
-static void add_readout(Writer *writer, const Readout *readout, const char *answer, bool found)
+static void add_readout(Writer *writer, const Readout *readout, const char *answer, bool found, bool wrong)
 {
     const char *what = readout->is_period ? "period" : "frequency";
     if (!readout->moving) {
@@ -183,13 +185,14 @@ static void add_readout(Writer *writer, const Readout *readout, const char *answ
             add(writer, "nothing vibrates: no %s to measure\n", what);
         return;
     }
-    add(writer, "%s", what);
+    add(writer, "%s%s", what, wrong ? " with a mistake" : "");
     if (readout->unaccounted)
         add(writer, "  not known with %s", readout->unaccounted);
     else if (!readout->measured_known)
         add(writer, "  %s", readout->unmeasured);
     add_known(writer, "measured", readout->measured_known, readout->measured);
-    add_known(writer, "predicted", readout->predicted_known, readout->predicted);
+    add_known(writer, wrong ? "predicted (right code)" : "predicted", readout->predicted_known,
+              readout->predicted);
     add_known(writer, answer, readout->exact_known, readout->exact);
     add_known(writer, "at its real size", isfinite(readout->real_size), readout->real_size);
     if (readout->is_period && (readout->measured_known || readout->predicted_known || readout->exact_known))
@@ -197,8 +200,8 @@ static void add_readout(Writer *writer, const Readout *readout, const char *answ
     add(writer, "\n");
     if (!readout->measured_known || !readout->exact_known)
         return;
-    add(writer, "error  frequency %+.4g %%  period %+.4g %%", readout->error_frequency,
-        readout->error_period);
+    add(writer, "error%s  frequency %+.4g %%  period %+.4g %%", wrong ? " with a mistake" : "",
+        readout->error_frequency, readout->error_period);
     if (readout->predicted_known)
         add(writer, "  (frequency predicted %+.4g %%)", readout->predicted_error_frequency);
     if (readout->predicted_known && readout->overlap < READOUT_PURE)
@@ -223,14 +226,15 @@ static void add_decay(Writer *writer, const Readout *readout)
 }
 
 /* What a motion that dies keeps; one that theory says is kept has E* for that. */
-static void add_kept(Writer *writer, const Readout *readout)
+static void add_kept(Writer *writer, const Readout *readout, bool wrong)
 {
     if (!(readout->kept_predicted < READOUT_UNDAMPED))
         return;
-    add(writer, "a period keeps");
+    add(writer, wrong ? "with a mistake a period keeps" : "a period keeps");
     if (isfinite(readout->kept_measured))
         add(writer, "  measured %.4g %%", 100 * readout->kept_measured);
-    add(writer, "  predicted %.4g %%  of the energy\n", 100 * readout->kept_predicted);
+    add(writer, "  predicted%s %.4g %%  of the energy\n", wrong ? " (right code)" : "",
+        100 * readout->kept_predicted);
 }
 
 /* A time in microseconds, or that it has not come. */
@@ -309,6 +313,7 @@ void summary_energy_text(const RunSummary *summary, char out[SUMMARY_MAX])
     out[0] = '\0';
     if (summary->energy_measure == ENERGY_NOT_KNOWN || !isfinite(change))
         return;
+    add(&writer, "%s", summary->mistake ? "with a mistake: " : "");
     add(&writer, fabs(change) < 5e-4 ? "%s changed by %.3f %% of the %s" : "%s changed by %+.3g %% of the %s",
         names[summary->energy_measure], fabs(change) < 5e-4 ? 0 : change,
         summary->energy_of_work   ? "work"
@@ -332,10 +337,13 @@ void summary_text(const RunSummary *summary, const Settings *settings, char out[
         summary->failed    ? ", where the run failed"
         : summary->at_rest ? ", where it came to rest"
                            : "");
+    if (summary->mistake)
+        add(&writer, "with a mistake: %s\n", summary->mistake);
     if (!summary->crack_known && !summary->fronts_known)
-        add_readout(&writer, &summary->readout, facts->answer, summary->n_findings > 0 || summary->at_rest);
+        add_readout(&writer, &summary->readout, facts->answer, summary->n_findings > 0 || summary->at_rest,
+                    summary->mistake != NULL);
     add_decay(&writer, &summary->readout);
-    add_kept(&writer, &summary->readout);
+    add_kept(&writer, &summary->readout, summary->mistake != NULL);
     char found[SUMMARY_MAX];
     findings_text(summary->findings, summary->n_findings, true, SUMMARY_MAX, found, sizeof found);
     add(&writer, "%s%s", found, *found ? "\n" : "");

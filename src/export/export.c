@@ -98,6 +98,7 @@ static bool sum_up(const Export *export, RunSummary *summary, Status *status)
     const Record *record = &export->record;
     errno = 0;
     size_t rows = record->count - (record->loose_last && record->count > 0 ? 1 : 0);
+    summary->mistake = settings_mistake(export->settings);
     summary->steps = export->run.sim->step;
     summary->dt = export->run.sim->dt;
     summary->time = simulation_time(export->run.sim);

@@ -31,6 +31,7 @@ typedef enum EnergyMeasure { ENERGY_NOT_KNOWN, ENERGY_INVARIANT, ENERGY_PERIOD, 
 
 /* What a run came to; printed by `matvib run`, shown by the laboratory at the end. */
 typedef struct RunSummary {
+    const char *mistake; /* what a wrong code does in it; NULL: nothing is wrong */
     long steps;
     double time, dt;
     Readout readout;

@@ -4,6 +4,7 @@
 
 #include "export/lammps_internal.h"
 #include "problems/problem.h"
+#include "scenario/parameters.h"
 
 #include <stdlib.h>
 
@@ -78,6 +79,8 @@ static bool has_its_like(const Settings *settings, Status *status)
                            settings->problem->word);
     if (settings->method != METHOD_PD)
         return status_fail(status, STATUS_USAGE, "scenario.method: LAMMPS gets nodes with bonds only (pd)");
+    if (!settings_refuse_mistake(settings, "LAMMPS is no wrong code", status))
+        return false;
     if (settings->n_changes > 0)
         return status_fail(status, STATUS_USAGE, "changes: LAMMPS gets runs without changes in mid-run only");
     if (settings->lattice.volume_correction == VOLUME_HHB)

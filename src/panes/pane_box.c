@@ -283,10 +283,12 @@ static void draw_summary(const Screen *screen, Area area)
     if (readout->moving && readout->measured_known && y < rows) {
         const double unit = readout->is_period ? 1e-3 : 1;
         const char *tail = readout->is_period ? " ms" : "";
-        snprintf(text, sizeof text, "%s measured %.5f", readout->is_period ? "period" : "frequency w",
-                 readout->measured / unit);
+        const bool wrong = settings_mistake(experiment_settings(screen->experiment)) != NULL;
+        snprintf(text, sizeof text, "%s%s measured %.5f", readout->is_period ? "period" : "frequency w",
+                 wrong ? " with a mistake" : "", readout->measured / unit);
         if (readout->predicted_known && screen_shows_predicted(screen))
-            text_append(text, sizeof text, "  predicted %.5f", readout->predicted / unit);
+            text_append(text, sizeof text, wrong ? "  predicted (right code) %.5f" : "  predicted %.5f",
+                        readout->predicted / unit);
         if (readout->exact_known && screen_shows_exact(screen))
             text_append(text, sizeof text, "  %s %.5f%s  %+.3f %%", screen_problem(screen)->answer,
                         readout->exact / unit, tail,

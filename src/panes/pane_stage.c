@@ -195,6 +195,38 @@ static int choose_sums(const Subject *subject, int width, int rows, char sums[SU
 
 /* --- the box -------------------------------------------------------------------------------------- */
 
+/* What a wrong code has in an equation, over the paragraph of so many lines as it was drawn: from mark to
+ * mark, also where a line was broken between them. */
+static void mark_what_differs(const Subject *subject, Area area, int lines, const char *equation)
+{
+    const bool ascii = subject->screen->look.glyphs == GLYPHS_ASCII;
+    const char *open = ascii ? STAGE_WRONG_OPEN_ASCII : STAGE_WRONG_OPEN;
+    const char *close = ascii ? STAGE_WRONG_CLOSE_ASCII : STAGE_WRONG_CLOSE;
+    bool wrong = false;
+    for (int y = 0; y < lines && *equation; y++) {
+        char line[512], part[512];
+        const char *rest;
+        const size_t length = area_paragraph_line(equation, area.rect.width, &rest);
+        snprintf(line, sizeof line, "%.*s", (int)length, equation);
+        for (char *at = line; *at;) {
+            char *from = wrong ? at : strstr(at, open);
+            if (!from)
+                break;
+            char *to = strstr(wrong ? from : from + strlen(open), close);
+            wrong = to == NULL; /* it goes on in the next line */
+            to = to ? to + strlen(close) : line + strlen(line);
+            snprintf(part, sizeof part, "%.*s", (int)(to - from), from);
+            const char kept = *from;
+            *from = '\0';
+            const int x = glyphs_columns(line);
+            *from = kept;
+            area_text(area, x, y, part, STYLE_ERROR);
+            at = to;
+        }
+        equation = rest;
+    }
+}
+
 /* In the order of need: the sums, the equation, the sentence, the state. Drawn in the order of reading. */
 static void draw_body(const Subject *subject, Area area)
 {
@@ -230,6 +262,7 @@ static void draw_body(const Subject *subject, Area area)
     }
 
     int y = equation[0] ? area_paragraph(area, 0, 0, width, rows, equation, STYLE_NORMAL) : 0;
+    mark_what_differs(subject, area, y, equation);
     if (sentence)
         y += area_paragraph(area, 0, y, width, rows - y, stage->sentence, STYLE_FAINT);
     y += sums_on(&area, width, y, sums);

@@ -28,6 +28,8 @@ static void method_words_of(const Screen *screen, char *out, size_t size)
             continue; /* the usual one goes without saying */
         text_append(out, size, " %s", value);
     }
+    const char *mistake = settings_mistake(settings);
+    text_append(out, size, "%s%s", mistake ? " with " : "", mistake ? mistake : "");
 }
 
 /* "mu 0.5" where masses are not lumped; of a duel the runs' names say what differs. */

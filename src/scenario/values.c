@@ -328,13 +328,14 @@ void settings_get(const Settings *settings, const Parameter *parameter, char out
     write_value(settings, parameter, 0, out);
 }
 
-/* Among these changes is one of a key to another value than its neutral one. */
-static const Change *change_of(const Settings *settings, const Parameter *parameter)
+/* To what another value than its first one a parameter is changed in mid-run; NULL: it is not. */
+static const char *change_of(const Settings *settings, const Parameter *parameter)
 {
     for (int i = 0; i < settings->n_changes; i++)
-        if (strcmp(settings->changes[i].to.key, parameter->key) == 0 &&
-            strcmp(settings->changes[i].to.value, parameter->choices[0]) != 0)
-            return &settings->changes[i];
+        for (int word = 1;
+             strcmp(settings->changes[i].to.key, parameter->key) == 0 && parameter->choices[word]; word++)
+            if (strcmp(settings->changes[i].to.value, parameter->choices[word]) == 0)
+                return parameter->choices[word];
     return NULL;
 }
 
@@ -353,7 +354,7 @@ const char *settings_mistake(const Settings *settings)
     if (!row)
         return NULL;
     return settings_are_at_work(settings, row) ? row->choices[(int)settings_number(settings, row)]
-                                               : change_of(settings, row)->to.value;
+                                               : change_of(settings, row);
 }
 
 bool settings_refuse_mistake(const Settings *settings, const char *what, Status *status)

@@ -212,11 +212,15 @@ static void frequency_lines(const Screen *screen, int width, char first[160], ch
         return;
     }
     const bool narrow = width < 52;
+    const bool wrong = width >= 66 && settings_mistake(experiment_settings(screen->experiment));
     /* while rows come in the fit is a little behind them, see experiment_rest() */
     const bool about = screen->playback.state == STATE_RUNNING && experiment_is_flowing(screen->experiment);
     if (readout->measured_known)
-        text_append(first, 160, narrow ? "w %s%.*f" : "w measured %s%.*f", about ? "~" : "", about ? 3 : 4,
-                    readout->measured);
+        text_append(first, 160,
+                    narrow  ? "w %s%.*f"
+                    : wrong ? "w with a mistake %s%.*f"
+                            : "w measured %s%.*f",
+                    about ? "~" : "", about ? 3 : 4, readout->measured);
     else if (readout->unaccounted)
         text_append(first, 160, narrow ? "w ? %s" : "w: not known with %s", readout->unaccounted);
     else if (experiment_at_end(screen->experiment))
@@ -224,7 +228,11 @@ static void frequency_lines(const Screen *screen, int width, char first[160], ch
     else
         text_append(first, 160, narrow ? "w ..." : "w measuring");
     if (predicted)
-        text_append(first, 160, narrow ? " pred %.4f" : "  predicted %.4f", readout->predicted);
+        text_append(first, 160,
+                    narrow  ? " pred %.4f"
+                    : wrong ? "  predicted (right code) %.4f"
+                            : "  predicted %.4f",
+                    readout->predicted);
     if (exact)
         text_append(first, 160, narrow ? " exact %.4f" : "  exact %.4f", readout->exact);
     if (readout->measured_known && exact) {

@@ -3,6 +3,9 @@
  * with, and that nothing fast knows of them. */
 #include "run/lab_case.h"
 
+#include "answers/fit_search.h"
+#include "answers/summary.h"
+#include "export/lammps.h"
 #include "methods/bonds/plane/bonds_plane.h"
 #include "methods/mpm/line/bar_mistakes.h"
 #include "problems/problem.h"
@@ -408,6 +411,66 @@ START_TEST(the_stage_shows_what_differs)
 }
 END_TEST
 
+/* --- who is told ------------------------------------------------------------------------------------ */
+
+START_TEST(who_needs_the_right_code_refuses_it)
+{
+    Settings settings = wrong_beam(1);
+    Status status = {0};
+    ck_assert(!lammps_export(&settings, ASKER_KEYBOARD, "no-such-folder", false, &status));
+    ck_assert_str_eq(status.text, "pd.mistake: micromodulus_3d is a mistake, and LAMMPS is no wrong code");
+    settings = wrong_bar(3);
+    FitResult result;
+    const FitTask task = {.settings = &settings};
+    ck_assert(!fit_solve(&task, &result, &status));
+    ck_assert_str_eq(status.text, "mpm.mistake: mass_of_cell is a mistake, and a fit is of the right code");
+    /* also where it comes later */
+    settings = wrong_bar(0);
+    ck_assert(settings_refuse_mistake(&settings, "", &status));
+    settings.n_changes = 1;
+    settings.changes[0] = (Change){3, {"mpm.mistake", "force_sign"}};
+    ck_assert(!settings_refuse_mistake(&settings, "", &status));
+    ck_assert_str_eq(settings_mistake(&settings), "force_sign");
+    settings.changes[0] = (Change){3, {"mpm.mistake", "none"}};
+    ck_assert(settings_mistake(&settings) == NULL);
+}
+END_TEST
+
+static void read_summary(const Settings *settings, char text[SUMMARY_MAX], double *predicted)
+{
+    Experiment *experiment = open_experiment(settings, 1 << 26);
+    static RunSummary summary;
+    experiment_seek(experiment, experiment_last_step(experiment), 0);
+    finish_work(experiment);
+    summary_of(experiment, &summary);
+    summary_text(&summary, settings, text);
+    *predicted = summary.readout.predicted_known ? summary.readout.predicted : NAN;
+    experiment_destroy(experiment);
+}
+
+/* Wherever a number is printed; and the prediction is that of the right code. */
+START_TEST(a_summary_says_so)
+{
+    Settings bar = bar_settings(5, 100), beam = wrong_beam(2);
+    set(&beam, "pd.surface_correction", "none");
+    Settings *const bodies[] = {&bar, &beam};
+    static const char *const mistakes[] = {"volume_of_cell", "micromodulus_plane_strain"};
+    for (int i = 0; i < 2; i++) {
+        char right[SUMMARY_MAX], wrong_one[SUMMARY_MAX];
+        double of_right, of_wrong;
+        set(bodies[i], key_of(bodies[i]), "none");
+        read_summary(bodies[i], right, &of_right);
+        set(bodies[i], key_of(bodies[i]), mistakes[i]);
+        read_summary(bodies[i], wrong_one, &of_wrong);
+        ck_assert(strstr(right, "mistake") == NULL && strstr(right, "right code") == NULL);
+        ck_assert_msg(count_of(wrong_one, "with a mistake") >= 4, "%s", wrong_one);
+        ck_assert_msg(strstr(wrong_one, mistakes[i]) && strstr(wrong_one, "predicted (right code)"), "%s",
+                      wrong_one);
+        ck_assert(isfinite(of_right) && of_right == of_wrong);
+    }
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     TCase *digits = tcase_create("digits"), *bar = tcase_create("each");
@@ -423,6 +486,10 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(bar, a_beams_mistake_switches_its_bands_off, 0, m);
     tcase_add_loop_test(bar, threads_leave_no_trace, 0, m);
     tcase_add_loop_test(bar, what_a_beams_are_not_defined_for_is_refused_by_name, 0, m);
+    TCase *told = tcase_create("told");
+    tcase_add_test(told, who_needs_the_right_code_refuses_it);
+    tcase_add_test(told, a_summary_says_so);
+    suite_add_tcase(suite, told);
     suite_add_tcase(suite, digits);
     suite_add_tcase(suite, bar);
 }

@@ -55,6 +55,8 @@ static const struct {
                               "series"},
     [RESULT_KEPT_PREDICTED] = {"kept_predicted", "1",
                                "the same as predicted: by this very mesh, or by the damping"},
+    [RESULT_MISTAKE] = {"with_a_mistake", "1",
+                        "1: by a code that is wrong in one place (mpm.mistake, pd.mistake)"},
 };
 
 const char *sweep_result_name(ResultColumn column)
@@ -150,6 +152,8 @@ void sweep_result_of(const RunSummary *summary, const Settings *settings, double
         cells[RESULT_ENERGY_LEFT] = 1 + summary->energy_change / 100;
     cells[RESULT_STEPS] = (double)summary->steps;
     cells[RESULT_WALL] = wall;
+    if (summary->mistake)
+        cells[RESULT_MISTAKE] = 1;
     result->done = true;
     if (summary->readout.moving && !summary->readout.measured_known)
         snprintf(result->failure.text, sizeof result->failure.text, "%s", summary->readout.unmeasured);

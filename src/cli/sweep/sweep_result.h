@@ -34,6 +34,7 @@ typedef enum ResultColumn {
     RESULT_WALL,
     RESULT_KEPT_MEASURED,
     RESULT_KEPT_PREDICTED,
+    RESULT_MISTAKE,
     RESULT_COLUMNS
 } ResultColumn;
 

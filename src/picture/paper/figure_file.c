@@ -222,7 +222,9 @@ bool figure_add(Figure *figure, const Screen *screen, const View *view, int pane
     if (picture->of_moment || panels > 1)
         caption_of(picture->time, panel->caption, sizeof panel->caption);
     if (figure->count == 0) {
-        snprintf(figure->title, sizeof figure->title, "%s", settings->title);
+        const char *mistake = settings_mistake(settings);
+        snprintf(figure->title, sizeof figure->title, "%s%s%s", settings->title,
+                 mistake ? "  with a mistake: " : "", mistake ? mistake : "");
         tell_parameters(settings, figure->parameters, sizeof figure->parameters);
     }
     figure->panels[figure->count++] = panel;
