@@ -241,6 +241,43 @@ START_TEST(each_differs_from_the_right_code)
 }
 END_TEST
 
+/* Also where a particle has come to another cell, whose nodes are others. */
+START_TEST(weights_are_those_of_the_new_place)
+{
+    Settings settings = bar_settings(1, 10);
+    set(&settings, "initial.velocity", "2");
+    set(&settings, "mpm.mistake", "moved_weights");
+    Simulation *sim = simulate(&settings);
+    const int v = simulation_find_field(sim, 0, "v"), x = simulation_find_field(sim, 0, "x");
+    const int a = simulation_find_field(sim, 1, "acceleration"),
+              update = simulation_find_stage(sim, "update");
+    const size_t n = sim->counts[0], nodes = sim->counts[1];
+    double before[64], after[64], at[64], where[64], kick[64];
+    Status status = {0};
+    int crossed = 0;
+    ck_assert(n <= 64 && nodes <= 64 && v >= 0 && x >= 0 && a >= 0 && update >= 0);
+    for (long step = 0; step < 40; step++) {
+        while (sim->stage < update)
+            ck_assert(simulation_stage(sim, &status));
+        sim->method->field(sim, v, 0, n, before);
+        sim->method->field(sim, x, 0, n, where);
+        sim->method->field(sim, a, 0, nodes, kick);
+        ck_assert(simulation_stage(sim, &status));
+        sim->method->field(sim, v, 0, n, after);
+        sim->method->field(sim, x, 0, n, at);
+        for (size_t p = 0; p < n; p++) {
+            const int cell = (int)floor(at[p]); /* cells of 1, from the held end on */
+            const double s = at[p] - cell, gain = sim->dt * ((1 - s) * kick[cell] + s * kick[cell + 1]);
+            ck_assert_double_eq_tol(after[p], before[p] + gain, 1e-12);
+            crossed += floor(where[p]) != cell;
+        }
+        ck_assert(simulation_steps(sim, 0, NULL, NULL, &status));
+    }
+    ck_assert_int_gt(crossed, 10);
+    simulation_destroy(sim);
+}
+END_TEST
+
 START_TEST(what_they_are_not_defined_for_is_refused_by_name)
 {
     static const char *const others[][3] = {
@@ -361,6 +398,10 @@ START_TEST(those_of_the_start_begin_the_run_anew)
     ck_assert(of_start || !bar ||
               (bar_of(sim)->head->algorithm == MPM_USF && bar_of(sim)->head->flip_fraction == 1));
     ck_assert(!of_start || !sim->method->change(sim, key, 0, &status));
+    Settings back = *experiment_settings(experiment);
+    set(&back, key, "none");
+    ck_assert_msg(experiment_edit(experiment, &back, &status), "%s", status.text);
+    ck_assert_int_eq(experiment_settings(experiment)->n_changes, of_start ? 0 : 2);
     simulation_destroy(sim);
     experiment_destroy(experiment);
     Settings later = right;
@@ -480,6 +521,7 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(bar, bits_do_not_depend_on_how_it_is_run, 0, all);
     tcase_add_loop_test(bar, nothing_fast_knows_of_a_mistake, 0, n);
     tcase_add_loop_test(bar, each_differs_from_the_right_code, 0, all);
+    tcase_add_test(bar, weights_are_those_of_the_new_place);
     tcase_add_loop_test(bar, what_they_are_not_defined_for_is_refused_by_name, 0, n);
     tcase_add_loop_test(bar, those_of_the_start_begin_the_run_anew, 0, all);
     tcase_add_loop_test(bar, the_stage_shows_what_differs, 0, all);

@@ -301,7 +301,7 @@ static void update(Bar *bar, int first, int end)
             hats(bar, c, s, n, dn);
             *moved = s + rate * (n[0] * bar_moving_velocity(bar, p, c) +
                                  n[1] * bar_moving_velocity(bar, p, c + 1));
-            if (mistake->of_grid) {
+            if (bar->head->flip_fraction == 0.0) {
                 *v = n[0] * bar_integrated_velocity(bar, c) + n[1] * bar_integrated_velocity(bar, c + 1);
                 continue;
             }
