@@ -63,9 +63,8 @@ static const char of_cost[] =
     "again: what the crack has cost so far.";
 static const char of_residual[] =
     "kinetic + strain + dissipated energy less the work of the load: 0 but for the time step. A bond breaks "
-    "at "
-    "the first step beyond its limit and takes the overshoot along, so breaking is first order in time: with "
-    "half the step the residual halves.";
+    "at the first step beyond its limit and takes the overshoot along, so breaking is first order in time: "
+    "with half the step the residual halves.";
 static const char of_damage[] =
     "the share of a node's bonds that is broken. A crack right through reads 0.4 to 0.5, not 1.";
 
@@ -172,21 +171,17 @@ static const HelpPassage pd_bar_before[] = {
      "cross-section A = 1.",
      "The sum runs over the family: all nodes nearer than the horizon delta. xi is where the other lies at "
      "first, eta how far the two have moved apart; c = 2E/(A delta^2), from equal strain energy in a "
-     "stretched "
-     "bar, with cross-section A = 1."},
+     "stretched bar, with cross-section A = 1."},
     {false, "On a line the stretch is linear in the displacements, at any amplitude.", NULL},
     {false,
      "Conical influence: c₁ (1 - |ξ|/δ) in place of c, c₁ = E/(Δx² Σ (1 - mΔx/δ) w_m m) over one side, which "
-     "is "
-     "6E/(A δ²) on a fine lattice.",
+     "is 6E/(A δ²) on a fine lattice.",
      "Conical influence: c1 (1 - |xi|/delta) in place of c, c1 = E/(dx^2 sum (1 - m dx/delta) w_m m) over "
-     "one "
-     "side, which is 6E/(A delta^2) on a fine lattice."},
+     "one side, which is 6E/(A delta^2) on a fine lattice."},
     {false,
      "w counts a node at the edge of the horizon by the part of its cell inside: partial leaves out those "
-     "whose "
-     "middle lies beyond, hhb does not. G is the mean of the two "
-     "nodes' surface factors: the energy of a uniform strain over what their families hold.",
+     "whose middle lies beyond, hhb does not. G is the mean of the two nodes' surface factors: the energy of "
+     "a uniform strain over what their families hold.",
      NULL},
 };
 
@@ -198,8 +193,7 @@ static const HelpPassage bar_exact[] = {
      "φ = sin βx if the left end is held, cos βx if it is free; β = (2n-1)π/2L with one free end, nπ/L "
      "with two equal ends. Several modes add up.",
      "f = sin(beta x) if the left end is held, cos(beta x) if it is free; beta = (2n-1) pi/2L with one free "
-     "end, "
-     "n pi/L with two equal ends. Several modes add up."},
+     "end, n pi/L with two equal ends. Several modes add up."},
 };
 
 static const HelpPassage bar_after[] = {
@@ -215,8 +209,7 @@ static const HelpPassage bar_after[] = {
      "eqs. 5, 6: as printed they are no tensor expressions. In one dimension the strain increment is "
      "Δt Σ N′v without the 1/2, and the vorticity increment is 0: a line cannot spin.",
      "eqs. 5, 6: as printed they are no tensor expressions. In one dimension the strain increment is dt sum "
-     "N'v "
-     "without the 1/2, and the vorticity increment is 0: a line cannot spin."},
+     "N'v without the 1/2, and the vorticity increment is 0: a line cannot spin."},
     {false, "eq. 7: the density is the particle's.", NULL},
     {false, "eq. 9: a stray t.", NULL},
     {false, "eqs. 14, 15: they start from the particle's own velocity and place.", NULL},
@@ -230,17 +223,14 @@ static const HelpPassage pd_bar_after[] = {
      "w^2 = 8EG/(rho delta^2) sum (w_m/m) sin^2(m beta dx/2)      sin(W dt/2) = w dt/2"},
     {false,
      "m counts the spacings Δx within the horizon; G is the surface factor of a whole family, 1 where "
-     "nothing is "
-     "corrected; Ω is what the run shows. For long waves ω = βc (1 - β²(δ² + Δx²)/48): the horizon sets the "
-     "error, more than the spacing.",
+     "nothing is corrected; Ω is what the run shows. For long waves ω = βc (1 - β²(δ² + Δx²)/48): the "
+     "horizon sets the error, more than the spacing.",
      "m counts the spacings dx within the horizon; G is the surface factor of a whole family, 1 where "
-     "nothing is "
-     "corrected; W is what the run shows. For long waves w = beta c (1 - beta^2 (delta^2 + dx^2)/48): the "
-     "horizon sets the error, more than the spacing."},
+     "nothing is corrected; W is what the run shows. For long waves w = beta c (1 - beta^2 (delta^2 + "
+     "dx^2)/48): the horizon sets the error, more than the spacing."},
     {false,
      "Conical influence: w_m (1 - mΔx/δ) times (δ/Δx)²/(2 Σ w_m m (1 - mΔx/δ)) in place of w_m. For long "
-     "waves "
-     "ω = βc (1 - β²(δ² - ⅔ Δx²)/80).",
+     "waves ω = βc (1 - β²(δ² - ⅔ Δx²)/80).",
      "Conical influence: w_m (1 - m dx/delta) times (delta/dx)^2/(2 sum w_m m (1 - m dx/delta)) in place of "
      "w_m. For long waves w = beta c (1 - beta^2 (delta^2 - 2/3 dx^2)/80)."},
     {false,
@@ -258,25 +248,20 @@ static const HelpPassage beam_before[] = {
      "first, η how far the two have moved apart; c = 6E/(πδ³(1-ν)) with ν = 1/3, the only value that "
      "this theory has in two dimensions.",
      "The sum runs over the family: all points nearer than the horizon delta. xi is where the other lies at "
-     "first, "
-     "eta how far the two have moved apart; c = 6E/(pi delta^3 (1-nu)) with nu = 1/3, the only value that "
-     "this "
-     "theory has in two dimensions."},
+     "first, eta how far the two have moved apart; c = 6E/(pi delta^3 (1-nu)) with nu = 1/3, the only value "
+     "that this theory has in two dimensions."},
     {false, "Conical influence: c₁ (1 - |ξ|/δ) in place of c, c₁ = 4c.",
      "Conical influence: c1 (1 - |xi|/delta) in place of c, c1 = 4c."},
     {false,
      "w makes points near the horizon count less and less, from 1 at |ξ| = δ - Δx/2 along (δ + Δx/2 - "
-     "|ξ|)/Δx: "
-     "partial leaves out those beyond δ, hhb goes on to 0. It is not the share of their area. "
-     "G makes up for what bonds near a surface lack (surface correction).",
+     "|ξ|)/Δx: partial leaves out those beyond δ, hhb goes on to 0. It is not the share of their area. G "
+     "makes up for what bonds near a surface lack (surface correction).",
      "w makes points near the horizon count less and less, from 1 at |xi| = delta - dx/2 along (delta + dx/2 "
-     "- "
-     "|xi|)/dx: partial leaves out those beyond delta, hhb goes on to 0. It is not the share of their area. "
-     "G makes up for what bonds near a surface lack (surface correction)."},
+     "- |xi|)/dx: partial leaves out those beyond delta, hhb goes on to 0. It is not the share of their "
+     "area. G makes up for what bonds near a surface lack (surface correction)."},
     {false, "A bond breaks for ever at the critical stretch: s₀ = √(4πG₀/(9Eδ)), conical √(5πG₀/(9Eδ)).",
      "A bond breaks for ever at the critical stretch: s0 = sqrt(4 pi G0/(9 E delta)), conical sqrt(5 pi "
-     "G0/(9 E "
-     "delta))."},
+     "G0/(9 E delta))."},
 };
 
 static const HelpPassage plane_before[] = {
@@ -306,13 +291,11 @@ static const HelpPassage plane_after[] = {
      "w^2 = lowest eigenvalue of M_L^-1 M_C M_L^-1 K      sin(W dt/2) = w dt/2"},
     {false,
      "K adds up over the particles, so it is stiffer the further they lie from the middle of their cells: "
-     "three "
-     "along a side lock more than two.",
+     "three along a side lock more than two.",
      NULL},
     {false,
      "A particle that enters another cell jumps from one slope of a hat to the next. The jump feeds stress "
-     "that no "
-     "node feels, and the energy grows: uGIMP, or a mesh that rides along (mesh.velocity).",
+     "that no node feels, and the energy grows: uGIMP, or a mesh that rides along (mesh.velocity).",
      NULL},
 };
 
@@ -322,11 +305,9 @@ static const HelpPassage plate_after[] = {
      "c_R = c_s sqrt(2 - 2/sqrt(3))    c_s = sqrt(3E/(8 rho))"},
     {false,
      "Rayleigh's speed in plane stress at ν = 1/3. A speed is taken over the time in which that wave goes "
-     "four "
-     "horizons: over less the tip's jumps from spacing to spacing would show.",
+     "four horizons: over less the tip's jumps from spacing to spacing would show.",
      "Rayleigh's speed in plane stress at nu = 1/3. A speed is taken over the time in which that wave goes "
-     "four "
-     "horizons: over less the tip's jumps from spacing to spacing would show."},
+     "four horizons: over less the tip's jumps from spacing to spacing would show."},
     {false,
      "No formula tells where a crack in a plate goes. What must hold all the way is the sum of the energies.",
      NULL},
