@@ -355,12 +355,6 @@ void output_close(OutputFile *file)
 
 /* --- what is no file written whole -------------------------------------------------------------------- */
 
-void output_remove(Asker asker, const char *name)
-{
-    if (output_allowed(asker, name, NULL))
-        unlink(name);
-}
-
 bool output_make_folder(Asker asker, const char *name, bool *made, Status *status)
 {
     struct stat what;

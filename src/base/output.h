@@ -67,8 +67,6 @@ bool output_commit(OutputFile *, Status *);
  * until output_finish(). */
 bool output_publish(OutputFile *, Status *);
 
-void output_remove(Asker, const char *name);
-
 /* Makes a folder; *made: it was not there. output_remove_folder() takes back one that is empty. */
 bool output_make_folder(Asker, const char *name, bool *made, Status *);
 void output_remove_folder(Asker, const char *name);

@@ -190,11 +190,6 @@ double accurate_exp(double x)
     return wide_to_double(exponential(wide_of(x)));
 }
 
-double accurate_exp2(double x)
-{
-    return wide_to_double(exponential(wide_multiply(wide_of(x), ln2)));
-}
-
 double accurate_expm1(double x)
 {
     return wide_to_double(exponential_less_1(wide_of(x)));

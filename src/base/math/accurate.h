@@ -16,7 +16,6 @@ double accurate_sinh(double);
 double accurate_cosh(double);
 double accurate_tanh(double);
 double accurate_exp(double);
-double accurate_exp2(double);
 double accurate_expm1(double);
 double accurate_log(double, double near);
 double accurate_log2(double, double near_log); /* near_log: of the natural one */
