@@ -44,18 +44,6 @@ KERNEL_INLINE void vector_store(double *to, Vector value)
     *(VectorInArray *)to = value;
 }
 
-/* from[0], from[8], from[16] ... */
-KERNEL_INLINE Vector vector_load_every_eighth(const double *from)
-{
-#if defined __AVX512F__
-    return (Vector){from[0], from[8], from[16], from[24], from[32], from[40], from[48], from[56]};
-#elif defined __AVX__
-    return (Vector){from[0], from[8], from[16], from[24]};
-#else
-    return (Vector){from[0], from[8]};
-#endif
-}
-
 KERNEL_INLINE Vector vector_root(Vector x)
 {
 #if defined __AVX512F__

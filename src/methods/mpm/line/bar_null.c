@@ -13,12 +13,8 @@
  * A row that is empty (d = 0) takes the new one whole: c = 0, and nothing is left of it. So no pivot is too
  * small until its square leaves the range of a double, and no tolerance says which one would be. As particles
  * are in order, a triangle's row is complete when their cells have passed it: only as many rows are kept as a
- * cell has nodes.
- *
- * That is for the wider shapes. Hats go faster in pairs of cells (kernels_null.h); what is here of them is
- * for the few cells and pairs that are not like the others. */
+ * cell has nodes. */
 #include "methods/mpm/line/bar_null.h"
-#include "methods/mpm/line/kernels/bar_kernels.h"
 #include "methods/mpm/line/kernels/shape.h"
 
 /* Numbers whose squares would leave a double's range are as good as 0 beside others of order 1. */
@@ -26,7 +22,7 @@ static const double too_small = 1e-280;
 
 /* One particle: its row x (support entries, overwritten) and right-hand side v against the rows of the
  * triangle. */
-static inline void add_row(BarNullBand *null, const int support, double *x, double v)
+static inline void add_row(BarNull *null, const int support, double *x, double v)
 {
     double w = 1.0;
 #pragma GCC unroll 4
@@ -52,7 +48,7 @@ static inline void add_row(BarNullBand *null, const int support, double *x, doub
 
 /* On to the next cell, whose first node was this one's second: the complete first row of the triangle is
  * dropped, an empty last one comes in. */
-static inline void shift(BarNullBand *null, const int support)
+static inline void shift(BarNull *null, const int support)
 {
 #pragma GCC unroll 4
     for (int a = 0; a + 1 < support; a++) {
@@ -72,7 +68,7 @@ static inline void add_cells(const Bar *bar, BarNull *null, const MpmShape shape
 {
     const int support = shape_support(shape);
     const double root_of_second = sqrt(bar->joint_weight);
-    BarNullBand local = null->band;
+    BarNull local = *null;
     for (int c = null->next; c < end; c++) {
         double free[BAR_SUPPORT_MAX];
         for (int a = 0; a < support; a++)
@@ -93,17 +89,8 @@ static inline void add_cells(const Bar *bar, BarNull *null, const MpmShape shape
         }
         shift(&local, support);
     }
-    null->next = end > null->next ? end : null->next;
-    null->band = local;
-}
-
-/* Whether cells go in pairs. A short bar is done sooner cell by cell; with one particle a cell the products
- * of many joined cells would leave the range of a double, and there is nothing to be found: as many particles
- * as nodes can hide nothing. Of two materials the pairs know nothing. */
-static bool goes_in_pairs(const Bar *bar)
-{
-    enum { SHORT = 128 };
-    return bar->def.shape == MPM_HAT && bar->slots > 1 && bar->n_cells > SHORT && bar->def.joint == 0.0;
+    local.next = end > null->next ? end : null->next;
+    *null = local;
 }
 
 /* On to cell `end` as far as nodes are mapped: a node's activity is known only when all its cells have been.
@@ -111,10 +98,6 @@ static bool goes_in_pairs(const Bar *bar)
 void bar_null_add(const Bar *bar, BarNull *null, int end)
 {
     const int mapped = end == bar->n_cells ? end : end - bar->support + 1;
-    if (goes_in_pairs(bar)) {
-        bar->kernels->null_space(bar, null, end == bar->n_cells ? end : mapped / 8 * 8);
-        return;
-    }
     switch (bar->def.shape) {
     case MPM_HAT:
         add_cells(bar, null, MPM_HAT, mapped);
@@ -134,97 +117,8 @@ void bar_null_add(const Bar *bar, BarNull *null, int end)
     }
 }
 
-/* --- hats, by plain rotations ---------------------------------------------------------------------- */
-
-/* Turns (*x, and what comes with it in its row) against (other, ...), so that `other` becomes 0. Where both
- * are 0 nothing turns. */
-typedef struct Rotation {
-    double c, s;
-} Rotation;
-
-static Rotation rotate(double *x, double other)
-{
-    const double square = *x * *x + other * other;
-    if (!(square > too_small))
-        return (Rotation){1, 0};
-    const double root = sqrt(square);
-    const Rotation rotation = {*x / root, other / root};
-    *x = root;
-    return rotation;
-}
-
-static void turn(Rotation by, double *a, double *b)
-{
-    const double before = *a;
-    *a = by.c * before + by.s * *b;
-    *b = by.c * *b - by.s * before;
-}
-
-/* A row t u_far = u of the far node alone. */
-static void add_far(BarTriangle *to, double t, double u)
-{
-    double *part = to->part;
-    turn(rotate(&part[NULL_T], t), &part[NULL_U], &u);
-    part[NULL_SUM] += u * u;
-}
-
-/* A row x u_near + y u_far = v. */
-static void add_near(BarTriangle *to, double x, double y, double v)
-{
-    double *part = to->part;
-    const Rotation by = rotate(&part[NULL_X], x);
-    turn(by, &part[NULL_Y], &y);
-    turn(by, &part[NULL_V], &v);
-    add_far(to, y, v);
-}
-
-BarTriangle bar_null_cell(const Bar *bar, int cell, bool left)
-{
-    BarTriangle triangle = {{0}};
-    const double free_left = bar_node_moves(bar, cell), free_right = bar_node_moves(bar, cell + 1);
-    for (int p = bar->first[cell]; p < bar->first[cell + 1]; p++) {
-        const double s = bar->s[p % bar->slots][p / bar->slots], v = bar->v[p % bar->slots][p / bar->slots];
-        const double of_left = free_left * (1.0 - s), of_right = free_right * s;
-        add_near(&triangle, left ? of_left : of_right, left ? of_right : of_left, v);
-    }
-    return triangle;
-}
-
-BarTriangle bar_null_join(const BarTriangle *first, const BarTriangle *second)
-{
-    const double *a = first->part, *b = second->part;
-    BarTriangle all = {{[NULL_SUM] = a[NULL_SUM] + b[NULL_SUM]}};
-    add_far(&all, b[NULL_T], b[NULL_U]);
-    add_near(&all, a[NULL_T], 0.0, a[NULL_U]);
-
-    /* the shared node's two rows: one goes with the node, the other is left */
-    double x = a[NULL_X], y = a[NULL_Y], v = a[NULL_V], far = 0.0, rest_y = 0.0, rest_far = b[NULL_Y];
-    double rest_v = b[NULL_V];
-    const Rotation by = rotate(&x, b[NULL_X]);
-    turn(by, &y, &rest_y);
-    turn(by, &far, &rest_far);
-    turn(by, &v, &rest_v);
-    if (by.s == 0.0 && !(x * x > too_small)) /* the node is in neither */
-        add_near(&all, y, far, v);
-    add_near(&all, rest_y, rest_far, rest_v);
-    return all;
-}
-
-/* The squares that are left when the last two nodes go too. */
-static double sum_of_tree(const BarNullTree *tree)
-{
-    BarTriangle all = tree->before;
-    double *part = all.part;
-    if (!(part[NULL_X] * part[NULL_X] > too_small))
-        add_far(&all, part[NULL_Y], part[NULL_V]);
-    if (!(part[NULL_T] * part[NULL_T] > too_small))
-        part[NULL_SUM] += part[NULL_U] * part[NULL_U];
-    return part[NULL_SUM];
-}
-
 /* K_0 = m/2 times the sum of squares, in units of energy per cross-section. */
 double bar_null_energy(const Bar *bar, const BarNull *null)
 {
-    const double sum = goes_in_pairs(bar) ? sum_of_tree(&null->tree) : null->band.sum;
-    return 0.5 * bar->mass * sum;
+    return 0.5 * bar->mass * null->sum;
 }

@@ -542,8 +542,6 @@ static void node_sums(const Bar *bar, int first, int end, double *lanes)
 
 #include "methods/mpm/line/kernels/kernels_mass.h"
 
-#include "methods/mpm/line/kernels/kernels_null.h"
-
 const BarKernels BAR_KERNELS = {
     .halve_domains = halve_domains,
     .too_long = too_long,
@@ -560,5 +558,4 @@ const BarKernels BAR_KERNELS = {
     .settle = settle,
     .particle_sums = particle_sums,
     .node_sums = node_sums,
-    .null_space = null_space,
 };

@@ -54,9 +54,6 @@ struct BarKernels {
 
     /* The same of p^2 / m over nodes [first, end) */
     void (*node_sums)(const Bar *bar, int first, int end, double *lanes);
-
-    /* Of a bar with hats: goes on with K_0 up to cell `end`, a multiple of 8 or the end of the mesh */
-    void (*null_space)(const Bar *bar, BarNull *null, int end);
 };
 
 /* Those of a level that this machine has. */
