@@ -1,0 +1,463 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page around the terminal: what is opened, keys for fingers, files in and out, what is kept. Every text from
+// outside, a link's, a file's or the program's, becomes text of an element and never HTML.
+'use strict';
+
+const BYTES_MOST = 20e6, KEPT_MOST = 2e6, WORDS_MOST = 40, WORD_MOST = 200;
+const BEAT = 2000; // milliseconds: how often a tab says that it keeps a homework
+const element = (id) => document.getElementById(id);
+const notice = (text) => {
+	element('notice').textContent = text;
+	element('notice').hidden = text === '';
+};
+
+// --- what is kept in the browser ---------------------------------------------------------------
+// Files as latin-1 strings by 'matvib/state/NAME' and 'matvib/work/NAME'; 'matvib/tab' is who keeps a homework.
+const store = {
+	sound: true,
+	key: (kind, name) => 'matvib/' + kind + '/' + name,
+	trouble(why) {
+		if (this.sound) notice('This browser keeps nothing for this page (' + why + '): save your files before you leave.');
+		this.sound = false;
+	},
+	write(kind, name, bytes) {
+		if (bytes.length > KEPT_MOST) return this.trouble(name + ' is too large');
+		let text = '';
+		for (let i = 0; i < bytes.length; i += 4096) text += String.fromCharCode(...bytes.subarray(i, i + 4096));
+		try {
+			localStorage.setItem(this.key(kind, name), text);
+		} catch (error) {
+			this.trouble(error.name);
+		}
+	},
+	all(kind) {
+		const files = [];
+		try {
+			for (let i = 0; i < localStorage.length; i++) {
+				const key = localStorage.key(i), begin = this.key(kind, '');
+				if (!key.startsWith(begin)) continue;
+				const name = clean(key.slice(begin.length)), text = localStorage.getItem(key);
+				if (name && text.length <= KEPT_MOST && !/[^\0-\xff]/.test(text))
+					files.push({name, bytes: Uint8Array.from(text, (letter) => letter.charCodeAt(0))});
+			}
+		} catch (error) {
+			this.trouble(error.name);
+		}
+		return files;
+	},
+	forget() {
+		try {
+			for (const key of Object.keys(localStorage)) if (key.startsWith('matvib/')) localStorage.removeItem(key);
+		} catch (error) {
+			this.trouble(error.name);
+		}
+	},
+};
+
+// A name for a file in the program's folder; '': none is left of it.
+function clean(name) {
+	return name.replace(/^.*[/\\]/, '').replace(/[^A-Za-z0-9._-]/g, '_').replace(/^[.-]+/, '').slice(0, 100);
+}
+
+// One tab at a time keeps a homework. The mark is a tab's own while its time is young.
+const tab = {
+	own: String(Math.random()).slice(2),
+	timer: 0,
+	take() {
+		try {
+			const [who, when] = (localStorage.getItem('matvib/tab') || '').split(' ');
+			if (who && who !== this.own && Date.now() - Number(when) < 3 * BEAT && Number(when) <= Date.now()) return false;
+			const beat = () => localStorage.setItem('matvib/tab', this.own + ' ' + Date.now());
+			beat();
+			clearInterval(this.timer);
+			this.timer = setInterval(beat, BEAT);
+		} catch (error) {
+			store.trouble(error.name);
+		}
+		return true;
+	},
+	leave() {
+		clearInterval(this.timer);
+		try {
+			if ((localStorage.getItem('matvib/tab') || '').startsWith(this.own)) localStorage.removeItem('matvib/tab');
+		} catch (error) {
+			store.trouble(error.name);
+		}
+	},
+};
+addEventListener('pagehide', () => tab.leave());
+
+// --- what is to be opened ----------------------------------------------------------------------
+const data = JSON.parse(element('data').textContent);
+
+// A link may choose what there is and set parameters, no more: no files, no other options.
+function words_of_link(search) {
+	const wish = new URLSearchParams(search.slice(0, 20000)), sets = [];
+	for (const set of wish.getAll('set').slice(0, WORDS_MOST))
+		if (/^[a-z0-9_.]{1,60}=[^\x00-\x1f\x7f]{1,200}$/.test(set)) sets.push(set);
+	const scenario = wish.get('scenario'), lesson = wish.get('lesson');
+	const text = (name) => (wish.get(name) || '').replace(/[\x00-\x1f\x7f]/g, '').slice(0, 60);
+	return {
+		lesson: data.lessons.some(({name}) => name === lesson) ? lesson : null,
+		scenario: data.scenarios.some(({name}) => name === scenario) ? scenario : null,
+		sets, name: text('name'), id: text('id'),
+		unknown: (lesson && !data.lessons.some(({name}) => name === lesson)) ||
+			(scenario && !data.scenarios.some(({name}) => name === scenario)),
+	};
+}
+
+const opened = {kind: 'scenario', name: 'mode5', sets: []};
+
+function link_to_opened() {
+	const wish = new URLSearchParams();
+	wish.set(opened.kind, opened.name);
+	for (const set of opened.sets) wish.append('set', set);
+	return location.href.replace(/[?#].*$/, '') + '?' + wish;
+}
+
+function fill_chooser() {
+	const chooser = element('chooser');
+	for (const [label, kind] of [['lessons', 'lesson'], ['scenarios', 'scenario']]) {
+		const group = document.createElement('optgroup');
+		group.label = label;
+		for (const {name, title} of data[label]) {
+			const option = document.createElement('option');
+			option.value = kind + ' ' + name;
+			option.textContent = name + ': ' + title;
+			group.append(option);
+		}
+		chooser.append(group);
+	}
+	chooser.addEventListener('change', () => {
+		const [kind, name] = chooser.value.split(' ');
+		open_one({[kind]: name, sets: [], name: '', id: ''});
+	});
+}
+
+// --- the terminal ------------------------------------------------------------------------------
+const dark = matchMedia('(prefers-color-scheme: dark)');
+const coarse = matchMedia('(pointer: coarse)');
+const themes = {
+	light: {background: '#ffffff', foreground: '#1b1f23', cursor: '#1b1f23', selectionBackground: '#b6d6ff'},
+	dark: {background: '#101418', foreground: '#d8dee4', cursor: '#d8dee4', selectionBackground: '#39506b'},
+};
+const look = () => (dark.matches ? 'dark' : 'light');
+const encoder = new TextEncoder();
+const term = new Terminal({
+	fontFamily: '"Cascadia Mono", monospace', fontSize: innerWidth < 600 ? 12 : 15, lineHeight: 1.1,
+	theme: themes[look()], scrollback: 0, cursorBlink: false, allowProposedApi: true,
+});
+const fit = new FitAddon.FitAddon();
+let worker = null, program = null, keeps = false;
+
+function send(bytes) {
+	if (worker) worker.postMessage({keys: bytes});
+}
+const press = (text) => send(encoder.encode(text));
+
+function resize() {
+	fit.fit();
+	if (worker) worker.postMessage({size: [term.cols, term.rows]});
+}
+
+// --- the key line, for fingers -------------------------------------------------------------------
+const keys = {
+	Space: ' ', Tab: '\t', Enter: '\r', Esc: '\x1b', PgUp: '\x1b[5~', PgDn: '\x1b[6~', Home: '\x1bOH', End: '\x1bOF',
+	Del: '\x1b[3~', '←': '\x1bOD', '→': '\x1bOC', '↑': '\x1bOA', '↓': '\x1bOB', '<-': '\x1bOD', '->': '\x1bOC', '^C': '\x03',
+};
+const bytes_of = (key) => keys[key] || (/^[!-~]$/.test(key) ? key : /^\^[A-Z]$/.test(key) ? String.fromCharCode(key.charCodeAt(1) - 64) : null);
+
+// What the last row offers: [{keys: ['←', '→'], word, from, to}], columns from 0.
+function offers() {
+	const buffer = term.buffer.active, line = buffer.getLine(buffer.viewportY + term.rows - 1);
+	if (!line) return [];
+	const found = [], text = line.translateToString(true);
+	for (const part of text.matchAll(/\S+(?: \S+)*/g)) {
+		const words = part[0].split(' '), some = [];
+		while (words.length > 1 && bytes_of(words[0]) && some.length < 2) some.push(words.shift());
+		if (some.length === 0 || words.length === 0) continue;
+		found.push({keys: some, word: words.join(' '), from: part.index, to: part.index + part[0].length});
+	}
+	return found;
+}
+
+function key_button(label, text) {
+	const button = document.createElement('button');
+	button.type = 'button';
+	button.textContent = label;
+	// the terminal keeps the focus, so that a keyboard stays as it is
+	button.addEventListener('pointerdown', (event) => event.preventDefault());
+	button.addEventListener('click', () => press(text));
+	return button;
+}
+
+let offered = '';
+function show_keys() {
+	if (element('keys').hidden) return;
+	const lesson = opened.kind === 'lesson', now = offers(), sign = JSON.stringify([lesson, now]);
+	if (sign === offered) return;
+	offered = sign;
+	const buttons = [], shown = new Set();
+	const add = (key, label) => {
+		if (shown.has(key)) return;
+		shown.add(key);
+		buttons.push(key_button(label, bytes_of(key)));
+	};
+	if (lesson) {
+		add('n', 'n next');
+		add('b', 'b back');
+	}
+	for (const {keys: some, word} of now) for (const key of some) add(key, key + ' ' + word);
+	for (const key of ['←', '→', '↑', '↓', 'Enter', 'Esc', 'Tab', 'Space', '?']) add(key, key);
+	element('keys').replaceChildren(...buttons);
+}
+
+function tap(event) {
+	const screen = term.element.querySelector('.xterm-screen').getBoundingClientRect();
+	const column = Math.floor((event.clientX - screen.left) / screen.width * term.cols);
+	const row = Math.floor((event.clientY - screen.top) / screen.height * term.rows);
+	if (row !== term.rows - 1) return;
+	const at = offers().find(({from, to}) => column >= from && column < to);
+	if (!at) return;
+	const second = at.keys.length > 1 && column > at.from + at.keys[0].length;
+	press(bytes_of(at.keys[second ? 1 : 0]));
+}
+
+// --- files ---------------------------------------------------------------------------------------
+const written = new Map(); // name: bytes
+
+function save_button(name, bytes, label) {
+	const button = document.createElement('button');
+	button.type = 'button';
+	button.textContent = label;
+	button.addEventListener('click', () => {
+		const anchor = document.createElement('a');
+		anchor.href = URL.createObjectURL(new Blob([bytes], {type: 'application/octet-stream'}));
+		anchor.download = name.replace(/\//g, '_');
+		anchor.click();
+		setTimeout(() => URL.revokeObjectURL(anchor.href), 60000);
+	});
+	return button;
+}
+
+function list_files(list, only) {
+	const items = [];
+	for (const [name, bytes] of written) {
+		if (only && !only(name)) continue;
+		const item = document.createElement('li');
+		const label = /^homework.*\.session$/.test(name) ? 'hand in this file: ' : 'save ';
+		item.append(save_button(name, bytes, label + name), ' ' + bytes.length + ' bytes');
+		items.push(item);
+	}
+	element(list).replaceChildren(...items);
+}
+
+function show_files() {
+	const count = written.size;
+	element('files').textContent = count > 0 ? 'files (' + count + ')' : 'files';
+	list_files('written');
+	const homework = [...written.keys()].filter((name) => name.endsWith('.session'));
+	const whose = element('whose');
+	whose.replaceChildren();
+	if (homework.length > 0) {
+		const name = homework[homework.length - 1];
+		whose.append((opened.whose ? 'homework of ' + opened.whose + ' ' : 'kept here: '), save_button(name, written.get(name), 'hand in ' + name));
+	}
+}
+
+function take_file({file, kept, bytes}) {
+	if (kept) return store.write('state', file, bytes);
+	written.set(file, bytes);
+	if (file.endsWith('.session')) store.write('work', file, bytes);
+	show_files();
+}
+
+async function bring(files) {
+	for (const file of files) {
+		const name = clean(file.name);
+		if (!name || !/\.(ini|lesson|session|csv)$/.test(name)) {
+			notice('A scenario (.ini), lesson (.lesson), session (.session) or series (.csv) can be opened, not ' + file.name.slice(0, 80) + '.');
+			continue;
+		}
+		if (file.size > BYTES_MOST) {
+			notice(name + ' is too large (at most ' + BYTES_MOST / 1e6 + ' MB).');
+			continue;
+		}
+		notice('');
+		const bytes = new Uint8Array(await file.arrayBuffer());
+		if (name.endsWith('.lesson')) open_one({given: {name, bytes}, words: ['lesson', name], solve: /^@solve/m.test(new TextDecoder().decode(bytes))});
+		else if (name.endsWith('.session')) open_one({given: {name, bytes}, words: ['--replay', name]});
+		else {
+			worker.postMessage({put: {name, bytes}});
+			press((name.endsWith('.csv') ? ':overlay ' : ':open ') + name + '\r');
+		}
+		term.focus();
+	}
+}
+
+// --- the program -----------------------------------------------------------------------------------
+function stop() {
+	if (!worker) return;
+	worker.onmessage = null;
+	worker.terminate();
+	worker = null;
+	tab.leave();
+}
+
+function begin(words, {files = [], input = ''} = {}) {
+	stop();
+	term.reset();
+	fit.fit();
+	worker = new Worker(worker_address());
+	worker.onmessage = ({data}) => {
+		const here = worker;
+		if (data.out) term.write(data.out, () => here.postMessage({drawn: data.out.length}));
+		else if (data.file) take_file(data);
+		else if ('ended' in data) end(data.ended, data.text);
+	};
+	worker.onerror = (event) => end(134, event.message || 'the program could not be begun');
+	const work = store.all('work');
+	for (const {name, bytes} of work) written.set(name, bytes);
+	worker.postMessage({start: {
+		words: words.concat('--theme', look()), columns: term.cols, rows: term.rows, program,
+		files: work.concat(files), state: store.all('state'), terminal: data.terminal, input: encoder.encode(input),
+	}});
+	show_files();
+	element('end-sheet').close();
+	term.focus();
+}
+
+function end(status, text) {
+	stop();
+	element('end-title').textContent = status === 0 ? 'The program has ended.' : 'The program ended with an error (' + status + ').';
+	element('end-text').textContent = text.replace(/[\x00-\x08\x0b-\x1f\x7f]/g, '').slice(-1500);
+	list_files('end-files', (name) => name.endsWith('.session'));
+	element('end-sheet').showModal();
+	element('again').focus();
+}
+
+function ask_whose() {
+	return new Promise((resolve) => {
+		const sheet = element('whose-sheet');
+		sheet.onclose = () => resolve(sheet.returnValue === 'begin' ? [element('name').value.trim(), element('id').value.trim()] : ['', '']);
+		sheet.returnValue = '';
+		element('name').value = element('id').value = '';
+		sheet.showModal();
+	});
+}
+
+// What a person, a link or the chooser asks for.
+async function open_one({scenario, lesson, sets = [], name = '', id = '', words, given, solve}) {
+	opened.kind = lesson || words && words[0] === 'lesson' ? 'lesson' : 'scenario';
+	opened.name = lesson || scenario || (given ? given.name : 'mode5');
+	opened.sets = sets;
+	opened.whose = '';
+	offered = '';
+	const options = {files: given ? [given] : []};
+	let all = words || (lesson ? ['lesson', lesson] : [scenario || 'mode5'].concat(...sets.map((set) => ['--set', set])));
+	if (solve || (lesson && data.lessons.some((row) => row.name === lesson && row.solve))) {
+		stop();
+		if (!name) [name, id] = await ask_whose();
+		if (name && !tab.take()) {
+			notice('Another tab of this browser keeps a homework: close it first. Here you only look, nothing is kept.');
+			name = '';
+		}
+		if (name) all = all.concat('--name', name, id ? ['--id', id] : []);
+		else options.input = '\n'; // to the program's own question
+		opened.whose = name;
+	}
+	if (!given) element('chooser').value = opened.kind + ' ' + opened.name;
+	begin(all, options);
+}
+
+// --- the page as a whole ---------------------------------------------------------------------------
+function worker_address() {
+	const inlined = element('worker');
+	if (!inlined) return 'worker.js';
+	if (!worker_address.made)
+		worker_address.made = URL.createObjectURL(new Blob([inlined.textContent], {type: 'text/javascript'}));
+	return worker_address.made;
+}
+
+async function load_program() {
+	const inlined = element('program');
+	if (!inlined) return (await fetch('matvib.wasm')).arrayBuffer();
+	const packed = Uint8Array.from(atob(inlined.textContent), (letter) => letter.charCodeAt(0));
+	return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
+}
+
+function set_keyboard(on) {
+	term.textarea.inputMode = on ? 'text' : 'none';
+	element('keyboard').setAttribute('aria-pressed', String(on));
+}
+
+function listen() {
+	term.onData(press);
+	term.onBinary((text) => send(Uint8Array.from(text, (letter) => letter.charCodeAt(0))));
+	term.onRender(() => show_keys());
+	term.element.addEventListener('click', tap);
+	new ResizeObserver(resize).observe(element('screen'));
+	dark.addEventListener('change', () => { term.options.theme = themes[look()]; });
+	const touch = () => {
+		element('keys').hidden = !coarse.matches;
+		element('keyboard').hidden = !coarse.matches;
+		set_keyboard(!coarse.matches);
+		offered = '';
+		show_keys();
+	};
+	coarse.addEventListener('change', touch);
+	touch();
+	element('keyboard').addEventListener('click', () => {
+		set_keyboard(term.textarea.inputMode === 'none');
+		term.textarea.blur();
+		term.focus();
+	});
+	element('files').addEventListener('click', () => { list_files('written'); element('files-sheet').showModal(); });
+	element('about').addEventListener('click', () => element('about-sheet').showModal());
+	element('link').addEventListener('click', async () => {
+		try {
+			await navigator.clipboard.writeText(link_to_opened());
+			notice('The link to this is on the clipboard.');
+		} catch (error) {
+			notice(link_to_opened());
+		}
+	});
+	element('bring').addEventListener('change', () => {
+		element('files-sheet').close();
+		bring(element('bring').files);
+	});
+	element('forget').addEventListener('click', () => {
+		store.forget();
+		written.clear();
+		element('files-sheet').close();
+		open_one({scenario: 'mode5'});
+		notice('What this page kept in this browser is removed.');
+	});
+	element('again').addEventListener('click', () => open_one({[opened.kind]: data[opened.kind + 's'].some(({name}) => name === opened.name) ? opened.name : undefined, sets: opened.sets}));
+	const screen = element('screen');
+	addEventListener('dragover', (event) => { event.preventDefault(); screen.classList.add('over'); });
+	addEventListener('dragleave', () => screen.classList.remove('over'));
+	addEventListener('drop', (event) => {
+		event.preventDefault();
+		screen.classList.remove('over');
+		bring(event.dataTransfer.files);
+	});
+}
+
+async function main() {
+	if (typeof WebAssembly !== 'object' || typeof DecompressionStream !== 'function')
+		return notice('This browser is too old for this page: it has no WebAssembly. A newer Firefox, Chrome, Edge or Safari has.');
+	element('licences').textContent = data.licences;
+	fill_chooser();
+	await Promise.all([document.fonts.load('15px "Cascadia Mono"', 'matvib'), document.fonts.load('15px "Cascadia Mono"', '⣿'),
+		document.fonts.load('15px "Cascadia Mono"', '│')]);
+	term.loadAddon(fit);
+	term.open(element('screen'));
+	listen();
+	program = await load_program();
+	const wish = words_of_link(location.search);
+	if (wish.unknown) notice('The link names a scenario or lesson that this page has not: here is mode5 instead.');
+	await open_one(wish.scenario || wish.lesson ? wish : {scenario: 'mode5', sets: wish.sets});
+}
+
+main().catch((error) => notice('The page could not be begun: ' + error.message));

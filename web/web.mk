@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The page: `make web-sources` fetches what it is made of, once and by hash; `make web` builds it without a network.
+# Makefile.am says web_source, web_page (where it is to be) and web_build (this machine); everything on the way there lies in web-work.
+
+cache = $(or $(MATVIB_WEB_CACHE),$(or $(XDG_CACHE_HOME),$(HOME)/.cache)/matvib-web)
+work = web-work
+web = $(web_source)/web
+# Debian's emscripten with a node that is not Debian's
+export NODE_PATH := /usr/share/nodejs
+
+ncurses = $(work)/ncurses/lib/libncursesw.a
+gsl = $(work)/gsl/libgsl.a
+utf8proc = $(work)/utf8proc/libutf8proc.a
+npm = $(work)/node_modules/.installed
+parts = index.html matvib.css page.js worker.js host.js licences.txt
+
+all: $(web_page)/index.html matvib.html
+
+# --- tools ------------------------------------------------------------------------------------
+# need TOOL,PACKAGE: one line where it is missing
+need = @command -v $(1) >/dev/null || { echo "make web: $(1) is missing: install the Debian package $(2)" >&2; exit 1; }
+
+.PHONY: all sources tools
+tools:
+	$(call need,emcc,emscripten)
+	$(call need,node,nodejs)
+	$(call need,npm,npm)
+	$(call need,python3,python3)
+
+# --- sources ----------------------------------------------------------------------------------
+sources: tools
+	$(call need,curl,curl)
+	@mkdir -p $(cache)
+	@sh $(web)/fetch $(cache) $(web)/sources
+	rm -rf $(cache)/fetched && mkdir -p $(cache)/fetched && cp $(web)/package.json $(web)/package-lock.json $(cache)/fetched
+	cd $(cache)/fetched && npm ci --cache $(cache)/npm --ignore-scripts --no-audit --no-fund
+	rm -rf $(cache)/fetched
+
+archive = $(cache)/$(notdir $(shell sed -n 's,^[^\#].* \(.*/$(1)_.*\),\1,p' $(web)/sources))
+$(cache)/%:
+	@echo "make web: $@ is missing: run make web-sources first" >&2; exit 1
+
+# unpacked NAME: an archive's one folder as web-work/NAME-source
+unpack = rm -rf $(work)/$(1)-source && mkdir -p $(work)/$(1)-source && sh $(web)/fetch --check $(cache) $(web)/sources && \
+	tar xf $(call archive,$(1)) -C $(work)/$(1)-source --strip-components=1 && touch $@
+
+$(work)/%-source/.unpacked: $(web)/sources | tools
+	$(call unpack,$*)
+
+$(npm): $(web)/package.json $(web)/package-lock.json | tools
+	@mkdir -p $(work)
+	cp $(web)/package.json $(web)/package-lock.json $(work)
+	cd $(work) && npm ci --offline --cache $(cache)/npm --ignore-scripts --no-audit --no-fund || \
+		{ echo "make web: npm's packages are missing: run make web-sources first" >&2; exit 1; }
+	touch $@
+
+# --- libraries --------------------------------------------------------------------------------
+# Descriptions of terminals are read by ncurses, but none lies in the page: the program brings its own.
+$(ncurses): $(work)/ncurses-source/.unpacked
+	@mkdir -p $(work)/ncurses
+	cp $(web_source)/build-aux/config.sub $(work)/ncurses-source
+	cd $(work)/ncurses && emconfigure ../ncurses-source/configure --host=wasm32-unknown-emscripten --build=$(web_build) \
+		--enable-widec --disable-db-install --disable-home-terminfo --disable-mixed-case \
+		--with-default-terminfo-dir=/none --with-terminfo-dirs=/none --without-cxx --without-cxx-binding --without-ada \
+		--without-tests --without-progs --without-manpages --without-debug --without-tack --disable-stripping \
+		--disable-pc-files --disable-lp64 --with-build-cc=cc CFLAGS=-O2 >configure.log 2>&1
+	cd $(work)/ncurses && emmake $(MAKE) -C include >make.log 2>&1 && emmake $(MAKE) -C ncurses HOSTCC=cc >>make.log 2>&1
+
+gsl_files = $(shell cat $(web)/gsl-files)
+gsl_objects = $(patsubst %.c,$(work)/gsl/%.o,$(gsl_files))
+$(work)/gsl-source/gsl/.linked: $(work)/gsl-source/.unpacked $(web)/gsl-config.h
+	cp $(web)/gsl-config.h $(work)/gsl-source/config.h
+	cd $(work)/gsl-source && for header in gsl_*.h */gsl_*.h; do ln -sf ../$$header gsl/; done
+	touch $@
+$(gsl_objects): $(work)/gsl/%.o: $(work)/gsl-source/gsl/.linked
+	@mkdir -p $(@D)
+	@emcc -O2 -w -ffp-contract=off -DHAVE_CONFIG_H -I$(work)/gsl-source -I$(work)/gsl-source/$(dir $*) \
+		-c $(work)/gsl-source/$*.c -o $@
+$(gsl): $(gsl_objects)
+	rm -f $@ && emar cr $@ $^
+
+$(utf8proc): $(work)/utf8proc-source/.unpacked
+	@mkdir -p $(@D)
+	emcc -O2 -w -DUTF8PROC_STATIC -c $(work)/utf8proc-source/utf8proc.c -o $(@D)/utf8proc.o
+	rm -f $@ && emar cr $@ $(@D)/utf8proc.o
+
+# --- the program ------------------------------------------------------------------------------
+here := $(abspath $(work))
+program = $(work)/program/matvib.js
+link = -O2 -sASYNCIFY -sASYNCIFY_IMPORTS=web_wait -sASYNCIFY_STACK_SIZE=262144 -sALLOW_MEMORY_GROWTH -sMAXIMUM_MEMORY=2147483648 \
+	-sINITIAL_MEMORY=33554432 -sTOTAL_STACK=4194304 -sMODULARIZE -sEXPORT_NAME=createMatvib -sENVIRONMENT=worker,node \
+	-sEXIT_RUNTIME -sFORCE_FILESYSTEM -sEXPORTED_RUNTIME_METHODS=FS,ENV -sDYNAMIC_EXECUTION=0 \
+	--js-library $(abspath $(web)/library.js)
+$(work)/program/Makefile: $(web_source)/configure $(ncurses) $(gsl) $(utf8proc) $(web)/web.mk
+	@mkdir -p $(@D)
+	cd $(@D) && emconfigure $(abspath $(web_source))/configure --quiet --host=wasm32-unknown-emscripten --build=$(web_build) \
+		--without-cairo --without-gif CFLAGS=-O2 LDFLAGS= PKG_CONFIG=false \
+		NCURSES_CFLAGS="-D_XOPEN_SOURCE_EXTENDED -DNCURSES_WIDECHAR=1 -I$(here)/ncurses/include" NCURSES_LIBS="$(here)/ncurses/lib/libncursesw.a" \
+		GSL_CFLAGS="-I$(here)/gsl-source" GSL_LIBS="$(here)/gsl/libgsl.a" \
+		UTF8PROC_CFLAGS="-I$(here)/utf8proc-source -DUTF8PROC_STATIC" UTF8PROC_LIBS="$(here)/utf8proc/libutf8proc.a"
+# its own makefile knows what is out of date
+.PHONY: program
+program: $(work)/program/Makefile
+	+$(MAKE) -s -C $(work)/program $(if $(filter -j%,$(MAKEFLAGS)),,-j$(shell nproc 2>/dev/null || echo 2)) \
+		EXEEXT=.js matvib.js LDFLAGS='$(link)'
+$(program): program
+
+# --- the page ---------------------------------------------------------------------------------
+$(web_page)/index.html: $(program) $(npm) $(parts:%=$(web)/%) $(web)/assemble
+	@mkdir -p $(web_page)
+	node $(web)/assemble $(web) $(work) $(web_page) matvib.html
+matvib.html: $(web_page)/index.html

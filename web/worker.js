@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program in its worker; the page speaks to it by messages alone. host.js and matvib.js stand before this.
+'use strict';
+
+const HERE = '/here', STATE = '/home/web_user/.local/state/matvib';
+let host = null, made = null, scanning = null;
+let told = ''; // the end of what was said outside of the screen
+const seen = new Map();
+
+// Files that are new or others than before go to the page.
+function scan() {
+	scanning = null;
+	const FS = made.FS;
+	const look = (folder, kept) => {
+		if (!FS.analyzePath(folder).exists) return;
+		for (const name of FS.readdir(folder)) {
+			if (name === '.' || name === '..') continue;
+			const path = folder + '/' + name, stat = FS.stat(path);
+			if (FS.isDir(stat.mode)) {
+				look(path, kept);
+				continue;
+			}
+			const now = stat.size + ':' + stat.mtime.getTime();
+			if (!FS.isFile(stat.mode) || seen.get(path) === now || /(^|\/)\.[^/]*$/.test(path)) continue;
+			seen.set(path, now);
+			const bytes = FS.readFile(path);
+			const short = path.slice((kept ? STATE : HERE).length + 1);
+			postMessage({file: short, kept, bytes}, [bytes.buffer]);
+		}
+	};
+	look(HERE, false);
+	look(STATE, true);
+}
+
+function put(folder, files) {
+	const FS = made.FS;
+	for (const {name, bytes} of files) {
+		FS.writeFile(folder + '/' + name, bytes);
+		const stat = FS.stat(folder + '/' + name);
+		seen.set(folder + '/' + name, stat.size + ':' + stat.mtime.getTime());
+	}
+}
+
+function ended(status, why) {
+	try {
+		scan();
+	} catch (error) {
+		// what crashed may have left anything
+	}
+	postMessage({ended: status, text: why ? told + why : told});
+}
+
+function start(message) {
+	host = new Host((bytes) => postMessage({out: bytes}, [bytes.buffer]),
+		() => { if (scanning === null) scanning = setTimeout(scan, 200); },
+		(error) => ended(134, String(error)));
+	host.columns = message.columns;
+	host.rows = message.rows;
+	if (message.input) host.input.push(...message.input);
+	const decoder = new TextDecoder();
+	const settings = {
+		host, arguments: message.words, thisProgram: 'matvib', wasmBinary: message.program,
+		locateFile: (name) => name,
+		print: () => {}, printErr: (text) => { told = (told + text + '\n').slice(-2000); },
+		preRun: [(program) => {
+			made = program;
+			const FS = made.FS;
+			host.install(made, (bytes) => { told = (told + decoder.decode(bytes, {stream: true})).slice(-2000); });
+			Object.assign(made.ENV, {HOME: '/home/web_user', LC_ALL: 'C.UTF-8', LANG: 'C.UTF-8',
+				TERM: 'matvib-256', TERMINFO: message.terminal});
+			FS.mkdir(HERE);
+			FS.mkdirTree(STATE);
+			put(HERE, message.files);
+			put(STATE, message.state);
+			FS.chdir(HERE);
+		}],
+		onExit: (status) => ended(status, ''),
+		onAbort: (what) => ended(134, String(what)),
+	};
+	createMatvib(settings).catch((error) => ended(134, String(error)));
+}
+
+self.addEventListener('unhandledrejection', (event) => ended(134, String(event.reason)));
+self.addEventListener('error', (event) => ended(134, String(event.message)));
+onmessage = ({data}) => {
+	if (data.start) start(data.start);
+	else if (data.keys) host.keys(data.keys);
+	else if (data.size) host.size(data.size[0], data.size[1]);
+	else if (data.drawn) host.drawn(data.drawn);
+	else if (data.put) put(HERE, [data.put]);
+	else if (data.leave) host.hang_up();
+};
