@@ -21,7 +21,7 @@ enum {
     OVERLAY_CELLS_MAX = 64000000
 };
 
-#define OVERLAY_BYTES_MAX 4000000000L
+#define OVERLAY_BYTES_MAX ((long)(sizeof(long) < 8 ? 2000000000LL : 4000000000LL))
 
 typedef struct OverlayColumn {
     char name[OVERLAY_NAME_MAX]; /* UTF-8; "" without a first line of names */
