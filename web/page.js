@@ -30,6 +30,13 @@ const store = {
 			this.trouble(error.name);
 		}
 	},
+	remove(kind, name) {
+		try {
+			localStorage.removeItem(this.key(kind, name));
+		} catch (error) {
+			this.trouble(error.name);
+		}
+	},
 	all(kind) {
 		const files = [];
 		try {
@@ -226,6 +233,28 @@ function tap(event) {
 // --- files ---------------------------------------------------------------------------------------
 const written = new Map(); // name: bytes
 
+const is_whole = (bytes) => /\nend .*\ncheck [0-9a-f]+\n$/.test(new TextDecoder().decode(bytes));
+
+function word_button(label, act) {
+	const button = document.createElement('button');
+	button.type = 'button';
+	button.textContent = label;
+	button.addEventListener('click', act);
+	return button;
+}
+
+// What a session lacks that was cut off, its end, it gets by being done again, and then it goes on.
+function go_on(name) {
+	if (!tab.take()) return notice('Another tab of this browser keeps a homework: close it first.');
+	const base = name.replace(/(-go\d+)?\.session$/, '');
+	let number = 1;
+	while (written.has(base + '-go' + number + '.session')) number++;
+	opened.kind = 'lesson';
+	opened.recording = base + '-go' + number + '.session';
+	opened.instead_of = name;
+	begin(['--replay', name, '--fast', '--record', opened.recording]);
+}
+
 function save_button(name, bytes, label) {
 	const button = document.createElement('button');
 	button.type = 'button';
@@ -259,16 +288,24 @@ function show_files() {
 	const homework = [...written.keys()].filter((name) => name.endsWith('.session'));
 	const whose = element('whose');
 	whose.replaceChildren();
-	if (homework.length > 0) {
-		const name = homework[homework.length - 1];
-		whose.append((opened.whose ? 'homework of ' + opened.whose + ' ' : 'kept here: '), save_button(name, written.get(name), 'hand in ' + name));
-	}
+	if (homework.length === 0) return;
+	const name = homework[homework.length - 1];
+	if (worker && (opened.whose || opened.recording) && !is_whole(written.get(name)))
+		whose.append((opened.whose ? 'homework of ' + opened.whose + ' ' : ''),
+			word_button('hand in', () => worker.postMessage({leave: true})));
+	else if (is_whole(written.get(name))) whose.append('kept here: ', save_button(name, written.get(name), 'hand in ' + name));
+	else whose.append('kept here: ', word_button('go on with ' + name, () => go_on(name)));
 }
 
 function take_file({file, kept, bytes}) {
 	if (kept) return store.write('state', file, bytes);
 	written.set(file, bytes);
 	if (file.endsWith('.session')) store.write('work', file, bytes);
+	const before = written.get(opened.instead_of);
+	if (file === opened.recording && before && bytes.length >= before.length) {
+		written.delete(opened.instead_of);
+		store.remove('work', opened.instead_of);
+	}
 	show_files();
 }
 
@@ -289,6 +326,9 @@ async function bring(files) {
 		else if (name.endsWith('.session')) open_one({given: {name, bytes}, words: ['--replay', name]});
 		else {
 			worker.postMessage({put: {name, bytes}});
+			// out of whatever is being typed; time makes it a key of its own
+			press('\x1b');
+			await new Promise((done) => setTimeout(done, 200));
 			press((name.endsWith('.csv') ? ':overlay ' : ':open ') + name + '\r');
 		}
 		term.focus();
@@ -352,6 +392,7 @@ async function open_one({scenario, lesson, sets = [], name = '', id = '', words,
 	opened.name = lesson || scenario || (given ? given.name : 'mode5');
 	opened.sets = sets;
 	opened.whose = '';
+	opened.recording = opened.instead_of = null;
 	offered = '';
 	const options = {files: given ? [given] : []};
 	let all = words || (lesson ? ['lesson', lesson] : [scenario || 'mode5'].concat(...sets.map((set) => ['--set', set])));
@@ -395,7 +436,7 @@ function listen() {
 	term.onData(press);
 	term.onBinary((text) => send(Uint8Array.from(text, (letter) => letter.charCodeAt(0))));
 	term.onRender(() => show_keys());
-	term.element.addEventListener('click', tap);
+	term.element.addEventListener('pointerup', tap, true);
 	new ResizeObserver(resize).observe(element('screen'));
 	dark.addEventListener('change', () => { term.options.theme = themes[look()]; });
 	const touch = () => {
