@@ -369,7 +369,7 @@ function begin(words, {files = [], input = ''} = {}) {
 
 function end(status, text) {
 	stop();
-	element('end-title').textContent = status === 0 ? 'The program has ended.' : 'The program ended with an error (' + status + ').';
+	element('end-title').textContent = status === 0 || status === 129 ? 'The program has ended.' : 'The program ended with an error (' + status + ').';
 	element('end-text').textContent = text.replace(/[\x00-\x08\x0b-\x1f\x7f]/g, '').slice(-1500);
 	list_files('end-files', (name) => name.endsWith('.session'));
 	element('end-sheet').showModal();
