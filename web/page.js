@@ -174,7 +174,8 @@ const keys = {
 };
 const bytes_of = (key) => keys[key] || (/^[!-~]$/.test(key) ? key : /^\^[A-Z]$/.test(key) ? String.fromCharCode(key.charCodeAt(1) - 64) : null);
 
-// What the last row offers: [{keys: ['←', '→'], word, from, to}], columns from 0.
+// What the last row offers: [{keys: ['←', '→'], word, from, to}], columns from 0. A tap on the row itself is the program's,
+// which knows the mouse.
 function offers() {
 	const buffer = term.buffer.active, line = buffer.getLine(buffer.viewportY + term.rows - 1);
 	if (!line) return [];
@@ -217,17 +218,6 @@ function show_keys() {
 	for (const {keys: some, word} of now) for (const key of some) add(key, key + ' ' + word);
 	for (const key of ['←', '→', '↑', '↓', 'Enter', 'Esc', 'Tab', 'Space', '?']) add(key, key);
 	element('keys').replaceChildren(...buttons);
-}
-
-function tap(event) {
-	const screen = term.element.querySelector('.xterm-screen').getBoundingClientRect();
-	const column = Math.floor((event.clientX - screen.left) / screen.width * term.cols);
-	const row = Math.floor((event.clientY - screen.top) / screen.height * term.rows);
-	if (row !== term.rows - 1) return;
-	const at = offers().find(({from, to}) => column >= from && column < to);
-	if (!at) return;
-	const second = at.keys.length > 1 && column > at.from + at.keys[0].length;
-	press(bytes_of(at.keys[second ? 1 : 0]));
 }
 
 // --- files ---------------------------------------------------------------------------------------
@@ -436,7 +426,6 @@ function listen() {
 	term.onData(press);
 	term.onBinary((text) => send(Uint8Array.from(text, (letter) => letter.charCodeAt(0))));
 	term.onRender(() => show_keys());
-	term.element.addEventListener('pointerup', tap, true);
 	new ResizeObserver(resize).observe(element('screen'));
 	dark.addEventListener('change', () => { term.options.theme = themes[look()]; });
 	const touch = () => {
