@@ -94,8 +94,8 @@ static void line_words(const Screen *screen, bool brief, char *out, size_t size)
     const Column *columns = experiment_columns(screen->experiment, &n);
     snprintf(out, size, "%s measured", ascii ? "*" : "Solid");
     for (int i = 0; i < n; i++) {
-        const Legend legend = time_plot_legend(columns, i);
-        const char letter[] = {legend.letter, '\0'};
+        const PictureKey legend = time_plot_key(columns, i);
+        const char letter[] = {legend.ascii, '\0'};
         if (columns[i].kind == COLUMN_MEASURED || columns[i].of < 0 ||
             !time_plot_shows(screen, &columns[i]) || strstr(out, legend.name))
             continue;
@@ -111,7 +111,7 @@ static bool is_drawn(const Screen *screen, LineStyle line)
     const Column *columns = experiment_columns(screen->experiment, &n);
     for (int i = 0; i < n; i++)
         if (columns[i].kind != COLUMN_MEASURED && columns[i].of >= 0 &&
-            time_plot_shows(screen, &columns[i]) && time_plot_legend(columns, i).line == line)
+            time_plot_shows(screen, &columns[i]) && time_plot_key(columns, i).line == line)
             return true;
     return false;
 }

@@ -378,7 +378,8 @@ static void draw_beam(const Screen *screen, Area area)
     }
     const double stretch = needed > part.rect.height ? part.rect.height / needed : 1;
     Plot plot;
-    plot_open(&plot, axis_make(low[0], high[0] + 1e-9 * height, 4), axis_make(bottom, top, 4));
+    plot_open(&plot, axis_with_ticks(axis_make(low[0], high[0] + 1e-9 * height), 4),
+              axis_with_ticks(axis_make(bottom, top), 4));
     plot_begin(&plot, STROKE_DOTS, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '#');
     for (size_t i = 0; i < count; i++)
         if (damage[i] <= CRACK_DAMAGE)

@@ -112,11 +112,12 @@ void screen_draw(const Screen *screen, Canvas *canvas)
         if (layout.timeline.width > 0)
             pane_timeline(screen, area_of(&screen->look, canvas, layout.timeline));
         if (layout.sides[0].width > 0)
-            view_energies.draw(screen, area_of(&screen->look, canvas, layout.sides[0]), STYLE_HEADING, 0);
+            view_draw_variant(&view_energies, screen, area_of(&screen->look, canvas, layout.sides[0]),
+                              STYLE_HEADING, 0);
         for (int i = 1; i < SIDES_MAX; i++)
             if (layout.sides[i].width > 0)
-                view_table.draw(screen, area_of(&screen->look, canvas, layout.sides[i]), STYLE_HEADING,
-                                i - 1);
+                view_draw_variant(&view_table, screen, area_of(&screen->look, canvas, layout.sides[i]),
+                                  STYLE_HEADING, i - 1);
     }
     pane_title(screen, area_of(&screen->look, canvas, layout.title));
     pane_keys(screen, area_of(&screen->look, canvas, layout.keys));
@@ -125,17 +126,6 @@ void screen_draw(const Screen *screen, Canvas *canvas)
 }
 
 /* --- views ------------------------------------------------------------------------------------------- */
-
-void screen_picture(const Screen *screen, const View *view, int columns, int rows, Picture *picture)
-{
-    Canvas canvas = {.width = columns, .height = rows, .picture = picture};
-    picture_open(picture);
-    picture->of_moment = view->of_moment;
-    picture->compares = view->compares;
-    picture->upright = view->upright;
-    screen_time_text(screen, experiment_time(screen->experiment), picture->time, sizeof picture->time);
-    view_draw(view, screen, (Area){&canvas, {0, 0, columns, rows}, GLYPHS_NONE}, false);
-}
 
 bool screen_click_view(Screen *screen, int width, int height, int x, int y)
 {

@@ -14,7 +14,6 @@
 #include "scenario/parameters.h"
 #include "picture/canvas.h"
 #include "help/command.h"
-#include "picture/picture.h"
 
 enum { FRAMES_PER_SECOND = 30 };
 
@@ -274,10 +273,6 @@ void views_open(Screen *, const ViewSettings *);
 
 /* The view in a pane; NULL: it is no plot pane. */
 const View *screen_view_in(const Screen *, PaneId);
-
-/* What a view shows at present as strokes and words in place of cells, for a picture as large as so many
- * columns and rows of text. */
-void screen_picture(const Screen *, const View *, int columns, int rows, Picture *);
 
 /* The rows of the parameter pane, for drawing and for moving in it. Returns how many. */
 int screen_parameter_rows(const Screen *, ParameterRow rows[PARAMETER_ROWS_MAX]);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Text and glyphs in a part of the canvas: clipped to it, broken at spaces, cut with an ellipsis. */
-#include "picture/picture.h"
+#include "picture/area.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -28,15 +28,13 @@ static bool has_row(Area area, int y)
 
 void area_put(Area area, int x, int y, uint32_t glyph, Style style)
 {
-    if (x >= 0 && x < area.rect.width && has_row(area, y) && !area.canvas->picture)
+    if (x >= 0 && x < area.rect.width && has_row(area, y))
         canvas_put(area.canvas, area.rect.x + x, area.rect.y + y, glyph, style);
 }
 
 void area_put_back(Area area, int x, int y, uint32_t glyph, Style style, Style back)
 {
     area_put(area, x, y, glyph, style);
-    if (area.canvas->picture)
-        return;
     if (x >= 0 && x < area.rect.width && has_row(area, y) && area.rect.x + x < area.canvas->width &&
         area.rect.y + y < area.canvas->height)
         area.canvas->cells[(size_t)(area.rect.y + y) * (size_t)area.canvas->width + (size_t)(area.rect.x + x)]
@@ -45,10 +43,6 @@ void area_put_back(Area area, int x, int y, uint32_t glyph, Style style, Style b
 
 int area_text(Area area, int x, int y, const char *text, Style style)
 {
-    if (area.canvas->picture) {
-        picture_note(area.canvas->picture, text, style == STYLE_FAINT);
-        return glyphs_columns(text);
-    }
     if (x < 0 || x >= area.rect.width || !has_row(area, y))
         return 0;
     return canvas_text(area.canvas, area.rect.x + x, area.rect.y + y, area.rect.width - x, text, style);
@@ -127,8 +121,6 @@ static int paragraph(const Area *area, int x, int y, int width, int rows, const 
 
 int area_paragraph(Area area, int x, int y, int width, int rows, const char *text, Style style)
 {
-    if (area.canvas->picture)
-        return area_text(area, x, y, text, style) > 0;
     return paragraph(&area, x, y, width, rows, text, style);
 }
 
@@ -139,8 +131,6 @@ int area_paragraph_lines(int width, const char *text)
 
 int area_phrases(Area area, int x, int y, int width, int rows, const char *text, Style style)
 {
-    if (area.canvas->picture)
-        return area_text(area, x, y, text, style) > 0;
     int line = 0, used = 0;
     while (*text != '\0' && line < rows) {
         const char *end = strstr(text, "  ");
@@ -165,10 +155,6 @@ int area_phrases(Area area, int x, int y, int width, int rows, const char *text,
 
 void area_rule(Area area, int y, const char *heading, Style heading_style)
 {
-    if (area.canvas->picture) {
-        picture_heading(area.canvas->picture, heading);
-        return;
-    }
     for (int x = 0; x < area.rect.width; x++)
         area_put(area, x, y, 0x2500, STYLE_FRAME);
     if (heading[0] != '\0' && area.rect.width > 4) {

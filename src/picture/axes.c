@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Round ticks and the places of values: linear, by square roots, by powers of ten; and how axes are drawn. */
-#include "picture/picture.h"
+#include "picture/axes.h"
 
 #include "base/math/functions.h"
 
@@ -67,11 +67,8 @@ static int ticks_within(double low, double high, double step)
     return (int)(floor((high + slack) / step) - ceil((low - slack) / step)) + 1;
 }
 
-Axis axis_make(double low, double high, int most)
+static Axis linear(double low, double high, int most)
 {
-    if (!(low < high) || !isfinite(low) || !isfinite(high) || !isfinite(high - low))
-        low = 0, high = 1;
-    most = most < 2 ? 2 : most > TICKS_MAX ? TICKS_MAX : most;
     Axis axis = {.low = low, .high = high};
     axis.step = axis_step_down((high - low) / (most + 1));
     while (ticks_within(low, high, axis.step) > most)
@@ -86,60 +83,93 @@ Axis axis_make(double low, double high, int most)
     return axis;
 }
 
-Axis axis_symmetric(double amplitude, int most)
+Axis axis_with_ticks(Axis axis, int most)
 {
-    double end = amplitude > 0 ? axis_round_up(amplitude * 1.02) : 1;
-    const Axis axis = axis_make(-end, end, most);
-    /* steps of 2 are too many and those of 5 go beyond 4: 0 must not be the only tick */
-    return axis.step > end * (1 + 1e-9) ? axis_make(-axis.step, axis.step, most) : axis;
+    Axis made = axis;
+    most = most < 2 ? 2 : most > TICKS_MAX ? TICKS_MAX : most;
+    switch (axis.scale) {
+    case SCALE_LINEAR:
+        made = linear(axis.low, axis.high, most);
+        /* steps of 2 are too many and those of 5 go beyond 4: 0 must not be the only tick */
+        if (axis.symmetric && made.step > axis.high * (1 + 1e-9))
+            made = linear(-made.step, made.step, most);
+        if (axis.whole && made.step < 1) {
+            made.step = 1;
+            made.decimals = 0;
+        }
+        break;
+    case SCALE_ROOT:
+        made.step = 1.0 / most;
+        break;
+    case SCALE_LOG: {
+        const int decades = decade_of(axis.high) - decade_of(axis.low), step = (decades + most - 1) / most;
+        made.step = step < 1 ? 1 : step;
+        break;
+    }
+    }
+    made.symmetric = axis.symmetric;
+    made.whole = axis.whole;
+    made.moves = axis.moves;
+    return made;
 }
 
-Axis axis_around(double low, double high, int most)
+Axis axis_make(double low, double high)
+{
+    if (!(low < high) || !isfinite(low) || !isfinite(high) || !isfinite(high - low))
+        low = 0, high = 1;
+    return linear(low, high, TICKS_USUAL);
+}
+
+Axis axis_symmetric(double amplitude)
+{
+    double end = amplitude > 0 ? axis_round_up(amplitude * 1.02) : 1;
+    Axis axis = axis_make(-end, end);
+    axis.symmetric = true;
+    return axis;
+}
+
+Axis axis_around(double low, double high)
 {
     if (!isfinite(low) || !isfinite(high) || low > high)
         low = 0, high = 1;
     double reach = fmax(fabs(low), fabs(high));
     if (reach == 0)
-        return axis_make(0, 1, most);
+        return axis_make(0, 1);
     if (low >= 0 && low < 0.6 * high)
-        return axis_make(0, axis_round_up(high), most);
+        return axis_make(0, axis_round_up(high));
     if (high <= 0 && high > 0.6 * low)
-        return axis_make(-axis_round_up(-low), 0, most);
+        return axis_make(-axis_round_up(-low), 0);
     if (high - low <= 1e-9 * reach) {
         double room = reach > 0 ? 0.05 * reach : 1;
-        return axis_make(low - room, high + room, most);
+        return axis_make(low - room, high + room);
     }
     double step = axis_step_up((high - low) / 4);
-    return axis_make(floor(low / step) * step, ceil(high / step) * step, most);
+    return axis_make(floor(low / step) * step, ceil(high / step) * step);
 }
 
-Axis axis_count(double high, int most)
+Axis axis_count(double high)
 {
-    Axis axis = axis_make(0, high > 1 ? ceil(axis_round_up(high)) : 1, most);
-    if (axis.step < 1) {
-        axis.step = 1;
-        axis.decimals = 0;
-    }
-    return axis;
+    Axis axis = axis_make(0, high > 1 ? ceil(axis_round_up(high)) : 1);
+    axis.whole = true;
+    return axis_with_ticks(axis, TICKS_USUAL);
 }
 
-Axis axis_make_root(double low, double high, int most)
+Axis axis_make_root(double low, double high)
 {
     if (!(low < high) || !isfinite(low) || !isfinite(high))
         low = -1, high = 0;
-    return (Axis){.scale = SCALE_ROOT, .low = low, .high = high, .step = 1.0 / (most < 2 ? 2 : most)};
+    return (Axis){.scale = SCALE_ROOT, .low = low, .high = high, .step = 1.0 / TICKS_USUAL};
 }
 
-Axis axis_make_log(double low, double high, int most)
+Axis axis_make_log(double low, double high)
 {
     if (!(low > 0) || !(low < high) || !isfinite(high))
         low = 0.1, high = 1;
     const int first = decade_of(low), last = decade_of(high) + (decade_of(high) < math_log10(high) - 1e-9);
-    const int decades = last > first ? last - first : 1, step = (decades + most - 1) / (most < 2 ? 2 : most);
-    return (Axis){.scale = SCALE_LOG,
-                  .low = power_of_ten(first),
-                  .high = power_of_ten(first + decades),
-                  .step = step < 1 ? 1 : step};
+    const int decades = last > first ? last - first : 1;
+    return axis_with_ticks(
+        (Axis){.scale = SCALE_LOG, .low = power_of_ten(first), .high = power_of_ten(first + decades)},
+        TICKS_USUAL);
 }
 
 double axis_place(const Axis *axis, double value)
@@ -271,6 +301,11 @@ void axis_scale_text(const Axis *axis, const char *unit, char out[TICK_TEXT_MAX]
         snprintf(out, TICK_TEXT_MAX, "x10^%d%s%s", axis->exponent, si ? " " : "", si ? unit : "");
 }
 
+void axis_name(const char *name, const char *scale, char *out, size_t size)
+{
+    snprintf(out, size, "%s%s%s", name, !scale[0] ? "" : scale[0] == 'x' ? " " : ", ", scale);
+}
+
 int axis_column(const Axis *axis, double value, int cells)
 {
     double place = (axis_place(axis, value) - axis_place(axis, axis->low)) / axis_length(axis) * cells;
@@ -310,10 +345,6 @@ Area axes_draw(Area area, const Axis *x, const Axis *y, const char *x_name, int 
     if (rows < 1 || columns < 4)
         return area_part(area, 0, 0, 0, 0);
     Area inner = area_part(area, gutter + 1, 0, columns, rows);
-    if (area.canvas->picture) {
-        picture_axes(area.canvas->picture, x, y, x_name);
-        return inner;
-    }
 
     double ticks[TICKS_MAX];
     char text[TICK_TEXT_MAX];
@@ -355,17 +386,12 @@ Area axes_draw(Area area, const Axis *x, const Axis *y, const char *x_name, int 
 void axes_mark(Area inner, const Axis *x, const Axis *y, double at_x, double at_y, uint32_t glyph,
                Style style)
 {
-    if (inner.canvas->picture)
-        picture_mark(inner.canvas->picture, at_x, at_y, glyph, style);
-    else
-        area_put(inner, axis_column(x, at_x, inner.rect.width), axis_row(y, at_y, inner.rect.height), glyph,
-                 style);
+    area_put(inner, axis_column(x, at_x, inner.rect.width), axis_row(y, at_y, inner.rect.height), glyph,
+             style);
 }
 
 void axes_rule(Area inner, const Axis *x, double at_x, Style style)
 {
-    if (inner.canvas->picture)
-        picture_rule(inner.canvas->picture, at_x, style);
     const int column = axis_column(x, at_x, inner.rect.width);
     for (int row = 0; column >= 0 && row < inner.rect.height; row++)
         area_put(inner, column, row, 0x2502, style);

@@ -7,7 +7,7 @@
 
 #include "picture/area.h"
 
-enum { TICKS_MAX = 64, TICK_TEXT_MAX = 24 };
+enum { TICKS_MAX = 64, TICKS_USUAL = 5, TICK_TEXT_MAX = 24 };
 
 typedef enum AxisScale { SCALE_LINEAR, SCALE_ROOT, SCALE_LOG } AxisScale;
 
@@ -17,29 +17,34 @@ typedef struct Axis {
     double step;      /* distance of the ticks; by roots: least distance, as a share of the axis */
     int exponent;     /* labels are value / 10^exponent; a multiple of 3 */
     int decimals;     /* of the labels */
+    bool symmetric;   /* around zero, which must not be the only tick */
+    bool whole;       /* counts things: ticks are whole */
+    bool moves;       /* and its labels change their length with it */
 } Axis;
 
-/* An axis from low to high with at most `most` ticks (at least 2 are aimed at). low < high, both finite; else
- * 0 to 1. */
-Axis axis_make(double low, double high, int most);
+/* At most so many ticks; at least 2 are aimed at. Axes are made with some, and whoever draws one finds those
+ * for its room. */
+Axis axis_with_ticks(Axis, int most);
+
+/* An axis from low to high. low < high, both finite; else 0 to 1. */
+Axis axis_make(double low, double high);
 
 /* An axis around zero that holds +-amplitude, rounded up generously so that it keeps still while a run goes
  * on. */
-Axis axis_symmetric(double amplitude, int most);
+Axis axis_symmetric(double amplitude);
 
 /* An axis on which a value stands at the signed root of its distance from 0: what grows like a square is a
- * straight line. Ticks: 0, and 1, 5, 20, 50 times a power of 100 as far as there is room for `most` of them.
- */
-Axis axis_make_root(double low, double high, int most);
+ * straight line. Ticks: 0, and 1, 5, 20, 50 times a power of 100 as far as there is room. */
+Axis axis_make_root(double low, double high);
 
 /* Powers of ten from below `low` to above `high`, both positive. */
-Axis axis_make_log(double low, double high, int most);
+Axis axis_make_log(double low, double high);
 
 /* An axis that holds low and high, and 0 if it is not far; rounded outwards. */
-Axis axis_around(double low, double high, int most);
+Axis axis_around(double low, double high);
 
 /* From 0 to a number of things, 1 at least: the ticks are whole. */
-Axis axis_count(double high, int most);
+Axis axis_count(double high);
 
 /* The next of 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8 times a power of ten that is not below a positive value. */
 double axis_round_up(double value);
@@ -60,6 +65,9 @@ void axis_label(const Axis *, double tick, char out[TICK_TEXT_MAX]);
 
 /* The common power of ten with the unit: "x10^-3", "mm", "x10^6 Pa", "kHz"; "" if there is nothing to say. */
 void axis_scale_text(const Axis *, const char *unit, char out[TICK_TEXT_MAX]);
+
+/* "v_cm x10^-3", "x, mm": a name with what axis_scale_text() says. */
+void axis_name(const char *name, const char *scale, char *out, size_t size);
 
 /* Draws both axes along the edges of an area: labels of y in a gutter of `gutter` columns at the left, labels
  * of x in the last row, `x_name` at its end. Returns the part that is left for the curves. */

@@ -37,7 +37,7 @@ void canvas_clear(Canvas *canvas)
 
 static Cell *cell_at(Canvas *canvas, int x, int y)
 {
-    const bool inside = x >= 0 && y >= 0 && x < canvas->width && y < canvas->height;
+    const bool inside = canvas->cells && x >= 0 && y >= 0 && x < canvas->width && y < canvas->height;
     return inside ? &canvas->cells[(size_t)y * (size_t)canvas->width + (size_t)x] : NULL;
 }
 

@@ -2,34 +2,11 @@
 /* Legends and the heading line of a plot, which gives way by a fixed order where room is short. */
 #include "picture/heading.h"
 
-#include "picture/picture.h"
-
 #include <stdio.h>
 #include <string.h>
 
-/* A picture takes the whole legend. */
-static int picture_legend(Picture *picture, const Legend *legend, int n_legend)
-{
-    for (int i = 0; i < n_legend; i++) {
-        PictureKey key = {.line = legend[i].line, .style = legend[i].style};
-        snprintf(key.name, sizeof key.name, "%s", legend[i].name);
-        if (legend[i].key && legend[i].key[0] && legend[i].key[1] == ':')
-            key.letter = legend[i].key[0];
-        picture_key(picture, &key);
-    }
-    return n_legend;
-}
-
-static int legend_room(Area area)
-{
-    enum { NO_LIMIT = 10000 };
-    return area.canvas->picture ? NO_LIMIT : area.rect.width;
-}
-
 int legend_draw(Area area, int x, int y, const Legend *legend, int n_legend)
 {
-    if (area.canvas->picture)
-        return picture_legend(area.canvas->picture, legend, n_legend);
     for (int i = 0; i < n_legend; i++) {
         const int columns = 3 + glyphs_columns(legend[i].name);
         if (x + columns + 1 > area.rect.width)
@@ -115,7 +92,7 @@ static void shorten_legend(int room, int kinds, Legend *legend, int n_legend)
 static int leave_out_measured(Legend *legend, int n_legend)
 {
     for (int i = 0; i < n_legend; i++)
-        if (strcmp(legend[i].name, legend_short_name("measured")) == 0) {
+        if (strcmp(legend[i].name, "measured") == 0) {
             memmove(&legend[i], &legend[i + 1], (size_t)(n_legend - i - 1) * sizeof *legend);
             return n_legend - 1;
         }
@@ -135,7 +112,7 @@ void legend_draw_short(Area area, int x, int y, const Legend *legend, int n_lege
 {
     Legend shown[LEGENDS_MAX];
     n_legend = copy_legend(shown, legend, n_legend);
-    shorten_legend(legend_room(area) - x, NAME_KINDS, shown, n_legend);
+    shorten_legend(area.rect.width - x, NAME_KINDS, shown, n_legend);
     legend_draw(area, x, y, shown, n_legend);
 }
 
@@ -150,10 +127,10 @@ int heading_draw(Area area, Style heading, const char *name, const char *scale, 
         const char *title = pass >= SHORT_NAME ? legend_short_name(name) : name;
         snprintf(text, sizeof text, "%s%s%s", title, !scale[0] ? "" : scale[0] == 'x' ? " " : ", ", scale);
         x = 4 + glyphs_columns(text) + 1;
-        const int room = legend_room(area) - x;
+        const int room = area.rect.width - x;
         n_legend = copy_legend(shown, legend, n_legend);
-        shorten_legend(room, NAME_KINDS - 2, shown, n_legend);
         n_shown = pass >= NO_MEASURED ? leave_out_measured(shown, n_legend) : n_legend;
+        shorten_legend(room, NAME_KINDS - 2, shown, n_shown);
         shorten_legend(room, pass >= LETTERS_ONLY ? NAME_KINDS : 0, shown, n_shown);
         if (legend_columns(shown, n_shown) <= room)
             break;

@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The display list behind a figure: it grows as a view draws, and without memory something is left out. */
+/* A picture as a view describes it: it grows, and without memory something is left out. */
 #include "picture/picture.h"
 
+#include <assert.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-void picture_open(Picture *picture)
+void picture_open(Picture *picture, int columns, int across, int dots)
 {
-    *picture = (Picture){0};
+    *picture = (Picture){.columns = columns, .across = across, .dots = across * dots};
 }
 
 void picture_close(Picture *picture)
@@ -24,27 +25,37 @@ void picture_heading(Picture *picture, const char *text)
     snprintf(picture->heading, sizeof picture->heading, "%s", text);
 }
 
-void picture_axes(Picture *picture, const Axis *x, const Axis *y, const char *x_name)
+void picture_axes(Picture *picture, Axis x, const char *x_name, const char *x_unit, Axis y, const char *name,
+                  const char *unit)
 {
-    picture->has_axes = true;
-    picture->plot.x = *x;
-    picture->plot.y = *y;
-    snprintf(picture->x_name, sizeof picture->x_name, "%s", x_name);
+    char scale[TICK_TEXT_MAX];
+    assert(picture->plot.n_strokes == 0);
+    picture->has_axes = picture->across > 0;
+    picture->plot.x = x;
+    picture->plot.y = y;
+    axis_scale_text(&x, x_unit, scale);
+    axis_name(x_name, scale, picture->x_name, sizeof picture->x_name);
+    snprintf(picture->name, sizeof picture->name, "%s", name);
+    snprintf(picture->unit, sizeof picture->unit, "%s", unit);
+    picture_ticks(picture, TICKS_USUAL, TICKS_USUAL);
 }
 
-void picture_plot(Picture *picture, const Plot *plot)
+void picture_ticks(Picture *picture, int along, int up)
 {
-    picture->plot.lost |= plot->lost;
-    for (int i = 0; i < plot->n_strokes; i++) {
-        const Stroke *stroke = &plot->strokes[i];
-        if (picture->plot.n_strokes == STROKES_MAX)
-            return;
-        plot_begin(&picture->plot, stroke->kind, stroke->line, stroke->style, stroke->rank, stroke->letter);
-        picture->plot.strokes[picture->plot.n_strokes - 1].fill = stroke->fill;
-        for (size_t k = 0; k < stroke->count; k++)
-            plot_point(&picture->plot, plot->points[2 * (stroke->first + k)],
-                       plot->points[2 * (stroke->first + k) + 1]);
-    }
+    char scale[TICK_TEXT_MAX];
+    if (!picture->has_axes || picture->kind == PICTURE_MAP)
+        return;
+    picture->plot.x = axis_with_ticks(picture->plot.x, along);
+    picture->plot.y = axis_with_ticks(picture->plot.y, up);
+    axis_scale_text(&picture->plot.y, picture->unit, scale);
+    axis_name(picture->name, scale, picture->heading, sizeof picture->heading);
+}
+
+void picture_say(Picture *picture, const char *name, const char *text)
+{
+    picture_heading(picture, name);
+    if (*text)
+        picture_note(picture, STYLE_FAINT, text);
 }
 
 PictureMap *picture_map(Picture *picture, int nx, int ny)
@@ -56,10 +67,11 @@ PictureMap *picture_map(Picture *picture, int nx, int ny)
     double *numbers = (double *)(map + 1);
     *map = (PictureMap){.nx = nx, .ny = ny, .x = numbers, .y = numbers + count, .value = numbers + 2 * count};
     free(picture->map);
+    picture->kind = PICTURE_MAP;
     return picture->map = map;
 }
 
-void picture_mark(Picture *picture, double x, double y, uint32_t glyph, Style style)
+void picture_add_mark(Picture *picture, PictureMark mark)
 {
     if (picture->n_marks == picture->marks_room) {
         const size_t room = picture->marks_room ? 2 * picture->marks_room : 64;
@@ -71,12 +83,30 @@ void picture_mark(Picture *picture, double x, double y, uint32_t glyph, Style st
         picture->marks = marks;
         picture->marks_room = room;
     }
-    picture->marks[picture->n_marks++] = (PictureMark){x, y, glyph, style};
+    picture->marks[picture->n_marks++] = mark;
 }
 
-void picture_rule(Picture *picture, double x, Style style)
+void picture_mark(Picture *picture, double x, double y, uint32_t glyph, Style style)
 {
-    picture_mark(picture, x, picture->plot.y.low, PICTURE_RULE, style);
+    picture_add_mark(picture, (PictureMark){.x = x, .y = y, .glyph = glyph, .style = style});
+}
+
+bool picture_has_points(const Picture *picture, size_t count)
+{
+    const int places = picture->dots / 4 > picture->across ? picture->dots / 4 : picture->across;
+    return 2 * count <= (size_t)places;
+}
+
+void picture_rule(Picture *picture, double x, Style style, const char *word)
+{
+    picture_add_mark(picture, (PictureMark){.x = x, .style = style, .kind = MARK_RULE, .word = word});
+}
+
+void picture_level(Picture *picture, double y, LineStyle line, Style style, int rank, char letter)
+{
+    plot_begin(&picture->plot, STROKE_LINE, line, style, rank, letter);
+    plot_point(&picture->plot, picture->plot.x.low, y);
+    plot_point(&picture->plot, picture->plot.x.high, y);
 }
 
 void picture_label(Picture *picture, const PictureLabel *label)
@@ -85,17 +115,26 @@ void picture_label(Picture *picture, const PictureLabel *label)
         picture->labels[picture->n_labels++] = *label;
 }
 
-void picture_key(Picture *picture, const PictureKey *key)
+void picture_key(Picture *picture, PictureKey key)
 {
-    if (picture->n_keys < PICTURE_KEYS_MAX)
-        picture->keys[picture->n_keys++] = *key;
+    if (picture->n_keys == PICTURE_KEYS_MAX)
+        return;
+    char *name = picture->key_names[picture->n_keys];
+    snprintf(name, sizeof picture->key_names[0], "%s", key.name);
+    key.name = name;
+    picture->keys[picture->n_keys++] = key;
 }
 
-void picture_note(Picture *picture, const char *text, bool faint)
+char picture_run_of(const PictureKey *key)
 {
-    if (picture->n_notes == PICTURE_NOTES_MAX || text[strspn(text, " ")] == '\0')
-        return;
-    PictureNote *note = &picture->notes[picture->n_notes++];
-    note->faint = faint;
+    return key->sign >= 'a' && key->sign <= 'z' ? (char)key->sign : '\0';
+}
+
+PictureNote *picture_note(Picture *picture, Style style, const char *text)
+{
+    PictureNote *note = &picture->notes[picture->n_notes];
+    *note = (PictureNote){.style = style};
     snprintf(note->text, sizeof note->text, "%s", text);
+    picture->n_notes += picture->n_notes < PICTURE_NOTES_MAX;
+    return note;
 }

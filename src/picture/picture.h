@@ -1,37 +1,64 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a view has drawn, kept as strokes, axes, marks and words in place of cells: the display list that
- * figures on paper are made of. A canvas with a picture has no cells; everything that a view draws on it in
- * the usual way (axes_draw, plot_draw, axes_mark, heading_draw, area_text, ...) goes into the picture in the
- * coordinates of the plot. What is drawn cell by cell (area_put) is of the screen alone and leaves nothing.
- */
+/* What a view shows, as data in its own coordinates: title, axes, strokes, marks, legend, words. A view
+ * describes it once; back ends make cells of it (cells/), a page (paper/) or sentences (words/), and each of
+ * them decides how many ticks, lines and words it has room for. */
 #ifndef VIEW_PICTURE_H
 #define VIEW_PICTURE_H
 
 #include "picture/plot.h"
 
-enum { PICTURE_KEYS_MAX = 16, PICTURE_NOTES_MAX = 8, PICTURE_LABELS_MAX = 16, PICTURE_TEXT_MAX = 256 };
+enum { PICTURE_KEYS_MAX = 32, PICTURE_NOTES_MAX = 16, PICTURE_LABELS_MAX = 16, PICTURE_TEXT_MAX = 384 };
+
+/* What it is: words tell each in another way. */
+typedef enum PictureKind {
+    PICTURE_FUNCTION, /* curves over x */
+    PICTURE_UPRIGHT,  /* curves that go across, over a height */
+    PICTURE_PATH,     /* lines in a plane, which may turn back */
+    PICTURE_BARS,     /* a bar for each of some parts, beside levels */
+    PICTURE_MAP       /* a body as it lies */
+} PictureKind;
+
+/* What stands for an entry of the legend, in place of a piece of its line: a mark, the letter of an earlier
+ * run, or one of these. */
+enum { SIGN_DOTS = 0x110000, SIGN_BAND };
 
 /* An entry of the legend. */
 typedef struct PictureKey {
     LineStyle line;
+    char ascii; /* what the line is drawn with where there are only letters */
     Style style;
-    char letter; /* of an earlier run; 0: none */
-    char name[PICTURE_TEXT_MAX];
+    const char *name;
+    uint32_t sign; /* 0: a piece of the line */
+    int fill;      /* of SIGN_BAND, as the stroke's */
 } PictureKey;
 
-enum { PICTURE_RULE = '|' }; /* a mark that is a vertical line across the plot */
+typedef enum MarkKind {
+    MARK_PLACE, /* a dot, ring or letter */
+    MARK_AGAIN, /* a letter once more on its curve, where curves cannot be told apart by their dashes */
+    MARK_DOT,   /* on one of many dots, which a curve may cover where it is wide; a page shows them all */
+    MARK_RULE   /* a vertical line across the plot, perhaps with a word at its head */
+} MarkKind;
 
-/* A dot, ring or letter at a place of the plot. */
 typedef struct PictureMark {
     double x, y;
     uint32_t glyph;
     Style style;
+    MarkKind kind;
+    char ascii;       /* in place of the glyph where there are only letters; 0: what usually stands for it */
+    char letter;      /* beside it; 0: none */
+    const char *word; /* of a rule; NULL: none */
 } PictureMark;
 
-/* A line of words beside the picture. */
+/* A line of words beside the picture: phrases that are parted by two spaces. */
 typedef struct PictureNote {
-    bool faint; /* an explanation, not a result */
+    Style style;   /* STYLE_FAINT: an explanation, not a result */
+    bool joins;    /* goes on behind the one before where lines are long */
+    bool spare;    /* told where the plot is larger than it must be; with others of the kind, or not at all */
+    int rows;      /* that it may take where there are many; 0 is 1 */
+    uint32_t sign; /* of the mark that it tells of; 0: none */
+    Style sign_style;
     char text[PICTURE_TEXT_MAX];
+    char brief[PICTURE_TEXT_MAX]; /* the same where that has no room; "": it is cut */
 } PictureNote;
 
 /* A body of coloured pieces on a lattice: piece k lies in column k % nx and row k / nx, row 0 below, and is
@@ -49,49 +76,73 @@ typedef struct PictureMap {
 /* Words at a place of the plot, centred on its height, no higher than 1 in its coordinates. */
 typedef struct PictureLabel {
     double x, y;
-    int side;     /* of the place on which they stand: -1 left, 0 both, 1 right */
-    bool on_line; /* which is broken for them */
+    int side;      /* of the place on which they stand: -1 left, 0 both, 1 right */
+    bool on_line;  /* which is broken for them */
+    double height; /* of the band that they name; 0: of none */
     Style style;
     char text[64];
 } PictureLabel;
 
 typedef struct Picture {
-    char time[48];                  /* "t 12.34" */
-    bool of_moment;                 /* of that time alone, not of all up to it */
-    char heading[PICTURE_TEXT_MAX]; /* what is drawn: the name of the vertical axis where there are axes */
+    /* what it is asked for with */
+    int columns; /* characters in a line of words */
+    int across;  /* characters across the plot; 0: there is no room for one */
+    int dots;    /* that a curve can have across */
+
+    PictureKind kind;
+    bool of_moment; /* of that time alone, not of all up to it */
+    bool compares;  /* its curves are of one quantity: words say how far the measured one is from others */
+    bool has_axes;  /* if not, there is nothing to draw and the notes say why */
+    bool bare;      /* the axes only say where things are: a drawing, with labels */
+    double stretch; /* a length upwards is drawn so many times as long as one across; 0: as there is room */
+    char time[48];  /* "t 12.34" */
+    char name[PICTURE_TEXT_MAX], unit[24]; /* of what goes up: "v_cm"; its unit, SI, or "" */
+    char heading[PICTURE_TEXT_MAX];        /* the two with the axis's power of ten */
     char x_name[PICTURE_TEXT_MAX];
-    bool has_axes;   /* if not, the view had nothing to draw and the notes say why */
-    bool compares;   /* its curves are of one quantity: words say how far the measured one is from others */
-    bool upright;    /* what is plotted goes across, over a height */
-    bool bare;       /* the axes only say where things are: a drawing, with labels */
-    double stretch;  /* a length upwards is drawn so many times as long as one across; 0: as there is room */
-    Plot plot;       /* its axes, and the strokes of all that was plotted */
+    Plot plot;       /* its axes, and the strokes */
     PictureMap *map; /* NULL: it is a plot */
     PictureMark *marks;
     size_t n_marks, marks_room;
     PictureLabel labels[PICTURE_LABELS_MAX];
     int n_labels;
-    PictureKey keys[PICTURE_KEYS_MAX];
+    PictureKey keys[PICTURE_KEYS_MAX]; /* their names stand here too: a picture is not copied */
+    char key_names[PICTURE_KEYS_MAX][96];
     int n_keys;
-    PictureNote notes[PICTURE_NOTES_MAX];
+    PictureNote notes[PICTURE_NOTES_MAX + 1]; /* the last one takes what has no room */
     int n_notes;
 } Picture;
 
-void picture_open(Picture *);
+/* For so many characters in a line of words and across the plot, with so many dots in one. */
+void picture_open(Picture *, int columns, int across, int dots);
 void picture_close(Picture *);
 
-/* What the drawing functions add. Without memory something is left out. */
+/* Without memory something is left out of what is added; the plot is `lost` then. */
+
+/* Both axes with their names and SI units; "": none. Strokes come after them. Ticks are found for the room
+ * that there is in the end, by picture_ticks(). */
+void picture_axes(Picture *, Axis x, const char *x_name, const char *x_unit, Axis y, const char *name,
+                  const char *unit);
+
+void picture_ticks(Picture *, int along, int up);
+
+/* There is nothing to draw; `text` says why. */
+void picture_say(Picture *, const char *name, const char *text);
+
 void picture_heading(Picture *, const char *text);
-void picture_axes(Picture *, const Axis *x, const Axis *y, const char *x_name);
-void picture_plot(Picture *, const Plot *);
 
 /* Room for a map of so many pieces, to be filled; NULL: no memory. */
 PictureMap *picture_map(Picture *, int nx, int ny);
 
 void picture_mark(Picture *, double x, double y, uint32_t glyph, Style);
-void picture_rule(Picture *, double x, Style); /* a vertical line across the plot */
+void picture_add_mark(Picture *, PictureMark);
+bool picture_has_points(const Picture *, size_t count); /* whether so many on a curve are seen one by one */
+void picture_rule(Picture *, double x, Style, const char *word);
+void picture_level(Picture *, double y, LineStyle, Style, int rank, char letter); /* from edge to edge */
 void picture_label(Picture *, const PictureLabel *);
-void picture_key(Picture *, const PictureKey *);
-void picture_note(Picture *, const char *text, bool faint);
+void picture_key(Picture *, PictureKey);
+char picture_run_of(const PictureKey *); /* the letter of an earlier run; 0: it is none */
+
+/* Below it; more can be said of the note that is returned. */
+PictureNote *picture_note(Picture *, Style, const char *text);
 
 #endif

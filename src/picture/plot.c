@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Strokes on cells: each becomes dots, and a cell shows those of the highest rank that fell into it. */
-#include "picture/picture.h"
+#include "picture/plot.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -250,10 +250,6 @@ static uint32_t glyph_of(const Raster *raster, const Spot *spot)
 
 void plot_draw(const Plot *plot, Area area)
 {
-    if (area.canvas->picture) {
-        picture_plot(area.canvas->picture, plot);
-        return;
-    }
     Raster raster = {
         .columns = area.rect.width,
         .rows = area.rect.height,

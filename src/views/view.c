@@ -4,6 +4,7 @@
 #include "views/view.h"
 
 #include "panes/panes.h"
+#include "picture/cells/cells.h"
 
 #include <stdio.h>
 
@@ -81,9 +82,22 @@ bool view_shows_start(const View *view, const Screen *screen)
 
 /* --- drawing ---------------------------------------------------------------------------------------- */
 
+void view_draw_variant(const View *view, const Screen *screen, Area area, Style heading, int variant)
+{
+    if (!view->describe) {
+        view->draw(screen, area, heading, variant);
+        return;
+    }
+    Picture picture;
+    cells_open(&picture, area.rect.width, area.glyphs);
+    view->describe(screen, variant, &picture);
+    cells_draw(&picture, area, heading, screen->look.colours > 0);
+    picture_close(&picture);
+}
+
 static void draw_one(const View *view, const Screen *screen, Area area, Style heading)
 {
-    view->draw(screen, area, heading, view_variant(view, screen));
+    view_draw_variant(view, screen, area, heading, view_variant(view, screen));
 }
 
 /* Whose picture it is stands at the end of its heading, in as few words as there is room for. */
@@ -123,11 +137,7 @@ static void draw_sides(const View *view, const Screen *screen, Area area, Style 
     enum { STACK_HEIGHT = 14 };
     const int width = area.rect.width, height = area.rect.height;
     const bool wide = area.canvas->width >= SIDE_BY_SIDE;
-    if (!area.canvas->cells) {
-        /* a figure has one pair of axes */
-        const Screen one = screen_of_side(screen, SIDE_A);
-        draw_one(view, view->duel == DUEL_APART ? &one : screen, area, heading);
-    } else if (view->duel == DUEL_TOGETHER || (view->duel == DUEL_IN_AXES && !wide)) {
+    if (view->duel == DUEL_TOGETHER || (view->duel == DUEL_IN_AXES && !wide)) {
         draw_one(view, screen, area, heading);
     } else if (wide) {
         const int left = (width - 1) / 2;
@@ -140,6 +150,30 @@ static void draw_sides(const View *view, const Screen *screen, Area area, Style 
     } else {
         draw_side(view, screen, SIDE_A, screen->panes.zoomed ? "" : ", z: and B", area, heading);
     }
+}
+
+/* A figure has one pair of axes. */
+void view_describe(const View *view, const Screen *screen, int columns, int rows, Picture *picture)
+{
+    enum { PLOT_LEAST = 1 };
+    const Screen one = screen_is_shared(screen) ? screen_of_side(screen, SIDE_A) : *screen;
+    const Screen *shown = view->duel == DUEL_APART ? &one : screen;
+    const int variant = view_variant(view, shown);
+    cells_open(picture, columns, GLYPHS_NONE);
+    if (view->describe) {
+        view->describe(shown, variant, picture);
+    } else {
+        Canvas canvas = {.width = columns, .height = rows, .picture = picture};
+        view->draw(shown, (Area){&canvas, {0, 0, columns, rows}, GLYPHS_NONE}, STYLE_HEADING, variant);
+    }
+    if (picture->across == 0 || rows - 2 < PLOT_LEAST) { /* then the page is to blame */
+        picture->has_axes = false;
+        picture->n_notes = 0;
+    }
+    picture->of_moment = view->of_moment;
+    if (!picture->time[0])
+        screen_time_text(screen, experiment_time(screen->experiment), picture->time, sizeof picture->time);
+    cells_fit(picture, rows);
 }
 
 void view_draw(const View *view, const Screen *screen, Area area, bool focused)

@@ -9,7 +9,7 @@
 #ifndef VIEW_VIEW_H
 #define VIEW_VIEW_H
 
-#include "picture/area.h"
+#include "picture/picture.h"
 #include "panes/screen.h"
 
 /* How two runs of a duel are shown. */
@@ -34,6 +34,8 @@ struct View {
     PaneId home; /* PANE_UPPER: a picture over x; PANE_LOWER: one over time */
     ViewOpening opens;
 
+    /* What it shows, as a picture; or, of a list and a map, its cells. */
+    void (*describe)(const Screen *, int variant, Picture *);
     void (*draw)(const Screen *, Area, Style heading, int variant);
     /* What stands out in it, in plain words, behind what is told of every view: the curves and colours that
      * it draws, or its words (picture/words/tell.h). NULL: nothing more. */
@@ -44,8 +46,6 @@ struct View {
     ViewDuel duel;
     bool names_run;         /* in DUEL_IN_AXES: its legend does not tell whose picture it is */
     bool of_moment;         /* shows one moment, not the time up to it */
-    bool compares;          /* its curves are of one quantity, measured and others (picture.h) */
-    bool upright;           /* its plots go across, over a height */
     bool has_time_axis;     /* along which the arrows move a cursor */
     bool is_map;            /* of the body itself: it can be magnified, displacements drawn larger */
     bool on_paper;          /* makes figures */
@@ -113,6 +113,11 @@ bool view_shows_start(const View *, const Screen *);
 
 /* The study whose points the present variant shows; NULL: none. */
 const ConvergenceStudy *view_study(const View *, const Screen *);
+
+/* Makes its picture for a page or for words, of so many characters. */
+void view_describe(const View *, const Screen *, int columns, int rows, Picture *);
+
+void view_draw_variant(const View *, const Screen *, Area, Style heading, int variant);
 
 /* Draws it into a pane, both runs of a duel as it likes. */
 void view_draw(const View *, const Screen *, Area, bool focused);

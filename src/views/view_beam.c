@@ -113,7 +113,7 @@ static void draw_title(const Map *map, Area area, Style heading)
     if (area.canvas->picture) { /* on paper the field stands beside its colours */
         for (int i = 0; i < PARTS; i++)
             add_part(title, sizeof title, (int)sizeof title, parts[order[i]]);
-        area_text(area, 0, 0, title, STYLE_NORMAL);
+        picture_note(area.canvas->picture, STYLE_NORMAL, title);
         return;
     }
     int columns = glyphs_columns(map_meaning(map));
@@ -173,7 +173,7 @@ static int draw_length(const Map *map, Area area, int x, int y, int end)
 /* "-4 [ramp] 0 [ramp] 4 µm", and what there is to say of the picture. */
 static void draw_scale(const Map *map, Area area, int y)
 {
-    Axis axis = axis_make(map->low, map->high, 5);
+    Axis axis = axis_with_ticks(axis_make(map->low, map->high), 5);
     const double ends[3] = {map->low, (map->low + map->high) / 2, map->high};
     const double middle = ends[1] * math_pow(10, axis.decimals - axis.exponent);
     axis.decimals += fabs(middle - round(middle)) > 1e-6 * (1 + fabs(middle));
@@ -220,14 +220,17 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
     if (!map_open(&map, screen, map_part(area)) || !map_colour(&map, shown(screen, variant))) {
         char title[48];
         snprintf(title, sizeof title, "the %s", screen_problem(screen)->body);
-        area_rule(area, 0, title, heading);
+        if (area.canvas->picture)
+            picture_say(area.canvas->picture, title, "");
+        else
+            area_rule(area, 0, title, heading);
         map_close(&map);
         return;
     }
     if (area.canvas->picture) {
         map_picture(&map);
         draw_title(&map, area, heading);
-        area_text(area, 0, 0, note_of(&map, false), STYLE_FAINT);
+        picture_note(area.canvas->picture, STYLE_FAINT, note_of(&map, false));
         map_close(&map);
         return;
     }

@@ -83,8 +83,9 @@ static int count_nodes(const Axis *x, const Stretches *all, int *bins, int dots)
 }
 
 /* The counts as logarithms: one alone is seen beside thousands. */
-static void add_counts(Plot *plot, const int *bins, int dots, int most)
+static void add_counts(Picture *picture, const int *bins, int dots, int most)
 {
+    Plot *plot = &picture->plot;
     const double floor_y = plot->y.low, room = (plot->y.high - plot->y.low) / 2;
     plot_begin(plot, STROKE_BAND, LINE_SOLID, STYLE_SECOND, RANK_BAND, '+');
     plot->strokes[plot->n_strokes - 1].fill = 1;
@@ -95,7 +96,7 @@ static void add_counts(Plot *plot, const int *bins, int dots, int most)
     }
 }
 
-/* `most`: the count at the end of the scale; 0: it is told elsewhere. */
+/* `most`: the count at the end of the scale; 0: there is none. */
 static void law_lines(const Screen *screen, const Stretches *all, double s0, int most, char first[160],
                       char second[160])
 {
@@ -121,89 +122,67 @@ static void law_lines(const Screen *screen, const Stretches *all, double s0, int
         text_append(second, 160, "  nodes: log scale to %d", most);
 }
 
-/* On paper the legend names the dot and the scale of the counts; on the screen the lines below do. */
-static void draw_law_heading(const Screen *screen, Area area, Style heading, const char *scale, bool breaks,
-                             int most)
+static void add_keys(const Screen *screen, Picture *picture, bool breaks)
 {
-    static const char *const band[GLYPHS_NONE + 1] = {"⢕⢕", "▒▒", "++"};
-    const bool paper = area.canvas->picture;
-    char nodes[64] = "nodes";
-    if (paper)
-        text_append(nodes, sizeof nodes, " by their largest s, log scale to %d", most);
-    Legend legend[4] = {{LINE_SOLID, '*', STYLE_MEASURED,
-                         experiment_settings(screen->experiment)->lattice.influence == INFLUENCE_CONICAL
-                             ? "f = c1 s, shortest"
-                             : "f = c s",
-                         NULL}};
-    int n = 1;
+    const bool conical = experiment_settings(screen->experiment)->lattice.influence == INFLUENCE_CONICAL;
+    picture_key(picture, (PictureKey){LINE_SOLID, '*', STYLE_MEASURED,
+                                      conical ? "f = c1 s, shortest" : "f = c s", 0, 0});
     if (breaks)
-        legend[n++] = (Legend){LINE_DASHED, '-', STYLE_EXACT, "s0", NULL};
-    legend[n++] = (Legend){LINE_SOLID, '+', STYLE_SECOND, nodes, band[area.glyphs]};
-    if (paper)
-        legend[n++] = (Legend){LINE_SOLID, 'O', STYLE_CHANGED, "largest s of all", NULL};
-    heading_draw(area, heading, !screen_problem(screen)->si ? "force of a bond" : "force, N/m^5", scale,
-                 legend, n);
+        picture_key(picture, (PictureKey){LINE_DASHED, '-', STYLE_EXACT, "s0", 0, 0});
+    picture_key(picture, (PictureKey){LINE_SOLID, '+', STYLE_SECOND, "nodes", SIGN_BAND, 1});
 }
 
-void bond_law_draw(const Screen *screen, Area area, Style heading)
+/* The law: it breaks off at s0. */
+static void add_law(Plot *plot, double stiffness, double s0)
+{
+    const double end = s0 > 0 ? s0 : plot->x.high;
+    plot_begin(plot, STROKE_LINE, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '*');
+    plot_point(plot, plot->x.low, stiffness * plot->x.low);
+    plot_point(plot, end, stiffness * end);
+    if (!(s0 > 0))
+        return;
+    plot_begin(plot, STROKE_LINE, LINE_DASHED, STYLE_EXACT, RANK_EXACT, '-');
+    plot_point(plot, s0, stiffness * s0);
+    plot_point(plot, s0, 0);
+    plot_begin(plot, STROKE_LINE, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '*');
+    plot_point(plot, s0, 0);
+    plot_point(plot, plot->x.high, 0);
+}
+
+void bond_law_describe(const Screen *screen, Picture *picture)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
     const double s0 = screen_derived(screen, "critical_stretch");
     const double stiffness = screen_derived(screen, "micromodulus");
     Stretches all;
     if (!take_stretches(sim, s0, &all) || !(stiffness > 0)) {
-        area_rule(area, 0, "a bond's force", heading);
+        picture_say(picture, "a bond's force", "");
         free_stretches(&all);
         return;
     }
-    const int under = area.rect.height < 8 ? 0 : 2;
-    Area plot_area = area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under);
-    /* the law breaks off at s0: it stands at three quarters, unless a protected bond goes further */
+    /* it stands at three quarters, unless a protected bond goes further */
     double reach = fmax(fmax(all.most, -all.least), s0 > 0 ? s0 : 0);
     reach = reach > 0 ? axis_round_up(1.15 * reach) : 1e-6;
-    Axis x = axis_make(-reach / 4, reach, area.rect.width / 8);
-    Axis y = axis_make(-stiffness * reach / 4, stiffness * reach, plot_area.rect.height < 8 ? 3 : 5);
-    char scale[TICK_TEXT_MAX], x_scale[TICK_TEXT_MAX], name[TICK_TEXT_MAX + 8];
-    axis_scale_text(&y, "", scale);
-    axis_scale_text(&x, "", x_scale);
-    snprintf(name, sizeof name, x_scale[0] ? "s %s" : "s", x_scale);
-    Area inner = axes_draw(plot_area, &x, &y, name, GUTTER);
-
-    /* on paper too a bin has enough nodes to be counted */
-    const bool paper = area.canvas->picture;
-    const int dots = inner.rect.width * (paper ? 1 : plot_dots_across(area.glyphs));
+    picture_axes(picture, axis_make(-reach / 4, reach), "s", "",
+                 axis_make(-stiffness * reach / 4, stiffness * reach),
+                 !screen_problem(screen)->si ? "force of a bond" : "force, N/m^5", "");
+    add_keys(screen, picture, s0 > 0);
+    /* a bin has enough nodes to be counted, however fine the page is */
+    const int dots = picture->dots < 2 * picture->across ? picture->dots : 2 * picture->across;
     int *bins = dots > 0 ? calloc((size_t)dots, sizeof *bins) : NULL;
-    const int most = bins ? count_nodes(&x, &all, bins, dots) : 0;
-    draw_law_heading(screen, area, heading, scale, s0 > 0, most);
-
-    Plot plot;
-    plot_open(&plot, x, y);
+    const int most = bins ? count_nodes(&picture->plot.x, &all, bins, dots) : 0;
     if (most > 0)
-        add_counts(&plot, bins, dots, most);
+        add_counts(picture, bins, dots, most);
     free(bins);
-    const double end = s0 > 0 ? s0 : x.high;
-    plot_begin(&plot, STROKE_LINE, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '*');
-    plot_point(&plot, x.low, stiffness * x.low);
-    plot_point(&plot, end, stiffness * end);
-    if (s0 > 0) {
-        plot_begin(&plot, STROKE_LINE, LINE_DASHED, STYLE_EXACT, RANK_EXACT, '-');
-        plot_point(&plot, s0, stiffness * s0);
-        plot_point(&plot, s0, 0);
-        plot_begin(&plot, STROKE_LINE, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '*');
-        plot_point(&plot, s0, 0);
-        plot_point(&plot, x.high, 0);
-    }
-    plot_draw(&plot, inner);
-    plot_close(&plot);
-    if (all.foremost < all.count)
-        axes_mark(inner, &x, &y, all.largest, stiffness * all.largest, 0x25cf, STYLE_CHANGED);
+    add_law(&picture->plot, stiffness, s0);
     char lines[2][160];
-    law_lines(screen, &all, s0, paper ? 0 : most, lines[0], lines[1]);
-    for (int i = 0; i < under; i++) {
-        const int row = area.rect.height - under + i, dot = i == 0 && lines[i][0] && !paper ? 2 : 0;
-        if (dot)
-            area_put(area, 1, row, 0x25cf, STYLE_CHANGED);
-        area_phrases(area, 1 + dot, row, area.rect.width - 2 - dot, 1, lines[i], STYLE_NORMAL);
+    law_lines(screen, &all, s0, most, lines[0], lines[1]);
+    if (all.foremost < all.count) {
+        picture_mark(picture, all.largest, stiffness * all.largest, 0x25cf, STYLE_CHANGED);
+        PictureNote *note = picture_note(picture, STYLE_NORMAL, lines[0]);
+        note->sign = 0x25cf;
+        note->sign_style = STYLE_CHANGED;
     }
+    picture_note(picture, STYLE_NORMAL, lines[1]);
     free_stretches(&all);
 }

@@ -174,7 +174,7 @@ static void widen(double value, double *least, double *most)
 
 /* The size of the error over what is refined, by powers of ten: an order is a slope. A ring is an error below
  * theory. */
-static void draw_errors(Area area, Area plot_area, Style heading, const Study *study)
+static void describe_errors(Picture *picture, const Study *study)
 {
     double least = INFINITY, most = 0, smallest = INFINITY, largest = 0;
     for (int k = 0; k < study->known; k++) {
@@ -184,9 +184,6 @@ static void draw_errors(Area area, Area plot_area, Style heading, const Study *s
         widen(fabs(point->error), &least, &most);
         widen(shown(study, point->size), &smallest, &largest);
     }
-    const int rows = plot_area.rect.height - 1;
-    const Axis y = axis_make_log(least * 0.99, most * 1.01, rows < 5 ? 3 : 5);
-    const Axis x = axis_make_log(smallest * 0.99, largest * 1.01, area.rect.width / 9);
     static const struct {
         LineStyle line;
         Style style;
@@ -194,35 +191,28 @@ static void draw_errors(Area area, Area plot_area, Style heading, const Study *s
     } looks[CONVERGENCE_LINES_MAX] = {{LINE_DASHED, STYLE_PREDICTED, '-'},
                                       {LINE_SOLID, STYLE_SECOND, '*'},
                                       {LINE_DOTTED, STYLE_THIRD, '.'}};
-    const bool ascii = area.glyphs == GLYPHS_ASCII;
-    Legend legend[CONVERGENCE_LINES_MAX + 2];
-    int n_legend = 0;
-    for (int line = 0; line < study->lines && study->of->lines; line++)
-        legend[n_legend++] =
-            (Legend){looks[line].line, looks[line].letter, looks[line].style, study->of->lines[line], NULL};
-    legend[n_legend++] = (Legend){LINE_SOLID, 'O', STYLE_PREDICTED,
-                                  study->periods ? "T above theory" : "w above", ascii ? "O " : "● "};
-    legend[n_legend++] = (Legend){LINE_SOLID, 'o', STYLE_PREDICTED, "below", ascii ? "o " : "○ "};
     char name[64];
     snprintf(name, sizeof name, "%s%s", study->of->size, study->periods ? ", mm" : "");
-    heading_draw(area, heading, "|error|, %", "", legend, n_legend);
-    Area inner = axes_draw(plot_area, &x, &y, name, GUTTER);
-    Plot plot;
-    plot_open(&plot, x, y);
+    picture_axes(picture, axis_make_log(smallest * 0.99, largest * 1.01), name, "",
+                 axis_make_log(least * 0.99, most * 1.01), "|error|, %", "");
+    for (int line = 0; line < study->lines && study->of->lines; line++)
+        picture_key(picture, (PictureKey){looks[line].line, looks[line].letter, looks[line].style,
+                                          study->of->lines[line], 0, 0});
+    picture_key(picture, (PictureKey){LINE_SOLID, 'O', STYLE_PREDICTED,
+                                      study->periods ? "T above theory" : "w above", 0x25cf, 0});
+    picture_key(picture, (PictureKey){LINE_SOLID, 'o', STYLE_PREDICTED, "below", 0x25cb, 0});
     for (int k = 0; k < study->known; k++) {
+        const ConvergencePoint *point = &study->points[k];
         const int line = k / study->line_points;
+        const double size = shown(study, point->size), error = fabs(point->error);
         if (k % study->line_points == 0)
-            plot_begin(&plot, STROKE_LINE, looks[line].line, looks[line].style, RANK_PREDICTED,
+            plot_begin(&picture->plot, STROKE_LINE, looks[line].line, looks[line].style, RANK_PREDICTED,
                        looks[line].letter);
-        if (study->points[k].known)
-            plot_point(&plot, shown(study, study->points[k].size), fabs(study->points[k].error));
+        if (!point->known)
+            continue;
+        plot_point(&picture->plot, size, error);
+        picture_mark(picture, size, error, point->error < 0 ? 0x25cb : 0x25cf, looks[line].style);
     }
-    plot_draw(&plot, inner);
-    plot_close(&plot);
-    for (int k = 0; k < study->known; k++)
-        if (study->points[k].known)
-            axes_mark(inner, &x, &y, shown(study, study->points[k].size), fabs(study->points[k].error),
-                      study->points[k].error < 0 ? 0x25cb : 0x25cf, looks[k / study->line_points].style);
 }
 
 static double predicted_of(const ConvergencePoint *point)
@@ -241,7 +231,7 @@ static double paper_of(const ConvergencePoint *point)
 }
 
 /* The periods of Table 1 and what theory says of a beam of that height and span. */
-static void draw_periods(Area area, Area plot_area, Style heading, const Study *study)
+static void describe_periods(Picture *picture, const Study *study)
 {
     static const struct {
         double (*of)(const ConvergencePoint *);
@@ -255,31 +245,25 @@ static void draw_periods(Area area, Area plot_area, Style heading, const Study *
                   {paper_of, LINE_SOLID, STYLE_SECOND, RANK_SECOND, 'p', "paper"}};
     enum { CURVES = sizeof curves / sizeof *curves };
     double least = INFINITY, most = -INFINITY, largest = 0;
-    Legend legend[CURVES];
-    for (int i = 0; i < CURVES; i++) {
-        legend[i] = (Legend){curves[i].line, curves[i].letter, curves[i].style, curves[i].name, NULL};
+    for (int i = 0; i < CURVES; i++)
         for (int k = 0; k < study->known; k++) {
             widen(shown(study, curves[i].of(&study->points[k])), &least, &most);
             largest = fmax(largest, shown(study, study->points[k].size));
         }
-    }
-    const Axis y = axis_around(least, most, plot_area.rect.height < 6 ? 3 : 5);
-    const Axis x = axis_make(0, axis_round_up(1.05 * largest), area.rect.width / 9);
-    heading_draw(area, heading, "Table 1: T, ms", "", legend, CURVES);
-    Area inner = axes_draw(plot_area, &x, &y, "horizon, mm", GUTTER);
-    Plot plot;
-    plot_open(&plot, x, y);
+    picture_axes(picture, axis_make(0, axis_round_up(1.05 * largest)), "horizon, mm", "",
+                 axis_around(least, most), "Table 1: T, ms", "");
     for (int i = 0; i < CURVES; i++) {
-        plot_begin(&plot, STROKE_LINE, curves[i].line, curves[i].style, curves[i].rank, curves[i].letter);
+        picture_key(picture,
+                    (PictureKey){curves[i].line, curves[i].letter, curves[i].style, curves[i].name, 0, 0});
+        plot_begin(&picture->plot, STROKE_LINE, curves[i].line, curves[i].style, curves[i].rank,
+                   curves[i].letter);
         for (int k = 0; k < study->known; k++)
-            plot_point(&plot, shown(study, study->points[k].size),
+            plot_point(&picture->plot, shown(study, study->points[k].size),
                        shown(study, curves[i].of(&study->points[k])));
     }
-    plot_draw(&plot, inner);
-    plot_close(&plot);
     for (int k = 0; k < study->known; k++)
-        axes_mark(inner, &x, &y, shown(study, study->points[k].size),
-                  shown(study, predicted_of(&study->points[k])), 0x25cf, STYLE_PREDICTED);
+        picture_mark(picture, shown(study, study->points[k].size),
+                     shown(study, predicted_of(&study->points[k])), 0x25cf, STYLE_PREDICTED);
 }
 
 static int known_points(const Study *study)
@@ -290,35 +274,28 @@ static int known_points(const Study *study)
     return count;
 }
 
-static void draw(const Screen *screen, Area area, Style heading, int variant)
+static void describe(const Screen *screen, int variant, Picture *picture)
 {
     const ConvergenceStudy *of = study_of(screen, variant);
     char line[200];
     if (!of) {
-        area_rule(area, 0, "convergence", heading);
-        area_paragraph(area, 1, 1, area.rect.width - 2, area.rect.height - 1,
-                       "There is no predicted answer here that could converge.", STYLE_FAINT);
+        picture_say(picture, "convergence", "There is no predicted answer here that could converge.");
         return;
     }
     const Study study = study_on(screen, of);
     verdict_of(screen, &study, line);
     if (known_points(&study) < 2) {
-        area_rule(area, 0, of->title, heading);
-        area_paragraph(area, 1, 1, area.rect.width - 2, area.rect.height - 1, line, STYLE_FAINT);
+        picture_say(picture, of->title, line);
         return;
     }
-    const int height = area.rect.height, spare = height - 9;
-    const int table = spare >= study.known + 1 ? study.known : 0, under = height < 6 ? 0 : 1 + table;
-    Area plot_area = area_part(area, 0, 1, area.rect.width, height - 1 - under);
     if (of->paper)
-        draw_periods(area, plot_area, heading, &study);
+        describe_periods(picture, &study);
     else
-        draw_errors(area, plot_area, heading, &study);
-    if (under > 0)
-        area_phrases(area, 1, height - under, area.rect.width - 2, 1, line, STYLE_NORMAL);
-    for (int k = 0; k < table; k++) {
+        describe_errors(picture, &study);
+    picture_note(picture, STYLE_NORMAL, line);
+    for (int k = 0; k < study.known; k++) {
         point_line(&study, k, line);
-        area_text(area, 1, height - table + k, line, STYLE_FAINT);
+        picture_note(picture, STYLE_FAINT, line)->spare = true;
     }
 }
 
@@ -328,7 +305,7 @@ const View view_convergence = {
     .help = "convergence: the predicted error as cells, horizon or spacing grow smaller, particles more; "
             "both methods; Table 1",
     .home = PANE_LOWER,
-    .draw = draw,
+    .describe = describe,
     .variants = variants_of,
     .variant_word = word_of,
     .duel = DUEL_TOGETHER,

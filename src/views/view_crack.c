@@ -26,49 +26,36 @@ static bool has_crack(const Screen *screen)
     return screen_column(screen, "crack_x") >= 0;
 }
 
-/* Under a plot of the crack: the same two lines as under the others. */
-static int lines_under(Area area)
-{
-    return area.rect.height < 7 ? 0 : area.rect.width >= 100 ? 1 : 2;
-}
-
-/* `first`: what this plot tells beside them; "": nothing. */
-static void draw_lines(const Screen *screen, Area area, int under, const char *first)
+/* The same two lines as under other plots of it. `first`: what this one tells beside them; "": nothing. */
+static void note_crack(const Screen *screen, Picture *picture, const char *first)
 {
     char lines[2][160];
-    beam_lines(screen, area.rect.width - 2, lines[0], lines[1]);
-    if (*first)
-        snprintf(lines[0], sizeof lines[0], "%s", first);
-    if (under == 1)
-        text_append(lines[0], sizeof lines[0], "  %s", lines[1]);
-    for (int i = 0; i < under; i++)
-        area_phrases(area, 1, area.rect.height - under + i, area.rect.width - 2, 1, lines[i], STYLE_NORMAL);
+    beam_lines(screen, picture->columns - 2, lines[0], lines[1]);
+    picture_note(picture, STYLE_NORMAL, *first ? first : lines[0]);
+    picture_note(picture, STYLE_NORMAL, lines[1])->joins = true;
 }
 
 /* The present run, what it should be, and the ghosts. */
-static void draw_runs_heading(const Screen *screen, Area area, Style heading, const char *name,
-                              const char *scale, const Run *runs, int n_runs, const Legend *target)
+static void add_keys(const Screen *screen, Picture *picture, const Run *runs, int n_runs, const char *target)
 {
-    Legend legend[RUNS_MAX + 1];
-    int count = 0;
     for (int r = 0; r < n_runs; r++)
         if (runs[r].ghost < 0 && runs[r].shown)
-            legend[count++] = run_legend(&runs[r]);
+            picture_key(picture, run_key(&runs[r]));
     if (screen_shows_exact(screen))
-        legend[count++] = *target;
-    count += runs_ghost_legends(runs, n_runs, legend + count);
-    heading_draw(area, heading, name, scale, legend, count);
+        picture_key(picture, (PictureKey){LINE_DOTTED, '.', STYLE_EXACT, target, 0, 0});
+    runs_add_keys(picture, runs, n_runs);
 }
 
 /* The places of the tip of an earlier run, of which no more is kept. */
-static void add_tips(Plot *plot, const Run *run)
+static void add_tips(Picture *picture, const Run *run)
 {
+    Plot *plot = &picture->plot;
     if (run->ghost < 0 || !run->shown)
         return;
     const int x = run_column(run, "crack_x"), y = run_column(run, "crack_y");
     const Notch notch = notch_of(run->settings);
     double last_x = notch.x, last_y = notch.y;
-    run_begin(plot, run);
+    run_begin(picture, run);
     plot_point(plot, last_x, last_y);
     for (size_t i = 0; i < run->record->count; i++) {
         const double *row = record_row(run->record, i);
@@ -76,71 +63,54 @@ static void add_tips(Plot *plot, const Run *run)
             continue;
         plot_point(plot, last_x = row[x], last_y = row[y]);
     }
+    run_letter(picture, run, last_x, last_y, MARK_PLACE);
 }
 
 /* --- the path ------------------------------------------------------------------------------------- */
 
-static void draw_path(const Screen *screen, Area area, Style heading)
+static void add_line(Plot *plot, LineStyle line, Style style, int rank, const double points[4])
+{
+    plot_begin(plot, STROKE_LINE, line, style, rank, line == LINE_DASHED ? '-' : '.');
+    plot_point(plot, points[0], points[1]);
+    plot_point(plot, points[2], points[3]);
+}
+
+static void describe_path(const Screen *screen, Picture *picture)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
     const Settings *settings = experiment_settings(screen->experiment);
-    const Notch notch = notch_of(experiment_settings(screen->experiment));
-    const int under = lines_under(area);
-    Area plot_area = area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under);
-    const double left = fmin(notch.x, settings->loads.position) - 0.02;
-    const double right = fmax(notch.x, settings->loads.position) + 0.02;
-    Axis x = axis_make(fmax(0, left), fmin(settings->geometry.length, right), area.rect.width / 9);
-    Axis y = axis_make(0, settings->geometry.height, plot_area.rect.height < 8 ? 3 : 6);
-    const Legend target = {LINE_DOTTED, '.', STYLE_EXACT, "30 deg", NULL};
+    const Notch notch = notch_of(settings);
+    const double load = settings->loads.position, height = settings->geometry.height;
+    const double left = fmin(notch.x, load) - 0.02, right = fmax(notch.x, load) + 0.02;
     Run runs[RUNS_MAX];
     const int n_runs = runs_with(runs, runs_of(screen, runs), "crack_x");
-    char scale[TICK_TEXT_MAX], x_scale[TICK_TEXT_MAX], name[TICK_TEXT_MAX + 4];
-    axis_scale_text(&y, "m", scale);
-    axis_scale_text(&x, "m", x_scale);
-    snprintf(name, sizeof name, "x, %s", x_scale);
-    draw_runs_heading(screen, area, heading, "crack's path, y", scale, runs, n_runs, &target);
-    Area inner = axes_draw(plot_area, &x, &y, name, GUTTER);
-
-    Plot plot;
-    plot_open(&plot, x, y);
-    plot_begin(&plot, STROKE_LINE, LINE_DASHED, STYLE_FAINT, RANK_PREDICTED, '-');
-    plot_point(&plot, notch.x, 0);
-    plot_point(&plot, notch.x, notch.y);
-    plot_begin(&plot, STROKE_LINE, LINE_DASHED, STYLE_FAINT, RANK_PREDICTED, '-');
-    plot_point(&plot, settings->loads.position, settings->geometry.height);
-    plot_point(&plot, settings->loads.position, settings->geometry.height - settings->bonds.protected_depth);
+    Plot *plot = &picture->plot;
+    picture->kind = PICTURE_PATH;
+    picture_axes(picture, axis_make(fmax(0, left), fmin(settings->geometry.length, right)), "x", "m",
+                 axis_make(0, height), "crack's path, y", "m");
+    add_keys(screen, picture, runs, n_runs, "30 deg");
+    add_line(plot, LINE_DASHED, STYLE_FAINT, RANK_PREDICTED, (double[]){notch.x, 0, notch.x, notch.y});
+    add_line(plot, LINE_DASHED, STYLE_FAINT, RANK_PREDICTED,
+             (double[]){load, height, load, height - settings->bonds.protected_depth});
     if (screen_shows_exact(screen)) {
-        const double towards = settings->loads.position < notch.x ? -1 : 1,
-                     rise = settings->geometry.height - notch.y;
-        plot_begin(&plot, STROKE_LINE, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, '.');
-        plot_point(&plot, notch.x, notch.y);
-        plot_point(&plot, notch.x + towards * rise * math_tan(CRACK_PAPER_ANGLE * M_PI / 180),
-                   settings->geometry.height);
+        const double towards = load < notch.x ? -1 : 1, rise = height - notch.y;
+        const double end = notch.x + towards * rise * math_tan(CRACK_PAPER_ANGLE * M_PI / 180);
+        add_line(plot, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, (double[]){notch.x, notch.y, end, height});
     }
     for (int r = 0; r < n_runs; r++)
-        add_tips(&plot, &runs[r]);
-    const size_t most = (size_t)ceil(settings->geometry.height / settings->lattice.spacing) + 1;
+        add_tips(picture, &runs[r]);
+    const size_t most = (size_t)ceil(height / settings->lattice.spacing) + 1;
     double *path = malloc(2 * most * sizeof *path);
     const size_t count = path ? crack_line(sim, path, path + most, most) : 0;
-    plot_begin(&plot, STROKE_LINE, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '*');
-    plot_point(&plot, notch.x, notch.y);
+    plot_begin(plot, STROKE_LINE, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '*');
+    plot_point(plot, notch.x, notch.y);
     for (size_t i = 0; i < count; i++)
-        plot_point(&plot, path[i], path[most + i]);
+        plot_point(plot, path[i], path[most + i]);
     free(path);
-    plot_draw(&plot, inner);
-    for (int r = 0; r < n_runs; r++) {
-        const Record *record = runs[r].record;
-        if (runs[r].ghost < 0 || !runs[r].shown || record->count == 0)
-            continue;
-        const double *row = record_row(record, record->count - 1);
-        run_letter(&runs[r], &plot, inner, row[run_column(&runs[r], "crack_x")],
-                   row[run_column(&runs[r], "crack_y")]);
-    }
-    plot_close(&plot);
     CrackFacts facts;
     if (crack_facts(sim, &facts) && facts.measured.begun)
-        axes_mark(inner, &x, &y, facts.measured.x, facts.measured.y, 0x25cf, STYLE_CHANGED);
-    draw_lines(screen, area, under, "");
+        picture_mark(picture, facts.measured.x, facts.measured.y, 0x25cf, STYLE_CHANGED);
+    note_crack(screen, picture, "");
 }
 
 /* --- curves over time ------------------------------------------------------------------------------ */
@@ -187,14 +157,11 @@ typedef struct CrackCurve {
     const char *line; /* below, in the place of the tip; "": nothing */
 } CrackCurve;
 
-static void draw_over_time(const Screen *screen, Area area, Style heading, const CrackCurve *curve)
+static void describe_over_time(const Screen *screen, Picture *picture, const CrackCurve *curve)
 {
     Run runs[RUNS_MAX];
     CrackColumns columns[RUNS_MAX];
-    const int n_runs = runs_with(runs, runs_of(screen, runs), "crack_x"), under = lines_under(area);
-    Area plot_area = area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under);
-    const int width = plot_area.rect.width - GUTTER - 1, dots = width * plot_dots_across(area.glyphs);
-    const int rows = plot_area.rect.height - 1;
+    const int n_runs = runs_with(runs, runs_of(screen, runs), "crack_x");
     double least = 0, most = curve->target;
     for (int r = 0; r < n_runs; r++) {
         columns[r] = crack_columns(&runs[r]);
@@ -204,38 +171,22 @@ static void draw_over_time(const Screen *screen, Area area, Style heading, const
             most = value > most ? value : most;
         }
     }
-    Axis y = axis_around(least, axis_round_up(most * 1.02), rows < 5 ? 3 : 5);
-    Axis x = time_plot_axis(screen, width);
-    const Legend target = {LINE_DOTTED, '.', STYLE_EXACT, curve->target_name, NULL};
-    char scale[TICK_TEXT_MAX], name[32];
-    axis_scale_text(&y, curve->unit, scale);
-    draw_runs_heading(screen, area, heading, curve->name, scale, runs, n_runs, &target);
-    Area inner = axes_draw(plot_area, &x, &y, time_plot_name(screen, &x, name, sizeof name), GUTTER);
-    Plot plot;
-    plot_open(&plot, x, y);
-    if (screen_shows_exact(screen)) {
-        plot_begin(&plot, STROKE_LINE, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, '.');
-        plot_point(&plot, x.low, curve->target);
-        plot_point(&plot, x.high, curve->target);
-    }
-    for (int r = 0; r < n_runs; r++) {
-        if (!runs[r].shown)
-            continue;
-        run_begin(&plot, &runs[r]);
-        time_plot_curve(&plot, &(Curve){runs[r].record, -1, -1, -1, curve->value, &columns[r]}, dots);
-    }
-    time_plot_breaks(screen, inner, &x);
-    time_plot_now(screen, inner, &x);
-    plot_draw(&plot, inner);
+    time_plot_axes(screen, picture, axis_around(least, axis_round_up(most * 1.02)), curve->name, curve->unit);
+    add_keys(screen, picture, runs, n_runs, curve->target_name);
+    if (screen_shows_exact(screen))
+        picture_level(picture, curve->target, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, '.');
     for (int r = 0; r < n_runs; r++) {
         const Record *record = runs[r].record;
-        if (!runs[r].shown || record->count == 0)
+        if (!runs[r].shown)
             continue;
-        const double *row = record_row(record, record_find(record, x.high));
-        run_letter(&runs[r], &plot, inner, row[1], curve->value(row, &columns[r]));
+        run_begin(picture, &runs[r]);
+        time_plot_curve(picture, &(Curve){record, -1, curve->value, &columns[r]});
+        if (record->count == 0)
+            continue;
+        const double *row = record_row(record, record_find(record, picture->plot.x.high));
+        run_letter(picture, &runs[r], row[1], curve->value(row, &columns[r]), MARK_PLACE);
     }
-    plot_close(&plot);
-    draw_lines(screen, area, under, curve->line);
+    note_crack(screen, picture, curve->line);
 }
 
 static const char *const pictures[] = {"path", "angle", "speed"};
@@ -250,7 +201,7 @@ const char *crack_variant_word(int variant)
     return pictures[variant];
 }
 
-void crack_draw(const Screen *screen, Area area, Style heading, int variant)
+void crack_describe(const Screen *screen, int variant, Picture *picture)
 {
     static const CrackCurve angle = {"chord to tip, deg", "", "30 deg", tip_angle, CRACK_PAPER_ANGLE, ""};
     const double rayleigh = crack_rayleigh_speed(experiment_settings(screen->experiment));
@@ -260,9 +211,9 @@ void crack_draw(const Screen *screen, Area area, Style heading, int variant)
         beam_lines_tip_speed(&facts.measured, rayleigh, line);
     const CrackCurve speed = {"tip's speed", "m/s", "Rayleigh's c_R", tip_speed, rayleigh, line};
     if (variant == 0)
-        draw_path(screen, area, heading);
+        describe_path(screen, picture);
     else
-        draw_over_time(screen, area, heading, variant == 1 ? &angle : &speed);
+        describe_over_time(screen, picture, variant == 1 ? &angle : &speed);
 }
 
 int crack_cost_variants(const Screen *screen)
@@ -286,33 +237,28 @@ const char *crack_cost_variant_word(const Screen *screen, int variant)
 enum { PARTS = 4 };
 
 /* A bar a part, beside what theory and what a plane through this lattice would cost. */
-static void draw_bars(const Screen *screen, Area area, const double parts[PARTS], const CrackPrice *price)
+static void add_bars(const Screen *screen, Picture *picture, const double parts[PARTS],
+                     const CrackPrice *price)
 {
     double most = fmax(price->critical_energy, price->cost.plane);
     for (int i = 0; i < PARTS; i++)
         most = fmax(most, parts[i]);
-    const Axis x = axis_make(0, PARTS + 1, PARTS + 2);
-    const Axis y = axis_make(0, axis_round_up(most * 1.02), area.rect.height < 7 ? 3 : 5);
-    Area inner = axes_draw(area, &x, &y, "part", GUTTER);
-    Plot plot;
-    plot_open(&plot, x, y);
+    picture->kind = PICTURE_BARS;
+    picture_axes(picture, axis_count(PARTS + 1), "part", "", axis_make(0, axis_round_up(most * 1.02)),
+                 "where the energy went, J/m^2", "");
     for (int i = 0; i < PARTS; i++) {
-        plot_begin(&plot, STROKE_BAND, LINE_SOLID, STYLE_MEASURED, RANK_BAND, '#');
+        plot_begin(&picture->plot, STROKE_BAND, LINE_SOLID, STYLE_MEASURED, RANK_BAND, '#');
         for (int side = -1; side <= 1; side += 2) {
-            plot_point(&plot, i + 1 + 0.3 * side, 0);
-            plot_point(&plot, i + 1 + 0.3 * side, parts[i]);
+            plot_point(&picture->plot, i + 1 + 0.3 * side, 0);
+            plot_point(&picture->plot, i + 1 + 0.3 * side, parts[i]);
         }
     }
-    for (int i = 0; i < 2 && screen_shows_exact(screen); i++) {
-        const double level = i == 0 ? price->critical_energy : price->cost.plane;
-        plot_begin(&plot, STROKE_LINE, i == 0 ? LINE_DOTTED : LINE_DASHED,
-                   i == 0 ? STYLE_EXACT : STYLE_PREDICTED, i == 0 ? RANK_EXACT : RANK_PREDICTED,
-                   i == 0 ? '.' : '-');
-        plot_point(&plot, x.low, level);
-        plot_point(&plot, x.high, level);
-    }
-    plot_draw(&plot, inner);
-    plot_close(&plot);
+    if (!screen_shows_exact(screen))
+        return;
+    picture_key(picture, (PictureKey){LINE_DOTTED, '.', STYLE_EXACT, "G0", 0, 0});
+    picture_level(picture, price->critical_energy, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, '.');
+    picture_key(picture, (PictureKey){LINE_DASHED, '-', STYLE_PREDICTED, "a plane of this lattice", 0, 0});
+    picture_level(picture, price->cost.plane, LINE_DASHED, STYLE_PREDICTED, RANK_PREDICTED, '-');
 }
 
 /* A picture takes no keys while it is drawn, so its work has a bound: so many questions, a quarter of a
@@ -326,58 +272,52 @@ static bool is_quick(double share, void *context)
     return ++*asked <= QUESTIONS_MAX;
 }
 
-static void draw_cost(const Screen *screen, Area area, Style heading)
+static void describe_cost(const Screen *screen, Picture *picture)
 {
-    static const Legend targets[] = {{LINE_DOTTED, '.', STYLE_EXACT, "G0", NULL},
-                                     {LINE_DASHED, '-', STYLE_PREDICTED, "a plane of this lattice", NULL}};
+    static const char *const wholes[] = {"all %.1f  G0 %.1f, a plane of this lattice %.1f  crack %.1f mm",
+                                         "1 through the path %.1f  2 beside it %.1f",
+                                         "3 further than a horizon %.1f  4 held beyond s0 %.1f"};
+    static const char *const briefs[] = {"all %.1f  G0 %.1f  plane %.1f  %.1f mm",
+                                         "1 through path %.1f  2 beside %.1f",
+                                         "3 far off %.1f  4 held beyond s0 %.1f"};
     CrackPrice price;
     int asked = 0;
     const Patience quickly = {is_quick, &asked};
-    const bool known =
-        crack_price(experiment_simulation(screen->experiment), experiment_settings(screen->experiment),
-                    experiment_fronts(screen->experiment), &quickly, &price);
-    heading_draw(area, heading, "where the energy went, J/m^2", "", targets,
-                 known && screen_shows_exact(screen) ? 2 : 0);
-    if (!known) {
-        area_paragraph(
-            area, 1, 1, area.rect.width - 2, area.rect.height - 1,
+    if (!crack_price(experiment_simulation(screen->experiment), experiment_settings(screen->experiment),
+                     experiment_fronts(screen->experiment), &quickly, &price)) {
+        picture_say(
+            picture, "where the energy went, J/m^2",
             asked > QUESTIONS_MAX
                 ? "So many bonds broke that a picture would take too long: the summary at the end of a run "
                   "tells."
-                : "There is no crack as yet, or s0 was changed on the way: then no bond's share is known.",
-            STYLE_FAINT);
+                : "There is no crack as yet, or s0 was changed on the way: then no bond's share is known.");
         return;
     }
     const CrackCost *cost = &price.cost;
     const double parts[PARTS] = {cost->through / cost->area, cost->beside / cost->area,
                                  cost->far / cost->area, cost->beyond / cost->area};
-    const int under = area.rect.height < 7 ? 1 : 3;
-    draw_bars(screen, area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under), parts, &price);
-    char lines[3][160];
-    const bool wide = area.rect.width >= 52;
-    snprintf(lines[0], sizeof lines[0],
-             wide ? "all %.1f  G0 %.1f, a plane of this lattice %.1f  crack %.1f mm"
-                  : "all %.1f  G0 %.1f  plane %.1f  %.1f mm",
-             cost->total / cost->area, price.critical_energy, cost->plane,
-             cost->area / experiment_settings(screen->experiment)->geometry.thickness / 1e-3);
-    snprintf(lines[1], sizeof lines[1],
-             wide ? "1 through the path %.1f  2 beside it %.1f" : "1 through path %.1f  2 beside %.1f",
-             parts[0], parts[1]);
-    snprintf(lines[2], sizeof lines[2],
-             wide ? "3 further than a horizon %.1f  4 held beyond s0 %.1f"
-                  : "3 far off %.1f  4 held beyond s0 %.1f",
-             parts[2], parts[3]);
-    for (int i = 0; i < under; i++)
-        area_phrases(area, 1, area.rect.height - under + i, area.rect.width - 2, 1, lines[i],
-                     i == 0 ? STYLE_NORMAL : STYLE_FAINT);
+    const double thickness = experiment_settings(screen->experiment)->geometry.thickness;
+    add_bars(screen, picture, parts, &price);
+    for (int i = 0; i < 3; i++) {
+        char text[2][160];
+        for (int brief = 0; brief < 2; brief++)
+            if (i == 0)
+                snprintf(text[brief], sizeof text[0], (brief ? briefs : wholes)[0], cost->total / cost->area,
+                         price.critical_energy, cost->plane, cost->area / thickness / 1e-3);
+            else
+                snprintf(text[brief], sizeof text[0], (brief ? briefs : wholes)[i], parts[2 * i - 2],
+                         parts[2 * i - 1]);
+        PictureNote *note = picture_note(picture, i == 0 ? STYLE_NORMAL : STYLE_FAINT, text[0]);
+        snprintf(note->brief, sizeof note->brief, "%s", text[1]);
+    }
 }
 
-void crack_cost_draw(const Screen *screen, Area area, Style heading, int variant)
+void crack_cost_describe(const Screen *screen, int variant, Picture *picture)
 {
     const CrackCurve cost = {
         "crack's cost, J/m^2", "", "G0", energy_of_crack, screen_derived(screen, "critical_energy"), ""};
     if (is_over_time(screen, variant))
-        draw_over_time(screen, area, heading, &cost);
+        describe_over_time(screen, picture, &cost);
     else
-        draw_cost(screen, area, heading);
+        describe_cost(screen, picture);
 }

@@ -21,36 +21,15 @@ typedef struct Dot {
     bool filled; /* a run that goes on; ghosts are rings */
 } Dot;
 
-static const char *dot_key(Glyphs glyphs)
+/* Ghosts first, so that the present run lies on top. */
+static void add_dots(Picture *picture, const Dot *dots, int count)
 {
-    return glyphs == GLYPHS_ASCII ? "O " : "● ";
-}
-
-/* Ghosts first, so that the present run lies on top; a letter stands beside its dot, on the side where there
- * is room. */
-static void draw_run_dots(Area inner, const Axis *x, const Axis *y, const Dot *dots, int count)
-{
-    for (int i = 0; i < count; i++) {
-        const int column = axis_column(x, dots[i].x, inner.rect.width);
-        const int row = axis_row(y, dots[i].y, inner.rect.height);
-        if (column < 0 || row < 0)
-            continue;
-        axes_mark(inner, x, y, dots[i].x, dots[i].y, dots[i].filled ? 0x25cf : 0x25cb, dots[i].style);
-        if (!dots[i].letter)
-            continue;
-        if (inner.canvas->picture) { /* a letter on paper stands beside its place anyhow */
-            axes_mark(inner, x, y, dots[i].x, dots[i].y, (uint32_t)(unsigned char)dots[i].letter,
-                      dots[i].style);
-            continue;
-        }
-        int before = 0; /* dots on the same place have their letters in a row */
-        for (int k = 0; k < i; k++)
-            before += axis_column(x, dots[k].x, inner.rect.width) == column &&
-                      axis_row(y, dots[k].y, inner.rect.height) == row;
-        const int apart = 2 + 2 * before;
-        area_put(inner, column + apart < inner.rect.width ? column + apart : column - apart, row,
-                 (uint32_t)(unsigned char)dots[i].letter, dots[i].style);
-    }
+    for (int i = 0; i < count; i++)
+        picture_add_mark(picture, (PictureMark){.x = dots[i].x,
+                                                .y = dots[i].y,
+                                                .glyph = dots[i].filled ? 0x25cf : 0x25cb,
+                                                .letter = dots[i].letter,
+                                                .style = dots[i].style});
 }
 
 static Dot dot_of(const Run *run, double x, double y)
@@ -67,31 +46,11 @@ static void widen(double value, double *least, double *most)
     *most = value > *most ? value : *most;
 }
 
-static void say_instead(Area area, Style heading, const char *name, const char *text)
-{
-    area_rule(area, 0, name, heading);
-    area_paragraph(area, 1, 1, area.rect.width - 2, area.rect.height - 1, text, STYLE_FAINT);
-}
-
-/* The lines under a plot: as many as the pane can spare. */
-static int lines_under(Area area, int wanted)
-{
-    const int spare = area.rect.height - 7;
-    return spare < 0 ? 0 : spare < wanted ? spare : wanted;
-}
-
 /* --- a bar ---------------------------------------------------------------------------------------- */
 
 static double percent(double ratio)
 {
     return 100 * (ratio - 1);
-}
-
-/* Two lines under the plot that have no room in full. */
-static bool are_cut(Area area, const char *first, const char *second)
-{
-    const int room = area.rect.width - 1;
-    return glyphs_columns(first) > room || glyphs_columns(second) > room;
 }
 
 /* A factor's letter where its name is "mesh K". */
@@ -151,8 +110,8 @@ static void mode_lines(const Screen *screen, bool brief, char first[160], char s
         append_factor(second, brief ? "end" : "free end", predicted / mode.predicted, brief);
 }
 
-/* What the factors' names mean; where room is short, the last of them. */
-static void factor_line(Experiment *experiment, int width, char out[160])
+/* What the factors' names mean; in brief, the last of them. */
+static void factor_line(Experiment *experiment, bool brief, char out[160])
 {
     ModeOnMesh mode;
     int named = 0;
@@ -162,16 +121,17 @@ static void factor_line(Experiment *experiment, int width, char out[160])
     for (int i = 0; i < mode.n_factors; i++) {
         if (!mode.factors[i].meaning)
             continue;
-        if (width <= 78)
+        if (brief)
             out[named = 0] = '\0';
         text_append(out, 160, "%s%s: %s", named++ ? "; " : "", mode.factors[i].name, mode.factors[i].meaning);
     }
 }
 
 /* The curve of each run that can go on: of both in a duel. */
-static void add_predicted(Plot *plot, const Run *run, int last, int every)
+static void add_predicted(Picture *picture, const Run *run, int last, int every)
 {
     ModeOnMesh mode;
+    Plot *plot = &picture->plot;
     plot_begin(plot, STROKE_LINE, LINE_DASHED, STYLE_PREDICTED, RANK_PREDICTED, '-');
     for (int n = 1; n <= last; n += every)
         if (dispersion_mode(run->settings, n, &mode))
@@ -212,25 +172,18 @@ static int count_ways(const Settings *settings)
     return count;
 }
 
-static void add_ways(Plot *plot, const Settings *settings, const char *letters, int n_ways, int last,
+/* A letter on each curve: colour alone tells nobody apart. */
+static void add_ways(Picture *picture, const Settings *settings, const char *letters, int n_ways, int last,
                      int every)
 {
     for (int i = 0; i < n_ways; i++) {
-        plot_begin(plot, STROKE_LINE, LINE_SOLID, way_styles[i], RANK_GHOST, letters[i]);
+        plot_begin(&picture->plot, STROKE_LINE, LINE_SOLID, way_styles[i], RANK_GHOST, letters[i]);
         for (int n = 1; n <= last; n += every)
-            plot_point(plot, n, error_by_way(settings, i, n));
-    }
-}
-
-/* A letter on each curve: colour alone tells nobody apart. */
-static void mark_ways(Area inner, const Axis *x, const Axis *y, const Settings *settings, const char *letters,
-                      int n_ways, int last)
-{
-    for (int i = 0; i < n_ways; i++) {
+            plot_point(&picture->plot, n, error_by_way(settings, i, n));
         const int n = 1 + (last - 1) * (3 + i) / 10;
         const double error = error_by_way(settings, i, n);
         if (isfinite(error))
-            axes_mark(inner, x, y, n, error, (uint32_t)(unsigned char)letters[i], way_styles[i]);
+            picture_mark(picture, n, error, (uint32_t)(unsigned char)letters[i], way_styles[i]);
     }
 }
 
@@ -268,16 +221,32 @@ static int last_mode(Experiment *experiment, int variant)
     return all == 0 || (variant == 1 && near < all) ? near : all; /* 0: of which there are no waves */
 }
 
-static void draw_bar(const Screen *screen, Area area, Style heading, int variant, bool with_ways)
+/* Two lines and what their words mean; of the other ways what their letters mean. */
+static void note_mode(const Screen *screen, Picture *picture, int n_ways)
+{
+    char whole[2][160], brief[2][160], factors[160], ways[160];
+    mode_lines(screen, false, whole[0], whole[1]);
+    mode_lines(screen, true, brief[0], brief[1]);
+    if (n_ways > 0) {
+        name_ways(screen, n_ways, ways);
+        picture_note(picture, STYLE_NORMAL, ways);
+    }
+    for (int i = 0; i < 2 - (n_ways > 0); i++)
+        memcpy(picture_note(picture, STYLE_NORMAL, whole[i])->brief, brief[i], sizeof brief[i]);
+    factor_line(screen->experiment, false, factors);
+    if (!factors[0])
+        return;
+    PictureNote *note = picture_note(picture, STYLE_FAINT, factors);
+    note->spare = true;
+    factor_line(screen->experiment, true, note->brief);
+}
+
+static void describe_bar(const Screen *screen, int variant, bool with_ways, Picture *picture)
 {
     const Settings *settings = experiment_settings(screen->experiment);
-    const int n_ways = with_ways ? count_ways(settings) : 0;
-    const int last = last_mode(screen->experiment, variant), under = lines_under(area, 3);
-    Area plot_area = area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under);
-    const int width = plot_area.rect.width - GUTTER - 1, rows = plot_area.rect.height - 1;
-    const int columns = width > 1 ? width * plot_dots_across(area.glyphs) : 2;
+    const int n_ways = with_ways ? count_ways(settings) : 0, last = last_mode(screen->experiment, variant);
+    const int columns = picture->dots > 1 ? picture->dots : 2;
     const int every = last > columns ? (last + columns - 1) / columns : 1;
-
     Dot dots[RUNS_MAX];
     const int n_dots = bar_dots(screen, dots);
     double least = 0, most = 0;
@@ -298,57 +267,23 @@ static void draw_bar(const Screen *screen, Area area, Style heading, int variant
         for (int n = 1; n <= last; n += every)
             widen(error_by_way(settings, i, n), &least, &most);
     const double low = least < -0.01 ? -axis_round_up(-1.02 * least) : -1;
-    Axis x = axis_make(0, last > 1 ? last : 2, area.rect.width / 9);
-    Axis y = axis_make_root(low, most > 0.01 ? axis_round_up(1.02 * most) : 0, rows < 10 ? rows : 10);
-
-    Legend legend[3]; /* the other ways have a letter on their curve, and a line below that names them */
-    int n_legend = 0;
-    legend[n_legend++] = (Legend){LINE_SOLID, 'O', STYLE_MEASURED, "measured", dot_key(area.glyphs)};
-    if (screen_shows_exact(screen))
-        legend[n_legend++] = (Legend){LINE_DOTTED, '.', STYLE_EXACT, "exact", NULL};
-    if (predicted)
-        legend[n_legend++] = (Legend){LINE_DASHED, '-', STYLE_PREDICTED, "predicted", NULL};
-    heading_draw(area, heading,
-                 area.rect.width >= 70 ? "error of w, % (square-root scale)" : "% error, sqrt scale", "",
-                 legend, n_legend);
-    Area inner = axes_draw(plot_area, &x, &y, "mode n", GUTTER);
-
-    Plot plot;
-    plot_open(&plot, x, y);
+    picture_axes(picture, axis_make(0, last > 1 ? last : 2), "mode n", "",
+                 axis_make_root(low, most > 0.01 ? axis_round_up(1.02 * most) : 0),
+                 picture->columns >= 70 ? "error of w, % (square-root scale)" : "% error, sqrt scale", "");
+    /* the other ways have a letter on their curve, and a line below that names them */
+    picture_key(picture, (PictureKey){LINE_SOLID, 'O', STYLE_MEASURED, "measured", 0x25cf, 0});
     if (screen_shows_exact(screen)) {
-        plot_begin(&plot, STROKE_LINE, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, '.');
-        plot_point(&plot, 0, 0);
-        plot_point(&plot, last, 0);
+        picture_key(picture, (PictureKey){LINE_DOTTED, '.', STYLE_EXACT, "exact", 0, 0});
+        picture_level(picture, 0, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, '.');
     }
-    add_ways(&plot, settings, letters_of(screen), n_ways, last, every);
+    if (predicted)
+        picture_key(picture, (PictureKey){LINE_DASHED, '-', STYLE_PREDICTED, "predicted", 0, 0});
+    add_ways(picture, settings, letters_of(screen), n_ways, last, every);
     for (int i = 0; i < n_runs && predicted; i++)
         if (runs[i].experiment)
-            add_predicted(&plot, &runs[i], last, every);
-    plot_draw(&plot, inner);
-    mark_ways(inner, &x, &y, settings, letters_of(screen), n_ways, last);
-    plot_close(&plot);
-    draw_run_dots(inner, &x, &y, dots, n_dots);
-
-    char first[160], second[160], factors[160];
-    mode_lines(screen, false, first, second);
-    char brief[2][160];
-    mode_lines(screen, true, brief[0], brief[1]);
-    if (are_cut(area, first, ""))
-        memcpy(first, brief[0], sizeof first);
-    if (are_cut(area, "", second))
-        memcpy(second, brief[1], sizeof second);
-    factor_line(screen->experiment, area.rect.width, factors);
-    if (n_ways > 0) {
-        memcpy(second, first, sizeof second);
-        name_ways(screen, n_ways, first);
-    }
-    const int at = area.rect.height - under;
-    if (under > 0)
-        area_text(area, 1, at, first, STYLE_NORMAL);
-    if (under > 1)
-        area_text(area, 1, at + 1, second, STYLE_NORMAL);
-    if (under > 2)
-        area_text_whole(area, 1, at + 2, area.rect.width - 1, factors, STYLE_FAINT);
+            add_predicted(picture, &runs[i], last, every);
+    add_dots(picture, dots, n_dots);
+    note_mode(screen, picture, n_ways);
 }
 
 /* --- a beam --------------------------------------------------------------------------------------- */
@@ -410,13 +345,23 @@ static void period_lines(const Readout *readout, double height, double span, boo
     }
 }
 
-static void draw_beam(const Screen *screen, Area area, Style heading)
+static void note_period(const Screen *screen, Picture *picture)
+{
+    const Readout *readout = experiment_readout(screen->experiment);
+    const double height = screen_derived(screen, "real_height"), span = screen_derived(screen, "real_span");
+    char whole[2][160], brief[2][160];
+    period_lines(readout, height, span, false, whole[0], whole[1]);
+    period_lines(readout, height, span, true, brief[0], brief[1]);
+    for (int i = 0; i < 2; i++)
+        memcpy(picture_note(picture, i == 0 ? STYLE_NORMAL : STYLE_FAINT, whole[i])->brief, brief[i],
+               sizeof brief[i]);
+}
+
+static void describe_beam(const Screen *screen, Picture *picture)
 {
     const Readout *readout = experiment_readout(screen->experiment);
     const Settings *settings = experiment_settings(screen->experiment);
-    const int under = lines_under(area, readout->drifting ? 1 : 2);
-    Area plot_area = area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under);
-    const int rows = plot_area.rect.height - 1;
+    const bool bonds = simulation_has(experiment_simulation(screen->experiment), HAS_BONDS);
     const struct {
         const char *name;
         double value;
@@ -430,7 +375,6 @@ static void draw_beam(const Screen *screen, Area area, Style heading)
         {"Timoshenko", readout->drifting ? NAN : milliseconds(screen_derived(screen, "period_timoshenko")),
          LINE_DASHED, '-', STYLE_THIRD},
     };
-
     Dot dots[RUNS_MAX];
     const int n_dots = beam_dots(screen, dots);
     double least = INFINITY, most = -INFINITY, furthest = reach_of(screen, settings);
@@ -440,54 +384,23 @@ static void draw_beam(const Screen *screen, Area area, Style heading)
         widen(dots[i].y, &least, &most);
         furthest = fmax(furthest, dots[i].x);
     }
-    Axis x = axis_make(0, axis_round_up(1.2 * furthest), area.rect.width / 9);
-    Axis y = readout->drifting ? axis_symmetric(fmax(fabs(least), fabs(most)), rows < 5 ? 3 : 5)
-                               : axis_around(least, most, rows < 5 ? 3 : 5);
-    Legend legend[3] = {{LINE_SOLID, 'O', STYLE_MEASURED, "measured", dot_key(area.glyphs)}};
-    int n_legend = 1;
-    for (int i = 0; i < 2 && screen_shows_exact(screen); i++)
-        if (isfinite(theories[i].value))
-            legend[n_legend++] =
-                (Legend){theories[i].line, theories[i].letter, theories[i].style, theories[i].name, NULL};
-    heading_draw(area, heading, readout->drifting ? "error of the last swing, %" : "period, ms", "", legend,
-                 n_legend);
-    char scale[TICK_TEXT_MAX], name[TICK_TEXT_MAX + 12];
-    axis_scale_text(&x, "m", scale);
-    snprintf(name, sizeof name, "%s, %s",
-             simulation_has(experiment_simulation(screen->experiment), HAS_BONDS) ? "horizon" : "cell size",
-             scale);
-    Area inner = axes_draw(plot_area, &x, &y, name, GUTTER);
-    Plot plot;
-    plot_open(&plot, x, y);
+    picture_axes(picture, axis_make(0, axis_round_up(1.2 * furthest)), bonds ? "horizon" : "cell size", "m",
+                 readout->drifting ? axis_symmetric(fmax(fabs(least), fabs(most))) : axis_around(least, most),
+                 readout->drifting ? "error of the last swing, %" : "period, ms", "");
+    picture_key(picture, (PictureKey){LINE_SOLID, 'O', STYLE_MEASURED, "measured", 0x25cf, 0});
     for (int i = 0; i < 2 && screen_shows_exact(screen); i++) {
         if (!isfinite(theories[i].value))
             continue;
-        plot_begin(&plot, STROKE_LINE, theories[i].line, theories[i].style, RANK_EXACT, theories[i].letter);
-        plot_point(&plot, x.low, theories[i].value);
-        plot_point(&plot, x.high, theories[i].value);
+        picture_key(picture, (PictureKey){theories[i].line, theories[i].letter, theories[i].style,
+                                          theories[i].name, 0, 0});
+        picture_level(picture, theories[i].value, theories[i].line, theories[i].style, RANK_EXACT,
+                      theories[i].letter);
     }
-    plot_draw(&plot, inner);
-    plot_close(&plot);
-    draw_run_dots(inner, &x, &y, dots, n_dots);
-
-    char lines[2][160];
-    const double height = screen_derived(screen, "real_height"), span = screen_derived(screen, "real_span");
-    period_lines(readout, height, span, false, lines[0], lines[1]);
-    if (are_cut(area, lines[0], lines[1]))
-        period_lines(readout, height, span, true, lines[0], lines[1]);
-    for (int i = 0; i < under; i++)
-        area_text(area, 1, area.rect.height - under + i, lines[i], i == 0 ? STYLE_NORMAL : STYLE_FAINT);
+    add_dots(picture, dots, n_dots);
+    note_period(screen, picture);
 }
 
 /* --- either --------------------------------------------------------------------------------------- */
-
-static void say_instead_of_period(Area area, Style heading)
-{
-    char text[96];
-    snprintf(text, sizeof text,
-             "What breaks has no period to be compared. The log (%d) tells when and where.", view_log.digit);
-    say_instead(area, heading, "convergence", text);
-}
 
 /* All modes, those near the present one if there are more, and all by the other ways of the method. */
 static bool has_near(const Screen *screen)
@@ -523,20 +436,23 @@ static const char *word_of(const Screen *screen, int variant)
     return variant == 1 ? "near" : "all";
 }
 
-static void draw(const Screen *screen, Area area, Style heading, int variant)
+static void describe(const Screen *screen, int variant, Picture *picture)
 {
     const Settings *settings = experiment_settings(screen->experiment);
+    const bool ways = shows_ways(screen, variant);
+    char text[96];
+    snprintf(text, sizeof text,
+             "What breaks has no period to be compared. The log (%d) tells when and where.", view_log.digit);
     if (simulation_has(experiment_simulation(screen->experiment), HAS_LINE))
-        draw_bar(screen, area, heading, shows_ways(screen, variant) ? 0 : variant,
-                 shows_ways(screen, variant));
+        describe_bar(screen, ways ? 0 : variant, ways, picture);
     else if (has_waves(screen) && variant > 0)
-        waves_plane_draw(screen, area, heading, variant == 2);
+        waves_plane_describe(screen, variant == 2, picture);
     else if (settings->problem->concerns & CONCERN_NOTCH)
-        say_instead_of_period(area, heading);
+        picture_say(picture, "convergence", text);
     else if (!experiment_readout(screen->experiment)->moving)
-        say_instead(area, heading, "convergence", "Nothing vibrates here: there is no period to measure.");
+        picture_say(picture, "convergence", "Nothing vibrates here: there is no period to measure.");
     else
-        draw_beam(screen, area, heading);
+        describe_beam(screen, picture);
 }
 
 const View view_dispersion = {
@@ -545,7 +461,7 @@ const View view_dispersion = {
     .help = "dispersion: error of every mode; beams: period over horizon or cell size, waves",
     .digit = 5,
     .home = PANE_LOWER,
-    .draw = draw,
+    .describe = describe,
     .variants = variants_of,
     .variant_word = word_of,
     .duel = DUEL_TOGETHER,

@@ -99,7 +99,12 @@ static Stack stack_of(const Screen *screen)
     return stack;
 }
 
-enum { PAPER_DOTS = 500 }; /* no screen is as fine */
+/* Whether single swings are seen; no screen is as fine. */
+static bool is_fine(const Picture *picture)
+{
+    enum { DOTS = 500 };
+    return picture->dots >= DOTS;
+}
 
 /* How long one swing takes, as well as it is known; 0: nothing swings steadily. */
 static double swing_of(const Screen *screen)
@@ -129,14 +134,21 @@ static double mean_height(const Stack *stack, double time, double swing, int upt
     return sum / SAMPLES;
 }
 
-static void add_means(Plot *plot, const Stack *stack, double swing, int dots, bool solid)
+static void begin_layer(Plot *plot, const Stack *stack, int layer)
 {
+    plot_begin(plot, STROKE_BAND, LINE_SOLID, stack->layers[layer].style, RANK_BAND, "#+.:"[layer & 3]);
+    plot->strokes[plot->n_strokes - 1].fill = stack->layers[layer].fill;
+}
+
+static void add_means(Picture *picture, const Stack *stack, double swing)
+{
+    Plot *plot = &picture->plot;
+    const int dots = picture->dots;
     const Record *record = stack->record;
     const double step = (plot->x.high - plot->x.low) / dots;
     const double newest = record->count ? record_row(record, record->count - 1)[1] : -INFINITY;
     for (int layer = 0; layer < stack->count; layer++) {
-        plot_begin(plot, STROKE_BAND, LINE_SOLID, stack->layers[layer].style, RANK_BAND, "#+.:"[layer & 3]);
-        plot->strokes[plot->n_strokes - 1].fill = solid ? 0 : stack->layers[layer].fill;
+        begin_layer(plot, stack, layer);
         for (int i = 0; i < dots && plot->x.low + i * step <= newest; i++) {
             const double time = plot->x.low + (i + 0.5) * step;
             plot_point(plot, time, mean_height(stack, time, swing, layer));
@@ -147,15 +159,16 @@ static void add_means(Plot *plot, const Stack *stack, double swing, int dots, bo
 
 /* One point a column of dots: the row at its middle. Bands need no extremes: their edges are sums that hardly
  * change within a column when the curve's swing is wider than one; where it is narrower, the mean is told. */
-static void add_stack(Plot *plot, const Stack *stack, int dots, bool solid)
+static void add_stack(Picture *picture, const Stack *stack)
 {
+    Plot *plot = &picture->plot;
+    const int dots = picture->dots;
     const Record *record = stack->record;
     const double step = (plot->x.high - plot->x.low) / dots;
     const size_t begin = record_find(record, plot->x.low), last = record_find(record, plot->x.high);
-    const bool every_row = last - begin < (size_t)dots && dots >= PAPER_DOTS;
+    const bool every_row = last - begin < (size_t)dots && is_fine(picture);
     for (int layer = 0; layer < stack->count; layer++) {
-        plot_begin(plot, STROKE_BAND, LINE_SOLID, stack->layers[layer].style, RANK_BAND, "#+.:"[layer & 3]);
-        plot->strokes[plot->n_strokes - 1].fill = solid ? 0 : stack->layers[layer].fill;
+        begin_layer(plot, stack, layer);
         for (size_t k = begin; every_row && k <= last && k < record->count; k++) {
             plot_point(plot, record_row(record, k)[1], stack_height(stack, k, layer));
             plot_point(plot, record_row(record, k)[1], stack_height(stack, k, layer + 1));
@@ -178,19 +191,18 @@ static void add_stack(Plot *plot, const Stack *stack, int dots, bool solid)
     }
 }
 
-/* Each band that is high enough has its name in it, at the left: colours alone would not tell them apart. */
-static void name_bands(const Stack *stack, Area inner, const Axis *x, const Axis *y, double swing)
+/* Each band that is high enough to be read has its name in it: colours alone would not tell them apart. */
+static void name_bands(Picture *picture, const Stack *stack, double swing)
 {
-    if (stack->record->count == 0)
-        return;
-    const double time = x->low + (x->high - x->low) / 16, row = (y->high - y->low) / inner.rect.height;
-    int last = inner.rect.height;
-    for (int layer = 0; layer < stack->count; layer++) {
-        const double low = swing > 0 ? mean_height(stack, time, swing, layer) : 0;
-        const double high = swing > 0 ? mean_height(stack, time, swing, layer + 1) : 0;
-        const int at = axis_row(y, (low + high) / 2, inner.rect.height);
-        if (high - low > 0.9 * row && at >= 0 && at < last)
-            area_print(inner, 1, last = at, STYLE_NORMAL, " %s ", stack->layers[layer].name);
+    const Axis *x = &picture->plot.x, *y = &picture->plot.y;
+    const double time = x->low + (x->high - x->low) / 16, least = (y->high - y->low) / 24;
+    for (int layer = 0; layer < stack->count && stack->record->count > 0; layer++) {
+        const double low = mean_height(stack, time, swing, layer);
+        const double high = mean_height(stack, time, swing, layer + 1);
+        PictureLabel label = {.x = time, .y = (low + high) / 2, .height = high - low, .side = 1};
+        snprintf(label.text, sizeof label.text, "%s", stack->layers[layer].name);
+        if (high - low > least)
+            picture_label(picture, &label);
     }
 }
 
@@ -298,10 +310,55 @@ static const char *word_of(const Screen *screen, int variant)
     return variant > 0 ? crack_cost_variant_word(screen, variant - 1) : "stack";
 }
 
-static void draw(const Screen *screen, Area area, Style heading, int variant)
+static void note_run(const Screen *screen, Picture *picture, const char *run, double most_work, int rows)
+{
+    const Stack stack = stack_of(screen);
+    char text[330], brief[330];
+    for (int wide = 0; wide < 2; wide++) {
+        char *out = wide ? text : brief, phrases[320];
+        energy_phrases(screen, &stack, &picture->plot.x, wide, phrases);
+        if (most_work > 0 && screen_column(screen, "kinetic_grid") < 0)
+            residual_phrases(screen, most_work, phrases);
+        snprintf(out, sizeof text, "%s%s", run, phrases);
+    }
+    PictureNote *note = picture_note(picture, STYLE_NORMAL, picture->columns > 90 ? text : brief);
+    note->rows = rows;
+}
+
+static void add_keys(Picture *picture, const Stack *stack, const Run *runs, int n_runs, const Run *second,
+                     bool work)
+{
+    if (second) {
+        picture_key(picture, (PictureKey){LINE_SOLID, '#', STYLE_MEASURED, "A", 0, 0});
+        picture_key(picture, run_key(second));
+    }
+    for (int i = 0; i < stack->count; i++)
+        picture_key(picture, (PictureKey){LINE_SOLID, '#', stack->layers[i].style, stack->layers[i].name,
+                                          SIGN_BAND, stack->layers[i].fill});
+    if (work)
+        picture_key(picture, (PictureKey){LINE_DASHED, '-', STYLE_PREDICTED, "work", 0, 0});
+    runs_add_keys(picture, runs, n_runs);
+}
+
+/* One line for each run of a duel; else as many as there is to tell. */
+static void note_runs(const Screen *screen, Picture *picture, bool both, double most_work)
+{
+    /* of velocities and stresses half a step apart there is more to say; velocity Verlet has none */
+    const bool staggered = screen_column(screen, "kinetic_grid") >= 0;
+    const bool more = staggered || most_work > 0 || rigid_energy(screen->experiment) > 0;
+    const int rows = 1 + more + (staggered || breaks(screen->experiment));
+    for (int run = 0; run < 2 && both; run++) {
+        const Screen one = screen_of_side(screen, run == 0 ? SIDE_A : SIDE_B);
+        note_run(&one, picture, run == 0 ? "A " : "B ", most_work, 1);
+    }
+    if (!both)
+        note_run(screen, picture, "", most_work, rows);
+}
+
+static void describe(const Screen *screen, int variant, Picture *picture)
 {
     if (variant > 0) {
-        crack_cost_draw(screen, area, heading, variant - 1);
+        crack_cost_describe(screen, variant - 1, picture);
         return;
     }
     const Stack stack = stack_of(screen);
@@ -314,8 +371,7 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
         if (work >= 0)
             most_work = fmax(most_work, fabs(record_row(record, i)[work]));
     }
-    const bool is_rigid = rigid_energy(screen->experiment) > 0;
-    const char *line = is_rigid ? "strain" : "total"; /* of the other runs */
+    const char *line = rigid_energy(screen->experiment) > 0 ? "strain" : "total"; /* of the other runs */
     Run runs[RUNS_MAX];
     const int n_runs = runs_with(runs, runs_of(screen, runs), line);
     const Run *second =
@@ -324,91 +380,28 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
         if (runs[i].experiment)
             most = fmax(most, time_plot_reach(runs[i].record, run_column(&runs[i], line)));
     overlay_widen(screen, line, false, &(double){0}, &most);
-    /* bands are told apart by colour or, without colours, by how densely they are filled: the legend shows a
-     * piece of each */
-    const bool solid = screen->look.colours > 0 && area.glyphs != GLYPHS_NONE && !area.canvas->picture;
+    time_plot_axes(screen, picture, axis_make(0, axis_round_up(fmax(most, most_work) * 1.02)), "energy",
+                   screen_problem(screen)->si ? "J" : "");
+    add_keys(picture, &stack, runs, n_runs, second, most_work > 0);
     const double swing = swing_of(screen);
-    static const char *const keys[GLYPHS_NONE + 1][4] = {
-        [GLYPHS_BRAILLE] = {"⣿⣿", "⢕⢕", "⠅⠅", "⠁⠁"},
-        [GLYPHS_BLOCK] = {"▓▓", "▒▒", "░░", "··"},
-        [GLYPHS_ASCII] = {"##", "++", "..", "::"},
-    };
-    Legend legend[8 + RUNS_MAX];
-    int n_legend = 0;
-    if (second) {
-        legend[n_legend++] = (Legend){LINE_SOLID, '#', STYLE_MEASURED, "A", NULL};
-        legend[n_legend++] = run_legend(second);
+    if (swing > 0 && !is_fine(picture)) {
+        add_means(picture, &stack, swing);
+        name_bands(picture, &stack, swing);
+    } else {
+        add_stack(picture, &stack);
     }
-    for (int i = 0; i < stack.count; i++)
-        legend[n_legend++] =
-            (Legend){LINE_SOLID, '#', stack.layers[i].style, stack.layers[i].name,
-                     keys[area.glyphs][solid && area.glyphs != GLYPHS_ASCII ? 0 : stack.layers[i].fill & 3]};
-    if (most_work > 0)
-        legend[n_legend++] = (Legend){LINE_DASHED, '-', STYLE_PREDICTED, "work", NULL};
-    n_legend += runs_ghost_legends(runs, n_runs, legend + n_legend);
-    const int height = area.rect.height;
-    Axis y = axis_make(0, axis_round_up(fmax(most, most_work) * 1.02), height < 7 ? 2 : height < 15 ? 4 : 6);
-    char scale[TICK_TEXT_MAX], name[32], phrases[320];
-    axis_scale_text(&y, screen_problem(screen)->si ? "J" : "", scale);
-    /* a band without a name says nothing: what the heading has no room for stands below it */
-    const int named = heading_draw(area, heading, "energy", scale, legend, n_legend),
-              top = 1 + (named < n_legend);
-    legend_draw_short(area, 2, 1, legend + named, n_legend - named);
-    /* of velocities and stresses half a step apart there is more to say; velocity Verlet has none */
-    const bool staggered = screen_column(screen, "kinetic_grid") >= 0, tall = height - top >= 10;
-    const int lines = (staggered || most_work > 0 || is_rigid ? 2 : 1) +
-                      (tall && (staggered || breaks(screen->experiment)));
-    const int under = height - top >= 7 ? lines : height - top >= 5 ? 1 : 0;
-    Area plot_area = area_part(area, 0, top, area.rect.width, height - top - under);
-    const int width = plot_area.rect.width - GUTTER - 1, dots = width * plot_dots_across(area.glyphs);
-    Axis x = time_plot_axis(screen, width);
-    Area inner = axes_draw(plot_area, &x, &y, time_plot_name(screen, &x, name, sizeof name), GUTTER);
-    Plot plot;
-    plot_open(&plot, x, y);
-    if (swing > 0 && !area.canvas->picture)
-        add_means(&plot, &stack, swing, dots, solid);
-    else
-        add_stack(&plot, &stack, dots, solid);
     if (most_work > 0) {
-        plot_begin(&plot, STROKE_LINE, LINE_DASHED, STYLE_PREDICTED, RANK_PREDICTED, '-');
-        time_plot_curve(&plot, &(Curve){.record = record, .column = work, .minus = -1, .plus = -1}, dots);
+        plot_begin(&picture->plot, STROKE_LINE, LINE_DASHED, STYLE_PREDICTED, RANK_PREDICTED, '-');
+        time_plot_curve(picture, &(Curve){record, work, NULL, NULL});
     }
-    runs_add_ghosts(&plot, runs, n_runs, line, dots);
+    runs_add_ghosts(picture, runs, n_runs, line);
     if (second) {
-        run_begin(&plot, second);
-        time_plot_curve(
-            &plot,
-            &(Curve){.record = second->record, .column = run_column(second, line), .minus = -1, .plus = -1},
-            dots);
+        run_begin(picture, second);
+        time_plot_curve(picture, &(Curve){second->record, run_column(second, line), NULL, NULL});
     }
-    overlay_stroke(screen, &plot, line, false, dots);
-    time_plot_breaks(screen, inner, &x);
-    time_plot_now(screen, inner, &x);
-    plot_draw(&plot, inner);
-    if (swing > 0 && solid)
-        name_bands(&stack, inner, &x, &y, swing);
-    overlay_marks(screen, inner, &plot, line, false);
-    runs_draw_letters(&plot, inner, runs, n_runs, line);
-    plot_close(&plot);
-
-    const bool wide = area.rect.width > 90;
-    energy_phrases(screen, &stack, &x, wide, phrases);
-    if (most_work > 0 && screen_column(screen, "kinetic_grid") < 0)
-        residual_phrases(screen, most_work, phrases);
-    if (!second || under < 2) {
-        const int x0 = 1 + (second && under ? area_text(area, 1, height - under, "A ", STYLE_NORMAL) : 0);
-        area_phrases(area, x0, height - under, area.rect.width - 1 - x0, under, phrases, STYLE_NORMAL);
-        return;
-    }
-    for (int run = 0; run < 2; run++) {
-        const Screen one = screen_of_side(screen, run == 0 ? SIDE_A : SIDE_B);
-        const Stack of_one = stack_of(&one);
-        energy_phrases(&one, &of_one, &x, wide, phrases);
-        if (most_work > 0 && screen_column(&one, "kinetic_grid") < 0)
-            residual_phrases(&one, most_work, phrases);
-        area_text(area, 1, height - under + run, run == 0 ? "A" : "B", STYLE_NORMAL);
-        area_phrases(area, 3, height - under + run, area.rect.width - 4, 1, phrases, STYLE_NORMAL);
-    }
+    overlay_add(screen, picture, line, false);
+    runs_add_letters(picture, runs, n_runs, line);
+    note_runs(screen, picture, second != NULL, most_work);
 }
 
 static const char *curve(const Screen *screen)
@@ -423,7 +416,7 @@ const View view_energies = {
     .help = "energies: grid, lumping, null space, strain, work; again: a crack's cost, its parts",
     .digit = 3,
     .home = PANE_LOWER,
-    .draw = draw,
+    .describe = describe,
     .variants = variants_of,
     .variant_word = word_of,
     .names_run = true,

@@ -58,87 +58,55 @@ static void add_front(Plot *plot, const CrackFronts *fronts, const CrackFront *f
 
 /* Where there are several, a letter near the end of each curve that has risen: a, b, ... as in the legend.
  * They stand one behind the other, for cracks of one shape grow alike. */
-static void mark_fronts(const Plot *plot, Area inner, const CrackFronts *fronts)
+static void mark_front(Picture *picture, const CrackFronts *fronts, int front)
 {
     enum { PLACES = SHOWN_MAX + 1 }; /* along a curve */
-    for (int i = 0, f = 0; i < plot->n_strokes && fronts->count > 1; i++) {
-        const Stroke *stroke = &plot->strokes[i];
-        if (stroke->style != STYLE_MEASURED)
-            continue;
-        const int front = f++;
-        if (!fronts->fronts[front].begun || stroke->count == 0)
-            continue;
-        const size_t at = stroke->first + stroke->count - 1 - (size_t)front * stroke->count / PLACES;
-        axes_mark(inner, &plot->x, &plot->y, plot->points[2 * at], plot->points[2 * at + 1],
-                  (uint32_t)('a' + front), STYLE_MEASURED);
-    }
+    const Stroke *stroke = &picture->plot.strokes[picture->plot.n_strokes - 1];
+    if (fronts->count < 2 || !fronts->fronts[front].begun || stroke->count == 0)
+        return;
+    const size_t at = stroke->first + stroke->count - 1 - (size_t)front * stroke->count / PLACES;
+    picture_mark(picture, picture->plot.points[2 * at], picture->plot.points[2 * at + 1],
+                 (uint32_t)('a' + front), STYLE_MEASURED);
 }
 
 /* "a left", "b right": the cuts from whose ends they run; a lone one is measured, and goes without a name. */
-static int name_fronts(const CrackFronts *fronts, char names[SHOWN_MAX][NAME_BYTES], Legend legend[SHOWN_MAX])
+static void name_fronts(Picture *picture, const CrackFronts *fronts)
 {
-    for (int f = 0; f < shown_of(fronts); f++) {
-        snprintf(names[f], NAME_BYTES, "%c %s", 'a' + f, fronts->fronts[f].cut);
-        legend[f] = (Legend){LINE_SOLID, '*', STYLE_MEASURED, names[f], NULL};
+    char name[NAME_BYTES];
+    for (int f = 0; f < shown_of(fronts) && fronts->count > 1; f++) {
+        snprintf(name, sizeof name, "%c %s", 'a' + f, fronts->fronts[f].cut);
+        picture_key(picture, (PictureKey){LINE_SOLID, '*', STYLE_MEASURED, name, 0, 0});
     }
-    return fronts->count > 1 ? shown_of(fronts) : 0;
 }
 
-static void mark_branch(Area inner, const CrackFront *front, const Axis *x)
+static void describe(const Screen *screen, int variant, Picture *picture)
 {
-    const int column = axis_column(x, front->branch_time, inner.rect.width);
-    if (!front->branched || column < 0)
-        return;
-    axes_rule(inner, x, front->branch_time, STYLE_FAINT);
-    area_text(inner, column + 1, 0, "branches", STYLE_FAINT);
-}
-
-static void draw(const Screen *screen, Area area, Style heading, int variant)
-{
-    Legend legend[SHOWN_MAX + 1];
-    char cuts[SHOWN_MAX][NAME_BYTES];
     const CrackFronts *fronts = experiment_fronts(screen->experiment);
-    const bool with_target = variant == VARIANT_SPEED && screen_shows_exact(screen);
+    const bool speeds = variant == VARIANT_SPEED;
     if (!fronts) {
-        heading_draw(area, heading, "cracks", "", NULL, 0);
-        area_paragraph(area, 1, 1, area.rect.width - 2, area.rect.height - 1,
-                       "Memory is short: the cracks are not followed.", STYLE_FAINT);
+        picture_say(picture, "cracks", "Memory is short: the cracks are not followed.");
         return;
     }
-    const int under = area.rect.height < 7 ? 0 : area.rect.width >= 100 ? 1 : 2;
-    const Area plot_area = area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under);
     const double rayleigh = crack_rayleigh_speed(experiment_settings(screen->experiment));
-    const double most = fmax(largest(fronts, variant), variant == VARIANT_SPEED ? rayleigh : 0);
-    Axis y = axis_make(0, axis_round_up(most > 0 ? 1.02 * most : 1e-3), plot_area.rect.height < 6 ? 3 : 5);
-    Axis x = time_plot_axis(screen, plot_area.rect.width - GUTTER - 1);
-    char scale[TICK_TEXT_MAX], name[32], lines[2][160];
-    axis_scale_text(&y, variant == VARIANT_SPEED ? "m/s" : "m", scale);
-    int n_legend = name_fronts(fronts, cuts, legend);
-    if (with_target)
-        legend[n_legend++] = (Legend){LINE_DOTTED, '.', STYLE_EXACT, "Rayleigh's c_R", NULL};
-    heading_draw(area, heading, variant == VARIANT_SPEED ? "tips' speed" : "cracks' advance", scale, legend,
-                 n_legend);
-    Area inner = axes_draw(plot_area, &x, &y, time_plot_name(screen, &x, name, sizeof name), GUTTER);
-    Plot plot;
-    plot_open(&plot, x, y);
-    if (with_target) {
-        plot_begin(&plot, STROKE_LINE, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, '.');
-        plot_point(&plot, x.low, rayleigh);
-        plot_point(&plot, x.high, rayleigh);
+    const double most = fmax(largest(fronts, variant), speeds ? rayleigh : 0);
+    char lines[2][160];
+    time_plot_axes(screen, picture, axis_make(0, axis_round_up(most > 0 ? 1.02 * most : 1e-3)),
+                   speeds ? "tips' speed" : "cracks' advance", speeds ? "m/s" : "m");
+    name_fronts(picture, fronts);
+    if (speeds && screen_shows_exact(screen)) {
+        picture_key(picture, (PictureKey){LINE_DOTTED, '.', STYLE_EXACT, "Rayleigh's c_R", 0, 0});
+        picture_level(picture, rayleigh, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, '.');
     }
     for (int f = 0; f < fronts->count; f++)
-        mark_branch(inner, &fronts->fronts[f], &x);
-    for (int f = 0; f < shown_of(fronts); f++)
-        add_front(&plot, fronts, &fronts->fronts[f], variant);
-    time_plot_now(screen, inner, &x);
-    plot_draw(&plot, inner);
-    mark_fronts(&plot, inner, fronts);
-    plot_close(&plot);
-    beam_lines(screen, area.rect.width - 2, lines[0], lines[1]);
-    if (under == 1)
-        text_append(lines[0], sizeof lines[0], "  %s", lines[1]);
-    for (int i = 0; i < under; i++)
-        area_phrases(area, 1, area.rect.height - under + i, area.rect.width - 2, 1, lines[i], STYLE_NORMAL);
+        if (fronts->fronts[f].branched)
+            picture_rule(picture, fronts->fronts[f].branch_time, STYLE_FAINT, "branches");
+    for (int f = 0; f < shown_of(fronts); f++) {
+        add_front(&picture->plot, fronts, &fronts->fronts[f], variant);
+        mark_front(picture, fronts, f);
+    }
+    beam_lines(screen, picture->columns - 2, lines[0], lines[1]);
+    picture_note(picture, STYLE_NORMAL, lines[0]);
+    picture_note(picture, STYLE_NORMAL, lines[1])->joins = true;
 }
 
 const View view_fronts = {
@@ -147,7 +115,7 @@ const View view_fronts = {
     .help = "the cracks of a plate over time: their speed beside Rayleigh's, and how far they have come",
     .home = PANE_LOWER,
     .opens = OPENS_ON_DEMAND,
-    .draw = draw,
+    .describe = describe,
     .variants = variants_of,
     .variant_word = word_of,
     .duel = DUEL_APART,

@@ -84,12 +84,15 @@ static bool has_envelope(const Screen *screen, const char *name)
 }
 
 /* How far a beam that grows would swing by its lengthening alone. */
-static void add_envelope(const Screen *screen, Plot *plot, const char *name)
+static void add_envelope(const Screen *screen, Picture *picture, const char *name)
 {
     enum { PIECES = 24 }; /* single dots, which no curve is drawn with */
     const References *refs = experiment_references(screen->experiment);
+    Plot *plot = &picture->plot;
     if (!has_envelope(screen, name))
         return;
+    picture_key(picture, (PictureKey){LINE_DOTTED, ',', STYLE_FAINT, name[0] == 'u' ? "~L^1/2" : "~L^-3/2",
+                                      SIGN_DOTS, 0});
     for (int sign = -1; sign <= 1; sign += 2) {
         plot_begin(plot, STROKE_DOTS, LINE_DOTTED, STYLE_FAINT, RANK_GHOST, ',');
         for (int i = 0; i <= PIECES; i++) {
@@ -105,7 +108,7 @@ static void add_envelope(const Screen *screen, Plot *plot, const char *name)
 typedef struct Line {
     const Run *run;
     int column;
-    Legend legend;
+    PictureKey key;
     int rank;
     bool own; /* measured: the run's letter stands at its end */
 } Line;
@@ -120,20 +123,20 @@ static int add_lines(const Screen *screen, const Run *run, const char *name, Lin
     const bool doubled = shared && run->experiment != screen->experiment && screen->duel->same_exact;
     const int column = run_column(run, name), most = count + 1 + REFERENCES_MAX;
     Line *own = &lines[count++];
-    *own = (Line){run, column, run_legend(run), run->rank, true};
+    *own = (Line){run, column, run_key(run), run->rank, true};
     for (int i = 2; i < run->n_columns && count < most; i++) {
         const ColumnKind kind = run->columns[i].kind;
         Line line = {run, i, {0}, kind == COLUMN_EXACT ? RANK_EXACT : RANK_PREDICTED, false};
         if (run->columns[i].of != column)
             continue;
         const bool shown = time_plot_shows(screen, &run->columns[i]);
-        line.legend = time_plot_legend(run->columns, i);
+        line.key = time_plot_key(run->columns, i);
         if (kind == COLUMN_MEASURED) {
             line.rank = RANK_SECOND;
             own->rank = RANK_BAND; /* the raw one lies below */
         }
         if (shared && kind == COLUMN_MEASURED)
-            *own = (Line){run, i, own->legend, run->rank, true};
+            *own = (Line){run, i, own->key, run->rank, true};
         else if (shown && !(shared && kind == COLUMN_PREDICTED) && !(doubled && kind == COLUMN_EXACT))
             lines[count++] = line;
     }
@@ -269,7 +272,7 @@ static void cursor_line(const Screen *screen, const Line *lines, int n_lines, co
             continue;
         text_fitted(row[lines[i].column], digits, 12, number);
         letter[0] = lines[i].run->letter;
-        const char *name = lines[i].own && letter[0] ? letter : lines[i].legend.name;
+        const char *name = lines[i].own && letter[0] ? letter : lines[i].key.name;
         text_append(out, 160, "  %s %s", brief ? legend_short_name(name) : name, number);
     }
     const double foreign = overlay_value(screen, curve, false, screen->time.cursor);
@@ -280,102 +283,61 @@ static void cursor_line(const Screen *screen, const Line *lines, int n_lines, co
 }
 
 /* One line for each run of a duel: what matters most first. */
-static void draw_both(const Screen *screen, Area area, const char *cursor)
+static void note_both(const Screen *screen, Picture *picture)
 {
-    const int width = area.rect.width - 2, rows = area.rect.height;
-    if (cursor[0]) {
-        area_phrases(area, 1, 0, width, rows, cursor, STYLE_SELECTED);
-        return;
-    }
-    for (int run = 0; run < 2 && run < rows; run++) {
+    for (int run = 0; run < 2; run++) {
         const Screen one = screen_of_side(screen, run == 0 ? SIDE_A : SIDE_B);
         char first[160], second[160], text[336];
-        frequency_lines(&one, width < 80 ? 40 : width, first, second);
+        frequency_lines(&one, picture->columns < 82 ? 40 : picture->columns - 2, first, second);
         snprintf(text, sizeof text, "%c %s%s%s", "AB"[run], first, second[0] ? "  " : "", second);
-        area_phrases(area, 1, run, width, 1, text, STYLE_NORMAL);
+        picture_note(picture, STYLE_NORMAL, text);
     }
 }
 
-static void draw_readout(const Screen *screen, Area area, const Line *lines, int n_lines, const char *curve)
+/* Every value is seen: with fewer digits and shorter words, else on two lines. */
+static void note_cursor(const Screen *screen, Picture *picture, const Line *lines, int n_lines,
+                        const char *curve)
 {
-    char first[160], second[160], cursor[160] = "";
-    const int width = area.rect.width - 2, rows = area.rect.height;
-    /* every value is seen: with fewer digits and shorter words, else on both lines */
-    static const struct {
-        int digits;
-        bool brief;
-    } forms[] = {{5, false}, {5, true}, {4, true}, {3, true}};
-    const size_t n_forms = rows > 1 ? 3 : 4;
-    for (size_t i = 0; isfinite(screen->time.cursor) && i < n_forms; i++) {
-        cursor_line(screen, lines, n_lines, curve, forms[i].digits, forms[i].brief, cursor);
-        if (glyphs_columns(cursor) <= width)
-            break;
-    }
-    if (screen_is_shared(screen)) {
-        draw_both(screen, area, cursor);
-        return;
-    }
-    frequency_lines(screen, width, first, second);
-    if (cursor[0] && rows > 1 && glyphs_columns(cursor) > width) {
-        cursor_line(screen, lines, n_lines, curve, 5, false, cursor);
-        area_phrases(area, 1, 0, width, rows, cursor, STYLE_SELECTED);
-        return;
-    }
-    if (cursor[0]) {
-        area_phrases(area, 1, rows - 1, width, 1, cursor, STYLE_SELECTED);
-        if (rows > 1)
-            area_phrases(area, 1, 0, width, 1, first, STYLE_NORMAL);
-        return;
-    }
-    if (rows == 1 && second[0])
-        text_append(first, sizeof first, "   %s", second);
-    area_phrases(area, 1, 0, width, 1, first, STYLE_NORMAL);
-    if (rows > 1)
-        area_phrases(area, 1, 1, width, 1, second, STYLE_NORMAL);
+    enum { MOST = 5, LEAST = 3 };
+    char text[160], brief[160];
+    int digits = MOST;
+    cursor_line(screen, lines, n_lines, curve, MOST, false, text);
+    do
+        cursor_line(screen, lines, n_lines, curve, digits, true, brief);
+    while (glyphs_columns(brief) > picture->columns - 2 && --digits >= LEAST);
+    PictureNote *note = picture_note(picture, STYLE_SELECTED, text);
+    snprintf(note->brief, sizeof note->brief, "%s", brief);
+    note->rows = digits <= LEAST ? 2 : 1;
 }
 
-static int lines_under(const Screen *screen, Area area, const char *curve)
+static void note_readout(const Screen *screen, Picture *picture, const Line *lines, int n_lines,
+                         const char *curve)
 {
+    char first[160], second[160];
     const bool cursor = isfinite(screen->time.cursor);
-    const bool judged = strcmp(experiment_readout(screen->experiment)->column, curve) == 0 || cursor ||
-                        screen_problem(screen)->si;
-    if (!judged || area.rect.height < 6)
-        return 0;
-    if (screen_is_shared(screen))
-        return area.rect.height >= 8 ? 2 : cursor;
-    return area.rect.width >= 100 || area.rect.height < 8 ? 1 : 2;
+    if (cursor)
+        note_cursor(screen, picture, lines, n_lines, curve);
+    else if (strcmp(experiment_readout(screen->experiment)->column, curve) != 0 &&
+             !screen_problem(screen)->si)
+        return;
+    if (screen_is_shared(screen)) {
+        if (!cursor)
+            note_both(screen, picture);
+        return;
+    }
+    frequency_lines(screen, picture->columns - 2, first, second);
+    picture_note(picture, STYLE_NORMAL, first);
+    if (!cursor)
+        picture_note(picture, STYLE_NORMAL, second)->joins = true;
 }
 
-static void draw(const Screen *screen, Area area, Style heading, int variant)
+/* The axis of the values of these runs, over all that they have, foreign series and references will be. */
+static Axis value_axis(const Screen *screen, const Run *runs, int n_runs, const Quantity *quantity)
 {
-    int n, picture;
-    const Column *columns = experiment_columns(screen->experiment, &n);
-    const int column = probe_column(screen, variant, &picture);
-    if (picture >= 0) {
-        crack_draw(screen, area, heading, picture);
-        return;
-    }
-    if (column < 0) {
-        area_rule(area, 0, "over time", heading);
-        return;
-    }
-    const Quantity *quantity = &columns[column].quantity;
-    const int under = lines_under(screen, area, quantity->name);
-    Area plot_area = area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under);
-    const int width = plot_area.rect.width - GUTTER - 1, dots = width * plot_dots_across(area.glyphs);
-
-    Run runs[RUNS_MAX];
-    const int n_runs = runs_with(runs, runs_of(screen, runs), quantity->name);
-    Line lines[LINES_MAX];
-    int n_lines = 0, n_ghosts = 0;
     Range range = {.least = INFINITY, .most = -INFINITY};
-    for (int i = n_runs - 1; i >= 0; i--) {
-        n_ghosts += runs[i].ghost >= 0;
+    for (int i = n_runs - 1; i >= 0; i--)
         if (runs[i].experiment)
             widen_range(screen, &runs[i], quantity->name, &range);
-        if (runs[i].experiment && runs[i].shown)
-            n_lines = add_lines(screen, &runs[i], quantity->name, lines, n_lines);
-    }
     overlay_widen(screen, quantity->name, false, &range.least, &range.most);
     range.reach = fmax(range.reach, overlay_reach(screen, quantity->name, false));
     if (has_envelope(screen, quantity->name)) {
@@ -384,55 +346,58 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
         range.reach = fmax(range.reach, fmax(references_envelope(refs, quantity->name, 0),
                                              references_envelope(refs, quantity->name, end)));
     }
-    const int rows = plot_area.rect.height - 1, most_ticks = rows < 5 ? 3 : rows < 12 ? 5 : 7;
-    const bool counts = strcmp(quantity->unit, "1") == 0; /* of things */
+    if (strcmp(quantity->unit, "1") == 0) /* of things */
+        return axis_count(range.most);
     /* what swings far from zero, a place, is seen about its own middle; what is conserved is not magnified */
     const bool aside = range.least > 0 && range.most > (1 + 1e-9) * range.least;
-    Axis y = counts                                        ? axis_count(range.most, most_ticks)
-             : (range.swings && !aside) || range.least < 0 ? axis_symmetric(range.reach, most_ticks)
-                                                           : axis_around(range.least, range.most, most_ticks);
-    Axis x = time_plot_axis(screen, width);
+    return (range.swings && !aside) || range.least < 0 ? axis_symmetric(range.reach)
+                                                       : axis_around(range.least, range.most);
+}
 
-    char scale[TICK_TEXT_MAX], name[32];
-    axis_scale_text(&y, quantity->unit, scale);
-    Legend entries[LINES_MAX + RUNS_MAX + 1];
-    int n_entries = 0;
+static void describe(const Screen *screen, int variant, Picture *picture)
+{
+    int n, of_crack;
+    const Column *columns = experiment_columns(screen->experiment, &n);
+    const int column = probe_column(screen, variant, &of_crack);
+    if (of_crack >= 0) {
+        crack_describe(screen, of_crack, picture);
+        return;
+    }
+    if (column < 0) {
+        picture_say(picture, "over time", "");
+        return;
+    }
+    const Quantity *quantity = &columns[column].quantity;
+    Run runs[RUNS_MAX];
+    const int n_runs = runs_with(runs, runs_of(screen, runs), quantity->name);
+    Line lines[LINES_MAX];
+    int n_lines = 0, n_ghosts = 0;
+    for (int i = n_runs - 1; i >= 0; i--) {
+        n_ghosts += runs[i].ghost >= 0;
+        if (runs[i].experiment && runs[i].shown)
+            n_lines = add_lines(screen, &runs[i], quantity->name, lines, n_lines);
+    }
+    picture->compares = true;
+    time_plot_axes(screen, picture, value_axis(screen, runs, n_runs, quantity), quantity->label,
+                   quantity->unit);
     for (int own = 1; own >= 0; own--)
         for (int i = 0; i < n_lines; i++)
             if (lines[i].own == own)
-                entries[n_entries++] = lines[i].legend;
-    n_entries += runs_ghost_legends(runs, n_runs, entries + n_entries);
-    if (has_envelope(screen, quantity->name))
-        entries[n_entries++] =
-            (Legend){LINE_DOTTED, ',', STYLE_FAINT, quantity->name[0] == 'u' ? "~L^1/2" : "~L^-3/2",
-                     area.glyphs == GLYPHS_ASCII ? NULL : "· "};
-    heading_draw(area, heading, quantity->label, scale, entries, n_entries);
-    Area inner = axes_draw(plot_area, &x, &y, time_plot_name(screen, &x, name, sizeof name), GUTTER);
-    Plot plot;
-    plot_open(&plot, x, y);
-    runs_add_ghosts(&plot, runs, n_runs, quantity->name, dots);
+                picture_key(picture, lines[i].key);
+    runs_add_keys(picture, runs, n_runs);
+    runs_add_ghosts(picture, runs, n_runs, quantity->name);
     for (int i = 0; i < n_lines; i++) {
-        const Line *line = &lines[i];
-        plot_begin(&plot, STROKE_LINE, line->legend.line, line->legend.style, line->rank,
-                   line->legend.letter);
-        time_plot_curve(
-            &plot, &(Curve){.record = line->run->record, .column = line->column, .minus = -1, .plus = -1},
-            dots);
+        const PictureKey *key = &lines[i].key;
+        plot_begin(&picture->plot, STROKE_LINE, key->line, key->style, lines[i].rank, key->ascii);
+        time_plot_curve(picture, &(Curve){lines[i].run->record, lines[i].column, NULL, NULL});
     }
-    overlay_stroke(screen, &plot, quantity->name, false, dots);
-    add_envelope(screen, &plot, quantity->name);
-    time_plot_breaks(screen, inner, &x);
-    time_plot_now(screen, inner, &x);
-    plot_draw(&plot, inner);
-    overlay_marks(screen, inner, &plot, quantity->name, false);
-    runs_draw_letters(&plot, inner, runs, n_ghosts, quantity->name); /* they come first */
+    overlay_add(screen, picture, quantity->name, false);
+    add_envelope(screen, picture, quantity->name);
+    runs_add_letters(picture, runs, n_ghosts, quantity->name); /* they come first */
     for (int i = 0; i < n_lines; i++)
         if (lines[i].own)
-            run_letter_over_time(&plot, inner, lines[i].run, lines[i].column);
-    plot_close(&plot);
-    if (under > 0)
-        draw_readout(screen, area_part(area, 0, area.rect.height - under, area.rect.width, under), lines,
-                     n_lines, quantity->name);
+            run_letter_over_time(picture, lines[i].run, lines[i].column);
+    note_readout(screen, picture, lines, n_lines, quantity->name);
 }
 
 const View view_probe = {
@@ -442,10 +407,9 @@ const View view_probe = {
     .digit = 2,
     .home = PANE_LOWER,
     .opens = OPENS_ALWAYS,
-    .draw = draw,
+    .describe = describe,
     .variants = variants_of,
     .variant_word = word_of,
-    .compares = true,
     .has_time_axis = true,
     .on_paper = true,
     .curve = curve,

@@ -72,12 +72,11 @@ static double least_reach(const Simulation *sim, const char *field, const Profil
 }
 
 static Axis value_axis(const Screen *screen, const Simulation *sim, const char *field, const Curve *curves,
-                       int n_curves, int rows)
+                       int n_curves)
 {
-    const int most = rows < 5 ? 3 : rows < 12 ? 5 : 7;
     double reach = 0, base = 0;
     if (strcmp(field, "damage") == 0)
-        return axis_make(0, 1, most);
+        return axis_make(0, 1);
     if (strcmp(field, "density") == 0 && simulation_has(sim, HAS_LINE))
         base = experiment_settings(screen->experiment)->material.density;
     for (int k = 0; k < n_curves; k++) {
@@ -95,13 +94,13 @@ static Axis value_axis(const Screen *screen, const Simulation *sim, const char *
     reach = fmax(reach, least_reach(sim, field, curves[n_curves - 1].profile));
     if (base != 0) {
         double end = reach > 0 ? axis_round_up(reach * 1.02) : 0.01 * base;
-        return axis_make(base - end, base + end, most);
+        return axis_make(base - end, base + end);
     }
-    return axis_symmetric(reach, most);
+    return axis_symmetric(reach);
 }
 
 /* All particles of the runs that go on, with half a distance at their end. */
-static Axis place_axis(const Curve *curves, int n_curves, int most)
+static Axis place_axis(const Curve *curves, int n_curves)
 {
     double from = INFINITY, to = -INFINITY, margin = 0;
     for (int k = 0; k < n_curves; k++) {
@@ -119,39 +118,54 @@ static Axis place_axis(const Curve *curves, int n_curves, int most)
     }
     if (from > 0 && from < 2 * margin)
         from = 0;
-    return axis_make(from, to + margin, most);
+    return axis_make(from, to + margin);
 }
 
-static void draw_exact(Experiment *experiment, Plot *plot, const char *field, const Profile *row, int dots)
+static void add_exact(Experiment *experiment, Picture *picture, const char *field, const Profile *row)
 {
     const References *refs = experiment_references(experiment);
     const double time = experiment_time(experiment);
     const double from = row->x[0], to = row->x[row->count - 1], margin = (to - from) / (double)row->count / 2;
-    plot_begin(plot, STROKE_LINE, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, '.');
-    for (int i = 0; i <= dots; i++) {
-        double x = from - margin + (to - from + 2 * margin) * i / dots;
-        plot_point(plot, x, references_profile(refs, field, x, time));
+    plot_begin(&picture->plot, STROKE_LINE, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, '.');
+    for (int i = 0; i <= picture->dots; i++) {
+        double x = from - margin + (to - from + 2 * margin) * i / picture->dots;
+        plot_point(&picture->plot, x, references_profile(refs, field, x, time));
     }
 }
 
 /* Particles that lie well apart are seen one by one. */
-static void draw_particles(const Plot *plot, Area inner, const Curve *curve)
+static void add_particles(Picture *picture, const Curve *curve)
 {
     const Profile *profile = curve->profile;
-    const int places = inner.canvas->picture ? 4 * inner.rect.width : inner.rect.width;
-    if (!curve->run->experiment || (size_t)places < 2 * profile->count)
+    if (!curve->run->experiment || !picture_has_points(picture, profile->count))
         return;
     for (size_t i = 0; i < profile->count; i++)
-        axes_mark(inner, &plot->x, &plot->y, profile->x[i], curve->values[i],
-                  inner.glyphs == GLYPHS_ASCII      ? (curve->run->letter == 'B' ? 'x' : 'o')
-                  : curve->run->line == LINE_DASHED ? 0x25cb
-                                                    : 0x25cf,
-                  curve->run->style);
+        picture_add_mark(picture, (PictureMark){.x = profile->x[i],
+                                                .y = curve->values[i],
+                                                .glyph = curve->run->line == LINE_DASHED ? 0x25cb : 0x25cf,
+                                                .ascii = curve->run->letter == 'B' ? 'x' : 'o',
+                                                .style = curve->run->style});
+}
+
+/* The run's letter at the end of its curve, and some on it. */
+static void add_letters(Picture *picture, const Curve *curve)
+{
+    const Profile *profile = curve->profile;
+    run_letter(picture, curve->run, profile->x[profile->count - 1], curve->values[profile->count - 1],
+               MARK_PLACE);
+    for (int m = 0; m < RUN_MARKS; m++) {
+        const double place = run_mark(curve->run, &picture->plot.x, m);
+        size_t i = 0;
+        while (i < profile->count && profile->x[i] < place)
+            i++;
+        if (i > 0 && i < profile->count)
+            run_letter(picture, curve->run, profile->x[i], curve->values[i], MARK_AGAIN);
+    }
 }
 
 /* What a ghost's letter stands for: its moment, where it is another one than the present, and what differs.
  */
-static void tell_moment(const Screen *screen, Run *run, bool wide)
+static void tell_moment(const Screen *screen, Run *run)
 {
     const double dt = experiment_simulation(screen->experiment)->dt;
     char moment[48], word[LEGEND_MAX];
@@ -159,29 +173,26 @@ static void tell_moment(const Screen *screen, Run *run, bool wide)
         return;
     screen_time_text(screen, run->profile->time, moment, sizeof moment);
     snprintf(word, sizeof word, "%s", run->word);
-    snprintf(run->word, sizeof run->word, wide ? "at %s, %s" : "at %s", moment, word);
+    snprintf(run->word, sizeof run->word, "at %s, %s", moment, word);
 }
 
-static void draw_legends(const Screen *screen, Area area, Style heading, const char *label, const char *scale,
-                         const Curve *curves, int n_curves, bool exact)
+static void add_keys(const Screen *screen, Picture *picture, const Curve *curves, int n_curves, bool exact)
 {
-    Legend legend[RUNS_MAX + 1];
     Run runs[RUNS_MAX];
-    int n_legend = 0;
     for (int i = n_curves - 1; i >= 0; i--) { /* the present run first */
         runs[i] = *curves[i].run;
-        if (runs[i].ghost >= 0)
-            tell_moment(screen, &runs[i], area.rect.width >= 90 || area.canvas->picture);
-        else if (runs[i].shown)
-            legend[n_legend++] = run_legend(&runs[i]);
         if (runs[i].experiment && !runs[i].letter &&
             simulation_has(experiment_simulation(runs[i].experiment), HAS_PLANE))
             text_append(runs[i].word, sizeof runs[i].word, ", middle row");
+        if (runs[i].ghost >= 0)
+            tell_moment(screen, &runs[i]);
+        else if (runs[i].shown)
+            picture_key(picture, run_key(&runs[i]));
     }
     if (exact)
-        legend[n_legend++] = (Legend){LINE_DOTTED, '.', STYLE_EXACT, screen_problem(screen)->answer, NULL};
-    n_legend += runs_ghost_legends(runs, n_curves, legend + n_legend);
-    heading_draw(area, heading, label, scale, legend, n_legend);
+        picture_key(picture,
+                    (PictureKey){LINE_DOTTED, '.', STYLE_EXACT, screen_problem(screen)->answer, 0, 0});
+    runs_add_keys(picture, runs, n_curves);
 }
 
 static void close_curves(Curve *curves, int n_curves)
@@ -209,7 +220,7 @@ static const char *curve(const Screen *screen)
     return name ? name : "";
 }
 
-static void draw(const Screen *screen, Area area, Style heading, int variant)
+static void describe(const Screen *screen, int variant, Picture *picture)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
     const char *name = profile_field(sim, variant_shown(screen, variant));
@@ -220,7 +231,7 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
         if (open_curve(&curves[n_curves], &runs[i], name))
             n_curves++;
     if (n_curves == 0 || !curves[n_curves - 1].run->experiment) {
-        area_rule(area, 0, "profile", heading);
+        picture_say(picture, "profile", "");
         close_curves(curves, n_curves);
         return;
     }
@@ -235,60 +246,29 @@ static void draw(const Screen *screen, Area area, Style heading, int variant)
              !carried                                              ? ""
              : quantity == &sim->fields[sim->velocity[0]].quantity ? " - v0"
                                                                    : " - v0 t");
-    const int rows = area.rect.height - 2;
-    Axis y = value_axis(screen, sim, name, curves, n_curves, rows);
-    Axis x = place_axis(curves, n_curves, area.rect.width / 9);
-
+    picture->compares = true;
+    picture_axes(picture, place_axis(curves, n_curves), "x", sim->fields[sim->position[0]].quantity.unit,
+                 value_axis(screen, sim, name, curves, n_curves), label, quantity->unit);
     const bool exact =
         screen_shows_exact(screen) &&
         isfinite(references_profile(experiment_references(screen->experiment), name,
                                     present->x[present->count / 2], experiment_time(screen->experiment)));
-    char scale[TICK_TEXT_MAX], x_scale[TICK_TEXT_MAX], x_name[TICK_TEXT_MAX + 4];
-    axis_scale_text(&y, quantity->unit, scale);
-    axis_scale_text(&x, sim->fields[sim->position[0]].quantity.unit, x_scale);
-    strcpy(x_name, x_scale[0] ? "x, " : "x");
-    strcat(x_name, x_scale);
-    draw_legends(screen, area, heading, label, scale, curves, n_curves, exact);
-    Area inner =
-        axes_draw(area_part(area, 0, 1, area.rect.width, area.rect.height - 1), &x, &y, x_name, GUTTER);
-
-    Plot plot;
-    plot_open(&plot, x, y);
-    const int dots = inner.rect.width * plot_dots_across(area.glyphs);
-    if (exact && inner.rect.width > 0)
-        draw_exact(screen->experiment, &plot, name, present, dots);
-    if (exact && inner.rect.width > 0 && screen_is_shared(screen) && !screen->duel->same_exact &&
-        n_curves > 1)
-        draw_exact(screen->duel->b, &plot, name, curves[n_curves - 2].profile, dots);
+    add_keys(screen, picture, curves, n_curves, exact);
+    if (exact)
+        add_exact(screen->experiment, picture, name, present);
+    if (exact && screen_is_shared(screen) && !screen->duel->same_exact && n_curves > 1)
+        add_exact(screen->duel->b, picture, name, curves[n_curves - 2].profile);
     for (int k = 0; k < n_curves; k++) {
         if (!curves[k].run->shown)
             continue;
-        run_begin(&plot, curves[k].run);
+        run_begin(picture, curves[k].run);
         for (size_t i = 0; i < curves[k].profile->count; i++)
-            plot_point(&plot, curves[k].profile->x[i], curves[k].values[i]);
+            plot_point(&picture->plot, curves[k].profile->x[i], curves[k].values[i]);
+        add_particles(picture, &curves[k]);
+        add_letters(picture, &curves[k]);
     }
     if (!carried)
-        overlay_stroke(screen, &plot, name, true, dots);
-    plot_draw(&plot, inner);
-    for (int k = 0; k < n_curves; k++) {
-        const Profile *profile = curves[k].profile;
-        if (!curves[k].run->shown)
-            continue;
-        draw_particles(&plot, inner, &curves[k]);
-        run_letter(curves[k].run, &plot, inner, profile->x[profile->count - 1],
-                   curves[k].values[profile->count - 1]);
-        for (int m = 0; m < RUN_MARKS; m++) {
-            const double place = run_mark(curves[k].run, &plot, inner, m);
-            size_t i = 0;
-            while (i < profile->count && profile->x[i] < place)
-                i++;
-            if (i > 0 && i < profile->count)
-                run_letter(curves[k].run, &plot, inner, profile->x[i], curves[k].values[i]);
-        }
-    }
-    if (!carried)
-        overlay_marks(screen, inner, &plot, name, true);
-    plot_close(&plot);
+        overlay_add(screen, picture, name, true);
     close_curves(curves, n_curves);
 }
 
@@ -299,11 +279,10 @@ const View view_profile = {
     .digit = 1,
     .home = PANE_UPPER,
     .opens = OPENS_ALWAYS,
-    .draw = draw,
+    .describe = describe,
     .variants = variants_of,
     .variant_word = word_of,
     .of_moment = true,
-    .compares = true,
     .on_paper = true,
     .curve = curve,
 };

@@ -185,7 +185,7 @@ static double apart(const Section *section)
 
 static void append_quantity(char out[160], const char *before, double value, const char *unit)
 {
-    Axis axis = axis_symmetric(fabs(value), 3);
+    Axis axis = axis_symmetric(fabs(value));
     char number[NUMBER_TEXT_MAX], scale[TICK_TEXT_MAX];
     text_fitted(value / math_pow(10, axis.exponent), 3, 8, number);
     axis_scale_text(&axis, unit, scale);
@@ -236,7 +236,7 @@ static double reach_of(const Section *section)
     return reach;
 }
 
-static void draw_strokes(const Section *section, Plot *plot, bool theory)
+static void add_strokes(const Section *section, Plot *plot, bool theory)
 {
     const double bottom = section->body.low[1], height = section->body.size[1];
     const double time = experiment_time(section->screen->experiment);
@@ -260,38 +260,26 @@ static void draw_strokes(const Section *section, Plot *plot, bool theory)
         plot_point(plot, section->mean[j], section->y[j]);
 }
 
-static void draw_section(const Section *section, Area area, Style heading)
+static void describe_section(const Section *section, Picture *picture)
 {
-    const bool theory = screen_shows_exact(section->screen) && is_beam(section->screen),
-               several = section->columns > 1;
-    const int under = area.rect.height < 8 ? 0 : 1;
-    Area plot_area = area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under);
+    const SectionPart *of = section->of;
+    const bool theory = screen_shows_exact(section->screen) && is_beam(section->screen);
+    const bool several = section->columns > 1;
     const double bottom = section->body.low[1];
-    const Axis x = axis_symmetric(reach_of(section), area.rect.width / 9);
-    const Axis y = axis_make(bottom, bottom + section->body.size[1], plot_area.rect.height < 6 ? 3 : 5);
-    Legend legend[3];
-    int n = 0;
-    legend[n++] = (Legend){LINE_SOLID, '*', STYLE_MEASURED, several ? "mean" : "measured", NULL};
+    char line[160];
+    picture->kind = PICTURE_UPRIGHT;
+    picture->compares = true;
+    picture_axes(picture, axis_symmetric(reach_of(section)), of->field, of->unit,
+                 axis_make(bottom, bottom + section->body.size[1]), of->name, "m");
+    picture_key(picture, (PictureKey){LINE_SOLID, '*', STYLE_MEASURED, several ? "mean" : "measured", 0, 0});
     if (several)
-        legend[n++] = (Legend){LINE_DASHED, '-', STYLE_SECOND, "columns", NULL};
+        picture_key(picture, (PictureKey){LINE_DASHED, '-', STYLE_SECOND, "columns", 0, 0});
     if (theory)
-        legend[n++] = (Legend){
-            LINE_DOTTED, '.', STYLE_EXACT,
-            section->known || !section->of->resultant ? section->of->theory : section->of->own, NULL};
-    char scale[TICK_TEXT_MAX], x_scale[TICK_TEXT_MAX], name[TICK_TEXT_MAX + 8], line[160];
-    axis_scale_text(&y, "m", scale);
-    axis_scale_text(&x, section->of->unit, x_scale);
-    snprintf(name, sizeof name, "%s, %s", section->of->field, x_scale);
-    heading_draw(area, heading, section->of->name, scale, legend, n);
-    Area inner = axes_draw(plot_area, &x, &y, name, GUTTER);
-    Plot plot;
-    plot_open(&plot, x, y);
-    draw_strokes(section, &plot, theory);
-    plot_draw(&plot, inner);
-    plot_close(&plot);
+        picture_key(picture, (PictureKey){LINE_DOTTED, '.', STYLE_EXACT,
+                                          section->known || !of->resultant ? of->theory : of->own, 0, 0});
+    add_strokes(section, &picture->plot, theory);
     section_line(section, line);
-    if (under > 0)
-        area_phrases(area, 1, area.rect.height - 1, area.rect.width - 2, 1, line, STYLE_NORMAL);
+    picture_note(picture, STYLE_NORMAL, line);
 }
 
 /* --- the view ---------------------------------------------------------------------------------------- */
@@ -320,19 +308,16 @@ static const char *word_of(const Screen *screen, int variant)
     return part ? part->field : NULL;
 }
 
-static void draw(const Screen *screen, Area area, Style heading, int variant)
+static void describe(const Screen *screen, int variant, Picture *picture)
 {
     const SectionPart *part = part_of(screen, variant);
     Section section = {.y = NULL};
     if (part && simulation_has(experiment_simulation(screen->experiment), HAS_PLANE) &&
-        take_section(&section, screen, part)) {
-        draw_section(&section, area, heading);
-    } else {
-        area_rule(area, 0, "section", heading);
-        area_paragraph(area, 1, 1, area.rect.width - 2, area.rect.height - 1,
-                       "A bar has no height: only a body in the plane has a section to look at.",
-                       STYLE_FAINT);
-    }
+        take_section(&section, screen, part))
+        describe_section(&section, picture);
+    else
+        picture_say(picture, "section",
+                    "A bar has no height: only a body in the plane has a section to look at.");
     free(section.y);
 }
 
@@ -342,13 +327,11 @@ const View view_section = {
     .help = "a beam or plate through its height at the chosen particle: displacement; again: bending stress, "
             "shear",
     .home = PANE_UPPER,
-    .draw = draw,
+    .describe = describe,
     .variants = variants_of,
     .variant_word = word_of,
     .duel = DUEL_APART,
     .of_moment = true,
-    .compares = true,
-    .upright = true,
     .on_paper = true,
     .on_paper_with = HAS_PLANE,
     .needs = HAS_PLANE,

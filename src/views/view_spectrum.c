@@ -28,7 +28,7 @@ typedef struct Mark {
 typedef struct Scale {
     const Spectrum *spectrum;
     double unit; /* radians per unit time in one unit of the axis */
-    Axis x;
+    double end;  /* of the axis, in it */
 } Scale;
 
 /* --- what is asked for ---------------------------------------------------------------------------- */
@@ -106,16 +106,16 @@ static double highest_of(const Screen *screen)
 
 static double sample(const void *context, size_t index, double *x)
 {
-    const Scale *picture = context;
-    *x = (double)index * picture->spectrum->step / picture->unit;
-    return picture->spectrum->amplitudes[index];
+    const Scale *scale = context;
+    *x = (double)index * scale->spectrum->step / scale->unit;
+    return scale->spectrum->amplitudes[index];
 }
 
 /* One bin beyond the axis at most. */
-static size_t bins_within(const Scale *picture)
+static size_t bins_within(const Scale *scale)
 {
-    const double bins = ceil(picture->x.high * picture->unit / picture->spectrum->step) + 1;
-    return bins < (double)picture->spectrum->count ? (size_t)bins : picture->spectrum->count;
+    const double bins = ceil(scale->end * scale->unit / scale->spectrum->step) + 1;
+    return bins < (double)scale->spectrum->count ? (size_t)bins : scale->spectrum->count;
 }
 
 /* The same column of another run; NULL: it has too few rows. */
@@ -128,11 +128,11 @@ static const Spectrum *spectrum_of_run(Experiment *experiment, const Run *run, c
                              : experiment_ghost_spectrum(experiment, run->ghost, at, span);
 }
 
-static double largest_of(const Scale *picture)
+static double largest_of(const Scale *scale)
 {
     double largest = 0;
-    for (size_t k = 1; k < bins_within(picture); k++)
-        largest = fmax(largest, picture->spectrum->amplitudes[k]);
+    for (size_t k = 1; k < bins_within(scale); k++)
+        largest = fmax(largest, scale->spectrum->amplitudes[k]);
     return largest;
 }
 
@@ -172,12 +172,12 @@ static double side_lobe(double bins)
 /* The places of the highest peaks, ascending: three bins apart at least, four times what a higher one leaks
  * there; those of the logarithmic picture at least a fiftieth of the axis apart and a thousandth of the
  * highest. */
-static int peaks_of(const Scale *picture, bool fast, double peaks[PEAKS_MAX])
+static int peaks_of(const Scale *scale, bool fast, double peaks[PEAKS_MAX])
 {
-    const double *a = picture->spectrum->amplitudes;
-    const size_t end = bins_within(picture), fiftieth = fast ? end / 50 + 1 : 0,
+    const double *a = scale->spectrum->amplitudes;
+    const size_t end = bins_within(scale), fiftieth = fast ? end / 50 + 1 : 0,
                  apart = fiftieth > 3 ? fiftieth : 3;
-    const double least = largest_of(picture) * (fast ? 1e-3 : 0.05);
+    const double least = largest_of(scale) * (fast ? 1e-3 : 0.05);
     size_t found[PEAKS_MAX];
     int count = 0;
     while (count < PEAKS_MAX) {
@@ -195,7 +195,7 @@ static int peaks_of(const Scale *picture, bool fast, double peaks[PEAKS_MAX])
         found[count++] = best;
     }
     for (int i = 0; i < count; i++)
-        peaks[i] = place_of_peak(a, found[i]) * picture->spectrum->step / picture->unit;
+        peaks[i] = place_of_peak(a, found[i]) * scale->spectrum->step / scale->unit;
     for (int i = 1; i < count; i++)
         for (int k = i; k > 0 && peaks[k] < peaks[k - 1]; k--) {
             const double held = peaks[k];
@@ -205,11 +205,11 @@ static int peaks_of(const Scale *picture, bool fast, double peaks[PEAKS_MAX])
     return count;
 }
 
-static void peak_line(const Screen *screen, const Scale *picture, bool fast, char out[160])
+static void peak_line(const Screen *screen, const Scale *scale, bool fast, char out[160])
 {
     double peaks[PEAKS_MAX];
-    const int count = peaks_of(picture, fast, peaks);
-    const double bin = picture->spectrum->step / picture->unit;
+    const int count = peaks_of(scale, fast, peaks);
+    const double bin = scale->spectrum->step / scale->unit;
     char number[NUMBER_TEXT_MAX];
     snprintf(out, 160, count == 0 ? "no peak stands out" : count == 1 ? "peak at" : "peaks at");
     for (int i = 0; i < count; i++) {
@@ -248,156 +248,122 @@ static bool wants_time(const Screen *screen, const Spectrum *spectrum, Choice ch
     return true;
 }
 
-/* "predicted through height 1098, 2038 kHz", as many as there is room for; false: there is nothing to tell.
- */
-static bool thickness_line(Experiment *experiment, int width, char out[160])
+/* "predicted through height 1098, 2038 kHz", so many; false: there is nothing to tell. */
+static bool thickness_line(Experiment *experiment, int most, char out[160])
 {
     double thickness[THICKNESS_LINES_MAX];
     int count = references_thickness_lines(experiment_references(experiment), thickness);
-    for (count = count < PEAKS_MAX ? count : PEAKS_MAX; count > 0; count--) {
-        snprintf(out, 160, "predicted through height");
-        for (int i = 0; i < count; i++)
-            text_append(out, 160, "%s %.0f", i > 0 ? "," : "", thickness[i] / (2e3 * M_PI));
-        text_append(out, 160, " kHz");
-        if (glyphs_columns(out) < width)
-            break;
-    }
+    count = count < most ? count : most;
+    snprintf(out, 160, "predicted through height");
+    for (int i = 0; i < count; i++)
+        text_append(out, 160, "%s %.0f", i > 0 ? "," : "", thickness[i] / (2e3 * M_PI));
+    text_append(out, 160, " kHz");
     return count > 0;
 }
 
-static void add_marks(const Screen *screen, Plot *plot, const Scale *picture, const Mark *marks, int n_marks)
+static void add_marks(const Screen *screen, Picture *picture, const Scale *scale, const Mark *marks,
+                      int n_marks)
 {
+    const bool shown[2] = {screen_shows_predicted(screen), screen_shows_exact(screen)};
+    bool named[2] = {false, false};
     for (int i = 0; i < n_marks; i++) {
-        if (marks[i].exact ? !screen_shows_exact(screen) : !screen_shows_predicted(screen))
+        const bool exact = marks[i].exact;
+        if (!shown[exact])
             continue;
-        const double x = marks[i].frequency / picture->unit;
-        plot_begin(plot, STROKE_LINE, marks[i].exact ? LINE_DOTTED : LINE_DASHED,
-                   marks[i].exact ? STYLE_EXACT : STYLE_PREDICTED,
-                   marks[i].exact ? RANK_EXACT : RANK_PREDICTED, marks[i].exact ? '.' : '-');
-        plot_point(plot, x, plot->y.low);
-        plot_point(plot, x, plot->y.high);
+        named[exact] = true;
+        const double x = marks[i].frequency / scale->unit;
+        plot_begin(&picture->plot, STROKE_LINE, exact ? LINE_DOTTED : LINE_DASHED,
+                   exact ? STYLE_EXACT : STYLE_PREDICTED, exact ? RANK_EXACT : RANK_PREDICTED,
+                   exact ? '.' : '-');
+        plot_point(&picture->plot, x, picture->plot.y.low);
+        plot_point(&picture->plot, x, picture->plot.y.high);
     }
+    if (named[true])
+        picture_key(picture,
+                    (PictureKey){LINE_DOTTED, '.', STYLE_EXACT, screen_problem(screen)->answer, 0, 0});
+    if (named[false])
+        picture_key(picture, (PictureKey){LINE_DASHED, '-', STYLE_PREDICTED, "predicted", 0, 0});
 }
 
 /* A run's letter stands at its highest peak. */
-static void letter_at_peak(Experiment *experiment, const Plot *plot, Area inner, const Scale *picture,
-                           const Run *run, const char *column, SpectrumSpan span)
+static void add_run(Picture *picture, const Scale *scale, const Run *run)
 {
-    Scale of_run = *picture;
-    of_run.spectrum = spectrum_of_run(experiment, run, column, span);
-    if (!run->letter || !run->shown || !of_run.spectrum)
+    if (!run->shown || !scale->spectrum)
         return;
+    run_begin(picture, run);
+    plot_curve(&picture->plot, sample, scale, 0, bins_within(scale), picture->dots);
     size_t best = 0;
-    for (size_t k = 1; k < bins_within(&of_run); k++)
-        if (best == 0 || of_run.spectrum->amplitudes[k] > of_run.spectrum->amplitudes[best])
+    for (size_t k = 1; k < bins_within(scale); k++)
+        if (best == 0 || scale->spectrum->amplitudes[k] > scale->spectrum->amplitudes[best])
             best = k;
     double x;
-    const double y = sample(&of_run, best, &x);
-    run_letter(run, plot, inner, x, y);
+    const double y = sample(scale, best, &x);
+    run_letter(picture, run, x, y, MARK_PLACE);
 }
 
-static void draw(const Screen *screen, Area area, Style heading, int variant)
+static void note_peaks(const Screen *screen, Picture *picture, const Scale *scale, bool fast)
+{
+    char text[160], line[168];
+    peak_line(screen, scale, fast, text);
+    snprintf(line, sizeof line, "%s%s", screen_is_shared(screen) ? "A " : "", text);
+    PictureNote *note = picture_note(picture, STYLE_NORMAL, line);
+    line[strcspn(line, ";")] = '\0';
+    snprintf(note->brief, sizeof note->brief, "%s", line);
+    if (!fast || !screen_shows_predicted(screen) || !thickness_line(screen->experiment, PEAKS_MAX, text))
+        return;
+    note = picture_note(picture, STYLE_FAINT, text);
+    thickness_line(screen->experiment, 2, note->brief);
+}
+
+static void describe(const Screen *screen, int variant, Picture *picture)
 {
     Choice choice = choice_of(screen, variant);
     int n;
     const Column *columns = experiment_columns(screen->experiment, &n);
     if (choice.column < 0) {
-        area_rule(area, 0, "spectrum", heading);
+        picture_say(picture, "spectrum", "");
         return;
     }
     const Quantity *quantity = &columns[choice.column].quantity;
+    const bool si = screen_problem(screen)->si;
     Mark marks[MARKS_MAX];
     const int n_marks = marks_of(screen, choice.fast, marks);
     /* what breaks has no line of its own: all that the mesh does is shown */
-    choice.fast |= screen_problem(screen)->si && !experiment_readout(screen->experiment)->moving;
-    Scale picture = {.unit = !screen_problem(screen)->si ? 1 : 2e3 * M_PI};
-    picture.spectrum =
-        experiment_spectrum(screen->experiment, choice.column, choice.fast ? SPECTRUM_FAST : SPECTRUM_SLOW);
-    char name[64], text[160], lines[160];
-    if (wants_time(screen, picture.spectrum, choice, marks, n_marks, text)) {
-        snprintf(name, sizeof name, "spectrum of %s", quantity->label);
-        area_rule(area, 0, name, heading);
-        area_paragraph(area, 1, 1, area.rect.width - 2, area.rect.height - 1, text, STYLE_FAINT);
+    choice.fast |= si && !experiment_readout(screen->experiment)->moving;
+    const SpectrumSpan span = choice.fast ? SPECTRUM_FAST : SPECTRUM_SLOW;
+    Scale scale = {.unit = !si ? 1 : 2e3 * M_PI};
+    scale.spectrum = experiment_spectrum(screen->experiment, choice.column, span);
+    char name[64], text[160];
+    snprintf(name, sizeof name, "spectrum of %s", quantity->label);
+    if (wants_time(screen, scale.spectrum, choice, marks, n_marks, text)) {
+        picture_say(picture, name, text);
         return;
     }
-
-    const bool rings = choice.fast && screen_shows_predicted(screen) &&
-                       thickness_line(screen->experiment, area.rect.width, lines);
-    const int under = area.rect.height < 8             ? 0
-                      : area.rect.height < 9 || !rings ? 1
-                                                       : 2,
-              rows = area.rect.height - 2 - under;
     const double range =
-        choice.fast ? highest_of(screen) : slow_range(screen, picture.spectrum, marks, n_marks);
-    picture.x = axis_make(0, axis_round_up(range / picture.unit), area.rect.width / 9);
-    const SpectrumSpan span = choice.fast ? SPECTRUM_FAST : SPECTRUM_SLOW;
+        choice.fast ? highest_of(screen) : slow_range(screen, scale.spectrum, marks, n_marks);
+    scale.end = axis_round_up(range / scale.unit);
     Run runs[RUNS_MAX];
+    Scale of_run[RUNS_MAX];
     const int n_runs = runs_with(runs, runs_of(screen, runs), quantity->name);
     double largest = 0;
     for (int i = 0; i < n_runs; i++) {
-        Scale of_run = picture;
-        of_run.spectrum = spectrum_of_run(screen->experiment, &runs[i], quantity->name, span);
-        if (runs[i].experiment && of_run.spectrum)
-            largest = fmax(largest, largest_of(&of_run));
+        of_run[i] = scale;
+        of_run[i].spectrum = spectrum_of_run(screen->experiment, &runs[i], quantity->name, span);
+        if (runs[i].experiment && of_run[i].spectrum)
+            largest = fmax(largest, largest_of(&of_run[i]));
     }
-    Axis y = choice.fast
-                 ? axis_make_log(fmax(largest, 1e-290) * 1e-3, fmax(largest, 1e-286) * 1.02, rows < 5 ? 3 : 5)
-                 : axis_make(0, axis_round_up(1.02 * largest), rows < 5 ? 3 : 5);
-
-    /* where there is little room the solid line goes without saying */
-    Legend legend[RUNS_MAX + 2];
-    int n_legend = 0;
+    picture_axes(picture, axis_make(0, scale.end), !si ? "w" : "f, kHz", "",
+                 choice.fast ? axis_make_log(fmax(largest, 1e-290) * 1e-3, fmax(largest, 1e-286) * 1.02)
+                             : axis_make(0, axis_round_up(1.02 * largest)),
+                 name, !choice.fast || si ? quantity->unit : "");
     for (int i = n_runs - 1; i >= 0; i--) /* the present run first */
-        if (runs[i].experiment && runs[i].shown && (runs[i].letter || area.rect.width >= 70))
-            legend[n_legend++] = run_legend(&runs[i]);
-    bool exact = false, predicted = false;
-    for (int i = 0; i < n_marks; i++) {
-        exact |= marks[i].exact;
-        predicted |= !marks[i].exact;
-    }
-    if (exact && screen_shows_exact(screen))
-        legend[n_legend++] = (Legend){LINE_DOTTED, '.', STYLE_EXACT, screen_problem(screen)->answer, NULL};
-    if (predicted && screen_shows_predicted(screen))
-        legend[n_legend++] = (Legend){LINE_DASHED, '-', STYLE_PREDICTED, "predicted", NULL};
-    char scale[TICK_TEXT_MAX] = "";
-    if (!choice.fast)
-        axis_scale_text(&y, quantity->unit, scale);
-    else if (screen_problem(screen)->si)
-        snprintf(scale, sizeof scale, "%s", quantity->unit);
-    snprintf(name, sizeof name, "spectrum of %s", quantity->label);
-    n_legend += runs_ghost_legends(runs, n_runs, legend + n_legend);
-    heading_draw(area, heading, name, scale, legend, n_legend);
-    Area inner = axes_draw(area_part(area, 0, 1, area.rect.width, area.rect.height - 1 - under), &picture.x,
-                           &y, !screen_problem(screen)->si ? "w" : "f, kHz", GUTTER);
-
-    Plot plot;
-    plot_open(&plot, picture.x, y);
-    add_marks(screen, &plot, &picture, marks, n_marks);
-    for (int i = 0; i < n_runs; i++) {
-        Scale of_run = picture;
-        of_run.spectrum = spectrum_of_run(screen->experiment, &runs[i], quantity->name, span);
-        if (!runs[i].shown || !of_run.spectrum)
-            continue;
-        run_begin(&plot, &runs[i]);
-        plot_curve(&plot, sample, &of_run, 0, bins_within(&of_run),
-                   inner.rect.width * plot_dots_across(area.glyphs));
-    }
-    plot_draw(&plot, inner);
+        if (runs[i].experiment && runs[i].shown)
+            picture_key(picture, run_key(&runs[i]));
+    add_marks(screen, picture, &scale, marks, n_marks);
+    runs_add_keys(picture, runs, n_runs);
     for (int i = 0; i < n_runs; i++)
-        letter_at_peak(screen->experiment, &plot, inner, &picture, &runs[i], quantity->name, span);
-    plot_close(&plot);
-    if (under > 0) {
-        peak_line(screen, &picture, choice.fast, text);
-        const int x =
-            1 +
-            (screen_is_shared(screen) ? area_text(area, 1, area.rect.height - under, "A ", STYLE_NORMAL) : 0);
-        char *bin = strchr(text, ';');
-        if (bin && x + glyphs_columns(text) > area.rect.width)
-            *bin = '\0';
-        area_text(area, x, area.rect.height - under, text, STYLE_NORMAL);
-    }
-    if (under > 1)
-        area_text(area, 1, area.rect.height - 1, lines, STYLE_FAINT);
+        add_run(picture, &of_run[i], &runs[i]);
+    note_peaks(screen, picture, &scale, choice.fast);
 }
 
 const View view_spectrum = {
@@ -406,7 +372,7 @@ const View view_spectrum = {
     .help = "amplitude spectrum of the probe; again: other frequencies, logarithmic",
     .digit = 6,
     .home = PANE_LOWER,
-    .draw = draw,
+    .describe = describe,
     .variants = variants_of,
     .variant_word = word_of,
     .on_paper = true,

@@ -13,12 +13,12 @@ extern const View view_profile, view_probe, view_energies, view_shapes, view_dis
  * where that went among the energies. Counts of 0: it does not break. */
 int crack_variants(const Screen *);
 const char *crack_variant_word(int variant);
-void crack_draw(const Screen *, Area, Style heading, int variant);
+void crack_describe(const Screen *, int variant, Picture *);
 int crack_cost_variants(const Screen *);
 const char *crack_cost_variant_word(const Screen *, int variant);
-void crack_cost_draw(const Screen *, Area, Style heading, int variant);
+void crack_cost_describe(const Screen *, int variant, Picture *);
 
 /* A bond's force over its stretch, in the place of shape functions where there is no mesh. */
-void bond_law_draw(const Screen *, Area, Style heading);
+void bond_law_describe(const Screen *, Picture *);
 
 #endif

@@ -7,6 +7,6 @@
 
 /* Speed of waves that press (or, transverse, shear) over their length, along rows and diagonals of the
  * lattice, for both shapes of the micromodulus; dotted the integrals that they stand for. */
-void waves_plane_draw(const Screen *, Area, Style heading, bool transverse);
+void waves_plane_describe(const Screen *, bool transverse, Picture *);
 
 #endif

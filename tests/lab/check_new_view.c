@@ -30,12 +30,11 @@ static const char *word_of(const Screen *screen, int variant)
     return variant == 1 ? "second" : "first";
 }
 
-static void draw(const Screen *screen, Area area, Style heading, int variant)
+static void describe(const Screen *screen, int variant, Picture *picture)
 {
-    const Axis x = axis_make(0, 1, 3), y = axis_make(0, 2, 3);
     (void)screen;
-    heading_draw(area, heading, variant == 1 ? "a new view, the second" : "a new view", "", NULL, 0);
-    axes_draw(area_part(area, 0, 1, area.rect.width, area.rect.height - 1), &x, &y, "x", GUTTER);
+    picture_axes(picture, axis_make(0, 1), "x", "", axis_make(0, 2),
+                 variant == 1 ? "a new view, the second" : "a new view", "");
 }
 
 /* Enter in it goes to a step of its own. */
@@ -51,7 +50,7 @@ static const View view_new = {
     .help = "a picture that only its own file and the list know",
     .digit = 9,
     .home = PANE_LOWER,
-    .draw = draw,
+    .describe = describe,
     .variants = variants_of,
     .variant_word = word_of,
     .on_paper = true,
@@ -64,7 +63,7 @@ static const View view_needy = {
     .brief = "needy",
     .help = "something about bonds that break",
     .home = PANE_UPPER,
-    .draw = draw,
+    .describe = describe,
     .needs = HAS_BREAKING,
     .lacking = LACKING,
 };

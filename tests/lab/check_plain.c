@@ -370,10 +370,9 @@ static Words told_of(double (*curve)(double), double (*exact)(double), const cha
 {
     Picture picture;
     Words words = {.text = NULL};
-    picture_open(&picture);
+    picture_open(&picture, WORDS_WIDTH, WORDS_WIDTH, 16);
     picture.compares = true;
-    const Axis x = axis_make(0, 10, 5), y = axis_make(-2, 2, 5);
-    picture_axes(&picture, &x, &y, "t");
+    picture_axes(&picture, axis_make(0, 10), "t", "", axis_make(-2, 2), "", "");
     picture_heading(&picture, heading);
     for (int which = 0; which < (exact ? 2 : 1); which++) {
         plot_begin(&picture.plot, STROKE_LINE, which ? LINE_DOTTED : LINE_SOLID,
@@ -381,7 +380,7 @@ static Words told_of(double (*curve)(double), double (*exact)(double), const cha
         for (int i = 0; i <= 1000; i++)
             plot_point(&picture.plot, 0.01 * i, (which ? exact : curve)(0.01 * i));
     }
-    picture_key(&picture, &(PictureKey){LINE_DOTTED, STYLE_EXACT, 0, "exact"});
+    picture_key(&picture, (PictureKey){LINE_DOTTED, '.', STYLE_EXACT, "exact", 0, 0});
     ck_assert(tell_picture(&picture, 5, &words));
     picture_close(&picture);
     is_plain(words.text);
@@ -449,9 +448,8 @@ static Words told_of_map(size_t greatest, double peak)
 {
     Picture picture;
     Words words = {.text = NULL};
-    const Axis axis = axis_make(0, 1, 5);
-    picture_open(&picture);
-    picture_axes(&picture, &axis, &axis, "x, mm");
+    picture_open(&picture, WORDS_WIDTH, WORDS_WIDTH, 16);
+    picture_axes(&picture, axis_make(0, 1), "x, mm", "", axis_make(0, 1), "", "");
     picture_heading(&picture, "damage");
     PictureMap *map = picture_map(&picture, 5, 3);
     ck_assert_ptr_nonnull(map);

@@ -23,7 +23,7 @@ static void open_drawing(Drawing *drawing, const char *words, const char *view, 
     drawing->sim = experiment_simulation(drawing->scene.screen.experiment);
     if (window > 0)
         drawing->scene.screen.time.window = window;
-    screen_picture(&drawing->scene.screen, view_named(view), 84, 25, &drawing->picture);
+    view_describe(view_named(view), &drawing->scene.screen, 84, 25, &drawing->picture);
 }
 
 static void close_drawing(Drawing *drawing)
@@ -123,7 +123,7 @@ START_TEST(earlier_run_has_its_letter_and_its_words)
     for (size_t i = 0; i < picture->n_marks; i++)
         letter |= picture->marks[i].glyph == 'a';
     for (int i = 0; i < picture->n_keys; i++)
-        words |= picture->keys[i].letter == 'a' && strstr(picture->keys[i].name, "cell size") != NULL;
+        words |= picture->keys[i].sign == 'a' && strstr(picture->keys[i].name, "cell size") != NULL;
     ck_assert_msg(letter && words, "letter %d, words %d, last key \"%s\"", letter, words,
                   picture->n_keys ? picture->keys[picture->n_keys - 1].name : "");
     close_drawing(&drawing);

@@ -26,7 +26,7 @@ START_TEST(ticks_are_1_2_5)
         double scale = pow(10, random_share(&state) * 24 - 12), low = (random_share(&state) - 0.5) * scale;
         double high = low + scale * (0.01 + random_share(&state));
         int most = 2 + (int)(random_bits(&state) % 9);
-        Axis axis = axis_make(low, high, most);
+        Axis axis = axis_with_ticks(axis_make(low, high), most);
         double ticks[TICKS_MAX];
         int count = axis_ticks(&axis, ticks);
         ck_assert_msg(count >= 1 && count <= most, "%d ticks in %g..%g", count, low, high);
@@ -67,9 +67,9 @@ START_TEST(ticks_tell_a_scale)
     for (int i = 0; i < 5000; i++) {
         const int most = 3 + (int)(random_bits(&state) % 6);
         const double reach = pow(10, random_share(&state) * 12 - 6);
-        Axis axis = axis_symmetric(reach, most);
+        Axis axis = axis_with_ticks(axis_symmetric(reach), most);
         ck_assert_msg(axis_ticks(&axis, ticks) >= 3 && axis.high >= reach, "+-%g, %d ticks", reach, most);
-        axis = axis_count(floor(reach), most);
+        axis = axis_with_ticks(axis_count(floor(reach)), most);
         const int count = axis_ticks(&axis, ticks);
         ck_assert(count >= 2 && axis.high >= floor(reach));
         for (int k = 0; k < count; k++)
@@ -81,23 +81,23 @@ END_TEST
 START_TEST(an_axis_says_its_power_of_ten)
 {
     char text[TICK_TEXT_MAX];
-    Axis axis = axis_make(-0.0071, 0.0071, 3);
+    Axis axis = axis_with_ticks(axis_make(-0.0071, 0.0071), 3);
     axis_label(&axis, axis.step, text);
     ck_assert_str_eq(text, "5");
     axis_scale_text(&axis, "length/time", text);
     ck_assert_str_eq(text, "x10^-3");
-    axis = axis_make(0, 1.8e-3, 5);
+    axis = axis_with_ticks(axis_make(0, 1.8e-3), 5);
     axis_scale_text(&axis, "s", text);
     ck_assert_str_eq(text, "ms");
-    axis = axis_make(-3e-6, 3e-6, 5);
+    axis = axis_with_ticks(axis_make(-3e-6, 3e-6), 5);
     axis_scale_text(&axis, "m", text);
     ck_assert_str_eq(text, "µm");
-    axis = axis_make(0, 25, 6);
+    axis = axis_with_ticks(axis_make(0, 25), 6);
     axis_scale_text(&axis, "length", text);
     ck_assert_str_eq(text, "");
-    axis = axis_make(NAN, 4, 6);
+    axis = axis_with_ticks(axis_make(NAN, 4), 6);
     ck_assert(axis.low == 0 && axis.high == 1);
-    axis = axis_make(2, 2, 6);
+    axis = axis_with_ticks(axis_make(2, 2), 6);
     ck_assert(axis.low == 0 && axis.high == 1);
 }
 END_TEST
@@ -142,7 +142,7 @@ START_TEST(each_column_shows_least_and_largest)
     Canvas canvas = {0};
     ck_assert(canvas_open(&canvas, COLUMNS, ROWS, NULL));
     Plot plot;
-    plot_open(&plot, axis_make(0, 1, 5), axis_make(-1, 1, 5));
+    plot_open(&plot, axis_with_ticks(axis_make(0, 1), 5), axis_with_ticks(axis_make(-1, 1), 5));
     plot_begin(&plot, STROKE_LINE, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '*');
     int dots = COLUMNS * plot_dots_across(glyphs), rows = ROWS * plot_dots_down(glyphs);
     plot_curve(&plot, sample, &samples, 0, COUNT, dots);
@@ -169,7 +169,7 @@ START_TEST(what_is_measured_wins_a_cell)
     Canvas canvas = {0};
     ck_assert(canvas_open(&canvas, 10, 3, NULL));
     Plot plot;
-    plot_open(&plot, axis_make(0, 1, 5), axis_make(-1, 1, 5));
+    plot_open(&plot, axis_with_ticks(axis_make(0, 1), 5), axis_with_ticks(axis_make(-1, 1), 5));
     plot_begin(&plot, STROKE_LINE, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '*');
     plot_point(&plot, 0, 0), plot_point(&plot, 1, 0);
     plot_begin(&plot, STROKE_LINE, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, '.');
@@ -194,7 +194,8 @@ START_TEST(broken_and_wild_curves_do_no_harm)
         ck_assert(canvas_open(&canvas, width, height, NULL));
         Area whole = {&canvas, {0, 0, width, height}, (Glyphs)(i % GLYPHS_COUNT)};
         Plot plot;
-        plot_open(&plot, axis_make(0, 1, 5), axis_around(-1, random_share(&state), 4));
+        plot_open(&plot, axis_with_ticks(axis_make(0, 1), 5),
+                  axis_with_ticks(axis_around(-1, random_share(&state)), 4));
         Area inner = axes_draw(whole, &plot.x, &plot.y, "t", 4);
         plot_begin(&plot, (StrokeKind)(i % 3), (LineStyle)(i % 3), STYLE_EXACT, RANK_EXACT, '.');
         for (int k = 0; k < 40; k++) {
@@ -214,7 +215,7 @@ START_TEST(axes_keep_their_gutter)
 {
     Canvas canvas = {0};
     ck_assert(canvas_open(&canvas, 30, 6, NULL));
-    Axis x = axis_make(0, 25, 6), y = axis_symmetric(0.0071, 3);
+    Axis x = axis_with_ticks(axis_make(0, 25), 6), y = axis_with_ticks(axis_symmetric(0.0071), 3);
     Area inner = axes_draw((Area){&canvas, {0, 0, 30, 6}, GLYPHS_BRAILLE}, &x, &y, "x", 4);
     ck_assert_int_eq(inner.rect.x, 5);
     ck_assert_int_eq(inner.rect.height, 5);

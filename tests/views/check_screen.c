@@ -376,7 +376,8 @@ START_TEST(labels_stand_apart)
                low = ((double)(state >> 8 & 0xff) / 128 - 1) * scale;
         double high = low + scale * (0.02 + (double)(state >> 16 & 0xff) / 100);
         int width = 16 + (int)(state >> 24 & 0x7f), height = 3 + (int)(state >> 32 & 0xf);
-        Axis x = axis_make(low, high, width / 9), y = axis_make(low, high, 1 + height / 2);
+        Axis x = axis_with_ticks(axis_make(low, high), width / 9),
+             y = axis_with_ticks(axis_make(low, high), 1 + height / 2);
         canvas_clear(&canvas);
         axes_draw((Area){&canvas, {0, 0, width, height}, GLYPHS_BRAILLE}, &x, &y, "x", GUTTER);
         /* each word of the last row is a whole label */

@@ -144,7 +144,7 @@ double draw_heat_bar(Paper *paper, const Picture *picture, Box box)
     if (!map)
         return 0;
     const Type words = {.size = SIZE_WORDS}, numbers = {.size = SIZE_TICKS, .align = ALIGN_CENTRE};
-    Axis axis = axis_make(map->low, map->high, 7);
+    Axis axis = axis_with_ticks(axis_make(map->low, map->high), 7);
     char name[PICTURE_TEXT_MAX + 2 * TICK_TEXT_MAX], text[TICK_TEXT_MAX];
     bar_name(picture, &axis, name, sizeof name);
     const double beside = draw_words_width(name, &words) + 18;

@@ -166,8 +166,8 @@ static char letter_of(const Picture *picture, int stroke)
         earlier +=
             picture->plot.strokes[i].rank == RANK_GHOST && ink_is_ghost(picture->plot.strokes[i].style);
     for (int i = 0; i < picture->n_keys; i++)
-        if (picture->keys[i].letter && ink_is_ghost(picture->keys[i].style) && earlier-- == 0)
-            return picture->keys[i].letter;
+        if (picture_run_of(&picture->keys[i]) && ink_is_ghost(picture->keys[i].style) && earlier-- == 0)
+            return picture_run_of(&picture->keys[i]);
     return 0;
 }
 
@@ -209,11 +209,17 @@ static void draw_band(const Frame *frame, const Stroke *stroke, double *places)
 static void draw_rules(const Frame *frame)
 {
     const Picture *picture = frame->picture;
-    for (size_t i = 0; i < picture->n_marks; i++)
-        if (picture->marks[i].glyph == PICTURE_RULE)
-            straight(frame->paper, x_of(frame, picture->marks[i].x), frame->box.y,
-                     x_of(frame, picture->marks[i].x), frame->box.y + frame->box.height,
-                     ink_of(picture->marks[i].style), 0.5);
+    const Box *box = &frame->box;
+    for (size_t i = 0; i < picture->n_marks; i++) {
+        const PictureMark *mark = &picture->marks[i];
+        const double x = x_of(frame, mark->x);
+        if (mark->kind != MARK_RULE)
+            continue;
+        straight(frame->paper, x, box->y, x, box->y + box->height, ink_of(mark->style), 0.5);
+        if (mark->word && mark->word[1])
+            draw_words(frame->paper, x + GAP, box->y + SIZE_TICKS + 1, mark->word,
+                       &(Type){.size = SIZE_TICKS, .colour = ink_of(mark->style)});
+    }
 }
 
 /* A curve that swings so fast that it fills an area would hide all others: it lies behind them, and paler. */
@@ -281,9 +287,9 @@ static void draw_strokes(const Frame *frame)
 
 /* --- marks ----------------------------------------------------------------------------------------- */
 
-static void draw_letter(const Frame *frame, const PictureMark *mark, double x, double y)
+static void draw_letter(const Frame *frame, const PictureMark *mark, char letter, double x, double y)
 {
-    const char text[2] = {(char)mark->glyph, '\0'};
+    const char text[2] = {letter, '\0'};
     const Type type = {.size = SIZE_TICKS, .bold = true, .colour = ink_of(mark->style)};
     frame->paper->kind->text(frame->paper, x + 3, y + 2.5, text, &type);
 }
@@ -376,20 +382,23 @@ static void draw_marks(const Frame *frame)
         const PictureMark *mark = &picture->marks[i];
         const double x = x_of(frame, mark->x), y = y_of(frame, mark->y);
         const Colour colour = ink_of(mark->style);
-        if (mark->glyph == PICTURE_RULE || !(x >= box->x - 0.1 && x <= box->x + box->width + 0.1 &&
-                                             y >= box->y - 0.1 && y <= box->y + box->height + 0.1))
-            continue; /* a rule lies behind the curves */
+        if (mark->kind != MARK_PLACE || !(x >= box->x - 0.1 && x <= box->x + box->width + 0.1 &&
+                                          y >= box->y - 0.1 && y <= box->y + box->height + 0.1))
+            continue; /* a rule lies behind the curves, and curves have dashes of their own */
         if (mark->glyph == 0x25cf) {
             frame->paper->kind->disc(frame->paper, x, y, mark->style == STYLE_CHANGED ? 2.4 : 1.7 * size,
                                      colour, NULL);
         } else if (mark->glyph == 0x25cb || mark->glyph == 'o') {
             frame->paper->kind->disc(frame->paper, x, y, 1.6 * size, WHITE,
                                      &(Pencil){.colour = colour, .width = 0.8});
-        } else {
+        }
+        const bool is_letter = mark->glyph < 0x80 && mark->glyph != 'o';
+        const char letter = is_letter ? (char)mark->glyph : mark->letter;
+        if (letter) {
             shift = fabs(x - before_x) < 4 && fabs(y - before_y) < 4 ? shift + 6 : 0;
             before_x = x;
             before_y = y;
-            draw_letter(frame, mark, x + shift, y);
+            draw_letter(frame, mark, letter, x + shift, y);
         }
     }
 }

@@ -149,7 +149,7 @@ double draw_phrases(Paper *paper, const char *text, Box box, const Type *type)
 static void draw_sample(Paper *paper, const Picture *picture, const PictureKey *key, double x, double y)
 {
     const double ends[] = {x, y, x + SAMPLE, y};
-    const Pencil pencil = ink_pencil(key->style, key->line, key->letter);
+    const Pencil pencil = ink_pencil(key->style, key->line, picture_run_of(key));
     bool lined = false, marked = false; /* dots are marks too */
     for (int i = 0; i < picture->plot.n_strokes; i++) {
         const Stroke *stroke = &picture->plot.strokes[i];
@@ -175,9 +175,10 @@ static void draw_sample(Paper *paper, const Picture *picture, const PictureKey *
 /* Of an earlier run it is told what it was, "a: cell size 1", not what came after: "1 -> 0.5". */
 static void name_of(const PictureKey *key, char out[PICTURE_TEXT_MAX + 4])
 {
-    size_t used = key->letter ? (size_t)sprintf(out, "%c: ", key->letter) : 0;
+    const char run = picture_run_of(key);
+    size_t used = run ? (size_t)sprintf(out, "%c: ", run) : 0;
     for (const char *from = key->name; *from;) {
-        const char *arrow = key->letter ? strstr(from, " -> ") : NULL;
+        const char *arrow = run ? strstr(from, " -> ") : NULL;
         const size_t length = arrow ? (size_t)(arrow - from) : strlen(from);
         memcpy(out + used, from, length);
         used += length;

@@ -203,7 +203,7 @@ bool figure_add(Figure *figure, const Screen *screen, const View *view, int pane
     int columns, rows;
     page_panel_cells(figure, panels, &columns, &rows);
     errno = 0;
-    screen_picture(screen, view, columns, rows, &panel->picture);
+    view_describe(view, screen, columns, rows, &panel->picture);
     const Picture *picture = &panel->picture;
     /* a screen is drawn again, a page is not */
     const bool in_want = errno == ENOMEM || picture->plot.lost;

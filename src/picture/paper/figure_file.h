@@ -9,6 +9,7 @@
 
 #include "base/output.h"
 #include "panes/screen.h"
+#include "picture/picture.h"
 
 enum { FIGURE_PANELS_MAX = 24, FIGURE_TEXT_MAX = 12288 };
 

@@ -18,7 +18,7 @@ static const Type small = {.size = SIZE_SMALL, .colour = GREY};
 static bool has_key(const Picture *picture, const PictureKey *key)
 {
     for (int i = 0; i < picture->n_keys; i++)
-        if (strcmp(picture->keys[i].name, key->name) == 0 && picture->keys[i].letter == key->letter)
+        if (strcmp(picture->keys[i].name, key->name) == 0 && picture->keys[i].sign == key->sign)
             return true;
     return false;
 }
@@ -50,9 +50,10 @@ static double draw_notes(Paper *paper, const Picture *picture, bool faint, Box b
 {
     double height = 0;
     for (int i = 0; i < picture->n_notes; i++) {
-        if (picture->notes[i].faint != faint)
+        if ((picture->notes[i].style == STYLE_FAINT) != faint)
             continue;
-        const Type type = {.size = SIZE_WORDS, .colour = picture->notes[i].faint ? GREY : BLACK};
+        const Type type = {.size = SIZE_WORDS,
+                           .colour = (picture->notes[i].style == STYLE_FAINT) ? GREY : BLACK};
         const Box rest = {box.x, box.y + height, box.width, box.height - height};
         height += draw_phrases(paper, picture->notes[i].text, rest, &type);
     }

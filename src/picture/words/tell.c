@@ -170,7 +170,7 @@ void tell_view(const Screen *screen, const View *view, Words *words)
         words_say(words, 2, "View %s: %s.", view->word, missing);
         return;
     }
-    screen_picture(screen, view, WORDS_WIDTH, PICTURE_ROWS, &picture);
+    view_describe(view, screen, WORDS_WIDTH, PICTURE_ROWS, &picture);
     if (picture.has_axes)
         words_say(words, 2, "View %s%s%s:", view->word, variant ? " " : "", variant ? variant : "");
     if (!tell_picture(&picture, view->has_time_axis ? screen->time.cursor : NAN, words)) {

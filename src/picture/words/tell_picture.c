@@ -157,8 +157,8 @@ static void name_of(const Picture *picture, int index, char name[NAME_MAX])
         if (key->style == stroke->style && alike && (!named || earlier-- > 0))
             named = key;
     }
-    if (named && named->letter)
-        snprintf(name, NAME_MAX, "earlier run %c, %.70s", named->letter, named->name);
+    if (named && picture_run_of(named))
+        snprintf(name, NAME_MAX, "earlier run %c, %.70s", picture_run_of(named), named->name);
     else
         snprintf(name, NAME_MAX, "%.90s",
                  named                             ? named->name
@@ -256,6 +256,31 @@ static void say_dots(Words *words, const char *name, const Curve *curve, const M
               number(y, y_at(curve, curve->greatest), c), number(x, x_at(curve, curve->greatest), d));
 }
 
+/* A line in a plane turns back as it likes: where it begins and ends, and how far it reaches. */
+static void say_path(Words *words, const char *name, const Curve *curve, const Measure *x, const Measure *y)
+{
+    char texts[8][NAME_MAX];
+    double low[2], high[2];
+    for (int d = 0; d < 2; d++) {
+        low[d] = INFINITY, high[d] = -INFINITY;
+        for (size_t i = curve->first; i <= curve->last; i++)
+            if (is_finite(curve, i)) {
+                low[d] = fmin(low[d], curve->points[2 * i + (size_t)d]);
+                high[d] = fmax(high[d], curve->points[2 * i + (size_t)d]);
+            }
+    }
+    number(x, x_at(curve, curve->first), texts[0]);
+    number(y, y_at(curve, curve->first), texts[1]);
+    if (curve->first == curve->last) {
+        words_say(words, 4, "  %s: at %s %s, %s %s.", name, x->name, texts[0], y->name, texts[1]);
+        return;
+    }
+    words_say(words, 4, "  %s: a path from %s %s, %s %s to %s, %s; it lies between %s and %s, %s and %s.",
+              name, x->name, texts[0], y->name, texts[1], number(x, x_at(curve, curve->last), texts[2]),
+              number(y, y_at(curve, curve->last), texts[3]), number(x, low[0], texts[4]),
+              number(x, high[0], texts[5]), number(y, low[1], texts[6]), number(y, high[1], texts[7]));
+}
+
 /* The same thing drawn twice, as a line and as dots, is told once; two cracks that grow alike are two. */
 static bool is_told(const Picture *picture, int index)
 {
@@ -282,49 +307,73 @@ static bool is_beside(const Picture *picture, const Stroke *stroke)
             stroke->style == STYLE_SECOND);
 }
 
+/* Each of the values from stroke to stroke, in the kind of picture that it is. */
+static void say_stroke(const Picture *picture, int index, double cursor, const Curve *curve, const Measure *x,
+                       const Measure *y, Words *words)
+{
+    const Stroke *stroke = &picture->plot.strokes[index];
+    char name[NAME_MAX], a[NAME_MAX], b[NAME_MAX];
+    name_of(picture, index, name);
+    if (stroke->kind == STROKE_BAND && picture->kind == PICTURE_BARS)
+        words_say(words, 4, "  %s %s: %s.", x->name, number(x, (x_at(curve, 0) + x_at(curve, 2)) / 2, a),
+                  number(y, y_at(curve, 1), b));
+    else if (stroke->kind == STROKE_BAND)
+        say_band(words, name, curve->points, stroke->count, x, y);
+    else if (picture->kind == PICTURE_PATH)
+        say_path(words, name, curve, x, y);
+    else if (stroke->kind == STROKE_DOTS)
+        say_dots(words, name, curve, x, y);
+    else
+        say_curve(words, name, curve, x, y);
+    if (stroke->kind == STROKE_LINE && picture->kind != PICTURE_PATH && isfinite(value_at(curve, cursor)))
+        words_say(words, 4, "  %s at the cursor, %s %s: %s.", name, x->name, number(x, cursor, a),
+                  number(y, value_at(curve, cursor), b));
+}
+
 static void say_strokes(const Picture *picture, double cursor, Words *words)
 {
     const Plot *plot = &picture->plot;
+    const bool upright = picture->kind == PICTURE_UPRIGHT;
     const Measure across = measure_of(&plot->x, picture->x_name);
     const Measure up = measure_of(&plot->y, picture->heading);
-    Measure x = picture->upright ? up : across, y = picture->upright ? across : up;
+    Measure x = upright ? up : across, y = upright ? across : up;
     const char *height = strrchr(up.name, ','); /* "bending, y": the picture, and what goes up in it */
-    if (picture->upright && height)
+    if (upright && height)
         snprintf(x.name, sizeof x.name, "%s", height + 1 + strspn(height + 1, " "));
     Curve measured = {.count = 0};
-    char name[NAME_MAX], whose[NAME_MAX] = "", a[NAME_MAX], b[NAME_MAX];
+    char name[NAME_MAX], whose[NAME_MAX] = "";
     words_say(words, 4, "  %s over %s.", y.name, x.name);
     for (int i = 0; i < plot->n_strokes; i++) {
         const Stroke *stroke = &plot->strokes[i];
         const double *points = plot->points + 2 * stroke->first;
         Curve curve;
-        if (stroke->count == 0 || is_told(picture, i) ||
-            !look_at(points, stroke->count, picture->upright, &curve))
+        if (stroke->count == 0 || is_told(picture, i) || !look_at(points, stroke->count, upright, &curve))
             continue;
-        name_of(picture, i, name);
-        if (stroke->kind == STROKE_BAND)
-            say_band(words, name, points, stroke->count, &x, &y);
-        else if (stroke->kind == STROKE_DOTS)
-            say_dots(words, name, &curve, &x, &y);
-        else
-            say_curve(words, name, &curve, &x, &y);
-        if (stroke->kind == STROKE_LINE && isfinite(value_at(&curve, cursor)))
-            words_say(words, 4, "  %s at the cursor, %s %s: %s.", name, x.name, number(&x, cursor, a),
-                      number(&y, value_at(&curve, cursor), b));
+        say_stroke(picture, i, cursor, &curve, &x, &y, words);
         if (stroke->kind == STROKE_LINE && stroke->style == STYLE_MEASURED && measured.count == 0) {
             measured = curve;
-            snprintf(whose, sizeof whose, "%s", name);
+            name_of(picture, i, whose);
         }
     }
     for (int i = 0; i < plot->n_strokes && measured.count > 0; i++) {
         const Stroke *stroke = &plot->strokes[i];
         Curve curve;
         if (!is_beside(picture, stroke) ||
-            !look_at(plot->points + 2 * stroke->first, stroke->count, picture->upright, &curve))
+            !look_at(plot->points + 2 * stroke->first, stroke->count, upright, &curve))
             continue;
         name_of(picture, i, name);
         say_distance(words, whose, name, &measured, &curve, &x, &y);
     }
+}
+
+static void say_rules(const Picture *picture, Words *words)
+{
+    const Measure x = measure_of(&picture->plot.x, picture->x_name);
+    char place[NAME_MAX];
+    for (size_t i = 0; i < picture->n_marks; i++)
+        if (picture->marks[i].kind == MARK_RULE && picture->marks[i].word && picture->marks[i].word[1])
+            words_say(words, 4, "  at %s %s: %s.", x.name, number(&x, picture->marks[i].x, place),
+                      picture->marks[i].word);
 }
 
 /* --- a map ------------------------------------------------------------------------------------------ */
@@ -384,9 +433,11 @@ bool tell_picture(const Picture *picture, double cursor, Words *words)
         say_map(picture, words);
     else if (picture->plot.n_strokes > 0)
         say_strokes(picture, cursor, words);
-    for (int i = 0; i < picture->n_labels; i++)
+    say_rules(picture, words);
+    for (int i = 0; i < picture->n_labels && picture->bare; i++)
         words_say(words, 4, "  in the drawing: %s", picture->labels[i].text);
     for (int i = 0; i < picture->n_notes; i++)
-        words_say(words, 4, "  %s", picture->notes[i].text + strspn(picture->notes[i].text, " "));
+        if (picture->notes[i].text[strspn(picture->notes[i].text, " ")])
+            words_say(words, 4, "  %s", picture->notes[i].text + strspn(picture->notes[i].text, " "));
     return true;
 }

@@ -57,7 +57,7 @@ static void round_range(Map *map, double least, double most)
 {
     if (most - least < 1e-9 * fabs(most))
         least = 0;
-    const Axis axis = axis_make(least, most, 5);
+    const Axis axis = axis_with_ticks(axis_make(least, most), 5);
     map->low = floor(least / axis.step + 1e-9) * axis.step;
     map->high = ceil(most / axis.step - 1e-9) * axis.step;
 }

@@ -213,7 +213,10 @@ static void draw_words(const Drawing *drawing, int y)
         text_rounded(a, settings->loads.body_force, 4);
         text_append(text, sizeof text, "  body force %s m/s²", a);
     }
-    area_phrases(drawing->area, 1, y, drawing->area.rect.width - 2, 1, text, STYLE_FAINT);
+    if (drawing_paper(drawing))
+        picture_note(drawing_paper(drawing), STYLE_FAINT, text);
+    else
+        area_phrases(drawing->area, 1, y, drawing->area.rect.width - 2, 1, text, STYLE_FAINT);
 }
 
 /* The ends of a beam that vibrates are held at half its height. */
@@ -292,14 +295,15 @@ static void draw_on_paper(Drawing *drawing, const Screen *screen)
     drawing->bottom = drawing->top + fmax(rise, LEAST_ROWS - 1);
     const double end =
         drawing->bottom + 1 + drawing->scene.around + APART * (drawing->dimension_rows - 1) + 0.5;
-    const Axis x = axis_make(0, columns, 2), y = axis_make(-end, 0, 2);
-    picture_axes(picture, &x, &y, "");
+    const Axis x = axis_with_ticks(axis_make(0, columns), 2), y = axis_with_ticks(axis_make(-end, 0), 2);
+    picture->kind = PICTURE_MAP;
+    picture_axes(picture, x, "", "", y, "", "");
     picture->bare = true;
     picture->stretch = 2; /* rows, columns */
     screen_time_text(screen, 0, picture->time, sizeof picture->time);
     draw_all(drawing, APART);
     scale_words((drawing->bottom - drawing->top) / rise, rise >= LEAST_ROWS - 1, "×", words, sizeof words);
-    area_text(drawing->area, 0, 0, words, STYLE_NORMAL);
+    picture_note(picture, STYLE_NORMAL, words);
     draw_words(drawing, 0);
 }
 
@@ -314,8 +318,11 @@ void map_drawing(const Screen *screen, Area area, Style heading)
     const int columns = area.rect.width - 2 - MARGIN_RIGHT;
     add_lengths(&drawing);
     drawing.scale = columns / body.size[0];
-    if (area.canvas->picture && columns >= 20) {
-        draw_on_paper(&drawing, screen);
+    if (area.canvas->picture) {
+        if (columns >= 20)
+            draw_on_paper(&drawing, screen);
+        else
+            picture_say(area.canvas->picture, "drawing", "it needs a wider page");
         return;
     }
     const int around = drawing.scene.around;
@@ -328,10 +335,7 @@ void map_drawing(const Screen *screen, Area area, Style heading)
     const int rows = room - drawing.dimension_rows - words;
     if (columns < 20 || rows < LEAST_ROWS) {
         area_rule(area, 0, "drawing", heading);
-        area_text(area, 1, 1,
-                  area.canvas->picture ? "it needs a wider page"
-                                       : "z gives the drawing the room that it needs",
-                  STYLE_FAINT);
+        area_text(area, 1, 1, "z gives the drawing the room that it needs", STYLE_FAINT);
         return;
     }
     const double wanted = body.size[1] * drawing.scale / 2;

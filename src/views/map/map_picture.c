@@ -42,23 +42,23 @@ static void take_axes(const Map *map, Picture *picture)
             low[d] = (body->low[d] - margin) / MAP_MILLI;
             high[d] = (body->low[d] + body->size[d] + margin) / MAP_MILLI;
         }
-    const Axis x = axis_make(low[0], high[0], map->area.rect.width / 9);
-    const Axis y = axis_make(low[1], high[1], 5);
-    picture_axes(picture, &x, &y, "x, mm");
+    const Axis x = axis_with_ticks(axis_make(low[0], high[0]), map->area.rect.width / 9);
+    const Axis y = axis_with_ticks(axis_make(low[1], high[1]), 5);
+    picture_axes(picture, x, "x, mm", "", y, "", "");
 }
 
 static void name_lines(Picture *picture, const Map *map)
 {
     static const PictureKey keys[] = {
-        {LINE_SOLID, STYLE_CHANGED, 0, "crack's path"},
-        {LINE_DOTTED, STYLE_FAINT, 0, "30° from the notch (paper)"},
-        {LINE_SOLID, STYLE_HEADING, 0, "notch"},
-        {LINE_DASHED, STYLE_FRAME, 0, "protected"},
+        {LINE_SOLID, '*', STYLE_CHANGED, "crack's path", 0, 0},
+        {LINE_DOTTED, '.', STYLE_FAINT, "30° from the notch (paper)", 0, 0},
+        {LINE_SOLID, '|', STYLE_HEADING, "notch", 0, 0},
+        {LINE_DASHED, '-', STYLE_FRAME, "protected", 0, 0},
     };
     for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
         for (int k = 0; k < picture->plot.n_strokes && map->scene.pressed; k++)
             if (picture->plot.strokes[k].style == keys[i].style) {
-                picture_key(picture, &keys[i]);
+                picture_key(picture, keys[i]);
                 break;
             }
 }

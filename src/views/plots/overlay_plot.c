@@ -55,68 +55,36 @@ static double sample(const void *context, size_t index, double *x)
     return samples->y[index];
 }
 
-void overlay_stroke(const Screen *screen, Plot *plot, const char *curve, bool along, int dots)
+static void put_mark(Picture *picture, double x, double y)
 {
-    const OverlayColumn *column = column_of(screen->overlay, curve, along);
-    size_t first, end;
-    if (!column)
-        return;
-    const Samples samples = {screen->overlay->columns[screen->overlay->x].values, column->values};
-    rows_within(screen->overlay, &plot->x, &first, &end);
-    plot_begin(plot, STROKE_DOTS, LINE_SOLID, STYLE_THIRD, RANK_SECOND, '+');
-    plot_curve(plot, sample, &samples, first, end, dots);
-}
-
-static void put_mark(Area inner, const Plot *plot, double x, double y)
-{
-    area_put(inner, axis_column(&plot->x, x, inner.rect.width), axis_row(&plot->y, y, inner.rect.height), '+',
-             STYLE_THIRD);
-}
-
-/* On paper its dots are all drawn and need no marks; the legend names it. */
-static void name_on_paper(Picture *picture, const char *name)
-{
-    PictureKey key = {.style = STYLE_THIRD};
-    snprintf(key.name, sizeof key.name, "%s", name);
-    picture_key(picture, &key);
-}
-
-static void draw_name(Area inner, const char *name)
-{
-    const int columns = 2 + glyphs_columns(name), room = inner.rect.width - columns - 1,
-              x = room > 1 ? room : 1;
-    for (int i = -1; i <= columns; i++)
-        area_put(inner, x + i, 0, ' ', STYLE_NORMAL);
-    area_put(inner, x, 0, '+', STYLE_THIRD);
-    area_text(inner, x + 2, 0, name, STYLE_NORMAL);
+    picture_add_mark(picture,
+                     (PictureMark){.x = x, .y = y, .glyph = '+', .style = STYLE_THIRD, .kind = MARK_DOT});
 }
 
 /* Few values have a mark each; of many one now and then, so that they are seen where the run's own curve
  * covers them. */
-void overlay_marks(const Screen *screen, Area inner, const Plot *plot, const char *curve, bool along)
+void overlay_add(const Screen *screen, Picture *picture, const char *curve, bool along)
 {
     const OverlayColumn *column = column_of(screen->overlay, curve, along);
-    const int width = inner.rect.width;
+    const Axis *axis = &picture->plot.x;
+    const int width = picture->across;
     size_t first, end;
-    if (!column || width < 4)
+    if (!column)
         return;
-    if (inner.canvas->picture) {
-        name_on_paper(inner.canvas->picture, screen->overlay->file);
-        return;
-    }
     const double *x = screen->overlay->columns[screen->overlay->x].values;
-    rows_within(screen->overlay, &plot->x, &first, &end);
-    if (end - first <= (size_t)width / 2)
-        for (size_t row = first; row < end; row++)
-            put_mark(inner, plot, x[row], column->values[row]);
-    else
-        for (int cell = 0; cell < width; cell += MARK_EVERY) {
-            const double at = plot->x.low + (plot->x.high - plot->x.low) * (cell + 0.5) / width;
-            const size_t row = overlay_find(screen->overlay, at);
-            if (row >= first && row < end)
-                put_mark(inner, plot, x[row], column->values[row]);
-        }
-    draw_name(inner, screen->overlay->file);
+    const Samples samples = {x, column->values};
+    rows_within(screen->overlay, axis, &first, &end);
+    plot_begin(&picture->plot, STROKE_DOTS, LINE_SOLID, STYLE_THIRD, RANK_SECOND, '+');
+    plot_curve(&picture->plot, sample, &samples, first, end, picture->dots);
+    picture_key(picture, (PictureKey){LINE_SOLID, '+', STYLE_THIRD, screen->overlay->file, '+', 0});
+    for (size_t row = first; row < end && end - first <= (size_t)width / 2; row++)
+        put_mark(picture, x[row], column->values[row]);
+    for (int cell = 0; cell < width && end - first > (size_t)width / 2; cell += MARK_EVERY) {
+        const double at = axis->low + (axis->high - axis->low) * (cell + 0.5) / width;
+        const size_t row = overlay_find(screen->overlay, at);
+        if (row >= first && row < end)
+            put_mark(picture, x[row], column->values[row]);
+    }
 }
 
 double overlay_value(const Screen *screen, const char *curve, bool along, double x)

@@ -5,16 +5,14 @@
 #define VIEW_OVERLAY_PLOT_H
 
 #include "panes/panes.h"
+#include "picture/picture.h"
 
 /* Widens a range, or tells the largest magnitude (0: there is none), so that the axis of y holds it. */
 void overlay_widen(const Screen *, const char *curve, bool along, double *least, double *most);
 double overlay_reach(const Screen *, const char *curve, bool along);
 
-/* Adds its dots: the first, least, largest and last value of each of `dots` columns. */
-void overlay_stroke(const Screen *, Plot *, const char *curve, bool along, int dots);
-
-/* Marks and name, once the plot is drawn. */
-void overlay_marks(const Screen *, Area inner, const Plot *, const char *curve, bool along);
+/* Adds its dots, the first, least, largest and last value of each column of them, with marks and a name. */
+void overlay_add(const Screen *, Picture *, const char *curve, bool along);
 
 /* Its value at a time or place, that of the nearest row; NAN: it has none there. */
 double overlay_value(const Screen *, const char *curve, bool along, double x);

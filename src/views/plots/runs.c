@@ -106,75 +106,70 @@ int runs_with(Run *runs, int n_runs, const char *column)
     return count;
 }
 
-void run_begin(Plot *plot, const Run *run)
+void run_begin(Picture *picture, const Run *run)
 {
-    plot_begin(plot, STROKE_LINE, run->line, run->style, run->rank, run->mark);
+    plot_begin(&picture->plot, STROKE_LINE, run->line, run->style, run->rank, run->mark);
 }
 
-Legend run_legend(const Run *run)
+PictureKey run_key(const Run *run)
 {
-    return (Legend){run->line, run->mark, run->style, run->word, run->key[0] ? run->key : NULL};
+    return (PictureKey){run->line, run->mark, run->style, run->word, (uint32_t)run->key[0], 0};
 }
 
-void run_letter(const Run *run, const Plot *plot, Area inner, double x, double y)
+void run_letter(Picture *picture, const Run *run, double x, double y, MarkKind kind)
 {
     if (run->letter)
-        axes_mark(inner, &plot->x, &plot->y, x, y, (uint32_t)(unsigned char)run->letter, run->style);
+        picture_add_mark(
+            picture,
+            (PictureMark){.x = x, .y = y, .glyph = (uint32_t)run->letter, .style = run->style, .kind = kind});
 }
 
-double run_mark(const Run *run, const Plot *plot, Area inner, int k)
+double run_mark(const Run *run, const Axis *x, int k)
 {
-    enum { CELLS = 40 }; /* in less the letter at the end suffices; on paper a ghost has dashes of its own */
-    if (run->ghost < 0 || run->style == STYLE_FAINT || inner.canvas->picture || inner.rect.width < CELLS)
+    if (run->ghost < 0 || run->style == STYLE_FAINT)
         return NAN;
     const double share = (k + (run->ghost + 0.5) / GHOSTS_MAX) / RUN_MARKS;
-    return plot->x.low + share * (plot->x.high - plot->x.low);
+    return x->low + share * (x->high - x->low);
 }
 
-void runs_add_ghosts(Plot *plot, const Run *runs, int n_runs, const char *column, int dots)
+void runs_add_ghosts(Picture *picture, const Run *runs, int n_runs, const char *column)
 {
     for (int i = 0; i < n_runs; i++) {
         if (runs[i].ghost < 0 || !runs[i].shown)
             continue;
-        run_begin(plot, &runs[i]);
-        time_plot_curve(
-            plot,
-            &(Curve){
-                .record = runs[i].record, .column = run_column(&runs[i], column), .minus = -1, .plus = -1},
-            dots);
+        run_begin(picture, &runs[i]);
+        time_plot_curve(picture, &(Curve){runs[i].record, run_column(&runs[i], column), NULL, NULL});
     }
 }
 
-void run_letter_over_time(const Plot *plot, Area inner, const Run *run, int column)
+void run_letter_over_time(Picture *picture, const Run *run, int column)
 {
     const Record *record = run->record;
     if (record->count == 0)
         return;
-    const double *row = record_row(record, record_find(record, plot->x.high));
-    run_letter(run, plot, inner, row[1], row[column]);
+    const double *row = record_row(record, record_find(record, picture->plot.x.high));
+    run_letter(picture, run, row[1], row[column], MARK_PLACE);
     for (int k = 0; k < RUN_MARKS; k++) {
-        const double time = run_mark(run, plot, inner, k);
+        const double time = run_mark(run, &picture->plot.x, k);
         const double *here = record_row(record, record_find(record, time));
         if (time < row[1])
-            run_letter(run, plot, inner, here[1], here[column]);
+            run_letter(picture, run, here[1], here[column], MARK_AGAIN);
     }
 }
 
-void runs_draw_letters(const Plot *plot, Area inner, const Run *runs, int n_runs, const char *column)
+void runs_add_letters(Picture *picture, const Run *runs, int n_runs, const char *column)
 {
     for (int i = 0; i < n_runs; i++) {
         if (runs[i].shown)
-            run_letter_over_time(plot, inner, &runs[i], run_column(&runs[i], column));
+            run_letter_over_time(picture, &runs[i], run_column(&runs[i], column));
     }
 }
 
-int runs_ghost_legends(const Run *runs, int n_runs, Legend *out)
+void runs_add_keys(Picture *picture, const Run *runs, int n_runs)
 {
-    int count = 0;
     for (int i = 0; i < n_runs; i++)
         if (runs[i].ghost >= 0 && runs[i].shown)
-            out[count++] = run_legend(&runs[i]);
-    return count;
+            picture_key(picture, run_key(&runs[i]));
 }
 
 void runs_ghost_names(const Screen *screen, int columns, char *out, size_t size)

@@ -6,6 +6,7 @@
 #define VIEW_RUNS_H
 
 #include "panes/panes.h"
+#include "picture/picture.h"
 
 enum { RUNS_MAX = GHOSTS_MAX + 2, RUN_WORD_MAX = LEGEND_MAX + 56, RUN_MARKS = 4 };
 
@@ -40,33 +41,33 @@ int runs_with(Run *, int n_runs, const char *column);
 int run_column(const Run *, const char *name);
 
 /* Begins a stroke in the way of the run. */
-void run_begin(Plot *, const Run *);
+void run_begin(Picture *, const Run *);
 
 /* The run's entry in a legend. */
-Legend run_legend(const Run *);
+PictureKey run_key(const Run *);
 
 /* Where along an axis the curve of a ghost that is kept has its letter once more, the k-th of RUN_MARKS
  * times: each ghost elsewhere, so that curves that lie on each other all have names. NAN: nowhere. */
-double run_mark(const Run *, const Plot *, Area inner, int k);
+double run_mark(const Run *, const Axis *, int k);
 
-/* Puts the run's letter at a place of the plot, usually the end of its curve. */
-void run_letter(const Run *, const Plot *, Area inner, double x, double y);
+/* Puts the run's letter at a place of the plot, usually the end of its curve; or once more on it. */
+void run_letter(Picture *, const Run *, double x, double y, MarkKind);
 
 /* Adds the column's curves over time of all ghosts that are shown. */
-void runs_add_ghosts(Plot *, const Run *, int n_runs, const char *column, int dots);
+void runs_add_ghosts(Picture *, const Run *, int n_runs, const char *column);
 
 /* The run's letter at the end of its curve over time. */
-void run_letter_over_time(const Plot *, Area inner, const Run *, int column);
+void run_letter_over_time(Picture *, const Run *, int column);
 
 /* A letter at the end of the column's curve of every run that has one: a ghost is told by more than its faint
  * colour. */
-void runs_draw_letters(const Plot *, Area inner, const Run *, int n_runs, const char *column);
+void runs_add_letters(Picture *, const Run *, int n_runs, const char *column);
 
 /* "a: cell size 1  b: USL": what the ghosts' letters stand for, for pictures whose legend has no room for it.
  * "" without ghosts. What does not fit whole is left out. */
 void runs_ghost_names(const Screen *, int columns, char *out, size_t size);
 
-/* Legend entries of the ghosts among these runs. Returns how many there are. */
-int runs_ghost_legends(const Run *, int n_runs, Legend *out);
+/* Legend entries of the ghosts among these runs. */
+void runs_add_keys(Picture *, const Run *, int n_runs);
 
 #endif

@@ -36,15 +36,38 @@ void time_plot_window(const Screen *screen, double *from, double *to)
     *to = *from + window;
 }
 
-/* The same window, but such that it begins at a whole cell of a plot of so many columns. */
-Axis time_plot_axis(const Screen *screen, int columns)
+static void mark_breaks(const Screen *screen, Picture *picture)
 {
+    const double dt = experiment_simulation(screen->experiment)->dt;
+    int count;
+    const Event *events = experiment_events(screen->experiment, &count);
+    for (int i = 0; i < count; i++)
+        if (events[i].kind == EVENT_BREAK)
+            picture_rule(picture, dt * (double)events[i].step, STYLE_FAINT, "b");
+}
+
+static void mark_now(const Screen *screen, Picture *picture)
+{
+    const Experiment *clock = screen_clock_run(screen);
+    if (experiment_newest(clock) > experiment_step(clock))
+        picture_rule(picture, experiment_time(clock), STYLE_FOCUS, NULL);
+    if (isfinite(screen->time.cursor))
+        picture_rule(picture, screen->time.cursor, STYLE_SELECTED, NULL);
+}
+
+void time_plot_axes(const Screen *screen, Picture *picture, Axis y, const char *name, const char *unit)
+{
+    const Problem *facts = screen_problem(screen);
     double from, to;
     time_plot_window(screen, &from, &to);
-    const double window = to - from, cell = window / (columns > 0 ? columns : 1);
+    const double window = to - from, cell = window / (picture->across > 0 ? picture->across : 1);
     if (from > 0)
         from = ceil(from / cell - 1e-9) * cell;
-    return axis_make(from, from + window, columns / 9);
+    Axis x = axis_make(from, from + window);
+    x.moves = true;
+    picture_axes(picture, x, "t", facts->si ? facts->unit_of_time : "", y, name, unit);
+    mark_breaks(screen, picture);
+    mark_now(screen, picture);
 }
 
 /* --- curves --------------------------------------------------------------------------------------- */
@@ -54,23 +77,17 @@ static double curve_sample(const void *context, size_t index, double *x)
     const Curve *curve = context;
     const double *row = record_row(curve->record, index);
     *x = row[1];
-    if (curve->value)
-        return curve->value(row, curve->context);
-    double value = row[curve->column];
-    if (curve->minus >= 0)
-        value -= row[curve->minus];
-    if (curve->plus >= 0)
-        value += row[curve->plus];
-    return value;
+    return curve->value ? curve->value(row, curve->context) : row[curve->column];
 }
 
-void time_plot_curve(Plot *plot, const Curve *curve, int columns)
+void time_plot_curve(Picture *picture, const Curve *curve)
 {
     const Record *record = curve->record;
+    Plot *plot = &picture->plot;
     if (record->count == 0)
         return;
     size_t first = record_find(record, plot->x.low), end = record_find(record, plot->x.high) + 2;
-    plot_curve(plot, curve_sample, curve, first, end < record->count ? end : record->count, columns);
+    plot_curve(plot, curve_sample, curve, first, end < record->count ? end : record->count, picture->dots);
 }
 
 size_t time_plot_stride(const Record *record)
@@ -116,40 +133,7 @@ void time_plot_range_to_come(const Screen *screen, double least[COLUMNS_MAX], do
     }
 }
 
-void time_plot_breaks(const Screen *screen, Area inner, const Axis *x)
-{
-    const double dt = experiment_simulation(screen->experiment)->dt;
-    int count;
-    const Event *events = experiment_events(screen->experiment, &count);
-    for (int i = 0; i < count; i++) {
-        const double time = dt * (double)events[i].step;
-        const int column = axis_column(x, time, inner.rect.width);
-        if (events[i].kind != EVENT_BREAK || column < 0)
-            continue;
-        axes_rule(inner, x, time, STYLE_FAINT);
-        area_put(inner, column, 0, 'b', STYLE_NORMAL);
-    }
-}
-
-void time_plot_now(const Screen *screen, Area inner, const Axis *x)
-{
-    const Experiment *clock = screen_clock_run(screen);
-    if (experiment_newest(clock) > experiment_step(clock))
-        axes_rule(inner, x, experiment_time(clock), STYLE_FOCUS);
-    if (isfinite(screen->time.cursor))
-        axes_rule(inner, x, screen->time.cursor, STYLE_SELECTED);
-}
-
-const char *time_plot_name(const Screen *screen, const Axis *x, char *out, size_t size)
-{
-    char scale[TICK_TEXT_MAX];
-    const Problem *facts = screen_problem(screen);
-    axis_scale_text(x, facts->si ? facts->unit_of_time : "", scale);
-    snprintf(out, size, scale[0] ? "t, %s" : "t", scale);
-    return out;
-}
-
-Legend time_plot_legend(const Column *columns, int column)
+PictureKey time_plot_key(const Column *columns, int column)
 {
     const char *label = columns[column].quantity.label;
     int exact_before = 0; /* of the same curve: beams have two theories */
@@ -158,14 +142,14 @@ Legend time_plot_legend(const Column *columns, int column)
     switch (columns[column].kind) {
     case COLUMN_EXACT:
         if (exact_before > 0)
-            return (Legend){LINE_DASHED, '-', STYLE_THIRD, label, NULL};
+            return (PictureKey){LINE_DASHED, '-', STYLE_THIRD, label, 0, 0};
         break;
     case COLUMN_PREDICTED:
-        return (Legend){LINE_DASHED, '-', STYLE_PREDICTED, label, NULL};
+        return (PictureKey){LINE_DASHED, '-', STYLE_PREDICTED, label, 0, 0};
     case COLUMN_MEASURED:
-        return (Legend){LINE_SOLID, 'o', STYLE_SECOND, label, NULL};
+        return (PictureKey){LINE_SOLID, 'o', STYLE_SECOND, label, 0, 0};
     }
-    return (Legend){LINE_DOTTED, '.', STYLE_EXACT, label, NULL};
+    return (PictureKey){LINE_DOTTED, '.', STYLE_EXACT, label, 0, 0};
 }
 
 bool time_plot_shows(const Screen *screen, const Column *column)

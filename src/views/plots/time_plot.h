@@ -4,21 +4,22 @@
 #define VIEW_TIME_PLOT_H
 
 #include "panes/panes.h"
+#include "picture/picture.h"
 
 typedef struct Curve {
     const Record *record;
     int column;
-    int minus, plus; /* the value is column - minus + plus; -1: none */
     double (*value)(const double *row, const void *context); /* NULL, or the value is this of the row */
     const void *context;
 } Curve;
 
-/* The time window as an axis of a plot of so many columns: it begins at a whole cell, so that curves shift by
- * whole cells and do not shimmer. */
-Axis time_plot_axis(const Screen *, int columns);
+/* Axes over time, y with its name and unit. The window begins at a whole cell, so that curves shift by whole
+ * cells and do not shimmer. Rules mark when bonds broke that were told of, the present if it is not the
+ * newest time, and the cursor. */
+void time_plot_axes(const Screen *, Picture *, Axis y, const char *name, const char *unit);
 
-/* Adds a curve's part in the window to the last stroke begun, extremes of each of `dots` columns kept. */
-void time_plot_curve(Plot *, const Curve *, int dots);
+/* Adds a curve's part in the window to the last stroke begun, extremes of each column of dots kept. */
+void time_plot_curve(Picture *, const Curve *);
 
 /* The distance of rows at which a whole record is looked through for the range of an axis: a picture must not
  * take longer because the run is long. Axes are rounded up, and swings have many rows. */
@@ -31,17 +32,8 @@ double time_plot_reach(const Record *, int column);
  * from the start. */
 void time_plot_range_to_come(const Screen *, double least[COLUMNS_MAX], double most[COLUMNS_MAX]);
 
-/* Marks with thin lines when bonds broke that were told of. */
-void time_plot_breaks(const Screen *, Area inner, const Axis *x);
-
-/* Marks the present, if it is not the newest time, and the cursor. */
-void time_plot_now(const Screen *, Area inner, const Axis *x);
-
-/* "t" or "t, ms" for the end of the axis. */
-const char *time_plot_name(const Screen *, const Axis *x, char *out, size_t size);
-
 /* How the column of a record is drawn that answers another one: with which line, under which name. */
-Legend time_plot_legend(const Column *columns, int column);
+PictureKey time_plot_key(const Column *columns, int column);
 
 /* Whether the reference curves that are shown are such as this one. */
 bool time_plot_shows(const Screen *, const Column *);

@@ -1,0 +1,279 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A picture in cells: heading with the legend, axes, strokes, marks, words. */
+#include "picture/cells/cells.h"
+
+#include "base/text.h"
+#include "picture/heading.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum {
+    LEAST = 4,        /* columns across a plot */
+    GUTTER = 6,       /* columns of the labels of y */
+    TICK_COLUMNS = 9, /* of a label of x with its gap */
+    JOINED = 100,     /* columns from which on lines of words are long enough for two */
+    LARGER = 1,       /* rows that a plot has more than it must where there are words to spare */
+    APART = 40,       /* columns from which on a curve can have its letter more than once */
+};
+
+void cells_open(Picture *picture, int columns, Glyphs glyphs)
+{
+    const int across = columns - GUTTER - 1;
+    picture_open(picture, columns, across >= LEAST ? across : 0, plot_dots_across(glyphs));
+}
+
+/* --- room ------------------------------------------------------------------------------------------ */
+
+/* Rows of words under a plot in so many rows with its heading: it keeps four, in a low pane three. */
+static int rows_under(const Picture *picture, int columns, int rows)
+{
+    int wanted = 0, spare = 0;
+    for (int i = 0; i < picture->n_notes; i++) {
+        const PictureNote *note = &picture->notes[i];
+        if (note->spare)
+            spare++;
+        else if (!(note->joins && columns >= JOINED && wanted > 0))
+            wanted += note->rows > 1 ? note->rows : 1;
+    }
+    const int room = rows < 6 ? 0 : rows < 8 ? 1 : rows - 6;
+    if (spare > 0 && wanted + spare <= room - LARGER)
+        wanted += spare;
+    return wanted < room ? wanted : room;
+}
+
+/* Of an axis that moves there are fewer, for its labels may become longer. */
+static int ticks_along(const Picture *picture)
+{
+    return (picture->across + (picture->plot.x.moves ? 0 : GUTTER + 1)) / TICK_COLUMNS;
+}
+
+static int ticks_up(const Axis *axis, int rows)
+{
+    if (axis->scale == SCALE_ROOT) /* which leaves out most of them itself */
+        return rows < 10 ? rows : 10;
+    return rows < 5 ? 3 : rows < 12 ? 5 : 7;
+}
+
+void cells_fit(Picture *picture, int rows)
+{
+    const int plot = rows - 2 - rows_under(picture, picture->columns, rows);
+    picture_ticks(picture, ticks_along(picture), ticks_up(&picture->plot.y, plot));
+}
+
+/* --- legend ---------------------------------------------------------------------------------------- */
+
+static const char *sign_text(uint32_t sign, int fill, Glyphs glyphs, char out[4])
+{
+    static const char *const bands[][4] = {
+        [GLYPHS_BRAILLE] = {"⣿⣿", "⢕⢕", "⠅⠅", "⠁⠁"},
+        [GLYPHS_BLOCK] = {"▓▓", "▒▒", "░░", "··"},
+        [GLYPHS_ASCII] = {"##", "++", "..", "::"},
+    };
+    const bool ascii = glyphs == GLYPHS_ASCII;
+    switch (sign) {
+    case 0:
+        return NULL;
+    case SIGN_BAND:
+        return bands[glyphs][fill & 3];
+    case SIGN_DOTS:
+        return ascii ? NULL : "· ";
+    case 0x25cf:
+        return ascii ? "O " : "● ";
+    case 0x25cb:
+        return ascii ? "o " : "○ ";
+    default:
+        snprintf(out, 4, "%c:", (char)sign);
+        return out;
+    }
+}
+
+/* Of a file: it is named in the plot, for its name may be long. */
+static bool is_foreign(const PictureKey *key)
+{
+    return key->sign == '+';
+}
+
+static void name_foreign(const PictureKey *key, Area inner)
+{
+    const int columns = 2 + glyphs_columns(key->name), room = inner.rect.width - columns - 1;
+    const int x = room > 1 ? room : 1;
+    for (int i = -1; i <= columns; i++)
+        area_put(inner, x + i, 0, ' ', STYLE_NORMAL);
+    area_put(inner, x, 0, key->sign, key->style);
+    area_text(inner, x + 2, 0, key->name, STYLE_NORMAL);
+}
+
+typedef struct Legends {
+    Legend entries[PICTURE_KEYS_MAX];
+    char signs[PICTURE_KEYS_MAX][4];
+    int count;
+} Legends;
+
+static void take_legend(const Picture *picture, Glyphs glyphs, bool solid, Legends *out)
+{
+    out->count = 0;
+    for (int i = 0; i < picture->n_keys; i++) {
+        const PictureKey *key = &picture->keys[i];
+        if (is_foreign(key))
+            continue;
+        const int fill = solid && glyphs != GLYPHS_ASCII ? 0 : key->fill;
+        out->entries[out->count] = (Legend){key->line, key->ascii, key->style, key->name,
+                                            sign_text(key->sign, fill, glyphs, out->signs[out->count])};
+        out->count++;
+    }
+}
+
+/* A band without a name says nothing: what the heading has no room for stands below it. */
+static bool goes_on(const Picture *picture, int named, int count)
+{
+    bool bands = false;
+    for (int i = 0; i < picture->n_keys; i++)
+        bands |= picture->keys[i].sign == SIGN_BAND;
+    return bands && named < count;
+}
+
+/* --- marks ----------------------------------------------------------------------------------------- */
+
+static void draw_rules(const Picture *picture, Area inner)
+{
+    for (size_t i = 0; i < picture->n_marks; i++) {
+        const PictureMark *mark = &picture->marks[i];
+        const int column = axis_column(&picture->plot.x, mark->x, inner.rect.width);
+        if (mark->kind != MARK_RULE || column < 0)
+            continue;
+        axes_rule(inner, &picture->plot.x, mark->x, mark->style);
+        if (mark->word && mark->word[1])
+            area_text(inner, column + 1, 0, mark->word, mark->style);
+        else if (mark->word)
+            area_put(inner, column, 0, (uint32_t)mark->word[0], STYLE_NORMAL);
+    }
+}
+
+/* A letter stands beside its dot, on the side where there is room; those of dots on one place in a row. */
+static void draw_letter(const Picture *picture, Area inner, size_t mark, int column, int row)
+{
+    const Plot *plot = &picture->plot;
+    int apart = 2;
+    for (size_t i = 0; i < mark; i++)
+        apart += 2 * (picture->marks[i].letter &&
+                      axis_column(&plot->x, picture->marks[i].x, inner.rect.width) == column &&
+                      axis_row(&plot->y, picture->marks[i].y, inner.rect.height) == row);
+    area_put(inner, column + apart < inner.rect.width ? column + apart : column - apart, row,
+             (uint32_t)(unsigned char)picture->marks[mark].letter, picture->marks[mark].style);
+}
+
+static void draw_marks(const Picture *picture, Area inner)
+{
+    for (size_t i = 0; i < picture->n_marks; i++) {
+        const PictureMark *mark = &picture->marks[i];
+        const int column = axis_column(&picture->plot.x, mark->x, inner.rect.width);
+        const int row = axis_row(&picture->plot.y, mark->y, inner.rect.height);
+        if (mark->kind == MARK_RULE || (mark->kind == MARK_AGAIN && inner.rect.width < APART))
+            continue;
+        const bool ascii = inner.glyphs == GLYPHS_ASCII && mark->ascii;
+        area_put(inner, column, row, ascii ? (uint32_t)mark->ascii : mark->glyph, mark->style);
+        if (mark->letter && column >= 0 && row >= 0)
+            draw_letter(picture, inner, i, column, row);
+    }
+}
+
+/* --- words ----------------------------------------------------------------------------------------- */
+
+static void draw_note(const PictureNote *note, Area area, int x, int y, int rows)
+{
+    char text[PICTURE_TEXT_MAX];
+    if (note->sign) {
+        area_put(area, x, y, note->sign, note->sign_style);
+        x += 2;
+    }
+    const bool is_long = note->brief[0] && glyphs_columns(note->text) > rows * (area.rect.width - x);
+    glyphs_plain(area.glyphs, is_long ? note->brief : note->text, text, sizeof text);
+    if (note->spare || glyphs_columns(text) <= area.rect.width - x)
+        area_text(area, x, y, text, note->style);
+    else
+        area_phrases(area, x, y, area.rect.width - 1 - x, rows, text, note->style);
+}
+
+/* Each on rows of its own; what joins goes on behind the one before where lines are long or rows are few. */
+static void draw_notes(const Picture *picture, Area area)
+{
+    const int rows = area.rect.height;
+    const bool short_of = rows < picture->n_notes, joined = area.rect.width >= JOINED || short_of;
+    for (int i = 0, y = 0; i < picture->n_notes && y < rows;) {
+        PictureNote line = picture->notes[i++];
+        for (; i < picture->n_notes && picture->notes[i].joins && joined; i++)
+            text_append(line.text, sizeof line.text, "  %s", picture->notes[i].text);
+        const int wanted = line.rows > 1 ? line.rows : 1, given = wanted < rows - y ? wanted : rows - y;
+        draw_note(&line, area, 1, y, given);
+        y += given;
+    }
+}
+
+/* --- the whole ------------------------------------------------------------------------------------- */
+
+static void say(const Picture *picture, Area area, Style heading)
+{
+    area_rule(area, 0, picture->heading, heading);
+    for (int i = 0, y = 1; i < picture->n_notes; i++)
+        y += area_paragraph(area, 1, y, area.rect.width - 2, area.rect.height - y, picture->notes[i].text,
+                            picture->notes[i].style);
+}
+
+static int count_bands(const Picture *picture)
+{
+    int count = 0;
+    for (int i = 0; i < picture->n_keys; i++)
+        count += picture->keys[i].sign == SIGN_BAND;
+    return count;
+}
+
+/* Names of bands, each in a row of its own, where colours alone would tell them apart. */
+static void draw_labels(const Picture *picture, Area inner)
+{
+    const Axis *y = &picture->plot.y;
+    const double cell = (y->high - y->low) / inner.rect.height;
+    int last = inner.rect.height;
+    for (int i = 0; i < picture->n_labels; i++) {
+        const int row = axis_row(y, picture->labels[i].y, inner.rect.height);
+        if (row >= 0 && row < last && picture->labels[i].height > 0.9 * cell)
+            area_print(inner, 1, last = row, picture->labels[i].style, " %s ", picture->labels[i].text);
+    }
+}
+
+void cells_draw(Picture *picture, Area area, Style heading, bool coloured)
+{
+    char scale[TICK_TEXT_MAX], x_name[PICTURE_TEXT_MAX];
+    Legends legends;
+    if (!picture->has_axes) {
+        say(picture, area, heading);
+        return;
+    }
+    const bool solid = coloured && count_bands(picture) > 1;
+    take_legend(picture, area.glyphs, solid, &legends);
+    cells_fit(picture, area.rect.height);
+    axis_scale_text(&picture->plot.y, picture->unit, scale);
+    const int named = heading_draw(area, heading, picture->name, scale, legends.entries, legends.count);
+    if (goes_on(picture, named, legends.count)) {
+        legend_draw_short(area, 2, 1, legends.entries + named, legends.count - named);
+        area = area_part(area, 0, 1, area.rect.width, area.rect.height - 1);
+        cells_fit(picture, area.rect.height);
+    }
+    for (int i = 0; i < picture->plot.n_strokes && solid; i++)
+        if (picture->plot.strokes[i].kind == STROKE_BAND)
+            picture->plot.strokes[i].fill = 0;
+    const int width = area.rect.width, height = area.rect.height, under = rows_under(picture, width, height);
+    glyphs_plain(area.glyphs, picture->x_name, x_name, sizeof x_name);
+    const Area inner = axes_draw(area_part(area, 0, 1, width, height - 1 - under), &picture->plot.x,
+                                 &picture->plot.y, x_name, GUTTER);
+    draw_rules(picture, inner);
+    plot_draw(&picture->plot, inner);
+    if (solid)
+        draw_labels(picture, inner);
+    draw_marks(picture, inner);
+    for (int i = 0; i < picture->n_keys; i++)
+        if (is_foreign(&picture->keys[i]))
+            name_foreign(&picture->keys[i], inner);
+    draw_notes(picture, area_part(area, 0, height - under, width, under));
+}

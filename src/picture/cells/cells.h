@@ -1,0 +1,18 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Pictures in cells. Whatever has to give way to the size of a pane does so here, by one order for all of
+ * them: ticks, words of the legend, lines of words below; the plot keeps four rows. */
+#ifndef PICTURE_CELLS_H
+#define PICTURE_CELLS_H
+
+#include "picture/picture.h"
+
+/* Opens one for a pane, or as much of a page, of so many columns. */
+void cells_open(Picture *, int columns, Glyphs);
+
+/* Finds the ticks for so many rows. */
+void cells_fit(Picture *, int rows);
+
+/* `coloured`: colours tell bands apart. */
+void cells_draw(Picture *, Area, Style heading, bool coloured);
+
+#endif
