@@ -443,6 +443,30 @@ START_TEST(units_go_with_their_numbers)
 }
 END_TEST
 
+/* A path that turns back, whether its view says so or not: as a function of x it would rise, fall and cross
+ * zero. */
+START_TEST(a_path_is_no_function)
+{
+    static const double path[][2] = {{1, -1}, {3, 1}, {2, 2}, {0.5, -0.5}};
+    Picture picture;
+    Words words = {.text = NULL};
+    picture_open(&picture, WORDS_WIDTH, WORDS_WIDTH, 16);
+    picture.kind = _i == 0 ? PICTURE_PATH : PICTURE_FUNCTION;
+    picture_axes(&picture, axis_make(0, 4), "u", "", axis_make(-2, 2), "v", "");
+    plot_begin(&picture.plot, STROKE_LINE, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '*');
+    for (int i = 0; i < 4; i++)
+        plot_point(&picture.plot, path[i][0], path[i][1]);
+    ck_assert(tell_picture(&picture, 2, &words));
+    ck_assert_ptr_nonnull(strstr(words.text, "a path from u 1, v -1 to 0.5, -0.5;"));
+    ck_assert_ptr_nonnull(strstr(words.text, "and 2."));
+    ck_assert_ptr_null(strstr(words.text, "zero"));
+    ck_assert_ptr_null(strstr(words.text, "rises"));
+    ck_assert_ptr_null(strstr(words.text, "cursor"));
+    words_close(&words);
+    picture_close(&picture);
+}
+END_TEST
+
 /* 5 by 3 pieces with one that stands out. */
 static Words told_of_map(size_t greatest, double peak)
 {
@@ -498,6 +522,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, strange_lines_do_no_harm);
     tcase_add_test(tcase, rows_of_a_plate_are_told);
     tcase_add_test(tcase, an_interrupt_means_the_work);
+    tcase_add_loop_test(tcase, a_path_is_no_function, 0, 2);
     tcase_add_test(tcase, sentences_tell_what_a_curve_does);
     tcase_add_test(tcase, units_go_with_their_numbers);
     tcase_add_loop_test(tcase, a_map_tells_what_stands_out, 0, 5);

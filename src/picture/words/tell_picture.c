@@ -256,6 +256,15 @@ static void say_dots(Words *words, const char *name, const Curve *curve, const M
               number(y, y_at(curve, curve->greatest), c), number(x, x_at(curve, curve->greatest), d));
 }
 
+/* Whether it is none of x, whatever the picture says. */
+static bool turns_back(const Curve *curve)
+{
+    for (size_t i = curve->first; i < curve->last; i++)
+        if (x_at(curve, i + 1) < x_at(curve, i))
+            return true;
+    return false;
+}
+
 /* A line in a plane turns back as it likes: where it begins and ends, and how far it reaches. */
 static void say_path(Words *words, const char *name, const Curve *curve, const Measure *x, const Measure *y)
 {
@@ -312,6 +321,7 @@ static void say_stroke(const Picture *picture, int index, double cursor, const C
                        const Measure *y, Words *words)
 {
     const Stroke *stroke = &picture->plot.strokes[index];
+    const bool is_path = picture->kind == PICTURE_PATH || (stroke->kind == STROKE_LINE && turns_back(curve));
     char name[NAME_MAX], a[NAME_MAX], b[NAME_MAX];
     name_of(picture, index, name);
     if (stroke->kind == STROKE_BAND && picture->kind == PICTURE_BARS)
@@ -319,13 +329,13 @@ static void say_stroke(const Picture *picture, int index, double cursor, const C
                   number(y, y_at(curve, 1), b));
     else if (stroke->kind == STROKE_BAND)
         say_band(words, name, curve->points, stroke->count, x, y);
-    else if (picture->kind == PICTURE_PATH)
+    else if (is_path)
         say_path(words, name, curve, x, y);
     else if (stroke->kind == STROKE_DOTS)
         say_dots(words, name, curve, x, y);
     else
         say_curve(words, name, curve, x, y);
-    if (stroke->kind == STROKE_LINE && picture->kind != PICTURE_PATH && isfinite(value_at(curve, cursor)))
+    if (stroke->kind == STROKE_LINE && !is_path && isfinite(value_at(curve, cursor)))
         words_say(words, 4, "  %s at the cursor, %s %s: %s.", name, x->name, number(x, cursor, a),
                   number(y, value_at(curve, cursor), b));
 }
