@@ -42,7 +42,7 @@ async function shows(name, holds) {
 	return time;
 }
 const has = (word) => (text) => text.includes(word);
-const type = async (text) => { for (const letter of text) await page.keyboard.press(letter === '\r' ? 'Enter' : letter === ' ' ? 'Space' : letter); };
+const type = async (text) => { for (const letter of text) await page.keyboard.press(letter === '\r' ? 'Enter' : letter); };
 const file = (name) => page.evaluate((name) => {
 	const bytes = written.get(name);
 	return bytes ? Array.from(bytes) : null;
@@ -87,7 +87,7 @@ async function first_picture() {
 }
 
 async function keys_and_size() {
-	await page.keyboard.press('Space');
+	await page.keyboard.press(' ');
 	note(`a key is answered in ${await shows('a key pauses', has('Space run'))} ms`);
 	const columns = await page.evaluate(() => term.cols);
 	await page.setViewport({width: 900, height: 600});
@@ -100,7 +100,7 @@ async function keys_and_size() {
 async function export_of_a_run() {
 	await open(one + '?scenario=mode5&set=mesh.cell_size=0.5');
 	await shows('a link opens its scenario', has('Space pause'));
-	await page.keyboard.press('Space');
+	await page.keyboard.press(' ');
 	await until('', has('Space run'));
 	await type(':export page\r');
 	const bytes = await written('page-series.csv');
@@ -179,7 +179,7 @@ async function homework() {
 	await page.click('#whose button');
 	await until('', has('Ada'));
 	await new Promise((done) => setTimeout(done, 1500));
-	await page.keyboard.press('Space');
+	await page.keyboard.press(' ');
 	await page.waitForFunction(() => document.querySelector('#whose button').textContent === 'hand in', {timeout: patience}).catch(() => {});
 	await page.click('#whose button');
 	await page.waitForFunction(() => document.getElementById('end-sheet').open, {timeout: patience}).catch(() => {});
@@ -195,7 +195,7 @@ async function homework() {
 async function computing() {
 	await open(one + '?scenario=branching');
 	await shows('a plate of the papers\' size opens', has('Space'));
-	await page.keyboard.press('Space');
+	await page.keyboard.press(' ');
 	await new Promise((done) => setTimeout(done, 500));
 	await type(':full\r');
 	await new Promise((done) => setTimeout(done, 1500));
@@ -233,6 +233,22 @@ async function hostile() {
 	await shows('which does', has('Space pause'));
 }
 
+async function in_firefox() {
+	const path_of = process.env.MATVIB_FIREFOX || '/usr/bin/firefox-esr';
+	if (!fs.existsSync(path_of)) return console.log(`ok ${++number} - in Firefox # SKIP firefox-esr is not installed`);
+	const other = await puppeteer.launch({browser: 'firefox', executablePath: path_of, headless: true});
+	page = await other.newPage();
+	await page.setViewport({width: 1280, height: 800});
+	await page.goto(one + '?scenario=mode1');
+	await shows('Firefox opens the one file from the disk', has('Space pause'));
+	await page.keyboard.press(' ');
+	await shows('and a key pauses there', has('Space run'));
+	await type(':export page\r\r');
+	result('and an export is offered', (await written('page-series.csv')) !== null, await screen());
+	await other.close();
+	page = null;
+}
+
 async function from_a_server() {
 	await open(served + 'index.html?scenario=mode1');
 	await shows('the folder works on a server without headers of its own', has('Space pause'));
@@ -251,7 +267,7 @@ async function main() {
 		executablePath: process.env.MATVIB_BROWSER || '/usr/bin/chromium', headless: true, userDataDir: path.join(scratch, 'profile'),
 		args: ['--no-sandbox', '--disable-gpu', '--no-first-run', '--disable-background-networking'],
 	});
-	const cases = {first_picture, keys_and_size, export_of_a_run, dropped_scenario, lesson_by_taps, homework, computing, hostile, from_a_server};
+	const cases = {first_picture, keys_and_size, export_of_a_run, dropped_scenario, lesson_by_taps, homework, computing, hostile, from_a_server, in_firefox};
 	const wanted = process.argv.slice(2);
 	for (const [name, run] of Object.entries(cases)) {
 		if (wanted.length > 0 && !wanted.includes(name)) continue;
