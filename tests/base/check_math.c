@@ -564,6 +564,7 @@ static const struct {
     {"cosh", quick_cosh, BY(cosh), 1e-6, 680, ERROR_EXP},
     {"tanh", quick_tanh, BY(tanh), 1e-6, 0.34, ERROR_EXPM1},
     {"tanh", quick_tanh, BY(tanh), 0.34, 20, ERROR_SINH},
+    {"erf", double_erf, BY(erf), 1e-6, 5.9, ERROR_ERF},
     {"log", quick_log, BY(log), 1e-300, 1e300, ERROR_LOG},
     {"log", quick_log, BY(log), 0.7, 1.4, ERROR_LOG},
     {"atan", quick_atan, BY(atan), 1e-6, 1e6, ERROR_ANGLE},

@@ -17,7 +17,8 @@ enum { FIRST_EXP = -23, FIRST_LOG = 45 };
 
 static const DoubleDouble pi = {0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53},
                           ln2 = {0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56},
-                          ln10 = {0x1.26bb1bbb55516p+1, -0x1.f48ad494ea3e9p-53};
+                          ln10 = {0x1.26bb1bbb55516p+1, -0x1.f48ad494ea3e9p-53},
+                          two_by_root_pi = {0x1.20dd750429b6dp+0, 0x1.1ae3a914fed80p-56};
 
 /* pi/2 in parts of 23 bits and a rest, ln 2 in 42 bits and a rest: whole numbers times a part are exact */
 static const double half_pi_parts[] = {0x1.921fb4p+0, 0x1.4442dp-24, 0x1.846988p-48, 0x1.8cc51701b839ap-72},
@@ -30,6 +31,7 @@ static const double half_pi_parts[] = {0x1.921fb4p+0, 0x1.4442dp-24, 0x1.846988p
 #define ERROR_EXP     0x1p-65
 #define ERROR_SINH    0x1p-63 /* from 0.34 on; tanh too */
 #define ERROR_EXPM1   0x1p-58 /* and both below */
+#define ERROR_ERF     0x1p-64
 #define ERROR_LOG     0x1p-67
 #define ERROR_ALGEBRA 0x1p-92
 
@@ -303,12 +305,26 @@ double math_tanh(double x)
     return is_settled(dd_scaled(value, copysign(1, x)), error_sinh(x), &rounded) ? rounded : accurate_tanh(x);
 }
 
-/* no quick way: one or a few calls a row, and beyond 6 it differs from 1 by less than 2^-55 */
+/* erf x = 2/sqrt(pi) e^(-x^2) x sum (2 x^2)^n/(1 3 5 ... (2 n + 1)), as accurate_erf: all terms are positive.
+ * Those left out are below 2^-70 of it. */
+static DoubleDouble double_erf(double x)
+{
+    const DoubleDouble square = dd_product(x, x), twice = dd_scaled(square, 2);
+    DoubleDouble term = exact(x), sum = term;
+    for (double k = 3; fabs(term.high) > 0x1p-72 * fabs(sum.high); k += 2) {
+        term = dd_divide(dd_multiply(term, twice), exact(k));
+        sum = dd_add(sum, term);
+    }
+    return dd_multiply(dd_multiply(two_by_root_pi, exponential(dd_negative(square))), sum);
+}
+
+/* beyond 6 it differs from 1 by less than 2^-55 */
 double math_erf(double x)
 {
     if (!(fabs(x) < 6) || x == 0)
         return isnan(x) || x == 0 ? x : copysign(1, x);
-    return accurate_erf(x);
+    double rounded;
+    return is_settled(double_erf(x), ERROR_ERF, &rounded) ? rounded : accurate_erf(x);
 }
 
 /* --- logarithms and powers ------------------------------------------------------------------------- */
