@@ -437,7 +437,7 @@ static void limit_memory(void)
 int main(void)
 {
     const char *wanted = getenv("MATVIB_SEQUENCES"), *first = getenv("MATVIB_SEED");
-    const long count = wanted ? atol(wanted) : getenv("MATVIB_WIDE") ? 20 : 8;
+    const long count = wanted ? atol(wanted) : getenv("MATVIB_WIDE") ? 20 : 5;
     const uint64_t seed = first ? strtoull(first, NULL, 10) : 1;
     long failed = 0;
     char log[64];
