@@ -53,7 +53,8 @@ short() {
 	*" sweep supported-beam"*) echo "$1 --plan" ;;
 	*" figure "*" --at "*) echo "$1" | sed 's/notched-beam/notched-beam-coarse/' ;;
 	*" figure supported-beam"* | *" figure moving-cantilever"*) echo "$1 --end 1e-4" ;;
-	*" run supported-beam"* | *" run notched-beam"*) echo "$1 --steps 10" ;;
+	*" run supported-beam"* | *" run notched-beam"*) echo "$1 --steps 10" | sed 's/ notched-beam / notched-beam-coarse /' ;;
+	*" movie notched-beam-coarse"*) echo "$1 --to 2e-5" ;;
 	*" verify") echo "$1 M-fig3" ;;
 	"matvib run"* | "matvib movie"* | "matvib sound"* | "matvib fit"* | "matvib figure"* | "matvib verify"* | "matvib sweep"* | "matvib export-lammps"*) echo "$1" ;;
 	"matvib grade"*) echo "$1" ;;
