@@ -263,8 +263,8 @@ START_TEST(the_forces_add_up)
         char words[200], row[256];
         if (!suite_wide() && n != _i % 3)
             continue;
-        snprintf(words, sizeof words, "notched-beam-coarse 80x24 950 inspect focus 5 particle %d stage %d",
-                 nodes[n], _i);
+        snprintf(words, sizeof words, "notched-beam-coarse 80x24 %d inspect focus 5 particle %d stage %d",
+                 suite_wide() ? 950 : 150, nodes[n], _i);
         Scene scene;
         open_scene(&scene, words);
         double left[2], middle[2], right[2], all[2], load[2] = {0, 0}, f[2];

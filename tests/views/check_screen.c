@@ -259,10 +259,24 @@ static void expect_whole_numbers(const Canvas *canvas, const char *what)
         }
 }
 
+/* Pictures that take long, and of which another one shows nearly the same: where everything is wanted. */
+static const char *const long_ones[] = {"study-methods",       "study-uncorrected", "study-nodes-ascii",
+                                        "notched-near-ascii",  "notched-map-large", "family-large-ascii",
+                                        "cantilever-energies", "duel-notched",      "cantilever-map-ascii"};
+static int wanted[sizeof pictures / sizeof *pictures];
+
+static bool takes_long(const Screenshot *picture)
+{
+    for (size_t i = 0; i < sizeof long_ones / sizeof *long_ones; i++)
+        if (strcmp(picture->name, long_ones[i]) == 0)
+            return true;
+    return false;
+}
+
 /* It looks as it did, and in other sizes and glyphs it keeps to the rules. */
 START_TEST(screens_look_as_they_did)
 {
-    const Screenshot *picture = &pictures[_i];
+    const Screenshot *picture = &pictures[wanted[_i]];
     Scene scene;
     Status status = {STATUS_DONE, ""};
     ck_assert_msg(scene_open(&scene, picture->words, &status), "%s", status.text);
@@ -500,7 +514,10 @@ END_TEST
 void add_cases(Suite *suite)
 {
     setlocale(LC_CTYPE, "C.UTF-8");
-    const int count = sizeof pictures / sizeof *pictures;
+    int count = 0;
+    for (int i = 0; i < (int)(sizeof pictures / sizeof *pictures); i++)
+        if (suite_wide() || !takes_long(&pictures[i]))
+            wanted[count++] = i;
     TCase *golden = tcase_create("pictures");
     tcase_add_loop_test(golden, screens_look_as_they_did, 0, count);
     suite_add_tcase(suite, golden);
