@@ -262,6 +262,8 @@ static const HelpPassage beam_before[] = {
     {false, "A bond breaks for ever at the critical stretch: s₀ = √(4πG₀/(9Eδ)), conical √(5πG₀/(9Eδ)).",
      "A bond breaks for ever at the critical stretch: s0 = sqrt(4 pi G0/(9 E delta)), conical sqrt(5 pi "
      "G0/(9 E delta))."},
+    {false, "There is no contact: broken bonds do not push, so where a crack closes its faces may overlap.",
+     NULL},
 };
 
 static const HelpPassage plane_before[] = {

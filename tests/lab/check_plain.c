@@ -356,6 +356,7 @@ START_TEST(the_help_of_a_plate_is_of_plates)
     ck_assert_ptr_nonnull(strstr(line(talk, "help all"), "surface"));
     ck_assert_ptr_null(strstr(talk->text, "antilever:"));
     ck_assert_ptr_null(strstr(talk->text, "Timoshenko"));
+    ck_assert_ptr_nonnull(strstr(talk->text, "no contact"));
     line(talk, "Esc");
     line(talk, "open supported-beam-coarse");
     says(talk, "help all", "Moving cantilever:");
