@@ -132,10 +132,7 @@ enum { HALF_RAMP = RAMP_STEPS / 2 };
 static int draw_half_ramp(const Map *map, Area area, int x, int y, int first)
 {
     for (int step = first; step < first + HALF_RAMP; step++, x++)
-        if (map->coloured)
-            area_put_back(area, x, y, map_letter(map, step), map_ink(step), (Style)(STYLE_RAMP_0 + step));
-        else
-            area_put(area, x, y, map_letter(map, step), (Style)(STYLE_RAMP_0 + step));
+        area_put(area, x, y, map->coloured ? 0x2588 : map_letter(map, step), (Style)(STYLE_RAMP_0 + step));
     return x;
 }
 

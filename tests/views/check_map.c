@@ -452,6 +452,32 @@ START_TEST(what_is_drawn_far_too_large_stays_in_the_picture)
 }
 END_TEST
 
+/* Colours need no letters beside them, where colours are few they are what there is to see. */
+START_TEST(letters_are_for_few_colours)
+{
+    static const char *const words[] = {"supported-beam-coarse 80x24 700 upper 8",
+                                        "supported-beam-coarse 80x24 700 upper 8 ascii plain"};
+    for (int few = 0; few < 2; few++) {
+        int letters = 0, cells = 0;
+        Scene scene;
+        open_scene(&scene, words[few]);
+        scene.screen.look.colours = few ? 0 : 256;
+        screen_draw(&scene.screen, &scene.canvas);
+        for (int i = 0; i < scene.canvas.width * scene.canvas.height; i++) {
+            const Cell *cell = &scene.canvas.cells[i];
+            if (cell->style < STYLE_RAMP_0 || cell->style >= STYLE_RAMP_0 + RAMP_STEPS)
+                continue;
+            letters += cell->glyph < 0x7f;
+            cells++;
+        }
+        ck_assert_int_gt(cells, 30);
+        ck_assert_msg(few ? letters == cells : letters == 0, "%d letters in %d cells: %s", letters, cells,
+                      words[few]);
+        scene_close(&scene);
+    }
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     TCase *map = tcase_create("map");
@@ -459,6 +485,7 @@ void add_cases(Suite *suite)
     tcase_add_test(map, factors_are_those_that_are_stated);
     tcase_add_test(map, what_is_drawn_far_too_large_stays_in_the_picture);
     tcase_add_test(map, ramps_hold_their_values);
+    tcase_add_test(map, letters_are_for_few_colours);
     tcase_add_test(map, the_skin_lacks_neighbours);
     tcase_add_test(map, broken_bonds_are_missing);
     tcase_add_test(map, every_colour_word_is_known);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The heat map: each node covers its piece of the lattice, a pixel shows the mean of what covers it. Two
  * colours stand in a cell, one above the other; where colours are few the ramp is told by ink: braille dots,
- * shades or letters. Beside full colours sparse letters say the same, for eyes that see no hues. */
+ * shades or letters. */
 #include "views/map/map.h"
 
 #include "answers/crack_growth.h"
@@ -78,9 +78,9 @@ uint32_t map_letter(const Map *map, int step)
     const bool is_signed = map->colouring->is_signed;
     static const char one_way[] = ".,:;-=+coaxOX%#@", two_ways[] = "WWwwvv-..+ooOO@@";
     static const uint32_t shades[] = {0x2591, 0x2592, 0x2593, 0x2588};
-    if (!map->coloured && map->area.glyphs == GLYPHS_BLOCK && !is_signed)
+    if (map->area.glyphs == GLYPHS_BLOCK && !is_signed)
         return shades[step * 4 / RAMP_STEPS];
-    if (!map->coloured && map->area.glyphs == GLYPHS_BRAILLE) {
+    if (map->area.glyphs == GLYPHS_BRAILLE) {
         /* left column downwards, then the right one: as many dots as the dithered map has */
         static const uint8_t filled[] = {0x40, 0xc0, 0xc4, 0xe4, 0xe6, 0xf6, 0xf7, 0xff};
         return 0x2800u + filled[step * 8 / RAMP_STEPS];
@@ -108,12 +108,6 @@ Style map_ink(int step)
     return (Style)(STYLE_RAMP_0 + (step < RAMP_STEPS / 2 ? RAMP_STEPS - 1 : 0));
 }
 
-/* Next to nothing, of either sign, needs no letter. */
-static bool has_letter(const Map *map, int step)
-{
-    return map->colouring->is_signed ? step < RAMP_STEPS / 2 - 1 || step > RAMP_STEPS / 2 : step > 0;
-}
-
 static void draw_colours(const Map *map, int x, int y)
 {
     const int upper = step_of(map, pixel_of(map, x, 2 * y));
@@ -125,8 +119,6 @@ static void draw_colours(const Map *map, int x, int y)
         area_put(map->area, x, y, 0x2580, above);
     else if (upper == NOTHING)
         area_put(map->area, x, y, 0x2584, below);
-    else if (upper == lower && has_letter(map, upper) && (x + 3 * y) % 6 == 0)
-        area_put_back(map->area, x, y, map_letter(map, upper), map_ink(upper), above);
     else
         area_put_back(map->area, x, y, 0x2580, above, below);
 }
