@@ -4,8 +4,10 @@
 
 #include "base/math/functions.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* Powers of ten by a table: pow(10, -3) is not 1e-3 everywhere, and pictures are compared exactly. */
@@ -325,18 +327,39 @@ int axis_row(const Axis *axis, double value, int cells)
     return row < cells ? row : cells - 1;
 }
 
-/* To be read from afar every second one is left, the one at zero among them. */
-static int few_ticks(Area area, int count, double ticks[TICKS_MAX])
+/* Whether cells stand at equal distances. Cells are whole: where all are two apart or more one cell is
+ * rounding, but two beside one is another scale. */
+static bool stand_evenly(const int *cells, int count)
 {
-    if (!area.canvas->large || count <= 3)
-        return count;
-    int zero = 0, left = 0;
+    int least = INT_MAX, most = 0;
+    for (int i = 1; i < count; i++) {
+        const int distance = abs(cells[i] - cells[i - 1]);
+        least = distance < least ? distance : least;
+        most = distance > most ? distance : most;
+    }
+    return count < 2 || (least > 0 && (most == least || (least > 1 && most == least + 1)));
+}
+
+/* As many ticks as stand evenly, each so many after the other, the one at zero among them where that can be.
+ * To be read from afar not each of them. Of roots and logarithms all: they never lie evenly, or always do. */
+static int even_ticks(Area area, const Axis *axis, const int *cells, int count, double ticks[TICKS_MAX])
+{
+    int zero = 0;
     for (int i = 0; i < count; i++)
         if (fabs(ticks[i]) < fabs(ticks[zero]))
             zero = i;
-    for (int i = zero % 2; i < count; i += 2)
-        ticks[left++] = ticks[i];
-    return left;
+    for (int stride = area.canvas->large && count > 3 ? 2 : 1; stride < count; stride++)
+        for (int turn = 0; turn < stride; turn++) {
+            int kept[TICKS_MAX], n = 0;
+            for (int i = (zero + turn) % stride; i < count; i += stride)
+                kept[n++] = cells[i];
+            if (n < 2 || (axis->scale == SCALE_LINEAR && !stand_evenly(kept, n)))
+                continue;
+            for (int i = 0; i < n; i++)
+                ticks[i] = ticks[(zero + turn) % stride + i * stride];
+            return n;
+        }
+    return count;
 }
 
 Area axes_draw(Area area, const Axis *x, const Axis *y, const char *x_name, int gutter)
@@ -351,7 +374,10 @@ Area axes_draw(Area area, const Axis *x, const Axis *y, const char *x_name, int 
     for (int row = 0; row < rows; row++)
         area_put(area, gutter, row, 0x2502, STYLE_FRAME);
     int zero = y->low < 0 && y->high > 0 ? axis_row(y, 0, rows) : -1;
-    int count = few_ticks(area, axis_ticks(y, ticks), ticks), before = rows + 1;
+    int cells[TICKS_MAX], count = axis_ticks(y, ticks), before = rows + 1;
+    for (int i = 0; i < count; i++)
+        cells[i] = axis_row(y, ticks[i], rows);
+    count = even_ticks(area, y, cells, count, ticks);
     for (int i = 0; i < count; i++) {
         int row = axis_row(y, ticks[i], rows);
         axis_label(y, ticks[i], text);
@@ -367,7 +393,10 @@ Area axes_draw(Area area, const Axis *x, const Axis *y, const char *x_name, int 
         area_put(inner, column, zero, 0x2500, STYLE_FRAME);
 
     int name = glyphs_columns(x_name), limit = area.rect.width - (name ? name + 1 : 0), used = gutter - 1;
-    count = few_ticks(area, axis_ticks(x, ticks), ticks);
+    count = axis_ticks(x, ticks);
+    for (int i = 0; i < count; i++)
+        cells[i] = axis_column(x, ticks[i], columns);
+    count = even_ticks(area, x, cells, count, ticks);
     for (int i = 0; i < count; i++) {
         int column = axis_column(x, ticks[i], columns);
         axis_label(x, ticks[i], text);

@@ -227,6 +227,39 @@ START_TEST(axes_keep_their_gutter)
 }
 END_TEST
 
+/* Ticks stand at equal distances: or are left out.
+ * A cell more is rounding where ticks are two apart, and not where they are one. */
+START_TEST(ticks_lie_evenly)
+{
+    enum { GUTTER_ROOM = 8 };
+    Canvas canvas = {0};
+    ck_assert(canvas_open(&canvas, 30, 24, NULL));
+    uint64_t state = 5;
+    for (int trial = 0; trial < 4000; trial++) {
+        const double low = trial % 3 ? 0 : -random_share(&state), high = 0.01 + random_share(&state);
+        const int height = 6 + trial % 20;
+        const Axis x = axis_make(0, 25, 3), y = axis_make(low, high, 1 + height / 2);
+        canvas_clear(&canvas);
+        axes_draw((Area){&canvas, {0, 0, 30, height}, GLYPHS_BRAILLE}, &x, &y, "x", GUTTER_ROOM);
+        int before = -1, least = 100, most = 0, count = 0;
+        for (int row = 0; row < height - 1; row++)
+            if (canvas.cells[row * canvas.width + GUTTER_ROOM].glyph == 0x2524) {
+                const int distance = row - before;
+                least = count > 0 && distance < least ? distance : least;
+                most = count > 0 && distance > most ? distance : most;
+                before = row;
+                count++;
+            }
+        double ticks[TICKS_MAX];
+        ck_assert_msg(count >= 2 || axis_ticks(&y, ticks) < 2, "%d ticks of %g..%g in %d rows", count, low,
+                      high, height);
+        ck_assert_msg(count < 3 || most == least || (least >= 2 && most == least + 1),
+                      "distances %d to %d of %g..%g in %d rows", least, most, low, high, height);
+    }
+    canvas_close(&canvas);
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     TCase *axes = tcase_create("axes");
@@ -235,6 +268,7 @@ void add_cases(Suite *suite)
     tcase_add_test(axes, ticks_tell_a_scale);
     tcase_add_test(axes, an_axis_says_its_power_of_ten);
     tcase_add_test(axes, axes_keep_their_gutter);
+    tcase_add_test(axes, ticks_lie_evenly);
     suite_add_tcase(suite, axes);
     TCase *curves = tcase_create("curves");
     tcase_add_loop_test(curves, each_column_shows_least_and_largest, 0, GLYPHS_COUNT);
