@@ -5,6 +5,7 @@
  * is text: lines are joined, an empty line parts paragraphs.
  *
  *     @title TEXT           @about TEXT             of the lesson, before its first page
+ *     @group WORD           under which lists have it
  *     @page TITLE           a page begins
  *     @do LINE              what the laboratory does when the page is opened, as behind `:`; not every line
  *     @field KEY            a parameter to be changed beside the text
@@ -100,6 +101,7 @@ typedef struct LessonVariant {
 
 typedef struct Lesson {
     char *title, *about; /* one line each */
+    char *group;         /* under which lists have it; NULL: none */
     LessonPage *pages;
     int n_pages;
     LessonVariant variants[LESSON_VARIANTS_MAX];

@@ -52,6 +52,11 @@ static bool read_about(Reader *reader, const char *text)
     return keep(reader, &reader->lesson->about, text);
 }
 
+static bool read_group(Reader *reader, const char *text)
+{
+    return keep(reader, &reader->lesson->group, text);
+}
+
 /* What must and must not stand on one page. */
 static bool judge_page(const Reader *reader, const LessonPage *page, Status *status)
 {
@@ -316,14 +321,15 @@ static const struct {
     bool of_page;
     Wants wants;
 } words[] = {
-    {"title", read_title, false, WANTS_TEXT},     {"about", read_about, false, WANTS_TEXT},
-    {"page", read_page, false, WANTS_TEXT},       {"do", read_do, true, WANTS_TEXT},
-    {"field", read_field, true, WANTS_TEXT},      {"ask", read_ask, true, WANTS_TEXT},
-    {"choice", read_choice, true, WANTS_TEXT},    {"right", read_right, true, WANTS_TEXT},
-    {"reveal", read_reveal, true, WANTS_NOTHING}, {"until", read_until, true, WANTS_TEXT},
-    {"variant", read_variant, true, WANTS_TEXT},  {"answer", read_answer, true, WANTS_TEXT},
-    {"words", read_words, true, WANTS_NOTHING},   {"goal", read_goal, true, WANTS_TEXT},
-    {"solve", read_solve, true, WANTS_TEXT},      {"points", read_points, true, WANTS_TEXT},
+    {"title", read_title, false, WANTS_TEXT},  {"about", read_about, false, WANTS_TEXT},
+    {"group", read_group, false, WANTS_TEXT},  {"page", read_page, false, WANTS_TEXT},
+    {"do", read_do, true, WANTS_TEXT},         {"field", read_field, true, WANTS_TEXT},
+    {"ask", read_ask, true, WANTS_TEXT},       {"choice", read_choice, true, WANTS_TEXT},
+    {"right", read_right, true, WANTS_TEXT},   {"reveal", read_reveal, true, WANTS_NOTHING},
+    {"until", read_until, true, WANTS_TEXT},   {"variant", read_variant, true, WANTS_TEXT},
+    {"answer", read_answer, true, WANTS_TEXT}, {"words", read_words, true, WANTS_NOTHING},
+    {"goal", read_goal, true, WANTS_TEXT},     {"solve", read_solve, true, WANTS_TEXT},
+    {"points", read_points, true, WANTS_TEXT},
 };
 
 static bool read_word(Reader *reader, char *line)
@@ -382,6 +388,8 @@ static bool read_line(Reader *reader, char *line)
     if (!visible_is_clean(line))
         return status_fail(reader->status, STATUS_USAGE, "is not text in UTF-8");
     Lesson *lesson = reader->lesson;
+    if (strncmp(line, "@group ", 7) == 0) /* where it is listed is no part of what was read and recorded */
+        return read_word(reader, line + 1);
     lesson->version_1 = hash_bytes(hash_bytes(lesson->version_1, line, strlen(line)), "\n", 1);
     if (*line == '#')
         return true;
@@ -449,5 +457,6 @@ void lesson_free(Lesson *lesson)
     free(lesson->pages);
     free(lesson->title);
     free(lesson->about);
+    free(lesson->group);
     *lesson = (Lesson){0};
 }

@@ -10,7 +10,9 @@
 typedef struct Pen {
     Area area;
     int y;
-    int end; /* of what is written: the row after it, without a gap */
+    int end;     /* of what is written: the row after it, without a gap */
+    bool about;  /* of the list: each lesson has its sentence below it, not the chosen one alone */
+    int *titles; /* of the list, LESSONS_MAX: the row of each lesson; NULL: nobody asks */
 } Pen;
 
 static void write_paragraphs(Pen *pen, const char *text, Style style)
@@ -79,25 +81,43 @@ static void write_page(Pen *pen, const Screen *screen)
     }
 }
 
+static void write_title(Pen *pen, const Screen *screen, const Lesson *lesson, int number)
+{
+    const bool chosen = number == screen->lesson.chosen;
+    const Style style = chosen ? STYLE_SELECTED : STYLE_NORMAL;
+    const int width = pen->area.rect.width;
+    char pages[24] = "";
+    for (int x = 1; chosen && x < width - 1; x++)
+        area_put(pen->area, x, pen->y, ' ', style);
+    if (screen->lesson.reached[number] > 0)
+        snprintf(pages, sizeof pages, "%d/%d", screen->lesson.reached[number], lesson->n_pages);
+    area_print(pen->area, 1, pen->y, chosen ? style : STYLE_KEY, "%2d", number + 1);
+    const int most = width - 5 - (*pages ? 1 + glyphs_columns(pages) : 0);
+    area_text(area_part(pen->area, 4, pen->y, most, 1), 0, 0, lesson->title, style);
+    area_text_right(pen->area, width - 1, pen->y++, pages, chosen ? style : STYLE_FAINT);
+    if (lesson->about && (chosen || pen->about)) {
+        const int lines = area_paragraph_lines(width - 5, lesson->about);
+        area_paragraph(pen->area, 4, pen->y, width - 5, lines, lesson->about, STYLE_FAINT);
+        pen->y += lines;
+    }
+    pen->end = pen->y;
+}
+
+/* In groups, each under its name. */
 static void write_list(Pen *pen, const Screen *screen)
 {
-    write_paragraphs(pen, "What shall we look at?", STYLE_NORMAL);
+    char group[32] = "";
     for (int i = 0; i < LESSONS_MAX && builtin_lessons[i].name; i++) {
         Lesson lesson;
         if (!lesson_load(builtin_lessons[i].name, command_line_for_lessons, &lesson, NULL))
             continue;
-        const bool chosen = i == screen->lesson.chosen;
-        const Style style = chosen ? STYLE_SELECTED : STYLE_NORMAL;
-        char pages[24] = "";
-        for (int x = 1; chosen && x < pen->area.rect.width - 1; x++)
-            area_put(pen->area, x, pen->y, ' ', style);
-        if (screen->lesson.reached[i] > 0)
-            snprintf(pages, sizeof pages, "%d/%d", screen->lesson.reached[i], lesson.n_pages);
-        area_print(pen->area, 1, pen->y, chosen ? style : STYLE_KEY, "%2d", i + 1);
-        const int most = pen->area.rect.width - 5 - (*pages ? 1 + glyphs_columns(pages) : 0);
-        area_text(area_part(pen->area, 4, pen->y, most, 1), 0, 0, lesson.title, style);
-        area_text_right(pen->area, pen->area.rect.width - 1, pen->y++, pages, chosen ? style : STYLE_FAINT);
-        pen->end = pen->y;
+        if (lesson.group && strcmp(group, lesson.group) != 0) {
+            snprintf(group, sizeof group, "%s", lesson.group);
+            area_text(pen->area, 1, pen->y++, group, STYLE_HEADING);
+        }
+        if (pen->titles)
+            pen->titles[i] = pen->y;
+        write_title(pen, screen, &lesson, i);
         lesson_free(&lesson);
     }
 }
@@ -115,7 +135,7 @@ void pane_lesson_footer(const Screen *screen, char *out, size_t size)
     const LessonShown *shown = &screen->lesson;
     const LessonPage *page = shown->lesson ? &shown->lesson->pages[shown->page] : NULL;
     if (!page) {
-        snprintf(out, size, "1 to 9, or ↑ ↓ and Enter   T closes");
+        snprintf(out, size, "1-9, Enter   T closes");
         return;
     }
     const LessonUntil *until = &page->until;
@@ -176,14 +196,42 @@ static int lines_of(const Screen *screen, Area area)
     return pen.end;
 }
 
-/* Lines above what is shown: of the list, as many as the chosen one needs to be seen. */
+/* Where the lessons of the list stand, with all sentences if there is room for them: a line each, and in the
+ * end that behind the last. True: with all. */
+static bool list_lines(const Screen *screen, Area area, int titles[LESSONS_MAX + 1])
+{
+    const int count = screen_lesson_count(), rows = area.rect.height - MARGIN_ROWS;
+    bool about = true;
+    for (int turn = 0; turn < 2; turn++, about = false) {
+        Pen pen = {.area = area_part(area, 0, 0, area.rect.width, 0), .about = about, .titles = titles};
+        write_list(&pen, screen);
+        titles[count] = pen.end;
+        if (pen.end <= rows)
+            break;
+    }
+    return about;
+}
+
+/* Lines above what is shown: of the list, as many as the chosen one needs to be seen, its sentence too. */
 int pane_lesson_above(const Screen *screen, Area area)
 {
-    const int to_chosen = lines_of(screen, area) - screen_lesson_count() + screen->lesson.chosen + 1;
-    const int rows = area.rect.height - MARGIN_ROWS;
+    int titles[LESSONS_MAX + 1];
     if (screen->lesson.lesson)
         return screen->lesson.scroll;
+    list_lines(screen, area, titles);
+    const int to_chosen = titles[screen->lesson.chosen + 1], rows = area.rect.height - MARGIN_ROWS;
     return to_chosen > rows ? to_chosen - rows : 0;
+}
+
+int pane_lesson_at(const Screen *screen, Area area, int row)
+{
+    int titles[LESSONS_MAX + 1];
+    const int line = row - 1 + pane_lesson_above(screen, area), count = screen_lesson_count();
+    list_lines(screen, area, titles);
+    for (int i = 0; i < count; i++)
+        if (line == titles[i])
+            return i;
+    return -1;
 }
 
 /* "── A title  1/7 ──": of a long title the end gives way, not the page. */
@@ -206,22 +254,39 @@ static void draw_heading(const Screen *screen, Area area)
     area_text_right(area, area.rect.width - 1, 0, page, style);
 }
 
-void pane_lesson(const Screen *screen, Area area)
+/* What is below the last row: of the list so many lessons. */
+static void say_more(const Screen *screen, Area area, int used, int above)
 {
-    const int rows = area.rect.height - MARGIN_ROWS;
-    char footer[192];
-    draw_heading(screen, area);
-    Pen pen = {.area = area_part(area, 0, 1, area.rect.width, rows), .y = -pane_lesson_above(screen, area)};
-    write_all(&pen, screen);
-    pane_lesson_footer(screen, footer, sizeof footer);
-    const int last = area.rect.height - 1, end = area.rect.width - 1;
-    const int used = area_text(area, 1, last, footer, STYLE_KEY) + 2;
-    static const char *const more[] = {"↓ more below", "↓ more", "↓"};
-    for (size_t i = 0; pen.end > rows && i < sizeof more / sizeof *more; i++)
+    const int last = area.rect.height - 1, end = area.rect.width - 1, rows = last + 1 - MARGIN_ROWS;
+    char more[3][32] = {"↓ more below", "↓ more", "↓"};
+    if (!screen->lesson.lesson) {
+        int titles[LESSONS_MAX + 1], below = 0;
+        list_lines(screen, area, titles);
+        for (int i = 0; i < screen_lesson_count(); i++)
+            below += titles[i] - above >= rows;
+        snprintf(more[0], sizeof more[0], "↓ %d more lessons", below);
+        snprintf(more[1], sizeof more[1], "↓ %d more", below);
+    }
+    for (size_t i = 0; i < sizeof more / sizeof *more; i++)
         if (used + glyphs_columns(more[i]) < end) {
             area_text_right(area, end, last, more[i], STYLE_FAINT);
             break;
         }
+}
+
+void pane_lesson(const Screen *screen, Area area)
+{
+    const int rows = area.rect.height - MARGIN_ROWS, above = pane_lesson_above(screen, area);
+    int titles[LESSONS_MAX + 1];
+    char footer[192];
+    draw_heading(screen, area);
+    Pen pen = {.area = area_part(area, 0, 1, area.rect.width, rows), .y = -above};
+    pen.about = !screen->lesson.lesson && list_lines(screen, area, titles);
+    write_all(&pen, screen);
+    pane_lesson_footer(screen, footer, sizeof footer);
+    const int used = area_text(area, 1, area.rect.height - 1, footer, STYLE_KEY) + 2;
+    if (pen.end > rows)
+        say_more(screen, area, used, above);
 }
 
 int pane_lesson_rows(const Screen *screen, int width)

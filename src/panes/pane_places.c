@@ -3,8 +3,6 @@
  * scrolled. Apart from the panes that draw them, which the layout asks how much room they need. */
 #include "panes/panes.h"
 
-enum { MARGIN_ROWS = 2 }; /* of the pane: heading and footer */
-
 int screen_lesson_at(const Screen *screen, int width, int height, int x, int y)
 {
     const Rect pane = screen_pane(screen, width, height, PANE_PARAMETERS);
@@ -13,10 +11,7 @@ int screen_lesson_at(const Screen *screen, int width, int height, int x, int y)
     const bool inside = x >= pane.x && x < pane.x + pane.width && y > pane.y && y < pane.y + pane.height - 1;
     if (!screen->lesson.open || screen->lesson.lesson || !inside)
         return -1;
-    const int lines = pane_lesson_rows(screen, pane.width) + 1 - MARGIN_ROWS;
-    const int line = y - pane.y - 1 + pane_lesson_above(screen, area);
-    const int row = line - (lines - screen_lesson_count());
-    return row >= 0 && row < screen_lesson_count() ? row : -1;
+    return pane_lesson_at(screen, area, y - pane.y);
 }
 
 int screen_lesson_most(const Screen *screen, int width, int height)

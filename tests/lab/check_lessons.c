@@ -28,13 +28,14 @@ START_TEST(a_lesson_is_read)
     Lesson lesson;
     Status status;
     ck_assert_msg(
-        read_text("# mine\n@title A title\n@about More of it\n\n@page One\n@do open mode5\n"
+        read_text("# mine\n@title A title\n@about More of it\n@group Bar\n\n@page One\n@do open mode5\n"
                   "@field mesh.cell_size\nFirst\nline.\n\nSecond.\r\n@until value mesh.cell_size 0.5\n"
                   "@page Two\n@ask Why?\n@choice so\n@right  thus \n@reveal\n@do pin\nBecause.\n",
                   &lesson, &status),
         "%s", status.text);
     ck_assert_str_eq(lesson.title, "A title");
     ck_assert_str_eq(lesson.about, "More of it");
+    ck_assert_str_eq(lesson.group, "Bar");
     ck_assert_int_eq(lesson.n_pages, 2);
     const LessonPage *one = &lesson.pages[0], *two = &lesson.pages[1];
     ck_assert_str_eq(one->title, "One");
@@ -67,7 +68,7 @@ static const struct {
     {"@do x\n", "my.lesson:1: @do belongs to a page (@page TITLE)"},
     {"@title x\n@page y\n@title z\n", "my.lesson:3: @title belongs before the first page"},
     {"@titel x\n",
-     "my.lesson:1: @titel is not known (@title | @about | @page | @do | @field | @ask | @choice | "
+     "my.lesson:1: @titel is not known (@title | @about | @group | @page | @do | @field | @ask | @choice | "
      "@right | @reveal | @until | @variant | @answer | @words | @goal | @solve | @points)"},
     {"@title x\n@page y\n@field mesh.size\n", "my.lesson:3: mesh.size is no parameter (see: matvib params)"},
     {"@title x\n@page y\n@until then\n", "my.lesson:3: until what? (step N | time T | stage N | end | "
@@ -561,6 +562,45 @@ START_TEST(a_page_can_be_left_out)
 }
 END_TEST
 
+/* The list has its groups, the sentence of the lesson that is chosen, and says how many are below; a title
+ * opens its lesson wherever it stands. */
+START_TEST(the_list_has_groups_and_says_how_many_more)
+{
+    const int last = screen_lesson_count() - 1;
+    Bench *bench = open_bench("mode1", true);
+    press(bench, "T");
+    ck_assert(shows(bench, " Bar "));
+    ck_assert(shows(bench, "What a time step does:"));
+    ck_assert(!shows(bench, "Five cells or eleven"));
+    press(bench, "Down");
+    ck_assert(shows(bench, "Five cells or eleven"));
+    ck_assert(!shows(bench, "What a time step does:"));
+    /* what is below and what is seen are all */
+    const Rect pane = screen_pane(&bench->lab.screen, 80, 24, PANE_PARAMETERS);
+    int seen = 0;
+    char more[32];
+    for (int y = 0; y < 24; y++)
+        seen += screen_lesson_at(&bench->lab.screen, 80, 24, pane.x + 5, y) >= 0;
+    snprintf(more, sizeof more, "%d more", last + 1 - seen);
+    ck_assert_int_gt(seen, 5);
+    ck_assert_msg(shows(bench, more), "no '%s' with %d seen", more, seen);
+    for (int i = 0; i < last; i++)
+        press(bench, "Down");
+    ck_assert(shows(bench, " Homework "));
+    ck_assert(!shows(bench, " more"));
+    for (int y = 0; y < 24; y++) {
+        const int lesson = screen_lesson_at(&bench->lab.screen, 80, 24, pane.x + 5, y);
+        if (lesson != last)
+            continue;
+        Key click = {.name = "Click", .x = pane.x + 5, .y = y};
+        press_key(bench, &click);
+        ck_assert_str_eq(bench->lab.play.name, builtin_lessons[last].name);
+    }
+    ck_assert_ptr_nonnull(bench->lab.screen.lesson.lesson);
+    close_bench(bench);
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     int count = 0;
@@ -573,6 +613,7 @@ void add_cases(Suite *suite)
     tcase_add_test(turning, arrows_choose_an_answer);
     tcase_add_test(turning, a_turned_page_is_not_waited_for);
     tcase_add_test(turning, a_page_can_be_left_out);
+    tcase_add_test(turning, the_list_has_groups_and_says_how_many_more);
     suite_add_tcase(suite, format);
     suite_add_tcase(suite, own);
     suite_add_tcase(suite, turning);

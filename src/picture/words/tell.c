@@ -12,7 +12,7 @@
 #include <string.h>
 
 /* As large as what is drawn there asks for; what adapts itself to the room leaves nothing out. */
-enum { TALL = 60, HELP_ROWS = 2000, PICTURE_ROWS = 24, DIGITS = 5 };
+enum { TALL = 80, HELP_ROWS = 2000, PICTURE_ROWS = 24, DIGITS = 5 };
 
 static const struct {
     const char *word;
