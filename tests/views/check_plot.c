@@ -238,7 +238,8 @@ START_TEST(ticks_lie_evenly)
     for (int trial = 0; trial < 4000; trial++) {
         const double low = trial % 3 ? 0 : -random_share(&state), high = 0.01 + random_share(&state);
         const int height = 6 + trial % 20;
-        const Axis x = axis_make(0, 25, 3), y = axis_make(low, high, 1 + height / 2);
+        const Axis x = axis_with_ticks(axis_make(0, 25), 3),
+                   y = axis_with_ticks(axis_make(low, high), 1 + height / 2);
         canvas_clear(&canvas);
         axes_draw((Area){&canvas, {0, 0, 30, height}, GLYPHS_BRAILLE}, &x, &y, "x", GUTTER_ROOM);
         int before = -1, least = 100, most = 0, count = 0;
