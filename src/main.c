@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Arguments in, exit status out: the only place that prints an error or exits. */
 #include "base/threads.h"
+#include "scenario/settings.h"
 #include "base/visible.h"
 #include "cli/cli.h"
 #include "cli/homework.h"

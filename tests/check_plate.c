@@ -2,6 +2,7 @@
 /* A method that nobody knows, driven through method.h alone: slices, fields, snapshots, and by a row of its
  * own an experiment and tables, on 58,800 nodes. */
 #include "export/export.h"
+#include "scenario/settings.h"
 #include "run/lab_case.h"
 #include "problems/solver.h"
 #include "plate.h"

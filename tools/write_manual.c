@@ -4,6 +4,8 @@
  * A line "@name argument" of the frame stands for a table; @VERSION@ for the version anywhere. What the
  * tables say is what the program does, so a page cannot fall behind it. */
 #include "cli/cli.h"
+#include "scenario/rows/rows.h"
+#include "scenario/settings.h"
 #include "cli/options.h"
 #include "cli/sweep/sweep_result.h"
 #include "answers/choices.h"

@@ -4,6 +4,8 @@
 #include "answers/bar_answers.h"
 
 #include "scenario/parameters.h"
+#include "methods/method.h"
+#include "scenario/settings.h"
 #include "theory/swing.h"
 
 #include <errno.h>

@@ -4,7 +4,8 @@
 #ifndef LAB_BAR_THEORY_H
 #define LAB_BAR_THEORY_H
 
-#include "scenario/settings.h"
+#include "methods/mpm/line/mpm_bar.h"
+#include "scenario/keys.h"
 #include "methods/bonds/line/pd_bar.h"
 #include "theory/elastic_bar.h"
 #include "theory/pd_bar_theory.h"

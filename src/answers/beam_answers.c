@@ -3,6 +3,7 @@
  * record. */
 #include "answers/beam_answers.h"
 
+#include "scenario/settings.h"
 #include "base/math/functions.h"
 #include "theory/elastic_beam.h"
 #include "theory/swing.h"

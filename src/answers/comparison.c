@@ -3,6 +3,7 @@
  * the order of the list at the end. A row is shown if at least one of the runs has a value. */
 #include "answers/comparison.h"
 
+#include "scenario/settings.h"
 #include "base/text.h"
 #include "scenario/parameters.h"
 #include "answers/summary.h"

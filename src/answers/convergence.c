@@ -2,8 +2,10 @@
 /* The studies of convergence.h: each is a function that makes the settings of its point k from those of
  * the scenario. A point is computed by predicted answers alone (problem.h), no run is made; the observed
  * order is the slope of a straight line through log |error| over log size. */
-#include "answers/known.h"
 #include "answers/convergence.h"
+#include "answers/known.h"
+#include "scenario/settings.h"
+#include "base/kinds.h"
 #include "answers/waves.h"
 #include "scenario/parameters.h"
 #include "base/math/functions.h"

@@ -12,6 +12,8 @@
 #ifndef LAB_CONVERGENCE_H
 #define LAB_CONVERGENCE_H
 
+#include "scenario/settings.h"
+#include "base/patience.h"
 #include "problems/problem.h"
 
 enum { CONVERGENCE_POINTS_MAX = 12, CONVERGENCE_LINES_MAX = 3 };

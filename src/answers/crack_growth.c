@@ -3,8 +3,8 @@
  * angles over the heights of figure 10, each known only when the crack has grown so far. */
 #include "answers/crack_growth.h"
 
+#include "scenario/settings.h"
 #include "base/text.h"
-
 #include "methods/bonds/cracks/crack_speed.h"
 
 #include <math.h>

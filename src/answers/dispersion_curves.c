@@ -2,6 +2,7 @@
 /* Hands the questions of dispersion.h on to the solver, and leaves out what does not account for a
  * parameter that is at work (known.h). */
 #include "answers/dispersion_curves.h"
+#include "scenario/settings.h"
 #include "answers/known.h"
 
 #include <math.h>

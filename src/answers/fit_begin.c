@@ -6,7 +6,7 @@
  * each; and, of data whose neighbours are Delta apart, at the frequencies |2 pi j/Delta +- omega| that they
  * cannot tell from their own. Then at some shares and multiples of each p_i. */
 #include "answers/fit_internal.h"
-
+#include "scenario/settings.h"
 #include "base/math/functions.h"
 #include "theory/frequency.h"
 

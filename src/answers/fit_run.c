@@ -2,7 +2,7 @@
 /* A run as the model of a fit: the series at the times of the data, by the run's own steps, changes in
  * mid-run and rest. */
 #include "answers/fit_internal.h"
-
+#include "scenario/settings.h"
 #include "base/text.h"
 #include "problems/problem.h"
 #include "run/advance.h"

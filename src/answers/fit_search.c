@@ -10,7 +10,8 @@
  * in the other leaves a step in chi^2 that the search may stop at. Runs go one after the other; it is asked
  * between blocks of steps whether to go on. */
 #include "answers/fit_internal.h"
-
+#include "scenario/settings.h"
+#include "scenario/rows/rows.h"
 #include "base/math/functions.h"
 #include "base/text.h"
 #include "scenario/parameters.h"

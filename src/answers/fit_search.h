@@ -14,6 +14,7 @@
 #ifndef LAB_FIT_H
 #define LAB_FIT_H
 
+#include "scenario/settings.h"
 #include "base/patience.h"
 #include "problems/problem.h"
 #include "theory/noise.h"

@@ -3,6 +3,7 @@
  * questions on to the solver; the sums are in problems/bars/bar_invariant.c. With USF E* = sum m v^n
  * v^{n+1}/2 + strain(stress^{n+1}). */
 #include "answers/invariant.h"
+#include "scenario/settings.h"
 #include "answers/known.h"
 
 #include <math.h>

@@ -4,6 +4,7 @@
  * changed in mid-run. */
 #include "answers/known.h"
 
+#include "scenario/settings.h"
 #include "base/text.h"
 #include "scenario/parameters.h"
 

@@ -2,6 +2,7 @@
 /* The references of a run (references.h): made by its solver, then read by whatever shows, writes or judges
  * the run. */
 #include "base/assertion.h"
+#include "scenario/settings.h"
 #include "base/text.h"
 #include "answers/known.h"
 #include "problems/solver.h"

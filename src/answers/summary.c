@@ -2,6 +2,7 @@
 /* The words at the end of a run (summary.h): measured frequency beside predicted and exact, change of the
  * energy, crack. Written from a RunSummary by `matvib run`, from a live experiment by the laboratory. */
 #include "answers/summary.h"
+#include "scenario/settings.h"
 #include "base/text.h"
 #include "answers/known.h"
 #include "scenario/parameters.h"

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "answers/waves.h"
-
+#include "scenario/settings.h"
+#include "base/kinds.h"
 #include "theory/pd_waves.h"
 
 #include <math.h>

@@ -4,7 +4,10 @@
 #ifndef LAB_WAVES_H
 #define LAB_WAVES_H
 
-#include "scenario/settings.h"
+#include "base/kinds.h"
+#include "scenario/keys.h"
+
+#include <stdbool.h>
 
 /* Phase speed over that of long waves in elasticity, at the wave number k: on this lattice with its volume
  * and surface correction (NAN: shorter than two spacings), and in the continuum of bonds with this horizon.

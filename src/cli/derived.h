@@ -4,7 +4,7 @@
 #define CLI_DERIVED_H
 
 #include "base/status.h"
-#include "scenario/settings.h"
+#include "scenario/keys.h"
 
 #include <stddef.h>
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `matvib export-lammps SCENARIO --output DIR`: a beam or a plate as input for LAMMPS. */
 #include "cli/cli.h"
+#include "scenario/settings.h"
 #include "cli/options.h"
 #include "cli/progress.h"
 #include "export/lammps.h"

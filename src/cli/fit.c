@@ -2,11 +2,11 @@
 /* `matvib fit SCENARIO --data FILE --vary KEY,...`: the parameters with which a run agrees best with a
  * measured series, how well they are known, and a picture of both. */
 #include "cli/cli.h"
+#include "scenario/settings.h"
 #include "cli/distinct.h"
 #include "cli/describe.h"
 #include "cli/options.h"
 #include "cli/progress.h"
-
 #include "base/output.h"
 #include "base/text.h"
 #include "picture/paper/figure_file.h"

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `matvib list`: the built-in scenarios with their titles; `matvib lesson --list`: the lessons. */
 #include "cli/cli.h"
+#include "scenario/settings.h"
 #include "cli/options.h"
 #include "lessons/lesson.h"
 #include "help/command.h"

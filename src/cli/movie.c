@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `matvib movie SCENARIO|SESSION|SCRIPT --output FILE`: the laboratory without a terminal, filmed. */
 #include "cli/cli.h"
+#include "scenario/settings.h"
 #include "cli/options.h"
 #include "cli/progress.h"
-
 #include "base/input.h"
 #include "base/output.h"
 #include "base/text.h"

@@ -5,8 +5,8 @@
  * reader. */
 #include "cli/options.h"
 
+#include "scenario/settings.h"
 #include "cli/distinct.h"
-
 #include "base/threads.h"
 #include "base/text.h"
 #include "views/view.h"

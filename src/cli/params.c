@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `matvib params [PROBLEM]`: the parameter table as text. */
 #include "cli/cli.h"
+#include "scenario/settings.h"
 #include "cli/derived.h"
 #include "cli/options.h"
 #include "scenario/parameters.h"

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `matvib run SCENARIO`: from the start to the end without a screen, tables written on the way. */
 #include "cli/cli.h"
+#include "scenario/settings.h"
 #include "cli/options.h"
 #include "cli/progress.h"
 #include "base/text.h"

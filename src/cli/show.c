@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `matvib show SCENARIO`: what a scenario comes to, as a scenario file. */
 #include "cli/cli.h"
+#include "scenario/settings.h"
 #include "cli/derived.h"
 #include "cli/options.h"
 

@@ -2,9 +2,9 @@
 /* `matvib sound SCENARIO --output FILE.wav`: a run's frequency in the left ear, the exact one (of a beam:
  * Timoshenko's) in the right ear, so that an error of a few percent is heard as an interval. */
 #include "cli/cli.h"
+#include "scenario/settings.h"
 #include "cli/options.h"
 #include "cli/progress.h"
-
 #include "base/math/functions.h"
 #include "base/output.h"
 #include "base/text.h"

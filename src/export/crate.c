@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "export/crate.h"
 
+#include "scenario/settings.h"
 #include "base/output.h"
 #include "base/text.h"
 

@@ -2,6 +2,7 @@
 /* A run from its start to its end without a screen, tables and frames written on the way: the engine of
  * `matvib run` and of a sweep. */
 #include "base/text.h"
+#include "scenario/settings.h"
 #include "scenario/changes.h"
 #include "export/export_internal.h"
 #include "answers/invariant.h"

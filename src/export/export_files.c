@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The files of an export: tables, frames for ParaView, the scenarios that stand beside. */
 #include "base/text.h"
+#include "scenario/settings.h"
 #include "export/csv.h"
 #include "export/export_internal.h"
 #include "scenario/parameters.h"

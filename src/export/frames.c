@@ -2,6 +2,7 @@
 /* Plans the frames (frames.h): evenly spaced over the run, or at the steps nearest to the given times;
  * ascending, each step once, and the last step where nothing else is asked for. */
 #include "export/frames.h"
+#include "scenario/settings.h"
 #include "scenario/parameters.h"
 
 #include <math.h>

@@ -3,8 +3,10 @@
 #ifndef LAB_FRAMES_H
 #define LAB_FRAMES_H
 
-#include "scenario/settings.h"
+#include "base/status.h"
+#include "scenario/keys.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 
 typedef struct Frames {

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Writes a beam or a plate as input for LAMMPS (lammps.h): what is refused, and the files, all or none. */
 #include "export/lammps.h"
-
+#include "scenario/settings.h"
+#include "base/kinds.h"
 #include "export/lammps_internal.h"
 #include "problems/problem.h"
 #include "scenario/parameters.h"

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The body for LAMMPS: built as for a run and read back, nodes, bonds, supports, loads. */
 #include "export/lammps_internal.h"
+#include "scenario/settings.h"
 
+#include <stdbool.h>
 #include <stdlib.h>
 
 void lammps_body_free(LammpsBody *body)

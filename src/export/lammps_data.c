@@ -13,7 +13,8 @@
  *
  * it too ends at the same v^{1/2}. What is held keeps v^0. */
 #include "export/lammps_internal.h"
-
+#include "scenario/settings.h"
+#include "base/kinds.h"
 #include "base/text.h"
 #include "problems/problem.h"
 

@@ -3,8 +3,10 @@
 #ifndef LAB_LAMMPS_INTERNAL_H
 #define LAB_LAMMPS_INTERNAL_H
 
-#include "scenario/settings.h"
+#include "methods/bonds/plane/bonds_plane.h"
+#include "scenario/keys.h"
 
+#include <stdbool.h>
 #include <stdio.h>
 
 /* The body at t = 0, in arrays over its nodes and over its bonds, SI units. */

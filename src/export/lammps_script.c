@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The script for LAMMPS: what differs, bonds, supports, loads, damping, rest, and what is written. */
 #include "export/lammps_internal.h"
-
+#include "scenario/settings.h"
+#include "methods/bonds/plane/bonds_plane.h"
+#include "base/kinds.h"
 #include "problems/problem.h"
 
 #include <math.h>

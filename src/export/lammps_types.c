@@ -10,7 +10,7 @@
  * (Special bonds would leave out pairs one by one, but need atom_style hybrid, and with peri in it LAMMPS of
  * September 2021 crashes.) */
 #include "export/lammps_internal.h"
-
+#include "scenario/settings.h"
 #include "problems/problem.h"
 
 #include <stdlib.h>

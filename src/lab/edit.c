@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The parameter pane: choosing, nudging and editing in place. */
 #include "lab/laboratory.h"
+#include "scenario/settings.h"
+#include "scenario/rows/rows.h"
 #include "lab/prompt/line_edit.h"
 #include "lab/row_edit.h"
 

@@ -3,6 +3,7 @@
  * goes on answering. */
 #include "lab/fitting.h"
 
+#include "scenario/settings.h"
 #include "base/text.h"
 #include "answers/fit_data.h"
 #include "scenario/parameters.h"

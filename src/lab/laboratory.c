@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Opening, drawing and closing the laboratory. */
 #include "lab/laboratory.h"
+#include "scenario/settings.h"
 #include "lab/prompt/line.h"
 #include "lab/opening.h"
 

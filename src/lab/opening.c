@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Opening the laboratory and other scenarios in it: what a run is begun with, and at which pace. */
+#include "lab/opening.h"
 #include "lab/laboratory.h"
+#include "scenario/settings.h"
 #include "lab/commands/commands.h"
 #include "lab/second_run.h"
-#include "lab/opening.h"
-
 #include "base/visible.h"
 #include "scenario/scenario.h"
 #include "views/view.h"

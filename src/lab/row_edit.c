@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Rows of a plate: as text in their pane, and moved on the map (row_edit.h). */
 #include "lab/row_edit.h"
-
+#include "scenario/settings.h"
+#include "scenario/rows/rows.h"
 #include "base/text.h"
 #include "views/view.h"
 

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The duel: a second run beside the first one. */
-#include "lab/laboratory.h"
 #include "lab/second_run.h"
+#include "lab/laboratory.h"
+#include "scenario/settings.h"
 
 #include <math.h>
 #include <stdio.h>

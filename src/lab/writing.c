@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Writing the scenario as a file, and what every answer that names a file is asked first. */
-#include "lab/laboratory.h"
 #include "lab/writing.h"
-
+#include "lab/laboratory.h"
+#include "scenario/settings.h"
 #include "base/output.h"
 #include "scenario/scenario.h"
 

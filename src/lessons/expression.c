@@ -2,6 +2,7 @@
 /* Reads an expression by descent into steps for a stack, and does them (expression.h). */
 #include "lessons/expression.h"
 
+#include "scenario/settings.h"
 #include "base/text.h"
 
 #include <ctype.h>

@@ -45,7 +45,7 @@
 
 #include "lessons/exercise.h"
 #include "lessons/variant.h"
-#include "scenario/settings.h"
+#include "scenario/keys.h"
 
 #include <stdint.h>
 #include <stdio.h>

@@ -6,7 +6,7 @@
 #define LAB_VARIANT_H
 
 #include "base/text.h"
-#include "scenario/settings.h"
+#include "scenario/keys.h"
 
 enum { STUDENT_MAX = 128 };
 

@@ -3,6 +3,7 @@
  * step takes some of them. The timeline, where it has no row of its own, takes one from the lower plot while
  * we are back in time. */
 #include "panes/panes.h"
+#include "scenario/settings.h"
 #include "views/view.h"
 
 enum {

@@ -2,12 +2,12 @@
 /* The box at the bottom. Of a duel: its readout, but within a time step. Running: a caption. At the end: the
  * summary. Paused: the stage box, pane_stage.c. */
 #include "panes/panes.h"
+#include "scenario/settings.h"
 #include "views/inspector/inspector.h"
 #include "views/views.h"
 #include "answers/summary.h"
 #include "views/plots/runs.h"
 #include "views/plots/time_plot.h"
-
 #include "base/math/functions.h"
 
 #include <math.h>

@@ -2,7 +2,7 @@
 /* The readout of a duel in the box at the bottom: label, A, B; in as many columns beside each other as the
  * table needs and the box has room for. */
 #include "panes/panes.h"
-
+#include "scenario/settings.h"
 #include "answers/comparison.h"
 
 #include <stdio.h>

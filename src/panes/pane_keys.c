@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The key line: what can be done now, a message, or a question with what was typed. */
 #include "panes/panes.h"
+#include "scenario/settings.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -2,7 +2,8 @@
 /* The strip of a bar without a mesh: its nodes in a row at x0 + k u, the mirrored ones beyond a fixed end,
  * and above them the bonds of the chosen one. */
 #include "panes/panes.h"
-
+#include "scenario/settings.h"
+#include "base/kinds.h"
 #include "scenario/parameters.h"
 
 #include <limits.h>

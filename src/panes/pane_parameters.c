@@ -2,7 +2,8 @@
 /* The parameter pane: fields by group, read-only numbers below, unit and range of the chosen field in its
  * last row. */
 #include "panes/panes.h"
-
+#include "scenario/settings.h"
+#include "scenario/rows/rows.h"
 #include "base/text.h"
 
 #include <ctype.h>

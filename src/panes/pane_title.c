@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The title line: what is shown, where in time, in what state. */
 #include "panes/panes.h"
-
+#include "scenario/settings.h"
 #include "base/text.h"
 
 #include <stdio.h>

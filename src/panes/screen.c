@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The whole screen: each pane drawn where the layout puts it, and what the mouse finds in the plot panes. */
 #include "panes/screen.h"
+#include "scenario/settings.h"
 #include "views/inspector/inspector.h"
 #include "panes/panes.h"
 #include "views/views.h"

@@ -4,6 +4,7 @@
 #ifndef VIEW_SCREEN_H
 #define VIEW_SCREEN_H
 
+#include "scenario/settings.h"
 #include "run/duel.h"
 #include "run/experiment.h"
 #include "answers/convergence.h"

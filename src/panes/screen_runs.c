@@ -3,6 +3,7 @@
  * fields reach, and their times and units as text. */
 #include "panes/screen_runs.h"
 
+#include "scenario/settings.h"
 #include "base/math/functions.h"
 
 #include <math.h>

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The bar by the material point method: settings to simulation, exact and predicted answers beside. */
 #include "answers/bar_answers.h"
+#include "scenario/settings.h"
+#include "methods/mpm/line/mpm_bar.h"
 #include "problems/solvers.h"
 #include "theory/step_limit.h"
 #include "theory/step_spectrum.h"

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The bar by peridynamics: settings to simulation, exact and predicted answers beside. */
 #include "answers/bar_answers.h"
+#include "scenario/settings.h"
+#include "methods/mpm/line/mpm_bar.h"
 #include "problems/solvers.h"
 #include "methods/bonds/line/pd_bar.h"
 #include "theory/pd_bar_theory.h"

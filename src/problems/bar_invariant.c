@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The sharp invariant of the bar by the material point method: answers/invariant.h says what it is. */
 #include "answers/bar_answers.h"
+#include "scenario/settings.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The bar: axial vibration in one dimension, by both methods. */
 #include "problems/solvers.h"
+#include "base/kinds.h"
 
 static const ParameterUse uses[] = {
     {USE("bar.length", 25)},

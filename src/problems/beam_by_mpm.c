@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Beams by the material point method: settings to simulation, derived numbers, the largest step, answers. */
 #include "answers/beam_answers.h"
+#include "scenario/settings.h"
 #include "problems/solvers.h"
 #include "methods/mpm/plane/plane_modes.h"
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Beams by peridynamics: settings to simulation, derived numbers, advice. */
 #include "answers/beam_answers.h"
+#include "scenario/settings.h"
 #include "problems/solvers.h"
 #include "methods/bonds/plane/bonds_modes.h"
 #include "methods/bonds/cracks/crack_speed.h"

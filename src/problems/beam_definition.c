@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A beam or a plate as its engine by peridynamics wants it. */
 #include "answers/beam_answers.h"
+#include "scenario/settings.h"
+#include "scenario/rows/rows.h"
+#include "methods/bonds/plane/bonds_plane.h"
 
 #include <string.h>
 

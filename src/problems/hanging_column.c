@@ -2,6 +2,8 @@
 /* A bar that hangs: gravity from t = 0 on, damping by the transfer until it is at rest, and beside it the
  * exact state of rest at any strain. The engine is that of the bar. */
 #include "answers/bar_answers.h"
+#include "scenario/settings.h"
+#include "methods/mpm/line/mpm_bar.h"
 #include "problems/solvers.h"
 #include "theory/column.h"
 #include "base/math/functions.h"

@@ -2,6 +2,8 @@
 /* One particle in one cell: the smallest bar, with its exact motion at any amplitude. The engine is that of
  * the bar; the problem has of its parameters what one particle needs. */
 #include "answers/bar_answers.h"
+#include "scenario/settings.h"
+#include "methods/mpm/line/mpm_bar.h"
 #include "problems/solvers.h"
 #include "theory/oscillator.h"
 #include "base/math/functions.h"

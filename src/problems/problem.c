@@ -2,6 +2,7 @@
 /* The functions of problem.h for settings of any problem: finds row and solver, and hands over to them. */
 #include "problems/problem.h"
 
+#include "scenario/settings.h"
 #include "base/text.h"
 #include "answers/known.h"
 #include "scenario/parameters.h"

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Who solves a problem by which method. */
 #include "problems/solvers.h"
+#include "scenario/settings.h"
 
 const Solver *problem_solver(const Problem *problem, MethodKind method)
 {

@@ -8,7 +8,12 @@
 #ifndef RUN_ADVANCE_H
 #define RUN_ADVANCE_H
 
-#include "scenario/settings.h"
+#include "base/status.h"
+#include "methods/method.h"
+#include "base/patience.h"
+#include "scenario/keys.h"
+
+#include <stdbool.h>
 
 typedef struct Run {
     const Settings *settings; /* the values at t = 0 and the changes in mid-run, the caller's */

@@ -4,6 +4,7 @@
  * stays at its last sound step. */
 #include "run/duel.h"
 
+#include "scenario/settings.h"
 #include "base/text.h"
 #include "scenario/parameters.h"
 

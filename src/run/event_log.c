@@ -3,6 +3,7 @@
  * method reported, and what follows from the record: drift of the energy by levels, lag behind the exact
  * answer. Brought up to date after each piece of work. */
 #include "run/experiment_internal.h"
+#include "scenario/settings.h"
 #include "base/text.h"
 #include "answers/known.h"
 #include "scenario/changes.h"

@@ -3,6 +3,8 @@
  * references, events (experiment.h). Forward and backward motion is in experiment_run.c, other settings in
  * experiment_edit.c. */
 #include "run/experiment_internal.h"
+#include "base/status.h"
+#include "scenario/settings.h"
 
 #include <math.h>
 #include <stdlib.h>

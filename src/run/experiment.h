@@ -14,7 +14,7 @@
 #include "answers/crack_growth.h"
 #include "answers/profile.h"
 #include "run/record.h"
-#include "scenario/settings.h"
+#include "scenario/keys.h"
 #include "answers/spectrum.h"
 
 enum { GHOSTS_MAX = 5, LEGEND_MAX = 60 };
@@ -24,7 +24,7 @@ typedef struct Ghost {
     bool used, pinned;       /* not pinned: the curve before the last edit, replaced by the next */
     char letter;             /* 'a', 'b', ... */
     char legend[LEGEND_MAX]; /* what it is as against the present run: "cell size 1", "USL" */
-    Settings settings;
+    Settings *settings;      /* its own */
     Record record;
     Column columns[COLUMNS_MAX];
     int n_columns;

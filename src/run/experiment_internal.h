@@ -3,6 +3,7 @@
 #ifndef LAB_EXPERIMENT_INTERNAL_H
 #define LAB_EXPERIMENT_INTERNAL_H
 
+#include "scenario/settings.h"
 #include "run/advance.h"
 #include "run/experiment.h"
 #include "run/event_log.h"

@@ -2,6 +2,8 @@
 /* The run itself: forwards by steps, stages and parts of a stage, back to a keyframe, on into another future.
  */
 #include "run/experiment_internal.h"
+#include "base/status.h"
+#include "scenario/settings.h"
 #include "scenario/changes.h"
 #include "scenario/parameters.h"
 

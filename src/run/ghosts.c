@@ -1,12 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Ghosts: the curves of earlier runs behind those of the present one. */
 #include "run/experiment_internal.h"
+#include "scenario/settings.h"
 #include "scenario/parameters.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 void experiment_drop_ghost(Ghost *ghost)
 {
+    free(ghost->settings);
     record_close(&ghost->record);
     profile_close(&ghost->profile);
     simulation_release_names(ghost->names);
@@ -20,7 +23,7 @@ void experiment_write_legends(Experiment *experiment)
     for (int i = 0; i < GHOSTS_MAX; i++) {
         Ghost *ghost = &experiment->ghosts[i];
         if (ghost->used)
-            settings_name(&ghost->settings, &experiment->base, ghost->legend, sizeof ghost->legend);
+            settings_name(ghost->settings, &experiment->base, ghost->legend, sizeof ghost->legend);
     }
 }
 
@@ -71,13 +74,15 @@ static Ghost *find_place(Experiment *experiment, bool pinned)
 bool experiment_make_ghost(Experiment *experiment, bool pinned, Record *record, Remains *remains)
 {
     Ghost *ghost = find_place(experiment, pinned);
-    if (!ghost)
+    Settings *settings = ghost ? malloc(sizeof *settings) : NULL;
+    if (!settings)
         return false;
     experiment_drop_ghost(ghost);
     ghost->used = true;
     ghost->pinned = pinned;
     ghost->letter = (char)('a' + (ghost - experiment->ghosts));
-    ghost->settings = remains->base;
+    *settings = remains->base;
+    ghost->settings = settings;
     ghost->record = *record;
     memcpy(ghost->columns, remains->columns, sizeof ghost->columns);
     ghost->n_columns = remains->n_columns;
@@ -99,7 +104,7 @@ bool experiment_is_pinned(const Experiment *experiment)
 {
     for (int i = 0; i < GHOSTS_MAX; i++) {
         const Ghost *ghost = &experiment->ghosts[i];
-        if (ghost->used && ghost->pinned && settings_same(&ghost->settings, &experiment->base) &&
+        if (ghost->used && ghost->pinned && settings_same(ghost->settings, &experiment->base) &&
             ghost->record.count >= experiment->record.count)
             return true;
     }
@@ -117,7 +122,7 @@ bool experiment_pin(Experiment *experiment, Status *status)
 {
     for (int i = 0; i < GHOSTS_MAX; i++) {
         Ghost *ghost = &experiment->ghosts[i];
-        if (ghost->used && ghost->pinned && settings_same(&ghost->settings, &experiment->base)) {
+        if (ghost->used && ghost->pinned && settings_same(ghost->settings, &experiment->base)) {
             experiment_drop_ghost(ghost);
             return true;
         }

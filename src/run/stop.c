@@ -2,6 +2,7 @@
 /* What a run stops at (stop.h): read from words, looked for after each step. */
 #include "run/stop.h"
 
+#include "scenario/settings.h"
 #include "base/quantity.h"
 #include "base/text.h"
 #include "problems/problem.h"

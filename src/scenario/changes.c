@@ -2,6 +2,7 @@
 /* Changes in mid-run (changes.h): what is in force at a step is the settings with all changes up to it
  * applied in order. */
 #include "scenario/changes.h"
+#include "scenario/settings.h"
 #include "scenario/parameters.h"
 #include "answers/references.h"
 

@@ -6,7 +6,13 @@
 #ifndef LAB_CHANGES_H
 #define LAB_CHANGES_H
 
-#include "scenario/settings.h"
+#include "base/status.h"
+#include "scenario/keys.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+typedef struct Simulation Simulation; /* methods/method.h */
 
 /* problem_advice() for the settings at the start and after each change. */
 bool changes_advice(const Settings *, char *advice, size_t size, Status *);

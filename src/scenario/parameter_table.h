@@ -4,6 +4,8 @@
 #ifndef LAB_PARAMETER_TABLE_H
 #define LAB_PARAMETER_TABLE_H
 
+#include "scenario/settings.h"
+#include "base/kinds.h"
 #include "scenario/parameters.h"
 
 #include <math.h>

@@ -3,6 +3,7 @@
  * alone: choices, range, default in a problem, unit. Values are set and read in values.c. */
 #include "scenario/parameters.h"
 
+#include "scenario/settings.h"
 #include "base/text.h"
 
 #include <math.h>

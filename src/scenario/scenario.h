@@ -4,7 +4,7 @@
 #define LAB_SCENARIO_H
 
 #include "base/status.h"
-#include "scenario/settings.h"
+#include "scenario/keys.h"
 
 #include <stdio.h>
 

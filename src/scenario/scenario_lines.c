@@ -164,7 +164,7 @@ static bool add_entry(Reader *reader, const char *name, const char *value)
     memset(entry, 0, sizeof *entry);
     entry->line = entries->lines;
     snprintf(entry->section, sizeof entry->section, "%s", reader->section);
-    snprintf(entry->name, sizeof entry->name, "%s", name);
+    snprintf(entry->name, sizeof entry->name, "%.*s", KEY_MAX - 1, name);
     snprintf(entry->value, sizeof entry->value, "%s", value);
     return true;
 }

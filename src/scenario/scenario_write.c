@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Settings as a scenario file that reads back to the last bit. */
 #include "scenario/scenario.h"
-
+#include "scenario/settings.h"
+#include "scenario/rows/rows.h"
 #include "base/text.h"
 #include "base/visible.h"
 #include "scenario/parameters.h"

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What settings come to without the parameter table: lengths left to themselves, lists inside texts. */
 #include "scenario/settings.h"
+#include "methods/bonds/plane/lattice/volume.h"
 
 #include "base/text.h"
 

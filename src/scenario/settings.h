@@ -6,35 +6,9 @@
 
 #include "base/patience.h"
 #include "base/status.h"
+#include "base/kinds.h"
+#include "scenario/keys.h"
 #include "scenario/rows/rows.h"
-#include "methods/mpm/line/mpm_bar.h"
-#include "methods/mpm/plane/plane.h"
-#include "methods/bonds/plane/bonds_plane.h"
-
-typedef struct Problem Problem; /* problems/problem.h */
-
-typedef enum MethodKind { METHOD_MPM, METHOD_PD } MethodKind;
-
-enum {
-    TITLE_MAX = 80, /* bytes, with the final zero; so the others */
-    ABOUT_MAX = 1024,
-    LIST_MAX = 256,  /* overtones, times of frames; a row */
-    KEY_MAX = 40,    /* "pd.surface_correction" */
-    VALUE_MAX = 64,  /* the text of a value */
-    DUEL_MAX = 8,    /* keys in which the second run of a duel differs */
-    CHANGES_MAX = 64 /* changes of live parameters in mid-run */
-};
-
-typedef struct Assignment {
-    char key[KEY_MAX];
-    char value[VALUE_MAX];
-} Assignment;
-
-/* "from this step on, key = value" */
-typedef struct Change {
-    long step;
-    Assignment to;
-} Change;
 
 /* How a scenario opens; the engine ignores it. Empty: as the laboratory likes. */
 typedef struct ViewSettings {
@@ -162,7 +136,6 @@ typedef struct Output {
                              * the step does */
 } Output;
 
-typedef struct Settings Settings;
 struct Settings {
     char title[TITLE_MAX]; /* one line, UTF-8 */
     char about[ABOUT_MAX];

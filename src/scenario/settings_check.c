@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What no single value shows: does the whole make sense? Every refusal names the key to be changed. */
 #include "scenario/parameters.h"
-
+#include "scenario/settings.h"
 #include "problems/problem.h"
 
 /* --- question, duel, changes ---------------------------------------------------------------------- */

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What one set of settings is as against another. */
 #include "scenario/settings_compare.h"
-
+#include "scenario/settings.h"
+#include "scenario/rows/rows.h"
 #include "base/text.h"
 #include "problems/problem.h"
 #include "scenario/changes.h"

@@ -4,7 +4,9 @@
 #ifndef LAB_COMPARE_H
 #define LAB_COMPARE_H
 
-#include "scenario/settings.h"
+#include "scenario/keys.h"
+
+#include <stdbool.h>
 
 /* Whether they differ in anything but the keys that are allowed; then `key` is the first of it. A key of a
  * row allows all rows. What a run writes does not count. */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* From one value of a parameter to the next, and to the other answer to a question. */
 #include "scenario/parameters.h"
-
+#include "scenario/settings.h"
 #include "base/math/functions.h"
 #include "base/text.h"
 

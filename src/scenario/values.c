@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Values of settings through the parameter table: set, get, show. */
 #include "scenario/parameters.h"
-
+#include "scenario/settings.h"
+#include "scenario/rows/rows.h"
+#include "base/kinds.h"
 #include "base/assertion.h"
 #include "base/quantity.h"
 #include "base/text.h"

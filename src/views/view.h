@@ -10,6 +10,7 @@
 #define VIEW_VIEW_H
 
 #include "picture/picture.h"
+#include "scenario/settings.h"
 #include "panes/screen.h"
 
 /* How two runs of a duel are shown. */

@@ -2,9 +2,9 @@
 /* A body in the plane as it lies, coloured by a field, or drawn with its dimensions. Every factor is stated.
  */
 #include "views/map/map.h"
+#include "scenario/settings.h"
 #include "picture/words/words.h"
 #include "views/views.h"
-
 #include "base/math/functions.h"
 #include "base/text.h"
 #include "answers/crack_growth.h"

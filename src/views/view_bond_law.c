@@ -2,6 +2,8 @@
 /* View 4 of peridynamics: what a bond answers to its stretch, where it breaks, and where on that line the
  * nodes stand: each by its most stretched whole bond. */
 #include "panes/panes.h"
+#include "scenario/settings.h"
+#include "base/kinds.h"
 #include "views/views.h"
 #include "base/math/functions.h"
 

@@ -3,8 +3,8 @@
  * as many of its points as are known, and the order with which the error falls. The lattices of paper P's
  * Table 1 are shown as periods, for what they differ in is the size that their layers give the beam. */
 #include "panes/panes.h"
+#include "scenario/settings.h"
 #include "views/views.h"
-
 #include "answers/convergence.h"
 
 #include <math.h>

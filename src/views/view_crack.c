@@ -2,9 +2,9 @@
 /* More pictures of a beam that breaks: the crack's path with its angle, the angle over time, and what a piece
  * of crack has cost beside the fracture energy that it should cost. */
 #include "views/views.h"
+#include "scenario/settings.h"
 #include "views/plots/runs.h"
 #include "views/plots/time_plot.h"
-
 #include "base/math/functions.h"
 #include "answers/crack_growth.h"
 

@@ -4,9 +4,9 @@
  * leave their dot.
  */
 #include "views/plots/runs.h"
+#include "scenario/settings.h"
 #include "views/views.h"
 #include "views/waves_plane.h"
-
 #include "answers/dispersion_curves.h"
 
 #include <math.h>

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The energies over time, stacked. */
 #include "views/plots/overlay_plot.h"
+#include "scenario/settings.h"
+#include "base/kinds.h"
 #include "views/plots/runs.h"
 #include "views/plots/time_plot.h"
 #include "views/views.h"

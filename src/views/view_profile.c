@@ -2,6 +2,7 @@
 /* A field of the particles along the bar, or along the middle of a beam, with the exact curve behind.
  */
 #include "views/plots/overlay_plot.h"
+#include "scenario/settings.h"
 #include "views/plots/runs.h"
 #include "views/views.h"
 

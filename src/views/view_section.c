@@ -5,6 +5,7 @@
  * columns of particles those of the chosen one's cell are drawn, and their mean: what shears them apart is no
  * shear of the beam but that of cells that cannot bend. */
 #include "views/map/map.h"
+#include "scenario/settings.h"
 #include "views/views.h"
 #include "base/math/functions.h"
 

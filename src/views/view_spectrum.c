@@ -2,8 +2,8 @@
 /* The amplitude spectrum of the probe, with the predicted and the exact lines marked. The slow lines
  * on an even scale, or everything that the mesh can do on a logarithmic one. */
 #include "views/plots/runs.h"
+#include "scenario/settings.h"
 #include "views/views.h"
-
 #include "base/math/functions.h"
 #include "answers/dispersion_curves.h"
 

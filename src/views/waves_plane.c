@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Waves in the plane of bonds (waves_plane.h). */
 #include "views/waves_plane.h"
-
+#include "scenario/settings.h"
+#include "base/kinds.h"
 #include "answers/waves.h"
 #include "views/plots/runs.h"
 #include "views/views.h"

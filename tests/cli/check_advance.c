@@ -3,6 +3,7 @@
  * that fails and one that is given up, by the laboratory (by steps, stages and items), the export, the fit
  * and the verification, against a loop of stages in this file that is none of theirs. The same bits. */
 #include "answers/fit_internal.h"
+#include "scenario/settings.h"
 #include "base/text.h"
 #include "cli/verify/verify_run.h"
 #include "export/export.h"

@@ -7,6 +7,7 @@
  * crashed, leaked, hung. The script that failed is made as short as it goes, printed, and kept as
  * sequence-SEED.script for `matvib mode1 --paused --script`. */
 #include "lessons/lesson.h"
+#include "scenario/settings.h"
 #include "scenario/parameters.h"
 #include "scenario/scenario.h"
 #include "lab/session/script.h"

@@ -2,7 +2,7 @@
 /* Any bytes as a scenario file: refused in one line, or read; what was read is written and read back the
  * same. */
 #include "fuzz/fuzz.h"
-
+#include "scenario/settings.h"
 #include "scenario/parameters.h"
 #include "scenario/scenario.h"
 

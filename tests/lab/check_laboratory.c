@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What keys do to the laboratory, with a virtual clock and no terminal. */
 #include "suite.h"
+#include "scenario/settings.h"
+#include "scenario/rows/rows.h"
 #include "views/view.h"
 #include "lab/tui_case.h"
 #include "lab/prompt/line.h"

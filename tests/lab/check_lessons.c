@@ -3,6 +3,7 @@
  */
 #include "suite.h"
 #include "lab/lesson_numbers.h"
+#include "scenario/settings.h"
 #include "lab/tui_case.h"
 #include "lab/prompt/line.h"
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command line behind `:`: its verbs, completion, history, and foreign series over the plots. */
 #include "views/view.h"
+#include "scenario/settings.h"
 #include "suite.h"
 #include "lab/tui_case.h"
 

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Convergence of predicted answers against an independent eigenvalue solver's. */
 #include "answers/convergence.h"
+#include "scenario/settings.h"
+#include "base/kinds.h"
 #include "scenario/parameters.h"
 #include "suite.h"
 

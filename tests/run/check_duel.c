@@ -2,6 +2,7 @@
 /* Two runs side by side: they stand at the same time whatever their steps are, and each is what it would be
  * alone. */
 #include "run/duel.h"
+#include "scenario/settings.h"
 #include "answers/comparison.h"
 #include "answers/crack_growth.h"
 #include "run/experiment_internal.h"
@@ -428,7 +429,7 @@ START_TEST(its_curve_stays)
     const Ghost *ghost = &experiment_ghosts(duel.a)[0];
     ck_assert(ghost->used && !ghost->pinned);
     expect_same_records(&record, &ghost->record, "the ghost of B");
-    ck_assert_int_eq(ghost->settings.mpm.algorithm, MPM_USL);
+    ck_assert_int_eq(ghost->settings->mpm.algorithm, MPM_USL);
     ck_assert_double_eq_tol(ghost->profile.time, 5, 1e-12);
     ck_assert_str_eq(ghost->legend, "USL");
     record_close(&record);

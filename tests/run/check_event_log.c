@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The log says what happened and when: against what is known of these runs. */
 #include "run/experiment.h"
+#include "scenario/settings.h"
 #include "scenario/parameters.h"
 #include "scenario/scenario.h"
 #include "suite.h"

@@ -2,6 +2,7 @@
 /* Exercises: the grammar of what they ask, a student's variants and names, and cells of the table of marks.
  */
 #include "export/csv.h"
+#include "scenario/settings.h"
 #include "lessons/exercise.h"
 #include "lessons/variant.h"
 #include "scenario/scenario.h"

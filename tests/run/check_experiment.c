@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* An experiment against fresh runs: whatever way led to a moment, it is the same to the last bit. */
 #include "run/lab_case.h"
+#include "scenario/settings.h"
 #include "scenario/scenario.h"
 #include "suite.h"
 
@@ -562,7 +563,7 @@ START_TEST(a_live_edit_at_either_end_holds_from_the_start)
     ck_assert_int_eq(experiment_settings(experiment)->mpm.algorithm, MPM_MUSL);
     expect_straight(experiment, "at the end");
     /* the ghost is the last curve that was whole */
-    ck_assert_int_eq(experiment_ghosts(experiment)[0].settings.mpm.algorithm, MPM_USL);
+    ck_assert_int_eq(experiment_ghosts(experiment)[0].settings->mpm.algorithm, MPM_USL);
     ck_assert_uint_eq(experiment_ghosts(experiment)[0].record.count, 201);
     experiment_destroy(experiment);
 }
@@ -737,7 +738,7 @@ START_TEST(curves_are_pinned_and_unpinned)
         pinned += ghost->pinned;
         loose += !ghost->pinned;
         if (!ghost->pinned)
-            ck_assert_int_eq(ghost->settings.start.mode, 6);
+            ck_assert_int_eq(ghost->settings->start.mode, 6);
     }
     ck_assert_int_eq(pinned, GHOSTS_MAX - 1);
     ck_assert_int_eq(loose, 1);

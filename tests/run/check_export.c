@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Runs as files: what they hold, that they repeat, that they are written whole or not at all. */
 #include "answers/summary.h"
+#include "scenario/settings.h"
 #include "export/csv.h"
 #include "export/export.h"
 #include "export/frames.h"

@@ -5,7 +5,7 @@
  * everybody: with changes in mid-run, ended by rest, refused where they fail; and a minimum one swing beside
  * the data is not its answer. */
 #include "suite.h"
-
+#include "scenario/settings.h"
 #include "answers/fit_search.h"
 #include "run/experiment.h"
 #include "scenario/changes.h"

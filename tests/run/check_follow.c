@@ -2,7 +2,7 @@
 /* A thing that is followed is a column more, and nothing else: the same bits in all others, the values that
  * its table has, whatever way the run is gone. */
 #include "suite.h"
-
+#include "scenario/settings.h"
 #include "problems/problem.h"
 #include "run/experiment.h"
 #include "scenario/parameters.h"

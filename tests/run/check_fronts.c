@@ -4,6 +4,7 @@
  * step does not depend on the way there. Angles and speeds as the reference rounded or smoothed them: within
  * what its own definition leaves open, less than half a degree and one in a hundred. */
 #include "answers/crack_growth.h"
+#include "scenario/settings.h"
 #include "problems/problem.h"
 #include "run/lab_case.h"
 #include "methods/bonds/cracks/crack_speed.h"

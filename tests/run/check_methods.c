@@ -2,6 +2,7 @@
 /* One bar by two methods: which keys each has, how a scenario changes from one to the other, and what stands
  * beside a run by peridynamics. */
 #include "answers/bar_theory.h"
+#include "scenario/settings.h"
 #include "run/lab_case.h"
 #include "scenario/scenario.h"
 #include "methods/bonds/cracks/crack.h"

@@ -7,6 +7,7 @@
 #include "answers/summary.h"
 #include "export/lammps.h"
 #include "methods/bonds/plane/bonds_plane.h"
+#include "scenario/settings.h"
 #include "methods/mpm/line/bar_mistakes.h"
 #include "problems/problem.h"
 #include "suite.h"

@@ -6,6 +6,8 @@
  * The parameter is a damping that the engines ignore. No reference accounts for it, so each of them has to
  * leave by itself where it is at work: column, curve, profile, verdict, invariant, limit. */
 #include "answers/dispersion_curves.h"
+#include "methods/bonds/plane/bonds_plane.h"
+#include "methods/mpm/line/mpm_bar.h"
 #include "answers/invariant.h"
 #include "answers/summary.h"
 #include "run/lab_case.h"

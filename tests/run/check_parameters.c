@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The parameter table: rows that fit the screen, values that survive the way through text, nudges. */
 #include "answers/beam_answers.h"
+#include "scenario/settings.h"
+#include "methods/mpm/line/mpm_bar.h"
 #include "scenario/parameters.h"
-
 #include "base/text.h"
 #include "base/visible.h"
 #include "suite.h"

@@ -3,6 +3,7 @@
  * often enough whether to go on, and is given up as soon as the answer is no. Questions are counted, and no
  * clock is read; MATVIB_TELL=1 tells the longest time between two of them too, for people. */
 #include "run/experiment.h"
+#include "scenario/settings.h"
 #include "scenario/parameters.h"
 #include "suite.h"
 

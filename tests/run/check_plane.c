@@ -2,6 +2,8 @@
 /* Beams by the material point method as the laboratory has them: their keys, answers beside, refinement, and
  * runs that are walked back. */
 #include "answers/convergence.h"
+#include "scenario/settings.h"
+#include "base/kinds.h"
 #include "answers/invariant.h"
 #include "answers/stress.h"
 #include "run/lab_case.h"

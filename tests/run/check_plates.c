@@ -2,6 +2,7 @@
 /* Plates: against runs of independent programs (tests/golden/plates.txt), digit by digit; and what holds of
  * any plate: symmetry, the balance of energies, loads that end, what moves and what is protected. */
 #include "problems/problem.h"
+#include "scenario/settings.h"
 #include "answers/summary.h"
 #include "run/lab_case.h"
 #include "scenario/scenario.h"

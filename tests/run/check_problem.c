@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Problems with their references: columns, answers, readouts, advice. */
 #include "answers/dispersion_curves.h"
+#include "scenario/settings.h"
 #include "answers/bar_theory.h"
 #include "answers/known.h"
 #include "scenario/scenario.h"

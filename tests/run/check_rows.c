@@ -2,6 +2,8 @@
 /* Rows of a plate: what is read, what is refused and how that is said, what is written reads back to the last
  * bit, and how settings compare that have other rows. */
 #include "scenario/parameters.h"
+#include "scenario/settings.h"
+#include "scenario/rows/rows.h"
 #include "scenario/scenario.h"
 #include "run/lab_case.h"
 #include "suite.h"

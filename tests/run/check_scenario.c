@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Scenario files: what is read, what is refused and how that is said, what is written reads back. */
 #include "scenario/scenario.h"
-
+#include "scenario/settings.h"
 #include "scenario/parameters.h"
 #include "suite.h"
 

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "run/lab_case.h"
+#include "scenario/settings.h"
+#include "methods/bonds/plane/bonds_plane.h"
 
 #include <check.h>
 #include <stdlib.h>

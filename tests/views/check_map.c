@@ -2,6 +2,7 @@
 /* The map of a beam, the drawing and the family inspector: what they show is where and what the simulation
  * says, read from the cells as a reader would. */
 #include "views/view.h"
+#include "scenario/settings.h"
 #include "views/inspector/inspector.h"
 #include "suite.h"
 #include "views/map/map.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "views/view.h"
 #include "views/scene.h"
-
+#include "views/view.h"
+#include "scenario/settings.h"
 #include "scenario/scenario.h"
 #include "answers/summary.h"
 

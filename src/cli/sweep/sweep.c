@@ -3,6 +3,7 @@
  * threads of a pool take one combination after the other; every run has its row's place from the start, so
  * that neither the table nor what is told depends on how many run side by side. */
 #include "base/hash.h"
+#include "scenario/settings.h"
 #include "base/output.h"
 #include "base/text.h"
 #include "base/visible.h"

@@ -3,6 +3,7 @@
  * makes the settings and the command line of each. */
 #include "cli/sweep/sweep_plan.h"
 
+#include "scenario/rows/rows.h"
 #include "base/text.h"
 
 #include <stdlib.h>

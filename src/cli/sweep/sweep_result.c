@@ -3,6 +3,8 @@
  * A column is a bar's (frequency), a beam's (period) or of cracks. */
 #include "cli/sweep/sweep_result.h"
 
+#include "scenario/settings.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -2,6 +2,7 @@
 /* What a verification reads from a run: see verify_quantity.h. Times are those of rows. */
 #include "cli/verify/verify_quantity.h"
 
+#include "scenario/settings.h"
 #include "answers/crack_growth.h"
 #include "methods/bonds/cracks/crack_cost.h"
 

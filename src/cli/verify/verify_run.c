@@ -2,6 +2,7 @@
 /* Runs a scenario step by step as `matvib run` does, and keeps its rows. */
 #include "cli/verify/verify_run.h"
 
+#include "base/patience.h"
 #include "scenario/parameters.h"
 #include "scenario/scenario.h"
 

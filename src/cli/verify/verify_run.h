@@ -3,6 +3,8 @@
 #ifndef CLI_VERIFY_RUN_H
 #define CLI_VERIFY_RUN_H
 
+#include "scenario/settings.h"
+#include "base/patience.h"
 #include "problems/problem.h"
 #include "answers/references.h"
 #include "run/advance.h"

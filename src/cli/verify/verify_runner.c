@@ -4,6 +4,7 @@
  */
 #include "cli/verify/verify_runner.h"
 
+#include "base/patience.h"
 #include "base/math/functions.h"
 
 #include <string.h>

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The run as files, asked for with x. The files are those of `matvib run`, by the same function. */
 #include "lab/laboratory.h"
+#include "scenario/settings.h"
 #include "lab/writing.h"
-
 #include "base/text.h"
 #include "picture/paper/figure_file.h"
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands of the map of a beam: magnify, move, draw displacements larger or smaller. */
 #include "lab/laboratory.h"
+#include "scenario/settings.h"
 #include "lab/commands/commands.h"
-
 #include "base/math/functions.h"
 #include "base/text.h"
 #include "views/view.h"

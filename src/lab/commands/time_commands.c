@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands of time: run, step, go back, bookmarks. */
 #include "lab/commands/commands.h"
-
+#include "scenario/settings.h"
 #include "base/text.h"
 
 #include <math.h>

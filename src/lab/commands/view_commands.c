@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands that choose what is shown, and how. */
 #include "lab/commands/commands.h"
+#include "scenario/settings.h"
 #include "views/view.h"
 
 #include <math.h>

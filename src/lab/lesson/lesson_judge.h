@@ -5,6 +5,7 @@
 #ifndef TUI_LESSON_JUDGE_H
 #define TUI_LESSON_JUDGE_H
 
+#include "scenario/settings.h"
 #include "lessons/lesson.h"
 #include "export/export.h"
 

@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command line behind `:`: commands by name, KEY=VALUE, a time, and verbs that take arguments. */
-#include "lab/laboratory.h"
-#include "lab/commands/commands.h"
 #include "lab/prompt/line.h"
+#include "lab/laboratory.h"
+#include "scenario/settings.h"
+#include "scenario/rows/rows.h"
+#include "lab/commands/commands.h"
 #include "lab/writing.h"
 #include "lab/row_edit.h"
 #include "lab/second_run.h"
@@ -10,7 +12,6 @@
 #include "lab/opening.h"
 #include "picture/words/tell.h"
 #include "views/view.h"
-
 #include "base/text.h"
 
 #include <math.h>

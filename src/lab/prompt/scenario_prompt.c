@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Opening a scenario: from a list with titles, that shrinks to what is typed, or by a path. */
-#include "lab/laboratory.h"
 #include "lab/prompt/scenario_prompt.h"
+#include "lab/laboratory.h"
+#include "scenario/settings.h"
 #include "lab/opening.h"
-
 #include "base/text.h"
 #include "scenario/scenario.h"
 

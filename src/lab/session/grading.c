@@ -3,6 +3,7 @@
  * with the machine's, and notes what becomes of the exercises (grading.h). */
 #include "lab/session/grading.h"
 
+#include "scenario/settings.h"
 #include "scenario/scenario.h"
 #include "lab/laboratory.h"
 #include "lab/session/replay.h"

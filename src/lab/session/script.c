@@ -2,6 +2,7 @@
 /* The script player: a table of instructions over a laboratory with a virtual clock. */
 #include "lab/session/script.h"
 
+#include "scenario/settings.h"
 #include "base/input.h"
 #include "base/text.h"
 #include "lab/laboratory.h"

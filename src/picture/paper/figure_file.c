@@ -2,7 +2,8 @@
 /* A figure from its name to its file: which views make one, panels side by side, what the page says of the
  * run. */
 #include "picture/paper/figure_file.h"
-
+#include "scenario/settings.h"
+#include "scenario/rows/rows.h"
 #include "base/text.h"
 #include "picture/paper/page.h"
 #include "views/view.h"

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The parts of the screen in words (tell.h). */
 #include "picture/words/tell.h"
-
+#include "scenario/settings.h"
+#include "scenario/rows/rows.h"
 #include "base/text.h"
 #include "views/inspector/inspector.h"
 #include "panes/panes.h"

@@ -3,9 +3,9 @@
  * one, the bond that broke last, the most stretched one and why it holds, and the forces (family_forces.c).
  */
 #include "views/inspector/inspector.h"
+#include "scenario/settings.h"
 #include "views/views.h"
 #include "views/map/family.h"
-
 #include "base/math/functions.h"
 
 #include <math.h>

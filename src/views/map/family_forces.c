@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The forces of a node's bonds as they add up to its own, by the side on which they pull. */
 #include "views/map/family.h"
-
+#include "scenario/settings.h"
 #include "base/math/functions.h"
 
 #include <math.h>

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the nodes of a beam can be coloured by, and the range of the ramp for it. */
 #include "views/map/map.h"
+#include "scenario/settings.h"
 
 #include <math.h>
 

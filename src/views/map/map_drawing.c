@@ -4,6 +4,7 @@
  * is wide, but for rounding. */
 #include "views/map/map_drawing.h"
 
+#include "scenario/settings.h"
 #include "base/math/functions.h"
 
 #include <math.h>

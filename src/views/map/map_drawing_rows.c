@@ -2,7 +2,8 @@
 /* What a plate has by rows, in the drawing of it before it moves: cuts, regions with their names, loads with
  * their size. */
 #include "views/map/map_drawing.h"
-
+#include "scenario/settings.h"
+#include "scenario/rows/rows.h"
 #include "base/math/functions.h"
 
 #include <math.h>

@@ -2,6 +2,7 @@
 /* Where the nodes of a beam are drawn: lengths to scale; the displacement enlarged so that it is seen; the
  * height stretched where the beam is too slender for the pane. */
 #include "views/map/map.h"
+#include "scenario/settings.h"
 #include "views/plots/time_plot.h"
 
 #include <math.h>

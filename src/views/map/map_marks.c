@@ -2,7 +2,7 @@
 /* What is drawn over the map: notch, protected zones, channel and crack as lines; supports, load and the
  * chosen node as signs. */
 #include "views/map/map.h"
-
+#include "scenario/settings.h"
 #include "base/math/functions.h"
 #include "answers/crack_growth.h"
 #include "panes/screen_runs.h"

@@ -3,7 +3,8 @@
  * at the edge, the probe; and the cracks that grow from the cuts. The row that is chosen among the
  * parameters, or being moved, is drawn on top, its end that the arrows move with a mark. */
 #include "views/map/map.h"
-
+#include "scenario/settings.h"
+#include "scenario/rows/rows.h"
 #include "answers/crack_growth.h"
 
 #include <math.h>

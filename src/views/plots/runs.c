@@ -17,7 +17,7 @@ static Run run_of_ghost(const Ghost *ghost, int index)
         .rank = RANK_GHOST,
         .mark = ':',
         .shown = true,
-        .settings = &ghost->settings,
+        .settings = ghost->settings,
         .record = &ghost->record,
         .columns = ghost->columns,
         .n_columns = ghost->n_columns,

@@ -7,6 +7,7 @@
 #ifndef PHYSICS_PD_BEAM_H
 #define PHYSICS_PD_BEAM_H
 
+#include "base/kinds.h"
 #include "base/patience.h"
 #include "methods/method.h"
 #include "methods/bonds/plane/lattice/volume.h"
@@ -18,11 +19,6 @@ typedef enum BeamProblem {
     BEAM_NOTCHED,
     BEAM_PLATE
 } BeamProblem;
-typedef enum SurfaceCorrection { SURFACE_NONE, SURFACE_ENERGY, SURFACE_VOLUME } SurfaceCorrection;
-/* How a bond's stiffness depends on its length (the micromodulus): not at all, or as 1 - |xi|/delta. */
-typedef enum Influence { INFLUENCE_CONSTANT, INFLUENCE_CONICAL } Influence;
-typedef enum Clamp { CLAMP_FULL, CLAMP_GUIDE } Clamp;
-
 typedef struct BeamDef {
     BeamProblem problem;
     double length, height, thickness; /* m */

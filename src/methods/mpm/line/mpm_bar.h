@@ -6,22 +6,9 @@
 #ifndef PHYSICS_MPM_BAR_H
 #define PHYSICS_MPM_BAR_H
 
+#include "base/kinds.h"
 #include "base/patience.h"
 #include "methods/method.h"
-
-typedef enum BarSupports { BAR_FIXED_FREE, BAR_FREE_FIXED, BAR_FIXED_FIXED, BAR_FREE_FREE } BarSupports;
-
-typedef enum MpmAlgorithm {
-    MPM_USF, /* update stress first: as in paper M */
-    MPM_USL, /* update stress last */
-    MPM_MUSL /* modified USL: the nodal velocity for the strain is mapped again */
-} MpmAlgorithm;
-
-typedef enum MpmShape { MPM_HAT, MPM_GIMP, MPM_BSPLINE2, MPM_BSPLINE3, MPM_CPDI } MpmShape;
-
-typedef enum MpmTransfer { MPM_FLIP, MPM_APIC, MPM_FMPM } MpmTransfer;
-
-enum { FMPM_ORDER_MAX = 8 };
 
 /* A term of the external force, eq. 11: what acts on each particle from outside. Node i takes N_i of it; the
  * work that it does counts with that of the loads. Stage, field and sum of the force are worded by it. */

@@ -9,25 +9,11 @@
 #ifndef PHYSICS_MPM_PLANE_H
 #define PHYSICS_MPM_PLANE_H
 
+#include "base/kinds.h"
 #include "base/patience.h"
 #include "methods/method.h"
 #include "methods/mpm/line/mpm_bar.h"
 #include "methods/bonds/plane/bonds_plane.h"
-
-/* How the ends of a supported beam are held: uy = 0 over the whole end section (the plane problem with an
- * exact answer), or at its middle alone. ux = 0 at the left end's middle either way. */
-typedef enum PlaneEnds { PLANE_SECTION, PLANE_POINT } PlaneEnds;
-
-/* What moves at t = 0: the deflection of the first mode, held and let go; or the straight beam with the
- * velocities of that mode. */
-typedef enum PlaneStart { PLANE_DEFLECTION, PLANE_VELOCITY } PlaneStart;
-
-/* The stress that belongs to the deflection, which the method cannot find out by itself. */
-typedef enum PlaneStress {
-    PLANE_RELAXED, /* of nodal displacements with the sections' widening and narrowing: rings least */
-    PLANE_GRID,    /* of nodal displacements by beam theory alone */
-    PLANE_EXACT    /* beam theory's curvature at each particle */
-} PlaneStress;
 
 typedef struct PlaneDef {
     bool leaves_channel;              /* a cantilever that leaves its channel; else a supported beam */

@@ -13,9 +13,9 @@
 #ifndef PHYSICS_PD_VOLUME_H
 #define PHYSICS_PD_VOLUME_H
 
-#include <stdbool.h>
+#include "base/kinds.h"
 
-typedef enum VolumeCorrection { VOLUME_NONE, VOLUME_PARTIAL, VOLUME_HHB } VolumeCorrection;
+#include <stdbool.h>
 
 /* The members of a family lie no farther than this; at delta = 4 dx, or at delta + dx/2 = 3 dx, the tolerance
  * decides. */

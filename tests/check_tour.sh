@@ -1,0 +1,25 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The tour of CONTRIBUTING.md goes through rooms that are there: each `function()` that it names is defined in the
+# `src/...` file that it names next.
+cd "${MATVIB_SRCDIR:-..}" || exit 1
+grep -q '^## A tour' CONTRIBUTING.md || exit 1
+number=0
+steps=$(sed -n '/^## A tour/,/^## Where/p' CONTRIBUTING.md | tr '\n' ' ' | grep -oE '`[a-z_]+\(\)`[^`]*`src/[^`]*`' |
+	sed -E 's/`([a-z_]+)\(\)`[^`]*`([^`]*)`/\1 \2/')
+while read -r name file; do
+	number=$((number + 1))
+	if grep -qE "^[a-zA-Z][^;]*[ *]$name\(" "$file" 2>/dev/null; then
+		echo "ok $number - $name stands in $file"
+	else
+		echo "not ok $number - $name stands in $file"
+	fi
+done <<END
+$steps
+END
+if [ "$number" -gt 15 ]; then
+	echo "ok $((number + 1)) - a key and a step are followed"
+else
+	echo "not ok $((number + 1)) - a key and a step are followed ($number places)"
+fi
+echo "1..$((number + 1))"
