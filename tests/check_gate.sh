@@ -33,9 +33,9 @@ only 'fopen|freopen|tmpfile|mkstemp|mkostemp|creat|openat' 'nobody' "no file is 
 only 'open' 'libbase.a:(input|output).o|liblab.a:terminal.o' \
 	"files are opened by the gates, the terminal by itself"
 only 'rename|renameat|renameat2|link|linkat|symlink|unlink|unlinkat|remove|mkdir|mkdirat|rmdir|truncate|ftruncate|chmod|fchmod' \
-	'libbase.a:output.o|liblab.a:picture.o' "files are made, renamed and removed by the gate"
+	'libbase.a:output.o|liblab.a:grid.o' "files are made, renamed and removed by the gate"
 only 'system|popen|execl|execlp|execle|execv|execvp|execve|posix_spawn' 'nobody' "no program is started"
-only '(mv)?w?add(n)?(w)?str|w?add_wch|waddch|addch|tputs|putp|vid_puts' 'liblab.a:(picture|painter|terminal).o' \
+only '(mv)?w?add(n)?(w)?str|w?add_wch|waddch|addch|tputs|putp|vid_puts' 'liblab.a:(grid|painter|terminal).o' \
 	"the terminal is written to by its own files"
 
 # Text for standard error goes through the door; what is left are words of the program itself.

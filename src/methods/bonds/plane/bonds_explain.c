@@ -171,7 +171,7 @@ static void explain_kick(const Beam *beam, Calculation *calculation, bool second
 {
     const double factor = beam->sim.dt / (2 * beam->def.density);
     const BondsMistake *mistake = bonds_mistake(beam);
-    if (mistake && mistake->stages[second ? STAGE_SECOND_KICK : STAGE_HALF_KICK]) {
+    if (mistake && mistake->kicks_late) {
         write_pair(calculation, "vx, vy stay ", now->vx, now->vy, "m/s");
     } else if (was && beam->damping > 0) {
         explain_damped(beam, calculation, second, now, was);
@@ -191,7 +191,7 @@ static void explain_drift(const Beam *beam, Calculation *calculation, const Node
     if (was) {
         write_change(calculation, "ux = ux + Δt vx = ", was->ux, beam->sim.dt, was->vx, now->ux, "m");
         write_change(calculation, "uy = uy + Δt vy = ", was->uy, beam->sim.dt, was->vy, now->uy, "m");
-        if (mistake && mistake->stages[STAGE_DRIFT]) {
+        if (mistake && mistake->kicks_late) {
             write_change(calculation, "vx = vx + Δt/ρ fx = ", was->vx, kick, was->fx, now->vx, "m/s");
             write_change(calculation, "vy = vy + Δt/ρ fy = ", was->vy, kick, was->fy, now->vy, "m/s");
         }

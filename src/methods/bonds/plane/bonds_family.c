@@ -36,6 +36,29 @@ BondNow beam_bond(const Beam *beam, BondPlace place)
     return bond;
 }
 
+BondNow bonds_seen_from(const Beam *beam, BondPlace place, size_t index)
+{
+    BondNow bond = beam_bond(beam, place);
+    const bool own = bond.a == index;
+    if (bonds_mistake(beam)) {
+        const Offset *offset = &beam->lattice.offsets[place.offset];
+        const size_t at = lattice_at(&beam->lattice, place.i, place.j);
+        const size_t to = lattice_at(&beam->lattice, place.i + offset->p, place.j + offset->q);
+        const BondsPull pull =
+            bonds_pull(beam, offset, beam->coefficient[lattice_slot(&beam->lattice, place)],
+                       beam->nodes.ux[to] - beam->nodes.ux[at], beam->nodes.uy[to] - beam->nodes.uy[at]);
+        bond.pull = own ? pull.own : pull.other;
+        bond.direction_x = pull.x;
+        bond.direction_y = pull.y;
+    }
+    if (own)
+        return bond;
+    bond.direction_x = -bond.direction_x;
+    bond.direction_y = -bond.direction_y;
+    bond.b = bond.a;
+    return bond;
+}
+
 /* A node owns half of its bonds; those of the other half are owned by the nodes below it and to its left,
  * mirrored. */
 size_t beam_family(const Beam *beam, int i, int j, BondPlace *out)

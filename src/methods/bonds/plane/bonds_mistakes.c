@@ -36,25 +36,6 @@ static double over_the_length_now(double lengthening, bool left)
     return 1 / lengthening;
 }
 
-static void nothing(Beam *beam, int j, long step)
-{
-    (void)beam, (void)j, (void)step;
-}
-
-/* u += dt v, then v += dt a: the force is still that of the old place. */
-static void drift_and_kick(Beam *beam, int j, long step)
-{
-    const size_t row = lattice_at(&beam->lattice, 0, j), count = beam->lattice.columns;
-    const double dt = beam->sim.dt, kick = dt / beam->def.density;
-    beam->kernels->add(beam->nodes.ux + row, beam->nodes.vx + row, dt, count);
-    beam->kernels->add(beam->nodes.uy + row, beam->nodes.vy + row, dt, count);
-    beam_note_work(beam, j, step);
-    beam_note_speeds(beam, j);
-    beam->kernels->add(beam->nodes.vx + row, beam->nodes.fx + row, kick, count);
-    beam->kernels->add(beam->nodes.vy + row, beam->nodes.fy + row, kick, count);
-    beam_constrain_velocity(beam, j, (double)step * dt);
-}
-
 #define LINES(...) __VA_ARGS__
 static const BondsMistake mistakes[] = {
 #define MISTAKE(name, words, written, ...)                                                                   \
@@ -120,20 +101,13 @@ static bool owner_is_left(const Offset *offset)
     return offset->p > 0 || (offset->p == 0 && offset->q > 0);
 }
 
-/* What a bond pulls at its owner and at its other end, along the direction from the one to the other. */
-typedef struct Pull {
-    double x, y; /* the direction */
-    double own, other;
-    double energy; /* over V |xi|/2 and the thickness */
-} Pull;
-
-static Pull pull_of(const Beam *beam, const Offset *offset, double coefficient, double ex, double ey)
+BondsPull bonds_pull(const Beam *beam, const Offset *offset, double coefficient, double ex, double ey)
 {
     const BondsMistake *mistake = bonds_mistake(beam);
     const double x = offset->x + ex, y = offset->y + ey, length = sqrt(x * x + y * y);
     const double stretch = offset_stretch(offset, ex, ey), whole = coefficient * stretch;
     const double lengthening = length / offset->length;
-    Pull pull = {x / length, y / length, whole, whole, whole * stretch};
+    BondsPull pull = {x / length, y / length, whole, whole, whole * stretch};
     if (mistake && mistake->along_rest) {
         pull.x = offset->x / offset->length;
         pull.y = offset->y / offset->length;
@@ -143,29 +117,6 @@ static Pull pull_of(const Beam *beam, const Offset *offset, double coefficient, 
         pull.other *= mistake->share(lengthening, !owner_is_left(offset));
     }
     return pull;
-}
-
-BondNow bonds_seen_from(const Beam *beam, BondPlace place, size_t index)
-{
-    BondNow bond = beam_bond(beam, place);
-    const bool own = bond.a == index;
-    if (bonds_mistake(beam)) {
-        const Offset *offset = &beam->lattice.offsets[place.offset];
-        const size_t at = lattice_at(&beam->lattice, place.i, place.j);
-        const size_t to = lattice_at(&beam->lattice, place.i + offset->p, place.j + offset->q);
-        const Pull pull =
-            pull_of(beam, offset, beam->coefficient[lattice_slot(&beam->lattice, place)],
-                    beam->nodes.ux[to] - beam->nodes.ux[at], beam->nodes.uy[to] - beam->nodes.uy[at]);
-        bond.pull = own ? pull.own : pull.other;
-        bond.direction_x = pull.x;
-        bond.direction_y = pull.y;
-    }
-    if (own)
-        return bond;
-    bond.direction_x = -bond.direction_x;
-    bond.direction_y = -bond.direction_y;
-    bond.b = bond.a;
-    return bond;
 }
 
 void bonds_forces_of_row(Beam *beam, int j, double *const *fx, double *const *fy, BondLog *log,
@@ -183,8 +134,9 @@ void bonds_forces_of_row(Beam *beam, int j, double *const *fx, double *const *fy
             const size_t other = lattice_at(lattice, i + offset->p, j + offset->q);
             if (beam->coefficient[slot] == 0)
                 continue;
-            const Pull pull = pull_of(beam, offset, beam->coefficient[slot],
-                                      nodes->ux[other] - nodes->ux[own], nodes->uy[other] - nodes->uy[own]);
+            const BondsPull pull =
+                bonds_pull(beam, offset, beam->coefficient[slot], nodes->ux[other] - nodes->ux[own],
+                           nodes->uy[other] - nodes->uy[own]);
             fx[0][i] += pull.own * pull.x;
             fy[0][i] += pull.own * pull.y;
             fx[offset->q][i + offset->p] -= pull.other * pull.x;

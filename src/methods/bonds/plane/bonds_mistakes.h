@@ -34,8 +34,8 @@ typedef struct BondsMistake {
     /* The share of a bond's pull that an end gets, the left one (below the other where none is) or the right
      * one; of its length over that at rest. */
     double (*share)(double lengthening, bool left);
-    bool along_rest;                                    /* it pulls along xi */
-    void (*stages[N_STAGES])(Beam *, int j, long step); /* of row j, in place of the right ones */
+    bool along_rest; /* it pulls along xi */
+    bool kicks_late; /* u += dt v, then v += dt a by the force of the old place; no half kicks */
 } BondsMistake;
 
 /* NULL: none. */
@@ -45,7 +45,17 @@ const BondsMistake *bonds_mistake_of(int mistake);
 /* Whether these are what mistakes are defined for; else the status names the key. */
 bool bonds_check_mistake(const BeamDef *, Status *);
 
-/* A bond as one of its ends, node `index`, meets it: seen from there, with what this code lets it pull. */
+/* What a bond of this direction pulls at its owner and at its other end, with that coefficient and these
+ * differences of displacements: in this code's words or, without a mistake, the right ones. */
+typedef struct BondsPull {
+    double x, y; /* the direction from the one to the other */
+    double own, other;
+    double energy; /* over V |xi|/2 and the thickness */
+} BondsPull;
+BondsPull bonds_pull(const Beam *, const Offset *, double coefficient, double ex, double ey);
+
+/* bonds_family.c. A bond as one of its ends, node `index`, meets it: seen from there, with what this code
+ * lets it pull. */
 BondNow bonds_seen_from(const Beam *, BondPlace, size_t index);
 
 /* Adds to fx[q], fy[q] what the bonds of row j give (beam_bonds_of_row()), and tells their energy, J. Nothing

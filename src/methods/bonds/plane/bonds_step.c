@@ -116,6 +116,25 @@ static void second_kick(Beam *beam, int j, long step)
     beam_note_reaction(beam, j);
 }
 
+/* By a code that kicks late: u += dt v, then v += dt a, where the force is still that of the old place. */
+static void drift_and_kick(Beam *beam, int j, long step)
+{
+    const size_t row = lattice_at(&beam->lattice, 0, j), count = beam->lattice.columns;
+    const double dt = beam->sim.dt, whole = dt / beam->def.density;
+    beam->kernels->add(beam->nodes.ux + row, beam->nodes.vx + row, dt, count);
+    beam->kernels->add(beam->nodes.uy + row, beam->nodes.vy + row, dt, count);
+    beam_note_work(beam, j, step);
+    beam_note_speeds(beam, j);
+    beam->kernels->add(beam->nodes.vx + row, beam->nodes.fx + row, whole, count);
+    beam->kernels->add(beam->nodes.vy + row, beam->nodes.fy + row, whole, count);
+    beam_constrain_velocity(beam, j, (double)step * dt);
+}
+
+static void nothing(Beam *beam, int j, long step)
+{
+    (void)beam, (void)j, (void)step;
+}
+
 /* Enters the bonds that broke into the list of the run. False: a bond is beyond all bounds, or memory was
  * short. */
 static bool take_log(Beam *beam, BondLog *log, long step, Status *status)
@@ -151,6 +170,10 @@ static RowStage *const row_stages[N_STAGES] = {
     [STAGE_HALF_KICK] = half_kick,     [STAGE_DRIFT] = drift,
     [STAGE_CONSTRAINTS] = constraints, [STAGE_BODY_FORCE] = body_force,
     [STAGE_SECOND_KICK] = second_kick,
+};
+static RowStage *const late_stages[N_STAGES] = {
+    [STAGE_HALF_KICK] = nothing,     [STAGE_DRIFT] = drift_and_kick, [STAGE_CONSTRAINTS] = constraints,
+    [STAGE_BODY_FORCE] = body_force, [STAGE_SECOND_KICK] = nothing,
 };
 
 /* The bonds that rows [first, end) own, eqs. 2, 3, 6 and 8. Forces that cross from one band of rows to the
@@ -189,7 +212,7 @@ bool beam_stage(Simulation *sim, int stage, size_t first, size_t end, Status *st
         return true;
     }
     const BondsMistake *mistake = bonds_mistake(beam);
-    RowStage *const work = mistake && mistake->stages[stage] ? mistake->stages[stage] : row_stages[stage];
+    RowStage *const work = (mistake && mistake->kicks_late ? late_stages : row_stages)[stage];
     for (size_t j = first; j < end; j++)
         work(beam, (int)j, sim->step);
     if (end < sim->stage_items)

@@ -107,3 +107,25 @@ double bar_mass_between(const Bar *bar, int i, int j)
     const double mu = bar->head->mass_blend;
     return (1.0 - mu) * bar_consistent_mass(bar, i, j) + (i == j ? mu * bar->node_mass[i] : 0.0);
 }
+
+size_t bar_lasting_bytes(const Bar *bar, const BarHead *head)
+{
+    const BarMistake *mistake = bar_mistake_of(head->mistake);
+    if (mistake && mistake->keeps_grid)
+        return bar->bytes_kept;
+    return head->transfer == MPM_APIC ? bar->bytes_apic : bar->bytes_flip;
+}
+
+bool bar_holds_momentum(const Bar *bar, BarOp stage, int node)
+{
+    const BarMistake *mistake = bar_mistake(bar);
+    const BarHolds holds = mistake ? mistake->holds : HOLDS_BEFORE_STRAIN;
+    return bar_node_is_fixed(bar, node) && holds != HOLDS_NEVER &&
+           (holds == HOLDS_AFTER_STRAIN ? stage == OP_STRAIN : stage == OP_FIX);
+}
+
+bool bar_holds_force(const Bar *bar, int node)
+{
+    const BarMistake *mistake = bar_mistake(bar);
+    return bar_node_is_fixed(bar, node) && !(mistake && mistake->held_yield);
+}

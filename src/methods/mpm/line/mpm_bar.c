@@ -127,14 +127,6 @@ static size_t saved_bytes(const Bar *bar, const BarHead *head)
     return bar->sim.stage != 0 ? bar->bytes_whole : bar_lasting_bytes(bar, head);
 }
 
-size_t bar_lasting_bytes(const Bar *bar, const BarHead *head)
-{
-    const BarMistake *mistake = bar_mistake_of(head->mistake);
-    if (mistake && mistake->keeps_grid)
-        return bar->bytes_kept;
-    return head->transfer == MPM_APIC ? bar->bytes_apic : bar->bytes_flip;
-}
-
 static size_t state_size(const Simulation *sim)
 {
     const Bar *bar = bar_of_const(sim);
