@@ -5,7 +5,9 @@
 #include <stdio.h>
 #include <string.h>
 
-int legend_draw(Area area, int x, int y, const Legend *legend, int n_legend)
+enum { GAP_MOST = 2 }; /* behind an entry */
+
+static int draw_entries(Area area, int x, int y, int gap, const Legend *legend, int n_legend)
 {
     for (int i = 0; i < n_legend; i++) {
         const int columns = 3 + glyphs_columns(legend[i].name);
@@ -17,9 +19,14 @@ int legend_draw(Area area, int x, int y, const Legend *legend, int n_legend)
             legend[i].key ? legend[i].key : plot_key(legend[i].line, legend[i].letter, area.glyphs);
         area_text(area, x, y, key, legend[i].style);
         area_text(area, x + 3, y, legend[i].name, STYLE_NORMAL);
-        x += columns + 2;
+        x += columns + gap;
     }
     return n_legend;
+}
+
+int legend_draw(Area area, int x, int y, const Legend *legend, int n_legend)
+{
+    return draw_entries(area, x, y, GAP_MOST, legend, n_legend);
 }
 
 const char *legend_short_name(const char *name)
@@ -69,34 +76,24 @@ static const char *shorter_name(const Legend *entry, int kind)
     }
 }
 
-static int legend_columns(const Legend *legend, int n_legend)
+static int legend_columns(const Legend *legend, int n_legend, int gap)
 {
-    int columns = -1; /* after the last one there is no gap */
+    int columns = 1 - gap; /* after the last one there is no gap */
     for (int i = 0; i < n_legend; i++)
-        columns += glyphs_columns(legend[i].name) + 5;
+        columns += 3 + glyphs_columns(legend[i].name) + gap;
     return columns;
 }
 
 /* One kind of names after the other gives way until the whole legend has room: so many kinds. */
-static void shorten_legend(int room, int kinds, Legend *legend, int n_legend)
+static void shorten_legend(int room, int kinds, int gap, Legend *legend, int n_legend)
 {
     for (int kind = 0; kind < kinds; kind++)
-        for (int i = 0, columns = legend_columns(legend, n_legend); i < n_legend && columns > room; i++) {
+        for (int i = 0, columns = legend_columns(legend, n_legend, gap); i < n_legend && columns > room;
+             i++) {
             const char *name = shorter_name(&legend[i], kind);
             columns -= name ? glyphs_columns(legend[i].name) - glyphs_columns(name) : 0;
             legend[i].name = name ? name : legend[i].name;
         }
-}
-
-/* The solid line of the one run that there is goes without saying. */
-static int leave_out_measured(Legend *legend, int n_legend)
-{
-    for (int i = 0; i < n_legend; i++)
-        if (strcmp(legend[i].name, "measured") == 0) {
-            memmove(&legend[i], &legend[i + 1], (size_t)(n_legend - i - 1) * sizeof *legend);
-            return n_legend - 1;
-        }
-    return n_legend;
 }
 
 /* As many as there is room for; where there are none `legend` may be NULL. Returns how many. */
@@ -112,31 +109,30 @@ void legend_draw_short(Area area, int x, int y, const Legend *legend, int n_lege
 {
     Legend shown[LEGENDS_MAX];
     n_legend = copy_legend(shown, legend, n_legend);
-    shorten_legend(area.rect.width - x, NAME_KINDS, shown, n_legend);
+    shorten_legend(area.rect.width - x, NAME_KINDS, GAP_MOST, shown, n_legend);
     legend_draw(area, x, y, shown, n_legend);
 }
 
 int heading_draw(Area area, Style heading, const char *name, const char *scale, const Legend *legend,
                  int n_legend)
 {
-    enum { SHORT_NAME = 1, NO_MEASURED, LETTERS_ONLY }; /* what gives way, one after the other */
+    enum { SHORT_NAME = 1, CLOSE, LETTERS_ONLY }; /* what gives way, one after the other */
     char text[160];
     Legend shown[LEGENDS_MAX];
-    int n_shown = 0, x = 0;
+    int x = 0, gap = GAP_MOST;
     for (int pass = 0; pass <= LETTERS_ONLY; pass++) {
         const char *title = pass >= SHORT_NAME ? legend_short_name(name) : name;
         snprintf(text, sizeof text, "%s%s%s", title, !scale[0] ? "" : scale[0] == 'x' ? " " : ", ", scale);
         x = 4 + glyphs_columns(text) + 1;
+        gap = pass >= CLOSE ? 1 : GAP_MOST;
         const int room = area.rect.width - x;
         n_legend = copy_legend(shown, legend, n_legend);
-        n_shown = pass >= NO_MEASURED ? leave_out_measured(shown, n_legend) : n_legend;
-        shorten_legend(room, NAME_KINDS - 2, shown, n_shown);
-        shorten_legend(room, pass >= LETTERS_ONLY ? NAME_KINDS : 0, shown, n_shown);
-        if (legend_columns(shown, n_shown) <= room)
+        shorten_legend(room, pass >= LETTERS_ONLY ? NAME_KINDS : NAME_KINDS - 2, gap, shown, n_legend);
+        if (legend_columns(shown, n_legend, gap) <= room)
             break;
     }
     area_rule(area, 0, text, heading);
-    return legend_draw(area, x, 0, shown, n_shown) + n_legend - n_shown;
+    return draw_entries(area, x, 0, gap, shown, n_legend);
 }
 
 bool heading_hint(Area area, int begin, int end, const char *hint)

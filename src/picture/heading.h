@@ -24,8 +24,8 @@ enum { LEGENDS_MAX = 32 }; /* under one heading */
 void legend_draw_short(Area, int x, int y, const Legend *, int n_legend);
 
 /* Draws the heading line of a plot: name, scale, legend as far as there is room. Where it is short names are
- * shortened first; then the solid line of what is measured goes without saying. Returns how many entries of
- * the legend that were. */
+ * shortened first, then entries move together; the first ones, whose curves are solid, are kept. Returns how
+ * many entries of the legend that were. */
 int heading_draw(Area, Style heading, const char *name, const char *scale, const Legend *, int n_legend);
 
 /* Writes a hint into a heading line, up to column `end`; false: there is no room behind column `begin`. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Ticks are round, labels agree with them, and a curve's column shows all that its samples do. */
 #include "suite.h"
+#include "picture/heading.h"
 #include "picture/plot.h"
 
 #include <math.h>
@@ -261,6 +262,27 @@ START_TEST(ticks_lie_evenly)
 }
 END_TEST
 
+/* The solid curve has its name first, whatever the room is. */
+START_TEST(legends_keep_the_solid_curve)
+{
+    static const Legend legend[] = {{LINE_SOLID, '*', STYLE_MEASURED, "measured", NULL},
+                                    {LINE_DOTTED, '.', STYLE_EXACT, "exact", NULL},
+                                    {LINE_DASHED, '-', STYLE_PREDICTED, "predicted", NULL}};
+    for (int width = 26; width < 70; width++) {
+        Canvas canvas = {0};
+        ck_assert(canvas_open(&canvas, width, 1, NULL));
+        const int named = heading_draw((Area){&canvas, {0, 0, width, 1}, GLYPHS_ASCII}, STYLE_HEADING, "v_cm",
+                                       "x10^-3", legend, 3);
+        char *dump = canvas_dump(&canvas);
+        ck_assert_msg(strstr(dump, " meas"), "%s", dump);
+        ck_assert_msg(named == 3 || !strstr(dump, " pred"), "%s", dump);
+        ck_assert_msg(width < 43 || named == 3, "%d columns: %s", width, dump);
+        free(dump);
+        canvas_close(&canvas);
+    }
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     TCase *axes = tcase_create("axes");
@@ -270,6 +292,7 @@ void add_cases(Suite *suite)
     tcase_add_test(axes, an_axis_says_its_power_of_ten);
     tcase_add_test(axes, axes_keep_their_gutter);
     tcase_add_test(axes, ticks_lie_evenly);
+    tcase_add_test(axes, legends_keep_the_solid_curve);
     suite_add_tcase(suite, axes);
     TCase *curves = tcase_create("curves");
     tcase_add_loop_test(curves, each_column_shows_least_and_largest, 0, GLYPHS_COUNT);
