@@ -563,6 +563,21 @@ START_TEST(a_page_can_be_left_out)
 }
 END_TEST
 
+/* Whoever has read a lesson is told what that was good for; homework is marked. */
+START_TEST(the_last_page_says_what_one_can_tell)
+{
+    Lesson lesson;
+    ck_assert(lesson_load(builtin_lessons[_i].name, command_line_for_lessons, &lesson, NULL));
+    const LessonPage *last = &lesson.pages[lesson.n_pages - 1];
+    const char *parts[] = {last->first.text, last->revealed.text};
+    bool told = strcmp(lesson.group, "Homework") == 0;
+    for (int i = 0; i < 2; i++)
+        told |= parts[i] && (strstr(parts[i], "You can tell ") || strstr(parts[i], "You can tell\n"));
+    ck_assert_msg(told, "%s: its last page, %s", builtin_lessons[_i].name, last->title);
+    lesson_free(&lesson);
+}
+END_TEST
+
 /* The list has its groups, the sentence of the lesson that is chosen, and says how many are below; a title
  * opens its lesson wherever it stands. */
 START_TEST(the_list_has_groups_and_says_how_many_more)
@@ -614,6 +629,7 @@ void add_cases(Suite *suite)
     tcase_add_test(turning, arrows_choose_an_answer);
     tcase_add_test(turning, a_turned_page_is_not_waited_for);
     tcase_add_test(turning, a_page_can_be_left_out);
+    tcase_add_loop_test(format, the_last_page_says_what_one_can_tell, 0, count);
     tcase_add_test(turning, the_list_has_groups_and_says_how_many_more);
     suite_add_tcase(suite, format);
     suite_add_tcase(suite, own);
