@@ -127,6 +127,12 @@ static bool is_due(const Plain *plain, TellPart part, bool still, bool moved_far
     const Screen *screen = &plain->lab.screen;
     const bool first = !plain->last[TELL_WHERE].text;
     const bool rests = screen->playback.state == STATE_ENDED || screen->playback.state == STATE_FAILED;
+    /* beside a page of a lesson, which is what is read, they wait for `more` */
+    const bool page = screen->lesson.open && screen->lesson.lesson;
+    if (page && (part == TELL_UPPER || part == TELL_LOWER || part == TELL_BODY || part == TELL_PARAMETER))
+        return false;
+    if (page && part == TELL_FOCUS)
+        return plain->page;
     if (part == TELL_STAGE)
         return experiment_stage(screen->experiment) > 0 || rests || (first && !screen->lesson.open);
     if (part == TELL_UPPER || part == TELL_LOWER)
@@ -185,6 +191,7 @@ static void tell_changes(Plain *plain)
     }
     plain->step = step;
     plain->stage = stage;
+    plain->page = screen->lesson.open && screen->lesson.lesson;
 }
 
 /* Parameters of the same run that have another value now. */
@@ -405,6 +412,16 @@ static void tell_help(Plain *plain)
     put_words(plain, &words);
 }
 
+static void tell_more(Plain *plain)
+{
+    static const TellPart parts[] = {TELL_BODY, TELL_UPPER, TELL_LOWER};
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
+        Words words = {.text = NULL};
+        tell_part(&plain->lab.screen, parts[i], &words);
+        put_words(plain, &words);
+    }
+}
+
 static bool draw(Plain *plain, Status *status)
 {
     return laboratory_draw(&plain->lab, &plain->canvas, WIDTH, HEIGHT) ||
@@ -420,6 +437,12 @@ bool plain_line(Plain *plain, const char *typed, Status *status)
     if (plain->echo)
         echo(plain, line);
     plain->said = false;
+    const bool is_answer = plain->lab.screen.prompt.open || plain->lab.screen.parameters.edit.open;
+    if (!is_answer && strcmp(line + (*line == ':'), "more") == 0) {
+        tell_more(plain);
+        fflush(plain->out);
+        return true;
+    }
     plain->all_help = strcmp(line, "help all") == 0 || strcmp(line, ":help all") == 0;
     if (plain->talks)
         pass_time(plain);
@@ -458,8 +481,8 @@ bool plain_open(Plain *plain, const LaboratoryOptions *options, FILE *out, Statu
     plain->lab.utf8 = false;
     say(plain,
         "matvib in plain words. A line is a key by its name (] is a stage, . a step, Space a run) or a "
-        "command: until end, show energies, initial.mode=3, tell stage. tell alone tells all again, "
-        "help what there is, quit leaves.");
+        "command: until end, show energies, initial.mode=3, tell stage. more tells the curves, tell alone "
+        "all again, help what there is, quit leaves.");
     let_it_work(plain);
     if (!draw(plain, status)) {
         plain_close(plain);

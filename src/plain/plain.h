@@ -6,6 +6,7 @@
  *     ]            a key by its name: a character, Space, Enter, Esc, Up, ...; an empty line is Enter
  *     show probe   anything else: a command by name, KEY=VALUE, a time (12.5), a word with its arguments
  *     :5           the same where it could be a key too
+ *     more         the body and the curves, which wait for it beside a page of a lesson
  *
  * While a question or a field is open the line is its answer. A run goes on to where it stops, or to its
  * end, before the next line is read; on a terminal ^C pauses it. */
@@ -29,6 +30,7 @@ typedef struct Plain {
     double told_at;
     Words last[TELL_PARTS]; /* what was told of each */
     long step, stage;       /* where that was */
+    bool page;              /* beside a page of a lesson */
     const Experiment *of;   /* of which run, with which values */
     Settings settings;
     bool said; /* the line had an answer */

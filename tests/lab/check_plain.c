@@ -350,6 +350,48 @@ START_TEST(cracks_have_the_names_of_their_cuts)
 }
 END_TEST
 
+static int lines_of(const char *text)
+{
+    int lines = 0;
+    for (; *text; text++)
+        lines += *text == '\n';
+    return lines;
+}
+
+/* A page is read in ten lines; body and curves come when they are asked for. */
+START_TEST(a_page_is_short_and_more_tells_the_curves)
+{
+    Talk *talk = open_talk("mode5");
+    static const char *const lines[] = {"lesson late", "Enter", "n", "n"};
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
+        const char *said = line(talk, lines[i]);
+        ck_assert_msg(lines_of(said) <= 10, "%d lines: %s", lines_of(said), said);
+        ck_assert_msg(!strstr(said, "View "), "%s", said);
+    }
+    says(talk, "more", "View probe");
+    says(talk, "more", "View profile");
+    says(talk, "more", "50 particles");
+    says(talk, "T", "Keys go to: the parameters");
+    says(talk, "goto 2", "View probe");
+    close_talk(talk);
+}
+END_TEST
+
+/* A lesson is opened where its reader had come to, and that is said, however long the way there is. */
+START_TEST(a_lesson_that_resumes_says_so)
+{
+    Talk *talk = open_talk("mode5");
+    int late = 0;
+    while (strcmp(builtin_lessons[late].name, "late") != 0)
+        late++;
+    talk->plain.lab.screen.lesson.reached[late] = 4;
+    says(talk, "lesson late", "you had come to page 4");
+    talk->plain.lab.screen.lesson.reached[late] = 1;
+    ck_assert_ptr_null(strstr(line(talk, "lesson late"), "you had come"));
+    close_talk(talk);
+}
+END_TEST
+
 START_TEST(the_help_of_a_plate_is_of_plates)
 {
     Talk *talk = open_talk("two-cracks");
@@ -520,6 +562,8 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, curves_are_told_after_several_steps);
     tcase_add_test(tcase, cracks_have_the_names_of_their_cuts);
     tcase_add_test(tcase, the_help_of_a_plate_is_of_plates);
+    tcase_add_test(tcase, a_page_is_short_and_more_tells_the_curves);
+    tcase_add_test(tcase, a_lesson_that_resumes_says_so);
     tcase_add_test(tcase, strange_lines_do_no_harm);
     tcase_add_test(tcase, rows_of_a_plate_are_told);
     tcase_add_test(tcase, an_interrupt_means_the_work);

@@ -213,9 +213,12 @@ static void arrive(Laboratory *lab)
     if (lesson_entry_page(lab)->exercise)
         lesson_judge_enter(lab);
     player_stop_at(lab, &stop);
-    if (screen->message.kind != MESSAGE_ERROR)
+    if (screen->message.kind != MESSAGE_ERROR && play->resumes > 0)
+        laboratory_say(lab, MESSAGE_INFO, "you had come to page %d; b turns back", play->resumes);
+    else if (screen->message.kind != MESSAGE_ERROR)
         laboratory_say(lab, MESSAGE_NONE, "%s",
                        ""); /* its text tells what the page did, and what is to be feared */
+    play->resumes = 0;
     if (lab->player.pace_automatic)
         lesson_entry_choose_pace(lab);
 }

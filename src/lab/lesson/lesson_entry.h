@@ -38,6 +38,7 @@ typedef struct LessonPlay {
     int stage;
     CommandSet used;   /* since the page was opened */
     bool warned;       /* that the page still waits */
+    int resumes;       /* the page, from 1 on, that is opened because the reader had come to it; 0: none */
     Asker asker;       /* who turned to the page */
     char refused[320]; /* what it wanted to do and could not, and why; "": nothing */
     ExerciseRun run;   /* of a page with an exercise */

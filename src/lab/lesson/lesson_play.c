@@ -17,6 +17,7 @@ static void forget_lesson(Laboratory *lab)
     lesson_free(&lab->play.lesson);
     lab->play.n_queue = lab->play.next = lab->play.n_waiting = 0;
     lab->play.name[0] = '\0';
+    lab->play.resumes = 0;
     lab->screen.lesson.lesson = NULL;
 }
 
@@ -42,9 +43,8 @@ bool lesson_play_open(Laboratory *lab, const char *name, Status *status)
     shown->counts = lab->options.student && lesson_judge_counts(lab);
     const int *reached = lesson_entry_reached(lab);
     const int page = reached && *reached > 1 && *reached < lesson.n_pages ? *reached - 1 : 0;
+    lab->play.resumes = page > 0 ? page + 1 : 0;
     lesson_entry_show(lab, page);
-    if (page > 0)
-        laboratory_say(lab, MESSAGE_INFO, "you had come to page %d; b turns back", page + 1);
     return true;
 }
 
