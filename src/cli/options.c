@@ -90,7 +90,9 @@ const Option options_table[] = {
     {"--every", "N", " run ", "a row of the series every N steps (1)", OPTION_OVERRIDE,
      .key = "output.every"},
     {"--columns", "NAME,...", " run ",
-     "the columns of the series that are written, or all (those that cost no more than the step)",
+     "the columns of the series that are written, and fields that tables leave out; or all (those that cost "
+     "no "
+     "more than the step)",
      OPTION_OVERRIDE, .key = "output.columns"},
     {"--series", "FILE", " run ", "writes the series: one row for each recorded step", OPTION_TEXT,
      AT(outputs.series)},
@@ -98,6 +100,9 @@ const Option options_table[] = {
     {"--nodes", "FILE", " run ", "writes the table of the grid's nodes (bar)", OPTION_TEXT,
      AT(outputs.nodes)},
     {"--bonds", "FILE", " run ", "writes the table of bonds (beams)", OPTION_TEXT, AT(outputs.bonds)},
+    {"--stages", "FROM:TO", " run ",
+     "tables after each stage of these steps (the first is 1), with all fields, in place of those at times",
+     OPTION_TEXT, AT(stages)},
     {"--vtk", "FILE", " run ", "writes points for ParaView", OPTION_TEXT, AT(outputs.vtk)},
     {"--crate", NULL, " run sweep fit ",
      "describes the tables as research data: ro-crate-metadata.json beside them", OPTION_FLAG, AT(crate)},

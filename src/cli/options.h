@@ -67,7 +67,7 @@ typedef struct Options {
     long threads;
 
     Outputs outputs; /* its dialect and force are filled in by options_parse() */
-    const char *dialect, *vtk_data;
+    const char *dialect, *vtk_data, *stages;
     bool force, quiet, crate;
 
     SweepAxis axes[AXES_MAX]; /* --vary and --with, in their order */

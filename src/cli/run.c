@@ -76,6 +76,32 @@ static bool times_are_used(const Options *options, Status *status)
     return true;
 }
 
+/* --stages FROM:TO, or the number of one step. */
+static bool read_stages(Options *options, Status *status)
+{
+    const Outputs *outputs = &options->outputs;
+    const char *text = options->stages, *colon = text ? strchr(text, ':') : NULL;
+    char first[24] = "";
+    long *stages = options->outputs.stages;
+    if (!text)
+        return true;
+    text_append(first, sizeof first, "%.*s", colon ? (int)(colon - text) : 20, text);
+    if (!text_to_long(first, &stages[0]) || !text_to_long(colon ? colon + 1 : first, &stages[1]) ||
+        stages[0] < 1 || stages[1] < stages[0])
+        return status_fail(status, STATUS_USAGE,
+                           "--stages: FROM:TO, two numbers of steps from 1 on, not \"%.40s\"", text);
+    if (!outputs->particles && !outputs->nodes && !outputs->bonds)
+        return status_fail(status, STATUS_USAGE, "--stages: which table? (--particles, --nodes, --bonds)");
+    if (outputs->vtk)
+        return status_fail(status, STATUS_USAGE, "--stages: writes tables, not --vtk");
+    for (int i = 0; i < options->n_overrides; i++)
+        if (strcmp(options->overrides[i].origin, "--frames") == 0 ||
+            strcmp(options->overrides[i].origin, "--at") == 0)
+            return status_fail(status, STATUS_USAGE, "--stages: in place of %s",
+                               options->overrides[i].origin);
+    return true;
+}
+
 /* --vtk is no table, and a folder that is described is described whole. */
 static bool may_describe(const Options *options, const Crate *crate, Status *status)
 {
@@ -90,7 +116,8 @@ int cli_run(int count, char **arguments, Status *status)
     Settings settings;
     if (!options_parse("run", count, arguments, &options, status) ||
         !options_words(&options, 1, 1, "SCENARIO", status) ||
-        !options_load(&options, options.words[0], &settings, status) || !times_are_used(&options, status))
+        !options_load(&options, options.words[0], &settings, status) || !times_are_used(&options, status) ||
+        !read_stages(&options, status))
         return (int)status->code;
     const Crate crate = crate_of_run(&options.outputs);
     if (!may_describe(&options, &crate, status))

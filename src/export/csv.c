@@ -37,7 +37,7 @@ static size_t write_number(char *out, double value)
     return length;
 }
 
-void csv_row(FILE *stream, Dialect dialect, const double *row, int count)
+static void write_numbers(FILE *stream, Dialect dialect, const double *row, int count)
 {
     char text[NUMBER_TEXT_MAX];
     for (int i = 0; i < count; i++) {
@@ -45,9 +45,24 @@ void csv_row(FILE *stream, Dialect dialect, const double *row, int count)
         char *point = dialect == DIALECT_SEMICOLON ? memchr(text, '.', length) : NULL;
         if (point)
             *point = ',';
+        if (i > 0)
+            fputc(separator(dialect), stream);
         fwrite(text, 1, length, stream);
-        fputc(i + 1 < count ? separator(dialect) : '\n', stream);
     }
+}
+
+void csv_begin(FILE *stream, Dialect dialect, const double *row, int count, const char *word)
+{
+    write_numbers(stream, dialect, row, count);
+    fputc(separator(dialect), stream);
+    if (word)
+        fprintf(stream, "%s%c", word, separator(dialect));
+}
+
+void csv_row(FILE *stream, Dialect dialect, const double *row, int count)
+{
+    write_numbers(stream, dialect, row, count);
+    fputc('\n', stream);
 }
 
 static void write_cell(FILE *stream, Dialect dialect, const char *text)

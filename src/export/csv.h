@@ -10,6 +10,8 @@
 
 /* A number that is not known (NAN) leaves its cell empty. */
 void csv_header(FILE *, Dialect, const char *const *names, int count);
+/* The first cells of a row that goes on: numbers, and a word that needs no quotes (NULL: none). */
+void csv_begin(FILE *, Dialect, const double *row, int count, const char *word);
 void csv_row(FILE *, Dialect, const double *row, int count);
 
 /* Words, in quotes where they hold a quote, a separator or a line end. A text that a spreadsheet would take

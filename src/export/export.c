@@ -47,11 +47,24 @@ static bool take_frame(void *owner, Run *run, Status *status)
     return export_write_frame(owner, status);
 }
 
+static bool take_stage(void *owner, Run *run, long step, int stage, Status *status)
+{
+    (void)run;
+    return export_write_stage(owner, step, stage, status);
+}
+
 static const Sink *sinks_of(Export *export)
 {
     const long every = references_memory(export->refs) > 0 ? 1 : export->settings->output.every;
     export->sinks[0] = (Sink){.every = every, .row = take_row, .owner = export, .beside = &export->sinks[1]};
-    export->sinks[1] = (Sink){.next = next_frame, .state = take_frame, .owner = export};
+    export->sinks[1] =
+        (Sink){.next = next_frame, .state = take_frame, .owner = export, .beside = &export->sinks[2]};
+    export->sinks[2] = (Sink){.owner = export};
+    if (export->outputs->stages[0] > 0) {
+        export->sinks[2].stage = take_stage;
+        export->sinks[2].first = export->outputs->stages[0];
+        export->sinks[2].last = export->outputs->stages[1];
+    }
     return export->sinks;
 }
 
@@ -126,6 +139,19 @@ bool export_writes(const Settings *settings, const Simulation *sim, int i, const
            (asked[strspn(asked, ", ")] ? simulation_asks(asked, column) : !simulation_is_costly(sim, column));
 }
 
+static bool writes_tables(const Outputs *outputs)
+{
+    return outputs->particles || outputs->nodes || outputs->bonds;
+}
+
+static bool is_field(const Simulation *sim, const char *name)
+{
+    for (int i = 0; i < sim->n_fields; i++)
+        if (strcmp(sim->fields[i].quantity.name, name) == 0)
+            return true;
+    return false;
+}
+
 /* What is written, in the order of the series; what is asked for is there. */
 static bool choose_columns(Export *export, Status *status)
 {
@@ -144,11 +170,22 @@ static bool choose_columns(Export *export, Status *status)
         bool found = strcmp(name, "all") == 0;
         for (int i = 0; i < export->n_columns; i++)
             found = found || strcmp(name, export->columns[i].quantity.name) == 0;
-        if (!found)
+        if (!found && !(writes_tables(export->outputs) && is_field(export->run.sim, name)))
             return status_fail(status, STATUS_USAGE, "output.columns: %.60s is no column of the series (%s)",
                                name, known);
     }
     return true;
+}
+
+/* Tables of stages stand in the place of those at frames. */
+static bool stages_fit(Export *export, Status *status)
+{
+    const long *stages = export->outputs->stages;
+    if (stages[0] == 0)
+        return true;
+    export->frames.count = 0;
+    return stages[1] <= export->run.last ||
+           status_fail(status, STATUS_USAGE, "--stages: the run has %ld steps", export->run.last);
 }
 
 static bool prepare(Export *export, int threads, Status *status)
@@ -162,7 +199,7 @@ static bool prepare(Export *export, int threads, Status *status)
     export->run.sim->spares_rows = !export->outputs->series; /* then nobody reads them column by column */
     export->planned_last = export->run.last;
     if (!frames_plan(&export->frames, settings, export->run.sim->dt, export->run.last, status) ||
-        !export_check_names(export, status))
+        !stages_fit(export, status) || !export_check_names(export, status))
         return false;
     export->refs = references_create(settings, export->run.sim, status);
     if (!export->refs)

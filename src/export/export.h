@@ -17,6 +17,8 @@ typedef enum Dialect { DIALECT_COMMA, DIALECT_SEMICOLON } Dialect;
 /* What a run writes; a NULL name is not written, "-" is standard output. */
 typedef struct Outputs {
     const char *series, *particles, *nodes, *bonds, *vtk;
+    long stages[2]; /* of these steps, the first one of a run is 1: tables after each stage; 0: at frames */
+    int stage;      /* after so many stages of them alone; 0: after each */
     Dialect dialect;
     VtkData vtk_data;
     Asker asker; /* on whose behalf */

@@ -137,7 +137,14 @@ bool export_check_names(const Export *export, Status *status)
     return good;
 }
 
-static bool find_set(Table *table, const Simulation *sim, int i, Status *status)
+/* What a set's table has, more that is asked for, and all of it after stages. */
+static bool is_written(const Table *table, const Field *field, const char *asked)
+{
+    return field->set == table->set &&
+           (field->in_table || table->of_stages || simulation_asks(asked, field->quantity.name));
+}
+
+static bool find_set(Table *table, const Simulation *sim, const char *asked, int i, Status *status)
 {
     for (table->set = 0; table->set < sim->n_sets; table->set++)
         if (strcmp(sim->sets[table->set].plural, plurals[i]) == 0)
@@ -146,7 +153,7 @@ static bool find_set(Table *table, const Simulation *sim, int i, Status *status)
         return status_fail(status, STATUS_USAGE, "--%s: the method %s has none", plurals[i],
                            sim->method->name);
     for (int f = 0; f < sim->n_fields && table->n_fields < TABLE_FIELDS_MAX; f++)
-        if (sim->fields[f].set == table->set && sim->fields[f].in_table)
+        if (is_written(table, &sim->fields[f], asked))
             table->fields[table->n_fields++] = f;
     table->indexed = table->n_fields == 0 || !sim->fields[table->fields[0]].integer;
     return true;
@@ -165,8 +172,10 @@ static bool open_beside(OutputFile *beside, const OutputFile *file, const Output
 
 static void write_table_header(const Export *export, const Table *table)
 {
-    const char *names[TABLE_FIELDS_MAX + 3] = {"step", "time"};
+    const char *names[TABLE_FIELDS_MAX + 4] = {"step", table->of_stages ? "stage" : "time"};
     int n = 2;
+    if (table->of_stages)
+        names[n++] = "stage_id";
     if (table->indexed)
         names[n++] = export->run.sim->sets[table->set].name;
     for (int i = 0; i < table->n_fields; i++)
@@ -194,9 +203,10 @@ bool export_open_files(Export *export, Status *status)
     for (int i = 0; i < TABLES; i++) {
         Table *table = &export->tables[i];
         table->name = table_name(outputs, i);
+        table->of_stages = outputs->stages[0] > 0;
         if (!table->name)
             continue;
-        if (!find_set(table, export->run.sim, i, status) ||
+        if (!find_set(table, export->run.sim, export->settings->output.columns, i, status) ||
             !output_open(&table->file, outputs->asker, table->name, outputs->force, status) ||
             !open_beside(&table->beside, &table->file, outputs, status))
             return false;
@@ -219,49 +229,74 @@ bool export_write_row(Export *export, const double *row, Status *status)
 
 /* --- frames ---------------------------------------------------------------------------------------- */
 
-/* A table of the present step, on its way into its file. */
+/* A table of the present state, on its way into its file. */
 typedef struct Sheet {
     Table *table;
     Dialect dialect;
     double *fields;
+    long step;
+    int stage; /* so many are done of the step that leads to `step`; 0: a whole step */
 } Sheet;
 
-static void write_things(Simulation *sim, void *context)
+static void write_things(const Simulation *sim, const Sheet *sheet)
 {
-    const Sheet *sheet = context;
     const Table *table = sheet->table;
-    const int before = table->indexed ? 3 : 2;
     const size_t count = sim->counts[table->set];
-    double row[TABLE_FIELDS_MAX + 3] = {(double)sim->step, simulation_time(sim)};
-    /* what a stage cannot do any more stays as it stands */
-    for (int i = 0; i < sim->sets[table->set].ready_after && simulation_stage(sim, NULL); i++)
-        ;
+    const char *const id = sheet->stage > 0 ? sim->stages[sheet->stage - 1].id : NULL;
+    const double head[2] = {(double)sheet->step, id ? sheet->stage : simulation_time(sim)};
+    const int indices = table->indexed ? 1 : 0;
+    double row[TABLE_FIELDS_MAX + 1];
     for (size_t first = 0; first < count; first += CHUNK) {
         const size_t n = count - first < CHUNK ? count - first : CHUNK;
         for (int f = 0; f < table->n_fields; f++)
             sim->method->field(sim, table->fields[f], first, n, sheet->fields + (size_t)f * CHUNK);
         for (size_t k = 0; k < n; k++) {
-            row[2] = (double)(first + k);
+            row[0] = (double)(first + k);
             for (int f = 0; f < table->n_fields; f++)
-                row[before + f] = sheet->fields[(size_t)f * CHUNK + k];
-            csv_row(table->file.stream, sheet->dialect, row, before + table->n_fields);
+                row[indices + f] = sheet->fields[(size_t)f * CHUNK + k];
+            csv_begin(table->file.stream, sheet->dialect, head, 2, id);
+            csv_row(table->file.stream, sheet->dialect, row, indices + table->n_fields);
         }
     }
 }
 
-static bool write_table(Export *export, Table *table, Status *status)
+/* What a stage cannot do any more stays as it stands. */
+static void write_later_things(Simulation *sim, void *context)
+{
+    const Sheet *sheet = context;
+    for (int i = 0; i < sim->sets[sheet->table->set].ready_after && simulation_stage(sim, NULL); i++)
+        ;
+    write_things(sim, sheet);
+}
+
+/* `stage`: 0 at a whole step; then what is ready only after some stages is taken from the next step. */
+static bool write_table(Export *export, Table *table, long step, int stage, Status *status)
 {
     Simulation *sim = export->run.sim;
     Sheet sheet = {table, export->outputs->dialect,
-                   malloc(((size_t)table->n_fields + 1) * CHUNK * sizeof *sheet.fields)};
+                   malloc(((size_t)table->n_fields + 1) * CHUNK * sizeof *sheet.fields), step, stage};
     bool written = sheet.fields != NULL;
-    if (written && sim->sets[table->set].ready_after == 0)
+    if (written && (stage > 0 || sim->sets[table->set].ready_after == 0))
         write_things(sim, &sheet);
     else
-        written = written && simulation_visit(sim, NULL, write_things, &sheet);
+        written = written && simulation_visit(sim, NULL, write_later_things, &sheet);
     free(sheet.fields);
     return written ? output_sound(&table->file, status)
                    : status_fail(status, STATUS_FAILED, "not enough memory to write %s", table->name);
+}
+
+static bool write_tables(Export *export, long step, int stage, Status *status)
+{
+    for (int i = 0; i < TABLES; i++)
+        if (export->tables[i].name && !write_table(export, &export->tables[i], step, stage, status))
+            return false;
+    return true;
+}
+
+bool export_write_stage(Export *export, long step, int stage, Status *status)
+{
+    const int only = export->outputs->stage;
+    return (only > 0 && stage != only) || write_tables(export, step, stage, status);
 }
 
 static bool write_vtk(Export *export, Status *status)
@@ -280,10 +315,7 @@ static bool write_vtk(Export *export, Status *status)
 bool export_write_frame(Export *export, Status *status)
 {
     export->frames.steps[export->next_frame] = export->run.sim->step;
-    for (int i = 0; i < TABLES; i++)
-        if (export->tables[i].name && !write_table(export, &export->tables[i], status))
-            return false;
-    if (!write_vtk(export, status))
+    if (!write_tables(export, export->run.sim->step, 0, status) || !write_vtk(export, status))
         return false;
     export->next_frame++;
     return true;
@@ -306,11 +338,28 @@ static void describe_table(const Export *export, const Table *table, FILE *to)
 {
     const Simulation *sim = export->run.sim;
     describe(to, &export->columns[0].quantity);
-    describe(to, &export->columns[1].quantity);
+    if (table->of_stages)
+        fprintf(to, "stage [1]: so many stages are done of the step that leads to `step`\n"
+                    "stage_id: the last of them\n");
+    else
+        describe(to, &export->columns[1].quantity);
     if (table->indexed)
         fprintf(to, "%s [1]: which one, counted from 0\n", sim->sets[table->set].name);
     for (int i = 0; i < table->n_fields; i++)
         describe(to, &sim->fields[table->fields[i]].quantity);
+}
+
+/* To which moment a row belongs. */
+static void tell_moment(const Export *export, const Table *table, FILE *to)
+{
+    const Simulation *sim = export->run.sim;
+    const int ready = sim->sets[table->set].ready_after;
+    if (table->of_stages)
+        fprintf(to, "written with --stages %ld:%ld, which no scenario holds: give it again for these bytes\n",
+                export->outputs->stages[0], export->outputs->stages[1]);
+    else if (ready > 0)
+        fprintf(to, "A row of step n has the values of the step that follows, after its stage %d (%s).\n",
+                ready, sim->stages[ready - 1].name);
 }
 
 /* `table`: NULL for the series. */
@@ -330,6 +379,8 @@ static bool write_beside(const Export *export, const Settings *scenario, OutputF
     if (export->outputs->dialect == DIALECT_SEMICOLON)
         fprintf(text,
                 "written with --dialect semicolon, which no scenario holds: give it again for these bytes\n");
+    if (table)
+        tell_moment(export, table, text);
     fprintf(text, "\nColumns:\n");
     if (table)
         describe_table(export, table, text);

@@ -17,13 +17,14 @@ typedef struct Table {
     int set;
     bool indexed; /* else its first columns, whole numbers, say which thing it is */
     int fields[TABLE_FIELDS_MAX], n_fields;
+    bool of_stages; /* all fields, after each stage of some steps */
 } Table;
 
 typedef struct Export {
     const Settings *settings;
     const Outputs *outputs;
     Run run;
-    Sink sinks[2]; /* series and frames */
+    Sink sinks[3]; /* series, frames and stages */
     References *refs;
     Column columns[COLUMNS_MAX];
     int n_columns;
@@ -50,6 +51,9 @@ bool export_write_row(Export *, const double *row, Status *);
 
 /* The next frame: of the step at which the simulation stands, whichever was planned. */
 bool export_write_frame(Export *, Status *);
+
+/* The tables after a stage of a step. */
+bool export_write_stage(Export *, long step, int stage, Status *);
 
 /* The scenarios beside, and everything on the disk; then everything under its name. */
 bool export_finish_files(Export *, Status *);

@@ -65,6 +65,28 @@ static bool give_row_here(Run *run, const Sink *sinks, Status *status)
     return true;
 }
 
+/* Whether somebody looks after each stage of this step. */
+static bool is_looked_into(const Sink *sinks, long step)
+{
+    for (const Sink *sink = sinks; sink; sink = sink->beside)
+        if (sink->stage && step >= sink->first && step <= sink->last)
+            return true;
+    return false;
+}
+
+/* After a stage. */
+static bool give_stage(Run *run, const Sink *sinks, Status *status)
+{
+    const Simulation *sim = run->sim;
+    const bool whole = sim->stage == 0;
+    const long step = whole ? sim->step : sim->step + 1;
+    for (const Sink *sink = sinks; sink; sink = sink->beside)
+        if (sink->stage && step >= sink->first && step <= sink->last &&
+            !sink->stage(sink->owner, run, step, whole ? sim->n_stages : sim->stage, status))
+            return false;
+    return true;
+}
+
 static bool fail(Run *run, const Status *why, Status *status)
 {
     run->failed = true;
@@ -116,6 +138,8 @@ static long next_place(const Run *run, const Sink *sinks, long steps, bool *rows
         const long from = sink->from > step ? sink->from : step + 1;
         if (sink->next)
             place = least(place, sink->next(sink->owner, step));
+        if (sink->stage && sink->first > step + 1)
+            place = least(place, sink->first - 1);
         if (sink->every == 1 && from == step + 1)
             *rows = true;
         else if (sink->every > 0) /* up to where each step has a row, or to the next that has one */
@@ -156,7 +180,17 @@ static bool one_stage(Run *run, const Sink *sinks, Status *status)
     Status why = {0};
     if (!simulation_stage(run->sim, &why))
         return fail(run, &why, status);
-    return run->sim->stage != 0 || end_step(run, sinks, status);
+    return give_stage(run, sinks, status) && (run->sim->stage != 0 || end_step(run, sinks, status));
+}
+
+/* A whole step, stage by stage. */
+static bool one_step(Run *run, const Sink *sinks, Status *status)
+{
+    do {
+        if (!one_stage(run, sinks, status))
+            return false;
+    } while (run->sim->stage != 0);
+    return true;
 }
 
 static bool some_items(Run *run, const Sink *sinks, long items, Status *status)
@@ -203,8 +237,10 @@ bool run_advance(Run *run, RunUntil until, const Sink *sinks, Status *status)
             return true;
         if (until.unit == RUN_ITEMS)
             return some_items(run, sinks, left, status);
-        if (until.unit == RUN_STAGES ? !one_stage(run, sinks, status)
-                                     : !goes_on(run, status) || !one_block(run, sinks, left, status))
+        if (until.unit == RUN_STAGES               ? !one_stage(run, sinks, status)
+            : !goes_on(run, status)                ? true
+            : is_looked_into(sinks, sim->step + 1) ? !one_step(run, sinks, status)
+                                                   : !one_block(run, sinks, left, status))
             return false;
         left -= until.unit == RUN_STAGES ? 1 : sim->step - before;
     }

@@ -35,6 +35,11 @@ typedef struct Sink {
     long (*next)(const void *owner, long step);
     bool (*state)(void *owner, Run *, Status *);
 
+    /* Looks after each stage of the steps `first` to `last` (the first step of a run is 1): `stage` of them
+     * are done, `step` is the one that they lead to. NULL: never. */
+    bool (*stage)(void *owner, Run *, long step, int stage, Status *);
+    long first, last;
+
     void *owner;
     const struct Sink *beside; /* one more sink of the run; NULL: there is none */
 } Sink;

@@ -82,6 +82,12 @@ static bool show_progress(double share, void *context)
     return laboratory_go_on(lab);
 }
 
+/* The stages of a step of a run that is looked into; 0: it stands between steps, or is written to its end. */
+static int stages_of(const Laboratory *lab, int run)
+{
+    return lab->exporting.newest ? 0 : experiment_stage(run_of(&lab->player.duel, run));
+}
+
 /* One run. False: it could not be written, which has been said. */
 static bool write_run(Laboratory *lab, int run, bool force, RunSummary *summary)
 {
@@ -99,6 +105,12 @@ static bool write_run(Laboratory *lab, int run, bool force, RunSummary *summary)
                        .asker = lab->asker,
                        .force = force};
     Status status = {STATUS_DONE, ""};
+    if (stages_of(lab, run) > 0) {
+        const Experiment *experiment = run_of(&lab->player.duel, run);
+        outputs.stages[0] = outputs.stages[1] = experiment_step(experiment) + 1;
+        outputs.stage = stages_of(lab, run);
+        problem_end_at(settings, experiment_simulation(experiment)->dt, outputs.stages[0]);
+    }
     bool sound = export_run(settings, &outputs, lab->options.threads > 0 ? lab->options.threads : 1,
                             show_progress, lab, summary, &status);
     free(settings);
@@ -113,7 +125,8 @@ static long steps_of(const Laboratory *lab, int run)
     const Experiment *experiment = run_of(&lab->player.duel, run);
     if (!experiment)
         return 0;
-    return lab->exporting.newest ? experiment_newest(experiment) : experiment_step(experiment);
+    return lab->exporting.newest ? experiment_newest(experiment)
+                                 : experiment_step(experiment) + (stages_of(lab, run) > 0);
 }
 
 static void write_export(Laboratory *lab, bool force)
@@ -137,8 +150,9 @@ static void write_export(Laboratory *lab, bool force)
                  second.rows);
     }
     laboratory_say(lab, first.failed || second.failed ? MESSAGE_WARNING : MESSAGE_INFO,
-                   "wrote %s%s (%ld rows), particles%s, each with its .ini%s", both ? "A: " : "",
-                   whole ? whole : paths[0], first.rows, paths[2][0] ? ", nodes" : "", beside);
+                   "wrote %s%s (%ld rows), particles%s%s, each with its .ini%s", both ? "A: " : "",
+                   whole ? whole : paths[0], first.rows, paths[2][0] ? ", nodes" : "",
+                   stages_of(lab, 0) > 0 ? " after this stage" : "", beside);
     free(whole);
 }
 
@@ -263,11 +277,12 @@ bool exporting_ask(Laboratory *lab, const char *name)
         refuse(lab, computing);
         return true;
     }
-    lab->exporting.newest = true;
+    const bool inside = experiment_stage(experiment) > 0; /* then it is this stage that is wanted */
+    lab->exporting.newest = !inside;
     snprintf(lab->exporting.name, sizeof lab->exporting.name, "%s", name);
-    if (experiment_newest(experiment) == 0)
+    if (!inside && experiment_newest(experiment) == 0)
         refuse(lab, nothing_computed);
-    else if (experiment_step(experiment) < experiment_newest(experiment))
+    else if (!inside && experiment_step(experiment) < experiment_newest(experiment))
         prompt_ask(&lab->prompting, answer_which, false, "newest", "export to here or to the newest time?");
     else if (name[0])
         return export_named(lab, name);
