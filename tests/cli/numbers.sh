@@ -191,7 +191,7 @@ claim $scenario/mode5-fine.ini "falls from " 4.2 " % to" predicted_error
 claim $scenario/mode10-fine.ini "close to the " 4.2 " % of mode5" predicted_error
 claim $scenario/mode5-peridynamics.ini "material point method loses " 4.2 " %" predicted_error
 claim $scenario/late-cure.ini "lumped masses, " 4.2 " % late" predicted_error
-claim $lesson/late.lesson "w on the screen, is " 4.2 " % too low" predicted_error
+claim $lesson/late.lesson "omega (w on the screen) is " 4.2 " % too low" predicted_error
 claim $lesson/late.lesson "so every period is " 4.4 " % too long" period_error
 claim $lesson/late.lesson "4.2 % of 90 periods are " 3.8 "" periods
 claim README.md "The frequency is " 4.2 " % low" predicted_error
