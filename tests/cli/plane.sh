@@ -15,8 +15,9 @@ expect "a supported beam" 0 supported-beam-mpm-coarse --steps 40 --columns all -
 	--vtk v --frames 2
 result "columns of its series" header s.csv \
 	step,time,u_probe,v_probe,u_euler,v_euler,u_timoshenko,v_timoshenko,u_plane,v_plane,kinetic,kinetic_grid,kinetic_null,strain,work,total
-result "columns of particles" header p.csv step,time,particle,x0,y0,x,y,ux,uy,vx,vy,sxx,syy,sxy,density,mass
-result "columns of nodes" header n.csv step,time,node,x,y,mass,px,py,fx,fy
+result "columns of particles" header p.csv \
+	step,time,particle,x0,y0,x,y,ux,uy,vx,vy,sxx,syy,sxy,density,mass,mises,speed,strain_energy,kinetic_energy,exx,eyy,gxy,probe
+result "columns of nodes" header n.csv step,time,node,x,y,mass,px,py,fx,fy,vx,vy,ax,ay,active,fixed,held_x,held_y
 result "a row each step" lines s.csv 42
 result "1,280 particles, twice" lines p.csv 2561
 result "85 x 9 nodes, twice" lines n.csv 1531
