@@ -300,7 +300,7 @@ bool bar_prepare(References *refs, const Settings *settings, const Simulation *s
 
     static const Quantity exact = {"v_cm_exact", "exact", "length/time",
                                    "velocity of the centre of mass of the continuum (eq. 20)"};
-    const char *label = settings_are_mistaken(settings) ? "predicted (right code)" : "predicted";
+    const char *label = settings_mistake(settings) ? "predicted (right code)" : "predicted";
     const Quantity of_mesh = {"v_cm_predicted", label, "length/time", meaning};
     plan_method(refs, sim, "v_cm");
     plan_answer(refs, &exact, COLUMN_EXACT, "v_cm", exact_v_cm);

@@ -53,19 +53,16 @@ static bool take_stage(void *owner, Run *run, long step, int stage, Status *stat
     return export_write_stage(owner, step, stage, status);
 }
 
-static const Sink *sinks_of(Export *export)
+/* Series, frames, and the stages of some steps. */
+static void sinks_of(Export *export, Sink sinks[3])
 {
     const long every = references_memory(export->refs) > 0 ? 1 : export->settings->output.every;
-    export->sinks[0] = (Sink){.every = every, .row = take_row, .owner = export, .beside = &export->sinks[1]};
-    export->sinks[1] =
-        (Sink){.next = next_frame, .state = take_frame, .owner = export, .beside = &export->sinks[2]};
-    export->sinks[2] = (Sink){.owner = export};
-    if (export->outputs->stages[0] > 0) {
-        export->sinks[2].stage = take_stage;
-        export->sinks[2].first = export->outputs->stages[0];
-        export->sinks[2].last = export->outputs->stages[1];
-    }
-    return export->sinks;
+    sinks[0] = (Sink){.every = every, .row = take_row, .owner = export, .beside = &sinks[1]};
+    sinks[1] = (Sink){.next = next_frame, .state = take_frame, .owner = export, .beside = &sinks[2]};
+    sinks[2] = (Sink){.stage = take_stage,
+                      .first = export->outputs->stages[0],
+                      .last = export->outputs->stages[1],
+                      .owner = export};
 }
 
 /* The run has failed, or come to rest: its last sound step is its last one, with a row, and with the frame
@@ -214,23 +211,17 @@ static bool prepare(Export *export, int threads, Status *status)
     return export_open_files(export, status);
 }
 
-static bool start(Export *export, Status *status)
-{
-    errno = 0;
-    export->invariant = invariant_of(export);
-    if (errno == ENOMEM)
-        return status_fail(status, STATUS_FAILED, "not enough memory for the energy at the start");
-    return run_start(&export->run, sinks_of(export), status);
-}
-
 /* True if the run came to its end or failed by itself; what it wrote is good either way. */
 static bool go(Export *export, RunSummary *summary, Status *status)
 {
     Run *run = &export->run;
-    if (!start(export, status))
-        return false;
-    const bool ended = run_to_end(run, sinks_of(export), status);
-    if (!ended && !run->failed)
+    Sink sinks[3];
+    errno = 0;
+    export->invariant = invariant_of(export);
+    if (errno == ENOMEM)
+        return status_fail(status, STATUS_FAILED, "not enough memory for the energy at the start");
+    sinks_of(export, sinks);
+    if (!run_start(run, sinks, status) || (!run_to_end(run, sinks, status) && !run->failed))
         return false;
     summary->failed = run->failed;
     summary->failure = run->failure;

@@ -24,7 +24,6 @@ typedef struct Export {
     const Settings *settings;
     const Outputs *outputs;
     Run run;
-    Sink sinks[3]; /* series, frames and stages */
     References *refs;
     Column columns[COLUMNS_MAX];
     int n_columns;

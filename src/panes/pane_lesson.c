@@ -213,7 +213,7 @@ static bool list_lines(const Screen *screen, Area area, int titles[LESSONS_MAX +
 }
 
 /* Lines above what is shown: of the list, as many as the chosen one needs to be seen, its sentence too. */
-int pane_lesson_above(const Screen *screen, Area area)
+static int lines_above(const Screen *screen, Area area)
 {
     int titles[LESSONS_MAX + 1];
     if (screen->lesson.lesson)
@@ -226,7 +226,7 @@ int pane_lesson_above(const Screen *screen, Area area)
 int pane_lesson_at(const Screen *screen, Area area, int row)
 {
     int titles[LESSONS_MAX + 1];
-    const int line = row - 1 + pane_lesson_above(screen, area), count = screen_lesson_count();
+    const int line = row - 1 + lines_above(screen, area), count = screen_lesson_count();
     list_lines(screen, area, titles);
     for (int i = 0; i < count; i++)
         if (line == titles[i])
@@ -276,7 +276,7 @@ static void say_more(const Screen *screen, Area area, int used, int above)
 
 void pane_lesson(const Screen *screen, Area area)
 {
-    const int rows = area.rect.height - MARGIN_ROWS, above = pane_lesson_above(screen, area);
+    const int rows = area.rect.height - MARGIN_ROWS, above = lines_above(screen, area);
     int titles[LESSONS_MAX + 1];
     char footer[192];
     draw_heading(screen, area);

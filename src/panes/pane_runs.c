@@ -44,7 +44,7 @@ static void draw_heads(const Table *table, const Screen *screen, bool is_period,
 }
 
 /* "a cell size 1"; of the present run what differs from an earlier one. */
-static void name_of(const Run *run, const Run *runs, int n_runs, char *out, size_t size)
+static void name_of(const ShownRun *run, const ShownRun *runs, int n_runs, char *out, size_t size)
 {
     char word[RUN_WORD_MAX];
     snprintf(word, sizeof word, "%s", run->word);
@@ -55,7 +55,7 @@ static void name_of(const Run *run, const Run *runs, int n_runs, char *out, size
     snprintf(out, size, "%c %s", run->ghost >= 0 ? run->letter : ' ', word);
 }
 
-static void draw_row(const Table *table, const Run *run, Area area, int y)
+static void draw_row(const Table *table, const ShownRun *run, Area area, int y)
 {
     const Readout *readout = run->readout;
     char text[32], number[NUMBER_TEXT_MAX];
@@ -90,7 +90,7 @@ int pane_runs_rows(const Screen *screen)
 
 int pane_runs(const Screen *screen, Area area)
 {
-    Run runs[RUNS_MAX];
+    ShownRun runs[RUNS_MAX];
     const int rows = pane_runs_rows(screen), n_runs = runs_of(screen, runs);
     const Readout *now = runs[n_runs - 1].readout;
     if (rows == 0 || area.rect.height < rows)

@@ -46,7 +46,6 @@ void pane_lesson(const Screen *, Area);
 /* What is to be done to go on: "Space runs to t 5". */
 void pane_lesson_footer(const Screen *, char *out, size_t size);
 int pane_lesson_rows(const Screen *, int width);   /* that all of it needs, heading and footer too */
-int pane_lesson_above(const Screen *, Area);       /* lines that lie above what is shown */
 int pane_lesson_at(const Screen *, Area, int row); /* whose title is in that row; -1: none */
 void pane_timeline(const Screen *, Area);
 char pane_timeline_letter(EventKind); /* its mark in the timeline; ' ': it has none */

@@ -412,13 +412,6 @@ Area axes_draw(Area area, const Axis *x, const Axis *y, const char *x_name, int 
     return inner;
 }
 
-void axes_mark(Area inner, const Axis *x, const Axis *y, double at_x, double at_y, uint32_t glyph,
-               Style style)
-{
-    area_put(inner, axis_column(x, at_x, inner.rect.width), axis_row(y, at_y, inner.rect.height), glyph,
-             style);
-}
-
 void axes_rule(Area inner, const Axis *x, double at_x, Style style)
 {
     const int column = axis_column(x, at_x, inner.rect.width);

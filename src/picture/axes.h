@@ -81,8 +81,7 @@ double axis_place(const Axis *, double value);
 int axis_column(const Axis *, double value, int cells);
 int axis_row(const Axis *, double value, int cells);
 
-/* A glyph at a place of the plot, and a vertical line across it, in the part that axes_draw() left. */
-void axes_mark(Area inner, const Axis *x, const Axis *y, double at_x, double at_y, uint32_t glyph, Style);
+/* A vertical line across the plot, in the part that axes_draw() left. */
 void axes_rule(Area inner, const Axis *x, double at_x, Style);
 
 #endif

@@ -40,7 +40,6 @@ struct Experiment {
     int n_columns;
     Record record;
     History history;
-    Sink sinks[2];                       /* record and keyframes */
     long newest;                         /* whole steps computed */
     Event events[SIMULATION_EVENTS_MAX]; /* up to the newest step, whatever is on screen */
     int n_events;

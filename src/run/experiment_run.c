@@ -61,15 +61,14 @@ static bool keep_frame(void *owner, Run *run, Status *status)
 }
 
 /* Rows that are recorded already are not worked out again. */
-static const Sink *sinks_of(Experiment *experiment)
+static void sinks_of(Experiment *experiment, Sink sinks[2])
 {
-    experiment->sinks[0] = (Sink){.every = 1,
-                                  .from = experiment->record.count > 0 ? experiment->newest + 1 : 0,
-                                  .row = keep_row,
-                                  .owner = experiment,
-                                  .beside = &experiment->sinks[1]};
-    experiment->sinks[1] = (Sink){.next = next_keyframe, .state = keep_frame, .owner = experiment};
-    return experiment->sinks;
+    sinks[0] = (Sink){.every = 1,
+                      .from = experiment->record.count > 0 ? experiment->newest + 1 : 0,
+                      .row = keep_row,
+                      .owner = experiment,
+                      .beside = &sinks[1]};
+    sinks[1] = (Sink){.next = next_keyframe, .state = keep_frame, .owner = experiment};
 }
 
 /* --- life ----------------------------------------------------------------------------------------- */
@@ -100,10 +99,12 @@ static bool goes_on(const Settings *settings, Status *status)
 /* The record and the first keyframe; of a large beam each takes as long as one asks to hear of it. */
 static bool begin(Experiment *experiment, size_t history, Status *status)
 {
+    Sink sinks[2];
     experiment->n_columns = references_columns(experiment->refs, experiment->columns);
     record_open(&experiment->record, experiment->n_columns, 1, record_budget);
+    sinks_of(experiment, sinks);
     history_open(&experiment->history, history);
-    if (!goes_on(&experiment->base, status) || !run_start(&experiment->run, sinks_of(experiment), status) ||
+    if (!goes_on(&experiment->base, status) || !run_start(&experiment->run, sinks, status) ||
         !goes_on(&experiment->base, status))
         return false;
     copy_events(experiment);
@@ -176,7 +177,9 @@ static bool advance(Experiment *experiment, RunUnit unit, long count, Status *st
 {
     Run *run = &experiment->run;
     const long last = run->last;
-    const bool sound = run_advance(run, (RunUntil){unit, count}, sinks_of(experiment), status);
+    Sink sinks[2];
+    sinks_of(experiment, sinks);
+    const bool sound = run_advance(run, (RunUntil){unit, count}, sinks, status);
     if (run->last < last && experiment->goal_step >= run->last) {
         experiment->goal_step = run->last; /* at rest: what was asked for beyond is not pending */
         experiment->goal_stage = 0;

@@ -153,7 +153,6 @@ bool parameter_is_live(const Parameter *, double from, double to);
 /* What a wrong code does in a run of these settings, from the start on or later: the choice's word, and its
  * row. NULL: nothing is wrong. */
 const char *settings_mistake(const Settings *);
-const Parameter *settings_mistake_row(const Settings *);
 
 /* Refuses what is not for wrong codes: "KEY: WORD is a mistake, and WHAT". True: there is none. */
 bool settings_refuse_mistake(const Settings *, const char *what, Status *);

@@ -135,13 +135,3 @@ int settings_times_read(const char *text, double out[TIMES_MAX], Status *status)
     }
     return count;
 }
-
-bool settings_are_mistaken(const Settings *settings)
-{
-    const bool by_mpm = settings->method == METHOD_MPM;
-    bool mistaken = (by_mpm ? settings->mpm.mistake : settings->lattice.mistake) != 0;
-    for (int i = 0; i < settings->n_changes; i++)
-        mistaken =
-            mistaken || strcmp(settings->changes[i].to.key, by_mpm ? "mpm.mistake" : "pd.mistake") == 0;
-    return mistaken;
-}

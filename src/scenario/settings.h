@@ -177,9 +177,6 @@ extern const char *const settings_method_words[];
 double lattice_spacing(const Settings *);
 double lattice_horizon(const Settings *);
 
-/* Whether the run is, from the start or from some step on, that of a code that is wrong in one place. */
-bool settings_are_mistaken(const Settings *);
-
 /* The members of a family lie no farther than this. */
 double lattice_reach(const Settings *);
 

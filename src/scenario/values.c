@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Values of settings through the parameter table: set, get, show. */
+/* Values of settings through the parameter table: numbers into members and back, and as texts. */
 #include "scenario/parameters.h"
 #include "scenario/settings.h"
 #include "scenario/rows/rows.h"
@@ -110,199 +110,6 @@ void settings_default(Settings *settings, const Problem *problem)
     settings_default_rows(settings);
 }
 
-/* --- text in -------------------------------------------------------------------------------------- */
-
-bool settings_in_range(const Parameter *parameter, const Problem *problem, double value)
-{
-    if (parameter->choices ||
-        (parameter_automatic(parameter, problem) && value == parameter->automatic_value))
-        return true;
-    if (parameter->above_least && value <= parameter->least)
-        return false;
-    return value >= parameter->least && value <= parameter->most;
-}
-
-static bool refuse(const Parameter *parameter, const Problem *problem, const char *text, const char *what,
-                   Status *status)
-{
-    char range[160];
-    parameter_range(parameter, problem, range, sizeof range);
-    if (!*text)
-        return status_fail(status, STATUS_USAGE, "%s: has no value (%s)", parameter->key, range);
-    return status_fail(status, STATUS_USAGE, "%s: %s %s (%s)", parameter->key, text, what, range);
-}
-
-static bool read_number(const Parameter *parameter, const Problem *problem, const char *text, double *value,
-                        Status *status)
-{
-    const char *automatic = parameter_automatic(parameter, problem);
-    if (automatic && strcmp(text, automatic) == 0) {
-        *value = parameter->automatic_value;
-        return true;
-    }
-    char why[QUANTITY_WHY_MAX];
-    if (!quantity_read(text, problem->si ? parameter->unit : "", value, why))
-        return refuse(parameter, problem, text, why, status);
-    if (parameter->type == PARAMETER_INTEGER && *value != floor(*value))
-        return refuse(parameter, problem, text, "is not a whole number", status);
-    /* where nothing at all stands for 0, a 0 that was typed is a slip */
-    bool silent_zero = automatic && !*automatic && *value == 0;
-    bool unsaid =
-        parameter->automatic_value != 0 && *value == parameter->automatic_value; /* its word says it */
-    if (silent_zero || unsaid || !settings_in_range(parameter, problem, *value))
-        return refuse(parameter, problem, text, "is out of range", status);
-    return true;
-}
-
-static bool read_choice(const Parameter *parameter, const Problem *problem, const char *text, double *value,
-                        Status *status)
-{
-    const char *word =
-        parameter->renamed && strcmp(parameter->renamed, text) == 0 ? parameter->renamed_to : text;
-    for (int i = 0; i < parameter_choices(parameter, problem); i++)
-        if (strcmp(parameter->choices[i], word) == 0) {
-            *value = i;
-            return true;
-        }
-    for (int i = parameter_choices(parameter, problem); parameter->choices[i]; i++)
-        if (strcmp(parameter->choices[i], text) == 0)
-            return refuse(parameter, problem, text, parameter_use(parameter, problem)->others, status);
-    return refuse(parameter, problem, text, "is not a choice", status);
-}
-
-static bool put_text(Settings *settings, const char *key, size_t offset, size_t size, const char *text,
-                     Status *status)
-{
-    if (strlen(text) >= size)
-        return status_fail(status, STATUS_USAGE, "%s: is %zu bytes long (at most %zu)", key, strlen(text),
-                           size - 1);
-    if (!visible_is_clean(text))
-        return status_fail(status, STATUS_USAGE, "%s: has characters that cannot be kept (one line of UTF-8)",
-                           key);
-    char *at = member(settings, offset);
-    memset(at, 0, size); /* nothing of an earlier text behind the zero: equal settings are equal bytes */
-    strcpy(at, text);
-    return true;
-}
-
-static bool unknown(const Problem *problem, const char *key, Status *status)
-{
-    if (strcmp(key, "scenario.problem") == 0)
-        return status_fail(status, STATUS_USAGE, "%s: cannot be changed (choose another scenario)", key);
-    char section[KEY_MAX];
-    snprintf(section, sizeof section, "%.*s", (int)strcspn(key, "."), key);
-    const int kind = row_kind_find(section);
-    if (kind >= 0)
-        return status_fail(
-            status, STATUS_USAGE, "%s: problem %s has no [%s] (%s)", key, problem->word, section,
-            row_kinds[kind].concern & problem->concerns ? "a name behind a dot" : "a plate has");
-    const char *nearest = parameter_nearest(problem, key);
-    if (nearest)
-        return status_fail(status, STATUS_USAGE, "%s: unknown key (did you mean %s?)", key, nearest);
-    return status_fail(status, STATUS_USAGE, "%s: unknown key (see: matvib params %s)", key, problem->word);
-}
-
-static bool not_of_settings(const Parameter *parameter, const Settings *settings, Status *status)
-{
-    const Problem *problem = settings->problem;
-    if (parameter_applies(parameter, problem))
-        return status_fail(
-            status, STATUS_USAGE, "%s: is no parameter of method %s (only of %s)", parameter->key,
-            settings_method_words[settings->method],
-            settings_method_words[parameter_methods(parameter, problem) & BY_MPM ? METHOD_MPM : METHOD_PD]);
-    char words[128];
-    size_t used = 0;
-    for (int p = 0; problems[p]; p++)
-        if (parameter_applies(parameter, problems[p]))
-            used += (size_t)snprintf(words + used, sizeof words - used, "%s%s", used ? ", " : "",
-                                     problems[p]->word);
-    return status_fail(status, STATUS_USAGE, "%s: is no parameter of problem %s (only of %s)", parameter->key,
-                       problem->word, words);
-}
-
-/* The words that a rule allows; NULL: it has no list of words. */
-static const char *const *words_of(TextRule rule)
-{
-    return rule == TEXT_REFERENCES ? parameter_reference_words
-           : rule == TEXT_COLOUR   ? parameter_colour_words
-                                   : NULL;
-}
-
-/* A view's digit, or a word such as name views, perhaps with that of a variant, "profile:v"; which there are
- * the laboratory knows, not the scenario. */
-static bool can_be_view(const char *text)
-{
-    const size_t letters = strspn(text, "abcdefghijklmnopqrstuvwxyz-");
-    const bool digit = text[0] >= '1' && text[0] <= '9' && text[1] == '\0';
-    const char *variant = text[letters] == ':' ? text + letters + 1 : "v";
-    return digit || (letters > 0 && (text[letters] == '\0' || text[letters] == ':') && *variant &&
-                     variant[strspn(variant, "abcdefghijklmnopqrstuvwxyz_-")] == '\0');
-}
-
-/* Empty is always allowed: as the laboratory likes. */
-static bool check_words(const Settings *settings, const TextKey *key, const char *text, Status *status)
-{
-    const char *const *words = words_of(key->rule);
-    char allowed[160];
-    double value;
-    snprintf(allowed, sizeof allowed, "%s",
-             key->rule == TEXT_VIEW ? "1 to 9, or a view's word"
-             : words                ? ""
-                                    : "> 0");
-    bool sound = !*text || key->rule == TEXT_ANY || (key->rule == TEXT_VIEW && can_be_view(text));
-    if (key->rule == TEXT_POSITIVE && text_to_double(text, &value))
-        sound = value > 0;
-    for (size_t used = 0; words && *words; words++) {
-        if (key->rule == TEXT_COLOUR && !parameter_colour_is_there(settings, *words))
-            continue;
-        sound |= strcmp(*words, text) == 0;
-        used += (size_t)snprintf(allowed + used, sizeof allowed - used, "%s%s", used ? " | " : "", *words);
-    }
-    if (!sound && !*allowed)
-        return status_fail(status, STATUS_USAGE, "%s: %.60s is not allowed (it is of beams and plates)",
-                           key->key, text);
-    return sound ||
-           status_fail(status, STATUS_USAGE, "%s: %.60s is not allowed (%s)", key->key, text, allowed);
-}
-
-bool settings_set(Settings *settings, const char *key, const char *text, Status *status)
-{
-    const TextKey *words = text_key_find(key);
-    if (words)
-        return check_words(settings, words, text, status) &&
-               put_text(settings, key, words->offset, words->size, text, status);
-    /* a support of a plate may be called as a parameter of another problem is */
-    if (settings_row_is_key(settings, key))
-        return settings_row_key_set(settings, key, text, status);
-    const Parameter *parameter = parameter_find(key);
-    const FixedKey *fixed = fixed_key_find(settings, key);
-    if (fixed) {
-        char why[sizeof status->text];
-        fixed_key_text(fixed, why, sizeof why);
-        return status_fail(status, STATUS_USAGE, "%s", why);
-    }
-    if (!parameter)
-        return unknown(settings->problem, key, status);
-    if (!parameter_applies_to(settings, parameter))
-        return not_of_settings(parameter, settings, status);
-    if (parameter->type == PARAMETER_TEXT)
-        return put_text(settings, key, parameter->offset, LIST_MAX, text, status);
-    double value;
-    if (!(parameter->choices ? read_choice : read_number)(parameter, settings->problem, text, &value, status))
-        return false;
-    settings_put(settings, parameter, value);
-    return true;
-}
-
-bool settings_set_method(Settings *settings, const Assignment *keys, int n_keys, Status *status)
-{
-    for (int i = 0; i < n_keys; i++)
-        if (strcmp(keys[i].key, "scenario.method") == 0 &&
-            !settings_set(settings, keys[i].key, keys[i].value, status))
-            return false;
-    return true;
-}
-
 /* --- text out ------------------------------------------------------------------------------------- */
 
 /* digits 0: as many as it takes to read back to the same number. */
@@ -341,7 +148,7 @@ static const char *change_of(const Settings *settings, const Parameter *paramete
     return NULL;
 }
 
-const Parameter *settings_mistake_row(const Settings *settings)
+static const Parameter *mistake_row(const Settings *settings)
 {
     for (int i = 0; i < n_parameters; i++)
         if (parameters[i].wrong && parameter_applies_to(settings, &parameters[i]) &&
@@ -352,7 +159,7 @@ const Parameter *settings_mistake_row(const Settings *settings)
 
 const char *settings_mistake(const Settings *settings)
 {
-    const Parameter *row = settings_mistake_row(settings);
+    const Parameter *row = mistake_row(settings);
     if (!row)
         return NULL;
     return settings_are_at_work(settings, row) ? row->choices[(int)settings_number(settings, row)]
@@ -361,7 +168,7 @@ const char *settings_mistake(const Settings *settings)
 
 bool settings_refuse_mistake(const Settings *settings, const char *what, Status *status)
 {
-    const Parameter *row = settings_mistake_row(settings);
+    const Parameter *row = mistake_row(settings);
     return !row || status_fail(status, STATUS_USAGE, "%s: %s is a mistake, and %s", row->key,
                                settings_mistake(settings), what);
 }

@@ -36,26 +36,27 @@ static void note_crack(const Screen *screen, Picture *picture, const char *first
 }
 
 /* The present run, what it should be, and the ghosts. */
-static void add_keys(const Screen *screen, Picture *picture, const Run *runs, int n_runs, const char *target)
+static void add_keys(const Screen *screen, Picture *picture, const ShownRun *runs, int n_runs,
+                     const char *target)
 {
     for (int r = 0; r < n_runs; r++)
         if (runs[r].ghost < 0 && runs[r].shown)
-            picture_key(picture, run_key(&runs[r]));
+            picture_key(picture, runs_key(&runs[r]));
     if (screen_shows_exact(screen))
         picture_key(picture, (PictureKey){LINE_DOTTED, '.', STYLE_EXACT, target, 0, 0});
     runs_add_keys(picture, runs, n_runs);
 }
 
 /* The places of the tip of an earlier run, of which no more is kept. */
-static void add_tips(Picture *picture, const Run *run)
+static void add_tips(Picture *picture, const ShownRun *run)
 {
     Plot *plot = &picture->plot;
     if (run->ghost < 0 || !run->shown)
         return;
-    const int x = run_column(run, "crack_x"), y = run_column(run, "crack_y");
+    const int x = runs_column(run, "crack_x"), y = runs_column(run, "crack_y");
     const Notch notch = notch_of(run->settings);
     double last_x = notch.x, last_y = notch.y;
-    run_begin(picture, run);
+    runs_begin(picture, run);
     plot_point(plot, last_x, last_y);
     for (size_t i = 0; i < run->record->count; i++) {
         const double *row = record_row(run->record, i);
@@ -63,7 +64,7 @@ static void add_tips(Picture *picture, const Run *run)
             continue;
         plot_point(plot, last_x = row[x], last_y = row[y]);
     }
-    run_letter(picture, run, last_x, last_y, MARK_PLACE);
+    runs_letter(picture, run, last_x, last_y, MARK_PLACE);
 }
 
 /* --- the path ------------------------------------------------------------------------------------- */
@@ -82,7 +83,7 @@ static void describe_path(const Screen *screen, Picture *picture)
     const Notch notch = notch_of(settings);
     const double load = settings->loads.position, height = settings->geometry.height;
     const double left = fmin(notch.x, load) - 0.02, right = fmax(notch.x, load) + 0.02;
-    Run runs[RUNS_MAX];
+    ShownRun runs[RUNS_MAX];
     const int n_runs = runs_with(runs, runs_of(screen, runs), "crack_x");
     Plot *plot = &picture->plot;
     picture->kind = PICTURE_PATH;
@@ -142,11 +143,11 @@ static double tip_speed(const double *row, const void *context)
     return row[((const CrackColumns *)context)->speed];
 }
 
-static CrackColumns crack_columns(const Run *run)
+static CrackColumns crack_columns(const ShownRun *run)
 {
-    return (CrackColumns){run_column(run, "crack_x"),       run_column(run, "crack_y"),
-                          run_column(run, "crack_length"),  run_column(run, "dissipated"),
-                          run_column(run, "crack_speed"),   notch_of(run->settings),
+    return (CrackColumns){runs_column(run, "crack_x"),      runs_column(run, "crack_y"),
+                          runs_column(run, "crack_length"), runs_column(run, "dissipated"),
+                          runs_column(run, "crack_speed"),  notch_of(run->settings),
                           run->settings->geometry.thickness};
 }
 
@@ -159,7 +160,7 @@ typedef struct CrackCurve {
 
 static void describe_over_time(const Screen *screen, Picture *picture, const CrackCurve *curve)
 {
-    Run runs[RUNS_MAX];
+    ShownRun runs[RUNS_MAX];
     CrackColumns columns[RUNS_MAX];
     const int n_runs = runs_with(runs, runs_of(screen, runs), "crack_x");
     double least = 0, most = curve->target;
@@ -179,12 +180,12 @@ static void describe_over_time(const Screen *screen, Picture *picture, const Cra
         const Record *record = runs[r].record;
         if (!runs[r].shown)
             continue;
-        run_begin(picture, &runs[r]);
+        runs_begin(picture, &runs[r]);
         time_plot_curve(picture, &(Curve){record, -1, curve->value, &columns[r]});
         if (record->count == 0)
             continue;
         const double *row = record_row(record, record_find(record, picture->plot.x.high));
-        run_letter(picture, &runs[r], row[1], curve->value(row, &columns[r]), MARK_PLACE);
+        runs_letter(picture, &runs[r], row[1], curve->value(row, &columns[r]), MARK_PLACE);
     }
     note_crack(screen, picture, curve->line);
 }

@@ -32,7 +32,7 @@ static void add_dots(Picture *picture, const Dot *dots, int count)
                                                 .style = dots[i].style});
 }
 
-static Dot dot_of(const Run *run, double x, double y)
+static Dot dot_of(const ShownRun *run, double x, double y)
 {
     const bool ghost = !run->experiment;
     return (Dot){x, y, run->letter, ghost ? STYLE_NORMAL : run->style, !ghost};
@@ -128,7 +128,7 @@ static void factor_line(Experiment *experiment, bool brief, char out[160])
 }
 
 /* The curve of each run that can go on: of both in a duel. */
-static void add_predicted(Picture *picture, const Run *run, int last, int every)
+static void add_predicted(Picture *picture, const ShownRun *run, int last, int every)
 {
     ModeOnMesh mode;
     Plot *plot = &picture->plot;
@@ -200,7 +200,7 @@ static void name_ways(const Screen *screen, int n_ways, char out[160])
 
 static int bar_dots(const Screen *screen, Dot dots[RUNS_MAX])
 {
-    Run runs[RUNS_MAX];
+    ShownRun runs[RUNS_MAX];
     const int n_runs = runs_of(screen, runs);
     int count = 0;
     for (int i = 0; i < n_runs; i++) {
@@ -251,7 +251,7 @@ static void describe_bar(const Screen *screen, int variant, bool with_ways, Pict
     const int n_dots = bar_dots(screen, dots);
     double least = 0, most = 0;
     ModeOnMesh mode;
-    Run runs[RUNS_MAX];
+    ShownRun runs[RUNS_MAX];
     const int n_runs = runs_of(screen, runs);
     bool predicted = false;
     for (int i = 0; i < n_runs && screen_shows_predicted(screen); i++)
@@ -310,7 +310,7 @@ static double reach_of(const Screen *screen, const Settings *settings)
 
 static int beam_dots(const Screen *screen, Dot dots[RUNS_MAX])
 {
-    Run runs[RUNS_MAX];
+    ShownRun runs[RUNS_MAX];
     const int n_runs = runs_of(screen, runs);
     const Settings *own = experiment_settings(screen->experiment);
     int count = 0;

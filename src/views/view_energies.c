@@ -327,12 +327,12 @@ static void note_run(const Screen *screen, Picture *picture, const char *run, do
     note->rows = rows;
 }
 
-static void add_keys(Picture *picture, const Stack *stack, const Run *runs, int n_runs, const Run *second,
-                     bool work)
+static void add_keys(Picture *picture, const Stack *stack, const ShownRun *runs, int n_runs,
+                     const ShownRun *second, bool work)
 {
     if (second) {
         picture_key(picture, (PictureKey){LINE_SOLID, '#', STYLE_MEASURED, "A", 0, 0});
-        picture_key(picture, run_key(second));
+        picture_key(picture, runs_key(second));
     }
     for (int i = 0; i < stack->count; i++)
         picture_key(picture, (PictureKey){LINE_SOLID, '#', stack->layers[i].style, stack->layers[i].name,
@@ -374,13 +374,13 @@ static void describe(const Screen *screen, int variant, Picture *picture)
             most_work = fmax(most_work, fabs(record_row(record, i)[work]));
     }
     const char *line = rigid_energy(screen->experiment) > 0 ? "strain" : "total"; /* of the other runs */
-    Run runs[RUNS_MAX];
+    ShownRun runs[RUNS_MAX];
     const int n_runs = runs_with(runs, runs_of(screen, runs), line);
-    const Run *second =
+    const ShownRun *second =
         screen_is_shared(screen) && n_runs > 1 && runs[n_runs - 2].experiment ? &runs[n_runs - 2] : NULL;
     for (int i = 0; i < n_runs; i++)
         if (runs[i].experiment)
-            most = fmax(most, time_plot_reach(runs[i].record, run_column(&runs[i], line)));
+            most = fmax(most, time_plot_reach(runs[i].record, runs_column(&runs[i], line)));
     overlay_widen(screen, line, false, &(double){0}, &most);
     time_plot_axes(screen, picture, axis_make(0, axis_round_up(fmax(most, most_work) * 1.02)), "energy",
                    screen_problem(screen)->si ? "J" : "");
@@ -398,8 +398,8 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     }
     runs_add_ghosts(picture, runs, n_runs, line);
     if (second) {
-        run_begin(picture, second);
-        time_plot_curve(picture, &(Curve){second->record, run_column(second, line), NULL, NULL});
+        runs_begin(picture, second);
+        time_plot_curve(picture, &(Curve){second->record, runs_column(second, line), NULL, NULL});
     }
     overlay_add(screen, picture, line, false);
     runs_add_letters(picture, runs, n_runs, line);

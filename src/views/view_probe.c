@@ -107,7 +107,7 @@ static void add_envelope(const Screen *screen, Picture *picture, const char *nam
 
 /* What a run measures, or a reference for it. */
 typedef struct Line {
-    const Run *run;
+    const ShownRun *run;
     int column;
     PictureKey key;
     int rank;
@@ -118,13 +118,13 @@ enum { REFERENCES_MAX = 6, LINES_MAX = 2 * (REFERENCES_MAX + 1) };
 
 /* Adds those of a run that goes on. Two runs share a picture without the curves that only tell of one: each
  * has its smoothed curve, where there is one, and the exact one stands for both where it is the same. */
-static int add_lines(const Screen *screen, const Run *run, const char *name, Line *lines, int count)
+static int add_lines(const Screen *screen, const ShownRun *run, const char *name, Line *lines, int count)
 {
     const bool shared = screen_is_shared(screen);
     const bool doubled = shared && run->experiment != screen->experiment && screen->duel->same_exact;
-    const int column = run_column(run, name), most = count + 1 + REFERENCES_MAX;
+    const int column = runs_column(run, name), most = count + 1 + REFERENCES_MAX;
     Line *own = &lines[count++];
-    *own = (Line){run, column, run_key(run), run->rank, true};
+    *own = (Line){run, column, runs_key(run), run->rank, true};
     for (int i = 2; i < run->n_columns && count < most; i++) {
         const ColumnKind kind = run->columns[i].kind;
         Line line = {run, i, {0}, kind == COLUMN_EXACT ? RANK_EXACT : RANK_PREDICTED, false};
@@ -150,9 +150,9 @@ typedef struct Range {
     bool swings; /* around zero; what only grows has its own range */
 } Range;
 
-static void widen_range(const Screen *screen, const Run *run, const char *name, Range *range)
+static void widen_range(const Screen *screen, const ShownRun *run, const char *name, Range *range)
 {
-    const int column = run_column(run, name);
+    const int column = runs_column(run, name);
     const Record *record = run->record;
     Screen one = *screen;
     double least[COLUMNS_MAX], most[COLUMNS_MAX];
@@ -216,13 +216,13 @@ static void frequency_lines(const Screen *screen, int width, char first[160], ch
         return;
     }
     const bool narrow = width < 52;
-    const bool wrong = width >= 66 && settings_mistake(experiment_settings(screen->experiment));
+    const bool wrong = settings_mistake(experiment_settings(screen->experiment)) != NULL;
     /* while rows come in the fit is a little behind them, see experiment_rest() */
     const bool about = screen->playback.state == STATE_RUNNING && experiment_is_flowing(screen->experiment);
     if (readout->measured_known)
         text_append(first, 160,
                     narrow  ? "w %s%.*f"
-                    : wrong ? "w with a mistake %s%.*f"
+                    : wrong ? "w wrong code %s%.*f"
                             : "w measured %s%.*f",
                     about ? "~" : "", about ? 3 : 4, readout->measured);
     else if (readout->unaccounted)
@@ -232,10 +232,10 @@ static void frequency_lines(const Screen *screen, int width, char first[160], ch
     else
         text_append(first, 160, narrow ? "w ..." : "w measuring");
     if (predicted)
-        text_append(first, 160,
-                    narrow  ? " pred %.4f"
-                    : wrong ? "  predicted (right code) %.4f"
-                            : "  predicted %.4f",
+        text_append(first, 160, narrow ? " %s %.4f" : "  %s %.4f",
+                    wrong    ? (narrow ? "right" : "right code")
+                    : narrow ? "pred"
+                             : "predicted",
                     readout->predicted);
     if (exact)
         text_append(first, 160, narrow ? " exact %.4f" : "  exact %.4f", readout->exact);
@@ -333,7 +333,7 @@ static void note_readout(const Screen *screen, Picture *picture, const Line *lin
 }
 
 /* The axis of the values of these runs, over all that they have, foreign series and references will be. */
-static Axis value_axis(const Screen *screen, const Run *runs, int n_runs, const Quantity *quantity)
+static Axis value_axis(const Screen *screen, const ShownRun *runs, int n_runs, const Quantity *quantity)
 {
     Range range = {.least = INFINITY, .most = -INFINITY};
     for (int i = n_runs - 1; i >= 0; i--)
@@ -369,7 +369,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
         return;
     }
     const Quantity *quantity = &columns[column].quantity;
-    Run runs[RUNS_MAX];
+    ShownRun runs[RUNS_MAX];
     const int n_runs = runs_with(runs, runs_of(screen, runs), quantity->name);
     Line lines[LINES_MAX];
     int n_lines = 0, n_ghosts = 0;
@@ -397,7 +397,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     runs_add_letters(picture, runs, n_ghosts, quantity->name); /* they come first */
     for (int i = 0; i < n_lines; i++)
         if (lines[i].own)
-            run_letter_over_time(picture, lines[i].run, lines[i].column);
+            runs_letter_over_time(picture, lines[i].run, lines[i].column);
     note_readout(screen, picture, lines, n_lines, quantity->name);
 }
 

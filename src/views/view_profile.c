@@ -26,14 +26,14 @@ static const char *word_of(const Screen *screen, int variant)
 
 /* A run's part of the picture: what is now, of a ghost what was last on screen. */
 typedef struct Curve {
-    const Run *run;
+    const ShownRun *run;
     Profile taken; /* of a run that goes on */
     const Profile *profile;
     const double *values;
 } Curve;
 
 /* False: this run has nothing to show here. */
-static bool open_curve(Curve *curve, const Run *run, const char *field)
+static bool open_curve(Curve *curve, const ShownRun *run, const char *field)
 {
     *curve = (Curve){.run = run, .profile = run->profile};
     if (run->experiment) {
@@ -45,7 +45,7 @@ static bool open_curve(Curve *curve, const Run *run, const char *field)
 }
 
 /* How far the exact answer reaches over the run, so that the axis keeps still; 0: not known. */
-static double exact_reach(const Run *run, const char *field, const double *x, size_t count, double base)
+static double exact_reach(const ShownRun *run, const char *field, const double *x, size_t count, double base)
 {
     enum { TIMES = 24, PLACES = 12 };
     const References *refs = experiment_references(run->experiment);
@@ -152,21 +152,21 @@ static void add_particles(Picture *picture, const Curve *curve)
 static void add_letters(Picture *picture, const Curve *curve)
 {
     const Profile *profile = curve->profile;
-    run_letter(picture, curve->run, profile->x[profile->count - 1], curve->values[profile->count - 1],
-               MARK_PLACE);
+    runs_letter(picture, curve->run, profile->x[profile->count - 1], curve->values[profile->count - 1],
+                MARK_PLACE);
     for (int m = 0; m < RUN_MARKS; m++) {
-        const double place = run_mark(curve->run, &picture->plot.x, m);
+        const double place = runs_mark(curve->run, &picture->plot.x, m);
         size_t i = 0;
         while (i < profile->count && profile->x[i] < place)
             i++;
         if (i > 0 && i < profile->count)
-            run_letter(picture, curve->run, profile->x[i], curve->values[i], MARK_AGAIN);
+            runs_letter(picture, curve->run, profile->x[i], curve->values[i], MARK_AGAIN);
     }
 }
 
 /* What a ghost's letter stands for: its moment, where it is another one than the present, and what differs.
  */
-static void tell_moment(const Screen *screen, Run *run)
+static void tell_moment(const Screen *screen, ShownRun *run)
 {
     const double dt = experiment_simulation(screen->experiment)->dt;
     char moment[48], word[LEGEND_MAX];
@@ -179,7 +179,7 @@ static void tell_moment(const Screen *screen, Run *run)
 
 static void add_keys(const Screen *screen, Picture *picture, const Curve *curves, int n_curves, bool exact)
 {
-    Run runs[RUNS_MAX];
+    ShownRun runs[RUNS_MAX];
     for (int i = n_curves - 1; i >= 0; i--) { /* the present run first */
         runs[i] = *curves[i].run;
         if (runs[i].experiment && !runs[i].letter &&
@@ -188,7 +188,7 @@ static void add_keys(const Screen *screen, Picture *picture, const Curve *curves
         if (runs[i].ghost >= 0)
             tell_moment(screen, &runs[i]);
         else if (runs[i].shown)
-            picture_key(picture, run_key(&runs[i]));
+            picture_key(picture, runs_key(&runs[i]));
     }
     if (exact)
         picture_key(picture,
@@ -225,7 +225,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
     const char *name = profile_field(sim, variant_shown(screen, variant));
-    Run runs[RUNS_MAX];
+    ShownRun runs[RUNS_MAX];
     Curve curves[RUNS_MAX];
     int n_runs = runs_of(screen, runs), n_curves = 0;
     for (int i = 0; i < n_runs && name; i++)
@@ -262,7 +262,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     for (int k = 0; k < n_curves; k++) {
         if (!curves[k].run->shown)
             continue;
-        run_begin(picture, curves[k].run);
+        runs_begin(picture, curves[k].run);
         for (size_t i = 0; i < curves[k].profile->count; i++)
             plot_point(&picture->plot, curves[k].profile->x[i], curves[k].values[i]);
         add_particles(picture, &curves[k]);

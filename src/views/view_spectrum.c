@@ -119,10 +119,10 @@ static size_t bins_within(const Scale *scale)
 }
 
 /* The same column of another run; NULL: it has too few rows. */
-static const Spectrum *spectrum_of_run(Experiment *experiment, const Run *run, const char *column,
+static const Spectrum *spectrum_of_run(Experiment *experiment, const ShownRun *run, const char *column,
                                        SpectrumSpan span)
 {
-    const int at = run_column(run, column);
+    const int at = runs_column(run, column);
     return at < 0            ? NULL
            : run->experiment ? experiment_spectrum(run->experiment, at, span)
                              : experiment_ghost_spectrum(experiment, run->ghost, at, span);
@@ -286,11 +286,11 @@ static void add_marks(const Screen *screen, Picture *picture, const Scale *scale
 }
 
 /* A run's letter stands at its highest peak. */
-static void add_run(Picture *picture, const Scale *scale, const Run *run)
+static void add_run(Picture *picture, const Scale *scale, const ShownRun *run)
 {
     if (!run->shown || !scale->spectrum)
         return;
-    run_begin(picture, run);
+    runs_begin(picture, run);
     plot_curve(&picture->plot, sample, scale, 0, bins_within(scale), picture->dots);
     size_t best = 0;
     for (size_t k = 1; k < bins_within(scale); k++)
@@ -298,7 +298,7 @@ static void add_run(Picture *picture, const Scale *scale, const Run *run)
             best = k;
     double x;
     const double y = sample(scale, best, &x);
-    run_letter(picture, run, x, y, MARK_PLACE);
+    runs_letter(picture, run, x, y, MARK_PLACE);
 }
 
 static void note_peaks(const Screen *screen, Picture *picture, const Scale *scale, bool fast)
@@ -342,7 +342,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     const double range =
         choice.fast ? highest_of(screen) : slow_range(screen, scale.spectrum, marks, n_marks);
     scale.end = axis_round_up(range / scale.unit);
-    Run runs[RUNS_MAX];
+    ShownRun runs[RUNS_MAX];
     Scale of_run[RUNS_MAX];
     const int n_runs = runs_with(runs, runs_of(screen, runs), quantity->name);
     double largest = 0;
@@ -358,7 +358,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
                  name, !choice.fast || si ? quantity->unit : "");
     for (int i = n_runs - 1; i >= 0; i--) /* the present run first */
         if (runs[i].experiment && runs[i].shown)
-            picture_key(picture, run_key(&runs[i]));
+            picture_key(picture, runs_key(&runs[i]));
     add_marks(screen, picture, &scale, marks, n_marks);
     runs_add_keys(picture, runs, n_runs);
     for (int i = 0; i < n_runs; i++)

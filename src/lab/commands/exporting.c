@@ -138,7 +138,8 @@ static void write_export(Laboratory *lab, bool force)
     const bool both = steps_of(lab, 1) > 0;
     if (!write_run(lab, 0, force, &first) || (both && !write_run(lab, 1, force, &second)))
         return;
-    lab->editing.changed = false;
+    if (stages_of(lab, 0) == 0) /* else the run itself is not written */
+        lab->editing.changed = false;
     file_names(&lab->player.duel, 0, lab->exporting.name, paths);
     char *whole = realpath(paths[0], NULL);
     char beside[PATH_BYTES + 64] = "";

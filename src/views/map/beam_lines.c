@@ -2,7 +2,7 @@
 /* The lines under a beam's plots: what its run is judged by. Phrases are parted by two spaces, what matters
  * most first; what has no room is left out whole. */
 #include "panes/panes.h"
-#include "scenario/settings.h"
+#include "scenario/parameters.h"
 #include "answers/crack_growth.h"
 
 #include <math.h>
@@ -20,6 +20,12 @@ static void append_ghosts(const Experiment *experiment, char line[160])
     for (int i = 0; i < GHOSTS_MAX; i++)
         if (ghosts[i].used && ghosts[i].readout.is_period && ghosts[i].readout.measured_known)
             text_append(line, 160, "  %c: %.4f", ghosts[i].letter, ghosts[i].readout.measured / 1e-3);
+}
+
+/* Of a code that is wrong in one place the answer of the right one is known. */
+static const char *predicted_word(const Screen *screen)
+{
+    return settings_mistake(experiment_settings(screen->experiment)) ? "right code" : "predicted";
 }
 
 static void supported_lines(const Screen *screen, int width, char first[160], char second[160])
@@ -49,7 +55,7 @@ static void supported_lines(const Screen *screen, int width, char first[160], ch
         text_append(second, 160, "%sby its zeros %.4f ms", second[0] ? "  " : "", readout->by_zeros / 1e-3);
     append_ghosts(screen->experiment, second);
     if (screen_shows_predicted(screen) && readout->predicted_known)
-        text_append(second, 160, "%s%s %.4f ms", second[0] ? "  " : "", "predicted",
+        text_append(second, 160, "%s%s %.4f ms", second[0] ? "  " : "", predicted_word(screen),
                     readout->predicted / 1e-3);
 }
 
@@ -67,7 +73,7 @@ static void damped_lines(const Screen *screen, char first[160], char second[160]
     } else
         snprintf(second, 160, "f measuring");
     if (screen_shows_predicted(screen) && readout->predicted_known)
-        text_append(second, 160, ", predicted %.1f", 1 / readout->predicted);
+        text_append(second, 160, ", %s %.1f", predicted_word(screen), 1 / readout->predicted);
     if (exact)
         text_append(second, 160, "  Timoshenko %.1f", 1 / readout->exact);
 }

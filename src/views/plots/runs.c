@@ -8,9 +8,9 @@
 #include <stdio.h>
 #include <string.h>
 
-static Run run_of_ghost(const Ghost *ghost, int index)
+static ShownRun run_of_ghost(const Ghost *ghost, int index)
 {
-    Run run = {
+    ShownRun run = {
         .letter = ghost->letter,
         .line = LINE_SOLID,
         .style = ghost->pinned ? (Style)(STYLE_GHOST_A + index) : STYLE_FAINT,
@@ -30,9 +30,9 @@ static Run run_of_ghost(const Ghost *ghost, int index)
     return run;
 }
 
-static Run run_of_experiment(Experiment *experiment)
+static ShownRun run_of_experiment(Experiment *experiment)
 {
-    Run run = {
+    ShownRun run = {
         .settings = experiment_settings(experiment),
         .record = experiment_record(experiment),
         .readout = experiment_readout(experiment),
@@ -43,9 +43,9 @@ static Run run_of_experiment(Experiment *experiment)
     return run;
 }
 
-static Run present_run(Experiment *experiment)
+static ShownRun present_run(Experiment *experiment)
 {
-    Run run = run_of_experiment(experiment);
+    ShownRun run = run_of_experiment(experiment);
     run.line = LINE_SOLID;
     run.style = STYLE_MEASURED;
     run.rank = RANK_MEASURED;
@@ -56,10 +56,10 @@ static Run present_run(Experiment *experiment)
 }
 
 /* Of a duel: B dashed over A's solid line; where it has a picture of its own it is solid there. */
-static Run duel_run(const Screen *screen, int which)
+static ShownRun duel_run(const Screen *screen, int which)
 {
     const Duel *duel = screen->duel;
-    Run run = present_run(which == 0 ? duel->a : duel->b);
+    ShownRun run = present_run(which == 0 ? duel->a : duel->b);
     run.letter = "AB"[which];
     run.shown = screen->side == SIDE_BOTH || (screen->side == SIDE_B) == (which == 1);
     snprintf(run.word, sizeof run.word, "%c %s", run.letter, duel->names[which]);
@@ -74,7 +74,7 @@ static Run duel_run(const Screen *screen, int which)
     return run;
 }
 
-int runs_of(const Screen *screen, Run runs[RUNS_MAX])
+int runs_of(const Screen *screen, ShownRun runs[RUNS_MAX])
 {
     const Ghost *ghosts = experiment_ghosts(screen_clock_run(screen));
     int count = 0;
@@ -89,7 +89,7 @@ int runs_of(const Screen *screen, Run runs[RUNS_MAX])
     return count;
 }
 
-int run_column(const Run *run, const char *name)
+int runs_column(const ShownRun *run, const char *name)
 {
     for (int i = 0; i < run->n_columns; i++)
         if (strcmp(run->columns[i].quantity.name, name) == 0)
@@ -97,26 +97,26 @@ int run_column(const Run *run, const char *name)
     return -1;
 }
 
-int runs_with(Run *runs, int n_runs, const char *column)
+int runs_with(ShownRun *runs, int n_runs, const char *column)
 {
     int count = 0;
     for (int i = 0; i < n_runs; i++)
-        if (run_column(&runs[i], column) >= 0)
+        if (runs_column(&runs[i], column) >= 0)
             runs[count++] = runs[i];
     return count;
 }
 
-void run_begin(Picture *picture, const Run *run)
+void runs_begin(Picture *picture, const ShownRun *run)
 {
     plot_begin(&picture->plot, STROKE_LINE, run->line, run->style, run->rank, run->mark);
 }
 
-PictureKey run_key(const Run *run)
+PictureKey runs_key(const ShownRun *run)
 {
     return (PictureKey){run->line, run->mark, run->style, run->word, (uint32_t)run->key[0], 0};
 }
 
-void run_letter(Picture *picture, const Run *run, double x, double y, MarkKind kind)
+void runs_letter(Picture *picture, const ShownRun *run, double x, double y, MarkKind kind)
 {
     if (run->letter)
         picture_add_mark(
@@ -124,7 +124,7 @@ void run_letter(Picture *picture, const Run *run, double x, double y, MarkKind k
             (PictureMark){.x = x, .y = y, .glyph = (uint32_t)run->letter, .style = run->style, .kind = kind});
 }
 
-double run_mark(const Run *run, const Axis *x, int k)
+double runs_mark(const ShownRun *run, const Axis *x, int k)
 {
     if (run->ghost < 0 || run->style == STYLE_FAINT)
         return NAN;
@@ -132,49 +132,49 @@ double run_mark(const Run *run, const Axis *x, int k)
     return x->low + share * (x->high - x->low);
 }
 
-void runs_add_ghosts(Picture *picture, const Run *runs, int n_runs, const char *column)
+void runs_add_ghosts(Picture *picture, const ShownRun *runs, int n_runs, const char *column)
 {
     for (int i = 0; i < n_runs; i++) {
         if (runs[i].ghost < 0 || !runs[i].shown)
             continue;
-        run_begin(picture, &runs[i]);
-        time_plot_curve(picture, &(Curve){runs[i].record, run_column(&runs[i], column), NULL, NULL});
+        runs_begin(picture, &runs[i]);
+        time_plot_curve(picture, &(Curve){runs[i].record, runs_column(&runs[i], column), NULL, NULL});
     }
 }
 
-void run_letter_over_time(Picture *picture, const Run *run, int column)
+void runs_letter_over_time(Picture *picture, const ShownRun *run, int column)
 {
     const Record *record = run->record;
     if (record->count == 0)
         return;
     const double *row = record_row(record, record_find(record, picture->plot.x.high));
-    run_letter(picture, run, row[1], row[column], MARK_PLACE);
+    runs_letter(picture, run, row[1], row[column], MARK_PLACE);
     for (int k = 0; k < RUN_MARKS; k++) {
-        const double time = run_mark(run, &picture->plot.x, k);
+        const double time = runs_mark(run, &picture->plot.x, k);
         const double *here = record_row(record, record_find(record, time));
         if (time < row[1])
-            run_letter(picture, run, here[1], here[column], MARK_AGAIN);
+            runs_letter(picture, run, here[1], here[column], MARK_AGAIN);
     }
 }
 
-void runs_add_letters(Picture *picture, const Run *runs, int n_runs, const char *column)
+void runs_add_letters(Picture *picture, const ShownRun *runs, int n_runs, const char *column)
 {
     for (int i = 0; i < n_runs; i++) {
         if (runs[i].shown)
-            run_letter_over_time(picture, &runs[i], run_column(&runs[i], column));
+            runs_letter_over_time(picture, &runs[i], runs_column(&runs[i], column));
     }
 }
 
-void runs_add_keys(Picture *picture, const Run *runs, int n_runs)
+void runs_add_keys(Picture *picture, const ShownRun *runs, int n_runs)
 {
     for (int i = 0; i < n_runs; i++)
         if (runs[i].ghost >= 0 && runs[i].shown)
-            picture_key(picture, run_key(&runs[i]));
+            picture_key(picture, runs_key(&runs[i]));
 }
 
 void runs_ghost_names(const Screen *screen, int columns, char *out, size_t size)
 {
-    Run runs[RUNS_MAX];
+    ShownRun runs[RUNS_MAX];
     const int n_runs = runs_of(screen, runs);
     out[0] = '\0';
     for (int i = 0; i < n_runs; i++) {

@@ -194,7 +194,6 @@ void beam_look_for_rest(Beam *beam, long step);
 /* beam_step.c */
 bool beam_stage(Simulation *sim, int stage, size_t first, size_t end, Status *status);
 bool beam_steps(Simulation *sim, long count, double *rows, long *done, Status *status);
-void beam_constrain_velocity(Beam *beam, int j, double time); /* of what is held then */
 
 /* plate/beam_loads.c: what loads and moving supports do to row j. */
 void beam_load_force(const Beam *beam, const Load *, double time, double force[2]); /* on a node, N/m^3 */

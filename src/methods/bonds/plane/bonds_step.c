@@ -29,7 +29,7 @@
  * kick and after the drift with the time that this part of the step has reached: after the first half kick a
  * column counts as held if it was at t^n, from the drift on if it is at t^{n+1}. Taking one time for all
  * would shift each release by a step. */
-void beam_constrain_velocity(Beam *beam, int j, double time)
+static void constrain_velocity(Beam *beam, int j, double time)
 {
     const NodeArrays *nodes = &beam->nodes;
     size_t row = lattice_at(&beam->lattice, 0, j);
@@ -77,7 +77,7 @@ static void half_kick(Beam *beam, int j, long step)
 {
     beam_brake_first(beam, j);
     kick(beam, j);
-    beam_constrain_velocity(beam, j, (double)step * beam->sim.dt);
+    constrain_velocity(beam, j, (double)step * beam->sim.dt);
 }
 
 /* Eq. 10 of row j, and the work that belongs to it. */
@@ -97,7 +97,7 @@ static void constraints(Beam *beam, int j, long step)
 {
     double time = (double)(step + 1) * beam->sim.dt;
     constrain_displacement(beam, j, time);
-    beam_constrain_velocity(beam, j, time);
+    constrain_velocity(beam, j, time);
 }
 
 /* b of eq. 8 at t^{n+1}, added to what the bonds have left in f. */
@@ -112,7 +112,7 @@ static void second_kick(Beam *beam, int j, long step)
 {
     kick(beam, j);
     beam_brake_second(beam, j);
-    beam_constrain_velocity(beam, j, (double)(step + 1) * beam->sim.dt);
+    constrain_velocity(beam, j, (double)(step + 1) * beam->sim.dt);
     beam_note_reaction(beam, j);
 }
 
@@ -127,7 +127,7 @@ static void drift_and_kick(Beam *beam, int j, long step)
     beam_note_speeds(beam, j);
     beam->kernels->add(beam->nodes.vx + row, beam->nodes.fx + row, whole, count);
     beam->kernels->add(beam->nodes.vy + row, beam->nodes.fy + row, whole, count);
-    beam_constrain_velocity(beam, j, (double)step * dt);
+    constrain_velocity(beam, j, (double)step * dt);
 }
 
 static void nothing(Beam *beam, int j, long step)

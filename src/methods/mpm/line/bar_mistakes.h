@@ -6,8 +6,8 @@
  * below and the written sums ask the row for the numbers that this code takes. All of them are of USF, hats,
  * FLIP and lumped masses on a bar of one material.
  *
- * Bars with a mistake do the stages of this file, one after the other over the whole bar. They are written
- * for reading; with a row that says nothing they give what the kernels give, but for rounding. */
+ * Bars with a mistake do the stages of bar_wrong_stages.c, one after the other over the whole bar. They are
+ * written for reading; with a row that says nothing they give what the kernels give, but for rounding. */
 #ifndef PHYSICS_MPM_BAR_MISTAKES_H
 #define PHYSICS_MPM_BAR_MISTAKES_H
 
@@ -60,9 +60,6 @@ bool bar_check_mistake(const BarDef *, Status *);
 
 /* The work of a stage on cells [first, end), as bar_do(). */
 bool bar_do_wrongly(Bar *, BarOp, int first, int end, Status *);
-
-/* What the kernel's map has made, with what the nodes still had. */
-void bar_keep_grid(Bar *, int first, int end);
 
 /* The numbers that the stages of such a code take, or of any bar. */
 bool bar_holds_momentum(const Bar *, BarOp stage, int node); /* takes it away at this stage */

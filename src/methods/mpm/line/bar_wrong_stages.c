@@ -65,7 +65,7 @@ static int nodes_end(const Bar *bar, int end)
 }
 
 /* Eqs. 2, 3 without the emptying between steps. An inactive node stays one. */
-void bar_keep_grid(Bar *bar, int first, int end)
+static void keep_grid(Bar *bar, int first, int end)
 {
     for (int i = first; i < nodes_end(bar, end); i++) {
         bar->node_mass[i] += bar->kept_mass[i];
@@ -186,7 +186,7 @@ bool bar_do_wrongly(Bar *bar, BarOp op, int first, int end, Status *status)
     case OP_MAP:
         bar->kernels->map(bar, first, end);
         if (bar_mistake(bar)->keeps_grid)
-            bar_keep_grid(bar, first, end);
+            keep_grid(bar, first, end);
         return true;
     case OP_FIX:
         fix(bar, first, end);
