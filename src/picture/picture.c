@@ -115,6 +115,21 @@ void picture_label(Picture *picture, const PictureLabel *label)
         picture->labels[picture->n_labels++] = *label;
 }
 
+void picture_arrow(Picture *picture, const PictureArrow *arrow)
+{
+    const double right = arrow->to[0] - arrow->from[0], up = arrow->to[1] - arrow->from[1];
+    if (picture->n_arrows == PICTURE_ARROWS_MAX)
+        return;
+    picture->arrows[picture->n_arrows++] = *arrow;
+    plot_begin(&picture->plot, STROKE_LINE, LINE_SOLID, arrow->style, RANK_MARK,
+               up == 0          ? '-'
+               : right == 0     ? '|'
+               : right * up > 0 ? '/'
+                                : '\\');
+    plot_point(&picture->plot, arrow->from[0], arrow->from[1]);
+    plot_point(&picture->plot, arrow->to[0], arrow->to[1]);
+}
+
 void picture_key(Picture *picture, PictureKey key)
 {
     if (picture->n_keys == PICTURE_KEYS_MAX)

@@ -7,7 +7,13 @@
 
 #include "picture/plot.h"
 
-enum { PICTURE_KEYS_MAX = 32, PICTURE_NOTES_MAX = 16, PICTURE_LABELS_MAX = 16, PICTURE_TEXT_MAX = 384 };
+enum {
+    PICTURE_KEYS_MAX = 32,
+    PICTURE_NOTES_MAX = 16,
+    PICTURE_LABELS_MAX = 48,
+    PICTURE_ARROWS_MAX = 32,
+    PICTURE_TEXT_MAX = 384
+};
 
 /* What it is: words tell each in another way. */
 typedef enum PictureKind {
@@ -15,7 +21,8 @@ typedef enum PictureKind {
     PICTURE_UPRIGHT,  /* curves that go across, over a height */
     PICTURE_PATH,     /* lines in a plane, which may turn back */
     PICTURE_BARS,     /* a bar for each of some parts, beside levels */
-    PICTURE_MAP       /* a body as it lies */
+    PICTURE_MAP,      /* a body as it lies */
+    PICTURE_DRAWING   /* things in their places, with numbers and arrows; its axes are not drawn */
 } PictureKind;
 
 /* What stands for an entry of the legend, in place of a piece of its line: a mark, the letter of an earlier
@@ -47,6 +54,9 @@ typedef struct PictureMark {
     char ascii;       /* in place of the glyph where there are only letters; 0: what usually stands for it */
     char letter;      /* beside it; 0: none */
     const char *word; /* of a rule; NULL: none */
+    bool is_target;   /* of the mouse, which finds thing `index` of this set there */
+    int set;
+    size_t index;
 } PictureMark;
 
 /* A line of words beside the picture: phrases that are parted by two spaces. */
@@ -79,9 +89,21 @@ typedef struct PictureLabel {
     int side;      /* of the place on which they stand: -1 left, 0 both, 1 right */
     bool on_line;  /* which is broken for them */
     double height; /* of the band that they name; 0: of none */
+    bool spare;    /* of a drawing: told where arrows have left room */
     Style style;
-    char text[64];
+    const char *thing; /* said before them in words, where the place does not tell: "node"; NULL: nothing */
+    bool says_thing;   /* in a drawing too, where there is room */
+    char text[96];     /* of a drawing: lines below each other, as many as have room, parted by '\n' */
 } PictureLabel;
+
+/* What goes from one place of a drawing to another. It is a stroke of the plot too. */
+typedef struct PictureArrow {
+    double from[2], to[2];
+    Style style;
+    double place;                   /* of its words: the share of its way, where there is room */
+    char text[2][48], brief[2][32]; /* what goes, the first the one to be told if there is room for one */
+    char told[160];                 /* the whole as words have it */
+} PictureArrow;
 
 typedef struct Picture {
     /* what it is asked for with */
@@ -105,6 +127,8 @@ typedef struct Picture {
     size_t n_marks, marks_room;
     PictureLabel labels[PICTURE_LABELS_MAX];
     int n_labels;
+    PictureArrow arrows[PICTURE_ARROWS_MAX];
+    int n_arrows;
     PictureKey keys[PICTURE_KEYS_MAX]; /* their names stand here too: a picture is not copied */
     char key_names[PICTURE_KEYS_MAX][96];
     int n_keys;
@@ -139,6 +163,7 @@ bool picture_has_points(const Picture *, size_t count); /* whether so many on a 
 void picture_rule(Picture *, double x, Style, const char *word);
 void picture_level(Picture *, double y, LineStyle, Style, int rank, char letter); /* from edge to edge */
 void picture_label(Picture *, const PictureLabel *);
+void picture_arrow(Picture *, const PictureArrow *);
 void picture_key(Picture *, PictureKey);
 char picture_run_of(const PictureKey *); /* the letter of an earlier run; 0: it is none */
 

@@ -7,7 +7,7 @@
 #include "views/view.h"
 
 extern const View view_profile, view_probe, view_energies, view_shapes, view_dispersion, view_convergence,
-    view_spectrum, view_table, view_beam, view_section, view_fronts, view_log;
+    view_spectrum, view_table, view_beam, view_section, view_fronts, view_cell, view_log;
 
 /* Of a body that breaks: the crack's path, angle and speed among the probe's pictures, what it costs and
  * where that went among the energies. Counts of 0: it does not break. */

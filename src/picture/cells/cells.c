@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 #include "picture/heading.h"
+#include "picture/places.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -16,6 +17,7 @@ enum {
     JOINED = 100,     /* columns from which on lines of words are long enough for two */
     LARGER = 1,       /* rows that a plot has more than it must where there are words to spare */
     APART = 40,       /* columns from which on a curve can have its letter more than once */
+    DRAWING = 12,     /* rows that a drawing keeps before words below it are told */
 };
 
 void cells_open(Picture *picture, int columns, Glyphs glyphs)
@@ -37,7 +39,10 @@ static int rows_under(const Picture *picture, int columns, int rows)
         else if (!(note->joins && columns >= JOINED && wanted > 0))
             wanted += note->rows > 1 ? note->rows : 1;
     }
-    const int room = rows < 6 ? 0 : rows < 8 ? 1 : rows - 6;
+    const bool drawn = picture->kind == PICTURE_DRAWING;
+    const int room = drawn ? rows - DRAWING : rows < 6 ? 0 : rows < 8 ? 1 : rows - 6;
+    if (room <= 0)
+        return 0;
     if (spare > 0 && wanted + spare <= room - LARGER)
         wanted += spare;
     return wanted < room ? wanted : room;
@@ -131,7 +136,7 @@ static bool goes_on(const Picture *picture, int named, int count)
     bool bands = false;
     for (int i = 0; i < picture->n_keys; i++)
         bands |= picture->keys[i].sign == SIGN_BAND;
-    return bands && named < count;
+    return bands && named < count && picture->kind != PICTURE_DRAWING;
 }
 
 /* --- marks ----------------------------------------------------------------------------------------- */
@@ -211,6 +216,76 @@ static void draw_notes(const Picture *picture, Area area)
     }
 }
 
+/* --- a drawing ------------------------------------------------------------------------------------- */
+
+static double columns_of(const Places *places, const char *text)
+{
+    const Area *inner = places->back_end;
+    char plain[PICTURE_TEXT_MAX];
+    glyphs_plain(inner->glyphs, text, plain, sizeof plain);
+    return glyphs_columns(plain);
+}
+
+static void write_words(const Places *places, double left, double top, const char *text, Style style)
+{
+    const Area *inner = places->back_end;
+    char plain[PICTURE_TEXT_MAX];
+    glyphs_plain(inner->glyphs, text, plain, sizeof plain);
+    area_text(*inner, (int)left, (int)top, plain, style);
+}
+
+/* Which way it points, a row being as high as two columns are wide. */
+static uint32_t head_of(const Places *places, const Picture *picture, const PictureArrow *arrow)
+{
+    const double across =
+        places_across(places, picture, arrow->to[0]) - places_across(places, picture, arrow->from[0]);
+    const double down =
+        places_down(places, picture, arrow->to[1]) - places_down(places, picture, arrow->from[1]);
+    if (fabs(across) > 2 * fabs(down))
+        return across < 0 ? 0x2190 : 0x2192;
+    return down < 0 ? 0x2191 : 0x2193;
+}
+
+static void draw_drawing(const Picture *picture, Area inner)
+{
+    Places places = {.width = inner.rect.width,
+                     .height = inner.rect.height,
+                     .row = 1,
+                     .gap = 2,
+                     .whole = true,
+                     .columns = columns_of,
+                     .write = write_words,
+                     .back_end = &inner};
+    plot_draw(&picture->plot, inner);
+    for (int i = 0; i < picture->n_arrows; i++) {
+        const PictureArrow *arrow = &picture->arrows[i];
+        area_put(inner, (int)places_across(&places, picture, arrow->to[0]),
+                 (int)places_down(&places, picture, arrow->to[1]), head_of(&places, picture, arrow),
+                 arrow->style);
+    }
+    draw_marks(picture, inner);
+    places_write(&places, picture);
+}
+
+const PictureMark *cells_target(const Picture *picture, Rect rect, int x, int y)
+{
+    const PictureMark *nearest = NULL;
+    double least = HUGE_VAL;
+    const int under = rows_under(picture, rect.width, rect.height);
+    Places places = {.width = rect.width, .height = rect.height - 1 - under, .whole = true};
+    for (size_t i = 0; i < picture->n_marks && picture->has_axes; i++) {
+        const PictureMark *mark = &picture->marks[i];
+        const double across = fabs(places_across(&places, picture, mark->x) - (x - rect.x));
+        const double down = fabs(places_down(&places, picture, mark->y) - (y - rect.y - 1));
+        if (mark->is_target && across + 2 * down < least) {
+            least = across + 2 * down;
+            nearest = mark;
+        }
+    }
+    return x >= rect.x && x < rect.x + rect.width && y > rect.y && y <= rect.y + places.height ? nearest
+                                                                                               : NULL;
+}
+
 /* --- the whole ------------------------------------------------------------------------------------- */
 
 static void say(const Picture *picture, Area area, Style heading)
@@ -264,6 +339,11 @@ void cells_draw(Picture *picture, Area area, Style heading, bool coloured)
         if (picture->plot.strokes[i].kind == STROKE_BAND)
             picture->plot.strokes[i].fill = 0;
     const int width = area.rect.width, height = area.rect.height, under = rows_under(picture, width, height);
+    if (picture->kind == PICTURE_DRAWING) {
+        draw_drawing(picture, area_part(area, 0, 1, width, height - 1 - under));
+        draw_notes(picture, area_part(area, 0, height - under, width, under));
+        return;
+    }
     glyphs_plain(area.glyphs, picture->x_name, x_name, sizeof x_name);
     const Area inner = axes_draw(area_part(area, 0, 1, width, height - 1 - under), &picture->plot.x,
                                  &picture->plot.y, x_name, GUTTER);

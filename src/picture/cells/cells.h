@@ -15,4 +15,7 @@ void cells_fit(Picture *, int rows);
 /* `coloured`: colours tell bands apart. */
 void cells_draw(Picture *, Area, Style heading, bool coloured);
 
+/* The mark nearest to a cell of the drawing in `rect` that the mouse can choose; NULL: none. */
+const PictureMark *cells_target(const Picture *, Rect rect, int x, int y);
+
 #endif

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A picture with axes on paper: frame, ticks, strokes cut at the frame, marks, labels and legend. */
 #include "picture/paper/draw.h"
+#include "picture/places.h"
 
 #include "base/math/functions.h"
 
@@ -391,6 +392,10 @@ static void draw_marks(const Frame *frame)
         } else if (mark->glyph == 0x25cb || mark->glyph == 'o') {
             frame->paper->kind->disc(frame->paper, x, y, 1.6 * size, WHITE,
                                      &(Pencil){.colour = colour, .width = 0.8});
+        } else if (mark->glyph == 0x25a0) {
+            const double half = 2.4 * size, corners[] = {x - half, y - half, x + half, y - half,
+                                                         x + half, y + half, x - half, y + half};
+            frame->paper->kind->fill(frame->paper, corners, 4, colour);
         }
         const bool is_letter = mark->glyph < 0x80 && mark->glyph != 'o';
         const char letter = is_letter ? (char)mark->glyph : mark->letter;
@@ -419,6 +424,57 @@ static void draw_label(const Frame *frame, const PictureLabel *label)
         frame->paper->kind->fill(frame->paper, patch, 4, WHITE);
     }
     draw_words(frame->paper, x, y + 0.36 * type.size, label->text, &type);
+}
+
+/* --- a drawing --------------------------------------------------------------------------------------- */
+
+static double columns_of(const Places *places, const char *text)
+{
+    return draw_words_width(text, &(Type){.size = places->row / LINE_HEIGHT});
+}
+
+/* On white, which breaks the lines below. */
+static void write_words(const Places *places, double left, double top, const char *text, Style style)
+{
+    const Frame *frame = places->back_end;
+    const Type type = {.size = places->row / LINE_HEIGHT, .colour = ink_of(style)};
+    const double x = frame->box.x + left, y = frame->box.y + top, right = x + draw_words_width(text, &type);
+    const double patch[] = {x - 1, y, right + 1, y, right + 1, y + places->row, x - 1, y + places->row};
+    frame->paper->kind->fill(frame->paper, patch, 4, WHITE);
+    draw_words(frame->paper, x, y + 0.8 * places->row, text, &type);
+}
+
+static void draw_head(const Frame *frame, const PictureArrow *arrow)
+{
+    const double x = x_of(frame, arrow->to[0]), y = y_of(frame, arrow->to[1]);
+    const double across = x - x_of(frame, arrow->from[0]), down = y - y_of(frame, arrow->from[1]);
+    const double length = math_hypot(across, down);
+    if (!(length > 0))
+        return;
+    const double way[] = {6 * across / length, 6 * down / length};
+    const double corners[] = {x,
+                              y,
+                              x - way[0] + 0.4 * way[1],
+                              y - way[1] - 0.4 * way[0],
+                              x - way[0] - 0.4 * way[1],
+                              y - way[1] + 0.4 * way[0]};
+    frame->paper->kind->fill(frame->paper, corners, 3, ink_of(arrow->style));
+}
+
+static void draw_drawing(const Frame *frame)
+{
+    const double row = frame->box.height / range_of(&frame->picture->plot.y);
+    Places places = {.width = frame->box.width,
+                     .height = frame->box.height,
+                     .row = LINE_HEIGHT * fmin(SIZE_WORDS, row / LINE_HEIGHT),
+                     .gap = 6,
+                     .columns = columns_of,
+                     .write = write_words,
+                     .back_end = frame};
+    for (int i = 0; i < frame->picture->n_arrows; i++)
+        draw_head(frame, &frame->picture->arrows[i]);
+    draw_marks(frame);
+    places_write(&places, frame->picture);
 }
 
 /* --- the whole --------------------------------------------------------------------------------------- */
@@ -478,6 +534,11 @@ void draw_plot(Paper *paper, const Picture *picture, Box box)
     if (frame.box.width < 20 || frame.box.height < 10)
         return;
     const bool of_body = picture->stretch > 0; /* its marks are signs */
+    if (picture->kind == PICTURE_DRAWING) {
+        draw_strokes(&frame);
+        draw_drawing(&frame);
+        return;
+    }
     if (of_body)
         fit(picture, &frame.box);
     else

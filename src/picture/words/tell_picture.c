@@ -435,17 +435,35 @@ static void say_map(const Picture *picture, Words *words)
         words_say(words, 4, "  %zu nodes are too much damaged to have a colour.", count - shown);
 }
 
+/* Of a drawing a thing with the numbers that stand below its name; one without says nothing. */
+static void say_label(const PictureLabel *label, bool drawn, Words *words)
+{
+    if (drawn && !strchr(label->text, '\n'))
+        return;
+    char text[2 * sizeof label->text];
+    size_t used = 0;
+    for (const char *here = label->text; *here; here++)
+        used += (size_t)snprintf(text + used, sizeof text - used, *here == '\n' ? ", " : "%c", *here);
+    words_say(words, 4, drawn ? "  %s%s%s." : "  in the drawing: %s%s%s", label->thing ? label->thing : "",
+              label->thing ? " " : "", text);
+}
+
 bool tell_picture(const Picture *picture, double cursor, Words *words)
 {
     if (!picture->has_axes)
         return false;
+    const bool drawn = picture->kind == PICTURE_DRAWING;
     if (picture->map)
         say_map(picture, words);
-    else if (picture->plot.n_strokes > 0)
+    else if (picture->plot.n_strokes > 0 && !drawn)
         say_strokes(picture, cursor, words);
-    say_rules(picture, words);
+    if (!drawn)
+        say_rules(picture, words);
     for (int i = 0; i < picture->n_labels && picture->bare; i++)
-        words_say(words, 4, "  in the drawing: %s", picture->labels[i].text);
+        say_label(&picture->labels[i], drawn, words);
+    for (int i = 0; i < picture->n_arrows; i++)
+        if (picture->arrows[i].told[0])
+            words_say(words, 4, "  %s.", picture->arrows[i].told);
     for (int i = 0; i < picture->n_notes; i++)
         if (picture->notes[i].text[strspn(picture->notes[i].text, " ")])
             words_say(words, 4, "  %s", picture->notes[i].text + strspn(picture->notes[i].text, " "));

@@ -1,0 +1,161 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Room for the words of a drawing (places.h). */
+#include "picture/places.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static double share_of(const Axis *axis, double value)
+{
+    return (value - axis->low) / (axis->high - axis->low);
+}
+
+static double snapped(const Places *places, double place)
+{
+    return places->whole ? floor(place) : place;
+}
+
+double places_across(const Places *places, const Picture *picture, double x)
+{
+    return snapped(places, share_of(&picture->plot.x, x) * places->width);
+}
+
+double places_down(const Places *places, const Picture *picture, double y)
+{
+    return snapped(places, (1 - share_of(&picture->plot.y, y)) * places->height);
+}
+
+static bool is_free(const Places *places, double left, double top, double right, double bottom)
+{
+    if (left < 0 || top < 0 || right > places->width || bottom > places->height ||
+        places->n_taken == PLACES_MAX)
+        return false;
+    for (int i = 0; i < places->n_taken; i++)
+        if (left < places->taken[i].right && right > places->taken[i].left && top < places->taken[i].bottom &&
+            bottom > places->taken[i].top)
+            return false;
+    return true;
+}
+
+static void take(Places *places, double left, double top, double right, double bottom)
+{
+    if (places->n_taken == PLACES_MAX)
+        return;
+    places->taken[places->n_taken].left = left;
+    places->taken[places->n_taken].top = top;
+    places->taken[places->n_taken].right = right;
+    places->taken[places->n_taken].bottom = bottom;
+    places->n_taken++;
+}
+
+/* With a little air on both sides: two words beside each other are not one. */
+static bool write_line(Places *places, double left, double top, const char *text, Style style)
+{
+    const double columns = places->columns(places, text), air = places->gap / 2;
+    if (!is_free(places, left, top, left + columns, top + places->row))
+        return false;
+    take(places, left - air, top, left + columns + air, top + places->row);
+    places->write(places, left, top, text, style);
+    return true;
+}
+
+/* --- labels ----------------------------------------------------------------------------------------- */
+
+static bool write_beside(Places *places, const PictureLabel *label, double across, double top,
+                         const char *line)
+{
+    const double columns = places->columns(places, line);
+    const double left = label->side > 0   ? across + places->gap
+                        : label->side < 0 ? across + (places->whole ? 1 : 0) - places->gap - columns
+                                          : snapped(places, across - (columns - 1) / 2);
+    return write_line(places, left, top, line, label->style);
+}
+
+static void write_label(Places *places, const Picture *picture, const PictureLabel *label)
+{
+    char lines[sizeof label->text], named[sizeof label->text + 32], *rest;
+    const double across = places_across(places, picture, label->x);
+    double top = places_down(places, picture, label->y) - (places->whole ? 0 : places->row / 2);
+    bool first = true;
+    snprintf(lines, sizeof lines, "%s", label->text);
+    for (char *line = strtok_r(lines, "\n", &rest); line; line = strtok_r(NULL, "\n", &rest)) {
+        snprintf(named, sizeof named, "%s %s", label->thing ? label->thing : "", line);
+        if (!(first && label->says_thing && write_beside(places, label, across, top, named)) &&
+            !write_beside(places, label, across, top, line))
+            return;
+        top += places->row;
+        first = false;
+    }
+}
+
+/* --- arrows ----------------------------------------------------------------------------------------- */
+
+/* One or two lines, in full or in brief, about a place of the arrow. */
+static bool write_on(Places *places, const Picture *picture, const PictureArrow *arrow, double share,
+                     int lines, bool brief)
+{
+    const double x = arrow->from[0] + share * (arrow->to[0] - arrow->from[0]);
+    const double y = arrow->from[1] + share * (arrow->to[1] - arrow->from[1]);
+    const double middle = places_across(places, picture, x), half_row = places->whole ? 0 : places->row / 2;
+    const double top = places_down(places, picture, y) - half_row - (lines - 1) * half_row;
+    double left[2], columns[2], low = INFINITY, high = -INFINITY;
+    for (int i = 0; i < lines; i++) {
+        columns[i] = places->columns(places, brief ? arrow->brief[i] : arrow->text[i]);
+        left[i] = snapped(places, middle - (columns[i] - 1) / 2);
+        low = fmin(low, left[i]);
+        high = fmax(high, left[i] + columns[i]);
+    }
+    if (!is_free(places, low, top, high, top + lines * places->row))
+        return false;
+    for (int i = 0; i < lines; i++)
+        places->write(places, left[i], top + i * places->row, brief ? arrow->brief[i] : arrow->text[i],
+                      arrow->style);
+    take(places, low - places->gap / 2, top, high + places->gap / 2, top + lines * places->row);
+    return true;
+}
+
+static void write_arrow(Places *places, const Picture *picture, const PictureArrow *arrow)
+{
+    static const double away[] = {0, 0.1, -0.1, 0.2, -0.2, 0.3, -0.3};
+    static const struct {
+        int lines;
+        bool brief;
+    } forms[] = {{2, false}, {1, false}, {2, true}, {1, true}};
+    for (size_t form = arrow->text[1][0] ? 0 : 1; form < sizeof forms / sizeof *forms; form++)
+        for (size_t i = 0; i < sizeof away / sizeof *away && arrow->text[0][0]; i++) {
+            const double share = arrow->place + away[i];
+            if (share > 0.05 && share < 0.95 && (forms[form].lines == 1 || arrow->text[1][0]) &&
+                write_on(places, picture, arrow, share, forms[form].lines, forms[form].brief))
+                return;
+        }
+}
+
+/* --- the whole -------------------------------------------------------------------------------------- */
+
+static void write_labels(Places *places, const Picture *picture, bool spare)
+{
+    for (int i = 0; i < picture->n_labels; i++)
+        if (picture->labels[i].spare == spare)
+            write_label(places, picture, &picture->labels[i]);
+}
+
+void places_write(Places *places, const Picture *picture)
+{
+    const double half = places->whole ? 0 : places->gap / 2, size = places->whole ? 1 : 0;
+    for (size_t i = 0; i < picture->n_marks; i++) {
+        const PictureMark *mark = &picture->marks[i];
+        const double x = places_across(places, picture, mark->x), y = places_down(places, picture, mark->y);
+        if (mark->kind == MARK_PLACE)
+            take(places, x - half, y - half, x + half + size, y + half + size);
+    }
+    for (int i = 0; i < picture->n_arrows && places->whole; i++) {
+        const double x = places_across(places, picture, picture->arrows[i].to[0]);
+        const double y = places_down(places, picture, picture->arrows[i].to[1]);
+        take(places, x, y, x + size, y + size);
+    }
+    write_labels(places, picture, false);
+    for (int i = 0; i < picture->n_arrows; i++)
+        write_arrow(places, picture, &picture->arrows[i]);
+    write_labels(places, picture, true);
+}

@@ -1,0 +1,258 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* One cell from near: the terms on its arrows are those of the written sums, they add up to what the receiver
+ * has, and cells, paper and words have the same. */
+#include "picture/paper/figure_file.h"
+#include "picture/words/tell.h"
+#include "suite.h"
+#include "views/scene.h"
+#include "views/view.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct Drawing {
+    Scene scene;
+    Screen *screen;
+    const Simulation *sim;
+    Picture picture;
+    char sums[8192]; /* of the box */
+} Drawing;
+
+static void describe_again(Drawing *drawing)
+{
+    const Screen *screen = drawing->screen;
+    const int set = screen->chosen.is_node;
+    view_describe(view_named("cell"), screen, 84, 25, &drawing->picture);
+    drawing->sums[0] = '\0';
+    if (drawing->sim->stage > 0 && drawing->sim->method->explain)
+        drawing->sim->method->explain(
+            drawing->sim, drawing->sim->stage - 1, set, set ? screen->chosen.node : screen->chosen.particle,
+            experiment_before(screen->experiment), 0, drawing->sums, sizeof drawing->sums);
+}
+
+static void open_drawing(Drawing *drawing, const char *words)
+{
+    Status status = {STATUS_DONE, ""};
+    ck_assert_msg(scene_open(&drawing->scene, words, &status), "%s: %s", words, status.text);
+    drawing->screen = &drawing->scene.screen;
+    drawing->sim = experiment_simulation(drawing->screen->experiment);
+    describe_again(drawing);
+}
+
+static void close_drawing(Drawing *drawing)
+{
+    picture_close(&drawing->picture);
+    scene_close(&drawing->scene);
+}
+
+/* Arrows between nodes and particles; the others lie along the grid. */
+static bool passes(const PictureArrow *arrow)
+{
+    return arrow->text[0][0] != '\0';
+}
+
+static int count_passing(const Picture *picture)
+{
+    int count = 0;
+    for (int i = 0; i < picture->n_arrows; i++)
+        count += passes(&picture->arrows[i]);
+    return count;
+}
+
+static const char *label_of(const Picture *picture, const char *thing, size_t index)
+{
+    char begin[32];
+    snprintf(begin, sizeof begin, "%zu", index);
+    const size_t length = strlen(begin);
+    for (int i = 0; i < picture->n_labels; i++) {
+        const char *text = picture->labels[i].text;
+        if (picture->labels[i].thing && strcmp(picture->labels[i].thing, thing) == 0 &&
+            strncmp(text, begin, length) == 0 && (text[length] == '\0' || text[length] == '\n'))
+            return text;
+    }
+    return NULL;
+}
+
+/* Every term of the chosen particle is a number of the sums that the box writes. */
+START_TEST(terms_are_those_of_the_box)
+{
+    static const char *const words[] = {"mode1 80x24 3 stage 1", "mode5 80x24 700 stage 1",
+                                        "mode5 80x24 700 stage 4", "mode5 80x24 700 stage 1 mpm.shape=gimp",
+                                        "mode5 80x24 700 stage 1 mpm.shape=bspline3"};
+    for (size_t k = 0; k < sizeof words / sizeof *words; k++) {
+        Drawing drawing;
+        open_drawing(&drawing, words[k]);
+        ck_assert_int_ge(count_passing(&drawing.picture), 2);
+        for (int i = 0; i < drawing.picture.n_arrows; i++) {
+            const PictureArrow *arrow = &drawing.picture.arrows[i];
+            const char *number = arrow->brief[0];
+            if (passes(arrow) && fabs(strtod(number, NULL)) > 0)
+                ck_assert_msg(strstr(drawing.sums, number + (*number == '-')), "%s: %s is not in %s",
+                              words[k], number, drawing.sums);
+        }
+        close_drawing(&drawing);
+    }
+}
+END_TEST
+
+/* What arrives at a node adds up to what stands there, as it is printed; with many particles too. */
+START_TEST(terms_add_up_at_the_node)
+{
+    static const char *const words[] = {"mode5 80x24 700 stage 1 node", "mode5 80x24 700 stage 4 node",
+                                        "mode5 80x24 700 stage 1 node mesh.particles_per_cell=8",
+                                        "mode5 80x24 700 stage 1 node mpm.shape=bspline2"};
+    for (size_t k = 0; k < sizeof words / sizeof *words; k++) {
+        Drawing drawing;
+        open_drawing(&drawing, words[k]);
+        const bool forces = strstr(words[k], "stage 4") != NULL;
+        const size_t node = drawing.screen->chosen.node;
+        double sum = 0;
+        for (int i = 0; i < drawing.picture.n_arrows; i++) {
+            if (!passes(&drawing.picture.arrows[i]))
+                continue;
+            sum += strtod(drawing.picture.arrows[i].brief[0], NULL);
+        }
+        for (int i = 0; i < drawing.picture.n_labels; i++) {
+            const char *more = strstr(drawing.picture.labels[i].text, " more:\n");
+            if (more)
+                sum += strtod(strrchr(strtok(strstr(more, "\n") + 1, ","), ' '), NULL);
+        }
+        const double whole = simulation_value(
+            drawing.sim, simulation_find_field(drawing.sim, 1, forces ? "f_int" : "momentum"), node);
+        ck_assert_msg(fabs(sum - whole) < 1e-4 * fabs(whole) + 1e-9, "%s: %g is not %g", words[k], sum,
+                      whole);
+        close_drawing(&drawing);
+    }
+}
+END_TEST
+
+/* From particles to nodes in the stages that give, back in those that take; a support's change is told. */
+START_TEST(arrows_point_where_it_flows)
+{
+    static const struct {
+        int stage, passing;
+        bool up;
+    } stages[] = {{1, 2, true}, {2, 0, true}, {3, 2, false}, {4, 2, true}, {5, 0, true}, {6, 2, false}};
+    for (size_t k = 0; k < sizeof stages / sizeof *stages; k++) {
+        char words[64];
+        snprintf(words, sizeof words, "mode1 80x24 3 stage %d", stages[k].stage);
+        Drawing drawing;
+        open_drawing(&drawing, words);
+        ck_assert_int_eq(count_passing(&drawing.picture), stages[k].passing);
+        for (int i = 0; i < drawing.picture.n_arrows; i++) {
+            const PictureArrow *arrow = &drawing.picture.arrows[i];
+            if (passes(arrow))
+                ck_assert((arrow->to[1] > arrow->from[1]) == stages[k].up);
+        }
+        close_drawing(&drawing);
+    }
+    Drawing drawing;
+    open_drawing(&drawing, "mode1 80x24 3 stage 2 particle 0");
+    ck_assert_ptr_nonnull(strstr(label_of(&drawing.picture, "node", 0), "→0"));
+    close_drawing(&drawing);
+}
+END_TEST
+
+/* The last stage wipes the grid: nothing passes, and what the nodes held is faint. */
+START_TEST(wiped_grid_is_faint)
+{
+    Drawing drawing;
+    open_drawing(&drawing, "mode1 80x24 3 stage 7");
+    ck_assert_int_eq(drawing.picture.n_arrows, 0);
+    int bars = 0;
+    for (int i = 0; i < drawing.picture.plot.n_strokes; i++)
+        if (drawing.picture.plot.strokes[i].kind == STROKE_BAND) {
+            ck_assert_int_eq(drawing.picture.plot.strokes[i].style, STYLE_FAINT);
+            bars++;
+        }
+    ck_assert_int_ge(bars, 4);
+    close_drawing(&drawing);
+}
+END_TEST
+
+/* Every term stands on the screen at 60x18, in any letters, and in words. */
+START_TEST(screen_and_words_have_the_terms)
+{
+    static const char *const looks[] = {"", " ascii", " block"};
+    for (size_t k = 0; k < sizeof looks / sizeof *looks; k++) {
+        char words[96];
+        Drawing drawing;
+        snprintf(words, sizeof words, "mode1 60x18 3 stage 1 upper cell focus 2%s", looks[k]);
+        open_drawing(&drawing, words);
+        char *dump = canvas_dump(&drawing.scene.canvas);
+        Words told = {.text = NULL};
+        tell_view(drawing.screen, view_named("cell"), &told);
+        for (int i = 0; i < drawing.picture.n_arrows; i++)
+            if (passes(&drawing.picture.arrows[i])) {
+                const char *number = drawing.picture.arrows[i].brief[0];
+                ck_assert_msg(strstr(dump, number), "%s: %s is not in\n%s", words, number, dump);
+                ck_assert_msg(strstr(told.text, number), "%s: %s is not in\n%s", words, number, told.text);
+            }
+        free(dump);
+        words_close(&told);
+        close_drawing(&drawing);
+    }
+}
+END_TEST
+
+START_TEST(paper_has_the_terms)
+{
+    Drawing drawing;
+    Figure figure;
+    Status status = {STATUS_DONE, ""};
+    open_drawing(&drawing, "mode1 80x24 3 stage 4");
+    figure_open(&figure, 0, 0);
+    ck_assert(figure_add(&figure, drawing.screen, view_named("cell"), 1, &status));
+    ck_assert_msg(figure_write(&figure, ASKER_COMMAND_LINE, "check_cell.svg", true, &status), "%s",
+                  status.text);
+    figure_close(&figure);
+    static char text[1 << 18];
+    FILE *stream = fopen("check_cell.svg", "r");
+    ck_assert_ptr_nonnull(stream);
+    text[fread(text, 1, sizeof text - 1, stream)] = '\0';
+    fclose(stream);
+    remove("check_cell.svg");
+    for (int i = 0; i < drawing.picture.n_arrows; i++)
+        if (passes(&drawing.picture.arrows[i])) {
+            const char *number = drawing.picture.arrows[i].brief[0];
+            ck_assert_msg(strstr(text, number + (*number == '-')), "%s is not drawn", number);
+        }
+    ck_assert_ptr_nonnull(strstr(text, "node 12"));
+    close_drawing(&drawing);
+}
+END_TEST
+
+START_TEST(mouse_chooses_what_is_drawn)
+{
+    Drawing drawing;
+    open_drawing(&drawing, "mode1 60x18 3 stage 1 upper cell focus 2");
+    const Rect rect = screen_pane(drawing.screen, 60, 18, PANE_UPPER);
+    bool seen[2] = {false, false};
+    for (int y = rect.y; y < rect.y + rect.height; y++)
+        for (int x = rect.x; x < rect.x + rect.width; x++) {
+            ck_assert(screen_click_view(drawing.screen, 60, 18, x, y) || y == rect.y);
+            seen[drawing.screen->chosen.is_node] = true;
+        }
+    ck_assert(seen[0] && seen[1]);
+    const size_t first = drawing.screen->chosen.particle;
+    ck_assert(screen_click_view(drawing.screen, 60, 18, rect.x, rect.y + rect.height - 2));
+    ck_assert(!drawing.screen->chosen.is_node && drawing.screen->chosen.particle < first);
+    ck_assert(!screen_click_view(drawing.screen, 60, 18, 3, 0));
+    close_drawing(&drawing);
+}
+END_TEST
+
+void add_cases(Suite *suite)
+{
+    TCase *cases = tcase_create("cell");
+    tcase_add_test(cases, terms_are_those_of_the_box);
+    tcase_add_test(cases, terms_add_up_at_the_node);
+    tcase_add_test(cases, arrows_point_where_it_flows);
+    tcase_add_test(cases, wiped_grid_is_faint);
+    tcase_add_test(cases, screen_and_words_have_the_terms);
+    tcase_add_test(cases, paper_has_the_terms);
+    tcase_add_test(cases, mouse_chooses_what_is_drawn);
+    suite_add_tcase(suite, cases);
+}
