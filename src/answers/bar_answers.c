@@ -3,6 +3,7 @@
  * beside the run. */
 #include "answers/bar_answers.h"
 
+#include "base/assertion.h"
 #include "scenario/parameters.h"
 #include "methods/method.h"
 #include "scenario/settings.h"
@@ -382,6 +383,8 @@ bool bar_prediction_is_whole(double count, const char *parts, Status *status)
 
 void bar_derived_step(Derived out[DERIVED_MAX], int *n, double speed, double dt)
 {
+    ASSERT_REAL(speed, >, 0);
+    ASSERT_REAL(dt, >, 0);
     derived_add(out, n, "wave_speed", "wave speed c", "length/time", speed, false);
     derived_add(out, n, "dt", "time step dt", "time", dt, false);
 }
@@ -389,6 +392,7 @@ void bar_derived_step(Derived out[DERIVED_MAX], int *n, double speed, double dt)
 void bar_derived_wave(Derived out[DERIVED_MAX], int *n, const Settings *settings, const BarTheory *theory,
                       BarFrequency *frequency, double dt)
 {
+    ASSERT_REAL(dt, >, 0);
     const BarWatch watch = predicted_watch(settings, theory, frequency, dt);
     if (!watch.moving)
         return;
@@ -416,6 +420,7 @@ int bar_modes_of(double count)
 
 bool bar_mode(const Settings *settings, int number, BarWave *wave_of, ModeOnMesh *out, Dispersion *wave)
 {
+    ASSERT_INT(number, >=, 0);
     BarTheory theory;
     if (!bar_theory_of(settings, &theory, NULL))
         return false;

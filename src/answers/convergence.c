@@ -3,6 +3,7 @@
  * the scenario. A point is computed by predicted answers alone (problem.h), no run is made; the observed
  * order is the slope of a straight line through log |error| over log size. */
 #include "answers/convergence.h"
+#include "base/assertion.h"
 #include "answers/known.h"
 #include "scenario/settings.h"
 #include "base/kinds.h"
@@ -211,6 +212,7 @@ int convergence_count(const ConvergenceStudy *study, const Settings *settings)
 bool convergence_point(const ConvergenceStudy *study, const Settings *settings, int k, ConvergencePoint *out,
                        Status *status)
 {
+    ASSERT_INT(k, >=, 0);
     Settings refined;
     Status why = {STATUS_DONE, ""};
     *out = (ConvergencePoint){.size = NAN, .nodes = NAN, .error = NAN, .paper = NAN};
@@ -270,6 +272,7 @@ double convergence_order_to(double limit, const ConvergencePoint *a, const Conve
  * points are not yet in the range where an order means anything. */
 double convergence_fitted_order(const ConvergencePoint *points, int count)
 {
+    ASSERT_INT(count, >=, 0);
     double n = 0, sum_x = 0, sum_y = 0, sum_xx = 0, sum_xy = 0;
     const ConvergencePoint *before = NULL;
     for (const ConvergencePoint *point = points; point < points + count; point++) {

@@ -3,6 +3,7 @@
  * angles over the heights of figure 10, each known only when the crack has grown so far. */
 #include "answers/crack_growth.h"
 
+#include "base/assertion.h"
 #include "scenario/settings.h"
 #include "base/text.h"
 #include "methods/bonds/cracks/crack_speed.h"
@@ -93,6 +94,7 @@ void crack_fronts_lines(const FrontsFacts *facts, double rayleigh, const char *m
 
 double crack_speed_at(const CrackFronts *fronts, const CrackFront *front, size_t sample)
 {
+    ASSERT_INDEX(sample, fronts->n_samples);
     return crack_fronts_speed(fronts, front, sample);
 }
 

@@ -2,6 +2,7 @@
 /* Hands the questions of dispersion.h on to the solver, and leaves out what does not account for a
  * parameter that is at work (known.h). */
 #include "answers/dispersion_curves.h"
+#include "base/assertion.h"
 #include "scenario/settings.h"
 #include "answers/known.h"
 
@@ -21,6 +22,7 @@ int dispersion_modes(const Settings *settings)
  * parameter. */
 bool dispersion_mode(const Settings *settings, int number, ModeOnMesh *out)
 {
+    ASSERT_INT(number, >=, 0);
     if (number < 1 || number > dispersion_modes(settings) ||
         !problem_solver(settings->problem, settings->method)->mode(settings, number, out))
         return false;

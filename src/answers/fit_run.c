@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A run as the model of a fit: the series at the times of the data, by the run's own steps, changes in
  * mid-run and rest. */
+#include "base/assertion.h"
 #include "answers/fit_internal.h"
 #include "scenario/settings.h"
 #include "base/text.h"
@@ -67,6 +68,7 @@ static bool follow_to_end(Search *search, Run *run, Trace *to)
 
 bool fit_run(Search *search, const Settings *settings, const double *times, double *values, size_t count)
 {
+    ASSERT_INT(count, >=, 1);
     if (search->interrupted)
         return false;
     search->why = (Status){0};

@@ -3,6 +3,7 @@
  * order of x. */
 #include "answers/profile.h"
 
+#include "base/assertion.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,6 +14,7 @@ static const char *const two_dimensions[PROFILE_FIELDS] = {"uy", "vy", "ux", "vx
 /* The fields that are told, by number: of a bar along it, of a beam across it first. */
 const char *profile_field(const Simulation *sim, int i)
 {
+    ASSERT_INT(i, >=, 0);
     const char *name =
         i < 0 || i >= PROFILE_FIELDS ? NULL : (sim->dimensions == 1 ? one_dimension : two_dimensions)[i];
     return name && simulation_find_field(sim, 0, name) >= 0 ? name : NULL;

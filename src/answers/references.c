@@ -96,6 +96,7 @@ static void fill_row(References *refs, long step, double time, const double *met
 
 void references_row(References *refs, long step, double time, const double *method_row, double *row)
 {
+    ASSERT_INT(step, >=, 0);
     if (refs->window.size > 0)
         remember(&refs->window, method_row[refs->window.of]);
     fill_row(refs, step, time, method_row, NULL, row);
@@ -104,6 +105,7 @@ void references_row(References *refs, long step, double time, const double *meth
 void references_row_again(References *refs, long step, double time, const double *method_row,
                           const double *earlier, double *row)
 {
+    ASSERT_INT(step, >=, 0);
     fill_row(refs, step, time, method_row, earlier, row);
 }
 
@@ -147,6 +149,8 @@ int references_findings(const References *refs, const Simulation *sim, Finding o
 int findings_text(const Finding *findings, int n_findings, bool with_exact, int columns, char *out,
                   size_t size)
 {
+    ASSERT_INT(n_findings, <=, FINDINGS_MAX);
+    ASSERT_INT(columns, >=, 1);
     size_t used = 0;
     out[0] = '\0';
     for (int i = 0; i < n_findings; i++) {

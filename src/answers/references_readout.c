@@ -11,6 +11,8 @@
 bool readout_fit(const double *rows, size_t n_rows, int n_columns, int column, double start,
                  const double *ratios, int n_lines, double *frequency)
 {
+    ASSERT_INDEX(column, n_columns);
+    ASSERT_INT(n_lines, <=, FREQUENCY_LINES_MAX);
     enum { SAMPLES_MAX = 4096, PER_PERIOD = 12, PER_PERIOD_OF_EACH = 3 };
     double samples[SAMPLES_MAX];
     size_t width = (size_t)n_columns;

@@ -3,6 +3,7 @@
  * where there are more than the transform takes, transformed by theory/frequency.c, and divided by the
  * gain of that average. */
 #include "answers/spectrum.h"
+#include "base/assertion.h"
 #include "theory/frequency.h"
 #include "base/math/functions.h"
 
@@ -62,6 +63,7 @@ static bool transform(const Record *record, int column, size_t first, size_t cou
  * False: too few rows, a value that is no number, or memory is short; nothing is left then. */
 bool spectrum_of(const Record *record, int column, SpectrumSpan span, Spectrum *spectrum)
 {
+    ASSERT_INDEX(column, record->n_columns);
     const size_t rows = settled_rows(record);
     if (spectrum->count > 0 && spectrum->column == column && spectrum->rows == rows &&
         spectrum->spacing == record->spacing)

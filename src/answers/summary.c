@@ -2,6 +2,7 @@
 /* The words at the end of a run (summary.h): measured frequency beside predicted and exact, change of the
  * energy, crack. Written from a RunSummary by `matvib run`, from a live experiment by the laboratory. */
 #include "answers/summary.h"
+#include "base/assertion.h"
 #include "scenario/settings.h"
 #include "base/text.h"
 #include "answers/known.h"
@@ -96,6 +97,7 @@ static void take_energy(RunSummary *summary, const Simulation *sim, const Column
 void summary_rows(RunSummary *summary, const Simulation *sim, const Column *columns, int n_columns,
                   const double *rows, size_t count, const double invariant[2])
 {
+    ASSERT_INT(n_columns, <=, COLUMNS_MAX);
     take_energy(summary, sim, columns, n_columns, rows, count, invariant);
     summary->at_rest = sim->at_rest;
     summary->n_columns = n_columns;

@@ -7,7 +7,8 @@
  *
  *     ASSERT(simulation->model);                 file:line: function: simulation->model does not hold
  *     ASSERT_INT(stage, <, STAGES);              file:line: function: stage < STAGES does not hold: 8 < 8
- *     ASSERT_REAL(dt, >, 0);                     file:line: function: dt > 0 does not hold: -0.1 > 0
+ *     ASSERT_INDEX(node, n_nodes);               file:line: function: node is one of n_nodes does not hold: 9
+ * of 9 ASSERT_REAL(dt, >, 0);                     file:line: function: dt > 0 does not hold: -0.1 > 0
  *
  * A failure writes that line to standard error and aborts, so that a core or a debugger shows the caller. */
 #ifndef BASE_ASSERTION_H
@@ -28,6 +29,14 @@ _Noreturn void assertion_fail_real(const char *file, int line, const char *funct
 /* Each side is evaluated once. */
 #define ASSERT_INT(left, operation, right)                                                                   \
     ASSERTION_COMPARE(int64_t, assertion_fail_int, left, operation, right)
+/* 0 <= index < count */
+#define ASSERT_INDEX(index, count)                                                                           \
+    do {                                                                                                     \
+        const int64_t assertion_index = (int64_t)(index), assertion_count = (int64_t)(count);                \
+        if (assertion_index < 0 || assertion_index >= assertion_count)                                       \
+            assertion_fail_int(__FILE__, __LINE__, __func__, #index " is one of " #count, assertion_index,   \
+                               "of", assertion_count);                                                       \
+    } while (0)
 #define ASSERT_REAL(left, operation, right)                                                                  \
     ASSERTION_COMPARE(double, assertion_fail_real, left, operation, right)
 #define ASSERTION_COMPARE(type, fail, left, operation, right)                                                \
@@ -40,6 +49,7 @@ _Noreturn void assertion_fail_real(const char *file, int line, const char *funct
 #else
 #define ASSERT(condition)                   ((void)sizeof((condition) ? 1 : 0))
 #define ASSERT_INT(left, operation, right)  ((void)sizeof((int64_t)(left)operation(int64_t)(right)))
+#define ASSERT_INDEX(index, count)          ((void)sizeof((int64_t)(index) < (int64_t)(count)))
 #define ASSERT_REAL(left, operation, right) ((void)sizeof((double)(left)operation(double)(right)))
 #endif
 

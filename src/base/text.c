@@ -3,6 +3,7 @@
  * program. The shortest text is found by trying more and more digits, up to 17. */
 #include "base/text.h"
 
+#include "base/assertion.h"
 #include <ctype.h>
 #include <errno.h>
 #include <math.h>
@@ -46,6 +47,7 @@ size_t text_shortest(char *out, double value)
 
 size_t text_rounded(char *out, double value, int digits)
 {
+    ASSERT_INT(digits, >=, 1);
     if (!isfinite(value))
         return text_shortest(out, value);
     snprintf(out, NUMBER_TEXT_MAX, "%.*g", digits, value == 0 ? 0.0 : value);
@@ -135,6 +137,7 @@ size_t text_distance(const char *a, const char *b)
 
 bool text_list_add(char *list, size_t size, const char *item)
 {
+    ASSERT_INT(size, >, 0);
     static const char more[] = " ...";
     const size_t used = strlen(list);
     if (used + strlen(item) + sizeof ", " + sizeof more <= size) {
@@ -163,6 +166,7 @@ void text_factor(double factor, char out[NUMBER_TEXT_MAX])
 
 void text_append(char *out, size_t size, const char *format, ...)
 {
+    ASSERT_INT(size, >, 0);
     const size_t used = strlen(out);
     va_list arguments;
     va_start(arguments, format);

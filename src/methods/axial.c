@@ -4,10 +4,13 @@
  * < h, with a tolerance for a layer that ends on a middle. */
 #include "methods/axial.h"
 
+#include "base/assertion.h"
 #include <math.h>
 
 int axial_particles_in_layer(double layer, double spacing, int particles)
 {
+    ASSERT_REAL(spacing, >, 0);
+    ASSERT_INT(particles, >=, 1);
     double within = ceil(layer / spacing - 0.5 - 1e-9);
     return within < particles ? (int)within : particles;
 }

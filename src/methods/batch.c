@@ -2,6 +2,7 @@
 /* Whole steps in batches, and the check of the energy (batch.h). */
 #include "methods/batch.h"
 
+#include "base/assertion.h"
 #include "base/text.h"
 
 #include <math.h>
@@ -35,6 +36,7 @@ void batch_report(Simulation *sim, EventKind kind, const char *text)
 
 bool batch_fail_particle(Simulation *sim, Status *status, int particle, const char *what, const char *unit)
 {
+    ASSERT_INDEX(particle, sim->counts[0]);
     char when[80];
     batch_step_words(sim, unit, when, sizeof when);
     return simulation_fail(sim, status, "particle %d %s %s", particle, what, when);
@@ -82,6 +84,8 @@ void batch_return(Simulation *sim, const Batches *batches, BatchMark mark)
 bool batch_steps(Simulation *sim, const Batches *batches, long count, double *rows, long *done,
                  Status *status)
 {
+    ASSERT_INT(count, >=, 0);
+    ASSERT_INT(sim->stage, ==, 0);
     *done = 0;
     while (*done < count) {
         long batch = BATCH_STEPS - sim->step % BATCH_STEPS;

@@ -5,6 +5,7 @@
  * agree to half of the last digit shown. */
 #include "methods/calculation.h"
 
+#include "base/assertion.h"
 #include "base/math/functions.h"
 #include "base/text.h"
 
@@ -18,6 +19,8 @@ enum { WORDS_DIGITS = 5 };
 
 void calculation_open(Calculation *calculation, char *out, size_t size, int terms)
 {
+    ASSERT_INT(size, >, 0);
+    ASSERT_INT(terms, >=, 0);
     *calculation = (Calculation){out, size, 0, terms};
     if (size > 0)
         out[0] = '\0';
@@ -59,6 +62,9 @@ static double term_value(const CalculationTerm *term)
 
 CalculationTerm *calculation_add(CalculationSum *sum, int factors, double a, double b, double c)
 {
+    ASSERT_INT(factors, >=, 1);
+    ASSERT_INT(factors, <=, CALCULATION_FACTORS_MAX);
+    ASSERT_INT(sum->count, <=, CALCULATION_TERMS_MAX);
     if (sum->count == CALCULATION_TERMS_MAX) {
         CalculationTerm *last = &sum->terms[CALCULATION_TERMS_MAX - 1];
         const double product = a * (factors > 1 ? b : 1) * (factors > 2 ? c : 1);

@@ -50,6 +50,7 @@ static void follow_row(Simulation *, double *row);
 
 double simulation_carried(const Simulation *sim, int field)
 {
+    ASSERT_INDEX(field, sim->n_fields);
     return field < 0                       ? 0
            : field == sim->displacement[0] ? sim->common_speed * simulation_time(sim)
            : field == sim->velocity[0]     ? sim->common_speed
@@ -247,6 +248,7 @@ bool simulation_fail(Simulation *sim, Status *status, const char *format, ...)
 
 int simulation_find_field(const Simulation *sim, int set, const char *name)
 {
+    ASSERT_INDEX(set, sim->n_sets);
     for (int i = 0; i < sim->n_fields; i++)
         if (sim->fields[i].set == set && strcmp(sim->fields[i].quantity.name, name) == 0)
             return i;
@@ -255,6 +257,8 @@ int simulation_find_field(const Simulation *sim, int set, const char *name)
 
 double simulation_value(const Simulation *sim, int field, size_t index)
 {
+    ASSERT_INT(field, <, sim->n_fields);
+    ASSERT(field < 0 || index < sim->counts[sim->fields[field].set]);
     double value = NAN;
     if (field >= 0)
         sim->method->field(sim, field, index, 1, &value);

@@ -10,6 +10,7 @@
  * as sequentially consistent operations are), so one of the two sees the other. */
 #include "methods/pool.h"
 
+#include "base/assertion.h"
 #include <pthread.h>
 #include <sched.h>
 #include <signal.h>
@@ -131,6 +132,7 @@ static void wake_workers(Pool *pool)
 
 void pool_run(Pool *pool, PoolWork *work, void *context, int chunks)
 {
+    ASSERT_INT(chunks, >=, 0);
     pool->work = work;
     pool->context = context;
     atomic_store(&pool->to_do, chunks);
@@ -153,6 +155,7 @@ static const int faults[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 
 Pool *pool_create(int threads, Status *status)
 {
+    ASSERT_INT(threads, >=, 1);
     Pool *pool = malloc(sizeof *pool + (size_t)threads * sizeof *pool->workers);
     if (!pool) {
         status_fail(status, STATUS_FAILED, "not enough memory for %d threads", threads);

@@ -2,6 +2,7 @@
 /* Round ticks and the places of values: linear, by square roots, by powers of ten; and how axes are drawn. */
 #include "picture/axes.h"
 
+#include "base/assertion.h"
 #include "base/math/functions.h"
 
 #include <limits.h>
@@ -87,6 +88,7 @@ static Axis linear(double low, double high, int most)
 
 Axis axis_with_ticks(Axis axis, int most)
 {
+    ASSERT_INT(most, >=, 0);
     Axis made = axis;
     most = most < 2 ? 2 : most > TICKS_MAX ? TICKS_MAX : most;
     switch (axis.scale) {
@@ -165,6 +167,8 @@ Axis axis_make_root(double low, double high)
 
 Axis axis_make_log(double low, double high)
 {
+    ASSERT_REAL(low, >, 0);
+    ASSERT_REAL(low, <=, high);
     if (!(low > 0) || !(low < high) || !isfinite(high))
         low = 0.1, high = 1;
     const int first = decade_of(low), last = decade_of(high) + (decade_of(high) < math_log10(high) - 1e-9);
@@ -310,6 +314,7 @@ void axis_name(const char *name, const char *scale, char *out, size_t size)
 
 int axis_column(const Axis *axis, double value, int cells)
 {
+    ASSERT_INT(cells, >=, 0);
     double place = (axis_place(axis, value) - axis_place(axis, axis->low)) / axis_length(axis) * cells;
     if (!(place >= -1e-9 * cells) || !(place <= cells * (1 + 1e-9)))
         return -1;
@@ -319,6 +324,7 @@ int axis_column(const Axis *axis, double value, int cells)
 
 int axis_row(const Axis *axis, double value, int cells)
 {
+    ASSERT_INT(cells, >=, 0);
     double place =
         (axis_place(axis, axis->high) - axis_place(axis, value)) / axis_length(axis) * (4 * cells - 1);
     if (!(place >= -0.5) || !(place <= 4 * cells - 0.5))

@@ -46,7 +46,8 @@ Axis axis_around(double low, double high);
 /* From 0 to a number of things, 1 at least: the ticks are whole. */
 Axis axis_count(double high);
 
-/* The next of 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8 times a power of ten that is not below a positive value. */
+/* The next of 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8 times a power of ten that is not below a positive value; 1
+ * of any other. */
 double axis_round_up(double value);
 
 /* The next of 1, 2, 5 times a power of ten that is not below (not above) a positive value. */

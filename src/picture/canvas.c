@@ -2,6 +2,7 @@
 /* The grid of cells, and its dump as text for tests and scripts. */
 #include "picture/canvas.h"
 
+#include "base/assertion.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,6 +10,8 @@ enum { REPLACEMENT = '?', ELLIPSIS = 0x2026 };
 
 bool canvas_open(Canvas *canvas, int width, int height, Status *status)
 {
+    ASSERT_INT(width, >=, 1);
+    ASSERT_INT(height, >=, 1);
     width = width > 0 ? width : 1;
     height = height > 0 ? height : 1;
     Cell *cells = realloc(canvas->cells, (size_t)width * (size_t)height * sizeof *cells);

@@ -2,6 +2,7 @@
 /* Legends and the heading line of a plot, which gives way by a fixed order where room is short. */
 #include "picture/heading.h"
 
+#include "base/assertion.h"
 #include <stdio.h>
 #include <string.h>
 
@@ -107,6 +108,7 @@ static int copy_legend(Legend shown[LEGENDS_MAX], const Legend *legend, int n_le
 
 void legend_draw_short(Area area, int x, int y, const Legend *legend, int n_legend)
 {
+    ASSERT_INT(n_legend, >=, 0);
     Legend shown[LEGENDS_MAX];
     n_legend = copy_legend(shown, legend, n_legend);
     shorten_legend(area.rect.width - x, NAME_KINDS, GAP_MOST, shown, n_legend);

@@ -2,6 +2,7 @@
 /* A picture as a view describes it: it grows, and without memory something is left out. */
 #include "picture/picture.h"
 
+#include "base/assertion.h"
 #include <assert.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -60,6 +61,8 @@ void picture_say(Picture *picture, const char *name, const char *text)
 
 PictureMap *picture_map(Picture *picture, int nx, int ny)
 {
+    ASSERT_INT(nx, >=, 1);
+    ASSERT_INT(ny, >=, 1);
     const size_t count = (size_t)nx * (size_t)ny;
     PictureMap *map = malloc(sizeof *map + 3 * count * sizeof(double));
     if (!map)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The list of strokes that a plot is: what is drawn, before anything is drawn. A curve of many samples keeps
  * for each column the first, least, largest and last of them, so that nothing that it does is left out. */
+#include "base/assertion.h"
 #include "picture/plot.h"
 
 #include <math.h>
@@ -76,6 +77,7 @@ static void flush(Plot *plot, const Extent *extent)
 
 void plot_curve(Plot *plot, PlotSample *sample, const void *context, size_t first, size_t end, int columns)
 {
+    ASSERT_INT(first, <=, end);
     const double scale = columns / (plot->x.high - plot->x.low);
     Extent extent = {0};
     long column = 0;

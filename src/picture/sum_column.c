@@ -2,6 +2,7 @@
 /* Columns of numbers that add up as they are printed. */
 #include "picture/sum_column.h"
 
+#include "base/assertion.h"
 #include "base/math/functions.h"
 #include "base/text.h"
 
@@ -50,6 +51,7 @@ static int larger(int a, int b)
 
 Writing writing_of(const double *terms, size_t n, double base, double gain, int width)
 {
+    ASSERT_INT(width, >=, 1);
     const double sum = base + gain;
     double most = fmax(fabs(base), fabs(sum));
     for (size_t i = 0; i < n; i++)

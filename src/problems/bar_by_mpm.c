@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The bar by the material point method: settings to simulation, exact and predicted answers beside. */
+#include "base/assertion.h"
 #include "answers/bar_answers.h"
 #include "scenario/settings.h"
 #include "methods/mpm/line/mpm_bar.h"
@@ -26,6 +27,7 @@ double bar_mass_blend_of(const Settings *settings)
 
 BarMesh bar_mesh_of(const Settings *settings, double dt)
 {
+    ASSERT_REAL(dt, >, 0);
     static const MeshAlgorithm algorithms[] = {
         [MPM_USF] = MESH_USF, [MPM_USL] = MESH_USL, [MPM_MUSL] = MESH_MUSL};
     static const MeshShape shapes[] = {[MPM_HAT] = MESH_HAT,

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A beam or a plate as its engine by peridynamics wants it. */
+#include "base/assertion.h"
 #include "answers/beam_answers.h"
 #include "scenario/settings.h"
 #include "scenario/rows/rows.h"
@@ -97,6 +98,7 @@ static PlateDef plate_definition(const Settings *settings)
 
 BeamDef beam_definition(const Settings *settings, int threads)
 {
+    ASSERT_INT(threads, >=, 1);
     return (BeamDef){
         .problem = engine_problem(settings->problem),
         .length = settings->geometry.length,

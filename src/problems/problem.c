@@ -2,6 +2,7 @@
 /* The functions of problem.h for settings of any problem: finds row and solver, and hands over to them. */
 #include "problems/problem.h"
 
+#include "base/assertion.h"
 #include "scenario/settings.h"
 #include "base/text.h"
 #include "answers/known.h"
@@ -44,6 +45,7 @@ static bool follow_all(const Settings *settings, Simulation *sim, Status *status
 
 Simulation *problem_simulate(const Settings *settings, int threads, Status *status)
 {
+    ASSERT_INT(threads, >=, 1);
     const Solver *solver = need_solver(settings, status);
     Simulation *sim = solver ? solver->simulate(settings, threads, status) : NULL;
     if (sim)
@@ -90,6 +92,8 @@ bool problem_time_step(const Settings *settings, double *dt, Status *status)
 
 void problem_end_at(Settings *settings, double dt, long step)
 {
+    ASSERT_REAL(dt, >, 0);
+    ASSERT_INT(step, >=, 0);
     double times[TIMES_MAX];
     settings->time.end = (double)step * dt;
     if (settings->problem->concerns & CONCERN_STEP)

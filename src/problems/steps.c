@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* How many steps a run takes: the least number that reaches time.end, but for 1e-9 of it. */
+#include "base/assertion.h"
 #include "problems/problem.h"
 
 #include "base/text.h"
@@ -21,6 +22,7 @@ bool problem_check_steps(double end, double dt, Status *status)
 
 long problem_last_step(double dt, double end)
 {
+    ASSERT_REAL(dt, >, 0);
     double enough = end * (1 - 1e-9);
     if (!(dt > 0) || !(enough > 0))
         return 0;

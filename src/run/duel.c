@@ -4,6 +4,7 @@
  * stays at its last sound step. */
 #include "run/duel.h"
 
+#include "base/assertion.h"
 #include "scenario/settings.h"
 #include "base/text.h"
 #include "scenario/parameters.h"
@@ -67,6 +68,7 @@ static bool is_of_method(const Settings *settings, const Parameter *parameter)
 
 int duel_suggest(const Settings *settings, int which, Assignment keys[DUEL_MAX])
 {
+    ASSERT_INT(which, >=, 0);
     const Parameter *question = settings_question(settings);
     if (suggest(settings, question, keys) && which-- == 0)
         return 1;
@@ -168,6 +170,8 @@ static bool same_exact(const Experiment *a, const Experiment *b)
 
 void duel_open(Duel *duel, Experiment *a, size_t history, int threads)
 {
+    ASSERT(a);
+    ASSERT_INT(threads, >=, 1);
     experiment_destroy(duel->b);
     *duel = (Duel){.a = a, .history = history, .threads = threads};
 }
@@ -238,6 +242,7 @@ void duel_end(Duel *duel)
 
 bool duel_start(Duel *duel, const Assignment *keys, int n_keys, Status *status)
 {
+    ASSERT_INT(n_keys, <=, DUEL_MAX);
     Settings *settings = malloc(sizeof *settings);
     if (!settings)
         return status_fail(status, STATUS_FAILED, "not enough memory");
@@ -276,6 +281,7 @@ static void catch_up(Duel *duel)
 
 bool duel_advance(Duel *duel, long steps, Status *status)
 {
+    ASSERT_INT(steps, >=, 0);
     const bool sound = experiment_advance(duel->a, steps, status);
     catch_up(duel);
     if (duel->b)
@@ -292,6 +298,8 @@ bool duel_next_stage(Duel *duel, Status *status)
 
 void duel_seek(Duel *duel, long step, int stage)
 {
+    ASSERT_INT(step, >=, 0);
+    ASSERT_INT(stage, >=, 0);
     experiment_seek(duel->a, step, stage);
     seek_second(duel);
 }
@@ -317,6 +325,7 @@ bool duel_pending(const Duel *duel, long *steps_left)
 
 bool duel_work(Duel *duel, long steps, Status *status)
 {
+    ASSERT_INT(steps, >=, 1);
     Experiment *turn = duel_turn(duel);
     bool sound = true;
     if (turn && turn == duel->b)
@@ -337,6 +346,7 @@ static size_t items_of(const Experiment *experiment, double share)
 
 bool duel_advance_part(Duel *duel, double share, bool *whole, Status *status)
 {
+    ASSERT_REAL(share, >=, 0);
     bool sound = true, first = true;
     if (!duel->b || !experiment_pending(duel->b, NULL)) {
         sound = experiment_advance_part(duel->a, items_of(duel->a, share), &first, status);
@@ -353,6 +363,7 @@ bool duel_advance_part(Duel *duel, double share, bool *whole, Status *status)
 
 bool duel_work_part(Duel *duel, double share, bool *whole, Status *status)
 {
+    ASSERT_REAL(share, >=, 0);
     Experiment *turn = duel_turn(duel);
     *whole = true;
     if (!turn)

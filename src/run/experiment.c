@@ -2,6 +2,7 @@
 /* Creates and destroys an experiment and answers what front ends read of it: step, rows, readout,
  * references, events (experiment.h). Forward and backward motion is in experiment_run.c, other settings in
  * experiment_edit.c. */
+#include "base/assertion.h"
 #include "run/experiment_internal.h"
 #include "base/status.h"
 #include "scenario/settings.h"
@@ -33,6 +34,7 @@ static Experiment *new_experiment(const Settings *settings, int threads, Status 
 
 Experiment *experiment_create(const Settings *settings, size_t history, int threads, Status *status)
 {
+    ASSERT_INT(threads, >=, 1);
     Experiment *experiment = new_experiment(settings, threads, status);
     if (!experiment || experiment_open(experiment, settings, history, threads, status))
         return experiment;
@@ -192,6 +194,7 @@ const Spectrum *experiment_spectrum(Experiment *experiment, int column, Spectrum
 
 const Spectrum *experiment_ghost_spectrum(Experiment *experiment, int i, int column, SpectrumSpan span)
 {
+    ASSERT_INDEX(i, GHOSTS_MAX);
     Ghost *ghost = &experiment->ghosts[i];
     return spectrum_of(&ghost->record, column, span, &ghost->spectra[span]) ? &ghost->spectra[span] : NULL;
 }
@@ -220,6 +223,7 @@ const double *experiment_row(Experiment *experiment)
 
 bool experiment_advance(Experiment *experiment, long steps, Status *status)
 {
+    ASSERT_INT(steps, >=, 0);
     experiment_drop_part(experiment);
     experiment->pending = false;
     experiment->flowing = true;
@@ -304,6 +308,7 @@ static void look(Simulation *sim, void *context)
 
 bool experiment_field_before(Experiment *experiment, int field, size_t first, size_t count, double *out)
 {
+    ASSERT_INDEX(field, experiment->run.sim->n_fields);
     return experiment->before.known && simulation_visit(experiment->run.sim, experiment->before.bytes, look,
                                                         &(Look){field, first, count, out});
 }
@@ -312,6 +317,7 @@ bool experiment_field_before(Experiment *experiment, int field, size_t first, si
 
 void experiment_seek(Experiment *experiment, long step, int stage)
 {
+    ASSERT_INT(stage, >=, 0);
     experiment_drop_part(experiment);
     if (step < 0)
         step = 0, stage = 0;
@@ -347,6 +353,7 @@ void experiment_goal(const Experiment *experiment, long *step, int *stage)
 
 bool experiment_work(Experiment *experiment, long steps, Status *status)
 {
+    ASSERT_INT(steps, >=, 0);
     Simulation *sim = experiment->run.sim;
     experiment_drop_part(experiment);
     if (!experiment->pending)

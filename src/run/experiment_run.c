@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The run itself: forwards by steps, stages and parts of a stage, back to a keyframe, on into another future.
  */
+#include "base/assertion.h"
 #include "run/experiment_internal.h"
 #include "base/status.h"
 #include "scenario/settings.h"
@@ -232,6 +233,7 @@ static bool go(Experiment *experiment, RunUnit unit, long count, Status *status)
 
 bool experiment_do_steps(Experiment *experiment, long steps, Status *status)
 {
+    ASSERT_INT(steps, >=, 0);
     const Simulation *sim = experiment->run.sim;
     if ((sim->stage != 0 || sim->item != 0) && !go(experiment, RUN_STEPS, 0, status))
         return false;
@@ -267,6 +269,8 @@ bool experiment_do_slice(Experiment *experiment, size_t items, bool *whole, Stat
 
 void experiment_approach(Experiment *experiment, long step, int stage)
 {
+    ASSERT_INT(step, >=, 0);
+    ASSERT_INT(stage, >=, 0);
     Simulation *sim = experiment->run.sim;
     const Keyframe *frame = history_nearest(&experiment->history, step);
     bool beyond = sim->step > step || (sim->step == step && sim->stage > stage);
@@ -412,6 +416,7 @@ static void cut(Experiment *experiment, long step)
 
 bool experiment_change(Experiment *experiment, long step, const char *key, const char *value, Status *status)
 {
+    ASSERT_INT(step, >=, 0);
     Settings before = experiment->base;
     if (!changes_add(&experiment->base, step, key, value, status) ||
         !settings_check(&experiment->base, status) || !renew_references(experiment, step, status)) {

@@ -90,6 +90,7 @@ bool history_keep(History *history, const Simulation *sim)
 
 const Keyframe *history_nearest(const History *history, long step)
 {
+    ASSERT_INT(step, >=, 0);
     size_t low = 0, high = history->count; /* frames before `low` are not later, from `high` on they are */
     while (low < high) {
         size_t middle = low + (high - low) / 2;
@@ -103,6 +104,7 @@ const Keyframe *history_nearest(const History *history, long step)
 
 void history_cut(History *history, long step)
 {
+    ASSERT_INT(step, >=, 0);
     while (history->count > 1 && history->frames[history->count - 1].step >= step)
         drop(history, --history->count);
 }
@@ -115,5 +117,6 @@ void history_reset(History *history)
 
 long history_next(const History *history, long step)
 {
+    ASSERT_INT(step, >=, 0);
     return history->interval - step % history->interval;
 }

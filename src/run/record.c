@@ -92,6 +92,7 @@ bool record_append(Record *record, const double *row)
 
 void record_cut(Record *record, long step)
 {
+    ASSERT_INT(step, >=, 0);
     size_t count = record->count;
     while (count > 0 && row_at(record, count - 1)[0] > (double)step)
         count--;
@@ -125,6 +126,8 @@ const double *record_row(const Record *record, size_t i)
 
 double record_known(const Record *record, size_t i, int column)
 {
+    ASSERT_INDEX(i, record->count);
+    ASSERT_INDEX(column, record->n_columns);
     enum { LOOK_BACK = 64 };
     double value = record_row(record, i)[column];
     for (int k = 0; k < LOOK_BACK && isnan(value) && i > 0; k++)

@@ -2,6 +2,7 @@
 /* Changes in mid-run (changes.h): what is in force at a step is the settings with all changes up to it
  * applied in order. */
 #include "scenario/changes.h"
+#include "base/assertion.h"
 #include "scenario/settings.h"
 #include "scenario/parameters.h"
 #include "answers/references.h"
@@ -47,6 +48,7 @@ bool changes_apply(const Settings *settings, Simulation *sim, Status *status)
 
 long changes_next(const Settings *settings, long step)
 {
+    ASSERT_INT(step, >=, 0);
     for (int i = 0; i < settings->n_changes; i++)
         if (settings->changes[i].step > step)
             return settings->changes[i].step;

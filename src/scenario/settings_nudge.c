@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* From one value of a parameter to the next, and to the other answer to a question. */
+#include "base/assertion.h"
 #include "scenario/parameters.h"
 #include "scenario/settings.h"
 #include "base/math/functions.h"
@@ -136,6 +137,7 @@ static double nudge_start(const Settings *settings, const Parameter *parameter)
 
 bool settings_nudge(Settings *settings, const Parameter *parameter, int direction, bool fine)
 {
+    ASSERT(direction == 1 || direction == -1);
     enum { TRIES = 60 }; /* a rung that the other values do not allow is passed over */
     if (!parameter_applies_to(settings, parameter) || parameter->type == PARAMETER_TEXT)
         return false;

@@ -4,6 +4,7 @@
  * step_spectrum.c) starts here. */
 #include "theory/bar_rest.h"
 
+#include "base/assertion.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -85,6 +86,8 @@ static double spline_place(const Knots *knots, int i)
 void bar_rest_weights(const BarRest *rest, int cell, int j, double n[REST_SUPPORT_MAX],
                       double slope[REST_SUPPORT_MAX], double arm[REST_SUPPORT_MAX])
 {
+    ASSERT_INT(cell, >=, 0);
+    ASSERT_INT(j, >=, 0);
     const Knots knots = {rest->degree, rest->mesh_cells, cell + rest->origin};
     const double x = (j + 0.5) / rest->per_cell;
     for (int a = 0; a <= rest->degree; a++) {
@@ -163,6 +166,7 @@ static int joint_among(const BarTheory *bar, const BarMesh *mesh, int cells)
  * nothing has to be freed then. */
 bool bar_rest_make(BarRest *rest, const BarTheory *bar, const BarMesh *mesh, int cells)
 {
+    ASSERT_INT(cells, >=, 1);
     /* open knots that lie more than two cells beyond the bar's end change no function that the bar touches */
     const int padding = mesh->padding < 2 ? mesh->padding : 2;
     const int degree = bar_rest_degree(mesh->shape);

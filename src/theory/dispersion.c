@@ -16,6 +16,7 @@
  * only F of what particles do, which is most of paper M's 5 % and 20 %. trace and determinant are those of
  * the 2x2 matrix of the step; its eigenvalues exp((-decay +- i Omega) dt) are the answer:
  * Omega = acos(trace / (2 sqrt(determinant)))/dt, decay = -log(determinant)/(2 dt). */
+#include "base/assertion.h"
 #include "theory/elastic_bar.h"
 #include "theory/bar_rest.h"
 #include "theory/quiet.h"
@@ -77,6 +78,8 @@ static Response response_of(const BarMesh *mesh, const Rows *rows, double theta)
 
 Dispersion dispersion_of_bar(const BarTheory *bar, const BarMesh *mesh, double wave_number)
 {
+    ASSERT_REAL(mesh->cell_size, >, 0);
+    ASSERT_INT(mesh->particles_per_cell, >=, 1);
     Dispersion wave = {
         .known = false, .space_only = NAN, .frequency = NAN, .decay = NAN, .filter = NAN, .moves = NAN};
     double theta = fabs(wave_number) * mesh->cell_size;
@@ -167,6 +170,7 @@ static double predicted_mode(const BarTheory *bar, const BarMesh *mesh, int numb
 
 double dispersion_centre_velocity(const BarTheory *bar, const BarMesh *mesh, long k)
 {
+    ASSERT(dispersion_predicts_centre_velocity(bar, mesh));
     double sum = 0;
     for (int i = 0; i < bar->n_modes; i++)
         sum += bar->modes[i].velocity * predicted_mode(bar, mesh, bar->modes[i].number, k);

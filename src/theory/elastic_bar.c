@@ -9,6 +9,7 @@
  * w beyond the ends, oddly about a fixed end and evenly about a free one. Nothing holds the free-free bar:
  * there the body force accelerates it as a whole, u = b t^2/2, and only the traction stretches it. */
 #include "theory/elastic_bar.h"
+#include "base/assertion.h"
 #include "theory/bar_modes.h"
 
 #include "base/math/functions.h"
@@ -60,6 +61,7 @@ double bar_fastest_speed(const BarTheory *bar)
  * length. */
 double bar_wave_number(const BarTheory *bar, int number)
 {
+    ASSERT_INT(number, >=, 0);
     if (number < 1)
         return 0;
     bool one_free_end = bar->left_fixed != bar->right_fixed;
@@ -79,6 +81,7 @@ double bar_largest_wave_number(const BarTheory *bar, int number)
 
 double bar_frequency(const BarTheory *bar, int number)
 {
+    ASSERT_INT(number, >=, 0);
     if (bar_is_layered(bar) && number > 0)
         return mode_of_two(bar, number).frequency;
     return bar_wave_number(bar, number) * bar_wave_speed(bar);
@@ -102,6 +105,7 @@ static bool is_of_two(const BarTheory *bar, int number)
 
 double bar_mode_shape(const BarTheory *bar, int number, double x)
 {
+    ASSERT_INT(number, >=, 0);
     if (!is_of_two(bar, number))
         return sine_shape(bar, number, x);
     const BarMode mode = mode_of_two(bar, number);

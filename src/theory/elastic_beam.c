@@ -6,6 +6,7 @@
  *     cantilever        omega = (lambda_1/L)^2 sqrt(r^2 E/rho),   1 + cosh lambda_1 cos lambda_1 = 0 */
 #include "theory/elastic_beam.h"
 
+#include "base/assertion.h"
 #include "base/math/functions.h"
 
 #include <math.h>
@@ -122,6 +123,7 @@ double beam_sag(const BeamTheory *beam, double body_force)
 
 double beam_cantilever_frequency(const BeamTheory *beam, double length)
 {
+    ASSERT_REAL(length, >, 0);
     const double lambda = 1.8751040687119611; /* the first root of 1 + cosh cos */
     return lambda * lambda / (length * length) * sqrt(gyration(beam) * beam->youngs_modulus / beam->density);
 }
@@ -157,6 +159,7 @@ static void let_go(const BeamTheory *beam, double period, double t, double *u, d
 
 double beam_midpoint(const BeamTheory *beam, double period, double t)
 {
+    ASSERT_REAL(period, >, 0);
     double u, v;
     if (beam->damping == 0)
         return beam->amplitude * math_cos(2 * M_PI * t / period);
@@ -166,6 +169,7 @@ double beam_midpoint(const BeamTheory *beam, double period, double t)
 
 double beam_midpoint_velocity(const BeamTheory *beam, double period, double t)
 {
+    ASSERT_REAL(period, >, 0);
     double omega = 2 * M_PI / period, u, v;
     if (beam->damping == 0)
         return -beam->amplitude * omega * math_sin(omega * t);

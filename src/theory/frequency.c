@@ -7,6 +7,7 @@
  * equations), which also scans for a start; then all unknowns together by Levenberg and Marquardt (GSL). The
  * start is the largest line of the spectrum, a discrete Fourier transform under a Hann window. */
 #include "theory/frequency.h"
+#include "base/assertion.h"
 #include "theory/quiet.h"
 #include "base/math/functions.h"
 
@@ -72,6 +73,7 @@ static void transform_amplitudes(const double *windowed, size_t n, size_t m, dou
  * neighbours only. `out` has count/2 + 1 places. False: not enough memory. */
 bool frequency_spectrum(const double *values, size_t count, double *out)
 {
+    ASSERT_INT(count, >=, 1);
     if (count == 0)
         return true;
     size_t m = 1;
@@ -425,6 +427,8 @@ bool frequency_fit(const double *values, size_t count, double t0, double dt, dou
 bool frequency_fit_lines(const double *values, size_t count, double t0, double dt, double start,
                          const double *ratios, int n_lines, FrequencyFit *fit, Status *status)
 {
+    ASSERT_INT(n_lines, >=, 1);
+    ASSERT_INT(n_lines, <=, FREQUENCY_LINES_MAX);
     Record record = {.values = values, .count = count, .ratios = ratios, .n_lines = n_lines};
     if (!(dt > 0) || !isfinite(dt) || !isfinite(t0) || !isfinite(start) || start < 0)
         return status_fail(status, STATUS_FAILED, "no frequency from samples %g apart, start %g", dt, start);

@@ -55,6 +55,18 @@ static void fail_int(void)
     ASSERT_INT(stage, <, 8L);
 }
 
+static void fail_index(void)
+{
+    size_t count = 4;
+    ASSERT_INDEX(4, count);
+}
+
+static void fail_negative(void)
+{
+    int node = -1;
+    ASSERT_INDEX(node, 4L);
+}
+
 static void fail_real(void)
 {
     double dt = -0.5;
@@ -71,6 +83,7 @@ static void pass(void)
 {
     ASSERT(evaluated == 0);
     ASSERT_INT(next(), ==, 1);
+    ASSERT_INDEX(3, 4);
     ASSERT_REAL(1.5, <=, 1.5);
     if (evaluated != 1)
         _exit(3);
@@ -90,6 +103,8 @@ START_TEST(what_fails_says_both_sides)
 {
     expect_failure(fail_plain, ": fail_plain: model does not hold\n");
     expect_failure(fail_int, ": fail_int: stage < 8L does not hold: 8 < 8\n");
+    expect_failure(fail_index, ": fail_index: 4 is one of count does not hold: 4 of 4\n");
+    expect_failure(fail_negative, ": fail_negative: node is one of 4L does not hold: -1 of 4\n");
     expect_failure(fail_real, ": fail_real: dt > 0 does not hold: -0.5 > 0\n");
     expect_failure(fail_nan, ": fail_nan: zero / zero == 0.0 does not hold: ");
 }

@@ -2,6 +2,7 @@
 /* A picture in cells: heading with the legend, axes, strokes, marks, words. */
 #include "picture/cells/cells.h"
 
+#include "base/assertion.h"
 #include "base/text.h"
 #include "picture/heading.h"
 #include "picture/places.h"
@@ -63,6 +64,7 @@ static int ticks_up(const Axis *axis, int rows)
 
 void cells_fit(Picture *picture, int rows)
 {
+    ASSERT_INT(rows, >=, 0);
     const int plot = rows - 2 - rows_under(picture, picture->columns, rows);
     picture_ticks(picture, ticks_along(picture), ticks_up(&picture->plot.y, plot));
 }

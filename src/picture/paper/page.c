@@ -2,6 +2,7 @@
 /* The page: title, panels in a grid, notes, and at its foot the parameters of the run. */
 #include "picture/paper/page.h"
 
+#include "base/assertion.h"
 #include "picture/paper/draw.h"
 
 #include <math.h>
@@ -130,6 +131,7 @@ static double usual_height(const Figure *figure, int panels)
 
 void page_panel_cells(const Figure *figure, int panels, int *columns, int *rows)
 {
+    ASSERT_INT(panels, >=, 1);
     *columns = (int)(panel_width(figure, panels) / (0.66 * SIZE_WORDS));
     *rows = (int)(usual_height(figure, panels) / (1.3 * SIZE_WORDS));
 }

@@ -100,6 +100,7 @@ static bool read_number(const RowColumn *column, const char *word, bool share, d
 bool row_read_value(const RowKind *kind, int index, const char *word, Row *row, const char *about,
                     Status *status)
 {
+    ASSERT_INDEX(index, kind->n_columns);
     const RowColumn *column = &kind->columns[index];
     const unsigned bit = 1u << index;
     const bool share = is_place(column->value) && is_share(word);

@@ -25,6 +25,7 @@ int row_kind_find(const char *section)
 
 bool settings_have_rows(const Settings *settings, int kind)
 {
+    ASSERT_INDEX(kind, ROW_KINDS);
     return (row_kinds[kind].concern & settings->problem->concerns) != 0;
 }
 
@@ -37,6 +38,7 @@ void settings_default_rows(Settings *settings)
 
 int settings_row_find(const Settings *settings, int kind, const char *name)
 {
+    ASSERT_INDEX(kind, ROW_KINDS);
     const RowList *list = &settings->rows[kind];
     for (int i = 0; i < list->count; i++)
         if (strcmp(list->rows[i].name, name) == 0)
@@ -65,6 +67,7 @@ static bool check_name(const RowKind *kind, const char *name, const char *about,
 
 bool settings_row_set(Settings *settings, int index, const char *name, const char *text, Status *status)
 {
+    ASSERT_INDEX(index, ROW_KINDS);
     const RowKind *kind = &row_kinds[index];
     RowList *list = &settings->rows[index];
     char about[KEY_MAX];
@@ -99,6 +102,7 @@ static bool no_such_row(const Settings *settings, int index, const char *name, S
 
 bool settings_row_remove(Settings *settings, int index, const char *name, Status *status)
 {
+    ASSERT_INDEX(index, ROW_KINDS);
     RowList *list = &settings->rows[index];
     const int at = settings_row_find(settings, index, name);
     if (!has_names(&row_kinds[index]))
@@ -113,11 +117,15 @@ bool settings_row_remove(Settings *settings, int index, const char *name, Status
 
 void settings_row_get(const Settings *settings, int kind, int row, char out[ROW_TEXT_MAX])
 {
+    ASSERT_INDEX(kind, ROW_KINDS);
+    ASSERT_INDEX(row, settings->rows[kind].count);
     row_write(&row_kinds[kind], &settings->rows[kind].rows[row], 0, out);
 }
 
 void settings_row_show(const Settings *settings, int kind, int row, char out[ROW_TEXT_MAX])
 {
+    ASSERT_INDEX(kind, ROW_KINDS);
+    ASSERT_INDEX(row, settings->rows[kind].count);
     row_write(&row_kinds[kind], &settings->rows[kind].rows[row], 6, out);
 }
 

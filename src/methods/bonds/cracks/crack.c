@@ -3,6 +3,7 @@
  * speed. Called at the end of the damage stage (beam_break.c) and by whoever shows or tabulates the crack;
  * nothing here changes the motion. */
 #include "methods/bonds/cracks/crack.h"
+#include "base/assertion.h"
 #include "methods/bonds/plane/bonds_internal.h"
 #include "methods/bonds/cracks/crack_speed.h"
 #include "base/math/functions.h"
@@ -161,6 +162,7 @@ static double speed_up_to(const Beam *beam, long last)
 
 void crack_note_tip(Beam *beam, long step)
 {
+    ASSERT_INT(step, >=, beam->sim.step);
     StateHead *head = beam->head;
     if (step % beam->tip_every)
         return;

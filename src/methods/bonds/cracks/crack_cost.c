@@ -3,6 +3,7 @@
  * counted as cut by the path, beside it within a horizon, or farther away. Reads the state after the damage
  * stage. */
 #include "methods/bonds/cracks/crack_cost.h"
+#include "base/assertion.h"
 #include "methods/bonds/plane/bonds_internal.h"
 #include "methods/bonds/cracks/crack.h"
 #include "base/math/functions.h"
@@ -110,6 +111,8 @@ static double plane_energy(const Beam *beam)
 bool crack_cost_along(const Simulation *sim, const CrackPath *paths, int n_paths, double length,
                       const Patience *patience, CrackCost *cost)
 {
+    ASSERT_INT(n_paths, >=, 0);
+    ASSERT_REAL(length, >=, 0);
     const Beam *beam = (const Beam *)sim;
     const Lattice *lattice = &beam->lattice;
     const size_t bytes = lattice_slots(lattice) / 8;

@@ -2,6 +2,7 @@
 /* Lines, groups, tips, branches and paths of the cracks of a plate (front_shape.h, fronts.h). */
 #include "methods/bonds/cracks/front_shape.h"
 
+#include "base/assertion.h"
 #include "base/math/functions.h"
 
 #include <math.h>
@@ -15,6 +16,7 @@
 
 double front_place(const Beam *beam, int axis, int line)
 {
+    ASSERT_INDEX(line, front_lines(beam, axis));
     return axis == 0 ? lattice_x(&beam->lattice, line) : lattice_y(&beam->lattice, line);
 }
 
@@ -25,12 +27,15 @@ int front_lines(const Beam *beam, int axis)
 
 size_t front_node(const Beam *beam, int axis, int line, int across)
 {
+    ASSERT_INDEX(line, front_lines(beam, axis));
+    ASSERT_INDEX(across, front_lines(beam, 1 - axis));
     const size_t nx = (size_t)beam->lattice.nx;
     return axis == 0 ? (size_t)across * nx + (size_t)line : (size_t)line * nx + (size_t)across;
 }
 
 int front_line_of(const Beam *beam, int axis, size_t node)
 {
+    ASSERT_INDEX(node, lattice_nodes(&beam->lattice));
     const size_t nx = (size_t)beam->lattice.nx;
     return (int)(axis == 0 ? node % nx : node / nx);
 }

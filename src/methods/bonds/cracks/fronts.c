@@ -3,6 +3,7 @@
  * broke, and each node that cracks is dealt to the front that it is connected with; when all are known, each
  * node cracks once more, for the advance over time and the steps at which lines split. Called after whole
  * steps by whoever shows or tabulates the cracks; nothing here changes the motion. */
+#include "base/assertion.h"
 #include "methods/bonds/cracks/front_shape.h"
 
 #include "base/math/functions.h"
@@ -331,6 +332,7 @@ static double path_length(const CrackPath *path)
 
 double crack_fronts_speed(const CrackFronts *fronts, const CrackFront *front, size_t sample)
 {
+    ASSERT_INDEX(sample, fronts->n_samples);
     const size_t half = fronts->window / 2;
     if (sample < half || sample + half >= fronts->n_samples)
         return NAN;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The stages as people read them, and the sum of the stage just done with its numbers. */
+#include "base/assertion.h"
 #include "methods/bonds/line/pd_bar_internal.h"
 #include "methods/bonds/plane/verlet.h"
 #include "methods/calculation.h"
@@ -136,6 +137,8 @@ static void explain_bond(const PdBar *bar, Calculation *calculation, size_t inde
 void pd_bar_explain(const Simulation *sim, int stage, int set, size_t index, const void *before, int terms,
                     char *out, size_t size)
 {
+    ASSERT_INDEX(stage, PD_BAR_STAGES);
+    ASSERT_INDEX(index, sim->counts[set]);
     const PdBar *bar = (const PdBar *)sim;
     Calculation text;
     calculation_open(&text, out, size, terms);

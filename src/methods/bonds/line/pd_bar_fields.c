@@ -296,6 +296,7 @@ static const Quantity series[PD_BAR_SERIES] = {
  */
 void pd_bar_row(Simulation *sim, double *row)
 {
+    ASSERT_INT(sim->stage, ==, 0);
     const PdBar *bar = (const PdBar *)sim;
     const int n = bar->lattice.n;
     double momentum = 0, moved = 0, square = 0, stored = 0;

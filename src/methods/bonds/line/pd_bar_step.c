@@ -11,6 +11,7 @@
  * f is a force density. Arrays of n nodes, u with `reach` mirrored nodes at either side (pd_bar_internal.h).
  * Each stage is a function of a range of nodes; whole steps call the same functions over all of them. A step
  * fails when two neighbours meet or part by a spacing, and the state goes back to before it. */
+#include "base/assertion.h"
 #include "methods/bonds/line/pd_bar_internal.h"
 
 #include <math.h>
@@ -21,6 +22,7 @@
  * layers. */
 double pd_bar_load(const PdBar *bar, int i)
 {
+    ASSERT_INDEX(i, bar->lattice.n);
     const PdBarLattice *lattice = &bar->lattice;
     double force = bar->def.density * bar->head->body_force, pull = bar->head->traction / lattice->layer;
     if (i < lattice->layer_left)
@@ -123,6 +125,9 @@ static bool check_gaps(PdBar *bar, int first, int end, Status *status)
  * nothing. */
 bool pd_bar_stage(Simulation *sim, int stage, size_t first, size_t end, Status *status)
 {
+    ASSERT_INDEX(stage, PD_BAR_STAGES);
+    ASSERT_INT(first, <=, end);
+    ASSERT_INT(end, <=, sim->stage_items);
     PdBar *bar = (PdBar *)sim;
     if (stage == PD_BAR_BONDS && !check_gaps(bar, (int)first, (int)end, status))
         return false;
@@ -143,6 +148,8 @@ void pd_bar_forces(PdBar *bar)
 /* A step may fail at the bonds only, before f is written; the state before it is kept aside and put back. */
 bool pd_bar_steps(Simulation *sim, long count, double *rows, long *done, Status *status)
 {
+    ASSERT_INT(count, >=, 0);
+    ASSERT_INT(sim->stage, ==, 0);
     PdBar *bar = (PdBar *)sim;
     for (*done = 0; *done < count; ++*done) {
         memcpy(bar->sound, bar->head, bar->state_size);

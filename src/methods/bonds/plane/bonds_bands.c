@@ -7,6 +7,7 @@
  * each band has a halo: `reach` rows that collect what it gives to rows above it. When all bands are done the
  * halos are added to the rows, always in the order of the bands: the bits do not depend on the number of
  * threads. */
+#include "base/assertion.h"
 #include "methods/bonds/plane/bonds_mistakes.h"
 
 #include <string.h>
@@ -14,6 +15,7 @@
 /* Does `work` for chunks 0 .. chunks - 1, on all threads if there are several. */
 void beam_run(Beam *beam, PoolWork *work, int chunks)
 {
+    ASSERT_INT(chunks, >=, 1);
     if (beam->pool)
         pool_run(beam->pool, work, beam, chunks);
     else
@@ -44,6 +46,7 @@ static void clear_band(Beam *beam, int band)
  * itself or the halo. */
 void beam_bonds_of_row(Beam *beam, int j, BondLog *log, bool with_energy)
 {
+    ASSERT_INDEX(j, beam->lattice.ny);
     int band = beam->band_of_row[j], end = beam->band_first[band + 1];
     if (j == beam->band_first[band])
         clear_band(beam, band);
@@ -65,6 +68,7 @@ void beam_bonds_of_row(Beam *beam, int j, BondLog *log, bool with_energy)
  */
 void beam_add_halos(Beam *beam, int j)
 {
+    ASSERT_INDEX(j, beam->lattice.ny);
     size_t row = lattice_at(&beam->lattice, 0, j), count = beam->lattice.columns;
     int own = beam->band_of_row[j], reach = beam->lattice.reach;
     for (int band = j > reach ? beam->band_of_row[j - reach] : 0; band < own; band++) {

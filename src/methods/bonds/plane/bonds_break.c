@@ -9,6 +9,7 @@
  * little past s0), goes to "dissipated" and its ends are marked; only marked nodes compute their damage
  * again. The notch's bonds count in phi but in neither sum. On the notched beam the stage also follows the
  * crack (crack.c). */
+#include "base/assertion.h"
 #include "methods/bonds/plane/bonds_internal.h"
 #include "methods/bonds/cracks/crack.h"
 
@@ -49,6 +50,7 @@ static bool is_near_tip(const Beam *beam, BondPlace place)
  * short, the log is not whole. */
 bool beam_take_log(Beam *beam, BondLog *log, long step)
 {
+    ASSERT_INT(step, >=, -1);
     bool written = !log->no_memory;
     for (size_t k = 0; k < log->n_breaks; k++) {
         BondPlace place = lattice_slot_place(&beam->lattice, log->breaks[k].slot);
@@ -136,6 +138,7 @@ static void update_dirty(Beam *beam, long step)
  * not anything broke, for its speed is a slope over time. */
 void beam_update_damage(Beam *beam, long step)
 {
+    ASSERT_INT(step, >=, 0);
     if (beam->n_dirty > 0)
         update_dirty(beam, step);
     if (beam->def.problem == BEAM_NOTCHED)

@@ -22,6 +22,7 @@
  * period, since it vanishes at each turning point too; and nothing that will move it anew lies ahead: a load
  * that still grows or will be let go, a change that was ordered. Looked for every BEAM_REST_EVERY steps. The
  * displacements are then those of rest to some 4e-6. */
+#include "base/assertion.h"
 #include "methods/bonds/plane/bonds_internal.h"
 #include "methods/bonds/plane/bonds_modes.h"
 
@@ -93,12 +94,14 @@ static void brake(Beam *beam, int j, double keep)
 
 void beam_brake_first(Beam *beam, int j)
 {
+    ASSERT_INDEX(j, beam->lattice.ny);
     if (beam->damping > 0)
         brake(beam, j, 1 - beam->damping * beam->sim.dt / 2);
 }
 
 void beam_brake_second(Beam *beam, int j)
 {
+    ASSERT_INDEX(j, beam->lattice.ny);
     if (beam->damping > 0)
         brake(beam, j, 1 / (1 + beam->damping * beam->sim.dt / 2));
 }
@@ -106,6 +109,7 @@ void beam_brake_second(Beam *beam, int j)
 /* Written by whoever has the row, added in the order of rows: the number of threads leaves no trace. */
 void beam_note_speeds(Beam *beam, int j)
 {
+    ASSERT_INDEX(j, beam->lattice.ny);
     const size_t row = lattice_at(&beam->lattice, 0, j), count = beam->lattice.columns;
     const double *vx = beam->nodes.vx + row, *vy = beam->nodes.vy + row;
     const double ahead = beam->def.problem == BEAM_MOVING_CANTILEVER ? beam->def.speed : 0;
@@ -136,6 +140,7 @@ void beam_add_speeds(Beam *beam)
 
 void beam_weigh(Beam *beam, int j)
 {
+    ASSERT_INDEX(j, beam->lattice.ny);
     if (beam->head->body_force == 0)
         return;
     const double force = beam->def.density * beam->head->body_force;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The stages as people read them, and the sum of the stage just done with its numbers. */
+#include "base/assertion.h"
 #include "methods/bonds/plane/bonds_mistakes.h"
 #include "methods/bonds/plane/verlet.h"
 #include "methods/calculation.h"
@@ -359,6 +360,8 @@ static void explain_bond(const Beam *beam, Calculation *calculation, size_t inde
 void beam_explain(const Simulation *sim, int stage, int set, size_t index, const void *before, int terms,
                   char *out, size_t size)
 {
+    ASSERT_INDEX(stage, N_STAGES);
+    ASSERT_INDEX(index, sim->counts[set]);
     const Beam *beam = (const Beam *)sim;
     Calculation text;
     calculation_open(&text, out, size, terms);

@@ -15,6 +15,8 @@
  * it. */
 BondNow beam_bond(const Beam *beam, BondPlace place)
 {
+    ASSERT(lattice_has(&beam->lattice, place.i, place.j));
+    ASSERT_INDEX(place.offset, beam->lattice.n_offsets);
     const Lattice *lattice = &beam->lattice;
     const Offset *offset = &lattice->offsets[place.offset];
     size_t own = lattice_at(lattice, place.i, place.j);
@@ -63,6 +65,7 @@ BondNow bonds_seen_from(const Beam *beam, BondPlace place, size_t index)
  * mirrored. */
 size_t beam_family(const Beam *beam, int i, int j, BondPlace *out)
 {
+    ASSERT(lattice_has(&beam->lattice, i, j));
     const Lattice *lattice = &beam->lattice;
     size_t n = 0;
     /* the bonds that others own, then its own: so the other ends come row by row, column by column */

@@ -2,6 +2,7 @@
 /* The mistakes of a beam's code, and what they do (bonds_mistakes.h). */
 #include "methods/bonds/plane/bonds_mistakes.h"
 
+#include "base/assertion.h"
 #include <math.h>
 
 /* --- the rows --------------------------------------------------------------------------------------- */
@@ -122,6 +123,7 @@ BondsPull bonds_pull(const Beam *beam, const Offset *offset, double coefficient,
 void bonds_forces_of_row(Beam *beam, int j, double *const *fx, double *const *fy, BondLog *log,
                          double *energy)
 {
+    ASSERT_INDEX(j, beam->lattice.ny);
     const Lattice *lattice = &beam->lattice;
     const NodeArrays *nodes = &beam->nodes;
     double sum = 0;

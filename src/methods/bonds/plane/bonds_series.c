@@ -10,6 +10,7 @@
  * V = dx^2, b the thickness; SI units. Each column is a function and a row of the table below, which says
  * which problems have it. Called between steps only, when u, v and the broken bonds belong to the same time.
  */
+#include "base/assertion.h"
 #include "methods/bonds/plane/bonds_internal.h"
 #include "methods/bonds/cracks/crack.h"
 
@@ -46,6 +47,7 @@ static double vx_probe(Beam *beam)
 
 void beam_note_squares(Beam *beam, int j)
 {
+    ASSERT_INDEX(j, beam->lattice.ny);
     const size_t first = lattice_at(&beam->lattice, 0, j), count = beam->lattice.columns;
     const double *vx = beam->nodes.vx + first, *vy = beam->nodes.vy + first;
     beam->row_squares[2 * j] = beam->kernels->dot(vx, vx, count);
@@ -178,6 +180,7 @@ static const SeriesEntry series[BEAM_SERIES_MAX] = {
 
 void beam_row(Simulation *sim, double *out)
 {
+    ASSERT_INT(sim->stage, ==, 0);
     Beam *beam = (Beam *)sim;
     for (int k = 0; k < sim->n_series; k++)
         out[k] = series[beam->series_entry[k]].value(beam);

@@ -7,6 +7,7 @@
  * with b the thickness of the beam. A view may colour by them in every frame, so bonds are not looked up node
  * by node but taken row by row, a direction at a time in a vector loop, and each value is added to both ends.
  * Which nodes are wanted is a range of indices, first to first + count, cut into a slice of each row. */
+#include "base/assertion.h"
 #include "methods/bonds/plane/bonds_internal.h"
 
 #include <limits.h>
@@ -103,6 +104,8 @@ static void family_field(const Beam *beam, FamilyValue what, size_t first, size_
 
 void beam_strain_energies(const Beam *beam, size_t first, size_t count, double *out)
 {
+    ASSERT_INT(count, >=, 1);
+    ASSERT_INT(first + count, <=, lattice_nodes(&beam->lattice));
     family_field(beam, BOND_ENERGY, first, count, out);
     for (size_t k = 0; k < count; k++)
         out[k] *= beam->system.energy_scale;
@@ -110,6 +113,8 @@ void beam_strain_energies(const Beam *beam, size_t first, size_t count, double *
 
 void beam_largest_stretches(const Beam *beam, size_t first, size_t count, double *out)
 {
+    ASSERT_INT(count, >=, 1);
+    ASSERT_INT(first + count, <=, lattice_nodes(&beam->lattice));
     family_field(beam, LARGEST_STRETCH, first, count, out);
     for (size_t k = 0; k < count; k++)
         if (out[k] <= BONDS_NO_STRETCH)

@@ -2,6 +2,7 @@
 /* The state as bytes, and the parameters that may change in mid-run. A snapshot is the block of the state
  * (head, six node arrays, bits of broken bonds); what follows from it (coefficients, damage, the crack) is
  * computed again when it is put back. */
+#include "base/assertion.h"
 #include "methods/bonds/plane/bonds_mistakes.h"
 
 #include <limits.h>
@@ -114,6 +115,7 @@ static bool change_mistake(Beam *beam, double value, Status *status)
 
 bool beam_change(Simulation *sim, const char *key, double value, Status *status)
 {
+    ASSERT_INT(sim->stage, ==, 0);
     Beam *beam = (Beam *)sim;
     if (sim->stage != 0 || sim->item != 0)
         return status_fail(status, STATUS_USAGE, "%s: can be changed between steps only", key);

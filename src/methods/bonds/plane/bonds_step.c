@@ -19,6 +19,7 @@
  * row of the lattice; whole steps call the same functions for bands of rows, several threads at once, and
  * join the end of one step to the start of the next. A step fails when a bond doubles its length or
  * collapses, or when there is no memory for the list of broken bonds. */
+#include "base/assertion.h"
 #include "methods/bonds/plane/bonds_mistakes.h"
 
 #include <math.h>
@@ -197,6 +198,9 @@ static bool bonds_stage(Beam *beam, int first, int end, Status *status)
 /* One stage on rows [first, end), for whoever looks at a step from inside; called in order, in any slices. */
 bool beam_stage(Simulation *sim, int stage, size_t first, size_t end, Status *status)
 {
+    ASSERT_INDEX(stage, N_STAGES);
+    ASSERT_INT(first, <=, end);
+    ASSERT_INT(end, <=, sim->stage_items);
     Beam *beam = (Beam *)sim;
     beam->kinetic_known = false;
     if (stage <= STAGE_BONDS)
@@ -380,6 +384,8 @@ static void go_back(Beam *beam)
 /* A copy of the state every 64 steps is little beside them; a failure costs up to 63 steps more. */
 bool beam_steps(Simulation *sim, long count, double *rows, long *done, Status *status)
 {
+    ASSERT_INT(count, >=, 0);
+    ASSERT_INT(sim->stage, ==, 0);
     Beam *beam = (Beam *)sim;
     *done = 0;
     while (*done < count && !sim->at_rest) {

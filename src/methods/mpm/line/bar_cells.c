@@ -6,6 +6,7 @@
  * which is exact: only whole numbers are taken off. Cells are done one by one from the left; a cell none of
  * whose particles leaves is done by a kernel. Here a run fails when a particle leaves the mesh or overtakes
  * its neighbour, and first crossings of a cell's edge become events. */
+#include "base/assertion.h"
 #include "methods/mpm/line/bar_state.h"
 #include "methods/mpm/line/kernels/bar_kernels.h"
 
@@ -18,6 +19,7 @@
 
 bool bar_fail_particle(Bar *bar, Status *status, int particle, const char *what)
 {
+    ASSERT_INDEX(particle, bar->n_particles);
     return batch_fail_particle(&bar->sim, status, particle, what, "");
 }
 
@@ -201,6 +203,9 @@ static bool settle_all(Bar *bar, Status *status)
  * cell by cell. */
 bool bar_settle(Bar *bar, int first, int end, Status *status)
 {
+    ASSERT_INT(first, >=, 0);
+    ASSERT_INT(first, <=, end);
+    ASSERT_INT(end, <=, bar->n_cells);
     if (first == 0)
         bar->jumped = false;
     for (int c = first; c < end && !bar->jumped;) {

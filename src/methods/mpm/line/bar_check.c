@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The definition of a bar: its defaults, and whether it is sound. Each line names the key as
  * in a scenario file, what is wrong and what is allowed. */
+#include "base/assertion.h"
 #include "methods/axial.h"
 #include "methods/mpm/line/bar_mistakes.h"
 #include "methods/mpm/line/bar_state.h"
@@ -69,6 +70,7 @@ static bool check_joint(const BarDef *def, Status *status)
  *     Omega/omega - 1 = theta^2/2 (C^2/12 - B + A - 2 mu A) + O(theta^4) */
 double bar_mass_blend_auto(MpmShape shape, int particles_per_cell, double courant)
 {
+    ASSERT_INT(particles_per_cell, >=, 1);
     const double twelfth = 1.0 / (12.0 * particles_per_cell * particles_per_cell);
     double filter = 1.0 / 6.0 + twelfth, stiffness = 1.0 / 12.0; /* A, B */
     if (shape == MPM_BSPLINE2) {

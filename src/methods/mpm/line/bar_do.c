@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The work of a bar's stages on a range of cells: the kernels, the supports, and what makes a run fail.
  * Stages one by one and whole steps in tiles (bar_tiles.c) both call this. */
+#include "base/assertion.h"
 #include "methods/mpm/line/bar_mistakes.h"
 #include "methods/mpm/line/bar_state.h"
 #include "methods/mpm/line/kernels/bar_kernels.h"
@@ -77,6 +78,9 @@ static void fix_and_divide(Bar *bar, int first, int end, bool factor)
  * do those of bar_settle(). */
 bool bar_do(Bar *bar, BarOp op, int first, int end, Status *status)
 {
+    ASSERT_INT(first, >=, 0);
+    ASSERT_INT(first, <=, end);
+    ASSERT_INT(end, <=, bar->n_cells);
     const BarKernels *kernels = bar->kernels;
     if (bar_mistake(bar))
         return bar_do_wrongly(bar, op, first, end, status);

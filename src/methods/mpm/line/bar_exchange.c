@@ -12,6 +12,7 @@
  *
  * for the inspector and the written-out sums (bar_explain.c). The stages themselves do not call this: their
  * loops are in kernels.c. */
+#include "base/assertion.h"
 #include "methods/mpm/line/bar_mistakes.h"
 #include "methods/mpm/line/bar_state.h"
 #include "methods/mpm/line/kernels/shape.h"
@@ -146,6 +147,9 @@ static double kick_weight(const Bar *bar, int particle, int node, double weight)
 int bar_exchange(const Simulation *sim, int exchange, size_t from, size_t to,
                  double factors[EXCHANGE_FACTORS_MAX])
 {
+    ASSERT_INDEX(exchange, sim->n_exchanges);
+    ASSERT_INDEX(from, sim->counts[sim->exchanges[exchange].from]);
+    ASSERT_INDEX(to, sim->counts[sim->exchanges[exchange].to]);
     const Bar *bar = bar_of_const(sim);
     if (!at_hand(bar, (BarExchange)exchange))
         return 0;

@@ -2,6 +2,7 @@
 /* The sums behind a stage with their numbers, for one particle or one node, as in "p13 = 0.5 × 0.2 = 0.1":
  * what the laboratory shows when a stage has just been done. The terms come from bar_exchange.c, bar_sums.c
  * makes sums of them; which sums a stage has is the table at the end of this file. */
+#include "base/assertion.h"
 #include "methods/mpm/line/bar_mistakes.h"
 #include "methods/mpm/line/bar_sums.h"
 #include "methods/mpm/line/kernels/shape.h"
@@ -538,6 +539,8 @@ static const struct {
 void bar_explain(const Simulation *sim, int stage, int set, size_t index, const void *before, int terms,
                  char *out, size_t size)
 {
+    ASSERT_INDEX(stage, sim->n_stages);
+    ASSERT_INDEX(index, sim->counts[set]);
     const Bar *bar = bar_of_const(sim);
     const BarSchedule *schedule = bar_schedule(bar);
     Calculation calculation;

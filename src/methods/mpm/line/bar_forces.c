@@ -6,6 +6,7 @@
  * Equation, names and note of the force stage are made of the rows that are at work, so that the screen
  * cannot show another force than the one that acts. The first two have loops of their own in the kernels;
  * those of the definition are added here, particle by particle. */
+#include "base/assertion.h"
 #include "base/text.h"
 #include "methods/mpm/line/bar_state.h"
 #include "methods/mpm/line/kernels/shape.h"
@@ -50,6 +51,7 @@ int bar_forces(const Bar *bar, const BarForce *out[BAR_FORCES_MAX])
 
 double bar_load_on(const Bar *bar, int particle)
 {
+    ASSERT_INDEX(particle, bar->n_particles);
     const BarForce *forces[BAR_FORCES_MAX];
     const int count = bar_forces(bar, forces);
     double load = 0.0;
@@ -61,6 +63,7 @@ double bar_load_on(const Bar *bar, int particle)
 /* Their sums go over all particles in order, at the end of the stage: the bits are those of any slices. */
 void bar_add_forces(Bar *bar, int end)
 {
+    ASSERT_INT(end, <=, bar->n_cells);
     double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
     if (!bar->def.forces || end < bar->n_cells)
         return;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The mistakes of a bar's code: their rows, and the numbers that such a code takes (bar_mistakes.h). */
 #include "methods/mpm/line/bar_mistakes.h"
+#include "base/assertion.h"
 #include "methods/mpm/line/kernels/bar_kernels.h"
 #include "methods/mpm/line/kernels/shape.h"
 
@@ -118,6 +119,7 @@ double bar_slope_scale(const Bar *bar)
 
 double bar_force_volume(const Bar *bar, int particle)
 {
+    ASSERT_INDEX(particle, bar->n_particles);
     const BarMistake *mistake = bar_mistake(bar);
     const double volume = bar->volume[particle % bar->slots][particle / bar->slots];
     return mistake && mistake->volume ? mistake->volume(bar, particle, volume) : volume;

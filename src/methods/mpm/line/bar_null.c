@@ -15,6 +15,7 @@
  * are in order, a triangle's row is complete when their cells have passed it: only as many rows are kept as a
  * cell has nodes. */
 #include "methods/mpm/line/bar_null.h"
+#include "base/assertion.h"
 #include "methods/mpm/line/kernels/shape.h"
 
 /* Numbers whose squares would leave a double's range are as good as 0 beside others of order 1. */
@@ -97,6 +98,7 @@ static inline void add_cells(const Bar *bar, BarNull *null, const MpmShape shape
  */
 void bar_null_add(const Bar *bar, BarNull *null, int end)
 {
+    ASSERT_INT(end, <=, bar->n_cells);
     const int mapped = end == bar->n_cells ? end : end - bar->support + 1;
     switch (bar->def.shape) {
     case MPM_HAT:

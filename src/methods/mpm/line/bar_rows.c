@@ -14,6 +14,7 @@
  * stress and density really store. Each sum is kept in BAR_LANES partial sums, so that neither vectors nor
  * tiles leave a trace.
  */
+#include "base/assertion.h"
 #include "methods/mpm/line/bar_null.h"
 #include "methods/mpm/line/bar_state.h"
 #include "methods/mpm/line/kernels/bar_kernels.h"
@@ -127,6 +128,8 @@ const char *const bar_costly[] = {"kinetic_grid", "kinetic_null", NULL};
 
 void bar_leave_out(Simulation *sim, int column)
 {
+    ASSERT_INDEX(column, sim->n_series);
+    ASSERT_INT(sim->step, ==, 0);
     Bar *bar = bar_of(sim);
     *(bar->series_entry[column] == KINETIC_GRID ? &bar->has_grid_energy : &bar->has_null_energy) = false;
     sim->n_series--;
@@ -201,6 +204,7 @@ void bar_step_row(Bar *bar, double *row)
 
 void bar_row(Simulation *sim, double *row)
 {
+    ASSERT_INT(sim->stage, ==, 0);
     Bar *bar = bar_of(sim);
     if (bar_row_needs_grid(bar))
         bar_map_and_fix(bar); /* the grid is scratch between steps */

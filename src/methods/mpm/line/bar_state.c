@@ -4,6 +4,7 @@
  * exchanges, explanations); the stages themselves need none of it. */
 #include "methods/mpm/line/bar_mistakes.h"
 #include "methods/mpm/line/bar_state.h"
+#include "base/assertion.h"
 #include "methods/mpm/line/kernels/shape.h"
 
 bool bar_has_done(const Bar *bar, BarOp op)
@@ -17,6 +18,7 @@ bool bar_has_done(const Bar *bar, BarOp op)
 
 bool bar_node_is_fixed(const Bar *bar, int node)
 {
+    ASSERT_INDEX(node, bar->n_nodes);
     const BarMistake *mistake = bar_mistake(bar);
     if (mistake && mistake->holds_next)
         return (bar->fixed_left > 0 && node == bar->fixed_left) ||
@@ -26,6 +28,7 @@ bool bar_node_is_fixed(const Bar *bar, int node)
 
 double bar_node_position(const Bar *bar, int node)
 {
+    ASSERT_INDEX(node, bar->n_nodes);
     int cell = node < bar->n_cells ? node : bar->n_cells - 1;
     double offset = shape_node_offset(bar->def.shape, bar->n_cells, cell, node - cell);
     return ((cell - bar->origin) + offset) * bar->dx;
@@ -34,6 +37,7 @@ double bar_node_position(const Bar *bar, int node)
 /* By bisection in first[], which ascends. */
 int bar_cell_of(const Bar *bar, int particle)
 {
+    ASSERT_INDEX(particle, bar->n_particles);
     int low = 0, high = bar->n_cells; /* first[low] <= particle < first[high] */
     while (high - low > 1) {
         int middle = low + (high - low) / 2;
@@ -49,6 +53,7 @@ int bar_cell_of(const Bar *bar, int particle)
  */
 double bar_node_velocity(const Bar *bar, int node)
 {
+    ASSERT_INDEX(node, bar->n_nodes);
     if (bar_is_lumped(bar))
         return bar->node_momentum[node] * bar->node_inverse[node];
     /* USF keeps the velocity that strained */
@@ -64,6 +69,7 @@ double bar_integrated_velocity(const Bar *bar, int node)
 
 double bar_node_force(const Bar *bar, int node)
 {
+    ASSERT_INDEX(node, bar->n_nodes);
     if (bar_holds_force(bar, node))
         return 0.0;
     return bar_is_loaded(bar) ? bar->node_f_int[node] + bar->node_f_ext[node] : bar->node_f_int[node];
@@ -71,6 +77,7 @@ double bar_node_force(const Bar *bar, int node)
 
 double bar_node_acceleration(const Bar *bar, int node)
 {
+    ASSERT_INDEX(node, bar->n_nodes);
     if (!bar_has_done(bar, OP_FORCE))
         return 0.0;
     return bar_is_lumped(bar) ? bar_node_force(bar, node) * bar->node_inverse[node]
@@ -79,6 +86,7 @@ double bar_node_acceleration(const Bar *bar, int node)
 
 void bar_strain_velocities(const Bar *bar, int cell, double *v)
 {
+    ASSERT_INDEX(cell, bar->n_cells);
     for (int a = 0; a < bar->support; a++)
         v[a] = bar->node_velocity[cell + a];
     if (bar->def.shape == MPM_HAT)
@@ -91,6 +99,8 @@ void bar_strain_velocities(const Bar *bar, int cell, double *v)
  * m_i: its diagonal is what the others leave of that. */
 double bar_consistent_mass(const Bar *bar, int i, int j)
 {
+    ASSERT(!bar_is_lumped(bar));
+    ASSERT_INDEX(i, bar->n_nodes);
     const int d = i < j ? j - i : i - j;
     if (d > 0)
         return d <= bar->reach ? bar->node_couple[d][i < j ? i : j] : 0.0;

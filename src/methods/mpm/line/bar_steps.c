@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Stages and whole steps of a bar as the driver asks for them (method.h). Whole steps go in batches
  * (batch.h). */
+#include "base/assertion.h"
 #include "methods/mpm/line/bar_state.h"
 
 #include <string.h>
@@ -22,6 +23,9 @@ static bool check_energy(Bar *bar, Status *status)
  * behind the last stage. */
 bool bar_stage(Simulation *sim, int stage, size_t first, size_t end, Status *status)
 {
+    ASSERT_INDEX(stage, sim->n_stages);
+    ASSERT_INT(first, <=, end);
+    ASSERT_INT(end, <=, sim->stage_items);
     Bar *bar = bar_of(sim);
     const BarSchedule *schedule = bar_schedule(bar);
     /* what a step that can be looked at has not written yet is 0, so that its snapshots are the same bytes
@@ -96,5 +100,7 @@ static bool some_steps(Simulation *sim, long count, double *rows, Status *status
 
 bool bar_steps(Simulation *sim, long count, double *rows, long *done, Status *status)
 {
+    ASSERT_INT(count, >=, 0);
+    ASSERT_INT(sim->stage, ==, 0);
     return batch_steps(sim, &batches, count, rows, done, status);
 }

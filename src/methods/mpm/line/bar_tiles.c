@@ -19,6 +19,7 @@
  * particle may come from the next cell. A distance of CLEARANCE cells covers both; tasks that need nothing
  * from ahead follow at once. A failure, or a particle that jumps over a whole cell, ends the pipeline, and
  * the caller does the steps again stage by stage over the whole bar (bar_steps.c). */
+#include "base/assertion.h"
 #include "methods/mpm/line/bar_mistakes.h"
 #include "methods/mpm/line/bar_null.h"
 #include "methods/mpm/line/bar_state.h"
@@ -178,6 +179,7 @@ bool bar_tiles_pay(const Bar *bar, bool with_rows)
 /* `count` whole steps, STEPS_TOGETHER at a time, with the rows of their series if they are asked for. */
 bool bar_tiled_steps(Bar *bar, long count, double *rows)
 {
+    ASSERT_INT(count, >=, 1);
     bool good = true;
     bar->keeps_crossings = true;
     bar->n_crossings = 0;

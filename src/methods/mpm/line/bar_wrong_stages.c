@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The stages with which a bar's code that is wrong in one place is computed (bar_mistakes.h). */
+#include "base/assertion.h"
 #include "methods/mpm/line/bar_mistakes.h"
 #include "methods/mpm/line/kernels/bar_kernels.h"
 #include "methods/mpm/line/kernels/shape.h"
@@ -26,6 +27,7 @@ static double increment_of(const Bar *bar, int particle, int cell)
  * that strained. */
 double bar_force_stress(const Bar *bar, int particle)
 {
+    ASSERT_INDEX(particle, bar->n_particles);
     const BarMistake *mistake = bar_mistake(bar);
     const double stress = bar->stress[particle % bar->slots][particle / bar->slots];
     if (!mistake || !mistake->stress_before)
@@ -35,6 +37,7 @@ double bar_force_stress(const Bar *bar, int particle)
 
 void bar_kick_weights(const Bar *bar, int particle, int *cell, double n[2])
 {
+    ASSERT_INDEX(particle, bar->n_particles);
     const BarMistake *mistake = bar_mistake(bar);
     const int slot = particle % bar->slots, k = particle / bar->slots;
     double dn[2], s = bar->s[slot][k];
@@ -50,6 +53,8 @@ void bar_kick_weights(const Bar *bar, int particle, int *cell, double n[2])
 
 double bar_moving_velocity(const Bar *bar, int particle, int node)
 {
+    ASSERT_INDEX(particle, bar->n_particles);
+    ASSERT_INDEX(node, bar->n_nodes);
     const BarMistake *mistake = bar_mistake(bar);
     const BarMoves moves = mistake ? mistake->moves : MOVES_WITH_NODES;
     return moves == MOVES_BY_ITSELF        ? bar->v[particle % bar->slots][particle / bar->slots]

@@ -9,6 +9,7 @@
  * in the cache, those on nodes likewise; in between everybody waits. So a step of USF has four
  * parts, and its last is the first of the next step: strain and force | gather, supports, integrate | update
  * and map | gather, supports. */
+#include "base/assertion.h"
 #include "methods/mpm/plane/kernels/plane_kernels.h"
 
 #include <stdio.h>
@@ -232,6 +233,8 @@ static void do_nodes(Plane *plane, PlaneTask task, PlaneNodes part)
 /* Item k of a stage is block k of the particles, or row k of the nodes; there may be fewer of the one. */
 bool plane_do(Plane *plane, PlaneOp op, int first, int end, Status *status)
 {
+    ASSERT_INT(first, >=, 0);
+    ASSERT_INT(first, <=, end);
     const PlaneTask task = {op, plane->sim.step};
     if (of_nodes(op)) {
         do_nodes(plane, task, rows_of(plane, smaller(first, plane->gy), smaller(end, plane->gy)));
@@ -307,6 +310,7 @@ static void run_part(Part *part, PoolWork *work, int chunks)
 
 bool plane_do_all(Plane *plane, const PlaneTask *tasks, int count, Status *status)
 {
+    ASSERT_INT(count, >=, 1);
     const int columns = columns_of_chunk(plane);
     PlaneOp given = PLANE_OPS;
     for (int end = 0; end < count;) {

@@ -8,6 +8,7 @@
  *
  * for the inspector and the written-out sums. The stages themselves do not call this: their loops are in
  * kernels/plane_kernels.c. */
+#include "base/assertion.h"
 #include "methods/mpm/plane/plane_state.h"
 
 #define TABLE(x, x_ascii, y, y_ascii, taken_note, taken_adds)                                                \
@@ -109,6 +110,9 @@ static double gain(const Plane *plane, int p, int node, int axis, const PlaneWei
 int plane_exchange(const Simulation *sim, int exchange, size_t from, size_t to,
                    double factors[EXCHANGE_FACTORS_MAX])
 {
+    ASSERT_INDEX(exchange, sim->n_exchanges);
+    ASSERT_INDEX(from, sim->counts[sim->exchanges[exchange].from]);
+    ASSERT_INDEX(to, sim->counts[sim->exchanges[exchange].to]);
     const Plane *plane = plane_of_const(sim);
     if (!at_hand(plane, (PlaneExchange)exchange))
         return 0;

@@ -2,6 +2,7 @@
 /* The sums behind a stage with their numbers, for one particle or one node: what the laboratory shows when a
  * stage has just been done. The terms come from plane_exchange.c; what is no exchange (supports, stress,
  * momentum) is written here. */
+#include "base/assertion.h"
 #include "methods/calculation.h"
 #include "methods/mpm/plane/plane_state.h"
 
@@ -247,6 +248,8 @@ static void (*const writers[PLANE_OPS][PLANE_SETS])(const Subject *) = {
 void plane_explain(const Simulation *sim, int stage, int set, size_t index, const void *before, int terms,
                    char *out, size_t size)
 {
+    ASSERT_INDEX(stage, sim->n_stages);
+    ASSERT_INDEX(index, sim->counts[set]);
     const Plane *plane = plane_of_const(sim);
     Calculation calculation;
     calculation_open(&calculation, out, size, terms);

@@ -11,6 +11,7 @@
  * ripples by some omega dt, worst where thickness modes ring. kinetic less kinetic_grid is not all hidden:
  * lumped masses see even a smooth mode with too little energy (1.7e-3 of it at 4 cells in the height, 4e-4 at
  * 8). */
+#include "base/assertion.h"
 #include "methods/mpm/plane/kernels/plane_kernels.h"
 
 #include <math.h>
@@ -137,6 +138,8 @@ const char *const plane_costly[] = {"kinetic_grid", "kinetic_null", NULL};
 
 void plane_leave_out(Simulation *sim, int column)
 {
+    ASSERT_INDEX(column, sim->n_series);
+    ASSERT_INT(sim->step, ==, 0);
     Plane *plane = plane_of(sim);
     sim->n_series--;
     for (int k = column; k < sim->n_series; k++) {
@@ -186,6 +189,7 @@ void plane_write_row(Plane *plane, double *row, bool whole)
 
 void plane_row(Simulation *sim, double *row)
 {
+    ASSERT_INT(sim->stage, ==, 0);
     Plane *plane = plane_of(sim);
     if (plane_row_needs_grid(plane))
         plane_map_and_hold(plane, NULL); /* the grid is scratch between steps; all particles lie on it */

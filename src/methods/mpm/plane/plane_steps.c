@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Stages and whole steps of a beam as the driver asks for them (method.h). Whole steps go in batches
  * (batch.h). */
+#include "base/assertion.h"
 #include "methods/mpm/plane/plane_state.h"
 
 #include <math.h>
@@ -25,6 +26,9 @@ static bool check_energy(Plane *plane, Status *status)
 /* One stage on its items [first, end), for whoever looks at a step from inside (method.h). */
 bool plane_stage(Simulation *sim, int stage, size_t first, size_t end, Status *status)
 {
+    ASSERT_INDEX(stage, sim->n_stages);
+    ASSERT_INT(first, <=, end);
+    ASSERT_INT(end, <=, sim->stage_items);
     Plane *plane = plane_of(sim);
     const PlaneSchedule *schedule = plane_schedule(plane->head);
     /* what a step that can be looked at has not written yet is 0, so that its snapshots are the same bytes
@@ -77,6 +81,8 @@ static bool whole_steps(Simulation *sim, long count, double *rows, Status *statu
 
 bool plane_steps(Simulation *sim, long count, double *rows, long *done, Status *status)
 {
+    ASSERT_INT(count, >=, 0);
+    ASSERT_INT(sim->stage, ==, 0);
     static const Batches batches = {keep, put_back, whole_steps};
     return batch_steps(sim, &batches, count, rows, done, status);
 }

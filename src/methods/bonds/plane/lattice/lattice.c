@@ -16,6 +16,7 @@
  * sum below it is what the family of node i stores. */
 #include "methods/bonds/plane/lattice/lattice.h"
 
+#include "base/assertion.h"
 #include "methods/bonds/plane/bonds_mistakes.h"
 
 #include "base/math/functions.h"
@@ -178,6 +179,8 @@ static bool number_bonds(Lattice *lattice, const BeamDef *def, Status *status)
  * Madenci and Oterkus do it. */
 double lattice_coefficient(const Lattice *lattice, BondPlace bond)
 {
+    ASSERT(lattice_has(lattice, bond.i, bond.j));
+    ASSERT_INDEX(bond.offset, lattice->n_offsets);
     const Offset *offset = &lattice->offsets[bond.offset];
     size_t a = (size_t)bond.j * (size_t)lattice->nx + (size_t)bond.i;
     size_t b = (size_t)(bond.j + offset->q) * (size_t)lattice->nx + (size_t)(bond.i + offset->p);
@@ -199,6 +202,7 @@ double lattice_coefficient(const Lattice *lattice, BondPlace bond)
  * by columns: neighbours in memory are what a vector takes at once. */
 BondPlace lattice_slot_place(const Lattice *lattice, size_t slot)
 {
+    ASSERT_INDEX(slot, lattice_slots(lattice));
     size_t n_offsets = (size_t)lattice->n_offsets, row = n_offsets * lattice->columns, within = slot % row;
     size_t tile = within / n_offsets / lattice->tile_columns;
     size_t from = lattice_tile(lattice, tile), count = lattice_tile(lattice, tile + 1) - from;
@@ -229,6 +233,7 @@ BondPlace lattice_next_bond(const Lattice *lattice, BondPlace bond)
 /* The bond of a number, by bisection over the nodes' first bonds: what a table's row shows. */
 BondPlace lattice_bond_place(const Lattice *lattice, size_t number)
 {
+    ASSERT_INDEX(number, lattice_bonds(lattice));
     /* the last node whose first bond is not beyond the number; nodes that own nothing are skipped */
     size_t low = 0, high = lattice_nodes(lattice);
     while (high - low > 1) {

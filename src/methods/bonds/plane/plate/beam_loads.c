@@ -12,6 +12,7 @@
  *
  * times the thickness, one half of it in each half of the step, when f^n and f^{n+1} are at hand. Each row
  * notes its own work, and the rows are added in their order: the number of threads leaves no trace. */
+#include "base/assertion.h"
 #include "methods/bonds/plane/bonds_internal.h"
 
 #include <math.h>
@@ -51,6 +52,7 @@ void beam_load_force(const Beam *beam, const Load *load, double time, double for
 
 void beam_add_loads(Beam *beam, int j, double time)
 {
+    ASSERT_INDEX(j, beam->lattice.ny);
     for (const Load *load = beam->loads; load < beam->loads + beam->n_loads; load++) {
         double force[2];
         if (!patch_has_row(&load->patch, j))
@@ -85,6 +87,7 @@ static double moved_power(const Beam *beam, int j)
 
 void beam_note_work(Beam *beam, int j, long step)
 {
+    ASSERT_INDEX(j, beam->lattice.ny);
     const double dt = beam->sim.dt;
     double power = 0;
     for (const Load *load = beam->loads; load < beam->loads + beam->n_loads; load++) {
@@ -104,12 +107,14 @@ void beam_note_work(Beam *beam, int j, long step)
 
 void beam_note_reaction(Beam *beam, int j)
 {
+    ASSERT_INDEX(j, beam->lattice.ny);
     beam->row_work[2 * j + 1] =
         -moved_power(beam, j) / 2 * beam_volume(beam) * beam->def.thickness * beam->sim.dt;
 }
 
 void beam_add_work(Beam *beam, int half)
 {
+    ASSERT_INDEX(half, 2);
     for (int j = 0; j < beam->lattice.ny; j++) {
         beam->head->work += beam->row_work[2 * j + half];
         beam->row_work[2 * j + half] = 0;

@@ -2,6 +2,7 @@
 /* Places in metres to rectangles of nodes (patches.h). */
 #include "methods/bonds/plane/plate/patches.h"
 
+#include "base/assertion.h"
 #include <math.h>
 
 /* The nodes from .. end - 1 of `count` whose places first + k dx lie in [low, high], or inside it. */
@@ -53,6 +54,7 @@ bool patches_meet(const Patch *a, const Patch *b)
  * its whole time, and its work at the middle of steps agrees with its kicks at their ends. */
 double load_share(const Load *load, double time, double dt)
 {
+    ASSERT_REAL(dt, >, 0);
     const double beyond = isfinite(load->until) ? time / dt - round(load->until / dt) : -1;
     const double share = load->ramp > 0 ? fmin(1, time / load->ramp) : 1;
     return beyond > 0.25 ? 0 : beyond > -0.25 ? share / 2 : share;

@@ -9,6 +9,7 @@
  * Inner cells, nearly all of a mesh, have the closed forms of shape_inner.h. Lengths in cells. */
 #include "methods/mpm/line/kernels/shape.h"
 
+#include "base/assertion.h"
 /* Knot k of an open knot vector on cell edges 0, 1, ..., n_cells: the ends are repeated degree + 1 times. */
 static double knot(int degree, int n_cells, int k)
 {
@@ -57,6 +58,8 @@ void shape_open_spline(int degree, int n_cells, int cell, double s, double *n, d
 
 double shape_node_offset(MpmShape shape, int n_cells, int cell, int a)
 {
+    ASSERT_INDEX(cell, n_cells);
+    ASSERT_INDEX(a, SHAPE_SUPPORT_MAX);
     if (shape == MPM_HAT)
         return a;
     if (shape == MPM_GIMP || shape == MPM_CPDI)
