@@ -7,6 +7,7 @@
 #include "panes/stage_flow.h"
 #include "picture/cells/cells.h"
 #include "picture/sum_column.h"
+#include "views/inspector/inspector.h"
 #include "views/views.h"
 
 #include "base/math/functions.h"
@@ -19,14 +20,12 @@
 enum { LINKS_MAX = 64, SHOWN_MAX = 8, TERMS_WIDTH = 10 };
 
 /* Heights in the drawing: the bars of a node stand on the line of the grid, its numbers beside them. */
-#define ROWS        12.0
-#define NUMBER_ROW  11.4
-#define VECTOR_ROW  9.2
-#define BARS_HEIGHT 2.4
-#define GRID_ROW    8.5
-#define UPPER_END   7.5 /* of arrows between nodes and particles */
-#define LOWER_END   2.6
-#define DOTS_ROW    1.6
+#define ROWS       12.0
+#define NUMBER_ROW 11.4
+#define VECTOR_ROW 9.2
+#define UPPER_END  7.5 /* of arrows between nodes and particles */
+#define LOWER_END  2.6
+#define DOTS_ROW   1.6
 
 /* --- what is there --------------------------------------------------------------------------------- */
 
@@ -55,8 +54,11 @@ typedef struct Near {
     Flowing flows[FLOWS_MAX];
     int n_flows;
     bool to_nodes;
+    bool masses; /* where the mass of the chosen node sits, not what the stage passes */
+    bool has_row;
+    MassRow row; /* of the mass matrix */
     double low, high, spacing;
-    double *masses, *momenta, most_mass, most_momentum; /* of all nodes, in one block */
+    double *node_masses, *momenta, most_mass, most_momentum; /* of all nodes, in one block */
 } Near;
 
 static double node_at(const Near *near, size_t node)
@@ -153,9 +155,15 @@ static void find_sides(Near *near)
         near->low = fmin(near->low, own - near->spacing);
         near->high = fmax(near->high, own + near->spacing);
     }
-    const double beside = near->set == 1 ? 0.3 : 0.75;
-    near->low -= beside * near->spacing;
-    near->high += beside * near->spacing;
+    for (size_t k = 0; k < near->row.count; k++)
+        if (near->row.masses[k] != 0) {
+            const double at = node_at(near, near->row.first + k);
+            near->low = fmin(near->low, at);
+            near->high = fmax(near->high, at);
+        }
+    /* numbers of a node stand at its right */
+    near->low -= (near->set == 1 ? 0.2 : 0.7) * near->spacing;
+    near->high += (near->set == 1 ? 0.6 : 0.8) * near->spacing;
 }
 
 /* A field of all nodes as it is, or was before the grid was put back. */
@@ -173,11 +181,31 @@ static double take_nodes(const Near *near, const char *name, double *values)
     return most;
 }
 
+/* The row of the chosen node, or of the one that the chosen particle gives most to; lumped, all is its own.
+ */
+static void take_masses(Near *near)
+{
+    if (near->set == 0) {
+        size_t most = 0;
+        for (size_t i = 1; i < near->n_links; i++)
+            most = near->links[i].weight > near->links[most].weight ? i : most;
+        if (near->n_links == 0)
+            return;
+        near->set = 1;
+        near->index = near->links[most].index;
+        near->n_links = near->sim->method->links(near->sim, 1, near->index, near->links, LINKS_MAX);
+    }
+    const double own = simulation_value(near->sim, simulation_find_field(near->sim, 1, "mass"), near->index);
+    near->has_row = near->done && !near->wiped && own > 0;
+    if (near->has_row && !inspector_mass_row(near->sim, 1, near->index, &near->row))
+        near->row = (MassRow){near->index, 1, {own}};
+}
+
 /* False: no memory. */
-static bool look_near(Near *near, const Screen *screen)
+static bool look_near(Near *near, const Screen *screen, bool masses)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
-    *near = (Near){.screen = screen, .sim = sim, .set = screen->chosen.is_node};
+    *near = (Near){.screen = screen, .sim = sim, .set = screen->chosen.is_node, .masses = masses};
     const size_t chosen = near->set ? screen->chosen.node : screen->chosen.particle,
                  count = sim->counts[near->set];
     near->index = chosen < count ? chosen : count - 1;
@@ -186,16 +214,32 @@ static bool look_near(Near *near, const Screen *screen)
     near->done &= !near->running;
     near->wiped = near->done && experiment_stage(screen->experiment) == 0;
     near->n_links = sim->method->links(sim, near->set, near->index, near->links, LINKS_MAX);
-    take_flows(near);
+    if (masses)
+        take_masses(near);
+    else
+        take_flows(near);
+    if (near->set == 1 && near->n_flows == 0 && !masses && near->done && !near->wiped)
+        near->has_row = inspector_mass_row(sim, 1, near->index, &near->row);
     order_links(near);
     find_sides(near);
-    near->masses = calloc(2 * sim->counts[1] + 1, sizeof *near->masses);
-    if (!near->masses)
+    near->node_masses = calloc(2 * sim->counts[1] + 1, sizeof *near->node_masses);
+    if (!near->node_masses)
         return false;
-    near->momenta = near->masses + sim->counts[1];
-    near->most_mass = take_nodes(near, "mass", near->masses);
+    near->momenta = near->node_masses + sim->counts[1];
+    near->most_mass = take_nodes(near, "mass", near->node_masses);
     near->most_momentum = take_nodes(near, "momentum", near->momenta);
     return true;
+}
+
+/* The line of the grid, and how high a bar on it can be: higher where nothing passes below. */
+static double grid_row(const Near *near)
+{
+    return near->masses ? 4.4 : 8.5;
+}
+
+static double bars_height(const Near *near)
+{
+    return near->masses ? 6.2 : 2.4;
 }
 
 /* --- numbers --------------------------------------------------------------------------------------- */
@@ -249,6 +293,24 @@ static const struct {
     const char *field, *label;
 } node_values[] = {{"mass", "m"}, {"momentum", "p"}, {"f", "f"}};
 
+static bool is_in_row(const Near *near, size_t node)
+{
+    return near->has_row && node >= near->row.first && node < near->row.first + near->row.count;
+}
+
+static double sum_of_row(const Near *near)
+{
+    double sum = 0;
+    for (size_t k = 0; k < near->row.count; k++)
+        sum += near->row.masses[k];
+    return sum;
+}
+
+static Writing writing_of_row(const Near *near)
+{
+    return writing_of(near->row.masses, near->row.count, 0, sum_of_row(near), TERMS_WIDTH);
+}
+
 /* The last factor of an exchange: what the giver has. */
 static const char *last_word(const char *words)
 {
@@ -260,6 +322,16 @@ static const char *last_word(const char *words)
 static void node_numbers(const Near *near, size_t node, char *out, size_t size)
 {
     const bool made = near->n_flows > 0; /* anew, by terms that are seen */
+    const bool in_row = is_in_row(near, node);
+    if (in_row) {
+        char number[NUMBER_TEXT_MAX];
+        write_term(near->row.masses[node - near->row.first], writing_of_row(near), number);
+        text_append(out, size, "\nM %s", number);
+    }
+    if (in_row && !near->masses)
+        add_value(near, 1, node, "velocity", "v", false, out, size);
+    if (near->masses || (in_row && node != near->index))
+        return;
     for (size_t k = 0; k < sizeof node_values / sizeof *node_values; k++)
         if (writes(near, node_values[k].field))
             add_value(near, 1, node, node_values[k].field, node_values[k].label, !made, out, size);
@@ -280,7 +352,15 @@ static void node_numbers(const Near *near, size_t node, char *out, size_t size)
 
 static Style style_of_masses(const Near *near)
 {
-    return writes(near, "mass") ? STYLE_SECOND : STYLE_FAINT;
+    return writes(near, "mass") || near->has_row ? STYLE_SECOND : STYLE_FAINT;
+}
+
+/* What the bar of a node stands for: its mass or, of a row, what it shares with the chosen one. */
+static double mass_beside(const Near *near, size_t node)
+{
+    if (is_in_row(near, node))
+        return near->row.masses[node - near->row.first];
+    return near->masses ? 0 : near->node_masses[node];
 }
 
 static Style style_of_momenta(const Near *near)
@@ -289,16 +369,16 @@ static Style style_of_momenta(const Near *near)
 }
 
 /* A bar of so much of its band, beside the node. */
-static void add_bar(Picture *picture, double x, double width, double share, Style style, char letter,
-                    int fill)
+static void add_bar(const Near *near, Picture *picture, double x, double width, double share, Style style,
+                    char letter, int fill)
 {
     if (!(share > 1e-6))
         return;
     plot_begin(&picture->plot, STROKE_BAND, LINE_SOLID, style, RANK_BAND, letter);
     picture->plot.strokes[picture->plot.n_strokes - 1].fill = fill;
     for (int side = 0; side <= 1; side++) {
-        plot_point(&picture->plot, x + side * width, GRID_ROW);
-        plot_point(&picture->plot, x + side * width, GRID_ROW + share * BARS_HEIGHT);
+        plot_point(&picture->plot, x + side * width, grid_row(near));
+        plot_point(&picture->plot, x + side * width, grid_row(near) + share * bars_height(near));
     }
 }
 
@@ -344,7 +424,7 @@ static void add_support(const Near *near, Picture *picture, size_t node)
     picture->plot.strokes[picture->plot.n_strokes - 1].fill = 1;
     for (int end = 0; end <= 1; end++) {
         plot_point(&picture->plot, x + (side + 0.06 * end) * near->spacing, 0.5);
-        plot_point(&picture->plot, x + (side + 0.06 * end) * near->spacing, GRID_ROW);
+        plot_point(&picture->plot, x + (side + 0.06 * end) * near->spacing, grid_row(near));
     }
 }
 
@@ -361,16 +441,18 @@ static void add_node(const Near *near, Picture *picture, size_t node, double mos
                                             : STYLE_FAINT,
                           .thing = "node",
                           .says_thing = true};
-    add_line(picture, x, GRID_ROW - 0.4, x, GRID_ROW + 0.4, there ? STYLE_NORMAL : STYLE_FAINT, '|');
+    add_line(picture, x, grid_row(near) - 0.4, x, grid_row(near) + 0.4, there ? STYLE_NORMAL : STYLE_FAINT,
+             '|');
     add_support(near, picture, node);
-    add_bar(picture, x - 0.05 * near->spacing, 0.04 * near->spacing,
-            near->most_mass > 0 ? near->masses[node] / near->most_mass : 0, style_of_masses(near), 'm', 0);
-    add_bar(picture, x + 0.01 * near->spacing, 0.04 * near->spacing,
-            near->most_momentum > 0 ? fabs(near->momenta[node]) / near->most_momentum : 0,
+    add_bar(near, picture, x - 0.05 * near->spacing, 0.04 * near->spacing,
+            near->most_mass > 0 ? mass_beside(near, node) / near->most_mass : 0, style_of_masses(near), 'm',
+            0);
+    add_bar(near, picture, x + 0.01 * near->spacing, 0.04 * near->spacing,
+            near->most_momentum > 0 && !near->masses ? fabs(near->momenta[node]) / near->most_momentum : 0,
             style_of_momenta(near), 'p', 1);
     add_vector(near, picture, node, most);
     picture_add_mark(picture, (PictureMark){.x = x,
-                                            .y = GRID_ROW,
+                                            .y = grid_row(near),
                                             .glyph = own      ? 0x25a0
                                                      : linked ? 0x25cf
                                                               : 0x253c,
@@ -445,6 +527,50 @@ static void add_arrow(const Near *near, Picture *picture, size_t link)
     picture_arrow(picture, &arrow);
 }
 
+/* M v = p at the chosen node: what each node of the row brings in. */
+static void add_row(const Near *near, Picture *picture)
+{
+    const int velocity = simulation_find_field(near->sim, 1, "velocity");
+    double terms[2 * MASSES_BESIDE_MAX + 1], sum = 0;
+    for (size_t k = 0; k < near->row.count; k++)
+        sum += terms[k] = near->row.masses[k] * simulation_value(near->sim, velocity, near->row.first + k);
+    const Writing writing = writing_of(terms, near->row.count, 0, sum, TERMS_WIDTH);
+    for (size_t k = 0; k < near->row.count; k++) {
+        const size_t node = near->row.first + k;
+        const double x = node_at(near, node), own = node_at(near, near->index);
+        const double apart = node > near->index ? (double)(node - near->index) : (double)(near->index - node);
+        const double y = UPPER_END - 1.2 * apart, aside = node < near->index ? -0.06 : 0.06;
+        PictureArrow arrow = {
+            .style = STYLE_CHANGED,
+            .from = {x, apart > 0 ? y : LOWER_END},
+            .to = {apart > 0 ? own + aside * near->spacing : own, apart > 0 ? y : UPPER_END},
+            .place = apart > 0 ? 0.4 : 0.5};
+        write_term(terms[k], writing, arrow.brief[0]);
+        snprintf(arrow.text[0], sizeof arrow.text[0], "M v %.20s", arrow.brief[0]);
+        snprintf(arrow.told, sizeof arrow.told, "node %zu brings M v = %.20s into node %zu", node,
+                 arrow.brief[0], near->index);
+        picture_arrow(picture, &arrow);
+    }
+}
+
+/* "0.1875 + 0.625 + 0.1875 = 1" */
+static void tell_row(const Near *near, Picture *picture)
+{
+    PictureLabel label = {.x = node_at(near, near->index), .y = 3.2, .style = STYLE_CHANGED};
+    char number[NUMBER_TEXT_MAX], line[sizeof label.text - 24] = "";
+    const Writing writing = writing_of_row(near);
+    for (size_t k = 0; k < near->row.count; k++) {
+        write_term(near->row.masses[k], writing, number);
+        text_append(line, sizeof line, "%s%s", k ? " + " : "", number);
+    }
+    text_fitted(sum_of_row(near), 5, 10, number);
+    if (near->row.count == 1)
+        snprintf(label.text, sizeof label.text, "lumped: all of %s\nis the node's own", number);
+    else
+        snprintf(label.text, sizeof label.text, "%s = %s", line, number);
+    picture_label(picture, &label);
+}
+
 /* The weaker ones as one number. */
 static void tell_rest(const Near *near, Picture *picture)
 {
@@ -471,7 +597,10 @@ static void name_of(const Near *near, char out[PICTURE_TEXT_MAX])
 {
     const Simulation *sim = near->sim;
     snprintf(out, PICTURE_TEXT_MAX, "%s %zu", sim->sets[near->set].name, near->index);
-    if (!near->running)
+    if (near->masses)
+        text_append(out, PICTURE_TEXT_MAX,
+                    near->has_row ? ", its row of the mass matrix M" : ": masses are mapped in stage 1");
+    else if (!near->running)
         text_append(out, PICTURE_TEXT_MAX, ", %sstage %d: %s", near->done ? "" : "next ", near->stage + 1,
                     sim->stages[near->stage].name);
 }
@@ -526,7 +655,7 @@ static void describe_near(const Near *near, Picture *picture)
     picture_axes(picture, axis_make(near->low, near->high), "x", "", axis_make(0, ROWS), name, "");
     for (size_t i = 0; i < sim->counts[1] && vector >= 0; i++)
         most = fmax(most, fabs(simulation_value(sim, vector, i)));
-    add_line(picture, near->low, GRID_ROW, near->high, GRID_ROW, STYLE_FRAME, '-');
+    add_line(picture, near->low, grid_row(near), near->high, grid_row(near), STYLE_FRAME, '-');
     /* the chosen one first: where there is little room it is named */
     (near->set ? add_node(near, picture, near->index, most) : add_particle(near, picture, near->index));
     for (int linked = 1; linked >= 0; linked--) {
@@ -542,24 +671,29 @@ static void describe_near(const Near *near, Picture *picture)
     for (size_t i = 0; i < near->shown && near->n_flows > 0; i++)
         add_arrow(near, picture, near->order[i]);
     tell_rest(near, picture);
+    if (near->has_row && near->masses)
+        tell_row(near, picture);
+    else if (near->has_row)
+        add_row(near, picture);
     picture_key(picture, (PictureKey){LINE_SOLID, 'm', style_of_masses(near), "mass", SIGN_BAND, 0});
-    picture_key(picture, (PictureKey){LINE_SOLID, 'p', style_of_momenta(near), "|momentum|", SIGN_BAND, 1});
-    if (!near->running)
+    if (!near->masses)
+        picture_key(picture,
+                    (PictureKey){LINE_SOLID, 'p', style_of_momenta(near), "|momentum|", SIGN_BAND, 1});
+    if (!near->running && !near->masses)
         add_sums(near, picture);
 }
 
 static void describe(const Screen *screen, int variant, Picture *picture)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
-    (void)variant;
     Near near;
     if (!simulation_has(sim, HAS_MESH | HAS_LINE) || sim->counts[0] < 1 || sim->counts[1] < 2) {
         picture_say(picture, "one cell", "One cell is drawn of a bar with a mesh.");
         return;
     }
-    if (look_near(&near, screen))
+    if (look_near(&near, screen, variant == 1))
         describe_near(&near, picture);
-    free(near.masses);
+    free(near.node_masses);
 }
 
 /* The thing that is drawn nearest becomes the chosen one. */
@@ -569,7 +703,7 @@ static bool click(Screen *screen, Rect rect, int x, int y)
     if (x < rect.x || x >= rect.x + rect.width || y < rect.y || y >= rect.y + rect.height)
         return false;
     cells_open(&picture, rect.width, screen->look.glyphs);
-    describe(screen, 0, &picture);
+    describe(screen, view_variant(&view_cell, screen), &picture);
     const PictureMark *target = cells_target(&picture, rect, x, y);
     if (target) {
         *(target->set ? &screen->chosen.node : &screen->chosen.particle) = target->index;
@@ -579,12 +713,25 @@ static bool click(Screen *screen, Rect rect, int x, int y)
     return target != NULL;
 }
 
+static int variants_of(const Screen *screen)
+{
+    return simulation_has(experiment_simulation(screen->experiment), HAS_MESH | HAS_LINE) ? 2 : 1;
+}
+
+static const char *word_of(const Screen *screen, int variant)
+{
+    (void)screen;
+    return variant == 1 ? "masses" : "terms";
+}
+
 const View view_cell = {
     .word = "cell",
     .brief = "cell",
-    .help = "one cell from near: what its particles and nodes give each other in a stage",
+    .help = "one cell from near: what its particles and nodes give each other in a stage; again: masses",
     .home = PANE_UPPER,
     .describe = describe,
+    .variants = variants_of,
+    .variant_word = word_of,
     .duel = DUEL_APART,
     .of_moment = true,
     .on_paper = true,

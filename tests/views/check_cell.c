@@ -172,6 +172,53 @@ START_TEST(wiped_grid_is_faint)
 }
 END_TEST
 
+static double sum_of_arrows(const Picture *picture)
+{
+    double sum = 0;
+    for (int i = 0; i < picture->n_arrows; i++)
+        if (passes(&picture->arrows[i]))
+            sum += strtod(picture->arrows[i].brief[0], NULL);
+    return sum;
+}
+
+/* Where masses are shared, M v = p at the node, as it is printed; its row adds up to what lumping gives it.
+ */
+START_TEST(row_of_masses_adds_up)
+{
+    static const char *const shapes[] = {"hat", "gimp", "bspline2", "bspline3"};
+    for (size_t k = 0; k < sizeof shapes / sizeof *shapes; k++)
+        for (int masses = 0; masses <= 1; masses++) {
+            char words[128];
+            snprintf(words, sizeof words,
+                     "mode5 80x24 700 stage 2 node mpm.mass_blend=0.5 mpm.shape=%s variant %d", shapes[k],
+                     masses);
+            Drawing drawing;
+            open_drawing(&drawing, words);
+            const size_t node = drawing.screen->chosen.node;
+            const Picture *picture = &drawing.picture;
+            const double momentum =
+                simulation_value(drawing.sim, simulation_find_field(drawing.sim, 1, "momentum"), node);
+            const double mass =
+                simulation_value(drawing.sim, simulation_find_field(drawing.sim, 1, "mass"), node);
+            double sum = 0;
+            for (int i = 0; i < picture->n_labels; i++) {
+                const char *share = strstr(picture->labels[i].text, "\nM ");
+                sum += share ? strtod(share + 3, NULL) : 0;
+            }
+            ck_assert_msg(fabs(sum - mass) < 5e-5, "%s: %g is not %g", words, sum, mass); /* five digits */
+            if (!masses)
+                ck_assert_msg(fabs(sum_of_arrows(picture) - momentum) < 1e-4 * fabs(momentum), "%s", words);
+            else
+                ck_assert_int_eq(count_passing(picture), 0);
+            close_drawing(&drawing);
+        }
+    Drawing drawing;
+    open_drawing(&drawing, "mode5 80x24 700 stage 1 node variant 1");
+    ck_assert_ptr_nonnull(strstr(label_of(&drawing.picture, "node", drawing.screen->chosen.node), "\nM "));
+    close_drawing(&drawing);
+}
+END_TEST
+
 /* Every term stands on the screen at 60x18, in any letters, and in words. */
 START_TEST(screen_and_words_have_the_terms)
 {
@@ -251,6 +298,7 @@ void add_cases(Suite *suite)
     tcase_add_test(cases, terms_add_up_at_the_node);
     tcase_add_test(cases, arrows_point_where_it_flows);
     tcase_add_test(cases, wiped_grid_is_faint);
+    tcase_add_test(cases, row_of_masses_adds_up);
     tcase_add_test(cases, screen_and_words_have_the_terms);
     tcase_add_test(cases, paper_has_the_terms);
     tcase_add_test(cases, mouse_chooses_what_is_drawn);

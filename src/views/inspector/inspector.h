@@ -25,7 +25,16 @@ bool inspector_move(Screen *, int x, int y, int page);
  * the particles. */
 void inspector_choose_across(Screen *, bool node);
 
-/* A node's row of the mass matrix, node by node with their sum, which is the node's mass: the rows that it
+/* A node's row of the mass matrix: what it shares with the nodes beside it. False: masses are lumped, or not
+ * mapped yet. */
+enum { MASSES_BESIDE_MAX = 3 };
+typedef struct MassRow {
+    size_t first, count; /* the nodes of the row */
+    double masses[2 * MASSES_BESIDE_MAX + 1];
+} MassRow;
+bool inspector_mass_row(const Simulation *, int set, size_t node, MassRow *);
+
+/* The row, node by node with their sum, which is the node's mass: the rows that it
  * takes, 0 where masses are lumped or not mapped yet, and the drawing, from row y on. */
 int inspector_mass_rows(const Simulation *, int set, size_t node);
 void inspector_draw_masses(const Simulation *, int set, size_t node, Area, int y);

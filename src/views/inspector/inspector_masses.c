@@ -5,19 +5,14 @@
 
 #include <stdio.h>
 
-enum { BESIDE_MAX = 3, LABEL_WIDTH = 9, COLUMN_MAX = 12, COLUMN_LEAST = 7 };
-
-typedef struct MassRow {
-    size_t first, count; /* the nodes of the row */
-    double masses[2 * BESIDE_MAX + 1];
-} MassRow;
+enum { LABEL_WIDTH = 9, COLUMN_MAX = 12, COLUMN_LEAST = 7 };
 
 /* M is symmetric: M(i, i - d) is told with node i - d. False: there is no such matrix, or not yet. */
-static bool row_of(const Simulation *sim, int set, size_t node, MassRow *row)
+bool inspector_mass_row(const Simulation *sim, int set, size_t node, MassRow *row)
 {
-    static const char *const names[BESIDE_MAX + 1] = {"mass_0", "mass_1", "mass_2", "mass_3"};
+    static const char *const names[MASSES_BESIDE_MAX + 1] = {"mass_0", "mass_1", "mass_2", "mass_3"};
     size_t reach = 0;
-    while (reach < BESIDE_MAX && simulation_find_field(sim, set, names[reach + 1]) >= 0)
+    while (reach < MASSES_BESIDE_MAX && simulation_find_field(sim, set, names[reach + 1]) >= 0)
         reach++;
     const int own = simulation_find_field(sim, set, names[0]);
     if (own < 0 || !(simulation_value(sim, own, node) > 0))
@@ -35,13 +30,13 @@ static bool row_of(const Simulation *sim, int set, size_t node, MassRow *row)
 int inspector_mass_rows(const Simulation *sim, int set, size_t node)
 {
     MassRow row;
-    return row_of(sim, set, node, &row) ? 2 : 0;
+    return inspector_mass_row(sim, set, node, &row) ? 2 : 0;
 }
 
 void inspector_draw_masses(const Simulation *sim, int set, size_t node, Area area, int y)
 {
     MassRow row;
-    if (!row_of(sim, set, node, &row))
+    if (!inspector_mass_row(sim, set, node, &row))
         return;
     const int room = (area.rect.width - LABEL_WIDTH) / (int)(row.count + 1);
     const int width = room > COLUMN_MAX ? COLUMN_MAX : room;
