@@ -100,6 +100,7 @@ static int open_laboratory(bool for_lesson, int count, char **arguments, Status 
             .paused = options.paused || for_lesson,
             .glyphs = options.glyphs,
             .theme = options.theme,
+            .sheet = options.screen_sheet,
             .no_mouse = options.no_mouse,
             .history = options.history,
             .threads = options.threads > 0 ? (int)options.threads : threads_default(!options.script),

@@ -152,6 +152,38 @@ void summary_of(Experiment *experiment, RunSummary *summary)
         summary_crack(summary, experiment_simulation(experiment), experiment_settings(experiment));
 }
 
+/* The rows up to the step on screen: behind it there are those that one has stepped back from. */
+static size_t rows_so_far(const Record *record, long step)
+{
+    size_t count = record->count;
+    while (count > 0 && record_row(record, count - 1)[0] > (double)step)
+        count--;
+    return count;
+}
+
+void summary_now(Experiment *experiment, SummaryPart part, RunSummary *summary)
+{
+    const Simulation *sim = experiment_simulation(experiment);
+    const Record *record = experiment_record(experiment);
+    double invariant[2] = {NAN, NAN};
+    int n;
+    const Column *columns = experiment_columns(experiment, &n);
+    *summary = (RunSummary){.readout = *experiment_readout(experiment), .steps = sim->step};
+    if (part == SUMMARY_ENERGY && sim->stage == 0) {
+        if (!experiment_invariant(experiment, &invariant[1], &invariant[0]))
+            invariant[0] = NAN;
+        take_energy(summary, sim, columns, n, record->rows, rows_so_far(record, sim->step), invariant);
+    } else if (part == SUMMARY_FINDINGS) {
+        summary->n_findings = references_findings(experiment_references(experiment), sim, summary->findings);
+    } else if (part == SUMMARY_CRACK) {
+        const CrackFronts *fronts = experiment_fronts(experiment);
+        summary->crack_known = crack_facts(sim, &summary->crack);
+        summary->fronts_known = fronts != NULL;
+        if (fronts)
+            crack_fronts_facts(fronts, &summary->fronts);
+    }
+}
+
 typedef struct Writer {
     char *out;
     size_t used;

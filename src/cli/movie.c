@@ -152,6 +152,7 @@ int cli_movie(int count, char **arguments, Status *status)
         .script = source == SOURCE_SCRIPT ? word : options.script,
         .paused = options.paused,
         .glyphs = options.glyphs ? options.glyphs : "braille",
+        .sheet = options.screen_sheet,
         .theme = options.theme,
         .threads = progress_threads(options.threads),
         .width = options.size[0],

@@ -133,6 +133,8 @@ const Option options_table[] = {
     {"--glyphs", "G", " open lesson movie ", "characters of the plots: auto, braille, block, ascii",
      AT(glyphs), ONE_OF(glyph_sets)},
     {"--theme", "T", " open lesson movie ", "background: auto, light, dark", AT(theme), ONE_OF(themes)},
+    {"--sheet", "S", " open lesson movie ", "how much there is on the screen: plain or full (as it was left)",
+     AT(screen_sheet), .kind = OPTION_WORD, .words = parameter_sheet_words},
     {"--no-mouse", NULL, " open lesson ", "leaves the mouse to the terminal", OPTION_FLAG, AT(no_mouse)},
     {"--history", "SIZE", " open lesson ", "memory for stepping back (256M)", OPTION_BYTES, AT(history)},
     {"--record", "FILE", " open lesson ",

@@ -85,7 +85,7 @@ typedef struct Options {
 
     bool paused, no_mouse, last, fast, plain;
     const char *record, *replay;
-    const char *glyphs, *theme, *script;
+    const char *glyphs, *theme, *script, *screen_sheet;
     size_t history;
     int size[2];
 } Options;

@@ -49,6 +49,7 @@ typedef enum LineArgument {
     ARGUMENT_TELL,   /* a view or a part of the screen */
     ARGUMENT_FIGURE, /* a view if one likes, then a file */
     ARGUMENT_REFERENCES,
+    ARGUMENT_SHEET,
     ARGUMENT_LESSON,
     ARGUMENT_STOP,
     ARGUMENT_FIELD /* of one thing */

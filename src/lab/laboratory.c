@@ -27,6 +27,8 @@ bool laboratory_open(Laboratory *lab, const LaboratoryOptions *options, const Ho
         return status_fail(status, STATUS_FAILED, "out of memory");
     }
     screen_default(&lab->screen);
+    if (options->sheet && strcmp(options->sheet, parameter_sheet_words[SHEET_PLAIN]) == 0)
+        lab->screen.panes.sheet = SHEET_PLAIN;
     Settings settings = *options->settings;
     opening_show_progress(lab, &settings);
     lab->screen.experiment = opening_experiment(lab, &settings, status);
@@ -67,8 +69,8 @@ bool laboratory_draw(Laboratory *lab, Canvas *canvas, int width, int height)
 {
     player_drop_part(&lab->player);
     /* a screen without room for all panes begins with the plot; Tab reaches the others */
-    const bool was_whole = lab->width == 0 || screen_is_whole(lab->width, lab->height);
-    const bool is_whole = screen_is_whole(width, height);
+    const bool was_whole = lab->width == 0 || screen_is_whole(&lab->screen, lab->width, lab->height);
+    const bool is_whole = screen_is_whole(&lab->screen, width, height);
     if (was_whole && !is_whole && lab->screen.panes.focus == PANE_PARAMETERS && !lab->screen.lesson.open &&
         !lab->screen.parameters.edit.open && !lab->screen.prompt.open) {
         lab->screen.panes.focus = PANE_LOWER;

@@ -2,6 +2,7 @@
 /* Opening the laboratory and other scenarios in it: what a run is begun with, and at which pace. */
 #include "lab/opening.h"
 #include "lab/laboratory.h"
+#include "panes/screen_runs.h"
 #include "scenario/settings.h"
 #include "lab/commands/commands.h"
 #include "lab/second_run.h"
@@ -25,17 +26,6 @@ static void read_view(Laboratory *lab)
         lab->player.pace_automatic = false;
     }
     screen_read_view(screen, view);
-}
-
-/* The first row that can be edited. */
-static int first_parameter(const Screen *screen)
-{
-    ParameterRow rows[PARAMETER_ROWS_MAX];
-    int count = screen_parameter_rows(screen, rows);
-    for (int i = 0; i < count; i++)
-        if (rows[i].parameter)
-            return i;
-    return 0;
 }
 
 static size_t history_size(const Laboratory *lab)
@@ -75,7 +65,9 @@ void opening_begin(Laboratory *lab)
     screen->convergence = &lab->refining.convergence;
     duel_open(&lab->player.duel, screen->experiment, history_size(lab), threads_of(lab));
     lab->player.second_ended = false;
-    screen->parameters.selected = first_parameter(screen);
+    screen_select(screen, NULL);
+    if (screen_is_plain(screen))
+        screen->panes.last_plot = view_pane_of_number(screen);
     lab->player.resume = screen->playback.state = STATE_RUNNING;
     player_stop_at(lab, &(Stop){.kind = STOP_NEVER});
     player_loop(lab, &(Stretch){.on = false});

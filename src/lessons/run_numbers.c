@@ -3,6 +3,7 @@
 #include "lessons/run_numbers.h"
 
 #include "problems/problem.h"
+#include "scenario/settings.h"
 
 #include <math.h>
 #include <string.h>
@@ -150,39 +151,78 @@ static double crack_cost_of(const RunSummary *run, const char *word)
     return run->price_known ? run->price.cost.total / run->price.cost.area : NAN;
 }
 
+static double finding(const RunSummary *run, const char *word)
+{
+    for (int i = 0; i < run->n_findings; i++)
+        if (strcmp(run->findings[i].name, word) == 0)
+            return run->findings[i].measured;
+    return NAN;
+}
+
+/* What a scenario can be about: how it is called in large digits, of a negative one the other way round. */
+#define ABOUT(unit_, label_, opposite_)                                                                      \
+    .label = (label_), .opposite = (opposite_), .unit = (unit_), .scale = 1
+#define ABOUT_IN(unit_, scale_, label_) .label = (label_), .unit = (unit_), .scale = (scale_)
+
 const RunNumber run_numbers[] = {
-    {"measured", "frequency of a bar (radians per time), period of a beam (s), as measured", measured, false},
-    {"predicted", "the same by the equations of this very mesh or lattice", predicted, false},
-    {"exact", "the same of the continuum, or by beam theory", exact, false},
-    {"error", "error of the measured frequency, %", error, false},
-    {"period_error", "error of the measured period, %", period_error, false},
-    {"predicted_error", "error of the predicted frequency, %", predicted_error, false},
-    {"late", "periods behind the exact answer at the end", late, false},
-    {"energy_change", "change of the energy from the start to the end, %", energy_change, false},
-    {"end", "the time at the end", last_time, false},
-    {"steps", "steps to the end", steps, false},
-    {"dt", "the time step", derived, true},
-    {"cells", "cells of the mesh", derived, true},
-    {"particles", "particles or lattice points", derived, true},
-    {"cells_per_wave", "cells to a wave length", derived, true},
-    {"wave_speed", "speed of waves", derived, true},
-    {"family", "partners of a lattice point inside the body", derived, true},
-    {"bonds", "bonds of the lattice", derived, true},
-    {"real_height", "height that a beam has on its lattice, m", derived, true},
-    {"critical_energy", "energy that an area of crack should cost, J/m^2", derived, true},
-    {"rayleigh_speed", "speed of Rayleigh's wave, m/s", derived, true},
-    {"crack_start", "time of the first break at the notch, s", crack_start, false},
+    {"measured", "frequency of a bar (radians per time), period of a beam (s), as measured", measured,
+     .label = NULL},
+    {"predicted", "the same by the equations of this very mesh or lattice", predicted, .label = NULL},
+    {"exact", "the same of the continuum, or by beam theory", exact, .label = NULL},
+    {"error", "error of the measured frequency, %", error,
+     ABOUT("%", "frequency too high", "frequency too low"), .judged = true},
+    {"period_error", "error of the measured period, %", period_error,
+     ABOUT("%", "period too long", "period too short"), .judged = true},
+    {"predicted_error", "error of the predicted frequency, %", predicted_error, .label = NULL},
+    {"late", "periods behind the exact answer at the end", late, ABOUT("", "periods late", "periods early"),
+     .judged = true},
+    {"energy_change", "change of the energy from the start to the end, %", energy_change,
+     ABOUT("%", "energy gained", "energy lost"), .part = SUMMARY_ENERGY},
+    {"end", "the time at the end", last_time, .label = NULL},
+    {"steps", "steps to the end", steps, .label = NULL},
+    {"dt", "the time step", derived, .beforehand = true},
+    {"cells", "cells of the mesh", derived, .beforehand = true},
+    {"particles", "particles or lattice points", derived, .beforehand = true},
+    {"cells_per_wave", "cells to a wave length", derived, .beforehand = true},
+    {"wave_speed", "speed of waves", derived, .beforehand = true},
+    {"family", "partners of a lattice point inside the body", derived, .beforehand = true},
+    {"bonds", "bonds of the lattice", derived, .beforehand = true},
+    {"real_height", "height that a beam has on its lattice, m", derived, .beforehand = true},
+    {"critical_energy", "energy that an area of crack should cost, J/m^2", derived, .beforehand = true},
+    {"rayleigh_speed", "speed of Rayleigh's wave, m/s", derived, .beforehand = true},
+    {"crack_start", "time of the first break at the notch, s", crack_start,
+     ABOUT_IN("µs", 1e6, "first break at the notch"), .part = SUMMARY_CRACK, .of_moment = true},
     {"crack_angle",
      "angle of the crack's path against the upright, of a plate's fastest against its cut, degrees",
-     crack_angle_all, false},
-    {"crack_length", "length of the crack's path, m", crack_length, false},
-    {"crack_speed", "largest speed of the crack's tip, m/s", crack_speed, false},
-    {"crack_cost", "energy that an area of crack took, J/m^2", crack_cost_of, false},
-    {"broken_bonds", "bonds that broke, those of notch and cuts apart", broken_bonds, false},
-    {"crack_tips", "tips that the cracks of a plate have", crack_tips, false},
-    {"branch_time", "time at which a plate's crack branched first, s", branch_time, false},
-    {"branch_angle", "half of the angle between its branches, degrees", branch_angle, false},
-    {NULL, NULL, NULL, false},
+     crack_angle_all, ABOUT_IN("degrees", 1, "the crack's path leans"), .part = SUMMARY_CRACK,
+     .of_moment = true},
+    {"crack_length", "length of the crack's path, m", crack_length, ABOUT_IN("mm", 1e3, "of crack so far"),
+     .part = SUMMARY_CRACK, .of_moment = true},
+    {"crack_speed", "largest speed of the crack's tip, m/s", crack_speed,
+     ABOUT_IN("m/s", 1, "the tip's fastest"), .part = SUMMARY_CRACK, .of_moment = true},
+    {"crack_cost", "energy that an area of crack took, J/m^2", crack_cost_of, .label = NULL},
+    {"broken_bonds", "bonds that broke, those of notch and cuts apart", broken_bonds,
+     ABOUT_IN("", 1, "bonds broken"), .part = SUMMARY_CRACK, .of_moment = true},
+    {"crack_tips", "tips that the cracks of a plate have", crack_tips, ABOUT_IN("", 1, "tips of cracks"),
+     .part = SUMMARY_CRACK, .of_moment = true},
+    {"branch_time", "time at which a plate's crack branched first, s", branch_time,
+     ABOUT_IN("µs", 1e6, "when it branched"), .part = SUMMARY_CRACK, .of_moment = true},
+    {"branch_angle", "half of the angle between its branches, degrees", branch_angle, .label = NULL},
+    {"v_error", "distance of a bar's velocities from the exact ones, as a share of these", finding,
+     ABOUT_IN("%", 100, "of v is error"), .part = SUMMARY_FINDINGS, .of_moment = true, .judged = true},
+    {"v_peak", "largest velocity of a pulse, as a share of that at the start", finding,
+     ABOUT_IN("%", 100, "of the peak is left"), .part = SUMMARY_FINDINGS, .of_moment = true},
+    {"reflected", "what a joint sends back, as a share of the pulse that came", finding,
+     ABOUT("", "R, sent back", NULL), .part = SUMMARY_FINDINGS, .of_moment = true},
+    {"transmitted", "what a joint lets on, as a share of the pulse that came", finding,
+     ABOUT("", "T, let on", NULL), .part = SUMMARY_FINDINGS, .of_moment = true},
+    {"u_middle", "deflection at mid-span of a beam under its weight, m", finding,
+     ABOUT_IN("mm", 1e3, "at mid-span"), .part = SUMMARY_FINDINGS},
+    {"u_last", "displacement of a hanging column's last particle", finding,
+     ABOUT("", "the last particle has moved", NULL), .part = SUMMARY_FINDINGS},
+    {"invariant", "what one particle keeps of its motion, as a share of the start", finding,
+     ABOUT_IN("%", 100, "of its energy at the start"), .part = SUMMARY_FINDINGS},
+    {NULL, NULL, NULL, .label = NULL},
 };
 
 const RunNumber *run_number_find(const char *word)
@@ -191,6 +231,18 @@ const RunNumber *run_number_find(const char *word)
         if (strcmp(row->word, word) == 0)
             return row;
     return NULL;
+}
+
+const RunNumber *run_number_about(const Settings *settings)
+{
+    const unsigned concerns = (unsigned)settings->problem->concerns;
+    const RunNumber *named = settings->view.about[0] ? run_number_find(settings->view.about) : NULL;
+    if (named && named->label)
+        return named;
+    return run_number_find(concerns & CONCERN_PLATE   ? "broken_bonds"
+                           : concerns & CONCERN_NOTCH ? "crack_length"
+                           : concerns & CONCERN_BEAM  ? "period_error"
+                                                      : "late");
 }
 
 bool run_numbers_beforehand(const Settings *settings, RunSummary *summary, Status *status)

@@ -15,9 +15,6 @@ enum {
     WIDER = 130,
     PARAMETERS_WIDTH = 25,
     WIDE_PARAMETERS_WIDTH = 28,
-    LESSON_WIDTH = 37,
-    WIDE_LESSON_WIDTH = 46,
-    LECTURE_FIELD_WIDTH = 40,
     SIDE_HEIGHT = 30,
     INSPECTOR_WIDTH = 79,
     TIMELINE_WIDTH = 100,
@@ -26,22 +23,6 @@ enum {
 };
 
 #define TALL_SHARE 0.2 /* height over length */
-
-/* A caption is short; a stage, a summary and a table of runs are not. */
-static bool has_caption(const Screen *screen)
-{
-    return !screen_second_run(screen) && pane_runs_rows(screen) == 0 &&
-           (screen->playback.state == STATE_RUNNING ||
-            (screen->playback.state == STATE_COMPUTING && screen->playback.goes_on));
-}
-
-/* While a run goes on no more than the words need where there is a map: it takes the rest. */
-static int box_rows(const Screen *screen, int height, bool map)
-{
-    if (has_caption(screen))
-        return height < 27 ? 3 : height < 30 ? 4 : height < 40 || map ? 5 : 6;
-    return height < 22 ? 4 : height < 27 ? 5 : height < 30 ? 6 : height < 40 ? 9 : 10;
-}
 
 /* The tables and the energies one below the other, in so many rows; the second table only where all three
  * have room. */
@@ -65,10 +46,10 @@ static void lay_out_full(const Screen *screen, int width, int height, Layout *la
     /* a beam that stands in a plot pane is not drawn twice */
     const bool drawn = simulation_has(experiment_simulation(screen->experiment), HAS_PLANE) &&
                        (screen->views.upper->is_map || screen->views.lower->is_map);
-    const int box = box_rows(screen, height, drawn);
-    const int mesh = drawn ? 0 : height < 28 ? 2 : height < 40 ? 3 : 4;
+    const int box = layout_box_rows(screen, height, drawn);
+    const int mesh = drawn ? 0 : layout_strip_rows(height);
     const int top = 1 + mesh, middle = height - 2 - box - mesh;
-    const int fields = screen->lesson.open ? width < WIDE ? LESSON_WIDTH : WIDE_LESSON_WIDTH
+    const int fields = screen->lesson.open ? layout_lesson_width(width)
                        : width < WIDER     ? PARAMETERS_WIDTH
                                            : WIDE_PARAMETERS_WIDTH;
     /* two runs side by side take what else joins at the right */
@@ -81,7 +62,7 @@ static void lay_out_full(const Screen *screen, int width, int height, Layout *la
     const Settings *settings = experiment_settings(screen->experiment);
     const bool tall = drawn && screen->views.upper->is_map &&
                       settings->geometry.height > TALL_SHARE * settings->geometry.length;
-    const int lower = tall ? middle * 4 / 9 + 1 : (middle + (has_caption(screen) ? 2 : 3)) / 2,
+    const int lower = tall ? middle * 4 / 9 + 1 : (middle + (layout_has_caption(screen) ? 2 : 3)) / 2,
               upper = middle - lower;
     /* on a large screen with a row for what its marks are */
     const bool own = width >= TIMELINE_WIDTH && height >= TIMELINE_HEIGHT;
@@ -117,26 +98,6 @@ static void lay_out_full(const Screen *screen, int width, int height, Layout *la
     }
 }
 
-/* What is far away is read in few and large things: time and state, two plots, the parameter under the
- * arrows; in the middle of a step its stage. */
-static void lay_out_lecture(const Screen *screen, int width, int height, Layout *layout)
-{
-    const bool inside = experiment_stage(screen->experiment) > 0 || screen->playback.state == STATE_FAILED;
-    const int banner = banner_rows(screen, width, height);
-    const int box = !inside ? 0 : height < LECTURE_LARGE_HEIGHT ? 5 : 9;
-    const int top = 1 + banner, middle = height - top - 2 - box, upper = (middle - 1) / 2;
-    layout->kind = LAYOUT_FULL;
-    layout->banner = (Rect){0, 1, width, banner};
-    layout->panes[PANE_UPPER] = (Rect){0, top + 1, width, upper};
-    layout->panes[PANE_LOWER] = (Rect){0, top + 1 + upper, width, middle - 1 - upper};
-    layout->panes[PANE_PARAMETERS] = (Rect){0, top + middle, LECTURE_FIELD_WIDTH, 1};
-    layout->panes[PANE_BOX] = (Rect){0, height - 1 - box, box ? width : 0, box};
-    if (screen->panes.inspecting) {
-        layout->panes[PANE_INSPECTOR] = (Rect){0, top + 1, width, middle - 1};
-        layout->panes[PANE_UPPER] = layout->panes[PANE_LOWER] = (Rect){0};
-    }
-}
-
 Layout layout_make(const Screen *screen, int width, int height)
 {
     Layout layout = {.kind = LAYOUT_TOO_SMALL};
@@ -144,19 +105,21 @@ Layout layout_make(const Screen *screen, int width, int height)
         return layout;
     layout.title = (Rect){0, 0, width, 1};
     layout.keys = (Rect){0, height - 1, width, 1};
-    if (width >= FULL_WIDTH && height >= FULL_HEIGHT && !screen->panes.zoomed) {
-        if (screen->panes.lecture && !screen->lesson.open)
-            lay_out_lecture(screen, width, height, &layout);
-        else
-            lay_out_full(screen, width, height, &layout);
+    if (screen_is_plain(screen) && !screen->panes.zoomed && layout_plain(screen, width, height, &layout))
+        return layout;
+    if (width >= FULL_WIDTH && height >= FULL_HEIGHT && !screen->panes.zoomed && !screen_is_plain(screen)) {
+        lay_out_full(screen, width, height, &layout);
         return layout;
     }
     layout_small(screen, width, height, &layout);
     return layout;
 }
 
-bool screen_is_whole(int width, int height)
+bool screen_is_whole(const Screen *screen, int width, int height)
 {
+    Layout layout;
+    if (screen_is_plain(screen))
+        return layout_plain(screen, width, height, &layout);
     return width >= FULL_WIDTH && height >= FULL_HEIGHT;
 }
 

@@ -102,10 +102,25 @@ static int offers_of(const Screen *screen, const Offer **offers)
         {COMMAND_HELP, COMMAND_NONE, NULL},           {COMMAND_QUIT, COMMAND_NONE, NULL},
         {COMMAND_NEXT_PANE, COMMAND_NONE, NULL},
     };
+    static const Offer plain[] = {
+        {COMMAND_RUN_PAUSE, COMMAND_NONE, NULL}, {COMMAND_LEFT, COMMAND_RIGHT, "change"},
+        {COMMAND_SHEET, COMMAND_NONE, NULL},     {COMMAND_HELP, COMMAND_NONE, NULL},
+        {COMMAND_LESSONS, COMMAND_NONE, NULL},   {COMMAND_QUIT, COMMAND_NONE, NULL},
+        {COMMAND_ENTER, COMMAND_NONE, "edit"},   {COMMAND_STAGE_FORWARD, COMMAND_NONE, NULL},
+        {COMMAND_OPEN, COMMAND_NONE, NULL},      {COMMAND_LECTURE, COMMAND_NONE, NULL},
+    };
+    static const Offer plain_at_first[] = {
+        {COMMAND_RUN_PAUSE, COMMAND_NONE, NULL},
+        {COMMAND_LEFT, COMMAND_RIGHT, "change"},
+        {COMMAND_ENTER, COMMAND_NONE, "first lesson"},
+        {COMMAND_SHEET, COMMAND_NONE, NULL},
+        {COMMAND_HELP, COMMAND_NONE, NULL},
+        {COMMAND_QUIT, COMMAND_NONE, NULL},
+    };
     static const Offer lecture[] = {
         {COMMAND_RUN_PAUSE, COMMAND_NONE, NULL}, {COMMAND_STAGE_BACK, COMMAND_STAGE_FORWARD, "stage"},
         {COMMAND_LEFT, COMMAND_RIGHT, "change"}, {COMMAND_LECTURE, COMMAND_NONE, "small"},
-        {COMMAND_HELP, COMMAND_NONE, NULL},
+        {COMMAND_HELP, COMMAND_NONE, NULL},      {COMMAND_QUIT, COMMAND_NONE, NULL},
     };
     static const Offer magnified[] = {
         {COMMAND_LEFT, COMMAND_RIGHT, "move"},       {COMMAND_UP, COMMAND_DOWN, "move"},
@@ -120,9 +135,9 @@ static int offers_of(const Screen *screen, const Offer **offers)
         GIVE(editing);
     if (screen->playback.state == STATE_COMPUTING)
         GIVE(computing);
-    if (screen->panes.lecture)
-        GIVE(lecture);
     const bool in_fields = screen->panes.focus == PANE_PARAMETERS;
+    if (screen->panes.lecture && !screen->lesson.open)
+        GIVE(lecture);
     if (screen->eye.open && !in_fields)
         GIVE(magnified);
     if (in_fields && screen->lesson.open) {
@@ -140,6 +155,11 @@ static int offers_of(const Screen *screen, const Offer **offers)
     screen_rows_shown(screen, &kind, &row);
     if (in_fields && kind >= 0 && !screen->lesson.open)
         GIVE(rows_of_plate);
+    if (in_fields && screen_is_plain(screen) && !screen->lesson.open) {
+        if (screen->offers_lesson)
+            GIVE(plain_at_first);
+        GIVE(plain);
+    }
     if (screen->playback.state == STATE_RUNNING) {
         if (in_fields)
             GIVE(running_parameters);
@@ -338,7 +358,7 @@ void pane_keys(const Screen *screen, Area area)
         draw_notice(area, 0, screen->message.text, styles[screen->message.kind]);
     else
         draw_keys(screen, area);
-    if (screen->offers_lesson)
+    if (screen->offers_lesson && !screen_is_plain(screen))
         draw_notice(area, -1, "First time here?  Enter begins the first lesson.  Any other key goes on.",
                     STYLE_SELECTED);
 }

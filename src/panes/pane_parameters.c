@@ -93,6 +93,13 @@ int screen_parameter_rows(const Screen *screen, ParameterRow rows[PARAMETER_ROWS
     const Settings *settings = experiment_settings(screen->experiment);
     const char *group = "";
     int count = 0;
+    if (screen_is_plain(screen) && !screen->lesson.open && !screen->parameters.filter[0]) {
+        const Parameter *asked[ASKED_MAX];
+        const int n_asked = settings_asked(settings, asked);
+        for (; count < n_asked; count++)
+            rows[count] = (ParameterRow){.parameter = asked[count], .derived = -1};
+        return count;
+    }
     for (int i = 0; i < n_parameters && count + 2 < PARAMETER_ROWS_MAX; i++) {
         const Parameter *parameter = &parameters[i];
         if (!parameter_applies_to(settings, parameter) || is_put_away(screen, parameter) ||
@@ -328,17 +335,12 @@ static void draw_hint(const Screen *screen, Area area, const ParameterRow *row, 
     area_text(area, 2, area.rect.height - 1, range, STYLE_FAINT);
 }
 
-void pane_parameters(const Screen *screen, Area area)
+/* From the first one on as many as have room. */
+static void draw_rows(const Screen *screen, Area area, const ParameterRow *rows, int first, int count,
+                      const Derived *derived)
 {
-    ParameterRow rows[PARAMETER_ROWS_MAX];
-    Derived derived[DERIVED_MAX];
-    const int count = screen_parameter_rows(screen, rows);
-    experiment_derived(screen->experiment, derived);
     const bool focused = screen_is_focused(screen, PANE_PARAMETERS);
-    const int room = room_of(area.rect.height),
-              first = pane_parameters_first(&screen->parameters, count, room);
-
-    for (int y = 0; y < room && first + y < count; y++) {
+    for (int y = 0; y < area.rect.height && first + y < count; y++) {
         const ParameterRow *row = &rows[first + y];
         const bool chosen = first + y == screen->parameters.selected;
         if (row->heading)
@@ -350,6 +352,19 @@ void pane_parameters(const Screen *screen, Area area)
         else
             draw_derived(area, y, &derived[row->derived], chosen && focused);
     }
+}
+
+void pane_parameters(const Screen *screen, Area area)
+{
+    ParameterRow rows[PARAMETER_ROWS_MAX];
+    Derived derived[DERIVED_MAX];
+    const int count = screen_parameter_rows(screen, rows);
+    experiment_derived(screen->experiment, derived);
+    const bool focused = screen_is_focused(screen, PANE_PARAMETERS);
+    const int room = room_of(area.rect.height),
+              first = pane_parameters_first(&screen->parameters, count, room);
+
+    draw_rows(screen, area_part(area, 0, 0, area.rect.width, room), rows, first, count, derived);
     if (count == 0)
         area_text(area, 1, 0, "no parameter of that name", STYLE_FAINT);
     if (room == area.rect.height)
@@ -363,12 +378,61 @@ void pane_parameters(const Screen *screen, Area area)
     }
 }
 
-/* Of a lecture: the one that the arrows change. */
-void pane_chosen_parameter(const Screen *screen, Area area)
+/* --- the plain sheet ------------------------------------------------------------------------------- */
+
+enum { ASK_LINES = 2 };
+
+/* The first sentence of what a scenario says of itself that asks something; "": none does. */
+static void question_of(const Screen *screen, char out[ABOUT_MAX])
+{
+    char about[ABOUT_MAX];
+    memcpy(about, experiment_settings(screen->experiment)->about, sizeof about);
+    char *end = strchr(about, '?'), *begin = about;
+    out[0] = '\0';
+    if (!end)
+        return;
+    end[1] = '\0';
+    for (char *c = about; c < end; c++)
+        if (strchr(".!", c[0]) && c[1] == ' ')
+            begin = c + 2;
+    snprintf(out, ABOUT_MAX, "%s", begin);
+}
+
+int pane_question_rows(const Screen *screen, int width)
+{
+    char question[ABOUT_MAX];
+    question_of(screen, question);
+    const int lines = *question ? area_paragraph_lines(width - 2, question) : 0;
+    return lines > ASK_LINES ? 0 : lines;
+}
+
+void pane_question(const Screen *screen, Area area)
+{
+    char question[ABOUT_MAX];
+    question_of(screen, question);
+    area_paragraph(area, 1, 0, area.rect.width - 2, area.rect.height, question, STYLE_HEADING);
+}
+
+/* The parameters that are asked about, or those that a filter has found, and the row for `t`. */
+int pane_asked_rows(const Screen *screen)
 {
     ParameterRow rows[PARAMETER_ROWS_MAX];
     const int count = screen_parameter_rows(screen, rows);
-    if (screen->parameters.selected >= 0 && screen->parameters.selected < count &&
-        rows[screen->parameters.selected].parameter)
-        pane_parameter(screen, area, 0, rows[screen->parameters.selected].parameter, true);
+    return (count < ASKED_MAX ? count : ASKED_MAX) + 1;
+}
+
+void pane_asked(const Screen *screen, Area area)
+{
+    ParameterRow rows[PARAMETER_ROWS_MAX];
+    Derived derived[DERIVED_MAX];
+    char tried[160];
+    const int count = screen_parameter_rows(screen, rows), room = area.rect.height - 1;
+    const int first = pane_parameters_first(&screen->parameters, count, room);
+    experiment_derived(screen->experiment, derived);
+    draw_rows(screen, area_part(area, 0, 0, area.rect.width, room), rows, first, count, derived);
+    if (!screen_question(screen, tried, sizeof tried))
+        return;
+    const int last = count < room ? count : room;
+    area_text(area, 2, last, "t", STYLE_KEY);
+    area_print(area, 4, last, STYLE_NORMAL, "tries %s", tried);
 }

@@ -140,8 +140,9 @@ static bool fill_title(const Screen *screen, const TitleForm *form, int width, T
     const Simulation *sim = experiment_simulation(screen->experiment);
     const int stage = experiment_stage(screen->experiment);
     const bool running = screen->playback.state == STATE_RUNNING, duel = screen_second_run(screen) != NULL;
-    if ((!form->brief && form->fewer > 0 && !running) || (form->no_stage && stage > 0) ||
-        (form->no_step && !running))
+    const bool plain = screen_is_plain(screen);
+    if (!plain && ((!form->brief && form->fewer > 0 && !running) || (form->no_stage && stage > 0) ||
+                   (form->no_step && !running)))
         return false;
     /* which run is which is told before the scenario's name */
     if (form->headline && form->name != form->words && duel != form->words)
@@ -203,9 +204,18 @@ static Title title_of(const Screen *screen, int width)
         {false, true, false, false, 4, false, false, false},
         {false, true, false, false, 4, true, false, false},
     };
+    /* the plain sheet tells what the run is about, and when */
+    static const TitleForm plain_forms[] = {
+        {true, false, false, true, 0, false, true, true},  {true, false, false, false, 0, false, true, true},
+        {true, false, false, false, 2, false, true, true}, {true, true, false, false, 4, true, true, true},
+        {false, true, true, true, 4, true, true, true},    {false, true, false, false, 4, true, true, true},
+    };
     Title title = {.has_headline = false};
-    for (size_t i = 0; i < sizeof forms / sizeof *forms; i++)
-        if (fill_title(screen, &forms[i], width, &title))
+    const bool plain = screen_is_plain(screen);
+    const TitleForm *form = plain ? plain_forms : forms;
+    const size_t count = plain ? sizeof plain_forms / sizeof *form : sizeof forms / sizeof *form;
+    for (size_t i = 0; i < count; i++)
+        if (fill_title(screen, &form[i], width, &title))
             return title;
     char time[48];
     screen_shorter_time(screen, 4, time, sizeof time);

@@ -14,15 +14,16 @@
 
 typedef enum LayoutKind { LAYOUT_TOO_SMALL, LAYOUT_ONE_PANE, LAYOUT_FULL } LayoutKind;
 
-/* From here on the letters of a lecture are twice as large. */
-enum { LECTURE_LARGE_WIDTH = 120, LECTURE_LARGE_HEIGHT = 36 };
+/* From here on large digits are twice as large; in a lecture they are larger from LECTURE_HEIGHT on. */
+enum { ROOMY_WIDTH = 120, ROOMY_HEIGHT = 36, LECTURE_HEIGHT = 22 };
 
 enum { SIDES_MAX = 3, GUTTER = 6, SIDE_BY_SIDE = 120 /* columns from which on two runs stand so */ };
 
 typedef struct Layout {
     LayoutKind kind;
     Rect title, keys;
-    Rect banner;   /* of a lecture; width 0: there is none */
+    Rect question; /* of the plain sheet, so the number; width 0: there is none */
+    Rect number;   /* what the scenario is about, in large digits */
     Rect timeline; /* one row under the plots; width 0: there is none */
     Rect panes[PANE_COUNT];
     Rect sides[SIDES_MAX]; /* what joins on a large screen: energies, particles, nodes */
@@ -30,14 +31,28 @@ typedef struct Layout {
 
 Layout layout_make(const Screen *, int width, int height);
 void layout_small(const Screen *, int width, int height, Layout *); /* without room for all panes */
+bool layout_plain(const Screen *, int width, int height, Layout *); /* false: it has no room */
+/* layout_rows.c, what both sheets have: the width of a lesson's text, the rows of the strip of particles and
+ * of the box. */
+int layout_lesson_width(int width);
+int layout_strip_rows(int height);
+bool layout_has_caption(const Screen *);
+int layout_box_rows(const Screen *, int height, bool map);
 
 /* --- the other panes --- */
 
 void pane_title(const Screen *, Area);
 bool title_has_headline(const Screen *, int width); /* what the run is about stands in it */
-void pane_banner(const Screen *, Area);             /* of a lecture: time and state in large letters */
-void pane_chosen_parameter(const Screen *, Area);   /* of a lecture: the one that the arrows change */
-int banner_rows(const Screen *, int width, int height);
+
+/* Of the plain sheet: the number that the scenario is about, in large digits with its words below; how many
+ * rows it takes; what is asked, and the parameters that it is asked about, with what `t` tries. */
+void pane_number(const Screen *, Area);
+int pane_number_rows(const Screen *, int width, int height);
+void pane_question(const Screen *, Area);
+int pane_question_rows(const Screen *, int width);
+void pane_asked(const Screen *, Area);
+int pane_asked_rows(const Screen *);
+
 void pane_keys(const Screen *, Area);
 void pane_parameters(const Screen *, Area);
 int pane_parameters_first(const ParametersShown *shown, int count,

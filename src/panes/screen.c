@@ -31,6 +31,9 @@ void screen_read_view(Screen *screen, const ViewSettings *view)
     for (int i = 0; i < SHOW_COUNT; i++)
         if (strcmp(view->references, parameter_reference_words[i]) == 0)
             screen->views.references = (ReferencesShown)i;
+    for (int i = 0; parameter_sheet_words[i]; i++)
+        if (strcmp(view->sheet, parameter_sheet_words[i]) == 0)
+            screen->panes.sheet = (Sheet)i;
     const View *map = view_of_map();
     for (int i = 0; i < view_variants(map, screen); i++) {
         const char *word = view_variant_word(map, screen, i);
@@ -65,8 +68,8 @@ static void draw_pane(const Screen *screen, PaneId pane, Area area)
     case PANE_PARAMETERS:
         if (screen->lesson.open)
             pane_lesson(screen, area);
-        else if (area.rect.height == 1)
-            pane_chosen_parameter(screen, area);
+        else if (screen_is_plain(screen) && area.rect.width < area.canvas->width)
+            pane_asked(screen, area);
         else
             pane_parameters(screen, area);
         break;
@@ -106,8 +109,10 @@ void screen_draw(const Screen *screen, Canvas *canvas)
         Rect all = {0, 1, canvas->width, canvas->height - 2};
         help_draw(screen, area_of(&screen->look, canvas, all));
     } else {
-        if (layout.banner.width > 0)
-            pane_banner(screen, area_of(&screen->look, canvas, layout.banner));
+        if (layout.question.width > 0)
+            pane_question(screen, area_of(&screen->look, canvas, layout.question));
+        if (layout.number.width > 0)
+            pane_number(screen, area_of(&screen->look, canvas, layout.number));
         for (int pane = 0; pane < PANE_COUNT; pane++)
             draw_pane(screen, (PaneId)pane, area_of(&screen->look, canvas, layout.panes[pane]));
         if (layout.timeline.width > 0)

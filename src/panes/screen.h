@@ -175,11 +175,15 @@ typedef struct ScreenLook {
     bool light;  /* a light background */
 } ScreenLook;
 
+/* How much there is on the screen, in the order of parameter_sheet_words. */
+typedef enum Sheet { SHEET_FULL, SHEET_PLAIN } Sheet;
+
 /* Which panes there are and which one the keys go to. */
 typedef struct PanesShown {
     PaneId focus;
     bool zoomed;             /* the focused pane fills the screen */
-    bool lecture;            /* time and state in large letters, thick curves, no parameters beside them */
+    Sheet sheet;             /* see screen_is_plain() */
+    bool lecture;            /* the plain sheet with thick curves and its number large */
     bool inspecting;         /* the inspector is open, see inspector_find() */
     PaneId before_inspector; /* the pane that had the focus before it was opened */
     PaneId last_plot;        /* the plot that was looked at last: what z magnifies */
@@ -284,8 +288,9 @@ bool screen_selected_row(const Screen *, int *kind, int *row);
 /* Where a pane lies at this size; width 0: it is not shown. For focus and mouse. */
 Rect screen_pane(const Screen *, int width, int height, PaneId);
 
-/* Whether all panes have room; on a smaller screen only the focused one, or the two plots, are seen. */
-bool screen_is_whole(int width, int height);
+/* Whether all panes of the sheet have room; on a smaller screen only the focused one, or the two plots, are
+ * seen. */
+bool screen_is_whole(const Screen *, int width, int height);
 
 /* The command under column x of the key line, for the mouse; COMMAND_NONE: none. */
 CommandId screen_key_command(const Screen *, int width, int x);
@@ -301,6 +306,9 @@ void selection_next(Selection *, const Simulation *, int direction, size_t by);
 /* The settings whose rows the map shows: while one is moved those with it where it is now. Which row is
  * chosen in the parameter pane, if that has the focus; else kind -1. */
 const Settings *screen_rows_shown(const Screen *, int *kind, int *row);
+
+/* The arrows change this one or, where there is no row for it, the first one. */
+void screen_select(Screen *, const Parameter *);
 
 /* The row of the parameter pane at a place of the screen, for the mouse; -1: none. */
 int screen_parameter_at(const Screen *, int width, int height, int x, int y);

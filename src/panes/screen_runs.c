@@ -54,6 +54,23 @@ bool screen_is_rewound(const Screen *screen)
     return experiment_newest(screen->experiment) > experiment_step(screen->experiment);
 }
 
+bool screen_is_plain(const Screen *screen)
+{
+    return screen->panes.lecture || screen->panes.sheet == SHEET_PLAIN;
+}
+
+bool screen_question(const Screen *screen, char *out, size_t size)
+{
+    Settings tried = *experiment_settings(screen->experiment);
+    const Parameter *parameter = settings_question(&tried);
+    char value[LIST_MAX];
+    if (!parameter || !settings_answer_otherwise(&tried, parameter))
+        return false;
+    settings_show(&tried, parameter, value);
+    snprintf(out, size, "%s %.60s", parameter->label, value);
+    return true;
+}
+
 const Problem *screen_problem(const Screen *screen)
 {
     return experiment_settings(screen->experiment)->problem;

@@ -5,6 +5,17 @@
 
 #include "panes/screen.h"
 
+/* One picture, one number and few parameters: by the sheet, or for a lecture. */
+bool screen_is_plain(const Screen *);
+
+/* What `t` would try: "cell size 0.5". False: nothing is asked. */
+bool screen_question(const Screen *, char *out, size_t size);
+
+/* The number that the scenario is about at the step on screen, in digits and what stands behind them:
+ * "periods late". False: it is not known, or hidden, which the words say and "..." or "?". */
+enum { NUMBER_DIGITS_MAX = 16, NUMBER_WORDS_MAX = 80 };
+bool screen_number(const Screen *, char digits[NUMBER_DIGITS_MAX], char words[NUMBER_WORDS_MAX]);
+
 /* The second run of a duel; NULL: there is none. */
 Experiment *screen_second_run(const Screen *);
 

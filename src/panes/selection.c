@@ -20,6 +20,19 @@ size_t screen_middle_particle(const Simulation *sim)
     return sim->columns > 0 ? sim->rows / 2 * sim->columns + sim->columns / 2 : sim->counts[0] / 2;
 }
 
+void screen_select(Screen *screen, const Parameter *parameter)
+{
+    ParameterRow rows[PARAMETER_ROWS_MAX];
+    const int count = screen_parameter_rows(screen, rows);
+    int first = 0, found = -1;
+    while (first < count && !rows[first].parameter)
+        first++;
+    for (int i = first; i < count && found < 0; i++)
+        if (rows[i].parameter && rows[i].parameter == parameter)
+            found = i;
+    screen->parameters.selected = found >= 0 ? found : first < count ? first : 0;
+}
+
 const View *screen_view_in(const Screen *screen, PaneId pane)
 {
     return pane == PANE_UPPER ? screen->views.upper : pane == PANE_LOWER ? screen->views.lower : NULL;

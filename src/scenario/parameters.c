@@ -12,6 +12,7 @@
 
 const char *const parameter_method_titles[] = {"MPM", "PD"};
 const char *const parameter_reference_words[] = {"all", "exact", "predicted", "none", NULL};
+const char *const parameter_sheet_words[] = {"full", "plain", NULL};
 const char *const parameter_colour_words[] = {
     "uy",        "ux",        "velocity",  "energy", "damage",  "family",  "surface_factor",
     "stress_xx", "stress_yy", "stress_xy", "mises",  "kinetic", "drawing", NULL};
@@ -43,6 +44,10 @@ const TextKey text_keys[] = {
     {"view.exaggeration", TEXT(view.exaggeration), "factor by which displacements are drawn", TEXT_POSITIVE},
     {"view.references", TEXT(view.references), "reference curves: all, exact, predicted, none",
      TEXT_REFERENCES},
+    {"screen.sheet", TEXT(view.sheet), "how much there is on the screen at first: plain or full", TEXT_SHEET},
+    {"screen.about", TEXT(view.about), "the number that stands in large digits: a word of exercises",
+     TEXT_ANY},
+    {"screen.ask", TEXT(view.ask), "keys of up to four parameters to be changed, parted by commas", TEXT_ANY},
 };
 
 const int n_text_keys = (int)(sizeof text_keys / sizeof *text_keys);

@@ -70,6 +70,7 @@ typedef enum TextRule {
     TEXT_VIEW,       /* a view's digit, 1 to 9, or its word */
     TEXT_POSITIVE,   /* a number > 0 */
     TEXT_REFERENCES, /* one of parameter_reference_words */
+    TEXT_SHEET,      /* one of parameter_sheet_words */
     TEXT_COLOUR      /* one of parameter_colour_words */
 } TextRule;
 
@@ -89,6 +90,9 @@ extern const char *const parameter_method_titles[]; /* on screen: "MPM" */
 
 /* The words of view.references, ended by NULL. */
 extern const char *const parameter_reference_words[];
+
+/* The words of screen.sheet, ended by NULL, in the order of Sheet (panes/screen.h). */
+extern const char *const parameter_sheet_words[];
 
 /* The words of view.colour, ended by NULL, in the order in which the beam view goes through them. */
 extern const char *const parameter_colour_words[];
@@ -195,6 +199,13 @@ bool settings_nudge(Settings *, const Parameter *, int direction, bool fine);
 
 /* The word that stands for its automatic_value in this problem; NULL: none. */
 const char *parameter_automatic(const Parameter *, const Problem *);
+
+/* The parameters of screen.ask that the method has, in its order, or, where the scenario names none, what its
+ * question and the usual ones are. Returns how many. False of the second: a word of the list is no parameter
+ * of the problem, or there are too many; the status says which. */
+enum { ASKED_MAX = 4 };
+int settings_asked(const Settings *, const Parameter *out[ASKED_MAX]);
+bool settings_check_asked(const Settings *, Status *);
 
 /* What a scenario asks about: its question.key, or what its method leaves open. NULL: nothing. */
 const Parameter *settings_question(const Settings *);

@@ -13,7 +13,7 @@
 const char *const scenario_sections[] = {
     "scenario", "bar",  "bar2",   "beam",     "plate", "motion",   "initial",  "mesh",      "mpm",
     "pd",       "cuts", "notch",  "load",     "loads", "supports", "impulses", "protected", "probe",
-    "damping",  "time", "output", "question", "duel",  "changes",  "view",     NULL,
+    "damping",  "time", "output", "question", "duel",  "changes",  "view",     "screen",    NULL,
 };
 
 typedef struct Reader {

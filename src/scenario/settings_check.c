@@ -104,6 +104,6 @@ bool settings_check(const Settings *settings, Status *status)
                            times[n_times - 1], settings->time.end);
     if (n_times > 0 && settings->output.frames > 0)
         return status_fail(status, STATUS_USAGE, "output.at: output.frames is given too (one of them)");
-    return check_question(settings, status) && check_duel(settings, status) &&
-           check_changes(settings, status);
+    return check_question(settings, status) && settings_check_asked(settings, status) &&
+           check_duel(settings, status) && check_changes(settings, status);
 }

@@ -167,14 +167,6 @@ bool settings_nudge(Settings *settings, const Parameter *parameter, int directio
 
 /* --- questions ------------------------------------------------------------------------------------ */
 
-const Parameter *settings_question(const Settings *settings)
-{
-    const Parameter *asked = parameter_find(settings->question);
-    if (!asked || !parameter_applies_to(settings, asked)) /* or it asks about the bar's other method */
-        asked = parameter_find(settings->method == METHOD_MPM ? "mpm.algorithm" : "pd.surface_correction");
-    return asked && parameter_applies_to(settings, asked) ? asked : NULL;
-}
-
 /* A size: one rung below the usual one and, from anywhere else, back to it. */
 static bool answer_by_size(Settings *settings, const Parameter *parameter)
 {

@@ -126,6 +126,7 @@ static bool not_of_settings(const Parameter *parameter, const Settings *settings
 static const char *const *words_of(TextRule rule)
 {
     return rule == TEXT_REFERENCES ? parameter_reference_words
+           : rule == TEXT_SHEET    ? parameter_sheet_words
            : rule == TEXT_COLOUR   ? parameter_colour_words
                                    : NULL;
 }

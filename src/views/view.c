@@ -91,6 +91,8 @@ void view_draw_variant(const View *view, const Screen *screen, Area area, Style 
     Picture picture;
     cells_open(&picture, area.rect.width, area.glyphs);
     view->describe(screen, variant, &picture);
+    if (screen_is_plain(screen) && !screen->lesson.open) /* one number is in large digits, below */
+        picture.n_notes = 0;
     cells_draw(&picture, area, heading, screen->look.colours > 0);
     picture_close(&picture);
 }

@@ -87,10 +87,14 @@ void view_names(char *out, size_t size);
 /* What stands in a plot pane when such a run is opened. */
 const View *view_at_home(PaneId, const Simulation *);
 
+/* The plot pane in which the number that the scenario is about is seen. */
+PaneId view_pane_of_number(const Screen *);
+
 /* The view that is a map; NULL: there is none. */
 const View *view_of_map(void);
 
-/* Whether the views that a scenario names exist; false: the status says which and what there is. */
+/* Whether the views and the number that a scenario names exist; false: the status says which and what there
+ * is. */
 bool view_check(const ViewSettings *, Status *);
 
 /* --- one view on one screen -------------------------------------------------------------------------- */

@@ -2,6 +2,8 @@
 /* Views by what people call them, and where they stand when a run is opened: all read off the list. */
 #include "views/view.h"
 #include "scenario/settings.h"
+#include "base/text.h"
+#include "lessons/run_numbers.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -45,6 +47,12 @@ const View *view_at_home(PaneId home, const Simulation *sim)
     return found;
 }
 
+PaneId view_pane_of_number(const Screen *screen)
+{
+    const RunNumber *number = run_number_about(experiment_settings(screen->experiment));
+    return number->of_moment ? PANE_UPPER : PANE_LOWER;
+}
+
 const View *view_of_map(void)
 {
     for (int i = 0; i < n_views; i++)
@@ -64,13 +72,22 @@ static const View *view_of_name(const char *name)
 bool view_check(const ViewSettings *view, Status *status)
 {
     const char *const names[2] = {view->upper, view->lower};
-    char known[160];
+    char known[320];
     for (int i = 0; i < 2; i++)
         if (names[i][0] && !view_of_name(names[i])) {
             view_names(known, sizeof known);
             return status_fail(status, STATUS_USAGE, "view.%s: %.60s is not allowed (%s)",
                                i == 0 ? "upper" : "lower", names[i], known);
         }
+    const RunNumber *about = view->about[0] ? run_number_find(view->about) : NULL;
+    if (view->about[0] && (!about || !about->label)) {
+        known[0] = '\0';
+        for (const RunNumber *row = run_numbers; row->word; row++)
+            if (row->label)
+                text_append(known, sizeof known, "%s%s", known[0] ? ", " : "", row->word);
+        return status_fail(status, STATUS_USAGE, "screen.about: %.60s is not allowed (%s)", view->about,
+                           known);
+    }
     return true;
 }
 

@@ -55,7 +55,7 @@ result "a replay can be recorded: the same keys" cmp a b
 result "a session is not overwritten" refused 'mode5.session: exists (--force replaces it)' mode1 --record mode5.session
 "$MATVIB" show mode1 2>/dev/null | sed -n '/^\[scenario\]/,$p' >first.ini
 result "a scenario is no session" refused \
-	'first.ini:1: unknown line: [scenario] (scenario NAME | paused | first | lesson NAME | student NAME | version HASH PROGRAM | reached NAME PAGE | "| ..." | at ... | stop ... | end ... | check HASH)' --replay first.ini
+	'first.ini:1: unknown line: [scenario] (scenario NAME | paused | first | sheet WORD | lesson NAME | student NAME | version HASH PROGRAM | reached NAME PAGE | "| ..." | at ... | stop ... | end ... | check HASH)' --replay first.ini
 result "nor is nothing" refused 'empty: is no session (its scenario is missing)' --replay empty
 sed 's/^at .*Space$/at x 1 80x24 Space/' mode5.session >broken.session
 line=$(grep -n '^at x' broken.session | head -n 1 | cut -d: -f1)

@@ -194,6 +194,15 @@ static const Screenshot pictures[] = {
      "notched-beam-coarse 132x43 1300 upper 8 variant 4 inspect focus 5 particle 5947 ascii"},
     {"drawing-notched", "notched-beam-coarse 80x24 0 upper 8 variant 7 focus 2 zoom"},
     {"drawing-cantilever-ascii", "moving-cantilever-coarse 60x18 0 upper 8 focus 2 zoom variant 7 ascii"},
+    {"plain", "mode5 80x24 1234 running bare"},
+    {"plain-ascii", "mode5 80x24 1234 running bare ascii"},
+    {"plain-small", "mode5 60x18 1234 bare"},
+    {"plain-large", "mode5 132x43 1234 running bare"},
+    {"plain-stage", "mode5 80x24 1234 stage 3 bare"},
+    {"plain-early", "supported-beam-coarse 80x24 2000 bare"},
+    {"plain-duel", "late-cure 80x24 1310 duel bare"},
+    {"plain-crack", "notched-beam-coarse 80x24 1677 upper beam bare"},
+    {"plain-plate", "branching-coarse 60x18 200 upper beam bare"},
     {"lecture", "mode5 80x24 1310 running lecture"},
     {"lecture-stage-large", "mode5 132x43 1310 stage 3 lecture focus 2"},
     {"drawing-plate", "branching-coarse 80x24 0 upper 8 focus 2 zoom variant 7"},
@@ -323,8 +332,8 @@ typedef void Draw(const Screen *, Area);
 
 START_TEST(nothing_leaves_its_pane)
 {
-    static Draw *const draws[] = {pane_title, pane_keys, pane_parameters, pane_mesh,
-                                  pane_box,   help_draw, pane_banner,     pane_chosen_parameter};
+    static Draw *const draws[] = {pane_title, pane_keys,   pane_parameters, pane_mesh,    pane_box,
+                                  help_draw,  pane_number, pane_asked,      pane_question};
     const int panes = (int)(sizeof draws / sizeof *draws), drawings = panes + n_views;
     static const char *const words[] = {"mode5 80x24 700 stage 3", "mode5 80x24 700 running",
                                         "notched-beam-coarse 80x24 30 stage 5", "crossing 80x24 900 ended"};
@@ -368,17 +377,21 @@ START_TEST(panes_do_not_overlap)
     ck_assert_msg(scene_open(&scene, "mode1 80x24 0", &status), "%s", status.text);
     for (int width = 40; width < 240; width += suite_wide() ? 3 : 11)
         for (int height = 12; height < 80; height++)
-            for (int zoomed = 0; zoomed < 2; zoomed++) {
-                scene.screen.panes.zoomed = zoomed;
+            for (int turn = 0; turn < 6; turn++) {
+                scene.screen.panes.zoomed = turn == 1;
+                scene.screen.panes.sheet = turn < 2 ? SHEET_FULL : SHEET_PLAIN;
+                scene.screen.panes.lecture = turn >= 4;
+                scene.screen.lesson.open = turn == 3 || turn == 5;
                 Layout layout = layout_make(&scene.screen, width, height);
                 char taken[240][80] = {0};
-                Rect all[PANE_COUNT + SIDES_MAX + 2];
+                Rect all[PANE_COUNT + SIDES_MAX + 4];
                 int count = 0;
                 for (int i = 0; i < PANE_COUNT; i++)
                     all[count++] = layout.panes[i];
                 for (int i = 0; i < SIDES_MAX; i++)
                     all[count++] = layout.sides[i];
                 all[count++] = layout.title, all[count++] = layout.keys;
+                all[count++] = layout.number, all[count++] = layout.question;
                 for (int i = 0; i < count; i++)
                     for (int y = all[i].y; y < all[i].y + all[i].height; y++)
                         for (int x = all[i].x; x < all[i].x + all[i].width; x++) {
@@ -386,7 +399,8 @@ START_TEST(panes_do_not_overlap)
                                 ck_abort_msg("%dx%d: overlap at %d,%d", width, height, x, y);
                             taken[x][y] = 1;
                         }
-                ck_assert_int_eq(layout.panes[PANE_UPPER].width > 0, layout.kind == LAYOUT_FULL);
+                if (!screen_is_plain(&scene.screen))
+                    ck_assert_int_eq(layout.panes[PANE_UPPER].width > 0, layout.kind == LAYOUT_FULL);
             }
     scene_close(&scene);
 }
@@ -447,6 +461,8 @@ START_TEST(any_state_can_be_drawn)
         screen->playback.work_share = DRAW(101) / 100.0;
         screen->panes.focus = (PaneId)DRAW(PANE_COUNT);
         screen->panes.zoomed = DRAW(3) == 0;
+        screen->panes.sheet = (Sheet)DRAW(2);
+        screen->panes.lecture = DRAW(4) == 0;
         screen->views.upper = views[DRAW(n_views)];
         screen->views.lower = views[DRAW(n_views)];
         for (int v = 0; v < n_views; v++)

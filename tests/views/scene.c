@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "views/scene.h"
 #include "views/view.h"
+#include "panes/screen_runs.h"
 #include "scenario/settings.h"
 #include "scenario/scenario.h"
 #include "answers/summary.h"
@@ -34,6 +35,8 @@ static bool simple_word(Scene *scene, const char *word)
         screen->look.glyphs = GLYPHS_BLOCK;
     else if (strcmp(word, "lecture") == 0)
         screen->panes.lecture = true;
+    else if (strcmp(word, "bare") == 0)
+        screen->panes.sheet = SHEET_PLAIN, screen->parameters.selected = 0;
     else if (strcmp(word, "zoom") == 0)
         screen->panes.zoomed = true;
     else if (strcmp(word, "none") == 0)
@@ -223,6 +226,8 @@ bool scene_open(Scene *scene, const char *words, Status *status)
         summary_of(scene->screen.experiment, &scene->screen.summary);
         scene->screen.summary_known = true;
     }
+    if (screen_is_plain(&scene->screen) && scene->screen.panes.last_plot == PANE_LOWER)
+        scene->screen.panes.last_plot = view_pane_of_number(&scene->screen);
     if (!scene->duel.b)
         scene->screen.duel = NULL; /* a scene without one may be copied */
     if (scene->refined && !refine(scene, status))

@@ -4,10 +4,10 @@
  *     SCENARIO WxH STEPS [key=value]... [word]...
  *
  * words: duel (of the scenario, or with what differs behind it: duel mesh.cell_size=0.5), running, ended,
- * computing, ascii, block, eight and plain (colours), zoom, lecture, none, exact, node, inspect, edit, ghost
- * (an edit behind), refined (all points of the convergence that is shown), and with a number: help, scroll,
- * upper, lower, variant, focus, select, stage, back, window, cursor, particle, magnified, at (x,y in shares
- * of a beam).
+ * computing, ascii, block, eight and plain (colours), bare (the plain sheet), zoom, lecture, none, exact,
+ * node, inspect, edit, ghost (an edit behind), refined (all points of the convergence that is shown), and
+ * with a number: help, scroll, upper, lower, variant, focus, select, stage, back, window, cursor, particle,
+ * magnified, at (x,y in shares of a beam).
  */
 #ifndef TESTS_VIEW_SCENE_H
 #define TESTS_VIEW_SCENE_H

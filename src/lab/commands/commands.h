@@ -38,6 +38,8 @@ bool command_close_top(Laboratory *); /* what lies on top; false: there is nothi
 void command_show_view(Laboratory *, const View *);
 void command_show_digit(Laboratory *, int digit); /* the view that has this key */
 
+void command_show_sheet(Laboratory *, Sheet); /* kept from start to start, but beside a lesson */
+
 /* map_commands.c: the map of a beam. */
 void command_map_whole(Screen *); /* ends it */
 void command_map_magnify(Screen *, int direction);

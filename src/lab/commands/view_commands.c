@@ -2,7 +2,9 @@
 /* The commands that choose what is shown, and how. */
 #include "lab/commands/commands.h"
 #include "scenario/settings.h"
+#include "panes/screen_runs.h"
 #include "views/view.h"
+#include "lab/session/state_file.h"
 
 #include <math.h>
 
@@ -17,7 +19,7 @@ static void follow_view(Screen *screen, const View *view)
     if (screen_view_in(screen, at) != view)
         return; /* there is nothing for it to show */
     panes->last_plot = at;
-    if (screen->lesson.open || panes->focus == at)
+    if (screen->lesson.open || screen_is_plain(screen) || panes->focus == at)
         return;
     panes->followed = true;
     panes->focus = at;
@@ -38,7 +40,8 @@ void command_show_view(Laboratory *lab, const View *view)
 {
     Screen *screen = &lab->screen;
     /* where panes are seen one at a time, the view that is asked for comes to the front */
-    const bool alone = screen->panes.zoomed || (lab->width > 0 && !screen_is_whole(lab->width, lab->height));
+    const bool alone =
+        screen->panes.zoomed || (lab->width > 0 && !screen_is_whole(screen, lab->width, lab->height));
     const char *missing = view_missing(view, screen);
     if (missing) {
         laboratory_say(lab, MESSAGE_INFO, "%s: %s", view->word, missing);
@@ -83,13 +86,45 @@ void command_zoom(Laboratory *lab)
     panes->zoomed = true;
 }
 
+/* What the arrows change stays under them, where the other sheet has a row for it. */
+static void turn_sheet(Laboratory *lab, Sheet sheet, bool lecture)
+{
+    Screen *screen = &lab->screen;
+    const Parameter *chosen = edit_selected(screen);
+    const bool was_plain = screen_is_plain(screen);
+    screen->panes.sheet = sheet;
+    screen->panes.lecture = lecture;
+    if (screen_is_plain(screen) == was_plain)
+        return;
+    screen_select(screen, chosen);
+    screen->panes.zoomed = false;
+    if (was_plain || screen->panes.inspecting || screen->eye.open)
+        return;
+    if (!screen_view_in(screen, screen->panes.focus))
+        screen->panes.last_plot = view_pane_of_number(screen);
+    screen->panes.focus = PANE_PARAMETERS;
+}
+
 void command_lecture(Laboratory *lab)
 {
-    lab->screen.panes.lecture = !lab->screen.panes.lecture;
-    if (lab->screen.panes.lecture && lab->screen.lesson.open)
-        laboratory_say(lab, MESSAGE_INFO, "a lesson keeps its page; the rest gets large when T closes it");
-    else if (lab->screen.panes.lecture && !screen_is_whole(lab->width, lab->height))
-        laboratory_say(lab, MESSAGE_INFO, "large letters want 80x24 at least; the curves are thick");
+    turn_sheet(lab, lab->screen.panes.sheet, !lab->screen.panes.lecture);
+}
+
+void command_show_sheet(Laboratory *lab, Sheet sheet)
+{
+    const bool by_page = lab->asker == ASKER_LESSON;
+    if (by_page && lab->play.full)
+        return; /* what the reader likes holds to the end of the lesson */
+    turn_sheet(lab, sheet, lab->screen.panes.lecture && by_page);
+    if (lesson_entry_page(lab))
+        lab->play.full = !by_page && sheet == SHEET_FULL;
+    else if (lab->options.keeps_sheet && lab->asker == ASKER_KEYBOARD)
+        state_file_put(lab->asker, state_file_sheet, parameter_sheet_words[sheet]);
+}
+
+void command_sheet(Laboratory *lab)
+{
+    command_show_sheet(lab, screen_is_plain(&lab->screen) ? SHEET_FULL : SHEET_PLAIN);
 }
 
 static void change_window(Laboratory *lab, int direction)

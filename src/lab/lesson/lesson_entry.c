@@ -351,11 +351,17 @@ static void queue_action(LessonPlay *play, LessonAction action)
         play->queue[play->n_queue++] = action;
 }
 
-static void queue_part(LessonPlay *play, const LessonPart *part, bool with_run)
+/* Holds on its own page only. */
+static bool is_passing(const LessonAction *action)
+{
+    return is_run(action) || strncmp(action->line, "sheet", 5) == 0;
+}
+
+static void queue_part(LessonPlay *play, const LessonPart *part, bool own)
 {
     for (int i = 0; i < part->n_actions; i++) {
         const LessonAction action = {.line = part->actions[i]};
-        if (with_run || !is_run(&action))
+        if (own || !is_passing(&action))
             queue_action(play, action);
     }
 }
@@ -452,12 +458,8 @@ static void queue_page(Laboratory *lab, int page)
  */
 void lesson_entry_select(Laboratory *lab, const char *key)
 {
-    ParameterRow rows[PARAMETER_ROWS_MAX];
     lab->screen.parameters.filter[0] = '\0';
-    const int count = screen_parameter_rows(&lab->screen, rows);
-    for (int i = 0; i < count; i++)
-        if (rows[i].parameter && strcmp(rows[i].parameter->key, key) == 0)
-            lab->screen.parameters.selected = i;
+    screen_select(&lab->screen, parameter_find(key));
 }
 
 void lesson_entry_show(Laboratory *lab, int page)
@@ -486,6 +488,8 @@ void lesson_entry_show(Laboratory *lab, int page)
         *reached = page + 1;
     screen->panes.zoomed = screen->panes.inspecting = screen->playback.at_limit = false;
     screen->panes.focus = PANE_PARAMETERS;
+    if (lab->options.sheet)
+        screen->panes.sheet = play->full ? SHEET_FULL : SHEET_PLAIN;
     screen->playback.rate = 0;
     lab->player.pace_automatic = true;
     play->hurries = false;

@@ -43,6 +43,8 @@ typedef struct LessonPlay {
     char refused[320]; /* what it wanted to do and could not, and why; "": nothing */
     ExerciseRun run;   /* of a page with an exercise */
     bool busy;
+    bool full;  /* the reader has turned to the full sheet, which stays to the end of the lesson */
+    int before; /* Sheet: the one to which its end returns */
 } LessonPlay;
 
 /* The page that is open; NULL: there is none, or the list of lessons. */

@@ -33,6 +33,8 @@ bool lesson_play_open(Laboratory *lab, const char *name, Status *status)
     if (!lesson_load_for(name, lab->options.student ? lab->options.student : "", command_line_for_lessons,
                          &lesson, status))
         return false;
+    if (!lab->screen.lesson.lesson)
+        lab->play.before = (int)lab->screen.panes.sheet, lab->play.full = false;
     forget_lesson(lab);
     lab->play.lesson = lesson;
     snprintf(lab->play.name, sizeof lab->play.name, "%s", name);
@@ -50,10 +52,15 @@ bool lesson_play_open(Laboratory *lab, const char *name, Status *status)
 
 void lesson_play_close(Laboratory *lab)
 {
+    const Parameter *chosen = edit_selected(&lab->screen);
     if (lab->play.name[0])
         lesson_progress_write(lab->play.asker, lab->screen.lesson.reached);
+    if (lab->play.name[0] && lab->options.sheet)
+        lab->screen.panes.sheet = (Sheet)lab->play.before;
     forget_lesson(lab);
     lab->screen.lesson.open = false;
+    if (screen_is_plain(&lab->screen) && lab->screen.experiment)
+        screen_select(&lab->screen, chosen);
     lab->editing.changed = false; /* what was tried beside a page is nobody's work */
 }
 

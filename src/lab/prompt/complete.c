@@ -269,6 +269,10 @@ static void offer_arguments(Completion *completion, const Laboratory *lab, LineA
         for (int i = 0; parameter_reference_words[i]; i++)
             offer(completion, parameter_reference_words[i], "");
         break;
+    case ARGUMENT_SHEET:
+        for (int i = 0; parameter_sheet_words[i]; i++)
+            offer(completion, parameter_sheet_words[i], "");
+        break;
     case ARGUMENT_LESSON:
         for (const BuiltinLesson *lesson = builtin_lessons; lesson->name; lesson++)
             offer(completion, lesson->name, "");

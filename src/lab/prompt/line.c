@@ -229,6 +229,18 @@ static bool references(Laboratory *lab, const char *words)
     return prompt_refuse(&lab->prompting, "which reference curves? (all | exact | predicted | none)");
 }
 
+static bool sheet(Laboratory *lab, const char *words)
+{
+    for (int i = 0; parameter_sheet_words[i]; i++)
+        if (strcmp(words, parameter_sheet_words[i]) == 0) {
+            command_show_sheet(lab, (Sheet)i);
+            return true;
+        }
+    if (!*words)
+        command_sheet(lab);
+    return !*words || prompt_refuse(&lab->prompting, "which sheet? (plain | full)");
+}
+
 /* Which of one of the simulation's sets: particles, nodes. */
 static bool choose(Laboratory *lab, const char *words, int set, const char *what, size_t *chosen)
 {

@@ -11,6 +11,7 @@
 #include "lab/session/session.h"
 #include "lab/session/state_file.h"
 #include "plain/plain.h"
+#include "scenario/parameters.h"
 
 #include <errno.h>
 #include <locale.h>
@@ -94,6 +95,9 @@ int laboratory_main(const LaboratoryOptions *given, Status *status)
     lesson_progress_read(reached);
     options.reached = reached;
     options.first_start = is_first_start(&options);
+    options.keeps_sheet = !is_unattended(&options) && !options.plain;
+    if (options.keeps_sheet && !options.sheet)
+        options.sheet = state_file_word(state_file_sheet, parameter_sheet_words);
     /* names, widths and the character set are the user's; numbers have a point everywhere */
     setlocale(LC_ALL, "");
     /* a film has the characters of UTF-8, whatever the terminal has that asked for it */

@@ -21,6 +21,10 @@ typedef struct LaboratoryOptions {
     const int *reached; /* per lesson of the program (LESSONS_MAX), pages turned to so far; NULL: none */
     bool first_start;   /* nothing is known of the user yet: the first lesson is offered */
     bool paused;        /* open paused */
+    /* What it opens on, one of parameter_sheet_words; lessons begin on the plain one. NULL: nothing was said
+     * of sheets, as when there was one alone: the full one, for lessons too */
+    const char *sheet;
+    bool keeps_sheet;   /* which sheet the user turns to is known at the next start */
     const char *glyphs; /* "auto", "braille", "block", "ascii"; NULL: auto */
     const char *theme;  /* "auto", "light", "dark"; NULL: auto */
     bool no_mouse;

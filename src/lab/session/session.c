@@ -45,6 +45,7 @@ Session *session_begin(const LaboratoryOptions *options, Status *status)
     session->settings = *options->settings;
     session->paused = options->paused;
     session->first = options->first_start;
+    session->sheet = options->sheet;
     visible_text(session->scenario, sizeof session->scenario, options->scenario);
     visible_text(session->lesson, sizeof session->lesson, options->lesson ? options->lesson : "");
     visible_text(session->student, sizeof session->student, options->student ? options->student : "");
@@ -218,6 +219,8 @@ static bool write_head_lines(FILE *file, const Session *session, Status *status)
             session->paused ? "paused\n" : "");
     if (session->first)
         fputs("first\n", file);
+    if (session->sheet)
+        fprintf(file, "sheet %s\n", session->sheet);
     if (*session->lesson)
         fprintf(file, "lesson %s\n", session->lesson);
     if (*session->student)
@@ -272,6 +275,7 @@ void session_options(const Session *session, LaboratoryOptions *options)
     options->scenario = session->scenario;
     options->paused = session->paused;
     options->first_start = session->first;
+    options->sheet = session->sheet;
     options->lesson = *session->lesson ? session->lesson : NULL;
     options->student = *session->student ? session->student : NULL;
     options->student_id = *session->id ? session->id : NULL;

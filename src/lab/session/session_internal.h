@@ -22,6 +22,7 @@ struct Session {
     uint64_t keys;    /* of those of keys, where it was read */
     bool ended, sound;
     bool paused, first;
+    const char *sheet; /* one of parameter_sheet_words; NULL: it is older than these */
     SessionEvent *events;
     size_t count, room;
     bool full;

@@ -6,6 +6,7 @@
 #include "base/input.h"
 #include "base/text.h"
 #include "base/visible.h"
+#include "scenario/parameters.h"
 #include "scenario/scenario.h"
 #include "scenario/scenario_lines.h"
 
@@ -14,9 +15,10 @@
 
 enum { SIZE_MOST = 10000 /* cells */, SESSION_BYTES_MAX = 200000000 };
 
-static const char *const allowed = "scenario NAME | paused | first | lesson NAME | student NAME | version "
-                                   "HASH PROGRAM | reached NAME PAGE | "
-                                   "\"| ...\" | at ... | stop ... | end ... | check HASH";
+static const char *const allowed =
+    "scenario NAME | paused | first | sheet WORD | lesson NAME | student NAME | version "
+    "HASH PROGRAM | reached NAME PAGE | "
+    "\"| ...\" | at ... | stop ... | end ... | check HASH";
 
 static bool read_place(char *word, SessionEvent *event)
 {
@@ -117,6 +119,14 @@ static bool read_student(Session *session, const char *text, Status *status)
     return variant_student(text, session->student, status);
 }
 
+static bool read_sheet(Session *session, const char *text, Status *status)
+{
+    for (int i = 0; parameter_sheet_words[i]; i++)
+        if (strcmp(parameter_sheet_words[i], text) == 0)
+            return (session->sheet = parameter_sheet_words[i]) != NULL;
+    return status_fail(status, STATUS_USAGE, "not a sheet (sheet plain, sheet full)");
+}
+
 static bool read_id(Session *session, const char *text, Status *status)
 {
     return variant_student(text, session->id, status);
@@ -126,8 +136,9 @@ static bool read_id(Session *session, const char *text, Status *status)
 static const struct {
     const char *word;
     bool (*read)(Session *, const char *text, Status *);
-} origins[] = {{"lesson ", read_lesson},   {"student ", read_student}, {"id ", read_id},
-               {"version ", read_version}, {"check ", read_check},     {"reached ", read_reached}};
+} origins[] = {{"lesson ", read_lesson},  {"student ", read_student}, {"id ", read_id},
+               {"sheet ", read_sheet},    {"version ", read_version}, {"check ", read_check},
+               {"reached ", read_reached}};
 
 /* One line; those of the scenario go on to `scenario`. */
 static bool read_line(Session *session, char *line, FILE *scenario, Status *status)

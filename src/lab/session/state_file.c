@@ -2,8 +2,13 @@
 /* Where the files of the program's own are, by the rules of XDG. */
 #include "lab/session/state_file.h"
 
+#include "base/input.h"
+
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
+
+const char state_file_sheet[] = "sheet";
 
 char *state_file(const char *name)
 {
@@ -15,4 +20,36 @@ char *state_file(const char *name)
     else if (home && *home)
         length = asprintf(&file, "%s/.local/state/matvib/%s", home, name);
     return length < 0 ? NULL : file;
+}
+
+const char *state_file_word(const char *name, const char *const words[])
+{
+    char *path = state_file(name), line[64];
+    FILE *file = path ? input_open(path, sizeof line, NULL) : NULL;
+    InputLines lines = {.stream = file, .name = path};
+    const char *found = NULL;
+    if (file && input_line(&lines, line, sizeof line, NULL) == INPUT_LINE)
+        for (int i = 0; words[i]; i++)
+            if (strcmp(line, words[i]) == 0)
+                found = words[i];
+    if (file)
+        fclose(file);
+    free(path);
+    return found;
+}
+
+void state_file_put(Asker asker, const char *name, const char *word)
+{
+    Status ignored = {0};
+    OutputFile file = {0};
+    char *path = state_file(name);
+    if (path)
+        output_make_own_folders(asker, path);
+    if (path && output_open_own(&file, asker, path, &ignored)) {
+        fprintf(file.stream, "%s\n", word);
+        if (output_finish(&file, &ignored))
+            output_commit(&file, &ignored);
+        output_close(&file);
+    }
+    free(path);
 }

@@ -3,7 +3,16 @@
 #ifndef TUI_STATE_FILE_H
 #define TUI_STATE_FILE_H
 
+#include "base/output.h"
+
 /* The path of such a file. NULL: there is no home, or no memory; else free() it. */
 char *state_file(const char *name);
+
+/* A file that holds one word: which of some it is, NULL where there is none of them; and another in its
+ * place, if that can be kept. */
+const char *state_file_word(const char *name, const char *const words[]);
+void state_file_put(Asker, const char *name, const char *word);
+
+extern const char state_file_sheet[]; /* the sheet that is wanted: one of parameter_sheet_words */
 
 #endif

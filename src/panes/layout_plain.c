@@ -1,0 +1,89 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Where panes lie on the plain sheet: one large picture, above it the strip of particles, below it what is
+ * asked, the number that the scenario is about and the parameters that it asks about. Beside a lesson the
+ * text and the picture; in the middle of a step, and where a run has failed, the box that tells of it. */
+#include "panes/panes.h"
+#include "views/view.h"
+
+enum {
+    LEAST_WIDTH = 60,
+    LEAST_HEIGHT = 18,
+    LESSON_LEAST_WIDTH = 80, /* a text wants a column of its own */
+    LESSON_LEAST_HEIGHT = 20,
+    ASKED_WIDTH = 34,
+    ASKED_MOST = 40,
+    PICTURE_LEAST = 6
+};
+
+/* The one picture: the plot that was looked at last. */
+static PaneId picture_of(const Screen *screen)
+{
+    const PaneId focus = screen->panes.focus;
+    return screen_view_in(screen, focus) ? focus : screen->panes.last_plot;
+}
+
+/* A body that is drawn large is not drawn twice. */
+static int strip_rows(const Screen *screen, int height)
+{
+    return screen_view_in(screen, picture_of(screen))->is_map ? 0 : layout_strip_rows(height);
+}
+
+static int box_rows(const Screen *screen, int height)
+{
+    const bool inside = experiment_stage(screen->experiment) > 0 || experiment_before(screen->experiment);
+    return inside || screen->playback.state == STATE_FAILED ? layout_box_rows(screen, height, false) : 0;
+}
+
+/* In one column: the picture, or over it what one thing gives and takes. */
+static void lay_out_picture(const Screen *screen, Rect rect, Layout *layout)
+{
+    layout->panes[screen->panes.inspecting ? PANE_INSPECTOR : picture_of(screen)] = rect;
+}
+
+static void lay_out_lesson(const Screen *screen, int width, int height, Layout *layout)
+{
+    const int strip = strip_rows(screen, height), box = box_rows(screen, height);
+    const int top = 1 + strip, middle = height - 2 - strip - box;
+    const int text = layout_lesson_width(width), left = text + 1;
+    const int number =
+        screen->panes.lecture && screen->lesson.lesson ? pane_number_rows(screen, width, height) : 0;
+    layout->panes[PANE_MESH] = (Rect){0, 1, strip ? width : 0, strip};
+    layout->panes[PANE_PARAMETERS] = (Rect){0, top, text, middle};
+    if (number && middle - number >= PICTURE_LEAST)
+        layout->number = (Rect){left, top + middle - number, width - left, number};
+    lay_out_picture(screen, (Rect){left, top, width - left, middle - layout->number.height}, layout);
+    layout->panes[PANE_BOX] = (Rect){0, top + middle, box ? width : 0, box};
+}
+
+static void lay_out_scenario(const Screen *screen, int width, int height, Layout *layout)
+{
+    const int asked = pane_asked_rows(screen), number = pane_number_rows(screen, width, height);
+    const int wanted = width / 2, fields = wanted < ASKED_WIDTH  ? ASKED_WIDTH
+                                           : wanted > ASKED_MOST ? ASKED_MOST
+                                                                 : wanted;
+    const int below = asked > number ? asked : number, question = pane_question_rows(screen, width);
+    int strip = strip_rows(screen, height), box = box_rows(screen, height);
+    int middle = height - 2 - strip - box - question - below;
+    if (middle < PICTURE_LEAST) /* in a step its numbers are worth more than the picture of all particles */
+        middle += strip, strip = 0;
+    if (middle < PICTURE_LEAST)
+        middle += box, box = 0;
+    const int top = 1 + strip, end = top + middle + box;
+    layout->panes[PANE_MESH] = (Rect){0, 1, strip ? width : 0, strip};
+    lay_out_picture(screen, (Rect){0, top, width, middle}, layout);
+    layout->panes[PANE_BOX] = (Rect){0, top + middle, box ? width : 0, box};
+    layout->question = (Rect){0, end, question ? width : 0, question};
+    layout->number = (Rect){0, end + question, width - fields - 1, below};
+    layout->panes[PANE_PARAMETERS] = (Rect){width - fields - 1, end + question, fields, below};
+}
+
+bool layout_plain(const Screen *screen, int width, int height, Layout *layout)
+{
+    const bool lesson = screen->lesson.open;
+    if (width < (lesson ? LESSON_LEAST_WIDTH : LEAST_WIDTH) ||
+        height < (lesson ? LESSON_LEAST_HEIGHT : LEAST_HEIGHT))
+        return false;
+    layout->kind = LAYOUT_FULL;
+    (lesson ? lay_out_lesson : lay_out_scenario)(screen, width, height, layout);
+    return true;
+}

@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What a scenario asks about: the key of its question, and those of its screen. */
+#include "scenario/parameters.h"
+#include "scenario/settings.h"
+
+#include <stdio.h>
+#include <string.h>
+
+const Parameter *settings_question(const Settings *settings)
+{
+    const Parameter *asked = parameter_find(settings->question);
+    if (!asked || !parameter_applies_to(settings, asked)) /* or it asks about the bar's other method */
+        asked = parameter_find(settings->method == METHOD_MPM ? "mpm.algorithm" : "pd.surface_correction");
+    return asked && parameter_applies_to(settings, asked) ? asked : NULL;
+}
+
+/* What is tried first where a scenario names nothing: the question, then of these what there is. */
+static const char *const usually_asked[] = {
+    "mesh.cell_size", "mesh.particles_per_cell", "time.courant", "pd.spacing", "pd.horizon", "load.stress",
+    "time.step"};
+
+/* The next key of a list with commas; false: there is no more. */
+static bool next_key(const char **list, char key[KEY_MAX])
+{
+    *list += strspn(*list, ", ");
+    const size_t length = strcspn(*list, ", ");
+    snprintf(key, KEY_MAX, "%.*s", (int)length, *list);
+    *list += length;
+    return length > 0;
+}
+
+int settings_asked(const Settings *settings, const Parameter *out[ASKED_MAX])
+{
+    const char *list = settings->view.ask;
+    char key[KEY_MAX];
+    int n = 0;
+    while (n < ASKED_MAX && next_key(&list, key)) {
+        const Parameter *parameter = parameter_find(key);
+        if (parameter && parameter_applies_to(settings, parameter))
+            out[n++] = parameter;
+    }
+    const Parameter *question = settings_question(settings);
+    if (n == 0 && question)
+        out[n++] = question;
+    for (size_t i = 0;
+         !*settings->view.ask && n < ASKED_MAX && i < sizeof usually_asked / sizeof *usually_asked; i++) {
+        const Parameter *parameter = parameter_find(usually_asked[i]);
+        if (parameter && parameter != question && parameter_applies_to(settings, parameter))
+            out[n++] = parameter;
+    }
+    return n;
+}
+
+bool settings_check_asked(const Settings *settings, Status *status)
+{
+    const char *list = settings->view.ask;
+    char key[KEY_MAX];
+    for (int n = 0; next_key(&list, key); n++) {
+        const Parameter *parameter = parameter_find(key);
+        if (!parameter || !parameter_applies(parameter, settings->problem))
+            return status_fail(status, STATUS_USAGE,
+                               "screen.ask: %s is no parameter of problem %s (see: matvib params %s)", key,
+                               settings->problem->word, settings->problem->word);
+        if (n == ASKED_MAX)
+            return status_fail(status, STATUS_USAGE, "screen.ask: names too many (at most %d)", ASKED_MAX);
+    }
+    return true;
+}

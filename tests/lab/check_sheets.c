@@ -1,0 +1,276 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The two sheets: what is on each, how one is turned, what is remembered of it, and that what a scenario says
+ * of its screen is known. */
+#include "suite.h"
+#include "lab/tui_case.h"
+#include "lab/session/state_file.h"
+#include "lessons/run_numbers.h"
+#include "panes/panes.h"
+#include "scenario/scenario.h"
+#include "scenario/settings.h"
+#include "views/view.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void enter_line(Bench *bench, const char *text)
+{
+    press(bench, ":");
+    for (; *text; text++)
+        press(bench, *text == ' ' ? "Space" : (char[2]){*text, '\0'});
+    press(bench, "Enter");
+}
+
+static void open_sheet(Bench *bench, const char *sheet)
+{
+    bench->lab.options.sheet = sheet;
+    enter_line(bench, strcmp(sheet, "plain") == 0 ? "sheet plain" : "sheet full");
+}
+
+static bool is_plain(const Bench *bench)
+{
+    return screen_is_plain(&bench->lab.screen);
+}
+
+/* One picture, one number, what is asked: no second plot, no table, no box, no timeline. */
+START_TEST(the_plain_sheet_has_one_of_each)
+{
+    static const int sizes[][2] = {{80, 24}, {132, 43}, {60, 18}, {200, 60}, {100, 20}};
+    Bench *bench = open_bench("mode5", true);
+    open_sheet(bench, "plain");
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        const Layout layout = layout_make(&bench->lab.screen, sizes[i][0], sizes[i][1]);
+        const int plots = (layout.panes[PANE_UPPER].width > 0) + (layout.panes[PANE_LOWER].width > 0);
+        ck_assert_int_eq(plots, 1);
+        ck_assert_int_eq(layout.panes[PANE_BOX].width, 0);
+        ck_assert_int_eq(layout.timeline.width, 0);
+        ck_assert_int_eq(layout.sides[0].width + layout.sides[1].width, 0);
+        ck_assert_int_gt(layout.panes[PANE_MESH].width, 0);
+        ck_assert_int_gt(layout.number.width, 0);
+        ck_assert_int_gt(layout.panes[PANE_PARAMETERS].width, 0);
+        ck_assert_int_ge(layout.panes[PANE_LOWER].height, 6);
+    }
+    press(bench, "]");
+    ck_assert(shows(bench, "Stage 1 of 7")); /* within a step its numbers come */
+    press(bench, ".");
+    ck_assert(!shows(bench, " energy "));
+    ck_assert(!shows(bench, " stage 0"));
+    close_bench(bench);
+}
+END_TEST
+
+/* By key and by word, from anywhere; what is undone, and what the arrows change, is the same after it. */
+START_TEST(sheets_are_turned_without_touching_anything)
+{
+    Bench *bench = open_bench("mode5", true);
+    Screen *screen = &bench->lab.screen;
+    ck_assert(!is_plain(bench)); /* nothing was said of sheets */
+    press(bench, "f");
+    ck_assert(is_plain(bench));
+    const Parameter *first = edit_selected(screen);
+    ck_assert_str_eq(first->key, "mesh.cell_size");
+    press_all(bench, "Down Right");
+    const Parameter *second = edit_selected(screen);
+    ck_assert_ptr_ne(second, first);
+    const int undone = bench->lab.editing.n_undo;
+    const Settings before = *experiment_settings(screen->experiment);
+    ck_assert_int_eq(undone, 1);
+    press(bench, "f");
+    ck_assert(!is_plain(bench));
+    ck_assert_ptr_eq(edit_selected(screen), second);
+    press_all(bench, "f f f");
+    ck_assert(is_plain(bench));
+    ck_assert_ptr_eq(edit_selected(screen), second);
+    ck_assert_int_eq(bench->lab.editing.n_undo, undone);
+    ck_assert(settings_same(experiment_settings(screen->experiment), &before));
+    enter_line(bench, "sheet full");
+    ck_assert(!is_plain(bench));
+    enter_line(bench, "sheet full");
+    ck_assert(!is_plain(bench));
+    enter_line(bench, "sheet");
+    ck_assert(is_plain(bench));
+    enter_line(bench, "sheet large");
+    ck_assert(screen->prompt.open);
+    ck_assert_str_eq(screen->prompt.problem, "which sheet? (plain | full)");
+    press(bench, "Esc");
+    /* from a pane that the plain sheet has not, from the inspector, from a field of the filter */
+    press_all(bench, "f Tab Tab f");
+    ck_assert_int_eq(screen->panes.focus, PANE_PARAMETERS);
+    press_all(bench, "i f");
+    ck_assert(!is_plain(bench));
+    press_all(bench, "f L");
+    ck_assert(is_plain(bench));
+    press(bench, "f");
+    ck_assert(!is_plain(bench) && !screen->panes.lecture);
+    close_bench(bench);
+}
+END_TEST
+
+/* A digit shows another picture in place of the one; the arrows stay with the parameters. */
+START_TEST(the_picture_is_the_one_asked_for)
+{
+    Bench *bench = open_bench("mode5", true);
+    open_sheet(bench, "plain");
+    ck_assert(shows(bench, "v_cm"));
+    press(bench, "1");
+    ck_assert(!shows(bench, "v_cm"));
+    ck_assert_int_gt(screen_pane(&bench->lab.screen, 80, 24, PANE_UPPER).width, 0);
+    press(bench, "4");
+    const Settings before = *experiment_settings(bench->lab.screen.experiment);
+    press(bench, "Left");
+    ck_assert(!settings_same(experiment_settings(bench->lab.screen.experiment), &before));
+    close_bench(bench);
+}
+END_TEST
+
+/* A lesson begins on the plain sheet; who turns to the full one has it to the end; it ends as it was. */
+START_TEST(lessons_begin_on_the_plain_sheet)
+{
+    Status status = {STATUS_DONE, ""};
+    Bench *bench = open_bench("mode5", true);
+    open_sheet(bench, "full");
+    ck_assert(lesson_play_open(&bench->lab, "late", &status));
+    ck_assert(is_plain(bench));
+    press_all(bench, "f n");
+    ck_assert(!is_plain(bench));
+    press_all(bench, "f n");
+    ck_assert(is_plain(bench));
+    press(bench, "T");
+    ck_assert(!is_plain(bench));
+    open_sheet(bench, "plain");
+    press_all(bench, "T Enter");
+    ck_assert(is_plain(bench));
+    press_all(bench, "f T");
+    ck_assert(is_plain(bench));
+    /* what is older than the sheets */
+    press(bench, "f");
+    bench->lab.options.sheet = NULL;
+    press_all(bench, "T Enter");
+    ck_assert(bench->lab.screen.lesson.lesson && !is_plain(bench));
+    close_bench(bench);
+}
+END_TEST
+
+/* The user's own turning is known at the next start, a lesson's or a session's is not. */
+START_TEST(the_sheet_is_remembered)
+{
+    char folder[64];
+    Status status = {STATUS_DONE, ""};
+    enter_folder(folder);
+    setenv("XDG_STATE_HOME", folder, 1);
+    ck_assert_ptr_null(state_file_word(state_file_sheet, parameter_sheet_words));
+    Bench *bench = open_bench("mode5", true);
+    bench->lab.options.sheet = "plain";
+    press(bench, "f");
+    ck_assert_ptr_null(state_file_word(state_file_sheet, parameter_sheet_words)); /* nobody sits there */
+    bench->lab.options.keeps_sheet = true;
+    press(bench, "f");
+    ck_assert_str_eq(state_file_word(state_file_sheet, parameter_sheet_words), "full");
+    press(bench, "f");
+    ck_assert_str_eq(state_file_word(state_file_sheet, parameter_sheet_words), "plain");
+    ck_assert(lesson_play_open(&bench->lab, "late", &status));
+    press(bench, "f");
+    ck_assert_str_eq(state_file_word(state_file_sheet, parameter_sheet_words), "plain");
+    press(bench, "T");
+    bench->lab.asker = ASKER_REPLAY;
+    press(bench, "f");
+    ck_assert_str_eq(state_file_word(state_file_sheet, parameter_sheet_words), "plain");
+    close_bench(bench);
+    char file[128];
+    snprintf(file, sizeof file, "%s/matvib/%s", folder, state_file_sheet);
+    FILE *broken = fopen(file, "w");
+    ck_assert_ptr_nonnull(broken);
+    fputs("plain and simple, but no word of a sheet that anybody knows, and much too long\n", broken);
+    fclose(broken);
+    ck_assert_ptr_null(state_file_word(state_file_sheet, parameter_sheet_words));
+    leave_folder(folder);
+}
+END_TEST
+
+static const struct {
+    const char *text, *says;
+} wrong[] = {
+    {"sheet = large", "my.ini:6: screen.sheet: large is not allowed (full | plain)"},
+    {"about = lateness", "screen.about: lateness is not allowed (error, period_error, late, "},
+    {"about = dt", "screen.about: dt is not allowed (error, period_error, late, "},
+    {"ask = mesh.size", "screen.ask: mesh.size is no parameter of problem bar (see: matvib params bar)"},
+    {"ask = bar.length, notch.depth", "screen.ask: notch.depth is no parameter of problem bar"},
+    {"ask = bar.length,mesh.cell_size,time.courant,bar.density,initial.mode",
+     "screen.ask: names too many (at most 4)"},
+};
+
+static bool read_screen(const char *line, Settings *settings, Status *status)
+{
+    char text[256];
+    snprintf(text, sizeof text, "[scenario]\nproblem = bar\nmethod = mpm\n\n[screen]\n%s\n", line);
+    FILE *stream = fmemopen(text, strlen(text), "r");
+    ck_assert_ptr_nonnull(stream);
+    *status = (Status){STATUS_DONE, ""};
+    const bool sound = scenario_read(stream, "my.ini", settings, status) &&
+                       settings_check(settings, status) && view_check(&settings->view, status);
+    fclose(stream);
+    return sound;
+}
+
+START_TEST(a_screen_that_is_not_known_is_refused)
+{
+    Settings settings;
+    Status status;
+    ck_assert(!read_screen(wrong[_i].text, &settings, &status));
+    ck_assert_msg(strstr(status.text, wrong[_i].says) != NULL, "%s", status.text);
+    ck_assert_int_eq(status.code, STATUS_USAGE);
+}
+END_TEST
+
+/* In the order of the scenario; of those that the method has not the others stay. */
+START_TEST(a_scenario_says_what_it_asks)
+{
+    Settings settings;
+    Status status;
+    const Parameter *asked[ASKED_MAX];
+    ck_assert_msg(read_screen("sheet = plain\nabout = error\nask = time.courant, pd.spacing,bar.length",
+                              &settings, &status),
+                  "%s", status.text);
+    ck_assert_str_eq(run_number_about(&settings)->word, "error");
+    ck_assert_int_eq(settings_asked(&settings, asked), 2);
+    ck_assert_str_eq(asked[0]->key, "time.courant");
+    ck_assert_str_eq(asked[1]->key, "bar.length");
+    ck_assert(read_screen("", &settings, &status));
+    ck_assert_str_eq(run_number_about(&settings)->word, "late");
+    ck_assert_int_gt(settings_asked(&settings, asked), 2);
+}
+END_TEST
+
+/* It opens on its own sheet, without making that the user's. */
+START_TEST(a_scenario_opens_on_its_own_sheet)
+{
+    char folder[64];
+    enter_folder(folder);
+    FILE *file = fopen("mine.ini", "w");
+    ck_assert_ptr_nonnull(file);
+    fputs("[scenario]\nproblem = bar\nmethod = mpm\n\n[screen]\nsheet = plain\nask = initial.mode\n", file);
+    fclose(file);
+    Bench *bench = open_bench("mode5", true);
+    enter_line(bench, "open mine.ini");
+    ck_assert(is_plain(bench));
+    ck_assert_str_eq(edit_selected(&bench->lab.screen)->key, "initial.mode");
+    close_bench(bench);
+    leave_folder(folder);
+}
+END_TEST
+
+void add_cases(Suite *suite)
+{
+    TCase *sheets = tcase_create("sheets");
+    tcase_add_test(sheets, the_plain_sheet_has_one_of_each);
+    tcase_add_test(sheets, sheets_are_turned_without_touching_anything);
+    tcase_add_test(sheets, the_picture_is_the_one_asked_for);
+    tcase_add_test(sheets, lessons_begin_on_the_plain_sheet);
+    tcase_add_test(sheets, the_sheet_is_remembered);
+    tcase_add_loop_test(sheets, a_screen_that_is_not_known_is_refused, 0,
+                        (int)(sizeof wrong / sizeof *wrong));
+    tcase_add_test(sheets, a_scenario_says_what_it_asks);
+    tcase_add_test(sheets, a_scenario_opens_on_its_own_sheet);
+    suite_add_tcase(suite, sheets);
+}
