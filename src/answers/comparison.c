@@ -19,7 +19,8 @@ typedef struct Standing {
     CrackFacts crack;
     bool breaks; /* `crack` is known */
     FrontsFacts fronts;
-    bool follows; /* `fronts` are known */
+    bool follows;  /* `fronts` are known */
+    bool in_doubt; /* one of the two codes has a mistake */
 } Standing;
 
 /* A row: its label for this run and, if there is one, its value. False: the run has no such number. */
@@ -88,6 +89,19 @@ static bool fill_late(const Standing *run, char *label, char *value)
     snprintf(label, COMPARISON_TEXT_MAX, "late, periods");
     return readout->moving && readout->measured_known && isfinite(readout->late) &&
            put(value, "%.2f", readout->late);
+}
+
+/* What the series begins with, to the digits in which a code with a mistake first leaves the right one. */
+static bool fill_digits(const Standing *run, char *label, char *value)
+{
+    enum { FIRST = 2 }; /* behind step and time */
+    const double *row = experiment_row(run->experiment);
+    int n;
+    const Column *columns = experiment_columns(run->experiment, &n);
+    if (!run->in_doubt || n <= FIRST || !row)
+        return false;
+    snprintf(label, COMPARISON_TEXT_MAX, "%s", columns[FIRST].quantity.name);
+    return put(value, "%.9g", row[FIRST]);
 }
 
 /* --- energy ---------------------------------------------------------------------------------------- */
@@ -291,17 +305,17 @@ static const struct {
     ColumnKind kind;
     bool if_different; /* else it is not worth a row */
 } quantities[] = {
-    {fill_stop, COLUMN_MEASURED, false},       {fill_measured, COLUMN_MEASURED, false},
-    {fill_predicted, COLUMN_PREDICTED, false}, {fill_exact, COLUMN_EXACT, false},
-    {fill_broken, COLUMN_MEASURED, false},     {fill_first_break, COLUMN_MEASURED, false},
-    {fill_tips, COLUMN_MEASURED, false},       {fill_fastest, COLUMN_MEASURED, false},
-    {fill_branch, COLUMN_MEASURED, false},     {fill_length, COLUMN_MEASURED, false},
-    {fill_tip_x, COLUMN_MEASURED, false},      {fill_tip_y, COLUMN_MEASURED, false},
-    {fill_loss, COLUMN_MEASURED, false},       {fill_null, COLUMN_MEASURED, false},
-    {fill_crossing, COLUMN_MEASURED, false},   {fill_error, COLUMN_EXACT, false},
-    {fill_late, COLUMN_EXACT, false},          {fill_lumping, COLUMN_MEASURED, false},
-    {fill_total, COLUMN_MEASURED, false},      {fill_work, COLUMN_MEASURED, false},
-    {fill_step, COLUMN_MEASURED, true},
+    {fill_stop, COLUMN_MEASURED, false},        {fill_digits, COLUMN_MEASURED, false},
+    {fill_measured, COLUMN_MEASURED, false},    {fill_predicted, COLUMN_PREDICTED, false},
+    {fill_exact, COLUMN_EXACT, false},          {fill_broken, COLUMN_MEASURED, false},
+    {fill_first_break, COLUMN_MEASURED, false}, {fill_tips, COLUMN_MEASURED, false},
+    {fill_fastest, COLUMN_MEASURED, false},     {fill_branch, COLUMN_MEASURED, false},
+    {fill_length, COLUMN_MEASURED, false},      {fill_tip_x, COLUMN_MEASURED, false},
+    {fill_tip_y, COLUMN_MEASURED, false},       {fill_loss, COLUMN_MEASURED, false},
+    {fill_null, COLUMN_MEASURED, false},        {fill_crossing, COLUMN_MEASURED, false},
+    {fill_error, COLUMN_EXACT, false},          {fill_late, COLUMN_EXACT, false},
+    {fill_lumping, COLUMN_MEASURED, false},     {fill_total, COLUMN_MEASURED, false},
+    {fill_work, COLUMN_MEASURED, false},        {fill_step, COLUMN_MEASURED, true},
 };
 enum { QUANTITIES = sizeof quantities / sizeof *quantities };
 
@@ -351,7 +365,9 @@ int comparison_of_duel(const Duel *duel, Comparison rows[COMPARISONS_MAX])
 {
     if (!duel->b)
         return 0;
-    const Standing runs[2] = {standing_of(duel->a), standing_of(duel->b)};
+    Standing runs[2] = {standing_of(duel->a), standing_of(duel->b)};
+    runs[0].in_doubt = runs[1].in_doubt =
+        settings_mistake(experiment_settings(duel->a)) || settings_mistake(experiment_settings(duel->b));
     int count = add_keys(duel, rows);
     for (int i = 0; i < QUANTITIES; i++) {
         Comparison row = {.kind = quantities[i].kind};

@@ -6,7 +6,7 @@
 
 #include "run/duel.h"
 
-enum { COMPARISONS_MAX = DUEL_MAX + 24, COMPARISON_TEXT_MAX = 24 };
+enum { COMPARISONS_MAX = DUEL_MAX + 24, COMPARISON_TEXT_MAX = 28 };
 
 typedef struct Comparison {
     char label[COMPARISON_TEXT_MAX + 8]; /* with its unit: "T measured, ms" */

@@ -386,6 +386,34 @@ run supported-beam-coarse --set pd.surface_correction=none
 claim $lesson/skin.lesson "" 1.04 " ms, 20.5 % too long" measured 1000
 claim $lesson/skin.lesson "1.04 ms, " 20.5 " % too long" period_error
 claim $lesson/homework-crack.lesson "From " 21 " % to" period_error
+claim $lesson/two-wrongs.lesson "Uncorrected, A is " 20.5 " % too slow" period_error
+run supported-beam-coarse --set pd.surface_correction=none --set pd.mistake=micromodulus_plane_strain --end 0.0007
+claim $lesson/two-wrongs.lesson "and is " 16.7 " % too slow" period_error
+# what a mistake makes of c, and the correction of it, with bonds inside the beam
+against() { # MISTAKE
+	for wrong in none "$1"; do
+		"$MATVIB" run supported-beam-coarse --set "pd.mistake=$wrong" --at 0 --steps 1 --bonds "$wrong.csv" \
+			--columns c,G --force --quiet 2>err || result "matvib run with $wrong" told_and_failed
+	done
+	awk -F, '
+		FNR == 1 { file++; for (i = 1; i <= NF; i++) at[$i] = i; next }
+		!c[file] || $at["G"] < least[file] { c[file] = $at["c"]; least[file] = $at["G"] }
+		END { print "factor", least[1]; print "wrong_factor", least[2]
+			print "times", c[2] / c[1]; print "faster", sqrt(c[2] / c[1]) }' none.csv "$1.csv" >measured
+}
+against micromodulus_3d
+claim $lesson/two-wrongs.lesson "Inside a right beam G is " 1.14 "." factor
+claim $lesson/two-wrongs.lesson "1.14/667 are " 1.7 "." wrong_factor 1000
+claim $lesson/two-wrongs.lesson "of a solid, and " 667 " times" times
+claim $lesson/two-wrongs.lesson "its waves are " 26 " times as fast" faster
+against micromodulus_plane_strain
+claim $lesson/two-wrongs.lesson "Its bonds are " 6.7 " % too stiff" times 100 -100
+run mode5 --end 13.1
+claim $lesson/looks-right.lesson "w is " 5.4153 " for both" measured
+run mode5 --end 13.1 --set mpm.mistake=moved_weights
+claim $lesson/looks-right.lesson "w is " 5.4153 " for both" measured
+run mode5 --end 13.1 --set mpm.mistake=mass_for_volume
+claim $lesson/looks-right.lesson "5.4153 and " 5.4152 ": who" measured
 # what is known before the first step: of the same beam with volumes beyond the horizon, and with half of it
 known() { # OPTIONS...
 	run supported-beam-coarse --set pd.surface_correction=none --steps 2 "$@"

@@ -70,6 +70,11 @@ result "in the same columns" says d.csv '^1;1;map;12;6,25;6,25;0;'
 expect "a beam" 0 supported-beam-coarse --steps 2 --stages 2:2 --particles f.csv --bonds g.csv --quiet
 result "forces, which no table at times has" test -n "$(column f.csv fx)"
 result "bonds at each stage" says g.csv '^step,stage,stage_id,'
+# pull = c G w V s, V the square of the spacing; some are corrected, some cut
+pick g.csv 2 4 c G w stretch pull | awk -F, '{ pull = $1 * $2 * $3 * 0.0005 ^ 2 * $4; off = pull - $5
+	if (off * off > 1e-24 * pull * pull) wrong++; corrected += $2 > 2; cut += $3 < 1; count++ }
+	END { exit wrong || !corrected || !cut || !count }'
+result "what a bond pulls with, from its c, G and w" test $? -eq 0
 expect "a beam by cells" 0 supported-beam-mpm-coarse --steps 2 --stages 1:2 --particles h.csv --nodes k.csv --quiet
 result "the grid has its mass" test "$(total k.csv 2 1 mass)" = "$(total h.csv 2 1 mass)"
 

@@ -218,6 +218,26 @@ START_TEST(plates_differ_by_a_row)
 }
 END_TEST
 
+/* A silent mistake shows in digits, and two right codes need
+ * no row of them. */
+START_TEST(a_mistake_is_told_by_digits)
+{
+    const Settings settings = bar_settings(5, 10);
+    Comparison rows[COMPARISONS_MAX];
+    Duel duel = begin(&settings, "mpm.mistake=moved_weights", MEGABYTE);
+    duel_seek(&duel, 2, 0);
+    finish(&duel);
+    int count = comparison_of_duel(&duel, rows);
+    ck_assert_str_eq(in_table(rows, count, "v_cm", 0), "0.00703479151");
+    ck_assert_str_eq(in_table(rows, count, "v_cm", 1), "0.00703477412");
+    end(&duel);
+    duel = begin(&settings, "mpm.algorithm=usl", MEGABYTE);
+    count = comparison_of_duel(&duel, rows);
+    ck_assert_str_eq(in_table(rows, count, "v_cm", 0), "");
+    end(&duel);
+}
+END_TEST
+
 START_TEST(wrong_keys_are_refused)
 {
     static const struct {
@@ -443,6 +463,7 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(tcase, both_stand_at_one_time, 0, 7);
     tcase_add_test(tcase, it_can_begin_in_the_middle);
     tcase_add_test(tcase, plates_differ_by_a_row);
+    tcase_add_test(tcase, a_mistake_is_told_by_digits);
     tcase_add_test(tcase, wrong_keys_are_refused);
     tcase_add_test(tcase, the_question_suggests_the_next_choice);
     tcase_add_test(tcase, further_suggestions_are_all_good_for_a_duel);

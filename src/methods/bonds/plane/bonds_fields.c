@@ -50,6 +50,9 @@ typedef enum FieldIndex {
     F_NOTCH,
     F_PULL,
     F_BOND_ENERGY,
+    F_MICROMODULUS,
+    F_CORRECTION,
+    F_WEIGHT,
     N_FIELDS
 } FieldIndex;
 
@@ -97,6 +100,9 @@ static const Field fields[N_FIELDS] = {
     [F_NOTCH] = BOND("notch", "notch", "1", "1: the notch cuts the bond", false, true),
     [F_PULL] = BOND("pull", "pull", "N/m^3", "force density on its ends, positive in tension", false, false),
     [F_BOND_ENERGY] = BOND("energy", "energy", "J", "strain energy of the bond", false, false),
+    [F_MICROMODULUS] = BOND("c", "c", "N/m^5", "stiffness c of the bond (eq. 4)", false, false),
+    [F_CORRECTION] = BOND("G", "G", "1", "surface correction G of the bond", false, false),
+    [F_WEIGHT] = BOND("w", "w", "1", "share w of the other end's volume that counts", false, false),
 };
 
 /* --- what fills them ------------------------------------------------------------------------------ */
@@ -223,6 +229,12 @@ static double bond_field(const Beam *beam, int field, BondPlace place)
         return bond.pull;
     case F_BOND_ENERGY:
         return bond.energy;
+    case F_MICROMODULUS:
+        return lattice->micromodulus * offset->influence;
+    case F_CORRECTION:
+        return lattice_correction(lattice, place);
+    case F_WEIGHT:
+        return offset->weight;
     default:
         return 0;
     }

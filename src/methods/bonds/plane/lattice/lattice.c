@@ -173,29 +173,34 @@ static bool number_bonds(Lattice *lattice, const BeamDef *def, Status *status)
     return true;
 }
 
-/* c G w V of one bond, the factor of its stretch in eq. 8: force density per unit stretch, N/m^3. With the
- * energy correction G is the radius, in the bond's direction n, of an ellipse whose half axes are the mean
- * factors of both ends (gbar_x, gbar_y): gbar_x along x, gbar_y along y, in between what an ellipse has, as
- * Madenci and Oterkus do it. */
-double lattice_coefficient(const Lattice *lattice, BondPlace bond)
+/* With the energy correction G is the radius, in the bond's direction n, of an ellipse whose half axes are
+ * the mean factors of both ends (gbar_x, gbar_y): gbar_x along x, gbar_y along y, in between what an ellipse
+ * has, as Madenci and Oterkus do it. */
+double lattice_correction(const Lattice *lattice, BondPlace bond)
 {
     ASSERT(lattice_has(lattice, bond.i, bond.j));
     ASSERT_INDEX(bond.offset, lattice->n_offsets);
     const Offset *offset = &lattice->offsets[bond.offset];
     size_t a = (size_t)bond.j * (size_t)lattice->nx + (size_t)bond.i;
     size_t b = (size_t)(bond.j + offset->q) * (size_t)lattice->nx + (size_t)(bond.i + offset->p);
-    double factor = 1;
     if (lattice->correction == SURFACE_ENERGY) {
         double nx = offset->x / offset->length, ny = offset->y / offset->length;
         double x = nx / ((lattice->factor_x[a] + lattice->factor_x[b]) / 2);
         double y = ny / ((lattice->factor_y[a] + lattice->factor_y[b]) / 2);
-        factor = 1 / sqrt(x * x + y * y);
-    } else if (lattice->correction == SURFACE_VOLUME) {
-        /* 2 pi delta^2 / (V_a + V_b) from pi delta^2 / V of both ends */
-        factor = 2 / (1 / lattice->factor_x[a] + 1 / lattice->factor_x[b]);
+        return 1 / sqrt(x * x + y * y);
     }
-    return lattice->micromodulus * offset->influence * factor * offset->weight * lattice->spacing *
-           lattice->spacing;
+    if (lattice->correction ==
+        SURFACE_VOLUME) /* 2 pi delta^2 / (V_a + V_b) from pi delta^2 / V of both ends */
+        return 2 / (1 / lattice->factor_x[a] + 1 / lattice->factor_x[b]);
+    return 1;
+}
+
+/* The factor of a bond's stretch in eq. 8. */
+double lattice_coefficient(const Lattice *lattice, BondPlace bond)
+{
+    const Offset *offset = &lattice->offsets[bond.offset];
+    return lattice->micromodulus * offset->influence * lattice_correction(lattice, bond) * offset->weight *
+           lattice->spacing * lattice->spacing;
 }
 
 /* The bond of a slot. Slots go by rows of nodes, in these by tiles of columns, in a tile by offsets and then

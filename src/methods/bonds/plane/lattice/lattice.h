@@ -148,6 +148,9 @@ static inline size_t lattice_bonds(const Lattice *lattice)
     return lattice->first_bond[lattice_nodes(lattice)];
 }
 
+/* G of a bond: its surface correction, made of those of its ends; 1 without. */
+double lattice_correction(const Lattice *lattice, BondPlace bond);
+
 /* c G w V of a whole bond, N/m^3: its force density per unit stretch. */
 double lattice_coefficient(const Lattice *lattice, BondPlace bond);
 
