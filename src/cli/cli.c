@@ -21,6 +21,7 @@ const CliCommand cli_commands[] = {
     {"figure", "SCENARIO", "runs a scenario and draws a view of it for paper: SVG, PDF, PNG", cli_figure},
     {"movie", "SCENARIO|SESSION|SCRIPT", "films the laboratory: .cast, animated .svg, .gif", cli_movie},
     {"fit", "SCENARIO", "the parameters that a measured series asks for", cli_fit},
+    {"diagnose", "SCENARIO FILE...", "tells from the numbers of your own code which mistake is in it", cli_diagnose},
     {"sound", "SCENARIO", "the error of a frequency, to be heard: .wav", cli_sound},
     {"verify", "[NAME]...", "the papers' numbers measured anew: reproduced, and agreeing?", verify},
     {"lesson", "[NAME]", "a lesson beside the live laboratory; without a name: all of them", NULL},

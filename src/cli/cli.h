@@ -37,6 +37,7 @@ int cli_figure(int count, char **arguments, Status *);
 int cli_movie(int count, char **arguments, Status *);
 int cli_grade(int count, char **arguments, Status *);
 int cli_fit(int count, char **arguments, Status *);
+int cli_diagnose(int count, char **arguments, Status *);
 int cli_sound(int count, char **arguments, Status *);
 int cli_list(int count, char **arguments, Status *);
 int cli_list_lessons(Status *);                                         /* what `lesson --list` prints */

@@ -28,7 +28,7 @@ static const char *const themes[] = {"auto", "light", "dark", NULL};
 #define ONE_OF(names) .kind = OPTION_WORD, .words = names
 
 const Option options_table[] = {
-    {"--set", "KEY=VALUE", " open show run figure movie sound fit sweep export-lammps ",
+    {"--set", "KEY=VALUE", " open show run figure movie sound fit diagnose sweep export-lammps ",
      "a value instead of the scenario's; may be repeated", OPTION_OVERRIDE, AT(overrides)},
     {"--end", "T", " open show run figure movie sound fit sweep export-lammps ", "the run ends at time T",
      OPTION_OVERRIDE, AT(overrides), .key = "time.end"},
@@ -57,6 +57,9 @@ const Option options_table[] = {
     {"--output", "FILE", " fit ", "a table: time, datum, fitted, residual", OPTION_TEXT, AT(output)},
     {"--figure", "FILE", " fit ", "a picture of both: FILE.svg, FILE.pdf or FILE.png", OPTION_TEXT,
      AT(figure)},
+    {"--map", "THEIRS=OURS,...", " diagnose ",
+     "columns whose names say nothing; THEIRS=OURS*FACTOR turns units into the scenario's", OPTION_TEXT,
+     AT(map)},
     {"--name", "NAME", " lesson ", "whose homework it is: the exercises' variants are drawn from it",
      OPTION_TEXT, AT(name)},
     {"--id", "ID", " lesson ", "the student's number or address, by which tables of marks are joined",
@@ -120,9 +123,9 @@ const Option options_table[] = {
      AT(dialect), ONE_OF(dialects)},
     {"--force", NULL, " run figure movie sound fit sweep grade export-lammps open lesson ",
      "replaces files that exist", OPTION_FLAG, AT(force)},
-    {"--quiet", NULL, " run figure movie sound fit sweep grade ", "neither progress nor summary", OPTION_FLAG,
-     AT(quiet)},
-    {"--threads", "N", " open lesson run figure movie sound fit sweep grade ",
+    {"--quiet", NULL, " run figure movie sound fit diagnose sweep grade ", "neither progress nor summary",
+     OPTION_FLAG, AT(quiet)},
+    {"--threads", "N", " open lesson run figure movie sound fit diagnose sweep grade ",
      "threads to compute with; the numbers do not depend on it", OPTION_COUNT, AT(threads),
      .most = THREADS_MAX},
     {"--full", NULL, " verify ", "everything, however long it takes", OPTION_FLAG, AT(full)},

@@ -77,6 +77,8 @@ typedef struct Options {
     OptionList against;
     bool plan;
     const char *data, *sought, *column, *figure; /* of a fit */
+    const char *map;                             /* of a diagnosis */
+    bool pairs;
     const char *seconds, *pitch;                 /* of a sound */
     const char *fps, *speed, *idle, *from, *to;  /* of a film */
 

@@ -28,6 +28,8 @@ typedef struct Reader {
     char cut[OVERLAY_LINE_MAX]; /* its cells, each with a final zero: no longer than the line */
     char *cells[OVERLAY_COLUMNS_MAX];
     size_t room;
+    OverlayWord word;
+    void *context; /* of word */
 } Reader;
 
 static bool fail(const Reader *reader, const char *what)
@@ -180,6 +182,23 @@ static bool make_room(Reader *reader, Overlay *overlay)
     return true;
 }
 
+/* How exactly a number is written, for its column: "0.0120" has 3 digits and 4 places. */
+static void note_digits(OverlayColumn *column, const char *cell)
+{
+    int digits = 0, places = 0;
+    bool fraction = false;
+    for (; *cell && *cell != 'e' && *cell != 'E'; cell++)
+        if (*cell == '.' || *cell == ',')
+            fraction = true;
+        else if (*cell >= '0' && *cell <= '9') {
+            digits += digits > 0 || *cell != '0';
+            places += fraction;
+        }
+    places -= *cell ? atoi(cell + 1) : 0;
+    column->digits = digits > column->digits ? digits : column->digits;
+    column->places = column->digits == 0 || places > column->places ? places : column->places;
+}
+
 /* Takes the line that was cut; `cells` of them. */
 static bool take_row(Reader *reader, Overlay *overlay, int cells)
 {
@@ -194,7 +213,10 @@ static bool take_row(Reader *reader, Overlay *overlay, int cells)
     for (int i = 0; i < cells; i++) {
         OverlayColumn *column = &overlay->columns[i];
         double value;
-        if (!number_of(reader, reader->cells[i], &value)) {
+        if (number_of(reader, reader->cells[i], &value)) {
+            if (!isnan(value))
+                note_digits(column, reader->cells[i]);
+        } else if (!reader->word || !reader->word(column->name, reader->cells[i], &value, reader->context)) {
             char text[OVERLAY_NAME_MAX];
             keep_name(text, reader->cells[i]);
             snprintf(what, sizeof what, "column %d%s%s: '%s' is no number", i + 1,
@@ -262,14 +284,14 @@ static bool read_table(Reader *reader, Overlay *overlay, OverlayProgress go_on, 
     return got == GOT_END;
 }
 
-bool overlay_read(Overlay *overlay, FILE *stream, const char *file, OverlayProgress go_on, void *context,
-                  Status *status)
+static bool read_words(Overlay *overlay, FILE *stream, const char *file, OverlayWord word,
+                       OverlayProgress go_on, void *context, Status *status)
 {
     Reader *reader = calloc(1, sizeof *reader);
     *overlay = (Overlay){.y = -1};
     if (!reader)
         return status_fail(status, STATUS_FAILED, "not enough memory for %s", file);
-    *reader = (Reader){.stream = stream, .file = file, .status = status};
+    *reader = (Reader){.stream = stream, .file = file, .status = status, .word = word, .context = context};
     const char *slash = strrchr(file, '/');
     keep_name(overlay->file, slash ? slash + 1 : file);
     const bool sound = read_table(reader, overlay, go_on, context);
@@ -279,13 +301,25 @@ bool overlay_read(Overlay *overlay, FILE *stream, const char *file, OverlayProgr
     return sound;
 }
 
+bool overlay_read(Overlay *overlay, FILE *stream, const char *file, OverlayProgress go_on, void *context,
+                  Status *status)
+{
+    return read_words(overlay, stream, file, NULL, go_on, context, status);
+}
+
 bool overlay_load(Overlay *overlay, const char *path, OverlayProgress go_on, void *context, Status *status)
+{
+    return overlay_load_words(overlay, path, NULL, go_on, context, status);
+}
+
+bool overlay_load_words(Overlay *overlay, const char *path, OverlayWord word, OverlayProgress go_on,
+                        void *context, Status *status)
 {
     *overlay = (Overlay){.y = -1};
     FILE *stream = input_open(path, OVERLAY_BYTES_MAX, status);
     if (!stream)
         return false;
-    const bool sound = overlay_read(overlay, stream, path, go_on, context, status);
+    const bool sound = read_words(overlay, stream, path, word, go_on, context, status);
     fclose(stream);
     return sound;
 }
@@ -327,7 +361,7 @@ static bool is_place(const Overlay *overlay, int column)
 }
 
 /* By name, or by number from 1 on; -1, and the status says what there is. */
-static int column_asked(const Overlay *overlay, const char *text, Status *status)
+int overlay_column(const Overlay *overlay, const char *text, Status *status)
 {
     long number;
     int found = column_named(overlay, text);
@@ -398,7 +432,7 @@ static bool sort_rows(Overlay *overlay, Status *status)
 bool overlay_choose(Overlay *overlay, const char *x, const char *y, const char *curve, const char *field,
                     Status *status)
 {
-    int column = x ? column_asked(overlay, x, status) : first_named(overlay, times);
+    int column = x ? overlay_column(overlay, x, status) : first_named(overlay, times);
     if (x && column < 0)
         return false;
     const int place = first_named(overlay, places);
@@ -410,7 +444,7 @@ bool overlay_choose(Overlay *overlay, const char *x, const char *y, const char *
     overlay->along = is_place(overlay, overlay->x);
     overlay->y = -1;
     const char *with = overlay->along ? field : curve;
-    if (y && (overlay->y = column_asked(overlay, y, status)) < 0)
+    if (y && (overlay->y = overlay_column(overlay, y, status)) < 0)
         return false;
     if (!y && column_named(overlay, with) < 0) {
         if (overlay->n_columns != 2)

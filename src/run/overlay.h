@@ -27,6 +27,8 @@ typedef struct OverlayColumn {
     char name[OVERLAY_NAME_MAX]; /* UTF-8; "" without a first line of names */
     double *values;              /* one for each row; NAN: missing */
     double least, largest;       /* of those that are there; NAN: none is */
+    int digits,
+        places; /* as written, the most of any: significant digits, and decimal places (-2: hundreds) */
 } OverlayColumn;
 
 typedef struct Overlay {
@@ -43,10 +45,19 @@ typedef struct Overlay {
 /* Told the share that is read in [0, 1]; false stops the reading. May be NULL. */
 typedef bool (*OverlayProgress)(double share, void *context);
 
+/* What a cell stands for that is no number, such as the name of a stage; false: it is refused. NULL: so is
+ * every such cell. */
+typedef bool (*OverlayWord)(const char *column, const char *cell, double *value, void *context);
+
 /* Reads a table; `file` stands for FILE in an error. False: the status says why, the overlay is empty. */
 bool overlay_read(Overlay *, FILE *stream, const char *file, OverlayProgress, void *context, Status *);
 bool overlay_load(Overlay *, const char *path, OverlayProgress, void *context, Status *);
+bool overlay_load_words(Overlay *, const char *path, OverlayWord, OverlayProgress, void *context, Status *);
 void overlay_close(Overlay *);
+
+/* A column by its name, in any case, or by its number (from 1 on); -1: there is none, and the status says
+ * what there is. */
+int overlay_column(const Overlay *, const char *name, Status *);
 
 /* Chooses the columns, each by name or by number (from 1 on); NULL: time, or else x or x0, or else the first
  * column; and the column of the curve's name, or else the only other one. `curve` is the name of the series

@@ -56,7 +56,7 @@ short() {
 	*" run supported-beam"* | *" run notched-beam"*) echo "$1 --steps 10" | sed 's/ notched-beam / notched-beam-coarse /' ;;
 	*" movie notched-beam-coarse"*) echo "$1 --to 2e-5" ;;
 	*" verify") echo "$1 M-fig3" ;;
-	"matvib run"* | "matvib movie"* | "matvib sound"* | "matvib fit"* | "matvib figure"* | "matvib verify"* | "matvib sweep"* | "matvib export-lammps"*) echo "$1" ;;
+	"matvib run"* | "matvib movie"* | "matvib sound"* | "matvib fit"* | "matvib diagnose"* | "matvib figure"* | "matvib verify"* | "matvib sweep"* | "matvib export-lammps"*) echo "$1" ;;
 	"matvib grade"*) echo "$1" ;;
 	"matvib lesson homework-late") echo "printf ':goto 1\nq\n' | $1 --name Ada --plain" ;; # who asks is no pipe
 	"matvib lesson "*" --record "*) echo "echo key . | $1 --script -" ;;

@@ -1,0 +1,430 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The search for the code that made a file's numbers (diagnose.h). */
+#include "answers/diagnose_internal.h"
+
+#include "answers/references.h"
+#include "base/math/functions.h"
+#include "base/text.h"
+#include "problems/problem.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct Search {
+    const DiagnoseTask *task;
+    DiagnoseTable *table;
+    Diagnosis *found;
+    Settings right;    /* with the file's time step */
+    double *values;    /* of the right run */
+    Walk walk;         /* along it */
+    Candidate first;   /* the first that explains it all */
+    Settings by_first; /* its settings; without one the right ones */
+    Status *status;
+} Search;
+
+static void note(DiagnoseTable *table, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+static void note(DiagnoseTable *table, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    if (table->n_notes < DIAGNOSE_NOTES_MAX)
+        vsnprintf(table->notes[table->n_notes++], sizeof table->notes[0], format, arguments);
+    va_end(arguments);
+}
+
+/* --- columns that tell nothing -------------------------------------------------------------------------- */
+
+/* What of a column there is: in the file and in the right run. */
+typedef struct Extent {
+    size_t given;
+    double theirs, ours; /* largest */
+} Extent;
+
+static Extent extent_of(const Search *search, int c)
+{
+    const DiagnoseTable *table = search->table;
+    Extent extent = {0, 0, 0};
+    for (size_t m = 0; m < search->walk.compared; m++)
+        for (size_t k = 0; k < table->moments[m].count; k++) {
+            const size_t row = table->moments[m].first + k;
+            const double theirs = diagnose_theirs(table, &table->columns[c], row);
+            const double ours = search->values[row * (size_t)table->n_columns + (size_t)c];
+            extent.given += isnan(theirs) ? 0 : 1;
+            extent.theirs = fmax(extent.theirs, fabs(theirs)); /* NAN counts for nothing */
+            extent.ours = fmax(extent.ours, fabs(ours));
+        }
+    return extent;
+}
+
+/* Another power of a thousand for a unit, as the numbers of the start tell: 1 without one. */
+static double unit_of(const Search *search, int c)
+{
+    const DiagnoseTable *table = search->table;
+    const DiagnoseMoment *start = &table->moments[0];
+    if (start->step != 0)
+        return 1;
+    for (size_t k = 0; k < start->count; k++) {
+        const double theirs = diagnose_theirs(table, &table->columns[c], start->first + k);
+        const double ours = search->values[(start->first + k) * (size_t)table->n_columns + (size_t)c];
+        if (!(fabs(ours) > 1e-3 * table->columns[c].natural) || !(theirs != 0) || !(theirs / ours > 0))
+            continue;
+        const double thousands = math_log10(theirs / ours) / 3, whole = round(thousands);
+        const double bound =
+            diagnose_bound(table, &table->columns[c], theirs, fabs(theirs), 0) / fabs(theirs);
+        return whole != 0 && fabs(theirs / ours / math_pow(10, 3 * whole) - 1) <= bound
+                   ? math_pow(10, -3 * whole)
+                   : 1;
+    }
+    return 1;
+}
+
+static void find_units(Search *search)
+{
+    DiagnoseTable *table = search->table;
+    for (int c = 0; c < table->n_columns; c++) {
+        const double factor = table->columns[c].factor == 1 ? unit_of(search, c) : 1;
+        if (factor == 1)
+            continue;
+        note(table, "its %s is in a unit of its own: %g of ours each", table->columns[c].name, factor);
+        for (int i = 0; i < table->n_columns; i++)
+            if (table->columns[i].group == table->columns[c].group && table->columns[i].factor == 1)
+                table->columns[i].factor = factor;
+    }
+}
+
+/* Whether a column holds what stands beside a run, to its digits, and not the run. */
+static bool is_copy(const Search *search, int c, const double *answers)
+{
+    const DiagnoseTable *table = search->table;
+    size_t other = 0, counted = 0;
+    for (size_t m = 0; m < table->n_moments; m++) {
+        const size_t row = table->moments[m].first;
+        const double theirs = diagnose_theirs(table, &table->columns[c], row);
+        const double bound = diagnose_bound(table, &table->columns[c], theirs, table->columns[c].natural, 0);
+        const double ours = search->values[row * (size_t)table->n_columns + (size_t)c];
+        if (isnan(theirs))
+            continue;
+        if (isnan(answers[m]) || fabs(theirs - answers[m]) > bound + 1e-9 * table->columns[c].natural)
+            return false;
+        counted++;
+        other += fabs(ours - answers[m]) > 2 * bound + 2e-9 * table->columns[c].natural;
+    }
+    return other > 0 && counted > 1;
+}
+
+/* The answers beside a run, as columns; those that need the past are left alone. */
+static bool find_copies(Search *search)
+{
+    DiagnoseTable *table = search->table;
+    Column columns[COLUMNS_MAX];
+    double row[COLUMNS_MAX];
+    Simulation *sim = problem_simulate(&search->right, 1, search->status);
+    References *refs = sim ? references_create(&search->right, sim, search->status) : NULL;
+    double *nothing = sim ? calloc((size_t)sim->n_series + 1, sizeof *nothing) : NULL;
+    double *answers = malloc((table->n_moments + 1) * sizeof *answers);
+    const bool sound = refs && nothing && answers;
+    const int count = sound && references_memory(refs) == 0 ? references_columns(refs, columns) : 0;
+    for (int i = 0; i < count; i++)
+        for (int c = 0; c < table->n_columns && columns[i].of >= 0; c++) {
+            if (strcmp(columns[columns[i].of].quantity.name, table->columns[c].name) != 0 ||
+                table->columns[c].silent)
+                continue;
+            for (size_t m = 0; m < table->n_moments; m++) {
+                references_row(refs, table->moments[m].step, (double)table->moments[m].step * sim->dt,
+                               nothing, row);
+                answers[m] = row[i];
+            }
+            if (!is_copy(search, c, answers))
+                continue;
+            table->columns[c].silent = true;
+            search->found->verdict = DIAGNOSE_COPIED;
+            note(table, "its column %s is %s, to all its digits: an answer, not a run",
+                 table->columns[c].name, columns[i].quantity.meaning);
+        }
+    references_destroy(refs);
+    simulation_destroy(sim);
+    free(nothing);
+    free(answers);
+    return sound;
+}
+
+/* Empty columns and zeros. Returns how many tell something. */
+static int silence(Search *search)
+{
+    DiagnoseTable *table = search->table;
+    int telling = 0;
+    for (int c = 0; c < table->n_columns; c++) {
+        DiagnoseColumn *column = &table->columns[c];
+        const Extent extent = extent_of(search, c);
+        const double least = 1e2 * table->noise * column->natural;
+        if (extent.given == 0)
+            note(table, "its column %s is empty", column->name);
+        else if (extent.theirs == 0 && extent.ours > least)
+            note(table, "its column %s is zero throughout, where the right run moves: as good as empty",
+                 column->name);
+        column->silent =
+            extent.given == 0 || extent.theirs == 0 || (extent.theirs <= least && extent.ours <= least);
+        telling += !column->silent;
+    }
+    return telling;
+}
+
+/* --- the right run -------------------------------------------------------------------------------------- */
+
+static bool walk_right(Search *search)
+{
+    search->walk =
+        (Walk){.table = search->table, .moments = SIZE_MAX, .to_end = true, .values = search->values};
+    return diagnose_walk(&search->walk, &search->right, search->task->threads, search->task->patience,
+                         search->status);
+}
+
+static bool is_quiet(const DiagnoseTable *table)
+{
+    for (int c = 0; c < table->n_columns; c++)
+        if (!table->columns[c].silent)
+            return false;
+    return true;
+}
+
+/* A column that was copied may leave others that were computed. */
+static bool read_columns(Search *search)
+{
+    DiagnoseTable *table = search->table;
+    if (!walk_right(search))
+        return false;
+    find_units(search);
+    const int telling = silence(search);
+    if (telling > 0 && table->set < 0 && !find_copies(search))
+        return false;
+    if (telling == 0 || is_quiet(table)) {
+        search->found->verdict = search->found->verdict == DIAGNOSE_COPIED ? DIAGNOSE_COPIED : DIAGNOSE_MUTE;
+        return true;
+    }
+    search->found->verdict = DIAGNOSE_UNKNOWN;
+    return walk_right(search);
+}
+
+static int digits_of(const Search *search, double worst)
+{
+    int most = 0;
+    for (int c = 0; c < search->table->n_columns; c++)
+        if (!search->table->columns[c].silent)
+            most = (int)fmax(most, search->table->file.columns[search->table->columns[c].theirs].digits);
+    const double digits = worst > 0 ? floor(-math_log10(worst)) : 17;
+    return (int)fmax(0, fmin(fmin(digits, most), 16));
+}
+
+/* The row of the same thing before. */
+static void look_back(Search *search)
+{
+    const DiagnoseTable *table = search->table;
+    Departure *departure = &search->found->departure;
+    const DiagnoseColumn *column = &table->columns[departure->column];
+    for (size_t row = table->moments[departure->moment].first; row-- > 0;)
+        if (table->things[row] == departure->thing) {
+            departure->theirs_before = diagnose_theirs(table, column, row);
+            departure->ours_before =
+                search->values[row * (size_t)table->n_columns + (size_t)departure->column];
+            return;
+        }
+}
+
+static void name_departure(Search *search)
+{
+    const DiagnoseTable *table = search->table;
+    Departure *departure = &search->found->departure;
+    const DiagnoseColumn *column = &table->columns[departure->column];
+    const double bound = diagnose_bound(table, column, departure->theirs, column->natural, departure->step);
+    look_back(search);
+    if (departure->ours != 0)
+        diagnose_name_factor(departure->theirs / departure->ours, 1e-12 + 2 * bound / fabs(departure->ours),
+                             &search->right, departure->factors, sizeof departure->factors);
+    const double change = departure->ours - departure->ours_before;
+    if (isfinite(change) && fabs(change) > 20 * bound)
+        diagnose_name_factor((departure->theirs - departure->theirs_before) / change,
+                             1e-9 + 4 * bound / fabs(change), &search->right, departure->change_factors,
+                             sizeof departure->change_factors);
+    departure->row = table->rows[departure->row] + 1;
+    if (departure->stage > 0)
+        departure->stage_id = table->stage_ids[departure->stage - 1];
+}
+
+/* --- other codes ---------------------------------------------------------------------------------------- */
+
+/* A code that agrees takes its place among those found. */
+static void keep(Search *search, const Candidate *candidate, const Settings *wrong, const Walk *walk)
+{
+    Diagnosis *found = search->found;
+    if (found->n_explanations == EXPLANATIONS_MAX) {
+        found->more++;
+        return;
+    }
+    Explanation *explanation = &found->explanations[found->n_explanations];
+    diagnose_explain(candidate, &search->right, wrong, explanation);
+    explanation->digits = digits_of(search, walk->worst);
+    if (found->n_explanations++ == 0 && search->walk.departure.is) {
+        search->first = *candidate;
+        search->by_first = *wrong;
+        return;
+    }
+    if (candidate->kind != DIAGNOSE_SHIFT && search->first.kind != DIAGNOSE_SHIFT)
+        diagnose_tell_apart(wrong, &search->by_first, search->table, explanation->apart,
+                            sizeof explanation->apart);
+}
+
+/* False: it was given up. */
+static bool try_one(Search *search, const Candidate *candidate, Walk *walk, Settings *wrong, bool *agrees)
+{
+    *agrees = false;
+    *walk = (Walk){.table = search->table, .moments = SIZE_MAX, .shift = candidate->shift};
+    if (!diagnose_settings_of(candidate, &search->right, search->table, wrong))
+        return true;
+    Status why = {STATUS_DONE, ""};
+    search->found->tried++;
+    if (!diagnose_walk(walk, wrong, search->task->threads, search->task->patience, &why) && walk->stopped) {
+        if (search->status)
+            *search->status = why;
+        return false;
+    }
+    /* up to where a run fails it may agree; it has to agree beyond where the right one departs */
+    *agrees = !walk->departure.is && walk->entries > 0 &&
+              (!search->walk.departure.is || walk->compared > search->walk.departure.moment);
+    return true;
+}
+
+static bool has_value(const Diagnosis *found, const Parameter *parameter)
+{
+    for (int i = 0; i < found->n_explanations; i++)
+        if (found->explanations[i].kind != DIAGNOSE_MISTAKE &&
+            strncmp(found->explanations[i].id, parameter->key, strlen(parameter->key)) == 0)
+            return true;
+    return false;
+}
+
+/* A factor of few digits: a slip, not a fit. */
+static bool is_round(double factor, const Settings *right)
+{
+    char text[NUMBER_TEXT_MAX], name[96];
+    double shorter;
+    diagnose_name_factor(factor, 1e-9, right, name, sizeof name);
+    text_rounded(text, factor, 3);
+    return *name || (text_to_double(text, &shorter) && fabs(shorter - factor) <= 1e-9 * fabs(factor));
+}
+
+/* Beyond it a value stands for something else, as no stiffness for no force. */
+#define LEAST_FACTOR 1e-4
+
+/* One value that is wrong; beside a simpler explanation only a round one. */
+static bool try_values(Search *search)
+{
+    enum { ENTRIES_LEAST = 3 }; /* fewer can be had with any value */
+    const bool simpler = search->found->n_explanations > 0;
+    Settings wrong;
+    Walk walk;
+    if (search->walk.departing < ENTRIES_LEAST)
+        return true;
+    for (int i = 0; i < n_parameters; i++) {
+        const Parameter *parameter = &parameters[i];
+        Candidate candidate = {DIAGNOSE_VALUE, parameter, 0, 0};
+        bool agrees;
+        if (!diagnose_is_tried(&search->right, parameter) || parameter->type != PARAMETER_REAL ||
+            has_value(search->found, parameter))
+            continue;
+        const DiagnoseTask task = {&search->right, search->task->threads, false, search->task->patience};
+        if (!diagnose_find_value(&task, search->table, &search->walk.departure, parameter, &candidate.value,
+                                 &search->found->tried)) {
+            if (!patience_lasts(&search->task->patience, 0))
+                return status_fail(search->status, STATUS_FAILED, "interrupted");
+            continue;
+        }
+        const double now = settings_number(&search->right, parameter);
+        const double factor = now != 0 ? candidate.value / now : candidate.value;
+        if ((now != 0 && !(fabs(factor) > LEAST_FACTOR && fabs(factor) < 1 / LEAST_FACTOR)) ||
+            (simpler && !is_round(factor, &search->right)))
+            continue;
+        if (!try_one(search, &candidate, &walk, &wrong, &agrees))
+            return false;
+        if (agrees)
+            keep(search, &candidate, &wrong, &walk);
+    }
+    return true;
+}
+
+/* `shown`: whether the file departs; else only mistakes count, those that it cannot show. */
+static bool try_all(Search *search, bool shown)
+{
+    Candidate *candidates = malloc(CANDIDATES_MAX * sizeof *candidates);
+    Settings wrong;
+    Walk walk;
+    bool sound = candidates || status_fail(search->status, STATUS_FAILED, "out of memory"), agrees;
+    const int count = sound ? diagnose_candidates(&search->right, candidates) : 0;
+    search->by_first = search->right;
+    for (int i = 0; i < count && sound; i++) {
+        if (!shown && candidates[i].kind != DIAGNOSE_MISTAKE)
+            continue;
+        sound = try_one(search, &candidates[i], &walk, &wrong, &agrees);
+        if (sound && agrees)
+            keep(search, &candidates[i], &wrong, &walk);
+    }
+    free(candidates);
+    return sound && (!shown || try_values(search));
+}
+
+/* --- the whole ------------------------------------------------------------------------------------------ */
+
+static bool judge(Search *search)
+{
+    Diagnosis *found = search->found;
+    const DiagnoseTable *table = search->table;
+    const Walk *walk = &search->walk;
+    if (!read_columns(search))
+        return false;
+    if (found->verdict != DIAGNOSE_UNKNOWN)
+        return true;
+    for (size_t m = 0; m < walk->compared; m++) {
+        found->compared += table->moments[m].count;
+        found->agreed += m < walk->agreed ? table->moments[m].count : 0;
+    }
+    found->agreed_step = walk->agreed > 0 ? table->moments[walk->agreed - 1].step : -1;
+    found->digits = digits_of(search, walk->worst);
+    found->naive = walk->worst > 1e-12 && table->noise > 1e-10 && walk->worst < table->noise * 10;
+    found->departure = walk->departure;
+    if (walk->departure.is)
+        name_departure(search);
+    if (!try_all(search, walk->departure.is))
+        return false;
+    found->verdict = !walk->departure.is         ? DIAGNOSE_RIGHT
+                     : found->n_explanations > 0 ? DIAGNOSE_EXPLAINED
+                                                 : DIAGNOSE_UNKNOWN;
+    return true;
+}
+
+bool diagnose(const DiagnoseTask *task, DiagnoseTable *table, Diagnosis *found, Status *status)
+{
+    Search *search = calloc(1, sizeof *search);
+    *found = (Diagnosis){.agreed_step = -1, .verdict = DIAGNOSE_UNKNOWN, .rows = table->file.count};
+    if (!search)
+        return status_fail(status, STATUS_FAILED, "out of memory");
+    *search =
+        (Search){.task = task, .table = table, .found = found, .right = *task->settings, .status = status};
+    search->values = malloc((table->file.count * (size_t)table->n_columns + 1) * sizeof *search->values);
+    for (size_t i = 0; search->values && i < table->file.count * (size_t)table->n_columns; i++)
+        search->values[i] = NAN;
+    bool sound = search->values || status_fail(status, STATUS_FAILED, "out of memory");
+    sound =
+        sound && (diagnose_hold_step(&search->right, table->dt) ||
+                  status_fail(status, STATUS_USAGE, "%s: the scenario cannot be run with its time step %.10g",
+                              table->file.file, table->dt));
+    sound = sound &&
+            settings_refuse_mistake(&search->right, "a file is compared with the right code", status) &&
+            judge(search);
+    free(search->values);
+    free(search);
+    return sound;
+}

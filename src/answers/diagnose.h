@@ -1,0 +1,124 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Which code made these numbers? A table of somebody's own code is laid beside the right run, down to the
+ * first entry that departs; then beside the run of every mistake, other scheme and other value that there is
+ * (rows of the parameter table), simplest first, each dropped where it departs.
+ *
+ * What an entry can tell is bounded by how it is written (the significant digits and decimal places of its
+ * column) and by the round-off in which two right codes differ. */
+#ifndef LAB_DIAGNOSE_H
+#define LAB_DIAGNOSE_H
+
+#include "base/patience.h"
+#include "run/overlay.h"
+#include "scenario/settings.h"
+
+enum { DIAGNOSE_COLUMNS_MAX = 32, DIAGNOSE_NOTES_MAX = 8, DIAGNOSE_STAGES_MAX = 12 };
+
+/* A column of the table that the run has too. */
+typedef struct DiagnoseColumn {
+    int theirs;                  /* of the overlay */
+    char name[OVERLAY_NAME_MAX]; /* ours */
+    char unit[32];
+    int group;      /* the first column with this unit: what is of one unit has one size */
+    double factor;  /* theirs times it is in our units */
+    double natural; /* the largest number of this unit at t = 0, in our units */
+    bool silent;    /* it is empty, zero, or copied: it tells nothing */
+} DiagnoseColumn;
+
+/* The rows of one step, or of one stage of it. */
+typedef struct DiagnoseMoment {
+    long step;
+    int stage; /* so many are done of the step that leads to `step`; 0: a whole step */
+    size_t first, count;
+} DiagnoseMoment;
+
+typedef struct DiagnoseTable {
+    Overlay file;
+    int set; /* whose things the rows are of; -1: it is a series */
+    bool of_stages, stages_by_id;
+    char stage_ids[DIAGNOSE_STAGES_MAX][24];
+    int n_stages;
+    char thing[16]; /* "particle" */
+    DiagnoseColumn columns[DIAGNOSE_COLUMNS_MAX];
+    int n_columns;
+    DiagnoseMoment *moments;
+    size_t n_moments;
+    size_t *rows;   /* of the file, in the order of the moments */
+    size_t *things; /* of each of them */
+    double dt;      /* that its times tell */
+    bool timed;     /* they tell one */
+    double noise;   /* round-off of two right codes after a step, as a share of a column's size */
+    char notes[DIAGNOSE_NOTES_MAX][160]; /* what has to be said of it */
+    int n_notes;
+} DiagnoseTable;
+
+/* Reads a table for a scenario. `map`: "theirs=ours,theirs=ours*0.001", what the names do not say and in what
+ * unit it is; NULL: nothing. False: one line says what is wrong with it. */
+bool diagnose_read(DiagnoseTable *, const char *path, const Settings *, const char *map, Status *);
+void diagnose_close(DiagnoseTable *);
+
+/* Where the file first departs from a run. */
+typedef struct Departure {
+    bool is;
+    size_t moment, row; /* the row counted from 1 on in the file */
+    long step;
+    int stage;
+    size_t thing;
+    int column;
+    double theirs, ours;               /* in our units */
+    double theirs_before, ours_before; /* the same thing in the row before; NAN: there is none */
+    char factors[96];        /* what their ratio is: "2, the particles in a cell"; "": no such thing */
+    char change_factors[96]; /* likewise of the changes since the row before */
+    const char *stage_id, *stage_name; /* of the right run; NULL: the file has no stages */
+} Departure;
+
+typedef enum DiagnoseKind { DIAGNOSE_MISTAKE, DIAGNOSE_SCHEME, DIAGNOSE_VALUE, DIAGNOSE_SHIFT } DiagnoseKind;
+
+/* A code that makes these numbers. */
+typedef struct Explanation {
+    DiagnoseKind kind;
+    char id[2 * KEY_MAX]; /* "x_by_own_velocity", "mpm.algorithm=usl", "bar.density=2" */
+    char words[200];      /* a sentence, without its full stop */
+    char where[200];      /* of a mistake: stage and equation; else "" */
+    char apart[160]; /* the run that tells it from the first explanation, or the right code; "": none does */
+    int digits;
+} Explanation;
+
+typedef enum DiagnoseVerdict {
+    DIAGNOSE_RIGHT,     /* they are those of the right run */
+    DIAGNOSE_EXPLAINED, /* they are those of other codes */
+    DIAGNOSE_UNKNOWN,   /* of no code that was tried */
+    DIAGNOSE_COPIED,    /* of no run: of the exact answer */
+    DIAGNOSE_MUTE       /* there is nothing that tells anything */
+} DiagnoseVerdict;
+
+enum { EXPLANATIONS_MAX = 8 };
+
+typedef struct Diagnosis {
+    DiagnoseVerdict verdict;
+    size_t rows, compared; /* of the file; of them beside the right run */
+    size_t agreed;         /* with the right run, from the first on */
+    long agreed_step;      /* up to which; -1: none */
+    int digits;            /* of that agreement */
+    bool naive;            /* it is no better than the round-off of a bond's |y| - |xi| */
+    Departure departure;
+    Explanation
+        explanations[EXPLANATIONS_MAX]; /* EXPLAINED: of the file; RIGHT: mistakes that it cannot show */
+    int n_explanations, more;           /* of which there is no room */
+    long tried;
+} Diagnosis;
+
+typedef struct DiagnoseTask {
+    const Settings *settings;
+    int threads;
+    bool pairs; /* of mistakes, where they take long too */
+    Patience patience;
+} DiagnoseTask;
+
+/* False: it was given up, there is no memory, or the scenario itself cannot be run. */
+bool diagnose(const DiagnoseTask *, DiagnoseTable *, Diagnosis *, Status *);
+
+/* What it came to, in lines of ASCII. */
+void diagnosis_tell(const Diagnosis *, const DiagnoseTable *, FILE *);
+
+#endif

@@ -1,0 +1,76 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the files behind diagnose.h share: a run beside a table. */
+#ifndef LAB_DIAGNOSE_INTERNAL_H
+#define LAB_DIAGNOSE_INTERNAL_H
+
+#include "answers/diagnose.h"
+#include "run/advance.h"
+#include "scenario/parameters.h"
+
+/* A walk along a run, as far as the file or `moments` go. */
+typedef struct Walk {
+    const DiagnoseTable *table;
+    size_t moments; /* of the table, at most */
+    long shift;     /* the file's step n is the run's step n + shift */
+    bool to_end;    /* it goes on where it departs */
+    double *values; /* ours, [row][column]; NULL: they are not kept */
+
+    /* what it comes to */
+    size_t compared;      /* moments that the run reached */
+    size_t agreed;        /* of them, from the first on */
+    size_t entries;       /* that were compared and agreed, up to there */
+    size_t departing;     /* entries that depart (to_end) */
+    double worst;         /* largest difference of those that agree, over their column's size */
+    Departure departure;  /* the first */
+    bool failed, stopped; /* the run failed; somebody gave up, or there was no memory */
+} Walk;
+
+/* False: the walk was given up, or the run cannot be made; the status says why. */
+bool diagnose_walk(Walk *, const Settings *, int threads, Patience, Status *);
+
+/* What an entry of a column can tell at a step: half a unit of its last digit, or the round-off of numbers of
+ * that size. */
+double diagnose_bound(const DiagnoseTable *, const DiagnoseColumn *, double theirs, double size, long step);
+
+/* The round-off of two right codes, as a share of a column's size. */
+double diagnose_round_off(const DiagnoseTable *, long step);
+
+/* Gives settings the time step of the file. False: they allow none. */
+bool diagnose_hold_step(Settings *, double dt);
+
+/* The number of a row of the file in our units; NAN: missing. */
+double diagnose_theirs(const DiagnoseTable *, const DiagnoseColumn *, size_t row);
+
+/* diagnose_candidates.c: what else could have made the numbers: up to two values other than the scenario's,
+ * or rows counted from elsewhere. */
+typedef struct Candidate {
+    DiagnoseKind kind;
+    const Parameter *parameter;
+    double value;
+    long shift;
+} Candidate;
+
+enum { CANDIDATES_MAX = 400 };
+bool diagnose_is_tried(const Settings *, const Parameter *); /* whether codes may differ in it */
+int diagnose_candidates(const Settings *, Candidate out[CANDIDATES_MAX]);
+
+/* Its settings, with the file's time step. False: there is no such run. */
+bool diagnose_settings_of(const Candidate *, const Settings *right, const DiagnoseTable *, Settings *out);
+
+/* In words. */
+void diagnose_explain(const Candidate *, const Settings *right, const Settings *wrong, Explanation *);
+
+/* What a factor is: "2, the particles in a cell", "-1"; "": no such thing. Half of it, its inverse, counts.
+ */
+void diagnose_name_factor(double factor, double tolerance, const Settings *, char *out, size_t size);
+
+/* diagnose_value.c: the value of a parameter with which the run agrees with the file, sought from its first
+ * departure on. False: there is none; *tried counts the runs. */
+bool diagnose_find_value(const DiagnoseTask *, const DiagnoseTable *, const Departure *, const Parameter *,
+                         double *value, long *tried);
+
+/* The run that tells two codes apart: a column that the file has not, or another setting of both; "": none
+ * was found. */
+bool diagnose_tell_apart(const Settings *a, const Settings *b, const DiagnoseTable *, char *out, size_t size);
+
+#endif

@@ -1,0 +1,276 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A run beside the table of a foreign code (diagnose_internal.h): ours for each of its entries, up to the
+ * first that departs or to its end. */
+#include "answers/diagnose_internal.h"
+
+#include "base/math/functions.h"
+#include "base/text.h"
+#include "problems/problem.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* --- what an entry can tell ----------------------------------------------------------------------------- */
+
+double diagnose_theirs(const DiagnoseTable *table, const DiagnoseColumn *column, size_t row)
+{
+    return table->file.columns[column->theirs].values[table->rows[row]] * column->factor;
+}
+
+double diagnose_round_off(const DiagnoseTable *table, long step)
+{
+    return table->noise * (1 + 1e-2 * (double)step);
+}
+
+double diagnose_bound(const DiagnoseTable *table, const DiagnoseColumn *column, double theirs, double size,
+                      long step)
+{
+    const OverlayColumn *written = &table->file.columns[column->theirs];
+    const double number = fabs(theirs / column->factor);
+    double unit = math_pow(10, -fmin(written->places, 300)); /* of the last digit */
+    if (number > 0)
+        unit = fmax(unit, math_pow(10, floor(math_log10(number)) - fmin(written->digits, 17) + 1));
+    return 0.51 * unit * fabs(column->factor) + diagnose_round_off(table, step) * size;
+}
+
+/* --- on the way ----------------------------------------------------------------------------------------- */
+
+typedef struct Walker {
+    Walk *walk;
+    size_t moment; /* the next one */
+    int ours[DIAGNOSE_COLUMNS_MAX];
+    double size[DIAGNOSE_COLUMNS_MAX]; /* of groups, so far */
+    double *row, *field;               /* room for ours: a row of the series, a field of the set */
+    int stage_of[DIAGNOSE_STAGES_MAX]; /* which number the right code gives the stage */
+    bool done;
+} Walker;
+
+static void depart(Walker *walker, size_t row, int column, double theirs, double ours)
+{
+    Walk *walk = walker->walk;
+    const DiagnoseTable *table = walk->table;
+    const DiagnoseMoment *moment = &table->moments[walker->moment];
+    walk->departing++;
+    if (!walk->departure.is)
+        walk->departure = (Departure){.is = true,
+                                      .moment = walker->moment,
+                                      .row = row,
+                                      .step = moment->step,
+                                      .stage = moment->stage,
+                                      .thing = table->things[row],
+                                      .column = column,
+                                      .theirs = theirs,
+                                      .ours = ours,
+                                      .theirs_before = NAN,
+                                      .ours_before = NAN};
+    walker->done = !walk->to_end;
+}
+
+static void compare(Walker *walker, size_t row, int c, double ours)
+{
+    Walk *walk = walker->walk;
+    const DiagnoseTable *table = walk->table;
+    const DiagnoseColumn *column = &table->columns[c];
+    const double theirs = diagnose_theirs(table, column, row);
+    if (walk->values)
+        walk->values[row * (size_t)table->n_columns + (size_t)c] = ours;
+    if (column->silent || isnan(theirs) || isnan(ours))
+        return;
+    double *size = &walker->size[column->group];
+    *size = fmax(*size, fabs(theirs));
+    const double difference = fabs(theirs - ours);
+    if (difference > diagnose_bound(table, column, theirs, *size, table->moments[walker->moment].step))
+        depart(walker, row, c, theirs, ours);
+    else if (!walk->departure.is) {
+        walk->entries++;
+        if (*size > 0)
+            walk->worst = fmax(walk->worst, difference / *size);
+    }
+}
+
+/* The values of things: one by one where few of many are wanted. */
+static double thing_value(const Walker *walker, const Simulation *sim, int field, size_t thing, size_t wanted)
+{
+    return wanted * 8 < sim->counts[walker->walk->table->set] ? simulation_value(sim, field, thing)
+                                                              : walker->field[thing];
+}
+
+static void compare_things(Walker *walker, Simulation *sim)
+{
+    const DiagnoseTable *table = walker->walk->table;
+    const DiagnoseMoment *moment = &table->moments[walker->moment];
+    for (int c = 0; c < table->n_columns; c++) {
+        if (moment->count * 8 >= sim->counts[table->set])
+            sim->method->field(sim, walker->ours[c], 0, sim->counts[table->set], walker->field);
+        for (size_t k = 0; k < moment->count && !walker->done; k++) {
+            const size_t row = moment->first + k;
+            compare(walker, row, c,
+                    thing_value(walker, sim, walker->ours[c], table->things[row], moment->count));
+        }
+    }
+}
+
+static void compare_series(Walker *walker, Simulation *sim)
+{
+    const DiagnoseTable *table = walker->walk->table;
+    simulation_row(sim, walker->row);
+    for (int c = 0; c < table->n_columns && !walker->done; c++)
+        compare(walker, table->moments[walker->moment].first, c, walker->row[walker->ours[c]]);
+}
+
+/* As a table has them that is written at whole steps. */
+static void compare_later(Simulation *sim, void *context)
+{
+    Walker *walker = context;
+    for (int i = 0; i < sim->sets[walker->walk->table->set].ready_after && simulation_stage(sim, NULL); i++)
+        ;
+    compare_things(walker, sim);
+}
+
+static bool compare_moment(Walker *walker, Simulation *sim)
+{
+    Walk *walk = walker->walk;
+    const int set = walk->table->set;
+    if (set < 0)
+        compare_series(walker, sim);
+    else if (walk->table->of_stages || sim->sets[set].ready_after == 0)
+        compare_things(walker, sim);
+    else if (!simulation_visit(sim, NULL, compare_later, walker))
+        walk->stopped = true;
+    walk->agreed += !walk->departure.is;
+    walk->compared++;
+    walker->moment++;
+    walker->done = walker->done || walker->moment >= walk->moments;
+    return !walker->done && !walk->stopped;
+}
+
+static long next_moment(const void *owner, long step)
+{
+    const Walker *walker = owner;
+    const Walk *walk = walker->walk;
+    (void)step;
+    return walker->moment < walk->moments ? walk->table->moments[walker->moment].step + walk->shift
+                                          : LONG_MAX;
+}
+
+static bool take_state(void *owner, Run *run, Status *status)
+{
+    (void)status;
+    return compare_moment(owner, run->sim);
+}
+
+/* Stages of a step may come in another order by another scheme. */
+static bool take_stage(void *owner, Run *run, long step, int stage, Status *status)
+{
+    Walker *walker = owner;
+    const DiagnoseTable *table = walker->walk->table;
+    const int number = table->stages_by_id ? walker->stage_of[stage - 1] : stage;
+    (void)status;
+    while (walker->moment < walker->walk->moments && table->moments[walker->moment].step == step &&
+           table->moments[walker->moment].stage < number && number > 0)
+        walker->moment++; /* it has no such stage, or has it later */
+    if (walker->moment >= walker->walk->moments) {
+        walker->done = true;
+        return false;
+    }
+    return table->moments[walker->moment].step != step || table->moments[walker->moment].stage != number ||
+           compare_moment(walker, run->sim);
+}
+
+/* --- a run ---------------------------------------------------------------------------------------------- */
+
+/* Where the columns are in this simulation. False: it lacks one, so it is not the code. */
+static bool find_columns(Walker *walker, const Simulation *sim)
+{
+    const DiagnoseTable *table = walker->walk->table;
+    for (int c = 0; c < table->n_columns; c++) {
+        const char *name = table->columns[c].name;
+        walker->ours[c] =
+            table->set < 0 ? simulation_find_series(sim, name) : simulation_find_field(sim, table->set, name);
+        if (walker->ours[c] < 0)
+            return false;
+        walker->size[c] = table->columns[c].natural;
+    }
+    for (int i = 0; i < sim->n_stages && i < DIAGNOSE_STAGES_MAX; i++)
+        for (int k = 0; k < table->n_stages; k++)
+            if (strcmp(table->stage_ids[k], sim->stages[i].id) == 0)
+                walker->stage_of[i] = k + 1;
+    return table->set < 0 || table->set < sim->n_sets;
+}
+
+static bool go(Walker *walker, Run *run, Status *status)
+{
+    Walk *walk = walker->walk;
+    const DiagnoseTable *table = walk->table;
+    const long last = table->moments[walk->moments - 1].step + walk->shift;
+    const Sink states = {.next = next_moment, .state = take_state, .owner = walker};
+    const Sink stages = {.stage = take_stage, .first = table->moments[0].step, .last = last, .owner = walker};
+    const Sink *sink = table->of_stages ? &stages : &states;
+    if (!run->settings->problem->end_matters || last < run->last)
+        run->last = last;
+    while (walker->moment + 1 < walk->moments && table->moments[walker->moment].step + walk->shift < 0)
+        walker->moment++; /* a row before the run's first */
+    if (last < 0)
+        walk->departure.is = walker->done = true;
+    if (!walker->done && run_start(run, sink, status) && run_to_end(run, sink, status) && !walker->done)
+        walk->stopped = walk->stopped || !patience_lasts(&run->patience, 1);
+    else
+        walk->stopped = walk->stopped || !(run->failed || walker->done);
+    walk->failed = run->failed;
+    return !walk->stopped;
+}
+
+static bool make_room(Walker *walker, const Simulation *sim, Status *status)
+{
+    const int set = walker->walk->table->set;
+    walker->row = malloc(((size_t)sim->n_series + 1) * sizeof *walker->row);
+    walker->field = malloc(((set < 0 ? 0 : sim->counts[set]) + 1) * sizeof *walker->field);
+    return (walker->row && walker->field) || status_fail(status, STATUS_FAILED, "out of memory");
+}
+
+bool diagnose_walk(Walk *walk, const Settings *settings, int threads, Patience patience, Status *status)
+{
+    Settings asked = *settings;
+    Run run;
+    Walker walker = {.walk = walk};
+    const Walk given = *walk;
+    *walk = (Walk){.table = given.table,
+                   .moments = given.moments < given.table->n_moments ? given.moments : given.table->n_moments,
+                   .shift = given.shift,
+                   .to_end = given.to_end,
+                   .values = given.values};
+    asked.output.columns[0] = asked.output.follow[0] = '\0';
+    for (int c = 0; c < walk->table->n_columns && walk->table->set < 0; c++)
+        if (strlen(asked.output.columns) + strlen(walk->table->columns[c].name) + 3 <
+            sizeof asked.output.columns)
+            text_list_add(asked.output.columns, sizeof asked.output.columns, walk->table->columns[c].name);
+    bool sound = run_open(&run, &asked, problem_simulate(&asked, threads, status), status);
+    run.patience = patience;
+    if (sound && find_columns(&walker, run.sim))
+        sound = make_room(&walker, run.sim, status) && go(&walker, &run, status);
+    else if (sound)
+        walk->departure.is = true;
+    if (walk->stopped && status && status->code == STATUS_DONE)
+        status_fail(status, STATUS_FAILED, "interrupted");
+    run_close(&run);
+    free(walker.row);
+    free(walker.field);
+    return sound;
+}
+
+bool diagnose_hold_step(Settings *settings, double dt)
+{
+    double now;
+    if (settings->problem->concerns & CONCERN_STEP && settings->method == METHOD_PD) {
+        settings->time.step = dt;
+        return true;
+    }
+    if (!problem_time_step(settings, &now, NULL))
+        return false;
+    if (fabs(now - dt) <= 1e-12 * dt)
+        return true;
+    settings->time.courant *= dt / now;
+    return problem_time_step(settings, &now, NULL) && fabs(now - dt) <= 1e-12 * dt;
+}

@@ -1,0 +1,595 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The table of a foreign code as it can be laid beside a run (diagnose.h): which columns are which, of what
+ * step, stage and thing each row is, and what its time step is. What is odd but can be read is noted; what
+ * cannot is refused in one line. */
+#include "answers/diagnose_internal.h"
+
+#include "base/math/functions.h"
+#include "base/text.h"
+#include "problems/problem.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+/* --- names ---------------------------------------------------------------------------------------------- */
+
+/* What others call it, in the order in which a column is taken for it. */
+static const struct {
+    const char *ours, *others;
+} synonyms[] = {
+    {"step", "nstep n_step step_number timestep iteration iter it n"},
+    {"time", "t"},
+    {"stage", "stage_number"},
+    {"stage_id", "stage_name"},
+    {"particle", "particle_id particle_index pid point id index"},
+    {"node", "node_id node_index nid id index"},
+    {"v_cm", "vcm v_com vcom com_velocity mean_velocity v_mean velocity v"},
+    {"x_cm", "xcm x_com xcom com_position mean_position x_mean position x"},
+    {"v_probe", "vy v velocity"},
+    {"u_probe", "uy u displacement deflection"},
+    {"kinetic", "kinetic_energy e_kin ekin ek ke"},
+    {"strain", "strain_energy e_strain estrain potential_energy epot se pe"},
+    {"total", "total_energy energy e_tot e_total etot te"},
+    {"work", "external_work w_ext"},
+    {"x", "position pos xp"},
+    {"u", "displacement disp up"},
+    {"v", "velocity vel vp"},
+    {"velocity", "v vel"},
+    {"momentum", "p mv"},
+    {"stress", "sigma sig s"},
+    {"strain", "epsilon eps"},
+    {"density", "rho"},
+    {"mass", "m"},
+    {"ux", "u_x"},
+    {"uy", "u_y"},
+    {"vx", "v_x"},
+    {"vy", "v_y"},
+};
+
+static void note(DiagnoseTable *table, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+static void note(DiagnoseTable *table, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    if (table->n_notes < DIAGNOSE_NOTES_MAX)
+        vsnprintf(table->notes[table->n_notes++], sizeof table->notes[0], format, arguments);
+    va_end(arguments);
+}
+
+/* What --map says of a column of theirs. */
+typedef struct Mapped {
+    int theirs;
+    char ours[OVERLAY_NAME_MAX];
+    double factor;
+} Mapped;
+
+typedef struct Names {
+    Mapped mapped[DIAGNOSE_COLUMNS_MAX];
+    int n_mapped;
+} Names;
+
+static bool read_map(Names *names, const Overlay *file, const char *map, Status *status)
+{
+    for (const char *at = map ? map + strspn(map, ", ") : ""; *at; at += strspn(at, ", ")) {
+        char pair[2 * OVERLAY_NAME_MAX];
+        const size_t length = strcspn(at, ",");
+        snprintf(pair, sizeof pair, "%.*s", (int)(length < sizeof pair ? length : sizeof pair - 1), at);
+        at += length;
+        char *equals = strchr(pair, '='), *times = equals ? strchr(equals, '*') : NULL;
+        if (!equals || equals == pair || names->n_mapped == DIAGNOSE_COLUMNS_MAX)
+            return status_fail(status, STATUS_USAGE,
+                               "--map: \"%.60s\" is no theirs=ours or theirs=ours*FACTOR", pair);
+        Mapped *mapped = &names->mapped[names->n_mapped++];
+        *equals = '\0';
+        mapped->factor = 1;
+        if (times && (!text_to_double(times + 1, &mapped->factor) || mapped->factor == 0))
+            return status_fail(status, STATUS_USAGE, "--map: %.40s is no factor", times + 1);
+        if (times)
+            *times = '\0';
+        snprintf(mapped->ours, sizeof mapped->ours, "%.47s", equals + 1);
+        if ((mapped->theirs = overlay_column(file, pair, status)) < 0)
+            return status_prefix(status, "--map");
+    }
+    return true;
+}
+
+static bool is_mapped(const Names *names, int column)
+{
+    for (int i = 0; i < names->n_mapped; i++)
+        if (names->mapped[i].theirs == column)
+            return true;
+    return false;
+}
+
+static int named(const Overlay *file, const Names *names, const char *name)
+{
+    for (int i = 0; i < file->n_columns; i++)
+        if (!is_mapped(names, i) && strcasecmp(file->columns[i].name, name) == 0)
+            return i;
+    return -1;
+}
+
+/* The column of the file that is ours of that name; -1: none. `taken`: columns that are something else. */
+static int column_of(const Overlay *file, const Names *names, const char *ours, const bool *taken,
+                     double *factor)
+{
+    *factor = 1;
+    for (int i = 0; i < names->n_mapped; i++)
+        if (strcmp(names->mapped[i].ours, ours) == 0) {
+            *factor = names->mapped[i].factor;
+            return names->mapped[i].theirs;
+        }
+    int found = named(file, names, ours);
+    if (found >= 0)
+        return found;
+    for (size_t i = 0; i < sizeof synonyms / sizeof *synonyms; i++) {
+        const char *others = synonyms[i].others;
+        char other[OVERLAY_NAME_MAX];
+        if (strcmp(synonyms[i].ours, ours) != 0)
+            continue;
+        while (text_next_word(&others, other, sizeof other))
+            if ((found = named(file, names, other)) >= 0 && !taken[found])
+                return found;
+    }
+    return -1;
+}
+
+/* --- words in cells ------------------------------------------------------------------------------------- */
+
+/* The name of a stage is its number; what overflowed is missing. */
+static bool take_word(const char *column, const char *cell, double *value, void *context)
+{
+    static const char *const lost[] = {"-nan",     "inf",       "-inf", "+inf",
+                                       "infinity", "-infinity", "null", "none"};
+    const DiagnoseTable *table = context;
+    for (int i = 0; i < table->n_stages; i++)
+        if (strcasecmp(cell, table->stage_ids[i]) == 0) {
+            *value = i + 1;
+            return true;
+        }
+    *value = NAN;
+    for (size_t i = 0; i < sizeof lost / sizeof *lost; i++)
+        if (strcasecmp(cell, lost[i]) == 0)
+            return true;
+    return strcasecmp(column, "comment") == 0 || strcasecmp(column, "note") == 0;
+}
+
+/* --- columns -------------------------------------------------------------------------------------------- */
+
+/* Which columns of the file say of what its rows are. */
+typedef struct Heads {
+    int step, time, stage, stage_id, thing, i, j;
+    double time_factor;
+} Heads;
+
+static double size_at_start(Simulation *sim, const char *unit, const double *row)
+{
+    double size = 0, value;
+    for (int i = 0; i < sim->n_series; i++)
+        if (strcmp(sim->series[i].unit, unit) == 0 && isfinite(row[i]))
+            size = fmax(size, fabs(row[i]));
+    for (int f = 0; f < sim->n_fields; f++)
+        if (strcmp(sim->fields[f].quantity.unit, unit) == 0 && !sim->fields[f].integer)
+            for (size_t k = 0; k < sim->counts[sim->fields[f].set]; k++) {
+                sim->method->field(sim, f, k, 1, &value);
+                if (isfinite(value))
+                    size = fmax(size, fabs(value));
+            }
+    return size;
+}
+
+static void add_column(DiagnoseTable *table, int theirs, const Quantity *ours, double factor)
+{
+    if (table->n_columns == DIAGNOSE_COLUMNS_MAX)
+        return;
+    DiagnoseColumn *column = &table->columns[table->n_columns];
+    *column = (DiagnoseColumn){.theirs = theirs, .factor = factor, .group = table->n_columns};
+    snprintf(column->name, sizeof column->name, "%s", ours->name);
+    snprintf(column->unit, sizeof column->unit, "%s", ours->unit);
+    for (int i = 0; i < table->n_columns && column->group == table->n_columns; i++)
+        if (strcmp(table->columns[i].unit, column->unit) == 0)
+            column->group = i;
+    table->n_columns++;
+}
+
+/* The set whose things the rows are of. A series has a column that is the series' alone, or no index. */
+static int set_of(const Overlay *file, const Names *names, const Simulation *sim, Heads *heads)
+{
+    const bool none[OVERLAY_COLUMNS_MAX] = {false};
+    double factor;
+    for (int s = 0; s < sim->n_sets; s++)
+        if ((heads->thing = column_of(file, names, sim->sets[s].name, none, &factor)) >= 0)
+            return s;
+    heads->i = named(file, names, "i");
+    heads->j = named(file, names, "j");
+    for (int s = 0; s < sim->n_sets && heads->i >= 0 && heads->j >= 0; s++)
+        if (simulation_find_field(sim, s, "i") >= 0 && simulation_find_field(sim, s, "j") >= 0)
+            return s;
+    return -1;
+}
+
+static bool find_columns(DiagnoseTable *table, const Names *names, Simulation *sim, Heads *heads,
+                         Status *status)
+{
+    const Overlay *file = &table->file;
+    bool taken[OVERLAY_COLUMNS_MAX] = {false};
+    double factor, *row = calloc((size_t)sim->n_series + 1, sizeof *row);
+    char known[300] = "";
+    if (!row)
+        return status_fail(status, STATUS_FAILED, "out of memory");
+    simulation_row(sim, row);
+    *heads = (Heads){.thing = -1, .i = -1, .j = -1};
+    heads->step = column_of(file, names, "step", taken, &factor);
+    heads->time = column_of(file, names, "time", taken, &heads->time_factor);
+    heads->stage = column_of(file, names, "stage", taken, &factor);
+    heads->stage_id = column_of(file, names, "stage_id", taken, &factor);
+    table->set = set_of(file, names, sim, heads);
+    const int of_row[] = {heads->step,  heads->time, heads->stage, heads->stage_id,
+                          heads->thing, heads->i,    heads->j};
+    for (size_t i = 0; i < sizeof of_row / sizeof *of_row; i++)
+        if (of_row[i] >= 0)
+            taken[of_row[i]] = true;
+    table->of_stages = heads->stage >= 0 || heads->stage_id >= 0;
+    const int count = table->set < 0 ? sim->n_series : sim->n_fields;
+    for (int pass = 0; pass < 2; pass++) /* by our names first: another's word must not take the place */
+        for (int i = 0; i < count; i++) {
+            const Quantity *ours = table->set < 0 ? &sim->series[i] : &sim->fields[i].quantity;
+            if (table->set >= 0 && sim->fields[i].set != table->set)
+                continue;
+            if (pass == 0)
+                text_list_add(known, sizeof known, ours->name);
+            bool has = false;
+            for (int c = 0; c < table->n_columns; c++)
+                has = has || strcmp(table->columns[c].name, ours->name) == 0;
+            const int theirs = has         ? -1
+                               : pass == 0 ? named(file, names, ours->name)
+                                           : column_of(file, names, ours->name, taken, &factor);
+            if (theirs < 0 || taken[theirs])
+                continue;
+            taken[theirs] = true;
+            add_column(table, theirs, ours, pass == 0 ? 1 : factor);
+        }
+    for (int c = 0; c < table->n_columns; c++)
+        table->columns[c].natural = size_at_start(sim, table->columns[c].unit, row);
+    free(row);
+    for (int i = 0; i < names->n_mapped; i++)
+        if (!taken[names->mapped[i].theirs])
+            return status_fail(status, STATUS_USAGE, "--map: %.40s is no column of ours (step, time, %s)",
+                               names->mapped[i].ours, known);
+    if (heads->step < 0 && heads->time < 0)
+        return status_fail(status, STATUS_USAGE, "%s:1: no column step or time (--map theirs=step names it)",
+                           file->file);
+    return table->n_columns > 0 ||
+           status_fail(status, STATUS_USAGE, "%s:1: none of its columns is one of %s (--map theirs=ours)",
+                       file->file, known);
+}
+
+/* --- steps ---------------------------------------------------------------------------------------------- */
+
+typedef struct Place {
+    long step;
+    int stage;
+    size_t thing, row;
+} Place;
+
+static int by_place(const void *a, const void *b)
+{
+    const Place *p = a, *q = b;
+    if (p->step != q->step)
+        return p->step < q->step ? -1 : 1;
+    if (p->stage != q->stage)
+        return p->stage < q->stage ? -1 : 1;
+    if (p->thing != q->thing)
+        return p->thing < q->thing ? -1 : 1;
+    return p->row < q->row ? -1 : p->row > q->row;
+}
+
+static bool whole_number(double value, double most, long *out)
+{
+    if (!(value >= 0 && value <= most) || value != floor(value))
+        return false;
+    *out = (long)value;
+    return true;
+}
+
+/* Half a unit of the last digit with which times are written. */
+static double time_bound(const Overlay *file, const Heads *heads, double time)
+{
+    const OverlayColumn *column = &file->columns[heads->time];
+    const double size = time != 0 ? floor(math_log10(fabs(time))) : -300;
+    return fmax(math_pow(10, size - fmin(column->digits, 16) + 1), math_pow(10, -column->places)) *
+               heads->time_factor +
+           1e-15 * fabs(time);
+}
+
+/* The time step of times beside steps. */
+static void time_step_of_steps(DiagnoseTable *table, const Heads *heads, double dt)
+{
+    const Overlay *file = &table->file;
+    const double *times = file->columns[heads->time].values, *steps = file->columns[heads->step].values;
+    size_t low = file->count, high = file->count;
+    for (size_t r = 0; r < file->count; r++) {
+        if (isnan(times[r]) || isnan(steps[r]))
+            continue;
+        low = low == file->count || steps[r] < steps[low] ? r : low;
+        high = high == file->count || steps[r] > steps[high] ? r : high;
+    }
+    if (low == file->count || steps[high] == steps[low])
+        return;
+    const double t[2] = {times[low] * heads->time_factor, times[high] * heads->time_factor};
+    const double count = steps[high] - steps[low], own = (t[1] - t[0]) / count;
+    const double bound = 2 * fmax(time_bound(file, heads, t[0]), time_bound(file, heads, t[1])) / count;
+    if (!(own > 0) || fabs(own - dt) <= bound + 1e-9 * dt)
+        return;
+    table->dt = own;
+    note(table, "its time step is %.10g, not the scenario's %.10g: the runs beside it take its own", own, dt);
+}
+
+/* The time step of times alone: the scenario's where rows are a multiple of it apart, else that of the rows.
+ */
+static bool time_step_of_times(DiagnoseTable *table, const Heads *heads, double dt, Status *status)
+{
+    const Overlay *file = &table->file;
+    const double *times = file->columns[heads->time].values;
+    double last = -INFINITY, spacing = INFINITY, before = NAN;
+    for (size_t r = 0; r < file->count; r++) {
+        const double t = times[r] * heads->time_factor;
+        if (isnan(t))
+            continue;
+        if (t < -time_bound(file, heads, t))
+            return status_fail(status, STATUS_USAGE, "%s: row %zu: a time below 0 (a run begins at 0)",
+                               file->file, r + 1);
+        if (!isnan(before) && fabs(t - before) > 2 * time_bound(file, heads, t))
+            spacing = fmin(spacing, fabs(t - before));
+        before = t;
+        last = fmax(last, t);
+    }
+    if (!isfinite(spacing))
+        return true;
+    const double steps = round(spacing / dt), bound = 2 * time_bound(file, heads, last) + 1e-9 * spacing;
+    if (steps >= 1 && fabs(spacing - steps * dt) <= bound)
+        return true;
+    table->dt = last / fmax(1, round(last / spacing));
+    note(table,
+         "its rows are %.10g apart, no multiple of the scenario's time step %.10g: taken for its own steps",
+         table->dt, dt);
+    return true;
+}
+
+/* Counted from 1, as where arrays begin so. */
+static bool counted_from_one(const OverlayColumn *column, size_t count)
+{
+    return column->least == 1 && column->largest == (double)count;
+}
+
+/* Ends of bonds in order of their numbers. */
+typedef struct Ends {
+    long i, j;
+    size_t bond;
+} Ends;
+
+static int by_ends(const void *a, const void *b)
+{
+    const Ends *p = a, *q = b;
+    return p->i != q->i ? (p->i < q->i ? -1 : 1) : p->j != q->j ? (p->j < q->j ? -1 : 1) : 0;
+}
+
+static Ends *ends_of(const Simulation *sim, int set)
+{
+    const size_t count = sim->counts[set];
+    Ends *ends = malloc((count + 1) * sizeof *ends);
+    const int fi = simulation_find_field(sim, set, "i"), fj = simulation_find_field(sim, set, "j");
+    for (size_t k = 0; ends && k < count; k++) {
+        const long i = (long)simulation_value(sim, fi, k), j = (long)simulation_value(sim, fj, k);
+        ends[k] = i < j ? (Ends){i, j, k} : (Ends){j, i, k};
+    }
+    if (ends)
+        qsort(ends, count, sizeof *ends, by_ends);
+    return ends;
+}
+
+/* Of which thing a row is. */
+static bool thing_of(const DiagnoseTable *table, const Heads *heads, const Simulation *sim, const Ends *ends,
+                     size_t row, size_t *thing, Status *status)
+{
+    const Overlay *file = &table->file;
+    const size_t count = sim->counts[table->set];
+    if (ends) {
+        long i, j;
+        const double a = file->columns[heads->i].values[row], b = file->columns[heads->j].values[row];
+        const Ends key = whole_number(fmin(a, b), 1e15, &i) && whole_number(fmax(a, b), 1e15, &j)
+                             ? (Ends){i, j, 0}
+                             : (Ends){-1, -1, 0};
+        const Ends *found = bsearch(&key, ends, count, sizeof *ends, by_ends);
+        if (!found)
+            return status_fail(status, STATUS_USAGE, "%s: row %zu: there is no bond from %g to %g",
+                               file->file, row + 1, a, b);
+        *thing = found->bond;
+        return true;
+    }
+    const OverlayColumn *column = &file->columns[heads->thing];
+    const double index = column->values[row] - (counted_from_one(column, count) ? 1 : 0);
+    long number;
+    if (!whole_number(index, (double)count - 1, &number))
+        return status_fail(status, STATUS_USAGE, "%s: row %zu: %s %g: the scenario has %zu (0 to %zu)",
+                           file->file, row + 1, table->thing, column->values[row], count, count - 1);
+    *thing = (size_t)number;
+    return true;
+}
+
+static bool place_of(const DiagnoseTable *table, const Heads *heads, const Simulation *sim, const Ends *ends,
+                     size_t row, Place *place, Status *status)
+{
+    const Overlay *file = &table->file;
+    long stage = 0;
+    *place = (Place){.row = row};
+    if (heads->step >= 0) {
+        if (!whole_number(file->columns[heads->step].values[row], 1e12, &place->step))
+            return status_fail(status, STATUS_USAGE, "%s: row %zu: step %g is no whole number from 0 on",
+                               file->file, row + 1, file->columns[heads->step].values[row]);
+    } else {
+        const double time = file->columns[heads->time].values[row] * heads->time_factor;
+        const double steps = round(time / table->dt);
+        if (!(steps >= -0.5 && steps <= 1e12))
+            return status_fail(status, STATUS_USAGE, "%s: row %zu: no time", file->file, row + 1);
+        if (fabs(time - steps * table->dt) > 2 * time_bound(file, heads, time) + 1e-6 * table->dt)
+            return status_fail(status, STATUS_USAGE,
+                               "%s: row %zu: time %.10g is no multiple of the time step %.10g", file->file,
+                               row + 1, time, table->dt);
+        place->step = (long)steps;
+    }
+    if (table->of_stages) {
+        const int column = heads->stage_id >= 0 ? heads->stage_id : heads->stage;
+        if (!whole_number(file->columns[column].values[row], table->n_stages, &stage) || stage < 1 ||
+            place->step < 1)
+            return status_fail(status, STATUS_USAGE, "%s: row %zu: %s (1 to %d, of steps from 1 on)",
+                               file->file, row + 1, "no such stage", table->n_stages);
+        place->stage = (int)stage;
+    }
+    return table->set < 0 || thing_of(table, heads, sim, ends, row, &place->thing, status);
+}
+
+/* Places in order become moments. */
+static bool take_moments(DiagnoseTable *table, const Place *places, Status *status)
+{
+    const size_t count = table->file.count;
+    for (size_t r = 0; r < count; r++) {
+        const Place *now = &places[r], *before = r > 0 ? &places[r - 1] : NULL;
+        const bool same = before && now->step == before->step && now->stage == before->stage;
+        if (same && now->thing == before->thing) {
+            char thing[48] = "";
+            if (table->set >= 0)
+                snprintf(thing, sizeof thing, ", %s %zu", table->thing, now->thing);
+            return status_fail(status, STATUS_USAGE, "%s: rows %zu and %zu are both of step %ld%s",
+                               table->file.file, before->row + 1, now->row + 1, now->step, thing);
+        }
+        if (!same)
+            table->moments[table->n_moments++] = (DiagnoseMoment){now->step, now->stage, r, 0};
+        table->moments[table->n_moments - 1].count++;
+        table->rows[r] = now->row;
+        table->things[r] = now->thing;
+    }
+    return true;
+}
+
+static bool place_rows(DiagnoseTable *table, const Heads *heads, const Simulation *sim, Status *status)
+{
+    const size_t count = table->file.count;
+    const bool by_ends_alone = table->set >= 0 && heads->thing < 0;
+    Place *places = malloc(count * sizeof *places);
+    Ends *ends = by_ends_alone ? ends_of(sim, table->set) : NULL;
+    table->moments = malloc(count * sizeof *table->moments);
+    table->rows = malloc(count * sizeof *table->rows);
+    table->things = malloc(count * sizeof *table->things);
+    bool sound = (places && table->moments && table->rows && table->things && (ends || !by_ends_alone)) ||
+                 status_fail(status, STATUS_FAILED, "not enough memory for %s", table->file.file);
+    bool ordered = true;
+    for (size_t r = 0; r < count && sound; r++) {
+        sound = place_of(table, heads, sim, ends, r, &places[r], status);
+        ordered = ordered && (r == 0 || places[r].step >= places[r - 1].step);
+    }
+    if (sound && !ordered)
+        note(table, "its rows are not in the order of their steps: they were sorted");
+    if (sound)
+        qsort(places, count, sizeof *places, by_place);
+    sound = sound && take_moments(table, places, status);
+    free(places);
+    free(ends);
+    return sound;
+}
+
+static void say_what_is_odd(DiagnoseTable *table, const Heads *heads, const Simulation *sim)
+{
+    const Overlay *file = &table->file;
+    size_t gaps = 0;
+    for (size_t m = 2; m < table->n_moments && !table->of_stages; m++)
+        gaps += table->moments[m].step - table->moments[m - 1].step !=
+                table->moments[1].step - table->moments[0].step;
+    if (gaps > 0)
+        note(table, "steps are missing in %zu places: those that are there were compared", gaps);
+    if (table->set >= 0 && heads->thing >= 0 &&
+        counted_from_one(&file->columns[heads->thing], sim->counts[table->set]))
+        note(table, "its %s are counted from 1: %s 1 is our %s 0", sim->sets[table->set].plural, table->thing,
+             table->thing);
+    for (int c = 0; c < table->n_columns; c++) {
+        const DiagnoseColumn *column = &table->columns[c];
+        const char *theirs = file->columns[column->theirs].name;
+        if (strcasecmp(theirs, column->name) != 0)
+            note(table, "its column %s is taken for %s", *theirs ? theirs : "(without a name)", column->name);
+    }
+}
+
+/* --- the whole ------------------------------------------------------------------------------------------ */
+
+/* More entries than these tell no more. */
+enum { ENTRIES_MAX = 8000000 };
+
+static void cut(DiagnoseTable *table)
+{
+    const size_t most = ENTRIES_MAX / (size_t)table->n_columns;
+    size_t kept = table->n_moments;
+    while (kept > 1 && table->moments[kept - 1].first + table->moments[kept - 1].count > most)
+        kept--;
+    if (kept < table->n_moments)
+        note(table, "it is long: compared up to step %ld", table->moments[kept - 1].step);
+    table->n_moments = kept;
+}
+
+static bool read_rows(DiagnoseTable *table, const char *map, Simulation *sim, Status *status)
+{
+    Heads heads;
+    Names *names = calloc(1, sizeof *names);
+    if (!names)
+        return status_fail(status, STATUS_FAILED, "out of memory");
+    const bool sound =
+        read_map(names, &table->file, map, status) && find_columns(table, names, sim, &heads, status);
+    free(names);
+    if (!sound)
+        return false;
+    snprintf(table->thing, sizeof table->thing, "%s", table->set < 0 ? "" : sim->sets[table->set].name);
+    table->stages_by_id = heads.stage_id >= 0;
+    table->noise = simulation_has(sim, HAS_BONDS) ? 1e-9 : 1e-13;
+    table->dt = sim->dt;
+    table->timed = heads.time >= 0;
+    if (table->timed && heads.step >= 0)
+        time_step_of_steps(table, &heads, sim->dt);
+    if ((table->timed && heads.step < 0 && !time_step_of_times(table, &heads, sim->dt, status)) ||
+        !place_rows(table, &heads, sim, status))
+        return false;
+    say_what_is_odd(table, &heads, sim);
+    cut(table);
+    return true;
+}
+
+bool diagnose_read(DiagnoseTable *table, const char *path, const Settings *settings, const char *map,
+                   Status *status)
+{
+    Settings asked = *settings;
+    *table = (DiagnoseTable){.set = -1, .file = {.y = -1}};
+    strcpy(asked.output.columns, "all");
+    asked.output.follow[0] = '\0';
+    Simulation *sim = problem_simulate(&asked, 1, status);
+    if (!sim)
+        return false;
+    for (int i = 0; i < sim->n_stages && i < DIAGNOSE_STAGES_MAX; i++)
+        snprintf(table->stage_ids[table->n_stages++], sizeof table->stage_ids[0], "%s", sim->stages[i].id);
+    const bool sound = overlay_load_words(&table->file, path, take_word, NULL, table, status) &&
+                       read_rows(table, map, sim, status);
+    simulation_destroy(sim);
+    if (!sound)
+        diagnose_close(table);
+    return sound;
+}
+
+void diagnose_close(DiagnoseTable *table)
+{
+    overlay_close(&table->file);
+    free(table->moments);
+    free(table->rows);
+    free(table->things);
+    *table = (DiagnoseTable){.set = -1, .file = {.y = -1}};
+}

@@ -1,0 +1,152 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What a diagnosis came to, in words (diagnose.h). */
+#include "answers/diagnose.h"
+
+#include "base/text.h"
+#include "base/visible.h"
+
+#include <math.h>
+#include <string.h>
+
+static void tell_moment(const Departure *departure, FILE *out)
+{
+    if (departure->stage > 0)
+        visible_print(out, "at step %ld, after stage %d (%s)", departure->step, departure->stage,
+                      departure->stage_id);
+    else
+        visible_print(out, departure->step == 0 ? "at the start (step %ld)" : "at step %ld", departure->step);
+}
+
+static void tell_departure(const Departure *departure, const DiagnoseTable *table, FILE *out)
+{
+    const DiagnoseColumn *column = &table->columns[departure->column];
+    char ratio[NUMBER_TEXT_MAX], difference[NUMBER_TEXT_MAX];
+    fputs("They first depart ", out);
+    tell_moment(departure, out);
+    if (table->set >= 0)
+        visible_print(out, ", %s %zu", table->thing, departure->thing);
+    visible_print(out, ", row %zu, column %s:\n", departure->row, column->name);
+    text_rounded(difference, departure->theirs - departure->ours, 3);
+    text_rounded(ratio, departure->theirs / departure->ours, 8);
+    visible_print(out, "  yours %.16g, right %.16g: ratio %s, difference %s\n", departure->theirs,
+                  departure->ours, departure->ours != 0 ? ratio : "none", difference);
+    if (*departure->factors)
+        visible_print(out, "  the ratio is %s\n", departure->factors);
+    if (*departure->change_factors)
+        visible_print(out, "  it has changed since the row before by the right amount times %s\n",
+                      departure->change_factors);
+    if (departure->step == 0)
+        fputs("  No step is done yet: what is wrong is the start.\n", out);
+    else if (departure->moment == 0)
+        fputs("  There is no row before it, so start and loop cannot be told apart.\n", out);
+}
+
+static void tell_agreement(const Diagnosis *found, FILE *out)
+{
+    const char *rows = found->agreed == 1 ? "row" : "rows";
+    if (found->verdict == DIAGNOSE_RIGHT)
+        visible_print(out, "Your numbers are those of the right code, to %d digits over %zu %s.\n",
+                      found->digits, found->agreed, rows);
+    else if (found->agreed == 0)
+        fputs("Your numbers agree with the right code's in no row.\n", out);
+    else
+        visible_print(
+            out,
+            "Your numbers agree with the right code's to %d digits over the first %zu %s (to step %ld).\n",
+            found->digits, found->agreed, rows, found->agreed_step);
+    if (found->verdict == DIAGNOSE_RIGHT && found->naive)
+        fputs("More cannot be had where a bond's |y| - |xi| is taken as it stands: that is round-off, no "
+              "mistake.\n",
+              out);
+}
+
+static void tell_explanation(const Explanation *explanation, FILE *out)
+{
+    const size_t length = strlen(explanation->words);
+    const bool ends = length > 0 && explanation->words[length - 1] == '.';
+    visible_print(out, "  %s: %s%s\n", explanation->id, explanation->words, ends ? "" : ".");
+    if (*explanation->where)
+        visible_print(out, "  %s\n", explanation->where);
+}
+
+static void tell_explanations(const Diagnosis *found, FILE *out)
+{
+    const Explanation *first = &found->explanations[0];
+    visible_print(out, "They are those of this code, to %d digits over all %zu rows:\n", first->digits,
+                  found->compared);
+    tell_explanation(first, out);
+    for (int i = 1; i < found->n_explanations; i++) {
+        const Explanation *rival = &found->explanations[i];
+        visible_print(out, i == 1 ? "This file cannot tell it from:\n" : "or\n");
+        tell_explanation(rival, out);
+        if (*rival->apart)
+            visible_print(out, "  (%s them apart)\n", rival->apart);
+        else
+            fputs("  (no run tells them apart: the same code by another name)\n", out);
+    }
+    if (found->more > 0)
+        visible_print(out, "and %d more: the file has too few rows or digits.\n", found->more);
+}
+
+static void tell_hidden(const Diagnosis *found, FILE *out)
+{
+    if (found->n_explanations == 0)
+        return;
+    fputs("Not shown by this file, with or without them its numbers are the same:\n", out);
+    for (int i = 0; i < found->n_explanations; i++)
+        visible_print(out, "  %s%s%s%s\n", found->explanations[i].id,
+                      *found->explanations[i].apart ? " (" : "", found->explanations[i].apart,
+                      *found->explanations[i].apart ? ")" : "");
+    if (found->more > 0)
+        visible_print(out, "  and %d more\n", found->more);
+}
+
+static void tell_nothing_found(const Diagnosis *found, const DiagnoseTable *table, FILE *out)
+{
+    const Departure *departure = &found->departure;
+    visible_print(
+        out,
+        "None of %ld other codes gives these numbers: no one mistake, scheme or value that is known here.\n",
+        found->tried);
+    if (departure->step == 0)
+        fputs("Look at how the start is made: places, masses, velocities of t = 0.\n", out);
+    else if (!table->of_stages)
+        visible_print(
+            out,
+            "Look into step %ld: write your numbers after each of its stages and compare them with those of\n"
+            "  matvib run SCENARIO --stages %ld:%ld --particles p.csv\n",
+            departure->step, departure->step, departure->step);
+    else
+        visible_print(out, "Look at what stage %d (%s) does with what the stages before it gave.\n",
+                      departure->stage, departure->stage_id);
+}
+
+void diagnosis_tell(const Diagnosis *found, const DiagnoseTable *table, FILE *out)
+{
+    for (int i = 0; i < table->n_notes; i++)
+        visible_print(out, "(%s)\n", table->notes[i]);
+    if (found->verdict == DIAGNOSE_COPIED) {
+        fputs("This is the exact answer, not a run: there is no code to be judged.\n", out);
+        return;
+    }
+    if (found->verdict == DIAGNOSE_MUTE) {
+        fputs("This file tells nothing: its columns are empty, or no more than round-off in the right run "
+              "too.\n",
+              out);
+        return;
+    }
+    tell_agreement(found, out);
+    if (found->departure.is)
+        tell_departure(&found->departure, table, out);
+    if (found->verdict == DIAGNOSE_EXPLAINED)
+        tell_explanations(found, out);
+    else if (found->verdict == DIAGNOSE_RIGHT)
+        tell_hidden(found, out);
+    else
+        tell_nothing_found(found, table, out);
+    if (found->compared == 1 && found->verdict == DIAGNOSE_RIGHT)
+        fputs("One row is little: it tells of one moment alone.\n", out);
+    else if (found->compared < found->rows)
+        visible_print(out, "The right run does not reach the last %zu rows.\n",
+                      found->rows - found->compared);
+}

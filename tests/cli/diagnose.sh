@@ -1,0 +1,100 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# matvib diagnose as people type it: what it says of files of every kind, and what it refuses. That it is right on any
+# setting is tried by check_diagnose.
+# shellcheck source=tests/common.sh
+. "$MATVIB_SRCDIR/tests/common.sh"
+subcommand=diagnose
+make() { # FILE ARGUMENTS...
+	file=$1
+	shift
+	"$MATVIB" run "$@" --quiet --force --series "$file"
+}
+digits() { # N COLUMNS <FILE: these columns with so many digits
+	awk -F, -v n="$1" -v wanted="$2" 'NR == 1 { k = split(wanted, w, ","); for (i = 1; i <= NF; i++) at[$i] = i; print wanted; next }
+		{ for (i = 1; i <= k; i++) printf "%s%s", w[i] == "step" ? $at[w[i]] : sprintf("%." n "g", $at[w[i]]), i < k ? "," : "\n" }'
+}
+
+make right.csv mode5 --steps 50
+expect "the right numbers" 0 mode5 right.csv
+result "are said to be right" says out '^Your numbers are those of the right code, to 16 digits over 51 rows\.$'
+result "and what they hide" says out '^  gradient_without_h (--set mesh.cell_size=0.5 tells)$'
+digits 6 step,v_cm <right.csv >six.csv
+expect "six digits of them" 0 mode5 six.csv
+result "are judged by six" says out 'to 6 digits over 51 rows'
+result "and hide more" says out '^  mass_of_cell (the column kinetic tells)$'
+
+make own.csv mode5 --steps 50 --set mpm.mistake=x_by_own_velocity
+digits 17 step,v_cm <own.csv >own17.csv
+expect "a silent mistake" 0 mode5 own17.csv
+result "is named" says out '^  x_by_own_velocity: A particle moves with its own velocity'
+result "with its line" says out '^  stage 6, update particles: .*>>v_p<<$'
+result "and where it shows first" says out '^They first depart at step 2, row 3, column v_cm:$'
+head -n 4 own17.csv >three.csv
+expect "three steps of it" 0 mode5 three.csv
+result "are enough" says out '^  x_by_own_velocity: '
+make vol.csv mode5 --steps 50 --set mpm.mistake=volume_of_cell
+digits 6 step,v_cm <vol.csv >vol6.csv
+expect "rivals" 0 mode5 vol6.csv
+result "are all named" sh -c 'grep -q "^  volume_of_cell: " out && grep -q "^  bar.youngs_modulus=200: another value, the scenario.s 100 times 2 = P" out'
+result "with the run that tells" says out '^  (the column strain tells them apart)$'
+result "and the factor" says out 'by the right amount times 2 = P, the particles in a cell$'
+make start.csv mode5 --steps 50 --set mpm.mistake=mode_of_fixed_fixed
+expect "a wrong start" 0 mode5 start.csv
+result "is told from a wrong loop" says out 'No step is done yet: what is wrong is the start'
+
+make soft.csv mode5 --steps 50 --set bar.youngs_modulus=93.25 --set time.courant=0.09656603957913985
+digits 9 step,time,v_cm,kinetic <soft.csv >soft9.csv
+expect "a wrong value" 0 mode5 soft9.csv
+result "is found" says out '^  bar.youngs_modulus=93.25: another value'
+make usl.csv mode5 --steps 50 --set mpm.algorithm=usl
+expect "another scheme" 0 mode5 usl.csv
+result "is no mistake" says out '^  mpm.algorithm=usl: no mistake, but another choice'
+make dt.csv mode5 --steps 50 --set time.courant=0.07
+expect "another time step" 0 mode5 dt.csv
+result "is taken from the file" sh -c 'grep -q "^(its time step is 0.007, not" out && grep -q "those of the right code" out'
+cut -d, -f2,3 dt.csv >times.csv
+expect "times alone" 0 mode5 times.csv
+result "tell it too" sh -c 'grep -q "rows are 0.007 apart" out && grep -q "those of the right code" out'
+awk -F, 'NR == 1 { print "n;vcm" } NR > 1 { v = sprintf("%.12g", 1000 * $3); sub(/\./, ",", v); print $1 ";" v }' right.csv >units.csv
+expect "other names, signs and units" 0 mode5 units.csv
+result "are read" sh -c 'grep -q "is taken for v_cm" out && grep -q "0.001 of ours each" out && grep -q "those of the right code" out'
+sed 's/v_cm/speed/; s/,v_cm.*//' units.csv | sed 's/vcm/speed/' >map.csv
+expect "a column by --map" 0 mode5 map.csv --map 'speed=v_cm*0.001'
+result "is compared" says out 'those of the right code, to 1[12] digits'
+awk -F, 'NR == 1 { print "step,v_cm" } NR > 1 { print $1 + 1 "," $3 }' right.csv >one.csv
+expect "rows counted from 1" 0 mode5 one.csv
+result "are told" says out '^  rows-1: the right code, whose rows are counted otherwise'
+awk -F, 'NR == 1 { print "step,v_cm" } NR > 1 { print $1 "," $3 * (1 + $1 * $1 * 1e-4) }' right.csv >wild.csv
+expect "numbers of no code" 0 mode5 wild.csv
+result "are not blamed on one" sh -c 'grep -q "^None of [0-9]* other codes gives these numbers" out && grep -q "stages 1:1" out'
+
+awk -F, 'NR == 1 { print "step,v_cm" } NR > 1 { print $1 "," $4 }' right.csv >exact.csv
+expect "the exact answer" 0 mode5 exact.csv
+result "is no run" says out '^This is the exact answer, not a run'
+awk -F, 'NR == 1 { print "step,v_cm" } NR > 1 { print $1 ",0" }' right.csv >zero.csv
+expect "zeros" 0 mode5 zero.csv
+result "agree with nothing" sh -c 'grep -q "zero throughout" out && grep -q "^This file tells nothing" out'
+awk -F, 'NR == 1 { print "step,v_cm" } NR > 1 { print $1 "," }' right.csv >empty.csv
+expect "an empty column" 0 mode5 empty.csv
+result "agrees with nothing" says out '^(its column v_cm is empty)$'
+head -n 2 right.csv >row.csv
+expect "one row" 0 mode5 row.csv
+result "is little" says out '^One row is little'
+awk -F, 'NR == 1 || NR % 3 == 0' right.csv >gaps.csv
+awk 'NR == 1; NR > 1 { line[NR] = $0 } END { for (i = NR; i > 1; i--) print line[i] }' gaps.csv >back.csv
+expect "rows out of order, some missing" 0 mode5 back.csv
+result "are sorted" sh -c 'grep -q "were sorted" out && grep -q "those of the right code" out'
+sed '20,$s/^\([0-9]*,[^,]*\),[^,]*/\1,nan/' own.csv >nan.csv
+expect "NaN from a row on" 0 mode5 nan.csv
+result "is left out" says out '^  x_by_own_velocity: '
+
+refuse "no step" "x.csv:1: no column step or time (--map theirs=step names it)" mode5 "$(printf 'a,v_cm\n1,2\n' >x.csv; echo x.csv)"
+refuse "half a step" "x.csv: row 2: step 0.5 is no whole number from 0 on" mode5 "$(printf 'step,v_cm\n0,2\n.5,2\n' >x.csv; echo x.csv)"
+refuse "a step twice" "x.csv: rows 1 and 3 are both of step 0" mode5 "$(printf 'step,v_cm\n0,2\n1,2\n0,3\n' >x.csv; echo x.csv)"
+refuse "a word" "x.csv:3: column 2, v_cm: 'fast' is no number" mode5 "$(printf 'step,v_cm\n0,2\n1,fast\n' >x.csv; echo x.csv)"
+refuse "nothing of ours" "x.csv:1: none of its columns is one of v_cm, x_cm, kinetic, kinetic_grid, kinetic_null, strain, work, total (--map theirs=ours)" mode5 "$(printf 'step,foo\n0,2\n' >x.csv; echo x.csv)"
+refuse "a mistake of the scenario's" "mpm.mistake: pic is a mistake, and a file is compared with the right code" mode5 right.csv --set mpm.mistake=pic
+refuse "no file" "SCENARIO FILE is missing (see: matvib --help)" mode5
+refuse "a map without a column" "--map: right.csv:1: no column speed (step, time, v_cm, v_cm_exact, v_cm_predicted, x_cm, kinetic, strain, work, total, or 1 to 10)" mode5 right.csv --map speed=v_cm
+echo "1..$number"
