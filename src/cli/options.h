@@ -79,8 +79,8 @@ typedef struct Options {
     const char *data, *sought, *column, *figure; /* of a fit */
     const char *map;                             /* of a diagnosis */
     bool pairs;
-    const char *seconds, *pitch;                 /* of a sound */
-    const char *fps, *speed, *idle, *from, *to;  /* of a film */
+    const char *seconds, *pitch;                /* of a sound */
+    const char *fps, *speed, *idle, *from, *to; /* of a film */
 
     const char *name, *id, *handout, *students, *sheet, *limit; /* of homework */
     bool key, print, bom;
