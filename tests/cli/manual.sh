@@ -51,8 +51,13 @@ done <commands
 short() {
 	case $1 in
 	*" sweep supported-beam"*) echo "$1 --plan" ;;
-	*" figure "*" --at "*) echo "$1" | sed 's/notched-beam/notched-beam-coarse/' ;;
-	*" figure supported-beam"* | *" figure moving-cantilever"*) echo "$1 --end 1e-4" ;;
+	*" figure "*" --at "*) echo "$1" | sed 's/notched-beam/notched-beam-coarse/; s/--at [^ ]*/--at 2e-5,4e-5/' ;;
+	*" figure supported-beam"* | *" figure moving-cantilever"*)
+		echo "$1 --end 1e-4" | sed 's/ supported-beam / supported-beam-coarse /; s/ moving-cantilever / moving-cantilever-coarse /'
+		;;
+	*" export-lammps notched-beam --set pd.spacing"*) echo "$1" | sed 's/spacing=.25e-3/spacing=1e-3/; s/horizon=1e-3/horizon=4e-3/' ;;
+	*" export-lammps notched-beam "*) echo "$1" | sed 's/ notched-beam / notched-beam-coarse /' ;;
+	*" sound supported-beam-coarse"*) echo "$1 --end 2e-3" ;;
 	*" run supported-beam"* | *" run notched-beam"*) echo "$1 --steps 10" | sed 's/ notched-beam / notched-beam-coarse /' ;;
 	*" movie notched-beam-coarse"*) echo "$1 --to 2e-5" ;;
 	*" verify") echo "$1 M-fig3" ;;
