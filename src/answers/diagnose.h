@@ -36,6 +36,7 @@ typedef struct DiagnoseTable {
     Overlay file;
     int set; /* whose things the rows are of; -1: it is a series */
     bool of_stages, stages_by_id;
+    bool of_next; /* a row of step n is of the step that follows: what nodes got of the particles */
     char stage_ids[DIAGNOSE_STAGES_MAX][24];
     int n_stages;
     char thing[16]; /* "particle" */
@@ -92,7 +93,7 @@ typedef enum DiagnoseVerdict {
     DIAGNOSE_MUTE       /* there is nothing that tells anything */
 } DiagnoseVerdict;
 
-enum { EXPLANATIONS_MAX = 8 };
+enum { EXPLANATIONS_MAX = 40 };
 
 typedef struct Diagnosis {
     DiagnoseVerdict verdict;

@@ -234,7 +234,10 @@ bool diagnose_tell_apart(const Settings *a, const Settings *b, const DiagnoseTab
     char name[OVERLAY_NAME_MAX];
     out[0] = '\0';
     if (table->set < 0 && differ(a, b, NULL, name)) {
-        snprintf(out, size, "the column %s tells", name);
+        bool has = false;
+        for (int c = 0; c < table->n_columns; c++)
+            has = has || strcmp(table->columns[c].name, name) == 0;
+        snprintf(out, size, has ? "more rows or digits of %s tell" : "the column %s tells", name);
         return true;
     }
     for (int i = 0; i < n_parameters; i++) {

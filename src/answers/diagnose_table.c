@@ -552,6 +552,7 @@ static bool read_rows(DiagnoseTable *table, const char *map, Simulation *sim, St
         return false;
     snprintf(table->thing, sizeof table->thing, "%s", table->set < 0 ? "" : sim->sets[table->set].name);
     table->stages_by_id = heads.stage_id >= 0;
+    table->of_next = !table->of_stages && table->set >= 0 && sim->sets[table->set].ready_after > 0;
     table->noise = simulation_has(sim, HAS_BONDS) ? 1e-9 : 1e-13;
     table->dt = sim->dt;
     table->timed = heads.time >= 0;

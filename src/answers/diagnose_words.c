@@ -35,7 +35,10 @@ static void tell_departure(const Departure *departure, const DiagnoseTable *tabl
     if (*departure->change_factors)
         visible_print(out, "  it has changed since the row before by the right amount times %s\n",
                       departure->change_factors);
-    if (departure->step == 0)
+    if (table->of_next)
+        visible_print(out, "  Rows of a grid are of the step that follows: this one of step %ld.\n",
+                      departure->step + 1);
+    else if (departure->step == 0)
         fputs("  No step is done yet: what is wrong is the start.\n", out);
     else if (departure->moment == 0)
         fputs("  There is no row before it, so start and loop cannot be told apart.\n", out);
@@ -108,14 +111,15 @@ static void tell_nothing_found(const Diagnosis *found, const DiagnoseTable *tabl
         out,
         "None of %ld other codes gives these numbers: no one mistake, scheme or value that is known here.\n",
         found->tried);
-    if (departure->step == 0)
+    if (departure->step == 0 && !table->of_next)
         fputs("Look at how the start is made: places, masses, velocities of t = 0.\n", out);
     else if (!table->of_stages)
         visible_print(
             out,
             "Look into step %ld: write your numbers after each of its stages and compare them with those of\n"
             "  matvib run SCENARIO --stages %ld:%ld --particles p.csv\n",
-            departure->step, departure->step, departure->step);
+            departure->step + table->of_next, departure->step + table->of_next,
+            departure->step + table->of_next);
     else
         visible_print(out, "Look at what stage %d (%s) does with what the stages before it gave.\n",
                       departure->stage, departure->stage_id);

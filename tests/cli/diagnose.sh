@@ -37,7 +37,7 @@ make vol.csv mode5 --steps 50 --set mpm.mistake=volume_of_cell
 digits 6 step,v_cm <vol.csv >vol6.csv
 expect "rivals" 0 mode5 vol6.csv
 result "are all named" sh -c 'grep -q "^  volume_of_cell: " out && grep -q "^  bar.youngs_modulus=200: another value, the scenario.s 100 times 2 = P" out'
-result "with the run that tells" says out '^  (the column strain tells them apart)$'
+result "with the column that tells" says out '^  (the column strain tells them apart)$'
 result "and the factor" says out 'by the right amount times 2 = P, the particles in a cell$'
 make start.csv mode5 --steps 50 --set mpm.mistake=mode_of_fixed_fixed
 expect "a wrong start" 0 mode5 start.csv
@@ -68,6 +68,27 @@ result "are told" says out '^  rows-1: the right code, whose rows are counted ot
 awk -F, 'NR == 1 { print "step,v_cm" } NR > 1 { print $1 "," $3 * (1 + $1 * $1 * 1e-4) }' right.csv >wild.csv
 expect "numbers of no code" 0 mode5 wild.csv
 result "are not blamed on one" sh -c 'grep -q "^None of [0-9]* other codes gives these numbers" out && grep -q "stages 1:1" out'
+
+make s.csv mode5 --steps 3
+for table in particles nodes; do
+	"$MATVIB" run mode5 --steps 3 --frames 4 --set mpm.mistake=moved_weights --$table t.csv --quiet --force
+	expect "a table of $table" 0 mode5 t.csv
+	result "tells as much" says out '^  moved_weights: '
+	"$MATVIB" run mode5 --steps 2 --stages 1:2 --set mpm.mistake=half_first_kick --$table t.csv --quiet --force
+	expect "$table after stages" 0 mode5 t.csv
+	result "tell as much" says out '^  half_first_kick: '
+	result "and the stage" says out "after stage [46] "
+done
+result "of the nodes' force" says out '^They first depart at step 1, after stage 4 (force), node 0, row 91, column f_int:$'
+awk -F, -v OFS=, 'NR == 1 { $3 = ""; print } NR > 1 { $3 = "x"; print }' t.csv | cut -d, -f1,2,4- >numbers.csv
+expect "stages by number" 0 mode5 numbers.csv
+result "are as good as by name" says out '^  half_first_kick: '
+"$MATVIB" run supported-beam-coarse --set beam.length=20mm --set beam.height=2mm --steps 2 --set pd.mistake=one_way --bonds b.csv --particles p.csv --quiet
+expect "bonds" 0 supported-beam-coarse --set beam.length=20mm --set beam.height=2mm b.csv
+result "tell a beam's mistake" says out '^  one_way: A bond pulls at its left end only'
+awk -F, -v OFS=, 'NR > 1 { $3++ } 1' p.csv >p1.csv
+expect "particles counted from 1" 0 supported-beam-coarse --set beam.length=20mm --set beam.height=2mm p1.csv
+result "are told" sh -c 'grep -q "particle 1 is our particle 0" out && grep -q "^  one_way: " out'
 
 awk -F, 'NR == 1 { print "step,v_cm" } NR > 1 { print $1 "," $4 }' right.csv >exact.csv
 expect "the exact answer" 0 mode5 exact.csv

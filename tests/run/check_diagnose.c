@@ -1,0 +1,204 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Runs of our own mistakes on settings at random, written with some digits, and what is made of them: the
+ * mistake is named, alone or among those that the file cannot tell apart, or the file cannot show it. A wrong
+ * name never stands alone, and right numbers are right.
+ *
+ *     MATVIB_DIAGNOSES=N  so many settings of a bar (3)   MATVIB_SEED=N  those of another draw */
+#include "run/lab_case.h"
+
+#include "answers/diagnose.h"
+#include "methods/bonds/plane/bonds_plane.h"
+#include "methods/mpm/line/mpm_bar.h"
+#include "problems/problem.h"
+#include "suite.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static long number_of(const char *name, long otherwise)
+{
+    return getenv(name) ? atol(getenv(name)) : otherwise;
+}
+
+static unsigned long chosen(unsigned long *state, const char *const *words)
+{
+    unsigned long count = 0;
+    while (words[count])
+        count++;
+    return draw(state, count);
+}
+
+/* --- files ------------------------------------------------------------------------------------------ */
+
+static const char *const columns_of_bar[][6] = {
+    {"v_cm", NULL}, {"v_cm", "kinetic", "strain", NULL}, {"x_cm", "v_cm", NULL}};
+static const char *const columns_of_beam[] = {"v_probe", "u_probe", "kinetic", NULL};
+
+/* The first `steps` steps of a run, or as far as it goes, as a table. Returns the rows. */
+static long write_run(const char *path, const Settings *settings, long steps, const char *const *columns,
+                      int digits)
+{
+    Status status = {0};
+    Simulation *sim = problem_simulate(settings, 1, &status);
+    FILE *file = fopen(path, "w");
+    long rows = 0;
+    ck_assert_msg(sim && file, "%s", status.text);
+    fprintf(file, "step");
+    for (int i = 0; columns[i]; i++)
+        fprintf(file, ",%s", columns[i]);
+    double row[32];
+    do {
+        simulation_row(sim, row);
+        fprintf(file, "\n%ld", sim->step);
+        for (int i = 0; columns[i]; i++)
+            fprintf(file, ",%.*g", digits, row[simulation_find_series(sim, columns[i])]);
+        rows++;
+    } while (sim->step < steps && simulation_steps(sim, 1, NULL, NULL, NULL));
+    fprintf(file, "\n");
+    fclose(file);
+    simulation_destroy(sim);
+    return rows;
+}
+
+static void diagnose_file(const char *path, const Settings *settings, Diagnosis *found)
+{
+    Status status = {0};
+    DiagnoseTable *table = calloc(1, sizeof *table);
+    const DiagnoseTask task = {.settings = settings, .threads = 1};
+    ck_assert_msg(diagnose_read(table, path, settings, NULL, &status) &&
+                      diagnose(&task, table, found, &status),
+                  "%s", status.text);
+    diagnose_close(table);
+    free(table);
+}
+
+static bool names(const Diagnosis *found, const char *mistake)
+{
+    for (int i = 0; i < found->n_explanations; i++)
+        if (strcmp(found->explanations[i].id, mistake) == 0)
+            return true;
+    return false;
+}
+
+/* "VERDICT: a b c" */
+static const char *told(const Diagnosis *found)
+{
+    static char text[1000];
+    size_t used = (size_t)snprintf(text, sizeof text, "verdict %d:", (int)found->verdict);
+    for (int i = 0; i < found->n_explanations && used + 90 < sizeof text; i++)
+        used += (size_t)snprintf(text + used, sizeof text - used, " %s", found->explanations[i].id);
+    return text;
+}
+
+/* A mistake (NULL: none) with so many digits. */
+static void judge(const Settings *right, const char *key, const char *mistake, long steps,
+                  const char *const *columns, int digits)
+{
+    char path[] = "/tmp/check_diagnose.XXXXXX";
+    const int made = mkstemp(path);
+    Settings wrong = *right;
+    Diagnosis *found = calloc(1, sizeof *found);
+    ck_assert(made >= 0 && found);
+    close(made);
+    if (mistake)
+        set(&wrong, key, mistake);
+    write_run(path, &wrong, steps, columns, digits);
+    diagnose_file(path, right, found);
+    unlink(path);
+    char with[200] = "";
+    for (int i = 0; columns[i]; i++)
+        snprintf(with + strlen(with), sizeof with - strlen(with), " %s", columns[i]);
+    const bool mute = found->verdict == DIAGNOSE_MUTE;
+    if (mistake)
+        ck_assert_msg(mute || names(found, mistake), "%s, %d digits, %ld steps,%s: %s", mistake, digits,
+                      steps, with, told(found));
+    else
+        ck_assert_msg(mute || found->verdict == DIAGNOSE_RIGHT, "%d digits, %ld steps,%s: %s", digits, steps,
+                      with, told(found));
+    free(found);
+}
+
+/* --- bars ------------------------------------------------------------------------------------------- */
+
+static void put(Settings *settings, const char *key, const char *const *words, unsigned long *state)
+{
+    set(settings, key, words[chosen(state, words)]);
+}
+
+static Settings any_bar(unsigned long *state)
+{
+    static const char *const supports[] = {"fixed-free", "free-fixed", "fixed-fixed", "free-free", NULL};
+    static const char *const particles[] = {"1", "2", "3", "4", NULL}, *const modes[] = {"1", "2", "5", NULL};
+    static const char *const cells[] = {"0.25", "0.5", "1", "2.5", NULL}, *const lengths[] = {"10", "20",
+                                                                                              "25", NULL};
+    static const char *const densities[] = {"0.5", "1", "2", "7.8", NULL}, *const moduli[] = {"50", "100",
+                                                                                              "210", NULL};
+    static const char *const courants[] = {"0.05", "0.1", "0.3", NULL}, *const velocities[] = {"0.01", "0.1",
+                                                                                               "1", NULL};
+    Settings settings = bar_settings(5, 100);
+    put(&settings, "bar.supports", supports, state);
+    put(&settings, "mesh.particles_per_cell", particles, state);
+    put(&settings, "mesh.cell_size", cells, state);
+    put(&settings, "bar.density", densities, state);
+    put(&settings, "bar.length", lengths, state);
+    put(&settings, "bar.youngs_modulus", moduli, state);
+    put(&settings, "initial.mode", modes, state);
+    put(&settings, "time.courant", courants, state);
+    put(&settings, "initial.velocity", velocities, state);
+    return settings;
+}
+
+/* Of the many cases of a setting every third in turn, unless all are asked for. */
+START_TEST(a_bars_mistake_is_named)
+{
+    static const int digits[] = {6, 9, 17};
+    static const long steps[] = {3, 10, 40, 150, 400};
+    const long settings_wanted = number_of("MATVIB_DIAGNOSES", 3);
+    const bool all = getenv("MATVIB_DIAGNOSES") != NULL;
+    unsigned long state = (unsigned long)number_of("MATVIB_SEED", 1) * 7919;
+    for (long k = 0; k < settings_wanted; k++) {
+        const Settings right = any_bar(&state);
+        const char *const *columns = columns_of_bar[draw(&state, 3)];
+        const long count = steps[draw(&state, 5)];
+        for (int m = 0; bar_mistake_words[m]; m++)
+            for (int d = 0; d < 3; d++)
+                if (all || (m + d + k) % 3 == 0)
+                    judge(&right, "mpm.mistake", m > 0 ? bar_mistake_words[m] : NULL, count, columns,
+                          digits[d]);
+    }
+}
+END_TEST
+
+/* --- beams ------------------------------------------------------------------------------------------ */
+
+START_TEST(a_beams_mistake_is_named)
+{
+    static const char *const sizes[][2] = {{"0.02", "0.002"}, {"0.03", "0.003"}, {"0.04", "0.002"}};
+    const bool all = getenv("MATVIB_DIAGNOSES") != NULL;
+    for (int s = 0; s < (all ? 3 : 1); s++)
+        for (int m = 0; beam_mistake_words[m]; m++)
+            for (int digits = 9; digits <= 17; digits += 8) {
+                Settings right = beam_settings(&problem_supported_beam, 1e-3);
+                set(&right, "beam.length", sizes[s][0]);
+                set(&right, "beam.height", sizes[s][1]);
+                set(&right, "pd.spacing", "0.0005");
+                set(&right, "pd.horizon", "0.002");
+                set(&right, "pd.surface_correction", m % 2 == 0 ? "none" : "energy");
+                if (all || (m + digits / 9) % 3 == 0)
+                    judge(&right, "pd.mistake", m > 0 ? beam_mistake_words[m] : NULL, 12, columns_of_beam,
+                          digits);
+            }
+}
+END_TEST
+
+void add_cases(Suite *suite)
+{
+    TCase *cases = tcase_create("named");
+    tcase_set_timeout(cases, 1200);
+    tcase_add_test(cases, a_bars_mistake_is_named);
+    tcase_add_test(cases, a_beams_mistake_is_named);
+    suite_add_tcase(suite, cases);
+}
