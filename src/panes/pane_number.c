@@ -88,6 +88,14 @@ static void draw_text(Area area, int x, const char *text, Size size, Style style
     }
 }
 
+static int common(const char *one, const char *other)
+{
+    int same = 0;
+    while (one[same] && one[same] == other[same])
+        same++;
+    return same;
+}
+
 bool screen_number(const Screen *screen, char digits[NUMBER_DIGITS_MAX], char words[NUMBER_WORDS_MAX])
 {
     const RunNumber *number = run_number_about(experiment_settings(screen->experiment));
@@ -96,17 +104,18 @@ bool screen_number(const Screen *screen, char digits[NUMBER_DIGITS_MAX], char wo
     const double value = number->value(&summary, number->word) * number->scale;
     const bool hidden = number->judged && !screen_shows_exact(screen);
     const char *gap = number->unit[0] ? " " : "";
-    strcpy(digits, hidden ? "?" : "...");
-    if (hidden || !isfinite(value) || fabs(value) >= NUMBER_MOST) {
-        snprintf(words, NUMBER_WORDS_MAX, "%s%s%s: %s", number->unit, gap, number->label,
-                 hidden                       ? "hidden, e shows it"
-                 : fabs(value) >= NUMBER_MOST ? "beyond all bounds"
-                                              : "not yet known");
+    if (hidden || !isfinite(value)) {
+        /* of what may turn out one way or the other the words that both have */
+        const int same =
+            number->opposite ? common(number->label, number->opposite) : (int)strlen(number->label);
+        strcpy(digits, hidden ? "?" : "...");
+        snprintf(words, NUMBER_WORDS_MAX, "%s%s%.*s%s", number->unit, gap, same, number->label,
+                 number->opposite ? "..." : "");
         return false;
     }
     const bool turned = value < 0 && number->opposite;
     const double size = fabs(value);
-    snprintf(digits, NUMBER_DIGITS_MAX, "%.*f",
+    snprintf(digits, NUMBER_DIGITS_MAX, size < NUMBER_MOST ? "%.*f" : "%.*E",
              size >= 99.95 || (size == round(size) && number->part == SUMMARY_CRACK) ? 0
              : size >= 9.995                                                         ? 1
                                                                                      : 2,
@@ -126,7 +135,10 @@ static void draw_number(const Screen *screen, Area area, Size size, char run)
     draw_text(area, 2, digits, size, style);
     area = area_part(area, 2, area.rect.height - 1, area.rect.width - 2, 1);
     const int name = run ? area_print(area, 0, 0, style, "%c: ", run) : 0;
-    area_text(area, name, 0, words, known ? STYLE_HEADING : STYLE_FAINT);
+    const char *last = words; /* of two runs the last words tell most: "A: late" */
+    while (name + glyphs_columns(last) > area.rect.width && strchr(last, ' '))
+        last = strchr(last, ' ') + 1;
+    area_text(area, name, 0, last, known ? STYLE_HEADING : STYLE_FAINT);
 }
 
 void pane_number(const Screen *screen, Area area)

@@ -211,6 +211,15 @@ static void draw_row(const Screen *screen, Area area, int y, const ParameterRow 
     }
 }
 
+/* Where no heading stands above it a word alone, "position", is told with that heading: "notch position". */
+static void name_parameter(const Screen *screen, const Parameter *parameter, char *out, size_t size)
+{
+    const bool alone = screen_is_plain(screen) && !screen->lesson.open && !strchr(parameter->label, ' ');
+    snprintf(out, size, "%s%s%s", alone ? parameter->group : "", alone ? " " : "", parameter->label);
+    if (alone)
+        out[0] = (char)tolower((unsigned char)out[0]);
+}
+
 void pane_parameter(const Screen *screen, Area area, int y, const Parameter *parameter, bool chosen)
 {
     const Settings *settings = experiment_settings(screen->experiment);
@@ -219,19 +228,20 @@ void pane_parameter(const Screen *screen, Area area, int y, const Parameter *par
     Style style = focused ? STYLE_SELECTED : STYLE_NORMAL;
     for (int x = 1; focused && x < width; x++)
         area_put(area, x, y, ' ', style);
-    char value[LIST_MAX];
+    char value[LIST_MAX], name[48];
+    name_parameter(screen, parameter, name, sizeof name);
     settings_show(settings, parameter, value);
     if (value[0] == '\0')
         snprintf(value, sizeof value, "-");
     /* a number is never cut: where both have no room, the label is shorter */
     const bool is_number = parameter->type == PARAMETER_REAL || parameter->type == PARAMETER_INTEGER;
-    const int wanted = 3 + glyphs_columns(parameter->label);
+    const int wanted = 3 + glyphs_columns(name);
     if (is_number && glyphs_columns(value) > width - wanted && parameter->type == PARAMETER_REAL)
         text_fitted(settings_number(settings, parameter), 6, width - wanted < 10 ? 10 : width - wanted,
                     value);
     const int label_width = is_number ? width - glyphs_columns(value) - 1 : width;
-    const int indent = is_number && 2 + glyphs_columns(parameter->label) > label_width ? 1 : 2;
-    int label = area_text(area_part(area, 0, y, label_width, 1), indent, 0, parameter->label, style) + indent;
+    const int indent = is_number && 2 + glyphs_columns(name) > label_width ? 1 : 2;
+    int label = area_text(area_part(area, 0, y, label_width, 1), indent, 0, name, style) + indent;
 
     if (focused && screen->parameters.edit.open) {
         draw_field(screen, area, y, label + 1);

@@ -69,8 +69,8 @@ START_TEST(sheets_are_turned_without_touching_anything)
     press(bench, "f");
     ck_assert(is_plain(bench));
     const Parameter *first = edit_selected(screen);
-    ck_assert_str_eq(first->key, "mesh.cell_size");
-    press_all(bench, "Down Right");
+    ck_assert_str_eq(first->key, "time.courant");
+    press_all(bench, "Down Down Left");
     const Parameter *second = edit_selected(screen);
     ck_assert_ptr_ne(second, first);
     const int undone = bench->lab.editing.n_undo;
@@ -260,8 +260,66 @@ START_TEST(a_scenario_opens_on_its_own_sheet)
 }
 END_TEST
 
+/* Every scenario of the program names its number and its questions; the plain sheet has both, from 60x18 on,
+ * and the arrows stand on the first. */
+START_TEST(every_scenario_has_a_number_and_questions)
+{
+    const char *name = builtin_scenarios[_i].name;
+    Status status = {STATUS_DONE, ""};
+    Bench *bench = calloc(1, sizeof *bench);
+    ck_assert_ptr_nonnull(bench);
+    ck_assert_msg(bench_open(bench, name, true, &status), "%s", status.text);
+    Screen *screen = &bench->lab.screen;
+    const Settings *settings = experiment_settings(screen->experiment);
+    ck_assert_msg(settings->view.about[0] && settings->view.ask[0], "%s has no [screen]", name);
+    const RunNumber *number = run_number_find(settings->view.about);
+    ck_assert_ptr_eq(run_number_about(settings), number);
+    const Parameter *asked[ASKED_MAX];
+    const int n = settings_asked(settings, asked);
+    ck_assert_int_ge(n, 2);
+    bench->width = 60;
+    bench->height = 18;
+    open_sheet(bench, "plain");
+    ck_assert_ptr_eq(edit_selected(screen), asked[0]);
+    for (int i = 0; i < n; i++)
+        ck_assert_msg(shows(bench, asked[i]->label), "%s: %s is not seen", name, asked[i]->label);
+    char digits[NUMBER_DIGITS_MAX], words[NUMBER_WORDS_MAX];
+    screen_number(screen, digits, words);
+    const char *seen = screen_second_run(screen) ? strrchr(words, ' ') : words;
+    ck_assert_msg(seen && shows(bench, seen), "%s: %s is not seen", name, words);
+    close_bench(bench);
+}
+END_TEST
+
+/* And its number comes to be known, where that does not take too long. */
+START_TEST(the_number_of_a_scenario_is_known_at_its_end)
+{
+    const char *name = builtin_scenarios[_i].name;
+    Settings settings;
+    Status status = {STATUS_DONE, ""};
+    ck_assert(scenario_load(name, &settings, &status));
+    Screen screen;
+    screen_default(&screen);
+    screen.experiment = experiment_create(&settings, 64 << 20, 1, &status);
+    ck_assert_msg(screen.experiment != NULL, "%s", status.text);
+    const Simulation *sim = experiment_simulation(screen.experiment);
+    const double work = (double)sim->counts[0] * (double)experiment_last_step(screen.experiment);
+    if (work < (suite_wide() ? 1e9 : 3e7)) {
+        char digits[NUMBER_DIGITS_MAX], words[NUMBER_WORDS_MAX];
+        experiment_advance(screen.experiment, experiment_last_step(screen.experiment), &status);
+        experiment_rest(screen.experiment);
+        ck_assert_msg(screen_number(&screen, digits, words), "%s: %s", name, words);
+        printf("# %s: %s %s\n", name, digits, words);
+    }
+    experiment_destroy(screen.experiment);
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
+    int count = 0;
+    while (builtin_scenarios[count].name)
+        count++;
     TCase *sheets = tcase_create("sheets");
     tcase_add_test(sheets, the_plain_sheet_has_one_of_each);
     tcase_add_test(sheets, sheets_are_turned_without_touching_anything);
@@ -272,5 +330,7 @@ void add_cases(Suite *suite)
                         (int)(sizeof wrong / sizeof *wrong));
     tcase_add_test(sheets, a_scenario_says_what_it_asks);
     tcase_add_test(sheets, a_scenario_opens_on_its_own_sheet);
+    tcase_add_loop_test(sheets, every_scenario_has_a_number_and_questions, 0, count);
+    tcase_add_loop_test(sheets, the_number_of_a_scenario_is_known_at_its_end, 0, count);
     suite_add_tcase(suite, sheets);
 }
