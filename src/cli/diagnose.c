@@ -1,39 +1,241 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `matvib diagnose SCENARIO FILE...`: which mistake, scheme or value made the numbers of somebody's own code.
- */
+ * One file is told at length, many by a line each; the threads of a pool take one file after the other. */
 #include "answers/diagnose.h"
 #include "base/output.h"
 #include "base/text.h"
+#include "base/visible.h"
 #include "cli/cli.h"
 #include "cli/distinct.h"
 #include "cli/options.h"
 #include "cli/progress.h"
+#include "export/csv.h"
+#include "methods/pool.h"
 #include "scenario/settings.h"
 
+#include <math.h>
+#include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-static bool one_file(const Options *options, const Settings *settings, const char *path, Progress *progress,
-                     Status *status)
+typedef struct File {
+    const char *path;
+    DiagnoseTable table;
+    Diagnosis found;
+    Status failure; /* why it cannot be judged */
+} File;
+
+typedef struct Files {
+    const Options *options;
+    const Settings *settings;
+    File *files;
+    int count;
+    int at_once, threads; /* files side by side, and threads of each */
+    pthread_mutex_t lock; /* of what follows */
+    int next, done;
+    Progress progress;
+} Files;
+
+/* --- the work, on any thread ------------------------------------------------------------------------ */
+
+static bool show_share(double share, void *context)
 {
-    DiagnoseTable *table = calloc(1, sizeof *table);
-    Diagnosis *found = calloc(1, sizeof *found);
-    const DiagnoseTask task = {.settings = settings,
-                               .threads = progress_threads(options->threads),
-                               .pairs = options->pairs,
-                               .patience = {progress_show, progress}};
-    const bool sound = ((table && found) || status_fail(status, STATUS_FAILED, "out of memory")) &&
-                       diagnose_read(table, path, settings, options->map, status) &&
-                       diagnose(&task, table, found, status);
-    progress_end(progress);
-    if (sound)
-        diagnosis_tell(found, table, stdout);
-    if (table)
-        diagnose_close(table);
-    free(table);
-    free(found);
+    Files *all = context;
+    pthread_mutex_lock(&all->lock);
+    const bool goes_on =
+        progress_show(all->count > 1 ? (double)all->done / all->count : share, &all->progress);
+    pthread_mutex_unlock(&all->lock);
+    return goes_on;
+}
+
+static void work(void *context, int chunk, int worker)
+{
+    (void)chunk, (void)worker;
+    Files *all = context;
+    const DiagnoseTask task = {.settings = all->settings,
+                               .threads = all->threads,
+                               .pairs = all->options->pairs,
+                               .patience = {show_share, all}};
+    for (;;) {
+        pthread_mutex_lock(&all->lock);
+        const int next = all->next++;
+        pthread_mutex_unlock(&all->lock);
+        if (next >= all->count || !show_share(0, all))
+            return;
+        File *file = &all->files[next];
+        if (diagnose_read(&file->table, file->path, all->settings, all->options->map, &file->failure))
+            diagnose(&task, &file->table, &file->found, &file->failure);
+        pthread_mutex_lock(&all->lock);
+        all->done++;
+        pthread_mutex_unlock(&all->lock);
+    }
+}
+
+static bool work_all(Files *all, Status *status)
+{
+    Pool *pool = pool_create(all->at_once, status);
+    if (!pool)
+        return false;
+    progress_begin(&all->progress, all->options->quiet);
+    pool_run(pool, work, all, all->at_once);
+    progress_end(&all->progress);
+    pool_destroy(pool);
+    return !progress_signal() || status_fail(status, STATUS_FAILED, "interrupted");
+}
+
+/* --- what is said ----------------------------------------------------------------------------------- */
+
+enum { CELLS = 16, CELL_MAX = 200 };
+
+static const char *const heads[CELLS] = {"file",     "verdict", "digits", "rows_agreed", "rows",  "step",
+                                         "stage",    "thing",   "column", "yours",       "right", "ratio",
+                                         "ratio_is", "code",    "rivals", "error"};
+
+static const char *verdict_of(const File *file)
+{
+    static const char *const words[] = {"right", "explained", "unknown", "copied", "mute"};
+    return file->failure.code != STATUS_DONE ? "unread" : words[file->found.verdict];
+}
+
+static void put_number(char cell[CELL_MAX], double value)
+{
+    if (isfinite(value))
+        text_shortest(cell, value);
+}
+
+/* What the first departure is and which codes explain the file, as cells. */
+static void fill(const File *file, char cells[CELLS][CELL_MAX])
+{
+    const Diagnosis *found = &file->found;
+    const Departure *departure = &found->departure;
+    memset(cells, 0, (size_t)CELLS * CELL_MAX);
+    visible_text(cells[0], CELL_MAX, file->path);
+    text_append(cells[1], CELL_MAX, "%s", verdict_of(file));
+    text_append(cells[15], CELL_MAX, "%s", file->failure.text);
+    if (file->failure.code != STATUS_DONE)
+        return;
+    text_append(cells[4], CELL_MAX, "%zu", found->rows);
+    if (found->verdict == DIAGNOSE_COPIED || found->verdict == DIAGNOSE_MUTE)
+        return;
+    text_append(cells[2], CELL_MAX, "%d", found->digits);
+    text_append(cells[3], CELL_MAX, "%zu", found->agreed);
+    for (int i = 0; i < found->n_explanations; i++) {
+        char *cell = cells[found->verdict == DIAGNOSE_EXPLAINED && i == 0 ? 13 : 14];
+        text_append(cell, CELL_MAX, "%s%s", *cell ? " " : "", found->explanations[i].id);
+    }
+    if (!departure->is)
+        return;
+    put_number(cells[5], (double)departure->step);
+    text_append(cells[6], CELL_MAX, "%s", departure->stage > 0 ? departure->stage_id : "");
+    if (file->table.set >= 0)
+        text_append(cells[7], CELL_MAX, "%s %zu", file->table.thing, departure->thing);
+    text_append(cells[8], CELL_MAX, "%s", file->table.columns[departure->column].name);
+    put_number(cells[9], departure->theirs);
+    put_number(cells[10], departure->ours);
+    put_number(cells[11], departure->theirs / departure->ours);
+    text_append(cells[12], CELL_MAX, "%s", departure->factors);
+}
+
+static void tell_lines(const Files *all)
+{
+    char cells[CELLS][CELL_MAX];
+    int wide = 4;
+    for (int i = 0; i < all->count; i++)
+        wide = (int)fmax(wide, fmin(48, (double)strlen(all->files[i].path)));
+    visible_print(stdout, "%-*s %-9s %6s %7s  %-22s %s\n", wide, "file", "verdict", "digits", "rows",
+                  "departs first", "code");
+    for (int i = 0; i < all->count; i++) {
+        const File *file = &all->files[i];
+        char place[CELL_MAX] = "";
+        fill(file, cells);
+        if (*cells[5])
+            text_append(place, sizeof place, "step %s%s%s %s", cells[5], *cells[6] ? " " : "", cells[6],
+                        cells[8]);
+        const char *first = *cells[15] ? cells[15] : *cells[13] ? cells[13] : "";
+        const bool rivals = *cells[14] && file->found.verdict == DIAGNOSE_EXPLAINED;
+        visible_print(stdout, "%-*s %-9s %6s %7s  %-22s %s%s%s\n", wide, cells[0], cells[1], cells[2],
+                      cells[3], place, first, rivals ? " or " : "", rivals ? cells[14] : "");
+    }
+}
+
+static void put_json(FILE *out, const char *key, const char *cell, bool number)
+{
+    fprintf(out, ", \"%s\": ", key);
+    if (!*cell)
+        fputs("null", out);
+    else if (number)
+        fputs(cell, out);
+    else
+        text_put_json(out, cell, strlen(cell));
+}
+
+static void tell_json(const Files *all)
+{
+    char cells[CELLS][CELL_MAX];
+    puts("[");
+    for (int i = 0; i < all->count; i++) {
+        fill(&all->files[i], cells);
+        fputs("  {\"file\": ", stdout);
+        text_put_json(stdout, cells[0], strlen(cells[0]));
+        for (int c = 1; c < CELLS; c++)
+            put_json(stdout, heads[c], cells[c], (c >= 2 && c <= 5) || (c >= 9 && c <= 11));
+        puts(i + 1 < all->count ? "}," : "}");
+    }
+    puts("]");
+}
+
+static bool write_table(const Files *all, Status *status)
+{
+    const Options *options = all->options;
+    OutputFile file;
+    char cells[CELLS][CELL_MAX];
+    if (!output_open(&file, ASKER_COMMAND_LINE, options->output, options->force, status))
+        return false;
+    csv_words(file.stream, options->outputs.dialect, heads, CELLS);
+    for (int i = 0; i < all->count; i++) {
+        const char *row[CELLS];
+        fill(&all->files[i], cells);
+        for (int c = 0; c < CELLS; c++)
+            row[c] = cells[c];
+        csv_words(file.stream, options->outputs.dialect, row, CELLS);
+    }
+    const bool sound = output_finish(&file, status) && output_commit(&file, status);
+    output_close(&file);
     return sound;
+}
+
+/* One that cannot be read is an error; of many it is one at the end. */
+static bool tell(const Files *all, Status *status)
+{
+    int unread = 0;
+    for (int i = 0; i < all->count; i++)
+        unread += all->files[i].failure.code != STATUS_DONE;
+    if (all->count == 1 && unread > 0) {
+        *status = all->files[0].failure;
+        return false;
+    }
+    if (all->options->json)
+        tell_json(all);
+    else if (all->count == 1)
+        diagnosis_tell(&all->files[0].found, &all->files[0].table, stdout);
+    else
+        tell_lines(all);
+    if (all->options->output && !write_table(all, status))
+        return false;
+    if (all->options->output && !all->options->json)
+        visible_print(stdout, "wrote %s\n", all->options->output);
+    return unread == 0 ||
+           status_fail(status, STATUS_USAGE, "%d of %d files cannot be judged", unread, all->count);
+}
+
+/* --- the command ------------------------------------------------------------------------------------ */
+
+static bool may_write(const Options *options, Status *status)
+{
+    return !options->output ||
+           (output_may_begin(options->output, options->force, status) &&
+            distinct_files(&options->output, 1, options->words + 1, options->n_words - 1, status));
 }
 
 int cli_diagnose(int count, char **arguments, Status *status)
@@ -42,13 +244,24 @@ int cli_diagnose(int count, char **arguments, Status *status)
     Settings settings;
     if (!options_parse("diagnose", count, arguments, &options, status) ||
         !options_words(&options, 2, WORDS_MAX, "SCENARIO FILE", status) ||
-        !options_load(&options, options.words[0], &settings, status))
+        !options_load(&options, options.words[0], &settings, status) || !may_write(&options, status))
         return (int)status->code;
-    Progress progress;
-    progress_begin(&progress, options.quiet);
-    bool sound = true;
-    for (int i = 1; i < options.n_words && sound; i++)
-        sound = one_file(&options, &settings, options.words[i], &progress, status);
+    const int files = options.n_words - 1, threads = progress_threads(options.threads);
+    Files all = {.options = &options,
+                 .settings = &settings,
+                 .files = calloc((size_t)files, sizeof *all.files),
+                 .count = files,
+                 .at_once = threads < files ? threads : files};
+    all.threads = threads / all.at_once;
+    pthread_mutex_init(&all.lock, NULL);
+    for (int i = 0; i < files && all.files; i++)
+        all.files[i].path = options.words[i + 1];
+    const bool sound = (all.files || status_fail(status, STATUS_FAILED, "out of memory")) &&
+                       work_all(&all, status) && tell(&all, status);
+    for (int i = 0; i < files && all.files; i++)
+        diagnose_close(&all.files[i].table);
+    free(all.files);
+    pthread_mutex_destroy(&all.lock);
     if (!sound && progress_signal())
         return 128 + progress_signal();
     return sound ? STATUS_DONE : (int)status->code;

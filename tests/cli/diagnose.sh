@@ -110,6 +110,20 @@ sed '20,$s/^\([0-9]*,[^,]*\),[^,]*/\1,nan/' own.csv >nan.csv
 expect "NaN from a row on" 0 mode5 nan.csv
 result "is left out" says out '^  x_by_own_velocity: '
 
+make soft.csv mode5 --steps 50 --set mpm.mistake=stress_not_added
+printf 'step,v_cm\n0,quick\n' >broken.csv
+expect "many files" 2 mode5 right.csv own.csv soft.csv broken.csv --output marks.csv
+result "have a line each" sh -c 'grep -q "^own.csv  *explained  *16  *1  step 1 x_cm  *x_by_own_velocity$" out && grep -q "^broken.csv  *unread" out'
+result "and say how many were not read" says err '^matvib: 1 of 4 files cannot be judged$'
+result "and a row each" sh -c 'test "$(wc -l <marks.csv)" -eq 5 && grep -q "^soft.csv,explained,16,2,51,2,,,v_cm,.*,stress_not_added,,$" marks.csv'
+refuse "the table over a file" "own.csv: it is read, so it cannot be written too" mode5 own.csv --output own.csv --force
+refuse "a table that exists" "marks.csv: exists (--force replaces it)" mode5 own.csv --output marks.csv
+expect "as JSON" 0 mode5 own.csv right.csv --json
+result "it is JSON" sh -c 'command -v python3 >/dev/null || exit 0; python3 -c "import json, sys; rows = json.load(open(\"out\")); assert rows[0][\"code\"] == \"x_by_own_velocity\" and rows[0][\"step\"] == 1 and rows[1][\"verdict\"] == \"right\""'
+"$MATVIB" diagnose mode5 own.csv own17.csv soft.csv --threads 1 >one.out
+"$MATVIB" diagnose mode5 own.csv own17.csv soft.csv --threads 3 >three.out
+result "threads leave no trace" cmp one.out three.out
+
 refuse "no step" "x.csv:1: no column step or time (--map theirs=step names it)" mode5 "$(printf 'a,v_cm\n1,2\n' >x.csv; echo x.csv)"
 refuse "half a step" "x.csv: row 2: step 0.5 is no whole number from 0 on" mode5 "$(printf 'step,v_cm\n0,2\n.5,2\n' >x.csv; echo x.csv)"
 refuse "a step twice" "x.csv: rows 1 and 3 are both of step 0" mode5 "$(printf 'step,v_cm\n0,2\n1,2\n0,3\n' >x.csv; echo x.csv)"
