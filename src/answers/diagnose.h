@@ -44,11 +44,12 @@ typedef struct DiagnoseTable {
     int n_columns;
     DiagnoseMoment *moments;
     size_t n_moments;
-    size_t *rows;   /* of the file, in the order of the moments */
-    size_t *things; /* of each of them */
-    double dt;      /* that its times tell */
-    bool timed;     /* they tell one */
-    double noise;   /* round-off of two right codes after a step, as a share of a column's size */
+    size_t *rows;    /* of the file, in the order of the moments */
+    size_t *things;  /* of each of them */
+    double dt;       /* that its times tell */
+    bool timed;      /* they tell one */
+    int time_column; /* of the file: its times, or else its steps */
+    double noise;    /* round-off of two right codes after a step, as a share of a column's size */
     char notes[DIAGNOSE_NOTES_MAX][160]; /* what has to be said of it */
     int n_notes;
 } DiagnoseTable;
@@ -121,5 +122,12 @@ bool diagnose(const DiagnoseTask *, DiagnoseTable *, Diagnosis *, Status *);
 
 /* What it came to, in lines of ASCII. */
 void diagnosis_tell(const Diagnosis *, const DiagnoseTable *, FILE *);
+
+/* The same in a few sentences; what does not fit is cut. */
+void diagnosis_sum_up(const Diagnosis *, const DiagnoseTable *, char *out, size_t size);
+
+/* A series as an overlay of the run: our names, units and times; the table is left without it. False: it is
+ * of things or stages. */
+bool diagnose_overlay(DiagnoseTable *, Overlay *);
 
 #endif

@@ -556,6 +556,7 @@ static bool read_rows(DiagnoseTable *table, const char *map, Simulation *sim, St
     table->noise = simulation_has(sim, HAS_BONDS) ? 1e-9 : 1e-13;
     table->dt = sim->dt;
     table->timed = heads.time >= 0;
+    table->time_column = heads.time >= 0 ? heads.time : heads.step;
     if (table->timed && heads.step >= 0)
         time_step_of_steps(table, &heads, sim->dt);
     if ((table->timed && heads.step < 0 && !time_step_of_times(table, &heads, sim->dt, status)) ||
@@ -584,6 +585,37 @@ bool diagnose_read(DiagnoseTable *table, const char *path, const Settings *setti
     if (!sound)
         diagnose_close(table);
     return sound;
+}
+
+static void find_range(OverlayColumn *column, size_t count)
+{
+    column->least = column->largest = NAN;
+    for (size_t r = 0; r < count; r++) {
+        column->least = fmin(column->least, column->values[r]);
+        column->largest = fmax(column->largest, column->values[r]);
+    }
+}
+
+bool diagnose_overlay(DiagnoseTable *table, Overlay *out)
+{
+    Overlay *file = &table->file;
+    if (table->set >= 0 || table->of_stages)
+        return false;
+    for (int c = 0; c < table->n_columns; c++) {
+        OverlayColumn *theirs = &file->columns[table->columns[c].theirs];
+        memcpy(theirs->name, table->columns[c].name, sizeof theirs->name);
+        for (size_t r = 0; r < file->count; r++)
+            theirs->values[r] *= table->columns[c].factor;
+        find_range(theirs, file->count);
+    }
+    OverlayColumn *time = &file->columns[table->time_column];
+    snprintf(time->name, sizeof time->name, "time");
+    for (size_t m = 0; m < table->n_moments; m++)
+        time->values[table->rows[table->moments[m].first]] = (double)table->moments[m].step * table->dt;
+    find_range(time, file->count);
+    *out = *file;
+    *file = (Overlay){.y = -1};
+    return true;
 }
 
 void diagnose_close(DiagnoseTable *table)

@@ -154,3 +154,40 @@ void diagnosis_tell(const Diagnosis *found, const DiagnoseTable *table, FILE *ou
         visible_print(out, "The right run does not reach the last %zu rows.\n",
                       found->rows - found->compared);
 }
+
+void diagnosis_sum_up(const Diagnosis *found, const DiagnoseTable *table, char *out, size_t size)
+{
+    const Departure *departure = &found->departure;
+    const Explanation *first = &found->explanations[0];
+    char digits[2][NUMBER_TEXT_MAX];
+    out[0] = '\0';
+    text_append(out, size, "%s: ", table->file.file);
+    if (found->verdict == DIAGNOSE_COPIED || found->verdict == DIAGNOSE_MUTE) {
+        text_append(out, size,
+                    found->verdict == DIAGNOSE_COPIED ? "the exact answer, not a run."
+                                                      : "its columns tell nothing.");
+        return;
+    }
+    if (found->verdict == DIAGNOSE_RIGHT)
+        text_append(out, size, "the right code's numbers, to %d digits over %zu rows.", found->digits,
+                    found->agreed);
+    for (int i = 0; i < found->n_explanations && found->verdict == DIAGNOSE_RIGHT; i++)
+        text_append(out, size, "%s%s", i == 0 ? " It cannot show " : ", ", found->explanations[i].id);
+    if (!departure->is)
+        return;
+    text_rounded(digits[0], departure->theirs, 9);
+    text_rounded(digits[1], departure->ours, 9);
+    text_append(out, size, "departs at step %ld%s%s in %s: yours %s, right %s", departure->step,
+                departure->stage > 0 ? ", stage " : "", departure->stage > 0 ? departure->stage_id : "",
+                table->columns[departure->column].name, digits[0], digits[1]);
+    if (*departure->factors)
+        text_append(out, size, " (times %s)", departure->factors);
+    if (found->verdict == DIAGNOSE_UNKNOWN) {
+        text_append(out, size, ". None of %ld other codes gives these numbers.", found->tried);
+        return;
+    }
+    text_append(out, size, ". It is %s, to %d digits over %zu rows: %s", first->id, first->digits,
+                found->compared, first->words);
+    for (int i = 1; i < found->n_explanations; i++)
+        text_append(out, size, "%s%s", i == 1 ? " Or " : ", ", found->explanations[i].id);
+}

@@ -335,6 +335,13 @@ static void draw_ghost_names(const Screen *screen, Area area)
     area_text_right(area, end - 1 - width, 0, " ", STYLE_FRAME);
 }
 
+/* It stays until the series beside it goes. */
+static void draw_diagnosis(const Screen *screen, Area area)
+{
+    area_rule(area, 0, "Your code beside the right one   :overlay takes it away", STYLE_HEADING);
+    area_paragraph(area, 1, 1, area.rect.width - 2, area.rect.height - 1, screen->diagnosis, STYLE_NORMAL);
+}
+
 /* True: the ghosts are named in it. */
 static bool draw_box(const Screen *screen, Area area)
 {
@@ -344,7 +351,9 @@ static bool draw_box(const Screen *screen, Area area)
     area = area_part(area, 0, table, area.rect.width, area.rect.height - table);
     if (table > 0 && area.rect.height < LEAST)
         return true;
-    if (screen_second_run(screen) && between)
+    if (screen->diagnosis[0] && between)
+        draw_diagnosis(screen, area);
+    else if (screen_second_run(screen) && between)
         pane_duel(screen, area);
     else if (screen->playback.state == STATE_RUNNING || screen->playback.state == STATE_COMPUTING)
         draw_caption(screen, area);

@@ -251,6 +251,7 @@ typedef struct Screen {
     Bookmarks bookmarks;
     const Convergence *convergence; /* what is known of the run's studies; NULL: nothing */
     const Overlay *overlay;         /* a foreign series over the plots; NULL: none */
+    char diagnosis[700];            /* what is said of somebody's own code, in the box; "": nothing */
 
     LessonShown lesson;
     bool offers_lesson; /* to who is here for the first time, until a key is pressed */

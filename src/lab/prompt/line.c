@@ -8,6 +8,7 @@
 #include "lab/writing.h"
 #include "lab/row_edit.h"
 #include "lab/second_run.h"
+#include "lab/diagnosing.h"
 #include "lab/fitting.h"
 #include "lab/opening.h"
 #include "picture/words/tell.h"
@@ -130,6 +131,7 @@ static void drop_overlay(Laboratory *lab)
 {
     overlay_close(&lab->overlay);
     lab->screen.overlay = NULL;
+    lab->screen.diagnosis[0] = '\0';
 }
 
 static bool overlay(Laboratory *lab, const char *words)

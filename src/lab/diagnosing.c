@@ -1,0 +1,72 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The diagnosis of somebody's own code in front of a screen that goes on answering (answers/diagnose.h). */
+#include "lab/diagnosing.h"
+
+#include "answers/diagnose.h"
+#include "lab/laboratory.h"
+#include "views/view.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct Waiting {
+    Laboratory *lab;
+    long asked;
+} Waiting;
+
+static bool wait_for_it(double share, void *context)
+{
+    Waiting *waiting = context;
+    (void)share; /* of one run; how many it takes nobody knows */
+    laboratory_say(waiting->lab, MESSAGE_INFO, "trying other codes, %ld blocks of steps   ^C stops",
+                   ++waiting->asked);
+    return laboratory_go_on(waiting->lab);
+}
+
+/* Their curve in the place of what lay over the plots. */
+static void lay_over(Laboratory *lab, DiagnoseTable *table)
+{
+    Overlay theirs;
+    if (!diagnose_overlay(table, &theirs))
+        return;
+    const char *curve = view_time_curve(&lab->screen);
+    if (!overlay_choose(&theirs, "time", NULL, curve, "", NULL) &&
+        !overlay_choose(&theirs, "time", table->columns[0].name, curve, "", NULL)) {
+        overlay_close(&theirs);
+        return;
+    }
+    overlay_close(&lab->overlay);
+    lab->overlay = theirs;
+    lab->screen.overlay = &lab->overlay;
+}
+
+bool diagnosing_answer(Laboratory *lab, const char *words)
+{
+    char path[NAME_MAX_BYTES];
+    const Settings settings = *experiment_base(lab->screen.experiment);
+    Status status = {STATUS_DONE, ""};
+    Waiting waiting = {lab, 0};
+    const DiagnoseTask task = {.settings = &settings,
+                               .threads = lab->options.threads > 0 ? lab->options.threads : 1,
+                               .patience = {wait_for_it, &waiting}};
+    DiagnoseTable *table = calloc(1, sizeof *table);
+    Diagnosis *found = calloc(1, sizeof *found);
+    snprintf(path, sizeof path, "%s", words + strspn(words, " "));
+    player_pause(lab);
+    const bool sound = *path ? ((table && found) || status_fail(&status, STATUS_FAILED, "out of memory")) &&
+                                   diagnose_read(table, path, &settings, NULL, &status) &&
+                                   diagnose(&task, table, found, &status)
+                             : status_fail(&status, STATUS_USAGE, "a file is wanted: diagnose FILE.csv");
+    if (sound) {
+        diagnosis_sum_up(found, table, lab->screen.diagnosis, sizeof lab->screen.diagnosis);
+        lay_over(lab, table);
+        laboratory_say(lab, MESSAGE_INFO, "%s", lab->screen.diagnosis);
+    } else
+        laboratory_say(lab, MESSAGE_NONE, "%s", "");
+    if (table)
+        diagnose_close(table);
+    free(table);
+    free(found);
+    return sound || prompt_refuse(&lab->prompting, status.text);
+}
