@@ -334,6 +334,7 @@ static Bench *open_lesson(const char *name)
     Bench *bench = open_bench("mode1", true);
     bench->width = 132;
     bench->height = 43;
+    bench->lab.options.sheet = parameter_sheet_words[SHEET_PLAIN];
     ck_assert_msg(lesson_play_open(&bench->lab, name, &status), "%s", status.text);
     return bench;
 }

@@ -122,7 +122,7 @@ static const char *program(void)
 void session_open_paused(Session *session, int columns, int rows, const char *const *environment)
 {
     session_open(session, columns, rows, environment,
-                 (const char *const[]){program(), "mode1", "--paused", NULL});
+                 (const char *const[]){program(), "mode1", "--paused", "--sheet", "full", NULL});
     session_idle(session);
 }
 

@@ -31,7 +31,7 @@ typedef struct Session {
 void session_open(Session *, int columns, int rows, const char *const *environment,
                   const char *const *command);
 
-/* The same with the laboratory, opened paused on mode1. */
+/* The same with the laboratory, opened paused on mode1, on the full sheet. */
 void session_open_paused(Session *, int columns, int rows, const char *const *environment);
 
 void session_close(Session *); /* kills what still runs */

@@ -55,9 +55,11 @@ void command_show_view(Laboratory *lab, const View *view)
         PaneId at = in_plot && screen_view_in(screen, screen->panes.focus) == view ? screen->panes.focus
                     : screen->views.upper == view                                  ? PANE_UPPER
                                                                                    : PANE_LOWER;
+        const bool hidden = screen_is_plain(screen) && screen->panes.last_plot != at;
+        screen->panes.last_plot = screen_is_plain(screen) ? at : screen->panes.last_plot;
         if (alone && screen->panes.focus != at)
             screen->panes.focus = at;
-        else
+        else if (!hidden)
             view_choose_variant(view, screen, view_variant(view, screen) + 1);
         return;
     }

@@ -98,6 +98,8 @@ int laboratory_main(const LaboratoryOptions *given, Status *status)
     options.keeps_sheet = !is_unattended(&options) && !options.plain;
     if (options.keeps_sheet && !options.sheet)
         options.sheet = state_file_word(state_file_sheet, parameter_sheet_words);
+    if (options.keeps_sheet && !options.sheet)
+        options.sheet = parameter_sheet_words[SHEET_PLAIN];
     /* names, widths and the character set are the user's; numbers have a point everywhere */
     setlocale(LC_ALL, "");
     /* a film has the characters of UTF-8, whatever the terminal has that asked for it */
