@@ -268,6 +268,9 @@ static void keep(Search *search, const Candidate *candidate, const Settings *wro
     Explanation *explanation = &found->explanations[found->n_explanations];
     diagnose_explain(candidate, &search->right, wrong, explanation);
     explanation->digits = digits_of(search, walk->worst);
+    for (size_t m = 0; m < walk->compared; m++)
+        explanation->rows += search->table->moments[m].count;
+    explanation->grown = walk->compared < search->table->n_moments;
     if (found->n_explanations++ == 0 && search->walk.departure.is) {
         search->first = *candidate;
         search->by_first = *wrong;
@@ -277,6 +280,85 @@ static void keep(Search *search, const Candidate *candidate, const Settings *wro
         diagnose_tell_apart(wrong, &search->by_first, search->table, explanation->apart,
                             sizeof explanation->apart);
 }
+
+/* --- codes that blow up --------------------------------------------------------------------------------- */
+
+/* The same run with a trace of the shortest wave that its cells hold: what round-off may grow to. False:
+ * there is none. */
+static bool disturb(Settings *settings)
+{
+    const Parameter *overtones = parameter_find("initial.overtones");
+    const double cells = round(settings->geometry.length / settings->mesh.cell_size);
+    char text[LIST_MAX];
+    if (!parameter_applies_to(settings, overtones) || settings->start.velocity == 0)
+        return false;
+    snprintf(text, sizeof text, "%.200s%s%.0f:%.3g", settings->start.overtones,
+             *settings->start.overtones ? "," : "", settings->start.mode == (int)cells ? cells - 1 : cells,
+             1e-13 * settings->start.velocity);
+    return settings_set(settings, overtones->key, text, NULL);
+}
+
+/* Of each moment the largest difference of two records, as a share of the columns' sizes. Returns the moments
+ * before it is as large as the numbers. */
+static size_t growth(const DiagnoseTable *table, size_t moments, const double *one, const double *other,
+                     double *grown)
+{
+    enum { MARGIN = 100 }; /* one wave stands for all */
+    double size[DIAGNOSE_COLUMNS_MAX] = {0}, most = 0;
+    for (size_t m = 0; m < moments; m++) {
+        for (size_t k = 0; k < table->moments[m].count; k++)
+            for (int c = 0; c < table->n_columns; c++) {
+                const DiagnoseColumn *column = &table->columns[c];
+                const size_t at = (table->moments[m].first + k) * (size_t)table->n_columns + (size_t)c;
+                double *largest = &size[column->group];
+                *largest = fmax(*largest, fmax(column->natural, fabs(one[at])));
+                if (!column->silent && *largest > 0)
+                    most = fmax(most, MARGIN * fabs(one[at] - other[at]) / *largest);
+            }
+        grown[m] = most;
+        if (!(most < 1e-3))
+            return m;
+    }
+    return moments;
+}
+
+/* A code that agrees for a while and then by less and less: compared again with what round-off grows to in
+ * it. False: it was given up. */
+static bool try_again(Search *search, const Settings *wrong, Walk *walk, bool *agrees)
+{
+    const DiagnoseTable *table = search->table;
+    const size_t entries = table->file.count * (size_t)table->n_columns;
+    double *values[2] = {malloc((entries + 1) * sizeof(double)), malloc((entries + 1) * sizeof(double))};
+    double *grown = malloc((table->n_moments + 1) * sizeof *grown);
+    Settings twin = *wrong;
+    const Settings *settings[2] = {wrong, &twin};
+    bool sound = true, can = values[0] && values[1] && grown && disturb(&twin);
+    size_t moments = walk->departure.moment + 1;
+    for (int i = 0; i < 2 && can; i++) {
+        for (size_t k = 0; k < entries; k++)
+            values[i][k] = NAN;
+        Walk one = {.table = table, .moments = SIZE_MAX, .to_end = true, .values = values[i]};
+        sound = diagnose_walk(&one, settings[i], search->task->threads, search->task->patience, NULL) ||
+                !one.stopped;
+        can = sound && one.compared > moments;
+        moments = can ? moments : 0;
+    }
+    moments = can ? growth(table, table->n_moments, values[0], values[1], grown) : 0;
+    if (moments > walk->departure.moment) {
+        *walk = (Walk){.table = table, .moments = moments, .grown = grown};
+        sound =
+            diagnose_walk(walk, wrong, search->task->threads, search->task->patience, NULL) || !walk->stopped;
+        *agrees = sound && !walk->departure.is;
+        walk->grown = NULL;
+    }
+    free(values[0]);
+    free(values[1]);
+    free(grown);
+    return sound || status_fail(search->status, STATUS_FAILED, "interrupted");
+}
+
+/* So many moments beyond the right run's departure are no chance. */
+enum { LEAST_BEYOND = 5 };
 
 /* False: it was given up. */
 static bool try_one(Search *search, const Candidate *candidate, Walk *walk, Settings *wrong, bool *agrees)
@@ -293,9 +375,11 @@ static bool try_one(Search *search, const Candidate *candidate, Walk *walk, Sett
         return false;
     }
     /* up to where a run fails it may agree; it has to agree beyond where the right one departs */
-    *agrees = !walk->departure.is && walk->entries > 0 &&
-              (!search->walk.departure.is || walk->compared > search->walk.departure.moment);
-    return true;
+    const size_t shown = search->walk.departure.is ? search->walk.departure.moment : 0;
+    *agrees =
+        !walk->departure.is && walk->entries > 0 && (!search->walk.departure.is || walk->compared > shown);
+    return *agrees || !search->walk.departure.is || candidate->kind != DIAGNOSE_MISTAKE ||
+           walk->departure.moment < shown + LEAST_BEYOND || try_again(search, wrong, walk, agrees);
 }
 
 static bool has_value(const Diagnosis *found, const Parameter *parameter)

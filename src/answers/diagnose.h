@@ -84,6 +84,8 @@ typedef struct Explanation {
     char where[200];      /* of a mistake: stage and equation; else "" */
     char apart[160]; /* the run that tells it from the first explanation, or the right code; "": none does */
     int digits;
+    size_t rows; /* over which it agrees */
+    bool grown;  /* no farther, since round-off grows in such a run */
 } Explanation;
 
 typedef enum DiagnoseVerdict {

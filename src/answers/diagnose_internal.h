@@ -14,6 +14,8 @@ typedef struct Walk {
     long shift;     /* the file's step n is the run's step n + shift */
     bool to_end;    /* it goes on where it departs */
     double *values; /* ours, [row][column]; NULL: they are not kept */
+    const double
+        *grown; /* of each moment, as a share of a column's size: what round-off has grown to; NULL */
 
     /* what it comes to */
     size_t compared;      /* moments that the run reached */

@@ -81,7 +81,9 @@ static void compare(Walker *walker, size_t row, int c, double ours)
     double *size = &walker->size[column->group];
     *size = fmax(*size, fabs(theirs));
     const double difference = fabs(theirs - ours);
-    if (difference > diagnose_bound(table, column, theirs, *size, table->moments[walker->moment].step))
+    const double grown = walk->grown ? walk->grown[walker->moment] * *size : 0;
+    if (difference >
+        grown + diagnose_bound(table, column, theirs, *size, table->moments[walker->moment].step))
         depart(walker, row, c, theirs, ours);
     else if (!walk->departure.is) {
         walk->entries++;
@@ -240,7 +242,8 @@ bool diagnose_walk(Walk *walk, const Settings *settings, int threads, Patience p
                    .moments = given.moments < given.table->n_moments ? given.moments : given.table->n_moments,
                    .shift = given.shift,
                    .to_end = given.to_end,
-                   .values = given.values};
+                   .values = given.values,
+                   .grown = given.grown};
     asked.output.columns[0] = asked.output.follow[0] = '\0';
     for (int c = 0; c < walk->table->n_columns && walk->table->set < 0; c++)
         if (strlen(asked.output.columns) + strlen(walk->table->columns[c].name) + 3 <

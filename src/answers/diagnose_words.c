@@ -75,9 +75,12 @@ static void tell_explanation(const Explanation *explanation, FILE *out)
 static void tell_explanations(const Diagnosis *found, FILE *out)
 {
     const Explanation *first = &found->explanations[0];
-    visible_print(out, "They are those of this code, to %d digits over all %zu rows:\n", first->digits,
-                  found->compared);
+    visible_print(out, "They are those of this code, to %d digits over %zu rows:\n", first->digits,
+                  first->rows);
     tell_explanation(first, out);
+    if (first->grown)
+        fputs("  (no farther: such a run blows up, or lets round-off grow to the size of its numbers)\n",
+              out);
     for (int i = 1; i < found->n_explanations; i++) {
         const Explanation *rival = &found->explanations[i];
         visible_print(out, i == 1 ? "This file cannot tell it from:\n" : "or\n");

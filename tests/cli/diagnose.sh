@@ -15,6 +15,37 @@ digits() { # N COLUMNS <FILE: these columns with so many digits
 		{ for (i = 1; i <= k; i++) printf "%s%s", w[i] == "step" ? $at[w[i]] : sprintf("%." n "g", $at[w[i]]), i < k ? "," : "\n" }'
 }
 
+# Codes that share no line with ours: those of tests/independent, where there is a python3 with numpy.
+python=
+for one in python3 /usr/bin/python3; do "$one" -c 'import numpy' 2>/dev/null && python=$one && break; done
+settings_of() { # CASE
+	awk -v name="$1" '$1 == "case" { on = $2 == name } on && $1 == "set" { printf "--set %s=%s ", $2, $3 }' "$MATVIB_SRCDIR/tests/golden/mistakes.txt"
+}
+independent() { # CASE SCENARIO ROWS MISTAKE...
+	case=$1 scenario=$2 rows=$3
+	shift 3
+	for mistake; do
+		"$python" -B "$MATVIB_SRCDIR/tests/independent/mistakes.py" --mistake "$mistake" "$case" "$rows" >np.csv 2>/dev/null
+		# shellcheck disable=SC2046
+		expect "$mistake by numpy" 0 "$scenario" $(settings_of "$case") np.csv
+		result "$mistake by numpy: is named" says out "^  $mistake"
+	done
+}
+if [ -n "$python" ]; then
+	# that of force_sign blows up, and round-off with it
+	bars="force_sign x_by_own_velocity strain_last density_kept" beams="stretch_of_current micromodulus_3d"
+	if [ -n "$MATVIB_WIDE" ]; then
+		bars=$(sed -n 's/^MISTAKE("\([a-z_]*\)".*/\1/p' "$MATVIB_SRCDIR/src/methods/mpm/line/bar_mistake_rows.inc")
+		beams=$(sed -n 's/^MISTAKE("\([a-z_0-9]*\)".*/\1/p' "$MATVIB_SRCDIR/src/methods/bonds/plane/bonds_mistake_rows.inc")
+	fi
+	# shellcheck disable=SC2086
+	independent bar_B mode5 300 $bars
+	# shellcheck disable=SC2086
+	independent beam supported-beam 30 $beams
+else
+	skip "codes of numpy" "no python3 with numpy"
+fi
+
 make right.csv mode5 --steps 50
 expect "the right numbers" 0 mode5 right.csv
 result "are said to be right" says out '^Your numbers are those of the right code, to 16 digits over 51 rows\.$'
