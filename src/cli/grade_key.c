@@ -22,7 +22,7 @@ static void print_variants(const Lesson *lesson)
             told |= strcmp(lesson->variants[k].variant.key, variant->variant.key) == 0 &&
                     strcmp(lesson->variants[k].value, variant->value) == 0;
         if (!told)
-            printf("  %s = %s\n", variant->variant.key, variant->value);
+            printf("  %s = %s\n", variant->variant.key, variant_word(variant->value));
     }
 }
 

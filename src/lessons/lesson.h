@@ -16,6 +16,9 @@
  *     @until CONDITION      the goal: step N | time T | end | crossing | break | event | rest | stage N |
  * command NAME | value KEY VALUE
  *     @variant KEY from A to B   sets a parameter to a value of the student's own; "{KEY}" in a text is that
+ *     @variant KEY from WORD, WORD ...   the same of a choice; a mistake is made, but not told
+ *     @right TEXT if KEY is WORD, WORD ...   right for those whose variant is one of these; several, each for
+ * some
  *     @answer EXPRESSION within TOLERANCE   in place of choices: a number (exercise.h)
  *     @words                in place of choices: free text for the teacher
  *     @goal EXPRESSION      in place of @until: what the reader's own run is to fulfil at its end
@@ -83,7 +86,9 @@ typedef struct LessonPage {
     LessonPart first, revealed; /* the second once the question is answered or, without one, the goal met */
     char *question;             /* NULL: none */
     char *choices[LESSON_CHOICES_MAX];
-    int n_choices, right;
+    char *if_words[LESSON_CHOICES_MAX]; /* of a choice: right for whom one of these is drawn; NULL: for all */
+    char if_key[KEY_MAX];               /* whose words they are */
+    int n_choices, right; /* right: the first that is for somebody, until it is known for whom */
     char fields[LESSON_FIELDS_MAX][KEY_MAX];
     int n_fields;
     LessonUntil until;
@@ -138,6 +143,9 @@ bool lesson_read(FILE *stream, const char *name, LessonJudge, Lesson *lesson, St
 
 /* Draws the variants of a student ("": of nobody in particular) and puts them into the texts; once. */
 bool lesson_draw(Lesson *, const char *student, Status *);
+
+/* The variant of a key on a page: the last one up to there. NULL: there is none. */
+const LessonVariant *lesson_variant(const Lesson *, const char *key, int page);
 
 /* Whether each "{KEY}" of a line has a variant; for who reads a lesson. */
 bool lesson_knows_braces(const Lesson *, const char *line, Status *);

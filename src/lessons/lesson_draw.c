@@ -18,11 +18,10 @@ static size_t braced_key(const char *text, char key[KEY_MAX])
     return parameter_find(key) ? length : 0;
 }
 
-/* The variant of a key; where there are several the last. */
-static const LessonVariant *variant_of(const Lesson *lesson, const char *key)
+const LessonVariant *lesson_variant(const Lesson *lesson, const char *key, int page)
 {
     for (int i = lesson->n_variants - 1; i >= 0; i--)
-        if (strcmp(lesson->variants[i].variant.key, key) == 0)
+        if (lesson->variants[i].page <= page && strcmp(lesson->variants[i].variant.key, key) == 0)
             return &lesson->variants[i];
     return NULL;
 }
@@ -31,13 +30,23 @@ bool lesson_knows_braces(const Lesson *lesson, const char *line, Status *status)
 {
     char key[KEY_MAX];
     for (; (line = strchr(line, '{')); line++)
-        if (braced_key(line, key) && !variant_of(lesson, key))
+        if (braced_key(line, key) && !lesson_variant(lesson, key, lesson->n_pages))
             return status_fail(status, STATUS_USAGE, "{%s}: there is no @variant of it above", key);
     return true;
 }
 
+/* Which choice is the right one for whom a word was drawn. */
+static void choose(const Lesson *lesson, LessonPage *page)
+{
+    const LessonVariant *variant =
+        *page->if_key ? lesson_variant(lesson, page->if_key, (int)(page - lesson->pages)) : NULL;
+    for (int i = 0; variant && i < page->n_choices; i++)
+        if (page->if_words[i] && variant_has_word(page->if_words[i], variant_word(variant->value)))
+            page->right = i;
+}
+
 /* Puts the values in the place of their keys. */
-static bool fill_in(const Lesson *lesson, char **text, Status *status)
+static bool fill_in(const Lesson *lesson, int page, char **text, Status *status)
 {
     char *filled = NULL, key[KEY_MAX];
     size_t size = 0, length;
@@ -46,13 +55,16 @@ static bool fill_in(const Lesson *lesson, char **text, Status *status)
     FILE *stream = open_memstream(&filled, &size);
     if (!stream)
         return status_fail(status, STATUS_FAILED, "not enough memory for a lesson");
-    for (const char *c = *text; *c; c++)
-        if ((length = braced_key(c, key)) > 0 && variant_of(lesson, key)) {
-            fputs(variant_of(lesson, key)->value, stream);
+    for (const char *c = *text; *c; c++) {
+        const LessonVariant *variant =
+            (length = braced_key(c, key)) > 0 ? lesson_variant(lesson, key, page) : NULL;
+        if (variant) {
+            fputs(variant->variant.concealed ? "?" : variant->value, stream);
             c += length + 1;
         } else {
             fputc(*c, stream);
         }
+    }
     if (!text_stream_close(stream, &filled)) {
         free(filled);
         return status_fail(status, STATUS_FAILED, "not enough memory for a lesson");
@@ -80,10 +92,12 @@ bool lesson_draw(Lesson *lesson, const char *student, Status *status)
         sound = set_variant(lesson, &lesson->variants[i], student, status);
     for (int i = 0; i < lesson->n_pages && sound; i++) {
         LessonPage *page = &lesson->pages[i];
-        sound = fill_in(lesson, &page->first.text, status) && fill_in(lesson, &page->revealed.text, status) &&
-                fill_in(lesson, &page->question, status);
+        sound = fill_in(lesson, i, &page->first.text, status) &&
+                fill_in(lesson, i, &page->revealed.text, status) &&
+                fill_in(lesson, i, &page->question, status);
+        choose(lesson, page);
         for (int k = 0; k < page->n_choices && sound; k++)
-            sound = fill_in(lesson, &page->choices[k], status);
+            sound = fill_in(lesson, i, &page->choices[k], status);
     }
     return sound;
 }

@@ -57,6 +57,25 @@ static bool read_group(Reader *reader, const char *text)
     return keep(reader, &reader->lesson->group, text);
 }
 
+/* Whoever has drawn whichever word, one choice is right. */
+static bool judge_conditions(const Reader *reader, const LessonPage *page, Status *status)
+{
+    const LessonVariant *drawn =
+        *page->if_key ? lesson_variant(reader->lesson, page->if_key, reader->lesson->n_pages) : NULL;
+    for (int i = 0; drawn && i < drawn->variant.n_words; i++) {
+        int right = 0;
+        for (int k = 0; k < page->n_choices; k++)
+            right += page->if_words[k] && variant_has_word(page->if_words[k], drawn->variant.words[i]);
+        if (right != 1)
+            return status_fail(status, STATUS_USAGE,
+                               "page \"%.40s\" has %d right choices for %s = %s (one is wanted)", page->title,
+                               right, page->if_key, drawn->variant.words[i]);
+    }
+    return !drawn || drawn->variant.n_words > 0 ||
+           status_fail(status, STATUS_USAGE, "page \"%.40s\": %s has no words to be asked for", page->title,
+                       page->if_key);
+}
+
 /* What must and must not stand on one page. */
 static bool judge_page(const Reader *reader, const LessonPage *page, Status *status)
 {
@@ -94,7 +113,7 @@ static bool judge_page(const Reader *reader, const LessonPage *page, Status *sta
                            "page \"%.40s\" does something after its goal: only an "
                            "answer is followed by @do",
                            page->title);
-    return true;
+    return judge_conditions(reader, page, status);
 }
 
 const char *lesson_opening(const char *line)
@@ -263,11 +282,52 @@ static bool read_choice(Reader *reader, const char *text)
     return keep(reader, &page->choices[page->n_choices++], text);
 }
 
+/* "TEXT if KEY is WORD, WORD": where " if" begins, with KEY; NULL: it is all text. */
+static const char *condition_of(const char *text, char key[KEY_MAX], int *words)
+{
+    for (const char *at = text; (at = strstr(at, " if ")); at++) {
+        *words = 0;
+        if (sscanf(at, " if %39s is %n", key, words) == 1 && *words > 0 && parameter_find(key)) {
+            *words += (int)(at - text);
+            return at;
+        }
+    }
+    return NULL;
+}
+
+/* A choice that is right for those only who have drawn some words. */
+static bool read_right_if(Reader *reader, const char *text, const char *key, size_t length, const char *words)
+{
+    LessonPage *page = reader->page;
+    char *choice = strndup(text, length);
+    const bool sound = choice && read_choice(reader, choice);
+    free(choice);
+    if (!choice)
+        return no_memory(reader->status);
+    if (!sound)
+        return false;
+    if (!lesson_variant(reader->lesson, key, reader->lesson->n_pages))
+        return status_fail(reader->status, STATUS_USAGE, "if %s: there is no @variant of it above", key);
+    if (*page->if_key && strcmp(page->if_key, key) != 0)
+        return status_fail(reader->status, STATUS_USAGE, "if %s: the other choices ask for %s", key,
+                           page->if_key);
+    strcpy(page->if_key, key);
+    if (page->right < 0)
+        page->right = page->n_choices - 1;
+    return keep(reader, &page->if_words[page->n_choices - 1], words);
+}
+
 static bool read_right(Reader *reader, const char *text)
 {
-    if (reader->page->right >= 0)
+    LessonPage *page = reader->page;
+    char key[KEY_MAX];
+    int words;
+    const char *condition = condition_of(text, key, &words);
+    if (page->right >= 0 && !(condition && *page->if_key))
         return status_fail(reader->status, STATUS_USAGE, "one choice only is right");
-    reader->page->right = reader->page->n_choices;
+    if (condition)
+        return read_right_if(reader, text, key, (size_t)(condition - text), text + words);
+    page->right = page->n_choices;
     return read_choice(reader, text);
 }
 
@@ -449,6 +509,8 @@ void lesson_free(Lesson *lesson)
         free(page->question);
         for (int k = 0; k < page->n_choices; k++)
             free(page->choices[k]);
+        for (int k = 0; k < page->n_choices; k++)
+            free(page->if_words[k]);
         free_part(&page->first);
         free_part(&page->revealed);
         free_part(&page->solution);

@@ -48,13 +48,75 @@ static uint64_t mix(uint64_t hash)
     return hash ^ hash >> 31;
 }
 
+const char *variant_word(const char *value)
+{
+    return value + (*value == '?');
+}
+
+/* The next word of a list parted by commas and blanks, and behind it; NULL: there is none. */
+static const char *next_word(const char *list, const char **begin, size_t *length)
+{
+    *begin = list + strspn(list, " ,");
+    *length = strcspn(*begin, " ,");
+    return *length > 0 ? *begin + *length : NULL;
+}
+
+bool variant_has_word(const char *list, const char *word)
+{
+    const char *begin;
+    size_t length;
+    while ((list = next_word(list, &begin, &length)))
+        if (strlen(word) == length && strncmp(begin, word, length) == 0)
+            return true;
+    return false;
+}
+
+static const char *choice_of(const Parameter *parameter, const char *begin, size_t length)
+{
+    for (int i = 0; parameter->choices[i]; i++)
+        if (strlen(parameter->choices[i]) == length && strncmp(parameter->choices[i], begin, length) == 0)
+            return parameter->choices[i];
+    return NULL;
+}
+
+/* The words behind "KEY from"; of mistakes none but mistakes. */
+static bool read_words(const char *list, const Parameter *parameter, Variant *variant, Status *status)
+{
+    const char *begin;
+    size_t length;
+    variant->concealed = parameter->wrong;
+    while ((list = next_word(list, &begin, &length))) {
+        const char *word = choice_of(parameter, begin, length);
+        if (!word || (parameter->wrong && word == parameter->choices[0]))
+            return status_fail(status, STATUS_USAGE, "%s: %.*s is none of its words (see: matvib params)",
+                               variant->key, length < 40 ? (int)length : 40, begin);
+        for (int i = 0; i < variant->n_words; i++)
+            if (variant->words[i] == word)
+                return status_fail(status, STATUS_USAGE, "%s: %s stands there twice", variant->key, word);
+        if (variant->n_words == VARIANT_WORDS_MAX)
+            return status_fail(status, STATUS_USAGE, "%s: too many words (at most %d)", variant->key,
+                               VARIANT_WORDS_MAX);
+        variant->words[variant->n_words++] = word;
+    }
+    return variant->n_words >= 2 ||
+           status_fail(status, STATUS_USAGE, "%s: two words at least are wanted to draw from", variant->key);
+}
+
 bool variant_read(const char *text, Variant *variant, Status *status)
 {
+    int words = 0;
+    *variant = (Variant){.from = NAN};
+    if (sscanf(text, "%39s from %n", variant->key, &words) == 1 && words > 0) {
+        const Parameter *choice = parameter_find(variant->key);
+        if (choice && choice->type == PARAMETER_CHOICE)
+            return read_words(text + words, choice, variant, status);
+    }
     char from[NUMBER_TEXT_MAX], to[NUMBER_TEXT_MAX], more;
     *variant = (Variant){.from = NAN};
     if (sscanf(text, "%39s from %31s to %31s %c", variant->key, from, to, &more) != 3 ||
         !text_to_double(from, &variant->from) || !text_to_double(to, &variant->to))
-        return status_fail(status, STATUS_USAGE, "\"%.60s\" is no variant (KEY from A to B)", text);
+        return status_fail(status, STATUS_USAGE,
+                           "\"%.60s\" is no variant (KEY from A to B, KEY from WORD, WORD ...)", text);
     const Parameter *parameter = parameter_find(variant->key);
     if (!parameter)
         return status_fail(status, STATUS_USAGE, "%s is no parameter (see: matvib params)", variant->key);
@@ -100,19 +162,39 @@ static void write_value(const Values *values, double steps, char out[NUMBER_TEXT
         text_shortest(out, value);
 }
 
+static void write_word(const Variant *variant, int index, char out[NUMBER_TEXT_MAX])
+{
+    snprintf(out, NUMBER_TEXT_MAX, "%s%s", variant->concealed ? "?" : "", variant->words[index]);
+}
+
 void variant_draw(const Variant *variant, const char *title, const char *student, char out[NUMBER_TEXT_MAX])
 {
-    const Values values = values_of(variant);
     uint64_t hash = HASH_BEGIN;
     const char *const parts[] = {student, title, variant->key};
     for (size_t i = 0; i < sizeof parts / sizeof *parts; i++)
         hash = hash_bytes(hash, parts[i], strlen(parts[i]) + 1); /* with the end, so that parts stay parts */
+    for (int i = 0; i < variant->n_words;
+         i++) /* who has the first of one list need not have that of another */
+        hash = hash_bytes(hash, variant->words[i], strlen(variant->words[i]) + 1);
+    if (variant->n_words > 0) {
+        write_word(variant, (int)(mix(hash) % (uint64_t)variant->n_words), out);
+        return;
+    }
+    const Values values = values_of(variant);
     const double index = (double)(mix(hash) % (uint64_t)(values.last - values.first + 1));
     write_value(&values, values.first + index, out);
 }
 
 bool variant_beside(const Variant *variant, const char *value, int direction, char out[NUMBER_TEXT_MAX])
 {
+    for (int i = 0; i < variant->n_words; i++)
+        if (strcmp(variant->words[i], variant_word(value)) == 0 && i + direction >= 0 &&
+            i + direction < variant->n_words) {
+            write_word(variant, i + direction, out);
+            return true;
+        }
+    if (variant->n_words > 0)
+        return false;
     const Values values = values_of(variant);
     const double steps = round(strtod(value, NULL) / values.step) + direction;
     if (!(steps >= values.first && steps <= values.last))

@@ -8,19 +8,28 @@
 #include "base/text.h"
 #include "scenario/keys.h"
 
-enum { STUDENT_MAX = 128 };
+enum { STUDENT_MAX = 128, VARIANT_WORDS_MAX = 16 };
 
 typedef struct Variant {
     char key[KEY_MAX];
     double from, to;
-    bool whole; /* whole numbers only */
+    bool whole;                           /* whole numbers only */
+    const char *words[VARIANT_WORDS_MAX]; /* of a choice: those to draw from */
+    int n_words;                          /* 0: it has numbers */
+    bool concealed;                       /* the words are mistakes, which the laboratory does not tell */
 } Variant;
 
-/* "KEY from A to B". */
+/* "KEY from A to B", "KEY from WORD, WORD ...". */
 bool variant_read(const char *text, Variant *, Status *);
 
+/* The word of a choice's value as variant_draw() writes it: without what conceals it. */
+const char *variant_word(const char *value);
+
+/* Whether a list "WORD, WORD ..." has the word. */
+bool variant_has_word(const char *list, const char *word);
+
 /* The value for a student ("": nobody in particular) in a lesson of that title: one of some twenty to fifty
- * from A to B with few digits. */
+ * from A to B with few digits; one of the words, a mistake as "?WORD". */
 void variant_draw(const Variant *, const char *title, const char *student, char out[NUMBER_TEXT_MAX]);
 
 /* The value on the side of a drawn one that another student has: direction -1 or 1. False: there is none. */

@@ -209,7 +209,12 @@ static void tell_edits(Plain *plain)
         settings_get(settings, &parameters[i], is);
         if (strcmp(was, is) != 0)
             words_say(&words, 2, "%s (%s): %s, before: %s.", parameters[i].label, parameters[i].key,
-                      *is ? is : "-", *was ? was : "-");
+                      *is == '?' ? "?"
+                      : *is      ? is
+                                 : "-",
+                      *was == '?' ? "?"
+                      : *was      ? was
+                                  : "-");
         put_words(plain, &words);
     }
     char about[64], was[ROW_TEXT_MAX], is[ROW_TEXT_MAX];

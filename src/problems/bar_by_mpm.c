@@ -72,6 +72,7 @@ BarDef bar_mpm_definition(const Settings *settings)
         .mass_blend = settings->mpm.mass_blend,
         .fmpm_order = settings->mpm.fmpm_order,
         .mistake = settings->mpm.mistake,
+        .conceals_mistake = settings->concealed,
         .courant = settings->time.courant,
         .patience = settings->patience,
     };

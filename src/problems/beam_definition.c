@@ -134,6 +134,7 @@ BeamDef beam_definition(const Settings *settings, int threads)
         .to_rest = settings->time.rest,
         .changes_until = settings->n_changes > 0 ? settings->changes[settings->n_changes - 1].step : 0,
         .mistake = settings->lattice.mistake,
+        .conceals_mistake = settings->concealed,
         .dt = settings->time.step,
         .end = settings->time.end,
         .threads = threads,

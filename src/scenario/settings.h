@@ -162,6 +162,8 @@ struct Settings {
     TimeSettings time;
     Output output;
 
+    bool concealed; /* its mistake is made, but not told: "?" */
+
     Patience patience; /* asked while the simulation and its references are being made */
 
     char question[KEY_MAX]; /* what `t` toggles */

@@ -47,6 +47,7 @@ static bool check_changes(const Settings *settings, Status *status)
         const Change *change = &settings->changes[i];
         const Parameter *parameter = parameter_find(change->to.key);
         const double before = parameter ? settings_number(&then, parameter) : 0;
+        const bool concealed = then.concealed;
         if (!settings_set(&then, change->to.key, change->to.value, status))
             return status_prefix(status, "changes.%ld", change->step);
         if (parameter && parameter->live &&
@@ -54,8 +55,13 @@ static bool check_changes(const Settings *settings, Status *status)
             return status_fail(
                 status, STATUS_USAGE, "changes.%ld: %s: %s is made at the start and holds for the whole run",
                 change->step, change->to.key,
-                parameter->choices[(
-                    int)(parameter->of_start((int)before) ? before : settings_number(&then, parameter))]);
+                !parameter->of_start((int)before) ? parameter->choices[(int)settings_number(&then, parameter)]
+                : concealed                       ? "?"
+                                                  : parameter->choices[(int)before]);
+        if (then.concealed && !concealed)
+            return status_fail(status, STATUS_USAGE,
+                               "changes.%ld: %s: %s is concealed from the start on, or not at all",
+                               change->step, change->to.key, change->to.value);
         if (!parameter || !parameter->live)
             return status_fail(
                 status, STATUS_USAGE,

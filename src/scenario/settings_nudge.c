@@ -141,6 +141,10 @@ bool settings_nudge(Settings *settings, const Parameter *parameter, int directio
     enum { TRIES = 60 }; /* a rung that the other values do not allow is passed over */
     if (!parameter_applies_to(settings, parameter) || parameter->type == PARAMETER_TEXT)
         return false;
+    if (parameter->wrong && settings->concealed) { /* its neighbours would tell it */
+        settings_put(settings, parameter, parameter->neutral);
+        return true;
+    }
     double start = nudge_start(settings, parameter), value = start;
     const double word = parameter->automatic_value;
     if (word != 0 && (start == word ? direction > 0 : start == 0 && direction < 0)) { /* it stands below 0 */

@@ -71,6 +71,8 @@ void settings_put(Settings *settings, const Parameter *parameter, double value)
     case PARAMETER_TEXT:
         return;
     }
+    if (parameter->wrong)
+        settings->concealed = false;
     if (is_energy(parameter))
         settings->bonds.energy_given = true;
     if (is_stretch(parameter))
@@ -123,7 +125,9 @@ static void write_value(const Settings *settings, const Parameter *parameter, in
     if (parameter->choices) {
         ASSERT_INT(value, >=, 0);
         ASSERT_INT(value, <, parameter_choices(parameter, settings->problem));
-        strcpy(out, parameter->choices[(int)value]);
+        const bool concealed = parameter->wrong && settings->concealed;
+        snprintf(out, LIST_MAX, "%s%s", concealed ? "?" : "",
+                 concealed && digits > 0 ? "" : parameter->choices[(int)value]);
     } else if (parameter_automatic(parameter, settings->problem) && value == parameter->automatic_value)
         strcpy(out, parameter_automatic(parameter, settings->problem));
     else if (digits == 0 || parameter->type == PARAMETER_INTEGER)
@@ -162,8 +166,9 @@ const char *settings_mistake(const Settings *settings)
     const Parameter *row = mistake_row(settings);
     if (!row)
         return NULL;
-    return settings_are_at_work(settings, row) ? row->choices[(int)settings_number(settings, row)]
-                                               : change_of(settings, row);
+    if (!settings_are_at_work(settings, row))
+        return change_of(settings, row);
+    return settings->concealed ? "?" : row->choices[(int)settings_number(settings, row)];
 }
 
 bool settings_refuse_mistake(const Settings *settings, const char *what, Status *status)

@@ -191,9 +191,13 @@ bool settings_set(Settings *settings, const char *key, const char *text, Status 
     if (parameter->type == PARAMETER_TEXT)
         return put_text(settings, key, parameter->offset, LIST_MAX, text, status);
     double value;
+    const bool concealed = parameter->wrong && *text == '?';
+    text += concealed;
     if (!(parameter->choices ? read_choice : read_number)(parameter, settings->problem, text, &value, status))
         return false;
     settings_put(settings, parameter, value);
+    if (concealed)
+        settings->concealed = value != parameter->neutral;
     return true;
 }
 

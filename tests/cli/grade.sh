@@ -399,26 +399,31 @@ fi
 # --- what ships: as a student does it and the teacher marks it ---
 # solve: a script that does the right thing on each page, from the key
 solve() {
-	awk '/^[0-9]+ / { page = $1; for (; at < page - 1; at++) print "key n\nwait 2" }
+	awk 'FNR == NR {
+		if (sub(/^@page /, "")) { page++; choices = 0 }
+		if (sub(/^@choice /, "") || sub(/^@right /, "")) { choices++; sub(/ if [a-z.]* is .*/, ""); choice[page, $0] = choices }
+		next }
+	/^[0-9]+ / { page = $1; for (; at < page - 1; at++) print "key n\nwait 2" }
+	(page, substr($0, 4)) in choice { print "key " choice[page, substr($0, 4)] "\nwait 2" }
 	/^   .* within .*\(/ { print "key Enter\ntype " $1 "\nkey Enter\nexpect Right:" }
 	/^   one way: / { sub(/^   one way: /, ""); sub(/   \(.*/, ""); n = split($0, way, "; ")
 		for (i = 1; i <= n; i++) print "key :\ntype " way[i] "\nkey Enter\nwait 1"
 		print "key Space\nwait 15\nexpect Done." }
-	/^   to be read/ { print "key Enter\ntype because\nkey Enter" }' key
+	/^   to be read/ { print "key Enter\ntype because\nkey Enter" }' "$MATVIB_SRCDIR/data/lessons/$1.lesson" key
 }
 # homework-crack takes as long as all the rest: where everything is wanted
-for lesson in late energy ${MATVIB_WIDE:+crack}; do
+for lesson in late energy mistake ${MATVIB_WIDE:+crack}; do
 	"$MATVIB" grade --key homework-$lesson --name "Ada Lovelace" >key 2>err
 	result "homework-$lesson: a key" lines err 0
 	{
 		echo 'wait 2'
-		solve
+		solve homework-$lesson
 	} >play.script
 	result "homework-$lesson: all is done as the key says" "$MATVIB" lesson homework-$lesson --name "Ada Lovelace" \
 		--script play.script --record homework-$lesson.session
 	expect "homework-$lesson is marked" 0 homework-$lesson homework-$lesson.session --output $lesson.csv --threads 1
-	wanted=$(grep -c -e ' within .*(' -e '^   one way' key)
-	result "homework-$lesson: every number and goal is right" test "$(grep -c ',1,1,[0-9]*,[^,]*,$' $lesson.csv)" -ge "$wanted"
+	wanted=$(grep -c -e ' within .*(' -e '^   one way' -e '^key [1-4]$' key play.script | awk -F: '{ sum += $2 } END { print sum }')
+	result "homework-$lesson: every number, goal and choice is right" test "$(grep -c ',1,1,[0-9]*,[^,]*,$' $lesson.csv)" -ge "$wanted"
 done
 
 # --- a student without options ---

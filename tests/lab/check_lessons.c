@@ -59,6 +59,34 @@ START_TEST(a_lesson_is_read)
 }
 END_TEST
 
+/* Each word comes to somebody, and with it the choice that is right for it; a mistake is not told. */
+START_TEST(a_choice_is_right_for_whom_it_is_drawn)
+{
+    static const char text[] =
+        "@title x\n@page y\n@do open mode5\n@variant mpm.mistake from keep_grid, pic, force_sign\nIt is "
+        "{mpm.mistake}.\n"
+        "@ask a\n@right b, if you like if mpm.mistake is pic, keep_grid\n@choice no\n"
+        "@right c if mpm.mistake is force_sign\n@page z\n@variant mpm.mistake from strain_last, pic\n";
+    static const char *const names[] = {"Ada", "Bob", "Cyd", "Dan", "Eve", "Fay", "Gus", "Hal", "Ida", "Jim"};
+    int right[3] = {0, 0, 0};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        Lesson lesson;
+        Status status;
+        ck_assert_msg(read_text(text, &lesson, &status) && lesson_draw(&lesson, names[i], &status), "%s",
+                      status.text);
+        const LessonPage *page = &lesson.pages[0];
+        const char *set = page->first.actions[1];
+        ck_assert_str_eq(page->first.text, "It is ?.");
+        ck_assert_str_eq(page->choices[0], "b, if you like");
+        ck_assert_int_eq(page->right, strcmp(set, "set mpm.mistake ?force_sign") == 0 ? 2 : 0);
+        ck_assert(strncmp(set, "set mpm.mistake ?", 17) == 0 && !strstr(set, "strain_last"));
+        right[strstr(set, "force_sign") ? 2 : strstr(set, "keep_grid") ? 1 : 0]++;
+        lesson_free(&lesson);
+    }
+    ck_assert(right[0] > 0 && right[1] > 0 && right[2] > 0);
+}
+END_TEST
+
 static const struct {
     const char *text, *says;
 } wrong[] = {
@@ -139,11 +167,30 @@ static const struct {
     {"@title x\n@page y\n@goal error < 1\n@solve write a\n",
      "my.lesson:4: @solve: write: a lesson may not (it changes the laboratory only)"},
     {"@title x\n@page y\n@variant initial.mode\n",
-     "my.lesson:3: @variant: \"initial.mode\" is no variant (KEY from A to B)"},
+     "my.lesson:3: @variant: \"initial.mode\" is no variant (KEY from A to B, KEY from WORD, WORD ...)"},
     {"@title x\n@page y\n@variant mode from 1 to 2\n",
      "my.lesson:3: @variant: mode is no parameter (see: matvib params)"},
     {"@title x\n@page y\n@variant mpm.shape from 1 to 2\n",
-     "my.lesson:3: @variant: mpm.shape has no numbers to draw from"},
+     "my.lesson:3: @variant: mpm.shape: 1 is none of its words (see: matvib params)"},
+    {"@title x\n@page y\n@variant mpm.shape from hat\n",
+     "my.lesson:3: @variant: mpm.shape: two words at least are wanted to draw from"},
+    {"@title x\n@page y\n@variant mpm.shape from hat, gimp, hat\n",
+     "my.lesson:3: @variant: mpm.shape: hat stands there twice"},
+    {"@title x\n@page y\n@variant mpm.mistake from none, pic\n",
+     "my.lesson:3: @variant: mpm.mistake: none is none of its words (see: matvib params)"},
+    {"@title x\n@page y\n@ask a\n@right b if mpm.shape is hat\n",
+     "my.lesson:4: if mpm.shape: there is no @variant of it above"},
+    {"@title x\n@page y\n@variant mpm.shape from hat, gimp\n@ask a\n@right b if mpm.shape is hat\n@choice "
+     "c\n",
+     "my.lesson: page \"y\" has 0 right choices for mpm.shape = gimp (one is wanted)"},
+    {"@title x\n@page y\n@variant mpm.shape from hat, gimp\n@ask a\n@right b if mpm.shape is hat, gimp\n"
+     "@right c if mpm.shape is gimp\n",
+     "my.lesson: page \"y\" has 2 right choices for mpm.shape = gimp (one is wanted)"},
+    {"@title x\n@page y\n@variant mpm.shape from hat, gimp\n@ask a\n@right b\n@right c if mpm.shape is hat\n",
+     "my.lesson:6: one choice only is right"},
+    {"@title x\n@page y\n@variant initial.mode from 2 to 3\n@ask a\n@right b if initial.mode is 2\n@choice "
+     "c\n",
+     "my.lesson: page \"y\": initial.mode has no words to be asked for"},
     {"@title x\n@page y\n@variant initial.mode from 2 to 2\n",
      "my.lesson:3: @variant: initial.mode: nothing lies between 2 and 2 (the smaller one first)"},
     {"@title x\n@page y\n@variant bar.density from -1 to 2\n",
@@ -625,6 +672,7 @@ void add_cases(Suite *suite)
         count++;
     TCase *format = tcase_create("format"), *own = tcase_create("own"), *turning = tcase_create("turning");
     tcase_add_test(format, a_lesson_is_read);
+    tcase_add_test(format, a_choice_is_right_for_whom_it_is_drawn);
     tcase_add_loop_test(format, what_is_wrong_is_told_with_its_line, 0, (int)(sizeof wrong / sizeof *wrong));
     tcase_add_loop_test(own, every_page_is_entered_in_one_state, 0, count);
     tcase_add_test(turning, arrows_choose_an_answer);

@@ -513,6 +513,40 @@ START_TEST(a_summary_says_so)
 }
 END_TEST
 
+/* Concealed it is the same mistake: the same bits, the stages as the right code has them, and "?" wherever it
+ * is told; a file has it. */
+START_TEST(a_concealed_one_is_made_and_not_told)
+{
+    const Settings told = wrong(_i);
+    Settings hidden = told;
+    const Parameter *row = parameter_find(key_of(&hidden));
+    char value[LIST_MAX], text[LIST_MAX];
+    snprintf(value, sizeof value, "?%s", id_of(_i));
+    set(&hidden, row->key, value);
+    ck_assert_str_eq(settings_mistake(&hidden), "?");
+    settings_show(&hidden, row, text);
+    ck_assert_str_eq(text, "?");
+    settings_get(&hidden, row, text);
+    ck_assert_str_eq(text, value);
+    const Settings right = right_of(_i);
+    Simulation *a = simulate(&told), *b = simulate(&hidden), *c = simulate(&right);
+    Status status = {0};
+    ck_assert(simulation_steps(a, 20, NULL, NULL, &status) && simulation_steps(b, 20, NULL, NULL, &status));
+    expect_same_states(a, b, id_of(_i));
+    for (int i = 0; i < b->n_stages; i++)
+        if (i < c->n_stages &&
+            strcmp(b->stages[i].id, c->stages[i].id) == 0) /* another scheme has another order */
+            ck_assert_str_eq(b->stages[i].equation, c->stages[i].equation);
+        else
+            ck_assert(!strstr(b->stages[i].equation, "»"));
+    simulation_destroy(a);
+    simulation_destroy(b);
+    simulation_destroy(c);
+    ck_assert(settings_nudge(&hidden, row, 1, false)); /* its neighbours would tell it */
+    ck_assert_ptr_null(settings_mistake(&hidden));
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     TCase *digits = tcase_create("digits"), *bar = tcase_create("each");
@@ -530,6 +564,7 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(bar, threads_leave_no_trace, 0, m);
     tcase_add_loop_test(bar, what_a_beams_are_not_defined_for_is_refused_by_name, 0, m);
     TCase *told = tcase_create("told");
+    tcase_add_loop_test(told, a_concealed_one_is_made_and_not_told, 0, all);
     tcase_add_test(told, who_needs_the_right_code_refuses_it);
     tcase_add_test(told, a_summary_says_so);
     suite_add_tcase(suite, told);

@@ -91,7 +91,7 @@ void beam_set_stages(Beam *beam)
         body_force->sentence = "The weight, where there is one, pulls at every node alike.";
         body_force->reads = "fy";
     }
-    const BondsMistake *mistake = bonds_mistake(beam);
+    const BondsMistake *mistake = beam->def.conceals_mistake ? NULL : bonds_mistake(beam);
     for (int k = 0; mistake && k < MISTAKE_LINES && mistake->lines[k].equation; k++) {
         Stage *stage = &beam->stages[mistake->lines[k].stage];
         stage->equation = mistake->lines[k].equation;

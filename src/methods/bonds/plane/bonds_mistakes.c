@@ -90,8 +90,8 @@ bool bonds_check_mistake(const BeamDef *def, Status *status)
                         : def->damping != 0 || def->critically_damped ? "damping.rate = 0"
                         : hhb ? "pd.volume_correction = partial or none"
                               : NULL;
-    return !other ||
-           status_fail(status, STATUS_USAGE, "pd.mistake: %s is defined for %s only", row->id, other);
+    return !other || status_fail(status, STATUS_USAGE, "pd.mistake: %s is defined for %s only",
+                                 def->conceals_mistake ? "?" : row->id, other);
 }
 
 /* --- bonds ------------------------------------------------------------------------------------------ */

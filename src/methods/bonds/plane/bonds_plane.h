@@ -48,7 +48,8 @@ typedef struct BeamDef {
     bool to_rest;           /* the run is over when the motion is ... */
     long changes_until;     /* ... and this many steps are done: Method.change is to be called till then */
 
-    int mistake; /* what a wrong code does instead: an index of beam_mistake_words; 0: none */
+    int mistake;           /* what a wrong code does instead: an index of beam_mistake_words; 0: none */
+    bool conceals_mistake; /* its stages are worded as the right ones */
 
     double dt;   /* s; 0: half the critical time step */
     double end;  /* s: the channel must hold the beam until then; moving cantilever */

@@ -106,7 +106,7 @@ static bool change_mistake(Beam *beam, double value, Status *status)
     if (def.mistake != beam->head->mistake && beam_mistake_is_of_start(of_start))
         return status_fail(status, STATUS_USAGE,
                            "pd.mistake: %s is made at the start and holds for the whole run",
-                           beam_mistake_words[of_start]);
+                           def.conceals_mistake ? "?" : beam_mistake_words[of_start]);
     beam->head->mistake = def.mistake;
     beam->rescue.valid = false;
     beam_set_stages(beam);
@@ -127,7 +127,7 @@ bool beam_change(Simulation *sim, const char *key, double value, Status *status)
             continue;
         if (bonds_mistake(beam) && live->offset == offsetof(StateHead, critical_stretch) && value != 0)
             return status_fail(status, STATUS_USAGE, "pd.mistake: %s is defined for %s = 0 only",
-                               bonds_mistake(beam)->id, key);
+                               beam->def.conceals_mistake ? "?" : bonds_mistake(beam)->id, key);
         if (!live->allowed(beam, value))
             return status_fail(status, STATUS_USAGE, "%s: %g is not allowed (%s)", key, value, live->what);
         memcpy((char *)beam->head + live->offset, &value, sizeof value);

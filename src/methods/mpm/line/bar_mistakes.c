@@ -99,8 +99,8 @@ bool bar_check_mistake(const BarDef *def, Status *status)
                         : def->joint > 0.0          ? "bar2.joint = 0"
                         : def->forces               ? "the forces of [load]"
                                                     : NULL;
-    return !other ||
-           status_fail(status, STATUS_USAGE, "mpm.mistake: %s is defined for %s only", row->id, other);
+    return !other || status_fail(status, STATUS_USAGE, "mpm.mistake: %s is defined for %s only",
+                                 def->conceals_mistake ? "?" : row->id, other);
 }
 
 /* --- the numbers that such a code takes ------------------------------------------------------------- */

@@ -283,7 +283,7 @@ void bar_list_stages(Bar *bar)
         bar->stages[i] = stage_of(transfer_of(bar), schedule->ops[i]);
         if (schedule->ops[i] == OP_FORCE)
             bar_word_forces(bar, &bar->stages[i]);
-        if (bar_mistake(bar))
+        if (bar_mistake(bar) && !bar->def.conceals_mistake)
             write_wrongly(&bar->stages[i], bar_mistake(bar), schedule->ops[i]);
     }
     bar->sets[BAR_PARTICLES] = (Set){"particle", "particles", 0};

@@ -213,7 +213,9 @@ static bool change_method(Bar *bar, const char *key, double value, Status *statu
         (bar_mistake_is_of_start(def.mistake) || bar_mistake_is_of_start(head->mistake)))
         return status_fail(
             status, STATUS_USAGE, "%s: %s is made at the start and holds for the whole run", key,
-            bar_mistake_words[bar_mistake_is_of_start(def.mistake) ? def.mistake : head->mistake]);
+            def.conceals_mistake
+                ? "?"
+                : bar_mistake_words[bar_mistake_is_of_start(def.mistake) ? def.mistake : head->mistake]);
     if (def.mistake != head->mistake) {
         memset(bar->kept_mass, 0, (size_t)bar->n_nodes * sizeof(double));
         memset(bar->kept_momentum, 0, (size_t)bar->n_nodes * sizeof(double));

@@ -49,7 +49,8 @@ typedef struct BarDef {
     int fmpm_order;       /* k of FMPM(k), 1 to FMPM_ORDER_MAX; 1 is PIC */
     double mass_blend;    /* mu: 1 lumped masses, less: M = (1 - mu) M_c + mu M_l; 0: bar_mass_blend_auto() */
 
-    int mistake; /* what a wrong code does instead: an index of bar_mistake_words; 0: none */
+    int mistake;           /* what a wrong code does instead: an index of bar_mistake_words; 0: none */
+    bool conceals_mistake; /* its stage is worded as the right one */
 
     double courant; /* dt = courant * dx / c, c = sqrt(E / rho) (eq. 21), of two materials the larger c */
 
