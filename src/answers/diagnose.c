@@ -404,10 +404,12 @@ static bool is_round(double factor, const Settings *right)
 /* Beyond it a value stands for something else, as no stiffness for no force. */
 #define LEAST_FACTOR 1e-4
 
+/* Fewer can be had with any value, or with two mistakes of some. */
+enum { ENTRIES_LEAST = 3 };
+
 /* One value that is wrong; beside a simpler explanation only a round one. */
 static bool try_values(Search *search)
 {
-    enum { ENTRIES_LEAST = 3 }; /* fewer can be had with any value */
     const bool simpler = search->found->n_explanations > 0;
     Settings wrong;
     Walk walk;
@@ -415,12 +417,12 @@ static bool try_values(Search *search)
         return true;
     for (int i = 0; i < n_parameters; i++) {
         const Parameter *parameter = &parameters[i];
-        Candidate candidate = {DIAGNOSE_VALUE, parameter, 0, 0};
+        Candidate candidate = {DIAGNOSE_VALUE, parameter, 0, 0, 0};
         bool agrees;
         if (!diagnose_is_tried(&search->right, parameter) || parameter->type != PARAMETER_REAL ||
             has_value(search->found, parameter))
             continue;
-        const DiagnoseTask task = {&search->right, search->task->threads, false, search->task->patience};
+        const DiagnoseTask task = {&search->right, search->task->threads, search->task->patience};
         if (!diagnose_find_value(&task, search->table, &search->walk.departure, parameter, &candidate.value,
                                  &search->found->tried)) {
             if (!patience_lasts(&search->task->patience, 0))
@@ -440,6 +442,23 @@ static bool try_values(Search *search)
     return true;
 }
 
+/* Two mistakes, where no one thing explains the file. */
+static bool try_pairs(Search *search)
+{
+    Candidate *pairs = malloc(CANDIDATES_MAX * sizeof *pairs);
+    Settings wrong;
+    Walk walk;
+    bool sound = pairs || status_fail(search->status, STATUS_FAILED, "out of memory"), agrees;
+    const int count = sound ? diagnose_pairs(&search->right, pairs) : 0;
+    for (int i = 0; i < count && sound; i++) {
+        sound = try_one(search, &pairs[i], &walk, &wrong, &agrees);
+        if (sound && agrees)
+            keep(search, &pairs[i], &wrong, &walk);
+    }
+    free(pairs);
+    return sound;
+}
+
 /* `shown`: whether the file departs; else only mistakes count, those that it cannot show. */
 static bool try_all(Search *search, bool shown)
 {
@@ -457,7 +476,10 @@ static bool try_all(Search *search, bool shown)
             keep(search, &candidates[i], &wrong, &walk);
     }
     free(candidates);
-    return sound && (!shown || try_values(search));
+    if (!sound || !shown)
+        return sound;
+    return try_values(search) &&
+           (search->found->n_explanations > 0 || search->walk.departing < ENTRIES_LEAST || try_pairs(search));
 }
 
 /* --- the whole ------------------------------------------------------------------------------------------ */

@@ -115,7 +115,6 @@ typedef struct Diagnosis {
 typedef struct DiagnoseTask {
     const Settings *settings;
     int threads;
-    bool pairs; /* of mistakes, where they take long too */
     Patience patience;
 } DiagnoseTask;
 

@@ -21,7 +21,7 @@ typedef struct List {
 static void add(List *list, DiagnoseKind kind, const Parameter *parameter, double value, long shift)
 {
     if (list->count < CANDIDATES_MAX)
-        list->out[list->count++] = (Candidate){kind, parameter, value, shift};
+        list->out[list->count++] = (Candidate){kind, parameter, value, shift, 0};
 }
 
 static void add_choices(List *list, const Settings *right, const Parameter *parameter)
@@ -77,6 +77,18 @@ int diagnose_candidates(const Settings *right, Candidate out[CANDIDATES_MAX])
     return list.count;
 }
 
+int diagnose_pairs(const Settings *right, Candidate out[CANDIDATES_MAX])
+{
+    const Parameter *mistake = parameter_find("mpm.mistake");
+    int count = 0;
+    if (!mistake || !parameter_applies_to(right, mistake) || right->problem->concerns & CONCERN_PLANE)
+        return 0;
+    for (int i = 1; i < parameter_choices(mistake, right->problem); i++)
+        for (int k = 1; k < i && count < CANDIDATES_MAX; k++)
+            out[count++] = (Candidate){DIAGNOSE_MISTAKE, mistake, i, 0, k};
+    return count;
+}
+
 /* --- one of them ---------------------------------------------------------------------------------------- */
 
 bool diagnose_settings_of(const Candidate *candidate, const Settings *right, const DiagnoseTable *table,
@@ -87,6 +99,7 @@ bool diagnose_settings_of(const Candidate *candidate, const Settings *right, con
         if (!settings_in_range(candidate->parameter, right->problem, candidate->value))
             return false;
         settings_put(out, candidate->parameter, candidate->value);
+        out->mpm.mistake_beside = candidate->beside;
     }
     return settings_check(out, NULL) && diagnose_hold_step(out, table->dt) && settings_check(out, NULL);
 }
@@ -161,6 +174,12 @@ void diagnose_explain(const Candidate *candidate, const Settings *right, const S
     }
     settings_get(wrong, parameter, value);
     settings_get(right, parameter, before);
+    if (candidate->beside) {
+        text_append(out->id, sizeof out->id, "%s+%s", parameter->choices[candidate->beside], value);
+        text_append(out->words, sizeof out->words, "%s %s", parameter->choice_help(candidate->beside),
+                    parameter->choice_help((int)candidate->value));
+        return;
+    }
     if (candidate->kind == DIAGNOSE_MISTAKE) {
         text_append(out->id, sizeof out->id, "%s", value);
         text_append(out->words, sizeof out->words, "%s", parameter->choice_help((int)candidate->value));

@@ -50,9 +50,13 @@ typedef struct Candidate {
     const Parameter *parameter;
     double value;
     long shift;
+    int beside; /* of a bar: a second mistake; 0: none */
 } Candidate;
 
 enum { CANDIDATES_MAX = 400 };
+/* Every two mistakes of a bar. */
+int diagnose_pairs(const Settings *right, Candidate out[CANDIDATES_MAX]);
+
 bool diagnose_is_tried(const Settings *, const Parameter *); /* whether codes may differ in it */
 int diagnose_candidates(const Settings *, Candidate out[CANDIDATES_MAX]);
 

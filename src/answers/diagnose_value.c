@@ -25,7 +25,7 @@ static bool walk_with(Seek *seek, double value, Walk *walk)
 {
     Settings settings;
     Status ignored = {STATUS_DONE, ""};
-    const Candidate candidate = {DIAGNOSE_VALUE, seek->parameter, value, 0};
+    const Candidate candidate = {DIAGNOSE_VALUE, seek->parameter, value, 0, 0};
     ++*seek->tried;
     return diagnose_settings_of(&candidate, seek->task->settings, seek->table, &settings) &&
            diagnose_walk(walk, &settings, seek->task->threads, seek->task->patience, &ignored);

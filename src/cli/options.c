@@ -62,8 +62,6 @@ const Option options_table[] = {
      AT(map)},
     {"--output", "FILE", " diagnose ", "a table with a row for each file: FILE.csv", OPTION_TEXT, AT(output)},
     {"--json", NULL, " diagnose ", "the same rows on standard output, as JSON", OPTION_FLAG, AT(json)},
-    {"--pairs", NULL, " diagnose ",
-     "also pairs of mistakes of a beam, which take long (of a bar they are tried)", OPTION_FLAG, AT(pairs)},
     {"--name", "NAME", " lesson ", "whose homework it is: the exercises' variants are drawn from it",
      OPTION_TEXT, AT(name)},
     {"--id", "ID", " lesson ", "the student's number or address, by which tables of marks are joined",

@@ -73,6 +73,7 @@ BarDef bar_mpm_definition(const Settings *settings)
         .fmpm_order = settings->mpm.fmpm_order,
         .mistake = settings->mpm.mistake,
         .conceals_mistake = settings->concealed,
+        .mistake_beside = settings->mpm.mistake_beside,
         .courant = settings->time.courant,
         .patience = settings->patience,
     };
@@ -94,7 +95,8 @@ static Simulation *simulate(const Settings *settings, int threads, Status *statu
     BarTheory theory;
     if (!bar_theory_of(settings, &theory, status))
         return NULL;
-    if (bar_mistake_starts_as_held(settings->mpm.mistake))
+    if (bar_mistake_starts_as_held(settings->mpm.mistake) ||
+        bar_mistake_starts_as_held(settings->mpm.mistake_beside))
         theory.right_fixed = theory.left_fixed;
     BarDef def = bar_mpm_definition(settings);
     def.initial_velocity = bar_start;

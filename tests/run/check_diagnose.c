@@ -10,6 +10,7 @@
 #include "methods/bonds/plane/bonds_plane.h"
 #include "methods/mpm/line/mpm_bar.h"
 #include "problems/problem.h"
+#include "scenario/settings.h"
 #include "suite.h"
 
 #include <math.h>
@@ -172,6 +173,45 @@ START_TEST(a_bars_mistake_is_named)
 }
 END_TEST
 
+/* Two mistakes at once are named as two, unless one alone comes to the same. */
+START_TEST(two_mistakes_are_named)
+{
+    static const char *const columns[] = {"v_cm", "kinetic", "strain", NULL};
+    const long wanted = getenv("MATVIB_DIAGNOSES") ? 60 : 12;
+    unsigned long state = (unsigned long)number_of("MATVIB_SEED", 1) * 104729;
+    Settings right = bar_settings(3, 100);
+    set(&right, "mesh.cell_size", "0.5");
+    set(&right, "mesh.particles_per_cell", "3");
+    set(&right, "bar.density", "2");
+    long two = 0;
+    for (long k = 0; k < wanted; k++) {
+        const unsigned long count = 24, one = 1 + draw(&state, count), other = 1 + draw(&state, count);
+        Settings wrong = right;
+        wrong.mpm.mistake = (int)(one > other ? one : other);
+        wrong.mpm.mistake_beside = (int)(one > other ? other : one);
+        if (!settings_check(&wrong, NULL))
+            continue;
+        char path[] = "/tmp/check_diagnose.XXXXXX", pair[2 * KEY_MAX];
+        const int made = mkstemp(path);
+        Diagnosis *found = calloc(1, sizeof *found);
+        ck_assert(made >= 0 && found);
+        close(made);
+        write_run(path, &wrong, 30, columns, 17);
+        diagnose_file(path, &right, found);
+        unlink(path);
+        snprintf(pair, sizeof pair, "%s+%s", bar_mistake_words[wrong.mpm.mistake_beside],
+                 bar_mistake_words[wrong.mpm.mistake]);
+        const bool simpler = found->verdict == DIAGNOSE_EXPLAINED && !strchr(found->explanations[0].id, '+');
+        ck_assert_msg(simpler || names(found, pair), "%s: %s", pair, told(found));
+        if (getenv("MATVIB_TELL"))
+            printf("%s: %s\n", pair, told(found));
+        two += names(found, pair);
+        free(found);
+    }
+    ck_assert_int_gt(two, wanted / 2);
+}
+END_TEST
+
 /* --- beams ------------------------------------------------------------------------------------------ */
 
 START_TEST(a_beams_mistake_is_named)
@@ -200,5 +240,9 @@ void add_cases(Suite *suite)
     tcase_set_timeout(cases, 1200);
     tcase_add_test(cases, a_bars_mistake_is_named);
     tcase_add_test(cases, a_beams_mistake_is_named);
+    TCase *pairs = tcase_create("pairs");
+    tcase_set_timeout(pairs, 1200);
+    tcase_add_test(pairs, two_mistakes_are_named);
+    suite_add_tcase(suite, pairs);
     suite_add_tcase(suite, cases);
 }

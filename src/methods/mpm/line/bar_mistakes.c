@@ -60,9 +60,58 @@ const BarMistake *bar_mistake_of(int mistake)
     return mistake > 0 && mistake <= MISTAKES ? &mistakes[mistake - 1] : NULL;
 }
 
+/* One of two that differ from what is right, 0; false: both do, by other values. */
+static bool join(int one, int other, int *out)
+{
+    *out = one ? one : other;
+    return !one || !other || one == other;
+}
+
+bool bar_mistakes_join(int one, int other, BarMistake *out)
+{
+    const BarMistake *a = bar_mistake_of(one), *b = bar_mistake_of(other);
+    int holds, moves, algorithm;
+    if (!a || !b || a == b || (a->thinned && b->thinned) || (a->volume && b->volume) ||
+        !join(a->holds, b->holds, &holds) || !join(a->moves, b->moves, &moves) ||
+        !join(a->algorithm, b->algorithm, &algorithm))
+        return false;
+    *out = *a;
+    if (!out->also_equation && b->stage != a->stage) {
+        out->also = b->stage;
+        out->also_equation = b->equation;
+        out->also_ascii = b->ascii;
+    }
+    out->of_start = a->of_start || b->of_start;
+    out->starts_at_centres = a->starts_at_centres || b->starts_at_centres;
+    out->starts_as_held = a->starts_as_held || b->starts_as_held;
+    out->mass_of_cell = a->mass_of_cell || b->mass_of_cell;
+    out->keeps_grid = a->keeps_grid || b->keeps_grid;
+    out->holds = (BarHolds)holds;
+    out->holds_next = a->holds_next || b->holds_next;
+    out->held_yield = a->held_yield || b->held_yield;
+    out->no_span = a->no_span || b->no_span;
+    out->no_spacing = a->no_spacing || b->no_spacing;
+    out->only_newest = a->only_newest || b->only_newest;
+    out->stress_before = a->stress_before || b->stress_before;
+    out->thinned = a->thinned ? a->thinned : b->thinned;
+    out->volume = a->volume ? a->volume : b->volume;
+    out->pushes = a->pushes || b->pushes;
+    out->first_kick = fmax(a->first_kick, b->first_kick);
+    out->new_weights = a->new_weights || b->new_weights;
+    out->moves = (BarMoves)moves;
+    out->algorithm = (MpmAlgorithm)algorithm;
+    out->of_grid = a->of_grid || b->of_grid;
+    return true;
+}
+
+const BarMistake *bar_mistake_if(const Bar *bar, int mistake)
+{
+    return bar->both ? bar->both : bar_mistake_of(mistake);
+}
+
 const BarMistake *bar_mistake(const Bar *bar)
 {
-    return bar_mistake_of(bar->head->mistake);
+    return bar_mistake_if(bar, bar->head->mistake);
 }
 
 bool bar_mistake_is_of_start(int mistake)
@@ -85,6 +134,9 @@ const char *bar_mistake_sentence(int mistake)
 
 bool bar_check_mistake(const BarDef *def, Status *status)
 {
+    BarMistake both;
+    if (def->mistake_beside != 0 && !bar_mistakes_join(def->mistake, def->mistake_beside, &both))
+        return status_fail(status, STATUS_USAGE, "mpm.mistake: these two are no two mistakes");
     if (def->mistake == 0)
         return true;
     const BarMistake *row = bar_mistake_of(def->mistake);

@@ -54,6 +54,11 @@ typedef struct BarMistake {
 /* The row of a bar's mistake; NULL: it makes none. */
 const BarMistake *bar_mistake(const Bar *);
 const BarMistake *bar_mistake_of(int mistake);
+const BarMistake *bar_mistake_if(const Bar *,
+                                 int mistake); /* if that is its one; what it does besides is in it */
+
+/* What a code does that makes two of them. False: they are one and the same thing done otherwise. */
+bool bar_mistakes_join(int one, int other, BarMistake *out);
 
 /* Whether these are what mistakes are defined for; else the status names the key. */
 bool bar_check_mistake(const BarDef *, Status *);

@@ -120,7 +120,7 @@ double bar_mass_between(const Bar *bar, int i, int j)
 
 size_t bar_lasting_bytes(const Bar *bar, const BarHead *head)
 {
-    const BarMistake *mistake = bar_mistake_of(head->mistake);
+    const BarMistake *mistake = bar_mistake_if(bar, head->mistake);
     if (mistake && mistake->keeps_grid)
         return bar->bytes_kept;
     return head->transfer == MPM_APIC ? bar->bytes_apic : bar->bytes_flip;

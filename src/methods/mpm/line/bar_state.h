@@ -120,7 +120,8 @@ struct Bar {
 
     /* model: constant */
     BarDef def;
-    int slots; /* P */
+    struct BarMistake *both; /* what a code does that is wrong in two places; NULL: in one at most */
+    int slots;               /* P */
     int n_particles;
     int n_cells; /* of the mesh, padding included */
     int n_nodes; /* n_cells + support - 1 */

@@ -110,6 +110,7 @@ static void destroy(Simulation *sim)
 {
     Bar *bar = bar_of(sim);
     free(bar->memory);
+    free(bar->both);
     free(bar);
 }
 
@@ -160,9 +161,10 @@ static double blend_of(const BarDef *def, double mass_blend)
 }
 
 /* Another scheme that is taken for this one is run as that. */
-static void take_mistake(BarHead *head, int mistake)
+static void take_mistake(Bar *bar, int mistake)
 {
-    const BarMistake *row = bar_mistake_of(mistake);
+    BarHead *head = bar->head;
+    const BarMistake *row = bar_mistake_if(bar, mistake);
     head->mistake = mistake;
     if (!row)
         return;
@@ -226,7 +228,7 @@ static bool change_method(Bar *bar, const char *key, double value, Status *statu
     head->algorithm = def.algorithm;
     head->transfer = def.transfer;
     head->flip_fraction = def.flip_fraction;
-    take_mistake(head, def.mistake);
+    take_mistake(bar, def.mistake);
     head->mass_blend = blend_of(&def, def.mass_blend);
     head->fmpm_order = def.fmpm_order;
     take_schedule(bar);
@@ -307,7 +309,8 @@ static void derive(Bar *bar)
     }
     bar->dt = def->courant * bar->dx / speed;
     bar->mass = def->density * bar->dx / bar->slots;
-    if (def->mistake != 0 && bar_mistake_of(def->mistake)->mass_of_cell)
+    const BarMistake *mistake = bar_mistake_if(bar, def->mistake);
+    if (mistake && mistake->mass_of_cell)
         bar->mass = def->density * bar->dx;
     bar->mass_floor = 1e-12 * lightest * bar->dx;
     bar->gimp_half = 0.5 / bar->slots;
@@ -345,7 +348,8 @@ enum { PLACES_A_QUESTION = 16384 }; /* a millisecond or less, as each takes a si
 static bool begin(Bar *bar, Status *status)
 {
     const BarDef *def = &bar->def;
-    const bool at_centres = def->mistake != 0 && bar_mistake_of(def->mistake)->starts_at_centres;
+    const BarMistake *mistake = bar_mistake_if(bar, def->mistake);
+    const bool at_centres = mistake && mistake->starts_at_centres;
     *bar->head = (BarHead){.algorithm = def->algorithm,
                            .transfer = def->transfer,
                            .flip_fraction = def->flip_fraction,
@@ -353,7 +357,7 @@ static bool begin(Bar *bar, Status *status)
                            .traction = def->traction,
                            .mass_blend = blend_of(def, def->mass_blend),
                            .fmpm_order = def->fmpm_order};
-    take_mistake(bar->head, def->mistake);
+    take_mistake(bar, def->mistake);
     for (int c = 0; c <= bar->n_cells; c++) {
         int place = c - bar->origin;
         place = place < 0 ? 0 : place > bar->places ? bar->places : place;
@@ -395,12 +399,20 @@ Simulation *bar_create(const BarDef *definition, Status *status)
         return NULL;
     }
     bar->def = *definition;
+    bar->both = definition->mistake_beside ? malloc(sizeof *bar->both) : NULL;
+    if (definition->mistake_beside &&
+        (!bar->both || !bar_mistakes_join(definition->mistake, definition->mistake_beside, bar->both))) {
+        status_fail(status, STATUS_FAILED, "not enough memory for the bar");
+        free(bar);
+        return NULL;
+    }
     derive(bar);
     lay_out(bar, NULL);
     bar->memory = calloc(1, bar->bytes_memory); /* pages that are never written cost nothing */
     if (!bar->memory) {
         status_fail(status, STATUS_FAILED, "not enough memory for a bar of %d particles (%zu MB)",
                     bar->n_particles, bar->bytes_memory / 1000000 + 1);
+        free(bar->both);
         free(bar);
         return NULL;
     }

@@ -51,6 +51,7 @@ typedef struct BarDef {
 
     int mistake;           /* what a wrong code does instead: an index of bar_mistake_words; 0: none */
     bool conceals_mistake; /* its stage is worded as the right one */
+    int mistake_beside;    /* what it does besides, in another place; it stays to the end */
 
     double courant; /* dt = courant * dx / c, c = sqrt(E / rho) (eq. 21), of two materials the larger c */
 
