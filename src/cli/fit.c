@@ -7,6 +7,7 @@
 #include "cli/describe.h"
 #include "cli/options.h"
 #include "cli/progress.h"
+#include "cli/quantities.h"
 #include "base/output.h"
 #include "base/text.h"
 #include "picture/paper/figure_file.h"
@@ -81,9 +82,10 @@ static bool take_keys(char *list, FitTask *task, Status *status)
     return fit_data_keys(list, task, status) || (status_prefix(status, "--vary"), false);
 }
 
-static void print_result(const FitTask *task, const FitResult *result)
+static void print_result(const Options *options, const FitTask *task, const FitResult *result)
 {
     char told[1024];
+    (void)options;
     printf("%s, %zu data, %ld runs: %d beginnings, %d search%s, %d iterations\n", task->column, task->count,
            result->runs, result->beginnings, result->searches, result->searches == 1 ? "" : "es",
            result->iterations);
@@ -97,6 +99,32 @@ static void print_result(const FitTask *task, const FitResult *result)
                    result->noise.correlations[i][j]);
     fit_tell(result, told, sizeof told);
     printf("%s%s\n", told, fit_not_covered);
+}
+
+static void print_json(const Options *options, const FitTask *task, const FitResult *result)
+{
+    Quantities list = quantities_open(stdout, "fit");
+    char told[1024];
+    fit_tell(result, told, sizeof told);
+    quantities_text(&list, "scenario", options->words[0]);
+    quantities_text(&list, "data", options->data);
+    quantities_text(&list, "column", task->column);
+    quantities_text(&list, "told", told);
+    quantities_begin(&list);
+    for (int i = 0; i < task->n_keys; i++) {
+        const Parameter *parameter = parameter_find(task->keys[i]);
+        const char *unit = parameter ? parameter_unit(parameter, task->settings->problem) : NULL;
+        quantities_add(&list, task->keys[i], result->values[i], unit && *unit ? unit : NULL);
+        quantities_number(&list, "half_width_95", result->noise.half_widths[i]);
+        quantities_number(&list, "began_at", fit_value(task->settings, task->keys[i]));
+    }
+    for (int i = 0; i < task->n_keys; i++)
+        for (int j = 0; j < i; j++) {
+            quantities_add(&list, "correlation", result->noise.correlations[i][j], "1");
+            quantities_text(&list, "of", task->keys[j]);
+            quantities_text(&list, "and", task->keys[i]);
+        }
+    quantities_close(&list);
 }
 
 static bool write_table(const Options *options, const FitTask *task, const FitResult *result, Status *status)
@@ -222,10 +250,10 @@ int cli_fit(int count, char **arguments, Status *status)
             (!options.figure || draw(&options, &data, &result, &progress, status));
     progress_end(&progress);
     if (found)
-        print_result(&task, &result);
-    if (sound && options.output)
+        (options.json ? print_json : print_result)(&options, &task, &result);
+    if (sound && options.output && !options.json)
         printf("wrote %s\n", options.output);
-    if (sound && options.figure)
+    if (sound && options.figure && !options.json)
         printf("wrote %s\n", options.figure);
     fit_free(&result);
     close_data(&data);

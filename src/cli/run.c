@@ -4,6 +4,8 @@
 #include "scenario/settings.h"
 #include "cli/options.h"
 #include "cli/progress.h"
+#include "cli/quantities.h"
+#include "cli/sweep/sweep_result.h"
 #include "base/text.h"
 #include "cli/describe.h"
 #include "export/export.h"
@@ -11,6 +13,7 @@
 #include "answers/summary.h"
 #include "scenario/changes.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -42,9 +45,50 @@ static void print_files(FILE *to, const Outputs *outputs, size_t frames)
     free(vtk);
 }
 
+/* By the columns that a sweep has of a run: those that this one has an answer for. */
+static void print_json(const Options *options, const Settings *settings, const RunSummary *summary,
+                       double took)
+{
+    Quantities list = quantities_open(stdout, "run");
+    SweepResult result = {.done = false};
+    const char *unit_of_time = settings->problem->si ? settings->problem->unit_of_time : "time";
+    sweep_result_of(summary, settings, took, &result);
+    quantities_text(&list, "scenario", options->words[0]);
+    quantities_text(&list, "title", *settings->title ? settings->title : NULL);
+    quantities_text(&list, "mistake", summary->mistake);
+    quantities_text(&list, "failure", summary->failed ? summary->failure.text : NULL);
+    quantities_begin(&list);
+    quantities_add(&list, "time", summary->time, unit_of_time);
+    quantities_add(&list, "dt", summary->dt, unit_of_time);
+    const ResultColumn measured =
+        summary->readout.is_period ? RESULT_PERIOD_MEASURED : RESULT_FREQUENCY_MEASURED;
+    for (int i = 0; i < RESULT_COLUMNS; i++) {
+        const Quantity quantity = sweep_result_quantity((ResultColumn)i);
+        const bool missed = summary->readout.moving && i == (int)measured && isnan(result.cells[i]);
+        if (!missed && !isfinite(result.cells[i]))
+            continue;
+        quantities_add(&list, quantity.name, result.cells[i], quantity.unit);
+        if (missed && *result.failure.text)
+            quantities_text(&list, "why", result.failure.text);
+    }
+    if (isfinite(summary->readout.late) && summary->readout.measured_known)
+        quantities_add(&list, "late", summary->readout.late, "period");
+    for (int i = 0; i < summary->n_findings; i++) {
+        const Finding *finding = &summary->findings[i];
+        quantities_add(&list, finding->name, finding->measured, NULL);
+        quantities_text(&list, "label", finding->label);
+        quantities_number(&list, finding->word ? finding->word : "exact", finding->exact);
+    }
+    quantities_close(&list);
+}
+
 static void print_summary(const Options *options, const Settings *settings, const RunSummary *summary,
                           double took)
 {
+    if (options->json) {
+        print_json(options, settings, summary, took);
+        return;
+    }
     FILE *to = writes_to_standard_output(&options->outputs) ? stderr : stdout;
     char text[SUMMARY_MAX];
     char advice[240] = "";
@@ -119,6 +163,10 @@ int cli_run(int count, char **arguments, Status *status)
         !options_load(&options, options.words[0], &settings, status) || !times_are_used(&options, status) ||
         !read_stages(&options, status))
         return (int)status->code;
+    if (options.json && writes_to_standard_output(&options.outputs)) {
+        status_fail(status, STATUS_USAGE, "--json: standard output has a table (--series FILE)");
+        return (int)status->code;
+    }
     const Crate crate = crate_of_run(&options.outputs);
     if (!may_describe(&options, &crate, status))
         return (int)status->code;
@@ -132,7 +180,7 @@ int cli_run(int count, char **arguments, Status *status)
     progress_end(&progress);
     if (progress_signal() != 0 && !done && !summary.failed)
         return 128 + progress_signal();
-    if ((done || summary.failed) && !options.quiet)
+    if ((done || summary.failed) && (options.json || !options.quiet))
         print_summary(&options, &settings, &summary, progress_seconds(&progress));
     if (!done)
         options_blame(&options, options.words[0], status);

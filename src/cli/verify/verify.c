@@ -114,14 +114,22 @@ int verify_main(int count, char **arguments, FILE *out, Status *status)
     }
     Progress progress;
     progress_begin(&progress, false);
-    Verify verify = {.out = out, .threads = threads_default(false), .progress = &progress};
+    Quantities json = {.out = out};
+    if (options.json) {
+        json = quantities_open(out, "verify");
+        quantities_begin(&json);
+    }
+    Verify verify = {.json = options.json ? &json : NULL,
+                     .out = out,
+                     .threads = threads_default(false),
+                     .progress = &progress};
     for (int i = 0; (check = check_of(i)) != NULL; i++)
         verify.to_do += is_wanted(&options, check) ? rows_to_run(check, is_whole(&options, check)) : 0;
     for (int i = 0; (check = check_of(i)) != NULL && !ferror(out) && !progress_signal();
          i++) /* none for a pipe that is closed */
         if (is_wanted(&options, check))
             verify_check_run(&verify, check, is_whole(&options, check));
-    if (!options.full && !progress_signal())
+    if (!options.full && !options.json && !progress_signal())
         print_left_out(&options, out);
     return verify_end(&verify, status);
 }

@@ -109,6 +109,44 @@ static void print_agreement(FILE *out, const Claim *claim, double number, Agreem
     fputc('\n', out);
 }
 
+/* Behind the last comma of a row's words or, in brackets, in its check's title: "period, ms"; NULL: the words
+ * say it all. */
+static const char *unit_of(const VerifyCheck *check, const VerifyRow *row, char out[16])
+{
+    const char *comma = strrchr(row->what, ','), *bracket = strrchr(check->title, '(');
+    const char *unit = comma && comma[1] == ' ' ? comma + 2 : NULL;
+    if (unit && *unit && !strchr("0123456789.", *unit) && !strpbrk(unit, " <>="))
+        return snprintf(out, 16, "%s", unit) < 16 ? out : NULL;
+    const size_t length = bracket ? strcspn(bracket + 1, ") ") : 0;
+    if (length == 0 || length >= 16 || bracket[1 + length] != ')')
+        return NULL;
+    snprintf(out, 16, "%.*s", (int)length, bracket + 1);
+    return out;
+}
+
+/* What print_row() and print_verdicts() say. */
+static void put_row(Verify *verify, const VerifyCheck *check, const VerifyRow *row,
+                    const VerifyNumbers *numbers, const Verdict verdicts[3], Agreement paper)
+{
+    static const char *const kinds[] = {"reference", "bound", "near"};
+    static const char *const papers[AGREEMENTS] = {
+        [PAPER_AGREES] = "agrees", [PAPER_NEAR] = "near", [PAPER_DIFFERS] = "differs"};
+    char unit[16];
+    quantities_add(verify->json, row->what + strspn(row->what, " "), numbers->values[numbers->own],
+                   unit_of(check, row, unit));
+    quantities_text(verify->json, "check", check->name);
+    for (int i = 0; i < VERIFY_COLUMNS; i++)
+        if (!isnan(numbers->values[i]))
+            quantities_number(verify->json, column_words[i], numbers->values[i]);
+    for (int i = 0; i < 3; i++)
+        if (verdicts[i] != VERDICT_NONE)
+            quantities_text(verify->json, kinds[i], verdicts[i] == VERDICT_GOOD ? "holds" : "missed");
+    if (paper != PAPER_SILENT)
+        quantities_text(verify->json, "paper", papers[paper]);
+    if (verify->run.failure.code != STATUS_DONE)
+        quantities_text(verify->json, "failure", verify->run.failure.text);
+}
+
 /* --- running ------------------------------------------------------------------------------------- */
 
 static bool same_run(const VerifyRun *run, const char *scenario)
@@ -123,7 +161,7 @@ static bool show_progress(double share, void *context)
     return progress_show(done / (double)verify->to_do, verify->progress);
 }
 
-static void run_row(Verify *verify, const VerifyRow *row, const char *scenario)
+static void run_row(Verify *verify, const VerifyCheck *check, const VerifyRow *row, const char *scenario)
 {
     VerifyRun *run = &verify->run;
     if (!same_run(run, scenario)) {
@@ -141,11 +179,15 @@ static void run_row(Verify *verify, const VerifyRow *row, const char *scenario)
                   near = verify_is_near(row, &numbers);
     const Agreement paper = verify_agreement(&row->paper, number),
                     also = verify_agreement(&row->also, number);
-    print_row(verify->out, row, &numbers);
-    print_verdicts(verify->out, row, &numbers, reproduces, bounded, near);
-    print_agreement(verify->out, &row->paper, number, paper);
-    print_agreement(verify->out, &row->also, number, also);
-    if (run->failure.code != STATUS_DONE)
+    if (verify->json) {
+        put_row(verify, check, row, &numbers, (const Verdict[]){reproduces, bounded, near}, paper);
+    } else {
+        print_row(verify->out, row, &numbers);
+        print_verdicts(verify->out, row, &numbers, reproduces, bounded, near);
+        print_agreement(verify->out, &row->paper, number, paper);
+        print_agreement(verify->out, &row->also, number, also);
+    }
+    if (!verify->json && run->failure.code != STATUS_DONE)
         fprintf(verify->out, "    %s\n", run->failure.text);
     fflush(verify->out);
     verify->rows++;
@@ -160,24 +202,39 @@ static void run_row(Verify *verify, const VerifyRow *row, const char *scenario)
 void verify_check_run(Verify *verify, const VerifyCheck *check, bool full)
 {
     const char *scenario = NULL;
-    fprintf(verify->out, "%s  %s\n", check->name, check->title);
-    print_columns(verify->out, "", column_words);
+    if (!verify->json) {
+        fprintf(verify->out, "%s  %s\n", check->name, check->title);
+        print_columns(verify->out, "", column_words);
+    }
     fflush(verify->out);
     for (int i = 0; i < check->n_rows && !ferror(verify->out) && !progress_signal(); i++) {
         scenario = check->rows[i].scenario ? check->rows[i].scenario : scenario;
         if (full || !check->rows[i].full)
-            run_row(verify, &check->rows[i], scenario);
+            run_row(verify, check, &check->rows[i], scenario);
     }
-    if (progress_signal())
+    if (progress_signal() || verify->json)
         return;
     fprintf(verify->out, check->note ? "  %s\n\n" : "\n", check->note);
+}
+
+static void print_counts(const Verify *verify)
+{
+    const long *references = verify->references, *bounds = verify->bounds, *papers = verify->papers;
+    fprintf(verify->out, "ours: %ld of %ld reproduced; %ld of %ld bounds hold\n", references[VERDICT_GOOD],
+            references[VERDICT_GOOD] + references[VERDICT_MISSED], bounds[VERDICT_GOOD],
+            bounds[VERDICT_GOOD] + bounds[VERDICT_MISSED]);
+    fprintf(verify->out, "paper: %ld agree, %ld near, %ld differ%s, %ld not given\n", papers[PAPER_AGREES],
+            papers[PAPER_NEAR], papers[PAPER_DIFFERS], papers[PAPER_DIFFERS] == 1 ? "s" : "",
+            papers[PAPER_SILENT]);
 }
 
 int verify_end(Verify *verify, Status *status)
 {
     verify_run_close(&verify->run);
-    const long *references = verify->references, *bounds = verify->bounds, *papers = verify->papers;
+    const long *references = verify->references, *bounds = verify->bounds;
     const long missed = references[VERDICT_MISSED] + bounds[VERDICT_MISSED];
+    if (verify->json)
+        quantities_close(verify->json); /* what there is, whole */
     if (progress_signal()) {
         if (verify->progress)
             progress_end(verify->progress);
@@ -186,12 +243,8 @@ int verify_end(Verify *verify, Status *status)
     }
     if (ferror(verify->out))
         return STATUS_DONE; /* not all was run; closing the stream reports the error */
-    fprintf(verify->out, "ours: %ld of %ld reproduced; %ld of %ld bounds hold\n", references[VERDICT_GOOD],
-            references[VERDICT_GOOD] + references[VERDICT_MISSED], bounds[VERDICT_GOOD],
-            bounds[VERDICT_GOOD] + bounds[VERDICT_MISSED]);
-    fprintf(verify->out, "paper: %ld agree, %ld near, %ld differ%s, %ld not given\n", papers[PAPER_AGREES],
-            papers[PAPER_NEAR], papers[PAPER_DIFFERS], papers[PAPER_DIFFERS] == 1 ? "s" : "",
-            papers[PAPER_SILENT]);
+    if (!verify->json)
+        print_counts(verify);
     if (missed == 0)
         return STATUS_DONE;
     status_fail(status, STATUS_FAILED, "verify: %ld of %ld missed", missed,

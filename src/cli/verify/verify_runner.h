@@ -5,6 +5,7 @@
 #define CLI_VERIFY_RUNNER_H
 
 #include "cli/progress.h"
+#include "cli/quantities.h"
 #include "cli/verify/verify_checks.h"
 
 #include <stdio.h>
@@ -12,6 +13,7 @@
 /* One verification: where it is printed, and the counts so far. */
 typedef struct Verify {
     FILE *out;
+    Quantities *json; /* NULL: it is printed as text */
     int threads;
     Progress *progress; /* NULL: not shown, and nothing stops it */
     long to_do;         /* rows, for the progress */

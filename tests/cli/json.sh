@@ -1,0 +1,62 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The summaries of run, fit and verify as JSON: one object that others can read, with the numbers that the text has.
+# shellcheck source=tests/common.sh
+. "$MATVIB_SRCDIR/tests/common.sh"
+
+# is_json FILE: read by who knows JSON, where there is one
+is_json() { ! command -v python3 >/dev/null 2>&1 || python3 -c 'import json, sys; json.load(open(sys.argv[1]))' "$1"; }
+# value FILE NAME: of a quantity, as it is written
+value() { sed -n "s/^  {\"name\": \"$2\", \"value\": \([^,]*\), \"unit\": .*/\1/p" "$1"; }
+# unit FILE NAME
+unit() { sed -n "s/^  {\"name\": \"$2\", \"value\": [^,]*, \"unit\": \([^,}]*\)[,}].*/\1/p" "$1"; }
+# near FILE NAME NUMBER: the value, rounded to as many digits as the text has
+near() { value "$1" "$2" | awk -v said="$3" '{ print $0, said; exit sprintf("%.7g", $1) + 0 != said + 0 }'; }
+
+printf '[scenario]\ntitle = A "bar" \\ of tin\nproblem = bar\n[time]\nend = 20\n' >quoted.ini
+expect "a run" 0 run quoted.ini --json
+cp out run.json
+result "is JSON" is_json run.json
+result "its title has what it has" grep -q -F '"title": "A \"bar\" \\ of tin"' run.json
+"$MATVIB" run quoted.ini >text
+measured=$(sed -n 's/^frequency  measured \([0-9.]*\) .*/\1/p' text)
+exact=$(sed -n 's/^frequency .*exact \([0-9.]*\)$/\1/p' text)
+result "the text has a frequency" test -n "$measured" -a -n "$exact"
+result "it is the measured one" near run.json frequency_measured "$measured"
+result "and the exact one" near run.json frequency_exact "$exact"
+result "steps as the text has them" test "$(value run.json steps)" = "$(sed -n 's/^\([0-9]*\) steps .*/\1/p' text)"
+result "with a unit" test "$(unit run.json frequency_measured)" = '"1/time"'
+result "and 17 digits" test "$(value run.json frequency_predicted | tr -d '.' | wc -c)" -ge 17
+expect "a beam" 0 run supported-beam-coarse --end 1e-4 --json --quiet
+result "is JSON, quiet too" is_json out
+result "in seconds" test "$(unit out period_theory)" = '"s"'
+expect "too short a run" 0 run mode5 --steps 3 --json
+result "a number that is none is null" test "$(value out frequency_measured)" = null
+result "and why" says out '"why": "too short a run to measure it"'
+result "no nan" sh -c '! grep -i -w -e nan -e inf out'
+expect "a wrong code" 0 run mode5 --steps 3 --set mpm.mistake=keep_grid --json
+result "says so" says out '"mistake": "keep_grid"'
+expect "a run that fails" 1 run mode5 --set mpm.mistake=x_by_own_velocity --end 40 --json
+result "is JSON too" is_json out
+result "with the reason" says out '"failure": "'
+result "on standard error in one line" lines err 1
+
+"$MATVIB" run mode5 --end 5 --set bar.youngs_modulus=93 --every 10 --series d.csv --quiet
+expect "a fit" 0 fit mode5 --data d.csv --vary bar.youngs_modulus,bar.density --output f.csv --json
+result "is JSON" is_json out
+result "of the parameters sought" says out '{"name": "bar.youngs_modulus", "value": [0-9.e+-]*, "unit": "[^"]*", "half_width_95": '
+result "and how they hang together" says out '{"name": "correlation", .*"of": "bar.youngs_modulus", "and": "bar.density"'
+
+expect "verify" 0 verify M-fig3 P-surface --json
+result "is JSON" is_json out
+cp out verify.json
+"$MATVIB" verify M-fig3 P-surface >text
+said=$(sed -n 's/^ours: [0-9]* of \([0-9]*\) reproduced; [0-9]* of \([0-9]*\) bounds hold$/\1 \2/p' text | awk '{ print $1 + $2 }')
+result "every reference and bound that the text counts" test "$(grep -o -e '"reference": "' -e '"bound": "' -e '"near": "' verify.json | wc -l)" = "$said"
+result "in per cent" test "$(unit verify.json 'error of omega, %' | head -n 1)" = '"%"'
+
+subcommand=run
+refuse "standard output is taken" '--json: standard output has a table (--series FILE)' mode5 --json --series -
+"$MATVIB" run mode5 --json --set mesh.cell=1 >out 2>err
+result "an error is a line on standard error" test $? -eq 2 -a ! -s out -a "$(wc -l <err)" -eq 1
+echo "1..$number"
