@@ -462,6 +462,22 @@ static bool write_run_numbers(const char *unused)
     return true;
 }
 
+/* Those that stand in large digits: what is said of them there. */
+static bool write_about_numbers(const char *unused)
+{
+    (void)unused;
+    for (const RunNumber *row = run_numbers; row->word; row++) {
+        if (!row->label)
+            continue;
+        puts(".TP");
+        say_in("B", row->word);
+        putchar('\n');
+        printf("%s%s%s%s%s\n", row->unit, row->unit[0] ? " " : "", row->label, row->opposite ? ", or " : "",
+               row->opposite ? row->opposite : "");
+    }
+    return true;
+}
+
 /* --- stages ---------------------------------------------------------------------------------------- */
 
 /* The simulation of "SCENARIO KEY=VALUE ...": the caller destroys it. */
@@ -584,6 +600,7 @@ static const struct {
     {"tables", write_tables},
     {"rows", write_rows},
     {"run-numbers", write_run_numbers},
+    {"about-numbers", write_about_numbers},
     {"texts", write_texts},
     {"stages", write_stages},
     {"order", write_order},

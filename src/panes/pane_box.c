@@ -30,10 +30,12 @@ static void gloss_text(const Screen *screen, char *out, size_t size)
 /* A hint stands until its command was used, then the next one comes. */
 static void hint_of(const Screen *screen, char *out, size_t size)
 {
-    char pictures[96], gloss[160];
+    char pictures[96], gloss[160], tried[120], question[200] = "";
     snprintf(pictures, sizeof pictures, "%d shows the energies, %d the fields; again: the next.",
              view_energies.digit, view_profile.digit);
     gloss_text(screen, gloss, sizeof gloss);
+    if (screen_question(screen, tried, sizeof tried))
+        snprintf(question, sizeof question, "t tries %s, which this scenario asks about.", tried);
     const struct {
         CommandId id;
         const char *text;
@@ -44,7 +46,8 @@ static void hint_of(const Screen *screen, char *out, size_t size)
         {COMMAND_INSPECT, "i, when paused, looks inside one particle."},
         {COMMAND_REFERENCES, "e hides the answers: let the class guess."},
         {command_of_digit(view_energies.digit), pictures},
-        {COMMAND_QUESTION, "t toggles what this scenario asks about."},
+        {question[0] ? COMMAND_QUESTION : COMMAND_NONE, question},
+        {COMMAND_SHEET, "f shows one picture and the number it is about."},
         {COMMAND_EXPORT, "x writes this run as CSV."},
         {COMMAND_HELP, "? explains the keys and what is solved."},
     };

@@ -82,7 +82,8 @@ static int offers_of(const Screen *screen, const Offer **offers)
         {COMMAND_PAGE_UP, COMMAND_PAGE_DOWN, "page"}, {COMMAND_RUN_PAUSE, COMMAND_NONE, NULL},
         {COMMAND_STEP_FORWARD, COMMAND_NONE, NULL},   {COMMAND_STAGE_FORWARD, COMMAND_NONE, NULL},
         {COMMAND_LESSONS, COMMAND_NONE, "close"},     {COMMAND_HELP, COMMAND_NONE, NULL},
-        {COMMAND_QUIT, COMMAND_NONE, NULL},           {COMMAND_NEXT_PANE, COMMAND_NONE, NULL},
+        {COMMAND_QUIT, COMMAND_NONE, NULL},           {COMMAND_SHEET, COMMAND_NONE, NULL},
+        {COMMAND_NEXT_PANE, COMMAND_NONE, NULL},
     };
     static const Offer lessons[] = {
         {COMMAND_UP, COMMAND_DOWN, "choose"},     {COMMAND_ENTER, COMMAND_NONE, "open"},
@@ -94,13 +95,14 @@ static int offers_of(const Screen *screen, const Offer **offers)
         {COMMAND_PAGE_UP, COMMAND_PAGE_DOWN, "page"}, {COMMAND_LEFT, COMMAND_RIGHT, "change"},
         {COMMAND_RUN_PAUSE, COMMAND_NONE, NULL},      {COMMAND_LESSONS, COMMAND_NONE, "close"},
         {COMMAND_HELP, COMMAND_NONE, NULL},           {COMMAND_QUIT, COMMAND_NONE, NULL},
-        {COMMAND_STEP_FORWARD, COMMAND_NONE, NULL},   {COMMAND_NEXT_PANE, COMMAND_NONE, NULL},
+        {COMMAND_STEP_FORWARD, COMMAND_NONE, NULL},   {COMMAND_SHEET, COMMAND_NONE, NULL},
+        {COMMAND_NEXT_PANE, COMMAND_NONE, NULL},
     };
     static const Offer lesson_stages[] = {
         {COMMAND_PAGE_UP, COMMAND_PAGE_DOWN, "page"}, {COMMAND_STAGE_BACK, COMMAND_STAGE_FORWARD, "stage"},
         {COMMAND_INSPECT, COMMAND_NONE, NULL},        {COMMAND_LESSONS, COMMAND_NONE, "close"},
         {COMMAND_HELP, COMMAND_NONE, NULL},           {COMMAND_QUIT, COMMAND_NONE, NULL},
-        {COMMAND_NEXT_PANE, COMMAND_NONE, NULL},
+        {COMMAND_SHEET, COMMAND_NONE, NULL},          {COMMAND_NEXT_PANE, COMMAND_NONE, NULL},
     };
     static const Offer plain[] = {
         {COMMAND_RUN_PAUSE, COMMAND_NONE, NULL}, {COMMAND_LEFT, COMMAND_RIGHT, "change"},
@@ -187,8 +189,11 @@ static const char *short_key(const Screen *screen, const char *key)
 }
 
 /* What the key does now. */
-static const char *word_of(const Playback *playback, const Command *command)
+static const char *word_of(const Screen *screen, const Command *command)
 {
+    const Playback *playback = &screen->playback;
+    if (command->id == COMMAND_SHEET)
+        return parameter_sheet_words[screen_is_plain(screen) ? SHEET_FULL : SHEET_PLAIN];
     if (command->id != COMMAND_RUN_PAUSE)
         return command_brief(command);
     return playback->state == STATE_RUNNING                                    ? "pause"
@@ -244,7 +249,7 @@ static CommandId lay_out_bar(const Screen *screen, int width, const Area *area, 
         if (pair)
             command_first_key(pair, other);
         const char *first = short_key(screen, key), *second = short_key(screen, other);
-        const char *word = offer->word ? offer->word : word_of(&screen->playback, command);
+        const char *word = offer->word ? offer->word : word_of(screen, command);
         int first_columns = glyphs_columns(first),
             keys = first_columns + (pair ? 1 + glyphs_columns(second) : 0);
         int columns = keys + 1 + glyphs_columns(word);

@@ -260,6 +260,107 @@ START_TEST(a_scenario_opens_on_its_own_sheet)
 }
 END_TEST
 
+static void finish_work(Bench *bench)
+{
+    for (int i = 0; i < 100000 && bench->lab.screen.playback.state == STATE_COMPUTING; i++)
+        frame(bench);
+}
+
+/* What follows from rows is that of the moment on screen, not of the newest; a number that goes the other way
+ * is called so. */
+START_TEST(the_number_is_that_of_the_moment)
+{
+    char digits[2][NUMBER_DIGITS_MAX], words[NUMBER_WORDS_MAX];
+    Bench *bench = open_bench("mode5", true);
+    const Screen *screen = &bench->lab.screen;
+    enter_line(bench, "set mpm.flip_fraction 0.99"); /* there is no E* then */
+    enter_line(bench, "set screen.about energy_change");
+    for (int i = 0; i < 2; i++) {
+        enter_line(bench, "goto #1500");
+        finish_work(bench);
+        ck_assert(screen_number(screen, digits[i], words));
+        ck_assert_str_eq(words, "% energy lost");
+        ck_assert(digits[i][0] != '-');
+        enter_line(bench, "goto #4000");
+        finish_work(bench);
+    }
+    ck_assert_str_eq(digits[0], digits[1]);
+    ck_assert(screen_number(screen, digits[1], words));
+    ck_assert_str_ne(digits[0], digits[1]);
+    enter_line(bench, "set screen.about error");
+    enter_line(bench, "set mpm.flip_fraction 1");
+    enter_line(bench, "set mpm.mass_blend 0.1");
+    press(bench, "r");
+    enter_line(bench, "goto #4000");
+    finish_work(bench);
+    ck_assert(screen_number(screen, digits[0], words));
+    ck_assert_str_eq(words, "% frequency too high");
+    enter_line(bench, "set mpm.mass_blend 1");
+    press(bench, "r");
+    enter_line(bench, "goto #1500");
+    finish_work(bench);
+    ck_assert(screen_number(screen, digits[0], words));
+    ck_assert_str_eq(words, "% frequency too low");
+    ck_assert(strncmp(digits[0], "4.2", 3) == 0);
+    close_bench(bench);
+}
+END_TEST
+
+/* A page that is far away is left before it is reached: on a bar none is. */
+static bool arrives(Bench *bench)
+{
+    const bool plane = simulation_has(experiment_simulation(bench->lab.screen.experiment), HAS_PLANE);
+    bench->rate = plane ? 10 / FRAME_SECONDS : 0;
+    for (int i = 0; i < (plane ? 10 : 1000) && bench->lab.play.arriving; i++)
+        frame(bench);
+    ck_assert(plane || !bench->lab.play.arriving);
+    return !bench->lab.play.arriving;
+}
+
+/* Who knows no keys but Enter, n, b, digits and arrows comes to the end of every lesson, on both sheets. */
+START_TEST(a_student_comes_to_the_end)
+{
+    const char *name = builtin_lessons[_i / 2].name;
+    const bool full = _i % 2;
+    Status status = {STATUS_DONE, ""};
+    Bench *bench = open_bench("mode1", true);
+    const LessonShown *shown = &bench->lab.screen.lesson;
+    bench->lab.options.sheet = "plain";
+    ck_assert_msg(lesson_play_open(&bench->lab, name, &status), "%s", status.text);
+    if (full && !suite_wide() &&
+        simulation_has(experiment_simulation(bench->lab.screen.experiment), HAS_PLANE)) {
+        close_bench(bench);
+        return; /* as on a bar, at greater length */
+    }
+    if (full)
+        press(bench, "f");
+    const Lesson *lesson = shown->lesson;
+    for (int page = 0; page < lesson->n_pages; page++) {
+        const LessonPage *now = &lesson->pages[page];
+        ck_assert_msg(shown->page == page, "%s: page %d in place of %d", name, shown->page + 1, page + 1);
+        const bool there = arrives(bench);
+        ck_assert(laboratory_draw(&bench->lab, &bench->canvas, bench->width, bench->height));
+        ck_assert_msg(!there || !full || !is_plain(bench), "%s, page %d", name, page + 1);
+        if (there && now->n_choices > 0)
+            press_all(bench, page % 2 ? "Down Enter" : "1");
+        if (there && now->n_fields > 0 && !bench->lab.play.arriving)
+            press_all(bench, "Left Right");
+        arrives(bench);
+        ck_assert_msg(!bench->lab.play.refused[0], "%s", bench->lab.play.refused);
+        if (page % 3 == 2) {
+            press(bench, "b");
+            ck_assert_int_eq(shown->page, page - 1);
+            press(bench, "n");
+        }
+        if (page + 1 < lesson->n_pages)
+            press(bench, "n");
+    }
+    press(bench, "T");
+    ck_assert(!shown->open && !is_plain(bench));
+    close_bench(bench);
+}
+END_TEST
+
 /* Every scenario of the program names its number and its questions; the plain sheet has both, from 60x18 on,
  * and the arrows stand on the first. */
 START_TEST(every_scenario_has_a_number_and_questions)
@@ -320,7 +421,10 @@ void add_cases(Suite *suite)
     int count = 0;
     while (builtin_scenarios[count].name)
         count++;
-    TCase *sheets = tcase_create("sheets");
+    int n_lessons = 0;
+    while (builtin_lessons[n_lessons].name)
+        n_lessons++;
+    TCase *sheets = tcase_create("sheets"), *students = tcase_create("students");
     tcase_add_test(sheets, the_plain_sheet_has_one_of_each);
     tcase_add_test(sheets, sheets_are_turned_without_touching_anything);
     tcase_add_test(sheets, the_picture_is_the_one_asked_for);
@@ -329,8 +433,11 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(sheets, a_screen_that_is_not_known_is_refused, 0,
                         (int)(sizeof wrong / sizeof *wrong));
     tcase_add_test(sheets, a_scenario_says_what_it_asks);
+    tcase_add_test(sheets, the_number_is_that_of_the_moment);
+    tcase_add_loop_test(students, a_student_comes_to_the_end, 0, 2 * n_lessons);
     tcase_add_test(sheets, a_scenario_opens_on_its_own_sheet);
     tcase_add_loop_test(sheets, every_scenario_has_a_number_and_questions, 0, count);
     tcase_add_loop_test(sheets, the_number_of_a_scenario_is_known_at_its_end, 0, count);
     suite_add_tcase(suite, sheets);
+    suite_add_tcase(suite, students);
 }
