@@ -37,8 +37,9 @@
  * behind
  * @reveal, and no picture may show it either (`show`, `references none`, not quite the end of a run).
  *
- * Sheet: a page shows its text and one picture, that of its last `show`, or where the scenario's number is seen;
- * `sheet full`, behind `open`, is for a page that quotes a table or a summary, and holds on that page alone.
+ * Sheet: a page shows its text and one picture, that of its last `show`, or where the scenario's number is
+ * seen; `sheet full`, behind `open`, is for a page that quotes a table or a summary, and holds on that page
+ * alone.
  *
  * Keys: Enter serves a question or a field first, then goes on; n always goes on, b back; digits answer.
  *
