@@ -392,8 +392,7 @@ void pane_parameters(const Screen *screen, Area area)
 
 enum { ASK_LINES = 2 };
 
-/* The first sentence of what a scenario says of itself that asks something; "": none does. */
-static void question_of(const Screen *screen, char out[ABOUT_MAX])
+void pane_question_text(const Screen *screen, char out[ABOUT_MAX])
 {
     char about[ABOUT_MAX];
     memcpy(about, experiment_settings(screen->experiment)->about, sizeof about);
@@ -411,7 +410,7 @@ static void question_of(const Screen *screen, char out[ABOUT_MAX])
 int pane_question_rows(const Screen *screen, int width)
 {
     char question[ABOUT_MAX];
-    question_of(screen, question);
+    pane_question_text(screen, question);
     const int lines = *question ? area_paragraph_lines(width - 2, question) : 0;
     return lines > ASK_LINES ? 0 : lines;
 }
@@ -419,7 +418,7 @@ int pane_question_rows(const Screen *screen, int width)
 void pane_question(const Screen *screen, Area area)
 {
     char question[ABOUT_MAX];
-    question_of(screen, question);
+    pane_question_text(screen, question);
     area_paragraph(area, 1, 0, area.rect.width - 2, area.rect.height, question, STYLE_HEADING);
 }
 

@@ -51,6 +51,8 @@ int pane_number_rows(const Screen *, int width, int height);
 void pane_question(const Screen *, Area);
 int pane_question_rows(const Screen *, int width);
 void pane_asked(const Screen *, Area);
+/* The first sentence of what a scenario says of itself that asks something; "": none does. */
+void pane_question_text(const Screen *, char out[ABOUT_MAX]);
 int pane_asked_rows(const Screen *);
 
 void pane_keys(const Screen *, Area);

@@ -78,10 +78,10 @@ static void echo(Plain *plain, const char *line)
     put_words(plain, &words);
 }
 
-static void tell_where(Plain *plain)
+static void tell_alone(Plain *plain, TellPart part)
 {
     Words words = {.text = NULL};
-    tell_part(&plain->lab.screen, TELL_WHERE, &words);
+    tell_part(&plain->lab.screen, part, &words);
     put_words(plain, &words);
 }
 
@@ -99,7 +99,7 @@ static bool go_on(void *context)
         if (plain->lab.screen.message.text[0])
             say(plain, plain->lab.screen.message.text);
         else if (plain->lab.screen.experiment)
-            tell_where(plain);
+            tell_alone(plain, TELL_WHERE);
         fflush(plain->out);
     }
     return signals_ended_by() == 0;
@@ -122,21 +122,26 @@ static void suspend(void *context)
 }
 
 /* What of the screen changes with a single step goes without saying there, a stage apart. */
-static bool is_due(const Plain *plain, TellPart part, bool still, bool moved_far)
+static bool is_due(const Plain *plain, TellPart part, bool first, bool still, bool moved_far)
 {
     const Screen *screen = &plain->lab.screen;
-    const bool first = !plain->last[TELL_WHERE].text;
     const bool rests = screen->playback.state == STATE_ENDED || screen->playback.state == STATE_FAILED;
     /* beside a page of a lesson, which is what is read, they wait for `more` */
     const bool page = screen->lesson.open && screen->lesson.lesson;
-    if (page && (part == TELL_UPPER || part == TELL_LOWER || part == TELL_BODY || part == TELL_PARAMETER))
+    if (page && (part == TELL_ABOUT || part == TELL_NUMBER || part == TELL_SETUP || part == TELL_UPPER ||
+                 part == TELL_LOWER || part == TELL_BODY || part == TELL_PARAMETER))
         return false;
     if (page && part == TELL_FOCUS)
         return plain->page;
     if (part == TELL_STAGE)
-        return experiment_stage(screen->experiment) > 0 || rests || (first && !screen->lesson.open);
-    if (part == TELL_UPPER || part == TELL_LOWER)
+        return experiment_stage(screen->experiment) > 0 || (rests && !page) ||
+               (first && !screen->lesson.open);
+    if (part == TELL_SETUP)
+        return first;
+    if (part == TELL_NUMBER)
         return moved_far || first;
+    if (part == TELL_UPPER || part == TELL_LOWER) /* curves wait for `more`, unless others are asked for */
+        return still && !first;
     if (part == TELL_BODY) /* within a step the stage tells of the chosen one */
         return still && !first && experiment_stage(screen->experiment) == 0;
     if (part == TELL_FOCUS || part == TELL_PARAMETER)
@@ -181,9 +186,10 @@ static void tell_changes(Plain *plain)
         tell_part(screen, (TellPart)part, &words);
         const char *text = words.text ? words.text : "", *before = plain->last[part].text;
         const bool is_news = strcmp(text, before ? before : "") != 0;
-        if (is_news && is_due(plain, (TellPart)part, still, moved_far) &&
+        if (is_news && is_due(plain, (TellPart)part, !was_told, still, moved_far) &&
             (was_told || part != TELL_STAGE || !before))
-            part == TELL_LESSON ? tell_page(plain, text, before ? before : "") : put(plain, text);
+            part == TELL_LESSON || part == TELL_ABOUT ? tell_page(plain, text, before ? before : "")
+                                                      : put(plain, text);
         if (words.lost)
             say(plain, "Memory was short: something is left out.");
         words_close(&plain->last[part]);
@@ -420,11 +426,8 @@ static void tell_help(Plain *plain)
 static void tell_more(Plain *plain)
 {
     static const TellPart parts[] = {TELL_BODY, TELL_UPPER, TELL_LOWER};
-    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
-        Words words = {.text = NULL};
-        tell_part(&plain->lab.screen, parts[i], &words);
-        put_words(plain, &words);
-    }
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++)
+        tell_alone(plain, parts[i]);
 }
 
 static bool draw(Plain *plain, Status *status)
@@ -443,8 +446,9 @@ bool plain_line(Plain *plain, const char *typed, Status *status)
         echo(plain, line);
     plain->said = false;
     const bool is_answer = plain->lab.screen.prompt.open || plain->lab.screen.parameters.edit.open;
-    if (!is_answer && strcmp(line + (*line == ':'), "more") == 0) {
-        tell_more(plain);
+    const char *const word = line + (*line == ':');
+    if (!is_answer && (strcmp(word, "more") == 0 || strcmp(word, "why") == 0)) {
+        *word == 'm' ? tell_more(plain) : tell_alone(plain, TELL_WHY);
         fflush(plain->out);
         return true;
     }
@@ -486,8 +490,8 @@ bool plain_open(Plain *plain, const LaboratoryOptions *options, FILE *out, Statu
     plain->lab.utf8 = false;
     say(plain,
         "matvib in plain words. A line is a key by its name (] is a stage, . a step, Space a run) or a "
-        "command: until end, show energies, initial.mode=3, tell stage. more tells the curves, tell alone "
-        "all again, help what there is, quit leaves.");
+        "command: until end, show energies, initial.mode=3, tell stage. more tells the curves, why what "
+        "the number comes of, tell alone all again, help what there is, quit leaves.");
     let_it_work(plain);
     if (!draw(plain, status)) {
         plain_close(plain);

@@ -3,7 +3,9 @@
 #include "picture/words/tell.h"
 #include "scenario/settings.h"
 #include "scenario/rows/rows.h"
+#include "answers/dispersion_curves.h"
 #include "base/text.h"
+#include "lessons/run_numbers.h"
 #include "views/inspector/inspector.h"
 #include "panes/panes.h"
 #include "views/view.h"
@@ -19,8 +21,16 @@ static const struct {
     const char *word;
     TellPart part;
 } names[] = {
-    {"where", TELL_WHERE},   {"stage", TELL_STAGE},         {"parameters", TELL_PARAMETERS},
-    {"lesson", TELL_LESSON}, {"inspector", TELL_INSPECTOR}, {"body", TELL_BODY},
+    {"about", TELL_ABOUT},
+    {"number", TELL_NUMBER},
+    {"setup", TELL_SETUP},
+    {"why", TELL_WHY},
+    {"where", TELL_WHERE},
+    {"stage", TELL_STAGE},
+    {"parameters", TELL_PARAMETERS},
+    {"lesson", TELL_LESSON},
+    {"inspector", TELL_INSPECTOR},
+    {"body", TELL_BODY},
     {"help", TELL_HELP},
 };
 
@@ -79,6 +89,95 @@ static void tell_where(const Screen *screen, Words *words)
     if (duel)
         text_append(text, sizeof text, "; two runs: A %s, B %s", duel->names[0], duel->names[1]);
     words_say(words, 2, "%s.", text);
+}
+
+static void tell_about(const Screen *screen, Words *words)
+{
+    const Settings *settings = experiment_settings(screen->experiment);
+    const Parameter *asked[ASKED_MAX];
+    const int n_asked = settings_asked(settings, asked);
+    char question[ABOUT_MAX], text[400] = "", tried[160];
+    pane_question_text(screen, question);
+    const bool ends = *settings->title && strchr(".!?", settings->title[strlen(settings->title) - 1]);
+    words_say(words, 2, "%s%s%s%s", settings->title, ends ? "" : ".", *question ? " " : "", question);
+    for (int i = 0; i < n_asked; i++)
+        text_append(text, sizeof text, "%s%s (%s)", i ? ", " : "", asked[i]->label, asked[i]->key);
+    if (n_asked > 0)
+        words_say(words, 2, "It asks about %s.", text);
+    if (screen_question(screen, tried, sizeof tried))
+        words_say(words, 2, "t tries %s.", tried);
+}
+
+static void tell_number(const Screen *screen, Words *words)
+{
+    char digits[NUMBER_DIGITS_MAX], about[NUMBER_WORDS_MAX];
+    for (int i = 0; i < (screen_second_run(screen) ? 2 : 1); i++) {
+        const Screen one = screen_second_run(screen) ? screen_of_side(screen, i ? SIDE_B : SIDE_A) : *screen;
+        const RunNumber *number = run_number_about(experiment_settings(one.experiment));
+        const char *run = !screen_second_run(screen) ? "" : i ? " of B" : " of A";
+        const bool known = screen_number(&one, digits, about);
+        if (known)
+            words_say(words, 2, "The number%s: %s %s.", run, digits, about);
+        else
+            words_say(words, 2, "The number%s (%s%s%s) is %s.", run, number->unit, *number->unit ? " " : "",
+                      number->label, *digits == '?' ? "hidden" : "not known yet");
+    }
+}
+
+static bool is_of_setup(const Parameter *parameter)
+{
+    static const char *const groups[] = {"Supports", "Notch", "Load", "Motion"};
+    for (size_t i = 0; i < sizeof groups / sizeof *groups; i++)
+        if (strcmp(parameter->group, groups[i]) == 0)
+            return true;
+    return strcmp(parameter->key, "bar.supports") == 0;
+}
+
+/* A line for each heading of the parameters that is of it, and one for each row; what does nothing is left
+ * out. */
+static void tell_setup(const Screen *screen, Words *words)
+{
+    const Settings *settings = experiment_settings(screen->experiment);
+    char text[400] = "", value[LIST_MAX];
+    for (int i = 0; i < n_parameters; i++) {
+        const Parameter *one = &parameters[i];
+        const char *const next = i + 1 < n_parameters ? parameters[i + 1].group : "";
+        if (is_of_setup(one) && parameter_applies_to(settings, one)) {
+            settings_show(settings, one, value);
+            if (*value && (one->type != PARAMETER_REAL || settings_number(settings, one) != 0))
+                text_append(text, sizeof text, "%s %s %s", *text ? "," : "", one->label, value);
+        }
+        if (*text && strcmp(one->group, next) != 0) {
+            words_say(words, 2, "%s:%s.", one->group, text);
+            text[0] = '\0';
+        }
+    }
+    for (int kind = 0; kind < ROW_KINDS; kind++)
+        for (int row = 0; settings_have_rows(settings, kind) && row < settings->rows[kind].count; row++) {
+            const char *const name = settings->rows[kind].rows[row].name;
+            char values[ROW_TEXT_MAX];
+            settings_row_show(settings, kind, row, values);
+            words_say(words, 2, "%c%s%s%s (%s): %s.", row_kinds[kind].one[0] - 'a' + 'A',
+                      row_kinds[kind].one + 1, *name ? " " : "", name, row_kinds[kind].form, values);
+        }
+}
+
+static void tell_why(const Screen *screen, Words *words)
+{
+    const Settings *settings = experiment_settings(screen->experiment);
+    const int mode = settings->start.mode;
+    ModeOnMesh on_mesh;
+    words_say(words, 2, "%s", *settings->about ? settings->about : "The scenario says nothing of itself.");
+    if (!screen_shows_exact(screen) || !screen_shows_predicted(screen) || mode > dispersion_modes(settings) ||
+        !dispersion_mode(settings, mode, &on_mesh) || !isfinite(on_mesh.predicted))
+        return;
+    char ratio[NUMBER_TEXT_MAX], factor[NUMBER_TEXT_MAX], text[400] = "";
+    text_rounded(ratio, on_mesh.predicted / on_mesh.exact, DIGITS);
+    for (int i = 0; i < on_mesh.n_factors; i++) {
+        text_rounded(factor, on_mesh.factors[i].value, DIGITS);
+        text_append(text, sizeof text, "%s %s %s", i ? " times" : "", on_mesh.factors[i].name, factor);
+    }
+    words_say(words, 2, "Mode %d swings on this mesh at %s of the exact frequency:%s.", mode, ratio, text);
 }
 
 static void tell_focus(const Screen *screen, Words *words)
@@ -189,6 +288,18 @@ void tell_view(const Screen *screen, const View *view, Words *words)
 void tell_part(const Screen *screen, TellPart part, Words *words)
 {
     switch (part) {
+    case TELL_ABOUT:
+        tell_about(screen, words);
+        break;
+    case TELL_NUMBER:
+        tell_number(screen, words);
+        break;
+    case TELL_SETUP:
+        tell_setup(screen, words);
+        break;
+    case TELL_WHY:
+        tell_why(screen, words);
+        break;
     case TELL_LESSON:
         if (screen->lesson.open)
             tell_drawn(screen, pane_lesson, TALL, false, words);

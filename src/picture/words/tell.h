@@ -9,9 +9,12 @@
 
 /* The parts of the screen, in the order in which they are told. */
 typedef enum TellPart {
+    TELL_ABOUT, /* what the scenario asks, and what about */
     TELL_LESSON,
-    TELL_WHERE, /* scenario, time, step, state */
-    TELL_FOCUS, /* which pane the keys go to */
+    TELL_WHERE,  /* scenario, time, step, state */
+    TELL_NUMBER, /* that the scenario is about */
+    TELL_SETUP,  /* how the body is held, cut, loaded and moved */
+    TELL_FOCUS,  /* which pane the keys go to */
     TELL_PARAMETER,
     TELL_BODY,  /* what it is made of, and the chosen particle or node with its numbers */
     TELL_STAGE, /* the stage at hand; between steps what comes, at the end what came out */
@@ -20,6 +23,7 @@ typedef enum TellPart {
     TELL_INSPECTOR,
     TELL_PARTS, /* so far what is told by itself when it has changed; the others are asked for */
     TELL_PARAMETERS = TELL_PARTS,
+    TELL_WHY, /* what the scenario says of itself, and of what the error of a mode is made */
     TELL_HELP,
     TELL_COUNT
 } TellPart;

@@ -457,8 +457,7 @@ bool tell_picture(const Picture *picture, double cursor, Words *words)
         say_map(picture, words);
     else if (picture->plot.n_strokes > 0 && !drawn)
         say_strokes(picture, cursor, words);
-    if (!drawn)
-        say_rules(picture, words);
+    drawn ? words_say(words, 4, "  %s.", picture->name) : say_rules(picture, words);
     for (int i = 0; i < picture->n_labels && picture->bare; i++)
         say_label(&picture->labels[i], drawn, words);
     for (int i = 0; i < picture->n_arrows; i++)
