@@ -173,6 +173,42 @@ START_TEST(a_bars_mistake_is_named)
 }
 END_TEST
 
+static void run_both(const Settings *settings, int mistake, int beside, double row[32])
+{
+    Settings wrong = *settings;
+    wrong.mpm.mistake = mistake;
+    wrong.mpm.mistake_beside = beside;
+    Simulation *sim = problem_simulate(&wrong, 1, NULL);
+    ck_assert_ptr_nonnull(sim);
+    ck_assert(simulation_steps(sim, 20, NULL, NULL, NULL));
+    simulation_row(sim, row);
+    simulation_destroy(sim);
+}
+
+/* With cells of 1 dN/ds is dN/dx: beside it each mistake does all that it does alone, from either side. */
+START_TEST(a_second_mistake_takes_nothing_from_the_first)
+{
+    const Settings settings = bar_settings(5, 100);
+    int hidden = 0;
+    while (strcmp(bar_mistake_words[hidden], "gradient_without_h") != 0)
+        hidden++;
+    for (int m = 1; bar_mistake_words[m]; m++) {
+        double alone[32], beside[32], before[32];
+        if (m == hidden)
+            continue;
+        run_both(&settings, m, 0, alone);
+        run_both(&settings, m, hidden, beside);
+        run_both(&settings, hidden, m, before);
+        for (int i = 0; i < 4; i++) {
+            ck_assert_msg(fabs(beside[i] - alone[i]) <= 1e-12 * fabs(alone[i]), "%s: %g, not %g",
+                          bar_mistake_words[m], beside[i], alone[i]);
+            ck_assert_msg(fabs(before[i] - alone[i]) <= 1e-12 * fabs(alone[i]), "before %s: %g, not %g",
+                          bar_mistake_words[m], before[i], alone[i]);
+        }
+    }
+}
+END_TEST
+
 /* Two mistakes at once are named as two, unless one alone comes to the same. */
 START_TEST(two_mistakes_are_named)
 {
@@ -242,6 +278,7 @@ void add_cases(Suite *suite)
     tcase_add_test(cases, a_beams_mistake_is_named);
     TCase *pairs = tcase_create("pairs");
     tcase_set_timeout(pairs, 1200);
+    tcase_add_test(pairs, a_second_mistake_takes_nothing_from_the_first);
     tcase_add_test(pairs, two_mistakes_are_named);
     suite_add_tcase(suite, pairs);
     suite_add_tcase(suite, cases);
