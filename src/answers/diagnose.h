@@ -57,6 +57,8 @@ typedef struct DiagnoseTable {
 /* Reads a table for a scenario. `map`: "theirs=ours,theirs=ours*0.001", what the names do not say and in what
  * unit it is; NULL: nothing. False: one line says what is wrong with it. */
 bool diagnose_read(DiagnoseTable *, const char *path, const Settings *, const char *map, Status *);
+bool diagnose_read_from(DiagnoseTable *, FILE *, const char *file, const Settings *, const char *map,
+                        Status *);
 void diagnose_close(DiagnoseTable *);
 
 /* Where the file first departs from a run. */

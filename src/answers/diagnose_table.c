@@ -4,6 +4,7 @@
  * cannot is refused in one line. */
 #include "answers/diagnose_internal.h"
 
+#include "base/input.h"
 #include "base/math/functions.h"
 #include "base/text.h"
 #include "problems/problem.h"
@@ -510,7 +511,7 @@ static void say_what_is_odd(DiagnoseTable *table, const Heads *heads, const Simu
         gaps += table->moments[m].step - table->moments[m - 1].step !=
                 table->moments[1].step - table->moments[0].step;
     if (gaps > 0)
-        note(table, "steps are missing in %zu places: those that are there were compared", gaps);
+        note(table, "steps are missing (gaps: %zu); those that are there were compared", gaps);
     if (table->set >= 0 && heads->thing >= 0 &&
         counted_from_one(&file->columns[heads->thing], sim->counts[table->set]))
         note(table, "its %s are counted from 1: %s 1 is our %s 0", sim->sets[table->set].plural, table->thing,
@@ -528,18 +529,26 @@ static void say_what_is_odd(DiagnoseTable *table, const Heads *heads, const Simu
 /* More entries than these tell no more. */
 enum { ENTRIES_MAX = 8000000 };
 
-static void cut(DiagnoseTable *table)
+/* `last`: the scenario's own last step. A file that asks for far more than that is a slip. */
+static bool cut(DiagnoseTable *table, long last, Status *status)
 {
+    const double steps = fmax(1e5, 10.0 * (double)last);
     const size_t most = ENTRIES_MAX / (size_t)table->n_columns;
     size_t kept = table->n_moments;
-    while (kept > 1 && table->moments[kept - 1].first + table->moments[kept - 1].count > most)
+    while (kept > 1 && (table->moments[kept - 1].first + table->moments[kept - 1].count > most ||
+                        (double)table->moments[kept - 1].step > steps))
         kept--;
+    if ((double)table->moments[0].step > steps)
+        return status_fail(status, STATUS_USAGE, "%s: begins at step %ld, and the scenario has %ld",
+                           table->file.file, table->moments[0].step, last);
     if (kept < table->n_moments)
         note(table, "it is long: compared up to step %ld", table->moments[kept - 1].step);
     table->n_moments = kept;
+    return true;
 }
 
-static bool read_rows(DiagnoseTable *table, const char *map, Simulation *sim, Status *status)
+static bool read_rows(DiagnoseTable *table, const Settings *settings, const char *map, Simulation *sim,
+                      Status *status)
 {
     Heads heads;
     Names *names = calloc(1, sizeof *names);
@@ -563,12 +572,11 @@ static bool read_rows(DiagnoseTable *table, const char *map, Simulation *sim, St
         !place_rows(table, &heads, sim, status))
         return false;
     say_what_is_odd(table, &heads, sim);
-    cut(table);
-    return true;
+    return cut(table, problem_last_step(sim->dt, settings->time.end), status);
 }
 
-bool diagnose_read(DiagnoseTable *table, const char *path, const Settings *settings, const char *map,
-                   Status *status)
+bool diagnose_read_from(DiagnoseTable *table, FILE *stream, const char *file, const Settings *settings,
+                        const char *map, Status *status)
 {
     Settings asked = *settings;
     *table = (DiagnoseTable){.set = -1, .file = {.y = -1}};
@@ -579,11 +587,22 @@ bool diagnose_read(DiagnoseTable *table, const char *path, const Settings *setti
         return false;
     for (int i = 0; i < sim->n_stages && i < DIAGNOSE_STAGES_MAX; i++)
         snprintf(table->stage_ids[table->n_stages++], sizeof table->stage_ids[0], "%s", sim->stages[i].id);
-    const bool sound = overlay_load_words(&table->file, path, take_word, NULL, table, status) &&
-                       read_rows(table, map, sim, status);
+    const bool sound = overlay_read_words(&table->file, stream, file, take_word, table, status) &&
+                       read_rows(table, settings, map, sim, status);
     simulation_destroy(sim);
     if (!sound)
         diagnose_close(table);
+    return sound;
+}
+
+bool diagnose_read(DiagnoseTable *table, const char *path, const Settings *settings, const char *map,
+                   Status *status)
+{
+    FILE *stream = input_open(path, OVERLAY_BYTES_MAX, status);
+    *table = (DiagnoseTable){.set = -1, .file = {.y = -1}};
+    const bool sound = stream && diagnose_read_from(table, stream, path, settings, map, status);
+    if (stream)
+        fclose(stream);
     return sound;
 }
 

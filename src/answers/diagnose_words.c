@@ -154,8 +154,7 @@ void diagnosis_tell(const Diagnosis *found, const DiagnoseTable *table, FILE *ou
     if (found->compared == 1 && found->verdict == DIAGNOSE_RIGHT)
         fputs("One row is little: it tells of one moment alone.\n", out);
     else if (found->compared < found->rows)
-        visible_print(out, "The right run does not reach the last %zu rows.\n",
-                      found->rows - found->compared);
+        visible_print(out, "Of its last rows %zu were not compared.\n", found->rows - found->compared);
 }
 
 void diagnosis_sum_up(const Diagnosis *found, const DiagnoseTable *table, char *out, size_t size)

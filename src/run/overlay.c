@@ -307,19 +307,19 @@ bool overlay_read(Overlay *overlay, FILE *stream, const char *file, OverlayProgr
     return read_words(overlay, stream, file, NULL, go_on, context, status);
 }
 
-bool overlay_load(Overlay *overlay, const char *path, OverlayProgress go_on, void *context, Status *status)
+bool overlay_read_words(Overlay *overlay, FILE *stream, const char *file, OverlayWord word, void *context,
+                        Status *status)
 {
-    return overlay_load_words(overlay, path, NULL, go_on, context, status);
+    return read_words(overlay, stream, file, word, NULL, context, status);
 }
 
-bool overlay_load_words(Overlay *overlay, const char *path, OverlayWord word, OverlayProgress go_on,
-                        void *context, Status *status)
+bool overlay_load(Overlay *overlay, const char *path, OverlayProgress go_on, void *context, Status *status)
 {
     *overlay = (Overlay){.y = -1};
     FILE *stream = input_open(path, OVERLAY_BYTES_MAX, status);
     if (!stream)
         return false;
-    const bool sound = read_words(overlay, stream, path, word, go_on, context, status);
+    const bool sound = overlay_read(overlay, stream, path, go_on, context, status);
     fclose(stream);
     return sound;
 }

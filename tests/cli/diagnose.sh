@@ -155,6 +155,7 @@ result "it is JSON" sh -c 'command -v python3 >/dev/null || exit 0; python3 -c "
 "$MATVIB" diagnose mode5 own.csv own17.csv soft.csv --threads 3 >three.out
 result "threads leave no trace" cmp one.out three.out
 
+refuse "steps far beyond the run" "x.csv: begins at step 99999999999, and the scenario has 10000" mode5 "$(printf 'step,v_cm\n99999999999,2\n' >x.csv; echo x.csv)"
 refuse "no step" "x.csv:1: no column step or time (--map theirs=step names it)" mode5 "$(printf 'a,v_cm\n1,2\n' >x.csv; echo x.csv)"
 refuse "half a step" "x.csv: row 2: step 0.5 is no whole number from 0 on" mode5 "$(printf 'step,v_cm\n0,2\n.5,2\n' >x.csv; echo x.csv)"
 refuse "a step twice" "x.csv: rows 1 and 3 are both of step 0" mode5 "$(printf 'step,v_cm\n0,2\n1,2\n0,3\n' >x.csv; echo x.csv)"
