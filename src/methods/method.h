@@ -92,6 +92,7 @@ enum {
 
 /* "set_from[index_from] and the other are linked": a particle and a node of its cell, the two ends of a bond.
  */
+enum { LINK_FACTORS = 4 };
 typedef struct Link {
     int set;      /* of the other end */
     size_t index; /* of the other end */
@@ -107,6 +108,9 @@ typedef struct Link {
     long broken_at;   /* of such a one: the step after which it was broken; 0: before the run, by a notch */
     double length;    /* along a line: to the other end at rest, with its sign; else 0 */
     double stiffness; /* likewise its force density per unit of stretch */
+    /* c, G, w and V of c G w V s, its force density: micromodulus at its length, mean surface factor, share
+     * of the other end's volume within reach, that volume */
+    double factors[LINK_FACTORS];
 } Link;
 
 /* What linked things give to each other in a stage: for each pair a product of a few numbers. The products

@@ -16,14 +16,17 @@ static double snapped(const Places *places, double place)
     return places->whole ? floor(place) : place;
 }
 
+/* In cells where marks and strokes have it. */
 double places_across(const Places *places, const Picture *picture, double x)
 {
-    return snapped(places, share_of(&picture->plot.x, x) * places->width);
+    const int column = places->whole ? axis_column(&picture->plot.x, x, (int)places->width) : -1;
+    return column >= 0 ? column : snapped(places, share_of(&picture->plot.x, x) * places->width);
 }
 
 double places_down(const Places *places, const Picture *picture, double y)
 {
-    return snapped(places, (1 - share_of(&picture->plot.y, y)) * places->height);
+    const int row = places->whole ? axis_row(&picture->plot.y, y, (int)places->height) : -1;
+    return row >= 0 ? row : snapped(places, (1 - share_of(&picture->plot.y, y)) * places->height);
 }
 
 static bool is_free(const Places *places, double left, double top, double right, double bottom)
@@ -72,21 +75,20 @@ static bool write_beside(Places *places, const PictureLabel *label, double acros
     return write_line(places, left, top, line, label->style);
 }
 
-static void write_label(Places *places, const Picture *picture, const PictureLabel *label)
+/* Its first line, or what stands below it, as far as there is room. */
+static void write_label(Places *places, const Picture *picture, const PictureLabel *label, bool below)
 {
     char lines[sizeof label->text], named[sizeof label->text + 32], *rest;
     const double across = places_across(places, picture, label->x);
-    double top = places_down(places, picture, label->y) - (places->whole ? 0 : places->row / 2);
-    bool first = true;
+    double top = fmax(0, places_down(places, picture, label->y) - (places->whole ? 0 : places->row / 2));
     snprintf(lines, sizeof lines, "%s", label->text);
-    for (char *line = strtok_r(lines, "\n", &rest); line; line = strtok_r(NULL, "\n", &rest)) {
-        snprintf(named, sizeof named, "%s %s", label->thing ? label->thing : "", line);
-        if (!(first && label->says_thing && write_beside(places, label, across, top, named)) &&
-            !write_beside(places, label, across, top, line))
-            return;
+    char *line = strtok_r(lines, "\n", &rest);
+    snprintf(named, sizeof named, "%s %s", label->thing ? label->thing : "", line ? line : "");
+    if (line && !below && !(label->says_thing && write_beside(places, label, across, top, named)))
+        write_beside(places, label, across, top, line);
+    while (below && (line = strtok_r(NULL, "\n", &rest)) &&
+           write_beside(places, label, across, top + places->row, line))
         top += places->row;
-        first = false;
-    }
 }
 
 /* --- arrows ----------------------------------------------------------------------------------------- */
@@ -133,11 +135,11 @@ static void write_arrow(Places *places, const Picture *picture, const PictureArr
 
 /* --- the whole -------------------------------------------------------------------------------------- */
 
-static void write_labels(Places *places, const Picture *picture, bool spare)
+static void write_labels(Places *places, const Picture *picture, bool spare, bool below)
 {
     for (int i = 0; i < picture->n_labels; i++)
         if (picture->labels[i].spare == spare)
-            write_label(places, picture, &picture->labels[i]);
+            write_label(places, picture, &picture->labels[i], below);
 }
 
 void places_write(Places *places, const Picture *picture)
@@ -154,8 +156,10 @@ void places_write(Places *places, const Picture *picture)
         const double y = places_down(places, picture, picture->arrows[i].to[1]);
         take(places, x, y, x + size, y + size);
     }
-    write_labels(places, picture, false);
+    write_labels(places, picture, false, false);
     for (int i = 0; i < picture->n_arrows; i++)
         write_arrow(places, picture, &picture->arrows[i]);
-    write_labels(places, picture, true);
+    write_labels(places, picture, false, true);
+    write_labels(places, picture, true, false);
+    write_labels(places, picture, true, true);
 }

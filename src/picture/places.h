@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Where the words of a drawing stand: beside their things and on their arrows, none over another. What finds
- * no room is shortened, then left out, by one order for cells and paper: things, arrows, what is to spare. */
+ * no room is shortened, then left out, by one order for cells and paper: things, arrows, the numbers of
+ * things, what is to spare. */
 #ifndef PICTURE_PLACES_H
 #define PICTURE_PLACES_H
 

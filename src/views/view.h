@@ -49,6 +49,7 @@ struct View {
     bool of_moment;         /* shows one moment, not the time up to it */
     bool has_time_axis;     /* along which the arrows move a cursor */
     bool is_map;            /* of the body itself: it can be magnified, displacements drawn larger */
+    bool is_wide;           /* a drawing across the screen: a lesson's text stands above it, not beside */
     bool on_paper;          /* makes figures */
     unsigned on_paper_with; /* which of these the simulation must have for it; 0: nothing */
     unsigned needs;         /* one of these the simulation must have (method.h); 0: nothing */

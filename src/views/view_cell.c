@@ -21,7 +21,7 @@ enum { LINKS_MAX = 64, SHOWN_MAX = 8, TERMS_WIDTH = 10 };
 
 /* Heights in the drawing: the bars of a node stand on the line of the grid, its numbers beside them. */
 #define ROWS       12.0
-#define NUMBER_ROW 11.4
+#define NUMBER_ROW 11.8
 #define VECTOR_ROW 9.2
 #define UPPER_END  7.5 /* of arrows between nodes and particles */
 #define LOWER_END  2.6
@@ -490,6 +490,8 @@ static void add_particle(const Near *near, Picture *picture, size_t particle)
                                             .is_target = true,
                                             .index = particle});
     snprintf(label.text, sizeof label.text, "%zu", particle);
+    if (own && (near->to_nodes || near->n_flows == 0))
+        add_value(near, 0, particle, "x", "x", false, label.text, sizeof label.text);
     for (int f = 0; f < near->n_flows && own && !near->to_nodes; f++) {
         const char *field = near->flows[f].exchange->field;
         const int at = simulation_find_field(near->sim, 0, field);
@@ -587,7 +589,7 @@ static void tell_rest(const Near *near, Picture *picture)
         return;
     PictureLabel label = {
         .x = near->low, .y = (UPPER_END + LOWER_END) / 2, .side = 1, .style = STYLE_CHANGED};
-    snprintf(label.text, sizeof label.text, "%zu more:\n%.80s", near->n_links - near->shown, text);
+    snprintf(label.text, sizeof label.text, "%zu more: %.80s", near->n_links - near->shown, text);
     picture_label(picture, &label);
 }
 
@@ -687,8 +689,14 @@ static void describe(const Screen *screen, int variant, Picture *picture)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
     Near near;
+    if (simulation_has(sim, HAS_BONDS)) {
+        cell_bonds_describe(screen, variant, picture);
+        return;
+    }
     if (!simulation_has(sim, HAS_MESH | HAS_LINE) || sim->counts[0] < 1 || sim->counts[1] < 2) {
-        picture_say(picture, "one cell", "One cell is drawn of a bar with a mesh.");
+        picture_say(picture, "one cell",
+                    "One cell is drawn of a bar: in the plane i writes out what a particle and "
+                    "its nodes give each other.");
         return;
     }
     if (look_near(&near, screen, variant == 1))
@@ -715,25 +723,30 @@ static bool click(Screen *screen, Rect rect, int x, int y)
 
 static int variants_of(const Screen *screen)
 {
-    return simulation_has(experiment_simulation(screen->experiment), HAS_MESH | HAS_LINE) ? 2 : 1;
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    return simulation_has(sim, HAS_BONDS)             ? CELL_BONDS_VARIANTS
+           : simulation_has(sim, HAS_MESH | HAS_LINE) ? 2
+                                                      : 1;
 }
 
 static const char *word_of(const Screen *screen, int variant)
 {
-    (void)screen;
+    if (simulation_has(experiment_simulation(screen->experiment), HAS_BONDS))
+        return variant == 1 ? "family" : "bond";
     return variant == 1 ? "masses" : "terms";
 }
 
 const View view_cell = {
     .word = "cell",
     .brief = "cell",
-    .help = "one cell from near: what its particles and nodes give each other in a stage; again: masses",
+    .help = "one cell from near, with the terms of a stage, or one bond; again: masses, or the family",
     .home = PANE_UPPER,
     .describe = describe,
     .variants = variants_of,
     .variant_word = word_of,
     .duel = DUEL_APART,
     .of_moment = true,
+    .is_wide = true,
     .on_paper = true,
     .click = click,
 };

@@ -18,6 +18,10 @@ int crack_cost_variants(const Screen *);
 const char *crack_cost_variant_word(const Screen *, int variant);
 void crack_cost_describe(const Screen *, int variant, Picture *);
 
+/* One bond with its two ends, or the strongest of a family, in the place of a cell where there is no mesh. */
+enum { CELL_BONDS_VARIANTS = 2 };
+void cell_bonds_describe(const Screen *, int variant, Picture *);
+
 /* A bond's force over its stretch, in the place of shape functions where there is no mesh. */
 void bond_law_describe(const Screen *, Picture *);
 

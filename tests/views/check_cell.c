@@ -115,9 +115,9 @@ START_TEST(terms_add_up_at_the_node)
             sum += strtod(drawing.picture.arrows[i].brief[0], NULL);
         }
         for (int i = 0; i < drawing.picture.n_labels; i++) {
-            const char *more = strstr(drawing.picture.labels[i].text, " more:\n");
+            char *more = strstr(drawing.picture.labels[i].text, " more: ");
             if (more)
-                sum += strtod(strrchr(strtok(strstr(more, "\n") + 1, ","), ' '), NULL);
+                sum += strtod(strrchr(strtok(more, ","), ' '), NULL);
         }
         const double whole = simulation_value(
             drawing.sim, simulation_find_field(drawing.sim, 1, forces ? "f_int" : "momentum"), node);
@@ -271,6 +271,53 @@ START_TEST(paper_has_the_terms)
 }
 END_TEST
 
+/* The factors of the strongest bond are its pull, which is the first number of the box; those of a family
+ * that are told one by one are the strongest, and with the others add up to the node's force. */
+START_TEST(bonds_are_those_of_the_box)
+{
+    static const char *const words[] = {"mode5-peridynamics 80x24 200 stage 4",
+                                        "supported-beam-coarse 80x24 100 stage 4",
+                                        "supported-beam-coarse 80x24 100 stage 4 pd.influence=conical"};
+    for (size_t k = 0; k < sizeof words / sizeof *words; k++) {
+        Drawing drawing;
+        open_drawing(&drawing, words[k]);
+        const Picture *picture = &drawing.picture;
+        const char *product = NULL;
+        for (int i = 0; i < picture->n_labels; i++)
+            product =
+                strncmp(picture->labels[i].text, "c G w V s = ", 12) == 0 ? picture->labels[i].text : product;
+        ck_assert_ptr_nonnull(product);
+        double factors = 1;
+        for (const char *at = product + 12; at;
+             at = strstr(at, "× ") ? strstr(at, "× ") + strlen("× ") : NULL)
+            factors *= strtod(at, NULL);
+        const char *pull = strstr(product, " = ") + 3;
+        pull = strstr(pull, " = ") + 3;
+        ck_assert_msg(fabs(factors - strtod(pull, NULL)) < 2e-4 * fabs(factors), "%s: %g: %s", words[k],
+                      factors, product);
+        const bool plane = k > 0;
+        char number[32];
+        snprintf(number, sizeof number, "%.*s", (int)strcspn(pull, " "), pull);
+        ck_assert_msg(!plane || strstr(drawing.sums, number), "%s is not in %s", number, drawing.sums);
+        view_choose_variant(view_named("cell"), drawing.screen, 1);
+        picture_close(&drawing.picture);
+        describe_again(&drawing);
+        double before = INFINITY;
+        int told = 0;
+        for (int i = 0; i < picture->n_labels; i++) {
+            const char *text = picture->labels[i].text, *value = strstr(text, "  ");
+            if (!value || text[1] != ' ')
+                continue;
+            ck_assert(fabs(strtod(value, NULL)) <= before);
+            before = fabs(strtod(value, NULL));
+            told++;
+        }
+        ck_assert_int_ge(told, plane ? 8 : 6);
+        close_drawing(&drawing);
+    }
+}
+END_TEST
+
 START_TEST(mouse_chooses_what_is_drawn)
 {
     Drawing drawing;
@@ -301,6 +348,7 @@ void add_cases(Suite *suite)
     tcase_add_test(cases, row_of_masses_adds_up);
     tcase_add_test(cases, screen_and_words_have_the_terms);
     tcase_add_test(cases, paper_has_the_terms);
+    tcase_add_test(cases, bonds_are_those_of_the_box);
     tcase_add_test(cases, mouse_chooses_what_is_drawn);
     suite_add_tcase(suite, cases);
 }

@@ -435,10 +435,11 @@ static void say_map(const Picture *picture, Words *words)
         words_say(words, 4, "  %zu nodes are too much damaged to have a colour.", count - shown);
 }
 
-/* Of a drawing a thing with the numbers that stand below its name; one without says nothing. */
+/* Of a drawing a thing with the numbers that stand below its name, one without says nothing; and its words.
+ */
 static void say_label(const PictureLabel *label, bool drawn, Words *words)
 {
-    if (drawn && !strchr(label->text, '\n'))
+    if (drawn && label->thing && !strchr(label->text, '\n'))
         return;
     char text[2 * sizeof label->text];
     size_t used = 0;

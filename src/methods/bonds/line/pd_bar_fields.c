@@ -273,12 +273,18 @@ size_t pd_bar_links(const Simulation *sim, int set, size_t index, Link *out, siz
         BondAt bond = bond_at(bar, i, m);
         if (!(bond.stiffness > 0))
             continue;
+        const PdBarLattice *lattice = &bar->lattice;
+        const double modulus = lattice->micromodulus * lattice->influence[bond.m - 1];
+        const double surface = (lattice->factor[pd_bar_at(lattice, bond.k)] +
+                                lattice->factor[pd_bar_at(lattice, bond.k + bond.m)]) /
+                               2;
         out[count++] = (Link){.set = PD_BAR_PARTICLE,
                               .index = (size_t)pd_bar_partner(&bar->lattice, i + m),
                               .stretch = bond_stretch(bar, &bond),
                               .pull = bond.stiffness * bond.elongation * h,
                               .length = m * h,
-                              .stiffness = bond.stiffness * bond.m * h};
+                              .stiffness = bond.stiffness * bond.m * h,
+                              .factors = {modulus, surface, lattice->weight[bond.m - 1], h}};
     }
     return count;
 }

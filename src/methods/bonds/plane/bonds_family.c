@@ -83,12 +83,16 @@ size_t beam_family(const Beam *beam, int i, int j, BondPlace *out)
 static Link link_from(const Beam *beam, BondPlace place, size_t end)
 {
     const BondNow bond = bonds_seen_from(beam, place, end);
+    const Lattice *lattice = &beam->lattice;
+    const Offset *offset = &lattice->offsets[place.offset];
     return (Link){.set = SET_PARTICLE,
                   .index = bond.b,
                   .stretch = bond.stretch,
                   .pull = bond.pull * beam_volume(beam),
                   .broken = bond.broken,
-                  .broken_at = bond.broken ? beam->broken_at[lattice_slot(&beam->lattice, place)] : 0};
+                  .broken_at = bond.broken ? beam->broken_at[lattice_slot(lattice, place)] : 0,
+                  .factors = {lattice->micromodulus * offset->influence, lattice_correction(lattice, place),
+                              offset->weight, lattice->spacing * lattice->spacing}};
 }
 
 /* Of a bond its two ends, each as the other sees it; of a node its family. Pull in N/m: force

@@ -1,0 +1,272 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* NearBonds from near: the strongest bond of the chosen node with its two ends, at rest and as it is, its
+ * pull and the factors of that; or the family, the strongest bonds one by one and the others as a sum. The
+ * links are the method's (Simulation.links), in the order of the box: the strongest first. */
+#include "base/math/functions.h"
+#include "panes/panes.h"
+#include "views/views.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LINKS_MAX = 512, SHOWN_MAX = 8, DIGITS = 5, COLUMNS = 11 };
+
+#define ROWS 12.0
+
+typedef struct NearBonds {
+    const Screen *screen;
+    const Simulation *sim;
+    size_t node, count;
+    Link links[LINKS_MAX]; /* the strongest first, broken ones last */
+    double direction[LINKS_MAX][2];
+    double at[LINKS_MAX][2]; /* of the other end at rest, from the node, in spacings */
+    size_t whole;            /* that carry something */
+    char unit[16];           /* of a force density, with a space before it */
+} NearBonds;
+
+static int by_pull(const void *a, const void *b)
+{
+    const Link *one = a, *other = b;
+    if (one->broken != other->broken)
+        return one->broken ? 1 : -1;
+    const double left = fabs(one->pull), right = fabs(other->pull);
+    return left != right ? (left < right) - (left > right)
+                         : (one->index > other->index) - (one->index < other->index);
+}
+
+/* The force density that a bond gives; a link's pull is that times the volume of the other end. */
+static double density_of(const Link *link)
+{
+    return link->factors[3] > 0 ? link->pull / link->factors[3] : 0;
+}
+
+/* Towards the other end as it is now; along a line it may be a mirror image. */
+static void place_ends(NearBonds *bonds)
+{
+    const Simulation *sim = bonds->sim;
+    for (size_t k = 0; k < bonds->count; k++) {
+        const Link *link = &bonds->links[k];
+        double now[2] = {0, 0};
+        for (int d = 0; d < 2 && sim->position[d] >= 0; d++) {
+            const double apart = link->length != 0 ? link->length
+                                                   : simulation_value(sim, sim->position[d], link->index) -
+                                                         simulation_value(sim, sim->position[d], bonds->node);
+            bonds->at[k][d] = apart / sim->spacing;
+            now[d] = apart;
+            if (link->length == 0)
+                now[d] += simulation_value(sim, sim->displacement[d], link->index) -
+                          simulation_value(sim, sim->displacement[d], bonds->node);
+        }
+        const double length = math_hypot(now[0], now[1]);
+        for (int d = 0; d < 2; d++)
+            bonds->direction[k][d] = length > 0 ? now[d] / length : 0;
+    }
+}
+
+static bool take_bonds(NearBonds *bonds, const Screen *screen)
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    *bonds = (NearBonds){.screen = screen, .sim = sim};
+    if (sim->counts[0] == 0)
+        return false;
+    bonds->node = screen->chosen.particle < sim->counts[0] ? screen->chosen.particle : sim->counts[0] - 1;
+    const size_t count = sim->method->links(sim, 0, bonds->node, bonds->links, LINKS_MAX);
+    bonds->count = count < LINKS_MAX ? count : LINKS_MAX;
+    qsort(bonds->links, bonds->count, sizeof *bonds->links, by_pull);
+    while (bonds->whole < bonds->count && !bonds->links[bonds->whole].broken)
+        bonds->whole++;
+    place_ends(bonds);
+    snprintf(bonds->unit, sizeof bonds->unit, screen_problem(screen)->si ? " N/m³" : "");
+    return bonds->count > 0;
+}
+
+static void add_label(Picture *picture, double x, double y, int side, Style style, const char *text)
+{
+    PictureLabel label = {.x = x, .y = y, .side = side, .style = style};
+    snprintf(label.text, sizeof label.text, "%.90s", text);
+    picture_label(picture, &label);
+}
+
+static void add_end(Picture *picture, double x, double y, size_t node, bool own, bool now)
+{
+    picture_add_mark(picture, (PictureMark){.x = x,
+                                            .y = y,
+                                            .glyph = now ? 0x25cf : 0x25cb,
+                                            .style = own   ? STYLE_CHANGED
+                                                     : now ? STYLE_MEASURED
+                                                           : STYLE_FAINT,
+                                            .is_target = true,
+                                            .index = node});
+}
+
+static void add_line(Picture *picture, double x0, double x1, double y, Style style, LineStyle line)
+{
+    plot_begin(&picture->plot, STROKE_LINE, line, style, RANK_GHOST, '-');
+    plot_point(&picture->plot, x0, y);
+    plot_point(&picture->plot, x1, y);
+}
+
+static void open_drawing(Picture *picture, double low, double high, const char *name)
+{
+    picture->kind = PICTURE_DRAWING;
+    picture->bare = true;
+    picture_axes(picture, axis_make(low, high), "x", "", axis_make(0, ROWS), name, "");
+}
+
+/* --- one bond --------------------------------------------------------------------------------------- */
+
+/* "c G w V s = 133.3 × 1 × 0.5 × 0.5 × -0.0073 = -0.32": the factors as a product. */
+static void write_product(const NearBonds *bonds, const Link *link, char out[2][160])
+{
+    static const char *const names[LINK_FACTORS] = {"c", "G", "w", "V"};
+    char number[NUMBER_TEXT_MAX];
+    out[0][0] = out[1][0] = '\0';
+    for (int f = 0; f < LINK_FACTORS; f++) {
+        text_fitted(link->factors[f], DIGITS, COLUMNS, number);
+        text_append(out[0], 160, "%s%s %s", f ? "  " : "", names[f], number);
+        text_append(out[1], 160, "%s × ", number);
+    }
+    text_fitted(link->stretch, DIGITS, COLUMNS, number);
+    text_append(out[1], 160, "%s = ", number);
+    text_fitted(density_of(link), DIGITS, COLUMNS, number);
+    text_append(out[1], 160, "%s%s", number, bonds->unit);
+}
+
+/* What the stretch is enlarged by, so that it is seen: a quarter of the length at most. */
+static double enlarged(double stretch)
+{
+    return stretch != 0 ? axis_step_down(0.25 / fabs(stretch)) : 1;
+}
+
+static void add_pull(Picture *picture, double from, double towards)
+{
+    const PictureArrow arrow = {.from = {from, 6.5}, .to = {from + towards, 6.5}, .style = STYLE_CHANGED};
+    picture_arrow(picture, &arrow);
+}
+
+static void describe_bond(const NearBonds *bonds, Picture *picture)
+{
+    const Link *link = &bonds->links[0];
+    const double factor = enlarged(link->stretch), half = 0.25 * (1 + factor * link->stretch);
+    char text[200], number[NUMBER_TEXT_MAX], product[2][160];
+    const bool left = bonds->at[0][0] < 0; /* its other end */
+    const size_t ends[2] = {left ? link->index : bonds->node, left ? bonds->node : link->index};
+    snprintf(text, sizeof text, "the bond %zu to %zu, the %s of %zu", bonds->node, link->index,
+             link->broken ? "first" : "strongest", bonds->count);
+    open_drawing(picture, 0, 1, text);
+    for (int e = 0; e < 2; e++) {
+        const double rest = e ? 0.75 : 0.25, now = e ? 0.5 + half : 0.5 - half;
+        add_end(picture, rest, 10, ends[e], ends[e] == bonds->node, false);
+        add_end(picture, now, 6.5, ends[e], ends[e] == bonds->node, true);
+        PictureLabel name = {.x = rest, .y = 10, .side = e ? 1 : -1, .thing = "node", .says_thing = true};
+        snprintf(name.text, sizeof name.text, "%zu", ends[e]);
+        picture_label(picture, &name);
+        if (!link->broken && link->stretch != 0)
+            add_pull(picture, now, copysign(0.1, link->stretch) * (e ? -1 : 1));
+    }
+    add_line(picture, 0.25, 0.75, 10, STYLE_FAINT, LINE_SOLID);
+    add_line(picture, 0.5 - half, 0.5 + half, 6.5, link->broken ? STYLE_FAINT : STYLE_MEASURED,
+             link->broken ? LINE_DASHED : LINE_SOLID);
+    text_fitted(math_hypot(bonds->at[0][0], bonds->at[0][1]) * bonds->sim->spacing, DIGITS, COLUMNS, number);
+    snprintf(text, sizeof text, "at rest: |ξ| %s", number);
+    add_label(picture, 0.5, 11.6, 0, STYLE_FAINT, text);
+    if (link->broken) {
+        add_label(picture, 0.5, 8, 0, STYLE_CHANGED, "broken: it carries nothing");
+        return;
+    }
+    text_fitted(link->stretch, DIGITS, COLUMNS, number);
+    snprintf(text, sizeof text, "now: s %s", number);
+    text_factor(factor, number);
+    text_append(text, sizeof text, ", drawn %s times", number);
+    add_label(picture, 0.5, 8.2, 0, STYLE_CHANGED, text);
+    write_product(bonds, link, product);
+    text_fitted(density_of(link), DIGITS, COLUMNS, number);
+    snprintf(text, sizeof text, "%s %s%s at each end", link->stretch < 0 ? "pushes" : "pulls", number,
+             bonds->unit);
+    add_label(picture, 0.5, 4.6, 0, STYLE_CHANGED, text);
+    add_label(picture, 0.5, 2.8, 0, STYLE_NORMAL, product[0]);
+    snprintf(text, sizeof text, "c G w V s = %s", product[1]);
+    add_label(picture, 0.5, 1.2, 0, STYLE_NORMAL, text);
+}
+
+/* --- a family --------------------------------------------------------------------------------------- */
+
+/* A row for a bond, its bar as long as the pull is strong, towards the right if it pulls. */
+static void add_row(Picture *picture, double y, double share, const char *text)
+{
+    const double middle = 0.85, from = middle + fmin(share, 0) * 0.12, to = middle + fmax(share, 0) * 0.12;
+    plot_begin(&picture->plot, STROKE_BAND, LINE_SOLID, share < 0 ? STYLE_PREDICTED : STYLE_SECOND, RANK_BAND,
+               share < 0 ? '<' : '>');
+    picture->plot.strokes[picture->plot.n_strokes - 1].fill = share < 0;
+    for (int end = 0; end <= 1; end++) {
+        plot_point(&picture->plot, end ? to : from, y - 0.3);
+        plot_point(&picture->plot, end ? to : from, y + 0.3);
+    }
+    add_label(picture, 0.32, y, 1, STYLE_CHANGED, text);
+}
+
+/* The body around the node, its bonds' other ends as dots, those that are written out with their letters. */
+static void add_family(const NearBonds *bonds, Picture *picture, size_t shown)
+{
+    double reach = 1;
+    for (size_t k = 0; k < bonds->count; k++)
+        reach = fmax(reach, fmax(fabs(bonds->at[k][0]), fabs(bonds->at[k][1])));
+    const double across = 0.13 / reach, up = 5 / reach, x = 0.16, y = 6;
+    for (size_t k = 0; k < bonds->count; k++) {
+        const Link *link = &bonds->links[k];
+        picture_add_mark(picture, (PictureMark){.x = x + across * bonds->at[k][0],
+                                                .y = y + up * bonds->at[k][1],
+                                                .glyph = k < shown      ? (uint32_t)('a' + k)
+                                                         : link->broken ? 'x'
+                                                                        : 0x00b7,
+                                                .ascii = k < shown || link->broken ? 0 : '.',
+                                                .style = k < shown ? STYLE_CHANGED : STYLE_FAINT,
+                                                .is_target = true,
+                                                .index = link->index});
+    }
+    picture_mark(picture, x, y, 0x25cf, STYLE_MEASURED);
+}
+
+static void describe_family(const NearBonds *bonds, Picture *picture)
+{
+    const size_t shown = bonds->whole < SHOWN_MAX ? bonds->whole : SHOWN_MAX;
+    const bool line = simulation_has(bonds->sim, HAS_LINE);
+    char name[96], number[2 * NUMBER_TEXT_MAX + 32], text[NUMBER_TEXT_MAX];
+    double rest[2] = {0, 0};
+    snprintf(name, sizeof name, "node %zu: %zu bonds, %zu broken; the strongest pulls%s", bonds->node,
+             bonds->count, bonds->count - bonds->whole, bonds->unit);
+    open_drawing(picture, 0, 1, name);
+    add_family(bonds, picture, shown);
+    const double most = shown > 0 ? fabs(density_of(&bonds->links[0])) : 0;
+    for (size_t k = 0; k < shown; k++) {
+        const double pull = density_of(&bonds->links[k]);
+        text_fitted(pull, DIGITS, COLUMNS, number);
+        snprintf(name, sizeof name, "%c to %zu  %.20s", (char)('a' + k), bonds->links[k].index, number);
+        add_row(picture, 11.4 - 1.2 * (double)k, most > 0 ? pull / most : 0, name);
+    }
+    for (size_t k = shown; k < bonds->whole; k++)
+        for (int d = 0; d < 2; d++)
+            rest[d] += density_of(&bonds->links[k]) * bonds->direction[k][d];
+    if (shown < bonds->whole) {
+        text_fitted(rest[0], DIGITS, COLUMNS, text);
+        snprintf(number, sizeof number, line ? "%zu more: %s" : "%zu more together: fx %s",
+                 bonds->whole - shown, text);
+        if (!line) {
+            text_fitted(rest[1], DIGITS, COLUMNS, text);
+            text_append(number, sizeof number, ", fy %s", text);
+        }
+        add_label(picture, 0.32, 1.4, 1, STYLE_NORMAL, number);
+    }
+}
+
+void cell_bonds_describe(const Screen *screen, int variant, Picture *picture)
+{
+    NearBonds *bonds = malloc(sizeof *bonds);
+    if (!bonds || !take_bonds(bonds, screen))
+        picture_say(picture, "bonds from near", "This node has no bonds.");
+    else
+        (variant == 1 ? describe_family : describe_bond)(bonds, picture);
+    free(bonds);
+}
