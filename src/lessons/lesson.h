@@ -44,8 +44,8 @@
  * Keys: Enter serves a question or a field first, then goes on; n always goes on, b back; digits answer.
  *
  * Size: all of a page is seen at 80x24 (some ten lines of 35 characters), 132x43 and 60x18, within a step
- * with the box below it; tests/lab/check_lessons holds this, the states, and that numbers are on the screen
- * or in tests/lab/lesson-numbers; tests/cli/numbers.sh that they are right.
+ * with the box below it or a drawing that has its terms; tests/lab/check_lessons holds this, the states, and
+ * that numbers are on the screen or in tests/lab/lesson-numbers; tests/cli/numbers.sh that they are right.
  */
 #ifndef LAB_LESSON_H
 #define LAB_LESSON_H

@@ -40,8 +40,25 @@ static void lay_out_picture(const Screen *screen, Rect rect, Layout *layout)
     layout->panes[screen->panes.inspecting ? PANE_INSPECTOR : picture_of(screen)] = rect;
 }
 
+/* A drawing across the whole screen under the text; the strip of all particles would show it once more.
+ * False: the text leaves it no room. */
+static bool lay_out_wide(const Screen *screen, int width, int height, Layout *layout)
+{
+    const int text = pane_lesson_rows(screen, width), box = box_rows(screen, height);
+    const int picture = height - 2 - text - box;
+    if (!screen_view_in(screen, picture_of(screen))->is_wide || screen->panes.inspecting ||
+        !screen->lesson.lesson || picture < PICTURE_LEAST)
+        return false;
+    layout->panes[PANE_PARAMETERS] = (Rect){0, 1, width, text};
+    lay_out_picture(screen, (Rect){0, 1 + text, width, picture}, layout);
+    layout->panes[PANE_BOX] = (Rect){0, 1 + text + picture, box ? width : 0, box};
+    return true;
+}
+
 static void lay_out_lesson(const Screen *screen, int width, int height, Layout *layout)
 {
+    if (lay_out_wide(screen, width, height, layout))
+        return;
     const int strip = strip_rows(screen, height), box = box_rows(screen, height);
     const int top = 1 + strip, middle = height - 2 - strip - box;
     const int text = layout_lesson_width(width), left = text + 1;

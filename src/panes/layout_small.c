@@ -36,7 +36,9 @@ static bool lay_out_page(const Screen *screen, int width, int height, Layout *la
     const PaneId focus = screen->panes.focus;
     const bool read = focus == PANE_PARAMETERS;
     const bool in_step = experiment_stage(screen->experiment) > 0;
-    const PaneId other = !read ? focus : in_step ? PANE_BOX : screen->panes.last_plot;
+    const View *plot = screen_view_in(screen, screen->panes.last_plot);
+    const bool drawn = plot && plot->is_wide && screen_is_plain(screen); /* it has the numbers of the step */
+    const PaneId other = !read ? focus : in_step && !drawn ? PANE_BOX : screen->panes.last_plot;
     const int text = pane_lesson_rows(screen, width), rest = height - 2 - text;
     if (focus == PANE_INSPECTOR || rest < PLOT_ROWS)
         return false;
