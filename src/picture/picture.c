@@ -46,6 +46,10 @@ void picture_ticks(Picture *picture, int along, int up)
     char scale[TICK_TEXT_MAX];
     if (!picture->has_axes || picture->kind == PICTURE_MAP)
         return;
+    if (picture->kind == PICTURE_DRAWING) {
+        picture_heading(picture, picture->name);
+        return;
+    }
     picture->plot.x = axis_with_ticks(picture->plot.x, along);
     picture->plot.y = axis_with_ticks(picture->plot.y, up);
     axis_scale_text(&picture->plot.y, picture->unit, scale);

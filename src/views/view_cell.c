@@ -693,10 +693,12 @@ static void describe(const Screen *screen, int variant, Picture *picture)
         cell_bonds_describe(screen, variant, picture);
         return;
     }
-    if (!simulation_has(sim, HAS_MESH | HAS_LINE) || sim->counts[0] < 1 || sim->counts[1] < 2) {
-        picture_say(picture, "one cell",
-                    "One cell is drawn of a bar: in the plane i writes out what a particle and "
-                    "its nodes give each other.");
+    if (!simulation_has(sim, HAS_MESH) || sim->counts[0] < 1 || sim->counts[1] < 2) {
+        picture_say(picture, "one cell", "There is neither a mesh nor a bond.");
+        return;
+    }
+    if (!simulation_has(sim, HAS_LINE)) {
+        cell_plane_describe(screen, picture);
         return;
     }
     if (look_near(&near, screen, variant == 1))

@@ -22,6 +22,9 @@ void crack_cost_describe(const Screen *, int variant, Picture *);
 enum { CELL_BONDS_VARIANTS = 2 };
 void cell_bonds_describe(const Screen *, int variant, Picture *);
 
+/* A cell of a plane mesh with its nodes. */
+void cell_plane_describe(const Screen *, Picture *);
+
 /* A bond's force over its stretch, in the place of shape functions where there is no mesh. */
 void bond_law_describe(const Screen *, Picture *);
 

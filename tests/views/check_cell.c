@@ -318,6 +318,29 @@ START_TEST(bonds_are_those_of_the_box)
 }
 END_TEST
 
+/* In the plane the shares of a particle's nodes add up to all of it. */
+START_TEST(shares_in_the_plane_add_up)
+{
+    static const char *const words[] = {"moving-cantilever-hat-coarse 80x24 10 particle 1575",
+                                        "moving-cantilever-mpm 80x24 0 particle 1575"};
+    for (size_t k = 0; k < sizeof words / sizeof *words; k++) {
+        Drawing drawing;
+        open_drawing(&drawing, words[k]);
+        double sum = 0;
+        int nodes = 0;
+        for (int i = 0; i < drawing.picture.n_labels; i++) {
+            const char *share = strstr(drawing.picture.labels[i].text, "\nN ");
+            sum += share ? strtod(share + 3, NULL) : 0;
+            nodes += share != NULL;
+        }
+        ck_assert_msg(fabs(sum - 1) < 1e-4, "%s: %g", words[k], sum);
+        ck_assert_int_ge(nodes, 4);
+        ck_assert_int_eq(drawing.picture.n_arrows, nodes);
+        close_drawing(&drawing);
+    }
+}
+END_TEST
+
 START_TEST(mouse_chooses_what_is_drawn)
 {
     Drawing drawing;
@@ -349,6 +372,7 @@ void add_cases(Suite *suite)
     tcase_add_test(cases, screen_and_words_have_the_terms);
     tcase_add_test(cases, paper_has_the_terms);
     tcase_add_test(cases, bonds_are_those_of_the_box);
+    tcase_add_test(cases, shares_in_the_plane_add_up);
     tcase_add_test(cases, mouse_chooses_what_is_drawn);
     suite_add_tcase(suite, cases);
 }

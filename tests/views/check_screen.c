@@ -87,6 +87,8 @@ static const Screenshot pictures[] = {
     {"cell-bond", "mode5-peridynamics 80x24 200 stage 4 upper cell focus 2 zoom"},
     {"cell-bond-ascii", "supported-beam-coarse 60x18 100 stage 4 upper cell focus 2 ascii"},
     {"cell-family", "supported-beam-coarse 80x24 100 stage 4 upper cell focus 2 zoom variant 1"},
+    {"cell-plane", "moving-cantilever-hat-coarse 80x24 10 upper cell focus 2 zoom particle 1575"},
+    {"cell-plane-gimp", "moving-cantilever-mpm 60x18 0 upper cell focus 2 particle 1575 ascii"},
     {"one-particle", "one-particle 80x24 1500"},
     {"waves-plane", "supported-beam-coarse 132x43 100 lower 5 variant 1 pd.influence=conical"},
     {"waves-shear-ascii", "supported-beam-coarse 80x24 100 lower 5 variant 2 ascii"},

@@ -331,6 +331,8 @@ void cells_draw(Picture *picture, Area area, Style heading, bool coloured)
     take_legend(picture, area.glyphs, solid, &legends);
     cells_fit(picture, area.rect.height);
     axis_scale_text(&picture->plot.y, picture->unit, scale);
+    if (picture->kind == PICTURE_DRAWING)
+        scale[0] = '\0';
     const int named = heading_draw(area, heading, picture->name, scale, legends.entries, legends.count);
     if (goes_on(picture, named, legends.count)) {
         legend_draw_short(area, 2, 1, legends.entries + named, legends.count - named);
