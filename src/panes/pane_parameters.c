@@ -214,7 +214,7 @@ static void draw_row(const Screen *screen, Area area, int y, const ParameterRow 
 /* Where no heading stands above it a word alone, "position", is told with that heading: "notch position". */
 static void name_parameter(const Screen *screen, const Parameter *parameter, char *out, size_t size)
 {
-    const bool alone = screen_is_plain(screen) && !screen->lesson.open && !strchr(parameter->label, ' ');
+    const bool alone = screen_is_plain(screen) && !screen->lesson.open && !strpbrk(parameter->label, " /");
     snprintf(out, size, "%s%s%s", alone ? parameter->group : "", alone ? " " : "", parameter->label);
     if (alone)
         out[0] = (char)tolower((unsigned char)out[0]);
