@@ -47,7 +47,8 @@ static void add_values(List *list, const Settings *right, const Parameter *param
     }
     for (int direction = -1; direction <= 1; direction += 2) {
         Settings moved = *right;
-        for (int i = 0; i < NEIGHBOURS && settings_nudge(&moved, parameter, direction, false); i++)
+        const int steps = parameter->nudge == NUDGE_DOUBLE ? 1 : NEIGHBOURS;
+        for (int i = 0; i < steps && settings_nudge(&moved, parameter, direction, false); i++)
             add(list, DIAGNOSE_VALUE, parameter, settings_number(&moved, parameter), 0);
     }
 }

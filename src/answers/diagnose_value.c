@@ -26,6 +26,10 @@ static bool walk_with(Seek *seek, double value, Walk *walk)
     Settings settings;
     Status ignored = {STATUS_DONE, ""};
     const Candidate candidate = {DIAGNOSE_VALUE, seek->parameter, value, 0, 0};
+    const double now = settings_number(seek->task->settings, seek->parameter);
+    const bool size = seek->parameter->nudge != NUDGE_1_2_5 && seek->parameter->nudge != NUDGE_SHARE;
+    if (size && now != 0 && !(value / now > 0.5 && value / now < 2)) /* the work grows with it */
+        return false;
     ++*seek->tried;
     return diagnose_settings_of(&candidate, seek->task->settings, seek->table, &settings) &&
            diagnose_walk(walk, &settings, seek->task->threads, seek->task->patience, &ignored);

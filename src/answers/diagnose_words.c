@@ -116,14 +116,12 @@ static void tell_nothing_found(const Diagnosis *found, const DiagnoseTable *tabl
         found->tried);
     if (departure->step == 0 && !table->of_next)
         fputs("Look at how the start is made: places, masses, velocities of t = 0.\n", out);
-    else if (!table->of_stages)
+    else if (!table->of_stages) {
+        const long step = departure->step + table->of_next;
         visible_print(
-            out,
-            "Look into step %ld: write your numbers after each of its stages and compare them with those of\n"
-            "  matvib run SCENARIO --stages %ld:%ld --particles p.csv\n",
-            departure->step + table->of_next, departure->step + table->of_next,
-            departure->step + table->of_next);
-    else
+            out, "Look into step %ld: compare your numbers after each of its stages with those of\n", step);
+        visible_print(out, "  matvib run SCENARIO --stages %ld:%ld --particles p.csv\n", step, step);
+    } else
         visible_print(out, "Look at what stage %d (%s) does with what the stages before it gave.\n",
                       departure->stage, departure->stage_id);
 }
