@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Bytes become the keys that were meant, whatever terminal sent them, and nothing that was not meant. */
 #include "suite.h"
+#include "help/command.h"
 #include "lab/prompt/line_edit.h"
 #include "lab/keyboard.h"
 
@@ -324,9 +325,22 @@ START_TEST(named_keys_are_no_text)
 }
 END_TEST
 
+/* Each command has a bit of its own. */
+START_TEST(commands_used_are_told_apart)
+{
+    CommandSet set = {.words = {0}};
+    for (int i = 0; i < n_commands; i++) {
+        ck_assert_msg(!command_set_has(&set, commands[i].id), "%s", commands[i].name);
+        command_set_add(&set, commands[i].id);
+        ck_assert(command_set_has(&set, commands[i].id));
+    }
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("keys");
+    tcase_add_test(tcase, commands_used_are_told_apart);
     tcase_add_test(tcase, printing_characters_name_themselves);
     tcase_add_test(tcase, controls_have_names);
     tcase_add_test(tcase, named_keys_of_many_terminals);

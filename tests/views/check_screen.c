@@ -148,6 +148,7 @@ static const Screenshot pictures[] = {
     {"study-nodes-ascii",
      "supported-beam-coarse 60x18 0 lower convergence refined variant 1 ascii focus 3 zoom"},
     {"study-particles", "supported-beam-mpm-coarse 80x24 0 lower convergence refined variant 1 focus 3 zoom"},
+    {"study-begun", "supported-beam-mpm-coarse 80x24 0 lower convergence points 4 variant 1 focus 3 zoom"},
     {"study-methods", "supported-beam-mpm-coarse 132x43 0 lower convergence refined variant 2 focus 3 zoom"},
     {"study-table", "supported-beam-coarse 132x43 0 lower convergence refined variant 2 focus 3 zoom"},
     {"study-waits", "supported-beam-coarse 80x24 20 lower convergence running"},

@@ -14,6 +14,7 @@ typedef struct Plan {
     Settings settings;
     int width, height;
     long steps, stages, back, particle;
+    int points;            /* of a study; 0: all */
     char ghost[VALUE_MAX]; /* key=value of an edit after the steps */
     char duel[VALUE_MAX];  /* key=value of the second run; "": those of the scenario */
     bool duels;
@@ -69,6 +70,8 @@ static bool number_word(Scene *scene, Plan *plan, const char *word, const char *
     Screen *screen = &scene->screen;
     if (strcmp(word, "help") == 0)
         screen->help.open = true, screen->help.page = atoi(number);
+    else if (strcmp(word, "points") == 0) /* of a study, the first ones */
+        scene->refined = true, plan->points = atoi(number);
     else if (strcmp(word, "scroll") == 0)
         screen->help.scroll = atoi(number);
     else if (strcmp(word, "upper") == 0)
@@ -199,15 +202,17 @@ static bool play(Scene *scene, Plan *plan, Status *status)
     return true;
 }
 
-static bool refine(Scene *scene, Status *status)
+static bool refine(Scene *scene, const Plan *plan, Status *status)
 {
     const Settings *settings = experiment_settings(scene->screen.experiment);
     const ConvergenceStudy *study = view_study(scene->screen.views.lower, &scene->screen);
     const Patience forever = {NULL, NULL};
     scene->screen.convergence = &scene->convergence;
     convergence_begin(&scene->convergence, settings);
-    while (study && convergence_lacks(&scene->convergence, settings, study))
-        if (!convergence_next(&scene->convergence, study, forever, status))
+    for (int i = 0; study && convergence_lacks(&scene->convergence, settings, study); i++)
+        if (plan->points > 0 && i == plan->points)
+            break;
+        else if (!convergence_next(&scene->convergence, study, forever, status))
             return false;
     return true;
 }
@@ -230,7 +235,7 @@ bool scene_open(Scene *scene, const char *words, Status *status)
         scene->screen.panes.last_plot = view_pane_of_number(&scene->screen);
     if (!scene->duel.b)
         scene->screen.duel = NULL; /* a scene without one may be copied */
-    if (scene->refined && !refine(scene, status))
+    if (scene->refined && !refine(scene, &plan, status))
         return false;
     screen_draw(&scene->screen, &scene->canvas);
     return true;
