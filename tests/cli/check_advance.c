@@ -31,7 +31,8 @@ static const struct {
     {"mode1", {"time.end=3"}, {"40 load.body_force 0.01", "41 mpm.flip_fraction 0.9"}, "v_cm", false, false},
     {"mode1",
      {"time.end=3", "output.every=7"},
-     {"0 mpm.algorithm usl", "210 mpm.algorithm usf"},
+     {"0 mpm.algorithm usl", "139 mpm.flip_fraction 0.9",
+      "210 mpm.algorithm usf"}, /* a row is due behind 139 */
      "v_cm",
      false,
      false},
