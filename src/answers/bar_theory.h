@@ -5,7 +5,7 @@
 #define LAB_BAR_THEORY_H
 
 #include "methods/mpm/line/mpm_bar.h"
-#include "scenario/keys.h"
+#include "scenario/assignment.h"
 #include "methods/bonds/line/pd_bar.h"
 #include "theory/elastic_bar.h"
 #include "theory/pd_bar_theory.h"

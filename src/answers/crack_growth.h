@@ -5,7 +5,7 @@
 #ifndef LAB_CRACK_H
 #define LAB_CRACK_H
 
-#include "scenario/keys.h"
+#include "scenario/assignment.h"
 #include "methods/bonds/cracks/crack.h"
 #include "methods/bonds/cracks/crack_cost.h"
 #include "methods/bonds/cracks/fronts.h"

@@ -43,6 +43,9 @@ bool diagnose_hold_step(Settings *, double dt);
 /* The number of a row of the file in our units; NAN: missing. */
 double diagnose_theirs(const DiagnoseTable *, const DiagnoseColumn *, size_t row);
 
+/* What is to be said of the table; more than it has room for is dropped. */
+void diagnose_note(DiagnoseTable *, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
 /* diagnose_candidates.c: what else could have made the numbers: up to two values other than the scenario's,
  * or rows counted from elsewhere. */
 typedef struct Candidate {

@@ -50,9 +50,7 @@ static const struct {
     {"vy", "v_y"},
 };
 
-static void note(DiagnoseTable *table, const char *format, ...) __attribute__((format(printf, 2, 3)));
-
-static void note(DiagnoseTable *table, const char *format, ...)
+void diagnose_note(DiagnoseTable *table, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
@@ -327,7 +325,8 @@ static void time_step_of_steps(DiagnoseTable *table, const Heads *heads, double 
     if (!(own > 0) || fabs(own - dt) <= bound + 1e-9 * dt)
         return;
     table->dt = own;
-    note(table, "its time step is %.10g, not the scenario's %.10g: the runs beside it take its own", own, dt);
+    diagnose_note(table, "its time step is %.10g, not the scenario's %.10g: the runs beside it take its own",
+                  own, dt);
 }
 
 /* The time step of times alone: the scenario's where rows are a multiple of it apart, else that of the rows.
@@ -355,9 +354,10 @@ static bool time_step_of_times(DiagnoseTable *table, const Heads *heads, double 
     if (steps >= 1 && fabs(spacing - steps * dt) <= bound)
         return true;
     table->dt = last / fmax(1, round(last / spacing));
-    note(table,
-         "its rows are %.10g apart, no multiple of the scenario's time step %.10g: taken for its own steps",
-         table->dt, dt);
+    diagnose_note(
+        table,
+        "its rows are %.10g apart, no multiple of the scenario's time step %.10g: taken for its own steps",
+        table->dt, dt);
     return true;
 }
 
@@ -494,7 +494,7 @@ static bool place_rows(DiagnoseTable *table, const Heads *heads, const Simulatio
         ordered = ordered && (r == 0 || places[r].step >= places[r - 1].step);
     }
     if (sound && !ordered)
-        note(table, "its rows are not in the order of their steps: they were sorted");
+        diagnose_note(table, "its rows are not in the order of their steps: they were sorted");
     if (sound)
         qsort(places, count, sizeof *places, by_place);
     sound = sound && take_moments(table, places, status);
@@ -511,16 +511,17 @@ static void say_what_is_odd(DiagnoseTable *table, const Heads *heads, const Simu
         gaps += table->moments[m].step - table->moments[m - 1].step !=
                 table->moments[1].step - table->moments[0].step;
     if (gaps > 0)
-        note(table, "steps are missing (gaps: %zu); those that are there were compared", gaps);
+        diagnose_note(table, "steps are missing (gaps: %zu); those that are there were compared", gaps);
     if (table->set >= 0 && heads->thing >= 0 &&
         counted_from_one(&file->columns[heads->thing], sim->counts[table->set]))
-        note(table, "its %s are counted from 1: %s 1 is our %s 0", sim->sets[table->set].plural, table->thing,
-             table->thing);
+        diagnose_note(table, "its %s are counted from 1: %s 1 is our %s 0", sim->sets[table->set].plural,
+                      table->thing, table->thing);
     for (int c = 0; c < table->n_columns; c++) {
         const DiagnoseColumn *column = &table->columns[c];
         const char *theirs = file->columns[column->theirs].name;
         if (strcasecmp(theirs, column->name) != 0)
-            note(table, "its column %s is taken for %s", *theirs ? theirs : "(without a name)", column->name);
+            diagnose_note(table, "its column %s is taken for %s", *theirs ? theirs : "(without a name)",
+                          column->name);
     }
 }
 
@@ -542,7 +543,7 @@ static bool cut(DiagnoseTable *table, long last, Status *status)
         return status_fail(status, STATUS_USAGE, "%s: begins at step %ld, and the scenario has %ld",
                            table->file.file, table->moments[0].step, last);
     if (kept < table->n_moments)
-        note(table, "it is long: compared up to step %ld", table->moments[kept - 1].step);
+        diagnose_note(table, "it is long: compared up to step %ld", table->moments[kept - 1].step);
     table->n_moments = kept;
     return true;
 }

@@ -11,7 +11,7 @@
 #ifndef LAB_INVARIANT_H
 #define LAB_INVARIANT_H
 
-#include "scenario/keys.h"
+#include "scenario/assignment.h"
 #include "methods/method.h"
 
 /* Whether there is one: bars without a load, velocities by FLIP alone; else E* is not what is kept. */

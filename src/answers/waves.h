@@ -5,7 +5,7 @@
 #define LAB_WAVES_H
 
 #include "base/kinds.h"
-#include "scenario/keys.h"
+#include "scenario/assignment.h"
 
 #include <stdbool.h>
 

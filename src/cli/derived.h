@@ -4,7 +4,7 @@
 #define CLI_DERIVED_H
 
 #include "base/status.h"
-#include "scenario/keys.h"
+#include "scenario/assignment.h"
 
 #include <stddef.h>
 

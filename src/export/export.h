@@ -10,7 +10,7 @@
 #include "base/status.h"
 #include "answers/crack_growth.h"
 #include "answers/references.h"
-#include "scenario/keys.h"
+#include "scenario/assignment.h"
 
 typedef enum Dialect { DIALECT_COMMA, DIALECT_SEMICOLON } Dialect;
 

@@ -4,7 +4,7 @@
 #define LAB_FRAMES_H
 
 #include "base/status.h"
-#include "scenario/keys.h"
+#include "scenario/assignment.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -13,7 +13,7 @@
 #define LAB_LAMMPS_H
 
 #include "base/output.h"
-#include "scenario/keys.h"
+#include "scenario/assignment.h"
 
 /* Writes them into a folder, which is made if it is missing; all or none. False: the settings are no beam and
  * no plate, or have something that LAMMPS has nothing for; a file exists and may not be replaced, or it

@@ -4,7 +4,7 @@
 #define LAB_LAMMPS_INTERNAL_H
 
 #include "methods/bonds/plane/bonds_plane.h"
-#include "scenario/keys.h"
+#include "scenario/assignment.h"
 
 #include <stdbool.h>
 #include <stdio.h>

@@ -52,7 +52,7 @@
 
 #include "lessons/exercise.h"
 #include "lessons/variant.h"
-#include "scenario/keys.h"
+#include "scenario/assignment.h"
 
 #include <stdint.h>
 #include <stdio.h>

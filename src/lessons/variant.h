@@ -6,7 +6,7 @@
 #define LAB_VARIANT_H
 
 #include "base/text.h"
-#include "scenario/keys.h"
+#include "scenario/assignment.h"
 
 enum { STUDENT_MAX = 128, VARIANT_WORDS_MAX = 16 };
 

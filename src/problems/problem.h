@@ -8,7 +8,7 @@
 #ifndef LAB_PROBLEM_H
 #define LAB_PROBLEM_H
 
-#include "scenario/keys.h"
+#include "scenario/assignment.h"
 #include "methods/method.h"
 
 /* What a problem is made of; each parameter belongs to one of these, and so to the problems that have it. */

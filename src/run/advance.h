@@ -11,7 +11,7 @@
 #include "base/status.h"
 #include "methods/method.h"
 #include "base/patience.h"
-#include "scenario/keys.h"
+#include "scenario/assignment.h"
 
 #include <stdbool.h>
 

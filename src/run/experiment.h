@@ -14,7 +14,7 @@
 #include "answers/crack_growth.h"
 #include "answers/profile.h"
 #include "run/record.h"
-#include "scenario/keys.h"
+#include "scenario/assignment.h"
 #include "answers/spectrum.h"
 
 enum { GHOSTS_MAX = 5, LEGEND_MAX = 60 };

@@ -7,7 +7,7 @@
 #define LAB_CHANGES_H
 
 #include "base/status.h"
-#include "scenario/keys.h"
+#include "scenario/assignment.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -4,7 +4,7 @@
 #define LAB_SCENARIO_H
 
 #include "base/status.h"
-#include "scenario/keys.h"
+#include "scenario/assignment.h"
 
 #include <stdio.h>
 

@@ -5,7 +5,7 @@
 #define LAB_SCENARIO_LINES_H
 
 #include "base/status.h"
-#include "scenario/keys.h"
+#include "scenario/assignment.h"
 
 #include <stdio.h>
 

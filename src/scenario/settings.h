@@ -7,7 +7,7 @@
 #include "base/patience.h"
 #include "base/status.h"
 #include "base/kinds.h"
-#include "scenario/keys.h"
+#include "scenario/assignment.h"
 #include "scenario/rows/rows.h"
 
 /* How a scenario opens; the engine ignores it. Empty: as the laboratory likes. */

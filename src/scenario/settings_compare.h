@@ -4,7 +4,7 @@
 #ifndef LAB_COMPARE_H
 #define LAB_COMPARE_H
 
-#include "scenario/keys.h"
+#include "scenario/assignment.h"
 
 #include <stdbool.h>
 

@@ -5,7 +5,7 @@
 #define TUI_LABORATORY_MAIN_H
 
 #include "base/status.h"
-#include "scenario/keys.h"
+#include "scenario/assignment.h"
 
 #include <stdbool.h>
 #include <stddef.h>

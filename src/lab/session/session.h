@@ -20,7 +20,7 @@
 #define TUI_SESSION_H
 
 #include "base/status.h"
-#include "scenario/keys.h"
+#include "scenario/assignment.h"
 #include "terminal/keys.h"
 #include "lab/session/laboratory_main.h"
 

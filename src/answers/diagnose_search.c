@@ -9,7 +9,6 @@
 
 #include <limits.h>
 #include <math.h>
-#include <stdarg.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -25,17 +24,6 @@ typedef struct Search {
     Settings by_first; /* its settings; without one the right ones */
     Status *status;
 } Search;
-
-static void note(DiagnoseTable *table, const char *format, ...) __attribute__((format(printf, 2, 3)));
-
-static void note(DiagnoseTable *table, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    if (table->n_notes < DIAGNOSE_NOTES_MAX)
-        vsnprintf(table->notes[table->n_notes++], sizeof table->notes[0], format, arguments);
-    va_end(arguments);
-}
 
 /* --- columns that tell nothing -------------------------------------------------------------------------- */
 
@@ -90,7 +78,8 @@ static void find_units(Search *search)
         const double factor = table->columns[c].factor == 1 ? unit_of(search, c) : 1;
         if (factor == 1)
             continue;
-        note(table, "its %s is in a unit of its own: %g of ours each", table->columns[c].name, factor);
+        diagnose_note(table, "its %s is in a unit of its own: %g of ours each", table->columns[c].name,
+                      factor);
         for (int i = 0; i < table->n_columns; i++)
             if (table->columns[i].group == table->columns[c].group && table->columns[i].factor == 1)
                 table->columns[i].factor = factor;
@@ -143,8 +132,8 @@ static bool find_copies(Search *search)
                 continue;
             table->columns[c].silent = true;
             search->found->verdict = DIAGNOSE_COPIED;
-            note(table, "its column %s is %s, to all its digits: an answer, not a run",
-                 table->columns[c].name, columns[i].quantity.meaning);
+            diagnose_note(table, "its column %s is %s, to all its digits: an answer, not a run",
+                          table->columns[c].name, columns[i].quantity.meaning);
         }
     references_destroy(refs);
     simulation_destroy(sim);
@@ -163,10 +152,11 @@ static int silence(Search *search)
         const Extent extent = extent_of(search, c);
         const double least = 1e2 * table->noise * column->natural;
         if (extent.given == 0)
-            note(table, "its column %s is empty", column->name);
+            diagnose_note(table, "its column %s is empty", column->name);
         else if (extent.theirs == 0 && extent.ours > least)
-            note(table, "its column %s is zero throughout, where the right run moves: as good as empty",
-                 column->name);
+            diagnose_note(table,
+                          "its column %s is zero throughout, where the right run moves: as good as empty",
+                          column->name);
         column->silent =
             extent.given == 0 || extent.theirs == 0 || (extent.theirs <= least && extent.ours <= least);
         telling += !column->silent;

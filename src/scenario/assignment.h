@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Keys and values of a scenario as texts, and the names of what settings.h and problems/problem.h hold:
  * enough for a header that passes settings on. Who reads a value of them includes settings.h. */
-#ifndef SCENARIO_KEYS_H
-#define SCENARIO_KEYS_H
+#ifndef SCENARIO_ASSIGNMENT_H
+#define SCENARIO_ASSIGNMENT_H
 
 typedef struct Settings Settings; /* scenario/settings.h */
 typedef struct Problem Problem;   /* problems/problem.h */
