@@ -323,17 +323,14 @@ START_TEST(a_student_comes_to_the_end)
     const char *name = builtin_lessons[_i / 2].name;
     const bool full = _i % 2;
     Status status = {STATUS_DONE, ""};
+    if (!suite_wide() && (full ? strcmp(name, "late") != 0 : _i / 2 % 3 != 0) && !strstr(name, "homework"))
+        return; /* others go as these */
     Bench *bench = open_bench("mode1", true);
     const LessonShown *shown = &bench->lab.screen.lesson;
     bench->lab.options.sheet = "plain";
     ck_assert_msg(lesson_play_open(&bench->lab, name, &status), "%s", status.text);
-    if (full && !suite_wide() &&
-        simulation_has(experiment_simulation(bench->lab.screen.experiment), HAS_PLANE)) {
-        close_bench(bench);
-        return; /* as on a bar, at greater length */
-    }
     if (full)
-        press(bench, "f");
+        press_all(bench, is_plain(bench) ? "f" : "f f"); /* by himself, where the page is on it already */
     const Lesson *lesson = shown->lesson;
     for (int page = 0; page < lesson->n_pages; page++) {
         const LessonPage *now = &lesson->pages[page];
@@ -392,10 +389,22 @@ START_TEST(every_scenario_has_a_number_and_questions)
 }
 END_TEST
 
+static bool has_coarse_form(const char *name)
+{
+    char coarse[80];
+    snprintf(coarse, sizeof coarse, "%s-coarse", name);
+    for (const BuiltinScenario *one = builtin_scenarios; one->name; one++)
+        if (strcmp(one->name, coarse) == 0)
+            return true;
+    return false;
+}
+
 /* And its number comes to be known, where that does not take too long. */
 START_TEST(the_number_of_a_scenario_is_known_at_its_end)
 {
     const char *name = builtin_scenarios[_i].name;
+    if (!suite_wide() && has_coarse_form(name))
+        return;
     Settings settings;
     Status status = {STATUS_DONE, ""};
     ck_assert(scenario_load(name, &settings, &status));
