@@ -319,7 +319,9 @@ async function bring(files) {
 			// out of whatever is being typed; time makes it a key of its own
 			press('\x1b');
 			await new Promise((done) => setTimeout(done, 200));
-			press((name.endsWith('.csv') ? ':overlay ' : ':open ') + name + '\r');
+			const series = name.endsWith('.csv');
+			press((series ? ':overlay ' : ':open ') + name + '\r');
+			if (series) notice(name + ' lies over the curves. Type :diagnose ' + name + ' to hear which code made its numbers.');
 		}
 		term.focus();
 	}

@@ -126,6 +126,18 @@ async function dropped_scenario() {
 	result('what is no file of matvib is refused in a line', /can be opened, not page\.html/.test(await page.$eval('#notice', (p) => p.textContent)));
 }
 
+async function dropped_series() {
+	await open(one + '?scenario=mode5&set=mesh.cell_size=0.5');
+	await until('', has('Space pause'));
+	await page.keyboard.press(' ');
+	await until('', has('Space run'));
+	await (await page.$('#bring')).uploadFile(path.join(scratch, 'native.csv'));
+	await new Promise((done) => setTimeout(done, 1000));
+	result('what can be done with a series is said', /:diagnose native\.csv/.test(await page.$eval('#notice', (p) => p.textContent)));
+	await type(':diagnose native.csv\r');
+	await shows('and it is told whose numbers they are', has('those of the right code'));
+}
+
 async function lesson_by_taps() {
 	await open(one + '?lesson=one-step', {width: 412, height: 915, isMobile: true, hasTouch: true});
 	await shows('a lesson on a telephone', (text) => /1 of \d+|1\/\d+/.test(text));
@@ -267,7 +279,7 @@ async function main() {
 		executablePath: process.env.MATVIB_BROWSER || '/usr/bin/chromium', headless: true, userDataDir: path.join(scratch, 'profile'),
 		args: ['--no-sandbox', '--disable-gpu', '--no-first-run', '--disable-background-networking'],
 	});
-	const cases = {first_picture, keys_and_size, export_of_a_run, dropped_scenario, lesson_by_taps, homework, computing, hostile, from_a_server, in_firefox};
+	const cases = {first_picture, keys_and_size, export_of_a_run, dropped_scenario, dropped_series, lesson_by_taps, homework, computing, hostile, from_a_server, in_firefox};
 	const wanted = process.argv.slice(2);
 	for (const [name, run] of Object.entries(cases)) {
 		if (wanted.length > 0 && !wanted.includes(name)) continue;
