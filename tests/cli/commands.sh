@@ -80,7 +80,7 @@ refuse "a window without length" '--set: view.window: 0 is not allowed (> 0)' sh
 refuse "a pace in words" '--set: view.pace: fast is not allowed (> 0)' show mode1 --set view.pace=fast
 refuse "curves that are none" \
 	'--set: view.references: some is not allowed (all | exact | predicted | none)' show mode1 --set view.references=some
-refuse "a word that names none" '--set: view.lower: bogus is not allowed (profile, probe, energies, shapes, dispersion, convergence, spectrum, tables, beam, section, cracks, log, or 1 to 9)' show mode1 --set view.lower=bogus
+refuse "a word that names none" '--set: view.lower: bogus is not allowed (profile, probe, energies, shapes, dispersion, convergence, spectrum, tables, beam, section, cracks, cell, log, or 1 to 9)' show mode1 --set view.lower=bogus
 expect "a view by its word" 0 show mode1 --set view.upper=energies
 expect "a view, a window, curves" 0 show mode1 --set view.upper=3 --set view.window=20 --set view.references=exact
 result "they are in the scenario" says out '^references = exact$'

@@ -52,7 +52,8 @@ bool lesson_play_open(Laboratory *lab, const char *name, Status *status)
 
 void lesson_play_close(Laboratory *lab)
 {
-    const Parameter *chosen = edit_selected(&lab->screen);
+    /* of a laboratory that was not opened whole there is no run */
+    const Parameter *chosen = lab->screen.experiment ? edit_selected(&lab->screen) : NULL;
     if (lab->play.name[0])
         lesson_progress_write(lab->play.asker, lab->screen.lesson.reached);
     if (lab->play.name[0] && lab->options.sheet)
