@@ -122,6 +122,7 @@ END_TEST
 #undef BASE_ASSERTION_H
 #undef ASSERT
 #undef ASSERT_INT
+#undef ASSERT_INDEX
 #undef ASSERT_REAL
 #undef ASSERTION_COMPARE
 #include "base/assertion.h"

@@ -72,8 +72,8 @@ bool bar_mistakes_join(int one, int other, BarMistake *out)
     const BarMistake *a = bar_mistake_of(one), *b = bar_mistake_of(other);
     int holds, moves, algorithm;
     if (!a || !b || a == b || (a->thinned && b->thinned) || (a->volume && b->volume) ||
-        !join(a->holds, b->holds, &holds) || !join(a->moves, b->moves, &moves) ||
-        !join(a->algorithm, b->algorithm, &algorithm))
+        !join((int)a->holds, (int)b->holds, &holds) || !join((int)a->moves, (int)b->moves, &moves) ||
+        !join((int)a->algorithm, (int)b->algorithm, &algorithm))
         return false;
     *out = *a;
     if (!out->also_equation && b->stage != a->stage) {
