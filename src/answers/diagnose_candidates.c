@@ -4,6 +4,7 @@
  * them apart. */
 #include "answers/diagnose_internal.h"
 
+#include "base/assertion.h"
 #include "base/text.h"
 #include "problems/problem.h"
 
@@ -204,48 +205,85 @@ void diagnose_explain(const Candidate *candidate, const Settings *right, const S
 
 /* --- telling two apart ---------------------------------------------------------------------------------- */
 
-enum { LOOK = 12 }; /* so many steps tell any two codes apart that differ */
+enum { LOOK = 12, SERIES_MAX = 64 }; /* so many steps tell any two codes apart that differ */
 
-/* The column of the series, or else the field of the first set, in which two codes differ within some steps;
- * NULL: none. Of the columns of the file alone where a table is given. */
+/* The first rows of a run. */
+typedef struct Beginning {
+    Run run;
+    double rows[LOOK][SERIES_MAX];
+    long count;
+} Beginning;
+
+static bool take_row(void *owner, Run *run, long step, const double *row, Status *status)
+{
+    Beginning *beginning = owner;
+    const int count = run->sim->n_series < SERIES_MAX ? run->sim->n_series : SERIES_MAX;
+    (void)status;
+    ASSERT_INDEX(step, LOOK);
+    memcpy(beginning->rows[step], row, (size_t)count * sizeof *row);
+    beginning->count = step + 1;
+    return true;
+}
+
+/* Up to where it fails, if it does. */
+static bool begin(Beginning *beginning, const Settings *settings)
+{
+    const Sink sink = {.every = 1, .row = take_row, .owner = beginning};
+    Run *run = &beginning->run;
+    if (!run_open(run, settings, problem_simulate(settings, 1, NULL), NULL) || !run_start(run, &sink, NULL))
+        return false;
+    run_advance(run, (RunUntil){RUN_STEPS, LOOK - 1}, &sink, NULL);
+    return true;
+}
+
+/* The largest number of a column's unit in a row. */
+static double size_in(const Simulation *sim, const double *row, int column)
+{
+    double size = 0;
+    for (int i = 0; i < sim->n_series && i < SERIES_MAX; i++)
+        if (strcmp(sim->series[i].unit, sim->series[column].unit) == 0)
+            size = fmax(size, fabs(row[i]));
+    return size;
+}
+
+static bool has_column(const DiagnoseTable *table, const char *name)
+{
+    for (int c = 0; c < table->n_columns; c++)
+        if (strcmp(table->columns[c].name, name) == 0)
+            return true;
+    return false;
+}
+
+/* The first column of the series in which two beginnings differ; of a series' file one of its columns; NULL:
+ * none. */
+static const char *difference(const Beginning *a, const Beginning *b, const DiagnoseTable *only)
+{
+    const Simulation *sim = a->run.sim;
+    double size[SERIES_MAX] = {0};
+    for (long step = 0; step < a->count && step < b->count; step++)
+        for (int i = 0; i < sim->n_series && i < SERIES_MAX; i++) {
+            const char *name = sim->series[i].name;
+            const int other = simulation_find_series(b->run.sim, name);
+            size[i] = fmax(size[i], size_in(sim, a->rows[step], i));
+            if (other >= 0 && other < SERIES_MAX && (!only || only->set >= 0 || has_column(only, name)) &&
+                fabs(a->rows[step][i] - b->rows[step][other]) > 1e-9 * size[i])
+                return name;
+        }
+    return NULL;
+}
+
+/* Whether two codes differ within some steps, and in which column. */
 static bool differ(const Settings *a, const Settings *b, const DiagnoseTable *only,
                    char name[OVERLAY_NAME_MAX])
 {
-    Simulation *sims[2] = {problem_simulate(a, 1, NULL), problem_simulate(b, 1, NULL)};
-    bool found = false;
-    double *rows[2] = {NULL, NULL};
-    for (int s = 0; s < 2 && sims[0] && sims[1]; s++)
-        rows[s] = calloc((size_t)sims[s]->n_series + 1, sizeof(double));
-    double size[64] = {0};
-    for (int step = 0; step < LOOK && rows[0] && rows[1] && !found; step++) {
-        for (int s = 0; s < 2; s++)
-            simulation_row(sims[s], rows[s]);
-        for (int i = 0; i < sims[0]->n_series && i < 64 && !found; i++) {
-            const int other = simulation_find_series(sims[1], sims[0]->series[i].name);
-            if (other < 0)
-                continue;
-            double group = 0;
-            for (int k = 0; k < sims[0]->n_series; k++)
-                if (strcmp(sims[0]->series[k].unit, sims[0]->series[i].unit) == 0)
-                    group = fmax(group, fabs(rows[0][k]));
-            size[i] = fmax(size[i], group);
-            bool wanted = only == NULL;
-            for (int c = 0; only && c < only->n_columns; c++)
-                wanted = wanted ||
-                         (only->set < 0 ? strcmp(only->columns[c].name, sims[0]->series[i].name) == 0 : 1);
-            found = wanted && fabs(rows[0][i] - rows[1][other]) > 1e-9 * size[i];
-            if (found)
-                snprintf(name, OVERLAY_NAME_MAX, "%s", sims[0]->series[i].name);
-        }
-        for (int s = 0; s < 2 && !found; s++)
-            if (!simulation_steps(sims[s], 1, NULL, NULL, NULL))
-                step = LOOK;
-    }
-    for (int s = 0; s < 2; s++) {
-        free(rows[s]);
-        simulation_destroy(sims[s]);
-    }
-    return found;
+    Beginning *both = calloc(2, sizeof *both);
+    const char *found =
+        both && begin(&both[0], a) && begin(&both[1], b) ? difference(&both[0], &both[1], only) : NULL;
+    snprintf(name, OVERLAY_NAME_MAX, "%s", found ? found : "");
+    for (int i = 0; i < 2 && both; i++)
+        run_close(&both[i].run);
+    free(both);
+    return *name;
 }
 
 bool diagnose_tell_apart(const Settings *a, const Settings *b, const DiagnoseTable *table, char *out,
@@ -254,10 +292,8 @@ bool diagnose_tell_apart(const Settings *a, const Settings *b, const DiagnoseTab
     char name[OVERLAY_NAME_MAX];
     out[0] = '\0';
     if (table->set < 0 && differ(a, b, NULL, name)) {
-        bool has = false;
-        for (int c = 0; c < table->n_columns; c++)
-            has = has || strcmp(table->columns[c].name, name) == 0;
-        snprintf(out, size, has ? "more rows or digits of %s tell" : "the column %s tells", name);
+        snprintf(out, size,
+                 has_column(table, name) ? "more rows or digits of %s tell" : "the column %s tells", name);
         return true;
     }
     for (int i = 0; i < n_parameters; i++) {

@@ -126,8 +126,7 @@ static void compare_series(Walker *walker, Simulation *sim)
 static void compare_later(Simulation *sim, void *context)
 {
     Walker *walker = context;
-    for (int i = 0; i < sim->sets[walker->walk->table->set].ready_after && simulation_stage(sim, NULL); i++)
-        ;
+    simulation_make_ready(sim, walker->walk->table->set);
     compare_things(walker, sim);
 }
 

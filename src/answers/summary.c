@@ -152,15 +152,6 @@ void summary_of(Experiment *experiment, RunSummary *summary)
         summary_crack(summary, experiment_simulation(experiment), experiment_settings(experiment));
 }
 
-/* The rows up to the step on screen: behind it there are those that one has stepped back from. */
-static size_t rows_so_far(const Record *record, long step)
-{
-    size_t count = record->count;
-    while (count > 0 && record_row(record, count - 1)[0] > (double)step)
-        count--;
-    return count;
-}
-
 void summary_now(Experiment *experiment, SummaryPart part, RunSummary *summary)
 {
     const Simulation *sim = experiment_simulation(experiment);
@@ -172,7 +163,9 @@ void summary_now(Experiment *experiment, SummaryPart part, RunSummary *summary)
     if (part == SUMMARY_ENERGY && sim->stage == 0) {
         if (!experiment_invariant(experiment, &invariant[1], &invariant[0]))
             invariant[0] = NAN;
-        take_energy(summary, sim, columns, n, record->rows, rows_so_far(record, sim->step), invariant);
+        /* behind the step on screen there are rows that one has stepped back from */
+        const size_t rows = record->count > 0 ? record_find(record, simulation_time(sim)) + 1 : 0;
+        take_energy(summary, sim, columns, n, record->rows, rows, invariant);
     } else if (part == SUMMARY_FINDINGS) {
         summary->n_findings = references_findings(experiment_references(experiment), sim, summary->findings);
     } else if (part == SUMMARY_CRACK) {

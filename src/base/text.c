@@ -174,15 +174,33 @@ void text_append(char *out, size_t size, const char *format, ...)
     va_end(arguments);
 }
 
-bool text_next_word(const char **text, char *out, size_t size)
+static bool next_of(const char **text, const char *between, char *out, size_t size)
 {
-    *text += strspn(*text, " ");
-    size_t length = strcspn(*text, " ");
+    *text += strspn(*text, between);
+    const size_t length = strcspn(*text, between);
     if (length == 0)
         return false;
     snprintf(out, size, "%.*s", (int)length, *text);
     *text += length;
     return true;
+}
+
+bool text_next_word(const char **text, char *out, size_t size)
+{
+    return next_of(text, " ", out, size);
+}
+
+bool text_next_item(const char **list, char *out, size_t size)
+{
+    return next_of(list, ", ", out, size);
+}
+
+int text_place_in(const char *word, const char *const words[])
+{
+    for (int i = 0; words[i]; i++)
+        if (strcmp(words[i], word) == 0)
+            return i;
+    return -1;
 }
 
 void text_put_xml(FILE *stream, const char *text)

@@ -56,7 +56,12 @@ void text_factor(double factor, char out[NUMBER_TEXT_MAX]);
 /* Appends to a text; what does not fit is cut. */
 void text_append(char *out, size_t size, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
-/* Words separated by spaces, one after the other; false: there is no more. */
+/* Words separated by spaces, one after the other, cut where `out` is too short; false: there is no more.
+ * Items of a list may be parted by commas too. */
 bool text_next_word(const char **text, char *out, size_t size);
+bool text_next_item(const char **list, char *out, size_t size);
+
+/* Where a word stands among words that end with a NULL; -1: nowhere. */
+int text_place_in(const char *word, const char *const words[]);
 
 #endif

@@ -84,11 +84,42 @@ static bool work_all(Files *all, Status *status)
 
 /* --- what is said ----------------------------------------------------------------------------------- */
 
-enum { CELLS = 16, CELL_MAX = 200 };
+enum { CELL_MAX = 200 };
 
-static const char *const heads[CELLS] = {"file",     "verdict", "digits", "rows_agreed", "rows",  "step",
-                                         "stage",    "thing",   "column", "yours",       "right", "ratio",
-                                         "ratio_is", "code",    "rivals", "error"};
+/* What is told of a file, in the order of the table's columns. */
+typedef enum Cell {
+    CELL_FILE,
+    CELL_VERDICT,
+    CELL_DIGITS,
+    CELL_AGREED,
+    CELL_ROWS,
+    CELL_STEP,
+    CELL_STAGE,
+    CELL_THING,
+    CELL_COLUMN,
+    CELL_YOURS,
+    CELL_RIGHT,
+    CELL_RATIO,
+    CELL_RATIO_IS,
+    CELL_CODE,
+    CELL_RIVALS,
+    CELL_ERROR,
+    CELLS
+} Cell;
+
+static const struct {
+    const char *name;
+    bool is_number;
+} columns[CELLS] = {
+    [CELL_FILE] = {"file", false},         [CELL_VERDICT] = {"verdict", false},
+    [CELL_DIGITS] = {"digits", true},      [CELL_AGREED] = {"rows_agreed", true},
+    [CELL_ROWS] = {"rows", true},          [CELL_STEP] = {"step", true},
+    [CELL_STAGE] = {"stage", false},       [CELL_THING] = {"thing", false},
+    [CELL_COLUMN] = {"column", false},     [CELL_YOURS] = {"yours", true},
+    [CELL_RIGHT] = {"right", true},        [CELL_RATIO] = {"ratio", true},
+    [CELL_RATIO_IS] = {"ratio_is", false}, [CELL_CODE] = {"code", false},
+    [CELL_RIVALS] = {"rivals", false},     [CELL_ERROR] = {"error", false},
+};
 
 static const char *verdict_of(const File *file)
 {
@@ -108,31 +139,31 @@ static void fill(const File *file, char cells[CELLS][CELL_MAX])
     const Diagnosis *found = &file->found;
     const Departure *departure = &found->departure;
     memset(cells, 0, (size_t)CELLS * CELL_MAX);
-    visible_text(cells[0], CELL_MAX, file->path);
-    text_append(cells[1], CELL_MAX, "%s", verdict_of(file));
-    text_append(cells[15], CELL_MAX, "%s", file->failure.text);
+    visible_text(cells[CELL_FILE], CELL_MAX, file->path);
+    text_append(cells[CELL_VERDICT], CELL_MAX, "%s", verdict_of(file));
+    text_append(cells[CELL_ERROR], CELL_MAX, "%s", file->failure.text);
     if (file->failure.code != STATUS_DONE)
         return;
-    text_append(cells[4], CELL_MAX, "%zu", found->rows);
+    text_append(cells[CELL_ROWS], CELL_MAX, "%zu", found->rows);
     if (found->verdict == DIAGNOSE_COPIED || found->verdict == DIAGNOSE_MUTE)
         return;
-    text_append(cells[2], CELL_MAX, "%d", found->digits);
-    text_append(cells[3], CELL_MAX, "%zu", found->agreed);
+    text_append(cells[CELL_DIGITS], CELL_MAX, "%d", found->digits);
+    text_append(cells[CELL_AGREED], CELL_MAX, "%zu", found->agreed);
     for (int i = 0; i < found->n_explanations; i++) {
-        char *cell = cells[found->verdict == DIAGNOSE_EXPLAINED && i == 0 ? 13 : 14];
+        char *cell = cells[found->verdict == DIAGNOSE_EXPLAINED && i == 0 ? CELL_CODE : CELL_RIVALS];
         text_append(cell, CELL_MAX, "%s%s", *cell ? " " : "", found->explanations[i].id);
     }
     if (!departure->is)
         return;
-    put_number(cells[5], (double)departure->step);
-    text_append(cells[6], CELL_MAX, "%s", departure->stage > 0 ? departure->stage_id : "");
+    put_number(cells[CELL_STEP], (double)departure->step);
+    text_append(cells[CELL_STAGE], CELL_MAX, "%s", departure->stage > 0 ? departure->stage_id : "");
     if (file->table.set >= 0)
-        text_append(cells[7], CELL_MAX, "%s %zu", file->table.thing, departure->thing);
-    text_append(cells[8], CELL_MAX, "%s", file->table.columns[departure->column].name);
-    put_number(cells[9], departure->theirs);
-    put_number(cells[10], departure->ours);
-    put_number(cells[11], departure->theirs / departure->ours);
-    text_append(cells[12], CELL_MAX, "%s", departure->factors);
+        text_append(cells[CELL_THING], CELL_MAX, "%s %zu", file->table.thing, departure->thing);
+    text_append(cells[CELL_COLUMN], CELL_MAX, "%s", file->table.columns[departure->column].name);
+    put_number(cells[CELL_YOURS], departure->theirs);
+    put_number(cells[CELL_RIGHT], departure->ours);
+    put_number(cells[CELL_RATIO], departure->theirs / departure->ours);
+    text_append(cells[CELL_RATIO_IS], CELL_MAX, "%s", departure->factors);
 }
 
 static void tell_lines(const Files *all)
@@ -147,13 +178,16 @@ static void tell_lines(const Files *all)
         const File *file = &all->files[i];
         char place[CELL_MAX] = "";
         fill(file, cells);
-        if (*cells[5])
-            text_append(place, sizeof place, "step %s%s%s %s", cells[5], *cells[6] ? " " : "", cells[6],
-                        cells[8]);
-        const char *first = *cells[15] ? cells[15] : *cells[13] ? cells[13] : "";
-        const bool rivals = *cells[14] && file->found.verdict == DIAGNOSE_EXPLAINED;
-        visible_print(stdout, "%-*s %-9s %6s %7s  %-22s %s%s%s\n", wide, cells[0], cells[1], cells[2],
-                      cells[3], place, first, rivals ? " or " : "", rivals ? cells[14] : "");
+        if (*cells[CELL_STEP])
+            text_append(place, sizeof place, "step %s%s%s %s", cells[CELL_STEP],
+                        *cells[CELL_STAGE] ? " " : "", cells[CELL_STAGE], cells[CELL_COLUMN]);
+        const char *first = *cells[CELL_ERROR]  ? cells[CELL_ERROR]
+                            : *cells[CELL_CODE] ? cells[CELL_CODE]
+                                                : "";
+        const bool rivals = *cells[CELL_RIVALS] && file->found.verdict == DIAGNOSE_EXPLAINED;
+        visible_print(stdout, "%-*s %-9s %6s %7s  %-22s %s%s%s\n", wide, cells[CELL_FILE],
+                      cells[CELL_VERDICT], cells[CELL_DIGITS], cells[CELL_AGREED], place, first,
+                      rivals ? " or " : "", rivals ? cells[CELL_RIVALS] : "");
     }
 }
 
@@ -175,9 +209,9 @@ static void tell_json(const Files *all)
     for (int i = 0; i < all->count; i++) {
         fill(&all->files[i], cells);
         fputs("  {\"file\": ", stdout);
-        text_put_json(stdout, cells[0], strlen(cells[0]));
+        text_put_json(stdout, cells[CELL_FILE], strlen(cells[CELL_FILE]));
         for (int c = 1; c < CELLS; c++)
-            put_json(stdout, heads[c], cells[c], (c >= 2 && c <= 5) || (c >= 9 && c <= 11));
+            put_json(stdout, columns[c].name, cells[c], columns[c].is_number);
         puts(i + 1 < all->count ? "}," : "}");
     }
     puts("]");
@@ -190,9 +224,11 @@ static bool write_table(const Files *all, Status *status)
     char cells[CELLS][CELL_MAX];
     if (!output_open(&file, ASKER_COMMAND_LINE, options->output, options->force, status))
         return false;
-    csv_words(file.stream, options->outputs.dialect, heads, CELLS);
+    const char *row[CELLS];
+    for (int c = 0; c < CELLS; c++)
+        row[c] = columns[c].name;
+    csv_words(file.stream, options->outputs.dialect, row, CELLS);
     for (int i = 0; i < all->count; i++) {
-        const char *row[CELLS];
         fill(&all->files[i], cells);
         for (int c = 0; c < CELLS; c++)
             row[c] = cells[c];

@@ -82,10 +82,9 @@ static bool take_keys(char *list, FitTask *task, Status *status)
     return fit_data_keys(list, task, status) || (status_prefix(status, "--vary"), false);
 }
 
-static void print_result(const Options *options, const FitTask *task, const FitResult *result)
+static void print_result(const FitTask *task, const FitResult *result)
 {
     char told[1024];
-    (void)options;
     printf("%s, %zu data, %ld runs: %d beginnings, %d search%s, %d iterations\n", task->column, task->count,
            result->runs, result->beginnings, result->searches, result->searches == 1 ? "" : "es",
            result->iterations);
@@ -249,8 +248,10 @@ int cli_fit(int count, char **arguments, Status *status)
             describe(&options, &crate, &result.settings, status) &&
             (!options.figure || draw(&options, &data, &result, &progress, status));
     progress_end(&progress);
-    if (found)
-        (options.json ? print_json : print_result)(&options, &task, &result);
+    if (found && options.json)
+        print_json(&options, &task, &result);
+    else if (found)
+        print_result(&task, &result);
     if (sound && options.output && !options.json)
         printf("wrote %s\n", options.output);
     if (sound && options.figure && !options.json)

@@ -152,7 +152,7 @@ static bool is_field(const Simulation *sim, const char *name)
 /* What is written, in the order of the series; what is asked for is there. */
 static bool choose_columns(Export *export, Status *status)
 {
-    const char *asked = export->settings->output.columns, *at = asked + strspn(asked, ", ");
+    const char *asked = export->settings->output.columns;
     char known[512] = "all";
     for (int i = 0; i < export->n_columns; i++) {
         const char *name = export->columns[i].quantity.name;
@@ -160,10 +160,7 @@ static bool choose_columns(Export *export, Status *status)
             export->written[export->n_written++] = i;
         text_list_add(known, sizeof known, name);
     }
-    for (; *at; at += strspn(at, ", ")) {
-        char name[80];
-        snprintf(name, sizeof name, "%.*s", (int)strcspn(at, ", "), at);
-        at += strcspn(at, ", ");
+    for (char name[80]; text_next_item(&asked, name, sizeof name);) {
         bool found = strcmp(name, "all") == 0;
         for (int i = 0; i < export->n_columns; i++)
             found = found || strcmp(name, export->columns[i].quantity.name) == 0;

@@ -260,12 +260,10 @@ static void write_things(const Simulation *sim, const Sheet *sheet)
     }
 }
 
-/* What a stage cannot do any more stays as it stands. */
 static void write_later_things(Simulation *sim, void *context)
 {
     const Sheet *sheet = context;
-    for (int i = 0; i < sim->sets[sheet->table->set].ready_after && simulation_stage(sim, NULL); i++)
-        ;
+    simulation_make_ready(sim, sheet->table->set);
     write_things(sim, sheet);
 }
 

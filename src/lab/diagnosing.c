@@ -12,15 +12,15 @@
 
 typedef struct Waiting {
     Laboratory *lab;
-    long asked;
+    const Diagnosis *found;
 } Waiting;
 
 static bool wait_for_it(double share, void *context)
 {
     Waiting *waiting = context;
     (void)share; /* of one run; how many it takes nobody knows */
-    laboratory_say(waiting->lab, MESSAGE_INFO, "trying other codes, %ld blocks of steps   ^C stops",
-                   ++waiting->asked);
+    laboratory_say(waiting->lab, MESSAGE_INFO, "trying other codes, %ld so far   ^C stops",
+                   waiting->found->tried);
     return laboratory_go_on(waiting->lab);
 }
 
@@ -46,12 +46,12 @@ bool diagnosing_answer(Laboratory *lab, const char *words)
     char path[NAME_MAX_BYTES];
     const Settings settings = *experiment_base(lab->screen.experiment);
     Status status = {STATUS_DONE, ""};
-    Waiting waiting = {lab, 0};
+    Diagnosis *found = calloc(1, sizeof *found);
+    Waiting waiting = {lab, found};
     const DiagnoseTask task = {.settings = &settings,
                                .threads = lab->options.threads > 0 ? lab->options.threads : 1,
                                .patience = {wait_for_it, &waiting}};
     DiagnoseTable *table = calloc(1, sizeof *table);
-    Diagnosis *found = calloc(1, sizeof *found);
     snprintf(path, sizeof path, "%s", words + strspn(words, " "));
     player_pause(lab);
     const bool sound = *path ? ((table && found) || status_fail(&status, STATUS_FAILED, "out of memory")) &&

@@ -234,14 +234,8 @@ const RunNumber *run_number_find(const char *word)
 
 const RunNumber *run_number_about(const Settings *settings)
 {
-    const unsigned concerns = (unsigned)settings->problem->concerns;
     const RunNumber *named = settings->view.about[0] ? run_number_find(settings->view.about) : NULL;
-    if (named && named->label)
-        return named;
-    return run_number_find(concerns & CONCERN_PLATE   ? "broken_bonds"
-                           : concerns & CONCERN_NOTCH ? "crack_length"
-                           : concerns & CONCERN_BEAM  ? "period_error"
-                                                      : "late");
+    return named && named->label ? named : run_number_find(settings->problem->about);
 }
 
 bool run_numbers_beforehand(const Settings *settings, RunSummary *summary, Status *status)

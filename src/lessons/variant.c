@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Draws values from names (variant.h). */
 #include "lessons/variant.h"
+#include "base/text.h"
 
 #include "base/hash.h"
 #include "base/math/functions.h"
@@ -53,50 +54,30 @@ const char *variant_word(const char *value)
     return value + (*value == '?');
 }
 
-/* The next word of a list parted by commas and blanks, and behind it; NULL: there is none. */
-static const char *next_word(const char *list, const char **begin, size_t *length)
-{
-    *begin = list + strspn(list, " ,");
-    *length = strcspn(*begin, " ,");
-    return *length > 0 ? *begin + *length : NULL;
-}
-
 bool variant_has_word(const char *list, const char *word)
 {
-    const char *begin;
-    size_t length;
-    while ((list = next_word(list, &begin, &length)))
-        if (strlen(word) == length && strncmp(begin, word, length) == 0)
+    for (char item[KEY_MAX]; text_next_item(&list, item, sizeof item);)
+        if (strcmp(item, word) == 0)
             return true;
     return false;
-}
-
-static const char *choice_of(const Parameter *parameter, const char *begin, size_t length)
-{
-    for (int i = 0; parameter->choices[i]; i++)
-        if (strlen(parameter->choices[i]) == length && strncmp(parameter->choices[i], begin, length) == 0)
-            return parameter->choices[i];
-    return NULL;
 }
 
 /* The words behind "KEY from"; of mistakes none but mistakes. */
 static bool read_words(const char *list, const Parameter *parameter, Variant *variant, Status *status)
 {
-    const char *begin;
-    size_t length;
+    char item[KEY_MAX];
     variant->concealed = parameter->wrong;
-    while ((list = next_word(list, &begin, &length))) {
-        const char *word = choice_of(parameter, begin, length);
-        if (!word || (parameter->wrong && word == parameter->choices[0]))
-            return status_fail(status, STATUS_USAGE, "%s: %.*s is none of its words (see: matvib params)",
-                               variant->key, length < 40 ? (int)length : 40, begin);
-        for (int i = 0; i < variant->n_words; i++)
-            if (variant->words[i] == word)
-                return status_fail(status, STATUS_USAGE, "%s: %s stands there twice", variant->key, word);
+    while (text_next_item(&list, item, sizeof item)) {
+        const int choice = text_place_in(item, parameter->choices);
+        if (choice < 0 || (parameter->wrong && choice == 0))
+            return status_fail(status, STATUS_USAGE, "%s: %s is none of its words (see: matvib params)",
+                               variant->key, item);
+        if (text_place_in(item, variant->words) >= 0)
+            return status_fail(status, STATUS_USAGE, "%s: %s stands there twice", variant->key, item);
         if (variant->n_words == VARIANT_WORDS_MAX)
             return status_fail(status, STATUS_USAGE, "%s: too many words (at most %d)", variant->key,
                                VARIANT_WORDS_MAX);
-        variant->words[variant->n_words++] = word;
+        variant->words[variant->n_words++] = parameter->choices[choice];
     }
     return variant->n_words >= 2 ||
            status_fail(status, STATUS_USAGE, "%s: two words at least are wanted to draw from", variant->key);

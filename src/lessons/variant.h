@@ -13,10 +13,10 @@ enum { STUDENT_MAX = 128, VARIANT_WORDS_MAX = 16 };
 typedef struct Variant {
     char key[KEY_MAX];
     double from, to;
-    bool whole;                           /* whole numbers only */
-    const char *words[VARIANT_WORDS_MAX]; /* of a choice: those to draw from */
-    int n_words;                          /* 0: it has numbers */
-    bool concealed;                       /* the words are mistakes, which the laboratory does not tell */
+    bool whole;                               /* whole numbers only */
+    const char *words[VARIANT_WORDS_MAX + 1]; /* of a choice: those to draw from, ended by NULL */
+    int n_words;                              /* 0: it has numbers */
+    bool concealed;                           /* the words are mistakes, which the laboratory does not tell */
 } Variant;
 
 /* "KEY from A to B", "KEY from WORD, WORD ...". */

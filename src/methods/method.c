@@ -210,6 +210,13 @@ bool simulation_visit(Simulation *sim, const void *there, void (*look)(Simulatio
     return true;
 }
 
+void simulation_make_ready(Simulation *sim, int set)
+{
+    ASSERT_INDEX(set, sim->n_sets);
+    for (int i = 0; i < sim->sets[set].ready_after && simulation_stage(sim, NULL); i++)
+        ;
+}
+
 static void stay(Simulation *sim, void *context)
 {
     (void)sim;
@@ -423,16 +430,14 @@ bool simulation_follow(Simulation *sim, const char *thing, Status *status)
 /* The value where the field is ready: now, or after some stages of a step that is then taken back. */
 static double value_of(Simulation *sim, int field, size_t index)
 {
-    const int stages = sim->sets[sim->fields[field].set].ready_after;
+    const int set = sim->fields[field].set;
     void *present = sim->follow->present;
     double value = NAN;
-    if (stages > 0)
+    if (sim->sets[set].ready_after > 0)
         simulation_snapshot(sim, present);
-    for (int i = 0; i < stages; i++)
-        if (!simulation_stage(sim, NULL))
-            break; /* the run will fail by itself, in its own time */
+    simulation_make_ready(sim, set); /* a run that fails there will do so by itself, in its own time */
     sim->method->field(sim, field, index, 1, &value);
-    if (stages > 0)
+    if (sim->sets[set].ready_after > 0)
         simulation_restore(sim, present);
     return value;
 }

@@ -92,7 +92,7 @@ enum {
 
 /* "set_from[index_from] and the other are linked": a particle and a node of its cell, the two ends of a bond.
  */
-enum { LINK_FACTORS = 4 };
+enum { LINK_C, LINK_G, LINK_W, LINK_V, LINK_FACTORS };
 typedef struct Link {
     int set;      /* of the other end */
     size_t index; /* of the other end */
@@ -327,6 +327,10 @@ void simulation_restore(Simulation *, const void *bytes);
  * it as he likes, and comes back to the present. False: no memory, nobody has looked. */
 bool simulation_visit(Simulation *, const void *there, void (*look)(Simulation *, void *context),
                       void *context);
+
+/* Goes on, within the step, to where the things of a set are ready (Set.ready_after): for who comes back, as
+ * by simulation_visit(). What a stage cannot do any more stays as it stands. */
+void simulation_make_ready(Simulation *, int set);
 
 /* A simulation that has failed goes no further even where it stands at a sound moment; from here on it is as
  * one that was brought there, and may walk up to its failure again. False: no memory. */

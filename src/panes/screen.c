@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The whole screen: each pane drawn where the layout puts it, and what the mouse finds in the plot panes. */
+#include "base/text.h"
 #include "panes/screen.h"
 #include "scenario/settings.h"
 #include "views/inspector/inspector.h"
@@ -31,9 +32,9 @@ void screen_read_view(Screen *screen, const ViewSettings *view)
     for (int i = 0; i < SHOW_COUNT; i++)
         if (strcmp(view->references, parameter_reference_words[i]) == 0)
             screen->views.references = (ReferencesShown)i;
-    for (int i = 0; parameter_sheet_words[i]; i++)
-        if (strcmp(view->sheet, parameter_sheet_words[i]) == 0)
-            screen->panes.sheet = (Sheet)i;
+    const int sheet = text_place_in(view->sheet, parameter_sheet_words);
+    if (sheet >= 0)
+        screen->panes.sheet = (Sheet)sheet;
     const View *map = view_of_map();
     for (int i = 0; i < view_variants(map, screen); i++) {
         const char *word = view_variant_word(map, screen, i);

@@ -109,6 +109,14 @@ void picture_rule(Picture *picture, double x, Style style, const char *word)
     picture_add_mark(picture, (PictureMark){.x = x, .style = style, .kind = MARK_RULE, .word = word});
 }
 
+void picture_line(Picture *picture, double x0, double y0, double x1, double y1, LineStyle line, Style style,
+                  char letter)
+{
+    plot_begin(&picture->plot, STROKE_LINE, line, style, RANK_GHOST, letter);
+    plot_point(&picture->plot, x0, y0);
+    plot_point(&picture->plot, x1, y1);
+}
+
 void picture_level(Picture *picture, double y, LineStyle line, Style style, int rank, char letter)
 {
     plot_begin(&picture->plot, STROKE_LINE, line, style, rank, letter);

@@ -200,6 +200,16 @@ static void tell_changes(Plain *plain)
     plain->page = screen->lesson.open && screen->lesson.lesson;
 }
 
+/* As it was given; of a mistake that is not told no more than that there is one. */
+static void show_value(const Settings *settings, const Parameter *parameter, char out[LIST_MAX])
+{
+    settings_get(settings, parameter, out);
+    if (*out == '?')
+        out[1] = '\0';
+    if (!*out)
+        strcpy(out, "-");
+}
+
 /* Parameters of the same run that have another value now. */
 static void tell_edits(Plain *plain)
 {
@@ -213,14 +223,11 @@ static void tell_edits(Plain *plain)
             continue;
         settings_get(&plain->settings, &parameters[i], was);
         settings_get(settings, &parameters[i], is);
-        if (strcmp(was, is) != 0)
-            words_say(&words, 2, "%s (%s): %s, before: %s.", parameters[i].label, parameters[i].key,
-                      *is == '?' ? "?"
-                      : *is      ? is
-                                 : "-",
-                      *was == '?' ? "?"
-                      : *was      ? was
-                                  : "-");
+        if (strcmp(was, is) != 0) {
+            show_value(&plain->settings, &parameters[i], was);
+            show_value(settings, &parameters[i], is);
+            words_say(&words, 2, "%s (%s): %s, before: %s.", parameters[i].label, parameters[i].key, is, was);
+        }
         put_words(plain, &words);
     }
     char about[64], was[ROW_TEXT_MAX], is[ROW_TEXT_MAX];

@@ -27,6 +27,7 @@ const Problem problem_bar = {
     .body = "bar",
     .answer = "exact",
     .title = "axial vibration of a bar",
+    .about = "late",
     .concerns = CONCERN_BAR | CONCERN_MODES | CONCERN_MESH | CONCERN_METHODS | CONCERN_LATTICE |
                 CONCERN_PULL | CONCERN_WAVES,
     .uses = uses,

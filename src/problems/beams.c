@@ -46,6 +46,7 @@ static const Solver *const solvers_supported[] = {&beam_by_pd_supported, &beam_b
 const Problem problem_supported_beam = {
     .word = "simply-supported-beam",
     .title = "vibration of a simply supported beam",
+    .about = "period_error",
     .concerns = BEAM_CONCERNS | CONCERN_DEFLECTION | PLANE_CONCERNS | CONCERN_SECTIONS | CONCERN_WEIGHT |
                 CONCERN_REST,
     USES(uses_supported),
@@ -76,6 +77,7 @@ static const Solver *const solvers_moving[] = {&beam_by_pd_moving, &beam_by_mpm_
 const Problem problem_moving_cantilever = {
     .word = "moving-cantilever",
     .title = "vibration of an axially moving cantilever",
+    .about = "period_error",
     .concerns = BEAM_CONCERNS | CONCERN_DEFLECTION | CONCERN_MOTION | PLANE_CONCERNS | CONCERN_RIDING,
     USES(uses_moving),
     .solvers = solvers_moving,
@@ -103,6 +105,7 @@ static const Solver *const solvers_notched[] = {&beam_by_pd_notched, NULL};
 const Problem problem_notched_beam = {
     .word = "notched-beam",
     .title = "three-point bending of a beam with an offset notch",
+    .about = "crack_length",
     .concerns = BEAM_CONCERNS | CONCERN_NOTCH | CONCERN_PRESSURE | CONCERN_SUPPORTS | CONCERN_REST,
     USES(uses_notched),
     .solvers = solvers_notched,
@@ -132,6 +135,7 @@ static const Solver *const solvers_plate[] = {&beam_by_pd_plate, NULL};
 const Problem problem_plate = {
     .word = "plate",
     .title = "a plate with cuts, loads and supports of your own",
+    .about = "broken_bonds",
     .concerns = CONCERN_PLATE | CONCERN_LATTICE | CONCERN_BREAKING | CONCERN_STEP | CONCERN_DAMPING |
                 CONCERN_WEIGHT | CONCERN_REST,
     USES(uses_plate),

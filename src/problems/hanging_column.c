@@ -162,6 +162,7 @@ const Problem problem_hanging_column = {
     .body = "column",
     .answer = "exact",
     .title = "a bar that hangs at rest",
+    .about = "late",
     .concerns = CONCERN_BAR | CONCERN_MESH | CONCERN_WEIGHT,
     .uses = uses,
     .n_uses = sizeof uses / sizeof *uses,

@@ -206,6 +206,7 @@ const Problem problem_one_particle = {
     .body = "particle",
     .answer = "exact",
     .title = "one particle in one cell",
+    .about = "late",
     .concerns = CONCERN_POINT | CONCERN_MESH,
     .uses = uses,
     .n_uses = sizeof uses / sizeof *uses,

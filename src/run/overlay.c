@@ -182,6 +182,8 @@ static bool make_room(Reader *reader, Overlay *overlay)
     return true;
 }
 
+enum { POWER_MAX = 400 }; /* no double has more; 0e99999999999 is 0 */
+
 /* How exactly a number is written, for its column: "0.0120" has 3 digits and 4 places. */
 static void note_digits(OverlayColumn *column, const char *cell)
 {
@@ -194,9 +196,10 @@ static void note_digits(OverlayColumn *column, const char *cell)
             digits += digits > 0 || *cell != '0';
             places += fraction;
         }
-    places -= *cell ? atoi(cell + 1) : 0;
+    const long power = *cell ? strtol(cell + 1, NULL, 10) : 0;
+    places -= (int)(power < -POWER_MAX ? -POWER_MAX : power > POWER_MAX ? POWER_MAX : power);
     column->digits = digits > column->digits ? digits : column->digits;
-    column->places = column->digits == 0 || places > column->places ? places : column->places;
+    column->places = places > column->places ? places : column->places;
 }
 
 /* Takes the line that was cut; `cells` of them. */
@@ -249,6 +252,7 @@ static bool take_head(Reader *reader, Overlay *overlay)
     overlay->n_columns = cells;
     for (int i = 0; i < cells; i++) {
         overlay->columns[i].least = overlay->columns[i].largest = NAN;
+        overlay->columns[i].places = -POWER_MAX;
         names |= !number_of(reader, reader->cells[i], &value);
     }
     for (int i = 0; i < cells && names; i++)

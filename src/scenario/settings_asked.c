@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a scenario asks about: the key of its question, and those of its screen. */
 #include "scenario/parameters.h"
+#include "base/text.h"
 #include "scenario/settings.h"
-
-#include <stdio.h>
-#include <string.h>
 
 const Parameter *settings_question(const Settings *settings)
 {
@@ -19,22 +17,12 @@ static const char *const usually_asked[] = {
     "mesh.cell_size", "mesh.particles_per_cell", "time.courant", "pd.spacing", "pd.horizon", "load.stress",
     "time.step"};
 
-/* The next key of a list with commas; false: there is no more. */
-static bool next_key(const char **list, char key[KEY_MAX])
-{
-    *list += strspn(*list, ", ");
-    const size_t length = strcspn(*list, ", ");
-    snprintf(key, KEY_MAX, "%.*s", (int)length, *list);
-    *list += length;
-    return length > 0;
-}
-
 int settings_asked(const Settings *settings, const Parameter *out[ASKED_MAX])
 {
     const char *list = settings->view.ask;
     char key[KEY_MAX];
     int n = 0;
-    while (n < ASKED_MAX && next_key(&list, key)) {
+    while (n < ASKED_MAX && text_next_item(&list, key, sizeof key)) {
         const Parameter *parameter = parameter_find(key);
         if (parameter && parameter_applies_to(settings, parameter))
             out[n++] = parameter;
@@ -55,7 +43,7 @@ bool settings_check_asked(const Settings *settings, Status *status)
 {
     const char *list = settings->view.ask;
     char key[KEY_MAX];
-    for (int n = 0; next_key(&list, key); n++) {
+    for (int n = 0; text_next_item(&list, key, sizeof key); n++) {
         const Parameter *parameter = parameter_find(key);
         if (!parameter || !parameter_applies(parameter, settings->problem))
             return status_fail(status, STATUS_USAGE,

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* NearBonds from near: the strongest bond of the chosen node with its two ends, at rest and as it is, its
+/* Bonds from near: the strongest bond of the chosen node with its two ends, at rest and as it is, its
  * pull and the factors of that; or the family, the strongest bonds one by one and the others as a sum. The
- * links are the method's (Simulation.links), in the order of the box: the strongest first. */
+ * links are the method's (Method.links), in the order of the box: the strongest first. */
 #include "base/math/functions.h"
 #include "panes/panes.h"
 #include "views/views.h"
@@ -39,7 +39,7 @@ static int by_pull(const void *a, const void *b)
 /* The force density that a bond gives; a link's pull is that times the volume of the other end. */
 static double density_of(const Link *link)
 {
-    return link->factors[3] > 0 ? link->pull / link->factors[3] : 0;
+    return link->factors[LINK_V] > 0 ? link->pull / link->factors[LINK_V] : 0;
 }
 
 /* Towards the other end as it is now; along a line it may be a mirror image. */
@@ -101,13 +101,6 @@ static void add_end(Picture *picture, double x, double y, size_t node, bool own,
                                             .index = node});
 }
 
-static void add_line(Picture *picture, double x0, double x1, double y, Style style, LineStyle line)
-{
-    plot_begin(&picture->plot, STROKE_LINE, line, style, RANK_GHOST, '-');
-    plot_point(&picture->plot, x0, y);
-    plot_point(&picture->plot, x1, y);
-}
-
 static void open_drawing(Picture *picture, double low, double high, const char *name)
 {
     picture->kind = PICTURE_DRAWING;
@@ -120,7 +113,8 @@ static void open_drawing(Picture *picture, double low, double high, const char *
 /* "c G w V s = 133.3 × 1 × 0.5 × 0.5 × -0.0073 = -0.32": the factors as a product. */
 static void write_product(const NearBonds *bonds, const Link *link, char out[2][160])
 {
-    static const char *const names[LINK_FACTORS] = {"c", "G", "w", "V"};
+    static const char *const names[LINK_FACTORS] = {
+        [LINK_C] = "c", [LINK_G] = "G", [LINK_W] = "w", [LINK_V] = "V"};
     char number[NUMBER_TEXT_MAX];
     out[0][0] = out[1][0] = '\0';
     for (int f = 0; f < LINK_FACTORS; f++) {
@@ -166,9 +160,9 @@ static void describe_bond(const NearBonds *bonds, Picture *picture)
         if (!link->broken && link->stretch != 0)
             add_pull(picture, now, copysign(0.1, link->stretch) * (e ? -1 : 1));
     }
-    add_line(picture, 0.25, 0.75, 10, STYLE_FAINT, LINE_SOLID);
-    add_line(picture, 0.5 - half, 0.5 + half, 6.5, link->broken ? STYLE_FAINT : STYLE_MEASURED,
-             link->broken ? LINE_DASHED : LINE_SOLID);
+    picture_line(picture, 0.25, 10, 0.75, 10, LINE_SOLID, STYLE_FAINT, '-');
+    picture_line(picture, 0.5 - half, 6.5, 0.5 + half, 6.5, link->broken ? LINE_DASHED : LINE_SOLID,
+                 link->broken ? STYLE_FAINT : STYLE_MEASURED, '-');
     text_fitted(math_hypot(bonds->at[0][0], bonds->at[0][1]) * bonds->sim->spacing, DIGITS, COLUMNS, number);
     snprintf(text, sizeof text, "at rest: |ξ| %s", number);
     add_label(picture, 0.5, 11.6, 0, STYLE_FAINT, text);

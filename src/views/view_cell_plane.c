@@ -39,13 +39,6 @@ static bool is_near(const double at[2], const double low[2], const double high[2
     return at[0] > low[0] && at[0] < high[0] && at[1] > low[1] && at[1] < high[1];
 }
 
-static void add_line(Picture *picture, double x0, double y0, double x1, double y1)
-{
-    plot_begin(&picture->plot, STROKE_LINE, LINE_SOLID, STYLE_FRAME, RANK_GHOST, x0 == x1 ? '|' : '-');
-    plot_point(&picture->plot, x0, y0);
-    plot_point(&picture->plot, x1, y1);
-}
-
 /* The grid lines of the nodes that it sees, each once. */
 static void add_grid(Picture *picture, const Simulation *sim, const Link *links, size_t count)
 {
@@ -57,9 +50,9 @@ static void add_grid(Picture *picture, const Simulation *sim, const Link *links,
             for (int d = 0; d < 2; d++)
                 drawn[d] |= node_at(sim, d, links[k].index) == at[d];
         if (!drawn[0])
-            add_line(picture, at[0], y->low, at[0], y->high);
+            picture_line(picture, at[0], y->low, at[0], y->high, LINE_SOLID, STYLE_FRAME, '|');
         if (!drawn[1])
-            add_line(picture, x->low, at[1], x->high, at[1]);
+            picture_line(picture, x->low, at[1], x->high, at[1], LINE_SOLID, STYLE_FRAME, '-');
     }
 }
 

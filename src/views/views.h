@@ -18,6 +18,9 @@ int crack_cost_variants(const Screen *);
 const char *crack_cost_variant_word(const Screen *, int variant);
 void crack_cost_describe(const Screen *, int variant, Picture *);
 
+/* Two or three cells of a bar's mesh, with the terms of a stage, or (1) where the mass of a node sits. */
+void cell_bar_describe(const Screen *, int variant, Picture *);
+
 /* One bond with its two ends, or the strongest of a family, in the place of a cell where there is no mesh. */
 enum { CELL_BONDS_VARIANTS = 2 };
 void cell_bonds_describe(const Screen *, int variant, Picture *);

@@ -89,6 +89,24 @@ START_TEST(a_table_without_names_goes_by_numbers)
 }
 END_TEST
 
+/* How exactly numbers are written; a power without end is no number of places. */
+START_TEST(digits_are_counted_as_written)
+{
+    static const char *const text = "t,a,b,c,d\n0,0.0120,1.5e3,0e-99999999999,0e99999999999\n";
+    static const struct {
+        int digits, places;
+    } wanted[] = {{0, 0}, {3, 4}, {2, -2}, {0, 400}, {0, -400}};
+    Overlay overlay;
+    Status status = {STATUS_DONE, ""};
+    ck_assert_msg(read_text(&overlay, text, &status), "%s", status.text);
+    for (int i = 1; i < overlay.n_columns; i++) {
+        ck_assert_int_eq(overlay.columns[i].digits, wanted[i].digits);
+        ck_assert_int_eq(overlay.columns[i].places, wanted[i].places);
+    }
+    overlay_close(&overlay);
+}
+END_TEST
+
 START_TEST(x_makes_it_a_profile)
 {
     Overlay overlay;
@@ -265,6 +283,7 @@ void add_cases(Suite *suite)
     TCase *tcase = tcase_create("overlay");
     tcase_add_loop_test(tcase, every_dialect_reads_to_the_same, 0,
                         (int)(sizeof same_tables / sizeof *same_tables));
+    tcase_add_test(tcase, digits_are_counted_as_written);
     tcase_add_test(tcase, a_table_without_names_goes_by_numbers);
     tcase_add_test(tcase, x_makes_it_a_profile);
     tcase_add_test(tcase, rows_are_found_by_x);

@@ -233,14 +233,12 @@ static bool references(Laboratory *lab, const char *words)
 
 static bool sheet(Laboratory *lab, const char *words)
 {
-    for (int i = 0; parameter_sheet_words[i]; i++)
-        if (strcmp(words, parameter_sheet_words[i]) == 0) {
-            command_show_sheet(lab, (Sheet)i);
-            return true;
-        }
-    if (!*words)
+    const int which = text_place_in(words, parameter_sheet_words);
+    if (which >= 0)
+        command_show_sheet(lab, (Sheet)which);
+    else if (!*words)
         command_sheet(lab);
-    return !*words || prompt_refuse(&lab->prompting, "which sheet? (plain | full)");
+    return which >= 0 || !*words || prompt_refuse(&lab->prompting, "which sheet? (plain | full)");
 }
 
 /* Which of one of the simulation's sets: particles, nodes. */

@@ -121,10 +121,9 @@ static bool read_student(Session *session, const char *text, Status *status)
 
 static bool read_sheet(Session *session, const char *text, Status *status)
 {
-    for (int i = 0; parameter_sheet_words[i]; i++)
-        if (strcmp(parameter_sheet_words[i], text) == 0)
-            return (session->sheet = parameter_sheet_words[i]) != NULL;
-    return status_fail(status, STATUS_USAGE, "not a sheet (sheet plain, sheet full)");
+    const int sheet = text_place_in(text, parameter_sheet_words);
+    session->sheet = sheet >= 0 ? parameter_sheet_words[sheet] : NULL;
+    return sheet >= 0 || status_fail(status, STATUS_USAGE, "not a sheet (sheet plain, sheet full)");
 }
 
 static bool read_id(Session *session, const char *text, Status *status)

@@ -3,6 +3,7 @@
 #include "lab/session/state_file.h"
 
 #include "base/input.h"
+#include "base/text.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -27,15 +28,13 @@ const char *state_file_word(const char *name, const char *const words[])
     char *path = state_file(name), line[64];
     FILE *file = path ? input_open(path, sizeof line, NULL) : NULL;
     InputLines lines = {.stream = file, .name = path};
-    const char *found = NULL;
+    int at = -1;
     if (file && input_line(&lines, line, sizeof line, NULL) == INPUT_LINE)
-        for (int i = 0; words[i]; i++)
-            if (strcmp(line, words[i]) == 0)
-                found = words[i];
+        at = text_place_in(line, words);
     if (file)
         fclose(file);
     free(path);
-    return found;
+    return at >= 0 ? words[at] : NULL;
 }
 
 void state_file_put(Asker asker, const char *name, const char *word)

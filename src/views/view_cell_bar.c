@@ -1,0 +1,687 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A bar's cell from near: two or three cells of its mesh with their nodes and particles, and the terms that
+ * pass between the chosen one and the others in the stage that the box speaks of, each on its arrow. What is
+ * not of the stage is faint. The terms are the method's own (Simulation.exchanges), written so that they add
+ * up as they stand. */
+#include "panes/panes.h"
+#include "panes/stage_flow.h"
+#include "picture/sum_column.h"
+#include "views/inspector/inspector.h"
+#include "views/views.h"
+
+#include "base/math/functions.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LINKS_MAX = 256, SHOWN_MAX = 8, TERMS_WIDTH = 10 };
+
+/* Heights in the drawing: the bars of a node stand on the line of the grid, its numbers beside them. */
+#define ROWS       12.0
+#define NUMBER_ROW 11.8
+#define VECTOR_ROW 9.2
+#define UPPER_END  7.5 /* of arrows between nodes and particles */
+#define LOWER_END  2.6
+#define DOTS_ROW   1.6
+
+/* --- what is there --------------------------------------------------------------------------------- */
+
+/* What a stage passes between the chosen one and its links, in one exchange. */
+typedef struct Flowing {
+    const Exchange *exchange;
+    double terms[LINKS_MAX], last[LINKS_MAX]; /* and the last factor of each, which is of the giver */
+    double sum;
+    Writing writing;
+} Flowing;
+
+enum { FLOWS_MAX = 2 };
+
+typedef struct Near {
+    const Screen *screen;
+    const Simulation *sim;
+    int stage;
+    bool done, running;
+    bool wiped; /* the grid was put back in the last stage: what it held is drawn as it was */
+    int set;    /* of the chosen one: 0 a particle, 1 a node */
+    size_t index;
+    Link links[LINKS_MAX];
+    size_t n_links;
+    size_t order[LINKS_MAX]; /* of links: the first ones are drawn */
+    size_t shown;
+    Flowing flows[FLOWS_MAX];
+    int n_flows;
+    bool to_nodes;
+    bool masses; /* where the mass of the chosen node sits, not what the stage passes */
+    bool has_row;
+    MassRow row; /* of the mass matrix */
+    double low, high, spacing;
+    double *node_masses, *momenta, most_mass, most_momentum; /* of all nodes, in one block */
+} Near;
+
+static double node_at(const Near *near, size_t node)
+{
+    return simulation_value(near->sim, simulation_find_field(near->sim, 1, "x"), node);
+}
+
+static double particle_at(const Near *near, size_t particle)
+{
+    return simulation_value(near->sim, near->sim->position[0], particle) +
+           simulation_value(near->sim, near->sim->displacement[0], particle);
+}
+
+static double place_of(const Near *near, int set, size_t index)
+{
+    return set ? node_at(near, index) : particle_at(near, index);
+}
+
+static bool is_link(const Near *near, int set, size_t index)
+{
+    for (size_t i = 0; i < near->n_links && set != near->set; i++)
+        if (near->links[i].index == index)
+            return true;
+    return set == near->set && index == near->index;
+}
+
+/* The terms of one exchange; false: nothing passes in it now. */
+static bool take_flow(const Near *near, int exchange, Flowing *flow)
+{
+    const Simulation *sim = near->sim;
+    *flow = (Flowing){.exchange = &sim->exchanges[exchange]};
+    const bool takes = flow->exchange->to == near->set;
+    bool any = false;
+    for (size_t i = 0; i < near->n_links; i++) {
+        double factors[EXCHANGE_FACTORS_MAX];
+        const size_t other = near->links[i].index;
+        const int count = sim->method->exchange(sim, exchange, takes ? other : near->index,
+                                                takes ? near->index : other, factors);
+        flow->terms[i] = count > 0;
+        for (int f = 0; f < count; f++)
+            flow->terms[i] *= factors[f];
+        flow->last[i] = count > 0 ? factors[count - 1] : 0;
+        flow->sum += flow->terms[i];
+        any |= count > 0;
+    }
+    flow->writing = writing_of(flow->terms, near->n_links, 0, flow->sum, TERMS_WIDTH);
+    return any;
+}
+
+/* The exchange with most factors comes first: mass with velocity before mass alone. */
+static void take_flows(Near *near)
+{
+    const Simulation *sim = near->sim;
+    for (int e = 0; e < sim->n_exchanges && near->done && near->n_flows < FLOWS_MAX; e++) {
+        Flowing flow;
+        if (strcmp(sim->exchanges[e].stage, sim->stages[near->stage].id) != 0 || !take_flow(near, e, &flow))
+            continue;
+        const bool longer =
+            near->n_flows > 0 && strlen(flow.exchange->ascii) > strlen(near->flows[0].exchange->ascii);
+        if (longer)
+            near->flows[near->n_flows] = near->flows[0];
+        near->flows[longer ? 0 : near->n_flows] = flow;
+        near->n_flows++;
+        near->to_nodes = flow.exchange->to == 1;
+    }
+}
+
+/* The links that pass most come first. */
+static void order_links(Near *near)
+{
+    for (size_t i = 0; i < near->n_links; i++) {
+        const double *terms = near->n_flows > 0 ? near->flows[0].terms : NULL;
+        size_t at = i;
+        for (; at > 0 && terms && fabs(terms[near->order[at - 1]]) < fabs(terms[i]); at--)
+            near->order[at] = near->order[at - 1];
+        near->order[at] = i;
+    }
+    near->shown = near->n_links <= SHOWN_MAX ? near->n_links : SHOWN_MAX - 1;
+}
+
+/* From beyond the first to beyond the last link, two or three cells of a hat. */
+static void find_sides(Near *near)
+{
+    const size_t nodes = near->sim->counts[1], middle = nodes / 2;
+    const double own = place_of(near, near->set, near->index);
+    near->spacing = node_at(near, middle) - node_at(near, middle - 1);
+    near->low = near->high = own;
+    for (size_t i = 0; i < near->n_links; i++) {
+        const double at = place_of(near, 1 - near->set, near->links[i].index);
+        near->low = fmin(near->low, at);
+        near->high = fmax(near->high, at);
+    }
+    if (near->set == 1) {
+        near->low = fmin(near->low, own - near->spacing);
+        near->high = fmax(near->high, own + near->spacing);
+    }
+    for (size_t k = 0; k < near->row.count; k++)
+        if (near->row.masses[k] != 0) {
+            const double at = node_at(near, near->row.first + k);
+            near->low = fmin(near->low, at);
+            near->high = fmax(near->high, at);
+        }
+    /* numbers of a node stand at its right */
+    near->low -= (near->set == 1 ? 0.2 : 0.7) * near->spacing;
+    near->high += (near->set == 1 ? 0.6 : 0.8) * near->spacing;
+}
+
+/* A field of all nodes as it is, or was before the grid was put back. */
+static double take_nodes(const Near *near, const char *name, double *values)
+{
+    const int field = simulation_find_field(near->sim, 1, name);
+    const size_t count = near->sim->counts[1];
+    double most = 0;
+    if (field < 0)
+        return 0;
+    if (!near->wiped || !experiment_field_before(near->screen->experiment, field, 0, count, values))
+        near->sim->method->field(near->sim, field, 0, count, values);
+    for (size_t i = 0; i < count; i++)
+        most = fmax(most, fabs(values[i]));
+    return most;
+}
+
+/* The row of the chosen node, or of the one that the chosen particle gives most to; lumped, all is its own.
+ */
+static void take_masses(Near *near)
+{
+    if (near->set == 0) {
+        size_t most = 0;
+        for (size_t i = 1; i < near->n_links; i++)
+            most = near->links[i].weight > near->links[most].weight ? i : most;
+        if (near->n_links == 0)
+            return;
+        near->set = 1;
+        near->index = near->links[most].index;
+        near->n_links = near->sim->method->links(near->sim, 1, near->index, near->links, LINKS_MAX);
+    }
+    const double own = simulation_value(near->sim, simulation_find_field(near->sim, 1, "mass"), near->index);
+    near->has_row = near->done && !near->wiped && own > 0;
+    if (near->has_row && !inspector_mass_row(near->sim, 1, near->index, &near->row))
+        near->row = (MassRow){near->index, 1, {own}};
+}
+
+/* False: no memory. */
+static bool look_near(Near *near, const Screen *screen, bool masses)
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    *near = (Near){.screen = screen, .sim = sim, .set = screen->chosen.is_node, .masses = masses};
+    const size_t chosen = near->set ? screen->chosen.node : screen->chosen.particle,
+                 count = sim->counts[near->set];
+    near->index = chosen < count ? chosen : count - 1;
+    near->stage = screen_box_stage(screen, &near->done);
+    near->running = screen->playback.state == STATE_RUNNING;
+    near->done &= !near->running;
+    near->wiped = near->done && experiment_stage(screen->experiment) == 0;
+    near->n_links = sim->method->links(sim, near->set, near->index, near->links, LINKS_MAX);
+    if (masses)
+        take_masses(near);
+    else
+        take_flows(near);
+    if (near->set == 1 && near->n_flows == 0 && !masses && near->done && !near->wiped)
+        near->has_row = inspector_mass_row(sim, 1, near->index, &near->row);
+    order_links(near);
+    find_sides(near);
+    near->node_masses = calloc(2 * sim->counts[1] + 1, sizeof *near->node_masses);
+    if (!near->node_masses)
+        return false;
+    near->momenta = near->node_masses + sim->counts[1];
+    near->most_mass = take_nodes(near, "mass", near->node_masses);
+    near->most_momentum = take_nodes(near, "momentum", near->momenta);
+    return true;
+}
+
+/* The line of the grid, and how high a bar on it can be: higher where nothing passes below. */
+static double grid_row(const Near *near)
+{
+    return near->masses ? 4.4 : 8.5;
+}
+
+static double bars_height(const Near *near)
+{
+    return near->masses ? 6.2 : 2.4;
+}
+
+/* --- numbers --------------------------------------------------------------------------------------- */
+
+/* A term as it stands in a sum of such a writing. */
+static void write_term(double value, Writing writing, char out[NUMBER_TEXT_MAX])
+{
+    const int first = value != 0 ? (int)floor(math_log10(fabs(value))) : 0;
+    const int digits = first - (writing.exponent - writing.decimals) + 1;
+    text_rounded(out, digits > 0 ? value : 0, digits > 1 ? digits : 1);
+}
+
+/* Whether a stage names a field among those that it writes, or reads. */
+static bool names(const char *words, const char *name)
+{
+    char word[64];
+    while (text_next_word(&words, word, sizeof word))
+        if (strcmp(word, name) == 0)
+            return true;
+    return false;
+}
+
+static bool writes(const Near *near, const char *name)
+{
+    return near->done && !near->wiped && names(near->sim->stages[near->stage].writes, name);
+}
+
+/* "p 0.035", or with what it was before the stage "p 0.0012→0". */
+static void add_value(const Near *near, int set, size_t index, const char *name, const char *label,
+                      bool change, char *out, size_t size)
+{
+    char number[NUMBER_TEXT_MAX];
+    const int field = simulation_find_field(near->sim, set, name);
+    double before;
+    if (field < 0)
+        return;
+    const double now = simulation_value(near->sim, field, index);
+    text_append(out, size, "\n%s ", label);
+    if (change && experiment_field_before(near->screen->experiment, field, index, 1, &before) &&
+        before != now) {
+        text_fitted(before, 5, 10, number);
+        text_append(out, size, "%s→", number);
+    }
+    text_fitted(now, 5, 10, number);
+    text_append(out, size, "%s", number);
+}
+
+/* --- nodes ----------------------------------------------------------------------------------------- */
+
+static const struct {
+    const char *field, *label;
+} node_values[] = {{"mass", "m"}, {"momentum", "p"}, {"f", "f"}};
+
+static bool is_in_row(const Near *near, size_t node)
+{
+    return near->has_row && node >= near->row.first && node < near->row.first + near->row.count;
+}
+
+static double sum_of_row(const Near *near)
+{
+    double sum = 0;
+    for (size_t k = 0; k < near->row.count; k++)
+        sum += near->row.masses[k];
+    return sum;
+}
+
+static Writing writing_of_row(const Near *near)
+{
+    return writing_of(near->row.masses, near->row.count, 0, sum_of_row(near), TERMS_WIDTH);
+}
+
+/* The last factor of an exchange: what the giver has. */
+static const char *last_word(const char *words)
+{
+    const char *space = strrchr(words, ' ');
+    return space ? space + 1 : words;
+}
+
+/* What a node has to do with the stage: what the stage writes of it or what it gives in it. */
+static void node_numbers(const Near *near, size_t node, char *out, size_t size)
+{
+    const bool made = near->n_flows > 0; /* anew, by terms that are seen */
+    const bool in_row = is_in_row(near, node);
+    if (in_row) {
+        char number[NUMBER_TEXT_MAX];
+        write_term(near->row.masses[node - near->row.first], writing_of_row(near), number);
+        text_append(out, size, "\nM %s", number);
+    }
+    if (in_row && !near->masses)
+        add_value(near, 1, node, "velocity", "v", false, out, size);
+    if (near->masses || (in_row && node != near->index))
+        return;
+    for (size_t k = 0; k < sizeof node_values / sizeof *node_values; k++)
+        if (writes(near, node_values[k].field))
+            add_value(near, 1, node, node_values[k].field, node_values[k].label, !made, out, size);
+    for (int f = 0; f < near->n_flows && !near->to_nodes; f++) {
+        const char *factor = last_word(near->flows[f].exchange->factors);
+        if (f > 0 && strcmp(factor, last_word(near->flows[0].exchange->factors)) == 0)
+            continue; /* the same velocity moves it */
+        for (size_t i = 0; i < near->n_links; i++) {
+            const bool given = near->set ? node == near->index : near->links[i].index == node;
+            char number[NUMBER_TEXT_MAX];
+            if (!given || (near->set && i > 0))
+                continue;
+            text_fitted(near->flows[f].last[i], 5, 10, number);
+            text_append(out, size, "\n%s %s", factor, number);
+        }
+    }
+}
+
+static Style style_of_masses(const Near *near)
+{
+    return writes(near, "mass") || near->has_row ? STYLE_SECOND : STYLE_FAINT;
+}
+
+/* What the bar of a node stands for: its mass or, of a row, what it shares with the chosen one. */
+static double mass_beside(const Near *near, size_t node)
+{
+    if (is_in_row(near, node))
+        return near->row.masses[node - near->row.first];
+    return near->masses ? 0 : near->node_masses[node];
+}
+
+static Style style_of_momenta(const Near *near)
+{
+    return writes(near, "momentum") ? STYLE_PREDICTED : STYLE_FAINT;
+}
+
+/* A bar of so much of its band, beside the node. */
+static void add_bar(const Near *near, Picture *picture, double x, double width, double share, Style style,
+                    char letter, int fill)
+{
+    if (!(share > 1e-6))
+        return;
+    plot_begin(&picture->plot, STROKE_BAND, LINE_SOLID, style, RANK_BAND, letter);
+    picture->plot.strokes[picture->plot.n_strokes - 1].fill = fill;
+    for (int side = 0; side <= 1; side++) {
+        plot_point(&picture->plot, x + side * width, grid_row(near));
+        plot_point(&picture->plot, x + side * width, grid_row(near) + share * bars_height(near));
+    }
+}
+
+/* The vector at the nodes that the stage makes, or goes by. */
+static const char *vector_of(const Near *near)
+{
+    const Stage *stage = &near->sim->stages[near->stage];
+    if (!near->done || near->wiped)
+        return NULL;
+    if (names(stage->writes, "f") || names(stage->reads, "f"))
+        return "f";
+    return names(stage->reads, "velocity") ? "velocity" : NULL;
+}
+
+/* To the side that it pulls or moves to, the longest of all nodes a little less than half a cell. */
+static void add_vector(const Near *near, Picture *picture, size_t node, double most)
+{
+    const int field = vector_of(near) ? simulation_find_field(near->sim, 1, vector_of(near)) : -1;
+    const double value = field >= 0 ? simulation_value(near->sim, field, node) : 0;
+    const double x = node_at(near, node), share = most > 0 ? value / most : 0;
+    if (fabs(share) < 0.02)
+        return;
+    PictureArrow arrow = {.from = {x, VECTOR_ROW},
+                          .to = {x + 0.42 * share * near->spacing, VECTOR_ROW},
+                          .style = is_link(near, 1, node) ? STYLE_CHANGED : STYLE_NORMAL};
+    picture_arrow(picture, &arrow);
+}
+
+static void add_support(const Near *near, Picture *picture, size_t node)
+{
+    const int fixed = simulation_find_field(near->sim, 1, "fixed");
+    if (fixed < 0 || !(simulation_value(near->sim, fixed, node) > 0))
+        return;
+    const double x = node_at(near, node), side = node < near->sim->counts[1] / 2 ? -0.08 : 0.02;
+    plot_begin(&picture->plot, STROKE_BAND, LINE_SOLID, STYLE_FRAME, RANK_BAND, '%');
+    picture->plot.strokes[picture->plot.n_strokes - 1].fill = 1;
+    for (int end = 0; end <= 1; end++) {
+        plot_point(&picture->plot, x + (side + 0.06 * end) * near->spacing, 0.5);
+        plot_point(&picture->plot, x + (side + 0.06 * end) * near->spacing, grid_row(near));
+    }
+}
+
+static void add_node(const Near *near, Picture *picture, size_t node, double most)
+{
+    const double x = node_at(near, node);
+    const bool own = near->set == 1 && node == near->index, linked = is_link(near, 1, node);
+    const bool there = experiment_stage(near->screen->experiment) > 0;
+    PictureLabel label = {.x = x,
+                          .y = NUMBER_ROW,
+                          .side = 1,
+                          .style = own      ? STYLE_SELECTED
+                                   : linked ? STYLE_NORMAL
+                                            : STYLE_FAINT,
+                          .thing = "node",
+                          .says_thing = true};
+    picture_line(picture, x, grid_row(near) - 0.4, x, grid_row(near) + 0.4, LINE_SOLID,
+                 there ? STYLE_NORMAL : STYLE_FAINT, '|');
+    add_support(near, picture, node);
+    add_bar(near, picture, x - 0.05 * near->spacing, 0.04 * near->spacing,
+            near->most_mass > 0 ? mass_beside(near, node) / near->most_mass : 0, style_of_masses(near), 'm',
+            0);
+    add_bar(near, picture, x + 0.01 * near->spacing, 0.04 * near->spacing,
+            near->most_momentum > 0 && !near->masses ? fabs(near->momenta[node]) / near->most_momentum : 0,
+            style_of_momenta(near), 'p', 1);
+    add_vector(near, picture, node, most);
+    picture_add_mark(picture, (PictureMark){.x = x,
+                                            .y = grid_row(near),
+                                            .glyph = own      ? 0x25a0
+                                                     : linked ? 0x25cf
+                                                              : 0x253c,
+                                            .style = own      ? STYLE_CHANGED
+                                                     : !there ? STYLE_FAINT
+                                                              : STYLE_NORMAL,
+                                            .is_target = true,
+                                            .set = 1,
+                                            .index = node});
+    snprintf(label.text, sizeof label.text, "%zu", node);
+    node_numbers(near, node, label.text, sizeof label.text);
+    picture_label(picture, &label);
+}
+
+/* --- particles ------------------------------------------------------------------------------------- */
+
+static void add_particle(const Near *near, Picture *picture, size_t particle)
+{
+    const bool own = near->set == 0 && particle == near->index, linked = is_link(near, 0, particle);
+    const double x = particle_at(near, particle);
+    PictureLabel label = {.x = x,
+                          .y = DOTS_ROW,
+                          .side = 1,
+                          .spare = !own && !linked,
+                          .style = own      ? STYLE_SELECTED
+                                   : linked ? STYLE_NORMAL
+                                            : STYLE_FAINT,
+                          .thing = "particle"};
+    picture_add_mark(picture, (PictureMark){.x = x,
+                                            .y = DOTS_ROW,
+                                            .glyph = own || (linked && near->set) ? 0x25cf : 0x25cb,
+                                            .style = own      ? STYLE_CHANGED
+                                                     : linked ? STYLE_MEASURED
+                                                              : STYLE_FAINT,
+                                            .is_target = true,
+                                            .index = particle});
+    snprintf(label.text, sizeof label.text, "%zu", particle);
+    if (own && (near->to_nodes || near->n_flows == 0))
+        add_value(near, 0, particle, "x", "x", false, label.text, sizeof label.text);
+    for (int f = 0; f < near->n_flows && own && !near->to_nodes; f++) {
+        const char *field = near->flows[f].exchange->field;
+        const int at = simulation_find_field(near->sim, 0, field);
+        if (at >= 0)
+            add_value(near, 0, particle, field, near->sim->fields[at].quantity.label, true, label.text,
+                      sizeof label.text);
+    }
+    picture_label(picture, &label);
+}
+
+/* --- what passes ----------------------------------------------------------------------------------- */
+
+static void add_arrow(const Near *near, Picture *picture, size_t link)
+{
+    const size_t other = near->links[link].index;
+    const size_t particle = near->set ? other : near->index, node = near->set ? near->index : other;
+    const double below = particle_at(near, particle), above = node_at(near, node);
+    const double aside = below < above ? -0.03 : 0.03;
+    PictureArrow arrow = {.style = STYLE_CHANGED};
+    const double ends[2][2] = {{below, LOWER_END}, {above + aside * near->spacing, UPPER_END}};
+    memcpy(arrow.from, ends[!near->to_nodes], sizeof arrow.from);
+    memcpy(arrow.to, ends[near->to_nodes], sizeof arrow.to);
+    /* nearer to the other end, where arrows are apart */
+    arrow.place = (near->set == 0) == near->to_nodes ? 0.62 : 0.38;
+    snprintf(arrow.told, sizeof arrow.told, "%s %zu gives to %s %zu", near->to_nodes ? "particle" : "node",
+             near->to_nodes ? particle : node, near->to_nodes ? "node" : "particle",
+             near->to_nodes ? node : particle);
+    for (int f = 0; f < near->n_flows; f++) {
+        const Flowing *flow = &near->flows[f];
+        write_term(flow->terms[link], flow->writing, arrow.brief[f]);
+        snprintf(arrow.text[f], sizeof arrow.text[f], "%s %.20s", flow->exchange->factors, arrow.brief[f]);
+        text_append(arrow.told, sizeof arrow.told, "%s %s = %.20s", f ? " and" : "", flow->exchange->ascii,
+                    arrow.brief[f]);
+    }
+    picture_arrow(picture, &arrow);
+}
+
+/* M v = p at the chosen node: what each node of the row brings in. */
+static void add_row(const Near *near, Picture *picture)
+{
+    const int velocity = simulation_find_field(near->sim, 1, "velocity");
+    double terms[2 * MASSES_BESIDE_MAX + 1], sum = 0;
+    for (size_t k = 0; k < near->row.count; k++)
+        sum += terms[k] = near->row.masses[k] * simulation_value(near->sim, velocity, near->row.first + k);
+    const Writing writing = writing_of(terms, near->row.count, 0, sum, TERMS_WIDTH);
+    for (size_t k = 0; k < near->row.count; k++) {
+        const size_t node = near->row.first + k;
+        const double x = node_at(near, node), own = node_at(near, near->index);
+        const double apart = node > near->index ? (double)(node - near->index) : (double)(near->index - node);
+        const double y = UPPER_END - 1.2 * apart, aside = node < near->index ? -0.06 : 0.06;
+        PictureArrow arrow = {
+            .style = STYLE_CHANGED,
+            .from = {x, apart > 0 ? y : LOWER_END},
+            .to = {apart > 0 ? own + aside * near->spacing : own, apart > 0 ? y : UPPER_END},
+            .place = apart > 0 ? 0.4 : 0.5};
+        write_term(terms[k], writing, arrow.brief[0]);
+        snprintf(arrow.text[0], sizeof arrow.text[0], "M v %.20s", arrow.brief[0]);
+        snprintf(arrow.told, sizeof arrow.told, "node %zu brings M v = %.20s into node %zu", node,
+                 arrow.brief[0], near->index);
+        picture_arrow(picture, &arrow);
+    }
+}
+
+/* "0.1875 + 0.625 + 0.1875 = 1" */
+static void tell_row(const Near *near, Picture *picture)
+{
+    PictureLabel label = {.x = node_at(near, near->index), .y = 3.2, .style = STYLE_CHANGED};
+    char number[NUMBER_TEXT_MAX], line[sizeof label.text - 24] = "";
+    const Writing writing = writing_of_row(near);
+    for (size_t k = 0; k < near->row.count; k++) {
+        write_term(near->row.masses[k], writing, number);
+        text_append(line, sizeof line, "%s%s", k ? " + " : "", number);
+    }
+    text_fitted(sum_of_row(near), 5, 10, number);
+    if (near->row.count == 1)
+        snprintf(label.text, sizeof label.text, "lumped: all of %s\nis the node's own", number);
+    else
+        snprintf(label.text, sizeof label.text, "%s = %s", line, number);
+    picture_label(picture, &label);
+}
+
+/* The weaker ones as one number. */
+static void tell_rest(const Near *near, Picture *picture)
+{
+    char text[160] = "";
+    for (int f = 0; f < near->n_flows && near->shown < near->n_links; f++) {
+        char number[NUMBER_TEXT_MAX];
+        double rest = 0;
+        for (size_t i = near->shown; i < near->n_links; i++)
+            rest += near->flows[f].terms[near->order[i]];
+        write_term(rest, near->flows[f].writing, number);
+        text_append(text, sizeof text, "%s%s %s", f ? ", " : "", near->flows[f].exchange->factors, number);
+    }
+    if (!text[0])
+        return;
+    PictureLabel label = {
+        .x = near->low, .y = (UPPER_END + LOWER_END) / 2, .side = 1, .style = STYLE_CHANGED};
+    snprintf(label.text, sizeof label.text, "%zu more: %.80s", near->n_links - near->shown, text);
+    picture_label(picture, &label);
+}
+
+/* --- words ----------------------------------------------------------------------------------------- */
+
+static void name_of(const Near *near, char out[PICTURE_TEXT_MAX])
+{
+    const Simulation *sim = near->sim;
+    snprintf(out, PICTURE_TEXT_MAX, "%s %zu", sim->sets[near->set].name, near->index);
+    if (near->masses)
+        text_append(out, PICTURE_TEXT_MAX,
+                    near->has_row ? ", its row of the mass matrix M" : ": masses are mapped in stage 1");
+    else if (!near->running)
+        text_append(out, PICTURE_TEXT_MAX, ", %sstage %d: %s", near->done ? "" : "next ", near->stage + 1,
+                    sim->stages[near->stage].name);
+}
+
+/* Sums are for the box to break: here each is a line. */
+static void add_spare(Picture *picture, const char *line)
+{
+    char plain[PICTURE_TEXT_MAX];
+    size_t used = 0;
+    for (; *line && used + 1 < sizeof plain; line++) {
+        const bool held = strncmp(line, "\u00a0", 2) == 0; /* a no-break space */
+        plain[used++] = held ? ' ' : *line;
+        line += held;
+    }
+    plain[used] = '\0';
+    picture_note(picture, STYLE_NORMAL, plain)->spare = true;
+}
+
+/* The equation of the stage and its sums, where no box has them. */
+static void add_sums(const Near *near, Picture *picture)
+{
+    enum { SUMS_MAX = 4096, LINES_MAX = 3 };
+    const Simulation *sim = near->sim;
+    const char *equation = sim->stages[near->stage].equation;
+    char sums[SUMS_MAX] = "", text[2 * PICTURE_TEXT_MAX], *rest;
+    name_of(near, text);
+    text_append(text, sizeof text, "  %.*s", (int)strcspn(equation, "\n"), equation);
+    add_spare(picture, text);
+    if (!near->done || !sim->method->explain)
+        return;
+    sim->method->explain(sim, near->stage, near->set, near->index,
+                         experiment_before(near->screen->experiment), picture->columns / 16, sums,
+                         sizeof sums);
+    int lines = 0;
+    for (char *line = strtok_r(sums, "\n", &rest); line && lines < LINES_MAX;
+         line = strtok_r(NULL, "\n", &rest), lines++)
+        add_spare(picture, line);
+}
+
+/* --- the whole ------------------------------------------------------------------------------------- */
+
+static void describe_near(const Near *near, Picture *picture)
+{
+    const Simulation *sim = near->sim;
+    const int x = simulation_find_field(sim, 1, "x");
+    const int vector = vector_of(near) ? simulation_find_field(sim, 1, vector_of(near)) : -1;
+    char name[PICTURE_TEXT_MAX];
+    double most = 0;
+    name_of(near, name);
+    picture->kind = PICTURE_DRAWING;
+    picture->bare = true;
+    picture_axes(picture, axis_make(near->low, near->high), "x", "", axis_make(0, ROWS), name, "");
+    for (size_t i = 0; i < sim->counts[1] && vector >= 0; i++)
+        most = fmax(most, fabs(simulation_value(sim, vector, i)));
+    picture_line(picture, near->low, grid_row(near), near->high, grid_row(near), LINE_SOLID, STYLE_FRAME,
+                 '-');
+    /* the chosen one first: where there is little room it is named */
+    (near->set ? add_node(near, picture, near->index, most) : add_particle(near, picture, near->index));
+    for (int linked = 1; linked >= 0; linked--) {
+        for (size_t i = 0; i < sim->counts[1]; i++)
+            if (is_link(near, 1, i) == linked && !(near->set == 1 && i == near->index) &&
+                simulation_value(sim, x, i) > near->low && simulation_value(sim, x, i) < near->high)
+                add_node(near, picture, i, most);
+        for (size_t i = 0; i < sim->counts[0]; i++)
+            if (is_link(near, 0, i) == linked && !(near->set == 0 && i == near->index) &&
+                particle_at(near, i) > near->low && particle_at(near, i) < near->high)
+                add_particle(near, picture, i);
+    }
+    for (size_t i = 0; i < near->shown && near->n_flows > 0; i++)
+        add_arrow(near, picture, near->order[i]);
+    tell_rest(near, picture);
+    if (near->has_row && near->masses)
+        tell_row(near, picture);
+    else if (near->has_row)
+        add_row(near, picture);
+    picture_key(picture, (PictureKey){LINE_SOLID, 'm', style_of_masses(near), "mass", SIGN_BAND, 0});
+    if (!near->masses)
+        picture_key(picture,
+                    (PictureKey){LINE_SOLID, 'p', style_of_momenta(near), "|momentum|", SIGN_BAND, 1});
+    if (!near->running && !near->masses)
+        add_sums(near, picture);
+}
+
+void cell_bar_describe(const Screen *screen, int variant, Picture *picture)
+{
+    Near near;
+    if (look_near(&near, screen, variant == 1))
+        describe_near(&near, picture);
+    free(near.node_masses);
+}
