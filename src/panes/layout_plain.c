@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Where panes lie on the plain sheet: one large picture, above it the strip of particles, below it what is
  * asked, the number that the scenario is about and the parameters that it asks about. Beside a lesson the
- * text and the picture; in the middle of a step, and where a run has failed, the box that tells of it. */
+ * text and the picture; in the middle of a step, where a run has failed, and for whoever has asked what is
+ * wrong with a code of his own, the box that tells of it. */
 #include "panes/panes.h"
 #include "views/view.h"
 
@@ -31,7 +32,8 @@ static int strip_rows(const Screen *screen, int height)
 static int box_rows(const Screen *screen, int height)
 {
     const bool inside = experiment_stage(screen->experiment) > 0 || experiment_before(screen->experiment);
-    return inside || screen->playback.state == STATE_FAILED ? layout_box_rows(screen, height, false) : 0;
+    const bool speaks = inside || screen->playback.state == STATE_FAILED || screen->diagnosis[0];
+    return speaks ? layout_box_rows(screen, height, false) : 0;
 }
 
 /* In one column: the picture, or over it what one thing gives and takes. */

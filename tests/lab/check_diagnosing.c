@@ -3,6 +3,7 @@
  * can be given up. */
 #include "suite.h"
 #include "lab/tui_case.h"
+#include "panes/screen_runs.h"
 
 #include "export/export.h"
 #include "scenario/parameters.h"
@@ -60,6 +61,25 @@ START_TEST(the_mistake_is_named_and_their_curve_laid_over)
 }
 END_TEST
 
+/* The answer stays after the next key, on the sheet with few things too. */
+START_TEST(the_plain_sheet_keeps_the_answer)
+{
+    char folder[64];
+    enter_folder(folder);
+    write_data("own.csv");
+    Bench *bench = open_bench("mode1", true);
+    enter(bench, "sheet plain");
+    ck_assert_str_eq(enter(bench, "diagnose own.csv"), "");
+    press(bench, "Down");
+    ck_assert(bench->lab.screen.message.kind == MESSAGE_NONE && screen_is_plain(&bench->lab.screen));
+    ck_assert(shows(bench, "Your code beside the right one"));
+    enter(bench, "overlay");
+    ck_assert(!shows(bench, "Your code beside the right one"));
+    close_bench(bench);
+    leave_folder(folder);
+}
+END_TEST
+
 START_TEST(what_cannot_be_judged_is_refused)
 {
     char folder[64];
@@ -83,6 +103,7 @@ void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("diagnosing");
     tcase_add_test(tcase, the_mistake_is_named_and_their_curve_laid_over);
+    tcase_add_test(tcase, the_plain_sheet_keeps_the_answer);
     tcase_add_test(tcase, what_cannot_be_judged_is_refused);
     suite_add_tcase(suite, tcase);
 }

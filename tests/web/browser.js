@@ -135,7 +135,7 @@ async function dropped_series() {
 	await new Promise((done) => setTimeout(done, 1000));
 	result('what can be done with a series is said', /:diagnose native\.csv/.test(await page.$eval('#notice', (p) => p.textContent)));
 	await type(':diagnose native.csv\r');
-	await shows('and it is told whose numbers they are', has('those of the right code'));
+	await shows('and it is told whose numbers they are', has("the right code's numbers"));
 }
 
 async function lesson_by_taps() {
