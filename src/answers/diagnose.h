@@ -112,11 +112,13 @@ typedef struct Diagnosis {
         explanations[EXPLANATIONS_MAX]; /* EXPLAINED: of the file; RIGHT: mistakes that it cannot show */
     int n_explanations, more;           /* of which there is no room */
     long tried;
+    bool pairs_left; /* no two mistakes at once were tried */
 } Diagnosis;
 
 typedef struct DiagnoseTask {
     const Settings *settings;
     int threads;
+    bool pairs; /* two mistakes at once are tried in the plane too, where that takes long */
     Patience patience;
 } DiagnoseTask;
 

@@ -81,13 +81,12 @@ int diagnose_candidates(const Settings *right, Candidate out[CANDIDATES_MAX])
 
 int diagnose_pairs(const Settings *right, Candidate out[CANDIDATES_MAX])
 {
-    const Parameter *mistake = parameter_find("mpm.mistake");
     int count = 0;
-    if (!mistake || !parameter_applies_to(right, mistake) || right->problem->concerns & CONCERN_PLANE)
-        return 0;
-    for (int i = 1; i < parameter_choices(mistake, right->problem); i++)
-        for (int k = 1; k < i && count < CANDIDATES_MAX; k++)
-            out[count++] = (Candidate){DIAGNOSE_MISTAKE, mistake, i, 0, k};
+    for (int p = 0; p < n_parameters; p++)
+        if (diagnose_is_tried(right, &parameters[p]) && parameters[p].wrong)
+            for (int i = 1; i < parameter_choices(&parameters[p], right->problem); i++)
+                for (int k = 1; k < i && count < CANDIDATES_MAX; k++)
+                    out[count++] = (Candidate){DIAGNOSE_MISTAKE, &parameters[p], i, 0, k};
     return count;
 }
 
@@ -101,7 +100,7 @@ bool diagnose_settings_of(const Candidate *candidate, const Settings *right, con
         if (!settings_in_range(candidate->parameter, right->problem, candidate->value))
             return false;
         settings_put(out, candidate->parameter, candidate->value);
-        out->mpm.mistake_beside = candidate->beside;
+        out->mpm.mistake_beside = out->lattice.mistake_beside = candidate->beside;
     }
     return settings_check(out, NULL) && diagnose_hold_step(out, table->dt) && settings_check(out, NULL);
 }

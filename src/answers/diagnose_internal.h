@@ -53,11 +53,11 @@ typedef struct Candidate {
     const Parameter *parameter;
     double value;
     long shift;
-    int beside; /* of a bar: a second mistake; 0: none */
+    int beside; /* a second mistake; 0: none */
 } Candidate;
 
 enum { CANDIDATES_MAX = 400 };
-/* Every two mistakes of a bar. */
+/* Every two mistakes. */
 int diagnose_pairs(const Settings *right, Candidate out[CANDIDATES_MAX]);
 
 bool diagnose_is_tried(const Settings *, const Parameter *); /* whether codes may differ in it */

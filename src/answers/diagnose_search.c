@@ -412,7 +412,8 @@ static bool try_values(Search *search)
         if (!diagnose_is_tried(&search->right, parameter) || parameter->type != PARAMETER_REAL ||
             has_value(search->found, parameter))
             continue;
-        const DiagnoseTask task = {&search->right, search->task->threads, search->task->patience};
+        const DiagnoseTask task = {
+            .settings = &search->right, .threads = search->task->threads, .patience = search->task->patience};
         if (!diagnose_find_value(&task, search->table, &search->walk.departure, parameter, &candidate.value,
                                  &search->found->tried)) {
             if (!patience_lasts(&search->task->patience, 0))
@@ -439,7 +440,8 @@ static bool try_pairs(Search *search)
     Settings wrong;
     Walk walk;
     bool sound = pairs || status_fail(search->status, STATUS_FAILED, "out of memory"), agrees;
-    const int count = sound ? diagnose_pairs(&search->right, pairs) : 0;
+    search->found->pairs_left = !search->task->pairs && search->right.problem->concerns & CONCERN_PLANE;
+    const int count = sound && !search->found->pairs_left ? diagnose_pairs(&search->right, pairs) : 0;
     for (int i = 0; i < count && sound; i++) {
         sound = try_one(search, &pairs[i], &walk, &wrong, &agrees);
         if (sound && agrees)

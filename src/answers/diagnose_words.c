@@ -114,6 +114,8 @@ static void tell_nothing_found(const Diagnosis *found, const DiagnoseTable *tabl
         out,
         "None of %ld other codes gives these numbers: no one mistake, scheme or value that is known here.\n",
         found->tried);
+    if (found->pairs_left)
+        fputs("Two mistakes at once were not tried (--pairs).\n", out);
     if (departure->step == 0 && !table->of_next)
         fputs("Look at how the start is made: places, masses, velocities of t = 0.\n", out);
     else if (!table->of_stages) {
@@ -183,7 +185,8 @@ void diagnosis_sum_up(const Diagnosis *found, const DiagnoseTable *table, char *
     if (*departure->factors)
         text_append(out, size, " (times %s)", departure->factors);
     if (found->verdict == DIAGNOSE_UNKNOWN) {
-        text_append(out, size, ". None of %ld other codes gives these numbers.", found->tried);
+        text_append(out, size, ". None of %ld other codes gives these numbers%s.", found->tried,
+                    found->pairs_left ? "; :diagnose FILE pairs tries two mistakes at once" : "");
         return;
     }
     text_append(out, size, ". It is %s, to %d digits over %zu rows: %s", first->id, first->digits,

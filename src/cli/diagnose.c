@@ -53,8 +53,10 @@ static void work(void *context, int chunk, int worker)
 {
     (void)chunk, (void)worker;
     Files *all = context;
-    const DiagnoseTask task = {
-        .settings = all->settings, .threads = all->threads, .patience = {show_share, all}};
+    const DiagnoseTask task = {.settings = all->settings,
+                               .threads = all->threads,
+                               .pairs = all->options->pairs,
+                               .patience = {show_share, all}};
     for (;;) {
         pthread_mutex_lock(&all->lock);
         const int next = all->next++;

@@ -78,6 +78,7 @@ typedef struct Options {
     bool plan;
     const char *data, *sought, *column, *figure; /* of a fit */
     const char *map;                             /* of a diagnosis */
+    bool pairs;                                  /* likewise */
     bool json;
     const char *seconds, *pitch;                /* of a sound */
     const char *fps, *speed, *idle, *from, *to; /* of a film */

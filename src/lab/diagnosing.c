@@ -41,18 +41,29 @@ static void lay_over(Laboratory *lab, DiagnoseTable *table)
     lab->screen.overlay = &lab->overlay;
 }
 
+/* Takes the word behind the file's name away. */
+static bool take_pairs(char *path)
+{
+    char *word = strrchr(path, ' ');
+    if (!word || strcmp(word, " pairs") != 0)
+        return false;
+    *word = '\0';
+    return true;
+}
+
 bool diagnosing_answer(Laboratory *lab, const char *words)
 {
     char path[NAME_MAX_BYTES];
     const Settings settings = *experiment_base(lab->screen.experiment);
     Status status = {STATUS_DONE, ""};
+    snprintf(path, sizeof path, "%s", words + strspn(words, " "));
     Diagnosis *found = calloc(1, sizeof *found);
     Waiting waiting = {lab, found};
     const DiagnoseTask task = {.settings = &settings,
                                .threads = lab->options.threads > 0 ? lab->options.threads : 1,
+                               .pairs = take_pairs(path),
                                .patience = {wait_for_it, &waiting}};
     DiagnoseTable *table = calloc(1, sizeof *table);
-    snprintf(path, sizeof path, "%s", words + strspn(words, " "));
     player_pause(lab);
     const bool sound = *path ? ((table && found) || status_fail(&status, STATUS_FAILED, "out of memory")) &&
                                    diagnose_read(table, path, &settings, NULL, &status) &&

@@ -57,7 +57,7 @@ static void find_thickness_lines(BeamBody *body, const Settings *settings, const
 static bool predict(const Settings *settings, Prediction *out, Status *status)
 {
     BeamDef def = beam_definition(settings, 1);
-    def.mistake = 0; /* it is that of the right code */
+    def.mistake = def.mistake_beside = 0; /* it is that of the right code */
     BeamTheory theory = beam_theory_of(settings);
     out->theory = beam_damped_period(beam_period_timoshenko(&theory), def.damping);
     if (!beam_predicted_period(&def, &out->predicted, &theory.length, &theory.height, status))
@@ -91,7 +91,7 @@ static bool prepare_supported(References *refs, const Settings *settings, const 
     Simulation *right = NULL;
     if (settings->lattice.mistake != 0) { /* the answers are those of the right code */
         BeamDef def = beam_definition(settings, 1);
-        def.mistake = 0;
+        def.mistake = def.mistake_beside = 0;
         right = beam_create(&def, status);
         if (!right)
             return false;

@@ -135,6 +135,7 @@ BeamDef beam_definition(const Settings *settings, int threads)
         .changes_until = settings->n_changes > 0 ? settings->changes[settings->n_changes - 1].step : 0,
         .mistake = settings->lattice.mistake,
         .conceals_mistake = settings->concealed,
+        .mistake_beside = settings->lattice.mistake_beside,
         .dt = settings->time.step,
         .end = settings->time.end,
         .threads = threads,

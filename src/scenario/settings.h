@@ -82,7 +82,7 @@ typedef struct Lattice {
     SurfaceCorrection surface_correction;
     VolumeCorrection volume_correction;
     Influence influence;
-    int mistake; /* of a code that is wrong in one place; 0: none */
+    int mistake, mistake_beside; /* as of Transfer */
 } Lattice;
 
 /* When a bond breaks. */

@@ -114,6 +114,12 @@ result "of the nodes' force" says out '^They first depart at step 1, after stage
 awk -F, -v OFS=, 'NR == 1 { $3 = ""; print } NR > 1 { $3 = "x"; print }' t.csv | cut -d, -f1,2,4- >numbers.csv
 expect "stages by number" 0 mode5 numbers.csv
 result "are as good as by name" says out '^  half_first_kick: '
+make wild.csv supported-beam-coarse --set beam.length=20mm --set beam.height=2mm --steps 9
+awk -F, 'NR == 1 { print "step,v_probe" } NR > 1 { print $1 "," $3 * (1 + $1 * $1 * 1e-4) }' wild.csv >bent.csv
+expect "numbers of no beam" 0 supported-beam-coarse --set beam.length=20mm --set beam.height=2mm bent.csv
+result "say what was not tried" says out '^Two mistakes at once were not tried (--pairs)\.$'
+expect "two mistakes of a beam at once" 0 supported-beam-coarse --set beam.length=20mm --set beam.height=2mm bent.csv --pairs
+result "are tried then" sh -c 'grep -q "^None of" out && ! grep -q "not tried" out'
 "$MATVIB" run supported-beam-coarse --set beam.length=20mm --set beam.height=2mm --steps 2 --set pd.mistake=one_way --bonds b.csv --particles p.csv --quiet
 expect "bonds" 0 supported-beam-coarse --set beam.length=20mm --set beam.height=2mm b.csv
 result "tell a beam's mistake" says out '^  one_way: A bond pulls at its left end only'

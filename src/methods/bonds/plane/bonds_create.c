@@ -92,6 +92,7 @@ static void destroy(Simulation *sim)
     free(beam->row_work);
     free(beam->row_speeds);
     free(beam->scratch);
+    free(beam->both);
     free(beam->rescue.state);
     lattice_free(&beam->lattice);
     free(beam);
@@ -201,7 +202,7 @@ static bool set_time_step(Beam *beam, Status *status)
     double critical;
     if (beam->def.mistake != 0) { /* a wrong code is run with the step of the right one */
         BeamDef right = beam->def;
-        right.mistake = 0;
+        right.mistake = right.mistake_beside = 0;
         Simulation *sim = beam_create(&right, status);
         if (!sim)
             return false;
@@ -264,13 +265,24 @@ static const Method beam_method = {
     .change = beam_change,
 };
 
+/* What is wrong in two places. */
+static bool join_mistakes(Beam *beam, Status *status)
+{
+    const BeamDef *def = &beam->def;
+    beam->both = def->mistake_beside ? calloc(1, sizeof *beam->both) : NULL;
+    return !def->mistake_beside ||
+           (beam->both && bonds_mistakes_join(def->mistake, def->mistake_beside, beam->both)) ||
+           status_fail(status, STATUS_FAILED, "not enough memory");
+}
+
 /* In this order, for each part needs those before it: sizes, lattice, memory, bonds, what is held and loaded,
  * time step, start. The critical step is found with u = 0 and nothing held, so before the initial motion is
  * set; the first force comes last, when what is held already stands where it should. */
 static bool build(Beam *beam, const BeamOptions *options, Status *status)
 {
-    if (!beam_check(&beam->def, status) || !lattice_init(&beam->lattice, &beam->def, status) ||
-        !allocate(beam, status) || !beam_set_bonds(beam, status))
+    if (!beam_check(&beam->def, status) || !join_mistakes(beam, status) ||
+        !lattice_init(&beam->lattice, &beam->def, status) || !allocate(beam, status) ||
+        !beam_set_bonds(beam, status))
         return false;
     if (!beam_set_problem(beam, status) || !set_time_step(beam, status) || !beam_set_damping(beam, status))
         return false;

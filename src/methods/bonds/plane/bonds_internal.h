@@ -76,7 +76,8 @@ typedef struct Beam {
     BeamFacts facts;
     Quantity series[BEAM_SERIES_MAX]; /* of this problem */
     int series_entry[BEAM_SERIES_MAX];
-    Stage stages[N_STAGES]; /* likewise */
+    Stage stages[N_STAGES];    /* likewise */
+    struct BondsMistake *both; /* what a code does that is wrong in two places; NULL: in one at most */
 
     /* the model */
     double *coefficient;  /* of the intact or broken bonds now: it follows the state's bits */

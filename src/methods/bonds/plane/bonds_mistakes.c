@@ -54,33 +54,61 @@ const char *const beam_mistake_words[] = {
     NULL,
 };
 
-const BondsMistake *bonds_mistake_of(int mistake)
+static const BondsMistake *row_of(int mistake)
 {
     return mistake > 0 && mistake <= MISTAKES ? &mistakes[mistake - 1] : NULL;
 }
 
+bool bonds_mistakes_join(int one, int other, BondsMistake *out)
+{
+    const BondsMistake *a = row_of(one), *b = row_of(other);
+    if (!a || !b || a == b || (a->micromodulus && b->micromodulus))
+        return false;
+    *out = *a;
+    out->of_start = a->of_start || b->of_start;
+    out->micromodulus = a->micromodulus ? a->micromodulus : b->micromodulus;
+    out->within_horizon = a->within_horizon || b->within_horizon;
+    out->no_volume_factor = a->no_volume_factor || b->no_volume_factor;
+    out->no_surface_factor = a->no_surface_factor || b->no_surface_factor;
+    out->starts_bent = a->starts_bent || b->starts_bent;
+    out->share_beside = b->share;
+    out->along_rest = a->along_rest || b->along_rest;
+    out->kicks_late = a->kicks_late || b->kicks_late;
+    return true;
+}
+
+const BondsMistake *bonds_mistake_of(const BeamDef *def, BondsMistake *room)
+{
+    return def->mistake_beside && bonds_mistakes_join(def->mistake, def->mistake_beside, room)
+               ? room
+               : row_of(def->mistake);
+}
+
 const BondsMistake *bonds_mistake(const Beam *beam)
 {
-    return bonds_mistake_of(beam->head->mistake);
+    return beam->both ? beam->both : row_of(beam->head->mistake);
 }
 
 bool beam_mistake_is_of_start(int mistake)
 {
-    const BondsMistake *row = bonds_mistake_of(mistake);
+    const BondsMistake *row = row_of(mistake);
     return row && row->of_start;
 }
 
 const char *beam_mistake_sentence(int mistake)
 {
-    const BondsMistake *row = bonds_mistake_of(mistake);
+    const BondsMistake *row = row_of(mistake);
     return row ? row->sentence : NULL;
 }
 
 bool bonds_check_mistake(const BeamDef *def, Status *status)
 {
+    BondsMistake both;
+    if (def->mistake_beside != 0 && !bonds_mistakes_join(def->mistake, def->mistake_beside, &both))
+        return status_fail(status, STATUS_USAGE, "pd.mistake: these two are no two mistakes");
     if (def->mistake == 0)
         return true;
-    const BondsMistake *row = bonds_mistake_of(def->mistake);
+    const BondsMistake *row = bonds_mistake_of(def, &both);
     if (!row)
         return status_fail(status, STATUS_USAGE, "pd.mistake: %d is no choice (0 to %d)", def->mistake,
                            MISTAKES);
@@ -113,10 +141,13 @@ BondsPull bonds_pull(const Beam *beam, const Offset *offset, double coefficient,
         pull.x = offset->x / offset->length;
         pull.y = offset->y / offset->length;
     }
-    if (mistake && mistake->share) {
-        pull.own *= mistake->share(lengthening, owner_is_left(offset));
-        pull.other *= mistake->share(lengthening, !owner_is_left(offset));
-    }
+    double (*const shares[])(double, bool) = {mistake ? mistake->share : NULL,
+                                              mistake ? mistake->share_beside : NULL};
+    for (size_t i = 0; i < 2; i++)
+        if (shares[i]) {
+            pull.own *= shares[i](lengthening, owner_is_left(offset));
+            pull.other *= shares[i](lengthening, !owner_is_left(offset));
+        }
     return pull;
 }
 

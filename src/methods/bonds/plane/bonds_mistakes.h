@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A beam as it is computed by a code that is wrong in one place. For the files of this folder only.
+/* A beam as it is computed by a code that is wrong in one place, or in two. For the files of this folder
+ * only.
  *
  * A mistake is a row of bonds_mistake_rows.inc: its id, one sentence, the stage that it is in with the
  * equation as it is wrongly written, and what it does instead. Nobody else knows one mistake from another:
@@ -33,14 +34,19 @@ typedef struct BondsMistake {
     bool starts_bent; /* the shape at t = 0 is that without supports */
     /* The share of a bond's pull that an end gets, the left one (below the other where none is) or the right
      * one; of its length over that at rest. */
-    double (*share)(double lengthening, bool left);
+    double (*share)(double lengthening, bool left), (*share_beside)(double lengthening, bool left);
     bool along_rest; /* it pulls along xi */
     bool kicks_late; /* u += dt v, then v += dt a by the force of the old place; no half kicks */
 } BondsMistake;
 
 /* NULL: none. */
 const BondsMistake *bonds_mistake(const Beam *);
-const BondsMistake *bonds_mistake_of(int mistake);
+
+/* That of a definition; `room` holds what is wrong in two places, worded as the first of them. */
+const BondsMistake *bonds_mistake_of(const BeamDef *, BondsMistake *room);
+
+/* A code that is wrong in two places. False: no such two mistakes go together. */
+bool bonds_mistakes_join(int one, int other, BondsMistake *);
 
 /* Whether these are what mistakes are defined for; else the status names the key. */
 bool bonds_check_mistake(const BeamDef *, Status *);

@@ -50,6 +50,7 @@ typedef struct BeamDef {
 
     int mistake;           /* what a wrong code does instead: an index of beam_mistake_words; 0: none */
     bool conceals_mistake; /* its stages are worded as the right ones */
+    int mistake_beside;    /* what it does besides, in another place; it stays to the end */
 
     double dt;   /* s; 0: half the critical time step */
     double end;  /* s: the channel must hold the beam until then; moving cantilever */

@@ -35,7 +35,8 @@ static const double inverse_root_series[LATTICE_SERIES] = {0.5,
 
 static double factor_at(const BeamDef *def, double length)
 {
-    const BondsMistake *mistake = bonds_mistake_of(def->mistake);
+    BondsMistake room;
+    const BondsMistake *mistake = bonds_mistake_of(def, &room);
     if (mistake && mistake->no_volume_factor)
         return 1;
     return volume_factor(def->volume_correction, def->horizon, def->spacing, length);
@@ -44,7 +45,8 @@ static double factor_at(const BeamDef *def, double length)
 /* The members of a family lie no farther than this. */
 static double reach_of(const BeamDef *def)
 {
-    const BondsMistake *mistake = bonds_mistake_of(def->mistake);
+    BondsMistake room;
+    const BondsMistake *mistake = bonds_mistake_of(def, &room);
     if (mistake && mistake->within_horizon)
         return def->horizon * (1 - 1e-9);
     return volume_reach(def->volume_correction, def->horizon, def->spacing);
@@ -313,7 +315,8 @@ bool lattice_measure(Lattice *lattice, const BeamDef *def, Status *status)
         6 * def->youngs_modulus / (M_PI * def->horizon * def->horizon * def->horizon * (1 - 1.0 / 3));
     if (def->influence == INFLUENCE_CONICAL)
         lattice->micromodulus *= 4;
-    const BondsMistake *mistake = bonds_mistake_of(def->mistake);
+    BondsMistake room;
+    const BondsMistake *mistake = bonds_mistake_of(def, &room);
     if (mistake && mistake->micromodulus)
         lattice->micromodulus = mistake->micromodulus(def);
     if (mistake && mistake->no_surface_factor)
