@@ -46,7 +46,7 @@ curses='initscr|newterm|endwin|wget_wch|wgetch|stdscr|w?add.*str|wrefresh|setupt
 for library in libbase.a libmethods.a libtheory.a librun.a libviews.a libpaper.a libcli.a; do
 	lacks $library "$curses" "$library does not touch the terminal"
 done
-for library in libmethods.a $(ls libbar*.a libpd_*.a libmpm_*.a 2>/dev/null); do
+for library in libmethods.a $(ls libkernels*.a); do
 	lacks $library 'printf|fprintf|__printf_chk|__fprintf_chk|puts|putchar|exit|_exit|abort|time|clock|clock_gettime|gettimeofday|rand|random|drand48|fopen|open|getenv' \
 		"$library prints nothing, opens nothing, tells no time"
 done
@@ -133,7 +133,7 @@ find_circles() { # LAYER LIBRARY...: the circles of its members, and under each 
 }
 for layer in base methods theory run views paper lab cli; do
 	libraries=lib$layer.a
-	[ $layer = methods ] && libraries="$libraries $(ls libbar*.a libpd_*.a libmpm_*.a 2>/dev/null)"
+	[ $layer = methods ] && libraries="$libraries $(ls libkernels*.a)"
 	# shellcheck disable=SC2086 # several libraries
 	found=$(find_circles $layer $libraries)
 	judge "$layer has no circle of files"
@@ -177,6 +177,6 @@ find_strangers() { # LIBRARY...: "file name" of what does not
 			if (!found && !(file == "functions" && $NF ~ "^(" libm ")$")) print file ".c exports " $NF
 		}' libm="$libm" | sort -u
 }
-found=$(find_strangers libbase.a libmethods.a $(ls libbar*.a libpd_*.a libmpm_*.a 2>/dev/null) libtheory.a librun.a libviews.a libpaper.a liblab.a libcli.a)
+found=$(find_strangers libbase.a libmethods.a $(ls libkernels*.a) libtheory.a librun.a libviews.a libpaper.a liblab.a libcli.a)
 judge "every exported name has its module's prefix"
 echo "1..$number"

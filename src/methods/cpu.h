@@ -7,6 +7,7 @@
 #define PHYSICS_CPU_H
 
 #include <stdbool.h>
+#include <stddef.h>
 
 typedef enum CpuLevel {
     CPU_PLAIN, /* what every machine of this family has: two doubles at once on x86-64 */
@@ -24,5 +25,24 @@ CpuLevel cpu_best(void);
 
 /* "plain", "avx2", "avx512". */
 const char *cpu_name(CpuLevel level);
+
+/* The function that finds the tables of kernels, which vector.h names by level; NULL: this machine has not
+ * got that one. */
+#ifdef HAVE_X86_KERNELS
+#define CPU_KERNELS(Type, name)                                                                              \
+    extern const Type name##_plain, name##_avx2, name##_avx512;                                              \
+    const Type *name(CpuLevel level)                                                                         \
+    {                                                                                                        \
+        static const Type *const tables[CPU_LEVELS] = {&name##_plain, &name##_avx2, &name##_avx512};         \
+        return cpu_has(level) ? tables[level] : NULL;                                                        \
+    }
+#else
+#define CPU_KERNELS(Type, name)                                                                              \
+    extern const Type name##_plain;                                                                          \
+    const Type *name(CpuLevel level)                                                                         \
+    {                                                                                                        \
+        return cpu_has(level) ? &name##_plain : NULL;                                                        \
+    }
+#endif
 
 #endif

@@ -1,28 +1,28 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The machine's vectors of numbers, for the kernels alone: eight doubles with AVX-512, four with AVX, else
- * two.
+/* Numbers that are worked on together, for the kernels alone: as many as the machine's vectors hold, or, in a
+ * build without fast/, one.
  *
  * They are the compiler's own types (GCC and clang), on which + - * / and comparisons work number by number,
  * so that a loop over vectors reads like the loop over numbers and its speed does not hang on what an
  * optimiser recognises. A comparison gives all bits set where it holds, else 0; with something that is not a
- * number it never holds. A file that includes this is compiled once for each instruction set. */
+ * number it never holds. A file that includes this is compiled once for each instruction set, and calls its
+ * table of functions KERNELS(name). */
 #ifndef PHYSICS_VECTOR_H
 #define PHYSICS_VECTOR_H
 
 #include <stdbool.h>
 #include <stdint.h>
 
-#ifdef __SSE2__
-#include <immintrin.h>
+#ifdef HAVE_FAST
+#include "methods/fast/vector_width.h"
+#else
+enum { VECTOR_WIDTH = 1 };
 #endif
 
-#if defined __AVX512F__
-enum { VECTOR_WIDTH = 8 };
-#elif defined __AVX__
-enum { VECTOR_WIDTH = 4 };
-#else
-enum { VECTOR_WIDTH = 2 };
-#endif
+/* KERNEL_LEVEL is given where a file is compiled: plain, avx2 or avx512 (cpu.h). */
+#define KERNELS_JOIN(name, level) name##_##level
+#define KERNELS_OF(name, level)   KERNELS_JOIN(name, level)
+#define KERNELS(name)             KERNELS_OF(name, KERNEL_LEVEL)
 
 typedef double Vector __attribute__((vector_size(VECTOR_WIDTH * sizeof(double))));
 typedef int64_t VectorMask __attribute__((vector_size(VECTOR_WIDTH * sizeof(double))));
@@ -46,12 +46,8 @@ KERNEL_INLINE void vector_store(double *to, Vector value)
 
 KERNEL_INLINE Vector vector_root(Vector x)
 {
-#if defined __AVX512F__
-    return (Vector)_mm512_sqrt_pd((__m512d)x);
-#elif defined __AVX__
-    return (Vector)_mm256_sqrt_pd((__m256d)x);
-#elif defined __SSE2__
-    return (Vector)_mm_sqrt_pd((__m128d)x);
+#ifdef VECTOR_ROOT
+    return (Vector)VECTOR_ROOT(x);
 #else
     for (int lane = 0; lane < VECTOR_WIDTH; lane++)
         x[lane] = __builtin_sqrt(x[lane]);
@@ -61,10 +57,8 @@ KERNEL_INLINE Vector vector_root(Vector x)
 
 KERNEL_INLINE bool vector_is_zero(VectorMask bits)
 {
-#if defined __AVX512F__
-    return _mm512_test_epi64_mask((__m512i)bits, (__m512i)bits) == 0;
-#elif defined __AVX__
-    return _mm256_testz_si256((__m256i)bits, (__m256i)bits) != 0;
+#ifdef VECTOR_IS_ZERO
+    return VECTOR_IS_ZERO(bits);
 #else
     int64_t any = 0;
     for (int lane = 0; lane < VECTOR_WIDTH; lane++)

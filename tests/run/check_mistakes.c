@@ -204,6 +204,7 @@ START_TEST(bits_do_not_depend_on_how_it_is_run)
 }
 END_TEST
 
+#ifdef HAVE_FAST
 /* A bar that is long enough for steps in tiles takes them without a mistake alone. */
 START_TEST(nothing_fast_knows_of_a_mistake)
 {
@@ -218,6 +219,7 @@ START_TEST(nothing_fast_knows_of_a_mistake)
     simulation_destroy(sim);
 }
 END_TEST
+#endif
 
 /* Within three steps, on a bar whose cells are not 1, nor its particles one in each. */
 START_TEST(each_differs_from_the_right_code)
@@ -552,7 +554,9 @@ void add_cases(Suite *suite)
     tcase_set_timeout(digits, 300);
     tcase_add_test(digits, digits_are_those_of_codes_that_are_wrong_in_one_place);
     tcase_add_loop_test(bar, bits_do_not_depend_on_how_it_is_run, 0, all);
+#ifdef HAVE_FAST
     tcase_add_loop_test(bar, nothing_fast_knows_of_a_mistake, 0, n);
+#endif
     tcase_add_loop_test(bar, each_differs_from_the_right_code, 0, all);
     tcase_add_test(bar, weights_are_those_of_the_new_place);
     tcase_add_loop_test(bar, what_they_are_not_defined_for_is_refused_by_name, 0, n);

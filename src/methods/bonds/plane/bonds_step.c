@@ -16,8 +16,8 @@
  * breaks at the first step past s0 and takes the overshoot with it. That is no error of the sums.
  *
  * Arrays over nodes are padded rows (lattice.h): u m, v m/s, f = rho a N/m^3. Each stage is a function of one
- * row of the lattice; whole steps call the same functions for bands of rows, several threads at once, and
- * join the end of one step to the start of the next. A step fails when a bond doubles its length or
+ * row of the lattice; whole steps do one stage after the other, or call the same functions as
+ * fast/bonds_turns.h has it. A step fails when a bond doubles its length or
  * collapses, or when there is no memory for the list of broken bonds. */
 #include "base/assertion.h"
 #include "methods/bonds/plane/bonds_mistakes.h"
@@ -231,58 +231,6 @@ bool beam_stage(Simulation *sim, int stage, size_t first, size_t end, Status *st
 
 /* --- whole steps --- */
 
-/* What a step does before its bond forces, on one row: nothing here looks at another row. */
-static void begin_row(Beam *beam, int j, long step)
-{
-    half_kick(beam, j, step);
-    drift(beam, j, step);
-    constraints(beam, j, step);
-}
-
-/* And behind them: the row first receives what the bands below have for it. */
-static void end_row(Beam *beam, int j, long step)
-{
-    beam_add_halos(beam, j);
-    body_force(beam, j, step);
-    second_kick(beam, j, step);
-}
-
-static void begin_chunk(void *context, int band, int worker)
-{
-    (void)worker;
-    Beam *beam = context;
-    for (int j = beam->band_first[band]; j < beam->band_first[band + 1]; j++)
-        begin_row(beam, j, beam->sim.step);
-}
-
-static void end_chunk(void *context, int band, int worker)
-{
-    (void)worker;
-    Beam *beam = context;
-    for (int j = beam->band_first[band]; j < beam->band_first[band + 1]; j++)
-        end_row(beam, j, beam->sim.step);
-}
-
-/* Of a step whose row is taken: with what the row needs of the velocities. */
-static void watched_end_chunk(void *context, int band, int worker)
-{
-    Beam *beam = context;
-    end_chunk(context, band, worker);
-    for (int j = beam->band_first[band]; j < beam->band_first[band + 1]; j++)
-        beam_note_squares(beam, j);
-}
-
-/* The end of this step and the start of the next, while the row is at hand. */
-static void turn_chunk(void *context, int band, int worker)
-{
-    (void)worker;
-    Beam *beam = context;
-    for (int j = beam->band_first[band]; j < beam->band_first[band + 1]; j++) {
-        end_row(beam, j, beam->sim.step);
-        begin_row(beam, j, beam->sim.step + 1);
-    }
-}
-
 bool beam_goes_fast(const Simulation *sim)
 {
     return !bonds_mistake((const Beam *)sim);
@@ -305,49 +253,17 @@ static bool run_stages(Beam *beam, long count, double *rows, long *done, Status 
     return true;
 }
 
-/* Whole steps, `done` of `count`, fewer where the beam comes to rest; rows: n_series numbers for each, or
- * NULL. The end of a step and the beginning of the next touch the same row of nodes and nothing else, so they
- * are one pass while the row is in the cache (turn_chunk); only a row of the series in between parts them. On
- * failure the state is in the middle of the step that failed. */
+#ifdef HAVE_FAST
+#include "methods/fast/bonds_turns.h"
+#endif
+
 static bool run_steps(Beam *beam, long count, double *rows, long *done, Status *status)
 {
-    Simulation *sim = &beam->sim;
-    bool begun = false;
-    if (!beam_goes_fast(sim))
-        return run_stages(beam, count, rows, done, status);
-    for (*done = 0; *done < count && !beam->sim.at_rest; ++*done) {
-        beam->strain_known = beam->kinetic_known = false;
-        if (!begun) {
-            beam_run(beam, begin_chunk, beam->n_bands);
-            beam_add_work(beam, 0);
-            beam_add_speeds(beam);
-        }
-
-        beam_bond_forces(beam, rows != NULL);
-        bool sound = true;
-        for (int band = 0; band < beam->n_bands; band++)
-            sound = take_log(beam, &beam->band_logs[band], sim->step, status) && sound;
-        if (!sound)
-            return false;
-
-        bool pause = rows || *done + 1 == count || beam_asks_for_rest(beam, sim->step + 1);
-        beam_run(beam, rows ? watched_end_chunk : pause ? end_chunk : turn_chunk, beam->n_bands);
-        if (rows)
-            beam_keep_kinetic(beam);
-        begun = !pause;
-        beam_add_work(beam, 1);
-        if (begun) {
-            beam_add_work(beam, 0);
-            beam_add_speeds(beam);
-        }
-        beam_update_damage(beam, sim->step + 1);
-        if (pause)
-            beam_look_for_rest(beam, sim->step + 1);
-        sim->step++;
-        if (rows)
-            beam_row(sim, rows + *done * sim->n_series);
-    }
-    return true;
+#ifdef HAVE_FAST
+    if (beam_goes_fast(&beam->sim))
+        return run_turns(beam, count, rows, done, status);
+#endif
+    return run_stages(beam, count, rows, done, status);
 }
 
 /* --- a run that becomes unstable is put back to its last sound step: the state of at most RESCUE_EVERY steps

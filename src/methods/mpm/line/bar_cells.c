@@ -210,7 +210,7 @@ bool bar_settle(Bar *bar, int first, int end, Status *status)
         bar->jumped = false;
     for (int c = first; c < end && !bar->jumped;) {
         int limit = c + BAR_CELL_BLOCK < end ? c + BAR_CELL_BLOCK : end, run = bar_run_end(bar, c, limit) - c;
-        if (run > 0 && bar->kernels->settle(bar, run, bar->first[c])) {
+        if (run > 0 && bar->kernels->settle && bar->kernels->settle(bar, run, bar->first[c])) {
             c += run;
             continue;
         }

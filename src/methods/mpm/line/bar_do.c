@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The work of a bar's stages on a range of cells: the kernels, the supports, and what makes a run fail.
- * Stages one by one and whole steps in tiles (bar_tiles.c) both call this. */
+ * Stages one by one and whole steps in tiles (fast/bar_tiles.c) both call this. */
 #include "base/assertion.h"
 #include "methods/mpm/line/bar_mistakes.h"
 #include "methods/mpm/line/bar_state.h"

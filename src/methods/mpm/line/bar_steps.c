@@ -83,6 +83,7 @@ static const Batches batches = {keep, put_back, some_steps};
 static bool some_steps(Simulation *sim, long count, double *rows, Status *status)
 {
     Bar *bar = bar_of(sim);
+#ifdef HAVE_FAST
     if (bar_tiles_pay(bar, rows != NULL)) {
         /* the particles were kept when the batch began */
         const BatchMark mark = {sim->step, sim->n_events, sim->events_beyond};
@@ -95,6 +96,7 @@ static bool some_steps(Simulation *sim, long count, double *rows, Status *status
         }
         batch_return(sim, &batches, mark);
     }
+#endif
     return whole_steps(bar, count, rows, status);
 }
 

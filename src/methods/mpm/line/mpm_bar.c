@@ -436,3 +436,10 @@ Simulation *bar_create(const BarDef *definition, Status *status)
     take_schedule(bar);
     return sim;
 }
+
+CPU_KERNELS(BarKernels, bar_kernels)
+
+void bar_use_kernels(Simulation *sim, CpuLevel level)
+{
+    bar_of(sim)->kernels = bar_kernels(level);
+}

@@ -182,3 +182,10 @@ Simulation *plane_create(const PlaneDef *definition, Status *status)
     take_schedule(plane);
     return sim;
 }
+
+CPU_KERNELS(PlaneKernels, plane_kernels)
+
+void plane_use_kernels(Simulation *sim, CpuLevel level)
+{
+    plane_of(sim)->kernels = plane_kernels(level);
+}

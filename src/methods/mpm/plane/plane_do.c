@@ -5,10 +5,7 @@
  *     supports            p_i = m_i (v0, 0) in the components that are held
  *     supports on forces  held: work -= f_x v0 dt, then f = 0
  *
- * Stages that follow each other on particles are done block by block, one after the other while the block is
- * in the cache, those on nodes likewise; in between everybody waits. So a step of USF has four
- * parts, and its last is the first of the next step: strain and force | gather, supports, integrate | update
- * and map | gather, supports. */
+ * Whole steps do them one after the other over everything, or in the parts of fast/plane_parts.h. */
 #include "base/assertion.h"
 #include "methods/mpm/plane/kernels/plane_kernels.h"
 
@@ -231,11 +228,11 @@ static void do_nodes(Plane *plane, PlaneTask task, PlaneNodes part)
 /* --- stage by stage ---------------------------------------------------------------------------------- */
 
 /* Item k of a stage is block k of the particles, or row k of the nodes; there may be fewer of the one. */
-bool plane_do(Plane *plane, PlaneOp op, int first, int end, Status *status)
+bool plane_do(Plane *plane, PlaneTask task, int first, int end, Status *status)
 {
     ASSERT_INT(first, >=, 0);
     ASSERT_INT(first, <=, end);
-    const PlaneTask task = {op, plane->sim.step};
+    const PlaneOp op = task.op;
     if (of_nodes(op)) {
         do_nodes(plane, task, rows_of(plane, smaller(first, plane->gy), smaller(end, plane->gy)));
         if (op == PLANE_HOLD_FORCE && end == (int)plane->sim.stage_items)
@@ -256,91 +253,18 @@ bool plane_do(Plane *plane, PlaneOp op, int first, int end, Status *status)
 
 /* --- all of it ---------------------------------------------------------------------------------------- */
 
-/* Stages that are done in one go by everybody. What a chunk writes (its particles, its patch; its rows of
- * nodes) no other chunk of the part reads, so their order is free. */
-typedef struct Part {
-    Plane *plane;
-    const PlaneTask *tasks;
-    int count;
-    int columns;   /* of nodes in a chunk */
-    PlaneOp given; /* of nodes: the stage whose patches come first; PLANE_OPS: none */
-} Part;
-
-static void block_chunk(void *context, int block, int worker)
-{
-    const Part *part = context;
-    do_block(part->plane, block, worker, part->tasks, part->count);
-}
-
-/* Nodes are shared out by columns, of all rows: then those around the blocks that a thread has done are in
- * its core's cache. A chunk is done some rows at a time, one stage after the other. */
-static void nodes_chunk(void *context, int chunk, int worker)
-{
-    enum { NODES_AT_A_TIME = 1024 };
-    (void)worker;
-    const Part *part = context;
-    Plane *plane = part->plane;
-    const int column = chunk * part->columns, rows = 1 + NODES_AT_A_TIME / part->columns;
-    for (int row = 0; row < plane->gy; row += rows) {
-        const PlaneNodes nodes = {row, smaller(row + rows, plane->gy), column,
-                                  smaller(column + part->columns, plane->gx)};
-        if (part->given != PLANE_OPS)
-            gather(plane, part->given, nodes);
-        for (int k = 0; k < part->count; k++)
-            do_nodes(plane, part->tasks[k], nodes);
-    }
-}
-
-/* One thread goes along whole rows, as they lie in memory. */
-static int columns_of_chunk(const Plane *plane)
-{
-    enum { CHUNKS_A_THREAD = 4, COLUMNS_AT_LEAST = 32 };
-    const int threads = plane->def.threads;
-    return threads == 1 ? plane->gx : larger(plane->gx / (CHUNKS_A_THREAD * threads) + 1, COLUMNS_AT_LEAST);
-}
-
-static void run_part(Part *part, PoolWork *work, int chunks)
-{
-    if (part->plane->pool)
-        pool_run(part->plane->pool, work, part, chunks);
-    else
-        for (int chunk = 0; chunk < chunks; chunk++)
-            work(part, chunk, 0);
-}
-
+#ifdef HAVE_FAST
+#include "methods/fast/plane_parts.h"
+#else
 bool plane_do_all(Plane *plane, const PlaneTask *tasks, int count, Status *status)
 {
     ASSERT_INT(count, >=, 1);
-    const int columns = columns_of_chunk(plane);
-    PlaneOp given = PLANE_OPS;
-    for (int end = 0; end < count;) {
-        const int first = end;
-        const bool nodes = of_nodes(tasks[first].op);
-        while (end < count && of_nodes(tasks[end].op) == nodes)
-            end++;
-        Part part = {plane, tasks + first, end - first, columns, given};
-        if (!nodes) {
-            run_part(&part, block_chunk, plane->n_blocks);
-            if (!judge(plane, part.tasks, part.count, 0, plane->n_blocks, status))
-                return false;
-            for (int k = first; k < end; k++)
-                if (tasks[k].op == PLANE_UPDATE)
-                    report_crossings(plane);
-            given = gives(tasks[end - 1].op) ? tasks[end - 1].op : PLANE_OPS;
-            if (given != PLANE_OPS && any_far(plane)) {
-                gather_all(plane, given);
-                given = PLANE_OPS;
-            }
-            continue;
-        }
-        run_part(&part, nodes_chunk, (plane->gx + part.columns - 1) / part.columns);
-        for (int k = first; k < end; k++)
-            if (tasks[k].op == PLANE_HOLD_FORCE)
-                add_work(plane);
-        given = PLANE_OPS;
-    }
+    for (int k = 0; k < count; k++)
+        if (!plane_do(plane, tasks[k], 0, (int)plane->sim.stage_items, status))
+            return false;
     return true;
 }
+#endif
 
 /* The first two stages of the step that comes: what a row of the series needs of the grid. */
 bool plane_map_and_hold(Plane *plane, Status *status)

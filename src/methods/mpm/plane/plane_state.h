@@ -301,7 +301,7 @@ typedef struct PlaneTask {
     long step; /* that which is going on, so many were done before */
 } PlaneTask;
 
-bool plane_do(Plane *, PlaneOp, int first, int end, Status *);
+bool plane_do(Plane *, PlaneTask, int first, int end, Status *);
 bool plane_do_all(Plane *, const PlaneTask *, int count, Status *);
 bool plane_map_and_hold(Plane *, Status *);
 

@@ -35,7 +35,7 @@ bool plane_stage(Simulation *sim, int stage, size_t first, size_t end, Status *s
      * whatever ran before */
     if (stage == 0 && first == 0)
         memset(plane->block + plane->bytes_particles, 0, plane->bytes_whole - plane->bytes_particles);
-    if (!plane_do(plane, schedule->ops[stage], (int)first, (int)end, status))
+    if (!plane_do(plane, (PlaneTask){schedule->ops[stage], sim->step}, (int)first, (int)end, status))
         return false;
     return stage + 1 < schedule->count || end < sim->stage_items || check_energy(plane, status);
 }

@@ -13,17 +13,6 @@
  */
 #include "methods/bonds/plane/lattice/bond_segment.h"
 
-#if defined(__AVX512F__)
-#define LEVEL   CPU_AVX512
-#define KERNELS bond_kernels_avx512
-#elif defined(__AVX2__)
-#define LEVEL   CPU_AVX2
-#define KERNELS bond_kernels_avx2
-#else
-#define LEVEL   CPU_PLAIN
-#define KERNELS bond_kernels_plain
-#endif
-
 /* The segment of direction o that begins at column `from` of row j: the other ends lie q rows and p columns
  * on, at one fixed distance in memory, which is why no list of indices is needed. */
 KERNEL_INLINE Segment segment_of(const BondSystem *system, int j, int o, size_t from, size_t count,
@@ -297,6 +286,15 @@ static double dot(const double *x, const double *y, size_t count)
     return sum_lanes(lanes);
 }
 
-extern const BondKernels KERNELS;
-const BondKernels KERNELS = {LEVEL,      forces,   energy_of_row, stretches, energies,
-                             accumulate, raise_to, add,           dot};
+extern const BondKernels KERNELS(bond_kernels);
+
+const BondKernels KERNELS(bond_kernels) = {
+    .forces = forces,
+    .energy = energy_of_row,
+    .stretches = stretches,
+    .energies = energies,
+    .accumulate = accumulate,
+    .raise_to = raise_to,
+    .add = add,
+    .dot = dot,
+};

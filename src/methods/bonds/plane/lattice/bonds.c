@@ -1,25 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Chooses the bond kernels of this machine (bond_kernels.c is compiled once for each instruction set), and
- * turns the critical stretch s0 into the limits that they compare with: a bond breaks where
- * d = |xi + eta|^2 - |xi|^2 reaches |xi|^2 (2 s0 + s0^2), eq. 6 without a root. */
+/* The bond kernels of a level, and the critical stretch s0 as the limits that they compare with: a bond
+ * breaks where d = |xi + eta|^2 - |xi|^2 reaches |xi|^2 (2 s0 + s0^2), eq. 6 without a root. */
 #include "methods/bonds/plane/lattice/bonds.h"
 
 #include <math.h>
 
-extern const BondKernels bond_kernels_plain, bond_kernels_avx2, bond_kernels_avx512;
-
-const BondKernels *bond_kernels(CpuLevel level)
-{
-    if (!cpu_has(level))
-        return NULL;
-#ifdef HAVE_X86_KERNELS
-    if (level == CPU_AVX2)
-        return &bond_kernels_avx2;
-    if (level == CPU_AVX512)
-        return &bond_kernels_avx512;
-#endif
-    return &bond_kernels_plain;
-}
+CPU_KERNELS(BondKernels, bond_kernels)
 
 /* Per direction: d at which a bond breaks, (1 + s0)^2 |xi|^2 - |xi|^2; and |d| up to which the series may be
  * used, e = 2^-8 or the former if that comes first, since only the root's form asks whether a bond breaks. */

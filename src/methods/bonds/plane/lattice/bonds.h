@@ -58,8 +58,6 @@ enum {
 #define BONDS_NO_STRETCH (-1.0) /* what no live bond has */
 
 typedef struct BondKernels {
-    CpuLevel level;
-
     /* Adds the force densities of all bonds that row j owns: fx[q], fy[q] are padded rows (their column 0)
      * that take what belongs to row j + q. With `energy` also the strain energy of these bonds, J. */
     void (*forces)(const BondSystem *system, int j, double *const *fx, double *const *fy, BondLog *log,

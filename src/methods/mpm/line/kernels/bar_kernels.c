@@ -16,21 +16,16 @@
  * part[.][a] has one entry for each cell: what the cell gives to its a-th node (bar_state.h).
  *
  * There are two forms of each loop over particles. kernels_cell.h does one cell with any number of particles
- * and is the one to read: it fixes the order of every sum. kernels_run.h does the same for as many cells at
- * once as a vector has numbers, in runs of cells that hold P particles each. What is done by which is a
- * matter of speed only. The file is compiled once for each instruction set; BAR_KERNELS is the name of the
- * table. */
+ * and is the one to read: it fixes the order of every sum. fast/bar_runs.h, which a build can do without,
+ * does the same for as many cells at once as a vector has numbers, in runs of cells that hold P particles
+ * each. The file is compiled once for each instruction set. */
 #include "methods/mpm/line/kernels/bar_kernels.h"
 #include "methods/mpm/line/kernels/shape.h"
 #include "methods/vector.h"
 
 #include <string.h>
 
-#ifndef BAR_KERNELS
-#define BAR_KERNELS bar_kernels_plain
-#endif
-
-extern const BarKernels BAR_KERNELS;
+extern const BarKernels KERNELS(bar_kernels);
 
 /* -0 is the start of a sum that is exactly its first term. */
 #define EMPTY_SUM (-0.0)
@@ -46,30 +41,47 @@ KERNEL_INLINE Transfer transfer_of(const Bar *bar)
                                              : TO_BLEND;
 }
 
+/* Does work with what is no constant in a bar as one, so that its branches cost nothing. */
+#define WITH_CONSTANT(Type, name, value, ...)                                                                \
+    case value: {                                                                                            \
+        const Type name = value;                                                                             \
+        __VA_ARGS__;                                                                                         \
+        break;                                                                                               \
+    }
+#define BY_SHAPE(bar, ...)                                                                                   \
+    switch ((bar)->def.shape) {                                                                              \
+        WITH_CONSTANT(MpmShape, shape, MPM_HAT, __VA_ARGS__)                                                 \
+        WITH_CONSTANT(MpmShape, shape, MPM_GIMP, __VA_ARGS__)                                                \
+        WITH_CONSTANT(MpmShape, shape, MPM_CPDI, __VA_ARGS__)                                                \
+        WITH_CONSTANT(MpmShape, shape, MPM_BSPLINE2, __VA_ARGS__)                                            \
+        WITH_CONSTANT(MpmShape, shape, MPM_BSPLINE3, __VA_ARGS__)                                            \
+    }
+#define BY_TRANSFER(bar, ...)                                                                                \
+    switch (transfer_of(bar)) {                                                                              \
+        WITH_CONSTANT(Transfer, transfer, TO_FLIP, __VA_ARGS__)                                              \
+        WITH_CONSTANT(Transfer, transfer, TO_BLEND, __VA_ARGS__)                                             \
+        WITH_CONSTANT(Transfer, transfer, TO_APIC, __VA_ARGS__)                                              \
+        WITH_CONSTANT(Transfer, transfer, TO_FMPM, __VA_ARGS__)                                              \
+    }
+
 #include "methods/mpm/line/kernels/kernels_cell.h"
 
-#include "methods/mpm/line/kernels/kernels_run.h"
+/* Cells [first, end): `cell` does c, `run` cells [c, stop) at once, where there is one that goes to run_end.
+ * Shape and slots are constants in both. */
+#ifdef HAVE_FAST
+#include "methods/fast/bar_runs.h"
+#else
+#define EACH_CELL(first, end, run_end, cell, run)                                                            \
+    for (int c = (first), stop; c < (end); c = stop) {                                                       \
+        stop = c + 1;                                                                                        \
+        cell;                                                                                                \
+    }
+#endif
 
 /* Nodes that come with cells [first, end). */
 KERNEL_INLINE int nodes_end(const Bar *bar, int end)
 {
     return end == bar->n_cells ? bar->n_nodes : end;
-}
-
-/* The end of the run from c on, of cells with P particles of one material in which the shape functions are
- * the inner ones; c itself if there is none. B-splines differ in the first and last cells of the mesh, whose
- * knots are repeated. */
-KERNEL_INLINE int run_end(const Bar *bar, MpmShape shape, int c, int end)
-{
-    const int ends = shape_end_cells(shape);
-    if (c < ends)
-        return c;
-    if (end > bar->n_cells - ends)
-        end = bar->n_cells - ends;
-    if (c >= end)
-        return c;
-    const int stop = bar_run_end(bar, c, end), before = bar->joint - bar->first[c];
-    return before > 0 && before < (stop - c) * bar->slots ? c + before / bar->slots : stop;
 }
 
 /* What the cells gave to node i, in the order of the cells: node i is the a-th node of cell i - a. */
@@ -93,18 +105,14 @@ KERNEL_INLINE double gather(double *const *part, int support, int i)
  *
  * and 1/m_i. m, p, 1/m: n_nodes entries each. A node with m_i <= mass_floor is inactive, 1/m_i = 0: no
  * velocity and no acceleration follow for it, where p/m would be rounding over rounding. */
-KERNEL_INLINE void map_shape(Bar *bar, MpmShape shape, int slots, int first, int end)
+KERNEL_INLINE void map_shape(Bar *bar, MpmShape shape, int first, int end)
 {
-    const bool affine = bar->head->transfer == MPM_APIC;
-    for (int c = first; c < end;) {
-        const int stop = run_end(bar, shape, c, end);
-        if (stop == c)
-            map_cell(bar, shape, affine, c++);
-        else if (affine)
-            map_run(bar, shape, true, slots, c, stop), c = stop;
-        else
-            map_run(bar, shape, false, slots, c, stop), c = stop;
-    }
+    if (bar->head->transfer == MPM_APIC)
+        EACH_CELL(first, end, run_end, map_cell(bar, shape, true, c),
+                  map_run(bar, shape, true, slots, c, stop))
+    else
+        EACH_CELL(first, end, run_end, map_cell(bar, shape, false, c),
+                  map_run(bar, shape, false, slots, c, stop))
 
     /* eqs. 2 and 3: m_i and p_i from the cells' shares; a node that is too light for p/m is inactive */
     const int support = shape_support(shape), last = nodes_end(bar, end);
@@ -160,26 +168,7 @@ static int too_long(const Bar *bar, int first, int end)
 
 static void map(Bar *bar, int first, int end)
 {
-    switch (bar->def.shape) {
-    case MPM_HAT: /* two particles in a cell is what most people run: a copy for it alone */
-        if (bar->slots == 2)
-            map_shape(bar, MPM_HAT, 2, first, end);
-        else
-            map_shape(bar, MPM_HAT, bar->slots, first, end);
-        return;
-    case MPM_GIMP:
-        map_shape(bar, MPM_GIMP, bar->slots, first, end);
-        return;
-    case MPM_CPDI:
-        map_shape(bar, MPM_CPDI, bar->slots, first, end);
-        return;
-    case MPM_BSPLINE2:
-        map_shape(bar, MPM_BSPLINE2, bar->slots, first, end);
-        return;
-    case MPM_BSPLINE3:
-        map_shape(bar, MPM_BSPLINE3, bar->slots, first, end);
-        return;
-    }
+    BY_SHAPE(bar, map_shape(bar, shape, first, end))
 }
 
 /* Eq. 4, v_i = p_i / m_i, of the nodes that come with these cells; 0 where inactive or held (p = 0 there). */
@@ -197,45 +186,20 @@ static void velocities(Bar *bar, int first, int end)
 
 /* Eqs. 4, 5, 7, 8, 9 by runs of cells; cells at the ends of a hat's bar one by one. Returns the first
  * particle with 1 + de <= 0, or -1: its density would turn negative (eq. 8). */
-KERNEL_INLINE int strain_shape(Bar *bar, MpmShape shape, int slots, int first, int end)
+KERNEL_INLINE int strain_shape(Bar *bar, MpmShape shape, int first, int end)
 {
     int crushed = -1;
-    for (int c = first; c < end;) {
-        int stop = run_end(bar, shape, c, end);
-        if (shape == MPM_HAT && stop > c) {
-            /* where the bar ends a node may be inactive, see bar_lend_velocity(): one by one */
-            if (c == 0 || bar->first[c - 1] == bar->first[c])
-                stop = c;
-            else if (stop == bar->n_cells || bar->first[stop] == bar->first[stop + 1])
-                stop--;
-        }
-        const bool one = stop == c;
-        stop += one;
-        const bool sound = one ? strain_cell(bar, shape, c) : strain_run(bar, shape, slots, c, stop);
-        if (!sound && crushed < 0)
-            crushed = find_crushed(bar, shape, c, stop);
-        c = stop;
-    }
+    EACH_CELL(first, end, strain_run_end,
+              note_crushed(bar, shape, strain_cell(bar, shape, c), c, stop, &crushed),
+              note_crushed(bar, shape, strain_run(bar, shape, slots, c, stop), c, stop, &crushed))
     return crushed;
 }
 
 static int strain(Bar *bar, int first, int end)
 {
-    switch (bar->def.shape) {
-    case MPM_HAT:
-        if (bar->slots == 2)
-            return strain_shape(bar, MPM_HAT, 2, first, end);
-        return strain_shape(bar, MPM_HAT, bar->slots, first, end);
-    case MPM_GIMP:
-        return strain_shape(bar, MPM_GIMP, bar->slots, first, end);
-    case MPM_CPDI:
-        return strain_shape(bar, MPM_CPDI, bar->slots, first, end);
-    case MPM_BSPLINE2:
-        return strain_shape(bar, MPM_BSPLINE2, bar->slots, first, end);
-    case MPM_BSPLINE3:
-        return strain_shape(bar, MPM_BSPLINE3, bar->slots, first, end);
-    }
-    return -1;
+    int crushed = -1;
+    BY_SHAPE(bar, crushed = strain_shape(bar, shape, first, end))
+    return crushed;
 }
 
 /* --- nodal forces --------------------------------------------------------------------------------- */
@@ -260,15 +224,9 @@ KERNEL_INLINE void external_force(Bar *bar, MpmShape shape, int first, int end)
 /* Eqs. 10, 11: the cells' shares by runs, then f_int = -(1/dx) sum over cells of part[0][a][i - a]; f_ext
  * only where a load acts. USF comes here with the new stress and the new volume, USL and MUSL with the old
  * ones. (The old volume in USF would be wrong by 3e-5, which no look at a frequency would find.) */
-KERNEL_INLINE void force_shape(Bar *bar, MpmShape shape, int slots, int first, int end)
+KERNEL_INLINE void force_shape(Bar *bar, MpmShape shape, int first, int end)
 {
-    for (int c = first; c < end;) {
-        const int stop = run_end(bar, shape, c, end);
-        if (stop == c)
-            force_cell(bar, shape, c++);
-        else
-            force_run(bar, shape, slots, c, stop), c = stop;
-    }
+    EACH_CELL(first, end, run_end, force_cell(bar, shape, c), force_run(bar, shape, slots, c, stop))
 
     /* eq. 10: f_int from the cells' shares, which are by s = x / dx */
     const int support = shape_support(shape), last = nodes_end(bar, end);
@@ -281,29 +239,7 @@ KERNEL_INLINE void force_shape(Bar *bar, MpmShape shape, int slots, int first, i
         external_force(bar, shape, first, end);
 }
 
-static void force(Bar *bar, int first, int end)
-{
-    switch (bar->def.shape) {
-    case MPM_HAT:
-        if (bar->slots == 2)
-            force_shape(bar, MPM_HAT, 2, first, end);
-        else
-            force_shape(bar, MPM_HAT, bar->slots, first, end);
-        return;
-    case MPM_GIMP:
-        force_shape(bar, MPM_GIMP, bar->slots, first, end);
-        return;
-    case MPM_CPDI:
-        force_shape(bar, MPM_CPDI, bar->slots, first, end);
-        return;
-    case MPM_BSPLINE2:
-        force_shape(bar, MPM_BSPLINE2, bar->slots, first, end);
-        return;
-    case MPM_BSPLINE3:
-        force_shape(bar, MPM_BSPLINE3, bar->slots, first, end);
-        return;
-    }
-}
+static void force(Bar *bar, int first, int end){BY_SHAPE(bar, force_shape(bar, shape, first, end))}
 
 /* --- integrate momentum --------------------------------------------------------------------------- */
 
@@ -368,103 +304,15 @@ static void integrate(Bar *bar, int first, int end)
 /* Eqs. 14, 15 by runs of cells; positions go to moved[], the cells are found in the last stage (settle).
  * Shape functions are those of the old places for v and x alike. x moves with the nodes' velocity (eq. 15),
  * not with the particle's own: that is another method, off by 4e-6 in one step of the paper's first mode. */
-KERNEL_INLINE void update_as(Bar *bar, MpmShape shape, Transfer transfer, int slots, int first, int end)
+KERNEL_INLINE void update_as(Bar *bar, MpmShape shape, Transfer transfer, int first, int end)
 {
-    for (int c = first; c < end;) {
-        const int stop = run_end(bar, shape, c, end);
-        if (stop == c)
-            update_cell(bar, shape, transfer, c++);
-        else
-            update_run(bar, shape, transfer, slots, c, stop), c = stop;
-    }
-}
-
-KERNEL_INLINE void update_shape(Bar *bar, MpmShape shape, int first, int end)
-{
-    switch (transfer_of(bar)) {
-    case TO_FLIP:
-        if (shape == MPM_HAT && bar->slots == 2)
-            update_as(bar, shape, TO_FLIP, 2, first, end);
-        else
-            update_as(bar, shape, TO_FLIP, bar->slots, first, end);
-        return;
-    case TO_BLEND:
-        update_as(bar, shape, TO_BLEND, bar->slots, first, end);
-        return;
-    case TO_APIC:
-        update_as(bar, shape, TO_APIC, bar->slots, first, end);
-        return;
-    case TO_FMPM:
-        update_as(bar, shape, TO_FMPM, bar->slots, first, end);
-        return;
-    }
+    EACH_CELL(first, end, run_end, update_cell(bar, shape, transfer, c),
+              update_run(bar, shape, transfer, slots, c, stop))
 }
 
 static void update(Bar *bar, int first, int end)
 {
-    switch (bar->def.shape) {
-    case MPM_HAT:
-        update_shape(bar, MPM_HAT, first, end);
-        return;
-    case MPM_GIMP:
-        update_shape(bar, MPM_GIMP, first, end);
-        return;
-    case MPM_CPDI:
-        update_shape(bar, MPM_CPDI, first, end);
-        return;
-    case MPM_BSPLINE2:
-        update_shape(bar, MPM_BSPLINE2, first, end);
-        return;
-    case MPM_BSPLINE3:
-        update_shape(bar, MPM_BSPLINE3, first, end);
-        return;
-    }
-}
-
-/* --- forget the grid ------------------------------------------------------------------------------ */
-
-/* Lets the particles of a run take their places if 0 <= moved_0 <= moved_1 ... < 1 in each cell: all are in
- * their cell after the step, in order. False: at least one is not, or is no number, and nothing was done:
- * bar_cells.c looks at each. */
-KERNEL_INLINE bool settle_run(Bar *bar, int slots, int cells, int particle)
-{
-    double *s[BAR_SLOTS_MAX], *moved[BAR_SLOTS_MAX];
-    slots_of_run(bar->s, slots, particle, s);
-    slots_of_run(bar->moved, slots, particle, moved);
-    VectorMask astray = {0}; /* minus how many */
-    int done = 0;
-    for (; done + VECTOR_WIDTH <= cells; done += VECTOR_WIDTH) {
-        Vector before = {0};
-#pragma GCC unroll 2
-        for (int j = 0; j < slots; j++) {
-            const Vector here = vector_load(moved[j] + done);
-            astray += ~(here >= before);
-            before = here;
-        }
-        astray += ~(before < 1.0);
-    }
-    bool stay = vector_is_zero(astray);
-    for (int i = done; i < cells; i++) {
-        double before = 0.0;
-        for (int j = 0; j < slots; j++) {
-            stay = stay && moved[j][i] >= before;
-            before = moved[j][i];
-        }
-        stay = stay && before < 1.0;
-    }
-    if (!stay)
-        return false;
-    for (int j = 0; j < slots; j++)
-#pragma omp simd
-        for (int i = 0; i < cells; i++)
-            s[j][i] = moved[j][i];
-    return true;
-}
-
-static bool settle(Bar *bar, int cells, int particle)
-{
-    return bar->slots == 2 ? settle_run(bar, 2, cells, particle)
-                           : settle_run(bar, bar->slots, cells, particle);
+    BY_SHAPE(bar, BY_TRANSFER(bar, update_as(bar, shape, transfer, first, end)))
 }
 
 /* --- sums ----------------------------------------------------------------------------------------- */
@@ -542,7 +390,7 @@ static void node_sums(const Bar *bar, int first, int end, double *lanes)
 
 #include "methods/mpm/line/kernels/kernels_mass.h"
 
-const BarKernels BAR_KERNELS = {
+const BarKernels KERNELS(bar_kernels) = {
     .halve_domains = halve_domains,
     .too_long = too_long,
     .map = map,
@@ -555,7 +403,9 @@ const BarKernels BAR_KERNELS = {
     .force = force,
     .integrate = integrate,
     .update = update,
+#ifdef HAVE_FAST
     .settle = settle,
+#endif
     .particle_sums = particle_sums,
     .node_sums = node_sums,
 };

@@ -46,7 +46,8 @@ struct BarKernels {
     void (*update)(Bar *bar, int first, int end);
 
     /* Lets the particles of a run of cells with P particles each, the first of which is `particle`, take
-     * their new places; false: not all stay in order in their cells, and nothing was done */
+     * their new places; false: not all stay in order in their cells, and nothing was done. NULL without
+     * fast/ */
     bool (*settle)(Bar *bar, int cells, int particle);
 
     /* Adds the places [first, end) of every slot to the sums, first being a multiple of BAR_LANES */

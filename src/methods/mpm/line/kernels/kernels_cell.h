@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Part of kernels.c: the stages on one cell with any number of particles, any shape, any transfer. The order
- * of every sum is defined here: over the particles of a cell as they stand, then over its nodes from left to
- * right. What a cell without particles gives to its nodes is 0. */
+/* Part of bar_kernels.c: the stages on one cell with any number of particles, any shape, any transfer. The
+ * order of every sum is defined here: over the particles of a cell as they stand, then over its nodes from
+ * left to right. What a cell without particles gives to its nodes is 0. */
 
 /* A particle of the storage by slots. */
 typedef struct Place {
@@ -132,6 +132,14 @@ static int find_crushed(const Bar *bar, MpmShape shape, int c, int stop)
     return -1;
 }
 
+/* Of cells [c, stop), which were strained soundly or not, the particle that was crushed if it is the first.
+ */
+KERNEL_INLINE void note_crushed(const Bar *bar, MpmShape shape, bool sound, int c, int stop, int *crushed)
+{
+    if (!sound && *crushed < 0)
+        *crushed = find_crushed(bar, shape, c, stop);
+}
+
 /* Eq. 10 over -1, the cell's share: part[0][a] = sum N'_a stress volume, N' by s, so times dx of the force.
  */
 KERNEL_INLINE void force_cell(Bar *bar, MpmShape shape, int c)
@@ -228,4 +236,22 @@ KERNEL_INLINE void update_cell(Bar *bar, MpmShape shape, Transfer transfer, int 
             bar->v[at.slot][at.k] = speed * ds;
         }
     }
+}
+
+/* A cell's share over m of the first material: pair[d][a] = sum N_a N_a+d. */
+KERNEL_INLINE void couple_cell(Bar *bar, MpmShape shape, int c)
+{
+    const int support = shape_support(shape), reach = shape_reach(shape);
+    double pair[BAR_REACH_MAX + 1][BAR_SUPPORT_MAX] = {{0}};
+    Place at = place_of(bar, bar->first[c]);
+    for (int p = bar->first[c]; p < bar->first[c + 1]; p++, at = next_place(bar, at)) {
+        double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
+        shape_at(shape, half_of(bar, shape, at), bar->n_cells, c, bar->s[at.slot][at.k], n, dn);
+        for (int d = 1; d <= reach; d++)
+            for (int a = 0; a + d < support; a++)
+                pair[d][a] += bar_weight(bar, p) * (n[a] * n[a + d]);
+    }
+    for (int d = 1; d <= reach; d++)
+        for (int a = 0; a + d < support; a++)
+            bar->pair[d][a][c] = pair[d][a];
 }

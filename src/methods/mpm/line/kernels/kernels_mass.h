@@ -10,68 +10,11 @@
 
 /* --- couplings ------------------------------------------------------------------------------------ */
 
-/* A cell's share over m of the first material: pair[d][a] = sum N_a N_a+d. */
-KERNEL_INLINE void couple_cell(Bar *bar, MpmShape shape, int c)
-{
-    const int support = shape_support(shape), reach = shape_reach(shape);
-    double pair[BAR_REACH_MAX + 1][BAR_SUPPORT_MAX] = {{0}};
-    Place at = place_of(bar, bar->first[c]);
-    for (int p = bar->first[c]; p < bar->first[c + 1]; p++, at = next_place(bar, at)) {
-        double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
-        shape_at(shape, half_of(bar, shape, at), bar->n_cells, c, bar->s[at.slot][at.k], n, dn);
-        for (int d = 1; d <= reach; d++)
-            for (int a = 0; a + d < support; a++)
-                pair[d][a] += bar_weight(bar, p) * (n[a] * n[a + d]);
-    }
-    for (int d = 1; d <= reach; d++)
-        for (int a = 0; a + d < support; a++)
-            bar->pair[d][a][c] = pair[d][a];
-}
-
-/* The same for a run of cells with P particles of one material each: VECTOR_WIDTH cells at once, in the same
- * order. */
-KERNEL_INLINE void couple_run(Bar *bar, MpmShape shape, int slots, int c, int stop)
-{
-    const int support = shape_support(shape), reach = shape_reach(shape);
-    const double weight = bar_weight(bar, bar->first[c]);
-    double *h_of[BAR_SLOTS_MAX], *s_of[BAR_SLOTS_MAX];
-    slots_of_run(bar->s, slots, bar->first[c], s_of);
-    halves_of_run(bar, shape, slots, bar->first[c], h_of);
-    for (int i = 0; c + VECTOR_WIDTH <= stop; c += VECTOR_WIDTH, i += VECTOR_WIDTH) {
-        Vector pair[BAR_REACH_MAX + 1][BAR_SUPPORT_MAX] = {{{0}}};
-#pragma GCC unroll 2
-        for (int j = 0; j < slots; j++) {
-            const Vector h = vector_half(shape, h_of[j], i, bar->gimp_half);
-            const Vector s = vector_load(s_of[j] + i);
-            Vector n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
-            shape_inner_vector(shape, &h, &s, n, dn);
-#pragma GCC unroll 4
-            for (int d = 1; d <= reach; d++)
-#pragma GCC unroll 4
-                for (int a = 0; a + d < support; a++)
-                    pair[d][a] += weight * (n[a] * n[a + d]);
-        }
-#pragma GCC unroll 4
-        for (int d = 1; d <= reach; d++)
-#pragma GCC unroll 4
-            for (int a = 0; a + d < support; a++)
-                vector_store(bar->pair[d][a] + c, pair[d][a]);
-    }
-    for (; c < stop; c++)
-        couple_cell(bar, shape, c);
-}
-
 /* M_c(i, i + d), d = 1 .. reach, from the cells' shares, in the order of the cells; mass per unit
  * cross-section, n_nodes entries each. */
-KERNEL_INLINE void couple_shape(Bar *bar, MpmShape shape, int slots, int first, int end)
+KERNEL_INLINE void couple_shape(Bar *bar, MpmShape shape, int first, int end)
 {
-    for (int c = first; c < end;) {
-        const int stop = run_end(bar, shape, c, end);
-        if (stop == c)
-            couple_cell(bar, shape, c++);
-        else
-            couple_run(bar, shape, slots, c, stop), c = stop;
-    }
+    EACH_CELL(first, end, run_end, couple_cell(bar, shape, c), couple_run(bar, shape, slots, c, stop))
     const int support = shape_support(shape), reach = shape_reach(shape), last = nodes_end(bar, end);
     const double unit = bar->mass;
     for (int d = 1; d <= reach; d++) {
@@ -86,29 +29,7 @@ KERNEL_INLINE void couple_shape(Bar *bar, MpmShape shape, int slots, int first, 
     }
 }
 
-static void couple(Bar *bar, int first, int end)
-{
-    switch (bar->def.shape) {
-    case MPM_HAT:
-        if (bar->slots == 2)
-            couple_shape(bar, MPM_HAT, 2, first, end);
-        else
-            couple_shape(bar, MPM_HAT, bar->slots, first, end);
-        return;
-    case MPM_GIMP:
-        couple_shape(bar, MPM_GIMP, bar->slots, first, end);
-        return;
-    case MPM_CPDI:
-        couple_shape(bar, MPM_CPDI, bar->slots, first, end);
-        return;
-    case MPM_BSPLINE2:
-        couple_shape(bar, MPM_BSPLINE2, bar->slots, first, end);
-        return;
-    case MPM_BSPLINE3:
-        couple_shape(bar, MPM_BSPLINE3, bar->slots, first, end);
-        return;
-    }
-}
+static void couple(Bar *bar, int first, int end){BY_SHAPE(bar, couple_shape(bar, shape, first, end))}
 
 /* --- mass blend ----------------------------------------------------------------------------------- */
 
@@ -268,32 +189,22 @@ static void solve_hat(const Bar *bar, double *x)
 
 static void factor(Bar *bar)
 {
-    switch (bar->reach) {
-    case 1:
+    if (bar->reach == 1)
         factor_hat(bar);
-        return;
-    case 2:
+    else if (bar->reach == 2)
         factor_reach(bar, 2);
-        return;
-    default:
+    else
         factor_reach(bar, 3);
-        return;
-    }
 }
 
 static void solve(const Bar *bar, double *x)
 {
-    switch (bar->reach) {
-    case 1:
+    if (bar->reach == 1)
         solve_hat(bar, x);
-        return;
-    case 2:
+    else if (bar->reach == 2)
         solve_reach(bar, 2, x);
-        return;
-    default:
+    else
         solve_reach(bar, 3, x);
-        return;
-    }
 }
 
 /* --- FMPM ----------------------------------------------------------------------------------------- */
@@ -367,15 +278,10 @@ KERNEL_INLINE void series_reach(Bar *bar, const int reach, double *x)
 
 static void series(Bar *bar, double *x)
 {
-    switch (bar->reach) {
-    case 1:
+    if (bar->reach == 1)
         series_reach(bar, 1, x);
-        return;
-    case 2:
+    else if (bar->reach == 2)
         series_reach(bar, 2, x);
-        return;
-    default:
+    else
         series_reach(bar, 3, x);
-        return;
-    }
 }

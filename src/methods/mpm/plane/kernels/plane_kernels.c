@@ -18,17 +18,13 @@
  * both are done lane by lane, with the same numbers in the same order. Weights are made anew in each stage
  * from where a particle lies: that is cheaper than to fetch them.
  *
- * The file is compiled once for each CpuLevel; PLANE_KERNELS is the name of the table. */
+ * The file is compiled once for each CpuLevel. */
 #include "methods/mpm/plane/kernels/plane_kernels.h"
 #include "methods/vector.h"
 
 #include <string.h>
 
-#ifndef PLANE_KERNELS
-#define PLANE_KERNELS plane_kernels_plain
-#endif
-
-extern const PlaneKernels PLANE_KERNELS;
+extern const PlaneKernels KERNELS(plane_kernels);
 
 typedef int32_t Whole __attribute__((vector_size(VECTOR_WIDTH * sizeof(int32_t))));
 
@@ -789,7 +785,7 @@ static double eliminate(const PlaneNull *work, int column, int place, int which)
     return sum;
 }
 
-const PlaneKernels PLANE_KERNELS = {
+const PlaneKernels KERNELS(plane_kernels) = {
     .find = find,
     .map = map,
     .strain = strain,

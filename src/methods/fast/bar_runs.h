@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Part of kernels.c: the stages on a run of cells with P particles each, as many cells at once as a vector
- * has numbers. The j-th particles of these cells lie side by side (bar_state.h), so a vector holds one number
- * of the j-th particle of each cell, and every sum over a cell's particles is taken in the order of
+/* Part of bar_kernels.c: the stages on a run of cells with P particles each, as many cells at once as a
+ * vector has numbers. The j-th particles of these cells lie side by side (bar_state.h), so a vector holds one
+ * number of the j-th particle of each cell, and every sum over a cell's particles is taken in the order of
  * kernels_cell.h: the bits are the same. The few cells at the end of a run that do not fill a vector are done
  * one by one there.
  *
  * A run ends where a cell has lost or won a particle, where the material changes and where the mesh ends:
  * within it all cells are alike. The shape, and for hats the usual two particles, are constants where these
- * functions are called, so their branches cost nothing. Sums over nodes (gather in kernels.c) come
+ * functions are called, so their branches cost nothing. Sums over nodes (gather in bar_kernels.c) come
  * afterwards.
  *
  * The arrays of all functions: s, v, stress, volume, affine, moved by slot and place in the slot; node arrays
- * by node, the cell's a-th node being c + a; part[.][a] by cell. Units as in kernels.c. */
+ * by node, the cell's a-th node being c + a; part[.][a] by cell. Units as in bar_kernels.c. */
 
 #define REAL        Vector
 #define SHAPE_INNER shape_inner_vector
@@ -20,6 +20,50 @@
 #undef REAL
 #undef SHAPE_INNER
 #undef ABSOLUTE
+
+/* The end of the run from c on, of cells with P particles of one material in which the shape functions are
+ * the inner ones; c itself if there is none. B-splines differ in the first and last cells of the mesh, whose
+ * knots are repeated. */
+KERNEL_INLINE int run_end(const Bar *bar, MpmShape shape, int c, int end)
+{
+    const int ends = shape_end_cells(shape);
+    if (c < ends)
+        return c;
+    if (end > bar->n_cells - ends)
+        end = bar->n_cells - ends;
+    if (c >= end)
+        return c;
+    const int stop = bar_run_end(bar, c, end), before = bar->joint - bar->first[c];
+    return before > 0 && before < (stop - c) * bar->slots ? c + before / bar->slots : stop;
+}
+
+/* The same where hats strain: a node may be inactive where the bar ends, see bar_lend_velocity(), so that the
+ * last cells are done one by one. */
+KERNEL_INLINE int strain_run_end(const Bar *bar, MpmShape shape, int c, int end)
+{
+    const int stop = run_end(bar, shape, c, end);
+    if (shape != MPM_HAT || stop == c)
+        return stop;
+    if (c == 0 || bar->first[c - 1] == bar->first[c])
+        return c;
+    return stop - (stop == bar->n_cells || bar->first[stop] == bar->first[stop + 1]);
+}
+
+/* Two particles in a cell are what most people run: a copy of the loops over hats for them alone. */
+#define EACH_CELL(first, end, run_end, cell, run)                                                            \
+    for (int c = (first), stop; c < (end); c = stop) {                                                       \
+        stop = run_end(bar, shape, c, end);                                                                  \
+        if (stop == c) {                                                                                     \
+            stop = c + 1;                                                                                    \
+            cell;                                                                                            \
+        } else if (shape == MPM_HAT && bar->slots == 2) {                                                    \
+            const int slots = 2;                                                                             \
+            run;                                                                                             \
+        } else {                                                                                             \
+            const int slots = bar->slots;                                                                    \
+            run;                                                                                             \
+        }                                                                                                    \
+    }
 
 /* Where the arrays of the j-th particles begin, j = 0 to P - 1, for a run whose first particle is given. */
 KERNEL_INLINE void slots_of_run(double *const *arrays, int slots, int particle, double **out)
@@ -228,4 +272,81 @@ KERNEL_INLINE void update_run(Bar *bar, MpmShape shape, Transfer transfer, int s
     }
     for (; c < stop; c++)
         update_cell(bar, shape, transfer, c);
+}
+
+/* The same for a run of cells with P particles of one material each: VECTOR_WIDTH cells at once, in the same
+ * order. */
+KERNEL_INLINE void couple_run(Bar *bar, MpmShape shape, int slots, int c, int stop)
+{
+    const int support = shape_support(shape), reach = shape_reach(shape);
+    const double weight = bar_weight(bar, bar->first[c]);
+    double *h_of[BAR_SLOTS_MAX], *s_of[BAR_SLOTS_MAX];
+    slots_of_run(bar->s, slots, bar->first[c], s_of);
+    halves_of_run(bar, shape, slots, bar->first[c], h_of);
+    for (int i = 0; c + VECTOR_WIDTH <= stop; c += VECTOR_WIDTH, i += VECTOR_WIDTH) {
+        Vector pair[BAR_REACH_MAX + 1][BAR_SUPPORT_MAX] = {{{0}}};
+#pragma GCC unroll 2
+        for (int j = 0; j < slots; j++) {
+            const Vector h = vector_half(shape, h_of[j], i, bar->gimp_half);
+            const Vector s = vector_load(s_of[j] + i);
+            Vector n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
+            shape_inner_vector(shape, &h, &s, n, dn);
+#pragma GCC unroll 4
+            for (int d = 1; d <= reach; d++)
+#pragma GCC unroll 4
+                for (int a = 0; a + d < support; a++)
+                    pair[d][a] += weight * (n[a] * n[a + d]);
+        }
+#pragma GCC unroll 4
+        for (int d = 1; d <= reach; d++)
+#pragma GCC unroll 4
+            for (int a = 0; a + d < support; a++)
+                vector_store(bar->pair[d][a] + c, pair[d][a]);
+    }
+    for (; c < stop; c++)
+        couple_cell(bar, shape, c);
+}
+
+/* Lets the particles of a run take their places if 0 <= moved_0 <= moved_1 ... < 1 in each cell: all are in
+ * their cell after the step, in order. False: at least one is not, or is no number, and nothing was done:
+ * bar_cells.c looks at each. */
+KERNEL_INLINE bool settle_run(Bar *bar, int slots, int cells, int particle)
+{
+    double *s[BAR_SLOTS_MAX], *moved[BAR_SLOTS_MAX];
+    slots_of_run(bar->s, slots, particle, s);
+    slots_of_run(bar->moved, slots, particle, moved);
+    VectorMask astray = {0}; /* minus how many */
+    int done = 0;
+    for (; done + VECTOR_WIDTH <= cells; done += VECTOR_WIDTH) {
+        Vector before = {0};
+#pragma GCC unroll 2
+        for (int j = 0; j < slots; j++) {
+            const Vector here = vector_load(moved[j] + done);
+            astray += ~(here >= before);
+            before = here;
+        }
+        astray += ~(before < 1.0);
+    }
+    bool stay = vector_is_zero(astray);
+    for (int i = done; i < cells; i++) {
+        double before = 0.0;
+        for (int j = 0; j < slots; j++) {
+            stay = stay && moved[j][i] >= before;
+            before = moved[j][i];
+        }
+        stay = stay && before < 1.0;
+    }
+    if (!stay)
+        return false;
+    for (int j = 0; j < slots; j++)
+#pragma omp simd
+        for (int i = 0; i < cells; i++)
+            s[j][i] = moved[j][i];
+    return true;
+}
+
+static bool settle(Bar *bar, int cells, int particle)
+{
+    return bar->slots == 2 ? settle_run(bar, 2, cells, particle)
+                           : settle_run(bar, bar->slots, cells, particle);
 }
