@@ -355,8 +355,8 @@ bool bar_settle(Bar *bar, int first, int end, Status *status);
 void bar_report_crossings(Bar *bar);
 bool bar_fail_particle(Bar *bar, Status *status, int particle, const char *what);
 
-/* fast/bar_tiles.c: whole steps tile by tile. False: something happened that is better looked at step by step; the
- * state is then of no use. */
+/* fast/bar_tiles.c: whole steps tile by tile. False: something happened that is better looked at step by
+ * step; the state is then of no use. */
 bool bar_tiles_pay(const Bar *bar, bool with_rows);
 bool bar_tiled_steps(Bar *bar, long count, double *rows);
 
