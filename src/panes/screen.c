@@ -137,8 +137,7 @@ void screen_draw(const Screen *screen, Canvas *canvas)
 bool screen_click_view(Screen *screen, int width, int height, int x, int y)
 {
     for (PaneId pane = PANE_UPPER; pane <= PANE_LOWER; pane++) {
-        const View *view = screen_view_in(screen, pane);
-        if (view->click && view->click(screen, screen_pane(screen, width, height, pane), x, y))
+        if (view_click(screen_view_in(screen, pane), screen, screen_pane(screen, width, height, pane), x, y))
             return true;
     }
     return false;
@@ -147,8 +146,8 @@ bool screen_click_view(Screen *screen, int width, int height, int x, int y)
 bool screen_scroll_view(Screen *screen, int width, int height, int x, int y, int by)
 {
     for (PaneId pane = PANE_UPPER; pane <= PANE_LOWER; pane++) {
-        const View *view = screen_view_in(screen, pane);
-        if (view->scroll && view->scroll(screen, screen_pane(screen, width, height, pane), x, y, by))
+        if (view_scroll(screen_view_in(screen, pane), screen, screen_pane(screen, width, height, pane), x, y,
+                        by))
             return true;
     }
     return false;

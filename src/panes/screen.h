@@ -344,10 +344,6 @@ bool view_map_place(const Screen *, int width, int height, int x, int y, double 
 /* The factor by which the beam's map draws displacements; 0: it is not shown. */
 double view_map_enlargement(const Screen *, int width, int height);
 
-/* The event of the log that is chosen, and the step to go to for it; -1: there is none. */
-int view_log_chosen(const Screen *);
-long view_log_step(const Screen *);
-
 /* The particle or node of the strip that is drawn nearest to a place of it becomes the chosen one. */
 bool screen_choose_in_strip(Screen *, int width, int height, int x, int y);
 

@@ -8,9 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-void picture_open(Picture *picture, int columns, int across, int dots)
+void picture_open(Picture *picture, int columns, int rows, int across, int dots)
 {
-    *picture = (Picture){.columns = columns, .across = across, .dots = across * dots};
+    *picture = (Picture){.columns = columns, .rows = rows, .across = across, .dots = across * dots};
 }
 
 void picture_close(Picture *picture)
@@ -18,6 +18,7 @@ void picture_close(Picture *picture)
     plot_close(&picture->plot);
     free(picture->marks);
     free(picture->map);
+    free(picture->list);
     *picture = (Picture){0};
 }
 
@@ -76,6 +77,38 @@ PictureMap *picture_map(Picture *picture, int nx, int ny)
     free(picture->map);
     picture->kind = PICTURE_MAP;
     return picture->map = map;
+}
+
+PictureList *picture_list(Picture *picture, int set, size_t count, size_t chosen, int n_columns)
+{
+    ASSERT_INT(n_columns, >=, 0);
+    const size_t around = set < 0 ? count : (size_t)picture->rows, columns = (size_t)n_columns;
+    const size_t first = chosen > around ? chosen - around : 0;
+    const size_t rows = count - first < 2 * around + 1 ? count - first : 2 * around + 1;
+    const size_t cells = columns * rows * sizeof(PictureCell), heads = columns * sizeof(PictureColumn);
+    PictureList *list = calloc(1, sizeof *list + cells + heads + rows * sizeof *list->names);
+    if (!list)
+        return NULL;
+    *list = (PictureList){.set = set,
+                          .count = count,
+                          .chosen = chosen,
+                          .first = first,
+                          .rows = rows,
+                          .n_columns = n_columns,
+                          .chosen_column = -1,
+                          .step = -1};
+    list->cells = (PictureCell *)(list + 1);
+    list->columns = (PictureColumn *)(list->cells + columns * rows);
+    list->names = (char(*)[48])(list->columns + columns);
+    free(picture->list);
+    picture->kind = PICTURE_LIST;
+    return picture->list = list;
+}
+
+PictureCell *picture_cell(const PictureList *list, int column, size_t row)
+{
+    ASSERT_INT(column, <, list->n_columns);
+    return &list->cells[(size_t)column * list->rows + row];
 }
 
 void picture_add_mark(Picture *picture, PictureMark mark)

@@ -22,7 +22,8 @@ typedef enum PictureKind {
     PICTURE_PATH,     /* lines in a plane, which may turn back */
     PICTURE_BARS,     /* a bar for each of some parts, beside levels */
     PICTURE_MAP,      /* a body as it lies */
-    PICTURE_DRAWING   /* things in their places, with numbers and arrows; its axes are not drawn */
+    PICTURE_DRAWING,  /* things in their places, with numbers and arrows; its axes are not drawn */
+    PICTURE_LIST      /* rows below each other, of things or events */
 } PictureKind;
 
 /* What stands for an entry of the legend, in place of a piece of its line: a mark, the letter of an earlier
@@ -105,9 +106,45 @@ typedef struct PictureArrow {
     char told[160];                 /* the whole as words have it */
 } PictureArrow;
 
+typedef enum ListKind {
+    LIST_NUMBER, /* its values are written alike */
+    LIST_COUNT,  /* whole numbers */
+    LIST_SIGN,   /* a letter */
+    LIST_WORDS   /* the last one: on as many lines as they take */
+} ListKind;
+
+typedef struct PictureColumn {
+    ListKind kind;
+    char name[88]; /* at its head */
+} PictureColumn;
+
+typedef struct PictureCell {
+    double value;
+    const char *words; /* not copied: they live as long as the picture */
+    char letter;
+    Style style;
+} PictureCell;
+
+/* Rows of which one is chosen; each begins with its name, a number or a time, and stands for a thing or an
+ * event. */
+typedef struct PictureList {
+    int set;              /* whose things they are; -1: events */
+    size_t count, chosen; /* of all rows */
+    size_t first, rows;   /* those that are described: as many as can be in sight */
+    size_t top;           /* of events the first one in sight, as it was left */
+    char what[24];        /* above the rows' names: "particle"; "": columns have no names */
+    char (*names)[48];
+    int n_columns, chosen_column; /* -1: none */
+    PictureColumn *columns;
+    PictureCell *cells; /* column after column */
+    long step;          /* Enter on the chosen row goes there; -1: nowhere */
+    char follow[64];    /* or draws this over time, as `:plot` has it; "": nothing */
+} PictureList;
+
 typedef struct Picture {
     /* what it is asked for with */
     int columns; /* characters in a line of words */
+    int rows;    /* lines of them that there is room for, heading and all */
     int across;  /* characters across the plot; 0: there is no room for one */
     int dots;    /* that a curve can have across */
 
@@ -121,8 +158,10 @@ typedef struct Picture {
     char name[PICTURE_TEXT_MAX], unit[24]; /* of what goes up: "v_cm"; its unit, SI, or "" */
     char heading[PICTURE_TEXT_MAX];        /* the two with the axis's power of ten */
     char x_name[PICTURE_TEXT_MAX];
-    Plot plot;       /* its axes, and the strokes */
-    PictureMap *map; /* NULL: it is a plot */
+    Plot plot;         /* its axes, and the strokes */
+    PictureMap *map;   /* NULL: it is a plot */
+    PictureList *list; /* NULL: it is a picture in axes */
+    bool of_side;      /* of one run of two: whose it is will stand at the end of the heading */
     PictureMark *marks;
     size_t n_marks, marks_room;
     PictureLabel labels[PICTURE_LABELS_MAX];
@@ -136,8 +175,8 @@ typedef struct Picture {
     int n_notes;
 } Picture;
 
-/* For so many characters in a line of words and across the plot, with so many dots in one. */
-void picture_open(Picture *, int columns, int across, int dots);
+/* For so many characters in a line of words and across the plot, with so many dots in one, and rows. */
+void picture_open(Picture *, int columns, int rows, int across, int dots);
 void picture_close(Picture *);
 
 /* Without memory something is left out of what is added; the plot is `lost` then. */
@@ -156,6 +195,11 @@ void picture_heading(Picture *, const char *text);
 
 /* Room for a map of so many pieces, to be filled; NULL: no memory. */
 PictureMap *picture_map(Picture *, int nx, int ny);
+
+/* Room for a list of so many rows, of which those around the chosen one are to be described; NULL: no memory.
+ */
+PictureList *picture_list(Picture *, int set, size_t count, size_t chosen, int n_columns);
+PictureCell *picture_cell(const PictureList *, int column, size_t row); /* of those described */
 
 void picture_mark(Picture *, double x, double y, uint32_t glyph, Style);
 void picture_add_mark(Picture *, PictureMark);

@@ -35,7 +35,7 @@ struct View {
     PaneId home; /* PANE_UPPER: a picture over x; PANE_LOWER: one over time */
     ViewOpening opens;
 
-    /* What it shows, as a picture; or, of a list and a map, its cells. */
+    /* What it shows, as a picture; or, of a map, its cells. */
     void (*describe)(const Screen *, int variant, Picture *);
     void (*draw)(const Screen *, Area, Style heading, int variant);
     /* What stands out in it, in plain words, behind what is told of every view: the curves and colours that
@@ -48,6 +48,7 @@ struct View {
     bool names_run;         /* in DUEL_IN_AXES: its legend does not tell whose picture it is */
     bool of_moment;         /* shows one moment, not the time up to it */
     bool has_time_axis;     /* along which the arrows move a cursor */
+    bool is_list;           /* in which the arrows go from row to row */
     bool is_map;            /* of the body itself: it can be magnified, displacements drawn larger */
     bool is_wide;           /* a drawing across the screen: a lesson's text stands above it, not beside */
     bool on_paper;          /* makes figures */
@@ -64,14 +65,7 @@ struct View {
     /* The column or field that its present variant draws, for a foreign curve beside it; NULL: none. */
     const char *(*curve)(const Screen *);
 
-    /* Keys and mouse in its pane, which lies at `rect`; NULL: what every plot does. move: arrows, `page`
-     * rows at a time. enter: the step to go to, -1: none. follow: what Enter has drawn over time, in the
-     * words of `:plot`. click, scroll: false where they hit nothing. */
-    void (*move)(Screen *, Rect rect, int x, int y, int page);
-    long (*enter)(Screen *);
-    void (*follow)(const Screen *, char out[FOLLOW_TEXT_MAX]);
-    bool (*click)(Screen *, Rect rect, int x, int y);
-    bool (*scroll)(Screen *, Rect rect, int x, int y, int by);
+    bool (*click)(Screen *, Rect rect, int x, int y); /* of a map; else its picture tells what lies where */
 };
 
 /* The list, in the order of help and manual; view_list.c. */
@@ -127,5 +121,13 @@ void view_draw_variant(const View *, const Screen *, Area, Style heading, int va
 
 /* Draws it into a pane, both runs of a duel as it likes. */
 void view_draw(const View *, const Screen *, Area, bool focused);
+
+/* Keys and mouse in its pane, which lies at `rect`, answered by what its picture says of its places. Arrows
+ * in a list, `page` rows at a time; what Enter does there: the step to go to, or -1, and what is to be drawn
+ * over time in the words of `:plot`, or ""; a click, and the wheel: false where they hit nothing. */
+void view_move(const View *, Screen *, Rect rect, int x, int y, int page);
+long view_enter(const View *, Screen *, char follow[FOLLOW_TEXT_MAX]);
+bool view_click(const View *, Screen *, Rect rect, int x, int y);
+bool view_scroll(const View *, Screen *, Rect rect, int x, int y, int by);
 
 #endif

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One cell or one bond from near: what a stage passes between the chosen thing and those beside it. */
-#include "picture/cells/cells.h"
 #include "views/views.h"
 
 static void describe(const Screen *screen, int variant, Picture *picture)
@@ -14,23 +13,6 @@ static void describe(const Screen *screen, int variant, Picture *picture)
         cell_bar_describe(screen, variant, picture);
     else
         cell_plane_describe(screen, picture);
-}
-
-/* The thing that is drawn nearest becomes the chosen one. */
-static bool click(Screen *screen, Rect rect, int x, int y)
-{
-    Picture picture;
-    if (x < rect.x || x >= rect.x + rect.width || y < rect.y || y >= rect.y + rect.height)
-        return false;
-    cells_open(&picture, rect.width, screen->look.glyphs);
-    describe(screen, view_variant(&view_cell, screen), &picture);
-    const PictureMark *target = cells_target(&picture, rect, x, y);
-    if (target) {
-        *(target->set ? &screen->chosen.node : &screen->chosen.particle) = target->index;
-        screen->chosen.is_node = target->set == 1;
-    }
-    picture_close(&picture);
-    return target != NULL;
 }
 
 static int variants_of(const Screen *screen)
@@ -60,5 +42,4 @@ const View view_cell = {
     .of_moment = true,
     .is_wide = true,
     .on_paper = true,
-    .click = click,
 };

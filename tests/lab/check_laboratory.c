@@ -546,30 +546,6 @@ START_TEST(enter_in_the_log_goes_to_the_event)
 }
 END_TEST
 
-static void click_at(Bench *bench, const char *name, int x, int y)
-{
-    Key key = {.x = x, .y = y};
-    snprintf(key.name, sizeof key.name, "%s", name);
-    press_key(bench, &key);
-}
-
-/* The row of the screen that begins with these words at a column; -1: none. */
-static int row_with(const Bench *bench, const char *words)
-{
-    static char line[512];
-    for (int y = 0; y < bench->canvas.height; y++) {
-        int used = 0;
-        for (int x = 0; x < bench->canvas.width && used < 500; x++) {
-            const uint32_t glyph = bench->canvas.cells[y * bench->canvas.width + x].glyph;
-            line[used++] = glyph < 128 ? (char)glyph : '?';
-        }
-        line[used] = '\0';
-        if (strstr(line, words))
-            return y;
-    }
-    return -1;
-}
-
 /* In both plots, whole screen or one pane, at two sizes: what is clicked is what Enter goes to. */
 START_TEST(an_event_of_the_log_is_chosen_by_the_mouse)
 {
@@ -593,20 +569,21 @@ START_TEST(an_event_of_the_log_is_chosen_by_the_mouse)
     ck_assert_int_ge(row_with(bench, events[count - 1].text), 0);
     ck_assert_int_lt(row_with(bench, events[0].text), 0);
     click_at(bench, "Click", rect.x + 5, rect.y + 1);
-    const int chosen = view_log_chosen(screen);
+    const int chosen = screen->log.event < 0 ? count - 1 : screen->log.event;
     ck_assert_int_eq(chosen, count - (rect.height - 1));
     ck_assert_int_eq(row_with(bench, events[chosen].text), rect.y + 1); /* nothing has moved */
     press(bench, "Enter");
     ck_assert_int_eq(step_of(bench), events[chosen].step);
     press(bench, "Up"); /* beyond the first one that is seen */
-    ck_assert_int_eq(view_log_chosen(screen), chosen - 1);
+    ck_assert_int_eq(screen->log.event, chosen - 1);
     ck_assert_int_eq(row_with(bench, events[chosen - 1].text), rect.y + 1);
     press(bench, "Down");
     ck_assert_int_eq(row_with(bench, events[chosen].text), rect.y + 2);
     for (int i = 0; i < count; i++)
         click_at(bench, "WheelUp", rect.x + 5, rect.y + 2);
     ck_assert_int_eq(row_with(bench, events[0].text), rect.y + 1);
-    ck_assert_int_lt(view_log_chosen(screen), rect.height - 1); /* kept in sight */
+    ck_assert_int_ge(screen->log.event, 0);
+    ck_assert_int_lt(screen->log.event, rect.height - 1); /* kept in sight */
     for (int i = 0; i < count; i++)
         click_at(bench, "WheelDown", rect.x + 5, rect.y + 2);
     ck_assert_int_ge(row_with(bench, events[count - 1].text), 0);
@@ -638,12 +615,11 @@ START_TEST(the_log_of_a_duel_tells_of_both)
     long before = -1;
     for (int i = 0; i < first + second; i++) {
         screen->log.event = i;
-        const long step = view_log_step(screen);
-        ck_assert_int_ge(step, before);
-        before = step;
         press(bench, "Enter");
         while (bench->lab.screen.playback.state == STATE_COMPUTING)
             frame(bench);
+        ck_assert_int_ge(step_of(bench), before);
+        before = step_of(bench);
         seen += seen < second && experiment_step(bench->lab.player.duel.b) >= events[seen].step &&
                 experiment_step(bench->lab.player.duel.b) <= events[seen].step + 1;
     }

@@ -37,11 +37,16 @@ static void describe(const Screen *screen, int variant, Picture *picture)
                  variant == 1 ? "a new view, the second" : "a new view", "");
 }
 
-/* Enter in it goes to a step of its own. */
-static long enter(Screen *screen)
+/* Five rows, which stand for particles; Enter goes to a step that is ten times the chosen one. */
+static void describe_rows(const Screen *screen, int variant, Picture *picture)
 {
-    (void)screen;
-    return 7;
+    (void)variant;
+    PictureList *list = picture_list(picture, 0, 5, screen->chosen.particle, 0);
+    picture_heading(picture, "rows of its own");
+    strcpy(list->what, "row");
+    for (size_t i = 0; i < list->rows; i++)
+        snprintf(list->names[i], sizeof list->names[i], "row%zu", list->first + i);
+    list->step = 10 * (long)screen->chosen.particle;
 }
 
 static const View view_new = {
@@ -54,7 +59,15 @@ static const View view_new = {
     .variants = variants_of,
     .variant_word = word_of,
     .on_paper = true,
-    .enter = enter,
+};
+
+static const View view_rows = {
+    .word = "rows",
+    .brief = "rows",
+    .help = "a list that only its own file and the list know",
+    .home = PANE_LOWER,
+    .describe = describe_rows,
+    .is_list = true,
 };
 
 /* It has no key, and wants what a bar has not. */
@@ -68,7 +81,7 @@ static const View view_needy = {
     .lacking = LACKING,
 };
 
-const View *const views[] = {&view_profile, &view_probe, &view_beam, &view_new, &view_needy};
+const View *const views[] = {&view_profile, &view_probe, &view_beam, &view_new, &view_needy, &view_rows};
 const int n_views = sizeof views / sizeof *views;
 
 /* --- what finds it ---------------------------------------------------------------------------------- */
@@ -106,15 +119,29 @@ START_TEST(it_is_shown_by_digit_and_word)
 }
 END_TEST
 
-START_TEST(enter_does_what_it_says)
+/* The view has no function for keys or the mouse: its picture tells what its rows stand for. */
+START_TEST(keys_and_mouse_find_its_rows)
 {
     Bench *bench = open_bench("mode1", true);
-    enter_line(bench, "show new-view");
-    bench->lab.screen.panes.focus = PANE_LOWER;
+    Screen *screen = &bench->lab.screen;
+    screen->chosen.particle = 1;
+    enter_line(bench, "show rows");
+    screen->panes.focus = PANE_LOWER;
+    const Rect rect = screen_pane(screen, bench->width, bench->height, PANE_LOWER);
+    press(bench, "Down");
+    ck_assert_uint_eq(screen->chosen.particle, 2);
+    press(bench, "PageDown");
+    ck_assert_uint_eq(screen->chosen.particle, 4);
+    ck_assert(shows(bench, "row4"));
+    const int row = row_with(bench, "row4");
+    click_at(bench, "Click", rect.x + 3, row - 1);
+    ck_assert_uint_eq(screen->chosen.particle, 3);
+    click_at(bench, "Click", rect.x + 3, rect.y); /* its heading */
+    ck_assert_uint_eq(screen->chosen.particle, 3);
     press(bench, "Enter");
-    while (experiment_pending(bench->lab.screen.experiment, &(long){0}))
+    while (experiment_pending(screen->experiment, &(long){0}))
         frame(bench);
-    ck_assert_int_eq(experiment_step(bench->lab.screen.experiment), 7);
+    ck_assert_int_eq(experiment_step(screen->experiment), 30);
     close_bench(bench);
 }
 END_TEST
@@ -126,8 +153,9 @@ START_TEST(scenarios_help_and_figures_know_it)
     ck_assert_msg(view_check(&wanted, &status), "%s", status.text);
     strcpy(wanted.lower, "log"); /* known to the program, not to this list */
     ck_assert(!view_check(&wanted, &status));
-    ck_assert_str_eq(status.text,
-                     "view.lower: log is not allowed (profile, probe, beam, new-view, needy, or 1 to 9)");
+    ck_assert_str_eq(
+        status.text,
+        "view.lower: log is not allowed (profile, probe, beam, new-view, needy, rows, or 1 to 9)");
     ck_assert_str_eq(command_help(command_find(command_of_digit(9))), view_new.help);
     ck_assert_str_eq(command_brief(command_find(command_of_digit(9))), "new");
     ck_assert_ptr_null(command_help(command_find(command_of_digit(3))));
@@ -156,7 +184,7 @@ void add_cases(Suite *suite)
 {
     TCase *found = tcase_create("found");
     tcase_add_test(found, it_is_shown_by_digit_and_word);
-    tcase_add_test(found, enter_does_what_it_says);
+    tcase_add_test(found, keys_and_mouse_find_its_rows);
     tcase_add_test(found, scenarios_help_and_figures_know_it);
     suite_add_tcase(suite, found);
 }

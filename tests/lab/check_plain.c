@@ -435,7 +435,7 @@ static Words told_of(double (*curve)(double), double (*exact)(double), const cha
 {
     Picture picture;
     Words words = {.text = NULL};
-    picture_open(&picture, WORDS_WIDTH, WORDS_WIDTH, 16);
+    picture_open(&picture, WORDS_WIDTH, 0, WORDS_WIDTH, 16);
     picture.compares = true;
     picture_axes(&picture, axis_make(0, 10), "t", "", axis_make(-2, 2), "", "");
     picture_heading(&picture, heading);
@@ -515,7 +515,7 @@ START_TEST(a_path_is_no_function)
     static const double path[][2] = {{1, -1}, {3, 1}, {2, 2}, {0.5, -0.5}};
     Picture picture;
     Words words = {.text = NULL};
-    picture_open(&picture, WORDS_WIDTH, WORDS_WIDTH, 16);
+    picture_open(&picture, WORDS_WIDTH, 0, WORDS_WIDTH, 16);
     picture.kind = _i == 0 ? PICTURE_PATH : PICTURE_FUNCTION;
     picture_axes(&picture, axis_make(0, 4), "u", "", axis_make(-2, 2), "v", "");
     plot_begin(&picture.plot, STROKE_LINE, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '*');
@@ -537,7 +537,7 @@ static Words told_of_map(size_t greatest, double peak)
 {
     Picture picture;
     Words words = {.text = NULL};
-    picture_open(&picture, WORDS_WIDTH, WORDS_WIDTH, 16);
+    picture_open(&picture, WORDS_WIDTH, 0, WORDS_WIDTH, 16);
     picture_axes(&picture, axis_make(0, 1), "x, mm", "", axis_make(0, 1), "", "");
     picture_heading(&picture, "damage");
     PictureMap *map = picture_map(&picture, 5, 3);

@@ -122,3 +122,27 @@ void leave_folder(const char *path)
     ck_assert_int_eq(chdir("/"), 0);
     ck_assert_int_eq(system(command), 0);
 }
+
+void click_at(Bench *bench, const char *name, int x, int y)
+{
+    Key key = {.x = x, .y = y};
+    snprintf(key.name, sizeof key.name, "%s", name);
+    press_key(bench, &key);
+}
+
+/* The row of the screen that begins with these words at a column; -1: none. */
+int row_with(const Bench *bench, const char *words)
+{
+    static char line[512];
+    for (int y = 0; y < bench->canvas.height; y++) {
+        int used = 0;
+        for (int x = 0; x < bench->canvas.width && used < 500; x++) {
+            const uint32_t glyph = bench->canvas.cells[y * bench->canvas.width + x].glyph;
+            line[used++] = glyph < 128 ? (char)glyph : '?';
+        }
+        line[used] = '\0';
+        if (strstr(line, words))
+            return y;
+    }
+    return -1;
+}

@@ -34,6 +34,9 @@ void press_all(Bench *, const char *names); /* parted by spaces */
 
 bool shows(Bench *, const char *text);
 
+void click_at(Bench *, const char *name, int x, int y); /* "Click", "WheelUp" */
+int row_with(const Bench *, const char *words);         /* the row of the screen that has them; -1 */
+
 /* A folder of its own, so that what is written harms nothing. */
 void enter_folder(char path[64]);
 void leave_folder(const char *path);

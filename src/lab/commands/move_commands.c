@@ -71,8 +71,9 @@ static void move(Laboratory *lab, int x, int y, int page)
             edit_nudge(lab, x, false);
         else
             edit_move(&lab->screen, y * page);
-    } else if (view && view->move) {
-        view->move(screen, screen_pane(screen, lab->width, lab->height, screen->panes.focus), x, y, page);
+    } else if (view && view->is_list) {
+        view_move(view, screen, screen_pane(screen, lab->width, lab->height, screen->panes.focus), x, y,
+                  page);
     } else if (view && view->has_time_axis) {
         move_cursor(lab, x ? x : y * page);
     } else if (x || page > 1) {
@@ -134,14 +135,21 @@ void command_page_down(Laboratory *lab)
         move(lab, 0, 1, 10);
 }
 
-static void follow(Laboratory *lab, const View *view)
+/* Where the chosen row leads: to its step, or to what it has been over time. False: nowhere. */
+static bool enter_row(Laboratory *lab, const View *view)
 {
     char line[FOLLOW_TEXT_MAX + 8] = "plot ";
-    view->follow(&lab->screen, line + strlen(line));
-    if (line[strlen("plot ")] && !lab->run_line(lab, line)) {
+    const long step = view_enter(view, &lab->screen, line + strlen(line));
+    if (step >= 0) {
+        player_pause(lab);
+        player_seek(lab, step, 0);
+    } else if (lesson_entry_page(lab)) {
+        return false;
+    } else if (line[strlen("plot ")] && !lab->run_line(lab, line)) {
         laboratory_say(lab, MESSAGE_ERROR, "%s", lab->screen.prompt.problem);
         prompt_close(&lab->prompting);
     }
+    return true;
 }
 
 void command_enter(Laboratory *lab)
@@ -157,16 +165,8 @@ void command_enter(Laboratory *lab)
         player_pause(lab);
         player_seek(lab, lround(screen->time.cursor / experiment_simulation(screen->experiment)->dt), 0);
         screen->time.cursor = NAN;
-    } else if (view && view->enter) {
-        const long step = view->enter(screen);
-        if (step < 0)
-            return;
-        player_pause(lab);
-        player_seek(lab, step, 0);
-    } else if (lesson_entry_page(lab)) {
+    } else if (!(view && view->is_list && enter_row(lab, view)) && lesson_entry_page(lab)) {
         lesson_play_enter(lab);
-    } else if (view && view->follow) {
-        follow(lab, view);
     }
 }
 

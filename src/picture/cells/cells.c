@@ -21,10 +21,10 @@ enum {
     DRAWING = 12,     /* rows that a drawing keeps before words below it are told */
 };
 
-void cells_open(Picture *picture, int columns, Glyphs glyphs)
+void cells_open(Picture *picture, int columns, int rows, Glyphs glyphs)
 {
     const int across = columns - GUTTER - 1;
-    picture_open(picture, columns, across >= LEAST ? across : 0, plot_dots_across(glyphs));
+    picture_open(picture, columns, rows, across >= LEAST ? across : 0, plot_dots_across(glyphs));
 }
 
 /* --- room ------------------------------------------------------------------------------------------ */
@@ -323,6 +323,10 @@ void cells_draw(Picture *picture, Area area, Style heading, bool coloured)
 {
     char scale[TICK_TEXT_MAX], x_name[PICTURE_TEXT_MAX];
     Legends legends;
+    if (picture->list) {
+        cells_list(picture, area, heading);
+        return;
+    }
     if (!picture->has_axes) {
         say(picture, area, heading);
         return;

@@ -6,8 +6,8 @@
 
 #include "picture/picture.h"
 
-/* Opens one for a pane, or as much of a page, of so many columns. */
-void cells_open(Picture *, int columns, Glyphs);
+/* Opens one for a pane, or as much of a page, of so many columns and rows. */
+void cells_open(Picture *, int columns, int rows, Glyphs);
 
 /* Finds the ticks for so many rows. */
 void cells_fit(Picture *, int rows);
@@ -17,5 +17,12 @@ void cells_draw(Picture *, Area, Style heading, bool coloured);
 
 /* The mark nearest to a cell of the drawing in `rect` that the mouse can choose; NULL: none. */
 const PictureMark *cells_target(const Picture *, Rect rect, int x, int y);
+
+/* A list, drawn; the row under a cell, -1: none; the first row in sight; and of one that has rows, so many
+ * lines on: the first row in sight then, and the chosen one, which is kept in sight. */
+void cells_list(const Picture *, Area, Style heading);
+long cells_row(const Picture *, Rect rect, int x, int y);
+size_t cells_top(const Picture *, Rect rect);
+size_t cells_scroll(const Picture *, Rect rect, int by, size_t *top);
 
 #endif

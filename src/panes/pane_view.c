@@ -1,0 +1,214 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A view in its pane: its picture in cells, of two runs as it likes; and what keys and the mouse find there,
+ * which the picture says, whichever view it is of. */
+#include "panes/panes.h"
+#include "picture/cells/cells.h"
+#include "views/inspector/inspector.h"
+#include "views/view.h"
+
+#include <stdio.h>
+
+void view_draw_variant(const View *view, const Screen *screen, Area area, Style heading, int variant)
+{
+    if (!view->describe) {
+        view->draw(screen, area, heading, variant);
+        return;
+    }
+    Picture picture;
+    cells_open(&picture, area.rect.width, area.rect.height, area.glyphs);
+    view->describe(screen, variant, &picture);
+    picture.of_side = screen_second_run(screen) != NULL;
+    if (screen_is_plain(screen) && !screen->lesson.open) /* one number is in large digits, below */
+        picture.n_notes = 0;
+    cells_draw(&picture, area, heading, screen->look.colours > 0);
+    picture_close(&picture);
+}
+
+static void draw_one(const View *view, const Screen *screen, Area area, Style heading)
+{
+    view_draw_variant(view, screen, area, heading, view_variant(view, screen));
+}
+
+/* Whose picture it is stands at the end of its heading, in as few words as there is room for. */
+static void name_side(const Duel *duel, DuelSide side, const char *note, Area area)
+{
+    const char letter = side == SIDE_A ? 'A' : 'B';
+    char names[3][DUEL_NAME_MAX + 32];
+    int end = area.rect.width - 1; /* the heading's words */
+    while (end > 0) {
+        const uint32_t glyph = area.canvas->cells[area.rect.y * area.canvas->width + area.rect.x + end].glyph;
+        if (glyph != 0x2500 && glyph != ' ' && glyph != '-')
+            break;
+        end--;
+    }
+    snprintf(names[0], sizeof names[0], " %c %s%s ", letter, duel->names[side == SIDE_B], note);
+    snprintf(names[1], sizeof names[1], " %c%s ", letter, note);
+    snprintf(names[2], sizeof names[2], " %c ", letter);
+    int form = 0;
+    while (form < 2 && end + glyphs_columns(names[form]) + 1 > area.rect.width - 1)
+        form++;
+    area_text_right(area, area.rect.width - 1, 0, names[form],
+                    side == SIDE_A ? STYLE_MEASURED : STYLE_SECOND);
+}
+
+/* The picture of one run of a duel. */
+static void draw_side(const View *view, const Screen *screen, DuelSide side, const char *note, Area area,
+                      Style heading)
+{
+    const Screen one = screen_of_side(screen, side);
+    draw_one(view, &one, area, heading);
+    if (view->duel != DUEL_IN_AXES || view->names_run)
+        name_side(screen->duel, side, note, area);
+}
+
+static void draw_sides(const View *view, const Screen *screen, Area area, Style heading)
+{
+    enum { STACK_HEIGHT = 14 };
+    const int width = area.rect.width, height = area.rect.height;
+    const bool wide = area.canvas->width >= SIDE_BY_SIDE;
+    if (view->duel == DUEL_TOGETHER || (view->duel == DUEL_IN_AXES && !wide)) {
+        draw_one(view, screen, area, heading);
+    } else if (wide) {
+        const int left = (width - 1) / 2;
+        draw_side(view, screen, SIDE_A, "", area_part(area, 0, 0, left, height), heading);
+        draw_side(view, screen, SIDE_B, "", area_part(area, left + 1, 0, width - left - 1, height), heading);
+    } else if (height >= STACK_HEIGHT) {
+        draw_side(view, screen, SIDE_A, "", area_part(area, 0, 0, width, height / 2), heading);
+        draw_side(view, screen, SIDE_B, "", area_part(area, 0, height / 2, width, height - height / 2),
+                  heading);
+    } else {
+        draw_side(view, screen, SIDE_A, screen->panes.zoomed ? "" : ", z: and B", area, heading);
+    }
+}
+
+/* A figure has one pair of axes. */
+void view_describe(const View *view, const Screen *screen, int columns, int rows, Picture *picture)
+{
+    enum { PLOT_LEAST = 1 };
+    const Screen one = screen_is_shared(screen) ? screen_of_side(screen, SIDE_A) : *screen;
+    const Screen *shown = view->duel == DUEL_APART ? &one : screen;
+    const int variant = view_variant(view, shown);
+    cells_open(picture, columns, rows, GLYPHS_NONE);
+    if (view->describe) {
+        view->describe(shown, variant, picture);
+    } else {
+        Canvas canvas = {.width = columns, .height = rows, .picture = picture};
+        view->draw(shown, (Area){&canvas, {0, 0, columns, rows}, GLYPHS_NONE}, STYLE_HEADING, variant);
+    }
+    if (picture->across == 0 || rows - 2 < PLOT_LEAST) { /* then the page is to blame */
+        picture->has_axes = false;
+        picture->n_notes = 0;
+    }
+    picture->of_moment = view->of_moment;
+    if (!picture->time[0])
+        screen_time_text(screen, experiment_time(screen->experiment), picture->time, sizeof picture->time);
+    cells_fit(picture, rows);
+}
+
+void view_draw(const View *view, const Screen *screen, Area area, bool focused)
+{
+    const Style heading = focused ? STYLE_FOCUS : STYLE_HEADING;
+    if (area.rect.width < 1 || area.rect.height < 1)
+        return;
+    if (screen_is_shared(screen))
+        draw_sides(view, screen, area, heading);
+    else
+        draw_one(view, screen, area, heading);
+}
+
+/* --- keys and mouse ---------------------------------------------------------------------------------- */
+
+static void describe_in(const View *view, const Screen *screen, Rect rect, Picture *picture)
+{
+    cells_open(picture, rect.width, rect.height, screen->look.glyphs);
+    view->describe(screen, view_variant(view, screen), picture);
+}
+
+/* A thing becomes the chosen one of all panes, an event that of the log: the newest one is followed. */
+static void choose_row(Screen *screen, const PictureList *list, size_t row)
+{
+    if (list->set < 0) {
+        screen->log.event = row + 1 < list->count ? (int)row : -1;
+        return;
+    }
+    *(list->set == 0 ? &screen->chosen.particle : &screen->chosen.node) = row;
+    screen->chosen.is_node = list->set == 1;
+}
+
+void view_move(const View *view, Screen *screen, Rect rect, int x, int y, int page)
+{
+    Picture picture;
+    describe_in(view, screen, rect, &picture);
+    const PictureList *list = picture.list;
+    if (list && list->set < 0 && list->count > 0 && rect.width > 0)
+        screen->log.first = (int)cells_top(&picture, rect);
+    if (list && list->count > 0 && (list->set >= 0 || (y != 0 && rect.width > 0))) {
+        const long to = (long)list->chosen + (long)y * page, last = (long)list->count - 1;
+        choose_row(screen, list, to < 0 ? 0 : (size_t)(to < last ? to : last));
+    }
+    if (list && y == 0 && list->chosen_column >= 0 && rect.width > 0) {
+        const int to = list->chosen_column + x, last = list->n_columns - 1;
+        screen->chosen.table_column = to < 0 ? 0 : to < last ? to : last;
+    }
+    picture_close(&picture);
+}
+
+/* Where a bond broke is what one wants to look at. */
+long view_enter(const View *view, Screen *screen, char follow[FOLLOW_TEXT_MAX])
+{
+    Picture picture;
+    describe_in(view, screen, (Rect){0, 0, 0, 0}, &picture);
+    const long step = picture.list ? picture.list->step : -1;
+    const long broken = step >= 0 ? inspector_broken_node(screen, step) : -1;
+    snprintf(follow, FOLLOW_TEXT_MAX, "%s", picture.list ? picture.list->follow : "");
+    picture_close(&picture);
+    if (broken >= 0) {
+        screen->chosen.particle = (size_t)broken;
+        screen->chosen.is_node = false;
+    }
+    return step;
+}
+
+static bool holds(Rect rect, int x, int y)
+{
+    return x >= rect.x && x < rect.x + rect.width && y >= rect.y && y < rect.y + rect.height;
+}
+
+bool view_click(const View *view, Screen *screen, Rect rect, int x, int y)
+{
+    Picture picture;
+    if (view->click)
+        return view->click(screen, rect, x, y);
+    if (!holds(rect, x, y))
+        return false;
+    describe_in(view, screen, rect, &picture);
+    const long row = picture.list ? cells_row(&picture, rect, x, y) : -1;
+    const PictureMark *mark = picture.list ? NULL : cells_target(&picture, rect, x, y);
+    if (row >= 0 && picture.list->set < 0)
+        screen->log.first = (int)cells_top(&picture, rect);
+    if (row >= 0)
+        choose_row(screen, picture.list, (size_t)row);
+    if (mark) {
+        *(mark->set ? &screen->chosen.node : &screen->chosen.particle) = mark->index;
+        screen->chosen.is_node = mark->set == 1;
+    }
+    picture_close(&picture);
+    return row >= 0 || mark;
+}
+
+/* Events alone are many enough to be looked through; of things the wheel chooses the next one. */
+bool view_scroll(const View *view, Screen *screen, Rect rect, int x, int y, int by)
+{
+    Picture picture;
+    size_t top;
+    if (!view->is_list || !holds(rect, x, y) || y == rect.y)
+        return false;
+    describe_in(view, screen, rect, &picture);
+    const bool is_log = picture.list && picture.list->set < 0 && picture.list->count > 0;
+    if (is_log) {
+        choose_row(screen, picture.list, cells_scroll(&picture, rect, by, &top));
+        screen->log.first = (int)top;
+    }
+    picture_close(&picture);
+    return is_log;
+}
