@@ -87,6 +87,34 @@ found=$(cd "${MATVIB_SRCDIR:-..}/src" && grep -rnoE --include='*.[ch]' '#include
 done)
 judge "src includes files of src only"
 
+# A new parameter is a member of one concern of a scenario and a row of the table: what is compiled anew then are the files
+# that see that concern's header, directly or through others. 40 at most, of nearly 400.
+found=$(cd "${MATVIB_SRCDIR:-..}/src" && find . -name '*.[ch]' -o -name '*.inc' | xargs grep -oE '^#include "[^"]+"' | awk '
+	{
+		file = $0; sub(/:.*/, "", file); sub(/^\.\//, "", file)
+		header = $0; sub(/^[^"]*"/, "", header); sub(/"$/, "", header)
+		users[header] = users[header] " " file
+	}
+	function see(header, n, i, by) { # marks who sees it; the last three are local
+		n = split(users[header], by, " ")
+		for (i = 1; i <= n; i++)
+			if (!(by[i] in seen)) { seen[by[i]]; see(by[i]) }
+	}
+	END {
+		for (header in users) {
+			if (header !~ /^scenario\/(concern_[a-z]*\.h|parameter_rows\.inc)$/) continue
+			concerns++
+			split("", seen)
+			see(header)
+			count = 0
+			for (file in seen) if (file ~ /\.c$/) count++
+			if (count > most) most = count
+			if (count > 40) print header " is seen by " count " files"
+		}
+		if (concerns < 7 || most < 10) print "found " concerns " headers of concerns, seen by " most + 0 " files: looks in vain"
+	}')
+judge "a new parameter recompiles 40 files at most"
+
 # Circles: object files of one library that refer to each other, directly or through others. There is none.
 find_circles() { # LAYER LIBRARY...: the circles of its members, and under each what closes it
 	layer=$1

@@ -2,6 +2,8 @@
 /* A method that nobody knows, driven through method.h alone: slices, fields, snapshots, and by a row of its
  * own an experiment and tables, on 58,800 nodes. */
 #include "export/export.h"
+#include "scenario/concern_output.h"
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "run/lab_case.h"
 #include "problems/solver.h"
@@ -66,7 +68,7 @@ static void expect_experiment_at(Experiment *experiment, long step, int stage, c
 
 static bool check(const Settings *settings, Status *status)
 {
-    return problem_check_steps(settings->time.end, 0.5, status);
+    return problem_check_steps(settings_time(settings)->end, 0.5, status);
 }
 
 static Simulation *simulate_large(const Settings *settings, int threads, Status *status)
@@ -97,7 +99,7 @@ static Settings until(const Problem *problem, double end)
 {
     Settings settings;
     settings_default(&settings, problem);
-    settings.time.end = end;
+    settings_edit_time(&settings)->end = end;
     return settings;
 }
 
@@ -131,7 +133,7 @@ START_TEST(an_experiment_takes_it_as_it_is)
     ck_assert(experiment_ghosts(experiment)[0].used);
     ck_assert_uint_eq(experiment_ghosts(experiment)[0].record.count, 101);
     Settings other = *experiment_settings(experiment);
-    other.time.end = 25;
+    settings_edit_time(&other)->end = 25;
     ck_assert(experiment_edit(experiment, &other, NULL));
     ck_assert_int_eq(experiment_last_step(experiment), 50);
     experiment_destroy(experiment);
@@ -169,7 +171,7 @@ START_TEST(tables_are_written_of_it)
     snprintf(series, sizeof series, "%s/s.csv", folder);
     snprintf(particles, sizeof particles, "%s/p.csv", folder);
     Settings settings = until(&large_problem, 5);
-    settings.output.frames = 2;
+    settings_edit_output(&settings)->frames = 2;
     Outputs outputs = {.asker = ASKER_COMMAND_LINE, .series = series, .particles = particles};
     RunSummary summary;
     Status status = {0};

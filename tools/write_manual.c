@@ -5,6 +5,7 @@
  * tables say is what the program does, so a page cannot fall behind it. */
 #include "cli/cli.h"
 #include "scenario/rows/rows.h"
+#include "scenario/concern_output.h"
 #include "scenario/settings.h"
 #include "cli/options.h"
 #include "cli/sweep/sweep_result.h"
@@ -387,7 +388,7 @@ static bool write_series(const char *scenario)
     References *references = NULL;
     Simulation *plain =
         scenario_load(scenario, &settings, &status) ? problem_simulate(&settings, 1, &status) : NULL;
-    strcpy(settings.output.columns, "all");
+    strcpy(settings_edit_output(&settings)->columns, "all");
     if (plain && (simulation = problem_simulate(&settings, 1, &status)))
         references = references_create(&settings, simulation, &status);
     int count = references ? references_columns(references, columns) : 0;

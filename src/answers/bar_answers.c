@@ -6,6 +6,10 @@
 #include "base/assertion.h"
 #include "scenario/parameters.h"
 #include "methods/method.h"
+#include "scenario/concern_body.h"
+#include "scenario/concern_cells.h"
+#include "scenario/concern_loads.h"
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "theory/swing.h"
 
@@ -20,32 +24,32 @@ _Static_assert(OVERTONES_MAX + 1 <= BAR_MODES_MAX, "the theory has room for ever
 
 bool bar_theory_of(const Settings *settings, BarTheory *theory, Status *status)
 {
-    const BarSupports ends = settings->supports.ends;
+    const BarSupports ends = settings_supports(settings)->ends;
     *theory = (BarTheory){
-        .length = settings->geometry.length,
-        .youngs_modulus = settings->material.youngs_modulus,
-        .density = settings->material.density,
+        .length = settings_geometry(settings)->length,
+        .youngs_modulus = settings_material(settings)->youngs_modulus,
+        .density = settings_material(settings)->density,
         .left_fixed = ends == BAR_FIXED_FREE || ends == BAR_FIXED_FIXED,
         .right_fixed = ends == BAR_FREE_FIXED || ends == BAR_FIXED_FIXED,
-        .body_force = settings->loads.body_force,
-        .traction = settings->loads.traction,
+        .body_force = settings_loads(settings)->body_force,
+        .traction = settings_loads(settings)->traction,
     };
     if (settings->method == METHOD_MPM) { /* the others have no such parameters */
         Pulse pulse;
-        if (!pulse_read(settings->start.pulse, &pulse, status))
+        if (!pulse_read(settings_start(settings)->pulse, &pulse, status))
             return false;
         theory->pulse.centre = pulse.centre;
         theory->pulse.width = pulse.width;
         theory->pulse.velocity = pulse.velocity;
-        theory->joint = settings->joint.place;
-        theory->joint_modulus = settings->joint.beyond.youngs_modulus;
-        theory->joint_density = settings->joint.beyond.density;
-        theory->of_sines = settings->start.shape == SHAPE_SINE && bar_is_layered(theory);
+        theory->joint = settings_joint(settings)->place;
+        theory->joint_modulus = settings_joint(settings)->beyond.youngs_modulus;
+        theory->joint_density = settings_joint(settings)->beyond.density;
+        theory->of_sines = settings_start(settings)->shape == SHAPE_SINE && bar_is_layered(theory);
     }
-    theory->modes[0].number = settings->start.mode;
-    theory->modes[0].velocity = settings->start.velocity;
+    theory->modes[0].number = settings_start(settings)->mode;
+    theory->modes[0].velocity = settings_start(settings)->velocity;
     Overtone overtones[OVERTONES_MAX];
-    int count = overtones_read(settings->start.overtones, overtones, status);
+    int count = overtones_read(settings_start(settings)->overtones, overtones, status);
     if (count < 0)
         return false;
     for (int i = 0; i < count; i++) {
@@ -60,11 +64,11 @@ bool bar_theory_of(const Settings *settings, BarTheory *theory, Status *status)
  * so that a duel compares like with like. */
 double bar_time_step(const Settings *settings)
 {
-    const Material *material = &settings->material, *beyond = &settings->joint.beyond;
+    const Material *material = settings_material(settings), *beyond = &settings_joint(settings)->beyond;
     double speed = sqrt(material->youngs_modulus / material->density);
-    if (settings->method == METHOD_MPM && settings->joint.place > 0)
+    if (settings->method == METHOD_MPM && settings_joint(settings)->place > 0)
         speed = fmax(speed, sqrt(beyond->youngs_modulus / beyond->density));
-    return settings->time.courant * settings->mesh.cell_size / speed;
+    return settings_time(settings)->courant * settings_mesh(settings)->cell_size / speed;
 }
 
 double bar_start(double x, const void *theory)
@@ -86,23 +90,23 @@ double bar_start_stress(double x, const void *theory)
 
 bool bar_check_modes(const Settings *settings, double particles, Status *status)
 {
-    if (settings->start.mode == 0 && settings->start.velocity != 0 &&
-        settings->supports.ends != BAR_FREE_FREE)
+    if (settings_start(settings)->mode == 0 && settings_start(settings)->velocity != 0 &&
+        settings_supports(settings)->ends != BAR_FREE_FREE)
         return status_fail(status, STATUS_USAGE,
                            "initial.mode: 0 is rigid motion, which a held bar has not (1 or more, or "
                            "bar.supports = free-free)");
-    if (settings->start.mode > particles)
+    if (settings_start(settings)->mode > particles)
         return status_fail(
             status, STATUS_USAGE,
             "initial.mode: %d is finer than the particles can show (at most %.0f, their number)",
-            settings->start.mode, particles);
+            settings_start(settings)->mode, particles);
     Overtone overtones[OVERTONES_MAX];
-    int count = overtones_read(settings->start.overtones, overtones, status);
+    int count = overtones_read(settings_start(settings)->overtones, overtones, status);
     for (int i = 0; i < count; i++) {
-        if (overtones[i].mode == settings->start.mode)
+        if (overtones[i].mode == settings_start(settings)->mode)
             return status_fail(status, STATUS_USAGE,
                                "initial.overtones: mode %d is initial.mode already (other modes)",
-                               settings->start.mode);
+                               settings_start(settings)->mode);
         if (overtones[i].mode > particles)
             return status_fail(status, STATUS_USAGE,
                                "initial.overtones: mode %d is finer than the particles can show (at most "

@@ -3,6 +3,9 @@
  * record. */
 #include "answers/beam_answers.h"
 
+#include "scenario/concern_body.h"
+#include "scenario/concern_loads.h"
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "base/math/functions.h"
 #include "theory/elastic_beam.h"
@@ -41,12 +44,13 @@ static BeamAnswers *own_create(References *refs, Status *status)
 
 BeamTheory beam_theory_of(const Settings *settings)
 {
-    return (BeamTheory){.length = settings->geometry.length,
-                        .height = settings->geometry.height,
-                        .youngs_modulus = settings->material.youngs_modulus,
-                        .density = settings->material.density,
-                        .poisson = settings->method == METHOD_MPM ? settings->material.poisson : 1.0 / 3,
-                        .amplitude = settings->start.amplitude};
+    return (BeamTheory){.length = settings_geometry(settings)->length,
+                        .height = settings_geometry(settings)->height,
+                        .youngs_modulus = settings_material(settings)->youngs_modulus,
+                        .density = settings_material(settings)->density,
+                        .poisson =
+                            settings->method == METHOD_MPM ? settings_material(settings)->poisson : 1.0 / 3,
+                        .amplitude = settings_start(settings)->amplitude};
 }
 
 /* The zeros of a column: how many, the first and the last two. */
@@ -349,14 +353,15 @@ bool beam_prepare_moving(References *refs, const Settings *settings, const Simul
         return false;
     beam->theory = beam_theory_of(settings);
     /* the last step may lie beyond the end by almost a step */
-    double end = (double)problem_last_step(sim->dt, settings->time.end) * sim->dt;
+    double end = (double)problem_last_step(sim->dt, settings_time(settings)->end) * sim->dt;
     BeamTheory asking = beam->theory;
     asking.from_tip = body->from_tip;
     asking.patience = settings->patience;
-    beam->moving = moving_cantilever_solve(&asking, settings->motion.speed, fmax(end, sim->dt), status);
+    beam->moving =
+        moving_cantilever_solve(&asking, settings_motion(settings)->speed, fmax(end, sim->dt), status);
     if (!beam->moving)
         return false;
-    beam->speed = settings->motion.speed;
+    beam->speed = settings_motion(settings)->speed;
     beam->body = *body;
     const long rows = lround(window / sim->dt) + 1;
     if (body->rings && !plan_window(refs, sim, "v_probe", rows < 1000000 ? rows : 1000000))

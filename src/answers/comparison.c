@@ -3,6 +3,7 @@
  * the order of the list at the end. A row is shown if at least one of the runs has a value. */
 #include "answers/comparison.h"
 
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "base/text.h"
 #include "scenario/parameters.h"
@@ -152,7 +153,7 @@ static bool fill_part(const Standing *run, const char *word, HiddenPart *part, c
     const int null = column_of(run, "kinetic_null");
     const Record *record = experiment_record(run->experiment);
     const double to = experiment_time(run->experiment),
-                 span = experiment_settings(run->experiment)->time.end / 10;
+                 span = settings_time(experiment_settings(run->experiment))->end / 10;
     double all = 0, hidden = 0;
     char number[NUMBER_TEXT_MAX];
     text_rounded(number, span, 3);

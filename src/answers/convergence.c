@@ -5,6 +5,11 @@
 #include "answers/convergence.h"
 #include "base/assertion.h"
 #include "answers/known.h"
+#include "scenario/concern_body.h"
+#include "scenario/concern_bonds.h"
+#include "scenario/concern_cells.h"
+#include "scenario/concern_loads.h"
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "base/kinds.h"
 #include "answers/waves.h"
@@ -32,8 +37,8 @@ static bool refine_horizon(const Settings *base, int k, Settings *out)
     if (k >= LENGTH_OF(by_halves))
         return false;
     *out = *base;
-    out->lattice.horizon *= by_halves[k];
-    out->lattice.spacing *= by_halves[k];
+    settings_edit_lattice(out)->horizon *= by_halves[k];
+    settings_edit_lattice(out)->spacing *= by_halves[k];
     return true;
 }
 
@@ -43,7 +48,7 @@ static bool refine_spacing(const Settings *base, int k, Settings *out)
     if (k >= LENGTH_OF(nodes_in_horizon))
         return false;
     *out = *base;
-    out->lattice.spacing = base->lattice.horizon / nodes_in_horizon[k];
+    settings_edit_lattice(out)->spacing = settings_lattice(base)->horizon / nodes_in_horizon[k];
     return true;
 }
 
@@ -54,8 +59,8 @@ static bool take_from_table(const Settings *base, int k, Settings *out)
     if (k >= LENGTH_OF(table_1))
         return false;
     *out = *base;
-    out->lattice.horizon = table_1[k][0];
-    out->lattice.spacing = table_1[k][1];
+    settings_edit_lattice(out)->horizon = table_1[k][0];
+    settings_edit_lattice(out)->spacing = table_1[k][1];
     return true;
 }
 
@@ -70,7 +75,7 @@ static bool refine_cells(const Settings *base, int k, Settings *out)
     if (k >= LENGTH_OF(cells_by_halves))
         return false;
     *out = *base;
-    out->mesh.cell_size *= cells_by_halves[k];
+    settings_edit_mesh(out)->cell_size *= cells_by_halves[k];
     return true;
 }
 
@@ -81,7 +86,7 @@ static bool refine_plane_cells(const Settings *base, int k, Settings *out)
     if (k >= LENGTH_OF(cells_in_height))
         return false;
     *out = *base;
-    out->mesh.cell_size = base->geometry.height / cells_in_height[k];
+    settings_edit_mesh(out)->cell_size = settings_geometry(base)->height / cells_in_height[k];
     return true;
 }
 
@@ -93,7 +98,7 @@ static bool refine_particles(const Settings *base, int k, Settings *out)
 {
     if (k >= CELLS_IN_LINE * CONVERGENCE_LINES_MAX || !refine_plane_cells(base, k % CELLS_IN_LINE, out))
         return false;
-    out->mesh.particles_per_cell = PARTICLES_LEAST + k / CELLS_IN_LINE;
+    settings_edit_mesh(out)->particles_per_cell = PARTICLES_LEAST + k / CELLS_IN_LINE;
     return true;
 }
 
@@ -125,28 +130,30 @@ static bool refine_methods(const Settings *base, int k, Settings *out)
  * larger m. */
 static double limit_of_horizon(const Settings *settings)
 {
-    const double long_wave = 1e-3 / settings->lattice.horizon;
-    if (settings->lattice.surface_correction != SURFACE_NONE)
+    const double long_wave = 1e-3 / settings_lattice(settings)->horizon;
+    if (settings_lattice(settings)->surface_correction != SURFACE_NONE)
         return NAN;
-    const double along = waves_on_lattice(settings, settings->lattice.influence, false, 0, long_wave),
-                 across = waves_on_lattice(settings, settings->lattice.influence, true, 0, long_wave);
+    const double along =
+                     waves_on_lattice(settings, settings_lattice(settings)->influence, false, 0, long_wave),
+                 across =
+                     waves_on_lattice(settings, settings_lattice(settings)->influence, true, 0, long_wave);
     const double c11 = 9.0 / 8 * along * along, c12 = 3.0 / 8 * across * across;
     return 1 / sqrt(c11 - c12 * c12 / c11);
 }
 
 static double horizon_of(const Settings *settings)
 {
-    return settings->lattice.horizon;
+    return settings_lattice(settings)->horizon;
 }
 
 static double spacing_of(const Settings *settings)
 {
-    return settings->lattice.spacing;
+    return settings_lattice(settings)->spacing;
 }
 
 static double cell_size_of(const Settings *settings)
 {
-    return settings->mesh.cell_size;
+    return settings_mesh(settings)->cell_size;
 }
 
 static double size_by_method(const Settings *settings)
@@ -221,15 +228,15 @@ bool convergence_point(const ConvergenceStudy *study, const Settings *settings, 
         return true;
     const Solver *solver = problem_solver(refined.problem, refined.method);
     const bool lattice = refined.method == METHOD_PD;
-    refined.time.step = 0;     /* each lattice has its own critical step */
-    refined.time.rest = false; /* and its own period, however it is braked */
-    refined.damping.rate = 0;
+    settings_edit_time(&refined)->step = 0;     /* each lattice has its own critical step */
+    settings_edit_time(&refined)->rest = false; /* and its own period, however it is braked */
+    settings_edit_damping(&refined)->rate = 0;
     out->size = study->size_of(&refined);
     if (study->paper)
         out->paper = study->paper(k);
     out->of_mesh = !lattice;
-    out->nodes = lattice ? refined.lattice.horizon / refined.lattice.spacing
-                         : refined.geometry.length / refined.mesh.cell_size;
+    out->nodes = lattice ? settings_lattice(&refined)->horizon / settings_lattice(&refined)->spacing
+                         : settings_geometry(&refined)->length / settings_mesh(&refined)->cell_size;
     if (!solver->check(&refined, &why))
         return true;
     if (!solver->predict(&refined, &out->prediction, &why)) {

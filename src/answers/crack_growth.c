@@ -4,6 +4,8 @@
 #include "answers/crack_growth.h"
 
 #include "base/assertion.h"
+#include "scenario/concern_body.h"
+#include "scenario/concern_bonds.h"
 #include "scenario/settings.h"
 #include "base/text.h"
 #include "methods/bonds/cracks/crack_speed.h"
@@ -42,7 +44,7 @@ static bool cost_of_fronts(const Simulation *sim, const CrackFronts *fronts, con
 bool crack_price(const Simulation *sim, const Settings *settings, const CrackFronts *fronts,
                  const Patience *patience, CrackPrice *price)
 {
-    price->critical_energy = settings->bonds.critical_energy;
+    price->critical_energy = settings_bonds(settings)->critical_energy;
     const bool known = fronts ? cost_of_fronts(sim, fronts, patience, &price->cost)
                               : crack_cost(sim, patience, &price->cost);
     return known && price->cost.area > 0;
@@ -100,7 +102,8 @@ double crack_speed_at(const CrackFronts *fronts, const CrackFront *front, size_t
 
 double crack_rayleigh_speed(const Settings *settings)
 {
-    return crack_speed_rayleigh(settings->material.youngs_modulus, settings->material.density);
+    return crack_speed_rayleigh(settings_material(settings)->youngs_modulus,
+                                settings_material(settings)->density);
 }
 
 size_t crack_line(const Simulation *sim, double *x, double *y, size_t max)

@@ -3,6 +3,9 @@
  * of a scheme, every value beside the scenario's, all from the parameter table; and which run tells two of
  * them apart. */
 #include "answers/diagnose_internal.h"
+#include "scenario/concern_body.h"
+#include "scenario/concern_bonds.h"
+#include "scenario/concern_cells.h"
 
 #include "base/assertion.h"
 #include "base/text.h"
@@ -100,7 +103,8 @@ bool diagnose_settings_of(const Candidate *candidate, const Settings *right, con
         if (!settings_in_range(candidate->parameter, right->problem, candidate->value))
             return false;
         settings_put(out, candidate->parameter, candidate->value);
-        out->mpm.mistake_beside = out->lattice.mistake_beside = candidate->beside;
+        settings_edit_transfer(out)->mistake_beside = settings_edit_lattice(out)->mistake_beside =
+            candidate->beside;
     }
     return settings_check(out, NULL) && diagnose_hold_step(out, table->dt) && settings_check(out, NULL);
 }
@@ -131,8 +135,8 @@ void diagnose_name_factor(double factor, double tolerance, const Settings *setti
         {1 / number_of(settings, "mesh.cell_size"), "1/dx, dx the size of a cell"},
         {number_of(settings, "pd.spacing"), "dx, the spacing of nodes"},
         {1 / number_of(settings, "pd.spacing"), "1/dx, dx the spacing of nodes"},
-        {settings->material.density, "rho, the density"},
-        {1 / settings->material.density, "1/rho, rho the density"},
+        {settings_material(settings)->density, "rho, the density"},
+        {1 / settings_material(settings)->density, "1/rho, rho the density"},
         {dt, "dt, the time step"},
         {1 / dt, "1/dt, dt the time step"},
     };

@@ -2,6 +2,8 @@
 /* A run beside the table of a foreign code (diagnose_internal.h): ours for each of its entries, up to the
  * first that departs or to its end. */
 #include "answers/diagnose_internal.h"
+#include "scenario/concern_output.h"
+#include "scenario/concern_time.h"
 
 #include "base/math/functions.h"
 #include "base/text.h"
@@ -243,11 +245,12 @@ bool diagnose_walk(Walk *walk, const Settings *settings, int threads, Patience p
                    .to_end = given.to_end,
                    .values = given.values,
                    .grown = given.grown};
-    asked.output.columns[0] = asked.output.follow[0] = '\0';
+    settings_edit_output(&asked)->columns[0] = settings_edit_output(&asked)->follow[0] = '\0';
     for (int c = 0; c < walk->table->n_columns && walk->table->set < 0; c++)
-        if (strlen(asked.output.columns) + strlen(walk->table->columns[c].name) + 3 <
-            sizeof asked.output.columns)
-            text_list_add(asked.output.columns, sizeof asked.output.columns, walk->table->columns[c].name);
+        if (strlen(settings_output(&asked)->columns) + strlen(walk->table->columns[c].name) + 3 <
+            sizeof settings_output(&asked)->columns)
+            text_list_add(settings_edit_output(&asked)->columns, sizeof settings_output(&asked)->columns,
+                          walk->table->columns[c].name);
     bool sound = run_open(&run, &asked, problem_simulate(&asked, threads, status), status);
     run.patience = patience;
     if (sound && find_columns(&walker, run.sim))
@@ -266,13 +269,13 @@ bool diagnose_hold_step(Settings *settings, double dt)
 {
     double now;
     if (settings->problem->concerns & CONCERN_STEP && settings->method == METHOD_PD) {
-        settings->time.step = dt;
+        settings_edit_time(settings)->step = dt;
         return true;
     }
     if (!problem_time_step(settings, &now, NULL))
         return false;
     if (fabs(now - dt) <= 1e-12 * dt)
         return true;
-    settings->time.courant *= dt / now;
+    settings_edit_time(settings)->courant *= dt / now;
     return problem_time_step(settings, &now, NULL) && fabs(now - dt) <= 1e-12 * dt;
 }

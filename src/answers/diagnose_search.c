@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The search for the code that made a file's numbers (diagnose.h). */
 #include "answers/diagnose_internal.h"
+#include "scenario/concern_body.h"
+#include "scenario/concern_cells.h"
+#include "scenario/concern_loads.h"
 
 #include "answers/references.h"
 #include "base/math/functions.h"
@@ -278,13 +281,14 @@ static void keep(Search *search, const Candidate *candidate, const Settings *wro
 static bool disturb(Settings *settings)
 {
     const Parameter *overtones = parameter_find("initial.overtones");
-    const double cells = round(settings->geometry.length / settings->mesh.cell_size);
+    const double cells = round(settings_geometry(settings)->length / settings_mesh(settings)->cell_size);
     char text[LIST_MAX];
-    if (!parameter_applies_to(settings, overtones) || settings->start.velocity == 0)
+    if (!parameter_applies_to(settings, overtones) || settings_start(settings)->velocity == 0)
         return false;
-    snprintf(text, sizeof text, "%.200s%s%.0f:%.3g", settings->start.overtones,
-             *settings->start.overtones ? "," : "", settings->start.mode == (int)cells ? cells - 1 : cells,
-             1e-13 * settings->start.velocity);
+    snprintf(text, sizeof text, "%.200s%s%.0f:%.3g", settings_start(settings)->overtones,
+             *settings_start(settings)->overtones ? "," : "",
+             settings_start(settings)->mode == (int)cells ? cells - 1 : cells,
+             1e-13 * settings_start(settings)->velocity);
     return settings_set(settings, overtones->key, text, NULL);
 }
 

@@ -3,6 +3,8 @@
  * step, stage and thing each row is, and what its time step is. What is odd but can be read is noted; what
  * cannot is refused in one line. */
 #include "answers/diagnose_internal.h"
+#include "scenario/concern_output.h"
+#include "scenario/concern_time.h"
 
 #include "base/input.h"
 #include "base/math/functions.h"
@@ -573,7 +575,7 @@ static bool read_rows(DiagnoseTable *table, const Settings *settings, const char
         !place_rows(table, &heads, sim, status))
         return false;
     say_what_is_odd(table, &heads, sim);
-    return cut(table, problem_last_step(sim->dt, settings->time.end), status);
+    return cut(table, problem_last_step(sim->dt, settings_time(settings)->end), status);
 }
 
 bool diagnose_read_from(DiagnoseTable *table, FILE *stream, const char *file, const Settings *settings,
@@ -581,8 +583,8 @@ bool diagnose_read_from(DiagnoseTable *table, FILE *stream, const char *file, co
 {
     Settings asked = *settings;
     *table = (DiagnoseTable){.set = -1, .file = {.y = -1}};
-    strcpy(asked.output.columns, "all");
-    asked.output.follow[0] = '\0';
+    strcpy(settings_edit_output(&asked)->columns, "all");
+    settings_edit_output(&asked)->follow[0] = '\0';
     Simulation *sim = problem_simulate(&asked, 1, status);
     if (!sim)
         return false;

@@ -3,6 +3,7 @@
  * mid-run and rest. */
 #include "base/assertion.h"
 #include "answers/fit_internal.h"
+#include "scenario/concern_output.h"
 #include "scenario/settings.h"
 #include "base/text.h"
 #include "problems/problem.h"
@@ -76,7 +77,8 @@ bool fit_run(Search *search, const Settings *settings, const double *times, doub
     if (!settings_check(settings, &search->why))
         return false;
     Settings asked = *settings;
-    snprintf(asked.output.columns, sizeof asked.output.columns, "%s", search->task->column);
+    snprintf(settings_edit_output(&asked)->columns, sizeof settings_output(&asked)->columns, "%s",
+             search->task->column);
     Run run;
     const bool sound =
         run_open(&run, settings, problem_simulate(&asked, search->task->threads, &search->why),

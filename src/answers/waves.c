@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "answers/waves.h"
+#include "scenario/concern_bonds.h"
 #include "scenario/settings.h"
 #include "base/kinds.h"
 #include "theory/pd_waves.h"
@@ -17,7 +18,7 @@ static PdShape shape_of(Influence influence)
 double waves_on_lattice(const Settings *settings, Influence influence, bool transverse, double angle,
                         double k)
 {
-    const Lattice *on = &settings->lattice;
+    const Lattice *on = settings_lattice(settings);
     PdWaveLattice lattice = {.shape = shape_of(influence),
                              .ratio = on->horizon / on->spacing,
                              .volumes = (PdVolumes)on->volume_correction,
@@ -31,5 +32,5 @@ double waves_on_lattice(const Settings *settings, Influence influence, bool tran
 
 double waves_of_bonds(const Settings *settings, Influence influence, bool transverse, double k)
 {
-    return sqrt(pd_waves_plane(shape_of(influence), transverse, k * settings->lattice.horizon));
+    return sqrt(pd_waves_plane(shape_of(influence), transverse, k * settings_lattice(settings)->horizon));
 }

@@ -2,6 +2,7 @@
 /* `matvib figure SCENARIO --view NAME --output FILE`: runs without a screen, then draws what a view of the
  * laboratory shows, at the end or at several times, on one page. */
 #include "picture/paper/figure_file.h"
+#include "scenario/concern_output.h"
 #include "scenario/settings.h"
 #include "cli/cli.h"
 #include "cli/options.h"
@@ -100,7 +101,8 @@ static bool take_alike(Figure *figure, Screen *screen, const View *view, const F
     if (!differ)
         return true;
     Settings settings = *experiment_settings(screen->experiment);
-    snprintf(settings.view.exaggeration, sizeof settings.view.exaggeration, "%.6g", least);
+    snprintf(settings_edit_view(&settings)->exaggeration, sizeof settings_view(&settings)->exaggeration,
+             "%.6g", least);
     const double width = figure->width, height = figure->height;
     const bool bare = figure->bare;
     figure_close(figure);
@@ -193,7 +195,7 @@ static bool draw(const Options *options, const Settings *settings, const Setting
     Frames frames = {0};
     const View *view = NULL;
     screen->playback.state = STATE_RUNNING; /* nothing is chosen by hand */
-    screen_read_view(screen, &settings->view);
+    screen_read_view(screen, settings_view(settings));
     bool sound =
         figure_view(screen, options->view, &view, status) && plan(&frames, screen, view, settings, status);
     if (sound && frames.count > FIGURE_PANELS_MAX)
@@ -206,7 +208,7 @@ static bool draw(const Options *options, const Settings *settings, const Setting
                             progress, status) &&
                 plan(&frames, screen, view, settings, status);
     if (sound) {
-        if (!settings->view.window[0])
+        if (!settings_view(settings)->window[0])
             screen->time.window =
                 experiment_simulation(screen->experiment)->dt * (double)frames.steps[frames.count - 1];
         Convergence convergence = {.n_studies = 0};
@@ -233,8 +235,8 @@ int cli_figure(int count, char **arguments, Status *status)
         !options_load(&options, options.words[0], &settings, status))
         return (int)status->code;
     /* pictures of a crack are compared with each other, so displacements are not enlarged unless asked for */
-    if (settings.problem->concerns & CONCERN_NOTCH && !settings.view.exaggeration[0])
-        strcpy(settings.view.exaggeration, "1");
+    if (settings.problem->concerns & CONCERN_NOTCH && !settings_view(&settings)->exaggeration[0])
+        strcpy(settings_edit_view(&settings)->exaggeration, "1");
     others[0] = settings;
     bool sound = true;
     if (!options.list) {

@@ -2,6 +2,7 @@
 /* `matvib fit SCENARIO --data FILE --vary KEY,...`: the parameters with which a run agrees best with a
  * measured series, how well they are known, and a picture of both. */
 #include "cli/cli.h"
+#include "scenario/concern_output.h"
 #include "scenario/settings.h"
 #include "cli/distinct.h"
 #include "cli/describe.h"
@@ -40,7 +41,7 @@ static void close_data(Data *data)
 static bool choose_column(Data *data, const Options *options, const Settings *settings, Status *status)
 {
     Settings asked = *settings;
-    strcpy(asked.output.columns, "all");
+    strcpy(settings_edit_output(&asked)->columns, "all");
     Simulation *simulation = problem_simulate(&asked, 1, status);
     if (!simulation)
         return false;

@@ -5,6 +5,7 @@
  * reader. */
 #include "cli/options.h"
 
+#include "scenario/concern_output.h"
 #include "scenario/settings.h"
 #include "cli/distinct.h"
 #include "base/threads.h"
@@ -462,7 +463,7 @@ bool options_load(const Options *options, const char *scenario, Settings *settin
 {
     if (!spares_scenario(options, scenario, status) || !load_run(options, scenario, settings, status))
         return false;
-    if (view_check(&settings->view, status))
+    if (view_check(settings_view(settings), status))
         return true;
     options_blame(options, scenario, status);
     return false;

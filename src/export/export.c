@@ -2,6 +2,7 @@
 /* A run from its start to its end without a screen, tables and frames written on the way: the engine of
  * `matvib run` and of a sweep. */
 #include "base/text.h"
+#include "scenario/concern_output.h"
 #include "scenario/settings.h"
 #include "scenario/changes.h"
 #include "export/export_internal.h"
@@ -27,7 +28,7 @@ static bool take_row(void *owner, Run *run, long step, const double *method_row,
     Export *export = owner;
     double *row = export->newest;
     references_row(export->refs, step, (double)step * run->sim->dt, method_row, row);
-    if (step % export->settings->output.every != 0 && step != run->last)
+    if (step % settings_output(export->settings)->every != 0 && step != run->last)
         return true; /* references that look back want every step */
     if (!record_append(&export->record, row))
         return status_fail(status, STATUS_FAILED, "not enough memory for the run's record");
@@ -56,7 +57,7 @@ static bool take_stage(void *owner, Run *run, long step, int stage, Status *stat
 /* Series, frames, and the stages of some steps. */
 static void sinks_of(Export *export, Sink sinks[3])
 {
-    const long every = references_memory(export->refs) > 0 ? 1 : export->settings->output.every;
+    const long every = references_memory(export->refs) > 0 ? 1 : settings_output(export->settings)->every;
     sinks[0] = (Sink){.every = every, .row = take_row, .owner = export, .beside = &sinks[1]};
     sinks[1] = (Sink){.next = next_frame, .state = take_frame, .owner = export, .beside = &sinks[2]};
     sinks[2] = (Sink){.stage = take_stage,
@@ -131,7 +132,7 @@ static bool sum_up(const Export *export, RunSummary *summary, Status *status)
 
 bool export_writes(const Settings *settings, const Simulation *sim, int i, const char *column)
 {
-    const char *asked = settings->output.columns;
+    const char *asked = settings_output(settings)->columns;
     return i < 2 ||
            (asked[strspn(asked, ", ")] ? simulation_asks(asked, column) : !simulation_is_costly(sim, column));
 }
@@ -152,7 +153,7 @@ static bool is_field(const Simulation *sim, const char *name)
 /* What is written, in the order of the series; what is asked for is there. */
 static bool choose_columns(Export *export, Status *status)
 {
-    const char *asked = export->settings->output.columns;
+    const char *asked = settings_output(export->settings)->columns;
     char known[512] = "all";
     for (int i = 0; i < export->n_columns; i++) {
         const char *name = export->columns[i].quantity.name;
@@ -204,7 +205,7 @@ static bool prepare(Export *export, int threads, Status *status)
     export->vtk = calloc(export->frames.count + 1, sizeof *export->vtk);
     if (!export->vtk)
         return status_fail(status, STATUS_FAILED, "not enough memory for the run");
-    record_open(&export->record, export->n_columns, settings->output.every, record_budget);
+    record_open(&export->record, export->n_columns, settings_output(settings)->every, record_budget);
     return export_open_files(export, status);
 }
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The files of an export: tables, frames for ParaView, the scenarios that stand beside. */
 #include "base/text.h"
+#include "scenario/concern_output.h"
 #include "scenario/settings.h"
 #include "export/csv.h"
 #include "export/export_internal.h"
@@ -206,7 +207,7 @@ bool export_open_files(Export *export, Status *status)
         table->of_stages = outputs->stages[0] > 0;
         if (!table->name)
             continue;
-        if (!find_set(table, export->run.sim, export->settings->output.columns, i, status) ||
+        if (!find_set(table, export->run.sim, settings_output(export->settings)->columns, i, status) ||
             !output_open(&table->file, outputs->asker, table->name, outputs->force, status) ||
             !open_beside(&table->beside, &table->file, outputs, status))
             return false;
@@ -419,7 +420,7 @@ static Settings scenario_beside(const Export *export)
     size_t n = export->next_frame, length = 0;
     problem_end_at(&scenario, export->run.sim->dt, export->run.last);
     if (export->planned_last == export->run.last ||
-        (scenario.output.frames < 2 && !*export->settings->output.at))
+        (settings_output(&scenario)->frames < 2 && !*settings_output(export->settings)->at))
         return scenario;
     char at[LIST_MAX] = "";
     for (size_t i = 0; i < n; i++) {
@@ -430,8 +431,8 @@ static Settings scenario_beside(const Export *export)
         if (length >= sizeof at || n > TIMES_MAX)
             return *export->settings;
     }
-    memcpy(scenario.output.at, at, length + 1);
-    scenario.output.frames = 0;
+    memcpy(settings_edit_output(&scenario)->at, at, length + 1);
+    settings_edit_output(&scenario)->frames = 0;
     return scenario;
 }
 

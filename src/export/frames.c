@@ -2,6 +2,7 @@
 /* Plans the frames (frames.h): evenly spaced over the run, or at the steps nearest to the given times;
  * ascending, each step once, and the last step where nothing else is asked for. */
 #include "export/frames.h"
+#include "scenario/concern_output.h"
 #include "scenario/settings.h"
 #include "scenario/parameters.h"
 
@@ -17,19 +18,19 @@ static void add(Frames *frames, long step)
 bool frames_plan(Frames *frames, const Settings *settings, double dt, long last, Status *status)
 {
     double times[TIMES_MAX];
-    int n_times = settings_times_read(settings->output.at, times, status);
+    int n_times = settings_times_read(settings_output(settings)->at, times, status);
     if (n_times < 0)
         return false;
-    size_t most = settings->output.frames > 1 ? (size_t)settings->output.frames : 1;
+    size_t most = settings_output(settings)->frames > 1 ? (size_t)settings_output(settings)->frames : 1;
     if ((size_t)n_times > most)
         most = (size_t)n_times;
     frames->count = 0;
     frames->steps = malloc(most * sizeof *frames->steps);
     if (!frames->steps)
         return status_fail(status, STATUS_FAILED, "not enough memory for %zu frames", most);
-    if (settings->output.frames > 1)
-        for (int i = 0; i < settings->output.frames; i++)
-            add(frames, lround((double)last * i / (settings->output.frames - 1)));
+    if (settings_output(settings)->frames > 1)
+        for (int i = 0; i < settings_output(settings)->frames; i++)
+            add(frames, lround((double)last * i / (settings_output(settings)->frames - 1)));
     else if (n_times > 0)
         for (int i = 0; i < n_times; i++) {
             long step = lround(times[i] / dt);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Writes a beam or a plate as input for LAMMPS (lammps.h): what is refused, and the files, all or none. */
 #include "export/lammps.h"
+#include "scenario/concern_bonds.h"
 #include "scenario/settings.h"
 #include "base/kinds.h"
 #include "export/lammps_internal.h"
@@ -84,11 +85,11 @@ static bool has_its_like(const Settings *settings, Status *status)
         return false;
     if (settings->n_changes > 0)
         return status_fail(status, STATUS_USAGE, "changes: LAMMPS gets runs without changes in mid-run only");
-    if (settings->lattice.volume_correction == VOLUME_HHB)
+    if (settings_lattice(settings)->volume_correction == VOLUME_HHB)
         return status_fail(
             status, STATUS_USAGE,
             "pd.volume_correction: LAMMPS has no bonds longer than the horizon (none | partial)");
-    return settings->lattice.influence == INFLUENCE_CONSTANT ||
+    return settings_lattice(settings)->influence == INFLUENCE_CONSTANT ||
            status_fail(status, STATUS_USAGE,
                        "pd.influence: LAMMPS has bonds of one stiffness for every length (constant)");
 }

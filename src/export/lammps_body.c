@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The body for LAMMPS: built as for a run and read back, nodes, bonds, supports, loads. */
 #include "export/lammps_internal.h"
+#include "scenario/concern_bonds.h"
 #include "scenario/settings.h"
 
 #include <stdbool.h>
@@ -55,7 +56,7 @@ bool lammps_body_read(LammpsBody *body, Status *status)
 
 bool lammps_breaks(const LammpsBody *body)
 {
-    return body->settings->bonds.critical_stretch > 0;
+    return settings_bonds(body->settings)->critical_stretch > 0;
 }
 
 bool lammps_protects(const LammpsBody *body)

@@ -13,6 +13,9 @@
  *
  * it too ends at the same v^{1/2}. What is held keeps v^0. */
 #include "export/lammps_internal.h"
+#include "scenario/concern_body.h"
+#include "scenario/concern_bonds.h"
+#include "scenario/concern_loads.h"
 #include "scenario/settings.h"
 #include "base/kinds.h"
 #include "base/text.h"
@@ -43,7 +46,7 @@ static bool is_given(const LammpsBody *body, size_t node, int axis)
 {
     const int nx = body->facts.nx, i = (int)(node % (size_t)nx), j = (int)(node / (size_t)nx);
     if (body->settings->problem->concerns & CONCERN_MOTION)
-        return body->held[node] != 0 && (axis == 1 || body->settings->motion.clamp == CLAMP_FULL);
+        return body->held[node] != 0 && (axis == 1 || settings_motion(body->settings)->clamp == CLAMP_FULL);
     for (const Support *s = body->supports; s < body->supports + body->n_supports; s++)
         if ((axis == 0 ? s->x : s->y) && i >= s->patch.i && i < s->patch.i + s->patch.columns &&
             j >= s->patch.j && j < s->patch.j + s->patch.rows)
@@ -57,10 +60,11 @@ static double first_velocity(const LammpsBody *body, size_t node, int axis)
     const double h = lammps_half_damping(body);
     const double v = (axis == 0 ? body->vx : body->vy)[node], f = (axis == 0 ? body->fx : body->fy)[node];
     const bool rides = axis == 0 && body->settings->problem->concerns & CONCERN_MOTION;
-    const double ahead = rides ? body->settings->motion.speed : 0;
+    const double ahead = rides ? settings_motion(body->settings)->speed : 0;
     if (is_given(body, node, axis) || h == 0)
         return v;
-    return ahead + (v - ahead) * (1 - h * h) + h * body->sim->dt / 2 * f / body->settings->material.density;
+    return ahead + (v - ahead) * (1 - h * h) +
+           h * body->sim->dt / 2 * f / settings_material(body->settings)->density;
 }
 
 /* Of all nodes or of none: a list that leaves some out is refused. */
@@ -80,7 +84,7 @@ static void write_velocities(FILE *file, const LammpsBody *body)
 void lammps_write_data(FILE *file, const LammpsBody *body)
 {
     const Settings *settings = body->settings;
-    const double dx = settings->lattice.spacing, density = settings->material.density;
+    const double dx = settings_lattice(settings)->spacing, density = settings_material(settings)->density;
     const size_t last = body->count - 1;
     fprintf(file, "%s\n\n%zu atoms\n%d atom types\n\n",
             *settings->title ? settings->title : settings->problem->word, body->count, body->n_types);

@@ -1,6 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The script for LAMMPS: what differs, bonds, supports, loads, damping, rest, and what is written. */
 #include "export/lammps_internal.h"
+#include "scenario/concern_body.h"
+#include "scenario/concern_bonds.h"
+#include "scenario/concern_loads.h"
+#include "scenario/concern_output.h"
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "methods/bonds/plane/bonds_plane.h"
 #include "base/kinds.h"
@@ -20,8 +25,8 @@ static bool leaves_channel(const LammpsBody *body)
 static void write_body_differences(FILE *file, const LammpsBody *body)
 {
     const Settings *settings = body->settings;
-    const bool surface = settings->lattice.surface_correction != SURFACE_NONE,
-               volume = settings->lattice.volume_correction != VOLUME_PARTIAL;
+    const bool surface = settings_lattice(settings)->surface_correction != SURFACE_NONE,
+               volume = settings_lattice(settings)->volume_correction != VOLUME_PARTIAL;
     if (surface)
         fputs("# - there is no surface correction, so the skin is soft; compare with\n"
               "#   pd.surface_correction=none\n",
@@ -70,7 +75,7 @@ static void write_rest_differences(FILE *file, const LammpsBody *body)
             "first\n"
             "#   velocities that make its first half step the same; kinetic energies have that factor too\n",
             file);
-    if (body->settings->time.rest)
+    if (settings_time(body->settings)->rest)
         fprintf(
             file,
             "# - the run ends when it is once found at rest, every %d steps; where it is damped less than\n"
@@ -95,17 +100,17 @@ static void write_head(FILE *file, const LammpsBody *body)
 static void write_model(FILE *file, const LammpsBody *body)
 {
     fputs("units si\ndimension 2\nboundary s s p\natom_style peri\natom_modify map array\n", file);
-    LAMMPS_LINE(file, "lattice sq @\nread_data data.matvib\n\n", body->settings->lattice.spacing);
+    LAMMPS_LINE(file, "lattice sq @\nread_data data.matvib\n\n", settings_lattice(body->settings)->spacing);
 }
 
 static void write_pairs(FILE *file, const LammpsBody *body)
 {
-    const Lattice *lattice = &body->settings->lattice;
+    const Lattice *lattice = settings_lattice(body->settings);
     /* the last bonds of a family end at the horizon but for the rounding of positions */
     const double stiffness = body->facts.micromodulus / lattice->spacing,
                  horizon = lattice->horizon * (1 + 1e-9), never = 1e9;
     LAMMPS_LINE(file, "pair_style peri/pmb\npair_coeff * * @ @ @ 0\n", stiffness, horizon,
-                lammps_breaks(body) ? body->settings->bonds.critical_stretch : never);
+                lammps_breaks(body) ? settings_bonds(body->settings)->critical_stretch : never);
     if (lammps_protects(body)) {
         fprintf(file, "pair_coeff * %d* ", body->first_protected);
         LAMMPS_LINE(file, "@ @ @ 0\n", stiffness, horizon, never);
@@ -143,11 +148,11 @@ static void write_supports(FILE *file, const LammpsBody *body)
 static void write_channel(FILE *file, const LammpsBody *body)
 {
     LAMMPS_LINE(file, "region channel block INF @ INF INF INF INF units box\n",
-                -1e-6 * body->settings->lattice.spacing);
+                -1e-6 * settings_lattice(body->settings)->spacing);
     fprintf(file,
             "group held dynamic all region channel every 1\n"
             "fix hold held setforce %s 0 0\n",
-            body->settings->motion.clamp == CLAMP_FULL ? "0" : "NULL");
+            settings_motion(body->settings)->clamp == CLAMP_FULL ? "0" : "NULL");
 }
 
 /* A traction over dx, times its share of now (load_share() of patches.h): min(1, t/ramp), and from the step
@@ -155,7 +160,7 @@ static void write_channel(FILE *file, const LammpsBody *body)
 static void write_load(FILE *file, const LammpsBody *body, int number)
 {
     const Load *load = &body->loads[number - 1];
-    const double dx = body->settings->lattice.spacing;
+    const double dx = settings_lattice(body->settings)->spacing;
     char name[32];
     snprintf(name, sizeof name, "load%d", number);
     write_group(file, body, name, &load->patch);
@@ -177,9 +182,9 @@ static void write_load(FILE *file, const LammpsBody *body, int number)
 static void write_forces(FILE *file, const LammpsBody *body)
 {
     const Settings *settings = body->settings;
-    const double density = settings->material.density, braking = body->facts.damping * density;
-    const double along = leaves_channel(body) ? braking * settings->motion.speed : 0,
-                 across = density * settings->loads.body_force;
+    const double density = settings_material(settings)->density, braking = body->facts.damping * density;
+    const double along = leaves_channel(body) ? braking * settings_motion(settings)->speed : 0,
+                 across = density * settings_loads(settings)->body_force;
     fputs("variable time equal step*dt\nfix motion all nve\n", file);
     if (along != 0 || across != 0)
         LAMMPS_LINE(file, "fix weight all addforce @ @ 0\n", along, across);
@@ -243,8 +248,8 @@ void lammps_write_script(FILE *file, const LammpsBody *body)
 {
     const Settings *settings = body->settings;
     const double dt = body->sim->dt;
-    const long steps = problem_last_step(dt, settings->time.end);
-    long every = settings->output.every;
+    const long steps = problem_last_step(dt, settings_time(settings)->end);
+    long every = settings_output(settings)->every;
     if (steps / every > PRINT_ROWS * 10)
         every *= steps / every / PRINT_ROWS;
     write_head(file, body);
@@ -266,7 +271,7 @@ void lammps_write_script(FILE *file, const LammpsBody *body)
     if (lammps_breaks(body))
         fprintf(file, "dump damage all custom %ld damage.dump id x y c_damage\n",
                 steps > 10 ? steps / 10 : 1);
-    if (settings->time.rest)
+    if (settings_time(settings)->rest)
         write_rest(file);
     fprintf(file, "run %ld\n", steps);
 }

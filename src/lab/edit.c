@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The parameter pane: choosing, nudging and editing in place. */
 #include "lab/laboratory.h"
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "scenario/rows/rows.h"
 #include "lab/prompt/line_edit.h"
@@ -140,8 +141,9 @@ bool edit_change(Laboratory *lab, const Settings *settings, DuelChange verb, Sta
     if (step != lab->editing.anchor_step)
         lab->editing.anchor_time = (double)step * experiment_simulation(lab->screen.experiment)->dt;
     /* a run that was at its end comes back to its end, which may lie a part of a step later */
-    if (step >= experiment_last_step(lab->screen.experiment) && settings->time.end == old.time.end)
-        lab->editing.anchor_time = 2 * old.time.end;
+    if (step >= experiment_last_step(lab->screen.experiment) &&
+        settings_time(settings)->end == settings_time(&old)->end)
+        lab->editing.anchor_time = 2 * settings_time(&old)->end;
     Status said = {STATUS_DONE, ""};
     bool taken = edit_change_runs(lab, settings, verb, &said);
     laboratory_say(lab, MESSAGE_NONE, "%s", ""); /* in place of how far the building had come */

@@ -3,6 +3,7 @@
 #include "lab/opening.h"
 #include "lab/laboratory.h"
 #include "panes/screen_runs.h"
+#include "scenario/concern_output.h"
 #include "scenario/settings.h"
 #include "lab/commands/commands.h"
 #include "lab/second_run.h"
@@ -17,7 +18,7 @@
 
 static void read_view(Laboratory *lab)
 {
-    const ViewSettings *view = &experiment_settings(lab->screen.experiment)->view;
+    const ViewSettings *view = settings_view(experiment_settings(lab->screen.experiment));
     Screen *screen = &lab->screen;
     double value;
     views_open(screen, view);
@@ -128,7 +129,7 @@ static bool open_scenario(Laboratory *lab, const char *name, Status *status)
         return status_fail(status, STATUS_FAILED, "out of memory");
     Experiment *experiment = NULL;
     if (scenario_load(name, settings, status) && settings_check(settings, status) &&
-        (view_check(&settings->view, status) || (scenario_blame(name, NULL, 0, status), false))) {
+        (view_check(settings_view(settings), status) || (scenario_blame(name, NULL, 0, status), false))) {
         opening_show_progress(lab, settings);
         experiment = opening_experiment(lab, settings, status);
         laboratory_say(lab, MESSAGE_NONE, "%s", "");

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Rows of a plate: as text in their pane, and moved on the map (row_edit.h). */
 #include "lab/row_edit.h"
+#include "scenario/concern_body.h"
+#include "scenario/concern_bonds.h"
 #include "scenario/settings.h"
 #include "scenario/rows/rows.h"
 #include "base/text.h"
@@ -186,7 +188,7 @@ static void columns_of_end(const Settings *settings, int kind, int row, int end,
 
 static double extent(const Settings *settings, int axis)
 {
-    return axis == 0 ? settings->geometry.length : settings->geometry.height;
+    return axis == 0 ? settings_geometry(settings)->length : settings_geometry(settings)->height;
 }
 
 /* A place of an end, m; what was a share of the plate stays one. */
@@ -299,7 +301,7 @@ bool row_edit_key(Laboratory *lab, const char *key)
     RowsShown *shown = &lab->screen.parameters.rows;
     if (!shown->placing)
         return false;
-    const double spacing = lab->editing.draft->lattice.spacing;
+    const double spacing = settings_lattice(lab->editing.draft)->spacing;
     for (size_t i = 0; i < sizeof moves / sizeof *moves; i++)
         if (strcmp(key, moves[i].keys[0]) == 0 || strcmp(key, moves[i].keys[1]) == 0) {
             shift(lab, (double[]){moves[i].x * moves[i].spacings * spacing,
@@ -332,8 +334,9 @@ void row_edit_point(Laboratory *lab, int x, int y)
     columns_of_end(draft, shown->kind, shown->row, shown->end == ROW_SECOND_END, columns);
     for (int axis = 0; axis < 2; axis++)
         if (columns[axis] >= 0)
-            by[axis] = draft->lattice.spacing * round(place[axis] / draft->lattice.spacing) -
-                       settings_row_value(draft, shown->kind, shown->row, columns[axis]);
+            by[axis] =
+                settings_lattice(draft)->spacing * round(place[axis] / settings_lattice(draft)->spacing) -
+                settings_row_value(draft, shown->kind, shown->row, columns[axis]);
     shift(lab, by);
     say_place(lab);
 }

@@ -2,6 +2,7 @@
 /* Writing the scenario as a file, and what every answer that names a file is asked first. */
 #include "lab/writing.h"
 #include "lab/laboratory.h"
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "base/output.h"
 #include "scenario/scenario.h"
@@ -32,8 +33,8 @@ static bool write_scenario(Laboratory *lab, const char *name)
     Status status = {STATUS_DONE, ""};
     Settings settings;
     experiment_scenario(experiment, true, &settings);
-    settings.time.end = experiment_settings(experiment)->time.end;
-    settings.time.step = experiment_settings(experiment)->time.step;
+    settings_edit_time(&settings)->end = settings_time(experiment_settings(experiment))->end;
+    settings_edit_time(&settings)->step = settings_time(experiment_settings(experiment))->step;
     if (lab->player.duel.b) { /* opens as what is on screen */
         memcpy(settings.duel, lab->player.duel.keys, sizeof settings.duel);
         settings.n_duel = lab->player.duel.n_keys;

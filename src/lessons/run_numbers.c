@@ -3,6 +3,7 @@
 #include "lessons/run_numbers.h"
 
 #include "problems/problem.h"
+#include "scenario/concern_output.h"
 #include "scenario/settings.h"
 
 #include <math.h>
@@ -234,7 +235,8 @@ const RunNumber *run_number_find(const char *word)
 
 const RunNumber *run_number_about(const Settings *settings)
 {
-    const RunNumber *named = settings->view.about[0] ? run_number_find(settings->view.about) : NULL;
+    const RunNumber *named =
+        settings_view(settings)->about[0] ? run_number_find(settings_view(settings)->about) : NULL;
     return named && named->label ? named : run_number_find(settings->problem->about);
 }
 

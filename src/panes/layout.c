@@ -3,6 +3,7 @@
  * step takes some of them. The timeline, where it has no row of its own, takes one from the lower plot while
  * we are back in time. */
 #include "panes/panes.h"
+#include "scenario/concern_body.h"
 #include "scenario/settings.h"
 #include "views/view.h"
 
@@ -61,7 +62,7 @@ static void lay_out_full(const Screen *screen, int width, int height, Layout *la
     /* the map of a beam that is not slender wants height more than the curve below it */
     const Settings *settings = experiment_settings(screen->experiment);
     const bool tall = drawn && screen->views.upper->is_map &&
-                      settings->geometry.height > TALL_SHARE * settings->geometry.length;
+                      settings_geometry(settings)->height > TALL_SHARE * settings_geometry(settings)->length;
     const int lower = tall ? middle * 4 / 9 + 1 : (middle + (layout_has_caption(screen) ? 2 : 3)) / 2,
               upper = middle - lower;
     /* on a large screen with a row for what its marks are */

@@ -2,6 +2,8 @@
 /* The strip of a bar without a mesh: its nodes in a row at x0 + k u, the mirrored ones beyond a fixed end,
  * and above them the bonds of the chosen one. */
 #include "panes/panes.h"
+#include "scenario/concern_loads.h"
+#include "scenario/concern_bonds.h"
 #include "scenario/settings.h"
 #include "base/kinds.h"
 #include "scenario/parameters.h"
@@ -37,7 +39,7 @@ static NodeRow row_of(const Screen *screen, int room)
 {
     const Settings *settings = experiment_settings(screen->experiment);
     const Simulation *sim = experiment_simulation(screen->experiment);
-    const BarSupports supports = settings->supports.ends;
+    const BarSupports supports = settings_supports(settings)->ends;
     NodeRow row = {
         .nodes = (int)sim->counts[0],
         .reach = (int)floor(lattice_reach(settings) / lattice_spacing(settings)),

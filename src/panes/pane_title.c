@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The title line: what is shown, where in time, in what state. */
 #include "panes/panes.h"
+#include "scenario/concern_cells.h"
 #include "scenario/settings.h"
 #include "base/text.h"
 
@@ -40,7 +41,7 @@ static void blend_words_of(const Screen *screen, char *out, size_t size)
     char value[LIST_MAX];
     out[0] = '\0';
     if (screen_second_run(screen) || !blend || !parameter_applies_to(settings, blend) ||
-        settings->mpm.mass_blend == blend->neutral)
+        settings_transfer(settings)->mass_blend == blend->neutral)
         return;
     settings_spell(settings, blend, value);
     snprintf(out, size, " mu %s", value);

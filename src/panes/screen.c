@@ -2,6 +2,7 @@
 /* The whole screen: each pane drawn where the layout puts it, and what the mouse finds in the plot panes. */
 #include "base/text.h"
 #include "panes/screen.h"
+#include "scenario/concern_output.h"
 #include "scenario/settings.h"
 #include "views/inspector/inspector.h"
 #include "panes/panes.h"

@@ -3,6 +3,7 @@
  * fields reach, and their times and units as text. */
 #include "panes/screen_runs.h"
 
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "base/math/functions.h"
 
@@ -134,8 +135,9 @@ static double reach_of(Experiment *experiment, int field, const double *now, siz
         reach = fmax(reach, parts[part]);
     if (count > 0)
         sim->method->field(sim, sim->position[0], count - 1, 1, &length);
-    const double span =
-        readout->swing > 0 && !readout->drifting ? readout->swing : experiment_settings(experiment)->time.end;
+    const double span = readout->swing > 0 && !readout->drifting
+                            ? readout->swing
+                            : settings_time(experiment_settings(experiment))->end;
     for (int i = 0; i <= TIMES; i++)
         for (int k = 1; k <= PLACES; k++) {
             double value = fabs(references_profile(refs, name, length * k / PLACES, span * i / TIMES));

@@ -2,6 +2,10 @@
 /* The bar by the material point method: settings to simulation, exact and predicted answers beside. */
 #include "base/assertion.h"
 #include "answers/bar_answers.h"
+#include "scenario/concern_body.h"
+#include "scenario/concern_cells.h"
+#include "scenario/concern_loads.h"
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "methods/mpm/line/mpm_bar.h"
 #include "problems/solvers.h"
@@ -15,13 +19,13 @@
 
 static double best_blend(const Settings *settings)
 {
-    return bar_mass_blend_auto(settings->mpm.shape, settings->mesh.particles_per_cell,
-                               settings->time.courant);
+    return bar_mass_blend_auto(settings_transfer(settings)->shape,
+                               settings_mesh(settings)->particles_per_cell, settings_time(settings)->courant);
 }
 
 double bar_mass_blend_of(const Settings *settings)
 {
-    const double given = settings->mpm.mass_blend;
+    const double given = settings_transfer(settings)->mass_blend;
     return given > 0 ? given : best_blend(settings);
 }
 
@@ -35,10 +39,10 @@ BarMesh bar_mesh_of(const Settings *settings, double dt)
                                        [MPM_BSPLINE2] = MESH_BSPLINE2,
                                        [MPM_BSPLINE3] = MESH_BSPLINE3,
                                        [MPM_CPDI] = MESH_GIMP}; /* at rest they are the same */
-    const Transfer *mpm = &settings->mpm;
-    return (BarMesh){.cell_size = settings->mesh.cell_size,
-                     .particles_per_cell = settings->mesh.particles_per_cell,
-                     .padding = settings->mesh.padding,
+    const Transfer *mpm = settings_transfer(settings);
+    return (BarMesh){.cell_size = settings_mesh(settings)->cell_size,
+                     .particles_per_cell = settings_mesh(settings)->particles_per_cell,
+                     .padding = settings_mesh(settings)->padding,
                      .algorithm = algorithms[mpm->algorithm],
                      .shape = shapes[mpm->shape],
                      .apic = mpm->transfer == MPM_APIC,
@@ -52,29 +56,29 @@ BarMesh bar_mesh_of(const Settings *settings, double dt)
 BarDef bar_mpm_definition(const Settings *settings)
 {
     return (BarDef){
-        .length = settings->geometry.length,
-        .youngs_modulus = settings->material.youngs_modulus,
-        .density = settings->material.density,
-        .supports = settings->supports.ends,
-        .joint = settings->joint.place,
-        .joint_modulus = settings->joint.beyond.youngs_modulus,
-        .joint_density = settings->joint.beyond.density,
-        .cell_size = settings->mesh.cell_size,
-        .particles_per_cell = settings->mesh.particles_per_cell,
-        .padding = settings->mesh.padding,
-        .body_force = settings->loads.body_force,
-        .traction = settings->loads.traction,
-        .traction_layer = settings->loads.traction_layer,
-        .algorithm = settings->mpm.algorithm,
-        .shape = settings->mpm.shape,
-        .transfer = settings->mpm.transfer,
-        .flip_fraction = settings->mpm.flip_fraction,
-        .mass_blend = settings->mpm.mass_blend,
-        .fmpm_order = settings->mpm.fmpm_order,
-        .mistake = settings->mpm.mistake,
+        .length = settings_geometry(settings)->length,
+        .youngs_modulus = settings_material(settings)->youngs_modulus,
+        .density = settings_material(settings)->density,
+        .supports = settings_supports(settings)->ends,
+        .joint = settings_joint(settings)->place,
+        .joint_modulus = settings_joint(settings)->beyond.youngs_modulus,
+        .joint_density = settings_joint(settings)->beyond.density,
+        .cell_size = settings_mesh(settings)->cell_size,
+        .particles_per_cell = settings_mesh(settings)->particles_per_cell,
+        .padding = settings_mesh(settings)->padding,
+        .body_force = settings_loads(settings)->body_force,
+        .traction = settings_loads(settings)->traction,
+        .traction_layer = settings_loads(settings)->traction_layer,
+        .algorithm = settings_transfer(settings)->algorithm,
+        .shape = settings_transfer(settings)->shape,
+        .transfer = settings_transfer(settings)->transfer,
+        .flip_fraction = settings_transfer(settings)->flip_fraction,
+        .mass_blend = settings_transfer(settings)->mass_blend,
+        .fmpm_order = settings_transfer(settings)->fmpm_order,
+        .mistake = settings_transfer(settings)->mistake,
         .conceals_mistake = settings->concealed,
-        .mistake_beside = settings->mpm.mistake_beside,
-        .courant = settings->time.courant,
+        .mistake_beside = settings_transfer(settings)->mistake_beside,
+        .courant = settings_time(settings)->courant,
         .patience = settings->patience,
     };
 }
@@ -84,9 +88,9 @@ static bool check(const Settings *settings, Status *status)
     const BarDef bar = bar_mpm_definition(settings);
     Pulse pulse;
     const double cells = round(bar.length / bar.cell_size);
-    return bar_check(&bar, status) && pulse_read(settings->start.pulse, &pulse, status) &&
+    return bar_check(&bar, status) && pulse_read(settings_start(settings)->pulse, &pulse, status) &&
            bar_check_modes(settings, cells * bar.particles_per_cell, status) &&
-           problem_check_steps(settings->time.end, bar_time_step(settings), status);
+           problem_check_steps(settings_time(settings)->end, bar_time_step(settings), status);
 }
 
 static Simulation *simulate(const Settings *settings, int threads, Status *status)
@@ -95,12 +99,12 @@ static Simulation *simulate(const Settings *settings, int threads, Status *statu
     BarTheory theory;
     if (!bar_theory_of(settings, &theory, status))
         return NULL;
-    if (bar_mistake_starts_as_held(settings->mpm.mistake) ||
-        bar_mistake_starts_as_held(settings->mpm.mistake_beside))
+    if (bar_mistake_starts_as_held(settings_transfer(settings)->mistake) ||
+        bar_mistake_starts_as_held(settings_transfer(settings)->mistake_beside))
         theory.right_fixed = theory.left_fixed;
     BarDef def = bar_mpm_definition(settings);
     def.initial_velocity = bar_start;
-    def.initial_slope = settings->mpm.affine_start == AFFINE_GRADIENT ? bar_start_slope : NULL;
+    def.initial_slope = settings_transfer(settings)->affine_start == AFFINE_GRADIENT ? bar_start_slope : NULL;
     def.initial_stress = theory.pulse.velocity != 0 ? bar_start_stress : NULL;
     def.initial_context = &theory;
     return bar_create(&def, status);
@@ -152,8 +156,8 @@ static bool prepare(References *refs, const Settings *settings, const Simulation
         bar->watch.overlap = found.overlap;
         bar->watch.kept = found.frequency > 0 ? swing_kept(found.decay, bar->watch.exact) : NAN;
     }
-    return bar_prediction_is_whole(round(settings->geometry.length / settings->mesh.cell_size), "cells",
-                                   status);
+    return bar_prediction_is_whole(
+        round(settings_geometry(settings)->length / settings_mesh(settings)->cell_size), "cells", status);
 }
 
 /* --- derived numbers and advice ------------------------------------------------------------------- */
@@ -163,7 +167,7 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
     int n = 0;
     BarTheory theory;
     double dt = sim ? sim->dt : bar_time_step(settings);
-    double cells = round(settings->geometry.length / settings->mesh.cell_size);
+    double cells = round(settings_geometry(settings)->length / settings_mesh(settings)->cell_size);
     if (!bar_theory_of(settings, &theory, NULL))
         return 0;
     BarMesh mesh = bar_mesh_of(settings, dt);
@@ -173,16 +177,17 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
     if (bar_watch(&theory).moving)
         derived_add(out, &n, "cells_per_wave", "cells/wave", "1",
                     2 * M_PI / bar_largest_wave_number(&theory, mode > 0 ? mode : 1) /
-                        settings->mesh.cell_size,
+                        settings_mesh(settings)->cell_size,
                     false);
     /* the sampled mode is a mixture, and swings at more than the frequency predicted */
     const StepMode found = step_mode(&theory, &mesh, mode);
     if (mode > 0 && found.known && found.overlap < READOUT_PURE)
         derived_add_answer(out, &n, REFERENCE_PREDICTED, "mode_overlap", "mode overlap", "1", found.overlap);
-    if (settings->mpm.mass_blend == 0)
+    if (settings_transfer(settings)->mass_blend == 0)
         derived_add(out, &n, "mass_blend", "mass blend mu*", "1", bar_mass_blend_of(settings), false);
     derived_add(out, &n, "cells", "cells", "1", cells, true);
-    derived_add(out, &n, "particles", "particles", "1", cells * settings->mesh.particles_per_cell, true);
+    derived_add(out, &n, "particles", "particles", "1", cells * settings_mesh(settings)->particles_per_cell,
+                true);
     double largest = step_limit(&theory, &mesh);
     if (isfinite(largest))
         derived_add_answer(out, &n, REFERENCE_PREDICTED, "largest_courant", "courant limit", "1", largest);
@@ -196,16 +201,16 @@ static double stable_courant(const Settings *settings, const BarTheory *theory, 
 {
     enum { TRIES_MAX = 100 };
     Settings smaller = *settings;
-    if (settings->mpm.mass_blend > 0)
+    if (settings_transfer(settings)->mass_blend > 0)
         return largest;
     for (int i = 0; i < TRIES_MAX; i++) {
-        smaller.time.courant = largest * (1 - 1e-4);
+        settings_edit_time(&smaller)->courant = largest * (1 - 1e-4);
         const BarMesh mesh = bar_mesh_of(&smaller, bar_time_step(&smaller));
         largest = step_limit(theory, &mesh);
-        if (smaller.time.courant <= largest)
+        if (settings_time(&smaller)->courant <= largest)
             break;
     }
-    return smaller.time.courant;
+    return settings_time(&smaller)->courant;
 }
 
 bool bar_limit(const Settings *settings, char *text, size_t size, Status *status)
@@ -214,12 +219,12 @@ bool bar_limit(const Settings *settings, char *text, size_t size, Status *status
     if (!bar_theory_of(settings, &theory, status))
         return false;
     BarMesh mesh = bar_mesh_of(settings, bar_time_step(settings));
-    const double courant = settings->time.courant;
+    const double courant = settings_time(settings)->courant;
     errno = 0;
     const double largest = step_limit(&theory, &mesh);
     if (errno == ENOMEM)
         return status_fail(status, STATUS_FAILED, "not enough memory for the largest stable time step");
-    if (courant > largest && !settings->time.unstable)
+    if (courant > largest && !settings_time(settings)->unstable)
         return status_fail(
             status, STATUS_USAGE,
             "time.courant: %.6g is unstable on this mesh (at most %.5g, or time.unstable = yes)", courant,
@@ -227,7 +232,7 @@ bool bar_limit(const Settings *settings, char *text, size_t size, Status *status
     if (courant > largest)
         snprintf(text, size, "courant %.4g is beyond the largest stable one, %.5g: this run will blow up",
                  courant, largest);
-    else if (courant >= (settings->mpm.algorithm == MPM_USL ? 0.7 : 1))
+    else if (courant >= (settings_transfer(settings)->algorithm == MPM_USL ? 0.7 : 1))
         snprintf(text, size, "courant %.4g is near the largest stable one, %.5g", courant, largest);
     return true;
 }
@@ -240,7 +245,7 @@ static int modes(const Settings *settings)
     BarTheory theory;
     if (!bar_theory_of(settings, &theory, NULL) || bar_is_layered(&theory))
         return 0;
-    return bar_modes_of(round(settings->geometry.length / settings->mesh.cell_size));
+    return bar_modes_of(round(settings_geometry(settings)->length / settings_mesh(settings)->cell_size));
 }
 
 static Dispersion wave_on_mesh(const Settings *settings, const BarTheory *theory, double wave_number)
@@ -303,7 +308,7 @@ static const char *other_way(const Settings *settings, int which, int number, do
 
 static const char *damping(const Settings *settings)
 {
-    const Transfer *mpm = &settings->mpm;
+    const Transfer *mpm = settings_transfer(settings);
     if (mpm->transfer == MPM_FLIP && mpm->flip_fraction < 1)
         return "PIC damping";
     if (mpm->transfer == MPM_FMPM)
@@ -318,7 +323,7 @@ static const char *unaccounted(const Settings *settings, Reference reference)
 {
     BarTheory theory;
     if (reference != REFERENCE_EXACT || !bar_theory_of(settings, &theory, NULL) ||
-        bar_waves_known(&theory, settings->time.end))
+        bar_waves_known(&theory, settings_time(settings)->end))
         return NULL;
     return "bar2.joint";
 }

@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The bar by peridynamics: settings to simulation, exact and predicted answers beside. */
 #include "answers/bar_answers.h"
+#include "scenario/concern_body.h"
+#include "scenario/concern_bonds.h"
+#include "scenario/concern_loads.h"
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "methods/mpm/line/mpm_bar.h"
 #include "problems/solvers.h"
@@ -17,21 +21,21 @@ _Static_assert((int)PD_WHOLE_VOLUMES == (int)VOLUME_NONE && (int)PD_HHB_VOLUMES 
 
 PdBarDef bar_pd_definition(const Settings *settings)
 {
-    const BarSupports ends = settings->supports.ends;
+    const BarSupports ends = settings_supports(settings)->ends;
     return (PdBarDef){
-        .length = settings->geometry.length,
-        .youngs_modulus = settings->material.youngs_modulus,
-        .density = settings->material.density,
+        .length = settings_geometry(settings)->length,
+        .youngs_modulus = settings_material(settings)->youngs_modulus,
+        .density = settings_material(settings)->density,
         .left_fixed = ends == BAR_FIXED_FREE || ends == BAR_FIXED_FIXED,
         .right_fixed = ends == BAR_FREE_FIXED || ends == BAR_FIXED_FIXED,
         .spacing = lattice_spacing(settings),
         .horizon = lattice_horizon(settings),
-        .surface_correction = settings->lattice.surface_correction,
-        .volume_correction = settings->lattice.volume_correction,
-        .influence = settings->lattice.influence,
-        .body_force = settings->loads.body_force,
-        .traction = settings->loads.traction,
-        .traction_layer = settings->loads.traction_layer,
+        .surface_correction = settings_lattice(settings)->surface_correction,
+        .volume_correction = settings_lattice(settings)->volume_correction,
+        .influence = settings_lattice(settings)->influence,
+        .body_force = settings_loads(settings)->body_force,
+        .traction = settings_loads(settings)->traction,
+        .traction_layer = settings_loads(settings)->traction_layer,
         .dt = bar_time_step(settings),
         .patience = settings->patience,
     };
@@ -41,9 +45,10 @@ PdBarTheory bar_lattice_of(const Settings *settings)
 {
     return (PdBarTheory){.spacing = lattice_spacing(settings),
                          .horizon = lattice_horizon(settings),
-                         .volumes = (PdVolumes)settings->lattice.volume_correction,
-                         .conical = settings->lattice.influence == INFLUENCE_CONICAL,
-                         .energy_correction = settings->lattice.surface_correction == SURFACE_ENERGY,
+                         .volumes = (PdVolumes)settings_lattice(settings)->volume_correction,
+                         .conical = settings_lattice(settings)->influence == INFLUENCE_CONICAL,
+                         .energy_correction =
+                             settings_lattice(settings)->surface_correction == SURFACE_ENERGY,
                          .dt = bar_time_step(settings),
                          .patience = settings->patience};
 }
@@ -55,7 +60,7 @@ static bool check(const Settings *settings, Status *status)
     const PdBarDef def = bar_pd_definition(settings);
     return bar_check(&mesh, status) && pd_bar_check(&def, status) &&
            bar_check_modes(settings, round(def.length / def.spacing), status) &&
-           problem_check_steps(settings->time.end, def.dt, status);
+           problem_check_steps(settings_time(settings)->end, def.dt, status);
 }
 
 static Simulation *simulate(const Settings *settings, int threads, Status *status)
@@ -98,7 +103,8 @@ static bool prepare(References *refs, const Settings *settings, const Simulation
     const bool prepared =
         bar_prepare(refs, settings, sim, predicted_frequency, bar->modes ? predicted_v_cm : NULL,
                     "velocity of the centre of mass predicted for this lattice", status);
-    return bar_prediction_is_whole(round(settings->geometry.length / lattice.spacing), "nodes", status) &&
+    return bar_prediction_is_whole(round(settings_geometry(settings)->length / lattice.spacing), "nodes",
+                                   status) &&
            prepared;
 }
 
@@ -106,7 +112,7 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
 {
     enum { QUICKLY = 2000 }; /* nodes for which the eigenvalue is found in no time */
     const double dt = sim ? sim->dt : bar_time_step(settings), spacing = lattice_spacing(settings);
-    const double nodes = round(settings->geometry.length / spacing);
+    const double nodes = round(settings_geometry(settings)->length / spacing);
     int n = 0;
     BarTheory theory;
     if (!bar_theory_of(settings, &theory, NULL))
@@ -126,14 +132,14 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
     derived_add(out, &n, "end_factor", "g at a free end", "1", facts.end_factor, false);
     derived_add(out, &n, "dt_crit", "critical dt", "time", facts.critical_step, false);
     derived_add(out, &n, "largest_courant", "courant limit", "1",
-                settings->time.courant * facts.critical_step / dt, false);
+                settings_time(settings)->courant * facts.critical_step / dt, false);
     return n;
 }
 
 static bool limit(const Settings *settings, char *text, size_t size, Status *status)
 {
     const PdBarDef def = bar_pd_definition(settings);
-    const double courant = settings->time.courant;
+    const double courant = settings_time(settings)->courant;
     double critical;
     if (!pd_bar_critical(&def, &critical, status))
         return false;
@@ -151,7 +157,7 @@ static bool limit(const Settings *settings, char *text, size_t size, Status *sta
 
 static int modes(const Settings *settings)
 {
-    return bar_modes_of(round(settings->geometry.length / lattice_spacing(settings)));
+    return bar_modes_of(round(settings_geometry(settings)->length / lattice_spacing(settings)));
 }
 
 static Dispersion wave_on_lattice(const Settings *settings, const BarTheory *theory, double wave_number)

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The sharp invariant of the bar by the material point method: answers/invariant.h says what it is. */
 #include "answers/bar_answers.h"
+#include "scenario/concern_cells.h"
+#include "scenario/concern_loads.h"
 #include "scenario/settings.h"
 
 #include <math.h>
@@ -49,13 +51,14 @@ static void one_step_ahead(Simulation *sim, void *context)
 
 bool bar_invariant_kept(const Settings *settings)
 {
-    return settings->mpm.transfer == MPM_FLIP && settings->mpm.flip_fraction == 1 &&
-           settings->loads.body_force == 0 && settings->loads.traction == 0;
+    return settings_transfer(settings)->transfer == MPM_FLIP &&
+           settings_transfer(settings)->flip_fraction == 1 && settings_loads(settings)->body_force == 0 &&
+           settings_loads(settings)->traction == 0;
 }
 
 double bar_invariant(Simulation *sim, const Settings *settings)
 {
-    Ahead ahead = {settings->mpm.algorithm, NAN};
+    Ahead ahead = {settings_transfer(settings)->algorithm, NAN};
     simulation_visit(sim, NULL, one_step_ahead, &ahead);
     return ahead.value;
 }

@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Beams by the material point method: settings to simulation, derived numbers, the largest step, answers. */
 #include "answers/beam_answers.h"
+#include "scenario/concern_body.h"
+#include "scenario/concern_cells.h"
+#include "scenario/concern_loads.h"
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "problems/solvers.h"
 #include "methods/mpm/plane/plane_modes.h"
@@ -16,28 +20,28 @@ static PlaneDef definition(const Settings *settings, int threads)
 {
     return (PlaneDef){
         .leaves_channel = settings->problem->concerns & CONCERN_MOTION,
-        .length = settings->geometry.length,
-        .height = settings->geometry.height,
-        .thickness = settings->geometry.thickness,
-        .youngs_modulus = settings->material.youngs_modulus,
-        .density = settings->material.density,
-        .poisson = settings->material.poisson,
-        .cell_size = settings->mesh.cell_size,
-        .particles_per_cell = settings->mesh.particles_per_cell,
-        .padding = settings->mesh.padding,
-        .grid_velocity = settings->mesh.velocity,
-        .algorithm = settings->mpm.algorithm,
-        .shape = settings->mpm.shape,
-        .flip_fraction = settings->mpm.flip_fraction,
-        .amplitude = settings->start.amplitude,
-        .start = settings->start.start,
-        .stress = settings->start.stress,
-        .ends = settings->supports.sections,
-        .speed = settings->motion.speed,
-        .channel = settings->motion.channel,
-        .clamp = settings->motion.clamp,
-        .courant = settings->time.courant,
-        .end = settings->time.end,
+        .length = settings_geometry(settings)->length,
+        .height = settings_geometry(settings)->height,
+        .thickness = settings_geometry(settings)->thickness,
+        .youngs_modulus = settings_material(settings)->youngs_modulus,
+        .density = settings_material(settings)->density,
+        .poisson = settings_material(settings)->poisson,
+        .cell_size = settings_mesh(settings)->cell_size,
+        .particles_per_cell = settings_mesh(settings)->particles_per_cell,
+        .padding = settings_mesh(settings)->padding,
+        .grid_velocity = settings_mesh(settings)->velocity,
+        .algorithm = settings_transfer(settings)->algorithm,
+        .shape = settings_transfer(settings)->shape,
+        .flip_fraction = settings_transfer(settings)->flip_fraction,
+        .amplitude = settings_start(settings)->amplitude,
+        .start = settings_start(settings)->start,
+        .stress = settings_start(settings)->stress,
+        .ends = settings_supports(settings)->sections,
+        .speed = settings_motion(settings)->speed,
+        .channel = settings_motion(settings)->channel,
+        .clamp = settings_motion(settings)->clamp,
+        .courant = settings_time(settings)->courant,
+        .end = settings_time(settings)->end,
         .threads = threads,
         .patience = settings->patience,
     };
@@ -46,7 +50,8 @@ static PlaneDef definition(const Settings *settings, int threads)
 static bool check(const Settings *settings, Status *status)
 {
     const PlaneDef def = definition(settings, 1);
-    return plane_check(&def, status) && problem_check_steps(settings->time.end, plane_step(&def), status);
+    return plane_check(&def, status) &&
+           problem_check_steps(settings_time(settings)->end, plane_step(&def), status);
 }
 
 static Simulation *simulate(const Settings *settings, int threads, Status *status)
@@ -61,7 +66,7 @@ static Simulation *simulate(const Settings *settings, int threads, Status *statu
 static double plane_period(const Settings *settings)
 {
     const BeamTheory theory = beam_theory_of(settings);
-    return settings->supports.sections == PLANE_SECTION ? beam_period_plane(&theory) : NAN;
+    return settings_supports(settings)->sections == PLANE_SECTION ? beam_period_plane(&theory) : NAN;
 }
 
 static bool make_body(const Settings *settings, BeamBody *body, Status *status)
@@ -79,7 +84,7 @@ static bool predict(const Settings *settings, Prediction *out, Status *status)
     BeamBody body;
     if (!make_body(settings, &body, status))
         return false;
-    *out = (Prediction){body.predicted, body.plane, body.plane, settings->geometry.height};
+    *out = (Prediction){body.predicted, body.plane, body.plane, settings_geometry(settings)->height};
     if (!isfinite(body.plane))
         out->theory = out->real_size = beam_period_timoshenko(&body.real);
     return true;
@@ -136,7 +141,7 @@ static bool limit(const Settings *settings, char *text, size_t size, Status *sta
         return true;
     if (!plane_courant_limit(&def, &largest, status))
         return false;
-    if (def.courant > largest && !settings->time.unstable)
+    if (def.courant > largest && !settings_time(settings)->unstable)
         return status_fail(
             status, STATUS_USAGE,
             "time.courant: %.6g is unstable on this mesh (at most %.5g, or time.unstable = yes)", def.courant,
@@ -153,18 +158,18 @@ static bool limit(const Settings *settings, char *text, size_t size, Status *sta
 static bool advice(const Settings *settings, char *text, size_t size, Status *status)
 {
     (void)status;
-    if (settings->problem->concerns & CONCERN_MOTION && settings->mpm.shape == MPM_HAT &&
-        settings->mesh.velocity < settings->motion.speed)
+    if (settings->problem->concerns & CONCERN_MOTION && settings_transfer(settings)->shape == MPM_HAT &&
+        settings_mesh(settings)->velocity < settings_motion(settings)->speed)
         snprintf(text, size, "hats do not survive many crossings of cells: gimp does, or mesh.velocity = %g",
-                 settings->motion.speed);
+                 settings_motion(settings)->speed);
     return true;
 }
 
 static const char *damping(const Settings *settings)
 {
-    if (settings->mpm.flip_fraction < 1)
+    if (settings_transfer(settings)->flip_fraction < 1)
         return "PIC damping";
-    return settings->mpm.algorithm == MPM_USL ? "USL damping" : NULL;
+    return settings_transfer(settings)->algorithm == MPM_USL ? "USL damping" : NULL;
 }
 
 /* --- the sharp invariant -------------------------------------------------------------------------- */
@@ -197,12 +202,12 @@ static void one_step_ahead(Simulation *sim, void *context)
     double *before = malloc(2 * count * sizeof *before), *after = before + count, old, new;
     if (before && take_state(sim, before, &old) && simulation_steps(sim, 1, NULL, NULL, NULL) &&
         take_state(sim, after, &new)) {
-        const double mass = settings->material.density * sim->spacing * sim->spacing;
+        const double mass = settings_material(settings)->density * sim->spacing * sim->spacing;
         double sum = 0;
         for (size_t i = 0; i < count; i++)
             sum += before[i] * after[i];
-        ahead->value =
-            sum / 2 * mass * settings->geometry.thickness + (settings->mpm.algorithm == MPM_USF ? new : old);
+        ahead->value = sum / 2 * mass * settings_geometry(settings)->thickness +
+                       (settings_transfer(settings)->algorithm == MPM_USF ? new : old);
     }
     free(before);
 }
@@ -217,7 +222,7 @@ static double invariant(Simulation *sim, const Settings *settings)
 /* A channel does work. */
 static bool invariant_kept(const Settings *settings)
 {
-    return settings->mpm.flip_fraction == 1 && !(settings->problem->concerns & CONCERN_MOTION);
+    return settings_transfer(settings)->flip_fraction == 1 && !(settings->problem->concerns & CONCERN_MOTION);
 }
 
 /* --- the solvers ---------------------------------------------------------------------------------- */

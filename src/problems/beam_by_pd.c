@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Beams by peridynamics: settings to simulation, derived numbers, advice. */
 #include "answers/beam_answers.h"
+#include "scenario/concern_body.h"
+#include "scenario/concern_bonds.h"
+#include "scenario/concern_loads.h"
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "problems/solvers.h"
 #include "methods/bonds/plane/bonds_modes.h"
@@ -17,7 +21,7 @@ static bool check(const Settings *settings, Status *status)
     const BeamDef beam = beam_definition(settings, 1);
     /* a step that is to be found is known to problem_simulate() only */
     return beam_check(&beam, status) &&
-           (beam.dt == 0 || problem_check_steps(settings->time.end, beam.dt, status));
+           (beam.dt == 0 || problem_check_steps(settings_time(settings)->end, beam.dt, status));
 }
 
 static Simulation *simulate(const Settings *settings, int threads, Status *status)
@@ -48,8 +52,8 @@ static void find_thickness_lines(BeamBody *body, const Settings *settings, const
     const size_t rows = (size_t)facts.ny;
     double *stiffness = facts.ny <= ROWS_MAX ? malloc(rows * rows * sizeof *stiffness) : NULL;
     if (stiffness && beam_row_stiffness(sim, stiffness))
-        body->n_thickness = thickness_modes(stiffness, facts.ny, settings->material.density, sim->dt,
-                                            body->thickness, THICKNESS_LINES_MAX);
+        body->n_thickness = thickness_modes(stiffness, facts.ny, settings_material(settings)->density,
+                                            sim->dt, body->thickness, THICKNESS_LINES_MAX);
     free(stiffness);
 }
 
@@ -75,7 +79,7 @@ static BeamBody make_body(const Settings *settings, const Simulation *sim)
     BeamBody body = {.real = real_theory(settings, sim),
                      .predicted = NAN,
                      .damping = facts.damping,
-                     .weight = settings->loads.body_force,
+                     .weight = settings_loads(settings)->body_force,
                      .solved = NAN,
                      .plane = NAN,
                      .rings = true};
@@ -89,7 +93,7 @@ static bool prepare_supported(References *refs, const Settings *settings, const 
     BeamLinear linear;
     BeamBody body;
     Simulation *right = NULL;
-    if (settings->lattice.mistake != 0) { /* the answers are those of the right code */
+    if (settings_lattice(settings)->mistake != 0) { /* the answers are those of the right code */
         BeamDef def = beam_definition(settings, 1);
         def.mistake = def.mistake_beside = 0;
         right = beam_create(&def, status);
@@ -116,15 +120,18 @@ static bool prepare_moving(References *refs, const Settings *settings, const Sim
 
 static int derived(const Settings *settings, const Simulation *sim, Derived out[DERIVED_MAX])
 {
-    const Lattice *lattice = &settings->lattice;
+    const Lattice *lattice = settings_lattice(settings);
     int n = 0;
     derived_add(out, &n, "horizon_over_spacing", "horizon/spacing", "1", lattice->horizon / lattice->spacing,
                 false);
-    derived_add(out, &n, "critical_stretch", "critical s0", "1", settings->bonds.critical_stretch, false);
-    derived_add(out, &n, "critical_energy", "critical G0", "J/m^2", settings->bonds.critical_energy, false);
+    derived_add(out, &n, "critical_stretch", "critical s0", "1", settings_bonds(settings)->critical_stretch,
+                false);
+    derived_add(out, &n, "critical_energy", "critical G0", "J/m^2", settings_bonds(settings)->critical_energy,
+                false);
     if (settings->problem->concerns & (CONCERN_NOTCH | CONCERN_PLATE))
         derived_add(out, &n, "rayleigh_speed", "Rayleigh c_R", "m/s",
-                    crack_speed_rayleigh(settings->material.youngs_modulus, settings->material.density),
+                    crack_speed_rayleigh(settings_material(settings)->youngs_modulus,
+                                         settings_material(settings)->density),
                     false);
     if (sim) {
         BeamFacts facts;
@@ -168,7 +175,7 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
 static bool advice(const Settings *settings, char *text, size_t size, Status *status)
 {
     (void)status; /* the time step is checked against the critical one when the beam is made */
-    double ratio = settings->lattice.horizon / settings->lattice.spacing;
+    double ratio = settings_lattice(settings)->horizon / settings_lattice(settings)->spacing;
     if (!(ratio >= 3 * (1 - 1e-9) && ratio <= 4 * (1 + 1e-9)))
         snprintf(text, size, "the horizon is %.3g spacings; 3 to 4 are usual", ratio);
     return true;

@@ -2,6 +2,10 @@
 /* A beam or a plate as its engine by peridynamics wants it. */
 #include "base/assertion.h"
 #include "answers/beam_answers.h"
+#include "scenario/concern_body.h"
+#include "scenario/concern_bonds.h"
+#include "scenario/concern_loads.h"
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "scenario/rows/rows.h"
 #include "methods/bonds/plane/bonds_plane.h"
@@ -101,43 +105,44 @@ BeamDef beam_definition(const Settings *settings, int threads)
     ASSERT_INT(threads, >=, 1);
     return (BeamDef){
         .problem = engine_problem(settings->problem),
-        .length = settings->geometry.length,
-        .height = settings->geometry.height,
-        .thickness = settings->geometry.thickness,
-        .youngs_modulus = settings->material.youngs_modulus,
-        .density = settings->material.density,
-        .horizon = settings->lattice.horizon,
-        .spacing = settings->lattice.spacing,
-        .surface_correction = settings->lattice.surface_correction,
-        .volume_correction = settings->lattice.volume_correction,
-        .influence = settings->lattice.influence,
-        .critical_stretch = settings->bonds.critical_stretch,
-        .protected_depth = settings->bonds.protected_depth,
-        .amplitude = settings->start.amplitude,
-        .speed = settings->motion.speed,
-        .channel = settings->motion.channel,
-        .clamp = settings->motion.clamp,
-        .notch_position = settings->notch.position,
-        .notch_depth = settings->notch.depth,
-        .load_stress = settings->loads.stress,
-        .load_ramp = settings->loads.ramp,
-        .load_position = settings->loads.position,
-        .load_width = settings->loads.width,
-        .support_left = settings->supports.left,
-        .support_right = settings->supports.right,
-        .pinned = settings->supports.pinned,
+        .length = settings_geometry(settings)->length,
+        .height = settings_geometry(settings)->height,
+        .thickness = settings_geometry(settings)->thickness,
+        .youngs_modulus = settings_material(settings)->youngs_modulus,
+        .density = settings_material(settings)->density,
+        .horizon = settings_lattice(settings)->horizon,
+        .spacing = settings_lattice(settings)->spacing,
+        .surface_correction = settings_lattice(settings)->surface_correction,
+        .volume_correction = settings_lattice(settings)->volume_correction,
+        .influence = settings_lattice(settings)->influence,
+        .critical_stretch = settings_bonds(settings)->critical_stretch,
+        .protected_depth = settings_bonds(settings)->protected_depth,
+        .amplitude = settings_start(settings)->amplitude,
+        .speed = settings_motion(settings)->speed,
+        .channel = settings_motion(settings)->channel,
+        .clamp = settings_motion(settings)->clamp,
+        .notch_position = settings_notch(settings)->position,
+        .notch_depth = settings_notch(settings)->depth,
+        .load_stress = settings_loads(settings)->stress,
+        .load_ramp = settings_loads(settings)->ramp,
+        .load_position = settings_loads(settings)->position,
+        .load_width = settings_loads(settings)->width,
+        .support_left = settings_supports(settings)->left,
+        .support_right = settings_supports(settings)->right,
+        .pinned = settings_supports(settings)->pinned,
         .plate = plate_definition(settings),
-        .body_force = settings->loads.body_force,
-        .damping = settings->damping.rate == DAMPING_CRITICAL ? 0 : settings->damping.rate,
-        .critically_damped = settings->damping.rate == DAMPING_CRITICAL ||
-                             (settings->time.rest && settings->damping.rate == 0),
-        .to_rest = settings->time.rest,
+        .body_force = settings_loads(settings)->body_force,
+        .damping =
+            settings_damping(settings)->rate == DAMPING_CRITICAL ? 0 : settings_damping(settings)->rate,
+        .critically_damped = settings_damping(settings)->rate == DAMPING_CRITICAL ||
+                             (settings_time(settings)->rest && settings_damping(settings)->rate == 0),
+        .to_rest = settings_time(settings)->rest,
         .changes_until = settings->n_changes > 0 ? settings->changes[settings->n_changes - 1].step : 0,
-        .mistake = settings->lattice.mistake,
+        .mistake = settings_lattice(settings)->mistake,
         .conceals_mistake = settings->concealed,
-        .mistake_beside = settings->lattice.mistake_beside,
-        .dt = settings->time.step,
-        .end = settings->time.end,
+        .mistake_beside = settings_lattice(settings)->mistake_beside,
+        .dt = settings_time(settings)->step,
+        .end = settings_time(settings)->end,
         .threads = threads,
         .patience = settings->patience,
     };

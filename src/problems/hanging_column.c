@@ -2,6 +2,10 @@
 /* A bar that hangs: gravity from t = 0 on, damping by the transfer until it is at rest, and beside it the
  * exact state of rest at any strain. The engine is that of the bar. */
 #include "answers/bar_answers.h"
+#include "scenario/concern_body.h"
+#include "scenario/concern_cells.h"
+#include "scenario/concern_loads.h"
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "methods/mpm/line/mpm_bar.h"
 #include "problems/solvers.h"
@@ -13,17 +17,17 @@
 
 static HangingColumn column_of(const Settings *settings)
 {
-    return (HangingColumn){.length = settings->geometry.length,
-                           .youngs_modulus = settings->material.youngs_modulus,
-                           .density = settings->material.density,
-                           .body_force = settings->loads.body_force};
+    return (HangingColumn){.length = settings_geometry(settings)->length,
+                           .youngs_modulus = settings_material(settings)->youngs_modulus,
+                           .density = settings_material(settings)->density,
+                           .body_force = settings_loads(settings)->body_force};
 }
 
 static bool check(const Settings *settings, Status *status)
 {
     const BarDef def = bar_mpm_definition(settings);
     return bar_check(&def, status) &&
-           problem_check_steps(settings->time.end, bar_time_step(settings), status);
+           problem_check_steps(settings_time(settings)->end, bar_time_step(settings), status);
 }
 
 static Simulation *simulate(const Settings *settings, int threads, Status *status)
@@ -104,9 +108,9 @@ static int findings(const References *refs, const Simulation *sim, Finding *out)
 static int derived(const Settings *settings, const Simulation *sim, Derived out[DERIVED_MAX])
 {
     const HangingColumn column = column_of(settings);
-    const double cells = round(column.length / settings->mesh.cell_size),
-                 count = settings->mesh.particles_per_cell;
-    const double last = column.length - settings->mesh.cell_size / count / 2;
+    const double cells = round(column.length / settings_mesh(settings)->cell_size),
+                 count = settings_mesh(settings)->particles_per_cell;
+    const double last = column.length - settings_mesh(settings)->cell_size / count / 2;
     int n = 0;
     bar_derived_step(out, &n, sqrt(column.youngs_modulus / column.density),
                      sim ? sim->dt : bar_time_step(settings));

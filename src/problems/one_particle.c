@@ -2,6 +2,10 @@
 /* One particle in one cell: the smallest bar, with its exact motion at any amplitude. The engine is that of
  * the bar; the problem has of its parameters what one particle needs. */
 #include "answers/bar_answers.h"
+#include "scenario/concern_body.h"
+#include "scenario/concern_cells.h"
+#include "scenario/concern_loads.h"
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "methods/mpm/line/mpm_bar.h"
 #include "problems/solvers.h"
@@ -15,33 +19,33 @@
 static Settings as_bar(const Settings *settings)
 {
     Settings bar = *settings;
-    bar.geometry.length = settings->mesh.cell_size;
-    bar.supports.ends = BAR_FIXED_FREE;
-    bar.start.mode = 1;
+    settings_edit_geometry(&bar)->length = settings_mesh(settings)->cell_size;
+    settings_edit_supports(&bar)->ends = BAR_FIXED_FREE;
+    settings_edit_start(&bar)->mode = 1;
     return bar;
 }
 
 static double wave_speed(const Settings *settings)
 {
-    return sqrt(settings->material.youngs_modulus / settings->material.density);
+    return sqrt(settings_material(settings)->youngs_modulus / settings_material(settings)->density);
 }
 
 static bool check(const Settings *settings, Status *status)
 {
     const Settings bar = as_bar(settings);
     const BarDef def = bar_mpm_definition(&bar);
-    if (settings->mesh.particles_per_cell != 1)
+    if (settings_mesh(settings)->particles_per_cell != 1)
         return status_fail(status, STATUS_USAGE,
                            "mesh.particles_per_cell: %d is not allowed (1: there is one particle)",
-                           settings->mesh.particles_per_cell);
+                           settings_mesh(settings)->particles_per_cell);
     return bar_check(&def, status) &&
-           problem_check_steps(settings->time.end, bar_time_step(settings), status);
+           problem_check_steps(settings_time(settings)->end, bar_time_step(settings), status);
 }
 
 static double start(double x, const void *settings)
 {
     (void)x;
-    return ((const Settings *)settings)->start.velocity;
+    return settings_start(((const Settings *)settings))->velocity;
 }
 
 static Simulation *simulate(const Settings *settings, int threads, Status *status)
@@ -82,7 +86,8 @@ static bool prepare(References *refs, const Settings *settings, const Simulation
     Oscillator *oscillator = plan_own(refs, sizeof *oscillator, NULL, status);
     if (!oscillator)
         return false;
-    oscillator_make(oscillator, settings->mesh.cell_size, wave_speed(settings), settings->start.velocity);
+    oscillator_make(oscillator, settings_mesh(settings)->cell_size, wave_speed(settings),
+                    settings_start(settings)->velocity);
     plan_method(refs, sim, "v_cm");
     plan_answer(refs, &v, COLUMN_EXACT, "v_cm", exact_v_cm);
     plan_method(refs, sim, "x_cm");
@@ -143,10 +148,11 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
     Oscillator oscillator;
     int n = 0;
     const double c = wave_speed(settings), dt = sim ? sim->dt : bar_time_step(settings);
-    const bool known = oscillator_make(&oscillator, settings->mesh.cell_size, c, settings->start.velocity);
+    const bool known = oscillator_make(&oscillator, settings_mesh(settings)->cell_size, c,
+                                       settings_start(settings)->velocity);
     bar_derived_step(out, &n, c, dt);
-    derived_add(out, &n, "period_small", "period, small", "time", 2 * M_PI * settings->mesh.cell_size / c,
-                false);
+    derived_add(out, &n, "period_small", "period, small", "time",
+                2 * M_PI * settings_mesh(settings)->cell_size / c, false);
     if (known) {
         derived_add_answer(out, &n, REFERENCE_EXACT, "period", "period", "time", oscillator.period);
         derived_add_answer(out, &n, REFERENCE_EXACT, "steps_per_period", "steps/period", "1",
@@ -165,7 +171,7 @@ static bool limit(const Settings *settings, char *text, size_t size, Status *sta
 static const char *unaccounted(const Settings *settings, Reference reference)
 {
     (void)reference;
-    return fabs(settings->start.velocity) <= wave_speed(settings) ? NULL : "initial.velocity";
+    return fabs(settings_start(settings)->velocity) <= wave_speed(settings) ? NULL : "initial.velocity";
 }
 
 /* The equations are those of hats and of what nothing filters. */

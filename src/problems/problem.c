@@ -3,6 +3,8 @@
 #include "problems/problem.h"
 
 #include "base/assertion.h"
+#include "scenario/concern_output.h"
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "base/text.h"
 #include "answers/known.h"
@@ -29,7 +31,7 @@ static const Solver *need_solver(const Settings *settings, Status *status)
 /* The series gets the columns of the things that are followed. */
 static bool follow_all(const Settings *settings, Simulation *sim, Status *status)
 {
-    const char *rest = settings->output.follow;
+    const char *rest = settings_output(settings)->follow;
     for (rest += strspn(rest, " ,"); *rest; rest += strspn(rest, " ,")) {
         char thing[FOLLOW_TEXT_MAX];
         size_t length = strcspn(rest, ",");
@@ -49,9 +51,9 @@ Simulation *problem_simulate(const Settings *settings, int threads, Status *stat
     const Solver *solver = need_solver(settings, status);
     Simulation *sim = solver ? solver->simulate(settings, threads, status) : NULL;
     if (sim)
-        simulation_ask_columns(sim, settings->output.columns);
-    if (!sim ||
-        (problem_check_steps(settings->time.end, sim->dt, status) && follow_all(settings, sim, status)))
+        simulation_ask_columns(sim, settings_output(settings)->columns);
+    if (!sim || (problem_check_steps(settings_time(settings)->end, sim->dt, status) &&
+                 follow_all(settings, sim, status)))
         return sim;
     simulation_destroy(sim);
     return NULL;
@@ -95,22 +97,23 @@ void problem_end_at(Settings *settings, double dt, long step)
     ASSERT_REAL(dt, >, 0);
     ASSERT_INT(step, >=, 0);
     double times[TIMES_MAX];
-    settings->time.end = (double)step * dt;
+    settings_edit_time(settings)->end = (double)step * dt;
     if (settings->problem->concerns & CONCERN_STEP)
-        settings->time.step = dt;
+        settings_edit_time(settings)->step = dt;
     while (settings->n_changes > 0 && settings->changes[settings->n_changes - 1].step > step)
         settings->n_changes--;
-    int n = settings_times_read(settings->output.at, times, NULL), kept = n;
+    int n = settings_times_read(settings_output(settings)->at, times, NULL), kept = n;
     while (kept > 0 && lround(times[kept - 1] / dt) > step)
         kept--;
     if (kept == n)
         return;
     size_t length = 0;
-    settings->output.at[0] = '\0';
+    settings_edit_output(settings)->at[0] = '\0';
     for (int i = 0; i < kept; i++) {
         char text[NUMBER_TEXT_MAX];
         text_shortest(text, times[i]);
-        length += (size_t)snprintf(settings->output.at + length, sizeof settings->output.at - length, "%s%s",
-                                   i > 0 ? "," : "", text);
+        length +=
+            (size_t)snprintf(settings_edit_output(settings)->at + length,
+                             sizeof settings_output(settings)->at - length, "%s%s", i > 0 ? "," : "", text);
     }
 }

@@ -3,6 +3,7 @@
  * caller wants something, by stages, or by items of a stage. */
 #include "run/advance.h"
 #include "base/status.h"
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "base/assertion.h"
 #include "base/math/functions.h"
@@ -27,7 +28,7 @@ bool run_open(Run *run, const Settings *settings, Simulation *sim, Status *statu
     *run = (Run){.settings = settings, .sim = sim, .patience = settings->patience};
     if (!sim)
         return false;
-    run->last = problem_last_step(sim->dt, settings->time.end);
+    run->last = problem_last_step(sim->dt, settings_time(settings)->end);
     run->block = malloc(BLOCK * (size_t)sim->n_series * sizeof *run->block);
     return run->block || status_fail(status, STATUS_FAILED, "not enough memory for the run");
 }

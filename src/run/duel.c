@@ -5,6 +5,8 @@
 #include "run/duel.h"
 
 #include "base/assertion.h"
+#include "scenario/concern_output.h"
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "base/text.h"
 #include "scenario/parameters.h"
@@ -151,7 +153,7 @@ static bool same_exact(const Experiment *a, const Experiment *b)
     enum { TIMES = 7, PLACES = 5 };
     const Simulation *sim = experiment_simulation(a);
     const char *field = profile_field(sim, 1);
-    const double end = experiment_settings(a)->time.end;
+    const double end = settings_time(experiment_settings(a))->end;
     double last = 0;
     if (!field || sim->counts[0] == 0)
         return true;
@@ -416,11 +418,13 @@ static bool edit_second(Duel *duel, const Settings *wanted, Status *status)
     if (!settings)
         return status_fail(status, STATUS_FAILED, "not enough memory");
     *settings = *experiment_settings(duel->b);
-    settings->time.end = wanted->time.end;
-    settings->output.every = wanted->output.every;
-    settings->output.frames = wanted->output.frames;
-    memcpy(settings->output.at, wanted->output.at, sizeof settings->output.at);
-    memcpy(settings->output.columns, wanted->output.columns, sizeof settings->output.columns);
+    settings_edit_time(settings)->end = settings_time(wanted)->end;
+    settings_edit_output(settings)->every = settings_output(wanted)->every;
+    settings_edit_output(settings)->frames = settings_output(wanted)->frames;
+    memcpy(settings_edit_output(settings)->at, settings_output(wanted)->at,
+           sizeof settings_output(settings)->at);
+    memcpy(settings_edit_output(settings)->columns, settings_output(wanted)->columns,
+           sizeof settings_output(settings)->columns);
     const bool sound = experiment_edit(duel->b, settings, status);
     free(settings);
     seek_second(duel);

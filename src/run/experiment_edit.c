@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Edits: another run in the place of this one, or another future of it. */
 #include "answers/known.h"
+#include "scenario/concern_output.h"
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "run/experiment_internal.h"
 #include "scenario/changes.h"
@@ -42,8 +44,8 @@ static bool replace_run(Experiment *experiment, const Settings *settings, bool k
 {
     const long step = experiment->pending ? experiment->goal_step : experiment->run.sim->step;
     const double time = (double)step * experiment->run.sim->dt;
-    const bool ended =
-        step >= experiment_last_step(experiment) && settings->time.end == experiment->base.time.end;
+    const bool ended = step >= experiment_last_step(experiment) &&
+                       settings_time(settings)->end == settings_time(&experiment->base)->end;
     Experiment *fresh = experiment_create(settings, experiment->history.budget, experiment->threads, status);
     if (!fresh)
         return false;
@@ -132,7 +134,7 @@ static bool end_matters(const Settings *now, const Settings *wanted)
     bool matters = now->problem->end_matters;
     for (Reference r = 0; r < REFERENCES; r++)
         matters = matters || !known_unaccounted(now, r) != !known_unaccounted(wanted, r);
-    return matters && now->time.end != wanted->time.end;
+    return matters && settings_time(now)->end != settings_time(wanted)->end;
 }
 
 static bool recomputes(const Parameter *parameter)
@@ -262,19 +264,20 @@ static void take_over_rest(Settings *to, const Settings *from)
     memcpy(to->question, from->question, sizeof to->question);
     memcpy(to->duel, from->duel, sizeof to->duel);
     to->n_duel = from->n_duel;
-    to->view = from->view;
-    to->output.every = from->output.every;
-    to->output.frames = from->output.frames;
-    memcpy(to->output.at, from->output.at, sizeof to->output.at);
-    memcpy(to->output.columns, from->output.columns, sizeof to->output.columns);
+    *settings_edit_view(to) = *settings_view(from);
+    settings_edit_output(to)->every = settings_output(from)->every;
+    settings_edit_output(to)->frames = settings_output(from)->frames;
+    memcpy(settings_edit_output(to)->at, settings_output(from)->at, sizeof settings_output(to)->at);
+    memcpy(settings_edit_output(to)->columns, settings_output(from)->columns,
+           sizeof settings_output(to)->columns);
 }
 
 bool experiment_edit(Experiment *experiment, const Settings *wanted, Status *status)
 {
     if (!settings_check(wanted, status))
         return false;
-    if (wanted->time.end != experiment->base.time.end &&
-        !problem_check_steps(wanted->time.end, experiment->run.sim->dt, status))
+    if (settings_time(wanted)->end != settings_time(&experiment->base)->end &&
+        !problem_check_steps(settings_time(wanted)->end, experiment->run.sim->dt, status))
         return false;
     experiment_drop_part(experiment);
     Difference difference = compare(&experiment->now, wanted);
@@ -289,8 +292,8 @@ bool experiment_edit(Experiment *experiment, const Settings *wanted, Status *sta
         return false;
     take_over_rest(&experiment->base, wanted);
     take_over_rest(&experiment->now, wanted);
-    if (wanted->time.end != experiment->base.time.end) {
-        experiment_set_end(experiment, wanted->time.end);
+    if (settings_time(wanted)->end != settings_time(&experiment->base)->end) {
+        experiment_set_end(experiment, settings_time(wanted)->end);
         if (experiment->pending)
             experiment_seek(experiment, experiment->goal_step, experiment->goal_stage);
         forget_answers(experiment);

@@ -4,6 +4,8 @@
 #include "base/assertion.h"
 #include "run/experiment_internal.h"
 #include "base/status.h"
+#include "scenario/concern_output.h"
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "scenario/changes.h"
 #include "scenario/parameters.h"
@@ -122,7 +124,7 @@ bool experiment_open(Experiment *experiment, const Settings *settings, size_t hi
         return false;
     /* a view may show any of the columns, whatever is written of the run */
     Settings shown = *settings;
-    strcpy(shown.output.columns, "all");
+    strcpy(settings_edit_output(&shown)->columns, "all");
     if (!run_open(&experiment->run, &experiment->base, problem_simulate(&shown, threads, status), status))
         return false;
     experiment->run.patience = (Patience){0}; /* the caller does a little at a time */
@@ -151,7 +153,7 @@ void experiment_rewind(Experiment *experiment, Record *old)
         record_cut(&experiment->record, 0);
     }
     experiment->newest = 0;
-    experiment->run.last = problem_last_step(sim->dt, experiment->base.time.end);
+    experiment->run.last = problem_last_step(sim->dt, settings_time(&experiment->base)->end);
     experiment->run.failed = false;
     copy_events(experiment);
     note_now(experiment);
@@ -409,7 +411,8 @@ static void cut(Experiment *experiment, long step)
         experiment->n_events--;
     experiment->run.failed = experiment->run.failed && !shorter;
     if (shorter)
-        experiment->run.last = problem_last_step(experiment->run.sim->dt, experiment->base.time.end);
+        experiment->run.last =
+            problem_last_step(experiment->run.sim->dt, settings_time(&experiment->base)->end);
     if (shorter)
         refill_references(experiment, step);
 }
@@ -448,8 +451,8 @@ bool experiment_change(Experiment *experiment, long step, const char *key, const
 void experiment_set_end(Experiment *experiment, double end)
 {
     Simulation *sim = experiment->run.sim;
-    const double before = experiment->base.time.end;
-    experiment->base.time.end = experiment->now.time.end = end;
+    const double before = settings_time(&experiment->base)->end;
+    settings_edit_time(&experiment->base)->end = settings_edit_time(&experiment->now)->end = end;
     /* a run that has come to rest before does not go on */
     const bool rested = experiment->run.last < problem_last_step(sim->dt, before);
     const long last = problem_last_step(sim->dt, end);

@@ -2,6 +2,8 @@
 /* What a run stops at (stop.h): read from words, looked for after each step. */
 #include "run/stop.h"
 
+#include "scenario/concern_loads.h"
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "base/quantity.h"
 #include "base/text.h"
@@ -37,14 +39,14 @@ enum { REST_WORD = 3 };
 static bool is_damped(const Experiment *experiment)
 {
     const Settings *settings = experiment_settings(experiment);
-    return settings->problem->concerns & CONCERN_DAMPING && settings->damping.rate != 0;
+    return settings->problem->concerns & CONCERN_DAMPING && settings_damping(settings)->rate != 0;
 }
 
 static bool read_event(Stop *stop, const char *word, const Experiment *experiment, bool *sound,
                        Status *status)
 {
     const Simulation *sim = experiment_simulation(experiment);
-    const bool reports = experiment_settings(experiment)->time.rest;
+    const bool reports = settings_time(experiment_settings(experiment))->rest;
     int i = 0;
     while (stop_event_words[i] && strcmp(stop_event_words[i], word) != 0)
         i++;
@@ -84,7 +86,7 @@ static long step_of(double time, const Experiment *experiment)
 {
     const double steps = ceil(time / experiment_simulation(experiment)->dt * (1 - 1e-12) - 1e-9);
     const long last = experiment_last_step(experiment);
-    if (time <= experiment_settings(experiment)->time.end * (1 + 1e-9) && steps > (double)last)
+    if (time <= settings_time(experiment_settings(experiment))->end * (1 + 1e-9) && steps > (double)last)
         return last;
     return steps < 0 ? -1 : steps > (double)last ? last + 1 : (long)steps;
 }

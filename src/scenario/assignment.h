@@ -4,8 +4,9 @@
 #ifndef SCENARIO_ASSIGNMENT_H
 #define SCENARIO_ASSIGNMENT_H
 
-typedef struct Settings Settings; /* scenario/settings.h */
-typedef struct Problem Problem;   /* problems/problem.h */
+typedef struct Settings Settings;         /* scenario/settings.h */
+typedef struct Problem Problem;           /* problems/problem.h */
+typedef struct ViewSettings ViewSettings; /* scenario/concern_output.h */
 
 typedef enum MethodKind { METHOD_MPM, METHOD_PD } MethodKind;
 

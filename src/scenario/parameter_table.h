@@ -4,8 +4,7 @@
 #ifndef LAB_PARAMETER_TABLE_H
 #define LAB_PARAMETER_TABLE_H
 
-#include "scenario/settings.h"
-#include "base/kinds.h"
+#include "scenario/settings_values.h"
 #include "scenario/parameters.h"
 
 #include <math.h>
@@ -28,7 +27,7 @@ static const char *const flags[] = {"no", "yes", NULL};
 /* Enum members are read and written as int. */
 _Static_assert(sizeof(MpmAlgorithm) == sizeof(int) && sizeof(Clamp) == sizeof(int), "enums are ints");
 
-#define AT(member)    .offset = offsetof(Settings, member)
+#define AT(member)    .offset = VALUE_OFFSET(member)
 #define ABOVE_ZERO    .least = 0, .most = HUGE_VAL, .above_least = true
 #define FROM_ZERO     .least = 0, .most = HUGE_VAL
 #define ANY           .least = -HUGE_VAL, .most = HUGE_VAL

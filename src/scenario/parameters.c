@@ -3,7 +3,7 @@
  * alone: choices, range, default in a problem, unit. Values are set and read in values.c. */
 #include "scenario/parameters.h"
 
-#include "scenario/settings.h"
+#include "scenario/settings_values.h"
 #include "base/text.h"
 
 #include <math.h>
@@ -31,23 +31,22 @@ bool parameter_colour_is_there(const Settings *settings, const char *word)
 }
 
 #define TEXT(member) offsetof(Settings, member), sizeof(((Settings *)NULL)->member)
+#define VIEW(member) VALUE_OFFSET(view.member), sizeof(((SettingsValues *)NULL)->view.member)
 
 const TextKey text_keys[] = {
     {"scenario.title", TEXT(title), "one line that names the scenario in lists", TEXT_ANY},
     {"scenario.about", TEXT(about), "what there is to see; further lines are indented", TEXT_ANY},
     {"question.key", TEXT(question), "the choice that the key t toggles", TEXT_ANY},
-    {"view.upper", TEXT(view.upper), "view in the upper plot: its word, or 1 to 9", TEXT_VIEW},
-    {"view.lower", TEXT(view.lower), "view in the lower plot: its word, or 1 to 9", TEXT_VIEW},
-    {"view.window", TEXT(view.window), "length of the time window", TEXT_POSITIVE},
-    {"view.pace", TEXT(view.pace), "steps per frame", TEXT_POSITIVE},
-    {"view.colour", TEXT(view.colour), "what colours a beam, or its drawing with dimensions", TEXT_COLOUR},
-    {"view.exaggeration", TEXT(view.exaggeration), "factor by which displacements are drawn", TEXT_POSITIVE},
-    {"view.references", TEXT(view.references), "reference curves: all, exact, predicted, none",
-     TEXT_REFERENCES},
-    {"screen.sheet", TEXT(view.sheet), "how much there is on the screen at first: plain or full", TEXT_SHEET},
-    {"screen.about", TEXT(view.about), "the number that stands in large digits: a word of exercises",
-     TEXT_ANY},
-    {"screen.ask", TEXT(view.ask), "keys of up to four parameters to be changed, parted by commas", TEXT_ANY},
+    {"view.upper", VIEW(upper), "view in the upper plot: its word, or 1 to 9", TEXT_VIEW},
+    {"view.lower", VIEW(lower), "view in the lower plot: its word, or 1 to 9", TEXT_VIEW},
+    {"view.window", VIEW(window), "length of the time window", TEXT_POSITIVE},
+    {"view.pace", VIEW(pace), "steps per frame", TEXT_POSITIVE},
+    {"view.colour", VIEW(colour), "what colours a beam, or its drawing with dimensions", TEXT_COLOUR},
+    {"view.exaggeration", VIEW(exaggeration), "factor by which displacements are drawn", TEXT_POSITIVE},
+    {"view.references", VIEW(references), "reference curves: all, exact, predicted, none", TEXT_REFERENCES},
+    {"screen.sheet", VIEW(sheet), "how much there is on the screen at first: plain or full", TEXT_SHEET},
+    {"screen.about", VIEW(about), "the number that stands in large digits: a word of exercises", TEXT_ANY},
+    {"screen.ask", VIEW(ask), "keys of up to four parameters to be changed, parted by commas", TEXT_ANY},
 };
 
 const int n_text_keys = (int)(sizeof text_keys / sizeof *text_keys);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The parameter table: one row for each key of a scenario file that has a value. The scenario reader and
  * writer, --set, the fields on screen, `matvib params`, completion and the manual page read this table;
- * none repeats it. To add a parameter: one row in parameter_rows.inc and the member it fills in settings.h.
+ * none repeats it. To add a parameter: one row in parameter_rows.inc and the member it fills in concern_*.h.
  */
 #ifndef LAB_PARAMETERS_H
 #define LAB_PARAMETERS_H

@@ -4,6 +4,7 @@
  * line; then the whole is checked. An error gets the line or option that gave the key it names. */
 #include "scenario/scenario.h"
 #include "scenario/rows/rows.h"
+#include "scenario/concern_output.h"
 #include "scenario/settings.h"
 #include "base/input.h"
 #include "base/text.h"
@@ -279,7 +280,7 @@ static bool apply(const Source *source, Settings *settings, Status *status)
     if (!check_twice(source, status) || !begin(source, settings, status))
         return false;
     if (source->entries.whole_rows)
-        strcpy(settings->output.columns, "all");
+        strcpy(settings_edit_output(settings)->columns, "all");
     for (int i = 0; i < source->entries.count; i++)
         if (!take_entry(&source->entries.all[i], settings, status))
             return at_line(source, &source->entries.all[i], status);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Settings as a scenario file that reads back to the last bit. */
 #include "scenario/scenario.h"
+#include "scenario/concern_bonds.h"
 #include "scenario/settings.h"
 #include "scenario/rows/rows.h"
 #include "base/text.h"
@@ -97,7 +98,8 @@ static bool write_parameter(FILE *stream, const Settings *settings, const Parame
     if (parameter->type == PARAMETER_TEXT)
         return write_text(stream, section, name, value, status);
     bool stretch = strcmp(name, "critical_stretch") == 0, energy = strcmp(name, "critical_energy") == 0;
-    if ((stretch && settings->bonds.energy_given) || (energy && !settings->bonds.energy_given)) {
+    if ((stretch && settings_bonds(settings)->energy_given) ||
+        (energy && !settings_bonds(settings)->energy_given)) {
         /* critical stretch and energy follow from each other; written both, the value would be given twice */
         settings_show(settings, parameter, value);
         fprintf(stream, "# %s = %s%s%s\n", name, value, *parameter->unit ? " " : "", parameter->unit);

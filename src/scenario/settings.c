@@ -1,5 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What settings come to without the parameter table: lengths left to themselves, lists inside texts. */
+#include "scenario/concern_bonds.h"
+#include "scenario/concern_cells.h"
+#include "scenario/concern_loads.h"
+#include "scenario/concern_output.h"
 #include "scenario/settings.h"
 #include "methods/bonds/plane/lattice/volume.h"
 
@@ -11,22 +15,23 @@ const char *const settings_method_words[] = {"mpm", "pd", NULL};
 
 double lattice_spacing(const Settings *settings)
 {
-    const double given = settings->lattice.spacing;
-    return given > 0 ? given : settings->mesh.cell_size / settings->mesh.particles_per_cell;
+    const double given = settings_lattice(settings)->spacing;
+    return given > 0 ? given
+                     : settings_mesh(settings)->cell_size / settings_mesh(settings)->particles_per_cell;
 }
 
 double lattice_horizon(const Settings *settings)
 {
-    const double given = settings->lattice.horizon;
+    const double given = settings_lattice(settings)->horizon;
     return given > 0 ? given : 3 * lattice_spacing(settings);
 }
 
 double lattice_reach(const Settings *settings)
 {
     /* a cone binds nothing beyond the horizon */
-    const VolumeCorrection how = settings->lattice.influence == INFLUENCE_CONICAL
+    const VolumeCorrection how = settings_lattice(settings)->influence == INFLUENCE_CONICAL
                                      ? VOLUME_PARTIAL
-                                     : settings->lattice.volume_correction;
+                                     : settings_lattice(settings)->volume_correction;
     return volume_reach(how, lattice_horizon(settings), lattice_spacing(settings));
 }
 

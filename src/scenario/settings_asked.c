@@ -2,6 +2,7 @@
 /* What a scenario asks about: the key of its question, and those of its screen. */
 #include "scenario/parameters.h"
 #include "base/text.h"
+#include "scenario/concern_output.h"
 #include "scenario/settings.h"
 
 const Parameter *settings_question(const Settings *settings)
@@ -19,7 +20,7 @@ static const char *const usually_asked[] = {
 
 int settings_asked(const Settings *settings, const Parameter *out[ASKED_MAX])
 {
-    const char *list = settings->view.ask;
+    const char *list = settings_view(settings)->ask;
     char key[KEY_MAX];
     int n = 0;
     while (n < ASKED_MAX && text_next_item(&list, key, sizeof key)) {
@@ -31,7 +32,8 @@ int settings_asked(const Settings *settings, const Parameter *out[ASKED_MAX])
     if (n == 0 && question)
         out[n++] = question;
     for (size_t i = 0;
-         !*settings->view.ask && n < ASKED_MAX && i < sizeof usually_asked / sizeof *usually_asked; i++) {
+         !*settings_view(settings)->ask && n < ASKED_MAX && i < sizeof usually_asked / sizeof *usually_asked;
+         i++) {
         const Parameter *parameter = parameter_find(usually_asked[i]);
         if (parameter && parameter != question && parameter_applies_to(settings, parameter))
             out[n++] = parameter;
@@ -41,7 +43,7 @@ int settings_asked(const Settings *settings, const Parameter *out[ASKED_MAX])
 
 bool settings_check_asked(const Settings *settings, Status *status)
 {
-    const char *list = settings->view.ask;
+    const char *list = settings_view(settings)->ask;
     char key[KEY_MAX];
     for (int n = 0; text_next_item(&list, key, sizeof key); n++) {
         const Parameter *parameter = parameter_find(key);

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What no single value shows: does the whole make sense? Every refusal names the key to be changed. */
 #include "scenario/parameters.h"
+#include "scenario/concern_output.h"
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "problems/problem.h"
 
@@ -102,13 +104,13 @@ bool settings_check(const Settings *settings, Status *status)
         !problem_solver(settings->problem, settings->method)->check(settings, status))
         return false;
     double times[TIMES_MAX];
-    int n_times = settings_times_read(settings->output.at, times, status);
+    int n_times = settings_times_read(settings_output(settings)->at, times, status);
     if (n_times < 0)
         return false;
-    if (n_times > 0 && times[n_times - 1] > settings->time.end * (1 + 1e-9))
+    if (n_times > 0 && times[n_times - 1] > settings_time(settings)->end * (1 + 1e-9))
         return status_fail(status, STATUS_USAGE, "output.at: %g is after the end (at most time.end = %g)",
-                           times[n_times - 1], settings->time.end);
-    if (n_times > 0 && settings->output.frames > 0)
+                           times[n_times - 1], settings_time(settings)->end);
+    if (n_times > 0 && settings_output(settings)->frames > 0)
         return status_fail(status, STATUS_USAGE, "output.at: output.frames is given too (one of them)");
     return check_question(settings, status) && settings_check_asked(settings, status) &&
            check_duel(settings, status) && check_changes(settings, status);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What one set of settings is as against another. */
 #include "scenario/settings_compare.h"
-#include "scenario/settings.h"
+#include "scenario/settings_values.h"
 #include "scenario/rows/rows.h"
 #include "base/text.h"
 #include "problems/problem.h"
@@ -19,10 +19,10 @@ static bool matters(const Settings *a, const Settings *b, const Parameter *param
 {
     if (parameter->output || !parameter_applies_to(a, parameter) || !parameter_applies_to(b, parameter))
         return false;
-    bool by_energy = a->bonds.energy_given && b->bonds.energy_given;
-    if (parameter->offset == offsetof(Settings, bonds.critical_energy))
+    bool by_energy = settings_bonds(a)->energy_given && settings_bonds(b)->energy_given;
+    if (parameter->offset == VALUE_OFFSET(bonds.critical_energy))
         return by_energy;
-    return parameter->offset != offsetof(Settings, bonds.critical_stretch) || !by_energy;
+    return parameter->offset != VALUE_OFFSET(bonds.critical_stretch) || !by_energy;
 }
 
 static bool differ_in(const Settings *a, const Settings *b, const Parameter *parameter)

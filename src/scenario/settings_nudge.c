@@ -2,7 +2,7 @@
 /* From one value of a parameter to the next, and to the other answer to a question. */
 #include "base/assertion.h"
 #include "scenario/parameters.h"
-#include "scenario/settings.h"
+#include "scenario/settings_values.h"
 #include "base/math/functions.h"
 #include "base/text.h"
 
@@ -82,13 +82,13 @@ static double next_digit(double value, int direction, double usual)
 /* A cell more or less in the bar. */
 static double next_cell_size(const Settings *settings, double value, int direction)
 {
-    const double cells = round(settings->geometry.length / value) - direction;
-    return cells >= 1 ? settings->geometry.length / cells : value;
+    const double cells = round(settings_geometry(settings)->length / value) - direction;
+    return cells >= 1 ? settings_geometry(settings)->length / cells : value;
 }
 
 static double nudged_finely(const Settings *settings, const Parameter *parameter, double value, int direction)
 {
-    if (parameter->offset == offsetof(Settings, mesh.cell_size))
+    if (parameter->offset == VALUE_OFFSET(mesh.cell_size))
         return next_cell_size(settings, value, direction);
     if (parameter->type == PARAMETER_INTEGER || parameter->nudge == NUDGE_ONE)
         return value + direction;
@@ -128,9 +128,9 @@ static double nudged(const Settings *settings, const Parameter *parameter, doubl
 /* A length of the bar's lattice that was left to itself is nudged from what it comes to. */
 static double nudge_start(const Settings *settings, const Parameter *parameter)
 {
-    if (parameter->offset == offsetof(Settings, lattice.spacing))
+    if (parameter->offset == VALUE_OFFSET(lattice.spacing))
         return lattice_spacing(settings);
-    if (parameter->offset == offsetof(Settings, lattice.horizon))
+    if (parameter->offset == VALUE_OFFSET(lattice.horizon))
         return lattice_horizon(settings);
     return settings_number(settings, parameter);
 }

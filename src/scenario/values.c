@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Values of settings through the parameter table: numbers into members and back, and as texts. */
 #include "scenario/parameters.h"
-#include "scenario/settings.h"
+#include "scenario/settings_values.h"
 #include "scenario/rows/rows.h"
 #include "base/kinds.h"
 #include "base/assertion.h"
@@ -31,9 +31,10 @@ static const void *member_of(const Settings *settings, size_t offset)
  * one that was given stays as it is. */
 static void join_handles(Settings *settings)
 {
-    Bonds *bonds = &settings->bonds;
-    const int quarters = settings->lattice.influence == INFLUENCE_CONICAL ? 5 : 4;
-    double stiffness = 9 * settings->material.youngs_modulus * settings->lattice.horizon / (quarters * M_PI);
+    Bonds *bonds = settings_edit_bonds(settings);
+    const int quarters = settings_lattice(settings)->influence == INFLUENCE_CONICAL ? 5 : 4;
+    double stiffness = 9 * settings_material(settings)->youngs_modulus * settings_lattice(settings)->horizon /
+                       (quarters * M_PI);
     if (bonds->energy_given)
         bonds->critical_stretch = sqrt(bonds->critical_energy / stiffness);
     else
@@ -42,12 +43,12 @@ static void join_handles(Settings *settings)
 
 static bool is_energy(const Parameter *parameter)
 {
-    return parameter->offset == offsetof(Settings, bonds.critical_energy);
+    return parameter->offset == VALUE_OFFSET(bonds.critical_energy);
 }
 
 static bool is_stretch(const Parameter *parameter)
 {
-    return parameter->offset == offsetof(Settings, bonds.critical_stretch);
+    return parameter->offset == VALUE_OFFSET(bonds.critical_stretch);
 }
 
 /* --- numbers into members and back ---------------------------------------------------------------- */
@@ -74,9 +75,9 @@ void settings_put(Settings *settings, const Parameter *parameter, double value)
     if (parameter->wrong)
         settings->concealed = false;
     if (is_energy(parameter))
-        settings->bonds.energy_given = true;
+        settings_edit_bonds(settings)->energy_given = true;
     if (is_stretch(parameter))
-        settings->bonds.energy_given = false;
+        settings_edit_bonds(settings)->energy_given = false;
     join_handles(settings);
 }
 

@@ -2,6 +2,8 @@
 /* A body in the plane as it lies, coloured by a field, or drawn with its dimensions. Every factor is stated.
  */
 #include "views/map/map.h"
+#include "scenario/concern_body.h"
+#include "scenario/concern_loads.h"
 #include "scenario/settings.h"
 #include "picture/words/words.h"
 #include "views/views.h"
@@ -92,8 +94,8 @@ static void draw_title(const Map *map, Area area, Style heading)
     char title[192] = "", parts[PARTS][64] = {"", "", "", "", "", "", ""}, number[NUMBER_TEXT_MAX];
     crack_texts(map, parts[TIP], parts[FIT], sizeof parts[TIP]);
     if (map->scene.leaves) {
-        const double length =
-            map->settings->geometry.length + map->settings->motion.speed * simulation_time(map->sim);
+        const double length = settings_geometry(map->settings)->length +
+                              settings_motion(map->settings)->speed * simulation_time(map->sim);
         snprintf(parts[TIP], sizeof parts[TIP], "length %.1f mm", 1e3 * length);
     }
     flow_text(map, parts[FLOW], sizeof parts[FLOW]);

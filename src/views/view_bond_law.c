@@ -2,6 +2,7 @@
 /* View 4 of peridynamics: what a bond answers to its stretch, where it breaks, and where on that line the
  * nodes stand: each by its most stretched whole bond. */
 #include "panes/panes.h"
+#include "scenario/concern_bonds.h"
 #include "scenario/settings.h"
 #include "base/kinds.h"
 #include "views/views.h"
@@ -126,7 +127,8 @@ static void law_lines(const Screen *screen, const Stretches *all, double s0, int
 
 static void add_keys(const Screen *screen, Picture *picture, bool breaks)
 {
-    const bool conical = experiment_settings(screen->experiment)->lattice.influence == INFLUENCE_CONICAL;
+    const bool conical =
+        settings_lattice(experiment_settings(screen->experiment))->influence == INFLUENCE_CONICAL;
     picture_key(picture, (PictureKey){LINE_SOLID, '*', STYLE_MEASURED,
                                       conical ? "f = c1 s, shortest" : "f = c s", 0, 0});
     if (breaks)

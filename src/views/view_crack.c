@@ -2,6 +2,9 @@
 /* More pictures of a beam that breaks: the crack's path with its angle, the angle over time, and what a piece
  * of crack has cost beside the fracture energy that it should cost. */
 #include "views/views.h"
+#include "scenario/concern_body.h"
+#include "scenario/concern_bonds.h"
+#include "scenario/concern_loads.h"
 #include "scenario/settings.h"
 #include "views/plots/runs.h"
 #include "views/plots/time_plot.h"
@@ -18,7 +21,7 @@ typedef struct Notch {
 
 static Notch notch_of(const Settings *settings)
 {
-    return (Notch){settings->notch.position, settings->notch.depth};
+    return (Notch){settings_notch(settings)->position, settings_notch(settings)->depth};
 }
 
 static bool has_crack(const Screen *screen)
@@ -81,18 +84,18 @@ static void describe_path(const Screen *screen, Picture *picture)
     const Simulation *sim = experiment_simulation(screen->experiment);
     const Settings *settings = experiment_settings(screen->experiment);
     const Notch notch = notch_of(settings);
-    const double load = settings->loads.position, height = settings->geometry.height;
+    const double load = settings_loads(settings)->position, height = settings_geometry(settings)->height;
     const double left = fmin(notch.x, load) - 0.02, right = fmax(notch.x, load) + 0.02;
     ShownRun runs[RUNS_MAX];
     const int n_runs = runs_with(runs, runs_of(screen, runs), "crack_x");
     Plot *plot = &picture->plot;
     picture->kind = PICTURE_PATH;
-    picture_axes(picture, axis_make(fmax(0, left), fmin(settings->geometry.length, right)), "x", "m",
-                 axis_make(0, height), "crack's path, y", "m");
+    picture_axes(picture, axis_make(fmax(0, left), fmin(settings_geometry(settings)->length, right)), "x",
+                 "m", axis_make(0, height), "crack's path, y", "m");
     add_keys(screen, picture, runs, n_runs, "30 deg");
     add_line(plot, LINE_DASHED, STYLE_FAINT, RANK_PREDICTED, (double[]){notch.x, 0, notch.x, notch.y});
     add_line(plot, LINE_DASHED, STYLE_FAINT, RANK_PREDICTED,
-             (double[]){load, height, load, height - settings->bonds.protected_depth});
+             (double[]){load, height, load, height - settings_bonds(settings)->protected_depth});
     if (screen_shows_exact(screen)) {
         const double towards = load < notch.x ? -1 : 1, rise = height - notch.y;
         const double end = notch.x + towards * rise * math_tan(CRACK_PAPER_ANGLE * M_PI / 180);
@@ -100,7 +103,7 @@ static void describe_path(const Screen *screen, Picture *picture)
     }
     for (int r = 0; r < n_runs; r++)
         add_tips(picture, &runs[r]);
-    const size_t most = (size_t)ceil(height / settings->lattice.spacing) + 1;
+    const size_t most = (size_t)ceil(height / settings_lattice(settings)->spacing) + 1;
     double *path = malloc(2 * most * sizeof *path);
     const size_t count = path ? crack_line(sim, path, path + most, most) : 0;
     plot_begin(plot, STROKE_LINE, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '*');
@@ -145,10 +148,13 @@ static double tip_speed(const double *row, const void *context)
 
 static CrackColumns crack_columns(const ShownRun *run)
 {
-    return (CrackColumns){runs_column(run, "crack_x"),      runs_column(run, "crack_y"),
-                          runs_column(run, "crack_length"), runs_column(run, "dissipated"),
-                          runs_column(run, "crack_speed"),  notch_of(run->settings),
-                          run->settings->geometry.thickness};
+    return (CrackColumns){runs_column(run, "crack_x"),
+                          runs_column(run, "crack_y"),
+                          runs_column(run, "crack_length"),
+                          runs_column(run, "dissipated"),
+                          runs_column(run, "crack_speed"),
+                          notch_of(run->settings),
+                          settings_geometry(run->settings)->thickness};
 }
 
 typedef struct CrackCurve {
@@ -297,7 +303,7 @@ static void describe_cost(const Screen *screen, Picture *picture)
     const CrackCost *cost = &price.cost;
     const double parts[PARTS] = {cost->through / cost->area, cost->beside / cost->area,
                                  cost->far / cost->area, cost->beyond / cost->area};
-    const double thickness = experiment_settings(screen->experiment)->geometry.thickness;
+    const double thickness = settings_geometry(experiment_settings(screen->experiment))->thickness;
     add_bars(screen, picture, parts, &price);
     for (int i = 0; i < 3; i++) {
         char text[2][160];

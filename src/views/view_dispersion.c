@@ -4,6 +4,8 @@
  * leave their dot.
  */
 #include "views/plots/runs.h"
+#include "scenario/concern_bonds.h"
+#include "scenario/concern_cells.h"
 #include "scenario/settings.h"
 #include "views/views.h"
 #include "views/waves_plane.h"
@@ -304,8 +306,9 @@ static double beam_answer(const Readout *readout)
 /* What a period depends on: how far bonds reach or, where there are none, the cells. */
 static double reach_of(const Screen *screen, const Settings *settings)
 {
-    return simulation_has(experiment_simulation(screen->experiment), HAS_BONDS) ? settings->lattice.horizon
-                                                                                : settings->mesh.cell_size;
+    return simulation_has(experiment_simulation(screen->experiment), HAS_BONDS)
+               ? settings_lattice(settings)->horizon
+               : settings_mesh(settings)->cell_size;
 }
 
 static int beam_dots(const Screen *screen, Dot dots[RUNS_MAX])

@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The energies over time, stacked. */
 #include "views/plots/overlay_plot.h"
+#include "scenario/concern_body.h"
+#include "scenario/concern_bonds.h"
+#include "scenario/concern_cells.h"
+#include "scenario/concern_loads.h"
 #include "scenario/settings.h"
 #include "base/kinds.h"
 #include "views/plots/runs.h"
@@ -61,16 +65,17 @@ static double rigid_energy(const Experiment *experiment)
     if (!(settings->problem->concerns & CONCERN_MOTION) ||
         simulation_has(experiment_simulation(experiment), HAS_MESH))
         return 0;
-    const double volume =
-        settings->lattice.spacing * settings->lattice.spacing * settings->geometry.thickness;
+    const double volume = settings_lattice(settings)->spacing * settings_lattice(settings)->spacing *
+                          settings_geometry(settings)->thickness;
     const double nodes = (double)experiment_simulation(experiment)->counts[0];
-    return nodes * volume * settings->material.density * settings->motion.speed * settings->motion.speed / 2;
+    return nodes * volume * settings_material(settings)->density * settings_motion(settings)->speed *
+           settings_motion(settings)->speed / 2;
 }
 
 /* Of APIC the null space is that of velocities without their slopes: no part of the sum. */
 static int null_column(const Screen *screen)
 {
-    const bool apic = experiment_settings(screen->experiment)->mpm.transfer == MPM_APIC;
+    const bool apic = settings_transfer(experiment_settings(screen->experiment))->transfer == MPM_APIC;
     return apic ? -1 : screen_column(screen, "kinetic_null");
 }
 

@@ -2,6 +2,7 @@
 /* What is measured at the probe, over time, with the reference curves, earlier runs and the readout.
  */
 #include "views/plots/overlay_plot.h"
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "views/plots/runs.h"
 #include "views/plots/time_plot.h"
@@ -342,7 +343,7 @@ static Axis value_axis(const Screen *screen, const ShownRun *runs, int n_runs, c
     overlay_widen(screen, quantity->name, false, &range.least, &range.most);
     range.reach = fmax(range.reach, overlay_reach(screen, quantity->name, false));
     if (has_envelope(screen, quantity->name)) {
-        const double end = experiment_settings(screen->experiment)->time.end;
+        const double end = settings_time(experiment_settings(screen->experiment))->end;
         const References *refs = experiment_references(screen->experiment);
         range.reach = fmax(range.reach, fmax(references_envelope(refs, quantity->name, 0),
                                              references_envelope(refs, quantity->name, end)));

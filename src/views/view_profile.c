@@ -2,6 +2,8 @@
 /* A field of the particles along the bar, or along the middle of a beam, with the exact curve behind.
  */
 #include "views/plots/overlay_plot.h"
+#include "scenario/concern_body.h"
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "views/plots/runs.h"
 #include "views/views.h"
@@ -50,7 +52,8 @@ static double exact_reach(const ShownRun *run, const char *field, const double *
     enum { TIMES = 24, PLACES = 12 };
     const References *refs = experiment_references(run->experiment);
     const Readout *readout = run->readout;
-    const double span = readout->swing > 0 && !readout->drifting ? readout->swing : run->settings->time.end;
+    const double span =
+        readout->swing > 0 && !readout->drifting ? readout->swing : settings_time(run->settings)->end;
     double reach = 0;
     for (int i = 0; count > 0 && i <= TIMES; i++)
         for (int k = 0; k <= PLACES; k++) {
@@ -79,7 +82,7 @@ static Axis value_axis(const Screen *screen, const Simulation *sim, const char *
     if (strcmp(field, "damage") == 0)
         return axis_make(0, 1);
     if (strcmp(field, "density") == 0 && simulation_has(sim, HAS_LINE))
-        base = experiment_settings(screen->experiment)->material.density;
+        base = settings_material(experiment_settings(screen->experiment))->density;
     for (int k = 0; k < n_curves; k++) {
         const Profile *profile = curves[k].profile;
         if (!curves[k].run->experiment)

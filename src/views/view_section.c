@@ -5,6 +5,8 @@
  * columns of particles those of the chosen one's cell are drawn, and their mean: what shears them apart is no
  * shear of the beam but that of cells that cannot bend. */
 #include "views/map/map.h"
+#include "scenario/concern_body.h"
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "views/views.h"
 #include "base/math/functions.h"
@@ -85,8 +87,8 @@ static void find_cell(Section *section)
 /* What of a stress adds up over the height: force sum sxy dA, moment sum sxx y dA. */
 static void add_up(Section *section)
 {
-    const double area =
-        section->body.spacing * experiment_settings(section->screen->experiment)->geometry.thickness;
+    const double area = section->body.spacing *
+                        settings_geometry(experiment_settings(section->screen->experiment))->thickness;
     section->resultant = 0;
     for (size_t j = 0; j < section->rows; j++)
         section->resultant +=
@@ -98,7 +100,7 @@ static void add_up(Section *section)
 static double theory_at(const Section *section, double y, double time)
 {
     const Settings *settings = experiment_settings(section->screen->experiment);
-    const double height = section->body.size[1], area = height * settings->geometry.thickness;
+    const double height = section->body.size[1], area = height * settings_geometry(settings)->thickness;
     if (section->known)
         return references_section(experiment_references(section->screen->experiment), section->of->field,
                                   section->x, y, time);
@@ -224,7 +226,7 @@ static void section_line(const Section *section, char out[160])
 static double reach_of(const Section *section)
 {
     enum { TIMES = 32, HEIGHTS = 2 };
-    const double end = experiment_settings(section->screen->experiment)->time.end;
+    const double end = settings_time(experiment_settings(section->screen->experiment))->end;
     double reach = 0;
     for (size_t j = 0; j < section->rows; j++) {
         reach = fmax(reach, fabs(section->theory[j]));

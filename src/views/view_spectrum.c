@@ -2,6 +2,7 @@
 /* The amplitude spectrum of the probe, with the predicted and the exact lines marked. The slow lines
  * on an even scale, or everything that the mesh can do on a logarithmic one. */
 #include "views/plots/runs.h"
+#include "scenario/concern_loads.h"
 #include "scenario/settings.h"
 #include "views/views.h"
 #include "base/math/functions.h"
@@ -77,7 +78,7 @@ static int marks_of(const Screen *screen, bool fast, Mark marks[MARKS_MAX])
     for (int i = 0; i < n_thickness && count < MARKS_MAX; i++)
         marks[count++] = (Mark){thickness[i], false};
     if (!screen_problem(screen)->si && readout->times < 1.5)
-        n_overtones = overtones_read(settings->start.overtones, overtones, NULL);
+        n_overtones = overtones_read(settings_start(settings)->overtones, overtones, NULL);
     for (int i = 0; i < n_overtones && count + 2 <= MARKS_MAX; i++) {
         ModeOnMesh mode;
         if (overtones[i].mode == readout->mode || !dispersion_mode(settings, overtones[i].mode, &mode))

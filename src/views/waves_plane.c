@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Waves in the plane of bonds (waves_plane.h). */
 #include "views/waves_plane.h"
+#include "scenario/concern_bonds.h"
 #include "scenario/settings.h"
 #include "base/kinds.h"
 #include "answers/waves.h"
@@ -31,12 +32,13 @@ static const Curve curves[CURVES] = {
 static double speed(const Settings *settings, const Curve *curve, bool transverse, double share)
 {
     return 100 * waves_on_lattice(settings, curve->influence, transverse, curve->angle,
-                                  share * M_PI / settings->lattice.spacing);
+                                  share * M_PI / settings_lattice(settings)->spacing);
 }
 
 static double integral(const Settings *settings, Influence influence, bool transverse, double share)
 {
-    return 100 * waves_of_bonds(settings, influence, transverse, share * M_PI / settings->lattice.spacing);
+    return 100 * waves_of_bonds(settings, influence, transverse,
+                                share * M_PI / settings_lattice(settings)->spacing);
 }
 
 static void add_curves(Picture *picture, const Settings *settings, bool transverse, int points)
@@ -59,7 +61,7 @@ static void add_curves(Picture *picture, const Settings *settings, bool transver
 static void tell(const Settings *settings, bool transverse, bool narrow, char out[160])
 {
     const double share = 0.2;
-    const bool conical = settings->lattice.influence == INFLUENCE_CONICAL;
+    const bool conical = settings_lattice(settings)->influence == INFLUENCE_CONICAL;
     const Curve *own = &curves[conical ? 2 : 0];
     snprintf(out, 160,
              narrow ? "10 dx: 0° %.1f %%, 45° %.1f %%, integral %.1f %%"

@@ -3,6 +3,8 @@
  * that fails and one that is given up, by the laboratory (by steps, stages and items), the export, the fit
  * and the verification, against a loop of stages in this file that is none of theirs. The same bits. */
 #include "answers/fit_internal.h"
+#include "scenario/concern_output.h"
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "base/text.h"
 #include "cli/verify/verify_run.h"
@@ -80,7 +82,7 @@ static void expect_by_hand(int k)
     Simulation *sim = problem_simulate(&settings, 1, &status);
     ck_assert_msg(sim != NULL, "%s", status.text);
     const int column = simulation_find_series(sim, cases[k].column);
-    const long end = problem_last_step(sim->dt, settings.time.end);
+    const long end = problem_last_step(sim->dt, settings_time(&settings)->end);
     ck_assert_int_lt(end, ROWS_MAX);
     bool sound = true;
     for (last = 0; sound; last++) {
@@ -214,7 +216,8 @@ START_TEST(the_export_is_one_of_them)
     }
     fclose(stream);
     ck_assert_int_eq(step, last);
-    ck_assert_int_eq(rows, (last + settings.output.every - 1) / settings.output.every + 1);
+    ck_assert_int_eq(rows,
+                     (last + settings_output(&settings)->every - 1) / settings_output(&settings)->every + 1);
     unlink(series);
     strcat(series, ".ini");
     unlink(series);
@@ -268,9 +271,9 @@ START_TEST(the_verification_is_one_of_them)
     ck_assert(verify_run_open(&run, file, 1, (Patience){0}) == !cases[_i].fails);
     if (!cases[_i].fails) {
         const double *column = verify_column(&run, cases[_i].column);
-        ck_assert_uint_eq(run.count, (size_t)(last / settings.output.every) + 1);
+        ck_assert_uint_eq(run.count, (size_t)(last / settings_output(&settings)->every) + 1);
         for (size_t row = 0; row < run.count; row++) {
-            const long step = (long)row * settings.output.every;
+            const long step = (long)row * settings_output(&settings)->every;
             ck_assert_msg(column[row * (size_t)run.n_columns] == expected[step], "step %ld", step);
         }
     }

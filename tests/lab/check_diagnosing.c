@@ -2,6 +2,7 @@
 /* `:diagnose` names the mistake in the box and lays the curve over the plots; it leaves the run as it is, and
  * can be given up. */
 #include "suite.h"
+#include "scenario/concern_output.h"
 #include "lab/tui_case.h"
 #include "panes/screen_runs.h"
 
@@ -19,7 +20,7 @@ static void write_data(const char *name)
     Status status = {STATUS_DONE, ""};
     const Override overrides[] = {{"--set", "mpm.mistake", "volume_of_cell"}, {"--set", "time.end", "0.5"}};
     ck_assert_msg(scenario_load_with("mode1", overrides, 2, &settings, &status), "%s", status.text);
-    strcpy(settings.output.columns, "v_cm");
+    strcpy(settings_edit_output(&settings)->columns, "v_cm");
     const Outputs outputs = {.series = name, .asker = ASKER_COMMAND_LINE};
     ck_assert_msg(export_run(&settings, &outputs, 1, NULL, NULL, NULL, &status), "%s", status.text);
 }

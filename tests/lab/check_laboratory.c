@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What keys do to the laboratory, with a virtual clock and no terminal. */
 #include "suite.h"
+#include "scenario/concern_output.h"
 #include "scenario/settings.h"
 #include "scenario/rows/rows.h"
 #include "views/view.h"
@@ -207,7 +208,7 @@ START_TEST(a_table_is_followed_over_time)
     press_all(bench, ": p a r t i c l e Space 1 Enter : n o d e Space 0 Enter");
     press_all(bench, cases[_i].keys);
     const Settings *settings = experiment_settings(screen->experiment);
-    ck_assert_str_eq(settings->output.follow, cases[_i].column);
+    ck_assert_str_eq(settings_output(settings)->follow, cases[_i].column);
     ck_assert_str_eq(screen->views.lower->word, "probe");
     const Simulation *sim = experiment_simulation(screen->experiment);
     ck_assert_str_eq(

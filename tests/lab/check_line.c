@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command line behind `:`: its verbs, completion, history, and foreign series over the plots. */
 #include "views/view.h"
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "suite.h"
 #include "lab/tui_case.h"
@@ -328,7 +329,7 @@ START_TEST(the_time_window_narrows_widens_and_finds_itself)
         Bench *bench = open_bench(names[i], true);
         Screen *screen = &bench->lab.screen;
         screen->panes.focus = PANE_LOWER;
-        double from, to, length, end = experiment_settings(screen->experiment)->time.end;
+        double from, to, length, end = settings_time(experiment_settings(screen->experiment))->end;
         const double dt = experiment_simulation(screen->experiment)->dt;
         time_plot_window(screen, &from, &to);
         const double automatic = length = to - from;

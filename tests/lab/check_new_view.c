@@ -3,7 +3,7 @@
  * here takes the place of src/views/view_list.c when this program is linked; nothing else is replaced,
  * so whatever shows the view has found it there. */
 #include "suite.h"
-#include "scenario/settings.h"
+#include "scenario/concern_output.h"
 #include "lab/tui_case.h"
 #include "picture/paper/figure_file.h"
 #include "scenario/scenario.h"

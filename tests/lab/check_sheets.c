@@ -7,6 +7,7 @@
 #include "lessons/run_numbers.h"
 #include "panes/panes.h"
 #include "scenario/scenario.h"
+#include "scenario/concern_output.h"
 #include "scenario/settings.h"
 #include "views/view.h"
 
@@ -208,7 +209,7 @@ static bool read_screen(const char *line, Settings *settings, Status *status)
     ck_assert_ptr_nonnull(stream);
     *status = (Status){STATUS_DONE, ""};
     const bool sound = scenario_read(stream, "my.ini", settings, status) &&
-                       settings_check(settings, status) && view_check(&settings->view, status);
+                       settings_check(settings, status) && view_check(settings_view(settings), status);
     fclose(stream);
     return sound;
 }
@@ -369,8 +370,9 @@ START_TEST(every_scenario_has_a_number_and_questions)
     ck_assert_msg(bench_open(bench, name, true, &status), "%s", status.text);
     Screen *screen = &bench->lab.screen;
     const Settings *settings = experiment_settings(screen->experiment);
-    ck_assert_msg(settings->view.about[0] && settings->view.ask[0], "%s has no [screen]", name);
-    const RunNumber *number = run_number_find(settings->view.about);
+    ck_assert_msg(settings_view(settings)->about[0] && settings_view(settings)->ask[0], "%s has no [screen]",
+                  name);
+    const RunNumber *number = run_number_find(settings_view(settings)->about);
     ck_assert_ptr_eq(run_number_about(settings), number);
     const Parameter *asked[ASKED_MAX];
     const int n = settings_asked(settings, asked);

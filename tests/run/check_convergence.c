@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Convergence of predicted answers against an independent eigenvalue solver's. */
 #include "answers/convergence.h"
+#include "scenario/concern_bonds.h"
+#include "scenario/concern_loads.h"
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "base/kinds.h"
 #include "scenario/parameters.h"
@@ -32,9 +35,9 @@ static Settings beam(double spacing, SurfaceCorrection correction)
 {
     Settings settings;
     settings_default(&settings, &problem_supported_beam);
-    settings.lattice.spacing = spacing;
-    settings.lattice.horizon = 4 * spacing;
-    settings.lattice.surface_correction = correction;
+    settings_edit_lattice(&settings)->spacing = spacing;
+    settings_edit_lattice(&settings)->horizon = 4 * spacing;
+    settings_edit_lattice(&settings)->surface_correction = correction;
     return settings;
 }
 
@@ -82,9 +85,9 @@ START_TEST(a_cone_converges_faster)
     for (int corrected = 0; corrected < 2; corrected++)
         for (int braked = 0; braked < 2; braked++) {
             Settings settings = beam(0.25e-3, corrected ? SURFACE_ENERGY : SURFACE_NONE);
-            settings.lattice.influence = INFLUENCE_CONICAL;
-            settings.damping.rate = braked ? DAMPING_CRITICAL : 0;
-            settings.time.rest = braked;
+            settings_edit_lattice(&settings)->influence = INFLUENCE_CONICAL;
+            settings_edit_damping(&settings)->rate = braked ? DAMPING_CRITICAL : 0;
+            settings_edit_time(&settings)->rest = braked;
             const ConvergenceStudy *study = study_of(&settings, "delta");
             for (int k = 1; k < 3; k++) {
                 const ConvergencePoint point = point_of(study, &settings, k);
@@ -130,7 +133,7 @@ START_TEST(cells_of_a_bar_are_of_second_order)
 {
     Settings settings;
     settings_default(&settings, &problem_bar);
-    settings.start.mode = 5;
+    settings_edit_start(&settings)->mode = 5;
     const ConvergenceStudy *study = study_of(&settings, "cells");
     ConvergencePoint points[CONVERGENCE_POINTS_MAX];
     const int count = convergence_count(study, &settings);

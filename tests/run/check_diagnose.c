@@ -10,6 +10,8 @@
 #include "methods/bonds/plane/bonds_plane.h"
 #include "methods/mpm/line/mpm_bar.h"
 #include "problems/problem.h"
+#include "scenario/concern_bonds.h"
+#include "scenario/concern_cells.h"
 #include "scenario/settings.h"
 #include "suite.h"
 
@@ -176,8 +178,8 @@ END_TEST
 static void run_both(const Settings *settings, int mistake, int beside, double row[32])
 {
     Settings wrong = *settings;
-    wrong.mpm.mistake = mistake;
-    wrong.mpm.mistake_beside = beside;
+    settings_edit_transfer(&wrong)->mistake = mistake;
+    settings_edit_transfer(&wrong)->mistake_beside = beside;
     Simulation *sim = problem_simulate(&wrong, 1, NULL);
     ck_assert_ptr_nonnull(sim);
     ck_assert(simulation_steps(sim, 20, NULL, NULL, NULL));
@@ -248,12 +250,12 @@ START_TEST(two_mistakes_are_named)
     for (long k = 0; k < wanted; k++) {
         const unsigned long count = 24, one = 1 + draw(&state, count), other = 1 + draw(&state, count);
         Settings wrong = right;
-        wrong.mpm.mistake = (int)(one > other ? one : other);
-        wrong.mpm.mistake_beside = (int)(one > other ? other : one);
+        settings_edit_transfer(&wrong)->mistake = (int)(one > other ? one : other);
+        settings_edit_transfer(&wrong)->mistake_beside = (int)(one > other ? other : one);
         if (!settings_check(&wrong, NULL))
             continue;
-        two += judge_two(&right, &wrong, bar_mistake_words, wrong.mpm.mistake_beside, wrong.mpm.mistake,
-                         columns, false);
+        two += judge_two(&right, &wrong, bar_mistake_words, settings_transfer(&wrong)->mistake_beside,
+                         settings_transfer(&wrong)->mistake, columns, false);
     }
     ck_assert_int_gt(two, wanted / 2);
 }
@@ -287,10 +289,10 @@ START_TEST(two_mistakes_of_a_beam_are_named)
         for (int i = 0; i < 2; i++)
             while (strcmp(beam_mistake_words[both[i]], pairs[k][i]) != 0)
                 both[i]++;
-        wrong.lattice.mistake_beside = both[0] < both[1] ? both[0] : both[1];
-        wrong.lattice.mistake = both[0] < both[1] ? both[1] : both[0];
-        two += judge_two(&right, &wrong, beam_mistake_words, wrong.lattice.mistake_beside,
-                         wrong.lattice.mistake, columns_of_beam, true);
+        settings_edit_lattice(&wrong)->mistake_beside = both[0] < both[1] ? both[0] : both[1];
+        settings_edit_lattice(&wrong)->mistake = both[0] < both[1] ? both[1] : both[0];
+        two += judge_two(&right, &wrong, beam_mistake_words, settings_lattice(&wrong)->mistake_beside,
+                         settings_lattice(&wrong)->mistake, columns_of_beam, true);
     }
     ck_assert_int_ge(two, 2);
 }

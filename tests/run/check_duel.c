@@ -2,6 +2,8 @@
 /* Two runs side by side: they stand at the same time whatever their steps are, and each is what it would be
  * alone. */
 #include "run/duel.h"
+#include "scenario/concern_cells.h"
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "answers/comparison.h"
 #include "answers/crack_growth.h"
@@ -352,8 +354,8 @@ START_TEST(an_edit_restarts_both)
     finish(&duel);
     ck_assert_int_eq(experiment_step(duel.a), 800); /* the time that was on screen */
     expect_together(&duel);
-    ck_assert_double_eq(experiment_settings(duel.b)->mesh.cell_size, 0.5);
-    ck_assert_int_eq(experiment_settings(duel.b)->mpm.algorithm, MPM_USL);
+    ck_assert_double_eq(settings_mesh(experiment_settings(duel.b))->cell_size, 0.5);
+    ck_assert_int_eq(settings_transfer(experiment_settings(duel.b))->algorithm, MPM_USL);
     expect_straight(duel.b);
     ck_assert(experiment_ghosts(duel.a)[0].used);
     /* a live parameter, too, holds from the start for both */
@@ -362,7 +364,7 @@ START_TEST(an_edit_restarts_both)
     ck_assert(duel_change(&duel, &edited, experiment_edit, NULL));
     finish(&duel);
     ck_assert_int_eq(experiment_base(duel.a)->n_changes, 0);
-    ck_assert_double_eq(experiment_base(duel.b)->mpm.flip_fraction, 0.9);
+    ck_assert_double_eq(settings_transfer(experiment_base(duel.b))->flip_fraction, 0.9);
     expect_together(&duel);
     expect_straight(duel.a);
     /* B's key is B's */
@@ -370,7 +372,7 @@ START_TEST(an_edit_restarts_both)
     set(&edited, "mpm.algorithm", "musl");
     ck_assert(duel_change(&duel, &edited, experiment_rerun, NULL));
     finish(&duel);
-    ck_assert_int_eq(experiment_settings(duel.b)->mpm.algorithm, MPM_USL);
+    ck_assert_int_eq(settings_transfer(experiment_settings(duel.b))->algorithm, MPM_USL);
     ck_assert_str_eq(duel.names[0], "MUSL");
     /* refused for A: nothing has changed for B */
     Experiment *before = duel.b;
@@ -383,7 +385,7 @@ START_TEST(an_edit_restarts_both)
     ck_assert(duel_change(&duel, &edited, experiment_edit, NULL));
     ck_assert_ptr_eq(duel.b, before);
     ck_assert(!duel_pending(&duel, NULL));
-    ck_assert_double_eq(experiment_base(duel.b)->time.end, 20);
+    ck_assert_double_eq(settings_time(experiment_base(duel.b))->end, 20);
     ck_assert(duel_restart(&duel, false, NULL));
     ck_assert_int_eq(experiment_step(duel.b), 0);
     ck_assert_int_eq(experiment_newest(duel.b), 0);
@@ -404,8 +406,8 @@ START_TEST(changes_in_mid_run_keep_their_time)
     ck_assert_int_eq(base->changes[0].step, 200);
     ck_assert_int_eq(base->n_duel, 0);
     ck_assert(duel_advance(&duel, 300, NULL));
-    ck_assert_double_eq(experiment_settings(duel.b)->mpm.flip_fraction, 0.9);
-    ck_assert_int_eq(experiment_settings(duel.b)->mpm.algorithm, MPM_USL);
+    ck_assert_double_eq(settings_transfer(experiment_settings(duel.b))->flip_fraction, 0.9);
+    ck_assert_int_eq(settings_transfer(experiment_settings(duel.b))->algorithm, MPM_USL);
     expect_together(&duel);
     end(&duel);
 }
@@ -449,7 +451,7 @@ START_TEST(its_curve_stays)
     const Ghost *ghost = &experiment_ghosts(duel.a)[0];
     ck_assert(ghost->used && !ghost->pinned);
     expect_same_records(&record, &ghost->record, "the ghost of B");
-    ck_assert_int_eq(ghost->settings->mpm.algorithm, MPM_USL);
+    ck_assert_int_eq(settings_transfer(ghost->settings)->algorithm, MPM_USL);
     ck_assert_double_eq_tol(ghost->profile.time, 5, 1e-12);
     ck_assert_str_eq(ghost->legend, "USL");
     record_close(&record);

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* An experiment against fresh runs: whatever way led to a moment, it is the same to the last bit. */
 #include "run/lab_case.h"
+#include "scenario/concern_cells.h"
+#include "scenario/concern_loads.h"
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "scenario/scenario.h"
 #include "suite.h"
@@ -165,7 +168,7 @@ END_TEST
 START_TEST(any_way_to_a_moment_of_a_beam_is_the_same)
 {
     Settings settings = beam_settings(&problem_notched_beam, 6e-5);
-    settings.loads.stress = 2.4e8; /* things break soon */
+    settings_edit_loads(&settings)->stress = 2.4e8; /* things break soon */
     const int most = suite_wide() ? 60 : 30;
     walk_randomly(&settings, 16 * MEGABYTE, most, 6);
     settings = beam_settings(&problem_moving_cantilever, 4e-5);
@@ -280,12 +283,12 @@ START_TEST(a_refused_edit_changes_nothing)
     ck_assert(experiment_advance(experiment, 100, NULL));
     Settings wanted = *experiment_settings(experiment);
     Status status = {0};
-    wanted.time.courant = 2.5;
+    settings_edit_time(&wanted)->courant = 2.5;
     ck_assert(!experiment_edit(experiment, &wanted, &status));
     ck_assert_int_eq(status.code, STATUS_USAGE);
     ck_assert_msg(strstr(status.text, "2.5") && strstr(status.text, "1.732"), "%s", status.text);
     ck_assert_int_eq(experiment_step(experiment), 100);
-    ck_assert_double_eq(experiment_settings(experiment)->time.courant, 0.1);
+    ck_assert_double_eq(settings_time(experiment_settings(experiment))->courant, 0.1);
     ck_assert(!experiment_ghosts(experiment)[0].used);
     expect_straight(experiment, "after a refusal");
     experiment_destroy(experiment);
@@ -334,10 +337,10 @@ START_TEST(a_live_parameter_changes_in_mid_run)
     /* settings are those in force */
     experiment_seek(experiment, 299, 0);
     finish_work(experiment);
-    ck_assert_int_eq(experiment_settings(experiment)->mpm.algorithm, MPM_USF);
+    ck_assert_int_eq(settings_transfer(experiment_settings(experiment))->algorithm, MPM_USF);
     experiment_seek(experiment, 300, 0);
     finish_work(experiment);
-    ck_assert_int_eq(experiment_settings(experiment)->mpm.algorithm, MPM_USL);
+    ck_assert_int_eq(settings_transfer(experiment_settings(experiment))->algorithm, MPM_USL);
 
     /* in the past, in the middle of a step */
     experiment_seek(experiment, 450, 2);
@@ -366,7 +369,7 @@ START_TEST(a_live_parameter_changes_in_mid_run)
 
     /* the restart keeps what is on screen */
     ck_assert(experiment_restart(experiment, false, NULL));
-    ck_assert_int_eq(experiment_settings(experiment)->mpm.algorithm, MPM_MUSL);
+    ck_assert_int_eq(settings_transfer(experiment_settings(experiment))->algorithm, MPM_MUSL);
     ck_assert_int_eq(experiment_settings(experiment)->n_changes, 0);
     ck_assert(!experiment_ghosts(experiment)[0].used);
     ck_assert(experiment_advance(experiment, 100, NULL));
@@ -382,7 +385,7 @@ static void expect_columns_of_fresh_run(Experiment *experiment, const char *what
     Settings scenario;
     int n, n_fresh;
     experiment_scenario(experiment, true, &scenario);
-    scenario.time.end = experiment_settings(experiment)->time.end;
+    settings_edit_time(&scenario)->end = settings_time(experiment_settings(experiment))->end;
     Experiment *fresh = open_experiment(&scenario, MEGABYTE);
     ck_assert(experiment_advance(fresh, experiment_newest(experiment), NULL));
     const Column *columns = experiment_columns(experiment, &n);
@@ -431,7 +434,7 @@ static void expect_scenario(Experiment *experiment, const char *what)
 {
     Settings scenario;
     experiment_scenario(experiment, true, &scenario);
-    scenario.time.end = experiment_settings(experiment)->time.end;
+    settings_edit_time(&scenario)->end = settings_time(experiment_settings(experiment))->end;
     Experiment *fresh = open_experiment(&scenario, MEGABYTE);
     ck_assert(experiment_advance(fresh, experiment_step(experiment), NULL));
     for (int stage = 0; stage < experiment_stage(experiment); stage++)
@@ -492,7 +495,7 @@ START_TEST(changes_in_mid_run_hold_on_any_way)
     set(&settings, "mpm.shape", "gimp");
     walk_with_changes(&settings, bar, sizeof bar / sizeof *bar, 12000, 100, 12);
     settings = beam_settings(&problem_notched_beam, 6e-5);
-    settings.loads.stress = 2.4e8;
+    settings_edit_loads(&settings)->stress = 2.4e8;
     walk_with_changes(&settings, beam, sizeof beam / sizeof *beam, 4 * MEGABYTE, 30, 13);
 }
 END_TEST
@@ -518,8 +521,8 @@ START_TEST(undo_brings_back_what_was)
     finish_work(experiment);
     ck_assert_int_eq(experiment_step(experiment), 500);
     ck_assert_int_eq(experiment_settings(experiment)->n_changes, 1);
-    ck_assert_int_eq(experiment_settings(experiment)->mpm.algorithm, MPM_USL);
-    ck_assert_int_eq(experiment_settings(experiment)->mesh.particles_per_cell, 2);
+    ck_assert_int_eq(settings_transfer(experiment_settings(experiment))->algorithm, MPM_USL);
+    ck_assert_int_eq(settings_mesh(experiment_settings(experiment))->particles_per_cell, 2);
     expect_repeats(experiment, "one change");
 
     /* none, and the prediction is back */
@@ -560,10 +563,10 @@ START_TEST(a_live_edit_at_either_end_holds_from_the_start)
     finish_work(experiment);
     ck_assert(experiment_at_end(experiment));
     ck_assert_int_eq(experiment_settings(experiment)->n_changes, 0);
-    ck_assert_int_eq(experiment_settings(experiment)->mpm.algorithm, MPM_MUSL);
+    ck_assert_int_eq(settings_transfer(experiment_settings(experiment))->algorithm, MPM_MUSL);
     expect_straight(experiment, "at the end");
     /* the ghost is the last curve that was whole */
-    ck_assert_int_eq(experiment_ghosts(experiment)[0].settings->mpm.algorithm, MPM_USL);
+    ck_assert_int_eq(settings_transfer(experiment_ghosts(experiment)[0].settings)->algorithm, MPM_USL);
     ck_assert_uint_eq(experiment_ghosts(experiment)[0].record.count, 201);
     experiment_destroy(experiment);
 }
@@ -576,9 +579,9 @@ START_TEST(given_changes_stay_with_the_scenario)
     settings.changes[0] = (Change){100, {"mpm.algorithm", "usl"}};
     Experiment *experiment = open_experiment(&settings, MEGABYTE);
     ck_assert(experiment_advance(experiment, 200, NULL));
-    ck_assert_int_eq(experiment_settings(experiment)->mpm.algorithm, MPM_USL);
+    ck_assert_int_eq(settings_transfer(experiment_settings(experiment))->algorithm, MPM_USL);
     ck_assert(experiment_restart(experiment, true, NULL));
-    ck_assert_int_eq(experiment_settings(experiment)->mpm.algorithm, MPM_USF);
+    ck_assert_int_eq(settings_transfer(experiment_settings(experiment))->algorithm, MPM_USF);
     ck_assert_int_eq(experiment_settings(experiment)->n_changes, 1);
     ck_assert(experiment_advance(experiment, 200, NULL));
     /* with half the time step it keeps its time */
@@ -588,7 +591,7 @@ START_TEST(given_changes_stay_with_the_scenario)
     ck_assert_int_eq(experiment_settings(experiment)->changes[0].step, 200);
     expect_repeats(experiment, "given");
     /* a change to what is unstable is refused before the run */
-    settings.time.courant = 1.2;
+    settings_edit_time(&settings)->courant = 1.2;
     Status status = {0};
     ck_assert_ptr_null(experiment_create(&settings, MEGABYTE, 1, &status));
     ck_assert_msg(strstr(status.text, "changes.100: time.courant: 1.2") != NULL, "%s", status.text);
@@ -738,7 +741,7 @@ START_TEST(curves_are_pinned_and_unpinned)
         pinned += ghost->pinned;
         loose += !ghost->pinned;
         if (!ghost->pinned)
-            ck_assert_int_eq(ghost->settings->start.mode, 6);
+            ck_assert_int_eq(settings_start(ghost->settings)->mode, 6);
     }
     ck_assert_int_eq(pinned, GHOSTS_MAX - 1);
     ck_assert_int_eq(loose, 1);

@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Runs as files: what they hold, that they repeat, that they are written whole or not at all. */
 #include "answers/summary.h"
+#include "scenario/concern_cells.h"
+#include "scenario/concern_loads.h"
+#include "scenario/concern_output.h"
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "export/csv.h"
 #include "export/export.h"
@@ -217,7 +221,7 @@ START_TEST(columns_are_written_that_are_asked_for)
             last[i][k] = strtod(at, &at);
         free(text);
         const Settings beside = read_back(in_folder("s.csv.ini"));
-        ck_assert_str_eq(beside.output.columns, cases[i].asked);
+        ck_assert_str_eq(settings_output(&beside)->columns, cases[i].asked);
         run(&beside, &again, NULL);
         expect_same_files(outputs.series, again.series);
     }
@@ -263,7 +267,7 @@ START_TEST(rows_are_those_of_the_laboratory)
     static const Problem *const some[] = {&problem_bar, &problem_moving_cantilever, &problem_notched_beam};
     for (size_t p = 0; p < sizeof some / sizeof *some; p++) {
         Settings settings = some[p] == &problem_bar ? bar_settings(5, 3) : beam_settings(some[p], 3e-5);
-        settings.output.every = 7;
+        settings_edit_output(&settings)->every = 7;
         Outputs outputs = {.asker = ASKER_COMMAND_LINE, .series = in_folder("s.csv"), .force = true};
         run(&settings, &outputs, NULL);
         Experiment *experiment = open_experiment(&settings, 1 << 20);
@@ -328,7 +332,7 @@ static void expect_repeats(const Settings *settings, bool may_fail)
     bool sound = export_run(settings, &first, 1, NULL, NULL, &summary, &status);
     ck_assert_msg(sound != may_fail, "%s", status.text);
     Settings beside = read_back(in_folder("a.csv.ini"));
-    ck_assert_double_eq(beside.time.end, summary.time);
+    ck_assert_double_eq(settings_time(&beside)->end, summary.time);
     run(&beside, &again, NULL);
     expect_same_files(first.series, again.series);
     expect_same_files(first.particles, again.particles);
@@ -342,20 +346,20 @@ START_TEST(what_stands_beside_repeats_the_run)
 {
     Settings settings = bar_settings(5, 3.1415926);
     expect_repeats(&settings, false);
-    settings.output.every = 10;
-    settings.output.frames = 5;
+    settings_edit_output(&settings)->every = 10;
+    settings_edit_output(&settings)->frames = 5;
     expect_repeats(&settings, false);
-    settings.output.frames = 0;
-    strcpy(settings.output.at, "0,0.5,1.23456,3");
+    settings_edit_output(&settings)->frames = 0;
+    strcpy(settings_edit_output(&settings)->at, "0,0.5,1.23456,3");
     settings.n_changes = 2;
     settings.changes[0] = (Change){100, {"mpm.algorithm", "musl"}};
     settings.changes[1] = (Change){150, {"mpm.transfer", "apic"}};
     expect_repeats(&settings, false);
     settings = beam_settings(&problem_supported_beam, 2e-5);
-    settings.output.frames = 3;
+    settings_edit_output(&settings)->frames = 3;
     expect_repeats(&settings, false);
     settings = beam_settings(&problem_moving_cantilever, 1.5e-4);
-    settings.output.every = 13;
+    settings_edit_output(&settings)->every = 13;
     expect_repeats(&settings, false);
     settings = beam_settings(&problem_notched_beam, 4e-5);
     settings.n_changes = 1;
@@ -388,9 +392,9 @@ START_TEST(a_failed_run_is_written_up_to_there)
     ck_assert_int_eq(count_lines(outputs.series), summary.steps + 2);
     ck_assert_int_eq(count_lines(outputs.particles), 51);
     expect_repeats(&settings, true);
-    settings.output.every = 1000;
+    settings_edit_output(&settings)->every = 1000;
     expect_repeats(&settings, true);
-    settings.output.frames = 20;
+    settings_edit_output(&settings)->frames = 20;
     expect_repeats(&settings, true);
 }
 END_TEST
@@ -399,7 +403,7 @@ START_TEST(frames_are_the_nearest_steps)
 {
     Settings settings = bar_settings(1, 1);
     Outputs outputs = {.asker = ASKER_COMMAND_LINE, .particles = in_folder("p.csv"), .force = true};
-    settings.output.frames = 4;
+    settings_edit_output(&settings)->frames = 4;
     run(&settings, &outputs, NULL);
     char *text = contents(outputs.particles);
     static const char *const starts[] = {"\n0,0,0,", "\n33,0.33,0,", "\n67,0.67,0,", "\n100,1,49,"};
@@ -407,12 +411,12 @@ START_TEST(frames_are_the_nearest_steps)
         ck_assert_msg(strstr(text, starts[i]) != NULL, "no frame %s", starts[i]);
     ck_assert_int_eq(count_lines(outputs.particles), 201);
     free(text);
-    settings.output.frames = 1;
+    settings_edit_output(&settings)->frames = 1;
     run(&settings, &outputs, NULL);
     ck_assert_int_eq(count_lines(outputs.particles), 51);
     /* the last step is the last, though the time lies nearer to another */
     Frames frames = {0};
-    strcpy(settings.output.at, "0.5, 1.006");
+    strcpy(settings_edit_output(&settings)->at, "0.5, 1.006");
     ck_assert(frames_plan(&frames, &settings, 0.01, 100, NULL));
     ck_assert_uint_eq(frames.count, 2);
     ck_assert_int_eq(frames.steps[0], 50);
@@ -506,7 +510,7 @@ static bool stop_soon(double share, void *context)
 START_TEST(an_interrupted_run_leaves_nothing)
 {
     Settings settings = bar_settings(1, 100);
-    settings.output.frames = 100;
+    settings_edit_output(&settings)->frames = 100;
     Outputs outputs = {.asker = ASKER_COMMAND_LINE,
                        .series = in_folder("s.csv"),
                        .particles = in_folder("p.csv"),
@@ -523,7 +527,7 @@ START_TEST(paraview_gets_a_collection)
 {
     Settings settings = beam_settings(&problem_supported_beam, 2e-6);
     Outputs outputs = {.asker = ASKER_COMMAND_LINE, .vtk = in_folder("v.pvd")};
-    settings.output.frames = 3;
+    settings_edit_output(&settings)->frames = 3;
     run(&settings, &outputs, NULL);
     ck_assert_int_eq(count_files(), 4);
     char *collection = contents(outputs.vtk), *frame = contents(in_folder("v-0002.vtu"));
@@ -540,7 +544,7 @@ START_TEST(paraview_gets_a_collection)
     collection = contents(outputs.vtk);
     ck_assert_ptr_nonnull(strstr(collection, "file=\"a&lt;b&quot;c&amp;d-0002.vtu\"/>"));
     free(collection);
-    settings.output.frames = 0;
+    settings_edit_output(&settings)->frames = 0;
     outputs.vtk = in_folder("one");
     run(&settings, &outputs, NULL);
     ck_assert_int_eq(count_files(), 9);
@@ -626,15 +630,15 @@ START_TEST(the_ripple_is_no_loss)
         for (int k = 0; k < 2; k++) {
             Settings settings = bar_settings(5, ends[k]);
             RunSummary summary;
-            settings.time.courant = courants[i];
-            settings.start.velocity = 1e-6;
+            settings_edit_time(&settings)->courant = courants[i];
+            settings_edit_start(&settings)->velocity = 1e-6;
             run(&settings, &(Outputs){0}, &summary);
             ck_assert_int_eq(summary.energy_measure, ENERGY_INVARIANT);
             ck_assert_double_eq_tol(summary.energy_change, 0, 1e-3);
             /* without an invariant by the mean of the last whole period */
-            settings.mpm.transfer = MPM_APIC;
-            settings.start.mode = 1;
-            settings.time.courant = courants[i] / 2;
+            settings_edit_transfer(&settings)->transfer = MPM_APIC;
+            settings_edit_start(&settings)->mode = 1;
+            settings_edit_time(&settings)->courant = courants[i] / 2;
             run(&settings, &(Outputs){0}, &summary);
             ck_assert_int_eq(summary.energy_measure, k == 0 ? ENERGY_TENTH : ENERGY_PERIOD);
         }
@@ -645,12 +649,12 @@ START_TEST(what_has_decayed_is_told_so)
 {
     Settings settings = bar_settings(10, 100);
     RunSummary summary;
-    settings.mpm.algorithm = MPM_USL;
+    settings_edit_transfer(&settings)->algorithm = MPM_USL;
     run(&settings, &(Outputs){0}, &summary);
     ck_assert(summary.readout.moving && !summary.readout.measured_known);
     ck_assert_str_eq(summary.readout.unmeasured, "the motion has decayed: nothing to measure");
     ck_assert_double_lt(summary.energy_change, -90);
-    settings.time.end = 0.1;
+    settings_edit_time(&settings)->end = 0.1;
     run(&settings, &(Outputs){0}, &summary);
     ck_assert_str_eq(summary.readout.unmeasured, "too short a run to measure it");
 }
@@ -667,7 +671,7 @@ START_TEST(a_summary_tells_what_a_run_came_to)
     ck_assert_int_eq(summary.energy_measure, ENERGY_INVARIANT);
     ck_assert_double_eq_tol(summary.energy_change, 0, 0.1);
     ck_assert_double_eq_tol(summary.readout.late, 0.763, 2e-3);
-    settings.start.velocity = 0;
+    settings_edit_start(&settings)->velocity = 0;
     run(&settings, &none, &summary);
     ck_assert(!summary.readout.moving);
     ck_assert_int_eq(summary.energy_measure, ENERGY_NOT_KNOWN);
@@ -680,9 +684,9 @@ START_TEST(damping_is_told_as_a_rate)
     const double alpha = 1451.9169931853621;
     Settings settings = read_back("supported-beam-coarse");
     RunSummary summary;
-    settings.damping.rate = alpha;
-    settings.time.step = 1e-7;
-    settings.time.end = 3e-3;
+    settings_edit_damping(&settings)->rate = alpha;
+    settings_edit_time(&settings)->step = 1e-7;
+    settings_edit_time(&settings)->end = 3e-3;
     run(&settings, &(Outputs){0}, &summary);
     const Readout *readout = &summary.readout;
     ck_assert_double_eq_tol(readout->decay_exact, alpha / 2, 1e-9);
@@ -694,8 +698,8 @@ START_TEST(damping_is_told_as_a_rate)
              "\ndecay  measured %.7g  theory 725.9585  1/s, half the damping\nfrequency  ",
              readout->decay_measured);
     ck_assert_msg(strstr(text, wanted) != NULL, "%s", text);
-    settings.damping.rate = 0;
-    settings.time.end = 1e-4;
+    settings_edit_damping(&settings)->rate = 0;
+    settings_edit_time(&settings)->end = 1e-4;
     run(&settings, &(Outputs){0}, &summary);
     ck_assert(isnan(summary.readout.decay_exact) && isnan(summary.readout.decay_measured));
 }

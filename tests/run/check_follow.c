@@ -2,6 +2,7 @@
 /* A thing that is followed is a column more, and nothing else: the same bits in all others, the values that
  * its table has, whatever way the run is gone. */
 #include "suite.h"
+#include "scenario/concern_output.h"
 #include "scenario/settings.h"
 #include "problems/problem.h"
 #include "run/experiment.h"
@@ -126,13 +127,13 @@ START_TEST(a_ghost_keeps_its_names)
     Settings settings;
     Status status = {STATUS_DONE, ""};
     ck_assert(scenario_load("mode5", &settings, &status));
-    strcpy(settings.output.follow, "particle 12 velocity");
+    strcpy(settings_edit_output(&settings)->follow, "particle 12 velocity");
     Experiment *experiment = experiment_create(&settings, 1 << 20, 1, &status);
     ck_assert_msg(experiment != NULL, "%s", status.text);
     ck_assert(experiment_advance(experiment, 20, &status));
     ck_assert(experiment_pin(experiment, &status));
     settings = *experiment_settings(experiment);
-    settings.output.follow[0] = '\0';
+    settings_edit_output(&settings)->follow[0] = '\0';
     ck_assert(settings_set(&settings, "mesh.cell_size", "0.5", &status));
     ck_assert_msg(experiment_edit(experiment, &settings, &status), "%s", status.text);
     const Ghost *ghost = experiment_ghosts(experiment);

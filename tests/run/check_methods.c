@@ -2,6 +2,8 @@
 /* One bar by two methods: which keys each has, how a scenario changes from one to the other, and what stands
  * beside a run by peridynamics. */
 #include "answers/bar_theory.h"
+#include "scenario/concern_bonds.h"
+#include "scenario/concern_cells.h"
 #include "scenario/settings.h"
 #include "run/lab_case.h"
 #include "scenario/scenario.h"
@@ -66,7 +68,7 @@ START_TEST(a_scenario_goes_over_to_the_other_method)
     Settings settings;
     Status status = {0};
     ck_assert_msg(scenario_load_with("crossing", by_pd, 2, &settings, &status), "%s", status.text);
-    ck_assert(settings.method == METHOD_PD && settings.lattice.horizon == 2);
+    ck_assert(settings.method == METHOD_PD && settings_lattice(&settings)->horizon == 2);
     ck_assert(!scenario_load_with("crossing", wrong, 2, &settings, &status));
     ck_assert_str_eq(status.text, "--set: mpm.shape: is no parameter of method pd (only of mpm)");
     /* how it is solved may be left behind, what is solved may not */
@@ -128,14 +130,14 @@ START_TEST(the_method_is_a_field_that_can_be_nudged)
     ck_assert_str_eq(name, "MPM");
     /* from what "auto" comes to */
     ck_assert(settings_nudge(&other, parameter_find("pd.horizon"), 1, false));
-    ck_assert_double_eq(other.lattice.horizon, 2);
+    ck_assert_double_eq(settings_lattice(&other)->horizon, 2);
     ck_assert(settings_nudge(&other, parameter_find("pd.spacing"), -1, false));
-    ck_assert_double_eq(other.lattice.spacing, 0.25);
+    ck_assert_double_eq(settings_lattice(&other)->spacing, 0.25);
     /* the volume correction of the beams is passed over */
     ck_assert(settings_nudge(&other, parameter_find("pd.surface_correction"), 1, false));
-    ck_assert_int_eq(other.lattice.surface_correction, SURFACE_NONE);
+    ck_assert_int_eq(settings_lattice(&other)->surface_correction, SURFACE_NONE);
     ck_assert(settings_nudge(&other, parameter_find("pd.surface_correction"), 1, false));
-    ck_assert_int_eq(other.lattice.surface_correction, SURFACE_ENERGY);
+    ck_assert_int_eq(settings_lattice(&other)->surface_correction, SURFACE_ENERGY);
     Settings beam = beam_settings(&problem_notched_beam, 1e-5);
     ck_assert(!settings_nudge(&beam, parameter_find("scenario.method"), 1, false));
 }
@@ -402,10 +404,11 @@ START_TEST(the_manual_has_every_stage)
             set(&settings, "mpm.algorithm", algorithms[k]);
             expect_stages(page, &settings, changes[i][0]);
         }
-        if (settings.mpm.transfer == MPM_APIC) {
+        if (settings_transfer(&settings)->transfer == MPM_APIC) {
             set(&settings, "mpm.shape", "bspline2");
             expect_stages(page, &settings, changes[i][0]);
-        } else if (settings.mpm.mass_blend != 1 && parameter_applies_to(&settings, algorithm)) {
+        } else if (settings_transfer(&settings)->mass_blend != 1 &&
+                   parameter_applies_to(&settings, algorithm)) {
             set(&settings, "mpm.flip_fraction", "0.5");
             expect_stages(page, &settings, changes[i][0]);
         }

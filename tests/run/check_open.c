@@ -6,6 +6,8 @@
  * The parameter is a damping that the engines ignore. No reference accounts for it, so each of them has to
  * leave by itself where it is at work: column, curve, profile, verdict, invariant, limit. */
 #include "answers/dispersion_curves.h"
+#include "scenario/concern_loads.h"
+#include "scenario/concern_time.h"
 #include "methods/bonds/plane/bonds_plane.h"
 #include "methods/mpm/line/mpm_bar.h"
 #include "answers/invariant.h"
@@ -43,7 +45,7 @@ enum { COLUMNS = 21, ROWS = 11 };
 
 static bool check(const Settings *settings, Status *status)
 {
-    return problem_check_steps(settings->time.end, 0.01, status);
+    return problem_check_steps(settings_time(settings)->end, 0.01, status);
 }
 
 static Simulation *simulate(const Settings *settings, int threads, Status *status)
@@ -322,7 +324,7 @@ START_TEST(a_problem_is_solved)
 {
     Settings settings = load("membrane", NULL, NULL);
     ck_assert_ptr_eq(settings.problem, problem_find("membrane"));
-    ck_assert_double_eq(settings.time.end, 1);
+    ck_assert_double_eq(settings_time(&settings)->end, 1);
     Status status;
     ck_assert(!settings_set(&settings, "bar.length", "1", &status));
     ck_assert_str_eq(status.text, "bar.length: is no parameter of problem membrane (only of bar)");

@@ -1,6 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The parameter table: rows that fit the screen, values that survive the way through text, nudges. */
 #include "answers/beam_answers.h"
+#include "scenario/concern_body.h"
+#include "scenario/concern_bonds.h"
+#include "scenario/concern_cells.h"
+#include "scenario/concern_time.h"
+#include "scenario/concern_loads.h"
+#include "scenario/concern_output.h"
 #include "scenario/settings.h"
 #include "methods/mpm/line/mpm_bar.h"
 #include "scenario/parameters.h"
@@ -81,9 +87,10 @@ START_TEST(defaults_are_those_of_the_engines)
 {
     Settings bar = set_of(&problem_bar);
     BarDef engine = bar_default();
-    ck_assert(bar.geometry.length == engine.length && bar.time.courant == engine.courant);
-    ck_assert_int_eq(bar.mesh.padding, engine.padding);
-    ck_assert_int_eq(bar.mesh.particles_per_cell, engine.particles_per_cell);
+    ck_assert(settings_geometry(&bar)->length == engine.length &&
+              settings_time(&bar)->courant == engine.courant);
+    ck_assert_int_eq(settings_mesh(&bar)->padding, engine.padding);
+    ck_assert_int_eq(settings_mesh(&bar)->particles_per_cell, engine.particles_per_cell);
     static const BeamProblem engines[] = {BEAM_SIMPLY_SUPPORTED, BEAM_MOVING_CANTILEVER, BEAM_NOTCHED};
     for (int p = 1; problems[p] && problems[p]->concerns & CONCERN_BEAM; p++) {
         Settings settings = set_of(problems[p]);
@@ -98,7 +105,7 @@ START_TEST(defaults_are_those_of_the_engines)
                   got->load_stress == def.load_stress);
         ck_assert(got->notch_depth == def.notch_depth && got->load_width == def.load_width);
         ck_assert(got->support_left == def.support_left && got->support_right == def.support_right);
-        ck_assert(settings.time.end == def.end);
+        ck_assert(settings_time(&settings)->end == def.end);
     }
 }
 END_TEST
@@ -337,16 +344,17 @@ END_TEST
 START_TEST(two_handles_on_breaking)
 {
     Settings beam = set_of(&problem_notched_beam);
-    ck_assert(fabs(beam.bonds.critical_energy - 35.68) < 0.005);
-    ck_assert(!beam.bonds.energy_given);
+    ck_assert(fabs(settings_bonds(&beam)->critical_energy - 35.68) < 0.005);
+    ck_assert(!settings_bonds(&beam)->energy_given);
     set(&beam, "pd.critical_energy", "50");
-    ck_assert(beam.bonds.energy_given);
+    ck_assert(settings_bonds(&beam)->energy_given);
     double wanted = sqrt(4 * M_PI * 50 / (9 * 34.48e9 * 2e-3));
-    ck_assert(fabs(beam.bonds.critical_stretch / wanted - 1) < 1e-14);
+    ck_assert(fabs(settings_bonds(&beam)->critical_stretch / wanted - 1) < 1e-14);
     set(&beam, "pd.horizon", "1.5e-3"); /* the handle keeps its value, the other follows */
-    ck_assert(fabs(beam.bonds.critical_stretch / (wanted * sqrt(2e-3 / 1.5e-3)) - 1) < 1e-14);
+    ck_assert(fabs(settings_bonds(&beam)->critical_stretch / (wanted * sqrt(2e-3 / 1.5e-3)) - 1) < 1e-14);
     set(&beam, "pd.critical_stretch", "0.001");
-    ck_assert(!beam.bonds.energy_given && fabs(beam.bonds.critical_energy / 50 - 1) > 0.01);
+    ck_assert(!settings_bonds(&beam)->energy_given &&
+              fabs(settings_bonds(&beam)->critical_energy / 50 - 1) > 0.01);
 }
 END_TEST
 

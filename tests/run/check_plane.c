@@ -2,6 +2,7 @@
 /* Beams by the material point method as the laboratory has them: their keys, answers beside, refinement, and
  * runs that are walked back. */
 #include "answers/convergence.h"
+#include "scenario/concern_cells.h"
 #include "scenario/settings.h"
 #include "base/kinds.h"
 #include "answers/invariant.h"
@@ -238,7 +239,7 @@ START_TEST(what_is_refused)
     expect_refused(beam, "time.courant", "1.8", "is unstable on this mesh (at most 1.7");
     expect_refused(beam, "beam.poisson", "0.5", "0.499");
     Settings last = beam; /* whose limit is lower, and is asked for from lower on */
-    last.mpm.algorithm = MPM_USL;
+    settings_edit_transfer(&last)->algorithm = MPM_USL;
     expect_refused(last, "time.courant", "0.9", "is unstable on this mesh (at most 0.");
     expect_refused(moving, "mesh.velocity", "11", "out of range (0 to motion.speed = 10)");
     expect_refused(moving, "supports.ends", "point", "no parameter of problem moving-cantilever");

@@ -2,6 +2,8 @@
 /* Plates: against runs of independent programs (tests/golden/plates.txt), digit by digit; and what holds of
  * any plate: symmetry, the balance of energies, loads that end, what moves and what is protected. */
 #include "problems/problem.h"
+#include "scenario/concern_body.h"
+#include "scenario/concern_bonds.h"
 #include "scenario/settings.h"
 #include "answers/summary.h"
 #include "run/lab_case.h"
@@ -493,14 +495,14 @@ START_TEST(a_plane_through_a_low_plate_is_what_is_there)
     set(&settings, "pd.volume_correction", "none");
     set(&settings, "pd.critical_stretch", "1e-3");
     Simulation *sim = simulation_of(&settings, 1);
-    const double middle = settings.geometry.length / 2;
+    const double middle = settings_geometry(&settings)->length / 2;
     double *from = field_now(sim, BONDS, "x_i"), *to = field_now(sim, BONDS, "x_j"),
            *low = field_now(sim, BONDS, "y_i"), *high = field_now(sim, BONDS, "y_j"), lengths = 0;
     for (size_t k = 0; k < sim->counts[BONDS]; k++)
         if ((from[k] < middle) != (to[k] < middle))
             lengths += hypot(to[k] - from[k], high[k] - low[k]);
-    const double c = 9 * settings.material.youngs_modulus / (M_PI * pow(4e-3, 3)),
-                 expected = c * 1e-3 * 1e-3 * lengths * 1e-12 / 2 / settings.geometry.height;
+    const double c = 9 * settings_material(&settings)->youngs_modulus / (M_PI * pow(4e-3, 3)),
+                 expected = c * 1e-3 * 1e-3 * lengths * 1e-12 / 2 / settings_geometry(&settings)->height;
     CrackCost cost;
     ck_assert(crack_cost_along(sim, NULL, 0, 1, &(Patience){0}, &cost));
     expect_near("plane", cost.plane, expected, 1e-12 * expected);
@@ -640,9 +642,9 @@ START_TEST(a_question_leaves_the_lattice_usual)
         const Parameter *asked = settings_question(&settings);
         if (settings.problem != &problem_plate)
             continue;
-        const double before = settings.lattice.horizon / settings.lattice.spacing;
+        const double before = settings_lattice(&settings)->horizon / settings_lattice(&settings)->spacing;
         ck_assert_msg(settings_answer_otherwise(&settings, asked), "%s", builtin->name);
-        const double after = settings.lattice.horizon / settings.lattice.spacing;
+        const double after = settings_lattice(&settings)->horizon / settings_lattice(&settings)->spacing;
         ck_assert_msg(after <= fmax(before, 4) * (1 + 1e-9) && after >= 3 * (1 - 1e-9), "%s: %g spacings",
                       builtin->name, after);
     }

@@ -1,6 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Problems with their references: columns, answers, readouts, advice. */
 #include "answers/dispersion_curves.h"
+#include "scenario/concern_body.h"
+#include "scenario/concern_cells.h"
+#include "scenario/concern_loads.h"
+#include "scenario/concern_output.h"
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "answers/bar_theory.h"
 #include "answers/known.h"
@@ -75,8 +80,8 @@ END_TEST
 START_TEST(answers_stand_beside_what_they_answer)
 {
     Settings settings = bar_settings(5, 10);
-    strcpy(settings.start.overtones, "3:0.03,7:0.01");
-    settings.start.velocity = 1e-6;
+    strcpy(settings_edit_start(&settings)->overtones, "3:0.03,7:0.01");
+    settings_edit_start(&settings)->velocity = 1e-6;
     Experiment *experiment = open_experiment(&settings, 1 << 20);
     ck_assert(experiment_advance(experiment, 1000, NULL));
     BarTheory theory;
@@ -98,7 +103,7 @@ START_TEST(answers_stand_beside_what_they_answer)
     experiment_destroy(experiment);
 
     /* with small motion the prediction is the run */
-    settings.start.overtones[0] = '\0';
+    settings_edit_start(&settings)->overtones[0] = '\0';
     experiment = open_experiment(&settings, 1 << 20);
     ck_assert(experiment_advance(experiment, 1000, NULL));
     record = experiment_record(experiment);
@@ -184,7 +189,7 @@ START_TEST(symmetric_bars_are_measured_on_their_strain)
     for (int i = 0; i < 2; i++) {
         Settings settings = bar_settings(2, 20);
         set(&settings, "bar.supports", supports[i]);
-        settings.start.velocity = 1e-3;
+        settings_edit_start(&settings)->velocity = 1e-3;
         Readout readout = read_out(&settings);
         ck_assert(readout.moving && readout.measured_known && readout.predicted_known);
         ck_assert_str_eq(readout.column, "strain");
@@ -200,17 +205,17 @@ END_TEST
 START_TEST(what_rests_has_no_frequency)
 {
     Settings settings = bar_settings(1, 5);
-    settings.start.velocity = 0;
+    settings_edit_start(&settings)->velocity = 0;
     ck_assert(!read_out(&settings).moving);
     set(&settings, "bar.supports", "free-free");
-    settings.start.mode = 0;
-    settings.start.velocity = 0.1;
+    settings_edit_start(&settings)->mode = 0;
+    settings_edit_start(&settings)->velocity = 0.1;
     ck_assert(!read_out(&settings).moving);
     /* gravity alone moves a free bar as a whole */
     set(&settings, "load.body_force", "1e-3");
     ck_assert(!read_out(&settings).moving);
     /* an overtone is a vibration */
-    strcpy(settings.start.overtones, "2:0.01");
+    strcpy(settings_edit_start(&settings)->overtones, "2:0.01");
     ck_assert(read_out(&settings).moving);
     settings = beam_settings(&problem_notched_beam, 2e-6);
     ck_assert(!read_out(&settings).moving);
@@ -222,22 +227,23 @@ START_TEST(loads_from_rest_swing_with_the_lowest_mode)
     static const char *const loads[][2] = {{"load.body_force", "1e-3"}, {"load.traction", "1e-2"}};
     for (int i = 0; i < 2; i++) {
         Settings settings = bar_settings(1, 9);
-        settings.start.velocity = 0;
+        settings_edit_start(&settings)->velocity = 0;
         set(&settings, loads[i][0], loads[i][1]);
         /* several lines in a part of a period could be anything: nothing is told before the first whole one
          */
         Readout readout = read_out(&settings);
         ck_assert(readout.moving && readout.exact_known && !readout.measured_known);
         ck_assert_double_eq_tol(readout.exact, 2 * pi / 10, 1e-12); /* period 4 L / c */
-        settings.time.end = 50;
+        settings_edit_time(&settings)->end = 50;
         readout = read_out(&settings);
         ck_assert(readout.measured_known);
         /* the mesh is 0.053 % off; where the record ends does not matter */
-        for (settings.time.end = 15; settings.time.end < 60; settings.time.end *= 1.21) {
+        for (settings_edit_time(&settings)->end = 15; settings_time(&settings)->end < 60;
+             settings_edit_time(&settings)->end *= 1.21) {
             readout = read_out(&settings);
             ck_assert_msg(readout.measured_known && fabs(readout.measured / readout.predicted - 1) < 2e-4,
-                          "%s until %g: %.9g, not %.9g", loads[i][0], settings.time.end, readout.measured,
-                          readout.predicted);
+                          "%s until %g: %.9g, not %.9g", loads[i][0], settings_time(&settings)->end,
+                          readout.measured, readout.predicted);
         }
     }
 }
@@ -273,7 +279,7 @@ START_TEST(a_supported_beam_s_period_is_read)
     settings_default(&settings, &problem_supported_beam);
     set(&settings, "pd.horizon", "5e-3");
     set(&settings, "pd.spacing", "1.2e-3");
-    settings.time.end = 2e-3;
+    settings_edit_time(&settings)->end = 2e-3;
     Readout readout = read_out(&settings);
     ck_assert(readout.is_period && readout.measured_known);
     ck_assert_double_eq_tol(readout.measured / 0.9927e-3, 1, 2e-3);
@@ -282,8 +288,8 @@ START_TEST(a_supported_beam_s_period_is_read)
     /* Timoshenko's beam as it lies on the lattice: 4 rows, 82 spacings between the supports */
     BeamTheory real = {.length = 82 * 1.2e-3,
                        .height = 4 * 1.2e-3,
-                       .youngs_modulus = settings.material.youngs_modulus,
-                       .density = settings.material.density,
+                       .youngs_modulus = settings_material(&settings)->youngs_modulus,
+                       .density = settings_material(&settings)->density,
                        .poisson = 1.0 / 3};
     ck_assert_double_eq_tol(readout.real_size / beam_period_timoshenko(&real), 1, 1e-12);
     /* and its lattice's own period, from an independent solver; the fit finds it again */
@@ -328,12 +334,12 @@ START_TEST(a_moving_cantilever_is_read_at_its_zeros)
     Settings settings = beam_settings(&problem_moving_cantilever, 5e-3);
     Simulation *sim = simulate(&settings);
     References *refs = refer(&settings, sim);
-    BeamTheory theory = {.length = settings.geometry.length,
-                         .height = settings.geometry.height,
-                         .youngs_modulus = settings.material.youngs_modulus,
-                         .density = settings.material.density,
-                         .amplitude = settings.start.amplitude};
-    MovingCantilever *tip = moving_cantilever_solve(&theory, settings.motion.speed, 5e-3, NULL);
+    BeamTheory theory = {.length = settings_geometry(&settings)->length,
+                         .height = settings_geometry(&settings)->height,
+                         .youngs_modulus = settings_material(&settings)->youngs_modulus,
+                         .density = settings_material(&settings)->density,
+                         .amplitude = settings_start(&settings)->amplitude};
+    MovingCantilever *tip = moving_cantilever_solve(&theory, settings_motion(&settings)->speed, 5e-3, NULL);
     ck_assert_ptr_nonnull(tip);
     Column columns[COLUMNS_MAX];
     Record record;
@@ -559,17 +565,17 @@ END_TEST
 START_TEST(a_run_cut_short_leaves_out_what_comes_later)
 {
     Settings settings = bar_settings(1, 10);
-    strcpy(settings.output.at, "0,0.5,2,7");
+    strcpy(settings_edit_output(&settings)->at, "0,0.5,2,7");
     settings.n_changes = 2;
     settings.changes[0] = (Change){100, {"mpm.algorithm", "usl"}};
     settings.changes[1] = (Change){300, {"mpm.algorithm", "usf"}};
     problem_end_at(&settings, 0.01, 200);
-    ck_assert_double_eq(settings.time.end, 2);
-    ck_assert_str_eq(settings.output.at, "0,0.5,2");
+    ck_assert_double_eq(settings_time(&settings)->end, 2);
+    ck_assert_str_eq(settings_output(&settings)->at, "0,0.5,2");
     ck_assert_int_eq(settings.n_changes, 1);
     Settings beam = beam_settings(&problem_supported_beam, 1e-3);
     problem_end_at(&beam, 1.5e-7, 10);
-    ck_assert_double_eq(beam.time.step, 1.5e-7);
+    ck_assert_double_eq(settings_time(&beam)->step, 1.5e-7);
 }
 END_TEST
 
@@ -595,16 +601,17 @@ START_TEST(other_ways_on_the_same_mesh)
                                     number == 5 ? known[i].fifth : known[i].tenth, 5.1e-4);
         }
     ck_assert_ptr_null(dispersion_other_way(&settings, 5, 5, &frequency));
-    settings.time.courant = 0.8;
+    settings_edit_time(&settings)->courant = 0.8;
     dispersion_other_way(&settings, 1, 5, &frequency);
     ck_assert_double_eq_tol(100 * (frequency / (10 * 4.5 * M_PI / 25) - 1), -.0455, 5.1e-5);
-    settings.mpm.shape = MPM_BSPLINE3; /* whose share is below what is allowed */
-    settings.time.courant = 0.1;
+    settings_edit_transfer(&settings)->shape = MPM_BSPLINE3; /* whose share is below what is allowed */
+    settings_edit_time(&settings)->courant = 0.1;
     ck_assert_str_eq(dispersion_other_way(&settings, 1, 5, &frequency), "no mu*");
     ck_assert_ptr_null(dispersion_other_way(&settings, 0, 26, &frequency));
-    settings.joint.place = 10; /* between equals nothing changes; else no wave has one length */
+    settings_edit_joint(&settings)->place =
+        10; /* between equals nothing changes; else no wave has one length */
     ck_assert_ptr_nonnull(dispersion_other_way(&settings, 0, 5, &frequency));
-    settings.joint.beyond.youngs_modulus = 400;
+    settings_edit_joint(&settings)->beyond.youngs_modulus = 400;
     ck_assert_ptr_null(dispersion_other_way(&settings, 0, 5, &frequency));
 }
 END_TEST
@@ -643,7 +650,7 @@ START_TEST(an_echo_is_told_while_it_is_in_one_piece)
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         const char *const pairs[] = {"bar.supports", cases[i].supports, NULL};
         Settings settings = loaded("two-materials", pairs);
-        settings.time.end = cases[i].time;
+        settings_edit_time(&settings)->end = cases[i].time;
         Experiment *experiment = open_experiment(&settings, 1 << 20);
         ck_assert(experiment_advance(experiment, 1000000, NULL));
         Finding findings[FINDINGS_MAX];
@@ -676,7 +683,7 @@ START_TEST(two_materials_have_a_frequency)
         "mesh.cell_size",   "0.5",  "bar2.joint", "12.5", "bar2.youngs_modulus", "400",
         "initial.velocity", "1e-4", NULL};
     Settings settings = loaded("mode5", two);
-    settings.time.end = 10;
+    settings_edit_time(&settings)->end = 10;
     Readout sine = read_out(&settings);
     set(&settings, "initial.shape", "exact");
     Readout exact = read_out(&settings);
@@ -689,11 +696,11 @@ START_TEST(two_materials_have_a_frequency)
     ck_assert_int_ge(column_of(experiment, "v_cm_exact"), 0);
     ck_assert_int_lt(column_of(experiment, "v_cm_predicted"), 0);
     experiment_destroy(experiment);
-    settings.time.end = 1e4; /* for ever */
+    settings_edit_time(&settings)->end = 1e4; /* for ever */
     ck_assert_ptr_null(known_unaccounted(&settings, REFERENCE_EXACT));
     set(&settings, "initial.shape", "sine");
     ck_assert_str_eq(known_unaccounted(&settings, REFERENCE_EXACT), "bar2.joint");
-    settings.time.end = 100;
+    settings_edit_time(&settings)->end = 100;
     ck_assert_ptr_null(known_unaccounted(&settings, REFERENCE_EXACT));
     set(&settings, "load.body_force", "0.01");
     ck_assert_str_eq(known_unaccounted(&settings, REFERENCE_EXACT), "bar2.joint");
@@ -702,7 +709,7 @@ START_TEST(two_materials_have_a_frequency)
     static const char *const equals[] = {"mesh.cell_size", "0.5", "bar2.joint", "12.5", NULL};
     Settings joined = loaded("mode5", equals), one = loaded("mode5", equals);
     set(&one, "bar2.joint", "none");
-    joined.time.end = one.time.end = 5;
+    settings_edit_time(&joined)->end = settings_edit_time(&one)->end = 5;
     const Readout a = read_out(&joined), b = read_out(&one);
     ck_assert_double_eq(a.measured, b.measured);
     ck_assert_double_eq(a.predicted, b.predicted);

@@ -2,6 +2,7 @@
 /* Rows of a plate: what is read, what is refused and how that is said, what is written reads back to the last
  * bit, and how settings compare that have other rows. */
 #include "scenario/parameters.h"
+#include "scenario/concern_loads.h"
 #include "scenario/settings.h"
 #include "scenario/rows/rows.h"
 #include "scenario/scenario.h"
@@ -228,7 +229,7 @@ START_TEST(rows_and_their_values_are_keys)
     ck_assert(!settings_set(&s, "cuts.a", "0 0 1mm 1mm", &status));
     ck_assert_str_eq(status.text, "cuts.a: problem notched-beam has no [cuts] (a plate has)");
     ck_assert(settings_set(&s, "supports.left", "0.01", &status));
-    ck_assert_double_eq(s.supports.left, 0.01);
+    ck_assert_double_eq(settings_supports(&s)->left, 0.01);
 }
 END_TEST
 

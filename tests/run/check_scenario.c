@@ -1,6 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Scenario files: what is read, what is refused and how that is said, what is written reads back. */
 #include "scenario/scenario.h"
+#include "scenario/concern_bonds.h"
+#include "scenario/concern_cells.h"
+#include "scenario/concern_loads.h"
+#include "scenario/concern_output.h"
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "scenario/parameters.h"
 #include "suite.h"
@@ -67,10 +72,10 @@ START_TEST(a_file_is_read)
                            "about = one\r\n   two # not this\r\n\tt = 3\r\ntitle\t= A#1;b  # c\r\n"
                            "[output]\nat = 1,2,\n  3\n[changes]\n20 = mpm.algorithm=usl\n"
                            "10 = load.traction = 1e-3\n10 = mpm.algorithm = musl");
-    ck_assert(s.mesh.cell_size == 0.5);
+    ck_assert(settings_mesh(&s)->cell_size == 0.5);
     ck_assert_str_eq(s.about, "one two t = 3");
     ck_assert_str_eq(s.title, "A#1;b");
-    ck_assert_str_eq(s.output.at, "1,2,3");
+    ck_assert_str_eq(settings_output(&s)->at, "1,2,3");
     ck_assert_int_eq(s.n_changes, 3);
     ck_assert_int_eq(s.changes[0].step, 10);
     ck_assert_str_eq(s.changes[0].to.key, "load.traction");
@@ -78,8 +83,8 @@ START_TEST(a_file_is_read)
     ck_assert_str_eq(s.changes[2].to.value, "usl");
     expect_round_trip(&s);
     s = read_text("[time]\nend=1e-3\n[scenario]\nproblem=notched-beam\n[pd]\ncritical_energy=30\n");
-    ck_assert(s.problem == &problem_notched_beam && s.bonds.energy_given && s.bonds.critical_energy == 30 &&
-              s.time.end == 1e-3);
+    ck_assert(s.problem == &problem_notched_beam && settings_bonds(&s)->energy_given &&
+              settings_bonds(&s)->critical_energy == 30 && settings_time(&s)->end == 1e-3);
     expect_round_trip(&s);
 }
 END_TEST
@@ -122,7 +127,7 @@ START_TEST(every_text_reads_back_or_is_refused)
     long_text[strlen(long_text) - 1] = '\0';
     strcpy(s.about, long_text);
     for (int i = 0; i < 40; i++)
-        sprintf(s.output.at + strlen(s.output.at), "%s%d.5", i ? "," : "", i);
+        sprintf(settings_edit_output(&s)->at + strlen(settings_output(&s)->at), "%s%d.5", i ? "," : "", i);
     expect_round_trip(&s);
 }
 END_TEST
@@ -133,7 +138,8 @@ START_TEST(overrides_stand_above_the_file)
     Settings settings;
     Status status;
     ck_assert_msg(scenario_load_with("mode5", sets, 2, &settings, &status), "%s", status.text);
-    ck_assert(settings.mesh.cell_size == 0.5 && settings.time.end == 7 && settings.start.mode == 5);
+    ck_assert(settings_mesh(&settings)->cell_size == 0.5 && settings_time(&settings)->end == 7 &&
+              settings_start(&settings)->mode == 5);
     sets[0].value = "0.7";
     ck_assert(!scenario_load_with("mode5", sets, 2, &settings, &status));
     ck_assert_msg(strncmp(status.text, "--set: mesh.cell_size: the length", 33) == 0, "%s", status.text);
@@ -142,7 +148,8 @@ START_TEST(overrides_stand_above_the_file)
     ck_assert(scenario_load_with("moving-cantilever", shorter, 2, &settings, NULL));
     ck_assert(!scenario_load_with("moving-cantilever", shorter, 1, &settings, &status));
     Override handles[] = {{"--set", "pd.critical_energy", "30"}, {"--set", "pd.critical_stretch", "0.001"}};
-    ck_assert(scenario_load_with("notched-beam", handles, 1, &settings, NULL) && settings.bonds.energy_given);
+    ck_assert(scenario_load_with("notched-beam", handles, 1, &settings, NULL) &&
+              settings_bonds(&settings)->energy_given);
     ck_assert(!scenario_load_with("notched-beam", handles, 2, &settings, &status));
     /* of several values of a row the one that is wrong, and no line that is merely named */
     Override rows[] = {{"--set 1", "cuts.edge.x0", "7"}, {"--set 2", "cuts.edge.y1", "0.01"}};

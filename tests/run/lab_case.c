@@ -1,5 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "run/lab_case.h"
+#include "scenario/concern_body.h"
+#include "scenario/concern_bonds.h"
+#include "scenario/concern_loads.h"
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "methods/bonds/plane/bonds_plane.h"
 
@@ -11,8 +15,8 @@ Settings bar_settings(int mode, double end)
 {
     Settings settings;
     settings_default(&settings, &problem_bar);
-    settings.start.mode = mode;
-    settings.time.end = end;
+    settings_edit_start(&settings)->mode = mode;
+    settings_edit_time(&settings)->end = end;
     return settings;
 }
 
@@ -26,20 +30,20 @@ Settings beam_settings(const Problem *problem, double end)
 {
     Settings settings;
     settings_default(&settings, problem);
-    settings.time.end = end;
+    settings_edit_time(&settings)->end = end;
     if (problem == &problem_notched_beam) {
-        settings.geometry.length = 0.1;
-        settings.geometry.height = 0.04;
+        settings_edit_geometry(&settings)->length = 0.1;
+        settings_edit_geometry(&settings)->height = 0.04;
         set(&settings, "pd.horizon", "4e-3");
         set(&settings, "pd.spacing", "1e-3");
-        settings.notch.position = 0.03;
-        settings.notch.depth = 0.01;
-        settings.loads.position = 0.05;
-        settings.loads.width = 0.004;
-        settings.supports.left = 0.0055;
-        settings.supports.right = 0.0945;
-        settings.bonds.protected_depth = 0.006;
-        settings.time.step = 2e-7;
+        settings_edit_notch(&settings)->position = 0.03;
+        settings_edit_notch(&settings)->depth = 0.01;
+        settings_edit_loads(&settings)->position = 0.05;
+        settings_edit_loads(&settings)->width = 0.004;
+        settings_edit_supports(&settings)->left = 0.0055;
+        settings_edit_supports(&settings)->right = 0.0945;
+        settings_edit_bonds(&settings)->protected_depth = 0.006;
+        settings_edit_time(&settings)->step = 2e-7;
     } else {
         set(&settings, "pd.horizon", "3.75e-3");
         set(&settings, "pd.spacing", "1.25e-3");

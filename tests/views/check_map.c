@@ -2,6 +2,7 @@
 /* The map of a beam, the drawing and the family inspector: what they show is where and what the simulation
  * says, read from the cells as a reader would. */
 #include "views/view.h"
+#include "scenario/concern_output.h"
 #include "scenario/settings.h"
 #include "views/inspector/inspector.h"
 #include "suite.h"
@@ -211,7 +212,7 @@ START_TEST(every_colour_word_is_known)
                 continue;
             }
             taken++;
-            screen_read_view(&scene.screen, &settings.view);
+            screen_read_view(&scene.screen, settings_view(&settings));
             const int variant = view_variant(view_of_map(), &scene.screen);
             found += strcmp(view_variant_word(view_of_map(), &scene.screen, variant),
                             parameter_colour_words[i]) == 0;

@@ -3,6 +3,7 @@
  * A column is a bar's (frequency), a beam's (period) or of cracks. */
 #include "cli/sweep/sweep_result.h"
 
+#include "scenario/concern_bonds.h"
 #include "scenario/settings.h"
 
 #include <math.h>
@@ -146,7 +147,7 @@ void sweep_result_of(const RunSummary *summary, const Settings *settings, double
     put_readout(summary, cells);
     cells[RESULT_REAL_HEIGHT] = derived_value(summary, "real_height");
     cells[RESULT_REAL_SPAN] = derived_value(summary, "real_span");
-    if (settings->problem->concerns & CONCERN_BREAKING && settings->bonds.critical_stretch > 0)
+    if (settings->problem->concerns & CONCERN_BREAKING && settings_bonds(settings)->critical_stretch > 0)
         cells[RESULT_BROKEN_BONDS] = last_value(summary, "broken_bonds");
     put_cracks(summary, cells);
     cells[RESULT_CRACK_LENGTH] = last_value(summary, "crack_length");

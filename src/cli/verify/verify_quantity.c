@@ -2,6 +2,8 @@
 /* What a verification reads from a run: see verify_quantity.h. Times are those of rows. */
 #include "cli/verify/verify_quantity.h"
 
+#include "scenario/concern_loads.h"
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "answers/crack_growth.h"
 #include "methods/bonds/cracks/crack_cost.h"
@@ -348,7 +350,7 @@ static void try_starts(VerifyRun *run, const VerifyRow *row)
         char scenario[256];
         VerifyRun other;
         snprintf(scenario, sizeof scenario, "%s initial.velocity=%.17g", run->scenario,
-                 run->settings.start.velocity * (1 + off));
+                 settings_start(&run->settings)->velocity * (1 + off));
         if (verify_run_open(&other, scenario, run->threads, run->settings.patience))
             run->starts[run->n_starts++] = quantity_energy_left(&other, row);
         verify_run_close(&other);
@@ -403,10 +405,10 @@ double quantity_crossing_velocity(VerifyRun *run, const VerifyRow *row)
     double low = row->from, high = row->to;
     while (high - low > 1e-4) {
         bool crossed;
-        settings.start.velocity = (low + high) / 2;
+        settings_edit_start(&settings)->velocity = (low + high) / 2;
         if (!crosses(&settings, &crossed, &run->failure))
             return NAN;
-        *(crossed ? &high : &low) = settings.start.velocity;
+        *(crossed ? &high : &low) = settings_start(&settings)->velocity;
     }
     return high;
 }
@@ -438,10 +440,10 @@ double quantity_courant_limit(VerifyRun *run, const VerifyRow *row)
     double low = row->from, high = row->to;
     while (high - low > 2e-4 * high) {
         bool bounded;
-        settings.time.courant = (low + high) / 2;
+        settings_edit_time(&settings)->courant = (low + high) / 2;
         if (!stays_bounded(&settings, &bounded, &run->failure))
             return NAN;
-        *(bounded ? &low : &high) = settings.time.courant;
+        *(bounded ? &low : &high) = settings_time(&settings)->courant;
     }
     return (low + high) / 2;
 }
@@ -463,7 +465,7 @@ double quantity_middle_factor(VerifyRun *run, const VerifyRow *row)
 double quantity_energy_after_steps(VerifyRun *run, const VerifyRow *row)
 {
     Settings settings = run->settings;
-    settings.time.step = row->from * derived_of(run, "dt_crit");
+    settings_edit_time(&settings)->step = row->from * derived_of(run, "dt_crit");
     Status *status = &run->failure;
     double values[COLUMNS_MAX], ratio = NAN;
     Run other;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Runs a scenario step by step as `matvib run` does, and keeps its rows. */
 #include "cli/verify/verify_run.h"
+#include "scenario/concern_output.h"
 
 #include "base/patience.h"
 #include "scenario/parameters.h"
@@ -30,7 +31,7 @@ bool verify_settings(const char *scenario, Settings *settings, Status *status)
 static bool fill_row(void *owner, Run *passing, long step, const double *row, Status *status)
 {
     VerifyRun *run = owner;
-    const long every = run->settings.output.every;
+    const long every = settings_output(&run->settings)->every;
     const size_t place = (size_t)((step + every - 1) / every);
     (void)status;
     if (place >= run->count)
@@ -43,7 +44,7 @@ static bool fill_row(void *owner, Run *passing, long step, const double *row, St
 /* Its rows, one for each `every`-th step up to its end, which may come before that of its time. */
 static bool fill_rows(VerifyRun *run, Status *status)
 {
-    const long every = run->settings.output.every;
+    const long every = settings_output(&run->settings)->every;
     const Sink sink = {.every = references_memory(run->refs) ? 1 : every, .row = fill_row, .owner = run};
     run->count = (size_t)(run->passing.last / every) + 1;
     run->passing.last = (long)(run->count - 1) * every;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The run as files, asked for with x. The files are those of `matvib run`, by the same function. */
 #include "lab/laboratory.h"
+#include "scenario/concern_output.h"
 #include "scenario/settings.h"
 #include "lab/writing.h"
 #include "base/text.h"
@@ -193,7 +194,7 @@ static bool export_named(Laboratory *lab, const char *text)
 static long series_rows(const Laboratory *lab)
 {
     const Experiment *experiment = lab->screen.experiment;
-    const long every = experiment_settings(experiment)->output.every;
+    const long every = settings_output(experiment_settings(experiment))->every;
     const long last = lab->exporting.newest ? experiment_newest(experiment) : experiment_step(experiment);
     return last / every + 1 + (last % every != 0);
 }
@@ -238,7 +239,8 @@ static void ask_name(Laboratory *lab)
     if (every > 1)
         snprintf(prompt->hint, sizeof prompt->hint,
                  "more rows than a spreadsheet takes (%d with the heading): output.every=%ld would fit",
-                 SPREADSHEET_ROWS, every * experiment_settings(lab->screen.experiment)->output.every);
+                 SPREADSHEET_ROWS,
+                 every * settings_output(experiment_settings(lab->screen.experiment))->every);
 }
 
 static bool answer_which(Laboratory *lab, const char *text)

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands of the map of a beam: magnify, move, draw displacements larger or smaller. */
 #include "lab/laboratory.h"
+#include "scenario/concern_body.h"
+#include "scenario/concern_output.h"
 #include "scenario/settings.h"
 #include "lab/commands/commands.h"
 #include "base/math/functions.h"
@@ -35,8 +37,8 @@ static void look_at_something(Screen *screen)
         y = strcmp(columns[i].quantity.name, "crack_y") == 0 ? i : y;
     }
     if (x >= 0 && y >= 0 && row) {
-        screen->eye.centre[0] = row[x] / settings->geometry.length;
-        screen->eye.centre[1] = row[y] / settings->geometry.height;
+        screen->eye.centre[0] = row[x] / settings_geometry(settings)->length;
+        screen->eye.centre[1] = row[y] / settings_geometry(settings)->height;
     } else
         look_at_node(&screen->eye, experiment_simulation(screen->experiment), screen->chosen.particle);
 }
@@ -65,7 +67,8 @@ void command_map_pan(Screen *screen, int x, int y)
     const double stride = STRIDE / screen->eye.magnified;
     screen->eye.centre[0] = limited(screen->eye.centre[0] + x * stride, 0, 1);
     /* a pane is not as high as it is wide */
-    const double upwards = fmin(0.25, stride * settings->geometry.length / settings->geometry.height / 2);
+    const double upwards =
+        fmin(0.25, stride * settings_geometry(settings)->length / settings_geometry(settings)->height / 2);
     screen->eye.centre[1] = limited(screen->eye.centre[1] - y * upwards, 0, 1);
 }
 
@@ -121,15 +124,15 @@ void command_map_enlarge(Laboratory *lab, int direction)
     const double now = view_map_enlargement(screen, lab->width, lab->height);
     Status status = {STATUS_DONE, ""};
     if (direction == 0)
-        settings.view.exaggeration[0] = '\0';
+        settings_edit_view(&settings)->exaggeration[0] = '\0';
     else
-        snprintf(settings.view.exaggeration, sizeof settings.view.exaggeration, "%.15g",
-                 player_next_125(now > 0 ? now : 1, direction));
+        snprintf(settings_edit_view(&settings)->exaggeration, sizeof settings_view(&settings)->exaggeration,
+                 "%.15g", player_next_125(now > 0 ? now : 1, direction));
     if (!experiment_edit(screen->experiment, &settings, &status))
         laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
     else if (direction == 0)
         laboratory_say(lab, MESSAGE_INFO, "displacements are drawn as large as the pane allows");
     else
         laboratory_say(lab, MESSAGE_INFO, "displacements are drawn x %s (a: as the pane allows)",
-                       settings.view.exaggeration);
+                       settings_view(&settings)->exaggeration);
 }

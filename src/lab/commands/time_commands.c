@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands of time: run, step, go back, bookmarks. */
 #include "lab/commands/commands.h"
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "base/text.h"
 
@@ -213,7 +214,7 @@ bool command_answer_go_to(Laboratory *lab, const char *text)
     } else if (stop_read_time(text, lab->screen.experiment, &time)) {
         step = time / dt > (double)last ? last + 1 : time < 0 ? -1 : lround(time / dt);
         if (time > (double)last * dt &&
-            time <= experiment_settings(lab->screen.experiment)->time.end * (1 + 1e-9))
+            time <= settings_time(experiment_settings(lab->screen.experiment))->end * (1 + 1e-9))
             step = last;
     } else
         return prompt_refuse(&lab->prompting, "a time, as in 12.5, or a step, as in #1000");

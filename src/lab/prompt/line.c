@@ -2,6 +2,7 @@
 /* The command line behind `:`: commands by name, KEY=VALUE, a time, and verbs that take arguments. */
 #include "lab/prompt/line.h"
 #include "lab/laboratory.h"
+#include "scenario/concern_output.h"
 #include "scenario/settings.h"
 #include "scenario/rows/rows.h"
 #include "lab/commands/commands.h"
@@ -54,7 +55,7 @@ static bool assign(Laboratory *lab, const char *key, const char *value)
 {
     Settings settings = *experiment_settings(lab->screen.experiment);
     Status status = {STATUS_DONE, ""};
-    return (settings_set(&settings, key, value, &status) && view_check(&settings.view, &status) &&
+    return (settings_set(&settings, key, value, &status) && view_check(settings_view(&settings), &status) &&
             edit_change(lab, &settings, experiment_edit, &status)) ||
            prompt_refuse(&lab->prompting, status.text);
 }
@@ -313,15 +314,16 @@ static bool plot(Laboratory *lab, const char *words)
     Screen *screen = &lab->screen;
     Settings settings = *experiment_settings(screen->experiment);
     Status status = {STATUS_DONE, ""};
-    char thing[FOLLOW_TEXT_MAX], *follow = settings.output.follow;
+    char thing[FOLLOW_TEXT_MAX], *follow = settings_edit_output(&settings)->follow;
     const size_t used = strlen(follow);
     name_thing(screen, words, thing);
     if (!*words)
-        memset(follow, 0, sizeof settings.output.follow);
-    else if (used + strlen(thing) + 3 > sizeof settings.output.follow)
+        memset(follow, 0, sizeof settings_output(&settings)->follow);
+    else if (used + strlen(thing) + 3 > sizeof settings_output(&settings)->follow)
         return prompt_refuse(&lab->prompting, "too many things are followed: plot alone ends them");
     else
-        snprintf(follow + used, sizeof settings.output.follow - used, "%s%s", used ? ", " : "", thing);
+        snprintf(follow + used, sizeof settings_output(&settings)->follow - used, "%s%s", used ? ", " : "",
+                 thing);
     if (!edit_change(lab, &settings, experiment_edit, &status))
         return prompt_refuse(&lab->prompting, status.text);
     const Simulation *sim = experiment_simulation(screen->experiment);

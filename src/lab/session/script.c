@@ -2,6 +2,7 @@
 /* The script player: a table of instructions over a laboratory with a virtual clock. */
 #include "lab/session/script.h"
 
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "base/input.h"
 #include "base/text.h"
@@ -415,7 +416,7 @@ static bool has_room(const Script *script, double dt, Status *status)
                  due = fmax(ceil((1 - 1e-9) * camera->speed / camera->fps / FRAME_SECONDS), 1),
                  pictures = fmin(frames / due, steps);
     if (pictures < FILM_PICTURES_MAX || camera->idle < 1 / camera->fps ||
-        experiment_settings(screen->experiment)->time.rest)
+        settings_time(experiment_settings(screen->experiment))->rest)
         return true;
     return status_fail(
         status, STATUS_USAGE, "the film would have about %.0f pictures (at most %d: --to %g, or --speed %g)",

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The parts of the screen in words (tell.h). */
 #include "picture/words/tell.h"
+#include "scenario/concern_loads.h"
 #include "scenario/settings.h"
 #include "scenario/rows/rows.h"
 #include "answers/dispersion_curves.h"
@@ -165,7 +166,7 @@ static void tell_setup(const Screen *screen, Words *words)
 static void tell_why(const Screen *screen, Words *words)
 {
     const Settings *settings = experiment_settings(screen->experiment);
-    const int mode = settings->start.mode;
+    const int mode = settings_start(settings)->mode;
     ModeOnMesh on_mesh;
     words_say(words, 2, "%s", *settings->about ? settings->about : "The scenario says nothing of itself.");
     if (!screen_shows_exact(screen) || !screen_shows_predicted(screen) || mode > dispersion_modes(settings) ||

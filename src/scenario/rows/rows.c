@@ -4,6 +4,7 @@
 #include "base/text.h"
 #include "problems/problem.h"
 #include "scenario/rows/row_text.h"
+#include "scenario/concern_body.h"
 #include "scenario/settings.h"
 
 #include <math.h>
@@ -136,7 +137,7 @@ double row_whole(const Settings *settings, const Row *row, RowValue value, const
         height = (int)row->values[0] == ROW_LEFT || (int)row->values[0] == ROW_RIGHT;
     if (key)
         *key = height ? "plate.height" : "plate.length";
-    return height ? settings->geometry.height : settings->geometry.length;
+    return height ? settings_geometry(settings)->height : settings_geometry(settings)->length;
 }
 
 double settings_row_value(const Settings *settings, int kind, int row, int column)

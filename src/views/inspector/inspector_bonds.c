@@ -3,6 +3,7 @@
  * and the forces as they add up to the node's. */
 #include "views/inspector/inspector.h"
 #include "picture/sum_column.h"
+#include "scenario/concern_bonds.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -3,6 +3,7 @@
  * one, the bond that broke last, the most stretched one and why it holds, and the forces (family_forces.c).
  */
 #include "views/inspector/inspector.h"
+#include "scenario/concern_bonds.h"
 #include "scenario/settings.h"
 #include "views/views.h"
 #include "views/map/family.h"
@@ -73,7 +74,7 @@ static bool family_of(Family *family, const Screen *screen)
 /* The factor that makes stretches numbers of two or three digits: in percent of s0, or of a power of ten. */
 static double scale_of(const Family *family, char *caption, size_t size)
 {
-    const double s0 = family->settings->bonds.critical_stretch;
+    const double s0 = settings_bonds(family->settings)->critical_stretch;
     double most = 0;
     for (int k = 0; k < family->count; k++)
         most = fmax(most, family->rays[k].broken ? 0 : fabs(family->rays[k].stretch));
@@ -131,7 +132,7 @@ static int draw_family(const Family *family, Area area, int cell)
 /* "s = 0.0003878 = 45.6 % of s0 = 0.00085" */
 static void draw_stretch(const Family *family, Area area, int y, const Ray *ray)
 {
-    const double s0 = family->settings->bonds.critical_stretch;
+    const double s0 = settings_bonds(family->settings)->critical_stretch;
     char text[96], number[NUMBER_TEXT_MAX], share[NUMBER_TEXT_MAX], critical[NUMBER_TEXT_MAX];
     text_fitted(ray->stretch, 4, 12, number);
     text_fitted(100 * ray->stretch / s0, 4, 8, share);
@@ -162,7 +163,7 @@ static int draw_last(const Family *family, Area area)
 /* The most stretched bond that is whole. Returns the rows used. */
 static const char *why_it_holds(const Family *family, const Ray *ray)
 {
-    const double s0 = family->settings->bonds.critical_stretch;
+    const double s0 = settings_bonds(family->settings)->critical_stretch;
     if (s0 <= 0)
         return "holds: bonds never break here (s0 = 0)";
     if (ray->stretch < s0)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The forces of a node's bonds as they add up to its own, by the side on which they pull. */
 #include "views/map/family.h"
+#include "scenario/concern_loads.h"
 #include "scenario/settings.h"
 #include "base/math/functions.h"
 
@@ -40,9 +41,10 @@ static double load_on(const Family *family)
 {
     const Settings *settings = family->settings;
     const double time = (double)(family->sim->step + (family->sim->stage > 0)) * family->sim->dt;
-    const double share = settings->loads.ramp > 0 ? fmin(1, time / settings->loads.ramp) : 1;
+    const double share =
+        settings_loads(settings)->ramp > 0 ? fmin(1, time / settings_loads(settings)->ramp) : 1;
     return family_field(family, "loaded", family->node) > 0
-               ? -settings->loads.stress * share / family->body.spacing
+               ? -settings_loads(settings)->stress * share / family->body.spacing
                : 0;
 }
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the nodes of a beam can be coloured by, and the range of the ramp for it. */
 #include "views/map/map.h"
+#include "scenario/concern_body.h"
 #include "scenario/settings.h"
 
 #include <math.h>
@@ -133,10 +134,11 @@ bool map_colour(Map *map, MapVariant variant)
         const bool density = variant == MAP_ENERGY || variant == MAP_KINETIC;
         double reach, scale = 1;
         if (density)
-            scale = 1 / (map->body.spacing * map->body.spacing * map->settings->geometry.thickness);
+            scale = 1 / (map->body.spacing * map->body.spacing * settings_geometry(map->settings)->thickness);
         else if (travels) /* of a section that turns about its middle by the slope of the swing */
             reach = fmax(fmax(-least, most), map_reach(map, map->sim->displacement[1], map->uy) *
-                                                 map->body.size[1] / (2 * map->settings->geometry.length));
+                                                 map->body.size[1] /
+                                                 (2 * settings_geometry(map->settings)->length));
         else
             reach = map_reach(map, field, map->value);
         for (size_t i = 0; i < count && density; i++)

@@ -4,6 +4,8 @@
  * is wide, but for rounding. */
 #include "views/map/map_drawing.h"
 
+#include "scenario/concern_body.h"
+#include "scenario/concern_loads.h"
 #include "scenario/settings.h"
 #include "base/math/functions.h"
 
@@ -137,7 +139,7 @@ static void draw_outline(const Drawing *drawing)
     const double right = drawing_column(drawing, drawing->body->low[0] + drawing->body->size[0]);
     char text[NUMBER_TEXT_MAX + 8];
     draw_box(drawing, left, right, drawing->top, drawing->bottom);
-    millimetres(drawing->settings->geometry.height, text, sizeof text);
+    millimetres(settings_geometry(drawing->settings)->height, text, sizeof text);
     draw_rise(drawing, right + 2, drawing->top, drawing->bottom);
     drawing_label(drawing, right + 3, drawing_row(drawing, 0.5), 1, text, STYLE_NORMAL);
 }
@@ -145,12 +147,12 @@ static void draw_outline(const Drawing *drawing)
 /* The body behind the clamp goes through a channel with walls. */
 static void draw_channel(const Drawing *drawing)
 {
-    const double from = drawing_column(drawing, -drawing->settings->motion.channel),
+    const double from = drawing_column(drawing, -settings_motion(drawing->settings)->channel),
                  to = drawing_column(drawing, 0);
     draw_wall(drawing, from, to, drawing->top, -1);
     draw_wall(drawing, from, to, drawing->bottom, 1);
     char text[48], number[NUMBER_TEXT_MAX];
-    text_rounded(number, drawing->settings->motion.speed, 4);
+    text_rounded(number, settings_motion(drawing->settings)->speed, 4);
     snprintf(text, sizeof text, "→ %s m/s", number);
     drawing_label(drawing, from + 2, drawing_row(drawing, 0.5), 1, text, STYLE_HEADING);
 }
@@ -159,12 +161,13 @@ static void draw_channel(const Drawing *drawing)
 static void draw_cut(const Drawing *drawing)
 {
     const Settings *settings = drawing->settings;
-    const double notch = drawing_column(drawing, settings->notch.position);
-    const double end = fmin(drawing_row(drawing, settings->notch.depth / settings->geometry.height),
-                            drawing->bottom - !drawing_paper(drawing)); /* seen in any case */
+    const double notch = drawing_column(drawing, settings_notch(settings)->position);
+    const double end =
+        fmin(drawing_row(drawing, settings_notch(settings)->depth / settings_geometry(settings)->height),
+             drawing->bottom - !drawing_paper(drawing)); /* seen in any case */
     char text[NUMBER_TEXT_MAX + 8];
     draw_notch(drawing, notch, end);
-    millimetres(settings->notch.depth, text, sizeof text);
+    millimetres(settings_notch(settings)->depth, text, sizeof text);
     drawing_label(drawing, notch + 1, fmin(end, drawing->bottom - 1), 1, text, STYLE_NORMAL);
 }
 
@@ -173,15 +176,17 @@ static void draw_pressure(const Drawing *drawing)
 {
     const Settings *settings = drawing->settings;
     char text[96], number[NUMBER_TEXT_MAX], width[NUMBER_TEXT_MAX];
-    const double from = drawing_column(drawing, settings->loads.position - settings->loads.width / 2);
-    const double to = drawing_column(drawing, settings->loads.position + settings->loads.width / 2);
+    const double from =
+        drawing_column(drawing, settings_loads(settings)->position - settings_loads(settings)->width / 2);
+    const double to =
+        drawing_column(drawing, settings_loads(settings)->position + settings_loads(settings)->width / 2);
     draw_load(drawing, from, to);
-    text_rounded(number, 1e-6 * settings->loads.stress, 4);
-    text_rounded(width, 1e3 * settings->loads.width, 4);
+    text_rounded(number, 1e-6 * settings_loads(settings)->stress, 4);
+    text_rounded(width, 1e3 * settings_loads(settings)->width, 4);
     snprintf(text, sizeof text, "%s MPa on %s mm", number, width);
     drawing_label(drawing, to + 2, drawing->top - 1, 1, text, STYLE_NORMAL);
-    draw_support(drawing, settings->supports.left, settings->supports.pinned);
-    draw_support(drawing, settings->supports.right, false);
+    draw_support(drawing, settings_supports(settings)->left, settings_supports(settings)->pinned);
+    draw_support(drawing, settings_supports(settings)->right, false);
 }
 
 static void draw_probe(const Drawing *drawing)
@@ -202,16 +207,16 @@ static void draw_words(const Drawing *drawing, int y)
 {
     const Settings *settings = drawing->settings;
     char text[160], a[NUMBER_TEXT_MAX], b[NUMBER_TEXT_MAX], c[NUMBER_TEXT_MAX];
-    text_rounded(a, 1e-9 * settings->material.youngs_modulus, 4);
-    text_rounded(b, settings->material.density, 5);
-    text_rounded(c, 1e3 * settings->geometry.thickness, 4);
+    text_rounded(a, 1e-9 * settings_material(settings)->youngs_modulus, 4);
+    text_rounded(b, settings_material(settings)->density, 5);
+    text_rounded(c, 1e3 * settings_geometry(settings)->thickness, 4);
     snprintf(text, sizeof text, "E %s GPa  density %s kg/m³  thickness %s mm", a, b, c);
-    if (drawing->scene.bent && settings->start.amplitude != 0) {
-        text_rounded(a, 1e6 * settings->start.amplitude, 4);
+    if (drawing->scene.bent && settings_start(settings)->amplitude != 0) {
+        text_rounded(a, 1e6 * settings_start(settings)->amplitude, 4);
         text_append(text, sizeof text, "  U %s µm", a);
     }
-    if (settings->loads.body_force != 0) {
-        text_rounded(a, settings->loads.body_force, 4);
+    if (settings_loads(settings)->body_force != 0) {
+        text_rounded(a, settings_loads(settings)->body_force, 4);
         text_append(text, sizeof text, "  body force %s m/s²", a);
     }
     if (drawing_paper(drawing))
@@ -238,14 +243,14 @@ static void add_lengths(Drawing *drawing)
     const MapScene *scene = &drawing->scene;
     int row = 0;
     if (scene->leaves)
-        add(drawing, -settings->motion.channel, 0, row);
+        add(drawing, -settings_motion(settings)->channel, 0, row);
     if (scene->notched)
-        add(drawing, 0, settings->notch.position, row++);
+        add(drawing, 0, settings_notch(settings)->position, row++);
     if (scene->pressed) {
-        add(drawing, 0, settings->loads.position, row++);
-        add(drawing, settings->supports.left, settings->supports.right, row++);
+        add(drawing, 0, settings_loads(settings)->position, row++);
+        add(drawing, settings_supports(settings)->left, settings_supports(settings)->right, row++);
     }
-    add(drawing, 0, settings->geometry.length, row);
+    add(drawing, 0, settings_geometry(settings)->length, row);
 }
 
 static void draw_parts(const Drawing *drawing)

@@ -2,6 +2,10 @@
 /* Where the nodes of a beam are drawn: lengths to scale; the displacement enlarged so that it is seen; the
  * height stretched where the beam is too slender for the pane. */
 #include "views/map/map.h"
+#include "scenario/concern_body.h"
+#include "scenario/concern_loads.h"
+#include "scenario/concern_output.h"
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "views/plots/time_plot.h"
 
@@ -27,14 +31,14 @@ MapScene map_scene(const Settings *settings)
                       .leaves = concerns & CONCERN_MOTION,
                       .pressed = concerns & CONCERN_PRESSURE,
                       .notched = concerns & CONCERN_NOTCH,
-                      .pinned = !(concerns & CONCERN_SUPPORTS) || settings->supports.pinned,
+                      .pinned = !(concerns & CONCERN_SUPPORTS) || settings_supports(settings)->pinned,
                       .probe = {0.5, 0.5}};
     scene.around = scene.leaves || scene.pressed || scene.by_rows;
     scene.probe[0] = scene.leaves ? 1 : 0.5;  /* the tip */
     scene.probe[1] = scene.pressed ? 1 : 0.5; /* under the load */
     if (scene.by_rows) {
-        scene.probe[0] = settings_row_value(settings, ROWS_PROBE, 0, 0) / settings->geometry.length;
-        scene.probe[1] = settings_row_value(settings, ROWS_PROBE, 0, 1) / settings->geometry.height;
+        scene.probe[0] = settings_row_value(settings, ROWS_PROBE, 0, 0) / settings_geometry(settings)->length;
+        scene.probe[1] = settings_row_value(settings, ROWS_PROBE, 0, 1) / settings_geometry(settings)->height;
     }
     return scene;
 }
@@ -137,7 +141,7 @@ double map_reach(const Map *map, int field, const double *now)
         /* what the probe did, and what theory says that it will do */
         const int column = screen_column(map->screen, probes[i][1]);
         References *refs = experiment_references(map->screen->experiment);
-        const double envelope = references_envelope(refs, probes[i][1], map->settings->time.end);
+        const double envelope = references_envelope(refs, probes[i][1], settings_time(map->settings)->end);
         if (column >= 0)
             reach = fmax(reach, time_plot_reach(experiment_record(map->screen->experiment), column));
         if (isfinite(envelope))
@@ -150,7 +154,7 @@ double map_reach(const Map *map, int field, const double *now)
 /* The factor that fills the room beside the beam with the largest displacement of the run. */
 static double choose_enlargement(const Map *map, double rows)
 {
-    const double given = atof(map->settings->view.exaggeration);
+    const double given = atof(settings_view(map->settings)->exaggeration);
     if (given > 0)
         return fmin(given, MOST_ENLARGED);
     double reach = map_reach(map, map->sim->displacement[1], map->uy);
@@ -169,7 +173,8 @@ static void choose_scales(Map *map)
     const Body *body = &map->body;
     const int width = map->area.rect.width, height = map->area.rect.height;
     /* a beam on its way out of its channel moves across the picture, which stays */
-    const double travel = map->scene.leaves ? map->settings->motion.speed * map->settings->time.end : 0;
+    const double travel =
+        map->scene.leaves ? settings_motion(map->settings)->speed * settings_time(map->settings)->end : 0;
     const double length = body->size[0] + travel;
     map->scale_x = width / length;
     double rows = body->size[1] * map->scale_x / 2;
@@ -204,7 +209,7 @@ static void choose_scales(Map *map)
     map->scale_y = map->scale_x / 2 * map->stretch;
     map->nodes_seen = body->spacing * map->scale_x >= NODE_COLUMNS && map->stretch <= 1;
     /* a mesh stands where it is, and a particle in its cell */
-    if (map_has_mesh(map) && atof(map->settings->view.exaggeration) <= 0)
+    if (map_has_mesh(map) && atof(settings_view(map->settings)->exaggeration) <= 0)
         map->enlarged = 1;
     /* what is looked at stays in the middle while it moves */
     const double i = screen->eye.centre[0] * body->nx, j = screen->eye.centre[1] * body->ny;

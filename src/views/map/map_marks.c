@@ -2,6 +2,9 @@
 /* What is drawn over the map: notch, protected zones, channel and crack as lines; supports, load and the
  * chosen node as signs. */
 #include "views/map/map.h"
+#include "scenario/concern_body.h"
+#include "scenario/concern_bonds.h"
+#include "scenario/concern_loads.h"
 #include "scenario/settings.h"
 #include "base/math/functions.h"
 #include "answers/crack_growth.h"
@@ -51,7 +54,7 @@ static void draw_crack(Map *map)
     double x[ROWS_MAX], y[ROWS_MAX];
     const size_t count = crack_line(map->sim, x, y, ROWS_MAX);
     const Pen pen = {STYLE_CHANGED, RANK_PATH, 1, '*'};
-    double from[2] = {map->settings->notch.position, map->settings->notch.depth};
+    double from[2] = {settings_notch(map->settings)->position, settings_notch(map->settings)->depth};
     for (size_t i = 0; i < count; i++) {
         const double to[2] = {x[i], y[i]};
         map_body_line(map, from, to, pen);
@@ -62,16 +65,19 @@ static void draw_crack(Map *map)
 static void draw_notch(Map *map)
 {
     const Settings *settings = map->settings;
-    const double depth = settings->bonds.protected_depth, top = settings->geometry.height;
-    const double end[2] = {settings->notch.position, settings->notch.depth};
+    const double depth = settings_bonds(settings)->protected_depth, top = settings_geometry(settings)->height;
+    const double end[2] = {settings_notch(settings)->position, settings_notch(settings)->depth};
     if (depth > 0) {
-        const double half = settings->loads.width / 2 + depth;
-        draw_zone(map, settings->loads.position - half, settings->loads.position + half, top, top - depth);
-        draw_zone(map, settings->supports.left - depth, settings->supports.left + depth, 0, depth);
-        draw_zone(map, settings->supports.right - depth, settings->supports.right + depth, 0, depth);
+        const double half = settings_loads(settings)->width / 2 + depth;
+        draw_zone(map, settings_loads(settings)->position - half, settings_loads(settings)->position + half,
+                  top, top - depth);
+        draw_zone(map, settings_supports(settings)->left - depth, settings_supports(settings)->left + depth,
+                  0, depth);
+        draw_zone(map, settings_supports(settings)->right - depth, settings_supports(settings)->right + depth,
+                  0, depth);
     }
     /* the paper's angle, from the notch towards the load: an answer, as the exact curves are */
-    const double side = settings->loads.position < end[0] ? -1 : 1, rise = top - depth - end[1];
+    const double side = settings_loads(settings)->position < end[0] ? -1 : 1, rise = top - depth - end[1];
     const double at[2] = {end[0] + side * rise * math_tan(CRACK_PAPER_ANGLE * M_PI / 180), end[1] + rise};
     if (screen_shows_exact(map->screen))
         map_body_line(map, end, at, (Pen){STYLE_FAINT, RANK_ANGLE, 4, '\''});
@@ -123,7 +129,7 @@ static void draw_channel(Map *map)
     const Pen pen = {STYLE_HEADING, RANK_WALL, 1, '='};
     for (int side = -1; side <= 1; side += 2) {
         double from, to, y;
-        map_place(map, -map->settings->motion.channel, side * body->size[1] / 2, 0, 0, &from, &y);
+        map_place(map, -settings_motion(map->settings)->channel, side * body->size[1] / 2, 0, 0, &from, &y);
         map_place(map, 0, side * body->size[1] / 2, 0, 0, &to, &y);
         y += side > 0 ? -0.3 : 0.3;
         y = side > 0 ? floor(y) + 0.8 - 1e-6 : ceil(y) - 1 + 0.1;
@@ -208,11 +214,12 @@ static void draw_load(Map *map)
     if (last < 0)
         return;
     const double time = simulation_time(map->sim);
-    const double share = settings->loads.ramp > 0 ? fmin(1, time / settings->loads.ramp) : 1;
+    const double share =
+        settings_loads(settings)->ramp > 0 ? fmin(1, time / settings_loads(settings)->ramp) : 1;
     char text[64], stress[NUMBER_TEXT_MAX];
     while (last_row > 0 && !is_blank(map->area, last + 2, last_row, 14))
         last_row--;
-    text_fitted(settings->loads.stress * 1e-6, 4, 8, stress);
+    text_fitted(settings_loads(settings)->stress * 1e-6, 4, 8, stress);
     snprintf(text, sizeof text, "%s MPa", stress);
     if (share < 1)
         text_append(text, sizeof text, " x %.2f", share);

@@ -3,6 +3,7 @@
  * at the edge, the probe; and the cracks that grow from the cuts. The row that is chosen among the
  * parameters, or being moved, is drawn on top, its end that the arrows move with a mark. */
 #include "views/map/map.h"
+#include "scenario/concern_body.h"
 #include "scenario/settings.h"
 #include "scenario/rows/rows.h"
 #include "answers/crack_growth.h"
@@ -27,8 +28,8 @@ static void ends_of(const Settings *settings, int kind, int row, Place ends[2])
     } else if (kind == ROWS_LOADS) {
         const int edge = (int)value[0];
         const bool lies = edge == ROW_TOP || edge == ROW_BOTTOM;
-        const double at = edge == ROW_TOP     ? settings->geometry.height
-                          : edge == ROW_RIGHT ? settings->geometry.length
+        const double at = edge == ROW_TOP     ? settings_geometry(settings)->height
+                          : edge == ROW_RIGHT ? settings_geometry(settings)->length
                                               : 0;
         for (int i = 0; i < 2; i++)
             ends[i] = lies ? (Place){value[1 + i], at} : (Place){at, value[1 + i]};
