@@ -10,8 +10,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-static double pull_back(const Simulation *sim, size_t particle, const void *stiffness)
+static double pull_back(const Simulation *sim, size_t particle, int axis, const void *stiffness)
 {
+    (void)axis;
     const double u = simulation_value(sim, simulation_find_field(sim, 0, "u"), particle);
     return -*(const double *)stiffness * u *
            simulation_value(sim, simulation_find_field(sim, 0, "mass"), particle);
@@ -19,13 +20,13 @@ static double pull_back(const Simulation *sim, size_t particle, const void *stif
 
 static const double stiffness = 0.25;
 
-static const BarForce springs[] = {{.name = "spring to the ground",
-                                    .equation = "Σ N_i (-k u_p m_p)",
-                                    .ascii = "sum N_i (-k u m)",
-                                    .load = "-k u m",
-                                    .on = pull_back,
-                                    .context = &stiffness},
-                                   {0}};
+static const ForceTerm springs[] = {{.name = "spring to the ground",
+                                     .equation = "Σ N_i (-k u_p m_p)",
+                                     .ascii = "sum N_i (-k u m)",
+                                     .load = "-k u m",
+                                     .on = pull_back,
+                                     .context = &stiffness},
+                                    {0}};
 
 static BarCase on_springs(int mode, double v0)
 {
@@ -131,13 +132,14 @@ START_TEST(the_box_shows_it)
     sim->method->explain(sim, simulation_find_stage(sim, "force"), 0, 20, NULL, 0, text, sizeof text);
     const char *load = strstr(text, "load = -k u m = ");
     ck_assert_ptr_nonnull(load);
-    ck_assert_double_eq_tol(strtod(load + strlen("load = -k u m = "), NULL), pull_back(sim, 20, &stiffness),
-                            1e-4 * fabs(pull_back(sim, 20, &stiffness)));
+    ck_assert_double_eq_tol(strtod(load + strlen("load = -k u m = "), NULL),
+                            pull_back(sim, 20, 0, &stiffness),
+                            1e-4 * fabs(pull_back(sim, 20, 0, &stiffness)));
     double sum = 0, *force = field_now(sim, 1, "f_ext");
     for (size_t i = 0; i < sim->counts[1]; i++)
         sum += force[i];
     for (size_t p = 0; p < sim->counts[0]; p++)
-        sum -= pull_back(sim, p, &stiffness);
+        sum -= pull_back(sim, p, 0, &stiffness);
     ck_assert_double_eq_tol(sum, 0, 1e-17);
     free(force);
     simulation_destroy(sim);

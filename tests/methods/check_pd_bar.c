@@ -283,6 +283,62 @@ START_TEST(work_of_loads)
 }
 END_TEST
 
+static double constant(double x, const void *speed)
+{
+    (void)x;
+    return *(const double *)speed;
+}
+
+static double pull_back(const Simulation *sim, size_t node, int axis, const void *stiffness)
+{
+    ck_assert_int_eq(axis, 0);
+    return -*(const double *)stiffness * of_particle(sim, "u", node);
+}
+
+/* A spring to the ground that is added from outside acts, keeps the energy, and stands in the stage and in
+ * its sum beside the loads, which come and go with their values. */
+START_TEST(stages_say_what_acts)
+{
+    static const double stiffness = 0.25, speed = 0.1;
+    static const ForceTerm springs[] = {{.name = "spring",
+                                         .equation = "-k u(i)",
+                                         .ascii = "-k u(i)",
+                                         .load = "-k u",
+                                         .on = pull_back,
+                                         .context = &stiffness},
+                                        {0}};
+    PdBarDef def = standard(false, false);
+    def.forces = springs;
+    def.initial_velocity = constant;
+    def.initial_context = &speed;
+    Simulation *sim = create(&def);
+    const int load = simulation_find_stage(sim, "load");
+    const Stage *stage = &sim->stages[load];
+    ck_assert_str_eq(stage->equation, "f(i) += -k u(i)");
+    /* as a whole it swings with omega^2 = k/rho: u(n) of velocity Verlet from rest at 0 */
+    const double angle = 2 * asin(sqrt(stiffness) * sim->dt / 2), start = 0.5 * 25 * speed * speed;
+    for (int i = 1; i <= 40; i++) {
+        advance(sim, 50);
+        ck_assert_double_eq_tol(of_particle(sim, "u", 7),
+                                speed * sim->dt * sin((double)sim->step * angle) / sin(angle), 1e-12);
+        ck_assert_double_eq_tol(series_now(sim, "total") - series_now(sim, "work"), start, 1e-4 * start);
+    }
+    Status status;
+    ck_assert(sim->method->change(sim, "load.traction", 0.01, &status));
+    ck_assert(sim->method->change(sim, "load.body_force", 0.02, &status));
+    ck_assert_str_eq(stage->equation, "f(i) += ρ b + (±t/h in the layer at a free end) + -k u(i)");
+    ck_assert_str_eq(stage->ascii, "f(i) += rho b + (+-t/h in the layer at a free end) + -k u(i)");
+    for (int i = 0; i <= load; i++)
+        ck_assert(simulation_stage(sim, &status));
+    char text[8192];
+    sim->method->explain(sim, load, 0, 0, NULL, 0, text, sizeof text);
+    ck_assert_msg(strstr(text, "+\u00a00.02 ") || strstr(text, "+ 0.02 "), "%s", text);
+    const double all = 0.02 - 0.01 / 0.5 + pull_back(sim, 0, 0, &stiffness);
+    ck_assert_double_eq_tol(of_particle(sim, "load", 0), all, 1e-15);
+    simulation_destroy(sim);
+}
+END_TEST
+
 /* --- the time step -------------------------------------------------------------------------------- */
 
 static bool survives(double dt, char *why)
@@ -555,6 +611,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, free_bar_keeps_momentum);
     tcase_add_test(tcase, energy_to_second_order);
     tcase_add_test(tcase, work_of_loads);
+    tcase_add_test(tcase, stages_say_what_acts);
     tcase_add_test(tcase, critical_step);
     tcase_add_test(tcase, rewound_sliced_or_whole);
     tcase_add_test(tcase, links_and_bonds);

@@ -29,7 +29,7 @@
 #ifndef PHYSICS_PD_BAR_H
 #define PHYSICS_PD_BAR_H
 
-#include "methods/method.h"
+#include "methods/forces.h"
 #include "methods/bonds/plane/bonds_plane.h"
 
 typedef struct PdBarDef {
@@ -47,6 +47,8 @@ typedef struct PdBarDef {
     double body_force;     /* b, per unit mass */
     double traction;       /* t at each free end, outwards positive */
     double traction_layer; /* depth over which it is spread; 0: h, the last node */
+
+    const ForceTerm *forces; /* beside body force and traction, as force densities; NULL: none */
 
     double dt; /* > 0 */
 

@@ -25,6 +25,7 @@ static void load(Simulation *sim, const void *bytes)
 {
     PdBar *bar = (PdBar *)sim;
     memcpy(bar->head, bytes, bar->state_size);
+    pd_bar_set_stages(bar); /* loads came back with it */
 }
 
 static bool change(Simulation *sim, const char *key, double value, Status *status)
@@ -41,6 +42,7 @@ static bool change(Simulation *sim, const char *key, double value, Status *statu
     if (!isfinite(value))
         return status_fail(status, STATUS_USAGE, "%s: %g is not allowed (a number)", key, value);
     *live = value;
+    pd_bar_set_stages(bar);
     pd_bar_forces(bar); /* the coming half kick takes the force of the new load */
     return true;
 }
@@ -98,6 +100,7 @@ static bool begin(PdBar *bar, Status *status)
     const PdBarDef *def = &bar->def;
     bar->head->body_force = def->body_force;
     bar->head->traction = def->traction;
+    pd_bar_set_stages(bar);
     for (int i = 0; i < bar->lattice.n && def->initial_velocity; i++) {
         if (i % NODES_A_QUESTION == 0 && !patience_lasts(&def->patience, (double)i / bar->lattice.n))
             return status_fail(status, STATUS_FAILED, "the building of the bar was given up");
@@ -124,8 +127,6 @@ Simulation *pd_bar_create(const PdBarDef *def, Status *status)
     bar->critical_step = critical;
     Simulation *sim = &bar->sim;
     sim->method = &method;
-    sim->stages = pd_bar_stage_table;
-    sim->n_stages = PD_BAR_STAGES;
     sim->dt = def->dt;
     if (!lay_out(bar)) {
         status_fail(status, STATUS_FAILED, "not enough memory for the lattice of the bar");

@@ -5,7 +5,9 @@
 #include "methods/bonds/plane/verlet.h"
 #include "methods/calculation.h"
 
-const Stage pd_bar_stage_table[PD_BAR_STAGES] = {
+#include <string.h>
+
+static const Stage stage_table[PD_BAR_STAGES] = {
     [PD_BAR_HALF_KICK] = VERLET_HALF_KICK("v force acceleration", "v"),
     [PD_BAR_DRIFT] = VERLET_DRIFT("u v", "u x"),
     [PD_BAR_MIRROR] =
@@ -21,13 +23,19 @@ const Stage pd_bar_stage_table[PD_BAR_STAGES] = {
                       "eqs. 2, 3, 8",
                       "Each bond pulls as much as it is stretched; a node feels the sum of its family.",
                       "u family surface_factor", "force stress strain density strain_energy"},
-    [PD_BAR_LOAD] = {"load", "loads", "f(i) += ρb,   and ±t/h in the layer at a free end",
-                     "f(i) += rho b,   and +-t/h in the layer at a free end", "eq. 8",
-                     "The body force acts on every node, the traction on the last ones at a free end.",
-                     "load force", "force"},
+    [PD_BAR_LOAD] = {"load", "loads", NULL, NULL, "eq. 8", NULL, "load force", "force"}, /* by its terms */
     [PD_BAR_SECOND_KICK] =
         VERLET_SECOND_KICK("The new force completes the step's velocity.", "v force acceleration", "v"),
 };
+
+void pd_bar_set_stages(PdBar *bar)
+{
+    const ForceTerms forces = pd_bar_terms(bar);
+    memcpy(bar->stages, stage_table, sizeof bar->stages);
+    forces_word_stage(&forces, &bar->force_words, &bar->stages[PD_BAR_LOAD]);
+    bar->sim.stages = bar->stages;
+    bar->sim.n_stages = PD_BAR_STAGES;
+}
 
 static void write_value(Calculation *calculation, const char *label, double value)
 {
@@ -118,9 +126,12 @@ static void explain_load(const PdBar *bar, Calculation *calculation, int i)
         calculation_end_line(calculation);
         return;
     }
+    const ForceTerms forces = pd_bar_terms(bar);
     CalculationSum sum = {
         .label = "f = f + b = ", .has_base = true, .base = bar->f[i] - load, .result = bar->f[i]};
-    calculation_add(&sum, 1, load, 0, 0);
+    for (int k = 0; k < forces.count; k++)
+        calculation_add(&sum, 1, forces.terms[k]->on(&bar->sim, (size_t)i, 0, forces.terms[k]->context), 0,
+                        0);
     calculation_sum(calculation, &sum);
 }
 

@@ -155,8 +155,7 @@ static const Field fields[N_FIELDS] = {
         PARTICLE("surface_factor", "surface factor", "1", "surface correction g of the node", true, false),
     [P_FORCE] = PARTICLE("force", "force", "force/length^3",
                          "force density: of the bonds, then with the loads", false, false),
-    [P_LOAD] =
-        PARTICLE("load", "load", "force/length^3", "force density of body force and traction", false, false),
+    [P_LOAD] = PARTICLE("load", "load", "force/length^3", "force density of all loads", false, false),
     [P_STRETCH] = PARTICLE("stretch", "stretch", "1", "largest stretch of the node's bonds", false, false),
     [P_FAMILY] =
         PARTICLE("family", "family", "1", "number of bonds, those to mirrored nodes included", false, true),

@@ -48,6 +48,8 @@ typedef struct PdBar {
     PdBarDef def;
     PdBarLattice lattice;
     double critical_step;
+    Stage stages[PD_BAR_STAGES];
+    ForceWords force_words;
     void *memory;    /* factors and stiffnesses */
     PdBarHead *head; /* the state: head, then u (padded), v, f */
     double *u, *v, *f;
@@ -89,7 +91,8 @@ static inline double pd_bar_stiffness(const PdBar *bar, int k, int m)
 bool pd_bar_stage(Simulation *sim, int stage, size_t first, size_t end, Status *status);
 bool pd_bar_steps(Simulation *sim, long count, double *rows, long *done, Status *status);
 void pd_bar_forces(PdBar *bar); /* mirrored nodes, bonds and loads of the present displacements */
-double pd_bar_load(const PdBar *bar, int i); /* force density of the loads on node i */
+double pd_bar_load(const PdBar *bar, int i); /* force density on node i of the terms at work */
+ForceTerms pd_bar_terms(const PdBar *bar);
 
 /* pd_bar_fields.c */
 void pd_bar_set_fields(PdBar *bar);
@@ -98,7 +101,7 @@ void pd_bar_row(Simulation *sim, double *row);
 size_t pd_bar_links(const Simulation *sim, int set, size_t index, Link *out, size_t max);
 
 /* pd_bar_explain.c */
-extern const Stage pd_bar_stage_table[PD_BAR_STAGES];
+void pd_bar_set_stages(PdBar *bar); /* as loads are */
 void pd_bar_explain(const Simulation *sim, int stage, int set, size_t index, const void *before, int terms,
                     char *out, size_t size);
 

@@ -17,24 +17,52 @@
 #include <math.h>
 #include <string.h>
 
-/* The load on node i as a force density: rho b and, within `layer` of a free end, the traction spread over
- * that layer, t/layer, outwards positive: to the left at the left end. A short bar's node may lie in both
- * layers. */
-double pd_bar_load(const PdBar *bar, int i)
+static double body_force(const Simulation *sim, size_t i, int axis, const void *context)
 {
-    ASSERT_INDEX(i, bar->lattice.n);
-    const PdBarLattice *lattice = &bar->lattice;
-    double force = bar->def.density * bar->head->body_force, pull = bar->head->traction / lattice->layer;
-    if (i < lattice->layer_left)
-        force -= pull;
-    if (i >= lattice->n - lattice->layer_right)
-        force += pull;
-    return force;
+    (void)i, (void)axis, (void)context;
+    const PdBar *bar = (const PdBar *)sim;
+    return bar->def.density * bar->head->body_force;
 }
 
-static bool is_loaded(const PdBar *bar)
+/* Within `layer` of a free end the traction spread over that layer, t/layer, outwards positive: to the left
+ * at the left end. A short bar's node may lie in both layers. */
+static double traction(const Simulation *sim, size_t node, int axis, const void *context)
 {
-    return bar->head->body_force != 0 || bar->head->traction != 0;
+    (void)axis, (void)context;
+    const PdBar *bar = (const PdBar *)sim;
+    const PdBarLattice *lattice = &bar->lattice;
+    const int i = (int)node, side = (i >= lattice->n - lattice->layer_right) - (i < lattice->layer_left);
+    return side * (bar->head->traction / lattice->layer);
+}
+
+static const ForceTerm of_body = {.name = "body force",
+                                  .equation = "ρ b",
+                                  .ascii = "rho b",
+                                  .load = "rho b",
+                                  .sentence = "The body force acts on every node.",
+                                  .on = body_force};
+static const ForceTerm of_traction = {.name = "traction",
+                                      .equation = "(±t/h in the layer at a free end)",
+                                      .ascii = "(+-t/h in the layer at a free end)",
+                                      .load = "t/h",
+                                      .sentence = "The traction acts on the last nodes at a free end.",
+                                      .on = traction};
+
+ForceTerms pd_bar_terms(const PdBar *bar)
+{
+    ForceTerms forces = {0};
+    if (bar->head->body_force != 0)
+        forces_add(&forces, &of_body);
+    if (bar->head->traction != 0)
+        forces_add(&forces, &of_traction);
+    forces_add_all(&forces, bar->def.forces);
+    return forces;
+}
+
+double pd_bar_load(const PdBar *bar, int i)
+{
+    const ForceTerms forces = pd_bar_terms(bar);
+    return forces_on(&forces, &bar->sim, (size_t)i, 0);
 }
 
 /* --- what the stages do to nodes [first, end) --- */
@@ -48,15 +76,21 @@ static void kick(PdBar *bar, int first, int end)
 }
 
 /* u += dt v, eq. 10. The load's work is sum f_load h v^{n+1/2} dt: with the velocity at the middle of the
- * step it is of second order, as the scheme is, and energy less work keeps its value. */
+ * step, and the mean of what hangs on the displacement, it is of second order, as the scheme is, and energy
+ * less work keeps its value. */
 static void drift(PdBar *bar, int first, int end)
 {
     const double dt = bar->sim.dt;
+    const ForceTerms forces = pd_bar_terms(bar);
     double *u = bar->u + bar->lattice.reach;
-    for (int i = first; i < end; i++)
+    for (int i = first; i < end; i++) {
+        const double before = forces.count > 0 ? forces_on(&forces, &bar->sim, (size_t)i, 0) : 0;
         u[i] += dt * bar->v[i];
-    for (int i = first; i < end && is_loaded(bar); i++)
-        bar->head->work += pd_bar_load(bar, i) * bar->lattice.h * bar->v[i] * dt;
+        if (forces.count == 0)
+            continue;
+        const double load = (before + forces_on(&forces, &bar->sim, (size_t)i, 0)) / 2;
+        bar->head->work += load * bar->lattice.h * bar->v[i] * dt;
+    }
 }
 
 /* A support holds the point half a spacing beyond the last node. Continued as an odd function, u(-1 - i) =
@@ -90,8 +124,9 @@ static void bonds(PdBar *bar, int first, int end)
 /* Behind the bonds, so that f is what the second half kick needs. */
 static void load(PdBar *bar, int first, int end)
 {
-    for (int i = first; i < end && is_loaded(bar); i++)
-        bar->f[i] += pd_bar_load(bar, i);
+    const ForceTerms forces = pd_bar_terms(bar);
+    for (int i = first; i < end && forces.count > 0; i++)
+        bar->f[i] += forces_on(&forces, &bar->sim, (size_t)i, 0);
 }
 
 typedef void RangeStage(PdBar *bar, int first, int end);

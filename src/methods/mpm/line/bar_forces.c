@@ -13,51 +13,45 @@
 
 #include <string.h>
 
-static double body_force(const Simulation *sim, size_t particle, const void *context)
+static double body_force(const Simulation *sim, size_t particle, int axis, const void *context)
 {
-    (void)context;
+    (void)context, (void)axis;
     const Bar *bar = bar_of_const(sim);
     return bar_particle_mass(bar, (int)particle) * bar->head->body_force;
 }
 
-static double traction(const Simulation *sim, size_t particle, const void *context)
+static double traction(const Simulation *sim, size_t particle, int axis, const void *context)
 {
-    (void)context;
+    (void)context, (void)axis;
     const Bar *bar = bar_of_const(sim);
     const int p = (int)particle;
     const int side = (p >= bar->n_particles - bar->layer_right) - (p < bar->layer_left);
     return side * bar->head->traction * bar->volume[p % bar->slots][p / bar->slots] / bar->layer;
 }
 
-static const BarForce of_body = {
+static const ForceTerm of_body = {
     .name = "body force", .equation = "Σ N_i m_p b", .ascii = "sum N_i m b", .load = "m b", .on = body_force};
-static const BarForce of_traction = {.name = "traction",
-                                     .equation = "Σ N_i t m_p/(ρ_p h)",
-                                     .ascii = "sum N_i t m/(rho h)",
-                                     .load = "t V/h",
-                                     .on = traction};
+static const ForceTerm of_traction = {.name = "traction",
+                                      .equation = "Σ N_i t m_p/(ρ_p h)",
+                                      .ascii = "sum N_i t m/(rho h)",
+                                      .load = "t V/h",
+                                      .on = traction};
 
-int bar_forces(const Bar *bar, const BarForce *out[BAR_FORCES_MAX])
+ForceTerms bar_forces(const Bar *bar)
 {
-    int count = 0;
+    ForceTerms forces = {0};
     if (bar->head->body_force != 0.0)
-        out[count++] = &of_body;
+        forces_add(&forces, &of_body);
     if (bar->head->traction != 0.0)
-        out[count++] = &of_traction;
-    for (const BarForce *force = bar->def.forces; force && force->name && count < BAR_FORCES_MAX; force++)
-        out[count++] = force;
-    return count;
+        forces_add(&forces, &of_traction);
+    forces_add_all(&forces, bar->def.forces);
+    return forces;
 }
 
 double bar_load_on(const Bar *bar, int particle)
 {
-    ASSERT_INDEX(particle, bar->n_particles);
-    const BarForce *forces[BAR_FORCES_MAX];
-    const int count = bar_forces(bar, forces);
-    double load = 0.0;
-    for (int i = 0; i < count; i++)
-        load += forces[i]->on(&bar->sim, (size_t)particle, forces[i]->context);
-    return load;
+    const ForceTerms forces = bar_forces(bar);
+    return forces_on(&forces, &bar->sim, (size_t)particle, 0);
 }
 
 /* Their sums go over all particles in order, at the end of the stage: the bits are those of any slices. */
@@ -69,9 +63,7 @@ void bar_add_forces(Bar *bar, int end)
         return;
     for (int c = 0; c < bar->n_cells; c++)
         for (int p = bar->first[c]; p < bar->first[c + 1]; p++) {
-            double load = 0.0;
-            for (const BarForce *force = bar->def.forces; force->name; force++)
-                load += force->on(&bar->sim, (size_t)p, force->context);
+            const double load = forces_of_definition(bar->def.forces, &bar->sim, (size_t)p, 0);
             shape_at(bar->def.shape, bar_half(bar, p), bar->n_cells, c,
                      bar->s[p % bar->slots][p / bar->slots], n, dn);
             for (int a = 0; a < bar->support; a++)
@@ -91,7 +83,7 @@ static size_t columns_of(const char *text)
 
 /* "f_int = ...    f_ext = A + B", the second in a line of its own where both are too long for one, then the
  * stage's own `whole`, in which f_ext stands only if there is one. */
-static const char *equation_of(char out[BAR_EQUATION_MAX], const char *internal, const char *external,
+static const char *equation_of(char out[FORCE_WORDS_MAX], const char *internal, const char *external,
                                const char *whole)
 {
     enum { LINE = 76 };
@@ -99,33 +91,23 @@ static const char *equation_of(char out[BAR_EQUATION_MAX], const char *internal,
     const char *at = strstr(whole, second);
     out[0] = '\0';
     if (*external)
-        text_append(out, BAR_EQUATION_MAX, "%s%sf_ext = %s\n%s", internal,
+        text_append(out, FORCE_WORDS_MAX, "%s%sf_ext = %s\n%s", internal,
                     columns_of(internal) + columns_of("    f_ext = ") + columns_of(external) > LINE ? "\n"
                                                                                                     : "    ",
                     external, whole);
     else
-        text_append(out, BAR_EQUATION_MAX, "%s\n%.*s%s", internal, (int)(at ? at - whole : 0), whole,
+        text_append(out, FORCE_WORDS_MAX, "%s\n%.*s%s", internal, (int)(at ? at - whole : 0), whole,
                     at ? at + strlen(second) : whole);
     return out;
 }
 
 void bar_word_forces(Bar *bar, Stage *stage)
 {
-    const BarForce *forces[BAR_FORCES_MAX];
-    const int count = bar_forces(bar, forces);
-    char equation[BAR_EQUATION_MAX] = "", ascii[BAR_EQUATION_MAX] = "";
-    BarForceWords *words = &bar->force_words;
-    strcpy(words->load, count > 0 ? "load = " : "");
-    strcpy(words->meaning, "force of ");
-    for (int i = 0; i < count; i++) {
-        const char *plus = i > 0 ? " + " : "";
-        text_append(equation, sizeof equation, "%s%s", plus, forces[i]->equation);
-        text_append(ascii, sizeof ascii, "%s%s", plus, forces[i]->ascii);
-        text_append(words->load, sizeof words->load, "%s%s", plus, forces[i]->load);
-        text_append(words->meaning, sizeof words->meaning, "%s%s", i > 0 ? " and " : "", forces[i]->name);
-    }
-    if (count == 0)
-        strcpy(words->meaning, "force of the loads: none acts");
-    stage->equation = equation_of(words->equation, "f_int = -Σ N_i′ σ_p m_p/ρ_p", equation, stage->equation);
-    stage->ascii = equation_of(words->ascii, "f_int = -sum N_i' s m/rho", ascii, stage->ascii);
+    const ForceTerms forces = bar_forces(bar);
+    ForceWords *words = &bar->force_words, terms;
+    forces_word(&forces, &terms);
+    *words = terms;
+    stage->equation =
+        equation_of(words->equation, "f_int = -Σ N_i′ σ_p m_p/ρ_p", terms.equation, stage->equation);
+    stage->ascii = equation_of(words->ascii, "f_int = -sum N_i' s m/rho", terms.ascii, stage->ascii);
 }

@@ -33,14 +33,6 @@ enum {
 
 enum { BAR_PARTICLES, BAR_NODES, BAR_SETS };
 
-enum { BAR_EQUATION_MAX = 400 };
-
-/* What is said of the external forces at work: the force stage's equation, its exchange's note, the field's
- * meaning. */
-typedef struct BarForceWords {
-    char equation[BAR_EQUATION_MAX], ascii[BAR_EQUATION_MAX], load[120], meaning[160];
-} BarForceWords;
-
 /* The work of a stage. Stage tables are lists of these. */
 typedef enum BarOp {
     OP_MAP,
@@ -110,7 +102,7 @@ struct Bar {
     const BarKernels *kernels;
     Stage stages[OP_COUNT];
     Set sets[BAR_SETS];
-    BarForceWords force_words;
+    ForceWords force_words; /* the whole equation of the force stage */
     Exchange exchanges[BAR_EXCHANGES];
     Field fields[BAR_FIELDS]; /* those that there are at present, and which each of them is */
     int field_kinds[BAR_FIELDS];
@@ -306,7 +298,7 @@ double bar_mass_between(const Bar *bar, int i, int j);
 int bar_cell_of(const Bar *bar, int particle);
 
 /* The terms of the external force that are at work; what they are together on a particle. */
-int bar_forces(const Bar *bar, const BarForce *out[BAR_FORCES_MAX]);
+ForceTerms bar_forces(const Bar *bar);
 double bar_load_on(const Bar *bar, int particle);
 
 /* Adds those of the definition to f_ext at the end of the stage, whose slice ends at cell `end`. */

@@ -64,14 +64,15 @@ void bar_write_shares(const BarSubject *subject, BarExchange exchange, const cha
 
 void bar_write_load(const BarSubject *subject, double load)
 {
-    const BarForce *forces[BAR_FORCES_MAX];
-    const int count = bar_forces(subject->bar, forces);
-    char label[sizeof subject->bar->force_words.load + 4] = "";
-    text_append(label, sizeof label, "%s = ", subject->bar->force_words.load);
+    const Bar *bar = subject->bar;
+    const ForceTerms forces = bar_forces(bar);
+    char label[sizeof bar->force_words.load + 4] = "";
+    text_append(label, sizeof label, "%s = ", bar->force_words.load);
     CalculationSum sum = {.label = label, .result = load};
-    for (int i = 0; i < count; i++)
+    for (int i = 0; i < forces.count; i++)
         calculation_add(&sum, 1,
-                        forces[i]->on(&subject->bar->sim, (size_t)subject->index, forces[i]->context), 0, 0);
+                        forces.terms[i]->on(&bar->sim, (size_t)subject->index, 0, forces.terms[i]->context),
+                        0, 0);
     calculation_sum(subject->calculation, &sum);
 }
 

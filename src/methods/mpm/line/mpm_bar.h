@@ -8,20 +8,7 @@
 
 #include "base/kinds.h"
 #include "base/patience.h"
-#include "methods/method.h"
-
-/* A term of the external force, eq. 11: what acts on each particle from outside. Node i takes N_i of it; the
- * work that it does counts with that of the loads. Stage, field and sum of the force are worded by it. */
-typedef struct BarForce {
-    const char *name;             /* "spring to the ground" */
-    const char *equation, *ascii; /* at a node, a sum over particles: "Σ N_i m_p b", "sum N_i m b" */
-    const char *load;             /* of one particle, in ASCII: "m b" */
-    /* The same as a number, per unit cross-section; called in the force stage, of the simulation as it is. */
-    double (*on)(const Simulation *, size_t particle, const void *context);
-    const void *context;
-} BarForce;
-
-enum { BAR_FORCES_MAX = 6 }; /* those of the load among them */
+#include "methods/forces.h"
 
 /* What a bar is made of and how it is discretised. Take bar_default() and change what differs. */
 typedef struct BarDef {
@@ -66,8 +53,7 @@ typedef struct BarDef {
     double (*initial_stress)(double x, const void *context);
     const void *initial_context; /* of all; used during bar_create only */
 
-    const BarForce
-        *forces; /* beside those of the load, ended by one without a name; NULL: none. They stay. */
+    const ForceTerm *forces; /* beside those of the load (eq. 11), ended by one without a name; NULL: none */
 } BarDef;
 
 /* Paper M's first mode, at rest: L 25, E 100, rho 1, dx 1, two particles per cell, USF, hat, courant 0.1. */
