@@ -193,6 +193,31 @@ static int choose_sums(const Subject *subject, int width, int rows, char sums[SU
     return lines;
 }
 
+/* --- of a duel, the other run's ------------------------------------------------------------------- */
+
+/* "B: ..." on each line: what B has of the same thing after the same stage, the last lines that there is room
+ * for. Returns the rows. */
+static int other_sums(const Subject *subject, int width, int room, char sums[SUMS_MAX])
+{
+    enum { TERMS = 2 };
+    Experiment *second = screen_second_run(subject->screen);
+    char text[SUMS_MAX], plain[SUMS_MAX];
+    sums[0] = '\0';
+    if (!subject->done || !second ||
+        !experiment_explain_beside(second, subject->screen->experiment, subject->stage, subject->set,
+                                   subject->index, TERMS, text, sizeof text))
+        return 0;
+    glyphs_plain(subject->screen->look.glyphs, text, plain, sizeof plain);
+    for (const char *line = plain; *line; line += strcspn(line, "\n") + 1)
+        text_append(sums, SUMS_MAX, "B: %.*s\n", (int)strcspn(line, "\n"), line);
+    int rows;
+    while ((rows = sums_on(NULL, width, 0, sums)) > room) {
+        const char *next = sums + strcspn(sums, "\n") + 1;
+        memmove(sums, next, strlen(next) + 1);
+    }
+    return rows;
+}
+
 /* --- the box -------------------------------------------------------------------------------------- */
 
 /* What a wrong code has in an equation, over the paragraph of so many lines as it was drawn: from mark to
@@ -236,7 +261,8 @@ static void draw_body(const Subject *subject, Area area)
     snprintf(equation, sizeof equation, "%s",
              subject->screen->look.glyphs == GLYPHS_ASCII ? stage->ascii : stage->equation);
     int sum_rows = choose_sums(subject, width, rows - 1, sums);
-    if (sum_rows + area_paragraph_lines(width, equation) >
+    const bool beside = screen_second_run(subject->screen) != NULL; /* a line for B at least */
+    if (sum_rows + area_paragraph_lines(width, equation) + beside >
         rows) /* its first line says what the sums are of */
         equation[strcspn(equation, "\n")] = '\0';
     int room = rows - sum_rows - area_paragraph_lines(width, equation);
@@ -244,6 +270,9 @@ static void draw_body(const Subject *subject, Area area)
         equation[0] = '\0';
         room = rows - sum_rows;
     }
+    char others[SUMS_MAX];
+    const int other_rows = other_sums(subject, width, room, others);
+    room -= other_rows;
     int fields[FIELDS_TEXT_MAX];
     int n_fields = fields_of(subject, subject->done ? stage->writes : stage->reads, !subject->done, fields);
     if (!subject->done)
@@ -266,6 +295,8 @@ static void draw_body(const Subject *subject, Area area)
     if (sentence)
         y += area_paragraph(area, 0, y, width, rows - y, stage->sentence, STYLE_FAINT);
     y += sums_on(&area, width, y, sums);
+    if (other_rows > 0)
+        y += sums_on(&area, width, y, others);
     if (field_rows > 0)
         draw_fields(subject, &area, width, y, fields, n_fields);
 }

@@ -313,6 +313,57 @@ bool experiment_field_before(Experiment *experiment, int field, size_t first, si
                                                         &(Look){field, first, count, out});
 }
 
+/* The sums of a thing after a stage of the step that comes. */
+typedef struct Ahead {
+    int stage, set, terms;
+    size_t index;
+    char *out;
+    size_t size;
+    bool walked;
+} Ahead;
+
+static void look_ahead(Simulation *sim, void *context)
+{
+    Ahead *ahead = context;
+    void *before = NULL;
+    ahead->walked = true;
+    for (int i = 0; i <= ahead->stage && ahead->walked; i++) {
+        if (i == ahead->stage && (before = malloc(sim->method->state_size(sim))))
+            sim->method->save(sim, before);
+        ahead->walked = simulation_stage(sim, NULL);
+    }
+    if (ahead->walked)
+        sim->method->explain(sim, ahead->stage, ahead->set, ahead->index, before, ahead->terms, ahead->out,
+                             ahead->size);
+    free(before);
+}
+
+static int stage_like(const Simulation *sim, const char *id)
+{
+    int stage = sim->n_stages - 1;
+    while (stage >= 0 && strcmp(sim->stages[stage].id, id) != 0)
+        stage--;
+    return stage;
+}
+
+bool experiment_explain_beside(Experiment *experiment, const Experiment *other, int stage, int set,
+                               size_t index, int terms, char *out, size_t size)
+{
+    Simulation *sim = experiment->run.sim;
+    const Simulation *theirs = other->run.sim;
+    Ahead ahead = {stage_like(sim, theirs->stages[stage].id), set, terms, index, out, size, false};
+    if (ahead.stage < 0 || set >= sim->n_sets || index >= sim->counts[set] || !sim->method->explain ||
+        experiment->pending || sim->stage != 0 || sim->item != 0 || sim->step != theirs->step ||
+        sim->dt != theirs->dt)
+        return false;
+    if (theirs->stage > 0)
+        return simulation_visit(sim, NULL, look_ahead, &ahead) && ahead.walked;
+    if (ahead.stage != sim->n_stages - 1) /* the step is whole, and what came before its last stage is gone */
+        return false;
+    sim->method->explain(sim, ahead.stage, set, index, NULL, terms, out, size);
+    return true;
+}
+
 /* --- seeking -------------------------------------------------------------------------------------- */
 
 void experiment_seek(Experiment *experiment, long step, int stage)

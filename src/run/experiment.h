@@ -109,6 +109,12 @@ const void *experiment_before(const Experiment *);
 /* Values of a field before the last stage, for highlighting what changed; false: not known. */
 bool experiment_field_before(Experiment *, int field, size_t first, size_t count, double *out);
 
+/* What Method.explain says of a thing after the stage just done of another run, of the same stage here: this
+ * run stands at the whole step that the other one is in, and stays there. False: it has no such stage or
+ * thing, or is not there. */
+bool experiment_explain_beside(Experiment *, const Experiment *other, int stage, int set, size_t index,
+                               int terms, char *out, size_t size);
+
 /* To step `step` with `stage` stages of the next one done, forwards or backwards: sets the goal (at most the
  * last step). Then call experiment_work() until nothing is pending. */
 void experiment_seek(Experiment *, long step, int stage);

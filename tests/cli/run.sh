@@ -146,6 +146,8 @@ result "columns of its particles" header q.csv \
 	step,time,particle,x0,x,u,v,stress,strain,density,mass,strain_energy,surface_factor
 result "columns of its bonds" header b.csv step,time,i,j,x_i,x_j,stretch
 result "144 of them" lines b.csv 145
+"$MATVIB" run mode5 --set scenario.method=pd --steps 3 --bonds f.csv --columns all --quiet
+result "its factors by --columns all: c G w s h is the pull" awk -F, 'NR > 1 { d = $10 * $11 * $12 * $7 * 0.5 - $8; if (d * d > 1e-24 || $10 == 0) exit 1 }' f.csv
 result "the summary tells its prediction" says out '^frequency  measured 5.5876[0-9]*  predicted 5.58684  exact 5.654867$'
 result "what it predicts is what it does" awk -F, 'NR > 1 { d = $3 - $5; if (d * d > 1e-24) exit 1 }' p.csv
 result "the scenario beside names the method" says p.csv.ini '^method = pd$'

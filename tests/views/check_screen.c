@@ -180,6 +180,7 @@ static const Screenshot pictures[] = {
     {"duel", "energy 80x24 3000 duel running"},
     {"duel-energies-ascii", "energy 80x24 3000 duel lower 3 upper 6 ascii"},
     {"duel-stage", "crossing 80x24 300 duel stage 3"},
+    {"duel-beside", "crossing 80x24 300 duel stage 4"},
     {"duel-wide", "crossing 132x43 3500 duel running"},
     {"duel-beam", "supported-beam-coarse 120x30 900 duel pd.surface_correction=none upper 8 lower 2"},
     {"duel-notched", "notched-beam-coarse 80x24 900 duel pd.critical_stretch=0.0008 upper 8"},

@@ -124,9 +124,9 @@ static const char *unit_of(const VerifyCheck *check, const VerifyRow *row, char 
     return out;
 }
 
-/* What print_row() and print_verdicts() say. */
+/* What print_row(), print_verdicts() and print_agreement() say. */
 static void put_row(Verify *verify, const VerifyCheck *check, const VerifyRow *row,
-                    const VerifyNumbers *numbers, const Verdict verdicts[3], Agreement paper)
+                    const VerifyNumbers *numbers, const Verdict verdicts[3], Agreement paper, Agreement also)
 {
     static const char *const kinds[] = {"reference", "bound", "near"};
     static const char *const papers[AGREEMENTS] = {
@@ -143,6 +143,8 @@ static void put_row(Verify *verify, const VerifyCheck *check, const VerifyRow *r
             quantities_text(verify->json, kinds[i], verdicts[i] == VERDICT_GOOD ? "holds" : "missed");
     if (paper != PAPER_SILENT)
         quantities_text(verify->json, "paper", papers[paper]);
+    if (also != PAPER_SILENT)
+        quantities_text(verify->json, "paper_also", papers[also]);
     if (verify->run.failure.code != STATUS_DONE)
         quantities_text(verify->json, "failure", verify->run.failure.text);
 }
@@ -180,7 +182,7 @@ static void run_row(Verify *verify, const VerifyCheck *check, const VerifyRow *r
     const Agreement paper = verify_agreement(&row->paper, number),
                     also = verify_agreement(&row->also, number);
     if (verify->json) {
-        put_row(verify, check, row, &numbers, (const Verdict[]){reproduces, bounded, near}, paper);
+        put_row(verify, check, row, &numbers, (const Verdict[]){reproduces, bounded, near}, paper, also);
     } else {
         print_row(verify->out, row, &numbers);
         print_verdicts(verify->out, row, &numbers, reproduces, bounded, near);

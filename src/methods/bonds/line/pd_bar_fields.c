@@ -138,6 +138,9 @@ enum FieldIndex {
     B_STRETCH,
     B_PULL,
     B_ENERGY,
+    B_MICROMODULUS,
+    B_CORRECTION,
+    B_WEIGHT,
     N_FIELDS
 };
 
@@ -169,7 +172,23 @@ static const Field fields[N_FIELDS] = {
     [B_PULL] = BOND("pull", "pull", "force/length^3", "force density on its ends, positive in tension", false,
                     false),
     [B_ENERGY] = BOND("energy", "energy", "force/length", "strain energy of the bond", false, false),
+    [B_MICROMODULUS] = BOND("c", "c", "force/length^4", "stiffness c of the bond", false, false),
+    [B_CORRECTION] = BOND("G", "G", "1", "surface correction G of the bond", false, false),
+    [B_WEIGHT] = BOND("w", "w", "1", "share w of the other end's volume that counts", false, false),
 };
+
+static double bond_modulus(const PdBar *bar, const BondAt *bond)
+{
+    return bar->lattice.micromodulus * bar->lattice.influence[bond->m - 1];
+}
+
+static double bond_correction(const PdBar *bar, const BondAt *bond)
+{
+    const PdBarLattice *lattice = &bar->lattice;
+    return (lattice->factor[pd_bar_at(lattice, bond->k)] +
+            lattice->factor[pd_bar_at(lattice, bond->k + bond->m)]) /
+           2;
+}
 
 static double bond_stretch(const PdBar *bar, const BondAt *bond)
 {
@@ -233,6 +252,12 @@ static double bond_field(const PdBar *bar, int field, BondAt bond)
         return bond.stiffness * bond.elongation;
     case B_ENERGY:
         return bond.stiffness * bond.elongation * bond.elongation * bar->lattice.h / 2;
+    case B_MICROMODULUS:
+        return bond_modulus(bar, &bond);
+    case B_CORRECTION:
+        return bond_correction(bar, &bond);
+    case B_WEIGHT:
+        return bar->lattice.weight[bond.m - 1];
     default:
         return 0;
     }
@@ -273,17 +298,14 @@ size_t pd_bar_links(const Simulation *sim, int set, size_t index, Link *out, siz
         if (!(bond.stiffness > 0))
             continue;
         const PdBarLattice *lattice = &bar->lattice;
-        const double modulus = lattice->micromodulus * lattice->influence[bond.m - 1];
-        const double surface = (lattice->factor[pd_bar_at(lattice, bond.k)] +
-                                lattice->factor[pd_bar_at(lattice, bond.k + bond.m)]) /
-                               2;
         out[count++] = (Link){.set = PD_BAR_PARTICLE,
                               .index = (size_t)pd_bar_partner(&bar->lattice, i + m),
                               .stretch = bond_stretch(bar, &bond),
                               .pull = bond.stiffness * bond.elongation * h,
                               .length = m * h,
                               .stiffness = bond.stiffness * bond.m * h,
-                              .factors = {modulus, surface, lattice->weight[bond.m - 1], h}};
+                              .factors = {bond_modulus(bar, &bond), bond_correction(bar, &bond),
+                                          lattice->weight[bond.m - 1], h}};
     }
     return count;
 }
