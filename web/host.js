@@ -3,7 +3,7 @@
 // and the files that appear. It knows nothing of the page.
 'use strict';
 
-const READABLE = 1, WRITABLE = 2, RESIZED = 4, GONE = 8;
+const READABLE = 1, WRITABLE = 2, RESIZED = 4, GONE = 8, STOPPED = 16;
 const AHEAD = 65536; // bytes of output that wait for the terminal before the program is refused more
 const SLICE = 8;     // milliseconds without a look at what has come
 const EAGAIN = 6;    // as emscripten numbers them
@@ -20,6 +20,8 @@ class Host {
 		this.ended = false;   // no more input will come
 		this.resized = false;
 		this.gone = false;
+		this.stopped = false;
+		this.waits = true;    // output for the terminal; lines of words do not
 		this.ahead = 0;
 		this.refused = false;
 		this.touched = false;
@@ -37,12 +39,14 @@ class Host {
 		if (writes && this.ahead < AHEAD) bits |= WRITABLE;
 		if (this.resized) bits |= RESIZED;
 		if (this.gone) bits |= GONE;
+		if (this.stopped) bits |= STOPPED;
 		return bits;
 	}
 
 	told(bits) {
 		if (bits & RESIZED) this.resized = false;
 		if (bits & GONE) this.gone = false;
+		if (bits & STOPPED) this.stopped = false;
 		this.refused = false;
 		return bits;
 	}
@@ -107,6 +111,12 @@ class Host {
 		this.settle(false);
 	}
 
+	// ^C of a terminal that hands over lines
+	interrupt() {
+		this.stopped = true;
+		this.settle(false);
+	}
+
 	// The terminal in place of emscripten's; `errors` are bytes to standard error.
 	install(module, errors) {
 		const FS = module.FS, host = this;
@@ -119,7 +129,8 @@ class Host {
 					if (host.ended) return 0;
 					throw new FS.ErrnoError(EAGAIN);
 				}
-				const some = host.input.splice(0, length);
+				// a line at most, as a terminal hands them over
+				const some = host.input.splice(0, Math.min(length, host.input.indexOf(10) + 1 || length));
 				buffer.set(some, offset);
 				return some.length;
 			},
@@ -129,7 +140,7 @@ class Host {
 					host.refused = true;
 					throw new FS.ErrnoError(EAGAIN);
 				}
-				host.ahead += send === host.send ? length : 0;
+				host.ahead += send === host.send && host.waits ? length : 0;
 				send(new Uint8Array(buffer.buffer, buffer.byteOffset + offset, length).slice());
 				return length;
 			},

@@ -3,7 +3,7 @@
 // outside, a link's, a file's or the program's, becomes text of an element and never HTML.
 'use strict';
 
-const BYTES_MOST = 20e6, KEPT_MOST = 2e6, WORDS_MOST = 40, WORD_MOST = 200;
+const BYTES_MOST = 20e6, KEPT_MOST = 2e6, WORDS_MOST = 40, LINES_MOST = 2000;
 const BEAT = 2000; // milliseconds: how often a tab says that it keeps a homework
 const element = (id) => document.getElementById(id);
 const notice = (text) => {
@@ -44,6 +44,7 @@ const store = {
 				const key = localStorage.key(i), begin = this.key(kind, '');
 				if (!key.startsWith(begin)) continue;
 				const name = clean(key.slice(begin.length)), text = localStorage.getItem(key);
+				if (kind === 'work' && !name.endsWith('.session')) continue;
 				if (name && text.length <= KEPT_MOST && !/[^\0-\xff]/.test(text))
 					files.push({name, bytes: Uint8Array.from(text, (letter) => letter.charCodeAt(0))});
 			}
@@ -107,7 +108,7 @@ function words_of_link(search) {
 	return {
 		lesson: data.lessons.some(({name}) => name === lesson) ? lesson : null,
 		scenario: data.scenarios.some(({name}) => name === scenario) ? scenario : null,
-		sets, name: text('name'), id: text('id'),
+		sets, name: text('name'), id: text('id'), plain: wish.get('plain') === '1',
 		unknown: (lesson && !data.lessons.some(({name}) => name === lesson)) ||
 			(scenario && !data.scenarios.some(({name}) => name === scenario)),
 	};
@@ -119,6 +120,7 @@ function link_to_opened() {
 	const wish = new URLSearchParams();
 	wish.set(opened.kind, opened.name);
 	for (const set of opened.sets) wish.append('set', set);
+	if (plain.on) wish.set('plain', '1');
 	return location.href.replace(/[?#].*$/, '') + '?' + wish;
 }
 
@@ -163,9 +165,81 @@ function send(bytes) {
 const press = (text) => send(encoder.encode(text));
 
 function resize() {
+	if (plain.on) return;
 	fit.fit();
 	if (worker) worker.postMessage({size: [term.cols, term.rows]});
 }
+
+// --- plain words in place of the terminal -----------------------------------------------------------
+const plain = {
+	on: false,
+	rest: '', // of a line that has not ended
+	waits: false, // for a line
+	decoder: null,
+	lines: [], // that were entered
+	at: 0,     // which of them is in the field
+	turn(on) {
+		this.on = on;
+		element('words').setAttribute('aria-pressed', String(on));
+		element('plain').hidden = !on;
+		element('screen').hidden = on;
+		show_fingers();
+	},
+	begin() {
+		this.rest = '';
+		this.waits = false;
+		this.decoder = new TextDecoder();
+		element('told').replaceChildren();
+		element('line').focus();
+	},
+	tell(text, kind = '') {
+		const told = element('told'), line = document.createElement('div');
+		line.className = kind;
+		line.textContent = text;
+		told.append(line);
+		while (told.childElementCount > LINES_MOST) told.firstChild.remove();
+		told.scrollTop = told.scrollHeight;
+	},
+	take(bytes) {
+		const lines = (this.rest + this.decoder.decode(bytes, {stream: true})).split('\n');
+		this.rest = lines.pop();
+		this.waits = this.rest === '> ';
+		for (const line of lines) this.tell(line);
+	},
+	enter(line) {
+		this.tell('> ' + line, 'line');
+		this.rest = '';
+		this.waits = false;
+		if (line && line !== this.lines[this.lines.length - 1]) this.lines.push(line);
+		this.at = this.lines.length;
+		press(line + '\n');
+	},
+	recall(step) {
+		this.at = Math.max(0, Math.min(this.lines.length, this.at + step));
+		element('line').value = this.lines[this.at] || '';
+	},
+	listen() {
+		element('line-form').addEventListener('submit', (event) => {
+			event.preventDefault();
+			this.enter(element('line').value.replace(/[\x00-\x1f\x7f]/g, ' '));
+			element('line').value = '';
+		});
+		element('line').addEventListener('keydown', (event) => {
+			const step = {ArrowUp: -1, ArrowDown: 1}[event.key];
+			if (!step) return;
+			event.preventDefault();
+			this.recall(step);
+		});
+		element('stop').addEventListener('click', () => {
+			if (worker && !this.waits) worker.postMessage({interrupt: true});
+			element('line').focus();
+		});
+		element('words').addEventListener('click', () => {
+			this.turn(!this.on);
+			open_again();
+		});
+	},
+};
 
 // --- the key line, for fingers -------------------------------------------------------------------
 const keys = {
@@ -197,6 +271,14 @@ function key_button(label, text) {
 	button.addEventListener('pointerdown', (event) => event.preventDefault());
 	button.addEventListener('click', () => press(text));
 	return button;
+}
+
+function show_fingers() {
+	element('keys').hidden = !coarse.matches || plain.on;
+	element('keyboard').hidden = element('keys').hidden;
+	set_keyboard(!coarse.matches);
+	offered = '';
+	show_keys();
 }
 
 let offered = '';
@@ -316,14 +398,14 @@ async function bring(files) {
 		else if (name.endsWith('.session')) open_one({given: {name, bytes}, words: ['--replay', name]});
 		else {
 			worker.postMessage({put: {name, bytes}});
-			// out of whatever is being typed; time makes it a key of its own
-			press('\x1b');
+			const series = name.endsWith('.csv'), line = (series ? ':overlay ' : ':open ') + name;
+			// out of whatever is being typed; on the screen time makes it a key of its own
+			press(plain.on ? 'Esc\n' : '\x1b');
 			await new Promise((done) => setTimeout(done, 200));
-			const series = name.endsWith('.csv');
-			press((series ? ':overlay ' : ':open ') + name + '\r');
+			plain.on ? plain.enter(line) : press(line + '\r');
 			if (series) notice(name + ' lies over the curves. Type :diagnose ' + name + ' to hear which code made its numbers.');
 		}
-		term.focus();
+		plain.on ? element('line').focus() : term.focus();
 	}
 }
 
@@ -338,12 +420,17 @@ function stop() {
 
 function begin(words, {files = [], input = ''} = {}) {
 	stop();
+	if (plain.on && words[0] === '--replay') {
+		plain.turn(false);
+		notice('A session is shown on the screen: plain words take lines alone.');
+	}
 	term.reset();
-	fit.fit();
+	resize();
 	worker = new Worker(worker_address());
 	worker.onmessage = ({data}) => {
 		const here = worker;
-		if (data.out) term.write(data.out, () => here.postMessage({drawn: data.out.length}));
+		if (data.out && plain.on) plain.take(data.out);
+		else if (data.out) term.write(data.out, () => here.postMessage({drawn: data.out.length}));
 		else if (data.file) take_file(data);
 		else if ('ended' in data) end(data.ended, data.text);
 	};
@@ -351,16 +438,17 @@ function begin(words, {files = [], input = ''} = {}) {
 	const work = store.all('work');
 	for (const {name, bytes} of work) written.set(name, bytes);
 	worker.postMessage({start: {
-		words: words.concat('--theme', look()), columns: term.cols, rows: term.rows, program,
+		words: words.concat('--theme', look(), plain.on ? '--plain' : []), plain: plain.on, columns: term.cols, rows: term.rows, program,
 		files: work.concat(files), state: store.all('state'), terminal: data.terminal, input: encoder.encode(input),
 	}});
 	show_files();
 	element('end-sheet').close();
-	term.focus();
+	plain.on ? plain.begin() : term.focus();
 }
 
 function end(status, text) {
 	stop();
+	if (status === 2) opened.sets = []; // what was refused is not tried again
 	element('end-title').textContent = status === 0 || status === 129 ? 'The program has ended.' : 'The program ended with an error (' + status + ').';
 	element('end-text').textContent = text.replace(/[\x00-\x08\x0b-\x1f\x7f]/g, '').slice(-1500);
 	list_files('end-files', (name) => name.endsWith('.session'));
@@ -403,6 +491,11 @@ async function open_one({scenario, lesson, sets = [], name = '', id = '', words,
 	begin(all, options);
 }
 
+function open_again() {
+	const known = data[opened.kind + 's'].some(({name}) => name === opened.name);
+	open_one({[opened.kind]: known ? opened.name : undefined, sets: opened.sets});
+}
+
 // --- the page as a whole ---------------------------------------------------------------------------
 function worker_address() {
 	const inlined = element('worker');
@@ -430,15 +523,8 @@ function listen() {
 	term.onRender(() => show_keys());
 	new ResizeObserver(resize).observe(element('screen'));
 	dark.addEventListener('change', () => { term.options.theme = themes[look()]; });
-	const touch = () => {
-		element('keys').hidden = !coarse.matches;
-		element('keyboard').hidden = !coarse.matches;
-		set_keyboard(!coarse.matches);
-		offered = '';
-		show_keys();
-	};
-	coarse.addEventListener('change', touch);
-	touch();
+	coarse.addEventListener('change', show_fingers);
+	plain.listen();
 	element('keyboard').addEventListener('click', () => {
 		set_keyboard(term.textarea.inputMode === 'none');
 		term.textarea.blur();
@@ -465,7 +551,7 @@ function listen() {
 		open_one({scenario: 'mode5'});
 		notice('What this page kept in this browser is removed.');
 	});
-	element('again').addEventListener('click', () => open_one({[opened.kind]: data[opened.kind + 's'].some(({name}) => name === opened.name) ? opened.name : undefined, sets: opened.sets}));
+	element('again').addEventListener('click', open_again);
 	const screen = element('screen');
 	addEventListener('dragover', (event) => { event.preventDefault(); screen.classList.add('over'); });
 	addEventListener('dragleave', () => screen.classList.remove('over'));
@@ -488,6 +574,7 @@ async function main() {
 	listen();
 	program = await load_program();
 	const wish = words_of_link(location.search);
+	plain.turn(wish.plain);
 	if (wish.unknown) notice('The link names a scenario or lesson that this page has not: here is mode5 instead.');
 	await open_one(wish.scenario || wish.lesson ? wish : {scenario: 'mode5', sets: wish.sets});
 }

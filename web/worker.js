@@ -56,6 +56,7 @@ function start(message) {
 		(error) => ended(134, String(error)));
 	host.columns = message.columns;
 	host.rows = message.rows;
+	host.waits = !message.plain;
 	if (message.input) host.input.push(...message.input);
 	const decoder = new TextDecoder();
 	const settings = {
@@ -88,5 +89,6 @@ onmessage = ({data}) => {
 	else if (data.size) host.size(data.size[0], data.size[1]);
 	else if (data.drawn) host.drawn(data.drawn);
 	else if (data.put) put(HERE, [data.put]);
+	else if (data.interrupt) host.interrupt();
 	else if (data.leave) host.hang_up();
 };

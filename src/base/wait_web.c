@@ -10,7 +10,7 @@
 
 /* web/library.js: less than no milliseconds are without an end */
 int web_wait(double milliseconds, int reads, int writes);
-enum { WEB_READABLE = 1, WEB_WRITABLE = 2, WEB_RESIZED = 4, WEB_GONE = 8 };
+enum { WEB_READABLE = 1, WEB_WRITABLE = 2, WEB_RESIZED = 4, WEB_GONE = 8, WEB_STOPPED = 16 };
 
 int wait_for(struct pollfd *files, int count, const struct timespec *timeout, const sigset_t *mask)
 {
@@ -30,9 +30,11 @@ int wait_for(struct pollfd *files, int count, const struct timespec *timeout, co
         raise(SIGWINCH);
     if (what & WEB_GONE)
         raise(SIGHUP);
+    if (what & WEB_STOPPED)
+        raise(SIGINT);
     if (mask)
         sigprocmask(SIG_SETMASK, &ours, NULL);
-    if (what & (WEB_RESIZED | WEB_GONE)) {
+    if (what & (WEB_RESIZED | WEB_GONE | WEB_STOPPED)) {
         errno = EINTR;
         return -1;
     }

@@ -6,6 +6,7 @@
 #include "base/input.h"
 #include "base/signals.h"
 #include "base/visible.h"
+#include "base/wait.h"
 #include "lab/session/session.h"
 
 #include <limits.h>
@@ -90,10 +91,13 @@ static void tell_asked(void *context, const char *text)
     put(context, text);
 }
 
-/* Work that takes long is told now and then to whoever sits there; false: it is given up. */
+/* Work that takes long is told now and then to whoever sits there; false: it is given up. Signals may come in
+ * the meantime (in a page only then). */
 static bool go_on(void *context)
 {
     Plain *plain = context;
+    if (plain->talks)
+        wait_for(NULL, 0, &(const struct timespec){0, 0}, NULL);
     if (plain->talks && wall() > plain->told_at + PROGRESS_SECONDS) {
         plain->told_at = wall();
         if (plain->lab.screen.message.text[0])
@@ -526,8 +530,11 @@ static bool read_lines(Plain *plain, FILE *in, const char *name, Status *status)
     InputGot got = INPUT_LINE;
     while (!plain->lab.closed && signals_ended_by() == 0) {
         if (plain->talks) {
+            struct pollfd keyboard = {.fd = fileno(in), .events = POLLIN};
             fputs("> ", plain->out);
             fflush(plain->out);
+            if (wait_for(&keyboard, 1, NULL, NULL) < 0)
+                continue; /* a signal; a line comes whole, so none waits in the stream */
         }
         if ((got = input_line(&lines, line, sizeof line, status)) != INPUT_LINE)
             break;

@@ -1,7 +1,8 @@
 #!/usr/bin/env node
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page in a headless Chromium, as a person with keys or fingers has it. TAP; run by `make check-web`.
-// Environment: MATVIB, MATVIB_BUILDDIR, MATVIB_BROWSER (chromium), MATVIB_SHOTS (a folder for screenshots).
+// The page in a headless Chromium and a headless Firefox, as a person with keys or fingers has it: the same list in both.
+// browser.js CASE...: these alone. TAP; run by `make check-web`. Environment: MATVIB, MATVIB_BUILDDIR, MATVIB_BROWSER (chromium),
+// MATVIB_FIREFOX (firefox-esr), MATVIB_SHOTS (a folder for screenshots).
 'use strict';
 const fs = require('fs'), os = require('os'), path = require('path'), http = require('http');
 const {execFileSync, spawnSync} = require('child_process');
@@ -10,10 +11,10 @@ const built = process.env.MATVIB_BUILDDIR;
 const puppeteer = createRequire(path.join(built, 'web-work', 'x.js'))('puppeteer-core');
 const scratch = fs.mkdtempSync(path.join(os.tmpdir(), 'matvib-page-'));
 const patience = 30000;
-let number = 0, broken = false, browser, page, served;
+let number = 0, broken = false, browser, page, served, engine;
 
 function result(name, holds, told = '') {
-	console.log(`${holds ? 'ok' : 'not ok'} ${++number} - ${name}`);
+	console.log(`${holds ? 'ok' : 'not ok'} ${++number} - ${engine.name}: ${name}`);
 	if (!holds) {
 		broken = true;
 		for (const line of String(told).split('\n')) console.log('# ' + line);
@@ -58,11 +59,44 @@ async function written(name) {
 async function shot(name) {
 	if (!process.env.MATVIB_SHOTS) return;
 	await new Promise((done) => setTimeout(done, 300));
-	await page.screenshot({path: path.join(process.env.MATVIB_SHOTS, name + '.png')});
+	await page.screenshot({path: path.join(process.env.MATVIB_SHOTS, engine.name + '-' + name + '.png')});
 }
 
+// Fingers are a browser's own affair: Chromium takes them page by page, Firefox by its preferences, from the start.
+const engines = {
+	Chromium: {
+		path: process.env.MATVIB_BROWSER, package: 'chromium',
+		launch: () => puppeteer.launch({
+			executablePath: process.env.MATVIB_BROWSER, headless: true, userDataDir: path.join(scratch, 'profile'),
+			args: ['--no-sandbox', '--disable-gpu', '--no-first-run', '--disable-background-networking'],
+		}),
+		fingers: {isMobile: true, hasTouch: true},
+		tap: (x, y) => page.touchscreen.tap(x, y),
+	},
+	Firefox: {
+		path: process.env.MATVIB_FIREFOX, package: 'firefox-esr',
+		launch: (touch) => puppeteer.launch({
+			browser: 'firefox', executablePath: process.env.MATVIB_FIREFOX, headless: true,
+			extraPrefsFirefox: touch ? {'ui.primaryPointerCapabilities': 1, 'ui.allPointerCapabilities': 1, 'dom.w3c_touch_events.enabled': 1} : {},
+		}),
+		fingers: {},
+		// a plain touch: of the angle of a pen that puppeteer adds this Firefox knows nothing
+		tap: (x, y) => page.mainFrame().browsingContext.performActions([{type: 'pointer', id: 'finger', parameters: {pointerType: 'touch'}, actions: [
+			{type: 'pointerMove', x: Math.round(x), y: Math.round(y)}, {type: 'pointerDown', button: 0}, {type: 'pointerUp', button: 0}]}]),
+	},
+};
+
 const one = 'file://' + path.join(built, 'matvib.html');
-async function open(address, how = {}) {
+let touching = false;
+async function with_fingers(touch) {
+	if (browser && (touch === touching || engine === engines.Chromium)) return;
+	if (browser) await browser.close();
+	browser = await engine.launch(touch);
+	touching = touch;
+	page = null;
+}
+async function open(address, how = {}, touch = false) {
+	await with_fingers(touch);
 	if (page) await page.close();
 	page = await browser.newPage();
 	page.on('pageerror', (error) => note('page: ' + error.message));
@@ -70,7 +104,7 @@ async function open(address, how = {}) {
 	page.on('request', (request) => {
 		if (!/^(file|data|blob):/.test(request.url()) && !request.url().startsWith(served)) result('nothing is asked for elsewhere', false, request.url());
 	});
-	await page.setViewport(Object.assign({width: 1280, height: 800}, how));
+	await page.setViewport(Object.assign({width: 1280, height: 800}, how, touch ? engine.fingers : {}));
 	const begin = Date.now();
 	await page.goto(address);
 	return begin;
@@ -97,6 +131,17 @@ async function keys_and_size() {
 	await until('', has('Space run'));
 }
 
+async function edit_and_stages() {
+	await open(one + '?scenario=mode5');
+	await until('', has('Space pause'));
+	await page.keyboard.press(' ');
+	await until('', has('Space run'));
+	await type('mesh.cell_size=0.5'.replace(/^/, ':') + '\r');
+	await shows('a parameter is edited', (text) => /cell size +0\.5/.test(text) && /tries cell size 1/.test(text));
+	await page.keyboard.press(']');
+	await shows('and the stages of a step are opened', (text) => /stage 1|1 of \d+|\] stage/.test(text));
+}
+
 async function export_of_a_run() {
 	await open(one + '?scenario=mode5&set=mesh.cell_size=0.5');
 	await shows('a link opens its scenario', has('Space pause'));
@@ -115,11 +160,20 @@ async function export_of_a_run() {
 }
 
 async function dropped_scenario() {
+	await open(one);
+	await until('', has('Space pause'));
 	const own = path.join(scratch, 'own.ini');
-	fs.writeFileSync(own, '[scenario]\ntitle = Brought in by hand\nproblem = bar\nmethod = mpm\n');
+	const text = (title) => `[scenario]\ntitle = ${title}\nproblem = bar\nmethod = mpm\n`;
+	fs.writeFileSync(own, text('Brought in by hand'));
 	const chooser = await page.$('#bring');
 	await chooser.uploadFile(own);
 	await shows('a scenario from outside is opened', has('Brought in by hand'));
+	await page.evaluate((text) => {
+		const dropped = new DataTransfer();
+		dropped.items.add(new File([text], 'other.ini'));
+		document.dispatchEvent(new DragEvent('drop', {dataTransfer: dropped, bubbles: true, cancelable: true}));
+	}, text('Dropped on the page'));
+	await shows('and one that is dropped', has('Dropped on the page'));
 	fs.writeFileSync(path.join(scratch, 'page.html'), '<p>x');
 	await chooser.uploadFile(path.join(scratch, 'page.html'));
 	await new Promise((done) => setTimeout(done, 200));
@@ -139,20 +193,23 @@ async function dropped_series() {
 }
 
 async function lesson_by_taps() {
-	await open(one + '?lesson=one-step', {width: 412, height: 915, isMobile: true, hasTouch: true});
+	await open(one + '?lesson=one-step', {width: 412, height: 915}, true);
 	await shows('a lesson on a telephone', (text) => /1 of \d+|1\/\d+/.test(text));
 	await shot('412x915');
 	result('keys for fingers are there', await page.$eval('#keys', (nav) => !nav.hidden && nav.children.length > 8));
 	const next = async () => {
-		for (const button of await page.$$('#keys button'))
-			if ((await button.evaluate((button) => button.textContent)) === 'n next') return button.tap();
+		for (const button of await page.$$('#keys button')) {
+			if ((await button.evaluate((button) => button.textContent)) !== 'n next') continue;
+			const box = await button.boundingBox();
+			return engine.tap(box.x + box.width / 2, box.y + box.height / 2);
+		}
 	};
 	for (let i = 2; i <= 3; i++) {
 		await next();
 		await shows(`a tap leads to page ${i}`, (text) => new RegExp(`\\b${i} of \\d+|\\b${i}/\\d+`).test(text));
 	}
 	result('no keyboard comes by itself', await page.evaluate(() => term.textarea.inputMode === 'none'));
-	await open(one, {width: 1024, height: 768, isMobile: true, hasTouch: true});
+	await open(one, {width: 1024, height: 768}, true);
 	await until('', has('Space pause'));
 	await shot('1024x768');
 	const at = await page.evaluate(() => {
@@ -160,7 +217,7 @@ async function lesson_by_taps() {
 		const offer = offers().find(({word}) => word === 'pause');
 		return {x: box.left + (offer.from + 1.5) * box.width / term.cols, y: box.top + (term.rows - .5) * box.height / term.rows};
 	});
-	await page.touchscreen.tap(at.x, at.y);
+	await engine.tap(at.x, at.y);
 	await shows('a tap on a word of the key line presses it', has('Space run'));
 }
 
@@ -204,6 +261,41 @@ async function homework() {
 	result('"forget me" leaves nothing', (await page.evaluate(() => Object.keys(localStorage).filter((key) => key.startsWith('matvib/')).length)) === 0);
 }
 
+// the page without a terminal, for who has it read aloud
+async function plain_words() {
+	await open(one + '?plain=1');
+	const told = () => page.$eval('#told', (list) => list.textContent).catch(() => '');
+	const tells = async (name, what) => {
+		for (let i = 0; i < patience / 50; i++) {
+			if (what.test(await told())) return result(name, true);
+			await new Promise((done) => setTimeout(done, 50));
+		}
+		result(name, false, await told());
+	};
+	const enter = async (line) => { await page.focus('#line'); await type(line + '\r'); };
+	await tells('plain words tell what there is', /matvib in plain words/);
+	result('with no terminal, and the field waits', await page.evaluate(() => document.getElementById('screen').hidden && document.activeElement.id === 'line'));
+	await shot('plain');
+	await enter(']');
+	await tells('a line is a key', /stage 1 of 7 is done/);
+	await enter('initial.mode=3');
+	await tells('or a command', /\(initial\.mode\): 3/);
+	await enter('until t 1');
+	await tells('a run goes on to where it was told', /t 1\.0\d*, step/);
+	await enter(':export words');
+	result('a file is offered there too', (await written('words-series.csv')) !== null, await told());
+	await enter('mesh.cell_size=0.002');
+	await enter('until end');
+	await new Promise((done) => setTimeout(done, 1500));
+	await page.click('#stop');
+	await tells('a long computation is stopped', /> until end.*step \d+ of \d+, paused/);
+	await page.keyboard.press('ArrowUp');
+	result('lines come back', (await page.$eval('#line', (field) => field.value)) === 'until end');
+	result('the link says so', /[?&]plain=1/.test(await page.evaluate(() => link_to_opened())));
+	await page.click('#words');
+	await shows('and the screen comes back', has('Space pause'));
+}
+
 async function computing() {
 	await open(one + '?scenario=branching');
 	await shows('a plate of the papers\' size opens', has('Space'));
@@ -218,14 +310,92 @@ async function computing() {
 	note(`Esc is answered in ${time} ms`);
 }
 
-async function hostile() {
-	const bad = '<img src=x onerror="document.title=1">';
+const bad = '<img src=x onerror="document.title=1"><script>document.title=2</script>';
+// nothing from outside became a part of the page, and it still answers
+async function unharmed() {
+	const found = await page.evaluate(() => ({
+		title: document.title, made: document.querySelectorAll('img, iframe, object, main script, section script, dialog script, header script').length,
+		ended: document.getElementById('end-sheet').open, said: document.getElementById('end-text').textContent + document.getElementById('notice').textContent,
+	}));
+	return found.title === 'matvib' && found.made === 0 ? found : null;
+}
+
+async function hostile_links() {
 	for (const link of ['?scenario=' + encodeURIComponent(bad), '?lesson=' + encodeURIComponent('../../etc/passwd'),
-		'?scenario=mode5&set=' + encodeURIComponent('bar.length=1\x1b[2J') + '&set=--record', '?scenario=mode5&set=' + 'x'.repeat(50000)]) {
+		'?scenario=mode5&set=' + encodeURIComponent('bar.length=1\x1b[2J') + '&set=--record', '?scenario=mode5&set=' + 'x'.repeat(900000),
+		'?scenario=mode5' + '&set=mesh.cell_size=0.5'.repeat(20000), '?plain=' + encodeURIComponent(bad) + '&set=' + encodeURIComponent(bad) + '#' + bad]) {
 		await open(one + link);
 		await until('', has('Space pause'));
-		result(`a link with ${link.slice(0, 40)} does no harm`, (await page.title()) === 'matvib' && (await page.$$('img')).length === 0 && has('Space pause')(await screen()));
+		result(`a link with ${link.slice(0, 40)} does no harm`, (await unharmed()) && has('Space pause')(await screen()), await screen());
 	}
+	await open(one + '?scenario=mode5&set=no.such=1');
+	await page.waitForFunction(() => document.getElementById('end-sheet').open, {timeout: patience}).catch(() => {});
+	result('a parameter that is none is told', /no\.such/.test(await page.$eval('#end-text', (text) => text.textContent)));
+	await page.click('#again');
+	await shows('and left out when one begins again', has('Space pause'));
+	for (const name of [bad, '--force', '\x1b[2J\n\r\0' + 'A'.repeat(500)]) {
+		await open(one + '?lesson=homework-late&name=' + encodeURIComponent(name) + '&id=' + encodeURIComponent(name));
+		const {text} = await until('', (text) => /1 of \d+|1\/\d+/.test(text));
+		const found = await unharmed();
+		result(`the name ${JSON.stringify(name.slice(0, 20))} does no harm`, found && !found.ended && /1 of \d+|1\/\d+/.test(text), text + found.said);
+	}
+}
+
+async function hostile_files() {
+	const random = Buffer.alloc(1 << 20), control = Buffer.alloc(1 << 20);
+	for (let i = 0, x = 1; i < random.length; i++) {
+		x = x * 48271 % 2147483647;
+		random[i] = x >> 8;
+		control[i] = x % 33 === 32 ? 10 : x % 33;
+	}
+	const contents = {random, control, 'one-line': Buffer.alloc(1 << 20, 'x'), html: Buffer.from(bad.repeat(10000))};
+	for (const kind of ['ini', 'lesson', 'session', 'csv'])
+		for (const [name, bytes] of Object.entries(contents)) {
+			await open(one + '?scenario=mode5');
+			await until('', has('Space pause'));
+			const file = path.join(scratch, `${name}${name === 'html' ? '<img src=x onerror=alert()>' : ''}.${kind}`);
+			fs.writeFileSync(file, bytes);
+			await (await page.$('#bring')).uploadFile(file);
+			let found = null, text = '';
+			const refused = new RegExp(`${name}\S*\.${kind}:(\d+:)? `);
+			for (let i = 0; i < 100 && !(found && refused.test(found.said + text)); i++) {
+				await new Promise((done) => setTimeout(done, 50));
+				found = await unharmed();
+				text = (await screen()).split('\n').slice(-6).join('\n');
+			}
+			result(`a ${kind} of ${name} is refused in a line`, found && refused.test(found.said + text), found && found.said + text);
+		}
+	await open(one + '?scenario=mode5');
+	await until('', has('Space pause'));
+	fs.writeFileSync(path.join(scratch, 'large.csv'), Buffer.alloc(21e6, '1,2\n'));
+	await (await page.$('#bring')).uploadFile(path.join(scratch, 'large.csv'));
+	await page.waitForFunction(() => /too large/.test(document.getElementById('notice').textContent), {timeout: patience}).catch(() => {});
+	result('one of 21 MB is not taken in', /too large/.test(await page.$eval('#notice', (p) => p.textContent)));
+	await open(one + '?plain=1');
+	fs.writeFileSync(path.join(scratch, 'own.ini'), `[scenario]\ntitle = ${bad}\nproblem = bar\nmethod = mpm\n`);
+	await page.waitForFunction(() => /paused/.test(document.getElementById('told').textContent), {timeout: patience}).catch(() => {});
+	await (await page.$('#bring')).uploadFile(path.join(scratch, 'own.ini'));
+	await page.waitForFunction(() => /onerror/.test(document.getElementById('told').textContent), {timeout: patience}).catch(() => {});
+	result('a title of HTML is text', (await unharmed()) && /<img/.test(await page.$eval('#told', (list) => list.textContent)));
+}
+
+async function hostile_storage() {
+	await open(one);
+	await page.evaluate((bad) => {
+		localStorage.setItem('matvib/work/' + bad + '.session', bad);
+		localStorage.setItem('matvib/work/mode5', '[scenario]\ntitle = not ours\nproblem = bar\nmethod = mpm\n');
+		localStorage.setItem('matvib/work/large.session', 'x'.repeat(1500000));
+		localStorage.setItem('matvib/state/' + bad, '\x1b[2J'.repeat(10000));
+		localStorage.setItem('another page', bad);
+		indexedDB.open('matvib', 7);
+	}, bad);
+	await open(one + '?scenario=mode5');
+	await until('', has('Space pause'));
+	result('what another page left in the storage becomes no part of this one', (await unharmed()) && has('Why is mode 5 late')(await screen()), await screen());
+	result('and "forget me" leaves what is not ours', await page.evaluate(() => {
+		document.getElementById('forget').click();
+		return Object.keys(localStorage).join() === 'another page';
+	}));
 	await page.evaluate(() => {
 		localStorage.setItem('matvib/work/../../x.session', 'junk');
 		localStorage.setItem('matvib/work/\u0007.session', 'junk');
@@ -236,6 +406,9 @@ async function hostile() {
 	await open(one);
 	await shows('what another page left in the storage does no harm', has('Space pause'));
 	await page.evaluate(() => localStorage.clear());
+}
+
+async function end_of_the_program() {
 	await open(one + '?scenario=mode5');
 	await until('', has('Space pause'));
 	await type('q');
@@ -243,22 +416,6 @@ async function hostile() {
 	result('the end of the program offers to begin again', await page.$eval('#end-sheet', (sheet) => sheet.open), await screen());
 	await page.click('#again');
 	await shows('which does', has('Space pause'));
-}
-
-async function in_firefox() {
-	const path_of = process.env.MATVIB_FIREFOX || '/usr/bin/firefox-esr';
-	if (!fs.existsSync(path_of)) return console.log(`ok ${++number} - in Firefox # SKIP firefox-esr is not installed`);
-	const other = await puppeteer.launch({browser: 'firefox', executablePath: path_of, headless: true});
-	page = await other.newPage();
-	await page.setViewport({width: 1280, height: 800});
-	await page.goto(one + '?scenario=mode1');
-	await shows('Firefox opens the one file from the disk', has('Space pause'));
-	await page.keyboard.press(' ');
-	await shows('and a key pauses there', has('Space run'));
-	await type(':export page\r\r');
-	result('and an export is offered', (await written('page-series.csv')) !== null, await screen());
-	await other.close();
-	page = null;
 }
 
 async function from_a_server() {
@@ -275,18 +432,24 @@ async function main() {
 	}).listen(0, '127.0.0.1');
 	await new Promise((done) => server.on('listening', done));
 	served = `http://127.0.0.1:${server.address().port}/`;
-	browser = await puppeteer.launch({
-		executablePath: process.env.MATVIB_BROWSER || '/usr/bin/chromium', headless: true, userDataDir: path.join(scratch, 'profile'),
-		args: ['--no-sandbox', '--disable-gpu', '--no-first-run', '--disable-background-networking'],
-	});
-	const cases = {first_picture, keys_and_size, export_of_a_run, dropped_scenario, dropped_series, lesson_by_taps, homework, computing, hostile, from_a_server, in_firefox};
+	const cases = {first_picture, keys_and_size, edit_and_stages, export_of_a_run, dropped_scenario, dropped_series, lesson_by_taps, homework,
+		plain_words, computing, hostile_links, hostile_files, hostile_storage,
+		end_of_the_program, from_a_server};
 	const wanted = process.argv.slice(2);
-	for (const [name, run] of Object.entries(cases)) {
-		if (wanted.length > 0 && !wanted.includes(name)) continue;
-		await run().catch((error) => result(name, false, error.stack));
+	for (const [name, one_engine] of Object.entries(engines)) {
+		engine = Object.assign(one_engine, {name});
+		if (!engine.path) {
+			console.log(`ok ${++number} - the page in ${name} # SKIP ${engine.package} is not installed`);
+			continue;
+		}
+		for (const [name, run] of Object.entries(cases)) {
+			if (wanted.length > 0 && !wanted.includes(name)) continue;
+			await run().catch((error) => result(name, false, error.stack));
+		}
+		await browser.close();
+		browser = page = null;
 	}
 	console.log(`1..${number}`);
-	await browser.close();
 	server.close();
 	fs.rmSync(scratch, {recursive: true, force: true});
 	process.exit(broken ? 1 : 0);

@@ -1,11 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# browser.js where there is a Chromium; MATVIB_BROWSER names another one.
+# browser.js where there is a Chromium or a Firefox; MATVIB_BROWSER and MATVIB_FIREFOX name others, empty: none.
 MATVIB_BROWSER=${MATVIB_BROWSER-$(command -v chromium)}
-export MATVIB_BROWSER
-if [ -z "$MATVIB_BROWSER" ]; then
-	echo "ok 1 - the page in a browser # SKIP chromium is not installed"
-	echo "1..1"
-	exit 0
-fi
+MATVIB_FIREFOX=${MATVIB_FIREFOX-$(command -v firefox-esr)}
+export MATVIB_BROWSER MATVIB_FIREFOX
 exec node "$MATVIB_SRCDIR/tests/web/browser.js" "$@"
