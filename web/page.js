@@ -403,7 +403,7 @@ async function bring(files) {
 			press(plain.on ? 'Esc\n' : '\x1b');
 			await new Promise((done) => setTimeout(done, 200));
 			plain.on ? plain.enter(line) : press(line + '\r');
-			if (series) notice(name + ' lies over the curves. Type :diagnose ' + name + ' to hear which code made its numbers.');
+			if (series) notice('Type :diagnose ' + name + ' to hear which code made its numbers.');
 		}
 		plain.on ? element('line').focus() : term.focus();
 	}

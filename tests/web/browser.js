@@ -357,7 +357,7 @@ async function hostile_files() {
 			fs.writeFileSync(file, bytes);
 			await (await page.$('#bring')).uploadFile(file);
 			let found = null, text = '';
-			const refused = new RegExp(`${name}\S*\.${kind}:(\d+:)? `);
+			const refused = new RegExp(`${name}\\S*\\.${kind}:(\\d+:)? `);
 			for (let i = 0; i < 100 && !(found && refused.test(found.said + text)); i++) {
 				await new Promise((done) => setTimeout(done, 50));
 				found = await unharmed();
