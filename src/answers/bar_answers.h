@@ -75,7 +75,9 @@ bool bar_limit(const Settings *, char *advice, size_t size, Status *);
 #define BAR_TRANSFER_KEYS                                                                                    \
     "mpm.algorithm", "mpm.shape", "mpm.transfer", "mpm.flip_fraction", "mpm.mass_blend", "mpm.fmpm_order",   \
         "mpm.affine_start"
-#define BAR_WAVE_KEYS "initial.pulse", "bar2.joint", "bar2.youngs_modulus", "bar2.density", "initial.shape"
+#define BAR_WAVE_KEYS                                                                                        \
+    "initial.pulse", "initial.pulse_way", "initial.offset", "bar2.joint", "bar2.youngs_modulus",             \
+        "bar2.density", "initial.shape"
 #define BAR_LATTICE_KEYS                                                                                     \
     "pd.spacing", "pd.horizon", "pd.surface_correction", "pd.volume_correction", "pd.influence"
 

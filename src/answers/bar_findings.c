@@ -112,7 +112,7 @@ static Span span_in_one_piece(const BarTheory *bar, bool beyond)
     const double met = (bar->joint - bar->pulse.centre) / c;
     const bool turned = beyond ? bar->right_fixed : bar->left_fixed;
     const double again = fmin(2 * fmin(left, right), turned ? beyond ? right : left : INFINITY);
-    const bool whole = met >= passing && bar->pulse.centre / c >= passing;
+    const bool whole = bar->pulse.to_left == 0 && met >= passing && bar->pulse.centre / c >= passing;
     return (Span){met + passing, whole ? met + again - passing : -INFINITY};
 }
 

@@ -12,16 +12,21 @@
 /* What a mode starts with on a bar of two materials: the sine of a bar of one, or the mode as it is. */
 typedef enum StartShape { SHAPE_SINE, SHAPE_EXACT } StartShape;
 
+/* Where a pulse goes: with the strain of a wave one way, or without any, half of it each way. */
+typedef enum PulseWay { PULSE_RIGHT, PULSE_LEFT, PULSE_BOTH } PulseWay;
+
 /* What moves at t = 0, and how. */
 typedef struct Start {
     int mode; /* of a bar */
     double velocity;
     char overtones[LIST_MAX]; /* "3:0.03,7:0.01" */
     char pulse[LIST_MAX];     /* "50,3,1e-4": centre, width, velocity; "": none */
-    StartShape shape;         /* of a mode of a bar of two materials */
-    double amplitude;         /* deflection U of a beam's mode */
-    PlaneStart start;         /* of a beam in cells: what of the mode there is at t = 0 */
-    PlaneStress stress;       /* that its deflection comes with */
+    PulseWay pulse_way;
+    double offset;      /* of particles from the middle of their share of a cell, in such shares */
+    StartShape shape;   /* of a mode of a bar of two materials */
+    double amplitude;   /* deflection U of a beam's mode */
+    PlaneStart start;   /* of a beam in cells: what of the mode there is at t = 0 */
+    PlaneStress stress; /* that its deflection comes with */
 } Start;
 
 /* A beam that leaves its channel. */

@@ -19,6 +19,7 @@ static const char *const volume_corrections[] = {"none", "partial", "hhb", NULL}
 static const char *const influences[] = {"constant", "conical", NULL};
 static const char *const clamps[] = {"full", "guide", NULL};
 static const char *const plane_ends[] = {"section", "point", NULL};
+static const char *const pulse_ways[] = {"right", "left", "both", NULL};
 static const char *const start_shapes[] = {"sine", "exact", NULL};
 static const char *const plane_starts[] = {"deflection", "velocity", NULL};
 static const char *const plane_stresses[] = {"relaxed", "grid", "beam", NULL};

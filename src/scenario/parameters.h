@@ -24,6 +24,7 @@ typedef enum Nudge {
     NUDGE_DOUBLE,  /* x2, /2 */
     NUDGE_1_2_5,   /* 1, 2, 5, 10, ...; 0 and then negative below the least rung, where these are allowed */
     NUDGE_SHARE,   /* 0, 0.1, 0.2, 0.5, 0.8, 0.9, ..., 0.999, 1: as fine at 1 as a share has to be */
+    NUDGE_FIFTH,   /* +0.2, -0.2 */
     NUDGE_SPACING, /* one lattice spacing more or less: places and sizes of a beam */
     NUDGE_NEXT     /* next choice */
 } Nudge;

@@ -94,6 +94,8 @@ static double nudged_finely(const Settings *settings, const Parameter *parameter
         return value + direction;
     if (parameter->nudge == NUDGE_SHARE)
         return as_typed(value + 0.001 * direction);
+    if (parameter->nudge == NUDGE_FIFTH)
+        return as_typed(value + 0.01 * direction);
     if (parameter->nudge == NUDGE_SPACING)
         return as_typed(value + 0.1 * direction * lattice_spacing(settings));
     return next_digit(value, direction, parameter_usual(parameter, settings->problem));
@@ -112,6 +114,8 @@ static double nudged(const Settings *settings, const Parameter *parameter, doubl
         return next_on_ladder(value, direction, usual, parameter->type == PARAMETER_INTEGER);
     case NUDGE_SHARE:
         return next_share(value, direction);
+    case NUDGE_FIFTH:
+        return as_typed(value + 0.2 * direction);
     case NUDGE_SPACING: {
         const double dx = lattice_spacing(settings);
         return as_typed((value / dx + direction) * dx);

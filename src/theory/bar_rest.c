@@ -80,16 +80,21 @@ static double spline_place(const Knots *knots, int i)
     return sum / knots->degree;
 }
 
-/* What the nodes of a cell are to its particle j, at xi = (j + 1/2)/P of the cell: N_a, dx N_a' and (x_a -
- * x_p)/dx for a = 0 .. degree. For hats x_a is the node; a B-spline stands at its Greville abscissa, where
- * sum N_a x_a = x. Each output may be NULL. */
+double bar_rest_place(const BarRest *rest, int j)
+{
+    return (j + 0.5 + rest->offset) / rest->per_cell;
+}
+
+/* What the nodes of a cell are to its particle j, at xi = (j + 1/2 + offset)/P of the cell: N_a, dx N_a' and
+ * (x_a - x_p)/dx for a = 0 .. degree. For hats x_a is the node; a B-spline stands at its Greville abscissa,
+ * where sum N_a x_a = x. Each output may be NULL. */
 void bar_rest_weights(const BarRest *rest, int cell, int j, double n[REST_SUPPORT_MAX],
                       double slope[REST_SUPPORT_MAX], double arm[REST_SUPPORT_MAX])
 {
     ASSERT_INT(cell, >=, 0);
     ASSERT_INT(j, >=, 0);
     const Knots knots = {rest->degree, rest->mesh_cells, cell + rest->origin};
-    const double x = (j + 0.5) / rest->per_cell;
+    const double x = bar_rest_place(rest, j);
     for (int a = 0; a <= rest->degree; a++) {
         const int i = knots.cell + a;
         if (n)
@@ -172,6 +177,7 @@ bool bar_rest_make(BarRest *rest, const BarTheory *bar, const BarMesh *mesh, int
     const int degree = bar_rest_degree(mesh->shape);
     *rest = (BarRest){.cells = cells,
                       .per_cell = mesh->particles_per_cell,
+                      .offset = mesh->offset,
                       .joint = joint_among(bar, mesh, cells),
                       .density_beyond = bar->joint_density / bar->density,
                       .modulus_beyond = bar->joint_modulus / bar->youngs_modulus,
@@ -209,7 +215,7 @@ void bar_rest_sample(const BarRest *rest, const BarTheory *bar, BarShape *shape,
             double n[REST_SUPPORT_MAX];
             bar_rest_weights(rest, cell, j, n, NULL, NULL);
             const int first = cell + rest->origin - rest->first_node;
-            const double v = shape(bar, number, (cell + (j + 0.5) / rest->per_cell) * cell_size);
+            const double v = shape(bar, number, (cell + bar_rest_place(rest, j)) * cell_size);
             for (int a = 0; a <= rest->degree; a++)
                 if (first + a >= 0 && first + a < rest->nodes)
                     velocity[first + a] += part * density_in(rest, cell) * v * n[a];

@@ -4,8 +4,8 @@
  *
  * All shape functions are written as B-splines of degree p by their definition, the recursion of Cox and de
  * Boor on the open knots of the mesh (p = 1: the hat). uGIMP's particles at rest touch no edge of their cell,
- * so that their weights are the hat's. Physics computes the same functions in another way; neither knows the
- * other.
+ * so that their weights are the hat's, unless they stand beside the middle of their share. Physics computes
+ * the same functions in another way; neither knows the other.
  *
  * Lengths are in cells, masses in rho dx, stiffnesses in E/dx; a time step is then the courant number, and a
  * frequency is one of dx/c: all of the first material, where there are two. Only nodes that are free and have
@@ -20,6 +20,7 @@ enum { REST_SUPPORT_MAX = 4 };
 
 typedef struct BarRest {
     int cells, per_cell;                   /* of the bar */
+    double offset;                         /* of particles, in shares 1/per_cell of a cell */
     int joint;                             /* the first cell of the second material; of one: cells */
     double density_beyond, modulus_beyond; /* of the second material over the first */
     int degree;                            /* p of the shape functions; a cell touches p + 1 nodes */
@@ -31,6 +32,9 @@ typedef struct BarRest {
                         d from particle to node */
     double *stiffness;  /* K = sum V N' N'^T */
 } BarRest;
+
+/* Where particle j of a cell stands, 0 to 1. */
+double bar_rest_place(const BarRest *, int j);
 
 /* The weights of particle j (0 to per_cell - 1) of a cell of the bar, for the nodes from `cell + origin` of
  * the mesh on; NULL: not wanted. arm: from the particle to the node (its Greville abscissa). */

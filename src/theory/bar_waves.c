@@ -129,7 +129,8 @@ double bar_waves_start_slope(const BarTheory *bar, double x)
 
 double bar_waves_start_stress(const BarTheory *bar, double x)
 {
-    return -sqrt(bar_modulus_at(bar, x) * bar_density_at(bar, x)) * pulse(bar, x);
+    const double impedance = sqrt(bar_modulus_at(bar, x) * bar_density_at(bar, x));
+    return impedance * (2 * bar->pulse.to_left - 1) * pulse(bar, x);
 }
 
 /* Modes of the bar are bar.h's; what is none starts as a velocity, half to each side. */
@@ -180,14 +181,20 @@ static double sign_at(const Waves *waves, Way way)
     return fixed ? -1 : 1;
 }
 
+/* How much of the pulse goes that way. */
+static double pulse_share(const Waves *waves, Way way)
+{
+    return way == TO_LEFT ? waves->bar->pulse.to_left : 1 - waves->bar->pulse.to_left;
+}
+
 /* What is at x of the start itself: the wave from `begun`, or the integral over the time since. */
 static double from_start(const Waves *waves, int of, Way way, bool integral, double x, double begun)
 {
     const double c = waves->part[of].speed, sign = way == TO_RIGHT ? 1 : -1;
     if (!integral)
-        return mode_share(waves, begun) + (way == TO_RIGHT ? pulse(waves->bar, begun) : 0);
+        return mode_share(waves, begun) + pulse_share(waves, way) * pulse(waves->bar, begun);
     double sum = mode_share_until(waves, x) - mode_share_until(waves, begun);
-    sum += way == TO_RIGHT ? pulse_until(waves->bar, x) - pulse_until(waves->bar, begun) : 0;
+    sum += pulse_share(waves, way) * (pulse_until(waves->bar, x) - pulse_until(waves->bar, begun));
     return sum * sign / c;
 }
 

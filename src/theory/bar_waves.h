@@ -7,7 +7,7 @@
 
 #include "theory/elastic_bar.h"
 
-/* Velocity, its slope and stress at t = 0: modes, and a pulse that is on its way to the right. */
+/* Velocity, its slope and stress at t = 0: modes, and a pulse on its way. */
 double bar_waves_start_velocity(const BarTheory *, double x);
 double bar_waves_start_slope(const BarTheory *, double x);
 double bar_waves_start_stress(const BarTheory *, double x);

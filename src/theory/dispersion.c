@@ -45,6 +45,7 @@ static Rows rows_of(const BarMesh *mesh)
 {
     enum { FAR = 3 }; /* cells to each end */
     const BarRest endless = {.per_cell = mesh->particles_per_cell,
+                             .offset = mesh->offset,
                              .degree = bar_rest_degree(mesh->shape),
                              .mesh_cells = 2 * FAR + 1};
     Rows rows = {.consistent = {0}};
@@ -120,7 +121,7 @@ Dispersion dispersion_of_bar(const BarTheory *bar, const BarMesh *mesh, double w
 bool dispersion_predicts_centre_velocity(const BarTheory *bar, const BarMesh *mesh)
 {
     bool supports = bar->left_fixed && !bar->right_fixed;
-    bool method = mesh->shape == MESH_HAT && bar_mesh_flip(mesh) == 1 &&
+    bool method = mesh->shape == MESH_HAT && mesh->offset == 0 && bar_mesh_flip(mesh) == 1 &&
                   (mesh->algorithm == MESH_USF || mesh->algorithm == MESH_MUSL);
     if (!supports || !method || bar->body_force != 0 || bar->traction != 0 || bar->pulse.velocity != 0 ||
         bar_is_layered(bar))

@@ -28,6 +28,7 @@ typedef struct BarTheory {
     bool of_sines; /* of two materials: it starts with the modes of a bar of one, and not with its own */
     struct {       /* bar_waves.h; what is here knows no pulse */
         double centre, width, velocity; /* v = velocity exp(-((x - centre)/width)^2); of velocity 0 none */
+        double to_left; /* share of it that goes to the left, 0 to 1; the rest goes to the right */
     } pulse;
 } BarTheory;
 
@@ -68,6 +69,8 @@ typedef enum MeshShape { MESH_HAT, MESH_GIMP, MESH_BSPLINE2, MESH_BSPLINE3 } Mes
 typedef struct BarMesh {
     double cell_size;
     int particles_per_cell;
+    double
+        offset;  /* of particles from the middle of their share of a cell, in such shares: hats, B-splines */
     int padding; /* cells beyond each free end */
     MeshAlgorithm algorithm;
     MeshShape shape;
@@ -92,7 +95,7 @@ typedef struct Dispersion {
 Dispersion dispersion_of_bar(const BarTheory *bar, const BarMesh *mesh, double wave_number);
 
 /* Whether v_cm(t) is predicted whole: hat, fixed-free, flip_fraction 1, FLIP, any mass blend, USF or MUSL,
- * no load, one material. */
+ * no load, one material, particles in the middle of their shares. */
 bool dispersion_predicts_centre_velocity(const BarTheory *bar, const BarMesh *mesh);
 
 /* The predicted v_cm at step k (t = k dt), summed over the modes. */

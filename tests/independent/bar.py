@@ -51,7 +51,7 @@ def spline(s, degree, cells):
 class Bar:
     def __init__(self, L=25.0, E=100.0, rho=1.0, supports="fixed-free", modes=((1, 0.1),), dx=1.0, P=2, padding=4,
                  algorithm="usf", shape="hat", transfer="flip", alpha=1.0, mu=1.0, order=2, affine_start="gradient",
-                 courant=0.1):
+                 courant=0.1, offset=0.0):
         self.left, self.right = (end == "fixed" for end in supports.split("-"))
         self.E, self.rho0, self.dx, self.L = E, rho, dx, L
         self.algorithm, self.shape, self.transfer = algorithm, shape, transfer
@@ -60,8 +60,8 @@ class Bar:
         # the mesh: its left end, its cells; nodes are made with the shape functions
         before, beyond = (0 if self.left else padding), (0 if self.right else padding)
         self.xmin, self.cells = -before * dx, round(L / dx) + before + beyond
-        # particles: (cell + (j + 1/2)/P) dx
-        self.x = (np.arange(round(L / dx) * P) + 0.5) * dx / P
+        # particles: (cell + (j + 1/2 + offset)/P) dx
+        self.x = (np.arange(round(L / dx) * P) + 0.5 + offset) * dx / P
         self.m = np.full(len(self.x), rho * dx / P)
         self.half = 0.5 / P
         self.stress, self.rho = np.zeros(len(self.x)), np.full(len(self.x), rho)
@@ -203,7 +203,8 @@ def bar_of(given, default_start):
                int(given["mesh.padding"]),
                given["mpm.algorithm"], given["mpm.shape"], given["mpm.transfer"], number("mpm.flip_fraction", 1),
                number("mpm.mass_blend", 1), int(given.get("mpm.fmpm_order", 2)),
-               given.get("mpm.affine_start", default_start), number("time.courant", 0))
+               given.get("mpm.affine_start", default_start), number("time.courant", 0),
+               number("initial.offset", 0))
 
 
 def compare(name, case, default_start):

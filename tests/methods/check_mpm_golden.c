@@ -16,8 +16,8 @@ enum { SAMPLES_MAX = 16, PARTICLES_MAX = 512, SPOTS_MAX = 64 };
 static const struct {
     const char *path;
     int count;
-} files[] = {{"tests/golden/mpm.txt", 13}, {"tests/golden/cures.txt", 10}};
-enum { CASES = 23 };
+} files[] = {{"tests/golden/mpm.txt", 13}, {"tests/golden/cures.txt", 12}};
+enum { CASES = 25 };
 
 typedef struct Golden {
     char name[40];
@@ -60,10 +60,11 @@ static void set(Golden *golden, const char *key, const char *value)
         const char *key;
         double *number;
     } numbers[] = {
-        {"bar.length", &def->length},        {"bar.youngs_modulus", &def->youngs_modulus},
-        {"bar.density", &def->density},      {"initial.velocity", &golden->bar.modes[0].velocity},
-        {"mesh.cell_size", &def->cell_size}, {"mpm.flip_fraction", &def->flip_fraction},
-        {"time.courant", &def->courant},     {"mpm.mass_blend", &def->mass_blend},
+        {"bar.length", &def->length},         {"bar.youngs_modulus", &def->youngs_modulus},
+        {"bar.density", &def->density},       {"initial.velocity", &golden->bar.modes[0].velocity},
+        {"mesh.cell_size", &def->cell_size},  {"mpm.flip_fraction", &def->flip_fraction},
+        {"time.courant", &def->courant},      {"initial.offset", &def->offset},
+        {"mpm.mass_blend", &def->mass_blend},
     };
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
         if (strcmp(key, numbers[i].key) == 0) {

@@ -663,6 +663,18 @@ START_TEST(an_echo_is_told_while_it_is_in_one_piece)
                       told);
         experiment_destroy(experiment);
     }
+    /* nor of one that goes both ways at once */
+    static const char *const both[] = {"initial.pulse_way", "both", NULL};
+    Settings hit = loaded("two-materials", both);
+    settings_edit_time(&hit)->end = 9;
+    Experiment *of_hit = open_experiment(&hit, 1 << 20);
+    ck_assert(experiment_advance(of_hit, 1000000, NULL));
+    Finding of_both[FINDINGS_MAX];
+    ck_assert_int_eq(
+        references_findings(experiment_references(of_hit), experiment_simulation(of_hit), of_both), 3);
+    ck_assert_str_eq(of_both[0].missing, "never in one piece");
+    ck_assert_double_lt(of_both[2].measured, 0.2); /* distance from the exact motion */
+    experiment_destroy(of_hit);
     /* where a mode swings besides, nothing of the pulse alone can be told */
     static const char *const swinging[] = {"initial.velocity", "1e-4", NULL};
     Settings settings = loaded("two-materials", swinging);
@@ -672,6 +684,26 @@ START_TEST(an_echo_is_told_while_it_is_in_one_piece)
         references_findings(experiment_references(experiment), experiment_simulation(experiment), findings),
         1);
     experiment_destroy(experiment);
+}
+END_TEST
+
+/* Particles beside the middle of their shares are in every answer; boxes that touch the edge of their cell
+ * take the prediction out, and with it the largest step. */
+START_TEST(an_offset_is_known)
+{
+    static const char *const beside[] = {"initial.offset", "-0.4", "initial.velocity", "1e-4", NULL};
+    Settings settings = loaded("mode5", beside);
+    for (int r = 0; r < REFERENCES; r++)
+        ck_assert_ptr_null(known_unaccounted(&settings, (Reference)r));
+    const Readout readout = read_out(&settings);
+    ck_assert_double_eq_tol(readout.measured, readout.predicted, 1e-3);
+    ck_assert_double_eq_tol(readout.exact, 5.654866776461628, 1e-12);
+    ck_assert_double_gt(readout.measured - 5.415, 0.05); /* as it is in the middle */
+    set(&settings, "mpm.shape", "gimp");
+    ck_assert_str_eq(known_unaccounted(&settings, REFERENCE_PREDICTED), "initial.offset");
+    ck_assert_ptr_null(known_unaccounted(&settings, REFERENCE_EXACT));
+    ck_assert(!settings_set(&settings, "mpm.mass_blend", "auto", NULL) || !settings_check(&settings, NULL));
+    ck_assert(!settings_set(&settings, "initial.offset", "0.5", NULL));
 }
 END_TEST
 
@@ -777,6 +809,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, a_run_cut_short_leaves_out_what_comes_later);
     tcase_add_test(tcase, an_echo_is_told_while_it_is_in_one_piece);
     tcase_add_test(tcase, two_materials_have_a_frequency);
+    tcase_add_test(tcase, an_offset_is_known);
     tcase_add_test(tcase, a_column_s_support_bears_its_weight);
     tcase_add_test(tcase, every_problem_has_its_method);
     tcase_add_test(tcase, other_ways_on_the_same_mesh);

@@ -85,6 +85,46 @@ START_TEST(a_pulse_comes_back)
 }
 END_TEST
 
+/* A hit: half of it each way, and no stress where both are still together. Of an endless bar with an image
+ * behind each end, A/2 f(x - ct) + A/2 f(x + ct); what goes to the left alone is the mirror image of what
+ * goes to the right. */
+START_TEST(a_hit_goes_both_ways)
+{
+    BarTheory both = pulsed(_i), left = pulsed(_i), right = pulsed(_i);
+    both.pulse.to_left = 0.5;
+    left.pulse.to_left = 1;
+    right.pulse.centre = 25 - left.pulse.centre;
+    right.left_fixed = left.right_fixed, right.right_fixed = left.left_fixed;
+    const double at_left = both.left_fixed ? -1 : 1, at_right = both.right_fixed ? -1 : 1;
+    for (double t = 0; t < 2.5; t += 0.31) {
+        for (double x = 0.5; x < 25; x += 0.7) {
+            const struct {
+                double place, sign, way;
+            } waves[] = {{10 + 10 * t, 1, 1},         {10 - 10 * t, 1, -1},
+                         {-10 + 10 * t, at_left, 1},  {-10 - 10 * t, at_left, -1},
+                         {40 - 10 * t, at_right, -1}, {40 + 10 * t, at_right, 1}};
+            double v = 0, stress = 0;
+            for (size_t i = 0; i < sizeof waves / sizeof *waves; i++) {
+                const double part = waves[i].sign * 0.5e-3 * exp(-pow((x - waves[i].place) / 1.5, 2));
+                v += part, stress -= waves[i].way * 10 * part;
+            }
+            ck_assert_double_eq_tol(bar_waves_velocity(&both, x, t), v, 1e-15);
+            ck_assert_double_eq_tol(bar_waves_stress(&both, x, t), stress, 1e-14);
+            ck_assert_double_eq_tol(bar_waves_velocity(&left, x, t), bar_waves_velocity(&right, 25 - x, t),
+                                    1e-17);
+            ck_assert_double_eq_tol(bar_waves_stress(&left, x, t), -bar_waves_stress(&right, 25 - x, t),
+                                    1e-16);
+        }
+    }
+    ck_assert_double_eq(bar_waves_start_stress(&both, 10), 0);
+    ck_assert_double_eq_tol(bar_waves_start_stress(&left, 10), 10e-3, 1e-17);
+    /* a place and its velocity: by the integral along the way */
+    const double h = 1e-4, before = bar_waves_displacement(&both, 7, 1.3 - h);
+    ck_assert_double_eq_tol((bar_waves_displacement(&both, 7, 1.3 + h) - before) / (2 * h),
+                            bar_waves_velocity(&both, 7, 1.3), 1e-9);
+}
+END_TEST
+
 static double slope(double (*field)(const BarTheory *, double, double), const BarTheory *theory, double x,
                     double t, double dx, double dt)
 {
@@ -200,6 +240,7 @@ void add_cases(Suite *suite)
     TCase *test = tcase_create("waves");
     tcase_add_loop_test(test, a_joint_between_equals, 0, SUPPORTS);
     tcase_add_loop_test(test, a_pulse_comes_back, 0, SUPPORTS);
+    tcase_add_loop_test(test, a_hit_goes_both_ways, 0, SUPPORTS);
     tcase_add_loop_test(test, two_materials_obey, 0, 2 * SUPPORTS);
     tcase_add_test(test, impedances);
     tcase_add_loop_test(test, a_sine_is_a_sum_of_modes, 0, SUPPORTS);

@@ -88,6 +88,11 @@ static bool check_mass_blend(const BarDef *def, Status *status)
 {
     const double mu = def->mass_blend,
                  best = bar_mass_blend_auto(def->shape, def->particles_per_cell, def->courant);
+    if (mu == 0.0 && def->offset != 0.0)
+        return status_fail(status, STATUS_USAGE,
+                           "mpm.mass_blend: auto is known for particles in the middle of their shares "
+                           "(%g to 1, or initial.offset 0)",
+                           BAR_MASS_BLEND_LEAST);
     if (mu == 0.0 && best < BAR_MASS_BLEND_LEAST)
         return status_fail(
             status, STATUS_USAGE,
@@ -132,6 +137,9 @@ bool bar_check(const BarDef *def, Status *status)
     if (!(def->flip_fraction >= 0.0 && def->flip_fraction <= 1.0))
         return status_fail(status, STATUS_USAGE, "mpm.flip_fraction: %g is out of range (0 to 1)",
                            def->flip_fraction);
+    if (!(fabs(def->offset) < 0.5))
+        return status_fail(status, STATUS_USAGE, "initial.offset: %g is out of range (-0.49 to 0.49)",
+                           def->offset);
     if (!check_mass_blend(def, status))
         return false;
     const double speed = sqrt(def->youngs_modulus / def->density), dt = def->courant * def->cell_size / speed;

@@ -122,7 +122,7 @@ static void particle_field(const Bar *bar, int field, int first, int count, doub
         int p = first + i, j = p % bar->slots, k = p / bar->slots;
         while (bar->first[cell + 1] <= p)
             cell++;
-        double s = bar->s[j][k], place = moved ? bar->moved[j][k] : s, start = (j + 0.5) / bar->slots;
+        double s = bar->s[j][k], place = moved ? bar->moved[j][k] : s, start = bar_place_at_start(bar, j);
         switch (field) {
         case AXIAL_X0:
             out[i] = (k + start) * bar->dx;

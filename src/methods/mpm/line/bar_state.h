@@ -202,6 +202,12 @@ static inline void bar_lend_velocity(const Bar *bar, int cell, double *v)
         v[1] = v[0];
 }
 
+/* Where particle j of a cell stands in it at t = 0, 0 to 1. */
+static inline double bar_place_at_start(const Bar *bar, int j)
+{
+    return (j + 0.5 + bar->def.offset) / bar->slots;
+}
+
 /* A particle's mass over bar->mass, its mass, and its stiffness. */
 static inline double bar_weight(const Bar *bar, int particle)
 {

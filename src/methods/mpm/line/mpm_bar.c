@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A bar by the material point method is made, copied out, put back and changed. The state is one block of
  * arrays; a snapshot between steps is its first part, the particles, in the middle of a step all of it. At t
- * = 0 particles stand at s = (j + 1/2)/P in their cells, with stress 0, volume m/rho and the velocity of eq.
- * 19; m = rho dx/P, dt by eq. 21. */
+ * = 0 particles stand at s = (j + 1/2 + offset)/P in their cells, with stress 0, volume m/rho and the
+ * velocity of eq. 19; m = rho dx/P, dt by eq. 21. */
 #include "methods/axial.h"
 #include "methods/mpm/line/bar_mistakes.h"
 #include "methods/mpm/line/bar_state.h"
@@ -342,9 +342,9 @@ static bool begin_stress(Bar *bar, Status *status)
 
 enum { PLACES_A_QUESTION = 16384 }; /* a millisecond or less, as each takes a sine for every mode */
 
-/* The state at t = 0: places s = (j + 1/2)/P, v by eq. 19, volume m/rho, stress 0 or that of a pulse; APIC's
- * slopes C = dv0/dx, since from C = 0 it loses energy in the first step (a quarter of it for the paper's mode
- * 10). */
+/* The state at t = 0: places s = (j + 1/2 + offset)/P, v by eq. 19, volume m/rho, stress 0 or that of a
+ * pulse; APIC's slopes C = dv0/dx, since from C = 0 it loses energy in the first step (a quarter of it for
+ * the paper's mode 10). */
 static bool begin(Bar *bar, Status *status)
 {
     const BarDef *def = &bar->def;
@@ -366,7 +366,7 @@ static bool begin(Bar *bar, Status *status)
     bar_count_odd_cells(bar);
     bar->head->cell_sum = (int64_t)bar->slots * bar->places * (bar->places - 1) / 2;
     for (int j = 0; j < bar->slots; j++) {
-        double s = (j + 0.5) / bar->slots;
+        double s = bar_place_at_start(bar, j);
         for (int k = 0; k < bar->places; k++) {
             if (k % PLACES_A_QUESTION == 0 &&
                 !patience_lasts(&def->patience, (j + (double)k / bar->places) / bar->slots))

@@ -23,6 +23,7 @@ typedef struct BarDef {
 
     double cell_size;       /* dx > 0 */
     int particles_per_cell; /* P, 1 to 8 */
+    double offset;          /* of particles from the middle of their share of a cell, in such: -1/2 to 1/2 */
     int padding;            /* cells beyond each free end, >= 0 */
 
     double body_force;     /* b, per unit mass (eq. 11) */
