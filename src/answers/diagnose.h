@@ -10,7 +10,7 @@
 
 #include "base/patience.h"
 #include "run/overlay.h"
-#include "scenario/settings.h"
+#include "scenario/assignment.h"
 
 enum { DIAGNOSE_COLUMNS_MAX = 32, DIAGNOSE_NOTES_MAX = 8, DIAGNOSE_STAGES_MAX = 12 };
 

@@ -2,6 +2,7 @@
 /* A run beside the table of a foreign code (diagnose_internal.h): ours for each of its entries, up to the
  * first that departs or to its end. */
 #include "answers/diagnose_internal.h"
+#include "scenario/settings.h"
 #include "scenario/concern_output.h"
 #include "scenario/concern_time.h"
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The search for the code that made a file's numbers (diagnose.h). */
 #include "answers/diagnose_internal.h"
+#include "scenario/settings.h"
 #include "scenario/concern_body.h"
 #include "scenario/concern_cells.h"
 #include "scenario/concern_loads.h"

@@ -3,6 +3,7 @@
  * step, stage and thing each row is, and what its time step is. What is odd but can be read is noted; what
  * cannot is refused in one line. */
 #include "answers/diagnose_internal.h"
+#include "scenario/settings.h"
 #include "scenario/concern_output.h"
 #include "scenario/concern_time.h"
 

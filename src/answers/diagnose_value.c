@@ -3,6 +3,7 @@
  * entries up to where the file departs, which goes on from there to the next departure. Near the first one
  * the run depends smoothly on any parameter; the farther it agrees, the sharper the value is known. */
 #include "answers/diagnose_internal.h"
+#include "scenario/settings.h"
 
 #include "base/text.h"
 

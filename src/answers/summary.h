@@ -4,7 +4,7 @@
 #define LAB_SUMMARY_H
 
 #include "run/experiment.h"
-#include "export/export.h"
+#include "answers/run_summary.h"
 
 enum { SUMMARY_MAX = 1024 };
 

@@ -8,8 +8,7 @@
 #include "export/vtk.h"
 #include "base/output.h"
 #include "base/status.h"
-#include "answers/crack_growth.h"
-#include "answers/references.h"
+#include "answers/run_summary.h"
 #include "scenario/assignment.h"
 
 typedef enum Dialect { DIALECT_COMMA, DIALECT_SEMICOLON } Dialect;
@@ -24,44 +23,6 @@ typedef struct Outputs {
     Asker asker; /* on whose behalf */
     bool force;  /* existing files are replaced; else they are refused before the run starts */
 } Outputs;
-
-/* How the change of a run's energy is measured, so that the ripple of kinetic and strain energy, which are
- * known half a step apart, does not enter: by E* where there is one (answers/invariant.h), else by the
- * means of total - work over the first and the last period, or tenths of the run where no one period is
- * known. */
-typedef enum EnergyMeasure { ENERGY_NOT_KNOWN, ENERGY_INVARIANT, ENERGY_PERIOD, ENERGY_TENTH } EnergyMeasure;
-
-/* What a run came to; printed by `matvib run`, shown by the laboratory at the end. */
-typedef struct RunSummary {
-    const char *mistake; /* what a wrong code does in it; NULL: nothing is wrong */
-    long steps;
-    double time, dt;
-    Readout readout;
-    Finding findings[FINDINGS_MAX]; /* of the last step */
-    int n_findings;
-    EnergyMeasure energy_measure;
-    bool energy_of_feed;  /* of the start's energy the motion that all of a body has in common is most */
-    double energy_most;   /* per cent of the start: the largest change on the way; 0: not of the start */
-    bool energy_of_work;  /* it begins at rest, or next to it: the change is a share of the largest work */
-    double energy_change; /* from the start to the end, in percent of the start */
-    long rows;            /* of the series */
-    Column columns[COLUMNS_MAX]; /* of the series */
-    int n_columns;
-    double last_row[COLUMNS_MAX];
-    Derived derived[DERIVED_MAX]; /* of the simulation that ran */
-    int n_derived;
-    bool crack_known; /* a beam with a notch */
-    CrackFacts crack;
-    bool fronts_known; /* a plate with cuts */
-    FrontsFacts fronts;
-    bool price_known; /* where the crack's energy went */
-    CrackPrice price;
-    double rayleigh_speed; /* that of the tip is told beside it */
-    size_t frames;         /* of tables of particles, nodes, bonds, and for ParaView */
-    bool at_rest;          /* it ended where it had come to rest */
-    bool failed;
-    Status failure;
-} RunSummary;
 
 /* Whether the series has a column, the i-th of the references', by output.columns: step and time always. */
 bool export_writes(const Settings *, const Simulation *, int i, const char *column);

@@ -4,17 +4,15 @@
 #ifndef VIEW_SCREEN_H
 #define VIEW_SCREEN_H
 
-#include "scenario/settings.h"
 #include "run/duel.h"
-#include "run/experiment.h"
-#include "answers/convergence.h"
-#include "export/export.h"
-#include "run/overlay.h"
+#include "answers/summary.h"
 #include "run/stop.h"
 #include "lessons/lesson.h"
-#include "scenario/parameters.h"
 #include "picture/canvas.h"
 #include "help/command.h"
+
+typedef struct Convergence Convergence; /* answers/convergence.h */
+typedef struct Overlay Overlay;         /* run/overlay.h */
 
 enum { FRAMES_PER_SECOND = 30 };
 

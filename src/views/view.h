@@ -10,8 +10,9 @@
 #define VIEW_VIEW_H
 
 #include "picture/picture.h"
-#include "scenario/settings.h"
 #include "panes/screen.h"
+
+typedef struct ConvergenceStudy ConvergenceStudy; /* answers/convergence.h */
 
 /* How two runs of a duel are shown. */
 typedef enum ViewDuel {

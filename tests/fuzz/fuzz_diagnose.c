@@ -2,6 +2,7 @@
 /* Any bytes as the table of somebody's own code: refused in one line, or each row belongs to a step and a
  * thing that the run has. */
 #include "fuzz/fuzz.h"
+#include "scenario/settings.h"
 
 #include "answers/diagnose.h"
 #include "scenario/scenario.h"

@@ -2,6 +2,7 @@
 /* What is shown inside a time step adds up: every sum of the stage box is worked out again from the digits
  * that are printed, and so are the columns of the inspector; the results are the fields of the run. */
 #include "methods/mpm/line/mpm_bar.h"
+#include "scenario/settings.h"
 #include "methods/bonds/plane/bonds_plane.h"
 #include "scenario/scenario.h"
 #include "suite.h"

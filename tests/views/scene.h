@@ -12,6 +12,7 @@
 #ifndef TESTS_VIEW_SCENE_H
 #define TESTS_VIEW_SCENE_H
 
+#include "answers/convergence.h"
 #include "panes/screen.h"
 
 typedef struct Scene {

@@ -2,6 +2,7 @@
 /* The run as files, asked for with x. The files are those of `matvib run`, by the same function. */
 #include "lab/laboratory.h"
 #include "scenario/concern_output.h"
+#include "export/export.h"
 #include "scenario/settings.h"
 #include "lab/writing.h"
 #include "base/text.h"

@@ -2,6 +2,7 @@
 /* Calculates what is right and holds runs against goals (lesson_judge.h). */
 #include "lab/lesson/lesson_judge.h"
 
+#include "export/export.h"
 #include "scenario/settings.h"
 #include "answers/summary.h"
 #include "scenario/settings_compare.h"

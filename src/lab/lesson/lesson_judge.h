@@ -7,7 +7,7 @@
 
 #include "scenario/settings.h"
 #include "lessons/lesson.h"
-#include "export/export.h"
+#include "answers/run_summary.h"
 
 typedef struct Laboratory Laboratory;
 

@@ -3,6 +3,7 @@
 #ifndef TUI_SESSION_INTERNAL_H
 #define TUI_SESSION_INTERNAL_H
 
+#include "scenario/settings.h"
 #include "base/output.h"
 #include "lessons/variant.h"
 #include "lab/session/session.h"

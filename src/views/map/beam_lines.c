@@ -2,6 +2,7 @@
 /* The lines under a beam's plots: what its run is judged by. Phrases are parted by two spaces, what matters
  * most first; what has no room is left out whole. */
 #include "panes/panes.h"
+#include "scenario/settings.h"
 #include "scenario/parameters.h"
 #include "answers/crack_growth.h"
 
