@@ -387,8 +387,10 @@ claim $lesson/skin.lesson "" 1.04 " ms, 20.5 % too long" measured 1000
 claim $lesson/skin.lesson "1.04 ms, " 20.5 " % too long" period_error
 claim $lesson/homework-crack.lesson "From " 21 " % to" period_error
 claim $lesson/two-wrongs.lesson "Uncorrected, A is " 20.5 " % too slow" period_error
-run supported-beam-coarse --set pd.surface_correction=none --set pd.mistake=micromodulus_plane_strain --end 0.0007
-claim $lesson/two-wrongs.lesson "and is " 16.7 " % too slow" period_error
+if [ -n "$MATVIB_WIDE" ]; then # a wrong code takes the plain stages
+	run supported-beam-coarse --set pd.surface_correction=none --set pd.mistake=micromodulus_plane_strain --end 0.0007
+	claim $lesson/two-wrongs.lesson "and is " 16.7 " % too slow" period_error
+fi
 # what a mistake makes of c, and the correction of it, with bonds inside the beam
 against() { # MISTAKE
 	for wrong in none "$1"; do

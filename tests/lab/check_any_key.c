@@ -205,7 +205,7 @@ START_TEST(random_keys)
 {
     char folder[64];
     const char *wanted = getenv("MATVIB_KEYS"), *tell = getenv("MATVIB_TELL");
-    long count = wanted ? atol(wanted) : suite_wide() ? 4000 : 800;
+    long count = wanted ? atol(wanted) : suite_wide() ? 4000 : 500;
     Fingers fingers = {.random = 0x9e3779b97f4a7c15u};
     enter_folder(folder);
     Bench *bench = random_bench(&fingers);
