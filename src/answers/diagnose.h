@@ -46,7 +46,8 @@ typedef struct DiagnoseTable {
     size_t n_moments;
     size_t *rows;    /* of the file, in the order of the moments */
     size_t *things;  /* of each of them */
-    double dt;       /* that its times tell */
+    double dt;       /* that its times tell, by so much more or less: */
+    double dt_bound; /* what is written with few digits leaves it open */
     bool timed;      /* they tell one */
     int time_column; /* of the file: its times, or else its steps */
     double noise;    /* round-off of two right codes after a step, as a share of a column's size */

@@ -26,7 +26,7 @@ typedef struct List {
 static void add(List *list, DiagnoseKind kind, const Parameter *parameter, double value, long shift)
 {
     if (list->count < CANDIDATES_MAX)
-        list->out[list->count++] = (Candidate){kind, parameter, value, shift, 0};
+        list->out[list->count++] = (Candidate){kind, parameter, value, shift, 0, NULL};
 }
 
 static void add_choices(List *list, const Settings *right, const Parameter *parameter)
@@ -90,7 +90,7 @@ int diagnose_pairs(const Settings *right, Candidate out[CANDIDATES_MAX])
         if (diagnose_is_tried(right, &parameters[p]) && parameters[p].wrong)
             for (int i = 1; i < parameter_choices(&parameters[p], right->problem); i++)
                 for (int k = 1; k < i && count < CANDIDATES_MAX; k++)
-                    out[count++] = (Candidate){DIAGNOSE_MISTAKE, &parameters[p], i, 0, k};
+                    out[count++] = (Candidate){DIAGNOSE_MISTAKE, &parameters[p], i, 0, k, NULL};
     return count;
 }
 
@@ -106,6 +106,10 @@ bool diagnose_settings_of(const Candidate *candidate, const Settings *right, con
         settings_put(out, candidate->parameter, candidate->value);
         settings_edit_transfer(out)->mistake_beside = settings_edit_lattice(out)->mistake_beside =
             candidate->beside;
+    }
+    if (candidate->own_step) {
+        *settings_edit_time(out) = *candidate->own_step;
+        return settings_check(out, NULL);
     }
     return settings_check(out, NULL) && diagnose_hold_step(out, table->dt) && settings_check(out, NULL);
 }

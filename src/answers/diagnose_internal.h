@@ -5,6 +5,7 @@
 
 #include "answers/diagnose.h"
 #include "run/advance.h"
+#include "scenario/concern_time.h"
 #include "scenario/parameters.h"
 
 /* A walk along a run, as far as the file or `moments` go. */
@@ -53,7 +54,8 @@ typedef struct Candidate {
     const Parameter *parameter;
     double value;
     long shift;
-    int beside; /* a second mistake; 0: none */
+    int beside;                   /* a second mistake; 0: none */
+    const TimeSettings *own_step; /* it makes its own time step, as these say; NULL: it has the file's */
 } Candidate;
 
 enum { CANDIDATES_MAX = 400 };
@@ -76,7 +78,7 @@ void diagnose_name_factor(double factor, double tolerance, const Settings *, cha
 /* diagnose_value.c: the value of a parameter with which the run agrees with the file, sought from its first
  * departure on. False: there is none; *tried counts the runs. */
 bool diagnose_find_value(const DiagnoseTask *, const DiagnoseTable *, const Departure *, const Parameter *,
-                         double *value, long *tried);
+                         const TimeSettings *own_step, double *value, long *tried);
 
 /* The run that tells two codes apart: a column that the file has not, or another setting of both; "": none
  * was found. */

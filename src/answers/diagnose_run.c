@@ -4,7 +4,6 @@
 #include "answers/diagnose_internal.h"
 #include "scenario/settings.h"
 #include "scenario/concern_output.h"
-#include "scenario/concern_time.h"
 
 #include "base/math/functions.h"
 #include "base/text.h"

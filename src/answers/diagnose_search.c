@@ -90,55 +90,109 @@ static void find_units(Search *search)
     }
 }
 
-/* Whether a column holds what stands beside a run, to its digits, and not the run. */
+/* The rows that are compared. */
+static size_t rows_of(const DiagnoseTable *table)
+{
+    const DiagnoseMoment *last = &table->moments[table->n_moments - 1];
+    return last->first + last->count;
+}
+
+/* Whether a column holds what stands beside a run, an answer for each row, to its digits, and not the run. */
 static bool is_copy(const Search *search, int c, const double *answers)
 {
     const DiagnoseTable *table = search->table;
+    const DiagnoseColumn *column = &table->columns[c];
     size_t other = 0, counted = 0;
-    for (size_t m = 0; m < table->n_moments; m++) {
-        const size_t row = table->moments[m].first;
-        const double theirs = diagnose_theirs(table, &table->columns[c], row);
-        const double bound = diagnose_bound(table, &table->columns[c], theirs, table->columns[c].natural, 0);
+    for (size_t row = 0; row < rows_of(table); row++) {
+        const double theirs = diagnose_theirs(table, column, row);
+        const double bound = diagnose_bound(table, column, theirs, column->natural, 0);
         const double ours = search->values[row * (size_t)table->n_columns + (size_t)c];
         if (isnan(theirs))
             continue;
-        if (isnan(answers[m]) || fabs(theirs - answers[m]) > bound + 1e-9 * table->columns[c].natural)
+        if (isnan(answers[row]) || fabs(theirs - answers[row]) > bound + 1e-9 * column->natural)
             return false;
         counted++;
-        other += fabs(ours - answers[m]) > 2 * bound + 2e-9 * table->columns[c].natural;
+        other += fabs(ours - answers[row]) > 2 * bound + 2e-9 * column->natural;
     }
     return other > 0 && counted > 1;
 }
 
-/* The answers beside a run, as columns; those that need the past are left alone. */
+/* A column that never changes in the right run, as a mass: beside copied ones it tells of no run. */
+static bool is_still(const Search *search, int c)
+{
+    const DiagnoseTable *table = search->table;
+    const size_t count = table->moments[0].count, wide = (size_t)table->n_columns;
+    for (size_t row = 0; row < rows_of(table); row++)
+        if (table->things[row] != table->things[row % count] ||
+            search->values[row * wide + (size_t)c] != search->values[row % count * wide + (size_t)c])
+            return false;
+    return true;
+}
+
+static void judge_copy(Search *search, int c, const char *what, const double *answers)
+{
+    DiagnoseColumn *column = &search->table->columns[c];
+    if (column->silent || !is_copy(search, c, answers))
+        return;
+    column->silent = true;
+    search->found->verdict = DIAGNOSE_COPIED;
+    diagnose_note(search->table, "its column %s is %s, to all its digits: an answer, not a run", column->name,
+                  what);
+}
+
+/* Of a series: the answers that stand beside it; those that need the past are left alone. */
+static void find_copied_series(Search *search, References *refs, const double *nothing, double *answers)
+{
+    const DiagnoseTable *table = search->table;
+    Column columns[COLUMNS_MAX];
+    double row[COLUMNS_MAX];
+    const int count = references_memory(refs) == 0 ? references_columns(refs, columns) : 0;
+    for (int i = 0; i < count; i++)
+        for (int c = 0; c < table->n_columns && columns[i].of >= 0; c++) {
+            if (strcmp(columns[columns[i].of].quantity.name, table->columns[c].name) != 0)
+                continue;
+            for (size_t m = 0; m < table->n_moments; m++) {
+                const long step = table->moments[m].step;
+                references_row(refs, step, (double)step * table->dt, nothing, row);
+                answers[table->moments[m].first] = row[i];
+            }
+            judge_copy(search, c, columns[i].quantity.meaning, answers);
+        }
+}
+
+/* Of things: the exact profile at their places of reference. */
+static void find_copied_things(Search *search, const References *refs, const Simulation *sim, double *answers)
+{
+    const DiagnoseTable *table = search->table;
+    int place = simulation_find_field(sim, table->set, "x0");
+    place = place >= 0 ? place : simulation_find_field(sim, table->set, "x");
+    for (int c = 0; c < table->n_columns && place >= 0; c++) {
+        const char *name = table->columns[c].name;
+        for (size_t m = 0; m < table->n_moments; m++)
+            for (size_t k = 0; k < table->moments[m].count; k++) {
+                const size_t row = table->moments[m].first + k;
+                answers[row] = references_profile(refs, strcmp(name, "velocity") == 0 ? "v" : name,
+                                                  simulation_value(sim, place, table->things[row]),
+                                                  (double)table->moments[m].step * table->dt);
+            }
+        judge_copy(search, c, "the exact profile", answers);
+    }
+}
+
 static bool find_copies(Search *search)
 {
     DiagnoseTable *table = search->table;
-    Column columns[COLUMNS_MAX];
-    double row[COLUMNS_MAX];
     Simulation *sim = problem_simulate(&search->right, 1, search->status);
     References *refs = sim ? references_create(&search->right, sim, search->status) : NULL;
     double *nothing = sim ? calloc((size_t)sim->n_series + 1, sizeof *nothing) : NULL;
-    double *answers = malloc((table->n_moments + 1) * sizeof *answers);
+    double *answers = malloc((rows_of(table) + 1) * sizeof *answers);
     const bool sound = refs && nothing && answers;
-    const int count = sound && references_memory(refs) == 0 ? references_columns(refs, columns) : 0;
-    for (int i = 0; i < count; i++)
-        for (int c = 0; c < table->n_columns && columns[i].of >= 0; c++) {
-            if (strcmp(columns[columns[i].of].quantity.name, table->columns[c].name) != 0 ||
-                table->columns[c].silent)
-                continue;
-            for (size_t m = 0; m < table->n_moments; m++) {
-                references_row(refs, table->moments[m].step, (double)table->moments[m].step * sim->dt,
-                               nothing, row);
-                answers[m] = row[i];
-            }
-            if (!is_copy(search, c, answers))
-                continue;
-            table->columns[c].silent = true;
-            search->found->verdict = DIAGNOSE_COPIED;
-            diagnose_note(table, "its column %s is %s, to all its digits: an answer, not a run",
-                          table->columns[c].name, columns[i].quantity.meaning);
-        }
+    if (sound && table->set < 0)
+        find_copied_series(search, refs, nothing, answers);
+    else if (sound)
+        find_copied_things(search, refs, sim, answers);
+    for (int c = 0; c < table->n_columns && search->found->verdict == DIAGNOSE_COPIED; c++)
+        table->columns[c].silent = table->columns[c].silent || is_still(search, c);
     references_destroy(refs);
     simulation_destroy(sim);
     free(nothing);
@@ -194,7 +248,7 @@ static bool read_columns(Search *search)
         return false;
     find_units(search);
     const int telling = silence(search);
-    if (telling > 0 && table->set < 0 && !find_copies(search))
+    if (telling > 0 && !table->of_stages && !find_copies(search))
         return false;
     if (telling == 0 || is_quiet(table)) {
         search->found->verdict = search->found->verdict == DIAGNOSE_COPIED ? DIAGNOSE_COPIED : DIAGNOSE_MUTE;
@@ -402,39 +456,54 @@ static bool is_round(double factor, const Settings *right)
 /* Fewer can be had with any value, or with two mistakes of some. */
 enum { ENTRIES_LEAST = 3 };
 
-/* One value that is wrong; beside a simpler explanation only a round one. */
-static bool try_values(Search *search)
+/* Whether a code with that value makes a time step that the file's times may mean. */
+static bool may_be_its_step(const Search *search, const Settings *wrong)
 {
-    const bool simpler = search->found->n_explanations > 0;
+    double own;
+    return problem_time_step(wrong, &own, NULL) &&
+           fabs(own - search->table->dt) <= search->table->dt_bound + 1e-12 * search->table->dt;
+}
+
+/* One parameter's value, with the file's time step or with one that follows from it. Beside a simpler
+ * explanation only a round one. False: it was given up. */
+static bool try_value(Search *search, const Parameter *parameter, const TimeSettings *own_step, bool simpler)
+{
+    Candidate candidate = {DIAGNOSE_VALUE, parameter, 0, 0, 0, own_step};
+    const DiagnoseTask task = {
+        .settings = &search->right, .threads = search->task->threads, .patience = search->task->patience};
     Settings wrong;
     Walk walk;
+    bool agrees;
+    if (!diagnose_find_value(&task, search->table, &search->walk.departure, parameter, own_step,
+                             &candidate.value, &search->found->tried))
+        return patience_lasts(&search->task->patience, 0) ||
+               status_fail(search->status, STATUS_FAILED, "interrupted");
+    const double now = settings_number(&search->right, parameter);
+    const double factor = now != 0 ? candidate.value / now : candidate.value;
+    if ((now != 0 && !(fabs(factor) > LEAST_FACTOR && fabs(factor) < 1 / LEAST_FACTOR)) ||
+        (simpler && !is_round(factor, &search->right)))
+        return true;
+    if (!try_one(search, &candidate, &walk, &wrong, &agrees))
+        return false;
+    if (agrees && (!own_step || may_be_its_step(search, &wrong)))
+        keep(search, &candidate, &wrong, &walk);
+    return true;
+}
+
+/* One value that is wrong. Where times of few digits leave the step open, it may be that of the value. */
+static bool try_values(Search *search)
+{
+    const DiagnoseTable *table = search->table;
+    const bool simpler = search->found->n_explanations > 0, open = table->dt_bound > 1e-12 * table->dt;
     if (search->walk.departing < ENTRIES_LEAST)
         return true;
-    for (int i = 0; i < n_parameters; i++) {
-        const Parameter *parameter = &parameters[i];
-        Candidate candidate = {DIAGNOSE_VALUE, parameter, 0, 0, 0};
-        bool agrees;
-        if (!diagnose_is_tried(&search->right, parameter) || parameter->type != PARAMETER_REAL ||
-            has_value(search->found, parameter))
-            continue;
-        const DiagnoseTask task = {
-            .settings = &search->right, .threads = search->task->threads, .patience = search->task->patience};
-        if (!diagnose_find_value(&task, search->table, &search->walk.departure, parameter, &candidate.value,
-                                 &search->found->tried)) {
-            if (!patience_lasts(&search->task->patience, 0))
-                return status_fail(search->status, STATUS_FAILED, "interrupted");
-            continue;
-        }
-        const double now = settings_number(&search->right, parameter);
-        const double factor = now != 0 ? candidate.value / now : candidate.value;
-        if ((now != 0 && !(fabs(factor) > LEAST_FACTOR && fabs(factor) < 1 / LEAST_FACTOR)) ||
-            (simpler && !is_round(factor, &search->right)))
-            continue;
-        if (!try_one(search, &candidate, &walk, &wrong, &agrees))
-            return false;
-        if (agrees)
-            keep(search, &candidate, &wrong, &walk);
-    }
+    for (int by_value = 0; by_value <= (open && !simpler); by_value++)
+        for (int i = 0; i < n_parameters; i++)
+            if (diagnose_is_tried(&search->right, &parameters[i]) && parameters[i].type == PARAMETER_REAL &&
+                !has_value(search->found, &parameters[i]) &&
+                !try_value(search, &parameters[i], by_value ? settings_time(search->task->settings) : NULL,
+                           simpler))
+                return false;
     return true;
 }
 

@@ -325,6 +325,7 @@ static void time_step_of_steps(DiagnoseTable *table, const Heads *heads, double 
     const double t[2] = {times[low] * heads->time_factor, times[high] * heads->time_factor};
     const double count = steps[high] - steps[low], own = (t[1] - t[0]) / count;
     const double bound = 2 * fmax(time_bound(file, heads, t[0]), time_bound(file, heads, t[1])) / count;
+    table->dt_bound = bound;
     if (!(own > 0) || fabs(own - dt) <= bound + 1e-9 * dt)
         return;
     table->dt = own;
@@ -357,6 +358,7 @@ static bool time_step_of_times(DiagnoseTable *table, const Heads *heads, double 
     if (steps >= 1 && fabs(spacing - steps * dt) <= bound)
         return true;
     table->dt = last / fmax(1, round(last / spacing));
+    table->dt_bound = bound / fmax(1, round(last / spacing));
     diagnose_note(
         table,
         "its rows are %.10g apart, no multiple of the scenario's time step %.10g: taken for its own steps",

@@ -16,8 +16,9 @@ typedef struct Seek {
     const DiagnoseTask *task;
     const DiagnoseTable *table;
     const Parameter *parameter;
-    double scale;      /* of a step of the parameter */
-    double *values[2]; /* ours, with the value and beside it */
+    const TimeSettings *own_step; /* of Candidate */
+    double scale;                 /* of a step of the parameter */
+    double *values[2];            /* ours, with the value and beside it */
     long *tried;
 } Seek;
 
@@ -26,7 +27,7 @@ static bool walk_with(Seek *seek, double value, Walk *walk)
 {
     Settings settings;
     Status ignored = {STATUS_DONE, ""};
-    const Candidate candidate = {DIAGNOSE_VALUE, seek->parameter, value, 0, 0};
+    const Candidate candidate = {DIAGNOSE_VALUE, seek->parameter, value, 0, 0, seek->own_step};
     const double now = settings_number(seek->task->settings, seek->parameter);
     const bool size = seek->parameter->nudge != NUDGE_1_2_5 && seek->parameter->nudge != NUDGE_SHARE;
     if (size && now != 0 && !(value / now > 0.5 && value / now < 2)) /* the work grows with it */
@@ -114,12 +115,12 @@ static bool seek_value(Seek *seek, size_t moments, double *value)
 }
 
 bool diagnose_find_value(const DiagnoseTask *task, const DiagnoseTable *table, const Departure *departure,
-                         const Parameter *parameter, double *value, long *tried)
+                         const Parameter *parameter, const TimeSettings *own_step, double *value, long *tried)
 {
     const size_t entries = table->file.count * (size_t)table->n_columns;
     Settings moved = *task->settings;
     const double now = settings_number(task->settings, parameter);
-    Seek seek = {.task = task, .table = table, .parameter = parameter, .tried = tried};
+    Seek seek = {.task = task, .table = table, .parameter = parameter, .own_step = own_step, .tried = tried};
     if (!settings_nudge(&moved, parameter, 1, true) && !settings_nudge(&moved, parameter, -1, true))
         return false;
     seek.scale = fabs(settings_number(&moved, parameter) - now);

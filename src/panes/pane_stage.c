@@ -199,7 +199,7 @@ static int choose_sums(const Subject *subject, int width, int rows, char sums[SU
  * for. Returns the rows. */
 static int other_sums(const Subject *subject, int width, int room, char sums[SUMS_MAX])
 {
-    enum { TERMS = 2 };
+    enum { TERMS = 4 };
     Experiment *second = screen_second_run(subject->screen);
     char text[SUMS_MAX], plain[SUMS_MAX];
     sums[0] = '\0';

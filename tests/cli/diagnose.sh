@@ -78,6 +78,10 @@ make soft.csv mode5 --steps 50 --set bar.youngs_modulus=93.25 --set time.courant
 digits 9 step,time,v_cm,kinetic <soft.csv >soft9.csv
 expect "a wrong value" 0 mode5 soft9.csv
 result "is found" says out '^  bar.youngs_modulus=93.25: another value'
+make odd.csv mode5 --steps 50 --set bar.youngs_modulus=93.25
+awk -F, 'NR == 1 { print "step,time,v_cm,kinetic" } NR > 1 { printf "%d,%.4f,%s,%s\n", $1, $2, $3, $7 }' odd.csv >odd4.csv
+expect "a wrong value, its time step with few digits" 0 mode5 odd4.csv
+result "is found too" says out '^  bar.youngs_modulus=93.25: another value'
 make usl.csv mode5 --steps 50 --set mpm.algorithm=usl
 expect "another scheme" 0 mode5 usl.csv
 result "is no mistake" says out '^  mpm.algorithm=usl: no mistake, but another choice'
@@ -130,6 +134,13 @@ result "are told" sh -c 'grep -q "particle 1 is our particle 0" out && grep -q "
 awk -F, 'NR == 1 { print "step,v_cm" } NR > 1 { print $1 "," $4 }' right.csv >exact.csv
 expect "the exact answer" 0 mode5 exact.csv
 result "is no run" says out '^This is the exact answer, not a run'
+"$MATVIB" run mode5 --steps 60 --frames 4 --particles place.csv --quiet
+awk -F, -v OFS=, 'NR == 1 { print "step,particle,x0,u,v,mass" } NR > 1 { b = 4.5 * 3.14159265358979312 / 25; w = 10 * b
+	print $1, $3, $4, sprintf("%.15g,%.15g,%s", 0.1 / w * sin(w * $2) * sin(b * $4), 0.1 * cos(w * $2) * sin(b * $4), 0.5) }' place.csv >profile.csv
+expect "the exact profile of particles" 0 mode5 profile.csv
+result "is no run" sh -c 'grep -q "^(its column u is the exact profile" out && grep -q "^This is the exact answer, not a run" out'
+expect "particles of a run" 0 mode5 place.csv
+result "are of a run" says out '^Your numbers are those of the right code'
 awk -F, 'NR == 1 { print "step,v_cm" } NR > 1 { print $1 ",0" }' right.csv >zero.csv
 expect "zeros" 0 mode5 zero.csv
 result "agree with nothing" sh -c 'grep -q "zero throughout" out && grep -q "^This file tells nothing" out'
