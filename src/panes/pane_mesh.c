@@ -4,6 +4,7 @@
  * drawn as it lies, to the scale of the strip. */
 #include "panes/panes.h"
 #include "panes/stage_flow.h"
+#include "picture/cells/cells.h"
 
 #include "answers/crack_growth.h"
 

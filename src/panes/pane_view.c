@@ -10,7 +10,7 @@
 
 void view_draw_variant(const View *view, const Screen *screen, Area area, Style heading, int variant)
 {
-    if (!view->describe) {
+    if (view->draw) {
         view->draw(screen, area, heading, variant);
         return;
     }
@@ -89,12 +89,7 @@ void view_describe(const View *view, const Screen *screen, int columns, int rows
     const Screen *shown = view->duel == DUEL_APART ? &one : screen;
     const int variant = view_variant(view, shown);
     cells_open(picture, columns, rows, GLYPHS_NONE);
-    if (view->describe) {
-        view->describe(shown, variant, picture);
-    } else {
-        Canvas canvas = {.width = columns, .height = rows, .picture = picture};
-        view->draw(shown, (Area){&canvas, {0, 0, columns, rows}, GLYPHS_NONE}, STYLE_HEADING, variant);
-    }
+    view->describe(shown, variant, picture);
     if (picture->across == 0 || rows - 2 < PLOT_LEAST) { /* then the page is to blame */
         picture->has_axes = false;
         picture->n_notes = 0;

@@ -65,7 +65,6 @@ void pane_lesson_footer(const Screen *, char *out, size_t size);
 int pane_lesson_rows(const Screen *, int width);   /* that all of it needs, heading and footer too */
 int pane_lesson_at(const Screen *, Area, int row); /* whose title is in that row; -1: none */
 void pane_timeline(const Screen *, Area);
-char pane_timeline_letter(EventKind); /* its mark in the timeline; ' ': it has none */
 void pane_mesh(const Screen *, Area);
 void pane_lattice(const Screen *, Area);                /* the same for a bar without a mesh */
 bool pane_lattice_choose(Screen *, Rect, int x, int y); /* the node near a place of the screen */
@@ -77,12 +76,6 @@ void pane_duel(const Screen *, Area); /* the readout of a duel, in place of the 
 int pane_runs(const Screen *, Area);
 int pane_runs_rows(const Screen *); /* how many it would like */
 void help_draw(const Screen *, Area);
-/* "640 m/s = 0.30 c_R, fastest 904 = 0.42": how fast a crack's tip is now. */
-void beam_lines_tip_speed(const Crack *, double rayleigh, char out[160]);
-
-/* Two lines that tell what a beam's run is judged by, for a pane of so many columns; false: it is a bar,
- * or comes to rest: its findings tell more. */
-bool beam_lines(const Screen *, int width, char first[160], char second[160]);
 
 /* The scenarios to choose from, on as many rows as there are and fit, above row `bottom`. */
 void pane_scenarios(const ScenarioList *, Area, int bottom);

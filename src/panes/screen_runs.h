@@ -16,6 +16,9 @@ bool screen_question(const Screen *, char *out, size_t size);
 enum { NUMBER_DIGITS_MAX = 16, NUMBER_WORDS_MAX = 80 };
 bool screen_number(const Screen *, char digits[NUMBER_DIGITS_MAX], char words[NUMBER_WORDS_MAX]);
 
+/* The mark of an event in the timeline; ' ': it has none. */
+char pane_timeline_letter(EventKind);
+
 /* The second run of a duel; NULL: there is none. */
 Experiment *screen_second_run(const Screen *);
 

@@ -2,6 +2,8 @@
 /* Round ticks and the places of values: linear, by square roots, by powers of ten; and how axes are drawn. */
 #include "picture/axes.h"
 
+#include "picture/cells/cells.h"
+
 #include "base/assertion.h"
 #include "base/math/functions.h"
 

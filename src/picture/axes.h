@@ -5,7 +5,8 @@
 #ifndef VIEW_AXES_H
 #define VIEW_AXES_H
 
-#include "picture/area.h"
+#include <stdbool.h>
+#include <stddef.h>
 
 enum { TICKS_MAX = 64, TICKS_USUAL = 5, TICK_TEXT_MAX = 24 };
 
@@ -70,10 +71,6 @@ void axis_scale_text(const Axis *, const char *unit, char out[TICK_TEXT_MAX]);
 /* "v_cm x10^-3", "x, mm": a name with what axis_scale_text() says. */
 void axis_name(const char *name, const char *scale, char *out, size_t size);
 
-/* Draws both axes along the edges of an area: labels of y in a gutter of `gutter` columns at the left, labels
- * of x in the last row, `x_name` at its end. Returns the part that is left for the curves. */
-Area axes_draw(Area, const Axis *x, const Axis *y, const char *x_name, int gutter);
-
 /* Where a value stands, in a measure that is even along the axis: the value itself, its root, its logarithm.
  */
 double axis_place(const Axis *, double value);
@@ -81,8 +78,5 @@ double axis_place(const Axis *, double value);
 /* The column and row of a value within `cells` cells; -1 if it is outside. */
 int axis_column(const Axis *, double value, int cells);
 int axis_row(const Axis *, double value, int cells);
-
-/* A vertical line across the plot, in the part that axes_draw() left. */
-void axes_rule(Area inner, const Axis *x, double at_x, Style);
 
 #endif

@@ -5,43 +5,12 @@
 #ifndef VIEW_CANVAS_H
 #define VIEW_CANVAS_H
 
-#include "picture/glyph.h"
-
 #include "base/status.h"
 #include "picture/glyph.h"
+#include "picture/style.h"
 
 #include <stddef.h>
 #include <stdint.h>
-
-/* What a cell means; the theme gives it a colour and attributes. Never the only carrier of meaning. */
-typedef enum Style {
-    STYLE_NORMAL,
-    STYLE_TITLE, /* title line and key line */
-    STYLE_FRAME, /* borders, axes */
-    STYLE_FOCUS, /* border of the focused pane */
-    STYLE_HEADING,
-    STYLE_FAINT,    /* ghosts, hints, read-only rows */
-    STYLE_SELECTED, /* the chosen row */
-    STYLE_EDIT,     /* a field under edit */
-    STYLE_CHANGED,  /* a value that the last stage changed */
-    STYLE_WARNING,
-    STYLE_ERROR,
-    STYLE_KEY,      /* a key's name in the key line */
-    STYLE_MEASURED, /* curves */
-    STYLE_PREDICTED,
-    STYLE_EXACT,
-    STYLE_SECOND, /* the second run of a duel, a second curve */
-    STYLE_THIRD,
-    STYLE_GHOST_A, /* earlier runs that are kept, by their letters */
-    STYLE_GHOST_B,
-    STYLE_GHOST_C,
-    STYLE_GHOST_D,
-    STYLE_GHOST_E,
-    STYLE_RAMP_0, /* heat maps: STYLE_RAMP_0 + 0..RAMP_STEPS-1 */
-    STYLE_COUNT = STYLE_RAMP_0 + 16
-} Style;
-
-enum { RAMP_STEPS = 16 };
 
 enum { CELL_FOLLOWS = 0x110000 }; /* no scalar value: the second half of the character before */
 
@@ -57,10 +26,9 @@ typedef struct Rect {
 
 typedef struct Canvas {
     int width, height;
-    Cell *cells;             /* height x width */
-    int cursor_x, cursor_y;  /* where the hardware cursor stands; -1: hidden */
-    bool large;              /* to be read from afar: thick curves, few labels, no faint words */
-    struct Picture *picture; /* not NULL: there are no cells, all goes in there (picture.h) */
+    Cell *cells;            /* height x width */
+    int cursor_x, cursor_y; /* where the hardware cursor stands; -1: hidden */
+    bool large;             /* to be read from afar: thick curves, few labels, no faint words */
 } Canvas;
 
 bool canvas_open(Canvas *, int width, int height, Status *); /* all spaces; also resizes an open one */

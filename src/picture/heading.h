@@ -3,6 +3,7 @@
 #ifndef VIEW_HEADING_H
 #define VIEW_HEADING_H
 
+#include "picture/area.h"
 #include "picture/plot.h"
 
 /* One entry of a legend. */
@@ -30,8 +31,5 @@ int heading_draw(Area, Style heading, const char *name, const char *scale, const
 
 /* Writes a hint into a heading line, up to column `end`; false: there is no room behind column `begin`. */
 bool heading_hint(Area, int begin, int end, const char *hint);
-
-/* A curve's or a picture's name where room is short: "measured" is "meas", "displacement" is "displ.". */
-const char *legend_short_name(const char *name);
 
 #endif

@@ -2,6 +2,8 @@
 /* Strokes on cells: each becomes dots, and a cell shows those of the highest rank that fell into it. */
 #include "picture/plot.h"
 
+#include "picture/cells/cells.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

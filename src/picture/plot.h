@@ -7,8 +7,9 @@
 #ifndef VIEW_PLOT_H
 #define VIEW_PLOT_H
 
-#include "picture/area.h"
 #include "picture/axes.h"
+#include "picture/glyph.h"
+#include "picture/style.h"
 
 #include <stddef.h>
 
@@ -56,11 +57,11 @@ void plot_point(Plot *, double x, double y);
 typedef double PlotSample(const void *context, size_t index, double *x); /* returns y */
 void plot_curve(Plot *, PlotSample *, const void *context, size_t first, size_t end, int columns);
 
-/* Draws all strokes into an area that axes_draw() left. */
-void plot_draw(const Plot *, Area);
-
 /* A short sample of a line for a legend, 2 columns: UTF-8. */
 const char *plot_key(LineStyle, char letter, Glyphs);
+
+/* A curve's or a picture's name where room is short: "measured" is "meas", "displacement" is "displ.". */
+const char *legend_short_name(const char *name);
 
 /* How finely the glyphs of an area can draw: dots in a cell. */
 int plot_dots_across(Glyphs);

@@ -120,13 +120,9 @@ Format format_of(const double *values, size_t n, int digits, int width)
     return format;
 }
 
-void sum_column_write(Area area, int end, int y, double value, Writing writing, int decimals, Style style)
+int sum_column_number(double value, Writing writing, int decimals, char out[64])
 {
-    char text[64];
     const double scaled = value * math_pow(10, -writing.exponent);
-    snprintf(text, sizeof text, "%.*f", decimals, rounded(scaled, decimals));
-    /* the points stand under each other */
-    int shift = writing.decimals - decimals;
-    shift += decimals == 0 && writing.decimals > 0;
-    area_text_right(area, end - shift, y, text, style);
+    snprintf(out, 64, "%.*f", decimals, rounded(scaled, decimals));
+    return writing.decimals - decimals + (decimals == 0 && writing.decimals > 0);
 }

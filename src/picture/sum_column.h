@@ -4,8 +4,8 @@
 #define VIEW_SUM_COLUMN_H
 
 #include "base/text.h"
-#include "picture/area.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 
 /* How a column is written: its numbers stand for themselves times 10^exponent. */
@@ -30,7 +30,8 @@ typedef struct Format {
 Format format_of(const double *values, size_t n, int digits, int width);
 void format_number(double value, Format, char out[NUMBER_TEXT_MAX]);
 
-/* Writes a number of the column so that the points stand under each other; it ends before column `end`. */
-void sum_column_write(Area, int end, int y, double value, Writing, int decimals, Style);
+/* A number of the column; returns how many columns further left it ends, so that the points stand under each
+ * other. */
+int sum_column_number(double value, Writing, int decimals, char out[64]);
 
 #endif

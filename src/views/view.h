@@ -26,6 +26,7 @@ typedef enum ViewDuel {
 typedef enum ViewOpening { OPENS_ON_DEMAND, OPENS_ALWAYS, OPENS_IN_PLANE } ViewOpening;
 
 struct Words;
+typedef struct Area Area; /* picture/area.h: of the one that draws itself */
 
 struct View {
     const char *word;  /* names it wherever a view is named: small letters and '-', e.g. "energies" */
@@ -36,7 +37,7 @@ struct View {
     PaneId home; /* PANE_UPPER: a picture over x; PANE_LOWER: one over time */
     ViewOpening opens;
 
-    /* What it shows, as a picture; or, of a map, its cells. */
+    /* What it shows, as a picture; and, of a map, how it draws that in cells by itself. */
     void (*describe)(const Screen *, int variant, Picture *);
     void (*draw)(const Screen *, Area, Style heading, int variant);
     /* What stands out in it, in plain words, behind what is told of every view: the curves and colours that

@@ -90,7 +90,7 @@ static void draw_title(const Map *map, Area area, Style heading)
     const Colouring *colouring = map->colouring;
     const int *order = map->screen->eye.magnified > 1 ? near_order : whole_order;
     const int room = area.rect.width - 6;
-    const char *times = area.canvas->picture ? "×" : "x";
+    const char *times = map->picture ? "×" : "x";
     char title[192] = "", parts[PARTS][64] = {"", "", "", "", "", "", ""}, number[NUMBER_TEXT_MAX];
     crack_texts(map, parts[TIP], parts[FIT], sizeof parts[TIP]);
     if (map->scene.leaves) {
@@ -112,10 +112,10 @@ static void draw_title(const Map *map, Area area, Style heading)
         snprintf(parts[STRETCHED], sizeof parts[STRETCHED], "height %s %s", times, number);
     else
         snprintf(parts[STRETCHED], sizeof parts[STRETCHED], "to scale");
-    if (area.canvas->picture) { /* on paper the field stands beside its colours */
+    if (map->picture) { /* on paper the field stands beside its colours */
         for (int i = 0; i < PARTS; i++)
             add_part(title, sizeof title, (int)sizeof title, parts[order[i]]);
-        picture_note(area.canvas->picture, STYLE_NORMAL, title);
+        picture_note(map->picture, STYLE_NORMAL, title);
         return;
     }
     int columns = glyphs_columns(map_meaning(map));
@@ -205,32 +205,53 @@ static Area map_part(Area area)
     return area_part(area, 1, 1, area.rect.width - 2, area.rect.height - 2);
 }
 
+/* False: there is nothing to be coloured, and this is its heading. */
+static bool open_map(Map *map, const Screen *screen, Area area, int variant, char title[48])
+{
+    snprintf(title, 48, "the %s", screen_problem(screen)->body);
+    if (map_open(map, screen, map_part(area)) && map_colour(map, shown(screen, variant)))
+        return true;
+    map_close(map);
+    return false;
+}
+
+/* For a page and for words. */
+static void describe(const Screen *screen, int variant, Picture *picture)
+{
+    const Area area = {NULL, {0, 0, picture->columns, picture->rows}, GLYPHS_NONE};
+    Map map;
+    char title[48];
+    if (!in_plane(screen->experiment))
+        return;
+    if (shown(screen, variant) == MAP_DRAWING) {
+        map_drawing(screen, area, STYLE_HEADING, picture);
+        return;
+    }
+    if (!open_map(&map, screen, area, variant, title)) {
+        picture_say(picture, title, "");
+        return;
+    }
+    map.picture = picture;
+    map_picture(&map);
+    draw_title(&map, area, STYLE_HEADING);
+    picture_note(picture, STYLE_FAINT, note_of(&map, false));
+    map_close(&map);
+}
+
 static void draw(const Screen *screen, Area area, Style heading, int variant)
 {
+    Map map;
+    char title[48];
     if (!in_plane(screen->experiment)) {
         pane_mesh(screen, area);
         return;
     }
     if (shown(screen, variant) == MAP_DRAWING) {
-        map_drawing(screen, area, heading);
+        map_drawing(screen, area, heading, NULL);
         return;
     }
-    Map map;
-    if (!map_open(&map, screen, map_part(area)) || !map_colour(&map, shown(screen, variant))) {
-        char title[48];
-        snprintf(title, sizeof title, "the %s", screen_problem(screen)->body);
-        if (area.canvas->picture)
-            picture_say(area.canvas->picture, title, "");
-        else
-            area_rule(area, 0, title, heading);
-        map_close(&map);
-        return;
-    }
-    if (area.canvas->picture) {
-        map_picture(&map);
-        draw_title(&map, area, heading);
-        picture_note(area.canvas->picture, STYLE_FAINT, note_of(&map, false));
-        map_close(&map);
+    if (!open_map(&map, screen, area, variant, title)) {
+        area_rule(area, 0, title, heading);
         return;
     }
     if (map.nodes_seen)
@@ -347,6 +368,7 @@ const View view_beam = {
     .digit = 8,
     .home = PANE_UPPER,
     .opens = OPENS_IN_PLANE,
+    .describe = describe,
     .draw = draw,
     .tell = tell,
     .variants = variants_of,

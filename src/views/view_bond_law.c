@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* View 4 of peridynamics: what a bond answers to its stretch, where it breaks, and where on that line the
  * nodes stand: each by its most stretched whole bond. */
-#include "panes/panes.h"
+#include "panes/screen_runs.h"
 #include "scenario/concern_bonds.h"
 #include "scenario/settings.h"
 #include "base/kinds.h"

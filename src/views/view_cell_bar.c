@@ -3,7 +3,7 @@
  * pass between the chosen one and the others in the stage that the box speaks of, each on its arrow. What is
  * not of the stage is faint. The terms are the method's own (Simulation.exchanges), written so that they add
  * up as they stand. */
-#include "panes/panes.h"
+#include "panes/screen_runs.h"
 #include "panes/stage_flow.h"
 #include "picture/sum_column.h"
 #include "views/inspector/inspector.h"

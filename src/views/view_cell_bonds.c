@@ -3,7 +3,7 @@
  * pull and the factors of that; or the family, the strongest bonds one by one and the others as a sum. The
  * links are the method's (Method.links), in the order of the box: the strongest first. */
 #include "base/math/functions.h"
-#include "panes/panes.h"
+#include "panes/screen_runs.h"
 #include "views/views.h"
 
 #include <math.h>

@@ -2,7 +2,7 @@
 /* What happened, in words, newest last, of both runs of a duel; one event can be chosen and gone to.
  */
 #include "run/event_log.h"
-#include "panes/panes.h"
+#include "panes/screen_runs.h"
 #include "views/views.h"
 
 #include <math.h>

@@ -31,4 +31,11 @@ void cell_plane_describe(const Screen *, Picture *);
 /* A bond's force over its stretch, in the place of shape functions where there is no mesh. */
 void bond_law_describe(const Screen *, Picture *);
 
+/* "640 m/s = 0.30 c_R, fastest 904 = 0.42": how fast a crack's tip is now. */
+void beam_lines_tip_speed(const Crack *, double rayleigh, char out[160]);
+
+/* Two lines that tell what a beam's run is judged by, for a pane of so many columns; false: it is a bar,
+ * or comes to rest: its findings tell more. */
+bool beam_lines(const Screen *, int width, char first[160], char second[160]);
+
 #endif

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Ticks are round, labels agree with them, and a curve's column shows all that its samples do. */
+#include "picture/cells/cells.h"
 #include "suite.h"
 #include "picture/heading.h"
 #include "picture/plot.h"

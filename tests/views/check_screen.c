@@ -6,6 +6,7 @@
  *
  *     make -C build tests/views/check_screen &&
  *     MATVIB_REGENERATE=1 MATVIB_SRCDIR=. build/tests/views/check_screen all && git diff */
+#include "picture/cells/cells.h"
 #include "suite.h"
 #include "panes/panes.h"
 #include "views/inspector/inspector.h"

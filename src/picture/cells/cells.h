@@ -4,6 +4,7 @@
 #ifndef PICTURE_CELLS_H
 #define PICTURE_CELLS_H
 
+#include "picture/area.h"
 #include "picture/picture.h"
 
 /* Opens one for a pane, or as much of a page, of so many columns and rows. */
@@ -24,5 +25,15 @@ void cells_list(const Picture *, Area, Style heading);
 long cells_row(const Picture *, Rect rect, int x, int y);
 size_t cells_top(const Picture *, Rect rect);
 size_t cells_scroll(const Picture *, Rect rect, int by, size_t *top);
+
+/* Draws both axes along the edges of an area: labels of y in a gutter of `gutter` columns at the left, labels
+ * of x in the last row, `x_name` at its end. Returns the part that is left for the curves. */
+Area axes_draw(Area, const Axis *x, const Axis *y, const char *x_name, int gutter);
+
+/* A vertical line across the plot, in the part that axes_draw() left. */
+void axes_rule(Area inner, const Axis *x, double at_x, Style);
+
+/* Draws all strokes into an area that axes_draw() left. */
+void plot_draw(const Plot *, Area);
 
 #endif

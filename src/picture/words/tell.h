@@ -44,6 +44,8 @@ void tell_prompt(const Screen *, Words *);
 /* One view: from what it plots, and by its own function what stands out. */
 void tell_view(const Screen *, const View *, Words *);
 
+struct Picture;
+
 /* tell_picture.c: the curves of a plot, or the colours of a map; false: there are neither. `cursor` is the
  * place at which each curve is read too; NAN: none. */
 bool tell_picture(const struct Picture *, double cursor, Words *);

@@ -5,6 +5,7 @@
 #define VIEW_INSPECTOR_H
 
 #include "panes/panes.h"
+#include "picture/sum_column.h"
 
 typedef struct Inspector {
     unsigned needs; /* what the simulation must have, all of it (HAS_...) */
@@ -38,6 +39,9 @@ bool inspector_mass_row(const Simulation *, int set, size_t node, MassRow *);
  * takes, 0 where masses are lumped or not mapped yet, and the drawing, from row y on. */
 int inspector_mass_rows(const Simulation *, int set, size_t node);
 void inspector_draw_masses(const Simulation *, int set, size_t node, Area, int y);
+
+/* Writes a number of a column that adds up (picture/sum_column.h); it ends before column `end`. */
+void inspector_write(Area, int end, int y, double value, Writing, int decimals, Style);
 
 /* An end of the first bond, as the lattice counts them, that broke in a step; -1: none that is known. */
 long inspector_broken_node(const Screen *, long step);

@@ -2,7 +2,6 @@
 /* The inspector of a bar without a mesh: the chosen node, each of its bonds with what its force is made of,
  * and the forces as they add up to the node's. */
 #include "views/inspector/inspector.h"
-#include "picture/sum_column.h"
 #include "scenario/concern_bonds.h"
 
 #include <math.h>
@@ -141,16 +140,16 @@ static void draw_bond(const BondSum *sum, Area area, size_t i, double spacing, i
         text_fitted(values[c], 6, COLUMN_WIDTH - 1, text);
         area_text_right(area, column_end(c), y, text, STYLE_NORMAL);
     }
-    sum_column_write(area, column_end(3), y, sum->forces[i], sum->writing, sum->writing.decimals,
-                     sum->just_bonds ? STYLE_CHANGED : STYLE_NORMAL);
+    inspector_write(area, column_end(3), y, sum->forces[i], sum->writing, sum->writing.decimals,
+                    sum->just_bonds ? STYLE_CHANGED : STYLE_NORMAL);
 }
 
 static void draw_total(const BondSum *sum, Area area, int y, const char *name, double value, int decimals,
                        bool changed)
 {
     area_text_right(area, NAME_WIDTH - 1, y, name, STYLE_HEADING);
-    sum_column_write(area, column_end(3), y, value, sum->writing, decimals,
-                     changed ? STYLE_CHANGED : STYLE_NORMAL);
+    inspector_write(area, column_end(3), y, value, sum->writing, decimals,
+                    changed ? STYLE_CHANGED : STYLE_NORMAL);
 }
 
 static void draw(const Screen *screen, Area area)
@@ -184,7 +183,7 @@ static void draw(const Screen *screen, Area area)
         char text[48];
         snprintf(text, sizeof text, "%zu longer ones", sum.count - sum.shown);
         area_text_right(area, NAME_WIDTH - 1, y, text, STYLE_FAINT);
-        sum_column_write(area, column_end(3), y++, rest, *writing, writing->decimals, STYLE_NORMAL);
+        inspector_write(area, column_end(3), y++, rest, *writing, writing->decimals, STYLE_NORMAL);
     }
     const bool based = sum.load != 0;
     draw_total(&sum, area, y++, "all its bonds", sum.all, based ? writing->decimals : writing->sum_decimals,

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A node's row of the mass matrix, where masses are not lumped: what it shares with the nodes beside it. */
-#include "picture/sum_column.h"
 #include "views/inspector/inspector.h"
 
 #include <stdio.h>
@@ -25,6 +24,13 @@ bool inspector_mass_row(const Simulation *sim, int set, size_t node, MassRow *ro
             simulation_value(sim, simulation_find_field(sim, set, names[apart]), j < node ? j : node);
     }
     return true;
+}
+
+void inspector_write(Area area, int end, int y, double value, Writing writing, int decimals, Style style)
+{
+    char text[64];
+    const int shift = sum_column_number(value, writing, decimals, text);
+    area_text_right(area, end - shift, y, text, style);
 }
 
 int inspector_mass_rows(const Simulation *sim, int set, size_t node)
@@ -54,12 +60,12 @@ void inspector_draw_masses(const Simulation *sim, int set, size_t node, Area are
         const int end = LABEL_WIDTH + (int)(k + 1) * width - 1;
         snprintf(text, sizeof text, "%zu", row.first + k);
         area_text_right(area, end, y, text, STYLE_HEADING);
-        sum_column_write(area, end, y + 1, row.masses[k], writing, writing.decimals,
-                         row.first + k == node ? STYLE_CHANGED : STYLE_NORMAL);
+        inspector_write(area, end, y + 1, row.masses[k], writing, writing.decimals,
+                        row.first + k == node ? STYLE_CHANGED : STYLE_NORMAL);
     }
     const int end = LABEL_WIDTH + (int)(row.count + 1) * width - 1;
     if (writing.exponent != 0)
         snprintf(text, sizeof text, "x10^%d", writing.exponent);
     area_text_right(area, end, y, writing.exponent != 0 ? text : "sum", STYLE_HEADING);
-    sum_column_write(area, end, y + 1, sum, writing, writing.sum_decimals, STYLE_CHANGED);
+    inspector_write(area, end, y + 1, sum, writing, writing.sum_decimals, STYLE_CHANGED);
 }

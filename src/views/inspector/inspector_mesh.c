@@ -2,7 +2,6 @@
 /* The inspector of methods with particles and a grid: the chosen particle or node, the shape functions that
  * link it to the others, and what they give each other, stage by stage, with sums that a pencil can check. */
 #include "views/inspector/inspector.h"
-#include "picture/sum_column.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -382,16 +381,16 @@ static void draw_totals(const Subject *subject, Area area, const Block *block, c
     const int end = column_end(block, c),
               field = simulation_find_field(subject->sim, exchange->to, exchange->field);
     const bool based = plan->bases[c] != 0;
-    sum_column_write(area, end, y++, sum_of(column, 0, plan->all), writing,
-                     based ? writing.decimals : writing.sum_decimals, STYLE_CHANGED);
+    inspector_write(area, end, y++, sum_of(column, 0, plan->all), writing,
+                    based ? writing.decimals : writing.sum_decimals, STYLE_CHANGED);
     if (!plan->known[c])
         return;
     if (exchange->adds)
-        sum_column_write(area, end, y, plan->bases[c], writing,
-                         based ? writing.decimals : writing.sum_decimals, STYLE_NORMAL);
+        inspector_write(area, end, y, plan->bases[c], writing,
+                        based ? writing.decimals : writing.sum_decimals, STYLE_NORMAL);
     y += plan->adds;
-    sum_column_write(area, end, y, simulation_value(subject->sim, field, subject->index), writing,
-                     writing.sum_decimals, STYLE_CHANGED);
+    inspector_write(area, end, y, simulation_value(subject->sim, field, subject->index), writing,
+                    writing.sum_decimals, STYLE_CHANGED);
 }
 
 static void draw_block(const Subject *subject, Area area, const Block *block, const Plan *plan, int y)
@@ -428,8 +427,8 @@ static void draw_block(const Subject *subject, Area area, const Block *block, co
         size_t count;
         terms_of(column, plan, terms, &count);
         for (size_t i = 0; i < count; i++)
-            sum_column_write(area, end, y + (int)i, terms[i], plan->writings[c], plan->writings[c].decimals,
-                             i < plan->shown ? STYLE_NORMAL : STYLE_FAINT);
+            inspector_write(area, end, y + (int)i, terms[i], plan->writings[c], plan->writings[c].decimals,
+                            i < plan->shown ? STYLE_NORMAL : STYLE_FAINT);
         if (plan->totals > 0)
             draw_totals(subject, area, block, plan, c, totals);
     }

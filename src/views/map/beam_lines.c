@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The lines under a beam's plots: what its run is judged by. Phrases are parted by two spaces, what matters
  * most first; what has no room is left out whole. */
-#include "panes/panes.h"
+#include "base/text.h"
+#include "panes/screen_runs.h"
 #include "scenario/settings.h"
+#include "views/views.h"
 #include "scenario/parameters.h"
 #include "answers/crack_growth.h"
 

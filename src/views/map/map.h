@@ -6,6 +6,7 @@
 #define VIEW_MAP_H
 
 #include "panes/panes.h"
+#include "picture/picture.h"
 #include "panes/stage_flow.h"
 
 #include <math.h>
@@ -61,6 +62,7 @@ struct Map {
     const Simulation *sim;
     const Settings *settings;
     Area area;
+    Picture *picture; /* to be made for a page or words; NULL: it is drawn in cells */
     Body body;
     MapScene scene;
     int legend_at; /* column from which the lines are named; 0: no room */
@@ -190,7 +192,7 @@ void map_picture_line(Map *, double from_x, double from_y, double to_x, double t
 void map_picture_sign(Map *, double column, double row, uint32_t glyph, Style);
 
 /* The beam before it moves, with its dimensions. */
-void map_drawing(const Screen *, Area, Style heading);
+void map_drawing(const Screen *, Area, Style heading, Picture *);
 
 /* The glyph for a step of the ramp where colours are few, and beside colours: more ink for more; of a signed
  * field those below and above zero differ. */

@@ -313,22 +313,26 @@ static void draw_on_paper(Drawing *drawing, const Screen *screen)
     draw_words(drawing, 0);
 }
 
-void map_drawing(const Screen *screen, Area area, Style heading)
+void map_drawing(const Screen *screen, Area area, Style heading, Picture *picture)
 {
     Body body;
     if (!body_of(experiment_simulation(screen->experiment), &body))
         return;
     const Settings *settings = experiment_settings(screen->experiment);
-    Drawing drawing = {
-        .settings = settings, .scene = map_scene(settings), .body = &body, .area = area, .low = body.low[0]};
+    Drawing drawing = {.settings = settings,
+                       .scene = map_scene(settings),
+                       .body = &body,
+                       .area = area,
+                       .picture = picture,
+                       .low = body.low[0]};
     const int columns = area.rect.width - 2 - MARGIN_RIGHT;
     add_lengths(&drawing);
     drawing.scale = columns / body.size[0];
-    if (area.canvas->picture) {
+    if (picture) {
         if (columns >= 20)
             draw_on_paper(&drawing, screen);
         else
-            picture_say(area.canvas->picture, "drawing", "it needs a wider page");
+            picture_say(picture, "drawing", "it needs a wider page");
         return;
     }
     const int around = drawing.scene.around;

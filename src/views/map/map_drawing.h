@@ -21,6 +21,7 @@ typedef struct Drawing {
     MapScene scene;
     const Body *body;
     Area area;
+    Picture *picture;   /* NULL: it is drawn in cells */
     double low, scale;  /* column = 1 + (x - low) scale */
     double top, bottom; /* rows of the upper and lower edge */
     Dimension lengths[DIMENSIONS_MAX];

@@ -8,7 +8,7 @@
 
 Picture *drawing_paper(const Drawing *drawing)
 {
-    return drawing->area.canvas->picture;
+    return drawing->picture;
 }
 
 double drawing_column(const Drawing *drawing, double x)

@@ -83,7 +83,7 @@ static void draw_notch(Map *map)
         map_body_line(map, end, at, (Pen){STYLE_FAINT, RANK_ANGLE, 4, '\''});
     map_body_line(map, (double[]){end[0], 0}, end, (Pen){STYLE_HEADING, RANK_NOTCH, 1, '|'});
     /* on paper the damage itself is seen well enough, and the line would hide it */
-    if (!map->area.canvas->picture || strcmp(map->colouring->field, "damage") != 0)
+    if (!map->picture || strcmp(map->colouring->field, "damage") != 0)
         draw_crack(map);
 }
 
@@ -145,7 +145,7 @@ void map_draw_lines(Map *map)
     if (map->scene.notched)
         draw_notch(map);
     map_draw_rows(map);
-    if (!map->area.canvas->picture)
+    if (!map->picture)
         draw_marks(map);
 }
 
@@ -174,7 +174,7 @@ static void draw_supports(Map *map, int row)
         if (held[i] <= 0)
             continue;
         map_node_place(map, (size_t)row * nx + i, &column, &y);
-        if (map->area.canvas->picture) {
+        if (map->picture) {
             y += row == 0 ? map->body.spacing * map->scale_y / 2 : 0;
             map_picture_sign(map, column, y, pinned && i < nx / 2 ? SUPPORT_FIXED : SUPPORT_ROLLER,
                              STYLE_HEADING);
@@ -200,7 +200,7 @@ static void draw_load(Map *map)
         if (loaded[i] <= 0)
             continue;
         map_node_place(map, (size_t)(map->body.ny - 1) * nx + i, &column, &y);
-        if (map->area.canvas->picture) {
+        if (map->picture) {
             map_picture_sign(map, column, y - map->body.spacing * map->scale_y / 2, LOAD, STYLE_HEADING);
             continue;
         }
@@ -229,7 +229,7 @@ static void draw_load(Map *map)
 static void draw_chosen(Map *map)
 {
     const Screen *screen = map->screen;
-    if (screen->chosen.particle >= map->body.count || screen->playback.state == STATE_RUNNING)
+    if (map->picture || screen->chosen.particle >= map->body.count || screen->playback.state == STATE_RUNNING)
         return;
     double column, row;
     map_node_place(map, screen->chosen.particle, &column, &row);
@@ -242,7 +242,7 @@ void map_draw_signs(Map *map)
     const bool by_rows = settings_have_rows(map->settings, ROWS_PROBE); /* loads and supports too */
     if (!by_rows)
         draw_load(map);
-    if (map->scene.pressed && !map->nodes_seen && !map->area.canvas->picture)
+    if (map->scene.pressed && !map->nodes_seen && !map->picture)
         name_lines(map);
     if (!map->scene.leaves && !by_rows) {
         draw_supports(map, 0);

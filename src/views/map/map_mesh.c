@@ -230,7 +230,7 @@ void map_cross_text(const Map *map, char *out, size_t size)
 void map_draw_mesh(Map *map)
 {
     MeshNodes mesh;
-    if (!map_has_mesh(map) || map->area.canvas->picture)
+    if (!map_has_mesh(map) || map->picture)
         return;
     if (mesh_open(map, &mesh)) {
         draw_cells(map, &mesh);
@@ -293,7 +293,7 @@ static void draw_its_nodes(Map *map, const MeshNodes *mesh)
 void map_draw_mesh_nodes(Map *map)
 {
     MeshNodes mesh;
-    if (!map_has_mesh(map) || map->area.canvas->picture)
+    if (!map_has_mesh(map) || map->picture)
         return;
     if (mesh_open(map, &mesh)) {
         draw_mesh_nodes(map, &mesh);

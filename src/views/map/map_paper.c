@@ -7,7 +7,7 @@
 
 static Picture *picture_of(const Map *map)
 {
-    return map->area.canvas->picture;
+    return map->picture;
 }
 
 /* From columns and rows of the area back to the beam's own millimetres. */

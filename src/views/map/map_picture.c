@@ -65,7 +65,7 @@ static void name_lines(Picture *picture, const Map *map)
 
 void map_picture(Map *map)
 {
-    Picture *picture = map->area.canvas->picture;
+    Picture *picture = map->picture;
     PictureMap *out = picture_map(picture, map->body.nx, map->body.ny);
     if (!out)
         return;

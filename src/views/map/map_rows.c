@@ -107,7 +107,7 @@ void map_draw_rows(Map *map)
                 draw_row(map, settings, kind, row, chosen);
         }
     /* on paper the damage itself is seen well enough, and the line would hide it */
-    if (!map->area.canvas->picture)
+    if (!map->picture)
         draw_cracks(map);
 }
 
@@ -117,7 +117,7 @@ static void sign_at(const Map *map, Place place, double away_x, double away_y, u
 {
     double column, row;
     map_body_place(map, place.x, place.y, &column, &row);
-    const bool on_paper = map->area.canvas->picture; /* an arrow is as long as a column is wide */
+    const bool on_paper = map->picture; /* an arrow is as long as a column is wide */
     column += (on_paper ? 0.9 : 1) * away_x;
     row += (on_paper ? 0.5 : 1) * away_y;
     if (on_paper)

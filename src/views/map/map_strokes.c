@@ -38,7 +38,7 @@ void map_line(Map *map, double from_x, double from_y, double to_x, double to_y, 
     const uint32_t letter = pen.letter ? pen.letter : direction(dx, dy);
     if (!(length < 1e5))
         return;
-    if (map->area.canvas->picture) {
+    if (map->picture) {
         map_picture_line(map, from_x, from_y, to_x, to_y, pen.style, pen.every);
         return;
     }

@@ -4,7 +4,7 @@
 #ifndef VIEW_OVERLAY_PLOT_H
 #define VIEW_OVERLAY_PLOT_H
 
-#include "panes/panes.h"
+#include "panes/screen_runs.h"
 #include "picture/picture.h"
 
 /* Widens a range, or tells the largest magnitude (0: there is none), so that the axis of y holds it. */

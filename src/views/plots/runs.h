@@ -5,7 +5,7 @@
 #ifndef VIEW_RUNS_H
 #define VIEW_RUNS_H
 
-#include "panes/panes.h"
+#include "panes/screen_runs.h"
 #include "picture/picture.h"
 
 enum { RUNS_MAX = GHOSTS_MAX + 2, RUN_WORD_MAX = LEGEND_MAX + 56, RUN_MARKS = 4 };

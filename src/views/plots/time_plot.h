@@ -3,7 +3,7 @@
 #ifndef VIEW_TIME_PLOT_H
 #define VIEW_TIME_PLOT_H
 
-#include "panes/panes.h"
+#include "panes/screen_runs.h"
 #include "picture/picture.h"
 
 typedef struct Curve {
