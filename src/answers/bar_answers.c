@@ -41,7 +41,7 @@ bool bar_theory_of(const Settings *settings, BarTheory *theory, Status *status)
         theory->pulse.centre = pulse.centre;
         theory->pulse.width = pulse.width;
         theory->pulse.velocity = pulse.velocity;
-        theory->pulse.to_left = settings_start(settings)->pulse_way / 2.0;
+        theory->pulse.to_left = (int)settings_start(settings)->pulse_way / 2.0;
         theory->joint = settings_joint(settings)->place;
         theory->joint_modulus = settings_joint(settings)->beyond.youngs_modulus;
         theory->joint_density = settings_joint(settings)->beyond.density;

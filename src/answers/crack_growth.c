@@ -6,7 +6,6 @@
 #include "base/assertion.h"
 #include "scenario/concern_body.h"
 #include "scenario/concern_bonds.h"
-#include "scenario/settings.h"
 #include "base/text.h"
 #include "methods/bonds/cracks/crack_speed.h"
 

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "answers/waves.h"
 #include "scenario/concern_bonds.h"
-#include "scenario/settings.h"
 #include "base/kinds.h"
 #include "theory/pd_waves.h"
 

@@ -6,7 +6,6 @@
 #include "cli/options.h"
 
 #include "scenario/concern_output.h"
-#include "scenario/settings.h"
 #include "cli/distinct.h"
 #include "base/threads.h"
 #include "base/text.h"

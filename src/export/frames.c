@@ -3,7 +3,6 @@
  * ascending, each step once, and the last step where nothing else is asked for. */
 #include "export/frames.h"
 #include "scenario/concern_output.h"
-#include "scenario/settings.h"
 #include "scenario/parameters.h"
 
 #include <math.h>

@@ -2,7 +2,6 @@
 /* The body for LAMMPS: built as for a run and read back, nodes, bonds, supports, loads. */
 #include "export/lammps_internal.h"
 #include "scenario/concern_bonds.h"
-#include "scenario/settings.h"
 
 #include <stdbool.h>
 #include <stdlib.h>

@@ -4,7 +4,6 @@
  * we are back in time. */
 #include "panes/panes.h"
 #include "scenario/concern_body.h"
-#include "scenario/settings.h"
 #include "views/view.h"
 
 enum {

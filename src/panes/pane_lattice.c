@@ -4,7 +4,6 @@
 #include "panes/panes.h"
 #include "scenario/concern_loads.h"
 #include "scenario/concern_bonds.h"
-#include "scenario/settings.h"
 #include "base/kinds.h"
 #include "scenario/parameters.h"
 

@@ -3,7 +3,6 @@
  * what is asked above it. */
 #include "panes/panes.h"
 #include "lessons/run_numbers.h"
-#include "scenario/settings.h"
 
 #include <math.h>
 #include <stdio.h>

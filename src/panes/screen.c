@@ -3,7 +3,6 @@
 #include "base/text.h"
 #include "panes/screen.h"
 #include "scenario/concern_output.h"
-#include "scenario/settings.h"
 #include "views/inspector/inspector.h"
 #include "panes/panes.h"
 #include "views/views.h"

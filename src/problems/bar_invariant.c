@@ -3,7 +3,6 @@
 #include "answers/bar_answers.h"
 #include "scenario/concern_cells.h"
 #include "scenario/concern_loads.h"
-#include "scenario/settings.h"
 
 #include <math.h>
 #include <stdlib.h>

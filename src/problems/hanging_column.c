@@ -6,7 +6,6 @@
 #include "scenario/concern_cells.h"
 #include "scenario/concern_loads.h"
 #include "scenario/concern_time.h"
-#include "scenario/settings.h"
 #include "methods/mpm/line/mpm_bar.h"
 #include "problems/solvers.h"
 #include "theory/column.h"

@@ -4,7 +4,6 @@
 #include "scenario/concern_cells.h"
 #include "scenario/concern_loads.h"
 #include "scenario/concern_output.h"
-#include "scenario/settings.h"
 #include "methods/bonds/plane/lattice/volume.h"
 
 #include "base/text.h"

@@ -4,7 +4,6 @@
 #include "views/map/map.h"
 #include "scenario/concern_body.h"
 #include "scenario/concern_loads.h"
-#include "scenario/settings.h"
 #include "picture/words/words.h"
 #include "views/views.h"
 #include "base/math/functions.h"

@@ -3,7 +3,6 @@
  * nodes stand: each by its most stretched whole bond. */
 #include "panes/screen_runs.h"
 #include "scenario/concern_bonds.h"
-#include "scenario/settings.h"
 #include "base/kinds.h"
 #include "views/views.h"
 #include "base/math/functions.h"

@@ -5,7 +5,6 @@
 #include "scenario/concern_body.h"
 #include "scenario/concern_bonds.h"
 #include "scenario/concern_loads.h"
-#include "scenario/settings.h"
 #include "views/plots/runs.h"
 #include "views/plots/time_plot.h"
 #include "base/math/functions.h"

@@ -2,7 +2,6 @@
 /* Views by what people call them, and where they stand when a run is opened: all read off the list. */
 #include "views/view.h"
 #include "scenario/concern_output.h"
-#include "scenario/settings.h"
 #include "base/text.h"
 #include "lessons/run_numbers.h"
 

@@ -4,7 +4,6 @@
 #include "views/plots/overlay_plot.h"
 #include "run/overlay.h"
 #include "scenario/concern_time.h"
-#include "scenario/settings.h"
 #include "views/plots/runs.h"
 #include "views/plots/time_plot.h"
 #include "views/views.h"

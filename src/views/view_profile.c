@@ -4,7 +4,6 @@
 #include "views/plots/overlay_plot.h"
 #include "scenario/concern_body.h"
 #include "scenario/concern_time.h"
-#include "scenario/settings.h"
 #include "views/plots/runs.h"
 #include "views/views.h"
 

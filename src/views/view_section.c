@@ -7,7 +7,6 @@
 #include "views/map/map.h"
 #include "scenario/concern_body.h"
 #include "scenario/concern_time.h"
-#include "scenario/settings.h"
 #include "views/views.h"
 #include "base/math/functions.h"
 

@@ -3,7 +3,6 @@
  * on an even scale, or everything that the mesh can do on a logarithmic one. */
 #include "views/plots/runs.h"
 #include "scenario/concern_loads.h"
-#include "scenario/settings.h"
 #include "views/views.h"
 #include "base/math/functions.h"
 #include "answers/dispersion_curves.h"

@@ -2,7 +2,6 @@
 /* Waves in the plane of bonds (waves_plane.h). */
 #include "views/waves_plane.h"
 #include "scenario/concern_bonds.h"
-#include "scenario/settings.h"
 #include "base/kinds.h"
 #include "answers/waves.h"
 #include "views/plots/runs.h"

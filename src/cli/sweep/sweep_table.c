@@ -2,7 +2,6 @@
 /* Writes the rows of a sweep: as CSV, with the shortest digits that read back, or aligned for reading.
  * Columns that no row has are left out. */
 #include "cli/sweep/sweep_table.h"
-#include "scenario/settings.h"
 #include "scenario/rows/rows.h"
 #include "base/text.h"
 #include "export/csv.h"

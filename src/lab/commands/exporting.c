@@ -3,7 +3,6 @@
 #include "lab/laboratory.h"
 #include "scenario/concern_output.h"
 #include "export/export.h"
-#include "scenario/settings.h"
 #include "lab/writing.h"
 #include "base/text.h"
 #include "picture/paper/figure_file.h"

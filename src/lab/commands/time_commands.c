@@ -2,7 +2,6 @@
 /* The commands of time: run, step, go back, bookmarks. */
 #include "lab/commands/commands.h"
 #include "scenario/concern_time.h"
-#include "scenario/settings.h"
 #include "base/text.h"
 
 #include <math.h>

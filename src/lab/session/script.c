@@ -3,7 +3,6 @@
 #include "lab/session/script.h"
 
 #include "scenario/concern_time.h"
-#include "scenario/settings.h"
 #include "base/input.h"
 #include "base/text.h"
 #include "lab/laboratory.h"

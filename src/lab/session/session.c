@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Keeping a session: its keys in memory and, as they come, in a file. */
 #include "lab/session/session_internal.h"
-#include "scenario/settings.h"
 #include "base/hash.h"
 #include "base/text.h"
 #include "base/visible.h"

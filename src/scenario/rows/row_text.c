@@ -4,7 +4,6 @@
 #include "base/quantity.h"
 #include "base/text.h"
 #include "scenario/rows/row_text.h"
-#include "scenario/settings.h"
 
 #include <ctype.h>
 #include <math.h>

@@ -4,7 +4,6 @@
  */
 #include "views/inspector/inspector.h"
 #include "scenario/concern_bonds.h"
-#include "scenario/settings.h"
 #include "views/views.h"
 #include "views/map/family.h"
 #include "base/math/functions.h"

@@ -2,7 +2,6 @@
 /* What the nodes of a beam can be coloured by, and the range of the ramp for it. */
 #include "views/map/map.h"
 #include "scenario/concern_body.h"
-#include "scenario/settings.h"
 
 #include <math.h>
 
