@@ -321,13 +321,13 @@ async function unharmed() {
 }
 
 async function hostile_links() {
-	for (const link of ['?scenario=' + encodeURIComponent(bad), '?lesson=' + encodeURIComponent('../../etc/passwd'),
-		'?scenario=mode5&set=' + encodeURIComponent('bar.length=1\x1b[2J') + '&set=--record', '?scenario=mode5&set=' + 'x'.repeat(900000),
-		'?scenario=mode5' + '&set=mesh.cell_size=0.5'.repeat(20000), '?plain=' + encodeURIComponent(bad) + '&set=' + encodeURIComponent(bad) + '#' + bad]) {
+	const harmless = async (link) => {
 		await open(one + link);
 		await until('', has('Space pause'));
 		result(`a link with ${link.slice(0, 40)} does no harm`, (await unharmed()) && has('Space pause')(await screen()), await screen());
-	}
+	};
+	for (const link of ['?scenario=' + encodeURIComponent(bad), '?lesson=' + encodeURIComponent('../../etc/passwd'),
+		'?scenario=mode5&set=' + encodeURIComponent('bar.length=1\x1b[2J') + '&set=--record', '?plain=' + encodeURIComponent(bad) + '&set=' + encodeURIComponent(bad) + '#' + bad]) await harmless(link);
 	await open(one + '?scenario=mode5&set=no.such=1');
 	await page.waitForFunction(() => document.getElementById('end-sheet').open, {timeout: patience}).catch(() => {});
 	result('a parameter that is none is told', /no\.such/.test(await page.$eval('#end-text', (text) => text.textContent)));
@@ -339,6 +339,9 @@ async function hostile_links() {
 		const found = await unharmed();
 		result(`the name ${JSON.stringify(name.slice(0, 20))} does no harm`, found && !found.ended && /1 of \d+|1\/\d+/.test(text), text + found.said);
 	}
+	for (const link of ['?scenario=mode5&set=' + 'x'.repeat(900000), '?scenario=mode5' + '&set=mesh.cell_size=0.5'.repeat(20000)]) await harmless(link);
+	await browser.close().catch(() => {}); // Firefox under remote control falls over its own history of such addresses
+	browser = page = null;
 }
 
 async function hostile_files() {
@@ -446,7 +449,7 @@ async function main() {
 			if (wanted.length > 0 && !wanted.includes(name)) continue;
 			await run().catch((error) => result(name, false, error.stack));
 		}
-		await browser.close();
+		if (browser) await browser.close();
 		browser = page = null;
 	}
 	console.log(`1..${number}`);
