@@ -42,6 +42,15 @@ if [ -n "$python" ]; then
 	independent bar_B mode5 300 $bars
 	# shellcheck disable=SC2086
 	independent beam supported-beam 30 $beams
+	# a stretch of two lengths less each other loses digits, and is no mistake; that of one fraction is as good as ours
+	for stretch in naive_stretch right; do
+		"$python" -B "$MATVIB_SRCDIR/tests/independent/mistakes.py" --mistake $stretch beam_plain 30 >np.csv
+		# shellcheck disable=SC2046
+		expect "a beam by numpy, $stretch" 0 supported-beam $(settings_of beam_plain) np.csv
+		result "is right" says out "^Your numbers are those of the right code, to 1[0-6] digits over 31 rows"
+		[ $stretch = right ] || result "and hears what it loses" says out '^More cannot be had where a bond.s |y| - |xi| is taken as it stands: that is round-off, no mistake\.$'
+		[ $stretch = naive_stretch ] || result "and loses nothing" sh -c '! grep -q "More cannot be had" out'
+	done
 else
 	skip "codes of numpy" "no python3 with numpy"
 fi
