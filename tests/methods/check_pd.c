@@ -497,6 +497,52 @@ START_TEST(energies_of_nodes_add_up)
 }
 END_TEST
 
+static double pull_back(const Simulation *sim, size_t node, int axis, const void *stiffness)
+{
+    const int field = simulation_find_field(sim, 0, axis ? "uy" : "ux");
+    return -*(const double *)stiffness * simulation_value(sim, field, node);
+}
+
+/* A spring to the ground that is added from outside acts along both axes, keeps the energy, at any number of
+ * threads, and stands in the stage and in its sum beside the weight. */
+START_TEST(stages_say_what_acts)
+{
+    static const double stiffness = 1e13;
+    static const ForceTerm springs[] = {{.name = "spring",
+                                         .equation = "-k u(i)",
+                                         .ascii = "-k u(i)",
+                                         .load = "-k u",
+                                         .on = pull_back,
+                                         .context = &stiffness},
+                                        {0}};
+    BeamDef def = small_beam(BEAM_SIMPLY_SUPPORTED);
+    Simulation *loose = beam_case_create(&def, NULL);
+    ck_assert_str_eq(loose->stages[simulation_find_stage(loose, "body-force")].equation,
+                     "no load acts: f(i) stays");
+    simulation_destroy(loose);
+    def.forces = springs;
+    def.threads = 1 + _i;
+    def.dt = 1.25e-8;
+    Simulation *sim = beam_case_create(&def, NULL);
+    const int force = simulation_find_stage(sim, "body-force");
+    ck_assert_str_eq(sim->stages[force].ascii, "f(i) += -k u(i)");
+    const double start = series_now(sim, "total");
+    Status status;
+    long done;
+    ck_assert_msg(simulation_steps(sim, 1600, NULL, &done, &status), "%s", status.text);
+    ck_assert_double_gt(fabs(series_now(sim, "work")), 0.01 * start);
+    ck_assert_double_eq_tol(series_now(sim, "total") - series_now(sim, "work"), start, 1e-4 * start);
+    ck_assert(sim->method->change(sim, "load.body_force", -9.81, &status));
+    ck_assert_str_eq(sim->stages[force].equation, "f(i) += ρ b on every node + -k u(i)");
+    for (int i = 0; i <= force; i++)
+        ck_assert(simulation_stage(sim, &status));
+    char text[8192];
+    sim->method->explain(sim, force, 0, 55, NULL, 0, text, sizeof text);
+    ck_assert_msg(strstr(text, "fx = fx + b = ") && strstr(text, "fy = fy + b = "), "%s", text);
+    simulation_destroy(sim);
+}
+END_TEST
+
 START_TEST(every_stage_explains_itself)
 {
     Simulation *sim = cracking();
@@ -682,6 +728,7 @@ void add_cases(Suite *suite)
     tcase_add_test(told, nodes_have_what_their_bonds_have);
     tcase_add_loop_test(told, energies_of_nodes_add_up, 0, 2);
     tcase_add_test(told, every_stage_explains_itself);
+    tcase_add_loop_test(told, stages_say_what_acts, 0, 2);
     suite_add_tcase(suite, told);
 
     TCase *changes = tcase_create("changes");

@@ -286,6 +286,7 @@ static bool build(Beam *beam, const BeamOptions *options, Status *status)
         return false;
     if (!beam_set_problem(beam, status) || !set_time_step(beam, status) || !beam_set_damping(beam, status))
         return false;
+    beam_set_fields(beam); /* which a term of the force may read at the start */
     if (!beam_set_motion(beam, options, status) || !start(beam, status))
         return false;
 
@@ -301,7 +302,6 @@ static bool build(Beam *beam, const BeamOptions *options, Status *status)
     beam->facts.bonds = lattice_bonds(lattice);
     beam_set_stages(beam);
     beam->sim.stage_items = (size_t)lattice->ny;
-    beam_set_fields(beam);
     beam_set_series(beam);
     return true;
 }

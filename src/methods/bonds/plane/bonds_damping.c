@@ -141,12 +141,15 @@ void beam_add_speeds(Beam *beam)
 void beam_weigh(Beam *beam, int j)
 {
     ASSERT_INDEX(j, beam->lattice.ny);
-    if (beam->head->body_force == 0)
-        return;
     const double force = beam->def.density * beam->head->body_force;
-    double *fy = beam->nodes.fy + lattice_at(&beam->lattice, 0, j);
-    for (int i = 0; i < beam->lattice.nx; i++)
+    const size_t row = lattice_at(&beam->lattice, 0, j), nx = (size_t)beam->lattice.nx;
+    double *fx = beam->nodes.fx + row, *fy = beam->nodes.fy + row;
+    for (size_t i = 0; force != 0 && i < nx; i++)
         fy[i] += force;
+    for (size_t i = 0; beam->def.forces && i < nx; i++) {
+        fx[i] += forces_of_definition(beam->def.forces, &beam->sim, (size_t)j * nx + i, 0);
+        fy[i] += forces_of_definition(beam->def.forces, &beam->sim, (size_t)j * nx + i, 1);
+    }
 }
 
 static void come_to_rest(Beam *beam, long step)

@@ -25,10 +25,8 @@ static const Stage stage_table[N_STAGES] = {
          "eqs. 2, 3, 6, 8",
          "Each bond pulls as much as it is stretched, or breaks; a node feels the sum of its family.",
          "ux uy", "fx fy stretch broken broken_at"},
-    [STAGE_BODY_FORCE] = {"body-force", "body force",
-                          "f(i) += b(t),   b = −p min(1, t/t0)/Δx on loaded nodes",
-                          "f(i) += b(t),   b = -p min(1, t/t0)/dx on loaded nodes", "eq. 8",
-                          "The load pushes the nodes of the top row that it rests on.", "loaded fy", "fy"},
+    [STAGE_BODY_FORCE] = {"body-force", "body force", NULL, NULL, "eq. 8", NULL, "loaded fy",
+                          "fy"}, /* by its terms */
     [STAGE_SECOND_KICK] = VERLET_SECOND_KICK(
         "The new force completes the step's velocity; supports hold again.", "vx vy fx fy held", "vx vy"),
     [STAGE_DAMAGE] = {"damage", "damage", "φ(i) = 1 − Σ μ w V / Σ w V", "phi(i) = 1 - sum mu w V / sum w V",
@@ -61,16 +59,8 @@ void beam_set_stages(Beam *beam)
         constraints->ascii = constraints->equation;
         constraints->source = "in words";
         constraints->sentence = "Supports keep their velocity, whatever the bonds pull.";
-        force->equation = "f(i) += b(t),   b = (sx, sy) min(1, t/t0)/Δx on loaded nodes";
-        force->ascii = "f(i) += b(t),   b = (sx, sy) min(1, t/t0)/dx on loaded nodes";
-        force->sentence = "The tractions act on the one layer of nodes along their edges.";
         force->reads = "loaded fx fy";
         force->writes = "fx fy";
-        if (beam->head->body_force != 0) {
-            force->equation = "f(i) += ρ b on every node,   + (sx, sy) min(1, t/t0)/Δx on loaded ones";
-            force->ascii = "f(i) += rho b on every node,   + (sx, sy) min(1, t/t0)/dx on loaded ones";
-            force->sentence = "The weight pulls at every node, tractions at the one layer along their edges.";
-        }
     }
     if (beam->damping > 0) {
         Stage *first = &beam->stages[STAGE_HALF_KICK], *second = &beam->stages[STAGE_SECOND_KICK];
@@ -84,13 +74,10 @@ void beam_set_stages(Beam *beam)
                 "The last force adds half a step's worth of velocity, and damping takes its share: of "
                 "vx what differs from v0.";
     }
-    if (beam->def.problem == BEAM_SIMPLY_SUPPORTED || beam->def.problem == BEAM_MOVING_CANTILEVER) {
-        Stage *body_force = &beam->stages[STAGE_BODY_FORCE];
-        body_force->equation = "f(i) += ρ b on every node";
-        body_force->ascii = "f(i) += rho b on every node";
-        body_force->sentence = "The weight, where there is one, pulls at every node alike.";
-        body_force->reads = "fy";
-    }
+    if (beam->n_loads == 0)
+        beam->stages[STAGE_BODY_FORCE].reads = "fy";
+    const ForceTerms forces = beam_terms(beam);
+    forces_word_stage(&forces, &beam->force_words, &beam->stages[STAGE_BODY_FORCE]);
     const BondsMistake *mistake = beam->def.conceals_mistake ? NULL : bonds_mistake(beam);
     for (int k = 0; mistake && k < MISTAKE_LINES && mistake->lines[k].equation; k++) {
         Stage *stage = &beam->stages[mistake->lines[k].stage];
@@ -286,36 +273,29 @@ static void explain_bonds(const Beam *beam, Calculation *calculation, size_t ind
     calculation_sum(calculation, &sums[1]);
 }
 
-/* b of eq. 8 on the loaded nodes; what the bonds had left in f is solved for. */
+/* The terms of eq. 8's b that act on the node; what the bonds had left in f is solved for. */
 static void explain_body_force(const Beam *beam, Calculation *calculation, size_t index, const NodeNow *now)
 {
-    const size_t nx = (size_t)beam->lattice.nx;
-    const double time = (double)(beam->sim.step + 1) * beam->sim.dt, f[2] = {now->fx, now->fy};
-    double force[2] = {0, 0};
-    bool loaded[2] = {false, beam->head->body_force != 0};
-    force[1] = beam->def.density * beam->head->body_force;
-    for (const Load *load = beam->loads; load < beam->loads + beam->n_loads; load++) {
-        double part[2];
-        if (!patch_has(&load->patch, (int)(index % nx), (int)(index / nx)))
-            continue;
-        beam_load_force(beam, load, time, part);
-        for (int d = 0; d < 2; d++) {
-            force[d] += part[d];
-            loaded[d] = loaded[d] || (d == 0 ? load->sx : load->sy) != 0;
-        }
-    }
-    if (!loaded[0] && !loaded[1])
-        write_pair(calculation, "no load on this node: f stays ", now->fx, now->fy, "N/m³");
+    const ForceTerms forces = beam_terms(beam);
+    const double f[2] = {now->fx, now->fy};
+    bool loaded = false;
     for (int d = 0; d < 2; d++) {
         CalculationSum sum = {.label = d == 0 ? "fx = fx + b = " : "fy = fy + b = ",
                               .has_base = true,
-                              .base = f[d] - force[d],
+                              .base = f[d] - forces_on(&forces, &beam->sim, index, d),
                               .result = f[d],
                               .unit = "N/m³"};
-        calculation_add(&sum, 1, force[d], 0, 0);
-        if (loaded[d])
+        for (int k = 0; k < forces.count; k++) {
+            const double force = forces.terms[k]->on(&beam->sim, index, d, forces.terms[k]->context);
+            if (force != 0)
+                calculation_add(&sum, 1, force, 0, 0);
+        }
+        if (sum.count > 0)
             calculation_sum(calculation, &sum);
+        loaded = loaded || sum.count > 0;
     }
+    if (!loaded)
+        write_pair(calculation, "no load on this node: f stays ", now->fx, now->fy, "N/m³");
 }
 
 /* Eq. 5 by weights w, all areas being equal: broken over all. */

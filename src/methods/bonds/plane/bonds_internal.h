@@ -77,6 +77,7 @@ typedef struct Beam {
     Quantity series[BEAM_SERIES_MAX]; /* of this problem */
     int series_entry[BEAM_SERIES_MAX];
     Stage stages[N_STAGES];    /* likewise */
+    ForceWords force_words;    /* of the stage that adds what acts from outside */
     struct BondsMistake *both; /* what a code does that is wrong in two places; NULL: in one at most */
 
     /* the model */
@@ -187,7 +188,7 @@ void beam_brake_first(Beam *beam, int j); /* before the first half kick of row j
 void beam_brake_second(Beam *beam, int j);
 void beam_note_speeds(Beam *beam, int j); /* of row j at the drift ... */
 void beam_add_speeds(Beam *beam);         /* ... and what comes of them, of rows in turn */
-void beam_weigh(Beam *beam, int j);       /* adds the weight of row j to its forces */
+void beam_weigh(Beam *beam, int j);       /* adds the weight of row j to its forces, and a definition's own */
 /* Whether rest is looked for at the end of the step of this number; and looks, in a state at its end. */
 bool beam_asks_for_rest(const Beam *beam, long step);
 void beam_look_for_rest(Beam *beam, long step);
@@ -198,10 +199,12 @@ bool beam_steps(Simulation *sim, long count, double *rows, long *done, Status *s
 
 /* plate/beam_loads.c: what loads and moving supports do to row j. */
 void beam_load_force(const Beam *beam, const Load *, double time, double force[2]); /* on a node, N/m^3 */
-void beam_add_loads(Beam *beam, int j, double time);                                /* to its forces */
-void beam_note_work(Beam *beam, int j, long step); /* in the drift, and ... */
-void beam_note_reaction(Beam *beam, int j);        /* ... in the second kick; */
-void beam_add_work(Beam *beam, int half);          /* and once all rows are there, half 0 or 1 */
+ForceTerms beam_terms(const Beam *beam);                                            /* those at work */
+double beam_own_power(const Beam *beam, int j);      /* of the definition's own terms, W/m^3 */
+void beam_add_loads(Beam *beam, int j, double time); /* to its forces */
+void beam_note_work(Beam *beam, int j, long step);   /* in the drift, and ... */
+void beam_note_reaction(Beam *beam, int j);          /* ... in the second kick; */
+void beam_add_work(Beam *beam, int half);            /* and once all rows are there, half 0 or 1 */
 
 /* beam_break.c */
 bool beam_take_log(Beam *beam, BondLog *log, long step); /* false: memory was short */

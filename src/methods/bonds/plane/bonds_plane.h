@@ -9,7 +9,7 @@
 
 #include "base/kinds.h"
 #include "base/patience.h"
-#include "methods/method.h"
+#include "methods/forces.h"
 #include "methods/bonds/plane/lattice/volume.h"
 #include "methods/bonds/plane/plate/plate.h"
 
@@ -41,9 +41,10 @@ typedef struct BeamDef {
     double support_left, support_right;
     bool pinned; /* ux of the left support is fixed too */
 
-    PlateDef plate;    /* what a plate has */
-    double body_force; /* on every node from t = 0 on, upwards, m/s^2; -9.81: weight */
-    double damping;    /* rate alpha, 1/s: the acceleration is f/rho - alpha v (beam_damping.c); 0: none */
+    PlateDef plate;          /* what a plate has */
+    double body_force;       /* on every node from t = 0 on, upwards, m/s^2; -9.81: weight */
+    const ForceTerm *forces; /* beside weight and loads, as force densities, along x and y; NULL: none */
+    double damping; /* rate alpha, 1/s: the acceleration is f/rho - alpha v (beam_damping.c); 0: none */
     bool critically_damped; /* alpha is twice the lowest frequency of the lattice instead */
     bool to_rest;           /* the run is over when the motion is ... */
     long changes_until;     /* ... and this many steps are done: Method.change is to be called till then */

@@ -86,9 +86,12 @@ static void drift(Beam *beam, int j, long step)
 {
     size_t row = lattice_at(&beam->lattice, 0, j), count = beam->lattice.columns;
     double dt = beam->sim.dt;
+    const double power = beam_own_power(beam, j);
     beam->kernels->add(beam->nodes.ux + row, beam->nodes.vx + row, dt, count);
     beam->kernels->add(beam->nodes.uy + row, beam->nodes.vy + row, dt, count);
     beam_note_work(beam, j, step);
+    beam->row_work[2 * j] +=
+        (power + beam_own_power(beam, j)) / 2 * beam_volume(beam) * beam->def.thickness * dt;
     beam_note_speeds(beam, j);
 }
 

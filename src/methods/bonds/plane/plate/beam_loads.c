@@ -50,6 +50,75 @@ void beam_load_force(const Beam *beam, const Load *load, double time, double for
     force[1] = load->sy * scale * share / dx;
 }
 
+static double weight(const Simulation *sim, size_t node, int axis, const void *context)
+{
+    (void)node, (void)context;
+    const Beam *beam = (const Beam *)sim;
+    return axis == 1 ? beam->def.density * beam->head->body_force : 0;
+}
+
+/* Of all loads on a node at the end of the step under way. */
+static double tractions(const Simulation *sim, size_t node, int axis, const void *context)
+{
+    (void)context;
+    const Beam *beam = (const Beam *)sim;
+    const int i = (int)(node % (size_t)beam->lattice.nx), j = (int)(node / (size_t)beam->lattice.nx);
+    double sum = 0;
+    for (const Load *load = beam->loads; load < beam->loads + beam->n_loads; load++) {
+        double force[2];
+        if (!patch_has(&load->patch, i, j))
+            continue;
+        beam_load_force(beam, load, (double)(sim->step + 1) * sim->dt, force);
+        sum += force[axis];
+    }
+    return sum;
+}
+
+static const ForceTerm of_weight = {.name = "weight",
+                                    .equation = "ρ b on every node",
+                                    .ascii = "rho b on every node",
+                                    .load = "rho b",
+                                    .sentence = "The weight pulls at every node alike.",
+                                    .on = weight};
+static const ForceTerm of_pressure = {.name = "pressure",
+                                      .equation = "−p min(1, t/t0)/Δx on loaded nodes",
+                                      .ascii = "-p min(1, t/t0)/dx on loaded nodes",
+                                      .load = "-p/dx",
+                                      .sentence =
+                                          "The load pushes the nodes of the top row that it rests on.",
+                                      .on = tractions};
+static const ForceTerm of_tractions = {.name = "tractions",
+                                       .equation = "(sx, sy) min(1, t/t0)/Δx on loaded nodes",
+                                       .ascii = "(sx, sy) min(1, t/t0)/dx on loaded nodes",
+                                       .load = "(sx, sy)/dx",
+                                       .sentence =
+                                           "The tractions act on the one layer of nodes along their edges.",
+                                       .on = tractions};
+
+ForceTerms beam_terms(const Beam *beam)
+{
+    ForceTerms forces = {0};
+    if (beam->head->body_force != 0)
+        forces_add(&forces, &of_weight);
+    if (beam->n_loads > 0)
+        forces_add(&forces, beam->def.problem == BEAM_NOTCHED ? &of_pressure : &of_tractions);
+    forces_add_all(&forces, beam->def.forces);
+    return forces;
+}
+
+double beam_own_power(const Beam *beam, int j)
+{
+    ASSERT_INDEX(j, beam->lattice.ny);
+    const size_t row = lattice_at(&beam->lattice, 0, j), nx = (size_t)beam->lattice.nx;
+    double power = 0;
+    for (size_t i = 0; beam->def.forces && i < nx; i++) {
+        const size_t node = (size_t)j * nx + i;
+        power += forces_of_definition(beam->def.forces, &beam->sim, node, 0) * beam->nodes.vx[row + i];
+        power += forces_of_definition(beam->def.forces, &beam->sim, node, 1) * beam->nodes.vy[row + i];
+    }
+    return power;
+}
+
 void beam_add_loads(Beam *beam, int j, double time)
 {
     ASSERT_INDEX(j, beam->lattice.ny);
