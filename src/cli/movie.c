@@ -10,6 +10,9 @@
 #include "base/visible.h"
 #include "lab/session/laboratory_main.h"
 #include "lab/session/script.h"
+#include "panes/screen.h"
+#include "problems/problem.h"
+#include "scenario/parameters.h"
 #include "film/camera.h"
 
 #include <errno.h>
@@ -89,6 +92,14 @@ static bool read_session(const char *file, int size[2], Status *status)
     return true;
 }
 
+/* Of a body that cracks the map is the film: it takes the room of the plain sheet, where nothing that comes
+ * up in the run makes it smaller. */
+static const char *usual_sheet(const Settings *settings, Source source)
+{
+    const bool cracks = settings->problem->concerns & (CONCERN_NOTCH | CONCERN_PLATE);
+    return source == SOURCE_SCENARIO && cracks ? parameter_sheet_words[SHEET_PLAIN] : NULL;
+}
+
 static int film(const Options *options, LaboratoryOptions *laboratory, Camera *camera, Status *status)
 {
     OutputFile file;
@@ -152,7 +163,7 @@ int cli_movie(int count, char **arguments, Status *status)
         .script = source == SOURCE_SCRIPT ? word : options.script,
         .paused = options.paused,
         .glyphs = options.glyphs ? options.glyphs : "braille",
-        .sheet = options.screen_sheet,
+        .sheet = options.screen_sheet ? options.screen_sheet : usual_sheet(&settings, source),
         .theme = options.theme,
         .threads = progress_threads(options.threads),
         .width = options.size[0],

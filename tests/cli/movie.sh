@@ -38,6 +38,13 @@ result "a recording has the same bytes too" cmp c.cast d.cast
 expect "on a large light screen" 0 mode5 --end 1 --size 132x43 --theme light --output e.svg
 result "has its size" grep -q 'width="1056" height="731"' e.svg
 
+# the map of a crack has the room to itself, and as much of it at the end as at the beginning
+expect "a crack" 0 notched-beam-coarse --end 1.5e-5 --output crack.svg
+result "has its number" has_words crack.svg "mm of crack so far"
+result "and no table beside it" test "$(grep -c 'modulus' crack.svg)" -eq 0
+expect "a crack on the full sheet" 0 notched-beam-coarse --end 1.5e-5 --sheet full --output full.svg
+result "has the table where it is asked for" test "$(grep -c 'modulus' full.svg)" -gt 0
+
 # --- its length ---
 expect "at the laboratory's speed" 0 mode5 --end 2 --output f.cast
 expect "twice as fast" 0 mode5 --end 2 --speed 2 --output g.cast
