@@ -65,4 +65,11 @@ double crack_rayleigh_speed(const Settings *);
  */
 size_t crack_line(const Simulation *, double *x, double *y, size_t max);
 
+/* The same to be kept: its lowest rows, as many as a map can show. */
+enum { CRACK_LINE_MAX = 512 };
+typedef struct CrackLine {
+    size_t count;
+    double x[CRACK_LINE_MAX], y[CRACK_LINE_MAX];
+} CrackLine;
+
 #endif

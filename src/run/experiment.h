@@ -29,7 +29,8 @@ typedef struct Ghost {
     Column columns[COLUMNS_MAX];
     int n_columns;
     Readout readout; /* of its whole record */
-    Profile profile; /* as it was last on screen */
+    Profile profile; /* as it was last on screen, */
+    CrackLine crack; /* and so its crack */
     Spectrum spectra[SPECTRUM_SPANS];
     struct Follow *names; /* of followed columns */
 } Ghost;

@@ -111,8 +111,9 @@ typedef struct Remains {
     Settings base;
     Column columns[COLUMNS_MAX];
     int n_columns;
-    Readout readout;      /* of the whole record */
-    Profile profile;      /* empty where memory is short */
+    Readout readout; /* of the whole record */
+    Profile profile; /* empty where memory is short */
+    CrackLine crack;
     struct Follow *names; /* of followed columns: simulation_hold_names() */
 } Remains;
 

@@ -43,6 +43,7 @@ Remains experiment_remains(const Experiment *experiment)
         .base = experiment->base, .n_columns = experiment->n_columns, .readout = read_whole(experiment)};
     memcpy(remains.columns, experiment->columns, sizeof remains.columns);
     profile_take(&remains.profile, experiment->run.sim, NULL);
+    remains.crack.count = crack_line(experiment->run.sim, remains.crack.x, remains.crack.y, CRACK_LINE_MAX);
     remains.names = simulation_hold_names(experiment->run.sim);
     return remains;
 }
@@ -88,6 +89,7 @@ bool experiment_make_ghost(Experiment *experiment, bool pinned, Record *record, 
     ghost->n_columns = remains->n_columns;
     ghost->readout = remains->readout;
     ghost->profile = remains->profile;
+    ghost->crack = remains->crack;
     ghost->names = remains->names;
     memset(record, 0, sizeof *record);
     memset(remains, 0, sizeof *remains);

@@ -247,7 +247,8 @@ void parameter_range(const Parameter *parameter, const Problem *problem, char *o
 
 bool parameter_is_size(const Parameter *parameter)
 {
-    return parameter->nudge == NUDGE_DOUBLE || parameter->nudge == NUDGE_SPACING;
+    return parameter->nudge == NUDGE_DOUBLE || parameter->nudge == NUDGE_SPACING ||
+           parameter->nudge == NUDGE_WIDE;
 }
 
 bool parameter_can_be_asked(const Parameter *parameter, const Problem *problem)

@@ -26,6 +26,7 @@ typedef enum Nudge {
     NUDGE_SHARE,   /* 0, 0.1, 0.2, 0.5, 0.8, 0.9, ..., 0.999, 1: as fine at 1 as a share has to be */
     NUDGE_FIFTH,   /* +0.2, -0.2 */
     NUDGE_SPACING, /* one lattice spacing more or less: places and sizes of a beam */
+    NUDGE_WIDE,    /* whole spacings, a fortieth of the body: seen in a map; finely one of them */
     NUDGE_NEXT     /* next choice */
 } Nudge;
 

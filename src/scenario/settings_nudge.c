@@ -86,6 +86,19 @@ static double next_cell_size(const Settings *settings, double value, int directi
     return cells >= 1 ? settings_geometry(settings)->length / cells : value;
 }
 
+/* Whole spacings more or less: what moves by a part of one cuts the same bonds. */
+static double next_place(const Settings *settings, double value, double spacings)
+{
+    const double dx = lattice_spacing(settings);
+    return as_typed((value / dx + spacings) * dx);
+}
+
+/* In the map of a body 40 columns wide what moved by this stands in the next one. */
+static double wide_step(const Settings *settings)
+{
+    return fmax(1, floor(settings_geometry(settings)->length / (40 * lattice_spacing(settings)) + 1e-9));
+}
+
 static double nudged_finely(const Settings *settings, const Parameter *parameter, double value, int direction)
 {
     if (parameter->offset == VALUE_OFFSET(mesh.cell_size))
@@ -97,7 +110,9 @@ static double nudged_finely(const Settings *settings, const Parameter *parameter
     if (parameter->nudge == NUDGE_FIFTH)
         return as_typed(value + 0.01 * direction);
     if (parameter->nudge == NUDGE_SPACING)
-        return as_typed(value + 0.1 * direction * lattice_spacing(settings));
+        return next_place(settings, value, 0.1 * direction);
+    if (parameter->nudge == NUDGE_WIDE)
+        return next_place(settings, value, direction);
     return next_digit(value, direction, parameter_usual(parameter, settings->problem));
 }
 
@@ -116,10 +131,10 @@ static double nudged(const Settings *settings, const Parameter *parameter, doubl
         return next_share(value, direction);
     case NUDGE_FIFTH:
         return as_typed(value + 0.2 * direction);
-    case NUDGE_SPACING: {
-        const double dx = lattice_spacing(settings);
-        return as_typed((value / dx + direction) * dx);
-    }
+    case NUDGE_SPACING:
+        return next_place(settings, value, direction);
+    case NUDGE_WIDE:
+        return next_place(settings, value, direction * wide_step(settings));
     case NUDGE_NEXT:
         n = parameter_choices(parameter, settings->problem);
         return (int)(value + direction + n) % n;

@@ -3,6 +3,7 @@
  * says, read from the cells as a reader would. */
 #include "views/view.h"
 #include "scenario/concern_output.h"
+#include "scenario/concern_loads.h"
 #include "scenario/settings.h"
 #include "views/inspector/inspector.h"
 #include "suite.h"
@@ -142,6 +143,61 @@ START_TEST(ramps_hold_their_values)
         ck_assert_uint_le(beyond, map.body.count / 100);
         map_close(&map);
     }
+    scene_close(&scene);
+}
+END_TEST
+
+/* Cells of a style among the nine about a place of the body. */
+static int lines_near(const Scene *scene, const Map *map, double x, double y, Style style)
+{
+    double column, row;
+    map_body_place(map, x, y, &column, &row);
+    int count = 0;
+    for (int i = -1; i <= 1; i++)
+        for (int k = -1; k <= 1; k++) {
+            const int at = map->area.rect.x + (int)floor(column) + i,
+                      down = map->area.rect.y + (int)floor(row) + k;
+            count += at >= 0 && down >= 0 && at < scene->canvas.width && down < scene->canvas.height &&
+                     scene->canvas.cells[down * scene->canvas.width + at].style == style;
+        }
+    return count;
+}
+
+/* The notch moved: notch and path of the run before stay on the map, faint, beside those of the present one.
+ */
+START_TEST(the_crack_before_stays)
+{
+    Scene scene;
+    open_scene(&scene, "notched-beam-coarse 80x24 1400 upper 8 none pd.spacing=2e-3 pd.horizon=6.5e-3 "
+                       "load.stress=1.8e8 ghost notch.position=0.085");
+    const Rect whole = {0, 0, 80, 24};
+    canvas_clear(&scene.canvas);
+    Map map;
+    ck_assert(map_open(&map, &scene.screen, (Area){&scene.canvas, whole, GLYPHS_BRAILLE}));
+    map_draw_lines(&map);
+    const Ghost *ghost = &experiment_ghosts(scene.screen.experiment)[0];
+    ShownRun runs[RUNS_MAX];
+    ck_assert_int_eq(map_cracks_before(&map, runs), 1);
+    const CrackLine *crack = &ghost->crack;
+    ck_assert_uint_gt(crack->count, 10);
+    for (size_t i = 0; i < crack->count; i++)
+        ck_assert_msg(lines_near(&scene, &map, crack->x[i], crack->y[i], STYLE_FAINT) > 0 ||
+                          lines_near(&scene, &map, crack->x[i], crack->y[i], STYLE_CHANGED) > 0,
+                      "nothing at %g, %g", crack->x[i], crack->y[i]);
+    const size_t half = crack->count / 2; /* there it is well to the left of the present one */
+    ck_assert_int_gt(lines_near(&scene, &map, crack->x[half], crack->y[half], STYLE_FAINT), 0);
+    ck_assert_double_gt(crack->x[half], 0.065);
+    ck_assert_int_gt(lines_near(&scene, &map, 0.065, 0.01, STYLE_FAINT), 0);
+    ck_assert_int_gt(lines_near(&scene, &map, 0.085, 0.01, STYLE_HEADING), 0);
+    ck_assert_int_eq(lines_near(&scene, &map, 0.065, 0.01, STYLE_HEADING), 0);
+    ck_assert_int_gt(lines_near(&scene, &map, 0.09, 0.025, STYLE_CHANGED), 0);
+    ck_assert_double_eq(settings_notch(ghost->settings)->position, 0.065);
+    map_close(&map);
+    scene_close(&scene);
+    open_scene(&scene, "notched-beam-coarse 80x24 5 upper 8 none ghost notch.position=0.085");
+    ck_assert(map_open(&map, &scene.screen, (Area){&scene.canvas, whole, GLYPHS_BRAILLE}));
+    ck_assert_int_eq(map_cracks_before(&map, runs), 0); /* it had not begun */
+    map_close(&map);
     scene_close(&scene);
 }
 END_TEST
@@ -487,6 +543,7 @@ void add_cases(Suite *suite)
     tcase_add_test(map, factors_are_those_that_are_stated);
     tcase_add_test(map, what_is_drawn_far_too_large_stays_in_the_picture);
     tcase_add_test(map, ramps_hold_their_values);
+    tcase_add_test(map, the_crack_before_stays);
     tcase_add_test(map, letters_are_for_few_colours);
     tcase_add_test(map, the_skin_lacks_neighbours);
     tcase_add_test(map, broken_bonds_are_missing);

@@ -150,6 +150,29 @@ START_TEST(map_is_the_nodes)
 }
 END_TEST
 
+/* On paper the crack before is dashed, from the foot of the notch that was, and has its letter and words. */
+START_TEST(the_crack_before_is_on_paper)
+{
+    Drawing drawing;
+    open_drawing(&drawing,
+                 "notched-beam-coarse 80x24 1400 none variant 4 pd.spacing=2e-3 pd.horizon=6.5e-3 "
+                 "load.stress=1.8e8 ghost notch.position=0.085",
+                 "beam", 0);
+    const Picture *picture = &drawing.picture;
+    const Stroke *before = stroke_of(picture, STYLE_FAINT);
+    ck_assert_ptr_nonnull(before);
+    ck_assert_int_eq(before->line, LINE_DASHED);
+    ck_assert_double_eq_tol(picture->plot.points[2 * before->first], 65, 2);
+    ck_assert_double_le(picture->plot.points[2 * before->first + 1], 0); /* bent by the load */
+    int keys = 0;
+    for (int i = 0; i < picture->n_keys; i++)
+        keys += picture->keys[i].sign == 'a' && picture->keys[i].line == LINE_DASHED &&
+                strstr(picture->keys[i].name, "crack, ") && strstr(picture->keys[i].name, "position");
+    ck_assert_int_eq(keys, 1);
+    close_drawing(&drawing);
+}
+END_TEST
+
 /* The paper's figure of the notched beam: 210 by 70 mm to scale, the notch at 65 mm and a quarter of the
  * height, the same at any time. */
 START_TEST(drawing_is_to_scale)
@@ -198,6 +221,7 @@ void add_cases(Suite *suite)
     tcase_add_test(cases, particles_are_marks_in_coordinates);
     tcase_add_test(cases, earlier_run_has_its_letter_and_its_words);
     tcase_add_test(cases, map_is_the_nodes);
+    tcase_add_test(cases, the_crack_before_is_on_paper);
     tcase_add_test(cases, drawing_is_to_scale);
     tcase_add_test(cases, view_without_a_picture_says_why);
     suite_add_tcase(suite, cases);

@@ -433,6 +433,10 @@ static void say_map(const Picture *picture, Words *words)
     }
     if (shown < count)
         words_say(words, 4, "  %zu nodes are too much damaged to have a colour.", count - shown);
+    for (int i = 0; i < picture->n_keys; i++)
+        if (picture_run_of(&picture->keys[i]))
+            words_say(words, 4, "  dashed over it, %c: %s.", (char)picture->keys[i].sign,
+                      picture->keys[i].name);
 }
 
 /* Of a drawing a thing with the numbers that stand below its name, one without says nothing; and its words.

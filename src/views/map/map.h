@@ -8,6 +8,7 @@
 #include "panes/panes.h"
 #include "picture/picture.h"
 #include "panes/stage_flow.h"
+#include "views/plots/runs.h"
 
 #include <math.h>
 
@@ -166,6 +167,9 @@ void map_body_line(Map *, const double from[2], const double to[2], Pen);
  * arrow of a traction. */
 void map_row_ends(const Settings *, int kind, int row, double ends[2][2]);
 uint32_t map_arrow(double sx, double sy);
+
+/* Earlier runs, of those that are kept, in which the notched beam cracked: how many. */
+int map_cracks_before(const Map *, ShownRun[RUNS_MAX]);
 
 /* The parts of the picture, in the order in which they are drawn. */
 void map_draw_heat(Map *);

@@ -15,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { RANK_ZONE = 1, RANK_ANGLE, RANK_WALL, RANK_NOTCH, RANK_PATH };
+enum { RANK_ZONE = 1, RANK_ANGLE, RANK_BEFORE, RANK_WALL, RANK_NOTCH, RANK_PATH };
 
 /* The letters are none of the ramp's. */
 
@@ -62,6 +62,39 @@ static void draw_crack(Map *map)
     }
 }
 
+static const CrackLine *crack_of(const Map *map, const ShownRun *ghost)
+{
+    return &experiment_ghosts(screen_clock_run(map->screen))[ghost->ghost].crack;
+}
+
+int map_cracks_before(const Map *map, ShownRun runs[RUNS_MAX])
+{
+    const int n_runs = map->scene.notched ? runs_of(map->screen, runs) : 0;
+    int count = 0;
+    for (int i = 0; i < n_runs; i++)
+        if (runs[i].ghost >= 0 && runs[i].shown && crack_of(map, &runs[i])->count > 0)
+            runs[count++] = runs[i];
+    return count;
+}
+
+/* Notch and path, dashed, where they were in the body; in pieces long enough for a gap. */
+static void draw_crack_before(Map *map, const ShownRun *run)
+{
+    enum { EVERY = 2, DOTS = 2 }; /* in the width of a cell */
+    const Pen pen = {run->style, RANK_BEFORE, EVERY, '"'};
+    const CrackLine *crack = crack_of(map, run);
+    double from[2] = {settings_notch(run->settings)->position, settings_notch(run->settings)->depth};
+    map_body_line(map, (double[]){from[0], 0}, from, pen);
+    for (size_t i = 0; i < crack->count; i++) {
+        const double to[2] = {crack->x[i], crack->y[i]};
+        const double dots = DOTS * math_hypot(to[0] - from[0], to[1] - from[1]) * map->scale_x;
+        if (dots < 2 * EVERY && i + 1 < crack->count)
+            continue;
+        map_body_line(map, from, to, pen);
+        from[0] = to[0], from[1] = to[1];
+    }
+}
+
 static void draw_notch(Map *map)
 {
     const Settings *settings = map->settings;
@@ -81,6 +114,9 @@ static void draw_notch(Map *map)
     const double at[2] = {end[0] + side * rise * math_tan(CRACK_PAPER_ANGLE * M_PI / 180), end[1] + rise};
     if (screen_shows_exact(map->screen))
         map_body_line(map, end, at, (Pen){STYLE_FAINT, RANK_ANGLE, 4, '\''});
+    ShownRun before[RUNS_MAX];
+    for (int i = map_cracks_before(map, before) - 1; i >= 0; i--)
+        draw_crack_before(map, &before[i]);
     map_body_line(map, (double[]){end[0], 0}, end, (Pen){STYLE_HEADING, RANK_NOTCH, 1, '|'});
     /* on paper the damage itself is seen well enough, and the line would hide it */
     if (!map->picture || strcmp(map->colouring->field, "damage") != 0)
@@ -102,11 +138,14 @@ static bool is_blank(Area area, int x, int y, int width)
 /* What the lines are: beside the beam or, in a large map, in a row of their own. */
 static void name_lines(const Map *map)
 {
-    enum { LINES = 4 };
+    enum { LINES = 5 };
     const bool dots = map->area.glyphs == GLYPHS_BRAILLE;
     Legend lines[LINES];
     int count = 0;
     lines[count++] = (Legend){LINE_SOLID, 0, STYLE_CHANGED, "crack's path", dots ? "⠔⠊" : "**"};
+    ShownRun before[RUNS_MAX];
+    if (map_cracks_before(map, before) > 0)
+        lines[count++] = (Legend){LINE_DASHED, 0, before[0].style, "crack before", dots ? "⠡⠊" : "\"\""};
     if (screen_shows_exact(map->screen))
         lines[count++] = (Legend){LINE_SOLID, 0, STYLE_FAINT, "30° (paper)", dots ? "⠠⠂" : "''"};
     lines[count++] = (Legend){LINE_SOLID, 0, STYLE_HEADING, "notch", dots ? "⢸ " : "| "};
@@ -114,8 +153,9 @@ static void name_lines(const Map *map)
     const Area area = map->area;
     if (map->legend_at > 0)
         for (int i = 0; i < count; i++)
-            legend_draw(area_part(area, map->legend_at, area.rect.height - 5, area.rect.width, LINES), 0, i,
-                        &lines[i], 1);
+            legend_draw(area_part(area, map->legend_at, area.rect.height - 1 - (count > 4 ? count : 4),
+                                  area.rect.width, LINES),
+                        0, i, &lines[i], 1);
     else if (area.rect.height >= TALL_MAP && is_blank(area, 0, 0, area.rect.width))
         legend_draw(area, 0, 0, lines, count);
 }

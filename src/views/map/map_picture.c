@@ -57,10 +57,21 @@ static void name_lines(Picture *picture, const Map *map)
     };
     for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
         for (int k = 0; k < picture->plot.n_strokes && map->scene.pressed; k++)
-            if (picture->plot.strokes[k].style == keys[i].style) {
+            if (picture->plot.strokes[k].style == keys[i].style &&
+                picture->plot.strokes[k].line == keys[i].line) {
                 picture_key(picture, keys[i]);
                 break;
             }
+    ShownRun before[RUNS_MAX];
+    const int n_before = map_cracks_before(map, before);
+    for (int i = 0; i < n_before; i++) {
+        PictureKey key = runs_key(&before[i]);
+        char name[sizeof before[i].word + 16];
+        snprintf(name, sizeof name, "crack, %s", before[i].word);
+        key.line = LINE_DASHED;
+        key.name = name;
+        picture_key(picture, key);
+    }
 }
 
 void map_picture(Map *map)
