@@ -22,6 +22,8 @@
 /* Everything has room on such a screen. */
 enum { WIDTH = 132, HEIGHT = 43, PLAIN_LINE_MAX = 4096, HELP_LINES = 15 };
 
+enum { PAGE_LINES = 10 }; /* that tell a page of a lesson which is entered */
+
 static double now(void *context)
 {
     return ((const Plain *)context)->time;
@@ -50,6 +52,7 @@ static void put(Plain *plain, const char *text)
         mbstate_t state = {0};
         const uint32_t glyph = glyph_next(&at);
         const size_t count = glyph < 0x80 ? (size_t)-1 : wcrtomb(bytes, (wchar_t)glyph, &state);
+        plain->lines += glyph == '\n';
         if (count != (size_t)-1)
             fwrite(bytes, 1, count, plain->out);
         else
@@ -125,15 +128,22 @@ static void suspend(void *context)
         say(plain, "There is no shell to go back to: the lines come from a file.");
 }
 
+static bool is_page(const Plain *plain)
+{
+    return plain->lab.screen.lesson.open && plain->lab.screen.lesson.lesson;
+}
+
 /* What of the screen changes with a single step goes without saying there, a stage apart. */
 static bool is_due(const Plain *plain, TellPart part, bool first, bool still, bool moved_far)
 {
     const Screen *screen = &plain->lab.screen;
     const bool rests = screen->playback.state == STATE_ENDED || screen->playback.state == STATE_FAILED;
     /* beside a page of a lesson, which is what is read, they wait for `more` */
-    const bool page = screen->lesson.open && screen->lesson.lesson;
+    const bool page = is_page(plain);
     if (page && (part == TELL_ABOUT || part == TELL_NUMBER || part == TELL_SETUP || part == TELL_UPPER ||
                  part == TELL_LOWER || part == TELL_BODY || part == TELL_PARAMETER))
+        return false;
+    if (plain->turned && (part == TELL_FOCUS || part == TELL_STAGE || part == TELL_INSPECTOR))
         return false;
     if (page && part == TELL_FOCUS)
         return plain->page;
@@ -161,19 +171,44 @@ static bool has_line(const char *text, const char *line, size_t length)
     return false;
 }
 
-/* Of a page that is still open only the lines that are new. */
+static size_t heading_bytes(const char *text)
+{
+    return strcspn(text, "\n") + 1;
+}
+
+static bool is_same_page(const char *text, const char *before)
+{
+    return *text && strncmp(before, text, heading_bytes(text)) == 0;
+}
+
+/* Of a page that is still open only the lines that are new. One of a lesson that is entered is told in
+ * PAGE_LINES, with what was said before it; the rest of it waits for `more`. */
 static void tell_page(Plain *plain, const char *text, const char *before)
 {
-    const size_t heading = strcspn(text, "\n") + 1;
-    const bool same = *text && strncmp(before, text, heading) == 0;
+    const LessonShown *shown = &plain->lab.screen.lesson;
+    const bool same = is_same_page(text, before);
+    bool waits = false;
     for (const char *line = text; *line;) {
-        const size_t length = strcspn(line, "\n") + 1;
+        const size_t length = heading_bytes(line);
         Words words = {.text = NULL};
+        waits |= plain->turned && plain->lines + (line[length] != '\0') >= PAGE_LINES;
         if (!same || !has_line(before, line, length))
-            words_say(&words, 2, "%.*s", (int)length - 1, line);
+            words_say(waits ? &plain->rest : &words, 2, "%.*s", (int)length - 1, line);
         put_words(plain, &words);
         line += length;
     }
+    if (waits)
+        say(plain, shown->lesson->pages[shown->page].n_choices > 0 && shown->answer < 0
+                       ? "more tells the rest, choices too."
+                       : "more tells the rest.");
+}
+
+static int count_lines(const char *text)
+{
+    int lines = 0;
+    for (; *text; text++)
+        lines += *text == '\n';
+    return lines;
 }
 
 /* Each part that is another one than when it was told last. */
@@ -185,12 +220,18 @@ static void tell_changes(Plain *plain)
     const bool still = step == plain->step && stage == plain->stage;
     const bool moved_far = still || labs(step - plain->step) > 1;
     const bool was_told = plain->last[TELL_WHERE].text != NULL;
+    plain->turned = false;
     for (int part = 0; part < TELL_PARTS; part++) {
         Words words = {.text = NULL};
         tell_part(screen, (TellPart)part, &words);
         const char *text = words.text ? words.text : "", *before = plain->last[part].text;
         const bool is_news = strcmp(text, before ? before : "") != 0;
-        if (is_news && is_due(plain, (TellPart)part, !was_told, still, moved_far) &&
+        if (part == TELL_LESSON &&
+            (plain->turned = is_page(plain) && !is_same_page(text, before ? before : "")))
+            words_close(&plain->rest);
+        const bool fits =
+            part != TELL_WHERE || !plain->turned || plain->lines + count_lines(text) <= PAGE_LINES;
+        if (is_news && fits && is_due(plain, (TellPart)part, !was_told, still, moved_far) &&
             (was_told || part != TELL_STAGE || !before))
             part == TELL_LESSON || part == TELL_ABOUT ? tell_page(plain, text, before ? before : "")
                                                       : put(plain, text);
@@ -201,7 +242,7 @@ static void tell_changes(Plain *plain)
     }
     plain->step = step;
     plain->stage = stage;
-    plain->page = screen->lesson.open && screen->lesson.lesson;
+    plain->page = is_page(plain);
 }
 
 /* As it was given; of a mistake that is not told no more than that there is one. */
@@ -304,6 +345,12 @@ static void pass_time(Plain *plain)
     plain->seen_at = at;
 }
 
+/* Not to where a page of a lesson begins, for which keys wait. */
+static bool runs(const Laboratory *lab)
+{
+    return lab->screen.playback.state == STATE_RUNNING && !lab->play.arriving;
+}
+
 /* Frames until nothing is under way: a run to where it stops, a stretch of time once, slow motion through one
  * time step. */
 static void let_it_work(Plain *plain)
@@ -325,7 +372,8 @@ static void let_it_work(Plain *plain)
         stage = experiment_stage(experiment);
         if (!go_on(plain)) {
             forget_interrupt(plain);
-            press(plain, lab->screen.playback.state == STATE_RUNNING ? "Space" : "^C");
+            if (lab->play.arriving || laboratory_active(lab)) /* else ^C would mean the program */
+                press(plain, runs(lab) ? "Space" : "^C");
             return;
         }
         if ((came_back && lab->screen.playback.state == STATE_RUNNING) ||
@@ -436,9 +484,24 @@ static void tell_help(Plain *plain)
 
 static void tell_more(Plain *plain)
 {
-    static const TellPart parts[] = {TELL_BODY, TELL_UPPER, TELL_LOWER};
+    const Screen *screen = &plain->lab.screen;
+    const bool page = is_page(plain);
+    const struct {
+        TellPart part;
+        bool told;
+    } parts[] = {
+        {TELL_WHERE, page},
+        {TELL_FOCUS, page && screen->panes.focus != PANE_PARAMETERS},
+        {TELL_STAGE, page && experiment_stage(screen->experiment) > 0},
+        {TELL_INSPECTOR, page},
+        {TELL_BODY, true},
+        {TELL_UPPER, true},
+        {TELL_LOWER, true},
+    };
+    put_words(plain, &plain->rest); /* and is empty */
     for (size_t i = 0; i < sizeof parts / sizeof *parts; i++)
-        tell_alone(plain, parts[i]);
+        if (parts[i].told)
+            tell_alone(plain, parts[i].part);
 }
 
 static bool draw(Plain *plain, Status *status)
@@ -456,6 +519,7 @@ bool plain_line(Plain *plain, const char *typed, Status *status)
     if (plain->echo)
         echo(plain, line);
     plain->said = false;
+    plain->lines = 0;
     const bool is_answer = plain->lab.screen.prompt.open || plain->lab.screen.parameters.edit.open;
     const char *const word = line + (*line == ':');
     if (!is_answer && (strcmp(word, "more") == 0 || strcmp(word, "why") == 0)) {
@@ -503,6 +567,7 @@ bool plain_open(Plain *plain, const LaboratoryOptions *options, FILE *out, Statu
         "matvib in plain words. A line is a key by its name (] is a stage, . a step, Space a run) or a "
         "command: until end, show energies, initial.mode=3, tell stage. more tells the curves, why what "
         "the number comes of, tell alone all again, help what there is, quit leaves.");
+    plain->lines = 0;
     let_it_work(plain);
     if (!draw(plain, status)) {
         plain_close(plain);
@@ -519,6 +584,7 @@ bool plain_open(Plain *plain, const LaboratoryOptions *options, FILE *out, Statu
 void plain_close(Plain *plain)
 {
     forget_told(plain);
+    words_close(&plain->rest);
     laboratory_close(&plain->lab);
     canvas_close(&plain->canvas);
 }

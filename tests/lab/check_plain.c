@@ -378,24 +378,120 @@ START_TEST(cracks_have_the_names_of_their_cuts)
 }
 END_TEST
 
-/* A page is read in ten lines; body and curves come when they are asked for. */
-START_TEST(a_page_is_short_and_more_tells_the_curves)
+enum { PAGE_LINES = 10 };
+
+/* A clock by which each piece of work takes a frame. */
+static double slow_work(void *context)
 {
-    Talk *talk = open_talk("mode5");
-    static const char *const lines[] = {"lesson late", "Enter", "n", "n", "n", "n", "n", "n"};
-    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
-        const char *said = line(talk, lines[i]);
-        ck_assert_msg(lines_of(said) <= 10, "%d lines: %s", lines_of(said), said);
-        ck_assert_msg(!strstr(said, "View "), "%s", said);
-        if (i > 0)
-            continue;
-        says(talk, "more", "View probe");
-        says(talk, "more", "View profile");
-        says(talk, "more", "50 particles");
+    return ((Plain *)context)->time += FRAME_SECONDS;
+}
+
+/* What is opened is built to its end, though an interrupt has come. */
+static bool build(void *context)
+{
+    (void)context;
+    return true;
+}
+
+/* As it is entered: whole, with its choices, and without what waits for `more`. */
+static void check_page(Talk *talk, const char *lesson, const char *said)
+{
+    const Screen *screen = &talk->plain.lab.screen;
+    const LessonShown *shown = &screen->lesson;
+    const int stage = experiment_stage(screen->experiment), number = shown->page + 1;
+    const int n_choices = shown->lesson->pages[shown->page].n_choices;
+    char heading[24], choice[24], told[24];
+    if (strstr(said, "cancelled\n")) /* which takes a line of the page: told anew */
+        said = line(talk, "^L");
+    snprintf(heading, sizeof heading, "  %d/%d\n", number, shown->lesson->n_pages);
+    snprintf(choice, sizeof choice, "\n  %d ", n_choices);
+    snprintf(told, sizeof told, " 1 Stage %d of ", stage);
+    ck_assert_msg(lines_of(said) <= PAGE_LINES, "%s: %d lines: %s", lesson, lines_of(said), said);
+    ck_assert_msg(strstr(said, heading), "%s: no page %d: %s", lesson, number, said);
+    ck_assert_msg(!strstr(said, "View ") && !strstr(said, " 1 Stage ") && !strstr(said, "more tells"),
+                  "%s: %s", lesson, said);
+    ck_assert_msg(n_choices == 0 || strstr(said, choice), "%s: %s", lesson, said);
+    is_plain(said);
+    if (stage > 0)
+        says(talk, "more", told);
+}
+
+/* By `n`; of a beam or a plate, which takes long to be opened, where not everything is wanted only to pages
+ * that are within a step, and to others by their text. */
+static const char *turn_page(Talk *talk)
+{
+    Screen *screen = &talk->plain.lab.screen;
+    LessonShown *shown = &screen->lesson;
+    if (suite_wide() || shown->lesson->pages[shown->page].until.kind == UNTIL_STAGE ||
+        experiment_stage(screen->experiment) > 0 ||
+        parameter_applies_to(experiment_settings(screen->experiment), parameter_find("bar.length")))
+        return line(talk, "n");
+    shown->page++;
+    shown->answer = -1;
+    return line(talk, "^L");
+}
+
+/* A page is read in ten lines; stage, body and curves come when they are asked for. */
+START_TEST(a_page_is_short_and_more_tells_the_rest)
+{
+    signal(SIGINT, SIG_DFL); /* the test's own handler ends it */
+    signals_catch();
+    raise(SIGINT); /* no run goes on for more than a frame */
+    for (int i = 0; builtin_lessons[i].name; i++) {
+        Talk *talk = open_talk("mode5");
+        const LessonShown *shown = &talk->plain.lab.screen.lesson;
+        char text[80];
+        talk->plain.lab.host.now = slow_work;
+        talk->plain.lab.host.go_on = build;
+        snprintf(text, sizeof text, "lesson %s", builtin_lessons[i].name);
+        check_page(talk, builtin_lessons[i].name, line(talk, text));
+        while (shown->page + 1 < shown->lesson->n_pages)
+            check_page(talk, builtin_lessons[i].name, turn_page(talk));
+        close_talk(talk);
     }
+    signals_forget();
+    signals_release();
+    Talk *talk = open_talk("mode5");
+    says(talk, "lesson late", "Why is mode 5 late? 1/");
+    says(talk, "more", "View probe");
+    says(talk, "more", "View profile");
+    says(talk, "more", "50 particles");
     says(talk, "T", "Keys go to: the parameters");
     says(talk, "goto 2", "The number: ");
     close_talk(talk);
+}
+END_TEST
+
+/* What a long page has no room for is told by `more`, once. */
+START_TEST(a_long_page_goes_on)
+{
+    char folder[64];
+    enter_folder(folder);
+    FILE *file = fopen("long.lesson", "w");
+    ck_assert_ptr_nonnull(file);
+    fprintf(file, "@title Long\n@page One\n@do open mode5\n");
+    for (int i = 1; i <= 12; i++)
+        fprintf(file, "line %d of it.\n\n", i);
+    fprintf(file, "@ask Which?\n@right this\n@choice that\n@page Two\n@do open mode5\nshort\n");
+    fclose(file);
+    Talk *talk = open_talk("mode5");
+    const char *said = line(talk, "lesson long.lesson");
+    ck_assert_msg(lines_of(said) == PAGE_LINES &&
+                      strstr(said, "line 7 of it.\nmore tells the rest, choices too.\n"),
+                  "%s", said);
+    said = line(talk, "more");
+    ck_assert_msg(strncmp(said, " line 8 of it.\n", 15) == 0 &&
+                      strstr(said, "line 12 of it.\n Which?\n  1 this\n  2 that\n"),
+                  "%s", said);
+    ck_assert_ptr_null(strstr(line(talk, "more"), "of it."));
+    line(talk, "b");
+    line(talk, "n");
+    ck_assert_ptr_null(strstr(line(talk, "more"), "of it."));
+    says(talk, "b", "line 7 of it. more tells the rest, choices too.");
+    says(talk, "n", "short");
+    ck_assert_ptr_null(strstr(line(talk, "more"), "of it."));
+    close_talk(talk);
+    leave_folder(folder);
 }
 END_TEST
 
@@ -584,7 +680,8 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, the_number_is_told_and_curves_wait);
     tcase_add_test(tcase, cracks_have_the_names_of_their_cuts);
     tcase_add_test(tcase, the_help_of_a_plate_is_of_plates);
-    tcase_add_test(tcase, a_page_is_short_and_more_tells_the_curves);
+    tcase_add_test(tcase, a_page_is_short_and_more_tells_the_rest);
+    tcase_add_test(tcase, a_long_page_goes_on);
     tcase_add_test(tcase, a_lesson_that_resumes_says_so);
     tcase_add_test(tcase, strange_lines_do_no_harm);
     tcase_add_test(tcase, rows_of_a_plate_are_told);
