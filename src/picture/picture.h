@@ -12,6 +12,7 @@ enum {
     PICTURE_NOTES_MAX = 16,
     PICTURE_LABELS_MAX = 48,
     PICTURE_ARROWS_MAX = 32,
+    PICTURE_ARROW_LINES = 4,
     PICTURE_TEXT_MAX = 384
 };
 
@@ -101,9 +102,12 @@ typedef struct PictureLabel {
 typedef struct PictureArrow {
     double from[2], to[2];
     Style style;
-    double place;                   /* of its words: the share of its way, where there is room */
-    char text[2][48], brief[2][32]; /* what goes, the first the one to be told if there is room for one */
-    char told[160];                 /* the whole as words have it */
+    int side; /* of `at`, on which its words stand: -1 left, 1 right; 0: on its way */
+    double at[2];
+    double place; /* of its words: the share of its way, where there is room */
+    char text[PICTURE_ARROW_LINES][48],
+        brief[PICTURE_ARROW_LINES][32]; /* what goes, first what is told if there is room for one */
+    char told[192];                     /* the whole as words have it */
 } PictureArrow;
 
 typedef enum ListKind {

@@ -2,6 +2,8 @@
 /* Room for the words of a drawing (places.h). */
 #include "picture/places.h"
 
+#include "base/text.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -93,7 +95,7 @@ static void write_label(Places *places, const Picture *picture, const PictureLab
 
 /* --- arrows ----------------------------------------------------------------------------------------- */
 
-/* One or two lines, in full or in brief, about a place of the arrow. */
+/* Some lines, in full or in brief, about a place of the arrow. */
 static bool write_on(Places *places, const Picture *picture, const PictureArrow *arrow, double share,
                      int lines, bool brief)
 {
@@ -101,7 +103,7 @@ static bool write_on(Places *places, const Picture *picture, const PictureArrow 
     const double y = arrow->from[1] + share * (arrow->to[1] - arrow->from[1]);
     const double middle = places_across(places, picture, x), half_row = places->whole ? 0 : places->row / 2;
     const double top = places_down(places, picture, y) - half_row - (lines - 1) * half_row;
-    double left[2], columns[2], low = INFINITY, high = -INFINITY;
+    double left[PICTURE_ARROW_LINES], columns[PICTURE_ARROW_LINES], low = INFINITY, high = -INFINITY;
     for (int i = 0; i < lines; i++) {
         columns[i] = places->columns(places, brief ? arrow->brief[i] : arrow->text[i]);
         left[i] = snapped(places, middle - (columns[i] - 1) / 2);
@@ -120,17 +122,32 @@ static bool write_on(Places *places, const Picture *picture, const PictureArrow 
 static void write_arrow(Places *places, const Picture *picture, const PictureArrow *arrow)
 {
     static const double away[] = {0, 0.1, -0.1, 0.2, -0.2, 0.3, -0.3};
-    static const struct {
-        int lines;
-        bool brief;
-    } forms[] = {{2, false}, {1, false}, {2, true}, {1, true}};
-    for (size_t form = arrow->text[1][0] ? 0 : 1; form < sizeof forms / sizeof *forms; form++)
-        for (size_t i = 0; i < sizeof away / sizeof *away && arrow->text[0][0]; i++) {
-            const double share = arrow->place + away[i];
-            if (share > 0.05 && share < 0.95 && (forms[form].lines == 1 || arrow->text[1][0]) &&
-                write_on(places, picture, arrow, share, forms[form].lines, forms[form].brief))
-                return;
-        }
+    int most = 0;
+    while (most < PICTURE_ARROW_LINES && arrow->text[most][0])
+        most++;
+    for (int brief = 0; brief <= 1; brief++)
+        for (int lines = most; lines > 0; lines--)
+            for (size_t i = 0; i < sizeof away / sizeof *away; i++) {
+                const double share = arrow->place + away[i];
+                if (share > 0.05 && share < 0.95 && write_on(places, picture, arrow, share, lines, brief))
+                    return;
+            }
+}
+
+/* Beside its thing, the first as a bare number: drawings of many arrows name in their heading what it is. */
+static void write_side_words(Places *places, const Picture *picture, bool below)
+{
+    for (int i = 0; i < picture->n_arrows; i++) {
+        const PictureArrow *arrow = &picture->arrows[i];
+        PictureLabel label = {
+            .x = arrow->at[0], .y = arrow->at[1], .side = arrow->side, .style = arrow->style};
+        if (arrow->side == 0)
+            continue;
+        snprintf(label.text, sizeof label.text, "%s", arrow->brief[0]);
+        for (int line = 1; line < PICTURE_ARROW_LINES && arrow->text[line][0]; line++)
+            text_append(label.text, sizeof label.text, "\n%s", arrow->text[line]);
+        write_label(places, picture, &label, below);
+    }
 }
 
 /* --- the whole -------------------------------------------------------------------------------------- */
@@ -157,8 +174,11 @@ void places_write(Places *places, const Picture *picture)
         take(places, x, y, x + size, y + size);
     }
     write_labels(places, picture, false, false);
+    write_side_words(places, picture, false);
     for (int i = 0; i < picture->n_arrows; i++)
-        write_arrow(places, picture, &picture->arrows[i]);
+        if (picture->arrows[i].side == 0)
+            write_arrow(places, picture, &picture->arrows[i]);
+    write_side_words(places, picture, true);
     write_labels(places, picture, false, true);
     write_labels(places, picture, true, false);
     write_labels(places, picture, true, true);

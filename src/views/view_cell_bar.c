@@ -4,19 +4,16 @@
  * not of the stage is faint. The terms are the method's own (Simulation.exchanges), written so that they add
  * up as they stand. */
 #include "panes/screen_runs.h"
-#include "panes/stage_flow.h"
-#include "picture/sum_column.h"
+#include "views/cell_terms.h"
 #include "views/inspector/inspector.h"
 #include "views/views.h"
-
-#include "base/math/functions.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { LINKS_MAX = 256, SHOWN_MAX = 8, TERMS_WIDTH = 10 };
+enum { SHOWN_MAX = 8 };
 
 /* Heights in the drawing: the bars of a node stand on the line of the grid, its numbers beside them. */
 #define ROWS       12.0
@@ -28,31 +25,13 @@ enum { LINKS_MAX = 256, SHOWN_MAX = 8, TERMS_WIDTH = 10 };
 
 /* --- what is there --------------------------------------------------------------------------------- */
 
-/* What a stage passes between the chosen one and its links, in one exchange. */
-typedef struct Flowing {
-    const Exchange *exchange;
-    double terms[LINKS_MAX], last[LINKS_MAX]; /* and the last factor of each, which is of the giver */
-    double sum;
-    Writing writing;
-} Flowing;
-
-enum { FLOWS_MAX = 2 };
-
 typedef struct Near {
     const Screen *screen;
     const Simulation *sim;
     int stage;
     bool done, running;
     bool wiped; /* the grid was put back in the last stage: what it held is drawn as it was */
-    int set;    /* of the chosen one: 0 a particle, 1 a node */
-    size_t index;
-    Link links[LINKS_MAX];
-    size_t n_links;
-    size_t order[LINKS_MAX]; /* of links: the first ones are drawn */
-    size_t shown;
-    Flowing flows[FLOWS_MAX];
-    int n_flows;
-    bool to_nodes;
+    CellTerms terms;
     bool masses; /* where the mass of the chosen node sits, not what the stage passes */
     bool has_row;
     MassRow row; /* of the mass matrix */
@@ -78,79 +57,25 @@ static double place_of(const Near *near, int set, size_t index)
 
 static bool is_link(const Near *near, int set, size_t index)
 {
-    for (size_t i = 0; i < near->n_links && set != near->set; i++)
-        if (near->links[i].index == index)
+    for (size_t i = 0; i < near->terms.n_links && set != near->terms.set; i++)
+        if (near->terms.links[i].index == index)
             return true;
-    return set == near->set && index == near->index;
-}
-
-/* The terms of one exchange; false: nothing passes in it now. */
-static bool take_flow(const Near *near, int exchange, Flowing *flow)
-{
-    const Simulation *sim = near->sim;
-    *flow = (Flowing){.exchange = &sim->exchanges[exchange]};
-    const bool takes = flow->exchange->to == near->set;
-    bool any = false;
-    for (size_t i = 0; i < near->n_links; i++) {
-        double factors[EXCHANGE_FACTORS_MAX];
-        const size_t other = near->links[i].index;
-        const int count = sim->method->exchange(sim, exchange, takes ? other : near->index,
-                                                takes ? near->index : other, factors);
-        flow->terms[i] = count > 0;
-        for (int f = 0; f < count; f++)
-            flow->terms[i] *= factors[f];
-        flow->last[i] = count > 0 ? factors[count - 1] : 0;
-        flow->sum += flow->terms[i];
-        any |= count > 0;
-    }
-    flow->writing = writing_of(flow->terms, near->n_links, 0, flow->sum, TERMS_WIDTH);
-    return any;
-}
-
-/* The exchange with most factors comes first: mass with velocity before mass alone. */
-static void take_flows(Near *near)
-{
-    const Simulation *sim = near->sim;
-    for (int e = 0; e < sim->n_exchanges && near->done && near->n_flows < FLOWS_MAX; e++) {
-        Flowing flow;
-        if (strcmp(sim->exchanges[e].stage, sim->stages[near->stage].id) != 0 || !take_flow(near, e, &flow))
-            continue;
-        const bool longer =
-            near->n_flows > 0 && strlen(flow.exchange->ascii) > strlen(near->flows[0].exchange->ascii);
-        if (longer)
-            near->flows[near->n_flows] = near->flows[0];
-        near->flows[longer ? 0 : near->n_flows] = flow;
-        near->n_flows++;
-        near->to_nodes = flow.exchange->to == 1;
-    }
-}
-
-/* The links that pass most come first. */
-static void order_links(Near *near)
-{
-    for (size_t i = 0; i < near->n_links; i++) {
-        const double *terms = near->n_flows > 0 ? near->flows[0].terms : NULL;
-        size_t at = i;
-        for (; at > 0 && terms && fabs(terms[near->order[at - 1]]) < fabs(terms[i]); at--)
-            near->order[at] = near->order[at - 1];
-        near->order[at] = i;
-    }
-    near->shown = near->n_links <= SHOWN_MAX ? near->n_links : SHOWN_MAX - 1;
+    return set == near->terms.set && index == near->terms.index;
 }
 
 /* From beyond the first to beyond the last link, two or three cells of a hat. */
 static void find_sides(Near *near)
 {
     const size_t nodes = near->sim->counts[1], middle = nodes / 2;
-    const double own = place_of(near, near->set, near->index);
+    const double own = place_of(near, near->terms.set, near->terms.index);
     near->spacing = node_at(near, middle) - node_at(near, middle - 1);
     near->low = near->high = own;
-    for (size_t i = 0; i < near->n_links; i++) {
-        const double at = place_of(near, 1 - near->set, near->links[i].index);
+    for (size_t i = 0; i < near->terms.n_links; i++) {
+        const double at = place_of(near, 1 - near->terms.set, near->terms.links[i].index);
         near->low = fmin(near->low, at);
         near->high = fmax(near->high, at);
     }
-    if (near->set == 1) {
+    if (near->terms.set == 1) {
         near->low = fmin(near->low, own - near->spacing);
         near->high = fmax(near->high, own + near->spacing);
     }
@@ -161,8 +86,8 @@ static void find_sides(Near *near)
             near->high = fmax(near->high, at);
         }
     /* numbers of a node stand at its right */
-    near->low -= (near->set == 1 ? 0.2 : 0.7) * near->spacing;
-    near->high += (near->set == 1 ? 0.6 : 0.8) * near->spacing;
+    near->low -= (near->terms.set == 1 ? 0.2 : 0.7) * near->spacing;
+    near->high += (near->terms.set == 1 ? 0.6 : 0.8) * near->spacing;
 }
 
 /* A field of all nodes as it is, or was before the grid was put back. */
@@ -184,42 +109,41 @@ static double take_nodes(const Near *near, const char *name, double *values)
  */
 static void take_masses(Near *near)
 {
-    if (near->set == 0) {
+    if (near->terms.set == 0) {
         size_t most = 0;
-        for (size_t i = 1; i < near->n_links; i++)
-            most = near->links[i].weight > near->links[most].weight ? i : most;
-        if (near->n_links == 0)
+        for (size_t i = 1; i < near->terms.n_links; i++)
+            most = near->terms.links[i].weight > near->terms.links[most].weight ? i : most;
+        if (near->terms.n_links == 0)
             return;
-        near->set = 1;
-        near->index = near->links[most].index;
-        near->n_links = near->sim->method->links(near->sim, 1, near->index, near->links, LINKS_MAX);
+        near->terms.set = 1;
+        near->terms.index = near->terms.links[most].index;
+        cell_terms_find(&near->terms, NULL, SHOWN_MAX);
     }
-    const double own = simulation_value(near->sim, simulation_find_field(near->sim, 1, "mass"), near->index);
+    const double own =
+        simulation_value(near->sim, simulation_find_field(near->sim, 1, "mass"), near->terms.index);
     near->has_row = near->done && !near->wiped && own > 0;
-    if (near->has_row && !inspector_mass_row(near->sim, 1, near->index, &near->row))
-        near->row = (MassRow){near->index, 1, {own}};
+    if (near->has_row && !inspector_mass_row(near->sim, 1, near->terms.index, &near->row))
+        near->row = (MassRow){near->terms.index, 1, {own}};
 }
 
 /* False: no memory. */
 static bool look_near(Near *near, const Screen *screen, bool masses)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
-    *near = (Near){.screen = screen, .sim = sim, .set = screen->chosen.is_node, .masses = masses};
-    const size_t chosen = near->set ? screen->chosen.node : screen->chosen.particle,
-                 count = sim->counts[near->set];
-    near->index = chosen < count ? chosen : count - 1;
+    *near = (Near){
+        .screen = screen, .sim = sim, .terms = {.sim = sim, .set = screen->chosen.is_node}, .masses = masses};
+    const size_t chosen = near->terms.set ? screen->chosen.node : screen->chosen.particle,
+                 count = sim->counts[near->terms.set];
+    near->terms.index = chosen < count ? chosen : count - 1;
     near->stage = screen_box_stage(screen, &near->done);
     near->running = screen->playback.state == STATE_RUNNING;
     near->done &= !near->running;
     near->wiped = near->done && experiment_stage(screen->experiment) == 0;
-    near->n_links = sim->method->links(sim, near->set, near->index, near->links, LINKS_MAX);
+    cell_terms_find(&near->terms, near->done && !masses ? &sim->stages[near->stage] : NULL, SHOWN_MAX);
     if (masses)
         take_masses(near);
-    else
-        take_flows(near);
-    if (near->set == 1 && near->n_flows == 0 && !masses && near->done && !near->wiped)
-        near->has_row = inspector_mass_row(sim, 1, near->index, &near->row);
-    order_links(near);
+    if (near->terms.set == 1 && near->terms.n_flows == 0 && !masses && near->done && !near->wiped)
+        near->has_row = inspector_mass_row(sim, 1, near->terms.index, &near->row);
     find_sides(near);
     near->node_masses = calloc(2 * sim->counts[1] + 1, sizeof *near->node_masses);
     if (!near->node_masses)
@@ -243,14 +167,6 @@ static double bars_height(const Near *near)
 
 /* --- numbers --------------------------------------------------------------------------------------- */
 
-/* A term as it stands in a sum of such a writing. */
-static void write_term(double value, Writing writing, char out[NUMBER_TEXT_MAX])
-{
-    const int first = value != 0 ? (int)floor(math_log10(fabs(value))) : 0;
-    const int digits = first - (writing.exponent - writing.decimals) + 1;
-    text_rounded(out, digits > 0 ? value : 0, digits > 1 ? digits : 1);
-}
-
 /* Whether a stage names a field among those that it writes, or reads. */
 static bool names(const char *words, const char *name)
 {
@@ -264,26 +180,6 @@ static bool names(const char *words, const char *name)
 static bool writes(const Near *near, const char *name)
 {
     return near->done && !near->wiped && names(near->sim->stages[near->stage].writes, name);
-}
-
-/* "p 0.035", or with what it was before the stage "p 0.0012→0". */
-static void add_value(const Near *near, int set, size_t index, const char *name, const char *label,
-                      bool change, char *out, size_t size)
-{
-    char number[NUMBER_TEXT_MAX];
-    const int field = simulation_find_field(near->sim, set, name);
-    double before;
-    if (field < 0)
-        return;
-    const double now = simulation_value(near->sim, field, index);
-    text_append(out, size, "\n%s ", label);
-    if (change && experiment_field_before(near->screen->experiment, field, index, 1, &before) &&
-        before != now) {
-        text_fitted(before, 5, 10, number);
-        text_append(out, size, "%s→", number);
-    }
-    text_fitted(now, 5, 10, number);
-    text_append(out, size, "%s", number);
 }
 
 /* --- nodes ----------------------------------------------------------------------------------------- */
@@ -307,7 +203,7 @@ static double sum_of_row(const Near *near)
 
 static Writing writing_of_row(const Near *near)
 {
-    return writing_of(near->row.masses, near->row.count, 0, sum_of_row(near), TERMS_WIDTH);
+    return writing_of(near->row.masses, near->row.count, 0, sum_of_row(near), CELL_TERM_WIDTH);
 }
 
 /* The last factor of an exchange: what the giver has. */
@@ -320,30 +216,32 @@ static const char *last_word(const char *words)
 /* What a node has to do with the stage: what the stage writes of it or what it gives in it. */
 static void node_numbers(const Near *near, size_t node, char *out, size_t size)
 {
-    const bool made = near->n_flows > 0; /* anew, by terms that are seen */
+    const bool made = near->terms.n_flows > 0; /* anew, by terms that are seen */
     const bool in_row = is_in_row(near, node);
     if (in_row) {
         char number[NUMBER_TEXT_MAX];
-        write_term(near->row.masses[node - near->row.first], writing_of_row(near), number);
+        cell_term_write(near->row.masses[node - near->row.first], writing_of_row(near), number);
         text_append(out, size, "\nM %s", number);
     }
     if (in_row && !near->masses)
-        add_value(near, 1, node, "velocity", "v", false, out, size);
-    if (near->masses || (in_row && node != near->index))
+        cell_value_add(near->screen, 1, node, "velocity", "v", false, out, size);
+    if (near->masses || (in_row && node != near->terms.index))
         return;
     for (size_t k = 0; k < sizeof node_values / sizeof *node_values; k++)
         if (writes(near, node_values[k].field))
-            add_value(near, 1, node, node_values[k].field, node_values[k].label, !made, out, size);
-    for (int f = 0; f < near->n_flows && !near->to_nodes; f++) {
-        const char *factor = last_word(near->flows[f].exchange->factors);
-        if (f > 0 && strcmp(factor, last_word(near->flows[0].exchange->factors)) == 0)
+            cell_value_add(near->screen, 1, node, node_values[k].field, node_values[k].label, !made, out,
+                           size);
+    for (int f = 0; f < near->terms.n_flows && !near->terms.to_nodes; f++) {
+        const char *factor = last_word(near->terms.flows[f].exchange->factors);
+        if (f > 0 && strcmp(factor, last_word(near->terms.flows[0].exchange->factors)) == 0)
             continue; /* the same velocity moves it */
-        for (size_t i = 0; i < near->n_links; i++) {
-            const bool given = near->set ? node == near->index : near->links[i].index == node;
+        for (size_t i = 0; i < near->terms.n_links; i++) {
+            const bool given =
+                near->terms.set ? node == near->terms.index : near->terms.links[i].index == node;
             char number[NUMBER_TEXT_MAX];
-            if (!given || (near->set && i > 0))
+            if (!given || (near->terms.set && i > 0))
                 continue;
-            text_fitted(near->flows[f].last[i], 5, 10, number);
+            text_fitted(near->terms.flows[f].last[i], 5, 10, number);
             text_append(out, size, "\n%s %s", factor, number);
         }
     }
@@ -423,7 +321,7 @@ static void add_support(const Near *near, Picture *picture, size_t node)
 static void add_node(const Near *near, Picture *picture, size_t node, double most)
 {
     const double x = node_at(near, node);
-    const bool own = near->set == 1 && node == near->index, linked = is_link(near, 1, node);
+    const bool own = near->terms.set == 1 && node == near->terms.index, linked = is_link(near, 1, node);
     const bool there = experiment_stage(near->screen->experiment) > 0;
     PictureLabel label = {.x = x,
                           .y = NUMBER_ROW,
@@ -463,7 +361,8 @@ static void add_node(const Near *near, Picture *picture, size_t node, double mos
 
 static void add_particle(const Near *near, Picture *picture, size_t particle)
 {
-    const bool own = near->set == 0 && particle == near->index, linked = is_link(near, 0, particle);
+    const bool own = near->terms.set == 0 && particle == near->terms.index,
+               linked = is_link(near, 0, particle);
     const double x = particle_at(near, particle);
     PictureLabel label = {.x = x,
                           .y = DOTS_ROW,
@@ -475,21 +374,21 @@ static void add_particle(const Near *near, Picture *picture, size_t particle)
                           .thing = "particle"};
     picture_add_mark(picture, (PictureMark){.x = x,
                                             .y = DOTS_ROW,
-                                            .glyph = own || (linked && near->set) ? 0x25cf : 0x25cb,
+                                            .glyph = own || (linked && near->terms.set) ? 0x25cf : 0x25cb,
                                             .style = own      ? STYLE_CHANGED
                                                      : linked ? STYLE_MEASURED
                                                               : STYLE_FAINT,
                                             .is_target = true,
                                             .index = particle});
     snprintf(label.text, sizeof label.text, "%zu", particle);
-    if (own && (near->to_nodes || near->n_flows == 0))
-        add_value(near, 0, particle, "x", "x", false, label.text, sizeof label.text);
-    for (int f = 0; f < near->n_flows && own && !near->to_nodes; f++) {
-        const char *field = near->flows[f].exchange->field;
+    if (own && (near->terms.to_nodes || near->terms.n_flows == 0))
+        cell_value_add(near->screen, 0, particle, "x", "x", false, label.text, sizeof label.text);
+    for (int f = 0; f < near->terms.n_flows && own && !near->terms.to_nodes; f++) {
+        const char *field = near->terms.flows[f].exchange->field;
         const int at = simulation_find_field(near->sim, 0, field);
         if (at >= 0)
-            add_value(near, 0, particle, field, near->sim->fields[at].quantity.label, true, label.text,
-                      sizeof label.text);
+            cell_value_add(near->screen, 0, particle, field, near->sim->fields[at].quantity.label, true,
+                           label.text, sizeof label.text);
     }
     picture_label(picture, &label);
 }
@@ -498,26 +397,18 @@ static void add_particle(const Near *near, Picture *picture, size_t particle)
 
 static void add_arrow(const Near *near, Picture *picture, size_t link)
 {
-    const size_t other = near->links[link].index;
-    const size_t particle = near->set ? other : near->index, node = near->set ? near->index : other;
+    const size_t other = near->terms.links[link].index;
+    const size_t particle = near->terms.set ? other : near->terms.index,
+                 node = near->terms.set ? near->terms.index : other;
     const double below = particle_at(near, particle), above = node_at(near, node);
     const double aside = below < above ? -0.03 : 0.03;
     PictureArrow arrow = {.style = STYLE_CHANGED};
     const double ends[2][2] = {{below, LOWER_END}, {above + aside * near->spacing, UPPER_END}};
-    memcpy(arrow.from, ends[!near->to_nodes], sizeof arrow.from);
-    memcpy(arrow.to, ends[near->to_nodes], sizeof arrow.to);
+    memcpy(arrow.from, ends[!near->terms.to_nodes], sizeof arrow.from);
+    memcpy(arrow.to, ends[near->terms.to_nodes], sizeof arrow.to);
     /* nearer to the other end, where arrows are apart */
-    arrow.place = (near->set == 0) == near->to_nodes ? 0.62 : 0.38;
-    snprintf(arrow.told, sizeof arrow.told, "%s %zu gives to %s %zu", near->to_nodes ? "particle" : "node",
-             near->to_nodes ? particle : node, near->to_nodes ? "node" : "particle",
-             near->to_nodes ? node : particle);
-    for (int f = 0; f < near->n_flows; f++) {
-        const Flowing *flow = &near->flows[f];
-        write_term(flow->terms[link], flow->writing, arrow.brief[f]);
-        snprintf(arrow.text[f], sizeof arrow.text[f], "%s %.20s", flow->exchange->factors, arrow.brief[f]);
-        text_append(arrow.told, sizeof arrow.told, "%s %s = %.20s", f ? " and" : "", flow->exchange->ascii,
-                    arrow.brief[f]);
-    }
+    arrow.place = (near->terms.set == 0) == near->terms.to_nodes ? 0.62 : 0.38;
+    cell_terms_arrow(&near->terms, link, &arrow);
     picture_arrow(picture, &arrow);
 }
 
@@ -528,21 +419,22 @@ static void add_row(const Near *near, Picture *picture)
     double terms[2 * MASSES_BESIDE_MAX + 1], sum = 0;
     for (size_t k = 0; k < near->row.count; k++)
         sum += terms[k] = near->row.masses[k] * simulation_value(near->sim, velocity, near->row.first + k);
-    const Writing writing = writing_of(terms, near->row.count, 0, sum, TERMS_WIDTH);
+    const Writing writing = writing_of(terms, near->row.count, 0, sum, CELL_TERM_WIDTH);
     for (size_t k = 0; k < near->row.count; k++) {
         const size_t node = near->row.first + k;
-        const double x = node_at(near, node), own = node_at(near, near->index);
-        const double apart = node > near->index ? (double)(node - near->index) : (double)(near->index - node);
-        const double y = UPPER_END - 1.2 * apart, aside = node < near->index ? -0.06 : 0.06;
+        const double x = node_at(near, node), own = node_at(near, near->terms.index);
+        const double apart = node > near->terms.index ? (double)(node - near->terms.index)
+                                                      : (double)(near->terms.index - node);
+        const double y = UPPER_END - 1.2 * apart, aside = node < near->terms.index ? -0.06 : 0.06;
         PictureArrow arrow = {
             .style = STYLE_CHANGED,
             .from = {x, apart > 0 ? y : LOWER_END},
             .to = {apart > 0 ? own + aside * near->spacing : own, apart > 0 ? y : UPPER_END},
             .place = apart > 0 ? 0.4 : 0.5};
-        write_term(terms[k], writing, arrow.brief[0]);
+        cell_term_write(terms[k], writing, arrow.brief[0]);
         snprintf(arrow.text[0], sizeof arrow.text[0], "M v %.20s", arrow.brief[0]);
         snprintf(arrow.told, sizeof arrow.told, "node %zu brings M v = %.20s into node %zu", node,
-                 arrow.brief[0], near->index);
+                 arrow.brief[0], near->terms.index);
         picture_arrow(picture, &arrow);
     }
 }
@@ -550,11 +442,11 @@ static void add_row(const Near *near, Picture *picture)
 /* "0.1875 + 0.625 + 0.1875 = 1" */
 static void tell_row(const Near *near, Picture *picture)
 {
-    PictureLabel label = {.x = node_at(near, near->index), .y = 3.2, .style = STYLE_CHANGED};
+    PictureLabel label = {.x = node_at(near, near->terms.index), .y = 3.2, .style = STYLE_CHANGED};
     char number[NUMBER_TEXT_MAX], line[sizeof label.text - 24] = "";
     const Writing writing = writing_of_row(near);
     for (size_t k = 0; k < near->row.count; k++) {
-        write_term(near->row.masses[k], writing, number);
+        cell_term_write(near->row.masses[k], writing, number);
         text_append(line, sizeof line, "%s%s", k ? " + " : "", number);
     }
     text_fitted(sum_of_row(near), 5, 10, number);
@@ -568,20 +460,13 @@ static void tell_row(const Near *near, Picture *picture)
 /* The weaker ones as one number. */
 static void tell_rest(const Near *near, Picture *picture)
 {
-    char text[160] = "";
-    for (int f = 0; f < near->n_flows && near->shown < near->n_links; f++) {
-        char number[NUMBER_TEXT_MAX];
-        double rest = 0;
-        for (size_t i = near->shown; i < near->n_links; i++)
-            rest += near->flows[f].terms[near->order[i]];
-        write_term(rest, near->flows[f].writing, number);
-        text_append(text, sizeof text, "%s%s %s", f ? ", " : "", near->flows[f].exchange->factors, number);
-    }
+    char text[sizeof(PictureLabel){0}.text];
+    cell_terms_rest(&near->terms, text, sizeof text);
     if (!text[0])
         return;
     PictureLabel label = {
         .x = near->low, .y = (UPPER_END + LOWER_END) / 2, .side = 1, .style = STYLE_CHANGED};
-    snprintf(label.text, sizeof label.text, "%zu more: %.80s", near->n_links - near->shown, text);
+    snprintf(label.text, sizeof label.text, "%s", text);
     picture_label(picture, &label);
 }
 
@@ -590,7 +475,7 @@ static void tell_rest(const Near *near, Picture *picture)
 static void name_of(const Near *near, char out[PICTURE_TEXT_MAX])
 {
     const Simulation *sim = near->sim;
-    snprintf(out, PICTURE_TEXT_MAX, "%s %zu", sim->sets[near->set].name, near->index);
+    snprintf(out, PICTURE_TEXT_MAX, "%s %zu", sim->sets[near->terms.set].name, near->terms.index);
     if (near->masses)
         text_append(out, PICTURE_TEXT_MAX,
                     near->has_row ? ", its row of the mass matrix M" : ": masses are mapped in stage 1");
@@ -625,7 +510,7 @@ static void add_sums(const Near *near, Picture *picture)
     add_spare(picture, text);
     if (!near->done || !sim->method->explain)
         return;
-    sim->method->explain(sim, near->stage, near->set, near->index,
+    sim->method->explain(sim, near->stage, near->terms.set, near->terms.index,
                          experiment_before(near->screen->experiment), picture->columns / 16, sums,
                          sizeof sums);
     int lines = 0;
@@ -652,19 +537,20 @@ static void describe_near(const Near *near, Picture *picture)
     picture_line(picture, near->low, grid_row(near), near->high, grid_row(near), LINE_SOLID, STYLE_FRAME,
                  '-');
     /* the chosen one first: where there is little room it is named */
-    (near->set ? add_node(near, picture, near->index, most) : add_particle(near, picture, near->index));
+    (near->terms.set ? add_node(near, picture, near->terms.index, most)
+                     : add_particle(near, picture, near->terms.index));
     for (int linked = 1; linked >= 0; linked--) {
         for (size_t i = 0; i < sim->counts[1]; i++)
-            if (is_link(near, 1, i) == linked && !(near->set == 1 && i == near->index) &&
+            if (is_link(near, 1, i) == linked && !(near->terms.set == 1 && i == near->terms.index) &&
                 simulation_value(sim, x, i) > near->low && simulation_value(sim, x, i) < near->high)
                 add_node(near, picture, i, most);
         for (size_t i = 0; i < sim->counts[0]; i++)
-            if (is_link(near, 0, i) == linked && !(near->set == 0 && i == near->index) &&
+            if (is_link(near, 0, i) == linked && !(near->terms.set == 0 && i == near->terms.index) &&
                 particle_at(near, i) > near->low && particle_at(near, i) < near->high)
                 add_particle(near, picture, i);
     }
-    for (size_t i = 0; i < near->shown && near->n_flows > 0; i++)
-        add_arrow(near, picture, near->order[i]);
+    for (size_t i = 0; i < near->terms.shown && near->terms.n_flows > 0; i++)
+        add_arrow(near, picture, near->terms.order[i]);
     tell_rest(near, picture);
     if (near->has_row && near->masses)
         tell_row(near, picture);

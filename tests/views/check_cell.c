@@ -341,6 +341,83 @@ START_TEST(shares_in_the_plane_add_up)
 }
 END_TEST
 
+/* In the plane an arrow has the product of the factors that the method gives for the pair, in every exchange
+ * of the stage, the strongest first; with the rest they add up to all that passes. */
+START_TEST(terms_in_the_plane_are_the_methods)
+{
+    static const struct {
+        const char *words;
+        int flows;
+    } cases[] = {{"supported-beam-mpm-coarse 80x24 100 stage 1 upper cell", 3},
+                 {"supported-beam-mpm-coarse 80x24 100 stage 3 upper cell", 3},
+                 {"supported-beam-mpm-coarse 80x24 100 stage 4 upper cell", 2},
+                 {"supported-beam-mpm-coarse 80x24 100 stage 6 upper cell mpm.algorithm=musl", 4},
+                 {"moving-cantilever-mpm 80x24 10 stage 3 upper cell particle 1575", 3}};
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        Drawing drawing;
+        open_drawing(&drawing, cases[k].words);
+        const Simulation *sim = drawing.sim;
+        const Picture *picture = &drawing.picture;
+        const size_t particle = drawing.screen->chosen.particle;
+        char *dump = canvas_dump(&drawing.scene.canvas);
+        Link links[32];
+        const size_t n_links = sim->method->links(sim, 0, particle, links, 32);
+        int flows = 0;
+        ck_assert_int_eq(picture->n_arrows, (int)n_links);
+        for (int e = 0; e < sim->n_exchanges; e++) {
+            const Exchange *exchange = &sim->exchanges[e];
+            if (strcmp(exchange->stage, sim->stages[sim->stage - 1].id) != 0)
+                continue;
+            double terms[32], whole = 0, size = 0, sum = 0, before = INFINITY;
+            flows++;
+            for (size_t i = 0; i < n_links; i++) {
+                double factors[EXCHANGE_FACTORS_MAX];
+                const bool gives = exchange->from == 0;
+                const int count = sim->method->exchange(sim, e, gives ? particle : links[i].index,
+                                                        gives ? links[i].index : particle, factors);
+                ck_assert_int_gt(count, 0);
+                terms[i] = 1;
+                for (int f = 0; f < count; f++)
+                    terms[i] *= factors[f];
+                whole += terms[i];
+                size = fmax(size, fabs(terms[i]));
+            }
+            for (int a = 0; a < picture->n_arrows; a++) {
+                const PictureArrow *arrow = &picture->arrows[a];
+                size_t i = 0;
+                const char *node = strstr(arrow->told, "node ");
+                while (node && i + 1 < n_links && links[i].index != strtoul(node + 5, NULL, 10))
+                    i++;
+                for (int f = 0; passes(arrow) && f < PICTURE_ARROW_LINES; f++) {
+                    const size_t length = strlen(exchange->factors);
+                    if (strncmp(arrow->text[f], exchange->factors, length) != 0 ||
+                        arrow->text[f][length] != ' ')
+                        continue;
+                    const double term = strtod(arrow->brief[f], NULL);
+                    ck_assert_msg(fabs(term - terms[i]) <= 1e-4 * size, "%s: %s is not %g", cases[k].words,
+                                  arrow->text[f], terms[i]);
+                    ck_assert(f > 0 || fabs(term) <= before + 1e-4 * size);
+                    before = f > 0 ? before : fabs(term);
+                    sum += term;
+                    ck_assert_msg(f > 0 || a > 0 || strstr(dump, arrow->brief[0]), "%s is not in\n%s",
+                                  arrow->brief[0], dump);
+                }
+            }
+            for (int i = 0; i < picture->n_labels; i++) {
+                const char *more = strstr(picture->labels[i].text, " more: ");
+                more = more ? strstr(more, exchange->factors) : NULL;
+                sum += more ? strtod(more + strlen(exchange->factors), NULL) : 0;
+            }
+            ck_assert_msg(fabs(sum - whole) <= 2e-4 * size, "%s, %s: %g is not %g", cases[k].words,
+                          exchange->factors, sum, whole);
+        }
+        ck_assert_int_eq(flows, cases[k].flows);
+        free(dump);
+        close_drawing(&drawing);
+    }
+}
+END_TEST
+
 START_TEST(mouse_chooses_what_is_drawn)
 {
     Drawing drawing;
@@ -373,6 +450,7 @@ void add_cases(Suite *suite)
     tcase_add_test(cases, paper_has_the_terms);
     tcase_add_test(cases, bonds_are_those_of_the_box);
     tcase_add_test(cases, shares_in_the_plane_add_up);
+    tcase_add_test(cases, terms_in_the_plane_are_the_methods);
     tcase_add_test(cases, mouse_chooses_what_is_drawn);
     suite_add_tcase(suite, cases);
 }

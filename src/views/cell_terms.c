@@ -1,0 +1,137 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The terms of a stage on the arrows of a cell (cell_terms.h). */
+#include "views/cell_terms.h"
+
+#include "base/math/functions.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* The terms of one exchange; false: nothing passes in it now. */
+static bool take_flow(const CellTerms *terms, int exchange, Flowing *flow)
+{
+    const Simulation *sim = terms->sim;
+    *flow = (Flowing){.exchange = &sim->exchanges[exchange]};
+    const bool takes = flow->exchange->to == terms->set;
+    bool any = false;
+    for (size_t i = 0; i < terms->n_links; i++) {
+        double factors[EXCHANGE_FACTORS_MAX];
+        const size_t other = terms->links[i].index;
+        const int count = sim->method->exchange(sim, exchange, takes ? other : terms->index,
+                                                takes ? terms->index : other, factors);
+        flow->terms[i] = count > 0;
+        for (int f = 0; f < count; f++)
+            flow->terms[i] *= factors[f];
+        flow->last[i] = count > 0 ? factors[count - 1] : 0;
+        flow->sum += flow->terms[i];
+        any |= count > 0;
+    }
+    flow->writing = writing_of(flow->terms, terms->n_links, 0, flow->sum, CELL_TERM_WIDTH);
+    return any;
+}
+
+static bool is_before(const CellTerms *terms, const Flowing *flow, const Flowing *other)
+{
+    const Simulation *sim = terms->sim;
+    const Exchange *both[2] = {flow->exchange, other->exchange};
+    const char *units[2] = {"", ""};
+    double strength[2] = {0, 0};
+    for (int k = 0; k < 2; k++) {
+        const int field = simulation_find_field(sim, both[k]->to, both[k]->field);
+        units[k] = field >= 0 ? sim->fields[field].quantity.unit : "";
+        for (size_t i = 0; i < terms->n_links; i++)
+            strength[k] = fmax(strength[k], fabs((k ? other : flow)->terms[i]));
+    }
+    return strcmp(units[0], units[1]) == 0 ? strength[0] > strength[1]
+                                           : strlen(both[0]->ascii) > strlen(both[1]->ascii);
+}
+
+static void take_flows(CellTerms *terms, const char *stage)
+{
+    const Simulation *sim = terms->sim;
+    for (int e = 0; e < sim->n_exchanges && terms->n_flows < PICTURE_ARROW_LINES; e++) {
+        Flowing flow;
+        if (strcmp(sim->exchanges[e].stage, stage) != 0 || !take_flow(terms, e, &flow))
+            continue;
+        int at = terms->n_flows++;
+        for (; at > 0 && is_before(terms, &flow, &terms->flows[at - 1]); at--)
+            terms->flows[at] = terms->flows[at - 1];
+        terms->flows[at] = flow;
+        terms->to_nodes = flow.exchange->to == 1;
+    }
+}
+
+void cell_terms_find(CellTerms *terms, const Stage *stage, size_t most)
+{
+    const size_t count =
+        terms->sim->method->links(terms->sim, terms->set, terms->index, terms->links, CELL_LINKS_MAX);
+    terms->n_links = count < CELL_LINKS_MAX ? count : CELL_LINKS_MAX;
+    if (stage)
+        take_flows(terms, stage->id);
+    for (size_t i = 0; i < terms->n_links; i++) {
+        const double *by = terms->n_flows > 0 ? terms->flows[0].terms : NULL;
+        size_t at = i;
+        for (; at > 0 && by && fabs(by[terms->order[at - 1]]) < fabs(by[i]); at--)
+            terms->order[at] = terms->order[at - 1];
+        terms->order[at] = i;
+    }
+    terms->shown = terms->n_links <= most ? terms->n_links : most - 1;
+}
+
+void cell_term_write(double value, Writing writing, char out[NUMBER_TEXT_MAX])
+{
+    const int first = value != 0 ? (int)floor(math_log10(fabs(value))) : 0;
+    const int digits = first - (writing.exponent - writing.decimals) + 1;
+    text_rounded(out, digits > 0 ? value : 0, digits > 1 ? digits : 1);
+}
+
+void cell_terms_arrow(const CellTerms *terms, size_t link, PictureArrow *arrow)
+{
+    const size_t other = terms->links[link].index;
+    const size_t particle = terms->set ? other : terms->index, node = terms->set ? terms->index : other;
+    snprintf(arrow->told, sizeof arrow->told, "%s %zu gives to %s %zu", terms->to_nodes ? "particle" : "node",
+             terms->to_nodes ? particle : node, terms->to_nodes ? "node" : "particle",
+             terms->to_nodes ? node : particle);
+    for (int f = 0; f < terms->n_flows; f++) {
+        const Flowing *flow = &terms->flows[f];
+        cell_term_write(flow->terms[link], flow->writing, arrow->brief[f]);
+        snprintf(arrow->text[f], sizeof arrow->text[f], "%s %.20s", flow->exchange->factors, arrow->brief[f]);
+        text_append(arrow->told, sizeof arrow->told, "%s %s = %.20s", f ? " and" : "", flow->exchange->ascii,
+                    arrow->brief[f]);
+    }
+}
+
+void cell_terms_rest(const CellTerms *terms, char *out, size_t size)
+{
+    out[0] = '\0';
+    for (int f = 0; f < terms->n_flows && terms->shown < terms->n_links; f++) {
+        char number[NUMBER_TEXT_MAX];
+        double rest = 0;
+        for (size_t i = terms->shown; i < terms->n_links; i++)
+            rest += terms->flows[f].terms[terms->order[i]];
+        cell_term_write(rest, terms->flows[f].writing, number);
+        if (f == 0)
+            text_append(out, size, "%zu more: ", terms->n_links - terms->shown);
+        text_append(out, size, "%s%s %s", f ? ", " : "", terms->flows[f].exchange->factors, number);
+    }
+}
+
+void cell_value_add(const Screen *screen, int set, size_t index, const char *name, const char *label,
+                    bool change, char *out, size_t size)
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    char number[NUMBER_TEXT_MAX];
+    const int field = simulation_find_field(sim, set, name);
+    double before;
+    if (field < 0)
+        return;
+    const double now = simulation_value(sim, field, index);
+    text_append(out, size, "\n%s ", label);
+    if (change && experiment_field_before(screen->experiment, field, index, 1, &before) && before != now) {
+        text_fitted(before, 5, 10, number);
+        text_append(out, size, "%s→", number);
+    }
+    text_fitted(now, 5, 10, number);
+    text_append(out, size, "%s", number);
+}
