@@ -24,6 +24,7 @@ _Static_assert(OVERTONES_MAX + 1 <= BAR_MODES_MAX, "the theory has room for ever
 
 bool bar_theory_of(const Settings *settings, BarTheory *theory, Status *status)
 {
+    static const double to_left[] = {[PULSE_RIGHT] = 0, [PULSE_LEFT] = 1, [PULSE_BOTH] = 0.5};
     const BarSupports ends = settings_supports(settings)->ends;
     *theory = (BarTheory){
         .length = settings_geometry(settings)->length,
@@ -41,7 +42,7 @@ bool bar_theory_of(const Settings *settings, BarTheory *theory, Status *status)
         theory->pulse.centre = pulse.centre;
         theory->pulse.width = pulse.width;
         theory->pulse.velocity = pulse.velocity;
-        theory->pulse.to_left = (int)settings_start(settings)->pulse_way / 2.0;
+        theory->pulse.to_left = to_left[settings_start(settings)->pulse_way];
         theory->joint = settings_joint(settings)->place;
         theory->joint_modulus = settings_joint(settings)->beyond.youngs_modulus;
         theory->joint_density = settings_joint(settings)->beyond.density;

@@ -687,6 +687,31 @@ START_TEST(an_echo_is_told_while_it_is_in_one_piece)
 }
 END_TEST
 
+/* A wave to the right is pressed where it moves, one to the left is drawn, and a hit is neither. */
+START_TEST(a_pulse_goes_where_it_is_sent)
+{
+    static const struct {
+        const char *way;
+        double stress; /* over sqrt(E rho) v; all particles of a cell have the cell's mean */
+    } cases[] = {{"right", -1}, {"left", 1}, {"both", 0}};
+    const char *const sent[] = {"initial.pulse_way", cases[_i].way, NULL};
+    Settings settings = loaded("pulse", sent);
+    Pulse pulse;
+    ck_assert(pulse_read(settings_start(&settings)->pulse, &pulse, NULL));
+    const Material *material = settings_material(&settings);
+    const double impedance = sqrt(material->youngs_modulus * material->density);
+    Simulation *sim = problem_simulate(&settings, 1, NULL);
+    ck_assert_ptr_nonnull(sim);
+    const size_t middle =
+        (size_t)(pulse.centre / settings_geometry(&settings)->length * (double)sim->counts[0]);
+    const double v = simulation_value(sim, simulation_find_field(sim, 0, "v"), middle);
+    const double stress = simulation_value(sim, simulation_find_field(sim, 0, "stress"), middle);
+    ck_assert_double_gt(v, 0.9 * pulse.velocity);
+    ck_assert_double_eq_tol(stress, cases[_i].stress * impedance * v, 0.05 * impedance * v);
+    simulation_destroy(sim);
+}
+END_TEST
+
 /* Particles beside the middle of their shares are in every answer; boxes that touch the edge of their cell
  * take the prediction out, and with it the largest step. */
 START_TEST(an_offset_is_known)
@@ -809,6 +834,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, a_run_cut_short_leaves_out_what_comes_later);
     tcase_add_test(tcase, an_echo_is_told_while_it_is_in_one_piece);
     tcase_add_test(tcase, two_materials_have_a_frequency);
+    tcase_add_loop_test(tcase, a_pulse_goes_where_it_is_sent, 0, 3);
     tcase_add_test(tcase, an_offset_is_known);
     tcase_add_test(tcase, a_column_s_support_bears_its_weight);
     tcase_add_test(tcase, every_problem_has_its_method);
