@@ -365,9 +365,10 @@ void bar_read_out(const References *refs, const double *rows, size_t n_rows, int
         out->measured /= watch->times;
         out->measured_known = true;
     }
-    /* without the first row: what the particles are given is not yet what comes back from the grid */
+    /* without the first row: what the particles are given is not yet what comes back from the grid; beside
+     * the middle of their shares they start in many modes, of which v_cm shows the lowest ones best */
     Swing swing;
-    if (n_rows > 2 && watch->n_lines == 1 &&
+    if (n_rows > 2 && watch->n_lines == 1 && bar_answers(refs)->mesh.offset == 0 &&
         swing_fit(rows + n_columns + column, (size_t)n_columns, n_rows - 1,
                   rows[(size_t)n_columns + 1] - rows[1], expected / watch->times, watch->times > 1, &swing)) {
         out->kept_measured = swing_kept(swing.decay, watch->exact);
