@@ -80,7 +80,8 @@ static double spline_place(const Knots *knots, int i)
     return sum / knots->degree;
 }
 
-double bar_rest_place(const BarRest *rest, int j)
+/* Where particle j of a cell stands, 0 to 1. */
+static double place_of(const BarRest *rest, int j)
 {
     return (j + 0.5 + rest->offset) / rest->per_cell;
 }
@@ -94,7 +95,7 @@ void bar_rest_weights(const BarRest *rest, int cell, int j, double n[REST_SUPPOR
     ASSERT_INT(cell, >=, 0);
     ASSERT_INT(j, >=, 0);
     const Knots knots = {rest->degree, rest->mesh_cells, cell + rest->origin};
-    const double x = bar_rest_place(rest, j);
+    const double x = place_of(rest, j);
     for (int a = 0; a <= rest->degree; a++) {
         const int i = knots.cell + a;
         if (n)
@@ -215,7 +216,7 @@ void bar_rest_sample(const BarRest *rest, const BarTheory *bar, BarShape *shape,
             double n[REST_SUPPORT_MAX];
             bar_rest_weights(rest, cell, j, n, NULL, NULL);
             const int first = cell + rest->origin - rest->first_node;
-            const double v = shape(bar, number, (cell + bar_rest_place(rest, j)) * cell_size);
+            const double v = shape(bar, number, (cell + place_of(rest, j)) * cell_size);
             for (int a = 0; a <= rest->degree; a++)
                 if (first + a >= 0 && first + a < rest->nodes)
                     velocity[first + a] += part * density_in(rest, cell) * v * n[a];

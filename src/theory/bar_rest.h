@@ -33,9 +33,6 @@ typedef struct BarRest {
     double *stiffness;  /* K = sum V N' N'^T */
 } BarRest;
 
-/* Where particle j of a cell stands, 0 to 1. */
-double bar_rest_place(const BarRest *, int j);
-
 /* The weights of particle j (0 to per_cell - 1) of a cell of the bar, for the nodes from `cell + origin` of
  * the mesh on; NULL: not wanted. arm: from the particle to the node (its Greville abscissa). */
 void bar_rest_weights(const BarRest *, int cell, int j, double n[REST_SUPPORT_MAX],
