@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Arguments in, exit status out: the only place that prints an error or exits. */
+#include "base/input.h"
 #include "base/threads.h"
 #include "scenario/settings.h"
 #include "base/visible.h"
@@ -18,7 +19,8 @@
 /* "rnu mode1" is no scenario but a slip of the fingers, or a command that this version has not. */
 static bool is_slip(const char *word, Status *status)
 {
-    if (scenario_builtin(word) || access(word, F_OK) == 0 || errno != ENOENT)
+    if (scenario_builtin(word) || strcmp(word, input_standard_name) == 0 || access(word, F_OK) == 0 ||
+        errno != ENOENT)
         return false;
     const char *nearest = cli_nearest(word);
     if (nearest && !cli_find(nearest))
@@ -82,6 +84,12 @@ static int open_laboratory(bool for_lesson, int count, char **arguments, Status 
                     again ? "the session" : "--script");
         return (int)status->code;
     }
+    if (word && strcmp(word, input_standard_name) == 0 &&
+        !(options.script && strcmp(options.script, word) != 0)) {
+        status_fail(status, STATUS_USAGE,
+                    "-: keys come from standard input (matvib run - reads a scenario there)");
+        return (int)status->code;
+    }
     const char *const named = word && !for_lesson ? word : scenario_unnamed;
     const char *scenario = named;
     const char *lesson = !for_lesson ? NULL : word ? word : laboratory_all_lessons;
@@ -125,14 +133,14 @@ static int open_laboratory(bool for_lesson, int count, char **arguments, Status 
 static bool asks_for_help(int count, char **arguments)
 {
     for (int i = 0; i < count && strcmp(arguments[i], "--") != 0; i++)
-        if (strcmp(arguments[i], "--help") == 0)
+        if (options_asks_help(arguments[i]))
             return true;
     return false;
 }
 
 static int run(int count, char **arguments, Status *status)
 {
-    if (count > 0 && strcmp(arguments[0], "--version") == 0) {
+    if (count > 0 && (strcmp(arguments[0], "--version") == 0 || strcmp(arguments[0], "-V") == 0)) {
         puts("matvib " PACKAGE_VERSION);
         return STATUS_DONE;
     }

@@ -85,6 +85,9 @@ static void write_words(void)
         printf("    %s) echo '", command_name(c));
         if (strcmp(synopsis, "SCENARIO") == 0) {
             fputs("@file '\"$(_matvib_scenarios)\"'", stdout);
+        } else if (strcmp(synopsis, "[COMMAND]") == 0) {
+            for (int i = 1; command_name(i); i++)
+                printf("%s%s", i > 1 ? " " : "", command_name(i));
         } else if (strcmp(synopsis, "[PROBLEM]") == 0) {
             for (int i = 0; problems[i]; i++)
                 printf("%s%s", i ? " " : "", problems[i]->word);

@@ -75,6 +75,11 @@ static bool write_options(const char *command)
         if (!strstr(option->commands, word))
             continue;
         puts(".TP");
+        if (option->letter) {
+            const char letter[] = {'-', option->letter, '\0'};
+            say_in("B", letter);
+            fputs(", ", stdout);
+        }
         say_in("B", option->name);
         if (option->argument) {
             putchar(' ');

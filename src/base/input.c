@@ -6,6 +6,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -16,6 +17,11 @@ static bool cannot_read(const char *name, Status *status)
     status_fail(status, STATUS_USAGE, "%s: cannot be read: %s", name, strerror(why));
     errno = why;
     return false;
+}
+
+static bool too_large(const char *name, long most, Status *status)
+{
+    return status_fail(status, STATUS_USAGE, "%s: is too large (at most %ld kB)", name, most / 1000);
 }
 
 /* What was opened without waiting is a file, and reads on as files do. */
@@ -30,7 +36,7 @@ static bool is_file(int descriptor, const char *name, long most, Status *status)
     if (!S_ISREG(what.st_mode))
         return status_fail(status, STATUS_USAGE, "%s: is a pipe or a device (a file is wanted)", name);
     if (what.st_size > most)
-        return status_fail(status, STATUS_USAGE, "%s: is too large (at most %ld kB)", name, most / 1000);
+        return too_large(name, most, status);
     const int flags = fcntl(descriptor, F_GETFL);
     return (flags >= 0 && fcntl(descriptor, F_SETFL, flags & ~O_NONBLOCK) == 0) || cannot_read(name, status);
 }
@@ -52,6 +58,27 @@ FILE *input_open(const char *name, long most, Status *status)
     close(descriptor);
     errno = why;
     return NULL;
+}
+
+const char input_standard_name[] = "-";
+
+FILE *input_standard(long most, Status *status)
+{
+    static char *kept; /* as long as the program runs */
+    static size_t length;
+    if (!kept) {
+        kept = malloc((size_t)most + 1);
+        length = kept ? fread(kept, 1, (size_t)most + 1, stdin) : 0;
+    }
+    FILE *stream = NULL;
+    if (ferror(stdin))
+        cannot_read(input_standard_name, status);
+    else if (length > (size_t)most)
+        too_large(input_standard_name, most, status);
+    else if (!kept || !(stream = length > 0 ? fmemopen(kept, length, "r")
+                                            : input_text("", input_standard_name, status)))
+        status_fail(status, STATUS_FAILED, "%s: not enough memory to read it", input_standard_name);
+    return stream;
 }
 
 FILE *input_text(const char *text, const char *name, Status *status)

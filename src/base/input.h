@@ -16,6 +16,13 @@
  * refused. */
 FILE *input_open(const char *name, long most, Status *);
 
+/* What stands for standard input in place of a file's name: "-". */
+extern const char input_standard_name[];
+
+/* Opens what standard input holds up to its end in the same way, again and again: it is read once and kept.
+ * NULL: it is larger, or cannot be read. */
+FILE *input_standard(long most, Status *);
+
 /* Opens a text of the program itself in the same way. NULL: no memory. */
 FILE *input_text(const char *text, const char *name, Status *);
 

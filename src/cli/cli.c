@@ -15,6 +15,17 @@ static int verify(int count, char **arguments, Status *status)
     return verify_main(count, arguments, stdout, status);
 }
 
+static int help(int count, char **arguments, Status *status)
+{
+    const CliCommand *command = count > 0 ? cli_find(arguments[0]) : NULL;
+    if (count > 1 || (count > 0 && !command)) {
+        status_fail(status, STATUS_USAGE, "%.60s: no such command (see: matvib help)", arguments[count - 1]);
+        return (int)status->code;
+    }
+    cli_print_help(command);
+    return STATUS_DONE;
+}
+
 const CliCommand cli_commands[] = {
     {"run", "SCENARIO", "runs a scenario to its end and writes tables of it", cli_run},
     {"sweep", "SCENARIO", "many runs that differ in some parameters, a row for each", cli_sweep},
@@ -32,6 +43,7 @@ const CliCommand cli_commands[] = {
     {"list", "", "the built-in scenarios", cli_list},
     {"show", "SCENARIO", "the resolved scenario as a file, derived values as comments", cli_show},
     {"params", "[PROBLEM]", "the parameters: default, unit, what is allowed, meaning", cli_params},
+    {"help", "[COMMAND]", "the options of a command, as --help behind it", help},
     {NULL, NULL, NULL, NULL},
 };
 
@@ -75,14 +87,15 @@ void cli_print_help(const CliCommand *command)
     printf("usage: matvib [SCENARIO] [OPTION]...\n"
            "       matvib COMMAND [ARGUMENT]... [OPTION]...\n\n"
            "A laboratory in a terminal: the material point method and peridynamics, on bar and beams.\n"
-           "SCENARIO is a name from `matvib list` or the path of a file; without one it is mode5.\n\n"
+           "SCENARIO is a name from `matvib list`, the path of a file, or - for standard input; without one\n"
+           "it is mode5.\n\n"
            "Commands:\n");
     print_command(&(CliCommand){"[SCENARIO]", "", "opens the laboratory", NULL});
     for (command = cli_commands; command->name; command++)
         print_command(command);
     printf("\nOptions of the laboratory:\n");
     options_print("open");
-    printf("\n`matvib COMMAND --help` prints the options of a command. Exit status: 0 done, 1 the run or a "
-           "check\n"
-           "failed, 2 bad usage or bad input. More: man matvib, man 5 matvib (scenario files).\n");
+    printf("\n-h, --help prints these lines or a command's options, -V, --version the version. Exit status:\n"
+           "0 done, 1 the run or a check failed, 2 bad usage or bad input. More: man matvib, man 5 matvib\n"
+           "(scenario files).\n");
 }

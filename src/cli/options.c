@@ -25,6 +25,7 @@ static const char *const glyph_sets[] = {"auto", "braille", "block", "ascii", NU
 static const char *const themes[] = {"auto", "light", "dark", NULL};
 
 #define AT(member)    .offset = offsetof(Options, member)
+#define LETTER(c)     .letter = (c)
 #define ONE_OF(names) .kind = OPTION_WORD, .words = names
 
 const Option options_table[] = {
@@ -42,19 +43,21 @@ const Option options_table[] = {
      OPTION_TEXT, AT(view)},
     {"--against", "KEY=VALUE", " figure ", "draws the run with this value behind; up to four times",
      OPTION_LIST, AT(against)},
-    {"--output", "FILE", " figure ", "the figure: FILE.svg, FILE.pdf or FILE.png", OPTION_TEXT, AT(output)},
+    {"--output", "FILE", " figure ", "the figure: FILE.svg, FILE.pdf or FILE.png", OPTION_TEXT, AT(output),
+     LETTER('o')},
     {"--output", "DIR", " export-lammps ", "the folder that the files go to; it is made if missing",
-     OPTION_TEXT, AT(output)},
-    {"--output", "FILE", " sweep ", "where the table goes", OPTION_TEXT, AT(output)},
+     OPTION_TEXT, AT(output), LETTER('o')},
+    {"--output", "FILE", " sweep ", "where the table goes", OPTION_TEXT, AT(output), LETTER('o')},
     {"--output", "FILE", " movie ", "the film: FILE.cast (asciinema), FILE.svg (animated) or FILE.gif",
-     OPTION_TEXT, AT(output)},
+     OPTION_TEXT, AT(output), LETTER('o')},
     {"--data", "FILE", " fit ", "the measured series: a CSV file with a column of times", OPTION_TEXT,
      AT(data)},
     {"--vary", "KEY,...", " fit ", "the parameters that are sought, from the scenario's values on",
      OPTION_TEXT, AT(sought)},
     {"--column", "NAME", " fit ", "the column of the series that was measured (the first that FILE has too)",
      OPTION_TEXT, AT(column)},
-    {"--output", "FILE", " fit ", "a table: time, datum, fitted, residual", OPTION_TEXT, AT(output)},
+    {"--output", "FILE", " fit ", "a table: time, datum, fitted, residual", OPTION_TEXT, AT(output),
+     LETTER('o')},
     {"--figure", "FILE", " fit ", "a picture of both: FILE.svg, FILE.pdf or FILE.png", OPTION_TEXT,
      AT(figure)},
     {"--map", "THEIRS=OURS,...", " diagnose ",
@@ -63,7 +66,8 @@ const Option options_table[] = {
     {"--pairs", NULL, " diagnose ",
      "tries two mistakes at once on beams too, where no one thing explains the numbers; it takes longer",
      OPTION_FLAG, AT(pairs)},
-    {"--output", "FILE", " diagnose ", "a table with a row for each file: FILE.csv", OPTION_TEXT, AT(output)},
+    {"--output", "FILE", " diagnose ", "a table with a row for each file: FILE.csv", OPTION_TEXT, AT(output),
+     LETTER('o')},
     {"--json", NULL, " diagnose ", "the same rows on standard output, as JSON", OPTION_FLAG, AT(json)},
     {"--json", NULL, " run fit verify ",
      "the summary as one JSON object of quantities {name, value, unit} on standard output", OPTION_FLAG,
@@ -79,7 +83,7 @@ const Option options_table[] = {
     {"--print", NULL, " lesson ", "prints the text of NAME, to begin one of your own with", OPTION_FLAG,
      AT(print)},
     {"--output", "FILE", " grade ", "where the table of marks goes (standard output)", OPTION_TEXT,
-     AT(output)},
+     AT(output), LETTER('o')},
     {"--students", "FILE", " grade ", "a table with a row for each student, as Moodle takes it", OPTION_TEXT,
      AT(students)},
     {"--bom", NULL, " grade ", "begins tables with the mark by which spreadsheets know UTF-8", OPTION_FLAG,
@@ -87,7 +91,7 @@ const Option options_table[] = {
     {"--sheet", "FILE", " grade ", "a page for each session: FILE.pdf", OPTION_TEXT, AT(sheet)},
     {"--limit", "S", " grade ", "a session that takes longer than S seconds gets no marks (300)", OPTION_TEXT,
      AT(limit)},
-    {"--output", "FILE", " sound ", "the sound: FILE.wav", OPTION_TEXT, AT(output)},
+    {"--output", "FILE", " sound ", "the sound: FILE.wav", OPTION_TEXT, AT(output), LETTER('o')},
     {"--seconds", "S", " sound ", "how long it is to be heard (6)", OPTION_TEXT, AT(seconds)},
     {"--pitch", "HZ", " sound ", "pitch of the exact tone (its own where it can be heard, else 440)",
      OPTION_TEXT, AT(pitch)},
@@ -106,7 +110,7 @@ const Option options_table[] = {
      "more than the step)",
      OPTION_OVERRIDE, .key = "output.columns"},
     {"--series", "FILE", " run ", "writes the series: one row for each recorded step", OPTION_TEXT,
-     AT(outputs.series)},
+     AT(outputs.series), LETTER('o')},
     {"--particles", "FILE", " run ", "writes the table of particles", OPTION_TEXT, AT(outputs.particles)},
     {"--nodes", "FILE", " run ", "writes the table of the grid's nodes (bar)", OPTION_TEXT,
      AT(outputs.nodes)},
@@ -132,7 +136,7 @@ const Option options_table[] = {
     {"--force", NULL, " run figure movie sound fit diagnose sweep grade export-lammps open lesson ",
      "replaces files that exist", OPTION_FLAG, AT(force)},
     {"--quiet", NULL, " run figure movie sound fit diagnose sweep grade ", "neither progress nor summary",
-     OPTION_FLAG, AT(quiet)},
+     OPTION_FLAG, AT(quiet), LETTER('q')},
     {"--threads", "N", " open lesson run figure movie sound fit diagnose sweep grade ",
      "threads to compute with; the numbers do not depend on it", OPTION_COUNT, AT(threads),
      .most = THREADS_MAX},
@@ -334,20 +338,30 @@ static const Option *find(const char *command, const char *name)
     return NULL;
 }
 
-/* An option with its value, which may stand in the same argument behind '='. Moves *at on. */
+static const Option *find_letter(const char *command, char letter)
+{
+    for (int i = 0; i < n_options; i++)
+        if (options_table[i].letter == letter && takes(&options_table[i], command))
+            return &options_table[i];
+    return NULL;
+}
+
+/* An option with its value, which may stand in the same argument: behind '=', or right behind a letter. Moves
+ * *at on. */
 static bool take_option(const char *command, int count, char **arguments, int *at, Options *options,
                         Status *status)
 {
     char name[64];
     const char *argument = arguments[*at], *equals = strchr(argument, '=');
-    snprintf(name, sizeof name, "%.*s", (int)(equals ? (size_t)(equals - argument) : strlen(argument)),
-             argument);
-    const Option *option = find(command, name);
+    const bool is_letter = argument[1] != '-';
+    const size_t length = is_letter ? 2 : equals ? (size_t)(equals - argument) : strlen(argument);
+    snprintf(name, sizeof name, "%.*s", (int)length, argument);
+    const Option *option = is_letter ? find_letter(command, argument[1]) : find(command, name);
     if (!option)
-        return unknown(command, name, status);
-    if (!option->argument && equals)
+        return unknown(command, is_letter ? argument : name, status);
+    const char *value = !argument[strlen(name)] ? NULL : argument + length + !is_letter;
+    if (!option->argument && value)
         return status_fail(status, STATUS_USAGE, "%s: takes no value", name);
-    const char *value = equals ? equals + 1 : NULL;
     if (option->argument && !value) {
         if (*at + 1 == count)
             return status_fail(status, STATUS_USAGE, "%s: has no value (%s)", name, option->argument);
@@ -356,13 +370,18 @@ static bool take_option(const char *command, int count, char **arguments, int *a
     return take(option, value, options, status);
 }
 
+bool options_asks_help(const char *argument)
+{
+    return strcmp(argument, "--help") == 0 || strcmp(argument, "-h") == 0;
+}
+
 bool options_parse(const char *command, int count, char **arguments, Options *options, Status *status)
 {
     memset(options, 0, sizeof *options);
     bool only_words = false;
     for (int at = 0; at < count; at++) {
         const char *argument = arguments[at];
-        if (!only_words && strcmp(argument, "--help") == 0) {
+        if (!only_words && options_asks_help(argument)) {
             options->help = true;
             return true;
         }
@@ -409,8 +428,10 @@ void options_print(const char *command)
 {
     for (int i = 0; i < n_options; i++) {
         const Option *option = &options_table[i];
-        char name[40];
-        snprintf(name, sizeof name, "%s%s%s", option->name, option->argument ? " " : "",
+        char name[40], letter[8] = "";
+        if (option->letter)
+            snprintf(letter, sizeof letter, "-%c, ", option->letter);
+        snprintf(name, sizeof name, "%s%s%s%s", letter, option->name, option->argument ? " " : "",
                  option->argument ? option->argument : "");
         if (takes(option, command))
             printf("  %-18s %s\n", name, option->help);

@@ -34,6 +34,7 @@ typedef struct Option {
     const char *key;          /* OPTION_OVERRIDE: the key; NULL: the argument names it */
     int most;                 /* OPTION_SIZE: of each number */
     const char *clears;       /* OPTION_OVERRIDE: a key that it resets, since both mean the same */
+    char letter;              /* its short form, 'o' of -o; 0: it has none */
 } Option;
 
 extern const Option options_table[];
@@ -92,6 +93,9 @@ typedef struct Options {
     size_t history;
     int size[2];
 } Options;
+
+/* Whether an argument is --help or -h. */
+bool options_asks_help(const char *argument);
 
 /* Reads the arguments of a command ("open": the laboratory). False: the status says which is wrong and what
  * is allowed. */

@@ -14,6 +14,30 @@ for command in list show params verify; do
 	result "$command says how it is used" says out "^usage: matvib $command"
 done
 
+expect "help as a command" 0 help
+result "is --help" sh -c '"$MATVIB" -h | cmp -s - out'
+expect "help COMMAND" 0 help sweep
+result "is its --help" sh -c '"$MATVIB" sweep -h | cmp -s - out'
+refuse "help of what is none" 'mode1: no such command (see: matvib help)' help mode1
+expect "-V" 0 -V
+result "is --version" sh -c '"$MATVIB" --version | cmp -s - out'
+
+"$MATVIB" run mode5 --steps 5 --quiet --series long.csv
+"$MATVIB" show mode5 | "$MATVIB" run - --steps 5 -q -oshort.csv >out 2>&1
+result "- is a scenario on standard input, -o and -q say it shortly" cmp -s long.csv short.csv
+result "-q is quiet" test ! -s out
+printf '[scenario]\n' | "$MATVIB" show - >out 2>err
+result "a wrong line of it has its number" says err '^matvib: -:1: holds no scenario'
+head -c 5000001 /dev/zero | "$MATVIB" show - >out 2>err
+result "it has a size" says err '^matvib: -: is too large (at most 5000 kB)'
+printf 'q' | "$MATVIB" - >out 2>err
+result "the laboratory has its keys there" says err '^matvib: -: keys come from standard input'
+"$MATVIB" show mode5 | "$MATVIB" sweep - --vary mesh.cell_size=0.5,1 --plan >out 2>err
+result "nor can other machines read it again" says err '^matvib: -: is read once'
+refuse "a letter that is none" '-x: unknown option (see: matvib show --help)' show mode1 -x
+refuse "a letter without its value" '-o: has no value (FILE)' run mode1 -o
+refuse "a letter that has none" '-q: takes no value' run mode1 -qo
+
 expect "list" 0 list
 result "all built-ins with titles" test "$(awk 'NF > 2' out | wc -l)" -eq "$(ls "$MATVIB_SRCDIR"/data/scenarios/*.ini | wc -l)"
 cut -d' ' -f1 out >names

@@ -42,7 +42,7 @@ cd "$scratch" || exit 1
 
 for command in $("$MATVIB" --help | awk '/^  matvib/ && $2 !~ /^\[/ { print $2 }'); do
 	result "$command is offered" offers 'matvib ' "$command"
-	"$MATVIB" "$command" --help | awk '$1 ~ /^--/ { print $1 }' | sort -u >known
+	"$MATVIB" "$command" --help | grep -o -e '^  \(-., \)*--[a-z-]*' | sed 's|.*--|--|' | sort -u >known
 	offered "matvib $command --" | grep -v -x -e --help | sort -u >seen
 	result "options of $command" diff known seen
 done

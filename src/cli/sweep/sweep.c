@@ -3,6 +3,7 @@
  * threads of a pool take one combination after the other; every run has its row's place from the start, so
  * that neither the table nor what is told depends on how many run side by side. */
 #include "base/hash.h"
+#include "base/input.h"
 #include "scenario/settings.h"
 #include "base/output.h"
 #include "base/text.h"
@@ -19,6 +20,7 @@
 #include <math.h>
 #include <pthread.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
@@ -335,6 +337,10 @@ static int print_plan(const Sweep *sweep, Status *status)
 {
     OutputFile file;
     const Options *options = sweep->options;
+    if (strcmp(options->words[0], input_standard_name) == 0) {
+        status_fail(status, STATUS_USAGE, "%s: is read once, and a plan names a file", input_standard_name);
+        return (int)status->code;
+    }
     if (!output_open(&file, ASKER_COMMAND_LINE, options->output ? options->output : "-", options->force,
                      status))
         return (int)status->code;
