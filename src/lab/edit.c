@@ -3,9 +3,7 @@
 #include "lab/laboratory.h"
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
-#include "scenario/rows/rows.h"
 #include "lab/prompt/line_edit.h"
-#include "lab/row_edit.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -167,16 +165,8 @@ bool edit_change(Laboratory *lab, const Settings *settings, DuelChange verb, Sta
 void edit_nudge(Laboratory *lab, int direction, bool fine)
 {
     const Parameter *parameter = edit_selected(&lab->screen);
-    int kind, row;
-    if (!parameter) {
-        if (screen_selected_row(&lab->screen, &kind, &row))
-            laboratory_say(lab, MESSAGE_INFO,
-                           row == ROW_NEW          ? "Enter adds a %s"
-                           : row_kinds[kind].usual ? "the %s: Enter edits, p moves it"
-                                                   : "a %s: Enter edits, p moves, C copies, D deletes it",
-                           row_kinds[kind].one);
+    if (!parameter)
         return;
-    }
     Settings settings = *experiment_settings(lab->screen.experiment);
     Status status = {STATUS_DONE, ""};
     if (!settings_nudge(&settings, parameter, direction, fine)) {

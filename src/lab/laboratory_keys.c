@@ -130,7 +130,7 @@ static void drag(Laboratory *lab, int x, int y)
         lab->screen.parameters.edit.open = false; /* the press began a drag, not an edit */
         lab->held.drag_x += CELLS_A_NUDGE * nudges;
         for (int i = 0; i < abs(nudges); i++)
-            edit_nudge(lab, nudges > 0 ? 1 : -1, false);
+            row_edit_nudge(lab, nudges > 0 ? 1 : -1, false);
     }
 }
 

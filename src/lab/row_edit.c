@@ -17,7 +17,7 @@ static void select_row(Screen *screen, int kind, int row)
     ParameterRow rows[PARAMETER_ROWS_MAX];
     const int count = screen_parameter_rows(screen, rows);
     for (int i = 0; i < count; i++)
-        if (rows[i].is_row && rows[i].kind == kind && rows[i].row == row)
+        if (rows[i].is_row && rows[i].place.kind == kind && rows[i].place.row == row && !rows[i].place.value)
             screen->parameters.selected = i;
 }
 
@@ -111,11 +111,12 @@ static void put_in_place(Settings *settings, int kind, int row)
 /* Under another name it is another row in the place of the old one. */
 static bool accept(Laboratory *lab, Status *status)
 {
-    int kind, row;
+    RowPlace place;
     char name[KEY_MAX];
     const char *values, *text = lab->screen.parameters.edit.text;
-    if (!screen_selected_row(&lab->screen, &kind, &row) || row == ROW_NEW)
+    if (!screen_selected_row(&lab->screen, &place) || place.row == ROW_NEW)
         return true;
+    const int kind = place.kind, row = place.row;
     Settings settings = *experiment_settings(lab->screen.experiment);
     if (!part(kind, text, name, &values))
         return status_fail(status, STATUS_USAGE, "a %s is NAME = %s", row_kinds[kind].one,
@@ -156,15 +157,60 @@ static void open_field(Laboratory *lab, int kind, int row)
     lab->editing.accept = accept;
 }
 
+static bool accept_value(Laboratory *lab, Status *status)
+{
+    RowPlace place;
+    Settings settings = *experiment_settings(lab->screen.experiment);
+    return !screen_selected_row(&lab->screen, &place) ||
+           (settings_row_place_set(&settings, &place, lab->screen.parameters.edit.text, status) &&
+            apply(lab, &settings, status));
+}
+
+/* One value of a row; a first character replaces it. */
+static void open_value(Laboratory *lab, const RowPlace *place)
+{
+    FieldEdit *edit = &lab->screen.parameters.edit;
+    const Settings *settings = experiment_settings(lab->screen.experiment);
+    text_shortest(edit->text, settings_row_value(settings, place->kind, place->row, place->value - 1));
+    edit->cursor = glyphs_count(edit->text);
+    edit->problem[0] = '\0';
+    edit->open = lab->editing.fresh = true;
+    lab->editing.accept = accept_value;
+}
+
 void row_edit_begin(Laboratory *lab)
 {
-    int kind, row;
-    if (!screen_selected_row(&lab->screen, &kind, &row))
+    RowPlace place;
+    if (!screen_selected_row(&lab->screen, &place))
         return;
-    if (row == ROW_NEW)
+    if (place.value)
+        open_value(lab, &place);
+    else if (place.row == ROW_NEW)
         row_edit_add(lab);
     else
-        open_field(lab, kind, row);
+        open_field(lab, place.kind, place.row);
+}
+
+void row_edit_nudge(Laboratory *lab, int direction, bool fine)
+{
+    RowPlace place;
+    Settings settings = *experiment_settings(lab->screen.experiment);
+    Status status = {STATUS_DONE, ""};
+    edit_nudge(lab, direction, fine);
+    if (!screen_selected_row(&lab->screen, &place))
+        return;
+    const RowKind *kind = &row_kinds[place.kind];
+    if (!place.value)
+        laboratory_say(lab, MESSAGE_INFO,
+                       place.row == ROW_NEW ? "Enter adds a %s"
+                       : kind->usual        ? "the %s: Enter edits, p moves it"
+                                            : "a %s: Enter edits, p moves, C copies, D deletes it",
+                       kind->one);
+    else if (!settings_row_nudge(&settings, &place, direction, fine))
+        laboratory_say(lab, MESSAGE_INFO, "%s of a %s: there is no next one",
+                       kind->columns[place.value - 1].word, kind->one);
+    else if (!apply(lab, &settings, &status))
+        laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
 }
 
 /* --- on the map
@@ -356,8 +402,11 @@ static bool have_rows(Laboratory *lab)
 /* A row that is there; false: none is chosen, and that is said. */
 static bool chosen(Laboratory *lab, int *kind, int *row)
 {
+    RowPlace place;
     const bool any = lab->screen.panes.focus == PANE_PARAMETERS && !lab->screen.lesson.open &&
-                     screen_selected_row(&lab->screen, kind, row) && *row != ROW_NEW;
+                     screen_selected_row(&lab->screen, &place) && place.row != ROW_NEW;
+    if (any)
+        *kind = place.kind, *row = place.row;
     if (!any) /* where it is not marked nobody sees which one it is */
         laboratory_say(lab, MESSAGE_INFO, "choose a cut, load, support ... among the parameters first");
     return any;
@@ -378,11 +427,11 @@ static void place_new(Laboratory *lab, int kind, const char *values)
 
 void row_edit_add(Laboratory *lab)
 {
-    int kind = ROWS_CUTS, row;
+    RowPlace place;
     if (!have_rows(lab))
         return;
-    if (!screen_selected_row(&lab->screen, &kind, &row) || !row_kinds[kind].fresh)
-        kind = ROWS_CUTS;
+    const bool any = screen_selected_row(&lab->screen, &place) && row_kinds[place.kind].fresh;
+    const int kind = any ? place.kind : ROWS_CUTS;
     *lab->editing.draft = *experiment_settings(lab->screen.experiment);
     place_new(lab, kind, row_kinds[kind].fresh);
 }

@@ -7,8 +7,12 @@
 
 #include "lab/laboratory.h"
 
-/* Enter in the pane: a new row is put on the map, another one opens as the field "NAME = VALUES". */
+/* Enter in the pane: a new row is put on the map, another one opens as the field "NAME = VALUES", or one
+ * value that is asked about. */
 void row_edit_begin(Laboratory *);
+
+/* An arrow: the next value of the chosen parameter, or of a row's that is asked about. */
+void row_edit_nudge(Laboratory *, int direction, bool fine);
 
 /* "NAME VALUES", "NAME none" or "NAME = VALUES" for a kind. False: the status says why. */
 bool row_edit_line(Laboratory *, int kind, const char *words, Status *);

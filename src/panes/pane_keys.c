@@ -153,15 +153,13 @@ static int offers_of(const Screen *screen, const Offer **offers)
             GIVE(lesson_stages);
         GIVE(lesson);
     }
-    int kind, row;
-    screen_rows_shown(screen, &kind, &row);
-    if (in_fields && kind >= 0 && !screen->lesson.open)
+    RowPlace place;
+    if (in_fields && screen_is_plain(screen) && !screen->lesson.open && screen->offers_lesson)
+        GIVE(plain_at_first);
+    if (in_fields && screen_selected_row(screen, &place) && !place.value && !screen->lesson.open)
         GIVE(rows_of_plate);
-    if (in_fields && screen_is_plain(screen) && !screen->lesson.open) {
-        if (screen->offers_lesson)
-            GIVE(plain_at_first);
+    if (in_fields && screen_is_plain(screen) && !screen->lesson.open)
         GIVE(plain);
-    }
     if (screen->playback.state == STATE_RUNNING) {
         if (in_fields)
             GIVE(running_parameters);

@@ -56,8 +56,8 @@ static int add_rows(const Screen *screen, int kind, ParameterRow *rows, int room
             continue;
         if (count == 0)
             rows[count++] = (ParameterRow){.heading = about->section, .derived = -1};
-        rows[count++] =
-            (ParameterRow){.derived = -1, .is_row = true, .kind = kind, .row = is_new ? ROW_NEW : row};
+        rows[count++] = (ParameterRow){
+            .derived = -1, .is_row = true, .place = {.kind = kind, .row = is_new ? ROW_NEW : row}};
     }
     return count;
 }
@@ -75,8 +75,8 @@ const Settings *screen_rows_shown(const Screen *screen, int *kind, int *row)
     const int count = screen_parameter_rows(screen, rows), selected = screen->parameters.selected;
     if (screen_is_focused(screen, PANE_PARAMETERS) && selected >= 0 && selected < count &&
         rows[selected].is_row) {
-        *kind = rows[selected].kind;
-        *row = rows[selected].row;
+        *kind = rows[selected].place.kind;
+        *row = rows[selected].place.row;
     }
     return experiment_settings(screen->experiment);
 }
@@ -94,10 +94,13 @@ int screen_parameter_rows(const Screen *screen, ParameterRow rows[PARAMETER_ROWS
     const char *group = "";
     int count = 0;
     if (screen_is_plain(screen) && !screen->lesson.open && !screen->parameters.filter[0]) {
-        const Parameter *asked[ASKED_MAX];
+        Asked asked[ASKED_MAX];
         const int n_asked = settings_asked(settings, asked);
         for (; count < n_asked; count++)
-            rows[count] = (ParameterRow){.parameter = asked[count], .derived = -1};
+            rows[count] = (ParameterRow){.parameter = asked[count].parameter,
+                                         .derived = -1,
+                                         .is_row = !asked[count].parameter,
+                                         .place = asked[count].place};
         return count;
     }
     for (int i = 0; i < n_parameters && count + 2 < PARAMETER_ROWS_MAX; i++) {
@@ -126,14 +129,13 @@ int screen_parameter_rows(const Screen *screen, ParameterRow rows[PARAMETER_ROWS
     return count;
 }
 
-bool screen_selected_row(const Screen *screen, int *kind, int *row)
+bool screen_selected_row(const Screen *screen, RowPlace *place)
 {
     ParameterRow rows[PARAMETER_ROWS_MAX];
     const int count = screen_parameter_rows(screen, rows), selected = screen->parameters.selected;
     if (selected < 0 || selected >= count || !rows[selected].is_row)
         return false;
-    *kind = rows[selected].kind;
-    *row = rows[selected].row;
+    *place = rows[selected].place;
     return true;
 }
 
@@ -185,26 +187,25 @@ static void draw_row(const Screen *screen, Area area, int y, const ParameterRow 
 {
     const Settings *settings = experiment_settings(screen->experiment);
     const bool focused = chosen && screen_is_focused(screen, PANE_PARAMETERS);
-    const Style style = focused ? STYLE_SELECTED : row->row == ROW_NEW ? STYLE_FAINT : STYLE_NORMAL;
+    const Style style = focused ? STYLE_SELECTED : row->place.row == ROW_NEW ? STYLE_FAINT : STYLE_NORMAL;
     for (int x = 1; focused && x < area.rect.width; x++)
         area_put(area, x, y, ' ', style);
+    char name[64], value[ROW_TEXT_MAX] = "";
+    if (row->place.row == ROW_NEW)
+        snprintf(name, sizeof name, "+ %s", row_kinds[row->place.kind].one);
+    else
+        settings_row_place_show(settings, &row->place, name, value);
+    const bool under_heading = !row->place.value && row->place.row != ROW_NEW &&
+                               (!screen_is_plain(screen) || screen->parameters.filter[0]);
+    if (under_heading)
+        snprintf(name, sizeof name, "%s", settings->rows[row->place.kind].rows[row->place.row].name);
     if (focused && screen->parameters.edit.open) {
-        draw_field(screen, area, y, 1);
+        draw_field(screen, area, y, row->place.value ? 3 + glyphs_columns(name) : 1);
         return;
     }
-    if (row->row == ROW_NEW) {
-        char text[ROW_NAME_MAX + 8];
-        snprintf(text, sizeof text, "+ %s", row_kinds[row->kind].one);
-        area_text(area, 2, y, text, style);
-    } else {
-        char text[ROW_TEXT_MAX];
-        const int label = 2 + area_text(area, 2, y, settings->rows[row->kind].rows[row->row].name, style) +
-                          (row_kinds[row->kind].usual ? -1 : 0);
-        settings_row_show(settings, row->kind, row->row, text);
-        const int columns = glyphs_columns(text), room = area.rect.width - label - 1;
-        area_text(area_part(area, label + 1, y, room, 1), columns < room ? room - columns : 0, 0, text,
-                  style);
-    }
+    const int label = 2 + area_text(area, 2, y, name, style) - (*name ? 0 : 1);
+    const int columns = glyphs_columns(value), room = area.rect.width - label - 1;
+    area_text(area_part(area, label + 1, y, room, 1), columns < room ? room - columns : 0, 0, value, style);
     if (focused && !screen->prompt.open) {
         area.canvas->cursor_x = area.rect.x + 1;
         area.canvas->cursor_y = area.rect.y + y;
@@ -310,12 +311,12 @@ static bool draw_wrapped(Area area, const char *text)
 static bool draw_row_hint(const Screen *screen, Area area, const ParameterRow *row)
 {
     const Settings *settings = experiment_settings(screen->experiment);
-    const RowKind *kind = &row_kinds[row->kind];
+    const RowKind *kind = &row_kinds[row->place.kind];
     char values[ROW_TEXT_MAX];
-    if (row->row == ROW_NEW || screen->parameters.edit.open)
+    if (row->place.row == ROW_NEW || screen->parameters.edit.open)
         return draw_wrapped(area, kind->form);
-    settings_row_show(settings, row->kind, row->row, values);
-    const int label = glyphs_columns(settings->rows[row->kind].rows[row->row].name);
+    settings_row_show(settings, row->place.kind, row->place.row, values);
+    const int label = glyphs_columns(settings->rows[row->place.kind].rows[row->place.row].name);
     return draw_wrapped(area, 2 + label + 1 + glyphs_columns(values) > area.rect.width ? values : kind->form);
 }
 
@@ -335,9 +336,9 @@ static void draw_hint(const Screen *screen, Area area, const ParameterRow *row, 
         if (draw_row_hint(screen, area, row))
             return;
         snprintf(range, sizeof range, "%s",
-                 row->row == ROW_NEW          ? "Enter adds one"
-                 : row_kinds[row->kind].usual ? "Enter edits, p moves it"
-                                              : "Enter edits  p C D: ?");
+                 row->place.row == ROW_NEW          ? "Enter adds one"
+                 : row_kinds[row->place.kind].usual ? "Enter edits, p moves it"
+                                                    : "Enter edits  p C D: ?");
     }
     if (unit[0] && strcmp(unit, "1") != 0)
         area_print(area, 2, area.rect.height - 2, STYLE_FAINT, real[0] ? "in %s, lattice %s" : "unit: %s",

@@ -77,7 +77,7 @@ typedef struct ParameterRow {
     const Parameter *parameter; /* an editable row, or NULL */
     int derived;                /* index of a read-only row, or -1 */
     bool is_row;                /* a row of a plate (scenario/rows/rows.h) */
-    int kind, row;              /* which one, or ROW_NEW: the place for one more */
+    RowPlace place;             /* which one, or ROW_NEW: the place for one more; or one value of it */
 } ParameterRow;
 
 enum { LESSONS_MAX = 32 };
@@ -282,7 +282,7 @@ const View *screen_view_in(const Screen *, PaneId);
 int screen_parameter_rows(const Screen *, ParameterRow rows[PARAMETER_ROWS_MAX]);
 
 /* Whether a row of a plate, or the place for a new one, is chosen among them. */
-bool screen_selected_row(const Screen *, int *kind, int *row);
+bool screen_selected_row(const Screen *, RowPlace *);
 
 /* Where a pane lies at this size; width 0: it is not shown. For focus and mouse. */
 Rect screen_pane(const Screen *, int width, int height, PaneId);

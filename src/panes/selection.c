@@ -25,7 +25,7 @@ void screen_select(Screen *screen, const Parameter *parameter)
     ParameterRow rows[PARAMETER_ROWS_MAX];
     const int count = screen_parameter_rows(screen, rows);
     int first = 0, found = -1;
-    while (first < count && !rows[first].parameter)
+    while (first < count && rows[first].heading)
         first++;
     for (int i = first; i < count && found < 0; i++)
         if (rows[i].parameter && rows[i].parameter == parameter)

@@ -7,6 +7,7 @@
 #define LAB_PARAMETERS_H
 
 #include "problems/problem.h"
+#include "scenario/rows/rows.h"
 
 #include <stddef.h>
 
@@ -199,14 +200,21 @@ double settings_number(const Settings *, const Parameter *);
  * False: there is none, nothing is changed. */
 bool settings_nudge(Settings *, const Parameter *, int direction, bool fine);
 
+/* The same for a value of rows: places by spacings, numbers up and down the ladder 1, 2, 5. */
+bool settings_row_nudge(Settings *, const RowPlace *, int direction, bool fine);
+
 /* The word that stands for its automatic_value in this problem; NULL: none. */
 const char *parameter_automatic(const Parameter *, const Problem *);
 
-/* The parameters of screen.ask that the method has, in its order, or, where the scenario names none, what its
- * question and the usual ones are. Returns how many. False of the second: a word of the list is no parameter
- * of the problem, or there are too many; the status says which. */
+/* What screen.ask names of what there is, in its order, or, where the scenario names none, what its question
+ * and the usual ones are. Returns how many. False of the second: a word of the list is no parameter of the
+ * problem and no row of the scenario, or there are too many; the status says which. */
 enum { ASKED_MAX = 4 };
-int settings_asked(const Settings *, const Parameter *out[ASKED_MAX]);
+typedef struct Asked {
+    const Parameter *parameter; /* NULL: rows of a plate, or a value of theirs */
+    RowPlace place;
+} Asked;
+int settings_asked(const Settings *, Asked out[ASKED_MAX]);
 bool settings_check_asked(const Settings *, Status *);
 
 /* What a scenario asks about: its question.key, or what its method leaves open. NULL: nothing. */

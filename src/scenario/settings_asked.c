@@ -18,25 +18,28 @@ static const char *const usually_asked[] = {
     "mesh.cell_size", "mesh.particles_per_cell", "time.courant", "pd.spacing", "pd.horizon", "load.stress",
     "time.step"};
 
-int settings_asked(const Settings *settings, const Parameter *out[ASKED_MAX])
+int settings_asked(const Settings *settings, Asked out[ASKED_MAX])
 {
     const char *list = settings_view(settings)->ask;
     char key[KEY_MAX];
     int n = 0;
     while (n < ASKED_MAX && text_next_item(&list, key, sizeof key)) {
-        const Parameter *parameter = parameter_find(key);
-        if (parameter && parameter_applies_to(settings, parameter))
-            out[n++] = parameter;
+        Asked *next = &out[n];
+        *next = (Asked){.parameter = parameter_find(key)};
+        if (next->parameter)
+            n += parameter_applies_to(settings, next->parameter);
+        else if (settings_row_is_key(settings, key) && settings_row_asked(settings, key, &next->place, NULL))
+            n += next->place.row >= 0;
     }
     const Parameter *question = settings_question(settings);
     if (n == 0 && question)
-        out[n++] = question;
+        out[n++] = (Asked){.parameter = question};
     for (size_t i = 0;
          !*settings_view(settings)->ask && n < ASKED_MAX && i < sizeof usually_asked / sizeof *usually_asked;
          i++) {
         const Parameter *parameter = parameter_find(usually_asked[i]);
         if (parameter && parameter != question && parameter_applies_to(settings, parameter))
-            out[n++] = parameter;
+            out[n++] = (Asked){.parameter = parameter};
     }
     return n;
 }
@@ -47,7 +50,11 @@ bool settings_check_asked(const Settings *settings, Status *status)
     char key[KEY_MAX];
     for (int n = 0; text_next_item(&list, key, sizeof key); n++) {
         const Parameter *parameter = parameter_find(key);
-        if (!parameter || !parameter_applies(parameter, settings->problem))
+        RowPlace place;
+        if (!parameter && settings_row_is_key(settings, key)) {
+            if (!settings_row_asked(settings, key, &place, status))
+                return false;
+        } else if (!parameter || !parameter_applies(parameter, settings->problem))
             return status_fail(status, STATUS_USAGE,
                                "screen.ask: %s is no parameter of problem %s (see: matvib params %s)", key,
                                settings->problem->word, settings->problem->word);

@@ -188,6 +188,26 @@ bool settings_nudge(Settings *settings, const Parameter *parameter, int directio
     return false;
 }
 
+bool settings_row_nudge(Settings *settings, const RowPlace *place, int direction, bool fine)
+{
+    ASSERT(direction == 1 || direction == -1);
+    const RowValue what = row_kinds[place->kind].columns[place->value - 1].value;
+    const double value = settings_row_value(settings, place->kind, place->row, place->value - 1);
+    Settings candidate = *settings;
+    if (!isfinite(value))
+        return false;
+    settings_row_place_put(&candidate, place,
+                           what != ROW_NUMBER && what != ROW_TIME
+                               ? next_place(settings, value, direction * (fine ? 1 : wide_step(settings)))
+                           : fine ? next_digit(value, direction, value)
+                                  : next_on_ladder(value, direction, value, false));
+    if (!settings_check(&candidate, NULL) ||
+        settings_row_value(&candidate, place->kind, place->row, place->value - 1) == value)
+        return false;
+    *settings = candidate;
+    return true;
+}
+
 /* --- questions ------------------------------------------------------------------------------------ */
 
 /* A size: one rung below the usual one and, from anywhere else, back to it. */

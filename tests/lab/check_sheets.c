@@ -229,14 +229,14 @@ START_TEST(a_scenario_says_what_it_asks)
 {
     Settings settings;
     Status status;
-    const Parameter *asked[ASKED_MAX];
+    Asked asked[ASKED_MAX];
     ck_assert_msg(read_screen("sheet = plain\nabout = error\nask = time.courant, pd.spacing,bar.length",
                               &settings, &status),
                   "%s", status.text);
     ck_assert_str_eq(run_number_about(&settings)->word, "error");
     ck_assert_int_eq(settings_asked(&settings, asked), 2);
-    ck_assert_str_eq(asked[0]->key, "time.courant");
-    ck_assert_str_eq(asked[1]->key, "bar.length");
+    ck_assert_str_eq(asked[0].parameter->key, "time.courant");
+    ck_assert_str_eq(asked[1].parameter->key, "bar.length");
     ck_assert(read_screen("", &settings, &status));
     ck_assert_str_eq(run_number_about(&settings)->word, "late");
     ck_assert_int_gt(settings_asked(&settings, asked), 2);
@@ -374,19 +374,46 @@ START_TEST(every_scenario_has_a_number_and_questions)
                   name);
     const RunNumber *number = run_number_find(settings_view(settings)->about);
     ck_assert_ptr_eq(run_number_about(settings), number);
-    const Parameter *asked[ASKED_MAX];
+    Asked asked[ASKED_MAX];
     const int n = settings_asked(settings, asked);
     ck_assert_int_ge(n, 2);
     bench->width = 60;
     bench->height = 18;
     open_sheet(bench, "plain");
-    ck_assert_ptr_eq(edit_selected(screen), asked[0]);
-    for (int i = 0; i < n; i++)
-        ck_assert_msg(shows(bench, asked[i]->label), "%s: %s is not seen", name, asked[i]->label);
+    ck_assert_ptr_eq(edit_selected(screen), asked[0].parameter);
+    for (int i = 0; i < n; i++) {
+        char row[64], value[ROW_TEXT_MAX];
+        if (!asked[i].parameter)
+            settings_row_place_show(settings, &asked[i].place, row, value);
+        const char *seen = asked[i].parameter ? asked[i].parameter->label : row;
+        ck_assert_msg(shows(bench, seen), "%s: %s is not seen", name, seen);
+    }
     char digits[NUMBER_DIGITS_MAX], words[NUMBER_WORDS_MAX];
     screen_number(screen, digits, words);
     const char *seen = screen_second_run(screen) ? strrchr(words, ' ') : words;
     ck_assert_msg(seen && shows(bench, seen), "%s: %s is not seen", name, words);
+    close_bench(bench);
+}
+END_TEST
+
+/* The arrows and the field change what a plate asks of its rows, and u brings it back. */
+START_TEST(a_row_that_is_asked_about_is_changed)
+{
+    Bench *bench = open_bench("pulled-plate", true);
+    const Screen *screen = &bench->lab.screen;
+    open_sheet(bench, "plain");
+    ck_assert(shows(bench, "sy of all loads"));
+    press(bench, "Right");
+    ck_assert_double_eq(settings_row_number(experiment_settings(screen->experiment), "loads.bottom.sy"),
+                        -1e7);
+    press_all(bench, "Enter 8 M P a Enter");
+    ck_assert_double_eq(settings_row_number(experiment_settings(screen->experiment), "loads.bottom.sy"),
+                        -8e6);
+    press_all(bench, "Down Down Down Left");
+    ck_assert_double_lt(settings_row_number(experiment_settings(screen->experiment), "cuts.edge.x1"), 0.05);
+    press_all(bench, "u u u");
+    ck_assert_double_eq(settings_row_number(experiment_settings(screen->experiment), "loads.bottom.sy"),
+                        -6e6);
     close_bench(bench);
 }
 END_TEST
@@ -447,6 +474,7 @@ void add_cases(Suite *suite)
     tcase_add_test(sheets, the_number_is_that_of_the_moment);
     tcase_add_loop_test(students, a_student_comes_to_the_end, 0, 2 * n_lessons);
     tcase_add_test(sheets, a_scenario_opens_on_its_own_sheet);
+    tcase_add_test(sheets, a_row_that_is_asked_about_is_changed);
     tcase_add_loop_test(sheets, every_scenario_has_a_number_and_questions, 0, count);
     tcase_add_loop_test(sheets, the_number_of_a_scenario_is_known_at_its_end, 0, count);
     suite_add_tcase(suite, sheets);

@@ -3,6 +3,7 @@
  * bit, and how settings compare that have other rows. */
 #include "scenario/parameters.h"
 #include "scenario/concern_loads.h"
+#include "scenario/concern_output.h"
 #include "scenario/settings.h"
 #include "scenario/rows/rows.h"
 #include "scenario/scenario.h"
@@ -233,6 +234,70 @@ START_TEST(rows_and_their_values_are_keys)
 }
 END_TEST
 
+/* A whole row, one value, or one of all rows of a section, which keep their balance; in its order. */
+START_TEST(a_scenario_asks_about_its_rows)
+{
+    Settings s = rows_of("[cuts]\nnotch = 0 50% 50% 50%\n[loads]\ntop = top 0% 100% 0 12e6\n"
+                         "left = left 0% 100% 3 0\nbottom = bottom 0% 100% 0 -9e6\n"
+                         "[pd]\nspacing = 5e-4\nhorizon = 2e-3\n"
+                         "[screen]\nask = cuts.notch, loads.sy, pd.horizon, probe.x\n");
+    Asked asked[ASKED_MAX];
+    char name[64], value[ROW_TEXT_MAX];
+    ck_assert_int_eq(settings_asked(&s, asked), 4);
+    settings_row_place_show(&s, &asked[0].place, name, value);
+    ck_assert_str_eq(name, "cut notch");
+    ck_assert_str_eq(value, "0 50% 50% 50%");
+    settings_row_place_show(&s, &asked[1].place, name, value);
+    ck_assert_str_eq(name, "sy of all loads");
+    ck_assert_str_eq(value, "1.2e7 Pa");
+    ck_assert_str_eq(asked[2].parameter->key, "pd.horizon");
+    settings_row_place_show(&s, &asked[3].place, name, value);
+    ck_assert_str_eq(name, "x of probe");
+    ck_assert(settings_row_nudge(&s, &asked[1].place, -1, false));
+    expect_row(&s, ROWS_LOADS, 0, "top 0% 100% 0 10000000");
+    expect_row(&s, ROWS_LOADS, 1, "left 0% 100% 3 0");
+    expect_row(&s, ROWS_LOADS, 2, "bottom 0% 100% 0 -7500000");
+    ck_assert(settings_row_place_set(&s, &asked[1].place, "6MPa", NULL));
+    expect_row(&s, ROWS_LOADS, 2, "bottom 0% 100% 0 -4500000");
+    ck_assert(settings_row_nudge(&s, &asked[1].place, 1, true));
+    expect_row(&s, ROWS_LOADS, 0, "top 0% 100% 0 6100000");
+    ck_assert(settings_row_nudge(&s, &asked[3].place, 1, true)); /* a spacing, and still a share */
+    expect_row(&s, ROWS_PROBE, 0, "50.5% 50%");
+    ck_assert(settings_row_key_set(&s, "probe.x", "100%", NULL));
+    ck_assert(!settings_row_nudge(&s, &asked[3].place, 1, true)); /* off the plate */
+    ck_assert(settings_row_key_set(&s, "cuts.notch", "none", NULL));
+    ck_assert_str_eq(settings_view(&s)->ask, "loads.sy, pd.horizon, probe.x");
+    ck_assert(settings_row_key_set(&s, "loads.sy", "none", NULL) == false);
+    ck_assert(settings_row_place_set(&s, &asked[1].place, "0", NULL)); /* nothing left to be scaled */
+    ck_assert_int_eq(settings_asked(&s, asked), 2);
+}
+END_TEST
+
+START_TEST(a_row_that_is_asked_about_is_there)
+{
+    static const struct {
+        const char *ask, *says;
+    } wrong[] = {
+        {"loads.tpo", "screen.ask: loads.tpo: there is no load of that name (top)"},
+        {"loads.tpo.sy", "screen.ask: loads.tpo: there is no load of that name (top)"},
+        {"cuts.notch", "screen.ask: cuts.notch: there is no cut of that name (none at all)"},
+        {"loads.top.s", "screen.ask: loads.top.s: a load has no such number (from, to, sx, sy, ramp, until)"},
+        {"loads.edge", "screen.ask: loads.edge: a load has no such number ("},
+        {"probe.z", "screen.ask: probe.z: a probe has no such number (x, y)"},
+        {"probe", "screen.ask: probe is no parameter of problem plate (see: matvib params plate)"},
+        {"loads.", "screen.ask: loads: there is no load of that name (top)"},
+        {"loads.a-name-that-is-longer-than-any.sy", "screen.ask: loads.a-name-"},
+    };
+    char text[160];
+    Settings settings;
+    Status status = {STATUS_DONE, ""};
+    snprintf(text, sizeof text, "[loads]\ntop = top 0%% 100%% 0 1e6\n[screen]\nask = %s\n", wrong[_i].ask);
+    ck_assert(!read_rows(text, &settings, &status));
+    ck_assert_msg(strstr(status.text, wrong[_i].says) != NULL, "%s", status.text);
+    ck_assert_int_eq(status.code, STATUS_USAGE);
+}
+END_TEST
+
 START_TEST(settings_with_other_rows_are_another_run)
 {
     const Settings a = rows_of("[loads]\ntop = top 0 100% 0 12MPa\n[cuts]\nn = 0 50% 5cm 50%\n");
@@ -263,6 +328,8 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(cases, a_damaged_row_is_refused, 0, (int)(sizeof refused / sizeof *refused));
     tcase_add_test(cases, there_are_at_most_sixteen);
     tcase_add_test(cases, rows_and_their_values_are_keys);
+    tcase_add_test(cases, a_scenario_asks_about_its_rows);
+    tcase_add_loop_test(cases, a_row_that_is_asked_about_is_there, 0, 9);
     tcase_add_test(cases, settings_with_other_rows_are_another_run);
     suite_add_tcase(suite, cases);
 }

@@ -68,7 +68,7 @@ static void move(Laboratory *lab, int x, int y, int page)
         lesson_play_move(lab, x, y);
     } else if (screen->panes.focus == PANE_PARAMETERS) {
         if (x)
-            edit_nudge(lab, x, false);
+            row_edit_nudge(lab, x, false);
         else
             edit_move(&lab->screen, y * page);
     } else if (view && view->is_list) {
@@ -107,8 +107,11 @@ void command_right(Laboratory *lab)
 /* In the fields a smaller step than with the arrows; elsewhere the same. */
 static void move_finely(Laboratory *lab, int x)
 {
-    if (lab->screen.panes.focus == PANE_PARAMETERS && edit_selected(&lab->screen))
-        edit_nudge(lab, x, true);
+    RowPlace place;
+    if (lab->screen.panes.focus == PANE_PARAMETERS &&
+        (edit_selected(&lab->screen) ||
+         (!lab->screen.lesson.open && screen_selected_row(&lab->screen, &place))))
+        row_edit_nudge(lab, x, true);
     else
         move(lab, x, 0, 1);
 }

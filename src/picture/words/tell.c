@@ -95,14 +95,22 @@ static void tell_where(const Screen *screen, Words *words)
 static void tell_about(const Screen *screen, Words *words)
 {
     const Settings *settings = experiment_settings(screen->experiment);
-    const Parameter *asked[ASKED_MAX];
+    Asked asked[ASKED_MAX];
     const int n_asked = settings_asked(settings, asked);
     char question[ABOUT_MAX], text[400] = "", tried[160];
     pane_question_text(screen, question);
     const bool ends = *settings->title && strchr(".!?", settings->title[strlen(settings->title) - 1]);
     words_say(words, 2, "%s%s%s%s", settings->title, ends ? "" : ".", *question ? " " : "", question);
-    for (int i = 0; i < n_asked; i++)
-        text_append(text, sizeof text, "%s%s (%s)", i ? ", " : "", asked[i]->label, asked[i]->key);
+    for (int i = 0; i < n_asked; i++) {
+        char name[64], value[ROW_TEXT_MAX];
+        text_append(text, sizeof text, "%s", i ? ", " : "");
+        if (asked[i].parameter) {
+            text_append(text, sizeof text, "%s (%s)", asked[i].parameter->label, asked[i].parameter->key);
+            continue;
+        }
+        settings_row_place_show(settings, &asked[i].place, name, value);
+        text_append(text, sizeof text, "%s (%s)", name, value);
+    }
     if (n_asked > 0)
         words_say(words, 2, "It asks about %s.", text);
     if (screen_question(screen, tried, sizeof tried))
@@ -193,10 +201,16 @@ static void tell_focus(const Screen *screen, Words *words)
                                                                                 : panes[screen->panes.focus]);
 }
 
-static void tell_row(const Settings *settings, int kind, int row, Words *words)
+static void tell_row(const Settings *settings, const RowPlace *place, Words *words)
 {
+    const int kind = place->kind, row = place->row;
     const RowKind *about = &row_kinds[kind];
-    char values[ROW_TEXT_MAX];
+    char values[ROW_TEXT_MAX], name[64];
+    if (place->value) {
+        settings_row_place_show(settings, place, name, values);
+        words_say(words, 2, "%s is %s; the arrows change it, Enter edits it.", name, values);
+        return;
+    }
     if (row == ROW_NEW) {
         words_say(words, 2, "A new %s (%s): Enter adds one.", about->one, about->form);
         return;
@@ -224,7 +238,7 @@ static void tell_parameter(const Screen *screen, Words *words)
     const Settings *settings = experiment_settings(screen->experiment);
     const ParameterRow *row = selected >= 0 && selected < count ? &rows[selected] : NULL;
     if (row && row->is_row)
-        tell_row(settings, row->kind, row->row, words);
+        tell_row(settings, &row->place, words);
     else if (row && row->derived >= 0)
         tell_derived(screen, row->derived, words);
     if (!row || !row->parameter)

@@ -5,6 +5,7 @@
 #include "problems/problem.h"
 #include "scenario/rows/row_text.h"
 #include "scenario/concern_body.h"
+#include "scenario/concern_output.h"
 #include "scenario/settings.h"
 
 #include <math.h>
@@ -90,7 +91,7 @@ bool settings_row_set(Settings *settings, int index, const char *name, const cha
     return true;
 }
 
-static bool no_such_row(const Settings *settings, int index, const char *name, Status *status)
+bool row_missing(const Settings *settings, int index, const char *name, Status *status)
 {
     const RowKind *kind = &row_kinds[index];
     char there[160] = "", about[KEY_MAX];
@@ -99,6 +100,18 @@ static bool no_such_row(const Settings *settings, int index, const char *name, S
         text_list_add(there, sizeof there, settings->rows[index].rows[i].name);
     return status_fail(status, STATUS_USAGE, "%s: there is no %s of that name (%s)", about, kind->one,
                        *there ? there : "none at all");
+}
+
+/* Of a row that goes nothing is asked any more. */
+static void forget_asked(Settings *settings, const RowKind *kind, const char *name)
+{
+    char *ask = settings_edit_view(settings)->ask, key[KEY_MAX], kept[LIST_MAX] = "", gone[KEY_MAX];
+    const char *list = ask;
+    const int length = snprintf(gone, sizeof gone, "%s.%s", kind->section, name);
+    while (text_next_item(&list, key, sizeof key))
+        if (strncmp(key, gone, (size_t)length) != 0 || !strchr(".", key[length]))
+            text_list_add(kept, sizeof kept, key);
+    strcpy(ask, kept);
 }
 
 bool settings_row_remove(Settings *settings, int index, const char *name, Status *status)
@@ -110,7 +123,8 @@ bool settings_row_remove(Settings *settings, int index, const char *name, Status
         return status_fail(status, STATUS_USAGE, "%s: cannot be left out (%s)", row_kinds[index].section,
                            row_kinds[index].form);
     if (at < 0)
-        return no_such_row(settings, index, name, status);
+        return row_missing(settings, index, name, status);
+    forget_asked(settings, &row_kinds[index], name);
     memmove(&list->rows[at], &list->rows[at + 1], (size_t)(list->count - at - 1) * sizeof *list->rows);
     memset(&list->rows[--list->count], 0, sizeof *list->rows);
     return true;
@@ -190,7 +204,7 @@ static bool cut_key(const char *key, RowKey *out)
            next_part(&key, out->value, sizeof out->value) && !*key;
 }
 
-static int find_column(const RowKind *kind, const char *word)
+int row_column(const RowKind *kind, const char *word)
 {
     for (int i = 0; i < kind->n_columns; i++)
         if (strcmp(kind->columns[i].word, word) == 0)
@@ -208,10 +222,10 @@ bool settings_row_is_key(const Settings *settings, const char *key)
 static bool set_value(Settings *settings, const RowKey *at, const char *key, const char *text, Status *status)
 {
     const RowKind *kind = &row_kinds[at->kind];
-    const int row = settings_row_find(settings, at->kind, at->name), column = find_column(kind, at->value);
+    const int row = settings_row_find(settings, at->kind, at->name), column = row_column(kind, at->value);
     char about[KEY_MAX], words[160] = "";
     if (row < 0)
-        return no_such_row(settings, at->kind, at->name, status);
+        return row_missing(settings, at->kind, at->name, status);
     for (int i = 0; i < kind->n_columns; i++)
         text_list_add(words, sizeof words, kind->columns[i].word);
     if (column < 0)
@@ -249,7 +263,7 @@ const RowColumn *row_key_column(const char *key)
     RowKey at;
     if (!cut_key(key, &at) || !*at.value)
         return NULL;
-    const int column = find_column(&row_kinds[at.kind], at.value);
+    const int column = row_column(&row_kinds[at.kind], at.value);
     return column < 0 ? NULL : &row_kinds[at.kind].columns[column];
 }
 
@@ -259,7 +273,7 @@ double settings_row_number(const Settings *settings, const char *key)
     if (!cut_key(key, &at) || !*at.value)
         return NAN;
     const int row = settings_row_find(settings, at.kind, at.name),
-              column = find_column(&row_kinds[at.kind], at.value);
+              column = row_column(&row_kinds[at.kind], at.value);
     return row >= 0 && column >= 0 ? settings_row_value(settings, at.kind, row, column) : NAN;
 }
 
@@ -268,7 +282,7 @@ void settings_row_key_show(const Settings *settings, const char *key, char out[R
     RowKey at;
     _Static_assert((int)ROW_TEXT_MAX == (int)LIST_MAX, "whatever a key stands for has room in either");
     const int row = cut_key(key, &at) ? settings_row_find(settings, at.kind, at.name) : -1,
-              column = row >= 0 ? find_column(&row_kinds[at.kind], at.value) : -1;
+              column = row >= 0 ? row_column(&row_kinds[at.kind], at.value) : -1;
     strcpy(out, "none");
     if (row >= 0 && !*at.value)
         settings_row_show(settings, at.kind, row, out);

@@ -131,6 +131,25 @@ double settings_row_number(const Settings *, const char *key);
  * none. */
 void settings_row_key_show(const Settings *, const char *key, char out[ROW_TEXT_MAX]);
 
+/* What of the rows a key of screen.ask stands for: "loads.top" a row, "loads.top.sy" one value of it,
+ * "loads.sy" that value of all loads, which change by one factor. */
+typedef struct RowPlace {
+    int kind, row; /* of all rows the first whose value is there and not 0 */
+    int value;     /* its column, counted from 1; 0: the row as a whole */
+    bool all;
+} RowPlace;
+
+/* False: the key means no row or value, and the status says which there are; true with a row of -1: of the
+ * values that it means none is there now. */
+bool settings_row_asked(const Settings *, const char *key, RowPlace *, Status *);
+
+/* What it is called, "sy of load top", and its value with its unit; the whole row: its name and its line. */
+void settings_row_place_show(const Settings *, const RowPlace *, char name[64], char value[ROW_TEXT_MAX]);
+
+/* One value: from its text, or from a number in SI units, where what was a share of the plate stays one. */
+bool settings_row_place_set(Settings *, const RowPlace *, const char *text, Status *);
+void settings_row_place_put(Settings *, const RowPlace *, double value);
+
 /* Do all rows lie on the plate? Else the status names the row, what is wrong and what is allowed. */
 bool settings_rows_check(const Settings *, Status *);
 
