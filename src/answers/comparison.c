@@ -15,7 +15,7 @@
 
 /* A run at its present step. */
 typedef struct Standing {
-    Experiment *experiment;
+    const Experiment *experiment;
     const Readout *readout;
     CrackFacts crack;
     bool breaks; /* `crack` is known */
@@ -323,7 +323,7 @@ enum { QUANTITIES = sizeof quantities / sizeof *quantities };
 /* --- the table ------------------------------------------------------------------------------------- */
 
 /* What several rows need of a run, asked once. */
-static Standing standing_of(Experiment *experiment)
+static Standing standing_of(const Experiment *experiment)
 {
     Standing run = {.experiment = experiment, .readout = experiment_readout(experiment)};
     run.breaks = crack_facts(experiment_simulation(experiment), &run.crack);

@@ -122,7 +122,7 @@ void summary_crack(RunSummary *summary, const Simulation *sim, const Settings *s
 }
 
 /* All of it from a live run, at the step on screen; what follows from rows is that of the newest step. */
-void summary_of(Experiment *experiment, RunSummary *summary)
+void summary_of(const Experiment *experiment, RunSummary *summary)
 {
     const Record *record = experiment_record(experiment);
     int n;
@@ -152,7 +152,7 @@ void summary_of(Experiment *experiment, RunSummary *summary)
         summary_crack(summary, experiment_simulation(experiment), experiment_settings(experiment));
 }
 
-void summary_now(Experiment *experiment, SummaryPart part, RunSummary *summary)
+void summary_now(const Experiment *experiment, SummaryPart part, RunSummary *summary)
 {
     const Simulation *sim = experiment_simulation(experiment);
     const Record *record = experiment_record(experiment);

@@ -17,14 +17,14 @@ void summary_rows(RunSummary *, const Simulation *, const Column *columns, int n
 void summary_crack(RunSummary *, const Simulation *, const Settings *);
 
 /* The same numbers for a run on screen, to its newest step. */
-void summary_of(Experiment *, RunSummary *);
+void summary_of(const Experiment *, RunSummary *);
 
 /* What of a summary a number is read from; the readout is always there. */
 typedef enum SummaryPart { SUMMARY_READOUT, SUMMARY_ENERGY, SUMMARY_FINDINGS, SUMMARY_CRACK } SummaryPart;
 
 /* The readout and one part more at the step on screen, cheap enough for every picture: without what the crack
  * cost. What is not known there is left out. */
-void summary_now(Experiment *, SummaryPart, RunSummary *);
+void summary_now(const Experiment *, SummaryPart, RunSummary *);
 
 /* "energy E* changed by -82.5 % of the start": the measure, the change, relative to what. "": not known. */
 void summary_energy_text(const RunSummary *, char out[SUMMARY_MAX]);

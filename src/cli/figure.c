@@ -69,10 +69,9 @@ static bool run_against(Experiment *experiment, const Settings *others, int n_ot
 }
 
 /* Goes from one time to the next and takes each down. */
-static bool take_frames(Figure *figure, Screen *screen, const View *view, const Frames *frames,
-                        Progress *progress, Status *status)
+static bool take_frames(Figure *figure, Experiment *experiment, Screen *screen, const View *view,
+                        const Frames *frames, Progress *progress, Status *status)
 {
-    Experiment *experiment = screen->experiment;
     const int count = (int)frames->count;
     const double last = (double)(frames->steps[count - 1] > 0 ? frames->steps[count - 1] : 1);
     bool sound = true;
@@ -94,14 +93,14 @@ static bool take_frames(Figure *figure, Screen *screen, const View *view, const 
 
 /* Pictures of one page are compared, so displacements are enlarged alike: once more with a factor that suits
  * all, where each would have its own. */
-static bool take_alike(Figure *figure, Screen *screen, const View *view, const Frames *frames,
-                       Progress *progress, Status *status)
+static bool take_alike(Figure *figure, Experiment *experiment, Screen *screen, const View *view,
+                       const Frames *frames, Progress *progress, Status *status)
 {
     bool differ;
     const double least = figure_enlargement(figure, &differ);
     if (!differ)
         return true;
-    Settings settings = *experiment_settings(screen->experiment);
+    Settings settings = *experiment_settings(experiment);
     snprintf(settings_edit_view(&settings)->exaggeration, sizeof settings_view(&settings)->exaggeration,
              "%.6g", least);
     const double width = figure->width, height = figure->height;
@@ -109,18 +108,18 @@ static bool take_alike(Figure *figure, Screen *screen, const View *view, const F
     figure_close(figure);
     figure_open(figure, width, height);
     figure->bare = bare;
-    return experiment_edit(screen->experiment, &settings, status) &&
-           take_frames(figure, screen, view, frames, progress, status);
+    return experiment_edit(experiment, &settings, status) &&
+           take_frames(figure, experiment, screen, view, frames, progress, status);
 }
 
-static bool draw_frames(Screen *screen, const View *view, const Frames *frames, const Options *options,
-                        Progress *progress, Status *status)
+static bool draw_frames(Experiment *experiment, Screen *screen, const View *view, const Frames *frames,
+                        const Options *options, Progress *progress, Status *status)
 {
     Figure figure;
     figure_open(&figure, options->size[0], options->size[1]);
     figure.bare = options->bare;
-    const bool sound = take_frames(&figure, screen, view, frames, progress, status) &&
-                       take_alike(&figure, screen, view, frames, progress, status) &&
+    const bool sound = take_frames(&figure, experiment, screen, view, frames, progress, status) &&
+                       take_alike(&figure, experiment, screen, view, frames, progress, status) &&
                        (progress_show(1, progress) || interrupted(status)) &&
                        figure_write(&figure, ASKER_COMMAND_LINE, options->output, options->force, status);
     figure_close(&figure);
@@ -190,8 +189,8 @@ static bool refine(Convergence *convergence, const Screen *screen, const View *v
     return true;
 }
 
-static bool draw(const Options *options, const Settings *settings, const Settings *others, Screen *screen,
-                 Progress *progress, Status *status)
+static bool draw(const Options *options, const Settings *settings, const Settings *others,
+                 Experiment *experiment, Screen *screen, Progress *progress, Status *status)
 {
     Frames frames = {0};
     const View *view = NULL;
@@ -205,8 +204,8 @@ static bool draw(const Options *options, const Settings *settings, const Setting
     if (sound && options->against.count > 0 && frames.count > 1)
         sound = status_fail(status, STATUS_USAGE, "--against: is for one picture, not for several times");
     if (sound && options->against.count > 0)
-        sound = run_against(screen->experiment, others, options->against.count, settings, frames.steps[0],
-                            progress, status) &&
+        sound = run_against(experiment, others, options->against.count, settings, frames.steps[0], progress,
+                            status) &&
                 plan(&frames, screen, view, settings, status);
     if (sound) {
         if (!settings_view(settings)->window[0])
@@ -215,7 +214,7 @@ static bool draw(const Options *options, const Settings *settings, const Setting
         Convergence convergence = {.n_studies = 0};
         screen->convergence = &convergence;
         sound = refine(&convergence, screen, view, progress, status) &&
-                draw_frames(screen, view, &frames, options, progress, status);
+                draw_frames(experiment, screen, view, &frames, options, progress, status);
         screen->convergence = NULL;
     }
     frames_free(&frames);
@@ -261,19 +260,21 @@ int cli_figure(int count, char **arguments, Status *status)
     Screen screen;
     screen_default(&screen);
     screen.scenario = options.words[0];
-    screen.experiment = experiment_create(&others[0], HISTORY, progress_threads(options.threads), status);
-    if (!screen.experiment) {
+    Experiment *experiment =
+        experiment_create(&others[0], HISTORY, progress_threads(options.threads), status);
+    if (!experiment) {
         progress_end(&progress);
         return failed_with(status);
     }
-    screen.chosen.particle = screen_middle_particle(experiment_simulation(screen.experiment));
+    screen.experiment = experiment;
+    screen.chosen.particle = screen_middle_particle(experiment_simulation(experiment));
     if (options.list) {
         figure_names(&screen, stdout);
     } else {
-        sound = draw(&options, &settings, others, &screen, &progress, status);
+        sound = draw(&options, &settings, others, experiment, &screen, &progress, status);
     }
     progress_end(&progress);
-    experiment_destroy(screen.experiment);
+    experiment_destroy(experiment);
     if (!sound)
         return failed_with(status);
     if (!options.list && !options.quiet)

@@ -169,20 +169,21 @@ static bool draw(const Options *options, Data *data, const FitResult *result, Pr
     screen_default(&screen);
     screen.scenario = options->words[0];
     screen.overlay = &data->table;
-    screen.experiment =
+    Experiment *experiment =
         experiment_create(&result->settings, HISTORY, progress_threads(options->threads), status);
-    if (!screen.experiment)
+    if (!experiment)
         return false;
+    screen.experiment = experiment;
     screen.time.window = data->taken.times[data->taken.count - 1];
     snprintf(name, sizeof name, "probe:%s", data->column);
     figure_open(&figure, options->size[0], options->size[1]);
     const bool sound =
-        run_fitted(screen.experiment, progress, status) &&
+        run_fitted(experiment, progress, status) &&
         (figure_view(&screen, name, &view, NULL) || figure_view(&screen, "probe", &view, status)) &&
         figure_add(&figure, &screen, view, 1, status) &&
         figure_write(&figure, ASKER_COMMAND_LINE, options->figure, options->force, status);
     figure_close(&figure);
-    experiment_destroy(screen.experiment);
+    experiment_destroy(experiment);
     return sound;
 }
 

@@ -54,7 +54,7 @@ static bool take_pairs(char *path)
 bool diagnosing_answer(Laboratory *lab, const char *words)
 {
     char path[NAME_MAX_BYTES];
-    const Settings settings = *experiment_base(lab->screen.experiment);
+    const Settings settings = *experiment_base(laboratory_run(lab));
     Status status = {STATUS_DONE, ""};
     snprintf(path, sizeof path, "%s", words + strspn(words, " "));
     Diagnosis *found = calloc(1, sizeof *found);

@@ -54,7 +54,7 @@ bool edit_answer_filter(Laboratory *lab, const char *text)
 /* A run that begins anew seeks the time that the first of these edits found on screen. */
 static void return_to_time(Laboratory *lab)
 {
-    Experiment *experiment = lab->screen.experiment;
+    Experiment *experiment = laboratory_run(lab);
     if (experiment_pending(experiment, NULL)) {
         const double step = round(lab->editing.anchor_time / experiment_simulation(experiment)->dt);
         const long last = experiment_last_step(experiment);
@@ -75,7 +75,7 @@ void edit_changed(Laboratory *lab)
     if (lab->player.pace_automatic)
         lesson_entry_choose_pace(lab);
     player_settle(lab);
-    const char *advice = experiment_advice(lab->screen.experiment);
+    const char *advice = experiment_advice(laboratory_run(lab));
     if (advice && *advice)
         laboratory_say(lab, MESSAGE_WARNING, "%s", advice);
 }
@@ -106,14 +106,14 @@ static size_t nearest_to(const Simulation *sim, const double place[SIMULATION_DI
 bool edit_change_runs(Laboratory *lab, const Settings *settings, DuelChange verb, Status *status)
 {
     size_t *chosen = &lab->screen.chosen.particle;
-    const Simulation *sim = experiment_simulation(lab->screen.experiment);
+    const Simulation *sim = experiment_simulation(laboratory_run(lab));
     const size_t before = sim->counts[0];
     double place[SIMULATION_DIMENSIONS_MAX] = {0};
     if (*chosen < before)
         place_of(sim, *chosen, place);
     if (!duel_change(&lab->player.duel, settings, verb, status))
         return false;
-    sim = experiment_simulation(lab->screen.experiment);
+    sim = experiment_simulation(laboratory_run(lab));
     if (*chosen < before && sim->counts[0] != before)
         *chosen = nearest_to(sim, place);
     return true;
@@ -130,16 +130,16 @@ static void remember(Editing *editing, const Settings *before)
 
 bool edit_change(Laboratory *lab, const Settings *settings, DuelChange verb, Status *status)
 {
-    Settings old = *experiment_settings(lab->screen.experiment);
+    Settings old = *experiment_settings(laboratory_run(lab));
     bool same = settings_same(&old, settings);
     long step;
     int stage;
     player_place(lab, &step, &stage);
     /* the time on screen is a multiple of the time step; edits of the step in a row would make it wander */
     if (step != lab->editing.anchor_step)
-        lab->editing.anchor_time = (double)step * experiment_simulation(lab->screen.experiment)->dt;
+        lab->editing.anchor_time = (double)step * experiment_simulation(laboratory_run(lab))->dt;
     /* a run that was at its end comes back to its end, which may lie a part of a step later */
-    if (step >= experiment_last_step(lab->screen.experiment) &&
+    if (step >= experiment_last_step(laboratory_run(lab)) &&
         settings_time(settings)->end == settings_time(&old)->end)
         lab->editing.anchor_time = 2 * settings_time(&old)->end;
     Status said = {STATUS_DONE, ""};
@@ -149,7 +149,7 @@ bool edit_change(Laboratory *lab, const Settings *settings, DuelChange verb, Sta
         *status = said;
         return false;
     }
-    if (same && experiment_pending(lab->screen.experiment, NULL)) {
+    if (same && experiment_pending(laboratory_run(lab), NULL)) {
         return_to_time(lab); /* the same run with another column */
         player_settle(lab);
     }
@@ -167,7 +167,7 @@ void edit_nudge(Laboratory *lab, int direction, bool fine)
     const Parameter *parameter = edit_selected(&lab->screen);
     if (!parameter)
         return;
-    Settings settings = *experiment_settings(lab->screen.experiment);
+    Settings settings = *experiment_settings(laboratory_run(lab));
     Status status = {STATUS_DONE, ""};
     if (!settings_nudge(&settings, parameter, direction, fine)) {
         char range[96];
@@ -183,7 +183,7 @@ void edit_nudge(Laboratory *lab, int direction, bool fine)
 static bool accept_value(Laboratory *lab, Status *status)
 {
     const Parameter *parameter = edit_selected(&lab->screen);
-    Settings settings = *experiment_settings(lab->screen.experiment);
+    Settings settings = *experiment_settings(laboratory_run(lab));
     return !parameter || (settings_set(&settings, parameter->key, lab->screen.parameters.edit.text, status) &&
                           edit_change(lab, &settings, experiment_edit, status));
 }
@@ -195,14 +195,14 @@ void edit_begin(Laboratory *lab)
     if (!parameter)
         return;
     if (parameter->type == PARAMETER_CHOICE || parameter->type == PARAMETER_FLAG) {
-        Settings settings = *experiment_settings(lab->screen.experiment);
+        Settings settings = *experiment_settings(laboratory_run(lab));
         Status status = {STATUS_DONE, ""};
         if (!settings_nudge(&settings, parameter, 1, false) ||
             !edit_change(lab, &settings, experiment_edit, &status))
             laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
         return;
     }
-    settings_get(experiment_settings(lab->screen.experiment), parameter, screen->parameters.edit.text);
+    settings_get(experiment_settings(laboratory_run(lab)), parameter, screen->parameters.edit.text);
     screen->parameters.edit.cursor = glyphs_count(screen->parameters.edit.text);
     screen->parameters.edit.problem[0] = '\0';
     screen->parameters.edit.open = true;

@@ -16,7 +16,7 @@
  * Sets the overlay's column; NULL: there is none. */
 static const char *series_of(const Laboratory *lab, int *y)
 {
-    const Simulation *sim = experiment_simulation(lab->screen.experiment);
+    const Simulation *sim = experiment_simulation(laboratory_run(lab));
     const char *shown = view_time_curve(&lab->screen);
     *y = overlay_column_for(&lab->overlay, shown, false);
     if (*y >= 0 && simulation_find_series(sim, shown) >= 0)
@@ -83,7 +83,7 @@ static bool solve(Laboratory *lab, FitTask *task, Settings *settings, Status *st
 
 bool fitting_answer(Laboratory *lab, const char *words)
 {
-    Settings settings = *experiment_base(lab->screen.experiment), begun = settings;
+    Settings settings = *experiment_base(laboratory_run(lab)), begun = settings;
     FitTask task = {.settings = &begun, .threads = lab->options.threads > 0 ? lab->options.threads : 1};
     FitData data = {.times = NULL};
     Status status = {STATUS_DONE, ""};

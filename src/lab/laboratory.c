@@ -31,13 +31,13 @@ bool laboratory_open(Laboratory *lab, const LaboratoryOptions *options, const Ho
         lab->screen.panes.sheet = SHEET_PLAIN;
     Settings settings = *options->settings;
     opening_show_progress(lab, &settings);
-    lab->screen.experiment = opening_experiment(lab, &settings, status);
-    if (!lab->screen.experiment) {
+    Experiment *experiment = opening_experiment(lab, &settings, status);
+    if (!experiment) {
         laboratory_close(lab);
         return false;
     }
     opening_name(lab, options->scenario);
-    opening_begin(lab);
+    opening_begin(lab, experiment);
     if (options->is_coarse)
         opening_tell_coarse(lab);
     if (options->paused)
@@ -56,12 +56,12 @@ void laboratory_close(Laboratory *lab)
 {
     lesson_play_close(lab);
     duel_close(&lab->player.duel);
-    experiment_destroy(lab->screen.experiment);
+    experiment_destroy(laboratory_run(lab));
     overlay_close(&lab->overlay);
     free(lab->editing.undo);
     free(lab->editing.redo);
     free(lab->editing.draft);
-    lab->screen.experiment = NULL;
+    lab->screen.experiment = lab->player.duel.a = NULL;
     lab->editing.undo = lab->editing.redo = lab->editing.draft = NULL;
 }
 

@@ -77,6 +77,12 @@ struct Laboratory {
     double built_at;   /* when the building of a simulation began */
 };
 
+/* The run that keys and edits act on; the screen has a const view of it. NULL while the laboratory opens. */
+static inline Experiment *laboratory_run(const Laboratory *lab)
+{
+    return lab->player.duel.a;
+}
+
 /* At t = 0, running or paused as the options say. False: the status says why; nothing is left open. */
 bool laboratory_open(Laboratory *, const LaboratoryOptions *, const Host *, Status *);
 void laboratory_close(Laboratory *);

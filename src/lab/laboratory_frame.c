@@ -190,10 +190,10 @@ static bool slow_frame(Laboratory *lab)
     if (lab->player.slow_left-- > 0)
         return false;
     lab->player.slow_left = lab->player.slow_frames - 1;
-    if (experiment_stage(lab->screen.experiment) == 0)
-        stop_look(&lab->player.stop, lab->screen.experiment);
+    if (experiment_stage(laboratory_run(lab)) == 0)
+        stop_look(&lab->player.stop, laboratory_run(lab));
     duel_next_stage(&lab->player.duel, &status);
-    if (experiment_stage(lab->screen.experiment) > 0 || !player_arrive(lab))
+    if (experiment_stage(laboratory_run(lab)) > 0 || !player_arrive(lab))
         player_settle(lab);
     return true;
 }

@@ -18,7 +18,7 @@
 
 static void read_view(Laboratory *lab)
 {
-    const ViewSettings *view = settings_view(experiment_settings(lab->screen.experiment));
+    const ViewSettings *view = settings_view(experiment_settings(laboratory_run(lab)));
     Screen *screen = &lab->screen;
     double value;
     views_open(screen, view);
@@ -39,9 +39,13 @@ static int threads_of(const Laboratory *lab)
     return lab->options.threads > 0 ? lab->options.threads : 1;
 }
 
-void opening_begin(Laboratory *lab)
+void opening_begin(Laboratory *lab, Experiment *experiment)
 {
     Screen *screen = &lab->screen;
+    Experiment *before = laboratory_run(lab);
+    duel_open(&lab->player.duel, experiment, history_size(lab), threads_of(lab));
+    experiment_destroy(before);
+    screen->experiment = experiment;
     lab->player.pace_automatic = true;
     lab->editing.n_undo = lab->editing.n_redo = 0;
     lab->editing.changed = false;
@@ -56,7 +60,7 @@ void opening_begin(Laboratory *lab)
     if (screen->panes.inspecting && screen->panes.focus == PANE_INSPECTOR)
         screen->panes.focus = screen->panes.before_inspector;
     screen->panes.inspecting = false;
-    const Simulation *simulation = experiment_simulation(screen->experiment);
+    const Simulation *simulation = experiment_simulation(experiment);
     screen->chosen.particle = screen_middle_particle(simulation);
     screen->chosen.is_node = false;
     screen->chosen.node = simulation->n_sets > 1 ? simulation->counts[1] / 2 : 0;
@@ -64,7 +68,6 @@ void opening_begin(Laboratory *lab)
     read_view(lab);
     screen->duel = &lab->player.duel;
     screen->convergence = &lab->refining.convergence;
-    duel_open(&lab->player.duel, screen->experiment, history_size(lab), threads_of(lab));
     lab->player.second_ended = false;
     screen_select(screen, NULL);
     if (screen_is_plain(screen))
@@ -99,7 +102,7 @@ static bool show_building(double share, void *context)
         return true;
     /* before there is a screen the terminal hands on ^C alone */
     laboratory_say(lab, MESSAGE_INFO, "building the run: %d %%   %s gives up", (int)(100 * share),
-                   lab->screen.experiment ? "Esc" : "^C");
+                   laboratory_run(lab) ? "Esc" : "^C");
     return laboratory_go_on(lab);
 }
 
@@ -137,8 +140,6 @@ static bool open_scenario(Laboratory *lab, const char *name, Status *status)
             scenario_blame(name, NULL, 0, status);
     }
     if (experiment) {
-        experiment_destroy(lab->screen.experiment);
-        lab->screen.experiment = experiment;
         Screen fresh;
         screen_default(&fresh);
         lab->screen.views.n_variants = 0;
@@ -147,7 +148,7 @@ static bool open_scenario(Laboratory *lab, const char *name, Status *status)
         lab->screen.views.references = fresh.views.references;
         command_map_whole(&lab->screen);
         opening_name(lab, name);
-        opening_begin(lab);
+        opening_begin(lab, experiment);
     }
     free(settings);
     return experiment != NULL;

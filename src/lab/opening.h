@@ -12,8 +12,9 @@ void opening_show_progress(Laboratory *, Settings *);
 
 Experiment *opening_experiment(const Laboratory *, const Settings *, Status *);
 
-/* What belongs to a run and not to the way it is looked at, begins anew with the one that is in place. */
-void opening_begin(Laboratory *);
+/* This run takes the place of the one before, which goes; what belongs to a run and not to the way it is
+ * looked at begins anew. */
+void opening_begin(Laboratory *, Experiment *);
 void opening_name(Laboratory *, const char *name);
 
 /* Another scenario in the place of this one, or its coarse form, which is then said. */

@@ -40,7 +40,7 @@ void player_tell_duel_over(Laboratory *lab, const Status *status)
 void player_settle(Laboratory *lab)
 {
     Screen *screen = &lab->screen;
-    Experiment *experiment = screen->experiment;
+    Experiment *experiment = laboratory_run(lab);
     long left;
     Status failure;
     if (duel_pending(&lab->player.duel, &left))
@@ -77,7 +77,7 @@ void player_pause(Laboratory *lab)
 
 void player_place(const Laboratory *lab, long *step, int *stage)
 {
-    const Experiment *experiment = lab->screen.experiment;
+    const Experiment *experiment = laboratory_run(lab);
     bool under_way = lab->screen.playback.state == STATE_COMPUTING;
     *step = under_way ? lab->player.goal_step : experiment_step(experiment);
     *stage = under_way ? lab->player.goal_stage : experiment_stage(experiment);
@@ -85,7 +85,7 @@ void player_place(const Laboratory *lab, long *step, int *stage)
 
 void player_seek(Laboratory *lab, long step, int stage)
 {
-    long last = experiment_last_step(lab->screen.experiment);
+    long last = experiment_last_step(laboratory_run(lab));
     if (step < 0)
         step = 0, stage = 0;
     if (step >= last)
@@ -114,7 +114,7 @@ void player_stop_at(Laboratory *lab, const Stop *stop)
 {
     lab->player.stop = *stop;
     stop_words(stop, lab->screen.playback.until);
-    lab->screen.playback.until_step = lab->screen.experiment ? stop_step(stop, lab->screen.experiment) : -1;
+    lab->screen.playback.until_step = laboratory_run(lab) ? stop_step(stop, laboratory_run(lab)) : -1;
 }
 
 void player_loop(Laboratory *lab, const Stretch *loop)
@@ -126,7 +126,7 @@ void player_loop(Laboratory *lab, const Stretch *loop)
 /* The last whole step of the stretch; at least one more than its first. */
 static long loop_end(const Laboratory *lab, long *first)
 {
-    const Experiment *experiment = lab->screen.experiment;
+    const Experiment *experiment = laboratory_run(lab);
     const double dt = experiment_simulation(experiment)->dt;
     const long last = experiment_last_step(experiment);
     const double from = lab->player.loop.from / dt, to = lab->player.loop.to / dt;
@@ -138,8 +138,8 @@ static long loop_end(const Laboratory *lab, long *first)
 long player_steps_ahead(const Laboratory *lab)
 {
     const Player *player = &lab->player;
-    const long step = experiment_step(lab->screen.experiment);
-    const long stop = stop_step(&player->stop, lab->screen.experiment);
+    const long step = experiment_step(laboratory_run(lab));
+    const long stop = stop_step(&player->stop, laboratory_run(lab));
     long limit = player->run_limit >= 0 ? player->run_limit : LONG_MAX, first;
     if (stop >= step && stop < limit)
         limit = stop;
@@ -151,7 +151,7 @@ long player_steps_ahead(const Laboratory *lab)
 /* The first thing that happened in the step that has just been done; else the time. */
 static void tell_stop(Laboratory *lab)
 {
-    const Simulation *sim = experiment_simulation(lab->screen.experiment);
+    const Simulation *sim = experiment_simulation(laboratory_run(lab));
     char time[NUMBER_TEXT_MAX];
     text_rounded(time, simulation_time(sim), 6);
     int event = sim->n_events - 1;
@@ -168,7 +168,7 @@ static void tell_stop(Laboratory *lab)
 bool player_arrive(Laboratory *lab)
 {
     Player *player = &lab->player;
-    Experiment *experiment = lab->screen.experiment;
+    Experiment *experiment = laboratory_run(lab);
     const long step = experiment_step(experiment), stop = stop_step(&player->stop, experiment);
     const Stop never = {.kind = STOP_NEVER};
     long first;
@@ -238,7 +238,7 @@ double player_pace_for(double steps, double seconds)
 
 void player_choose_pace(Screen *screen)
 {
-    Experiment *experiment = screen->experiment;
+    const Experiment *experiment = screen->experiment;
     const Readout *readout = experiment_readout(experiment);
     double dt = experiment_simulation(experiment)->dt;
     double seconds = 1, steps = 0;

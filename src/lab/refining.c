@@ -54,7 +54,7 @@ static bool wait_for_point(double share, void *context)
 
 void refining_work(Laboratory *lab)
 {
-    const Settings *settings = experiment_settings(lab->screen.experiment);
+    const Settings *settings = experiment_settings(laboratory_run(lab));
     const ConvergencePoint *points;
     Status status = {STATUS_DONE, ""};
     Waiting waiting = {.lab = lab, .study = study_to_do(lab)};

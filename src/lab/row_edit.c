@@ -57,7 +57,7 @@ static bool apply(Laboratory *lab, const Settings *settings, Status *status)
 
 bool row_edit_line(Laboratory *lab, int kind, const char *words, Status *status)
 {
-    Settings settings = *experiment_settings(lab->screen.experiment);
+    Settings settings = *experiment_settings(laboratory_run(lab));
     char name[KEY_MAX];
     const char *values;
     if (!settings_have_rows(&settings, kind))
@@ -117,7 +117,7 @@ static bool accept(Laboratory *lab, Status *status)
     if (!screen_selected_row(&lab->screen, &place) || place.row == ROW_NEW)
         return true;
     const int kind = place.kind, row = place.row;
-    Settings settings = *experiment_settings(lab->screen.experiment);
+    Settings settings = *experiment_settings(laboratory_run(lab));
     if (!part(kind, text, name, &values))
         return status_fail(status, STATUS_USAGE, "a %s is NAME = %s", row_kinds[kind].one,
                            row_kinds[kind].form);
@@ -135,15 +135,14 @@ static bool accept(Laboratory *lab, Status *status)
         put_in_place(&settings, kind, row);
     if (!apply(lab, &settings, status))
         return false;
-    select_row(&lab->screen, kind,
-               settings_row_find(experiment_settings(lab->screen.experiment), kind, name));
+    select_row(&lab->screen, kind, settings_row_find(experiment_settings(laboratory_run(lab)), kind, name));
     return true;
 }
 
 static void open_field(Laboratory *lab, int kind, int row)
 {
     FieldEdit *edit = &lab->screen.parameters.edit;
-    const Settings *settings = experiment_settings(lab->screen.experiment);
+    const Settings *settings = experiment_settings(laboratory_run(lab));
     char values[ROW_TEXT_MAX];
     settings_row_show(settings, kind, row, values);
     edit->text[0] = '\0';
@@ -160,7 +159,7 @@ static void open_field(Laboratory *lab, int kind, int row)
 static bool accept_value(Laboratory *lab, Status *status)
 {
     RowPlace place;
-    Settings settings = *experiment_settings(lab->screen.experiment);
+    Settings settings = *experiment_settings(laboratory_run(lab));
     return !screen_selected_row(&lab->screen, &place) ||
            (settings_row_place_set(&settings, &place, lab->screen.parameters.edit.text, status) &&
             apply(lab, &settings, status));
@@ -170,7 +169,7 @@ static bool accept_value(Laboratory *lab, Status *status)
 static void open_value(Laboratory *lab, const RowPlace *place)
 {
     FieldEdit *edit = &lab->screen.parameters.edit;
-    const Settings *settings = experiment_settings(lab->screen.experiment);
+    const Settings *settings = experiment_settings(laboratory_run(lab));
     text_shortest(edit->text, settings_row_value(settings, place->kind, place->row, place->value - 1));
     edit->cursor = glyphs_count(edit->text);
     edit->problem[0] = '\0';
@@ -194,7 +193,7 @@ void row_edit_begin(Laboratory *lab)
 void row_edit_nudge(Laboratory *lab, int direction, bool fine)
 {
     RowPlace place;
-    Settings settings = *experiment_settings(lab->screen.experiment);
+    Settings settings = *experiment_settings(laboratory_run(lab));
     Status status = {STATUS_DONE, ""};
     edit_nudge(lab, direction, fine);
     if (!screen_selected_row(&lab->screen, &place))
@@ -392,7 +391,7 @@ void row_edit_point(Laboratory *lab, int x, int y)
 
 static bool have_rows(Laboratory *lab)
 {
-    const bool any = settings_have_rows(experiment_settings(lab->screen.experiment), ROWS_CUTS);
+    const bool any = settings_have_rows(experiment_settings(laboratory_run(lab)), ROWS_CUTS);
     if (!any)
         laboratory_say(lab, MESSAGE_INFO,
                        "there are no cuts, loads or supports to be edited here: a plate has");
@@ -432,7 +431,7 @@ void row_edit_add(Laboratory *lab)
         return;
     const bool any = screen_selected_row(&lab->screen, &place) && row_kinds[place.kind].fresh;
     const int kind = any ? place.kind : ROWS_CUTS;
-    *lab->editing.draft = *experiment_settings(lab->screen.experiment);
+    *lab->editing.draft = *experiment_settings(laboratory_run(lab));
     place_new(lab, kind, row_kinds[kind].fresh);
 }
 
@@ -446,7 +445,7 @@ void row_edit_copy(Laboratory *lab)
         laboratory_say(lab, MESSAGE_INFO, "there is one %s only", row_kinds[kind].one);
         return;
     }
-    *lab->editing.draft = *experiment_settings(lab->screen.experiment);
+    *lab->editing.draft = *experiment_settings(laboratory_run(lab));
     settings_row_get(lab->editing.draft, kind, row, values);
     place_new(lab, kind, values);
 }
@@ -457,7 +456,7 @@ void row_edit_delete(Laboratory *lab)
     Status status = {STATUS_DONE, ""};
     if (!have_rows(lab) || !chosen(lab, &kind, &row))
         return;
-    Settings settings = *experiment_settings(lab->screen.experiment);
+    Settings settings = *experiment_settings(laboratory_run(lab));
     char name[ROW_NAME_MAX];
     snprintf(name, sizeof name, "%s", settings.rows[kind].rows[row].name);
     if (!row_kinds[kind].fresh)
@@ -473,6 +472,6 @@ void row_edit_move(Laboratory *lab)
     int kind, row;
     if (!have_rows(lab) || !chosen(lab, &kind, &row))
         return;
-    *lab->editing.draft = *experiment_settings(lab->screen.experiment);
+    *lab->editing.draft = *experiment_settings(laboratory_run(lab));
     begin_placing(lab, kind, row, row_kinds[kind].usual ? ROW_BOTH_ENDS : ROW_FIRST_END);
 }

@@ -23,7 +23,7 @@ static bool begin(Laboratory *lab, const Assignment *keys, int n_keys, Status *s
 
 void second_run_open(Laboratory *lab)
 {
-    const Settings *settings = experiment_settings(lab->screen.experiment);
+    const Settings *settings = experiment_settings(laboratory_run(lab));
     Status status = {STATUS_DONE, ""};
     if (settings->n_duel > 0 && !begin(lab, settings->duel, settings->n_duel, &status))
         laboratory_say(lab, MESSAGE_WARNING, "no duel: %s", status.text);
@@ -36,7 +36,7 @@ bool second_run_answer(Laboratory *lab, const char *words)
     const int n_keys = duel_read_keys(words, keys, &status);
     for (int i = 0; i < n_keys; i++) {
         const Assignment typed = keys[i];
-        if (!settings_meant_key(experiment_settings(lab->screen.experiment), typed.key, keys[i].key, &status))
+        if (!settings_meant_key(experiment_settings(laboratory_run(lab)), typed.key, keys[i].key, &status))
             return prompt_refuse(&lab->prompting, status.text);
     }
     if (n_keys == 0)
@@ -48,7 +48,7 @@ static void suggest(Laboratory *lab, int direction)
 {
     const int to = lab->prompting.suggestion + direction;
     Assignment keys[DUEL_MAX];
-    if (to < 0 || duel_suggest(experiment_settings(lab->screen.experiment), to, keys) == 0)
+    if (to < 0 || duel_suggest(experiment_settings(laboratory_run(lab)), to, keys) == 0)
         return;
     lab->prompting.suggestion = to;
     char text[sizeof lab->screen.prompt.text];
@@ -69,7 +69,7 @@ static const Typing typing = {.key = duel_key, .offer = complete_assignments};
 void second_run_toggle(Laboratory *lab)
 {
     Duel *duel = &lab->player.duel;
-    const Settings *settings = experiment_settings(lab->screen.experiment);
+    const Settings *settings = experiment_settings(laboratory_run(lab));
     Assignment keys[DUEL_MAX];
     char text[sizeof lab->screen.prompt.text];
     if (duel->b) {

@@ -29,7 +29,7 @@ bool writing_name_fits(Laboratory *lab, const char *name)
 /* The scenario as it was opened and edited, to its own end; not only what has been computed of it. */
 static bool write_scenario(Laboratory *lab, const char *name)
 {
-    const Experiment *experiment = lab->screen.experiment;
+    const Experiment *experiment = laboratory_run(lab);
     Status status = {STATUS_DONE, ""};
     Settings settings;
     experiment_scenario(experiment, true, &settings);

@@ -200,7 +200,7 @@ static int choose_sums(const Subject *subject, int width, int rows, char sums[SU
 static int other_sums(const Subject *subject, int width, int room, char sums[SUMS_MAX])
 {
     enum { TERMS = 4 };
-    Experiment *second = screen_second_run(subject->screen);
+    const Experiment *second = screen_second_run(subject->screen);
     char text[SUMS_MAX], plain[SUMS_MAX];
     sums[0] = '\0';
     if (!subject->done || !second ||

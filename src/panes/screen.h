@@ -232,10 +232,10 @@ typedef struct Message {
 } Message;
 
 typedef struct Screen {
-    Experiment *experiment;
-    const Duel *duel;     /* whose A is the experiment; its second run is drawn beside. NULL: there is none */
-    DuelSide side;        /* a picture of one run of it only */
-    const char *scenario; /* name shown in the title line */
+    const Experiment *experiment; /* the run that is drawn; looking changes none */
+    const Duel *duel;             /* whose A it is; its second run is drawn beside. NULL: there is none */
+    DuelSide side;                /* a picture of one run of it only */
+    const char *scenario;         /* name shown in the title line */
 
     ScreenLook look;
     Playback playback;

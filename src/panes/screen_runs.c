@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-Experiment *screen_second_run(const Screen *screen)
+const Experiment *screen_second_run(const Screen *screen)
 {
     return screen->duel ? screen->duel->b : NULL;
 }
@@ -30,7 +30,7 @@ Screen screen_of_side(const Screen *screen, DuelSide side)
     return one;
 }
 
-Experiment *screen_clock_run(const Screen *screen)
+const Experiment *screen_clock_run(const Screen *screen)
 {
     return screen_second_run(screen) ? screen->duel->a : screen->experiment;
 }
@@ -119,7 +119,7 @@ int screen_box_stage(const Screen *screen, bool *done)
     return 0;
 }
 
-static double reach_of(Experiment *experiment, int field, const double *now, size_t count)
+static double reach_of(const Experiment *experiment, int field, const double *now, size_t count)
 {
     enum { TIMES = 24, PLACES = 8, PARTS = 4 }; /* parts: none waits for the one before */
     const Simulation *sim = experiment_simulation(experiment);
@@ -147,9 +147,9 @@ static double reach_of(Experiment *experiment, int field, const double *now, siz
     return isfinite(reach) ? reach : 0;
 }
 
-Experiment *screen_other_run(const Screen *screen)
+const Experiment *screen_other_run(const Screen *screen)
 {
-    Experiment *second = screen_second_run(screen);
+    const Experiment *second = screen_second_run(screen);
     return second && screen->experiment == second ? screen->duel->a : second;
 }
 
@@ -157,7 +157,7 @@ Experiment *screen_other_run(const Screen *screen)
 double screen_field_reach(const Screen *screen, int field, const double *now, size_t count)
 {
     double reach = reach_of(screen->experiment, field, now, count);
-    Experiment *other = screen_other_run(screen);
+    const Experiment *other = screen_other_run(screen);
     if (!other)
         return reach;
     const Simulation *sim = experiment_simulation(other);

@@ -20,10 +20,10 @@ bool screen_number(const Screen *, char digits[NUMBER_DIGITS_MAX], char words[NU
 char pane_timeline_letter(EventKind);
 
 /* The second run of a duel; NULL: there is none. */
-Experiment *screen_second_run(const Screen *);
+const Experiment *screen_second_run(const Screen *);
 
 /* The run beside the one on this screen, A of B and B of A; NULL: there is one alone. */
-Experiment *screen_other_run(const Screen *);
+const Experiment *screen_other_run(const Screen *);
 
 /* Both runs of a duel share the picture: what only one of them can have is left to the pictures of one run.
  */
@@ -33,7 +33,7 @@ bool screen_is_shared(const Screen *);
 Screen screen_of_side(const Screen *, DuelSide);
 
 /* The run whose times the axes of time go by: A, in a picture of B as well. */
-Experiment *screen_clock_run(const Screen *);
+const Experiment *screen_clock_run(const Screen *);
 
 bool screen_shows_exact(const Screen *);
 bool screen_shows_predicted(const Screen *);

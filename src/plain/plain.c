@@ -356,15 +356,15 @@ static bool runs(const Laboratory *lab)
 static void let_it_work(Plain *plain)
 {
     Laboratory *lab = &plain->lab;
-    const long begun = experiment_step(lab->screen.experiment);
-    double before = experiment_time(lab->screen.experiment);
-    long stage = experiment_stage(lab->screen.experiment);
+    const long begun = experiment_step(laboratory_run(lab));
+    double before = experiment_time(laboratory_run(lab));
+    long stage = experiment_stage(laboratory_run(lab));
     bool came_back = false;
     plain->told_at = wall();
     while (laboratory_active(lab)) {
         pass_time(plain);
         laboratory_frame(lab, plain->time);
-        const Experiment *experiment = lab->screen.experiment;
+        const Experiment *experiment = laboratory_run(lab);
         came_back |= experiment_time(experiment) < before && lab->screen.playback.looping;
         before = experiment_time(experiment);
         if (lab->screen.playback.slow && experiment_stage(experiment) != stage)

@@ -22,12 +22,13 @@ void experiment_keep_given(Experiment *experiment, const Settings *settings)
 static Experiment *new_experiment(const Settings *settings, int threads, Status *status)
 {
     Experiment *experiment = calloc(1, sizeof *experiment);
-    if (!experiment) {
+    if (!experiment || !(experiment->worked = calloc(1, sizeof *experiment->worked))) {
         status_fail(status, STATUS_FAILED, "not enough memory");
+        free(experiment);
         return NULL;
     }
     experiment->threads = threads;
-    experiment->row_step = -1;
+    experiment->worked->row_step = -1;
     experiment_keep_given(experiment, settings);
     return experiment;
 }
@@ -50,9 +51,10 @@ void experiment_destroy(Experiment *experiment)
         experiment_drop_ghost(&experiment->ghosts[i]);
     experiment_close(experiment);
     for (int i = 0; i < SPECTRUM_SPANS; i++)
-        spectrum_close(&experiment->spectra[i]);
+        spectrum_close(&experiment->worked->spectra[i]);
     free(experiment->before.bytes);
     free(experiment->part.bytes);
+    free(experiment->worked);
     free(experiment);
 }
 
@@ -104,20 +106,20 @@ const char *experiment_advice(const Experiment *experiment)
     return experiment->advice;
 }
 
-const Event *experiment_events(Experiment *experiment, int *count)
+const Event *experiment_events(const Experiment *experiment, int *count)
 {
-    event_log_update(&experiment->log, experiment, experiment_readout(experiment));
-    *count = experiment->log.count;
-    return experiment->log.events;
+    event_log_update(&experiment->worked->log, experiment, experiment_readout(experiment));
+    *count = experiment->worked->log.count;
+    return experiment->worked->log.events;
 }
 
-int experiment_derived(Experiment *experiment, Derived out[DERIVED_MAX])
+int experiment_derived(const Experiment *experiment, Derived out[DERIVED_MAX])
 {
-    if (experiment->n_derived == 0 ||
-        memcmp(&experiment->derived_for, &experiment->now, sizeof experiment->now) != 0)
+    if (experiment->worked->n_derived == 0 ||
+        memcmp(&experiment->worked->derived_for, &experiment->now, sizeof experiment->now) != 0)
         experiment_derive(experiment, (Patience){0}); /* a picture is not interrupted */
-    memcpy(out, experiment->derived, (size_t)experiment->n_derived * sizeof *out);
-    return experiment->n_derived;
+    memcpy(out, experiment->worked->derived, (size_t)experiment->worked->n_derived * sizeof *out);
+    return experiment->worked->n_derived;
 }
 
 double experiment_time(const Experiment *experiment)
@@ -166,41 +168,46 @@ void experiment_scenario(const Experiment *experiment, bool to_newest, Settings 
 
 /* A fit over thousands of rows is not free: while rows come in, it is done when their number has grown by a
  * tenth; once they stop coming, exactly. */
-const Readout *experiment_readout(Experiment *experiment)
+const Readout *experiment_readout(const Experiment *experiment)
 {
     const Record *record = &experiment->record;
     size_t rows = record->count - (record->loose_last && record->count > 0 ? 1 : 0);
-    size_t known = experiment->readout_rows;
+    size_t known = experiment->worked->readout_rows;
     bool still = !experiment->flowing || experiment->run.sim->step >= experiment->run.last;
     if (known == 0 || rows < known || rows > known + known / 10 || (still && rows != known)) {
-        references_readout(experiment->refs, record->rows, rows, record->n_columns, &experiment->readout);
-        experiment->readout_rows = rows;
+        references_readout(experiment->refs, record->rows, rows, record->n_columns,
+                           &experiment->worked->readout);
+        experiment->worked->readout_rows = rows;
     }
-    experiment->readout.time = simulation_time(experiment->run.sim);
-    experiment->readout.late = readout_late(&experiment->readout, experiment->readout.time);
-    return &experiment->readout;
+    experiment->worked->readout.time = simulation_time(experiment->run.sim);
+    experiment->worked->readout.late =
+        readout_late(&experiment->worked->readout, experiment->worked->readout.time);
+    return &experiment->worked->readout;
 }
 
-const CrackFronts *experiment_fronts(Experiment *experiment)
+const CrackFronts *experiment_fronts(const Experiment *experiment)
 {
-    return crack_fronts_update(&experiment->fronts, experiment->run.sim) ? &experiment->fronts : NULL;
+    return crack_fronts_update(&experiment->worked->fronts, experiment->run.sim) ? &experiment->worked->fronts
+                                                                                 : NULL;
 }
 
-const Spectrum *experiment_spectrum(Experiment *experiment, int column, SpectrumSpan span)
+const Spectrum *experiment_spectrum(const Experiment *experiment, int column, SpectrumSpan span)
 {
-    Spectrum *spectrum = &experiment->spectra[span];
+    Spectrum *spectrum = &experiment->worked->spectra[span];
     return spectrum_of(&experiment->record, column, span, spectrum) ? spectrum : NULL;
 }
 
-const Spectrum *experiment_ghost_spectrum(Experiment *experiment, int i, int column, SpectrumSpan span)
+const Spectrum *experiment_ghost_spectrum(const Experiment *experiment, int i, int column, SpectrumSpan span)
 {
     ASSERT_INDEX(i, GHOSTS_MAX);
-    Ghost *ghost = &experiment->ghosts[i];
-    return spectrum_of(&ghost->record, column, span, &ghost->spectra[span]) ? &ghost->spectra[span] : NULL;
+    const Ghost *ghost = &experiment->ghosts[i];
+    return ghost->spectra && spectrum_of(&ghost->record, column, span, &ghost->spectra[span])
+               ? &ghost->spectra[span]
+               : NULL;
 }
 
 /* The record's row where it is kept; else it is worked out, which is possible between steps only. */
-const double *experiment_row(Experiment *experiment)
+const double *experiment_row(const Experiment *experiment)
 {
     Simulation *sim = experiment->run.sim;
     const double *kept = record_of_step(&experiment->record, sim->step);
@@ -208,15 +215,15 @@ const double *experiment_row(Experiment *experiment)
         return kept;
     const double *near =
         record_row(&experiment->record, record_find(&experiment->record, simulation_time(sim)));
-    if (experiment->row_step == sim->step)
-        return experiment->row;
+    if (experiment->worked->row_step == sim->step)
+        return experiment->worked->row;
     if (sim->stage != 0)
         return near;
     simulation_row(sim, experiment->run.block);
     references_row_again(experiment->refs, sim->step, simulation_time(sim), experiment->run.block, near,
-                         experiment->row);
-    experiment->row_step = sim->step;
-    return experiment->row;
+                         experiment->worked->row);
+    experiment->worked->row_step = sim->step;
+    return experiment->worked->row;
 }
 
 /* --- forwards ------------------------------------------------------------------------------------- */
@@ -306,7 +313,7 @@ static void look(Simulation *sim, void *context)
     sim->method->field(sim, at->field, at->first, at->count, at->out);
 }
 
-bool experiment_field_before(Experiment *experiment, int field, size_t first, size_t count, double *out)
+bool experiment_field_before(const Experiment *experiment, int field, size_t first, size_t count, double *out)
 {
     ASSERT_INDEX(field, experiment->run.sim->n_fields);
     return experiment->before.known && simulation_visit(experiment->run.sim, experiment->before.bytes, look,
@@ -346,7 +353,7 @@ static int stage_like(const Simulation *sim, const char *id)
     return stage;
 }
 
-bool experiment_explain_beside(Experiment *experiment, const Experiment *other, int stage, int set,
+bool experiment_explain_beside(const Experiment *experiment, const Experiment *other, int stage, int set,
                                size_t index, int terms, char *out, size_t size)
 {
     Simulation *sim = experiment->run.sim;

@@ -28,10 +28,10 @@ typedef struct Ghost {
     Record record;
     Column columns[COLUMNS_MAX];
     int n_columns;
-    Readout readout; /* of its whole record */
-    Profile profile; /* as it was last on screen, */
-    CrackLine crack; /* and so its crack */
-    Spectrum spectra[SPECTRUM_SPANS];
+    Readout readout;      /* of its whole record */
+    Profile profile;      /* as it was last on screen, */
+    CrackLine crack;      /* and so its crack */
+    Spectrum *spectra;    /* SPECTRUM_SPANS of them; NULL: no memory */
     struct Follow *names; /* of followed columns */
 } Ghost;
 
@@ -52,24 +52,25 @@ const Column *experiment_columns(const Experiment *, int *count);
 const Ghost *experiment_ghosts(const Experiment *); /* GHOSTS_MAX of them */
 const char *experiment_advice(const Experiment *);  /* "" or a line to be shown */
 /* The cracks of a plate up to the present step, NULL: there are none. */
-const CrackFronts *experiment_fronts(Experiment *);
-const Readout *experiment_readout(Experiment *);                             /* see experiment_rest() */
-const Spectrum *experiment_spectrum(Experiment *, int column, SpectrumSpan); /* NULL: too few rows as yet */
-const Spectrum *experiment_ghost_spectrum(Experiment *, int ghost, int column, SpectrumSpan);
-const double *experiment_row(Experiment *); /* all columns at the present whole step */
+const CrackFronts *experiment_fronts(const Experiment *);
+const Readout *experiment_readout(const Experiment *); /* see experiment_rest() */
+const Spectrum *experiment_spectrum(const Experiment *, int column,
+                                    SpectrumSpan); /* NULL: too few rows as yet */
+const Spectrum *experiment_ghost_spectrum(const Experiment *, int ghost, int column, SpectrumSpan);
+const double *experiment_row(const Experiment *); /* all columns at the present whole step */
 /* The energy without the ripple of staggered velocities and stresses (E* of paper M's method: sum of m v^n
  * v^{n+1}/2 and the strain energy between), at the present step and at t = 0. False: not known; it is for
  * bars without load, FLIP alone, between steps. */
-bool experiment_invariant(Experiment *, double *now, double *start);
+bool experiment_invariant(const Experiment *, double *now, double *start);
 
 /* What happened, in plain words, up to the newest step even when rewound; ascending in step. */
-const Event *experiment_events(Experiment *, int *count);
+const Event *experiment_events(const Experiment *, int *count);
 
 /* The settings whose run from t = 0 gives what has been computed: to the newest step, or only to the present
  * one. For export_run() and scenario_write(): its time.end is the actual last time, its time.step the number
  * in use. */
 void experiment_scenario(const Experiment *, bool to_newest, Settings *);
-int experiment_derived(Experiment *, Derived out[DERIVED_MAX]);
+int experiment_derived(const Experiment *, Derived out[DERIVED_MAX]);
 
 double experiment_time(const Experiment *);
 long experiment_step(const Experiment *); /* present */
@@ -108,12 +109,12 @@ bool experiment_next_stage(Experiment *, Status *);
 const void *experiment_before(const Experiment *);
 
 /* Values of a field before the last stage, for highlighting what changed; false: not known. */
-bool experiment_field_before(Experiment *, int field, size_t first, size_t count, double *out);
+bool experiment_field_before(const Experiment *, int field, size_t first, size_t count, double *out);
 
 /* What Method.explain says of a thing after the stage just done of another run, of the same stage here: this
  * run stands at the whole step that the other one is in, and stays there. False: it has no such stage or
  * thing, or is not there. */
-bool experiment_explain_beside(Experiment *, const Experiment *other, int stage, int set, size_t index,
+bool experiment_explain_beside(const Experiment *, const Experiment *other, int stage, int set, size_t index,
                                int terms, char *out, size_t size);
 
 /* To step `step` with `stage` stages of the next one done, forwards or backwards: sets the goal (at most the

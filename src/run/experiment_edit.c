@@ -14,13 +14,13 @@
 static void forget_answers(Experiment *experiment)
 {
     experiment->before.known = false;
-    experiment->row_step = -1;
-    experiment->invariant.any = false;
-    event_log_forget(&experiment->log);
-    experiment->readout_rows = 0;
-    experiment->n_derived = 0;
+    experiment->worked->row_step = -1;
+    experiment->worked->invariant.any = false;
+    event_log_forget(&experiment->worked->log);
+    experiment->worked->readout_rows = 0;
+    experiment->worked->n_derived = 0;
     for (int i = 0; i < SPECTRUM_SPANS; i++)
-        spectrum_close(&experiment->spectra[i]);
+        spectrum_close(&experiment->worked->spectra[i]);
 }
 
 static void exchange(Experiment *a, Experiment *b)

@@ -30,6 +30,22 @@ typedef struct Invariant {
     long step; /* that `now` belongs to; -1: none */
 } Invariant;
 
+/* What is worked out of a run when somebody looks, and kept until it changes: looking changes no run, so that
+ * readers take a const Experiment. */
+typedef struct Worked {
+    double row[COLUMNS_MAX];
+    long row_step; /* the step that `row` belongs to; -1: none */
+    Readout readout;
+    size_t readout_rows; /* how many rows it was worked out from */
+    Spectrum spectra[SPECTRUM_SPANS];
+    Invariant invariant;
+    CrackFronts fronts;
+    EventLog log;
+    Derived derived[DERIVED_MAX];
+    int n_derived; /* 0: not known */
+    Settings derived_for;
+} Worked;
+
 struct Experiment {
     /* the run */
     Settings base; /* values at t = 0, and the changes in mid-run */
@@ -55,18 +71,8 @@ struct Experiment {
     int goal_stage;
     Before before;
     Part part;
-    double row[COLUMNS_MAX];
-    long row_step; /* the step that `row` belongs to; -1: none */
-    Readout readout;
-    size_t readout_rows; /* how many rows it was worked out from */
-    bool flowing;        /* rows come in: it is worked out now and then only */
-    Spectrum spectra[SPECTRUM_SPANS];
-    Invariant invariant;
-    CrackFronts fronts;
-    EventLog log;
-    Derived derived[DERIVED_MAX];
-    int n_derived; /* 0: not known */
-    Settings derived_for;
+    bool flowing; /* rows come in: the readout is worked out now and then only */
+    Worked *worked;
 };
 
 /* --- the run: experiment_run.c ---------------------------------------------------------------------- */
@@ -76,7 +82,7 @@ bool experiment_open(Experiment *, const Settings *, size_t history, int threads
 void experiment_close(Experiment *);
 
 /* Works out the derived numbers of the settings as they are now; what is given up is asked for again. */
-void experiment_derive(Experiment *, Patience);
+void experiment_derive(const Experiment *, Patience);
 
 /* Back to t = 0, as if nothing had been computed. The record so far is handed over. */
 void experiment_rewind(Experiment *, Record *old);

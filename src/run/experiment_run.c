@@ -78,17 +78,18 @@ static void sinks_of(Experiment *experiment, Sink sinks[2])
 
 /* They do not depend on the state, and take searches for eigenvalues: once for all pictures that have the
  * same settings. */
-void experiment_derive(Experiment *experiment, Patience patience)
+void experiment_derive(const Experiment *experiment, Patience patience)
 {
     Settings settings = experiment->now;
     settings.patience = patience;
     const int before = errno; /* of whoever draws, and asks for memory too */
     errno = 0;
-    experiment->n_derived = problem_derived(&settings, experiment->run.sim, experiment->derived);
+    experiment->worked->n_derived =
+        problem_derived(&settings, experiment->run.sim, experiment->worked->derived);
     if (errno == ENOMEM || errno == ECANCELED) /* what is missing is asked for again */
-        memset(&experiment->derived_for, 0, sizeof experiment->derived_for);
+        memset(&experiment->worked->derived_for, 0, sizeof experiment->worked->derived_for);
     else {
-        experiment->derived_for = experiment->now;
+        experiment->worked->derived_for = experiment->now;
         errno = before;
     }
 }
@@ -162,7 +163,7 @@ void experiment_rewind(Experiment *experiment, Record *old)
 void experiment_close(Experiment *experiment)
 {
     references_destroy(experiment->refs);
-    crack_fronts_free(&experiment->fronts);
+    crack_fronts_free(&experiment->worked->fronts);
     run_close(&experiment->run);
     record_close(&experiment->record);
     history_close(&experiment->history);

@@ -13,8 +13,9 @@ void experiment_drop_ghost(Ghost *ghost)
     record_close(&ghost->record);
     profile_close(&ghost->profile);
     simulation_release_names(ghost->names);
-    for (int i = 0; i < SPECTRUM_SPANS; i++)
+    for (int i = 0; ghost->spectra && i < SPECTRUM_SPANS; i++)
         spectrum_close(&ghost->spectra[i]);
+    free(ghost->spectra);
     memset(ghost, 0, sizeof *ghost);
 }
 
@@ -91,6 +92,7 @@ bool experiment_make_ghost(Experiment *experiment, bool pinned, Record *record, 
     ghost->profile = remains->profile;
     ghost->crack = remains->crack;
     ghost->names = remains->names;
+    ghost->spectra = calloc(SPECTRUM_SPANS, sizeof *ghost->spectra);
     memset(record, 0, sizeof *record);
     memset(remains, 0, sizeof *remains);
     return true;

@@ -166,7 +166,7 @@ static int kinetic_column(const Experiment *experiment)
 }
 
 /* Whether a damped run has come to rest; the rows that went before are looked through once. */
-static bool is_at_rest(Stop *stop, Experiment *experiment)
+static bool is_at_rest(Stop *stop, const Experiment *experiment)
 {
     const int column = kinetic_column(experiment);
     const Record *record = experiment_record(experiment);
@@ -190,7 +190,7 @@ void stop_look(Stop *stop, const Experiment *experiment)
     stop->seen = events_of(experiment_simulation(experiment));
 }
 
-bool stop_happened(Stop *stop, Experiment *experiment)
+bool stop_happened(Stop *stop, const Experiment *experiment)
 {
     const Simulation *sim = experiment_simulation(experiment);
     const long before = stop->seen;

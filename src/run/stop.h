@@ -49,6 +49,6 @@ long stop_step(const Stop *, const Experiment *);
 void stop_look(Stop *, const Experiment *);
 
 /* Whether one of its events has happened since stop_look() or the last call. */
-bool stop_happened(Stop *, Experiment *);
+bool stop_happened(Stop *, const Experiment *);
 
 #endif

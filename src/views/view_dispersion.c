@@ -113,7 +113,7 @@ static void mode_lines(const Screen *screen, bool brief, char first[160], char s
 }
 
 /* What the factors' names mean; in brief, the last of them. */
-static void factor_line(Experiment *experiment, bool brief, char out[160])
+static void factor_line(const Experiment *experiment, bool brief, char out[160])
 {
     ModeOnMesh mode;
     int named = 0;
@@ -214,7 +214,7 @@ static int bar_dots(const Screen *screen, Dot dots[RUNS_MAX])
 }
 
 /* The modes that are shown: all that the mesh can carry or, as a variant, those around the present one. */
-static int last_mode(Experiment *experiment, int variant)
+static int last_mode(const Experiment *experiment, int variant)
 {
     enum { NEAR = 12 };
     const int all = dispersion_modes(experiment_settings(experiment));

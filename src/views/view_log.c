@@ -36,7 +36,7 @@ static Style style_of(const Event *event)
     }
 }
 
-static void add_run(Log *log, Experiment *experiment, char run)
+static void add_run(Log *log, const Experiment *experiment, char run)
 {
     const Simulation *sim = experiment_simulation(experiment);
     const Event *events = experiment_events(experiment, &log->of_run[run == 'B']);

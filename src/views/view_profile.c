@@ -124,7 +124,7 @@ static Axis place_axis(const Curve *curves, int n_curves)
     return axis_make(from, to + margin);
 }
 
-static void add_exact(Experiment *experiment, Picture *picture, const char *field, const Profile *row)
+static void add_exact(const Experiment *experiment, Picture *picture, const char *field, const Profile *row)
 {
     const References *refs = experiment_references(experiment);
     const double time = experiment_time(experiment);

@@ -119,7 +119,7 @@ static size_t bins_within(const Scale *scale)
 }
 
 /* The same column of another run; NULL: it has too few rows. */
-static const Spectrum *spectrum_of_run(Experiment *experiment, const ShownRun *run, const char *column,
+static const Spectrum *spectrum_of_run(const Experiment *experiment, const ShownRun *run, const char *column,
                                        SpectrumSpan span)
 {
     const int at = runs_column(run, column);
@@ -249,7 +249,7 @@ static bool wants_time(const Screen *screen, const Spectrum *spectrum, Choice ch
 }
 
 /* "predicted through height 1098, 2038 kHz", so many; false: there is nothing to tell. */
-static bool thickness_line(Experiment *experiment, int most, char out[160])
+static bool thickness_line(const Experiment *experiment, int most, char out[160])
 {
     double thickness[THICKNESS_LINES_MAX];
     int count = references_thickness_lines(experiment_references(experiment), thickness);

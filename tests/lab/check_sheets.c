@@ -439,18 +439,19 @@ START_TEST(the_number_of_a_scenario_is_known_at_its_end)
     ck_assert(scenario_load(name, &settings, &status));
     Screen screen;
     screen_default(&screen);
-    screen.experiment = experiment_create(&settings, 64 << 20, 1, &status);
-    ck_assert_msg(screen.experiment != NULL, "%s", status.text);
+    Experiment *experiment = experiment_create(&settings, 64 << 20, 1, &status);
+    screen.experiment = experiment;
+    ck_assert_msg(experiment != NULL, "%s", status.text);
     const Simulation *sim = experiment_simulation(screen.experiment);
     const double work = (double)sim->counts[0] * (double)experiment_last_step(screen.experiment);
     if (work < (suite_wide() ? 1e8 : 1e7)) {
         char digits[NUMBER_DIGITS_MAX], words[NUMBER_WORDS_MAX];
-        experiment_advance(screen.experiment, experiment_last_step(screen.experiment), &status);
-        experiment_rest(screen.experiment);
+        experiment_advance(experiment, experiment_last_step(screen.experiment), &status);
+        experiment_rest(experiment);
         ck_assert_msg(screen_number(&screen, digits, words), "%s: %s", name, words);
         printf("# %s: %s %s\n", name, digits, words);
     }
-    experiment_destroy(screen.experiment);
+    experiment_destroy(experiment);
 }
 END_TEST
 

@@ -33,7 +33,7 @@ static int steps_of(Bench *bench, EventKind kind, long steps[], int most)
     int count, found = 0;
     Status status = {STATUS_DONE, ""};
     for (int parts = 0; parts < 30 && found < most; parts++) {
-        experiment_advance(bench->lab.screen.experiment, 100, &status);
+        experiment_advance(laboratory_run(&bench->lab), 100, &status);
         const Event *events = experiment_events(bench->lab.screen.experiment, &count);
         for (int i = 0; i < count && found < most; i++)
             if (events[i].kind == kind && (found == 0 || events[i].step > steps[found - 1]))
@@ -84,7 +84,7 @@ START_TEST(a_run_stops_at_an_event_that_is_not_kept)
     Status status = {STATUS_DONE, ""};
     enter_line(bench, "duel"); /* ends it */
     enter_line(bench, "mesh.cell_size=0.05");
-    Experiment *experiment = bench->lab.screen.experiment;
+    Experiment *experiment = laboratory_run(&bench->lab);
     const Simulation *sim = experiment_simulation(experiment);
     while (sim->events_beyond == 0)
         ck_assert(experiment_advance(experiment, 1, &status));

@@ -66,7 +66,7 @@ START_TEST(the_sharp_energy_does_not_ripple)
         snprintf(words, sizeof words, "mode1 80x24 1 initial.velocity=1e-8 initial.mode=%d mpm.algorithm=%s",
                  mode, kept[_i]);
         open_scene(&scene, words);
-        Experiment *experiment = scene.screen.experiment;
+        Experiment *experiment = scene.duel.a;
         const int total = experiment_record(experiment)->n_columns - 1;
         for (int k = 0; k < 100; k++) {
             ck_assert(experiment_advance(experiment, 97, NULL));
@@ -92,8 +92,8 @@ START_TEST(looking_changes_no_bit)
     open_scene(&other, "crossing 80x24 10");
     for (int k = 0; k < 40; k++) {
         experiment_invariant(looked.screen.experiment, &now, &start);
-        ck_assert(experiment_advance(looked.screen.experiment, 50, NULL));
-        ck_assert(experiment_advance(other.screen.experiment, 50, NULL));
+        ck_assert(experiment_advance(looked.duel.a, 50, NULL));
+        ck_assert(experiment_advance(other.duel.a, 50, NULL));
     }
     const Simulation *a = experiment_simulation(looked.screen.experiment);
     const Simulation *b = experiment_simulation(other.screen.experiment);

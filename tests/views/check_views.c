@@ -14,6 +14,7 @@
 
 typedef struct Show {
     Screen screen;
+    Experiment *experiment; /* behind screen.experiment */
     Canvas canvas;
     Status status;
 } Show;
@@ -21,16 +22,17 @@ typedef struct Show {
 static void work(Show *show)
 {
     while (experiment_pending(show->screen.experiment, NULL))
-        ck_assert(experiment_work(show->screen.experiment, 1000, &show->status));
+        ck_assert(experiment_work(show->experiment, 1000, &show->status));
 }
 
 static void open_settings(Show *show, const char *scenario, const Settings *settings, long steps)
 {
     screen_default(&show->screen);
     show->screen.scenario = scenario;
-    show->screen.experiment = experiment_create(settings, 64 << 20, 1, &show->status);
+    show->experiment = experiment_create(settings, 64 << 20, 1, &show->status);
+    show->screen.experiment = show->experiment;
     ck_assert_msg(show->screen.experiment != NULL, "%s", show->status.text);
-    ck_assert(experiment_advance(show->screen.experiment, steps, &show->status));
+    ck_assert(experiment_advance(show->experiment, steps, &show->status));
 }
 
 static void open_show(Show *show, const char *scenario, long steps)
@@ -44,7 +46,7 @@ static void open_show(Show *show, const char *scenario, long steps)
 static void close_show(Show *show)
 {
     canvas_close(&show->canvas);
-    experiment_destroy(show->screen.experiment);
+    experiment_destroy(show->experiment);
 }
 
 static void draw(Show *show, int width, int height)
@@ -188,7 +190,7 @@ START_TEST(earlier_runs_leave_a_dot)
     open_show(&show, "mode5", 1000);
     Settings settings = *experiment_settings(show.screen.experiment);
     ck_assert(settings_set(&settings, "initial.mode", "10", &show.status));
-    ck_assert(experiment_edit(show.screen.experiment, &settings, &show.status));
+    ck_assert(experiment_edit(show.experiment, &settings, &show.status));
     work(&show);
     show.screen.views.lower = view_named("dispersion");
     show.screen.panes.focus = PANE_LOWER;
@@ -263,7 +265,7 @@ START_TEST(spectrum_peaks_at_the_fit)
     for (int i = 0; i < 3; i++) {
         Show show;
         open_show(&show, scenarios[i], 4000);
-        Experiment *experiment = show.screen.experiment;
+        Experiment *experiment = show.experiment;
         const Readout *readout = experiment_readout(experiment);
         const Spectrum *spectrum = experiment_spectrum(experiment, 2, SPECTRUM_SLOW);
         ck_assert(spectrum != NULL && readout->measured_known);
@@ -289,7 +291,7 @@ START_TEST(spectrum_on_screen)
     char text[400];
     row_text(&show, 2, text);
     ck_assert_msg(strstr(text, "needs more time") != NULL, "%s", text);
-    ck_assert(experiment_advance(show.screen.experiment, 3900, &show.status));
+    ck_assert(experiment_advance(show.experiment, 3900, &show.status));
     draw(&show, 100, 30);
     const double four = column_of(&show, "4"), eight = column_of(&show, "8"), grain = (eight - four) / 4;
     const double bin = 2 * M_PI / 40 * grain;
@@ -339,7 +341,7 @@ START_TEST(timeline_comes_when_rewound)
     ck_assert(!find_timeline(&show, &y, &first, &last));
     draw(&show, 100, 30);
     ck_assert(find_timeline(&show, &y, &first, &last));
-    experiment_seek(show.screen.experiment, 999, 0);
+    experiment_seek(show.experiment, 999, 0);
     work(&show);
     draw(&show, 80, 24);
     ck_assert(find_timeline(&show, &y, &first, &last));
@@ -356,7 +358,7 @@ START_TEST(timeline_marks_places)
     Show show;
     int y, first, last, count;
     open_show(&show, "crossing", 4000);
-    Experiment *experiment = show.screen.experiment;
+    Experiment *experiment = show.experiment;
     experiment_seek(experiment, 2500, 0);
     work(&show);
     draw(&show, 132, 43);
@@ -419,12 +421,12 @@ START_TEST(strip_shows_domains_as_they_are)
     Show show;
     open_show(&show, "crossing", 0);
     Settings settings = *experiment_settings(show.screen.experiment);
-    experiment_destroy(show.screen.experiment);
+    experiment_destroy(show.experiment);
     ck_assert(settings_set(&settings, "mpm.shape", "cpdi", &show.status));
     ck_assert(settings_set(&settings, "initial.velocity", "3", &show.status));
     ck_assert(settings_set(&settings, "mesh.padding", "40", &show.status));
-    show.screen.experiment = experiment_create(&settings, 64 << 20, 1, &show.status);
-    ck_assert(show.screen.experiment && experiment_advance(show.screen.experiment, 220, &show.status));
+    show.screen.experiment = show.experiment = experiment_create(&settings, 64 << 20, 1, &show.status);
+    ck_assert(show.screen.experiment && experiment_advance(show.experiment, 220, &show.status));
     draw(&show, 132, 43);
     const Simulation *sim = experiment_simulation(show.screen.experiment);
     const int x = simulation_find_field(sim, 0, "x"), stretch = simulation_find_field(sim, 0, "stretch");

@@ -169,7 +169,8 @@ static bool begin_duel(Scene *scene, const Plan *plan, Status *status)
 static bool play(Scene *scene, Plan *plan, Status *status)
 {
     Screen *screen = &scene->screen;
-    Experiment *experiment = screen->experiment = experiment_create(&plan->settings, 64 << 20, 1, status);
+    Experiment *experiment = experiment_create(&plan->settings, 64 << 20, 1, status);
+    screen->experiment = experiment;
     if (!experiment)
         return false;
     const Simulation *sim = experiment_simulation(experiment);
@@ -244,7 +245,7 @@ bool scene_open(Scene *scene, const char *words, Status *status)
 void scene_close(Scene *scene)
 {
     duel_close(&scene->duel);
-    experiment_destroy(scene->screen.experiment);
-    scene->screen.experiment = NULL;
+    experiment_destroy(scene->duel.a);
+    scene->screen.experiment = scene->duel.a = NULL;
     canvas_close(&scene->canvas);
 }

@@ -16,7 +16,7 @@ static bool is_second(const Laboratory *lab, const Settings *settings, const Par
 /* "cell size 1 -> 0.5, from t = 0 on; a: before" */
 static void say_answer(Laboratory *lab, const Parameter *parameter, const Settings *before)
 {
-    const Experiment *experiment = lab->screen.experiment;
+    const Experiment *experiment = laboratory_run(lab);
     const Ghost *ghosts = experiment_ghosts(experiment);
     char from[LIST_MAX], to[LIST_MAX], ghost[24] = "";
     settings_show(before, parameter, from);
@@ -31,7 +31,7 @@ static void say_answer(Laboratory *lab, const Parameter *parameter, const Settin
 /* Another run beside this one: what the scenario asks about holds from t = 0 on. */
 void command_question(Laboratory *lab)
 {
-    Settings settings = *experiment_settings(lab->screen.experiment);
+    Settings settings = *experiment_settings(laboratory_run(lab));
     const Settings before = settings;
     const Parameter *parameter = settings_question(&settings);
     Status status = {STATUS_DONE, ""};
@@ -58,10 +58,10 @@ static int pinned(const Experiment *experiment)
 void command_pin(Laboratory *lab)
 {
     Status status = {STATUS_DONE, ""};
-    int had = pinned(lab->screen.experiment);
-    if (!experiment_pin(lab->screen.experiment, &status))
+    int had = pinned(laboratory_run(lab));
+    if (!experiment_pin(laboratory_run(lab), &status))
         laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
-    else if (pinned(lab->screen.experiment) > had)
+    else if (pinned(laboratory_run(lab)) > had)
         laboratory_say(lab, MESSAGE_INFO, "these curves stay as a ghost; c again takes them away");
     else
         laboratory_say(lab, MESSAGE_INFO, "the ghost of these curves is gone");
@@ -75,13 +75,13 @@ static void swap_settings(Laboratory *lab, Settings *from, int *n_from, Settings
         laboratory_say(lab, MESSAGE_INFO, "%s", none);
         return;
     }
-    Settings old = *experiment_settings(lab->screen.experiment);
+    Settings old = *experiment_settings(laboratory_run(lab));
     if (!edit_change_runs(lab, &from[*n_from - 1], experiment_replace, &status)) {
         laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
         return;
     }
     char change[160];
-    settings_name_change(&old, experiment_settings(lab->screen.experiment), change, sizeof change);
+    settings_name_change(&old, experiment_settings(laboratory_run(lab)), change, sizeof change);
     to[(*n_to)++] = old;
     --*n_from;
     edit_changed(lab);

@@ -193,7 +193,7 @@ static bool export_named(Laboratory *lab, const char *text)
 /* Rows that the series will have: one every so many steps, the first and the last always. */
 static long series_rows(const Laboratory *lab)
 {
-    const Experiment *experiment = lab->screen.experiment;
+    const Experiment *experiment = laboratory_run(lab);
     const long every = settings_output(experiment_settings(experiment))->every;
     const long last = lab->exporting.newest ? experiment_newest(experiment) : experiment_step(experiment);
     return last / every + 1 + (last % every != 0);
@@ -203,7 +203,7 @@ static long series_rows(const Laboratory *lab)
 static double series_bytes(const Laboratory *lab)
 {
     enum { SAMPLES = 200 };
-    const Experiment *experiment = lab->screen.experiment;
+    const Experiment *experiment = laboratory_run(lab);
     const Record *record = experiment_record(experiment);
     int count;
     const Column *columns = experiment_columns(experiment, &count);
@@ -239,8 +239,7 @@ static void ask_name(Laboratory *lab)
     if (every > 1)
         snprintf(prompt->hint, sizeof prompt->hint,
                  "more rows than a spreadsheet takes (%d with the heading): output.every=%ld would fit",
-                 SPREADSHEET_ROWS,
-                 every * settings_output(experiment_settings(lab->screen.experiment))->every);
+                 SPREADSHEET_ROWS, every * settings_output(experiment_settings(laboratory_run(lab)))->every);
 }
 
 static bool answer_which(Laboratory *lab, const char *text)
@@ -274,7 +273,7 @@ static void refuse(Laboratory *lab, const char *why)
 
 bool exporting_ask(Laboratory *lab, const char *name)
 {
-    Experiment *experiment = lab->screen.experiment;
+    Experiment *experiment = laboratory_run(lab);
     player_pause(lab);
     if (lab->screen.playback.state == STATE_COMPUTING) {
         refuse(lab, computing);

@@ -128,7 +128,7 @@ void command_map_enlarge(Laboratory *lab, int direction)
     else
         snprintf(settings_edit_view(&settings)->exaggeration, sizeof settings_view(&settings)->exaggeration,
                  "%.15g", player_next_125(now > 0 ? now : 1, direction));
-    if (!experiment_edit(screen->experiment, &settings, &status))
+    if (!experiment_edit(laboratory_run(lab), &settings, &status))
         laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
     else if (direction == 0)
         laboratory_say(lab, MESSAGE_INFO, "displacements are drawn as large as the pane allows");

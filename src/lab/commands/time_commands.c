@@ -37,7 +37,7 @@ static bool answer_again(Laboratory *lab, const char *text)
 static void run_again(Laboratory *lab)
 {
     const double rate = lab->player.rates[RATE_RUN];
-    double seconds = rate > 0 ? (double)experiment_last_step(lab->screen.experiment) / rate : 0;
+    double seconds = rate > 0 ? (double)experiment_last_step(laboratory_run(lab)) / rate : 0;
     char takes[NUMBER_TEXT_MAX];
     if (seconds < AGAIN_SECONDS) {
         begin_again(lab, true);
@@ -80,7 +80,7 @@ static void step_by(Laboratory *lab, long steps)
         steps++;
     if (steps < 0 && step == 0 && stage == 0)
         laboratory_say(lab, MESSAGE_INFO, "this is t = 0");
-    else if (steps > 0 && step >= experiment_last_step(lab->screen.experiment))
+    else if (steps > 0 && step >= experiment_last_step(laboratory_run(lab)))
         laboratory_say(lab, MESSAGE_INFO, "this is the end of the run");
     else
         player_seek(lab, step + steps, 0);
@@ -108,7 +108,7 @@ void command_step_back_ten(Laboratory *lab)
 
 void command_stage_forward(Laboratory *lab)
 {
-    Experiment *experiment = lab->screen.experiment;
+    Experiment *experiment = laboratory_run(lab);
     long step;
     int stage;
     player_place(lab, &step, &stage);
@@ -141,7 +141,7 @@ void command_stage_back(Laboratory *lab)
     if (stage > 0)
         player_seek(lab, step, stage - 1);
     else if (step > 0)
-        player_seek(lab, step - 1, experiment_simulation(lab->screen.experiment)->n_stages - 1);
+        player_seek(lab, step - 1, experiment_simulation(laboratory_run(lab))->n_stages - 1);
     else
         laboratory_say(lab, MESSAGE_INFO, "this is t = 0");
 }
@@ -199,21 +199,21 @@ void command_to_start(Laboratory *lab)
 void command_to_newest(Laboratory *lab)
 {
     player_pause(lab);
-    player_seek(lab, experiment_newest(lab->screen.experiment), 0);
+    player_seek(lab, experiment_newest(laboratory_run(lab)), 0);
 }
 
 bool command_answer_go_to(Laboratory *lab, const char *text)
 {
     long step = 0;
-    double time = 0, dt = experiment_simulation(lab->screen.experiment)->dt;
-    long last = experiment_last_step(lab->screen.experiment);
+    double time = 0, dt = experiment_simulation(laboratory_run(lab))->dt;
+    long last = experiment_last_step(laboratory_run(lab));
     if (text[0] == '#') {
         if (!text_to_long(text + 1, &step))
             return prompt_refuse(&lab->prompting, "after # comes the number of a step, as in #1000");
-    } else if (stop_read_time(text, lab->screen.experiment, &time)) {
+    } else if (stop_read_time(text, laboratory_run(lab), &time)) {
         step = time / dt > (double)last ? last + 1 : time < 0 ? -1 : lround(time / dt);
         if (time > (double)last * dt &&
-            time <= settings_time(experiment_settings(lab->screen.experiment))->end * (1 + 1e-9))
+            time <= settings_time(experiment_settings(laboratory_run(lab)))->end * (1 + 1e-9))
             step = last;
     } else
         return prompt_refuse(&lab->prompting, "a time, as in 12.5, or a step, as in #1000");

@@ -24,7 +24,7 @@ static void run_to(Laboratory *lab, const Stop *stop)
 static bool go_to_first(Laboratory *lab, const Stop *stop)
 {
     int count;
-    const Event *events = experiment_events(lab->screen.experiment, &count);
+    const Event *events = experiment_events(laboratory_run(lab), &count);
     for (int i = 0; i < count; i++)
         if (stop->events >> events[i].kind & 1) {
             player_pause(lab);
@@ -37,7 +37,7 @@ static bool go_to_first(Laboratory *lab, const Stop *stop)
 
 bool command_answer_until(Laboratory *lab, const char *text)
 {
-    const Experiment *experiment = lab->screen.experiment;
+    const Experiment *experiment = laboratory_run(lab);
     const bool first = strncmp(text, "first ", 6) == 0;
     Stop stop = {.kind = STOP_NEVER};
     Status status = {STATUS_DONE, ""};
@@ -79,7 +79,7 @@ static void go_to_event(Laboratory *lab, const Event *events, int at, int count)
 bool command_answer_event(Laboratory *lab, const char *text)
 {
     int count;
-    const Event *events = experiment_events(lab->screen.experiment, &count);
+    const Event *events = experiment_events(laboratory_run(lab), &count);
     char why[96];
     long number;
     if (text_to_long(text, &number) && number >= 1 && number <= count) {
@@ -94,7 +94,7 @@ void command_next_event(Laboratory *lab)
 {
     int count, at = 0, stage;
     long step;
-    const Event *events = experiment_events(lab->screen.experiment, &count);
+    const Event *events = experiment_events(laboratory_run(lab), &count);
     player_place(lab, &step, &stage);
     while (at < count && events[at].step <= step)
         at++;
@@ -104,9 +104,9 @@ void command_next_event(Laboratory *lab)
     }
     Stop stop;
     Status status = {STATUS_DONE, ""};
-    if (step >= experiment_last_step(lab->screen.experiment) || lab->screen.playback.state == STATE_FAILED)
+    if (step >= experiment_last_step(laboratory_run(lab)) || lab->screen.playback.state == STATE_FAILED)
         laboratory_say(lab, MESSAGE_INFO, "there is no event after this one");
-    else if (!stop_read(&stop, "event", lab->screen.experiment, &status))
+    else if (!stop_read(&stop, "event", laboratory_run(lab), &status))
         laboratory_say(lab, MESSAGE_INFO, "%s", status.text);
     else
         run_to(lab, &stop);
@@ -116,7 +116,7 @@ void command_previous_event(Laboratory *lab)
 {
     int count, stage;
     long step;
-    const Event *events = experiment_events(lab->screen.experiment, &count);
+    const Event *events = experiment_events(laboratory_run(lab), &count);
     player_place(lab, &step, &stage);
     int at = count - 1;
     while (at >= 0 && (events[at].step > step || (events[at].step == step && stage == 0)))
@@ -178,7 +178,7 @@ bool command_answer_loop(Laboratory *lab, const char *text)
 
 void command_slow_motion(Laboratory *lab)
 {
-    if (experiment_at_end(lab->screen.experiment))
+    if (experiment_at_end(laboratory_run(lab)))
         laboratory_say(lab, MESSAGE_INFO, "this is the end of the run");
     else
         player_slow_motion(lab, !lab->screen.playback.slow);

@@ -28,7 +28,7 @@ static Stop goal_stop(const Laboratory *lab, const LessonUntil *until)
         stop = (Stop){.kind = STOP_AT_TIME, .time = until->number};
     else if (until->kind == UNTIL_STEP)
         stop = (Stop){.kind = STOP_AT_STEP, .step = (long)until->number};
-    else if (until->kind == UNTIL_EVENT && !stop_read(&stop, until->word, lab->screen.experiment, NULL))
+    else if (until->kind == UNTIL_EVENT && !stop_read(&stop, until->word, laboratory_run(lab), NULL))
         stop.kind = STOP_NEVER;
     return stop;
 }
@@ -38,9 +38,9 @@ static Stop goal_stop(const Laboratory *lab, const LessonUntil *until)
 static long event_step(const Laboratory *lab, const Stop *stop)
 {
     int count;
-    const Event *events = experiment_events(lab->screen.experiment, &count);
+    const Event *events = experiment_events(laboratory_run(lab), &count);
     for (int i = 0; i < count; i++)
-        if (events[i].step > lab->play.step && events[i].step <= experiment_step(lab->screen.experiment) &&
+        if (events[i].step > lab->play.step && events[i].step <= experiment_step(laboratory_run(lab)) &&
             stop->events >> events[i].kind & 1)
             return events[i].step;
     return -1;
@@ -50,16 +50,16 @@ static long event_step(const Laboratory *lab, const Stop *stop)
 static long goal_step(const Laboratory *lab, const LessonUntil *until)
 {
     const Stop stop = goal_stop(lab, until);
-    const long last = experiment_last_step(lab->screen.experiment);
+    const long last = experiment_last_step(laboratory_run(lab));
     const long step = until->kind == UNTIL_END || until->kind == UNTIL_GOAL ? last
                       : stop.kind == STOP_AT_EVENT                          ? event_step(lab, &stop)
-                                                   : stop_step(&stop, lab->screen.experiment);
+                                                   : stop_step(&stop, laboratory_run(lab));
     return step < last ? step : last;
 }
 
 static bool has_value(const Laboratory *lab, const LessonUntil *until)
 {
-    const Settings *now = experiment_settings(lab->screen.experiment);
+    const Settings *now = experiment_settings(laboratory_run(lab));
     const Parameter *parameter = parameter_find(until->word);
     Settings wanted = *now;
     char is[LIST_MAX], should_be[LIST_MAX];
@@ -72,7 +72,7 @@ static bool has_value(const Laboratory *lab, const LessonUntil *until)
 
 static bool is_met(Laboratory *lab, const LessonUntil *until)
 {
-    const Experiment *experiment = lab->screen.experiment;
+    const Experiment *experiment = laboratory_run(lab);
     const Command *command = until->kind == UNTIL_COMMAND ? command_by_name(until->word) : NULL;
     switch (until->kind) {
     case UNTIL_NOTHING:
@@ -150,14 +150,14 @@ static void run_action(Laboratory *lab, const LessonAction *action)
         run_line(lab, line);
     } else if (goal->kind == UNTIL_EVENT) {
         const Stop stop = goal_stop(lab, goal);
-        lab->play.step = experiment_step(lab->screen.experiment);
+        lab->play.step = experiment_step(laboratory_run(lab));
         lab->play.hurries = true;
         lab->screen.playback.pace = HURRY_PACE;
         lab->player.resume = STATE_RUNNING;
         player_stop_at(lab, &stop);
         player_settle(lab);
     } else {
-        long step = experiment_step(lab->screen.experiment);
+        long step = experiment_step(laboratory_run(lab));
         int stage = 0;
         goal_place(lab, goal, &step, &stage);
         player_seek(lab, step, stage);
@@ -194,7 +194,7 @@ static Stop next_begin(const Laboratory *lab)
         double time;
         char more;
         if (strncmp(next->actions[i], "goto ", 5) == 0 && sscanf(line.words, "%lf %c", &time, &more) == 1 &&
-            time > experiment_time(lab->screen.experiment))
+            time > experiment_time(laboratory_run(lab)))
             return (Stop){.kind = STOP_AT_TIME, .time = time};
     }
     return stop;
@@ -404,8 +404,8 @@ static bool is_back(const Laboratory *lab, const LessonPart *part)
     for (int i = 0; i < part->n_actions; i++) {
         const LessonAction action = {.line = part->actions[i]};
         double time;
-        if (is_move(&action) && (sscanf(action.line, "%*[a-z] %lf", &time) != 1 ||
-                                 time < experiment_time(lab->screen.experiment)))
+        if (is_move(&action) &&
+            (sscanf(action.line, "%*[a-z] %lf", &time) != 1 || time < experiment_time(laboratory_run(lab))))
             return true;
     }
     return false;
@@ -414,7 +414,7 @@ static bool is_back(const Laboratory *lab, const LessonPart *part)
 /* Whether the run is just what this page leaves to the next one. */
 static bool is_left_well(const Laboratory *lab, const LessonPage *page, const LessonPage *next)
 {
-    const Experiment *experiment = lab->screen.experiment;
+    const Experiment *experiment = laboratory_run(lab);
     const LessonPlay *play = &lab->play;
     long step = play->step;
     int stage = play->stage;

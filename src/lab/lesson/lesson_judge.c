@@ -33,7 +33,7 @@ ExerciseMark *lesson_judge_mark(Laboratory *lab)
 void lesson_judge_enter(Laboratory *lab)
 {
     lab->play.run.known = true;
-    lab->play.run.entered = *experiment_base(lab->screen.experiment);
+    lab->play.run.entered = *experiment_base(laboratory_run(lab));
     lab->play.run.was_judged = false;
     lab->homework.elsewhere = (ExerciseMark){0};
 }
@@ -111,7 +111,7 @@ bool lesson_judge_number(Laboratory *lab, double *right, Status *status)
  * differs in something else than what the page gives to be changed: what a goal asks is asked of its run. */
 static bool fulfils(Laboratory *lab, const Exercise *exercise, char *why, size_t size)
 {
-    Experiment *experiment = lab->screen.experiment;
+    Experiment *experiment = laboratory_run(lab);
     const ExerciseRun *run = &lab->play.run;
     RunSummary summary, before;
     Status status = {STATUS_DONE, ""};
@@ -139,7 +139,7 @@ static bool fulfils(Laboratory *lab, const Exercise *exercise, char *why, size_t
 bool lesson_judge_goal(Laboratory *lab)
 {
     const LessonPage *page = page_of(lab);
-    Experiment *experiment = lab->screen.experiment;
+    Experiment *experiment = laboratory_run(lab);
     ExerciseRun *run = &lab->play.run;
     const Settings *base = experiment_base(experiment);
     char why[ANSWER_MAX], verdict[ANSWER_MAX + 20];

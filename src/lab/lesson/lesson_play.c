@@ -53,14 +53,14 @@ bool lesson_play_open(Laboratory *lab, const char *name, Status *status)
 void lesson_play_close(Laboratory *lab)
 {
     /* of a laboratory that was not opened whole there is no run */
-    const Parameter *chosen = lab->screen.experiment ? edit_selected(&lab->screen) : NULL;
+    const Parameter *chosen = laboratory_run(lab) ? edit_selected(&lab->screen) : NULL;
     if (lab->play.name[0])
         lesson_progress_write(lab->play.asker, lab->screen.lesson.reached);
     if (lab->play.name[0] && lab->options.sheet)
         lab->screen.panes.sheet = (Sheet)lab->play.before;
     forget_lesson(lab);
     lab->screen.lesson.open = false;
-    if (screen_is_plain(&lab->screen) && lab->screen.experiment)
+    if (screen_is_plain(&lab->screen) && laboratory_run(lab))
         screen_select(&lab->screen, chosen);
     lab->editing.changed = false; /* what was tried beside a page is nobody's work */
 }

@@ -53,7 +53,7 @@ static void recall(Prompting *prompting, int direction)
 
 static bool assign(Laboratory *lab, const char *key, const char *value)
 {
-    Settings settings = *experiment_settings(lab->screen.experiment);
+    Settings settings = *experiment_settings(laboratory_run(lab));
     Status status = {STATUS_DONE, ""};
     return (settings_set(&settings, key, value, &status) && view_check(settings_view(&settings), &status) &&
             edit_change(lab, &settings, experiment_edit, &status)) ||
@@ -66,7 +66,7 @@ static bool means_key(const Laboratory *lab, const char *words, size_t length)
     char called[KEY_MAX], key[KEY_MAX];
     snprintf(called, sizeof called, "%.*s", (int)length, words);
     return length < sizeof called &&
-           (!settings_meant_key(experiment_settings(lab->screen.experiment), called, key, NULL) ||
+           (!settings_meant_key(experiment_settings(laboratory_run(lab)), called, key, NULL) ||
             parameter_find(key) || text_key_find(key));
 }
 
@@ -98,7 +98,7 @@ static bool set(Laboratory *lab, const char *words)
     if (length == 0 || length >= sizeof called || !*value)
         return prompt_refuse(&lab->prompting, "a key and a value are wanted, as in set initial.mode 5");
     snprintf(called, sizeof called, "%.*s", (int)length, words);
-    return settings_meant_key(experiment_settings(lab->screen.experiment), called, key, &status)
+    return settings_meant_key(experiment_settings(laboratory_run(lab)), called, key, &status)
                ? assign(lab, key, value)
                : prompt_refuse(&lab->prompting, status.text);
 }
@@ -245,7 +245,7 @@ static bool sheet(Laboratory *lab, const char *words)
 /* Which of one of the simulation's sets: particles, nodes. */
 static bool choose(Laboratory *lab, const char *words, int set, const char *what, size_t *chosen)
 {
-    const Simulation *sim = experiment_simulation(lab->screen.experiment);
+    const Simulation *sim = experiment_simulation(laboratory_run(lab));
     const long count = set < sim->n_sets ? (long)sim->counts[set] : 0;
     long number;
     char why[64];
@@ -402,7 +402,7 @@ static bool refuse_word(Laboratory *lab, const char *line, const char *end)
     for (int i = 0; i < n_commands && count < MOST; i++)
         known[count++] = commands[i].name;
     snprintf(word, sizeof word, "%.*s", (int)(end - line), line);
-    const FixedKey *fixed = fixed_key_find(experiment_settings(lab->screen.experiment), word);
+    const FixedKey *fixed = fixed_key_find(experiment_settings(laboratory_run(lab)), word);
     if (fixed) {
         char text[sizeof lab->screen.prompt.problem];
         fixed_key_text(fixed, text, sizeof text);

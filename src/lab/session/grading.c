@@ -333,7 +333,7 @@ static bool solve(Grader *grader, const LessonPage *page, Grade *grade, Status *
         if (!run_line(lab, page->solution.actions[i], status))
             return false;
     player_pause(lab);
-    player_seek(lab, experiment_last_step(lab->screen.experiment), 0);
+    player_seek(lab, experiment_last_step(laboratory_run(lab)), 0);
     for (bool any = true; goes_on && (any || lab->screen.playback.state == STATE_COMPUTING); any = false)
         goes_on = frame(grader);
     grade->mark = lab->homework.marks[grade->page];

@@ -11,7 +11,7 @@ const SessionEvent *replay_next(const Replay *replay)
 
 static bool is_there(const Laboratory *lab, const SessionEvent *event)
 {
-    const Experiment *experiment = lab->screen.experiment;
+    const Experiment *experiment = laboratory_run(lab);
     return experiment_step(experiment) == event->step && experiment_stage(experiment) == event->stage;
 }
 
@@ -34,7 +34,7 @@ static bool reach_jump(Laboratory *lab, double deadline)
 static bool approach(Replay *replay, Laboratory *lab, const SessionEvent *event, double deadline)
 {
     while (lab->screen.playback.state == STATE_COMPUTING || !is_there(lab, event)) {
-        const long ahead = event->step - experiment_step(lab->screen.experiment);
+        const long ahead = event->step - experiment_step(laboratory_run(lab));
         if (lab->screen.playback.state == STATE_RUNNING && ahead > 0 &&
             (!lab->player.loop.on || ahead < player_steps_ahead(lab))) {
             lab->player.run_limit = event->step;

@@ -428,12 +428,12 @@ static bool has_room(const Script *script, double dt, Status *status)
 static bool film_run(Script *script, Status *status)
 {
     Laboratory *lab = &script->lab;
-    const double dt = experiment_simulation(lab->screen.experiment)->dt;
+    const double dt = experiment_simulation(laboratory_run(lab))->dt;
     if (laboratory_active(lab) && !has_room(script, dt, status))
         return false;
     if (script->camera->from > 0)
         player_seek(lab, (long)fmin(ceil(script->camera->from / dt - 1e-9), 1e15), 0);
-    while (laboratory_active(lab) && experiment_time(lab->screen.experiment) <= script->camera->to)
+    while (laboratory_active(lab) && experiment_time(laboratory_run(lab)) <= script->camera->to)
         if (!frame(script, status))
             return false;
     return true;

@@ -244,7 +244,7 @@ static bool just_done(const Subject *subject, const Block *block)
 
 /* What the field of a product column was before the stage; 0 where the products make it anew. False: not
  * known. */
-static bool base_of(Experiment *experiment, const Subject *subject, const Block *block,
+static bool base_of(const Experiment *experiment, const Subject *subject, const Block *block,
                     const BlockColumn *column, double *base)
 {
     const Exchange *exchange = exchange_of(subject, column);
@@ -278,7 +278,7 @@ static double terms_of(const BlockColumn *column, const Plan *plan, double terms
     return sum_of(column, 0, plan->all);
 }
 
-static Plan plan_of(Experiment *experiment, const Subject *subject, const Block *block, int rows)
+static Plan plan_of(const Experiment *experiment, const Subject *subject, const Block *block, int rows)
 {
     Plan plan = {.all = subject->n_links, .shown = subject->n_links};
     double terms[LINKS_MAX + 1];

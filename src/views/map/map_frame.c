@@ -122,7 +122,7 @@ bool map_has_mesh(const Map *map)
 /* How far a column of the other run of a duel has reached: two maps are compared by one scale. */
 static double reach_beside(const Screen *screen, const char *name)
 {
-    Experiment *other = screen_other_run(screen);
+    const Experiment *other = screen_other_run(screen);
     int count = 0;
     const Column *columns = other ? experiment_columns(other, &count) : NULL;
     for (int i = 0; i < count; i++)

@@ -30,7 +30,7 @@ static ShownRun run_of_ghost(const Ghost *ghost, int index)
     return run;
 }
 
-static ShownRun run_of_experiment(Experiment *experiment)
+static ShownRun run_of_experiment(const Experiment *experiment)
 {
     ShownRun run = {
         .settings = experiment_settings(experiment),
@@ -43,7 +43,7 @@ static ShownRun run_of_experiment(Experiment *experiment)
     return run;
 }
 
-static ShownRun present_run(Experiment *experiment)
+static ShownRun present_run(const Experiment *experiment)
 {
     ShownRun run = run_of_experiment(experiment);
     run.line = LINE_SOLID;

@@ -25,9 +25,9 @@ typedef struct ShownRun {
     const Column *columns;
     int n_columns;
     const Readout *readout;
-    Experiment *experiment; /* NULL: a ghost */
-    int ghost;              /* its index; -1: none */
-    const Profile *profile; /* of a ghost: as it was last on screen */
+    const Experiment *experiment; /* NULL: a ghost */
+    int ghost;                    /* its index; -1: none */
+    const Profile *profile;       /* of a ghost: as it was last on screen */
 } ShownRun;
 
 /* From the back to the front: ghosts, the second run, the present one, which is always there. In a picture of
