@@ -3,6 +3,7 @@
  * which the picture says, whichever view it is of. */
 #include "panes/panes.h"
 #include "picture/cells/cells.h"
+#include "picture/cells/cells_map.h"
 #include "views/inspector/inspector.h"
 #include "views/view.h"
 
@@ -10,17 +11,16 @@
 
 void view_draw_variant(const View *view, const Screen *screen, Area area, Style heading, int variant)
 {
-    if (view->draw) {
-        view->draw(screen, area, heading, variant);
+    if (view->draw && view->draw(screen, area, heading, variant))
         return;
-    }
     Picture picture;
     cells_open(&picture, area.rect.width, area.rect.height, area.glyphs);
     view->describe(screen, variant, &picture);
     picture.of_side = screen_second_run(screen) != NULL;
-    if (screen_is_plain(screen) && !screen->lesson.open) /* one number is in large digits, below */
+    if (screen_is_plain(screen) && !screen->lesson.open &&
+        !picture.map) /* one number is in large digits, below */
         picture.n_notes = 0;
-    cells_draw(&picture, area, heading, screen->look.colours > 0);
+    cells_draw(&picture, area, heading, screen->look.colours);
     picture_close(&picture);
 }
 
@@ -172,13 +172,12 @@ static bool holds(Rect rect, int x, int y)
 bool view_click(const View *view, Screen *screen, Rect rect, int x, int y)
 {
     Picture picture;
-    if (view->click)
-        return view->click(screen, rect, x, y);
     if (!holds(rect, x, y))
         return false;
     describe_in(view, screen, rect, &picture);
     const long row = picture.list ? cells_row(&picture, rect, x, y) : -1;
-    const PictureMark *mark = picture.list ? NULL : cells_target(&picture, rect, x, y);
+    const PictureMark *mark = picture.list || picture.map ? NULL : cells_target(&picture, rect, x, y);
+    const long piece = picture.map ? cells_map_piece(&picture, rect, x, y) : -1;
     if (row >= 0 && picture.list->set < 0)
         screen->log.first = (int)cells_top(&picture, rect);
     if (row >= 0)
@@ -187,8 +186,12 @@ bool view_click(const View *view, Screen *screen, Rect rect, int x, int y)
         *(mark->set ? &screen->chosen.node : &screen->chosen.particle) = mark->index;
         screen->chosen.is_node = mark->set == 1;
     }
+    if (piece >= 0) {
+        screen->chosen.particle = (size_t)piece;
+        screen->chosen.is_node = false;
+    }
     picture_close(&picture);
-    return row >= 0 || mark;
+    return row >= 0 || mark || piece >= 0;
 }
 
 /* Events alone are many enough to be looked through; of things the wheel chooses the next one. */
@@ -206,4 +209,41 @@ bool view_scroll(const View *view, Screen *screen, Rect rect, int x, int y, int 
     }
     picture_close(&picture);
     return is_log;
+}
+
+/* --- places of a map --------------------------------------------------------------------------------- */
+
+/* The map in the pane that shows it. False: none does. */
+static bool open_map(const Screen *screen, int width, int height, Rect *rect, Picture *picture)
+{
+    const View *map = view_of_map();
+    if (screen->views.upper != map && screen->views.lower != map)
+        return false;
+    *rect = screen_pane(screen, width, height, screen->views.upper == map ? PANE_UPPER : PANE_LOWER);
+    describe_in(map, screen, *rect, picture);
+    if (!picture->map)
+        picture_close(picture);
+    return picture->map;
+}
+
+double view_map_enlargement(const Screen *screen, int width, int height)
+{
+    Picture picture;
+    Rect rect;
+    if (!open_map(screen, width, height, &rect, &picture))
+        return 0;
+    const double factor = picture.map->enlarged;
+    picture_close(&picture);
+    return factor;
+}
+
+bool view_map_place(const Screen *screen, int width, int height, int x, int y, double place[2])
+{
+    Picture picture;
+    Rect rect;
+    if (!open_map(screen, width, height, &rect, &picture))
+        return false;
+    const bool is_there = cells_map_place(&picture, rect, x, y, place);
+    picture_close(&picture);
+    return is_there;
 }

@@ -32,6 +32,12 @@ void area_put(Area area, int x, int y, uint32_t glyph, Style style)
         canvas_put(area.canvas, area.rect.x + x, area.rect.y + y, glyph, style);
 }
 
+const Cell *area_cell(Area area, int x, int y)
+{
+    return &area.canvas
+                ->cells[(size_t)(area.rect.y + y) * (size_t)area.canvas->width + (size_t)(area.rect.x + x)];
+}
+
 void area_put_back(Area area, int x, int y, uint32_t glyph, Style style, Style back)
 {
     area_put(area, x, y, glyph, style);

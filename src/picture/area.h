@@ -15,6 +15,7 @@ typedef struct Area {
 Area area_part(Area, int x, int y, int width, int height);
 
 void area_put(Area, int x, int y, uint32_t glyph, Style);
+const Cell *area_cell(Area, int x, int y);                                 /* in it */
 void area_put_back(Area, int x, int y, uint32_t glyph, Style, Style back); /* on a coloured background */
 
 /* Writes from (x, y) to the right edge at most, an ellipsis where it is cut. Returns the columns used. */

@@ -2,6 +2,7 @@
 /* Glyphs as bytes and columns: UTF-8, and how wide a text is. */
 #include "picture/glyph.h"
 
+#include <math.h>
 #include <string.h>
 
 enum { REPLACEMENT = '?' };
@@ -99,6 +100,13 @@ int glyphs_count(const char *utf8)
     while (glyph_next(&utf8))
         count++;
     return count;
+}
+
+uint32_t glyph_arrow(double across, double down)
+{
+    if (fabs(across) > 2 * fabs(down))
+        return across < 0 ? 0x2190 : 0x2192;
+    return down < 0 ? 0x2191 : 0x2193;
 }
 
 int glyphs_columns(const char *utf8)

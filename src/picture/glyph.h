@@ -33,6 +33,10 @@ uint32_t glyph_ascii(uint32_t glyph);
 /* The same where letters are told in words: one that nothing stands for stays what it is. */
 uint32_t glyph_told(uint32_t glyph);
 
+/* The head of an arrow that goes so many columns across and rows down; a row is as high as two columns are
+ * wide. */
+uint32_t glyph_arrow(double across, double down);
+
 /* Cells that a text takes; characters that it has. */
 int glyphs_columns(const char *utf8);
 int glyphs_count(const char *utf8);

@@ -39,6 +39,7 @@ const char *legend_short_name(const char *name)
         {"measured, middle row", "meas"},
         {"% error, sqrt scale", "error of w, %"},
         {"force, N/m^5", "f, N/m^5"},
+        {"30° from the notch (paper)", "30° (paper)"},
     };
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         if (strcmp(name, words[i][0]) == 0)

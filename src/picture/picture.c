@@ -10,7 +10,11 @@
 
 void picture_open(Picture *picture, int columns, int rows, int across, int dots)
 {
-    *picture = (Picture){.columns = columns, .rows = rows, .across = across, .dots = across * dots};
+    *picture = (Picture){.columns = columns,
+                         .rows = rows,
+                         .across = across,
+                         .dots = across * dots,
+                         .body = {columns - 2, rows - 2}};
 }
 
 void picture_close(Picture *picture)
@@ -69,11 +73,17 @@ PictureMap *picture_map(Picture *picture, int nx, int ny)
     ASSERT_INT(nx, >=, 1);
     ASSERT_INT(ny, >=, 1);
     const size_t count = (size_t)nx * (size_t)ny;
-    PictureMap *map = malloc(sizeof *map + 3 * count * sizeof(double));
+    PictureMap *map = malloc(sizeof *map + 3 * count * sizeof(double) + count * sizeof(bool));
     if (!map)
         return NULL;
     double *numbers = (double *)(map + 1);
-    *map = (PictureMap){.nx = nx, .ny = ny, .x = numbers, .y = numbers + count, .value = numbers + 2 * count};
+    *map = (PictureMap){.nx = nx,
+                        .ny = ny,
+                        .x = numbers,
+                        .y = numbers + count,
+                        .value = numbers + 2 * count,
+                        .torn = (bool *)(numbers + 3 * count)};
+    memset(map->torn, 0, count * sizeof *map->torn);
     free(picture->map);
     picture->kind = PICTURE_MAP;
     return picture->map = map;
@@ -169,6 +179,8 @@ void picture_arrow(Picture *picture, const PictureArrow *arrow)
     if (picture->n_arrows == PICTURE_ARROWS_MAX)
         return;
     picture->arrows[picture->n_arrows++] = *arrow;
+    if (picture->map)
+        return;
     plot_begin(&picture->plot, STROKE_LINE, LINE_SOLID, arrow->style, RANK_MARK,
                up == 0          ? '-'
                : right == 0     ? '|'

@@ -45,7 +45,12 @@ typedef enum MarkKind {
     MARK_PLACE, /* a dot, ring or letter */
     MARK_AGAIN, /* a letter once more on its curve, where curves cannot be told apart by their dashes */
     MARK_DOT,   /* on one of many dots, which a curve may cover where it is wide; a page shows them all */
-    MARK_RULE   /* a vertical line across the plot, perhaps with a word at its head */
+    MARK_RULE,  /* a vertical line across the plot, perhaps with a word at its head */
+    /* of a body: */
+    MARK_BESIDE, /* just outside its place, on `side` */
+    MARK_STANDS, /* below or above it, wherever that is: a support, a load */
+    MARK_BAR,    /* which shows a share, the side[0]-th to the right of its place */
+    MARK_CHOSEN  /* where one is on the screen: none on a page */
 } MarkKind;
 
 typedef struct PictureMark {
@@ -59,6 +64,8 @@ typedef struct PictureMark {
     bool is_target;   /* of the mouse, which finds thing `index` of this set there */
     int set;
     size_t index;
+    signed char side[2]; /* of its place on which it stands: to the right, upwards */
+    double share;        /* of a bar: 0 to 1 */
 } PictureMark;
 
 /* A line of words beside the picture: phrases that are parted by two spaces. */
@@ -74,16 +81,41 @@ typedef struct PictureNote {
 } PictureNote;
 
 /* A body of coloured pieces on a lattice: piece k lies in column k % nx and row k / nx, row 0 below, and is
- * centred at (x, y) as drawn, displacements enlarged, in the coordinates of the plot. */
+ * centred at (x, y) as drawn, displacements enlarged, in the coordinates of the plot, m. Its heading is what
+ * the colours mean; the first of the notes says how it is drawn, the second what its lines and bars are. */
 typedef struct PictureMap {
     int nx, ny;
-    double *x, *y, *value; /* value NAN: not drawn */
-    double size;           /* of a piece, both ways */
-    double enlarged;       /* the factor of the displacements */
-    double low, high;      /* range of the colours */
-    bool is_signed;        /* zero is in the middle */
-    char unit[16];         /* SI; "" for a number */
+    double *x, *y, *value;
+    bool *torn;       /* too much to have a colour; a cell in which most are shows none */
+    double size;      /* of a piece, both ways */
+    double low, high; /* range of the colours */
+    bool is_signed;   /* zero is in the middle */
+    bool open_ended;  /* some values lie above it */
+    char unit[16];    /* SI; "" for a number */
+    char brief[48];   /* the heading where room is short */
+
+    /* how it lies, by picture_lay_body() */
+    double enlarged;            /* the factor of the displacements across it, */
+    double along;               /* and of those along it */
+    double middle[2], scale[2]; /* the place in the middle; characters to a metre, across and down */
+    int keys_at;                /* of them, from where on it leaves room for its lines' names; 0: nowhere */
+    bool is_part;               /* it is magnified: how long a part is in sight is told beside the colours */
+    bool is_near;               /* its pieces are seen one by one, as dots */
 } PictureMap;
+
+/* What a body asks for when it is laid out. */
+typedef struct BodyRoom {
+    double low[2], size[2]; /* where it lies before it moves, m */
+    double spacing;         /* of its pieces */
+    double travel;          /* its way to the right: displacements along it are drawn as they are */
+    bool travels;
+    double reach;     /* the largest displacement across it; 0: not known */
+    double enlarged;  /* if that is given; 0: as there is room */
+    bool pressed;     /* between a load above and supports below: deep, it keeps its shape */
+    bool on_mesh;     /* seen from near it is drawn as it is, in its cells */
+    double magnified; /* and then what is in the middle, with its displacement */
+    double eye[2], moved[2];
+} BodyRoom;
 
 /* Words at a place of the plot, centred on its height, no higher than 1 in its coordinates. */
 typedef struct PictureLabel {
@@ -98,7 +130,8 @@ typedef struct PictureLabel {
     char text[96];     /* of a drawing: lines below each other, as many as have room, parted by '\n' */
 } PictureLabel;
 
-/* What goes from one place of a drawing to another. It is a stroke of the plot too. */
+/* What goes from one place of a drawing to another. It is a stroke of the plot too, but of a body, where it
+ * leaves the things at its ends free. */
 typedef struct PictureArrow {
     double from[2], to[2];
     Style style;
@@ -151,6 +184,7 @@ typedef struct Picture {
     int rows;    /* lines of them that there is room for, heading and all */
     int across;  /* characters across the plot; 0: there is no room for one */
     int dots;    /* that a curve can have across */
+    int body[2]; /* characters across and down that a body can take, within a frame */
 
     PictureKind kind;
     bool of_moment; /* of that time alone, not of all up to it */
@@ -199,6 +233,22 @@ void picture_heading(Picture *, const char *text);
 
 /* Room for a map of so many pieces, to be filled; NULL: no memory. */
 PictureMap *picture_map(Picture *, int nx, int ny);
+
+/* Where the map lies in its picture: lengths to scale; displacements enlarged so that they are seen, by what
+ * the whole run reaches, so that they keep still; the height stretched (`stretch`) where the body is too
+ * slender for its room; or a part of it magnified. Axes show what is in sight. */
+void picture_lay_body(Picture *, const BodyRoom *);
+
+/* Whether a place is in sight, or no farther from it than so much, m. */
+bool picture_in_sight(const Picture *, double x, double y, double margin);
+
+/* A line over a body, drawn as `pen` says (its first members); one that goes on where the last one ended
+ * goes on with its dashes. */
+void picture_trace(Picture *, const double from[2], const double to[2], const Stroke *pen);
+
+/* The same mark along a line, as often as there is room for it; `scale`: characters to its lengths. */
+void picture_spread(Picture *, const double from[2], const double to[2], const double scale[2],
+                    const PictureMark *);
 
 /* Room for a list of so many rows, of which those around the chosen one are to be described; NULL: no memory.
  */

@@ -37,9 +37,9 @@ struct View {
     PaneId home; /* PANE_UPPER: a picture over x; PANE_LOWER: one over time */
     ViewOpening opens;
 
-    /* What it shows, as a picture; and, of a map, how it draws that in cells by itself. */
+    /* What it shows, as a picture; and what it draws in cells by itself, false: nothing. */
     void (*describe)(const Screen *, int variant, Picture *);
-    void (*draw)(const Screen *, Area, Style heading, int variant);
+    bool (*draw)(const Screen *, Area, Style heading, int variant);
     /* What stands out in it, in plain words, behind what is told of every view: the curves and colours that
      * it draws, or its words (picture/words/tell.h). NULL: nothing more. */
     void (*tell)(const Screen *, struct Words *);
@@ -66,8 +66,6 @@ struct View {
 
     /* The column or field that its present variant draws, for a foreign curve beside it; NULL: none. */
     const char *(*curve)(const Screen *);
-
-    bool (*click)(Screen *, Rect rect, int x, int y); /* of a map; else its picture tells what lies where */
 };
 
 /* The list, in the order of help and manual; view_list.c. */

@@ -31,6 +31,9 @@ void cell_plane_describe(const Screen *, Picture *);
 /* A bond's force over its stretch, in the place of shape functions where there is no mesh. */
 void bond_law_describe(const Screen *, Picture *);
 
+/* The map with where it is held and loaded alone: where a node lies in it. False: there is none. */
+bool view_map_small(const Screen *, Picture *);
+
 /* "640 m/s = 0.30 c_R, fastest 904 = 0.42": how fast a crack's tip is now. */
 void beam_lines_tip_speed(const Crack *, double rayleigh, char out[160]);
 

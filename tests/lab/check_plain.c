@@ -642,6 +642,7 @@ static Words told_of_map(size_t greatest, double peak)
     for (size_t i = 0; i < 15; i++)
         map->x[i] = map->y[i] = map->value[i] = 0;
     map->value[greatest] = peak;
+    map->torn[greatest] = isnan(peak);
     ck_assert(tell_picture(&picture, NAN, &words));
     picture_close(&picture);
     return words;

@@ -7,6 +7,8 @@
 #include "scenario/settings.h"
 #include "views/inspector/inspector.h"
 #include "suite.h"
+#include "picture/cells/cells.h"
+#include "picture/cells/cells_map.h"
 #include "views/map/map.h"
 #include "views/scene.h"
 
@@ -44,6 +46,33 @@ static const char *find_row(const Scene *scene, const char *wanted, char *out)
     return NULL;
 }
 
+/* The map in a part of the screen. */
+typedef struct Seen {
+    Picture picture;
+    Map map;
+    const PictureMap *drawn;
+    Rect rect;
+} Seen;
+
+static void see(Seen *seen, const Scene *scene, Rect rect)
+{
+    seen->rect = rect;
+    cells_open(&seen->picture, rect.width + 2, rect.height + 2, GLYPHS_BRAILLE);
+    ck_assert(map_open(&seen->map, &scene->screen, &seen->picture));
+    seen->drawn = seen->picture.map;
+}
+
+static void see_no_more(Seen *seen)
+{
+    map_close(&seen->map);
+    picture_close(&seen->picture);
+}
+
+static void node_place(const Seen *seen, size_t node, double *column, double *row)
+{
+    cells_place(seen->drawn, seen->rect, seen->drawn->x[node], seen->drawn->y[node], column, row);
+}
+
 /* --- the map ---------------------------------------------------------------------------------------- */
 
 /* A place on the map and the node under it belong together, whatever is magnified or moved. */
@@ -57,24 +86,23 @@ START_TEST(a_node_is_found_where_it_is_drawn)
     Scene scene;
     open_scene(&scene, scenes[_i]);
     const Rect pane = screen_pane(&scene.screen, scene.canvas.width, scene.canvas.height, PANE_UPPER);
-    const Area whole = {&scene.canvas, pane, GLYPHS_BRAILLE};
-    Map map;
-    ck_assert(map_open(&map, &scene.screen, area_part(whole, 1, 1, pane.width - 2, pane.height - 2)));
+    Seen map;
+    see(&map, &scene, (Rect){pane.x + 1, pane.y + 1, pane.width - 2, pane.height - 2});
     int seen = 0;
-    for (size_t node = 0; node < map.body.count; node++) {
+    for (size_t node = 0; node < map.map.body.count; node++) {
         double column, row, back_column, back_row;
-        map_node_place(&map, node, &column, &row);
-        if (column < 0 || row < 0 || column >= map.area.rect.width || row >= map.area.rect.height)
+        node_place(&map, node, &column, &row);
+        if (column < 0 || row < 0 || column >= map.rect.width || row >= map.rect.height)
             continue;
         ck_assert(screen_click_view(&scene.screen, scene.canvas.width, scene.canvas.height,
-                                    map.area.rect.x + (int)column, map.area.rect.y + (int)row));
-        map_node_place(&map, scene.screen.chosen.particle, &back_column, &back_row);
+                                    map.rect.x + (int)column, map.rect.y + (int)row));
+        node_place(&map, scene.screen.chosen.particle, &back_column, &back_row);
         ck_assert_double_le(fabs(back_column - column), 1);
         ck_assert_double_le(fabs(back_row - row), 1);
         seen++;
     }
     ck_assert_int_gt(seen, 5);
-    map_close(&map);
+    see_no_more(&map);
     scene_close(&scene);
 }
 END_TEST
@@ -86,30 +114,30 @@ START_TEST(factors_are_those_that_are_stated)
     Scene scene;
     open_scene(&scene, "notched-beam-coarse 132x43 1000 upper 8 focus 2 zoom view.exaggeration=40");
     ck_assert_ptr_nonnull(find_row(&scene, "u x 40  to scale", row));
-    Map map;
-    ck_assert(map_open(&map, &scene.screen, (Area){&scene.canvas, {1, 2, 130, 39}, GLYPHS_BRAILLE}));
-    ck_assert_double_eq(map.enlarged, 40);
+    Seen map;
+    see(&map, &scene, (Rect){1, 2, 130, 39});
+    ck_assert_double_eq(map.drawn->enlarged, 40);
     double x[2], y[2];
-    const size_t nx = (size_t)map.body.nx, a = 50 * nx + 10, b = a + 20;
-    map_node_place(&map, a, &x[0], &y[0]);
-    map_node_place(&map, b, &x[1], &y[1]);
-    const double columns = (20 * map.body.spacing + 40 * (map.ux[b] - map.ux[a])) * map.scale_x;
-    const double rows = -40 * (map.uy[b] - map.uy[a]) * map.scale_x / 2;
+    const size_t nx = (size_t)map.map.body.nx, a = 50 * nx + 10, b = a + 20;
+    node_place(&map, a, &x[0], &y[0]);
+    node_place(&map, b, &x[1], &y[1]);
+    const double columns =
+        (20 * map.map.body.spacing + 40 * (map.map.ux[b] - map.map.ux[a])) * map.drawn->scale[0];
+    const double rows = -40 * (map.map.uy[b] - map.map.uy[a]) * map.drawn->scale[0] / 2;
     ck_assert_double_eq_tol(x[1] - x[0], columns, 1e-9);
     ck_assert_double_eq_tol(y[1] - y[0], rows, 1e-9);
-    map_close(&map);
+    see_no_more(&map);
     scene_close(&scene);
     /* a slender beam is stretched, and that is said */
     open_scene(&scene, "moving-cantilever-coarse 80x24 500 upper 8");
     const Rect pane = screen_pane(&scene.screen, 80, 24, PANE_UPPER);
-    ck_assert(map_open(
-        &map, &scene.screen,
-        (Area){&scene.canvas, {pane.x + 1, pane.y + 1, pane.width - 2, pane.height - 2}, GLYPHS_BRAILLE}));
-    ck_assert_double_gt(map.stretch, 1);
-    ck_assert_double_eq_tol(map.scale_y, map.stretch * map.scale_x / 2, 1e-9 * map.scale_y);
-    snprintf(wanted, sizeof wanted, "height x %.0f", map.stretch);
+    see(&map, &scene, (Rect){pane.x + 1, pane.y + 1, pane.width - 2, pane.height - 2});
+    ck_assert_double_gt(map.picture.stretch, 1);
+    ck_assert_double_eq_tol(map.drawn->scale[1], map.picture.stretch * map.drawn->scale[0] / 2,
+                            1e-9 * map.drawn->scale[1]);
+    snprintf(wanted, sizeof wanted, "height x %.0f", map.picture.stretch);
     ck_assert_ptr_nonnull(find_row(&scene, wanted, row));
-    map_close(&map);
+    see_no_more(&map);
     scene_close(&scene);
 }
 END_TEST
@@ -120,43 +148,43 @@ START_TEST(ramps_hold_their_values)
     Scene scene;
     open_scene(&scene, "notched-beam-coarse 80x24 1200 upper 8");
     for (int variant = 0; variant < MAP_COLOURINGS; variant++) {
-        Map map;
-        ck_assert(map_open(&map, &scene.screen, (Area){&scene.canvas, {26, 1, 54, 8}, GLYPHS_BRAILLE}));
-        if (!map_colour(&map, (MapVariant)variant)) { /* bonds have no stress */
+        Seen map;
+        see(&map, &scene, (Rect){26, 1, 54, 8});
+        if (!map_colour(&map.map, (MapVariant)variant)) { /* bonds have no stress */
             ck_assert_int_ge(variant, MAP_SXX);
-            map_close(&map);
+            see_no_more(&map);
             continue;
         }
-        ck_assert_double_lt(map.low, map.high);
-        if (map.colouring->is_signed)
-            ck_assert_double_eq(map.low, -map.high);
-        const double digits = map.high / pow(10, floor(log10(map.high)) - 1);
+        ck_assert_double_lt(map.drawn->low, map.drawn->high);
+        if (map.map.colouring->is_signed)
+            ck_assert_double_eq(map.drawn->low, -map.drawn->high);
+        const double digits = map.drawn->high / pow(10, floor(log10(map.drawn->high)) - 1);
         ck_assert_double_eq_tol(digits, round(digits), 1e-6);
-        for (size_t i = 0; i < map.body.count; i++) {
-            ck_assert_double_ge(map.value[i], map.low - 1e-12);
-            if (!map.open_ended)
-                ck_assert_double_le(map.value[i], map.high * (1 + 1e-12));
+        for (size_t i = 0; i < map.map.body.count; i++) {
+            ck_assert_double_ge(map.drawn->value[i], map.drawn->low - 1e-12);
+            if (!map.drawn->open_ended)
+                ck_assert_double_le(map.drawn->value[i], map.drawn->high * (1 + 1e-12));
         }
         size_t beyond = 0;
-        for (size_t i = 0; i < map.body.count; i++)
-            beyond += map.value[i] > map.high;
-        ck_assert_uint_le(beyond, map.body.count / 100);
-        map_close(&map);
+        for (size_t i = 0; i < map.map.body.count; i++)
+            beyond += map.drawn->value[i] > map.drawn->high;
+        ck_assert_uint_le(beyond, map.map.body.count / 100);
+        see_no_more(&map);
     }
     scene_close(&scene);
 }
 END_TEST
 
 /* Cells of a style among the nine about a place of the body. */
-static int lines_near(const Scene *scene, const Map *map, double x, double y, Style style)
+static int lines_near(const Scene *scene, const Seen *map, double x, double y, Style style)
 {
-    double column, row;
-    map_body_place(map, x, y, &column, &row);
+    double place[2], column, row;
+    map_body_place(&map->map, x, y, place);
+    cells_place(map->drawn, map->rect, place[0], place[1], &column, &row);
     int count = 0;
     for (int i = -1; i <= 1; i++)
         for (int k = -1; k <= 1; k++) {
-            const int at = map->area.rect.x + (int)floor(column) + i,
-                      down = map->area.rect.y + (int)floor(row) + k;
+            const int at = map->rect.x + (int)floor(column) + i, down = map->rect.y + (int)floor(row) + k;
             count += at >= 0 && down >= 0 && at < scene->canvas.width && down < scene->canvas.height &&
                      scene->canvas.cells[down * scene->canvas.width + at].style == style;
         }
@@ -172,12 +200,14 @@ START_TEST(the_crack_before_stays)
                        "load.stress=1.8e8 ghost notch.position=0.085");
     const Rect whole = {0, 0, 80, 24};
     canvas_clear(&scene.canvas);
-    Map map;
-    ck_assert(map_open(&map, &scene.screen, (Area){&scene.canvas, whole, GLYPHS_BRAILLE}));
-    map_draw_lines(&map);
+    Seen map;
+    see(&map, &scene, whole);
+    ck_assert(map_colour(&map.map, MAP_UY));
+    map_add_lines(&map.map);
+    cells_map_body(&map.picture, (Area){&scene.canvas, whole, GLYPHS_BRAILLE}, 0);
     const Ghost *ghost = &experiment_ghosts(scene.screen.experiment)[0];
     ShownRun runs[RUNS_MAX];
-    ck_assert_int_eq(map_cracks_before(&map, runs), 1);
+    ck_assert_int_eq(map_cracks_before(&map.map, runs), 1);
     const CrackLine *crack = &ghost->crack;
     ck_assert_uint_gt(crack->count, 10);
     for (size_t i = 0; i < crack->count; i++)
@@ -192,12 +222,12 @@ START_TEST(the_crack_before_stays)
     ck_assert_int_eq(lines_near(&scene, &map, 0.065, 0.01, STYLE_HEADING), 0);
     ck_assert_int_gt(lines_near(&scene, &map, 0.09, 0.025, STYLE_CHANGED), 0);
     ck_assert_double_eq(settings_notch(ghost->settings)->position, 0.065);
-    map_close(&map);
+    see_no_more(&map);
     scene_close(&scene);
     open_scene(&scene, "notched-beam-coarse 80x24 5 upper 8 none ghost notch.position=0.085");
-    ck_assert(map_open(&map, &scene.screen, (Area){&scene.canvas, whole, GLYPHS_BRAILLE}));
-    ck_assert_int_eq(map_cracks_before(&map, runs), 0); /* it had not begun */
-    map_close(&map);
+    see(&map, &scene, whole);
+    ck_assert_int_eq(map_cracks_before(&map.map, runs), 0); /* it had not begun */
+    see_no_more(&map);
     scene_close(&scene);
 }
 END_TEST
@@ -207,13 +237,13 @@ START_TEST(the_skin_lacks_neighbours)
 {
     Scene scene;
     open_scene(&scene, "supported-beam-coarse 80x24 0 upper 8");
-    Map map;
-    ck_assert(map_open(&map, &scene.screen, (Area){&scene.canvas, {26, 1, 54, 8}, GLYPHS_BRAILLE}));
-    ck_assert(map_colour(&map, MAP_FAMILY));
-    const size_t nx = (size_t)map.body.nx, middle = nx / 2;
-    ck_assert_double_eq(map.value[(size_t)(map.body.ny / 2) * nx + middle], 1);
-    ck_assert_double_eq_tol(map.value[middle], 28.0 / 48.0, 1e-12); /* of 48 neighbours 28 are left */
-    map_close(&map);
+    Seen map;
+    see(&map, &scene, (Rect){26, 1, 54, 8});
+    ck_assert(map_colour(&map.map, MAP_FAMILY));
+    const size_t nx = (size_t)map.map.body.nx, middle = nx / 2;
+    ck_assert_double_eq(map.drawn->value[(size_t)(map.map.body.ny / 2) * nx + middle], 1);
+    ck_assert_double_eq_tol(map.drawn->value[middle], 28.0 / 48.0, 1e-12); /* of 48 neighbours 28 are left */
+    see_no_more(&map);
     scene_close(&scene);
 }
 END_TEST
@@ -234,18 +264,18 @@ START_TEST(broken_bonds_are_missing)
     Scene scene;
     open_scene(&scene, "notched-beam-coarse 80x24 0 upper 8 focus 2 zoom magnified 64 at 0.30952,0.1");
     ck_assert_ptr_nonnull(find_row(&scene, "lines: whole bonds", row));
-    Map map;
-    ck_assert(map_open(&map, &scene.screen, (Area){&scene.canvas, {1, 2, 78, 20}, GLYPHS_BRAILLE}));
-    ck_assert(map.nodes_seen);
+    Seen map;
+    see(&map, &scene, (Rect){1, 2, 78, 20});
+    ck_assert(map.drawn->is_near);
     /* the notch stands in the middle: left and right of it, as wide as a spacing, is the gap */
-    const int half = (int)(map.body.spacing * map.scale_x / 2) - 2, middle = 1 + 39;
+    const int half = (int)(map.map.body.spacing * map.drawn->scale[0] / 2) - 2, middle = 1 + 39;
     ck_assert_int_gt(half, 2);
     const int spacing = 2 * (half + 2);
     for (int y = 3; y < 20; y++) {
         ck_assert_int_le(ink(&scene, middle - half, middle + half, y), 1);
         ck_assert_int_ge(ink(&scene, middle + half + 2, middle + half + 2 + spacing, y), 1);
     }
-    map_close(&map);
+    see_no_more(&map);
     scene_close(&scene);
 }
 END_TEST
@@ -288,16 +318,16 @@ START_TEST(bending_stress_is_seen)
 {
     Scene scene;
     open_scene(&scene, "supported-beam-mpm-coarse 80x24 0 upper 8");
-    Map map;
-    ck_assert(map_open(&map, &scene.screen, (Area){&scene.canvas, {26, 1, 54, 8}, GLYPHS_BRAILLE}));
-    ck_assert(map_colour(&map, MAP_SXX));
-    const size_t nx = (size_t)map.body.nx, ny = (size_t)map.body.ny;
+    Seen map;
+    see(&map, &scene, (Rect){26, 1, 54, 8});
+    ck_assert(map_colour(&map.map, MAP_SXX));
+    const size_t nx = (size_t)map.map.body.nx, ny = (size_t)map.map.body.ny;
     for (size_t j = 0; j < ny; j++) {
-        const double share = map.value[j * nx + nx / 2] / map.value[nx / 2];
+        const double share = map.drawn->value[j * nx + nx / 2] / map.drawn->value[nx / 2];
         ck_assert_double_eq_tol(share, 1 - 2 * (double)j / (double)(ny - 1), 0.3);
     }
-    ck_assert_double_lt(map.value[nx / 2], -1e5);
-    map_close(&map);
+    ck_assert_double_lt(map.drawn->value[nx / 2], -1e5);
+    see_no_more(&map);
     scene_close(&scene);
 }
 END_TEST

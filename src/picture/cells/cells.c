@@ -4,6 +4,7 @@
 
 #include "base/assertion.h"
 #include "base/text.h"
+#include "picture/cells/cells_map.h"
 #include "picture/heading.h"
 #include "picture/places.h"
 
@@ -236,16 +237,11 @@ static void write_words(const Places *places, double left, double top, const cha
     area_text(*inner, (int)left, (int)top, plain, style);
 }
 
-/* Which way it points, a row being as high as two columns are wide. */
 static uint32_t head_of(const Places *places, const Picture *picture, const PictureArrow *arrow)
 {
-    const double across =
-        places_across(places, picture, arrow->to[0]) - places_across(places, picture, arrow->from[0]);
-    const double down =
-        places_down(places, picture, arrow->to[1]) - places_down(places, picture, arrow->from[1]);
-    if (fabs(across) > 2 * fabs(down))
-        return across < 0 ? 0x2190 : 0x2192;
-    return down < 0 ? 0x2191 : 0x2193;
+    return glyph_arrow(
+        places_across(places, picture, arrow->to[0]) - places_across(places, picture, arrow->from[0]),
+        places_down(places, picture, arrow->to[1]) - places_down(places, picture, arrow->from[1]));
 }
 
 static void draw_drawing(const Picture *picture, Area inner)
@@ -319,7 +315,7 @@ static void draw_labels(const Picture *picture, Area inner)
     }
 }
 
-void cells_draw(Picture *picture, Area area, Style heading, bool coloured)
+void cells_draw(Picture *picture, Area area, Style heading, int colours)
 {
     char scale[TICK_TEXT_MAX], x_name[PICTURE_TEXT_MAX];
     Legends legends;
@@ -327,11 +323,15 @@ void cells_draw(Picture *picture, Area area, Style heading, bool coloured)
         cells_list(picture, area, heading);
         return;
     }
+    if (picture->map) {
+        cells_map(picture, area, heading, colours);
+        return;
+    }
     if (!picture->has_axes) {
         say(picture, area, heading);
         return;
     }
-    const bool solid = coloured && count_bands(picture) > 1;
+    const bool solid = colours > 0 && count_bands(picture) > 1;
     take_legend(picture, area.glyphs, solid, &legends);
     cells_fit(picture, area.rect.height);
     axis_scale_text(&picture->plot.y, picture->unit, scale);

@@ -13,8 +13,8 @@ void cells_open(Picture *, int columns, int rows, Glyphs);
 /* Finds the ticks for so many rows. */
 void cells_fit(Picture *, int rows);
 
-/* `coloured`: colours tell bands apart. */
-void cells_draw(Picture *, Area, Style heading, bool coloured);
+/* `colours`: that the screen has; with any they tell bands apart. */
+void cells_draw(Picture *, Area, Style heading, int colours);
 
 /* The mark nearest to a cell of the drawing in `rect` that the mouse can choose; NULL: none. */
 const PictureMark *cells_target(const Picture *, Rect rect, int x, int y);

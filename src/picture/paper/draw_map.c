@@ -15,11 +15,11 @@
 
 enum { LEVELS = 128, BAR_PIECES = 64 };
 
-static int level_of(const PictureMap *map, double value)
+static int level_of(const PictureMap *map, size_t piece)
 {
-    if (isnan(value))
+    if (map->torn[piece] || isnan(map->value[piece]))
         return -1;
-    const int level = (int)floor((value - map->low) / (map->high - map->low) * LEVELS);
+    const int level = (int)floor((map->value[piece] - map->low) / (map->high - map->low) * LEVELS);
     return level < 0 ? 0 : level >= LEVELS ? LEVELS - 1 : level;
 }
 
@@ -87,9 +87,8 @@ static void draw_run(Paper *paper, const PictureMap *map, int row, int first, in
                 y -= OVERLAP * map->size;
             add_point(points, &count, place->x0 + x * place->scale_x, place->y0 + y * place->scale_y);
         }
-    paper->kind->fill(
-        paper, points, count,
-        colour_of(map, level_of(map, map->value[(size_t)row * (size_t)map->nx + (size_t)first])));
+    paper->kind->fill(paper, points, count,
+                      colour_of(map, level_of(map, (size_t)row * (size_t)map->nx + (size_t)first)));
 }
 
 void draw_heat(Paper *paper, const PictureMap *map, const Place *place)
@@ -98,10 +97,10 @@ void draw_heat(Paper *paper, const PictureMap *map, const Place *place)
     if (!points)
         return;
     for (int row = 0; row < map->ny; row++) {
-        const double *values = map->value + (size_t)row * (size_t)map->nx;
+        const size_t begin = (size_t)row * (size_t)map->nx;
         for (int first = 0, end; first < map->nx; first = end) {
-            const int level = level_of(map, values[first]);
-            for (end = first + 1; end < map->nx && level_of(map, values[end]) == level;)
+            const int level = level_of(map, begin + (size_t)first);
+            for (end = first + 1; end < map->nx && level_of(map, begin + (size_t)end) == level;)
                 end++;
             if (level >= 0)
                 draw_run(paper, map, row, first, end, place, points);

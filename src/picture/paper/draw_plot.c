@@ -25,8 +25,11 @@ enum {
     SIGN_ROLLER = 0x25cb,
     SIGN_DOT = 0x25cf, /* a probe, the tip of a crack */
     SIGN_PROBE = '+',  /* of a plate */
-    SIGN_LEFT = 0x2190 /* then up, right, down: loads of a plate */
-};                     /* as on the screen; else it is a letter */
+    SIGN_NODE = 0x253c,
+    SIGN_PLACE = 0xb7,
+    SIGN_GIVEN = 0x25c6, /* of a mesh; one that takes or gives */
+    SIGN_LEFT = 0x2190   /* then up, right, down: loads of a plate */
+};                       /* as on the screen; else it is a letter */
 
 typedef struct Frame {
     Paper *paper;
@@ -151,10 +154,15 @@ static void draw_axes(const Frame *frame, double left)
     Type name = {.size = SIZE_WORDS, .align = ALIGN_CENTRE};
     draw_words(paper, box->x + box->width / 2, box->y + box->height + TICK + SIZE_TICKS + 11, picture->x_name,
                &name);
-    const char *heading = picture->map ? "y, mm" : picture->heading;
+    if (picture->map) { /* whose heading stands at its colours */
+        char scale[TICK_TEXT_MAX];
+        axis_scale_text(&picture->plot.y, picture->unit, scale);
+        axis_name(picture->name, scale, text, sizeof text);
+    } else
+        snprintf(text, sizeof text, "%s", picture->heading);
     name.upwards = true;
-    name.size = fmin(SIZE_WORDS, SIZE_WORDS * box->height / draw_words_width(heading, &name));
-    draw_words(paper, left + SIZE_WORDS, box->y + box->height / 2, heading, &name);
+    name.size = fmin(SIZE_WORDS, SIZE_WORDS * box->height / draw_words_width(text, &name));
+    draw_words(paper, left + SIZE_WORDS, box->y + box->height / 2, text, &name);
 }
 
 /* --- strokes --------------------------------------------------------------------------------------- */
@@ -170,6 +178,20 @@ static char letter_of(const Picture *picture, int stroke)
         if (picture_run_of(&picture->keys[i]) && ink_is_ghost(picture->keys[i].style) && earlier-- == 0)
             return picture_run_of(&picture->keys[i]);
     return 0;
+}
+
+/* Just outside the body, with a lip at its end. */
+static void draw_wall(const Frame *frame, const Stroke *stroke, const Pencil *pencil)
+{
+    const double *points = frame->picture->plot.points + 2 * stroke->first;
+    const double row = stroke->wall / frame->picture->map->scale[1];
+    for (size_t i = 1; i < stroke->count; i++) {
+        const double *from = points + 2 * i - 2, *to = points + 2 * i;
+        const double x = x_of(frame, to[0]), y = y_of(frame, to[1] + 0.3 * row);
+        const double places[] = {x_of(frame, from[0]), y, x, y, x, y_of(frame, to[1] + 0.9 * row)};
+        if (!isnan(from[0]) && !isnan(to[0]))
+            frame->paper->kind->line(frame->paper, places, 3, pencil);
+    }
 }
 
 static void draw_line(const Frame *frame, const Stroke *stroke, const Pencil *pencil, double *places)
@@ -255,7 +277,9 @@ static void draw_stroke(const Frame *frame, int index, bool noise, double *place
         pencil.colour = ink_pale(pencil.colour);
     if ((double)stroke->count > DENSE * frame->box.width)
         pencil.width *= noise ? 0.5 : 0.7;
-    if (stroke->kind == STROKE_LINE)
+    if (stroke->wall)
+        draw_wall(frame, stroke, &pencil);
+    else if (stroke->kind == STROKE_LINE)
         draw_line(frame, stroke, &pencil, places);
     else if (stroke->kind == STROKE_BAND)
         draw_band(frame, stroke, places);
@@ -279,7 +303,7 @@ static void draw_strokes(const Frame *frame)
     for (int broken = 0; broken <= 1; broken++)
         for (int rank = RANK_BAND - 1; rank <= RANK_MARK; rank++)
             for (int i = 0; i < plot->n_strokes; i++)
-                if (plot->strokes[i].count > 0 && broken == is_broken(frame, i) &&
+                if (plot->strokes[i].count > 0 && !plot->strokes[i].coarse && broken == is_broken(frame, i) &&
                     rank == (noise[i] ? RANK_BAND - 1 : plot->strokes[i].rank))
                     draw_stroke(frame, i, noise[i], places);
     frame->paper->kind->clip(frame->paper, NULL);
@@ -327,6 +351,25 @@ static void draw_cross(const Frame *frame, double x, double y, double size)
     frame->paper->kind->line(frame->paper, up, 2, &pencil);
 }
 
+/* Of a node of a mesh: where it is, or what it has as a bar beside it. */
+static void draw_node(const Frame *frame, const PictureMark *mark, double x, double y, double size)
+{
+    const double half = (mark->glyph == SIGN_PLACE ? 1 : 2.5) * size, right = x + 4 * size * mark->side[0];
+    const double bar[] = {right - size, y,
+                          right + size, y,
+                          right + size, y - 8 * size * mark->share,
+                          right - size, y - 8 * size * mark->share};
+    const double rhomb[] = {x - half, y, x, y - half, x + half, y, x, y + half};
+    if (mark->kind == MARK_BAR)
+        frame->paper->kind->fill(frame->paper, bar, 4, ink_of(mark->style));
+    else if (mark->glyph == SIGN_GIVEN)
+        frame->paper->kind->fill(frame->paper, rhomb, 4, ink_of(mark->style));
+    else {
+        straight(frame->paper, x - half, y, x + half, y, ink_of(mark->style), 0.6);
+        straight(frame->paper, x, y - half, x, y + half, ink_of(mark->style), 0.6);
+    }
+}
+
 /* Supports hang below their place, loads of beams stand above it. */
 static void draw_sign(const Frame *frame, const PictureMark *mark, double x, double y)
 {
@@ -345,6 +388,8 @@ static void draw_sign(const Frame *frame, const PictureMark *mark, double x, dou
         draw_arrow(frame, glyph, x, y, size);
     else if (glyph == SIGN_PROBE)
         draw_cross(frame, x, y, size);
+    else if (mark->kind == MARK_BAR || glyph == SIGN_NODE || glyph == SIGN_PLACE || glyph == SIGN_GIVEN)
+        draw_node(frame, mark, x, y, size);
     else
         draw_letter_sign(frame, mark, x, y, size);
 }
@@ -363,9 +408,15 @@ static size_t draw_signs(const Frame *frame, size_t first)
     const PictureMark *begin = &picture->marks[first];
     double sum_x = 0, sum_y = 0;
     size_t end = first;
+    if (begin->kind == MARK_CHOSEN)
+        return first + 1;
+    /* an arrow is as long as a column of the screen is wide */
+    const bool beside = begin->kind == MARK_BESIDE;
+    const double right = beside ? 0.9 * begin->side[0] / picture->map->scale[0] : 0,
+                 up = beside ? 0.5 * begin->side[1] / picture->map->scale[1] : 0;
     do {
-        sum_x += x_of(frame, picture->marks[end].x);
-        sum_y += y_of(frame, picture->marks[end].y);
+        sum_x += x_of(frame, picture->marks[end].x + right);
+        sum_y += y_of(frame, picture->marks[end].y + up);
         end++;
     } while (end < picture->n_marks && is_shared(picture, begin, &picture->marks[end]));
     draw_sign(frame, begin, sum_x / (double)(end - first), sum_y / (double)(end - first));
@@ -417,7 +468,9 @@ static void draw_label(const Frame *frame, const PictureLabel *label)
                        .align = label->side < 0    ? ALIGN_RIGHT
                                 : label->side == 0 ? ALIGN_CENTRE
                                                    : ALIGN_LEFT};
-    const double x = x_of(frame, label->x), y = y_of(frame, label->y);
+    /* of a body: beside the sign that stands on its place */
+    const bool beside = frame->picture->map;
+    const double x = x_of(frame, label->x) + (beside ? 8 : 0), y = y_of(frame, label->y) - (beside ? 4 : 0);
     if (label->on_line) {
         const double half = draw_words_width(label->text, &type) / 2 + 2, up = type.size / 2;
         const double patch[] = {x - half, y - up, x + half, y - up, x + half, y + up, x - half, y + up};
@@ -552,6 +605,12 @@ void draw_plot(Paper *paper, const Picture *picture, Box box)
         draw_marks(&frame);
     for (size_t i = 0; of_body && i < picture->n_marks;)
         i = draw_signs(&frame, i);
+    for (int i = 0; picture->map && i < picture->n_arrows; i++) {
+        const PictureArrow *arrow = &picture->arrows[i];
+        straight(paper, x_of(&frame, arrow->from[0]), y_of(&frame, arrow->from[1]),
+                 x_of(&frame, arrow->to[0]), y_of(&frame, arrow->to[1]), ink_of(arrow->style), 1);
+        draw_head(&frame, arrow);
+    }
     for (int i = 0; i < picture->n_labels; i++)
         draw_label(&frame, &picture->labels[i]);
 }

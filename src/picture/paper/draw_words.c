@@ -188,6 +188,17 @@ static void name_of(const PictureKey *key, char out[PICTURE_TEXT_MAX + 4])
     out[used] = '\0';
 }
 
+/* Of a body the lines that are there: earlier runs, and what is not told by its colours alone. */
+static bool has_line(const Picture *picture, const PictureKey *key)
+{
+    bool found = !picture->map || picture_run_of(key);
+    for (int i = 0; i < picture->plot.n_strokes && !found; i++) {
+        const Stroke *stroke = &picture->plot.strokes[i];
+        found = stroke->style == key->style && stroke->line == key->line && !stroke->coarse;
+    }
+    return found;
+}
+
 double draw_legend_rows(Paper *paper, const Picture *picture, Box box)
 {
     const Type type = {.size = SIZE_WORDS};
@@ -195,6 +206,8 @@ double draw_legend_rows(Paper *paper, const Picture *picture, Box box)
     double x = 0, y = 0;
     for (int i = 0; i < picture->n_keys; i++) {
         const PictureKey *key = &picture->keys[i];
+        if (!has_line(picture, key))
+            continue;
         char name[PICTURE_TEXT_MAX + 4];
         name_of(key, name);
         const double width = SAMPLE + BEHIND + draw_words_width(name, &type);
@@ -208,5 +221,5 @@ double draw_legend_rows(Paper *paper, const Picture *picture, Box box)
         }
         x += width + BETWEEN;
     }
-    return picture->n_keys > 0 ? y + row : 0;
+    return x > 0 ? y + row : 0;
 }

@@ -414,7 +414,7 @@ static void say_map(const Picture *picture, Words *words)
     const size_t count = (size_t)map->nx * (size_t)map->ny;
     size_t least = count, greatest = count, shown = 0;
     for (size_t i = 0; i < count; i++) {
-        if (!isfinite(map->value[i]))
+        if (map->torn[i] || !isfinite(map->value[i]))
             continue;
         shown++;
         least = least == count || map->value[i] < map->value[least] ? i : least;

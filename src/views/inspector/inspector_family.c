@@ -6,6 +6,8 @@
 #include "scenario/concern_bonds.h"
 #include "views/views.h"
 #include "views/map/family.h"
+#include "picture/cells/cells.h"
+#include "picture/cells/cells_map.h"
 #include "base/math/functions.h"
 
 #include <math.h>
@@ -226,13 +228,11 @@ static void draw_place(const Screen *screen, Area area)
     whole.eye.magnified = 1;
     if (whole.playback.state == STATE_RUNNING)
         whole.playback.state = STATE_PAUSED; /* the node that is inspected is shown in any case */
-    Map map;
-    if (map_open(&map, &whole, area) && map_colour(&map, (MapVariant)(view_variant(&view_beam, screen)))) {
-        map.nodes_seen = true; /* no room for words */
-        map_draw_heat(&map);
-        map_draw_signs(&map);
-    }
-    map_close(&map);
+    Picture picture;
+    cells_open(&picture, area.rect.width + 2, area.rect.height + 2, area.glyphs);
+    if (view_map_small(&whole, &picture))
+        cells_map_body(&picture, area, screen->look.colours);
+    picture_close(&picture);
 }
 
 /* Where words have no room beside the family: below it, and the forces in its place. */

@@ -2,8 +2,10 @@
 /* What the nodes of a beam can be coloured by, and the range of the ramp for it. */
 #include "views/map/map.h"
 #include "scenario/concern_body.h"
+#include "answers/crack_growth.h"
 
 #include <math.h>
+#include <stdio.h>
 
 static const Colouring colourings[MAP_COLOURINGS] = {
     [MAP_UY] = {"uy", "uy", "displacement across the beam", "m", true, "displacement along y"},
@@ -59,21 +61,26 @@ static void round_range(Map *map, double least, double most)
     if (most - least < 1e-9 * fabs(most))
         least = 0;
     const Axis axis = axis_with_ticks(axis_make(least, most), 5);
-    map->low = floor(least / axis.step + 1e-9) * axis.step;
-    map->high = ceil(most / axis.step - 1e-9) * axis.step;
+    map->drawn->low = floor(least / axis.step + 1e-9) * axis.step;
+    map->drawn->high = ceil(most / axis.step - 1e-9) * axis.step;
 }
 
 /* The share of a whole family that a node has: it lacks what lies beyond a surface, and what is broken. */
 static void share_of_family(Map *map)
 {
+    enum { AT_ONCE = 256 };
     const size_t count = map->body.count;
-    double whole = 1;
+    const int damage = simulation_find_field(map->sim, 0, "damage");
+    double whole = 1, lost[AT_ONCE] = {0};
     for (size_t i = 0; i < count; i++)
-        whole = fmax(whole, map->value[i]);
-    for (size_t i = 0; i < count; i++)
-        map->value[i] *= (1 - map->damage[i]) / whole;
-    map->low = 0;
-    map->high = 1;
+        whole = fmax(whole, map->drawn->value[i]);
+    for (size_t i = 0; i < count; i++) {
+        if (damage >= 0 && i % AT_ONCE == 0)
+            map->sim->method->field(map->sim, damage, i, count - i < AT_ONCE ? count - i : AT_ONCE, lost);
+        map->drawn->value[i] *= (1 - lost[i % AT_ONCE]) / whole;
+    }
+    map->drawn->low = 0;
+    map->drawn->high = 1;
 }
 
 /* A value that all but a few nodes keep below: a load's edge or a crack's tip must not leave the rest of the
@@ -85,7 +92,7 @@ static double most_values(const Map *map, double most)
     for (int pass = 0; pass < PASSES && most > 0; pass++) {
         size_t bins[BINS] = {0}, above = 0;
         for (size_t i = 0; i < map->body.count; i++) {
-            const double share = map->value[i] / most * BINS;
+            const double share = map->drawn->value[i] / most * BINS;
             bins[share >= BINS ? BINS - 1 : share > 0 ? (int)share : 0]++;
         }
         int bin = BINS - 1;
@@ -98,6 +105,17 @@ static double most_values(const Map *map, double most)
     return most;
 }
 
+/* What has lost too many bonds shows no colour, but of what it has lost. */
+static void tear(Map *map)
+{
+    const int damage = simulation_find_field(map->sim, 0, "damage");
+    if (damage < 0)
+        return;
+    map->sim->method->field(map->sim, damage, 0, map->body.count, map->drawn->value);
+    for (size_t i = 0; i < map->body.count; i++)
+        map->drawn->torn[i] = map->drawn->value[i] > CRACK_DAMAGE;
+}
+
 bool map_colour(Map *map, MapVariant variant)
 {
     const Colouring *colouring = map->colouring = &colourings[variant < MAP_COLOURINGS ? variant : MAP_UY];
@@ -105,17 +123,22 @@ bool map_colour(Map *map, MapVariant variant)
     const size_t count = map->body.count;
     if (field < 0)
         return false;
-    map->sim->method->field(map->sim, field, 0, count, map->value);
+    if (variant != MAP_DAMAGE)
+        tear(map);
+    map->sim->method->field(map->sim, field, 0, count, map->drawn->value);
     const bool travels = variant == MAP_UX && fabs(map->sim->common_speed) > 0;
     const double carried = simulation_carried(map->sim, field);
     for (size_t i = 0; i < count && travels; i++)
-        map->value[i] -= carried;
+        map->drawn->value[i] -= carried;
     if (travels)
         map->colouring = &beside_travel;
+    map->drawn->is_signed = map->colouring->is_signed;
+    snprintf(map->drawn->unit, sizeof map->drawn->unit, "%s", map->colouring->unit);
+    snprintf(map->drawn->brief, sizeof map->drawn->brief, "%s", map->colouring->label);
     double least = INFINITY, most = -INFINITY;
     for (size_t i = 0; i < count; i++) {
-        least = map->value[i] < least ? map->value[i] : least;
-        most = map->value[i] > most ? map->value[i] : most;
+        least = map->drawn->value[i] < least ? map->drawn->value[i] : least;
+        most = map->drawn->value[i] > most ? map->drawn->value[i] : most;
     }
     if (!isfinite(least) || !isfinite(most))
         return false;
@@ -123,12 +146,12 @@ bool map_colour(Map *map, MapVariant variant)
         share_of_family(map);
     } else if (variant == MAP_SURFACE) {
         round_range(map, least, most_values(map, most));
-        map->open_ended = most > map->high;
+        map->drawn->open_ended = most > map->drawn->high;
     } else if (variant == MAP_DAMAGE) {
         /* a crack right through leaves half of the family at best */
-        map->low = 0;
-        map->high = 0.5;
-        map->open_ended = most > map->high;
+        map->drawn->low = 0;
+        map->drawn->high = 0.5;
+        map->drawn->open_ended = most > map->drawn->high;
     } else {
         const bool density = variant == MAP_ENERGY || variant == MAP_KINETIC;
         double reach, scale = 1;
@@ -139,14 +162,14 @@ bool map_colour(Map *map, MapVariant variant)
                                                  map->body.size[1] /
                                                  (2 * settings_geometry(map->settings)->length));
         else
-            reach = map_reach(map, field, map->value);
+            reach = map_reach(map, field, map->drawn->value);
         for (size_t i = 0; i < count && density; i++)
-            map->value[i] *= scale;
+            map->drawn->value[i] *= scale;
         if (density)
             reach = most_values(map, scale * most);
-        map->high = reach > 0 ? axis_round_up(reach) : 1;
-        map->low = map->colouring->is_signed ? -map->high : 0;
-        map->open_ended = most * scale > map->high;
+        map->drawn->high = reach > 0 ? axis_round_up(reach) : 1;
+        map->drawn->low = map->colouring->is_signed ? -map->drawn->high : 0;
+        map->drawn->open_ended = most * scale > map->drawn->high;
     }
     return true;
 }

@@ -13,9 +13,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { RANK_GRID = 0, RANK_ARROW = 3, RANK_CROSS = 4, LINKS_MAX = 16 };
+enum { RANK_GRID = 0, RANK_CROSS = 4, LINKS_MAX = 16 };
 
-#define BESIDE    0.9 /* cells between the end of an arrow and the thing */
 #define CROSS_ARM 0.8 /* of the distance of the particles: that of the body's largest stress */
 
 /* The nodes of the mesh as they lie: rows of `across`. */
@@ -85,84 +84,46 @@ static void mesh_close(MeshNodes *mesh)
     free(mesh->x);
 }
 
-static void node_at(const Map *map, const MeshNodes *mesh, size_t node, double *column, double *row)
-{
-    map_place(map, mesh->x[node], mesh->y[node], 0, 0, column, row);
-}
-
-static bool is_inside(const Map *map, double column, double row)
-{
-    return column >= 0 && row >= 0 && column < map->area.rect.width && row < map->area.rect.height;
-}
-
 /* --- under the particles ------------------------------------------------------------------------------ */
 
-static void draw_cells(Map *map, const MeshNodes *mesh)
+static void add_cells(Map *map, const MeshNodes *mesh)
 {
-    const Pen pen = {STYLE_FRAME, RANK_GRID, mesh->there ? 2 : 4, mesh->there ? 0 : '.'};
+    const Stroke pen = {.line = mesh->there ? LINE_DASHED : LINE_DOTTED,
+                        .style = STYLE_FRAME,
+                        .rank = RANK_GRID,
+                        .letter = mesh->there ? 0 : '.'};
+    const double margin = mesh->count > 1 ? mesh->x[1] - mesh->x[0] : 0;
     for (size_t node = 0; node < mesh->count; node++) {
-        double column, row, to_column, to_row;
-        node_at(map, mesh, node, &column, &row);
+        const double from[2] = {mesh->x[node], mesh->y[node]};
         const size_t next[2] = {node + 1, node + mesh->across};
-        for (int d = 0; d < 2; d++) {
-            if (next[d] >= mesh->count || (d == 0 && next[d] % mesh->across == 0))
-                continue;
-            node_at(map, mesh, next[d], &to_column, &to_row);
-            if (is_inside(map, column, row) || is_inside(map, to_column, to_row))
-                map_line(map, column, row, to_column, to_row, pen);
-        }
+        for (int d = 0; d < 2 && picture_in_sight(map->picture, from[0], from[1], margin); d++)
+            if (next[d] < mesh->count && !(d == 0 && next[d] % mesh->across == 0))
+                picture_trace(map->picture, from, (double[]){mesh->x[next[d]], mesh->y[next[d]]}, &pen);
     }
 }
 
-/* The nodes with which the chosen particle exchanges; it is drawn at column, row. */
-static size_t chosen_links(const Map *map, Link links[LINKS_MAX], double *column, double *row)
+/* The nodes with which the chosen particle exchanges. */
+static size_t chosen_links(const Map *map, Link links[LINKS_MAX])
 {
     const size_t chosen = map->screen->chosen.particle;
     if (chosen >= map->body.count || map->screen->playback.state == STATE_RUNNING)
         return 0;
-    map_node_place(map, chosen, column, row);
     return map->sim->method->links(map->sim, 0, chosen, links, LINKS_MAX);
 }
 
-/* From one place to another, a little short of both; a cell is twice as high as wide. */
-static bool shorten(double from[2], double to[2])
-{
-    const double dx = to[0] - from[0], dy = to[1] - from[1], length = math_hypot(dx, 2 * dy);
-    if (length < 2.5 * BESIDE)
-        return false;
-    const double share = 1.5 * BESIDE / length;
-    from[0] += share * dx, from[1] += share * dy;
-    to[0] -= share * dx, to[1] -= share * dy;
-    return true;
-}
-
-static uint32_t arrow_head(double dx, double dy)
-{
-    if (fabs(dx) > 2 * fabs(dy))
-        return dx > 0 ? 0x2192 : 0x2190;
-    return dy > 0 ? 0x2193 : 0x2191;
-}
-
-/* Shafts as lines, or the heads. */
-static void draw_arrows(Map *map, const MeshNodes *mesh, bool heads)
+static void add_arrows(Map *map, const MeshNodes *mesh)
 {
     Link links[LINKS_MAX];
-    double place[2];
-    const size_t count = chosen_links(map, links, &place[0], &place[1]);
+    const size_t count = chosen_links(map, links), chosen = map->screen->chosen.particle;
     if (mesh->flow != FLOW_TO_NODES && mesh->flow != FLOW_TO_PARTICLES)
         return;
+    const int gives = mesh->flow == FLOW_TO_NODES;
     for (size_t i = 0; i < count; i++) {
-        double particle[2] = {place[0], place[1]}, node[2];
-        node_at(map, mesh, links[i].index, &node[0], &node[1]);
-        const bool gives = mesh->flow == FLOW_TO_NODES;
-        double *from = gives ? particle : node, *to = gives ? node : particle;
-        if (!shorten(from, to))
-            continue;
-        if (!heads)
-            map_line(map, from[0], from[1], to[0], to[1], (Pen){STYLE_CHANGED, RANK_ARROW, 1, 0});
-        else if (is_inside(map, to[0], to[1]))
-            area_put(map->area, (int)to[0], (int)to[1], arrow_head(to[0] - from[0], to[1] - from[1]),
-                     STYLE_CHANGED);
+        PictureArrow arrow = {.style = STYLE_CHANGED};
+        double *ends[2] = {arrow.from, arrow.to};
+        ends[!gives][0] = map->drawn->x[chosen], ends[!gives][1] = map->drawn->y[chosen];
+        ends[gives][0] = mesh->x[links[i].index], ends[gives][1] = mesh->y[links[i].index];
+        picture_arrow(map->picture, &arrow);
     }
 }
 
@@ -196,21 +157,23 @@ static bool chosen_stress(const Map *map, Principal *own, double *most)
 }
 
 /* A solid arm pulls, a dotted one presses. */
-static void draw_cross(Map *map)
+static void add_cross(Map *map)
 {
     Principal own;
-    double most, column, row;
+    double most;
     if (!chosen_stress(map, &own, &most))
         return;
-    map_node_place(map, map->screen->chosen.particle, &column, &row);
+    const size_t chosen = map->screen->chosen.particle;
+    const double x = map->drawn->x[chosen], y = map->drawn->y[chosen];
     const double arm = CROSS_ARM * map->body.spacing / most;
     const double values[2] = {own.most, own.least};
     for (int i = 0; i < 2; i++) {
         const double angle = own.angle + i * M_PI / 2, length = fabs(values[i]) * arm;
-        const double across = length * math_cos(angle) * map->scale_x,
-                     up = length * math_sin(angle) * map->scale_y;
-        map_line(map, column - across, row + up, column + across, row - up,
-                 (Pen){values[i] < 0 ? STYLE_THIRD : STYLE_MEASURED, RANK_CROSS, values[i] < 0 ? 2 : 1, 0});
+        const double across = length * math_cos(angle), up = length * math_sin(angle);
+        const Stroke pen = {.line = values[i] < 0 ? LINE_DASHED : LINE_SOLID,
+                            .style = values[i] < 0 ? STYLE_THIRD : STYLE_MEASURED,
+                            .rank = RANK_CROSS};
+        picture_trace(map->picture, (double[]){x - across, y - up}, (double[]){x + across, y + up}, &pen);
     }
 }
 
@@ -226,16 +189,15 @@ void map_cross_text(const Map *map, char *out, size_t size)
              fabs(own.least) > rounding ? 1e-6 * own.least : 0);
 }
 
-/* Cells, shafts and cross are marks: map_draw_lines() shows them. */
-void map_draw_mesh(Map *map)
+void map_add_mesh(Map *map)
 {
     MeshNodes mesh;
-    if (!map_has_mesh(map) || map->picture)
+    if (!map_has_mesh(map))
         return;
     if (mesh_open(map, &mesh)) {
-        draw_cells(map, &mesh);
-        draw_arrows(map, &mesh, false);
-        draw_cross(map);
+        add_cells(map, &mesh);
+        add_arrows(map, &mesh);
+        add_cross(map);
     }
     mesh_close(&mesh);
 }
@@ -251,54 +213,52 @@ static double largest(const double *values, size_t count)
 }
 
 /* Bars stand to the right of their node. */
-static void draw_bar(const Map *map, const MeshNodes *mesh, int column, int row, double value, double most,
-                     Style style)
+static void add_bar(Map *map, const MeshNodes *mesh, PictureMark bar, double value, double most)
 {
-    if (most > 0 && value > 1e-6 * most && column < map->area.rect.width)
-        area_put(map->area, column, row, area_bar(map->area, mesh->put_back ? 0 : value / most),
-                 mesh->put_back ? STYLE_FAINT : style);
+    bar.kind = MARK_BAR;
+    bar.share = mesh->put_back ? 0 : value / most;
+    if (mesh->put_back)
+        bar.style = STYLE_FAINT;
+    if (most > 0 && value > 1e-6 * most)
+        picture_add_mark(map->picture, bar);
 }
 
-static void draw_mesh_nodes(const Map *map, const MeshNodes *mesh)
+static void add_nodes(Map *map, const MeshNodes *mesh)
 {
     /* of a body that only moves on no rounding is drawn */
     const double heaviest = largest(mesh->mass, mesh->count);
     const double fastest =
         fmax(largest(mesh->momentum, mesh->count), 1e-9 * heaviest * fabs(map->sim->common_speed));
     for (size_t node = 0; node < mesh->count; node++) {
-        double column, row;
-        node_at(map, mesh, node, &column, &row);
-        if (!is_inside(map, column, row))
+        const double x = mesh->x[node], y = mesh->y[node];
+        if (!picture_in_sight(map->picture, x, y, 0))
             continue;
-        area_put(map->area, (int)column, (int)row, mesh->there ? 0x253c : 0x00b7,
-                 mesh->there ? STYLE_NORMAL : STYLE_FRAME);
-        draw_bar(map, mesh, (int)column + 1, (int)row, mesh->mass[node], heaviest, STYLE_SECOND);
-        draw_bar(map, mesh, (int)column + 2, (int)row, mesh->momentum[node], fastest, STYLE_PREDICTED);
+        picture_mark(map->picture, x, y, mesh->there ? 0x253c : 0x00b7,
+                     mesh->there ? STYLE_NORMAL : STYLE_FRAME);
+        add_bar(map, mesh, (PictureMark){.x = x, .y = y, .style = STYLE_SECOND, .side = {1, 0}},
+                mesh->mass[node], heaviest);
+        add_bar(map, mesh, (PictureMark){.x = x, .y = y, .style = STYLE_PREDICTED, .side = {2, 0}},
+                mesh->momentum[node], fastest);
     }
 }
 
-static void draw_its_nodes(Map *map, const MeshNodes *mesh)
+static void add_its_nodes(Map *map, const MeshNodes *mesh)
 {
     Link links[LINKS_MAX];
-    double column, row;
-    const size_t count = chosen_links(map, links, &column, &row);
-    for (size_t i = 0; i < count; i++) {
-        node_at(map, mesh, links[i].index, &column, &row);
-        if (is_inside(map, column, row))
-            area_put(map->area, (int)column, (int)row, 0x25c6,
+    const size_t count = chosen_links(map, links);
+    for (size_t i = 0; i < count; i++)
+        picture_mark(map->picture, mesh->x[links[i].index], mesh->y[links[i].index], 0x25c6,
                      mesh->flow == FLOW_TO_NODES ? STYLE_CHANGED : STYLE_SECOND);
-    }
 }
 
-void map_draw_mesh_nodes(Map *map)
+void map_add_mesh_nodes(Map *map)
 {
     MeshNodes mesh;
-    if (!map_has_mesh(map) || map->picture)
+    if (!map_has_mesh(map))
         return;
     if (mesh_open(map, &mesh)) {
-        draw_mesh_nodes(map, &mesh);
-        draw_its_nodes(map, &mesh);
-        draw_arrows(map, &mesh, true);
+        add_nodes(map, &mesh);
+        add_its_nodes(map, &mesh);
     }
     mesh_close(&mesh);
 }

@@ -52,12 +52,12 @@ uint32_t map_arrow(double sx, double sy)
     return fabs(sx) > fabs(sy) ? (sx > 0 ? 0x2192 : 0x2190) : sy > 0 ? 0x2191 : 0x2193;
 }
 
-static void line_between(Map *map, Place a, Place b, Pen pen)
+static void line_between(Map *map, Place a, Place b, Stroke pen)
 {
     map_body_line(map, (double[]){a.x, a.y}, (double[]){b.x, b.y}, pen);
 }
 
-static void outline(Map *map, const Place ends[2], Pen pen)
+static void outline(Map *map, const Place ends[2], Stroke pen)
 {
     const Place a = ends[0], c = ends[1], b = {c.x, a.y}, d = {a.x, c.y};
     line_between(map, a, b, pen);
@@ -70,13 +70,16 @@ static void draw_row(Map *map, const Settings *settings, int kind, int row, bool
 {
     Place ends[2];
     ends_of(settings, kind, row, ends);
-    Pen pen = {STYLE_HEADING, RANK_CUT, 1, 0};
+    Stroke pen = {.style = STYLE_HEADING, .rank = RANK_CUT};
     if (chosen)
-        pen = (Pen){STYLE_CHANGED, RANK_CHOSEN, 1, 0};
+        pen = (Stroke){.style = STYLE_CHANGED, .rank = RANK_CHOSEN};
     else if (kind == ROWS_PROTECTED)
-        pen = (Pen){STYLE_FRAME, RANK_REGION, 2, '~'};
+        pen = (Stroke){.line = LINE_DASHED, .style = STYLE_FRAME, .rank = RANK_REGION, .letter = '~'};
     else if (kind != ROWS_CUTS)
-        pen = (Pen){STYLE_HEADING, RANK_REGION, 2, kind == ROWS_SUPPORTS ? '=' : ':'};
+        pen = (Stroke){.line = LINE_DASHED,
+                       .style = STYLE_HEADING,
+                       .rank = RANK_REGION,
+                       .letter = kind == ROWS_SUPPORTS ? '=' : ':'};
     if (kind == ROWS_CUTS || kind == ROWS_LOADS)
         line_between(map, ends[0], ends[1], pen);
     else if (kind != ROWS_PROBE)
@@ -86,7 +89,8 @@ static void draw_row(Map *map, const Settings *settings, int kind, int row, bool
 static void draw_cracks(Map *map)
 {
     const CrackFronts *fronts = experiment_fronts(map->screen->experiment);
-    const Pen pen = {STYLE_CHANGED, RANK_CRACK, 1, '*'};
+    /* on a page the damage itself is seen well enough, and the line would hide it */
+    const Stroke pen = {.style = STYLE_CHANGED, .rank = RANK_CRACK, .letter = '*', .coarse = true};
     for (int f = 0; fronts && f < fronts->count; f++)
         for (int k = 0; k < fronts->fronts[f].n_paths; k++) {
             const CrackPath *path = &fronts->fronts[f].paths[k];
@@ -96,7 +100,7 @@ static void draw_cracks(Map *map)
         }
 }
 
-void map_draw_rows(Map *map)
+void map_add_rows(Map *map)
 {
     int chosen_kind, chosen_row;
     const Settings *settings = screen_rows_shown(map->screen, &chosen_kind, &chosen_row);
@@ -106,70 +110,68 @@ void map_draw_rows(Map *map)
             if (kind != ROWS_LOADS || chosen)
                 draw_row(map, settings, kind, row, chosen);
         }
-    /* on paper the damage itself is seen well enough, and the line would hide it */
-    if (!map->picture)
-        draw_cracks(map);
+    draw_cracks(map);
 }
 
 /* --- signs ------------------------------------------------------------------------------------------- */
 
-static void sign_at(const Map *map, Place place, double away_x, double away_y, uint32_t glyph, Style style)
+static void sign_at(Map *map, Place at, uint32_t glyph, Style style)
 {
-    double column, row;
-    map_body_place(map, place.x, place.y, &column, &row);
-    const bool on_paper = map->picture; /* an arrow is as long as a column is wide */
-    column += (on_paper ? 0.9 : 1) * away_x;
-    row += (on_paper ? 0.5 : 1) * away_y;
-    if (on_paper)
-        map_picture_sign((Map *)map, column, row, glyph, style);
-    else if (column >= 0 && row >= 0 && column < map->area.rect.width && row < map->area.rect.height)
-        area_put(map->area, (int)column, (int)row, glyph, style);
+    double place[2];
+    map_body_place(map, at.x, at.y, place);
+    picture_mark(map->picture, place[0], place[1], glyph, style);
+}
+
+void map_row_side(int edge, signed char side[2])
+{
+    side[0] = (signed char)((edge == ROW_RIGHT) - (edge == ROW_LEFT));
+    side[1] = (signed char)((edge == ROW_TOP) - (edge == ROW_BOTTOM));
 }
 
 /* Arrows along the stretch, in the direction of the traction, just outside the edge. */
-static void draw_load(const Map *map, const Settings *settings, int row, Style style)
+static void draw_load(Map *map, const Settings *settings, int row, Style style)
 {
-    enum { APART = 4 };
-    Place ends[2];
-    ends_of(settings, ROWS_LOADS, row, ends);
+    double ends[2][2];
+    map_row_ends(settings, ROWS_LOADS, row, ends);
     const double sx = settings_row_value(settings, ROWS_LOADS, row, 3),
                  sy = settings_row_value(settings, ROWS_LOADS, row, 4);
-    const int edge = (int)settings_row_value(settings, ROWS_LOADS, row, 0);
-    const uint32_t arrow = map_arrow(sx, sy);
-    const double away_x = edge == ROW_LEFT    ? -1
-                          : edge == ROW_RIGHT ? 1
-                                              : 0,
-                 away_y = edge == ROW_TOP      ? -1
-                          : edge == ROW_BOTTOM ? 1
-                                               : 0;
-    const double length =
-        fmax(fabs(ends[1].x - ends[0].x) * map->scale_x, 2 * fabs(ends[1].y - ends[0].y) * map->scale_y);
-    const int count = length < 1e4 ? 1 + (int)(length / APART) : 1;
-    if (sx == 0 && sy == 0)
-        return;
-    for (int i = 0; i <= count; i++) {
-        const double share = (double)i / count;
-        sign_at(
-            map,
-            (Place){ends[0].x + share * (ends[1].x - ends[0].x), ends[0].y + share * (ends[1].y - ends[0].y)},
-            away_x, away_y, arrow, style);
+    PictureMark arrow = {.glyph = map_arrow(sx, sy), .style = style, .kind = MARK_BESIDE};
+    map_row_side((int)settings_row_value(settings, ROWS_LOADS, row, 0), arrow.side);
+    const size_t first = map->picture->n_marks;
+    if (sx != 0 || sy != 0)
+        picture_spread(map->picture, ends[0], ends[1], map->drawn->scale, &arrow);
+    for (size_t i = first; i < map->picture->n_marks; i++) { /* they go with the body */
+        PictureMark *mark = &map->picture->marks[i];
+        double place[2];
+        map_body_place(map, mark->x, mark->y, place);
+        mark->x = place[0], mark->y = place[1];
     }
 }
 
 /* The tips of the cracks, and where they branched. */
-static void draw_tips(const Map *map)
+static void draw_tips(Map *map)
 {
     const CrackFronts *fronts = experiment_fronts(map->screen->experiment);
     for (int f = 0; fronts && f < fronts->count; f++) {
         const CrackFront *front = &fronts->fronts[f];
         for (int k = 0; k < front->n_tips; k++)
-            sign_at(map, (Place){front->tips[k][0], front->tips[k][1]}, 0, 0, TIP, STYLE_CHANGED);
+            sign_at(map, (Place){front->tips[k][0], front->tips[k][1]}, TIP, STYLE_CHANGED);
         if (front->branched)
-            sign_at(map, (Place){front->branch[0], front->branch[1]}, 0, 0, FORK, STYLE_CHANGED);
+            sign_at(map, (Place){front->branch[0], front->branch[1]}, FORK, STYLE_CHANGED);
     }
 }
 
-void map_draw_row_signs(const Map *map)
+static void add_end(Map *map, Place end)
+{
+    double place[2];
+    map_body_place(map, end.x, end.y, place);
+    picture_add_mark(
+        map->picture,
+        (PictureMark){
+            .x = place[0], .y = place[1], .glyph = END, .style = STYLE_CHANGED, .kind = MARK_CHOSEN});
+}
+
+void map_add_row_signs(Map *map)
 {
     int chosen_kind, chosen_row;
     const Settings *settings = screen_rows_shown(map->screen, &chosen_kind, &chosen_row);
@@ -182,11 +184,11 @@ void map_draw_row_signs(const Map *map)
     draw_tips(map);
     Place ends[2];
     ends_of(settings, ROWS_PROBE, 0, ends);
-    sign_at(map, ends[0], 0, 0, PROBE, chosen_kind == ROWS_PROBE ? STYLE_CHANGED : STYLE_HEADING);
+    sign_at(map, ends[0], PROBE, chosen_kind == ROWS_PROBE ? STYLE_CHANGED : STYLE_HEADING);
     if (!shown->placing)
         return;
     ends_of(settings, chosen_kind, chosen_row, ends);
     for (int i = 0; i < 2; i++)
         if (shown->end == i || shown->end == ROW_BOTH_ENDS)
-            sign_at(map, ends[i], 0, 0, END, STYLE_CHANGED);
+            add_end(map, ends[i]);
 }

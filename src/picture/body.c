@@ -1,0 +1,147 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Where a body lies in its picture, and lines and signs over it. What it leaves free for its motion, its
+ * supports and the names of its lines is decided here, once for all that draw it. */
+#include "picture/picture.h"
+
+#include <math.h>
+
+#define LEAST_ROWS    2.0 /* a body is stretched that would have fewer */
+#define SLENDER_PART  0.4 /* of the height for a stretched one; the rest is for its motion */
+#define TALL_PART     0.82
+#define BENT_PART     0.08
+#define MOST_ENLARGED 1e9
+#define NODE_COLUMNS  3.0 /* from that distance on pieces are drawn one by one */
+
+enum { KEYS_ROOM = 19, KEYS_ROWS = 4, SIGN_ROWS = 2, SPREAD = 4 };
+
+/* The factor that fills the room beside the body with the largest displacement of the run. */
+static double choose_enlargement(const PictureMap *map, const BodyRoom *room, double height, double rows)
+{
+    if (room->enlarged > 0)
+        return fmin(room->enlarged, MOST_ENLARGED);
+    const double reach = room->reach > 0 ? axis_round_up(room->reach) : 0;
+    double free = fmax(0.5, (height - rows) / 2 - 0.5);
+    /* a deep beam keeps its shape, and a crack its angle */
+    if (room->pressed)
+        free = fmin(free, BENT_PART * rows);
+    const double factor = reach > 0 ? free / (reach * map->scale[1]) : 1;
+    return factor > 1 ? axis_step_down(factor) : 1;
+}
+
+/* A part of it, what is looked at in the middle while it moves. */
+static void magnify(Picture *picture, const BodyRoom *room, double rows)
+{
+    PictureMap *map = picture->map;
+    const double height = picture->body[1];
+    map->is_part = true;
+    map->scale[0] *= room->magnified;
+    rows *= room->magnified;
+    const double stretch = rows < SLENDER_PART * height ? axis_step_down(SLENDER_PART * height / rows) : 1;
+    picture->stretch = stretch < picture->stretch ? stretch : picture->stretch;
+    map->scale[1] = map->scale[0] / 2 * picture->stretch;
+    map->is_near = room->spacing * map->scale[0] >= NODE_COLUMNS && picture->stretch <= 1;
+    if (map->is_near && room->on_mesh && room->enlarged <= 0)
+        map->enlarged = map->along = 1;
+    map->middle[0] = room->eye[0] + map->along * room->moved[0];
+    map->middle[1] = room->eye[1] + map->enlarged * room->moved[1];
+}
+
+static Axis axis_in_millimetres(double low, double high, int most)
+{
+    Axis axis = axis_with_ticks(axis_make(1e3 * low, 1e3 * high), most);
+    axis.low = low;
+    axis.high = high;
+    axis.step *= 1e-3;
+    axis.exponent -= 3;
+    return axis;
+}
+
+/* What is seen: as much as on the screen; a body that is pressed fills the picture, but for its supports. */
+static void lay_axes(Picture *picture, const BodyRoom *room)
+{
+    const PictureMap *map = picture->map;
+    double low[2], high[2];
+    for (int d = 0; d < 2; d++) {
+        const double half = picture->body[d] / 2.0 / map->scale[d],
+                     margin = (d == 0 ? 0.01 : 0.1) * room->size[d];
+        const bool fills = room->pressed && !map->is_part;
+        low[d] = fills ? room->low[d] - margin : map->middle[d] - half;
+        high[d] = fills ? room->low[d] + room->size[d] + margin : map->middle[d] + half;
+    }
+    const Axis x = axis_in_millimetres(low[0], high[0], picture->body[0] / 9),
+               y = axis_in_millimetres(low[1], high[1], 5);
+    picture_axes(picture, x, "x", "m", y, "y", "m");
+}
+
+void picture_lay_body(Picture *picture, const BodyRoom *room)
+{
+    PictureMap *map = picture->map;
+    const int width = picture->body[0], height = picture->body[1];
+    /* a body on its way moves across the picture, which stays */
+    const double length = room->size[0] + room->travel;
+    map->scale[0] = width / length;
+    double rows = room->size[1] * map->scale[0] / 2;
+    const double most = fmax(1, fmin(TALL_PART * height, room->pressed ? height - SIGN_ROWS : height));
+    if (rows > most) {
+        map->scale[0] *= most / rows;
+        rows = most;
+    }
+    picture->stretch = 1;
+    if (rows < LEAST_ROWS && SLENDER_PART * height > rows)
+        picture->stretch = fmax(1, axis_step_down(SLENDER_PART * height / rows));
+    map->scale[1] = map->scale[0] / 2 * picture->stretch;
+    map->enlarged = choose_enlargement(map, room, height, rows * picture->stretch);
+    map->along = room->travels ? 1 : map->enlarged;
+    map->middle[0] = room->low[0] + length / 2;
+    map->middle[1] = room->low[1] + room->size[1] / 2;
+    /* one that leaves much of the room free stands at the left, the names of its lines beside it */
+    const int columns = (int)ceil(length * map->scale[0]);
+    if (room->magnified > 1) {
+        magnify(picture, room, rows);
+    } else if (room->pressed && width - columns >= KEYS_ROOM && height >= KEYS_ROWS + SIGN_ROWS) {
+        map->keys_at = columns + 2;
+        map->middle[0] += (width - columns - 1) / 2.0 / map->scale[0];
+    }
+    lay_axes(picture, room);
+}
+
+bool picture_in_sight(const Picture *picture, double x, double y, double margin)
+{
+    const PictureMap *map = picture->map;
+    return fabs(x - map->middle[0]) <= picture->body[0] / 2.0 / map->scale[0] + margin &&
+           fabs(y - map->middle[1]) <= picture->body[1] / 2.0 / map->scale[1] + margin;
+}
+
+void picture_trace(Picture *picture, const double from[2], const double to[2], const Stroke *pen)
+{
+    Plot *plot = &picture->plot;
+    const Stroke *last = plot->n_strokes > 0 ? &plot->strokes[plot->n_strokes - 1] : NULL;
+    const bool same = last && last->style == pen->style && last->line == pen->line &&
+                      last->rank == pen->rank && last->letter == pen->letter && last->wall == pen->wall &&
+                      last->coarse == pen->coarse;
+    if (!same) {
+        plot_begin(plot, STROKE_LINE, pen->line, pen->style, pen->rank, pen->letter);
+        plot->strokes[plot->n_strokes - 1].wall = pen->wall;
+        plot->strokes[plot->n_strokes - 1].coarse = pen->coarse;
+        plot_point(plot, from[0], from[1]);
+    } else if (plot->n_points > 0 && (plot->points[2 * plot->n_points - 2] != from[0] ||
+                                      plot->points[2 * plot->n_points - 1] != from[1])) {
+        plot_point(plot, NAN, NAN);
+        plot_point(plot, from[0], from[1]);
+    }
+    plot_point(plot, to[0], to[1]);
+}
+
+void picture_spread(Picture *picture, const double from[2], const double to[2], const double scale[2],
+                    const PictureMark *mark)
+{
+    const double length = fmax(fabs(to[0] - from[0]) * scale[0], 2 * fabs(to[1] - from[1]) * scale[1]);
+    const int count = length < 1e4 ? 1 + (int)(length / SPREAD) : 1;
+    for (int i = 0; i <= count; i++) {
+        PictureMark one = *mark;
+        const double share = (double)i / count;
+        one.x = from[0] + share * (to[0] - from[0]);
+        one.y = from[1] + share * (to[1] - from[1]);
+        picture_add_mark(picture, one);
+    }
+}

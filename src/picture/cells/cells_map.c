@@ -1,0 +1,624 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A body in cells. Each of its pieces covers its place on the lattice, a pixel shows the mean of what covers
+ * it. Two colours stand in a cell, one above the other; where colours are few the ramp is told by ink:
+ * braille dots, shades or letters. Over it each cell gathers the dots of the lines that cross it, or the
+ * letter that stands for their direction; signs and words come last. */
+#include "picture/cells/cells_map.h"
+
+#include "base/math/functions.h"
+#include "base/text.h"
+#include "picture/heading.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define GAPLESS                                                                                              \
+    1.15            /* a piece covers so much more than its own: the body does not tear where it is drawn    \
+                     */
+#define FAR    1e6  /* cells: a run that has become unstable has nodes anywhere and nowhere */
+#define BESIDE 0.9  /* cells between the end of an arrow and the thing */
+#define STANDS 0.75 /* rows from an edge to what stands below or above it */
+
+enum { NOTHING = -1, RANK_ARROW = 3 };
+
+/* A piece of a cell, and the nodes that cover it. */
+typedef struct Pixel {
+    float sum, count, broken;
+} Pixel;
+
+/* What lies over a cell: dots of lines, or the letter that stands for them where there are no dots. */
+typedef struct Crossing {
+    uint8_t dots, rank;
+    uint16_t style;
+    uint32_t letter;
+} Crossing;
+
+typedef struct Sheet {
+    const Picture *picture;
+    const PictureMap *map;
+    Area area;
+    int colours;
+    bool coloured;    /* a cell shows two colours, one above the other */
+    int across, down; /* pixels in a cell */
+    Pixel *pixels;
+    Crossing *crossings;
+} Sheet;
+
+void cells_place(const PictureMap *map, Rect rect, double x, double y, double *column, double *row)
+{
+    const double right = (x - map->middle[0]) * map->scale[0], up = (y - map->middle[1]) * map->scale[1];
+    *column = fabs(right) < FAR ? rect.width / 2.0 + right : -FAR;
+    *row = fabs(up) < FAR ? rect.height / 2.0 - up : -FAR;
+}
+
+static void place(const Sheet *sheet, double x, double y, double *column, double *row)
+{
+    cells_place(sheet->map, sheet->area.rect, x, y, column, row);
+}
+
+static bool is_inside(const Sheet *sheet, double column, double row)
+{
+    return column >= 0 && row >= 0 && column < sheet->area.rect.width && row < sheet->area.rect.height;
+}
+
+/* --- pieces to pixels ------------------------------------------------------------------------------- */
+
+static int step_in(const PictureMap *map, double value)
+{
+    const int step = (int)floor((value - map->low) / (map->high - map->low) * RAMP_STEPS);
+    return step < 0 ? 0 : step >= RAMP_STEPS ? RAMP_STEPS - 1 : step;
+}
+
+/* Pixels from .. end - 1 of a row or a column of pixels. */
+typedef struct Span {
+    int from, end;
+} Span;
+
+/* (int)floor(x), without a call for each node. */
+static inline int whole(double x)
+{
+    const int cut = (int)x;
+    return cut - (x < cut);
+}
+
+/* What a piece at x covers that is so wide; at least the pixel that it lies in. */
+static inline Span span_of(double x, double wide, int most)
+{
+    Span span = {whole(x), 0};
+    span.end = span.from + 1;
+    if (wide > 1)
+        span = (Span){whole(x - wide / 2 + 0.5), whole(x + wide / 2 + 0.5)};
+    return (Span){span.from > 0 ? span.from : 0, span.end < most ? span.end : most};
+}
+
+static void cover_all(const Sheet *sheet)
+{
+    const PictureMap *map = sheet->map;
+    const int width = sheet->area.rect.width * sheet->across, height = sheet->area.rect.height * sheet->down;
+    const double wide = GAPLESS * map->size * map->scale[0] * sheet->across;
+    const double high = GAPLESS * map->size * map->scale[1] * sheet->down;
+    const size_t count = (size_t)map->nx * (size_t)map->ny;
+    for (size_t k = 0; k < count; k++) {
+        double column, row;
+        place(sheet, map->x[k], map->y[k], &column, &row);
+        const Span across = span_of(column * sheet->across, wide, width),
+                   down = span_of(row * sheet->down, high, height);
+        const float value = (float)map->value[k], broken = map->torn[k];
+        for (int y = down.from; y < down.end; y++)
+            for (int x = across.from; x < across.end; x++) {
+                Pixel *pixel = &sheet->pixels[(size_t)y * (size_t)width + (size_t)x];
+                pixel->sum += value;
+                pixel->count += 1;
+                pixel->broken += broken;
+            }
+    }
+}
+
+/* --- pixels to cells -------------------------------------------------------------------------------- */
+
+/* The glyph for a step of the ramp where colours are few, and beside colours: more ink for more; of a signed
+ * field those below and above zero differ. */
+static uint32_t letter_of(const PictureMap *map, Glyphs glyphs, int step)
+{
+    static const char one_way[] = ".,:;-=+coaxOX%#@", two_ways[] = "WWwwvv-..+ooOO@@";
+    static const uint32_t shades[] = {0x2591, 0x2592, 0x2593, 0x2588};
+    if (glyphs == GLYPHS_BLOCK && !map->is_signed)
+        return shades[step * 4 / RAMP_STEPS];
+    if (glyphs == GLYPHS_BRAILLE) {
+        /* left column downwards, then the right one: as many dots as the dithered map has */
+        static const uint8_t filled[] = {0x40, 0xc0, 0xc4, 0xe4, 0xe6, 0xf6, 0xf7, 0xff};
+        return 0x2800u + filled[step * 8 / RAMP_STEPS];
+    }
+    return (uint32_t)(unsigned char)(map->is_signed ? two_ways : one_way)[step];
+}
+
+static const Pixel *pixel_of(const Sheet *sheet, int column, int row)
+{
+    return &sheet->pixels[(size_t)row * (size_t)(sheet->area.rect.width * sheet->across) + (size_t)column];
+}
+
+static bool is_body(const Pixel *pixel)
+{
+    return pixel->count > 0.5f && pixel->broken <= 0.5f * pixel->count;
+}
+
+static int step_of(const Sheet *sheet, const Pixel *pixel)
+{
+    return is_body(pixel) ? step_in(sheet->map, (double)(pixel->sum / pixel->count)) : NOTHING;
+}
+
+static void draw_colours(const Sheet *sheet, int x, int y)
+{
+    const int upper = step_of(sheet, pixel_of(sheet, x, 2 * y));
+    const int lower = step_of(sheet, pixel_of(sheet, x, 2 * y + 1));
+    const Style above = (Style)(STYLE_RAMP_0 + upper), below = (Style)(STYLE_RAMP_0 + lower);
+    if (upper == NOTHING && lower == NOTHING)
+        return;
+    if (lower == NOTHING)
+        area_put(sheet->area, x, y, 0x2580, above);
+    else if (upper == NOTHING)
+        area_put(sheet->area, x, y, 0x2584, below);
+    else
+        area_put_back(sheet->area, x, y, 0x2580, above, below);
+}
+
+/* The step of a whole cell, from all of its pixels. */
+static int cell_step(const Sheet *sheet, int x, int y)
+{
+    Pixel all = {0, 0, 0};
+    for (int row = 0; row < sheet->down; row++)
+        for (int column = 0; column < sheet->across; column++) {
+            const Pixel *pixel = pixel_of(sheet, x * sheet->across + column, y * sheet->down + row);
+            if (!is_body(pixel))
+                continue;
+            all.sum += pixel->sum / pixel->count;
+            all.count += 1;
+        }
+    return step_of(sheet, &all);
+}
+
+static const uint8_t dot_bits[4][2] = {{0x01, 0x08}, {0x02, 0x10}, {0x04, 0x20}, {0x40, 0x80}};
+
+/* Braille: each of the eight dots is set where the value is above the dot's own threshold, so that more ink
+ * is more; the least value still has a dot. */
+static uint32_t dots_of(const Sheet *sheet, int x, int y)
+{
+    static const double thresholds[4][2] = {{7, 4}, {2, 5}, {6, 3}, {0, 1}};
+    const PictureMap *map = sheet->map;
+    uint32_t dots = 0x2800;
+    for (int row = 0; row < 4; row++)
+        for (int column = 0; column < 2; column++) {
+            const Pixel *pixel = pixel_of(sheet, 2 * x + column, 4 * y + row);
+            if (!is_body(pixel))
+                continue;
+            const double share = ((double)(pixel->sum / pixel->count) - map->low) / (map->high - map->low);
+            if (8 * share >= thresholds[row][column])
+                dots |= dot_bits[row][column];
+        }
+    return dots;
+}
+
+static void draw_heat(const Sheet *sheet)
+{
+    const Area area = sheet->area;
+    cover_all(sheet);
+    for (int y = 0; y < area.rect.height; y++)
+        for (int x = 0; x < area.rect.width; x++) {
+            if (sheet->coloured) {
+                draw_colours(sheet, x, y);
+                continue;
+            }
+            const int step = cell_step(sheet, x, y);
+            const bool dots = area.glyphs == GLYPHS_BRAILLE;
+            const uint32_t glyph = step == NOTHING ? ' '
+                                   : dots          ? dots_of(sheet, x, y)
+                                                   : letter_of(sheet->map, area.glyphs, step);
+            if (glyph != ' ' && glyph != 0x2800)
+                area_put(area, x, y, glyph, (Style)(STYLE_RAMP_0 + step));
+        }
+}
+
+/* Seen one by one: each with the colour of its value; where colours are few with its letter. */
+static void draw_dots(const Sheet *sheet)
+{
+    const PictureMap *map = sheet->map;
+    const Glyphs glyphs = sheet->area.glyphs;
+    const bool few = sheet->colours < 256 || glyphs == GLYPHS_ASCII;
+    const size_t count = (size_t)map->nx * (size_t)map->ny;
+    for (size_t k = 0; k < count; k++) {
+        double column, row;
+        place(sheet, map->x[k], map->y[k], &column, &row);
+        if (!is_inside(sheet, column, row))
+            continue;
+        const int step = step_in(map, map->value[k]);
+        const uint32_t glyph = few && glyphs != GLYPHS_BRAILLE ? letter_of(map, glyphs, step) : 0x25cf;
+        area_put(sheet->area, (int)column, (int)row, glyph, (Style)(STYLE_RAMP_0 + step));
+    }
+}
+
+/* --- lines ------------------------------------------------------------------------------------------ */
+
+static void cross_dot(const Sheet *sheet, double x, double y, const Stroke *pen, uint32_t letter)
+{
+    const int column = (int)floor(x), row = (int)floor(y);
+    if (column < 0 || row < 0 || column >= sheet->area.rect.width || row >= sheet->area.rect.height)
+        return;
+    Crossing *crossing = &sheet->crossings[(size_t)row * (size_t)sheet->area.rect.width + (size_t)column];
+    crossing->dots |= dot_bits[(int)(4 * (y - row))][(int)(2 * (x - column))];
+    if (pen->rank < crossing->rank)
+        return;
+    crossing->rank = (uint8_t)pen->rank;
+    crossing->style = (uint16_t)pen->style;
+    /* where lines cross neither direction stands for both */
+    crossing->letter = crossing->letter && crossing->letter != letter && !pen->letter ? 'x' : letter;
+}
+
+/* A line's direction as a letter; a cell is twice as high as wide. */
+static uint32_t direction_of(double dx, double dy)
+{
+    const double across = fabs(dx), down = 2 * fabs(dy);
+    return across > 2 * down ? '-' : down > 2 * across ? '|' : (dx > 0) == (dy > 0) ? '\\' : '/';
+}
+
+/* In cells, with dots (every n-th) or a letter. */
+static void draw_line(const Sheet *sheet, const double from[2], const double to[2], const Stroke *pen)
+{
+    const double dx = to[0] - from[0], dy = to[1] - from[1];
+    const double length = fmax(2 * fabs(dx), 4 * fabs(dy));
+    const uint32_t letter = pen->letter ? (uint32_t)(unsigned char)pen->letter : direction_of(dx, dy);
+    if (!(length < 1e5))
+        return;
+    const bool dots = sheet->area.glyphs == GLYPHS_BRAILLE;
+    const int every = !dots || pen->line == LINE_SOLID ? 1 : pen->line == LINE_DASHED ? 2 : 4;
+    const int steps = (int)ceil(length);
+    for (int i = 0; i <= steps; i += every)
+        cross_dot(sheet, from[0] + dx * i / (steps ? steps : 1), from[1] + dy * i / (steps ? steps : 1), pen,
+                  letter);
+}
+
+/* A wall is drawn in the nearest dots that the body leaves free, with a lip at its end. */
+static void draw_wall(const Sheet *sheet, double from[2], double to[2], const Stroke *pen)
+{
+    const double y = from[1] - 0.3 * pen->wall;
+    from[1] = to[1] = pen->wall > 0 ? floor(y) + 0.8 - 1e-6 : ceil(y) - 1 + 0.1;
+    draw_line(sheet, from, to, pen);
+    draw_line(sheet, to, (double[]){to[0], to[1] - 0.6 * pen->wall}, pen);
+}
+
+static void draw_stroke(const Sheet *sheet, const Stroke *stroke)
+{
+    const double *points = sheet->picture->plot.points + 2 * stroke->first;
+    for (size_t i = 1; i < stroke->count; i++) {
+        const double *a = points + 2 * i - 2, *b = points + 2 * i;
+        double from[2], to[2];
+        if (isnan(a[0]) || isnan(b[0]))
+            continue;
+        place(sheet, a[0], a[1], &from[0], &from[1]);
+        place(sheet, b[0], b[1], &to[0], &to[1]);
+        (stroke->wall ? draw_wall(sheet, from, to, stroke) : draw_line(sheet, from, to, stroke));
+    }
+}
+
+/* Over a colour what is seen on it. */
+static void show_crossings(const Sheet *sheet)
+{
+    const Area area = sheet->area;
+    for (int y = 0; y < area.rect.height; y++)
+        for (int x = 0; x < area.rect.width; x++) {
+            const Crossing *crossing = &sheet->crossings[(size_t)y * (size_t)area.rect.width + (size_t)x];
+            if (!crossing->dots)
+                continue;
+            const uint32_t glyph =
+                area.glyphs == GLYPHS_BRAILLE ? 0x2800u + crossing->dots : crossing->letter;
+            const Cell *cell = area_cell(area, x, y);
+            const int step = cell->style - STYLE_RAMP_0;
+            if (!sheet->coloured || step < 0)
+                area_put(area, x, y, glyph, (Style)crossing->style);
+            else
+                area_put_back(area, x, y, glyph,
+                              (Style)(STYLE_RAMP_0 + (step < RAMP_STEPS / 2 ? RAMP_STEPS - 1 : 0)),
+                              (Style)cell->style);
+        }
+}
+
+/* --- arrows and signs ------------------------------------------------------------------------------- */
+
+/* Its ends in cells, a little short of both things; a cell is twice as high as wide. */
+static bool arrow_ends(const Sheet *sheet, const PictureArrow *arrow, double from[2], double to[2])
+{
+    place(sheet, arrow->from[0], arrow->from[1], &from[0], &from[1]);
+    place(sheet, arrow->to[0], arrow->to[1], &to[0], &to[1]);
+    const double dx = to[0] - from[0], dy = to[1] - from[1], length = math_hypot(dx, 2 * dy);
+    if (length < 2.5 * BESIDE)
+        return false;
+    const double share = 1.5 * BESIDE / length;
+    from[0] += share * dx, from[1] += share * dy;
+    to[0] -= share * dx, to[1] -= share * dy;
+    return true;
+}
+
+/* Shafts as lines, or the heads. */
+static void draw_arrows(const Sheet *sheet, bool heads)
+{
+    for (int i = 0; i < sheet->picture->n_arrows; i++) {
+        const PictureArrow *arrow = &sheet->picture->arrows[i];
+        const Stroke shaft = {.style = arrow->style, .rank = RANK_ARROW};
+        double from[2], to[2];
+        if (!arrow_ends(sheet, arrow, from, to))
+            continue;
+        if (!heads)
+            draw_line(sheet, from, to, &shaft);
+        else if (is_inside(sheet, to[0], to[1]))
+            area_put(sheet->area, (int)to[0], (int)to[1], glyph_arrow(to[0] - from[0], to[1] - from[1]),
+                     arrow->style);
+    }
+}
+
+/* What stands at the edge of a body stays in the picture when the body does not. */
+static void mark_place(const Sheet *sheet, const PictureMark *mark, double *column, double *row)
+{
+    place(sheet, mark->x, mark->y, column, row);
+    if (mark->kind == MARK_BESIDE || mark->kind == MARK_BAR) {
+        *column += mark->side[0];
+        *row -= mark->side[1];
+    } else if (mark->kind == MARK_STANDS) {
+        const int lowest = sheet->area.rect.height - 1;
+        *row = fmin(fmax(floor(*row - STANDS * mark->side[1]), 0), lowest);
+    }
+}
+
+static void draw_marks(const Sheet *sheet)
+{
+    for (size_t i = 0; i < sheet->picture->n_marks; i++) {
+        const PictureMark *mark = &sheet->picture->marks[i];
+        double column, row;
+        mark_place(sheet, mark, &column, &row);
+        if (is_inside(sheet, column, row))
+            area_put(sheet->area, (int)column, (int)row,
+                     mark->kind == MARK_BAR ? area_bar(sheet->area, mark->share) : mark->glyph, mark->style);
+    }
+}
+
+static bool is_blank(Area area, int x, int y, int width)
+{
+    for (int i = x; i < x + width && i < area.rect.width; i++)
+        if (area_cell(area, i, y)->glyph > ' ')
+            return false;
+    return true;
+}
+
+/* To the right of its sign, or above that where there is room. */
+static void draw_label(const Sheet *sheet, const PictureLabel *label)
+{
+    enum { BEHIND = 2, FREE = 14 };
+    const PictureMark at = {.x = label->x, .y = label->y, .kind = MARK_STANDS, .side = {0, 1}};
+    double column, row;
+    mark_place(sheet, &at, &column, &row);
+    const int x = (int)floor(column) + BEHIND;
+    int y = (int)row;
+    if (x < 0)
+        return;
+    while (y > 0 && !is_blank(sheet->area, x, y, FREE))
+        y--;
+    area_text_whole(sheet->area, x, y, sheet->area.rect.width - x, label->text, label->style);
+}
+
+/* --- words ------------------------------------------------------------------------------------------ */
+
+/* A piece of a line, by the letter that it is drawn with where there are no dots. */
+static const char *piece_of(const PictureKey *key, Glyphs glyphs)
+{
+    static const struct {
+        char letter;
+        const char *dots, *letters;
+    } pieces[] = {
+        {'*', "⠔⠊", "**"}, {'"', "⠡⠊", "\"\""}, {'\'', "⠠⠂", "''"}, {'|', "⢸ ", "| "}, {'~', "⠒⠂", "~~"}};
+    for (size_t i = 0; i < sizeof pieces / sizeof *pieces; i++)
+        if (pieces[i].letter == key->ascii)
+            return glyphs == GLYPHS_BRAILLE ? pieces[i].dots : pieces[i].letters;
+    return NULL;
+}
+
+/* What the lines are: beside the body or, in a large map, in a row of their own. Of earlier runs the latest
+ * stands for all. */
+static void name_lines(const Sheet *sheet)
+{
+    enum { TALL = 12, LEAST = 4 };
+    const Picture *picture = sheet->picture;
+    const Area area = sheet->area;
+    Legend lines[PICTURE_KEYS_MAX];
+    int count = 0;
+    bool before = false;
+    for (int i = 0; i < picture->n_keys; i++) {
+        const PictureKey *key = &picture->keys[i];
+        const bool run = picture_run_of(key);
+        if (run && before)
+            continue;
+        before |= run;
+        lines[count++] =
+            (Legend){key->line, key->ascii, key->style, run ? "crack before" : legend_short_name(key->name),
+                     piece_of(key, area.glyphs)};
+    }
+    const int rows = count > LEAST ? count : LEAST;
+    if (count == 0 || sheet->map->is_near)
+        return;
+    if (sheet->map->keys_at > 0)
+        for (int i = 0; i < count; i++)
+            legend_draw(
+                area_part(area, sheet->map->keys_at, area.rect.height - 1 - rows, area.rect.width, rows), 0,
+                i, &lines[i], 1);
+    else if (area.rect.height >= TALL && is_blank(area, 0, 0, area.rect.width))
+        legend_draw(area, 0, 0, lines, count);
+}
+
+/* In cells a factor is told by a letter: the sign for it is wide in some fonts. */
+static void plain_factors(const char *text, char *out)
+{
+    for (; *text; text++)
+        if (strncmp(text, "×", 2) == 0)
+            *out++ = 'x', text++;
+        else
+            *out++ = *text;
+    *out = '\0';
+}
+
+/* How the body is drawn, phrase by phrase as far as each has room; its field in full where all of them have.
+ */
+static void draw_title(const Picture *picture, Area area, Style heading)
+{
+    const int room = area.rect.width - 6;
+    char title[PICTURE_TEXT_MAX] = "", phrases[PICTURE_TEXT_MAX];
+    plain_factors(picture->notes[0].text, phrases);
+    const int columns = glyphs_columns(picture->heading) + (phrases[0] ? 2 + glyphs_columns(phrases) : 0);
+    text_append(title, sizeof title, "%s", columns <= room ? picture->heading : picture->map->brief);
+    for (char *part = phrases, *next; part && *part; part = next) {
+        next = strstr(part, "  ");
+        if (next) {
+            *next = '\0';
+            next += 2;
+        }
+        if (glyphs_columns(title) + 2 + glyphs_columns(part) <= room)
+            text_append(title, sizeof title, "  %s", part);
+    }
+    area_rule(area, 0, title, heading);
+}
+
+enum { HALF_RAMP = RAMP_STEPS / 2 };
+
+static int draw_half_ramp(const PictureMap *map, Area area, bool coloured, int x, int y, int first)
+{
+    for (int step = first; step < first + HALF_RAMP; step++, x++)
+        area_put(area, x, y, coloured ? 0x2588 : letter_of(map, area.glyphs, step),
+                 (Style)(STYLE_RAMP_0 + step));
+    return x;
+}
+
+/* "├────┤ 2 mm": how long that is, where the body's own length is out of sight. It ends before column `end`,
+ * or is left out. Returns its columns. */
+static int draw_length(const PictureMap *map, Area area, int x, int y, int end)
+{
+    enum { COLUMNS_MOST = 10 };
+    const double length = axis_step_down(COLUMNS_MOST / map->scale[0]);
+    const int columns = (int)lround(length * map->scale[0]);
+    char number[NUMBER_TEXT_MAX], text[NUMBER_TEXT_MAX + 8];
+    text_rounded(number, 1e3 * length, 3);
+    snprintf(text, sizeof text, " %s mm", number);
+    if (x + columns + glyphs_columns(text) > end)
+        return 0;
+    for (int i = 0; i < columns; i++)
+        area_put(area, x + i, y, i == 0 ? 0x251c : i == columns - 1 ? 0x2524 : 0x2500, STYLE_NORMAL);
+    return columns + area_text(area, x + columns, y, text, STYLE_NORMAL);
+}
+
+/* "-4 [ramp] 0 [ramp] 4 µm", and what there is to say of the picture, which of lines and bars seen from near
+ * must be said in any case. */
+static void draw_scale(const Picture *picture, Area area, bool coloured, int y)
+{
+    const PictureMap *map = picture->map;
+    const PictureNote *note = &picture->notes[1];
+    Axis axis = axis_with_ticks(axis_make(map->low, map->high), 5);
+    const double ends[3] = {map->low, (map->low + map->high) / 2, map->high};
+    const double middle = ends[1] * math_pow(10, axis.decimals - axis.exponent);
+    axis.decimals += fabs(middle - round(middle)) > 1e-6 * (1 + fabs(middle));
+    char text[TICK_TEXT_MAX], scale[TICK_TEXT_MAX];
+    int x = 1;
+    for (int i = 0; i < 3; i++) {
+        axis_label(&axis, ends[i], text);
+        if (i == 2 && map->open_ended)
+            x += area_text(area, x, y, ">", STYLE_NORMAL);
+        x += area_text(area, x, y, text, STYLE_NORMAL) + 1;
+        if (i < 2)
+            x = draw_half_ramp(map, area, coloured, x, y, i * HALF_RAMP) + 1;
+    }
+    axis_scale_text(&axis, map->unit, scale);
+    x += area_text(area, x, y, scale, STYLE_NORMAL) + 2;
+    if (map->is_part) {
+        const int kept = map->is_near ? glyphs_columns(note->brief) + 2 : 0;
+        x += draw_length(map, area, x, y, area.rect.width - kept) + 2;
+    }
+    const char *said = x + glyphs_columns(note->text) >= area.rect.width ? note->brief : note->text;
+    if (x + glyphs_columns(said) < area.rect.width)
+        area_text_right(area, area.rect.width - 1, y, said, note->style);
+}
+
+/* --- the whole -------------------------------------------------------------------------------------- */
+
+void cells_map_body(const Picture *picture, Area area, int colours)
+{
+    const bool braille = area.glyphs == GLYPHS_BRAILLE;
+    Sheet sheet = {.picture = picture, .map = picture->map, .area = area, .colours = colours};
+    sheet.coloured = colours >= 256 && area.glyphs != GLYPHS_ASCII;
+    sheet.across = !sheet.coloured && braille ? 2 : 1;
+    sheet.down = sheet.coloured ? 2 : braille ? 4 : 1;
+    const size_t cells = (size_t)area.rect.width * (size_t)area.rect.height;
+    const size_t pixels = cells * (size_t)(sheet.across * sheet.down);
+    sheet.pixels = calloc(1, pixels * sizeof *sheet.pixels + cells * sizeof *sheet.crossings);
+    if (!sheet.pixels)
+        return;
+    sheet.crossings = (Crossing *)(sheet.pixels + pixels);
+    if (!picture->map->is_near)
+        draw_heat(&sheet);
+    for (int i = 0; i < picture->plot.n_strokes; i++)
+        draw_stroke(&sheet, &picture->plot.strokes[i]);
+    draw_arrows(&sheet, false);
+    show_crossings(&sheet);
+    if (picture->map->is_near)
+        draw_dots(&sheet);
+    draw_marks(&sheet);
+    draw_arrows(&sheet, true);
+    for (int i = 0; i < picture->n_labels; i++)
+        draw_label(&sheet, &picture->labels[i]);
+    name_lines(&sheet);
+    free(sheet.pixels);
+}
+
+static Area body_part(Area area)
+{
+    return area_part(area, 1, 1, area.rect.width - 2, area.rect.height - 2);
+}
+
+void cells_map(const Picture *picture, Area area, Style heading, int colours)
+{
+    cells_map_body(picture, body_part(area), colours);
+    draw_title(picture, area, heading);
+    draw_scale(picture, area, colours >= 256 && area.glyphs != GLYPHS_ASCII, area.rect.height - 1);
+}
+
+/* --- for keys and the mouse ------------------------------------------------------------------------- */
+
+static bool holds(Rect rect, int x, int y)
+{
+    return x >= rect.x && y >= rect.y && x < rect.x + rect.width && y < rect.y + rect.height;
+}
+
+long cells_map_piece(const Picture *picture, Rect rect, int x, int y)
+{
+    const PictureMap *map = picture->map;
+    const size_t count = (size_t)map->nx * (size_t)map->ny;
+    const Rect part = body_part((Area){.rect = rect}).rect;
+    long nearest = -1;
+    double least = INFINITY;
+    for (size_t k = 0; k < count; k++) {
+        double column, row;
+        cells_place(map, part, map->x[k], map->y[k], &column, &row);
+        const double dx = column - (x - part.x) - 0.5, dy = 2 * (row - (y - part.y) - 0.5),
+                     distance = dx * dx + dy * dy;
+        if (distance < least) {
+            least = distance;
+            nearest = (long)k;
+        }
+    }
+    const double reach = 2 + map->size * map->scale[0];
+    return holds(part, x, y) && least <= reach * reach ? nearest : -1;
+}
+
+bool cells_map_place(const Picture *picture, Rect rect, int x, int y, double out[2])
+{
+    const PictureMap *map = picture->map;
+    const Rect part = body_part((Area){.rect = rect}).rect;
+    out[0] = map->middle[0] + (x - part.x + 0.5 - part.width / 2.0) / map->scale[0];
+    out[1] = map->middle[1] - (y - part.y + 0.5 - part.height / 2.0) / map->scale[1];
+    return holds(part, x, y);
+}
