@@ -74,8 +74,6 @@ bool fit_run(Search *search, const Settings *settings, const double *times, doub
         return false;
     search->why = (Status){0};
     search->result->runs++;
-    if (!settings_check(settings, &search->why))
-        return false;
     Settings asked = *settings;
     snprintf(settings_edit_output(&asked)->columns, sizeof settings_output(&asked)->columns, "%s",
              search->task->column);

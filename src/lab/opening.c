@@ -131,7 +131,7 @@ static bool open_scenario(Laboratory *lab, const char *name, Status *status)
     if (!settings)
         return status_fail(status, STATUS_FAILED, "out of memory");
     Experiment *experiment = NULL;
-    if (scenario_load(name, settings, status) && settings_check(settings, status) &&
+    if (scenario_load(name, settings, status) &&
         (view_check(settings_view(settings), status) || (scenario_blame(name, NULL, 0, status), false))) {
         opening_show_progress(lab, settings);
         experiment = opening_experiment(lab, settings, status);

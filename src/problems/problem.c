@@ -48,8 +48,9 @@ static bool follow_all(const Settings *settings, Simulation *sim, Status *status
 Simulation *problem_simulate(const Settings *settings, int threads, Status *status)
 {
     ASSERT_INT(threads, >=, 1);
-    const Solver *solver = need_solver(settings, status);
-    Simulation *sim = solver ? solver->simulate(settings, threads, status) : NULL;
+    if (!settings_check(settings, status))
+        return NULL;
+    Simulation *sim = problem_solver(settings->problem, settings->method)->simulate(settings, threads, status);
     if (sim)
         simulation_ask_columns(sim, settings_output(settings)->columns);
     if (!sim || (problem_check_steps(settings_time(settings)->end, sim->dt, status) &&
