@@ -9,8 +9,8 @@
 
 void forces_add(ForceTerms *forces, const ForceTerm *term)
 {
-    if (forces->count < FORCE_TERMS_MAX)
-        forces->terms[forces->count++] = term;
+    ASSERT_INT(forces->count, <, FORCE_TERMS_MAX);
+    forces->terms[forces->count++] = term;
 }
 
 void forces_add_all(ForceTerms *forces, const ForceTerm *terms)

@@ -50,7 +50,8 @@ Simulation *problem_simulate(const Settings *settings, int threads, Status *stat
     ASSERT_INT(threads, >=, 1);
     if (!settings_check(settings, status))
         return NULL;
-    Simulation *sim = problem_solver(settings->problem, settings->method)->simulate(settings, threads, status);
+    Simulation *sim =
+        problem_solver(settings->problem, settings->method)->simulate(settings, threads, status);
     if (sim)
         simulation_ask_columns(sim, settings_output(settings)->columns);
     if (!sim || (problem_check_steps(settings_time(settings)->end, sim->dt, status) &&
