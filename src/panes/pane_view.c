@@ -11,9 +11,11 @@
 
 void view_draw_variant(const View *view, const Screen *screen, Area area, Style heading, int variant)
 {
-    if (view->draw && view->draw(screen, area, heading, variant))
-        return;
     Picture picture;
+    if (view->is_map && !simulation_has(experiment_simulation(screen->experiment), HAS_PLANE)) {
+        pane_mesh(screen, area); /* the body of a bar is its strip */
+        return;
+    }
     cells_open(&picture, area.rect.width, area.rect.height, area.glyphs);
     view->describe(screen, variant, &picture);
     picture.of_side = screen_second_run(screen) != NULL;

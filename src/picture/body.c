@@ -145,3 +145,58 @@ void picture_spread(Picture *picture, const double from[2], const double to[2], 
         picture_add_mark(picture, one);
     }
 }
+
+/* --- before it moves, with its dimensions ------------------------------------------------------------- */
+
+#define WORTH_IT 0.6 /* of the width: a drawing to scale may lose so much, else its height is squeezed */
+#define APART    1.3 /* rows from one length to the next where there is room between rows */
+
+enum { MARGIN_RIGHT = 11, DRAWN_LEAST = 3, COLUMNS_LEAST = 20, WORDS_ROW = 1 };
+
+/* In rows below the heading. False: there are too few. */
+static bool lay_whole(const Picture *picture, DrawingRoom *room)
+{
+    const int most = picture->rows - 1 - 2 * room->around;
+    while (room->lengths > 1 && room->lengths + DRAWN_LEAST > most - 1)
+        room->lengths--;
+    const int rows = most - room->lengths - (most > room->lengths + DRAWN_LEAST ? WORDS_ROW : 0);
+    const double wanted = room->size[1] * room->scale / 2;
+    if (wanted > rows - 1 && wanted * WORTH_IT < rows - 1)
+        room->scale *= (rows - 1) / wanted;
+    room->top = -1 - room->around;
+    room->bottom = room->top - fmin(fmax(round(room->size[1] * room->scale / 2), DRAWN_LEAST - 1), rows - 1);
+    room->apart = 1;
+    return rows >= DRAWN_LEAST;
+}
+
+/* With as much height as it takes. */
+static void lay_free(DrawingRoom *room)
+{
+    room->top = -room->around - 0.5;
+    room->bottom = room->top - fmax(room->size[1] * room->scale / 2, DRAWN_LEAST - 1);
+    room->apart = APART;
+}
+
+bool picture_lay_drawing(Picture *picture, DrawingRoom *room)
+{
+    const int columns = picture->columns - 2 - MARGIN_RIGHT;
+    room->scale = columns / room->size[0];
+    bool fits = columns >= COLUMNS_LEAST;
+    if (fits && picture->whole)
+        fits = lay_whole(picture, room);
+    else if (fits)
+        lay_free(room);
+    if (!fits) {
+        picture_say(picture, "drawing",
+                    picture->whole ? "z gives the drawing the room that it needs" : "it needs a wider page");
+        return false;
+    }
+    room->stretch = (room->top - room->bottom) / (room->size[1] * room->scale / 2);
+    const double end = room->bottom - 1 - room->around - room->apart * (room->lengths - 1);
+    picture->kind = PICTURE_MAP;
+    picture_axes(picture, axis_with_ticks(axis_make(0, picture->columns), 2), "", "",
+                 axis_with_ticks(axis_make(picture->whole ? end - 1 : end - 0.5, 0), 2), "", "");
+    picture->bare = true;
+    picture->stretch = 2; /* rows, columns */
+    return true;
+}

@@ -66,6 +66,7 @@ typedef struct PictureMark {
     size_t index;
     signed char side[2]; /* of its place on which it stands: to the right, upwards */
     double share;        /* of a bar: 0 to 1 */
+    double half;         /* of its width */
 } PictureMark;
 
 /* A line of words beside the picture: phrases that are parted by two spaces. */
@@ -185,6 +186,7 @@ typedef struct Picture {
     int across;  /* characters across the plot; 0: there is no room for one */
     int dots;    /* that a curve can have across */
     int body[2]; /* characters across and down that a body can take, within a frame */
+    bool whole;  /* there are no places between characters, and no rows beyond these */
 
     PictureKind kind;
     bool of_moment; /* of that time alone, not of all up to it */
@@ -245,6 +247,17 @@ bool picture_in_sight(const Picture *, double x, double y, double margin);
 /* A line over a body, drawn as `pen` says (its first members); one that goes on where the last one ended
  * goes on with its dashes. */
 void picture_trace(Picture *, const double from[2], const double to[2], const Stroke *pen);
+
+/* How a body with its dimensions is laid out, in characters: its size in m, the rows that things above and
+ * below it need, and so many rows of lengths below that. What comes out: characters to a metre, its edges as
+ * rows above 0, the distance of two lengths, how many there is room for, and how much it is stretched. False:
+ * it has no room, and the picture says so. */
+typedef struct DrawingRoom {
+    double size[2];
+    int around, lengths;
+    double scale, top, bottom, apart, stretch;
+} DrawingRoom;
+bool picture_lay_drawing(Picture *, DrawingRoom *);
 
 /* The same mark along a line, as often as there is room for it; `scale`: characters to its lengths. */
 void picture_spread(Picture *, const double from[2], const double to[2], const double scale[2],

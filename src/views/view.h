@@ -37,9 +37,7 @@ struct View {
     PaneId home; /* PANE_UPPER: a picture over x; PANE_LOWER: one over time */
     ViewOpening opens;
 
-    /* What it shows, as a picture; and what it draws in cells by itself, false: nothing. */
-    void (*describe)(const Screen *, int variant, Picture *);
-    bool (*draw)(const Screen *, Area, Style heading, int variant);
+    void (*describe)(const Screen *, int variant, Picture *); /* what it shows */
     /* What stands out in it, in plain words, behind what is told of every view: the curves and colours that
      * it draws, or its words (picture/words/tell.h). NULL: nothing more. */
     void (*tell)(const Screen *, struct Words *);

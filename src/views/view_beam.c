@@ -147,8 +147,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     if (!in_plane(screen->experiment))
         return;
     if (shown(screen, variant) == MAP_DRAWING) {
-        const Area area = {NULL, {0, 0, picture->columns, picture->rows}, GLYPHS_NONE};
-        map_drawing(screen, area, STYLE_HEADING, picture);
+        map_drawing(screen, picture);
         return;
     }
     if (!open_map(&map, screen, shown(screen, variant), picture))
@@ -172,17 +171,6 @@ bool view_map_small(const Screen *screen, Picture *picture)
     map_add_signs(&map);
     map_close(&map);
     return true;
-}
-
-static bool draw(const Screen *screen, Area area, Style heading, int variant)
-{
-    if (in_plane(screen->experiment) && shown(screen, variant) == MAP_DRAWING) {
-        map_drawing(screen, area, heading, NULL);
-        return true;
-    }
-    if (!in_plane(screen->experiment))
-        pane_mesh(screen, area);
-    return !in_plane(screen->experiment);
 }
 
 /* --- in words ----------------------------------------------------------------------------------------- */
@@ -227,7 +215,6 @@ const View view_beam = {
     .home = PANE_UPPER,
     .opens = OPENS_IN_PLANE,
     .describe = describe,
-    .draw = draw,
     .tell = tell,
     .variants = variants_of,
     .variant_word = word_of,

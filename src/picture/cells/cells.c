@@ -26,6 +26,7 @@ void cells_open(Picture *picture, int columns, int rows, Glyphs glyphs)
 {
     const int across = columns - GUTTER - 1;
     picture_open(picture, columns, rows, across >= LEAST ? across : 0, plot_dots_across(glyphs));
+    picture->whole = glyphs != GLYPHS_NONE;
 }
 
 /* --- room ------------------------------------------------------------------------------------------ */
@@ -325,6 +326,10 @@ void cells_draw(Picture *picture, Area area, Style heading, int colours)
     }
     if (picture->map) {
         cells_map(picture, area, heading, colours);
+        return;
+    }
+    if (picture->has_axes && picture->bare && picture->kind == PICTURE_MAP) {
+        cells_drawing(picture, area, heading);
         return;
     }
     if (!picture->has_axes) {

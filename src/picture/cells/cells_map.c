@@ -453,8 +453,7 @@ static void name_lines(const Sheet *sheet)
         legend_draw(area, 0, 0, lines, count);
 }
 
-/* In cells a factor is told by a letter: the sign for it is wide in some fonts. */
-static void plain_factors(const char *text, char *out)
+void cells_plain_factors(const char *text, char *out)
 {
     for (; *text; text++)
         if (strncmp(text, "×", 2) == 0)
@@ -470,7 +469,7 @@ static void draw_title(const Picture *picture, Area area, Style heading)
 {
     const int room = area.rect.width - 6;
     char title[PICTURE_TEXT_MAX] = "", phrases[PICTURE_TEXT_MAX];
-    plain_factors(picture->notes[0].text, phrases);
+    cells_plain_factors(picture->notes[0].text, phrases);
     const int columns = glyphs_columns(picture->heading) + (phrases[0] ? 2 + glyphs_columns(phrases) : 0);
     text_append(title, sizeof title, "%s", columns <= room ? picture->heading : picture->map->brief);
     for (char *part = phrases, *next; part && *part; part = next) {

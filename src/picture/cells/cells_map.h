@@ -10,6 +10,13 @@
 void cells_map(const Picture *, Area, Style heading, int colours);
 void cells_map_body(const Picture *, Area, int colours); /* without words around it */
 
+/* One that is drawn with its dimensions: places in whole columns, and rows above 0. */
+void cells_drawing(const Picture *, Area, Style heading);
+
+/* In cells a factor is told by a letter: the sign for it is wide in some fonts. `out` has room for the text.
+ */
+void cells_plain_factors(const char *text, char *out);
+
 /* Where a place of the plot is drawn in the part `rect`. */
 void cells_place(const PictureMap *, Rect, double x, double y, double *column, double *row);
 

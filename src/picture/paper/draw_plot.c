@@ -402,6 +402,15 @@ static bool is_shared(const Picture *picture, const PictureMark *a, const Pictur
     return a->glyph == b->glyph && spreads && fabs(a->x - b->x) <= NEAR * range_of(&picture->plot.x);
 }
 
+/* How wide a load is that stands a row above its place. */
+static void draw_width(const Frame *frame, const PictureMark *mark)
+{
+    const double y = y_of(frame, mark->y + 1), x = x_of(frame, mark->x);
+    straight(frame->paper, x_of(frame, mark->x - mark->half), y, x_of(frame, mark->x + mark->half), y, BLACK,
+             1.1);
+    straight(frame->paper, x, y, x, y_of(frame, mark->y + 0.5), BLACK, 1.1);
+}
+
 static size_t draw_signs(const Frame *frame, size_t first)
 {
     const Picture *picture = frame->picture;
@@ -412,12 +421,15 @@ static size_t draw_signs(const Frame *frame, size_t first)
         return first + 1;
     /* an arrow is as long as a column of the screen is wide */
     const bool beside = begin->kind == MARK_BESIDE;
-    const double right = beside ? 0.9 * begin->side[0] / picture->map->scale[0] : 0,
-                 up = beside ? 0.5 * begin->side[1] / picture->map->scale[1] : 0;
+    const PictureMap *map = picture->map;
+    const double right = beside ? 0.9 * begin->side[0] / (map ? map->scale[0] : 1) : 0,
+                 up = beside ? 0.5 * begin->side[1] / (map ? map->scale[1] : 1) : 0;
     do {
         sum_x += x_of(frame, picture->marks[end].x + right);
         sum_y += y_of(frame, picture->marks[end].y + up);
         end++;
+        if (begin->half > 0)
+            draw_width(frame, begin);
     } while (end < picture->n_marks && is_shared(picture, begin, &picture->marks[end]));
     draw_sign(frame, begin, sum_x / (double)(end - first), sum_y / (double)(end - first));
     return end;

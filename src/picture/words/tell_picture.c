@@ -460,9 +460,12 @@ bool tell_picture(const Picture *picture, double cursor, Words *words)
     const bool drawn = picture->kind == PICTURE_DRAWING;
     if (picture->map)
         say_map(picture, words);
-    else if (picture->plot.n_strokes > 0 && !drawn)
+    else if (picture->plot.n_strokes > 0 && !drawn && !picture->bare)
         say_strokes(picture, cursor, words);
-    drawn ? words_say(words, 4, "  %s.", picture->name) : say_rules(picture, words);
+    if (drawn || picture->bare)
+        words_say(words, 4, "  %s.", drawn ? picture->name : picture->heading);
+    else
+        say_rules(picture, words);
     for (int i = 0; i < picture->n_labels && picture->bare; i++)
         say_label(&picture->labels[i], drawn, words);
     for (int i = 0; i < picture->n_arrows; i++)

@@ -5,7 +5,7 @@
 #include "views/inspector/inspector.h"
 #include "scenario/concern_bonds.h"
 #include "views/views.h"
-#include "views/map/family.h"
+#include "views/inspector/family.h"
 #include "picture/cells/cells.h"
 #include "picture/cells/cells_map.h"
 #include "base/math/functions.h"

@@ -5,7 +5,7 @@
 #ifndef VIEW_MAP_H
 #define VIEW_MAP_H
 
-#include "panes/panes.h"
+#include "panes/screen_runs.h"
 #include "picture/picture.h"
 #include "panes/stage_flow.h"
 #include "views/plots/runs.h"
@@ -124,6 +124,6 @@ Flow map_flow(const Map *, bool *inside);
 void map_cross_text(const Map *, char *out, size_t size);
 
 /* The beam before it moves, with its dimensions. */
-void map_drawing(const Screen *, Area, Style heading, Picture *);
+void map_drawing(const Screen *, Picture *);
 
 #endif

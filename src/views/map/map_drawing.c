@@ -1,243 +1,263 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The beam before it moves, as in the papers' figures of the problems: dimensions in mm, supports, channel,
- * notch, load, probe. On paper it is laid out in the same columns and rows, a row twice as high as a column
- * is wide, but for rounding. */
-#include "views/map/map_drawing.h"
+ * notch, load, probe; of a plate its cuts, regions by their names, loads with their size. In characters, y
+ * upwards from the picture's upper edge: how many to a metre is found in picture/body.c. */
+#include "views/map/map.h"
 
+#include "base/math/functions.h"
 #include "scenario/concern_body.h"
 #include "scenario/concern_loads.h"
+#include "scenario/rows/rows.h"
 #include "scenario/settings.h"
-#include "base/math/functions.h"
 
 #include <math.h>
 #include <stdio.h>
 
-enum { MARGIN_RIGHT = 11, LEAST_ROWS = 3 };
+enum { LENGTHS_MAX = 4 };
 
-#define WORTH_IT 0.6 /* of the width: a drawing to scale may lose so much, else its height is squeezed */
-#define APART    1.3 /* rows from one dimension to the next, on paper */
+/* A length between two places, with its row below the beam. */
+typedef struct Length {
+    double from, to; /* m */
+    int row;
+} Length;
 
-static void add(Drawing *drawing, double from, double to, int row)
+typedef struct Drawing {
+    const Settings *settings;
+    MapScene scene;
+    Body body;
+    Picture *picture;
+    DrawingRoom room;
+    Length lengths[LENGTHS_MAX];
+    int n_lengths;
+} Drawing;
+
+/* --- places, lines, words ----------------------------------------------------------------------------- */
+
+static double rounded(const Drawing *drawing, double place)
 {
-    drawing->lengths[drawing->n_dimensions++] = (Dimension){from, to, row};
-    drawing->dimension_rows = row + 1 > drawing->dimension_rows ? row + 1 : drawing->dimension_rows;
+    return drawing->picture->whole ? round(place) : place;
 }
 
-static void millimetres(double metres, char *out, size_t size)
+static double column_of(const Drawing *drawing, double x)
 {
-    char number[NUMBER_TEXT_MAX];
-    text_rounded(number, 1e3 * metres, 4);
-    snprintf(out, size, " %s mm ", number);
+    return rounded(drawing, 1 + (x - drawing->body.low[0]) * drawing->room.scale);
 }
 
-/* --- on paper, or in cells --------------------------------------------------------------------------- */
-
-/* "├────┤", or upright. */
-static void draw_span(const Drawing *drawing, double from, double to, double y)
+static double row_of(const Drawing *drawing, double share) /* of the height */
 {
-    const double places[][2] = {{from, y - 0.25}, {from, y + 0.25}, {from, y},
-                                {to, y},          {to, y - 0.25},   {to, y + 0.25}};
-    if (drawing_paper(drawing))
-        drawing_trace(drawing, STROKE_LINE, STYLE_FAINT, 6, places);
-    else
-        for (double x = from; x <= to; x++)
-            drawing_put(drawing, x, y, x == from ? 0x251c : x == to ? 0x2524 : 0x2500, STYLE_FRAME);
+    const DrawingRoom *room = &drawing->room;
+    return room->bottom + rounded(drawing, share * (room->top - room->bottom));
 }
 
-static void draw_rise(const Drawing *drawing, double x, double top, double bottom)
+static void trace(const Drawing *drawing, StrokeKind kind, Style style, int count, const double (*places)[2])
 {
-    const double places[][2] = {{x - 0.5, top}, {x + 0.5, top},    {x, top},
-                                {x, bottom},    {x - 0.5, bottom}, {x + 0.5, bottom}};
-    if (drawing_paper(drawing))
-        drawing_trace(drawing, STROKE_LINE, STYLE_FAINT, 6, places);
-    else
-        for (double y = top; y <= bottom; y++)
-            drawing_put(drawing, x, y, y == top ? 0x252c : y == bottom ? 0x2534 : 0x2502, STYLE_FRAME);
+    Plot *plot = &drawing->picture->plot;
+    plot_begin(plot, kind, LINE_SOLID, style, RANK_EXACT, '|');
+    for (int i = 0; i < count; i++)
+        plot_point(plot, places[i][0], places[i][1]);
 }
 
-static void draw_box(const Drawing *drawing, double left, double right, double top, double bottom)
+/* Words that begin (side 1), have their middle (0) or end (-1) at a place; those in the middle break a line.
+ */
+static void label(const Drawing *drawing, double x, double y, int side, const char *text, Style style)
 {
-    const double places[][2] = {{left, top}, {right, top}, {right, bottom}, {left, bottom}, {left, top}};
-    if (drawing_paper(drawing)) {
-        drawing_trace(drawing, STROKE_LINE, STYLE_NORMAL, 5, places);
-        return;
-    }
-    for (double x = left; x <= right; x++) {
-        drawing_put(drawing, x, top, x == left ? 0x250c : x == right ? 0x2510 : 0x2500, STYLE_NORMAL);
-        drawing_put(drawing, x, bottom, x == left ? 0x2514 : x == right ? 0x2518 : 0x2500, STYLE_NORMAL);
-    }
-    for (double y = top + 1; y < bottom; y++) {
-        drawing_put(drawing, left, y, 0x2502, STYLE_NORMAL);
-        drawing_put(drawing, right, y, 0x2502, STYLE_NORMAL);
-    }
+    PictureLabel out = {.x = x, .y = y, .side = side, .on_line = side == 0, .style = style};
+    snprintf(out.text, sizeof out.text, "%s", text);
+    picture_label(drawing->picture, &out);
 }
 
-/* A wall along an edge of the beam: above (side -1) or below it. */
-static void draw_wall(const Drawing *drawing, double from, double to, double edge, int side)
+static void label_length(const Drawing *drawing, double x, double y, int side, double metres)
 {
-    const double near = edge + 0.15 * side, far = edge + 0.8 * side;
-    const double places[][2] = {{from, near}, {from, far}, {to, near}, {to, far}};
-    if (drawing_paper(drawing)) {
-        Plot *plot = &drawing_paper(drawing)->plot;
-        drawing_trace(drawing, STROKE_BAND, STYLE_FRAME, 4, places);
-        plot->strokes[plot->n_strokes - 1].fill = 2; /* no darker than the beam's outline */
-        return;
-    }
-    for (double x = from; x <= to; x++)
-        drawing_put(drawing, x, edge + side, side < 0 ? 0x2584 : 0x2580, STYLE_FRAME);
+    char text[NUMBER_TEXT_MAX + 8];
+    text_rounded(text, 1e3 * metres, 4);
+    text_append(text, sizeof text, " mm");
+    label(drawing, x, y, side, text, STYLE_NORMAL);
 }
 
-static void draw_notch(const Drawing *drawing, double x, double end)
+static void put(const Drawing *drawing, double x, double y, MarkKind kind, int up, uint32_t glyph)
 {
-    const double places[][2] = {{x, drawing->bottom}, {x, end}};
-    if (drawing_paper(drawing))
-        drawing_trace(drawing, STROKE_LINE, STYLE_HEADING, 2, places);
-    else
-        for (double y = end; y <= drawing->bottom; y++)
-            drawing_put(drawing, x, y, y == drawing->bottom ? 0x2534 : 0x2502, STYLE_HEADING);
-}
-
-/* A load that presses on a part of the upper edge. */
-static void draw_load(const Drawing *drawing, double from, double to)
-{
-    const double x = (from + to) / 2, y = drawing->top - 1;
-    const double across[][2] = {{from, y}, {to, y}}, shaft[][2] = {{x, y}, {x, drawing->top - 0.5}};
-    if (!drawing_paper(drawing)) {
-        for (double column = from; column <= to; column++)
-            drawing_put(drawing, column, y, 0x25bc, STYLE_HEADING);
-        return;
-    }
-    drawing_trace(drawing, STROKE_LINE, STYLE_HEADING, 2, across);
-    drawing_trace(drawing, STROKE_LINE, STYLE_HEADING, 2, shaft);
-    drawing_put(drawing, x, drawing->top, 0x25bc, STYLE_HEADING);
-}
-
-/* Below the beam; a sign on paper hangs from its place. */
-static void draw_support(const Drawing *drawing, double x, bool pinned)
-{
-    drawing_put(drawing, drawing_column(drawing, x), drawing->bottom + !drawing_paper(drawing),
-                pinned ? 0x25b2 : 0x25cb, STYLE_HEADING);
+    picture_add_mark(drawing->picture,
+                     (PictureMark){.x = x,
+                                   .y = y,
+                                   .glyph = glyph,
+                                   .style = glyph == 0x25cf ? STYLE_MEASURED : STYLE_HEADING,
+                                   .kind = kind,
+                                   .side = {0, (signed char)up}});
 }
 
 /* --- parts ------------------------------------------------------------------------------------------- */
 
-static void draw_dimension(const Drawing *drawing, const Dimension *dimension, double y)
+/* "├── 65 mm ──┤", or upright: with a tick at both ends. */
+static void add_length(const Drawing *drawing, const Length *length)
 {
-    const double from = drawing_column(drawing, dimension->from), to = drawing_column(drawing, dimension->to);
-    char text[NUMBER_TEXT_MAX + 8];
-    millimetres(dimension->to - dimension->from, text, sizeof text);
-    draw_span(drawing, from, to, y);
-    if (to - from - 1 >= glyphs_columns(text))
-        drawing_label(drawing, (from + to) / 2, y, 0, text, STYLE_NORMAL);
-    else
-        drawing_label(drawing, to + 1, y, 1, text, STYLE_NORMAL);
+    const double from = column_of(drawing, length->from), to = column_of(drawing, length->to),
+                 y = drawing->room.bottom - 1 - drawing->room.around - drawing->room.apart * length->row;
+    const double places[][2] = {{from, y + 0.25}, {from, y - 0.25}, {from, y},
+                                {to, y},          {to, y + 0.25},   {to, y - 0.25}};
+    trace(drawing, STROKE_LINE, STYLE_FAINT, 6, places);
+    label_length(drawing, (from + to) / 2, y, 0, length->to - length->from);
 }
 
-static void draw_outline(const Drawing *drawing)
+static void add_outline(const Drawing *drawing)
 {
-    const double left = drawing_column(drawing, drawing->body->low[0]);
-    const double right = drawing_column(drawing, drawing->body->low[0] + drawing->body->size[0]);
-    char text[NUMBER_TEXT_MAX + 8];
-    draw_box(drawing, left, right, drawing->top, drawing->bottom);
-    millimetres(settings_geometry(drawing->settings)->height, text, sizeof text);
-    draw_rise(drawing, right + 2, drawing->top, drawing->bottom);
-    drawing_label(drawing, right + 3, drawing_row(drawing, 0.5), 1, text, STYLE_NORMAL);
+    const double left = column_of(drawing, drawing->body.low[0]), top = drawing->room.top,
+                 right = column_of(drawing, drawing->body.low[0] + drawing->body.size[0]),
+                 bottom = drawing->room.bottom, x = right + 2;
+    const double box[][2] = {{left, top}, {right, top}, {right, bottom}, {left, bottom}, {left, top}};
+    const double rise[][2] = {{x - 0.5, top}, {x + 0.5, top},    {x, top},
+                              {x, bottom},    {x - 0.5, bottom}, {x + 0.5, bottom}};
+    trace(drawing, STROKE_LINE, STYLE_NORMAL, 5, box);
+    trace(drawing, STROKE_LINE, STYLE_FAINT, 6, rise);
+    label_length(drawing, x + 1, row_of(drawing, 0.5), 1, settings_geometry(drawing->settings)->height);
 }
 
 /* The body behind the clamp goes through a channel with walls. */
-static void draw_channel(const Drawing *drawing)
+static void add_channel(const Drawing *drawing)
 {
-    const double from = drawing_column(drawing, -settings_motion(drawing->settings)->channel),
-                 to = drawing_column(drawing, 0);
-    draw_wall(drawing, from, to, drawing->top, -1);
-    draw_wall(drawing, from, to, drawing->bottom, 1);
+    const double from = column_of(drawing, -settings_motion(drawing->settings)->channel),
+                 to = column_of(drawing, 0);
+    for (int side = 1; side >= -1; side -= 2) {
+        const double edge = side > 0 ? drawing->room.top : drawing->room.bottom, near = edge + 0.15 * side,
+                     far = edge + 0.8 * side;
+        const double places[][2] = {{from, near}, {from, far}, {to, near}, {to, far}};
+        Plot *plot = &drawing->picture->plot;
+        trace(drawing, STROKE_BAND, STYLE_FRAME, 4, places);
+        plot->strokes[plot->n_strokes - 1].fill = 2; /* no darker than the beam's outline */
+    }
     char text[48], number[NUMBER_TEXT_MAX];
     text_rounded(number, settings_motion(drawing->settings)->speed, 4);
     snprintf(text, sizeof text, "→ %s m/s", number);
-    drawing_label(drawing, from + 2, drawing_row(drawing, 0.5), 1, text, STYLE_HEADING);
+    label(drawing, from + 2, row_of(drawing, 0.5), 1, text, STYLE_HEADING);
 }
 
-/* A cut from below, with its depth. */
-static void draw_cut(const Drawing *drawing)
+/* A cut from below, seen in any case, with its depth. */
+static void add_notch(const Drawing *drawing)
 {
     const Settings *settings = drawing->settings;
-    const double notch = drawing_column(drawing, settings_notch(settings)->position);
-    const double end =
-        fmin(drawing_row(drawing, settings_notch(settings)->depth / settings_geometry(settings)->height),
-             drawing->bottom - !drawing_paper(drawing)); /* seen in any case */
-    char text[NUMBER_TEXT_MAX + 8];
-    draw_notch(drawing, notch, end);
-    millimetres(settings_notch(settings)->depth, text, sizeof text);
-    drawing_label(drawing, notch + 1, fmin(end, drawing->bottom - 1), 1, text, STYLE_NORMAL);
+    const double x = column_of(drawing, settings_notch(settings)->position),
+                 share = settings_notch(settings)->depth / settings_geometry(settings)->height,
+                 bottom = drawing->room.bottom,
+                 end = fmax(row_of(drawing, share), bottom + drawing->picture->whole);
+    const double places[][2] = {{x, bottom}, {x, end}};
+    trace(drawing, STROKE_LINE, STYLE_HEADING, 2, places);
+    label_length(drawing, x + 1, fmax(end, bottom + 1), 1, settings_notch(settings)->depth);
 }
 
-/* A load on the top between two supports below. */
-static void draw_pressure(const Drawing *drawing)
+/* A load on a part of the top between two supports below. */
+static void add_pressure(const Drawing *drawing)
 {
     const Settings *settings = drawing->settings;
+    const double half = settings_loads(settings)->width / 2, top = drawing->room.top,
+                 from = column_of(drawing, settings_loads(settings)->position - half),
+                 to = column_of(drawing, settings_loads(settings)->position + half);
     char text[96], number[NUMBER_TEXT_MAX], width[NUMBER_TEXT_MAX];
-    const double from =
-        drawing_column(drawing, settings_loads(settings)->position - settings_loads(settings)->width / 2);
-    const double to =
-        drawing_column(drawing, settings_loads(settings)->position + settings_loads(settings)->width / 2);
-    draw_load(drawing, from, to);
+    picture_add_mark(drawing->picture, (PictureMark){.x = (from + to) / 2,
+                                                     .y = top,
+                                                     .half = (to - from) / 2,
+                                                     .glyph = 0x25bc,
+                                                     .style = STYLE_HEADING,
+                                                     .kind = MARK_STANDS,
+                                                     .side = {0, 1}});
     text_rounded(number, 1e-6 * settings_loads(settings)->stress, 4);
     text_rounded(width, 1e3 * settings_loads(settings)->width, 4);
     snprintf(text, sizeof text, "%s MPa on %s mm", number, width);
-    drawing_label(drawing, to + 2, drawing->top - 1, 1, text, STYLE_NORMAL);
-    draw_support(drawing, settings_supports(settings)->left, settings_supports(settings)->pinned);
-    draw_support(drawing, settings_supports(settings)->right, false);
+    label(drawing, to + 1, top + 1, 1, text, STYLE_NORMAL);
+    put(drawing, column_of(drawing, settings_supports(settings)->left), drawing->room.bottom, MARK_STANDS, -1,
+        settings_supports(settings)->pinned ? 0x25b2 : 0x25cb);
+    put(drawing, column_of(drawing, settings_supports(settings)->right), drawing->room.bottom, MARK_STANDS,
+        -1, 0x25cb);
 }
 
-static void draw_probe(const Drawing *drawing)
+static void add_probe(const Drawing *drawing)
 {
-    const Body *body = drawing->body;
     const double *probe = drawing->scene.probe;
-    const double column = drawing_column(drawing, body->low[0] + probe[0] * body->size[0]);
-    const double row = drawing_row(drawing, probe[1]);
-    const bool above = probe[1] >= 1;
-    drawing_put(drawing, column, row, 0x25cf, STYLE_MEASURED);
-    /* a line of cells makes room for words, one on paper does not */
-    drawing_label(drawing, above ? column + 1 : column - 1, row + (above && drawing_paper(drawing)),
-                  above ? 1 : -1, "probe", STYLE_MEASURED);
-}
-
-/* "E 71 GPa  density 2700  thickness 5 mm  u(0) 3 µm" */
-static void draw_words(const Drawing *drawing, int y)
-{
-    const Settings *settings = drawing->settings;
-    char text[160], a[NUMBER_TEXT_MAX], b[NUMBER_TEXT_MAX], c[NUMBER_TEXT_MAX];
-    text_rounded(a, 1e-9 * settings_material(settings)->youngs_modulus, 4);
-    text_rounded(b, settings_material(settings)->density, 5);
-    text_rounded(c, 1e3 * settings_geometry(settings)->thickness, 4);
-    snprintf(text, sizeof text, "E %s GPa  density %s kg/m³  thickness %s mm", a, b, c);
-    if (drawing->scene.bent && settings_start(settings)->amplitude != 0) {
-        text_rounded(a, 1e6 * settings_start(settings)->amplitude, 4);
-        text_append(text, sizeof text, "  U %s µm", a);
-    }
-    if (settings_loads(settings)->body_force != 0) {
-        text_rounded(a, settings_loads(settings)->body_force, 4);
-        text_append(text, sizeof text, "  body force %s m/s²", a);
-    }
-    if (drawing_paper(drawing))
-        picture_note(drawing_paper(drawing), STYLE_FAINT, text);
-    else
-        area_phrases(drawing->area, 1, y, drawing->area.rect.width - 2, 1, text, STYLE_FAINT);
+    const double x = column_of(drawing, drawing->body.low[0] + probe[0] * drawing->body.size[0]);
+    const int side = probe[1] >= 1 ? 1 : -1;
+    put(drawing, x, row_of(drawing, probe[1]), MARK_PLACE, 0, 0x25cf);
+    /* a line of cells makes room for words, a thin one does not */
+    label(drawing, x + side, row_of(drawing, probe[1]) - (side > 0 && !drawing->picture->whole), side,
+          "probe", STYLE_MEASURED);
 }
 
 /* The ends of a beam that vibrates are held at half its height. */
-static void draw_supports(const Drawing *drawing)
+static void add_supports(const Drawing *drawing)
 {
-    const Body *body = drawing->body;
-    const double row = drawing_row(drawing, 0.5);
-    drawing_put(drawing, drawing_column(drawing, body->low[0]), row, 0x25b2, STYLE_HEADING);
-    drawing_put(drawing, drawing_column(drawing, body->low[0] + body->size[0]), row, 0x25cb, STYLE_HEADING);
+    const double y = row_of(drawing, 0.5), low = drawing->body.low[0];
+    put(drawing, column_of(drawing, low), y, MARK_PLACE, 0, 0x25b2);
+    put(drawing, column_of(drawing, low + drawing->body.size[0]), y, MARK_PLACE, 0, 0x25cb);
 }
 
-/* --- what the run is made of -------------------------------------------------------------------------- */
+/* --- what a plate has by rows -------------------------------------------------------------------------- */
+
+static void add_line(const Drawing *drawing, const double from[2], const double to[2], Style style)
+{
+    const double height = drawing->body.size[1];
+    const double places[][2] = {{column_of(drawing, from[0]), row_of(drawing, from[1] / height)},
+                                {column_of(drawing, to[0]), row_of(drawing, to[1] / height)}};
+    trace(drawing, STROKE_LINE, style, 2, places);
+}
+
+/* Arrows beside the edge, and the size of the traction where there is room. */
+static void add_traction(const Drawing *drawing, int row, double ends[2][2])
+{
+    const Settings *settings = drawing->settings;
+    const double sx = settings_row_value(settings, ROWS_LOADS, row, 3),
+                 sy = settings_row_value(settings, ROWS_LOADS, row, 4), height = drawing->body.size[1];
+    PictureMark arrow = {.glyph = map_arrow(sx, sy), .style = STYLE_HEADING, .kind = MARK_BESIDE};
+    map_row_side((int)settings_row_value(settings, ROWS_LOADS, row, 0), arrow.side);
+    const int right = arrow.side[0], up = arrow.side[1];
+    double places[2][2];
+    for (int i = 0; i < 2; i++) {
+        places[i][0] = column_of(drawing, ends[i][0]);
+        places[i][1] = row_of(drawing, ends[i][1] / height);
+    }
+    picture_spread(drawing->picture, places[0], places[1], (double[]){1, 1}, &arrow);
+    char text[NUMBER_TEXT_MAX + 8];
+    text_rounded(text, 1e-6 * math_hypot(sx, sy), 4);
+    text_append(text, sizeof text, " MPa");
+    if (up)
+        label(drawing, fmax(places[0][0], places[1][0]) + 2, places[0][1] + up, 1, text, STYLE_NORMAL);
+    else
+        label(drawing, places[0][0] - 2 * right, (places[0][1] + places[1][1]) / 2, -right, text,
+              STYLE_NORMAL);
+}
+
+static void add_rows(const Drawing *drawing)
+{
+    const Settings *settings = drawing->settings;
+    for (int kind = 0; kind < ROW_KINDS; kind++)
+        for (int row = 0; settings_have_rows(settings, kind) && row < settings->rows[kind].count; row++) {
+            double ends[2][2];
+            map_row_ends(settings, kind, row, ends);
+            const double *a = ends[0], *c = ends[1], b[2] = {c[0], a[1]}, d[2] = {a[0], c[1]};
+            if (kind == ROWS_PROBE)
+                continue; /* add_probe() */
+            if (kind == ROWS_CUTS) {
+                add_line(drawing, a, c, STYLE_HEADING);
+            } else if (kind == ROWS_LOADS) {
+                add_traction(drawing, row, ends);
+            } else {
+                add_line(drawing, a, b, STYLE_FRAME);
+                add_line(drawing, b, c, STYLE_FRAME);
+                add_line(drawing, c, d, STYLE_FRAME);
+                add_line(drawing, d, a, STYLE_FRAME);
+                label(drawing, column_of(drawing, fmax(a[0], c[0])) + 1,
+                      row_of(drawing, (a[1] + c[1]) / 2 / drawing->body.size[1]), 1,
+                      settings->rows[kind].rows[row].name, STYLE_FAINT);
+            }
+        }
+}
+
+/* --- the whole ---------------------------------------------------------------------------------------- */
+
+static void add(Drawing *drawing, double from, double to, int row)
+{
+    drawing->lengths[drawing->n_lengths++] = (Length){from, to, row};
+    drawing->room.lengths = row + 1 > drawing->room.lengths ? row + 1 : drawing->room.lengths;
+}
 
 /* The most important lengths first: those that have no row are left out from the end. */
-static void add_lengths(Drawing *drawing)
+static void choose_lengths(Drawing *drawing)
 {
     const Settings *settings = drawing->settings;
     const MapScene *scene = &drawing->scene;
@@ -253,113 +273,66 @@ static void add_lengths(Drawing *drawing)
     add(drawing, 0, settings_geometry(settings)->length, row);
 }
 
-static void draw_parts(const Drawing *drawing)
+static void add_parts(const Drawing *drawing)
 {
+    add_outline(drawing);
     if (drawing->scene.notched)
-        draw_cut(drawing);
+        add_notch(drawing);
     if (drawing->scene.pressed)
-        draw_pressure(drawing);
+        add_pressure(drawing);
     else if (drawing->scene.leaves)
-        draw_channel(drawing);
+        add_channel(drawing);
     else if (drawing->scene.bent)
-        draw_supports(drawing);
+        add_supports(drawing);
     if (drawing->scene.by_rows)
-        drawing_rows(drawing);
+        add_rows(drawing);
+    add_probe(drawing);
+    for (int i = 0; i < drawing->n_lengths; i++)
+        if (drawing->lengths[i].row < drawing->room.lengths)
+            add_length(drawing, &drawing->lengths[i]);
 }
 
-/* --- the whole ---------------------------------------------------------------------------------------- */
-
-static void draw_all(const Drawing *drawing, double apart)
+/* "to scale", or by how much the height is not; and "E 71 GPa  density 2700  thickness 5 mm  u(0) 3 µm". */
+static void add_notes(const Drawing *drawing)
 {
-    draw_outline(drawing);
-    draw_parts(drawing);
-    draw_probe(drawing);
-    for (int i = 0; i < drawing->n_dimensions; i++)
-        draw_dimension(drawing, &drawing->lengths[i],
-                       drawing->bottom + 1 + drawing->scene.around + apart * drawing->lengths[i].row);
+    const Settings *settings = drawing->settings;
+    char text[160], a[NUMBER_TEXT_MAX], b[NUMBER_TEXT_MAX], c[NUMBER_TEXT_MAX];
+    text_rounded(a, drawing->room.stretch, 2);
+    const double least = drawing->picture->whole ? 0.2 : 1e-9; /* a row is not stretched */
+    snprintf(text, sizeof text, fabs(math_log(drawing->room.stretch)) < least ? "to scale" : "height × %s",
+             a);
+    picture_note(drawing->picture, STYLE_NORMAL, text);
+    text_rounded(a, 1e-9 * settings_material(settings)->youngs_modulus, 4);
+    text_rounded(b, settings_material(settings)->density, 5);
+    text_rounded(c, 1e3 * settings_geometry(settings)->thickness, 4);
+    snprintf(text, sizeof text, "E %s GPa  density %s kg/m³  thickness %s mm", a, b, c);
+    if (drawing->scene.bent && settings_start(settings)->amplitude != 0) {
+        text_rounded(a, 1e6 * settings_start(settings)->amplitude, 4);
+        text_append(text, sizeof text, "  U %s µm", a);
+    }
+    if (settings_loads(settings)->body_force != 0) {
+        text_rounded(a, settings_loads(settings)->body_force, 4);
+        text_append(text, sizeof text, "  body force %s m/s²", a);
+    }
+    picture_note(drawing->picture, STYLE_FAINT, text);
 }
 
-/* "to scale", or by how much the height is not. */
-static void scale_words(double stretch, bool to_scale, const char *times, char *out, size_t size)
+void map_drawing(const Screen *screen, Picture *picture)
 {
-    char number[NUMBER_TEXT_MAX];
-    text_rounded(number, stretch, 2);
-    if (to_scale)
-        snprintf(out, size, "to scale");
-    else
-        snprintf(out, size, "height %s %s", times, number);
-}
-
-/* The page has as much height as the drawing takes. */
-static void draw_on_paper(Drawing *drawing, const Screen *screen)
-{
-    Picture *picture = drawing_paper(drawing);
-    const int columns = drawing->area.rect.width;
-    const double rise = drawing->body->size[1] * drawing->scale / 2;
-    char words[64];
-    drawing->top = drawing->scene.around + 0.5;
-    drawing->bottom = drawing->top + fmax(rise, LEAST_ROWS - 1);
-    const double end =
-        drawing->bottom + 1 + drawing->scene.around + APART * (drawing->dimension_rows - 1) + 0.5;
-    const Axis x = axis_with_ticks(axis_make(0, columns), 2), y = axis_with_ticks(axis_make(-end, 0), 2);
-    picture->kind = PICTURE_MAP;
-    picture_axes(picture, x, "", "", y, "", "");
-    picture->bare = true;
-    picture->stretch = 2; /* rows, columns */
-    screen_time_text(screen, 0, picture->time, sizeof picture->time);
-    draw_all(drawing, APART);
-    scale_words((drawing->bottom - drawing->top) / rise, rise >= LEAST_ROWS - 1, "×", words, sizeof words);
-    picture_note(picture, STYLE_NORMAL, words);
-    draw_words(drawing, 0);
-}
-
-void map_drawing(const Screen *screen, Area area, Style heading, Picture *picture)
-{
-    Body body;
-    if (!body_of(experiment_simulation(screen->experiment), &body))
-        return;
     const Settings *settings = experiment_settings(screen->experiment);
-    Drawing drawing = {.settings = settings,
-                       .scene = map_scene(settings),
-                       .body = &body,
-                       .area = area,
-                       .picture = picture,
-                       .low = body.low[0]};
-    const int columns = area.rect.width - 2 - MARGIN_RIGHT;
-    add_lengths(&drawing);
-    drawing.scale = columns / body.size[0];
-    if (picture) {
-        if (columns >= 20)
-            draw_on_paper(&drawing, screen);
-        else
-            picture_say(picture, "drawing", "it needs a wider page");
+    Drawing drawing = {.settings = settings, .scene = map_scene(settings), .picture = picture};
+    if (!body_of(experiment_simulation(screen->experiment), &drawing.body))
         return;
-    }
-    const int around = drawing.scene.around;
-    int room = area.rect.height - 1 - 2 * around;
-    while (drawing.dimension_rows > 1 && drawing.dimension_rows + LEAST_ROWS > room - 1) {
-        drawing.n_dimensions--;
-        drawing.dimension_rows = drawing.lengths[drawing.n_dimensions - 1].row + 1;
-    }
-    const bool words = room > drawing.dimension_rows + LEAST_ROWS;
-    const int rows = room - drawing.dimension_rows - words;
-    if (columns < 20 || rows < LEAST_ROWS) {
-        area_rule(area, 0, "drawing", heading);
-        area_text(area, 1, 1, "z gives the drawing the room that it needs", STYLE_FAINT);
+    drawing.room.around = drawing.scene.around;
+    drawing.room.size[0] = drawing.body.size[0];
+    drawing.room.size[1] = drawing.body.size[1];
+    choose_lengths(&drawing);
+    if (!picture_lay_drawing(picture, &drawing.room))
         return;
-    }
-    const double wanted = body.size[1] * drawing.scale / 2;
-    if (wanted > rows - 1 && wanted * WORTH_IT < rows - 1)
-        drawing.scale *= (rows - 1) / wanted;
-    const double rise = fmin(fmax(round(body.size[1] * drawing.scale / 2), LEAST_ROWS - 1), rows - 1);
-    drawing.top = 1 + around;
-    drawing.bottom = drawing.top + rise;
-    const double stretch = rise / (body.size[1] * drawing.scale / 2);
-    char title[96], scale[64];
-    scale_words(stretch, fabs(math_log(stretch)) < 0.2, "x", scale, sizeof scale);
-    snprintf(title, sizeof title, "the %s at t = 0  %s", settings->problem->body, scale);
-    area_rule(area, 0, title, heading);
-    draw_all(&drawing, 1);
-    if (words)
-        draw_words(&drawing, area.rect.height - 1);
+    screen_time_text(screen, 0, picture->time, sizeof picture->time);
+    char title[96];
+    snprintf(title, sizeof title, "the %s at t = 0", settings->problem->body);
+    picture_heading(picture, title);
+    add_parts(&drawing);
+    add_notes(&drawing);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The forces of a node's bonds as they add up to its own, by the side on which they pull. */
-#include "views/map/family.h"
+#include "views/inspector/family.h"
 #include "scenario/concern_loads.h"
 #include "scenario/settings.h"
 #include "base/math/functions.h"

@@ -3,6 +3,7 @@
 #ifndef VIEW_FAMILY_H
 #define VIEW_FAMILY_H
 
+#include "picture/area.h"
 #include "views/map/map.h"
 
 enum { FAMILY_LINKS = 256, FAMILY_WORDS = 43 /* columns of the words beside the family's picture */ };
