@@ -74,6 +74,7 @@ typedef struct PictureNote {
     Style style;   /* STYLE_FAINT: an explanation, not a result */
     bool joins;    /* goes on behind the one before where lines are long */
     bool spare;    /* told where the plot is larger than it must be; with others of the kind, or not at all */
+    bool told;     /* in words alone, behind the others: what a look at the picture says */
     int rows;      /* that it may take where there are many; 0 is 1 */
     uint32_t sign; /* of the mark that it tells of; 0: none */
     Style sign_style;

@@ -25,8 +25,7 @@ typedef enum ViewDuel {
  * for more. */
 typedef enum ViewOpening { OPENS_ON_DEMAND, OPENS_ALWAYS, OPENS_IN_PLANE } ViewOpening;
 
-struct Words;
-typedef struct Area Area; /* picture/area.h: of the one that draws itself */
+typedef struct Area Area; /* picture/area.h */
 
 struct View {
     const char *word;  /* names it wherever a view is named: small letters and '-', e.g. "energies" */
@@ -38,9 +37,6 @@ struct View {
     ViewOpening opens;
 
     void (*describe)(const Screen *, int variant, Picture *); /* what it shows */
-    /* What stands out in it, in plain words, behind what is told of every view: the curves and colours that
-     * it draws, or its words (picture/words/tell.h). NULL: nothing more. */
-    void (*tell)(const Screen *, struct Words *);
     int (*variants)(const Screen *);                          /* how many there are; NULL: one */
     const char *(*variant_word)(const Screen *, int variant); /* NULL: there is one, without a name */
 

@@ -4,7 +4,6 @@
 #include "views/map/map.h"
 #include "scenario/concern_body.h"
 #include "scenario/concern_loads.h"
-#include "picture/words/words.h"
 #include "views/views.h"
 #include "base/math/functions.h"
 #include "base/text.h"
@@ -126,6 +125,37 @@ static void note_what(const Map *map)
     snprintf(note->brief, sizeof note->brief, "%s", notes[which].brief);
 }
 
+/* Where the crack's tip is, and how much is broken: seen by who looks. */
+static void note_facts(const Map *map)
+{
+    static const struct {
+        const char *column, *name, *unit;
+        double scale;
+    } told[] = {{"crack_x", "crack tip: x", " mm", 1e-3},
+                {"crack_y", "crack tip: y", " mm", 1e-3},
+                {"crack_length", "length of the crack", " mm", 1e-3},
+                {"broken_bonds", "broken bonds", "", 1}};
+    const double *row = experiment_row(map->screen->experiment);
+    char text[PICTURE_TEXT_MAX], value[NUMBER_TEXT_MAX];
+    for (size_t i = 0; i < sizeof told / sizeof *told; i++) {
+        const int column = screen_column(map->screen, told[i].column);
+        if (column < 0 || !isfinite(row[column]))
+            continue;
+        text_rounded(value, row[column] / told[i].scale, 5);
+        snprintf(text, sizeof text, "%s %s%s.", told[i].name, value, told[i].unit);
+        picture_note(map->picture, STYLE_NORMAL, text)->told = true;
+    }
+    if (simulation_find_field(map->sim, 0, "damage") < 0)
+        return;
+    const bool damage = strcmp(map->colouring->field, "damage") == 0;
+    size_t damaged = 0;
+    for (size_t node = 0; node < map->body.count; node++)
+        damaged += damage ? map->drawn->value[node] > CRACK_DAMAGE : map->drawn->torn[node];
+    snprintf(text, sizeof text, "%zu of %zu nodes have lost more than %.0f %% of their bonds.", damaged,
+             map->body.count, 100 * CRACK_DAMAGE);
+    picture_note(map->picture, STYLE_NORMAL, text)->told = true;
+}
+
 /* --- the view -------------------------------------------------------------------------------------- */
 
 /* False: there is nothing to be coloured, and this is its heading. */
@@ -160,6 +190,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     map_add_signs(&map);
     note_how(&map);
     note_what(&map);
+    note_facts(&map);
     map_close(&map);
 }
 
@@ -173,40 +204,6 @@ bool view_map_small(const Screen *screen, Picture *picture)
     return true;
 }
 
-/* --- in words ----------------------------------------------------------------------------------------- */
-
-/* Where the crack's tip is, and how much is broken. */
-static void tell(const Screen *screen, struct Words *words)
-{
-    static const struct {
-        const char *column, *name, *unit;
-        double scale;
-    } told[] = {{"crack_x", "crack tip: x", " mm", 1e-3},
-                {"crack_y", "crack tip: y", " mm", 1e-3},
-                {"crack_length", "length of the crack", " mm", 1e-3},
-                {"broken_bonds", "broken bonds", "", 1}};
-    const Simulation *sim = experiment_simulation(screen->experiment);
-    const double *row = experiment_row(screen->experiment);
-    const int damage = simulation_find_field(sim, 0, "damage");
-    for (size_t i = 0; i < sizeof told / sizeof *told; i++) {
-        const int column = screen_column(screen, told[i].column);
-        char value[NUMBER_TEXT_MAX];
-        if (column < 0 || !isfinite(row[column]))
-            continue;
-        text_rounded(value, row[column] / told[i].scale, 5);
-        words_say(words, 4, "  %s %s%s.", told[i].name, value, told[i].unit);
-    }
-    size_t damaged = 0;
-    double value;
-    for (size_t node = 0; damage >= 0 && node < sim->counts[0]; node++) {
-        sim->method->field(sim, damage, node, 1, &value);
-        damaged += value > CRACK_DAMAGE;
-    }
-    if (damage >= 0)
-        words_say(words, 4, "  %zu of %zu nodes have lost more than %.0f %% of their bonds.", damaged,
-                  sim->counts[0], 100 * CRACK_DAMAGE);
-}
-
 const View view_beam = {
     .word = "beam",
     .brief = "beam",
@@ -215,7 +212,6 @@ const View view_beam = {
     .home = PANE_UPPER,
     .opens = OPENS_IN_PLANE,
     .describe = describe,
-    .tell = tell,
     .variants = variants_of,
     .variant_word = word_of,
     .duel = DUEL_APART,

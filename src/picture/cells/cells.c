@@ -320,6 +320,8 @@ void cells_draw(Picture *picture, Area area, Style heading, int colours)
 {
     char scale[TICK_TEXT_MAX], x_name[PICTURE_TEXT_MAX];
     Legends legends;
+    while (picture->n_notes > 0 && picture->notes[picture->n_notes - 1].told)
+        picture->n_notes--;
     if (picture->list) {
         cells_list(picture, area, heading);
         return;

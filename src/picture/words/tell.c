@@ -294,8 +294,6 @@ void tell_view(const Screen *screen, const View *view, Words *words)
         words_say(words, 2, "View %s%s%s.", view->word, variant ? " " : "", variant ? variant : "");
         tell_drawn(&alone, draw_upper, PICTURE_ROWS, false, words);
     }
-    if (view->tell)
-        view->tell(screen, words);
     words->lost |= picture.plot.lost;
     picture_close(&picture);
 }
