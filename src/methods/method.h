@@ -127,6 +127,19 @@ typedef struct Exchange {
     const char *note;    /* what a factor stands for, or NULL: "a = f/m" */
 } Exchange;
 
+/* The factors of a product, for Method.exchange; return how many they are. */
+static inline int exchange_two(double factors[EXCHANGE_FACTORS_MAX], double a, double b)
+{
+    factors[0] = a, factors[1] = b;
+    return 2;
+}
+
+static inline int exchange_three(double factors[EXCHANGE_FACTORS_MAX], double a, double b, double c)
+{
+    factors[0] = a, factors[1] = b, factors[2] = c;
+    return 3;
+}
+
 /* Something that happened in the run: in plain words, as the log and the caption show it. */
 typedef enum EventKind {
     EVENT_CROSSING, /* a particle entered another cell */

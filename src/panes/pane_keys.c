@@ -6,171 +6,119 @@
 #include <stdio.h>
 #include <string.h>
 
-/* The commands that the bar offers, what matters most first; a pair shares one word. */
+/* The commands that the bar offers; a pair shares one word. */
 typedef struct Offer {
     CommandId id, pair;
     const char *word; /* NULL: the command's own */
 } Offer;
 
-static int offers_of(const Screen *screen, const Offer **offers)
+#define PAIR(command, other, word)                                                                           \
+    {                                                                                                        \
+        COMMAND_##command, COMMAND_##other, word                                                             \
+    }
+#define AS(command, word) PAIR(command, NONE, word)
+#define KEY(command)      PAIR(command, NONE, NULL)
+
+enum { OFFERS_MAX = 12 };
+
+/* What the bar offers, what matters most first; ended by COMMAND_NONE where there are fewer. */
+typedef struct Offers {
+    Offer all[OFFERS_MAX];
+} Offers;
+
+static const Offers running_keys = {{KEY(RUN_PAUSE), PAIR(FASTER, SLOWER, "speed"), KEY(NEXT_PANE),
+                                     KEY(REFERENCES), KEY(HELP), KEY(QUIT), KEY(RESTART), KEY(ZOOM),
+                                     KEY(QUESTION), KEY(PIN)}};
+static const Offers paused_keys = {{KEY(RUN_PAUSE), PAIR(STEP_BACK, STEP_FORWARD, "step"),
+                                    PAIR(STAGE_BACK, STAGE_FORWARD, "stage"), KEY(NEXT_PANE), KEY(EXPORT),
+                                    KEY(HELP), KEY(QUIT), KEY(INSPECT), KEY(GO_TO), KEY(ZOOM),
+                                    KEY(REFERENCES), KEY(RESTART)}};
+static const Offers paused_parameters_keys = {{KEY(RUN_PAUSE), PAIR(LEFT, RIGHT, "change"), AS(ENTER, "edit"),
+                                               KEY(STEP_FORWARD), KEY(STAGE_FORWARD), KEY(EXPORT), KEY(HELP),
+                                               KEY(QUIT), KEY(NEXT_PANE), KEY(ZOOM), KEY(UNDO)}};
+static const Offers rows_of_plate_keys = {{KEY(RUN_PAUSE), AS(ENTER, "edit"), KEY(ROW_MOVE), KEY(ROW_COPY),
+                                           KEY(ROW_DELETE), KEY(ROW_ADD), KEY(HELP), KEY(QUIT),
+                                           KEY(NEXT_PANE), KEY(UNDO)}};
+static const Offers running_parameters_keys = {
+    {KEY(RUN_PAUSE), PAIR(LEFT, RIGHT, "change"), AS(ENTER, "edit"), PAIR(FASTER, SLOWER, "speed"),
+     KEY(REFERENCES), KEY(HELP), KEY(QUIT), KEY(NEXT_PANE), KEY(RESTART), KEY(QUESTION)}};
+static const Offers ended_keys = {{KEY(RUN_PAUSE), KEY(EXPORT), KEY(STEP_BACK), KEY(START), KEY(NEXT_PANE),
+                                   KEY(HELP), KEY(QUIT), KEY(REFERENCES), KEY(PIN), KEY(QUESTION),
+                                   KEY(ZOOM)}};
+static const Offers computing_keys = {{AS(INTERRUPT, "stop here"), AS(CANCEL, "stop here")}};
+static const Offers help_keys = {{PAIR(LEFT, RIGHT, "page"), PAIR(UP, DOWN, "scroll"), AS(CANCEL, "back")}};
+static const Offers editing_keys = {{AS(ENTER, "take it"), AS(CANCEL, "leave it")}};
+static const Offers lesson_keys = {{PAIR(PAGE_UP, PAGE_DOWN, "page"), KEY(RUN_PAUSE), KEY(STEP_FORWARD),
+                                    KEY(STAGE_FORWARD), AS(LESSONS, "close"), KEY(HELP), KEY(QUIT),
+                                    KEY(SHEET), KEY(NEXT_PANE)}};
+static const Offers lessons_keys = {{PAIR(UP, DOWN, "choose"), AS(ENTER, "open"), AS(LESSONS, "close"),
+                                     KEY(RUN_PAUSE), KEY(HELP), KEY(QUIT), KEY(NEXT_PANE)}};
+static const Offers lesson_fields_keys = {{PAIR(PAGE_UP, PAGE_DOWN, "page"), PAIR(LEFT, RIGHT, "change"),
+                                           KEY(RUN_PAUSE), AS(LESSONS, "close"), KEY(HELP), KEY(QUIT),
+                                           KEY(STEP_FORWARD), KEY(SHEET), KEY(NEXT_PANE)}};
+static const Offers lesson_stages_keys = {
+    {PAIR(PAGE_UP, PAGE_DOWN, "page"), PAIR(STAGE_BACK, STAGE_FORWARD, "stage"), KEY(INSPECT),
+     AS(LESSONS, "close"), KEY(HELP), KEY(QUIT), KEY(SHEET), KEY(NEXT_PANE)}};
+static const Offers plain_keys = {{KEY(RUN_PAUSE), PAIR(LEFT, RIGHT, "change"), KEY(SHEET), KEY(HELP),
+                                   KEY(LESSONS), KEY(QUIT), AS(ENTER, "edit"), KEY(STAGE_FORWARD), KEY(OPEN),
+                                   KEY(LECTURE)}};
+static const Offers plain_at_first_keys = {{KEY(RUN_PAUSE), PAIR(LEFT, RIGHT, "change"),
+                                            AS(ENTER, "first lesson"), KEY(SHEET), KEY(HELP), KEY(QUIT)}};
+static const Offers lecture_keys = {{KEY(RUN_PAUSE), PAIR(STAGE_BACK, STAGE_FORWARD, "stage"),
+                                     PAIR(LEFT, RIGHT, "change"), AS(LECTURE, "small"), KEY(HELP),
+                                     KEY(QUIT)}};
+static const Offers magnified_keys = {{PAIR(LEFT, RIGHT, "move"), PAIR(UP, DOWN, "move"),
+                                       PAIR(FASTER, SLOWER, "size"), AS(CANCEL, "whole"), KEY(RUN_PAUSE),
+                                       KEY(STEP_FORWARD), KEY(STAGE_FORWARD), KEY(ZOOM)}};
+
+static const Offers *offers_of_lesson(const LessonShown *shown)
 {
-    static const Offer running[] = {
-        {COMMAND_RUN_PAUSE, COMMAND_NONE, NULL}, {COMMAND_FASTER, COMMAND_SLOWER, "speed"},
-        {COMMAND_NEXT_PANE, COMMAND_NONE, NULL}, {COMMAND_REFERENCES, COMMAND_NONE, NULL},
-        {COMMAND_HELP, COMMAND_NONE, NULL},      {COMMAND_QUIT, COMMAND_NONE, NULL},
-        {COMMAND_RESTART, COMMAND_NONE, NULL},   {COMMAND_ZOOM, COMMAND_NONE, NULL},
-        {COMMAND_QUESTION, COMMAND_NONE, NULL},  {COMMAND_PIN, COMMAND_NONE, NULL},
-    };
-    static const Offer paused[] = {
-        {COMMAND_RUN_PAUSE, COMMAND_NONE, NULL},
-        {COMMAND_STEP_BACK, COMMAND_STEP_FORWARD, "step"},
-        {COMMAND_STAGE_BACK, COMMAND_STAGE_FORWARD, "stage"},
-        {COMMAND_NEXT_PANE, COMMAND_NONE, NULL},
-        {COMMAND_EXPORT, COMMAND_NONE, NULL},
-        {COMMAND_HELP, COMMAND_NONE, NULL},
-        {COMMAND_QUIT, COMMAND_NONE, NULL},
-        {COMMAND_INSPECT, COMMAND_NONE, NULL},
-        {COMMAND_GO_TO, COMMAND_NONE, NULL},
-        {COMMAND_ZOOM, COMMAND_NONE, NULL},
-        {COMMAND_REFERENCES, COMMAND_NONE, NULL},
-        {COMMAND_RESTART, COMMAND_NONE, NULL},
-    };
-    static const Offer paused_parameters[] = {
-        {COMMAND_RUN_PAUSE, COMMAND_NONE, NULL},     {COMMAND_LEFT, COMMAND_RIGHT, "change"},
-        {COMMAND_ENTER, COMMAND_NONE, "edit"},       {COMMAND_STEP_FORWARD, COMMAND_NONE, NULL},
-        {COMMAND_STAGE_FORWARD, COMMAND_NONE, NULL}, {COMMAND_EXPORT, COMMAND_NONE, NULL},
-        {COMMAND_HELP, COMMAND_NONE, NULL},          {COMMAND_QUIT, COMMAND_NONE, NULL},
-        {COMMAND_NEXT_PANE, COMMAND_NONE, NULL},     {COMMAND_ZOOM, COMMAND_NONE, NULL},
-        {COMMAND_UNDO, COMMAND_NONE, NULL},
-    };
-    static const Offer rows_of_plate[] = {
-        {COMMAND_RUN_PAUSE, COMMAND_NONE, NULL},  {COMMAND_ENTER, COMMAND_NONE, "edit"},
-        {COMMAND_ROW_MOVE, COMMAND_NONE, NULL},   {COMMAND_ROW_COPY, COMMAND_NONE, NULL},
-        {COMMAND_ROW_DELETE, COMMAND_NONE, NULL}, {COMMAND_ROW_ADD, COMMAND_NONE, NULL},
-        {COMMAND_HELP, COMMAND_NONE, NULL},       {COMMAND_QUIT, COMMAND_NONE, NULL},
-        {COMMAND_NEXT_PANE, COMMAND_NONE, NULL},  {COMMAND_UNDO, COMMAND_NONE, NULL},
-    };
-    static const Offer running_parameters[] = {
-        {COMMAND_RUN_PAUSE, COMMAND_NONE, NULL},  {COMMAND_LEFT, COMMAND_RIGHT, "change"},
-        {COMMAND_ENTER, COMMAND_NONE, "edit"},    {COMMAND_FASTER, COMMAND_SLOWER, "speed"},
-        {COMMAND_REFERENCES, COMMAND_NONE, NULL}, {COMMAND_HELP, COMMAND_NONE, NULL},
-        {COMMAND_QUIT, COMMAND_NONE, NULL},       {COMMAND_NEXT_PANE, COMMAND_NONE, NULL},
-        {COMMAND_RESTART, COMMAND_NONE, NULL},    {COMMAND_QUESTION, COMMAND_NONE, NULL},
-    };
-    static const Offer ended[] = {
-        {COMMAND_RUN_PAUSE, COMMAND_NONE, NULL}, {COMMAND_EXPORT, COMMAND_NONE, NULL},
-        {COMMAND_STEP_BACK, COMMAND_NONE, NULL}, {COMMAND_START, COMMAND_NONE, NULL},
-        {COMMAND_NEXT_PANE, COMMAND_NONE, NULL}, {COMMAND_HELP, COMMAND_NONE, NULL},
-        {COMMAND_QUIT, COMMAND_NONE, NULL},      {COMMAND_REFERENCES, COMMAND_NONE, NULL},
-        {COMMAND_PIN, COMMAND_NONE, NULL},       {COMMAND_QUESTION, COMMAND_NONE, NULL},
-        {COMMAND_ZOOM, COMMAND_NONE, NULL},
-    };
-    static const Offer computing[] = {
-        {COMMAND_INTERRUPT, COMMAND_NONE, "stop here"},
-        {COMMAND_CANCEL, COMMAND_NONE, "stop here"},
-    };
-    static const Offer help[] = {
-        {COMMAND_LEFT, COMMAND_RIGHT, "page"},
-        {COMMAND_UP, COMMAND_DOWN, "scroll"},
-        {COMMAND_CANCEL, COMMAND_NONE, "back"},
-    };
-    static const Offer editing[] = {
-        {COMMAND_ENTER, COMMAND_NONE, "take it"},
-        {COMMAND_CANCEL, COMMAND_NONE, "leave it"},
-    };
-    static const Offer lesson[] = {
-        {COMMAND_PAGE_UP, COMMAND_PAGE_DOWN, "page"}, {COMMAND_RUN_PAUSE, COMMAND_NONE, NULL},
-        {COMMAND_STEP_FORWARD, COMMAND_NONE, NULL},   {COMMAND_STAGE_FORWARD, COMMAND_NONE, NULL},
-        {COMMAND_LESSONS, COMMAND_NONE, "close"},     {COMMAND_HELP, COMMAND_NONE, NULL},
-        {COMMAND_QUIT, COMMAND_NONE, NULL},           {COMMAND_SHEET, COMMAND_NONE, NULL},
-        {COMMAND_NEXT_PANE, COMMAND_NONE, NULL},
-    };
-    static const Offer lessons[] = {
-        {COMMAND_UP, COMMAND_DOWN, "choose"},     {COMMAND_ENTER, COMMAND_NONE, "open"},
-        {COMMAND_LESSONS, COMMAND_NONE, "close"}, {COMMAND_RUN_PAUSE, COMMAND_NONE, NULL},
-        {COMMAND_HELP, COMMAND_NONE, NULL},       {COMMAND_QUIT, COMMAND_NONE, NULL},
-        {COMMAND_NEXT_PANE, COMMAND_NONE, NULL},
-    };
-    static const Offer lesson_fields[] = {
-        {COMMAND_PAGE_UP, COMMAND_PAGE_DOWN, "page"}, {COMMAND_LEFT, COMMAND_RIGHT, "change"},
-        {COMMAND_RUN_PAUSE, COMMAND_NONE, NULL},      {COMMAND_LESSONS, COMMAND_NONE, "close"},
-        {COMMAND_HELP, COMMAND_NONE, NULL},           {COMMAND_QUIT, COMMAND_NONE, NULL},
-        {COMMAND_STEP_FORWARD, COMMAND_NONE, NULL},   {COMMAND_SHEET, COMMAND_NONE, NULL},
-        {COMMAND_NEXT_PANE, COMMAND_NONE, NULL},
-    };
-    static const Offer lesson_stages[] = {
-        {COMMAND_PAGE_UP, COMMAND_PAGE_DOWN, "page"}, {COMMAND_STAGE_BACK, COMMAND_STAGE_FORWARD, "stage"},
-        {COMMAND_INSPECT, COMMAND_NONE, NULL},        {COMMAND_LESSONS, COMMAND_NONE, "close"},
-        {COMMAND_HELP, COMMAND_NONE, NULL},           {COMMAND_QUIT, COMMAND_NONE, NULL},
-        {COMMAND_SHEET, COMMAND_NONE, NULL},          {COMMAND_NEXT_PANE, COMMAND_NONE, NULL},
-    };
-    static const Offer plain[] = {
-        {COMMAND_RUN_PAUSE, COMMAND_NONE, NULL}, {COMMAND_LEFT, COMMAND_RIGHT, "change"},
-        {COMMAND_SHEET, COMMAND_NONE, NULL},     {COMMAND_HELP, COMMAND_NONE, NULL},
-        {COMMAND_LESSONS, COMMAND_NONE, NULL},   {COMMAND_QUIT, COMMAND_NONE, NULL},
-        {COMMAND_ENTER, COMMAND_NONE, "edit"},   {COMMAND_STAGE_FORWARD, COMMAND_NONE, NULL},
-        {COMMAND_OPEN, COMMAND_NONE, NULL},      {COMMAND_LECTURE, COMMAND_NONE, NULL},
-    };
-    static const Offer plain_at_first[] = {
-        {COMMAND_RUN_PAUSE, COMMAND_NONE, NULL},
-        {COMMAND_LEFT, COMMAND_RIGHT, "change"},
-        {COMMAND_ENTER, COMMAND_NONE, "first lesson"},
-        {COMMAND_SHEET, COMMAND_NONE, NULL},
-        {COMMAND_HELP, COMMAND_NONE, NULL},
-        {COMMAND_QUIT, COMMAND_NONE, NULL},
-    };
-    static const Offer lecture[] = {
-        {COMMAND_RUN_PAUSE, COMMAND_NONE, NULL}, {COMMAND_STAGE_BACK, COMMAND_STAGE_FORWARD, "stage"},
-        {COMMAND_LEFT, COMMAND_RIGHT, "change"}, {COMMAND_LECTURE, COMMAND_NONE, "small"},
-        {COMMAND_HELP, COMMAND_NONE, NULL},      {COMMAND_QUIT, COMMAND_NONE, NULL},
-    };
-    static const Offer magnified[] = {
-        {COMMAND_LEFT, COMMAND_RIGHT, "move"},       {COMMAND_UP, COMMAND_DOWN, "move"},
-        {COMMAND_FASTER, COMMAND_SLOWER, "size"},    {COMMAND_CANCEL, COMMAND_NONE, "whole"},
-        {COMMAND_RUN_PAUSE, COMMAND_NONE, NULL},     {COMMAND_STEP_FORWARD, COMMAND_NONE, NULL},
-        {COMMAND_STAGE_FORWARD, COMMAND_NONE, NULL}, {COMMAND_ZOOM, COMMAND_NONE, NULL},
-    };
-#define GIVE(list) return *offers = list, (int)(sizeof list / sizeof *list)
-    if (screen->help.open)
-        GIVE(help);
-    if (screen->parameters.edit.open)
-        GIVE(editing);
-    if (screen->playback.state == STATE_COMPUTING)
-        GIVE(computing);
-    const bool in_fields = screen->panes.focus == PANE_PARAMETERS;
-    if (screen->panes.lecture && !screen->lesson.open)
-        GIVE(lecture);
-    if (screen->eye.open && !in_fields)
-        GIVE(magnified);
-    if (in_fields && screen->lesson.open) {
-        const LessonShown *shown = &screen->lesson;
-        if (!shown->lesson)
-            GIVE(lessons);
-        if (shown->lesson->pages[shown->page].n_fields > 0)
-            GIVE(lesson_fields);
-        if (shown->lesson->pages[shown->page].until.kind == UNTIL_STAGE ||
-            shown->lesson->pages[shown->page].until.kind == UNTIL_STEP)
-            GIVE(lesson_stages);
-        GIVE(lesson);
-    }
+    if (!shown->lesson)
+        return &lessons_keys;
+    const LessonPage *page = &shown->lesson->pages[shown->page];
+    if (page->n_fields > 0)
+        return &lesson_fields_keys;
+    return page->until.kind == UNTIL_STAGE || page->until.kind == UNTIL_STEP ? &lesson_stages_keys
+                                                                             : &lesson_keys;
+}
+
+/* Of the parameters' pane. */
+static const Offers *offers_of_fields(const Screen *screen)
+{
     RowPlace place;
-    if (in_fields && screen_is_plain(screen) && !screen->lesson.open && screen->offers_lesson)
-        GIVE(plain_at_first);
-    if (in_fields && screen_selected_row(screen, &place) && !place.value && !screen->lesson.open)
-        GIVE(rows_of_plate);
-    if (in_fields && screen_is_plain(screen) && !screen->lesson.open)
-        GIVE(plain);
-    if (screen->playback.state == STATE_RUNNING) {
-        if (in_fields)
-            GIVE(running_parameters);
-        GIVE(running);
-    }
-    if (screen->playback.state == STATE_ENDED || screen->playback.state == STATE_FAILED)
-        GIVE(ended);
-    if (in_fields)
-        GIVE(paused_parameters);
-    GIVE(paused);
-#undef GIVE
+    if (screen->lesson.open)
+        return offers_of_lesson(&screen->lesson);
+    if (screen_is_plain(screen) && screen->offers_lesson)
+        return &plain_at_first_keys;
+    if (screen_selected_row(screen, &place) && !place.value)
+        return &rows_of_plate_keys;
+    if (screen_is_plain(screen))
+        return &plain_keys;
+    return NULL;
+}
+
+static const Offers *offers_of(const Screen *screen)
+{
+    const bool in_fields = screen->panes.focus == PANE_PARAMETERS;
+    const RunState state = screen->playback.state;
+    if (screen->help.open)
+        return &help_keys;
+    if (screen->parameters.edit.open)
+        return &editing_keys;
+    if (state == STATE_COMPUTING)
+        return &computing_keys;
+    if (screen->panes.lecture && !screen->lesson.open)
+        return &lecture_keys;
+    if (screen->eye.open && !in_fields)
+        return &magnified_keys;
+    const Offers *own = in_fields ? offers_of_fields(screen) : NULL;
+    if (own)
+        return own;
+    if (state == STATE_RUNNING)
+        return in_fields ? &running_parameters_keys : &running_keys;
+    if (state == STATE_ENDED || state == STATE_FAILED)
+        return &ended_keys;
+    return in_fields ? &paused_parameters_keys : &paused_keys;
 }
 
 /* A key's name as the bar shows it: short. In ASCII no "<", for that is the key of ten steps. */
@@ -234,8 +182,10 @@ static const Offer *offer_at(const Offer *offers, int count, int width, int plac
 /* Lays the offers out from the left; draws them if `area` is not NULL. Returns the command at column x. */
 static CommandId lay_out_bar(const Screen *screen, int width, const Area *area, int wanted_x)
 {
-    const Offer *offers;
-    int count = offers_of(screen, &offers), x = 1;
+    const Offer *offers = offers_of(screen)->all;
+    int count = 0, x = 1;
+    while (count < OFFERS_MAX && offers[count].id != COMMAND_NONE)
+        count++;
     CommandId found = COMMAND_NONE;
     for (int i = 0; i < count; i++) {
         const Offer *offer = offer_at(offers, count, width, i);

@@ -162,48 +162,43 @@ int bar_exchange(const Simulation *sim, int exchange, size_t from, size_t to,
     const double s = bar->s[slot][k], volume = bar->volume[slot][k];
     double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX], v[BAR_SUPPORT_MAX];
     shape_at(bar->def.shape, bar_half(bar, particle), bar->n_cells, cell, s, n, dn);
-#define FACTORS(count, ...)                                                                                  \
-    do {                                                                                                     \
-        const double list[] = {__VA_ARGS__};                                                                 \
-        for (int i = 0; i < (count); i++)                                                                    \
-            factors[i] = list[i];                                                                            \
-        return count;                                                                                        \
-    } while (0)
     switch ((BarExchange)exchange) {
     case GIVE_MASS:
-        FACTORS(2, bar_particle_mass(bar, particle), n[a]);
+        return exchange_two(factors, bar_particle_mass(bar, particle), n[a]);
     case GIVE_MOMENTUM:
     case GIVE_MOMENTUM_AGAIN:
-        FACTORS(3, bar_particle_mass(bar, particle), given_velocity(bar, particle, cell, a, s), n[a]);
+        return exchange_three(factors, bar_particle_mass(bar, particle),
+                              given_velocity(bar, particle, cell, a, s), n[a]);
     case GIVE_F_INT:
         if (bar_mistake(bar))
-            FACTORS(3, copysign(bar_slope_scale(bar), bar_force_share(bar)) * dn[a],
-                    bar_force_stress(bar, particle), bar_force_volume(bar, particle));
-        FACTORS(3, -dn[a] / bar->dx, bar->stress[slot][k], volume);
+            return exchange_three(factors, copysign(bar_slope_scale(bar), bar_force_share(bar)) * dn[a],
+                                  bar_force_stress(bar, particle), bar_force_volume(bar, particle));
+        return exchange_three(factors, -dn[a] / bar->dx, bar->stress[slot][k], volume);
     case GIVE_F_EXT:
-        FACTORS(2, n[a], bar_load_on(bar, particle));
+        return exchange_two(factors, n[a], bar_load_on(bar, particle));
     case TAKE_STRAIN:
         bar_strain_velocities(bar, cell, v);
         if (bar_mistake(bar))
-            FACTORS(3, bar_strain_span(bar), bar_slope_scale(bar) * dn[a], v[a]);
-        FACTORS(3, bar->dt, dn[a] / bar->dx, v[a]);
+            return exchange_three(factors, bar_strain_span(bar), bar_slope_scale(bar) * dn[a], v[a]);
+        return exchange_three(factors, bar->dt, dn[a] / bar->dx, v[a]);
     case TAKE_VELOCITY:
         if (bar->head->transfer != MPM_FLIP || bar->head->flip_fraction == 0.0)
-            FACTORS(2, n[a], bar_integrated_velocity(bar, node));
+            return exchange_two(factors, n[a], bar_integrated_velocity(bar, node));
         if (bar->head->flip_fraction != 1.0)
-            FACTORS(2, n[a], blended_gain(bar, n, cell, particle, a));
-        FACTORS(3, bar->dt, kick_weight(bar, particle, node, n[a]), bar->node_kick[node] / bar->dt);
+            return exchange_two(factors, n[a], blended_gain(bar, n, cell, particle, a));
+        return exchange_three(factors, bar->dt, kick_weight(bar, particle, node, n[a]),
+                              bar->node_kick[node] / bar->dt);
     case TAKE_PLACE:
         if (bar->head->transfer == MPM_FMPM) {
             /* the velocity before is no longer stored: it is solved for */
             const double now = bar->v[slot][k];
             const double before = 2.0 * (bar->moved[slot][k] - s) * (bar->dx / bar->dt) - now;
-            FACTORS(3, bar->dt, n[a], 0.5 * (before + bar_integrated_velocity(bar, node)));
+            return exchange_three(factors, bar->dt, n[a],
+                                  0.5 * (before + bar_integrated_velocity(bar, node)));
         }
-        FACTORS(3, bar->dt, n[a], bar_moving_velocity(bar, particle, node));
+        return exchange_three(factors, bar->dt, n[a], bar_moving_velocity(bar, particle, node));
     case BAR_EXCHANGES:
         break;
     }
-#undef FACTORS
     return 0;
 }

@@ -129,51 +129,43 @@ int plane_exchange(const Simulation *sim, int exchange, size_t from, size_t to,
     const double N = w.nx[a] * w.ny[b], Nx = w.dnx[a] * w.ny[b] / plane->dx,
                  Ny = w.nx[a] * w.dny[b] / plane->dx;
     const double alpha = plane->head->flip_fraction, dt = plane->dt;
-#define FACTORS(count, ...)                                                                                  \
-    do {                                                                                                     \
-        const double list[] = {__VA_ARGS__};                                                                 \
-        for (int i = 0; i < (count); i++)                                                                    \
-            factors[i] = list[i];                                                                            \
-        return count;                                                                                        \
-    } while (0)
     switch ((PlaneExchange)exchange) {
     case GIVE_MASS:
-        FACTORS(2, plane->mass, N);
+        return exchange_two(factors, plane->mass, N);
     case GIVE_PX:
     case GIVE_PX_AGAIN:
-        FACTORS(3, plane->mass, plane->vx[at], N);
+        return exchange_three(factors, plane->mass, plane->vx[at], N);
     case GIVE_PY:
     case GIVE_PY_AGAIN:
-        FACTORS(3, plane->mass, plane->vy[at], N);
+        return exchange_three(factors, plane->mass, plane->vy[at], N);
     case GIVE_FX:
-        FACTORS(2, -(Nx * plane->sxx[at] + Ny * plane->sxy[at]), plane->volume[at]);
+        return exchange_two(factors, -(Nx * plane->sxx[at] + Ny * plane->sxy[at]), plane->volume[at]);
     case GIVE_FY:
-        FACTORS(2, -(Nx * plane->sxy[at] + Ny * plane->syy[at]), plane->volume[at]);
+        return exchange_two(factors, -(Nx * plane->sxy[at] + Ny * plane->syy[at]), plane->volume[at]);
     case TAKE_EXX:
         plane_strain_velocity(plane, node, v);
-        FACTORS(3, dt, Nx, v[0]);
+        return exchange_three(factors, dt, Nx, v[0]);
     case TAKE_EYY:
         plane_strain_velocity(plane, node, v);
-        FACTORS(3, dt, Ny, v[1]);
+        return exchange_three(factors, dt, Ny, v[1]);
     case TAKE_GXY:
         plane_strain_velocity(plane, node, v);
-        FACTORS(2, dt, Ny * v[0] + Nx * v[1]);
+        return exchange_two(factors, dt, Ny * v[0] + Nx * v[1]);
     case TAKE_VX:
     case TAKE_VY: {
         const int axis = exchange == TAKE_VY;
         if (alpha == 0)
-            FACTORS(2, N, axis ? plane->node_vy[node] : plane->node_vx[node]);
+            return exchange_two(factors, N, axis ? plane->node_vy[node] : plane->node_vx[node]);
         if (alpha != 1)
-            FACTORS(2, N, gain(plane, p, node, axis, &w));
-        FACTORS(3, dt, N, plane_acceleration(plane, axis, node));
+            return exchange_two(factors, N, gain(plane, p, node, axis, &w));
+        return exchange_three(factors, dt, N, plane_acceleration(plane, axis, node));
     }
     case TAKE_X:
-        FACTORS(3, dt, N, plane->node_vx[node]);
+        return exchange_three(factors, dt, N, plane->node_vx[node]);
     case TAKE_Y:
-        FACTORS(3, dt, N, plane->node_vy[node]);
+        return exchange_three(factors, dt, N, plane->node_vy[node]);
     case PLANE_EXCHANGES:
         break;
     }
-#undef FACTORS
     return 0;
 }
