@@ -111,11 +111,15 @@ static void integrate_couplings(Modes *modes, const gsl_integration_glfixed_tabl
     for (size_t i = 0; i < GAUSS_POINTS; i++) {
         double s, weight;
         gsl_integration_glfixed_point(0, 1, i, &s, &weight, table);
+        double phi[3][MODES]; /* with their first two derivatives */
+        for (int derivative = 0; derivative < 3; derivative++)
+            for (int n = 0; n < MODES; n++)
+                phi[derivative][n] = mode_derivative(modes->lambda[n], derivative, s);
         for (int m = 0; m < MODES; m++)
             for (int n = 0; n < MODES; n++) {
-                double left = weight * mode_derivative(modes->lambda[m], 0, s) * (1 - s);
-                modes->b[m][n] += left * mode_derivative(modes->lambda[n], 1, s);
-                modes->c[m][n] += left * (1 - s) * mode_derivative(modes->lambda[n], 2, s);
+                double left = weight * phi[0][m] * (1 - s);
+                modes->b[m][n] += left * phi[1][n];
+                modes->c[m][n] += left * (1 - s) * phi[2][n];
             }
     }
 }

@@ -261,6 +261,8 @@ static const struct {
       {0x1.ffffffffffff8p-1, -0x1.ffffffffffffbp-3},
       {0x1.8000001p+26, 2}}},
     {"pow", math_pow, slow_pow, BY(pow), 0.999, 1.001, -1, 1e5, {{10, -308}, {10, 22}, {10, -5}}},
+    {"pow", math_pow, slow_pow, BY(pow), 1e-200, 1e200, 2, 2, {{3e-160, 2}, {1e154, 2}, {0x1p-538, 2}}},
+    {"pow", math_pow, slow_pow, BY(pow), 1e-100, 1e100, 4, 4, {{3e-80, 4}, {1e77, 4}, {0x1.8p13, 4}}},
     {"atan2",
      math_atan2,
      slow_atan2,

@@ -397,11 +397,16 @@ double math_log1p(double x)
 /* x > 0, neither 0 nor 1 nor infinite, and y neither 0 nor infinite */
 static double positive_power(double x, double y)
 {
+    double rounded;
+    /* what equations are full of; the square has all its digits */
+    const DoubleDouble square = dd_product(x, x);
+    if ((y == 2 || y == 4) &&
+        is_settled(y == 2 ? square : dd_multiply(square, square), ERROR_ALGEBRA, &rounded))
+        return rounded;
     const DoubleDouble log_x = logarithm(exact(x));
     if (fabs(y * log_x.high) > 800 || fabs(y) < 0x1p-100)
         return fabs(y) < 0x1p-100 ? 1 : (y > 0) == (log_x.high > 0) ? INFINITY : 0;
     const DoubleDouble wanted = dd_multiply(exact(y), log_x);
-    double rounded;
     const double error = ERROR_EXP + ERROR_LOG * fabs(wanted.high);
     return is_settled(exponential(wanted), error, &rounded) ? rounded : accurate_pow(x, y, log_x.high);
 }
