@@ -64,7 +64,7 @@ static int open_laboratory(bool for_lesson, int count, char **arguments, Status 
         return STATUS_DONE;
     }
     if (options.list)
-        return cli_list_lessons(status);
+        return cli_list_lessons();
     const char *word = options.n_words > 0 ? options.words[0] : NULL;
     if (options.print)
         return cli_lesson_print(word, status);

@@ -40,7 +40,7 @@ int cli_fit(int count, char **arguments, Status *);
 int cli_diagnose(int count, char **arguments, Status *);
 int cli_sound(int count, char **arguments, Status *);
 int cli_list(int count, char **arguments, Status *);
-int cli_list_lessons(Status *);                                         /* what `lesson --list` prints */
+int cli_list_lessons(void);                                             /* what `lesson --list` prints */
 int cli_lesson_handout(const Options *, const char *student, Status *); /* what `lesson --handout` writes */
 int cli_lesson_print(const char *name, Status *);                       /* what `lesson --print` prints */
 int cli_grade_key(const Options *, Status *);                           /* what `grade --key` prints */

@@ -4,7 +4,6 @@
 #include "scenario/settings.h"
 #include "cli/options.h"
 #include "lessons/lesson.h"
-#include "help/command.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -30,18 +29,13 @@ int cli_list(int count, char **arguments, Status *status)
     return STATUS_DONE;
 }
 
-int cli_list_lessons(Status *status)
+int cli_list_lessons(void)
 {
     size_t width = 0;
     const BuiltinLesson *builtin;
     for (builtin = builtin_lessons; builtin->name; builtin++)
         width = strlen(builtin->name) > width ? strlen(builtin->name) : width;
-    for (builtin = builtin_lessons; builtin->name; builtin++) {
-        Lesson lesson;
-        if (!lesson_load(builtin->name, command_line_for_lessons, &lesson, status))
-            return (int)status->code;
-        printf("%-*s  %s\n", (int)width, builtin->name, lesson.title);
-        lesson_free(&lesson);
-    }
+    for (builtin = builtin_lessons; builtin->name; builtin++)
+        printf("%-*s  %s\n", (int)width, builtin->name, builtin->title);
     return STATUS_DONE;
 }

@@ -124,6 +124,8 @@ typedef struct Lesson {
 typedef struct BuiltinLesson {
     const char *name; /* "one-step" */
     const char *text;
+    const char *title, *about, *group; /* as its text says them; NULL: it does not */
+    int n_pages;
 } BuiltinLesson;
 
 extern const BuiltinLesson builtin_lessons[]; /* generated; ended by a NULL name */

@@ -81,8 +81,9 @@ static void write_page(Pen *pen, const Screen *screen)
     }
 }
 
-static void write_title(Pen *pen, const Screen *screen, const Lesson *lesson, int number)
+static void write_title(Pen *pen, const Screen *screen, int number)
 {
+    const BuiltinLesson *lesson = &builtin_lessons[number];
     const bool chosen = number == screen->lesson.chosen;
     const Style style = chosen ? STYLE_SELECTED : STYLE_NORMAL;
     const int width = pen->area.rect.width;
@@ -106,19 +107,14 @@ static void write_title(Pen *pen, const Screen *screen, const Lesson *lesson, in
 /* In groups, each under its name. */
 static void write_list(Pen *pen, const Screen *screen)
 {
-    char group[32] = "";
+    const char *group = "";
     for (int i = 0; i < LESSONS_MAX && builtin_lessons[i].name; i++) {
-        Lesson lesson;
-        if (!lesson_load(builtin_lessons[i].name, command_line_for_lessons, &lesson, NULL))
-            continue;
-        if (lesson.group && strcmp(group, lesson.group) != 0) {
-            snprintf(group, sizeof group, "%s", lesson.group);
-            area_text(pen->area, 1, pen->y++, group, STYLE_HEADING);
-        }
+        const char *own = builtin_lessons[i].group;
+        if (own && strcmp(group, own) != 0)
+            area_text(pen->area, 1, pen->y++, group = own, STYLE_HEADING);
         if (pen->titles)
             pen->titles[i] = pen->y;
-        write_title(pen, screen, &lesson, i);
-        lesson_free(&lesson);
+        write_title(pen, screen, i);
     }
 }
 

@@ -619,11 +619,22 @@ START_TEST(a_page_can_be_left_out)
 }
 END_TEST
 
-/* Whoever has read a lesson is told what that was good for; homework is marked. */
+/* NULL or the same. */
+static bool same_words(const char *one, const char *other)
+{
+    return one && other ? strcmp(one, other) == 0 : one == other;
+}
+
+/* Whoever has read a lesson is told what that was good for; homework is marked; the list says what it says.
+ */
 START_TEST(the_last_page_says_what_one_can_tell)
 {
     Lesson lesson;
-    ck_assert(lesson_load(builtin_lessons[_i].name, command_line_for_lessons, &lesson, NULL));
+    const BuiltinLesson *builtin = &builtin_lessons[_i];
+    ck_assert(lesson_load(builtin->name, command_line_for_lessons, &lesson, NULL));
+    ck_assert(same_words(builtin->title, lesson.title) && same_words(builtin->about, lesson.about) &&
+              same_words(builtin->group, lesson.group));
+    ck_assert_int_eq(builtin->n_pages, lesson.n_pages);
     const LessonPage *last = &lesson.pages[lesson.n_pages - 1];
     const char *parts[] = {last->first.text, last->revealed.text};
     bool told = strcmp(lesson.group, "Homework") == 0;
