@@ -142,6 +142,24 @@ START_TEST(factors_are_those_that_are_stated)
 }
 END_TEST
 
+/* It goes with its displacement, however much that is enlarged. */
+START_TEST(what_is_magnified_stays_in_the_middle)
+{
+    Scene scene;
+    open_scene(&scene, "supported-beam-coarse 80x24 700 upper 8 focus 2 zoom magnified 8 at 0.5,0.5");
+    Seen map;
+    see(&map, &scene, (Rect){1, 2, 78, 20});
+    const size_t nx = (size_t)map.map.body.nx, node = (size_t)map.map.body.ny / 2 * nx + nx / 2;
+    ck_assert_double_gt(fabs(map.drawn->enlarged * map.map.uy[node] * map.drawn->scale[1]), 3);
+    double column, row;
+    node_place(&map, node, &column, &row);
+    ck_assert_double_eq_tol(column, 39, map.map.body.spacing * map.drawn->scale[0]);
+    ck_assert_double_eq_tol(row, 10, map.map.body.spacing * map.drawn->scale[1]);
+    see_no_more(&map);
+    scene_close(&scene);
+}
+END_TEST
+
 /* The ramp holds all values, its ends are round, and that of a signed field is even. */
 START_TEST(ramps_hold_their_values)
 {
@@ -525,6 +543,36 @@ START_TEST(the_drawing_has_its_dimensions)
 }
 END_TEST
 
+/* In few rows lengths are left out from the end, and nothing lies below the last row. */
+START_TEST(a_drawing_keeps_to_its_rows)
+{
+    Scene scene;
+    int before = 0;
+    open_scene(&scene, "notched-beam-coarse 80x24 0 upper 8 variant 7");
+    for (int rows = 4; rows <= 24; rows++) {
+        Picture picture;
+        int lengths = 0;
+        bool notch = false;
+        cells_open(&picture, 80, rows, GLYPHS_BRAILLE);
+        map_drawing(&scene.screen, &picture);
+        for (size_t i = 0; i < picture.plot.n_points; i++)
+            ck_assert_double_ge(picture.plot.points[2 * i + 1], -(rows - 1) - 0.25);
+        for (int i = 0; i < picture.n_labels; i++) {
+            lengths += picture.labels[i].side == 0;
+            notch |= strcmp(picture.labels[i].text, "65 mm") == 0;
+        }
+        /* three of the beam, one of the notch's place, one above and below the beam, the heading */
+        ck_assert_int_eq(picture.has_axes, rows >= 7);
+        ck_assert(picture.has_axes ? notch : picture.n_notes == 1);
+        ck_assert_int_ge(lengths, before);
+        before = lengths;
+        picture_close(&picture);
+    }
+    ck_assert_int_eq(before, 4);
+    scene_close(&scene);
+}
+END_TEST
+
 /* Displacements may be drawn so large that the load leaves the picture, at any of its edges. */
 START_TEST(what_is_drawn_far_too_large_stays_in_the_picture)
 {
@@ -572,6 +620,8 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(map, a_node_is_found_where_it_is_drawn, 0, 3);
     tcase_add_test(map, factors_are_those_that_are_stated);
     tcase_add_test(map, what_is_drawn_far_too_large_stays_in_the_picture);
+    tcase_add_test(map, what_is_magnified_stays_in_the_middle);
+    tcase_add_test(map, a_drawing_keeps_to_its_rows);
     tcase_add_test(map, ramps_hold_their_values);
     tcase_add_test(map, the_crack_before_stays);
     tcase_add_test(map, letters_are_for_few_colours);
