@@ -6,7 +6,10 @@
 #include "base/assertion.h"
 #include "scenario/concern_body.h"
 #include "scenario/concern_bonds.h"
+#include "scenario/concern_loads.h"
 #include "base/text.h"
+#include "scenario/settings.h"
+#include "scenario/rows/rows.h"
 #include "methods/bonds/cracks/crack_speed.h"
 
 #include <math.h>
@@ -108,4 +111,48 @@ double crack_rayleigh_speed(const Settings *settings)
 size_t crack_line(const Simulation *sim, double *x, double *y, size_t max)
 {
     return crack_path(sim, x, y, max);
+}
+
+static void keep_place(CrackLine *line, double x, double y, bool begins)
+{
+    if (line->count == CRACK_LINE_MAX)
+        return;
+    line->x[line->count] = x;
+    line->y[line->count] = y;
+    line->begins[line->count++] = begins;
+}
+
+/* The path of a notched beam, and its notch below it. */
+static void keep_path(const Simulation *sim, const Settings *settings, CrackLine *out)
+{
+    double x[CRACK_LINE_MAX], y[CRACK_LINE_MAX];
+    const size_t count = crack_line(sim, x, y, CRACK_LINE_MAX);
+    const double notch = settings_notch(settings)->position;
+    if (count == 0)
+        return;
+    keep_place(out, notch, 0, true);
+    keep_place(out, notch, settings_notch(settings)->depth, false);
+    for (size_t i = 0; i < count; i++)
+        keep_place(out, x[i], y[i], false);
+}
+
+void crack_line_keep(const Simulation *sim, const Settings *settings, const CrackFronts *fronts,
+                     CrackLine *out)
+{
+    out->count = 0;
+    keep_path(sim, settings, out);
+    bool grown = false;
+    for (int f = 0; fronts && f < fronts->count; f++)
+        for (int k = 0; k < fronts->fronts[f].n_paths; k++) {
+            const CrackPath *path = &fronts->fronts[f].paths[k];
+            grown |= path->count > 1;
+            for (size_t i = 0; i < path->count; i++)
+                keep_place(out, path->x[i], path->y[i], i == 0);
+        }
+    for (int row = 0; grown && row < settings->rows[ROWS_CUTS].count; row++)
+        for (int end = 0; end < 2; end++)
+            keep_place(out, settings_row_value(settings, ROWS_CUTS, row, 2 * end),
+                       settings_row_value(settings, ROWS_CUTS, row, 2 * end + 1), end == 0);
+    if (fronts && !grown)
+        out->count = 0;
 }

@@ -65,11 +65,16 @@ double crack_rayleigh_speed(const Settings *);
  */
 size_t crack_line(const Simulation *, double *x, double *y, size_t max);
 
-/* The same to be kept: its lowest rows, as many as a map can show. */
+/* The cracks of a run to be kept, with the notch or the cuts that they grew from: lines from place to place
+ * in the body (m), as many places as a map can show. No places: nothing has cracked. */
 enum { CRACK_LINE_MAX = 512 };
 typedef struct CrackLine {
     size_t count;
     double x[CRACK_LINE_MAX], y[CRACK_LINE_MAX];
+    bool begins[CRACK_LINE_MAX]; /* another line begins here */
 } CrackLine;
+
+/* `fronts`: those of a plate, or NULL. */
+void crack_line_keep(const Simulation *, const Settings *, const CrackFronts *, CrackLine *);
 
 #endif

@@ -30,7 +30,7 @@ typedef struct Ghost {
     int n_columns;
     Readout readout;      /* of its whole record */
     Profile profile;      /* as it was last on screen, */
-    CrackLine crack;      /* and so its crack */
+    CrackLine crack;      /* and so its cracks */
     Spectrum *spectra;    /* SPECTRUM_SPANS of them; NULL: no memory */
     struct Follow *names; /* of followed columns */
 } Ghost;

@@ -44,7 +44,10 @@ Remains experiment_remains(const Experiment *experiment)
         .base = experiment->base, .n_columns = experiment->n_columns, .readout = read_whole(experiment)};
     memcpy(remains.columns, experiment->columns, sizeof remains.columns);
     profile_take(&remains.profile, experiment->run.sim, NULL);
-    remains.crack.count = crack_line(experiment->run.sim, remains.crack.x, remains.crack.y, CRACK_LINE_MAX);
+    const CrackFronts *fronts = crack_fronts_update(&experiment->worked->fronts, experiment->run.sim)
+                                    ? &experiment->worked->fronts
+                                    : NULL;
+    crack_line_keep(experiment->run.sim, &experiment->base, fronts, &remains.crack);
     remains.names = simulation_hold_names(experiment->run.sim);
     return remains;
 }

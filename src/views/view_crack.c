@@ -49,24 +49,18 @@ static void add_keys(const Screen *screen, Picture *picture, const ShownRun *run
     runs_add_keys(picture, runs, n_runs);
 }
 
-/* The places of the tip of an earlier run, of which no more is kept. */
-static void add_tips(Picture *picture, const ShownRun *run)
+/* The path of an earlier run with its notch, as it was last on screen. */
+static void add_before(Picture *picture, const ShownRun *run)
 {
-    Plot *plot = &picture->plot;
-    if (run->ghost < 0 || !run->shown)
+    const CrackLine *crack = run->crack;
+    if (run->ghost < 0 || !run->shown || crack->count == 0)
         return;
-    const int x = runs_column(run, "crack_x"), y = runs_column(run, "crack_y");
-    const Notch notch = notch_of(run->settings);
-    double last_x = notch.x, last_y = notch.y;
-    runs_begin(picture, run);
-    plot_point(plot, last_x, last_y);
-    for (size_t i = 0; i < run->record->count; i++) {
-        const double *row = record_row(run->record, i);
-        if (row[x] == last_x && row[y] == last_y)
-            continue;
-        plot_point(plot, last_x = row[x], last_y = row[y]);
+    for (size_t i = 0; i < crack->count; i++) {
+        if (crack->begins[i])
+            runs_begin(picture, run);
+        plot_point(&picture->plot, crack->x[i], crack->y[i]);
     }
-    runs_letter(picture, run, last_x, last_y, MARK_PLACE);
+    runs_letter(picture, run, crack->x[crack->count - 1], crack->y[crack->count - 1], MARK_PLACE);
 }
 
 /* --- the path ------------------------------------------------------------------------------------- */
@@ -84,9 +78,14 @@ static void describe_path(const Screen *screen, Picture *picture)
     const Settings *settings = experiment_settings(screen->experiment);
     const Notch notch = notch_of(settings);
     const double load = settings_loads(settings)->position, height = settings_geometry(settings)->height;
-    const double left = fmin(notch.x, load) - 0.02, right = fmax(notch.x, load) + 0.02;
+    double left = fmin(notch.x, load) - 0.02, right = fmax(notch.x, load) + 0.02;
     ShownRun runs[RUNS_MAX];
     const int n_runs = runs_with(runs, runs_of(screen, runs), "crack_x");
+    for (int r = 0; r < n_runs; r++)
+        if (runs[r].ghost >= 0 && runs[r].crack->count > 0) {
+            left = fmin(left, settings_notch(runs[r].settings)->position - 0.02);
+            right = fmax(right, settings_notch(runs[r].settings)->position + 0.02);
+        }
     Plot *plot = &picture->plot;
     picture->kind = PICTURE_PATH;
     picture_axes(picture, axis_make(fmax(0, left), fmin(settings_geometry(settings)->length, right)), "x",
@@ -101,7 +100,7 @@ static void describe_path(const Screen *screen, Picture *picture)
         add_line(plot, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, (double[]){notch.x, notch.y, end, height});
     }
     for (int r = 0; r < n_runs; r++)
-        add_tips(picture, &runs[r]);
+        add_before(picture, &runs[r]);
     const size_t most = (size_t)ceil(height / settings_lattice(settings)->spacing) + 1;
     double *path = malloc(2 * most * sizeof *path);
     const size_t count = path ? crack_line(sim, path, path + most, most) : 0;

@@ -250,6 +250,35 @@ START_TEST(the_crack_before_stays)
 }
 END_TEST
 
+/* So do the cuts and cracks of a plate: dashed, the cut that was moved and the crack that grew from it. */
+START_TEST(the_cracks_of_a_plate_stay)
+{
+    Scene scene;
+    open_scene(&scene, "pulled-plate 80x24 300 upper 8 none pd.spacing=1e-3 pd.horizon=4e-3 "
+                       "ghost cuts.edge.y1=8e-3");
+    const Rect whole = {0, 0, 80, 24};
+    canvas_clear(&scene.canvas);
+    Seen map;
+    ShownRun runs[RUNS_MAX];
+    see(&map, &scene, whole);
+    ck_assert(map_colour(&map.map, MAP_UY));
+    map_add_lines(&map.map);
+    cells_map_body(&map.picture, (Area){&scene.canvas, whole, GLYPHS_BRAILLE}, 0);
+    ck_assert_int_eq(map_cracks_before(&map.map, runs), 1);
+    const CrackLine *crack = runs[0].crack;
+    size_t tip = 0;
+    for (size_t i = 0; i < crack->count; i++)
+        tip = crack->x[i] > crack->x[tip] ? i : tip;
+    ck_assert_double_gt(crack->x[tip], 0.055);
+    ck_assert_double_eq_tol(crack->y[tip], 0.02, 2e-3);
+    ck_assert_int_gt(lines_near(&scene, &map, crack->x[tip] - 2e-3, crack->y[tip], STYLE_FAINT), 0);
+    ck_assert_int_gt(lines_near(&scene, &map, 0.045, 0.02, STYLE_FAINT), 0);
+    ck_assert_int_gt(lines_near(&scene, &map, 0.045, 0.0092, STYLE_HEADING), 0);
+    see_no_more(&map);
+    scene_close(&scene);
+}
+END_TEST
+
 /* The share of the family falls towards the surface, to a half and less on it. */
 START_TEST(the_skin_lacks_neighbours)
 {
@@ -624,6 +653,7 @@ void add_cases(Suite *suite)
     tcase_add_test(map, a_drawing_keeps_to_its_rows);
     tcase_add_test(map, ramps_hold_their_values);
     tcase_add_test(map, the_crack_before_stays);
+    tcase_add_test(map, the_cracks_of_a_plate_stay);
     tcase_add_test(map, letters_are_for_few_colours);
     tcase_add_test(map, the_skin_lacks_neighbours);
     tcase_add_test(map, broken_bonds_are_missing);

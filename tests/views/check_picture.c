@@ -173,6 +173,28 @@ START_TEST(the_crack_before_is_on_paper)
 }
 END_TEST
 
+/* The plot of the path keeps that of the run before, from the foot of its notch on, in sight. */
+START_TEST(the_path_before_is_in_its_plot)
+{
+    Drawing drawing;
+    open_drawing(&drawing,
+                 "notched-beam-coarse 80x24 1400 none pd.spacing=2e-3 pd.horizon=6.5e-3 "
+                 "variant 1 load.stress=1.8e8 ghost notch.position=0.14",
+                 "probe", 0);
+    const Picture *picture = &drawing.picture;
+    const Stroke *before = NULL;
+    for (int i = 0; i < picture->plot.n_strokes; i++)
+        if (picture->plot.points[2 * picture->plot.strokes[i].first] == 0.065)
+            before = &picture->plot.strokes[i];
+    ck_assert_ptr_nonnull(before);
+    ck_assert_uint_gt(before->count, 10);
+    ck_assert_double_eq(picture->plot.points[2 * before->first + 1], 0);
+    ck_assert_double_gt(picture->plot.points[2 * (before->first + before->count - 1) + 1], 0.03);
+    ck_assert_double_lt(picture->plot.x.low, 0.065);
+    close_drawing(&drawing);
+}
+END_TEST
+
 /* The paper's figure of the notched beam: 210 by 70 mm to scale, the notch at 65 mm and a quarter of the
  * height, the same at any time. */
 START_TEST(drawing_is_to_scale)
@@ -222,6 +244,7 @@ void add_cases(Suite *suite)
     tcase_add_test(cases, earlier_run_has_its_letter_and_its_words);
     tcase_add_test(cases, map_is_the_nodes);
     tcase_add_test(cases, the_crack_before_is_on_paper);
+    tcase_add_test(cases, the_path_before_is_in_its_plot);
     tcase_add_test(cases, drawing_is_to_scale);
     tcase_add_test(cases, view_without_a_picture_says_why);
     suite_add_tcase(suite, cases);

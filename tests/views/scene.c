@@ -110,7 +110,8 @@ static bool assign(Settings *settings, char *word, Status *status)
 {
     char *equals = strchr(word, '=');
     *equals = '\0';
-    return settings_set(settings, word, equals + 1, status);
+    return (settings_row_is_key(settings, word) ? settings_row_key_set : settings_set)(settings, word,
+                                                                                       equals + 1, status);
 }
 
 static bool read_words(Scene *scene, Plan *plan, const char *words, Status *status)

@@ -105,7 +105,7 @@ uint32_t map_arrow(double sx, double sy);
 /* Which way is out at an edge of a plate: to the right, upwards. */
 void map_row_side(int edge, signed char side[2]);
 
-/* Earlier runs, of those that are kept, in which the notched beam cracked: how many. */
+/* Earlier runs, of those that are kept, in which the body cracked: how many. */
 int map_cracks_before(const Map *, ShownRun[RUNS_MAX]);
 
 /* The parts of the picture, in the order in which they are drawn. */

@@ -45,35 +45,31 @@ static void draw_crack(Map *map)
     }
 }
 
-static const CrackLine *crack_of(const Map *map, const ShownRun *ghost)
-{
-    return &experiment_ghosts(screen_clock_run(map->screen))[ghost->ghost].crack;
-}
-
 int map_cracks_before(const Map *map, ShownRun runs[RUNS_MAX])
 {
-    const int n_runs = map->scene.notched ? runs_of(map->screen, runs) : 0;
+    const int n_runs = runs_of(map->screen, runs);
     int count = 0;
     for (int i = 0; i < n_runs; i++)
-        if (runs[i].ghost >= 0 && runs[i].shown && crack_of(map, &runs[i])->count > 0)
+        if (runs[i].ghost >= 0 && runs[i].shown && runs[i].crack->count > 0)
             runs[count++] = runs[i];
     return count;
 }
 
-/* Notch and path, dashed, where they were in the body; in pieces long enough for a gap. */
+/* Notch or cuts and paths, dashed, where they were in the body; in pieces long enough for a gap. */
 static void draw_crack_before(Map *map, const ShownRun *run)
 {
     enum { EVERY = 2, DOTS = 2 }; /* in the width of a cell */
     const Stroke pen = {.line = LINE_DASHED, .style = run->style, .rank = RANK_BEFORE, .letter = '"'};
-    const CrackLine *crack = crack_of(map, run);
-    double from[2] = {settings_notch(run->settings)->position, settings_notch(run->settings)->depth};
-    map_body_line(map, (double[]){from[0], 0}, from, pen);
+    const CrackLine *crack = run->crack;
+    double from[2] = {0, 0};
     for (size_t i = 0; i < crack->count; i++) {
         const double to[2] = {crack->x[i], crack->y[i]};
         const double dots = DOTS * math_hypot(to[0] - from[0], to[1] - from[1]) * map->drawn->scale[0];
-        if (dots < 2 * EVERY && i + 1 < crack->count)
+        const bool last = i + 1 == crack->count || crack->begins[i + 1];
+        if (!crack->begins[i] && dots < 2 * EVERY && !last)
             continue;
-        map_body_line(map, from, to, pen);
+        if (!crack->begins[i])
+            map_body_line(map, from, to, pen);
         from[0] = to[0], from[1] = to[1];
     }
 }
@@ -99,19 +95,13 @@ static void draw_notch(Map *map)
         map_body_line(
             map, end, at,
             (Stroke){.line = LINE_DOTTED, .style = STYLE_FAINT, .rank = RANK_ANGLE, .letter = '\''});
-    ShownRun before[RUNS_MAX];
-    for (int i = map_cracks_before(map, before) - 1; i >= 0; i--)
-        draw_crack_before(map, &before[i]);
     map_body_line(map, (double[]){end[0], 0}, end,
                   (Stroke){.style = STYLE_HEADING, .rank = RANK_NOTCH, .letter = '|'});
     draw_crack(map);
 }
 
-/* What the lines are. */
-static void name_lines(Map *map)
+static void name_cracks_before(Map *map)
 {
-    Picture *picture = map->picture;
-    picture_key(picture, (PictureKey){LINE_SOLID, '*', STYLE_CHANGED, "crack's path", 0, 0});
     ShownRun before[RUNS_MAX];
     const int n_before = map_cracks_before(map, before);
     for (int i = 0; i < n_before; i++) {
@@ -121,8 +111,16 @@ static void name_lines(Map *map)
         key.line = LINE_DASHED;
         key.ascii = '"';
         key.name = name;
-        picture_key(picture, key);
+        picture_key(map->picture, key);
     }
+}
+
+/* What the lines are. */
+static void name_lines(Map *map)
+{
+    Picture *picture = map->picture;
+    picture_key(picture, (PictureKey){LINE_SOLID, '*', STYLE_CHANGED, "crack's path", 0, 0});
+    name_cracks_before(map);
     if (screen_shows_exact(map->screen))
         picture_key(picture,
                     (PictureKey){LINE_DOTTED, '\'', STYLE_FAINT, "30° from the notch (paper)", 0, 0});
@@ -145,11 +143,16 @@ void map_add_lines(Map *map)
 {
     if (map->scene.leaves)
         draw_channel(map);
+    ShownRun before[RUNS_MAX];
+    for (int i = map_cracks_before(map, before) - 1; i >= 0; i--)
+        draw_crack_before(map, &before[i]);
     if (map->scene.notched)
         draw_notch(map);
     map_add_rows(map);
     if (map->scene.pressed)
         name_lines(map);
+    else
+        name_cracks_before(map);
 }
 
 /* --- signs ---------------------------------------------------------------------------------------- */

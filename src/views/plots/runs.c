@@ -24,6 +24,7 @@ static ShownRun run_of_ghost(const Ghost *ghost, int index)
         .readout = &ghost->readout,
         .ghost = index,
         .profile = &ghost->profile,
+        .crack = &ghost->crack,
     };
     snprintf(run.word, sizeof run.word, "%s", ghost->legend);
     snprintf(run.key, sizeof run.key, "%c:", ghost->letter);

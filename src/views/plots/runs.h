@@ -27,7 +27,8 @@ typedef struct ShownRun {
     const Readout *readout;
     const Experiment *experiment; /* NULL: a ghost */
     int ghost;                    /* its index; -1: none */
-    const Profile *profile;       /* of a ghost: as it was last on screen */
+    const Profile *profile;       /* of a ghost: as it was last on screen, */
+    const CrackLine *crack;       /* and its cracks */
 } ShownRun;
 
 /* From the back to the front: ghosts, the second run, the present one, which is always there. In a picture of
