@@ -22,6 +22,7 @@ double draw_plot_height(const Picture *, double width);
 /* A place of the plot in points: x0 + scale_x x, y0 + scale_y y. */
 typedef struct Place {
     double x0, scale_x, y0, scale_y;
+    Box seen;
 } Place;
 
 void draw_heat(Paper *, const PictureMap *, const Place *);

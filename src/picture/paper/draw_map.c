@@ -15,12 +15,17 @@
 
 enum { LEVELS = 128, BAR_PIECES = 64 };
 
+static int level_in(const PictureMap *map, double value)
+{
+    if (isnan(value))
+        return -1;
+    const int level = (int)floor((value - map->low) / (map->high - map->low) * LEVELS);
+    return level < 0 ? 0 : level >= LEVELS ? LEVELS - 1 : level;
+}
+
 static int level_of(const PictureMap *map, size_t piece)
 {
-    if (map->torn[piece] || isnan(map->value[piece]))
-        return -1;
-    const int level = (int)floor((map->value[piece] - map->low) / (map->high - map->low) * LEVELS);
-    return level < 0 ? 0 : level >= LEVELS ? LEVELS - 1 : level;
+    return map->torn[piece] ? -1 : level_in(map, map->value[piece]);
 }
 
 static Colour colour_of(const PictureMap *map, int level)
@@ -91,8 +96,27 @@ static void draw_run(Paper *paper, const PictureMap *map, int row, int first, in
                       colour_of(map, level_of(map, (size_t)row * (size_t)map->nx + (size_t)first)));
 }
 
+/* Seen one by one: a disc each, with the colour of its value. */
+static void draw_discs(Paper *paper, const PictureMap *map, const Place *place)
+{
+    const size_t count = (size_t)map->nx * (size_t)map->ny;
+    const double radius = fmin(4, 0.35 * map->size * fabs(place->scale_x));
+    for (size_t k = 0; k < count; k++) {
+        const double x = place->x0 + map->x[k] * place->scale_x, y = place->y0 + map->y[k] * place->scale_y;
+        const int level = level_in(map, map->value[k]); /* bonds that are gone tell of damage */
+        if (level >= 0 && x > place->seen.x - radius && x < place->seen.x + place->seen.width + radius &&
+            y > place->seen.y - radius && y < place->seen.y + place->seen.height + radius)
+            paper->kind->disc(paper, x, y, radius, colour_of(map, level),
+                              &(Pencil){.colour = BLACK, .width = 0.4});
+    }
+}
+
 void draw_heat(Paper *paper, const PictureMap *map, const Place *place)
 {
+    if (map->is_near) {
+        draw_discs(paper, map, place);
+        return;
+    }
     double *points = malloc(((size_t)map->nx + 1) * 4 * sizeof *points);
     if (!points)
         return;

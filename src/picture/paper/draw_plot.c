@@ -583,6 +583,7 @@ static void draw_body(const Frame *frame)
         .scale_y = -frame->box.height / range_of(&plot->y),
         .x0 = x_of(frame, 0),
         .y0 = y_of(frame, 0),
+        .seen = frame->box,
     };
     frame->paper->kind->clip(frame->paper, &frame->box);
     draw_heat(frame->paper, frame->picture->map, &place);
@@ -608,9 +609,12 @@ void draw_plot(Paper *paper, const Picture *picture, Box box)
         fit(picture, &frame.box);
     else
         draw_grid(&frame);
-    if (picture->map)
+    const bool is_near = picture->map && picture->map->is_near; /* bonds lie under their nodes */
+    if (picture->map && !is_near)
         draw_body(&frame);
     draw_strokes(&frame);
+    if (is_near)
+        draw_body(&frame);
     if (!picture->bare)
         draw_axes(&frame, box.x);
     if (!of_body)
