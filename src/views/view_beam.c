@@ -186,7 +186,6 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     map_add_bonds(&map);
     map_add_mesh(&map);
     map_add_lines(&map);
-    map_add_mesh_nodes(&map);
     map_add_signs(&map);
     note_how(&map);
     note_what(&map);

@@ -111,9 +111,8 @@ int map_cracks_before(const Map *, ShownRun[RUNS_MAX]);
 /* The parts of the picture, in the order in which they are drawn. */
 void map_add_bonds(Map *);
 void map_add_mesh(Map *);
-void map_add_lines(Map *); /* channel, notch, protected zones, crack */
-void map_add_rows(Map *);  /* what a plate has by rows, and its cracks; by map_add_lines() */
-void map_add_mesh_nodes(Map *);
+void map_add_lines(Map *);     /* channel, notch, protected zones, crack */
+void map_add_rows(Map *);      /* what a plate has by rows, and its cracks; by map_add_lines() */
 void map_add_signs(Map *);     /* supports, load, chosen node */
 void map_add_row_signs(Map *); /* likewise loads, tips, probe; by map_add_signs() */
 

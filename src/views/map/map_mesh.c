@@ -189,19 +189,6 @@ void map_cross_text(const Map *map, char *out, size_t size)
              fabs(own.least) > rounding ? 1e-6 * own.least : 0);
 }
 
-void map_add_mesh(Map *map)
-{
-    MeshNodes mesh;
-    if (!map_has_mesh(map))
-        return;
-    if (mesh_open(map, &mesh)) {
-        add_cells(map, &mesh);
-        add_arrows(map, &mesh);
-        add_cross(map);
-    }
-    mesh_close(&mesh);
-}
-
 /* --- over the particles ------------------------------------------------------------------------------- */
 
 static double largest(const double *values, size_t count)
@@ -251,12 +238,15 @@ static void add_its_nodes(Map *map, const MeshNodes *mesh)
                      mesh->flow == FLOW_TO_NODES ? STYLE_CHANGED : STYLE_SECOND);
 }
 
-void map_add_mesh_nodes(Map *map)
+void map_add_mesh(Map *map)
 {
     MeshNodes mesh;
     if (!map_has_mesh(map))
         return;
     if (mesh_open(map, &mesh)) {
+        add_cells(map, &mesh);
+        add_arrows(map, &mesh);
+        add_cross(map);
         add_nodes(map, &mesh);
         add_its_nodes(map, &mesh);
     }
