@@ -1,14 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Arguments in, exit status out: the only place that prints an error or exits. */
-#include "base/input.h"
-#include "base/threads.h"
-#include "scenario/settings.h"
 #include "base/visible.h"
 #include "cli/cli.h"
-#include "cli/homework.h"
 #include "cli/options.h"
-#include "scenario/parameters.h"
-#include "lab/session/laboratory_main.h"
+#include "scenario/scenario.h"
 
 #include <errno.h>
 #include <signal.h>
@@ -19,8 +14,7 @@
 /* "rnu mode1" is no scenario but a slip of the fingers, or a command that this version has not. */
 static bool is_slip(const char *word, Status *status)
 {
-    if (scenario_builtin(word) || strcmp(word, input_standard_name) == 0 || access(word, F_OK) == 0 ||
-        errno != ENOENT)
+    if (*word == '-' || scenario_builtin(word) || access(word, F_OK) == 0 || errno != ENOENT)
         return false;
     const char *nearest = cli_nearest(word);
     if (nearest && !cli_find(nearest))
@@ -32,102 +26,6 @@ static bool is_slip(const char *word, Status *status)
         status_fail(status, STATUS_USAGE, "%.60s: no such command, scenario or file (see: matvib --help)",
                     word);
     return true;
-}
-
-/* The settings that the laboratory opens with: of the coarse form, where the scenario has one for the screen
- * and no option makes both the same by choosing the size itself. */
-static bool load_for_screen(const Options *options, const char **scenario, Settings *settings, Status *status)
-{
-    Settings coarse;
-    Status ignored = {0};
-    const char *form = scenario_on_screen(*scenario);
-    if (!options_load(options, *scenario, settings, status))
-        return false;
-    if (form != *scenario && options_load(options, form, &coarse, &ignored) &&
-        !settings_same(settings, &coarse)) {
-        *settings = coarse;
-        *scenario = form;
-    }
-    return true;
-}
-
-/* No command word, or `lesson`: the laboratory. */
-static int open_laboratory(bool for_lesson, int count, char **arguments, Status *status)
-{
-    Options options;
-    Settings settings;
-    if (!options_parse(for_lesson ? "lesson" : "open", count, arguments, &options, status) ||
-        (for_lesson && !options_words(&options, 0, 1, "[NAME]", status)))
-        return (int)status->code;
-    if (options.help) {
-        cli_print_help(NULL);
-        return STATUS_DONE;
-    }
-    if (options.list)
-        return cli_list_lessons();
-    const char *word = options.n_words > 0 ? options.words[0] : NULL;
-    if (options.print)
-        return cli_lesson_print(word, status);
-    HomeworkFile homework;
-    if (!homework_begin(&options, for_lesson ? word : NULL, &homework, status))
-        return (int)status->code;
-    if (options.handout)
-        return cli_lesson_handout(&options, homework.student, status);
-    bool again = options.replay || options.last;
-    if (again && (options.n_words > 0 || options.n_overrides > 0 || options.steps > 0 || options.paused)) {
-        status_fail(status, STATUS_USAGE, "%s: a session has its own scenario and parameters",
-                    options.last ? "--last" : "--replay");
-        return (int)status->code;
-    }
-    if (options.plain && (again || options.script)) {
-        status_fail(status, STATUS_USAGE, "--plain: lines come from standard input (leave %s out)",
-                    again ? "the session" : "--script");
-        return (int)status->code;
-    }
-    if (word && strcmp(word, input_standard_name) == 0 &&
-        !(options.script && strcmp(options.script, word) != 0)) {
-        status_fail(status, STATUS_USAGE,
-                    "-: keys come from standard input (matvib run - reads a scenario there)");
-        return (int)status->code;
-    }
-    const char *const named = word && !for_lesson ? word : scenario_unnamed;
-    const char *scenario = named;
-    const char *lesson = !for_lesson ? NULL : word ? word : laboratory_all_lessons;
-    if (is_slip(scenario, status) || !options_words(&options, 0, 1, "[SCENARIO]", status) ||
-        !load_for_screen(&options, &scenario, &settings, status))
-        return (int)status->code;
-    const char *recording = *homework.file ? homework.file : options.record;
-    const int result = laboratory_main(
-        &(LaboratoryOptions){
-            .settings = &settings,
-            .scenario = scenario,
-            .is_coarse = scenario != named,
-            .lesson = lesson,
-            .student = *homework.student ? homework.student : NULL,
-            .student_id = *homework.id ? homework.id : NULL,
-            .paused = options.paused || for_lesson,
-            .glyphs = options.glyphs,
-            .theme = options.theme,
-            .sheet = options.screen_sheet,
-            .no_mouse = options.no_mouse,
-            .history = options.history,
-            .threads = options.threads > 0 ? (int)options.threads : threads_default(!options.script),
-            .script = options.script,
-            .plain = options.plain,
-            .record = recording,
-            .replay = options.replay,
-            .last = options.last,
-            .fast = options.fast,
-            .force = options.force,
-            .width = options.size[0],
-            .height = options.size[1],
-        },
-        status);
-    if (result != STATUS_DONE && status)
-        options_blame(&options, scenario, status);
-    if (result == STATUS_DONE && *homework.file && access(homework.file, F_OK) == 0)
-        printf("Hand in this file: %s\n", homework.file);
-    return result;
 }
 
 static bool asks_for_help(int count, char **arguments)
@@ -145,14 +43,13 @@ static int run(int count, char **arguments, Status *status)
         return STATUS_DONE;
     }
     const CliCommand *command = count > 0 ? cli_find(arguments[0]) : NULL;
-    if (!command)
-        return open_laboratory(false, count, arguments, status);
-    if (asks_for_help(count - 1, arguments + 1)) {
+    if (asks_for_help(count, arguments)) {
         cli_print_help(command);
         return STATUS_DONE;
     }
-    if (!command->run)
-        return open_laboratory(true, count - 1, arguments + 1, status);
+    if (!command)
+        return count > 0 && is_slip(arguments[0], status) ? (int)status->code
+                                                          : cli_open(count, arguments, status);
     return command->run(count - 1, arguments + 1, status);
 }
 

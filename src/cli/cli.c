@@ -36,7 +36,7 @@ const CliCommand cli_commands[] = {
      cli_diagnose},
     {"sound", "SCENARIO", "the error of a frequency, to be heard: .wav", cli_sound},
     {"verify", "[NAME]...", "the papers' numbers measured anew: reproduced, and agreeing?", verify},
-    {"lesson", "[NAME]", "a lesson beside the live laboratory; without a name: all of them", NULL},
+    {"lesson", "[NAME]", "a lesson beside the live laboratory; without a name: all of them", cli_lesson},
     {"grade", "LESSON SESSION...", "marks recorded sessions of a lesson's exercises", cli_grade},
     {"export-lammps", "SCENARIO", "a beam or a plate as input for LAMMPS, for runs on many machines",
      cli_export_lammps},

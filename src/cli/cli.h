@@ -14,8 +14,7 @@ typedef struct CliCommand {
     const char *name;     /* "show" */
     const char *synopsis; /* what follows the name, options left out: "SCENARIO" */
     const char *help;     /* one line */
-    /* NULL: the laboratory does it. Else `arguments` are those behind the name. Returns the exit status; if
-     * that is not 0 the status says why.
+    /* `arguments` are those behind the name. Returns the exit status; if that is not 0 the status says why.
      */
     int (*run)(int count, char **arguments, Status *);
 } CliCommand;
@@ -30,6 +29,8 @@ const char *cli_nearest(const char *word);
 /* --help: of the program, or of one command. */
 void cli_print_help(const CliCommand *command);
 
+int cli_open(int count, char **arguments, Status *); /* no command word: the laboratory */
+int cli_lesson(int count, char **arguments, Status *);
 int cli_run(int count, char **arguments, Status *);
 int cli_sweep(int count, char **arguments, Status *);
 int cli_export_lammps(int count, char **arguments, Status *);

@@ -381,10 +381,6 @@ bool options_parse(const char *command, int count, char **arguments, Options *op
     bool only_words = false;
     for (int at = 0; at < count; at++) {
         const char *argument = arguments[at];
-        if (!only_words && options_asks_help(argument)) {
-            options->help = true;
-            return true;
-        }
         if (!only_words && strcmp(argument, "--") == 0) {
             only_words = true;
         } else if (!only_words && argument[0] == '-' && argument[1]) {

@@ -58,7 +58,6 @@ typedef struct OptionList {
 typedef struct Options {
     const char *words[WORDS_MAX]; /* arguments that are no options */
     int n_words;
-    bool help; /* --help: nothing else counts */
     bool full, list, bare;
 
     Override overrides[OVERRIDES_MAX];
