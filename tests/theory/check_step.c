@@ -526,8 +526,11 @@ static void expect_run(const BarTheory *bar, const BarMesh *mesh, int number, do
     double complex left[128];
     find_left(&rest, mesh, cexp((I * mode.frequency - mode.decay) * mesh->dt), left);
 
-    /* the slower of two materials is strained more */
-    const BarCase which = case_of(bar, mesh, number, bar_is_layered(bar) ? 1e-9 : 1e-7);
+    /* the slower of two materials is strained more; beside the middle the weights change with a particle's
+     * place in the first order, and the error with the velocity: cubics 7.2e-9, 3.6e-9, 7.2e-10 with 1e-7,
+     * 5e-8, 1e-8 */
+    const double velocity = bar_is_layered(bar) ? 1e-9 : mesh->offset != 0 ? 1e-8 : 1e-7;
+    const BarCase which = case_of(bar, mesh, number, velocity);
     Simulation *sim = bar_case_create(&which);
     const double complex start = projection(&rest, sim, mesh->apic, left);
     double complex before = start;
@@ -573,7 +576,7 @@ START_TEST(modes_in_runs_beside_the_middle)
             BarMesh mesh =
                 mesh_with(shapes[_i], _i == 0 ? 1 + n : 2, supports % 2 ? MESH_USF : MESH_MUSL, n == 1);
             mesh.offset = n == 0 ? 0.3 : -0.25;
-            expect_run(&bar, &mesh, numbers[n], 1e-8);
+            expect_run(&bar, &mesh, numbers[n], 2e-9);
             ck_assert(!dispersion_predicts_centre_velocity(&bar, &mesh));
         }
 }

@@ -118,8 +118,6 @@ static void crack_lines(const CrackFacts *facts, double rayleigh, char first[160
     snprintf(first, 160, "broken bonds %ld", crack->broken);
     if (crack->begun)
         text_append(first, 160, "  tip at x %.1f, y %.1f mm", crack->x / 1e-3, crack->y / 1e-3);
-    else
-        text_append(first, 160, "  no crack yet");
     if (crack->begun && crack->fastest > 0) {
         char speed[160];
         beam_lines_tip_speed(crack, rayleigh, speed);
