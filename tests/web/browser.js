@@ -95,7 +95,7 @@ async function with_fingers(touch) {
 	touching = touch;
 	page = null;
 }
-async function open(address, how = {}, touch = false) {
+async function open(address, how = {}, touch = false, before = null) {
 	await with_fingers(touch);
 	if (page) await page.close();
 	page = await browser.newPage();
@@ -105,6 +105,7 @@ async function open(address, how = {}, touch = false) {
 		if (!/^(file|data|blob):/.test(request.url()) && !request.url().startsWith(served)) result('nothing is asked for elsewhere', false, request.url());
 	});
 	await page.setViewport(Object.assign({width: 1280, height: 800}, how, touch ? engine.fingers : {}));
+	if (before) await page.evaluateOnNewDocument(before);
 	const begin = Date.now();
 	await page.goto(address);
 	return begin;
@@ -411,6 +412,44 @@ async function hostile_storage() {
 	await page.evaluate(() => localStorage.clear());
 }
 
+const notice_of = () => page.$eval('#notice', (p) => p.textContent);
+
+// a browser that keeps nothing, because it is full or because it is told to keep nothing
+async function failing_storage() {
+	const wrongs = {
+		QuotaExceededError: () => { Storage.prototype.setItem = () => { throw new DOMException('', 'QuotaExceededError'); }; },
+		SecurityError: () => { Object.defineProperty(window, 'localStorage', {get() { throw new DOMException('', 'SecurityError'); }}); },
+	};
+	for (const [name, wrong] of Object.entries(wrongs)) {
+		await open(one + '?lesson=homework-late&name=Ada', {}, false, wrong);
+		await shows(`${name} of the storage: the homework opens`, (text) => /1 of \d+|1\/\d+/.test(text));
+		await page.waitForFunction(() => !document.getElementById('notice').hidden, {timeout: patience}).catch(() => {});
+		result('that nothing is kept is told', (await notice_of()).includes('keeps nothing for this page (' + name + ')'), await notice_of());
+		await type('nn');
+		result('the session can be saved all the same', (await written('homework-late-Ada.session')) !== null && /homework of Ada/.test(await page.$eval('#whose', (span) => span.textContent)));
+	}
+}
+
+// what no program should do: it dies in the middle of a homework
+async function crash() {
+	await open(one + '?lesson=homework-late&name=Eve');
+	await until('', (text) => /1 of \d+|1\/\d+/.test(text));
+	await type('n');
+	result('a homework is under way', (await written('homework-late-Eve.session')) !== null);
+	await page.evaluate(() => worker.postMessage({keys: 7}));
+	await page.waitForFunction(() => document.getElementById('end-sheet').open, {timeout: patience}).catch(() => {});
+	result('a crash is told', /ended with an error \(134\)/.test(await page.$eval('#end-title', (title) => title.textContent)) &&
+		/TypeError/.test(await page.$eval('#end-text', (text) => text.textContent)), await page.$eval('#end-text', (text) => text.textContent));
+	result('what was recorded is offered', /homework-late-Eve\.session/.test(await page.$eval('#end-files', (list) => list.textContent)));
+	await page.evaluate(() => { opened.kind = 'scenario'; opened.name = 'mode5'; });
+	await page.click('#again');
+	await shows('and one may begin again', has('Space pause'));
+	await page.evaluate(() => { program = new ArrayBuffer(8); open_one({scenario: 'mode1'}); });
+	await page.waitForFunction(() => document.getElementById('end-sheet').open, {timeout: patience}).catch(() => {});
+	result('a program that is none is told too', /\(134\)/.test(await page.$eval('#end-title', (title) => title.textContent)), await screen());
+	await page.evaluate(() => localStorage.clear());
+}
+
 async function end_of_the_program() {
 	await open(one + '?scenario=mode5');
 	await until('', has('Space pause'));
@@ -437,7 +476,7 @@ async function main() {
 	served = `http://127.0.0.1:${server.address().port}/`;
 	const cases = {first_picture, keys_and_size, edit_and_stages, export_of_a_run, dropped_scenario, dropped_series, lesson_by_taps, homework,
 		plain_words, computing, hostile_links, hostile_files, hostile_storage,
-		end_of_the_program, from_a_server};
+		failing_storage, crash, end_of_the_program, from_a_server};
 	const wanted = process.argv.slice(2);
 	for (const [name, one_engine] of Object.entries(engines)) {
 		engine = Object.assign(one_engine, {name});
