@@ -486,17 +486,8 @@ static bool read_page(Bench *bench, const char *name, SeenNumbers *seen)
     return true;
 }
 
-/* How far the page goes that is turned to next: one frame of NEAR_STEPS, or to where it shows its run. */
-static void go_near(Bench *bench, bool near)
-{
-    only_near = near;
-    bench->rate = near ? NEAR_STEPS / FRAME_SECONDS : 0;
-    frames = 0;
-}
-
 /* Each page does what it says and fits. It is entered in one state: as one reads; backwards; and by somebody
- * who does something else on each page and goes on. Of a beam or a plate each page is waited for in one of
- * the latter two ways, and turned on its way there in the other. */
+ * who does something else on each page and goes on. */
 START_TEST(every_page_is_entered_in_one_state)
 {
     const char *name = builtin_lessons[_i].name;
@@ -505,10 +496,14 @@ START_TEST(every_page_is_entered_in_one_state)
     const int count = shown->lesson->n_pages;
     const bool line = experiment_simulation(bench->lab.screen.experiment)->dimensions == 1;
     char *pages[LESSON_PAGES_MAX];
+    if (!line && !suite_wide()) {
+        only_near = true;
+        bench->rate = NEAR_STEPS / FRAME_SECONDS;
+    }
     for (int page = 0; page < count; page++) {
         ck_assert_int_eq(shown->page, page);
         SeenNumbers seen = {.count = 0};
-        go_near(bench, !line && !suite_wide());
+        frames = 0;
         check_small_page(bench);
         pages[page] = entered(bench);
         check_page(bench, name);
@@ -532,30 +527,24 @@ START_TEST(every_page_is_entered_in_one_state)
     /* backwards, and leaving pages out: where not everything is wanted, each lesson on a bar one of both */
     const bool back = suite_wide() || (line && _i % 2 == 0), leaving = suite_wide() || (line && _i % 2 != 0);
     for (int page = count - 1; back && page >= 0; page--) {
-        const bool whole = line || page % 2 == 0;
-        go_near(bench, !whole);
         if (page + 1 < count)
             press(bench, "b");
         ck_assert_int_eq(shown->page, page);
-        if (page + 1 < count && whole)
+        if (page + 1 < count)
             check_same(bench, pages[page], "from the next one");
     }
     close_bench(bench);
     bench = open_lesson(name);
     shown = &bench->lab.screen.lesson;
-    go_near(bench, !line);
     for (int page = 0; leaving && page < count; page++) {
-        const bool whole = line || page % 2 != 0;
         ck_assert_int_eq(shown->page, page);
-        if (whole)
-            check_same(bench, pages[page], "from one that was left out");
+        check_same(bench, pages[page], "from one that was left out");
         static const char *const else_done[] = {"3 Tab Right z > Space", "e 5 Tab", "> <"};
         press_all(bench, else_done[page % 3]);
         for (int i = 0; i < 5; i++)
             frame(bench);
         if (bench->lab.screen.prompt.open)
             press(bench, "Esc"); /* Space at the end of a run may ask */
-        go_near(bench, !line && page % 2 != 0);
         if (page + 1 < count)
             press(bench, "n");
     }
