@@ -41,8 +41,44 @@ static bool is_file(int descriptor, const char *name, long most, Status *status)
     return (flags >= 0 && fcntl(descriptor, F_SETFL, flags & ~O_NONBLOCK) == 0) || cannot_read(name, status);
 }
 
+const char input_standard_name[] = "-";
+
+/* What standard input held, once it was taken; as long as the program runs. */
+static struct {
+    char *text;
+    size_t length;
+} standard;
+
+bool input_take_standard(long most, Status *status)
+{
+    if (standard.text)
+        return true;
+    standard.text = malloc((size_t)most + 1);
+    if (!standard.text)
+        return cannot_read(input_standard_name, status);
+    standard.length = fread(standard.text, 1, (size_t)most + 1, stdin);
+    return !ferror(stdin) || cannot_read(input_standard_name, status);
+}
+
+static FILE *open_standard(long most, Status *status)
+{
+    if (standard.length > (size_t)most) {
+        errno = 0;
+        too_large(input_standard_name, most, status);
+        return NULL;
+    }
+    if (standard.length == 0)
+        return input_text("", input_standard_name, status);
+    FILE *stream = fmemopen(standard.text, standard.length, "r");
+    if (!stream)
+        cannot_read(input_standard_name, status);
+    return stream;
+}
+
 FILE *input_open(const char *name, long most, Status *status)
 {
+    if (standard.text && strcmp(name, input_standard_name) == 0)
+        return open_standard(most, status);
     const int descriptor = open(name, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
     if (descriptor < 0) {
         cannot_read(name, status);
@@ -58,27 +94,6 @@ FILE *input_open(const char *name, long most, Status *status)
     close(descriptor);
     errno = why;
     return NULL;
-}
-
-const char input_standard_name[] = "-";
-
-FILE *input_standard(long most, Status *status)
-{
-    static char *kept; /* as long as the program runs */
-    static size_t length;
-    if (!kept) {
-        kept = malloc((size_t)most + 1);
-        length = kept ? fread(kept, 1, (size_t)most + 1, stdin) : 0;
-    }
-    FILE *stream = NULL;
-    if (ferror(stdin))
-        cannot_read(input_standard_name, status);
-    else if (length > (size_t)most)
-        too_large(input_standard_name, most, status);
-    else if (!kept || !(stream = length > 0 ? fmemopen(kept, length, "r")
-                                            : input_text("", input_standard_name, status)))
-        status_fail(status, STATUS_FAILED, "%s: not enough memory to read it", input_standard_name);
-    return stream;
 }
 
 FILE *input_text(const char *text, const char *name, Status *status)

@@ -16,12 +16,10 @@
  * refused. */
 FILE *input_open(const char *name, long most, Status *);
 
-/* What stands for standard input in place of a file's name: "-". */
+/* What stands for standard input in place of a file's name, "-", for input_open() once all that it holds (so
+ * many bytes at most) was taken: only who starts the program may ask for that, for reading it may wait. */
 extern const char input_standard_name[];
-
-/* Opens what standard input holds up to its end in the same way, again and again: it is read once and kept.
- * NULL: it is larger, or cannot be read. */
-FILE *input_standard(long most, Status *);
+bool input_take_standard(long most, Status *);
 
 /* Opens a text of the program itself in the same way. NULL: no memory. */
 FILE *input_text(const char *text, const char *name, Status *);

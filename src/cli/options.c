@@ -7,10 +7,12 @@
 
 #include "scenario/concern_output.h"
 #include "cli/distinct.h"
+#include "base/input.h"
 #include "base/threads.h"
 #include "base/text.h"
 #include "views/view.h"
 #include "scenario/parameters.h"
+#include "scenario/scenario_lines.h"
 #include "answers/references.h"
 #include "lab/session/script.h"
 
@@ -477,6 +479,8 @@ static bool spares_scenario(const Options *options, const char *scenario, Status
 
 bool options_load(const Options *options, const char *scenario, Settings *settings, Status *status)
 {
+    if (strcmp(scenario, input_standard_name) == 0 && !input_take_standard(SCENARIO_BYTES_MAX, status))
+        return false;
     if (!spares_scenario(options, scenario, status) || !load_run(options, scenario, settings, status))
         return false;
     if (view_check(settings_view(settings), status))

@@ -336,8 +336,6 @@ static bool not_found(const char *name, Status *status)
 static FILE *open_scenario(const char *name_or_path, Status *status)
 {
     const BuiltinScenario *builtin = scenario_builtin(name_or_path);
-    if (strcmp(name_or_path, input_standard_name) == 0)
-        return input_standard(SCENARIO_BYTES_MAX, status);
     return builtin ? input_text(builtin->text, name_or_path, status)
                    : input_open(name_or_path, SCENARIO_BYTES_MAX, status);
 }

@@ -34,6 +34,9 @@ printf 'q' | "$MATVIB" - >out 2>err
 result "the laboratory has its keys there" says err '^matvib: -: keys come from standard input'
 "$MATVIB" show mode5 | "$MATVIB" sweep - --vary mesh.cell_size=0.5,1 --plan >out 2>err
 result "nor can other machines read it again" says err '^matvib: -: is read once'
+printf ':open -\n.\n' | timeout 20 "$MATVIB" mode1 --plain --paused >out 2>err
+result "once it is open no word reads there" says out '^-: no such scenario or file'
+result "and the next line is still a line" says out 'step 1 of'
 refuse "a letter that is none" '-x: unknown option (see: matvib show --help)' show mode1 -x
 refuse "a letter without its value" '-o: has no value (FILE)' run mode1 -o
 refuse "a letter that has none" '-q: takes no value' run mode1 -qo
