@@ -2,6 +2,8 @@
 /* Glyphs as bytes and columns: UTF-8, and how wide a text is. */
 #include "picture/glyph.h"
 
+#include "base/assertion.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -100,6 +102,14 @@ int glyphs_count(const char *utf8)
     while (glyph_next(&utf8))
         count++;
     return count;
+}
+
+uint8_t glyph_dot(int x, int y)
+{
+    static const uint8_t bits[4][2] = {{0x01, 0x08}, {0x02, 0x10}, {0x04, 0x20}, {0x40, 0x80}};
+    ASSERT_INDEX(x, 2);
+    ASSERT_INDEX(y, 4);
+    return bits[y][x];
 }
 
 uint32_t glyph_arrow(double across, double down)

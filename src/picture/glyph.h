@@ -33,6 +33,9 @@ uint32_t glyph_ascii(uint32_t glyph);
 /* The same where letters are told in words: one that nothing stands for stays what it is. */
 uint32_t glyph_told(uint32_t glyph);
 
+/* The bit of a dot in a character of braille, 0x2800 and more: column 0 or 1, row 0 to 3 from above. */
+uint8_t glyph_dot(int x, int y);
+
 /* The head of an arrow that goes so many columns across and rows down; a row is as high as two columns are
  * wide. */
 uint32_t glyph_arrow(double across, double down);

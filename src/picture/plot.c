@@ -37,13 +37,6 @@ int plot_dots_down(Glyphs glyphs)
     return glyphs == GLYPHS_BRAILLE ? 4 : glyphs == GLYPHS_BLOCK ? 2 : 1;
 }
 
-/* The bit of a dot in Unicode's order of braille dots. */
-static uint8_t braille_bit(int x, int y)
-{
-    static const uint8_t bits[4][2] = {{0x01, 0x08}, {0x02, 0x10}, {0x04, 0x20}, {0x40, 0x80}};
-    return bits[y][x];
-}
-
 /* Half blocks have no room for dots and dashes: such lines are drawn with letters. */
 static uint32_t letter_of(const Raster *raster, const Stroke *stroke)
 {
@@ -70,7 +63,7 @@ static void put_dot(Raster *raster, const Stroke *stroke, int x, int y)
         *spot = (Spot){.rank = (int8_t)stroke->rank, .style = (uint16_t)stroke->style};
     spot->glyph = letter_of(raster, stroke);
     if (raster->glyphs == GLYPHS_BRAILLE)
-        spot->dots |= braille_bit(x % 2, y % 4);
+        spot->dots |= glyph_dot(x % 2, y % 4);
     else
         spot->dots |= (uint8_t)(1 << y % raster->down);
 }

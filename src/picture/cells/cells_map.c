@@ -179,8 +179,6 @@ static int cell_step(const Sheet *sheet, int x, int y)
     return step_of(sheet, &all);
 }
 
-static const uint8_t dot_bits[4][2] = {{0x01, 0x08}, {0x02, 0x10}, {0x04, 0x20}, {0x40, 0x80}};
-
 /* Braille: each of the eight dots is set where the value is above the dot's own threshold, so that more ink
  * is more; the least value still has a dot. */
 static uint32_t dots_of(const Sheet *sheet, int x, int y)
@@ -195,7 +193,7 @@ static uint32_t dots_of(const Sheet *sheet, int x, int y)
                 continue;
             const double share = ((double)(pixel->sum / pixel->count) - map->low) / (map->high - map->low);
             if (8 * share >= thresholds[row][column])
-                dots |= dot_bits[row][column];
+                dots |= glyph_dot(column, row);
         }
     return dots;
 }
@@ -246,7 +244,7 @@ static void cross_dot(const Sheet *sheet, double x, double y, const Stroke *pen,
     if (column < 0 || row < 0 || column >= sheet->area.rect.width || row >= sheet->area.rect.height)
         return;
     Crossing *crossing = &sheet->crossings[(size_t)row * (size_t)sheet->area.rect.width + (size_t)column];
-    crossing->dots |= dot_bits[(int)(4 * (y - row))][(int)(2 * (x - column))];
+    crossing->dots |= glyph_dot((int)(2 * (x - column)), (int)(4 * (y - row)));
     if (pen->rank < crossing->rank)
         return;
     crossing->rank = (uint8_t)pen->rank;

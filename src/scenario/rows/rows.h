@@ -64,7 +64,7 @@ typedef struct RowColumn {
     RowValue value;
     const char *unit;
     bool optional;
-    double absent; /* what row_value() says of an optional one that is not there */
+    double absent; /* what settings_row_value() says of an optional one that is not there */
 } RowColumn;
 
 typedef struct RowKind {

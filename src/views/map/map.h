@@ -97,10 +97,9 @@ double map_reach(const Map *, int field, const double *now);
 /* A line between two places of the body, bent with it; and one that stays as it is. */
 void map_body_line(Map *, const double from[2], const double to[2], Stroke pen);
 
-/* Both ends of a row as places in the body, m: of a load along its edge; of the probe twice the same; and the
- * arrow of a traction. */
+/* Both ends of a row as places in the body, m: of a load along its edge; of the probe twice the same.
+ */
 void map_row_ends(const Settings *, int kind, int row, double ends[2][2]);
-uint32_t map_arrow(double sx, double sy);
 
 /* Which way is out at an edge of a plate: to the right, upwards. */
 void map_row_side(int edge, signed char side[2]);

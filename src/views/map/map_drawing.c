@@ -203,7 +203,7 @@ static void add_traction(const Drawing *drawing, int row, double ends[2][2])
     const Settings *settings = drawing->settings;
     const double sx = settings_row_value(settings, ROWS_LOADS, row, 3),
                  sy = settings_row_value(settings, ROWS_LOADS, row, 4), height = drawing->body.size[1];
-    PictureMark arrow = {.glyph = map_arrow(sx, sy), .style = STYLE_HEADING, .kind = MARK_BESIDE};
+    PictureMark arrow = {.glyph = glyph_arrow(2 * sx, -sy), .style = STYLE_HEADING, .kind = MARK_BESIDE};
     map_row_side((int)settings_row_value(settings, ROWS_LOADS, row, 0), arrow.side);
     const int right = arrow.side[0], up = arrow.side[1];
     double places[2][2];

@@ -47,11 +47,6 @@ void map_row_ends(const Settings *settings, int kind, int row, double ends[2][2]
         ends[i][0] = places[i].x, ends[i][1] = places[i].y;
 }
 
-uint32_t map_arrow(double sx, double sy)
-{
-    return fabs(sx) > fabs(sy) ? (sx > 0 ? 0x2192 : 0x2190) : sy > 0 ? 0x2191 : 0x2193;
-}
-
 static void line_between(Map *map, Place a, Place b, Stroke pen)
 {
     map_body_line(map, (double[]){a.x, a.y}, (double[]){b.x, b.y}, pen);
@@ -135,7 +130,7 @@ static void draw_load(Map *map, const Settings *settings, int row, Style style)
     map_row_ends(settings, ROWS_LOADS, row, ends);
     const double sx = settings_row_value(settings, ROWS_LOADS, row, 3),
                  sy = settings_row_value(settings, ROWS_LOADS, row, 4);
-    PictureMark arrow = {.glyph = map_arrow(sx, sy), .style = style, .kind = MARK_BESIDE};
+    PictureMark arrow = {.glyph = glyph_arrow(2 * sx, -sy), .style = style, .kind = MARK_BESIDE};
     map_row_side((int)settings_row_value(settings, ROWS_LOADS, row, 0), arrow.side);
     const size_t first = map->picture->n_marks;
     if (sx != 0 || sy != 0)
