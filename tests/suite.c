@@ -13,6 +13,45 @@ const char *source_path(const char *relative)
     return path;
 }
 
+/* Row by row, as comments of the TAP: too long for the message of a test. */
+static void tell_difference(const char *is, const char *wanted)
+{
+    enum { MOST = 50 };
+    for (int row = 0, told = 0; (*is || *wanted) && told < MOST; row++) {
+        const int one = (int)strcspn(is, "\n"), other = (int)strcspn(wanted, "\n");
+        if (one != other || strncmp(is, wanted, (size_t)one) != 0) {
+            printf("# row %2d is        |%.*s|\n#        should be |%.*s|\n", row, one, is, other, wanted);
+            told++;
+        }
+        is += one + (is[one] == '\n');
+        wanted += other + (wanted[other] == '\n');
+    }
+    fflush(stdout);
+}
+
+void suite_compare(const char *relative, const char *text, const char *what)
+{
+    if (getenv("MATVIB_REGENERATE")) {
+        FILE *file = fopen(source_path(relative), "w");
+        ck_assert_msg(file != NULL, "%s cannot be written", relative);
+        fputs(text, file);
+        fclose(file);
+        return;
+    }
+    FILE *file = fopen(source_path(relative), "r");
+    ck_assert_msg(file != NULL, "%s is missing", relative);
+    char *golden = NULL;
+    size_t room = 0;
+    if (getdelim(&golden, &room, '\0', file) < 0)
+        ck_abort_msg("%s cannot be read", relative);
+    fclose(file);
+    const bool same = strcmp(text, golden) == 0;
+    if (!same)
+        tell_difference(text, golden);
+    free(golden);
+    ck_assert_msg(same, "%s (%s) differs", relative, what);
+}
+
 bool suite_wide(void)
 {
     return getenv("MATVIB_WIDE") != NULL;

@@ -13,6 +13,10 @@ void add_cases(Suite *suite);
  */
 const char *source_path(const char *relative);
 
+/* The text is that of a file of the source tree, or the test fails and tells the rows that differ;
+ * MATVIB_REGENERATE in the environment: the file is written anew. `what` names it in the message. */
+void suite_compare(const char *relative, const char *text, const char *what);
+
 /* Whether every case is wanted (MATVIB_WIDE is set, as for make check-long). Where it is not, a test that
  * crosses bodies, sizes and glyphs takes a part of the crossings, always the same and each of them once. */
 bool suite_wide(void);

@@ -453,6 +453,60 @@ static void check_small_answer(Bench *bench, int count)
     free(dump);
 }
 
+/* --- what the pages look like ------------------------------------------------------------------------ */
+
+/* Sizes at which the screens of every page are kept: tests/golden/lessons/NAME-SIZE.txt. After a change that
+ * is meant, write them anew and look at the difference:
+ *
+ *     make -C build tests/lab/check_lessons &&
+ *     MATVIB_WIDE=1 MATVIB_REGENERATE=1 MATVIB_SRCDIR=. build/tests/lab/check_lessons own && git diff */
+enum { N_KEPT = 2 };
+
+static const struct {
+    const char *name;
+    int width, height;
+} kept_sizes[N_KEPT] = {{"80x24", 80, 24}, {"132x43", 132, 43}};
+
+/* The screens of a lesson, one below the other. */
+typedef struct KeptScreens {
+    FILE *stream;
+    char *text;
+    size_t size;
+} KeptScreens;
+
+static void keep_open(KeptScreens kept[N_KEPT])
+{
+    for (int i = 0; i < N_KEPT; i++) {
+        kept[i].stream = open_memstream(&kept[i].text, &kept[i].size);
+        ck_assert_ptr_nonnull(kept[i].stream);
+    }
+}
+
+/* The state of a page, at the first sizes. */
+static void keep_screens(Bench *bench, KeptScreens kept[N_KEPT], int sizes, const char *state)
+{
+    for (int i = 0; i < sizes; i++) {
+        ck_assert(laboratory_draw(&bench->lab, &bench->canvas, kept_sizes[i].width, kept_sizes[i].height));
+        char *dump = canvas_dump(&bench->canvas);
+        ck_assert_ptr_nonnull(dump);
+        fprintf(kept[i].stream, "page %d, %s\n%s", bench->lab.screen.lesson.page + 1, state, dump);
+        free(dump);
+    }
+}
+
+/* Where every page was come to, they look as they did. */
+static void keep_close(KeptScreens kept[N_KEPT], const char *lesson, bool whole)
+{
+    char path[128];
+    for (int i = 0; i < N_KEPT; i++) {
+        ck_assert_int_eq(fclose(kept[i].stream), 0);
+        snprintf(path, sizeof path, "tests/golden/lessons/%s-%s.txt", lesson, kept_sizes[i].name);
+        if (whole)
+            suite_compare(path, kept[i].text, lesson);
+        free(kept[i].text);
+    }
+}
+
 /* Reads the page to its end, as it is meant; false: it is too far. */
 static bool read_page(Bench *bench, const char *name, SeenNumbers *seen)
 {
@@ -496,6 +550,8 @@ START_TEST(every_page_is_entered_in_one_state)
     const int count = shown->lesson->n_pages;
     const bool line = experiment_simulation(bench->lab.screen.experiment)->dimensions == 1;
     char *pages[LESSON_PAGES_MAX];
+    KeptScreens kept[N_KEPT];
+    keep_open(kept);
     if (!line && !suite_wide()) {
         only_near = true;
         bench->rate = NEAR_STEPS / FRAME_SECONDS;
@@ -507,6 +563,7 @@ START_TEST(every_page_is_entered_in_one_state)
         check_small_page(bench);
         pages[page] = entered(bench);
         check_page(bench, name);
+        keep_screens(bench, kept, N_KEPT, "entered");
         lesson_numbers_see(bench, &seen);
         const LessonPage *now = page_of(bench);
         ck_assert_msg(now->until.kind == UNTIL_NOTHING || !shown->met,
@@ -520,10 +577,13 @@ START_TEST(every_page_is_entered_in_one_state)
         if (whole) {
             lesson_numbers_check(bench, name, &seen);
             check_small_answer(bench, count);
+            if (now->question || now->until.kind != UNTIL_NOTHING)
+                keep_screens(bench, kept, 1, "read");
         }
         if (page + 1 < count)
             press(bench, !whole || (now->n_fields > 0 && now->until.kind == UNTIL_NOTHING) ? "n" : "Enter");
     }
+    keep_close(kept, name, !only_near);
     /* backwards, and leaving pages out: where not everything is wanted, each lesson on a bar one of both */
     const bool back = suite_wide() || (line && _i % 2 == 0), leaving = suite_wide() || (line && _i % 2 != 0);
     for (int page = count - 1; back && page >= 0; page--) {

@@ -218,45 +218,13 @@ static const Screenshot pictures[] = {
     {"drawing-beam", "supported-beam-coarse 132x43 0 upper 8 focus 2 zoom variant 7"},
 };
 
-/* Row by row, as comments of the TAP: too long for the message of a test. */
-static void tell_difference(const char *is, const char *wanted)
-{
-    for (int row = 0; *is || *wanted; row++) {
-        const int one = (int)strcspn(is, "\n"), other = (int)strcspn(wanted, "\n");
-        if (one != other || strncmp(is, wanted, (size_t)one) != 0)
-            printf("# row %2d is        |%.*s|\n#        should be |%.*s|\n", row, one, is, other, wanted);
-        is += one + (is[one] == '\n');
-        wanted += other + (wanted[other] == '\n');
-    }
-    fflush(stdout);
-}
-
 static void compare(const Screenshot *picture, const Canvas *canvas)
 {
-    char path[128], *text = canvas_dump(canvas), *golden;
+    char path[128], *text = canvas_dump(canvas);
     ck_assert_ptr_nonnull(text);
     snprintf(path, sizeof path, "tests/golden/view/%s.txt", picture->name);
-    if (getenv("MATVIB_REGENERATE")) {
-        FILE *file = fopen(source_path(path), "w");
-        ck_assert_msg(file != NULL, "%s cannot be written", path);
-        fputs(text, file);
-        fclose(file);
-        free(text);
-        return;
-    }
-    FILE *file = fopen(source_path(path), "r");
-    ck_assert_msg(file != NULL, "%s is missing", path);
-    golden = calloc(1, 200000);
-    ck_assert_ptr_nonnull(golden);
-    size_t size = fread(golden, 1, 199999, file);
-    golden[size] = '\0';
-    fclose(file);
-    const bool same = strcmp(text, golden) == 0;
-    if (!same)
-        tell_difference(text, golden);
-    free(golden);
+    suite_compare(path, text, picture->words);
     free(text);
-    ck_assert_msg(same, "%s (%s) differs", picture->name, picture->words);
 }
 
 /* --- what every screen keeps to ------------------------------------------------------------------- */
