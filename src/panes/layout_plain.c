@@ -29,10 +29,11 @@ static int strip_rows(const Screen *screen, int height)
     return screen_view_in(screen, picture_of(screen))->is_map ? 0 : layout_strip_rows(height);
 }
 
-static int box_rows(const Screen *screen, int height)
+/* A drawing of one thing has the terms of its stage by itself. */
+static int box_rows(const Screen *screen, int height, bool wide)
 {
     const bool inside = experiment_stage(screen->experiment) > 0 || experiment_before(screen->experiment);
-    const bool speaks = inside || screen->playback.state == STATE_FAILED || screen->diagnosis[0];
+    const bool speaks = (inside && !wide) || screen->playback.state == STATE_FAILED || screen->diagnosis[0];
     return speaks ? layout_box_rows(screen, height, false) : 0;
 }
 
@@ -46,7 +47,7 @@ static void lay_out_picture(const Screen *screen, Rect rect, Layout *layout)
  * False: the text leaves it no room. */
 static bool lay_out_wide(const Screen *screen, int width, int height, Layout *layout)
 {
-    const int text = pane_lesson_rows(screen, width), box = box_rows(screen, height);
+    const int text = pane_lesson_rows(screen, width), box = box_rows(screen, height, true);
     const int picture = height - 2 - text - box;
     if (!screen_view_in(screen, picture_of(screen))->is_wide || screen->panes.inspecting ||
         !screen->lesson.lesson || picture < PICTURE_LEAST)
@@ -61,7 +62,7 @@ static void lay_out_lesson(const Screen *screen, int width, int height, Layout *
 {
     if (lay_out_wide(screen, width, height, layout))
         return;
-    const int strip = strip_rows(screen, height), box = box_rows(screen, height);
+    const int strip = strip_rows(screen, height), box = box_rows(screen, height, false);
     const int top = 1 + strip, middle = height - 2 - strip - box;
     const int text = layout_lesson_width(width), left = text + 1;
     const int number =
@@ -81,7 +82,7 @@ static void lay_out_scenario(const Screen *screen, int width, int height, Layout
                                            : wanted > ASKED_MOST ? ASKED_MOST
                                                                  : wanted;
     const int below = asked > number ? asked : number, question = pane_question_rows(screen, width);
-    int strip = strip_rows(screen, height), box = box_rows(screen, height);
+    int strip = strip_rows(screen, height), box = box_rows(screen, height, false);
     int middle = height - 2 - strip - box - question - below;
     if (middle < PICTURE_LEAST) /* in a step its numbers are worth more than the picture of all particles */
         middle += strip, strip = 0;

@@ -243,11 +243,11 @@ static void draw_heading(const Screen *screen, Area area)
     snprintf(page, sizeof page, "  %d/%d", shown->page + 1, shown->lesson->n_pages);
     snprintf(heading, sizeof heading, "%.120s%s", shown->lesson->title, page);
     area_rule(area, 0, heading, style);
-    if (glyphs_columns(heading) + 5 < area.rect.width)
+    if (4 + glyphs_columns(heading) <= area.rect.width)
         return;
-    area_rule(area_part(area, 0, 0, area.rect.width - glyphs_columns(page) - 1, 1), 0, shown->lesson->title,
+    area_rule(area_part(area, 0, 0, area.rect.width - glyphs_columns(page), 1), 0, shown->lesson->title,
               style);
-    area_text_right(area, area.rect.width - 1, 0, page, style);
+    area_text_right(area, area.rect.width, 0, page, style);
 }
 
 /* What is below the last row: of the list so many lessons. */

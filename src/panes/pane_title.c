@@ -124,10 +124,15 @@ typedef struct Title {
     int end;  /* columns that the text may have */
 } Title;
 
+/* A page that sets something to a value of the student's own is no longer of what the scenario asks. */
 static const char *headline_of(const Screen *screen)
 {
     const Settings *settings = experiment_settings(screen->experiment);
-    return settings->title[0] ? settings->title : settings->problem->title;
+    const LessonShown *shown = &screen->lesson;
+    bool own = false;
+    for (int v = 0; shown->lesson && v < shown->lesson->n_variants; v++)
+        own |= shown->lesson->variants[v].page == shown->page;
+    return !own && settings->title[0] ? settings->title : settings->problem->title;
 }
 
 /* False: so much has no room, or would hide where the run stands. */

@@ -264,7 +264,7 @@ static void mesh_factors(const Dispersion *wave, ModeOnMesh *mode)
     int n = 0;
     mode->factors[n++] = (ModeFactor){"mesh K", "lumped masses on linear springs",
                                       wave->space_only / (filter * wave->moves * mode->exact)};
-    mode->factors[n++] = (ModeFactor){"filter F", "what particle to node to particle leaves", filter};
+    mode->factors[n++] = (ModeFactor){"filter F", "what the way to nodes and back leaves", filter};
     if (wave->moves != 1)
         mode->factors[n++] = (ModeFactor){"masses T", "nodal velocity over p/m", wave->moves};
     mode->factors[n++] = (ModeFactor){"dt", NULL, wave->frequency / wave->space_only};

@@ -140,7 +140,8 @@ static void add_pull(Picture *picture, double from, double towards)
     picture_arrow(picture, &arrow);
 }
 
-static void describe_bond(const NearBonds *bonds, Picture *picture)
+/* As the stage leaves it; NULL: between steps. */
+static void describe_bond(const NearBonds *bonds, const Stage *stage, Picture *picture)
 {
     const Link *link = &bonds->links[0];
     const double factor = enlarged(link->stretch), half = 0.25 * (1 + factor * link->stretch);
@@ -149,6 +150,8 @@ static void describe_bond(const NearBonds *bonds, Picture *picture)
     const size_t ends[2] = {left ? link->index : bonds->node, left ? bonds->node : link->index};
     snprintf(text, sizeof text, "the bond %zu to %zu, the %s of %zu", bonds->node, link->index,
              link->broken ? "first" : "strongest", bonds->count);
+    if (stage)
+        text_append(text, sizeof text, ", stage %d: %s", (int)(stage - bonds->sim->stages) + 1, stage->name);
     open_drawing(picture, 0, 1, text);
     for (int e = 0; e < 2; e++) {
         const double rest = e ? 0.75 : 0.25, now = e ? 0.5 + half : 0.5 - half;
@@ -260,7 +263,12 @@ void cell_bonds_describe(const Screen *screen, int variant, Picture *picture)
     NearBonds *bonds = malloc(sizeof *bonds);
     if (!bonds || !take_bonds(bonds, screen))
         picture_say(picture, "bonds from near", "This node has no bonds.");
-    else
-        (variant == 1 ? describe_family : describe_bond)(bonds, picture);
+    else if (variant == 1)
+        describe_family(bonds, picture);
+    else {
+        bool done;
+        const Stage *stage = &bonds->sim->stages[screen_box_stage(screen, &done)];
+        describe_bond(bonds, done && screen->playback.state != STATE_RUNNING ? stage : NULL, picture);
+    }
     free(bonds);
 }

@@ -125,7 +125,9 @@ static void factor_line(const Experiment *experiment, bool brief, char out[160])
             continue;
         if (brief)
             out[named = 0] = '\0';
-        text_append(out, 160, "%s%s: %s", named++ ? "; " : "", mode.factors[i].name, mode.factors[i].meaning);
+        const char *name = mode.factors[i].name;
+        text_append(out, 160, "%s%s: %s", named++ ? "; " : "", brief ? letter_of(name) : name,
+                    mode.factors[i].meaning);
     }
 }
 

@@ -228,10 +228,10 @@ claim $lesson/amplitude.lesson "in place of " 5 " %" grid
 shares 95 100 mode10 --set mesh.cell_size=0.25
 claim $lesson/amplitude.lesson "they see " 75 " % of the motion" grid
 last_row mode10 --set mpm.flip_fraction=0.999
-claim $lesson/amplitude.lesson "And with it " 92 " % of all" left 1 -100
-claim $lesson/amplitude.lesson "With 0.1 % a step " 92 " % were lost" left 1 -100
+claim $lesson/amplitude.lesson "And with it all but " 8 " % of the energy" left
+claim $lesson/amplitude.lesson "With 0.1 % a step " 8 " % of the energy were left" left
 last_row mode10 --set mpm.flip_fraction=0.999 --set time.courant=0.05
-claim $lesson/amplitude.lesson "" 99 " % are lost now" left 1 -100
+claim $lesson/amplitude.lesson "" 0.8 " % are left now" left
 shares 0 0.64 mode10 --end 0.64
 claim $lesson/amplitude.lesson "the grid has " 76 " % of the kinetic energy" grid
 claim $lesson/amplitude.lesson "No: " 24 " % are \"lumping\"" lumping
@@ -474,9 +474,9 @@ if [ -n "$MATVIB_WIDE" ]; then
 	run moving-cantilever-coarse --end 0.0024
 	claim $lesson/channel.lesson "its last swing took " 3 " % longer, and" period_error
 	claim $lesson/channel.lesson "it is late by " 0.02 " periods" periods
-	claim $lesson/channel.lesson "A's " 3 " %" period_error
+	result "$lesson/channel.lesson: A swings at 309 Hz" awk '$1 == "measured" { exit !($2 > 3.231e-3 && $2 < 3.2415e-3) }' measured
 	run moving-cantilever-coarse --end 0.0024 --set motion.clamp=guide
-	claim $lesson/channel.lesson "B: its last swing took " 9 " % longer" period_error
+	result "$lesson/channel.lesson: B swings at 293 Hz" awk '$1 == "measured" { exit !($2 > 3.407e-3 && $2 < 3.4188e-3) }' measured
 fi
 last_row moving-cantilever-coarse --end 1e-7
 claim $lesson/channel.lesson "The journey at 10 m/s has " 0.52 " J" kinetic
@@ -484,8 +484,6 @@ claim $lesson/channel.lesson "the swing " 0.2 " millionths" strain 1e6
 
 last_row notched-beam-coarse --end 3.1e-6
 claim $lesson/crack.lesson "" 10 " bonds broke in the first 0.0031" broken_bonds
-last_row notched-beam-coarse --end 1e-4
-claim $lesson/bond.lesson "" 123 " bonds have broken" broken_bonds
 run notched-beam-coarse
 claim $lesson/crack.lesson "The notch broke first at " 0.0732 " ms" first 0.001
 claim $lesson/crack.lesson "twenty broken bonds there at " 0.087 "." twentieth 0.001
@@ -567,7 +565,7 @@ if [ -n "$MATVIB_WIDE" ]; then
 	claim $lesson/crack-speed.lesson "1862 m/s, " 0.61 " of c_R" of_rayleigh
 	pulled 12 45
 	claim $lesson/crack-speed.lesson "Split at " 26 " microseconds" split
-	claim $lesson/crack-speed.lesson "It is " 1.41 " now" surface
+	claim $lesson/crack-speed.lesson "same length severs: " 1.41 " now" surface
 	plate "24 34" pulled-plate --set loads.top.sy=12e6 --set loads.bottom.sy=-12e6 --end 34e-6
 	slope behind tip 24 34 time 1e3
 	claim $lesson/crack-speed.lesson "From 24 to 34 it makes " 1150 " m/s" behind
