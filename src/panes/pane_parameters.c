@@ -212,15 +212,6 @@ static void draw_row(const Screen *screen, Area area, int y, const ParameterRow 
     }
 }
 
-/* Where no heading stands above it a word alone, "position", is told with that heading: "notch position". */
-static void name_parameter(const Screen *screen, const Parameter *parameter, char *out, size_t size)
-{
-    const bool alone = screen_is_plain(screen) && !screen->lesson.open && !strpbrk(parameter->label, " /");
-    snprintf(out, size, "%s%s%s", alone ? parameter->group : "", alone ? " " : "", parameter->label);
-    if (alone)
-        out[0] = (char)tolower((unsigned char)out[0]);
-}
-
 void pane_parameter(const Screen *screen, Area area, int y, const Parameter *parameter, bool chosen)
 {
     const Settings *settings = experiment_settings(screen->experiment);
@@ -230,7 +221,10 @@ void pane_parameter(const Screen *screen, Area area, int y, const Parameter *par
     for (int x = 1; focused && x < width; x++)
         area_put(area, x, y, ' ', style);
     char value[LIST_MAX], name[48];
-    name_parameter(screen, parameter, name, sizeof name);
+    if (screen_is_plain(screen) && !screen->lesson.open)
+        parameter_name_alone(parameter, name, sizeof name);
+    else
+        snprintf(name, sizeof name, "%s", parameter->label);
     settings_show(settings, parameter, value);
     if (value[0] == '\0')
         snprintf(value, sizeof value, "-");

@@ -62,13 +62,16 @@ bool screen_is_plain(const Screen *screen)
 
 bool screen_question(const Screen *screen, char *out, size_t size)
 {
+    enum { ROOM = 24 };
     Settings tried = *experiment_settings(screen->experiment);
     const Parameter *parameter = settings_question(&tried);
-    char value[LIST_MAX];
+    char value[LIST_MAX], name[48];
     if (!parameter || !settings_answer_otherwise(&tried, parameter))
         return false;
     settings_show(&tried, parameter, value);
-    snprintf(out, size, "%s %.60s", parameter->label, value);
+    parameter_name_alone(parameter, name, sizeof name);
+    const bool fits = strlen(name) + strlen(value) < ROOM; /* on the smallest screen */
+    snprintf(out, size, "%s %.60s", fits ? name : parameter->label, value);
     return true;
 }
 

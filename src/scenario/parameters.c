@@ -6,6 +6,7 @@
 #include "scenario/settings_values.h"
 #include "base/text.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -58,6 +59,14 @@ const Parameter *parameter_find(const char *key)
         if (strcmp(parameters[i].key, key) == 0)
             return &parameters[i];
     return NULL;
+}
+
+void parameter_name_alone(const Parameter *parameter, char *out, size_t size)
+{
+    const bool alone = !strpbrk(parameter->label, " /");
+    snprintf(out, size, "%s%s%s", alone ? parameter->group : "", alone ? " " : "", parameter->label);
+    if (alone)
+        out[0] = (char)tolower((unsigned char)out[0]);
 }
 
 const FixedKey fixed_keys[] = {

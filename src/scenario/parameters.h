@@ -123,6 +123,9 @@ void fixed_key_text(const FixedKey *, char *out, size_t size);
 
 /* The row of a key; NULL: unknown. */
 const Parameter *parameter_find(const char *key);
+
+/* What it is called where no heading stands above it: "notch position" for a word alone, else its label. */
+void parameter_name_alone(const Parameter *, char *out, size_t size);
 const TextKey *text_key_find(const char *key);
 
 /* The key that is meant by its whole, by its end ("cell_size", "modulus") or by the words beside its field on

@@ -105,7 +105,8 @@ static void tell_about(const Screen *screen, Words *words)
         char name[64], value[ROW_TEXT_MAX];
         text_append(text, sizeof text, "%s", i ? ", " : "");
         if (asked[i].parameter) {
-            text_append(text, sizeof text, "%s (%s)", asked[i].parameter->label, asked[i].parameter->key);
+            parameter_name_alone(asked[i].parameter, name, sizeof name);
+            text_append(text, sizeof text, "%s (%s)", name, asked[i].parameter->key);
             continue;
         }
         settings_row_place_show(settings, &asked[i].place, name, value);
