@@ -224,7 +224,7 @@ END_TEST
 START_TEST(a_refused_answer_gives_way_to_the_next_key)
 {
     static const char *const refused[] = {"g 1 0 1 Enter", ": n o n s e n s e Enter", "o n o n e Enter",
-                                          "/ n o n s e n s e Enter", "x ^U Enter"};
+                                          "/ n o n s e n s e Enter"};
     Bench *bench = open_bench("mode1", true);
     const Prompt *prompt = &bench->lab.screen.prompt;
     press(bench, ".");
@@ -241,6 +241,21 @@ START_TEST(a_refused_answer_gives_way_to_the_next_key)
     press(bench, ".");
     ck_assert(!prompt->open);
     ck_assert_int_eq(step_of(bench), 2);
+    close_bench(bench);
+}
+END_TEST
+
+/* A name that is refused is typed anew, and is no keys. */
+START_TEST(a_refused_name_is_typed_anew)
+{
+    Bench *bench = open_bench("mode1", true);
+    const Prompt *prompt = &bench->lab.screen.prompt;
+    press_all(bench, ". x ^U / n o n e / a Enter");
+    ck_assert(prompt->open && prompt->problem[0]);
+    press_all(bench, ". b");
+    ck_assert(prompt->open && !prompt->problem[0]);
+    ck_assert_str_eq(prompt->text, ".b");
+    ck_assert_int_eq(step_of(bench), 1);
     close_bench(bench);
 }
 END_TEST
@@ -879,7 +894,8 @@ void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("laboratory");
     tcase_add_loop_test(tcase, a_table_is_followed_over_time, 0, 2);
-    tcase_add_loop_test(tcase, a_refused_answer_gives_way_to_the_next_key, 0, 5);
+    tcase_add_loop_test(tcase, a_refused_answer_gives_way_to_the_next_key, 0, 4);
+    tcase_add_test(tcase, a_refused_name_is_typed_anew);
     tcase_add_test(tcase, every_row_of_the_table_is_carried_out);
     tcase_add_test(tcase, a_late_run_is_late_within_ten_seconds);
     tcase_add_test(tcase, a_period_lasts_three_seconds);

@@ -221,6 +221,7 @@ static double series_bytes(const Laboratory *lab)
 
 static void ask_name(Laboratory *lab)
 {
+    static const Typing typing = {.names_file = true};
     char name[NAME_MAX_BYTES];
     const long rows = series_rows(lab);
     const double megabytes = series_bytes(lab) / 1e6;
@@ -231,6 +232,7 @@ static void ask_name(Laboratory *lab)
                : megabytes < 10 ? 1
                                 : 0,
                megabytes);
+    lab->prompting.typing = &typing;
     Prompt *prompt = &lab->screen.prompt;
     snprintf(prompt->hint, sizeof prompt->hint,
              "writes NAME-series.csv and its tables%s; NAME.svg, .pdf or .png: a figure of the view",

@@ -70,6 +70,7 @@ static void submit(Laboratory *lab, const char *text)
     *prompting->shown = asked;
     prompting->answer = answer;
     prompting->typing = typing;
+    prompting->fresh = typing && typing->names_file;
 }
 
 static void text_changed(Laboratory *lab, const char *key)
