@@ -9,7 +9,7 @@
 
 #include <stdio.h>
 
-void view_draw_variant(const View *view, const Screen *screen, Area area, Style heading, int variant)
+void pane_view_variant(const View *view, const Screen *screen, Area area, Style heading, int variant)
 {
     Picture picture;
     if (view->is_map && !simulation_has(experiment_simulation(screen->experiment), HAS_PLANE)) {
@@ -28,7 +28,7 @@ void view_draw_variant(const View *view, const Screen *screen, Area area, Style 
 
 static void draw_one(const View *view, const Screen *screen, Area area, Style heading)
 {
-    view_draw_variant(view, screen, area, heading, view_variant(view, screen));
+    pane_view_variant(view, screen, area, heading, view_variant(view, screen));
 }
 
 /* Whose picture it is stands at the end of its heading, in as few words as there is room for. */
@@ -102,7 +102,7 @@ void view_describe(const View *view, const Screen *screen, int columns, int rows
     cells_fit(picture, rows);
 }
 
-void view_draw(const View *view, const Screen *screen, Area area, bool focused)
+void pane_view(const View *view, const Screen *screen, Area area, bool focused)
 {
     const Style heading = focused ? STYLE_FOCUS : STYLE_HEADING;
     if (area.rect.width < 1 || area.rect.height < 1)

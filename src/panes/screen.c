@@ -78,10 +78,10 @@ static void draw_pane(const Screen *screen, PaneId pane, Area area)
         pane_mesh(screen, area);
         break;
     case PANE_UPPER:
-        view_draw(screen->views.upper, screen, area, screen_is_focused(screen, pane));
+        pane_view(screen->views.upper, screen, area, screen_is_focused(screen, pane));
         break;
     case PANE_LOWER:
-        view_draw(screen->views.lower, screen, area, screen_is_focused(screen, pane));
+        pane_view(screen->views.lower, screen, area, screen_is_focused(screen, pane));
         break;
     case PANE_BOX:
         pane_box(screen, area);
@@ -119,11 +119,11 @@ void screen_draw(const Screen *screen, Canvas *canvas)
         if (layout.timeline.width > 0)
             pane_timeline(screen, area_of(&screen->look, canvas, layout.timeline));
         if (layout.sides[0].width > 0)
-            view_draw_variant(&view_energies, screen, area_of(&screen->look, canvas, layout.sides[0]),
+            pane_view_variant(&view_energies, screen, area_of(&screen->look, canvas, layout.sides[0]),
                               STYLE_HEADING, 0);
         for (int i = 1; i < SIDES_MAX; i++)
             if (layout.sides[i].width > 0)
-                view_draw_variant(&view_table, screen, area_of(&screen->look, canvas, layout.sides[i]),
+                pane_view_variant(&view_table, screen, area_of(&screen->look, canvas, layout.sides[i]),
                                   STYLE_HEADING, i - 1);
     }
     pane_title(screen, area_of(&screen->look, canvas, layout.title));

@@ -25,8 +25,6 @@ typedef enum ViewDuel {
  * for more. */
 typedef enum ViewOpening { OPENS_ON_DEMAND, OPENS_ALWAYS, OPENS_IN_PLANE } ViewOpening;
 
-typedef struct Area Area; /* picture/area.h */
-
 struct View {
     const char *word;  /* names it wherever a view is named: small letters and '-', e.g. "energies" */
     const char *brief; /* for the key line, at most 8 columns */
@@ -110,11 +108,6 @@ const ConvergenceStudy *view_study(const View *, const Screen *);
 
 /* Makes its picture for a page or for words, of so many characters. */
 void view_describe(const View *, const Screen *, int columns, int rows, Picture *);
-
-void view_draw_variant(const View *, const Screen *, Area, Style heading, int variant);
-
-/* Draws it into a pane, both runs of a duel as it likes. */
-void view_draw(const View *, const Screen *, Area, bool focused);
 
 /* Keys and mouse in its pane, which lies at `rect`, answered by what its picture says of its places. Arrows
  * in a list, `page` rows at a time; what Enter does there: the step to go to, or -1, and what is to be drawn

@@ -333,7 +333,7 @@ START_TEST(nothing_leaves_its_pane)
         if (drawing < panes)
             draws[drawing](&scene.screen, area);
         else
-            view_draw(views[drawing - panes], &scene.screen, area, trial % 2);
+            pane_view(views[drawing - panes], &scene.screen, area, trial % 2);
         for (int y = 0; y < HEIGHT; y++)
             for (int x = 0; x < WIDTH; x++) {
                 bool inside =

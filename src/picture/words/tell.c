@@ -55,7 +55,7 @@ static void tell_drawn(const Screen *screen, void (*draw)(const Screen *, Area),
 
 static void draw_upper(const Screen *screen, Area area)
 {
-    view_draw(screen->views.upper, screen, area, true);
+    pane_view(screen->views.upper, screen, area, true);
 }
 
 static void draw_inspector(const Screen *screen, Area area)
