@@ -184,4 +184,8 @@ void cell_plane_describe(const Screen *screen, Picture *picture)
     cell_terms_rest(&terms, rest.text, sizeof rest.text);
     if (rest.text[0])
         picture_label(picture, &rest);
+    if (done && terms.n_flows == 0 && stage == &sim->stages[sim->n_stages - 1])
+        picture_note(picture, STYLE_FAINT, "the step is over: the shares N are those of the new place");
+    else if (done && terms.n_flows == 0)
+        picture_note(picture, STYLE_FAINT, "nothing passes between particles and nodes in this stage");
 }

@@ -137,8 +137,10 @@ static void verdict_of(const Screen *screen, const Study *study, char out[160])
         text_append(out, 160, "  no one order: the error does not fall with one sign");
 }
 
-/* Of point k: its size, its answers, its error, the order from the one before. */
-static void point_line(const Study *study, int k, char out[200])
+enum { BRIEF = 60 }; /* columns that a point wants with all that there is to say */
+
+/* Of point k: its size, its answers, its error, the order from the one before; in brief, the last two. */
+static void point_line(const Study *study, int k, bool brief, char out[200])
 {
     const ConvergencePoint *point = &study->points[k];
     const Prediction *is = &point->prediction;
@@ -147,7 +149,7 @@ static void point_line(const Study *study, int k, char out[200])
              shown(study, point->size), study->periods ? " mm" : "");
     if (study->of->paper)
         text_append(out, 200, ", %.1f high", is->real_height / 1e-3);
-    else
+    else if (!brief)
         text_append(out, 200, point->of_mesh ? ", %.0f cells" : ", m %.3g", point->nodes);
     if (!point->known) {
         text_append(out, 200, ": none can be made");
@@ -158,6 +160,8 @@ static void point_line(const Study *study, int k, char out[200])
         in_line > 0 && !study->of->paper ? convergence_order(&study->points[k - 1], point) : NAN;
     if (isfinite(order))
         text_append(out, 200, ", order %.2f", order);
+    if (brief && !study->of->paper)
+        return;
     text_append(out, 200, ", %s %.4f", study->of->paper ? "T" : "predicted", shown(study, is->predicted));
     if (study->of->paper)
         text_append(out, 200, ", paper %.3f", point->paper / 1e-3);
@@ -294,7 +298,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
         describe_errors(picture, &study);
     picture_note(picture, STYLE_NORMAL, line);
     for (int k = 0; k < study.known; k++) {
-        point_line(&study, k, line);
+        point_line(&study, k, picture->columns < BRIEF, line);
         picture_note(picture, STYLE_FAINT, line)->spare = true;
     }
 }
