@@ -55,7 +55,8 @@ static bool ask(const char *question, char out[STUDENT_MAX])
 
 static void ask_for_both(const char *title, HomeworkFile *homework)
 {
-    visible_print(stdout, "%s\nWhat you do is kept in a file for your teacher.\n", title);
+    visible_print(stdout, "%s\n", title);
+    visible_print(stdout, "What you do is kept in a file for your teacher.\n");
     if (ask("Your name (Enter alone: only look, nothing is kept):", homework->student))
         ask("Your ID number or address, where you have one (Enter alone: none):", homework->id);
 }

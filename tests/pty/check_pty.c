@@ -136,6 +136,7 @@ START_TEST(homework_asks_whose_it_is)
     ck_assert_int_eq(chdir(folder), 0);
     session_open(&session, 80, 24, NULL, (const char *const[]){program, "lesson", "homework-late", NULL});
     session_wait_for(&session, "Your name");
+    ck_assert(session_shows(&session, "Homework: the late mode") && !session_shows(&session, "\\x"));
     session_send(&session, "\033[2J\r");
     session_wait_for(&session, "is no name");
     session_send(&session, "Ada Lovelace\r");
