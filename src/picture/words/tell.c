@@ -53,11 +53,6 @@ static void tell_drawn(const Screen *screen, void (*draw)(const Screen *, Area),
     canvas_close(&canvas);
 }
 
-static void draw_upper(const Screen *screen, Area area)
-{
-    pane_view(screen->views.upper, screen, area, true);
-}
-
 static void draw_inspector(const Screen *screen, Area area)
 {
     const Inspector *inspector = inspector_find(screen);
@@ -286,72 +281,42 @@ void tell_view(const Screen *screen, const View *view, Words *words)
         words_say(words, 2, "View %s: %s.", view->word, missing);
         return;
     }
-    view_describe(view, screen, WORDS_WIDTH, PICTURE_ROWS, &picture);
-    if (picture.has_axes)
-        words_say(words, 2, "View %s%s%s:", view->word, variant ? " " : "", variant ? variant : "");
-    if (!tell_picture(&picture, view->has_time_axis ? screen->time.cursor : NAN, words)) {
-        Screen alone = *screen;
-        alone.views.upper = view;
-        words_say(words, 2, "View %s%s%s.", view->word, variant ? " " : "", variant ? variant : "");
-        tell_drawn(&alone, draw_upper, PICTURE_ROWS, false, words);
+    words_say(words, 2, "View %s%s%s:", view->word, variant ? " " : "", variant ? variant : "");
+    if (view->is_map && !simulation_has(experiment_simulation(screen->experiment), HAS_PLANE)) {
+        tell_drawn(screen, pane_mesh, PICTURE_ROWS, false, words); /* the body of a bar is its strip */
+        return;
     }
+    view_describe(view, screen, WORDS_WIDTH, PICTURE_ROWS, &picture);
+    tell_picture(&picture, view->has_time_axis ? screen->time.cursor : NAN, words);
     words->lost |= picture.plot.lost;
     picture_close(&picture);
 }
 
 void tell_part(const Screen *screen, TellPart part, Words *words)
 {
-    switch (part) {
-    case TELL_ABOUT:
-        tell_about(screen, words);
-        break;
-    case TELL_NUMBER:
-        tell_number(screen, words);
-        break;
-    case TELL_SETUP:
-        tell_setup(screen, words);
-        break;
-    case TELL_WHY:
-        tell_why(screen, words);
-        break;
-    case TELL_LESSON:
-        if (screen->lesson.open)
-            tell_drawn(screen, pane_lesson, TALL, false, words);
-        break;
-    case TELL_WHERE:
-        tell_where(screen, words);
-        break;
-    case TELL_FOCUS:
-        tell_focus(screen, words);
-        break;
-    case TELL_PARAMETER:
-        tell_parameter(screen, words);
-        break;
-    case TELL_STAGE:
-        tell_drawn(screen, pane_box, PICTURE_ROWS, true, words);
-        break;
-    case TELL_UPPER:
-        tell_view(screen, screen->views.upper, words);
-        break;
-    case TELL_LOWER:
-        tell_view(screen, screen->views.lower, words);
-        break;
-    case TELL_INSPECTOR:
-        if (screen->panes.inspecting)
-            tell_drawn(screen, draw_inspector, TALL, false, words);
-        break;
-    case TELL_PARAMETERS:
-        tell_drawn(screen, pane_parameters, PARAMETER_ROWS_MAX, false, words);
-        break;
-    case TELL_BODY:
-        tell_body(screen, words);
-        break;
-    case TELL_HELP:
-        tell_drawn(screen, help_draw, HELP_ROWS, false, words);
-        break;
-    case TELL_COUNT:
-        break;
-    }
+    static void (*const told[TELL_COUNT])(const Screen *, Words *) = {
+        [TELL_ABOUT] = tell_about, [TELL_NUMBER] = tell_number,       [TELL_SETUP] = tell_setup,
+        [TELL_WHY] = tell_why,     [TELL_WHERE] = tell_where,         [TELL_FOCUS] = tell_focus,
+        [TELL_BODY] = tell_body,   [TELL_PARAMETER] = tell_parameter,
+    };
+    static const struct {
+        void (*draw)(const Screen *, Area);
+        int rows;
+        bool numbered;
+    } drawn[TELL_COUNT] = {
+        [TELL_LESSON] = {pane_lesson, TALL, false},
+        [TELL_STAGE] = {pane_box, PICTURE_ROWS, true},
+        [TELL_INSPECTOR] = {draw_inspector, TALL, false},
+        [TELL_PARAMETERS] = {pane_parameters, PARAMETER_ROWS_MAX, false},
+        [TELL_HELP] = {help_draw, HELP_ROWS, false},
+    };
+    if (told[part])
+        told[part](screen, words);
+    else if (part == TELL_UPPER || part == TELL_LOWER)
+        tell_view(screen, part == TELL_UPPER ? screen->views.upper : screen->views.lower, words);
+    else if ((part != TELL_LESSON || screen->lesson.open) &&
+             (part != TELL_INSPECTOR || screen->panes.inspecting))
+        tell_drawn(screen, drawn[part].draw, drawn[part].rows, drawn[part].numbered, words);
 }
 
 bool tell_named(const Screen *screen, const char *word, Words *words)

@@ -46,8 +46,8 @@ void tell_view(const Screen *, const View *, Words *);
 
 struct Picture;
 
-/* tell_picture.c: the curves of a plot, or the colours of a map; false: there are neither. `cursor` is the
- * place at which each curve is read too; NAN: none. */
-bool tell_picture(const struct Picture *, double cursor, Words *);
+/* tell_picture.c: the curves of a plot, the colours of a map, the rows of a list, or why there are none.
+ * `cursor` is the place at which each curve is read too; NAN: none. */
+void tell_picture(const struct Picture *, double cursor, Words *);
 
 #endif

@@ -13,7 +13,7 @@
 
 #define ROUNDING 1e-9 /* of what an axis shows */
 
-enum { DIGITS = 4, NAME_MAX = 96 };
+enum { DIGITS = 4, LIST_DIGITS = 5, NAME_MAX = 96 };
 
 /* --- numbers with their names ---------------------------------------------------------------------- */
 
@@ -453,19 +453,49 @@ static void say_label(const PictureLabel *label, bool drawn, Words *words)
               label->thing ? " " : "", text);
 }
 
-bool tell_picture(const Picture *picture, double cursor, Words *words)
+/* "particle: x; velocity" and below it "25: 12.75, 0.079968", or "t 5.1: bond 12-13 broke"; the chosen row
+ * with those around it. */
+static void say_list(const Picture *picture, Words *words)
 {
-    if (!picture->has_axes)
-        return false;
+    const PictureList *list = picture->list;
+    const size_t around = (size_t)picture->rows / 2;
+    char text[1024] = "", value[NUMBER_TEXT_MAX];
+    for (int c = 0; c < list->n_columns; c++)
+        text_append(text, sizeof text, "%s %s", c ? ";" : "", list->columns[c].name);
+    if (list->what[0])
+        words_say(words, 4, "  %s:%s", list->what, text);
+    for (size_t i = 0; i < list->rows; i++) {
+        const size_t row = list->first + i;
+        if (row + around < list->chosen || row > list->chosen + around)
+            continue;
+        text[0] = '\0';
+        for (int c = 0; c < list->n_columns; c++) {
+            const PictureCell *cell = picture_cell(list, c, i);
+            const ListKind kind = list->columns[c].kind;
+            text_rounded(value, cell->value, LIST_DIGITS);
+            if (kind == LIST_SIGN)
+                snprintf(value, sizeof value, "%c", cell->letter);
+            if (kind != LIST_SIGN || cell->letter)
+                text_append(text, sizeof text, "%s %s", *text && list->what[0] ? "," : "",
+                            kind == LIST_WORDS ? cell->words : value);
+        }
+        words_say(words, 4, "  %s:%s", list->names[i], text);
+    }
+}
+
+void tell_picture(const Picture *picture, double cursor, Words *words)
+{
     const bool drawn = picture->kind == PICTURE_DRAWING;
     if (picture->map)
         say_map(picture, words);
     else if (picture->plot.n_strokes > 0 && !drawn && !picture->bare)
         say_strokes(picture, cursor, words);
-    if (drawn || picture->bare)
+    if (drawn || picture->bare || !picture->has_axes)
         words_say(words, 4, "  %s.", drawn ? picture->name : picture->heading);
     else
         say_rules(picture, words);
+    if (picture->list)
+        say_list(picture, words);
     for (int i = 0; i < picture->n_labels && picture->bare; i++)
         say_label(&picture->labels[i], drawn, words);
     for (int i = 0; i < picture->n_arrows; i++)
@@ -474,5 +504,4 @@ bool tell_picture(const Picture *picture, double cursor, Words *words)
     for (int i = 0; i < picture->n_notes; i++)
         if (picture->notes[i].text[strspn(picture->notes[i].text, " ")])
             words_say(words, 4, "  %s", picture->notes[i].text + strspn(picture->notes[i].text, " "));
-    return true;
 }

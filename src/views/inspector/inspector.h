@@ -35,10 +35,9 @@ typedef struct MassRow {
 } MassRow;
 bool inspector_mass_row(const Simulation *, int set, size_t node, MassRow *);
 
-/* The row, node by node with their sum, which is the node's mass: the rows that it
- * takes, 0 where masses are lumped or not mapped yet, and the drawing, from row y on. */
-int inspector_mass_rows(const Simulation *, int set, size_t node);
-void inspector_draw_masses(const Simulation *, int set, size_t node, Area, int y);
+/* The row of a node, thing by thing (`name`) with their sum, which is the node's mass, from row y on. */
+enum { MASSES_ROWS = 2 };
+void inspector_draw_masses(const MassRow *, const char *name, size_t node, Area, int y);
 
 /* Writes a number of a column that adds up (picture/sum_column.h); it ends before column `end`. */
 void inspector_write(Area, int end, int y, double value, Writing, int decimals, Style);

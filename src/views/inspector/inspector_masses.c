@@ -33,37 +33,28 @@ void inspector_write(Area area, int end, int y, double value, Writing writing, i
     area_text_right(area, end - shift, y, text, style);
 }
 
-int inspector_mass_rows(const Simulation *sim, int set, size_t node)
+void inspector_draw_masses(const MassRow *row, const char *name, size_t node, Area area, int y)
 {
-    MassRow row;
-    return inspector_mass_row(sim, set, node, &row) ? 2 : 0;
-}
-
-void inspector_draw_masses(const Simulation *sim, int set, size_t node, Area area, int y)
-{
-    MassRow row;
-    if (!inspector_mass_row(sim, set, node, &row))
-        return;
-    const int room = (area.rect.width - LABEL_WIDTH) / (int)(row.count + 1);
+    const int room = (area.rect.width - LABEL_WIDTH) / (int)(row->count + 1);
     const int width = room > COLUMN_MAX ? COLUMN_MAX : room;
     if (width < COLUMN_LEAST)
         return;
     double sum = 0;
-    for (size_t k = 0; k < row.count; k++)
-        sum += row.masses[k];
-    const Writing writing = writing_of(row.masses, row.count, 0, sum, width - 1);
+    for (size_t k = 0; k < row->count; k++)
+        sum += row->masses[k];
+    const Writing writing = writing_of(row->masses, row->count, 0, sum, width - 1);
     char text[NUMBER_TEXT_MAX];
-    area_text_right(area, LABEL_WIDTH - 1, y, sim->sets[set].name, STYLE_HEADING);
+    area_text_right(area, LABEL_WIDTH - 1, y, name, STYLE_HEADING);
     snprintf(text, sizeof text, "M(%zu)", node);
     area_text_right(area, LABEL_WIDTH - 1, y + 1, text, STYLE_HEADING);
-    for (size_t k = 0; k < row.count; k++) {
+    for (size_t k = 0; k < row->count; k++) {
         const int end = LABEL_WIDTH + (int)(k + 1) * width - 1;
-        snprintf(text, sizeof text, "%zu", row.first + k);
+        snprintf(text, sizeof text, "%zu", row->first + k);
         area_text_right(area, end, y, text, STYLE_HEADING);
-        inspector_write(area, end, y + 1, row.masses[k], writing, writing.decimals,
-                        row.first + k == node ? STYLE_CHANGED : STYLE_NORMAL);
+        inspector_write(area, end, y + 1, row->masses[k], writing, writing.decimals,
+                        row->first + k == node ? STYLE_CHANGED : STYLE_NORMAL);
     }
-    const int end = LABEL_WIDTH + (int)(row.count + 1) * width - 1;
+    const int end = LABEL_WIDTH + (int)(row->count + 1) * width - 1;
     if (writing.exponent != 0)
         snprintf(text, sizeof text, "x10^%d", writing.exponent);
     area_text_right(area, end, y, writing.exponent != 0 ? text : "sum", STYLE_HEADING);

@@ -485,9 +485,10 @@ static void draw(const Screen *screen, Area area)
         y += area_print(area, 1, y, STYLE_NORMAL,
                         "stage %d, %s: nothing is passed on; before that:", sim->stage,
                         sim->stages[latest].name) > 0;
-    const int masses =
-        area.rect.height >= MASSES_FROM ? inspector_mass_rows(sim, subject.set, subject.index) : 0;
-    const int height = area.rect.height - masses; /* of the blocks */
+    MassRow masses;
+    const bool weighs =
+        area.rect.height >= MASSES_FROM && inspector_mass_row(sim, subject.set, subject.index, &masses);
+    const int height = area.rect.height - (weighs ? MASSES_ROWS : 0); /* of the blocks */
     bool drawn = false;
     for (int pass = 0; pass < 2; pass++)
         for (int stage = latest; stage >= 0; stage--)
@@ -505,8 +506,9 @@ static void draw(const Screen *screen, Area area)
                 y = begin + block_rows(&plan);
                 drawn = true;
             }
-    if (masses > 0)
-        inspector_draw_masses(sim, subject.set, subject.index, area, y < height ? y + 1 : height);
+    if (weighs)
+        inspector_draw_masses(&masses, sim->sets[subject.set].name, subject.index, area,
+                              y < height ? y + 1 : height);
 }
 
 /* Left and right: the next thing; up: the node that the particle shares most with, down: the particle. */
