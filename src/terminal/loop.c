@@ -29,6 +29,7 @@ typedef struct Loop {
     double replayed_at;              /* when its last key was done again */
     bool told;        /* something stands on the shell's last line that tell how far the opening has come */
     bool stale;       /* the picture shown is out of date */
+    bool more_keys;   /* are answered before it sleeps */
     bool unannounced; /* a picture is not yet announced, for the terminal has not taken all of it */
 } Loop;
 
@@ -53,7 +54,7 @@ static void announce(Loop *loop)
     if (loop->frame_fd < 0)
         return;
     int length = snprintf(text, sizeof text, "frame %ld%s\n", loop->frames,
-                          laboratory_active(&loop->lab) ? "" : " idle");
+                          laboratory_active(&loop->lab) || loop->more_keys ? "" : " idle");
     ssize_t written = write(loop->frame_fd, text, (size_t)length);
     (void)written; /* unread frames are dropped */
 }
@@ -199,6 +200,26 @@ static void replay_round(Loop *loop)
             replay_next(&loop->replay)->on_the_way ? -1 : replay_next(&loop->replay)->step;
 }
 
+/* Keys that wait are answered before a picture is made, but where they come faster than they are answered it
+ * shows for all that how far they have led. True: more of them may wait, read from the terminal already. */
+static bool answer_keys(Loop *loop)
+{
+    Laboratory *lab = &loop->lab;
+    const double latest = now(NULL) + FRAME_SECONDS;
+    Key key;
+    while (!lab->closed && terminal_signal(loop->terminal) == 0) {
+        if (!terminal_key(loop->terminal, &key))
+            return false;
+        /* a terminal may send reports that nobody asked for */
+        if (key.x < 0 || !lab->options.no_mouse)
+            laboratory_key(lab, &key);
+        loop->stale = true;
+        if (now(NULL) >= latest)
+            return true;
+    }
+    return false;
+}
+
 static void one_round(Loop *loop)
 {
     Laboratory *lab = &loop->lab;
@@ -207,12 +228,7 @@ static void one_round(Loop *loop)
         end_replay(loop, "the replay ends here");
     if (is_replaying(loop))
         replay_round(loop);
-    while (!lab->closed && terminal_signal(loop->terminal) == 0 && terminal_key(loop->terminal, &key)) {
-        /* a terminal may send reports that nobody asked for */
-        if (key.x < 0 || !loop->lab.options.no_mouse)
-            laboratory_key(lab, &key);
-        loop->stale = true;
-    }
+    loop->more_keys = answer_keys(loop);
     if (terminal_resized(loop->terminal))
         loop->stale = true;
     if (lab->closed)
@@ -236,6 +252,8 @@ static void one_round(Loop *loop)
         if (laboratory_active(lab) && left > frame_left)
             left = frame_left;
         terminal_wait(loop->terminal, left > 0 ? left : 0);
+    } else if (loop->more_keys) {
+        terminal_wait(loop->terminal, 0);
     } else if (!laboratory_active(lab)) {
         terminal_wait(loop->terminal, -1);
         loop->due = now(NULL);
