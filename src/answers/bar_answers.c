@@ -280,7 +280,7 @@ const BarAnswers *bar_answers(const References *refs)
 static void release(void *own)
 {
     BarAnswers *bar = own;
-    pd_bar_modes_free(bar->modes);
+    bar_motion_free(bar->motion);
 }
 
 BarAnswers *bar_answers_create(References *refs, Status *status)

@@ -29,7 +29,7 @@ typedef struct BarWatch {
 typedef struct BarAnswers {
     BarTheory theory;
     BarMesh mesh;      /* by the material point method */
-    PdBarModes *modes; /* by peridynamics; NULL: v_cm is not predicted */
+    BarMotion *motion; /* v_cm as a sum of modes; NULL: by a formula, or not predicted */
     BarWatch watch;
 } BarAnswers;
 

@@ -10,6 +10,7 @@
 #include "methods/mpm/line/mpm_bar.h"
 #include "problems/solvers.h"
 #include "theory/step_limit.h"
+#include "theory/step_motion.h"
 #include "theory/step_spectrum.h"
 #include "theory/swing.h"
 
@@ -136,7 +137,9 @@ static bool predict(const Settings *settings, Prediction *out, Status *status)
 static double predicted_v_cm(References *refs, long step, double time, const double *row)
 {
     (void)time, (void)row;
-    return dispersion_centre_velocity(&bar_answers(refs)->theory, &bar_answers(refs)->mesh, step);
+    const BarAnswers *bar = bar_answers(refs);
+    return bar->motion ? bar_motion_centre_velocity(bar->motion, step)
+                       : dispersion_centre_velocity(&bar->theory, &bar->mesh, step);
 }
 
 static bool prepare(References *refs, const Settings *settings, const Simulation *sim, Status *status)
@@ -148,8 +151,10 @@ static bool prepare(References *refs, const Settings *settings, const Simulation
     if (!bar)
         return false;
     bar->mesh = bar_mesh_of(settings, sim->dt);
-    const bool whole = dispersion_predicts_centre_velocity(&theory, &bar->mesh);
     errno = 0;
+    if (bar_is_layered(&theory) && !refs->unaccounted[REFERENCE_PREDICTED])
+        bar->motion = step_motion(&theory, &bar->mesh);
+    const bool whole = bar->motion || dispersion_predicts_centre_velocity(&theory, &bar->mesh);
     if (!bar_prepare(refs, settings, sim, predicted_frequency, whole ? predicted_v_cm : NULL,
                      "velocity of the centre of mass predicted for this mesh", status))
         return false;

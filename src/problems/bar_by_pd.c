@@ -85,7 +85,7 @@ static double predicted_frequency(const Settings *settings, const BarTheory *the
 static double predicted_v_cm(References *refs, long step, double time, const double *row)
 {
     (void)time, (void)row;
-    return pd_bar_centre_velocity(bar_answers(refs)->modes, step);
+    return bar_motion_centre_velocity(bar_answers(refs)->motion, step);
 }
 
 static bool prepare(References *refs, const Settings *settings, const Simulation *sim, Status *status)
@@ -99,9 +99,9 @@ static bool prepare(References *refs, const Settings *settings, const Simulation
     const PdBarTheory lattice = bar_lattice_of(settings);
     errno = 0;
     if (!refs->unaccounted[REFERENCE_PREDICTED])
-        bar->modes = pd_bar_modes_create(&theory, &lattice);
+        bar->motion = pd_bar_motion(&theory, &lattice);
     const bool prepared =
-        bar_prepare(refs, settings, sim, predicted_frequency, bar->modes ? predicted_v_cm : NULL,
+        bar_prepare(refs, settings, sim, predicted_frequency, bar->motion ? predicted_v_cm : NULL,
                     "velocity of the centre of mass predicted for this lattice", status);
     return bar_prediction_is_whole(round(settings_geometry(settings)->length / lattice.spacing), "nodes",
                                    status) &&

@@ -5,6 +5,7 @@
 #include "theory/bar_rest.h"
 
 #include "base/assertion.h"
+#include "base/linear/cholesky.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -204,6 +205,28 @@ bool bar_rest_make(BarRest *rest, const BarTheory *bar, const BarMesh *mesh, int
 void bar_rest_free(BarRest *rest)
 {
     free(rest->mass);
+}
+
+bool bar_rest_solve_mass(const BarRest *rest, double share, double *x)
+{
+    const size_t n = (size_t)rest->nodes, width = (size_t)rest->reach;
+    if (share == 0) {
+        for (size_t i = 0; i < n; i++)
+            x[i] /= rest->mass[i];
+        return true;
+    }
+    CholeskyBand band = {n, width, malloc(n * (width + 1) * sizeof(double))};
+    if (!band.rows)
+        return false;
+    for (size_t i = 0; i < n; i++)
+        for (size_t d = 0; d <= width; d++)
+            band.rows[i * (width + 1) + d] =
+                share * rest->consistent[i * (width + 1) + d] + (d == 0 ? (1 - share) * rest->mass[i] : 0);
+    const bool good = cholesky_factor(&band, &(Patience){0}) == CHOLESKY_DONE;
+    if (good)
+        cholesky_solve(&band, x, &(Patience){0});
+    free(band.rows);
+    return good;
 }
 
 /* v_i = sum m N_i phi(x_p) / m_i: what mapping and eq. 4 of paper M make of a mode phi of unit velocity. */

@@ -42,6 +42,9 @@ void bar_rest_weights(const BarRest *, int cell, int j, double n[REST_SUPPORT_MA
 bool bar_rest_make(BarRest *, const BarTheory *, const BarMesh *, int cells);
 void bar_rest_free(BarRest *);
 
+/* x <- M^-1 x, M = share M_c + (1 - share) M_l. False: not enough memory, or M is singular. */
+bool bar_rest_solve_mass(const BarRest *, double share, double *x);
+
 /* Nodal velocities sum m N phi / M_l of a mode of unit velocity, as phi is. */
 typedef double BarShape(const BarTheory *, int number, double x);
 void bar_rest_sample(const BarRest *, const BarTheory *, BarShape *phi, int number, double *velocity);

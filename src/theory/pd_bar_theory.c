@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Predicted frequencies of the bar by peridynamics; pd_bar.h derives the equations. First a wave on an
  * endless lattice, in closed form; then the lattice with its ends, as eigenvalues of the matrix that its
- * families make, A u = omega^2 u, a band (band_eigenvalue) for one frequency and dense (GSL) where all
- * eigenvectors are needed; then v_cm(t) as a sum over modes. */
+ * families make, A u = omega^2 u, a band (band_eigenvalue) for one frequency and dense where all eigenvectors
+ * are needed for v_cm(t). */
 #include "theory/pd_bar_theory.h"
 
 #include "base/linear/band.h"
@@ -10,8 +10,7 @@
 #include "theory/quiet.h"
 
 #include <float.h>
-#include <gsl/gsl_eigen.h>
-#include <gsl/gsl_errno.h>
+#include <gsl/gsl_matrix.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -41,18 +40,6 @@ static double strength(const PdBarTheory *lattice, int m)
     return (1 - m / ratio) * weight(lattice, m) * ratio * ratio / (2 * sum);
 }
 
-/* Omega, what velocity Verlet makes of a motion u'' = -omega^2 u. Its three displacements in a row obey
- *
- *     u^{n+1} - 2 u^n + u^{n-1} = -(omega dt)^2 u^n
- *
- * and u^n = exp(i Omega n dt) gives 2 - 2 cos(Omega dt) = (omega dt)^2, that is sin(Omega dt/2) = omega dt/2.
- * NAN beyond the stability limit omega dt = 2, where no real Omega is left. */
-static double verlet(double omega, double dt)
-{
-    double half = omega * dt / 2;
-    return half <= 1 ? 2 * math_asin(half) / dt : NAN;
-}
-
 /* A wave exp(i(beta x - omega t)) on the endless lattice, theta = beta h. The bonds to both sides at distance
  * m h pull with k_m (2 - 2 cos(m theta)) = 4 k_m sin^2(m theta/2), and with k_m = c G w_m V/(m h), c =
  * 2E/delta^2, V = h
@@ -78,7 +65,7 @@ Dispersion pd_bar_dispersion(const BarTheory *bar, const PdBarTheory *lattice, d
     if (lattice->energy_correction)
         sum *= ratio * ratio / (2 * moment);
     wave.space_only = sqrt(8 * bar->youngs_modulus / bar->density * sum) / lattice->horizon;
-    wave.frequency = verlet(wave.space_only, lattice->dt);
+    wave.frequency = bar_motion_frequency(wave.space_only, lattice->dt);
     wave.known = lattice->dt > 0 && isfinite(wave.frequency);
     return wave;
 }
@@ -195,64 +182,23 @@ double pd_bar_frequency(const BarTheory *bar, const PdBarTheory *lattice, int nu
     const Band matrix = {(size_t)n, width, band.rows};
     const double square = band_eigenvalue(&matrix, (size_t)place, &lattice->patience);
     free(band.rows);
-    return isnan(square) ? NAN : verlet(sqrt(fmax(0, square)), lattice->dt);
+    return isnan(square) ? NAN : bar_motion_frequency(sqrt(fmax(0, square)), lattice->dt);
 }
 
 /* --- v_cm(t) -------------------------------------------------------------------------------------- */
 
-struct PdBarModes {
-    int count;
-    double *frequency, *share; /* v_cm = sum share cos(frequency t) */
-    double dt;
-};
-
-void pd_bar_modes_free(PdBarModes *modes)
-{
-    if (!modes)
-        return;
-    free(modes->frequency);
-    free(modes->share);
-    free(modes);
-}
-
-/* v_cm after so many steps. From u = 0 velocity Verlet makes of a mode with velocity v_0 exactly
- *
- *     v^n = (u^{n+1} - u^{n-1})/(2 dt) = v_0 cos(Omega n dt)
- *
- * so the sum over modes is the scheme's own answer, not an approximation of it. */
-double pd_bar_centre_velocity(const PdBarModes *modes, long step)
-{
-    double sum = 0;
-    for (int k = 0; k < modes->count; k++)
-        sum += modes->share[k] * math_cos(modes->frequency[k] * (double)step * modes->dt);
-    return sum;
-}
-
-static PdBarModes *room_for(int count, double dt)
-{
-    PdBarModes *modes = calloc(1, sizeof *modes);
-    if (!modes)
-        return NULL;
-    *modes = (PdBarModes){count, calloc((size_t)count + 1, sizeof(double)),
-                          calloc((size_t)count + 1, sizeof(double)), dt};
-    if (modes->frequency && modes->share)
-        return modes;
-    pd_bar_modes_free(modes);
-    return NULL;
-}
-
 /* Between two fixed ends each sine is a mode of the lattice: share A mean(phi), frequency Omega(beta_n). */
-static bool take_sines(PdBarModes *modes, const BarTheory *bar, const PdBarTheory *lattice, int n)
+static bool take_sines(BarMotion *motion, const BarTheory *bar, const PdBarTheory *lattice, int n)
 {
     for (int k = 0; k < bar->n_modes; k++) {
         const int number = bar->modes[k].number;
         double sum = 0;
         for (int i = 0; i < n; i++)
             sum += bar_mode_shape(bar, number, (i + 0.5) * lattice->spacing);
-        modes->share[k] = bar->modes[k].velocity * sum / n;
-        modes->frequency[k] = number < 1 ? 0 : pd_bar_frequency(bar, lattice, number);
-        if (!isfinite(modes->frequency[k]))
+        const double frequency = number < 1 ? 0 : pd_bar_frequency(bar, lattice, number);
+        if (!isfinite(frequency))
             return false;
+        bar_motion_set(motion, k, bar->modes[k].velocity * sum / n, frequency);
     }
     return true;
 }
@@ -262,50 +208,35 @@ static void put_in_matrix(void *into, int row, int column, double value)
     *gsl_matrix_ptr(into, (size_t)row, (size_t)column) += value;
 }
 
-/* All modes e_k of the lattice: share (sum_i e_k,i v_0(X_i)) mean(e_k). False: no memory, or a mode is
- * unstable. */
-static bool take_vectors(PdBarModes *modes, const BarTheory *bar, const PdBarTheory *lattice, int n)
+/* All modes of the lattice. False: no memory, or a mode is unstable. */
+static bool take_vectors(BarMotion *motion, const BarTheory *bar, const PdBarTheory *lattice, int n)
 {
     const size_t size = (size_t)n;
-    bool sound = false;
     quiet_begin();
-    gsl_matrix *matrix = gsl_matrix_calloc(size, size), *vectors = gsl_matrix_alloc(size, size);
-    gsl_vector *squares = gsl_vector_alloc(size);
-    gsl_eigen_symmv_workspace *work = gsl_eigen_symmv_alloc(size);
-    if (matrix && vectors && squares && work)
-        sound = write_matrix(bar, lattice, n, put_in_matrix, matrix) &&
-                gsl_eigen_symmv(matrix, squares, vectors, work) == GSL_SUCCESS;
-    for (int k = 0; sound && k < n; k++) {
-        double along = 0, mean = 0;
-        for (int i = 0; i < n; i++) {
-            double part = gsl_matrix_get(vectors, (size_t)i, (size_t)k);
-            along += part * bar_initial_velocity(bar, (i + 0.5) * lattice->spacing);
-            mean += part / n;
-        }
-        modes->share[k] = along * mean;
-        modes->frequency[k] = verlet(sqrt(fmax(0, gsl_vector_get(squares, (size_t)k))), lattice->dt);
-        sound = isfinite(modes->frequency[k]);
-    }
-    gsl_eigen_symmv_free(work);
-    gsl_vector_free(squares);
-    gsl_matrix_free(vectors);
-    gsl_matrix_free(matrix);
+    gsl_matrix *matrix = gsl_matrix_calloc(size, size);
     quiet_end();
+    double *start = malloc(2 * size * sizeof *start);
+    bool sound = matrix && start && write_matrix(bar, lattice, n, put_in_matrix, matrix);
+    for (int i = 0; sound && i < n; i++) {
+        start[i] = bar_initial_velocity(bar, (i + 0.5) * lattice->spacing);
+        start[n + i] = 1.0 / n; /* their share in the mean */
+    }
+    sound = sound && bar_motion_resolve(motion, matrix, start, start + n);
+    free(start);
+    gsl_matrix_free(matrix);
     return sound;
 }
 
-/* The modes at t = 0 of a bar that nothing loads. NULL: it is loaded, the family is longer than the bar,
- * there are too many nodes for all eigenvectors, a mode is unstable, or memory is short. */
-PdBarModes *pd_bar_modes_create(const BarTheory *bar, const PdBarTheory *lattice)
+BarMotion *pd_bar_motion(const BarTheory *bar, const PdBarTheory *lattice)
 {
     const int n = nodes_of(bar, lattice);
     const bool sines = bar->left_fixed && bar->right_fixed;
     if (bar->body_force != 0 || bar->traction != 0 || n < 1 || reach_of(lattice) > n ||
-        (!sines && n > PD_BAR_MODES_MAX))
+        (!sines && n > PD_BAR_MOTION_MAX))
         return NULL;
-    PdBarModes *modes = room_for(sines ? bar->n_modes : n, lattice->dt);
-    if (!modes || (sines ? take_sines : take_vectors)(modes, bar, lattice, n))
-        return modes;
-    pd_bar_modes_free(modes);
+    BarMotion *motion = bar_motion_create(sines ? bar->n_modes : n, lattice->dt, 0);
+    if (!motion || (sines ? take_sines : take_vectors)(motion, bar, lattice, n))
+        return motion;
+    bar_motion_free(motion);
     return NULL;
 }

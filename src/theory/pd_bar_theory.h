@@ -35,6 +35,7 @@
 #define THEORY_PD_BAR_H
 
 #include "base/patience.h"
+#include "theory/bar_motion.h"
 #include "theory/elastic_bar.h"
 #include "theory/pd_waves.h"
 
@@ -56,14 +57,10 @@ Dispersion pd_bar_dispersion(const BarTheory *bar, const PdBarTheory *lattice, d
  */
 double pd_bar_frequency(const BarTheory *bar, const PdBarTheory *lattice, int number);
 
-/* v_cm(t) predicted whole, all loads 0: the velocity at t = 0 resolved into the modes of the lattice. */
-typedef struct PdBarModes PdBarModes;
-
-/* NULL: a load acts, the step is unstable, memory is short, or an end is free and there are more than
- * PD_BAR_MODES_MAX nodes (all eigenvectors are needed). */
-enum { PD_BAR_MODES_MAX = 200 };
-PdBarModes *pd_bar_modes_create(const BarTheory *bar, const PdBarTheory *lattice);
-void pd_bar_modes_free(PdBarModes *modes); /* NULL is allowed */
-double pd_bar_centre_velocity(const PdBarModes *modes, long step);
+/* v_cm(t) predicted whole, all loads 0. NULL: a load acts, the step is unstable, memory is short, the family
+ * is longer than the bar, or an end is free and there are more than PD_BAR_MOTION_MAX nodes (all eigenvectors
+ * are needed). */
+enum { PD_BAR_MOTION_MAX = 200 };
+BarMotion *pd_bar_motion(const BarTheory *bar, const PdBarTheory *lattice);
 
 #endif

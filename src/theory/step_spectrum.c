@@ -20,7 +20,6 @@
  * but a part of the sampled mode, all of them are looked at if the bar is short. lambda - 1 is what is looked
  * for because small steps have lambda near 1. */
 #include "theory/step_spectrum.h"
-#include "base/linear/cholesky.h"
 #include "base/math/functions.h"
 #include "theory/bar_modes.h"
 #include "theory/bar_rest.h"
@@ -381,26 +380,6 @@ static double overlap(const Step *step, const double complex *x, const double *s
     return size_of(both) / sqrt(own * of_sample);
 }
 
-/* x <- M^-1 x with the mass blend. False: not enough memory. */
-static bool solve_mass(const Step *step, double share, double *x)
-{
-    const BarRest *rest = &step->rest;
-    const size_t width = (size_t)rest->reach;
-    CholeskyBand band = {(size_t)rest->nodes, width,
-                         malloc((size_t)rest->nodes * (width + 1) * sizeof(double))};
-    if (!band.rows)
-        return false;
-    for (size_t i = 0; i < band.size; i++)
-        for (size_t d = 0; d <= width; d++)
-            band.rows[i * (width + 1) + d] =
-                share * rest->consistent[i * (width + 1) + d] + (d == 0 ? (1 - share) * rest->mass[i] : 0);
-    const bool good = cholesky_factor(&band, &(Patience){0}) == CHOLESKY_DONE;
-    if (good)
-        cholesky_solve(&band, x, &(Patience){0});
-    free(band.rows);
-    return good;
-}
-
 /* With FLIP, USF and MUSL, v is a real shape u times a number, and with r = K u, a = M^-1 r
  *
  *     omega^2 = sum m (N a)^2 / sum V (N' u)^2 = (a, M_c a) / (u, K u)
@@ -420,13 +399,8 @@ static double space_frequency(const Step *step, double share, const double compl
             a[i] += *in_band(&step->stiffness, i, j) * creal(quotient(x[2 * j], largest));
         below += a[i] * creal(quotient(x[2 * i], largest));
     }
-    if (share > 0) {
-        if (!solve_mass(step, share, a))
-            return NAN;
-    } else {
-        for (int i = 0; i < n; i++)
-            a[i] /= step->rest.mass[i];
-    }
+    if (!bar_rest_solve_mass(&step->rest, share, a))
+        return NAN;
     for (int i = 0; i < n; i++)
         for (int j = first_of(&step->consistent, i); j < end_of(&step->consistent, i); j++)
             above += a[i] * *in_band(&step->consistent, i, j) * a[j];
@@ -541,7 +515,7 @@ static bool sample(Search *search, BarShape *shape, int number)
         return true;
     for (int i = 0; i < rest->nodes; i++)
         search->sampled[i] *= rest->mass[i];
-    return search->step.of_momenta || solve_mass(&search->step, share, search->sampled);
+    return search->step.of_momenta || bar_rest_solve_mass(rest, share, search->sampled);
 }
 
 /* By inverse iteration from the wave's eigenvalue; of a short bar, where that ends in a vector that has

@@ -95,16 +95,16 @@ END_TEST
 static double furthest(const BarTheory *bar, const PdBarTheory *on, int steps)
 {
     Simulation *sim = lattice_bar(bar, on);
-    PdBarModes *modes = pd_bar_modes_create(bar, on);
+    BarMotion *modes = pd_bar_motion(bar, on);
     ck_assert(modes != NULL);
     const int v_cm = simulation_find_series(sim, "v_cm");
     double row[16], most = 0;
     for (int k = 0; k <= steps; k++) {
         simulation_row(sim, row);
-        most = fmax(most, fabs(row[v_cm] - pd_bar_centre_velocity(modes, k)));
+        most = fmax(most, fabs(row[v_cm] - bar_motion_centre_velocity(modes, k)));
         ck_assert(simulation_steps(sim, 1, NULL, NULL, NULL));
     }
-    pd_bar_modes_free(modes);
+    bar_motion_free(modes);
     simulation_destroy(sim);
     return most / 0.1;
 }
@@ -234,21 +234,21 @@ START_TEST(not_predicted)
 {
     BarTheory bar = theory(true, false, 1);
     PdBarTheory on = lattice(0.05, 0.15, PD_PARTIAL_VOLUMES, true, 1e-3);
-    ck_assert(pd_bar_modes_create(&bar, &on) == NULL); /* 500 nodes with a free end */
+    ck_assert(pd_bar_motion(&bar, &on) == NULL); /* 500 nodes with a free end */
     ck_assert(isfinite(pd_bar_frequency(&bar, &on, 1)));
     const PdBarTheory finest = lattice(0.0005, 0.0015, PD_PARTIAL_VOLUMES, true, 1e-5);
     ck_assert(isnan(pd_bar_frequency(&bar, &finest, 1))); /* 50,000 nodes: lost in rounding */
     bar.right_fixed = true;
-    PdBarModes *modes = pd_bar_modes_create(&bar, &on);
+    BarMotion *modes = pd_bar_motion(&bar, &on);
     ck_assert(modes != NULL);
-    pd_bar_modes_free(modes);
+    bar_motion_free(modes);
     bar.body_force = 1;
-    ck_assert(pd_bar_modes_create(&bar, &on) == NULL);
+    ck_assert(pd_bar_motion(&bar, &on) == NULL);
     bar.body_force = 0;
     on.dt = 10;
-    ck_assert(pd_bar_modes_create(&bar, &on) == NULL);
+    ck_assert(pd_bar_motion(&bar, &on) == NULL);
     ck_assert(isnan(pd_bar_frequency(&bar, &on, 0)) && isnan(pd_bar_frequency(&bar, &on, 501)));
-    pd_bar_modes_free(NULL);
+    bar_motion_free(NULL);
 }
 END_TEST
 

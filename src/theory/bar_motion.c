@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "theory/bar_motion.h"
+#include "base/assertion.h"
+#include "base/math/functions.h"
+#include "theory/quiet.h"
+
+#include <gsl/gsl_eigen.h>
+#include <gsl/gsl_errno.h>
+#include <math.h>
+#include <stdlib.h>
+
+struct BarMotion {
+    int count;
+    double *frequency, *share; /* v_cm = sum share cos(frequency (step + lead) dt)/cos(frequency lead dt) */
+    double dt, lead;
+};
+
+/* y^n = exp(i Omega n dt) gives 2 - 2 cos(Omega dt) = (omega dt)^2. */
+double bar_motion_frequency(double omega, double dt)
+{
+    double half = omega * dt / 2;
+    return half <= 1 ? 2 * math_asin(half) / dt : NAN;
+}
+
+BarMotion *bar_motion_create(int count, double dt, double lead)
+{
+    ASSERT_INT(count, >=, 0);
+    BarMotion *motion = calloc(1, sizeof *motion);
+    if (!motion)
+        return NULL;
+    *motion = (BarMotion){count, calloc((size_t)count + 1, sizeof(double)),
+                          calloc((size_t)count + 1, sizeof(double)), dt, lead};
+    if (motion->frequency && motion->share)
+        return motion;
+    bar_motion_free(motion);
+    return NULL;
+}
+
+void bar_motion_free(BarMotion *motion)
+{
+    if (!motion)
+        return;
+    free(motion->frequency);
+    free(motion->share);
+    free(motion);
+}
+
+void bar_motion_set(BarMotion *motion, int k, double share, double frequency)
+{
+    ASSERT_INT(k, <, motion->count);
+    motion->share[k] = share / math_cos(frequency * motion->lead * motion->dt);
+    motion->frequency[k] = frequency;
+}
+
+bool bar_motion_resolve(BarMotion *motion, gsl_matrix *s, const double *start, const double *weights)
+{
+    static const double rounding = 1e-13; /* of the largest omega^2: such a mode does not move */
+    const size_t n = (size_t)motion->count;
+    quiet_begin();
+    gsl_matrix *vectors = gsl_matrix_alloc(n, n);
+    gsl_vector *squares = gsl_vector_alloc(n);
+    gsl_eigen_symmv_workspace *work = gsl_eigen_symmv_alloc(n);
+    bool sound = vectors && squares && work && gsl_eigen_symmv(s, squares, vectors, work) == GSL_SUCCESS;
+    const double largest = sound ? gsl_vector_max(squares) : 0;
+    for (size_t k = 0; sound && k < n; k++) {
+        double along = 0, mean = 0;
+        for (size_t i = 0; i < n; i++) {
+            const double part = gsl_matrix_get(vectors, i, k);
+            along += part * start[i];
+            mean += part * weights[i];
+        }
+        const double square = gsl_vector_get(squares, k);
+        const double frequency =
+            bar_motion_frequency(square > rounding * largest ? sqrt(square) : 0, motion->dt);
+        sound = isfinite(frequency);
+        bar_motion_set(motion, (int)k, along * mean, frequency);
+    }
+    gsl_eigen_symmv_free(work);
+    gsl_vector_free(squares);
+    gsl_matrix_free(vectors);
+    quiet_end();
+    return sound;
+}
+
+double bar_motion_centre_velocity(const BarMotion *motion, long step)
+{
+    double sum = 0;
+    for (int k = 0; k < motion->count; k++)
+        sum += motion->frequency[k] == 0
+                   ? motion->share[k]
+                   : motion->share[k] *
+                         math_cos(motion->frequency[k] * ((double)step + motion->lead) * motion->dt);
+    return sum;
+}
