@@ -9,12 +9,14 @@ say() { # RESULT NAME
 	number=$((number + 1))
 	echo "$1 $number - $2"
 }
-undefined() { # LIBRARY: the symbols that it wants from elsewhere
-	nm --undefined-only "$1" 2>/dev/null | awk 'NF == 2 { print $2 }' | sort -u
-}
-defined() {
-	nm --defined-only "$1" 2>/dev/null | awk 'NF == 3 && $2 ~ /[TDBRC]/ { print $3 }' | sort -u
-}
+# Of each library, once: the symbols that it wants from elsewhere, and those that it defines.
+symbols=$(mktemp -d) || exit 1
+trap 'rm -rf "$symbols"' EXIT
+for library in lib*.a; do
+	nm -A "$library" 2>/dev/null | LC_ALL=C sort >"$symbols/$library"
+	awk '$(NF - 1) == "U" { print $NF }' "$symbols/$library" | LC_ALL=C sort -u >"$symbols/$library.wanted"
+	awk '$(NF - 1) ~ /^[TDBRC]$/ { print $NF }' "$symbols/$library" | LC_ALL=C sort -u >"$symbols/$library.defined"
+done
 judge() { # NAME: well if nothing was found
 	if [ -z "$found" ]; then
 		say ok "$1"
@@ -24,15 +26,11 @@ judge() { # NAME: well if nothing was found
 	fi
 }
 lacks() { # LIBRARY PATTERN NAME
-	found=$(undefined "$1" | grep -E -x "$2")
+	found=$(grep -E -x "$2" "$symbols/$1.wanted")
 	judge "$3"
 }
 shares_none() { # LIBRARY OTHER ALLOWED NAME: the library wants nothing that the other defines but what is allowed
-	wanted=$(mktemp) given=$(mktemp)
-	undefined "$1" >"$wanted"
-	defined "$2" | grep -v "$3" >"$given"
-	found=$(comm -12 "$wanted" "$given")
-	rm -f "$wanted" "$given"
+	found=$(LC_ALL=C comm -12 "$symbols/$1.wanted" "$symbols/$2.defined" | grep -v "$3")
 	judge "$4"
 }
 below() { # LOWER HIGHER...: the lower library wants nothing that a higher one defines
@@ -87,7 +85,7 @@ for folder in picture views panes help film plain terminal lab cli; do
 done
 # The product includes nothing of the tests, whose folder is on the path of includes too.
 found=$(cd "${MATVIB_SRCDIR:-..}/src" && grep -rnoE --include='*.[ch]' '#include "[^"]+"' . | while IFS='"' read -r place header rest; do
-	test -e "$header" || test -e "$(dirname "${place%%:*}")/$header" || echo "$place$header"
+	test -e "$header" || test -e "${place%/*}/$header" || echo "$place$header"
 done)
 judge "src includes files of src only"
 
@@ -119,12 +117,10 @@ found=$(cd "${MATVIB_SRCDIR:-..}/src" && find . -name '*.[ch]' -o -name '*.inc' 
 	}')
 judge "a new parameter recompiles 40 files at most"
 
-# Circles: object files of one library that refer to each other, directly or through others. There is none.
-find_circles() { # LAYER LIBRARY...: the circles of its members, and under each what closes it
-	layer=$1
-	shift
-	nm -A "$@" 2>/dev/null | LC_ALL=C sort | awk -v layer="$layer" '
-		NF < 2 { next }
+# Circles: object files of one library that refer to each other, directly or through others. There is none: what none of
+# those left needs, or needs none of them, is taken away until that is all.
+find_circles() { # LIBRARY...: what is left, each with what it needs of which other
+	(cd "$symbols" && cat "$@") | awk '
 		{
 			sub(/^[^:]*:/, "")
 			member = $1
@@ -132,34 +128,27 @@ find_circles() { # LAYER LIBRARY...: the circles of its members, and under each 
 			sub(/^.*_a-/, "", member) # what a library with flags of its own puts before
 			if ($(NF - 1) == "U") uses[member, $NF]
 			else if ($(NF - 1) ~ /^[TDBRCVW]$/) home[$NF] = member
-			if (!(member in seen)) { seen[member]; members[++n] = member }
+			if (!(member in left)) { left[member]; members[++n] = member }
 		}
 		END {
 			for (use in uses) {
 				split(use, part, SUBSEP)
-				if (part[2] in home && home[part[2]] != part[1]) {
-					edges[part[1], home[part[2]]] = part[2]
-					reaches[part[1], home[part[2]]]
-				}
+				if (part[2] in home && home[part[2]] != part[1]) edges[part[1], home[part[2]]] = part[2]
 			}
-			for (k = 1; k <= n; k++)
-				for (i = 1; i <= n; i++)
-					for (j = 1; (members[i], members[k]) in reaches && j <= n; j++)
-						if ((members[k], members[j]) in reaches) reaches[members[i], members[j]]
-			for (i = 1; i <= n; i++) {
-				if (members[i] in circle || !((members[i], members[i]) in reaches)) continue
-				printf "%s:", layer
-				for (j = i; j <= n; j++)
-					if ((members[i], members[j]) in reaches && (members[j], members[i]) in reaches) {
-						circle[members[j]] = i
-						printf " %s", members[j]
-					}
-				print ""
+			do {
+				split("", needs)
+				split("", needed)
 				for (edge in edges) {
 					split(edge, part, SUBSEP)
-					if (part[1] in circle && part[2] in circle && circle[part[1]] == i && circle[part[2]] == i)
-						print "    " part[1] " needs " edges[edge] " of " part[2]
+					if (part[1] in left && part[2] in left) { needs[part[1]]; needed[part[2]] }
 				}
+				gone = 0
+				for (i = 1; i <= n; i++)
+					if (members[i] in left && !(members[i] in needs && members[i] in needed)) { delete left[members[i]]; gone++ }
+			} while (gone)
+			for (edge in edges) {
+				split(edge, part, SUBSEP)
+				if (part[1] in left && part[2] in left) print part[1] " needs " edges[edge] " of " part[2]
 			}
 		}'
 }
@@ -167,7 +156,7 @@ for layer in base methods theory run views paper lab cli; do
 	libraries=lib$layer.a
 	[ $layer = methods ] && libraries="$libraries $(ls libkernels*.a)"
 	# shellcheck disable=SC2086 # several libraries
-	found=$(find_circles $layer $libraries)
+	found=$(find_circles $libraries)
 	judge "$layer has no circle of files"
 done
 # Names: what a library exports begins with a word of its file's or folder's name, or with a type's that a header of the

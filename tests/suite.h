@@ -6,6 +6,10 @@
 #include <check.h>
 #include <stdbool.h>
 
+/* Check tells its parent of every assertion that holds, by calls of the system: in loops dearer than what is
+ * tested. Where one fails is told anyway; a crash is told with its case alone. */
+#define _mark_point(file, line) ((void)0)
+
 /* Each test program defines it: adds its cases to the suite. */
 void add_cases(Suite *suite);
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "methods/bar_case.h"
+#include "suite.h"
 
-#include <check.h>
 #include <math.h>
 
 BarCase bar_case(int mode, double v0)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "methods/run_case.h"
+#include "suite.h"
 
-#include <check.h>
 #include <stdlib.h>
 
 void advance(Simulation *sim, long steps)

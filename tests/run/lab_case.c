@@ -6,8 +6,8 @@
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "methods/bonds/plane/bonds_plane.h"
+#include "suite.h"
 
-#include <check.h>
 #include <stdlib.h>
 #include <string.h>
 
