@@ -9,25 +9,9 @@
 
 #include <string.h>
 
-static const VerifyCheck *const subjects[] = {verify_bar_checks,   verify_field_checks, verify_beam_checks,
-                                              verify_plane_checks, verify_crack_checks, verify_plate_checks};
-
-enum { SUBJECTS = sizeof subjects / sizeof *subjects };
-
-/* The check of that index; NULL: behind the last. */
-static const VerifyCheck *check_of(int index)
-{
-    for (int s = 0; s < SUBJECTS; s++)
-        for (const VerifyCheck *check = subjects[s]; check->name; check++)
-            if (index-- == 0)
-                return check;
-    return NULL;
-}
-
 const char *verify_name(int index)
 {
-    const VerifyCheck *check = check_of(index);
-    return check ? check->name : NULL;
+    return verify_checks[index].name;
 }
 
 /* --- the command line ---------------------------------------------------------------------------- */
@@ -42,8 +26,8 @@ static int rows_to_run(const VerifyCheck *check, bool full)
 
 static bool is_known(const char *name, Status *status)
 {
-    const VerifyCheck *check, *nearest = check_of(0);
-    for (int i = 0; (check = check_of(i)) != NULL; i++) {
+    const VerifyCheck *nearest = verify_checks;
+    for (const VerifyCheck *check = verify_checks; check->name; check++) {
         if (strcmp(check->name, name) == 0)
             return true;
         if (text_distance(name, check->name) < text_distance(name, nearest->name))
@@ -56,8 +40,7 @@ static bool is_known(const char *name, Status *status)
 
 static void list_checks(FILE *out)
 {
-    const VerifyCheck *check;
-    for (int i = 0; (check = check_of(i)) != NULL; i++)
+    for (const VerifyCheck *check = verify_checks; check->name; check++)
         fprintf(out, "%-12s %s%s\n", check->name, check->title, rows_to_run(check, false) ? "" : " (--full)");
 }
 
@@ -85,9 +68,8 @@ static bool is_whole(const Options *options, const VerifyCheck *check)
 /* What a run without --full did not do, so that it is not taken for the whole. */
 static void print_left_out(const Options *options, FILE *out)
 {
-    const VerifyCheck *check;
     bool first = true;
-    for (int i = 0; (check = check_of(i)) != NULL; i++) {
+    for (const VerifyCheck *check = verify_checks; check->name; check++) {
         int left_out = check->n_rows - rows_to_run(check, false);
         /* a check that was asked for by name runs although it belongs to --full */
         if (left_out == 0 || (options->n_words && (!is_named(options, check) || left_out == check->n_rows)))
@@ -102,7 +84,6 @@ static void print_left_out(const Options *options, FILE *out)
 int verify_main(int count, char **arguments, FILE *out, Status *status)
 {
     Options options;
-    const VerifyCheck *check;
     if (!options_parse("verify", count, arguments, &options, status))
         return STATUS_USAGE;
     for (int i = 0; i < options.n_words; i++)
@@ -123,10 +104,10 @@ int verify_main(int count, char **arguments, FILE *out, Status *status)
                      .out = out,
                      .threads = threads_default(false),
                      .progress = &progress};
-    for (int i = 0; (check = check_of(i)) != NULL; i++)
+    for (const VerifyCheck *check = verify_checks; check->name; check++)
         verify.to_do += is_wanted(&options, check) ? rows_to_run(check, is_whole(&options, check)) : 0;
-    for (int i = 0; (check = check_of(i)) != NULL && !ferror(out) && !progress_signal();
-         i++) /* none for a pipe that is closed */
+    /* none for a pipe that is closed */
+    for (const VerifyCheck *check = verify_checks; check->name && !ferror(out) && !progress_signal(); check++)
         if (is_wanted(&options, check))
             verify_check_run(&verify, check, is_whole(&options, check));
     if (!options.full && !options.json && !progress_signal())

@@ -5,69 +5,48 @@
 
 #include "methods/bonds/cracks/fronts.h"
 
-/* The number `what` of the first front; NAN: there is no front, or it has no such number. */
-static double front_number(VerifyRun *run, const VerifyRow *row,
-                           double (*what)(const VerifyRun *, const VerifyRow *, const CrackFront *))
+typedef enum FrontNumber { BRANCH_X, BRANCH_TIME, HALF_ANGLE, FASTEST, ANGLE } FrontNumber;
+
+static double number_of(const CrackFront *front, FrontNumber which, double height)
+{
+    const double of_branch[] = {front->branch[0], front->branch_time, front->half_angle};
+    if (which <= HALF_ANGLE)
+        return front->branched ? of_branch[which] : NAN;
+    return which == FASTEST ? front->fastest : fabs(crack_fronts_angle(front, height));
+}
+
+/* Of the first front; NAN: there is no front, or it has no such number. */
+static double front_number(const VerifyRun *run, FrontNumber which, double height)
 {
     CrackFronts fronts = {0};
     double number = NAN;
     if (crack_fronts_update(&fronts, run->passing.sim) && fronts.count > 0)
-        number = what(run, row, &fronts.fronts[0]);
+        number = number_of(&fronts.fronts[0], which, height);
     crack_fronts_free(&fronts);
-    return row->scale != 0 ? row->scale * number : number;
+    return number;
 }
 
-static double branch_x(const VerifyRun *run, const VerifyRow *row, const CrackFront *front)
+double quantity_branch_x(VerifyRun *run, const VerifyRow *row)
 {
-    (void)run, (void)row;
-    return front->branched ? front->branch[0] : NAN;
+    return front_number(run, BRANCH_X, row->from);
 }
 
-static double branch_time(const VerifyRun *run, const VerifyRow *row, const CrackFront *front)
+double quantity_branch_time(VerifyRun *run, const VerifyRow *row)
 {
-    (void)run, (void)row;
-    return front->branched ? front->branch_time : NAN;
+    return front_number(run, BRANCH_TIME, row->from);
 }
 
-static double half_angle(const VerifyRun *run, const VerifyRow *row, const CrackFront *front)
+double quantity_half_angle(VerifyRun *run, const VerifyRow *row)
 {
-    (void)run, (void)row;
-    return front->branched ? front->half_angle : NAN;
+    return front_number(run, HALF_ANGLE, row->from);
 }
 
-static double fastest(const VerifyRun *run, const VerifyRow *row, const CrackFront *front)
+double quantity_front_speed(VerifyRun *run, const VerifyRow *row)
 {
-    (void)run, (void)row;
-    return front->fastest;
+    return front_number(run, FASTEST, row->from);
 }
 
-static double angle_over(const VerifyRun *run, const VerifyRow *row, const CrackFront *front)
+double quantity_front_angle(VerifyRun *run, const VerifyRow *row)
 {
-    (void)run;
-    return fabs(crack_fronts_angle(front, row->from));
-}
-
-double fronts_branch_x(VerifyRun *run, const VerifyRow *row)
-{
-    return front_number(run, row, branch_x);
-}
-
-double fronts_branch_time(VerifyRun *run, const VerifyRow *row)
-{
-    return front_number(run, row, branch_time);
-}
-
-double fronts_half_angle(VerifyRun *run, const VerifyRow *row)
-{
-    return front_number(run, row, half_angle);
-}
-
-double fronts_speed(VerifyRun *run, const VerifyRow *row)
-{
-    return front_number(run, row, fastest);
-}
-
-double fronts_angle(VerifyRun *run, const VerifyRow *row)
-{
-    return front_number(run, row, angle_over);
+    return front_number(run, ANGLE, row->from);
 }

@@ -7,15 +7,11 @@
 #include "scenario/settings.h"
 #include "answers/crack_growth.h"
 #include "methods/bonds/cracks/crack_cost.h"
+#include "theory/frequency.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-static double scaled(const VerifyRow *row, double value)
-{
-    return row->scale != 0 ? row->scale * value : value;
-}
 
 /* The value of a column in a row; the column is there. */
 static double at(const VerifyRun *run, const double *column, size_t k)
@@ -32,17 +28,20 @@ static double time_of(const VerifyRun *run, size_t k)
 
 double quantity_measured(VerifyRun *run, const VerifyRow *row)
 {
-    return run->readout.measured_known ? scaled(row, run->readout.measured) : NAN;
+    (void)row;
+    return run->readout.measured_known ? run->readout.measured : NAN;
 }
 
 double quantity_exact(VerifyRun *run, const VerifyRow *row)
 {
-    return run->readout.exact_known ? scaled(row, run->readout.exact) : NAN;
+    (void)row;
+    return run->readout.exact_known ? run->readout.exact : NAN;
 }
 
 double quantity_predicted(VerifyRun *run, const VerifyRow *row)
 {
-    return run->readout.predicted_known ? scaled(row, run->readout.predicted) : NAN;
+    (void)row;
+    return run->readout.predicted_known ? run->readout.predicted : NAN;
 }
 
 double quantity_frequency_error(VerifyRun *run, const VerifyRow *row)
@@ -71,12 +70,14 @@ double quantity_predicted_period_error(VerifyRun *run, const VerifyRow *row)
 
 double quantity_kept(VerifyRun *run, const VerifyRow *row)
 {
-    return scaled(row, run->readout.kept_measured);
+    (void)row;
+    return run->readout.kept_measured;
 }
 
 double quantity_predicted_kept(VerifyRun *run, const VerifyRow *row)
 {
-    return scaled(row, run->readout.kept_predicted);
+    (void)row;
+    return run->readout.kept_predicted;
 }
 
 double quantity_decay_ratio(VerifyRun *run, const VerifyRow *row)
@@ -105,17 +106,17 @@ static Finding finding_of(VerifyRun *run, const VerifyRow *row)
 
 double quantity_finding(VerifyRun *run, const VerifyRow *row)
 {
-    return scaled(row, finding_of(run, row).measured);
+    return finding_of(run, row).measured;
 }
 
 double quantity_exact_finding(VerifyRun *run, const VerifyRow *row)
 {
-    return scaled(row, finding_of(run, row).exact);
+    return finding_of(run, row).exact;
 }
 
 double quantity_derived_number(VerifyRun *run, const VerifyRow *row)
 {
-    return scaled(row, derived_of(run, row->column));
+    return derived_of(run, row->column);
 }
 
 double quantity_measured_over(VerifyRun *run, const VerifyRow *row)
@@ -157,12 +158,12 @@ static double at_time(const VerifyRun *run, const char *name, double t)
 
 double quantity_value_at(VerifyRun *run, const VerifyRow *row)
 {
-    return scaled(row, at_time(run, row->column, row->from));
+    return at_time(run, row->column, row->from);
 }
 
 double quantity_other_at(VerifyRun *run, const VerifyRow *row)
 {
-    return scaled(row, at_time(run, row->other, row->from));
+    return at_time(run, row->other, row->from);
 }
 
 static double mean(const VerifyRun *run, const char *name, double from, double to)
@@ -177,8 +178,7 @@ static double mean(const VerifyRun *run, const char *name, double from, double t
 
 double quantity_mean_share(VerifyRun *run, const VerifyRow *row)
 {
-    return scaled(row,
-                  mean(run, row->column, row->from, row->to) / mean(run, row->other, row->from, row->to));
+    return mean(run, row->column, row->from, row->to) / mean(run, row->other, row->from, row->to);
 }
 
 double quantity_amplitude_share(VerifyRun *run, const VerifyRow *row)
@@ -204,7 +204,7 @@ double quantity_furthest(VerifyRun *run, const VerifyRow *row)
     double most = 0;
     for (size_t k = 0; column && other && k < run->count; k++)
         most = fmax(most, fabs(at(run, column, k) - at(run, other, k)));
-    return column && other ? scaled(row, most) : NAN;
+    return column && other ? most : NAN;
 }
 
 typedef struct Peaks {
@@ -228,22 +228,22 @@ static Peaks peaks_of(const VerifyRun *run, const char *name)
 
 double quantity_first_peak(VerifyRun *run, const VerifyRow *row)
 {
-    return scaled(row, peaks_of(run, row->column).first);
+    return peaks_of(run, row->column).first;
 }
 
 double quantity_first_peak_time(VerifyRun *run, const VerifyRow *row)
 {
-    return scaled(row, peaks_of(run, row->column).first_time);
+    return peaks_of(run, row->column).first_time;
 }
 
 double quantity_largest(VerifyRun *run, const VerifyRow *row)
 {
-    return scaled(row, peaks_of(run, row->column).largest);
+    return peaks_of(run, row->column).largest;
 }
 
 double quantity_largest_time(VerifyRun *run, const VerifyRow *row)
 {
-    return scaled(row, peaks_of(run, row->column).largest_time);
+    return peaks_of(run, row->column).largest_time;
 }
 
 /* The zero of a column nearest to a time; NAN: there is none within a tenth of it. */
@@ -317,7 +317,7 @@ double quantity_line(VerifyRun *run, const VerifyRow *row)
             if (lines[k] > highest)
                 highest = lines[k], frequency = (double)k * bin;
     free(values), free(lines);
-    return scaled(row, frequency);
+    return frequency;
 }
 
 double quantity_first_above(VerifyRun *run, const VerifyRow *row)
@@ -325,7 +325,7 @@ double quantity_first_above(VerifyRun *run, const VerifyRow *row)
     const double *column = verify_column(run, row->column);
     for (size_t k = 0; column && k < run->count; k++)
         if (at(run, column, k) >= row->from)
-            return scaled(row, time_of(run, k));
+            return time_of(run, k);
     return NAN;
 }
 
@@ -363,7 +363,7 @@ double quantity_energy_left_of_starts(VerifyRun *run, const VerifyRow *row)
 {
     if (!run->starts_known)
         try_starts(run, row);
-    return run->n_starts > VERIFY_STARTS / 2 ? run->starts[(int)(row->scale * (run->n_starts - 1))] : NAN;
+    return run->n_starts > VERIFY_STARTS / 2 ? run->starts[(int)(row->part * (run->n_starts - 1))] : NAN;
 }
 
 double quantity_energy_off_work(VerifyRun *run, const VerifyRow *row)
@@ -495,23 +495,27 @@ static Crack crack_of(const VerifyRun *run)
 
 double quantity_first_break(VerifyRun *run, const VerifyRow *row)
 {
-    return scaled(row, crack_of(run).first_break);
+    (void)row;
+    return crack_of(run).first_break;
 }
 
 double quantity_twentieth_break(VerifyRun *run, const VerifyRow *row)
 {
-    return scaled(row, crack_of(run).twentieth_break);
+    (void)row;
+    return crack_of(run).twentieth_break;
 }
 
 double quantity_plane_energy(VerifyRun *run, const VerifyRow *row)
 {
+    (void)row;
     CrackCost cost;
-    return crack_cost(run->passing.sim, &(Patience){0}, &cost) ? scaled(row, cost.plane) : NAN;
+    return crack_cost(run->passing.sim, &(Patience){0}, &cost) ? cost.plane : NAN;
 }
 
 double quantity_broken_bonds(VerifyRun *run, const VerifyRow *row)
 {
-    return scaled(row, (double)crack_of(run).broken);
+    (void)row;
+    return (double)crack_of(run).broken;
 }
 
 double quantity_angle_over(VerifyRun *run, const VerifyRow *row)

@@ -7,7 +7,7 @@
 #include "cli/verify/verify_row.h"
 
 /* The readout, as `matvib run` prints it. */
-double quantity_measured(VerifyRun *, const VerifyRow *);        /* frequency or period; scale */
+double quantity_measured(VerifyRun *, const VerifyRow *);        /* frequency or period */
 double quantity_predicted(VerifyRun *, const VerifyRow *);       /* likewise */
 double quantity_exact(VerifyRun *, const VerifyRow *);           /* likewise */
 double quantity_measured_over(VerifyRun *, const VerifyRow *);   /* a derived number; column: its name */
@@ -19,7 +19,7 @@ double quantity_predicted_period_error(VerifyRun *, const VerifyRow *);
 double quantity_kept(VerifyRun *, const VerifyRow *); /* share of the energy that one period keeps */
 double quantity_predicted_kept(VerifyRun *, const VerifyRow *);
 double quantity_decay_ratio(VerifyRun *, const VerifyRow *);    /* rate of decay, measured over predicted */
-double quantity_derived_number(VerifyRun *, const VerifyRow *); /* column: its name; scale */
+double quantity_derived_number(VerifyRun *, const VerifyRow *); /* column: its name */
 double quantity_longer_than(VerifyRun *,
                             const VerifyRow *); /* period, percent; other: the scenario of the shorter */
 
@@ -28,13 +28,13 @@ double quantity_finding(VerifyRun *, const VerifyRow *);
 double quantity_exact_finding(VerifyRun *, const VerifyRow *);
 
 /* A column of the series. */
-double quantity_value_at(VerifyRun *, const VerifyRow *);   /* column, from: the time, scale */
+double quantity_value_at(VerifyRun *, const VerifyRow *);   /* column, from: the time */
 double quantity_other_at(VerifyRun *, const VerifyRow *);   /* the same of the other column */
-double quantity_mean_share(VerifyRun *, const VerifyRow *); /* column over other, means of from..to; scale */
+double quantity_mean_share(VerifyRun *, const VerifyRow *); /* column over other, means of from..to */
 double quantity_amplitude_share(VerifyRun *,
                                 const VerifyRow *);         /* column from..to, of other's value at t = 0 */
-double quantity_furthest(VerifyRun *, const VerifyRow *);   /* largest |column - other|; scale */
-double quantity_first_peak(VerifyRun *, const VerifyRow *); /* column, scale */
+double quantity_furthest(VerifyRun *, const VerifyRow *);   /* largest |column - other| */
+double quantity_first_peak(VerifyRun *, const VerifyRow *); /* column */
 double quantity_first_peak_time(VerifyRun *, const VerifyRow *);
 double quantity_largest(VerifyRun *, const VerifyRow *);
 double quantity_largest_time(VerifyRun *, const VerifyRow *);
@@ -45,8 +45,8 @@ double quantity_swing_ratio(VerifyRun *,
                             const VerifyRow *); /* largest |column| from `to` on, over that until `from` */
 double quantity_other_swing_ratio(VerifyRun *, const VerifyRow *); /* the same of the other column */
 double quantity_line(VerifyRun *,
-                     const VerifyRow *); /* frequency of column's highest line in from..to (Hz); scale */
-double quantity_first_above(VerifyRun *, const VerifyRow *); /* time at which column comes to `from`; scale */
+                     const VerifyRow *); /* frequency of column's highest line in from..to (Hz) */
+double quantity_first_above(VerifyRun *, const VerifyRow *); /* time at which column comes to `from` */
 
 /* Energy: mean of kinetic and strain over t >= to, over that until `from`; how far kinetic, strain and
  * dissipated together are from the work after `from`, largest, percent. */
@@ -71,7 +71,7 @@ double quantity_middle_factor(VerifyRun *, const VerifyRow *);
 double quantity_energy_after_steps(VerifyRun *, const VerifyRow *);
 
 /* The crack. */
-double quantity_first_break(VerifyRun *, const VerifyRow *); /* scale */
+double quantity_first_break(VerifyRun *, const VerifyRow *);
 double quantity_twentieth_break(VerifyRun *, const VerifyRow *);
 double quantity_plane_energy(VerifyRun *,
                              const VerifyRow *); /* up to s0, of the bonds through a plane; J/m^2 */
@@ -80,10 +80,10 @@ double quantity_angle_over(VerifyRun *, const VerifyRow *);   /* degrees over th
 double quantity_angle_turned(VerifyRun *, const VerifyRow *); /* over the height `to` less that over `from` */
 
 /* The first crack of a plate (fronts.h): verify_fronts.c. */
-double fronts_branch_x(VerifyRun *, const VerifyRow *); /* scale */
-double fronts_branch_time(VerifyRun *, const VerifyRow *);
-double fronts_half_angle(VerifyRun *, const VerifyRow *); /* degrees */
-double fronts_speed(VerifyRun *, const VerifyRow *);      /* the largest, m/s */
-double fronts_angle(VerifyRun *, const VerifyRow *);      /* degrees against the cut, over `from` */
+double quantity_branch_x(VerifyRun *, const VerifyRow *);
+double quantity_branch_time(VerifyRun *, const VerifyRow *);
+double quantity_half_angle(VerifyRun *, const VerifyRow *);  /* degrees */
+double quantity_front_speed(VerifyRun *, const VerifyRow *); /* the largest, m/s */
+double quantity_front_angle(VerifyRun *, const VerifyRow *); /* degrees against the cut, over `from` */
 
 #endif

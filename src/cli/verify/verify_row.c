@@ -14,9 +14,10 @@ VerifyNumbers verify_numbers(VerifyRun *run, const VerifyRow *row)
                                                        [VERIFY_PREDICTED] = row->predicted,
                                                        [VERIFY_MEASURED] = row->quantity};
     VerifyNumbers numbers;
+    const double scale = row->scale != 0 ? row->scale : 1;
     int found = 0;
     for (int i = VERIFY_COLUMNS; i-- > 0;) {
-        numbers.values[i] = run && quantities[i] ? quantities[i](run, row) : NAN;
+        numbers.values[i] = run && quantities[i] ? scale * quantities[i](run, row) : NAN;
         if (quantities[i] && found++ == 0)
             numbers.own = numbers.beside = (VerifyColumn)i;
         else if (quantities[i] && found == 2)

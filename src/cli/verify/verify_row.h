@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A row of a verification: one number of one run beside what theory, the mesh's eigenvalue and its prediction
- * say; the reference that it has to reproduce, the bounds that must hold, and the paper's claim about it. */
+ * say; the reference that it has to reproduce, the bounds that must hold, and the paper's claim about it. All
+ * rows stand in data/verify; tools/claims.awk makes the table of them. */
 #ifndef CLI_VERIFY_ROW_H
 #define CLI_VERIFY_ROW_H
 
@@ -45,10 +46,6 @@ typedef struct Claim {
     {                                                                                                        \
         words, NAN, 0, 0, {low, high}, NULL                                                                  \
     }
-#define NOTHING                                                                                              \
-    {                                                                                                        \
-        NULL, NAN, 0, 0, {0, 0}, NULL                                                                        \
-    }
 
 typedef struct VerifyRow VerifyRow;
 
@@ -72,7 +69,8 @@ struct VerifyRow {
     VerifyQuantity quantity, theory, eigenvalue, predicted; /* quantity: measured */
     const char *column, *other;                             /* what the quantity takes: columns, names */
     double from, to;                                        /* times, or what else it takes */
-    double scale;                                           /* the number is printed times this; 0: 1 */
+    double scale;                                           /* the numbers are printed times this; 0: 1 */
+    double part;                                            /* of many runs, those below: .5 is the median */
     int decimals;
     Band reference;   /* around the digits of an independent solver; unused where both ends are 0 */
     Band bound;       /* what must hold without one: a law, a ripple; likewise */
@@ -81,6 +79,19 @@ struct VerifyRow {
     Claim paper, also; /* a sentence may say two things */
     bool full;         /* --full only */
 };
+
+typedef struct VerifyCheck {
+    const char *name;
+    const char *title;
+    const VerifyRow *rows; /* the first names a scenario */
+    int n_rows;
+    const char *note; /* printed under them; NULL: nothing */
+} VerifyCheck;
+
+#define VERIFY_ROWS(rows) rows, (int)(sizeof(rows) / sizeof *(rows))
+
+/* In the order of --list; a NULL name ends them. */
+extern const VerifyCheck verify_checks[];
 
 typedef enum Agreement { PAPER_SILENT, PAPER_AGREES, PAPER_NEAR, PAPER_DIFFERS, AGREEMENTS } Agreement;
 

@@ -8,7 +8,6 @@
 #include "problems/problem.h"
 #include "answers/references.h"
 #include "run/advance.h"
-#include "theory/frequency.h"
 
 enum { VERIFY_STARTS = 21 };
 

@@ -6,7 +6,7 @@
 
 #include "cli/progress.h"
 #include "cli/quantities.h"
-#include "cli/verify/verify_checks.h"
+#include "cli/verify/verify_row.h"
 
 #include <stdio.h>
 
