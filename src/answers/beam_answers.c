@@ -13,7 +13,6 @@
 
 #include <limits.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* What References.own is of a beam. */

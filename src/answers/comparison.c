@@ -7,7 +7,6 @@
 #include "scenario/settings.h"
 #include "base/text.h"
 #include "scenario/parameters.h"
-#include "answers/summary.h"
 
 #include <math.h>
 #include <stdio.h>

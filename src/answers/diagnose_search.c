@@ -11,7 +11,6 @@
 #include "base/text.h"
 #include "problems/problem.h"
 
-#include <limits.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>

@@ -5,7 +5,6 @@
 #include "base/text.h"
 #include "base/visible.h"
 
-#include <math.h>
 #include <string.h>
 
 static void tell_moment(const Departure *departure, FILE *out)

@@ -6,8 +6,6 @@
 
 #include "base/math/functions.h"
 
-#include <math.h>
-
 Principal stress_principal(double xx, double yy, double xy)
 {
     const double mean = (xx + yy) / 2, half = (xx - yy) / 2, radius = math_hypot(half, xy);

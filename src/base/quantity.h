@@ -8,7 +8,6 @@
 #define BASE_QUANTITY_H
 
 #include <stdbool.h>
-#include <stddef.h>
 
 enum { QUANTITY_WHY_MAX = 80 };
 

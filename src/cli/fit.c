@@ -16,7 +16,6 @@
 #include "run/overlay.h"
 #include "scenario/parameters.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

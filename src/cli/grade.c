@@ -17,7 +17,6 @@
 
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #define SECONDS      300.0 /* that a session may take to be done again */
 #define SECONDS_MOST 1e6

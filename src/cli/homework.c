@@ -3,7 +3,6 @@
 #include "cli/homework.h"
 
 #include "base/output.h"
-#include "base/text.h"
 #include "base/visible.h"
 #include "help/command.h"
 #include "lessons/lesson.h"

@@ -16,7 +16,6 @@
 #include "answers/references.h"
 #include "lab/session/script.h"
 
-#include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>

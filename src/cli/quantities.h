@@ -9,7 +9,6 @@
 #ifndef CLI_QUANTITIES_H
 #define CLI_QUANTITIES_H
 
-#include <stdbool.h>
 #include <stdio.h>
 
 typedef struct Quantities {

@@ -8,7 +8,6 @@
 #include "base/math/functions.h"
 #include "base/output.h"
 #include "base/text.h"
-#include "answers/summary.h"
 #include "export/wav.h"
 
 #include <math.h>

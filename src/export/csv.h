@@ -5,7 +5,6 @@
 
 #include "export/export.h"
 
-#include <stddef.h>
 #include <stdio.h>
 
 /* A number that is not known (NAN) leaves its cell empty. */

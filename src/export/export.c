@@ -9,12 +9,10 @@
 #include "answers/invariant.h"
 #include "answers/summary.h"
 #include "scenario/parameters.h"
-#include "base/math/functions.h"
 
 #include <errno.h>
 #include <limits.h>
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

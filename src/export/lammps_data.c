@@ -21,8 +21,6 @@
 #include "base/text.h"
 #include "problems/problem.h"
 
-#include <math.h>
-
 void lammps_line(FILE *file, const char *pattern, const double *numbers)
 {
     char text[NUMBER_TEXT_MAX];

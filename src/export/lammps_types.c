@@ -14,7 +14,6 @@
 #include "problems/problem.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 enum { TYPES_MAX = 1000 };
 

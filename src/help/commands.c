@@ -2,8 +2,6 @@
 /* The rows of the command table and of the words of the `:` line, and how one is found by id, name or key. */
 #include "help/command.h"
 
-#include "base/text.h"
-
 #include <ctype.h>
 #include <stddef.h>
 #include <string.h>

@@ -9,9 +9,6 @@
 #include "scenario/parameters.h"
 #include "lab/laboratory.h"
 
-#include <stdlib.h>
-#include <string.h>
-
 /* The series of the run that the overlay is compared with: the one on screen, or else the first that it has.
  * Sets the overlay's column; NULL: there is none. */
 static const char *series_of(const Laboratory *lab, int *y)

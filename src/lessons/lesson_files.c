@@ -4,7 +4,6 @@
 
 #include "base/hash.h"
 #include "base/input.h"
-#include "base/text.h"
 #include "scenario/parameters.h"
 #include "scenario/scenario.h"
 #include "scenario/scenario_lines.h"

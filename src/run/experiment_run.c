@@ -11,8 +11,6 @@
 #include "scenario/parameters.h"
 
 #include <errno.h>
-#include <limits.h>
-#include <stdlib.h>
 #include <string.h>
 
 static const size_t record_budget = (size_t)32 << 20;

@@ -5,7 +5,6 @@
 #include "base/assertion.h"
 #include "scenario/settings.h"
 #include "scenario/parameters.h"
-#include "answers/references.h"
 
 #include <limits.h>
 #include <stdio.h>

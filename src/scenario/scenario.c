@@ -12,7 +12,6 @@
 #include "scenario/scenario_lines.h"
 
 #include <errno.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* What is being read: the lines, where they come from and what stands above them. */

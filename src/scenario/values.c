@@ -5,14 +5,11 @@
 #include "scenario/rows/rows.h"
 #include "base/kinds.h"
 #include "base/assertion.h"
-#include "base/quantity.h"
 #include "base/text.h"
-#include "base/visible.h"
 #include "problems/problem.h"
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 static void *member(Settings *settings, size_t offset)

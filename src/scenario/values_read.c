@@ -11,7 +11,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 bool settings_in_range(const Parameter *parameter, const Problem *problem, double value)

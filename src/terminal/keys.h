@@ -14,7 +14,6 @@
 #define TUI_KEYS_H
 
 #include <stdbool.h>
-#include <stddef.h>
 
 enum { KEY_NAME_MAX = 16, KEYS_WAITING = 10 };
 

@@ -4,7 +4,6 @@
 #include "base/math/functions.h"
 
 #include <math.h>
-#include <stdbool.h>
 
 /* The bar as its phase sees it: the time that a wave takes through each part, and Z_2/Z_1. */
 typedef struct Way {

@@ -7,8 +7,6 @@
 #include "base/patience.h"
 #include "base/status.h"
 
-#include <stddef.h>
-
 typedef struct BeamTheory {
     double length, height; /* m */
     double youngs_modulus, density;

@@ -7,7 +7,6 @@
 #include "lab/lesson/lesson_progress.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* --- opening and closing ---------------------------------------------------------------------------- */

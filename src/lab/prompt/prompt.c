@@ -2,7 +2,6 @@
 /* Questions at the foot of the screen, and what becomes of the answers. */
 #include "lab/laboratory.h"
 
-#include "base/text.h"
 #include "base/visible.h"
 #include "lab/prompt/line_edit.h"
 

@@ -4,7 +4,6 @@
 #include "lab/laboratory.h"
 #include "scenario/settings.h"
 #include "lab/opening.h"
-#include "base/text.h"
 #include "scenario/scenario.h"
 
 #include <dirent.h>

@@ -13,10 +13,8 @@
 #include "plain/plain.h"
 #include "scenario/parameters.h"
 
-#include <errno.h>
 #include <locale.h>
 #include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
 static const char *const last_session = "last.session";

@@ -25,8 +25,6 @@
 #include "methods/mpm/line/bar_state.h"
 #include "methods/mpm/line/kernels/bar_kernels.h"
 
-#include <string.h>
-
 enum {
     TILE = 128,         /* cells by which the first stage advances */
     CLEARANCE = 8,      /* also the largest vector, so that ranges are whole vectors */

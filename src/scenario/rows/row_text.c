@@ -6,7 +6,6 @@
 #include "scenario/rows/row_text.h"
 
 #include <ctype.h>
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 

@@ -5,7 +5,6 @@
 #include "scenario/rows/row_text.h"
 #include "scenario/settings.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 

@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The rows of settings as a whole: do they lie on the plate, and how do they differ from others? */
-#include "base/text.h"
 #include "scenario/rows/row_text.h"
 #include "scenario/settings.h"
 
 #include <stdio.h>
-#include <string.h>
 
 /* --- on the plate --------------------------------------------------------------------------------- */
 

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The bar by peridynamics: its memory, its start, its state as bytes, and the table of functions through
  * which a driver runs it (method.h). The state is one block: head, u with its mirrored nodes, v, f. */
-#include "methods/axial.h"
 #include "methods/bonds/line/pd_bar_internal.h"
 
 #include <math.h>

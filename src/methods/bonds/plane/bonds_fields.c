@@ -7,7 +7,6 @@
 #include "methods/bonds/plane/bonds_internal.h"
 #include "base/math/functions.h"
 
-#include <math.h>
 #include <string.h>
 
 static const Set sets[N_SETS] = {

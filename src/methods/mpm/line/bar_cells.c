@@ -10,8 +10,6 @@
 #include "methods/mpm/line/bar_state.h"
 #include "methods/mpm/line/kernels/bar_kernels.h"
 
-#include "base/text.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -3,10 +3,8 @@
 #include "methods/mpm/line/bar_mistakes.h"
 #include "base/assertion.h"
 #include "methods/mpm/line/kernels/bar_kernels.h"
-#include "methods/mpm/line/kernels/shape.h"
 
 #include <math.h>
-#include <string.h>
 
 /* --- the rows --------------------------------------------------------------------------------------- */
 

@@ -6,8 +6,6 @@
 #include "methods/calculation.h"
 #include "methods/mpm/plane/plane_state.h"
 
-#include <string.h>
-
 enum { LINKS_MAX = 64 };
 
 typedef struct Subject {

@@ -15,7 +15,6 @@
 #include "base/assertion.h"
 #include "methods/bonds/plane/bonds_internal.h"
 
-#include <math.h>
 #include <string.h>
 
 /* The pressure on the notched beam is live, p > 0 downwards. */

@@ -4,8 +4,6 @@
 
 #include "base/math/functions.h"
 
-#include <math.h>
-
 /* The cut parts something, for a bond that crosses its line is at least a spacing long. */
 static bool check_cuts(const PlateDef *plate, const Lattice *lattice, Status *status)
 {

@@ -23,8 +23,6 @@
 #include "methods/mpm/line/kernels/shape.h"
 #include "methods/vector.h"
 
-#include <string.h>
-
 extern const BarKernels KERNELS(bar_kernels);
 
 /* -0 is the start of a sum that is exactly its first term. */
