@@ -79,7 +79,7 @@ double quantity_broken_bonds(VerifyRun *, const VerifyRow *);
 double quantity_angle_over(VerifyRun *, const VerifyRow *);   /* degrees over the height `from` */
 double quantity_angle_turned(VerifyRun *, const VerifyRow *); /* over the height `to` less that over `from` */
 
-/* The first crack of a plate (fronts.h): verify_fronts.c. */
+/* The first crack of a plate (fronts.h): verify_front_quantity.c. */
 double quantity_branch_x(VerifyRun *, const VerifyRow *);
 double quantity_branch_time(VerifyRun *, const VerifyRow *);
 double quantity_half_angle(VerifyRun *, const VerifyRow *);  /* degrees */
