@@ -11,6 +11,7 @@
 #include "export/frames.h"
 #include "base/output.h"
 #include "views/view.h"
+#include "run/playback.h"
 
 #include <signal.h>
 #include <stdio.h>
@@ -192,9 +193,10 @@ static bool refine(Convergence *convergence, const Screen *screen, const View *v
 static bool draw(const Options *options, const Settings *settings, const Settings *others,
                  Experiment *experiment, Screen *screen, Progress *progress, Status *status)
 {
+    static const Playback running = {.state = STATE_RUNNING}; /* nothing is chosen by hand */
     Frames frames = {0};
     const View *view = NULL;
-    screen->playback.state = STATE_RUNNING; /* nothing is chosen by hand */
+    screen->playback = &running;
     screen_read_view(screen, settings_view(settings));
     bool sound =
         figure_view(screen, options->view, &view, status) && plan(&frames, screen, view, settings, status);
@@ -267,7 +269,7 @@ int cli_figure(int count, char **arguments, Status *status)
         return failed_with(status);
     }
     screen.experiment = experiment;
-    screen.chosen.particle = screen_middle_particle(experiment_simulation(experiment));
+    screen.chosen.particle = selection_middle(experiment_simulation(experiment));
     if (options.list) {
         figure_names(&screen, stdout);
     } else {

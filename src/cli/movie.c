@@ -10,7 +10,7 @@
 #include "base/visible.h"
 #include "lab/session/laboratory_main.h"
 #include "lab/session/script.h"
-#include "panes/screen.h"
+#include "panes/sheet.h"
 #include "problems/problem.h"
 #include "scenario/parameters.h"
 #include "film/camera.h"

@@ -15,6 +15,7 @@
 #include "scenario/scenario_lines.h"
 #include "answers/references.h"
 #include "lab/session/script.h"
+#include "help/command.h"
 
 #include <stdint.h>
 #include <stdio.h>

@@ -5,6 +5,8 @@
 #include "scenario/settings.h"
 #include "help/help_text.h"
 #include "panes/panes.h"
+#include "help/command.h"
+#include "panes/places.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -70,9 +70,9 @@ bool diagnosing_answer(Laboratory *lab, const char *words)
                                    diagnose(&task, table, found, &status)
                              : status_fail(&status, STATUS_USAGE, "a file is wanted: diagnose FILE.csv");
     if (sound) {
-        diagnosis_sum_up(found, table, lab->screen.diagnosis, sizeof lab->screen.diagnosis);
+        diagnosis_sum_up(found, table, lab->diagnosis, sizeof lab->diagnosis);
         lay_over(lab, table);
-        laboratory_say(lab, MESSAGE_INFO, "%s", lab->screen.diagnosis);
+        laboratory_say(lab, MESSAGE_INFO, "%s", lab->diagnosis);
     } else
         laboratory_say(lab, MESSAGE_NONE, "%s", "");
     if (table)

@@ -69,7 +69,7 @@ static void return_to_time(Laboratory *lab)
 void edit_changed(Laboratory *lab)
 {
     lab->editing.changed = true;
-    lab->screen.summary_known = false;
+    lab->screen.summary = NULL;
     player_forget_rates(&lab->player); /* a step may take longer now */
     laboratory_say(lab, MESSAGE_NONE, "%s", "");
     if (lab->player.pace_automatic)

@@ -8,6 +8,7 @@
 #include "answers/fit_data.h"
 #include "scenario/parameters.h"
 #include "lab/laboratory.h"
+#include "views/view.h"
 
 /* The series of the run that the overlay is compared with: the one on screen, or else the first that it has.
  * Sets the overlay's column; NULL: there is none. */
@@ -44,7 +45,7 @@ static bool wait_for_fit(double share, void *context)
 /* "bar.density 1.02 +- 0.01, ...; residuals 3e-3, before 2e-2: they look like noise; correlation 0.4" */
 static void say_result(Laboratory *lab, const FitTask *task, const FitResult *result)
 {
-    char text[sizeof lab->screen.message.text] = "fitted:", digits[2][NUMBER_TEXT_MAX];
+    char text[sizeof lab->message.text] = "fitted:", digits[2][NUMBER_TEXT_MAX];
     for (int i = 0; i < task->n_keys; i++) {
         text_rounded(digits[0], result->values[i], 6);
         text_rounded(digits[1], result->noise.half_widths[i], 2);
@@ -84,7 +85,7 @@ bool fitting_answer(Laboratory *lab, const char *words)
     FitTask task = {.settings = &begun, .threads = lab->options.threads > 0 ? lab->options.threads : 1};
     FitData data = {.times = NULL};
     Status status = {STATUS_DONE, ""};
-    char list[sizeof lab->screen.prompt.text], keys[FIT_KEYS_MAX][KEY_MAX];
+    char list[sizeof lab->prompting.shown.text], keys[FIT_KEYS_MAX][KEY_MAX];
     int y = -1;
     snprintf(list, sizeof list, "%s", words);
     if (!lab->screen.overlay || lab->overlay.along)

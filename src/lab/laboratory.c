@@ -4,6 +4,7 @@
 #include "scenario/settings.h"
 #include "lab/prompt/line.h"
 #include "lab/opening.h"
+#include "panes/places.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -13,8 +14,7 @@ bool laboratory_open(Laboratory *lab, const LaboratoryOptions *options, const Ho
     *lab = (Laboratory){.host = *host,
                         .options = *options,
                         .overlay = {.y = -1},
-                        .player = {.run_limit = -1},
-                        .prompting = {.shown = &lab->screen.prompt}};
+                        .player = {.run_limit = -1, .playback = {.pace = 1}}};
     lab->asker = options->replay || options->last ? ASKER_REPLAY : laboratory_user(lab);
     lab->carry_out = laboratory_command;
     lab->run_line = line_run;
@@ -27,6 +27,13 @@ bool laboratory_open(Laboratory *lab, const LaboratoryOptions *options, const Ho
         return status_fail(status, STATUS_FAILED, "out of memory");
     }
     screen_default(&lab->screen);
+    lab->screen.playback = &lab->player.playback;
+    lab->screen.bookmarks = &lab->player.bookmarks;
+    lab->screen.lesson = &lab->play.shown;
+    lab->screen.prompt = &lab->prompting.shown;
+    lab->screen.message = &lab->message;
+    lab->screen.used = &lab->used;
+    lab->screen.diagnosis = lab->diagnosis;
     if (options->sheet && strcmp(options->sheet, parameter_sheet_words[SHEET_PLAIN]) == 0)
         lab->screen.panes.sheet = SHEET_PLAIN;
     Settings settings = *options->settings;
@@ -41,9 +48,9 @@ bool laboratory_open(Laboratory *lab, const LaboratoryOptions *options, const Ho
     if (options->is_coarse)
         opening_tell_coarse(lab);
     if (options->paused)
-        lab->player.resume = lab->screen.playback.state = STATE_PAUSED;
+        lab->player.resume = lab->player.playback.state = STATE_PAUSED;
     if (options->reached)
-        memcpy(lab->screen.lesson.reached, options->reached, sizeof lab->screen.lesson.reached);
+        memcpy(lab->play.shown.reached, options->reached, sizeof lab->play.shown.reached);
     lab->screen.offers_lesson = options->first_start && !options->lesson;
     if (options->lesson && !lesson_play_open(lab, options->lesson, status)) {
         laboratory_close(lab);
@@ -71,8 +78,8 @@ bool laboratory_draw(Laboratory *lab, Canvas *canvas, int width, int height)
     /* a screen without room for all panes begins with the plot; Tab reaches the others */
     const bool was_whole = lab->width == 0 || screen_is_whole(&lab->screen, lab->width, lab->height);
     const bool is_whole = screen_is_whole(&lab->screen, width, height);
-    if (was_whole && !is_whole && lab->screen.panes.focus == PANE_PARAMETERS && !lab->screen.lesson.open &&
-        !lab->screen.parameters.edit.open && !lab->screen.prompt.open) {
+    if (was_whole && !is_whole && lab->screen.panes.focus == PANE_PARAMETERS && !lab->play.shown.open &&
+        !lab->screen.parameters.edit.open && !lab->prompting.shown.open) {
         lab->screen.panes.focus = PANE_LOWER;
         lab->focus_lent = true;
     } else if (!was_whole && is_whole && lab->focus_lent) {
@@ -85,7 +92,7 @@ bool laboratory_draw(Laboratory *lab, Canvas *canvas, int width, int height)
     lab->height = height;
     if (screen_view_in(&lab->screen, lab->screen.panes.focus))
         lab->screen.panes.last_plot = lab->screen.panes.focus;
-    lab->screen.playback.goes_on = lab->player.resume == STATE_RUNNING;
+    lab->player.playback.goes_on = lab->player.resume == STATE_RUNNING;
     if ((canvas->width != width || canvas->height != height) && !canvas_open(canvas, width, height, NULL))
         return false;
     screen_draw(&lab->screen, canvas);

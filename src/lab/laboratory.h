@@ -6,6 +6,7 @@
 #define TUI_LABORATORY_H
 
 #include "base/output.h"
+#include "answers/run_summary.h"
 #include "run/overlay.h"
 #include "lab/commands/exporting.h"
 #include "lab/edit.h"
@@ -16,6 +17,7 @@
 #include "lab/session/laboratory_main.h"
 #include "terminal/keys.h"
 #include "panes/screen.h"
+#include "picture/canvas.h"
 
 #define FRAME_SECONDS 0.033 /* a frame is at most that long, so a key is answered within it */
 
@@ -26,7 +28,7 @@ typedef struct Host {
     double (*now)(void *context); /* seconds, only ever growing */
     /* `steps` time steps were done: lets a virtual clock go on. */
     void (*worked)(void *context, long steps);
-    /* In the middle of work that cannot be cut into frames, screen.message.text says what: draw, look for ^C;
+    /* In the middle of work that cannot be cut into frames, message.text says what: draw, look for ^C;
      * false: give up. While the laboratory is being opened there is nothing to draw. */
     bool (*go_on)(void *context);
     void (*redraw)(void *context);  /* everything anew */
@@ -68,8 +70,13 @@ struct Laboratory {
     Exporting exporting;
     Refining refining;
     Held held;
-    Overlay overlay;               /* behind screen.overlay */
-    char scenario[NAME_MAX_BYTES]; /* behind screen.scenario */
+    /* what the screen points at, with what belongs to player, prompts and lessons */
+    Message message;
+    CommandSet used;
+    RunSummary summary;
+    Overlay overlay;
+    char diagnosis[700];
+    char scenario[NAME_MAX_BYTES];
 
     int width, height; /* of the picture, for focus and mouse */
     bool focus_lent;   /* to the lower plot, while there is no room for all panes */

@@ -19,8 +19,8 @@
 bool laboratory_active(const Laboratory *lab)
 {
     return !lab->closed &&
-           (lab->screen.playback.state == STATE_RUNNING || lab->screen.playback.state == STATE_COMPUTING ||
-            lab->screen.playback.slow || refining_is_due(lab));
+           (lab->player.playback.state == STATE_RUNNING || lab->player.playback.state == STATE_COMPUTING ||
+            lab->player.playback.slow || refining_is_due(lab));
 }
 
 /* Steps for the next piece of work: about CHUNK_SECONDS of it, judged by the last piece. */
@@ -102,7 +102,7 @@ static bool run_frame(Laboratory *lab, double deadline)
     Status status = {STATUS_DONE, ""};
     double begin = lab->host.now(lab->host.context);
     if (!lab->player.in_parts)
-        lab->player.owed += screen->playback.pace;
+        lab->player.owed += lab->player.playback.pace;
     long wanted = lab->player.in_parts ? 1 : (long)lab->player.owed, done = 0;
     if (!lab->player.in_parts)
         lab->player.owed -= (double)wanted;
@@ -119,7 +119,7 @@ static bool run_frame(Laboratory *lab, double deadline)
     while (sound && in_time && !arrived && done < wanted &&
            (lab->player.in_parts || !experiment_at_end(screen->experiment))) {
         if (done > 0 && key_waits(&lab->host)) {
-            lab->player.owed += fmin((double)(wanted - done), screen->playback.pace);
+            lab->player.owed += fmin((double)(wanted - done), lab->player.playback.pace);
             break;
         }
         double left = deadline - lab->host.now(lab->host.context);
@@ -137,12 +137,13 @@ static bool run_frame(Laboratory *lab, double deadline)
     }
     lab->player.frames_in_time = in_time ? lab->player.frames_in_time + 1 : 0;
     if (!in_time)
-        screen->playback.at_limit = true;
+        lab->player.playback.at_limit = true;
     else if (lab->player.frames_in_time >= ROUND_FRAMES)
-        screen->playback.at_limit = false;
+        lab->player.playback.at_limit = false;
     double took = lab->host.now(lab->host.context) - begin;
     double reached = (double)done / (took > FRAME_SECONDS ? took / FRAME_SECONDS : 1);
-    screen->playback.rate = screen->playback.rate > 0 ? 0.8 * screen->playback.rate + 0.2 * reached : reached;
+    lab->player.playback.rate =
+        lab->player.playback.rate > 0 ? 0.8 * lab->player.playback.rate + 0.2 * reached : reached;
     if (!arrived && !lab->player.in_parts && (!sound || experiment_at_end(screen->experiment)))
         player_settle(lab);
     player_tell_second(lab);
@@ -170,16 +171,16 @@ static bool compute_frame(Laboratory *lab, double deadline)
             sound = work(lab, duel_work, rate, chunk(*rate, left > 0 ? left : 1, time_left), &status);
     }
     if (!sound || !duel_pending(duel, &left)) {
-        lab->screen.playback.work_share = 0;
+        lab->player.playback.work_share = 0;
         player_settle(lab);
         return true;
     }
     /* the first frame of a work is where its length is known */
-    if (lab->screen.playback.work_share <= 0 || left > lab->player.work_total)
+    if (lab->player.playback.work_share <= 0 || left > lab->player.work_total)
         lab->player.work_total = most > 0 ? most : 1;
-    lab->screen.playback.work_share = 1 - (double)left / (double)lab->player.work_total;
-    if (lab->screen.playback.work_share < 1e-6)
-        lab->screen.playback.work_share = 1e-6;
+    lab->player.playback.work_share = 1 - (double)left / (double)lab->player.work_total;
+    if (lab->player.playback.work_share < 1e-6)
+        lab->player.playback.work_share = 1e-6;
     return true;
 }
 
@@ -200,14 +201,14 @@ static bool slow_frame(Laboratory *lab)
 
 static bool do_frame(Laboratory *lab, double deadline)
 {
-    if (lab->screen.message.kind == MESSAGE_INFO &&
+    if (lab->message.kind == MESSAGE_INFO &&
         lab->host.now(lab->host.context) > lab->said_at + MESSAGE_SECONDS)
         laboratory_say(lab, MESSAGE_NONE, "%s", "");
-    if (lab->screen.playback.state == STATE_COMPUTING)
+    if (lab->player.playback.state == STATE_COMPUTING)
         return compute_frame(lab, deadline);
-    if (lab->screen.playback.state == STATE_RUNNING)
+    if (lab->player.playback.state == STATE_RUNNING)
         return run_frame(lab, deadline);
-    if (lab->screen.playback.slow)
+    if (lab->player.playback.slow)
         return slow_frame(lab);
     if (refining_is_due(lab))
         refining_work(lab);

@@ -6,6 +6,7 @@
 #include "base/visible.h"
 #include "lab/row_edit.h"
 #include "lab/session/session.h"
+#include "panes/places.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -146,7 +147,7 @@ static void wheel(Laboratory *lab, int direction, int x, int y)
 /* False: not the mouse. In the middle of a field or a question the mouse does nothing. */
 static bool mouse_key(Laboratory *lab, const Key *key)
 {
-    bool busy = lab->screen.prompt.open || lab->screen.parameters.edit.open;
+    bool busy = lab->prompting.shown.open || lab->screen.parameters.edit.open;
     const bool drags = strcmp(key->name, "Drag") == 0;
     if (!drags)
         lab->held.drag = DRAG_NOTHING;
@@ -171,14 +172,14 @@ static bool is_for_everywhere(CommandId id)
 
 static bool takes_text(const Screen *screen)
 {
-    return screen->parameters.edit.open || (screen->prompt.open && !screen->prompt.yes_no);
+    return screen->parameters.edit.open || (screen->prompt->open && !screen->prompt->yes_no);
 }
 
 static void text_key(Laboratory *lab, const char *name)
 {
     Key key = {.x = -1, .y = -1};
     snprintf(key.name, sizeof key.name, "%s", name);
-    if (lab->screen.prompt.open)
+    if (lab->prompting.shown.open)
         prompt_key(lab, &key);
     else
         edit_key(lab, &key);
@@ -217,7 +218,7 @@ static bool take_offer(Laboratory *lab, const Key *key)
  * comes here. */
 static void leave_refused(Laboratory *lab, const char *key)
 {
-    const Prompt *prompt = &lab->screen.prompt;
+    const Prompt *prompt = &lab->prompting.shown;
     const bool is_character = !key[1] || strcmp(key, "Space") == 0;
     const Typing *typing = lab->prompting.typing;
     const bool asks_name = typing && typing->names_file;
@@ -244,9 +245,9 @@ static void take_key(Laboratory *lab, const Key *key)
     leave_refused(lab, key->name);
     if (command && is_for_everywhere(command->id))
         laboratory_command(lab, command->id);
-    else if (mouse_key(lab, key) || (!lab->screen.prompt.open && row_edit_key(lab, key->name)))
+    else if (mouse_key(lab, key) || (!lab->prompting.shown.open && row_edit_key(lab, key->name)))
         return;
-    else if (lab->screen.prompt.open)
+    else if (lab->prompting.shown.open)
         prompt_key(lab, key);
     else if (lab->screen.parameters.edit.open)
         edit_key(lab, key);

@@ -12,10 +12,10 @@ void laboratory_say(Laboratory *lab, MessageKind kind, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    char text[sizeof lab->screen.message.text];
+    char text[sizeof lab->message.text];
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
-    visible_text(lab->screen.message.text, sizeof lab->screen.message.text, text);
-    lab->screen.message.kind = lab->screen.message.text[0] ? kind : MESSAGE_NONE;
+    visible_text(lab->message.text, sizeof lab->message.text, text);
+    lab->message.kind = lab->message.text[0] ? kind : MESSAGE_NONE;
     lab->said_at = lab->host.now(lab->host.context);
 }

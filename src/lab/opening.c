@@ -22,7 +22,7 @@ static void read_view(Laboratory *lab)
     double value;
     views_open(screen, view);
     if (sscanf(view->pace, "%lf", &value) == 1 && value > 0) {
-        screen->playback.pace = value;
+        lab->player.playback.pace = value;
         lab->player.pace_automatic = false;
     }
     screen_read_view(screen, view);
@@ -49,21 +49,21 @@ void opening_begin(Laboratory *lab, Experiment *experiment)
     lab->editing.n_undo = lab->editing.n_redo = 0;
     lab->editing.changed = false;
     lab->editing.anchor_step = screen->log.event = -1;
-    screen->bookmarks.count = screen->log.first = 0;
+    lab->player.bookmarks.count = screen->log.first = 0;
     lab->player.owed = 0;
     player_forget_rates(&lab->player);
     lab->player.frames_in_time = 0;
-    screen->playback.at_limit = false;
-    screen->summary_known = false;
+    lab->player.playback.at_limit = false;
+    screen->summary = NULL;
     screen->time.cursor = NAN;
     if (screen->panes.inspecting && screen->panes.focus == PANE_INSPECTOR)
         screen->panes.focus = screen->panes.before_inspector;
     screen->panes.inspecting = false;
     const Simulation *simulation = experiment_simulation(experiment);
-    screen->chosen.particle = screen_middle_particle(simulation);
+    screen->chosen.particle = selection_middle(simulation);
     screen->chosen.is_node = false;
     screen->chosen.node = simulation->n_sets > 1 ? simulation->counts[1] / 2 : 0;
-    player_choose_pace(&lab->screen);
+    player_choose_pace(&lab->player);
     read_view(lab);
     screen->duel = &lab->player.duel;
     screen->convergence = &lab->refining.convergence;
@@ -71,14 +71,14 @@ void opening_begin(Laboratory *lab, Experiment *experiment)
     screen_select(screen, NULL);
     if (screen_is_plain(screen))
         screen->panes.last_plot = view_pane_of_number(screen);
-    lab->player.resume = screen->playback.state = STATE_RUNNING;
+    lab->player.resume = lab->player.playback.state = STATE_RUNNING;
     player_stop_at(lab, &(Stop){.kind = STOP_NEVER});
     player_loop(lab, &(Stretch){.on = false});
-    screen->playback.slow = false;
+    lab->player.playback.slow = false;
     laboratory_say(lab, MESSAGE_NONE, "%s", "");
     second_run_open(lab);
     const char *advice = experiment_advice(screen->experiment);
-    if (advice && !screen->message.text[0])
+    if (advice && !lab->message.text[0])
         laboratory_say(lab, MESSAGE_WARNING, "%s", advice);
 }
 
@@ -161,7 +161,7 @@ static bool open_or_refuse(Laboratory *lab, const char *name)
 
 void opening_tell_coarse(Laboratory *lab)
 {
-    if (!lab->screen.message.text[0])
+    if (!lab->message.text[0])
         laboratory_say(lab, MESSAGE_INFO, "coarse form of %s; :full opens the whole",
                        scenario_whole(lab->scenario));
 }

@@ -44,22 +44,22 @@ void player_settle(Laboratory *lab)
     long left;
     Status failure;
     if (duel_pending(&lab->player.duel, &left))
-        screen->playback.state = STATE_COMPUTING;
+        lab->player.playback.state = STATE_COMPUTING;
     else if (experiment_failed(experiment, &failure) &&
              experiment_step(experiment) >= experiment_newest(experiment)) {
-        screen->playback.state = STATE_FAILED;
+        lab->player.playback.state = STATE_FAILED;
         lab->player.resume = STATE_PAUSED;
         laboratory_say(lab, MESSAGE_ERROR, "%s", failure.text);
-        screen->playback.slow = false;
+        lab->player.playback.slow = false;
     } else if (experiment_at_end(experiment)) {
-        screen->playback.state = STATE_ENDED;
-        screen->playback.slow = false;
+        lab->player.playback.state = STATE_ENDED;
+        lab->player.playback.slow = false;
         lab->player.resume = STATE_PAUSED;
-        summary_of(experiment, &screen->summary);
-        screen->summary_known = true;
+        summary_of(experiment, &lab->summary);
+        screen->summary = &lab->summary;
     } else
-        screen->playback.state = lab->player.resume;
-    if (screen->playback.state != STATE_RUNNING) {
+        lab->player.playback.state = lab->player.resume;
+    if (lab->player.playback.state != STATE_RUNNING) {
         experiment_rest(experiment);
         if (lab->player.duel.b)
             experiment_rest(lab->player.duel.b);
@@ -69,7 +69,7 @@ void player_settle(Laboratory *lab)
 
 void player_pause(Laboratory *lab)
 {
-    lab->screen.playback.slow = false;
+    lab->player.playback.slow = false;
     lab->player.resume = STATE_PAUSED;
     lab->player.owed = 0;
     player_settle(lab);
@@ -78,7 +78,7 @@ void player_pause(Laboratory *lab)
 void player_place(const Laboratory *lab, long *step, int *stage)
 {
     const Experiment *experiment = laboratory_run(lab);
-    bool under_way = lab->screen.playback.state == STATE_COMPUTING;
+    bool under_way = lab->player.playback.state == STATE_COMPUTING;
     *step = under_way ? lab->player.goal_step : experiment_step(experiment);
     *stage = under_way ? lab->player.goal_stage : experiment_stage(experiment);
 }
@@ -113,14 +113,14 @@ void player_drop_part(Player *player)
 void player_stop_at(Laboratory *lab, const Stop *stop)
 {
     lab->player.stop = *stop;
-    stop_words(stop, lab->screen.playback.until);
-    lab->screen.playback.until_step = laboratory_run(lab) ? stop_step(stop, laboratory_run(lab)) : -1;
+    stop_words(stop, lab->player.playback.until);
+    lab->player.playback.until_step = laboratory_run(lab) ? stop_step(stop, laboratory_run(lab)) : -1;
 }
 
 void player_loop(Laboratory *lab, const Stretch *loop)
 {
     lab->player.loop = *loop;
-    lab->screen.playback.looping = loop->on;
+    lab->player.playback.looping = loop->on;
 }
 
 /* The last whole step of the stretch; at least one more than its first. */
@@ -197,8 +197,8 @@ void player_slow_motion(Laboratory *lab, bool on)
     if (lab->player.slow_frames == 0)
         lab->player.slow_frames = SLOW_FRAMES;
     lab->player.slow_left = 0;
-    lab->screen.playback.slow =
-        on && lab->screen.playback.state != STATE_ENDED && lab->screen.playback.state != STATE_FAILED;
+    lab->player.playback.slow =
+        on && lab->player.playback.state != STATE_ENDED && lab->player.playback.state != STATE_FAILED;
 }
 
 /* --- pace -------------------------------------------------------------------------------------------- */
@@ -236,9 +236,9 @@ double player_pace_for(double steps, double seconds)
     return pace >= 1 ? round(pace) : pace > 0 ? 1 / round(1 / pace) : 1;
 }
 
-void player_choose_pace(Screen *screen)
+void player_choose_pace(Player *player)
 {
-    const Experiment *experiment = screen->experiment;
+    const Experiment *experiment = player->duel.a;
     const Readout *readout = experiment_readout(experiment);
     double dt = experiment_simulation(experiment)->dt;
     double seconds = 1, steps = 0;
@@ -251,5 +251,5 @@ void player_choose_pace(Screen *screen)
         seconds = RUN_SECONDS;
         steps = (double)experiment_last_step(experiment);
     }
-    screen->playback.pace = player_pace_for(steps, seconds);
+    player->playback.pace = player_pace_for(steps, seconds);
 }

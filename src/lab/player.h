@@ -5,8 +5,7 @@
 
 #include "base/status.h"
 #include "run/duel.h"
-#include "run/stop.h"
-#include "panes/screen.h"
+#include "run/playback.h"
 
 typedef struct Laboratory Laboratory;
 
@@ -21,6 +20,8 @@ typedef struct Stretch {
 
 typedef struct Player {
     Duel duel;         /* behind screen.duel */
+    Playback playback; /* behind screen.playback */
+    Bookmarks bookmarks;
     bool second_ended; /* that the second run stopped has been said */
     RunState resume;   /* after computing: running or paused */
     long goal_step;    /* where computing goes */
@@ -47,7 +48,7 @@ void player_drop_part(Player *);
 
 /* So many steps a frame that one exact period lasts 3 s; where the run comes to be half a period late, that
  * it is so within ten seconds, as far as the eye can follow; a run without a period, 15 s as a whole. */
-void player_choose_pace(Screen *);
+void player_choose_pace(Player *);
 double player_pace_for(double steps, double seconds); /* so many steps in so many seconds; looks steady */
 double player_next_125(double value, int direction);  /* the next number of 1, 2, 5, 10, ... above or below */
 

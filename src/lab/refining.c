@@ -21,8 +21,8 @@ static const ConvergenceStudy *study_to_do(const Laboratory *lab)
 bool refining_is_due(const Laboratory *lab)
 {
     const Screen *screen = &lab->screen;
-    return screen->experiment && screen->playback.state != STATE_RUNNING &&
-           screen->playback.state != STATE_COMPUTING && !screen->prompt.open &&
+    return screen->experiment && lab->player.playback.state != STATE_RUNNING &&
+           lab->player.playback.state != STATE_COMPUTING && !lab->prompting.shown.open &&
            !screen->parameters.edit.open && !screen->help.open && study_to_do(lab);
 }
 
@@ -66,7 +66,7 @@ void refining_work(Laboratory *lab)
     waiting.begun = lab->host.now(lab->host.context);
     const Patience patience = {wait_for_point, &waiting};
     if (convergence_next(&lab->refining.convergence, waiting.study, patience, &status)) {
-        if (lab->screen.message.kind == MESSAGE_INFO && waiting.point == waiting.count)
+        if (lab->message.kind == MESSAGE_INFO && waiting.point == waiting.count)
             laboratory_say(lab, MESSAGE_NONE, "%s", "");
     } else if (waiting.stopped) {
         refining_stop(lab);

@@ -7,6 +7,7 @@
 #include "scenario/rows/rows.h"
 #include "base/text.h"
 #include "views/view.h"
+#include "panes/places.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -402,7 +403,7 @@ static bool have_rows(Laboratory *lab)
 static bool chosen(Laboratory *lab, int *kind, int *row)
 {
     RowPlace place;
-    const bool any = lab->screen.panes.focus == PANE_PARAMETERS && !lab->screen.lesson.open &&
+    const bool any = lab->screen.panes.focus == PANE_PARAMETERS && !lab->play.shown.open &&
                      screen_selected_row(&lab->screen, &place) && place.row != ROW_NEW;
     if (any)
         *kind = place.kind, *row = place.row;

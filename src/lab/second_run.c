@@ -16,7 +16,7 @@ static bool begin(Laboratory *lab, const Assignment *keys, int n_keys, Status *s
         return false;
     player_forget_rates(&lab->player);
     lab->screen.time.cursor = NAN;
-    lab->screen.summary_known = false;
+    lab->screen.summary = NULL;
     player_settle(lab);
     return true;
 }
@@ -51,7 +51,7 @@ static void suggest(Laboratory *lab, int direction)
     if (to < 0 || duel_suggest(experiment_settings(laboratory_run(lab)), to, keys) == 0)
         return;
     lab->prompting.suggestion = to;
-    char text[sizeof lab->screen.prompt.text];
+    char text[sizeof lab->prompting.shown.text];
     duel_write_keys(keys, 1, text, sizeof text);
     prompt_fill(&lab->prompting, text);
 }
@@ -71,7 +71,7 @@ void second_run_toggle(Laboratory *lab)
     Duel *duel = &lab->player.duel;
     const Settings *settings = experiment_settings(laboratory_run(lab));
     Assignment keys[DUEL_MAX];
-    char text[sizeof lab->screen.prompt.text];
+    char text[sizeof lab->prompting.shown.text];
     if (duel->b) {
         duel_end(duel);
         player_forget_rates(&lab->player);
@@ -89,6 +89,6 @@ void second_run_toggle(Laboratory *lab)
     duel_write_keys(duel->n_keys > 0 ? duel->keys : keys, n_keys, text, sizeof text);
     prompt_ask(&lab->prompting, second_run_answer, false, text, "in B is");
     lab->prompting.typing = &typing;
-    snprintf(lab->screen.prompt.hint, sizeof lab->screen.prompt.hint,
+    snprintf(lab->prompting.shown.hint, sizeof lab->prompting.shown.hint,
              "in what the second run differs; Down offers others, Tab completes, Enter begins the duel");
 }

@@ -5,6 +5,8 @@
 #include "panes/panes.h"
 #include "scenario/concern_body.h"
 #include "views/view.h"
+#include "lessons/lesson_shown.h"
+#include "panes/places.h"
 
 enum {
     LEAST_WIDTH = 40,
@@ -31,7 +33,7 @@ static void lay_out_sides(const Screen *screen, Rect rect, Layout *layout)
     enum { LEAST_ROWS = 8 };
     const int sets = experiment_simulation(screen->experiment)->n_sets > 1 ? 2 : 1;
     /* beside a lesson energies would answer what is still to be asked: its pages show them */
-    const int first = screen->lesson.open ? 0 : 1;
+    const int first = screen->lesson->open ? 0 : 1;
     const int tables = rect.height / (first + 2) >= LEAST_ROWS ? sets : 1;
     const int energies = first == 0 ? 0 : tables == 2 ? rect.height - 2 * (rect.height / 3) : rect.height / 2;
     const int rest = rect.height - energies;
@@ -49,12 +51,12 @@ static void lay_out_full(const Screen *screen, int width, int height, Layout *la
     const int box = layout_box_rows(screen, height, drawn);
     const int mesh = drawn ? 0 : layout_strip_rows(height);
     const int top = 1 + mesh, middle = height - 2 - box - mesh;
-    const int fields = screen->lesson.open ? layout_lesson_width(width)
-                       : width < WIDER     ? PARAMETERS_WIDTH
-                                           : WIDE_PARAMETERS_WIDTH;
+    const int fields = screen->lesson->open ? layout_lesson_width(width)
+                       : width < WIDER      ? PARAMETERS_WIDTH
+                                            : WIDE_PARAMETERS_WIDTH;
     /* two runs side by side take what else joins at the right */
     const bool tables =
-        !screen->lesson.open || simulation_has(experiment_simulation(screen->experiment), HAS_MESH);
+        !screen->lesson->open || simulation_has(experiment_simulation(screen->experiment), HAS_MESH);
     const bool side = width >= WIDE && height >= SIDE_HEIGHT && !screen_second_run(screen) && tables;
     const int side_width = side ? (width < WIDER ? 39 : width < 150 ? 45 : width * 3 / 10) : 0;
     const int left = fields + 1, plots = width - left - (side ? side_width + 1 : 0);

@@ -5,6 +5,8 @@
  * wrong with a code of his own, the box that tells of it. */
 #include "panes/panes.h"
 #include "views/view.h"
+#include "lessons/lesson_shown.h"
+#include "run/playback.h"
 
 enum {
     LEAST_WIDTH = 60,
@@ -33,7 +35,7 @@ static int strip_rows(const Screen *screen, int height)
 static int box_rows(const Screen *screen, int height, bool wide)
 {
     const bool inside = experiment_stage(screen->experiment) > 0 || experiment_before(screen->experiment);
-    const bool speaks = (inside && !wide) || screen->playback.state == STATE_FAILED || screen->diagnosis[0];
+    const bool speaks = (inside && !wide) || screen->playback->state == STATE_FAILED || screen->diagnosis[0];
     return speaks ? layout_box_rows(screen, height, false) : 0;
 }
 
@@ -50,7 +52,7 @@ static bool lay_out_wide(const Screen *screen, int width, int height, Layout *la
     const int text = pane_lesson_rows(screen, width), box = box_rows(screen, height, true);
     const int picture = height - 2 - text - box;
     if (!screen_view_in(screen, picture_of(screen))->is_wide || screen->panes.inspecting ||
-        !screen->lesson.lesson || picture < PICTURE_LEAST)
+        !screen->lesson->lesson || picture < PICTURE_LEAST)
         return false;
     layout->panes[PANE_PARAMETERS] = (Rect){0, 1, width, text};
     lay_out_picture(screen, (Rect){0, 1 + text, width, picture}, layout);
@@ -66,7 +68,7 @@ static void lay_out_lesson(const Screen *screen, int width, int height, Layout *
     const int top = 1 + strip, middle = height - 2 - strip - box;
     const int text = layout_lesson_width(width), left = text + 1;
     const int number =
-        screen->panes.lecture && screen->lesson.lesson ? pane_number_rows(screen, width, height) : 0;
+        screen->panes.lecture && screen->lesson->lesson ? pane_number_rows(screen, width, height) : 0;
     layout->panes[PANE_MESH] = (Rect){0, 1, strip ? width : 0, strip};
     layout->panes[PANE_PARAMETERS] = (Rect){0, top, text, middle};
     if (number && middle - number >= PICTURE_LEAST)
@@ -99,7 +101,7 @@ static void lay_out_scenario(const Screen *screen, int width, int height, Layout
 
 bool layout_plain(const Screen *screen, int width, int height, Layout *layout)
 {
-    const bool lesson = screen->lesson.open;
+    const bool lesson = screen->lesson->open;
     if (width < (lesson ? LESSON_LEAST_WIDTH : LEAST_WIDTH) ||
         height < (lesson ? LESSON_LEAST_HEIGHT : LEAST_HEIGHT))
         return false;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* How many rows and columns panes take that both sheets have. */
 #include "panes/panes.h"
+#include "run/playback.h"
 
 enum { WIDE = 120, LESSON_WIDTH = 37, WIDE_LESSON_WIDTH = 46 };
 
@@ -8,8 +9,8 @@ enum { WIDE = 120, LESSON_WIDTH = 37, WIDE_LESSON_WIDTH = 46 };
 bool layout_has_caption(const Screen *screen)
 {
     return !screen_second_run(screen) && pane_runs_rows(screen) == 0 &&
-           (screen->playback.state == STATE_RUNNING ||
-            (screen->playback.state == STATE_COMPUTING && screen->playback.goes_on));
+           (screen_is_running(screen) ||
+            (screen->playback->state == STATE_COMPUTING && screen->playback->goes_on));
 }
 
 /* While a run goes on no more than the words need where there is a map: it takes the rest. */

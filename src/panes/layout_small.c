@@ -6,6 +6,8 @@
  * the box with its numbers. */
 #include "panes/panes.h"
 #include "views/view.h"
+#include "lessons/lesson_shown.h"
+#include "run/playback.h"
 
 enum {
     PAIR_WIDTH = 60, /* from here on both plots are seen, without parameters */
@@ -24,7 +26,7 @@ static bool is_plot(PaneId pane)
 /* Whether there are numbers to be read that no plot has. */
 static bool has_numbers(const Screen *screen)
 {
-    const RunState state = screen->playback.state;
+    const RunState state = screen->playback->state;
     return experiment_stage(screen->experiment) > 0 || state == STATE_ENDED || state == STATE_FAILED ||
            screen_second_run(screen);
 }
@@ -55,7 +57,7 @@ void layout_small(const Screen *screen, int width, int height, Layout *layout)
     const PaneId focus = screen->parameters.rows.placing ? map : given;
     const bool whole = screen->panes.zoomed, roomy = width >= BOX_WIDTH && height >= BOX_HEIGHT;
     layout->kind = LAYOUT_ONE_PANE;
-    if (!whole && roomy && screen->lesson.open && screen->lesson.lesson &&
+    if (!whole && roomy && screen->lesson->open && screen->lesson->lesson &&
         lay_out_page(screen, width, height, layout))
         return;
     const bool box = !whole && roomy && (is_plot(focus) || focus == PANE_MESH) && has_numbers(screen);

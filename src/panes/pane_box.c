@@ -9,6 +9,9 @@
 #include "views/plots/runs.h"
 #include "views/plots/time_plot.h"
 #include "base/math/functions.h"
+#include "lessons/lesson_shown.h"
+#include "run/playback.h"
+#include "help/command.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -55,9 +58,9 @@ static void hint_of(const Screen *screen, char *out, size_t size)
     size_t i = 0;
     for (; i < n_hints; i++) {
         const bool right = hints[i].id == COMMAND_RIGHT &&
-                           (screen->lesson.open || command_set_has(&screen->used, COMMAND_LEFT));
+                           (screen->lesson->open || command_set_has(screen->used, COMMAND_LEFT));
         const bool nothing = hints[i].id == COMMAND_INSPECT && !inspector_find(screen);
-        if (command_find(hints[i].id) && !command_set_has(&screen->used, hints[i].id) && !right && !nothing)
+        if (command_find(hints[i].id) && !command_set_has(screen->used, hints[i].id) && !right && !nothing)
             break;
     }
     snprintf(out, size, "%s", i < n_hints ? hints[i].text : "");
@@ -72,7 +75,7 @@ static void draw_offers(const Screen *screen, Area area, int y, int begin)
     } offers[] = {{COMMAND_LESSONS, "T lessons"}, {COMMAND_OPEN, "o scenarios"}};
     char text[64] = "";
     for (size_t i = 0; i < sizeof offers / sizeof *offers; i++)
-        if (!command_set_has(&screen->used, offers[i].id))
+        if (!command_set_has(screen->used, offers[i].id))
             text_append(text, sizeof text, "%s%s", text[0] ? "  " : "New here?  ", offers[i].text);
     if (begin + 2 + glyphs_columns(text) < area.rect.width)
         area_text_right(area, area.rect.width - 1, y, text, STYLE_NORMAL);
@@ -166,11 +169,11 @@ static void keep_sentences(char *text, int width, int rows)
 static void rate_text(const Screen *screen, bool brief, char *out, size_t size)
 {
     const Experiment *experiment = screen->experiment;
-    const double rate = screen->playback.rate * FRAMES_PER_SECOND;
-    const long last = experiment_last_step(experiment), stop = screen->playback.until_step;
+    const double rate = screen->playback->rate * FRAMES_PER_SECOND;
+    const long last = experiment_last_step(experiment), stop = screen->playback->until_step;
     const long left = (stop >= 0 && stop < last ? stop : last) - experiment_step(experiment);
     out[0] = '\0';
-    if (screen->playback.state != STATE_RUNNING || !(rate > 0) || left < 1)
+    if (!screen_is_running(screen) || !(rate > 0) || left < 1)
         return;
     const double seconds = (double)left / rate;
     const double grain = math_pow(10, floor(math_log10(rate)) - 1); /* two digits: the third would dance */
@@ -244,7 +247,7 @@ static void draw_caption(const Screen *screen, Area area)
     Style style;
     const bool has_news = news_of(screen, news, sizeof news, &style);
     const int needed = has_news ? area_paragraph_lines(width, news) : 0;
-    if (!screen->lesson.open && last > y && needed < last) { /* what happens is told whole before any hint */
+    if (!screen->lesson->open && last > y && needed < last) { /* what happens is told whole before any hint */
         hint_of(screen, hint, sizeof hint);
         const int end = 1 + area_text(area, 1, last, hint, STYLE_FAINT);
         draw_offers(screen, area, last--, hint[0] ? end : 0);
@@ -264,8 +267,8 @@ static void draw_caption(const Screen *screen, Area area)
 
 static void draw_summary(const Screen *screen, Area area)
 {
-    const bool failed = screen->playback.state == STATE_FAILED;
-    const RunSummary *summary = &screen->summary;
+    const bool failed = screen->playback->state == STATE_FAILED;
+    const RunSummary *summary = screen->summary;
     const Readout *readout = experiment_readout(screen->experiment);
     const int rows = area.rect.height;
     area_rule(area, 0, failed ? "The run stopped" : "The run is complete",
@@ -278,7 +281,7 @@ static void draw_summary(const Screen *screen, Area area)
     screen_time_text(screen, experiment_time(screen->experiment), time, sizeof time);
     snprintf(text, sizeof text, "%ld steps to %s", experiment_step(screen->experiment), time);
     char energy[SUMMARY_MAX] = "";
-    if (screen->summary_known)
+    if (summary)
         summary_energy_text(summary, energy);
     text_append(text, sizeof text, "%s%s", *energy ? "  " : "", energy);
     const int width = area.rect.width - 2;
@@ -299,13 +302,13 @@ static void draw_summary(const Screen *screen, Area area)
         y += area_phrases(area, 1, y, width, rows - y, text, STYLE_NORMAL);
     }
     char found[SUMMARY_MAX] = "";
-    if (screen->summary_known)
+    if (summary)
         findings_text(summary->findings, summary->n_findings, screen_shows_exact(screen), SUMMARY_MAX, found,
                       sizeof found);
     if (*found && y < rows)
         y += area_phrases(area, 1, y, width, rows - y, found, STYLE_NORMAL);
     char crack[SUMMARY_MAX] = "", *line = crack;
-    if (screen->summary_known)
+    if (summary)
         summary_crack_text(summary, "µs", crack);
     for (char *end; y < rows && (end = strchr(line, '\n')); line = end + 1) {
         *end = '\0';
@@ -358,9 +361,9 @@ static bool draw_box(const Screen *screen, Area area)
         draw_diagnosis(screen, area);
     else if (screen_second_run(screen) && between)
         pane_duel(screen, area);
-    else if (screen->playback.state == STATE_RUNNING || screen->playback.state == STATE_COMPUTING)
+    else if (screen_is_running(screen) || screen->playback->state == STATE_COMPUTING)
         draw_caption(screen, area);
-    else if ((screen->playback.state == STATE_ENDED || screen->playback.state == STATE_FAILED) &&
+    else if ((screen->playback->state == STATE_ENDED || screen->playback->state == STATE_FAILED) &&
              experiment_stage(screen->experiment) == 0)
         draw_summary(screen, area);
     else

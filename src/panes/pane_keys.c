@@ -2,6 +2,11 @@
 /* The key line: what can be done now, a message, or a question with what was typed. */
 #include "panes/panes.h"
 #include "scenario/settings.h"
+#include "panes/key_line.h"
+#include "lessons/lesson_shown.h"
+#include "run/playback.h"
+#include "help/command.h"
+#include "panes/places.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -86,8 +91,8 @@ static const Offers *offers_of_lesson(const LessonShown *shown)
 static const Offers *offers_of_fields(const Screen *screen)
 {
     RowPlace place;
-    if (screen->lesson.open)
-        return offers_of_lesson(&screen->lesson);
+    if (screen->lesson->open)
+        return offers_of_lesson(screen->lesson);
     if (screen_is_plain(screen) && screen->offers_lesson)
         return &plain_at_first_keys;
     if (screen_selected_row(screen, &place) && !place.value)
@@ -100,14 +105,14 @@ static const Offers *offers_of_fields(const Screen *screen)
 static const Offers *offers_of(const Screen *screen)
 {
     const bool in_fields = screen->panes.focus == PANE_PARAMETERS;
-    const RunState state = screen->playback.state;
+    const RunState state = screen->playback->state;
     if (screen->help.open)
         return &help_keys;
     if (screen->parameters.edit.open)
         return &editing_keys;
     if (state == STATE_COMPUTING)
         return &computing_keys;
-    if (screen->panes.lecture && !screen->lesson.open)
+    if (screen->panes.lecture && !screen->lesson->open)
         return &lecture_keys;
     if (screen->eye.open && !in_fields)
         return &magnified_keys;
@@ -126,7 +131,7 @@ static const char *short_key(const Screen *screen, const char *key)
 {
     static const char *const shorter[][3] = {
         {"Left", "←", "<-"}, {"Right", "→", "->"}, {"Up", "↑", "Up"}, {"Down", "↓", "Down"}};
-    if (screen->lesson.open && screen->lesson.lesson && strncmp(key, "Page", 4) == 0)
+    if (screen->lesson->open && screen->lesson->lesson && strncmp(key, "Page", 4) == 0)
         return key[4] == 'U' ? "b" : "n"; /* not every keyboard has the other ones */
     for (size_t i = 0; i < sizeof shorter / sizeof *shorter; i++)
         if (strcmp(key, shorter[i][0]) == 0)
@@ -137,7 +142,7 @@ static const char *short_key(const Screen *screen, const char *key)
 /* What the key does now. */
 static const char *word_of(const Screen *screen, const Command *command)
 {
-    const Playback *playback = &screen->playback;
+    const Playback *playback = screen->playback;
     if (command->id == COMMAND_SHEET)
         return parameter_sheet_words[screen_is_plain(screen) ? SHEET_FULL : SHEET_PLAIN];
     if (command->id != COMMAND_RUN_PAUSE)
@@ -240,7 +245,7 @@ static int draw_notice(Area bar, int y, const char *text, Style style)
 
 static void draw_prompt(const Screen *screen, Area area)
 {
-    const Prompt *prompt = &screen->prompt;
+    const Prompt *prompt = screen->prompt;
     int x = area_text(area, 1, 0, prompt->question, STYLE_KEY) + 2;
     if (prompt->yes_no) {
         area_text(area, x, 0, "y / n", STYLE_TITLE);
@@ -303,12 +308,12 @@ void pane_keys(const Screen *screen, Area area)
     };
     for (int x = 0; x < area.rect.width; x++)
         area_put(area, x, 0, ' ', STYLE_TITLE);
-    if (screen->prompt.open)
+    if (screen->prompt->open)
         draw_prompt(screen, area);
     else if (screen->parameters.edit.open && screen->parameters.edit.problem[0])
         draw_notice(area, 0, screen->parameters.edit.problem, STYLE_ERROR);
-    else if (screen->message.kind != MESSAGE_NONE && screen->message.text[0])
-        draw_notice(area, 0, screen->message.text, styles[screen->message.kind]);
+    else if (screen->message->kind != MESSAGE_NONE && screen->message->text[0])
+        draw_notice(area, 0, screen->message->text, styles[screen->message->kind]);
     else
         draw_keys(screen, area);
     if (screen->offers_lesson && !screen_is_plain(screen))

@@ -196,7 +196,7 @@ void pane_lattice(const Screen *screen, Area area)
     const double spacing = lattice_spacing(experiment_settings(screen->experiment));
     const int chosen = (int)(screen->chosen.particle < count ? screen->chosen.particle : count - 1);
     const int rows = area.rect.height, bonds_row = rows >= 4 ? 1 : 0, nodes_row = rows > 6 ? 3 : rows - 1;
-    const bool paused = screen->playback.state != STATE_RUNNING;
+    const bool paused = !screen_is_running(screen);
     bool done;
     const char *stage = sim->stages[screen_box_stage(screen, &done)].id;
     const bool pulls = paused && done && strcmp(stage, "bonds") == 0;

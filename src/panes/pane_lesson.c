@@ -2,6 +2,9 @@
 /* A lesson: a page of text in place of the parameters, with the question it asks, the parameters it offers,
  * and in the last row what is to be done to go on. */
 #include "panes/panes.h"
+#include "lessons/lesson_shown.h"
+#include "help/command.h"
+#include "panes/places.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -61,14 +64,14 @@ static void write_question(Pen *pen, const LessonShown *lesson, const LessonPage
 
 static void write_page(Pen *pen, const Screen *screen)
 {
-    const LessonPage *page = &screen->lesson.lesson->pages[screen->lesson.page];
+    const LessonPage *page = &screen->lesson->lesson->pages[screen->lesson->page];
     write_paragraphs(pen, page->title, STYLE_HEADING);
     write_paragraphs(pen, page->first.text, STYLE_NORMAL);
     if (page->question)
-        write_question(pen, &screen->lesson, page);
-    write_paragraphs(pen, screen->lesson.verdict,
-                     screen->lesson.verdict_right ? STYLE_CHANGED : STYLE_WARNING);
-    if (page->question ? screen->lesson.answer >= 0 : screen->lesson.met)
+        write_question(pen, screen->lesson, page);
+    write_paragraphs(pen, screen->lesson->verdict,
+                     screen->lesson->verdict_right ? STYLE_CHANGED : STYLE_WARNING);
+    if (page->question ? screen->lesson->answer >= 0 : screen->lesson->met)
         write_paragraphs(pen, page->revealed.text, STYLE_NORMAL);
     ParameterRow rows[PARAMETER_ROWS_MAX];
     const int count = page->n_fields ? screen_parameter_rows(screen, rows) : 0;
@@ -84,14 +87,14 @@ static void write_page(Pen *pen, const Screen *screen)
 static void write_title(Pen *pen, const Screen *screen, int number)
 {
     const BuiltinLesson *lesson = &builtin_lessons[number];
-    const bool chosen = number == screen->lesson.chosen;
+    const bool chosen = number == screen->lesson->chosen;
     const Style style = chosen ? STYLE_SELECTED : STYLE_NORMAL;
     const int width = pen->area.rect.width;
     char pages[24] = "";
     for (int x = 1; chosen && x < width - 1; x++)
         area_put(pen->area, x, pen->y, ' ', style);
-    if (screen->lesson.reached[number] > 0)
-        snprintf(pages, sizeof pages, "%d/%d", screen->lesson.reached[number], lesson->n_pages);
+    if (screen->lesson->reached[number] > 0)
+        snprintf(pages, sizeof pages, "%d/%d", screen->lesson->reached[number], lesson->n_pages);
     area_print(pen->area, 1, pen->y, chosen ? style : STYLE_KEY, "%2d", number + 1);
     const int most = width - 5 - (*pages ? 1 + glyphs_columns(pages) : 0);
     area_text(area_part(pen->area, 4, pen->y, most, 1), 0, 0, lesson->title, style);
@@ -120,7 +123,7 @@ static void write_list(Pen *pen, const Screen *screen)
 
 static void write_all(Pen *pen, const Screen *screen)
 {
-    if (screen->lesson.lesson)
+    if (screen->lesson->lesson)
         write_page(pen, screen);
     else
         write_list(pen, screen);
@@ -128,7 +131,7 @@ static void write_all(Pen *pen, const Screen *screen)
 
 void pane_lesson_footer(const Screen *screen, char *out, size_t size)
 {
-    const LessonShown *shown = &screen->lesson;
+    const LessonShown *shown = screen->lesson;
     const LessonPage *page = shown->lesson ? &shown->lesson->pages[shown->page] : NULL;
     if (!page) {
         snprintf(out, size, "1-9, Enter   T closes");
@@ -212,10 +215,10 @@ static bool list_lines(const Screen *screen, Area area, int titles[LESSONS_MAX +
 static int lines_above(const Screen *screen, Area area)
 {
     int titles[LESSONS_MAX + 1];
-    if (screen->lesson.lesson)
-        return screen->lesson.scroll;
+    if (screen->lesson->lesson)
+        return screen->lesson->scroll;
     list_lines(screen, area, titles);
-    const int to_chosen = titles[screen->lesson.chosen + 1], rows = area.rect.height - MARGIN_ROWS;
+    const int to_chosen = titles[screen->lesson->chosen + 1], rows = area.rect.height - MARGIN_ROWS;
     return to_chosen > rows ? to_chosen - rows : 0;
 }
 
@@ -233,7 +236,7 @@ int pane_lesson_at(const Screen *screen, Area area, int row)
 /* "── A title  1/7 ──": of a long title the end gives way, not the page. */
 static void draw_heading(const Screen *screen, Area area)
 {
-    const LessonShown *shown = &screen->lesson;
+    const LessonShown *shown = screen->lesson;
     const Style style = screen_is_focused(screen, PANE_PARAMETERS) ? STYLE_FOCUS : STYLE_HEADING;
     char heading[160], page[32];
     if (!shown->lesson) {
@@ -255,7 +258,7 @@ static void say_more(const Screen *screen, Area area, int used, int above)
 {
     const int last = area.rect.height - 1, end = area.rect.width - 1, rows = last + 1 - MARGIN_ROWS;
     char more[3][32] = {"↓ more below", "↓ more", "↓"};
-    if (!screen->lesson.lesson) {
+    if (!screen->lesson->lesson) {
         int titles[LESSONS_MAX + 1], below = 0;
         list_lines(screen, area, titles);
         for (int i = 0; i < screen_lesson_count(); i++)
@@ -277,7 +280,7 @@ void pane_lesson(const Screen *screen, Area area)
     char footer[192];
     draw_heading(screen, area);
     Pen pen = {.area = area_part(area, 0, 1, area.rect.width, rows), .y = -above};
-    pen.about = !screen->lesson.lesson && list_lines(screen, area, titles);
+    pen.about = !screen->lesson->lesson && list_lines(screen, area, titles);
     write_all(&pen, screen);
     pane_lesson_footer(screen, footer, sizeof footer);
     const int used = area_text(area, 1, area.rect.height - 1, footer, STYLE_KEY) + 2;

@@ -7,6 +7,7 @@
 #include "picture/cells/cells.h"
 
 #include "answers/crack_growth.h"
+#include "panes/places.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -246,7 +247,7 @@ static void draw_bar(const Screen *screen, Area area)
     Area part = area_part(area, MARGIN, 0, strip.columns, rows);
     bool done;
     const int stage = screen_box_stage(screen, &done);
-    const bool inside = screen->playback.state != STATE_RUNNING && done;
+    const bool inside = !screen_is_running(screen) && done;
     const Flow flow = inside ? stage_flow(sim, &sim->stages[stage]) : FLOW_NONE;
     const bool grid_there = experiment_stage(screen->experiment) > 0;
 
@@ -267,7 +268,7 @@ static void draw_bar(const Screen *screen, Area area)
         }
     }
     const bool put_back = flow == FLOW_FORGET && !grid_there;
-    const bool amounts = screen->playback.state != STATE_RUNNING && (grid_there || put_back);
+    const bool amounts = !screen_is_running(screen) && (grid_there || put_back);
     if (amounts) {
         draw_amounts(screen, part, &bar, "mass", 0, put_back, STYLE_SECOND);
         draw_amounts(screen, part, &bar, "momentum", 1, put_back, STYLE_PREDICTED);
@@ -289,8 +290,7 @@ static void draw_bar(const Screen *screen, Area area)
         sim->method->links ? sim->method->links(sim, 0, chosen, links, NODES_OF_PARTICLE_MAX) : 0;
     const int own = strip_column(&strip, x0[chosen] + k * u[chosen]);
     const uint32_t arrow = flow == FLOW_TO_NODES ? 0x2191 : flow == FLOW_TO_PARTICLES ? 0x2193 : 0x00b7;
-    for (size_t i = 0; i < n_links && i < NODES_OF_PARTICLE_MAX && screen->playback.state != STATE_RUNNING;
-         i++) {
+    for (size_t i = 0; i < n_links && i < NODES_OF_PARTICLE_MAX && !screen_is_running(screen); i++) {
         int column = strip_column(&strip, simulation_value(sim, node_x, links[i].index));
         if (column < 0)
             continue;
@@ -299,9 +299,9 @@ static void draw_bar(const Screen *screen, Area area)
             area_put(part, column, y, arrow,
                      flow == FLOW_NONE || flow == FLOW_FORGET ? STYLE_FRAME : STYLE_CHANGED);
     }
-    if (screen->playback.state != STATE_RUNNING)
+    if (!screen_is_running(screen))
         area_put(part, own, particle_row, 0x25cf, flow == FLOW_TO_PARTICLES ? STYLE_CHANGED : STYLE_SECOND);
-    if (screen->chosen.is_node && screen->playback.state != STATE_RUNNING && screen->chosen.node < nodes)
+    if (screen->chosen.is_node && !screen_is_running(screen) && screen->chosen.node < nodes)
         area_put(part, strip_column(&strip, simulation_value(sim, node_x, screen->chosen.node)), grid_row,
                  0x25a0, STYLE_CHANGED);
 

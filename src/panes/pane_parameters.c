@@ -5,6 +5,8 @@
 #include "scenario/settings.h"
 #include "scenario/rows/rows.h"
 #include "base/text.h"
+#include "panes/key_line.h"
+#include "lessons/lesson_shown.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -93,7 +95,7 @@ int screen_parameter_rows(const Screen *screen, ParameterRow rows[PARAMETER_ROWS
     const Settings *settings = experiment_settings(screen->experiment);
     const char *group = "";
     int count = 0;
-    if (screen_is_plain(screen) && !screen->lesson.open && !screen->parameters.filter[0]) {
+    if (screen_is_plain(screen) && !screen->lesson->open && !screen->parameters.filter[0]) {
         Asked asked[ASKED_MAX];
         const int n_asked = settings_asked(settings, asked);
         for (; count < n_asked; count++)
@@ -206,7 +208,7 @@ static void draw_row(const Screen *screen, Area area, int y, const ParameterRow 
     const int label = 2 + area_text(area, 2, y, name, style) - (*name ? 0 : 1);
     const int columns = glyphs_columns(value), room = area.rect.width - label - 1;
     area_text(area_part(area, label + 1, y, room, 1), columns < room ? room - columns : 0, 0, value, style);
-    if (focused && !screen->prompt.open) {
+    if (focused && !screen->prompt->open) {
         area.canvas->cursor_x = area.rect.x + 1;
         area.canvas->cursor_y = area.rect.y + y;
     }
@@ -221,7 +223,7 @@ void pane_parameter(const Screen *screen, Area area, int y, const Parameter *par
     for (int x = 1; focused && x < width; x++)
         area_put(area, x, y, ' ', style);
     char value[LIST_MAX], name[48];
-    if (screen_is_plain(screen) && !screen->lesson.open)
+    if (screen_is_plain(screen) && !screen->lesson->open)
         parameter_name_alone(parameter, name, sizeof name);
     else
         snprintf(name, sizeof name, "%s", parameter->label);
@@ -257,7 +259,7 @@ void pane_parameter(const Screen *screen, Area area, int y, const Parameter *par
     } else {
         area_text(area_part(area, label + 1, y, room, 1), 0, 0, value, style);
     }
-    if (focused && !screen->prompt.open) {
+    if (focused && !screen->prompt->open) {
         area.canvas->cursor_x = area.rect.x + 1;
         area.canvas->cursor_y = area.rect.y + y;
     }

@@ -2,6 +2,7 @@
 /* The list of scenarios above the line that asks for one: their names, with a mark at the one that is open,
  * and their titles beside them or, where there is no room, that of the chosen one below. */
 #include "panes/panes.h"
+#include "panes/key_line.h"
 
 #include <string.h>
 

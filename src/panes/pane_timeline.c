@@ -2,6 +2,8 @@
 /* The timeline: from 0 to the end of the run, what of it has been computed, where we are, and what happened
  * when. */
 #include "panes/panes.h"
+#include "run/playback.h"
+#include "panes/places.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -57,7 +59,7 @@ static int cell_of(const Screen *screen, const Line *line, long step)
 long screen_bookmark_step(const Screen *screen, int index)
 {
     const double dt = experiment_simulation(screen->experiment)->dt;
-    const long step = lround(screen->bookmarks.places[index].time / dt),
+    const long step = lround(screen->bookmarks->places[index].time / dt),
                last = experiment_last_step(screen->experiment);
     return step < last ? step : last;
 }
@@ -103,11 +105,11 @@ void pane_timeline(const Screen *screen, Area area)
                 area_put(area, cell_of(screen, &line, events[i].step), 0,
                          (uint32_t)(unsigned char)marks[m].letter, marks[m].style);
             }
-    for (int i = 0; i < screen->bookmarks.count; i++)
+    for (int i = 0; i < screen->bookmarks->count; i++)
         area_put(area, cell_of(screen, &line, screen_bookmark_step(screen, i)), 0, 'm', STYLE_KEY);
     area_put(area, cell_of(screen, &line, experiment_step(screen->experiment)), 0, 0x25cf, STYLE_FOCUS);
     if (area.rect.height > 1)
-        draw_marks(&screen->bookmarks, area, line.first, seen);
+        draw_marks(screen->bookmarks, area, line.first, seen);
 }
 
 long screen_timeline_nearest(const Screen *screen, int width, int height, int x)

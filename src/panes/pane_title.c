@@ -4,6 +4,9 @@
 #include "scenario/concern_cells.h"
 #include "scenario/settings.h"
 #include "base/text.h"
+#include "lessons/lesson_shown.h"
+#include "run/playback.h"
+#include "run/duel.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -59,22 +62,22 @@ static void pace_text(double pace, char *out, size_t size)
 static void state_text(const Screen *screen, bool brief, char *out, size_t size)
 {
     char pace[24];
-    const char *running = screen->playback.looping ? "LOOP" : "RUNNING";
+    const char *running = screen->playback->looping ? "LOOP" : "RUNNING";
     long back = experiment_newest(screen->experiment) - experiment_step(screen->experiment);
-    switch (screen->playback.state) {
+    switch (screen->playback->state) {
     case STATE_RUNNING:
-        pace_text(screen->playback.pace, pace, sizeof pace);
-        if (screen->playback.at_limit && screen->playback.rate > 0) {
-            pace_text(screen->playback.rate, pace, sizeof pace);
+        pace_text(screen->playback->pace, pace, sizeof pace);
+        if (screen->playback->at_limit && screen->playback->rate > 0) {
+            pace_text(screen->playback->rate, pace, sizeof pace);
             strcat(pace, " max");
         }
-        snprintf(out, size, "%s%s%s", brief && screen->playback.at_limit ? "" : running,
-                 brief && screen->playback.at_limit ? "" : " ", pace);
-        if (screen->playback.until[0] && !brief)
-            text_append(out, size, " to %s", screen->playback.until);
+        snprintf(out, size, "%s%s%s", brief && screen->playback->at_limit ? "" : running,
+                 brief && screen->playback->at_limit ? "" : " ", pace);
+        if (screen->playback->until[0] && !brief)
+            text_append(out, size, " to %s", screen->playback->until);
         return;
     case STATE_COMPUTING:
-        snprintf(out, size, "computing %3.0f %%", 100 * screen->playback.work_share);
+        snprintf(out, size, "computing %3.0f %%", 100 * screen->playback->work_share);
         return;
     case STATE_ENDED:
         snprintf(out, size, "END");
@@ -85,7 +88,7 @@ static void state_text(const Screen *screen, bool brief, char *out, size_t size)
     case STATE_PAUSED:
         break;
     }
-    if (screen->playback.slow)
+    if (screen->playback->slow)
         snprintf(out, size, brief ? "SLOW" : "SLOW MOTION");
     else if (back > 0)
         snprintf(out, size, brief ? "PAUSED -%ld" : "PAUSED -%ld step%s", back, back == 1 ? "" : "s");
@@ -128,7 +131,7 @@ typedef struct Title {
 static const char *headline_of(const Screen *screen)
 {
     const Settings *settings = experiment_settings(screen->experiment);
-    const LessonShown *shown = &screen->lesson;
+    const LessonShown *shown = screen->lesson;
     bool own = false;
     for (int v = 0; shown->lesson && v < shown->lesson->n_variants; v++)
         own |= shown->lesson->variants[v].page == shown->page;
@@ -145,7 +148,7 @@ static bool fill_title(const Screen *screen, const TitleForm *form, int width, T
     name = slash && slash[1] ? slash + 1 : name;
     const Simulation *sim = experiment_simulation(screen->experiment);
     const int stage = experiment_stage(screen->experiment);
-    const bool running = screen->playback.state == STATE_RUNNING, duel = screen_second_run(screen) != NULL;
+    const bool running = screen_is_running(screen), duel = screen_second_run(screen) != NULL;
     const bool plain = screen_is_plain(screen);
     if (!plain && ((!form->brief && form->fewer > 0 && !running) || (form->no_stage && stage > 0) ||
                    (form->no_step && !running)))
@@ -157,7 +160,7 @@ static bool fill_title(const Screen *screen, const TitleForm *form, int width, T
     char *out = title->text;
     const size_t size = sizeof title->text;
     state_text(screen, form->brief, title->state, sizeof title->state);
-    title->bar = screen->playback.state == STATE_COMPUTING && !form->brief;
+    title->bar = screen->playback->state == STATE_COMPUTING && !form->brief;
     title->end = width - 1 - glyphs_columns(title->state) - 1 - (title->bar ? BAR_CELLS + 1 : 0);
     title->has_headline = form->headline;
     screen_shorter_time(screen, form->fewer, time, sizeof time);
@@ -242,7 +245,7 @@ void pane_title(const Screen *screen, Area area)
         area_put(area, x, 0, ' ', STYLE_TITLE);
     int right = width - 1;
     if (title.bar) {
-        int full = (int)(screen->playback.work_share * BAR_CELLS + 0.5);
+        int full = (int)(screen->playback->work_share * BAR_CELLS + 0.5);
         for (int i = 0; i < BAR_CELLS; i++)
             area_put(area, right - BAR_CELLS + i, 0, i < full ? 0x2588 : 0x2591, STYLE_TITLE);
         right -= BAR_CELLS + 1;

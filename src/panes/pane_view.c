@@ -6,6 +6,9 @@
 #include "picture/cells/cells_map.h"
 #include "views/inspector/inspector.h"
 #include "views/view.h"
+#include "lessons/lesson_shown.h"
+#include "panes/places.h"
+#include "run/duel.h"
 
 #include <stdio.h>
 
@@ -19,7 +22,7 @@ void pane_view_variant(const View *view, const Screen *screen, Area area, Style 
     cells_open(&picture, area.rect.width, area.rect.height, area.glyphs);
     view->describe(screen, variant, &picture);
     picture.of_side = screen_second_run(screen) != NULL;
-    if (screen_is_plain(screen) && !screen->lesson.open &&
+    if (screen_is_plain(screen) && !screen->lesson->open &&
         !picture.map) /* one number is in large digits, below */
         picture.n_notes = 0;
     cells_draw(&picture, area, heading, screen->look.colours);

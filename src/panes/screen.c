@@ -6,6 +6,11 @@
 #include "views/inspector/inspector.h"
 #include "panes/panes.h"
 #include "views/views.h"
+#include "panes/key_line.h"
+#include "lessons/lesson_shown.h"
+#include "run/playback.h"
+#include "help/command.h"
+#include "panes/places.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -13,9 +18,21 @@
 
 void screen_default(Screen *screen)
 {
+    static const Playback paused = {.state = STATE_PAUSED, .pace = 1};
+    static const Bookmarks no_bookmarks;
+    static const LessonShown no_lesson;
+    static const Prompt no_prompt;
+    static const Message no_message;
+    static const CommandSet none_used;
     *screen = (Screen){
+        .playback = &paused,
+        .bookmarks = &no_bookmarks,
+        .lesson = &no_lesson,
+        .prompt = &no_prompt,
+        .message = &no_message,
+        .used = &none_used,
+        .diagnosis = "",
         .look = {.glyphs = GLYPHS_BRAILLE, .colours = 256},
-        .playback = {.state = STATE_PAUSED, .pace = 1},
         .panes = {.focus = PANE_PARAMETERS, .last_plot = PANE_LOWER},
         .views = {.upper = view_at_home(PANE_UPPER, NULL), .lower = view_at_home(PANE_LOWER, NULL)},
         .time = {.cursor = NAN},
@@ -67,7 +84,7 @@ static void draw_pane(const Screen *screen, PaneId pane, Area area)
         return;
     switch (pane) {
     case PANE_PARAMETERS:
-        if (screen->lesson.open)
+        if (screen->lesson->open)
             pane_lesson(screen, area);
         else if (screen_is_plain(screen) && area.rect.width < area.canvas->width)
             pane_asked(screen, area);

@@ -3,6 +3,9 @@
  * fields reach, and their times and units as text. */
 #include "panes/screen_runs.h"
 
+#include "run/duel.h"
+#include "run/playback.h"
+
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "base/math/functions.h"
@@ -48,6 +51,11 @@ bool screen_shows_predicted(const Screen *screen)
 bool screen_is_focused(const Screen *screen, PaneId pane)
 {
     return screen->panes.focus == pane;
+}
+
+bool screen_is_running(const Screen *screen)
+{
+    return screen->playback->state == STATE_RUNNING;
 }
 
 bool screen_is_rewound(const Screen *screen)

@@ -38,6 +38,7 @@ const Experiment *screen_clock_run(const Screen *);
 bool screen_shows_exact(const Screen *);
 bool screen_shows_predicted(const Screen *);
 bool screen_is_focused(const Screen *, PaneId);
+bool screen_is_running(const Screen *);
 bool screen_is_rewound(const Screen *); /* more has been computed than is shown */
 
 /* The time of the run with so many decimals less than the step has, but with two at least where it has them.

@@ -15,7 +15,7 @@ void selection_next(Selection *selection, const Simulation *sim, int direction, 
         *chosen = *chosen + by < count ? *chosen + by : count - 1;
 }
 
-size_t screen_middle_particle(const Simulation *sim)
+size_t selection_middle(const Simulation *sim)
 {
     return sim->columns > 0 ? sim->rows / 2 * sim->columns + sim->columns / 2 : sim->counts[0] / 2;
 }

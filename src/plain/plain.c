@@ -8,6 +8,7 @@
 #include "base/visible.h"
 #include "base/wait.h"
 #include "lab/session/session.h"
+#include "panes/places.h"
 
 #include <limits.h>
 #include <signal.h>
@@ -103,8 +104,8 @@ static bool go_on(void *context)
         wait_for(NULL, 0, &(const struct timespec){0, 0}, NULL);
     if (plain->talks && wall() > plain->told_at + PROGRESS_SECONDS) {
         plain->told_at = wall();
-        if (plain->lab.screen.message.text[0])
-            say(plain, plain->lab.screen.message.text);
+        if (plain->lab.message.text[0])
+            say(plain, plain->lab.message.text);
         else if (plain->lab.screen.experiment)
             tell_alone(plain, TELL_WHERE);
         fflush(plain->out);
@@ -130,14 +131,14 @@ static void suspend(void *context)
 
 static bool is_page(const Plain *plain)
 {
-    return plain->lab.screen.lesson.open && plain->lab.screen.lesson.lesson;
+    return plain->lab.play.shown.open && plain->lab.play.shown.lesson;
 }
 
 /* What of the screen changes with a single step goes without saying there, a stage apart. */
 static bool is_due(const Plain *plain, TellPart part, bool first, bool still, bool moved_far)
 {
     const Screen *screen = &plain->lab.screen;
-    const bool rests = screen->playback.state == STATE_ENDED || screen->playback.state == STATE_FAILED;
+    const bool rests = screen->playback->state == STATE_ENDED || screen->playback->state == STATE_FAILED;
     /* beside a page of a lesson, which is what is read, they wait for `more` */
     const bool page = is_page(plain);
     if (page && (part == TELL_ABOUT || part == TELL_NUMBER || part == TELL_SETUP || part == TELL_UPPER ||
@@ -149,7 +150,7 @@ static bool is_due(const Plain *plain, TellPart part, bool first, bool still, bo
         return plain->page;
     if (part == TELL_STAGE)
         return experiment_stage(screen->experiment) > 0 || (rests && !page) ||
-               (first && !screen->lesson.open);
+               (first && !screen->lesson->open);
     if (part == TELL_SETUP)
         return first;
     if (part == TELL_NUMBER)
@@ -185,7 +186,7 @@ static bool is_same_page(const char *text, const char *before)
  * PAGE_LINES, with what was said before it; the rest of it waits for `more`. */
 static void tell_page(Plain *plain, const char *text, const char *before)
 {
-    const LessonShown *shown = &plain->lab.screen.lesson;
+    const LessonShown *shown = &plain->lab.play.shown;
     const bool same = is_same_page(text, before);
     bool waits = false;
     for (const char *line = text; *line;) {
@@ -288,7 +289,7 @@ static void tell_edits(Plain *plain)
 
 static void tell_message(Plain *plain)
 {
-    Message *message = &plain->lab.screen.message;
+    Message *message = &plain->lab.message;
     if (message->kind != MESSAGE_NONE)
         say(plain, message->text);
     message->kind = MESSAGE_NONE;
@@ -348,7 +349,7 @@ static void pass_time(Plain *plain)
 /* Not to where a page of a lesson begins, for which keys wait. */
 static bool runs(const Laboratory *lab)
 {
-    return lab->screen.playback.state == STATE_RUNNING && !lab->play.arriving;
+    return lab->player.playback.state == STATE_RUNNING && !lab->play.arriving;
 }
 
 /* Frames until nothing is under way: a run to where it stops, a stretch of time once, slow motion through one
@@ -365,9 +366,9 @@ static void let_it_work(Plain *plain)
         pass_time(plain);
         laboratory_frame(lab, plain->time);
         const Experiment *experiment = laboratory_run(lab);
-        came_back |= experiment_time(experiment) < before && lab->screen.playback.looping;
+        came_back |= experiment_time(experiment) < before && lab->player.playback.looping;
         before = experiment_time(experiment);
-        if (lab->screen.playback.slow && experiment_stage(experiment) != stage)
+        if (lab->player.playback.slow && experiment_stage(experiment) != stage)
             tell_changes(plain);
         stage = experiment_stage(experiment);
         if (!go_on(plain)) {
@@ -376,8 +377,8 @@ static void let_it_work(Plain *plain)
                 press(plain, runs(lab) ? "Space" : "^C");
             return;
         }
-        if ((came_back && lab->screen.playback.state == STATE_RUNNING) ||
-            (lab->screen.playback.slow && experiment_step(experiment) != begun))
+        if ((came_back && lab->player.playback.state == STATE_RUNNING) ||
+            (lab->player.playback.slow && experiment_step(experiment) != begun))
             press(plain, "Space");
     }
 }
@@ -392,7 +393,7 @@ static bool is_key(const char *line)
 /* In place of what stands in the question or the field. */
 static void answer(Plain *plain, const char *line)
 {
-    const Prompt *prompt = &plain->lab.screen.prompt;
+    const Prompt *prompt = &plain->lab.prompting.shown;
     if (line[0] && line[1] && keys_known(line)) {
         press(plain, line); /* Esc, Down, Tab, ... */
     } else if (prompt->open && prompt->yes_no) {
@@ -410,7 +411,7 @@ static void answer(Plain *plain, const char *line)
 /* Behind `:`; what is refused is told and leaves no question open. */
 static void command(Plain *plain, const char *line)
 {
-    const Prompt *prompt = &plain->lab.screen.prompt;
+    const Prompt *prompt = &plain->lab.prompting.shown;
     if (strlen(line) >= sizeof prompt->text) {
         say(plain, "The line is too long for a command.");
         return;
@@ -436,7 +437,7 @@ static void take(Plain *plain, const char *line)
     const Experiment *before = screen->experiment;
     if (screen->help.open)
         press(plain, "Esc");
-    if (screen->prompt.open || screen->parameters.edit.open)
+    if (screen->prompt->open || screen->parameters.edit.open)
         answer(plain, line);
     else if (!*line)
         press(plain, "Enter");
@@ -445,7 +446,7 @@ static void take(Plain *plain, const char *line)
     else
         command(plain, line);
     /* what is opened by hand waits to be looked at */
-    if (screen->experiment != before && screen->playback.state == STATE_RUNNING && !screen->lesson.lesson)
+    if (screen->experiment != before && screen->playback->state == STATE_RUNNING && !screen->lesson->lesson)
         press(plain, "Space");
 }
 
@@ -520,7 +521,7 @@ bool plain_line(Plain *plain, const char *typed, Status *status)
         echo(plain, line);
     plain->said = false;
     plain->lines = 0;
-    const bool is_answer = plain->lab.screen.prompt.open || plain->lab.screen.parameters.edit.open;
+    const bool is_answer = plain->lab.prompting.shown.open || plain->lab.screen.parameters.edit.open;
     const char *const word = line + (*line == ':');
     if (!is_answer && (strcmp(word, "more") == 0 || strcmp(word, "why") == 0)) {
         *word == 'm' ? tell_more(plain) : tell_alone(plain, TELL_WHY);

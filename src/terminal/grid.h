@@ -10,7 +10,6 @@
 
 #include "base/status.h"
 #include "picture/canvas.h"
-#include "panes/screen.h"
 
 #include <stdbool.h>
 #include <stddef.h>

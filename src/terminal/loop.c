@@ -79,7 +79,7 @@ static void tell_opening(Loop *loop)
     if (!isatty(STDERR_FILENO) || now(NULL) - loop->drawn_at < PROGRESS_SECONDS)
         return;
     loop->drawn_at = now(NULL);
-    visible_progress(stderr, "%s", loop->lab.screen.message.text);
+    visible_progress(stderr, "%s", loop->lab.message.text);
     loop->told = true;
 }
 
@@ -147,7 +147,7 @@ static bool open_loop(Loop *loop, const LaboratoryOptions *options, Status *stat
     screen->look.light = terminal_is_light(loop->terminal);
     loop->lab.utf8 = terminal_is_utf8(loop->terminal);
     const char *stand_in = terminal_stand_in(loop->terminal);
-    if (stand_in && !screen->message.text[0])
+    if (stand_in && !screen->message->text[0])
         laboratory_say(&loop->lab, MESSAGE_INFO, "TERM=%.40s is not known here: drawn as on %s",
                        getenv("TERM"), stand_in);
     return true;
@@ -192,7 +192,7 @@ static void replay_round(Loop *loop)
         loop->replayed_at = now(NULL);
         if (!is_replaying(loop))
             end_replay(loop, "the session has been done again");
-        if (!loop->fast || lab->screen.playback.state == STATE_COMPUTING || now(NULL) >= deadline)
+        if (!loop->fast || lab->player.playback.state == STATE_COMPUTING || now(NULL) >= deadline)
             return;
     }
     if (is_replaying(loop))
@@ -235,7 +235,7 @@ static void one_round(Loop *loop)
         return;
     double begin = now(NULL);
     /* a key between two frames is shown at once, but does not make the run go faster */
-    if (laboratory_active(lab) && (begin >= loop->due || lab->screen.playback.state == STATE_COMPUTING)) {
+    if (laboratory_active(lab) && (begin >= loop->due || lab->player.playback.state == STATE_COMPUTING)) {
         if (laboratory_frame(lab, begin + FRAME_SECONDS - loop->draw_time))
             loop->stale = true;
         loop->due = loop->due + FRAME_SECONDS > begin ? loop->due + FRAME_SECONDS : begin + FRAME_SECONDS;
@@ -258,7 +258,7 @@ static void one_round(Loop *loop)
         terminal_wait(loop->terminal, -1);
         loop->due = now(NULL);
     } else {
-        double left = lab->screen.playback.state == STATE_COMPUTING ? 0 : loop->due - now(NULL);
+        double left = lab->player.playback.state == STATE_COMPUTING ? 0 : loop->due - now(NULL);
         terminal_wait(loop->terminal, left > 0 ? left : 0);
     }
 }

@@ -12,7 +12,6 @@
 #include "base/status.h"
 #include "terminal/keys.h"
 #include "picture/canvas.h"
-#include "panes/screen.h"
 
 typedef struct TerminalOptions {
     const char *glyphs; /* "auto" (NULL), "braille", "block", "ascii" */

@@ -13,6 +13,7 @@
 #include "panes/screen.h"
 
 typedef struct ConvergenceStudy ConvergenceStudy; /* answers/convergence.h */
+typedef struct Rect Rect;                         /* picture/canvas.h */
 
 /* How two runs of a duel are shown. */
 typedef enum ViewDuel {
@@ -76,6 +77,13 @@ const View *view_at_home(PaneId, const Simulation *);
 
 /* The plot pane in which the number that the scenario is about is seen. */
 PaneId view_pane_of_number(const Screen *);
+
+/* What stands in the plot panes when the run is opened: as the scenario says, else as the views like. */
+void views_open(Screen *, const ViewSettings *);
+
+/* The names of the curves on screen: of the plot over time, and of the field along the bar. */
+const char *view_time_curve(const Screen *);
+const char *view_profile_curve(const Screen *);
 
 /* The view that is a map; NULL: there is none. */
 const View *view_of_map(void);

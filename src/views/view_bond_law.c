@@ -6,6 +6,7 @@
 #include "base/kinds.h"
 #include "views/views.h"
 #include "base/math/functions.h"
+#include "base/text.h"
 
 #include <math.h>
 #include <stdio.h>

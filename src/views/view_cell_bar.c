@@ -136,7 +136,7 @@ static bool look_near(Near *near, const Screen *screen, bool masses)
                  count = sim->counts[near->terms.set];
     near->terms.index = chosen < count ? chosen : count - 1;
     near->stage = screen_box_stage(screen, &near->done);
-    near->running = screen->playback.state == STATE_RUNNING;
+    near->running = screen_is_running(screen);
     near->done &= !near->running;
     near->wiped = near->done && experiment_stage(screen->experiment) == 0;
     cell_terms_find(&near->terms, near->done && !masses ? &sim->stages[near->stage] : NULL, SHOWN_MAX);

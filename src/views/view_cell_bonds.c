@@ -5,6 +5,7 @@
 #include "base/math/functions.h"
 #include "panes/screen_runs.h"
 #include "views/views.h"
+#include "base/text.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -268,7 +269,7 @@ void cell_bonds_describe(const Screen *screen, int variant, Picture *picture)
     else {
         bool done;
         const Stage *stage = &bonds->sim->stages[screen_box_stage(screen, &done)];
-        describe_bond(bonds, done && screen->playback.state != STATE_RUNNING ? stage : NULL, picture);
+        describe_bond(bonds, done && !screen_is_running(screen) ? stage : NULL, picture);
     }
     free(bonds);
 }

@@ -142,7 +142,7 @@ static void add_particle(Picture *picture, const Screen *screen, const CellTerms
 void cell_plane_describe(const Screen *screen, Picture *picture)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
-    const bool running = screen->playback.state == STATE_RUNNING;
+    const bool running = screen_is_running(screen);
     const int cell = simulation_find_field(sim, 0, "cell");
     CellTerms terms = {.sim = sim,
                        .index = screen->chosen.particle < sim->counts[0] ? screen->chosen.particle : 0};

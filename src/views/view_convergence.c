@@ -6,6 +6,7 @@
 #include "scenario/settings.h"
 #include "views/views.h"
 #include "answers/convergence.h"
+#include "base/text.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -117,7 +118,7 @@ static void append_orders(const Study *study, char out[160])
 
 static void verdict_of(const Screen *screen, const Study *study, char out[160])
 {
-    if (study->known < study->count && screen->playback.state == STATE_RUNNING && !screen->panes.lecture) {
+    if (study->known < study->count && screen_is_running(screen) && !screen->panes.lecture) {
         snprintf(out, 160, "%d of %d points  they come while the run is paused", study->known, study->count);
         return;
     }

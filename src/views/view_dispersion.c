@@ -10,6 +10,7 @@
 #include "views/views.h"
 #include "views/waves_plane.h"
 #include "answers/dispersion_curves.h"
+#include "base/text.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -10,6 +10,7 @@
 #include "views/plots/runs.h"
 #include "views/plots/time_plot.h"
 #include "views/views.h"
+#include "base/text.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -7,6 +7,8 @@
 #include "views/plots/runs.h"
 #include "views/plots/time_plot.h"
 #include "views/views.h"
+#include "run/duel.h"
+#include "base/text.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -219,7 +221,7 @@ static void frequency_lines(const Screen *screen, int width, char first[160], ch
     const bool narrow = width < 52;
     const bool wrong = settings_mistake(experiment_settings(screen->experiment)) != NULL;
     /* while rows come in the fit is a little behind them, see experiment_rest() */
-    const bool about = screen->playback.state == STATE_RUNNING && experiment_is_flowing(screen->experiment);
+    const bool about = screen_is_running(screen) && experiment_is_flowing(screen->experiment);
     if (readout->measured_known)
         text_append(first, 160,
                     narrow  ? "w %s%.*f"

@@ -6,6 +6,8 @@
 #include "scenario/concern_time.h"
 #include "views/plots/runs.h"
 #include "views/views.h"
+#include "run/duel.h"
+#include "base/text.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -209,7 +211,7 @@ static int variant_shown(const Screen *screen, int variant)
 {
     const Experiment *clock = screen_clock_run(screen);
     const bool at_start = experiment_step(clock) == 0 && experiment_stage(clock) == 0;
-    return variant == 0 && at_start && screen->playback.state != STATE_RUNNING &&
+    return variant == 0 && at_start && !screen_is_running(screen) &&
                    simulation_has(experiment_simulation(screen->experiment), HAS_LINE)
                ? 1
                : variant;

@@ -9,6 +9,7 @@
 #include "scenario/concern_time.h"
 #include "views/views.h"
 #include "base/math/functions.h"
+#include "base/text.h"
 
 #include <math.h>
 #include <stdio.h>

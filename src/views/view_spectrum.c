@@ -6,6 +6,7 @@
 #include "views/views.h"
 #include "base/math/functions.h"
 #include "answers/dispersion_curves.h"
+#include "base/text.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -42,9 +42,9 @@ static void nothing(void *context)
 /* No file is written or opened: what bytes come to name is nobody's business here. */
 static bool is_harmless(const Laboratory *lab, const Key *key)
 {
-    return !(lab->screen.prompt.open && strcmp(key->name, "Enter") == 0 &&
+    return !(lab->screen.prompt->open && strcmp(key->name, "Enter") == 0 &&
              (lab->prompting.answer == opening_answer || lab->prompting.answer == writing_answer ||
-              strpbrk(lab->screen.prompt.text, "/.") || strstr(lab->screen.prompt.question, "export")));
+              strpbrk(lab->screen.prompt->text, "/.") || strstr(lab->screen.prompt->question, "export")));
 }
 
 /* All keys that these bytes are. */

@@ -32,7 +32,7 @@ static const char *enter(Bench *bench, const char *text)
     for (const char *at = text; *at; at++)
         press(bench, *at == ' ' ? "Space" : (const char[]){*at, '\0'});
     press(bench, "Enter");
-    return bench->lab.screen.prompt.problem;
+    return bench->lab.screen.prompt->problem;
 }
 
 START_TEST(the_mistake_is_named_and_their_curve_laid_over)
@@ -47,7 +47,7 @@ START_TEST(the_mistake_is_named_and_their_curve_laid_over)
     ck_assert_str_eq(enter(bench, "diagnose own.csv"), "");
     ck_assert_ptr_nonnull(strstr(screen->diagnosis, "own.csv: departs at step 1 in v_cm: yours "));
     ck_assert_ptr_nonnull(strstr(screen->diagnosis, "It is volume_of_cell, to 1"));
-    ck_assert_ptr_nonnull(strstr(screen->message.text, "It is volume_of_cell"));
+    ck_assert_ptr_nonnull(strstr(screen->message->text, "It is volume_of_cell"));
     ck_assert_ptr_nonnull(strstr(bench->progress, "trying other codes"));
     ck_assert_ptr_nonnull(screen->overlay);
     ck_assert_uint_eq(screen->overlay->count, 51);
@@ -74,7 +74,7 @@ START_TEST(the_plain_sheet_keeps_the_answer)
     enter(bench, "sheet plain");
     ck_assert_str_eq(enter(bench, "diagnose own.csv"), "");
     press(bench, "Down");
-    ck_assert(bench->lab.screen.message.kind == MESSAGE_NONE && screen_is_plain(&bench->lab.screen));
+    ck_assert(bench->lab.screen.message->kind == MESSAGE_NONE && screen_is_plain(&bench->lab.screen));
     ck_assert(shows(bench, "Your code beside the right one"));
     enter(bench, "overlay");
     ck_assert(!shows(bench, "Your code beside the right one"));

@@ -43,9 +43,9 @@ static const char *enter(Bench *bench, const char *text)
     for (const char *at = text; *at; at++)
         press(bench, *at == ' ' ? "Space" : (const char[]){*at, '\0'});
     press(bench, "Enter");
-    while (bench->lab.screen.playback.state == STATE_COMPUTING)
+    while (bench->lab.screen.playback->state == STATE_COMPUTING)
         frame(bench);
-    return bench->lab.screen.prompt.problem;
+    return bench->lab.screen.prompt->problem;
 }
 
 START_TEST(the_modulus_is_found)
@@ -62,11 +62,11 @@ START_TEST(the_modulus_is_found)
     ck_assert_double_eq_tol(modulus(bench) / MODULUS, 1, 1.1e-3);
     ck_assert_double_eq_tol(experiment_time(bench->lab.screen.experiment), 2, 0.006);
     ck_assert_ptr_nonnull(strstr(bench->progress, "fitting 1 parameter to 197 data"));
-    ck_assert_ptr_nonnull(strstr(bench->lab.screen.message.text, "fitted: bar.youngs_modulus 92.99"));
+    ck_assert_ptr_nonnull(strstr(bench->lab.screen.message->text, "fitted: bar.youngs_modulus 92.99"));
     /* what the mesh does to the curve is no noise */
-    ck_assert_ptr_nonnull(strstr(bench->lab.screen.message.text, "residuals "));
+    ck_assert_ptr_nonnull(strstr(bench->lab.screen.message->text, "residuals "));
     ck_assert_ptr_nonnull(
-        strstr(bench->lab.screen.message.text, "they are no noise: the intervals do not hold"));
+        strstr(bench->lab.screen.message->text, "they are no noise: the intervals do not hold"));
     press(bench, "u");
     ck_assert_double_eq(modulus(bench), 100);
     close_bench(bench);
@@ -82,8 +82,8 @@ START_TEST(two_at_once_tell_how_they_hang_together)
     Bench *bench = open_bench("mode1", true);
     enter(bench, "overlay data.csv");
     ck_assert_str_eq(enter(bench, "fit bar.youngs_modulus, initial.velocity"), "");
-    ck_assert_ptr_nonnull(strstr(bench->lab.screen.message.text, "initial.velocity 0.1"));
-    ck_assert_ptr_nonnull(strstr(bench->lab.screen.message.text, "; correlation "));
+    ck_assert_ptr_nonnull(strstr(bench->lab.screen.message->text, "initial.velocity 0.1"));
+    ck_assert_ptr_nonnull(strstr(bench->lab.screen.message->text, "; correlation "));
     close_bench(bench);
     leave_folder(folder);
 }

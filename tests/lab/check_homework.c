@@ -10,6 +10,7 @@
 #include "scenario/scenario.h"
 #include "lab/session/grading.h"
 #include "lab/session/session.h"
+#include "picture/canvas.h"
 
 #include <signal.h>
 #include <stdlib.h>
@@ -294,11 +295,11 @@ START_TEST(a_page_given_up_is_not_judged)
     static Live live;
     LaboratoryOptions options;
     char folder[64];
-    const char *const problem = live.lab.screen.prompt.problem;
+    const char *const problem = live.lab.prompting.shown.problem;
     const ExerciseMark *marks = live.lab.homework.marks;
     enter_with_lesson(folder);
     open_live(&live, &options);
-    ck_assert_int_eq(live.lab.screen.playback.state, STATE_COMPUTING);
+    ck_assert_int_eq(live.lab.screen.playback->state, STATE_COMPUTING);
     press_at_once(&live, "^C");
     ck_assert(!live.lab.play.arriving);
     press_at_once(&live, "Enter");
@@ -309,7 +310,7 @@ START_TEST(a_page_given_up_is_not_judged)
     press_at_once(&live, "Esc");
     for (int i = 0; i < 3; i++)
         press_at_once(&live, "n"); /* on their way: keys that leave them do not wait */
-    ck_assert_int_eq(live.lab.screen.lesson.page, 3);
+    ck_assert_int_eq(live.lab.screen.lesson->page, 3);
     press_at_once(&live, "^C");
     act(&live, ": \"mesh.cell_size=0.5 Enter");
     player_seek(&live.lab, experiment_last_step(live.lab.screen.experiment), 0);
@@ -329,7 +330,7 @@ START_TEST(a_recording_that_ends_is_told)
     LaboratoryOptions options;
     Status status = {STATUS_DONE, ""};
     char folder[64];
-    const Message *message = &live.lab.screen.message;
+    const Message *message = &live.lab.message;
     enter_with_lesson(folder);
     open_live(&live, &options);
     Session *session = session_begin(&options, &status);

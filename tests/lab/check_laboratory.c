@@ -7,6 +7,7 @@
 #include "views/view.h"
 #include "lab/tui_case.h"
 #include "lab/prompt/line.h"
+#include "panes/places.h"
 
 #include <dirent.h>
 #include <math.h>
@@ -71,17 +72,17 @@ END_TEST
 START_TEST(a_late_run_is_late_within_ten_seconds)
 {
     Bench *bench = open_bench("mode5", false);
-    ck_assert_double_eq(bench->lab.screen.playback.pace, 5); /* 111 steps in 0.76 s */
+    ck_assert_double_eq(bench->lab.screen.playback->pace, 5); /* 111 steps in 0.76 s */
     while (bench->time < 10)
         frame(bench);
     const Readout *readout = experiment_readout(bench->lab.screen.experiment);
     ck_assert_double_gt(readout_late(readout, experiment_time(bench->lab.screen.experiment)), 0.5);
     select_parameter(bench, "mesh.cell_size");
     press(bench, "Left");
-    ck_assert_double_eq(bench->lab.screen.playback.pace, 10);
+    ck_assert_double_eq(bench->lab.screen.playback->pace, 10);
     close_bench(bench);
     bench = open_bench("mode10", false); /* late after three periods already: they take their time */
-    ck_assert_double_eq(bench->lab.screen.playback.pace, 0.5);
+    ck_assert_double_eq(bench->lab.screen.playback->pace, 0.5);
     close_bench(bench);
 }
 END_TEST
@@ -89,7 +90,7 @@ END_TEST
 START_TEST(a_period_lasts_three_seconds)
 {
     Bench *bench = open_bench("mode1", false);
-    ck_assert_int_eq(bench->lab.screen.playback.state, STATE_RUNNING);
+    ck_assert_int_eq(bench->lab.screen.playback->state, STATE_RUNNING);
     while (bench->time < 3)
         frame(bench);
     /* the first mode of the bar has a period of 10 */
@@ -107,12 +108,12 @@ START_TEST(a_slow_engine_is_the_limit)
         frame(bench);
         ck_assert_double_le(bench->time - begin, FRAME_SECONDS + 1.01 / bench->rate);
     }
-    ck_assert(bench->lab.screen.playback.at_limit);
+    ck_assert(bench->lab.screen.playback->at_limit);
     ck_assert_double_eq_tol((double)step_of(bench), bench->time * 100, 20);
     bench->rate = 1e6;
     for (int i = 0; i < 60; i++)
         frame(bench);
-    ck_assert(!bench->lab.screen.playback.at_limit);
+    ck_assert(!bench->lab.screen.playback->at_limit);
     close_bench(bench);
 }
 END_TEST
@@ -120,14 +121,14 @@ END_TEST
 START_TEST(faster_and_slower_in_1_2_5)
 {
     Bench *bench = open_bench("mode1", true);
-    bench->lab.screen.playback.pace = 1;
+    bench->lab.player.playback.pace = 1;
     static const double paces[] = {2, 5, 10, 20, 50, 100};
     for (size_t i = 0; i < sizeof paces / sizeof *paces; i++) {
         press(bench, "+");
-        ck_assert_double_eq_tol(bench->lab.screen.playback.pace, paces[i], 1e-9);
+        ck_assert_double_eq_tol(bench->lab.screen.playback->pace, paces[i], 1e-9);
     }
     press_all(bench, "- - - - - - -");
-    ck_assert_double_eq_tol(bench->lab.screen.playback.pace, 0.5, 1e-9);
+    ck_assert_double_eq_tol(bench->lab.screen.playback->pace, 0.5, 1e-9);
     press(bench, "Space");
     for (int i = 0; i < 20; i++)
         frame(bench);
@@ -170,7 +171,7 @@ START_TEST(steps_and_stages_go_both_ways)
     ck_assert_double_eq_tol(experiment_time(experiment), 2.5, 1e-9);
     press(bench, "r");
     ck_assert_int_eq(step_of(bench), 0);
-    ck_assert_int_eq(bench->lab.screen.playback.state, STATE_PAUSED);
+    ck_assert_int_eq(bench->lab.screen.playback->state, STATE_PAUSED);
     close_bench(bench);
 }
 END_TEST
@@ -179,18 +180,18 @@ START_TEST(the_end_pauses_with_a_summary)
 {
     Bench *bench = open_bench("mode1", true);
     press_all(bench, "g 1 0 0 Enter");
-    ck_assert_int_eq(bench->lab.screen.playback.state, STATE_ENDED);
-    ck_assert(bench->lab.screen.summary_known);
-    ck_assert_int_eq(bench->lab.screen.summary.steps, 10000);
+    ck_assert_int_eq(bench->lab.screen.playback->state, STATE_ENDED);
+    ck_assert_ptr_nonnull(bench->lab.screen.summary);
+    ck_assert_int_eq(bench->lab.summary.steps, 10000);
     ck_assert(!laboratory_active(&bench->lab));
     press_all(bench, ". ] > $");
     ck_assert_int_eq(step_of(bench), 10000);
     press(bench, "g");
     press_all(bench, "1 0 1 Enter"); /* beyond the end: refused, and the reason is on the screen */
-    ck_assert(bench->lab.screen.prompt.open);
-    ck_assert(bench->lab.screen.prompt.problem[0] != '\0');
+    ck_assert(bench->lab.screen.prompt->open);
+    ck_assert(bench->lab.screen.prompt->problem[0] != '\0');
     press_all(bench, "Esc Space");
-    ck_assert_int_eq(bench->lab.screen.playback.state, STATE_RUNNING);
+    ck_assert_int_eq(bench->lab.screen.playback->state, STATE_RUNNING);
     ck_assert_int_eq(step_of(bench), 0);
     close_bench(bench);
 }
@@ -215,7 +216,7 @@ START_TEST(a_table_is_followed_over_time)
         view_variant_word(screen->views.lower, screen, view_variant(screen->views.lower, screen)),
         sim->series[sim->n_series - 1].name);
     press(bench, ".");
-    ck_assert(!screen->prompt.open);
+    ck_assert(!screen->prompt->open);
     close_bench(bench);
 }
 END_TEST
@@ -226,7 +227,7 @@ START_TEST(a_refused_answer_gives_way_to_the_next_key)
     static const char *const refused[] = {"g 1 0 1 Enter", ": n o n s e n s e Enter", "o n o n e Enter",
                                           "/ n o n s e n s e Enter"};
     Bench *bench = open_bench("mode1", true);
-    const Prompt *prompt = &bench->lab.screen.prompt;
+    const Prompt *prompt = bench->lab.screen.prompt;
     press(bench, ".");
     press_all(bench, refused[_i]);
     ck_assert_msg(prompt->open && prompt->problem[0], "%s", refused[_i]);
@@ -249,7 +250,7 @@ END_TEST
 START_TEST(a_refused_name_is_typed_anew)
 {
     Bench *bench = open_bench("mode1", true);
-    const Prompt *prompt = &bench->lab.screen.prompt;
+    const Prompt *prompt = bench->lab.screen.prompt;
     press_all(bench, ". x ^U / n o n e / a Enter");
     ck_assert(prompt->open && prompt->problem[0]);
     press_all(bench, ". b");
@@ -266,17 +267,17 @@ START_TEST(a_long_seek_is_cut_into_frames)
     Bench *bench = open_bench("mode1", true);
     bench->rate = 10000;
     press_all(bench, "g 9 0 Enter");
-    ck_assert_int_eq(bench->lab.screen.playback.state, STATE_COMPUTING);
+    ck_assert_int_eq(bench->lab.screen.playback->state, STATE_COMPUTING);
     double share = 0;
     for (int i = 0; i < 10; i++) {
         double begin = bench->time;
         frame(bench);
         ck_assert_double_le(bench->time - begin, FRAME_SECONDS + 0.005);
-        ck_assert_double_gt(bench->lab.screen.playback.work_share, share);
-        share = bench->lab.screen.playback.work_share;
+        ck_assert_double_gt(bench->lab.screen.playback->work_share, share);
+        share = bench->lab.screen.playback->work_share;
     }
     press(bench, "^C");
-    ck_assert_int_eq(bench->lab.screen.playback.state, STATE_PAUSED);
+    ck_assert_int_eq(bench->lab.screen.playback->state, STATE_PAUSED);
     ck_assert(!bench->lab.closed);
     ck_assert_int_gt(step_of(bench), 1000);
     ck_assert_int_lt(step_of(bench), 9000);
@@ -316,7 +317,7 @@ START_TEST(a_long_step_is_cut_into_frames)
     for (int i = 0; i < 100; i++)
         laboratory_frame(&bench->lab, bench->time + FRAME_SECONDS);
     press(bench, "Esc");
-    ck_assert_int_eq(bench->lab.screen.playback.state, STATE_PAUSED);
+    ck_assert_int_eq(bench->lab.screen.playback->state, STATE_PAUSED);
     ck_assert_int_gt(step_of(bench), steps);
     ck_assert_int_eq(experiment_stage(experiment), 0);
     bench->tick = 0;
@@ -330,14 +331,14 @@ START_TEST(a_motion_that_is_solved_can_be_given_up)
 {
     Bench *bench = open_bench("moving-cantilever-coarse", true);
     press_all(bench, ": m o t i o n . s p e e d = 1 e - 6 Enter");
-    ck_assert(!bench->lab.screen.prompt.open);
+    ck_assert(!bench->lab.screen.prompt->open);
     const Simulation *before = experiment_simulation(bench->lab.screen.experiment);
     bench->tick = 0.01;
     bench->gives_up = true;
     press_all(bench, ": t i m e . e n d = 2 Enter");
-    ck_assert(bench->lab.screen.prompt.open);
-    ck_assert_msg(strstr(bench->lab.screen.prompt.problem, "given up") != NULL, "%s",
-                  bench->lab.screen.prompt.problem);
+    ck_assert(bench->lab.screen.prompt->open);
+    ck_assert_msg(strstr(bench->lab.screen.prompt->problem, "given up") != NULL, "%s",
+                  bench->lab.screen.prompt->problem);
     ck_assert_ptr_eq(experiment_simulation(bench->lab.screen.experiment), before);
     close_bench(bench);
 }
@@ -352,9 +353,9 @@ START_TEST(a_beam_that_is_built_can_be_given_up)
     bench->tick = 0.01;
     bench->gives_up = true;
     press_all(bench, ": p d . s p a c i n g = 8 e - 4 Enter");
-    ck_assert(bench->lab.screen.prompt.open);
-    ck_assert_msg(strstr(bench->lab.screen.prompt.problem, "given up") != NULL, "%s",
-                  bench->lab.screen.prompt.problem);
+    ck_assert(bench->lab.screen.prompt->open);
+    ck_assert_msg(strstr(bench->lab.screen.prompt->problem, "given up") != NULL, "%s",
+                  bench->lab.screen.prompt->problem);
     ck_assert_msg(strncmp(bench->progress, "building the run: ", 18) == 0 &&
                       strstr(bench->progress, "Esc gives up") != NULL,
                   "%s", bench->progress);
@@ -363,11 +364,11 @@ START_TEST(a_beam_that_is_built_can_be_given_up)
     press(bench, "Esc");
     ck_assert(!shows(bench, "building"));
     press_all(bench, "o n o t c h e d - b e a m - c o a r s e Enter");
-    ck_assert(bench->lab.screen.prompt.open);
+    ck_assert(bench->lab.screen.prompt->open);
     ck_assert_ptr_eq(experiment_simulation(bench->lab.screen.experiment), before);
     bench->gives_up = false;
     press(bench, "Enter");
-    ck_assert(!bench->lab.screen.prompt.open);
+    ck_assert(!bench->lab.screen.prompt->open);
     ck_assert_int_eq(step_of(bench), 0);
     int share = atoi(bench->progress + strcspn(bench->progress, "0123456789"));
     ck_assert_msg(share > 60 && share < 100, "%s", bench->progress);
@@ -381,22 +382,22 @@ START_TEST(a_run_that_took_long_is_not_given_up_unasked)
     Bench *bench = open_bench("mode1", true);
     bench->rate = 1000;
     press_all(bench, ": t i m e . e n d = 5 Enter g 5 Enter");
-    while (bench->lab.screen.playback.state == STATE_COMPUTING)
+    while (bench->lab.screen.playback->state == STATE_COMPUTING)
         frame(bench);
-    ck_assert_int_eq(bench->lab.screen.playback.state, STATE_ENDED);
+    ck_assert_int_eq(bench->lab.screen.playback->state, STATE_ENDED);
     press(bench, "Space"); /* half a second: at once */
-    ck_assert_int_eq(bench->lab.screen.playback.state, STATE_RUNNING);
+    ck_assert_int_eq(bench->lab.screen.playback->state, STATE_RUNNING);
     bench->rate = 100;
-    while (bench->lab.screen.playback.state == STATE_RUNNING)
+    while (bench->lab.screen.playback->state == STATE_RUNNING)
         frame(bench);
     press(bench, "Space");
-    ck_assert(bench->lab.screen.prompt.open && bench->lab.screen.prompt.yes_no);
-    ck_assert_msg(shows(bench, "takes about 5 s"), "%s", bench->lab.screen.prompt.question);
+    ck_assert(bench->lab.screen.prompt->open && bench->lab.screen.prompt->yes_no);
+    ck_assert_msg(shows(bench, "takes about 5 s"), "%s", bench->lab.screen.prompt->question);
     press(bench, "n");
-    ck_assert_int_eq(bench->lab.screen.playback.state, STATE_ENDED);
+    ck_assert_int_eq(bench->lab.screen.playback->state, STATE_ENDED);
     ck_assert_int_eq(step_of(bench), 500);
     press_all(bench, "Space y");
-    ck_assert_int_eq(bench->lab.screen.playback.state, STATE_RUNNING);
+    ck_assert_int_eq(bench->lab.screen.playback->state, STATE_RUNNING);
     ck_assert_int_lt(step_of(bench), 10);
     close_bench(bench);
 }
@@ -415,7 +416,7 @@ START_TEST(ten_nudges_redraw_ten_times)
         char *before = canvas_dump(&bench->canvas);
         press(bench, i < 5 ? "Right" : "Left");
         ck_assert_double_eq(value(bench, "initial.mode"), i < 5 ? i + 2 : 10 - i);
-        ck_assert_int_eq(bench->lab.screen.playback.state, STATE_PAUSED);
+        ck_assert_int_eq(bench->lab.screen.playback->state, STATE_PAUSED);
         ck_assert_int_eq(step_of(bench), 2000);
         check_like_fresh(bench);
         char *after = canvas_dump(&bench->canvas);
@@ -524,7 +525,7 @@ START_TEST(a_filter_shortens_the_list)
     ck_assert_double_eq(value(bench, "initial.velocity"), 0.2);
     press(bench, "/");
     press_all(bench, "z z z Enter");
-    ck_assert(bench->lab.screen.prompt.open); /* nothing is called that */
+    ck_assert(bench->lab.screen.prompt->open); /* nothing is called that */
     press_all(bench, "Esc");
     close_bench(bench);
 }
@@ -537,7 +538,7 @@ START_TEST(enter_in_the_log_goes_to_the_event)
     Bench *bench = open_bench("crossing", true);
     press(bench, "d"); /* a run alone */
     press_all(bench, "g # 2 0 0 0 Enter");
-    while (bench->lab.screen.playback.state == STATE_COMPUTING)
+    while (bench->lab.screen.playback->state == STATE_COMPUTING)
         frame(bench);
     int count;
     bench->lab.screen.panes.focus = PANE_LOWER;
@@ -571,7 +572,7 @@ START_TEST(an_event_of_the_log_is_chosen_by_the_mouse)
     if (_i & 4)
         bench->width = 132, bench->height = 43;
     press_all(bench, "g # 2 0 0 0 Enter");
-    while (bench->lab.screen.playback.state == STATE_COMPUTING)
+    while (bench->lab.screen.playback->state == STATE_COMPUTING)
         frame(bench);
     Screen *screen = &bench->lab.screen;
     screen->panes.focus = pane;
@@ -613,7 +614,7 @@ START_TEST(the_log_of_a_duel_tells_of_both)
     ck_assert(line_run(&bench->lab, "duel mpm.algorithm=usl time.courant=0.07"));
     ck_assert_ptr_nonnull(bench->lab.player.duel.b);
     press_all(bench, "g # 1 0 0 0 Enter");
-    while (bench->lab.screen.playback.state == STATE_COMPUTING)
+    while (bench->lab.screen.playback->state == STATE_COMPUTING)
         frame(bench);
     Screen *screen = &bench->lab.screen;
     screen->panes.focus = PANE_LOWER;
@@ -632,7 +633,7 @@ START_TEST(the_log_of_a_duel_tells_of_both)
     for (int i = 0; i < first + second; i++) {
         screen->log.event = i;
         press(bench, "Enter");
-        while (bench->lab.screen.playback.state == STATE_COMPUTING)
+        while (bench->lab.screen.playback->state == STATE_COMPUTING)
             frame(bench);
         ck_assert_int_ge(step_of(bench), before);
         before = step_of(bench);
@@ -680,7 +681,7 @@ START_TEST(bookmarks_are_kept_in_the_order_of_the_run)
     press(bench, "'");
     ck_assert(shows(bench, "no bookmark yet"));
     press_all(bench, "> > m 0 > ] ] m $ >");
-    ck_assert_int_eq(bench->lab.screen.bookmarks.count, 2);
+    ck_assert_int_eq(bench->lab.screen.bookmarks->count, 2);
     press(bench, "'"); /* behind the last one: the first */
     ck_assert_int_eq(step_of(bench), 10);
     ck_assert_int_eq(experiment_stage(bench->lab.screen.experiment), 2);
@@ -690,7 +691,7 @@ START_TEST(bookmarks_are_kept_in_the_order_of_the_run)
     press(bench, "'");
     ck_assert_int_eq(step_of(bench), 10);
     press(bench, "m"); /* on one: away with it */
-    ck_assert_int_eq(bench->lab.screen.bookmarks.count, 1);
+    ck_assert_int_eq(bench->lab.screen.bookmarks->count, 1);
     press_all(bench, "$ '");
     ck_assert_int_eq(step_of(bench), 20);
     /* with half the time step it stays at its time */
@@ -700,9 +701,9 @@ START_TEST(bookmarks_are_kept_in_the_order_of_the_run)
     ck_assert_double_eq_tol((double)step_of(bench) * dt, 0.2, 1e-9);
     for (int i = 0; i < 2 * BOOKMARKS_MAX; i++)
         press_all(bench, ". m");
-    ck_assert_int_eq(bench->lab.screen.bookmarks.count, BOOKMARKS_MAX);
+    ck_assert_int_eq(bench->lab.screen.bookmarks->count, BOOKMARKS_MAX);
     press_all(bench, "o m o d e 5 Enter '");
-    ck_assert_int_eq(bench->lab.screen.bookmarks.count, 0);
+    ck_assert_int_eq(bench->lab.screen.bookmarks->count, 0);
     close_bench(bench);
 }
 END_TEST
@@ -719,9 +720,9 @@ START_TEST(quitting_asks_once_after_a_change)
     select_parameter(bench, "initial.mode");
     press_all(bench, "Right q");
     ck_assert(!bench->lab.closed);
-    ck_assert(bench->lab.screen.prompt.open);
+    ck_assert(bench->lab.screen.prompt->open);
     press_all(bench, "n");
-    ck_assert(!bench->lab.closed && !bench->lab.screen.prompt.open);
+    ck_assert(!bench->lab.closed && !bench->lab.screen.prompt->open);
     press_all(bench, "q y");
     ck_assert(bench->lab.closed);
     close_bench(bench);
@@ -738,7 +739,7 @@ START_TEST(quitting_closes_what_is_open_first)
     press_all(bench, "Enter F10");
     ck_assert(!bench->lab.closed && !bench->lab.screen.parameters.edit.open);
     press_all(bench, ": F10");
-    ck_assert(!bench->lab.closed && !bench->lab.screen.prompt.open);
+    ck_assert(!bench->lab.closed && !bench->lab.screen.prompt->open);
     press(bench, "F10");
     ck_assert(bench->lab.closed);
     close_bench(bench);
@@ -757,25 +758,25 @@ START_TEST(export_writes_and_does_not_overwrite)
     press_all(bench, "q Enter"); /* a name, not a key */
     ck_assert(!bench->lab.closed && shows(bench, "nothing has been computed yet"));
     press_all(bench, "Esc > x");
-    ck_assert_str_eq(bench->lab.screen.prompt.text, "mode1");
+    ck_assert_str_eq(bench->lab.screen.prompt->text, "mode1");
     press(bench, "Enter");
-    ck_assert_msg(shows(bench, "mode1-series.csv (11 rows)"), "%s", bench->lab.screen.message.text);
+    ck_assert_msg(shows(bench, "mode1-series.csv (11 rows)"), "%s", bench->lab.screen.message->text);
     static const char *const files[] = {"mode1-series.csv",    "mode1-series.csv.ini",
                                         "mode1-particles.csv", "mode1-particles.csv.ini",
                                         "mode1-nodes.csv",     "mode1-nodes.csv.ini"};
     for (size_t i = 0; i < sizeof files / sizeof *files; i++)
         ck_assert_msg(access(files[i], R_OK) == 0, "%s", files[i]);
     press(bench, "x");
-    ck_assert_str_eq(bench->lab.screen.prompt.text, "mode1-2"); /* what is there is not proposed again */
+    ck_assert_str_eq(bench->lab.screen.prompt->text, "mode1-2"); /* what is there is not proposed again */
     press_all(bench, "m o d e 1 Enter");
-    ck_assert(bench->lab.screen.prompt.open && bench->lab.screen.prompt.yes_no);
+    ck_assert(bench->lab.screen.prompt->open && bench->lab.screen.prompt->yes_no);
     press(bench, "n");
-    ck_assert(!bench->lab.screen.prompt.open);
+    ck_assert(!bench->lab.screen.prompt->open);
     press_all(bench, ", , x h e r e Enter");
     press_all(bench, "m o d e 1 . c s v Enter y");
     ck_assert(shows(bench, "mode1-series.csv (9 rows)"));
     press_all(bench, "$ x / n o / w h e r e Enter"); /* no such folder: another name is asked for */
-    ck_assert(bench->lab.screen.prompt.open);
+    ck_assert(bench->lab.screen.prompt->open);
     ck_assert(shows(bench, "there is no folder /no"));
     close_bench(bench);
     leave_folder(folder);
@@ -807,16 +808,16 @@ START_TEST(a_full_disk_costs_nothing_that_was_there)
     room = (struct rlimit){300, before.rlim_max};
     ck_assert_int_eq(setrlimit(RLIMIT_FSIZE, &room), 0);
     press_all(bench, "x b Enter");
-    ck_assert_int_eq(bench->lab.screen.message.kind, MESSAGE_ERROR);
-    ck_assert_msg(shows(bench, "File too large"), "%s", bench->lab.screen.message.text);
+    ck_assert_int_eq(bench->lab.screen.message->kind, MESSAGE_ERROR);
+    ck_assert_msg(shows(bench, "File too large"), "%s", bench->lab.screen.message->text);
     press_all(bench, "w a . i n i Enter y");
-    ck_assert_int_eq(bench->lab.screen.message.kind, MESSAGE_ERROR);
-    ck_assert_msg(shows(bench, "File too large"), "%s", bench->lab.screen.message.text);
+    ck_assert_int_eq(bench->lab.screen.message->kind, MESSAGE_ERROR);
+    ck_assert_msg(shows(bench, "File too large"), "%s", bench->lab.screen.message->text);
     ck_assert_int_eq(setrlimit(RLIMIT_FSIZE, &before), 0);
     ck_assert_int_eq(count_files(), 1);
     /* what was there is still whole */
     press_all(bench, "o a . i n i Enter");
-    ck_assert(!bench->lab.screen.prompt.open);
+    ck_assert(!bench->lab.screen.prompt->open);
     close_bench(bench);
     leave_folder(folder);
 }
@@ -829,14 +830,14 @@ START_TEST(scenarios_are_written_and_opened)
     Bench *bench = open_bench("mode1", true);
     select_parameter(bench, "initial.mode");
     press_all(bench, "Right Right > w t h r e e . i n i Enter");
-    ck_assert_msg(access("three.ini", R_OK) == 0, "%s", bench->lab.screen.message.text);
+    ck_assert_msg(access("three.ini", R_OK) == 0, "%s", bench->lab.screen.message->text);
     press_all(bench, "o m o d e 5 Enter");
     ck_assert_double_eq(value(bench, "initial.mode"), 5);
     press_all(bench, "Space o t h r e e . i n i Enter");
     ck_assert_double_eq(value(bench, "initial.mode"), 3);
     ck_assert_double_eq(value(bench, "time.end"), 100);
     press_all(bench, "o n o n e Enter");
-    ck_assert(bench->lab.screen.prompt.open && bench->lab.screen.prompt.problem[0]);
+    ck_assert(bench->lab.screen.prompt->open && bench->lab.screen.prompt->problem[0]);
     close_bench(bench);
     leave_folder(folder);
 }
@@ -866,7 +867,7 @@ START_TEST(the_command_line_takes_commands_values_and_times)
     press_all(bench, ": m e s h . c e Tab 0 . 5 Enter");
     ck_assert_double_eq(value(bench, "mesh.cell_size"), 0.5);
     press_all(bench, ": n o n s e n s e Enter");
-    ck_assert(bench->lab.screen.prompt.open && bench->lab.screen.prompt.problem[0]);
+    ck_assert(bench->lab.screen.prompt->open && bench->lab.screen.prompt->problem[0]);
     close_bench(bench);
 }
 END_TEST

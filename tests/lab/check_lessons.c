@@ -7,6 +7,7 @@
 #include "lab/tui_case.h"
 #include "lab/prompt/line.h"
 #include "views/view.h"
+#include "panes/places.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -218,12 +219,12 @@ END_TEST
 
 static const char *text_of(const Bench *bench)
 {
-    return bench->lab.screen.message.text;
+    return bench->lab.screen.message->text;
 }
 
 static const LessonPage *page_of(const Bench *bench)
 {
-    const LessonShown *shown = &bench->lab.screen.lesson;
+    const LessonShown *shown = bench->lab.screen.lesson;
     return &shown->lesson->pages[shown->page];
 }
 
@@ -236,7 +237,7 @@ static int frames;     /* that the page has had */
 
 static bool is_arriving(const Bench *bench)
 {
-    return bench->lab.screen.playback.state == STATE_COMPUTING || bench->lab.play.arriving;
+    return bench->lab.screen.playback->state == STATE_COMPUTING || bench->lab.play.arriving;
 }
 
 static void finish_work(Bench *bench)
@@ -272,29 +273,29 @@ static void satisfy(Bench *bench, const LessonUntil *until)
     case UNTIL_TIME:
     case UNTIL_END:
     case UNTIL_EVENT:
-        for (int i = 0; i < 1000 && !lab->screen.lesson.met; i++) {
-            if (lab->screen.playback.state != STATE_RUNNING)
+        for (int i = 0; i < 1000 && !lab->screen.lesson->met; i++) {
+            if (lab->screen.playback->state != STATE_RUNNING)
                 press(bench, "Space");
-            ck_assert_msg(!steps || lab->screen.playback.state != STATE_RUNNING, "Space runs away");
+            ck_assert_msg(!steps || lab->screen.playback->state != STATE_RUNNING, "Space runs away");
             frame(bench);
         }
-        ck_assert_msg(lab->screen.playback.state != STATE_RUNNING, "page %d does not stop by itself",
-                      lab->screen.lesson.page + 1);
+        ck_assert_msg(lab->screen.playback->state != STATE_RUNNING, "page %d does not stop by itself",
+                      lab->screen.lesson->page + 1);
         break;
     case UNTIL_COMMAND:
         ck_assert_msg(command_by_name(until->word) != NULL, "no command %s", until->word);
         laboratory_command(lab, command_by_name(until->word)->id);
-        if (lab->screen.prompt.open)
+        if (lab->screen.prompt->open)
             press(bench, "Esc");
         break;
     case UNTIL_VALUE:
         snprintf(line, sizeof line, "set %s %s", until->word, until->value);
-        ck_assert_msg(line_run(lab, line), "%s", lab->screen.prompt.problem);
+        ck_assert_msg(line_run(lab, line), "%s", lab->screen.prompt->problem);
         break;
     case UNTIL_GOAL:
         for (int i = 0; i < page_of(bench)->solution.n_actions; i++)
             ck_assert_msg(line_run(lab, page_of(bench)->solution.actions[i]), "%s",
-                          lab->screen.prompt.problem);
+                          lab->screen.prompt->problem);
         finish_work(bench);
         player_seek(lab, experiment_last_step(lab->screen.experiment), 0);
         break;
@@ -311,7 +312,7 @@ static void check_whole_run(const Bench *bench, const char *name)
     const Settings *settings = experiment_settings(bench->lab.screen.experiment);
     for (int i = 0; i < settings->n_changes; i++)
         ck_assert_msg(settings->changes[i].step == 0, "%s, page %d: %s holds from step %ld on only", name,
-                      bench->lab.screen.lesson.page + 1, page_of(bench)->until.word,
+                      bench->lab.screen.lesson->page + 1, page_of(bench)->until.word,
                       settings->changes[i].step);
 }
 
@@ -326,10 +327,10 @@ static bool shows_step(const Screen *screen, int width, int height)
  * a page did was refused. */
 static void check_page(Bench *bench, const char *name)
 {
-    const LessonShown *shown = &bench->lab.screen.lesson;
+    const LessonShown *shown = bench->lab.screen.lesson;
     finish_work(bench);
     lesson_play_continue(&bench->lab);
-    ck_assert_msg(bench->lab.screen.message.kind != MESSAGE_ERROR, "%s, page %d: %s", name, shown->page + 1,
+    ck_assert_msg(bench->lab.screen.message->kind != MESSAGE_ERROR, "%s, page %d: %s", name, shown->page + 1,
                   text_of(bench));
     ck_assert(is_arriving(bench) || bench->lab.play.next == bench->lab.play.n_queue);
     static const int sizes[][2] = {{60, 18}, {80, 24}, {132, 43}};
@@ -403,7 +404,7 @@ static void check_same(Bench *bench, const char *page, const char *how)
         if (dump[i] == '\n')
             line = i + 1;
     ck_assert_msg(dump[i] == page[i], "%s, page %d, %s, is another one:\n%.*s\nand was:\n%.*s",
-                  bench->lab.play.name, bench->lab.screen.lesson.page + 1, how,
+                  bench->lab.play.name, bench->lab.screen.lesson->page + 1, how,
                   (int)strcspn(dump + line, "\n"), dump + line, (int)strcspn(page + line, "\n"), page + line);
     free(dump);
 }
@@ -411,7 +412,7 @@ static void check_same(Bench *bench, const char *page, const char *how)
 static void check_on_screen(Bench *bench, const char *dump, const char *text)
 {
     ck_assert_msg(strstr(dump, text), "%s, page %d: \"%s\" is not seen:\n%s", bench->lab.play.name,
-                  bench->lab.screen.lesson.page + 1, text, dump);
+                  bench->lab.screen.lesson->page + 1, text, dump);
 }
 
 /* The whole of a small screen. */
@@ -449,7 +450,7 @@ static void check_small_answer(Bench *bench, int count)
         return;
     char *dump = entered_small(bench);
     check_on_screen(bench, dump, now->title);
-    check_on_screen(bench, dump, bench->lab.screen.lesson.page + 1 < count ? "goes on" : "n next lesson");
+    check_on_screen(bench, dump, bench->lab.screen.lesson->page + 1 < count ? "goes on" : "n next lesson");
     free(dump);
 }
 
@@ -489,7 +490,7 @@ static void keep_screens(Bench *bench, KeptScreens kept[N_KEPT], int sizes, cons
         ck_assert(laboratory_draw(&bench->lab, &bench->canvas, kept_sizes[i].width, kept_sizes[i].height));
         char *dump = canvas_dump(&bench->canvas);
         ck_assert_ptr_nonnull(dump);
-        fprintf(kept[i].stream, "page %d, %s\n%s", bench->lab.screen.lesson.page + 1, state, dump);
+        fprintf(kept[i].stream, "page %d, %s\n%s", bench->lab.screen.lesson->page + 1, state, dump);
         free(dump);
     }
 }
@@ -510,7 +511,7 @@ static void keep_close(KeptScreens kept[N_KEPT], const char *lesson, bool whole)
 /* Reads the page to its end, as it is meant; false: it is too far. */
 static bool read_page(Bench *bench, const char *name, SeenNumbers *seen)
 {
-    const LessonShown *shown = &bench->lab.screen.lesson;
+    const LessonShown *shown = bench->lab.screen.lesson;
     const LessonPage *now = page_of(bench);
     const LessonUntil *until = &now->until;
     const bool number = now->question && lesson_exercise(now) == EXERCISE_NUMBER;
@@ -546,7 +547,7 @@ START_TEST(every_page_is_entered_in_one_state)
 {
     const char *name = builtin_lessons[_i].name;
     Bench *bench = open_lesson(name);
-    const LessonShown *shown = &bench->lab.screen.lesson;
+    const LessonShown *shown = bench->lab.screen.lesson;
     const int count = shown->lesson->n_pages;
     const bool line = experiment_simulation(bench->lab.screen.experiment)->dimensions == 1;
     char *pages[LESSON_PAGES_MAX];
@@ -595,7 +596,7 @@ START_TEST(every_page_is_entered_in_one_state)
     }
     close_bench(bench);
     bench = open_lesson(name);
-    shown = &bench->lab.screen.lesson;
+    shown = bench->lab.screen.lesson;
     for (int page = 0; leaving && page < count; page++) {
         ck_assert_int_eq(shown->page, page);
         check_same(bench, pages[page], "from one that was left out");
@@ -603,7 +604,7 @@ START_TEST(every_page_is_entered_in_one_state)
         press_all(bench, else_done[page % 3]);
         for (int i = 0; i < 5; i++)
             frame(bench);
-        if (bench->lab.screen.prompt.open)
+        if (bench->lab.screen.prompt->open)
             press(bench, "Esc"); /* Space at the end of a run may ask */
         if (page + 1 < count)
             press(bench, "n");
@@ -618,7 +619,7 @@ END_TEST
 START_TEST(arrows_choose_an_answer)
 {
     Bench *bench = open_lesson("one-step");
-    const LessonShown *shown = &bench->lab.screen.lesson;
+    const LessonShown *shown = bench->lab.screen.lesson;
     press(bench, "Enter");
     ck_assert_ptr_nonnull(page_of(bench)->question);
     press(bench, "Enter");
@@ -642,9 +643,9 @@ START_TEST(a_turned_page_is_not_waited_for)
     Key answer = {.name = "3", .x = -1, .y = -1}, on = {.name = "n", .x = -1, .y = -1};
     laboratory_key(&bench->lab, &answer);
     lesson_play_continue(&bench->lab);
-    ck_assert_int_eq(bench->lab.screen.playback.state, STATE_COMPUTING);
+    ck_assert_int_eq(bench->lab.screen.playback->state, STATE_COMPUTING);
     laboratory_key(&bench->lab, &on);
-    ck_assert_int_eq(bench->lab.screen.lesson.page, 3);
+    ck_assert_int_eq(bench->lab.screen.lesson->page, 3);
     ck_assert_int_eq(bench->lab.player.goal_step, 1310); /* its own, not that of the answer */
     close_bench(bench);
 }
@@ -655,26 +656,26 @@ START_TEST(a_page_can_be_left_out)
     Status status = {STATUS_DONE, ""};
     Bench *bench = open_bench("mode1", true);
     ck_assert(lesson_play_open(&bench->lab, "one-step", &status));
-    const int pages = bench->lab.screen.lesson.lesson->n_pages;
-    for (int i = 0; i < 2 * pages && bench->lab.screen.lesson.page < pages - 1; i++)
+    const int pages = bench->lab.screen.lesson->lesson->n_pages;
+    for (int i = 0; i < 2 * pages && bench->lab.screen.lesson->page < pages - 1; i++)
         press(bench, "PageDown");
-    ck_assert_int_eq(bench->lab.screen.lesson.page, pages - 1);
+    ck_assert_int_eq(bench->lab.screen.lesson->page, pages - 1);
     /* the next lesson by one key, after the last one the list */
     press(bench, "n");
     ck_assert_str_eq(bench->lab.play.name, builtin_lessons[1].name);
-    ck_assert_int_eq(bench->lab.screen.lesson.page, 0);
+    ck_assert_int_eq(bench->lab.screen.lesson->page, 0);
     press(bench, "T");
-    ck_assert(!bench->lab.screen.lesson.open);
+    ck_assert(!bench->lab.screen.lesson->open);
     const char *last = builtin_lessons[screen_lesson_count() - 1].name;
     ck_assert(lesson_play_open(&bench->lab, last, &status));
-    while (bench->lab.screen.lesson.lesson &&
-           bench->lab.screen.lesson.page + 1 < bench->lab.screen.lesson.lesson->n_pages)
+    while (bench->lab.screen.lesson->lesson &&
+           bench->lab.screen.lesson->page + 1 < bench->lab.screen.lesson->lesson->n_pages)
         press(bench, "n");
     press(bench, "n");
-    ck_assert(bench->lab.screen.lesson.open);
-    ck_assert_ptr_null(bench->lab.screen.lesson.lesson);
+    ck_assert(bench->lab.screen.lesson->open);
+    ck_assert_ptr_null(bench->lab.screen.lesson->lesson);
     press(bench, "T");
-    ck_assert(!bench->lab.screen.lesson.open);
+    ck_assert(!bench->lab.screen.lesson->open);
     close_bench(bench);
 }
 END_TEST
@@ -739,7 +740,7 @@ START_TEST(the_list_has_groups_and_says_how_many_more)
         press_key(bench, &click);
         ck_assert_str_eq(bench->lab.play.name, builtin_lessons[last].name);
     }
-    ck_assert_ptr_nonnull(bench->lab.screen.lesson.lesson);
+    ck_assert_ptr_nonnull(bench->lab.screen.lesson->lesson);
     close_bench(bench);
 }
 END_TEST

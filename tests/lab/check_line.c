@@ -5,6 +5,7 @@
 #include "scenario/settings.h"
 #include "suite.h"
 #include "lab/tui_case.h"
+#include "views/plots/time_plot.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -23,15 +24,15 @@ static void enter_line(Bench *bench, const char *text)
     press(bench, ":");
     type(bench, text);
     press(bench, "Enter");
-    while (bench->lab.screen.playback.state == STATE_COMPUTING)
+    while (bench->lab.screen.playback->state == STATE_COMPUTING)
         frame(bench);
     press(bench, "^L");
 }
 
 static void expect_line(Bench *bench, const char *text)
 {
-    ck_assert_str_eq(bench->lab.screen.prompt.text, text);
-    ck_assert_int_eq(bench->lab.screen.prompt.cursor, (int)strlen(text));
+    ck_assert_str_eq(bench->lab.screen.prompt->text, text);
+    ck_assert_int_eq(bench->lab.screen.prompt->cursor, (int)strlen(text));
 }
 
 static double parameter(const Bench *bench, const char *key)
@@ -77,11 +78,11 @@ START_TEST(verbs_take_arguments)
     enter_line(bench, "export part"); /* rewound: how far is asked, the name is known */
     type(bench, "here");
     press(bench, "Enter");
-    ck_assert_msg(shows(bench, "(51 rows)"), "%s", bench->lab.screen.message.text);
+    ck_assert_msg(shows(bench, "(51 rows)"), "%s", bench->lab.screen.message->text);
     ck_assert_int_eq(access("part-series.csv", R_OK), 0);
     press(bench, ":");
     press(bench, "Enter");
-    ck_assert(!bench->lab.screen.prompt.open);
+    ck_assert(!bench->lab.screen.prompt->open);
     close_bench(bench);
     leave_folder(folder);
 }
@@ -104,9 +105,9 @@ START_TEST(bad_lines_say_why)
 {
     Bench *bench = open_bench("mode1", true);
     enter_line(bench, bad_lines[_i][0]);
-    ck_assert_msg(bench->lab.screen.prompt.open, "'%s' was taken", bad_lines[_i][0]);
-    ck_assert_msg(strstr(bench->lab.screen.prompt.problem, bad_lines[_i][1]) != NULL, "%s",
-                  bench->lab.screen.prompt.problem);
+    ck_assert_msg(bench->lab.screen.prompt->open, "'%s' was taken", bad_lines[_i][0]);
+    ck_assert_msg(strstr(bench->lab.screen.prompt->problem, bad_lines[_i][1]) != NULL, "%s",
+                  bench->lab.screen.prompt->problem);
     close_bench(bench);
 }
 END_TEST
@@ -164,8 +165,8 @@ START_TEST(tab_completes_words_keys_values_and_files)
         press(bench, "Tab");
         expect_line(bench, lines[i][1]);
         if (*lines[i][2])
-            ck_assert_msg(strncmp(bench->lab.screen.prompt.hint, lines[i][2], strlen(lines[i][2])) == 0,
-                          "%s: %s", lines[i][0], bench->lab.screen.prompt.hint);
+            ck_assert_msg(strncmp(bench->lab.screen.prompt->hint, lines[i][2], strlen(lines[i][2])) == 0,
+                          "%s: %s", lines[i][0], bench->lab.screen.prompt->hint);
         ck_assert(!*lines[i][2] || shows(bench, lines[i][2]));
         press(bench, "Esc");
     }
@@ -305,14 +306,14 @@ START_TEST(a_scenario_opens_as_its_view_says)
     ck_assert_int_eq(screen->views.lower->digit, 6);
     time_plot_window(screen, &from, &to);
     ck_assert_double_eq(to - from, 7.5);
-    ck_assert_double_eq(screen->playback.pace, 3);
+    ck_assert_double_eq(screen->playback->pace, 3);
     ck_assert_int_eq(screen->views.references, SHOW_EXACT);
     ck_assert(shows(bench, "energy"));
     enter_line(bench, "open plain.ini"); /* nothing of it stays */
     ck_assert_int_eq(screen->views.upper->digit, 1);
     ck_assert_int_eq(screen->views.lower->digit, 2);
     ck_assert_double_eq(screen->time.window, 0);
-    ck_assert_double_ne(screen->playback.pace, 3);
+    ck_assert_double_ne(screen->playback->pace, 3);
     ck_assert_int_eq(screen->views.references, SHOW_ALL);
     enter_line(bench, "open beam.ini"); /* of a beam the whole is seen */
     ck_assert_int_eq(screen->views.upper->digit, 8);
@@ -405,7 +406,7 @@ START_TEST(a_series_lies_over_the_plot_and_goes_again)
     ck_assert(shows(bench, "+ pupil.csv")); /* now x_cm is asked for, over the energies */
     /* a bad file changes nothing */
     enter_line(bench, "overlay bad.csv");
-    ck_assert_str_eq(bench->lab.screen.prompt.problem, "bad.csv:3: column 2, v_cm: 'one' is no number");
+    ck_assert_str_eq(bench->lab.screen.prompt->problem, "bad.csv:3: column 2, v_cm: 'one' is no number");
     press(bench, "Esc");
     ck_assert(shows(bench, "+ pupil.csv"));
     enter_line(bench, "overlay");
@@ -430,12 +431,13 @@ START_TEST(an_export_says_its_size_first_and_its_place_afterwards)
     press(bench, "x");
     double megabytes;
     long rows;
-    ck_assert_int_eq(sscanf(bench->lab.screen.prompt.question, "export %ld rows, %lf MB", &rows, &megabytes),
+    ck_assert_int_eq(sscanf(bench->lab.screen.prompt->question, "export %ld rows, %lf MB", &rows, &megabytes),
                      2);
     ck_assert_int_eq(rows, 5001);
     press(bench, "Enter");
     snprintf(path, sizeof path, "%s/mode1-series.csv", folder);
-    ck_assert_msg(strstr(bench->lab.screen.message.text, path) != NULL, "%s", bench->lab.screen.message.text);
+    ck_assert_msg(strstr(bench->lab.screen.message->text, path) != NULL, "%s",
+                  bench->lab.screen.message->text);
     FILE *file = fopen(path, "r");
     ck_assert_ptr_nonnull(file);
     fseek(file, 0, SEEK_END);
@@ -443,12 +445,12 @@ START_TEST(an_export_says_its_size_first_and_its_place_afterwards)
     fclose(file);
     enter_line(bench, "output.every=7");
     press(bench, "x");
-    ck_assert_int_eq(sscanf(bench->lab.screen.prompt.question, "export %ld rows", &rows), 1);
+    ck_assert_int_eq(sscanf(bench->lab.screen.prompt->question, "export %ld rows", &rows), 1);
     ck_assert_int_eq(rows, 5000 / 7 + 2);
     ck_assert(!shows(bench, "spreadsheet"));
     press(bench, "Enter");
-    ck_assert_msg(strstr(bench->lab.screen.message.text, "(716 rows)") != NULL, "%s",
-                  bench->lab.screen.message.text);
+    ck_assert_msg(strstr(bench->lab.screen.message->text, "(716 rows)") != NULL, "%s",
+                  bench->lab.screen.message->text);
     close_bench(bench);
     leave_folder(folder);
 }

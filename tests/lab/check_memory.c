@@ -6,6 +6,7 @@
  * the libraries' own allocations do not fail. */
 #include "suite.h"
 #include "lab/tui_case.h"
+#include "picture/canvas.h"
 
 #include <errno.h>
 #include <stdarg.h>
@@ -153,7 +154,7 @@ static void look(Sitting *sitting)
     const Screen *screen = &bench->lab.screen;
     /* the host leaves the picture before where there is no memory for one */
     laboratory_draw(&bench->lab, &bench->canvas, bench->width, bench->height);
-    sitting->told |= speaks_of_memory(screen->message.text) || speaks_of_memory(screen->prompt.problem) ||
+    sitting->told |= speaks_of_memory(screen->message->text) || speaks_of_memory(screen->prompt->problem) ||
                      speaks_of_memory(screen->parameters.edit.problem);
 }
 
@@ -175,7 +176,8 @@ static void do_keys(Sitting *sitting, const char *names)
         snprintf(key.name, sizeof key.name, "%s", name);
         laboratory_key(&sitting->bench.lab, &key);
         look(sitting);
-        for (int most = 1000; most > 0 && sitting->bench.lab.screen.playback.state == STATE_COMPUTING; most--)
+        for (int most = 1000; most > 0 && sitting->bench.lab.screen.playback->state == STATE_COMPUTING;
+             most--)
             go(sitting);
     }
 }

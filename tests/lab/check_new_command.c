@@ -54,10 +54,10 @@ START_TEST(its_key_carries_it_out)
 {
     Bench *bench = open_bench("mode1", true);
     ck_assert(laboratory_can(GREET));
-    ck_assert(!command_set_has(&bench->lab.screen.used, GREET));
+    ck_assert(!command_set_has(bench->lab.screen.used, GREET));
     press(bench, "@");
     ck_assert(shows(bench, SAYS));
-    ck_assert(command_set_has(&bench->lab.screen.used, GREET));
+    ck_assert(command_set_has(bench->lab.screen.used, GREET));
     close_bench(bench);
 }
 END_TEST
@@ -67,7 +67,7 @@ START_TEST(the_line_takes_and_completes_its_name)
     Bench *bench = open_bench("mode1", true);
     type(bench, "gree");
     press_all(bench, "Tab");
-    ck_assert_str_eq(bench->lab.screen.prompt.text, "greet");
+    ck_assert_str_eq(bench->lab.screen.prompt->text, "greet");
     press(bench, "Enter");
     ck_assert(shows(bench, SAYS));
     type(bench, "gret");
@@ -100,10 +100,10 @@ START_TEST(a_lesson_may_ask_for_it_and_wait_for_it)
     Status status = {STATUS_DONE, ""};
     ck_assert_msg(lesson_play_open(&bench->lab, "my.lesson", &status), "%s", status.text);
     lesson_play_continue(&bench->lab);
-    ck_assert_int_eq(greeted, 1);             /* the page's own text stands in place of the message */
-    ck_assert(!bench->lab.screen.lesson.met); /* that it was the lesson's does not count */
+    ck_assert_int_eq(greeted, 1);              /* the page's own text stands in place of the message */
+    ck_assert(!bench->lab.screen.lesson->met); /* that it was the lesson's does not count */
     press(bench, "@");
-    ck_assert(bench->lab.screen.lesson.met);
+    ck_assert(bench->lab.screen.lesson->met);
     close_bench(bench);
     leave_folder(folder);
 }

@@ -10,6 +10,7 @@
 #include "help/command.h"
 #include "panes/panes.h"
 #include "views/views.h"
+#include "panes/places.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -175,7 +176,7 @@ START_TEST(scenarios_help_and_figures_know_it)
     for (const char *at = "show ne"; *at; at++)
         press(bench, *at == ' ' ? "Space" : (const char[]){*at, '\0'});
     press(bench, "Tab"); /* needy has nothing to show here */
-    ck_assert_str_eq(screen->prompt.text, "show new-view");
+    ck_assert_str_eq(screen->prompt->text, "show new-view");
     close_bench(bench);
 }
 END_TEST

@@ -87,9 +87,9 @@ START_TEST(every_command_is_reached)
 {
     for (int i = 0; i < n_commands; i++) {
         Talk *talk = open_talk("mode1");
-        ck_assert(!command_set_has(&talk->plain.lab.screen.used, commands[i].id));
+        ck_assert(!command_set_has(talk->plain.lab.screen.used, commands[i].id));
         const char *said = line(talk, commands[i].name);
-        ck_assert_msg(command_set_has(&talk->plain.lab.screen.used, commands[i].id), "%s: %s",
+        ck_assert_msg(command_set_has(talk->plain.lab.screen.used, commands[i].id), "%s: %s",
                       commands[i].name, said);
         is_plain(talk->text);
         close_talk(talk);
@@ -105,7 +105,7 @@ START_TEST(every_key_is_reached)
         command_first_key(&commands[i], key);
         if (strcmp(key, ":") != 0) { /* it begins what is no key */
             const char *said = line(talk, key);
-            ck_assert_msg(command_set_has(&talk->plain.lab.screen.used, commands[i].id),
+            ck_assert_msg(command_set_has(talk->plain.lab.screen.used, commands[i].id),
                           "%s: its key '%s' says: %s", commands[i].name, key, said);
         }
         close_talk(talk);
@@ -123,9 +123,9 @@ START_TEST(every_word_with_arguments_is_reached)
         snprintf(text, sizeof text, "%s no-such-thing", line_verbs[i].name);
         const char *said = line(talk, text);
         ck_assert_msg(*said && !strstr(said, "unknown:"), "%s: %s", text, said);
-        if (talk->plain.lab.screen.prompt.open)
+        if (talk->plain.lab.screen.prompt->open)
             line(talk, "Esc");
-        ck_assert_msg(!talk->plain.lab.screen.prompt.open, "%s", text);
+        ck_assert_msg(!talk->plain.lab.screen.prompt->open, "%s", text);
     }
     is_plain(talk->text);
     close_talk(talk);
@@ -170,7 +170,7 @@ START_TEST(answers_go_where_they_are_asked)
     const Settings *settings = experiment_settings(talk->plain.lab.screen.experiment);
     ck_assert_double_eq(settings_number(settings, parameter_find("initial.mode")), 3);
     ck_assert_ptr_nonnull(strstr(line(talk, "initial.mode=0.5"), "initial.mode"));
-    ck_assert(!talk->plain.lab.screen.prompt.open);
+    ck_assert(!talk->plain.lab.screen.prompt->open);
     ck_assert_ptr_nonnull(strstr(line(talk, "quit"), "Answer y or n"));
     line(talk, "n");
     ck_assert(!talk->plain.lab.closed);
@@ -191,12 +191,12 @@ START_TEST(what_never_ends_does)
     Talk *talk = open_talk("mode1");
     line(talk, "loop 1 2");
     line(talk, "Space");
-    ck_assert_int_eq(talk->plain.lab.screen.playback.state, STATE_PAUSED);
+    ck_assert_int_eq(talk->plain.lab.screen.playback->state, STATE_PAUSED);
     line(talk, "loop");
     line(talk, "0");
     ck_assert_ptr_nonnull(strstr(line(talk, "slow-motion"), "Stage 3 of 7"));
-    ck_assert_int_eq(talk->plain.lab.screen.playback.state, STATE_PAUSED);
-    ck_assert(!talk->plain.lab.screen.playback.slow);
+    ck_assert_int_eq(talk->plain.lab.screen.playback->state, STATE_PAUSED);
+    ck_assert(!talk->plain.lab.screen.playback->slow);
     line(talk, "open mode5");
     ck_assert_int_eq(experiment_step(talk->plain.lab.screen.experiment), 0);
     close_talk(talk);
@@ -413,7 +413,7 @@ static bool build(void *context)
 static void check_page(Talk *talk, const char *lesson, const char *said)
 {
     const Screen *screen = &talk->plain.lab.screen;
-    const LessonShown *shown = &screen->lesson;
+    const LessonShown *shown = screen->lesson;
     const int stage = experiment_stage(screen->experiment), number = shown->page + 1;
     const int n_choices = shown->lesson->pages[shown->page].n_choices;
     char heading[24], choice[24], told[24];
@@ -437,7 +437,7 @@ static void check_page(Talk *talk, const char *lesson, const char *said)
 static const char *turn_page(Talk *talk)
 {
     Screen *screen = &talk->plain.lab.screen;
-    LessonShown *shown = &screen->lesson;
+    LessonShown *shown = &talk->plain.lab.play.shown;
     if (suite_wide() || shown->lesson->pages[shown->page].until.kind == UNTIL_STAGE ||
         experiment_stage(screen->experiment) > 0 ||
         parameter_applies_to(experiment_settings(screen->experiment), parameter_find("bar.length")))
@@ -455,7 +455,7 @@ START_TEST(a_page_is_short_and_more_tells_the_rest)
     raise(SIGINT); /* no run goes on for more than a frame */
     for (int i = 0; builtin_lessons[i].name; i++) {
         Talk *talk = open_talk("mode5");
-        const LessonShown *shown = &talk->plain.lab.screen.lesson;
+        const LessonShown *shown = talk->plain.lab.screen.lesson;
         char text[80];
         talk->plain.lab.host.now = slow_work;
         talk->plain.lab.host.go_on = build;
@@ -518,9 +518,9 @@ START_TEST(a_lesson_that_resumes_says_so)
     int late = 0;
     while (strcmp(builtin_lessons[late].name, "late") != 0)
         late++;
-    talk->plain.lab.screen.lesson.reached[late] = 4;
+    talk->plain.lab.play.shown.reached[late] = 4;
     says(talk, "lesson late", "you had come to page 4");
-    talk->plain.lab.screen.lesson.reached[late] = 1;
+    talk->plain.lab.play.shown.reached[late] = 1;
     ck_assert_ptr_null(strstr(line(talk, "lesson late"), "you had come"));
     close_talk(talk);
 }

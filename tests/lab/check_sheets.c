@@ -10,6 +10,7 @@
 #include "scenario/concern_output.h"
 #include "scenario/settings.h"
 #include "views/view.h"
+#include "panes/places.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -92,8 +93,8 @@ START_TEST(sheets_are_turned_without_touching_anything)
     enter_line(bench, "sheet");
     ck_assert(is_plain(bench));
     enter_line(bench, "sheet large");
-    ck_assert(screen->prompt.open);
-    ck_assert_str_eq(screen->prompt.problem, "which sheet? (plain | full)");
+    ck_assert(screen->prompt->open);
+    ck_assert_str_eq(screen->prompt->problem, "which sheet? (plain | full)");
     press(bench, "Esc");
     /* from a pane that the plain sheet has not, from the inspector, from a field of the filter */
     press_all(bench, "f Tab Tab f");
@@ -148,7 +149,7 @@ START_TEST(lessons_begin_on_the_plain_sheet)
     press(bench, "f");
     bench->lab.options.sheet = NULL;
     press_all(bench, "T Enter");
-    ck_assert(bench->lab.screen.lesson.lesson && !is_plain(bench));
+    ck_assert(bench->lab.screen.lesson->lesson && !is_plain(bench));
     close_bench(bench);
 }
 END_TEST
@@ -263,7 +264,7 @@ END_TEST
 
 static void finish_work(Bench *bench)
 {
-    for (int i = 0; i < 100000 && bench->lab.screen.playback.state == STATE_COMPUTING; i++)
+    for (int i = 0; i < 100000 && bench->lab.screen.playback->state == STATE_COMPUTING; i++)
         frame(bench);
 }
 
@@ -327,7 +328,7 @@ START_TEST(a_student_comes_to_the_end)
     if (!suite_wide() && (full ? strcmp(name, "late") != 0 : _i / 2 % 3 != 0) && !strstr(name, "homework"))
         return; /* others go as these */
     Bench *bench = open_bench("mode1", true);
-    const LessonShown *shown = &bench->lab.screen.lesson;
+    const LessonShown *shown = bench->lab.screen.lesson;
     bench->lab.options.sheet = "plain";
     ck_assert_msg(lesson_play_open(&bench->lab, name, &status), "%s", status.text);
     if (full)

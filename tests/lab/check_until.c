@@ -17,9 +17,9 @@ static void enter_line(Bench *bench, const char *text)
 
 static void run_until_paused(Bench *bench)
 {
-    for (int i = 0; i < 100000 && bench->lab.screen.playback.state != STATE_PAUSED; i++)
+    for (int i = 0; i < 100000 && bench->lab.screen.playback->state != STATE_PAUSED; i++)
         frame(bench);
-    ck_assert_int_eq(bench->lab.screen.playback.state, STATE_PAUSED);
+    ck_assert_int_eq(bench->lab.screen.playback->state, STATE_PAUSED);
 }
 
 static long step_of(const Bench *bench)
@@ -64,14 +64,14 @@ START_TEST(a_run_stops_at_the_step_of_its_event)
     Bench *bench = open_bench(hunts[_i].scenario, true);
     bench->rate = hunts[_i].rate;
     for (int i = 0; i < (hunts[_i].rate > 0 ? 1 : 2); i++) {
-        bench->lab.screen.playback.pace = hunts[_i].pace;
+        bench->lab.player.playback.pace = hunts[_i].pace;
         enter_line(bench, i == 0 ? hunts[_i].line : "until event");
-        ck_assert_int_eq(bench->lab.screen.playback.state, STATE_RUNNING);
+        ck_assert_int_eq(bench->lab.screen.playback->state, STATE_RUNNING);
         run_until_paused(bench);
         ck_assert_int_eq(step_of(bench), steps[i]);
         ck_assert_int_eq(experiment_newest(bench->lab.screen.experiment), steps[i]);
-        ck_assert_ptr_nonnull(strstr(bench->lab.screen.message.text, "stopped at t = "));
-        ck_assert_str_eq(bench->lab.screen.playback.until, "");
+        ck_assert_ptr_nonnull(strstr(bench->lab.screen.message->text, "stopped at t = "));
+        ck_assert_str_eq(bench->lab.screen.playback->until, "");
     }
     close_bench(bench);
 }
@@ -89,7 +89,7 @@ START_TEST(a_run_stops_at_an_event_that_is_not_kept)
     while (sim->events_beyond == 0)
         ck_assert(experiment_advance(experiment, 1, &status));
     const long known = sim->events_beyond;
-    bench->lab.screen.playback.pace = 300;
+    bench->lab.player.playback.pace = 300;
     enter_line(bench, "until crossing");
     run_until_paused(bench);
     ck_assert_int_gt(sim->events_beyond, known);
@@ -101,7 +101,7 @@ END_TEST
 START_TEST(a_run_stops_at_a_time_and_at_a_step)
 {
     Bench *bench = open_bench("mode1", true);
-    bench->lab.screen.playback.pace = 70;
+    bench->lab.player.playback.pace = 70;
     enter_line(bench, "until t 2.505"); /* dt is 0.01 */
     run_until_paused(bench);
     ck_assert_int_eq(step_of(bench), 251);
@@ -119,13 +119,13 @@ START_TEST(a_run_stops_at_a_time_and_at_a_step)
     press(bench, ".");
     press(bench, "Space");
     frame(bench);
-    ck_assert_int_eq(bench->lab.screen.playback.state, STATE_RUNNING);
-    ck_assert_str_eq(bench->lab.screen.playback.until, "");
+    ck_assert_int_eq(bench->lab.screen.playback->state, STATE_RUNNING);
+    ck_assert_str_eq(bench->lab.screen.playback->until, "");
     enter_line(bench, "open mode5");
     enter_line(bench, "until end");
-    ck_assert_ptr_nonnull(strstr(bench->lab.screen.playback.until, "step"));
+    ck_assert_ptr_nonnull(strstr(bench->lab.screen.playback->until, "step"));
     enter_line(bench, "open mode1"); /* another run stops at nothing */
-    ck_assert_str_eq(bench->lab.screen.playback.until, "");
+    ck_assert_str_eq(bench->lab.screen.playback->until, "");
     close_bench(bench);
 }
 END_TEST
@@ -133,7 +133,7 @@ END_TEST
 START_TEST(a_stretch_comes_again)
 {
     Bench *bench = open_bench("mode1", true);
-    bench->lab.screen.playback.pace = 7;
+    bench->lab.player.playback.pace = 7;
     enter_line(bench, "loop 1 1.5");
     int rounds = 0;
     for (long i = 0, before = 100; i < 400; i++) {
@@ -149,14 +149,14 @@ START_TEST(a_stretch_comes_again)
     enter_line(bench, "loop 99.5 100");
     for (int i = 0; i < 2000; i++) {
         frame(bench);
-        ck_assert_int_ne(bench->lab.screen.playback.state, STATE_ENDED);
+        ck_assert_int_ne(bench->lab.screen.playback->state, STATE_ENDED);
     }
     ck_assert_int_eq(experiment_newest(bench->lab.screen.experiment),
                      experiment_last_step(bench->lab.screen.experiment));
     enter_line(bench, "loop");
     for (int i = 0; i < 200; i++)
         frame(bench);
-    ck_assert_int_eq(bench->lab.screen.playback.state, STATE_ENDED);
+    ck_assert_int_eq(bench->lab.screen.playback->state, STATE_ENDED);
     close_bench(bench);
 }
 END_TEST
@@ -178,7 +178,7 @@ START_TEST(slow_motion_shows_every_stage)
     ck_assert_int_eq(seen, stages);
     ck_assert_int_eq(step_of(bench), 1);
     enter_line(bench, "until step 2");
-    ck_assert(!bench->lab.screen.playback.slow); /* it runs at its pace */
+    ck_assert(!bench->lab.screen.playback->slow); /* it runs at its pace */
     run_until_paused(bench);
     press(bench, "v");
     press(bench, "v");
@@ -205,14 +205,14 @@ START_TEST(a_damped_run_stops_at_rest)
         enter_line(bench, "time.rest=no");
     enter_line(bench, rests[_i].line);
     enter_line(bench, "r");
-    bench->lab.screen.playback.pace = 500;
+    bench->lab.player.playback.pace = 500;
     if (rests[_i].before) {
         enter_line(bench, rests[_i].before);
         run_until_paused(bench);
     }
     enter_line(bench, "until rest");
-    ck_assert_int_eq(lab->screen.playback.state, STATE_RUNNING);
-    for (int i = 0; i < 100000 && lab->screen.playback.state == STATE_RUNNING; i++)
+    ck_assert_int_eq(lab->screen.playback->state, STATE_RUNNING);
+    for (int i = 0; i < 100000 && lab->screen.playback->state == STATE_RUNNING; i++)
         frame(bench);
     const double time = experiment_time(lab->screen.experiment);
     ck_assert_msg(time >= rests[_i].from && time <= rests[_i].to, "%s: %g", rests[_i].line, time);

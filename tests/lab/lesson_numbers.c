@@ -4,6 +4,7 @@
 
 #include "panes/panes.h"
 #include "suite.h"
+#include "panes/places.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -103,7 +104,7 @@ static void check_text(const char *text, const char *lesson, int page, const See
 
 void lesson_numbers_check(Bench *bench, const char *lesson, const SeenNumbers *seen)
 {
-    const LessonShown *shown = &bench->lab.screen.lesson;
+    const LessonShown *shown = bench->lab.screen.lesson;
     const LessonPage *page = &shown->lesson->pages[shown->page];
     const char *const texts[] = {page->first.text, page->question, page->revealed.text,
                                  page->right >= 0 && page->n_choices > 0 ? page->choices[page->right] : NULL};

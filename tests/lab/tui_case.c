@@ -3,6 +3,7 @@
 
 #include "scenario/scenario.h"
 #include "suite.h"
+#include "picture/canvas.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -26,7 +27,7 @@ static void worked(void *context, long steps)
 static bool go_on(void *context)
 {
     Bench *bench = context;
-    snprintf(bench->progress, sizeof bench->progress, "%.79s", bench->lab.screen.message.text);
+    snprintf(bench->progress, sizeof bench->progress, "%.79s", bench->lab.screen.message->text);
     return !bench->gives_up;
 }
 
@@ -78,7 +79,7 @@ void frame(Bench *bench)
 void press_key(Bench *bench, const Key *key)
 {
     laboratory_key(&bench->lab, key);
-    if (bench->lab.screen.playback.state == STATE_COMPUTING)
+    if (bench->lab.screen.playback->state == STATE_COMPUTING)
         frame(bench);
     ck_assert(laboratory_draw(&bench->lab, &bench->canvas, bench->width, bench->height));
 }

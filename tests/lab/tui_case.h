@@ -4,6 +4,7 @@
 #define TESTS_TUI_CASE_H
 
 #include "lab/laboratory.h"
+#include "picture/canvas.h"
 
 typedef struct Bench {
     Laboratory lab;

@@ -34,6 +34,7 @@
 
 const Parameter parameters[] = {
 #include "scenario/parameter_rows.inc"
+#include "picture/canvas.h"
     {"mpm.damping", CONCERN_MESH, "Method", DAMPING, .methods = BY_MPM, AT(motion.speed)},
     {"pd.damping", CONCERN_LATTICE, "Lattice", DAMPING, .methods = BY_PD, AT(notch.position)},
 };

@@ -3,6 +3,7 @@
 #include "suite.h"
 #include "panes/panes.h"
 #include "views/scene.h"
+#include "panes/places.h"
 
 #include <math.h>
 #include <stdio.h>

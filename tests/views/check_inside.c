@@ -8,6 +8,8 @@
 #include "suite.h"
 #include "sums.h"
 #include "views/scene.h"
+#include "panes/places.h"
+#include "run/duel.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -11,6 +11,7 @@
 #include "picture/cells/cells_map.h"
 #include "views/map/map.h"
 #include "views/scene.h"
+#include "panes/places.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -12,6 +12,11 @@
 #include "views/inspector/inspector.h"
 #include "views/scene.h"
 #include "views/view.h"
+#include "panes/key_line.h"
+#include "run/playback.h"
+#include "help/command.h"
+#include "panes/places.h"
+#include "answers/summary.h"
 
 #include <ctype.h>
 #include <locale.h>
@@ -361,7 +366,7 @@ START_TEST(panes_do_not_overlap)
                 scene.screen.panes.zoomed = turn == 1;
                 scene.screen.panes.sheet = turn < 2 ? SHEET_FULL : SHEET_PLAIN;
                 scene.screen.panes.lecture = turn >= 4;
-                scene.screen.lesson.open = turn == 3 || turn == 5;
+                scene.lesson.open = turn == 3 || turn == 5;
                 Layout layout = layout_make(&scene.screen, width, height);
                 char taken[240][80] = {0};
                 Rect all[PANE_COUNT + SIDES_MAX + 4];
@@ -434,11 +439,11 @@ START_TEST(any_state_can_be_drawn)
     for (int trial = 0; trial < (suite_wide() ? 1500 : 300); trial++) {
         Screen *screen = &scene.screen;
         screen->look.glyphs = (Glyphs)DRAW(GLYPHS_COUNT);
-        screen->playback.state = (RunState)DRAW(STATE_FAILED + 1);
-        screen->playback.pace = DRAW(3) ? DRAW(1000) : 0.125;
-        screen->playback.rate = DRAW(100000);
-        screen->playback.at_limit = DRAW(2);
-        screen->playback.work_share = DRAW(101) / 100.0;
+        scene.playback.state = (RunState)DRAW(STATE_FAILED + 1);
+        scene.playback.pace = DRAW(3) ? DRAW(1000) : 0.125;
+        scene.playback.rate = DRAW(100000);
+        scene.playback.at_limit = DRAW(2);
+        scene.playback.work_share = DRAW(101) / 100.0;
         screen->panes.focus = (PaneId)DRAW(PANE_COUNT);
         screen->panes.zoomed = DRAW(3) == 0;
         screen->panes.sheet = (Sheet)DRAW(2);
@@ -462,19 +467,19 @@ START_TEST(any_state_can_be_drawn)
         screen->chosen.table_column = DRAW(40);
         screen->time.window = DRAW(2) ? 0 : DRAW(100) / 7.0;
         screen->time.cursor = DRAW(2) ? NAN : DRAW(100) / 33.0;
-        screen->prompt.open = DRAW(6) == 0;
-        screen->prompt.yes_no = DRAW(2);
-        strcpy(screen->prompt.question, "write the run as");
-        strcpy(screen->prompt.text, "a-rather-long-name-of-a-file-in-some-folder/mode5.csv");
-        screen->prompt.cursor = DRAW(60);
-        strcpy(screen->prompt.problem, DRAW(2) ? "" : "it exists already");
-        screen->message.kind = (MessageKind)DRAW(4);
-        strcpy(screen->message.text, "a message that says something");
+        scene.prompt.open = DRAW(6) == 0;
+        scene.prompt.yes_no = DRAW(2);
+        strcpy(scene.prompt.question, "write the run as");
+        strcpy(scene.prompt.text, "a-rather-long-name-of-a-file-in-some-folder/mode5.csv");
+        scene.prompt.cursor = DRAW(60);
+        strcpy(scene.prompt.problem, DRAW(2) ? "" : "it exists already");
+        scene.message.kind = (MessageKind)DRAW(4);
+        strcpy(scene.message.text, "a message that says something");
         screen->help.open = DRAW(6) == 0;
         screen->help.page = DRAW(5) - 1;
         screen->help.scroll = DRAW(200) - 5;
-        screen->used.words[0] = state;
-        screen->summary_known = DRAW(2);
+        scene.used.words[0] = state;
+        screen->summary = DRAW(2) ? &scene.summary : NULL;
         int width = 1 + DRAW(180), height = 1 + DRAW(60);
         ck_assert(canvas_open(&scene.canvas, width, height, NULL));
         screen_draw(screen, &scene.canvas);

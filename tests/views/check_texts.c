@@ -5,6 +5,8 @@
 #include "scenario/scenario.h"
 #include "panes/panes.h"
 #include "views/scene.h"
+#include "run/playback.h"
+#include "panes/places.h"
 
 #include <locale.h>
 #include <stdio.h>
@@ -37,7 +39,7 @@ static void draw_at(Scene *scene, int width, int height)
 /* The box, the title and the keys in one state of the run. */
 static void check_box(Scene *scene, RunState state, const char *what)
 {
-    scene->screen.playback.state = state;
+    scene->playback.state = state;
     scene->screen.panes.focus = PANE_BOX;
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
         const int width = sizes[i][0], height = sizes[i][1];
@@ -147,7 +149,7 @@ START_TEST(the_map_grows_with_the_screen)
     ck_assert_int_eq(map.width, cases[_i].width);
     ck_assert_int_ge(map.height, cases[_i].least);
     ck_assert_int_ge(below.y, map.y + map.height);
-    ck_assert_int_le(empty_rows(&scene, box), scene.screen.playback.state == STATE_RUNNING ? 1 : 2);
+    ck_assert_int_le(empty_rows(&scene, box), scene.screen.playback->state == STATE_RUNNING ? 1 : 2);
     char *text = canvas_dump(&scene.canvas);
     ck_assert_ptr_nonnull(strstr(text, "── energy"));
     ck_assert_ptr_nonnull(strstr(text, "── particles"));

@@ -7,6 +7,8 @@
 #include "suite.h"
 #include "panes/screen.h"
 #include "views/view.h"
+#include "run/playback.h"
+#include "panes/places.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -385,8 +387,8 @@ START_TEST(timeline_marks_places)
     ck_assert_ptr_nonnull(strstr(legend, "crossing"));
     ck_assert_ptr_nonnull(strstr(legend, "energy"));
     ck_assert_ptr_null(strstr(legend, "bookmark"));
-    show.screen.bookmarks.places[show.screen.bookmarks.count++] =
-        (Bookmark){.time = experiment_time(experiment) / 2};
+    const Bookmarks bookmarks = {.places = {{.time = experiment_time(experiment) / 2}}, .count = 1};
+    show.screen.bookmarks = &bookmarks;
     draw(&show, 132, 43);
     row_text(&show, y + 1, legend);
     ck_assert_ptr_nonnull(strstr(legend, "bookmark"));

@@ -5,6 +5,9 @@
 #include "scenario/settings.h"
 #include "scenario/scenario.h"
 #include "answers/summary.h"
+#include "run/playback.h"
+#include "panes/places.h"
+#include "run/duel.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -25,11 +28,11 @@ static bool simple_word(Scene *scene, const char *word)
 {
     Screen *screen = &scene->screen;
     if (strcmp(word, "running") == 0)
-        screen->playback.state = STATE_RUNNING, screen->playback.pace = 10;
+        scene->playback.state = STATE_RUNNING, scene->playback.pace = 10;
     else if (strcmp(word, "ended") == 0)
-        screen->playback.state = STATE_ENDED;
+        scene->playback.state = STATE_ENDED;
     else if (strcmp(word, "computing") == 0)
-        screen->playback.state = STATE_COMPUTING, screen->playback.work_share = 0.42;
+        scene->playback.state = STATE_COMPUTING, scene->playback.work_share = 0.42;
     else if (strcmp(word, "ascii") == 0)
         screen->look.glyphs = GLYPHS_ASCII;
     else if (strcmp(word, "block") == 0)
@@ -175,7 +178,7 @@ static bool play(Scene *scene, Plan *plan, Status *status)
     if (!experiment)
         return false;
     const Simulation *sim = experiment_simulation(experiment);
-    screen->chosen.particle = plan->particle >= 0 ? (size_t)plan->particle : screen_middle_particle(sim);
+    screen->chosen.particle = plan->particle >= 0 ? (size_t)plan->particle : selection_middle(sim);
     screen->chosen.node = sim->n_sets > 1 ? sim->counts[1] / 2 : 0;
     Duel *duel = &scene->duel;
     duel_open(duel, experiment, 64 << 20, 1);
@@ -183,7 +186,7 @@ static bool play(Scene *scene, Plan *plan, Status *status)
     if (plan->duels && !begin_duel(scene, plan, status))
         return false;
     if (!duel_advance(duel, plan->steps, status))
-        screen->playback.state = STATE_FAILED;
+        scene->playback.state = STATE_FAILED;
     experiment_rest(experiment);
     if (duel->b)
         experiment_rest(duel->b);
@@ -224,14 +227,21 @@ bool scene_open(Scene *scene, const char *words, Status *status)
     *scene = (Scene){.scenario = ""};
     Plan plan = {.particle = -1};
     screen_default(&scene->screen);
+    scene->playback = *scene->screen.playback;
+    scene->screen.playback = &scene->playback;
+    scene->screen.bookmarks = &scene->bookmarks;
+    scene->screen.lesson = &scene->lesson;
+    scene->screen.prompt = &scene->prompt;
+    scene->screen.message = &scene->message;
+    scene->screen.used = &scene->used;
     scene->screen.scenario = scene->scenario;
     scene->screen.parameters.selected = 1;
     if (!read_words(scene, &plan, words, status) || !play(scene, &plan, status) ||
         !canvas_open(&scene->canvas, plan.width, plan.height, status))
         return false;
-    if (scene->screen.playback.state == STATE_ENDED) {
-        summary_of(scene->screen.experiment, &scene->screen.summary);
-        scene->screen.summary_known = true;
+    if (scene->playback.state == STATE_ENDED) {
+        summary_of(scene->screen.experiment, &scene->summary);
+        scene->screen.summary = &scene->summary;
     }
     if (screen_is_plain(&scene->screen) && scene->screen.panes.last_plot == PANE_LOWER)
         scene->screen.panes.last_plot = view_pane_of_number(&scene->screen);

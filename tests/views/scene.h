@@ -13,16 +13,30 @@
 #define TESTS_VIEW_SCENE_H
 
 #include "answers/convergence.h"
+#include "answers/run_summary.h"
+#include "help/command.h"
+#include "lessons/lesson_shown.h"
+#include "panes/key_line.h"
 #include "panes/screen.h"
+#include "run/duel.h"
+#include "run/playback.h"
+#include "picture/canvas.h"
 
 typedef struct Scene {
     Screen screen;
-    Duel duel; /* behind screen.duel */
+    Duel duel; /* behind screen.duel, and so the others behind its pointers */
+    Playback playback;
+    Bookmarks bookmarks;
+    LessonShown lesson;
+    Prompt prompt;
+    Message message;
+    CommandSet used;
+    RunSummary summary;
     Canvas canvas;
     char scenario[64];
-    Convergence convergence; /* behind screen.convergence */
-    bool refined;            /* with all points of the study that the lower view shows */
-    bool styles;             /* show styles, not glyphs */
+    Convergence convergence;
+    bool refined; /* with all points of the study that the lower view shows */
+    bool styles;  /* show styles, not glyphs */
 } Scene;
 
 /* Builds, advances and draws. False: the status says why; close it all the same. */

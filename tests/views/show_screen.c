@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Draws one screen to standard output, to look at what the code does; words as in scene.h. */
 #include "views/scene.h"
+#include "picture/canvas.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -42,7 +42,7 @@ void command_question(Laboratory *lab)
         laboratory_say(lab, MESSAGE_INFO, "both answers are on screen already; d ends the duel");
     else if (!edit_change(lab, &settings, experiment_rerun, &status))
         laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
-    else if (lab->screen.message.kind == MESSAGE_NONE)
+    else if (lab->message.kind == MESSAGE_NONE)
         say_answer(lab, parameter, &before);
 }
 
@@ -86,7 +86,7 @@ static void swap_settings(Laboratory *lab, Settings *from, int *n_from, Settings
     --*n_from;
     edit_changed(lab);
     player_tell_duel_over(lab, &status);
-    if (lab->screen.message.kind == MESSAGE_NONE)
+    if (lab->message.kind == MESSAGE_NONE)
         laboratory_say(lab, MESSAGE_INFO, "%s: %s", done, change);
 }
 

@@ -233,7 +233,7 @@ static void ask_name(Laboratory *lab)
                                 : 0,
                megabytes);
     lab->prompting.typing = &typing;
-    Prompt *prompt = &lab->screen.prompt;
+    Prompt *prompt = &lab->prompting.shown;
     snprintf(prompt->hint, sizeof prompt->hint,
              "writes NAME-series.csv and its tables%s; NAME.svg, .pdf or .png: a figure of the view",
              lab->player.duel.b ? ", those of B as NAME-b-series.csv" : "");
@@ -263,12 +263,12 @@ static bool answer_in_vain(Laboratory *lab, const char *text)
 {
     (void)text;
     return prompt_refuse(&lab->prompting,
-                         lab->screen.playback.state == STATE_COMPUTING ? computing : nothing_computed);
+                         lab->player.playback.state == STATE_COMPUTING ? computing : nothing_computed);
 }
 
 static void refuse(Laboratory *lab, const char *why)
 {
-    Prompt *prompt = &lab->screen.prompt;
+    Prompt *prompt = &lab->prompting.shown;
     prompt_ask(&lab->prompting, answer_in_vain, false, "", "export as");
     snprintf(prompt->hint, sizeof prompt->hint, "%s", why);
 }
@@ -277,7 +277,7 @@ bool exporting_ask(Laboratory *lab, const char *name)
 {
     Experiment *experiment = laboratory_run(lab);
     player_pause(lab);
-    if (lab->screen.playback.state == STATE_COMPUTING) {
+    if (lab->player.playback.state == STATE_COMPUTING) {
         refuse(lab, computing);
         return true;
     }

@@ -5,9 +5,8 @@
 
 #include <stdbool.h>
 
-#include "panes/screen.h"
-
 typedef struct Laboratory Laboratory;
+typedef struct View View;
 
 enum { NAME_MAX_BYTES = 256 };
 

@@ -81,7 +81,7 @@ bool exporting_figure(Laboratory *lab, const char *words)
     if (view_missing(view, screen))
         return prompt_refuse(&lab->prompting, view_missing(view, screen));
     player_pause(lab);
-    if (screen->playback.state == STATE_COMPUTING)
+    if (lab->player.playback.state == STATE_COMPUTING)
         return prompt_refuse(&lab->prompting, "wait until the run has come to its time, or cancel with Esc");
     if (!view_makes_figure(view, screen))
         return prompt_refuse(&lab->prompting,

@@ -19,7 +19,7 @@ void laboratory_command(Laboratory *lab, CommandId id)
 {
     if (!laboratory_can(id))
         return;
-    command_set_add(&lab->screen.used, id);
+    command_set_add(&lab->used, id);
     command_set_add(&lab->play.used, id);
     if (command_digit(id) > 0)
         command_show_digit(lab, command_digit(id));

@@ -4,6 +4,8 @@
 #include "lab/row_edit.h"
 #include "views/inspector/inspector.h"
 #include "views/view.h"
+#include "panes/places.h"
+#include "views/plots/time_plot.h"
 
 #include <math.h>
 #include <string.h>
@@ -64,7 +66,7 @@ static void move(Laboratory *lab, int x, int y, int page)
     }
     if ((screen->panes.focus == PANE_INSPECTOR || map) && inspector_move(screen, x, y, page))
         return;
-    if (screen->panes.focus == PANE_PARAMETERS && screen->lesson.open) {
+    if (screen->panes.focus == PANE_PARAMETERS && lab->play.shown.open) {
         lesson_play_move(lab, x, y);
     } else if (screen->panes.focus == PANE_PARAMETERS) {
         if (x)
@@ -109,8 +111,7 @@ static void move_finely(Laboratory *lab, int x)
 {
     RowPlace place;
     if (lab->screen.panes.focus == PANE_PARAMETERS &&
-        (edit_selected(&lab->screen) ||
-         (!lab->screen.lesson.open && screen_selected_row(&lab->screen, &place))))
+        (edit_selected(&lab->screen) || (!lab->play.shown.open && screen_selected_row(&lab->screen, &place))))
         row_edit_nudge(lab, x, true);
     else
         move(lab, x, 0, 1);
@@ -149,7 +150,7 @@ static bool enter_row(Laboratory *lab, const View *view)
     } else if (lesson_entry_page(lab)) {
         return false;
     } else if (line[strlen("plot ")] && !lab->run_line(lab, line)) {
-        laboratory_say(lab, MESSAGE_ERROR, "%s", lab->screen.prompt.problem);
+        laboratory_say(lab, MESSAGE_ERROR, "%s", lab->prompting.shown.problem);
         prompt_close(&lab->prompting);
     }
     return true;
@@ -159,7 +160,7 @@ void command_enter(Laboratory *lab)
 {
     Screen *screen = &lab->screen;
     const View *view = screen_view_in(screen, screen->panes.focus);
-    if (screen->panes.focus == PANE_PARAMETERS && screen->lesson.open) {
+    if (screen->panes.focus == PANE_PARAMETERS && lab->play.shown.open) {
         lesson_play_enter(lab);
     } else if (screen->panes.focus == PANE_PARAMETERS) {
         edit_begin(lab);
@@ -211,7 +212,7 @@ bool command_close_top(Laboratory *lab)
     Screen *screen = &lab->screen;
     if (screen->help.open)
         screen->help.open = false;
-    else if (screen->prompt.open)
+    else if (lab->prompting.shown.open)
         prompt_close(&lab->prompting);
     else if (screen->parameters.edit.open)
         screen->parameters.edit.open = false;

@@ -46,7 +46,7 @@ void command_quit(Laboratory *lab)
 {
     if (command_close_top(lab))
         return;
-    if (!lab->editing.changed || lab->screen.lesson.lesson) {
+    if (!lab->editing.changed || lab->play.shown.lesson) {
         lab->closed = true;
         return;
     }
@@ -59,7 +59,7 @@ void command_interrupt(Laboratory *lab)
 {
     if (lesson_entry_cancel(lab))
         laboratory_say(lab, MESSAGE_INFO, "cancelled");
-    else if (lab->screen.prompt.open && lab->prompting.answer == answer_quit)
+    else if (lab->prompting.shown.open && lab->prompting.answer == answer_quit)
         lab->closed = true; /* pressed twice it needs no answer */
     else if (!refining_stop(lab) && !command_close_top(lab))
         command_quit(lab);

@@ -3,6 +3,7 @@
 #include "lab/commands/commands.h"
 #include "scenario/concern_time.h"
 #include "base/text.h"
+#include "panes/places.h"
 
 #include <math.h>
 #include <string.h>
@@ -20,7 +21,7 @@ static void begin_again(Laboratory *lab, bool running)
     laboratory_say(lab, MESSAGE_NONE, "%s", "");
     lab->player.resume = running ? STATE_RUNNING : STATE_PAUSED;
     lab->player.owed = 0;
-    lab->screen.summary_known = false;
+    lab->screen.summary = NULL;
     lab->screen.time.cursor = NAN;
     player_settle(lab);
     player_tell_duel_over(lab, &status);
@@ -49,22 +50,21 @@ static void run_again(Laboratory *lab)
 
 void command_run_or_pause(Laboratory *lab)
 {
-    Screen *screen = &lab->screen;
-    if (screen->playback.slow)
+    if (lab->player.playback.slow)
         player_pause(lab);
-    else if (screen->playback.state == STATE_ENDED)
+    else if (lab->player.playback.state == STATE_ENDED)
         run_again(lab);
-    else if (screen->playback.state == STATE_FAILED)
+    else if (lab->player.playback.state == STATE_FAILED)
         laboratory_say(lab, MESSAGE_INFO,
                        "the run cannot go on: change a parameter, step back, or r to begin again");
-    else if (screen->playback.state == STATE_COMPUTING)
+    else if (lab->player.playback.state == STATE_COMPUTING)
         lab->player.resume = lab->player.resume == STATE_RUNNING ? STATE_PAUSED : STATE_RUNNING;
-    else if (screen->playback.state == STATE_RUNNING)
+    else if (lab->player.playback.state == STATE_RUNNING)
         player_pause(lab);
     else {
         lab->player.resume = STATE_RUNNING;
         lab->player.owed = 0;
-        screen->playback.rate = 0;
+        lab->player.playback.rate = 0;
         player_settle(lab);
     }
 }
@@ -117,7 +117,7 @@ void command_stage_forward(Laboratory *lab)
         laboratory_say(lab, MESSAGE_INFO, "this is the end of the run");
         return;
     }
-    if (lab->screen.playback.state == STATE_COMPUTING) {
+    if (lab->player.playback.state == STATE_COMPUTING) {
         bool whole = stage + 1 >= experiment_simulation(experiment)->n_stages;
         player_seek(lab, whole ? step + 1 : step, whole ? 0 : stage + 1);
         return;
@@ -163,15 +163,15 @@ static void change_pace(Laboratory *lab, int direction)
         command_map_magnify(&lab->screen, direction);
         return;
     }
-    if (screen->playback.slow) {
+    if (lab->player.playback.slow) {
         change_slowness(lab, direction);
         return;
     }
-    double pace = player_next_125(screen->playback.pace, direction);
+    double pace = player_next_125(lab->player.playback.pace, direction);
     if (pace < 0.01 || pace > 1e7)
         return;
-    screen->playback.pace = pace;
-    screen->playback.at_limit = false;
+    lab->player.playback.pace = pace;
+    lab->player.playback.at_limit = false;
     lab->player.pace_automatic = false;
     lab->player.owed = 0;
     if (pace >= 1)
@@ -235,25 +235,25 @@ void command_go_to(Laboratory *lab)
 
 void command_restart(Laboratory *lab)
 {
-    bool computing = lab->screen.playback.state == STATE_COMPUTING;
-    begin_again(lab, (computing ? lab->player.resume : lab->screen.playback.state) == STATE_RUNNING);
+    bool computing = lab->player.playback.state == STATE_COMPUTING;
+    begin_again(lab, (computing ? lab->player.resume : lab->player.playback.state) == STATE_RUNNING);
 }
 
 /* The first bookmark that is not before a place. */
 static int bookmark_from(const Screen *screen, long step, int stage)
 {
     int at = 0;
-    while (at < screen->bookmarks.count &&
+    while (at < screen->bookmarks->count &&
            (screen_bookmark_step(screen, at) < step ||
-            (screen_bookmark_step(screen, at) == step && screen->bookmarks.places[at].stage < stage)))
+            (screen_bookmark_step(screen, at) == step && screen->bookmarks->places[at].stage < stage)))
         at++;
     return at;
 }
 
 static bool is_bookmark(const Screen *screen, int at, long step, int stage)
 {
-    return at < screen->bookmarks.count && screen_bookmark_step(screen, at) == step &&
-           screen->bookmarks.places[at].stage == stage;
+    return at < screen->bookmarks->count && screen_bookmark_step(screen, at) == step &&
+           screen->bookmarks->places[at].stage == stage;
 }
 
 /* Where there is one already it is taken away. */
@@ -264,19 +264,19 @@ void command_bookmark(Laboratory *lab)
     int stage;
     player_place(lab, &step, &stage);
     const int at = bookmark_from(screen, step, stage);
-    Bookmark *place = &screen->bookmarks.places[at];
-    const size_t after = (size_t)(screen->bookmarks.count - at);
+    Bookmark *place = &lab->player.bookmarks.places[at];
+    const size_t after = (size_t)(lab->player.bookmarks.count - at);
     if (is_bookmark(screen, at, step, stage)) {
         memmove(place, place + 1, (after - 1) * sizeof *place);
-        screen->bookmarks.count--;
+        lab->player.bookmarks.count--;
         laboratory_say(lab, MESSAGE_INFO, "the bookmark at step %ld is gone", step);
-    } else if (screen->bookmarks.count == BOOKMARKS_MAX) {
+    } else if (lab->player.bookmarks.count == BOOKMARKS_MAX) {
         laboratory_say(lab, MESSAGE_INFO, "there is room for %d bookmarks: m on one of them takes it away",
                        BOOKMARKS_MAX);
     } else {
         memmove(place + 1, place, after * sizeof *place);
         *place = (Bookmark){(double)step * experiment_simulation(screen->experiment)->dt, stage};
-        screen->bookmarks.count++;
+        lab->player.bookmarks.count++;
         laboratory_say(lab, MESSAGE_INFO, "bookmark at step %ld: ' comes back here, m again takes it away",
                        step);
     }
@@ -289,17 +289,17 @@ void command_jump(Laboratory *lab)
     const int n_stages = experiment_simulation(screen->experiment)->n_stages;
     long step;
     int stage;
-    if (screen->bookmarks.count == 0) {
+    if (lab->player.bookmarks.count == 0) {
         laboratory_say(lab, MESSAGE_INFO, "no bookmark yet: m sets one");
         return;
     }
     player_place(lab, &step, &stage);
     int at = bookmark_from(screen, step, stage);
     at += is_bookmark(screen, at, step, stage);
-    at %= screen->bookmarks.count;
-    stage = screen->bookmarks.places[at].stage;
+    at %= lab->player.bookmarks.count;
+    stage = lab->player.bookmarks.places[at].stage;
     player_pause(lab);
     player_seek(lab, screen_bookmark_step(screen, at), stage < n_stages ? stage : 0);
-    if (screen->bookmarks.count > 1)
-        laboratory_say(lab, MESSAGE_INFO, "bookmark %d of %d", at + 1, screen->bookmarks.count);
+    if (lab->player.bookmarks.count > 1)
+        laboratory_say(lab, MESSAGE_INFO, "bookmark %d of %d", at + 1, lab->player.bookmarks.count);
 }

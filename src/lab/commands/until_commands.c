@@ -14,7 +14,7 @@
 static void run_to(Laboratory *lab, const Stop *stop)
 {
     player_stop_at(lab, stop);
-    lab->screen.playback.slow = false;
+    lab->player.playback.slow = false;
     lab->player.resume = STATE_RUNNING;
     lab->player.owed = 0;
     player_settle(lab);
@@ -43,9 +43,9 @@ bool command_answer_until(Laboratory *lab, const char *text)
     Status status = {STATUS_DONE, ""};
     if (!*text) {
         laboratory_say(lab, MESSAGE_INFO,
-                       lab->screen.playback.until[0] ? "the run does not stop at %s any more"
+                       lab->player.playback.until[0] ? "the run does not stop at %s any more"
                                                      : "until what? as in until t 2.5, until crossing",
-                       lab->screen.playback.until);
+                       lab->player.playback.until);
         player_stop_at(lab, &stop);
         return true;
     }
@@ -58,7 +58,7 @@ bool command_answer_until(Laboratory *lab, const char *text)
     if (step >= 0 && step <= experiment_step(experiment)) {
         player_pause(lab);
         player_seek(lab, step, 0);
-    } else if (experiment_at_end(experiment) || lab->screen.playback.state == STATE_FAILED)
+    } else if (experiment_at_end(experiment) || lab->player.playback.state == STATE_FAILED)
         return prompt_refuse(&lab->prompting, "the run is at its end: r begins it again");
     else
         run_to(lab, &stop);
@@ -104,7 +104,7 @@ void command_next_event(Laboratory *lab)
     }
     Stop stop;
     Status status = {STATUS_DONE, ""};
-    if (step >= experiment_last_step(laboratory_run(lab)) || lab->screen.playback.state == STATE_FAILED)
+    if (step >= experiment_last_step(laboratory_run(lab)) || lab->player.playback.state == STATE_FAILED)
         laboratory_say(lab, MESSAGE_INFO, "there is no event after this one");
     else if (!stop_read(&stop, "event", laboratory_run(lab), &status))
         laboratory_say(lab, MESSAGE_INFO, "%s", status.text);
@@ -151,14 +151,14 @@ bool command_answer_loop(Laboratory *lab, const char *text)
     const double end = (double)experiment_last_step(screen->experiment) * dt;
     Stretch loop = {.on = true};
     char why[120], last[NUMBER_TEXT_MAX];
-    if (!*text && screen->playback.looping) {
+    if (!*text && lab->player.playback.looping) {
         player_loop(lab, &(Stretch){.on = false});
         laboratory_say(lab, MESSAGE_INFO, "the run goes on to its end again");
         return true;
     }
-    if (!*text && screen->bookmarks.count > 1) {
-        loop.from = screen->bookmarks.places[0].time;
-        loop.to = screen->bookmarks.places[screen->bookmarks.count - 1].time;
+    if (!*text && lab->player.bookmarks.count > 1) {
+        loop.from = lab->player.bookmarks.places[0].time;
+        loop.to = lab->player.bookmarks.places[lab->player.bookmarks.count - 1].time;
     } else if (!read_times(text, screen->experiment, &loop.from, &loop.to) || !(loop.from >= 0) ||
                !(loop.to <= end * (1 + 1e-9)) || !(loop.to >= loop.from + dt * (1 - 1e-9))) {
         text_rounded(last, end, 6);
@@ -181,5 +181,5 @@ void command_slow_motion(Laboratory *lab)
     if (experiment_at_end(laboratory_run(lab)))
         laboratory_say(lab, MESSAGE_INFO, "this is the end of the run");
     else
-        player_slow_motion(lab, !lab->screen.playback.slow);
+        player_slow_motion(lab, !lab->player.playback.slow);
 }

@@ -5,6 +5,8 @@
 #include "panes/screen_runs.h"
 #include "views/view.h"
 #include "lab/session/state_file.h"
+#include "panes/places.h"
+#include "views/plots/time_plot.h"
 
 #include <math.h>
 
@@ -19,7 +21,7 @@ static void follow_view(Screen *screen, const View *view)
     if (screen_view_in(screen, at) != view)
         return; /* there is nothing for it to show */
     panes->last_plot = at;
-    if (screen->lesson.open || screen_is_plain(screen) || panes->focus == at)
+    if (screen->lesson->open || screen_is_plain(screen) || panes->focus == at)
         return;
     panes->followed = true;
     panes->focus = at;

@@ -14,7 +14,7 @@
 
 const LessonPage *lesson_entry_page(const Laboratory *lab)
 {
-    const LessonShown *shown = &lab->screen.lesson;
+    const LessonShown *shown = &lab->play.shown;
     return shown->open && shown->lesson ? &shown->lesson->pages[shown->page] : NULL;
 }
 
@@ -115,14 +115,14 @@ static bool is_run(const LessonAction *action)
 static void run_line(Laboratory *lab, const char *line)
 {
     const bool changed = lab->editing.changed; /* quitting does not ask about what the lesson changes */
-    const CommandSet used = lab->play.used, hinted = lab->screen.used;
+    const CommandSet used = lab->play.used, hinted = lab->used;
     const Asker user = lab->asker;
     lab->asker = ASKER_LESSON;
     const bool done = lab->run_line(lab, line);
     lab->asker = user;
     if (!done) {
         snprintf(lab->play.refused, sizeof lab->play.refused, "%.80s: %.200s", line,
-                 lab->screen.prompt.problem);
+                 lab->prompting.shown.problem);
         laboratory_say(lab, MESSAGE_ERROR, "%s", lab->play.refused);
     }
     if (done && lesson_opening(line))
@@ -133,7 +133,7 @@ static void run_line(Laboratory *lab, const char *line)
         lab->screen.panes.focus = PANE_PARAMETERS;
     }
     lab->play.used = used;
-    lab->screen.used = hinted;
+    lab->used = hinted;
     lab->editing.changed = lab->editing.changed && changed;
 }
 
@@ -141,7 +141,7 @@ static void run_action(Laboratory *lab, const LessonAction *action)
 {
     const LessonUntil *goal = action->goal;
     char line[KEY_MAX + VALUE_MAX + 8];
-    if (is_run(action) && lab->screen.playback.state == STATE_RUNNING)
+    if (is_run(action) && lab->player.playback.state == STATE_RUNNING)
         return; /* it would pause */
     if (action->line) {
         run_line(lab, action->line);
@@ -152,7 +152,7 @@ static void run_action(Laboratory *lab, const LessonAction *action)
         const Stop stop = goal_stop(lab, goal);
         lab->play.step = experiment_step(laboratory_run(lab));
         lab->play.hurries = true;
-        lab->screen.playback.pace = HURRY_PACE;
+        lab->player.playback.pace = HURRY_PACE;
         lab->player.resume = STATE_RUNNING;
         player_stop_at(lab, &stop);
         player_settle(lab);
@@ -169,22 +169,22 @@ void lesson_entry_choose_pace(Laboratory *lab)
 {
     Screen *screen = &lab->screen;
     const LessonPage *page = lesson_entry_page(lab);
-    player_choose_pace(screen);
+    player_choose_pace(&lab->player);
     if (!page)
         return;
     const bool to_end = page->exercise && page->exercise->kind == EXERCISE_NUMBER;
     const long goal = to_end ? experiment_last_step(screen->experiment) : goal_step(lab, &page->until);
     const long way = goal - experiment_step(screen->experiment);
     if (way > 0)
-        screen->playback.pace = player_pace_for((double)way, GOAL_SECONDS);
+        lab->player.playback.pace = player_pace_for((double)way, GOAL_SECONDS);
     else if (page->until.kind == UNTIL_EVENT)
-        screen->playback.pace = fmin(screen->playback.pace, EVENT_PACE);
+        lab->player.playback.pace = fmin(lab->player.playback.pace, EVENT_PACE);
 }
 
 /* A page that waits for nothing goes on to where the next one begins in the same run. */
 static Stop next_begin(const Laboratory *lab)
 {
-    const LessonShown *shown = &lab->screen.lesson;
+    const LessonShown *shown = &lab->play.shown;
     Stop stop = {.kind = STOP_NEVER};
     if (shown->page + 1 >= shown->lesson->n_pages || lesson_entry_page(lab)->exercise)
         return stop;
@@ -213,9 +213,9 @@ static void arrive(Laboratory *lab)
     if (lesson_entry_page(lab)->exercise)
         lesson_judge_enter(lab);
     player_stop_at(lab, &stop);
-    if (screen->message.kind != MESSAGE_ERROR && play->resumes > 0)
+    if (lab->message.kind != MESSAGE_ERROR && play->resumes > 0)
         laboratory_say(lab, MESSAGE_INFO, "you had come to page %d; b turns back", play->resumes);
-    else if (screen->message.kind != MESSAGE_ERROR)
+    else if (lab->message.kind != MESSAGE_ERROR)
         laboratory_say(lab, MESSAGE_NONE, "%s",
                        ""); /* its text tells what the page did, and what is to be feared */
     play->resumes = 0;
@@ -226,7 +226,7 @@ static void arrive(Laboratory *lab)
 /* Whether the run is on its way to where it should be. */
 static bool is_on_the_way(const Laboratory *lab)
 {
-    const RunState state = lab->screen.playback.state;
+    const RunState state = lab->player.playback.state;
     return state == STATE_COMPUTING || (lab->play.hurries && state == STATE_RUNNING);
 }
 
@@ -234,7 +234,7 @@ void lesson_play_continue(Laboratory *lab)
 {
     LessonPlay *play = &lab->play;
     const LessonPage *page = lesson_entry_page(lab);
-    LessonShown *shown = &lab->screen.lesson;
+    LessonShown *shown = &lab->play.shown;
     if (play->busy)
         return;
     play->busy = true;
@@ -278,7 +278,7 @@ bool lesson_entry_keeps(Laboratory *lab, const Key *key)
     static const CommandId always[] = {COMMAND_INTERRUPT, COMMAND_CANCEL, COMMAND_REDRAW, COMMAND_SUSPEND};
     LessonPlay *play = &lab->play;
     const Command *command = command_by_key(key->name);
-    if (!is_arriving(lab) || leaves(lab, key) || (lab->screen.prompt.open && lab->screen.prompt.yes_no))
+    if (!is_arriving(lab) || leaves(lab, key) || (lab->prompting.shown.open && lab->prompting.shown.yes_no))
         return false;
     for (size_t i = 0; command && i < sizeof always / sizeof *always; i++)
         if (command->id == always[i])
@@ -302,7 +302,7 @@ bool lesson_entry_next_key(Laboratory *lab, Key *key)
 bool lesson_entry_cancel(Laboratory *lab)
 {
     LessonPlay *play = &lab->play;
-    const bool computes = lab->screen.playback.state == STATE_COMPUTING, arrives = is_arriving(lab);
+    const bool computes = lab->player.playback.state == STATE_COMPUTING, arrives = is_arriving(lab);
     if (computes)
         duel_cancel(&lab->player.duel);
     if (arrives) {
@@ -420,7 +420,7 @@ static bool is_left_well(const Laboratory *lab, const LessonPage *page, const Le
     int stage = play->stage;
     if (!page || play->touched || play->arriving || play->next < play->n_queue)
         return false;
-    if (page->question && lab->screen.lesson.answer < 0 && page->revealed.n_actions > 0)
+    if (page->question && lab->play.shown.answer < 0 && page->revealed.n_actions > 0)
         return false;
     if (page->until.kind == UNTIL_VALUE || page->until.kind == UNTIL_STEP || page->until.kind == UNTIL_GOAL)
         return false; /* other values before it, or its last stage, are seen still */
@@ -434,13 +434,13 @@ int *lesson_entry_reached(Laboratory *lab)
 {
     for (int i = 0; i < LESSONS_MAX && builtin_lessons[i].name; i++)
         if (strcmp(builtin_lessons[i].name, lab->play.name) == 0)
-            return &lab->screen.lesson.reached[i];
+            return &lab->play.shown.reached[i];
     return NULL;
 }
 
 static void queue_page(Laboratory *lab, int page)
 {
-    const LessonShown *shown = &lab->screen.lesson;
+    const LessonShown *shown = &lab->play.shown;
     const LessonPage *pages = shown->lesson->pages;
     LessonPlay *play = &lab->play;
     const bool goes_on = shown->page >= 0 && page == shown->page + 1 &&
@@ -465,9 +465,9 @@ void lesson_entry_select(Laboratory *lab, const char *key)
 void lesson_entry_show(Laboratory *lab, int page)
 {
     Screen *screen = &lab->screen;
-    LessonShown *shown = &screen->lesson;
+    LessonShown *shown = &lab->play.shown;
     LessonPlay *play = &lab->play;
-    if (lab->screen.playback.state == STATE_COMPUTING)
+    if (lab->player.playback.state == STATE_COMPUTING)
         duel_cancel(&lab->player.duel); /* for the page that is left */
     player_pause(lab);
     queue_page(lab, page);
@@ -486,11 +486,11 @@ void lesson_entry_show(Laboratory *lab, int page)
     int *reached = lesson_entry_reached(lab);
     if (reached && *reached < page + 1)
         *reached = page + 1;
-    screen->panes.zoomed = screen->panes.inspecting = screen->playback.at_limit = false;
+    screen->panes.zoomed = screen->panes.inspecting = lab->player.playback.at_limit = false;
     screen->panes.focus = PANE_PARAMETERS;
     if (lab->options.sheet)
         screen->panes.sheet = play->full ? SHEET_FULL : SHEET_PLAIN;
-    screen->playback.rate = 0;
+    lab->player.playback.rate = 0;
     lab->player.pace_automatic = true;
     play->hurries = false;
     lesson_play_continue(lab);
@@ -524,11 +524,11 @@ void lesson_entry_note(Laboratory *lab, const Key *key)
         COMMAND_NARROWER,  COMMAND_REDRAW};
     const LessonPage *page = lesson_entry_page(lab);
     const Command *command = command_by_key(key->name);
-    const bool answers = page && page->question && lab->screen.lesson.answer < 0 && key->name[0] >= '1' &&
+    const bool answers = page && page->question && lab->play.shown.answer < 0 && key->name[0] >= '1' &&
                          key->name[0] < '1' + page->n_choices && !key->name[1];
     bool known = answers;
     for (size_t i = 0; command && i < sizeof harmless / sizeof *harmless; i++)
         known = known || command->id == harmless[i];
-    if (page && (!known || lab->screen.parameters.edit.open || lab->screen.prompt.open))
+    if (page && (!known || lab->screen.parameters.edit.open || lab->prompting.shown.open))
         lab->play.touched = true;
 }

@@ -8,7 +8,7 @@
 #define TUI_LESSON_ENTRY_H
 
 #include "base/output.h"
-#include "lessons/lesson.h"
+#include "lessons/lesson_shown.h"
 #include "lab/lesson/lesson_judge.h"
 #include "terminal/keys.h"
 #include "help/command.h"
@@ -25,6 +25,7 @@ typedef struct LessonAction {
 
 /* The lesson that is open, and what is still to be done for its page. */
 typedef struct LessonPlay {
+    LessonShown shown; /* behind screen.lesson */
     Lesson lesson;
     char name[LESSON_NAME_MAX];
     LessonAction queue[LESSON_QUEUE_MAX];

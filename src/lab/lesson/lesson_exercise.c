@@ -12,7 +12,7 @@
 /* What follows is shown; more answers change nothing. */
 static void reveal(Laboratory *lab)
 {
-    lab->screen.lesson.answer = 0;
+    lab->play.shown.answer = 0;
     lab->play.warned = false;
     lesson_entry_reveal(lab);
 }
@@ -74,7 +74,7 @@ void lesson_exercise_ask(Laboratory *lab)
     const bool words = lesson_exercise(lesson_entry_page(lab)) == EXERCISE_WORDS;
     prompt_ask(&lab->prompting, words ? take_words : take_number, false, "", "%s",
                words ? "your words" : "your answer");
-    snprintf(lab->prompting.shown->hint, sizeof lab->prompting.shown->hint, "%s",
+    snprintf(lab->prompting.shown.hint, sizeof lab->prompting.shown.hint, "%s",
              words ? "one line for the teacher" : "a number, as 1.5");
 }
 
@@ -85,7 +85,7 @@ void lesson_exercise_choose(Laboratory *lab, int choice)
     char first[ANSWER_MAX + 40];
     if (mark->tries++ > 0) {
         snprintf(first, sizeof first, "Your first answer counts: %s.", mark->value);
-        if (lab->screen.lesson.counts)
+        if (lab->play.shown.counts)
             lesson_judge_say(lab, mark->right, first);
         return;
     }

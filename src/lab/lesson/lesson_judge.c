@@ -14,7 +14,7 @@
 
 static const LessonPage *page_of(const Laboratory *lab)
 {
-    return &lab->screen.lesson.lesson->pages[lab->screen.lesson.page];
+    return &lab->play.shown.lesson->pages[lab->play.shown.page];
 }
 
 bool lesson_judge_counts(const Laboratory *lab)
@@ -26,8 +26,7 @@ bool lesson_judge_counts(const Laboratory *lab)
 /* The mark of the page that is open. */
 ExerciseMark *lesson_judge_mark(Laboratory *lab)
 {
-    return lesson_judge_counts(lab) ? &lab->homework.marks[lab->screen.lesson.page]
-                                    : &lab->homework.elsewhere;
+    return lesson_judge_counts(lab) ? &lab->homework.marks[lab->play.shown.page] : &lab->homework.elsewhere;
 }
 
 void lesson_judge_enter(Laboratory *lab)
@@ -40,7 +39,7 @@ void lesson_judge_enter(Laboratory *lab)
 
 void lesson_judge_say(Laboratory *lab, bool right, const char *text)
 {
-    LessonShown *shown = &lab->screen.lesson;
+    LessonShown *shown = &lab->play.shown;
     snprintf(shown->verdict, sizeof shown->verdict, "%s", text);
     shown->verdict_right = right;
 }
@@ -144,7 +143,7 @@ bool lesson_judge_goal(Laboratory *lab)
     const Settings *base = experiment_base(experiment);
     char why[ANSWER_MAX], verdict[ANSWER_MAX + 20];
     if (!run->known || !experiment_at_end(experiment) || experiment_failed(experiment, NULL) ||
-        lab->screen.playback.state == STATE_COMPUTING || settings_same(base, &run->entered) ||
+        lab->player.playback.state == STATE_COMPUTING || settings_same(base, &run->entered) ||
         (run->was_judged && settings_same(base, &run->judged)))
         return false;
     const bool met = fulfils(lab, page->exercise, why, sizeof why);

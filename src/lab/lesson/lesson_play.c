@@ -5,6 +5,7 @@
 #include "lab/prompt/line.h"
 #include "lab/lesson/lesson_exercise.h"
 #include "lab/lesson/lesson_progress.h"
+#include "panes/places.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -17,7 +18,7 @@ static void forget_lesson(Laboratory *lab)
     lab->play.n_queue = lab->play.next = lab->play.n_waiting = 0;
     lab->play.name[0] = '\0';
     lab->play.resumes = 0;
-    lab->screen.lesson.lesson = NULL;
+    lab->play.shown.lesson = NULL;
 }
 
 const char laboratory_all_lessons[] = "-";
@@ -25,19 +26,19 @@ const char laboratory_all_lessons[] = "-";
 bool lesson_play_open(Laboratory *lab, const char *name, Status *status)
 {
     if (strcmp(name, laboratory_all_lessons) == 0) {
-        lab->screen.lesson.open = true;
+        lab->play.shown.open = true;
         return true;
     }
     Lesson lesson;
     if (!lesson_load_for(name, lab->options.student ? lab->options.student : "", command_line_for_lessons,
                          &lesson, status))
         return false;
-    if (!lab->screen.lesson.lesson)
+    if (!lab->play.shown.lesson)
         lab->play.before = (int)lab->screen.panes.sheet, lab->play.full = false;
     forget_lesson(lab);
     lab->play.lesson = lesson;
     snprintf(lab->play.name, sizeof lab->play.name, "%s", name);
-    LessonShown *shown = &lab->screen.lesson;
+    LessonShown *shown = &lab->play.shown;
     shown->open = true;
     shown->lesson = &lab->play.lesson;
     shown->page = -1;
@@ -54,11 +55,11 @@ void lesson_play_close(Laboratory *lab)
     /* of a laboratory that was not opened whole there is no run */
     const Parameter *chosen = laboratory_run(lab) ? edit_selected(&lab->screen) : NULL;
     if (lab->play.name[0])
-        lesson_progress_write(lab->play.asker, lab->screen.lesson.reached);
+        lesson_progress_write(lab->play.asker, lab->play.shown.reached);
     if (lab->play.name[0] && lab->options.sheet)
         lab->screen.panes.sheet = (Sheet)lab->play.before;
     forget_lesson(lab);
-    lab->screen.lesson.open = false;
+    lab->play.shown.open = false;
     if (screen_is_plain(&lab->screen) && laboratory_run(lab))
         screen_select(&lab->screen, chosen);
     lab->editing.changed = false; /* what was tried beside a page is nobody's work */
@@ -66,12 +67,12 @@ void lesson_play_close(Laboratory *lab)
 
 void lesson_play_toggle(Laboratory *lab)
 {
-    if (lab->screen.lesson.open) {
+    if (lab->play.shown.open) {
         lesson_play_close(lab);
         return;
     }
-    lab->screen.lesson.open = true;
-    lab->screen.lesson.scroll = 0;
+    lab->play.shown.open = true;
+    lab->play.shown.scroll = 0;
     lab->screen.panes.focus = PANE_PARAMETERS;
 }
 
@@ -86,7 +87,7 @@ static void open_from_list(Laboratory *lab, int lesson)
     Status status = {STATUS_DONE, ""};
     if (lesson >= screen_lesson_count())
         return;
-    lab->screen.lesson.chosen = lesson;
+    lab->play.shown.chosen = lesson;
     if (!lesson_play_open(lab, builtin_lessons[lesson].name, &status))
         laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
 }
@@ -114,7 +115,7 @@ static void open_next(Laboratory *lab)
 /* `unasked`: whatever the page waits for. */
 static void turn_page(Laboratory *lab, int direction, bool unasked)
 {
-    LessonShown *shown = &lab->screen.lesson;
+    LessonShown *shown = &lab->play.shown;
     const LessonPage *page = lesson_entry_page(lab);
     const bool open_question = page->question && shown->answer < 0;
     if (direction > 0 && !unasked && (open_question || !shown->met) && !lab->play.warned) {
@@ -139,7 +140,7 @@ static void turn_page(Laboratory *lab, int direction, bool unasked)
 
 static void take_answer(Laboratory *lab, int choice)
 {
-    lab->screen.lesson.answer = choice;
+    lab->play.shown.answer = choice;
     lesson_exercise_choose(lab, choice);
     lab->play.warned = false;
     lesson_entry_reveal(lab);
@@ -163,7 +164,7 @@ bool lesson_play_click(Laboratory *lab, int x, int y)
 /* What the page offers comes first: its question, then its field until it has the value. */
 void lesson_play_enter(Laboratory *lab)
 {
-    const LessonShown *shown = &lab->screen.lesson;
+    const LessonShown *shown = &lab->play.shown;
     const LessonPage *page = lesson_entry_page(lab);
     const bool waits = page && page->n_fields > 0 && (page->until.kind == UNTIL_NOTHING || !shown->met);
     if (!page)
@@ -186,9 +187,9 @@ void lesson_play_enter(Laboratory *lab)
 static void step_for_space(Laboratory *lab)
 {
     const LessonPage *page = lesson_entry_page(lab);
-    if (page->n_choices > 0 && lab->screen.lesson.answer < 0)
+    if (page->n_choices > 0 && lab->play.shown.answer < 0)
         laboratory_say(lab, MESSAGE_INFO, "a number answers the question: 1 to %d", page->n_choices);
-    else if (page->until.kind == UNTIL_NOTHING || lab->screen.lesson.met)
+    else if (page->until.kind == UNTIL_NOTHING || lab->play.shown.met)
         laboratory_say(lab, MESSAGE_INFO, "this page waits for nothing more: n goes on");
     else
         lab->carry_out(lab, COMMAND_STAGE_FORWARD);
@@ -209,7 +210,7 @@ bool lesson_play_key(Laboratory *lab, const Key *key)
         int direction;
         bool unasked;
     } turns[] = {{"n", 1, true}, {"b", -1, true}, {"PageDown", 1, false}, {"PageUp", -1, false}};
-    const LessonShown *shown = &lab->screen.lesson;
+    const LessonShown *shown = &lab->play.shown;
     const LessonPage *page = lesson_entry_page(lab);
     const int digit = digit_of(key);
     if (!shown->open)
@@ -230,7 +231,7 @@ bool lesson_play_key(Laboratory *lab, const Key *key)
             turn_page(lab, turns[i].direction, turns[i].unasked);
             return true;
         }
-    const bool stops = lab->screen.playback.state != STATE_RUNNING && lesson_entry_is_stepping(lab);
+    const bool stops = lab->player.playback.state != STATE_RUNNING && lesson_entry_is_stepping(lab);
     if (stops && strcmp(key->name, "Space") == 0) {
         step_for_space(lab);
         return true;
@@ -240,7 +241,7 @@ bool lesson_play_key(Laboratory *lab, const Key *key)
 
 void lesson_play_move(Laboratory *lab, int x, int y)
 {
-    LessonShown *shown = &lab->screen.lesson;
+    LessonShown *shown = &lab->play.shown;
     const LessonPage *page = lesson_entry_page(lab);
     if (x) {
         if (page && page->n_fields > 0)

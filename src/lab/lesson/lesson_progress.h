@@ -4,7 +4,7 @@
 #define TUI_LESSON_PROGRESS_H
 
 #include "base/output.h"
-#include "panes/screen.h"
+#include "lessons/lesson_shown.h"
 
 /* Raises the pages that were reached to those of the file. False: it may hold more than could be read, or
  * there is no home. */

@@ -314,7 +314,7 @@ void complete_line(Completion *completion, const Laboratory *lab)
 
 void complete_tab(Laboratory *lab)
 {
-    Prompt *prompt = &lab->screen.prompt;
+    Prompt *prompt = &lab->prompting.shown;
     Completion completion = {.start = prompt->text, .skipped = lab->prompting.tabbed};
     if (!lab->prompting.typing || !lab->prompting.typing->offer)
         return;

@@ -36,7 +36,7 @@ static void remember(LineHistory *past, const char *text)
 static void recall(Prompting *prompting, int direction)
 {
     LineHistory *past = &prompting->past;
-    Prompt *prompt = prompting->shown;
+    Prompt *prompt = &prompting->shown;
     const int to = past->at + direction;
     if (to < 0 || to > past->count)
         return;
@@ -132,7 +132,7 @@ static void drop_overlay(Laboratory *lab)
 {
     overlay_close(&lab->overlay);
     lab->screen.overlay = NULL;
-    lab->screen.diagnosis[0] = '\0';
+    lab->diagnosis[0] = '\0';
 }
 
 static bool overlay(Laboratory *lab, const char *words)
@@ -380,7 +380,7 @@ static bool (*const verbs[LINE_COUNT])(Laboratory *, const char *words) = {
 static bool answer_line(Laboratory *lab, const char *text)
 {
     text += strspn(text, " :");
-    char line[sizeof lab->screen.prompt.text];
+    char line[sizeof lab->prompting.shown.text];
     snprintf(line, sizeof line, "%s", text);
     for (size_t end = strlen(line); end > 0 && line[end - 1] == ' ';)
         line[--end] = '\0';
@@ -404,7 +404,7 @@ static bool refuse_word(Laboratory *lab, const char *line, const char *end)
     snprintf(word, sizeof word, "%.*s", (int)(end - line), line);
     const FixedKey *fixed = fixed_key_find(experiment_settings(laboratory_run(lab)), word);
     if (fixed) {
-        char text[sizeof lab->screen.prompt.problem];
+        char text[sizeof lab->prompting.shown.problem];
         fixed_key_text(fixed, text, sizeof text);
         return prompt_refuse(&lab->prompting, text);
     }
@@ -448,7 +448,7 @@ static bool line_key_of(Laboratory *lab, const char *key)
 static void forget_hint(Laboratory *lab, const char *key)
 {
     if (strcmp(key, "Tab") != 0)
-        lab->screen.prompt.hint[0] = '\0';
+        lab->prompting.shown.hint[0] = '\0';
 }
 
 static const Typing typing = {.key = line_key_of, .offer = complete_line, .typed = forget_hint};

@@ -9,7 +9,7 @@ typedef struct Laboratory Laboratory;
 
 void line_ask(Laboratory *);
 
-/* Does what a line says, without remembering it. False: screen.prompt.problem says why not. */
+/* Does what a line says, without remembering it. False: screen.prompt->problem says why not. */
 bool line_run(Laboratory *, const char *line);
 
 #endif

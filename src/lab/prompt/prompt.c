@@ -11,7 +11,7 @@
 
 void prompt_ask(Prompting *prompting, Answer answer, bool yes_no, const char *text, const char *format, ...)
 {
-    Prompt *prompt = prompting->shown;
+    Prompt *prompt = &prompting->shown;
     va_list arguments;
     *prompt = (Prompt){.open = true, .yes_no = yes_no};
     va_start(arguments, format);
@@ -32,12 +32,12 @@ void prompt_ask_replace(Prompting *prompting, Answer answer, const char *name)
     for (int more = glyphs_columns(name) - COLUMNS; more > 0; more--)
         glyph_next(&end);
     prompt_ask(prompting, answer, true, "", "%s%s exists: replace?", end > name ? "..." : "", end);
-    prompting->shown->wants_y = true;
+    prompting->shown.wants_y = true;
 }
 
 void prompt_fill(Prompting *prompting, const char *text)
 {
-    Prompt *prompt = prompting->shown;
+    Prompt *prompt = &prompting->shown;
     snprintf(prompt->text, sizeof prompt->text, "%s", text);
     prompt->cursor = glyphs_count(prompt->text);
     prompt->problem[0] = '\0';
@@ -46,12 +46,12 @@ void prompt_fill(Prompting *prompting, const char *text)
 
 void prompt_close(Prompting *prompting)
 {
-    *prompting->shown = (Prompt){.open = false};
+    prompting->shown = (Prompt){.open = false};
 }
 
 bool prompt_refuse(Prompting *prompting, const char *why)
 {
-    visible_text(prompting->shown->problem, sizeof prompting->shown->problem, why);
+    visible_text(prompting->shown.problem, sizeof prompting->shown.problem, why);
     return false;
 }
 
@@ -59,14 +59,14 @@ bool prompt_refuse(Prompting *prompting, const char *why)
 static void submit(Laboratory *lab, const char *text)
 {
     Prompting *prompting = &lab->prompting;
-    Prompt asked = *prompting->shown;
+    Prompt asked = prompting->shown;
     const Answer answer = prompting->answer;
     const Typing *typing = prompting->typing;
     prompt_close(prompting);
     if (answer(lab, text))
         return;
-    snprintf(asked.problem, sizeof asked.problem, "%s", prompting->shown->problem);
-    *prompting->shown = asked;
+    snprintf(asked.problem, sizeof asked.problem, "%s", prompting->shown.problem);
+    prompting->shown = asked;
     prompting->answer = answer;
     prompting->typing = typing;
     prompting->fresh = typing && typing->names_file;
@@ -81,7 +81,7 @@ static void text_changed(Laboratory *lab, const char *key)
 void prompt_key(Laboratory *lab, const Key *key)
 {
     Prompting *prompting = &lab->prompting;
-    Prompt *prompt = prompting->shown;
+    Prompt *prompt = &prompting->shown;
     const char *name = key->name;
     if (strcmp(name, "Tab") != 0)
         prompting->tabbed = 0;

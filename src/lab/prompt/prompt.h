@@ -5,7 +5,7 @@
 #define TUI_PROMPT_H
 
 #include "terminal/keys.h"
-#include "panes/screen.h"
+#include "panes/key_line.h"
 
 typedef struct Laboratory Laboratory;
 
@@ -31,7 +31,7 @@ typedef struct Typing {
 } Typing;
 
 typedef struct Prompting {
-    Prompt *shown; /* screen.prompt */
+    Prompt shown; /* behind screen.prompt */
     Answer answer;
     const Typing *typing;   /* NULL: nothing special */
     bool fresh;             /* the text is a proposal: a first character replaces it */

@@ -75,7 +75,7 @@ static void choose(Prompting *prompting, int chosen)
         return;
     list->chosen = chosen < 0 ? 0 : chosen < list->n_shown ? chosen : list->n_shown - 1;
     prompt_fill(prompting, list->entries[list->shown[list->chosen]].name); /* typing begins a new search */
-    prompting->shown->hint[0] = '\0';
+    prompting->shown.hint[0] = '\0';
 }
 
 /* The row that a first key moves from: the open one, so that the way to the next is short, but what was
@@ -83,7 +83,7 @@ static void choose(Prompting *prompting, int chosen)
 static int where_to_begin(const Prompting *prompting, int rows)
 {
     const ScenarioList *list = &prompting->scenarios;
-    const bool searched = prompting->shown->text[0] != '\0';
+    const bool searched = prompting->shown.text[0] != '\0';
     if (list->chosen >= 0)
         return list->chosen;
     if (!searched && list->open >= 0 && list->open + rows >= 0 && list->open + rows < list->n_shown)
@@ -97,7 +97,7 @@ static bool choose_by_key(Laboratory *lab, const char *key)
         const char *key;
         int rows;
     } moves[] = {{"Up", -1}, {"Down", 1}, {"PageUp", -8}, {"PageDown", 8}};
-    const ScenarioList *list = lab->screen.prompt.scenarios;
+    const ScenarioList *list = lab->prompting.shown.scenarios;
     for (size_t i = 0; list && i < sizeof moves / sizeof *moves; i++)
         if (strcmp(key, moves[i].key) == 0) {
             choose(&lab->prompting, where_to_begin(&lab->prompting, moves[i].rows) + moves[i].rows);
@@ -109,7 +109,7 @@ static bool choose_by_key(Laboratory *lab, const char *key)
 static void narrow_to_text(Laboratory *lab, const char *key)
 {
     (void)key;
-    narrow(&lab->prompting.scenarios, lab->screen.prompt.text, lab->scenario);
+    narrow(&lab->prompting.scenarios, lab->prompting.shown.text, lab->scenario);
 }
 
 /* What was typed is a name or a path; where it is neither, but one scenario is left in the list, that is
@@ -137,6 +137,6 @@ void scenario_prompt_ask(Laboratory *lab)
     offer_files(list);
     narrow(list, "", lab->scenario);
     prompt_ask(&lab->prompting, answer_scenario, false, "", "open scenario or file");
-    lab->screen.prompt.scenarios = list;
+    lab->prompting.shown.scenarios = list;
     lab->prompting.typing = &typing;
 }

@@ -9,6 +9,7 @@
 #include "lab/session/replay.h"
 #include "lab/session/script.h"
 #include "lab/session/session.h"
+#include "picture/canvas.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -310,7 +311,7 @@ static bool turn_to(Grader *grader, int page, Status *status)
     bool goes_on = draw(grader, 80, 24, status);
     lesson_entry_show(lab, page);
     player_pause(lab);
-    while (goes_on && (lab->screen.playback.state == STATE_COMPUTING || lab->play.arriving))
+    while (goes_on && (lab->player.playback.state == STATE_COMPUTING || lab->play.arriving))
         goes_on = frame(grader);
     if (!goes_on)
         return *status->text || status_fail(status, STATUS_FAILED, "page %d takes too long", page + 1);
@@ -321,7 +322,7 @@ static bool turn_to(Grader *grader, int page, Status *status)
 static bool run_line(Laboratory *lab, const char *line, Status *status)
 {
     return lab->run_line(lab, line) ||
-           status_fail(status, STATUS_USAGE, "%s: %s", line, lab->screen.prompt.problem);
+           status_fail(status, STATUS_USAGE, "%s: %s", line, lab->prompting.shown.problem);
 }
 
 /* The way that the lesson knows, to the end of its run. */
@@ -334,13 +335,13 @@ static bool solve(Grader *grader, const LessonPage *page, Grade *grade, Status *
             return false;
     player_pause(lab);
     player_seek(lab, experiment_last_step(laboratory_run(lab)), 0);
-    for (bool any = true; goes_on && (any || lab->screen.playback.state == STATE_COMPUTING); any = false)
+    for (bool any = true; goes_on && (any || lab->player.playback.state == STATE_COMPUTING); any = false)
         goes_on = frame(grader);
     grade->mark = lab->homework.marks[grade->page];
     if (!goes_on)
         return status_fail(status, STATUS_FAILED, "page %d takes too long", grade->page + 1);
     return grade->mark.right || status_fail(status, STATUS_FAILED, "page %d: its own way misses the goal: %s",
-                                            grade->page + 1, lab->screen.lesson.verdict);
+                                            grade->page + 1, lab->play.shown.verdict);
 }
 
 /* What a run comes to. NULL: it failed, or takes too long. */

@@ -19,7 +19,7 @@ static bool is_there(const Laboratory *lab, const SessionEvent *event)
  * run has not come to the end of its stretch. */
 static bool reach_jump(Laboratory *lab, double deadline)
 {
-    while (lab->screen.playback.state == STATE_RUNNING && lab->player.loop.on) {
+    while (lab->player.playback.state == STATE_RUNNING && lab->player.loop.on) {
         if (lab->host.now(lab->host.context) >= deadline)
             return false;
         lab->player.owed = (double)player_steps_ahead(lab);
@@ -33,13 +33,13 @@ static bool reach_jump(Laboratory *lab, double deadline)
  * way. */
 static bool approach(Replay *replay, Laboratory *lab, const SessionEvent *event, double deadline)
 {
-    while (lab->screen.playback.state == STATE_COMPUTING || !is_there(lab, event)) {
+    while (lab->player.playback.state == STATE_COMPUTING || !is_there(lab, event)) {
         const long ahead = event->step - experiment_step(laboratory_run(lab));
-        if (lab->screen.playback.state == STATE_RUNNING && ahead > 0 &&
+        if (lab->player.playback.state == STATE_RUNNING && ahead > 0 &&
             (!lab->player.loop.on || ahead < player_steps_ahead(lab))) {
             lab->player.run_limit = event->step;
             lab->player.owed = (double)ahead;
-        } else if (lab->screen.playback.state != STATE_COMPUTING) {
+        } else if (lab->player.playback.state != STATE_COMPUTING) {
             if (replay->sought)
                 return true;
             replay->sought = true;
@@ -48,14 +48,14 @@ static bool approach(Replay *replay, Laboratory *lab, const SessionEvent *event,
         laboratory_frame(lab, deadline);
         lab->player.run_limit = -1;
         if (lab->host.now(lab->host.context) >= deadline)
-            return lab->screen.playback.state != STATE_COMPUTING && is_there(lab, event);
+            return lab->player.playback.state != STATE_COMPUTING && is_there(lab, event);
     }
     return true;
 }
 
 static bool takes_text(const Screen *screen)
 {
-    return screen->prompt.open || screen->parameters.edit.open || screen->help.open;
+    return screen->prompt->open || screen->parameters.edit.open || screen->help.open;
 }
 
 bool replay_go_on(Replay *replay, Laboratory *lab, double deadline)
@@ -74,7 +74,7 @@ bool replay_go_on(Replay *replay, Laboratory *lab, double deadline)
     static const Key space = {.name = "Space", .x = -1, .y = -1};
     const Key *key = event->is_end ? &space : &event->key;
     /* opened again it is found paused; by a key, so that this too is recorded */
-    if (event->is_end && (lab->screen.playback.state != STATE_RUNNING || takes_text(&lab->screen)))
+    if (event->is_end && (lab->player.playback.state != STATE_RUNNING || takes_text(&lab->screen)))
         return true;
     /* a click means the cell of the screen that it was made on */
     if (event->key.x >= 0 && event->width > 0) {

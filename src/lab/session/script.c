@@ -108,7 +108,7 @@ static bool frame(Script *script, Status *status)
 
 static bool frame_of_work(Script *script, Status *status)
 {
-    return script->lab.screen.playback.state != STATE_COMPUTING || frame(script, status);
+    return script->lab.player.playback.state != STATE_COMPUTING || frame(script, status);
 }
 
 /* Frame by frame to a time; half a frame of grace, so that rounding does not decide about a frame. */
@@ -411,7 +411,7 @@ static bool has_room(const Script *script, double dt, Status *status)
     const Camera *camera = script->camera;
     const double from = fmax(camera->from, 0),
                  to = fmin(camera->to, (double)experiment_last_step(screen->experiment) * dt),
-                 steps = (to - from) / dt, frames = steps / screen->playback.pace,
+                 steps = (to - from) / dt, frames = steps / screen->playback->pace,
                  due = fmax(ceil((1 - 1e-9) * camera->speed / camera->fps / FRAME_SECONDS), 1),
                  pictures = fmin(frames / due, steps);
     if (pictures < FILM_PICTURES_MAX || camera->idle < 1 / camera->fps ||
@@ -420,7 +420,7 @@ static bool has_room(const Script *script, double dt, Status *status)
     return status_fail(
         status, STATUS_USAGE, "the film would have about %.0f pictures (at most %d: --to %g, or --speed %g)",
         pictures, FILM_PICTURES_MAX,
-        from + player_next_125(FILM_PICTURES_MAX * fmax(due * screen->playback.pace, 1) * dt, -1),
+        from + player_next_125(FILM_PICTURES_MAX * fmax(due * screen->playback->pace, 1) * dt, -1),
         player_next_125(camera->fps * FRAME_SECONDS * frames / FILM_PICTURES_MAX, 1));
 }
 

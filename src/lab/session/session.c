@@ -59,7 +59,7 @@ Session *session_begin(const LaboratoryOptions *options, Status *status)
 static SessionEvent event_now(const Session *session, const Laboratory *lab, double now)
 {
     const Experiment *experiment = laboratory_run(lab);
-    return (SessionEvent){.on_the_way = lab->screen.playback.state == STATE_COMPUTING,
+    return (SessionEvent){.on_the_way = lab->player.playback.state == STATE_COMPUTING,
                           .step = experiment_step(experiment),
                           .stage = experiment_stage(experiment),
                           .seconds = fmin(fmax(now - session->last, 0), SESSION_SECONDS_MOST),

@@ -8,6 +8,7 @@
 #include "lessons/variant.h"
 #include "lab/session/session.h"
 #include "panes/screen.h"
+#include "lessons/lesson_shown.h"
 
 enum { SESSION_LINE_MAX = 1100, SESSION_PROGRAM_MAX = 64 };
 

@@ -10,6 +10,10 @@
 #include "views/inspector/inspector.h"
 #include "panes/panes.h"
 #include "views/view.h"
+#include "panes/key_line.h"
+#include "lessons/lesson_shown.h"
+#include "run/playback.h"
+#include "run/duel.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -79,7 +83,7 @@ static void tell_where(const Screen *screen, Words *words)
     if (experiment_stage(experiment) > 0)
         text_append(text, sizeof text, ", stage %d of %d is done", experiment_stage(experiment),
                     sim->n_stages);
-    text_append(text, sizeof text, ", %s", states[screen->playback.state]);
+    text_append(text, sizeof text, ", %s", states[screen->playback->state]);
     if (back > 0)
         text_append(text, sizeof text, ", %ld step%s back from the newest", back, back == 1 ? "" : "s");
     if (duel)
@@ -193,8 +197,9 @@ static void tell_focus(const Screen *screen, Words *words)
         words_say(words, 2, "Keys go to: the view %s.", view->word);
     else
         words_say(words, 2, "Keys go to: %s.",
-                  screen->lesson.open && screen->panes.focus == PANE_PARAMETERS ? "the lesson"
-                                                                                : panes[screen->panes.focus]);
+                  screen->lesson->open && screen->panes.focus == PANE_PARAMETERS
+                      ? "the lesson"
+                      : panes[screen->panes.focus]);
 }
 
 static void tell_row(const Settings *settings, const RowPlace *place, Words *words)
@@ -314,7 +319,7 @@ void tell_part(const Screen *screen, TellPart part, Words *words)
         told[part](screen, words);
     else if (part == TELL_UPPER || part == TELL_LOWER)
         tell_view(screen, part == TELL_UPPER ? screen->views.upper : screen->views.lower, words);
-    else if ((part != TELL_LESSON || screen->lesson.open) &&
+    else if ((part != TELL_LESSON || screen->lesson->open) &&
              (part != TELL_INSPECTOR || screen->panes.inspecting))
         tell_drawn(screen, drawn[part].draw, drawn[part].rows, drawn[part].numbered, words);
 }
@@ -348,7 +353,7 @@ void tell_names(char *out, size_t size)
 
 void tell_prompt(const Screen *screen, Words *words)
 {
-    const Prompt *prompt = &screen->prompt;
+    const Prompt *prompt = screen->prompt;
     const FieldEdit *edit = &screen->parameters.edit;
     if (!prompt->open && edit->open && edit->problem[0])
         words_say(words, 2, "Refused: %s", edit->problem);

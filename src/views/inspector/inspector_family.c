@@ -9,6 +9,7 @@
 #include "picture/cells/cells.h"
 #include "picture/cells/cells_map.h"
 #include "base/math/functions.h"
+#include "run/playback.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -224,10 +225,10 @@ static void draw_subject(const Family *family, Area area, bool narrow)
 /* Where the node lies: the whole beam, small. */
 static void draw_place(const Screen *screen, Area area)
 {
+    static const Playback paused = {.state = STATE_PAUSED}; /* the node that is inspected is shown */
     Screen whole = *screen;
     whole.eye.magnified = 1;
-    if (whole.playback.state == STATE_RUNNING)
-        whole.playback.state = STATE_PAUSED; /* the node that is inspected is shown in any case */
+    whole.playback = &paused;
     Picture picture;
     cells_open(&picture, area.rect.width + 2, area.rect.height + 2, area.glyphs);
     if (view_map_small(&whole, &picture))

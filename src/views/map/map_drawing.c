@@ -9,6 +9,7 @@
 #include "scenario/concern_loads.h"
 #include "scenario/rows/rows.h"
 #include "scenario/settings.h"
+#include "base/text.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -9,6 +9,7 @@
 #include "base/math/functions.h"
 #include "answers/crack_growth.h"
 #include "panes/screen_runs.h"
+#include "base/text.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -212,7 +213,7 @@ static void add_chosen(Map *map)
 {
     const Screen *screen = map->screen;
     const size_t node = screen->chosen.particle;
-    if (node < map->body.count && screen->playback.state != STATE_RUNNING)
+    if (node < map->body.count && !screen_is_running(screen))
         picture_add_mark(map->picture, (PictureMark){.x = map->drawn->x[node],
                                                      .y = map->drawn->y[node],
                                                      .glyph = 0x25a0,

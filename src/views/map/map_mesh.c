@@ -53,7 +53,7 @@ Flow map_flow(const Map *map, bool *inside)
 {
     const Screen *screen = map->screen;
     const int stage = screen_box_stage(screen, inside);
-    *inside = *inside && screen->playback.state != STATE_RUNNING;
+    *inside = *inside && !screen_is_running(screen);
     return *inside ? stage_flow(map->sim, &map->sim->stages[stage]) : FLOW_NONE;
 }
 
@@ -106,7 +106,7 @@ static void add_cells(Map *map, const MeshNodes *mesh)
 static size_t chosen_links(const Map *map, Link links[LINKS_MAX])
 {
     const size_t chosen = map->screen->chosen.particle;
-    if (chosen >= map->body.count || map->screen->playback.state == STATE_RUNNING)
+    if (chosen >= map->body.count || screen_is_running(map->screen))
         return 0;
     return map->sim->method->links(map->sim, 0, chosen, links, LINKS_MAX);
 }
@@ -135,7 +135,7 @@ static bool chosen_stress(const Map *map, Principal *own, double *most)
 {
     static const char *const names[3] = {"sxx", "syy", "sxy"};
     const size_t chosen = map->screen->chosen.particle, count = map->body.count;
-    if (chosen >= count || map->screen->playback.state == STATE_RUNNING)
+    if (chosen >= count || screen_is_running(map->screen))
         return false;
     double *values = malloc(3 * count * sizeof *values);
     bool sound = values != NULL;

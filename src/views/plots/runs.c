@@ -3,6 +3,8 @@
 #include "views/plots/runs.h"
 
 #include "views/plots/time_plot.h"
+#include "run/duel.h"
+#include "base/text.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -18,6 +18,9 @@ typedef struct Curve {
  * newest time, and the cursor. */
 void time_plot_axes(const Screen *, Picture *, Axis y, const char *name, const char *unit);
 
+/* The time at the left and right end of the time plots, as drawn at present. */
+void time_plot_window(const Screen *, double *from, double *to);
+
 /* Adds a curve's part in the window to the last stroke begun, extremes of each column of dots kept. */
 void time_plot_curve(Picture *, const Curve *);
 

@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the parameter pane shows: its rows, the chosen one and what is typed into it. */
+#ifndef VIEW_PARAMETERS_SHOWN_H
+#define VIEW_PARAMETERS_SHOWN_H
+
+#include "scenario/parameters.h"
+#include "scenario/rows/rows.h"
+
+typedef struct Screen Screen; /* panes/screen.h */
+
+enum { ROW_NEW = -1 };
+
+/* One row of the parameter pane. */
+typedef struct ParameterRow {
+    const char *heading;        /* a heading, or NULL */
+    const Parameter *parameter; /* an editable row, or NULL */
+    int derived;                /* index of a read-only row, or -1 */
+    bool is_row;                /* a row of a plate (scenario/rows/rows.h) */
+    RowPlace place;             /* which one, or ROW_NEW: the place for one more; or one value of it */
+} ParameterRow;
+
+enum { PARAMETER_ROWS_MAX = 192 };
+
+/* Typing a value into the selected parameter. */
+typedef struct FieldEdit {
+    bool open;
+    char text[LIST_MAX];
+    int cursor;        /* in characters */
+    char problem[160]; /* why the last entry was refused */
+} FieldEdit;
+
+/* A row of a plate (scenario/rows/rows.h) that is being moved on the map. */
+enum { ROW_FIRST_END, ROW_SECOND_END, ROW_BOTH_ENDS, ROW_ENDS };
+
+typedef struct RowsShown {
+    bool placing;
+    int kind, row;         /* which one */
+    int end;               /* which of its ends the arrows move */
+    const Settings *draft; /* while it is moved: with the row where it is now */
+} RowsShown;
+
+typedef struct ParametersShown {
+    RowsShown rows;
+    int selected;    /* row */
+    char filter[32]; /* parameters whose label or key holds it */
+    FieldEdit edit;
+} ParametersShown;
+
+/* The rows of the pane, for drawing and for moving in it. Returns how many. */
+int screen_parameter_rows(const Screen *, ParameterRow rows[PARAMETER_ROWS_MAX]);
+
+/* Whether a row of a plate, or the place for a new one, is chosen among them. */
+bool screen_selected_row(const Screen *, RowPlace *);
+
+/* The settings whose rows the map shows: while one is moved those with it where it is now. Which row is
+ * chosen in the parameter pane, if that has the focus; else kind -1. */
+const Settings *screen_rows_shown(const Screen *, int *kind, int *row);
+
+/* The arrows change this one or, where there is no row for it, the first one. */
+void screen_select(Screen *, const Parameter *);
+
+#endif
