@@ -186,8 +186,8 @@ static bool search_from(Search *search, const Beginning *from, Space *space, Sta
             *status = search->why;
         return false;
     }
-    /* no step downhill is left to the last digit: that is a minimum too */
-    if (outcome != GSL_SUCCESS && outcome != GSL_ENOPROG)
+    /* no step downhill from where it began, to the last digit: that is a minimum too */
+    if (outcome != GSL_SUCCESS && info != GSL_ENOPROG)
         return status_fail(status, STATUS_FAILED, "the fit does not settle after %d iterations (%s)",
                            iterations, gsl_strerror(outcome));
     return judge(search, space, status);

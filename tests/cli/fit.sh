@@ -26,6 +26,9 @@ result "with the data's name" grep -q 'd.csv' f.svg
 "$MATVIB" run load.ini --end 6 --every 20 --series l.csv --quiet
 expect "a load that comes in mid-run" 0 load.ini --set bar.youngs_modulus=105 --data l.csv --vary bar.youngs_modulus
 result "comes in each run" says out '^bar.youngs_modulus  *100  '
+"$MATVIB" run load.ini --end 50 --series own.csv --quiet
+expect "a search that begins at the answer" 0 load.ini --end 50 --data own.csv --vary bar.youngs_modulus
+result "stays there" says out '^bar.youngs_modulus  *100  '
 "$MATVIB" run hanging-beam --set pd.spacing=2.5e-3 --set pd.horizon=8e-3 --set time.step=auto --every 500 --series h.csv --quiet
 awk -F, 'NR > 1 { u = $3 } { print $2 "," $3 } END { print "0.004," u }' h.csv >still.csv
 expect "data beyond rest" 0 hanging-beam --set pd.spacing=2.5e-3 --set pd.horizon=8e-3 --set time.step=auto --set load.body_force=-9 --data still.csv --vary load.body_force
