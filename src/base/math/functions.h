@@ -11,7 +11,7 @@
  *
  * Domains, limits, infinities and NAN as in C17's annex F; angles of any size. errno and the floating-point
  * flags say nothing. sqrt, fabs, floor, fmod, ldexp and the like are exact everywhere and stay the library's.
- * tests/check_symbols.sh holds that no other function of libm is called. */
+ * tests/check_layers.sh holds that no other function of libm is called. */
 #ifndef BASE_MATH_FUNCTIONS_H
 #define BASE_MATH_FUNCTIONS_H
 
