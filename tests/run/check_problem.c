@@ -796,6 +796,11 @@ START_TEST(two_materials_have_a_frequency)
     ck_assert_double_eq(a.measured, b.measured);
     ck_assert_double_eq(a.predicted, b.predicted);
     ck_assert_double_eq(a.exact, b.exact);
+    Experiment *of_joined = open_experiment(&joined, 1 << 20), *of_one = open_experiment(&one, 1 << 20);
+    ck_assert(experiment_advance(of_joined, 500, NULL) && experiment_advance(of_one, 500, NULL));
+    expect_same_records(experiment_record(of_joined), experiment_record(of_one), "a joint between equals");
+    experiment_destroy(of_joined);
+    experiment_destroy(of_one);
 }
 END_TEST
 

@@ -281,7 +281,10 @@ static const Method method = {
  * inactive; a larger threshold would be seen in the results (1e-3 changes them visibly). */
 static void derive(Bar *bar)
 {
-    const BarDef *def = &bar->def;
+    BarDef *def = &bar->def;
+    /* a joint between equals is none: the sums of a row would have two parts, and another last digit */
+    if (def->joint_modulus == def->youngs_modulus && def->joint_density == def->density)
+        def->joint = 0.0;
     bool left = def->supports == BAR_FIXED_FREE || def->supports == BAR_FIXED_FIXED;
     bool right = def->supports == BAR_FREE_FIXED || def->supports == BAR_FIXED_FIXED;
     bar->slots = def->particles_per_cell;
