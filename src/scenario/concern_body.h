@@ -26,6 +26,5 @@ const Geometry *settings_geometry(const Settings *);
 const Material *settings_material(const Settings *);
 const Joint *settings_joint(const Settings *);
 Geometry *settings_edit_geometry(Settings *);
-Joint *settings_edit_joint(Settings *);
 
 #endif

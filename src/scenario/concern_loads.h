@@ -66,8 +66,6 @@ const Loads *settings_loads(const Settings *);
 const Supports *settings_supports(const Settings *);
 const Damping *settings_damping(const Settings *);
 Start *settings_edit_start(Settings *);
-Cut *settings_edit_notch(Settings *);
-Loads *settings_edit_loads(Settings *);
 Supports *settings_edit_supports(Settings *);
 Damping *settings_edit_damping(Settings *);
 

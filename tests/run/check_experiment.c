@@ -168,7 +168,7 @@ END_TEST
 START_TEST(any_way_to_a_moment_of_a_beam_is_the_same)
 {
     Settings settings = beam_settings(&problem_notched_beam, 6e-5);
-    settings_edit_loads(&settings)->stress = 2.4e8; /* things break soon */
+    set(&settings, "load.stress", "2.4e8"); /* things break soon */
     const int most = suite_wide() ? 60 : 30;
     walk_randomly(&settings, 16 * MEGABYTE, most, 6);
     settings = beam_settings(&problem_moving_cantilever, 4e-5);
@@ -495,7 +495,7 @@ START_TEST(changes_in_mid_run_hold_on_any_way)
     set(&settings, "mpm.shape", "gimp");
     walk_with_changes(&settings, bar, sizeof bar / sizeof *bar, 12000, 100, 12);
     settings = beam_settings(&problem_notched_beam, 6e-5);
-    settings_edit_loads(&settings)->stress = 2.4e8;
+    set(&settings, "load.stress", "2.4e8");
     walk_with_changes(&settings, beam, sizeof beam / sizeof *beam, 4 * MEGABYTE, 30, 13);
 }
 END_TEST

@@ -608,10 +608,10 @@ START_TEST(other_ways_on_the_same_mesh)
     settings_edit_time(&settings)->courant = 0.1;
     ck_assert_str_eq(dispersion_other_way(&settings, 1, 5, &frequency), "no mu*");
     ck_assert_ptr_null(dispersion_other_way(&settings, 0, 26, &frequency));
-    settings_edit_joint(&settings)->place =
-        10; /* between equals nothing changes; else no wave has one length */
+    /* between equals nothing changes; else no wave has one length */
+    settings_put(&settings, parameter_find("bar2.joint"), 10);
     ck_assert_ptr_nonnull(dispersion_other_way(&settings, 0, 5, &frequency));
-    settings_edit_joint(&settings)->beyond.youngs_modulus = 400;
+    settings_put(&settings, parameter_find("bar2.youngs_modulus"), 400);
     ck_assert_ptr_null(dispersion_other_way(&settings, 0, 5, &frequency));
 }
 END_TEST

@@ -36,10 +36,10 @@ Settings beam_settings(const Problem *problem, double end)
         settings_edit_geometry(&settings)->height = 0.04;
         set(&settings, "pd.horizon", "4e-3");
         set(&settings, "pd.spacing", "1e-3");
-        settings_edit_notch(&settings)->position = 0.03;
-        settings_edit_notch(&settings)->depth = 0.01;
-        settings_edit_loads(&settings)->position = 0.05;
-        settings_edit_loads(&settings)->width = 0.004;
+        set(&settings, "notch.position", "0.03");
+        set(&settings, "notch.depth", "0.01");
+        set(&settings, "load.position", "0.05");
+        set(&settings, "load.width", "0.004");
         settings_edit_supports(&settings)->left = 0.0055;
         settings_edit_supports(&settings)->right = 0.0945;
         settings_edit_bonds(&settings)->protected_depth = 0.006;
