@@ -107,11 +107,11 @@ bool diagnose_settings_of(const Candidate *candidate, const Settings *right, con
         settings_edit_transfer(out)->mistake_beside = settings_edit_lattice(out)->mistake_beside =
             candidate->beside;
     }
-    if (candidate->own_step) {
+    if (candidate->own_step)
         *settings_edit_time(out) = *candidate->own_step;
-        return settings_check(out, NULL);
-    }
-    return settings_check(out, NULL) && diagnose_hold_step(out, table->dt) && settings_check(out, NULL);
+    else if (!diagnose_hold_step(out, table->dt))
+        return false;
+    return settings_check(out, NULL);
 }
 
 /* --- what a factor is ----------------------------------------------------------------------------------- */
@@ -315,7 +315,7 @@ bool diagnose_tell_apart(const Settings *a, const Settings *b, const DiagnoseTab
             if (!settings_nudge(&others[0], parameter, direction, false))
                 continue;
             settings_put(&others[1], parameter, settings_number(&others[0], parameter));
-            if (!settings_check(&others[1], NULL) || !differ(&others[0], &others[1], table, name))
+            if (!differ(&others[0], &others[1], table, name))
                 continue;
             char value[LIST_MAX];
             settings_get(&others[0], parameter, value);

@@ -185,7 +185,7 @@ static bool prepare(Export *export, int threads, Status *status)
 {
     const Settings *settings = export->settings;
     char advice[160];
-    if (!settings_check(settings, status) || !changes_advice(settings, advice, sizeof advice, status))
+    if (!changes_advice(settings, advice, sizeof advice, status))
         return false;
     if (!run_open(&export->run, settings, problem_simulate(settings, threads, status), status))
         return false;

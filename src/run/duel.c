@@ -5,6 +5,7 @@
 #include "run/duel.h"
 
 #include "base/assertion.h"
+#include "scenario/changes.h"
 #include "scenario/concern_output.h"
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
@@ -102,8 +103,6 @@ static bool second_settings(const Duel *duel, const Settings *first, Settings *o
     for (int i = 0; i < duel->n_keys; i++)
         if (!settings_set(out, duel->keys[i].key, duel->keys[i].value, status))
             return false;
-    if (!settings_check(out, status))
-        return false;
     if (first->n_changes > 0 &&
         (!problem_time_step(first, &dt, status) || !problem_time_step(out, &other_dt, status)))
         return false;
@@ -115,7 +114,7 @@ static bool second_settings(const Duel *duel, const Settings *first, Settings *o
         change->step = lround((double)change->step * dt / other_dt);
     }
     char advice[160];
-    return settings_check(out, status) && problem_advice(out, advice, sizeof advice, status);
+    return changes_advice(out, advice, sizeof advice, status);
 }
 
 static void write_names(Duel *duel)

@@ -274,11 +274,6 @@ static void take_over_rest(Settings *to, const Settings *from)
 
 bool experiment_edit(Experiment *experiment, const Settings *wanted, Status *status)
 {
-    if (!settings_check(wanted, status))
-        return false;
-    if (settings_time(wanted)->end != settings_time(&experiment->base)->end &&
-        !problem_check_steps(settings_time(wanted)->end, experiment->run.sim->dt, status))
-        return false;
     experiment_drop_part(experiment);
     Difference difference = compare(&experiment->now, wanted);
     /* what is on screen, or will be as soon as the work is done */
@@ -288,6 +283,10 @@ bool experiment_edit(Experiment *experiment, const Settings *wanted, Status *sta
         return edit_from_start(experiment, wanted, false, status);
     if (difference.live && stage == 0 && (step == 0 || step >= experiment->run.last))
         return edit_from_start(experiment, wanted, true, status);
+    /* no run is made of them that would ask */
+    if (!settings_check(wanted, status) ||
+        !problem_check_steps(settings_time(wanted)->end, experiment->run.sim->dt, status))
+        return false;
     if (difference.live && !edit_live(experiment, wanted, status))
         return false;
     take_over_rest(&experiment->base, wanted);

@@ -118,7 +118,7 @@ bool experiment_open(Experiment *experiment, const Settings *settings, size_t hi
                      Status *status)
 {
     experiment->base = *settings;
-    if (!goes_on(settings, status) || !settings_check(settings, status) ||
+    if (!goes_on(settings, status) ||
         !changes_advice(settings, experiment->advice, sizeof experiment->advice, status))
         return false;
     /* a view may show any of the columns, whatever is written of the run */

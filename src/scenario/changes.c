@@ -12,7 +12,7 @@
 
 bool changes_advice(const Settings *settings, char *advice, size_t size, Status *status)
 {
-    if (!problem_advice(settings, advice, size, status))
+    if (!settings_check(settings, status) || !problem_advice(settings, advice, size, status))
         return false;
     for (int i = 0; i < settings->n_changes; i++) {
         Settings then;

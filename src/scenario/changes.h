@@ -14,7 +14,8 @@
 
 typedef struct Simulation Simulation; /* methods/method.h */
 
-/* problem_advice() for the settings at the start and after each change. */
+/* What is asked of settings before a run is made of them that is shown or written: settings_check(), then
+ * problem_advice() at the start and after each change. */
 bool changes_advice(const Settings *, char *advice, size_t size, Status *);
 
 /* Applies those of the simulation's present step; they become events of the run. False: the method refuses;

@@ -384,7 +384,7 @@ static bool differs_from_neighbours(Grader *grader, const Grade *grade, double r
             if (!variant_beside(&variant->variant, variant->value, direction, value))
                 continue;
             if (!settings_set(&settings, variant->variant.key, value, status) ||
-                !settings_check(&settings, status) || !number_of(grader, &settings, &other, status))
+                !number_of(grader, &settings, &other, status))
                 return status_prefix(status, "page %d with %s = %s", grade->page + 1, variant->variant.key,
                                      value);
             snprintf(what, sizeof what, "the answer for %s = %s", variant->variant.key, value);
