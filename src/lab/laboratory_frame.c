@@ -98,7 +98,6 @@ static long work_in_parts(Laboratory *lab, bool (*verb)(Duel *, double, bool *, 
 
 static bool run_frame(Laboratory *lab, double deadline)
 {
-    Screen *screen = &lab->screen;
     Status status = {STATUS_DONE, ""};
     double begin = lab->host.now(lab->host.context);
     if (!lab->player.in_parts)
@@ -112,12 +111,12 @@ static bool run_frame(Laboratory *lab, double deadline)
     bool sound = true, in_time = true, arrived = false;
     const bool watched = lab->player.stop.kind == STOP_AT_EVENT;
     if (!lab->player.in_parts) {
-        stop_look(&lab->player.stop, screen->experiment);
+        stop_look(&lab->player.stop, laboratory_run(lab));
         arrived = player_arrive(lab); /* other keys may have brought it there */
     }
     double *rate = &lab->player.rates[RATE_RUN];
     while (sound && in_time && !arrived && done < wanted &&
-           (lab->player.in_parts || !experiment_at_end(screen->experiment))) {
+           (lab->player.in_parts || !experiment_at_end(laboratory_run(lab)))) {
         if (done > 0 && key_waits(&lab->host)) {
             lab->player.owed += fmin((double)(wanted - done), lab->player.playback.pace);
             break;
@@ -144,7 +143,7 @@ static bool run_frame(Laboratory *lab, double deadline)
     double reached = (double)done / (took > FRAME_SECONDS ? took / FRAME_SECONDS : 1);
     lab->player.playback.rate =
         lab->player.playback.rate > 0 ? 0.8 * lab->player.playback.rate + 0.2 * reached : reached;
-    if (!arrived && !lab->player.in_parts && (!sound || experiment_at_end(screen->experiment)))
+    if (!arrived && !lab->player.in_parts && (!sound || experiment_at_end(laboratory_run(lab))))
         player_settle(lab);
     player_tell_second(lab);
     return !lab->player.in_parts || done > 0;

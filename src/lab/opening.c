@@ -77,7 +77,7 @@ void opening_begin(Laboratory *lab, Experiment *experiment)
     lab->player.playback.slow = false;
     laboratory_say(lab, MESSAGE_NONE, "%s", "");
     second_run_open(lab);
-    const char *advice = experiment_advice(screen->experiment);
+    const char *advice = experiment_advice(laboratory_run(lab));
     if (advice && !lab->message.text[0])
         laboratory_say(lab, MESSAGE_WARNING, "%s", advice);
 }

@@ -12,7 +12,7 @@ static const ConvergenceStudy *study_to_do(const Laboratory *lab)
     for (int i = 0; i < 2; i++) {
         const ConvergenceStudy *study = shown[i] ? view_study(shown[i], screen) : NULL;
         if (study && study != lab->refining.stopped &&
-            convergence_lacks(&lab->refining.convergence, experiment_settings(screen->experiment), study))
+            convergence_lacks(&lab->refining.convergence, experiment_settings(laboratory_run(lab)), study))
             return study;
     }
     return NULL;
@@ -21,7 +21,7 @@ static const ConvergenceStudy *study_to_do(const Laboratory *lab)
 bool refining_is_due(const Laboratory *lab)
 {
     const Screen *screen = &lab->screen;
-    return screen->experiment && lab->player.playback.state != STATE_RUNNING &&
+    return laboratory_run(lab) && lab->player.playback.state != STATE_RUNNING &&
            lab->player.playback.state != STATE_COMPUTING && !lab->prompting.shown.open &&
            !screen->parameters.edit.open && !screen->help.open && study_to_do(lab);
 }

@@ -106,7 +106,7 @@ static bool go_on(void *context)
         plain->told_at = wall();
         if (plain->lab.message.text[0])
             say(plain, plain->lab.message.text);
-        else if (plain->lab.screen.experiment)
+        else if (laboratory_run(&plain->lab))
             tell_alone(plain, TELL_WHERE);
         fflush(plain->out);
     }
@@ -149,7 +149,7 @@ static bool is_due(const Plain *plain, TellPart part, bool first, bool still, bo
     if (page && part == TELL_FOCUS)
         return plain->page;
     if (part == TELL_STAGE)
-        return experiment_stage(screen->experiment) > 0 || (rests && !page) ||
+        return experiment_stage(laboratory_run(&plain->lab)) > 0 || (rests && !page) ||
                (first && !screen->lesson->open);
     if (part == TELL_SETUP)
         return first;
@@ -158,7 +158,7 @@ static bool is_due(const Plain *plain, TellPart part, bool first, bool still, bo
     if (part == TELL_UPPER || part == TELL_LOWER) /* curves wait for `more`, unless others are asked for */
         return still && !first;
     if (part == TELL_BODY) /* within a step the stage tells of the chosen one */
-        return still && !first && experiment_stage(screen->experiment) == 0;
+        return still && !first && experiment_stage(laboratory_run(&plain->lab)) == 0;
     if (part == TELL_FOCUS || part == TELL_PARAMETER)
         return !first;
     return true;
@@ -216,7 +216,7 @@ static int count_lines(const char *text)
 static void tell_changes(Plain *plain)
 {
     const Screen *screen = &plain->lab.screen;
-    const Experiment *experiment = screen->experiment;
+    const Experiment *experiment = laboratory_run(&plain->lab);
     const long step = experiment_step(experiment), stage = experiment_stage(experiment);
     const bool still = step == plain->step && stage == plain->stage;
     const bool moved_far = still || labs(step - plain->step) > 1;
@@ -259,7 +259,7 @@ static void show_value(const Settings *settings, const Parameter *parameter, cha
 /* Parameters of the same run that have another value now. */
 static void tell_edits(Plain *plain)
 {
-    const Experiment *experiment = plain->lab.screen.experiment;
+    const Experiment *experiment = laboratory_run(&plain->lab);
     const Settings *settings = experiment_settings(experiment);
     for (int i = 0; i < n_parameters && experiment == plain->of; i++) {
         char was[LIST_MAX], is[LIST_MAX];
@@ -434,7 +434,7 @@ static void command(Plain *plain, const char *line)
 static void take(Plain *plain, const char *line)
 {
     const Screen *screen = &plain->lab.screen;
-    const Experiment *before = screen->experiment;
+    const Experiment *before = laboratory_run(&plain->lab);
     if (screen->help.open)
         press(plain, "Esc");
     if (screen->prompt->open || screen->parameters.edit.open)
@@ -446,7 +446,8 @@ static void take(Plain *plain, const char *line)
     else
         command(plain, line);
     /* what is opened by hand waits to be looked at */
-    if (screen->experiment != before && screen->playback->state == STATE_RUNNING && !screen->lesson->lesson)
+    if (laboratory_run(&plain->lab) != before && screen->playback->state == STATE_RUNNING &&
+        !screen->lesson->lesson)
         press(plain, "Space");
 }
 
@@ -493,7 +494,7 @@ static void tell_more(Plain *plain)
     } parts[] = {
         {TELL_WHERE, page},
         {TELL_FOCUS, page && screen->panes.focus != PANE_PARAMETERS},
-        {TELL_STAGE, page && experiment_stage(screen->experiment) > 0},
+        {TELL_STAGE, page && experiment_stage(laboratory_run(&plain->lab)) > 0},
         {TELL_INSPECTOR, page},
         {TELL_BODY, true},
         {TELL_UPPER, true},

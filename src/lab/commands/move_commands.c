@@ -46,7 +46,7 @@ static void move_cursor(Laboratory *lab, int columns)
     int width = screen_pane(screen, lab->width, lab->height, screen->panes.focus).width - 10;
     double column = (to - from) / (width > 20 ? width : 20);
     if (isnan(screen->time.cursor))
-        screen->time.cursor = experiment_time(screen->experiment);
+        screen->time.cursor = experiment_time(laboratory_run(lab));
     else
         screen->time.cursor += columns * column;
     if (screen->time.cursor < from)
@@ -79,8 +79,8 @@ static void move(Laboratory *lab, int x, int y, int page)
     } else if (view && view->has_time_axis) {
         move_cursor(lab, x ? x : y * page);
     } else if (x || page > 1) {
-        screen->chosen.is_node &= simulation_has(experiment_simulation(screen->experiment), HAS_MESH);
-        selection_next(&screen->chosen, experiment_simulation(screen->experiment), x ? x : y, (size_t)page);
+        screen->chosen.is_node &= simulation_has(experiment_simulation(laboratory_run(lab)), HAS_MESH);
+        selection_next(&screen->chosen, experiment_simulation(laboratory_run(lab)), x ? x : y, (size_t)page);
     } else {
         inspector_choose_across(screen, y < 0);
     }
@@ -167,7 +167,7 @@ void command_enter(Laboratory *lab)
         row_edit_begin(lab);
     } else if (view && view->has_time_axis && !isnan(screen->time.cursor)) {
         player_pause(lab);
-        player_seek(lab, lround(screen->time.cursor / experiment_simulation(screen->experiment)->dt), 0);
+        player_seek(lab, lround(screen->time.cursor / experiment_simulation(laboratory_run(lab))->dt), 0);
         screen->time.cursor = NAN;
     } else if (!(view && view->is_list && enter_row(lab, view)) && lesson_entry_page(lab)) {
         lesson_play_enter(lab);

@@ -275,7 +275,7 @@ void command_bookmark(Laboratory *lab)
                        BOOKMARKS_MAX);
     } else {
         memmove(place + 1, place, after * sizeof *place);
-        *place = (Bookmark){(double)step * experiment_simulation(screen->experiment)->dt, stage};
+        *place = (Bookmark){(double)step * experiment_simulation(laboratory_run(lab))->dt, stage};
         lab->player.bookmarks.count++;
         laboratory_say(lab, MESSAGE_INFO, "bookmark at step %ld: ' comes back here, m again takes it away",
                        step);
@@ -286,7 +286,7 @@ void command_bookmark(Laboratory *lab)
 void command_jump(Laboratory *lab)
 {
     const Screen *screen = &lab->screen;
-    const int n_stages = experiment_simulation(screen->experiment)->n_stages;
+    const int n_stages = experiment_simulation(laboratory_run(lab))->n_stages;
     long step;
     int stage;
     if (lab->player.bookmarks.count == 0) {

@@ -146,9 +146,8 @@ static bool read_times(const char *text, const Experiment *experiment, double *f
 
 bool command_answer_loop(Laboratory *lab, const char *text)
 {
-    const Screen *screen = &lab->screen;
-    const double dt = experiment_simulation(screen->experiment)->dt;
-    const double end = (double)experiment_last_step(screen->experiment) * dt;
+    const double dt = experiment_simulation(laboratory_run(lab))->dt;
+    const double end = (double)experiment_last_step(laboratory_run(lab)) * dt;
     Stretch loop = {.on = true};
     char why[120], last[NUMBER_TEXT_MAX];
     if (!*text && lab->player.playback.looping) {
@@ -159,7 +158,7 @@ bool command_answer_loop(Laboratory *lab, const char *text)
     if (!*text && lab->player.bookmarks.count > 1) {
         loop.from = lab->player.bookmarks.places[0].time;
         loop.to = lab->player.bookmarks.places[lab->player.bookmarks.count - 1].time;
-    } else if (!read_times(text, screen->experiment, &loop.from, &loop.to) || !(loop.from >= 0) ||
+    } else if (!read_times(text, laboratory_run(lab), &loop.from, &loop.to) || !(loop.from >= 0) ||
                !(loop.to <= end * (1 + 1e-9)) || !(loop.to >= loop.from + dt * (1 - 1e-9))) {
         text_rounded(last, end, 6);
         snprintf(why, sizeof why, "two times are wanted, as in loop 0 %s, the second at most %s", last, last);

@@ -141,8 +141,8 @@ static void change_window(Laboratory *lab, int direction)
     }
     time_plot_window(screen, &from, &to);
     double length = screen->time.window > 0 ? screen->time.window : to - from;
-    const double dt = experiment_simulation(screen->experiment)->dt, least = 10 * dt;
-    const double end = dt * (double)experiment_last_step(screen->experiment);
+    const double dt = experiment_simulation(laboratory_run(lab))->dt, least = 10 * dt;
+    const double end = dt * (double)experiment_last_step(laboratory_run(lab));
     double window = player_next_125(length, direction);
     /* the table of 1, 2, 5 does not reach into the microseconds of a crack */
     if (length < 1e-2)
@@ -154,7 +154,7 @@ static void change_window(Laboratory *lab, int direction)
         return;
     }
     screen->time.window = window;
-    const Problem *facts = experiment_settings(screen->experiment)->problem;
+    const Problem *facts = experiment_settings(laboratory_run(lab))->problem;
     laboratory_say(lab, MESSAGE_INFO, "time window %g%s", window / facts->shown_time, facts->shown_time_unit);
 }
 

@@ -167,14 +167,13 @@ static void run_action(Laboratory *lab, const LessonAction *action)
 /* A goal is run to, and where a number is asked for the end, so fast that one can follow. */
 void lesson_entry_choose_pace(Laboratory *lab)
 {
-    Screen *screen = &lab->screen;
     const LessonPage *page = lesson_entry_page(lab);
     player_choose_pace(&lab->player);
     if (!page)
         return;
     const bool to_end = page->exercise && page->exercise->kind == EXERCISE_NUMBER;
-    const long goal = to_end ? experiment_last_step(screen->experiment) : goal_step(lab, &page->until);
-    const long way = goal - experiment_step(screen->experiment);
+    const long goal = to_end ? experiment_last_step(laboratory_run(lab)) : goal_step(lab, &page->until);
+    const long way = goal - experiment_step(laboratory_run(lab));
     if (way > 0)
         lab->player.playback.pace = player_pace_for((double)way, GOAL_SECONDS);
     else if (page->until.kind == UNTIL_EVENT)
@@ -204,12 +203,11 @@ static Stop next_begin(const Laboratory *lab)
 static void arrive(Laboratory *lab)
 {
     LessonPlay *play = &lab->play;
-    Screen *screen = &lab->screen;
     const LessonUntil *until = &lesson_entry_page(lab)->until;
     const Stop stop = until->kind == UNTIL_NOTHING ? next_begin(lab) : goal_stop(lab, until);
     play->arriving = false;
-    play->step = experiment_step(screen->experiment);
-    play->stage = experiment_stage(screen->experiment);
+    play->step = experiment_step(laboratory_run(lab));
+    play->stage = experiment_stage(laboratory_run(lab));
     if (lesson_entry_page(lab)->exercise)
         lesson_judge_enter(lab);
     player_stop_at(lab, &stop);

@@ -312,7 +312,7 @@ static void name_thing(const Screen *screen, const char *words, char out[FOLLOW_
 static bool plot(Laboratory *lab, const char *words)
 {
     Screen *screen = &lab->screen;
-    Settings settings = *experiment_settings(screen->experiment);
+    Settings settings = *experiment_settings(laboratory_run(lab));
     Status status = {STATUS_DONE, ""};
     char thing[FOLLOW_TEXT_MAX], *follow = settings_edit_output(&settings)->follow;
     const size_t used = strlen(follow);
@@ -326,7 +326,7 @@ static bool plot(Laboratory *lab, const char *words)
                  thing);
     if (!edit_change(lab, &settings, experiment_edit, &status))
         return prompt_refuse(&lab->prompting, status.text);
-    const Simulation *sim = experiment_simulation(screen->experiment);
+    const Simulation *sim = experiment_simulation(laboratory_run(lab));
     const View *view = view_named("probe");
     if (!*words) {
         view_choose_variant(view, screen, 0);

@@ -79,7 +79,7 @@ static bool film(Script *script, bool must, Status *status)
 {
     if (!script->camera)
         return true;
-    const Experiment *experiment = script->lab.screen.experiment;
+    const Experiment *experiment = laboratory_run(&script->lab);
     const long last = experiment_last_step(experiment);
     return camera_look(
         script->camera, &script->canvas,
@@ -407,20 +407,20 @@ static bool replay_all(Script *script, const Session *session, Status *status)
  * tried. */
 static bool has_room(const Script *script, double dt, Status *status)
 {
-    const Screen *screen = &script->lab.screen;
+    const Laboratory *lab = &script->lab;
     const Camera *camera = script->camera;
     const double from = fmax(camera->from, 0),
-                 to = fmin(camera->to, (double)experiment_last_step(screen->experiment) * dt),
-                 steps = (to - from) / dt, frames = steps / screen->playback->pace,
+                 to = fmin(camera->to, (double)experiment_last_step(laboratory_run(lab)) * dt),
+                 steps = (to - from) / dt, frames = steps / lab->player.playback.pace,
                  due = fmax(ceil((1 - 1e-9) * camera->speed / camera->fps / FRAME_SECONDS), 1),
                  pictures = fmin(frames / due, steps);
     if (pictures < FILM_PICTURES_MAX || camera->idle < 1 / camera->fps ||
-        settings_time(experiment_settings(screen->experiment))->rest)
+        settings_time(experiment_settings(laboratory_run(lab)))->rest)
         return true;
     return status_fail(
         status, STATUS_USAGE, "the film would have about %.0f pictures (at most %d: --to %g, or --speed %g)",
         pictures, FILM_PICTURES_MAX,
-        from + player_next_125(FILM_PICTURES_MAX * fmax(due * screen->playback->pace, 1) * dt, -1),
+        from + player_next_125(FILM_PICTURES_MAX * fmax(due * lab->player.playback.pace, 1) * dt, -1),
         player_next_125(camera->fps * FRAME_SECONDS * frames / FILM_PICTURES_MAX, 1));
 }
 
