@@ -47,8 +47,9 @@ void calculation_number(Calculation *calculation, const char *words, double valu
     calculation_write(calculation, "%s%s", words, number);
 }
 
-void calculation_end_line(Calculation *calculation)
+void calculation_value(Calculation *calculation, const char *words, double value)
 {
+    calculation_number(calculation, words, value);
     calculation_write(calculation, "\n");
 }
 

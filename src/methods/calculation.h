@@ -45,7 +45,7 @@ void calculation_open(Calculation *, char *out, size_t size, int terms);
 /* Words; a number of a few digits after words. */
 void calculation_write(Calculation *, const char *format, ...) __attribute__((format(printf, 2, 3)));
 void calculation_number(Calculation *, const char *words, double value);
-void calculation_end_line(Calculation *);
+void calculation_value(Calculation *, const char *words, double value); /* and ends the line */
 
 /* Adds a term of one, two or three factors; what goes beyond CALCULATION_TERMS_MAX is put into the last one.
  */

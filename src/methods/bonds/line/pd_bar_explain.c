@@ -37,12 +37,6 @@ void pd_bar_set_stages(PdBar *bar)
     bar->sim.n_stages = PD_BAR_STAGES;
 }
 
-static void write_value(Calculation *calculation, const char *label, double value)
-{
-    calculation_number(calculation, label, value);
-    calculation_end_line(calculation);
-}
-
 static void explain_kick(const PdBar *bar, Calculation *calculation, int i, const void *before)
 {
     CalculationSum sum = {.label = "a = f/ρ = ", .result = bar->f[i] / bar->def.density};
@@ -53,7 +47,7 @@ static void explain_kick(const PdBar *bar, Calculation *calculation, int i, cons
                            "v = v + Δt/2 a = ", calculation_before(bar->head, &bar->v[i], before),
                            bar->sim.dt / 2, sum.result, bar->v[i], NULL);
     else
-        write_value(calculation, "v = ", bar->v[i]);
+        calculation_value(calculation, "v = ", bar->v[i]);
 }
 
 static void explain_drift(const PdBar *bar, Calculation *calculation, int i, const void *before)
@@ -63,14 +57,13 @@ static void explain_drift(const PdBar *bar, Calculation *calculation, int i, con
         calculation_change(calculation, "u = u + Δt v = ", calculation_before(bar->head, u, before),
                            bar->sim.dt, bar->v[i], *u, NULL);
     else
-        write_value(calculation, "u = ", *u);
+        calculation_value(calculation, "u = ", *u);
 }
 
 static void write_image(Calculation *calculation, double place, double u)
 {
     calculation_number(calculation, "the mirror image at X = ", place);
-    calculation_number(calculation, " moves by ", -u);
-    calculation_end_line(calculation);
+    calculation_value(calculation, " moves by ", -u);
 }
 
 static void explain_mirror(const PdBar *bar, Calculation *calculation, int i)
@@ -122,8 +115,7 @@ static void explain_load(const PdBar *bar, Calculation *calculation, int i)
 {
     const double load = pd_bar_load(bar, i);
     if (load == 0) {
-        calculation_number(calculation, "no load on this node: f stays ", bar->f[i]);
-        calculation_end_line(calculation);
+        calculation_value(calculation, "no load on this node: f stays ", bar->f[i]);
         return;
     }
     const ForceTerms forces = pd_bar_terms(bar);

@@ -313,8 +313,7 @@ static void explain_damage(const Beam *beam, Calculation *calculation, size_t in
     }
     write_lost(beam, calculation, family, n);
     calculation_number(calculation, "; in weights ", broken);
-    calculation_number(calculation, " of ", all);
-    calculation_end_line(calculation);
+    calculation_value(calculation, " of ", all);
     CalculationSum sum = {.label = "φ = ", .result = beam->damage[index]};
     calculation_add(&sum, 1, broken, 0, 0)->divisor = all;
     calculation_sum(calculation, &sum);

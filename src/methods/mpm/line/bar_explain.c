@@ -9,9 +9,9 @@
 
 #include <string.h>
 
-static double *velocity_of_particle(const Bar *bar, int particle)
+static double velocity_of_particle(const Bar *bar, int particle)
 {
-    return &bar->v[particle % bar->slots][particle / bar->slots];
+    return bar->v[particle % bar->slots][particle / bar->slots];
 }
 
 /* --- one system of all nodes ----------------------------------------------------------------------- */
@@ -26,9 +26,9 @@ static double solved(const Bar *bar, RowOf of, int node)
     return of == ROW_OF_ACCELERATION ? bar_node_acceleration(bar, node) : bar_node_velocity(bar, node);
 }
 
-static void write_row(const BarSubject *subject, RowOf of, int node)
+static void write_row(const Subject *subject, RowOf of, int node)
 {
-    const Bar *bar = subject->bar;
+    const Bar *bar = bar_of_const(subject->sim);
     const bool forces = of == ROW_OF_ACCELERATION;
     if (!bar_node_moves(bar, node)) {
         calculation_write(subject->calculation, "%s%d = 0: %s\n", forces ? "a" : "v", node,
@@ -47,9 +47,9 @@ static void write_row(const BarSubject *subject, RowOf of, int node)
 
 /* What elimination from the left has left of the node's row: D(i) = M(i,i) - sum L^2 D, and the value from
  * it and from the nodes on the right, D v = y - D sum L(j, i) v(j). */
-static void write_pivot(const BarSubject *subject, RowOf of, int node)
+static void write_pivot(const Subject *subject, RowOf of, int node)
 {
-    const Bar *bar = subject->bar;
+    const Bar *bar = bar_of_const(subject->sim);
     if (!bar_node_moves(bar, node))
         return;
     const BarLabel of_pivot = bar_label("pivot D", node, " = M - Σ L² D = ");
@@ -79,9 +79,9 @@ enum { WINDOW_MAX = 2 * (FMPM_ORDER_MAX - 1) * BAR_REACH_MAX + 1 };
 
 /* FMPM's terms at a node: "v8 = d_1 + d_2 = 0.1 - 0.02 = 0.08". A term needs the one before of the nodes
  * `reach` away: all are made on a stretch of the bar that gets shorter. */
-static void write_series(const BarSubject *subject, RowOf of, int node)
+static void write_series(const Subject *subject, RowOf of, int node)
 {
-    const Bar *bar = subject->bar;
+    const Bar *bar = bar_of_const(subject->sim);
     const int order = bar->head->fmpm_order, half = (order - 1) * bar->reach;
     double term[WINDOW_MAX] = {0}, next[WINDOW_MAX];
     for (int w = 0, i = node - half; i <= node + half; w++, i++)
@@ -108,9 +108,9 @@ static void write_series(const BarSubject *subject, RowOf of, int node)
     calculation_sum(subject->calculation, &sum);
 }
 
-static void write_system(const BarSubject *subject, RowOf of)
+static void write_system(const Subject *subject, RowOf of)
 {
-    const bool series = subject->bar->head->transfer == MPM_FMPM;
+    const bool series = bar_of_const(subject->sim)->head->transfer == MPM_FMPM;
     if (subject->set == BAR_NODES) {
         (series ? write_series : write_row)(subject, of, subject->index);
         if (!series)
@@ -125,10 +125,9 @@ static void write_system(const BarSubject *subject, RowOf of)
 /* --- map ------------------------------------------------------------------------------------------ */
 
 /* Of a grid that nobody empties the sum begins with what was there. */
-static void write_kept(const BarSubject *subject, const double *kept, const double *whole,
-                       CalculationSum *sum)
+static void write_kept(const Subject *subject, const double *kept, const double *whole, CalculationSum *sum)
 {
-    const BarMistake *mistake = bar_mistake(subject->bar);
+    const BarMistake *mistake = bar_mistake(bar_of_const(subject->sim));
     if (!mistake || !mistake->keeps_grid)
         return;
     sum->has_base = true;
@@ -137,59 +136,61 @@ static void write_kept(const BarSubject *subject, const double *kept, const doub
 }
 
 /* Eq. 3 at a node, term by term: p = sum m v N, APIC's w = v + C (x_i - x) in place of v. */
-static void write_momentum(const BarSubject *subject, BarExchange exchange)
+static void write_momentum(const Subject *subject, BarExchange exchange)
 {
+    const Bar *bar = bar_of_const(subject->sim);
     const BarLabel label = bar_label("p", subject->index, " = ");
     CalculationSum sum = {.label = label.text};
     sum.result = bar_add_terms(subject, exchange, &sum);
-    write_kept(subject, subject->bar->kept_momentum, subject->bar->node_momentum, &sum);
+    write_kept(subject, bar->kept_momentum, bar->node_momentum, &sum);
     calculation_sum(subject->calculation, &sum);
 }
 
 /* Eqs. 2 and 3 as the node gathers them; of a particle below, what it gives: its shares add up to m and m v,
  * as sum N = 1. */
-static void map_node(const BarSubject *subject)
+static void map_node(const Subject *subject)
 {
+    const Bar *bar = bar_of_const(subject->sim);
     const BarLabel label = bar_label("m", subject->index, " = ");
-    CalculationSum sum = {.label = label.text, .result = subject->bar->node_mass[subject->index]};
+    CalculationSum sum = {.label = label.text, .result = bar->node_mass[subject->index]};
     bar_add_terms(subject, GIVE_MASS, &sum);
-    write_kept(subject, subject->bar->kept_mass, subject->bar->node_mass, &sum);
+    write_kept(subject, bar->kept_mass, bar->node_mass, &sum);
     calculation_sum(subject->calculation, &sum);
     write_momentum(subject, GIVE_MOMENTUM);
 }
 
-static void map_particle(const BarSubject *subject)
+static void map_particle(const Subject *subject)
 {
-    const Bar *bar = subject->bar;
+    const Bar *bar = bar_of_const(subject->sim);
     CalculationSum sum = {.label = "N: ", .result = 1};
     for (size_t i = 0; i < subject->n_links; i++)
         calculation_add(&sum, 1, subject->links[i].weight, 0, 0)->to = (long)subject->links[i].index;
     calculation_sum(subject->calculation, &sum);
-    bar_write_shares(subject, GIVE_MASS, "m N: ", bar_particle_mass(bar, subject->index));
-    bar_write_shares(subject, GIVE_MOMENTUM, "m v N: ",
-                     bar_particle_mass(bar, subject->index) * *velocity_of_particle(bar, subject->index));
+    subject_write_given(subject, GIVE_MASS, "m N: ", bar_particle_mass(bar, subject->index));
+    subject_write_given(subject, GIVE_MOMENTUM, "m v N: ",
+                        bar_particle_mass(bar, subject->index) * velocity_of_particle(bar, subject->index));
 }
 
-static void map_again_node(const BarSubject *subject)
+static void map_again_node(const Subject *subject)
 {
     write_momentum(subject, GIVE_MOMENTUM_AGAIN);
-    if (bar_node_is_fixed(subject->bar, subject->index))
+    if (bar_node_is_fixed(bar_of_const(subject->sim), subject->index))
         calculation_write(subject->calculation, "the node is fixed: p%d = 0\n", subject->index);
 }
 
-static void map_again_particle(const BarSubject *subject)
+static void map_again_particle(const Subject *subject)
 {
-    bar_write_shares(subject, GIVE_MOMENTUM_AGAIN, "new m v N: ",
-                     bar_particle_mass(subject->bar, subject->index) *
-                         *velocity_of_particle(subject->bar, subject->index));
+    const Bar *bar = bar_of_const(subject->sim);
+    subject_write_given(subject, GIVE_MOMENTUM_AGAIN, "new m v N: ",
+                        bar_particle_mass(bar, subject->index) * velocity_of_particle(bar, subject->index));
 }
 
 /* --- boundary conditions -------------------------------------------------------------------------- */
 
 /* Step 2 of paper M, with the momentum that the support took away. */
-static void hold_node(const BarSubject *subject)
+static void hold_node(const Subject *subject)
 {
-    const Bar *bar = subject->bar;
+    const Bar *bar = bar_of_const(subject->sim);
     Calculation *calculation = subject->calculation;
     const int i = subject->index;
     calculation_write(calculation, "p%d", i);
@@ -207,23 +208,24 @@ static void hold_node(const BarSubject *subject)
     calculation_write(calculation, " stays\n");
 }
 
-static void fix_node(const BarSubject *subject)
+static void fix_node(const Subject *subject)
 {
     hold_node(subject);
-    if (!bar_is_lumped(subject->bar))
+    if (!bar_is_lumped(bar_of_const(subject->sim)))
         write_system(subject, ROW_OF_VELOCITY);
 }
 
-static void fix_particle(const BarSubject *subject)
+static void fix_particle(const Subject *subject)
 {
-    if (!bar_is_lumped(subject->bar)) {
+    const Bar *bar = bar_of_const(subject->sim);
+    if (!bar_is_lumped(bar)) {
         write_system(subject, ROW_OF_VELOCITY);
         return;
     }
     for (size_t i = 0; i < subject->n_links; i++)
-        if (bar_node_is_fixed(subject->bar, (int)subject->links[i].index)) {
+        if (bar_node_is_fixed(bar, (int)subject->links[i].index)) {
             calculation_write(subject->calculation,
-                              bar_holds_momentum(subject->bar, OP_FIX, (int)subject->links[i].index)
+                              bar_holds_momentum(bar, OP_FIX, (int)subject->links[i].index)
                                   ? "its node %zu is fixed and cannot move\n"
                                   : "its node %zu is fixed, and moves on\n",
                               subject->links[i].index);
@@ -234,34 +236,34 @@ static void fix_particle(const BarSubject *subject)
 
 /* --- strain and stress ---------------------------------------------------------------------------- */
 
-static void strain_node(const BarSubject *subject)
+static void strain_node(const Subject *subject)
 {
+    const Bar *bar = bar_of_const(subject->sim);
     const int i = subject->index;
-    if (!bar_is_lumped(subject->bar)) {
+    if (!bar_is_lumped(bar)) {
         write_system(subject, ROW_OF_VELOCITY);
         return;
     }
-    if (bar_holds_momentum(subject->bar, OP_STRAIN, i)) {
-        const double velocity = subject->bar->node_velocity[i];
+    if (bar_holds_momentum(bar, OP_STRAIN, i)) {
+        const double velocity = bar->node_velocity[i];
         bar_write_ratio(subject, bar_label("it strains by v", i, " = p/m = ").text,
-                        velocity * subject->bar->node_mass[i], velocity);
+                        velocity * bar->node_mass[i], velocity);
         calculation_write(subject->calculation, "then p%d → 0: a support holds the node\n", i);
         return;
     }
-    bar_write_ratio(subject, bar_label("v", i, " = p/m = ").text, subject->bar->node_momentum[i],
-                    bar_node_velocity(subject->bar, i));
+    bar_write_ratio(subject, bar_label("v", i, " = p/m = ").text, bar->node_momentum[i],
+                    bar_node_velocity(bar, i));
 }
 
 /* Eq. 8, or what a code has in its place: the density before is solved for. */
-static void write_density(const BarSubject *subject, double density, double stretch)
+static void write_density(const Subject *subject, double density, double stretch)
 {
-    const BarMistake *mistake = bar_mistake(subject->bar);
+    const BarMistake *mistake = bar_mistake(bar_of_const(subject->sim));
     const bool other = mistake && mistake->thinned;
     const double ratio = other ? 1 / mistake->thinned(1, stretch) : 1 / stretch;
     CalculationSum thin = {.label = other ? "ρ = ρ (1 + Δε) = " : "ρ = ρ/(1 + Δε) = ", .result = density};
     if (other && ratio == 1) {
-        calculation_number(subject->calculation, "ρ stays ", density);
-        calculation_end_line(subject->calculation);
+        calculation_value(subject->calculation, "ρ stays ", density);
         return;
     }
     if (!other)
@@ -273,9 +275,9 @@ static void write_density(const BarSubject *subject, double density, double stre
 
 /* Eqs. 5, 7 and 8 for one particle: de = dt sum N' v, the stress from that before the stage, the density from
  * that after it (rho (1 + de) is what it was). */
-static void strain_particle(const BarSubject *subject)
+static void strain_particle(const Subject *subject)
 {
-    const Bar *bar = subject->bar;
+    const Bar *bar = bar_of_const(subject->sim);
     const int slot = subject->index % bar->slots, k = subject->index / bar->slots;
     const double stress = bar->stress[slot][k],
                  density = bar_particle_mass(bar, subject->index) / bar->volume[slot][k];
@@ -302,9 +304,9 @@ static void strain_particle(const BarSubject *subject)
 /* --- nodal forces --------------------------------------------------------------------------------- */
 
 /* Eqs. 10 to 12 at a node, and M a = f where masses are not lumped. */
-static void force_node(const BarSubject *subject)
+static void force_node(const Subject *subject)
 {
-    const Bar *bar = subject->bar;
+    const Bar *bar = bar_of_const(subject->sim);
     const int i = subject->index;
     const double share = bar_load_share(bar);
     CalculationSum internal = {.label = bar_force_share(bar) > 0 ? "f_int = Σ N′ (σ V) = "
@@ -336,19 +338,19 @@ static void force_node(const BarSubject *subject)
 
 /* Eq. 10 of a particle: what it gives to its nodes adds up to 0, as sum N' = 0: stress alone moves nobody's
  * centre of mass. */
-static void force_particle(const BarSubject *subject)
+static void force_particle(const Subject *subject)
 {
-    const Bar *bar = subject->bar;
+    const Bar *bar = bar_of_const(subject->sim);
     const double stress = bar_force_stress(bar, subject->index),
                  volume = bar_force_volume(bar, subject->index);
     CalculationSum pull = {.label = "σ V = ", .result = stress * volume};
     calculation_add(&pull, 2, stress, volume, 0);
     calculation_sum(subject->calculation, &pull);
-    bar_write_shares(subject, GIVE_F_INT, bar_force_share(bar) > 0 ? "N′ σ V: " : "-N′ σ V: ", 0);
+    subject_write_given(subject, GIVE_F_INT, bar_force_share(bar) > 0 ? "N′ σ V: " : "-N′ σ V: ", 0);
     if (bar_is_loaded(bar)) {
         const double load = bar_load_on(bar, subject->index);
         bar_write_load(subject, load);
-        bar_write_shares(subject, GIVE_F_EXT, "N load: ", load);
+        subject_write_given(subject, GIVE_F_EXT, "N load: ", load);
     }
     if (!bar_is_lumped(bar))
         write_system(subject, ROW_OF_ACCELERATION);
@@ -357,9 +359,9 @@ static void force_particle(const BarSubject *subject)
 /* --- integrate momentum --------------------------------------------------------------------------- */
 
 /* Eq. 13; the momentum before is solved for, since the stage has written over it. */
-static void write_integrated(const BarSubject *subject, int node)
+static void write_integrated(const Subject *subject, int node)
 {
-    const Bar *bar = subject->bar;
+    const Bar *bar = bar_of_const(subject->sim);
     const double force = bar_node_force(bar, node);
     const BarLabel label = bar_label("p", node, " = p + Δt f = ");
     const double momentum = bar->node_momentum[node];
@@ -367,34 +369,33 @@ static void write_integrated(const BarSubject *subject, int node)
                        NULL);
 }
 
-static void integrate_node(const BarSubject *subject)
+static void integrate_node(const Subject *subject)
 {
     write_integrated(subject, subject->index);
     strain_node(subject);
 }
 
-static void integrate_particle(const BarSubject *subject)
+static void integrate_particle(const Subject *subject)
 {
     for (size_t i = 0; i < subject->n_links; i++)
         if (subject->links[i].weight != 0.0)
             write_integrated(subject, (int)subject->links[i].index);
-    if (!bar_is_lumped(subject->bar))
+    if (!bar_is_lumped(bar_of_const(subject->sim)))
         write_system(subject, ROW_OF_VELOCITY);
 }
 
 /* --- update particles ----------------------------------------------------------------------------- */
 
 /* What a node gives in eqs. 14 and 15: f/m and p/m. */
-static void update_node(const BarSubject *subject)
+static void update_node(const Subject *subject)
 {
-    const Bar *bar = subject->bar;
+    const Bar *bar = bar_of_const(subject->sim);
     const int i = subject->index;
     /* MUSL may have mapped the momentum again by now; node_drift still has the integrated one */
     const double speed = bar_integrated_velocity(bar, i);
     if (!bar_is_lumped(bar)) {
         calculation_number(subject->calculation, "it gives a = ", bar->node_kick[i] / bar->dt);
-        calculation_number(subject->calculation, " and v = ", speed);
-        calculation_end_line(subject->calculation);
+        calculation_value(subject->calculation, " and v = ", speed);
         return;
     }
     bar_write_ratio(subject, "it gives a = f/m = ", bar_node_force(bar, i), bar->node_kick[i] / bar->dt);
@@ -403,9 +404,9 @@ static void update_node(const BarSubject *subject)
 
 /* APIC's affine velocity: C = sum N'_i v_i for hats, else C = sum N_i v_i d_i / sum N_i d_i^2, d_i = x_i - x.
  */
-static void write_slope(const BarSubject *subject)
+static void write_slope(const Subject *subject)
 {
-    const Bar *bar = subject->bar;
+    const Bar *bar = bar_of_const(subject->sim);
     const int cell = bar_cell_of(bar, subject->index);
     const int slot = subject->index % bar->slots, k = subject->index / bar->slots;
     const bool hat = bar->def.shape == MPM_HAT;
@@ -426,9 +427,9 @@ static void write_slope(const BarSubject *subject)
 }
 
 /* The terms of eq. 14 with the weights that a wrong code takes; returns their sum. */
-static double write_kicks(const BarSubject *subject, CalculationSum *sum)
+static double write_kicks(const Subject *subject, CalculationSum *sum)
 {
-    const Bar *bar = subject->bar;
+    const Bar *bar = bar_of_const(subject->sim);
     double n[2], kick = 0;
     int cell;
     bar_kick_weights(bar, subject->index, &cell, n);
@@ -441,10 +442,10 @@ static double write_kicks(const BarSubject *subject, CalculationSum *sum)
 
 /* Eq. 14: v + dt sum N_i f_i/m_i (FLIP), sum N_i v_i (PIC, APIC), or both and their mean weighted with
  * alpha. */
-static void write_velocity(const BarSubject *subject)
+static void write_velocity(const Subject *subject)
 {
-    const Bar *bar = subject->bar;
-    const double alpha = bar->head->flip_fraction, now = *velocity_of_particle(bar, subject->index);
+    const Bar *bar = bar_of_const(subject->sim);
+    const double alpha = bar->head->flip_fraction, now = velocity_of_particle(bar, subject->index);
     if (bar->head->transfer != MPM_FLIP || alpha == 0.0) {
         CalculationSum mean = {.label = "v = Σ N v_i = ", .result = now};
         bar_add_terms(subject, TAKE_VELOCITY, &mean);
@@ -479,9 +480,9 @@ static void write_velocity(const BarSubject *subject)
 }
 
 /* Eqs. 14, 15 and, with APIC, C. */
-static void update_particle(const BarSubject *subject)
+static void update_particle(const Subject *subject)
 {
-    const Bar *bar = subject->bar;
+    const Bar *bar = bar_of_const(subject->sim);
     const int slot = subject->index % bar->slots, k = subject->index / bar->slots;
     const int from_origin = bar_cell_of(bar, subject->index) - bar->origin;
     write_velocity(subject);
@@ -491,7 +492,7 @@ static void update_particle(const BarSubject *subject)
                             .result = (from_origin + bar->moved[slot][k]) * bar->dx};
     const BarMistake *mistake = bar_mistake(bar);
     if (mistake && mistake->moves == MOVES_BY_ITSELF)
-        calculation_add(&place, 2, bar->dt, *velocity_of_particle(bar, subject->index), 0);
+        calculation_add(&place, 2, bar->dt, velocity_of_particle(bar, subject->index), 0);
     else
         bar_add_terms(subject, TAKE_PLACE, &place);
     calculation_sum(subject->calculation, &place);
@@ -501,27 +502,25 @@ static void update_particle(const BarSubject *subject)
 
 /* --- forget the grid ------------------------------------------------------------------------------ */
 
-static void forget_node(const BarSubject *subject)
+static void forget_node(const Subject *subject)
 {
-    calculation_number(subject->calculation, "the node is empty again, and where it was: x = ",
-                       bar_node_position(subject->bar, subject->index));
-    calculation_end_line(subject->calculation);
+    calculation_value(subject->calculation, "the node is empty again, and where it was: x = ",
+                      bar_node_position(bar_of_const(subject->sim), subject->index));
 }
 
-static void forget_particle(const BarSubject *subject)
+static void forget_particle(const Subject *subject)
 {
-    const Bar *bar = subject->bar;
+    const Bar *bar = bar_of_const(subject->sim);
     const int cell = bar_cell_of(bar, subject->index);
     const double left = (cell - bar->origin) * bar->dx;
     const double s = bar->s[subject->index % bar->slots][subject->index / bar->slots];
     calculation_number(subject->calculation, "x = ", left + s * bar->dx);
     calculation_write(subject->calculation, " lies in cell %d, from", cell);
     calculation_number(subject->calculation, " ", left);
-    calculation_number(subject->calculation, " to ", left + bar->dx);
-    calculation_end_line(subject->calculation);
+    calculation_value(subject->calculation, " to ", left + bar->dx);
 }
 
-typedef void Explanation(const BarSubject *subject);
+typedef void Explanation(const Subject *subject);
 
 static const struct {
     Explanation *particle, *node;
@@ -541,17 +540,14 @@ void bar_explain(const Simulation *sim, int stage, int set, size_t index, const 
 {
     ASSERT_INDEX(stage, sim->n_stages);
     ASSERT_INDEX(index, sim->counts[set]);
-    const Bar *bar = bar_of_const(sim);
-    const BarSchedule *schedule = bar_schedule(bar);
+    const BarSchedule *schedule = bar_schedule(bar_of_const(sim));
     Calculation calculation;
     calculation_open(&calculation, out, size, terms);
     /* right after its stage only: the next one may overwrite the numbers */
     int just_done = sim->stage > 0 ? sim->stage - 1 : schedule->count - 1;
     if (stage != just_done || index >= sim->counts[set])
         return;
-    BarSubject subject = {
-        .bar = bar, .before = before, .set = set, .index = (int)index, .calculation = &calculation};
-    subject.n_links = bar_links(sim, set, index, subject.links, LINKS_MAX);
+    const Subject subject = subject_of(sim, set, index, before, &calculation);
     (set == BAR_PARTICLES ? explanations[schedule->ops[stage]].particle
                           : explanations[schedule->ops[stage]].node)(&subject);
 }

@@ -26,17 +26,17 @@ static bool leads(BarExchange exchange, int n_factors)
 }
 
 /* The terms that the subject is given in an exchange, m or dt before the bracket; returns their sum. */
-double bar_add_terms(const BarSubject *subject, BarExchange exchange, CalculationSum *sum)
+double bar_add_terms(const Subject *subject, BarExchange exchange, CalculationSum *sum)
 {
-    const Simulation *sim = &subject->bar->sim;
     double total = 0;
     for (size_t i = 0; i < subject->n_links; i++) {
         const Link *link = &subject->links[i];
         double f[EXCHANGE_FACTORS_MAX] = {0};
-        const int n = bar_exchange(sim, (int)exchange, link->index, (size_t)subject->index, f);
+        int n;
+        const double term = subject_term(subject, (int)exchange, link->index, (size_t)subject->index, &n, f);
         if (n == 0 || (uses_slope(exchange) ? link->gradient[0] : link->weight) == 0.0)
             continue;
-        total += f[0] * f[1] * (n == 3 ? f[2] : 1);
+        total += term;
         if (exchange == GIVE_F_INT)
             calculation_add(sum, 2, f[0], f[1] * f[2], 0);
         else if (leads(exchange, n)) {
@@ -48,23 +48,9 @@ double bar_add_terms(const BarSubject *subject, BarExchange exchange, Calculatio
     return total;
 }
 
-/* How what a particle gives is divided among its nodes; `whole` is what the shares add up to. */
-void bar_write_shares(const BarSubject *subject, BarExchange exchange, const char *label, double whole)
+void bar_write_load(const Subject *subject, double load)
 {
-    CalculationSum sum = {.label = label, .result = whole};
-    for (size_t i = 0; i < subject->n_links; i++) {
-        double f[EXCHANGE_FACTORS_MAX] = {0};
-        const size_t node = subject->links[i].index;
-        const int n = bar_exchange(&subject->bar->sim, (int)exchange, (size_t)subject->index, node, f);
-        if (n > 0)
-            calculation_add(&sum, 1, f[0] * f[1] * (n == 3 ? f[2] : 1), 0, 0)->to = (long)node;
-    }
-    calculation_sum(subject->calculation, &sum);
-}
-
-void bar_write_load(const BarSubject *subject, double load)
-{
-    const Bar *bar = subject->bar;
+    const Bar *bar = bar_of_const(subject->sim);
     const ForceTerms forces = bar_forces(bar);
     char label[sizeof bar->force_words.load + 4] = "";
     text_append(label, sizeof label, "%s = ", bar->force_words.load);
@@ -77,15 +63,15 @@ void bar_write_load(const BarSubject *subject, double load)
 }
 
 /* A node's value over its mass, or that it is inactive. */
-void bar_write_ratio(const BarSubject *subject, const char *label, double above, double result)
+void bar_write_ratio(const Subject *subject, const char *label, double above, double result)
 {
-    const double mass = subject->bar->node_mass[subject->index];
+    const Bar *bar = bar_of_const(subject->sim);
     CalculationSum sum = {.label = label, .result = result};
-    if (subject->bar->node_inverse[subject->index] == 0.0) {
+    if (bar->node_inverse[subject->index] == 0.0) {
         calculation_write(subject->calculation, "%s0: too little mass is here, the node is inactive\n",
                           label);
         return;
     }
-    calculation_add(&sum, 1, above, 0, 0)->divisor = mass;
+    calculation_add(&sum, 1, above, 0, 0)->divisor = bar->node_mass[subject->index];
     calculation_sum(subject->calculation, &sum);
 }

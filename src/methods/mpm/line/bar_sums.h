@@ -4,19 +4,7 @@
 #define PHYSICS_MPM_BAR_SUMS_H
 
 #include "methods/mpm/line/bar_state.h"
-#include "methods/calculation.h"
-
-enum { LINKS_MAX = 64 };
-
-/* The particle or node whose sums are written, and where they go. */
-typedef struct BarSubject {
-    const Bar *bar;
-    const void *before; /* the state before the stage; NULL: not known */
-    int set, index;
-    Link links[LINKS_MAX];
-    size_t n_links;
-    Calculation *calculation;
-} BarSubject;
+#include "methods/mpm/subject.h"
 
 /* A label of a node: "p13 = " from "p%d = ". */
 typedef struct BarLabel {
@@ -26,15 +14,12 @@ typedef struct BarLabel {
 BarLabel bar_label(const char *before, int node, const char *after);
 
 /* Adds to the sum one term for each link of the subject, and the factor they share; returns their total. */
-double bar_add_terms(const BarSubject *, BarExchange, CalculationSum *);
-
-/* "m v N: 0.1 to 12 + 0.3 to 13 = 0.4": how a quantity of the chosen particle is divided among its nodes. */
-void bar_write_shares(const BarSubject *, BarExchange, const char *label, double whole);
+double bar_add_terms(const Subject *, BarExchange, CalculationSum *);
 
 /* "load = m b + t V/h = 0.1 + 0.2 = 0.3": what acts on the chosen particle from outside, term by term. */
-void bar_write_load(const BarSubject *, double load);
+void bar_write_load(const Subject *, double load);
 
 /* "v13 = p/m = 0.2 / 0.5 = 0.4": a quantity over the mass of the chosen node. */
-void bar_write_ratio(const BarSubject *, const char *label, double above, double result);
+void bar_write_ratio(const Subject *, const char *label, double above, double result);
 
 #endif

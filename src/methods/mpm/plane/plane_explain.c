@@ -3,41 +3,19 @@
  * stage has just been done. The terms come from plane_exchange.c; what is no exchange (supports, stress,
  * momentum) is written here. */
 #include "base/assertion.h"
-#include "methods/calculation.h"
 #include "methods/mpm/plane/plane_state.h"
-
-enum { LINKS_MAX = 64 };
-
-typedef struct Subject {
-    const Plane *plane;
-    const void *before; /* the state before the stage; NULL: not known */
-    int set, index;
-    Link links[LINKS_MAX];
-    size_t n_links;
-    Calculation *calculation;
-} Subject;
-
-/* The product of a term's factors; *count 0: its numbers are not at hand at this stage. */
-static double product(const Subject *subject, int exchange, size_t from, size_t to, int *count,
-                      double f[EXCHANGE_FACTORS_MAX])
-{
-    *count = plane_exchange(&subject->plane->sim, exchange, from, to, f);
-    double value = *count > 0 ? 1 : 0;
-    for (int k = 0; k < *count; k++)
-        value *= f[k];
-    return value;
-}
+#include "methods/mpm/subject.h"
 
 /* "px = m (vx N + ...) = ...": what the subject takes. */
 static void write_taken(const Subject *subject, int exchange, const char *label)
 {
-    const Exchange *row = &subject->plane->sim.exchanges[exchange];
+    const Exchange *row = &subject->sim->exchanges[exchange];
     CalculationSum sum = {.label = label};
     double f[EXCHANGE_FACTORS_MAX], total = 0;
     for (size_t i = 0; i < subject->n_links; i++) {
         int n;
         const double term =
-            product(subject, exchange, subject->links[i].index, (size_t)subject->index, &n, f);
+            subject_term(subject, exchange, subject->links[i].index, (size_t)subject->index, &n, f);
         if (n == 0)
             return;
         total += term;
@@ -50,33 +28,17 @@ static void write_taken(const Subject *subject, int exchange, const char *label)
         else
             calculation_add(&sum, n, f[0], f[1], 0);
     }
-    const double now = simulation_value(&subject->plane->sim,
-                                        simulation_find_field(&subject->plane->sim, row->to, row->field),
-                                        (size_t)subject->index);
+    const double now = simulation_value(
+        subject->sim, simulation_find_field(subject->sim, row->to, row->field), (size_t)subject->index);
     sum.result = row->adds ? now : total;
     sum.has_base = row->adds;
     sum.base = now - total;
     calculation_sum(subject->calculation, &sum);
 }
 
-/* "m N: 0.1 to 12 + ...": how what the subject has is divided. */
-static void write_given(const Subject *subject, int exchange, const char *label, double whole)
-{
-    CalculationSum sum = {.label = label, .result = whole};
-    double f[EXCHANGE_FACTORS_MAX];
-    for (size_t i = 0; i < subject->n_links; i++) {
-        int n;
-        const double term =
-            product(subject, exchange, (size_t)subject->index, subject->links[i].index, &n, f);
-        if (n > 0)
-            calculation_add(&sum, 1, term, 0, 0)->to = (long)subject->links[i].index;
-    }
-    calculation_sum(subject->calculation, &sum);
-}
-
 static PlaneHeld held(const Subject *subject, int node)
 {
-    const Plane *plane = subject->plane;
+    const Plane *plane = plane_of_const(subject->sim);
     return plane_held(plane, plane->sim.step, node % plane->gx, node / plane->gx);
 }
 
@@ -88,13 +50,18 @@ static void map_node(const Subject *subject)
     write_taken(subject, GIVE_PY, "py = ");
 }
 
+static void give_momentum(const Subject *subject, int x, int y)
+{
+    const Plane *plane = plane_of_const(subject->sim);
+    const int at = plane_at(plane, subject->index);
+    subject_write_given(subject, x, "m vx N: ", plane->mass * plane->vx[at]);
+    subject_write_given(subject, y, "m vy N: ", plane->mass * plane->vy[at]);
+}
+
 static void map_particle(const Subject *subject)
 {
-    const Plane *plane = subject->plane;
-    const int at = plane_at(plane, subject->index);
-    write_given(subject, GIVE_MASS, "m N: ", plane->mass);
-    write_given(subject, GIVE_PX, "m vx N: ", plane->mass * plane->vx[at]);
-    write_given(subject, GIVE_PY, "m vy N: ", plane->mass * plane->vy[at]);
+    subject_write_given(subject, GIVE_MASS, "m N: ", plane_of_const(subject->sim)->mass);
+    give_momentum(subject, GIVE_PX, GIVE_PY);
 }
 
 static void again_node(const Subject *subject)
@@ -105,20 +72,17 @@ static void again_node(const Subject *subject)
 
 static void again_particle(const Subject *subject)
 {
-    const Plane *plane = subject->plane;
-    write_given(subject, GIVE_PX_AGAIN, "m vx N: ", plane->mass * plane->vx[plane_at(plane, subject->index)]);
-    write_given(subject, GIVE_PY_AGAIN, "m vy N: ", plane->mass * plane->vy[plane_at(plane, subject->index)]);
+    give_momentum(subject, GIVE_PX_AGAIN, GIVE_PY_AGAIN);
 }
 
 static void hold_node(const Subject *subject)
 {
-    const Plane *plane = subject->plane;
+    const Plane *plane = plane_of_const(subject->sim);
     const PlaneHeld is = held(subject, subject->index);
     if (!is.x && !is.y)
         calculation_write(subject->calculation, "no support holds this node: its momentum stays\n");
     if (is.x) {
-        calculation_number(subject->calculation, "px = m v0 = ", plane->px[subject->index]);
-        calculation_end_line(subject->calculation);
+        calculation_value(subject->calculation, "px = m v0 = ", plane->px[subject->index]);
     }
     if (is.y)
         calculation_write(subject->calculation, "py → 0: it cannot move across the beam\n");
@@ -151,7 +115,7 @@ static void hold_force_node(const Subject *subject)
  * stress before. */
 static void strain_particle(const Subject *subject)
 {
-    const Plane *plane = subject->plane;
+    const Plane *plane = plane_of_const(subject->sim);
     const Simulation *sim = &plane->sim;
     const int p = subject->index, at = plane_at(plane, p);
     const double nu = plane->def.poisson;
@@ -178,10 +142,9 @@ static void strain_particle(const Subject *subject)
 static void strain_node(const Subject *subject)
 {
     double v[2];
-    plane_strain_velocity(subject->plane, subject->index, v);
+    plane_strain_velocity(plane_of_const(subject->sim), subject->index, v);
     calculation_number(subject->calculation, "vx = px/m = ", v[0]);
-    calculation_number(subject->calculation, "   vy = py/m = ", v[1]);
-    calculation_end_line(subject->calculation);
+    calculation_value(subject->calculation, "   vy = py/m = ", v[1]);
 }
 
 static void force_node(const Subject *subject)
@@ -193,14 +156,14 @@ static void force_node(const Subject *subject)
 /* Eq. 10 of a particle: its shares add up to 0 each way, as sum grad N = 0. */
 static void force_particle(const Subject *subject)
 {
-    write_given(subject, GIVE_FX, "fx: ", 0);
-    write_given(subject, GIVE_FY, "fy: ", 0);
+    subject_write_given(subject, GIVE_FX, "fx: ", 0);
+    subject_write_given(subject, GIVE_FY, "fy: ", 0);
 }
 
 /* Eq. 13; the momentum before is solved for, since the stage has written over it. */
 static void integrate_node(const Subject *subject)
 {
-    const Plane *plane = subject->plane;
+    const Plane *plane = plane_of_const(subject->sim);
     const int i = subject->index;
     calculation_change(subject->calculation, "px = px + Δt fx = ", plane->px[i] - plane->dt * plane->fx[i],
                        plane->dt, plane->fx[i], plane->px[i], NULL);
@@ -225,10 +188,9 @@ static void update_particle(const Subject *subject)
 
 static void update_node(const Subject *subject)
 {
-    const Plane *plane = subject->plane;
+    const Plane *plane = plane_of_const(subject->sim);
     calculation_number(subject->calculation, "it gives ax = ", plane_acceleration(plane, 0, subject->index));
-    calculation_number(subject->calculation, ", ay = ", plane_acceleration(plane, 1, subject->index));
-    calculation_end_line(subject->calculation);
+    calculation_value(subject->calculation, ", ay = ", plane_acceleration(plane, 1, subject->index));
 }
 
 static void (*const writers[PLANE_OPS][PLANE_SETS])(const Subject *) = {
@@ -248,15 +210,12 @@ void plane_explain(const Simulation *sim, int stage, int set, size_t index, cons
 {
     ASSERT_INDEX(stage, sim->n_stages);
     ASSERT_INDEX(index, sim->counts[set]);
-    const Plane *plane = plane_of_const(sim);
     Calculation calculation;
     calculation_open(&calculation, out, size, terms);
-    Subject subject = {
-        .plane = plane, .before = before, .set = set, .index = (int)index, .calculation = &calculation};
-    subject.n_links = plane_links(sim, set, index, subject.links, LINKS_MAX);
+    const Subject subject = subject_of(sim, set, index, before, &calculation);
     if (subject.n_links == 0) {
         calculation_write(&calculation, "no particle is near: this node is empty\n");
         return;
     }
-    writers[plane_schedule(plane->head)->ops[stage]][set](&subject);
+    writers[plane_schedule(plane_of_const(sim)->head)->ops[stage]][set](&subject);
 }
