@@ -216,23 +216,36 @@ static void offer_fields(Completion *completion, const Simulation *sim)
     }
 }
 
+static void offer_words(Completion *completion, const char *const *words)
+{
+    for (; *words; words++)
+        offer(completion, *words, "");
+}
+
+/* A key, or its value behind a space or "=". */
+static void offer_setting(Completion *completion, const Laboratory *lab)
+{
+    const char *words = completion->start;
+    const size_t key = strcspn(words, " =");
+    if (!words[key]) {
+        offer_keys(completion, lab, " ");
+        return;
+    }
+    if (!strchr(words, '='))
+        offer_meant(completion, lab, "="); /* the words of a label */
+    if (completion->found > 0)
+        return;
+    completion->start = words + key + strspn(words + key, " =");
+    offer_values(completion, experiment_settings(laboratory_run(lab)), words, key);
+}
+
 /* The words after a verb; `start` is what stands behind it. */
 static void offer_arguments(Completion *completion, const Laboratory *lab, LineArgument kind)
 {
     const char *words = completion->start;
-    const size_t key = strcspn(words, " =");
     switch (kind) {
     case ARGUMENT_KEY:
-        if (!words[key]) {
-            offer_keys(completion, lab, " ");
-            break;
-        }
-        if (!strchr(words, '='))
-            offer_meant(completion, lab, "="); /* the words of a label */
-        if (completion->found > 0)
-            break;
-        completion->start = words + key + strspn(words + key, " =");
-        offer_values(completion, experiment_settings(laboratory_run(lab)), words, key);
+        offer_setting(completion, lab);
         break;
     case ARGUMENT_KEY_LIST:
         completion->start = strrchr(words, ',') ? strrchr(words, ',') + 1 : words;
@@ -266,12 +279,10 @@ static void offer_arguments(Completion *completion, const Laboratory *lab, LineA
             offer_files(completion, false);
         break;
     case ARGUMENT_REFERENCES:
-        for (int i = 0; parameter_reference_words[i]; i++)
-            offer(completion, parameter_reference_words[i], "");
+        offer_words(completion, parameter_reference_words);
         break;
     case ARGUMENT_SHEET:
-        for (int i = 0; parameter_sheet_words[i]; i++)
-            offer(completion, parameter_sheet_words[i], "");
+        offer_words(completion, parameter_sheet_words);
         break;
     case ARGUMENT_LESSON:
         for (const BuiltinLesson *lesson = builtin_lessons; lesson->name; lesson++)
@@ -279,8 +290,7 @@ static void offer_arguments(Completion *completion, const Laboratory *lab, LineA
         break;
     case ARGUMENT_STOP:
         completion->start += strncmp(words, "first ", 6) == 0 ? 6 : 0;
-        for (int i = 0; stop_event_words[i]; i++)
-            offer(completion, stop_event_words[i], "");
+        offer_words(completion, stop_event_words);
         for (int i = 0; completion->start == words && i < 3; i++)
             offer(completion, (const char *const[]){"t ", "end", "first "}[i], "");
         break;
