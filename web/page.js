@@ -116,6 +116,8 @@ function words_of_link(search) {
 
 const opened = {kind: 'scenario', name: 'mode5', sets: []};
 
+const is_known = () => data[opened.kind + 's'].some(({name}) => name === opened.name);
+
 function link_to_opened() {
 	const wish = new URLSearchParams();
 	wish.set(opened.kind, opened.name);
@@ -157,7 +159,8 @@ const term = new Terminal({
 	theme: themes[look()], scrollback: 0, cursorBlink: false, allowProposedApi: true,
 });
 const fit = new FitAddon.FitAddon();
-let worker = null, program = null, keeps = false;
+let worker = null, program = null;
+let answers = false; // the program has said something, and takes keys
 
 function send(bytes) {
 	if (worker) worker.postMessage({keys: bytes});
@@ -299,6 +302,7 @@ function show_keys() {
 	}
 	for (const {keys: some, word} of now) for (const key of some) add(key, key + ' ' + word);
 	for (const key of ['←', '→', '↑', '↓', 'Enter', 'Esc', 'Tab', 'Space', '?']) add(key, key);
+	add('f', 'f sheet');
 	element('keys').replaceChildren(...buttons);
 }
 
@@ -357,20 +361,24 @@ function show_files() {
 	const count = written.size;
 	element('files').textContent = count > 0 ? 'files (' + count + ')' : 'files';
 	list_files('written');
+	// what was written last is saved by one tap; the scenario beside a table lies under "files"
+	const latest = [...written.keys()].filter((name) => !/\.session$|\.\w+\.ini$/.test(name)).pop();
+	element('latest').replaceChildren(...(latest ? [save_button(latest, written.get(latest), 'save ' + latest)] : []));
 	const homework = [...written.keys()].filter((name) => name.endsWith('.session'));
 	const whose = element('whose');
 	whose.replaceChildren();
+	if (worker && opened.whose) whose.append('homework of ' + opened.whose + ' ');
 	if (homework.length === 0) return;
 	const name = homework[homework.length - 1];
 	if (worker && (opened.whose || opened.recording) && !is_whole(written.get(name)))
-		whose.append((opened.whose ? 'homework of ' + opened.whose + ' ' : ''),
-			word_button('hand in', () => worker.postMessage({leave: true})));
+		whose.append(word_button('hand in', () => worker.postMessage({leave: true})));
 	else if (is_whole(written.get(name))) whose.append('kept here: ', save_button(name, written.get(name), 'hand in ' + name));
 	else whose.append('kept here: ', word_button('go on with ' + name, () => go_on(name)));
 }
 
 function take_file({file, kept, bytes}) {
 	if (kept) return store.write('state', file, bytes);
+	written.delete(file); // the latest stands last
 	written.set(file, bytes);
 	if (file.endsWith('.session')) store.write('work', file, bytes);
 	const before = written.get(opened.instead_of);
@@ -396,12 +404,18 @@ async function bring(files) {
 		const bytes = new Uint8Array(await file.arrayBuffer());
 		if (name.endsWith('.lesson')) open_one({given: {name, bytes}, words: ['lesson', name], solve: /^@solve/m.test(new TextDecoder().decode(bytes))});
 		else if (name.endsWith('.session')) open_one({given: {name, bytes}, words: ['--replay', name]});
+		else if (!worker) notice('Begin first; then ' + name + ' can be opened.');
 		else {
+			const fresh = !answers;
+			while (worker && !answers) await new Promise((done) => setTimeout(done, 50));
+			if (!worker) return;
 			worker.postMessage({put: {name, bytes}});
 			const series = name.endsWith('.csv'), line = (series ? ':overlay ' : ':open ') + name;
 			// out of whatever is being typed; on the screen time makes it a key of its own
-			press(plain.on ? 'Esc\n' : '\x1b');
-			await new Promise((done) => setTimeout(done, 200));
+			if (!fresh) {
+				press(plain.on ? 'Esc\n' : '\x1b');
+				await new Promise((done) => setTimeout(done, 200));
+			}
 			plain.on ? plain.enter(line) : press(line + '\r');
 			if (series) notice('Type :diagnose ' + name + ' to hear which code made its numbers.');
 		}
@@ -426,9 +440,11 @@ function begin(words, {files = [], input = ''} = {}) {
 	}
 	term.reset();
 	resize();
+	answers = false;
 	worker = new Worker(worker_address());
 	worker.onmessage = ({data}) => {
 		const here = worker;
+		answers = answers || Boolean(data.out);
 		if (data.out && plain.on) plain.take(data.out);
 		else if (data.out) term.write(data.out, () => here.postMessage({drawn: data.out.length}));
 		else if (data.file) take_file(data);
@@ -492,8 +508,7 @@ async function open_one({scenario, lesson, sets = [], name = '', id = '', words,
 }
 
 function open_again() {
-	const known = data[opened.kind + 's'].some(({name}) => name === opened.name);
-	open_one({[opened.kind]: known ? opened.name : undefined, sets: opened.sets});
+	open_one({[opened.kind]: is_known() ? opened.name : undefined, sets: opened.sets});
 }
 
 // --- the page as a whole ---------------------------------------------------------------------------
@@ -505,11 +520,16 @@ function worker_address() {
 	return worker_address.made;
 }
 
+// Compiled once, for every start. From a server it is while it comes, and kept by the browser, where it is named as what it is.
 async function load_program() {
 	const inlined = element('program');
-	if (!inlined) return (await fetch('matvib.wasm')).arrayBuffer();
+	if (!inlined) {
+		const answer = await fetch('matvib.wasm');
+		if (!answer.ok) throw new Error('matvib.wasm: ' + answer.status);
+		return answer.headers.get('content-type') === 'application/wasm' ? WebAssembly.compileStreaming(answer) : WebAssembly.compile(await answer.arrayBuffer());
+	}
 	const packed = Uint8Array.from(atob(inlined.textContent), (letter) => letter.charCodeAt(0));
-	return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
+	return WebAssembly.compile(await new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer());
 }
 
 function set_keyboard(on) {
@@ -533,6 +553,7 @@ function listen() {
 	element('files').addEventListener('click', () => { list_files('written'); element('files-sheet').showModal(); });
 	element('about').addEventListener('click', () => element('about-sheet').showModal());
 	element('link').addEventListener('click', async () => {
+		if (!is_known()) return notice(opened.name + ' came from a file: no link leads to it.');
 		try {
 			await navigator.clipboard.writeText(link_to_opened());
 			notice('The link to this is on the clipboard.');
@@ -542,7 +563,8 @@ function listen() {
 	});
 	element('bring').addEventListener('change', () => {
 		element('files-sheet').close();
-		bring(element('bring').files);
+		bring([...element('bring').files]);
+		element('bring').value = ''; // the same file may come again
 	});
 	element('forget').addEventListener('click', () => {
 		store.forget();

@@ -54,6 +54,9 @@ $(npm): $(web)/package.json $(web)/package-lock.json | tools
 		{ echo "make web: npm's packages are missing: run make web-sources first" >&2; exit 1; }
 	touch $@
 
+# What emcc calls for a file, with what it says; emcc itself takes longer to begin than most files take.
+compiler = $(eval compiler := $$(shell PYTHONPATH=$$$$(em-config EMSCRIPTEN_ROOT) python3 -c 'from tools import shared; print(shared.CLANG_CC)') $$(shell emcc --cflags))$(compiler)
+
 # --- libraries --------------------------------------------------------------------------------
 # Descriptions of terminals are read by ncurses, but none lies in the page: the program brings its own.
 $(ncurses): $(work)/ncurses-source/.unpacked
@@ -64,7 +67,7 @@ $(ncurses): $(work)/ncurses-source/.unpacked
 		--with-default-terminfo-dir=/none --with-terminfo-dirs=/none --without-cxx --without-cxx-binding --without-ada \
 		--without-tests --without-progs --without-manpages --without-debug --without-tack --disable-stripping \
 		--disable-pc-files --disable-lp64 --with-build-cc=cc CFLAGS=-O2 >configure.log 2>&1
-	cd $(work)/ncurses && emmake $(MAKE) -C include >make.log 2>&1 && emmake $(MAKE) -C ncurses HOSTCC=cc >>make.log 2>&1
+	cd $(work)/ncurses && emmake $(MAKE) -C include >make.log 2>&1 && emmake $(MAKE) -C ncurses HOSTCC=cc CC='$(compiler)' >>make.log 2>&1
 
 gsl_files = $(shell cat $(web)/gsl-files)
 gsl_objects = $(patsubst %.c,$(work)/gsl/%.o,$(gsl_files))
@@ -74,7 +77,7 @@ $(work)/gsl-source/gsl/.linked: $(work)/gsl-source/.unpacked $(web)/gsl-config.h
 	touch $@
 $(gsl_objects): $(work)/gsl/%.o: $(work)/gsl-source/gsl/.linked
 	@mkdir -p $(@D)
-	@emcc -O2 -w -ffp-contract=off -DHAVE_CONFIG_H -I$(work)/gsl-source -I$(work)/gsl-source/$(dir $*) \
+	@$(compiler) -O2 -w -ffp-contract=off -DHAVE_CONFIG_H -I$(work)/gsl-source -I$(work)/gsl-source/$(dir $*) \
 		-c $(work)/gsl-source/$*.c -o $@
 $(gsl): $(gsl_objects)
 	rm -f $@ && emar cr $@ $^
@@ -102,7 +105,7 @@ $(work)/program/Makefile: $(web_source)/configure $(ncurses) $(gsl) $(utf8proc) 
 .PHONY: program
 program: $(work)/program/Makefile
 	+$(MAKE) -s -C $(work)/program $(if $(filter -j%,$(MAKEFLAGS)),,-j$(shell nproc 2>/dev/null || echo 2)) \
-		EXEEXT=.js matvib.js LDFLAGS='$(link)'
+		EXEEXT=.js CC='$(compiler)' CCLD=emcc matvib.js LDFLAGS='$(link)'
 $(program): program
 
 # --- the page ---------------------------------------------------------------------------------

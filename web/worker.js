@@ -13,7 +13,8 @@ function scan() {
 	const FS = made.FS;
 	const look = (folder, kept) => {
 		if (!FS.analyzePath(folder).exists) return;
-		for (const name of FS.readdir(folder)) {
+		// of files written together the first, which the others stand beside, goes last: it is the one to be offered
+		for (const name of FS.readdir(folder).reverse()) {
 			if (name === '.' || name === '..') continue;
 			const path = folder + '/' + name, stat = FS.stat(path);
 			if (FS.isDir(stat.mode)) {
@@ -60,8 +61,11 @@ function start(message) {
 	if (message.input) host.input.push(...message.input);
 	const decoder = new TextDecoder();
 	const settings = {
-		host, arguments: message.words, thisProgram: 'matvib', wasmBinary: message.program,
-		locateFile: (name) => name,
+		host, arguments: message.words, thisProgram: 'matvib',
+		instantiateWasm: (imports, taken) => {
+			WebAssembly.instantiate(message.program, imports).then(taken).catch((error) => ended(134, String(error)));
+			return {};
+		},
 		print: () => {}, printErr: (text) => { told = (told + text + '\n').slice(-2000); },
 		preRun: [(program) => {
 			made = program;
