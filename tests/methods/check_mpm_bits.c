@@ -165,6 +165,8 @@ END_TEST
 START_TEST(tiles_are_whole_steps)
 {
     enum { STEPS = 70 };
+    if (!suite_wide() && (_i % VARIANTS + _i / VARIANTS) % 2 != 0)
+        return; /* each variant with crossings or without */
     BarCase bar = variant(_i % VARIANTS);
     bar.def.body_force = bar.def.traction = 0;
     bar.def.length = 1500;
