@@ -72,9 +72,9 @@ for folder in picture views panes help film plain terminal lab; do
 	found=$(grep -rn '#include "methods/[^"]*/' "${MATVIB_SRCDIR:-..}/src/$folder")
 	judge "src/$folder includes no method's header"
 done
-# A view makes a picture and knows neither canvas nor page nor list of words; the inspectors still draw.
+# A view makes a picture and knows neither canvas nor page nor list of words.
 found=$(cd "${MATVIB_SRCDIR:-..}/src/views" && grep -rnE --include='*.[ch]' \
-	'#include "(picture/(area|canvas|heading|cells/|paper/|words/)|panes/panes)' . | grep -v '^\./inspector/')
+	'#include "(picture/(area|canvas|heading|table|cells/|paper/|words/)|panes/panes)' .)
 judge "src/views includes nothing that draws"
 # They ask a simulation what it has and a problem for its concerns, never which problem or method it is or how many
 # dimensions it has. verify alone speaks of named problems: it is about them.

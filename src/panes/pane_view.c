@@ -5,10 +5,11 @@
 #include "picture/cells/cells.h"
 #include "picture/cells/cells_map.h"
 #include "views/inspector/inspector.h"
-#include "views/view.h"
+#include "views/views.h"
 #include "lessons/lesson_shown.h"
 #include "panes/places.h"
 #include "run/duel.h"
+#include "run/playback.h"
 
 #include <stdio.h>
 
@@ -116,6 +117,33 @@ void pane_view(const View *view, const Screen *screen, Area area, bool focused)
         draw_one(view, screen, area, heading);
 }
 
+/* Where the node of a family lies: the whole beam, small, below it. */
+static void draw_place(const Screen *screen, Area area)
+{
+    static const Playback paused = {.state = STATE_PAUSED}; /* the node that is inspected is shown */
+    Screen whole = *screen;
+    whole.eye.magnified = 1;
+    whole.playback = &paused;
+    Picture picture;
+    cells_open(&picture, area.rect.width + 2, area.rect.height + 2, area.glyphs);
+    if (view_map_small(&whole, &picture))
+        cells_map_body(&picture, area, screen->look.colours);
+    picture_close(&picture);
+}
+
+void pane_inspector(const Screen *screen, Area area)
+{
+    Picture picture;
+    cells_open(&picture, area.rect.width, area.rect.height, area.glyphs);
+    view_inspector.describe(screen, 0, &picture);
+    cells_draw(&picture, area, screen_is_focused(screen, PANE_INSPECTOR) ? STYLE_FOCUS : STYLE_HEADING,
+               screen->look.colours);
+    const Rect below = cells_below(&picture, area.rect);
+    if (below.height > 0)
+        draw_place(screen, (Area){area.canvas, below, area.glyphs});
+    picture_close(&picture);
+}
+
 /* --- keys and mouse ---------------------------------------------------------------------------------- */
 
 static void describe_in(const View *view, const Screen *screen, Rect rect, Picture *picture)
@@ -124,15 +152,21 @@ static void describe_in(const View *view, const Screen *screen, Rect rect, Pictu
     view->describe(screen, view_variant(view, screen), picture);
 }
 
-/* A thing becomes the chosen one of all panes, an event that of the log: the newest one is followed. */
+/* It becomes the chosen one of all panes. */
+static void choose(Screen *screen, PictureThing thing)
+{
+    *(thing.set == 0 ? &screen->chosen.particle : &screen->chosen.node) = thing.index;
+    screen->chosen.is_node = thing.set == 1;
+}
+
+/* An event becomes that of the log: the newest one is followed. */
 static void choose_row(Screen *screen, const PictureList *list, size_t row)
 {
     if (list->set < 0) {
         screen->log.event = row + 1 < list->count ? (int)row : -1;
         return;
     }
-    *(list->set == 0 ? &screen->chosen.particle : &screen->chosen.node) = row;
-    screen->chosen.is_node = list->set == 1;
+    choose(screen, (PictureThing){list->set, row});
 }
 
 void view_move(const View *view, Screen *screen, Rect rect, int x, int y, int page)
@@ -158,9 +192,9 @@ long view_enter(const View *view, Screen *screen, char follow[FOLLOW_TEXT_MAX])
 {
     Picture picture;
     describe_in(view, screen, (Rect){0, 0, 0, 0}, &picture);
-    const long step = picture.list ? picture.list->step : -1;
-    const long broken = step >= 0 ? inspector_broken_node(screen, step) : -1;
-    snprintf(follow, FOLLOW_TEXT_MAX, "%s", picture.list ? picture.list->follow : "");
+    const long step = picture.step;
+    const long broken = picture.list && step >= 0 ? inspector_broken_node(screen, step) : -1;
+    snprintf(follow, FOLLOW_TEXT_MAX, "%s", picture.follow);
     picture_close(&picture);
     if (broken >= 0) {
         screen->chosen.particle = (size_t)broken;
@@ -174,6 +208,18 @@ static bool holds(Rect rect, int x, int y)
     return x >= rect.x && x < rect.x + rect.width && y >= rect.y && y < rect.y + rect.height;
 }
 
+/* What a picture shows in a cell of its pane; set -1: nothing. */
+static PictureThing thing_at(const Picture *picture, Rect rect, int x, int y)
+{
+    if (picture->kind == PICTURE_TABLES)
+        return cells_thing(picture, rect, x, y);
+    const long piece = picture->map ? cells_map_piece(picture, rect, x, y) : -1;
+    const PictureMark *mark = picture->map ? NULL : cells_target(picture, rect, x, y);
+    return mark         ? (PictureThing){mark->set, mark->index}
+           : piece >= 0 ? (PictureThing){0, (size_t)piece}
+                        : (PictureThing){.set = -1};
+}
+
 bool view_click(const View *view, Screen *screen, Rect rect, int x, int y)
 {
     Picture picture;
@@ -181,22 +227,15 @@ bool view_click(const View *view, Screen *screen, Rect rect, int x, int y)
         return false;
     describe_in(view, screen, rect, &picture);
     const long row = picture.list ? cells_row(&picture, rect, x, y) : -1;
-    const PictureMark *mark = picture.list || picture.map ? NULL : cells_target(&picture, rect, x, y);
-    const long piece = picture.map ? cells_map_piece(&picture, rect, x, y) : -1;
+    const PictureThing thing = picture.list ? (PictureThing){.set = -1} : thing_at(&picture, rect, x, y);
     if (row >= 0 && picture.list->set < 0)
         screen->log.first = (int)cells_top(&picture, rect);
     if (row >= 0)
         choose_row(screen, picture.list, (size_t)row);
-    if (mark) {
-        *(mark->set ? &screen->chosen.node : &screen->chosen.particle) = mark->index;
-        screen->chosen.is_node = mark->set == 1;
-    }
-    if (piece >= 0) {
-        screen->chosen.particle = (size_t)piece;
-        screen->chosen.is_node = false;
-    }
+    if (thing.set >= 0)
+        choose(screen, thing);
     picture_close(&picture);
-    return row >= 0 || mark || piece >= 0;
+    return row >= 0 || thing.set >= 0;
 }
 
 /* Events alone are many enough to be looked through; of things the wheel chooses the next one. */

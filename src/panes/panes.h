@@ -75,6 +75,7 @@ void pane_stage(const Screen *, Area);
 /* A view, both runs of a duel as it likes; one of its variants, for the run that the screen shows. */
 void pane_view(const View *, const Screen *, Area, bool focused);
 void pane_view_variant(const View *, const Screen *, Area, Style heading, int variant);
+void pane_inspector(const Screen *, Area);
 void pane_duel(const Screen *, Area); /* the readout of a duel, in place of the box */
 /* A table of the runs in one picture, on top of the box. Returns its rows; 0: there are too few runs, or it
  * has no room. */

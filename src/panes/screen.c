@@ -3,7 +3,6 @@
 #include "base/text.h"
 #include "panes/screen.h"
 #include "scenario/concern_output.h"
-#include "views/inspector/inspector.h"
 #include "panes/panes.h"
 #include "views/views.h"
 #include "panes/key_line.h"
@@ -104,8 +103,7 @@ static void draw_pane(const Screen *screen, PaneId pane, Area area)
         pane_box(screen, area);
         break;
     case PANE_INSPECTOR:
-        if (inspector_find(screen))
-            inspector_find(screen)->draw(screen, area);
+        pane_inspector(screen, area);
         break;
     case PANE_COUNT:
         break;
@@ -153,6 +151,9 @@ void screen_draw(const Screen *screen, Canvas *canvas)
 
 bool screen_click_view(Screen *screen, int width, int height, int x, int y)
 {
+    if (screen->panes.inspecting &&
+        view_click(&view_inspector, screen, screen_pane(screen, width, height, PANE_INSPECTOR), x, y))
+        return true;
     for (PaneId pane = PANE_UPPER; pane <= PANE_LOWER; pane++) {
         if (view_click(screen_view_in(screen, pane), screen, screen_pane(screen, width, height, pane), x, y))
             return true;

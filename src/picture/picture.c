@@ -14,6 +14,7 @@ void picture_open(Picture *picture, int columns, int rows, int across, int dots)
                          .rows = rows,
                          .across = across,
                          .dots = across * dots,
+                         .step = -1,
                          .body = {columns - 2, rows - 2}};
 }
 
@@ -23,6 +24,8 @@ void picture_close(Picture *picture)
     free(picture->marks);
     free(picture->map);
     free(picture->list);
+    free(picture->tables);
+    free(picture->around);
     *picture = (Picture){0};
 }
 
@@ -105,8 +108,7 @@ PictureList *picture_list(Picture *picture, int set, size_t count, size_t chosen
                           .first = first,
                           .rows = rows,
                           .n_columns = n_columns,
-                          .chosen_column = -1,
-                          .step = -1};
+                          .chosen_column = -1};
     list->cells = (PictureCell *)(list + 1);
     list->columns = (PictureColumn *)(list->cells + columns * rows);
     list->names = (char(*)[48])(list->columns + columns);
@@ -119,6 +121,31 @@ PictureCell *picture_cell(const PictureList *list, int column, size_t row)
 {
     ASSERT_INT(column, <, list->n_columns);
     return &list->cells[(size_t)column * list->rows + row];
+}
+
+PictureTable *picture_table(Picture *picture)
+{
+    PictureTable *tables =
+        realloc(picture->tables, (size_t)(picture->n_tables + 1) * sizeof *picture->tables);
+    picture->kind = PICTURE_TABLES;
+    picture->plot.lost |= !tables;
+    if (!tables)
+        return NULL;
+    picture->tables = tables;
+    tables += picture->n_tables++;
+    *tables = (PictureTable){.what = "", .more = "more", .own = TABLE_ROWS_MAX};
+    for (int i = 0; i < TABLE_ROWS_MAX; i++)
+        tables->rows[i] = (struct TableRow){.rank = i, .thing.set = -1};
+    return tables;
+}
+
+PictureAround *picture_around(Picture *picture)
+{
+    free(picture->around);
+    picture->kind = PICTURE_TABLES;
+    picture->around = calloc(1, sizeof *picture->around);
+    picture->plot.lost |= !picture->around;
+    return picture->around;
 }
 
 void picture_add_mark(Picture *picture, PictureMark mark)

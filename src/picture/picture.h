@@ -24,7 +24,8 @@ typedef enum PictureKind {
     PICTURE_BARS,     /* a bar for each of some parts, beside levels */
     PICTURE_MAP,      /* a body as it lies */
     PICTURE_DRAWING,  /* things in their places, with numbers and arrows; its axes are not drawn */
-    PICTURE_LIST      /* rows below each other, of things or events */
+    PICTURE_LIST,     /* rows below each other, of things or events */
+    PICTURE_TABLES    /* one thing with what it exchanges with others, as sums */
 } PictureKind;
 
 /* What stands for an entry of the legend, in place of a piece of its line: a mark, the letter of an earlier
@@ -176,9 +177,69 @@ typedef struct PictureList {
     int n_columns, chosen_column; /* -1: none */
     PictureColumn *columns;
     PictureCell *cells; /* column after column */
-    long step;          /* Enter on the chosen row goes there; -1: nowhere */
-    char follow[64];    /* or draws this over time, as `:plot` has it; "": nothing */
 } PictureList;
+
+/* A thing that a place of a picture stands for: the index in its set. */
+typedef struct PictureThing {
+    int set; /* -1: there is none */
+    size_t index;
+} PictureThing;
+
+enum { TABLE_COLUMNS_MAX = 10, TABLE_ROWS_MAX = 64 };
+
+/* A column of terms that add up as they are printed, or of their factors. */
+typedef struct TableColumn {
+    char name[32]; /* at its head: a formula */
+    const char *label,
+        *brief; /* of terms, above that: what their sum is, in full or where columns stand close; or NULL */
+    bool adds;
+    Style style; /* of terms */
+    unsigned in; /* of a factor: the columns of terms that have it, a bit for each */
+    bool stays;  /* of a factor: it is told with any term, if there is room */
+    double values[TABLE_ROWS_MAX];
+    double base, result; /* what the sum is added to, and what there is then; NAN: not known */
+} TableColumn;
+
+/* The rows below the terms. */
+typedef enum TableTotal { TOTAL_SUM, TOTAL_BASE, TOTAL_RESULT, TOTALS } TableTotal;
+
+/* Things in rows, what they give or get in columns, and the sums of that. One of a single column lies on its
+ * side. Where room is short it is told which rows and columns go: of rows those of the highest rank, which
+ * are then told as one; of columns factors, then all terms but those with the longest formula. */
+typedef struct PictureTable {
+    char title[200], brief[96]; /* "": none; where there is no room for it */
+    char notes[100];            /* what factors stand for */
+    const char *what;           /* above the rows' names; this and those below are not copied */
+    const char *more;           /* the name of those that are told as one, behind their number */
+    size_t count, own;          /* rows; the one of the thing that is looked at, or `count` */
+    struct TableRow {
+        char name[24];
+        int rank;
+        PictureThing thing;
+    } rows[TABLE_ROWS_MAX];
+    int n_columns;
+    TableColumn columns[TABLE_COLUMNS_MAX];
+    bool of_directions; /* terms belong together: all factors but the first give way before one of them */
+    struct TableTotals {
+        const char *name; /* NULL: there is no such row */
+        Style style;
+    } totals[TOTALS];
+} PictureTable;
+
+enum { AROUND_MAX = 8, AROUND_SIDE = 2 * AROUND_MAX + 1 };
+
+/* The things around the one that is looked at, on a lattice, each with its number. */
+typedef struct PictureAround {
+    int reach;        /* places to each side of it */
+    char meaning[64]; /* of numbers and signs */
+    struct AroundPlace {
+        bool is_there;
+        double value;
+        uint32_t sign; /* in place of its number; 0: none */
+        Style style;
+        PictureThing thing;
+    } places[AROUND_SIDE][AROUND_SIDE]; /* from below, from the left */
+} PictureAround;
 
 typedef struct Picture {
     /* what it is asked for with */
@@ -199,10 +260,19 @@ typedef struct Picture {
     char name[PICTURE_TEXT_MAX], unit[24]; /* of what goes up: "v_cm"; its unit, SI, or "" */
     char heading[PICTURE_TEXT_MAX];        /* the two with the axis's power of ten */
     char x_name[PICTURE_TEXT_MAX];
-    Plot plot;         /* its axes, and the strokes */
-    PictureMap *map;   /* NULL: it is a plot */
-    PictureList *list; /* NULL: it is a picture in axes */
-    bool of_side;      /* of one run of two: whose it is will stand at the end of the heading */
+    Plot plot;            /* its axes, and the strokes */
+    PictureMap *map;      /* NULL: it is a plot */
+    PictureList *list;    /* NULL: it is a picture in axes */
+    PictureTable *tables; /* by weight: the first is shown in any case, others whole or not at all */
+    int n_tables;
+    PictureAround *around; /* beside the tables; NULL: nothing */
+    bool tables_first;     /* where there is no room for both, that is what is looked at */
+    char brief[96];        /* of tables the heading where room is short */
+    char hints[2][64];     /* behind it, what keys do there, in full or in short; */
+    char turn_hint[24];    /* and what shows the other one, where there is no room for both */
+    long step;             /* Enter goes there: of a list on its chosen row; -1: nowhere */
+    char follow[64];       /* or draws this over time, as `:plot` has it; "": nothing */
+    bool of_side;          /* of one run of two: whose it is will stand at the end of the heading */
     PictureMark *marks;
     size_t n_marks, marks_room;
     PictureLabel labels[PICTURE_LABELS_MAX];
@@ -268,6 +338,10 @@ void picture_spread(Picture *, const double from[2], const double to[2], const d
  */
 PictureList *picture_list(Picture *, int set, size_t count, size_t chosen, int n_columns);
 PictureCell *picture_cell(const PictureList *, int column, size_t row); /* of those described */
+
+/* One more table, whose rows are numbered from 0 on; and the things around. NULL: no memory. */
+PictureTable *picture_table(Picture *);
+PictureAround *picture_around(Picture *);
 
 void picture_mark(Picture *, double x, double y, uint32_t glyph, Style);
 void picture_add_mark(Picture *, PictureMark);

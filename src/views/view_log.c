@@ -101,7 +101,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     list->columns[0].kind = list->columns[both].kind = LIST_SIGN;
     list->columns[both + 1].kind = LIST_WORDS;
     if (log.count > 0)
-        list->step = step_of(screen, &log.entries[chosen]);
+        picture->step = step_of(screen, &log.entries[chosen]);
     for (size_t i = 0; i < list->rows; i++) {
         const LogEntry *entry = &log.entries[i];
         const Style style = style_of(entry->event);

@@ -75,8 +75,8 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     const int chosen = screen->chosen.table_column;
     list->chosen_column = chosen < last ? chosen : last;
     if (n_fields > 0) /* else no field of the set stands in a table */
-        snprintf(list->follow, sizeof list->follow, "%.16s %zu %.30s", sim->sets[set].name, list->chosen,
-                 sim->fields[fields[list->chosen_column]].quantity.name);
+        snprintf(picture->follow, sizeof picture->follow, "%.16s %zu %.30s", sim->sets[set].name,
+                 list->chosen, sim->fields[fields[list->chosen_column]].quantity.name);
 }
 
 const View view_table = {

@@ -9,6 +9,9 @@
 extern const View view_profile, view_probe, view_energies, view_shapes, view_dispersion, view_convergence,
     view_spectrum, view_table, view_beam, view_section, view_fronts, view_cell, view_log;
 
+/* What the inspector shows (inspector/inspector.h); it is in no list, for it has a pane of its own. */
+extern const View view_inspector;
+
 /* Of a body that breaks: the crack's path, angle and speed among the probe's pictures, what it costs and
  * where that went among the energies. Counts of 0: it does not break. */
 int crack_variants(const Screen *);

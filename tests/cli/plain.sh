@@ -23,6 +23,11 @@ talk() {
 }
 talk one-step lesson one-step
 talk lecture-bar mode5
+talk inspect-mesh mode5 --set mpm.mass_blend=auto --paused
+talk inspect-family notched-beam-coarse --paused
+
+printf '%s\n' ']' i ':figure inspector.svg' | "$MATVIB" mode1 --plain --paused >out
+result "what the inspector shows is drawn on paper" says inspector.svg '>0\.50000<'
 
 printf '%s\n' 'until t 1' x '' | "$MATVIB" mode1 --plain >out
 result "an empty line takes what a question proposes" test -s mode1-series.csv

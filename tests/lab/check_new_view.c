@@ -47,7 +47,7 @@ static void describe_rows(const Screen *screen, int variant, Picture *picture)
     strcpy(list->what, "row");
     for (size_t i = 0; i < list->rows; i++)
         snprintf(list->names[i], sizeof list->names[i], "row%zu", list->first + i);
-    list->step = 10 * (long)screen->chosen.particle;
+    picture->step = 10 * (long)screen->chosen.particle;
 }
 
 static const View view_new = {

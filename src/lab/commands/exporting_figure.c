@@ -5,7 +5,7 @@
 #include "lab/writing.h"
 
 #include "picture/paper/figure_file.h"
-#include "views/view.h"
+#include "views/views.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,6 +15,8 @@
 /* Where no plot has the focus it is the lower one, as for the cursor. */
 static const View *view_in_focus(const Screen *screen)
 {
+    if (screen->panes.inspecting && screen->panes.focus == PANE_INSPECTOR)
+        return &view_inspector;
     return screen->panes.focus == PANE_UPPER ? screen->views.upper : screen->views.lower;
 }
 

@@ -3,7 +3,7 @@
 #include "lab/commands/commands.h"
 #include "lab/row_edit.h"
 #include "views/inspector/inspector.h"
-#include "views/view.h"
+#include "views/views.h"
 #include "panes/places.h"
 #include "views/plots/time_plot.h"
 
@@ -159,7 +159,8 @@ static bool enter_row(Laboratory *lab, const View *view)
 void command_enter(Laboratory *lab)
 {
     Screen *screen = &lab->screen;
-    const View *view = screen_view_in(screen, screen->panes.focus);
+    const bool inspects = screen->panes.focus == PANE_INSPECTOR && !lesson_entry_page(lab);
+    const View *view = inspects ? &view_inspector : screen_view_in(screen, screen->panes.focus);
     if (screen->panes.focus == PANE_PARAMETERS && lab->play.shown.open) {
         lesson_play_enter(lab);
     } else if (screen->panes.focus == PANE_PARAMETERS) {

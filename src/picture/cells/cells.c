@@ -326,6 +326,10 @@ void cells_draw(Picture *picture, Area area, Style heading, int colours)
         cells_list(picture, area, heading);
         return;
     }
+    if (picture->kind == PICTURE_TABLES) {
+        cells_tables(picture, area, heading);
+        return;
+    }
     if (picture->map) {
         cells_map(picture, area, heading, colours);
         return;

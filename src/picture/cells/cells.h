@@ -26,6 +26,12 @@ long cells_row(const Picture *, Rect rect, int x, int y);
 size_t cells_top(const Picture *, Rect rect);
 size_t cells_scroll(const Picture *, Rect rect, int by, size_t *top);
 
+/* Tables, drawn; what stands in a cell, set -1: nothing; and the part below what is around, beside the
+ * tables, without rows: there is none. */
+void cells_tables(const Picture *, Area, Style heading);
+PictureThing cells_thing(const Picture *, Rect rect, int x, int y);
+Rect cells_below(const Picture *, Rect rect);
+
 /* Draws both axes along the edges of an area: labels of y in a gutter of `gutter` columns at the left, labels
  * of x in the last row, `x_name` at its end. Returns the part that is left for the curves. */
 Area axes_draw(Area, const Axis *x, const Axis *y, const char *x_name, int gutter);

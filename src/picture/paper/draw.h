@@ -39,6 +39,9 @@ double draw_legend_rows(Paper *, const Picture *, Box);
  * NULL: likewise. */
 double draw_phrases(Paper *, const char *text, Box, const Type *);
 
+/* Heading, notes and tables of a picture that has them. */
+void draw_tables(Paper *, const Picture *, Box);
+
 /* One line of words, its base line at y; and how wide it is. */
 void draw_words(Paper *, double x, double y, const char *text, const Type *);
 double draw_words_width(const char *text, const Type *);

@@ -592,6 +592,10 @@ static void draw_body(const Frame *frame)
 
 void draw_plot(Paper *paper, const Picture *picture, Box box)
 {
+    if (picture->kind == PICTURE_TABLES) {
+        draw_tables(paper, picture, box);
+        return;
+    }
     const Margins margins = margins_of(picture);
     Frame frame = {paper,
                    picture,

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Words on paper: quantities with their indices, phrases broken into lines. */
 #include "picture/paper/draw.h"
+#include "picture/table.h"
 
 #include <ctype.h>
 #include <stdio.h>
@@ -222,4 +223,37 @@ double draw_legend_rows(Paper *paper, const Picture *picture, Box box)
         x += width + BETWEEN;
     }
     return x > 0 ? y + row : 0;
+}
+
+/* --- tables ---------------------------------------------------------------------------------------- */
+
+#define TABLE_COLUMN (0.6 * SIZE_WORDS) /* of a character, */
+#define TABLE_ROW    (1.3 * SIZE_WORDS) /* and of a line */
+
+typedef struct TablePage {
+    Paper *paper;
+    Box box;
+} TablePage;
+
+static void write_on(const TableSheet *sheet, int column, int row, const char *text, Style style, bool to_end)
+{
+    const TablePage *page = sheet->back_end;
+    const Type type = {.size = SIZE_WORDS,
+                       .bold = style == STYLE_HEADING,
+                       .colour = style == STYLE_FAINT ? GREY : BLACK,
+                       .align = to_end ? ALIGN_RIGHT : ALIGN_LEFT};
+    draw_words(page->paper, page->box.x + column * TABLE_COLUMN, page->box.y + (row + 2) * TABLE_ROW, text,
+               &type);
+}
+
+void draw_tables(Paper *paper, const Picture *picture, Box box)
+{
+    TablePage page = {paper, box};
+    const Type heading = {.size = SIZE_WORDS, .bold = true};
+    const TableSheet sheet = {.columns = (int)(box.width / TABLE_COLUMN),
+                              .rows = (int)(box.height / TABLE_ROW) - 1,
+                              .write = write_on,
+                              .back_end = &page};
+    draw_words(paper, box.x, box.y + TABLE_ROW, picture->heading, &heading);
+    tables_write(picture, &sheet);
 }

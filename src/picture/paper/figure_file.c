@@ -208,7 +208,7 @@ bool figure_add(Figure *figure, const Screen *screen, const View *view, int pane
     const Picture *picture = &panel->picture;
     /* a screen is drawn again, a page is not */
     const bool in_want = errno == ENOMEM || picture->plot.lost;
-    if (in_want || !picture->has_axes) {
+    if (in_want || !(picture->has_axes || picture->n_tables > 0)) {
         if (in_want)
             no_memory(status);
         else

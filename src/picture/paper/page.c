@@ -51,7 +51,8 @@ static double draw_notes(Paper *paper, const Picture *picture, bool faint, Box b
 {
     double height = 0;
     for (int i = 0; i < picture->n_notes; i++) {
-        if (picture->notes[i].told || (picture->notes[i].style == STYLE_FAINT) != faint)
+        if (picture->notes[i].told || picture->kind == PICTURE_TABLES || /* which have theirs themselves */
+            (picture->notes[i].style == STYLE_FAINT) != faint)
             continue;
         const Type type = {.size = SIZE_WORDS,
                            .colour = (picture->notes[i].style == STYLE_FAINT) ? GREY : BLACK};

@@ -7,9 +7,8 @@
 #include "answers/dispersion_curves.h"
 #include "base/text.h"
 #include "lessons/run_numbers.h"
-#include "views/inspector/inspector.h"
 #include "panes/panes.h"
-#include "views/view.h"
+#include "views/views.h"
 #include "panes/key_line.h"
 #include "lessons/lesson_shown.h"
 #include "run/playback.h"
@@ -55,13 +54,6 @@ static void tell_drawn(const Screen *screen, void (*draw)(const Screen *, Area),
         words_canvas(words, &canvas, numbered);
     }
     canvas_close(&canvas);
-}
-
-static void draw_inspector(const Screen *screen, Area area)
-{
-    const Inspector *inspector = inspector_find(screen);
-    if (inspector)
-        inspector->draw(screen, area);
 }
 
 /* --- parts -------------------------------------------------------------------------------------------- */
@@ -311,7 +303,6 @@ void tell_part(const Screen *screen, TellPart part, Words *words)
     } drawn[TELL_COUNT] = {
         [TELL_LESSON] = {pane_lesson, TALL, false},
         [TELL_STAGE] = {pane_box, PICTURE_ROWS, true},
-        [TELL_INSPECTOR] = {draw_inspector, TALL, false},
         [TELL_PARAMETERS] = {pane_parameters, PARAMETER_ROWS_MAX, false},
         [TELL_HELP] = {help_draw, HELP_ROWS, false},
     };
@@ -319,8 +310,9 @@ void tell_part(const Screen *screen, TellPart part, Words *words)
         told[part](screen, words);
     else if (part == TELL_UPPER || part == TELL_LOWER)
         tell_view(screen, part == TELL_UPPER ? screen->views.upper : screen->views.lower, words);
-    else if ((part != TELL_LESSON || screen->lesson->open) &&
-             (part != TELL_INSPECTOR || screen->panes.inspecting))
+    else if (part == TELL_INSPECTOR && screen->panes.inspecting)
+        tell_view(screen, &view_inspector, words);
+    else if (drawn[part].draw && (part != TELL_LESSON || screen->lesson->open))
         tell_drawn(screen, drawn[part].draw, drawn[part].rows, drawn[part].numbered, words);
 }
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sentences about a plot or a map, from the display list that figures are made of (picture.h). */
-#include "picture/picture.h"
+#include "picture/table.h"
 #include "picture/words/tell.h"
 
 #include "base/math/functions.h"
@@ -13,7 +13,7 @@
 
 #define ROUNDING 1e-9 /* of what an axis shows */
 
-enum { DIGITS = 4, LIST_DIGITS = 5, NAME_MAX = 96 };
+enum { DIGITS = 4, LIST_DIGITS = 5, TERM_COLUMNS = 11, NAME_MAX = 96 };
 
 /* --- numbers with their names ---------------------------------------------------------------------- */
 
@@ -483,6 +483,70 @@ static void say_list(const Picture *picture, Words *words)
     }
 }
 
+/* The rows from above, as they lie. */
+static void say_around(const PictureAround *around, Words *words)
+{
+    const int side = 2 * around->reach + 1;
+    words_say(words, 4, "  around it, row by row from above, # is the node itself: %s", around->meaning);
+    for (int q = side - 1; q >= 0; q--) {
+        char text[16 * AROUND_SIDE] = "";
+        for (int p = 0; p < side; p++) {
+            const struct AroundPlace *place = &around->places[q][p];
+            char sign[8];
+            sign[glyph_put(sign, place->sign)] = '\0';
+            if (place->is_there && place->sign)
+                text_append(text, sizeof text, " %s", sign);
+            else if (place->is_there)
+                text_append(text, sizeof text, " %.0f", round(place->value) + 0.0);
+        }
+        words_say(words, 4, " %s", text);
+    }
+}
+
+/* Terms and sums as they add up on paper too, in the power of ten that stands at the head. */
+static void say_table(const PictureTable *table, Words *words)
+{
+    Writing writings[TABLE_COLUMNS_MAX] = {{0}};
+    double totals[TABLE_COLUMNS_MAX][TOTALS];
+    char text[1024] = "", value[64];
+    if (table->title[0])
+        words_say(words, 4, table->notes[0] ? "  %s; %s." : "  %s.", table->title, table->notes);
+    for (int c = 0; c < table->n_columns; c++) {
+        const TableColumn *column = &table->columns[c];
+        totals[c][TOTAL_BASE] = column->base;
+        totals[c][TOTAL_RESULT] = column->result;
+        if (column->adds)
+            writings[c] = table_writing(table, column, TERM_COLUMNS, &totals[c][TOTAL_SUM]);
+        text_append(text, sizeof text, "%s %s%s%s", c ? ";" : "", column->name, column->label ? ", " : "",
+                    column->label ? column->label : "");
+        if (writings[c].exponent != 0)
+            text_append(text, sizeof text, " x10^%d", writings[c].exponent);
+    }
+    words_say(words, 4, "  %s:%s", table->what, text);
+    for (size_t i = 0; i < table->count; i++) {
+        text[0] = '\0';
+        for (int c = 0; c < table->n_columns; c++) {
+            text_rounded(value, table->columns[c].values[i], LIST_DIGITS);
+            if (table->columns[c].adds)
+                sum_column_number(table->columns[c].values[i], writings[c], writings[c].decimals, value);
+            text_append(text, sizeof text, "%s %s", c ? "," : "", value);
+        }
+        words_say(words, 4, "  %s:%s", table->rows[i].name, text);
+    }
+    for (TableTotal i = 0; i < TOTALS; i++) {
+        text[0] = '\0';
+        for (int c = 0; c < table->n_columns; c++) {
+            if (!table->columns[c].adds || isnan(totals[c][i]))
+                continue;
+            sum_column_number(totals[c][i], writings[c], table_decimals(&table->columns[c], i, writings[c]),
+                              value);
+            text_append(text, sizeof text, "%s %s", *text ? "," : "", value);
+        }
+        if (table->totals[i].name && *text)
+            words_say(words, 4, "  %s:%s", table->totals[i].name, text);
+    }
+}
+
 void tell_picture(const Picture *picture, double cursor, Words *words)
 {
     const bool drawn = picture->kind == PICTURE_DRAWING;
@@ -504,4 +568,8 @@ void tell_picture(const Picture *picture, double cursor, Words *words)
     for (int i = 0; i < picture->n_notes; i++)
         if (picture->notes[i].text[strspn(picture->notes[i].text, " ")])
             words_say(words, 4, "  %s", picture->notes[i].text + strspn(picture->notes[i].text, " "));
+    if (picture->around)
+        say_around(picture->around, words);
+    for (int i = 0; i < picture->n_tables; i++)
+        say_table(&picture->tables[i], words);
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Which inspector a simulation has: one row for each, the first that fits is taken. */
 #include "views/inspector/inspector.h"
+#include "views/views.h"
 
 static const Inspector *const inspectors[] = {&inspector_mesh, &inspector_bonds, &inspector_family};
 
@@ -27,3 +28,19 @@ bool inspector_move(Screen *screen, int x, int y, int page)
     inspector->move(screen, x, y, page);
     return true;
 }
+
+static void describe(const Screen *screen, int variant, Picture *picture)
+{
+    (void)variant;
+    if (inspector_find(screen))
+        inspector_find(screen)->describe(screen, picture);
+}
+
+const View view_inspector = {
+    .word = "inspector",
+    .describe = describe,
+    .duel = DUEL_TOGETHER,
+    .of_moment = true,
+    .is_list = true,
+    .on_paper = true,
+};

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The inspector, the pane that `i` opens over the plots: the chosen particle, node or family with all that it
+/* The inspector, which `i` opens over the plots: the chosen particle, node or family with all that it
  * exchanges with others. One for each kind of simulation, a file each: what it needs and what it does. */
 #ifndef VIEW_INSPECTOR_H
 #define VIEW_INSPECTOR_H
 
-#include "panes/panes.h"
-#include "picture/sum_column.h"
+#include "panes/screen.h"
+#include "picture/picture.h"
 
 typedef struct Inspector {
     unsigned needs; /* what the simulation must have, all of it (HAS_...) */
-    void (*draw)(const Screen *, Area);
+    void (*describe)(const Screen *, Picture *);
     /* The arrows: to the next thing, `page` at a time; y downwards. NULL: as in the mesh strip. */
     void (*move)(Screen *, int x, int y, int page);
 } Inspector;
@@ -34,13 +34,6 @@ typedef struct MassRow {
     double masses[2 * MASSES_BESIDE_MAX + 1];
 } MassRow;
 bool inspector_mass_row(const Simulation *, int set, size_t node, MassRow *);
-
-/* The row of a node, thing by thing (`name`) with their sum, which is the node's mass, from row y on. */
-enum { MASSES_ROWS = 2 };
-void inspector_draw_masses(const MassRow *, const char *name, size_t node, Area, int y);
-
-/* Writes a number of a column that adds up (picture/sum_column.h); it ends before column `end`. */
-void inspector_write(Area, int end, int y, double value, Writing, int decimals, Style);
 
 /* An end of the first bond, as the lattice counts them, that broke in a step; -1: none that is known. */
 long inspector_broken_node(const Screen *, long step);

@@ -1,22 +1,43 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The inspector of beams: the chosen node's family, each bond with its stretch as a share of the critical
- * one, the bond that broke last, the most stretched one and why it holds, and the forces (family_forces.c).
- */
+ * one, the bond that broke last, the most stretched one and why it holds, and the forces by the side on which
+ * they pull, as they add up to the node's. */
 #include "views/inspector/inspector.h"
 #include "scenario/concern_bonds.h"
-#include "views/views.h"
-#include "views/inspector/family.h"
-#include "picture/cells/cells.h"
-#include "picture/cells/cells_map.h"
+#include "scenario/concern_loads.h"
+#include "scenario/settings.h"
+#include "views/map/map.h"
 #include "base/math/functions.h"
-#include "run/playback.h"
+#include "base/text.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
-enum { REACH_MAX = 8, CELL_LEAST = 4, CELL_MOST = 6 };
+enum { FAMILY_LINKS = 256 };
+
+/* A bond seen from the chosen node. */
+typedef struct Ray {
+    size_t other;
+    int p, q; /* columns and rows from the node to the other end */
+    double stretch, pull;
+    double direction[2]; /* as it is now */
+    bool broken;
+    long broken_at; /* as of a Link */
+} Ray;
+
+typedef struct Family {
+    const Screen *screen;
+    const Simulation *sim;
+    const Settings *settings;
+    Body body;
+    size_t node;
+    int i, j, reach;
+    Ray rays[FAMILY_LINKS];
+    int count, broken, cut; /* broken in the run; cut by the notch before it */
+    int most;               /* the ray of the most stretched whole bond; -1: none */
+    int last;               /* of the one that broke last, the notch's left out; -1: none */
+} Family;
 
 /* --- what there is ---------------------------------------------------------------------------------- */
 
@@ -68,73 +89,76 @@ static bool family_of(Family *family, const Screen *screen)
         if (!ray.broken && (family->most < 0 || ray.stretch > family->rays[family->most].stretch))
             family->most = k;
     }
-    return family->reach <= REACH_MAX;
+    return family->reach <= AROUND_MAX;
 }
 
-/* --- the family as a picture ------------------------------------------------------------------------ */
+/* A field of a node by name; NAN: there is none. */
+static double field_of(const Family *family, const char *name, size_t node)
+{
+    return simulation_value(family->sim, simulation_find_field(family->sim, 0, name), node);
+}
+
+static double critical_stretch(const Family *family)
+{
+    return settings_bonds(family->settings)->critical_stretch;
+}
+
+/* --- the family around it ---------------------------------------------------------------------------- */
 
 /* The factor that makes stretches numbers of two or three digits: in percent of s0, or of a power of ten. */
-static double scale_of(const Family *family, char *caption, size_t size)
+static double scale_of(const Family *family, char *meaning, size_t size)
 {
-    const double s0 = settings_bonds(family->settings)->critical_stretch;
     double most = 0;
     for (int k = 0; k < family->count; k++)
         most = fmax(most, family->rays[k].broken ? 0 : fabs(family->rays[k].stretch));
-    if (s0 > 0) {
-        snprintf(caption, size, "%% of s0");
-        return 100 / s0;
+    if (critical_stretch(family) > 0) {
+        snprintf(meaning, size, "%% of s0");
+        return 100 / critical_stretch(family);
     }
     const int exponent = most > 0 ? (int)floor(math_log10(most)) - 1 : 0;
-    snprintf(caption, size, "s x10^%d", exponent);
+    snprintf(meaning, size, "s x10^%d", exponent);
     return math_pow(10, -exponent);
 }
 
-static void draw_bond(const Family *family, Area area, const Ray *ray, int cell, double scale)
+static void describe_around(const Family *family, PictureAround *around)
 {
-    const int end = (family->reach + ray->p + 1) * cell, y = family->reach - ray->q;
-    char text[24];
-    if (ray->broken) {
-        area_put(area, end - 1, y, ray->broken_at == 0 ? '|' : 'x', STYLE_WARNING);
-        return;
-    }
-    snprintf(text, sizeof text, "%.0f", ray->stretch * scale);
-    if (strcmp(text, "-0") == 0)
-        strcpy(text, "0");
-    if (glyphs_columns(text) > cell - (text[0] != '-')) /* far beyond: about to break, or unstable */
-        strcpy(text, ray->stretch > 0 ? ">>" : "<<");
-    const bool most = family->most >= 0 && ray == &family->rays[family->most];
-    area_text_right(area, end, y, text, most ? STYLE_CHANGED : STYLE_NORMAL);
-}
-
-/* Returns the rows used. */
-static int draw_family(const Family *family, Area area, int cell)
-{
-    char caption[48];
-    const double scale = scale_of(family, caption, sizeof caption);
+    const int reach = around->reach = family->reach;
+    const double scale = scale_of(family, around->meaning, sizeof around->meaning);
     const double farthest = lattice_reach(family->settings) / family->body.spacing;
+    const struct AroundPlace none = {.sign = 0x00b7, .style = STYLE_FAINT, .thing.set = -1};
     /* who is missing: beyond a surface there is no node */
-    for (int q = -family->reach; q <= family->reach; q++)
-        for (int p = -family->reach; p <= family->reach; p++) {
+    for (int q = -reach; q <= reach; q++)
+        for (int p = -reach; p <= reach; p++) {
             const bool inside = family->i + p >= 0 && family->i + p < family->body.nx && family->j + q >= 0 &&
                                 family->j + q < family->body.ny;
-            if (!inside && math_hypot(p, q) <= farthest)
-                area_put(area, (family->reach + p + 1) * cell - 1, family->reach - q, 0x00b7, STYLE_FAINT);
+            around->places[reach + q][reach + p] = none;
+            around->places[reach + q][reach + p].is_there = !inside && math_hypot(p, q) <= farthest;
         }
-    for (int k = 0; k < family->count; k++)
-        draw_bond(family, area, &family->rays[k], cell, scale);
-    area_put(area, (family->reach + 1) * cell - 1, family->reach, 0x25a0, STYLE_SECOND);
-    const int rows = 2 * family->reach + 1;
-    text_append(caption, sizeof caption, "%s", family->broken + family->cut ? "  x broken  | notch" : "");
-    area_text(area, 1, rows, caption, STYLE_FAINT);
-    return rows + 1;
+    for (int k = 0; k < family->count; k++) {
+        const Ray *ray = &family->rays[k];
+        around->places[reach + ray->q][reach + ray->p] =
+            (struct AroundPlace){.is_there = true,
+                                 .value = ray->stretch * scale,
+                                 .sign = !ray->broken          ? 0
+                                         : ray->broken_at == 0 ? '|'
+                                                               : 'x',
+                                 .style = ray->broken         ? STYLE_WARNING
+                                          : k == family->most ? STYLE_CHANGED
+                                                              : STYLE_NORMAL,
+                                 .thing = {0, ray->other}};
+    }
+    around->places[reach][reach] = (struct AroundPlace){
+        .is_there = true, .sign = 0x25a0, .style = STYLE_SECOND, .thing = {0, family->node}};
+    text_append(around->meaning, sizeof around->meaning, "%s",
+                family->broken + family->cut ? "  x broken  | notch" : "");
 }
 
 /* --- single bonds ----------------------------------------------------------------------------------- */
 
 /* "s = 0.0003878 = 45.6 % of s0 = 0.00085" */
-static void draw_stretch(const Family *family, Area area, int y, const Ray *ray)
+static void note_stretch(const Family *family, const Ray *ray, Picture *picture)
 {
-    const double s0 = settings_bonds(family->settings)->critical_stretch;
+    const double s0 = critical_stretch(family);
     char text[96], number[NUMBER_TEXT_MAX], share[NUMBER_TEXT_MAX], critical[NUMBER_TEXT_MAX];
     text_fitted(ray->stretch, 4, 12, number);
     text_fitted(100 * ray->stretch / s0, 4, 8, share);
@@ -142,137 +166,151 @@ static void draw_stretch(const Family *family, Area area, int y, const Ray *ray)
     snprintf(text, sizeof text, "s = %s", number);
     if (s0 > 0)
         text_append(text, sizeof text, " = %s %% of s0 = %s", share, critical);
-    area_text(area, 0, y, text, STYLE_CHANGED);
+    picture_note(picture, STYLE_CHANGED, text);
 }
 
-/* The bond that broke last, with both ends; in the step in which it did with the stretch that broke it.
- * Returns the rows used. */
-static int draw_last(const Family *family, Area area)
+/* The bond that broke last, with both ends; in the step in which it did with the stretch that broke it. Enter
+ * goes there. */
+static void note_last(const Family *family, Picture *picture)
 {
     if (family->last < 0)
-        return 0;
+        return;
     const Ray *ray = &family->rays[family->last];
     const bool now = ray->broken_at == family->sim->step + (family->sim->stage > 0);
     char text[96];
     snprintf(text, sizeof text, now ? "bond %zu-%zu breaks in this step:" : "bond %zu-%zu broke in step %ld",
              family->node, ray->other, ray->broken_at);
-    area_text(area, 0, 0, text, STYLE_WARNING);
+    picture_note(picture, STYLE_WARNING, text);
+    picture->step = ray->broken_at;
     if (now)
-        draw_stretch(family, area, 1, ray);
-    return 1 + now;
+        note_stretch(family, ray, picture);
 }
 
-/* The most stretched bond that is whole. Returns the rows used. */
 static const char *why_it_holds(const Family *family, const Ray *ray)
 {
-    const double s0 = settings_bonds(family->settings)->critical_stretch;
+    const double s0 = critical_stretch(family);
     if (s0 <= 0)
         return "holds: bonds never break here (s0 = 0)";
     if (ray->stretch < s0)
         return "holds: below s0";
-    if (family_field(family, "protected", family->node) > 0 ||
-        family_field(family, "protected", ray->other) > 0)
+    if (field_of(family, "protected", family->node) > 0 || field_of(family, "protected", ray->other) > 0)
         return "holds: protected, near load or support";
     return "breaks in the next stage of bond forces";
 }
 
-static int draw_most(const Family *family, Area area)
+/* The most stretched bond that is whole. */
+static void note_most(const Family *family, Picture *picture)
 {
+    char text[48];
     if (family->most < 0) {
-        area_text(area, 0, 0, "no bond of it is whole", STYLE_WARNING);
-        return 1;
+        picture_note(picture, STYLE_WARNING, "no bond of it is whole");
+        return;
     }
     const Ray *ray = &family->rays[family->most];
-    area_print(area, 0, 0, STYLE_HEADING, "most stretched: to node %zu", ray->other);
-    draw_stretch(family, area, 1, ray);
-    area_text(area, 0, 2, why_it_holds(family, ray), STYLE_NORMAL);
-    return 3;
+    snprintf(text, sizeof text, "most stretched: to node %zu", ray->other);
+    picture_note(picture, STYLE_HEADING, text);
+    note_stretch(family, ray, picture);
+    picture_note(picture, STYLE_NORMAL, why_it_holds(family, ray));
 }
 
-/* --- the pane --------------------------------------------------------------------------------------- */
+/* --- the forces --------------------------------------------------------------------------------------- */
 
-/* The notch's bonds were cut before the run, the others broke in it. */
-static void append_lost(const Family *family, char *text, size_t size)
+/* The load on the node at the time to which its force belongs, N/m^3. */
+static double load_on(const Family *family)
 {
-    if (family->cut)
-        text_append(text, size, ", %d cut by the notch", family->cut);
-    if (family->broken)
-        text_append(text, size, ", %d broken", family->broken);
+    const Settings *settings = family->settings;
+    const double time = (double)(family->sim->step + (family->sim->stage > 0)) * family->sim->dt;
+    const double share =
+        settings_loads(settings)->ramp > 0 ? fmin(1, time / settings_loads(settings)->ramp) : 1;
+    return field_of(family, "loaded", family->node) > 0
+               ? -settings_loads(settings)->stress * share / family->body.spacing
+               : 0;
 }
 
-static void draw_subject(const Family *family, Area area, bool narrow)
+/* What the force of the node is made of, as far as this step has come. */
+static void describe_forces(const Family *family, PictureTable *table)
 {
-    char text[128];
+    static const char *const sides[] = {"bonds to the left", "bonds up and down", "bonds to the right"};
+    static const char *const names[] = {"fx", "fy"};
+    const Simulation *sim = family->sim;
+    const int bonds = simulation_find_stage(sim, "bonds"), load = simulation_find_stage(sim, "body-force");
+    const int drift = simulation_find_stage(sim, "drift");
+    const bool is_old = sim->stage > drift && sim->stage <= bonds; /* the force is still the last step's */
+    const bool just_bonds = sim->stage == bonds + 1, just_load = sim->stage == load + 1;
+    const double loads[] = {0, load_on(family)};
+    table->what = "forces on it, N/m³";
+    table->count = sizeof sides / sizeof *sides;
+    table->n_columns = 2;
+    for (size_t i = 0; i < table->count; i++)
+        snprintf(table->rows[i].name, sizeof table->rows[i].name, "%s", sides[i]);
+    for (int d = 0; d < 2; d++) {
+        TableColumn *column = &table->columns[d];
+        *column = (TableColumn){.adds = true};
+        snprintf(column->name, sizeof column->name, "%s", names[d]);
+        for (int k = 0; k < family->count; k++) {
+            const Ray *ray = &family->rays[k];
+            column->values[1 + (ray->p > 0) - (ray->p < 0)] += ray->pull * ray->direction[d];
+        }
+        column->base = is_old || just_bonds ? NAN : loads[d];
+        column->result = field_of(family, names[d], family->node);
+    }
+    const Style plain = STYLE_HEADING, changed = STYLE_CHANGED;
+    table->totals[TOTAL_SUM] = (struct TableTotals){"all its bonds", just_bonds ? changed : plain};
+    table->totals[TOTAL_BASE] = (struct TableTotals){is_old || just_bonds ? NULL : "load on the node",
+                                                     just_load ? changed : STYLE_NORMAL};
+    table->totals[TOTAL_RESULT] = (struct TableTotals){is_old       ? "f, of the last step"
+                                                       : just_bonds ? "f, without the load"
+                                                                    : "f of the node",
+                                                       just_bonds || just_load ? changed : plain};
+}
+
+/* --- the whole ---------------------------------------------------------------------------------------- */
+
+static void describe_subject(const Family *family, Picture *picture)
+{
+    char text[128], lost[64] = "";
     const Body *body = &family->body;
-    snprintf(text, sizeof text, "node %zu at %.6g, %.6g mm: %d bonds", family->node,
+    /* the notch's bonds were cut before the run, the others broke in it */
+    if (family->cut)
+        text_append(lost, sizeof lost, ", %d cut by the notch", family->cut);
+    if (family->broken)
+        text_append(lost, sizeof lost, ", %d broken", family->broken);
+    snprintf(text, sizeof text, "node %zu at %.6g, %.6g mm: %d bonds%s", family->node,
              1e3 * (body->first[0] + family->i * body->spacing),
-             1e3 * (body->first[1] + family->j * body->spacing), family->count);
-    append_lost(family, text, sizeof text);
-    const char *hint = !narrow                        ? " ← → ↑ ↓ next node  i closes "
-                       : family->screen->panes.zoomed ? " z family "
-                                                      : " z forces ";
-    const Style heading = screen_is_focused(family->screen, PANE_INSPECTOR) ? STYLE_FOCUS : STYLE_HEADING;
-    const int end = area.rect.width - 1;
-    area_rule(area, 0, text, heading);
-    if (heading_hint(area, 5 + glyphs_columns(text), end, hint) || !narrow)
-        return;
-    snprintf(text, sizeof text, "node %zu: %d bonds", family->node, family->count);
-    append_lost(family, text, sizeof text);
-    area_rule(area, 0, text, heading);
-    heading_hint(area, 5 + glyphs_columns(text), end, hint);
+             1e3 * (body->first[1] + family->j * body->spacing), family->count, lost);
+    picture_heading(picture, text);
+    snprintf(picture->brief, sizeof picture->brief, "node %zu: %d bonds%s", family->node, family->count,
+             lost);
+    if (family->last >= 0)
+        snprintf(picture->hints[0], sizeof picture->hints[0],
+                 " ← → ↑ ↓ next node  Enter last break  i closes ");
+    snprintf(picture->hints[1], sizeof picture->hints[1], " ← → ↑ ↓ next node  i closes ");
+    picture->tables_first = family->screen->panes.zoomed;
+    snprintf(picture->turn_hint, sizeof picture->turn_hint,
+             picture->tables_first ? " z family " : " z forces ");
 }
 
-/* Where the node lies: the whole beam, small. */
-static void draw_place(const Screen *screen, Area area)
-{
-    static const Playback paused = {.state = STATE_PAUSED}; /* the node that is inspected is shown */
-    Screen whole = *screen;
-    whole.eye.magnified = 1;
-    whole.playback = &paused;
-    Picture picture;
-    cells_open(&picture, area.rect.width + 2, area.rect.height + 2, area.glyphs);
-    if (view_map_small(&whole, &picture))
-        cells_map_body(&picture, area, screen->look.colours);
-    picture_close(&picture);
-}
-
-/* Where words have no room beside the family: below it, and the forces in its place. */
-static void draw_narrow(const Family *family, Area area, int cell)
-{
-    const Area words = area_part(area, 1, 0, area.rect.width - 1, area.rect.height);
-    const int used =
-        family->screen->panes.zoomed ? family_forces(family, words) : draw_family(family, area, cell);
-    const Area below = area_part(words, 0, used, words.rect.width, words.rect.height - used);
-    const int last = used + 2 <= area.rect.height ? draw_last(family, below) : 0;
-    if (used + last + 3 <= area.rect.height)
-        draw_most(family, area_part(below, 0, last, below.rect.width, below.rect.height - last));
-}
-
-static void draw(const Screen *screen, Area area)
+static void describe(const Screen *screen, Picture *picture)
 {
     Family family;
+    char text[64];
+    picture->kind = PICTURE_TABLES;
     if (!family_of(&family, screen)) {
-        area_rule(area, 0, "no family to be drawn", STYLE_HEADING);
+        picture_heading(picture, "no family to be drawn");
         return;
     }
-    const int width = 2 * family.reach + 1, room = area.rect.width - FAMILY_WORDS - 1;
-    int cell = room / width;
-    cell = cell > CELL_MOST ? CELL_MOST : cell < CELL_LEAST ? CELL_LEAST : cell;
-    const int left = cell * width + 2;
-    const bool narrow = left + FAMILY_WORDS - 1 > area.rect.width;
-    draw_subject(&family, area, narrow);
-    if (narrow) {
-        draw_narrow(&family, area_part(area, 0, 1, area.rect.width, area.rect.height - 1), cell);
-        return;
-    }
-    const int used = 1 + draw_family(&family, area_part(area, 0, 1, left, area.rect.height - 1), cell);
-    Area words = area_part(area, left, 1, area.rect.width - left, area.rect.height - 1);
-    const bool roomy = area.rect.height >= 16;
-    int y = draw_last(&family, words);
-    y += draw_most(&family, area_part(words, 0, y, words.rect.width, words.rect.height - y)) + roomy;
-    y += family_forces(&family, area_part(words, 0, y, words.rect.width, words.rect.height - y));
-    if (area.rect.height - used >= 4)
-        draw_place(screen, area_part(area, 1, used, left - 3, area.rect.height - used));
+    const Simulation *sim = family.sim;
+    describe_subject(&family, picture);
+    note_last(&family, picture);
+    note_most(&family, picture);
+    PictureAround *around = picture_around(picture);
+    if (around)
+        describe_around(&family, around);
+    PictureTable *forces = picture_table(picture);
+    if (forces)
+        describe_forces(&family, forces);
+    snprintf(text, sizeof text, "next: %s", sim->stages[sim->stage < sim->n_stages ? sim->stage : 0].name);
+    picture_note(picture, STYLE_FAINT, text)->spare = true;
 }
 
 /* Bonds are asked for by the thousand: there are more of them than one would keep. */
@@ -314,4 +352,4 @@ static void move_on(Screen *screen, int x, int y, int page)
     screen->eye.centre[1] = (j + 0.5) / body.ny;
 }
 
-const Inspector inspector_family = {.needs = HAS_BONDS | HAS_PLANE, .draw = draw, .move = move_on};
+const Inspector inspector_family = {.needs = HAS_BONDS | HAS_PLANE, .describe = describe, .move = move_on};
