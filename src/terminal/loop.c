@@ -228,7 +228,9 @@ static void one_round(Loop *loop)
         end_replay(loop, "the replay ends here");
     if (is_replaying(loop))
         replay_round(loop);
+    const bool had_more = loop->more_keys;
     loop->more_keys = answer_keys(loop);
+    loop->unannounced |= had_more && !loop->more_keys; /* it sleeps now */
     if (terminal_resized(loop->terminal))
         loop->stale = true;
     if (lab->closed)
