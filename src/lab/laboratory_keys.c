@@ -105,8 +105,7 @@ static void click(Laboratory *lab, int x, int y)
             screen->panes.followed = false;
             screen->time.cursor = NAN;
         }
-    if (lesson_play_click(lab, x, y) || screen_click_view(screen, lab->width, lab->height, x, y) ||
-        screen_choose_in_strip(screen, lab->width, lab->height, x, y))
+    if (lesson_play_click(lab, x, y) || screen_click_view(screen, lab->width, lab->height, x, y))
         return;
     int row = screen_parameter_at(screen, lab->width, lab->height, x, y);
     if (row < 0)

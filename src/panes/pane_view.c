@@ -16,15 +16,11 @@
 void pane_view_variant(const View *view, const Screen *screen, Area area, Style heading, int variant)
 {
     Picture picture;
-    if (view->is_map && !simulation_has(experiment_simulation(screen->experiment), HAS_PLANE)) {
-        pane_mesh(screen, area); /* the body of a bar is its strip */
-        return;
-    }
     cells_open(&picture, area.rect.width, area.rect.height, area.glyphs);
     view->describe(screen, variant, &picture);
     picture.of_side = screen_second_run(screen) != NULL;
-    if (screen_is_plain(screen) && !screen->lesson->open &&
-        !picture.map) /* one number is in large digits, below */
+    if (screen_is_plain(screen) && !screen->lesson->open && !picture.map &&
+        picture.kind != PICTURE_STRIP) /* one number is in large digits, below */
         picture.n_notes = 0;
     cells_draw(&picture, area, heading, screen->look.colours);
     picture_close(&picture);

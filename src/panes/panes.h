@@ -67,9 +67,6 @@ void pane_lesson_footer(const Screen *, char *out, size_t size);
 int pane_lesson_rows(const Screen *, int width);   /* that all of it needs, heading and footer too */
 int pane_lesson_at(const Screen *, Area, int row); /* whose title is in that row; -1: none */
 void pane_timeline(const Screen *, Area);
-void pane_mesh(const Screen *, Area);
-void pane_lattice(const Screen *, Area);                /* the same for a bar without a mesh */
-bool pane_lattice_choose(Screen *, Rect, int x, int y); /* the node near a place of the screen */
 void pane_box(const Screen *, Area);
 void pane_stage(const Screen *, Area);
 /* A view, both runs of a duel as it likes; one of its variants, for the run that the screen shows. */

@@ -21,8 +21,8 @@ bool screen_is_whole(const Screen *, int width, int height);
 /* The command under column x of the key line; COMMAND_NONE: none. */
 CommandId screen_key_command(const Screen *, int width, int x);
 
-/* In the plot panes: a click on something that a view shows, and so many lines of the wheel. False: nothing
- * of a view lies there. */
+/* In the plot panes and the strip: a click on something that a view shows, and so many lines of the wheel.
+ * False: nothing of a view lies there. */
 bool screen_click_view(Screen *, int width, int height, int x, int y);
 bool screen_scroll_view(Screen *, int width, int height, int x, int y, int by);
 
@@ -56,8 +56,5 @@ bool view_map_place(const Screen *, int width, int height, int x, int y, double 
 
 /* The factor by which the beam's map draws displacements; 0: it is not shown. */
 double view_map_enlargement(const Screen *, int width, int height);
-
-/* The particle or node of the strip that is drawn nearest to a place of it becomes the chosen one. */
-bool screen_choose_in_strip(Screen *, int width, int height, int x, int y);
 
 #endif

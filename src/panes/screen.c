@@ -91,7 +91,7 @@ static void draw_pane(const Screen *screen, PaneId pane, Area area)
             pane_parameters(screen, area);
         break;
     case PANE_MESH:
-        pane_mesh(screen, area);
+        pane_view(&view_strip, screen, area, screen_is_focused(screen, pane));
         break;
     case PANE_UPPER:
         pane_view(screen->views.upper, screen, area, screen_is_focused(screen, pane));
@@ -158,7 +158,7 @@ bool screen_click_view(Screen *screen, int width, int height, int x, int y)
         if (view_click(screen_view_in(screen, pane), screen, screen_pane(screen, width, height, pane), x, y))
             return true;
     }
-    return false;
+    return view_click(&view_strip, screen, screen_pane(screen, width, height, PANE_MESH), x, y);
 }
 
 bool screen_scroll_view(Screen *screen, int width, int height, int x, int y, int by)

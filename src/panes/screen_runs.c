@@ -130,6 +130,21 @@ int screen_box_stage(const Screen *screen, bool *done)
     return 0;
 }
 
+double screen_node_values(const Screen *screen, const char *name, bool before, double *out)
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    const int field = simulation_find_field(sim, 1, name);
+    const size_t count = sim->counts[1];
+    double most = 0;
+    if (field < 0)
+        return -1;
+    if (!before || !experiment_field_before(screen->experiment, field, 0, count, out))
+        sim->method->field(sim, field, 0, count, out);
+    for (size_t i = 0; i < count; i++)
+        most = fmax(most, fabs(out[i]));
+    return most;
+}
+
 static double reach_of(const Experiment *experiment, int field, const double *now, size_t count)
 {
     enum { TIMES = 24, PLACES = 8, PARTS = 4 }; /* parts: none waits for the one before */

@@ -64,6 +64,10 @@ double screen_derived(const Screen *, const char *name);
 /* The stage that the box speaks of: the last one done (*done) or, between steps, the next. */
 int screen_box_stage(const Screen *, bool *done);
 
+/* A field of all nodes as it is or was before the last stage, so that what they held can be drawn when the
+ * grid has been put back. The largest amount; -1: they have no such field. */
+double screen_node_values(const Screen *, const char *field, bool before, double *out);
+
 /* " m/s" after a value of a field; "" where it has none, and for the bar, whose units are whatever one likes
  * so long as they fit together. */
 void screen_unit_text(const Screen *, const Field *, char *out, size_t size);

@@ -3,6 +3,7 @@
 #include "panes/stage_flow.h"
 
 #include "base/text.h"
+#include "panes/screen_runs.h"
 
 #include <string.h>
 
@@ -27,9 +28,12 @@ int stage_flow_target(const Simulation *sim, const Stage *stage)
     return own_names(sim, stage->reads, 0) > 0;
 }
 
-Flow stage_flow(const Simulation *sim, const Stage *stage)
+Flow stage_flow(const Screen *screen, bool *inside)
 {
-    if (!simulation_has(sim, HAS_MESH))
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    const Stage *stage = &sim->stages[screen_box_stage(screen, inside)];
+    *inside = *inside && !screen_is_running(screen);
+    if (!*inside || !simulation_has(sim, HAS_MESH))
         return FLOW_NONE;
     if (strcmp(stage->id, "forget") == 0)
         return FLOW_FORGET;

@@ -3,11 +3,12 @@
 #ifndef VIEW_STAGE_FLOW_H
 #define VIEW_STAGE_FLOW_H
 
-#include "methods/method.h"
+#include "panes/screen.h"
 
 typedef enum Flow { FLOW_NONE, FLOW_TO_NODES, FLOW_TO_PARTICLES, FLOW_FORGET } Flow;
 
-Flow stage_flow(const Simulation *, const Stage *);
+/* What the stage just done has handed on, if it is to be seen: one is, and no run goes on (inside). */
+Flow stage_flow(const Screen *, bool *inside);
 
 /* The set that a stage writes to. A name that particles and nodes share (mass, x) counts as the one that the
  * other names of the stage tell. */

@@ -146,6 +146,34 @@ void picture_spread(Picture *picture, const double from[2], const double to[2], 
     }
 }
 
+/* --- in a strip --------------------------------------------------------------------------------------- */
+
+void picture_lay_strip(Picture *picture, const char *heading, int words, int rows)
+{
+    enum { HEADED = 4, TALL = 7, MARGINS = 3 };
+    const bool headed = picture->rows >= HEADED;
+    picture->kind = PICTURE_STRIP;
+    picture->bare = true;
+    picture_heading(picture, headed ? heading : "");
+    picture->body[0] = picture->columns - words - MARGINS;
+    picture->body[1] = rows > 0 && picture->rows >= TALL ? rows : picture->rows - headed;
+}
+
+void picture_lay_row(const Picture *picture, StripRow *row)
+{
+    const long all = row->pieces + row->beyond, room = picture->body[0] - row->aside;
+    const long per = all > 0 ? room / all : 0;
+    row->per = (int)(per < row->most ? per : row->most);
+    row->first = 0;
+    row->shown = all;
+    if (per >= row->least)
+        return;
+    row->per = row->least;
+    row->shown = room > 0 ? room / row->per : 0;
+    const long last = row->shown < row->pieces ? all - row->shown : 0, first = row->around - row->shown / 2;
+    row->first = first > last ? last : first > 0 ? first : 0;
+}
+
 /* --- before it moves, with its dimensions ------------------------------------------------------------- */
 
 #define WORTH_IT 0.6 /* of the width: a drawing to scale may lose so much, else its height is squeezed */

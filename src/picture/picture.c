@@ -52,7 +52,7 @@ void picture_axes(Picture *picture, Axis x, const char *x_name, const char *x_un
 void picture_ticks(Picture *picture, int along, int up)
 {
     char scale[TICK_TEXT_MAX];
-    if (!picture->has_axes || picture->kind == PICTURE_MAP)
+    if (!picture->has_axes || picture->kind == PICTURE_MAP || picture->kind == PICTURE_STRIP)
         return;
     if (picture->kind == PICTURE_DRAWING) {
         picture_heading(picture, picture->name);

@@ -24,6 +24,7 @@ typedef enum PictureKind {
     PICTURE_BARS,     /* a bar for each of some parts, beside levels */
     PICTURE_MAP,      /* a body as it lies */
     PICTURE_DRAWING,  /* things in their places, with numbers and arrows; its axes are not drawn */
+    PICTURE_STRIP,    /* a body in a few rows */
     PICTURE_LIST,     /* rows below each other, of things or events */
     PICTURE_TABLES    /* one thing with what it exchanges with others, as sums */
 } PictureKind;
@@ -46,6 +47,7 @@ typedef enum MarkKind {
     MARK_PLACE, /* a dot, ring or letter */
     MARK_AGAIN, /* a letter once more on its curve, where curves cannot be told apart by their dashes */
     MARK_DOT,   /* on one of many dots, which a curve may cover where it is wide; a page shows them all */
+    MARK_FINE,  /* narrower than a character: others may stand in the same one */
     MARK_RULE,  /* a vertical line across the plot, perhaps with a word at its head */
     /* of a body: */
     MARK_BESIDE, /* just outside its place, on `side` */
@@ -125,6 +127,7 @@ typedef struct PictureLabel {
     double x, y;
     int side;      /* of the place on which they stand: -1 left, 0 both, 1 right */
     bool on_line;  /* which is broken for them */
+    bool is_size;  /* they keep a space from lines */
     double height; /* of the band that they name; 0: of none */
     bool spare;    /* of a drawing: told where arrows have left room */
     Style style;
@@ -247,7 +250,7 @@ typedef struct Picture {
     int rows;    /* lines of them that there is room for, heading and all */
     int across;  /* characters across the plot; 0: there is no room for one */
     int dots;    /* that a curve can have across */
-    int body[2]; /* characters across and down that a body can take, within a frame */
+    int body[2]; /* characters across and down that a body can take, within a frame; of a strip: takes */
     bool whole;  /* there are no places between characters, and no rows beyond these */
 
     PictureKind kind;
@@ -318,6 +321,22 @@ bool picture_in_sight(const Picture *, double x, double y, double margin);
 /* A line over a body, drawn as `pen` says (its first members); one that goes on where the last one ended
  * goes on with its dashes. */
 void picture_trace(Picture *, const double from[2], const double to[2], const Stroke *pen);
+
+/* A strip has room for so many characters beside it: for its keys or notes, of which the first stands beside
+ * the first row, the second beside the last. A low pane has no heading; a tall one keeps to so many rows (0:
+ * takes all), and has the labels below each other under them. */
+void picture_lay_strip(Picture *, const char *heading, int words, int rows);
+
+/* Pieces in a row, so many whole columns each; where they have no room, a part of them around one, which may
+ * end so many beyond the last one. `aside`: columns that are no piece's. What comes out: columns of a piece,
+ * the first one in sight, how many are. */
+typedef struct StripRow {
+    long pieces, beyond, around;
+    int aside, least, most;
+    int per;
+    long first, shown;
+} StripRow;
+void picture_lay_row(const Picture *, StripRow *);
 
 /* How a body with its dimensions is laid out, in characters: its size in m, the rows that things above and
  * below it need, and so many rows of lengths below that. What comes out: characters to a metre, its edges as

@@ -64,7 +64,7 @@ static void flow_text(const Map *map, char *text, size_t size)
                                         [FLOW_TO_PARTICLES] = "particles take",
                                         [FLOW_FORGET] = ""};
     bool inside;
-    const Flow flow = map_flow(map, &inside);
+    const Flow flow = stage_flow(map->screen, &inside);
     snprintf(text, size, "%s", map_has_mesh(map) ? words[flow] : "");
     if (map_has_mesh(map) && inside && experiment_stage(map->screen->experiment) == 0)
         text_append(text, size, "%sthe grid is forgotten", text[0] ? ", " : "");
@@ -174,8 +174,10 @@ static bool open_map(Map *map, const Screen *screen, MapVariant variant, Picture
 static void describe(const Screen *screen, int variant, Picture *picture)
 {
     Map map;
-    if (!in_plane(screen->experiment))
+    if (!in_plane(screen->experiment)) { /* the body of a bar is its strip */
+        view_strip.describe(screen, 0, picture);
         return;
+    }
     if (shown(screen, variant) == MAP_DRAWING) {
         map_drawing(screen, picture);
         return;

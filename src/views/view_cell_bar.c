@@ -90,21 +90,6 @@ static void find_sides(Near *near)
     near->high += (near->terms.set == 1 ? 0.6 : 0.8) * near->spacing;
 }
 
-/* A field of all nodes as it is, or was before the grid was put back. */
-static double take_nodes(const Near *near, const char *name, double *values)
-{
-    const int field = simulation_find_field(near->sim, 1, name);
-    const size_t count = near->sim->counts[1];
-    double most = 0;
-    if (field < 0)
-        return 0;
-    if (!near->wiped || !experiment_field_before(near->screen->experiment, field, 0, count, values))
-        near->sim->method->field(near->sim, field, 0, count, values);
-    for (size_t i = 0; i < count; i++)
-        most = fmax(most, fabs(values[i]));
-    return most;
-}
-
 /* The row of the chosen node, or of the one that the chosen particle gives most to; lumped, all is its own.
  */
 static void take_masses(Near *near)
@@ -149,8 +134,8 @@ static bool look_near(Near *near, const Screen *screen, bool masses)
     if (!near->node_masses)
         return false;
     near->momenta = near->node_masses + sim->counts[1];
-    near->most_mass = take_nodes(near, "mass", near->node_masses);
-    near->most_momentum = take_nodes(near, "momentum", near->momenta);
+    near->most_mass = screen_node_values(screen, "mass", near->wiped, near->node_masses);
+    near->most_momentum = screen_node_values(screen, "momentum", near->wiped, near->momenta);
     return true;
 }
 

@@ -11,7 +11,7 @@
 #include "panes/panes.h"
 #include "views/inspector/inspector.h"
 #include "views/scene.h"
-#include "views/view.h"
+#include "views/views.h"
 #include "panes/key_line.h"
 #include "run/playback.h"
 #include "help/command.h"
@@ -315,9 +315,14 @@ END_TEST
 
 typedef void Draw(const Screen *, Area);
 
+static void draw_strip(const Screen *screen, Area area)
+{
+    pane_view(&view_strip, screen, area, false);
+}
+
 START_TEST(nothing_leaves_its_pane)
 {
-    static Draw *const draws[] = {pane_title, pane_keys,   pane_parameters, pane_mesh,    pane_box,
+    static Draw *const draws[] = {pane_title, pane_keys,   pane_parameters, draw_strip,   pane_box,
                                   help_draw,  pane_number, pane_asked,      pane_question};
     const int panes = (int)(sizeof draws / sizeof *draws), drawings = panes + n_views;
     static const char *const words[] = {"mode5 80x24 700 stage 3", "mode5 80x24 700 running",

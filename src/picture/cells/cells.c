@@ -173,17 +173,36 @@ static void draw_letter(const Picture *picture, Area inner, size_t mark, int col
              (uint32_t)(unsigned char)picture->marks[mark].letter, picture->marks[mark].style);
 }
 
+/* Of a dot of braille the half in which it lies, upright if it is a line; it joins what is there. */
+static uint32_t fine_glyph(const PictureMark *mark, const Axis *x, Area inner, int column, int row)
+{
+    enum { BLANK = 0x2800, LEFT_HALF = 0x47, UPRIGHT = 0xff, MIDDLE = 0x36 };
+    const double place = (mark->x - x->low) / (x->high - x->low) * inner.rect.width;
+    const uint32_t before = area_cell(inner, column, row)->glyph,
+                   half = place - column < 0.5 - 1e-9 ? 0 : 0xff;
+    const uint32_t dots = (mark->glyph == '|' ? UPRIGHT : MIDDLE) & (half ^ LEFT_HALF);
+    return dots | (before >= BLANK && before <= BLANK + 0xff ? before : BLANK);
+}
+
 static void draw_marks(const Picture *picture, Area inner)
 {
     for (size_t i = 0; i < picture->n_marks; i++) {
         const PictureMark *mark = &picture->marks[i];
         const int column = axis_column(&picture->plot.x, mark->x, inner.rect.width);
         const int row = axis_row(&picture->plot.y, mark->y, inner.rect.height);
-        if (mark->kind == MARK_RULE || (mark->kind == MARK_AGAIN && inner.rect.width < APART))
+        if (column < 0 || row < 0 || mark->kind == MARK_RULE ||
+            (mark->kind == MARK_AGAIN && inner.rect.width < APART))
             continue;
-        const bool ascii = inner.glyphs == GLYPHS_ASCII && mark->ascii;
-        area_put(inner, column, row, ascii ? (uint32_t)mark->ascii : mark->glyph, mark->style);
-        if (mark->letter && column >= 0 && row >= 0)
+        uint32_t glyph = inner.glyphs == GLYPHS_ASCII && mark->ascii ? (uint32_t)mark->ascii : mark->glyph;
+        if (mark->kind == MARK_BAR)
+            glyph = area_bar(inner, mark->share);
+        else if (mark->kind == MARK_FINE && inner.glyphs == GLYPHS_BRAILLE)
+            glyph = fine_glyph(mark, &picture->plot.x, inner, column, row);
+        const bool beside = mark->kind == MARK_BESIDE, shifted = beside || mark->kind == MARK_BAR;
+        Area around = inner;
+        around.rect.width += beside; /* a wall stands in the margin */
+        area_put(around, column + (shifted ? mark->side[0] : 0), row, glyph, mark->style);
+        if (mark->letter)
             draw_letter(picture, inner, i, column, row);
     }
 }
@@ -266,23 +285,65 @@ static void draw_drawing(const Picture *picture, Area inner)
     places_write(&places, picture);
 }
 
+/* --- a strip ---------------------------------------------------------------------------------------- */
+
+/* Where its body lies. */
+static Rect strip_rect(const Picture *picture, Rect rect)
+{
+    return (Rect){rect.x + 1, rect.y + (picture->heading[0] != '\0'), picture->body[0], picture->body[1]};
+}
+
+/* What its bars are. */
+static void name_bars(const Picture *picture, Area words, int y)
+{
+    for (int i = 0, x = 0; i < picture->n_keys; i++, x += 2) {
+        area_put(words, x, y, area_bar(words, 1), picture->keys[i].style);
+        x += 2 + area_text(words, x + 2, y, picture->keys[i].name, STYLE_NORMAL);
+    }
+}
+
+static void draw_strip(const Picture *picture, Area area, Style heading)
+{
+    const Rect body = strip_rect(picture, (Rect){0});
+    const Area inner = area_part(area, body.x, body.y, body.width, body.height),
+               words = area_part(area, body.x + body.width + 1, body.y, area.rect.width, body.height);
+    if (picture->heading[0])
+        area_rule(area, 0, picture->heading, heading);
+    plot_draw(&picture->plot, inner);
+    draw_marks(picture, inner);
+    for (int i = 0; i < 2 && i < picture->n_notes - (picture->n_keys > 0); i++)
+        area_text(words, 0, i * (body.height - 1), picture->notes[i].text, picture->notes[i].style);
+    name_bars(picture, words, body.height - 1);
+    for (int i = 0; i < picture->n_labels; i++)
+        area_phrases(area, 1, body.y + body.height + 1 + i, area.rect.width - 2, 1, picture->labels[i].text,
+                     picture->labels[i].style);
+}
+
+/* --- for the mouse ----------------------------------------------------------------------------------- */
+
+/* In a strip the nearest of the row that is nearest. */
 const PictureMark *cells_target(const Picture *picture, Rect rect, int x, int y)
 {
+    const bool strip = picture->kind == PICTURE_STRIP;
+    const int under = rows_under(picture, rect.width, rect.height), row = strip ? rect.width : 2;
+    const Rect part =
+        strip ? strip_rect(picture, rect) : (Rect){rect.x, rect.y + 1, rect.width, rect.height - 1 - under};
+    const Places places = {.width = part.width, .height = part.height, .whole = true};
     const PictureMark *nearest = NULL;
     double least = HUGE_VAL;
-    const int under = rows_under(picture, rect.width, rect.height);
-    Places places = {.width = rect.width, .height = rect.height - 1 - under, .whole = true};
     for (size_t i = 0; i < picture->n_marks && picture->has_axes; i++) {
         const PictureMark *mark = &picture->marks[i];
-        const double across = fabs(places_across(&places, picture, mark->x) - (x - rect.x));
-        const double down = fabs(places_down(&places, picture, mark->y) - (y - rect.y - 1));
-        if (mark->is_target && across + 2 * down < least) {
-            least = across + 2 * down;
+        const double across = fabs(places_across(&places, picture, mark->x) - (x - part.x));
+        const double down = fabs(places_down(&places, picture, mark->y) - (y - part.y));
+        if (mark->is_target && across + row * down < least) {
+            least = across + row * down;
             nearest = mark;
         }
     }
-    return x >= rect.x && x < rect.x + rect.width && y > rect.y && y <= rect.y + places.height ? nearest
-                                                                                               : NULL;
+    return x >= rect.x && x <= part.x + part.width && x < rect.x + rect.width && y >= part.y &&
+                   y < part.y + part.height
+               ? nearest
+               : NULL;
 }
 
 /* --- the whole ------------------------------------------------------------------------------------- */
@@ -336,6 +397,10 @@ void cells_draw(Picture *picture, Area area, Style heading, int colours)
     }
     if (picture->has_axes && picture->bare && picture->kind == PICTURE_MAP) {
         cells_drawing(picture, area, heading);
+        return;
+    }
+    if (picture->kind == PICTURE_STRIP) {
+        draw_strip(picture, area, heading);
         return;
     }
     if (!picture->has_axes) {

@@ -111,8 +111,7 @@ static void draw_mark(Area area, const PictureMark *mark)
 static void draw_label(Area area, const PictureLabel *label)
 {
     char text[sizeof label->text + 2];
-    const bool number = label->style == STYLE_NORMAL;
-    snprintf(text, sizeof text, number ? " %s " : "%s", label->text);
+    snprintf(text, sizeof text, label->is_size ? " %s " : "%s", label->text);
     const int columns = glyphs_columns(text), y = (int)round(-label->y);
     const int from = label->side > 0   ? (int)label->x
                      : label->side < 0 ? (int)label->x - columns

@@ -279,10 +279,6 @@ void tell_view(const Screen *screen, const View *view, Words *words)
         return;
     }
     words_say(words, 2, "View %s%s%s:", view->word, variant ? " " : "", variant ? variant : "");
-    if (view->is_map && !simulation_has(experiment_simulation(screen->experiment), HAS_PLANE)) {
-        tell_drawn(screen, pane_mesh, PICTURE_ROWS, false, words); /* the body of a bar is its strip */
-        return;
-    }
     view_describe(view, screen, WORDS_WIDTH, PICTURE_ROWS, &picture);
     tell_picture(&picture, view->has_time_axis ? screen->time.cursor : NAN, words);
     words->lost |= picture.plot.lost;

@@ -549,7 +549,7 @@ static void say_table(const PictureTable *table, Words *words)
 
 void tell_picture(const Picture *picture, double cursor, Words *words)
 {
-    const bool drawn = picture->kind == PICTURE_DRAWING;
+    const bool drawn = picture->kind == PICTURE_DRAWING, strip = picture->kind == PICTURE_STRIP;
     if (picture->map)
         say_map(picture, words);
     else if (picture->plot.n_strokes > 0 && !drawn && !picture->bare)
@@ -561,7 +561,7 @@ void tell_picture(const Picture *picture, double cursor, Words *words)
     if (picture->list)
         say_list(picture, words);
     for (int i = 0; i < picture->n_labels && picture->bare; i++)
-        say_label(&picture->labels[i], drawn, words);
+        say_label(&picture->labels[i], drawn || strip, words);
     for (int i = 0; i < picture->n_arrows; i++)
         if (picture->arrows[i].told[0])
             words_say(words, 4, "  %s.", picture->arrows[i].told);

@@ -115,10 +115,9 @@ void map_add_rows(Map *);      /* what a plate has by rows, and its cracks; by m
 void map_add_signs(Map *);     /* supports, load, chosen node */
 void map_add_row_signs(Map *); /* likewise loads, tips, probe; by map_add_signs() */
 
-/* A mesh is drawn under the particles that are seen one by one; what flows in the stage just done (inside:
- * one has been); "cross 0.56, -0.02 MPa": the principal stresses that are drawn on the chosen particle. */
+/* A mesh is drawn under the particles that are seen one by one; "cross 0.56, -0.02 MPa": the principal
+ * stresses that are drawn on the chosen particle. */
 bool map_has_mesh(const Map *);
-Flow map_flow(const Map *, bool *inside);
 void map_cross_text(const Map *, char *out, size_t size);
 
 /* The beam before it moves, with its dimensions. */

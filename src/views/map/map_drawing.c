@@ -60,11 +60,21 @@ static void trace(const Drawing *drawing, StrokeKind kind, Style style, int coun
 
 /* Words that begin (side 1), have their middle (0) or end (-1) at a place; those in the middle break a line.
  */
+static void put_label(const Drawing *drawing, PictureLabel label, const char *text)
+{
+    label.on_line = label.side == 0;
+    snprintf(label.text, sizeof label.text, "%s", text);
+    picture_label(drawing->picture, &label);
+}
+
 static void label(const Drawing *drawing, double x, double y, int side, const char *text, Style style)
 {
-    PictureLabel out = {.x = x, .y = y, .side = side, .on_line = side == 0, .style = style};
-    snprintf(out.text, sizeof out.text, "%s", text);
-    picture_label(drawing->picture, &out);
+    put_label(drawing, (PictureLabel){.x = x, .y = y, .side = side, .style = style}, text);
+}
+
+static void label_size(const Drawing *drawing, double x, double y, int side, const char *text)
+{
+    put_label(drawing, (PictureLabel){.x = x, .y = y, .side = side, .is_size = true}, text);
 }
 
 static void label_length(const Drawing *drawing, double x, double y, int side, double metres)
@@ -72,7 +82,7 @@ static void label_length(const Drawing *drawing, double x, double y, int side, d
     char text[NUMBER_TEXT_MAX + 8];
     text_rounded(text, 1e3 * metres, 4);
     text_append(text, sizeof text, " mm");
-    label(drawing, x, y, side, text, STYLE_NORMAL);
+    label_size(drawing, x, y, side, text);
 }
 
 static void put(const Drawing *drawing, double x, double y, MarkKind kind, int up, uint32_t glyph)
@@ -162,7 +172,7 @@ static void add_pressure(const Drawing *drawing)
     text_rounded(number, 1e-6 * settings_loads(settings)->stress, 4);
     text_rounded(width, 1e3 * settings_loads(settings)->width, 4);
     snprintf(text, sizeof text, "%s MPa on %s mm", number, width);
-    label(drawing, to + 1, top + 1, 1, text, STYLE_NORMAL);
+    label_size(drawing, to + 1, top + 1, 1, text);
     put(drawing, column_of(drawing, settings_supports(settings)->left), drawing->room.bottom, MARK_STANDS, -1,
         settings_supports(settings)->pinned ? 0x25b2 : 0x25cb);
     put(drawing, column_of(drawing, settings_supports(settings)->right), drawing->room.bottom, MARK_STANDS,
@@ -217,10 +227,9 @@ static void add_traction(const Drawing *drawing, int row, double ends[2][2])
     text_rounded(text, 1e-6 * math_hypot(sx, sy), 4);
     text_append(text, sizeof text, " MPa");
     if (up)
-        label(drawing, fmax(places[0][0], places[1][0]) + 2, places[0][1] + up, 1, text, STYLE_NORMAL);
+        label_size(drawing, fmax(places[0][0], places[1][0]) + 2, places[0][1] + up, 1, text);
     else
-        label(drawing, places[0][0] - 2 * right, (places[0][1] + places[1][1]) / 2, -right, text,
-              STYLE_NORMAL);
+        label_size(drawing, places[0][0] - 2 * right, (places[0][1] + places[1][1]) / 2, -right, text);
 }
 
 static void add_rows(const Drawing *drawing)

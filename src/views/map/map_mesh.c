@@ -28,40 +28,22 @@ typedef struct MeshNodes {
 
 /* --- what the nodes have ---------------------------------------------------------------------------- */
 
-/* A field of all nodes, from before the stage where the grid has just been put back; NULL: no memory. */
-static bool take_nodes(const Map *map, const MeshNodes *mesh, const char *name, double *out)
-{
-    const int field = simulation_find_field(map->sim, 1, name);
-    if (field < 0)
-        return false;
-    if (!mesh->put_back || !experiment_field_before(map->screen->experiment, field, 0, mesh->count, out))
-        map->sim->method->field(map->sim, field, 0, mesh->count, out);
-    return true;
-}
-
 /* |p| from its components, without what the body's common speed gives to all nodes alike: it is hundreds of
  * times as much as the vibration. */
 static void take_momentum(const Map *map, const MeshNodes *mesh, double *spare)
 {
-    if (!take_nodes(map, mesh, "px", mesh->momentum) || !take_nodes(map, mesh, "py", spare))
+    if (screen_node_values(map->screen, "px", mesh->put_back, mesh->momentum) < 0 ||
+        screen_node_values(map->screen, "py", mesh->put_back, spare) < 0)
         return;
     for (size_t i = 0; i < mesh->count; i++)
         mesh->momentum[i] = math_hypot(mesh->momentum[i] - mesh->mass[i] * map->sim->common_speed, spare[i]);
-}
-
-Flow map_flow(const Map *map, bool *inside)
-{
-    const Screen *screen = map->screen;
-    const int stage = screen_box_stage(screen, inside);
-    *inside = *inside && !screen_is_running(screen);
-    return *inside ? stage_flow(map->sim, &map->sim->stages[stage]) : FLOW_NONE;
 }
 
 /* False: no memory. mesh_close() in any case. */
 static bool mesh_open(const Map *map, MeshNodes *mesh)
 {
     bool inside;
-    *mesh = (MeshNodes){.count = map->sim->counts[1], .flow = map_flow(map, &inside)};
+    *mesh = (MeshNodes){.count = map->sim->counts[1], .flow = stage_flow(map->screen, &inside)};
     mesh->there = experiment_stage(map->screen->experiment) > 0;
     mesh->put_back = inside && !mesh->there;
     mesh->x = calloc(5 * mesh->count, sizeof *mesh->x);
@@ -70,7 +52,7 @@ static bool mesh_open(const Map *map, MeshNodes *mesh)
     mesh->y = mesh->x + mesh->count;
     mesh->mass = mesh->y + mesh->count;
     mesh->momentum = mesh->mass + mesh->count;
-    take_nodes(map, mesh, "mass", mesh->mass);
+    screen_node_values(map->screen, "mass", mesh->put_back, mesh->mass);
     take_momentum(map, mesh, mesh->momentum + mesh->count);
     map->sim->method->field(map->sim, simulation_find_field(map->sim, 1, "x"), 0, mesh->count, mesh->x);
     map->sim->method->field(map->sim, simulation_find_field(map->sim, 1, "y"), 0, mesh->count, mesh->y);

@@ -1,0 +1,524 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The strip: the body as it lies, in a few rows across the screen. Of a bar with a mesh the grid above, the
+ * particles at x0 + k u below, and in each stage who gives to whom; of one without its nodes, the mirrored
+ * ones beyond a fixed end, and the bonds of the chosen one; a beam to the scale of the strip. */
+#include "answers/crack_growth.h"
+#include "base/text.h"
+#include "panes/screen_runs.h"
+#include "panes/stage_flow.h"
+#include "scenario/concern_bonds.h"
+#include "scenario/concern_loads.h"
+#include "views/views.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LINKS_MAX = PICTURE_LABELS_MAX - 1 };
+
+typedef struct Strip {
+    const Screen *screen;
+    const Simulation *sim;
+    Picture *picture;
+    StripRow row;
+    int columns, last; /* of the row; its number of the last line */
+    bool paused;
+    size_t count, chosen; /* of particles */
+    double *u, k;         /* they are drawn at x0 + k u */
+} Strip;
+
+/* Outside what is in sight: nothing. */
+static void put(const Strip *strip, double column, int row, PictureMark mark)
+{
+    const double rounding = 1e-9;
+    if (!(column > -rounding && column < strip->columns - rounding))
+        return;
+    mark.x = column;
+    mark.y = -row;
+    picture_add_mark(strip->picture, mark);
+}
+
+static void put_upright(const Strip *strip, double column, int from, int to, PictureMark mark)
+{
+    for (int row = from; row <= to; row++)
+        put(strip, column, row, mark);
+}
+
+static void put_across(const Strip *strip, double from, double to, Style style)
+{
+    for (double column = fmax(0, floor(from)); column <= fmin(to, strip->columns); column++)
+        put(strip, column, 0, (PictureMark){.glyph = 0x2500, .style = style});
+}
+
+/* Columns and rows of characters are the coordinates, with a column before the first for a wall. */
+static void open_axes(Strip *strip, long columns)
+{
+    Picture *picture = strip->picture;
+    strip->columns = (int)columns;
+    strip->last = picture->body[1] - 1;
+    picture->body[0] = strip->columns + 1;
+    picture_axes(picture, axis_make(-1, strip->columns), "", "", axis_make(-strip->last - 0.5, 0.5), "", "");
+}
+
+/* Below its other words where there is room: the things that the chosen one is linked with. */
+static void list(const Strip *strip, Style style, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+static void list(const Strip *strip, Style style, const char *format, ...)
+{
+    PictureLabel label = {.style = style};
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(label.text, sizeof label.text, format, arguments);
+    va_end(arguments);
+    picture_label(strip->picture, &label);
+}
+
+/* Displacements are drawn up to that length. */
+static void enlarge(Strip *strip, double room)
+{
+    const int field = strip->sim->displacement[0];
+    strip->k = axis_enlargement(screen_field_reach(strip->screen, field, strip->u, strip->count), room);
+}
+
+/* "A: particles at x0 + 5 u" */
+static void note_factor(const Strip *strip, const char *what, const char *moved)
+{
+    char text[96], number[NUMBER_TEXT_MAX];
+    if (simulation_has(strip->sim, HAS_LINE))
+        text_rounded(number, strip->k, 3);
+    else
+        text_factor(strip->k, number);
+    snprintf(text, sizeof text, "%s%s + %s%s%s", screen_second_run(strip->screen) ? "A: " : "", what,
+             strip->k == 1 ? "" : number, strip->k == 1 ? "" : " ", moved);
+    picture_note(strip->picture, STYLE_FAINT, text);
+}
+
+/* --- a bar with a mesh ------------------------------------------------------------------------------- */
+
+typedef struct Bar {
+    Strip *strip;
+    const double *x0;
+    size_t nodes;
+    int node_x;
+    double spacing, length;
+    bool there; /* the grid: a step is under way */
+} Bar;
+
+static double node_at(const Bar *bar, size_t node)
+{
+    return simulation_value(bar->strip->sim, bar->node_x, node);
+}
+
+static double column_of(const Bar *bar, double x)
+{
+    const StripRow *row = &bar->strip->row;
+    return (x - (double)row->first * bar->spacing) / bar->spacing * row->per;
+}
+
+static double particle_column(const Bar *bar, size_t particle)
+{
+    return column_of(bar, bar->x0[particle] + bar->strip->k * bar->strip->u[particle]);
+}
+
+/* Between steps it is empty, and drawn faint. */
+static void add_grid(const Bar *bar)
+{
+    const Strip *strip = bar->strip;
+    const int fixed = simulation_find_field(strip->sim, 1, "fixed");
+    put_across(strip, 0, strip->columns, STYLE_FRAME);
+    for (size_t i = 0; i < bar->nodes; i++) {
+        const double x = node_at(bar, i), column = column_of(bar, x), half = bar->spacing / 2;
+        const PictureMark wall = {.glyph = 0x2592,
+                                  .style = STYLE_FRAME,
+                                  .kind = MARK_BESIDE,
+                                  .side = {x < bar->length / 2 ? -1 : 1, 0}};
+        put(strip, column, 0,
+            (PictureMark){.glyph = 0x253c,
+                          .style = bar->there ? STYLE_NORMAL : STYLE_FRAME,
+                          .is_target = true,
+                          .set = 1,
+                          .index = i});
+        if (fixed >= 0 && simulation_value(strip->sim, fixed, i) > 0 && x > -half && x < bar->length + half)
+            put_upright(strip, column, 0, strip->last, wall);
+    }
+}
+
+/* One quantity of the nodes, so many columns to the right of each: it grows where particles give to a node,
+ * and is gone when the grid is put back. */
+static void add_amounts(const Bar *bar, const char *field, const char *name, signed char right, bool put_back,
+                        Style style)
+{
+    double *values = malloc(bar->nodes * sizeof *values);
+    const double most = values ? screen_node_values(bar->strip->screen, field, put_back, values) : 0;
+    for (size_t i = 0; i < bar->nodes && most > 0; i++) {
+        const double share = fabs(values[i]) / most;
+        if (share > 1e-6)
+            put(bar->strip, column_of(bar, node_at(bar, i)), 0,
+                (PictureMark){.style = put_back ? STYLE_FAINT : style,
+                              .kind = MARK_BAR,
+                              .side = {right, 0},
+                              .share = put_back ? 0 : share});
+    }
+    free(values);
+    if (!put_back)
+        picture_key(bar->strip->picture, (PictureKey){.style = style, .name = name});
+}
+
+/* The ends of the particles' domains, where these have a length of their own: it is drawn enlarged as places
+ * are, a change of length k times as large. Where they would stand too close to be told apart, those of the
+ * chosen particle alone, and none where there are no dots finer than a column. True: those of all. */
+static bool add_domains(const Bar *bar)
+{
+    const Strip *strip = bar->strip;
+    const int stretch = simulation_find_field(strip->sim, 0, "stretch");
+    const double gap = strip->sim->spacing;
+    const bool dots = strip->picture->dots > strip->picture->across;
+    const bool all = gap / bar->spacing * strip->row.per >= (dots ? 1.25 : 2);
+    for (size_t i = 0; i < strip->count && stretch >= 0; i++) {
+        const double half = gap / 2 * (1 + strip->k * (simulation_value(strip->sim, stretch, i) - 1));
+        for (int side = -1; side <= 1 && (all || (dots && i == strip->chosen)); side += 2)
+            put(strip, column_of(bar, bar->x0[i] + strip->k * strip->u[i] + side * half), strip->last,
+                (PictureMark){.glyph = '|', .style = STYLE_FRAME, .kind = MARK_FINE});
+    }
+    return stretch >= 0 && all;
+}
+
+/* The chosen particle, its nodes, and what passes between them. */
+static void add_links(const Bar *bar, Flow flow)
+{
+    const Strip *strip = bar->strip;
+    Link links[LINKS_MAX];
+    const size_t found = strip->sim->method->links
+                             ? strip->sim->method->links(strip->sim, 0, strip->chosen, links, LINKS_MAX)
+                             : 0;
+    const bool to_nodes = flow == FLOW_TO_NODES, to_particles = flow == FLOW_TO_PARTICLES;
+    const PictureMark node = {.glyph = 0x25cf, .style = to_nodes ? STYLE_CHANGED : STYLE_SECOND},
+                      way = {.glyph = to_nodes       ? 0x2191
+                                      : to_particles ? 0x2193
+                                                     : 0x00b7,
+                             .style = to_nodes || to_particles ? STYLE_CHANGED : STYLE_FRAME};
+    list(strip, STYLE_HEADING, "particle %zu and its nodes", strip->chosen);
+    for (size_t i = 0; i < found && i < LINKS_MAX; i++) {
+        const double x = node_at(bar, links[i].index), column = column_of(bar, x);
+        char place[NUMBER_TEXT_MAX], weight[NUMBER_TEXT_MAX], slope[NUMBER_TEXT_MAX];
+        text_fitted(x, 5, 10, place);
+        text_fitted(links[i].weight, 4, 10, weight);
+        text_fitted(links[i].gradient[0], 4, 10, slope);
+        list(strip, STYLE_NORMAL, "node %zu  x %s  N %s  N' %s", links[i].index, place, weight, slope);
+        if (!strip->paused)
+            continue;
+        put(strip, column, 0, node);
+        put_upright(strip, column, 1, strip->last - 1, way);
+    }
+    if (strip->paused)
+        put(strip, particle_column(bar, strip->chosen), strip->last,
+            (PictureMark){.glyph = 0x25cf, .style = to_particles ? STYLE_CHANGED : STYLE_SECOND});
+    if (strip->paused && strip->screen->chosen.is_node && strip->screen->chosen.node < bar->nodes)
+        put(strip, column_of(bar, node_at(bar, strip->screen->chosen.node)), 0,
+            (PictureMark){.glyph = 0x25a0, .style = STYLE_CHANGED});
+}
+
+static void note_bar(const Bar *bar, Flow flow)
+{
+    static const char *const flows[] = {[FLOW_TO_NODES] = "↑ particles give to nodes",
+                                        [FLOW_TO_PARTICLES] = "↓ particles take",
+                                        [FLOW_FORGET] = "the grid is put back"};
+    const StripRow *row = &bar->strip->row;
+    char text[96];
+    if (row->shown < row->pieces)
+        snprintf(text, sizeof text, "cells %ld-%ld of %ld", row->first, row->first + row->shown - 1,
+                 row->pieces);
+    else
+        snprintf(text, sizeof text, "%ld cells", row->pieces);
+    picture_note(bar->strip->picture, flow ? STYLE_CHANGED : STYLE_FAINT, flow ? flows[flow] : text);
+    note_factor(bar->strip, "particles at x0", "u");
+}
+
+static void describe_bar(Strip *strip, const double *x0)
+{
+    enum { WORDS = 25, ROWS = 4, LEAST = 2, MOST = 6 };
+    const Simulation *sim = strip->sim;
+    Bar bar = {.strip = strip,
+               .x0 = x0,
+               .nodes = sim->counts[1],
+               .node_x = simulation_find_field(sim, 1, "x"),
+               .there = experiment_stage(strip->screen->experiment) > 0};
+    if (bar.nodes < 2 || bar.node_x < 0)
+        return;
+    bar.spacing = node_at(&bar, bar.nodes / 2) - node_at(&bar, bar.nodes / 2 - 1);
+    bar.length = x0[strip->count - 1] + sim->spacing / 2;
+    enlarge(strip, bar.spacing);
+    picture_lay_strip(strip->picture, "the bar: its grid, and its particles", WORDS, ROWS);
+    /* beyond its end a cell more, into which it may stretch */
+    strip->row = (StripRow){.pieces = lround(bar.length / bar.spacing),
+                            .beyond = 1,
+                            .aside = 1,
+                            .around = (long)floor(x0[strip->chosen] / bar.spacing),
+                            .least = LEAST,
+                            .most = MOST};
+    picture_lay_row(strip->picture, &strip->row);
+    open_axes(strip, strip->row.shown * strip->row.per + (strip->row.shown <= strip->row.pieces));
+    bool inside;
+    const Flow flow = stage_flow(strip->screen, &inside);
+    const bool put_back = flow == FLOW_FORGET && !bar.there;
+    add_grid(&bar);
+    if (strip->paused && (bar.there || put_back)) {
+        add_amounts(&bar, "mass", "mass", 0, put_back, STYLE_SECOND);
+        add_amounts(&bar, "momentum", "|momentum|", 1, put_back, STYLE_PREDICTED);
+    }
+    if (add_domains(&bar) && strip->picture->heading[0])
+        picture_heading(strip->picture, "the bar: its grid, and its particles in their domains");
+    for (size_t i = 0; i < strip->count; i++)
+        put(strip, particle_column(&bar, i), strip->last,
+            (PictureMark){.glyph = 0x00b7,
+                          .ascii = 'o',
+                          .style = STYLE_MEASURED,
+                          .kind = MARK_FINE,
+                          .is_target = true,
+                          .index = i});
+    add_links(&bar, flow);
+    note_bar(&bar, flow);
+}
+
+/* --- a bar of bonds ---------------------------------------------------------------------------------- */
+
+typedef struct NodeRow {
+    Strip *strip;
+    long nodes, reach; /* of the bar; bonds to either side */
+    long first, end;   /* in sight: nodes from first to end - 1, mirrored ones below 0 and from `nodes` on */
+    bool walls[2];     /* ends that are fixed, each with a column of its own */
+    double moved;      /* spacings to a displacement of 1, as drawn */
+} NodeRow;
+
+static double column_at(const NodeRow *row, double node)
+{
+    const int walls = (row->first < 0 && node > -0.5) + (row->walls[1] && node > (double)row->nodes - 0.5);
+    return (node - (double)row->first + 0.5) * row->strip->row.per + walls;
+}
+
+/* As it is drawn; those beyond a fixed end are mirror images. */
+static double node_column(const NodeRow *row, long node)
+{
+    const long image = node < 0 ? -1 - node : node >= row->nodes ? 2 * row->nodes - 1 - node : node;
+    return column_at(row, (double)node + (image != node ? -1 : 1) * row->moved * row->strip->u[image]);
+}
+
+static void add_nodes(const NodeRow *row)
+{
+    for (long k = row->first; k < row->end; k++) {
+        const bool mirrored = k < 0 || k >= row->nodes;
+        put(row->strip, node_column(row, k), row->strip->last,
+            (PictureMark){.glyph = mirrored ? 0x25cb : 0x00b7,
+                          .ascii = mirrored ? 0 : 'o',
+                          .style = mirrored ? STYLE_FAINT : STYLE_MEASURED,
+                          .is_target = !mirrored,
+                          .index = mirrored ? 0 : (size_t)k});
+    }
+}
+
+/* Once the bonds have pulled, where each node is drawn to: an arrow for what is at least a third of the
+ * largest force, a smaller one for less, none for next to nothing. */
+static void add_forces(const NodeRow *row)
+{
+    const Simulation *sim = row->strip->sim;
+    const int field = simulation_find_field(sim, 0, "force");
+    double *force = field >= 0 ? malloc(row->strip->count * sizeof *force) : NULL, most = 0;
+    if (!force)
+        return;
+    sim->method->field(sim, field, 0, row->strip->count, force);
+    for (long k = 0; k < row->nodes; k++)
+        most = fmax(most, fabs(force[k]));
+    for (long k = 0; k < row->nodes && most > 0; k++) {
+        const double share = force[k] / most;
+        const bool large = fabs(share) >= 1.0 / 3;
+        const uint32_t glyph = share > 0 ? (large ? 0x2192 : 0x203a) : large ? 0x2190 : 0x2039;
+        if (fabs(share) >= 0.02)
+            put(row->strip, node_column(row, k), row->strip->last,
+                (PictureMark){.glyph = glyph, .style = STYLE_CHANGED});
+    }
+    free(force);
+}
+
+/* A line over the family of the chosen node, with a tick at each partner. */
+static void add_bonds(const NodeRow *row, Style style)
+{
+    const long chosen = (long)row->strip->chosen, least = row->walls[0] ? -row->reach : 0,
+               most = row->nodes - 1 + (row->walls[1] ? row->reach : 0),
+               from = chosen - row->reach < least ? least : chosen - row->reach,
+               to = chosen + row->reach > most ? most : chosen + row->reach;
+    put_across(row->strip, column_at(row, (double)from), column_at(row, (double)to), style);
+    for (long k = from; k <= to; k++)
+        put(row->strip, column_at(row, (double)k), 0,
+            (PictureMark){.glyph = k == chosen ? 0x25cf : 0x252c, .style = style});
+    put(row->strip, node_column(row, chosen), row->strip->last,
+        (PictureMark){.glyph = 0x25cf, .style = STYLE_SECOND});
+}
+
+static void add_ends(const NodeRow *row)
+{
+    const double ends[2] = {-0.5, (double)row->nodes - 0.5};
+    const bool seen[2] = {row->first<0, row->end> row->nodes};
+    for (int side = 0; side <= 1; side++)
+        if (row->walls[side] && seen[side])
+            put_upright(row->strip, column_at(row, ends[side]), 0, row->strip->last,
+                        (PictureMark){.glyph = 0x2592, .style = STYLE_FRAME});
+}
+
+static void list_bonds(const Strip *strip)
+{
+    Link links[LINKS_MAX];
+    const size_t count = strip->sim->method->links(strip->sim, 0, strip->chosen, links, LINKS_MAX);
+    list(strip, STYLE_HEADING, "particle %zu and its bonds", strip->chosen);
+    for (size_t i = 0; i < count && i < LINKS_MAX; i++) {
+        char stretch[NUMBER_TEXT_MAX], pull[NUMBER_TEXT_MAX];
+        text_fitted(links[i].stretch, 4, 10, stretch);
+        text_fitted(links[i].pull, 4, 10, pull);
+        list(strip, STYLE_NORMAL, "to %zu  stretch %s  pull %s", links[i].index, stretch, pull);
+    }
+}
+
+static void note_nodes(const NodeRow *row, bool pulls, bool mirrors)
+{
+    char text[96];
+    if (pulls || mirrors)
+        snprintf(text, sizeof text, pulls ? "arrows: bond forces" : "mirror images follow");
+    else if (row->end - row->first < row->nodes)
+        snprintf(text, sizeof text, "nodes %ld-%ld of %ld", row->first < 0 ? 0 : row->first,
+                 (row->end < row->nodes ? row->end : row->nodes) - 1, row->nodes);
+    else if (row->strip->paused)
+        snprintf(text, sizeof text, "bonds of particle %zu", row->strip->chosen);
+    else
+        snprintf(text, sizeof text, "%ld nodes, %ld bonds each", row->nodes, 2 * row->reach);
+    picture_note(row->strip->picture, pulls || mirrors ? STYLE_CHANGED : STYLE_FAINT, text);
+    note_factor(row->strip, "nodes at x0", "u");
+}
+
+static void describe_bonds(Strip *strip)
+{
+    enum { WORDS = 22, ROWS = 3, LEAST = 1, MOST = 4 };
+    const Settings *settings = experiment_settings(strip->screen->experiment);
+    enlarge(strip, strip->sim->spacing);
+    const BarSupports ends = settings_supports(settings)->ends;
+    NodeRow row = {.strip = strip,
+                   .nodes = (long)strip->count,
+                   .reach = (long)floor(lattice_reach(settings) / strip->sim->spacing),
+                   .walls = {ends == BAR_FIXED_FREE || ends == BAR_FIXED_FIXED,
+                             ends == BAR_FREE_FIXED || ends == BAR_FIXED_FIXED},
+                   .moved = strip->k / strip->sim->spacing};
+    const long before = row.walls[0] ? row.reach : 0;
+    bool done;
+    const char *stage = strip->sim->stages[screen_box_stage(strip->screen, &done)].id;
+    const bool inside = strip->paused && done, pulls = inside && strcmp(stage, "bonds") == 0;
+    picture_lay_strip(strip->picture, "the bar: its nodes, and the bonds of one", WORDS, ROWS);
+    strip->row = (StripRow){.pieces = before + row.nodes + (row.walls[1] ? row.reach : 0),
+                            .aside = row.walls[0] + row.walls[1],
+                            .around = before + (long)strip->chosen,
+                            .least = LEAST,
+                            .most = MOST};
+    picture_lay_row(strip->picture, &strip->row);
+    row.first = strip->row.first - before;
+    row.end = row.first + strip->row.shown;
+    open_axes(strip, strip->row.shown * strip->row.per + (row.first < 0) + (row.end > row.nodes));
+    add_nodes(&row);
+    if (pulls || (inside && strcmp(stage, "load") == 0))
+        add_forces(&row);
+    if (strip->paused)
+        add_bonds(&row, pulls ? STYLE_CHANGED : STYLE_SECOND);
+    add_ends(&row);
+    list_bonds(strip);
+    note_nodes(&row, pulls, inside && strcmp(stage, "mirror") == 0);
+}
+
+/* --- a beam ------------------------------------------------------------------------------------------ */
+
+/* The frame of the drawing, which it keeps while the beam swings; how much its height is squeezed there. */
+static double lay_beam(Strip *strip, const double low[2], const double high[2])
+{
+    Picture *picture = strip->picture;
+    const int most = (int)strip->sim->columns * picture->across / picture->dots;
+    /* no more dots across than the lattice has columns: else some stay dark */
+    if (most >= 4 && picture->body[0] > most)
+        picture->body[0] = most;
+    const double height = high[1] - low[1];
+    double top = high[1] + 0.8 * height, bottom = low[1] - 0.8 * height;
+    const double needed = (top - bottom) / (high[0] - low[0]) * picture->body[0] / 2;
+    if (needed < picture->body[1]) {
+        const double more = (top - bottom) * (picture->body[1] / needed - 1) / 2;
+        top += more, bottom -= more;
+    }
+    picture_axes(picture, axis_make(low[0], high[0] + 1e-9 * height), "", "", axis_make(bottom, top), "", "");
+    return needed > picture->body[1] ? picture->body[1] / needed : 1;
+}
+
+static void describe_beam(Strip *strip, const double *x, const double *y, const double *uy,
+                          const double *damage)
+{
+    enum { WORDS = 25 };
+    const Simulation *sim = strip->sim;
+    Plot *plot = &strip->picture->plot;
+    double low[2] = {x[0], y[0]}, high[2] = {x[0], y[0]}, moved = 0; /* with where it began */
+    char text[48];
+    snprintf(text, sizeof text, "the %s", screen_problem(strip->screen)->body);
+    picture_lay_strip(strip->picture, text, WORDS, 0);
+    for (size_t i = 0; i < strip->count; i++) {
+        low[0] = fmin(low[0], x[i] + strip->u[i]);
+        high[0] = fmax(high[0], x[i] + strip->u[i]);
+        low[1] = fmin(low[1], y[i]);
+        high[1] = fmax(high[1], y[i]);
+        moved = fmax(moved, fabs(uy[i]));
+    }
+    if (strip->picture->body[0] < 4)
+        return;
+    const double stretch = lay_beam(strip, low, high);
+    const double reach = screen_field_reach(strip->screen, sim->displacement[1], uy, strip->count);
+    strip->k = axis_enlargement(fmax(reach, moved), 0.75 * (high[1] - low[1]));
+    plot_begin(plot, STROKE_DOTS, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '#');
+    for (size_t i = 0; i < strip->count; i++)
+        if (damage[i] <= CRACK_DAMAGE)
+            plot_point(plot, x[i] + strip->u[i], y[i] + strip->k * uy[i]);
+    snprintf(text, sizeof text, stretch < 0.95 ? "height drawn x %.2g" : "to scale", stretch);
+    picture_note(strip->picture, STYLE_FAINT, text);
+    if (strip->k != 1)
+        note_factor(strip, "at y0", "uy");
+    else
+        picture_note(strip->picture, STYLE_FAINT,
+                     screen_second_run(strip->screen) ? "A: drawn in place" : "drawn in place");
+}
+
+/* --- the whole --------------------------------------------------------------------------------------- */
+
+static void describe(const Screen *screen, int variant, Picture *picture)
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    const bool line = simulation_has(sim, HAS_LINE);
+    const int fields[] = {sim->displacement[0], sim->position[0], sim->position[1], sim->displacement[1],
+                          simulation_find_field(sim, 0, "damage")};
+    enum { FIELDS = sizeof fields / sizeof *fields };
+    const size_t count = sim->counts[0];
+    double *values = calloc(FIELDS * count + 1, sizeof *values);
+    Strip strip = {.screen = screen,
+                   .sim = sim,
+                   .picture = picture,
+                   .paused = !screen_is_running(screen),
+                   .count = count,
+                   .chosen = screen->chosen.particle < count ? screen->chosen.particle : count - 1,
+                   .u = values};
+    (void)variant;
+    for (int f = 0; f < FIELDS && values; f++)
+        if (fields[f] >= 0)
+            sim->method->field(sim, fields[f], 0, count, values + (size_t)f * count);
+    if (!values || count == 0)
+        picture_say(picture, "", "");
+    else if (!line)
+        describe_beam(&strip, values + count, values + 2 * count, values + 3 * count, values + 4 * count);
+    else if (simulation_has(sim, HAS_MESH))
+        describe_bar(&strip, values + count);
+    else
+        describe_bonds(&strip);
+    free(values);
+}
+
+const View view_strip = {.word = "strip", .describe = describe, .duel = DUEL_TOGETHER, .of_moment = true};
