@@ -33,20 +33,13 @@ double bar_mass_blend_of(const Settings *settings)
 BarMesh bar_mesh_of(const Settings *settings, double dt)
 {
     ASSERT_REAL(dt, >, 0);
-    static const MeshAlgorithm algorithms[] = {
-        [MPM_USF] = MESH_USF, [MPM_USL] = MESH_USL, [MPM_MUSL] = MESH_MUSL};
-    static const MeshShape shapes[] = {[MPM_HAT] = MESH_HAT,
-                                       [MPM_GIMP] = MESH_GIMP,
-                                       [MPM_BSPLINE2] = MESH_BSPLINE2,
-                                       [MPM_BSPLINE3] = MESH_BSPLINE3,
-                                       [MPM_CPDI] = MESH_GIMP}; /* at rest they are the same */
     const Transfer *mpm = settings_transfer(settings);
     return (BarMesh){.cell_size = settings_mesh(settings)->cell_size,
                      .particles_per_cell = settings_mesh(settings)->particles_per_cell,
                      .offset = settings_start(settings)->offset,
                      .padding = settings_mesh(settings)->padding,
-                     .algorithm = algorithms[mpm->algorithm],
-                     .shape = shapes[mpm->shape],
+                     .algorithm = mpm->algorithm,
+                     .shape = mpm->shape == MPM_CPDI ? MPM_GIMP : mpm->shape,
                      .apic = mpm->transfer == MPM_APIC,
                      .flip_fraction = mpm->flip_fraction,
                      .consistent = 1 - bar_mass_blend_of(settings),

@@ -16,9 +16,6 @@
 #include <math.h>
 #include <stdio.h>
 
-_Static_assert((int)PD_WHOLE_VOLUMES == (int)VOLUME_NONE && (int)PD_HHB_VOLUMES == (int)VOLUME_HHB,
-               "theory and method count volumes by the same numbers");
-
 PdBarDef bar_pd_definition(const Settings *settings)
 {
     const BarSupports ends = settings_supports(settings)->ends;
@@ -45,7 +42,7 @@ PdBarTheory bar_lattice_of(const Settings *settings)
 {
     return (PdBarTheory){.spacing = lattice_spacing(settings),
                          .horizon = lattice_horizon(settings),
-                         .volumes = (PdVolumes)settings_lattice(settings)->volume_correction,
+                         .volumes = settings_lattice(settings)->volume_correction,
                          .conical = settings_lattice(settings)->influence == INFLUENCE_CONICAL,
                          .energy_correction =
                              settings_lattice(settings)->surface_correction == SURFACE_ENERGY,
@@ -198,7 +195,7 @@ static const char *other_way(const Settings *settings, int which, int number, do
     PdBarTheory lattice = bar_lattice_of(settings);
     const double wave = bar_wave_number(&theory, number);
     lattice.conical = which % 2 == 1;
-    const PdShape shape = lattice.conical ? PD_CONICAL : PD_CONSTANT;
+    const Influence shape = lattice.conical ? INFLUENCE_CONICAL : INFLUENCE_CONSTANT;
     *frequency = which < 2
                      ? pd_bar_dispersion(&theory, &lattice, wave).frequency
                      : wave * bar_wave_speed(&theory) * sqrt(pd_waves_line(shape, wave * lattice.horizon));

@@ -28,9 +28,9 @@ MeshResponse bar_mesh_response(const BarMesh *mesh, double filter)
         .moves = moves, .returns = filter * moves * moves, .kept = alpha + (1 - alpha) * (filter * moves)};
 }
 
-int bar_rest_degree(MeshShape shape)
+int bar_rest_degree(MpmShape shape)
 {
-    return shape == MESH_BSPLINE2 ? 2 : shape == MESH_BSPLINE3 ? 3 : 1;
+    return shape == MPM_BSPLINE2 ? 2 : shape == MPM_BSPLINE3 ? 3 : 1;
 }
 
 /* --- B-splines ------------------------------------------------------------------------------------ */

@@ -50,7 +50,7 @@ typedef double BarShape(const BarTheory *, int number, double x);
 void bar_rest_sample(const BarRest *, const BarTheory *, BarShape *phi, int number, double *velocity);
 
 /* The degree of the splines that a shape's weights at rest are: 1, 2, 3. */
-int bar_rest_degree(MeshShape);
+int bar_rest_degree(MpmShape);
 
 /* How much of the particles' velocity of the last step is kept beside the grid's: alpha; 0 with APIC and
  * FMPM. */

@@ -96,7 +96,7 @@ Dispersion dispersion_of_bar(const BarTheory *bar, const BarMesh *mesh, double w
     wave.space_only = rate * sqrt(fmax(0, step.returns * response.stiffness));
 
     double z = response.stiffness * rate * rate * mesh->dt * mesh->dt, g = step.kept;
-    bool last = mesh->algorithm == MESH_USL;
+    bool last = mesh->algorithm == MPM_USL;
     double pull = last ? step.moves * z : step.returns * z;       /* trace = g + 1 - pull */
     double loss = last ? (g * step.moves - step.returns) * z : 0; /* determinant = g - loss */
     double trace = g + 1 - pull, determinant = g - loss;
@@ -121,8 +121,8 @@ Dispersion dispersion_of_bar(const BarTheory *bar, const BarMesh *mesh, double w
 bool dispersion_predicts_centre_velocity(const BarTheory *bar, const BarMesh *mesh)
 {
     bool supports = bar->left_fixed && !bar->right_fixed;
-    bool method = mesh->shape == MESH_HAT && mesh->offset == 0 && bar_mesh_flip(mesh) == 1 &&
-                  (mesh->algorithm == MESH_USF || mesh->algorithm == MESH_MUSL);
+    bool method = mesh->shape == MPM_HAT && mesh->offset == 0 && bar_mesh_flip(mesh) == 1 &&
+                  (mesh->algorithm == MPM_USF || mesh->algorithm == MPM_MUSL);
     if (!supports || !method || bar->body_force != 0 || bar->traction != 0 || bar->pulse.velocity != 0 ||
         bar_is_layered(bar))
         return false;
@@ -164,7 +164,7 @@ static double predicted_mode(const BarTheory *bar, const BarMesh *mesh, int numb
     double offset = start - amplitude;
 
     /* velocity and stress are known half a step apart; which is ahead depends on the algorithm */
-    double half = mesh->algorithm == MESH_MUSL ? -0.5 : 0.5;
+    double half = mesh->algorithm == MPM_MUSL ? -0.5 : 0.5;
     double angle = wave.frequency * mesh->dt;
     return offset + amplitude * math_cos(angle * ((double)k + half)) / math_cos(angle / 2);
 }
@@ -194,7 +194,7 @@ static double limit_of_angle(double theta, void *context)
     const MeshResponse *step = &r.step;
     const double drive =
         r.stiffness *
-        (mesh->algorithm == MESH_USL ? (1 + step->kept) * step->moves - step->returns : step->returns);
+        (mesh->algorithm == MPM_USL ? (1 + step->kept) * step->moves - step->returns : step->returns);
     return drive > 0 ? 2 * (1 + step->kept) / drive : INFINITY;
 }
 

@@ -6,6 +6,7 @@
 #ifndef THEORY_BAR_H
 #define THEORY_BAR_H
 
+#include "base/kinds.h"
 #include "base/patience.h"
 
 #include <stdbool.h>
@@ -63,17 +64,14 @@ double bar_stress(const BarTheory *bar, double x, double t);
 double bar_centre_velocity(const BarTheory *bar, double t); /* v_cm, eq. 20 */
 
 /* The mesh on which the answer is predicted. */
-typedef enum MeshAlgorithm { MESH_USF, MESH_USL, MESH_MUSL } MeshAlgorithm;
-typedef enum MeshShape { MESH_HAT, MESH_GIMP, MESH_BSPLINE2, MESH_BSPLINE3 } MeshShape;
-
 typedef struct BarMesh {
     double cell_size;
     int particles_per_cell;
     double
         offset;  /* of particles from the middle of their share of a cell, in such shares: hats, B-splines */
     int padding; /* cells beyond each free end */
-    MeshAlgorithm algorithm;
-    MeshShape shape;
+    MpmAlgorithm algorithm;
+    MpmShape shape; /* CPDI is GIMP: at rest they are the same */
     bool apic;
     double flip_fraction;
     double consistent; /* share of consistent mass in M = consistent M_c + (1 - consistent) M_l: 1 - mu */

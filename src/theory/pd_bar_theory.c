@@ -19,7 +19,7 @@
 /* Neighbours at one side. A cone binds nothing beyond the horizon. */
 static int reach_of(const PdBarTheory *lattice)
 {
-    return (int)pd_volumes_reach(lattice->conical ? PD_PARTIAL_VOLUMES : lattice->volumes,
+    return (int)pd_volumes_reach(lattice->conical ? VOLUME_PARTIAL : lattice->volumes,
                                  lattice->horizon / lattice->spacing);
 }
 

@@ -40,10 +40,10 @@
 #include "theory/pd_waves.h"
 
 typedef struct PdBarTheory {
-    double spacing, horizon; /* h, delta */
-    PdVolumes volumes;       /* w_m */
-    bool conical;            /* c falls to 0 at the horizon, and is scaled so that the sum gives E */
-    bool energy_correction;  /* bonds near a free end are scaled by the energy of their families */
+    double spacing, horizon;  /* h, delta */
+    VolumeCorrection volumes; /* w_m */
+    bool conical;             /* c falls to 0 at the horizon, and is scaled so that the sum gives E */
+    bool energy_correction;   /* bonds near a free end are scaled by the energy of their families */
     double dt;
     Patience patience; /* asked while an eigenvalue is found */
 } PdBarTheory;

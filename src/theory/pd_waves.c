@@ -37,11 +37,11 @@ static double cin(double z)
     return sum;
 }
 
-double pd_waves_line(PdShape shape, double z)
+double pd_waves_line(Influence shape, double z)
 {
     if (z < 1e-3) /* to the next power: 1e-14 */
-        return 1 - z * z / (shape == PD_CONICAL ? 40 : 24);
-    if (shape == PD_CONSTANT)
+        return 1 - z * z / (shape == INFLUENCE_CONICAL ? 40 : 24);
+    if (shape == INFLUENCE_CONSTANT)
         return 4 * cin(z) / (z * z);
     /* 12 (Cin(z) - 1 + sin z/z)/z^2; by its series where the terms cancel */
     if (z > 2)
@@ -70,7 +70,7 @@ static double of_ring(bool transverse, double y)
 }
 
 /* By Gauss' rule in pieces of a few radians: the integrand is smooth and swings with y. */
-double pd_waves_plane(PdShape shape, bool transverse, double z)
+double pd_waves_plane(Influence shape, bool transverse, double z)
 {
     enum { POINTS = 24 };
     const double longest = transverse ? 3.0 / 8 : 9.0 / 8;
@@ -88,21 +88,21 @@ double pd_waves_plane(PdShape shape, bool transverse, double z)
             double s, weight;
             gsl_integration_glfixed_point((double)piece / pieces, (piece + 1.0) / pieces, i, &s, &weight,
                                           table);
-            sum += weight * (shape == PD_CONICAL ? 36 * (1 - s) : 9) * of_ring(transverse, z * s);
+            sum += weight * (shape == INFLUENCE_CONICAL ? 36 * (1 - s) : 9) * of_ring(transverse, z * s);
         }
     gsl_integration_glfixed_table_free(table);
     return sum / (longest * z * z);
 }
 
 /* A tolerance decides where m or m + 1/2 is whole. */
-double pd_volumes_reach(PdVolumes volumes, double m)
+double pd_volumes_reach(VolumeCorrection volumes, double m)
 {
-    return volumes == PD_HHB_VOLUMES ? (m + 0.5) * (1 - 1e-9) : m * (1 + 1e-9);
+    return volumes == VOLUME_HHB ? (m + 0.5) * (1 - 1e-9) : m * (1 + 1e-9);
 }
 
-double pd_volumes_factor(PdVolumes volumes, double m, double length)
+double pd_volumes_factor(VolumeCorrection volumes, double m, double length)
 {
-    return volumes == PD_WHOLE_VOLUMES ? 1 : fmin(1, m + 0.5 - length);
+    return volumes == VOLUME_NONE ? 1 : fmin(1, m + 0.5 - length);
 }
 
 /* c w V/|xi| of a bond (p, q) in units of E/delta^2 and of spacings; 0: not of the family. */
@@ -112,7 +112,7 @@ static double stiffness(const PdWaveLattice *lattice, int p, int q)
     if (length == 0 || length > pd_volumes_reach(lattice->volumes, m))
         return 0;
     const double within = pd_volumes_factor(lattice->volumes, m, length);
-    const double c = lattice->shape == PD_CONICAL ? 36 * fmax(0, 1 - length / m) : 9;
+    const double c = lattice->shape == INFLUENCE_CONICAL ? 36 * fmax(0, 1 - length / m) : 9;
     return c / M_PI * within / (m * length);
 }
 

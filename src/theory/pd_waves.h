@@ -9,28 +9,24 @@
 #ifndef THEORY_PD_WAVES_H
 #define THEORY_PD_WAVES_H
 
+#include "base/kinds.h"
+
 #include <stdbool.h>
 
-/* The micromodulus: c, or c_1 (1 - |xi|/delta). */
-typedef enum PdShape { PD_CONSTANT, PD_CONICAL } PdShape;
-
 /* Integrals; z >= 0. */
-double pd_waves_line(PdShape, double z);
-double pd_waves_plane(PdShape, bool transverse, double z);
+double pd_waves_line(Influence, double z);
+double pd_waves_plane(Influence, bool transverse, double z);
 
 /* How the nodes of a lattice stand for volume, lengths in spacings, m the horizon: whole, |xi| <= m; by the
  * rule of PDLAMMPS, the same nodes times min(1, m + 1/2 - |xi|); or as Hu, Ha and Bobaru, the same line for
- * all |xi| < m + 1/2. Source: P. Seleson (2014). */
-typedef enum PdVolumes { PD_WHOLE_VOLUMES, PD_PARTIAL_VOLUMES, PD_HHB_VOLUMES } PdVolumes;
-
-/* The members' largest |xi|, and the factor of one. */
-double pd_volumes_reach(PdVolumes, double m);
-double pd_volumes_factor(PdVolumes, double m, double length);
+ * all |xi| < m + 1/2. Source: P. Seleson (2014). Below: the members' largest |xi|, and the factor of one. */
+double pd_volumes_reach(VolumeCorrection, double m);
+double pd_volumes_factor(VolumeCorrection, double m, double length);
 
 typedef struct PdWaveLattice {
-    PdShape shape;
+    Influence shape;
     double ratio; /* horizon over spacing */
-    PdVolumes volumes;
+    VolumeCorrection volumes;
     double factor; /* on every bond, as a surface correction has it far from surfaces; 1: none */
 } PdWaveLattice;
 

@@ -65,7 +65,7 @@ static double largest_eigenvalue(const BarRest *rest, const BarMesh *mesh, Works
     for (size_t k = 0; k < (size_t)rest->nodes; k++) {
         const MeshResponse step = bar_mesh_response(mesh, gsl_vector_get(work->values, k));
         const double first = step.returns / (1 + step.kept);
-        const double z = mesh->algorithm == MESH_USL ? step.moves - first : first;
+        const double z = mesh->algorithm == MPM_USL ? step.moves - first : first;
         gsl_vector_view column = gsl_matrix_column(work->basis, k);
         gsl_vector_scale(&column.vector, sqrt(fmax(0, z)));
     }

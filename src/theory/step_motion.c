@@ -83,12 +83,11 @@ BarMotion *step_motion(const BarTheory *bar, const BarMesh *mesh)
 {
     ASSERT_REAL(mesh->dt, >, 0);
     const double cells = round(bar->length / mesh->cell_size), particles = cells * mesh->particles_per_cell;
-    if (mesh->algorithm == MESH_USL || mesh->fmpm_order > 0 || bar_mesh_flip(mesh) != 1 ||
+    if (mesh->algorithm == MPM_USL || mesh->fmpm_order > 0 || bar_mesh_flip(mesh) != 1 ||
         bar->body_force != 0 || bar->traction != 0 || bar->pulse.velocity != 0 || particles > STEP_MOTION_MAX)
         return NULL;
     BarRest rest;
-    BarMotion *motion =
-        bar_motion_create((int)particles, mesh->dt, mesh->algorithm == MESH_MUSL ? -0.5 : 0.5);
+    BarMotion *motion = bar_motion_create((int)particles, mesh->dt, mesh->algorithm == MPM_MUSL ? -0.5 : 0.5);
     if (!motion || !bar_rest_make(&rest, bar, mesh, (int)cells)) {
         bar_motion_free(motion);
         return NULL;

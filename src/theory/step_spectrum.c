@@ -553,7 +553,7 @@ static StepMode find_start(Search *search, int number, double complex mu)
  * joint is not in it: then the mode is looked for as long as that can be waited for. */
 static double cells_most(const BarTheory *bar, const BarMesh *mesh)
 {
-    const bool held_cubic = mesh->shape == MESH_BSPLINE3 && (bar->left_fixed || bar->right_fixed);
+    const bool held_cubic = mesh->shape == MPM_BSPLINE3 && (bar->left_fixed || bar->right_fixed);
     const double width = 2 * bar_rest_degree(mesh->shape) * fmax(1, mesh->fmpm_order) + 1;
     return fmin(held_cubic || bar_is_layered(bar) ? CELLS_MOST_LONG : CELLS_MOST,
                 WORK_MOST / (width * width));
@@ -593,9 +593,9 @@ StepMode step_mode(const BarTheory *bar, const BarMesh *mesh, int number)
     Search search = {.bar = bar, .mesh = mesh, .rate = bar_wave_speed(bar) / mesh->cell_size};
     search.step = (Step){.courant = mesh->dt * search.rate,
                          .alpha = bar_mesh_flip(mesh),
-                         .usf = mesh->algorithm == MESH_USF,
-                         .usl = mesh->algorithm == MESH_USL,
-                         .musl = mesh->algorithm == MESH_MUSL,
+                         .usf = mesh->algorithm == MPM_USF,
+                         .usl = mesh->algorithm == MPM_USL,
+                         .musl = mesh->algorithm == MPM_MUSL,
                          .of_momenta = mesh->fmpm_order > 0,
                          .patience = mesh->patience};
     if (make_step(&search.step, bar, mesh, (int)cells)) {

@@ -5,6 +5,7 @@
  * for each of map, strain with force, and update; scalar, compiled with the flags of the rest of the program.
  * Runs are interleaved and the best of several counts, so that a busy machine disturbs the ratios little. */
 #include "methods/mpm/line/mpm_bar.h"
+#include "methods/default_defs.h"
 #include "methods/mpm/line/kernels/bar_kernels.h"
 
 #include <math.h>

@@ -7,6 +7,7 @@
  * Aims: four times the plain list with AVX2, two threads 1.85 times one. */
 #include "bench/lammps.h"
 #include "methods/bonds/plane/bonds_internal.h"
+#include "methods/default_defs.h"
 
 #include <math.h>
 #include <signal.h>

@@ -4,6 +4,7 @@
  * program of the distribution solves this problem. All are measured in turn, several times, and the best
  * counts, since the machine may have other work. */
 #include "methods/mpm/plane/kernels/plane_kernels.h"
+#include "methods/default_defs.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "methods/bar_case.h"
 #include "suite.h"
+#include "methods/default_defs.h"
 
 #include <math.h>
 

@@ -2,6 +2,7 @@
 /* Beams by the material point method: what their mesh predicts, conservation, symmetry, limits, bits, ends.
  */
 #include "methods/mpm/plane/kernels/plane_kernels.h"
+#include "methods/default_defs.h"
 #include "methods/mpm/plane/plane_modes.h"
 #include "methods/mpm/plane/plane_state.h"
 #include "methods/run_case.h"

@@ -3,6 +3,7 @@
  * a small error of convention. */
 #include "base/text.h"
 #include "methods/mpm/plane/plane.h"
+#include "methods/default_defs.h"
 #include "methods/run_case.h"
 #include "suite.h"
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Masses that are not lumped: what is solved, kept, predicted and stable with a mass blend and with FMPM. */
 #include "methods/bar_case.h"
+#include "methods/default_defs.h"
 #include "suite.h"
 #include "theory/elastic_bar.h"
 #include "theory/step_limit.h"
@@ -176,7 +177,7 @@ static void fit_wave(const BarCase *bar, int mode, double *trace, double *determ
 static const BarTheory usual_bar = {.length = 25, .youngs_modulus = 100, .density = 1, .left_fixed = true};
 
 /* Frequency and decay of a run against those of a wave. */
-static void expect_wave(MeshAlgorithm algorithm, bool gimp, int order, double blend, double alpha, int mode)
+static void expect_wave(MpmAlgorithm algorithm, bool gimp, int order, double blend, double alpha, int mode)
 {
     BarCase bar = bar_case(mode, 1e-7);
     bar.def.algorithm = (MpmAlgorithm)algorithm;
@@ -191,7 +192,7 @@ static void expect_wave(MeshAlgorithm algorithm, bool gimp, int order, double bl
                           .particles_per_cell = 2,
                           .padding = 4,
                           .algorithm = algorithm,
-                          .shape = MESH_HAT,
+                          .shape = MPM_HAT,
                           .flip_fraction = alpha,
                           .consistent = 1 - blend,
                           .fmpm_order = order,
@@ -208,7 +209,7 @@ static void expect_wave(MeshAlgorithm algorithm, bool gimp, int order, double bl
 START_TEST(runs_are_as_predicted)
 {
     static const int modes[] = {2, 5, 10};
-    const MeshAlgorithm algorithm = (MeshAlgorithm)_i;
+    const MpmAlgorithm algorithm = (MpmAlgorithm)_i;
     for (int n = 0; n < 3; n++) {
         expect_wave(algorithm, false, 0, 5.0 / 18, 1, modes[n]);
         expect_wave(algorithm, true, 0, 0.5, 1, modes[n]);
@@ -274,7 +275,7 @@ static bool blows_up(BarCase *bar, double courant, long steps)
 
 START_TEST(limits_of_any_parameters)
 {
-    static const MeshShape shapes[] = {MESH_HAT, MESH_GIMP, MESH_BSPLINE2, MESH_BSPLINE3, MESH_GIMP};
+    static const MpmShape shapes[] = {MPM_HAT, MPM_GIMP, MPM_BSPLINE2, MPM_BSPLINE3, MPM_GIMP};
     for (int set = 0; set < (suite_wide() ? 1000 : 300); set++) {
         BarCase bar = bar_case(1, 1e-9);
         bar.def.length = draw(5, 14);
@@ -299,7 +300,7 @@ START_TEST(limits_of_any_parameters)
         const BarMesh mesh = {.cell_size = 1,
                               .particles_per_cell = bar.def.particles_per_cell,
                               .padding = bar.def.padding,
-                              .algorithm = (MeshAlgorithm)bar.def.algorithm,
+                              .algorithm = (MpmAlgorithm)bar.def.algorithm,
                               .shape = shapes[bar.def.shape],
                               .apic = transfer == 1,
                               .flip_fraction = bar.def.flip_fraction,
@@ -396,7 +397,7 @@ static double predicted_error(double cell, double courant, double blend, double 
     const BarMesh mesh = {.cell_size = cell,
                           .particles_per_cell = 2,
                           .padding = 4,
-                          .shape = MESH_HAT,
+                          .shape = MPM_HAT,
                           .flip_fraction = 1,
                           .consistent = 1 - blend,
                           .dt = courant * cell / 10};

@@ -2,6 +2,7 @@
 /* The bar of two materials, and a bar that starts with a pulse: a joint between equals is none, sums hold
  * every particle at its own mass and stiffness, and waves come back as impedances say. */
 #include "methods/bar_case.h"
+#include "methods/default_defs.h"
 #include "methods/mpm/line/kernels/bar_kernels.h"
 #include "suite.h"
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The bar against what is known of the method: frequencies, invariants, energies, limits of stability. */
 #include "methods/bar_case.h"
+#include "methods/default_defs.h"
 #include "suite.h"
 
 #include <math.h>

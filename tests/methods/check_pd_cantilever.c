@@ -2,6 +2,7 @@
 /* The moving cantilever at the paper's spacing, whole, against Euler-Bernoulli on a growing length (figs. 6,
  * 7). */
 #include "methods/beam_case.h"
+#include "methods/default_defs.h"
 #include "suite.h"
 #include "theory/elastic_beam.h"
 

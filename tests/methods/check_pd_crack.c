@@ -2,6 +2,7 @@
 /* The paper's notched beam to the end: when and where it cracks (paper P, figs. 9 and 10), with the numbers
  * of an independent program and the tolerances that its own sensitivity asks for. */
 #include "methods/beam_case.h"
+#include "methods/default_defs.h"
 #include "methods/bonds/cracks/crack.h"
 #include "methods/bonds/cracks/crack_cost.h"
 #include "suite.h"

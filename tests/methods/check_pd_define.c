@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a definition comes to: lattices, critical steps, periods; and what is refused, with the key named. */
 #include "methods/beam_case.h"
+#include "methods/default_defs.h"
 #include "suite.h"
 
 #include <math.h>

@@ -3,6 +3,7 @@
  */
 #include "base/linear/cholesky.h"
 #include "methods/beam_case.h"
+#include "methods/default_defs.h"
 #include "methods/bonds/plane/bonds_modes.h"
 #include "methods/bonds/cracks/crack_speed.h"
 #include "suite.h"

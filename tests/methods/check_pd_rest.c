@@ -2,6 +2,7 @@
 /* Damping, weight and rest of beams: against runs of an independent program, the ledger, and the same beam at
  * rest by one solution. */
 #include "methods/beam_case.h"
+#include "methods/default_defs.h"
 #include "methods/bonds/plane/bonds_modes.h"
 #include "methods/bonds/plane/plate/patches.h"
 #include "suite.h"

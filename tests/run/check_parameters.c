@@ -9,6 +9,7 @@
 #include "scenario/concern_output.h"
 #include "scenario/settings.h"
 #include "methods/mpm/line/mpm_bar.h"
+#include "methods/default_defs.h"
 #include "scenario/parameters.h"
 #include "base/text.h"
 #include "base/visible.h"

@@ -74,8 +74,8 @@ END_TEST
 START_TEST(small_steps_leave_the_mesh_alone)
 {
     BarMesh mesh = paper_mesh();
-    for (int shape = MESH_HAT; shape <= MESH_BSPLINE2; shape++) {
-        mesh.shape = (MeshShape)shape, mesh.dt = 1e-6;
+    for (int shape = MPM_HAT; shape <= MPM_BSPLINE2; shape++) {
+        mesh.shape = (MpmShape)shape, mesh.dt = 1e-6;
         Dispersion wave = mode_on(&mesh, 10);
         ck_assert_double_eq_tol(wave.frequency, wave.space_only, 1e-8);
         /* a long wave knows nothing of the mesh, and the error falls as the square of the cell */
@@ -85,7 +85,7 @@ START_TEST(small_steps_leave_the_mesh_alone)
             errors[i] = mode_on(&mesh, 1).space_only / bar_frequency(&paper, 1) - 1;
         }
         ck_assert_double_lt(fabs(errors[0]), 1e-4);
-        if (shape != MESH_BSPLINE2)
+        if (shape != MPM_BSPLINE2)
             ck_assert_double_eq_tol(errors[0] / errors[1], 4, 0.01);
         mesh.cell_size = 1;
     }
@@ -96,7 +96,7 @@ END_TEST
 START_TEST(decay_rates)
 {
     BarMesh mesh = paper_mesh();
-    mesh.algorithm = MESH_USL;
+    mesh.algorithm = MPM_USL;
     double left[3]; /* of the part of the energy that the grid sees, at t = 100 */
     for (int i = 0; i < 3; i++) {
         Dispersion wave = mode_on(&mesh, numbers[i]);
@@ -152,23 +152,23 @@ END_TEST
 START_TEST(largest_courant)
 {
     static const struct {
-        MeshAlgorithm algorithm;
-        MeshShape shape;
+        MpmAlgorithm algorithm;
+        MpmShape shape;
         int per_cell;
         bool apic;
         double limit, tolerance;
     } rows[] = {
-        {MESH_USF, MESH_HAT, 1, false, 2, 1e-12},
-        {MESH_MUSL, MESH_HAT, 1, false, 2, 1e-12},
-        {MESH_USF, MESH_HAT, 2, false, 1.7320508075688772, 1e-12},
-        {MESH_USF, MESH_GIMP, 2, false, 1.7320508075688772, 1e-12},
-        {MESH_MUSL, MESH_HAT, 4, false, 1.6583, 5e-5},
-        {MESH_USL, MESH_HAT, 1, false, 0.7071, 5e-5},
-        {MESH_USL, MESH_HAT, 2, false, 0.7559, 5e-5},
-        {MESH_USL, MESH_HAT, 4, false, 0.7698, 5e-5},
-        {MESH_USF, MESH_BSPLINE2, 2, false, 2.395, 5e-4},
-        {MESH_USL, MESH_BSPLINE2, 2, false, 1.350, 5e-4},
-        {MESH_USF, MESH_HAT, 2, true, 1, 1e-12},
+        {MPM_USF, MPM_HAT, 1, false, 2, 1e-12},
+        {MPM_MUSL, MPM_HAT, 1, false, 2, 1e-12},
+        {MPM_USF, MPM_HAT, 2, false, 1.7320508075688772, 1e-12},
+        {MPM_USF, MPM_GIMP, 2, false, 1.7320508075688772, 1e-12},
+        {MPM_MUSL, MPM_HAT, 4, false, 1.6583, 5e-5},
+        {MPM_USL, MPM_HAT, 1, false, 0.7071, 5e-5},
+        {MPM_USL, MPM_HAT, 2, false, 0.7559, 5e-5},
+        {MPM_USL, MPM_HAT, 4, false, 0.7698, 5e-5},
+        {MPM_USF, MPM_BSPLINE2, 2, false, 2.395, 5e-4},
+        {MPM_USL, MPM_BSPLINE2, 2, false, 1.350, 5e-4},
+        {MPM_USF, MPM_HAT, 2, true, 1, 1e-12},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         BarMesh mesh = paper_mesh();
@@ -206,7 +206,7 @@ END_TEST
 START_TEST(modes_add)
 {
     BarMesh mesh = paper_mesh();
-    mesh.algorithm = MESH_MUSL;
+    mesh.algorithm = MPM_MUSL;
     BarTheory one = paper, three = paper, both = paper;
     three.modes[0].number = 3, three.modes[0].velocity = 0.03;
     both.n_modes = 2, both.modes[1] = three.modes[0];
@@ -217,9 +217,9 @@ START_TEST(modes_add)
     /* USF is half a step ahead of its middle, MUSL half a step behind: each other's mirror in time */
     for (long k = 0; k < 500; k += 37) {
         double musl = dispersion_centre_velocity(&one, &mesh, k);
-        mesh.algorithm = MESH_USF;
+        mesh.algorithm = MPM_USF;
         ck_assert_double_eq_tol(dispersion_centre_velocity(&one, &mesh, -k), musl, 1e-15);
-        mesh.algorithm = MESH_MUSL;
+        mesh.algorithm = MPM_MUSL;
     }
 }
 END_TEST
@@ -229,9 +229,9 @@ START_TEST(predicted_only_where_it_holds)
     BarMesh mesh = paper_mesh(), other;
     BarTheory bar = paper;
     ck_assert(dispersion_predicts_centre_velocity(&bar, &mesh));
-    other = mesh, other.algorithm = MESH_USL;
+    other = mesh, other.algorithm = MPM_USL;
     ck_assert(!dispersion_predicts_centre_velocity(&bar, &other));
-    other = mesh, other.shape = MESH_GIMP;
+    other = mesh, other.shape = MPM_GIMP;
     ck_assert(!dispersion_predicts_centre_velocity(&bar, &other));
     other = mesh, other.flip_fraction = 0.99;
     ck_assert(!dispersion_predicts_centre_velocity(&bar, &other));

@@ -23,7 +23,7 @@ static BarTheory theory(bool left, bool right, int mode)
                        .modes = {{mode, 0.1}}};
 }
 
-static PdBarTheory lattice(double spacing, double horizon, PdVolumes volumes, bool energy, double dt)
+static PdBarTheory lattice(double spacing, double horizon, VolumeCorrection volumes, bool energy, double dt)
 {
     return (PdBarTheory){
         .spacing = spacing, .horizon = horizon, .volumes = volumes, .energy_correction = energy, .dt = dt};
@@ -81,7 +81,7 @@ START_TEST(fixed_ends)
     for (int m = 0; m < 5; m++)
         for (int h = 0; h < 5; h++)
             for (int flags = 0; flags < 6; flags++) {
-                const PdVolumes volumes = (PdVolumes)(flags / 2);
+                const VolumeCorrection volumes = (VolumeCorrection)(flags / 2);
                 const bool energy = flags % 2;
                 const BarTheory bar = theory(true, true, modes[m]);
                 const PdBarTheory on = lattice(0.5, horizons[h], volumes, energy, 0.01);
@@ -116,7 +116,7 @@ START_TEST(centre_of_mass)
             BarTheory bar = theory(ends & 1, ends & 2, 5);
             bar.n_modes = 2;
             bar.modes[1].number = 3, bar.modes[1].velocity = 0.02;
-            const PdBarTheory on = lattice(0.5, 1.5, PD_PARTIAL_VOLUMES, energy, 0.03);
+            const PdBarTheory on = lattice(0.5, 1.5, VOLUME_PARTIAL, energy, 0.03);
             ck_assert_double_lt(furthest(&bar, &on, 3000), 1e-11);
         }
 }
@@ -128,7 +128,7 @@ START_TEST(a_cone_runs_as_predicted)
 {
     for (int ends = 0; ends < 4; ends++) {
         BarTheory bar = theory(ends & 1, ends & 2, 5);
-        PdBarTheory on = lattice(0.5, 1.5, PD_PARTIAL_VOLUMES, true, 0.03);
+        PdBarTheory on = lattice(0.5, 1.5, VOLUME_PARTIAL, true, 0.03);
         on.conical = true;
         ck_assert_double_lt(furthest(&bar, &on, 1000), 1e-11);
         Simulation *sim = lattice_bar(&bar, &on);
@@ -138,20 +138,20 @@ START_TEST(a_cone_runs_as_predicted)
         simulation_destroy(sim);
     }
     const BarTheory bar = theory(true, true, 1);
-    PdBarTheory fine = lattice(0.01, 0.2, PD_PARTIAL_VOLUMES, false, 1e-6);
+    PdBarTheory fine = lattice(0.01, 0.2, VOLUME_PARTIAL, false, 1e-6);
     fine.conical = true;
     for (double z = 0.5; z < 8; z += 0.5) {
         const double w = pd_bar_dispersion(&bar, &fine, z / 0.2).space_only, c = bar_wave_speed(&bar);
-        ck_assert_double_eq_tol(pow(w / (c * z / 0.2), 2), pd_waves_line(PD_CONICAL, z), 4e-3);
+        ck_assert_double_eq_tol(pow(w / (c * z / 0.2), 2), pd_waves_line(INFLUENCE_CONICAL, z), 4e-3);
     }
     /* as the help has it: the weights of the sum, and long waves */
-    for (int volumes = PD_WHOLE_VOLUMES; volumes <= PD_HHB_VOLUMES; volumes++) {
-        PdBarTheory on = lattice(0.5, 1.5, (PdVolumes)volumes, false, 1e-6);
+    for (int volumes = VOLUME_NONE; volumes <= VOLUME_HHB; volumes++) {
+        PdBarTheory on = lattice(0.5, 1.5, (VolumeCorrection)volumes, false, 1e-6);
         on.conical = true;
         const double theta = 0.3, ratio = 3, w[] = {1, 1, 0.5}, c = bar_wave_speed(&bar), beta = theta / 0.5;
         double sum = 0, all = 0;
         for (int m = 1; m <= 3; m++) {
-            const double cone = (1 - m / ratio) * (volumes == PD_WHOLE_VOLUMES ? 1 : w[m - 1]);
+            const double cone = (1 - m / ratio) * (volumes == VOLUME_NONE ? 1 : w[m - 1]);
             sum += cone / m * pow(sin(m * theta / 2), 2);
             all += cone * m;
         }
@@ -185,7 +185,7 @@ START_TEST(free_end)
         const double exact = bar_frequency(&bar, cases[k].mode);
         /* so small a step that time adds nothing */
         const PdBarTheory on =
-            lattice(cases[k].spacing, 3 * cases[k].spacing, PD_PARTIAL_VOLUMES, cases[k].energy, 1e-5);
+            lattice(cases[k].spacing, 3 * cases[k].spacing, VOLUME_PARTIAL, cases[k].energy, 1e-5);
         const double endless = pd_bar_dispersion(&bar, &on, bar_wave_number(&bar, cases[k].mode)).frequency;
         ck_assert_double_eq_tol(100 * (endless / exact - 1), cases[k].endless, 6e-5);
         ck_assert_double_eq_tol(100 * (pd_bar_frequency(&bar, &on, cases[k].mode) / exact - 1), cases[k].ends,
@@ -199,7 +199,7 @@ END_TEST
 START_TEST(free_end_measured)
 {
     const BarTheory bar = theory(true, false, 5);
-    const PdBarTheory on = lattice(0.5, 1.5, PD_PARTIAL_VOLUMES, true, 0.01);
+    const PdBarTheory on = lattice(0.5, 1.5, VOLUME_PARTIAL, true, 0.01);
     const double predicted = pd_bar_frequency(&bar, &on, 5), found = measured(&bar, &on, predicted);
     const double endless = pd_bar_dispersion(&bar, &on, bar_wave_number(&bar, 5)).frequency;
     ck_assert_double_lt(fabs(found / predicted - 1), 2e-4);
@@ -225,7 +225,7 @@ START_TEST(long_waves_and_time)
         ck_assert(!pd_bar_dispersion(&bar, &on, 1.001 * M_PI / h).known);
     }
     /* a reach of one is the chain of springs */
-    const PdBarTheory on = lattice(0.5, 0.5, PD_WHOLE_VOLUMES, true, 1e-6);
+    const PdBarTheory on = lattice(0.5, 0.5, VOLUME_NONE, true, 1e-6);
     ck_assert_double_eq_tol(pd_bar_dispersion(&bar, &on, 2).space_only, 10 / 0.5 * 2 * sin(0.5), 1e-12);
 }
 END_TEST
@@ -233,10 +233,10 @@ END_TEST
 START_TEST(not_predicted)
 {
     BarTheory bar = theory(true, false, 1);
-    PdBarTheory on = lattice(0.05, 0.15, PD_PARTIAL_VOLUMES, true, 1e-3);
+    PdBarTheory on = lattice(0.05, 0.15, VOLUME_PARTIAL, true, 1e-3);
     ck_assert(pd_bar_motion(&bar, &on) == NULL); /* 500 nodes with a free end */
     ck_assert(isfinite(pd_bar_frequency(&bar, &on, 1)));
-    const PdBarTheory finest = lattice(0.0005, 0.0015, PD_PARTIAL_VOLUMES, true, 1e-5);
+    const PdBarTheory finest = lattice(0.0005, 0.0015, VOLUME_PARTIAL, true, 1e-5);
     ck_assert(isnan(pd_bar_frequency(&bar, &finest, 1))); /* 50,000 nodes: lost in rounding */
     bar.right_fixed = true;
     BarMotion *modes = pd_bar_motion(&bar, &on);

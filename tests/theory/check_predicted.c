@@ -32,12 +32,12 @@ static BarTheory theory_of(const BarCase *which)
 
 static BarMesh mesh_of(const BarDef *def, double dt)
 {
-    static const MeshAlgorithm algorithms[] = {
-        [MPM_USF] = MESH_USF, [MPM_USL] = MESH_USL, [MPM_MUSL] = MESH_MUSL};
-    static const MeshShape shapes[] = {[MPM_HAT] = MESH_HAT,
-                                       [MPM_GIMP] = MESH_GIMP,
-                                       [MPM_BSPLINE2] = MESH_BSPLINE2,
-                                       [MPM_BSPLINE3] = MESH_BSPLINE3};
+    static const MpmAlgorithm algorithms[] = {
+        [MPM_USF] = MPM_USF, [MPM_USL] = MPM_USL, [MPM_MUSL] = MPM_MUSL};
+    static const MpmShape shapes[] = {[MPM_HAT] = MPM_HAT,
+                                      [MPM_GIMP] = MPM_GIMP,
+                                      [MPM_BSPLINE2] = MPM_BSPLINE2,
+                                      [MPM_BSPLINE3] = MPM_BSPLINE3};
     return (BarMesh){.cell_size = def->cell_size,
                      .particles_per_cell = def->particles_per_cell,
                      .offset = def->offset,
@@ -221,7 +221,7 @@ START_TEST(motion_is_the_formula)
         mesh.dt = 0.2;
         ck_assert_ptr_null(step_motion(&bar, &mesh)); /* blows up */
     }
-    static const BarMesh others[] = {{.algorithm = MESH_USL, .flip_fraction = 1},
+    static const BarMesh others[] = {{.algorithm = MPM_USL, .flip_fraction = 1},
                                      {.flip_fraction = 0.9},
                                      {.flip_fraction = 1, .apic = true},
                                      {.flip_fraction = 1, .fmpm_order = 2}};

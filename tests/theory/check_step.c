@@ -24,7 +24,7 @@ static BarTheory bar_with(int supports, double length)
                        .right_fixed = supports == FREE_FIXED || supports == FIXED_FIXED};
 }
 
-static BarMesh mesh_with(MeshShape shape, int per_cell, MeshAlgorithm algorithm, bool apic)
+static BarMesh mesh_with(MpmShape shape, int per_cell, MpmAlgorithm algorithm, bool apic)
 {
     return (BarMesh){.cell_size = 1,
                      .particles_per_cell = per_cell,
@@ -40,43 +40,43 @@ static BarMesh mesh_with(MeshShape shape, int per_cell, MeshAlgorithm algorithm,
 
 /* Of FLIP: the endless mesh, then fixed-free, free-free, fixed-fixed; of APIC without the endless one. */
 static const struct {
-    MeshShape shape;
+    MpmShape shape;
     int per_cell;
     double flip[2][4], apic[2][3]; /* USF, USL */
 } limits[] = {
-    {MESH_HAT,
+    {MPM_HAT,
      1,
      {{2.0000, 2.0000, 2.0040, 2.0040}, {0.7071, 0.7076, 0.7071, 0.7092}},
      {{1.0005, 1.0000, 1.0020}, {1.0005, 1.0000, 1.0020}}},
-    {MESH_HAT,
+    {MPM_HAT,
      2,
      {{1.7321, 1.7326, 1.7323, 1.7323}, {0.7559, 0.7565, 0.7559, 0.7581}},
      {{1.0005, 1.0000, 1.0020}, {1.0005, 1.0000, 1.0020}}},
-    {MESH_HAT,
+    {MPM_HAT,
      4,
      {{1.6583, 1.6586, 1.6586, 1.6586}, {0.7698, 0.7703, 0.7698, 0.7719}},
      {{1.0005, 1.0000, 1.0020}, {1.0005, 1.0000, 1.0020}}},
-    {MESH_BSPLINE2,
+    {MPM_BSPLINE2,
      1,
      {{2.5406, 2.3815, 2.5054, 2.3814}, {1.6551, 0.9735, 0.9735, 1.6313}},
      {{1.4535, 1.4535, 2.0345}, {1.2142, 1.2142, 1.8355}}},
-    {MESH_BSPLINE2,
+    {MPM_BSPLINE2,
      2,
      {{2.3953, 2.0510, 2.2973, 2.0510}, {1.3500, 0.9986, 0.9986, 1.2261}},
      {{1.4000, 1.4000, 1.6227}, {1.2857, 1.2857, 1.4449}}},
-    {MESH_BSPLINE2,
+    {MPM_BSPLINE2,
      4,
      {{2.3548, 1.9559, 2.2591, 1.9559}, {1.2705, 0.9987, 0.9987, 1.1284}},
      {{1.3996, 1.3996, 1.5223}, {1.2808, 1.2808, 1.3368}}},
-    {MESH_BSPLINE3,
+    {MPM_BSPLINE3,
      1,
      {{2.6952, 2.6235, 2.6474, 2.6225}, {1.3700, 1.0364, 1.0364, 1.2643}},
      {{1.5253, 1.5253, 1.8391}, {1.3293, 1.3293, 1.5409}}},
-    {MESH_BSPLINE3,
+    {MPM_BSPLINE3,
      2,
      {{2.7079, 1.9413, 2.6115, 1.9413}, {1.4859, 1.1184, 1.1184, 1.1426}},
      {{1.5430, 1.5960, 1.5430}, {1.3059, 1.4071, 1.3059}}},
-    {MESH_BSPLINE3,
+    {MPM_BSPLINE3,
      4,
      {{2.7089, 1.7133, 2.6015, 1.7133}, {1.4915, 0.9627, 1.1322, 0.9627}},
      {{1.3321, 1.6078, 1.3321}, {1.0992, 1.4205, 1.0992}}},
@@ -84,12 +84,12 @@ static const struct {
 
 static const double printed = 5.01e-5; /* four places */
 
-static void expect_limits(MeshShape shape, size_t row, bool apic)
+static void expect_limits(MpmShape shape, size_t row, bool apic)
 {
-    static const MeshAlgorithm algorithms[] = {MESH_USF, MESH_USL, MESH_MUSL};
+    static const MpmAlgorithm algorithms[] = {MPM_USF, MPM_USL, MPM_MUSL};
     for (int a = 0; a < 3; a++) {
         const BarMesh mesh = mesh_with(shape, limits[row].per_cell, algorithms[a], apic);
-        const int column = algorithms[a] == MESH_USL;
+        const int column = algorithms[a] == MPM_USL;
         const double endless = dispersion_endless_courant(&mesh);
         if (!apic)
             ck_assert_double_eq_tol(endless, limits[row].flip[column][0], printed);
@@ -110,8 +110,8 @@ START_TEST(limits_of_bars)
 {
     for (int apic = 0; apic < 2; apic++) {
         expect_limits(limits[_i].shape, (size_t)_i, apic);
-        if (limits[_i].shape == MESH_HAT)
-            expect_limits(MESH_GIMP, (size_t)_i, apic);
+        if (limits[_i].shape == MPM_HAT)
+            expect_limits(MPM_GIMP, (size_t)_i, apic);
     }
 }
 END_TEST
@@ -119,21 +119,21 @@ END_TEST
 START_TEST(limits_of_padding_and_blend)
 {
     static const struct {
-        MeshShape shape;
+        MpmShape shape;
         int padding;
         double flip_fraction, usf, usl;
     } rows[] = {
-        {MESH_BSPLINE2, 0, 1, 1.559, 0.675},   {MESH_BSPLINE3, 0, 1, 1.433, 0.532},
-        {MESH_BSPLINE2, 1, 1, 2.051, 0.999},   {MESH_BSPLINE3, 1, 1, 1.941, 1.014},
-        {MESH_BSPLINE3, 2, 1, 1.9413, 1.1184}, {MESH_BSPLINE3, 9, 1, 1.9413, 1.1184},
-        {MESH_HAT, 4, 0.9, 1.710, 0.759},      {MESH_HAT, 4, 0.5, 1.617, 0.769},
-        {MESH_HAT, 4, 0, 1.479, 0.791},        {MESH_BSPLINE2, 4, 0.9, 2.034, 1.000},
-        {MESH_BSPLINE2, 4, 0.5, 1.960, 1.009}, {MESH_BSPLINE2, 4, 0, 1.854, 1.025},
+        {MPM_BSPLINE2, 0, 1, 1.559, 0.675},   {MPM_BSPLINE3, 0, 1, 1.433, 0.532},
+        {MPM_BSPLINE2, 1, 1, 2.051, 0.999},   {MPM_BSPLINE3, 1, 1, 1.941, 1.014},
+        {MPM_BSPLINE3, 2, 1, 1.9413, 1.1184}, {MPM_BSPLINE3, 9, 1, 1.9413, 1.1184},
+        {MPM_HAT, 4, 0.9, 1.710, 0.759},      {MPM_HAT, 4, 0.5, 1.617, 0.769},
+        {MPM_HAT, 4, 0, 1.479, 0.791},        {MPM_BSPLINE2, 4, 0.9, 2.034, 1.000},
+        {MPM_BSPLINE2, 4, 0.5, 1.960, 1.009}, {MPM_BSPLINE2, 4, 0, 1.854, 1.025},
     };
     const BarTheory bar = bar_with(FIXED_FREE, 25);
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
         for (int usl = 0; usl < 2; usl++) {
-            BarMesh mesh = mesh_with(rows[i].shape, 2, usl ? MESH_USL : MESH_USF, false);
+            BarMesh mesh = mesh_with(rows[i].shape, 2, usl ? MPM_USL : MPM_USF, false);
             mesh.padding = rows[i].padding;
             mesh.flip_fraction = rows[i].flip_fraction;
             ck_assert_double_eq_tol(step_limit_with_ends(&bar, &mesh), usl ? rows[i].usl : rows[i].usf,
@@ -145,15 +145,15 @@ END_TEST
 /* 32 cells stand for more: never too high by more than 1e-8. A bar that cannot move has no limit. */
 START_TEST(limits_of_long_bars)
 {
-    static const MeshShape shapes[] = {MESH_HAT, MESH_BSPLINE2, MESH_BSPLINE3};
+    static const MpmShape shapes[] = {MPM_HAT, MPM_BSPLINE2, MPM_BSPLINE3};
     for (int s = 0; s < 3; s++)
         for (int usl = 0; usl < 2; usl++) {
-            const BarMesh mesh = mesh_with(shapes[s], 2, usl ? MESH_USL : MESH_USF, false);
+            const BarMesh mesh = mesh_with(shapes[s], 2, usl ? MPM_USL : MPM_USF, false);
             const BarTheory some = bar_with(FIXED_FREE, 32), more = bar_with(FIXED_FREE, 1e6);
             ck_assert_double_eq(step_limit(&some, &mesh), step_limit(&more, &mesh));
         }
     const BarTheory held = bar_with(FIXED_FIXED, 1);
-    const BarMesh mesh = mesh_with(MESH_HAT, 2, MESH_USF, false);
+    const BarMesh mesh = mesh_with(MPM_HAT, 2, MPM_USF, false);
     ck_assert(isinf(step_limit_with_ends(&held, &mesh)));
 }
 END_TEST
@@ -163,11 +163,11 @@ END_TEST
 static BarCase case_of(const BarTheory *bar, const BarMesh *mesh, int number, double velocity)
 {
     static const MpmAlgorithm algorithms[] = {
-        [MESH_USF] = MPM_USF, [MESH_USL] = MPM_USL, [MESH_MUSL] = MPM_MUSL};
-    static const MpmShape shapes[] = {[MESH_HAT] = MPM_HAT,
-                                      [MESH_GIMP] = MPM_GIMP,
-                                      [MESH_BSPLINE2] = MPM_BSPLINE2,
-                                      [MESH_BSPLINE3] = MPM_BSPLINE3};
+        [MPM_USF] = MPM_USF, [MPM_USL] = MPM_USL, [MPM_MUSL] = MPM_MUSL};
+    static const MpmShape shapes[] = {[MPM_HAT] = MPM_HAT,
+                                      [MPM_GIMP] = MPM_GIMP,
+                                      [MPM_BSPLINE2] = MPM_BSPLINE2,
+                                      [MPM_BSPLINE3] = MPM_BSPLINE3};
     BarCase which = bar_case(number, velocity);
     which.def.length = bar->length;
     which.def.supports = bar->left_fixed ? (bar->right_fixed ? BAR_FIXED_FIXED : BAR_FIXED_FREE)
@@ -215,16 +215,16 @@ static BarTheory joined(BarTheory bar, int second)
 START_TEST(limits_hold_in_runs)
 {
     static const struct {
-        MeshShape shape;
-        MeshAlgorithm algorithm;
+        MpmShape shape;
+        MpmAlgorithm algorithm;
         bool apic;
         double flip_fraction;
         int supports;
     } rows[] = {
-        {MESH_HAT, MESH_USF, false, 1, FIXED_FREE},      {MESH_HAT, MESH_USL, false, 0.9, FIXED_FIXED},
-        {MESH_BSPLINE2, MESH_USF, false, 1, FIXED_FREE}, {MESH_BSPLINE2, MESH_USL, false, 1, FIXED_FREE},
-        {MESH_BSPLINE2, MESH_USF, true, 1, FIXED_FIXED}, {MESH_BSPLINE3, MESH_MUSL, false, 1, FIXED_FREE},
-        {MESH_BSPLINE3, MESH_USL, true, 1, FREE_FREE},
+        {MPM_HAT, MPM_USF, false, 1, FIXED_FREE},      {MPM_HAT, MPM_USL, false, 0.9, FIXED_FIXED},
+        {MPM_BSPLINE2, MPM_USF, false, 1, FIXED_FREE}, {MPM_BSPLINE2, MPM_USL, false, 1, FIXED_FREE},
+        {MPM_BSPLINE2, MPM_USF, true, 1, FIXED_FIXED}, {MPM_BSPLINE3, MPM_MUSL, false, 1, FIXED_FREE},
+        {MPM_BSPLINE3, MPM_USL, true, 1, FREE_FREE},
     };
     const BarTheory bar = bar_with(rows[_i].supports, 25);
     BarMesh mesh = mesh_with(rows[_i].shape, 2, rows[_i].algorithm, rows[_i].apic);
@@ -243,7 +243,7 @@ END_TEST
 START_TEST(limits_hold_beside_the_middle)
 {
     const BarTheory bar = bar_with(FIXED_FREE, 25);
-    BarMesh mesh = mesh_with(_i % 2 ? MESH_BSPLINE2 : MESH_HAT, 1 + _i / 2, MESH_USF, false);
+    BarMesh mesh = mesh_with(_i % 2 ? MPM_BSPLINE2 : MPM_HAT, 1 + _i / 2, MPM_USF, false);
     const double middle = step_limit(&bar, &mesh);
     mesh.offset = -0.4;
     const double limit = step_limit(&bar, &mesh);
@@ -257,7 +257,7 @@ END_TEST
 /* Of a longer bar each end keeps its own material, and the joint both. */
 START_TEST(limits_of_long_bars_of_two)
 {
-    const BarMesh mesh = mesh_with(MESH_BSPLINE2, 2, MESH_USL, false);
+    const BarMesh mesh = mesh_with(MPM_BSPLINE2, 2, MPM_USL, false);
     const double joints[] = {3, 60, 117};
     for (int i = 0; i < 3; i++) {
         BarTheory bar = joined(bar_with(FIXED_FREE, 120), 1);
@@ -279,39 +279,39 @@ static const int numbers[3] = {1, 5, 10};
 
 /* P = 2, courant .1, USF. decay 0: none. */
 static const struct {
-    MeshShape shape;
+    MpmShape shape;
     bool apic;
     struct {
         double frequency[3], decay[3];
         bool mixture[3];
     } of[3]; /* fixed-free, free-free, fixed-fixed */
 } modes[] = {
-    {MESH_HAT,
+    {MPM_HAT,
      false,
      {{{0.627983738, 5.415168088, 9.823832520}, {0}, {0}},
       {{1.253960524, 5.955795243, 10.122982103}, {0}, {0}},
       {{1.253960524, 5.955795243, 10.122982103}, {0}, {0}}}},
-    {MESH_HAT,
+    {MPM_HAT,
      true,
      {{{0.628216215, 5.580546227, 11.247595433}, {0}, {0}},
       {{1.255818643, 6.181323927, 11.762484752}, {0}, {0}},
       {{1.255818643, 6.181323927, 11.762484752}, {0}, {0}}}},
-    {MESH_BSPLINE2,
+    {MPM_BSPLINE2,
      false,
      {{{0.627678986, 5.212199603, 8.256228915}, {0}, {false, true, true}},
       {{1.251473004, 5.695632485, 8.284373034}, {0}, {false, true, true}},
       {{1.251568670, 5.750011664, 8.282366407}, {0}, {false, true, true}}}},
-    {MESH_BSPLINE2,
+    {MPM_BSPLINE2,
      true,
      {{{0.627991337, 5.420944523, 9.736662096}, {2e-05, 0.12, 2}, {false, false, true}},
       {{1.253968904, 5.963210741, 10.183696896}, {0.00032, 0.18, 2.7}, {false, false, true}},
       {{1.254081737, 5.962514388, 9.865850856}, {0.0003, 0.18, 2.4}, {false, false, true}}}},
-    {MESH_BSPLINE3,
+    {MPM_BSPLINE3,
      false,
      {{{0.627192023, 5.103060349, 7.319872263}, {0}, {false, false, true}},
       {{1.250059594, 5.508828822, 7.660359939}, {0}, {false, false, true}},
       {{1.248677063, 5.549358431, 7.310935233}, {0}, {false, true, true}}}},
-    {MESH_BSPLINE3,
+    {MPM_BSPLINE3,
      true,
      {{{0.627749909, 5.373458063, 9.692310092}, {0.00013, 0.22, 2.7}, {false, false, true}},
       {{1.253377451, 5.898774807, 9.777150142}, {0.00059, 0.33, 3}, {false, false, true}},
@@ -320,12 +320,11 @@ static const struct {
 
 START_TEST(modes_with_ends)
 {
-    for (int gimp = 0; gimp <= (modes[_i].shape == MESH_HAT); gimp++)
+    for (int gimp = 0; gimp <= (modes[_i].shape == MPM_HAT); gimp++)
         for (int supports = 0; supports < 3; supports++)
             for (int n = 0; n < 3; n++) {
                 const BarTheory bar = bar_with(supports, 25);
-                const BarMesh mesh =
-                    mesh_with(gimp ? MESH_GIMP : modes[_i].shape, 2, MESH_USF, modes[_i].apic);
+                const BarMesh mesh = mesh_with(gimp ? MPM_GIMP : modes[_i].shape, 2, MPM_USF, modes[_i].apic);
                 const StepMode mode = step_mode(&bar, &mesh, numbers[n]);
                 const double decay = modes[_i].of[supports].decay[n];
                 ck_assert(mode.known && mode.with_ends);
@@ -342,7 +341,7 @@ START_TEST(waves_that_share_a_frequency)
 {
     /* P = 1: F K is the same for theta and pi - theta, and the sampled mode is one vector of the two */
     const BarTheory bar = bar_with(FREE_FIXED, 25);
-    const BarMesh mesh = mesh_with(MESH_HAT, 1, MESH_USF, false);
+    const BarMesh mesh = mesh_with(MPM_HAT, 1, MPM_USF, false);
     for (int number = 1; number <= 25; number++)
         ck_assert_double_eq_tol(step_mode(&bar, &mesh, number).overlap, 1, 1e-9);
 }
@@ -352,7 +351,7 @@ END_TEST
 START_TEST(thirteen_cells)
 {
     const BarTheory bar = bar_with(FIXED_FIXED, 13);
-    const BarMesh mesh = mesh_with(MESH_BSPLINE2, 2, MESH_USF, false);
+    const BarMesh mesh = mesh_with(MPM_BSPLINE2, 2, MPM_USF, false);
     ck_assert_double_eq_tol(step_mode(&bar, &mesh, 2).frequency, 4.5734, 5.01e-5);
     ck_assert_double_eq_tol(dispersion_of_bar(&bar, &mesh, bar_wave_number(&bar, 2)).frequency, 4.5478,
                             5.01e-5);
@@ -363,17 +362,17 @@ END_TEST
 START_TEST(long_bars)
 {
     static const struct {
-        MeshShape shape;
+        MpmShape shape;
         int supports, number;
         double error, tolerance; /* endless formula over this, less 1 */
-    } rows[] = {{MESH_HAT, FIXED_FREE, 1, 0, 1e-11},
-                {MESH_BSPLINE2, FIXED_FREE, 5, -1.08e-8, 1e-10},
-                {MESH_BSPLINE2, FIXED_FIXED, 5, -2.85e-8, 1e-10},
-                {MESH_BSPLINE3, FIXED_FREE, 1, 1.2e-5, 5e-7},
-                {MESH_BSPLINE3, FIXED_FIXED, 1, 2.5e-5, 6e-7}};
+    } rows[] = {{MPM_HAT, FIXED_FREE, 1, 0, 1e-11},
+                {MPM_BSPLINE2, FIXED_FREE, 5, -1.08e-8, 1e-10},
+                {MPM_BSPLINE2, FIXED_FIXED, 5, -2.85e-8, 1e-10},
+                {MPM_BSPLINE3, FIXED_FREE, 1, 1.2e-5, 5e-7},
+                {MPM_BSPLINE3, FIXED_FIXED, 1, 2.5e-5, 6e-7}};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         const BarTheory bar = bar_with(rows[i].supports, 1000);
-        const BarMesh mesh = mesh_with(rows[i].shape, 2, MESH_USF, false);
+        const BarMesh mesh = mesh_with(rows[i].shape, 2, MPM_USF, false);
         const double endless =
             dispersion_of_bar(&bar, &mesh, bar_wave_number(&bar, rows[i].number)).frequency;
         const StepMode mode = step_mode(&bar, &mesh, rows[i].number);
@@ -381,8 +380,8 @@ START_TEST(long_bars)
         ck_assert_double_eq_tol(endless / mode.frequency - 1, rows[i].error, rows[i].tolerance);
     }
     const BarTheory longer = bar_with(FIXED_FREE, 2001), free = bar_with(FREE_FREE, 2001);
-    const BarMesh quadratic = mesh_with(MESH_BSPLINE2, 2, MESH_USF, false),
-                  cubic = mesh_with(MESH_BSPLINE3, 2, MESH_USF, false);
+    const BarMesh quadratic = mesh_with(MPM_BSPLINE2, 2, MPM_USF, false),
+                  cubic = mesh_with(MPM_BSPLINE3, 2, MPM_USF, false);
     ck_assert(step_mode(&longer, &quadratic, 1).known && !step_mode(&longer, &quadratic, 1).with_ends);
     ck_assert(step_mode(&longer, &cubic, 1).with_ends && !step_mode(&free, &cubic, 1).with_ends);
 }
@@ -391,7 +390,7 @@ END_TEST
 START_TEST(modes_that_do_not_swing)
 {
     BarTheory bar = bar_with(FREE_FREE, 25);
-    BarMesh mesh = mesh_with(MESH_BSPLINE2, 2, MESH_USF, true);
+    BarMesh mesh = mesh_with(MPM_BSPLINE2, 2, MPM_USF, true);
     ck_assert_double_eq(step_mode(&bar, &mesh, 0).frequency, 0); /* drifts */
     ck_assert(!step_mode(&bar, &mesh, 26).known);                /* shorter than two cells */
     mesh.apic = false, mesh.flip_fraction = 0, mesh.dt = 0.001;
@@ -428,9 +427,9 @@ static gsl_matrix *transposed_step(const BarRest *rest, const BarMesh *mesh)
         }
     double lower[2][64][64] = {{{0}}};
     ck_assert_uint_le(n, 64);
-    if (mesh->algorithm == MESH_USF)
+    if (mesh->algorithm == MPM_USF)
         gsl_blas_dgemm(CblasNoTrans, CblasNoTrans, 1, w, k, 0, product);
-    for (int which = 0; which < 2 && mesh->algorithm == MESH_MUSL; which++) {
+    for (int which = 0; which < 2 && mesh->algorithm == MPM_MUSL; which++) {
         gsl_blas_dgemm(CblasNoTrans, CblasNoTrans, 1, k, which ? w : g, 0, product);
         for (size_t i = 0; i < n; i++)
             for (size_t j = 0; j < n; j++)
@@ -440,9 +439,9 @@ static gsl_matrix *transposed_step(const BarRest *rest, const BarMesh *mesh)
         for (size_t j = 0; j < n; j++) {
             const double one = i == j, stiff = gsl_matrix_get(k, i, j);
             double of_v = gsl_matrix_get(g, i, j), f_of_v = stiff, f_of_f = one;
-            if (mesh->algorithm == MESH_USF)
+            if (mesh->algorithm == MPM_USF)
                 of_v -= dt * dt * gsl_matrix_get(product, i, j);
-            else if (mesh->algorithm == MESH_USL)
+            else if (mesh->algorithm == MPM_USL)
                 f_of_f -= dt * dt * stiff / rest->mass[j];
             else
                 f_of_v = lower[0][i][j], f_of_f -= dt * dt * lower[1][i][j];
@@ -560,21 +559,21 @@ START_TEST(modes_in_runs)
                     if (!suite_wide() && (supports + algorithm + transfer + n + _i) % 3 != 0)
                         continue;
                     const BarTheory bar = bar_with(supports, 25);
-                    BarMesh mesh = mesh_with((MeshShape)_i, 2, (MeshAlgorithm)algorithm, transfer == 1);
+                    BarMesh mesh = mesh_with((MpmShape)_i, 2, (MpmAlgorithm)algorithm, transfer == 1);
                     mesh.flip_fraction = transfer == 2 ? 0.95 : 1;
-                    expect_run(&bar, &mesh, numbers[n], _i == MESH_GIMP ? 1e-8 : 2e-9);
+                    expect_run(&bar, &mesh, numbers[n], _i == MPM_GIMP ? 1e-8 : 2e-9);
                 }
 }
 END_TEST
 
 START_TEST(modes_in_runs_beside_the_middle)
 {
-    static const MeshShape shapes[] = {MESH_HAT, MESH_BSPLINE2, MESH_BSPLINE3};
+    static const MpmShape shapes[] = {MPM_HAT, MPM_BSPLINE2, MPM_BSPLINE3};
     for (int supports = 0; supports < SUPPORTS; supports++)
         for (int n = 0; n < 3; n++) {
             const BarTheory bar = bar_with(supports, 25);
             BarMesh mesh =
-                mesh_with(shapes[_i], _i == 0 ? 1 + n : 2, supports % 2 ? MESH_USF : MESH_MUSL, n == 1);
+                mesh_with(shapes[_i], _i == 0 ? 1 + n : 2, supports % 2 ? MPM_USF : MPM_MUSL, n == 1);
             mesh.offset = n == 0 ? 0.3 : -0.25;
             expect_run(&bar, &mesh, numbers[n], 2e-9);
             ck_assert(!dispersion_predicts_centre_velocity(&bar, &mesh));
@@ -592,11 +591,10 @@ START_TEST(modes_of_two_materials_in_runs)
                     if (!suite_wide() && (supports + second + transfer + n + _i) % 2 != 0)
                         continue;
                     const BarTheory bar = joined(bar_with(supports, 25), second);
-                    BarMesh mesh =
-                        mesh_with((MeshShape)_i, 2, transfer ? MESH_MUSL : MESH_USF, transfer == 1);
+                    BarMesh mesh = mesh_with((MpmShape)_i, 2, transfer ? MPM_MUSL : MPM_USF, transfer == 1);
                     mesh.dt = 0.005;
                     mesh.flip_fraction = transfer == 2 ? 0.95 : 1;
-                    expect_run(&bar, &mesh, numbers[n], _i == MESH_GIMP ? 1e-8 : 2e-9);
+                    expect_run(&bar, &mesh, numbers[n], _i == MPM_GIMP ? 1e-8 : 2e-9);
                 }
 }
 END_TEST
@@ -609,7 +607,7 @@ START_TEST(two_materials_converge)
     for (int fine = 0; fine < 2; fine++)
         for (int n = 1; n <= 3; n++) {
             const BarTheory bar = joined(bar_with(FIXED_FREE, 25), 1);
-            BarMesh mesh = mesh_with(MESH_HAT, 2, MESH_USF, false);
+            BarMesh mesh = mesh_with(MPM_HAT, 2, MPM_USF, false);
             mesh.cell_size = fine ? 0.05 : 0.1, mesh.dt = mesh.cell_size / 100;
             const StepMode mode = step_mode(&bar, &mesh, n);
             ck_assert(mode.known && mode.overlap > 0.9999);
@@ -620,7 +618,7 @@ START_TEST(two_materials_converge)
         ck_assert_double_eq_tol(errors[0][n] / errors[1][n], 4, 0.1);
 
     BarTheory equal = bar_with(FIXED_FREE, 25);
-    const BarMesh mesh = mesh_with(MESH_HAT, 2, MESH_USF, false);
+    const BarMesh mesh = mesh_with(MPM_HAT, 2, MPM_USF, false);
     const StepMode one = step_mode(&equal, &mesh, 5);
     equal.joint = 10, equal.joint_modulus = 100, equal.joint_density = 1, equal.of_sines = true;
     const StepMode joint = step_mode(&equal, &mesh, 5);

@@ -67,9 +67,6 @@ extern const char *const beam_mistake_words[];
 bool beam_mistake_is_of_start(int mistake);
 const char *beam_mistake_sentence(int mistake); /* what is done, in one sentence; NULL: no mistake */
 
-/* The defaults of the problem, as in the manual page on scenario files. */
-BeamDef beam_default(BeamProblem problem);
-
 /* Is the definition sound? Else the status names the key as in a scenario file, what is wrong, what is
  * allowed. beam_create() asks first; a front end asks before it takes a value over. */
 bool beam_check(const BeamDef *definition, Status *status);

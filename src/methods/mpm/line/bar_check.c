@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The definition of a bar: its defaults, and whether it is sound. Each line names the key as
+/* The definition of a bar: whether it is sound. Each line names the key as
  * in a scenario file, what is wrong and what is allowed. */
 #include "base/assertion.h"
 #include "methods/axial.h"
@@ -7,26 +7,6 @@
 #include "methods/mpm/line/bar_state.h"
 
 #include <math.h>
-
-BarDef bar_default(void)
-{
-    return (BarDef){
-        .length = 25.0,
-        .youngs_modulus = 100.0,
-        .density = 1.0,
-        .supports = BAR_FIXED_FREE,
-        .cell_size = 1.0,
-        .particles_per_cell = 2,
-        .padding = 4,
-        .algorithm = MPM_USF,
-        .shape = MPM_HAT,
-        .transfer = MPM_FLIP,
-        .flip_fraction = 1.0,
-        .fmpm_order = 2,
-        .mass_blend = 1.0,
-        .courant = 0.1,
-    };
-}
 
 static bool positive(double value, const char *key, Status *status)
 {

@@ -10,7 +10,7 @@
 #include "base/patience.h"
 #include "methods/forces.h"
 
-/* What a bar is made of and how it is discretised. Take bar_default() and change what differs. */
+/* What a bar is made of and how it is discretised. */
 typedef struct BarDef {
     double length;         /* L > 0; a whole number of cells */
     double youngs_modulus; /* E > 0 */
@@ -56,9 +56,6 @@ typedef struct BarDef {
 
     const ForceTerm *forces; /* beside those of the load (eq. 11), ended by one without a name; NULL: none */
 } BarDef;
-
-/* Paper M's first mode, at rest: L 25, E 100, rho 1, dx 1, two particles per cell, USF, hat, courant 0.1. */
-BarDef bar_default(void);
 
 /* The mass blend mu* that takes the error of order (dx/wavelength)^2 out of the frequency, that of the time
  * step included: what is left is of fourth order, for small motions of a uniform bar (transfer FLIP). C is

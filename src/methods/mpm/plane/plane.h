@@ -46,9 +46,6 @@ typedef struct PlaneDef {
     Patience patience; /* asked while the beam is being built */
 } PlaneDef;
 
-/* Aluminium beams of .1 x .005 m in cells of .625 mm, as the scenarios have them. */
-PlaneDef plane_default(bool leaves_channel);
-
 /* Is the definition sound? Else the status names the key as in a scenario file, what is wrong, what is
  * allowed. plane_create() asks first; a front end asks before it takes a value over. */
 bool plane_check(const PlaneDef *, Status *);

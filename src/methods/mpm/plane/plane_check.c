@@ -1,39 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The definition of a beam by the material point method: its defaults, and whether it is sound. Each line
+/* The definition of a beam by the material point method: whether it is sound. Each line
  * names the key as in a scenario file, what is wrong and what is allowed. */
 #include "methods/mpm/plane/plane_state.h"
 
 #include <math.h>
-
-PlaneDef plane_default(bool leaves_channel)
-{
-    PlaneDef def = {
-        .leaves_channel = leaves_channel,
-        .length = 0.1,
-        .height = 0.005,
-        .thickness = 0.005,
-        .youngs_modulus = 71e9,
-        .density = 2700,
-        .poisson = 1.0 / 3,
-        .cell_size = 0.625e-3,
-        .particles_per_cell = 2,
-        .padding = 2,
-        .algorithm = MPM_USF,
-        .shape = MPM_GIMP,
-        .flip_fraction = 1,
-        .amplitude = 3e-6,
-        .courant = 0.5,
-        .end = 1.8e-3,
-        .threads = 1,
-    };
-    if (leaves_channel) {
-        def.flip_fraction = 0.999;
-        def.speed = 10;
-        def.channel = 0.055;
-        def.end = 5e-3;
-    }
-    return def;
-}
 
 static bool positive(double value, const char *key, Status *status)
 {
