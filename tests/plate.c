@@ -158,11 +158,6 @@ static size_t state_size(const Simulation *sim)
     return (1 + 3 * ((const Plate *)sim)->nodes) * sizeof(double);
 }
 
-static void save(const Simulation *sim, void *bytes)
-{
-    memcpy(bytes, ((const Plate *)sim)->state, state_size(sim));
-}
-
 static void load(Simulation *sim, const void *bytes)
 {
     memcpy(((Plate *)sim)->state, bytes, state_size(sim));
@@ -192,7 +187,6 @@ static const Method method = {
     .links = links,
     .explain = explain,
     .state_size = state_size,
-    .save = save,
     .load = load,
     .change = change,
 };
@@ -229,6 +223,7 @@ Simulation *plate_create(int columns, int rows, long fails_at)
             plate->force[at(plate, i, j)] = pull(plate, i, j);
     plate->sim = (Simulation){
         .method = &method,
+        .state = plate->state,
         .stages = stages,
         .n_stages = N_STAGES,
         .stage_items = (size_t)rows,

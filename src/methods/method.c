@@ -174,11 +174,16 @@ size_t simulation_snapshot_size(const Simulation *sim)
     return sizeof(SnapshotHead) + sim->method->state_size(sim);
 }
 
+void simulation_save(const Simulation *sim, void *bytes)
+{
+    memcpy(bytes, sim->state, sim->method->state_size(sim));
+}
+
 void simulation_snapshot(const Simulation *sim, void *bytes)
 {
     SnapshotHead head = {sim->step, sim->stage, sim->n_events, sim->events_beyond};
     memcpy(bytes, &head, sizeof head);
-    sim->method->save(sim, (char *)bytes + sizeof head);
+    simulation_save(sim, (char *)bytes + sizeof head);
 }
 
 /* The run stands where it stood; of its events those are left that were known then. */

@@ -205,14 +205,13 @@ typedef struct Method {
      * they stand: "p15 = 0.5 × (0.25 × 0.5 + 0.75 × 0.5) = 0.25". UTF-8, one sum a line, each line ended by
      * '\n', of any length: it may be broken at spaces (no-break spaces hold terms together). At most `size`
      * bytes. A sum of more than `terms` terms sums the last of them up (0: never). `before` is the state
-     * before the stage as save() wrote it (NULL: not known). May be NULL: nothing to say. */
+     * before the stage as simulation_save() wrote it (NULL: not known). May be NULL: nothing to say. */
     void (*explain)(const Simulation *, int stage, int set, size_t index, const void *before, int terms,
                     char *out, size_t size);
 
-    /* The state as bytes. Between steps the size may be smaller than in the middle of one. load() sees what
-     * save() wrote at the same stage of the same simulation. */
+    /* How many bytes of Simulation.state are at work: between steps fewer, perhaps, than in the middle of
+     * one. load() sees what they were at the same stage of the same simulation. */
     size_t (*state_size)(const Simulation *);
-    void (*save)(const Simulation *, void *bytes);
     void (*load)(Simulation *, const void *bytes);
 
     /* Changes a parameter that may change in mid-run, between steps: key as in a scenario file, value as
@@ -243,6 +242,8 @@ struct Simulation {
     struct Follow *follow; /* things that are followed, behind the method's own series; NULL: none */
 
     unsigned has; /* HAS_... */
+
+    const void *state; /* one block that is all of the state; what it means is the method's */
 
     /* How set 0 lies at rest: thing k in column k % columns and row k / columns, row 0 lowest, neighbours
      * `spacing` apart both ways (m, or the problem's unit of length). A line has one row. */
@@ -327,6 +328,9 @@ void simulation_ask_columns(Simulation *, const char *names);
 /* Whether such a list has a column, and whether it is one that it takes. */
 bool simulation_asks(const char *names, const char *column);
 bool simulation_is_costly(const Simulation *, const char *column);
+
+/* The state as bytes, Method.state_size() of them. */
+void simulation_save(const Simulation *, void *bytes);
 
 /* A snapshot: the state with step and stage. Taken between slices of a stage it is that of its beginning,
  * so take it between stages. */

@@ -336,7 +336,7 @@ static void look_ahead(Simulation *sim, void *context)
     ahead->walked = true;
     for (int i = 0; i <= ahead->stage && ahead->walked; i++) {
         if (i == ahead->stage && (before = malloc(sim->method->state_size(sim))))
-            sim->method->save(sim, before);
+            simulation_save(sim, before);
         ahead->walked = simulation_stage(sim, NULL);
     }
     if (ahead->walked)

@@ -105,7 +105,7 @@ bool experiment_is_flowing(const Experiment *);
 /* The next stage only; nothing at the end of the run. */
 bool experiment_next_stage(Experiment *, Status *);
 
-/* The state before the last stage as Method.save wrote it, for Method.explain; NULL: not known. */
+/* The state before the last stage as simulation_save() wrote it, for Method.explain; NULL: not known. */
 const void *experiment_before(const Experiment *);
 
 /* Values of a field before the last stage, for highlighting what changed; false: not known. */

@@ -96,11 +96,6 @@ static size_t no_state(const Simulation *sim)
     return 0;
 }
 
-static void save_nothing(const Simulation *sim, void *bytes)
-{
-    (void)sim, (void)bytes;
-}
-
 static void load_nothing(Simulation *sim, const void *bytes)
 {
     (void)sim, (void)bytes;
@@ -118,7 +113,6 @@ START_TEST(what_is_no_number_stays_none)
                                   .row = no_row,
                                   .field = not_a_number,
                                   .state_size = no_state,
-                                  .save = save_nothing,
                                   .load = load_nothing,
                                   .destroy = free_nothing};
     const Set set = {"thing", "things", _i};
@@ -127,6 +121,7 @@ START_TEST(what_is_no_number_stays_none)
     static const Stage stages[2] = {{.id = "one"}, {.id = "two"}};
     static const Quantity series[] = {{"c", "c", "1", "a column"}};
     Simulation sim = {.method = &method,
+                      .state = &method, /* of which nothing is kept */
                       .sets = &set,
                       .n_sets = 1,
                       .counts = {3},

@@ -550,7 +550,7 @@ START_TEST(every_stage_explains_itself)
     for (int stage = 0; stage < sim->n_stages; stage++) {
         unsigned char *before = malloc(sim->method->state_size(sim));
         ck_assert_ptr_nonnull(before);
-        sim->method->save(sim, before);
+        simulation_save(sim, before);
         ck_assert(simulation_stage(sim, &status));
         for (size_t node = 31 + 10 * 100; node < sim->counts[SET_PARTICLE]; node += 367) {
             char text[1024], little[12];

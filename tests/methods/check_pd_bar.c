@@ -522,7 +522,7 @@ START_TEST(stages_explain_themselves)
     void *before = malloc(sim->method->state_size(sim));
     ck_assert(before != NULL);
     for (int stage = 0; stage < sim->n_stages; stage++) {
-        sim->method->save(sim, before);
+        simulation_save(sim, before);
         ck_assert(simulation_stage(sim, &status));
         for (size_t i = 0; i < 50; i += 49) {
             sim->method->explain(sim, stage, 0, i, before, 0, text, sizeof text);

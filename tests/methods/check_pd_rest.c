@@ -372,7 +372,7 @@ START_TEST(travel_is_not_braked)
     free(vx);
     unsigned char *before = malloc(sim->method->state_size(sim));
     char text[512];
-    sim->method->save(sim, before);
+    simulation_save(sim, before);
     ck_assert(simulation_stage(sim, NULL));
     sim->method->explain(sim, 0, SET_PARTICLE, sim->counts[SET_PARTICLE] - 1, before, 4, text, sizeof text);
     ck_assert_msg(strstr(text, "α (vx − v0)") != NULL, "%s", text);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The bar by peridynamics: its memory, its start, its state as bytes, and the table of functions through
  * which a driver runs it (method.h). The state is one block: head, u with its mirrored nodes, v, f. */
+#include "base/assertion.h"
 #include "methods/bonds/line/pd_bar_internal.h"
 
 #include <math.h>
@@ -14,12 +15,6 @@ static size_t state_size(const Simulation *sim)
     return ((const PdBar *)sim)->state_size;
 }
 
-static void save(const Simulation *sim, void *bytes)
-{
-    const PdBar *bar = (const PdBar *)sim;
-    memcpy(bytes, bar->head, bar->state_size);
-}
-
 static void load(Simulation *sim, const void *bytes)
 {
     PdBar *bar = (PdBar *)sim;
@@ -30,8 +25,7 @@ static void load(Simulation *sim, const void *bytes)
 static bool change(Simulation *sim, const char *key, double value, Status *status)
 {
     PdBar *bar = (PdBar *)sim;
-    if (sim->stage != 0 || sim->item != 0)
-        return status_fail(status, STATUS_USAGE, "%s: can be changed between steps only", key);
+    ASSERT_INT(sim->stage, ==, 0);
     double *live = strcmp(key, "load.body_force") == 0 ? &bar->head->body_force
                    : strcmp(key, "load.traction") == 0 ? &bar->head->traction
                                                        : NULL;
@@ -66,7 +60,6 @@ static const Method method = {
     .links = pd_bar_links,
     .explain = pd_bar_explain,
     .state_size = state_size,
-    .save = save,
     .load = load,
     .change = change,
 };
@@ -85,6 +78,7 @@ static bool lay_out(PdBar *bar)
     bar->sound = malloc(bar->state_size);
     if (!bar->head || !bar->sound)
         return false;
+    bar->sim.state = bar->head;
     bar->u = (double *)(bar->head + 1);
     bar->v = bar->u + padded;
     bar->f = bar->v + n;

@@ -95,7 +95,7 @@ static bool allocate(Beam *beam, Status *status)
     beam->notched = zeroed(beam, slots / 8);
     beam->unbreakable = zeroed(beam, nodes);
     beam->rooted = zeroed(beam, (size_t)lattice->ny * lattice->n_tiles * (size_t)lattice->n_offsets);
-    beam->state = zeroed(beam, beam->state_size);
+    beam->sim.state = beam->state = zeroed(beam, beam->state_size);
     beam->rescue.state = malloc(beam->state_size);
     beam->broken_at = calloc(slots, sizeof *beam->broken_at);
     beam->damage = zeroed(beam, nodes * sizeof *beam->damage);
@@ -200,7 +200,6 @@ static const Method beam_method = {
     .links = beam_links,
     .explain = beam_explain,
     .state_size = beam_state_size,
-    .save = beam_save,
     .load = beam_load,
     .change = beam_change,
 };

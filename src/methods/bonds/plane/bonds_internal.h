@@ -233,7 +233,6 @@ double crack_speed_now(const Beam *beam);
 
 /* beam_state.c */
 size_t beam_state_size(const Simulation *sim);
-void beam_save(const Simulation *sim, void *bytes);
 void beam_load(Simulation *sim, const void *bytes);
 bool beam_change(Simulation *sim, const char *key, double value, Status *status);
 

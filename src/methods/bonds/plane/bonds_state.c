@@ -14,13 +14,6 @@ size_t beam_state_size(const Simulation *sim)
     return ((const Beam *)sim)->state_size;
 }
 
-/* One copy: the state is one block (beam_create.c). */
-void beam_save(const Simulation *sim, void *bytes)
-{
-    const Beam *beam = (const Beam *)sim;
-    memcpy(bytes, beam->state, beam->state_size);
-}
-
 /* Coefficients follow the bits: a bond whose bit differs is broken or made whole again. */
 static void follow_bits(Beam *beam, const uint8_t *bits)
 {
@@ -116,8 +109,6 @@ bool beam_change(Simulation *sim, const char *key, double value, Status *status)
 {
     ASSERT_INT(sim->stage, ==, 0);
     Beam *beam = (Beam *)sim;
-    if (sim->stage != 0 || sim->item != 0)
-        return status_fail(status, STATUS_USAGE, "%s: can be changed between steps only", key);
     if (strcmp(key, "pd.mistake") == 0)
         return change_mistake(beam, value, status);
     for (size_t k = 0; k < sizeof live_parameters / sizeof *live_parameters; k++) {

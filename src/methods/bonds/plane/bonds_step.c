@@ -278,7 +278,7 @@ static void keep_rescue(Beam *beam)
 {
     Rescue *rescue = &beam->rescue;
     rescue->valid = true;
-    beam_save(&beam->sim, rescue->state);
+    simulation_save(&beam->sim, rescue->state);
     rescue->step = beam->sim.step;
     rescue->n_events = beam->sim.n_events;
     rescue->events_beyond = beam->sim.events_beyond;

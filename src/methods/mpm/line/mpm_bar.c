@@ -3,6 +3,7 @@
  * arrays; a snapshot between steps is its first part, the particles, in the middle of a step all of it. At t
  * = 0 particles stand at s = (j + 1/2 + offset)/P in their cells, with stress 0, volume m/rho and the
  * velocity of eq. 19; m = rho dx/P, dt by eq. 21. */
+#include "base/assertion.h"
 #include "methods/axial.h"
 #include "methods/mpm/line/bar_mistakes.h"
 #include "methods/mpm/line/bar_state.h"
@@ -134,12 +135,6 @@ static size_t state_size(const Simulation *sim)
     return saved_bytes(bar, bar->head);
 }
 
-static void save(const Simulation *sim, void *bytes)
-{
-    const Bar *bar = bar_of_const(sim);
-    memcpy(bytes, bar->block, saved_bytes(bar, bar->head));
-}
-
 static void load(Simulation *sim, const void *bytes)
 {
     Bar *bar = bar_of(sim);
@@ -239,8 +234,7 @@ static bool change(Simulation *sim, const char *key, double value, Status *statu
 {
     Bar *bar = bar_of(sim);
     BarHead *head = bar->head;
-    if (sim->stage != 0 || sim->item != 0)
-        return status_fail(status, STATUS_USAGE, "%s: can be changed between steps only", key);
+    ASSERT_INT(sim->stage, ==, 0);
     if (strncmp(key, "mpm.", 4) == 0)
         return change_method(bar, key, value, status);
     double *load = strcmp(key, "load.body_force") == 0 ? &head->body_force
@@ -270,7 +264,6 @@ static const Method method = {
     .exchange = bar_exchange,
     .explain = bar_explain,
     .state_size = state_size,
-    .save = save,
     .load = load,
     .change = change,
 };
@@ -421,6 +414,7 @@ Simulation *bar_create(const BarDef *definition, Status *status)
     }
     bar->block = (unsigned char *)bar->memory + (64 - (uintptr_t)bar->memory % 64);
     lay_out(bar, bar->block);
+    bar->sim.state = bar->block;
     bar->kernels = bar_kernels(cpu_best());
 
     Simulation *sim = &bar->sim;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A beam by the material point method is made, copied out, put back and changed. The state is one block of
  * arrays; a snapshot between steps is its first part, the particles, in the middle of a step all of it. */
+#include "base/assertion.h"
 #include "methods/mpm/plane/kernels/plane_kernels.h"
 
 #include <math.h>
@@ -82,11 +83,6 @@ static size_t state_size(const Simulation *sim)
     return sim->stage == 0 ? plane->bytes_particles : plane->bytes_whole;
 }
 
-static void save(const Simulation *sim, void *bytes)
-{
-    memcpy(bytes, plane_of_const(sim)->block, state_size(sim));
-}
-
 static void load(Simulation *sim, const void *bytes)
 {
     Plane *plane = plane_of(sim);
@@ -98,8 +94,7 @@ static void load(Simulation *sim, const void *bytes)
 static bool change(Simulation *sim, const char *key, double value, Status *status)
 {
     Plane *plane = plane_of(sim);
-    if (sim->stage != 0 || sim->item != 0)
-        return status_fail(status, STATUS_USAGE, "%s: can be changed between steps only", key);
+    ASSERT_INT(sim->stage, ==, 0);
     if (strcmp(key, "mpm.algorithm") == 0) {
         if (!(value >= 0 && value <= MPM_MUSL && value == floor(value)))
             return status_fail(status, STATUS_USAGE, "%s: %g is no choice (0 to %d)", key, value, MPM_MUSL);
@@ -129,7 +124,6 @@ static const Method method = {
     .exchange = plane_exchange,
     .explain = plane_explain,
     .state_size = state_size,
-    .save = save,
     .load = load,
     .change = change,
 };
@@ -166,6 +160,7 @@ Simulation *plane_create(const PlaneDef *definition, Status *status)
 
     Simulation *sim = &plane->sim;
     sim->method = &method;
+    sim->state = plane->block;
     sim->stage_items = (size_t)(plane->n_blocks > plane->gy ? plane->n_blocks : plane->gy);
     sim->n_sets = PLANE_SETS;
     sim->counts[PLANE_PARTICLES] = (size_t)plane->n_particles;
