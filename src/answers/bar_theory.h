@@ -13,18 +13,11 @@
 /* The bar with its modes and loads. False: its overtones cannot be read. */
 bool bar_theory_of(const Settings *, BarTheory *, Status *);
 
-/* The mesh on which it is predicted; `dt` as the simulation has it. */
-BarMesh bar_mesh_of(const Settings *, double dt);
-
-/* mu, with what stands for "auto". */
-double bar_mass_blend_of(const Settings *);
-
 /* The bar as its engine by the material point method wants it, at rest. */
 BarDef bar_mpm_definition(const Settings *);
 
-/* The same bar on a lattice of bonded nodes: for the engine (at rest) and for its theory. */
+/* The same bar on a lattice of bonded nodes. */
 PdBarDef bar_pd_definition(const Settings *);
-PdBarTheory bar_lattice_of(const Settings *);
 
 /* dt = courant * dx / c, eq. 21. */
 double bar_time_step(const Settings *);

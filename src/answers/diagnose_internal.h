@@ -35,9 +35,6 @@ bool diagnose_walk(Walk *, const Settings *, int threads, Patience, Status *);
  * that size. */
 double diagnose_bound(const DiagnoseTable *, const DiagnoseColumn *, double theirs, double size, long step);
 
-/* The round-off of two right codes, as a share of a column's size. */
-double diagnose_round_off(const DiagnoseTable *, long step);
-
 /* Gives settings the time step of the file. False: they allow none. */
 bool diagnose_hold_step(Settings *, double dt);
 

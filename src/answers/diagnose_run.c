@@ -21,7 +21,8 @@ double diagnose_theirs(const DiagnoseTable *table, const DiagnoseColumn *column,
     return table->file.columns[column->theirs].values[table->rows[row]] * column->factor;
 }
 
-double diagnose_round_off(const DiagnoseTable *table, long step)
+/* The round-off of two right codes, as a share of a column's size. */
+static double diagnose_round_off(const DiagnoseTable *table, long step)
 {
     return table->noise * (1 + 1e-2 * (double)step);
 }

@@ -78,7 +78,8 @@ char *output_real_name(const char *name, Status *status)
     return real;
 }
 
-bool output_has_folder(const char *name, Status *status)
+/* Whether the folder that a file or folder of this name would be in is there. */
+static bool output_has_folder(const char *name, Status *status)
 {
     struct stat what;
     char *copy = strdup(name);

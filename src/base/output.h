@@ -37,9 +37,6 @@ bool output_allowed(Asker, const char *name, Status *);
 bool output_is_standard(const char *name); /* "-" */
 bool output_is_direct(const char *name); /* "-", or a terminal, a pipe, a device: nothing stands beside it */
 
-/* Whether the folder that a file or folder of this name would be in is there. */
-bool output_has_folder(const char *name, Status *);
-
 /* Whether a file may be begun: its folder takes files, it does not exist or may be replaced. Nothing is
  * touched. */
 bool output_may_begin(const char *name, bool force, Status *);

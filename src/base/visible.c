@@ -4,6 +4,7 @@
 #include "base/visible.h"
 
 #include <stdarg.h>
+#include <stdint.h>
 #include <string.h>
 
 enum { LINE_MOST = 2048 }; /* bytes of a line that is printed */
@@ -18,7 +19,8 @@ static const struct {
     {0xfff0, 0xfffb}, {0xfffe, 0xffff}, {0x1bca0, 0x1bca3}, {0x1d173, 0x1d17a}, {0xe0000, 0xe0fff},
 };
 
-bool visible_hides(uint32_t character)
+/* Whether a character would act or hide instead of being seen. */
+static bool visible_hides(uint32_t character)
 {
     for (size_t i = 0; i < sizeof hidden / sizeof *hidden; i++)
         if (character <= hidden[i].last)

@@ -16,11 +16,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
-
-/* Whether a character would act or hide instead of being seen. */
-bool visible_hides(uint32_t character);
 
 /* Whether a text can be shown as it is: one line of UTF-8 in which no character hides. */
 bool visible_is_clean(const char *text);

@@ -34,7 +34,8 @@ void lammps_line(FILE *file, const char *pattern, const double *numbers)
     }
 }
 
-double lammps_half_damping(const LammpsBody *body)
+/* alpha dt/2: what damping is to half a step. */
+static double lammps_half_damping(const LammpsBody *body)
 {
     return body->facts.damping * body->sim->dt / 2;
 }

@@ -41,9 +41,6 @@ bool lammps_starts_bent(const LammpsBody *);
 void lammps_line(FILE *, const char *pattern, const double *numbers);
 #define LAMMPS_LINE(file, pattern, ...) lammps_line(file, pattern, (const double[]){__VA_ARGS__})
 
-/* alpha dt/2: what damping is to half a step. */
-double lammps_half_damping(const LammpsBody *);
-
 /* lammps_types.c: sorts the nodes by what cuts do to them; writes which types are apart. */
 bool lammps_set_types(LammpsBody *, Status *);
 void lammps_write_cuts(FILE *, const LammpsBody *);

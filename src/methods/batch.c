@@ -19,7 +19,8 @@ static const char *const energy_words[] = {"by 10 %", "to twice", "to 10 times",
                                            "to 1000 times"};
 enum { ENERGY_LEVELS = sizeof energy_levels / sizeof energy_levels[0] };
 
-void batch_step_words(const Simulation *sim, const char *unit, char *out, size_t size)
+/* "in step 13, t = 1.3" for the step under way. */
+static void batch_step_words(const Simulation *sim, const char *unit, char *out, size_t size)
 {
     char time[NUMBER_TEXT_MAX];
     text_rounded(time, (double)(sim->step + 1) * sim->dt, 6);

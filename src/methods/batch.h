@@ -30,9 +30,7 @@ typedef struct GrowthNow {
 /* Fails where energy > 1e4 (E_0 + max |work|), and reports growth on the way. */
 bool batch_check_energy(Simulation *, Growth *, const GrowthNow *, Status *);
 
-/* "in step 13, t = 1.3" for the step under way, which is not counted yet; an event of it; and its end by what
- * became of a particle. */
-void batch_step_words(const Simulation *, const char *unit, char *out, size_t size);
+/* An event of the step under way, which is not counted yet; and its end by what became of a particle. */
 void batch_report(Simulation *, EventKind, const char *text);
 bool batch_fail_particle(Simulation *, Status *, int particle, const char *what, const char *unit);
 

@@ -24,13 +24,15 @@ static double best_blend(const Settings *settings)
                                settings_mesh(settings)->particles_per_cell, settings_time(settings)->courant);
 }
 
-double bar_mass_blend_of(const Settings *settings)
+/* mu, with what stands for "auto". */
+static double bar_mass_blend_of(const Settings *settings)
 {
     const double given = settings_transfer(settings)->mass_blend;
     return given > 0 ? given : best_blend(settings);
 }
 
-BarMesh bar_mesh_of(const Settings *settings, double dt)
+/* The mesh on which it is predicted; `dt` as the simulation has it. */
+static BarMesh bar_mesh_of(const Settings *settings, double dt)
 {
     ASSERT_REAL(dt, >, 0);
     const Transfer *mpm = settings_transfer(settings);

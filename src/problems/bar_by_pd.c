@@ -38,7 +38,8 @@ PdBarDef bar_pd_definition(const Settings *settings)
     };
 }
 
-PdBarTheory bar_lattice_of(const Settings *settings)
+/* The same for its theory. */
+static PdBarTheory bar_lattice_of(const Settings *settings)
 {
     return (PdBarTheory){.spacing = lattice_spacing(settings),
                          .horizon = lattice_horizon(settings),

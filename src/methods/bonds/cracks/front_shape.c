@@ -14,18 +14,18 @@
 
 /* --- lines ----------------------------------------------------------------------------------- */
 
+static int front_lines(const Beam *beam, int axis)
+{
+    return axis == 0 ? beam->lattice.nx : beam->lattice.ny;
+}
+
 double front_place(const Beam *beam, int axis, int line)
 {
     ASSERT_INDEX(line, front_lines(beam, axis));
     return axis == 0 ? lattice_x(&beam->lattice, line) : lattice_y(&beam->lattice, line);
 }
 
-int front_lines(const Beam *beam, int axis)
-{
-    return axis == 0 ? beam->lattice.nx : beam->lattice.ny;
-}
-
-size_t front_node(const Beam *beam, int axis, int line, int across)
+static size_t front_node(const Beam *beam, int axis, int line, int across)
 {
     ASSERT_INDEX(line, front_lines(beam, axis));
     ASSERT_INDEX(across, front_lines(beam, 1 - axis));
@@ -40,15 +40,15 @@ int front_line_of(const Beam *beam, int axis, size_t node)
     return (int)(axis == 0 ? node % nx : node / nx);
 }
 
-/* The first line beyond a front's end, and where the lines end, in its direction. */
-int front_first_line(const Beam *beam, const CrackFront *front)
+/* The first line beyond a front's end, in its direction; and whether the plate has a line. */
+static int front_first_line(const Beam *beam, const CrackFront *front)
 {
     const double spacing = beam->lattice.spacing,
                  at = (front->end[front->axis] - front_place(beam, front->axis, 0)) / spacing;
     return front->sign > 0 ? (int)floor(at + 1e-6) + 1 : (int)ceil(at - 1e-6) - 1;
 }
 
-bool front_has_line(const Beam *beam, const CrackFront *front, int line)
+static bool front_has_line(const Beam *beam, const CrackFront *front, int line)
 {
     return line >= 0 && line < front_lines(beam, front->axis);
 }

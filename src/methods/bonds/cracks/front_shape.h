@@ -50,15 +50,9 @@ typedef struct Group {
     int successors; /* groups of the next line that touch it */
 } Group;
 
-/* The lattice's lines across an axis: how many, where one lies, which holds a node, and the node on one. */
-int front_lines(const Beam *, int axis);
+/* The lattice's lines across an axis: where one lies, which holds a node. */
 double front_place(const Beam *, int axis, int line);
 int front_line_of(const Beam *, int axis, size_t node);
-size_t front_node(const Beam *, int axis, int line, int across);
-
-/* The first line beyond a front's end, in its direction; and whether the plate has a line. */
-int front_first_line(const Beam *, const CrackFront *);
-bool front_has_line(const Beam *, const CrackFront *, int line);
 
 /* The groups of a front on a line, at most FRONT_GROUPS_MAX, in order. */
 int front_groups(const Growth *, int front, int line, Group groups[FRONT_GROUPS_MAX]);

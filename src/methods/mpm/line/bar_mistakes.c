@@ -53,7 +53,7 @@ const char *const bar_mistake_words[] = {
     NULL,
 };
 
-const BarMistake *bar_mistake_of(int mistake)
+static const BarMistake *bar_mistake_of(int mistake)
 {
     return mistake > 0 && mistake <= MISTAKES ? &mistakes[mistake - 1] : NULL;
 }

@@ -53,7 +53,6 @@ typedef struct BarMistake {
 
 /* The row of a bar's mistake; NULL: it makes none. */
 const BarMistake *bar_mistake(const Bar *);
-const BarMistake *bar_mistake_of(int mistake);
 const BarMistake *bar_mistake_if(const Bar *,
                                  int mistake); /* if that is its one; what it does besides is in it */
 

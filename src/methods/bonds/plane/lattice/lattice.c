@@ -128,7 +128,8 @@ static double family_area(const Lattice *lattice, const BeamDef *def, int i, int
     return area;
 }
 
-bool lattice_go_on(const BeamDef *def, double share, Status *status)
+/* Asks BeamDef.patience; the share is that of the whole building of a beam. False: to be given up. */
+static bool lattice_go_on(const BeamDef *def, double share, Status *status)
 {
     return patience_lasts(&def->patience, share) ||
            status_fail(status, STATUS_FAILED, "the building of the beam was given up");

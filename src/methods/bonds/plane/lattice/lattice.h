@@ -67,9 +67,6 @@ typedef struct Lattice {
     uint32_t *first_bond;        /* per node, and one more: number of the first bond that the node owns */
 } Lattice;
 
-/* Asks BeamDef.patience; the share is that of the whole building of a beam. False: to be given up. */
-bool lattice_go_on(const BeamDef *, double share, Status *);
-
 /* The shares at which its parts begin: the bonds after the factors of the nodes, then the critical step,
  * then the state at t = 0. */
 #define BUILDING_BONDS    0.1
