@@ -7,7 +7,7 @@
 man=$MATVIB_SRCDIR/man
 
 plain() { sed 's/\\-/-/g; s/\\e/\\/g; s/\\(aq/'"'"'/g; s/\\(ha/^/g' "$1"; }
-examples() { plain "$1" | awk '/^\.EE/ { on = 0; print "" } on { print } /^\.EX/ { on = 1 }'; }
+examples() { awk '/^\.EE/ { on = 0; print "" } on { print } /^\.EX/ { on = 1 }' "$1.plain"; }
 quiet() { test ! -s "$1" || { cat "$1" && false; }; }
 
 if command -v groff >/dev/null 2>&1; then
@@ -16,6 +16,10 @@ if command -v groff >/dev/null 2>&1; then
 		result "$page is formatted without a warning" quiet warnings
 	done
 fi
+
+for page in matvib.1 matvib.5 matvib-checks.7; do
+	plain "$man/$page" >"$page.plain"
+done
 
 # problems and methods are those of the program
 printf '[scenario]\nproblem = x\n' >x.ini
@@ -29,18 +33,17 @@ done | tr '\n' ' ')
 result "those that both methods solve" test "$both" = "bar simply-supported-beam moving-cantilever "
 
 # a bond's stiffness, what it bears and what it makes of a wave, of both influences
+sed 's/\\ / /g' matvib.5.plain >formulas
 for formula in 'c = 2E/(A delta^2)' 'c1 = E/(dx^2 sum over m of (1 - m dx/delta) w_m m)' 'w_m (1 - m dx/delta) (delta/dx)^2/(2 sum' \
 	'c = 9 E / (\(*p \(*d^3)' 'c1 = 36 E / (\(*p \(*d^3)' 's0 = sqrt(4 \(*p G0 / (9 E \(*d))' 's0 = sqrt(5 \(*p G0 / (9 E \(*d))'; do
-	result "matvib.5 has $formula" sh -c 'grep -q -F -e "$1"' - "$formula" <<END
-$(plain "$man/matvib.5" | sed 's/\\ / /g')
-END
+	result "matvib.5 has $formula" grep -q -F -e "$formula" formulas
 done
 "$MATVIB" params notched-beam >params
 result "params has s0 of both" grep -q 's0 = sqrt(4 pi G0/(9 E delta)), conical influence 5 pi' params
 
 # every command that stands in an example runs, in the order of the page
 PATH=$(dirname "$MATVIB"):$PATH
-examples "$man/matvib.1" | grep '^[a-z]' >commands
+examples matvib.1 | grep '^[a-z]' >commands
 result "matvib.1 has examples" test "$(wc -l <commands)" -ge 4
 while read -r line; do
 	result "$line" sh -c "$line"
@@ -80,7 +83,7 @@ typed() { # FILE OF COMMANDS
 	done <"$1"
 }
 longer() { # PAGE: the commands between .nf and .fi
-	plain "$man/$1" | awk '/^\.nf/ { on = 1; next } /^\.fi/ { on = 0 } on' | sed -e ':a' -e '/\\$/N; s/\\\n *//; ta' | grep '^matvib '
+	awk '/^\.nf/ { on = 1; next } /^\.fi/ { on = 0 } on' "$1.plain" | sed -e ':a' -e '/\\$/N; s/\\\n *//; ta' | grep '^matvib '
 }
 longer matvib.1 >commands
 longer matvib-checks.7 >checks
@@ -105,27 +108,23 @@ if [ -n "$MATVIB_WIDE" ]; then
 fi
 
 # every scenario that stands in an example reads back
-examples "$man/matvib.5" | awk '/^\[scenario\]/ { n++ } n { print > ("example" n ".ini") }'
+examples matvib.5 | awk '/^\[scenario\]/ { n++ } n { print > ("example" n ".ini") }'
 result "matvib.5 has examples" test -s example3.ini
 for file in example*.ini; do
 	result "$file of matvib.5" "$MATVIB" show "$file"
 done
 
 "$MATVIB" params >params
-missing=
-for key in $(sed -n 's/^  \([a-z_]*\.[a-z_]*\) = .*/\1/p' params | sort -u); do
-	plain "$man/matvib.5" | grep -q "^.fB$key.fR" || missing="$missing $key"
-done
-result "matvib.5 knows every parameter:$missing" test -z "$missing"
-missing=
-for name in $("$MATVIB" list | cut -d' ' -f1); do
-	plain "$man/matvib.1" | grep -q "^.fB$name.fR\$" || missing="$missing $name"
-done
-result "matvib.1 knows every scenario:$missing" test -z "$missing"
-printf 'zebra\n' | "$MATVIB" --script - 2>&1 | sed -n 's/.*instruction: zebra (\(.*\))/\1/p' | tr -d '|' >known
-missing=
-for word in $(cat known); do
-	plain "$man/matvib.1" | grep -q "^.fB$word.fR" || missing="$missing $word"
-done
-result "matvib.1 knows every instruction of a script:$missing" test -s known -a -z "$missing"
+# knows PAGE WHAT: each of the sorted `names` stands in bold at the begin of a line of the page
+knows() {
+	sed -n 's/^.fB\([^\\]*\).fR.*/\1/p' "$1.plain" | sort -u >bold
+	result "$1 knows every $2:$(comm -23 names bold | sed 's/^/ /' | tr -d '\n')" \
+		sh -c 'test -s names && test -z "$(comm -23 names bold)"'
+}
+"$MATVIB" params | sed -n 's/^  \([a-z_]*\.[a-z_]*\) = .*/\1/p' | sort -u >names
+knows matvib.5 parameter
+"$MATVIB" list | cut -d' ' -f1 | sort -u >names
+knows matvib.1 scenario
+printf 'zebra\n' | "$MATVIB" --script - 2>&1 | sed -n 's/.*instruction: zebra (\(.*\))/\1/p' | tr -s '| ' '\n\n' | sort -u >names
+knows matvib.1 'instruction of a script'
 echo "1..$number"
