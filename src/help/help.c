@@ -43,7 +43,7 @@ static void put_text(HelpLines *written, Style style, int width, int indent, con
     while (*text) {
         char line[512];
         const char *rest;
-        const size_t length = area_paragraph_line(text, width - indent, &rest);
+        const size_t length = glyphs_line(text, width - indent, &rest);
         snprintf(line, sizeof line, "%*s%.*s", indent, "", (int)length, text);
         put_line(written, style, line);
         text = rest;
@@ -72,7 +72,7 @@ static void put_key(HelpLines *written, int width, const char *keys, const char 
     const bool beside = COLUMN < width / 3 && glyphs_columns(keys) < COLUMN - 2;
     const char *rest = help;
     if (beside) {
-        const size_t length = area_paragraph_line(help, width - COLUMN, &rest);
+        const size_t length = glyphs_line(help, width - COLUMN, &rest);
         snprintf(line, sizeof line, "  %-10s %.*s", keys, (int)length, help);
     } else {
         snprintf(line, sizeof line, "  %s", keys);

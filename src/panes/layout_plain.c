@@ -15,7 +15,8 @@ enum {
     LESSON_LEAST_HEIGHT = 20,
     ASKED_WIDTH = 34,
     ASKED_MOST = 40,
-    PICTURE_LEAST = 6
+    PICTURE_LEAST = 6,
+    DRAWING_ROWS = 15 /* with the sums of a stage below it */
 };
 
 /* The one picture: the plot that was looked at last. */
@@ -49,8 +50,8 @@ static void lay_out_picture(const Screen *screen, Rect rect, Layout *layout)
  * False: the text leaves it no room. */
 static bool lay_out_wide(const Screen *screen, int width, int height, Layout *layout)
 {
-    const int text = pane_lesson_rows(screen, width), box = box_rows(screen, height, true);
-    const int picture = height - 2 - text - box;
+    const int box = box_rows(screen, height, true), rows = height - 2 - box;
+    const int text = pane_lesson_rows(screen, width, rows - DRAWING_ROWS), picture = rows - text;
     if (!screen_view_in(screen, picture_of(screen))->is_wide || screen->panes.inspecting ||
         !screen->lesson->lesson || picture < PICTURE_LEAST)
         return false;

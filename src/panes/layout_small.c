@@ -15,7 +15,8 @@ enum {
     BOX_WIDTH = 56, /* and from here on a box below what else is seen */
     BOX_HEIGHT = 16,
     BOX_ROWS = 5,
-    PLOT_ROWS = 5 /* fewer show nothing */
+    PLOT_ROWS = 5,  /* fewer show nothing */
+    PLOT_WANTED = 8 /* the text closes up for them */
 };
 
 static bool is_plot(PaneId pane)
@@ -41,7 +42,7 @@ static bool lay_out_page(const Screen *screen, int width, int height, Layout *la
     const View *plot = screen_view_in(screen, screen->panes.last_plot);
     const bool drawn = plot && plot->is_wide && screen_is_plain(screen); /* it has the numbers of the step */
     const PaneId other = !read ? focus : in_step && !drawn ? PANE_BOX : screen->panes.last_plot;
-    const int text = pane_lesson_rows(screen, width), rest = height - 2 - text;
+    const int text = pane_lesson_rows(screen, width, height - 2 - PLOT_WANTED), rest = height - 2 - text;
     if (focus == PANE_INSPECTOR || rest < PLOT_ROWS)
         return false;
     layout->panes[PANE_PARAMETERS] = (Rect){0, 1, width, text};

@@ -14,6 +14,7 @@ typedef struct Pen {
     Area area;
     int y;
     int end;     /* of what is written: the row after it, without a gap */
+    int gap;     /* rows between paragraphs */
     bool about;  /* of the list: each lesson has its sentence below it, not the chosen one alone */
     int *titles; /* of the list, LESSONS_MAX: the row of each lesson; NULL: nobody asks */
 } Pen;
@@ -28,7 +29,7 @@ static void write_paragraphs(Pen *pen, const char *text, Style style)
         const int lines = area_paragraph_lines(width, paragraph);
         area_paragraph(pen->area, 1, pen->y, width, lines, paragraph, style);
         pen->end = pen->y + lines;
-        pen->y = pen->end + 1;
+        pen->y = pen->end + pen->gap;
         text += length + (text[length] == '\n');
     }
 }
@@ -39,7 +40,7 @@ static void write_question(Pen *pen, const LessonShown *lesson, const LessonPage
     const int answer = lesson->answer, width = pen->area.rect.width - 2;
     write_paragraphs(pen, page->question, STYLE_HEADING);
     if (answer < 0 && chooses)
-        pen->y--; /* the choices stand close to it */
+        pen->y -= pen->gap; /* the choices stand close to it */
     for (int i = 0; i < page->n_choices && answer < 0; i++) {
         const int lines = area_paragraph_lines(width - 3, page->choices[i]);
         const bool marked = i == lesson->marked;
@@ -188,9 +189,9 @@ void pane_lesson_footer(const Screen *screen, char *out, size_t size)
 /* Heading and footer. */
 enum { MARGIN_ROWS = 2 };
 
-static int lines_of(const Screen *screen, Area area)
+static int lines_of(const Screen *screen, Area area, int gap)
 {
-    Pen pen = {.area = area_part(area, 0, 0, area.rect.width, 0)};
+    Pen pen = {.area = area_part(area, 0, 0, area.rect.width, 0), .gap = gap};
     write_all(&pen, screen);
     return pen.end;
 }
@@ -279,7 +280,9 @@ void pane_lesson(const Screen *screen, Area area)
     int titles[LESSONS_MAX + 1];
     char footer[192];
     draw_heading(screen, area);
-    Pen pen = {.area = area_part(area, 0, 1, area.rect.width, rows), .y = -above};
+    Pen pen = {.area = area_part(area, 0, 1, area.rect.width, rows),
+               .y = -above,
+               .gap = lines_of(screen, area, 1) <= rows};
     pen.about = !screen->lesson->lesson && list_lines(screen, area, titles);
     write_all(&pen, screen);
     pane_lesson_footer(screen, footer, sizeof footer);
@@ -288,10 +291,12 @@ void pane_lesson(const Screen *screen, Area area)
         say_more(screen, area, used, above);
 }
 
-int pane_lesson_rows(const Screen *screen, int width)
+int pane_lesson_rows(const Screen *screen, int width, int most)
 {
     Canvas none = {.width = width};
-    return lines_of(screen, (Area){&none, {0, 0, width, 0}, screen->look.glyphs}) + MARGIN_ROWS;
+    const Area area = {&none, {0, 0, width, 0}, screen->look.glyphs};
+    const int rows = lines_of(screen, area, 1) + MARGIN_ROWS;
+    return rows <= most ? rows : lines_of(screen, area, 0) + MARGIN_ROWS;
 }
 
 int screen_lesson_count(void)

@@ -21,7 +21,7 @@ int screen_lesson_most(const Screen *screen, int width, int height)
     const Rect pane = screen_pane(screen, width, height, PANE_PARAMETERS);
     if (!screen->lesson->open || pane.width == 0)
         return 0;
-    const int most = pane_lesson_rows(screen, pane.width) - pane.height;
+    const int most = pane_lesson_rows(screen, pane.width, pane.height) - pane.height;
     return most > 0 ? most : 0;
 }
 

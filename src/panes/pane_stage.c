@@ -162,7 +162,7 @@ static int sums_on(const Area *area, int width, int y, const char *sums)
     int used = 0;
     while (*sums != '\0') {
         const char *rest;
-        const size_t length = area_paragraph_line(sums, width, &rest);
+        const size_t length = glyphs_line(sums, width, &rest);
         if (area && y + used < area->rect.height)
             draw_line(*area, y + used, sums, length, rest[-1] == '\n');
         used++;
@@ -231,7 +231,7 @@ static void mark_what_differs(const Subject *subject, Area area, int lines, cons
     for (int y = 0; y < lines && *equation; y++) {
         char line[512], part[512];
         const char *rest;
-        const size_t length = area_paragraph_line(equation, area.rect.width, &rest);
+        const size_t length = glyphs_line(equation, area.rect.width, &rest);
         snprintf(line, sizeof line, "%.*s", (int)length, equation);
         for (char *at = line; *at;) {
             char *from = wrong ? at : strstr(at, open);

@@ -78,28 +78,6 @@ int area_text_whole(Area area, int x, int y, int width, const char *text, Style 
     return area_text(area, x, y, text, style);
 }
 
-size_t area_paragraph_line(const char *text, int width, const char **rest)
-{
-    const char *here = text, *space = NULL, *gap = NULL;
-    for (int columns = 0; *here != '\0' && *here != '\n'; columns++) {
-        if (*here == ' ') {
-            space = here;
-            if (here[1] == ' ' && columns >= width / 4)
-                gap = here;
-        }
-        if (columns == width && width > 0) { /* no room at all: better too long than without end */
-            const char *end = gap ? gap : space ? space : here;
-            *rest = end + strspn(end, " ");
-            while (end > text && end[-1] == ' ')
-                end--;
-            return (size_t)(end - text);
-        }
-        glyph_next(&here);
-    }
-    *rest = *here == '\n' ? here + 1 : here;
-    return (size_t)(here - text);
-}
-
 static int paragraph(const Area *area, int x, int y, int width, int rows, const char *text, Style style)
 {
     int lines = 0;
@@ -107,11 +85,11 @@ static int paragraph(const Area *area, int x, int y, int width, int rows, const 
         return 0;
     while (*text != '\0' && lines < rows) {
         const char *rest;
-        size_t length = area_paragraph_line(text, width, &rest);
+        size_t length = glyphs_line(text, width, &rest);
         /* what does not fit is not silently gone, and no word is cut for the ellipsis */
         const bool cut = lines == rows - 1 && *rest != '\0';
         if (cut && width > 2)
-            length = area_paragraph_line(text, width - 2, &rest);
+            length = glyphs_line(text, width - 2, &rest);
         if (area) {
             char line[1024];
             length = length < sizeof line - 8 ? length : sizeof line - 8;

@@ -32,10 +32,6 @@ int area_text_whole(Area, int x, int y, int width, const char *text, Style);
 int area_paragraph(Area, int x, int y, int width, int rows, const char *text, Style);
 int area_paragraph_lines(int width, const char *text);
 
-/* The bytes of the next line of a paragraph, at most `width` columns, broken at a space or a '\n'; `rest` is
- * where the line after it begins. Where two spaces part formulas or phrases, it is broken there. */
-size_t area_paragraph_line(const char *text, int width, const char **rest);
-
 /* Draws phrases that are parted by two spaces, each whole, on as many lines as it takes up to `rows`. Returns
  * the lines used. */
 int area_phrases(Area, int x, int y, int width, int rows, const char *text, Style);

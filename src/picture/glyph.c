@@ -167,6 +167,28 @@ uint32_t glyph_ascii(uint32_t glyph)
     return told < 0x80 ? told : REPLACEMENT;
 }
 
+size_t glyphs_line(const char *text, int width, const char **rest)
+{
+    const char *here = text, *space = NULL, *gap = NULL;
+    for (int columns = 0; *here != '\0' && *here != '\n'; columns++) {
+        if (*here == ' ') {
+            space = here;
+            if (here[1] == ' ' && columns >= width / 4)
+                gap = here;
+        }
+        if (columns == width && width > 0) { /* no room at all: better too long than without end */
+            const char *end = gap ? gap : space ? space : here;
+            *rest = end + strspn(end, " ");
+            while (end > text && end[-1] == ' ')
+                end--;
+            return (size_t)(end - text);
+        }
+        glyph_next(&here);
+    }
+    *rest = *here == '\n' ? here + 1 : here;
+    return (size_t)(here - text);
+}
+
 void glyphs_plain(Glyphs glyphs, const char *text, char *out, size_t size)
 {
     static const char *const spellings[][2] = {

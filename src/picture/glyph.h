@@ -44,6 +44,10 @@ uint32_t glyph_arrow(double across, double down);
 int glyphs_columns(const char *utf8);
 int glyphs_count(const char *utf8);
 
+/* The bytes of the next line of a paragraph, at most `width` columns, broken at a space or a '\n'; `rest` is
+ * where the line after it begins. Where two spaces part formulas or phrases, it is broken there. */
+size_t glyphs_line(const char *text, int width, const char **rest);
+
 /* Text as a set of glyphs has it: with ASCII "→" becomes "->", "Δε" "de", and so on. */
 void glyphs_plain(Glyphs, const char *text, char *out, size_t size);
 

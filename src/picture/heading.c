@@ -34,6 +34,7 @@ const char *legend_short_name(const char *name)
 {
     static const char *const words[][2] = {
         {"predicted", "pred"},
+        {"predicted (right code)", "right"},
         {"measured", "meas"},
         {"displacement", "displ."},
         {"measured, middle row", "meas"},
@@ -107,23 +108,28 @@ static int copy_legend(Legend shown[LEGENDS_MAX], const Legend *legend, int n_le
     return n_legend;
 }
 
-void legend_draw_short(Area area, int x, int y, const Legend *legend, int n_legend)
+int legend_draw_short(Area area, int x, int y, const Legend *legend, int n_legend)
 {
-    ASSERT_INT(n_legend, >=, 0);
+    ASSERT_INT(n_legend, >=, 1);
     Legend shown[LEGENDS_MAX];
-    n_legend = copy_legend(shown, legend, n_legend);
-    shorten_legend(area.rect.width - x, NAME_KINDS, GAP_MOST, shown, n_legend);
-    legend_draw(area, x, y, shown, n_legend);
+    const int room = area.rect.width - x;
+    for (int kinds = NAME_KINDS - 1; kinds <= NAME_KINDS; kinds++) {
+        n_legend = copy_legend(shown, legend, n_legend);
+        shorten_legend(room, kinds, GAP_MOST, shown, n_legend);
+        if (legend_columns(shown, 1, GAP_MOST) <= room)
+            break;
+    }
+    return legend_draw(area, x, y, shown, n_legend);
 }
 
 int heading_draw(Area area, Style heading, const char *name, const char *scale, const Legend *legend,
-                 int n_legend)
+                 int n_legend, bool goes_on)
 {
     enum { SHORT_NAME = 1, CLOSE, LETTERS_ONLY }; /* what gives way, one after the other */
     char text[160];
     Legend shown[LEGENDS_MAX];
     int x = 0, gap = GAP_MOST;
-    for (int pass = 0; pass <= LETTERS_ONLY; pass++) {
+    for (int pass = 0; pass <= (goes_on ? CLOSE : LETTERS_ONLY); pass++) {
         const char *title = pass >= SHORT_NAME ? legend_short_name(name) : name;
         snprintf(text, sizeof text, "%s%s%s", title, !scale[0] ? "" : scale[0] == 'x' ? " " : ", ", scale);
         x = 4 + glyphs_columns(text) + 1;

@@ -67,17 +67,20 @@ static bool write_line(Places *places, double left, double top, const char *text
 
 /* --- labels ----------------------------------------------------------------------------------------- */
 
+/* `most` is how far to the right it may begin. */
 static bool write_beside(Places *places, const PictureLabel *label, double across, double top,
-                         const char *line)
+                         const char *line, double most)
 {
     const double columns = places->columns(places, line);
     const double left = label->side > 0   ? across + places->gap
                         : label->side < 0 ? across + (places->whole ? 1 : 0) - places->gap - columns
                                           : snapped(places, across - (columns - 1) / 2);
-    return write_line(places, left, top, line, label->style);
+    return write_line(places, fmin(left, most - columns), top, line, label->style);
 }
 
-/* Its first line, or what stands below it, as far as there is room. */
+/* Its first line, or what stands below it, as far as there is room; below, it need not begin beside its
+ * thing.
+ */
 static void write_label(Places *places, const Picture *picture, const PictureLabel *label, bool below)
 {
     char lines[sizeof label->text], named[sizeof label->text + 32], *rest;
@@ -86,10 +89,10 @@ static void write_label(Places *places, const Picture *picture, const PictureLab
     snprintf(lines, sizeof lines, "%s", label->text);
     char *line = strtok_r(lines, "\n", &rest);
     snprintf(named, sizeof named, "%s %s", label->thing ? label->thing : "", line ? line : "");
-    if (line && !below && !(label->says_thing && write_beside(places, label, across, top, named)))
-        write_beside(places, label, across, top, line);
+    if (line && !below && !(label->says_thing && write_beside(places, label, across, top, named, INFINITY)))
+        write_beside(places, label, across, top, line, INFINITY);
     while (below && (line = strtok_r(NULL, "\n", &rest)) &&
-           write_beside(places, label, across, top + places->row, line))
+           write_beside(places, label, across, top + places->row, line, places->width))
         top += places->row;
 }
 
@@ -119,19 +122,49 @@ static bool write_on(Places *places, const Picture *picture, const PictureArrow 
     return true;
 }
 
-static void write_arrow(Places *places, const Picture *picture, const PictureArrow *arrow)
+/* With all its lines or some, in full or, where that is wanted or must be, in brief; false: nowhere. */
+static bool write_arrow(Places *places, const Picture *picture, const PictureArrow *arrow, bool shorter)
 {
     static const double away[] = {0, 0.1, -0.1, 0.2, -0.2, 0.3, -0.3};
     int most = 0;
     while (most < PICTURE_ARROW_LINES && arrow->text[most][0])
         most++;
-    for (int brief = 0; brief <= 1; brief++)
+    for (int brief = shorter; brief <= 1; brief++)
         for (int lines = most; lines > 0; lines--)
             for (size_t i = 0; i < sizeof away / sizeof *away; i++) {
                 const double share = arrow->place + away[i];
                 if (share > 0.05 && share < 0.95 && write_on(places, picture, arrow, share, lines, brief))
-                    return;
+                    return true;
             }
+    return most == 0;
+}
+
+static void write_nothing(const Places *places, double left, double top, const char *text, Style style)
+{
+    (void)places, (void)left, (void)top, (void)text, (void)style;
+}
+
+/* So many find room, the first in full and the others in brief or not. */
+static int write_arrows(Places *places, const Picture *picture, bool brief)
+{
+    int written = 0;
+    bool first = true;
+    for (int i = 0; i < picture->n_arrows; i++)
+        if (picture->arrows[i].side == 0) {
+            written += write_arrow(places, picture, &picture->arrows[i], brief && !first);
+            first = false;
+        }
+    return written;
+}
+
+/* Where in full one of them has no room, the first one says what the numbers of the others are. */
+static void write_on_arrows(Places *places, const Picture *picture)
+{
+    Places tried = *places;
+    tried.write = write_nothing;
+    const int in_full = write_arrows(&tried, picture, false);
+    tried.n_taken = places->n_taken;
+    write_arrows(places, picture, write_arrows(&tried, picture, true) > in_full);
 }
 
 /* Beside its thing, the first as a bare number: drawings of many arrows name in their heading what it is. */
@@ -175,9 +208,7 @@ void places_write(Places *places, const Picture *picture)
     }
     write_labels(places, picture, false, false);
     write_side_words(places, picture, false);
-    for (int i = 0; i < picture->n_arrows; i++)
-        if (picture->arrows[i].side == 0)
-            write_arrow(places, picture, &picture->arrows[i]);
+    write_on_arrows(places, picture);
     write_side_words(places, picture, true);
     write_labels(places, picture, false, true);
     write_labels(places, picture, true, false);

@@ -85,7 +85,9 @@ static void find_sides(Near *near)
             near->low = fmin(near->low, at);
             near->high = fmax(near->high, at);
         }
-    /* numbers of a node stand at its right */
+    /* beyond the ends of the mesh there is nothing; numbers of a node stand at its right */
+    near->low = fmax(near->low, node_at(near, 0));
+    near->high = fmin(near->high, node_at(near, nodes - 1));
     near->low -= (near->terms.set == 1 ? 0.2 : 0.7) * near->spacing;
     near->high += (near->terms.set == 1 ? 0.6 : 0.8) * near->spacing;
 }
@@ -469,18 +471,23 @@ static void name_of(const Near *near, char out[PICTURE_TEXT_MAX])
                     sim->stages[near->stage].name);
 }
 
-/* Sums are for the box to break: here each is a line. */
-static void add_spare(Picture *picture, const char *line)
+/* As many lines as it needs, broken where the box breaks it: not at a no-break space. */
+static void add_spare(Picture *picture, const char *text)
 {
-    char plain[PICTURE_TEXT_MAX];
-    size_t used = 0;
-    for (; *line && used + 1 < sizeof plain; line++) {
-        const bool held = strncmp(line, "\u00a0", 2) == 0; /* a no-break space */
-        plain[used++] = held ? ' ' : *line;
-        line += held;
+    while (*text) {
+        char plain[PICTURE_TEXT_MAX];
+        const char *rest;
+        size_t used = 0;
+        const char *end = text + glyphs_line(text, picture->columns - 2, &rest);
+        for (; text < end && used + 1 < sizeof plain; text++) {
+            const bool held = strncmp(text, "\u00a0", 2) == 0;
+            plain[used++] = held ? ' ' : *text;
+            text += held;
+        }
+        plain[used] = '\0';
+        picture_note(picture, STYLE_NORMAL, plain)->spare = true;
+        text = rest;
     }
-    plain[used] = '\0';
-    picture_note(picture, STYLE_NORMAL, plain)->spare = true;
 }
 
 /* The equation of the stage and its sums, where no box has them. */
@@ -489,9 +496,8 @@ static void add_sums(const Near *near, Picture *picture)
     enum { SUMS_MAX = 4096, LINES_MAX = 3 };
     const Simulation *sim = near->sim;
     const char *equation = sim->stages[near->stage].equation;
-    char sums[SUMS_MAX] = "", text[2 * PICTURE_TEXT_MAX], *rest;
-    name_of(near, text);
-    text_append(text, sizeof text, "  %.*s", (int)strcspn(equation, "\n"), equation);
+    char sums[SUMS_MAX] = "", text[PICTURE_TEXT_MAX], *rest;
+    snprintf(text, sizeof text, "%.*s", (int)strcspn(equation, "\n"), equation);
     add_spare(picture, text);
     if (!near->done || !sim->method->explain)
         return;

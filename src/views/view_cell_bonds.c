@@ -186,6 +186,8 @@ static void describe_bond(const NearBonds *bonds, const Stage *stage, Picture *p
     add_label(picture, 0.5, 4.6, 0, STYLE_CHANGED, text);
     add_label(picture, 0.5, 2.8, 0, STYLE_NORMAL, product[0]);
     snprintf(text, sizeof text, "c G w V s = %s", product[1]);
+    if (glyphs_columns(text) + 2 > picture->columns) /* what it comes to stands above */
+        snprintf(text, sizeof text, "%.*s", (int)(strstr(product[1], " = ") - product[1]), product[1]);
     add_label(picture, 0.5, 1.2, 0, STYLE_NORMAL, text);
 }
 

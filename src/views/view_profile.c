@@ -8,6 +8,7 @@
 #include "views/views.h"
 #include "run/duel.h"
 #include "base/text.h"
+#include "lessons/lesson_shown.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -225,6 +226,27 @@ static const char *curve(const Screen *screen)
     return name ? name : "";
 }
 
+/* On the page of a lesson this is the one picture: at its end what the run comes to stands below it. */
+static void note_findings(const Screen *screen, Picture *picture)
+{
+    Finding findings[FINDINGS_MAX];
+    char line[160];
+    if (!screen->lesson->lesson || !screen_is_plain(screen) || !screen_shows_exact(screen) ||
+        !experiment_at_end(screen->experiment))
+        return;
+    const int count = references_findings(experiment_references(screen->experiment),
+                                          experiment_simulation(screen->experiment), findings);
+    for (int told = 0; told < count;) {
+        const int room = picture->columns - 2;
+        int fitted = findings_text(findings + told, count - told, true, room, line, sizeof line);
+        if (fitted == 0)
+            fitted = findings_text(findings + told, 1, false, room, line, sizeof line);
+        if (fitted > 0)
+            picture_note(picture, STYLE_NORMAL, line);
+        told += fitted > 0 ? fitted : 1;
+    }
+}
+
 static void describe(const Screen *screen, int variant, Picture *picture)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
@@ -274,6 +296,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     }
     if (!carried)
         overlay_add(screen, picture, name, true);
+    note_findings(screen, picture);
     close_curves(curves, n_curves);
 }
 

@@ -410,7 +410,7 @@ against() { # MISTAKE
 against micromodulus_3d
 claim $lesson/two-wrongs.lesson "Inside a right beam G is " 1.14 "." factor
 claim $lesson/two-wrongs.lesson "1.14/667 are " 1.7 "." wrong_factor 1000
-claim $lesson/two-wrongs.lesson "a solid's, " 667 " times" times
+claim $lesson/two-wrongs.lesson "12 E/(pi delta^4): " 667 " times" times
 claim $lesson/two-wrongs.lesson "its waves are " 26 " times as fast" faster
 against micromodulus_plane_strain
 claim $lesson/two-wrongs.lesson "Its bonds are " 6.7 " % too stiff" times 100 -100

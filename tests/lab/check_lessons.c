@@ -246,6 +246,13 @@ static void finish_work(Bench *bench)
         frame(bench);
 }
 
+/* The study of convergence on the screen, which takes seconds: where not everything is wanted it is left. */
+static void finish_study(Bench *bench)
+{
+    while (suite_wide() && refining_is_due(&bench->lab))
+        refining_work(&bench->lab);
+}
+
 /* Whether more of the run is wanted than may be computed. */
 static bool is_far(const Bench *bench, double time)
 {
@@ -378,21 +385,27 @@ static char *entered(Bench *bench)
 {
     finish_work(bench);
     lesson_play_continue(&bench->lab);
+    finish_study(bench);
     ck_assert(laboratory_draw(&bench->lab, &bench->canvas, bench->width, bench->height));
     char *dump = canvas_dump(&bench->canvas);
     ck_assert_ptr_nonnull(dump);
     return dump;
 }
 
-static Bench *open_lesson(const char *name)
+static Bench *open_lesson_on(const char *name, Sheet sheet)
 {
     Status status = {STATUS_DONE, ""};
     Bench *bench = open_bench("mode1", true);
     bench->width = 132;
     bench->height = 43;
-    bench->lab.options.sheet = parameter_sheet_words[SHEET_PLAIN];
+    bench->lab.options.sheet = parameter_sheet_words[sheet];
     ck_assert_msg(lesson_play_open(&bench->lab, name, &status), "%s", status.text);
     return bench;
+}
+
+static Bench *open_lesson(const char *name)
+{
+    return open_lesson_on(name, SHEET_PLAIN);
 }
 
 /* Names the first line that differs. */
@@ -427,11 +440,22 @@ static char *entered_small(Bench *bench)
     return dump;
 }
 
-/* On a small screen too the page has all its choices and its field. */
+/* Beside the text there is something to look at: a picture, or the box. */
+static bool shows_more(const Bench *bench, int width, int height)
+{
+    int rows = 0;
+    for (PaneId pane = PANE_UPPER; pane < PANE_COUNT; pane++)
+        rows += screen_pane(&bench->lab.screen, width, height, pane).height;
+    return rows > 0;
+}
+
+/* On a small screen too the page has all its choices, its field and its picture. */
 static void check_small_page(Bench *bench)
 {
     const LessonPage *now = page_of(bench);
     char *dump = entered_small(bench), text[64];
+    ck_assert_msg(shows_more(bench, 60, 18), "%s, page %d is text alone:\n%s", bench->lab.play.name,
+                  bench->lab.screen.lesson->page + 1, dump);
     check_on_screen(bench, dump, now->title);
     for (int i = 0; i < now->n_choices; i++) {
         snprintf(text, sizeof text, "  %d %.40s", i + 1, now->choices[i]);
@@ -451,6 +475,8 @@ static void check_small_answer(Bench *bench, int count)
     char *dump = entered_small(bench);
     check_on_screen(bench, dump, now->title);
     check_on_screen(bench, dump, bench->lab.screen.lesson->page + 1 < count ? "goes on" : "n next lesson");
+    ck_assert_msg(shows_more(bench, 60, 18), "%s, page %d is text alone:\n%s", bench->lab.play.name,
+                  bench->lab.screen.lesson->page + 1, dump);
     free(dump);
 }
 
@@ -524,8 +550,9 @@ static bool read_page(Bench *bench, const char *name, SeenNumbers *seen)
         ck_assert_msg(shown->answer == (now->n_choices > 0 ? now->right : 0), "%s, page %d: %s", name,
                       shown->page + 1, shown->verdict);
         check_page(bench, name);
+        finish_study(bench);
         lesson_numbers_see(bench, seen);
-        if (is_arriving(bench))
+        if (is_arriving(bench) || refining_is_due(&bench->lab))
             return false;
     }
     if (is_far(bench, until->kind == UNTIL_TIME                               ? until->number
@@ -612,6 +639,48 @@ START_TEST(every_page_is_entered_in_one_state)
     close_bench(bench);
     for (int page = 0; page < count; page++)
         free(pages[page]);
+}
+END_TEST
+
+/* Whoever knows Enter, n, b, digits and arrows alone comes from the first page to the last, on both sheets:
+ * nothing is refused, no key leads out of the lesson, and each question that a key opens another one closes.
+ * Where not everything is wanted each lesson on a bar is read on one of the sheets. */
+START_TEST(few_keys_lead_through)
+{
+    static const char *const keys[] = {"Enter", "1",     "Down", "b",  "Right", "2",
+                                       "Enter", "Enter", "3",    "Up", "Left",  "4"};
+    enum { KEYS = sizeof keys / sizeof *keys, A_PAGE = 4 };
+    const char *name = builtin_lessons[_i / 2].name;
+    Bench *bench = open_lesson_on(name, _i % 2 ? SHEET_FULL : SHEET_PLAIN);
+    const LessonShown *shown = bench->lab.screen.lesson;
+    const int last = shown->lesson->n_pages - 1;
+    const bool line = experiment_simulation(bench->lab.screen.experiment)->dimensions == 1;
+    const bool wanted = suite_wide() || (line && _i / 2 % 2 == _i % 2);
+    only_near = true;
+    bench->rate = NEAR_STEPS / FRAME_SECONDS;
+    bench->width = 80;
+    bench->height = 24;
+    int pressed = 0;
+    for (int turns = 0; wanted && shown->page < last; turns++) {
+        ck_assert_msg(turns < 4 * last, "%s: page %d is not left", name, shown->page + 1);
+        for (int i = 0; i < A_PAGE && shown->page < last; i++, pressed++) {
+            const char *key = keys[(pressed + _i) % KEYS];
+            const bool leads_out =
+                *key == 'b' && (shown->page == 0 || is_arriving(bench)); /* to the last one */
+            press(bench, leads_out ? "Enter" : key);
+            frames = 0;
+            finish_work(bench);
+            ck_assert_msg(shown->open && shown->lesson && strcmp(bench->lab.play.name, name) == 0,
+                          "%s: %s led out of it", name, key);
+            ck_assert_msg(bench->lab.screen.message->kind != MESSAGE_ERROR, "%s, page %d: %s", name,
+                          shown->page + 1, text_of(bench));
+        }
+        if (bench->lab.screen.prompt->open || bench->lab.screen.parameters.edit.open)
+            press(bench, "Enter");
+        if (shown->page < last)
+            press(bench, "n");
+    }
+    close_bench(bench);
 }
 END_TEST
 
@@ -755,6 +824,7 @@ void add_cases(Suite *suite)
     tcase_add_test(format, a_choice_is_right_for_whom_it_is_drawn);
     tcase_add_loop_test(format, what_is_wrong_is_told_with_its_line, 0, (int)(sizeof wrong / sizeof *wrong));
     tcase_add_loop_test(own, every_page_is_entered_in_one_state, 0, count);
+    tcase_add_loop_test(turning, few_keys_lead_through, 0, 2 * count);
     tcase_add_test(turning, arrows_choose_an_answer);
     tcase_add_test(turning, a_turned_page_is_not_waited_for);
     tcase_add_test(turning, a_page_can_be_left_out);

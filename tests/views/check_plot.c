@@ -263,6 +263,30 @@ START_TEST(ticks_lie_evenly)
 }
 END_TEST
 
+/* A curve of before is named by more than its letter wherever that is possible. */
+START_TEST(legends_go_on_with_names)
+{
+    static const Legend legend[] = {{LINE_SOLID, '*', STYLE_MEASURED, "measured", NULL},
+                                    {LINE_DOTTED, '.', STYLE_EXACT, "exact", NULL},
+                                    {LINE_SOLID, 'a', STYLE_FAINT, "FLIP 1, courant number 0.1", "a:"},
+                                    {LINE_SOLID, 'b', STYLE_FAINT, "courant number 0.1", "b:"}};
+    for (int width = 36; width < 70; width++) {
+        Canvas canvas = {0};
+        ck_assert(canvas_open(&canvas, width, 3, NULL));
+        const Area area = {&canvas, {0, 0, width, 3}, GLYPHS_ASCII};
+        int named = heading_draw(area, STYLE_HEADING, "v_cm", "x10^-3", legend, 4, true);
+        for (int y = 1; y < 3 && named < 4; y++)
+            named += legend_draw_short(area, 2, y, legend + named, 4 - named);
+        char *dump = canvas_dump(&canvas);
+        ck_assert_int_eq(named, 4);
+        ck_assert_msg(strstr(dump, "courant number 0.1") && strstr(dump, "b: "), "%s", dump);
+        ck_assert_msg(!strstr(dump, "a: b") && !strstr(dump, "a:  "), "%s", dump);
+        free(dump);
+        canvas_close(&canvas);
+    }
+}
+END_TEST
+
 /* The solid curve has its name first, whatever the room is. */
 START_TEST(legends_keep_the_solid_curve)
 {
@@ -273,7 +297,7 @@ START_TEST(legends_keep_the_solid_curve)
         Canvas canvas = {0};
         ck_assert(canvas_open(&canvas, width, 1, NULL));
         const int named = heading_draw((Area){&canvas, {0, 0, width, 1}, GLYPHS_ASCII}, STYLE_HEADING, "v_cm",
-                                       "x10^-3", legend, 3);
+                                       "x10^-3", legend, 3, false);
         char *dump = canvas_dump(&canvas);
         ck_assert_msg(strstr(dump, " meas"), "%s", dump);
         ck_assert_msg(named == 3 || !strstr(dump, " pred"), "%s", dump);
@@ -294,6 +318,7 @@ void add_cases(Suite *suite)
     tcase_add_test(axes, axes_keep_their_gutter);
     tcase_add_test(axes, ticks_lie_evenly);
     tcase_add_test(axes, legends_keep_the_solid_curve);
+    tcase_add_test(axes, legends_go_on_with_names);
     suite_add_tcase(suite, axes);
     TCase *curves = tcase_create("curves");
     tcase_add_loop_test(curves, each_column_shows_least_and_largest, 0, GLYPHS_COUNT);

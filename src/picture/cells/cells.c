@@ -20,6 +20,7 @@ enum {
     LARGER = 1,       /* rows that a plot has more than it must where there are words to spare */
     APART = 40,       /* columns from which on a curve can have its letter more than once */
     DRAWING = 12,     /* rows that a drawing keeps before words below it are told */
+    LEGEND = 12       /* rows from which on all its curves are named */
 };
 
 void cells_open(Picture *picture, int columns, int rows, Glyphs glyphs)
@@ -46,7 +47,7 @@ static int rows_under(const Picture *picture, int columns, int rows)
     const int room = drawn ? rows - DRAWING : rows < 6 ? 0 : rows < 8 ? 1 : rows - 6;
     if (room <= 0)
         return 0;
-    if (spare > 0 && wanted + spare <= room - LARGER)
+    if (drawn || wanted + spare <= room - LARGER)
         wanted += spare;
     return wanted < room ? wanted : room;
 }
@@ -134,13 +135,14 @@ static void take_legend(const Picture *picture, Glyphs glyphs, bool solid, Legen
     }
 }
 
-/* A band without a name says nothing: what the heading has no room for stands below it. */
-static bool goes_on(const Picture *picture, int named, int count)
+/* What is drawn without a name says nothing: of what the heading has no room for so many rows may stand below
+ * it. In a low pane the curves are worth more, not the bands. */
+static int rows_of_legend(const Picture *picture, int rows)
 {
     bool bands = false;
     for (int i = 0; i < picture->n_keys; i++)
         bands |= picture->keys[i].sign == SIGN_BAND;
-    return bands && named < count && picture->kind != PICTURE_DRAWING;
+    return picture->kind == PICTURE_DRAWING ? 0 : rows >= LEGEND ? 2 : bands;
 }
 
 /* --- marks ----------------------------------------------------------------------------------------- */
@@ -413,9 +415,10 @@ void cells_draw(Picture *picture, Area area, Style heading, int colours)
     axis_scale_text(&picture->plot.y, picture->unit, scale);
     if (picture->kind == PICTURE_DRAWING)
         scale[0] = '\0';
-    const int named = heading_draw(area, heading, picture->name, scale, legends.entries, legends.count);
-    if (goes_on(picture, named, legends.count)) {
-        legend_draw_short(area, 2, 1, legends.entries + named, legends.count - named);
+    int more = rows_of_legend(picture, area.rect.height);
+    int named = heading_draw(area, heading, picture->name, scale, legends.entries, legends.count, more > 0);
+    for (; more > 0 && named < legends.count; more--) {
+        named += legend_draw_short(area, 2, 1, legends.entries + named, legends.count - named);
         area = area_part(area, 0, 1, area.rect.width, area.rect.height - 1);
         cells_fit(picture, area.rect.height);
     }
