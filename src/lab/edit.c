@@ -216,8 +216,10 @@ static bool accept_edit(Laboratory *lab)
     FieldEdit *edit = &lab->screen.parameters.edit;
     Status status = {STATUS_DONE, ""};
     edit->open = !lab->editing.accept(lab, &status);
-    if (edit->open)
+    if (edit->open) {
         snprintf(edit->problem, sizeof edit->problem, "%.159s", status.text);
+        lab->editing.fresh = !strchr(edit->text, ' '); /* one value gives way to another, a row is mended */
+    }
     return !edit->open;
 }
 

@@ -401,6 +401,8 @@ static bool refuse_word(Laboratory *lab, const char *line, const char *end)
         known[count++] = line_verbs[i].name;
     for (int i = 0; i < n_commands && count < MOST; i++)
         known[count++] = commands[i].name;
+    while (end > line && end[-1] == ' ')
+        end--;
     snprintf(word, sizeof word, "%.*s", (int)(end - line), line);
     const FixedKey *fixed = fixed_key_find(experiment_settings(laboratory_run(lab)), word);
     if (fixed) {
