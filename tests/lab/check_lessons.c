@@ -656,8 +656,8 @@ START_TEST(few_keys_lead_through)
     const int last = shown->lesson->n_pages - 1;
     const bool line = experiment_simulation(bench->lab.screen.experiment)->dimensions == 1;
     const bool wanted = suite_wide() || (line && _i / 2 % 2 == _i % 2);
-    only_near = true;
-    bench->rate = NEAR_STEPS / FRAME_SECONDS;
+    only_near = !line;
+    bench->rate = line ? 0 : NEAR_STEPS / FRAME_SECONDS;
     bench->width = 80;
     bench->height = 24;
     int pressed = 0;
