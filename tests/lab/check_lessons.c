@@ -642,8 +642,25 @@ START_TEST(every_page_is_entered_in_one_state)
 }
 END_TEST
 
+/* A field that was opened takes what the page asks for; one that takes nothing is left as its line says. */
+static void close_field(Bench *bench)
+{
+    const FieldEdit *edit = &bench->lab.screen.parameters.edit;
+    const LessonUntil *until = &page_of(bench)->until;
+    if (bench->lab.screen.prompt->open || edit->open)
+        press(bench, "Enter");
+    if (edit->open && until->kind == UNTIL_VALUE) {
+        type(bench, until->value);
+        press(bench, "Enter");
+    }
+    if (edit->open)
+        press(bench, "Esc");
+    ck_assert(!edit->open);
+}
+
 /* Whoever knows Enter, n, b, digits and arrows alone comes from the first page to the last, on both sheets:
  * nothing is refused, no key leads out of the lesson, and each question that a key opens another one closes.
+ * Pages on their way are left out, for they are not waited for where only what is near is computed.
  * Where not everything is wanted each lesson on a bar is read on one of the sheets. */
 START_TEST(few_keys_lead_through)
 {
@@ -663,10 +680,9 @@ START_TEST(few_keys_lead_through)
     int pressed = 0;
     for (int turns = 0; wanted && shown->page < last; turns++) {
         ck_assert_msg(turns < 4 * last, "%s: page %d is not left", name, shown->page + 1);
-        for (int i = 0; i < A_PAGE && shown->page < last; i++, pressed++) {
+        for (int i = 0; i < A_PAGE && !is_arriving(bench) && shown->page < last; i++, pressed++) {
             const char *key = keys[(pressed + _i) % KEYS];
-            const bool leads_out =
-                *key == 'b' && (shown->page == 0 || is_arriving(bench)); /* to the last one */
+            const bool leads_out = *key == 'b' && shown->page == 0; /* to the lesson before */
             press(bench, leads_out ? "Enter" : key);
             frames = 0;
             finish_work(bench);
@@ -675,8 +691,7 @@ START_TEST(few_keys_lead_through)
             ck_assert_msg(bench->lab.screen.message->kind != MESSAGE_ERROR, "%s, page %d: %s", name,
                           shown->page + 1, text_of(bench));
         }
-        if (bench->lab.screen.prompt->open || bench->lab.screen.parameters.edit.open)
-            press(bench, "Enter");
+        close_field(bench);
         if (shown->page < last)
             press(bench, "n");
     }
