@@ -415,9 +415,9 @@ claim $lesson/two-wrongs.lesson "its waves are " 26 " times as fast" faster
 against micromodulus_plane_strain
 claim $lesson/two-wrongs.lesson "Its bonds are " 6.7 " % too stiff" times 100 -100
 run mode5 --end 13.1
-claim $lesson/looks-right.lesson "w is " 5.4153 " for both" measured
+claim $lesson/looks-right.lesson "omega (w below) is " 5.4153 " for both" measured
 run mode5 --end 13.1 --set mpm.mistake=moved_weights
-claim $lesson/looks-right.lesson "w is " 5.4153 " for both" measured
+claim $lesson/looks-right.lesson "omega (w below) is " 5.4153 " for both" measured
 run mode5 --end 13.1 --set mpm.mistake=mass_for_volume
 claim $lesson/looks-right.lesson "5.4153 and " 5.4152 ": who" measured
 # what is known before the first step: of the same beam with volumes beyond the horizon, and with half of it
