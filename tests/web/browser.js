@@ -62,7 +62,7 @@ async function shot(name) {
 	await page.screenshot({path: path.join(process.env.MATVIB_SHOTS, engine.name + '-' + name + '.png')});
 }
 
-// Fingers are a browser's own affair: Chromium takes them page by page, Firefox by its preferences, from the start.
+// Fingers and darkness are a browser's own affair: Chromium takes them page by page, Firefox by its preferences, from the start.
 const engines = {
 	Chromium: {
 		path: process.env.MATVIB_BROWSER, package: 'chromium',
@@ -71,6 +71,7 @@ const engines = {
 			args: ['--no-sandbox', '--disable-gpu', '--no-first-run', '--disable-background-networking'],
 		}),
 		fingers: {isMobile: true, hasTouch: true},
+		darken: () => page.emulateMediaFeatures([{name: 'prefers-color-scheme', value: 'dark'}]),
 		tap: (x, y) => page.touchscreen.tap(x, y),
 	},
 	Firefox: {
@@ -119,6 +120,12 @@ async function first_picture() {
 	await shot('1280x800');
 	const heap = await page.evaluate(() => [term.cols, term.rows]);
 	note(`${heap[0]}x${heap[1]} characters`);
+	if (!engine.darken) return;
+	await engine.darken();
+	await new Promise((done) => setTimeout(done, 300));
+	const ground = await page.evaluate(() => [term.options.theme.background, getComputedStyle(document.body).backgroundColor]);
+	result('dark where the system is', ground[0] === '#101418' && ground[1] === 'rgb(16, 20, 24)', ground.join(' '));
+	await shot('dark');
 }
 
 async function keys_and_size() {
@@ -128,6 +135,17 @@ async function keys_and_size() {
 	await page.setViewport({width: 900, height: 600});
 	await shows('the laboratory takes the size of its window', (text) => text.split('\n').length < 40 && text.includes('Space run'));
 	result('with fewer columns', (await page.evaluate(() => term.cols)) < columns);
+	const cut = [];
+	for (const width of [1280, 1277, 1001, 900]) {
+		await page.setViewport({width, height: 600});
+		await new Promise((done) => setTimeout(done, 500));
+		const beyond = await page.evaluate(() => {
+			const [drawn, room] = [document.querySelector('.xterm-screen'), document.getElementById('screen')].map((e) => e.getBoundingClientRect());
+			return drawn.right > room.right || drawn.bottom > room.bottom;
+		});
+		if (beyond) cut.push(width);
+	}
+	result('no column or row is cut off', cut.length === 0, 'cut at ' + cut.join(' '));
 	await page.setViewport({width: 1280, height: 800});
 	await until('', has('Space run'));
 }
