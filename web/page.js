@@ -439,6 +439,7 @@ function begin(words, {files = [], input = ''} = {}) {
 		notice('A session is shown on the screen: plain words take lines alone.');
 	}
 	term.reset();
+	term.options.theme = themes[look()]; // the program's colours are for one ground until it ends
 	resize();
 	answers = false;
 	worker = new Worker(worker_address());
@@ -542,7 +543,6 @@ function listen() {
 	term.onBinary((text) => send(Uint8Array.from(text, (letter) => letter.charCodeAt(0))));
 	term.onRender(() => show_keys());
 	new ResizeObserver(resize).observe(element('screen'));
-	dark.addEventListener('change', () => { term.options.theme = themes[look()]; });
 	coarse.addEventListener('change', show_fingers);
 	plain.listen();
 	element('keyboard').addEventListener('click', () => {

@@ -121,10 +121,12 @@ async function first_picture() {
 	const heap = await page.evaluate(() => [term.cols, term.rows]);
 	note(`${heap[0]}x${heap[1]} characters`);
 	if (!engine.darken) return;
+	const grounds = () => page.evaluate(() => [term.options.theme.background, getComputedStyle(document.body).backgroundColor].join(' '));
 	await engine.darken();
-	await new Promise((done) => setTimeout(done, 300));
-	const ground = await page.evaluate(() => [term.options.theme.background, getComputedStyle(document.body).backgroundColor]);
-	result('dark where the system is', ground[0] === '#101418' && ground[1] === 'rgb(16, 20, 24)', ground.join(' '));
+	result('a program under way keeps the ground that its colours are for', (await grounds()) === '#ffffff rgb(16, 20, 24)', await grounds());
+	await page.select('#chooser', 'scenario mode1');
+	await shows('another one is begun', has('Where mesh and bar agree'));
+	result('dark, where the system is', (await grounds()) === '#101418 rgb(16, 20, 24)', await grounds());
 	await shot('dark');
 }
 
@@ -309,8 +311,9 @@ async function cell_by_taps() {
 	await tap_text('○ 24');
 	await shows('a tap on a particle chooses it', (text) => /particle 24, (next )?stage/.test(text));
 	await shot('cell');
-	// the nodes lie on the line of the mesh
-	await tap_text('●⣀');
+	// the nodes lie on the line of the mesh, whose height in its row is the window's
+	const line = (await screen()).match(/●[⠉⠒⠤⣀]/);
+	await tap_text(line ? line[0] : '●⣀');
 	await shows('and one on a node the node', (text) => /node 12, (next )?stage/.test(text));
 }
 
