@@ -20,11 +20,9 @@ static bool is_slip(const char *word, Status *status)
     if (nearest && !cli_find(nearest))
         return false; /* a scenario is meant, and its reader says which */
     if (nearest)
-        status_fail(status, STATUS_USAGE, "%.60s: no such command, scenario or file (did you mean %s?)", word,
-                    nearest);
+        status_refuse(status, "%.60s: no such command, scenario or file (did you mean %s?)", word, nearest);
     else
-        status_fail(status, STATUS_USAGE, "%.60s: no such command, scenario or file (see: matvib --help)",
-                    word);
+        status_refuse(status, "%.60s: no such command, scenario or file (see: matvib --help)", word);
     return true;
 }
 
@@ -67,7 +65,7 @@ static bool close_output(Status *status)
     const char *why = fflush(stdout) != 0 ? strerror(errno) : lost ? why_not_written() : NULL;
     if (fclose(stdout) != 0 && !why)
         why = strerror(errno);
-    return !why || status_fail(status, STATUS_FAILED, "standard output: %s", why);
+    return !why || status_fail(status, "standard output: %s", why);
 }
 
 int main(int count, char **arguments)

@@ -166,7 +166,7 @@ static void load(Simulation *sim, const void *bytes)
 static bool change(Simulation *sim, const char *key, double value, Status *status)
 {
     if (strcmp(key, "plate.tension") != 0 || !(value > 0))
-        return status_fail(status, STATUS_USAGE, "%s: cannot change in mid-run", key);
+        return status_refuse(status, "%s: cannot change in mid-run", key);
     *((Plate *)sim)->tension = value;
     return true;
 }

@@ -94,26 +94,24 @@ bool bar_check_modes(const Settings *settings, double particles, Status *status)
 {
     if (settings_start(settings)->mode == 0 && settings_start(settings)->velocity != 0 &&
         settings_supports(settings)->ends != BAR_FREE_FREE)
-        return status_fail(status, STATUS_USAGE,
-                           "initial.mode: 0 is rigid motion, which a held bar has not (1 or more, or "
-                           "bar.supports = free-free)");
+        return status_refuse(status,
+                             "initial.mode: 0 is rigid motion, which a held bar has not (1 or more, or "
+                             "bar.supports = free-free)");
     if (settings_start(settings)->mode > particles)
-        return status_fail(
-            status, STATUS_USAGE,
-            "initial.mode: %d is finer than the particles can show (at most %.0f, their number)",
+        return status_refuse(
+            status, "initial.mode: %d is finer than the particles can show (at most %.0f, their number)",
             settings_start(settings)->mode, particles);
     Overtone overtones[OVERTONES_MAX];
     int count = overtones_read(settings_start(settings)->overtones, overtones, status);
     for (int i = 0; i < count; i++) {
         if (overtones[i].mode == settings_start(settings)->mode)
-            return status_fail(status, STATUS_USAGE,
-                               "initial.overtones: mode %d is initial.mode already (other modes)",
-                               settings_start(settings)->mode);
+            return status_refuse(status, "initial.overtones: mode %d is initial.mode already (other modes)",
+                                 settings_start(settings)->mode);
         if (overtones[i].mode > particles)
-            return status_fail(status, STATUS_USAGE,
-                               "initial.overtones: mode %d is finer than the particles can show (at most "
-                               "%.0f, their number)",
-                               overtones[i].mode, particles);
+            return status_refuse(status,
+                                 "initial.overtones: mode %d is finer than the particles can show (at most "
+                                 "%.0f, their number)",
+                                 overtones[i].mode, particles);
     }
     return count >= 0;
 }
@@ -381,9 +379,9 @@ void bar_read_out(const References *refs, const double *rows, size_t n_rows, int
 bool bar_prediction_is_whole(double count, const char *parts, Status *status)
 {
     if (errno == ECANCELED)
-        return status_fail(status, STATUS_FAILED, "the prediction for the bar was given up");
-    return errno != ENOMEM || status_fail(status, STATUS_FAILED,
-                                          "not enough memory to predict the motion of %g %s", count, parts);
+        return status_fail(status, "the prediction for the bar was given up");
+    return errno != ENOMEM ||
+           status_fail(status, "not enough memory to predict the motion of %g %s", count, parts);
 }
 
 /* --- derived numbers ------------------------------------------------------------------------------ */

@@ -364,7 +364,7 @@ bool beam_prepare_moving(References *refs, const Settings *settings, const Simul
     beam->body = *body;
     const long rows = lround(window / sim->dt) + 1;
     if (body->rings && !plan_window(refs, sim, "v_probe", rows < 1000000 ? rows : 1000000))
-        return status_fail(status, STATUS_FAILED, "not enough memory to filter the velocity");
+        return status_fail(status, "not enough memory to filter the velocity");
     plan_method(refs, sim, "u_probe");
     plan_method(refs, sim, "v_probe");
     plan_method(refs, sim, "length");

@@ -240,9 +240,8 @@ bool convergence_point(const ConvergenceStudy *study, const Settings *settings, 
     if (!solver->check(&refined, &why))
         return true;
     if (!solver->predict(&refined, &out->prediction, &why)) {
-        if (why.code == STATUS_USAGE)
-            return true; /* too coarse or too fine to be one */
-        return status_fail(status, why.code, "%s", why.text);
+        /* one that is refused is too coarse or too fine to be one */
+        return why.code == STATUS_USAGE || status_fail(status, "%s", why.text);
     }
     const Prediction *is = &out->prediction;
     out->known = isfinite(is->predicted) && isfinite(is->real_size);

@@ -231,7 +231,7 @@ static bool make_room(Walker *walker, const Simulation *sim, Status *status)
     const int set = walker->walk->table->set;
     walker->row = malloc(((size_t)sim->n_series + 1) * sizeof *walker->row);
     walker->field = malloc(((set < 0 ? 0 : sim->counts[set]) + 1) * sizeof *walker->field);
-    return (walker->row && walker->field) || status_fail(status, STATUS_FAILED, "out of memory");
+    return (walker->row && walker->field) || status_fail(status, "out of memory");
 }
 
 bool diagnose_walk(Walk *walk, const Settings *settings, int threads, Patience patience, Status *status)
@@ -259,7 +259,7 @@ bool diagnose_walk(Walk *walk, const Settings *settings, int threads, Patience p
     else if (sound)
         walk->departure.is = true;
     if (walk->stopped && status && status->code == STATUS_DONE)
-        status_fail(status, STATUS_FAILED, "interrupted");
+        status_fail(status, "interrupted");
     run_close(&run);
     free(walker.row);
     free(walker.field);

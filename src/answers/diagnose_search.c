@@ -402,7 +402,7 @@ static bool try_again(Search *search, const Settings *wrong, Walk *walk, bool *a
     free(values[0]);
     free(values[1]);
     free(grown);
-    return sound || status_fail(search->status, STATUS_FAILED, "interrupted");
+    return sound || status_fail(search->status, "interrupted");
 }
 
 /* So many moments beyond the right run's departure are no chance. */
@@ -475,8 +475,7 @@ static bool try_value(Search *search, const Parameter *parameter, const TimeSett
     bool agrees;
     if (!diagnose_find_value(&task, search->table, &search->walk.departure, parameter, own_step,
                              &candidate.value, &search->found->tried))
-        return patience_lasts(&search->task->patience, 0) ||
-               status_fail(search->status, STATUS_FAILED, "interrupted");
+        return patience_lasts(&search->task->patience, 0) || status_fail(search->status, "interrupted");
     const double now = settings_number(&search->right, parameter);
     const double factor = now != 0 ? candidate.value / now : candidate.value;
     if ((now != 0 && !(fabs(factor) > LEAST_FACTOR && fabs(factor) < 1 / LEAST_FACTOR)) ||
@@ -512,7 +511,7 @@ static bool try_pairs(Search *search)
     Candidate *pairs = malloc(CANDIDATES_MAX * sizeof *pairs);
     Settings wrong;
     Walk walk;
-    bool sound = pairs || status_fail(search->status, STATUS_FAILED, "out of memory"), agrees;
+    bool sound = pairs || status_fail(search->status, "out of memory"), agrees;
     search->found->pairs_left = !search->task->pairs && search->right.problem->concerns & CONCERN_PLANE;
     const int count = sound && !search->found->pairs_left ? diagnose_pairs(&search->right, pairs) : 0;
     for (int i = 0; i < count && sound; i++) {
@@ -530,7 +529,7 @@ static bool try_all(Search *search, bool shown)
     Candidate *candidates = malloc(CANDIDATES_MAX * sizeof *candidates);
     Settings wrong;
     Walk walk;
-    bool sound = candidates || status_fail(search->status, STATUS_FAILED, "out of memory"), agrees;
+    bool sound = candidates || status_fail(search->status, "out of memory"), agrees;
     const int count = sound ? diagnose_candidates(&search->right, candidates) : 0;
     search->by_first = search->right;
     for (int i = 0; i < count && sound; i++) {
@@ -581,17 +580,16 @@ bool diagnose(const DiagnoseTask *task, DiagnoseTable *table, Diagnosis *found, 
     Search *search = calloc(1, sizeof *search);
     *found = (Diagnosis){.agreed_step = -1, .verdict = DIAGNOSE_UNKNOWN, .rows = table->file.count};
     if (!search)
-        return status_fail(status, STATUS_FAILED, "out of memory");
+        return status_fail(status, "out of memory");
     *search =
         (Search){.task = task, .table = table, .found = found, .right = *task->settings, .status = status};
     search->values = malloc((table->file.count * (size_t)table->n_columns + 1) * sizeof *search->values);
     for (size_t i = 0; search->values && i < table->file.count * (size_t)table->n_columns; i++)
         search->values[i] = NAN;
-    bool sound = search->values || status_fail(status, STATUS_FAILED, "out of memory");
-    sound =
-        sound && (diagnose_hold_step(&search->right, table->dt) ||
-                  status_fail(status, STATUS_USAGE, "%s: the scenario cannot be run with its time step %.10g",
-                              table->file.file, table->dt));
+    bool sound = search->values || status_fail(status, "out of memory");
+    sound = sound && (diagnose_hold_step(&search->right, table->dt) ||
+                      status_refuse(status, "%s: the scenario cannot be run with its time step %.10g",
+                                    table->file.file, table->dt));
     sound = sound &&
             settings_refuse_mistake(&search->right, "a file is compared with the right code", status) &&
             judge(search);

@@ -83,13 +83,12 @@ static bool read_map(Names *names, const Overlay *file, const char *map, Status 
         at += length;
         char *equals = strchr(pair, '='), *times = equals ? strchr(equals, '*') : NULL;
         if (!equals || equals == pair || names->n_mapped == DIAGNOSE_COLUMNS_MAX)
-            return status_fail(status, STATUS_USAGE,
-                               "--map: \"%.60s\" is no theirs=ours or theirs=ours*FACTOR", pair);
+            return status_refuse(status, "--map: \"%.60s\" is no theirs=ours or theirs=ours*FACTOR", pair);
         Mapped *mapped = &names->mapped[names->n_mapped++];
         *equals = '\0';
         mapped->factor = 1;
         if (times && (!text_to_double(times + 1, &mapped->factor) || mapped->factor == 0))
-            return status_fail(status, STATUS_USAGE, "--map: %.40s is no factor", times + 1);
+            return status_refuse(status, "--map: %.40s is no factor", times + 1);
         if (times)
             *times = '\0';
         snprintf(mapped->ours, sizeof mapped->ours, "%.47s", equals + 1);
@@ -222,7 +221,7 @@ static bool find_columns(DiagnoseTable *table, const Names *names, Simulation *s
     double factor, *row = calloc((size_t)sim->n_series + 1, sizeof *row);
     char known[300] = "";
     if (!row)
-        return status_fail(status, STATUS_FAILED, "out of memory");
+        return status_fail(status, "out of memory");
     simulation_row(sim, row);
     *heads = (Heads){.thing = -1, .i = -1, .j = -1};
     heads->step = column_of(file, names, "step", taken, &factor);
@@ -260,14 +259,13 @@ static bool find_columns(DiagnoseTable *table, const Names *names, Simulation *s
     free(row);
     for (int i = 0; i < names->n_mapped; i++)
         if (!taken[names->mapped[i].theirs])
-            return status_fail(status, STATUS_USAGE, "--map: %.40s is no column of ours (step, time, %s)",
-                               names->mapped[i].ours, known);
+            return status_refuse(status, "--map: %.40s is no column of ours (step, time, %s)",
+                                 names->mapped[i].ours, known);
     if (heads->step < 0 && heads->time < 0)
-        return status_fail(status, STATUS_USAGE, "%s:1: no column step or time (--map theirs=step names it)",
-                           file->file);
+        return status_refuse(status, "%s:1: no column step or time (--map theirs=step names it)", file->file);
     return table->n_columns > 0 ||
-           status_fail(status, STATUS_USAGE, "%s:1: none of its columns is one of %s (--map theirs=ours)",
-                       file->file, known);
+           status_refuse(status, "%s:1: none of its columns is one of %s (--map theirs=ours)", file->file,
+                         known);
 }
 
 /* --- steps ---------------------------------------------------------------------------------------------- */
@@ -345,8 +343,8 @@ static bool time_step_of_times(DiagnoseTable *table, const Heads *heads, double 
         if (isnan(t))
             continue;
         if (t < -time_bound(file, heads, t))
-            return status_fail(status, STATUS_USAGE, "%s: row %zu: a time below 0 (a run begins at 0)",
-                               file->file, r + 1);
+            return status_refuse(status, "%s: row %zu: a time below 0 (a run begins at 0)", file->file,
+                                 r + 1);
         if (!isnan(before) && fabs(t - before) > 2 * time_bound(file, heads, t))
             spacing = fmin(spacing, fabs(t - before));
         before = t;
@@ -412,8 +410,8 @@ static bool thing_of(const DiagnoseTable *table, const Heads *heads, const Simul
                              : (Ends){-1, -1, 0};
         const Ends *found = bsearch(&key, ends, count, sizeof *ends, by_ends);
         if (!found)
-            return status_fail(status, STATUS_USAGE, "%s: row %zu: there is no bond from %g to %g",
-                               file->file, row + 1, a, b);
+            return status_refuse(status, "%s: row %zu: there is no bond from %g to %g", file->file, row + 1,
+                                 a, b);
         *thing = found->bond;
         return true;
     }
@@ -421,8 +419,8 @@ static bool thing_of(const DiagnoseTable *table, const Heads *heads, const Simul
     const double index = column->values[row] - (counted_from_one(column, count) ? 1 : 0);
     long number;
     if (!whole_number(index, (double)count - 1, &number))
-        return status_fail(status, STATUS_USAGE, "%s: row %zu: %s %g: the scenario has %zu (0 to %zu)",
-                           file->file, row + 1, table->thing, column->values[row], count, count - 1);
+        return status_refuse(status, "%s: row %zu: %s %g: the scenario has %zu (0 to %zu)", file->file,
+                             row + 1, table->thing, column->values[row], count, count - 1);
     *thing = (size_t)number;
     return true;
 }
@@ -435,25 +433,24 @@ static bool place_of(const DiagnoseTable *table, const Heads *heads, const Simul
     *place = (Place){.row = row};
     if (heads->step >= 0) {
         if (!whole_number(file->columns[heads->step].values[row], 1e12, &place->step))
-            return status_fail(status, STATUS_USAGE, "%s: row %zu: step %g is no whole number from 0 on",
-                               file->file, row + 1, file->columns[heads->step].values[row]);
+            return status_refuse(status, "%s: row %zu: step %g is no whole number from 0 on", file->file,
+                                 row + 1, file->columns[heads->step].values[row]);
     } else {
         const double time = file->columns[heads->time].values[row] * heads->time_factor;
         const double steps = round(time / table->dt);
         if (!(steps >= -0.5 && steps <= 1e12))
-            return status_fail(status, STATUS_USAGE, "%s: row %zu: no time", file->file, row + 1);
+            return status_refuse(status, "%s: row %zu: no time", file->file, row + 1);
         if (fabs(time - steps * table->dt) > 2 * time_bound(file, heads, time) + 1e-6 * table->dt)
-            return status_fail(status, STATUS_USAGE,
-                               "%s: row %zu: time %.10g is no multiple of the time step %.10g", file->file,
-                               row + 1, time, table->dt);
+            return status_refuse(status, "%s: row %zu: time %.10g is no multiple of the time step %.10g",
+                                 file->file, row + 1, time, table->dt);
         place->step = (long)steps;
     }
     if (table->of_stages) {
         const int column = heads->stage_id >= 0 ? heads->stage_id : heads->stage;
         if (!whole_number(file->columns[column].values[row], table->n_stages, &stage) || stage < 1 ||
             place->step < 1)
-            return status_fail(status, STATUS_USAGE, "%s: row %zu: %s (1 to %d, of steps from 1 on)",
-                               file->file, row + 1, "no such stage", table->n_stages);
+            return status_refuse(status, "%s: row %zu: %s (1 to %d, of steps from 1 on)", file->file, row + 1,
+                                 "no such stage", table->n_stages);
         place->stage = (int)stage;
     }
     return table->set < 0 || thing_of(table, heads, sim, ends, row, &place->thing, status);
@@ -470,8 +467,8 @@ static bool take_moments(DiagnoseTable *table, const Place *places, Status *stat
             char thing[48] = "";
             if (table->set >= 0)
                 snprintf(thing, sizeof thing, ", %s %zu", table->thing, now->thing);
-            return status_fail(status, STATUS_USAGE, "%s: rows %zu and %zu are both of step %ld%s",
-                               table->file.file, before->row + 1, now->row + 1, now->step, thing);
+            return status_refuse(status, "%s: rows %zu and %zu are both of step %ld%s", table->file.file,
+                                 before->row + 1, now->row + 1, now->step, thing);
         }
         if (!same)
             table->moments[table->n_moments++] = (DiagnoseMoment){now->step, now->stage, r, 0};
@@ -492,7 +489,7 @@ static bool place_rows(DiagnoseTable *table, const Heads *heads, const Simulatio
     table->rows = malloc(count * sizeof *table->rows);
     table->things = malloc(count * sizeof *table->things);
     bool sound = (places && table->moments && table->rows && table->things && (ends || !by_ends_alone)) ||
-                 status_fail(status, STATUS_FAILED, "not enough memory for %s", table->file.file);
+                 status_fail(status, "not enough memory for %s", table->file.file);
     bool ordered = true;
     for (size_t r = 0; r < count && sound; r++) {
         sound = place_of(table, heads, sim, ends, r, &places[r], status);
@@ -545,8 +542,8 @@ static bool cut(DiagnoseTable *table, long last, Status *status)
                         (double)table->moments[kept - 1].step > steps))
         kept--;
     if ((double)table->moments[0].step > steps)
-        return status_fail(status, STATUS_USAGE, "%s: begins at step %ld, and the scenario has %ld",
-                           table->file.file, table->moments[0].step, last);
+        return status_refuse(status, "%s: begins at step %ld, and the scenario has %ld", table->file.file,
+                             table->moments[0].step, last);
     if (kept < table->n_moments)
         diagnose_note(table, "it is long: compared up to step %ld", table->moments[kept - 1].step);
     table->n_moments = kept;
@@ -559,7 +556,7 @@ static bool read_rows(DiagnoseTable *table, const Settings *settings, const char
     Heads heads;
     Names *names = calloc(1, sizeof *names);
     if (!names)
-        return status_fail(status, STATUS_FAILED, "out of memory");
+        return status_fail(status, "out of memory");
     const bool sound =
         read_map(names, &table->file, map, status) && find_columns(table, names, sim, &heads, status);
     free(names);

@@ -15,12 +15,12 @@ bool fit_data_take(FitData *data, const Overlay *table, int y, Status *status)
     *data = (FitData){.times = malloc((table->count + 1) * sizeof(double)),
                       .values = malloc((table->count + 1) * sizeof(double))};
     if (!data->times || !data->values)
-        return status_fail(status, STATUS_FAILED, "out of memory");
+        return status_fail(status, "out of memory");
     for (size_t k = 0; k < table->count; k++)
         if (isfinite(times[k]) && isfinite(values[k])) {
             if (times[k] < 0)
-                return status_fail(status, STATUS_USAGE, "%s: a time below 0: %g (a run begins at 0)",
-                                   table->file, times[k]);
+                return status_refuse(status, "%s: a time below 0: %g (a run begins at 0)", table->file,
+                                     times[k]);
             data->times[data->count] = times[k];
             data->values[data->count++] = values[k];
         }
@@ -39,10 +39,10 @@ bool fit_data_keys(char *list, FitTask *task, Status *status)
     char *place;
     for (char *key = strtok_r(list, ", ", &place); key; key = strtok_r(NULL, ", ", &place)) {
         if (task->n_keys == FIT_KEYS_MAX)
-            return status_fail(status, STATUS_USAGE, "at most %d parameters", FIT_KEYS_MAX);
+            return status_refuse(status, "at most %d parameters", FIT_KEYS_MAX);
         task->keys[task->n_keys++] = key;
     }
-    return task->n_keys > 0 || status_fail(status, STATUS_USAGE, "no parameter is named (KEY,KEY)");
+    return task->n_keys > 0 || status_refuse(status, "no parameter is named (KEY,KEY)");
 }
 
 bool fit_data_end(const FitData *data, Settings *settings, Status *status)

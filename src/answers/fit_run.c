@@ -53,8 +53,8 @@ static bool follow_to_end(Search *search, Run *run, Trace *to)
     Follow follow = {.to = *to, .column = simulation_find_series(run->sim, search->task->column)};
     const Sink sink = {.every = 1, .row = follow_row, .owner = &follow};
     if (follow.column < 0)
-        return status_fail(&search->why, STATUS_USAGE, "%s: the method's series has no such column",
-                           search->task->column);
+        return status_refuse(&search->why, "%s: the method's series has no such column",
+                             search->task->column);
     /* the data may end long before the run would, or after */
     run->last = to->count > 0 ? problem_last_step(run->sim->dt, to->times[to->count - 1]) + 1 : 0;
     run->patience = search->task->patience;

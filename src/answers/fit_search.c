@@ -72,25 +72,23 @@ static bool find_parameters(Search *search, Status *status)
 {
     const FitTask *task = search->task;
     if (task->count <= (size_t)task->n_keys)
-        return status_fail(status, STATUS_USAGE, "%zu data are too few for %d parameters", task->count,
-                           task->n_keys);
+        return status_refuse(status, "%zu data are too few for %d parameters", task->count, task->n_keys);
     for (int i = 0; i < task->n_keys; i++) {
         const char *key = task->keys[i];
         const Parameter *parameter = parameter_find(key);
         const RowColumn *of_row = row_key_column(key);
         if (of_row ? !isfinite(settings_row_number(task->settings, key))
                    : !parameter || !parameter_applies_to(task->settings, parameter))
-            return status_fail(status, STATUS_USAGE, "%.80s: this run has no such parameter", key);
+            return status_refuse(status, "%.80s: this run has no such parameter", key);
         if (of_row ? of_row->value == ROW_EDGE : parameter->type != PARAMETER_REAL)
-            return status_fail(status, STATUS_USAGE, "%s: is no real number and cannot be fitted", key);
+            return status_refuse(status, "%s: is no real number and cannot be fitted", key);
         for (int j = 0; j < i; j++)
             if (strcmp(task->keys[j], key) == 0)
-                return status_fail(status, STATUS_USAGE, "%s: is named twice", key);
+                return status_refuse(status, "%s: is named twice", key);
         search->starts[i] = fit_value(task->settings, key);
         if (search->starts[i] == 0)
-            return status_fail(status, STATUS_USAGE,
-                               "%s: is 0 at the start, so a relative change does nothing (give it a value)",
-                               key);
+            return status_refuse(
+                status, "%s: is 0 at the start, so a relative change does nothing (give it a value)", key);
     }
     return true;
 }
@@ -121,8 +119,8 @@ static bool all_matter(const FitTask *task, const gsl_matrix *jacobian, Status *
         while (k < task->count && gsl_matrix_get(jacobian, k, (size_t)i) == 0)
             k++;
         if (k == task->count)
-            return status_fail(status, STATUS_USAGE, "%s: changes nothing of %s in these data", task->keys[i],
-                               task->column);
+            return status_refuse(status, "%s: changes nothing of %s in these data", task->keys[i],
+                                 task->column);
     }
     return true;
 }
@@ -155,7 +153,7 @@ static bool judge(const Search *search, Space *space, Status *status)
     result->rms = rms;
     result->share = rms > 0 ? rms / spread_of(task) : 0;
     if (!noise_judge(task->times, space->left, space->slopes, task->count, m, &result->noise))
-        return status_fail(status, STATUS_FAILED, "not enough memory for a fit");
+        return status_fail(status, "not enough memory for a fit");
     const Noise *noise = &result->noise;
     result->left = result->share < ROUND_OFF                              ? FIT_NOTHING
                    : noise->white >= NOT_WHITE || noise->correlation == 0 ? FIT_WHITE
@@ -188,8 +186,8 @@ static bool search_from(Search *search, const Beginning *from, Space *space, Sta
     }
     /* no step downhill from where it began, to the last digit: that is a minimum too */
     if (outcome != GSL_SUCCESS && info != GSL_ENOPROG)
-        return status_fail(status, STATUS_FAILED, "the fit does not settle after %d iterations (%s)",
-                           iterations, gsl_strerror(outcome));
+        return status_fail(status, "the fit does not settle after %d iterations (%s)", iterations,
+                           gsl_strerror(outcome));
     return judge(search, space, status);
 }
 
@@ -234,7 +232,7 @@ bool fit_solve(const FitTask *task, FitResult *result, Status *status)
         return false;
     Search *search = calloc(1, sizeof *search);
     if (!search)
-        return status_fail(status, STATUS_FAILED, "not enough memory for a fit");
+        return status_fail(status, "not enough memory for a fit");
     search->task = task;
     search->result = result;
     if (!find_parameters(search, status)) {
@@ -253,7 +251,7 @@ bool fit_solve(const FitTask *task, FitResult *result, Status *status)
     result->model = search->model = calloc(task->count, sizeof *search->model);
     bool sound = search->model && space.work && space.start && space.slopes && space.left;
     if (!sound)
-        status_fail(status, STATUS_FAILED, "not enough memory for a fit");
+        status_fail(status, "not enough memory for a fit");
     sound = sound && search_best(search, &space, status);
     if (space.work)
         gsl_multifit_nlinear_free(space.work);

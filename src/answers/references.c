@@ -20,7 +20,7 @@ References *references_create(const Settings *settings, const Simulation *sim, S
         return NULL;
     References *refs = calloc(1, sizeof *refs);
     if (!refs) {
-        status_fail(status, STATUS_FAILED, "not enough memory for the reference solutions");
+        status_fail(status, "not enough memory for the reference solutions");
         return NULL;
     }
     static const Quantity step = {"step", "step", "1", "whole time steps done"};

@@ -14,14 +14,14 @@
 static bool cannot_read(const char *name, Status *status)
 {
     const int why = errno ? errno : EIO;
-    status_fail(status, STATUS_USAGE, "%s: cannot be read: %s", name, strerror(why));
+    status_refuse(status, "%s: cannot be read: %s", name, strerror(why));
     errno = why;
     return false;
 }
 
 static bool too_large(const char *name, long most, Status *status)
 {
-    return status_fail(status, STATUS_USAGE, "%s: is too large (at most %ld kB)", name, most / 1000);
+    return status_refuse(status, "%s: is too large (at most %ld kB)", name, most / 1000);
 }
 
 /* What was opened without waiting is a file, and reads on as files do. */
@@ -34,7 +34,7 @@ static bool is_file(int descriptor, const char *name, long most, Status *status)
     if (errno)
         return cannot_read(name, status);
     if (!S_ISREG(what.st_mode))
-        return status_fail(status, STATUS_USAGE, "%s: is a pipe or a device (a file is wanted)", name);
+        return status_refuse(status, "%s: is a pipe or a device (a file is wanted)", name);
     if (what.st_size > most)
         return too_large(name, most, status);
     const int flags = fcntl(descriptor, F_GETFL);
@@ -100,7 +100,7 @@ FILE *input_text(const char *text, const char *name, Status *status)
 {
     FILE *stream = fmemopen((void *)text, strlen(text), "r");
     if (!stream)
-        status_fail(status, STATUS_FAILED, "%s: not enough memory to read it", name);
+        status_fail(status, "%s: not enough memory to read it", name);
     return stream;
 }
 
@@ -116,13 +116,12 @@ InputGot input_line(InputLines *lines, char *line, size_t size, Status *status)
         if (length == 0)
             lines->number++;
         if (byte == '\0') {
-            status_fail(status, STATUS_USAGE, "%s:%ld: holds a zero byte (text is wanted)", lines->name,
-                        lines->number);
+            status_refuse(status, "%s:%ld: holds a zero byte (text is wanted)", lines->name, lines->number);
             return INPUT_WRONG;
         }
         if (length + 1 == size) {
-            status_fail(status, STATUS_USAGE, "%s:%ld: the line is too long (at most %zu bytes)", lines->name,
-                        lines->number, size - 1);
+            status_refuse(status, "%s:%ld: the line is too long (at most %zu bytes)", lines->name,
+                          lines->number, size - 1);
             return INPUT_WRONG;
         }
         line[length++] = (char)byte;

@@ -25,13 +25,13 @@ bool output_allowed(Asker asker, const char *name, Status *status)
     case ASKER_SCRIPT:
         return true;
     case ASKER_REPLAY:
-        return status_fail(status, STATUS_FAILED, "a session is done again: %s is not written", name);
+        return status_fail(status, "a session is done again: %s is not written", name);
     case ASKER_LESSON:
-        return status_fail(status, STATUS_FAILED, "a lesson writes no files: %s is not written", name);
+        return status_fail(status, "a lesson writes no files: %s is not written", name);
     case ASKER_NOBODY:
         break;
     }
-    return status_fail(status, STATUS_FAILED, "nobody asked for it: %s is not written", name);
+    return status_fail(status, "nobody asked for it: %s is not written", name);
 }
 
 bool output_is_standard(const char *name)
@@ -41,7 +41,7 @@ bool output_is_standard(const char *name)
 
 static bool cannot_write(const char *name, Status *status)
 {
-    return status_fail(status, STATUS_FAILED, "%s: cannot be written: %s", name, strerror(errno));
+    return status_fail(status, "%s: cannot be written: %s", name, strerror(errno));
 }
 
 bool output_is_direct(const char *name)
@@ -53,7 +53,7 @@ bool output_is_direct(const char *name)
 
 static bool no_memory(Status *status)
 {
-    return status_fail(status, STATUS_FAILED, "not enough memory for the names of files");
+    return status_fail(status, "not enough memory for the names of files");
 }
 
 char *output_real_name(const char *name, Status *status)
@@ -89,9 +89,9 @@ static bool output_has_folder(const char *name, Status *status)
     bool there = true;
     const bool known = stat(folder, &what) == 0; /* where it cannot be known, opening reports it */
     if (!known && (errno == ENOENT || errno == ENOTDIR))
-        there = status_fail(status, STATUS_USAGE, "%s: there is no folder %s", name, folder);
+        there = status_refuse(status, "%s: there is no folder %s", name, folder);
     else if (known && !S_ISDIR(what.st_mode))
-        there = status_fail(status, STATUS_USAGE, "%s: %s is no folder", name, folder);
+        there = status_refuse(status, "%s: %s is no folder", name, folder);
     free(copy);
     return there;
 }
@@ -112,35 +112,33 @@ static bool folder_takes(const char *name, Status *status)
 
 static bool no_name(const char *name, Status *status)
 {
-    return status_fail(status, STATUS_USAGE, "%s: is no name for a file (UTF-8 without control characters)",
-                       name);
+    return status_refuse(status, "%s: is no name for a file (UTF-8 without control characters)", name);
 }
 
 static bool too_long(const char *name, Status *status)
 {
-    return status_fail(status, STATUS_USAGE, "%s: the name is too long (most systems allow 255 bytes)", name);
+    return status_refuse(status, "%s: the name is too long (most systems allow 255 bytes)", name);
 }
 
 bool output_may_begin(const char *name, bool force, Status *status)
 {
     struct stat what;
     if (*name == '\0')
-        return status_fail(status, STATUS_USAGE, "a file needs a name");
+        return status_refuse(status, "a file needs a name");
     if (!visible_is_clean(name))
-        return status_fail(status, STATUS_USAGE,
-                           "%s: is no name for a file (UTF-8 without control characters)", name);
+        return status_refuse(status, "%s: is no name for a file (UTF-8 without control characters)", name);
     if (output_is_standard(name))
         return true;
     if (stat(name, &what) != 0 && errno == ENAMETOOLONG)
         return too_long(name, status);
     if (stat(name, &what) != 0 && lstat(name, &what) == 0 && S_ISLNK(what.st_mode))
-        return status_fail(status, STATUS_USAGE, "%s: is a link that leads nowhere", name);
+        return status_refuse(status, "%s: is a link that leads nowhere", name);
     if (stat(name, &what) != 0)
         return folder_takes(name, status);
     if (S_ISDIR(what.st_mode))
-        return status_fail(status, STATUS_USAGE, "%s: is a folder", name);
+        return status_refuse(status, "%s: is a folder", name);
     if (S_ISREG(what.st_mode) && !force)
-        return status_fail(status, STATUS_USAGE, "%s: exists (--force replaces it)", name);
+        return status_refuse(status, "%s: exists (--force replaces it)", name);
     return !S_ISREG(what.st_mode) || folder_takes(name, status);
 }
 
@@ -298,8 +296,7 @@ static bool take_free_name(const OutputFile *file, Status *status)
         return true;
     }
     if (errno == EEXIST)
-        return status_fail(status, STATUS_FAILED, "%s: another program has written it (--force replaces it)",
-                           file->name);
+        return status_fail(status, "%s: another program has written it (--force replaces it)", file->name);
     return rename(file->temporary, file->target) == 0 || cannot_write(file->name, status);
 }
 
@@ -364,11 +361,11 @@ bool output_make_folder(Asker asker, const char *name, bool *made, Status *statu
     if (!visible_is_clean(name))
         return no_name(name, status);
     if (stat(name, &what) == 0)
-        return S_ISDIR(what.st_mode) || status_fail(status, STATUS_USAGE, "%s: is no folder", name);
+        return S_ISDIR(what.st_mode) || status_refuse(status, "%s: is no folder", name);
     if (!output_has_folder(name, status))
         return false;
     *made = mkdir(name, 0777) == 0;
-    return *made || status_fail(status, STATUS_FAILED, "%s: cannot be made: %s", name, strerror(errno));
+    return *made || status_fail(status, "%s: cannot be made: %s", name, strerror(errno));
 }
 
 void output_remove_folder(Asker asker, const char *name)

@@ -8,17 +8,31 @@
 #include <stdio.h>
 #include <string.h>
 
-bool status_fail(Status *status, StatusCode code, const char *format, ...)
+static void fill(Status *status, StatusCode code, const char *format, va_list arguments)
 {
     if (!status)
-        return false;
+        return;
     char text[sizeof status->text];
-    va_list arguments;
-    va_start(arguments, format);
     status->code = code;
     vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
     visible_text(status->text, sizeof status->text, text);
+}
+
+bool status_refuse(Status *status, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    fill(status, STATUS_USAGE, format, arguments);
+    va_end(arguments);
+    return false;
+}
+
+bool status_fail(Status *status, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    fill(status, STATUS_FAILED, format, arguments);
+    va_end(arguments);
     return false;
 }
 

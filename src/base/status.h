@@ -20,11 +20,12 @@ typedef struct Status {
     char text[512];
 } Status;
 
-/* Fills the status (which may be NULL) and returns false, so that a caller writes
- * `return status_fail(status, STATUS_USAGE, "...")`. Longer text is cut; what it repeats from outside, such
- * as the name of a file, becomes visible as visible_text() does it. */
-bool status_fail(Status *status, StatusCode code, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
+/* Both fill the status (which may be NULL) and return false, so that a caller writes
+ * `return status_refuse(status, "...")`: bad usage or input is refused, anything else has failed. Longer text
+ * is cut; what it repeats from outside, such as the name of a file, becomes visible as visible_text() does
+ * it. */
+bool status_refuse(Status *status, const char *format, ...) __attribute__((format(printf, 2, 3)));
+bool status_fail(Status *status, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* Puts "prefix: " before the text of a failure; for a caller who knows the file or the key. Returns false. */
 bool status_prefix(Status *status, const char *format, ...) __attribute__((format(printf, 2, 3)));

@@ -19,7 +19,7 @@ static int help(int count, char **arguments, Status *status)
 {
     const CliCommand *command = count > 0 ? cli_find(arguments[0]) : NULL;
     if (count > 1 || (count > 0 && !command)) {
-        status_fail(status, STATUS_USAGE, "%.60s: no such command (see: matvib help)", arguments[count - 1]);
+        status_refuse(status, "%.60s: no such command (see: matvib help)", arguments[count - 1]);
         return (int)status->code;
     }
     cli_print_help(command);

@@ -36,7 +36,7 @@ bool derived_text(const Settings *settings, char *out, size_t size, Status *stat
     const bool complete = errno != ENOMEM;
     simulation_destroy(simulation);
     if (!complete)
-        return status_fail(status, STATUS_FAILED, "not enough memory for the numbers that follow from these");
+        return status_fail(status, "not enough memory for the numbers that follow from these");
     size_t used = 0;
     out[0] = '\0';
     for (int i = 0; i < count; i++)

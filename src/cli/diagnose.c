@@ -81,7 +81,7 @@ static bool work_all(Files *all, Status *status)
     pool_run(pool, work, all, all->at_once);
     progress_end(&all->progress);
     pool_destroy(pool);
-    return !progress_signal() || status_fail(status, STATUS_FAILED, "interrupted");
+    return !progress_signal() || status_fail(status, "interrupted");
 }
 
 /* --- what is said ----------------------------------------------------------------------------------- */
@@ -261,8 +261,7 @@ static bool tell(const Files *all, Status *status)
         return false;
     if (all->options->output && !all->options->json)
         visible_print(stdout, "wrote %s\n", all->options->output);
-    return unread == 0 ||
-           status_fail(status, STATUS_USAGE, "%d of %d files cannot be judged", unread, all->count);
+    return unread == 0 || status_refuse(status, "%d of %d files cannot be judged", unread, all->count);
 }
 
 /* --- the command ------------------------------------------------------------------------------------ */
@@ -292,8 +291,8 @@ int cli_diagnose(int count, char **arguments, Status *status)
     pthread_mutex_init(&all.lock, NULL);
     for (int i = 0; i < files && all.files; i++)
         all.files[i].path = options.words[i + 1];
-    const bool sound = (all.files || status_fail(status, STATUS_FAILED, "out of memory")) &&
-                       work_all(&all, status) && tell(&all, status);
+    const bool sound =
+        (all.files || status_fail(status, "out of memory")) && work_all(&all, status) && tell(&all, status);
     for (int i = 0; i < files && all.files; i++)
         diagnose_close(&all.files[i].table);
     free(all.files);

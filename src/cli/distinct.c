@@ -24,7 +24,7 @@ static bool is_alone(const char *const *outputs, int which, const char *const *i
     if (output_is_standard(name)) {
         for (int i = 0; i < which && alone; i++)
             alone = !outputs[i] || !output_is_standard(outputs[i]) ||
-                    status_fail(status, STATUS_USAGE, "two outputs cannot both be standard output");
+                    status_refuse(status, "two outputs cannot both be standard output");
         return alone;
     }
     char *real = output_real_name(name, status);
@@ -32,10 +32,10 @@ static bool is_alone(const char *const *outputs, int which, const char *const *i
         return false;
     for (int i = 0; i < which && alone; i++)
         if (outputs[i] && !output_is_standard(outputs[i]) && is_same(real, outputs[i]))
-            alone = status_fail(status, STATUS_USAGE, "%s: two outputs cannot be the same file", name);
+            alone = status_refuse(status, "%s: two outputs cannot be the same file", name);
     for (int i = 0; i < n_inputs && alone; i++)
         if (is_same(real, inputs[i]))
-            alone = status_fail(status, STATUS_USAGE, "%s: it is read, so it cannot be written too", name);
+            alone = status_refuse(status, "%s: it is read, so it cannot be written too", name);
     free(real);
     return alone;
 }

@@ -16,7 +16,7 @@ int cli_export_lammps(int count, char **arguments, Status *status)
         !options_words(&options, 1, 1, "SCENARIO", status))
         return (int)status->code;
     if (!options.output) {
-        status_fail(status, STATUS_USAGE, "--output: is missing (a folder)");
+        status_refuse(status, "--output: is missing (a folder)");
         return (int)status->code;
     }
     if (!options_load(&options, options.words[0], &settings, status))

@@ -21,7 +21,7 @@ enum { HISTORY = 64 << 20 };
 
 static bool interrupted(Status *status)
 {
-    return status_fail(status, STATUS_FAILED, "interrupted");
+    return status_fail(status, "interrupted");
 }
 
 /* Goes on to a step in slices; the bar goes from `behind` to `behind` + `part`. */
@@ -134,13 +134,13 @@ static bool other_settings(const char *against, const Settings *settings, Settin
     *other = *settings;
     const char *equals = strchr(against, '=');
     if (!equals || equals == against || equals - against >= KEY_MAX)
-        return status_fail(status, STATUS_USAGE, "--against: \"%.80s\" sets nothing (KEY=VALUE)", against);
+        return status_refuse(status, "--against: \"%.80s\" sets nothing (KEY=VALUE)", against);
     snprintf(key, sizeof key, "%.*s", (int)(equals - against), against);
     Status why = {STATUS_DONE, ""};
     if (!settings_set(other, key, equals + 1, &why) || !settings_check(other, &why))
-        return status_fail(status, STATUS_USAGE, "--against: %s", why.text);
+        return status_refuse(status, "--against: %s", why.text);
     return !settings_same(settings, other) ||
-           status_fail(status, STATUS_USAGE, "--against: %.80s is what the run has already", against);
+           status_refuse(status, "--against: %.80s is what the run has already", against);
 }
 
 /* Those of all, each another run. */
@@ -151,8 +151,7 @@ static bool all_others(const OptionList *against, const Settings *settings, Sett
             return false;
         for (int k = 0; k < i; k++)
             if (settings_same(&others[k], &others[i]))
-                return status_fail(status, STATUS_USAGE, "--against: %.80s is given twice (once)",
-                                   against->texts[i]);
+                return status_refuse(status, "--against: %.80s is given twice (once)", against->texts[i]);
     }
     return true;
 }
@@ -201,10 +200,10 @@ static bool draw(const Options *options, const Settings *settings, const Setting
     bool sound =
         figure_view(screen, options->view, &view, status) && plan(&frames, screen, view, settings, status);
     if (sound && frames.count > FIGURE_PANELS_MAX)
-        sound = status_fail(status, STATUS_USAGE, "a page has room for %d pictures, not %zu",
-                            FIGURE_PANELS_MAX, frames.count);
+        sound = status_refuse(status, "a page has room for %d pictures, not %zu", FIGURE_PANELS_MAX,
+                              frames.count);
     if (sound && options->against.count > 0 && frames.count > 1)
-        sound = status_fail(status, STATUS_USAGE, "--against: is for one picture, not for several times");
+        sound = status_refuse(status, "--against: is for one picture, not for several times");
     if (sound && options->against.count > 0)
         sound = run_against(experiment, others, options->against.count, settings, frames.steps[0], progress,
                             status) &&
@@ -243,11 +242,9 @@ int cli_figure(int count, char **arguments, Status *status)
     bool sound = true;
     if (!options.list) {
         if (!options.view)
-            sound =
-                status_fail(status, STATUS_USAGE, "figure: --view NAME is missing (--list prints the names)");
+            sound = status_refuse(status, "figure: --view NAME is missing (--list prints the names)");
         else if (!options.output)
-            sound = status_fail(status, STATUS_USAGE,
-                                "figure: --output FILE is missing (FILE.svg, .pdf or .png)");
+            sound = status_refuse(status, "figure: --output FILE is missing (FILE.svg, .pdf or .png)");
         sound = sound && figure_allowed(options.output, status) &&
                 output_may_begin(options.output, options.force, status) &&
                 all_others(&options.against, &settings, others, status);

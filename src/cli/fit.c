@@ -56,8 +56,8 @@ static bool choose_column(Data *data, const Options *options, const Settings *se
     }
     simulation_destroy(simulation);
     if (!data->column)
-        return status_fail(status, STATUS_USAGE, "--column: %.60s is no column of the series (%s)",
-                           options->column ? options->column : "(none of the table)", known);
+        return status_refuse(status, "--column: %.60s is no column of the series (%s)",
+                             options->column ? options->column : "(none of the table)", known);
     return true;
 }
 
@@ -72,8 +72,8 @@ static bool read_data(Data *data, const Options *options, const Settings *settin
     if (data->table.along || data->table.y < 0)
         data->table.y = overlay_column_for(&data->table, data->column, false);
     if (data->table.along || data->table.y < 0)
-        return status_fail(status, STATUS_USAGE, "%s: no column of times with one of %s beside it",
-                           data->table.file, data->column);
+        return status_refuse(status, "%s: no column of times with one of %s beside it", data->table.file,
+                             data->column);
     return fit_data_take(&data->taken, &data->table, data->table.y, status);
 }
 
@@ -152,7 +152,7 @@ static bool run_fitted(Experiment *experiment, Progress *progress, Status *statu
         if (!experiment_advance(experiment, SLICE, status))
             return false;
         if (!progress_show(1, progress))
-            return status_fail(status, STATUS_FAILED, "interrupted");
+            return status_fail(status, "interrupted");
     }
     return true;
 }
@@ -230,8 +230,7 @@ int cli_fit(int count, char **arguments, Status *status)
         !options_load(&options, options.words[0], &settings, status) || !may_write(&options, status))
         return (int)status->code;
     if (!options.data || !options.sought) {
-        status_fail(status, STATUS_USAGE, "fit: %s is missing",
-                    options.data ? "--vary KEY,..." : "--data FILE");
+        status_refuse(status, "fit: %s is missing", options.data ? "--vary KEY,..." : "--data FILE");
         return (int)status->code;
     }
     char *keys = strdup(options.sought);
@@ -241,8 +240,7 @@ int cli_fit(int count, char **arguments, Status *status)
     Data data = {.table = {.y = -1}};
     Progress progress;
     progress_begin(&progress, options.quiet);
-    bool sound = (keys || status_fail(status, STATUS_FAILED, "out of memory")) &&
-                 take_keys(keys, &task, status) &&
+    bool sound = (keys || status_fail(status, "out of memory")) && take_keys(keys, &task, status) &&
                  solve(&options, &settings, &data, &task, &result, &progress, status);
     const bool found = sound; /* what took long is told, whatever becomes of the files */
     sound = sound && (!options.output || write_table(&options, &task, &result, status)) &&

@@ -149,7 +149,7 @@ static bool mark_all(Marking *marking, const Options *options, Status *status)
 {
     Grades *grades = malloc(sizeof *grades);
     GradingOrigin *origins = calloc((size_t)marking->sessions, sizeof *origins);
-    bool sound = (grades && origins) || status_fail(status, STATUS_FAILED, "out of memory");
+    bool sound = (grades && origins) || status_fail(status, "out of memory");
     for (int i = 0; i < marking->sessions && sound; i++)
         grading_origin(&marking->task, &marking->lesson, options->words[i + 1], &origins[i]);
     csv_header(marking->table, marking->dialect, heads, CELLS);
@@ -176,7 +176,7 @@ static bool read_limit(const char *text, double *seconds, Status *status)
 {
     *seconds = SECONDS;
     return !text || (text_to_double(text, seconds) && *seconds >= 1 && *seconds <= SECONDS_MOST) ||
-           status_fail(status, STATUS_USAGE, "--limit: not a number from 1 to %g: %.60s", SECONDS_MOST, text);
+           status_refuse(status, "--limit: not a number from 1 to %g: %.60s", SECONDS_MOST, text);
 }
 
 static void begin_table(const Options *options, FILE *stream)
@@ -235,7 +235,7 @@ int cli_grade(int count, char **arguments, Status *status)
         return (int)status->code;
     if (options.key)
         return cli_grade_key(&options, status);
-    if ((options.name && !status_fail(status, STATUS_USAGE, "--name: goes with --key")) ||
+    if ((options.name && !status_refuse(status, "--name: goes with --key")) ||
         !options_words(&options, 2, WORDS_MAX, "LESSON SESSION...", status) ||
         !read_limit(options.limit, &marking.task.seconds, status) || !may_write(&options, status) ||
         !lesson_load(options.words[0], command_line_for_lessons, &marking.lesson, status))
@@ -252,7 +252,7 @@ int cli_grade(int count, char **arguments, Status *status)
     if (progress_signal())
         return 128 + progress_signal();
     if (sound && marking.refused > 0)
-        sound = status_fail(status, STATUS_FAILED, "%d of %d sessions have no marks (see the remarks)",
-                            marking.refused, marking.sessions);
+        sound = status_fail(status, "%d of %d sessions have no marks (see the remarks)", marking.refused,
+                            marking.sessions);
     return sound ? STATUS_DONE : (int)status->code;
 }

@@ -78,8 +78,8 @@ int cli_grade_key(const Options *options, Status *status)
                               .seconds = SECONDS,
                               .patience = {go_on, &progress}};
     Grades *grades = malloc(sizeof *grades);
-    const bool sound = grades ? grading_key(&task, student, grades, status)
-                              : status_fail(status, STATUS_FAILED, "out of memory");
+    const bool sound =
+        grades ? grading_key(&task, student, grades, status) : status_fail(status, "out of memory");
     progress_end(&progress);
     if (sound) {
         printf("%s%s%s\n", lesson.title, *student ? "   for " : "", student);

@@ -84,7 +84,7 @@ static bool choose_file(const char *lesson, HomeworkFile *homework, Status *stat
         if (!exists(homework->file))
             return output_may_begin(homework->file, false, status);
     }
-    return status_fail(status, STATUS_USAGE, "%s: exists, and so do all before it", homework->file);
+    return status_refuse(status, "%s: exists, and so do all before it", homework->file);
 }
 
 bool homework_begin(const Options *options, const char *lesson, HomeworkFile *homework, Status *status)
@@ -94,7 +94,7 @@ bool homework_begin(const Options *options, const char *lesson, HomeworkFile *ho
     if (options->name && !variant_student(options->name, homework->student, status))
         return status_prefix(status, "--name");
     if (options->id && !options->name)
-        return status_fail(status, STATUS_USAGE, "--id: goes with --name");
+        return status_refuse(status, "--id: goes with --name");
     if (options->id && !variant_student(options->id, homework->id, status))
         return status_prefix(status, "--id");
     if (!lesson || options->handout || options->script)

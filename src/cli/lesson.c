@@ -64,7 +64,7 @@ static void write_lesson(Leaflet *leaflet, const Lesson *lesson, const char *stu
 int cli_lesson_handout(const Options *options, const char *student, Status *status)
 {
     if (options->n_words == 0) {
-        status_fail(status, STATUS_USAGE, "--handout: which lesson? (matvib lesson NAME --handout FILE.pdf)");
+        status_refuse(status, "--handout: which lesson? (matvib lesson NAME --handout FILE.pdf)");
         return (int)status->code;
     }
     Lesson lesson;
@@ -89,10 +89,9 @@ int cli_lesson_print(const char *name, Status *status)
 {
     const BuiltinLesson *builtin = name ? lesson_builtin(name) : NULL;
     if (!name)
-        status_fail(status, STATUS_USAGE, "--print: which lesson? (matvib lesson NAME --print)");
+        status_refuse(status, "--print: which lesson? (matvib lesson NAME --print)");
     else if (!builtin)
-        status_fail(status, STATUS_USAGE,
-                    "--print: %.60s: is no lesson of the program (matvib lesson --list)", name);
+        status_refuse(status, "--print: %.60s: is no lesson of the program (matvib lesson --list)", name);
     else
         fputs(builtin->text, stdout);
     return builtin ? STATUS_DONE : (int)status->code;

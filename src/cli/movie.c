@@ -57,8 +57,7 @@ static bool read_number(const char *option, const char *text, double least, doub
                         Status *status)
 {
     return !text || (text_to_double(text, value) && *value >= least && *value <= most) ||
-           status_fail(status, STATUS_USAGE, "%s: not a number from %g to %g: %.60s", option, least, most,
-                       text);
+           status_refuse(status, "%s: not a number from %g to %g: %.60s", option, least, most, text);
 }
 
 static bool set_up(Camera *camera, const Options *options, Status *status)
@@ -73,7 +72,7 @@ static bool set_up(Camera *camera, const Options *options, Status *status)
         !read_number("--to", options->to, 0, 1e300, &camera->to, status))
         return false;
     return camera->from <= camera->to ||
-           status_fail(status, STATUS_USAGE, "--from: %g comes after --to: %g", camera->from, camera->to);
+           status_refuse(status, "--from: %g comes after --to: %g", camera->from, camera->to);
 }
 
 /* The screen of a session is as large as its largest. */
@@ -134,7 +133,7 @@ int cli_movie(int count, char **arguments, Status *status)
         !options_words(&options, 1, 1, "SCENARIO, SESSION or SCRIPT", status))
         return (int)status->code;
     if (!options.output) {
-        status_fail(status, STATUS_USAGE, "movie: --output FILE is missing (FILE.cast, .svg or .gif)");
+        status_refuse(status, "movie: --output FILE is missing (FILE.cast, .svg or .gif)");
         return (int)status->code;
     }
     const char *word = options.words[0];
@@ -144,11 +143,11 @@ int cli_movie(int count, char **arguments, Status *status)
         return (int)status->code;
     *status = (Status){0};
     if (source == SOURCE_SESSION && (options.n_overrides > 0 || options.steps > 0 || options.script)) {
-        status_fail(status, STATUS_USAGE, "%.200s: a session has its own scenario and parameters", word);
+        status_refuse(status, "%.200s: a session has its own scenario and parameters", word);
         return (int)status->code;
     }
     if (source == SOURCE_SCRIPT && options.script) {
-        status_fail(status, STATUS_USAGE, "--script: %.200s is a script already", word);
+        status_refuse(status, "--script: %.200s is a script already", word);
         return (int)status->code;
     }
     if (source == SOURCE_SESSION && options.size[0] == 0 && !read_session(word, options.size, status))

@@ -34,15 +34,14 @@ static bool go_together(const Options *options, const char *word, Status *status
 {
     const bool again = options->replay || options->last;
     if (again && (options->n_words > 0 || options->n_overrides > 0 || options->steps > 0 || options->paused))
-        return status_fail(status, STATUS_USAGE, "%s: a session has its own scenario and parameters",
-                           options->last ? "--last" : "--replay");
+        return status_refuse(status, "%s: a session has its own scenario and parameters",
+                             options->last ? "--last" : "--replay");
     if (options->plain && (again || options->script))
-        return status_fail(status, STATUS_USAGE, "--plain: lines come from standard input (leave %s out)",
-                           again ? "the session" : "--script");
+        return status_refuse(status, "--plain: lines come from standard input (leave %s out)",
+                             again ? "the session" : "--script");
     const bool keys_elsewhere = options->script && strcmp(options->script, input_standard_name) != 0;
     return !word || strcmp(word, input_standard_name) != 0 || keys_elsewhere ||
-           status_fail(status, STATUS_USAGE,
-                       "-: keys come from standard input (matvib run - reads a scenario there)");
+           status_refuse(status, "-: keys come from standard input (matvib run - reads a scenario there)");
 }
 
 /* `lesson`: NULL where none is opened; `named`: what the scenario was called. */

@@ -212,7 +212,7 @@ static bool add_override(Options *options, const char *origin, const char *key, 
                          Status *status)
 {
     if (options->n_overrides == OVERRIDES_MAX)
-        return status_fail(status, STATUS_USAGE, "%s: too many values (at most %d)", origin, OVERRIDES_MAX);
+        return status_refuse(status, "%s: too many values (at most %d)", origin, OVERRIDES_MAX);
     options->overrides[options->n_overrides++] = (Override){origin, key, value};
     return true;
 }
@@ -223,9 +223,9 @@ static bool take_override(const Option *option, const char *value, Options *opti
     if (!key) {
         const char *equals = strchr(value, '=');
         if (!equals || equals == value || equals - value >= KEY_MAX)
-            return status_fail(status, STATUS_USAGE, "--set: \"%.80s\" sets nothing (KEY=VALUE)", value);
+            return status_refuse(status, "--set: \"%.80s\" sets nothing (KEY=VALUE)", value);
         if (options->n_overrides == OVERRIDES_MAX)
-            return status_fail(status, STATUS_USAGE, "--set: too many values (at most %d)", OVERRIDES_MAX);
+            return status_refuse(status, "--set: too many values (at most %d)", OVERRIDES_MAX);
         char *kept = options->keys[options->n_overrides];
         memcpy(kept, value, (size_t)(equals - value));
         kept[equals - value] = '\0';
@@ -236,8 +236,8 @@ static bool take_override(const Option *option, const char *value, Options *opti
     for (int i = 0; option->clears && i < options->n_overrides; i++) {
         const Override *other = &options->overrides[i];
         if (strcmp(other->key, option->clears) == 0 && *other->value)
-            return status_fail(status, STATUS_USAGE, "%s: %s is given too (one of them)", option->name,
-                               strcmp(other->origin, "--set") == 0 ? other->key : other->origin);
+            return status_refuse(status, "%s: %s is given too (one of them)", option->name,
+                                 strcmp(other->origin, "--set") == 0 ? other->key : other->origin);
     }
     if (option->clears && !add_override(options, option->name, option->clears, "", status))
         return false;
@@ -254,25 +254,24 @@ static bool take(const Option *option, const char *value, Options *options, Stat
         return true;
     case OPTION_TEXT:
         if (!*value)
-            return status_fail(status, STATUS_USAGE, "%s: is empty (%s)", option->name, option->argument);
+            return status_refuse(status, "%s: is empty (%s)", option->name, option->argument);
         *(const char **)member = value;
         return true;
     case OPTION_COUNT:
         if (!text_to_long(value, (long *)member) || *(long *)member < 1)
-            return status_fail(status, STATUS_USAGE, "%s: %.60s is not allowed (a whole number, 1 or more)",
-                               option->name, value);
+            return status_refuse(status, "%s: %.60s is not allowed (a whole number, 1 or more)", option->name,
+                                 value);
         return (option->most == 0 || *(long *)member <= option->most) ||
-               status_fail(status, STATUS_USAGE, "%s: %ld are too many (1 to %d)", option->name,
-                           *(long *)member, option->most);
+               status_refuse(status, "%s: %ld are too many (1 to %d)", option->name, *(long *)member,
+                             option->most);
     case OPTION_BYTES:
         if (!read_bytes(value, member))
-            return status_fail(status, STATUS_USAGE, "%s: %.60s is no size (such as 64M or 2G)", option->name,
-                               value);
+            return status_refuse(status, "%s: %.60s is no size (such as 64M or 2G)", option->name, value);
         return true;
     case OPTION_SIZE:
         if (!text_to_size(value, 1, option->most, member))
-            return status_fail(status, STATUS_USAGE, "%s: %.60s is no size (such as 80x24; at most %d each)",
-                               option->name, value, option->most);
+            return status_refuse(status, "%s: %.60s is no size (such as 80x24; at most %d each)",
+                                 option->name, value, option->most);
         return true;
     case OPTION_WORD:
         for (int i = 0; option->words[i]; i++)
@@ -281,22 +280,19 @@ static bool take(const Option *option, const char *value, Options *options, Stat
                 return true;
             }
         join(option->words, allowed, sizeof allowed);
-        return status_fail(status, STATUS_USAGE, "%s: %.60s is not a choice (%s)", option->name, value,
-                           allowed);
+        return status_refuse(status, "%s: %.60s is not a choice (%s)", option->name, value, allowed);
     case OPTION_OVERRIDE:
         return take_override(option, value, options, status);
     case OPTION_LIST: {
         OptionList *list = member;
         if (list->count == OPTION_LIST_MAX)
-            return status_fail(status, STATUS_USAGE, "%s: too many (at most %d)", option->name,
-                               OPTION_LIST_MAX);
+            return status_refuse(status, "%s: too many (at most %d)", option->name, OPTION_LIST_MAX);
         list->texts[list->count++] = value;
         return true;
     }
     case OPTION_AXIS:
         if (options->n_axes == AXES_MAX)
-            return status_fail(status, STATUS_USAGE, "%s: too many keys to vary (at most %d)", option->name,
-                               AXES_MAX);
+            return status_refuse(status, "%s: too many keys to vary (at most %d)", option->name, AXES_MAX);
         options->axes[options->n_axes++] = (SweepAxis){option->name, value};
         return true;
     }
@@ -317,7 +313,7 @@ static bool unknown(const char *command, const char *name, Status *status)
 {
     for (size_t i = 0; i < sizeof moved / sizeof *moved; i++)
         if (strcmp(moved[i].command, command) == 0 && strcmp(moved[i].name, name) == 0)
-            return status_fail(status, STATUS_USAGE, "%s: is %s", name, moved[i].place);
+            return status_refuse(status, "%s: is %s", name, moved[i].place);
     enum { MOST = 64 };
     const char *known[MOST + 1] = {NULL};
     int count = 0;
@@ -327,9 +323,9 @@ static bool unknown(const char *command, const char *name, Status *status)
     const char *nearest = parameter_nearest_word(known, name);
     bool open = strcmp(command, "open") == 0;
     if (nearest)
-        return status_fail(status, STATUS_USAGE, "%.60s: unknown option (did you mean %s?)", name, nearest);
-    return status_fail(status, STATUS_USAGE, "%.60s: unknown option (see: matvib %s%s--help)", name,
-                       open ? "" : command, open ? "" : " ");
+        return status_refuse(status, "%.60s: unknown option (did you mean %s?)", name, nearest);
+    return status_refuse(status, "%.60s: unknown option (see: matvib %s%s--help)", name, open ? "" : command,
+                         open ? "" : " ");
 }
 
 static const Option *find(const char *command, const char *name)
@@ -363,10 +359,10 @@ static bool take_option(const char *command, int count, char **arguments, int *a
         return unknown(command, is_letter ? argument : name, status);
     const char *value = !argument[strlen(name)] ? NULL : argument + length + !is_letter;
     if (!option->argument && value)
-        return status_fail(status, STATUS_USAGE, "%s: takes no value", name);
+        return status_refuse(status, "%s: takes no value", name);
     if (option->argument && !value) {
         if (*at + 1 == count)
-            return status_fail(status, STATUS_USAGE, "%s: has no value (%s)", name, option->argument);
+            return status_refuse(status, "%s: has no value (%s)", name, option->argument);
         value = arguments[++*at];
     }
     return take(option, value, options, status);
@@ -391,8 +387,7 @@ bool options_parse(const char *command, int count, char **arguments, Options *op
         } else if (options->n_words < WORDS_MAX) {
             options->words[options->n_words++] = argument;
         } else {
-            return status_fail(status, STATUS_USAGE, "%.60s: too many arguments (at most %d)", argument,
-                               WORDS_MAX);
+            return status_refuse(status, "%.60s: too many arguments (at most %d)", argument, WORDS_MAX);
         }
     }
     options->outputs.force = options->force;
@@ -407,10 +402,10 @@ bool options_parse(const char *command, int count, char **arguments, Options *op
 bool options_words(const Options *options, int least, int most, const char *expected, Status *status)
 {
     if (options->n_words < least)
-        return status_fail(status, STATUS_USAGE, "%s is missing (see: matvib --help)", expected);
+        return status_refuse(status, "%s is missing (see: matvib --help)", expected);
     if (options->n_words > most)
-        return status_fail(status, STATUS_USAGE, "%.60s: is one argument too many (%s)", options->words[most],
-                           most > 0 ? expected : "none");
+        return status_refuse(status, "%.60s: is one argument too many (%s)", options->words[most],
+                             most > 0 ? expected : "none");
     return true;
 }
 
@@ -447,8 +442,8 @@ static bool load_run(const Options *options, const char *scenario, Settings *set
         return scenario_load_with(scenario, overrides, count, settings, status);
     for (int i = 0; i < count; i++)
         if (strcmp(overrides[i].key, "time.end") == 0)
-            return status_fail(status, STATUS_USAGE, "--steps: %s says when the run ends (one of them)",
-                               strcmp(overrides[i].origin, "--set") == 0 ? "--set time.end" : "--end");
+            return status_refuse(status, "--steps: %s says when the run ends (one of them)",
+                                 strcmp(overrides[i].origin, "--set") == 0 ? "--set time.end" : "--end");
     /* the step does not depend on the end, so an end that nothing can object to comes first */
     char end[NUMBER_TEXT_MAX] = "1e-300";
     double dt;

@@ -88,7 +88,7 @@ static const Problem *find_problem(const char *word, Status *status)
         snprintf(words + strlen(words), sizeof words - strlen(words), "%s%s", i ? " | " : "",
                  problems[i]->word);
     if (!problem)
-        status_fail(status, STATUS_USAGE, "params: %.60s is not a problem (%s)", word, words);
+        status_refuse(status, "params: %.60s is not a problem (%s)", word, words);
     return problem;
 }
 

@@ -112,10 +112,11 @@ static bool times_are_used(const Options *options, Status *status)
     for (int i = 0; i < options->n_overrides; i++) {
         const char *origin = options->overrides[i].origin;
         if (strcmp(origin, "--frames") == 0 || strcmp(origin, "--at") == 0)
-            return status_fail(status, STATUS_USAGE,
-                               "%s: there is no table to write at these times (--particles, --nodes, --bonds "
-                               "or --vtk)",
-                               origin);
+            return status_refuse(
+                status,
+                "%s: there is no table to write at these times (--particles, --nodes, --bonds "
+                "or --vtk)",
+                origin);
     }
     return true;
 }
@@ -132,17 +133,16 @@ static bool read_stages(Options *options, Status *status)
     text_append(first, sizeof first, "%.*s", colon ? (int)(colon - text) : 20, text);
     if (!text_to_long(first, &stages[0]) || !text_to_long(colon ? colon + 1 : first, &stages[1]) ||
         stages[0] < 1 || stages[1] < stages[0])
-        return status_fail(status, STATUS_USAGE,
-                           "--stages: FROM:TO, two numbers of steps from 1 on, not \"%.40s\"", text);
+        return status_refuse(status, "--stages: FROM:TO, two numbers of steps from 1 on, not \"%.40s\"",
+                             text);
     if (!outputs->particles && !outputs->nodes && !outputs->bonds)
-        return status_fail(status, STATUS_USAGE, "--stages: which table? (--particles, --nodes, --bonds)");
+        return status_refuse(status, "--stages: which table? (--particles, --nodes, --bonds)");
     if (outputs->vtk)
-        return status_fail(status, STATUS_USAGE, "--stages: writes tables, not --vtk");
+        return status_refuse(status, "--stages: writes tables, not --vtk");
     for (int i = 0; i < options->n_overrides; i++)
         if (strcmp(options->overrides[i].origin, "--frames") == 0 ||
             strcmp(options->overrides[i].origin, "--at") == 0)
-            return status_fail(status, STATUS_USAGE, "--stages: in place of %s",
-                               options->overrides[i].origin);
+            return status_refuse(status, "--stages: in place of %s", options->overrides[i].origin);
     return true;
 }
 
@@ -150,7 +150,7 @@ static bool read_stages(Options *options, Status *status)
 static bool may_describe(const Options *options, const Crate *crate, Status *status)
 {
     if (options->crate && options->outputs.vtk)
-        return status_fail(status, STATUS_USAGE, "--crate: describes tables, not --vtk");
+        return status_refuse(status, "--crate: describes tables, not --vtk");
     return describe_may_begin(options, crate, status);
 }
 
@@ -164,7 +164,7 @@ int cli_run(int count, char **arguments, Status *status)
         !read_stages(&options, status))
         return (int)status->code;
     if (options.json && writes_to_standard_output(&options.outputs)) {
-        status_fail(status, STATUS_USAGE, "--json: standard output has a table (--series FILE)");
+        status_refuse(status, "--json: standard output has a table (--series FILE)");
         return (int)status->code;
     }
     const Crate crate = crate_of_run(&options.outputs);

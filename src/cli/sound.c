@@ -34,14 +34,13 @@ static bool read_seconds(const char *text, double *seconds, Status *status)
 {
     *seconds = SECONDS;
     return !text || (text_to_double(text, seconds) && *seconds >= 0.1 && *seconds <= SECONDS_MOST) ||
-           status_fail(status, STATUS_USAGE, "--seconds: not a number from 0.1 to %g: %.60s", SECONDS_MOST,
-                       text);
+           status_refuse(status, "--seconds: not a number from 0.1 to %g: %.60s", SECONDS_MOST, text);
 }
 
 static bool read_pitch(const char *text, double *pitch, Status *status)
 {
     return !text || (text_to_double(text, pitch) && *pitch >= 20 && *pitch <= 10000) ||
-           status_fail(status, STATUS_USAGE, "--pitch: not a number from 20 to 10000: %.60s", text);
+           status_refuse(status, "--pitch: not a number from 20 to 10000: %.60s", text);
 }
 
 static double frequency(const Readout *readout, double number)
@@ -58,10 +57,9 @@ static bool is_heard(double hertz)
 static bool tune(const Readout *readout, double pitch, Tones *tones, Status *status)
 {
     if (!readout->measured_known || !readout->exact_known)
-        return status_fail(status, STATUS_USAGE,
-                           "there is no steady frequency beside an exact one to be heard%s%s",
-                           readout->unaccounted ? ": not known with " : "",
-                           readout->unaccounted ? readout->unaccounted : "");
+        return status_refuse(status, "there is no steady frequency beside an exact one to be heard%s%s",
+                             readout->unaccounted ? ": not known with " : "",
+                             readout->unaccounted ? readout->unaccounted : "");
     tones->measured = frequency(readout, readout->measured);
     tones->exact = frequency(readout, readout->exact);
     tones->in_hertz = readout->is_period; /* a bar's time has no unit */
@@ -69,8 +67,7 @@ static bool tune(const Readout *readout, double pitch, Tones *tones, Status *sta
         pitch <= 0 && tones->in_hertz && is_heard(tones->exact) && is_heard(tones->measured);
     tones->times = as_it_is ? 1 : (pitch > 0 ? pitch : PITCH) / tones->exact;
     return tones->measured * tones->times < WAV_RATE / 2.0 ||
-           status_fail(status, STATUS_USAGE,
-                       "the measured tone would be too high to be heard (a lower --pitch)");
+           status_refuse(status, "the measured tone would be too high to be heard (a lower --pitch)");
 }
 
 static void print_tones(const Tones *tones)
@@ -108,7 +105,7 @@ int cli_sound(int count, char **arguments, Status *status)
         !read_seconds(options.seconds, &seconds, status) || !read_pitch(options.pitch, &pitch, status))
         return (int)status->code;
     if (!options.output) {
-        status_fail(status, STATUS_USAGE, "sound: --output FILE is missing (FILE.wav)");
+        status_refuse(status, "sound: --output FILE is missing (FILE.wav)");
         return (int)status->code;
     }
     if (!output_may_begin(options.output, options.force, status))

@@ -27,7 +27,7 @@ static Student *find(Students *students, const Grades *grades, Status *status)
             return &students->list[i];
     Student *list = realloc(students->list, (size_t)(students->count + 1) * sizeof *list);
     if (!list) {
-        status_fail(status, STATUS_FAILED, "out of memory");
+        status_fail(status, "out of memory");
         return NULL;
     }
     students->list = list;

@@ -52,24 +52,23 @@ bool crate_may_begin(const Crate *crate, Status *status)
 {
     const char *first = first_file(crate);
     if (!first)
-        return status_fail(status, STATUS_USAGE, "--crate: there is no table to describe (%s)",
-                           strcmp(crate->command, "matvib run") == 0 ? "--series, ..." : "--output FILE");
+        return status_refuse(status, "--crate: there is no table to describe (%s)",
+                             strcmp(crate->command, "matvib run") == 0 ? "--series, ..." : "--output FILE");
     for (int i = 0; i < CRATE_TABLES_MAX; i++) {
         const char *file = crate->tables[i].file;
         if (file && output_is_direct(file))
-            return status_fail(status, STATUS_USAGE, "--crate: %.200s is no file that stays", file);
+            return status_refuse(status, "--crate: %.200s is no file that stays", file);
         if (file && (base_name(file) - file != base_name(first) - first ||
                      strncmp(file, first, (size_t)(base_name(first) - first)) != 0))
-            return status_fail(status, STATUS_USAGE, "--crate: %.200s lies in another folder than %.200s",
-                               file, first);
+            return status_refuse(status, "--crate: %.200s lies in another folder than %.200s", file, first);
     }
     for (int i = 0; i < CRATE_TABLES_MAX; i++)
         if (crate->tables[i].file && strcmp(base_name(crate->tables[i].file), file_name) == 0)
-            return status_fail(status, STATUS_USAGE, "%s: is the name of the metadata that --crate writes",
-                               crate->tables[i].file);
+            return status_refuse(status, "%s: is the name of the metadata that --crate writes",
+                                 crate->tables[i].file);
     char *name = metadata_name(first);
-    const bool may = name ? output_may_begin(name, crate->force, status)
-                          : status_fail(status, STATUS_FAILED, "out of memory");
+    const bool may =
+        name ? output_may_begin(name, crate->force, status) : status_fail(status, "out of memory");
     free(name);
     return may;
 }
@@ -176,7 +175,7 @@ bool crate_write(const Crate *crate, const Settings *settings, const char *date,
     OutputFile file;
     char *name = metadata_name(first_file(crate));
     if (!name)
-        return status_fail(status, STATUS_FAILED, "out of memory");
+        return status_fail(status, "out of memory");
     bool sound = output_open(&file, crate->asker, name, crate->force, status);
     if (sound) {
         put_crate(file.stream, crate, settings, date);

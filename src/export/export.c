@@ -29,7 +29,7 @@ static bool take_row(void *owner, Run *run, long step, const double *method_row,
     if (step % settings_output(export->settings)->every != 0 && step != run->last)
         return true; /* references that look back want every step */
     if (!record_append(&export->record, row))
-        return status_fail(status, STATUS_FAILED, "not enough memory for the run's record");
+        return status_fail(status, "not enough memory for the run's record");
     return export_write_row(export, row, status);
 }
 
@@ -74,7 +74,7 @@ static bool end_early(Export *export, Status *status)
     if (run->sim->stage != 0) /* a method that cannot go back to its last sound step: rows alone */
         return true;
     if (run->failed && !run_is_sound(run))
-        return status_fail(status, STATUS_FAILED, "not enough memory to end the run");
+        return status_fail(status, "not enough memory to end the run");
     const Record *record = &export->record;
     if (record_row(record, record->count - 1)[0] < (double)step) {
         if (export->newest[0] < (double)step) {
@@ -82,7 +82,7 @@ static bool end_early(Export *export, Status *status)
             references_row(export->refs, step, simulation_time(run->sim), run->block, export->newest);
         }
         if (!record_append(&export->record, export->newest))
-            return status_fail(status, STATUS_FAILED, "not enough memory for the run's record");
+            return status_fail(status, "not enough memory for the run's record");
         if (!export_write_row(export, export->newest, status))
             return false;
     }
@@ -124,8 +124,8 @@ static bool sum_up(const Export *export, RunSummary *summary, Status *status)
     summary->n_derived = problem_derived(export->settings, export->run.sim, summary->derived);
     summary_crack(summary, export->run.sim, export->settings);
     if (!patience_lasts(&export->settings->patience, 1)) /* the cost of many broken bonds takes its time */
-        return status_fail(status, STATUS_FAILED, "interrupted");
-    return errno != ENOMEM || status_fail(status, STATUS_FAILED, "not enough memory to sum the run up");
+        return status_fail(status, "interrupted");
+    return errno != ENOMEM || status_fail(status, "not enough memory to sum the run up");
 }
 
 bool export_writes(const Settings *settings, const Simulation *sim, int i, const char *column)
@@ -164,8 +164,8 @@ static bool choose_columns(Export *export, Status *status)
         for (int i = 0; i < export->n_columns; i++)
             found = found || strcmp(name, export->columns[i].quantity.name) == 0;
         if (!found && !(writes_tables(export->outputs) && is_field(export->run.sim, name)))
-            return status_fail(status, STATUS_USAGE, "output.columns: %.60s is no column of the series (%s)",
-                               name, known);
+            return status_refuse(status, "output.columns: %.60s is no column of the series (%s)", name,
+                                 known);
     }
     return true;
 }
@@ -178,7 +178,7 @@ static bool stages_fit(Export *export, Status *status)
         return true;
     export->frames.count = 0;
     return stages[1] <= export->run.last ||
-           status_fail(status, STATUS_USAGE, "--stages: the run has %ld steps", export->run.last);
+           status_refuse(status, "--stages: the run has %ld steps", export->run.last);
 }
 
 static bool prepare(Export *export, int threads, Status *status)
@@ -202,7 +202,7 @@ static bool prepare(Export *export, int threads, Status *status)
         return false;
     export->vtk = calloc(export->frames.count + 1, sizeof *export->vtk);
     if (!export->vtk)
-        return status_fail(status, STATUS_FAILED, "not enough memory for the run");
+        return status_fail(status, "not enough memory for the run");
     record_open(&export->record, export->n_columns, settings_output(settings)->every, record_budget);
     return export_open_files(export, status);
 }
@@ -215,7 +215,7 @@ static bool go(Export *export, RunSummary *summary, Status *status)
     errno = 0;
     export->invariant = invariant_of(export);
     if (errno == ENOMEM)
-        return status_fail(status, STATUS_FAILED, "not enough memory for the energy at the start");
+        return status_fail(status, "not enough memory for the energy at the start");
     sinks_of(export, sinks);
     if (!run_start(run, sinks, status) || (!run_to_end(run, sinks, status) && !run->failed))
         return false;
@@ -223,8 +223,7 @@ static bool go(Export *export, RunSummary *summary, Status *status)
     summary->failure = run->failure;
     if ((run->failed || run->sim->at_rest) && !end_early(export, status))
         return false;
-    return run->failed || patience_lasts(&run->patience, 1) ||
-           status_fail(status, STATUS_FAILED, "interrupted");
+    return run->failed || patience_lasts(&run->patience, 1) || status_fail(status, "interrupted");
 }
 
 static void close_all(Export *export)

@@ -41,7 +41,7 @@ static bool take_name(Names *names, const char *name, Status *status)
         return false;
     if (output_is_standard(name)) {
         if (names->standard++ > 0)
-            return status_fail(status, STATUS_USAGE, "two outputs cannot both be standard output");
+            return status_refuse(status, "two outputs cannot both be standard output");
         return true;
     }
     char **grown = names->real;
@@ -53,7 +53,7 @@ static bool take_name(Names *names, const char *name, Status *status)
     }
     char *real = grown ? output_real_name(name, status) : NULL;
     if (!real)
-        return grown ? false : status_fail(status, STATUS_FAILED, "not enough memory for file names");
+        return grown ? false : status_fail(status, "not enough memory for file names");
     names->real[names->count++] = real;
     return true;
 }
@@ -70,8 +70,7 @@ static bool all_differ(Names *names, Status *status)
         qsort(names->real, names->count, sizeof *names->real, compare_names);
     for (size_t i = 1; i < names->count; i++)
         if (strcmp(names->real[i - 1], names->real[i]) == 0)
-            return status_fail(status, STATUS_USAGE, "%s: two outputs cannot be the same file",
-                               names->real[i]);
+            return status_refuse(status, "%s: two outputs cannot be the same file", names->real[i]);
     return true;
 }
 
@@ -96,8 +95,8 @@ static bool take_table_names(Names *names, const char *name, Status *status)
     if (output_is_direct(name))
         return true;
     char *beside = name_beside(name);
-    bool good = beside ? take_name(names, beside, status)
-                       : status_fail(status, STATUS_FAILED, "not enough memory for file names");
+    bool good =
+        beside ? take_name(names, beside, status) : status_fail(status, "not enough memory for file names");
     free(beside);
     return good;
 }
@@ -108,15 +107,14 @@ static bool take_vtk_names(Names *names, const char *name, size_t frames, const 
     if (!name)
         return true;
     if (output_is_standard(name))
-        return status_fail(status, STATUS_USAGE, "--vtk: needs a file, not standard output");
+        return status_refuse(status, "--vtk: needs a file, not standard output");
     bool good = true;
     for (size_t i = 0; good && i < frames + (frames > 1); i++) {
         char *one = i < frames ? vtk_frame_name(name, i, frames) : vtk_collection_name(name);
-        good = one ? take_name(names, one, status)
-                   : status_fail(status, STATUS_FAILED, "not enough memory for file names");
+        good = one ? take_name(names, one, status) : status_fail(status, "not enough memory for file names");
         free(one);
         if (good && i % NAMES_A_QUESTION == 0 && !patience_lasts(patience, (double)i / (double)frames))
-            good = status_fail(status, STATUS_FAILED, "the export was given up");
+            good = status_fail(status, "the export was given up");
     }
     return good;
 }
@@ -151,8 +149,7 @@ static bool find_set(Table *table, const Simulation *sim, const char *asked, int
         if (strcmp(sim->sets[table->set].plural, plurals[i]) == 0)
             break;
     if (table->set == sim->n_sets)
-        return status_fail(status, STATUS_USAGE, "--%s: the method %s has none", plurals[i],
-                           sim->method->name);
+        return status_refuse(status, "--%s: the method %s has none", plurals[i], sim->method->name);
     for (int f = 0; f < sim->n_fields && table->n_fields < TABLE_FIELDS_MAX; f++)
         if (is_written(table, &sim->fields[f], asked))
             table->fields[table->n_fields++] = f;
@@ -166,7 +163,7 @@ static bool open_beside(OutputFile *beside, const OutputFile *file, const Output
         return true;
     char *name = name_beside(file->name);
     bool opened = name ? output_open(beside, outputs->asker, name, outputs->force, status)
-                       : status_fail(status, STATUS_FAILED, "not enough memory for file names");
+                       : status_fail(status, "not enough memory for file names");
     free(name);
     return opened;
 }
@@ -281,7 +278,7 @@ static bool write_table(Export *export, Table *table, long step, int stage, Stat
         written = written && simulation_visit(sim, NULL, write_later_things, &sheet);
     free(sheet.fields);
     return written ? output_sound(&table->file, status)
-                   : status_fail(status, STATUS_FAILED, "not enough memory to write %s", table->name);
+                   : status_fail(status, "not enough memory to write %s", table->name);
 }
 
 static bool write_tables(Export *export, long step, int stage, Status *status)
@@ -306,7 +303,7 @@ static bool write_vtk(Export *export, Status *status)
     char *name = vtk_frame_name(export->outputs->vtk, export->next_frame, export->frames.count);
     bool written = name && output_open(file, export->outputs->asker, name, export->outputs->force, status);
     if (!name || (written && !vtk_write_frame(file->stream, export->run.sim, export->outputs->vtk_data)))
-        written = status_fail(status, STATUS_FAILED, "not enough memory to write %s", export->outputs->vtk);
+        written = status_fail(status, "not enough memory to write %s", export->outputs->vtk);
     free(name);
     return written && output_finish(file, status);
 }
@@ -371,7 +368,7 @@ static bool write_beside(const Export *export, const Settings *scenario, OutputF
         return true;
     FILE *text = open_memstream(&comment, &size);
     if (!text)
-        return status_fail(status, STATUS_FAILED, "not enough memory to write %s", beside->name);
+        return status_fail(status, "not enough memory to write %s", beside->name);
     fprintf(text, "matvib " PACKAGE_VERSION "\n");
     if (*export->run.failure.text)
         fprintf(text, "the run stopped: %s\n", export->run.failure.text);
@@ -387,7 +384,7 @@ static bool write_beside(const Export *export, const Settings *scenario, OutputF
         describe_series(export, text);
     bool written = text_stream_close(text, &comment)
                        ? scenario_write(beside->stream, scenario, comment, status)
-                       : status_fail(status, STATUS_FAILED, "not enough memory to write %s", beside->name);
+                       : status_fail(status, "not enough memory to write %s", beside->name);
     free(comment);
     return written && output_finish(beside, status);
 }
@@ -400,7 +397,7 @@ static bool write_collection(Export *export, Status *status)
     bool opened = name && output_open(&export->collection, export->outputs->asker, name,
                                       export->outputs->force, status);
     if (!name)
-        status_fail(status, STATUS_FAILED, "not enough memory to write %s", export->outputs->vtk);
+        status_fail(status, "not enough memory to write %s", export->outputs->vtk);
     free(name);
     if (!opened)
         return false;

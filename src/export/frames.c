@@ -26,7 +26,7 @@ bool frames_plan(Frames *frames, const Settings *settings, double dt, long last,
     frames->count = 0;
     frames->steps = malloc(most * sizeof *frames->steps);
     if (!frames->steps)
-        return status_fail(status, STATUS_FAILED, "not enough memory for %zu frames", most);
+        return status_fail(status, "not enough memory for %zu frames", most);
     if (settings_output(settings)->frames > 1)
         for (int i = 0; i < settings_output(settings)->frames; i++)
             add(frames, lround((double)last * i / (settings_output(settings)->frames - 1)));

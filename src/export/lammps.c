@@ -53,7 +53,7 @@ static bool write_all(const LammpsBody *body, Asker asker, const char *folder, b
     for (int k = 0; k < count && done; k++) {
         char *name;
         if (asprintf(&name, "%s/%s", folder, file_names[kinds[k]]) < 0) {
-            done = status_fail(status, STATUS_FAILED, "not enough memory for the names of files");
+            done = status_fail(status, "not enough memory for the names of files");
             break; /* the files begun are removed below */
         }
         done = output_open(&files[k], asker, name, force, status);
@@ -63,7 +63,7 @@ static bool write_all(const LammpsBody *body, Asker asker, const char *folder, b
         write_file(files[k].stream, kinds[k], body);
         done = output_finish(&files[k], status) &&
                (patience_lasts(&body->settings->patience, (k + 1.0) / count) ||
-                status_fail(status, STATUS_FAILED, "interrupted"));
+                status_fail(status, "interrupted"));
     }
     for (int k = 0; k < count && done; k++)
         done = output_commit(&files[k], status);
@@ -76,22 +76,20 @@ static bool write_all(const LammpsBody *body, Asker asker, const char *folder, b
 static bool has_its_like(const Settings *settings, Status *status)
 {
     if (!(settings->problem->concerns & (CONCERN_BEAM | CONCERN_PLATE)))
-        return status_fail(status, STATUS_USAGE,
-                           "scenario.problem: LAMMPS gets beams and plates only (not %s)",
-                           settings->problem->word);
+        return status_refuse(status, "scenario.problem: LAMMPS gets beams and plates only (not %s)",
+                             settings->problem->word);
     if (settings->method != METHOD_PD)
-        return status_fail(status, STATUS_USAGE, "scenario.method: LAMMPS gets nodes with bonds only (pd)");
+        return status_refuse(status, "scenario.method: LAMMPS gets nodes with bonds only (pd)");
     if (!settings_refuse_mistake(settings, "LAMMPS is no wrong code", status))
         return false;
     if (settings->n_changes > 0)
-        return status_fail(status, STATUS_USAGE, "changes: LAMMPS gets runs without changes in mid-run only");
+        return status_refuse(status, "changes: LAMMPS gets runs without changes in mid-run only");
     if (settings_lattice(settings)->volume_correction == VOLUME_HHB)
-        return status_fail(
-            status, STATUS_USAGE,
-            "pd.volume_correction: LAMMPS has no bonds longer than the horizon (none | partial)");
+        return status_refuse(
+            status, "pd.volume_correction: LAMMPS has no bonds longer than the horizon (none | partial)");
     return settings_lattice(settings)->influence == INFLUENCE_CONSTANT ||
-           status_fail(status, STATUS_USAGE,
-                       "pd.influence: LAMMPS has bonds of one stiffness for every length (constant)");
+           status_refuse(status,
+                         "pd.influence: LAMMPS has bonds of one stiffness for every length (constant)");
 }
 
 bool lammps_export(const Settings *settings, Asker asker, const char *folder, bool force, Status *status)

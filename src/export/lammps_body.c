@@ -41,7 +41,7 @@ bool lammps_body_read(LammpsBody *body, Status *status)
         const int set = wanted[k].set;
         double *values = malloc((sim->counts[set] + 1) * sizeof *values);
         if (!values)
-            return status_fail(status, STATUS_FAILED, "not enough memory for %zu nodes", body->count);
+            return status_fail(status, "not enough memory for %zu nodes", body->count);
         sim->method->field(sim, simulation_find_field(sim, set, wanted[k].name), 0, sim->counts[set], values);
         *wanted[k].array = values;
     }

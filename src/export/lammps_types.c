@@ -178,10 +178,10 @@ static bool sort_nodes(Sorting *sorting, LammpsBody *body, Status *status)
         body->type[k] = find_type(sorting, node, is_protected);
         if (body->type[k] < 0)
             return sorting->n_types < TYPES_MAX
-                       ? status_fail(status, STATUS_FAILED, "not enough memory for the cuts")
-                       : status_fail(
-                             status, STATUS_FAILED, "%s: LAMMPS would need more than %d types of atoms",
-                             body->settings->problem->concerns & CONCERN_PLATE ? "cuts" : "notch", TYPES_MAX);
+                       ? status_fail(status, "not enough memory for the cuts")
+                       : status_fail(status, "%s: LAMMPS would need more than %d types of atoms",
+                                     body->settings->problem->concerns & CONCERN_PLATE ? "cuts" : "notch",
+                                     TYPES_MAX);
         join(sorting, node, body->type[k]);
     }
     return true;
@@ -193,10 +193,9 @@ bool lammps_set_types(LammpsBody *body, Status *status)
     bool done = false;
     body->type = calloc(body->count, sizeof *body->type);
     if (!body->type || !list_partners(&sorting, body))
-        status_fail(status, STATUS_FAILED, "not enough memory for %zu nodes", body->count);
+        status_fail(status, "not enough memory for %zu nodes", body->count);
     else if (sort_nodes(&sorting, body, status))
-        done = keep(&sorting, body) ||
-               status_fail(status, STATUS_FAILED, "not enough memory for %d types", body->n_types);
+        done = keep(&sorting, body) || status_fail(status, "not enough memory for %d types", body->n_types);
     free_sorting(&sorting);
     return done;
 }

@@ -46,7 +46,7 @@ bool camera_look(Camera *camera, const Canvas *canvas, const CameraMoment *momen
     const double seconds = moment->seconds;
     camera->share = moment->share;
     if (!camera_goes_on(camera))
-        return status_fail(status, STATUS_FAILED, "interrupted");
+        return status_fail(status, "interrupted");
     if (moment->time < camera->from || moment->time > camera->to) {
         camera->paused = true;
         return true;
@@ -61,10 +61,10 @@ bool camera_look(Camera *camera, const Canvas *canvas, const CameraMoment *momen
     if (!first && same_picture(canvas, &camera->last))
         return true;
     if (camera->count >= FILM_PICTURES_MAX)
-        return status_fail(status, STATUS_USAGE,
-                           "the film has more than %d pictures (a part of it: --from, --to; fewer: --fps; "
-                           "faster: --speed)",
-                           FILM_PICTURES_MAX);
+        return status_refuse(status,
+                             "the film has more than %d pictures (a part of it: --from, --to; fewer: --fps; "
+                             "faster: --speed)",
+                             FILM_PICTURES_MAX);
     if (first && !begin(camera, status))
         return false;
     camera->shown_at += passed;
@@ -77,9 +77,8 @@ bool camera_look(Camera *camera, const Canvas *canvas, const CameraMoment *momen
 bool camera_end(Camera *camera, double seconds, Status *status)
 {
     if (camera->count == 0)
-        return status_fail(status, STATUS_USAGE,
-                           "there is nothing to be seen from time %g to %g (--from, --to)", camera->from,
-                           camera->to);
+        return status_refuse(status, "there is nothing to be seen from time %g to %g (--from, --to)",
+                             camera->from, camera->to);
     const double stood = camera->paused ? 0 : since_last(camera, seconds);
     return camera->format->end(camera->film, camera->shown_at + fmax(stood, CAMERA_LAST_SECONDS), status);
 }

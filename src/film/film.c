@@ -14,7 +14,6 @@ const FilmFormat *film_format(const char *name, Status *status)
         if (length > tail && strcmp(name + length - tail, formats[i]->ending) == 0)
             return formats[i];
     }
-    status_fail(status, STATUS_USAGE,
-                "%.200s: a film's name ends in .cast (asciinema), .svg (animated) or .gif", name);
+    status_refuse(status, "%.200s: a film's name ends in .cast (asciinema), .svg (animated) or .gif", name);
     return NULL;
 }

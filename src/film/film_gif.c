@@ -42,7 +42,7 @@ static int write_bytes(GifFileType *gif, const GifByteType *bytes, int count)
 static bool fails(const Film *film, Status *status)
 {
     const char *why = GifErrorString(film->gif->Error);
-    return status_fail(status, STATUS_FAILED, "the film: %s", why ? why : "it cannot be written");
+    return status_fail(status, "the film: %s", why ? why : "it cannot be written");
 }
 
 /* --- pixels -------------------------------------------------------------------------------------- */
@@ -227,7 +227,7 @@ static bool end_gif(Film *film, double seconds, Status *status)
         return false;
     const int result = EGifCloseFile(film->gif, &error);
     film->gif = NULL;
-    return result == GIF_OK || status_fail(status, STATUS_FAILED, "the film: %s", GifErrorString(error));
+    return result == GIF_OK || status_fail(status, "the film: %s", GifErrorString(error));
 }
 
 /* --- opening and closing ------------------------------------------------------------------------- */
@@ -274,7 +274,7 @@ static Film *open_gif(FILE *stream, const FilmLook *look, Status *status)
     }
     if (!film || !film->cells || !film->pixels || !film->gif ||
         cairo_status(film->cairo) != CAIRO_STATUS_SUCCESS) {
-        status_fail(status, STATUS_FAILED, "out of memory");
+        status_fail(status, "out of memory");
         if (film)
             close_gif(film);
         return NULL;
@@ -296,9 +296,8 @@ static Film *open_gif(FILE *stream, const FilmLook *look, Status *status)
 {
     (void)stream;
     (void)look;
-    status_fail(status, STATUS_USAGE,
-                "this matvib was built without giflib or cairo: no .gif, but .svg and "
-                ".cast");
+    status_refuse(status, "this matvib was built without giflib or cairo: no .gif, but .svg and "
+                          ".cast");
     return NULL;
 }
 

@@ -159,7 +159,7 @@ static Film *open_svg(FILE *stream, const FilmLook *look, Status *status)
         film->cells = calloc(width * (height + 1), sizeof *film->cells);
     }
     if (!film || !film->rows || !film->cells) {
-        status_fail(status, STATUS_FAILED, "out of memory");
+        status_fail(status, "out of memory");
         if (film)
             film_svg.close(film);
         return NULL;
@@ -190,7 +190,7 @@ static bool make_room(Film *film, Status *status)
     long *numbers = realloc(film->numbers, (size_t)room * (size_t)film->look.height * sizeof *numbers);
     film->numbers = numbers ? numbers : film->numbers;
     if (!times || !numbers)
-        return status_fail(status, STATUS_FAILED, "out of memory");
+        return status_fail(status, "out of memory");
     film->room = room;
     return true;
 }

@@ -65,10 +65,10 @@ bool diagnosing_answer(Laboratory *lab, const char *words)
                                .patience = {wait_for_it, &waiting}};
     DiagnoseTable *table = calloc(1, sizeof *table);
     player_pause(lab);
-    const bool sound = *path ? ((table && found) || status_fail(&status, STATUS_FAILED, "out of memory")) &&
+    const bool sound = *path ? ((table && found) || status_fail(&status, "out of memory")) &&
                                    diagnose_read(table, path, &settings, NULL, &status) &&
                                    diagnose(&task, table, found, &status)
-                             : status_fail(&status, STATUS_USAGE, "a file is wanted: diagnose FILE.csv");
+                             : status_refuse(&status, "a file is wanted: diagnose FILE.csv");
     if (sound) {
         diagnosis_sum_up(found, table, lab->diagnosis, sizeof lab->diagnosis);
         lay_over(lab, table);

@@ -24,7 +24,7 @@ bool laboratory_open(Laboratory *lab, const LaboratoryOptions *options, const Ho
     lab->editing.draft = calloc(1, sizeof *lab->editing.draft);
     if (!lab->editing.undo || !lab->editing.redo || !lab->editing.draft) {
         laboratory_close(lab);
-        return status_fail(status, STATUS_FAILED, "out of memory");
+        return status_fail(status, "out of memory");
     }
     screen_default(&lab->screen);
     lab->screen.playback = &lab->player.playback;

@@ -128,7 +128,7 @@ static bool open_scenario(Laboratory *lab, const char *name, Status *status)
 {
     Settings *settings = malloc(sizeof *settings);
     if (!settings)
-        return status_fail(status, STATUS_FAILED, "out of memory");
+        return status_fail(status, "out of memory");
     Experiment *experiment = NULL;
     if (scenario_load(name, settings, status) &&
         (view_check(settings_view(settings), status) || (scenario_blame(name, NULL, 0, status), false))) {

@@ -62,11 +62,10 @@ bool row_edit_line(Laboratory *lab, int kind, const char *words, Status *status)
     char name[KEY_MAX];
     const char *values;
     if (!settings_have_rows(&settings, kind))
-        return status_fail(status, STATUS_USAGE, "problem %s has no %s", settings.problem->word,
-                           row_kinds[kind].section);
+        return status_refuse(status, "problem %s has no %s", settings.problem->word, row_kinds[kind].section);
     if (!part(kind, words, name, &values))
-        return status_fail(status, STATUS_USAGE, "a %s is NAME %s, or NAME none", row_kinds[kind].one,
-                           row_kinds[kind].form);
+        return status_refuse(status, "a %s is NAME %s, or NAME none", row_kinds[kind].one,
+                             row_kinds[kind].form);
     const bool sound = strcmp(values, "none") == 0 && !row_kinds[kind].usual
                            ? settings_row_remove(&settings, kind, name, status)
                            : settings_row_set(&settings, kind, name, values, status);
@@ -120,15 +119,14 @@ static bool accept(Laboratory *lab, Status *status)
     const int kind = place.kind, row = place.row;
     Settings settings = *experiment_settings(laboratory_run(lab));
     if (!part(kind, text, name, &values))
-        return status_fail(status, STATUS_USAGE, "a %s is NAME = %s", row_kinds[kind].one,
-                           row_kinds[kind].form);
+        return status_refuse(status, "a %s is NAME = %s", row_kinds[kind].one, row_kinds[kind].form);
     char old[ROW_NAME_MAX], meant[ROW_TEXT_MAX];
     snprintf(old, sizeof old, "%s", settings.rows[kind].rows[row].name);
     keep_digits(&settings, kind, row, values, meant);
     const bool renamed = strcmp(old, name) != 0;
     if (renamed && settings_row_find(&settings, kind, name) >= 0)
-        return status_fail(status, STATUS_USAGE, "%s.%s: there is one of that name already",
-                           row_kinds[kind].section, name);
+        return status_refuse(status, "%s.%s: there is one of that name already", row_kinds[kind].section,
+                             name);
     if ((renamed && !settings_row_remove(&settings, kind, old, status)) ||
         !settings_row_set(&settings, kind, name, meant, status))
         return false;

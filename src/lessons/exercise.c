@@ -17,8 +17,7 @@ bool exercise_read_answer(const char *text, Exercise *exercise, Status *status)
         at = found;
     *exercise = (Exercise){.kind = EXERCISE_NUMBER};
     if (!at || at - text >= EXPRESSION_MAX)
-        return status_fail(status, STATUS_USAGE,
-                           "how near is right? (EXPRESSION within NUMBER, or NUMBER %%)");
+        return status_refuse(status, "how near is right? (EXPRESSION within NUMBER, or NUMBER %%)");
     snprintf(sum, sizeof sum, "%.*s", (int)(at - text), text);
     at += strlen(within);
     const size_t length = strcspn(at, "%");
@@ -26,8 +25,7 @@ bool exercise_read_answer(const char *text, Exercise *exercise, Status *status)
     snprintf(number, sizeof number, "%.*s", (int)length, at);
     if (length >= sizeof number || !text_to_double(number, &exercise->tolerance) ||
         !(exercise->tolerance > 0) || (exercise->relative && at[length + 1]))
-        return status_fail(status, STATUS_USAGE, "within %.40s: is no tolerance (NUMBER > 0, or NUMBER %%)",
-                           at);
+        return status_refuse(status, "within %.40s: is no tolerance (NUMBER > 0, or NUMBER %%)", at);
     return expression_read(sum, EXPRESSION_NUMBER, &exercise->expression, status);
 }
 

@@ -82,8 +82,8 @@ static bool take(Parser *parser, const char *token)
 
 static bool expected(Parser *parser, const char *what)
 {
-    return status_fail(parser->status, STATUS_USAGE, "%s is wanted, not: %.40s", what,
-                       *parser->token ? parser->token : "the end of the line");
+    return status_refuse(parser->status, "%s is wanted, not: %.40s", what,
+                         *parser->token ? parser->token : "the end of the line");
 }
 
 /* --- steps ------------------------------------------------------------------------------------------ */
@@ -92,8 +92,8 @@ static bool put(Parser *parser, ExpressionStep step)
 {
     Expression *out = parser->out;
     if (out->n_steps == EXPRESSION_STEPS_MAX)
-        return status_fail(parser->status, STATUS_USAGE, "is too long (at most %d numbers and signs)",
-                           EXPRESSION_STEPS_MAX);
+        return status_refuse(parser->status, "is too long (at most %d numbers and signs)",
+                             EXPRESSION_STEPS_MAX);
     out->steps[out->n_steps++] = step;
     return true;
 }
@@ -101,8 +101,8 @@ static bool put(Parser *parser, ExpressionStep step)
 static bool deeper(Parser *parser)
 {
     return ++parser->depth <= DEPTH_MAX ||
-           status_fail(parser->status, STATUS_USAGE,
-                       "has too many parentheses within each other (at most %d)", DEPTH_MAX);
+           status_refuse(parser->status, "has too many parentheses within each other (at most %d)",
+                         DEPTH_MAX);
 }
 
 static bool read_sum(Parser *);
@@ -115,15 +115,15 @@ static bool read_word(Parser *parser, bool was)
     const Parameter *key = parameter_find(parser->token);
     snprintf(word, sizeof word, "%s", parser->token);
     if (!number && !key)
-        return status_fail(parser->status, STATUS_USAGE,
-                           "%.40s is neither a number of a run nor a parameter (see: man 5 matvib)", word);
+        return status_refuse(parser->status,
+                             "%.40s is neither a number of a run nor a parameter (see: man 5 matvib)", word);
     if (was && number && !number->beforehand)
-        return status_fail(parser->status, STATUS_USAGE,
-                           "was %s: is known of a run that has ended only (was is for parameters, mesh and "
-                           "time step)",
-                           word);
+        return status_refuse(parser->status,
+                             "was %s: is known of a run that has ended only (was is for parameters, mesh and "
+                             "time step)",
+                             word);
     if (key && key->type == PARAMETER_TEXT)
-        return status_fail(parser->status, STATUS_USAGE, "%s is no number", word);
+        return status_refuse(parser->status, "%s is no number", word);
     parser->out->has_was |= was;
     next(parser);
     return number ? put(parser, (ExpressionStep){.kind = STEP_WORD, .word = number, .was = was})
@@ -202,8 +202,7 @@ static bool read_choice(Parser *parser, const Parameter *key)
         }
         text_append(known, sizeof known, "%s%s", i ? " | " : "", choices[i]);
     }
-    return status_fail(parser->status, STATUS_USAGE, "%s is compared with one of its choices (%s)", key->key,
-                       known);
+    return status_refuse(parser->status, "%s is compared with one of its choices (%s)", key->key, known);
 }
 
 /* A relation between two sums, or between a parameter and one of its choices. */
@@ -283,8 +282,8 @@ static bool read_claims(Parser *parser)
     do {
         const int text = parser->token_start, first = out->n_steps;
         if (out->n_claims == EXPRESSION_CLAIMS_MAX)
-            return status_fail(parser->status, STATUS_USAGE, "asks for too much (at most %d things)",
-                               EXPRESSION_CLAIMS_MAX);
+            return status_refuse(parser->status, "asks for too much (at most %d things)",
+                                 EXPRESSION_CLAIMS_MAX);
         if (!read_either(parser))
             return false;
         out->claims[out->n_claims++] = (ExpressionClaim){text, parser->last_end - text, first, out->n_steps};
@@ -296,7 +295,7 @@ bool expression_read(const char *text, ExpressionKind kind, Expression *out, Sta
 {
     *out = (Expression){.kind = kind};
     if (strlen(text) >= sizeof out->text)
-        return status_fail(status, STATUS_USAGE, "is too long (at most %d bytes)", EXPRESSION_MAX - 1);
+        return status_refuse(status, "is too long (at most %d bytes)", EXPRESSION_MAX - 1);
     strcpy(out->text, text);
     Parser parser = {.out = out, .at = out->text, .status = status};
     next(&parser);

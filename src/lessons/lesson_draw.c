@@ -31,7 +31,7 @@ bool lesson_knows_braces(const Lesson *lesson, const char *line, Status *status)
     char key[KEY_MAX];
     for (; (line = strchr(line, '{')); line++)
         if (braced_key(line, key) && !lesson_variant(lesson, key, lesson->n_pages))
-            return status_fail(status, STATUS_USAGE, "{%s}: there is no @variant of it above", key);
+            return status_refuse(status, "{%s}: there is no @variant of it above", key);
     return true;
 }
 
@@ -54,7 +54,7 @@ static bool fill_in(const Lesson *lesson, int page, char **text, Status *status)
         return true;
     FILE *stream = open_memstream(&filled, &size);
     if (!stream)
-        return status_fail(status, STATUS_FAILED, "not enough memory for a lesson");
+        return status_fail(status, "not enough memory for a lesson");
     for (const char *c = *text; *c; c++) {
         const LessonVariant *variant =
             (length = braced_key(c, key)) > 0 ? lesson_variant(lesson, key, page) : NULL;
@@ -67,7 +67,7 @@ static bool fill_in(const Lesson *lesson, int page, char **text, Status *status)
     }
     if (!text_stream_close(stream, &filled)) {
         free(filled);
-        return status_fail(status, STATUS_FAILED, "not enough memory for a lesson");
+        return status_fail(status, "not enough memory for a lesson");
     }
     free(*text);
     *text = filled;
@@ -82,7 +82,7 @@ static bool set_variant(Lesson *lesson, LessonVariant *variant, const char *stud
     if (asprintf(line, "set %s %s", variant->variant.key, variant->value) >= 0)
         return true;
     *line = NULL;
-    return status_fail(status, STATUS_FAILED, "not enough memory for a lesson");
+    return status_fail(status, "not enough memory for a lesson");
 }
 
 bool lesson_draw(Lesson *lesson, const char *student, Status *status)

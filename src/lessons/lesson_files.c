@@ -31,9 +31,8 @@ static bool unknown(const char *name, Status *status)
         names[count++] = builtin->name;
     const char *nearest = parameter_nearest_word(names, name);
     if (!nearest)
-        return status_fail(status, STATUS_USAGE, "%s: no such lesson or file (see: matvib lesson --list)",
-                           name);
-    return status_fail(status, STATUS_USAGE, "%s: no such lesson or file (did you mean %s?)", name, nearest);
+        return status_refuse(status, "%s: no such lesson or file (see: matvib lesson --list)", name);
+    return status_refuse(status, "%s: no such lesson or file (did you mean %s?)", name, nearest);
 }
 
 /* --- the scenario files that it opens ---------------------------------------------------------------- */
@@ -66,7 +65,7 @@ static bool find_scenario(Lesson *lesson, char **line, const char *name, Status 
         return true;
     const int folder = slash && *file != '/' ? (int)(slash + 1 - name) : 0;
     if (asprintf(&path, "%.*s%.*s%s", (int)(file - *line), *line, folder, name, file) < 0)
-        return status_fail(status, STATUS_FAILED, "not enough memory for a lesson");
+        return status_fail(status, "not enough memory for a lesson");
     free(*line);
     *line = path;
     return add_scenario(lesson, lesson_opening(path), status) || status_prefix(status, "%s", name);

@@ -30,7 +30,7 @@ typedef struct Reader {
 
 static bool no_memory(Status *status)
 {
-    return status_fail(status, STATUS_FAILED, "not enough memory for a lesson");
+    return status_fail(status, "not enough memory for a lesson");
 }
 
 static bool keep(Reader *reader, char **where, const char *text)
@@ -67,13 +67,12 @@ static bool judge_conditions(const Reader *reader, const LessonPage *page, Statu
         for (int k = 0; k < page->n_choices; k++)
             right += page->if_words[k] && variant_has_word(page->if_words[k], drawn->variant.words[i]);
         if (right != 1)
-            return status_fail(status, STATUS_USAGE,
-                               "page \"%.40s\" has %d right choices for %s = %s (one is wanted)", page->title,
-                               right, page->if_key, drawn->variant.words[i]);
+            return status_refuse(status, "page \"%.40s\" has %d right choices for %s = %s (one is wanted)",
+                                 page->title, right, page->if_key, drawn->variant.words[i]);
     }
     return !drawn || drawn->variant.n_words > 0 ||
-           status_fail(status, STATUS_USAGE, "page \"%.40s\": %s has no words to be asked for", page->title,
-                       page->if_key);
+           status_refuse(status, "page \"%.40s\": %s has no words to be asked for", page->title,
+                         page->if_key);
 }
 
 /* What must and must not stand on one page. */
@@ -83,36 +82,32 @@ static bool judge_page(const Reader *reader, const LessonPage *page, Status *sta
     const bool asks = exercise == EXERCISE_NUMBER || exercise == EXERCISE_WORDS;
     const bool reveals = reader->part == &page->revealed;
     if (page->question && exercise == EXERCISE_GOAL)
-        return status_fail(status, STATUS_USAGE, "page \"%.40s\" asks (@ask) and has a @goal (one of them)",
-                           page->title);
+        return status_refuse(status, "page \"%.40s\" asks (@ask) and has a @goal (one of them)", page->title);
     if (page->question && !asks && (page->n_choices < 2 || page->right < 0))
-        return status_fail(
-            status, STATUS_USAGE,
+        return status_refuse(
+            status,
             "the question of page \"%.40s\" wants two choices at least, one of them @right, or "
             "@answer or @words",
             page->title);
     if (page->question && asks && page->n_choices > 0)
-        return status_fail(status, STATUS_USAGE,
-                           "the question of page \"%.40s\" has choices and @%s (one of them)", page->title,
-                           exercise == EXERCISE_NUMBER ? "answer" : "words");
+        return status_refuse(status, "the question of page \"%.40s\" has choices and @%s (one of them)",
+                             page->title, exercise == EXERCISE_NUMBER ? "answer" : "words");
     if (exercise == EXERCISE_GOAL && page->solution.n_actions == 0)
-        return status_fail(status, STATUS_USAGE, "the goal of page \"%.40s\" wants a way to it (@solve LINE)",
-                           page->title);
+        return status_refuse(status, "the goal of page \"%.40s\" wants a way to it (@solve LINE)",
+                             page->title);
     if (exercise != EXERCISE_GOAL && page->solution.n_actions > 0)
-        return status_fail(status, STATUS_USAGE, "page \"%.40s\" solves (@solve) what is no @goal",
-                           page->title);
+        return status_refuse(status, "page \"%.40s\" solves (@solve) what is no @goal", page->title);
     if (page->points > 0 && lesson_exercise(page) == EXERCISE_NONE)
-        return status_fail(status, STATUS_USAGE, "page \"%.40s\" has points (@points), but no exercise",
-                           page->title);
+        return status_refuse(status, "page \"%.40s\" has points (@points), but no exercise", page->title);
     if (!page->question && reveals && page->until.kind == UNTIL_NOTHING)
-        return status_fail(status, STATUS_USAGE,
-                           "page \"%.40s\" reveals, but neither asks (@ask) nor waits for anything (@until)",
-                           page->title);
+        return status_refuse(
+            status, "page \"%.40s\" reveals, but neither asks (@ask) nor waits for anything (@until)",
+            page->title);
     if (!page->question && page->revealed.n_actions > 0)
-        return status_fail(status, STATUS_USAGE,
-                           "page \"%.40s\" does something after its goal: only an "
-                           "answer is followed by @do",
-                           page->title);
+        return status_refuse(status,
+                             "page \"%.40s\" does something after its goal: only an "
+                             "answer is followed by @do",
+                             page->title);
     return judge_conditions(reader, page, status);
 }
 
@@ -135,9 +130,9 @@ static bool end_page(Reader *reader)
     const ExerciseKind kind = lesson_exercise(page);
     const bool of_run = kind == EXERCISE_NUMBER || kind == EXERCISE_GOAL;
     if (of_run && !reader->opened)
-        return status_fail(reader->status, STATUS_USAGE,
-                           "page \"%.40s\" asks about a run that no page up to it opens (@do open SCENARIO)",
-                           page->title);
+        return status_refuse(
+            reader->status, "page \"%.40s\" asks about a run that no page up to it opens (@do open SCENARIO)",
+            page->title);
     reader->opened |= reader->opens;
     return judge_page(reader, page, reader->status);
 }
@@ -148,7 +143,7 @@ static bool read_page(Reader *reader, const char *text)
     if (!end_page(reader))
         return false;
     if (lesson->n_pages == LESSON_PAGES_MAX)
-        return status_fail(reader->status, STATUS_USAGE, "too many pages (at most %d)", LESSON_PAGES_MAX);
+        return status_refuse(reader->status, "too many pages (at most %d)", LESSON_PAGES_MAX);
     LessonPage *pages = realloc(lesson->pages, (size_t)(lesson->n_pages + 1) * sizeof *pages);
     if (!pages)
         return no_memory(reader->status);
@@ -164,7 +159,7 @@ static bool add_action(Reader *reader, LessonPart *part, const char *word, const
     if (!reader->may_do(text, reader->status))
         return status_prefix(reader->status, "%s", word);
     if (part->n_actions == ACTIONS_MAX)
-        return status_fail(reader->status, STATUS_USAGE, "too many things to do (at most %d)", ACTIONS_MAX);
+        return status_refuse(reader->status, "too many things to do (at most %d)", ACTIONS_MAX);
     char **actions = realloc(part->actions, (size_t)(part->n_actions + 1) * sizeof *actions);
     if (!actions)
         return no_memory(reader->status);
@@ -192,10 +187,9 @@ static bool read_variant(Reader *reader, const char *text)
     LessonPart *part = reader->part;
     char line[KEY_MAX + 8];
     if (part != &reader->page->first)
-        return status_fail(reader->status, STATUS_USAGE, "@variant stands before @reveal");
+        return status_refuse(reader->status, "@variant stands before @reveal");
     if (lesson->n_variants == LESSON_VARIANTS_MAX)
-        return status_fail(reader->status, STATUS_USAGE, "too many variants (at most %d)",
-                           LESSON_VARIANTS_MAX);
+        return status_refuse(reader->status, "too many variants (at most %d)", LESSON_VARIANTS_MAX);
     LessonVariant *variant = &lesson->variants[lesson->n_variants];
     *variant = (LessonVariant){.page = lesson->n_pages - 1, .action = part->n_actions};
     if (!variant_read(text, &variant->variant, reader->status))
@@ -210,7 +204,7 @@ static bool new_exercise(Reader *reader, bool (*read)(const char *, Exercise *, 
 {
     LessonPage *page = reader->page;
     if (page->exercise)
-        return status_fail(reader->status, STATUS_USAGE, "a page has one exercise only");
+        return status_refuse(reader->status, "a page has one exercise only");
     page->exercise = calloc(1, sizeof *page->exercise);
     if (!page->exercise)
         return no_memory(reader->status);
@@ -222,7 +216,7 @@ static bool new_exercise(Reader *reader, bool (*read)(const char *, Exercise *, 
 static bool has_asked(const Reader *reader)
 {
     return reader->page->question ||
-           status_fail(reader->status, STATUS_USAGE, "an answer comes after its question (@ask)");
+           status_refuse(reader->status, "an answer comes after its question (@ask)");
 }
 
 static bool read_answer(Reader *reader, const char *text)
@@ -238,7 +232,7 @@ static bool read_words(Reader *reader, const char *text)
 static bool read_goal(Reader *reader, const char *text)
 {
     if (reader->page->until.kind != UNTIL_NOTHING)
-        return status_fail(reader->status, STATUS_USAGE, "a page has one goal (@until or @goal)");
+        return status_refuse(reader->status, "a page has one goal (@until or @goal)");
     reader->page->until = (LessonUntil){.kind = UNTIL_GOAL};
     return new_exercise(reader, exercise_read_goal, "goal", text);
 }
@@ -248,19 +242,18 @@ static bool read_points(Reader *reader, const char *text)
     enum { POINTS_MOST = 1000 };
     double *points = &reader->page->points;
     if (*points > 0)
-        return status_fail(reader->status, STATUS_USAGE, "a page has its points once");
+        return status_refuse(reader->status, "a page has its points once");
     return (text_to_double(text, points) && *points > 0 && *points <= POINTS_MOST) ||
-           status_fail(reader->status, STATUS_USAGE, "@points %.40s: not a number above 0, up to %d", text,
-                       POINTS_MOST);
+           status_refuse(reader->status, "@points %.40s: not a number above 0, up to %d", text, POINTS_MOST);
 }
 
 static bool read_field(Reader *reader, const char *text)
 {
     LessonPage *page = reader->page;
     if (!parameter_find(text))
-        return status_fail(reader->status, STATUS_USAGE, "%.40s is no parameter (see: matvib params)", text);
+        return status_refuse(reader->status, "%.40s is no parameter (see: matvib params)", text);
     if (page->n_fields == LESSON_FIELDS_MAX)
-        return status_fail(reader->status, STATUS_USAGE, "too many fields (at most %d)", LESSON_FIELDS_MAX);
+        return status_refuse(reader->status, "too many fields (at most %d)", LESSON_FIELDS_MAX);
     snprintf(page->fields[page->n_fields++], KEY_MAX, "%.*s", KEY_MAX - 1, text);
     return true;
 }
@@ -268,7 +261,7 @@ static bool read_field(Reader *reader, const char *text)
 static bool read_ask(Reader *reader, const char *text)
 {
     if (reader->page->question)
-        return status_fail(reader->status, STATUS_USAGE, "a page asks one question only");
+        return status_refuse(reader->status, "a page asks one question only");
     return keep(reader, &reader->page->question, text);
 }
 
@@ -276,9 +269,9 @@ static bool read_choice(Reader *reader, const char *text)
 {
     LessonPage *page = reader->page;
     if (!page->question)
-        return status_fail(reader->status, STATUS_USAGE, "a choice comes after its question (@ask)");
+        return status_refuse(reader->status, "a choice comes after its question (@ask)");
     if (page->n_choices == LESSON_CHOICES_MAX)
-        return status_fail(reader->status, STATUS_USAGE, "too many choices (at most %d)", LESSON_CHOICES_MAX);
+        return status_refuse(reader->status, "too many choices (at most %d)", LESSON_CHOICES_MAX);
     return keep(reader, &page->choices[page->n_choices++], text);
 }
 
@@ -307,10 +300,9 @@ static bool read_right_if(Reader *reader, const char *text, const char *key, siz
     if (!sound)
         return false;
     if (!lesson_variant(reader->lesson, key, reader->lesson->n_pages))
-        return status_fail(reader->status, STATUS_USAGE, "if %s: there is no @variant of it above", key);
+        return status_refuse(reader->status, "if %s: there is no @variant of it above", key);
     if (*page->if_key && strcmp(page->if_key, key) != 0)
-        return status_fail(reader->status, STATUS_USAGE, "if %s: the other choices ask for %s", key,
-                           page->if_key);
+        return status_refuse(reader->status, "if %s: the other choices ask for %s", key, page->if_key);
     strcpy(page->if_key, key);
     if (page->right < 0)
         page->right = page->n_choices - 1;
@@ -324,7 +316,7 @@ static bool read_right(Reader *reader, const char *text)
     int words;
     const char *condition = condition_of(text, key, &words);
     if (page->right >= 0 && !(condition && *page->if_key))
-        return status_fail(reader->status, STATUS_USAGE, "one choice only is right");
+        return status_refuse(reader->status, "one choice only is right");
     if (condition)
         return read_right_if(reader, text, key, (size_t)(condition - text), text + words);
     page->right = page->n_choices;
@@ -341,7 +333,7 @@ static bool read_reveal(Reader *reader, const char *text)
 static bool read_until(Reader *reader, const char *text)
 {
     if (reader->page->until.kind == UNTIL_GOAL)
-        return status_fail(reader->status, STATUS_USAGE, "a page has one goal (@until or @goal)");
+        return status_refuse(reader->status, "a page has one goal (@until or @goal)");
     static const struct {
         const char *word;
         UntilKind kind;
@@ -368,9 +360,9 @@ static bool read_until(Reader *reader, const char *text)
             (until->kind != UNTIL_VALUE || parameter_find(one)))
             return true;
     }
-    return status_fail(reader->status, STATUS_USAGE,
-                       "until what? (step N | time T | stage N | end | crossing | break | event | rest | "
-                       "command NAME | value KEY VALUE)");
+    return status_refuse(reader->status,
+                         "until what? (step N | time T | stage N | end | crossing | break | event | rest | "
+                         "command NAME | value KEY VALUE)");
 }
 
 typedef enum Wants { WANTS_NOTHING, WANTS_TEXT } Wants;
@@ -401,21 +393,19 @@ static bool read_word(Reader *reader, char *line)
         if (strlen(words[i].word) != length || strncmp(words[i].word, line, length) != 0)
             continue;
         if (words[i].of_page && !reader->page)
-            return status_fail(reader->status, STATUS_USAGE, "@%s belongs to a page (@page TITLE)",
-                               words[i].word);
+            return status_refuse(reader->status, "@%s belongs to a page (@page TITLE)", words[i].word);
         if (!words[i].of_page && reader->page && words[i].read != read_page)
-            return status_fail(reader->status, STATUS_USAGE, "@%s belongs before the first page",
-                               words[i].word);
+            return status_refuse(reader->status, "@%s belongs before the first page", words[i].word);
         if ((words[i].wants == WANTS_TEXT) != (*text != '\0'))
-            return status_fail(reader->status, STATUS_USAGE, "@%s: %s", words[i].word,
-                               *text ? "takes nothing" : "something is missing behind it");
+            return status_refuse(reader->status, "@%s: %s", words[i].word,
+                                 *text ? "takes nothing" : "something is missing behind it");
         return words[i].read(reader, text);
     }
     char known[240] = "";
     for (size_t i = 0, used = 0; i < sizeof words / sizeof *words && used < sizeof known; i++)
         used += (size_t)snprintf(known + used, sizeof known - used, "%s@%s", i ? " | " : "", words[i].word);
-    return status_fail(reader->status, STATUS_USAGE, "@%.*s is not known (%s)",
-                       length < 20 ? (int)length : 20, line, known);
+    return status_refuse(reader->status, "@%.*s is not known (%s)", length < 20 ? (int)length : 20, line,
+                         known);
 }
 
 static bool read_text(Reader *reader, const char *line)
@@ -425,10 +415,10 @@ static bool read_text(Reader *reader, const char *line)
         return true;
     }
     if (!reader->page)
-        return status_fail(reader->status, STATUS_USAGE, "text belongs to a page (@page TITLE)");
+        return status_refuse(reader->status, "text belongs to a page (@page TITLE)");
     if (reader->page->question && reader->part == &reader->page->first)
-        return status_fail(reader->status, STATUS_USAGE,
-                           "a question is one line (text comes before @ask, or after @reveal)");
+        return status_refuse(reader->status,
+                             "a question is one line (text comes before @ask, or after @reveal)");
     char **text = &reader->part->text, *longer;
     const char *between = !*text ? "" : reader->paragraph ? " " : "\n";
     if (asprintf(&longer, "%s%s%s", *text ? *text : "", between, line) < 0)
@@ -437,8 +427,7 @@ static bool read_text(Reader *reader, const char *line)
     *text = longer;
     reader->paragraph = true;
     return strlen(longer) <= TEXT_BYTES_MAX ||
-           status_fail(reader->status, STATUS_USAGE, "too much text for a page (at most %d bytes)",
-                       TEXT_BYTES_MAX);
+           status_refuse(reader->status, "too much text for a page (at most %d bytes)", TEXT_BYTES_MAX);
 }
 
 static bool read_line(Reader *reader, char *line)
@@ -446,7 +435,7 @@ static bool read_line(Reader *reader, char *line)
     for (size_t length = strlen(line); length > 0 && strchr(" \t\r\n", line[length - 1]);)
         line[--length] = '\0';
     if (!visible_is_clean(line))
-        return status_fail(reader->status, STATUS_USAGE, "is not text in UTF-8");
+        return status_refuse(reader->status, "is not text in UTF-8");
     Lesson *lesson = reader->lesson;
     if (strncmp(line, "@group ", 7) == 0) /* where it is listed is no part of what was read and recorded */
         return read_word(reader, line + 1);
@@ -473,7 +462,7 @@ bool lesson_read(FILE *stream, const char *name, LessonJudge may_do, Lesson *les
         else if (!(sound = read_line(&reader, line)))
             status_prefix(status, "%s:%ld", name, lines.number);
     if (sound && (!lesson->title || lesson->n_pages == 0))
-        sound = status_fail(status, STATUS_USAGE, "%s: is no lesson (@title and a @page are wanted)", name);
+        sound = status_refuse(status, "%s: is no lesson (@title and a @page are wanted)", name);
     else if (sound && !end_page(&reader)) {
         status_prefix(status, "%s", name);
         sound = false;

@@ -70,17 +70,16 @@ static bool read_words(const char *list, const Parameter *parameter, Variant *va
     while (text_next_item(&list, item, sizeof item)) {
         const int choice = text_place_in(item, parameter->choices);
         if (choice < 0 || (parameter->wrong && choice == 0))
-            return status_fail(status, STATUS_USAGE, "%s: %s is none of its words (see: matvib params)",
-                               variant->key, item);
+            return status_refuse(status, "%s: %s is none of its words (see: matvib params)", variant->key,
+                                 item);
         if (text_place_in(item, variant->words) >= 0)
-            return status_fail(status, STATUS_USAGE, "%s: %s stands there twice", variant->key, item);
+            return status_refuse(status, "%s: %s stands there twice", variant->key, item);
         if (variant->n_words == VARIANT_WORDS_MAX)
-            return status_fail(status, STATUS_USAGE, "%s: too many words (at most %d)", variant->key,
-                               VARIANT_WORDS_MAX);
+            return status_refuse(status, "%s: too many words (at most %d)", variant->key, VARIANT_WORDS_MAX);
         variant->words[variant->n_words++] = parameter->choices[choice];
     }
     return variant->n_words >= 2 ||
-           status_fail(status, STATUS_USAGE, "%s: two words at least are wanted to draw from", variant->key);
+           status_refuse(status, "%s: two words at least are wanted to draw from", variant->key);
 }
 
 bool variant_read(const char *text, Variant *variant, Status *status)
@@ -96,23 +95,23 @@ bool variant_read(const char *text, Variant *variant, Status *status)
     *variant = (Variant){.from = NAN};
     if (sscanf(text, "%39s from %31s to %31s %c", variant->key, from, to, &more) != 3 ||
         !text_to_double(from, &variant->from) || !text_to_double(to, &variant->to))
-        return status_fail(status, STATUS_USAGE,
-                           "\"%.60s\" is no variant (KEY from A to B, KEY from WORD, WORD ...)", text);
+        return status_refuse(status, "\"%.60s\" is no variant (KEY from A to B, KEY from WORD, WORD ...)",
+                             text);
     const Parameter *parameter = parameter_find(variant->key);
     if (!parameter)
-        return status_fail(status, STATUS_USAGE, "%s is no parameter (see: matvib params)", variant->key);
+        return status_refuse(status, "%s is no parameter (see: matvib params)", variant->key);
     if (parameter->type != PARAMETER_REAL && parameter->type != PARAMETER_INTEGER)
-        return status_fail(status, STATUS_USAGE, "%s has no numbers to draw from", variant->key);
+        return status_refuse(status, "%s has no numbers to draw from", variant->key);
     variant->whole = parameter->type == PARAMETER_INTEGER;
     const double range = variant->to - variant->from;
     if (!(range > 0) || !(range >= 1e-9 * fmax(fabs(variant->from), fabs(variant->to))) ||
         fabs(variant->from) > 1e100 || fabs(variant->to) > 1e100 || range < 1e-100 ||
         (variant->whole && (range < 1 || variant->from != floor(variant->from))))
-        return status_fail(status, STATUS_USAGE, "%s: nothing lies between %s and %s (the smaller one first)",
-                           variant->key, from, to);
+        return status_refuse(status, "%s: nothing lies between %s and %s (the smaller one first)",
+                             variant->key, from, to);
     return (is_allowed(parameter, variant->from) && is_allowed(parameter, variant->to)) ||
-           status_fail(status, STATUS_USAGE, "%s: from %s to %s is more than is allowed (see: matvib params)",
-                       variant->key, from, to);
+           status_refuse(status, "%s: from %s to %s is more than is allowed (see: matvib params)",
+                         variant->key, from, to);
 }
 
 /* The values that there are: whole numbers of steps, from the first to the last. */
@@ -211,7 +210,7 @@ static char *compose(const char *text, Status *status)
 {
     char *composed = (char *)utf8proc_NFC((const utf8proc_uint8_t *)text);
     if (!composed)
-        status_fail(status, STATUS_FAILED, "not enough memory for a name");
+        status_fail(status, "not enough memory for a name");
     return composed;
 }
 #else
@@ -234,15 +233,15 @@ static char *compose(const char *text, Status *status)
     char *same = strdup(text);
     for (const char *at = text; same && *at; at++)
         if (is_combining(at)) {
-            status_fail(status, STATUS_USAGE,
-                        "%.80s: an accent is a character of its own (a letter with its accent as one; this "
-                        "matvib was built without libutf8proc, which joins them)",
-                        text);
+            status_refuse(status,
+                          "%.80s: an accent is a character of its own (a letter with its accent as one; this "
+                          "matvib was built without libutf8proc, which joins them)",
+                          text);
             free(same);
             return NULL;
         }
     if (!same)
-        status_fail(status, STATUS_FAILED, "not enough memory for a name");
+        status_fail(status, "not enough memory for a name");
     return same;
 }
 #endif
@@ -254,8 +253,7 @@ bool variant_student(const char *text, char out[STUDENT_MAX], Status *status)
     int characters = 0;
     bool space = false, fits = true;
     if (!visible_is_clean(text))
-        return status_fail(status, STATUS_USAGE, "%.80s: is no name (UTF-8 without control characters)",
-                           text);
+        return status_refuse(status, "%.80s: is no name (UTF-8 without control characters)", text);
     char *name = compose(text, status);
     if (!name)
         return false;
@@ -278,9 +276,9 @@ bool variant_student(const char *text, char out[STUDENT_MAX], Status *status)
     free(name);
     out[used] = '\0';
     if (used == 0)
-        return status_fail(status, STATUS_USAGE, "the name is empty");
-    return fits || status_fail(status, STATUS_USAGE, "the name is too long (at most %d characters, %d bytes)",
-                               CHARACTERS_MAX, STUDENT_MAX - 2);
+        return status_refuse(status, "the name is empty");
+    return fits || status_refuse(status, "the name is too long (at most %d characters, %d bytes)",
+                                 CHARACTERS_MAX, STUDENT_MAX - 2);
 }
 
 void variant_file_word(const char *name, char *out, size_t size)

@@ -18,12 +18,11 @@ int axial_particles_in_layer(double layer, double spacing, int particles)
 bool axial_check_layer(double layer, double spacing, double length, Status *status)
 {
     if (!(layer >= 0 && layer <= length))
-        return status_fail(status, STATUS_USAGE,
-                           "load.traction_layer: %g is out of range (0 to the length %g)", layer, length);
+        return status_refuse(status, "load.traction_layer: %g is out of range (0 to the length %g)", layer,
+                             length);
     if (layer > 0 && layer <= 0.5 * spacing)
-        return status_fail(status, STATUS_USAGE,
-                           "load.traction_layer: %g holds no particle (more than %g, or 0 for %g)", layer,
-                           0.5 * spacing, spacing);
+        return status_refuse(status, "load.traction_layer: %g holds no particle (more than %g, or 0 for %g)",
+                             layer, 0.5 * spacing, spacing);
     return true;
 }
 

@@ -336,8 +336,7 @@ static bool refuse_field(const Simulation *sim, int set, const char *words, Stat
         if (sim->fields[i].set == set)
             used += (size_t)snprintf(known + used, sizeof known - used, "%s%s", used ? " | " : "",
                                      sim->fields[i].quantity.name);
-    return status_fail(status, STATUS_USAGE, "%.40s is no field of a %s (%s)", words, sim->sets[set].name,
-                       known);
+    return status_refuse(status, "%.40s is no field of a %s (%s)", words, sim->sets[set].name, known);
 }
 
 static bool find_thing(const Simulation *sim, const char *thing, int *field, size_t *index, Status *status)
@@ -350,12 +349,10 @@ static bool find_thing(const Simulation *sim, const char *thing, int *field, siz
                        thing[end] && isdigit((unsigned char)thing[digits]);
     const int set = whole ? find_set(sim, word) : -1;
     if (set < 0)
-        return status_fail(status, STATUS_USAGE,
-                           "\"%.60s\" is nothing to follow (%s NUMBER FIELD, as in %s 0 %s)", thing,
-                           sim->sets[0].name, sim->sets[0].name, sim->fields[0].quantity.name);
+        return status_refuse(status, "\"%.60s\" is nothing to follow (%s NUMBER FIELD, as in %s 0 %s)", thing,
+                             sim->sets[0].name, sim->sets[0].name, sim->fields[0].quantity.name);
     if (number >= sim->counts[set])
-        return status_fail(status, STATUS_USAGE, "there is no %s %lu (0 to %zu)", word, number,
-                           sim->counts[set] - 1);
+        return status_refuse(status, "there is no %s %lu (0 to %zu)", word, number, sim->counts[set] - 1);
     *index = number;
     *field = find_field(sim, set, thing + end);
     return *field >= 0 || refuse_field(sim, set, thing + end, status);
@@ -399,7 +396,7 @@ bool simulation_follow(Simulation *sim, const char *thing, Status *status)
     if (!follow || (!sim->follow &&
                     !(follow->series = calloc((size_t)sim->n_series + FOLLOW_MAX, sizeof *follow->series)))) {
         free(follow);
-        return status_fail(status, STATUS_FAILED, "not enough memory to follow a thing");
+        return status_fail(status, "not enough memory to follow a thing");
     }
     if (!sim->follow) {
         memcpy(follow->series, sim->series, (size_t)sim->n_series * sizeof *sim->series);
@@ -409,16 +406,16 @@ bool simulation_follow(Simulation *sim, const char *thing, Status *status)
         sim->series = follow->series;
     }
     if (follow->count == FOLLOW_MAX)
-        return status_fail(status, STATUS_USAGE, "too many things are followed (at most %d)", FOLLOW_MAX);
+        return status_refuse(status, "too many things are followed (at most %d)", FOLLOW_MAX);
     const Field *row = &sim->fields[field];
     if (sim->sets[row->set].ready_after > 0 && !follow->present &&
         !(follow->present = malloc(simulation_snapshot_size(sim))))
-        return status_fail(status, STATUS_FAILED, "not enough memory to follow a thing");
+        return status_fail(status, "not enough memory to follow a thing");
     const char *set = sim->sets[row->set].name;
     char name[FOLLOW_TEXT_MAX];
     snprintf(name, sizeof name, "%s_%zu_%s", set, index, row->quantity.name);
     if (simulation_find_series(sim, name) >= 0)
-        return status_fail(status, STATUS_USAGE, "%s is followed twice (once)", thing);
+        return status_refuse(status, "%s is followed twice (once)", thing);
     const int i = follow->count++;
     follow->things[i].field = field;
     follow->things[i].index = index;

@@ -158,7 +158,7 @@ Pool *pool_create(int threads, Status *status)
     ASSERT_INT(threads, >=, 1);
     Pool *pool = malloc(sizeof *pool + (size_t)threads * sizeof *pool->workers);
     if (!pool) {
-        status_fail(status, STATUS_FAILED, "not enough memory for %d threads", threads);
+        status_fail(status, "not enough memory for %d threads", threads);
         return NULL;
     }
     *pool = (Pool){.threads = threads};
@@ -182,7 +182,7 @@ Pool *pool_create(int threads, Status *status)
     if (pool->n_workers == threads - 1)
         return pool;
     pool_destroy(pool);
-    status_fail(status, STATUS_FAILED, "--threads: cannot start %d threads", threads);
+    status_fail(status, "--threads: cannot start %d threads", threads);
     return NULL;
 }
 

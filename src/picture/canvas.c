@@ -16,7 +16,7 @@ bool canvas_open(Canvas *canvas, int width, int height, Status *status)
     height = height > 0 ? height : 1;
     Cell *cells = realloc(canvas->cells, (size_t)width * (size_t)height * sizeof *cells);
     if (!cells)
-        return status_fail(status, STATUS_FAILED, "not enough memory for a screen of %dx%d", width, height);
+        return status_fail(status, "not enough memory for a screen of %dx%d", width, height);
     canvas->cells = cells;
     canvas->width = width;
     canvas->height = height;

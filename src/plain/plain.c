@@ -509,7 +509,7 @@ static void tell_more(Plain *plain)
 static bool draw(Plain *plain, Status *status)
 {
     return laboratory_draw(&plain->lab, &plain->canvas, WIDTH, HEIGHT) ||
-           status_fail(status, STATUS_FAILED, "out of memory");
+           status_fail(status, "out of memory");
 }
 
 bool plain_line(Plain *plain, const char *typed, Status *status)
@@ -619,7 +619,7 @@ int plain_play(FILE *in, const char *name, FILE *out, const LaboratoryOptions *o
 {
     Plain *plain = calloc(1, sizeof *plain);
     signals_catch();
-    bool sound = plain || status_fail(status, STATUS_FAILED, "out of memory");
+    bool sound = plain || status_fail(status, "out of memory");
     if (sound && (sound = plain_open(plain, options, out, status))) {
         plain->echo = !isatty(fileno(in));
         plain->talks = !plain->echo;

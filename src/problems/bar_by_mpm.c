@@ -225,12 +225,11 @@ bool bar_limit(const Settings *settings, char *text, size_t size, Status *status
     errno = 0;
     const double largest = step_limit(&theory, &mesh);
     if (errno == ENOMEM)
-        return status_fail(status, STATUS_FAILED, "not enough memory for the largest stable time step");
+        return status_fail(status, "not enough memory for the largest stable time step");
     if (courant > largest && !settings_time(settings)->unstable)
-        return status_fail(
-            status, STATUS_USAGE,
-            "time.courant: %.6g is unstable on this mesh (at most %.5g, or time.unstable = yes)", courant,
-            stable_courant(settings, &theory, largest));
+        return status_refuse(
+            status, "time.courant: %.6g is unstable on this mesh (at most %.5g, or time.unstable = yes)",
+            courant, stable_courant(settings, &theory, largest));
     if (courant > largest)
         snprintf(text, size, "courant %.4g is beyond the largest stable one, %.5g: this run will blow up",
                  courant, largest);

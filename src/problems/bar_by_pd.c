@@ -142,10 +142,10 @@ static bool limit(const Settings *settings, char *text, size_t size, Status *sta
     if (!pd_bar_critical(&def, &critical, status))
         return false;
     if (def.dt > critical)
-        return status_fail(status, STATUS_USAGE,
-                           "time.courant: the time step %.6g is above the critical one, %.6g (courant at "
-                           "most %.5g)",
-                           def.dt, critical, courant * critical / def.dt);
+        return status_refuse(status,
+                             "time.courant: the time step %.6g is above the critical one, %.6g (courant at "
+                             "most %.5g)",
+                             def.dt, critical, courant * critical / def.dt);
     if (def.dt > 0.95 * critical)
         snprintf(text, size, "time step %.4g is near the critical one, %.5g", def.dt, critical);
     return true;

@@ -141,10 +141,9 @@ static bool limit(const Settings *settings, char *text, size_t size, Status *sta
     if (!plane_courant_limit(&def, &largest, status))
         return false;
     if (def.courant > largest && !settings_time(settings)->unstable)
-        return status_fail(
-            status, STATUS_USAGE,
-            "time.courant: %.6g is unstable on this mesh (at most %.5g, or time.unstable = yes)", def.courant,
-            largest);
+        return status_refuse(
+            status, "time.courant: %.6g is unstable on this mesh (at most %.5g, or time.unstable = yes)",
+            def.courant, largest);
     if (def.courant > largest)
         snprintf(text, size, "courant %.4g is beyond the largest stable one, %.5g: this run will blow up",
                  def.courant, largest);

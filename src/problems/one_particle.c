@@ -35,9 +35,8 @@ static bool check(const Settings *settings, Status *status)
     const Settings bar = as_bar(settings);
     const BarDef def = bar_mpm_definition(&bar);
     if (settings_mesh(settings)->particles_per_cell != 1)
-        return status_fail(status, STATUS_USAGE,
-                           "mesh.particles_per_cell: %d is not allowed (1: there is one particle)",
-                           settings_mesh(settings)->particles_per_cell);
+        return status_refuse(status, "mesh.particles_per_cell: %d is not allowed (1: there is one particle)",
+                             settings_mesh(settings)->particles_per_cell);
     return bar_check(&def, status) &&
            problem_check_steps(settings_time(settings)->end, bar_time_step(settings), status);
 }

@@ -73,7 +73,7 @@ void *plan_own(References *refs, size_t size, void (*release)(void *own), Status
     refs->own = calloc(1, size);
     refs->release = release;
     if (!refs->own)
-        status_fail(status, STATUS_FAILED, "not enough memory for the reference solutions");
+        status_fail(status, "not enough memory for the reference solutions");
     return refs->own;
 }
 

@@ -14,8 +14,8 @@ const Solver *problem_solver(const Problem *problem, MethodKind method)
 bool problem_allows(const Problem *problem, MethodKind method, Status *status)
 {
     return problem_solver(problem, method) ||
-           status_fail(status, STATUS_USAGE, "scenario.method: %s cannot solve problem %s%s%s (%s)",
-                       settings_method_words[method], problem->word, problem->alone ? ": " : "",
-                       problem->alone ? problem->alone : "",
-                       settings_method_words[problem->solvers[0]->method]);
+           status_refuse(status, "scenario.method: %s cannot solve problem %s%s%s (%s)",
+                         settings_method_words[method], problem->word, problem->alone ? ": " : "",
+                         problem->alone ? problem->alone : "",
+                         settings_method_words[problem->solvers[0]->method]);
 }

@@ -16,8 +16,8 @@ bool problem_check_steps(double end, double dt, Status *status)
     if (end / dt <= STEPS_MOST)
         return true;
     text_shortest(most, STEPS_MOST);
-    return status_fail(status, STATUS_USAGE, "time.end: %g takes %.3g steps of %.3g (at most %s steps)", end,
-                       end / dt, dt, most);
+    return status_refuse(status, "time.end: %g takes %.3g steps of %.3g (at most %s steps)", end, end / dt,
+                         dt, most);
 }
 
 long problem_last_step(double dt, double end)

@@ -30,7 +30,7 @@ bool run_open(Run *run, const Settings *settings, Simulation *sim, Status *statu
         return false;
     run->last = problem_last_step(sim->dt, settings_time(settings)->end);
     run->block = malloc(BLOCK * (size_t)sim->n_series * sizeof *run->block);
-    return run->block || status_fail(status, STATUS_FAILED, "not enough memory for the run");
+    return run->block || status_fail(status, "not enough memory for the run");
 }
 
 void run_close(Run *run)
@@ -212,8 +212,7 @@ static double share_done(const Run *run)
 
 static bool goes_on(const Run *run, Status *status)
 {
-    return patience_lasts(&run->patience, share_done(run)) ||
-           status_fail(status, STATUS_FAILED, "interrupted");
+    return patience_lasts(&run->patience, share_done(run)) || status_fail(status, "interrupted");
 }
 
 bool run_start(Run *run, const Sink *sinks, Status *status)

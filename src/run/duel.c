@@ -25,11 +25,11 @@ int duel_read_keys(const char *text, Assignment keys[DUEL_MAX], Status *status)
     for (text += strspn(text, " "); *text; text += strspn(text, " ")) {
         const int length = (int)strcspn(text, " "), key = (int)strcspn(text, "= ");
         if (text[key] != '=' || key == 0 || key >= KEY_MAX || length - key - 1 >= VALUE_MAX) {
-            status_fail(status, STATUS_USAGE, "%.*s is not KEY=VALUE", length < 60 ? length : 60, text);
+            status_refuse(status, "%.*s is not KEY=VALUE", length < 60 ? length : 60, text);
             return -1;
         }
         if (count == DUEL_MAX) {
-            status_fail(status, STATUS_USAGE, "too many keys differ (at most %d)", DUEL_MAX);
+            status_refuse(status, "too many keys differ (at most %d)", DUEL_MAX);
             return -1;
         }
         snprintf(keys[count].key, sizeof keys[count].key, "%.*s", key, text);
@@ -208,7 +208,7 @@ static bool make_second(Duel *duel, Status *status)
 {
     Settings *settings = malloc(sizeof *settings);
     if (!settings)
-        return status_fail(status, STATUS_FAILED, "not enough memory");
+        return status_fail(status, "not enough memory");
     Experiment *fresh = NULL;
     if (second_settings(duel, experiment_base(duel->a), settings, status))
         fresh = experiment_create(settings, duel->history / 2, duel->threads, status);
@@ -246,13 +246,13 @@ bool duel_start(Duel *duel, const Assignment *keys, int n_keys, Status *status)
     ASSERT_INT(n_keys, <=, DUEL_MAX);
     Settings *settings = malloc(sizeof *settings);
     if (!settings)
-        return status_fail(status, STATUS_FAILED, "not enough memory");
+        return status_fail(status, "not enough memory");
     Duel tried = {.n_keys = n_keys};
     memcpy(tried.keys, keys, (size_t)n_keys * sizeof *keys);
     const Settings *base = experiment_base(duel->a);
     bool sound = second_settings(&tried, base, settings, status);
     if (sound && settings_same(base, settings))
-        sound = status_fail(status, STATUS_USAGE, "both runs would be the same: a key must differ");
+        sound = status_refuse(status, "both runs would be the same: a key must differ");
     free(settings);
     if (!sound)
         return false;
@@ -400,7 +400,7 @@ static bool restart_second(Duel *duel, Status *status)
 {
     Settings *settings = malloc(sizeof *settings);
     if (!settings)
-        return status_fail(status, STATUS_FAILED, "not enough memory");
+        return status_fail(status, "not enough memory");
     bool sound = second_settings(duel, experiment_base(duel->a), settings, status);
     if (sound && settings_same(settings, experiment_base(duel->b)))
         sound = experiment_restart(duel->b, false, status);
@@ -415,7 +415,7 @@ static bool edit_second(Duel *duel, const Settings *wanted, Status *status)
 {
     Settings *settings = malloc(sizeof *settings);
     if (!settings)
-        return status_fail(status, STATUS_FAILED, "not enough memory");
+        return status_fail(status, "not enough memory");
     *settings = *experiment_settings(duel->b);
     settings_edit_time(settings)->end = settings_time(wanted)->end;
     settings_edit_output(settings)->every = settings_output(wanted)->every;
@@ -445,7 +445,7 @@ bool duel_change(Duel *duel, const Settings *wanted, DuelChange change, Status *
         return change(duel->a, wanted, status);
     Settings *second = malloc(sizeof *second);
     if (!second)
-        return status_fail(status, STATUS_FAILED, "not enough memory");
+        return status_fail(status, "not enough memory");
     const bool possible = second_settings(duel, wanted, second, status);
     free(second);
     if (!possible)

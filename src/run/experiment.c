@@ -23,7 +23,7 @@ static Experiment *new_experiment(const Settings *settings, int threads, Status 
 {
     Experiment *experiment = calloc(1, sizeof *experiment);
     if (!experiment || !(experiment->worked = calloc(1, sizeof *experiment->worked))) {
-        status_fail(status, STATUS_FAILED, "not enough memory");
+        status_fail(status, "not enough memory");
         free(experiment);
         return NULL;
     }

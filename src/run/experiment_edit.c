@@ -233,7 +233,7 @@ static bool edit_live(Experiment *experiment, const Settings *wanted, Status *st
     Record old = {0};
     Remains remains = {0};
     if (experiment->newest > step && !record_copy(&old, &experiment->record))
-        return status_fail(status, STATUS_FAILED, "not enough memory to keep the curves");
+        return status_fail(status, "not enough memory to keep the curves");
     if (old.count > 0)
         remains = experiment_remains(experiment);
     for (int i = 0; i < n_parameters; i++) {

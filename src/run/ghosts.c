@@ -135,11 +135,10 @@ bool experiment_pin(Experiment *experiment, Status *status)
         }
     }
     if (!find_place(experiment, true))
-        return status_fail(status, STATUS_USAGE, "%d curves are pinned already (unpin one first)",
-                           GHOSTS_MAX - 1);
+        return status_refuse(status, "%d curves are pinned already (unpin one first)", GHOSTS_MAX - 1);
     Record copy;
     if (!record_copy(&copy, &experiment->record))
-        return status_fail(status, STATUS_FAILED, "not enough memory to pin the curves");
+        return status_fail(status, "not enough memory to pin the curves");
     Remains remains = experiment_remains(experiment);
     experiment_make_ghost(experiment, true, &copy, &remains);
     experiment_write_legends(experiment);

@@ -34,7 +34,7 @@ typedef struct Reader {
 
 static bool fail(const Reader *reader, const char *what)
 {
-    return status_fail(reader->status, STATUS_USAGE, "%s:%ld: %s", reader->file, reader->line, what);
+    return status_refuse(reader->status, "%s:%ld: %s", reader->file, reader->line, what);
 }
 
 typedef enum Got { GOT_LINE, GOT_END, GOT_NOTHING } Got;
@@ -62,7 +62,7 @@ static Got next_line(Reader *reader)
         reader->text[length++] = (char)byte;
     }
     if (ferror(reader->stream)) {
-        status_fail(reader->status, STATUS_USAGE, "%s: cannot be read: %s", reader->file, strerror(errno));
+        status_refuse(reader->status, "%s: cannot be read: %s", reader->file, strerror(errno));
         return GOT_NOTHING;
     }
     if (byte == EOF && length == 0)
@@ -160,7 +160,7 @@ static void keep_name(char out[OVERLAY_NAME_MAX], const char *name)
 
 static bool no_memory(const Reader *reader)
 {
-    return status_fail(reader->status, STATUS_FAILED, "not enough memory for %s", reader->file);
+    return status_fail(reader->status, "not enough memory for %s", reader->file);
 }
 
 static bool make_room(Reader *reader, Overlay *overlay)
@@ -281,7 +281,7 @@ static bool read_table(Reader *reader, Overlay *overlay, OverlayProgress go_on, 
             return false;
         if (turn % LINES_A_TURN == 0 && go_on &&
             !go_on(size > 0 ? (double)ftell(reader->stream) / size : 0, context))
-            return status_fail(reader->status, STATUS_FAILED, "%s: not read to its end", reader->file);
+            return status_fail(reader->status, "%s: not read to its end", reader->file);
     }
     if (got == GOT_END && overlay->count == 0)
         return fail(reader, "holds names but no numbers");
@@ -294,7 +294,7 @@ static bool read_words(Overlay *overlay, FILE *stream, const char *file, Overlay
     Reader *reader = calloc(1, sizeof *reader);
     *overlay = (Overlay){.y = -1};
     if (!reader)
-        return status_fail(status, STATUS_FAILED, "not enough memory for %s", file);
+        return status_fail(status, "not enough memory for %s", file);
     *reader = (Reader){.stream = stream, .file = file, .status = status, .word = word, .context = context};
     const char *slash = strrchr(file, '/');
     keep_name(overlay->file, slash ? slash + 1 : file);
@@ -382,8 +382,8 @@ int overlay_column(const Overlay *overlay, const char *text, Status *status)
         }
         snprintf(list + used, sizeof list - used, "%s%s", used ? ", " : "", overlay->columns[i].name);
     }
-    status_fail(status, STATUS_USAGE, "%s:1: no column %.40s (%s%s1 to %d)", overlay->file, text, list,
-                list[0] ? ", or " : "", overlay->n_columns);
+    status_refuse(status, "%s:1: no column %.40s (%s%s1 to %d)", overlay->file, text, list,
+                  list[0] ? ", or " : "", overlay->n_columns);
     return -1;
 }
 
@@ -415,7 +415,7 @@ static bool sort_rows(Overlay *overlay, Status *status)
     if (!order || !sorted) {
         free(order);
         free(sorted);
-        return status_fail(status, STATUS_FAILED, "not enough memory for %s", overlay->file);
+        return status_fail(status, "not enough memory for %s", overlay->file);
     }
     for (size_t i = 0; i < overlay->count; i++)
         if (!isnan(x[i]))
@@ -452,9 +452,9 @@ bool overlay_choose(Overlay *overlay, const char *x, const char *y, const char *
         return false;
     if (!y && column_named(overlay, with) < 0) {
         if (overlay->n_columns != 2)
-            return status_fail(status, STATUS_USAGE,
-                               "%s:1: which of its %d columns? (overlay FILE X Y, by name or number)",
-                               overlay->file, overlay->n_columns);
+            return status_refuse(status,
+                                 "%s:1: which of its %d columns? (overlay FILE X Y, by name or number)",
+                                 overlay->file, overlay->n_columns);
         overlay->y = 1 - overlay->x;
     }
     keep_name(overlay->curve, with);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the player shows of itself, and the places in the run that are marked. */
-#ifndef LAB_PLAYBACK_H
-#define LAB_PLAYBACK_H
+#ifndef RUN_PLAYBACK_H
+#define RUN_PLAYBACK_H
 
 #include "run/stop.h"
 

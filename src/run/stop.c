@@ -57,7 +57,7 @@ static bool read_event(Stop *stop, const char *word, const Experiment *experimen
     *sound =
         (i == REST_WORD ? reports || is_damped(experiment)
                         : simulation_has(sim, kinds[i].needs[0]) || simulation_has(sim, kinds[i].needs[1])) ||
-        status_fail(status, STATUS_USAGE, "%s", kinds[i].lacking);
+        status_refuse(status, "%s", kinds[i].lacking);
     return true;
 }
 
@@ -77,7 +77,7 @@ static bool within(long step, const Experiment *experiment, Status *status)
     if (step >= 0 && step <= last)
         return true;
     text_rounded(end, (double)last * experiment_simulation(experiment)->dt, 6);
-    return status_fail(status, STATUS_USAGE, "the run goes from 0 to %s (#0 to #%ld)", end, last);
+    return status_refuse(status, "the run goes from 0 to %s (#0 to #%ld)", end, last);
 }
 
 /* Steps at which a time has come, with the rounding of step times dt left out; far outside: -1 or one too
@@ -116,9 +116,8 @@ bool stop_read(Stop *stop, const char *text, const Experiment *experiment, Statu
         return true;
     } else if (read_event(stop, next ? next : text, experiment, &sound, status))
         return sound;
-    return status_fail(
-        status, STATUS_USAGE,
-        "until what? (t TIME | step N | end | crossing | break | event | rest, first or next)");
+    return status_refuse(
+        status, "until what? (t TIME | step N | end | crossing | break | event | rest, first or next)");
 }
 
 void stop_words(const Stop *stop, char out[STOP_WORDS_MAX])

@@ -87,8 +87,7 @@ bool changes_add(Settings *settings, long step, const char *key, const char *val
             break;
         }
     if (n == CHANGES_MAX)
-        return status_fail(status, STATUS_USAGE, "%s: too many changes in one run (at most %d)", key,
-                           CHANGES_MAX);
+        return status_refuse(status, "%s: too many changes in one run (at most %d)", key, CHANGES_MAX);
     Change *change = &settings->changes[n];
     change->step = step;
     snprintf(change->to.key, sizeof change->to.key, "%s", key);

@@ -65,16 +65,16 @@ static bool check_twice(const Source *source, Status *status)
             if (same_key(&all[i], &all[j])) {
                 char key[80];
                 full_key(&all[i], key);
-                status_fail(status, STATUS_USAGE, "%s: stands twice (first in line %d)", key, all[j].line);
+                status_refuse(status, "%s: stands twice (first in line %d)", key, all[j].line);
                 return at_line(source, &all[i], status);
             }
     const Entry *stretch = find_entry(source, "pd", "critical_stretch");
     const Entry *energy = find_entry(source, "pd", "critical_energy");
     if (stretch && energy) {
         const Entry *later = stretch->line > energy->line ? stretch : energy;
-        status_fail(status, STATUS_USAGE, "pd.%s: pd.%s is given in line %d and says the same (one of them)",
-                    later->name, later == stretch ? energy->name : stretch->name,
-                    later == stretch ? energy->line : stretch->line);
+        status_refuse(status, "pd.%s: pd.%s is given in line %d and says the same (one of them)", later->name,
+                      later == stretch ? energy->name : stretch->name,
+                      later == stretch ? energy->line : stretch->line);
         return at_line(source, later, status);
     }
     return true;
@@ -92,8 +92,7 @@ static int choose(const char *const *words, const Entry *entry, Status *status)
             return i;
         used += (size_t)snprintf(allowed + used, sizeof allowed - used, "%s%s", i ? " | " : "", words[i]);
     }
-    status_fail(status, STATUS_USAGE, "scenario.%s: %.60s is not a choice (%s)", entry->name, entry->value,
-                allowed);
+    status_refuse(status, "scenario.%s: %.60s is not a choice (%s)", entry->name, entry->value, allowed);
     return -1;
 }
 
@@ -118,8 +117,8 @@ static bool begin(const Source *source, Settings *settings, Status *status)
 static bool fill_assignment(Assignment *to, const char *key, const char *value, Status *status)
 {
     if (strlen(key) >= sizeof to->key || strlen(value) >= sizeof to->value)
-        return status_fail(status, STATUS_USAGE, "%.60s: the value is too long (at most %zu bytes)", key,
-                           sizeof to->value - 1);
+        return status_refuse(status, "%.60s: the value is too long (at most %zu bytes)", key,
+                             sizeof to->value - 1);
     strcpy(to->key, key);
     strcpy(to->value, value);
     return true;
@@ -128,7 +127,7 @@ static bool fill_assignment(Assignment *to, const char *key, const char *value, 
 static bool take_duel(const Entry *entry, Settings *settings, Status *status)
 {
     if (settings->n_duel == DUEL_MAX)
-        return status_fail(status, STATUS_USAGE, "duel: too many keys differ (at most %d)", DUEL_MAX);
+        return status_refuse(status, "duel: too many keys differ (at most %d)", DUEL_MAX);
     return fill_assignment(&settings->duel[settings->n_duel++], entry->name, entry->value, status);
 }
 
@@ -139,16 +138,14 @@ static bool take_change(const Entry *entry, Settings *settings, Status *status)
     memcpy(text, entry->value, sizeof text);
     char *equals = strchr(text, '=');
     if (!text_to_long(entry->name, &step) || step < 0)
-        return status_fail(status, STATUS_USAGE, "changes.%s: is no step (STEP = KEY=VALUE, STEP >= 0)",
-                           entry->name);
+        return status_refuse(status, "changes.%s: is no step (STEP = KEY=VALUE, STEP >= 0)", entry->name);
     if (!equals)
-        return status_fail(status, STATUS_USAGE, "changes.%s: \"%.60s\" changes nothing (STEP = KEY=VALUE)",
-                           entry->name, text);
+        return status_refuse(status, "changes.%s: \"%.60s\" changes nothing (STEP = KEY=VALUE)", entry->name,
+                             text);
     *equals = '\0';
     text[strcspn(text, " ")] = '\0';
     if (settings->n_changes == CHANGES_MAX)
-        return status_fail(status, STATUS_USAGE, "changes.%s: too many changes (at most %d)", entry->name,
-                           CHANGES_MAX);
+        return status_refuse(status, "changes.%s: too many changes (at most %d)", entry->name, CHANGES_MAX);
     /* kept in order of steps, those of one step in the order of the file */
     int place = settings->n_changes++;
     for (; place > 0 && settings->changes[place - 1].step > step; place--)
@@ -184,9 +181,8 @@ static bool take_overrides(const Source *source, Settings *settings, Status *sta
         stretch |= strcmp(override->key, "pd.critical_stretch") == 0;
         energy |= strcmp(override->key, "pd.critical_energy") == 0;
         if (stretch && energy)
-            status_fail(status, STATUS_USAGE,
-                        "%s: pd.critical_stretch and pd.critical_energy say the same (one of them)",
-                        override->key);
+            status_refuse(status, "%s: pd.critical_stretch and pd.critical_energy say the same (one of them)",
+                          override->key);
         else if (settings_set(settings, override->key, override->value, status))
             continue;
         return status_prefix(status, "%s", override->origin);
@@ -326,9 +322,8 @@ static bool not_found(const char *name, Status *status)
     if (error != ENOENT)
         return false; /* the status says why */
     if (nearest)
-        return status_fail(status, STATUS_USAGE, "%s: no such scenario or file (did you mean %s?)", name,
-                           nearest);
-    return status_fail(status, STATUS_USAGE, "%s: no such scenario or file (see: matvib list)", name);
+        return status_refuse(status, "%s: no such scenario or file (did you mean %s?)", name, nearest);
+    return status_refuse(status, "%s: no such scenario or file (see: matvib list)", name);
 }
 
 /* NULL: as input_open() has it. */

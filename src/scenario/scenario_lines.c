@@ -29,15 +29,15 @@ typedef struct Reader {
 static bool fail(Reader *reader, const char *what, const char *allowed)
 {
     reader->failed = true;
-    return status_fail(reader->status, STATUS_USAGE, "%s:%d: %s (%s)", reader->file, reader->entries->lines,
-                       what, allowed);
+    return status_refuse(reader->status, "%s:%d: %s (%s)", reader->file, reader->entries->lines, what,
+                         allowed);
 }
 
 static bool fail_about(Reader *reader, const char *subject, const char *what)
 {
     reader->failed = true;
-    return status_fail(reader->status, STATUS_USAGE, "%s:%d: %s: %s", reader->file, reader->entries->lines,
-                       subject, what);
+    return status_refuse(reader->status, "%s:%d: %s: %s", reader->file, reader->entries->lines, subject,
+                         what);
 }
 
 /* --- one raw line --------------------------------------------------------------------------------- */
@@ -61,8 +61,8 @@ static bool raw_line(Reader *reader, char raw[RAW_MAX + 1])
     }
     if (ferror(reader->stream)) {
         reader->failed = true;
-        return status_fail(reader->status, STATUS_USAGE, "%s: cannot be read: %s", reader->file,
-                           strerror(errno ? errno : EIO));
+        return status_refuse(reader->status, "%s: cannot be read: %s", reader->file,
+                             strerror(errno ? errno : EIO));
     }
     if (c == EOF && n == 0)
         return false;
@@ -155,7 +155,7 @@ static bool add_entry(Reader *reader, const char *name, const char *value)
         Entry *all = realloc(entries->all, (size_t)room * sizeof *all);
         if (!all) {
             reader->failed = true;
-            return status_fail(reader->status, STATUS_FAILED, "not enough memory for %s", reader->file);
+            return status_fail(reader->status, "not enough memory for %s", reader->file);
         }
         entries->all = all;
         entries->room = room;
@@ -266,8 +266,7 @@ bool entries_read(Entries *entries, FILE *stream, const char *file, Status *stat
     if (reader.failed)
         return false;
     if (entries->count == 0)
-        return status_fail(status, STATUS_USAGE, "%s:1: holds no scenario (at least [scenario] and a key)",
-                           file);
+        return status_refuse(status, "%s:1: holds no scenario (at least [scenario] and a key)", file);
     return true;
 }
 

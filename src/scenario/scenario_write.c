@@ -58,16 +58,16 @@ static bool write_text(FILE *stream, const char *section, const char *name, cons
     bool list = strcmp(name, "about") != 0, may_continue = scenario_may_continue(section, name);
     size_t room = SCENARIO_LINE_MAX - strlen(name) - 3;
     if (would_be_damaged(text) || (!may_continue && strlen(text) > room))
-        return status_fail(status, STATUS_USAGE,
-                           "%s.%s: this text would not read back (one short line; no # or ; after a space)",
-                           section, name);
+        return status_refuse(status,
+                             "%s.%s: this text would not read back (one short line; no # or ; after a space)",
+                             section, name);
     fprintf(stream, "%s =", name);
     const char *margin = " ";
     while (*text) {
         size_t share = may_continue ? line_share(text, 96, list) : strlen(text);
         if (share == 0)
-            return status_fail(status, STATUS_USAGE,
-                               "%s.%s: this text cannot be cut into lines (spaces, commas)", section, name);
+            return status_refuse(status, "%s.%s: this text cannot be cut into lines (spaces, commas)",
+                                 section, name);
         size_t shown = share;
         while (shown > 0 && text[shown - 1] == ' ')
             shown--;
@@ -219,6 +219,6 @@ bool scenario_write(FILE *stream, const Settings *settings, const char *comment,
             return false;
     }
     if (fflush(stream) != 0 || ferror(stream))
-        return status_fail(status, STATUS_FAILED, "cannot write the scenario: %s", strerror(errno));
+        return status_fail(status, "cannot write the scenario: %s", strerror(errno));
     return true;
 }

@@ -64,7 +64,7 @@ int overtones_read(const char *text, Overtone out[OVERTONES_MAX], Status *status
     if (is_blank(text))
         return 0;
     if (ends_in_comma(text))
-        return status_fail(status, STATUS_USAGE, "%s: ends in a comma (mode:velocity,...)", key), -1;
+        return status_refuse(status, "%s: ends in a comma (mode:velocity,...)", key), -1;
     int count = 0;
     char item[LIST_MAX];
     while ((text = next_item(text, item))) {
@@ -77,18 +77,16 @@ int overtones_read(const char *text, Overtone out[OVERTONES_MAX], Status *status
             mode > 9999) {
             if (colon)
                 *colon = ':';
-            return status_fail(status, STATUS_USAGE,
-                               "%s: \"%s\" cannot be read (mode:velocity,... such as 3:0.03,7:0.01)", key,
-                               item),
+            return status_refuse(status,
+                                 "%s: \"%s\" cannot be read (mode:velocity,... such as 3:0.03,7:0.01)", key,
+                                 item),
                    -1;
         }
         if (count == OVERTONES_MAX)
-            return status_fail(status, STATUS_USAGE, "%s: too many modes (at most %d)", key, OVERTONES_MAX),
-                   -1;
+            return status_refuse(status, "%s: too many modes (at most %d)", key, OVERTONES_MAX), -1;
         for (int i = 0; i < count; i++)
             if (out[i].mode == mode)
-                return status_fail(status, STATUS_USAGE, "%s: mode %ld stands twice (each once)", key, mode),
-                       -1;
+                return status_refuse(status, "%s: mode %ld stands twice (each once)", key, mode), -1;
         out[count++] = (Overtone){(int)mode, velocity};
     }
     return count;
@@ -106,10 +104,10 @@ bool pulse_read(const char *text, Pulse *out, Status *status)
     while (count < 3 && (rest = next_item(rest, item)) && text_to_double(item, &numbers[count]))
         count++;
     if (count < 3 || *rest || ends_in_comma(text) || !(numbers[1] > 0))
-        return status_fail(status, STATUS_USAGE,
-                           "initial.pulse: \"%s\" is no pulse (centre,width,velocity, the width above 0, "
-                           "such as 50,3,1e-4)",
-                           text);
+        return status_refuse(status,
+                             "initial.pulse: \"%s\" is no pulse (centre,width,velocity, the width above 0, "
+                             "such as 50,3,1e-4)",
+                             text);
     *out = (Pulse){numbers[0], numbers[1], numbers[2]};
     return true;
 }
@@ -120,20 +118,20 @@ int settings_times_read(const char *text, double out[TIMES_MAX], Status *status)
     if (is_blank(text))
         return 0;
     if (ends_in_comma(text))
-        return status_fail(status, STATUS_USAGE, "%s: ends in a comma (time,time,...)", key), -1;
+        return status_refuse(status, "%s: ends in a comma (time,time,...)", key), -1;
     int count = 0;
     char item[LIST_MAX];
     while ((text = next_item(text, item))) {
         double time;
         if (!text_to_double(item, &time) || time < 0)
-            return status_fail(status, STATUS_USAGE,
-                               "%s: \"%s\" is not a time (numbers >= 0 parted by commas)", key, item),
+            return status_refuse(status, "%s: \"%s\" is not a time (numbers >= 0 parted by commas)", key,
+                                 item),
                    -1;
         if (count == TIMES_MAX)
-            return status_fail(status, STATUS_USAGE, "%s: too many times (at most %d)", key, TIMES_MAX), -1;
+            return status_refuse(status, "%s: too many times (at most %d)", key, TIMES_MAX), -1;
         if (count > 0 && time <= out[count - 1])
-            return status_fail(status, STATUS_USAGE, "%s: %g does not come after %g (ascending)", key, time,
-                               out[count - 1]),
+            return status_refuse(status, "%s: %g does not come after %g (ascending)", key, time,
+                                 out[count - 1]),
                    -1;
         out[count++] = time;
     }

@@ -55,11 +55,11 @@ bool settings_check_asked(const Settings *settings, Status *status)
             if (!settings_row_asked(settings, key, &place, status))
                 return false;
         } else if (!parameter || !parameter_applies(parameter, settings->problem))
-            return status_fail(status, STATUS_USAGE,
-                               "screen.ask: %s is no parameter of problem %s (see: matvib params %s)", key,
-                               settings->problem->word, settings->problem->word);
+            return status_refuse(status,
+                                 "screen.ask: %s is no parameter of problem %s (see: matvib params %s)", key,
+                                 settings->problem->word, settings->problem->word);
         if (n == ASKED_MAX)
-            return status_fail(status, STATUS_USAGE, "screen.ask: names too many (at most %d)", ASKED_MAX);
+            return status_refuse(status, "screen.ask: names too many (at most %d)", ASKED_MAX);
     }
     return true;
 }

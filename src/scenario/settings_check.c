@@ -14,9 +14,8 @@ static bool check_question(const Settings *settings, Status *status)
         return true;
     const Parameter *parameter = parameter_find(settings->question);
     if (!parameter || !parameter_can_be_asked(parameter, settings->problem))
-        return status_fail(
-            status, STATUS_USAGE,
-            "question.key: %s cannot be toggled (a key of problem %s that has choices, or a size)",
+        return status_refuse(
+            status, "question.key: %s cannot be toggled (a key of problem %s that has choices, or a size)",
             settings->question, settings->problem->word);
     return true;
 }
@@ -54,24 +53,22 @@ static bool check_changes(const Settings *settings, Status *status)
             return status_prefix(status, "changes.%ld", change->step);
         if (parameter && parameter->live &&
             !parameter_is_live(parameter, before, settings_number(&then, parameter)))
-            return status_fail(
-                status, STATUS_USAGE, "changes.%ld: %s: %s is made at the start and holds for the whole run",
-                change->step, change->to.key,
+            return status_refuse(
+                status, "changes.%ld: %s: %s is made at the start and holds for the whole run", change->step,
+                change->to.key,
                 !parameter->of_start((int)before) ? parameter->choices[(int)settings_number(&then, parameter)]
                 : concealed                       ? "?"
                                                   : parameter->choices[(int)before]);
         if (then.concealed && !concealed)
-            return status_fail(status, STATUS_USAGE,
-                               "changes.%ld: %s: %s is concealed from the start on, or not at all",
-                               change->step, change->to.key, change->to.value);
+            return status_refuse(status, "changes.%ld: %s: %s is concealed from the start on, or not at all",
+                                 change->step, change->to.key, change->to.value);
         if (!parameter || !parameter->live)
-            return status_fail(
-                status, STATUS_USAGE,
-                "changes.%ld: %s: cannot change in mid-run (see: matvib params %s, marked live)",
+            return status_refuse(
+                status, "changes.%ld: %s: cannot change in mid-run (see: matvib params %s, marked live)",
                 change->step, change->to.key, settings->problem->word);
         if (change->step < 0 || (i > 0 && change->step < settings->changes[i - 1].step))
-            return status_fail(status, STATUS_USAGE, "changes.%ld: is out of order (steps >= 0, ascending)",
-                               change->step);
+            return status_refuse(status, "changes.%ld: is out of order (steps >= 0, ascending)",
+                                 change->step);
     }
     return true;
 }
@@ -89,8 +86,8 @@ static bool check_stated(const Settings *settings, Status *status)
              settings_number(settings, parameter) == parameter_usual(parameter, problem)))
             continue;
         settings_get(settings, parameter, text);
-        return status_fail(
-            status, STATUS_USAGE, "scenario.method: %s does not know %s, which is %s here (%s)",
+        return status_refuse(
+            status, "scenario.method: %s does not know %s, which is %s here (%s)",
             settings_method_words[settings->method], parameter->key, text,
             settings_method_words[parameter_methods(parameter, problem) & BY_MPM ? METHOD_MPM : METHOD_PD]);
     }
@@ -108,10 +105,10 @@ bool settings_check(const Settings *settings, Status *status)
     if (n_times < 0)
         return false;
     if (n_times > 0 && times[n_times - 1] > settings_time(settings)->end * (1 + 1e-9))
-        return status_fail(status, STATUS_USAGE, "output.at: %g is after the end (at most time.end = %g)",
-                           times[n_times - 1], settings_time(settings)->end);
+        return status_refuse(status, "output.at: %g is after the end (at most time.end = %g)",
+                             times[n_times - 1], settings_time(settings)->end);
     if (n_times > 0 && settings_output(settings)->frames > 0)
-        return status_fail(status, STATUS_USAGE, "output.at: output.frames is given too (one of them)");
+        return status_refuse(status, "output.at: output.frames is given too (one of them)");
     return check_question(settings, status) && settings_check_asked(settings, status) &&
            check_duel(settings, status) && check_changes(settings, status);
 }

@@ -64,7 +64,7 @@ bool settings_meant_key(const Settings *settings, const char *words, char key[KE
             }
     }
     if (count > 1)
-        return status_fail(status, STATUS_USAGE, "%s: which one? (%s)", words, list);
+        return status_refuse(status, "%s: which one? (%s)", words, list);
     /* what is none stays as it was typed, for whoever refuses it */
     snprintf(key, KEY_MAX, "%s", found ? found : words);
     return true;

@@ -172,8 +172,8 @@ const char *settings_mistake(const Settings *settings)
 bool settings_refuse_mistake(const Settings *settings, const char *what, Status *status)
 {
     const Parameter *row = mistake_row(settings);
-    return !row || status_fail(status, STATUS_USAGE, "%s: %s is a mistake, and %s", row->key,
-                               settings_mistake(settings), what);
+    return !row ||
+           status_refuse(status, "%s: %s is a mistake, and %s", row->key, settings_mistake(settings), what);
 }
 
 bool parameter_is_live(const Parameter *parameter, double from, double to)

@@ -29,8 +29,8 @@ static bool refuse(const Parameter *parameter, const Problem *problem, const cha
     char range[160];
     parameter_range(parameter, problem, range, sizeof range);
     if (!*text)
-        return status_fail(status, STATUS_USAGE, "%s: has no value (%s)", parameter->key, range);
-    return status_fail(status, STATUS_USAGE, "%s: %s %s (%s)", parameter->key, text, what, range);
+        return status_refuse(status, "%s: has no value (%s)", parameter->key, range);
+    return status_refuse(status, "%s: %s %s (%s)", parameter->key, text, what, range);
 }
 
 static bool read_number(const Parameter *parameter, const Problem *problem, const char *text, double *value,
@@ -75,11 +75,9 @@ static bool put_text(Settings *settings, const char *key, size_t offset, size_t 
                      Status *status)
 {
     if (strlen(text) >= size)
-        return status_fail(status, STATUS_USAGE, "%s: is %zu bytes long (at most %zu)", key, strlen(text),
-                           size - 1);
+        return status_refuse(status, "%s: is %zu bytes long (at most %zu)", key, strlen(text), size - 1);
     if (!visible_is_clean(text))
-        return status_fail(status, STATUS_USAGE, "%s: has characters that cannot be kept (one line of UTF-8)",
-                           key);
+        return status_refuse(status, "%s: has characters that cannot be kept (one line of UTF-8)", key);
     char *at = (char *)settings + offset;
     memset(at, 0, size); /* nothing of an earlier text behind the zero: equal settings are equal bytes */
     strcpy(at, text);
@@ -89,26 +87,26 @@ static bool put_text(Settings *settings, const char *key, size_t offset, size_t 
 static bool unknown(const Problem *problem, const char *key, Status *status)
 {
     if (strcmp(key, "scenario.problem") == 0)
-        return status_fail(status, STATUS_USAGE, "%s: cannot be changed (choose another scenario)", key);
+        return status_refuse(status, "%s: cannot be changed (choose another scenario)", key);
     char section[KEY_MAX];
     snprintf(section, sizeof section, "%.*s", (int)strcspn(key, "."), key);
     const int kind = row_kind_find(section);
     if (kind >= 0)
-        return status_fail(
-            status, STATUS_USAGE, "%s: problem %s has no [%s] (%s)", key, problem->word, section,
-            row_kinds[kind].concern & problem->concerns ? "a name behind a dot" : "a plate has");
+        return status_refuse(status, "%s: problem %s has no [%s] (%s)", key, problem->word, section,
+                             row_kinds[kind].concern & problem->concerns ? "a name behind a dot"
+                                                                         : "a plate has");
     const char *nearest = parameter_nearest(problem, key);
     if (nearest)
-        return status_fail(status, STATUS_USAGE, "%s: unknown key (did you mean %s?)", key, nearest);
-    return status_fail(status, STATUS_USAGE, "%s: unknown key (see: matvib params %s)", key, problem->word);
+        return status_refuse(status, "%s: unknown key (did you mean %s?)", key, nearest);
+    return status_refuse(status, "%s: unknown key (see: matvib params %s)", key, problem->word);
 }
 
 static bool not_of_settings(const Parameter *parameter, const Settings *settings, Status *status)
 {
     const Problem *problem = settings->problem;
     if (parameter_applies(parameter, problem))
-        return status_fail(
-            status, STATUS_USAGE, "%s: is no parameter of method %s (only of %s)", parameter->key,
+        return status_refuse(
+            status, "%s: is no parameter of method %s (only of %s)", parameter->key,
             settings_method_words[settings->method],
             settings_method_words[parameter_methods(parameter, problem) & BY_MPM ? METHOD_MPM : METHOD_PD]);
     char words[128];
@@ -117,8 +115,8 @@ static bool not_of_settings(const Parameter *parameter, const Settings *settings
         if (parameter_applies(parameter, problems[p]))
             used += (size_t)snprintf(words + used, sizeof words - used, "%s%s", used ? ", " : "",
                                      problems[p]->word);
-    return status_fail(status, STATUS_USAGE, "%s: is no parameter of problem %s (only of %s)", parameter->key,
-                       problem->word, words);
+    return status_refuse(status, "%s: is no parameter of problem %s (only of %s)", parameter->key,
+                         problem->word, words);
 }
 
 /* The words that a rule allows; NULL: it has no list of words. */
@@ -161,10 +159,8 @@ static bool check_words(const Settings *settings, const TextKey *key, const char
         used += (size_t)snprintf(allowed + used, sizeof allowed - used, "%s%s", used ? " | " : "", *words);
     }
     if (!sound && !*allowed)
-        return status_fail(status, STATUS_USAGE, "%s: %.60s is not allowed (it is of beams and plates)",
-                           key->key, text);
-    return sound ||
-           status_fail(status, STATUS_USAGE, "%s: %.60s is not allowed (%s)", key->key, text, allowed);
+        return status_refuse(status, "%s: %.60s is not allowed (it is of beams and plates)", key->key, text);
+    return sound || status_refuse(status, "%s: %.60s is not allowed (%s)", key->key, text, allowed);
 }
 
 bool settings_set(Settings *settings, const char *key, const char *text, Status *status)
@@ -181,7 +177,7 @@ bool settings_set(Settings *settings, const char *key, const char *text, Status 
     if (fixed) {
         char why[sizeof status->text];
         fixed_key_text(fixed, why, sizeof why);
-        return status_fail(status, STATUS_USAGE, "%s", why);
+        return status_refuse(status, "%s", why);
     }
     if (!parameter)
         return unknown(settings->problem, key, status);

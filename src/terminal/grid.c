@@ -199,7 +199,7 @@ static bool open_files(int input, Status *status)
     curses_output = open_memory();
     curses_input = input == GRID_NO_KEYS ? open_memory() : keyboard >= 0 ? fdopen(keyboard, "r") : NULL;
     return (curses_output && curses_input) ||
-           status_fail(status, STATUS_FAILED, "not enough memory or files for the screen");
+           status_fail(status, "not enough memory or files for the screen");
 }
 
 static void close_files(void)
@@ -213,9 +213,9 @@ static void close_files(void)
 
 static bool cannot_draw(const char *term, Status *status)
 {
-    return status_fail(status, STATUS_USAGE,
-                       "the laboratory cannot draw on this terminal (TERM=%s); use: matvib run SCENARIO",
-                       term && *term ? term : "unset");
+    return status_refuse(status,
+                         "the laboratory cannot draw on this terminal (TERM=%s); use: matvib run SCENARIO",
+                         term && *term ? term : "unset");
 }
 
 /* What keys and pictures need, once curses knows the terminal. */
@@ -223,7 +223,7 @@ static bool prepare(Grid *grid, Status *status)
 {
     grid->keys = newpad(1, 1);
     if (!grid->keys)
-        return status_fail(status, STATUS_FAILED, "out of memory");
+        return status_fail(status, "out of memory");
     /* neither is the user's palette to be reset, nor Alt to be told by an eighth bit */
     orig_colors = NULL;
     meta_on = NULL;
@@ -253,8 +253,8 @@ bool grid_open(Grid *grid, const char *term, int input, bool mouse, const char *
     grid->mouse = mouse;
     grid->curses = open_curses(term, curses_output, curses_input, stand_in);
     if (!grid->curses)
-        status_fail(status, STATUS_USAGE,
-                    "the terminal TERM=%s is not known on this machine; use: matvib run SCENARIO", term);
+        status_refuse(status, "the terminal TERM=%s is not known on this machine; use: matvib run SCENARIO",
+                      term);
     else if (!capability("cup")[0])
         cannot_draw(term, status);
     else if (prepare(grid, status))

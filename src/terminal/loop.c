@@ -269,7 +269,7 @@ int loop_run(const LaboratoryOptions *options, const Session *replay, Session *r
 {
     Loop *loop = calloc(1, sizeof *loop);
     if (!loop) {
-        status_fail(status, STATUS_FAILED, "out of memory");
+        status_fail(status, "out of memory");
         return STATUS_FAILED;
     }
     const char *descriptor = getenv("MATVIB_FRAME_FD");

@@ -230,7 +230,7 @@ static bool prepare_leaving(Status *status)
 {
     static bool prepared;
     if (!prepared && atexit(leave) != 0)
-        return status_fail(status, STATUS_FAILED, "out of memory");
+        return status_fail(status, "out of memory");
     prepared = true;
     return true;
 }
@@ -240,11 +240,10 @@ static bool open_picture(Terminal *terminal, const TerminalOptions *options, Sta
     const char *term = getenv("TERM"), *codeset = nl_langinfo(CODESET);
     Grid *grid = &terminal->grid;
     if (!grid_choose_glyphs(options->glyphs, codeset, term, &terminal->glyphs))
-        return status_fail(status, STATUS_USAGE, "--glyphs: unknown set '%s' (auto, braille, block or ascii)",
-                           options->glyphs);
+        return status_refuse(status, "--glyphs: unknown set '%s' (auto, braille, block or ascii)",
+                             options->glyphs);
     if (!isatty(STDIN_FILENO) || !isatty(STDOUT_FILENO))
-        return status_fail(status, STATUS_USAGE,
-                           "the laboratory needs a terminal; without one use: matvib run SCENARIO");
+        return status_refuse(status, "the laboratory needs a terminal; without one use: matvib run SCENARIO");
     grid->light = theme_is_light(options->theme, getenv("COLORFGBG"));
     grid->utf8 = strcmp(codeset, "UTF-8") == 0;
     terminal->input = open_again(STDIN_FILENO, O_RDONLY);
@@ -264,7 +263,7 @@ Terminal *terminal_open(const TerminalOptions *options, Status *status)
 {
     Terminal *terminal = prepare_leaving(status) ? calloc(1, sizeof *terminal) : NULL;
     if (!terminal) {
-        status_fail(status, STATUS_FAILED, "out of memory");
+        status_fail(status, "out of memory");
         return NULL;
     }
     terminal->input = STDIN_FILENO;
@@ -283,7 +282,7 @@ Terminal *terminal_open(const TerminalOptions *options, Status *status)
         grid_close(&terminal->grid);
         release_signals(terminal);
         free_terminal(terminal);
-        status_fail(status, STATUS_FAILED, "out of memory");
+        status_fail(status, "out of memory");
         return NULL;
     }
     tcgetattr(STDIN_FILENO, &before);

@@ -140,7 +140,7 @@ static bool build_modes(Modes *modes, Status *status)
     }
     gsl_root_fsolver_free(solver);
     gsl_integration_glfixed_table_free(table);
-    return sound || status_fail(status, STATUS_FAILED, "not enough memory for the modes of the cantilever");
+    return sound || status_fail(status, "not enough memory for the modes of the cantilever");
 }
 
 /* --- the equations of motion --------------------------------------------------------------------- */
@@ -198,7 +198,7 @@ static bool integrate_motion(const Modes *modes, const BeamTheory *beam, MovingC
     gsl_odeiv2_driver *driver = gsl_odeiv2_driver_alloc_scaled_new(
         &system, gsl_odeiv2_step_rk8pd, solution->step, 1e-13, 1e-12, 1, 0, weights);
     if (!driver)
-        return status_fail(status, STATUS_FAILED, "not enough memory for the moving cantilever");
+        return status_fail(status, "not enough memory for the moving cantilever");
     gsl_odeiv2_driver_set_nmax(driver, STEPS_A_SAMPLE);
     double y[2 * MODES] = {1}, t = 0;
     for (int m = 0; m < MODES; m++)
@@ -209,7 +209,7 @@ static bool integrate_motion(const Modes *modes, const BeamTheory *beam, MovingC
         if (k % SAMPLES_A_QUESTION == 0 &&
             !patience_lasts(&beam->patience, (double)k / (double)solution->count)) {
             gsl_odeiv2_driver_free(driver);
-            return status_fail(status, STATUS_FAILED, "the solving of the cantilever's motion was given up");
+            return status_fail(status, "the solving of the cantilever's motion was given up");
         }
         sound = k == 0 || gsl_odeiv2_driver_apply(driver, &t, next, y) == GSL_SUCCESS;
         Tip tip = tip_of(modes, next, y);
@@ -220,7 +220,7 @@ static bool integrate_motion(const Modes *modes, const BeamTheory *beam, MovingC
             (Tip){amplitude * tip.displacement, amplitude * tip.velocity, amplitude * tip.acceleration};
     }
     gsl_odeiv2_driver_free(driver);
-    return sound || status_fail(status, STATUS_FAILED,
+    return sound || status_fail(status,
                                 "the moving cantilever's equations cannot be solved beyond "
                                 "%g s",
                                 t);
@@ -231,13 +231,12 @@ static bool check_definition(const BeamTheory *beam, double speed, double end, S
     const double positive[] = {beam->length, beam->height, beam->youngs_modulus, beam->density};
     for (size_t i = 0; i < sizeof positive / sizeof *positive; i++)
         if (!(positive[i] > 0) || !isfinite(positive[i]))
-            return status_fail(status, STATUS_USAGE,
-                               "length, height, Young's modulus and density of a beam must be above 0");
+            return status_refuse(status,
+                                 "length, height, Young's modulus and density of a beam must be above 0");
     if (!(end >= 0) || !isfinite(end) || !isfinite(speed) || !isfinite(beam->amplitude))
-        return status_fail(status, STATUS_USAGE, "no moving cantilever until t = %g at speed %g", end, speed);
+        return status_refuse(status, "no moving cantilever until t = %g at speed %g", end, speed);
     if (!(beam->length + speed * end > 0))
-        return status_fail(status, STATUS_USAGE, "the cantilever has no length left at t = %g (speed %g)",
-                           end, speed);
+        return status_refuse(status, "the cantilever has no length left at t = %g (speed %g)", end, speed);
     return true;
 }
 
@@ -255,8 +254,8 @@ static MovingCantilever *solve(const BeamTheory *beam, double speed, double end,
     double spacing = 2 * M_PI / fastest / SAMPLES_PER_FAST_PERIOD;
     double steps = ceil(fmax(1, end / spacing));
     if (!(steps <= SAMPLES_MAX))
-        return status_fail(
-                   status, STATUS_USAGE,
+        return status_refuse(
+                   status,
                    "time.end: the exact motion until %g s is that of %.3g oscillations (at most %.3g)", end,
                    steps / SAMPLES_PER_FAST_PERIOD, SAMPLES_MAX / SAMPLES_PER_FAST_PERIOD),
                NULL;
@@ -267,7 +266,7 @@ static MovingCantilever *solve(const BeamTheory *beam, double speed, double end,
         solution->modal = tells_sections ? malloc(count * sizeof *solution->modal) : NULL;
     if (!solution || (tells_sections && !solution->modal)) {
         free(solution);
-        status_fail(status, STATUS_FAILED, "not enough memory for the moving cantilever");
+        status_fail(status, "not enough memory for the moving cantilever");
         return NULL;
     }
     solution->modes = modes;

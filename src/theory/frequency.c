@@ -284,7 +284,7 @@ static bool refine(const Record *record, double unknowns[UNKNOWNS_MAX], Status *
     gsl_multifit_nlinear_workspace *fit =
         gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &parameters, record->count, n);
     if (!fit)
-        return status_fail(status, STATUS_FAILED, "not enough memory to fit %zu samples", record->count);
+        return status_fail(status, "not enough memory to fit %zu samples", record->count);
     gsl_vector_view start = gsl_vector_view_array(unknowns, n);
     bool done = gsl_multifit_nlinear_init(&start.vector, &problem, fit) == GSL_SUCCESS;
     for (int i = 0; done && i < ITERATIONS_MAX; i++) {
@@ -304,7 +304,7 @@ static bool refine(const Record *record, double unknowns[UNKNOWNS_MAX], Status *
     for (size_t j = 0; done && j < n; j++)
         unknowns[j] = gsl_vector_get(gsl_multifit_nlinear_position(fit), j);
     gsl_multifit_nlinear_free(fit);
-    return done || status_fail(status, STATUS_FAILED, "the frequency fit does not converge");
+    return done || status_fail(status, "the frequency fit does not converge");
 }
 
 /* A start for the angle. A line well inside the spectrum is taken from there, between two bins by the
@@ -350,19 +350,18 @@ static bool measure_record(Record *record, Status *status)
 {
     const size_t least = SAMPLES_MIN + 2 * (size_t)(record->n_lines - 1);
     if (record->count < least)
-        return status_fail(status, STATUS_FAILED,
-                           "too short a record to measure a frequency (%zu of %zu samples)", record->count,
-                           least);
+        return status_fail(status, "too short a record to measure a frequency (%zu of %zu samples)",
+                           record->count, least);
     double low = INFINITY, high = -INFINITY;
     for (size_t k = 0; k < record->count; k++) {
         if (!isfinite(record->values[k]))
-            return status_fail(status, STATUS_FAILED, "sample %zu is no number: no frequency", k);
+            return status_fail(status, "sample %zu is no number: no frequency", k);
         low = fmin(low, record->values[k]), high = fmax(high, record->values[k]);
     }
     record->middle = low / 2 + high / 2, record->scale = high / 2 - low / 2;
     /* what rounding leaves of a constant is no motion */
     if (!(record->scale > 16 * DBL_EPSILON * fmax(fabs(low), fabs(high))) || record->scale < DBL_MIN)
-        return status_fail(status, STATUS_FAILED, "nothing moves: no frequency");
+        return status_fail(status, "nothing moves: no frequency");
     return true;
 }
 
@@ -401,8 +400,7 @@ static bool fit_record(const Record *record, double half, double start, double u
 {
     double angle = start > 0 ? start * half : find_start(record);
     if (angle <= 0)
-        return status_fail(status, STATUS_FAILED, "not enough memory for the spectrum of %zu samples",
-                           record->count);
+        return status_fail(status, "not enough memory for the spectrum of %zu samples", record->count);
     linear_part(record, angle, unknowns);
     if (!refine(record, unknowns, status))
         return false;
@@ -411,10 +409,9 @@ static bool fit_record(const Record *record, double half, double start, double u
     /* less than half a period, 2 angle < pi, could be a piece of almost anything; a little room is left
      * for a record that was cut just there */
     if (unknowns[0] < 0.45 * M_PI)
-        return status_fail(status, STATUS_FAILED, "too short a record: it holds less than half a period");
+        return status_fail(status, "too short a record: it holds less than half a period");
     if (unknowns[0] > M_PI * (double)(record->count - 1) / 2)
-        return status_fail(status, STATUS_FAILED,
-                           "the frequency fit has left the range that the samples can show");
+        return status_fail(status, "the frequency fit has left the range that the samples can show");
     return true;
 }
 
@@ -431,7 +428,7 @@ bool frequency_fit_lines(const double *values, size_t count, double t0, double d
     ASSERT_INT(n_lines, <=, FREQUENCY_LINES_MAX);
     Record record = {.values = values, .count = count, .ratios = ratios, .n_lines = n_lines};
     if (!(dt > 0) || !isfinite(dt) || !isfinite(t0) || !isfinite(start) || start < 0)
-        return status_fail(status, STATUS_FAILED, "no frequency from samples %g apart, start %g", dt, start);
+        return status_fail(status, "no frequency from samples %g apart, start %g", dt, start);
     if (!measure_record(&record, status))
         return false;
     double unknowns[UNKNOWNS_MAX];

@@ -76,8 +76,8 @@ bool view_check(const ViewSettings *view, Status *status)
     for (int i = 0; i < 2; i++)
         if (names[i][0] && !view_of_name(names[i])) {
             view_names(known, sizeof known);
-            return status_fail(status, STATUS_USAGE, "view.%s: %.60s is not allowed (%s)",
-                               i == 0 ? "upper" : "lower", names[i], known);
+            return status_refuse(status, "view.%s: %.60s is not allowed (%s)", i == 0 ? "upper" : "lower",
+                                 names[i], known);
         }
     const RunNumber *about = view->about[0] ? run_number_find(view->about) : NULL;
     if (view->about[0] && (!about || !about->label)) {
@@ -85,8 +85,7 @@ bool view_check(const ViewSettings *view, Status *status)
         for (const RunNumber *row = run_numbers; row->word; row++)
             if (row->label)
                 text_append(known, sizeof known, "%s%s", known[0] ? ", " : "", row->word);
-        return status_fail(status, STATUS_USAGE, "screen.about: %.60s is not allowed (%s)", view->about,
-                           known);
+        return status_refuse(status, "screen.about: %.60s is not allowed (%s)", view->about, known);
     }
     return true;
 }

@@ -77,7 +77,7 @@ END_TEST
 START_TEST(an_error_shows_what_it_repeats)
 {
     Status status = {STATUS_DONE, ""};
-    status_fail(&status, STATUS_USAGE, "%s: is a folder", "a\x1b[31m");
+    status_refuse(&status, "%s: is a folder", "a\x1b[31m");
     status_prefix(&status, "%s", "b\xe2\x80\xae");
     ck_assert_str_eq(status.text, "b\\u202e: a\\x1b[31m: is a folder");
 }

@@ -124,7 +124,7 @@ static bool read_words(Scene *scene, Plan *plan, const char *words, Status *stat
     const char *scenario = strtok_r(rest, " ", &rest), *size = strtok_r(rest, " ", &rest);
     const char *steps = strtok_r(rest, " ", &rest);
     if (!scenario || !size || !steps || sscanf(size, "%dx%d", &plan->width, &plan->height) != 2)
-        return status_fail(status, STATUS_USAGE, "a scene is SCENARIO WxH STEPS [words]");
+        return status_refuse(status, "a scene is SCENARIO WxH STEPS [words]");
     snprintf(scene->scenario, sizeof scene->scenario, "%s", scenario);
     plan->steps = atol(steps);
     if (!scenario_load(scenario, &plan->settings, status))
@@ -147,7 +147,7 @@ static bool read_words(Scene *scene, Plan *plan, const char *words, Status *stat
         }
         const char *number = strtok_r(rest, " ", &rest);
         if (!number || !number_word(scene, plan, word, number))
-            return status_fail(status, STATUS_USAGE, "%s: not a word of a scene", word);
+            return status_refuse(status, "%s: not a word of a scene", word);
     }
     return true;
 }

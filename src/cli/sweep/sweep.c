@@ -43,7 +43,7 @@ typedef struct Sweep {
 
 static bool no_memory(Status *status)
 {
-    return status_fail(status, STATUS_FAILED, "not enough memory for the rows of the sweep");
+    return status_fail(status, "not enough memory for the rows of the sweep");
 }
 
 /* A hash of the scenario of a combination: its file may change while others run. 0: there was no memory. */
@@ -76,10 +76,10 @@ static bool check_combinations(Sweep *sweep, Status *status)
             const double value = of_row ? settings_row_number(&settings, key->key)
                                         : settings_number(&settings, key->parameter);
             if (of_row && isnan(value))
-                return status_fail(status, STATUS_USAGE,
-                                   "%s: %s: is a whole row (one value of it can be varied, such as "
-                                   "loads.NAME.sy)",
-                                   key->origin, key->key);
+                return status_refuse(status,
+                                     "%s: %s: is a whole row (one value of it can be varied, such as "
+                                     "loads.NAME.sy)",
+                                     key->origin, key->key);
             sweep->keys[(size_t)i * (size_t)plan->n_keys + (size_t)k] = value;
         }
         sweep->numbers[i] = number_of(&settings);
@@ -153,8 +153,7 @@ static void run_combination(Sweep *sweep, int combination)
     const uint64_t number = number_of(&settings);
     if (number != sweep->numbers[combination]) {
         number == 0 ? no_memory(why)
-                    : status_fail(why, STATUS_FAILED, "%s has changed since the sweep began",
-                                  sweep->options->words[0]);
+                    : status_fail(why, "%s has changed since the sweep began", sweep->options->words[0]);
         return;
     }
     if (sweep->options->steps > 0 &&
@@ -203,7 +202,7 @@ static int run_all(Sweep *sweep, Status *status)
     progress_end(&sweep->progress);
     pool_destroy(pool);
     if (progress_signal() != 0)
-        return status_fail(status, STATUS_FAILED, "interrupted"), 128 + progress_signal();
+        return status_fail(status, "interrupted"), 128 + progress_signal();
     for (int i = 0; i < sweep->plan.n_combinations; i++)
         warn(sweep, i);
     return STATUS_DONE;
@@ -294,8 +293,7 @@ static int write_all(Sweep *sweep, int count, char **arguments, Status *status)
     sweep_table_choose_columns(&table);
     int all = sweep->plan.n_combinations;
     if (table.rows == 0)
-        return status_fail(status, STATUS_FAILED, "no combination has a row (%d left out)", all),
-               STATUS_FAILED;
+        return status_fail(status, "no combination has a row (%d left out)", all), STATUS_FAILED;
     if (options->output &&
         !(write_files(sweep, &table, count, arguments, status) && describe_table(sweep, status)))
         return (int)status->code;
@@ -306,8 +304,7 @@ static int write_all(Sweep *sweep, int count, char **arguments, Status *status)
         sweep_table_write_csv(&table, options->outputs.dialect, stdout);
     if (table.rows == all)
         return STATUS_DONE;
-    return status_fail(status, STATUS_FAILED, "%d of %d combinations have no row", all - table.rows, all),
-           STATUS_FAILED;
+    return status_fail(status, "%d of %d combinations have no row", all - table.rows, all), STATUS_FAILED;
 }
 
 /* --- the command ---------------------------------------------------------------------------------- */
@@ -338,7 +335,7 @@ static int print_plan(const Sweep *sweep, Status *status)
     OutputFile file;
     const Options *options = sweep->options;
     if (strcmp(options->words[0], input_standard_name) == 0) {
-        status_fail(status, STATUS_USAGE, "%s: is read once, and a plan names a file", input_standard_name);
+        status_refuse(status, "%s: is read once, and a plan names a file", input_standard_name);
         return (int)status->code;
     }
     if (!output_open(&file, ASKER_COMMAND_LINE, options->output ? options->output : "-", options->force,

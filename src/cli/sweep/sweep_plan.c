@@ -14,19 +14,17 @@
 static bool keep_value(SweepKey *key, const char *text, size_t length, Status *status)
 {
     if (length == 0)
-        return status_fail(status, STATUS_USAGE, "%s: %s: an empty value (A,B,C or LO:HI:N)", key->origin,
-                           key->key);
+        return status_refuse(status, "%s: %s: an empty value (A,B,C or LO:HI:N)", key->origin, key->key);
     if (length >= VALUE_MAX)
-        return status_fail(status, STATUS_USAGE, "%s: %s: %.40s... is too long for a value", key->origin,
-                           key->key, text);
+        return status_refuse(status, "%s: %s: %.40s... is too long for a value", key->origin, key->key, text);
     if (key->count == SWEEP_COMBINATIONS_MAX)
-        return status_fail(status, STATUS_USAGE, "%s: %s: too many values (at most %d)", key->origin,
-                           key->key, SWEEP_COMBINATIONS_MAX);
+        return status_refuse(status, "%s: %s: too many values (at most %d)", key->origin, key->key,
+                             SWEEP_COMBINATIONS_MAX);
     if ((key->count & (key->count - 1)) == 0) {
         size_t room = key->count ? 2 * (size_t)key->count : 1;
         char(*larger)[VALUE_MAX] = realloc(key->values, room * sizeof *larger);
         if (!larger)
-            return status_fail(status, STATUS_FAILED, "not enough memory for the values of %s", key->key);
+            return status_fail(status, "not enough memory for the values of %s", key->key);
         key->values = larger;
     }
     char *value = key->values[key->count++];
@@ -69,8 +67,8 @@ static bool read_range(SweepKey *key, const char *text, Status *status)
     long count;
     if (!split_range(text, parts) || !text_to_double(parts[0], &low) || !text_to_double(parts[1], &high) ||
         !text_to_long(parts[2], &count) || count < 2 || count > SWEEP_COMBINATIONS_MAX)
-        return status_fail(status, STATUS_USAGE, "%s: %s: %.60s is no range (LO:HI:N, N from 2 to %d)",
-                           key->origin, key->key, text, SWEEP_COMBINATIONS_MAX);
+        return status_refuse(status, "%s: %s: %.60s is no range (LO:HI:N, N from 2 to %d)", key->origin,
+                             key->key, text, SWEEP_COMBINATIONS_MAX);
     for (long i = 0; i < count; i++) {
         text_rounded(value, low + (high - low) * (double)i / (double)(count - 1), 12);
         const char *kept = i == 0 ? parts[0] : i == count - 1 ? parts[1] : value;
@@ -88,21 +86,21 @@ static bool has_a_number(const SweepKey *key, Status *status)
     const RowColumn *of_row = row_key_column(key->key);
     const bool edge = of_row && of_row->value == ROW_EDGE;
     if (key->parameter ? key->parameter->type == PARAMETER_TEXT : edge || text_key_find(key->key))
-        return status_fail(status, STATUS_USAGE, "%s: %s: is a text (numbers and choices can be varied)",
-                           key->origin, key->key);
+        return status_refuse(status, "%s: %s: is a text (numbers and choices can be varied)", key->origin,
+                             key->key);
     return strncmp(key->key, "output.", 7) != 0 ||
-           status_fail(status, STATUS_USAGE, "%s: %s: does not change the run (a parameter that does)",
-                       key->origin, key->key);
+           status_refuse(status, "%s: %s: does not change the run (a parameter that does)", key->origin,
+                         key->key);
 }
 
 static bool is_new(const SweepPlan *plan, const SweepKey *key, const Options *options, Status *status)
 {
     for (int i = 0; i < plan->n_keys; i++)
         if (strcmp(plan->keys[i].key, key->key) == 0)
-            return status_fail(status, STATUS_USAGE, "%s: %s: is varied twice (once)", key->origin, key->key);
+            return status_refuse(status, "%s: %s: is varied twice (once)", key->origin, key->key);
     if (strcmp(key->key, "time.end") == 0 && options->steps > 0)
-        return status_fail(status, STATUS_USAGE, "%s: time.end: --steps says when the run ends (one of them)",
-                           key->origin);
+        return status_refuse(status, "%s: time.end: --steps says when the run ends (one of them)",
+                             key->origin);
     return true;
 }
 
@@ -112,18 +110,18 @@ static bool join_axis(SweepPlan *plan, SweepKey *key, Status *status)
         key->axis = plan->n_axes++;
         long all = (long)plan->n_combinations * key->count;
         if (all > SWEEP_COMBINATIONS_MAX)
-            return status_fail(status, STATUS_USAGE, "--vary: %ld combinations are too many (at most %d)",
-                               all, SWEEP_COMBINATIONS_MAX);
+            return status_refuse(status, "--vary: %ld combinations are too many (at most %d)", all,
+                                 SWEEP_COMBINATIONS_MAX);
         plan->n_combinations = (int)all;
         return true;
     }
     if (plan->n_keys == 0)
-        return status_fail(status, STATUS_USAGE, "--with: %s: needs a --vary before it", key->key);
+        return status_refuse(status, "--with: %s: needs a --vary before it", key->key);
     const SweepKey *first = &plan->keys[plan->n_keys - 1];
     key->axis = first->axis;
     if (key->count != first->count)
-        return status_fail(status, STATUS_USAGE, "--with: %s: has %d values beside %d of %s (as many)",
-                           key->key, key->count, first->count, first->key);
+        return status_refuse(status, "--with: %s: has %d values beside %d of %s (as many)", key->key,
+                             key->count, first->count, first->key);
     return true;
 }
 
@@ -133,8 +131,8 @@ static bool read_key(SweepPlan *plan, const SweepAxis *axis, const Options *opti
     const char *equals = strchr(axis->text, '=');
     *key = (SweepKey){.origin = axis->origin};
     if (!equals || equals == axis->text || equals - axis->text >= KEY_MAX)
-        return status_fail(status, STATUS_USAGE, "%s: \"%.80s\" varies nothing (KEY=A,B,C or KEY=LO:HI:N)",
-                           axis->origin, axis->text);
+        return status_refuse(status, "%s: \"%.80s\" varies nothing (KEY=A,B,C or KEY=LO:HI:N)", axis->origin,
+                             axis->text);
     memcpy(key->key, axis->text, (size_t)(equals - axis->text));
     key->parameter = parameter_find(key->key);
     bool range = strchr(equals + 1, ':') != NULL;
@@ -148,7 +146,7 @@ bool sweep_plan_read(SweepPlan *plan, const Options *options, Status *status)
 {
     *plan = (SweepPlan){.n_combinations = 1};
     if (options->n_axes == 0)
-        return status_fail(status, STATUS_USAGE, "--vary is missing (--vary KEY=A,B,C or KEY=LO:HI:N)");
+        return status_refuse(status, "--vary is missing (--vary KEY=A,B,C or KEY=LO:HI:N)");
     for (int i = 0; i < options->n_axes; i++)
         if (!read_key(plan, &options->axes[i], options, status)) {
             sweep_plan_free(plan);
@@ -186,8 +184,8 @@ bool sweep_plan_load(const SweepPlan *plan, const Options *options, int combinat
     for (int i = 0; i < plan->n_keys; i++) {
         const SweepKey *key = &plan->keys[i];
         if (all.n_overrides == OVERRIDES_MAX)
-            return status_fail(status, STATUS_USAGE, "--set: too many values (at most %d with those varied)",
-                               OVERRIDES_MAX);
+            return status_refuse(status, "--set: too many values (at most %d with those varied)",
+                                 OVERRIDES_MAX);
         const char *value = value_of(plan, combination, i);
         all.overrides[all.n_overrides++] = (Override){key->origin, key->key, value};
     }

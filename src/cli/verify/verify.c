@@ -33,9 +33,8 @@ static bool is_known(const char *name, Status *status)
         if (text_distance(name, check->name) < text_distance(name, nearest->name))
             nearest = check;
     }
-    return status_fail(status, STATUS_USAGE,
-                       "verify: unknown name \"%s\" (the nearest is %s; --list tells all)", name,
-                       nearest->name);
+    return status_refuse(status, "verify: unknown name \"%s\" (the nearest is %s; --list tells all)", name,
+                         nearest->name);
 }
 
 static void list_checks(FILE *out)

@@ -51,7 +51,7 @@ static bool fill_rows(VerifyRun *run, Status *status)
     run->spacing = (double)every * run->passing.sim->dt;
     run->rows = calloc(run->count * (size_t)run->n_columns, sizeof *run->rows);
     if (!run->rows)
-        return status_fail(status, STATUS_FAILED, "not enough memory for the rows of a run");
+        return status_fail(status, "not enough memory for the rows of a run");
     references_reset(run->refs);
     if (!run_start(&run->passing, &sink, status) || !run_to_end(&run->passing, &sink, status))
         return false;

@@ -240,7 +240,7 @@ int verify_end(Verify *verify, Status *status)
     if (progress_signal()) {
         if (verify->progress)
             progress_end(verify->progress);
-        status_fail(status, STATUS_FAILED, "verify: interrupted after %ld rows", verify->rows);
+        status_fail(status, "verify: interrupted after %ld rows", verify->rows);
         return 128 + progress_signal();
     }
     if (ferror(verify->out))
@@ -249,7 +249,7 @@ int verify_end(Verify *verify, Status *status)
         print_counts(verify);
     if (missed == 0)
         return STATUS_DONE;
-    status_fail(status, STATUS_FAILED, "verify: %ld of %ld missed", missed,
+    status_fail(status, "verify: %ld of %ld missed", missed,
                 missed + references[VERDICT_GOOD] + bounds[VERDICT_GOOD]);
     return STATUS_FAILED;
 }

@@ -98,8 +98,7 @@ bool lesson_judge_number(Laboratory *lab, double *right, Status *status)
     RunSummary summary;
     *right = NAN;
     if (!run->known)
-        return status_fail(status, STATUS_USAGE,
-                           "this page was given up on its way: turn to another one and back");
+        return status_refuse(status, "this page was given up on its way: turn to another one and back");
     return lesson_judge_run(lab, &run->entered, &summary, status) &&
            lesson_judge_value(lab, &run->entered, &summary, right, status);
 }

@@ -86,7 +86,7 @@ static Grader *open_grader(const GradingTask *task, LaboratoryOptions *options, 
 {
     Grader *grader = calloc(1, sizeof *grader);
     if (!grader) {
-        status_fail(status, STATUS_FAILED, "not enough memory for a laboratory");
+        status_fail(status, "not enough memory for a laboratory");
         return NULL;
     }
     const Host host = {now, worked, go_on, nothing, nothing, grader, NULL, NULL};
@@ -120,7 +120,7 @@ static bool frame(Grader *grader)
 static bool draw(Grader *grader, int width, int height, Status *status)
 {
     return laboratory_draw(&grader->lab, &grader->canvas, width, height) ||
-           status_fail(status, STATUS_FAILED, "not enough memory for a screen");
+           status_fail(status, "not enough memory for a screen");
 }
 
 /* --- marks ------------------------------------------------------------------------------------------ */
@@ -255,7 +255,7 @@ static bool replay_session(const GradingTask *task, const Session *session, Grad
     const bool given_up = grader->given_up, in_want = *why.text != '\0';
     close_grader(grader);
     if (given_up || in_want)
-        return status_fail(status, STATUS_FAILED, "%s", in_want ? why.text : "interrupted");
+        return status_fail(status, "%s", in_want ? why.text : "interrupted");
     if (!done)
         return remark(grades, "it takes too long to be done again");
     return true;
@@ -314,15 +314,13 @@ static bool turn_to(Grader *grader, int page, Status *status)
     while (goes_on && (lab->player.playback.state == STATE_COMPUTING || lab->play.arriving))
         goes_on = frame(grader);
     if (!goes_on)
-        return *status->text || status_fail(status, STATUS_FAILED, "page %d takes too long", page + 1);
-    return !*lab->play.refused ||
-           status_fail(status, STATUS_USAGE, "page %d: %s", page + 1, lab->play.refused);
+        return *status->text || status_fail(status, "page %d takes too long", page + 1);
+    return !*lab->play.refused || status_refuse(status, "page %d: %s", page + 1, lab->play.refused);
 }
 
 static bool run_line(Laboratory *lab, const char *line, Status *status)
 {
-    return lab->run_line(lab, line) ||
-           status_fail(status, STATUS_USAGE, "%s: %s", line, lab->prompting.shown.problem);
+    return lab->run_line(lab, line) || status_refuse(status, "%s: %s", line, lab->prompting.shown.problem);
 }
 
 /* The way that the lesson knows, to the end of its run. */
@@ -339,8 +337,8 @@ static bool solve(Grader *grader, const LessonPage *page, Grade *grade, Status *
         goes_on = frame(grader);
     grade->mark = lab->homework.marks[grade->page];
     if (!goes_on)
-        return status_fail(status, STATUS_FAILED, "page %d takes too long", grade->page + 1);
-    return grade->mark.right || status_fail(status, STATUS_FAILED, "page %d: its own way misses the goal: %s",
+        return status_fail(status, "page %d takes too long", grade->page + 1);
+    return grade->mark.right || status_fail(status, "page %d: its own way misses the goal: %s",
                                             grade->page + 1, lab->play.shown.verdict);
 }
 
@@ -366,8 +364,8 @@ static bool may_not_take(const Grade *grade, double other, const char *what, Sta
 {
     char number[NUMBER_TEXT_MAX];
     exercise_write_number(other, number);
-    return status_fail(status, STATUS_FAILED, "page %d: its tolerance takes %s too, %s (right is %s)",
-                       grade->page + 1, number, what, grade->mark.right_answer);
+    return status_fail(status, "page %d: its tolerance takes %s too, %s (right is %s)", grade->page + 1,
+                       number, what, grade->mark.right_answer);
 }
 
 /* Who has the next value of a variant, above or below, is asked for another number. */
@@ -403,8 +401,7 @@ static bool answer_number(Grader *grader, Grade *grade, Status *status)
     if (!number_of(grader, settings, &right, status))
         return false;
     if (!isfinite(right))
-        return status_fail(status, STATUS_FAILED, "page %d: what is right is not known of its run",
-                           grade->page + 1);
+        return status_fail(status, "page %d: what is right is not known of its run", grade->page + 1);
     exercise_write_number(right, grade->mark.right_answer);
     const RunSummary *end = run_of(grader, settings, status);
     const double start = end ? exercise_at_start(exercise, &(ExpressionRun){settings, end}) : NAN;
@@ -421,8 +418,7 @@ static bool is_open(Grader *grader, const Grade *grade, Status *status)
     double met;
     if (!number_of(grader, &grader->lab.play.run.entered, &met, status))
         return false;
-    return !(met > 0) ||
-           status_fail(status, STATUS_FAILED, "page %d: its run fulfils the goal as it is", grade->page + 1);
+    return !(met > 0) || status_fail(status, "page %d: its run fulfils the goal as it is", grade->page + 1);
 }
 
 static bool answer_page(Grader *grader, Grade *grade, Status *status)

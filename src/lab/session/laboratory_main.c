@@ -26,8 +26,8 @@ static bool open_replay(LaboratoryOptions *options, Session **replay, Status *st
     const char *file = options->last ? last : options->replay;
     bool sound = true;
     if (options->last && (!last || access(last, F_OK) != 0))
-        sound = status_fail(status, STATUS_USAGE, "--last: no session has been kept (%s)",
-                            last ? last : "there is no home folder");
+        sound = status_refuse(status, "--last: no session has been kept (%s)",
+                              last ? last : "there is no home folder");
     else if (file) {
         *replay = session_read(file, status);
         sound = *replay != NULL;

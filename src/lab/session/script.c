@@ -93,7 +93,7 @@ static bool film(Script *script, bool must, Status *status)
 static bool draw(Script *script, Status *status)
 {
     if (!laboratory_draw(&script->lab, &script->canvas, script->width, script->height))
-        return status_fail(status, STATUS_FAILED, "out of memory");
+        return status_fail(status, "out of memory");
     return film(script, false, status);
 }
 
@@ -125,10 +125,10 @@ static bool press_at(Script *script, const char *name, int x, int y, double seco
 {
     Key key = {.x = x, .y = y};
     if (script->lab.closed)
-        return status_fail(status, STATUS_FAILED, "key %s: the laboratory has been left", name);
+        return status_fail(status, "key %s: the laboratory has been left", name);
     if (script->scene[0] && ++script->scene_keys > SCENE_KEYS)
-        return status_fail(status, STATUS_FAILED, "key %s: the scene '%s' costs more than %d keys", name,
-                           script->scene, SCENE_KEYS);
+        return status_fail(status, "key %s: the scene '%s' costs more than %d keys", name, script->scene,
+                           SCENE_KEYS);
     snprintf(key.name, sizeof key.name, "%s", name);
     laboratory_key(&script->lab, &key);
     script->keys_seconds += seconds;
@@ -147,9 +147,8 @@ static bool do_key(Script *script, char *rest, Status *status)
     char *place;
     for (char *name = strtok_r(rest, " \t", &place); name; name = strtok_r(NULL, " \t", &place))
         if (!keys_known(name))
-            return status_fail(status, STATUS_USAGE,
-                               "key: %.40s is no key (a character, Space, Enter, Esc, Up, F1, ^C, ...)",
-                               name);
+            return status_refuse(
+                status, "key: %.40s is no key (a character, Space, Enter, Esc, Up, F1, ^C, ...)", name);
         else if (!press(script, name, KEY_SECONDS, status))
             return false;
     return true;
@@ -160,7 +159,7 @@ static bool press_mouse(Script *script, const char *word, const char *name, cons
     int x, y;
     char end;
     if (sscanf(rest, "%d %d%c", &x, &y, &end) != 2)
-        return status_fail(status, STATUS_USAGE, "%s: a column and a row are wanted, not: %s", word, rest);
+        return status_refuse(status, "%s: a column and a row are wanted, not: %s", word, rest);
     return press_at(script, name, x, y, KEY_SECONDS, status);
 }
 
@@ -193,7 +192,7 @@ static bool do_type(Script *script, char *rest, Status *status)
 static bool do_scene(Script *script, char *rest, Status *status)
 {
     if (!*rest || strlen(rest) >= sizeof script->scene)
-        return status_fail(status, STATUS_USAGE, "scene: a short name is wanted, not: %s", rest);
+        return status_refuse(status, "scene: a short name is wanted, not: %s", rest);
     snprintf(script->scene, sizeof script->scene, "%s", rest);
     script->scene_keys = 0;
     return true;
@@ -204,7 +203,7 @@ static bool do_wait(Script *script, char *rest, Status *status)
     double seconds;
     char end;
     if (sscanf(rest, "%lf%c", &seconds, &end) != 1 || seconds < 0 || seconds > 1e6)
-        return status_fail(status, STATUS_USAGE, "wait: not a number of seconds: %s", rest);
+        return status_refuse(status, "wait: not a number of seconds: %s", rest);
     return frames_until(script, script->time + seconds, status) && draw(script, status);
 }
 
@@ -212,8 +211,8 @@ static bool do_size(Script *script, char *rest, Status *status)
 {
     int size[2];
     if (!text_to_size(rest, 1, SCRIPT_CELLS_MAX, size))
-        return status_fail(status, STATUS_USAGE, "size: not a size: %s (as in 80x24; at most %d each)", rest,
-                           SCRIPT_CELLS_MAX);
+        return status_refuse(status, "size: not a size: %s (as in 80x24; at most %d each)", rest,
+                             SCRIPT_CELLS_MAX);
     script->width = size[0];
     script->height = size[1];
     return draw(script, status);
@@ -223,7 +222,7 @@ static bool do_rate(Script *script, char *rest, Status *status)
 {
     char end;
     if (sscanf(rest, "%lf%c", &script->rate, &end) != 1 || script->rate < 0)
-        return status_fail(status, STATUS_USAGE, "rate: not a number of steps: %s", rest);
+        return status_refuse(status, "rate: not a number of steps: %s", rest);
     for (int i = 0; i < RATES; i++)
         script->lab.player.rates[i] = script->rate;
     return true;
@@ -233,7 +232,7 @@ static bool do_patience(Script *script, char *rest, Status *status)
 {
     char end;
     if (sscanf(rest, "%lf%c", &script->patience, &end) != 1 || !(script->patience >= 0))
-        return status_fail(status, STATUS_USAGE, "patience: not a number of seconds: %s", rest);
+        return status_refuse(status, "patience: not a number of seconds: %s", rest);
     return true;
 }
 
@@ -245,7 +244,7 @@ static bool print(Script *script, const char *name, bool styles, Status *status)
         return true;
     char *text = styles ? canvas_dump_styles(&script->canvas) : canvas_dump(&script->canvas);
     if (!text)
-        return status_fail(status, STATUS_FAILED, "out of memory");
+        return status_fail(status, "out of memory");
     if (*name)
         printf("--- %s\n", name);
     fputs(text, stdout);
@@ -269,15 +268,14 @@ static bool look_for(Script *script, const char *text, bool wanted, Status *stat
         return false;
     char *dump = canvas_dump(&script->canvas);
     if (!dump)
-        return status_fail(status, STATUS_FAILED, "out of memory");
+        return status_fail(status, "out of memory");
     bool found = strstr(dump, text) != NULL;
     if (found != wanted)
         fputs(dump, stdout);
     free(dump);
     if (found == wanted)
         return true;
-    return status_fail(status, STATUS_FAILED, "'%s' is %s", text,
-                       found ? "on the screen" : "not on the screen");
+    return status_fail(status, "'%s' is %s", text, found ? "on the screen" : "not on the screen");
 }
 
 static bool do_expect(Script *script, char *rest, Status *status)
@@ -293,7 +291,7 @@ static bool do_reject(Script *script, char *rest, Status *status)
 static bool do_closed(Script *script, char *rest, Status *status)
 {
     (void)rest;
-    return script->lab.closed || status_fail(status, STATUS_FAILED, "the laboratory is still open");
+    return script->lab.closed || status_fail(status, "the laboratory is still open");
 }
 
 const ScriptInstruction script_instructions[] = {
@@ -334,7 +332,7 @@ static bool play_line(Script *script, char *line, Status *status)
     size_t used = 0;
     for (const ScriptInstruction *row = script_instructions; row->name && used < sizeof known; row++)
         used += (size_t)snprintf(known + used, sizeof known - used, "%s%s", used ? " | " : "", row->name);
-    return status_fail(status, STATUS_USAGE, "unknown instruction: %.60s (%s)", line, known);
+    return status_refuse(status, "unknown instruction: %.60s (%s)", line, known);
 }
 
 static bool play(Script *script, FILE *file, const char *name, Status *status)
@@ -356,8 +354,8 @@ static bool open_script(Script *script, const LaboratoryOptions *options, Status
     const char *codeset = nl_langinfo(CODESET);
     Glyphs glyphs;
     if (!grid_choose_glyphs(options->glyphs, codeset, NULL, &glyphs))
-        return status_fail(status, STATUS_USAGE, "--glyphs: unknown set '%s' (auto, braille, block or ascii)",
-                           options->glyphs);
+        return status_refuse(status, "--glyphs: unknown set '%s' (auto, braille, block or ascii)",
+                             options->glyphs);
     script->camera = options->camera;
     if (!laboratory_open(&script->lab, options, &host, status))
         return false;
@@ -417,9 +415,9 @@ static bool has_room(const Script *script, double dt, Status *status)
     if (pictures < FILM_PICTURES_MAX || camera->idle < 1 / camera->fps ||
         settings_time(experiment_settings(laboratory_run(lab)))->rest)
         return true;
-    return status_fail(
-        status, STATUS_USAGE, "the film would have about %.0f pictures (at most %d: --to %g, or --speed %g)",
-        pictures, FILM_PICTURES_MAX,
+    return status_refuse(
+        status, "the film would have about %.0f pictures (at most %d: --to %g, or --speed %g)", pictures,
+        FILM_PICTURES_MAX,
         from + player_next_125(FILM_PICTURES_MAX * fmax(due * lab->player.playback.pace, 1) * dt, -1),
         player_next_125(camera->fps * FRAME_SECONDS * frames / FILM_PICTURES_MAX, 1));
 }
@@ -456,7 +454,7 @@ int script_play(FILE *file, const char *name, const LaboratoryOptions *options, 
     Script *script = calloc(1, sizeof *script);
     bool sound = false;
     if (!script)
-        status_fail(status, STATUS_FAILED, "out of memory");
+        status_fail(status, "out of memory");
     else if (open_script(script, options, status)) {
         script->lab.recording = recording;
         session_note_start(recording, &script->lab);

@@ -38,7 +38,7 @@ Session *session_begin(const LaboratoryOptions *options, Status *status)
 {
     Session *session = calloc(1, sizeof *session);
     if (!session) {
-        status_fail(status, STATUS_FAILED, "not enough memory for a session");
+        status_fail(status, "not enough memory for a session");
         return NULL;
     }
     session->settings = *options->settings;
@@ -110,8 +110,7 @@ void session_record(Session *session, const char *file, bool force)
 static bool is_whole(const Session *session, const char *name, Status *status)
 {
     return !session->full ||
-           status_fail(status, STATUS_FAILED, "%s: memory was short for more than its first %zu keys", name,
-                       session->count);
+           status_fail(status, "%s: memory was short for more than its first %zu keys", name, session->count);
 }
 
 bool session_is_lost(Session *session, Status *status)
@@ -208,7 +207,7 @@ static bool write_scenario_lines(FILE *file, const Session *session, Status *sta
     }
     free(text);
     if (!sound && !*status->text)
-        status_fail(status, STATUS_FAILED, "not enough memory for a session");
+        status_fail(status, "not enough memory for a session");
     return sound;
 }
 
@@ -244,7 +243,7 @@ static bool write_head(FILE *file, uint64_t *check, const Session *session, Stat
     if (sound)
         put(file, check, text);
     else if (!*status->text)
-        status_fail(status, STATUS_FAILED, "not enough memory for a session");
+        status_fail(status, "not enough memory for a session");
     free(text);
     return sound;
 }

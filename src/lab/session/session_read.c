@@ -71,7 +71,7 @@ static bool read_reached(Session *session, const char *text, Status *status)
     const char *space = strrchr(text, ' ');
     long page;
     if (!space || !text_to_long(space, &page) || page < 0 || page > LESSON_PAGES_MAX)
-        return status_fail(status, STATUS_USAGE, "not a page of a lesson (reached NAME PAGE)");
+        return status_refuse(status, "not a page of a lesson (reached NAME PAGE)");
     for (int i = 0; i < LESSONS_MAX && builtin_lessons[i].name; i++)
         if (strncmp(builtin_lessons[i].name, text, (size_t)(space - text)) == 0 &&
             !builtin_lessons[i].name[space - text])
@@ -94,7 +94,7 @@ static bool read_version(Session *session, const char *text, Status *status)
 {
     const char *program;
     if (!read_hash(text, &session->version, &program) || !program || strlen(program) >= SESSION_PROGRAM_MAX)
-        return status_fail(status, STATUS_USAGE, "not a version (version HASH PROGRAM)");
+        return status_refuse(status, "not a version (version HASH PROGRAM)");
     return strcpy(session->program, program);
 }
 
@@ -103,16 +103,15 @@ static bool read_check(Session *session, const char *text, Status *status)
     const char *rest;
     uint64_t check;
     if (!read_hash(text, &check, &rest) || rest)
-        return status_fail(status, STATUS_USAGE, "not a check (check HASH)");
+        return status_refuse(status, "not a check (check HASH)");
     session->sound = session->ended && check == session->check;
     return true;
 }
 
 static bool read_lesson(Session *session, const char *text, Status *status)
 {
-    return strlen(text) < sizeof session->lesson
-               ? strcpy(session->lesson, text) != NULL
-               : status_fail(status, STATUS_USAGE, "the lesson's name is too long");
+    return strlen(text) < sizeof session->lesson ? strcpy(session->lesson, text) != NULL
+                                                 : status_refuse(status, "the lesson's name is too long");
 }
 
 static bool read_student(Session *session, const char *text, Status *status)
@@ -124,7 +123,7 @@ static bool read_sheet(Session *session, const char *text, Status *status)
 {
     const int sheet = text_place_in(text, parameter_sheet_words);
     session->sheet = sheet >= 0 ? parameter_sheet_words[sheet] : NULL;
-    return sheet >= 0 || status_fail(status, STATUS_USAGE, "not a sheet (sheet plain, sheet full)");
+    return sheet >= 0 || status_refuse(status, "not a sheet (sheet plain, sheet full)");
 }
 
 static bool read_id(Session *session, const char *text, Status *status)
@@ -151,10 +150,10 @@ static bool read_line(Session *session, char *line, FILE *scenario, Status *stat
     if (!*line || *line == '#')
         return true;
     if (!visible_is_clean(line))
-        return status_fail(status, STATUS_USAGE, "is not text in UTF-8");
+        return status_refuse(status, "is not text in UTF-8");
     if (*line == '|') {
         if (ftell(scenario) > SCENARIO_BYTES_MAX)
-            return status_fail(status, STATUS_USAGE, "its scenario is too long");
+            return status_refuse(status, "its scenario is too long");
         fprintf(scenario, "%s\n", line + 1 + (line[1] == ' '));
         return true;
     }
@@ -175,18 +174,17 @@ static bool read_line(Session *session, char *line, FILE *scenario, Status *stat
         word++;
     session->keys = hash_bytes(hash_bytes(session->keys, line, strlen(line)), "\n", 1);
     if (word == EVENT_WORDS)
-        return status_fail(status, STATUS_USAGE, "unknown line: %.40s (%s)", line, allowed);
+        return status_refuse(status, "unknown line: %.40s (%s)", line, allowed);
     if (!read_event(line + strlen(words[word]), word == AT, &event))
-        return status_fail(status, STATUS_USAGE,
-                           "not a place of a session (%sSTEP[/STAGE] SECONDS WIDTHxHEIGHT%s)", words[word],
-                           word == AT ? " KEY [X Y]" : "");
+        return status_refuse(status, "not a place of a session (%sSTEP[/STAGE] SECONDS WIDTHxHEIGHT%s)",
+                             words[word], word == AT ? " KEY [X Y]" : "");
     event.is_stop = word == STOP;
     event.is_end = word == END;
     if (session->count && session->events[session->count - 1].is_end)
-        return status_fail(status, STATUS_USAGE, "comes after the end");
+        return status_refuse(status, "comes after the end");
     session->ended = event.is_end;
     return session_append(session, &event) ||
-           status_fail(status, STATUS_FAILED, "not enough memory for a session of this length");
+           status_fail(status, "not enough memory for a session of this length");
 }
 
 static bool read_lines(Session *session, FILE *file, const char *name, FILE *scenario, Status *status)
@@ -203,7 +201,7 @@ static bool read_lines(Session *session, FILE *file, const char *name, FILE *sce
 static bool read_scenario(Session *session, const char *name, const char *text, size_t size, Status *status)
 {
     if (size == 0)
-        return status_fail(status, STATUS_USAGE, "%s: is no session (its scenario is missing)", name);
+        return status_refuse(status, "%s: is no session (its scenario is missing)", name);
     FILE *memory = fmemopen((void *)text, size, "r");
     char origin[SESSION_NAME_MAX];
     snprintf(origin, sizeof origin, "%.200s (scenario)", name);
@@ -211,7 +209,7 @@ static bool read_scenario(Session *session, const char *name, const char *text, 
     if (memory)
         fclose(memory);
     if (!sound && !*status->text)
-        status_fail(status, STATUS_FAILED, "not enough memory for a session");
+        status_fail(status, "not enough memory for a session");
     return sound;
 }
 
@@ -225,10 +223,10 @@ Session *session_read_stream(FILE *file, const char *name, Status *status)
     if (session)
         session->check = session->keys = HASH_BEGIN;
     if (!sound)
-        status_fail(status, STATUS_FAILED, "not enough memory for a session");
+        status_fail(status, "not enough memory for a session");
     sound = sound && read_lines(session, file, name, scenario, status);
     if (scenario && !text_stream_close(scenario, &text))
-        sound = sound && status_fail(status, STATUS_FAILED, "not enough memory for a session");
+        sound = sound && status_fail(status, "not enough memory for a session");
     sound = sound && read_scenario(session, name, text, size, status);
     free(text);
     if (sound)

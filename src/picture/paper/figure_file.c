@@ -42,8 +42,7 @@ bool figure_allowed(const char *file, Status *status)
 {
     const Format format = format_of(file);
     if (format == FORMAT_NONE)
-        return status_fail(status, STATUS_USAGE, "%.200s: is no figure (FILE.svg, FILE.pdf or FILE.png)",
-                           file);
+        return status_refuse(status, "%.200s: is no figure (FILE.svg, FILE.pdf or FILE.png)", file);
     return format == FORMAT_SVG || paper_has_cairo(status);
 }
 
@@ -96,7 +95,7 @@ bool figure_view(Screen *screen, const char *wanted, const View **view, Status *
                 break;
         }
     list_names(screen, all, sizeof all);
-    return status_fail(status, STATUS_USAGE, "%.60s: no such view here (%s)", wanted, all);
+    return status_refuse(status, "%.60s: no such view here (%s)", wanted, all);
 }
 
 void figure_names(const Screen *screen, FILE *stream)
@@ -175,7 +174,7 @@ void figure_close(Figure *figure)
 
 static bool no_memory(Status *status)
 {
-    return status_fail(status, STATUS_FAILED, "not enough memory for a figure");
+    return status_fail(status, "not enough memory for a figure");
 }
 
 /* --- panels ----------------------------------------------------------------------------------------- */
@@ -192,11 +191,19 @@ static void caption_of(const char *time, char *out, size_t size)
     snprintf(out, size, "t = %.*s%s", (int)kept, number, number + strspn(number, "0123456789."));
 }
 
+static bool nothing_to_draw(Status *status, const Picture *picture, const char *name)
+{
+    if (picture->n_notes > 0)
+        return status_fail(status, "%s: nothing to draw: %s", name, picture->notes[0].text);
+    return status_refuse(status, "%s: nothing to draw: the page is too small for it (at least 30x30 mm)",
+                         name);
+}
+
 bool figure_add(Figure *figure, const Screen *screen, const View *view, int panels, Status *status)
 {
     const Settings *settings = experiment_settings(screen->experiment);
     if (figure->count == FIGURE_PANELS_MAX)
-        return status_fail(status, STATUS_USAGE, "a page has room for %d pictures", FIGURE_PANELS_MAX);
+        return status_refuse(status, "a page has room for %d pictures", FIGURE_PANELS_MAX);
     FigurePanel *panel = calloc(1, sizeof *panel);
     if (!panel)
         return no_memory(status);
@@ -212,10 +219,7 @@ bool figure_add(Figure *figure, const Screen *screen, const View *view, int pane
         if (in_want)
             no_memory(status);
         else
-            status_fail(status, picture->n_notes > 0 ? STATUS_FAILED : STATUS_USAGE,
-                        "%s: nothing to draw: %s", *picture->heading ? picture->heading : view->word,
-                        picture->n_notes > 0 ? picture->notes[0].text
-                                             : "the page is too small for it (at least 30x30 mm)");
+            nothing_to_draw(status, picture, *picture->heading ? picture->heading : view->word);
         picture_close(&panel->picture);
         free(panel);
         return false;

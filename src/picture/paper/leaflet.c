@@ -31,7 +31,7 @@ bool leaflet_allowed(const char *file, bool force, Status *status)
 {
     const char *dot = strrchr(file, '.');
     if (!dot || strcasecmp(dot, ".pdf") != 0)
-        return status_fail(status, STATUS_USAGE, "%.200s: is no name for pages (FILE.pdf)", file);
+        return status_refuse(status, "%.200s: is no name for pages (FILE.pdf)", file);
     return paper_has_cairo(status) && output_may_begin(file, force, status);
 }
 

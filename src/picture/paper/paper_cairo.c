@@ -153,10 +153,9 @@ static bool finish(Paper *paper, Status *status)
     cairo_surface_destroy(page->surface);
     free(page);
     if (result == CAIRO_STATUS_WRITE_ERROR)
-        return status_fail(status, STATUS_FAILED, "the figure could not be written: %s", strerror(errno));
+        return status_fail(status, "the figure could not be written: %s", strerror(errno));
     return result == CAIRO_STATUS_SUCCESS ||
-           status_fail(status, STATUS_FAILED, "the figure could not be drawn: %s",
-                       cairo_status_to_string(result));
+           status_fail(status, "the figure could not be drawn: %s", cairo_status_to_string(result));
 }
 
 static const PaperKind cairo_kind = {draw_line, draw_fill, draw_disc, draw_text,
@@ -167,7 +166,7 @@ static Paper *open_paper(FILE *stream, cairo_surface_t *surface, bool image, Sta
     CairoPaper *page = calloc(1, sizeof *page);
     const cairo_status_t result = cairo_surface_status(surface);
     if (!page || result != CAIRO_STATUS_SUCCESS) {
-        status_fail(status, STATUS_FAILED, "no figure can be drawn: %s",
+        status_fail(status, "no figure can be drawn: %s",
                     cairo_status_to_string(page ? result : CAIRO_STATUS_NO_MEMORY));
         cairo_surface_destroy(surface);
         free(page);
@@ -213,9 +212,9 @@ Paper *paper_png(FILE *stream, double width, double height, Status *status)
 
 bool paper_has_cairo(Status *status)
 {
-    return status_fail(status, STATUS_USAGE,
-                       "PDF and PNG need cairo, which this program was built without (an SVG needs nothing; "
-                       "Debian package libcairo2-dev)");
+    return status_refuse(
+        status, "PDF and PNG need cairo, which this program was built without (an SVG needs nothing; "
+                "Debian package libcairo2-dev)");
 }
 
 Paper *paper_pdf(FILE *stream, double width, double height, const char *title, Status *status)

@@ -216,7 +216,7 @@ Paper *paper_svg(FILE *stream, double width, double height, const char *title, S
 {
     SvgPaper *svg = calloc(1, sizeof *svg);
     if (!svg) {
-        status_fail(status, STATUS_FAILED, "not enough memory for a figure");
+        status_fail(status, "not enough memory for a figure");
         return NULL;
     }
     svg->paper = (Paper){&svg_kind, stream};

@@ -91,8 +91,8 @@ static bool read_number(const RowColumn *column, const char *word, bool share, d
         snprintf(why, sizeof why, place ? "is no share" : "is a share, which only a place can be");
     else if (quantity_read(number, share ? "" : column->unit, value, why))
         return true;
-    return status_fail(status, STATUS_USAGE, "%s: %s: %s %s (%s %s%s)", about, column->word, word, why,
-                       place ? "a place in" : "in", column->unit, place ? ", or a share such as 50%" : "");
+    return status_refuse(status, "%s: %s: %s %s (%s %s%s)", about, column->word, word, why,
+                         place ? "a place in" : "in", column->unit, place ? ", or a share such as 50%" : "");
 }
 
 bool row_read_value(const RowKind *kind, int index, const char *word, Row *row, const char *about,
@@ -106,20 +106,18 @@ bool row_read_value(const RowKind *kind, int index, const char *word, Row *row, 
     if (column->value == ROW_EDGE) {
         value = edge_of(word);
         if (value < 0)
-            return status_fail(status, STATUS_USAGE, "%s: %.60s is no edge (top | bottom | left | right)",
-                               about, word);
+            return status_refuse(status, "%s: %.60s is no edge (top | bottom | left | right)", about, word);
     } else if (strlen(word) >= WORD_MAX) {
-        return status_fail(status, STATUS_USAGE, "%s: %s: the value is too long (at most %d bytes)", about,
-                           column->word, WORD_MAX - 1);
+        return status_refuse(status, "%s: %s: the value is too long (at most %d bytes)", about, column->word,
+                             WORD_MAX - 1);
     } else if (!read_number(column, word, share, &value, about, status)) {
         return false;
     }
     if (is_place(column->value) && !(value >= 0 && (!share || value <= 100)))
-        return status_fail(status, STATUS_USAGE, "%s: %s: %s is off the plate (%s)", about, column->word,
-                           word, share ? "0% to 100%" : "0 or more");
+        return status_refuse(status, "%s: %s: %s is off the plate (%s)", about, column->word, word,
+                             share ? "0% to 100%" : "0 or more");
     if (column->value == ROW_TIME && !(value > 0))
-        return status_fail(status, STATUS_USAGE, "%s: %s: %s is not allowed (a time above 0)", about,
-                           column->word, word);
+        return status_refuse(status, "%s: %s: %s is not allowed (a time above 0)", about, column->word, word);
     row->values[index] = value;
     row->shares = share ? row->shares | bit : row->shares & ~bit;
     row->given |= bit;
@@ -130,7 +128,7 @@ bool row_read_value(const RowKind *kind, int index, const char *word, Row *row, 
 
 static bool refuse(const RowKind *kind, const char *about, const char *what, Status *status)
 {
-    return status_fail(status, STATUS_USAGE, "%s: %s (%s)", about, what, kind->form);
+    return status_refuse(status, "%s: %s (%s)", about, what, kind->form);
 }
 
 bool row_read(const RowKind *kind, const char *text, Row *row, const char *about, Status *status)

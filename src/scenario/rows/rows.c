@@ -58,13 +58,11 @@ static bool check_name(const RowKind *kind, const char *name, const char *about,
 {
     static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
     if (!has_names(kind))
-        return !*name ||
-               status_fail(status, STATUS_USAGE, "%s: has no rows with names (%s)", about, kind->form);
+        return !*name || status_refuse(status, "%s: has no rows with names (%s)", about, kind->form);
     if (*name && strlen(name) < ROW_NAME_MAX && name[strspn(name, letters)] == '\0')
         return true;
-    return status_fail(status, STATUS_USAGE,
-                       "%s: this is no name for a %s (1 to %d letters, digits, _ and -)", about, kind->one,
-                       ROW_NAME_MAX - 1);
+    return status_refuse(status, "%s: this is no name for a %s (1 to %d letters, digits, _ and -)", about,
+                         kind->one, ROW_NAME_MAX - 1);
 }
 
 bool settings_row_set(Settings *settings, int index, const char *name, const char *text, Status *status)
@@ -75,14 +73,13 @@ bool settings_row_set(Settings *settings, int index, const char *name, const cha
     char about[KEY_MAX];
     key_of(kind, name, about);
     if (!settings_have_rows(settings, index))
-        return status_fail(status, STATUS_USAGE, "%s: problem %s has no %s (only: plate)", about,
-                           settings->problem->word, kind->section);
+        return status_refuse(status, "%s: problem %s has no %s (only: plate)", about, settings->problem->word,
+                             kind->section);
     if (!check_name(kind, name, about, status))
         return false;
     int at = settings_row_find(settings, index, name);
     if (at < 0 && list->count == ROWS_OF_KIND_MAX)
-        return status_fail(status, STATUS_USAGE, "%s: too many %s (at most %d)", about, kind->section,
-                           ROWS_OF_KIND_MAX);
+        return status_refuse(status, "%s: too many %s (at most %d)", about, kind->section, ROWS_OF_KIND_MAX);
     Row row = {0};
     strcpy(row.name, name);
     if (!row_read(kind, text, &row, about, status))
@@ -98,8 +95,8 @@ bool row_missing(const Settings *settings, int index, const char *name, Status *
     key_of(kind, name, about);
     for (int i = 0; i < settings->rows[index].count; i++)
         text_list_add(there, sizeof there, settings->rows[index].rows[i].name);
-    return status_fail(status, STATUS_USAGE, "%s: there is no %s of that name (%s)", about, kind->one,
-                       *there ? there : "none at all");
+    return status_refuse(status, "%s: there is no %s of that name (%s)", about, kind->one,
+                         *there ? there : "none at all");
 }
 
 /* Of a row that goes nothing is asked any more. */
@@ -120,8 +117,8 @@ bool settings_row_remove(Settings *settings, int index, const char *name, Status
     RowList *list = &settings->rows[index];
     const int at = settings_row_find(settings, index, name);
     if (!has_names(&row_kinds[index]))
-        return status_fail(status, STATUS_USAGE, "%s: cannot be left out (%s)", row_kinds[index].section,
-                           row_kinds[index].form);
+        return status_refuse(status, "%s: cannot be left out (%s)", row_kinds[index].section,
+                             row_kinds[index].form);
     if (at < 0)
         return row_missing(settings, index, name, status);
     forget_asked(settings, &row_kinds[index], name);
@@ -229,7 +226,7 @@ static bool set_value(Settings *settings, const RowKey *at, const char *key, con
     for (int i = 0; i < kind->n_columns; i++)
         text_list_add(words, sizeof words, kind->columns[i].word);
     if (column < 0)
-        return status_fail(status, STATUS_USAGE, "%s: a %s has no such value (%s)", key, kind->one, words);
+        return status_refuse(status, "%s: a %s has no such value (%s)", key, kind->one, words);
     key_of(kind, at->name, about);
     Row changed = settings->rows[at->kind].rows[row];
     if (!row_read_value(kind, column, text, &changed, about, status))
@@ -245,11 +242,10 @@ bool settings_row_key_set(Settings *settings, const char *key, const char *text,
         const char *rest = key;
         const int index = kind_of(&rest);
         if (index < 0)
-            return status_fail(status, STATUS_USAGE, "%s: no such rows", key);
+            return status_refuse(status, "%s: no such rows", key);
         const RowKind *kind = &row_kinds[index];
-        return status_fail(status, STATUS_USAGE,
-                           "%s: this is no name for a %s (1 to %d letters, digits, _ and -)", key, kind->one,
-                           ROW_NAME_MAX - 1);
+        return status_refuse(status, "%s: this is no name for a %s (1 to %d letters, digits, _ and -)", key,
+                             kind->one, ROW_NAME_MAX - 1);
     }
     if (*at.value)
         return set_value(settings, &at, key, text, status);

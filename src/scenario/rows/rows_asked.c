@@ -23,8 +23,7 @@ static bool find_value(const RowKind *kind, const char *key, const char *word, R
         if (kind->columns[i].value != ROW_EDGE)
             text_list_add(words, sizeof words, kind->columns[i].word);
     if (column < 0 || kind->columns[column].value == ROW_EDGE)
-        return status_fail(status, STATUS_USAGE, "screen.ask: %s: a %s has no such number (%s)", key,
-                           kind->one, words);
+        return status_refuse(status, "screen.ask: %s: a %s has no such number (%s)", key, kind->one, words);
     out->value = column + 1;
     return true;
 }
@@ -56,7 +55,7 @@ bool settings_row_asked(const Settings *settings, const char *key, RowPlace *out
     if (out->row < 0 || strlen(name) != length) {
         Status why = {STATUS_DONE, ""};
         row_missing(settings, out->kind, name, &why);
-        return status_fail(status, STATUS_USAGE, "screen.ask: %s", why.text);
+        return status_refuse(status, "screen.ask: %s", why.text);
     }
     return !rest[length] || find_value(kind, key, rest + length + 1, out, status);
 }

@@ -18,8 +18,8 @@ static bool check_value(const Settings *settings, int kind, int row, int column,
     const double value = settings_row_value(settings, kind, row, column);
     /* where a row has no name, its values are the keys of the file */
     return value <= whole * (1 + 1e-9) ||
-           status_fail(status, STATUS_USAGE, "%s%s%s = %g is off the plate (0 to %s = %g)", about,
-                       row_kinds[kind].usual ? "." : ": ", what->word, value, key, whole);
+           status_refuse(status, "%s%s%s = %g is off the plate (0 to %s = %g)", about,
+                         row_kinds[kind].usual ? "." : ": ", what->word, value, key, whole);
 }
 
 bool settings_rows_check(const Settings *settings, Status *status)

@@ -22,8 +22,8 @@ static bool check_numbers(const PdBarDef *def, Status *status)
     };
     for (size_t k = 0; k < sizeof bounds / sizeof *bounds; k++)
         if (!isfinite(bounds[k].value) || (bounds[k].positive && !(bounds[k].value > 0)))
-            return status_fail(status, STATUS_USAGE, "%s: %g is not allowed (%s)", bounds[k].key,
-                               bounds[k].value, bounds[k].positive ? "greater than 0" : "a number");
+            return status_refuse(status, "%s: %g is not allowed (%s)", bounds[k].key, bounds[k].value,
+                                 bounds[k].positive ? "greater than 0" : "a number");
     return true;
 }
 
@@ -34,29 +34,25 @@ bool pd_bar_check(const PdBarDef *def, Status *status)
         return false;
     const double nodes = def->length / def->spacing, ratio = def->horizon / def->spacing;
     if (!(fabs(nodes - round(nodes)) <= 1e-6 * fmax(1, nodes) && nodes >= 0.5 && nodes <= NODES_MAX))
-        return status_fail(status, STATUS_USAGE,
-                           "pd.spacing: the length %g is %g spacings of %g (a whole number, at most %d)",
-                           def->length, nodes, def->spacing, NODES_MAX);
+        return status_refuse(status,
+                             "pd.spacing: the length %g is %g spacings of %g (a whole number, at most %d)",
+                             def->length, nodes, def->spacing, NODES_MAX);
     if (ratio < 1 - 1e-9)
-        return status_fail(status, STATUS_USAGE,
-                           "pd.horizon: %g is below the spacing (at least pd.spacing = %g)", def->horizon,
-                           def->spacing);
+        return status_refuse(status, "pd.horizon: %g is below the spacing (at least pd.spacing = %g)",
+                             def->horizon, def->spacing);
     if (ratio > PD_BAR_REACH_MAX * (1 + 1e-9))
-        return status_fail(status, STATUS_USAGE,
-                           "pd.horizon: %g is %.4g spacings (at most %d times pd.spacing)", def->horizon,
-                           ratio, PD_BAR_REACH_MAX);
+        return status_refuse(status, "pd.horizon: %g is %.4g spacings (at most %d times pd.spacing)",
+                             def->horizon, ratio, PD_BAR_REACH_MAX);
     if (def->influence == INFLUENCE_CONICAL && ratio < 1.5)
-        return status_fail(
-            status, STATUS_USAGE,
+        return status_refuse(
+            status,
             "pd.influence: conical leaves bonds as long as the horizon nothing, and pd.horizon "
             "is %.3g spacings (at least 1.5, or constant)",
             ratio);
     if (def->horizon > def->length * (1 + 1e-9))
-        return status_fail(status, STATUS_USAGE,
-                           "pd.horizon: %g reaches beyond the whole bar (at most bar.length = %g)",
-                           def->horizon, def->length);
+        return status_refuse(status, "pd.horizon: %g reaches beyond the whole bar (at most bar.length = %g)",
+                             def->horizon, def->length);
     if (def->surface_correction == SURFACE_VOLUME)
-        return status_fail(status, STATUS_USAGE,
-                           "pd.surface_correction: volume is for beams (on a bar: none | energy)");
+        return status_refuse(status, "pd.surface_correction: volume is for beams (on a bar: none | energy)");
     return axial_check_layer(def->traction_layer, def->spacing, def->length, status);
 }

@@ -30,10 +30,10 @@ static bool change(Simulation *sim, const char *key, double value, Status *statu
                    : strcmp(key, "load.traction") == 0 ? &bar->head->traction
                                                        : NULL;
     if (!live)
-        return status_fail(status, STATUS_USAGE,
-                           "%s: cannot change in mid-run (load.body_force and load.traction can)", key);
+        return status_refuse(status, "%s: cannot change in mid-run (load.body_force and load.traction can)",
+                             key);
     if (!isfinite(value))
-        return status_fail(status, STATUS_USAGE, "%s: %g is not allowed (a number)", key, value);
+        return status_refuse(status, "%s: %g is not allowed (a number)", key, value);
     *live = value;
     pd_bar_set_stages(bar);
     pd_bar_forces(bar); /* the coming half kick takes the force of the new load */
@@ -96,11 +96,11 @@ static bool begin(PdBar *bar, Status *status)
     pd_bar_set_stages(bar);
     for (int i = 0; i < bar->lattice.n && def->initial_velocity; i++) {
         if (i % NODES_A_QUESTION == 0 && !patience_lasts(&def->patience, (double)i / bar->lattice.n))
-            return status_fail(status, STATUS_FAILED, "the building of the bar was given up");
+            return status_fail(status, "the building of the bar was given up");
         double x = pd_bar_position(&bar->lattice, i);
         bar->v[i] = def->initial_velocity(x, def->initial_context);
         if (!isfinite(bar->v[i]))
-            return status_fail(status, STATUS_USAGE, "initial.velocity: no finite number at x = %g", x);
+            return status_refuse(status, "initial.velocity: no finite number at x = %g", x);
     }
     pd_bar_forces(bar);
     return true;
@@ -113,7 +113,7 @@ Simulation *pd_bar_create(const PdBarDef *def, Status *status)
         return NULL;
     PdBar *bar = calloc(1, sizeof *bar);
     if (!bar) {
-        status_fail(status, STATUS_FAILED, "not enough memory for the bar");
+        status_fail(status, "not enough memory for the bar");
         return NULL;
     }
     bar->def = *def;
@@ -122,7 +122,7 @@ Simulation *pd_bar_create(const PdBarDef *def, Status *status)
     sim->method = &method;
     sim->dt = def->dt;
     if (!lay_out(bar)) {
-        status_fail(status, STATUS_FAILED, "not enough memory for the lattice of the bar");
+        status_fail(status, "not enough memory for the lattice of the bar");
         destroy(sim);
         return NULL;
     }

@@ -125,7 +125,7 @@ static double critical_step(const PdBarDef *def, const PdBarLattice *lattice, St
     const size_t n = (size_t)lattice->n, width = (size_t)lattice->reach;
     double *rows = calloc(n * (width + 1), sizeof *rows);
     if (!rows) {
-        status_fail(status, STATUS_FAILED, no_memory);
+        status_fail(status, no_memory);
         return NAN;
     }
     for (int i = 0; i < lattice->n; i++)
@@ -143,7 +143,7 @@ static double critical_step(const PdBarDef *def, const PdBarLattice *lattice, St
     double largest = band_eigenvalue(&band, n - 1, &def->patience);
     free(rows);
     if (isnan(largest))
-        status_fail(status, STATUS_FAILED, "the building of the bar was given up");
+        status_fail(status, "the building of the bar was given up");
     return 2 / sqrt(largest);
 }
 
@@ -165,7 +165,7 @@ bool pd_bar_critical(const PdBarDef *def, double *step, Status *status)
     const PdBarDef part = shorter(def);
     void *memory = pd_bar_lattice(&part, &lattice);
     if (!memory)
-        return status_fail(status, STATUS_FAILED, no_memory);
+        return status_fail(status, no_memory);
     *step = critical_step(&part, &lattice, status);
     free(memory);
     return isfinite(*step);

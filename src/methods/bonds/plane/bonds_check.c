@@ -36,16 +36,16 @@ static bool check_bounds(const BeamDef *def, Status *status)
     };
     for (size_t k = 0; k < sizeof of_body / sizeof *of_body; k++)
         if (!is_bounded(&of_body[k]))
-            return status_fail(status, STATUS_USAGE, "%s.%s: %g is not allowed (greater than 0)",
-                               beam_word(def), of_body[k].key, of_body[k].value);
+            return status_refuse(status, "%s.%s: %g is not allowed (greater than 0)", beam_word(def),
+                                 of_body[k].key, of_body[k].value);
     for (size_t k = 0; k < sizeof bounds / sizeof *bounds; k++)
         if (!is_bounded(&bounds[k]))
-            return status_fail(status, STATUS_USAGE, "%s: %g is not allowed (%s)", bounds[k].key,
-                               bounds[k].value, bounds[k].positive ? "greater than 0" : "0 or more");
+            return status_refuse(status, "%s: %g is not allowed (%s)", bounds[k].key, bounds[k].value,
+                                 bounds[k].positive ? "greater than 0" : "0 or more");
     if (!isfinite(def->body_force))
-        return status_fail(status, STATUS_USAGE, "load.body_force: %g is not a number", def->body_force);
+        return status_refuse(status, "load.body_force: %g is not a number", def->body_force);
     if (def->threads < 1)
-        return status_fail(status, STATUS_USAGE, "--threads: %d is not allowed (1 or more)", def->threads);
+        return status_refuse(status, "--threads: %d is not allowed (1 or more)", def->threads);
     return true;
 }
 
@@ -53,31 +53,28 @@ static bool check_lattice(const BeamDef *def, Status *status)
 {
     double ratio = def->horizon / def->spacing;
     if (ratio < 1 - 1e-9)
-        return status_fail(status, STATUS_USAGE,
-                           "pd.horizon: %g is below the spacing (at least pd.spacing = %g)", def->horizon,
-                           def->spacing);
+        return status_refuse(status, "pd.horizon: %g is below the spacing (at least pd.spacing = %g)",
+                             def->horizon, def->spacing);
     if (def->influence == INFLUENCE_CONICAL && ratio < 1.5)
-        return status_fail(
-            status, STATUS_USAGE,
+        return status_refuse(
+            status,
             "pd.influence: conical leaves bonds as long as the horizon nothing, and pd.horizon "
             "is %.3g spacings (at least 1.5, or constant)",
             ratio);
     if (ratio > LATTICE_REACH_MAX * (1 + 1e-9))
-        return status_fail(status, STATUS_USAGE,
-                           "pd.horizon: %g is %.3g spacings (at most %d times pd.spacing)", def->horizon,
-                           ratio, LATTICE_REACH_MAX);
+        return status_refuse(status, "pd.horizon: %g is %.3g spacings (at most %d times pd.spacing)",
+                             def->horizon, ratio, LATTICE_REACH_MAX);
     if (!(def->critical_stretch < 0.5))
-        return status_fail(status, STATUS_USAGE, "pd.critical_stretch: %g is not allowed (0 to below 0.5)",
-                           def->critical_stretch);
+        return status_refuse(status, "pd.critical_stretch: %g is not allowed (0 to below 0.5)",
+                             def->critical_stretch);
     return true;
 }
 
 static bool check_vibrating(const BeamDef *def, Status *status)
 {
     if (!isfinite(def->amplitude) || fabs(def->amplitude) > def->length / 2)
-        return status_fail(status, STATUS_USAGE,
-                           "initial.amplitude: %g is not allowed (within half of beam.length)",
-                           def->amplitude);
+        return status_refuse(status, "initial.amplitude: %g is not allowed (within half of beam.length)",
+                             def->amplitude);
     return true;
 }
 
@@ -86,15 +83,13 @@ static bool check_moving(const BeamDef *def, Status *status)
     if (!check_vibrating(def, status))
         return false;
     if (!(def->speed >= 0) || !isfinite(def->speed))
-        return status_fail(status, STATUS_USAGE, "motion.speed: %g is not allowed (0 or more)", def->speed);
+        return status_refuse(status, "motion.speed: %g is not allowed (0 or more)", def->speed);
     if (!(def->channel >= def->horizon) || !isfinite(def->channel))
-        return status_fail(status, STATUS_USAGE,
-                           "motion.channel: %g is not allowed (at least pd.horizon = %g)", def->channel,
-                           def->horizon);
+        return status_refuse(status, "motion.channel: %g is not allowed (at least pd.horizon = %g)",
+                             def->channel, def->horizon);
     if (!(def->channel > def->speed * def->end))
-        return status_fail(
-            status, STATUS_USAGE,
-            "motion.channel: %g is too short for time.end (more than motion.speed * time.end = %g)",
+        return status_refuse(
+            status, "motion.channel: %g is too short for time.end (more than motion.speed * time.end = %g)",
             def->channel, def->speed * def->end);
     return true;
 }
@@ -103,32 +98,27 @@ static bool check_notched(const BeamDef *def, Status *status)
 {
     double dx = def->spacing;
     if (!(def->notch_position > 0 && def->notch_position < def->length))
-        return status_fail(status, STATUS_USAGE,
-                           "notch.position: %g is outside the beam (between 0 and beam.length = %g)",
-                           def->notch_position, def->length);
+        return status_refuse(status,
+                             "notch.position: %g is outside the beam (between 0 and beam.length = %g)",
+                             def->notch_position, def->length);
     if (!(def->notch_depth >= 0 && def->notch_depth < def->height))
-        return status_fail(status, STATUS_USAGE,
-                           "notch.depth: %g is not allowed (0 to below beam.height = %g)", def->notch_depth,
-                           def->height);
+        return status_refuse(status, "notch.depth: %g is not allowed (0 to below beam.height = %g)",
+                             def->notch_depth, def->height);
     if (!isfinite(def->load_stress))
-        return status_fail(status, STATUS_USAGE, "load.stress: %g is not a number", def->load_stress);
+        return status_refuse(status, "load.stress: %g is not a number", def->load_stress);
     if (!(def->load_width > 0))
-        return status_fail(status, STATUS_USAGE, "load.width: %g is not allowed (greater than 0)",
-                           def->load_width);
+        return status_refuse(status, "load.width: %g is not allowed (greater than 0)", def->load_width);
     if (!(def->load_position - def->load_width / 2 > -1e-6 * dx &&
           def->load_position + def->load_width / 2 < def->length + 1e-6 * dx))
-        return status_fail(status, STATUS_USAGE,
-                           "load.position: the load from %g to %g is off the beam (0 to beam.length = %g)",
-                           def->load_position - def->load_width / 2, def->load_position + def->load_width / 2,
-                           def->length);
+        return status_refuse(
+            status, "load.position: the load from %g to %g is off the beam (0 to beam.length = %g)",
+            def->load_position - def->load_width / 2, def->load_position + def->load_width / 2, def->length);
     if (!(def->support_left >= 0 && def->support_left < def->support_right))
-        return status_fail(status, STATUS_USAGE,
-                           "supports.left: %g is not allowed (0 to below supports.right = %g)",
-                           def->support_left, def->support_right);
+        return status_refuse(status, "supports.left: %g is not allowed (0 to below supports.right = %g)",
+                             def->support_left, def->support_right);
     if (!(def->support_right <= def->length))
-        return status_fail(status, STATUS_USAGE,
-                           "supports.right: %g is off the beam (at most beam.length = %g)",
-                           def->support_right, def->length);
+        return status_refuse(status, "supports.right: %g is off the beam (at most beam.length = %g)",
+                             def->support_right, def->length);
     return true;
 }
 

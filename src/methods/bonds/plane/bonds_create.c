@@ -87,7 +87,7 @@ static bool allocate(Beam *beam, Status *status)
     beam->band_first = zeroed(beam, ((size_t)lattice->ny + 1) * sizeof *beam->band_first);
     if (!beam->band_of_row || !beam->band_first)
         return beam_go_on(beam, BUILDING_BONDS, status) &&
-               status_fail(status, STATUS_FAILED, "not enough memory for %d rows (pd.spacing)", lattice->ny);
+               status_fail(status, "not enough memory for %d rows (pd.spacing)", lattice->ny);
     cut_into_bands(beam);
     size_t bands = (size_t)beam->n_bands, reach = (size_t)lattice->reach;
 
@@ -113,8 +113,7 @@ static bool allocate(Beam *beam, Status *status)
         !beam->halo || !beam->row_energy || !beam->row_squares || !beam->row_work || !beam->row_speeds ||
         !beam->band_logs || !beam->scratch)
         return beam_go_on(beam, BUILDING_BONDS, status) &&
-               status_fail(status, STATUS_FAILED, "not enough memory for %zu bonds (pd.spacing)",
-                           lattice_bonds(lattice));
+               status_fail(status, "not enough memory for %zu bonds (pd.spacing)", lattice_bonds(lattice));
 
     double *arrays_at = (double *)((char *)beam->state + head);
     double **each[] = {&beam->nodes.ux, &beam->nodes.uy, &beam->nodes.vx,
@@ -153,9 +152,8 @@ static bool set_time_step(Beam *beam, Status *status)
     beam->facts.critical_step = critical;
     beam->sim.dt = beam->def.dt > 0 ? beam->def.dt : critical / 2;
     if (!(beam->sim.dt <= critical))
-        return status_fail(status, STATUS_USAGE,
-                           "time.step: %g is above the critical time step (at most %.4g, or auto)",
-                           beam->sim.dt, critical);
+        return status_refuse(status, "time.step: %g is above the critical time step (at most %.4g, or auto)",
+                             beam->sim.dt, critical);
     return true;
 }
 
@@ -169,15 +167,15 @@ static bool start(Beam *beam, Status *status)
         const BeamDef *def = &beam->def;
         if (beam->band_logs[band].unstable &&
             !isfinite(def->youngs_modulus / def->density / (def->spacing * def->spacing)))
-            return status_fail(status, STATUS_USAGE,
-                               "%s.density: %g is too light for the forces of its bonds (a larger one)",
-                               beam_word(def), def->density);
+            return status_refuse(status,
+                                 "%s.density: %g is too light for the forces of its bonds (a larger one)",
+                                 beam_word(def), def->density);
         if (beam->band_logs[band].unstable)
-            return status_fail(status, STATUS_USAGE,
-                               "initial.amplitude: %g tears the beam apart at the start (a smaller one)",
-                               beam->def.amplitude);
+            return status_refuse(status,
+                                 "initial.amplitude: %g tears the beam apart at the start (a smaller one)",
+                                 beam->def.amplitude);
         if (!beam_take_log(beam, &beam->band_logs[band], -1))
-            return status_fail(status, STATUS_FAILED, "not enough memory for the broken bonds");
+            return status_fail(status, "not enough memory for the broken bonds");
     }
     for (int j = 0; j < beam->lattice.ny; j++)
         beam_add_loads(beam, j, 0);
@@ -211,7 +209,7 @@ static bool join_mistakes(Beam *beam, Status *status)
     beam->both = def->mistake_beside ? calloc(1, sizeof *beam->both) : NULL;
     return !def->mistake_beside ||
            (beam->both && bonds_mistakes_join(def->mistake, def->mistake_beside, beam->both)) ||
-           status_fail(status, STATUS_FAILED, "not enough memory");
+           status_fail(status, "not enough memory");
 }
 
 /* In this order, for each part needs those before it: sizes, lattice, memory, bonds, what is held and loaded,
@@ -249,7 +247,7 @@ Simulation *beam_create_with(const BeamDef *definition, const BeamOptions *optio
 {
     Beam *beam = calloc(1, sizeof *beam);
     if (!beam) {
-        status_fail(status, STATUS_FAILED, "not enough memory");
+        status_fail(status, "not enough memory");
         return NULL;
     }
     beam->sim.method = &beam_method;
@@ -258,7 +256,7 @@ Simulation *beam_create_with(const BeamDef *definition, const BeamOptions *optio
     beam->kernels = bond_kernels(options && options->force_level ? options->level : cpu_best());
     if (!beam->kernels || !build(beam, options, status)) {
         if (!beam->kernels)
-            status_fail(status, STATUS_FAILED, "this machine has no %s", cpu_name(options->level));
+            status_fail(status, "this machine has no %s", cpu_name(options->level));
         destroy(&beam->sim);
         return NULL;
     }

@@ -142,7 +142,7 @@ bool beam_critical_step(Beam *beam, double *step, Status *status)
         memset(beam->nodes.ux, 0, 2 * beam->array * sizeof(double));
         memset(beam->nodes.fx, 0, 2 * beam->array * sizeof(double));
     } else {
-        status_fail(status, STATUS_FAILED, "not enough memory for the critical time step");
+        status_fail(status, "not enough memory for the critical time step");
     }
     free(v);
     free(previous);

@@ -32,10 +32,10 @@
  * is, so that nodes turn at every step and are hardly braked. */
 bool beam_check_damping(double damping, double dt, Status *status)
 {
-    return damping * dt <= 2 || status_fail(status, STATUS_USAGE,
-                                            "damping.rate: %g is too much for the time step %.4g (at most "
-                                            "2/time.step = %.4g)",
-                                            damping, dt, 2 / dt);
+    return damping * dt <= 2 || status_refuse(status,
+                                              "damping.rate: %g is too much for the time step %.4g (at most "
+                                              "2/time.step = %.4g)",
+                                              damping, dt, 2 / dt);
 }
 
 /* The last step at which something is ordered that moves the body anew. */
@@ -62,17 +62,17 @@ bool beam_set_damping(Beam *beam, Status *status)
         return false;
     beam->period = linear.period;
     if (!isfinite(beam->period))
-        return status_fail(status, STATUS_USAGE, "%s: nothing holds the %s, or the lattice is too fine (%s)",
-                           def->to_rest
-                               ? "time.rest: the lowest frequency is not known here"
-                               : "damping.rate: critical is twice a lowest frequency that is not known here",
-                           beam_word(def), def->to_rest ? "no" : "a number, 1/s");
+        return status_refuse(
+            status, "%s: nothing holds the %s, or the lattice is too fine (%s)",
+            def->to_rest ? "time.rest: the lowest frequency is not known here"
+                         : "damping.rate: critical is twice a lowest frequency that is not known here",
+            beam_word(def), def->to_rest ? "no" : "a number, 1/s");
     const double lowest = 2 * M_PI / beam->period;
     if (def->critically_damped)
         beam->damping = 2 * lowest;
     if (def->to_rest && !(beam->damping > 0))
-        return status_fail(status, STATUS_USAGE,
-                           "time.rest: without damping nothing comes to rest (damping.rate above 0)");
+        return status_refuse(status,
+                             "time.rest: without damping nothing comes to rest (damping.rate above 0)");
     if (def->to_rest)
         beam->head->kinetic_left = beam->sim.kinetic_left = 1;
     beam->rest_steps = beam->damping < 2 * lowest ? (long)ceil(beam->period / 2 / beam->sim.dt) : 0;

@@ -105,21 +105,20 @@ bool bonds_check_mistake(const BeamDef *def, Status *status)
 {
     BondsMistake both;
     if (def->mistake_beside != 0 && !bonds_mistakes_join(def->mistake, def->mistake_beside, &both))
-        return status_fail(status, STATUS_USAGE, "pd.mistake: these two are no two mistakes");
+        return status_refuse(status, "pd.mistake: these two are no two mistakes");
     if (def->mistake == 0)
         return true;
     const BondsMistake *row = bonds_mistake_of(def, &both);
     if (!row)
-        return status_fail(status, STATUS_USAGE, "pd.mistake: %d is no choice (0 to %d)", def->mistake,
-                           MISTAKES);
+        return status_refuse(status, "pd.mistake: %d is no choice (0 to %d)", def->mistake, MISTAKES);
     const bool hhb = def->volume_correction == VOLUME_HHB && (row->within_horizon || row->no_volume_factor);
     const char *other = def->influence != INFLUENCE_CONSTANT          ? "pd.influence = constant"
                         : def->critical_stretch != 0                  ? "pd.critical_stretch = 0"
                         : def->damping != 0 || def->critically_damped ? "damping.rate = 0"
                         : hhb ? "pd.volume_correction = partial or none"
                               : NULL;
-    return !other || status_fail(status, STATUS_USAGE, "pd.mistake: %s is defined for %s only",
-                                 def->conceals_mistake ? "?" : row->id, other);
+    return !other || status_refuse(status, "pd.mistake: %s is defined for %s only",
+                                   def->conceals_mistake ? "?" : row->id, other);
 }
 
 /* --- bonds ------------------------------------------------------------------------------------------ */

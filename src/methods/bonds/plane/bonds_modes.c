@@ -202,7 +202,7 @@ static bool solve(const Model *model, const Probe *probe, BeamLinear *out, Statu
     band.rows = calloc(band.size * (band.width + 1), sizeof *band.rows);
     bool done = held && vectors && band.rows;
     if (!done)
-        status_fail(status, STATUS_FAILED, "not enough memory for the predicted period");
+        status_fail(status, "not enough memory for the predicted period");
     if (done) {
         hold(model, held);
         const CholeskyEnd end =
@@ -211,7 +211,7 @@ static bool solve(const Model *model, const Probe *probe, BeamLinear *out, Statu
             end == CHOLESKY_DONE ? lowest_eigenvalue(&band, model, held, vectors, vectors + band.size) : NAN;
         done = end == CHOLESKY_SINGULAR ||
                (!isnan(lambda) && (!probe || find_sag(&band, model, held, probe, vectors, &out->sag))) ||
-               status_fail(status, STATUS_FAILED, "the predicted period was given up");
+               status_fail(status, "the predicted period was given up");
         out->period = 2 * M_PI / sqrt(lambda / model->density);
     }
     free(held);

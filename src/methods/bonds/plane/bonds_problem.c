@@ -120,8 +120,7 @@ static bool set_bottom_supports(Beam *beam, Status *status)
     for (int end = 0; end < 2; end++) {
         const Patch patch = patch_of_edge(lattice, PLATE_BOTTOM, at[end] - half, at[end] + half);
         if (patch_is_empty(&patch))
-            return status_fail(status, STATUS_USAGE, "supports.%s: no node lies at %g",
-                               end ? "right" : "left", at[end]);
+            return status_refuse(status, "supports.%s: no node lies at %g", end ? "right" : "left", at[end]);
         beam->supports[beam->n_supports++] = (Support){patch, beam->def.pinned && end == 0, true, 0, 0};
         middle[end] = (lattice_x(lattice, patch.i) + lattice_x(lattice, patch.i + patch.columns - 1)) / 2;
     }
@@ -137,9 +136,9 @@ static bool set_load(Beam *beam, Status *status)
     const Patch patch = patch_of_edge(lattice, PLATE_TOP, at - reach, at + reach);
     beam->loads[beam->n_loads++] = (Load){patch, 0, -1, beam->def.load_ramp, INFINITY};
     if (patch_is_empty(&patch))
-        return status_fail(status, STATUS_USAGE,
-                           "load.width: %g at %g holds no node of the top row (at least pd.spacing = %g)",
-                           beam->def.load_width, beam->def.load_position, lattice->spacing);
+        return status_refuse(status,
+                             "load.width: %g at %g holds no node of the top row (at least pd.spacing = %g)",
+                             beam->def.load_width, beam->def.load_position, lattice->spacing);
     return true;
 }
 

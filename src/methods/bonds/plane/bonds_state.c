@@ -96,9 +96,8 @@ static bool change_mistake(Beam *beam, double value, Status *status)
         return false;
     const int of_start = beam_mistake_is_of_start(def.mistake) ? def.mistake : beam->head->mistake;
     if (def.mistake != beam->head->mistake && beam_mistake_is_of_start(of_start))
-        return status_fail(status, STATUS_USAGE,
-                           "pd.mistake: %s is made at the start and holds for the whole run",
-                           def.conceals_mistake ? "?" : beam_mistake_words[of_start]);
+        return status_refuse(status, "pd.mistake: %s is made at the start and holds for the whole run",
+                             def.conceals_mistake ? "?" : beam_mistake_words[of_start]);
     beam->head->mistake = def.mistake;
     beam->rescue.valid = false;
     beam_set_stages(beam);
@@ -116,10 +115,10 @@ bool beam_change(Simulation *sim, const char *key, double value, Status *status)
         if (strcmp(live->key, key) != 0)
             continue;
         if (bonds_mistake(beam) && live->offset == offsetof(StateHead, critical_stretch) && value != 0)
-            return status_fail(status, STATUS_USAGE, "pd.mistake: %s is defined for %s = 0 only",
-                               beam->def.conceals_mistake ? "?" : bonds_mistake(beam)->id, key);
+            return status_refuse(status, "pd.mistake: %s is defined for %s = 0 only",
+                                 beam->def.conceals_mistake ? "?" : bonds_mistake(beam)->id, key);
         if (!live->allowed(beam, value))
-            return status_fail(status, STATUS_USAGE, "%s: %g is not allowed (%s)", key, value, live->what);
+            return status_refuse(status, "%s: %g is not allowed (%s)", key, value, live->what);
         memcpy((char *)beam->head + live->offset, &value, sizeof value);
         set_breaking(beam);
         beam->rescue.valid = false;
@@ -131,8 +130,8 @@ bool beam_change(Simulation *sim, const char *key, double value, Status *status)
         beam_set_stages(beam);
         return true;
     }
-    return status_fail(
-        status, STATUS_USAGE,
+    return status_refuse(
+        status,
         "%s: cannot change in mid-run (load.stress, load.body_force, pd.critical_stretch and pd.mistake can)",
         key);
 }

@@ -12,19 +12,19 @@ static bool positive(double value, const char *key, Status *status)
 {
     if (value > 0.0 && isfinite(value))
         return true;
-    return status_fail(status, STATUS_USAGE, "%s: %g is no positive number", key, value);
+    return status_refuse(status, "%s: %g is no positive number", key, value);
 }
 
 static bool finite_number(double value, const char *key, Status *status)
 {
-    return isfinite(value) || status_fail(status, STATUS_USAGE, "%s: %g is no finite number", key, value);
+    return isfinite(value) || status_refuse(status, "%s: %g is no finite number", key, value);
 }
 
 static bool whole(int value, int low, int high, const char *key, Status *status)
 {
     if (value >= low && value <= high)
         return true;
-    return status_fail(status, STATUS_USAGE, "%s: %d is out of range (%d to %d)", key, value, low, high);
+    return status_refuse(status, "%s: %d is out of range (%d to %d)", key, value, low, high);
 }
 
 /* The second material, if there is one. */
@@ -35,8 +35,8 @@ static bool check_joint(const BarDef *def, Status *status)
         return true;
     if (!(def->joint > 0.0 && def->joint < def->length * (1 - 1e-9)) ||
         !(fabs(cells - round(cells)) <= 1e-9 * fmax(cells, 1.0)) || cells < 0.5)
-        return status_fail(
-            status, STATUS_USAGE,
+        return status_refuse(
+            status,
             "bar2.joint: %g is no node inside the bar (0, or a whole number of cells less than "
             "the length %g)",
             def->joint, def->length);
@@ -69,26 +69,26 @@ static bool check_mass_blend(const BarDef *def, Status *status)
     const double mu = def->mass_blend,
                  best = bar_mass_blend_auto(def->shape, def->particles_per_cell, def->courant);
     if (mu == 0.0 && def->offset != 0.0)
-        return status_fail(status, STATUS_USAGE,
-                           "mpm.mass_blend: auto is known for particles in the middle of their shares "
-                           "(%g to 1, or initial.offset 0)",
-                           BAR_MASS_BLEND_LEAST);
+        return status_refuse(status,
+                             "mpm.mass_blend: auto is known for particles in the middle of their shares "
+                             "(%g to 1, or initial.offset 0)",
+                             BAR_MASS_BLEND_LEAST);
     if (mu == 0.0 && best < BAR_MASS_BLEND_LEAST)
-        return status_fail(
-            status, STATUS_USAGE,
+        return status_refuse(
+            status,
             "mpm.mass_blend: auto would be %.4g with this shape, and below %g the largest stable "
             "step nearly vanishes where a cell is nearly empty (%g to 1)",
             best, BAR_MASS_BLEND_LEAST, BAR_MASS_BLEND_LEAST);
     if (mu != 0.0 && !(mu >= BAR_MASS_BLEND_LEAST && mu <= 1.0))
-        return status_fail(status, STATUS_USAGE,
-                           mu >= 0.0 && mu <= 1.0
-                               ? "mpm.mass_blend: with %g the largest stable step nearly vanishes where a "
-                                 "cell is nearly empty (%g to 1, or auto)"
-                               : "mpm.mass_blend: %g is out of range (%g to 1, or auto)",
-                           mu, BAR_MASS_BLEND_LEAST);
+        return status_refuse(status,
+                             mu >= 0.0 && mu <= 1.0
+                                 ? "mpm.mass_blend: with %g the largest stable step nearly vanishes where a "
+                                   "cell is nearly empty (%g to 1, or auto)"
+                                 : "mpm.mass_blend: %g is out of range (%g to 1, or auto)",
+                             mu, BAR_MASS_BLEND_LEAST);
     if (mu != 1.0 && def->transfer != MPM_FLIP)
-        return status_fail(status, STATUS_USAGE,
-                           "mpm.mass_blend: less than 1 is for mpm.transfer = flip (1, or that transfer)");
+        return status_refuse(status,
+                             "mpm.mass_blend: less than 1 is for mpm.transfer = flip (1, or that transfer)");
     return true;
 }
 
@@ -115,30 +115,27 @@ bool bar_check(const BarDef *def, Status *status)
     if (!good)
         return false;
     if (!(def->flip_fraction >= 0.0 && def->flip_fraction <= 1.0))
-        return status_fail(status, STATUS_USAGE, "mpm.flip_fraction: %g is out of range (0 to 1)",
-                           def->flip_fraction);
+        return status_refuse(status, "mpm.flip_fraction: %g is out of range (0 to 1)", def->flip_fraction);
     if (!(fabs(def->offset) < 0.5))
-        return status_fail(status, STATUS_USAGE, "initial.offset: %g is out of range (-0.49 to 0.49)",
-                           def->offset);
+        return status_refuse(status, "initial.offset: %g is out of range (-0.49 to 0.49)", def->offset);
     if (!check_mass_blend(def, status))
         return false;
     const double speed = sqrt(def->youngs_modulus / def->density), dt = def->courant * def->cell_size / speed;
     if (!(dt > 0.0 && isfinite(dt) && speed > 0.0))
-        return status_fail(status, STATUS_USAGE,
-                           "bar.youngs_modulus: %g over the density %g makes waves of speed %g: no time step",
-                           def->youngs_modulus, def->density, speed);
+        return status_refuse(
+            status, "bar.youngs_modulus: %g over the density %g makes waves of speed %g: no time step",
+            def->youngs_modulus, def->density, speed);
     double cells = def->length / def->cell_size;
     if (!(cells <= CELLS_MAX))
-        return status_fail(status, STATUS_USAGE,
-                           "mesh.cell_size: %g makes more than %d cells of a bar of length %g",
-                           def->cell_size, CELLS_MAX, def->length);
+        return status_refuse(status, "mesh.cell_size: %g makes more than %d cells of a bar of length %g",
+                             def->cell_size, CELLS_MAX, def->length);
     if (!(fabs(cells - round(cells)) <= 1e-9 * fmax(cells, 1.0)) || cells < 0.5)
-        return status_fail(status, STATUS_USAGE,
-                           "mesh.cell_size: the length %g must be a whole number of cells, not %.10g",
-                           def->length, cells);
+        return status_refuse(status,
+                             "mesh.cell_size: the length %g must be a whole number of cells, not %.10g",
+                             def->length, cells);
     if ((long)round(cells) * def->particles_per_cell > PARTICLES_MAX)
-        return status_fail(status, STATUS_USAGE,
-                           "mesh.particles_per_cell: more than %d particles are not possible", PARTICLES_MAX);
+        return status_refuse(status, "mesh.particles_per_cell: more than %d particles are not possible",
+                             PARTICLES_MAX);
     return check_joint(def, status) && bar_check_mistake(def, status) &&
            axial_check_layer(def->traction_layer, def->cell_size / def->particles_per_cell, def->length,
                              status);

@@ -134,13 +134,12 @@ bool bar_check_mistake(const BarDef *def, Status *status)
 {
     BarMistake both;
     if (def->mistake_beside != 0 && !bar_mistakes_join(def->mistake, def->mistake_beside, &both))
-        return status_fail(status, STATUS_USAGE, "mpm.mistake: these two are no two mistakes");
+        return status_refuse(status, "mpm.mistake: these two are no two mistakes");
     if (def->mistake == 0)
         return true;
     const BarMistake *row = bar_mistake_of(def->mistake);
     if (!row)
-        return status_fail(status, STATUS_USAGE, "mpm.mistake: %d is no choice (0 to %d)", def->mistake,
-                           MISTAKES);
+        return status_refuse(status, "mpm.mistake: %d is no choice (0 to %d)", def->mistake, MISTAKES);
     const char *other = def->algorithm != MPM_USF   ? "mpm.algorithm = usf"
                         : def->shape != MPM_HAT     ? "mpm.shape = hat"
                         : def->transfer != MPM_FLIP ? "mpm.transfer = flip"
@@ -149,8 +148,8 @@ bool bar_check_mistake(const BarDef *def, Status *status)
                         : def->joint > 0.0          ? "bar2.joint = 0"
                         : def->forces               ? "the forces of [load]"
                                                     : NULL;
-    return !other || status_fail(status, STATUS_USAGE, "mpm.mistake: %s is defined for %s only",
-                                 def->conceals_mistake ? "?" : row->id, other);
+    return !other || status_refuse(status, "mpm.mistake: %s is defined for %s only",
+                                   def->conceals_mistake ? "?" : row->id, other);
 }
 
 /* --- the numbers that such a code takes ------------------------------------------------------------- */

@@ -185,7 +185,7 @@ static bool change_method(Bar *bar, const char *key, double value, Status *statu
     if (algorithm || transfer) {
         int last = algorithm ? MPM_MUSL : MPM_FMPM;
         if (!(value >= 0 && value <= last && value == floor(value)))
-            return status_fail(status, STATUS_USAGE, "%s: %g is no choice (0 to %d)", key, value, last);
+            return status_refuse(status, "%s: %g is no choice (0 to %d)", key, value, last);
         if (algorithm)
             def.algorithm = (MpmAlgorithm)value;
         else
@@ -200,16 +200,15 @@ static bool change_method(Bar *bar, const char *key, double value, Status *statu
     else if (strcmp(key, "mpm.mistake") == 0 && value >= 0 && value == floor(value) && value < INT_MAX)
         def.mistake = (int)value;
     else if (strcmp(key, "mpm.fmpm_order") == 0)
-        return status_fail(status, STATUS_USAGE, "%s: %g is out of range (1 to %d)", key, value,
-                           FMPM_ORDER_MAX);
+        return status_refuse(status, "%s: %g is out of range (1 to %d)", key, value, FMPM_ORDER_MAX);
     else
-        return status_fail(status, STATUS_USAGE, "%s: cannot be changed in mid-run", key);
+        return status_refuse(status, "%s: cannot be changed in mid-run", key);
     if (!bar_check(&def, status))
         return false;
     if (def.mistake != head->mistake &&
         (bar_mistake_is_of_start(def.mistake) || bar_mistake_is_of_start(head->mistake)))
-        return status_fail(
-            status, STATUS_USAGE, "%s: %s is made at the start and holds for the whole run", key,
+        return status_refuse(
+            status, "%s: %s is made at the start and holds for the whole run", key,
             def.conceals_mistake
                 ? "?"
                 : bar_mistake_words[bar_mistake_is_of_start(def.mistake) ? def.mistake : head->mistake]);
@@ -241,9 +240,9 @@ static bool change(Simulation *sim, const char *key, double value, Status *statu
                    : strcmp(key, "load.traction") == 0 ? &head->traction
                                                        : NULL;
     if (!load)
-        return status_fail(status, STATUS_USAGE, "%s: cannot be changed in mid-run", key);
+        return status_refuse(status, "%s: cannot be changed in mid-run", key);
     if (!isfinite(value))
-        return status_fail(status, STATUS_USAGE, "%s: %g is no finite number", key, value);
+        return status_refuse(status, "%s: %g is no finite number", key, value);
     *load = value;
     take_schedule(bar);
     return true;
@@ -328,8 +327,7 @@ static bool begin_stress(Bar *bar, Status *status)
         for (int j = 0; j < bar->slots; j++)
             sum += def->initial_stress((k + bar->s[j][k]) * bar->dx, def->initial_context);
         if (!isfinite(sum))
-            return status_fail(status, STATUS_USAGE, "initial.pulse: no finite stress at x = %g",
-                               (k + 0.5) * bar->dx);
+            return status_refuse(status, "initial.pulse: no finite stress at x = %g", (k + 0.5) * bar->dx);
         for (int j = 0; j < bar->slots; j++)
             bar->stress[j][k] = sum / bar->slots;
     }
@@ -366,7 +364,7 @@ static bool begin(Bar *bar, Status *status)
         for (int k = 0; k < bar->places; k++) {
             if (k % PLACES_A_QUESTION == 0 &&
                 !patience_lasts(&def->patience, (j + (double)k / bar->places) / bar->slots))
-                return status_fail(status, STATUS_FAILED, "the building of the bar was given up");
+                return status_fail(status, "the building of the bar was given up");
             double x = (k + (at_centres ? 0.5 : s)) * bar->dx;
             bar->s[j][k] = s;
             bar->v[j][k] = def->initial_velocity ? def->initial_velocity(x, def->initial_context) : 0.0;
@@ -374,14 +372,14 @@ static bool begin(Bar *bar, Status *status)
             if (def->transfer == MPM_APIC && def->initial_slope)
                 bar->affine[j][k] = def->initial_slope(x, def->initial_context);
             if (!isfinite(bar->v[j][k]))
-                return status_fail(status, STATUS_USAGE, "initial.velocity: no finite number at x = %g", x);
+                return status_refuse(status, "initial.velocity: no finite number at x = %g", x);
         }
     }
     if (!begin_stress(bar, status))
         return false;
     bar->energy_start = bar_energy(bar);
     if (!isfinite(bar->energy_start))
-        return status_fail(status, STATUS_USAGE, "initial.velocity: the kinetic energy is no finite number");
+        return status_refuse(status, "initial.velocity: the kinetic energy is no finite number");
     return true;
 }
 
@@ -391,14 +389,14 @@ Simulation *bar_create(const BarDef *definition, Status *status)
         return NULL;
     Bar *bar = calloc(1, sizeof *bar);
     if (!bar) {
-        status_fail(status, STATUS_FAILED, "not enough memory for the bar");
+        status_fail(status, "not enough memory for the bar");
         return NULL;
     }
     bar->def = *definition;
     bar->both = definition->mistake_beside ? malloc(sizeof *bar->both) : NULL;
     if (definition->mistake_beside &&
         (!bar->both || !bar_mistakes_join(definition->mistake, definition->mistake_beside, bar->both))) {
-        status_fail(status, STATUS_FAILED, "not enough memory for the bar");
+        status_fail(status, "not enough memory for the bar");
         free(bar);
         return NULL;
     }
@@ -406,8 +404,8 @@ Simulation *bar_create(const BarDef *definition, Status *status)
     lay_out(bar, NULL);
     bar->memory = calloc(1, bar->bytes_memory); /* pages that are never written cost nothing */
     if (!bar->memory) {
-        status_fail(status, STATUS_FAILED, "not enough memory for a bar of %d particles (%zu MB)",
-                    bar->n_particles, bar->bytes_memory / 1000000 + 1);
+        status_fail(status, "not enough memory for a bar of %d particles (%zu MB)", bar->n_particles,
+                    bar->bytes_memory / 1000000 + 1);
         free(bar->both);
         free(bar);
         return NULL;

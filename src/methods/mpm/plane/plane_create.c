@@ -97,14 +97,14 @@ static bool change(Simulation *sim, const char *key, double value, Status *statu
     ASSERT_INT(sim->stage, ==, 0);
     if (strcmp(key, "mpm.algorithm") == 0) {
         if (!(value >= 0 && value <= MPM_MUSL && value == floor(value)))
-            return status_fail(status, STATUS_USAGE, "%s: %g is no choice (0 to %d)", key, value, MPM_MUSL);
+            return status_refuse(status, "%s: %g is no choice (0 to %d)", key, value, MPM_MUSL);
         plane->head->algorithm = (MpmAlgorithm)value;
     } else if (strcmp(key, "mpm.flip_fraction") == 0) {
         if (!(value >= 0 && value <= 1))
-            return status_fail(status, STATUS_USAGE, "%s: %g is out of range (0 to 1)", key, value);
+            return status_refuse(status, "%s: %g is out of range (0 to 1)", key, value);
         plane->head->flip_fraction = value;
     } else
-        return status_fail(status, STATUS_USAGE, "%s: cannot be changed in mid-run", key);
+        return status_refuse(status, "%s: cannot be changed in mid-run", key);
     take_schedule(plane);
     return true;
 }
@@ -136,7 +136,7 @@ Simulation *plane_create(const PlaneDef *definition, Status *status)
         return NULL;
     Plane *plane = calloc(1, sizeof *plane);
     if (!plane) {
-        status_fail(status, STATUS_FAILED, "not enough memory for the beam");
+        status_fail(status, "not enough memory for the beam");
         return NULL;
     }
     plane->def = *definition;
@@ -150,8 +150,8 @@ Simulation *plane_create(const PlaneDef *definition, Status *status)
     const size_t bytes = plane->bytes_memory = lay_out(plane, NULL);
     plane->memory = calloc(1, bytes + 64); /* pages that are never written cost nothing */
     if (!plane->memory) {
-        status_fail(status, STATUS_FAILED, "not enough memory for a beam of %d particles (%zu MB)",
-                    plane->n_particles, bytes / 1000000 + 1);
+        status_fail(status, "not enough memory for a beam of %d particles (%zu MB)", plane->n_particles,
+                    bytes / 1000000 + 1);
         free(plane);
         return NULL;
     }

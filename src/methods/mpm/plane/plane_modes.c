@@ -98,7 +98,7 @@ static void add_particle(Lattice2 *lattice, int i, int j, double sx, double sy)
 
 static bool given_up(Status *status)
 {
-    return status_fail(status, STATUS_FAILED, "what the mesh predicts was given up");
+    return status_fail(status, "what the mesh predicts was given up");
 }
 
 /* K, M_C and M_L of the undeformed lattice; a held unknown gets 1 on its diagonals and is coupled to nothing.
@@ -150,7 +150,7 @@ static bool build(Lattice2 *lattice, const PlaneDef *def, bool *fits, Status *st
     lattice->work = calloc(5 * lattice->size, sizeof *lattice->work);
     if (!lattice->stiffness.rows || !lattice->mass.rows || !lattice->held || !lattice->lumped ||
         !lattice->work)
-        return status_fail(status, STATUS_FAILED, "not enough memory for what the mesh predicts");
+        return status_fail(status, "not enough memory for what the mesh predicts");
     return assemble(lattice) || given_up(status);
 }
 
@@ -365,7 +365,7 @@ bool plane_courant_limit(const PlaneDef *def, double *courant, Status *status)
     if (good && fits) {
         const size_t numbers = lattice.size * (lattice.width + 1);
         blend = (CholeskyBand){lattice.size, lattice.width, malloc(numbers * sizeof(double))};
-        good = blend.rows || status_fail(status, STATUS_FAILED, "not enough memory for the largest step");
+        good = blend.rows || status_fail(status, "not enough memory for the largest step");
         for (size_t k = 0; good && k < numbers; k++)
             blend.rows[k] = (1 - def->flip_fraction) * lattice.mass.rows[k];
         for (size_t u = 0; good && u < lattice.size; u++)

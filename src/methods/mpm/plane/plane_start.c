@@ -129,18 +129,18 @@ bool plane_begin(Plane *plane, Status *status)
     for (int at = 0; at < plane->n_places; at++) {
         if (at % PARTICLES_A_QUESTION == 0 &&
             !patience_lasts(&plane->def.patience, (double)at / plane->n_places))
-            return status_fail(status, STATUS_FAILED, "the building of the beam was given up");
+            return status_fail(status, "the building of the beam was given up");
         place(plane, at);
         if (at % PLANE_LANES >= plane_lanes(plane, at / PLANE_LANES / plane->n_vectors))
             continue;
         if (!plane_find(plane, plane->xmin, plane->x[at], plane->y[at], &base, &sx, &sy) ||
             !(plane->volume[at] > 0))
-            return status_fail(status, STATUS_USAGE,
-                               "initial.amplitude: %g bends the beam out of its grid (less, or more "
-                               "mesh.padding)",
-                               plane->def.amplitude);
+            return status_refuse(status,
+                                 "initial.amplitude: %g bends the beam out of its grid (less, or more "
+                                 "mesh.padding)",
+                                 plane->def.amplitude);
     }
     plane->energy_start = plane_energy(plane);
     return isfinite(plane->energy_start) ||
-           status_fail(status, STATUS_USAGE, "initial.amplitude: the energy is no finite number");
+           status_refuse(status, "initial.amplitude: the energy is no finite number");
 }

@@ -132,7 +132,7 @@ static double family_area(const Lattice *lattice, const BeamDef *def, int i, int
 static bool lattice_go_on(const BeamDef *def, double share, Status *status)
 {
     return patience_lasts(&def->patience, share) ||
-           status_fail(status, STATUS_FAILED, "the building of the beam was given up");
+           status_fail(status, "the building of the beam was given up");
 }
 
 /* The factors of all nodes, before the coefficients of bonds are made of them. False: interrupted. */
@@ -274,25 +274,26 @@ static bool count_nodes(Lattice *lattice, const BeamDef *def, Status *status)
     const char *word = def->problem == BEAM_PLATE ? "plate" : "beam";
     rows = from_below ? round(def->height / dx) : floor(def->height / dx + 1e-9);
     if (columns < 4)
-        return status_fail(status, STATUS_USAGE,
-                           "pd.spacing: the %s is only %.0f nodes long (at least 4; %s.length is %g)", word,
-                           columns, word, def->length);
+        return status_refuse(status,
+                             "pd.spacing: the %s is only %.0f nodes long (at least 4; %s.length is %g)", word,
+                             columns, word, def->length);
     if (rows < 2)
-        return status_fail(status, STATUS_USAGE,
-                           "pd.spacing: the %s is only %.0f nodes high (at least 2; %s.height is %g)", word,
-                           rows, word, def->height);
+        return status_refuse(status,
+                             "pd.spacing: the %s is only %.0f nodes high (at least 2; %s.height is %g)", word,
+                             rows, word, def->height);
     /* bounds of memory: two gigabytes of coefficients, as much of node arrays */
     const double bonds_max = 268435456, nodes_max = 33554432;
     double bonds = columns * rows * lattice->n_offsets;
     if (bonds > bonds_max)
-        return status_fail(status, STATUS_USAGE,
-                           "pd.spacing: %.4g nodes with %d bonds each are too many for memory (at most %.0f "
-                           "nodes: a larger spacing, or a smaller horizon)",
-                           columns * rows, lattice->n_offsets, floor(bonds_max / lattice->n_offsets));
+        return status_refuse(
+            status,
+            "pd.spacing: %.4g nodes with %d bonds each are too many for memory (at most %.0f "
+            "nodes: a larger spacing, or a smaller horizon)",
+            columns * rows, lattice->n_offsets, floor(bonds_max / lattice->n_offsets));
     /* rows are padded: a high beam of a few columns takes as much as a wider one */
     if ((columns + 3 * LATTICE_BLOCK) * rows > nodes_max)
-        return status_fail(
-            status, STATUS_USAGE,
+        return status_refuse(
+            status,
             "pd.spacing: %.3g rows of %.3g nodes are too many for memory (at most %.0f rows: a "
             "larger spacing)",
             rows, columns, floor(nodes_max / (columns + 3 * LATTICE_BLOCK)));
@@ -347,7 +348,7 @@ bool lattice_init(Lattice *lattice, const BeamDef *def, Status *status)
     lattice->first_bond = malloc((nodes + 1) * sizeof *lattice->first_bond);
     if (!lattice->factor_x || !lattice->factor_y || !lattice->first_bond) {
         lattice_free(lattice);
-        return status_fail(status, STATUS_FAILED, "not enough memory for %zu nodes", nodes);
+        return status_fail(status, "not enough memory for %zu nodes", nodes);
     }
     if (number_bonds(lattice, def, status) && set_factors(lattice, def, status))
         return true;

@@ -9,8 +9,7 @@ static bool check_cuts(const PlateDef *plate, const Lattice *lattice, Status *st
 {
     for (const PlateCut *cut = plate->cuts; cut < plate->cuts + plate->n_cuts; cut++)
         if (!(math_hypot(cut->x1 - cut->x0, cut->y1 - cut->y0) > 1e-6 * lattice->spacing))
-            return status_fail(status, STATUS_USAGE, "cuts.%s: has no length (two places: X0 Y0 X1 Y1)",
-                               cut->name);
+            return status_refuse(status, "cuts.%s: has no length (two places: X0 Y0 X1 Y1)", cut->name);
     return true;
 }
 
@@ -19,9 +18,9 @@ static bool check_loads(const PlateDef *plate, const Lattice *lattice, Status *s
     for (const PlateLoad *load = plate->loads; load < plate->loads + plate->n_loads; load++) {
         const Patch patch = patch_of_edge(lattice, load->edge, load->from, load->to);
         if (patch_is_empty(&patch))
-            return status_fail(status, STATUS_USAGE,
-                               "loads.%s: holds no node of the edge (a stretch of at least pd.spacing = %g)",
-                               load->name, lattice->spacing);
+            return status_refuse(
+                status, "loads.%s: holds no node of the edge (a stretch of at least pd.spacing = %g)",
+                load->name, lattice->spacing);
     }
     return true;
 }
@@ -37,9 +36,8 @@ static bool check_regions(const PlateRegion *regions, int count, const char *sec
     for (const PlateRegion *region = regions; region < regions + count; region++) {
         const Patch patch = patch_of_region(lattice, region, inside);
         if (patch_is_empty(&patch))
-            return status_fail(status, STATUS_USAGE,
-                               "%s.%s: holds no node (at least pd.spacing = %g both ways)", section,
-                               region->name, lattice->spacing);
+            return status_refuse(status, "%s.%s: holds no node (at least pd.spacing = %g both ways)", section,
+                                 region->name, lattice->spacing);
     }
     return true;
 }
@@ -52,10 +50,10 @@ static bool check_speeds(const PlateRegion *regions, int count, const char *sect
     for (const PlateRegion *region = regions; region < regions + count; region++) {
         const double speed = math_hypot(region->vx, region->vy);
         if (!(speed <= fastest))
-            return status_fail(status, STATUS_USAGE,
-                               "%s.%s: %g m/s is faster than waves in the plate (at most "
-                               "sqrt(youngs_modulus/density) = %.6g m/s)",
-                               section, region->name, speed, fastest);
+            return status_refuse(status,
+                                 "%s.%s: %g m/s is faster than waves in the plate (at most "
+                                 "sqrt(youngs_modulus/density) = %.6g m/s)",
+                                 section, region->name, speed, fastest);
     }
     return true;
 }
@@ -73,9 +71,9 @@ static bool check_overlaps(const PlateDef *plate, const Lattice *lattice, Status
             const Patch one = patch_of_region(lattice, a, false), other = patch_of_region(lattice, b, false);
             if (patches_meet(&one, &other) && (disagree(a->gives_x, a->vx, b->gives_x, b->vx) ||
                                                disagree(a->gives_y, a->vy, b->gives_y, b->vy)))
-                return status_fail(status, STATUS_USAGE,
-                                   "supports.%s: moves nodes that supports.%s moves or holds (regions apart)",
-                                   b->name, a->name);
+                return status_refuse(
+                    status, "supports.%s: moves nodes that supports.%s moves or holds (regions apart)",
+                    b->name, a->name);
         }
     return true;
 }
