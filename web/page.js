@@ -331,30 +331,30 @@ function go_on(name) {
 	begin(['--replay', name, '--fast', '--record', opened.recording]);
 }
 
-function save_button(name, bytes, label) {
-	const button = document.createElement('button');
-	button.type = 'button';
-	button.textContent = label;
-	button.addEventListener('click', () => {
+function save_button(name, label) {
+	return word_button(label, () => {
 		const anchor = document.createElement('a');
-		anchor.href = URL.createObjectURL(new Blob([bytes], {type: 'application/octet-stream'}));
+		anchor.href = URL.createObjectURL(new Blob([written.get(name)], {type: 'application/octet-stream'}));
 		anchor.download = name.replace(/\//g, '_');
 		anchor.click();
 		setTimeout(() => URL.revokeObjectURL(anchor.href), 60000);
 	});
-	return button;
 }
-
+// What stands there already is left alone, for a finger may be on it: a homework is written with every key.
+const stands = {};
+function put(place, sign, parts) {
+	if (stands[place] === sign) return;
+	stands[place] = sign;
+	element(place).replaceChildren(...parts());
+}
 function list_files(list, only) {
-	const items = [];
-	for (const [name, bytes] of written) {
-		if (only && !only(name)) continue;
+	const names = [...written.keys()].filter((name) => !only || only(name));
+	put(list, JSON.stringify(names.map((name) => [name, written.get(name).length])), () => names.map((name) => {
 		const item = document.createElement('li');
 		const label = /^homework.*\.session$/.test(name) ? 'hand in this file: ' : 'save ';
-		item.append(save_button(name, bytes, label + name), ' ' + bytes.length + ' bytes');
-		items.push(item);
-	}
-	element(list).replaceChildren(...items);
+		item.append(save_button(name, label + name), ' ' + written.get(name).length + ' bytes');
+		return item;
+	}));
 }
 
 function show_files() {
@@ -363,17 +363,15 @@ function show_files() {
 	list_files('written');
 	// what was written last is saved by one tap; the scenario beside a table lies under "files"
 	const latest = [...written.keys()].filter((name) => !/\.session$|\.\w+\.ini$/.test(name)).pop();
-	element('latest').replaceChildren(...(latest ? [save_button(latest, written.get(latest), 'save ' + latest)] : []));
-	const homework = [...written.keys()].filter((name) => name.endsWith('.session'));
-	const whose = element('whose');
-	whose.replaceChildren();
-	if (worker && opened.whose) whose.append('homework of ' + opened.whose + ' ');
-	if (homework.length === 0) return;
-	const name = homework[homework.length - 1];
-	if (worker && (opened.whose || opened.recording) && !is_whole(written.get(name)))
-		whose.append(word_button('hand in', () => worker.postMessage({leave: true})));
-	else if (is_whole(written.get(name))) whose.append('kept here: ', save_button(name, written.get(name), 'hand in ' + name));
-	else whose.append('kept here: ', word_button('go on with ' + name, () => go_on(name)));
+	put('latest', String(latest), () => (latest ? [save_button(latest, 'save ' + latest)] : []));
+	const name = [...written.keys()].filter((name) => name.endsWith('.session')).pop(), runs = Boolean(worker);
+	const whole = name && is_whole(written.get(name));
+	const hers = runs && opened.whose ? ['homework of ' + opened.whose + ' '] : [];
+	put('whose', JSON.stringify([hers, runs, opened.recording, name, whole]), () => {
+		if (!name) return hers;
+		if (runs && (opened.whose || opened.recording) && !whole) return [...hers, word_button('hand in', () => worker.postMessage({leave: true}))];
+		return [...hers, 'kept here: ', whole ? save_button(name, 'hand in ' + name) : word_button('go on with ' + name, () => go_on(name))];
+	});
 }
 
 function take_file({file, kept, bytes}) {

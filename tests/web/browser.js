@@ -330,6 +330,13 @@ async function homework() {
 	await new Promise((done) => setTimeout(done, 1000));
 	bytes = await file(name);
 	result('it is recorded', bytes !== null && bytes.includes('Ada'), await screen());
+	// a key is recorded while the mouse is down
+	await page.waitForSelector('#whose button');
+	const stays = await page.evaluateHandle(() => document.querySelector('#whose button'));
+	await page.keyboard.press('b');
+	for (let i = 0; i < patience / 50 && (await file(name)).length <= bytes.length; i++) await new Promise((done) => setTimeout(done, 50));
+	bytes = await file(name);
+	result('a button stays while the file grows', await stays.evaluate((button) => button.isConnected));
 	result('whose it is stands on the page', /homework of Ada/.test(await page.$eval('#whose', (span) => span.textContent)));
 	const other = await browser.newPage();
 	await other.goto(one + '?lesson=homework-late&name=Bob');
