@@ -67,7 +67,7 @@ static bool write_line(Places *places, double left, double top, const char *text
 
 /* --- labels ----------------------------------------------------------------------------------------- */
 
-/* `most` is how far to the right it may begin. */
+/* It ends at `most` at the latest. */
 static bool write_beside(Places *places, const PictureLabel *label, double across, double top,
                          const char *line, double most)
 {
@@ -78,9 +78,7 @@ static bool write_beside(Places *places, const PictureLabel *label, double acros
     return write_line(places, fmin(left, most - columns), top, line, label->style);
 }
 
-/* Its first line, or what stands below it, as far as there is room; below, it need not begin beside its
- * thing.
- */
+/* Its first line, or what stands below it, as far as there is room: that need not begin beside its thing. */
 static void write_label(Places *places, const Picture *picture, const PictureLabel *label, bool below)
 {
     char lines[sizeof label->text], named[sizeof label->text + 32], *rest;

@@ -96,6 +96,14 @@ static void note_factor(const Strip *strip, const char *what, const char *moved)
     picture_note(strip->picture, STYLE_FAINT, text);
 }
 
+/* What the chosen one is linked with, as far as there is room; nothing where a method does not tell. */
+static size_t find_links(const Strip *strip, Link links[LINKS_MAX])
+{
+    const Simulation *sim = strip->sim;
+    const size_t found = sim->method->links ? sim->method->links(sim, 0, strip->chosen, links, LINKS_MAX) : 0;
+    return found < LINKS_MAX ? found : LINKS_MAX;
+}
+
 /* --- a bar with a mesh ------------------------------------------------------------------------------- */
 
 typedef struct Bar {
@@ -191,9 +199,7 @@ static void add_links(const Bar *bar, Flow flow)
 {
     const Strip *strip = bar->strip;
     Link links[LINKS_MAX];
-    const size_t found = strip->sim->method->links
-                             ? strip->sim->method->links(strip->sim, 0, strip->chosen, links, LINKS_MAX)
-                             : 0;
+    const size_t found = find_links(strip, links);
     const bool to_nodes = flow == FLOW_TO_NODES, to_particles = flow == FLOW_TO_PARTICLES;
     const PictureMark node = {.glyph = 0x25cf, .style = to_nodes ? STYLE_CHANGED : STYLE_SECOND},
                       way = {.glyph = to_nodes       ? 0x2191
@@ -201,7 +207,7 @@ static void add_links(const Bar *bar, Flow flow)
                                                      : 0x00b7,
                              .style = to_nodes || to_particles ? STYLE_CHANGED : STYLE_FRAME};
     list(strip, STYLE_HEADING, "particle %zu and its nodes", strip->chosen);
-    for (size_t i = 0; i < found && i < LINKS_MAX; i++) {
+    for (size_t i = 0; i < found; i++) {
         const double x = node_at(bar, links[i].index), column = column_of(bar, x);
         char place[NUMBER_TEXT_MAX], weight[NUMBER_TEXT_MAX], slope[NUMBER_TEXT_MAX];
         text_fitted(x, 5, 10, place);
@@ -370,9 +376,9 @@ static void add_ends(const NodeRow *row)
 static void list_bonds(const Strip *strip)
 {
     Link links[LINKS_MAX];
-    const size_t count = strip->sim->method->links(strip->sim, 0, strip->chosen, links, LINKS_MAX);
+    const size_t count = find_links(strip, links);
     list(strip, STYLE_HEADING, "particle %zu and its bonds", strip->chosen);
-    for (size_t i = 0; i < count && i < LINKS_MAX; i++) {
+    for (size_t i = 0; i < count; i++) {
         char stretch[NUMBER_TEXT_MAX], pull[NUMBER_TEXT_MAX];
         text_fitted(links[i].stretch, 4, 10, stretch);
         text_fitted(links[i].pull, 4, 10, pull);
