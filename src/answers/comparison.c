@@ -154,10 +154,8 @@ static bool fill_part(const Standing *run, const char *word, HiddenPart *part, c
     const double to = experiment_time(run->experiment),
                  span = settings_time(experiment_settings(run->experiment))->end / 10;
     double all = 0, hidden = 0;
-    char number[NUMBER_TEXT_MAX];
-    text_rounded(number, span, 3);
     if (to > span)
-        snprintf(label, COMPARISON_TEXT_MAX, "%s, last t %.8s", word, number);
+        snprintf(label, COMPARISON_TEXT_MAX, "%s, last t %.8s", word, text_rounded(span, 3).text);
     else
         snprintf(label, COMPARISON_TEXT_MAX, "%s, since t 0", word);
     if (kinetic < 0 || grid < 0 || null < 0 || record->count == 0)
@@ -199,11 +197,9 @@ static bool fill_lumping(const Standing *run, char *label, char *value)
 /* Of a bar in its own unit, of a beam in seconds, which are few. */
 static bool put_time(char *value, double time)
 {
-    char number[NUMBER_TEXT_MAX];
     if (time >= 0.01)
         return put(value, "t %.2f", time);
-    text_rounded(number, time, 3);
-    snprintf(value, COMPARISON_TEXT_MAX, "t %.12s", number);
+    snprintf(value, COMPARISON_TEXT_MAX, "t %.12s", text_rounded(time, 3).text);
     return true;
 }
 

@@ -203,11 +203,10 @@ void diagnose_explain(const Candidate *candidate, const Settings *right, const S
                     candidate->kind == DIAGNOSE_SCHEME ? "no mistake, but another choice" : "another value",
                     before);
     else {
-        char name[96], factor[NUMBER_TEXT_MAX];
+        char name[96];
         diagnose_name_factor(candidate->value / now, 1e-9, right, name, sizeof name);
-        text_rounded(factor, candidate->value / now, 8);
         text_append(out->words, sizeof out->words, "another value, the scenario's %s times %s", before,
-                    *name ? name : factor);
+                    *name ? name : text_rounded(candidate->value / now, 8).text);
     }
 }
 

@@ -442,11 +442,11 @@ static bool has_value(const Diagnosis *found, const Parameter *parameter)
 /* A factor of few digits: a slip, not a fit. */
 static bool is_round(double factor, const Settings *right)
 {
-    char text[NUMBER_TEXT_MAX], name[96];
+    char name[96];
     double shorter;
     diagnose_name_factor(factor, 1e-9, right, name, sizeof name);
-    text_rounded(text, factor, 3);
-    return *name || (text_to_double(text, &shorter) && fabs(shorter - factor) <= 1e-9 * fabs(factor));
+    return *name || (text_to_double(text_rounded(factor, 3).text, &shorter) &&
+                     fabs(shorter - factor) <= 1e-9 * fabs(factor));
 }
 
 /* Beyond it a value stands for something else, as no stiffness for no force. */

@@ -69,10 +69,9 @@ static double newton(const Seek *seek, size_t moments, double change)
 static double rounded(Seek *seek, double value)
 {
     for (int digits = 1; digits <= 8; digits++) {
-        char text[NUMBER_TEXT_MAX];
         double shorter;
-        text_rounded(text, value, digits);
-        if (!text_to_double(text, &shorter) || fabs(shorter - value) > 1e-2 * fabs(value) ||
+        if (!text_to_double(text_rounded(value, digits).text, &shorter) ||
+            fabs(shorter - value) > 1e-2 * fabs(value) ||
             (digits > 3 && fabs(shorter - value) > 1e-6 * fabs(value)))
             continue;
         Walk walk = {.table = seek->table, .moments = SIZE_MAX};

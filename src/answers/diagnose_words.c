@@ -19,16 +19,15 @@ static void tell_moment(const Departure *departure, FILE *out)
 static void tell_departure(const Departure *departure, const DiagnoseTable *table, FILE *out)
 {
     const DiagnoseColumn *column = &table->columns[departure->column];
-    char ratio[NUMBER_TEXT_MAX], difference[NUMBER_TEXT_MAX];
     fputs("They first depart ", out);
     tell_moment(departure, out);
     if (table->set >= 0)
         visible_print(out, ", %s %zu", table->thing, departure->thing);
     visible_print(out, ", row %zu, column %s:\n", departure->row, column->name);
-    text_rounded(difference, departure->theirs - departure->ours, 3);
-    text_rounded(ratio, departure->theirs / departure->ours, 8);
     visible_print(out, "  yours %.16g, right %.16g: ratio %s, difference %s\n", departure->theirs,
-                  departure->ours, departure->ours != 0 ? ratio : "none", difference);
+                  departure->ours,
+                  departure->ours != 0 ? text_rounded(departure->theirs / departure->ours, 8).text : "none",
+                  text_rounded(departure->theirs - departure->ours, 3).text);
     if (*departure->factors)
         visible_print(out, "  the ratio is %s\n", departure->factors);
     if (*departure->change_factors)
@@ -160,7 +159,6 @@ void diagnosis_sum_up(const Diagnosis *found, const DiagnoseTable *table, char *
 {
     const Departure *departure = &found->departure;
     const Explanation *first = &found->explanations[0];
-    char digits[2][NUMBER_TEXT_MAX];
     out[0] = '\0';
     text_append(out, size, "%s: ", table->file.file);
     if (found->verdict == DIAGNOSE_COPIED || found->verdict == DIAGNOSE_MUTE) {
@@ -176,11 +174,10 @@ void diagnosis_sum_up(const Diagnosis *found, const DiagnoseTable *table, char *
         text_append(out, size, "%s%s", i == 0 ? " It cannot show " : ", ", found->explanations[i].id);
     if (!departure->is)
         return;
-    text_rounded(digits[0], departure->theirs, 9);
-    text_rounded(digits[1], departure->ours, 9);
     text_append(out, size, "departs at step %ld%s%s in %s: yours %s, right %s", departure->step,
                 departure->stage > 0 ? ", stage " : "", departure->stage > 0 ? departure->stage_id : "",
-                table->columns[departure->column].name, digits[0], digits[1]);
+                table->columns[departure->column].name, text_rounded(departure->theirs, 9).text,
+                text_rounded(departure->ours, 9).text);
     if (*departure->factors)
         text_append(out, size, " (times %s)", departure->factors);
     if (found->verdict == DIAGNOSE_UNKNOWN) {

@@ -154,17 +154,15 @@ int findings_text(const Finding *findings, int n_findings, bool with_exact, int 
     size_t used = 0;
     out[0] = '\0';
     for (int i = 0; i < n_findings; i++) {
-        char text[160], measured[NUMBER_TEXT_MAX], exact[NUMBER_TEXT_MAX];
+        char text[160];
         const Finding *finding = &findings[i];
-        text_rounded(measured, finding->measured, 4);
-        text_rounded(exact, finding->exact, 4);
         int n = snprintf(text, sizeof text, "%s%s %s", i ? "  " : "", finding->label,
-                         isfinite(finding->measured) ? measured
+                         isfinite(finding->measured) ? text_rounded(finding->measured, 4).text
                          : finding->missing          ? finding->missing
                                                      : "not yet");
         if (with_exact && finding->exact != 0)
             n += snprintf(text + n, sizeof text - (size_t)n, " (%s %s)",
-                          finding->word ? finding->word : "exact", exact);
+                          finding->word ? finding->word : "exact", text_rounded(finding->exact, 4).text);
         if (used + (size_t)n >= size || (int)used + n > columns)
             return i;
         used += (size_t)snprintf(out + used, size - used, "%s", text);

@@ -197,11 +197,9 @@ static void add(Writer *writer, const char *format, ...)
 
 static void add_known(Writer *writer, const char *word, bool known, double value)
 {
-    char text[NUMBER_TEXT_MAX];
     if (!known)
         return;
-    text_rounded(text, value, 7);
-    add(writer, "  %s %s", word, text);
+    add(writer, "  %s %s", word, text_rounded(value, 7).text);
 }
 
 /* Of a run without a frequency that is said only where nothing else was found. */
@@ -280,14 +278,12 @@ static void add_time(Writer *writer, const char *word, double seconds, const cha
 static void add_cost(Writer *writer, const CrackPrice *price, double dt)
 {
     const CrackCost *cost = &price->cost;
-    char step[NUMBER_TEXT_MAX];
     add(writer, "cost  %.1f J/m^2: path %.1f  beside %.1f  far %.1f  beyond s0 %.1f\n",
         cost->total / cost->area, cost->through / cost->area, cost->beside / cost->area,
         cost->far / cost->area, cost->beyond / cost->area);
     add(writer, "G0  %.1f J/m^2, on this lattice %.1f\n", price->critical_energy, cost->plane);
-    text_rounded(step, dt, 6);
-    add(writer, "all with this time step, %s s; as it falls the cost comes to some %.0f J/m^2\n", step,
-        (cost->total - cost->beyond) / cost->area);
+    add(writer, "all with this time step, %s s; as it falls the cost comes to some %.0f J/m^2\n",
+        text_rounded(dt, 6).text, (cost->total - cost->beyond) / cost->area);
 }
 
 /* First break, angles, tip, speed against Rayleigh's, and where the energy went. */
@@ -357,11 +353,8 @@ void summary_text(const RunSummary *summary, const Settings *settings, char out[
     Writer writer = {out, 0};
     const Problem *facts = settings->problem;
     out[0] = '\0';
-    char time[NUMBER_TEXT_MAX], dt[NUMBER_TEXT_MAX];
-    text_rounded(time, summary->time, 8);
-    text_rounded(dt, summary->dt, 6);
-    add(&writer, "%ld steps to t = %s%s%s  (dt %s)%s\n", summary->steps, time, facts->si ? " " : "",
-        facts->si ? facts->unit_of_time : "", dt,
+    add(&writer, "%ld steps to t = %s%s%s  (dt %s)%s\n", summary->steps, text_rounded(summary->time, 8).text,
+        facts->si ? " " : "", facts->si ? facts->unit_of_time : "", text_rounded(summary->dt, 6).text,
         summary->failed    ? ", where the run failed"
         : summary->at_rest ? ", where it came to rest"
                            : "");

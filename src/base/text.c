@@ -45,13 +45,16 @@ size_t text_shortest(char *out, double value)
     return text_trim_exponent(out);
 }
 
-size_t text_rounded(char *out, double value, int digits)
+NumberText text_rounded(double value, int digits)
 {
     ASSERT_INT(digits, >=, 1);
+    NumberText number;
     if (!isfinite(value))
-        return text_shortest(out, value);
-    snprintf(out, NUMBER_TEXT_MAX, "%.*g", digits, value == 0 ? 0.0 : value);
-    return text_trim_exponent(out);
+        text_shortest(number.text, value);
+    else
+        snprintf(number.text, sizeof number.text, "%.*g", digits, value == 0 ? 0.0 : value);
+    text_trim_exponent(number.text);
+    return number;
 }
 
 static bool only_spaces(const char *text)
@@ -149,19 +152,21 @@ bool text_list_add(char *list, size_t size, const char *item)
     return false;
 }
 
-void text_fitted(double value, int digits, int width, char out[NUMBER_TEXT_MAX])
+NumberText text_fitted(double value, int digits, int width)
 {
+    NumberText number;
     do
-        text_rounded(out, value, digits);
-    while ((int)strlen(out) > width && --digits > 0);
+        number = text_rounded(value, digits);
+    while ((int)strlen(number.text) > width && --digits > 0);
+    return number;
 }
 
-void text_factor(double factor, char out[NUMBER_TEXT_MAX])
+NumberText text_factor(double factor)
 {
+    NumberText number = text_rounded(factor, 2);
     if (factor >= 1 && factor < 1e7)
-        snprintf(out, NUMBER_TEXT_MAX, "%.0f", factor);
-    else
-        text_rounded(out, factor, 2);
+        snprintf(number.text, sizeof number.text, "%.0f", factor);
+    return number;
 }
 
 void text_append(char *out, size_t size, const char *format, ...)

@@ -11,14 +11,18 @@
 
 enum { NUMBER_TEXT_MAX = 32 };
 
+/* A number as text; it stands where a function of such numbers is called: text_rounded(x, 4).text. */
+typedef struct NumberText {
+    char text[NUMBER_TEXT_MAX];
+} NumberText;
+
 /* Writes the shortest decimal text that reads back to the same double (".1" is written "0.1", 1e-7 as
  * "1e-7"), with a point in every locale; "nan", "inf", "-inf" for what is no number. `out` holds
  * NUMBER_TEXT_MAX characters. Returns the length. */
 size_t text_shortest(char *out, double value);
 
-/* Writes a number for reading: `digits` significant digits, trailing zeros cut, never an exponent's padding.
- */
-size_t text_rounded(char *out, double value, int digits);
+/* A number for reading: `digits` significant digits, trailing zeros cut, never an exponent's padding. */
+NumberText text_rounded(double value, int digits);
 
 /* Cuts "1e-07" to "1e-7" and "1e+16" to "1e16". Returns the length. */
 size_t text_trim_exponent(char *text);
@@ -48,10 +52,10 @@ size_t text_distance(const char *a, const char *b);
 bool text_list_add(char *list, size_t size, const char *item);
 
 /* A number for people in at most `width` columns: as many digits as fit, at most `digits`. */
-void text_fitted(double value, int digits, int width, char out[NUMBER_TEXT_MAX]);
+NumberText text_fitted(double value, int digits, int width);
 
 /* A factor by which something is enlarged: "5000", not "5e3". */
-void text_factor(double factor, char out[NUMBER_TEXT_MAX]);
+NumberText text_factor(double factor);
 
 /* Appends to a text; what does not fit is cut. */
 void text_append(char *out, size_t size, const char *format, ...) __attribute__((format(printf, 3, 4)));

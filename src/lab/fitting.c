@@ -45,16 +45,13 @@ static bool wait_for_fit(double share, void *context)
 /* "bar.density 1.02 +- 0.01, ...; residuals 3e-3, before 2e-2: they look like noise; correlation 0.4" */
 static void say_result(Laboratory *lab, const FitTask *task, const FitResult *result)
 {
-    char text[sizeof lab->message.text] = "fitted:", digits[2][NUMBER_TEXT_MAX];
-    for (int i = 0; i < task->n_keys; i++) {
-        text_rounded(digits[0], result->values[i], 6);
-        text_rounded(digits[1], result->noise.half_widths[i], 2);
-        text_append(text, sizeof text, "%s %s %s +- %s", i ? "," : "", task->keys[i], digits[0], digits[1]);
-    }
-    text_rounded(digits[0], result->rms, 3);
-    text_rounded(digits[1], result->rms_before, 3);
-    text_append(text, sizeof text, " (95 %%); residuals %s, before %s: %s", digits[0], digits[1],
-                fit_verdict(result));
+    char text[sizeof lab->message.text] = "fitted:";
+    for (int i = 0; i < task->n_keys; i++)
+        text_append(text, sizeof text, "%s %s %s +- %s", i ? "," : "", task->keys[i],
+                    text_rounded(result->values[i], 6).text,
+                    text_rounded(result->noise.half_widths[i], 2).text);
+    text_append(text, sizeof text, " (95 %%); residuals %s, before %s: %s", text_rounded(result->rms, 3).text,
+                text_rounded(result->rms_before, 3).text, fit_verdict(result));
     for (int i = 1; i < task->n_keys; i++)
         for (int j = 0; j < i; j++)
             text_append(text, sizeof text, "%s %.2f", i + j == 1 ? "; correlation" : ",",

@@ -152,17 +152,16 @@ long player_steps_ahead(const Laboratory *lab)
 static void tell_stop(Laboratory *lab)
 {
     const Simulation *sim = experiment_simulation(laboratory_run(lab));
-    char time[NUMBER_TEXT_MAX];
-    text_rounded(time, simulation_time(sim), 6);
+    const NumberText time = text_rounded(simulation_time(sim), 6);
     int event = sim->n_events - 1;
     while (event > 0 && sim->events[event - 1].step == sim->events[event].step)
         event--;
     if (lab->player.stop.rests)
-        laboratory_say(lab, MESSAGE_INFO, "stopped at t = %s: at rest", time);
+        laboratory_say(lab, MESSAGE_INFO, "stopped at t = %s: at rest", time.text);
     else if (lab->player.stop.kind == STOP_AT_EVENT && event >= 0)
-        laboratory_say(lab, MESSAGE_INFO, "stopped at t = %s: %s", time, sim->events[event].text);
+        laboratory_say(lab, MESSAGE_INFO, "stopped at t = %s: %s", time.text, sim->events[event].text);
     else
-        laboratory_say(lab, MESSAGE_INFO, "stopped at t = %s, step %ld", time, sim->step);
+        laboratory_say(lab, MESSAGE_INFO, "stopped at t = %s, step %ld", time.text, sim->step);
 }
 
 bool player_arrive(Laboratory *lab)

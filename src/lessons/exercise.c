@@ -98,9 +98,7 @@ bool exercise_read_number(const char *text, double *number)
 void exercise_write_number(double number, char out[NUMBER_TEXT_MAX])
 {
     enum { DIGITS = 6 };
-    out[0] = '\0';
-    if (isfinite(number))
-        text_rounded(out, number, DIGITS);
+    strcpy(out, isfinite(number) ? text_rounded(number, DIGITS).text : "");
 }
 
 bool exercise_failing(const Exercise *exercise, const ExpressionRun *now, const ExpressionRun *was, char *out,
@@ -114,12 +112,10 @@ bool exercise_failing(const Exercise *exercise, const ExpressionRun *now, const 
         return false;
     const ExpressionClaim *claim = &goal->claims[failing];
     snprintf(out, size, "%.*s", claim->length, goal->text + claim->text);
-    char number[NUMBER_TEXT_MAX];
-    text_rounded(number, left, 4);
     if (isfinite(left) && claim->end - claim->first == 3 && goal->steps[claim->first].kind == STEP_KEY &&
         goal->steps[claim->first].key->choices)
         return true; /* a choice has a word, not a number */
     if (isfinite(left))
-        text_append(out, size, ": it is %s", number);
+        text_append(out, size, ": it is %s", text_rounded(left, 4).text);
     return true;
 }

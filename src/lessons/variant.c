@@ -137,7 +137,7 @@ static void write_value(const Values *values, double steps, char out[NUMBER_TEXT
     snprintf(text, sizeof text, "%.0fe%d", steps * values->mantissa, values->exponent);
     enum { DIGITS = 6 }; /* more than most have; 8.5e10 is read better than 85000000000 */
     const double value = strtod(text, NULL);
-    text_rounded(out, value, DIGITS);
+    strcpy(out, text_rounded(value, DIGITS).text);
     if (strtod(out, NULL) != value)
         text_shortest(out, value);
 }

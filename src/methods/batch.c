@@ -22,9 +22,8 @@ enum { ENERGY_LEVELS = sizeof energy_levels / sizeof energy_levels[0] };
 /* "in step 13, t = 1.3" for the step under way. */
 static void batch_step_words(const Simulation *sim, const char *unit, char *out, size_t size)
 {
-    char time[NUMBER_TEXT_MAX];
-    text_rounded(time, (double)(sim->step + 1) * sim->dt, 6);
-    snprintf(out, size, "in step %ld, t = %s%s", sim->step + 1, time, unit);
+    snprintf(out, size, "in step %ld, t = %s%s", sim->step + 1,
+             text_rounded((double)(sim->step + 1) * sim->dt, 6).text, unit);
 }
 
 void batch_report(Simulation *sim, EventKind kind, const char *text)

@@ -42,9 +42,7 @@ void calculation_write(Calculation *calculation, const char *format, ...)
 
 void calculation_number(Calculation *calculation, const char *words, double value)
 {
-    char number[NUMBER_TEXT_MAX];
-    text_rounded(number, value, WORDS_DIGITS);
-    calculation_write(calculation, "%s%s", words, number);
+    calculation_write(calculation, "%s%s", words, text_rounded(value, WORDS_DIGITS).text);
 }
 
 void calculation_value(Calculation *calculation, const char *words, double value)
@@ -93,10 +91,9 @@ typedef struct Attempt {
 
 static double put(Calculation *text, double value, int digits)
 {
-    char number[NUMBER_TEXT_MAX];
-    text_rounded(number, value, digits < 1 ? 1 : digits > 15 ? 15 : digits);
-    calculation_write(text, "%s", number);
-    return strtod(number, NULL);
+    const NumberText number = text_rounded(value, digits < 1 ? 1 : digits > 15 ? 15 : digits);
+    calculation_write(text, "%s", number.text);
+    return strtod(number.text, NULL);
 }
 
 /* " + " or " - " before a number whose sign goes into it; the first one keeps its own. */

@@ -156,7 +156,7 @@ static void real_text(const Screen *screen, const Parameter *parameter, char out
              !(settings->problem->concerns & (CONCERN_MOTION | CONCERN_SUPPORTS)))
         real = screen_derived(screen, "real_span");
     if (fabs(real - nominal) > 1e-6 * nominal)
-        text_fitted(real, 4, 8, out);
+        strcpy(out, text_fitted(real, 4, 8).text);
 }
 
 /* The first row shown, so that the chosen one stands near the middle. */
@@ -234,8 +234,9 @@ void pane_parameter(const Screen *screen, Area area, int y, const Parameter *par
     const bool is_number = parameter->type == PARAMETER_REAL || parameter->type == PARAMETER_INTEGER;
     const int wanted = 3 + glyphs_columns(name);
     if (is_number && glyphs_columns(value) > width - wanted && parameter->type == PARAMETER_REAL)
-        text_fitted(settings_number(settings, parameter), 6, width - wanted < 10 ? 10 : width - wanted,
-                    value);
+        strcpy(value,
+               text_fitted(settings_number(settings, parameter), 6, width - wanted < 10 ? 10 : width - wanted)
+                   .text);
     const int label_width = is_number ? width - glyphs_columns(value) - 1 : width;
     const int indent = is_number && 2 + glyphs_columns(name) > label_width ? 1 : 2;
     int label = area_text(area_part(area, 0, y, label_width, 1), indent, 0, name, style) + indent;
@@ -275,7 +276,7 @@ static void draw_derived(Area area, int y, const Derived *derived, bool chosen)
     if (derived->integer)
         snprintf(value, sizeof value, "%.0f", derived->value);
     else
-        text_fitted(derived->value, 6, area.rect.width - label - 1, value);
+        strcpy(value, text_fitted(derived->value, 6, area.rect.width - label - 1).text);
     area_text_right(area, area.rect.width, y, value, style);
 }
 

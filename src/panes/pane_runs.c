@@ -58,14 +58,13 @@ static void name_of(const ShownRun *run, const ShownRun *runs, int n_runs, char 
 static void draw_row(const Table *table, const ShownRun *run, Area area, int y)
 {
     const Readout *readout = run->readout;
-    char text[32], number[NUMBER_TEXT_MAX];
+    char text[32];
     double values[4];
     int x = 1 + NAME_COLUMNS;
     const int count = values_of(table, readout, values);
     for (int i = 0; i < count; i++) {
-        text_rounded(number, values[i], 5);
         x += VALUE_COLUMNS;
-        area_text_right(area, x, y, isfinite(values[i]) ? number : "-", run->style);
+        area_text_right(area, x, y, isfinite(values[i]) ? text_rounded(values[i], 5).text : "-", run->style);
     }
     const double off = readout->is_period ? readout->error_period : readout->error_frequency;
     if (!table->exact || !readout->measured_known || !readout->exact_known)

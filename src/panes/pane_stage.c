@@ -36,19 +36,19 @@ static Subject subject_of(const Screen *screen)
 /* --- numbers of a thing --------------------------------------------------------------------------- */
 
 /* Two values as texts of at least so many digits, or as many more as it takes to tell them apart. */
-static void pair_text(double before, double now, char was[NUMBER_TEXT_MAX], char is[NUMBER_TEXT_MAX])
+static void pair_text(double before, double now, NumberText *was, NumberText *is)
 {
-    for (int digits = 5; digits <= 9; digits++) {
-        text_fitted(before, digits, 16, was);
-        text_fitted(now, digits, 16, is);
-        if (strcmp(was, is) != 0)
-            return;
-    }
+    int digits = 5;
+    do {
+        *was = text_fitted(before, digits, 16);
+        *is = text_fitted(now, digits, 16);
+    } while (strcmp(was->text, is->text) == 0 && ++digits <= 9);
 }
 
 /* One field with its label, its unit and, where the stage changed it, what it was. */
 typedef struct FieldPhrase {
-    char label[80], was[NUMBER_TEXT_MAX + 16], now[NUMBER_TEXT_MAX], unit[40];
+    char label[80], was[NUMBER_TEXT_MAX + 16], unit[40];
+    NumberText now;
     bool changed;
     int columns;
 } FieldPhrase;
@@ -67,14 +67,14 @@ static FieldPhrase phrase_of(const Subject *subject, int field)
         subject->done &&
         experiment_field_before(subject->screen->experiment, field, subject->index, 1, &before) &&
         before != value && !(isnan(before) && isnan(value));
-    text_fitted(value, 5, 12, phrase.now);
+    phrase.now = text_fitted(value, 5, 12);
     if (phrase.changed) {
-        char was[NUMBER_TEXT_MAX];
-        pair_text(before, value, was, phrase.now);
-        snprintf(phrase.was, sizeof phrase.was, "%s %s ", was, arrow);
+        NumberText was;
+        pair_text(before, value, &was, &phrase.now);
+        snprintf(phrase.was, sizeof phrase.was, "%s %s ", was.text, arrow);
     }
-    phrase.columns = glyphs_columns(phrase.label) + glyphs_columns(phrase.was) + glyphs_columns(phrase.now) +
-                     glyphs_columns(phrase.unit);
+    phrase.columns = glyphs_columns(phrase.label) + glyphs_columns(phrase.was) +
+                     glyphs_columns(phrase.now.text) + glyphs_columns(phrase.unit);
     return phrase;
 }
 
@@ -98,7 +98,8 @@ static int draw_fields(const Subject *subject, const Area *area, int width, int 
         if (area) {
             int at = x + area_text(*area, x, y + line, phrase.label, STYLE_FAINT);
             at += area_text(*area, at, y + line, phrase.was, STYLE_NORMAL);
-            at += area_text(*area, at, y + line, phrase.now, phrase.changed ? STYLE_CHANGED : STYLE_NORMAL);
+            at += area_text(*area, at, y + line, phrase.now.text,
+                            phrase.changed ? STYLE_CHANGED : STYLE_NORMAL);
             area_text(*area, at, y + line, phrase.unit, STYLE_FAINT);
         }
         x += phrase.columns;

@@ -40,10 +40,11 @@ static Line line_of(const Screen *screen, int width)
 {
     const Problem *facts = screen_problem(screen);
     const double dt = experiment_simulation(screen->experiment)->dt;
-    char number[NUMBER_TEXT_MAX];
     Line line = {.first = GUTTER};
-    text_fitted(dt * (double)experiment_last_step(screen->experiment) / facts->shown_time, 4, 10, number);
-    snprintf(line.end, sizeof line.end, "%s%s", number, facts->shown_time_unit);
+    snprintf(
+        line.end, sizeof line.end, "%s%s",
+        text_fitted(dt * (double)experiment_last_step(screen->experiment) / facts->shown_time, 4, 10).text,
+        facts->shown_time_unit);
     line.cells = width - GUTTER - 2 - glyphs_columns(line.end);
     return line;
 }

@@ -84,7 +84,7 @@ Writing writing_of(const double *terms, size_t n, double base, double gain, int 
 void format_number(double value, Format format, char out[NUMBER_TEXT_MAX])
 {
     if (!isfinite(value)) {
-        text_rounded(out, value, 1);
+        text_shortest(out, value);
         return;
     }
     snprintf(out, NUMBER_TEXT_MAX, format.exponents ? "%.*e" : "%.*f", format.decimals,

@@ -103,10 +103,10 @@ static void add_drift(EnergyWatch *watch, const Experiment *experiment, double d
         return;
     while (watch->level < LEVELS && least >= levels[watch->level])
         watch->level++;
-    char number[NUMBER_TEXT_MAX], text[120];
-    text_rounded(number, 100 * fabs(watch->before), 2);
+    char text[120];
     const char *cause = cause_of(experiment, watch->before_step, drift > 0);
-    snprintf(text, sizeof text, "energy %s %% %s the start%s%s", number, drift > 0 ? "above" : "below",
+    snprintf(text, sizeof text, "energy %s %% %s the start%s%s",
+             text_rounded(100 * fabs(watch->before), 2).text, drift > 0 ? "above" : "below",
              *cause ? ": " : "", cause);
     add(watch->events, &watch->n_events, EVENT_LOG_DRIFTS_MAX, watch->before_step, EVENT_ENERGY, text);
 }

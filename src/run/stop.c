@@ -73,11 +73,10 @@ static const char *behind(const char *text, const char *word, const char *other)
 static bool within(long step, const Experiment *experiment, Status *status)
 {
     const long last = experiment_last_step(experiment);
-    char end[NUMBER_TEXT_MAX];
     if (step >= 0 && step <= last)
         return true;
-    text_rounded(end, (double)last * experiment_simulation(experiment)->dt, 6);
-    return status_refuse(status, "the run goes from 0 to %s (#0 to #%ld)", end, last);
+    return status_refuse(status, "the run goes from 0 to %s (#0 to #%ld)",
+                         text_rounded((double)last * experiment_simulation(experiment)->dt, 6).text, last);
 }
 
 /* Steps at which a time has come, with the rounding of step times dt left out; far outside: -1 or one too
@@ -122,7 +121,6 @@ bool stop_read(Stop *stop, const char *text, const Experiment *experiment, Statu
 
 void stop_words(const Stop *stop, char out[STOP_WORDS_MAX])
 {
-    char time[NUMBER_TEXT_MAX];
     out[0] = '\0';
     switch (stop->kind) {
     case STOP_NEVER:
@@ -131,8 +129,7 @@ void stop_words(const Stop *stop, char out[STOP_WORDS_MAX])
         snprintf(out, STOP_WORDS_MAX, "step %ld", stop->step);
         return;
     case STOP_AT_TIME:
-        text_rounded(time, stop->time, 6);
-        snprintf(out, STOP_WORDS_MAX, "t = %.27s", time);
+        snprintf(out, STOP_WORDS_MAX, "t = %.27s", text_rounded(stop->time, 6).text);
         return;
     case STOP_AT_EVENT:
         for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)

@@ -131,7 +131,7 @@ static void write_value(const Settings *settings, const Parameter *parameter, in
     else if (digits == 0 || parameter->type == PARAMETER_INTEGER)
         text_shortest(out, value);
     else
-        text_rounded(out, value, digits);
+        strcpy(out, text_rounded(value, digits).text);
 }
 
 void settings_get(const Settings *settings, const Parameter *parameter, char out[LIST_MAX])

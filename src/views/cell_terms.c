@@ -79,11 +79,11 @@ void cell_terms_find(CellTerms *terms, const Stage *stage, size_t most)
     terms->shown = terms->n_links <= most ? terms->n_links : most - 1;
 }
 
-void cell_term_write(double value, Writing writing, char out[NUMBER_TEXT_MAX])
+NumberText cell_term_text(double value, Writing writing)
 {
     const int first = value != 0 ? (int)floor(math_log10(fabs(value))) : 0;
     const int digits = first - (writing.exponent - writing.decimals) + 1;
-    text_rounded(out, digits > 0 ? value : 0, digits > 1 ? digits : 1);
+    return text_rounded(digits > 0 ? value : 0, digits > 1 ? digits : 1);
 }
 
 void cell_terms_arrow(const CellTerms *terms, size_t link, PictureArrow *arrow)
@@ -95,7 +95,7 @@ void cell_terms_arrow(const CellTerms *terms, size_t link, PictureArrow *arrow)
              terms->to_nodes ? node : particle);
     for (int f = 0; f < terms->n_flows; f++) {
         const Flowing *flow = &terms->flows[f];
-        cell_term_write(flow->terms[link], flow->writing, arrow->brief[f]);
+        strcpy(arrow->brief[f], cell_term_text(flow->terms[link], flow->writing).text);
         snprintf(arrow->text[f], sizeof arrow->text[f], "%s %.20s", flow->exchange->factors, arrow->brief[f]);
         text_append(arrow->told, sizeof arrow->told, "%s %s = %.20s", f ? " and" : "", flow->exchange->ascii,
                     arrow->brief[f]);
@@ -106,14 +106,13 @@ void cell_terms_rest(const CellTerms *terms, char *out, size_t size)
 {
     out[0] = '\0';
     for (int f = 0; f < terms->n_flows && terms->shown < terms->n_links; f++) {
-        char number[NUMBER_TEXT_MAX];
         double rest = 0;
         for (size_t i = terms->shown; i < terms->n_links; i++)
             rest += terms->flows[f].terms[terms->order[i]];
-        cell_term_write(rest, terms->flows[f].writing, number);
         if (f == 0)
             text_append(out, size, "%zu more: ", terms->n_links - terms->shown);
-        text_append(out, size, "%s%s %s", f ? ", " : "", terms->flows[f].exchange->factors, number);
+        text_append(out, size, "%s%s %s", f ? ", " : "", terms->flows[f].exchange->factors,
+                    cell_term_text(rest, terms->flows[f].writing).text);
     }
 }
 
@@ -121,17 +120,13 @@ void cell_value_add(const Screen *screen, int set, size_t index, const char *nam
                     bool change, char *out, size_t size)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
-    char number[NUMBER_TEXT_MAX];
     const int field = simulation_find_field(sim, set, name);
     double before;
     if (field < 0)
         return;
     const double now = simulation_value(sim, field, index);
     text_append(out, size, "\n%s ", label);
-    if (change && experiment_field_before(screen->experiment, field, index, 1, &before) && before != now) {
-        text_fitted(before, 5, 10, number);
-        text_append(out, size, "%s→", number);
-    }
-    text_fitted(now, 5, 10, number);
-    text_append(out, size, "%s", number);
+    if (change && experiment_field_before(screen->experiment, field, index, 1, &before) && before != now)
+        text_append(out, size, "%s→", text_fitted(before, 5, 10).text);
+    text_append(out, size, "%s", text_fitted(now, 5, 10).text);
 }

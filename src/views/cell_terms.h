@@ -38,7 +38,7 @@ typedef struct CellTerms {
 void cell_terms_find(CellTerms *, const Stage *, size_t most);
 
 /* A term as it stands in a sum of such a writing. */
-void cell_term_write(double value, Writing, char out[NUMBER_TEXT_MAX]);
+NumberText cell_term_text(double value, Writing);
 
 /* The words on the arrow of a link. */
 void cell_terms_arrow(const CellTerms *, size_t link, PictureArrow *);

@@ -80,7 +80,7 @@ static void note_how(const Map *map)
 {
     const double magnified = map->screen->eye.magnified;
     const int *order = magnified > 1 ? near_order : whole_order;
-    char text[PICTURE_TEXT_MAX] = "", parts[PARTS][64] = {""}, number[NUMBER_TEXT_MAX];
+    char text[PICTURE_TEXT_MAX] = "", parts[PARTS][64] = {""};
     crack_texts(map, parts[TIP], parts[FIT], sizeof parts[TIP]);
     if (map->scene.leaves) {
         const double length = settings_geometry(map->settings)->length +
@@ -89,15 +89,14 @@ static void note_how(const Map *map)
     }
     flow_text(map, parts[FLOW], sizeof parts[FLOW]);
     map_cross_text(map, parts[CROSS], sizeof parts[CROSS]);
-    text_factor(map->drawn->enlarged, number);
     if (map->drawn->enlarged != 1)
-        snprintf(parts[ENLARGED], sizeof parts[ENLARGED], "%s × %s", map->scene.leaves ? "uy" : "u", number);
-    text_factor(magnified, number);
+        snprintf(parts[ENLARGED], sizeof parts[ENLARGED], "%s × %s", map->scene.leaves ? "uy" : "u",
+                 text_factor(map->drawn->enlarged).text);
     if (magnified > 1)
-        snprintf(parts[MAGNIFIED], sizeof parts[MAGNIFIED], "zoom %s", number);
-    text_factor(map->picture->stretch, number);
+        snprintf(parts[MAGNIFIED], sizeof parts[MAGNIFIED], "zoom %s", text_factor(magnified).text);
     if (map->picture->stretch != 1)
-        snprintf(parts[STRETCHED], sizeof parts[STRETCHED], "height × %s", number);
+        snprintf(parts[STRETCHED], sizeof parts[STRETCHED], "height × %s",
+                 text_factor(map->picture->stretch).text);
     else
         snprintf(parts[STRETCHED], sizeof parts[STRETCHED], "to scale");
     for (int i = 0; i < PARTS; i++)
@@ -136,13 +135,13 @@ static void note_facts(const Map *map)
                 {"crack_length", "length of the crack", " mm", 1e-3},
                 {"broken_bonds", "broken bonds", "", 1}};
     const double *row = experiment_row(map->screen->experiment);
-    char text[PICTURE_TEXT_MAX], value[NUMBER_TEXT_MAX];
+    char text[PICTURE_TEXT_MAX];
     for (size_t i = 0; i < sizeof told / sizeof *told; i++) {
         const int column = screen_column(map->screen, told[i].column);
         if (column < 0 || !isfinite(row[column]))
             continue;
-        text_rounded(value, row[column] / told[i].scale, 5);
-        snprintf(text, sizeof text, "%s %s%s.", told[i].name, value, told[i].unit);
+        snprintf(text, sizeof text, "%s %s%s.", told[i].name,
+                 text_rounded(row[column] / told[i].scale, 5).text, told[i].unit);
         picture_note(map->picture, STYLE_NORMAL, text)->told = true;
     }
     if (simulation_find_field(map->sim, 0, "damage") < 0)

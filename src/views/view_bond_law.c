@@ -103,19 +103,16 @@ static void add_counts(Picture *picture, const int *bins, int dots, int most)
 static void law_lines(const Screen *screen, const Stretches *all, double s0, int most, char first[160],
                       char second[160])
 {
-    char number[NUMBER_TEXT_MAX], limit[NUMBER_TEXT_MAX];
     first[0] = second[0] = '\0';
     if (all->foremost < all->count) {
-        text_fitted(all->largest, 4, 10, number);
-        snprintf(first, 160, "largest s %s", number);
+        snprintf(first, 160, "largest s %s", text_fitted(all->largest, 4, 10).text);
         if (s0 > 0)
             text_append(first, 160, " = %.1f %% of s0", 100 * all->largest / s0);
         text_append(first, 160, "  particle %zu", all->foremost);
     }
     if (s0 > 0) {
-        text_fitted(s0, 4, 10, limit);
-        text_fitted(screen_derived(screen, "critical_energy"), 4, 9, number);
-        snprintf(second, 160, "s0 %s: G0 %s J/m^2", limit, number);
+        snprintf(second, 160, "s0 %s: G0 %s J/m^2", text_fitted(s0, 4, 10).text,
+                 text_fitted(screen_derived(screen, "critical_energy"), 4, 9).text);
         if (all->most > s0)
             text_append(second, 160, "  protected bonds reach %.0f %%", 100 * all->most / s0);
     } else {

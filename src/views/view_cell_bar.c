@@ -206,9 +206,8 @@ static void node_numbers(const Near *near, size_t node, char *out, size_t size)
     const bool made = near->terms.n_flows > 0; /* anew, by terms that are seen */
     const bool in_row = is_in_row(near, node);
     if (in_row) {
-        char number[NUMBER_TEXT_MAX];
-        cell_term_write(near->row.masses[node - near->row.first], writing_of_row(near), number);
-        text_append(out, size, "\nM %s", number);
+        const double mass = near->row.masses[node - near->row.first];
+        text_append(out, size, "\nM %s", cell_term_text(mass, writing_of_row(near)).text);
     }
     if (in_row && !near->masses)
         cell_value_add(near->screen, 1, node, "velocity", "v", false, out, size);
@@ -225,11 +224,9 @@ static void node_numbers(const Near *near, size_t node, char *out, size_t size)
         for (size_t i = 0; i < near->terms.n_links; i++) {
             const bool given =
                 near->terms.set ? node == near->terms.index : near->terms.links[i].index == node;
-            char number[NUMBER_TEXT_MAX];
             if (!given || (near->terms.set && i > 0))
                 continue;
-            text_fitted(near->terms.flows[f].last[i], 5, 10, number);
-            text_append(out, size, "\n%s %s", factor, number);
+            text_append(out, size, "\n%s %s", factor, text_fitted(near->terms.flows[f].last[i], 5, 10).text);
         }
     }
 }
@@ -418,7 +415,7 @@ static void add_row(const Near *near, Picture *picture)
             .from = {x, apart > 0 ? y : LOWER_END},
             .to = {apart > 0 ? own + aside * near->spacing : own, apart > 0 ? y : UPPER_END},
             .place = apart > 0 ? 0.4 : 0.5};
-        cell_term_write(terms[k], writing, arrow.brief[0]);
+        strcpy(arrow.brief[0], cell_term_text(terms[k], writing).text);
         snprintf(arrow.text[0], sizeof arrow.text[0], "M v %.20s", arrow.brief[0]);
         snprintf(arrow.told, sizeof arrow.told, "node %zu brings M v = %.20s into node %zu", node,
                  arrow.brief[0], near->terms.index);
@@ -430,17 +427,16 @@ static void add_row(const Near *near, Picture *picture)
 static void tell_row(const Near *near, Picture *picture)
 {
     PictureLabel label = {.x = node_at(near, near->terms.index), .y = 3.2, .style = STYLE_CHANGED};
-    char number[NUMBER_TEXT_MAX], line[sizeof label.text - 24] = "";
+    const NumberText sum = text_fitted(sum_of_row(near), 5, 10);
+    char line[sizeof label.text - 24] = "";
     const Writing writing = writing_of_row(near);
-    for (size_t k = 0; k < near->row.count; k++) {
-        cell_term_write(near->row.masses[k], writing, number);
-        text_append(line, sizeof line, "%s%s", k ? " + " : "", number);
-    }
-    text_fitted(sum_of_row(near), 5, 10, number);
+    for (size_t k = 0; k < near->row.count; k++)
+        text_append(line, sizeof line, "%s%s", k ? " + " : "",
+                    cell_term_text(near->row.masses[k], writing).text);
     if (near->row.count == 1)
-        snprintf(label.text, sizeof label.text, "lumped: all of %s\nis the node's own", number);
+        snprintf(label.text, sizeof label.text, "lumped: all of %s\nis the node's own", sum.text);
     else
-        snprintf(label.text, sizeof label.text, "%s = %s", line, number);
+        snprintf(label.text, sizeof label.text, "%s = %s", line, sum.text);
     picture_label(picture, &label);
 }
 

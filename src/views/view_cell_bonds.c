@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LINKS_MAX = 512, SHOWN_MAX = 8, DIGITS = 5, COLUMNS = 11 };
+enum { LINKS_MAX = 512, SHOWN_MAX = 8 };
 
 #define ROWS 12.0
 
@@ -109,6 +109,13 @@ static void open_drawing(Picture *picture, double low, double high, const char *
     picture_axes(picture, axis_make(low, high), "x", "", axis_make(0, ROWS), name, "");
 }
 
+/* As this view writes numbers. */
+static NumberText number_of(double value)
+{
+    enum { DIGITS = 5, COLUMNS = 11 };
+    return text_fitted(value, DIGITS, COLUMNS);
+}
+
 /* --- one bond --------------------------------------------------------------------------------------- */
 
 /* "c G w V s = 133.3 × 1 × 0.5 × 0.5 × -0.0073 = -0.32": the factors as a product. */
@@ -116,17 +123,14 @@ static void write_product(const NearBonds *bonds, const Link *link, char out[2][
 {
     static const char *const names[LINK_FACTORS] = {
         [LINK_C] = "c", [LINK_G] = "G", [LINK_W] = "w", [LINK_V] = "V"};
-    char number[NUMBER_TEXT_MAX];
     out[0][0] = out[1][0] = '\0';
     for (int f = 0; f < LINK_FACTORS; f++) {
-        text_fitted(link->factors[f], DIGITS, COLUMNS, number);
-        text_append(out[0], 160, "%s%s %s", f ? "  " : "", names[f], number);
-        text_append(out[1], 160, "%s × ", number);
+        const NumberText factor = number_of(link->factors[f]);
+        text_append(out[0], 160, "%s%s %s", f ? "  " : "", names[f], factor.text);
+        text_append(out[1], 160, "%s × ", factor.text);
     }
-    text_fitted(link->stretch, DIGITS, COLUMNS, number);
-    text_append(out[1], 160, "%s = ", number);
-    text_fitted(density_of(link), DIGITS, COLUMNS, number);
-    text_append(out[1], 160, "%s%s", number, bonds->unit);
+    text_append(out[1], 160, "%s = ", number_of(link->stretch).text);
+    text_append(out[1], 160, "%s%s", number_of(density_of(link)).text, bonds->unit);
 }
 
 /* What the stretch is enlarged by, so that it is seen: a quarter of the length at most. */
@@ -146,7 +150,7 @@ static void describe_bond(const NearBonds *bonds, const Stage *stage, Picture *p
 {
     const Link *link = &bonds->links[0];
     const double factor = enlarged(link->stretch), half = 0.25 * (1 + factor * link->stretch);
-    char text[200], number[NUMBER_TEXT_MAX], product[2][160];
+    char text[200], product[2][160];
     const bool left = bonds->at[0][0] < 0; /* its other end */
     const size_t ends[2] = {left ? link->index : bonds->node, left ? bonds->node : link->index};
     snprintf(text, sizeof text, "the bond %zu to %zu, the %s of %zu", bonds->node, link->index,
@@ -167,22 +171,19 @@ static void describe_bond(const NearBonds *bonds, const Stage *stage, Picture *p
     picture_line(picture, 0.25, 10, 0.75, 10, LINE_SOLID, STYLE_FAINT, '-');
     picture_line(picture, 0.5 - half, 6.5, 0.5 + half, 6.5, link->broken ? LINE_DASHED : LINE_SOLID,
                  link->broken ? STYLE_FAINT : STYLE_MEASURED, '-');
-    text_fitted(math_hypot(bonds->at[0][0], bonds->at[0][1]) * bonds->sim->spacing, DIGITS, COLUMNS, number);
-    snprintf(text, sizeof text, "at rest: |ξ| %s", number);
+    snprintf(text, sizeof text, "at rest: |ξ| %s",
+             number_of(math_hypot(bonds->at[0][0], bonds->at[0][1]) * bonds->sim->spacing).text);
     add_label(picture, 0.5, 11.6, 0, STYLE_FAINT, text);
     if (link->broken) {
         add_label(picture, 0.5, 8, 0, STYLE_CHANGED, "broken: it carries nothing");
         return;
     }
-    text_fitted(link->stretch, DIGITS, COLUMNS, number);
-    snprintf(text, sizeof text, "now: s %s", number);
-    text_factor(factor, number);
-    text_append(text, sizeof text, ", drawn %s times", number);
+    snprintf(text, sizeof text, "now: s %s", number_of(link->stretch).text);
+    text_append(text, sizeof text, ", drawn %s times", text_factor(factor).text);
     add_label(picture, 0.5, 8.2, 0, STYLE_CHANGED, text);
     write_product(bonds, link, product);
-    text_fitted(density_of(link), DIGITS, COLUMNS, number);
-    snprintf(text, sizeof text, "%s %s%s at each end", link->stretch < 0 ? "pushes" : "pulls", number,
-             bonds->unit);
+    snprintf(text, sizeof text, "%s %s%s at each end", link->stretch < 0 ? "pushes" : "pulls",
+             number_of(density_of(link)).text, bonds->unit);
     add_label(picture, 0.5, 4.6, 0, STYLE_CHANGED, text);
     add_label(picture, 0.5, 2.8, 0, STYLE_NORMAL, product[0]);
     snprintf(text, sizeof text, "c G w V s = %s", product[1]);
@@ -233,7 +234,7 @@ static void describe_family(const NearBonds *bonds, Picture *picture)
 {
     const size_t shown = bonds->whole < SHOWN_MAX ? bonds->whole : SHOWN_MAX;
     const bool line = simulation_has(bonds->sim, HAS_LINE);
-    char name[96], number[2 * NUMBER_TEXT_MAX + 32], text[NUMBER_TEXT_MAX];
+    char name[96], number[2 * NUMBER_TEXT_MAX + 32];
     double rest[2] = {0, 0};
     snprintf(name, sizeof name, "node %zu: %zu bonds, %zu broken; the strongest pulls%s", bonds->node,
              bonds->count, bonds->count - bonds->whole, bonds->unit);
@@ -242,21 +243,18 @@ static void describe_family(const NearBonds *bonds, Picture *picture)
     const double most = shown > 0 ? fabs(density_of(&bonds->links[0])) : 0;
     for (size_t k = 0; k < shown; k++) {
         const double pull = density_of(&bonds->links[k]);
-        text_fitted(pull, DIGITS, COLUMNS, number);
-        snprintf(name, sizeof name, "%c to %zu  %.20s", (char)('a' + k), bonds->links[k].index, number);
+        snprintf(name, sizeof name, "%c to %zu  %.20s", (char)('a' + k), bonds->links[k].index,
+                 number_of(pull).text);
         add_row(picture, 11.4 - 1.2 * (double)k, most > 0 ? pull / most : 0, name);
     }
     for (size_t k = shown; k < bonds->whole; k++)
         for (int d = 0; d < 2; d++)
             rest[d] += density_of(&bonds->links[k]) * bonds->direction[k][d];
     if (shown < bonds->whole) {
-        text_fitted(rest[0], DIGITS, COLUMNS, text);
         snprintf(number, sizeof number, line ? "%zu more: %s" : "%zu more together: fx %s",
-                 bonds->whole - shown, text);
-        if (!line) {
-            text_fitted(rest[1], DIGITS, COLUMNS, text);
-            text_append(number, sizeof number, ", fy %s", text);
-        }
+                 bonds->whole - shown, number_of(rest[0]).text);
+        if (!line)
+            text_append(number, sizeof number, ", fy %s", number_of(rest[1]).text);
         add_label(picture, 0.32, 1.4, 1, STYLE_NORMAL, number);
     }
 }

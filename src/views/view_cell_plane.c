@@ -67,14 +67,13 @@ static void add_node(Picture *picture, const Screen *screen, const CellTerms *te
     const Simulation *sim = terms->sim;
     const size_t node = terms->links[link].index;
     const double x = node_at(sim, 0, node), y = node_at(sim, 1, node);
-    char share[NUMBER_TEXT_MAX];
-    text_fitted(terms->links[link].weight, 5, 9, share);
     PictureLabel label = {.x = x,
                           .y = y,
                           .side = x < particle_at(sim, 0, terms->index) ? -1 : 1,
                           .thing = "node",
                           .says_thing = true};
-    snprintf(label.text, sizeof label.text, "%zu\nN %s", node, share);
+    snprintf(label.text, sizeof label.text, "%zu\nN %s", node,
+             text_fitted(terms->links[link].weight, 5, 9).text);
     for (int f = 0; f < terms->n_flows && terms->to_nodes; f++) {
         const char *field = terms->flows[f].exchange->field;
         cell_value_add(screen, 1, node, field, strcmp(field, "mass") == 0 ? "m" : field, false, label.text,

@@ -248,10 +248,8 @@ static void energy_phrases(const Screen *screen, const Stack *stack, const Axis 
     out[0] = '\0';
     if (record->count == 0 || !now || total < 0)
         return;
-    char number[NUMBER_TEXT_MAX];
     double sharp, first;
-    text_fitted(now[total], 4, 10, number);
-    text_append(out, 320, "total %s", number);
+    text_append(out, 320, "total %s", text_fitted(now[total], 4, 10).text);
     /* what is kept is told once: the total as a share of the start would tell its ripple as well */
     const bool known = experiment_invariant(screen->experiment, &sharp, &first) && first > 0;
     if (start[total] != 0 && !known) {
@@ -263,16 +261,15 @@ static void energy_phrases(const Screen *screen, const Stack *stack, const Axis 
     }
     if (known) {
         const double loss = 100 * (1 - sharp / first);
-        text_fitted(sharp, 4, 10, number);
-        text_append(out, 320, "  E* %s, %s %.3f %%", number, loss < -5e-4 ? "gain" : "loss", fabs(loss));
+        text_append(out, 320, "  E* %s, %s %.3f %%", text_fitted(sharp, 4, 10).text,
+                    loss < -5e-4 ? "gain" : "loss", fabs(loss));
     }
     double lumping, hidden;
     const bool shares = unseen_shares(screen, record, x, &lumping, &hidden);
     const double rigid = rigid_energy(screen->experiment);
-    if (rigid > 0) {
-        text_fitted(rigid, 4, 10, number);
-        text_append(out, 320, "  kinetic %s J of travel%s: not drawn", number, wide ? " (1/2 m v0^2)" : "");
-    }
+    if (rigid > 0)
+        text_append(out, 320, "  kinetic %s J of travel%s: not drawn", text_fitted(rigid, 4, 10).text,
+                    wide ? " (1/2 m v0^2)" : "");
     if (shares && isfinite(hidden))
         text_append(out, 320, "  null space %.2f %%%s", 100 * hidden,
                     wide ? " of kinetic in this window" : "");
@@ -297,15 +294,13 @@ static void residual_phrases(const Screen *screen, double most_work, char out[32
     if (!now || !(most_work > 0) || work < 0 || total < 0 || record->count == 0)
         return;
     const double residual = now[total] - record_row(record, 0)[total] - now[work];
-    char sum[NUMBER_TEXT_MAX], load[NUMBER_TEXT_MAX];
-    text_fitted(now[total], 4, 9, sum);
-    text_fitted(now[work], 4, 9, load);
     snprintf(out, 320, "residual %+.2f %% of the work", 100 * residual / most_work);
     const int dissipated = screen_column(screen, "dissipated");
     if (breaks(screen->experiment) && dissipated >= 0 && now[dissipated] > 0)
         text_append(out, 320, "  = %.1f %% of what broke  breaking is first order in dt",
                     100 * residual / now[dissipated]);
-    text_append(out, 320, "  total %s J  work %s J", sum, load);
+    text_append(out, 320, "  total %s J  work %s J", text_fitted(now[total], 4, 9).text,
+                text_fitted(now[work], 4, 9).text);
 }
 
 static int variants_of(const Screen *screen)

@@ -261,7 +261,7 @@ static void frequency_lines(const Screen *screen, int width, char first[160], ch
 static void cursor_line(const Screen *screen, const Line *lines, int n_lines, const char *curve, int digits,
                         bool brief, char out[160])
 {
-    char time[48], number[NUMBER_TEXT_MAX], letter[2] = "";
+    char time[48], letter[2] = "";
     out[0] = '\0';
     for (int i = 0; i < n_lines; i++) {
         const Record *record = lines[i].run->record;
@@ -274,16 +274,15 @@ static void cursor_line(const Screen *screen, const Line *lines, int n_lines, co
         }
         if (i > 0 && !isfinite(row[lines[i].column]))
             continue;
-        text_fitted(row[lines[i].column], digits, 12, number);
         letter[0] = lines[i].run->letter;
         const char *name = lines[i].own && letter[0] ? letter : lines[i].key.name;
-        text_append(out, 160, "  %s %s", brief ? legend_short_name(name) : name, number);
+        text_append(out, 160, "  %s %s", brief ? legend_short_name(name) : name,
+                    text_fitted(row[lines[i].column], digits, 12).text);
     }
     const double foreign = overlay_value(screen, curve, false, screen->time.cursor);
-    if (isfinite(foreign)) {
-        text_fitted(foreign, digits, 12, number);
-        text_append(out, 160, "  %s %s", brief ? "file" : screen->overlay->file, number);
-    }
+    if (isfinite(foreign))
+        text_append(out, 160, "  %s %s", brief ? "file" : screen->overlay->file,
+                    text_fitted(foreign, digits, 12).text);
 }
 
 /* One line for each run of a duel: what matters most first. */

@@ -189,10 +189,10 @@ static double apart(const Section *section)
 static void append_quantity(char out[160], const char *before, double value, const char *unit)
 {
     Axis axis = axis_symmetric(fabs(value));
-    char number[NUMBER_TEXT_MAX], scale[TICK_TEXT_MAX];
-    text_fitted(value / math_pow(10, axis.exponent), 3, 8, number);
+    char scale[TICK_TEXT_MAX];
     axis_scale_text(&axis, unit, scale);
-    text_append(out, 160, "%s %s%s%s", before, number, scale[0] ? " " : "", scale);
+    text_append(out, 160, "%s %s%s%s", before, text_fitted(value / math_pow(10, axis.exponent), 3, 8).text,
+                scale[0] ? " " : "", scale);
 }
 
 static void section_line(const Section *section, char out[160])
@@ -203,12 +203,10 @@ static void section_line(const Section *section, char out[160])
     if (!is_beam(section->screen))
         return;
     if (!of->resultant) {
-        char slope[NUMBER_TEXT_MAX];
         append_quantity(out, "  off the line by", away, of->unit);
         if (share < 1)
             text_append(out, 160, " = %.1f %%", 100 * share);
-        text_fitted(slope_of(section), 3, 10, slope);
-        text_append(out, 160, "  duy/dx %s", slope);
+        text_append(out, 160, "  duy/dx %s", text_fitted(slope_of(section), 3, 10).text);
         return;
     }
     text_append(out, 160, "  %s %.3g %s", of->resultant, section->resultant, of->resultant_unit);

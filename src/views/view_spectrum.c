@@ -211,14 +211,11 @@ static void peak_line(const Screen *screen, const Scale *scale, bool fast, char 
     double peaks[PEAKS_MAX];
     const int count = peaks_of(scale, fast, peaks);
     const double bin = scale->spectrum->step / scale->unit;
-    char number[NUMBER_TEXT_MAX];
     snprintf(out, 160, count == 0 ? "no peak stands out" : count == 1 ? "peak at" : "peaks at");
-    for (int i = 0; i < count; i++) {
-        text_fitted(peaks[i], 4, 8, number);
-        text_append(out, 160, "%s %s", i > 0 ? "," : "", number);
-    }
-    text_fitted(bin, 2, 8, number);
-    text_append(out, 160, "%s; a bin is %s", !screen_problem(screen)->si ? "" : " kHz", number);
+    for (int i = 0; i < count; i++)
+        text_append(out, 160, "%s %s", i > 0 ? "," : "", text_fitted(peaks[i], 4, 8).text);
+    text_append(out, 160, "%s; a bin is %s", !screen_problem(screen)->si ? "" : " kHz",
+                text_fitted(bin, 2, 8).text);
 }
 
 /* Why there is no picture yet; false: there is one. */

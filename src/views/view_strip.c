@@ -86,13 +86,11 @@ static void enlarge(Strip *strip, double room)
 /* "A: particles at x0 + 5 u" */
 static void note_factor(const Strip *strip, const char *what, const char *moved)
 {
-    char text[96], number[NUMBER_TEXT_MAX];
-    if (simulation_has(strip->sim, HAS_LINE))
-        text_rounded(number, strip->k, 3);
-    else
-        text_factor(strip->k, number);
+    const NumberText factor =
+        simulation_has(strip->sim, HAS_LINE) ? text_rounded(strip->k, 3) : text_factor(strip->k);
+    char text[96];
     snprintf(text, sizeof text, "%s%s + %s%s%s", screen_second_run(strip->screen) ? "A: " : "", what,
-             strip->k == 1 ? "" : number, strip->k == 1 ? "" : " ", moved);
+             strip->k == 1 ? "" : factor.text, strip->k == 1 ? "" : " ", moved);
     picture_note(strip->picture, STYLE_FAINT, text);
 }
 
@@ -209,11 +207,8 @@ static void add_links(const Bar *bar, Flow flow)
     list(strip, STYLE_HEADING, "particle %zu and its nodes", strip->chosen);
     for (size_t i = 0; i < found; i++) {
         const double x = node_at(bar, links[i].index), column = column_of(bar, x);
-        char place[NUMBER_TEXT_MAX], weight[NUMBER_TEXT_MAX], slope[NUMBER_TEXT_MAX];
-        text_fitted(x, 5, 10, place);
-        text_fitted(links[i].weight, 4, 10, weight);
-        text_fitted(links[i].gradient[0], 4, 10, slope);
-        list(strip, STYLE_NORMAL, "node %zu  x %s  N %s  N' %s", links[i].index, place, weight, slope);
+        list(strip, STYLE_NORMAL, "node %zu  x %s  N %s  N' %s", links[i].index, text_fitted(x, 5, 10).text,
+             text_fitted(links[i].weight, 4, 10).text, text_fitted(links[i].gradient[0], 4, 10).text);
         if (!strip->paused)
             continue;
         put(strip, column, 0, node);
@@ -378,12 +373,9 @@ static void list_bonds(const Strip *strip)
     Link links[LINKS_MAX];
     const size_t count = find_links(strip, links);
     list(strip, STYLE_HEADING, "particle %zu and its bonds", strip->chosen);
-    for (size_t i = 0; i < count; i++) {
-        char stretch[NUMBER_TEXT_MAX], pull[NUMBER_TEXT_MAX];
-        text_fitted(links[i].stretch, 4, 10, stretch);
-        text_fitted(links[i].pull, 4, 10, pull);
-        list(strip, STYLE_NORMAL, "to %zu  stretch %s  pull %s", links[i].index, stretch, pull);
-    }
+    for (size_t i = 0; i < count; i++)
+        list(strip, STYLE_NORMAL, "to %zu  stretch %s  pull %s", links[i].index,
+             text_fitted(links[i].stretch, 4, 10).text, text_fitted(links[i].pull, 4, 10).text);
 }
 
 static void note_nodes(const NodeRow *row, bool pulls, bool mirrors)

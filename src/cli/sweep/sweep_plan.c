@@ -62,7 +62,7 @@ static bool split_range(const char *text, char parts[3][VALUE_MAX])
  * the ends are taken as they were written. */
 static bool read_range(SweepKey *key, const char *text, Status *status)
 {
-    char parts[3][VALUE_MAX], value[NUMBER_TEXT_MAX];
+    char parts[3][VALUE_MAX];
     double low, high;
     long count;
     if (!split_range(text, parts) || !text_to_double(parts[0], &low) || !text_to_double(parts[1], &high) ||
@@ -70,8 +70,8 @@ static bool read_range(SweepKey *key, const char *text, Status *status)
         return status_refuse(status, "%s: %s: %.60s is no range (LO:HI:N, N from 2 to %d)", key->origin,
                              key->key, text, SWEEP_COMBINATIONS_MAX);
     for (long i = 0; i < count; i++) {
-        text_rounded(value, low + (high - low) * (double)i / (double)(count - 1), 12);
-        const char *kept = i == 0 ? parts[0] : i == count - 1 ? parts[1] : value;
+        const NumberText value = text_rounded(low + (high - low) * (double)i / (double)(count - 1), 12);
+        const char *kept = i == 0 ? parts[0] : i == count - 1 ? parts[1] : value.text;
         if (!keep_value(key, kept, strlen(kept), status))
             return false;
     }

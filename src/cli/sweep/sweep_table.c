@@ -81,7 +81,7 @@ static void cell_text(const SweepTable *table, int column, double value, char ou
     else if (isnan(value))
         snprintf(out, VALUE_MAX, "-");
     else
-        text_rounded(out, value, 6);
+        strcpy(out, text_rounded(value, 6).text);
 }
 
 void sweep_table_write_text(const SweepTable *table, FILE *stream)

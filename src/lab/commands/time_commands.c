@@ -39,13 +39,12 @@ static void run_again(Laboratory *lab)
 {
     const double rate = lab->player.rates[RATE_RUN];
     double seconds = rate > 0 ? (double)experiment_last_step(laboratory_run(lab)) / rate : 0;
-    char takes[NUMBER_TEXT_MAX];
     if (seconds < AGAIN_SECONDS) {
         begin_again(lab, true);
         return;
     }
-    text_rounded(takes, seconds, 2);
-    prompt_ask(&lab->prompting, answer_again, true, "", "run again from t = 0? it takes about %s s", takes);
+    prompt_ask(&lab->prompting, answer_again, true, "", "run again from t = 0? it takes about %s s",
+               text_rounded(seconds, 2).text);
 }
 
 void command_run_or_pause(Laboratory *lab)
@@ -218,9 +217,9 @@ bool command_answer_go_to(Laboratory *lab, const char *text)
     } else
         return prompt_refuse(&lab->prompting, "a time, as in 12.5, or a step, as in #1000");
     if (step < 0 || step > last) {
-        char end[NUMBER_TEXT_MAX], why[120];
-        text_rounded(end, (double)last * dt, 6);
-        snprintf(why, sizeof why, "the run goes from 0 to %s (#0 to #%ld)", end, last);
+        char why[120];
+        snprintf(why, sizeof why, "the run goes from 0 to %s (#0 to #%ld)",
+                 text_rounded((double)last * dt, 6).text, last);
         return prompt_refuse(&lab->prompting, why);
     }
     player_pause(lab);

@@ -149,7 +149,7 @@ bool command_answer_loop(Laboratory *lab, const char *text)
     const double dt = experiment_simulation(laboratory_run(lab))->dt;
     const double end = (double)experiment_last_step(laboratory_run(lab)) * dt;
     Stretch loop = {.on = true};
-    char why[120], last[NUMBER_TEXT_MAX];
+    char why[120];
     if (!*text && lab->player.playback.looping) {
         player_loop(lab, &(Stretch){.on = false});
         laboratory_say(lab, MESSAGE_INFO, "the run goes on to its end again");
@@ -160,8 +160,9 @@ bool command_answer_loop(Laboratory *lab, const char *text)
         loop.to = lab->player.bookmarks.places[lab->player.bookmarks.count - 1].time;
     } else if (!read_times(text, laboratory_run(lab), &loop.from, &loop.to) || !(loop.from >= 0) ||
                !(loop.to <= end * (1 + 1e-9)) || !(loop.to >= loop.from + dt * (1 - 1e-9))) {
-        text_rounded(last, end, 6);
-        snprintf(why, sizeof why, "two times are wanted, as in loop 0 %s, the second at most %s", last, last);
+        const NumberText last = text_rounded(end, 6);
+        snprintf(why, sizeof why, "two times are wanted, as in loop 0 %s, the second at most %s", last.text,
+                 last.text);
         return prompt_refuse(&lab->prompting, why);
     }
     player_pause(lab);

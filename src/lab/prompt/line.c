@@ -160,11 +160,10 @@ static bool overlay(Laboratory *lab, const char *words)
     lab->overlay = read;
     screen->overlay = &lab->overlay;
     const double *place = read.columns[read.x].values;
-    char from[NUMBER_TEXT_MAX], to[NUMBER_TEXT_MAX];
-    text_rounded(from, read.count ? place[0] : NAN, 5);
-    text_rounded(to, read.count ? place[read.count - 1] : NAN, 5);
     laboratory_say(lab, MESSAGE_INFO, "%s: %zu rows, %s from %s to %s; :overlay alone takes it away",
-                   read.file, read.count, read.along ? "x" : "t", from, to);
+                   read.file, read.count, read.along ? "x" : "t",
+                   text_rounded(read.count ? place[0] : NAN, 5).text,
+                   text_rounded(read.count ? place[read.count - 1] : NAN, 5).text);
     return true;
 }
 

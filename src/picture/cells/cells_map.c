@@ -499,9 +499,8 @@ static int draw_length(const PictureMap *map, Area area, int x, int y, int end)
     enum { COLUMNS_MOST = 10 };
     const double length = axis_step_down(COLUMNS_MOST / map->scale[0]);
     const int columns = (int)lround(length * map->scale[0]);
-    char number[NUMBER_TEXT_MAX], text[NUMBER_TEXT_MAX + 8];
-    text_rounded(number, 1e3 * length, 3);
-    snprintf(text, sizeof text, " %s mm", number);
+    char text[NUMBER_TEXT_MAX + 8];
+    snprintf(text, sizeof text, " %s mm", text_rounded(1e3 * length, 3).text);
     if (x + columns + glyphs_columns(text) > end)
         return 0;
     for (int i = 0; i < columns; i++)

@@ -172,13 +172,12 @@ static void tell_why(const Screen *screen, Words *words)
     if (!screen_shows_exact(screen) || !screen_shows_predicted(screen) || mode > dispersion_modes(settings) ||
         !dispersion_mode(settings, mode, &on_mesh) || !isfinite(on_mesh.predicted))
         return;
-    char ratio[NUMBER_TEXT_MAX], factor[NUMBER_TEXT_MAX], text[400] = "";
-    text_rounded(ratio, on_mesh.predicted / on_mesh.exact, DIGITS);
-    for (int i = 0; i < on_mesh.n_factors; i++) {
-        text_rounded(factor, on_mesh.factors[i].value, DIGITS);
-        text_append(text, sizeof text, "%s %s %s", i ? " times" : "", on_mesh.factors[i].name, factor);
-    }
-    words_say(words, 2, "Mode %d swings on this mesh at %s of the exact frequency:%s.", mode, ratio, text);
+    char text[400] = "";
+    for (int i = 0; i < on_mesh.n_factors; i++)
+        text_append(text, sizeof text, "%s %s %s", i ? " times" : "", on_mesh.factors[i].name,
+                    text_rounded(on_mesh.factors[i].value, DIGITS).text);
+    words_say(words, 2, "Mode %d swings on this mesh at %s of the exact frequency:%s.", mode,
+              text_rounded(on_mesh.predicted / on_mesh.exact, DIGITS).text, text);
 }
 
 static void tell_focus(const Screen *screen, Words *words)
@@ -217,11 +216,9 @@ static void tell_row(const Settings *settings, const RowPlace *place, Words *wor
 static void tell_derived(const Screen *screen, int index, Words *words)
 {
     Derived derived[DERIVED_MAX];
-    char value[NUMBER_TEXT_MAX];
     experiment_derived(screen->experiment, derived);
-    text_rounded(value, derived[index].value, DIGITS);
-    words_say(words, 2, "%s: %s %s; it follows from the parameters.", derived[index].label, value,
-              derived[index].unit);
+    words_say(words, 2, "%s: %s %s; it follows from the parameters.", derived[index].label,
+              text_rounded(derived[index].value, DIGITS).text, derived[index].unit);
 }
 
 static void tell_parameter(const Screen *screen, Words *words)
@@ -256,14 +253,14 @@ static void tell_body(const Screen *screen, Words *words)
     text_append(text, sizeof text, ". Chosen is %s %zu:", sim->sets[set].name, index);
     for (int i = 0; i < sim->n_fields; i++) {
         const Field *field = &sim->fields[i];
-        char value[NUMBER_TEXT_MAX], unit[40];
+        char unit[40];
         double number = NAN;
         if (field->set != set || !field->in_table)
             continue;
         sim->method->field(sim, i, index, 1, &number);
-        text_rounded(value, number, DIGITS);
         screen_unit_text(screen, field, unit, sizeof unit);
-        text_append(text, sizeof text, " %s %s%s,", field->quantity.label, value, unit);
+        text_append(text, sizeof text, " %s %s%s,", field->quantity.label, text_rounded(number, DIGITS).text,
+                    unit);
     }
     text[strlen(text) - 1] = '.';
     words_say(words, 2, "%s", text);

@@ -45,9 +45,9 @@ static Measure measure_of(const Axis *axis, const char *name)
 
 static const char *number(const Measure *measure, double value, char out[NAME_MAX])
 {
-    char digits[NUMBER_TEXT_MAX];
-    text_rounded(digits, fabs(value) < measure->nothing ? 0 : value / measure->scale, DIGITS);
-    snprintf(out, NAME_MAX, "%s%s", digits, measure->unit);
+    snprintf(out, NAME_MAX, "%s%s",
+             text_rounded(fabs(value) < measure->nothing ? 0 : value / measure->scale, DIGITS).text,
+             measure->unit);
     return out;
 }
 
@@ -402,10 +402,10 @@ static void place_of(const PictureMap *map, size_t piece, char out[NAME_MAX])
 /* "greatest: 1.2 J/m^3, 37 % along, at the upper edge." */
 static void say_piece(Words *words, const char *what, const PictureMap *map, size_t piece)
 {
-    char place[NAME_MAX], value[NUMBER_TEXT_MAX];
+    char place[NAME_MAX];
     place_of(map, piece, place);
-    text_rounded(value, map->value[piece], DIGITS);
-    words_say(words, 4, "  %s: %s%s%s, %s.", what, value, map->unit[0] ? " " : "", map->unit, place);
+    words_say(words, 4, "  %s: %s%s%s, %s.", what, text_rounded(map->value[piece], DIGITS).text,
+              map->unit[0] ? " " : "", map->unit, place);
 }
 
 static void say_map(const Picture *picture, Words *words)
@@ -420,13 +420,11 @@ static void say_map(const Picture *picture, Words *words)
         least = least == count || map->value[i] < map->value[least] ? i : least;
         greatest = greatest == count || map->value[i] > map->value[greatest] ? i : greatest;
     }
-    char times[NUMBER_TEXT_MAX], value[NUMBER_TEXT_MAX];
-    text_factor(map->enlarged, times);
     words_say(words, 4, "  %d by %d nodes, coloured by %s; displacements are drawn %s times as large.",
-              map->nx, map->ny, picture->heading, times);
+              map->nx, map->ny, picture->heading, text_factor(map->enlarged).text);
     if (shown > 0 && map->value[greatest] == map->value[least]) {
-        text_rounded(value, map->value[least], DIGITS);
-        words_say(words, 4, "  everywhere %s%s%s.", value, map->unit[0] ? " " : "", map->unit);
+        words_say(words, 4, "  everywhere %s%s%s.", text_rounded(map->value[least], DIGITS).text,
+                  map->unit[0] ? " " : "", map->unit);
     } else if (shown > 0) {
         say_piece(words, "greatest", map, greatest);
         say_piece(words, "least", map, least);
@@ -472,7 +470,7 @@ static void say_list(const Picture *picture, Words *words)
         for (int c = 0; c < list->n_columns; c++) {
             const PictureCell *cell = picture_cell(list, c, i);
             const ListKind kind = list->columns[c].kind;
-            text_rounded(value, cell->value, LIST_DIGITS);
+            strcpy(value, text_rounded(cell->value, LIST_DIGITS).text);
             if (kind == LIST_SIGN)
                 snprintf(value, sizeof value, "%c", cell->letter);
             if (kind != LIST_SIGN || cell->letter)
@@ -526,7 +524,7 @@ static void say_table(const PictureTable *table, Words *words)
     for (size_t i = 0; i < table->count; i++) {
         text[0] = '\0';
         for (int c = 0; c < table->n_columns; c++) {
-            text_rounded(value, table->columns[c].values[i], LIST_DIGITS);
+            strcpy(value, text_rounded(table->columns[c].values[i], LIST_DIGITS).text);
             if (table->columns[c].adds)
                 sum_column_number(table->columns[c].values[i], writings[c], writings[c].decimals, value);
             text_append(text, sizeof text, "%s %s", c ? "," : "", value);

@@ -179,7 +179,7 @@ static void add_value(const RowKind *kind, const Row *row, int index, int digits
     if (digits == 0)
         text_shortest(number, row->values[index]);
     else
-        text_rounded(number, row->values[index], digits);
+        strcpy(number, text_rounded(row->values[index], digits).text);
     text_append(out, size, "%s%s%s%s%s", *out ? " " : "", column->optional ? column->word : "",
                 column->optional ? " " : "",
                 column->value == ROW_EDGE ? row_edge_words[(int)row->values[index]] : number,

@@ -288,5 +288,5 @@ void settings_row_key_show(const Settings *settings, const char *key, char out[R
     if (row_kinds[at.kind].columns[column].value == ROW_EDGE)
         strcpy(out, row_edge_words[(int)value]);
     else if (isfinite(value))
-        text_rounded(out, value, 6);
+        strcpy(out, text_rounded(value, 6).text);
 }

@@ -70,9 +70,9 @@ void settings_row_place_show(const Settings *settings, const RowPlace *place, ch
     if (place->value == 0)
         return;
     const RowColumn *column = &kind->columns[place->value - 1];
-    char number[NUMBER_TEXT_MAX];
-    text_rounded(number, settings_row_value(settings, place->kind, place->row, place->value - 1), 6);
-    snprintf(value, ROW_TEXT_MAX, "%s %s", number, column->unit);
+    snprintf(value, ROW_TEXT_MAX, "%s %s",
+             text_rounded(settings_row_value(settings, place->kind, place->row, place->value - 1), 6).text,
+             column->unit);
     if (place->all)
         snprintf(name, 64, "%s of all %s", column->word, kind->section);
     else

@@ -21,18 +21,17 @@ static void describe_node(const Screen *screen, size_t node, size_t n_bonds, Pic
     static const char *const told[][2] = {
         {"u", "u"}, {"v", "v"}, {"stress", "stress"}, {"strain", "strain"}, {"g", "surface_factor"}};
     const Simulation *sim = experiment_simulation(screen->experiment);
-    char text[160] = "", number[NUMBER_TEXT_MAX];
-    text_fitted(named(sim, node, "x0"), 6, 12, number);
+    char text[160] = "";
     snprintf(text, sizeof text, "%snode %zu at X = %s: %zu bonds", screen_second_run(screen) ? "A: " : "",
-             node, number, n_bonds);
+             node, text_fitted(named(sim, node, "x0"), 6, 12).text, n_bonds);
     picture_heading(picture, text);
     snprintf(picture->hints[0], sizeof picture->hints[0], " ← → next node  i closes ");
     text[0] = '\0';
     for (size_t i = 0; i < sizeof told / sizeof *told; i++) {
         if (simulation_find_field(sim, 0, told[i][1]) < 0)
             continue;
-        text_fitted(named(sim, node, told[i][1]), 5, 11, number);
-        text_append(text, sizeof text, "%s%s = %s", *text ? "  " : "", told[i][0], number);
+        text_append(text, sizeof text, "%s%s = %s", *text ? "  " : "", told[i][0],
+                    text_fitted(named(sim, node, told[i][1]), 5, 11).text);
     }
     picture_note(picture, STYLE_NORMAL, text);
     picture_note(picture, STYLE_FAINT,

@@ -159,13 +159,11 @@ static void describe_around(const Family *family, PictureAround *around)
 static void note_stretch(const Family *family, const Ray *ray, Picture *picture)
 {
     const double s0 = critical_stretch(family);
-    char text[96], number[NUMBER_TEXT_MAX], share[NUMBER_TEXT_MAX], critical[NUMBER_TEXT_MAX];
-    text_fitted(ray->stretch, 4, 12, number);
-    text_fitted(100 * ray->stretch / s0, 4, 8, share);
-    text_fitted(s0, 4, 12, critical);
-    snprintf(text, sizeof text, "s = %s", number);
+    char text[96];
+    snprintf(text, sizeof text, "s = %s", text_fitted(ray->stretch, 4, 12).text);
     if (s0 > 0)
-        text_append(text, sizeof text, " = %s %% of s0 = %s", share, critical);
+        text_append(text, sizeof text, " = %s %% of s0 = %s", text_fitted(100 * ray->stretch / s0, 4, 8).text,
+                    text_fitted(s0, 4, 12).text);
     picture_note(picture, STYLE_CHANGED, text);
 }
 

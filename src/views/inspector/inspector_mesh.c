@@ -237,21 +237,21 @@ static void describe_masses(const Subject *subject, Picture *picture)
 }
 
 /* "particle 25 at x = 12.5, in cell 12", "node 13 at x = 13, held by a support". */
+static double named(const Simulation *sim, const Subject *subject, const char *field)
+{
+    return simulation_value(sim, simulation_find_field(sim, subject->set, field), subject->index);
+}
+
 static void describe_subject(const Subject *subject, Picture *picture)
 {
     const Simulation *sim = subject->sim;
-    char text[96], number[NUMBER_TEXT_MAX];
+    char text[96];
     const int cell = simulation_find_field(sim, subject->set, "cell"),
               fixed = simulation_find_field(sim, subject->set, "fixed");
-    text_fitted(simulation_value(sim, simulation_find_field(sim, subject->set, "x"), subject->index), 6, 10,
-                number);
     snprintf(text, sizeof text, "%s%s %zu at x = %s", screen_second_run(subject->screen) ? "A: " : "",
-             sim->sets[subject->set].name, subject->index, number);
-    if (subject->shapes == 3) {
-        text_fitted(simulation_value(sim, simulation_find_field(sim, subject->set, "y"), subject->index), 6,
-                    10, number);
-        text_append(text, sizeof text, ", y = %s", number);
-    }
+             sim->sets[subject->set].name, subject->index, text_fitted(named(sim, subject, "x"), 6, 10).text);
+    if (subject->shapes == 3)
+        text_append(text, sizeof text, ", y = %s", text_fitted(named(sim, subject, "y"), 6, 10).text);
     const char *held =
         fixed >= 0 && simulation_value(sim, fixed, subject->index) > 0 ? ", held by a support" : "";
     snprintf(picture->brief, sizeof picture->brief, "%.70s%s", text, held);

@@ -80,8 +80,7 @@ static void label_size(const Drawing *drawing, double x, double y, int side, con
 static void label_length(const Drawing *drawing, double x, double y, int side, double metres)
 {
     char text[NUMBER_TEXT_MAX + 8];
-    text_rounded(text, 1e3 * metres, 4);
-    text_append(text, sizeof text, " mm");
+    snprintf(text, sizeof text, "%s mm", text_rounded(1e3 * metres, 4).text);
     label_size(drawing, x, y, side, text);
 }
 
@@ -135,9 +134,8 @@ static void add_channel(const Drawing *drawing)
         trace(drawing, STROKE_BAND, STYLE_FRAME, 4, places);
         plot->strokes[plot->n_strokes - 1].fill = 2; /* no darker than the beam's outline */
     }
-    char text[48], number[NUMBER_TEXT_MAX];
-    text_rounded(number, settings_motion(drawing->settings)->speed, 4);
-    snprintf(text, sizeof text, "→ %s m/s", number);
+    char text[48];
+    snprintf(text, sizeof text, "→ %s m/s", text_rounded(settings_motion(drawing->settings)->speed, 4).text);
     label(drawing, from + 2, row_of(drawing, 0.5), 1, text, STYLE_HEADING);
 }
 
@@ -161,7 +159,7 @@ static void add_pressure(const Drawing *drawing)
     const double half = settings_loads(settings)->width / 2, top = drawing->room.top,
                  from = column_of(drawing, settings_loads(settings)->position - half),
                  to = column_of(drawing, settings_loads(settings)->position + half);
-    char text[96], number[NUMBER_TEXT_MAX], width[NUMBER_TEXT_MAX];
+    char text[96];
     picture_add_mark(drawing->picture, (PictureMark){.x = (from + to) / 2,
                                                      .y = top,
                                                      .half = (to - from) / 2,
@@ -169,9 +167,9 @@ static void add_pressure(const Drawing *drawing)
                                                      .style = STYLE_HEADING,
                                                      .kind = MARK_STANDS,
                                                      .side = {0, 1}});
-    text_rounded(number, 1e-6 * settings_loads(settings)->stress, 4);
-    text_rounded(width, 1e3 * settings_loads(settings)->width, 4);
-    snprintf(text, sizeof text, "%s MPa on %s mm", number, width);
+    snprintf(text, sizeof text, "%s MPa on %s mm",
+             text_rounded(1e-6 * settings_loads(settings)->stress, 4).text,
+             text_rounded(1e3 * settings_loads(settings)->width, 4).text);
     label_size(drawing, to + 1, top + 1, 1, text);
     put(drawing, column_of(drawing, settings_supports(settings)->left), drawing->room.bottom, MARK_STANDS, -1,
         settings_supports(settings)->pinned ? 0x25b2 : 0x25cb);
@@ -224,8 +222,7 @@ static void add_traction(const Drawing *drawing, int row, double ends[2][2])
     }
     picture_spread(drawing->picture, places[0], places[1], (double[]){1, 1}, &arrow);
     char text[NUMBER_TEXT_MAX + 8];
-    text_rounded(text, 1e-6 * math_hypot(sx, sy), 4);
-    text_append(text, sizeof text, " MPa");
+    snprintf(text, sizeof text, "%s MPa", text_rounded(1e-6 * math_hypot(sx, sy), 4).text);
     if (up)
         label_size(drawing, fmax(places[0][0], places[1][0]) + 2, places[0][1] + up, 1, text);
     else
@@ -306,24 +303,21 @@ static void add_parts(const Drawing *drawing)
 static void add_notes(const Drawing *drawing)
 {
     const Settings *settings = drawing->settings;
-    char text[160], a[NUMBER_TEXT_MAX], b[NUMBER_TEXT_MAX], c[NUMBER_TEXT_MAX];
-    text_rounded(a, drawing->room.stretch, 2);
+    char text[160];
     const double least = drawing->picture->whole ? 0.2 : 1e-9; /* a row is not stretched */
     snprintf(text, sizeof text, fabs(math_log(drawing->room.stretch)) < least ? "to scale" : "height × %s",
-             a);
+             text_rounded(drawing->room.stretch, 2).text);
     picture_note(drawing->picture, STYLE_NORMAL, text);
-    text_rounded(a, 1e-9 * settings_material(settings)->youngs_modulus, 4);
-    text_rounded(b, settings_material(settings)->density, 5);
-    text_rounded(c, 1e3 * settings_geometry(settings)->thickness, 4);
-    snprintf(text, sizeof text, "E %s GPa  density %s kg/m³  thickness %s mm", a, b, c);
-    if (drawing->scene.bent && settings_start(settings)->amplitude != 0) {
-        text_rounded(a, 1e6 * settings_start(settings)->amplitude, 4);
-        text_append(text, sizeof text, "  U %s µm", a);
-    }
-    if (settings_loads(settings)->body_force != 0) {
-        text_rounded(a, settings_loads(settings)->body_force, 4);
-        text_append(text, sizeof text, "  body force %s m/s²", a);
-    }
+    snprintf(text, sizeof text, "E %s GPa  density %s kg/m³  thickness %s mm",
+             text_rounded(1e-9 * settings_material(settings)->youngs_modulus, 4).text,
+             text_rounded(settings_material(settings)->density, 5).text,
+             text_rounded(1e3 * settings_geometry(settings)->thickness, 4).text);
+    if (drawing->scene.bent && settings_start(settings)->amplitude != 0)
+        text_append(text, sizeof text, "  U %s µm",
+                    text_rounded(1e6 * settings_start(settings)->amplitude, 4).text);
+    if (settings_loads(settings)->body_force != 0)
+        text_append(text, sizeof text, "  body force %s m/s²",
+                    text_rounded(settings_loads(settings)->body_force, 4).text);
     picture_note(drawing->picture, STYLE_FAINT, text);
 }
 

@@ -201,9 +201,8 @@ static void draw_load(Map *map)
     const double share =
         settings_loads(settings)->ramp > 0 ? fmin(1, time / settings_loads(settings)->ramp) : 1;
     PictureLabel label = {.x = last->x, .y = last->y, .side = 1, .style = STYLE_NORMAL};
-    char stress[NUMBER_TEXT_MAX];
-    text_fitted(settings_loads(settings)->stress * 1e-6, 4, 8, stress);
-    text_append(label.text, sizeof label.text, "%s MPa", stress);
+    text_append(label.text, sizeof label.text, "%s MPa",
+                text_fitted(settings_loads(settings)->stress * 1e-6, 4, 8).text);
     if (share < 1)
         text_append(label.text, sizeof label.text, " x %.2f", share);
     picture_label(map->picture, &label);
