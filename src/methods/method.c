@@ -277,6 +277,11 @@ double simulation_value(const Simulation *sim, int field, size_t index)
     return value;
 }
 
+double simulation_named(const Simulation *sim, int set, const char *name, size_t index)
+{
+    return simulation_value(sim, simulation_find_field(sim, set, name), index);
+}
+
 int simulation_find_series(const Simulation *sim, const char *name)
 {
     for (int i = 0; i < sim->n_series; i++)

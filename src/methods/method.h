@@ -359,8 +359,9 @@ void simulation_report(Simulation *, EventKind, const char *text);
 /* Marks the simulation as failed; returns false, as status_fail() does. */
 bool simulation_fail(Simulation *, Status *, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
-/* One value of a field; NAN: there is no such field (-1). */
+/* One value of a field, by its index or its name; NAN: there is no such field (-1). */
 double simulation_value(const Simulation *, int field, size_t index);
+double simulation_named(const Simulation *, int set, const char *name, size_t index);
 
 /* The index of a field, series entry or stage by name; -1: there is none. */
 int simulation_find_field(const Simulation *, int set, const char *name);

@@ -41,7 +41,7 @@ typedef struct Near {
 
 static double node_at(const Near *near, size_t node)
 {
-    return simulation_value(near->sim, simulation_find_field(near->sim, 1, "x"), node);
+    return simulation_named(near->sim, 1, "x", node);
 }
 
 static double particle_at(const Near *near, size_t particle)
@@ -106,8 +106,7 @@ static void take_masses(Near *near)
         near->terms.index = near->terms.links[most].index;
         cell_terms_find(&near->terms, NULL, SHOWN_MAX);
     }
-    const double own =
-        simulation_value(near->sim, simulation_find_field(near->sim, 1, "mass"), near->terms.index);
+    const double own = simulation_named(near->sim, 1, "mass", near->terms.index);
     near->has_row = near->done && !near->wiped && own > 0;
     if (near->has_row && !inspector_mass_row(near->sim, 1, near->terms.index, &near->row))
         near->row = (MassRow){near->terms.index, 1, {own}};
@@ -277,10 +276,9 @@ static const char *vector_of(const Near *near)
 /* To the side that it pulls or moves to, the longest of all nodes a little less than half a cell. */
 static void add_vector(const Near *near, Picture *picture, size_t node, double most)
 {
-    const int field = vector_of(near) ? simulation_find_field(near->sim, 1, vector_of(near)) : -1;
-    const double value = field >= 0 ? simulation_value(near->sim, field, node) : 0;
+    const double value = vector_of(near) ? simulation_named(near->sim, 1, vector_of(near), node) : 0;
     const double x = node_at(near, node), share = most > 0 ? value / most : 0;
-    if (fabs(share) < 0.02)
+    if (!(fabs(share) >= 0.02))
         return;
     PictureArrow arrow = {.from = {x, VECTOR_ROW},
                           .to = {x + 0.42 * share * near->spacing, VECTOR_ROW},
@@ -290,8 +288,7 @@ static void add_vector(const Near *near, Picture *picture, size_t node, double m
 
 static void add_support(const Near *near, Picture *picture, size_t node)
 {
-    const int fixed = simulation_find_field(near->sim, 1, "fixed");
-    if (fixed < 0 || !(simulation_value(near->sim, fixed, node) > 0))
+    if (!(simulation_named(near->sim, 1, "fixed", node) > 0))
         return;
     const double x = node_at(near, node), side = node < near->sim->counts[1] / 2 ? -0.08 : 0.02;
     plot_begin(&picture->plot, STROKE_BAND, LINE_SOLID, STYLE_FRAME, RANK_BAND, '%');
@@ -399,10 +396,10 @@ static void add_arrow(const Near *near, Picture *picture, size_t link)
 /* M v = p at the chosen node: what each node of the row brings in. */
 static void add_row(const Near *near, Picture *picture)
 {
-    const int velocity = simulation_find_field(near->sim, 1, "velocity");
     double terms[2 * MASSES_BESIDE_MAX + 1], sum = 0;
     for (size_t k = 0; k < near->row.count; k++)
-        sum += terms[k] = near->row.masses[k] * simulation_value(near->sim, velocity, near->row.first + k);
+        sum += terms[k] =
+            near->row.masses[k] * simulation_named(near->sim, 1, "velocity", near->row.first + k);
     const Writing writing = writing_of(terms, near->row.count, 0, sum, CELL_TERM_WIDTH);
     for (size_t k = 0; k < near->row.count; k++) {
         const size_t node = near->row.first + k;
@@ -511,7 +508,6 @@ static void add_sums(const Near *near, Picture *picture)
 static void describe_near(const Near *near, Picture *picture)
 {
     const Simulation *sim = near->sim;
-    const int x = simulation_find_field(sim, 1, "x");
     const int vector = vector_of(near) ? simulation_find_field(sim, 1, vector_of(near)) : -1;
     char name[PICTURE_TEXT_MAX];
     double most = 0;
@@ -529,7 +525,7 @@ static void describe_near(const Near *near, Picture *picture)
     for (int linked = 1; linked >= 0; linked--) {
         for (size_t i = 0; i < sim->counts[1]; i++)
             if (is_link(near, 1, i) == linked && !(near->terms.set == 1 && i == near->terms.index) &&
-                simulation_value(sim, x, i) > near->low && simulation_value(sim, x, i) < near->high)
+                node_at(near, i) > near->low && node_at(near, i) < near->high)
                 add_node(near, picture, i, most);
         for (size_t i = 0; i < sim->counts[0]; i++)
             if (is_link(near, 0, i) == linked && !(near->terms.set == 0 && i == near->terms.index) &&

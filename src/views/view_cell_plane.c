@@ -14,7 +14,7 @@ enum { SHOWN_MAX = 4, LOW_ROWS = 10 };
 
 static double node_at(const Simulation *sim, int direction, size_t node)
 {
-    return simulation_value(sim, simulation_find_field(sim, 1, direction ? "y" : "x"), node);
+    return simulation_named(sim, 1, direction ? "y" : "x", node);
 }
 
 static double particle_at(const Simulation *sim, int direction, size_t particle)

@@ -50,8 +50,7 @@ typedef struct Section {
 
 static double named_at(const Section *section, const char *name, size_t row, size_t column)
 {
-    return simulation_value(section->sim, simulation_find_field(section->sim, 0, name),
-                            row * (size_t)section->body.nx + column);
+    return simulation_named(section->sim, 0, name, row * (size_t)section->body.nx + column);
 }
 
 /* The mean of a field over the middle row, or the two middle ones, of a column. */

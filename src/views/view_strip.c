@@ -133,7 +133,6 @@ static double particle_column(const Bar *bar, size_t particle)
 static void add_grid(const Bar *bar)
 {
     const Strip *strip = bar->strip;
-    const int fixed = simulation_find_field(strip->sim, 1, "fixed");
     put_across(strip, 0, strip->columns, STYLE_FRAME);
     for (size_t i = 0; i < bar->nodes; i++) {
         const double x = node_at(bar, i), column = column_of(bar, x), half = bar->spacing / 2;
@@ -147,7 +146,7 @@ static void add_grid(const Bar *bar)
                           .is_target = true,
                           .set = 1,
                           .index = i});
-        if (fixed >= 0 && simulation_value(strip->sim, fixed, i) > 0 && x > -half && x < bar->length + half)
+        if (simulation_named(strip->sim, 1, "fixed", i) > 0 && x > -half && x < bar->length + half)
             put_upright(strip, column, 0, strip->last, wall);
     }
 }

@@ -10,12 +10,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static double named(const Simulation *sim, size_t node, const char *field)
-{
-    const int index = simulation_find_field(sim, 0, field);
-    return index >= 0 ? simulation_value(sim, index, node) : 0;
-}
-
 static void describe_node(const Screen *screen, size_t node, size_t n_bonds, Picture *picture)
 {
     static const char *const told[][2] = {
@@ -23,7 +17,7 @@ static void describe_node(const Screen *screen, size_t node, size_t n_bonds, Pic
     const Simulation *sim = experiment_simulation(screen->experiment);
     char text[160] = "";
     snprintf(text, sizeof text, "%snode %zu at X = %s: %zu bonds", screen_second_run(screen) ? "A: " : "",
-             node, text_fitted(named(sim, node, "x0"), 6, 12).text, n_bonds);
+             node, text_fitted(simulation_named(sim, 0, "x0", node), 6, 12).text, n_bonds);
     picture_heading(picture, text);
     snprintf(picture->hints[0], sizeof picture->hints[0], " ← → next node  i closes ");
     text[0] = '\0';
@@ -31,7 +25,7 @@ static void describe_node(const Screen *screen, size_t node, size_t n_bonds, Pic
         if (simulation_find_field(sim, 0, told[i][1]) < 0)
             continue;
         text_append(text, sizeof text, "%s%s = %s", *text ? "  " : "", told[i][0],
-                    text_fitted(named(sim, node, told[i][1]), 5, 11).text);
+                    text_fitted(simulation_named(sim, 0, told[i][1], node), 5, 11).text);
     }
     picture_note(picture, STYLE_NORMAL, text);
     picture_note(picture, STYLE_FAINT,
@@ -76,8 +70,8 @@ static void describe_sum(const Screen *screen, size_t node, const Link *links, s
     TableColumn *force = &table->columns[FORCE];
     const Style changed = just_bonds ? STYLE_CHANGED : STYLE_NORMAL;
     force->style = changed;
-    force->base = just_bonds || is_old ? NAN : named(sim, node, "load");
-    force->result = named(sim, node, "force");
+    force->base = just_bonds || is_old ? NAN : simulation_named(sim, 0, "load", node);
+    force->result = simulation_named(sim, 0, "force", node);
     table->totals[TOTAL_SUM] = (struct TableTotals){"all its bonds", changed};
     table->totals[TOTAL_BASE] =
         (struct TableTotals){just_bonds || is_old ? NULL : "load on it", STYLE_NORMAL};

@@ -92,12 +92,6 @@ static bool family_of(Family *family, const Screen *screen)
     return family->reach <= AROUND_MAX;
 }
 
-/* A field of a node by name; NAN: there is none. */
-static double field_of(const Family *family, const char *name, size_t node)
-{
-    return simulation_value(family->sim, simulation_find_field(family->sim, 0, name), node);
-}
-
 static double critical_stretch(const Family *family)
 {
     return settings_bonds(family->settings)->critical_stretch;
@@ -191,7 +185,8 @@ static const char *why_it_holds(const Family *family, const Ray *ray)
         return "holds: bonds never break here (s0 = 0)";
     if (ray->stretch < s0)
         return "holds: below s0";
-    if (field_of(family, "protected", family->node) > 0 || field_of(family, "protected", ray->other) > 0)
+    if (simulation_named(family->sim, 0, "protected", family->node) > 0 ||
+        simulation_named(family->sim, 0, "protected", ray->other) > 0)
         return "holds: protected, near load or support";
     return "breaks in the next stage of bond forces";
 }
@@ -220,7 +215,7 @@ static double load_on(const Family *family)
     const double time = (double)(family->sim->step + (family->sim->stage > 0)) * family->sim->dt;
     const double share =
         settings_loads(settings)->ramp > 0 ? fmin(1, time / settings_loads(settings)->ramp) : 1;
-    return field_of(family, "loaded", family->node) > 0
+    return simulation_named(family->sim, 0, "loaded", family->node) > 0
                ? -settings_loads(settings)->stress * share / family->body.spacing
                : 0;
 }
@@ -250,7 +245,7 @@ static void describe_forces(const Family *family, PictureTable *table)
             column->values[1 + (ray->p > 0) - (ray->p < 0)] += ray->pull * ray->direction[d];
         }
         column->base = is_old || just_bonds ? NAN : loads[d];
-        column->result = field_of(family, names[d], family->node);
+        column->result = simulation_named(family->sim, 0, names[d], family->node);
     }
     const Style plain = STYLE_HEADING, changed = STYLE_CHANGED;
     table->totals[TOTAL_SUM] = (struct TableTotals){"all its bonds", just_bonds ? changed : plain};

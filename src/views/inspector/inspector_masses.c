@@ -9,15 +9,13 @@ bool inspector_mass_row(const Simulation *sim, int set, size_t node, MassRow *ro
     size_t reach = 0;
     while (reach < MASSES_BESIDE_MAX && simulation_find_field(sim, set, names[reach + 1]) >= 0)
         reach++;
-    const int own = simulation_find_field(sim, set, names[0]);
-    if (own < 0 || !(simulation_value(sim, own, node) > 0))
+    if (!(simulation_named(sim, set, names[0], node) > 0))
         return false;
     row->first = node > reach ? node - reach : 0;
     row->count = 0;
     for (size_t j = row->first; j <= node + reach && j < sim->counts[set]; j++) {
         const size_t apart = j > node ? j - node : node - j;
-        row->masses[row->count++] =
-            simulation_value(sim, simulation_find_field(sim, set, names[apart]), j < node ? j : node);
+        row->masses[row->count++] = simulation_named(sim, set, names[apart], j < node ? j : node);
     }
     return true;
 }

@@ -236,27 +236,25 @@ static void describe_masses(const Subject *subject, Picture *picture)
     }
 }
 
-/* "particle 25 at x = 12.5, in cell 12", "node 13 at x = 13, held by a support". */
-static double named(const Simulation *sim, const Subject *subject, const char *field)
+static double named(const Subject *subject, const char *field)
 {
-    return simulation_value(sim, simulation_find_field(sim, subject->set, field), subject->index);
+    return simulation_named(subject->sim, subject->set, field, subject->index);
 }
 
+/* "particle 25 at x = 12.5, in cell 12", "node 13 at x = 13, held by a support". */
 static void describe_subject(const Subject *subject, Picture *picture)
 {
     const Simulation *sim = subject->sim;
     char text[96];
-    const int cell = simulation_find_field(sim, subject->set, "cell"),
-              fixed = simulation_find_field(sim, subject->set, "fixed");
+    const double cell = named(subject, "cell");
     snprintf(text, sizeof text, "%s%s %zu at x = %s", screen_second_run(subject->screen) ? "A: " : "",
-             sim->sets[subject->set].name, subject->index, text_fitted(named(sim, subject, "x"), 6, 10).text);
+             sim->sets[subject->set].name, subject->index, text_fitted(named(subject, "x"), 6, 10).text);
     if (subject->shapes == 3)
-        text_append(text, sizeof text, ", y = %s", text_fitted(named(sim, subject, "y"), 6, 10).text);
-    const char *held =
-        fixed >= 0 && simulation_value(sim, fixed, subject->index) > 0 ? ", held by a support" : "";
+        text_append(text, sizeof text, ", y = %s", text_fitted(named(subject, "y"), 6, 10).text);
+    const char *held = named(subject, "fixed") > 0 ? ", held by a support" : "";
     snprintf(picture->brief, sizeof picture->brief, "%.70s%s", text, held);
-    if (cell >= 0)
-        text_append(text, sizeof text, ", in cell %.0f", simulation_value(sim, cell, subject->index));
+    if (!isnan(cell))
+        text_append(text, sizeof text, ", in cell %.0f", cell);
     text_append(text, sizeof text, "%s", held);
     picture_heading(picture, text);
     snprintf(picture->hints[0], sizeof picture->hints[0], " ← → next  ↑ ↓ node or particle  i closes ");

@@ -28,8 +28,7 @@ static void write_taken(const Subject *subject, int exchange, const char *label)
         else
             calculation_add(&sum, n, f[0], f[1], 0);
     }
-    const double now = simulation_value(
-        subject->sim, simulation_find_field(subject->sim, row->to, row->field), (size_t)subject->index);
+    const double now = simulation_named(subject->sim, row->to, row->field, (size_t)subject->index);
     sum.result = row->adds ? now : total;
     sum.has_base = row->adds;
     sum.base = now - total;
@@ -122,7 +121,7 @@ static void strain_particle(const Subject *subject)
     double e[3];
     static const char *const names[3] = {"exx", "eyy", "gxy"};
     for (int k = 0; k < 3; k++)
-        e[k] = simulation_value(sim, simulation_find_field(sim, PLANE_PARTICLES, names[k]), (size_t)p);
+        e[k] = simulation_named(sim, PLANE_PARTICLES, names[k], (size_t)p);
     write_taken(subject, TAKE_EXX, "Δεxx = ");
     write_taken(subject, TAKE_EYY, "Δεyy = ");
     write_taken(subject, TAKE_GXY, "Δγxy = ");
