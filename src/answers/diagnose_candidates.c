@@ -107,10 +107,9 @@ bool diagnose_settings_of(const Candidate *candidate, const Settings *right, con
         settings_edit_transfer(out)->mistake_beside = settings_edit_lattice(out)->mistake_beside =
             candidate->beside;
     }
-    if (candidate->own_step)
-        *settings_edit_time(out) = *candidate->own_step;
-    else if (!diagnose_hold_step(out, table->dt))
-        return false;
+    if (!candidate->own_step)
+        return diagnose_hold_step(out, table->dt);
+    *settings_edit_time(out) = *candidate->own_step;
     return settings_check(out, NULL);
 }
 
@@ -311,13 +310,13 @@ bool diagnose_tell_apart(const Settings *a, const Settings *b, const DiagnoseTab
             continue;
         for (int direction = -1; direction <= 1; direction += 2) {
             Settings others[2] = {*a, *b};
+            char value[LIST_MAX];
             if (!settings_nudge(&others[0], parameter, direction, false))
                 continue;
-            settings_put(&others[1], parameter, settings_number(&others[0], parameter));
-            if (!differ(&others[0], &others[1], table, name))
-                continue;
-            char value[LIST_MAX];
             settings_get(&others[0], parameter, value);
+            if (!settings_change(&others[1], parameter->key, value, NULL) ||
+                !differ(&others[0], &others[1], table, name))
+                continue;
             snprintf(out, size, "--set %s=%s tells", parameter->key, value);
             return true;
         }

@@ -271,12 +271,13 @@ bool diagnose_hold_step(Settings *settings, double dt)
     double now;
     if (settings->problem->concerns & CONCERN_STEP && settings->method == METHOD_PD) {
         settings_edit_time(settings)->step = dt;
-        return true;
+        return settings_check(settings, NULL);
     }
-    if (!problem_time_step(settings, &now, NULL))
+    if (!settings_check(settings, NULL) || !problem_time_step(settings, &now, NULL))
         return false;
     if (fabs(now - dt) <= 1e-12 * dt)
         return true;
     settings_edit_time(settings)->courant *= dt / now;
-    return problem_time_step(settings, &now, NULL) && fabs(now - dt) <= 1e-12 * dt;
+    return settings_check(settings, NULL) && problem_time_step(settings, &now, NULL) &&
+           fabs(now - dt) <= 1e-12 * dt;
 }

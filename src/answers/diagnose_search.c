@@ -343,7 +343,7 @@ static bool disturb(Settings *settings)
              *settings_start(settings)->overtones ? "," : "",
              settings_start(settings)->mode == (int)cells ? cells - 1 : cells,
              1e-13 * settings_start(settings)->velocity);
-    return settings_set(settings, overtones->key, text, NULL);
+    return settings_change(settings, overtones->key, text, NULL);
 }
 
 /* Of each moment the largest difference of two records, as a share of the columns' sizes. Returns the moments

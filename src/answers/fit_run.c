@@ -77,8 +77,9 @@ bool fit_run(Search *search, const Settings *settings, const double *times, doub
     Settings asked = *settings;
     snprintf(settings_edit_output(&asked)->columns, sizeof settings_output(&asked)->columns, "%s",
              search->task->column);
-    Run run;
+    Run run = {.sim = NULL};
     const bool sound =
+        settings_check(settings, &search->why) &&
         run_open(&run, settings, problem_simulate(&asked, search->task->threads, &search->why),
                  &search->why) &&
         follow_to_end(search, &run, &(Trace){.times = times, .values = values, .count = count});

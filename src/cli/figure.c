@@ -137,7 +137,7 @@ static bool other_settings(const char *against, const Settings *settings, Settin
         return status_refuse(status, "--against: \"%.80s\" sets nothing (KEY=VALUE)", against);
     snprintf(key, sizeof key, "%.*s", (int)(equals - against), against);
     Status why = {STATUS_DONE, ""};
-    if (!settings_set(other, key, equals + 1, &why) || !settings_check(other, &why))
+    if (!settings_change(other, key, equals + 1, &why))
         return status_refuse(status, "--against: %s", why.text);
     return !settings_same(settings, other) ||
            status_refuse(status, "--against: %.80s is what the run has already", against);

@@ -184,8 +184,9 @@ static bool accept_value(Laboratory *lab, Status *status)
 {
     const Parameter *parameter = edit_selected(&lab->screen);
     Settings settings = *experiment_settings(laboratory_run(lab));
-    return !parameter || (settings_set(&settings, parameter->key, lab->screen.parameters.edit.text, status) &&
-                          edit_change(lab, &settings, experiment_edit, status));
+    return !parameter ||
+           (settings_change(&settings, parameter->key, lab->screen.parameters.edit.text, status) &&
+            edit_change(lab, &settings, experiment_edit, status));
 }
 
 void edit_begin(Laboratory *lab)

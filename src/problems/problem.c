@@ -48,8 +48,7 @@ static bool follow_all(const Settings *settings, Simulation *sim, Status *status
 Simulation *problem_simulate(const Settings *settings, int threads, Status *status)
 {
     ASSERT_INT(threads, >=, 1);
-    if (!settings_check(settings, status))
-        return NULL;
+    ASSERT(settings_check(settings, NULL));
     Simulation *sim =
         problem_solver(settings->problem, settings->method)->simulate(settings, threads, status);
     if (sim)

@@ -168,8 +168,8 @@ bool problem_check_steps(double end, double dt, Status *);
  * allows. */
 long problem_last_step(double dt, double end);
 
-/* The simulation at t = 0, of settings that settings_check() allows: nothing is computed of others, and
- * nobody who makes a run of settings asks before. `threads` at least 1. NULL: the status says why. */
+/* The simulation at t = 0, of settings that settings_check() allows: the caller has made them by what asks
+ * it. `threads` at least 1. NULL: the status says why. */
 Simulation *problem_simulate(const Settings *, int threads, Status *);
 
 /* The time step that a simulation of these settings has; a beam's critical one may have to be found for it.

@@ -95,7 +95,7 @@ static bool is_duel_key(const Duel *duel, const char *key)
  */
 static bool second_settings(const Duel *duel, const Settings *first, Settings *out, Status *status)
 {
-    double dt = 0, other_dt = 0;
+    double dt = 0;
     *out = *first;
     out->n_duel = out->n_changes = 0;
     if (!settings_set_method(out, duel->keys, duel->n_keys, status))
@@ -103,18 +103,12 @@ static bool second_settings(const Duel *duel, const Settings *first, Settings *o
     for (int i = 0; i < duel->n_keys; i++)
         if (!settings_set(out, duel->keys[i].key, duel->keys[i].value, status))
             return false;
-    if (first->n_changes > 0 &&
-        (!problem_time_step(first, &dt, status) || !problem_time_step(out, &other_dt, status)))
-        return false;
-    for (int i = 0; i < first->n_changes; i++) {
-        if (is_duel_key(duel, first->changes[i].to.key))
-            continue;
-        Change *change = &out->changes[out->n_changes++];
-        *change = first->changes[i];
-        change->step = lround((double)change->step * dt / other_dt);
-    }
+    for (int i = 0; i < first->n_changes; i++)
+        if (!is_duel_key(duel, first->changes[i].to.key))
+            out->changes[out->n_changes++] = first->changes[i];
     char advice[160];
-    return changes_advice(out, advice, sizeof advice, status);
+    return (first->n_changes == 0 || problem_time_step(first, &dt, status)) &&
+           changes_keep_time(out, &dt, status) && changes_advice(out, advice, sizeof advice, status);
 }
 
 static void write_names(Duel *duel)

@@ -181,13 +181,6 @@ bool experiment_recomputes(const Experiment *experiment, const Settings *wanted)
     return difference.restart || difference.live;
 }
 
-/* Changes are known by their step; with another time step they keep their time. */
-static void move_changes(Change *changes, int count, double from_dt, double to_dt)
-{
-    for (int i = 0; i < count; i++)
-        changes[i].step = lround((double)changes[i].step * from_dt / to_dt);
-}
-
 /* Those that were made by hand become plain values; so does a given one that the new settings overrule. */
 static void take_given_changes(const Experiment *experiment, Settings *wanted)
 {
@@ -210,12 +203,10 @@ static bool edit_from_start(Experiment *experiment, const Settings *wanted, bool
         take_given_changes(experiment, &settings);
     if (settings.problem == experiment->base.problem)
         begin_changed_ones(&settings, &experiment->base);
-    if (settings.n_changes > 0 && !problem_time_step(&settings, &new_dt, status))
+    if (!changes_keep_time(&settings, &new_dt, status) ||
+        !replace_run(experiment, &settings, true, true, status))
         return false;
-    move_changes(settings.changes, settings.n_changes, dt, new_dt);
-    if (!replace_run(experiment, &settings, true, true, status))
-        return false;
-    move_changes(experiment->given, experiment->n_given, dt, new_dt);
+    changes_move(experiment->given, experiment->n_given, dt, new_dt);
     if (live_from_start)
         experiment_keep_given(experiment, &settings);
     return true;
@@ -283,9 +274,7 @@ bool experiment_edit(Experiment *experiment, const Settings *wanted, Status *sta
         return edit_from_start(experiment, wanted, false, status);
     if (difference.live && stage == 0 && (step == 0 || step >= experiment->run.last))
         return edit_from_start(experiment, wanted, true, status);
-    /* no run is made of them that would ask */
-    if (!settings_check(wanted, status) ||
-        !problem_check_steps(settings_time(wanted)->end, experiment->run.sim->dt, status))
+    if (!problem_check_steps(settings_time(wanted)->end, experiment->run.sim->dt, status))
         return false;
     if (difference.live && !edit_live(experiment, wanted, status))
         return false;

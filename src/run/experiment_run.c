@@ -421,7 +421,7 @@ bool experiment_change(Experiment *experiment, long step, const char *key, const
     ASSERT_INT(step, >=, 0);
     Settings before = experiment->base;
     if (!changes_add(&experiment->base, step, key, value, status) ||
-        !settings_check(&experiment->base, status) || !renew_references(experiment, step, status)) {
+        !renew_references(experiment, step, status)) {
         experiment->base = before;
         return false;
     }

@@ -7,6 +7,7 @@
 #include "scenario/parameters.h"
 
 #include <limits.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -93,5 +94,22 @@ bool changes_add(Settings *settings, long step, const char *key, const char *val
     snprintf(change->to.key, sizeof change->to.key, "%s", key);
     snprintf(change->to.value, sizeof change->to.value, "%s", value);
     settings->n_changes = n + 1;
+    return settings_check(settings, status);
+}
+
+void changes_move(Change *changes, int count, double from_dt, double to_dt)
+{
+    for (int i = 0; i < count; i++)
+        changes[i].step = lround((double)changes[i].step * from_dt / to_dt);
+}
+
+bool changes_keep_time(Settings *settings, double *dt, Status *status)
+{
+    const double from_dt = *dt;
+    if (settings->n_changes == 0)
+        return true;
+    if (!settings_check(settings, status) || !problem_time_step(settings, dt, status))
+        return false;
+    changes_move(settings->changes, settings->n_changes, from_dt, *dt);
     return true;
 }

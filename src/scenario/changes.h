@@ -15,7 +15,7 @@
 typedef struct Simulation Simulation; /* methods/method.h */
 
 /* What is asked of settings before a run is made of them that is shown or written: settings_check(), then
- * problem_advice() at the start and after each change. */
+ * problem_advice() at the start and after each change. Nobody below asks again. */
 bool changes_advice(const Settings *, char *advice, size_t size, Status *);
 
 /* Applies those of the simulation's present step; they become events of the run. False: the method refuses;
@@ -31,7 +31,15 @@ void changes_in_force(const Settings *, long step, Settings *out);
 /* Whether two settings have the same changes. */
 bool changes_same(const Settings *, const Settings *);
 
-/* Adds a change, in the place of one of the same key and step; those of later steps are forgotten. */
+/* Adds a change, in the place of one of the same key and step; those of later steps are forgotten. False: the
+ * whole makes no sense with it, and these settings are of no use. */
 bool changes_add(Settings *, long step, const char *key, const char *value, Status *);
+
+/* Changes are known by their step; with another time step they keep their time. */
+void changes_move(Change *, int count, double from_dt, double to_dt);
+
+/* The same of all that settings have; `dt` comes in as the step that they were made for, and goes out as that
+ * of a run of these settings. False: there is no such run. */
+bool changes_keep_time(Settings *, double *dt, Status *);
 
 #endif

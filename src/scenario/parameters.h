@@ -181,6 +181,9 @@ void settings_default(Settings *, const Problem *);
  * status's text is "KEY: what is wrong (what is allowed)", and nothing is changed. */
 bool settings_set(Settings *, const char *key, const char *text, Status *);
 
+/* The same where the whole makes sense with it. False: nothing is changed. */
+bool settings_change(Settings *, const char *key, const char *text, Status *);
+
 /* Sets the method alone, where it is among the keys: which of the others there are depends on it, so it comes
  * first wherever it stands. */
 bool settings_set_method(Settings *, const Assignment *keys, int n_keys, Status *);
@@ -241,7 +244,11 @@ int parameter_choices(const Parameter *, const Problem *);
 void parameter_range(const Parameter *, const Problem *, char *out, size_t size);
 
 /* What no single value shows: critical stretch and energy both given, notch outside the beam, load off the
- * beam, overtones that cannot be read, mode 0 with a fixed end, ... The status names the key. */
+ * beam, overtones that cannot be read, mode 0 with a fixed end, ... The status names the key.
+ *
+ * Asked by what makes settings: scenario_read(), settings_change(), settings_nudge(), changes_add(), and once
+ * more by changes_advice(), since what is in force in mid-run may be no scenario; by nobody who takes them.
+ */
 bool settings_check(const Settings *, Status *);
 
 /* Whether two settings lead to the same run. */

@@ -94,6 +94,15 @@ static bool check_stated(const Settings *settings, Status *status)
     return true;
 }
 
+bool settings_change(Settings *settings, const char *key, const char *text, Status *status)
+{
+    Settings wanted = *settings;
+    if (!settings_set(&wanted, key, text, status) || !settings_check(&wanted, status))
+        return false;
+    *settings = wanted;
+    return true;
+}
+
 bool settings_check(const Settings *settings, Status *status)
 {
     if (!problem_allows(settings->problem, settings->method, status) || !check_stated(settings, status) ||

@@ -588,17 +588,17 @@ START_TEST(refusals)
         PdBarDef def = standard(true, false);
         Status status = {0};
         memcpy((char *)&def + wrong[k].offset, &wrong[k].value, sizeof(double));
-        ck_assert(pd_bar_create(&def, &status) == NULL);
+        ck_assert(!pd_bar_check(&def, &status));
         ck_assert_msg(strstr(status.text, wrong[k].says) == status.text, "%s", status.text);
     }
     PdBarDef def = standard(true, false);
     Status status = {0};
     def.surface_correction = SURFACE_VOLUME;
-    ck_assert(pd_bar_create(&def, &status) == NULL);
+    ck_assert(!pd_bar_check(&def, &status));
     ck_assert(strstr(status.text, "pd.surface_correction: volume is for beams") == status.text);
     def = standard(true, false);
     def.length = 1;
-    ck_assert(pd_bar_create(&def, &status) == NULL);
+    ck_assert(!pd_bar_check(&def, &status));
     ck_assert(strstr(status.text, "pd.horizon: 1.5 reaches beyond the whole bar") == status.text);
 }
 END_TEST

@@ -62,7 +62,7 @@ typedef struct PdBarDef {
 enum { PD_BAR_REACH_MAX = 24 };
 
 /* Is the definition sound? Else the status names the key as in a scenario file, what is wrong, what is
- * allowed. pd_bar_create() asks first; a front end asks before it takes a value over. */
+ * allowed. pd_bar_create() is given what is. */
 bool pd_bar_check(const PdBarDef *definition, Status *status);
 
 /* Builds the simulation at t = 0. NULL: the status says what is wrong with the definition or that there is

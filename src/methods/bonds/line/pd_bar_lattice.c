@@ -10,6 +10,7 @@
  * All per unit cross-section: c in force/length^4, k in force/length^4 too (force density over displacement).
  * With partial volumes the family's sum gives E back exactly where delta is a whole number of spacings, so
  * far from the ends g = 1; on the plane it does not, and g mends the quadrature as well. */
+#include "base/assertion.h"
 #include "methods/axial.h"
 #include "methods/bonds/line/pd_bar_internal.h"
 
@@ -160,8 +161,7 @@ static PdBarDef shorter(const PdBarDef *def)
 bool pd_bar_critical(const PdBarDef *def, double *step, Status *status)
 {
     PdBarLattice lattice;
-    if (!pd_bar_check(def, status))
-        return false;
+    ASSERT(pd_bar_check(def, NULL));
     const PdBarDef part = shorter(def);
     void *memory = pd_bar_lattice(&part, &lattice);
     if (!memory)

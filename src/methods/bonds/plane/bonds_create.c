@@ -2,6 +2,7 @@
 /* A beam from its definition: lattice and bonds (the model), memory, state at t = 0, critical time step, and
  * the table of functions through which a driver runs it (method.h). Long work calls BeamDef.patience and may
  * be stopped by it; on any failure nothing is left allocated. */
+#include "base/assertion.h"
 #include "methods/bonds/plane/bonds_mistakes.h"
 
 #include <math.h>
@@ -217,9 +218,9 @@ static bool join_mistakes(Beam *beam, Status *status)
  * set; the first force comes last, when what is held already stands where it should. */
 static bool build(Beam *beam, const BeamOptions *options, Status *status)
 {
-    if (!beam_check(&beam->def, status) || !join_mistakes(beam, status) ||
-        !lattice_init(&beam->lattice, &beam->def, status) || !allocate(beam, status) ||
-        !beam_set_bonds(beam, status))
+    ASSERT(beam_check(&beam->def, NULL));
+    if (!join_mistakes(beam, status) || !lattice_init(&beam->lattice, &beam->def, status) ||
+        !allocate(beam, status) || !beam_set_bonds(beam, status))
         return false;
     if (!beam_set_problem(beam, status) || !set_time_step(beam, status) || !beam_set_damping(beam, status))
         return false;

@@ -68,7 +68,7 @@ bool beam_mistake_is_of_start(int mistake);
 const char *beam_mistake_sentence(int mistake); /* what is done, in one sentence; NULL: no mistake */
 
 /* Is the definition sound? Else the status names the key as in a scenario file, what is wrong, what is
- * allowed. beam_create() asks first; a front end asks before it takes a value over. */
+ * allowed. beam_create() is given what is. */
 bool beam_check(const BeamDef *definition, Status *status);
 
 /* The first cut of a plate that runs along nodes of its lattice, so that it is one-sided; -1: there is none.

@@ -385,8 +385,7 @@ static bool begin(Bar *bar, Status *status)
 
 Simulation *bar_create(const BarDef *definition, Status *status)
 {
-    if (!bar_check(definition, status))
-        return NULL;
+    ASSERT(bar_check(definition, NULL));
     Bar *bar = calloc(1, sizeof *bar);
     if (!bar) {
         status_fail(status, "not enough memory for the bar");

@@ -85,7 +85,7 @@ bool bar_mistake_starts_as_held(int mistake);
 #define BAR_MASS_BLEND_LEAST 0.05
 
 /* Is the definition sound? Else the status names the key as in a scenario file, what is wrong, what is
- * allowed. bar_create() asks first; a front end asks before it takes a value over. */
+ * allowed. bar_create() is given what is. */
 bool bar_check(const BarDef *definition, Status *status);
 
 /* Builds the simulation at t = 0. NULL: the status says what is wrong with the definition or that there is

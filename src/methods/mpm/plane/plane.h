@@ -47,7 +47,7 @@ typedef struct PlaneDef {
 } PlaneDef;
 
 /* Is the definition sound? Else the status names the key as in a scenario file, what is wrong, what is
- * allowed. plane_create() asks first; a front end asks before it takes a value over. */
+ * allowed. plane_create() is given what is. */
 bool plane_check(const PlaneDef *, Status *);
 
 /* dt of a sound definition, s. */

@@ -132,8 +132,7 @@ enum { PARTICLES_TO_SHARE = 2048 };
 
 Simulation *plane_create(const PlaneDef *definition, Status *status)
 {
-    if (!plane_check(definition, status))
-        return NULL;
+    ASSERT(plane_check(definition, NULL));
     Plane *plane = calloc(1, sizeof *plane);
     if (!plane) {
         status_fail(status, "not enough memory for the beam");
