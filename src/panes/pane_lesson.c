@@ -10,16 +10,16 @@
 #include <string.h>
 
 /* Writes down the pane from a row on, which may lie above it. */
-typedef struct Pen {
+typedef struct Scribe {
     Area area;
     int y;
     int end;     /* of what is written: the row after it, without a gap */
     int gap;     /* rows between paragraphs */
     bool about;  /* of the list: each lesson has its sentence below it, not the chosen one alone */
     int *titles; /* of the list, LESSONS_MAX: the row of each lesson; NULL: nobody asks */
-} Pen;
+} Scribe;
 
-static void write_paragraphs(Pen *pen, const char *text, Style style)
+static void write_paragraphs(Scribe *pen, const char *text, Style style)
 {
     const int width = pen->area.rect.width - 2;
     while (text && *text) {
@@ -34,7 +34,7 @@ static void write_paragraphs(Pen *pen, const char *text, Style style)
     }
 }
 
-static void write_question(Pen *pen, const LessonShown *lesson, const LessonPage *page)
+static void write_question(Scribe *pen, const LessonShown *lesson, const LessonPage *page)
 {
     const bool chooses = page->n_choices > 0;
     const int answer = lesson->answer, width = pen->area.rect.width - 2;
@@ -63,7 +63,7 @@ static void write_question(Pen *pen, const LessonShown *lesson, const LessonPage
     write_paragraphs(pen, text, answer == page->right ? STYLE_CHANGED : STYLE_WARNING);
 }
 
-static void write_page(Pen *pen, const Screen *screen)
+static void write_page(Scribe *pen, const Screen *screen)
 {
     const LessonPage *page = &screen->lesson->lesson->pages[screen->lesson->page];
     write_paragraphs(pen, page->title, STYLE_HEADING);
@@ -85,7 +85,7 @@ static void write_page(Pen *pen, const Screen *screen)
     }
 }
 
-static void write_title(Pen *pen, const Screen *screen, int number)
+static void write_title(Scribe *pen, const Screen *screen, int number)
 {
     const BuiltinLesson *lesson = &builtin_lessons[number];
     const bool chosen = number == screen->lesson->chosen;
@@ -109,7 +109,7 @@ static void write_title(Pen *pen, const Screen *screen, int number)
 }
 
 /* In groups, each under its name. */
-static void write_list(Pen *pen, const Screen *screen)
+static void write_list(Scribe *pen, const Screen *screen)
 {
     const char *group = "";
     for (int i = 0; i < LESSONS_MAX && builtin_lessons[i].name; i++) {
@@ -122,7 +122,7 @@ static void write_list(Pen *pen, const Screen *screen)
     }
 }
 
-static void write_all(Pen *pen, const Screen *screen)
+static void write_all(Scribe *pen, const Screen *screen)
 {
     if (screen->lesson->lesson)
         write_page(pen, screen);
@@ -191,7 +191,7 @@ enum { MARGIN_ROWS = 2 };
 
 static int lines_of(const Screen *screen, Area area, int gap)
 {
-    Pen pen = {.area = area_part(area, 0, 0, area.rect.width, 0), .gap = gap};
+    Scribe pen = {.area = area_part(area, 0, 0, area.rect.width, 0), .gap = gap};
     write_all(&pen, screen);
     return pen.end;
 }
@@ -203,7 +203,7 @@ static bool list_lines(const Screen *screen, Area area, int titles[LESSONS_MAX +
     const int count = screen_lesson_count(), rows = area.rect.height - MARGIN_ROWS;
     bool about = true;
     for (int turn = 0; turn < 2; turn++, about = false) {
-        Pen pen = {.area = area_part(area, 0, 0, area.rect.width, 0), .about = about, .titles = titles};
+        Scribe pen = {.area = area_part(area, 0, 0, area.rect.width, 0), .about = about, .titles = titles};
         write_list(&pen, screen);
         titles[count] = pen.end;
         if (pen.end <= rows)
@@ -280,9 +280,9 @@ void pane_lesson(const Screen *screen, Area area)
     int titles[LESSONS_MAX + 1];
     char footer[192];
     draw_heading(screen, area);
-    Pen pen = {.area = area_part(area, 0, 1, area.rect.width, rows),
-               .y = -above,
-               .gap = lines_of(screen, area, 1) <= rows};
+    Scribe pen = {.area = area_part(area, 0, 1, area.rect.width, rows),
+                  .y = -above,
+                  .gap = lines_of(screen, area, 1) <= rows};
     pen.about = !screen->lesson->lesson && list_lines(screen, area, titles);
     write_all(&pen, screen);
     pane_lesson_footer(screen, footer, sizeof footer);

@@ -120,7 +120,7 @@ void picture_trace(Picture *picture, const double from[2], const double to[2], c
                       last->rank == pen->rank && last->letter == pen->letter && last->wall == pen->wall &&
                       last->coarse == pen->coarse;
     if (!same) {
-        plot_begin(plot, STROKE_LINE, pen->line, pen->style, pen->rank, pen->letter);
+        plot_begin(plot, STROKE_LINE, (Pen){pen->line, pen->letter, pen->style, pen->rank, 0});
         plot->strokes[plot->n_strokes - 1].wall = pen->wall;
         plot->strokes[plot->n_strokes - 1].coarse = pen->coarse;
         plot_point(plot, from[0], from[1]);

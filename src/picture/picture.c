@@ -179,19 +179,25 @@ void picture_rule(Picture *picture, double x, Style style, const char *word)
     picture_add_mark(picture, (PictureMark){.x = x, .style = style, .kind = MARK_RULE, .word = word});
 }
 
-void picture_line(Picture *picture, double x0, double y0, double x1, double y1, LineStyle line, Style style,
-                  char letter)
+void picture_line(Picture *picture, double x0, double y0, double x1, double y1, Pen pen)
 {
-    plot_begin(&picture->plot, STROKE_LINE, line, style, RANK_GHOST, letter);
+    plot_begin(&picture->plot, STROKE_LINE, pen);
     plot_point(&picture->plot, x0, y0);
     plot_point(&picture->plot, x1, y1);
 }
 
-void picture_level(Picture *picture, double y, LineStyle line, Style style, int rank, char letter)
+void picture_level(Picture *picture, double y, Pen pen, const char *name)
 {
-    plot_begin(&picture->plot, STROKE_LINE, line, style, rank, letter);
-    plot_point(&picture->plot, picture->plot.x.low, y);
-    plot_point(&picture->plot, picture->plot.x.high, y);
+    if (name)
+        picture_name(picture, pen, name);
+    picture_line(picture, picture->plot.x.low, y, picture->plot.x.high, y, pen);
+}
+
+void picture_box(Picture *picture, const double x[2], const double y[2], Pen pen)
+{
+    plot_begin(&picture->plot, STROKE_BAND, pen);
+    for (int corner = 0; corner < 4; corner++)
+        plot_point(&picture->plot, x[corner / 2], y[corner % 2]);
 }
 
 void picture_label(Picture *picture, const PictureLabel *label)
@@ -208,13 +214,9 @@ void picture_arrow(Picture *picture, const PictureArrow *arrow)
     picture->arrows[picture->n_arrows++] = *arrow;
     if (picture->map)
         return;
-    plot_begin(&picture->plot, STROKE_LINE, LINE_SOLID, arrow->style, RANK_MARK,
-               up == 0          ? '-'
-               : right == 0     ? '|'
-               : right * up > 0 ? '/'
-                                : '\\');
-    plot_point(&picture->plot, arrow->from[0], arrow->from[1]);
-    plot_point(&picture->plot, arrow->to[0], arrow->to[1]);
+    const char letter = up == 0 ? '-' : right == 0 ? '|' : right * up > 0 ? '/' : '\\';
+    picture_line(picture, arrow->from[0], arrow->from[1], arrow->to[0], arrow->to[1],
+                 (Pen){LINE_SOLID, letter, arrow->style, RANK_MARK, 0});
 }
 
 void picture_key(Picture *picture, PictureKey key)
@@ -225,6 +227,11 @@ void picture_key(Picture *picture, PictureKey key)
     snprintf(name, sizeof picture->key_names[0], "%s", key.name);
     key.name = name;
     picture->keys[picture->n_keys++] = key;
+}
+
+void picture_name(Picture *picture, Pen pen, const char *name)
+{
+    picture_key(picture, (PictureKey){pen.line, pen.letter, pen.style, name, 0, 0});
 }
 
 char picture_run_of(const PictureKey *key)

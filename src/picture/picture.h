@@ -367,12 +367,15 @@ void picture_add_mark(Picture *, PictureMark);
 bool picture_has_points(const Picture *, size_t count); /* whether so many on a curve are seen one by one */
 void picture_rule(Picture *, double x, Style, const char *word);
 /* Straight, from place to place. */
-void picture_line(Picture *, double x0, double y0, double x1, double y1, LineStyle, Style, char letter);
-void picture_level(Picture *, double y, LineStyle, Style, int rank, char letter); /* from edge to edge */
+void picture_line(Picture *, double x0, double y0, double x1, double y1, Pen);
+void picture_level(Picture *, double y, Pen, const char *name); /* from edge to edge; NULL: no name */
+/* A rectangle that is filled. */
+void picture_box(Picture *, const double x[2], const double y[2], Pen);
 void picture_label(Picture *, const PictureLabel *);
 void picture_arrow(Picture *, const PictureArrow *);
 void picture_key(Picture *, PictureKey);
-char picture_run_of(const PictureKey *); /* the letter of an earlier run; 0: it is none */
+void picture_name(Picture *, Pen, const char *name); /* an entry with a piece of its line */
+char picture_run_of(const PictureKey *);             /* the letter of an earlier run; 0: it is none */
 
 /* Below it; more can be said of the note that is returned. */
 PictureNote *picture_note(Picture *, Style, const char *text);

@@ -24,6 +24,18 @@ typedef enum LineStyle { LINE_SOLID, LINE_DOTTED, LINE_DASHED } LineStyle;
 /* Who is seen where strokes meet. */
 enum { RANK_BAND, RANK_GHOST, RANK_EXACT, RANK_PREDICTED, RANK_SECOND, RANK_MEASURED, RANK_MARK };
 
+/* How a line is drawn. */
+typedef struct Pen {
+    LineStyle line;
+    char letter; /* what ASCII draws it with */
+    Style style;
+    int rank;
+    int fill; /* of a band: 0 dense to 3 thin */
+} Pen;
+
+/* What is measured, the other run or curve of the kind, and what is known. */
+extern const Pen pen_measured, pen_second, pen_exact, pen_predicted;
+
 typedef struct Stroke {
     StrokeKind kind;
     LineStyle line;
@@ -51,7 +63,7 @@ void plot_open(Plot *, Axis x, Axis y);
 void plot_close(Plot *);
 
 /* Begins a stroke; plot_point() adds to the last one begun. Without memory a point is lost. */
-void plot_begin(Plot *, StrokeKind, LineStyle, Style, int rank, char letter);
+void plot_begin(Plot *, StrokeKind, Pen);
 void plot_point(Plot *, double x, double y);
 
 /* A curve of many samples, cut to the axis of x: for each of `columns` columns the first, least, largest and

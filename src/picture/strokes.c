@@ -20,12 +20,22 @@ void plot_close(Plot *plot)
     plot->n_strokes = 0;
 }
 
-void plot_begin(Plot *plot, StrokeKind kind, LineStyle line, Style style, int rank, char letter)
+const Pen pen_measured = {LINE_SOLID, '*', STYLE_MEASURED, RANK_MEASURED, 0};
+const Pen pen_second = {LINE_DASHED, '-', STYLE_SECOND, RANK_SECOND, 0};
+const Pen pen_exact = {LINE_DOTTED, '.', STYLE_EXACT, RANK_EXACT, 0};
+const Pen pen_predicted = {LINE_DASHED, '-', STYLE_PREDICTED, RANK_PREDICTED, 0};
+
+void plot_begin(Plot *plot, StrokeKind kind, Pen pen)
 {
     if (plot->n_strokes == STROKES_MAX)
         return;
-    plot->strokes[plot->n_strokes++] = (Stroke){
-        .kind = kind, .line = line, .style = style, .rank = rank, .letter = letter, .first = plot->n_points};
+    plot->strokes[plot->n_strokes++] = (Stroke){.kind = kind,
+                                                .line = pen.line,
+                                                .style = pen.style,
+                                                .rank = pen.rank,
+                                                .fill = pen.fill,
+                                                .letter = pen.letter,
+                                                .first = plot->n_points};
 }
 
 void plot_point(Plot *plot, double x, double y)

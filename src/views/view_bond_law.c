@@ -90,8 +90,7 @@ static void add_counts(Picture *picture, const int *bins, int dots, int most)
 {
     Plot *plot = &picture->plot;
     const double floor_y = plot->y.low, room = (plot->y.high - plot->y.low) / 2;
-    plot_begin(plot, STROKE_BAND, LINE_SOLID, STYLE_SECOND, RANK_BAND, '+');
-    plot->strokes[plot->n_strokes - 1].fill = 1;
+    plot_begin(plot, STROKE_BAND, (Pen){LINE_SOLID, '+', STYLE_SECOND, RANK_BAND, 1});
     for (int i = 0; i < dots; i++) {
         const double x = plot->x.low + (plot->x.high - plot->x.low) * (i + 0.25) / dots;
         plot_point(plot, x, floor_y);
@@ -122,32 +121,28 @@ static void law_lines(const Screen *screen, const Stretches *all, double s0, int
         text_append(second, 160, "  nodes: log scale to %d", most);
 }
 
+static const Pen pen_limit = {LINE_DASHED, '-', STYLE_EXACT, RANK_EXACT, 0}; /* of what a bond bears */
+
 static void add_keys(const Screen *screen, Picture *picture, bool breaks)
 {
     const bool conical =
         settings_lattice(experiment_settings(screen->experiment))->influence == INFLUENCE_CONICAL;
-    picture_key(picture, (PictureKey){LINE_SOLID, '*', STYLE_MEASURED,
-                                      conical ? "f = c1 s, shortest" : "f = c s", 0, 0});
+    picture_name(picture, pen_measured, conical ? "f = c1 s, shortest" : "f = c s");
     if (breaks)
-        picture_key(picture, (PictureKey){LINE_DASHED, '-', STYLE_EXACT, "s0", 0, 0});
+        picture_name(picture, pen_limit, "s0");
     picture_key(picture, (PictureKey){LINE_SOLID, '+', STYLE_SECOND, "nodes", SIGN_BAND, 1});
 }
 
 /* The law: it breaks off at s0. */
-static void add_law(Plot *plot, double stiffness, double s0)
+static void add_law(Picture *picture, double stiffness, double s0)
 {
-    const double end = s0 > 0 ? s0 : plot->x.high;
-    plot_begin(plot, STROKE_LINE, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '*');
-    plot_point(plot, plot->x.low, stiffness * plot->x.low);
-    plot_point(plot, end, stiffness * end);
+    const Axis *x = &picture->plot.x;
+    const double end = s0 > 0 ? s0 : x->high;
+    picture_line(picture, x->low, stiffness * x->low, end, stiffness * end, pen_measured);
     if (!(s0 > 0))
         return;
-    plot_begin(plot, STROKE_LINE, LINE_DASHED, STYLE_EXACT, RANK_EXACT, '-');
-    plot_point(plot, s0, stiffness * s0);
-    plot_point(plot, s0, 0);
-    plot_begin(plot, STROKE_LINE, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '*');
-    plot_point(plot, s0, 0);
-    plot_point(plot, plot->x.high, 0);
+    picture_line(picture, s0, stiffness * s0, s0, 0, pen_limit);
+    picture_line(picture, s0, 0, x->high, 0, pen_measured);
 }
 
 void bond_law_describe(const Screen *screen, Picture *picture)
@@ -175,7 +170,7 @@ void bond_law_describe(const Screen *screen, Picture *picture)
     if (most > 0)
         add_counts(picture, bins, dots, most);
     free(bins);
-    add_law(&picture->plot, stiffness, s0);
+    add_law(picture, stiffness, s0);
     char lines[2][160];
     law_lines(screen, &all, s0, most, lines[0], lines[1]);
     if (all.foremost < all.count) {

@@ -254,12 +254,9 @@ static void add_bar(const Near *near, Picture *picture, double x, double width, 
 {
     if (!(share > 1e-6))
         return;
-    plot_begin(&picture->plot, STROKE_BAND, LINE_SOLID, style, RANK_BAND, letter);
-    picture->plot.strokes[picture->plot.n_strokes - 1].fill = fill;
-    for (int side = 0; side <= 1; side++) {
-        plot_point(&picture->plot, x + side * width, grid_row(near));
-        plot_point(&picture->plot, x + side * width, grid_row(near) + share * bars_height(near));
-    }
+    picture_box(picture, (double[]){x, x + width},
+                (double[]){grid_row(near), grid_row(near) + share * bars_height(near)},
+                (Pen){LINE_SOLID, letter, style, RANK_BAND, fill});
 }
 
 /* The vector at the nodes that the stage makes, or goes by. */
@@ -291,12 +288,8 @@ static void add_support(const Near *near, Picture *picture, size_t node)
     if (!(simulation_named(near->sim, 1, "fixed", node) > 0))
         return;
     const double x = node_at(near, node), side = node < near->sim->counts[1] / 2 ? -0.08 : 0.02;
-    plot_begin(&picture->plot, STROKE_BAND, LINE_SOLID, STYLE_FRAME, RANK_BAND, '%');
-    picture->plot.strokes[picture->plot.n_strokes - 1].fill = 1;
-    for (int end = 0; end <= 1; end++) {
-        plot_point(&picture->plot, x + (side + 0.06 * end) * near->spacing, 0.5);
-        plot_point(&picture->plot, x + (side + 0.06 * end) * near->spacing, grid_row(near));
-    }
+    picture_box(picture, (double[]){x + side * near->spacing, x + (side + 0.06) * near->spacing},
+                (double[]){0.5, grid_row(near)}, (Pen){LINE_SOLID, '%', STYLE_FRAME, RANK_BAND, 1});
 }
 
 static void add_node(const Near *near, Picture *picture, size_t node, double most)
@@ -312,8 +305,8 @@ static void add_node(const Near *near, Picture *picture, size_t node, double mos
                                             : STYLE_FAINT,
                           .thing = "node",
                           .says_thing = true};
-    picture_line(picture, x, grid_row(near) - 0.4, x, grid_row(near) + 0.4, LINE_SOLID,
-                 there ? STYLE_NORMAL : STYLE_FAINT, '|');
+    picture_line(picture, x, grid_row(near) - 0.4, x, grid_row(near) + 0.4,
+                 (Pen){LINE_SOLID, '|', there ? STYLE_NORMAL : STYLE_FAINT, RANK_GHOST, 0});
     add_support(near, picture, node);
     add_bar(near, picture, x - 0.05 * near->spacing, 0.04 * near->spacing,
             near->most_mass > 0 ? mass_beside(near, node) / near->most_mass : 0, style_of_masses(near), 'm',
@@ -517,8 +510,8 @@ static void describe_near(const Near *near, Picture *picture)
     picture_axes(picture, axis_make(near->low, near->high), "x", "", axis_make(0, ROWS), name, "");
     for (size_t i = 0; i < sim->counts[1] && vector >= 0; i++)
         most = fmax(most, fabs(simulation_value(sim, vector, i)));
-    picture_line(picture, near->low, grid_row(near), near->high, grid_row(near), LINE_SOLID, STYLE_FRAME,
-                 '-');
+    picture_line(picture, near->low, grid_row(near), near->high, grid_row(near),
+                 (Pen){LINE_SOLID, '-', STYLE_FRAME, RANK_GHOST, 0});
     /* the chosen one first: where there is little room it is named */
     (near->terms.set ? add_node(near, picture, near->terms.index, most)
                      : add_particle(near, picture, near->terms.index));

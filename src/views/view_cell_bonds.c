@@ -168,9 +168,10 @@ static void describe_bond(const NearBonds *bonds, const Stage *stage, Picture *p
         if (!link->broken && link->stretch != 0)
             add_pull(picture, now, copysign(0.1, link->stretch) * (e ? -1 : 1));
     }
-    picture_line(picture, 0.25, 10, 0.75, 10, LINE_SOLID, STYLE_FAINT, '-');
-    picture_line(picture, 0.5 - half, 6.5, 0.5 + half, 6.5, link->broken ? LINE_DASHED : LINE_SOLID,
-                 link->broken ? STYLE_FAINT : STYLE_MEASURED, '-');
+    picture_line(picture, 0.25, 10, 0.75, 10, (Pen){LINE_SOLID, '-', STYLE_FAINT, RANK_GHOST, 0});
+    picture_line(picture, 0.5 - half, 6.5, 0.5 + half, 6.5,
+                 link->broken ? (Pen){LINE_DASHED, '-', STYLE_FAINT, RANK_GHOST, 0}
+                              : (Pen){LINE_SOLID, '-', STYLE_MEASURED, RANK_GHOST, 0});
     snprintf(text, sizeof text, "at rest: |ξ| %s",
              number_of(math_hypot(bonds->at[0][0], bonds->at[0][1]) * bonds->sim->spacing).text);
     add_label(picture, 0.5, 11.6, 0, STYLE_FAINT, text);
@@ -198,13 +199,9 @@ static void describe_bond(const NearBonds *bonds, const Stage *stage, Picture *p
 static void add_row(Picture *picture, double y, double share, const char *text)
 {
     const double middle = 0.85, from = middle + fmin(share, 0) * 0.12, to = middle + fmax(share, 0) * 0.12;
-    plot_begin(&picture->plot, STROKE_BAND, LINE_SOLID, share < 0 ? STYLE_PREDICTED : STYLE_SECOND, RANK_BAND,
-               share < 0 ? '<' : '>');
-    picture->plot.strokes[picture->plot.n_strokes - 1].fill = share < 0;
-    for (int end = 0; end <= 1; end++) {
-        plot_point(&picture->plot, end ? to : from, y - 0.3);
-        plot_point(&picture->plot, end ? to : from, y + 0.3);
-    }
+    picture_box(picture, (double[]){from, to}, (double[]){y - 0.3, y + 0.3},
+                share < 0 ? (Pen){LINE_SOLID, '<', STYLE_PREDICTED, RANK_BAND, 1}
+                          : (Pen){LINE_SOLID, '>', STYLE_SECOND, RANK_BAND, 0});
     add_label(picture, 0.32, y, 1, STYLE_CHANGED, text);
 }
 

@@ -55,9 +55,11 @@ static void add_grid(Picture *picture, const Simulation *sim, const Link *links,
             for (int d = 0; d < 2; d++)
                 drawn[d] |= node_at(sim, d, links[k].index) == at[d];
         if (!drawn[0])
-            picture_line(picture, at[0], y->low, at[0], y->high, LINE_SOLID, STYLE_FRAME, '|');
+            picture_line(picture, at[0], y->low, at[0], y->high,
+                         (Pen){LINE_SOLID, '|', STYLE_FRAME, RANK_GHOST, 0});
         if (!drawn[1])
-            picture_line(picture, x->low, at[1], x->high, at[1], LINE_SOLID, STYLE_FRAME, '-');
+            picture_line(picture, x->low, at[1], x->high, at[1],
+                         (Pen){LINE_SOLID, '-', STYLE_FRAME, RANK_GHOST, 0});
     }
 }
 

@@ -189,20 +189,15 @@ static void describe_errors(Picture *picture, const Study *study)
         widen(fabs(point->error), &least, &most);
         widen(shown(study, point->size), &smallest, &largest);
     }
-    static const struct {
-        LineStyle line;
-        Style style;
-        char letter;
-    } looks[CONVERGENCE_LINES_MAX] = {{LINE_DASHED, STYLE_PREDICTED, '-'},
-                                      {LINE_SOLID, STYLE_SECOND, '*'},
-                                      {LINE_DOTTED, STYLE_THIRD, '.'}};
+    static const Pen pens[CONVERGENCE_LINES_MAX] = {{LINE_DASHED, '-', STYLE_PREDICTED, RANK_PREDICTED, 0},
+                                                    {LINE_SOLID, '*', STYLE_SECOND, RANK_PREDICTED, 0},
+                                                    {LINE_DOTTED, '.', STYLE_THIRD, RANK_PREDICTED, 0}};
     char name[64];
     snprintf(name, sizeof name, "%s%s", study->of->size, study->periods ? ", mm" : "");
     picture_axes(picture, axis_make_log(smallest * 0.99, largest * 1.01), name, "",
                  axis_make_log(least * 0.99, most * 1.01), "|error|, %", "");
     for (int line = 0; line < study->lines && study->of->lines; line++)
-        picture_key(picture, (PictureKey){looks[line].line, looks[line].letter, looks[line].style,
-                                          study->of->lines[line], 0, 0});
+        picture_name(picture, pens[line], study->of->lines[line]);
     picture_key(picture, (PictureKey){LINE_SOLID, 'O', STYLE_PREDICTED,
                                       study->periods ? "T above theory" : "w above", 0x25cf, 0});
     picture_key(picture, (PictureKey){LINE_SOLID, 'o', STYLE_PREDICTED, "below", 0x25cb, 0});
@@ -211,12 +206,11 @@ static void describe_errors(Picture *picture, const Study *study)
         const int line = k / study->line_points;
         const double size = shown(study, point->size), error = fabs(point->error);
         if (k % study->line_points == 0)
-            plot_begin(&picture->plot, STROKE_LINE, looks[line].line, looks[line].style, RANK_PREDICTED,
-                       looks[line].letter);
+            plot_begin(&picture->plot, STROKE_LINE, pens[line]);
         if (!point->known)
             continue;
         plot_point(&picture->plot, size, error);
-        picture_mark(picture, size, error, point->error < 0 ? 0x25cb : 0x25cf, looks[line].style);
+        picture_mark(picture, size, error, point->error < 0 ? 0x25cb : 0x25cf, pens[line].style);
     }
 }
 
@@ -238,16 +232,13 @@ static double paper_of(const ConvergencePoint *point)
 /* The periods of Table 1 and what theory says of a beam of that height and span. */
 static void describe_periods(Picture *picture, const Study *study)
 {
-    static const struct {
+    const struct {
         double (*of)(const ConvergencePoint *);
-        LineStyle line;
-        Style style;
-        int rank;
-        char letter;
+        Pen pen;
         const char *name;
-    } curves[] = {{predicted_of, LINE_DASHED, STYLE_PREDICTED, RANK_PREDICTED, '-', "predicted"},
-                  {theory_of, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, '.', "theory, real size"},
-                  {paper_of, LINE_SOLID, STYLE_SECOND, RANK_SECOND, 'p', "paper"}};
+    } curves[] = {{predicted_of, pen_predicted, "predicted"},
+                  {theory_of, pen_exact, "theory, real size"},
+                  {paper_of, {LINE_SOLID, 'p', STYLE_SECOND, RANK_SECOND, 0}, "paper"}};
     enum { CURVES = sizeof curves / sizeof *curves };
     double least = INFINITY, most = -INFINITY, largest = 0;
     for (int i = 0; i < CURVES; i++)
@@ -258,10 +249,8 @@ static void describe_periods(Picture *picture, const Study *study)
     picture_axes(picture, axis_make(0, axis_round_up(1.05 * largest)), "horizon, mm", "",
                  axis_around(least, most), "Table 1: T, ms", "");
     for (int i = 0; i < CURVES; i++) {
-        picture_key(picture,
-                    (PictureKey){curves[i].line, curves[i].letter, curves[i].style, curves[i].name, 0, 0});
-        plot_begin(&picture->plot, STROKE_LINE, curves[i].line, curves[i].style, curves[i].rank,
-                   curves[i].letter);
+        picture_name(picture, curves[i].pen, curves[i].name);
+        plot_begin(&picture->plot, STROKE_LINE, curves[i].pen);
         for (int k = 0; k < study->known; k++)
             plot_point(&picture->plot, shown(study, study->points[k].size),
                        shown(study, curves[i].of(&study->points[k])));

@@ -45,7 +45,7 @@ static void add_keys(const Screen *screen, Picture *picture, const ShownRun *run
         if (runs[r].ghost < 0 && runs[r].shown)
             picture_key(picture, runs_key(&runs[r]));
     if (screen_shows_exact(screen))
-        picture_key(picture, (PictureKey){LINE_DOTTED, '.', STYLE_EXACT, target, 0, 0});
+        picture_name(picture, pen_exact, target);
     runs_add_keys(picture, runs, n_runs);
 }
 
@@ -64,13 +64,6 @@ static void add_before(Picture *picture, const ShownRun *run)
 }
 
 /* --- the path ------------------------------------------------------------------------------------- */
-
-static void add_line(Plot *plot, LineStyle line, Style style, int rank, const double points[4])
-{
-    plot_begin(plot, STROKE_LINE, line, style, rank, line == LINE_DASHED ? '-' : '.');
-    plot_point(plot, points[0], points[1]);
-    plot_point(plot, points[2], points[3]);
-}
 
 static void describe_path(const Screen *screen, Picture *picture)
 {
@@ -91,20 +84,20 @@ static void describe_path(const Screen *screen, Picture *picture)
     picture_axes(picture, axis_make(fmax(0, left), fmin(settings_geometry(settings)->length, right)), "x",
                  "m", axis_make(0, height), "crack's path, y", "m");
     add_keys(screen, picture, runs, n_runs, "30 deg");
-    add_line(plot, LINE_DASHED, STYLE_FAINT, RANK_PREDICTED, (double[]){notch.x, 0, notch.x, notch.y});
-    add_line(plot, LINE_DASHED, STYLE_FAINT, RANK_PREDICTED,
-             (double[]){load, height, load, height - settings_bonds(settings)->protected_depth});
+    const Pen pen = {LINE_DASHED, '-', STYLE_FAINT, RANK_PREDICTED, 0};
+    picture_line(picture, notch.x, 0, notch.x, notch.y, pen);
+    picture_line(picture, load, height, load, height - settings_bonds(settings)->protected_depth, pen);
     if (screen_shows_exact(screen)) {
         const double towards = load < notch.x ? -1 : 1, rise = height - notch.y;
         const double end = notch.x + towards * rise * math_tan(CRACK_PAPER_ANGLE * M_PI / 180);
-        add_line(plot, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, (double[]){notch.x, notch.y, end, height});
+        picture_line(picture, notch.x, notch.y, end, height, pen_exact);
     }
     for (int r = 0; r < n_runs; r++)
         add_before(picture, &runs[r]);
     const size_t most = (size_t)ceil(height / settings_lattice(settings)->spacing) + 1;
     double *path = malloc(2 * most * sizeof *path);
     const size_t count = path ? crack_line(sim, path, path + most, most) : 0;
-    plot_begin(plot, STROKE_LINE, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '*');
+    plot_begin(plot, STROKE_LINE, pen_measured);
     plot_point(plot, notch.x, notch.y);
     for (size_t i = 0; i < count; i++)
         plot_point(plot, path[i], path[most + i]);
@@ -179,7 +172,7 @@ static void describe_over_time(const Screen *screen, Picture *picture, const Cra
     time_plot_axes(screen, picture, axis_around(least, axis_round_up(most * 1.02)), curve->name, curve->unit);
     add_keys(screen, picture, runs, n_runs, curve->target_name);
     if (screen_shows_exact(screen))
-        picture_level(picture, curve->target, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, '.');
+        picture_level(picture, curve->target, pen_exact, NULL);
     for (int r = 0; r < n_runs; r++) {
         const Record *record = runs[r].record;
         if (!runs[r].shown)
@@ -251,19 +244,13 @@ static void add_bars(const Screen *screen, Picture *picture, const double parts[
     picture->kind = PICTURE_BARS;
     picture_axes(picture, axis_count(PARTS + 1), "part", "", axis_make(0, axis_round_up(most * 1.02)),
                  "where the energy went, J/m^2", "");
-    for (int i = 0; i < PARTS; i++) {
-        plot_begin(&picture->plot, STROKE_BAND, LINE_SOLID, STYLE_MEASURED, RANK_BAND, '#');
-        for (int side = -1; side <= 1; side += 2) {
-            plot_point(&picture->plot, i + 1 + 0.3 * side, 0);
-            plot_point(&picture->plot, i + 1 + 0.3 * side, parts[i]);
-        }
-    }
+    for (int i = 0; i < PARTS; i++)
+        picture_box(picture, (double[]){i + 0.7, i + 1.3}, (double[]){0, parts[i]},
+                    (Pen){LINE_SOLID, '#', STYLE_MEASURED, RANK_BAND, 0});
     if (!screen_shows_exact(screen))
         return;
-    picture_key(picture, (PictureKey){LINE_DOTTED, '.', STYLE_EXACT, "G0", 0, 0});
-    picture_level(picture, price->critical_energy, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, '.');
-    picture_key(picture, (PictureKey){LINE_DASHED, '-', STYLE_PREDICTED, "a plane of this lattice", 0, 0});
-    picture_level(picture, price->cost.plane, LINE_DASHED, STYLE_PREDICTED, RANK_PREDICTED, '-');
+    picture_level(picture, price->critical_energy, pen_exact, "G0");
+    picture_level(picture, price->cost.plane, pen_predicted, "a plane of this lattice");
 }
 
 /* A picture takes no keys while it is drawn, so its work has a bound: so many questions, a quarter of a

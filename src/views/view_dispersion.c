@@ -137,7 +137,7 @@ static void add_predicted(Picture *picture, const ShownRun *run, int last, int e
 {
     ModeOnMesh mode;
     Plot *plot = &picture->plot;
-    plot_begin(plot, STROKE_LINE, LINE_DASHED, STYLE_PREDICTED, RANK_PREDICTED, '-');
+    plot_begin(plot, STROKE_LINE, pen_predicted);
     for (int n = 1; n <= last; n += every)
         if (dispersion_mode(run->settings, n, &mode))
             plot_point(plot, n, percent(mode.predicted / mode.exact));
@@ -182,7 +182,7 @@ static void add_ways(Picture *picture, const Settings *settings, const char *let
                      int every)
 {
     for (int i = 0; i < n_ways; i++) {
-        plot_begin(&picture->plot, STROKE_LINE, LINE_SOLID, way_styles[i], RANK_GHOST, letters[i]);
+        plot_begin(&picture->plot, STROKE_LINE, (Pen){LINE_SOLID, letters[i], way_styles[i], RANK_GHOST, 0});
         for (int n = 1; n <= last; n += every)
             plot_point(&picture->plot, n, error_by_way(settings, i, n));
         const int n = 1 + (last - 1) * (3 + i) / 10;
@@ -277,12 +277,10 @@ static void describe_bar(const Screen *screen, int variant, bool with_ways, Pict
                  picture->columns >= 70 ? "error of w, % (square-root scale)" : "% error, sqrt scale", "");
     /* the other ways have a letter on their curve, and a line below that names them */
     picture_key(picture, (PictureKey){LINE_SOLID, 'O', STYLE_MEASURED, "measured", 0x25cf, 0});
-    if (screen_shows_exact(screen)) {
-        picture_key(picture, (PictureKey){LINE_DOTTED, '.', STYLE_EXACT, "exact", 0, 0});
-        picture_level(picture, 0, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, '.');
-    }
+    if (screen_shows_exact(screen))
+        picture_level(picture, 0, pen_exact, "exact");
     if (predicted)
-        picture_key(picture, (PictureKey){LINE_DASHED, '-', STYLE_PREDICTED, "predicted", 0, 0});
+        picture_name(picture, pen_predicted, "predicted");
     add_ways(picture, settings, letters_of(screen), n_ways, last, every);
     for (int i = 0; i < n_runs && predicted; i++)
         if (runs[i].experiment)
@@ -371,15 +369,12 @@ static void describe_beam(const Screen *screen, Picture *picture)
     const struct {
         const char *name;
         double value;
-        LineStyle line;
-        char letter;
-        Style style;
+        Pen pen;
     } theories[] = {
         {readout->drifting ? "modal" : "Euler",
-         readout->drifting ? 0 : milliseconds(screen_derived(screen, "period_euler")), LINE_DOTTED, '.',
-         STYLE_EXACT},
+         readout->drifting ? 0 : milliseconds(screen_derived(screen, "period_euler")), pen_exact},
         {"Timoshenko", readout->drifting ? NAN : milliseconds(screen_derived(screen, "period_timoshenko")),
-         LINE_DASHED, '-', STYLE_THIRD},
+         (Pen){LINE_DASHED, '-', STYLE_THIRD, RANK_EXACT, 0}},
     };
     Dot dots[RUNS_MAX];
     const int n_dots = beam_dots(screen, dots);
@@ -394,14 +389,9 @@ static void describe_beam(const Screen *screen, Picture *picture)
                  readout->drifting ? axis_symmetric(fmax(fabs(least), fabs(most))) : axis_around(least, most),
                  readout->drifting ? "error of the last swing, %" : "period, ms", "");
     picture_key(picture, (PictureKey){LINE_SOLID, 'O', STYLE_MEASURED, "measured", 0x25cf, 0});
-    for (int i = 0; i < 2 && screen_shows_exact(screen); i++) {
-        if (!isfinite(theories[i].value))
-            continue;
-        picture_key(picture, (PictureKey){theories[i].line, theories[i].letter, theories[i].style,
-                                          theories[i].name, 0, 0});
-        picture_level(picture, theories[i].value, theories[i].line, theories[i].style, RANK_EXACT,
-                      theories[i].letter);
-    }
+    for (int i = 0; i < 2 && screen_shows_exact(screen); i++)
+        if (isfinite(theories[i].value))
+            picture_level(picture, theories[i].value, theories[i].pen, theories[i].name);
     add_dots(picture, dots, n_dots);
     note_period(screen, picture);
 }

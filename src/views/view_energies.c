@@ -144,8 +144,9 @@ static double mean_height(const Stack *stack, double time, double swing, int upt
 
 static void begin_layer(Plot *plot, const Stack *stack, int layer)
 {
-    plot_begin(plot, STROKE_BAND, LINE_SOLID, stack->layers[layer].style, RANK_BAND, "#+.:"[layer & 3]);
-    plot->strokes[plot->n_strokes - 1].fill = stack->layers[layer].fill;
+    const Layer *drawn = &stack->layers[layer];
+    plot_begin(plot, STROKE_BAND,
+               (Pen){LINE_SOLID, "#+.:"[layer & 3], drawn -> style, RANK_BAND, drawn -> fill});
 }
 
 static void add_means(Picture *picture, const Stack *stack, double swing)
@@ -339,7 +340,7 @@ static void add_keys(Picture *picture, const Stack *stack, const ShownRun *runs,
         picture_key(picture, (PictureKey){LINE_SOLID, '#', stack->layers[i].style, stack->layers[i].name,
                                           SIGN_BAND, stack->layers[i].fill});
     if (work)
-        picture_key(picture, (PictureKey){LINE_DASHED, '-', STYLE_PREDICTED, "work", 0, 0});
+        picture_name(picture, pen_predicted, "work");
     runs_add_keys(picture, runs, n_runs);
 }
 
@@ -394,7 +395,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
         add_stack(picture, &stack);
     }
     if (most_work > 0) {
-        plot_begin(&picture->plot, STROKE_LINE, LINE_DASHED, STYLE_PREDICTED, RANK_PREDICTED, '-');
+        plot_begin(&picture->plot, STROKE_LINE, pen_predicted);
         time_plot_curve(picture, &(Curve){record, work, NULL, NULL});
     }
     runs_add_ghosts(picture, runs, n_runs, line);

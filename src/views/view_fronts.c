@@ -48,7 +48,7 @@ static double largest(const CrackFronts *fronts, int variant)
 
 static void add_front(Plot *plot, const CrackFronts *fronts, const CrackFront *front, int variant)
 {
-    plot_begin(plot, STROKE_LINE, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '*');
+    plot_begin(plot, STROKE_LINE, pen_measured);
     for (size_t k = 0; k < fronts->n_samples; k++) {
         const double value = value_at(fronts, front, k, variant);
         if (isfinite(value))
@@ -75,7 +75,7 @@ static void name_fronts(Picture *picture, const CrackFronts *fronts)
     char name[NAME_BYTES];
     for (int f = 0; f < shown_of(fronts) && fronts->count > 1; f++) {
         snprintf(name, sizeof name, "%c %s", 'a' + f, fronts->fronts[f].cut);
-        picture_key(picture, (PictureKey){LINE_SOLID, '*', STYLE_MEASURED, name, 0, 0});
+        picture_name(picture, pen_measured, name);
     }
 }
 
@@ -93,10 +93,8 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     time_plot_axes(screen, picture, axis_make(0, axis_round_up(most > 0 ? 1.02 * most : 1e-3)),
                    speeds ? "tips' speed" : "cracks' advance", speeds ? "m/s" : "m");
     name_fronts(picture, fronts);
-    if (speeds && screen_shows_exact(screen)) {
-        picture_key(picture, (PictureKey){LINE_DOTTED, '.', STYLE_EXACT, "Rayleigh's c_R", 0, 0});
-        picture_level(picture, rayleigh, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, '.');
-    }
+    if (speeds && screen_shows_exact(screen))
+        picture_level(picture, rayleigh, pen_exact, "Rayleigh's c_R");
     for (int f = 0; f < fronts->count; f++)
         if (fronts->fronts[f].branched)
             picture_rule(picture, fronts->fronts[f].branch_time, STYLE_FAINT, "branches");

@@ -98,7 +98,7 @@ static void add_envelope(const Screen *screen, Picture *picture, const char *nam
     picture_key(picture, (PictureKey){LINE_DOTTED, ',', STYLE_FAINT, name[0] == 'u' ? "~L^1/2" : "~L^-3/2",
                                       SIGN_DOTS, 0});
     for (int sign = -1; sign <= 1; sign += 2) {
-        plot_begin(plot, STROKE_DOTS, LINE_DOTTED, STYLE_FAINT, RANK_GHOST, ',');
+        plot_begin(plot, STROKE_DOTS, (Pen){LINE_DOTTED, ',', STYLE_FAINT, RANK_GHOST, 0});
         for (int i = 0; i <= PIECES; i++) {
             const double t = plot->x.low + (plot->x.high - plot->x.low) * i / PIECES;
             plot_point(plot, t, sign * references_envelope(refs, name, t));
@@ -391,7 +391,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     runs_add_ghosts(picture, runs, n_runs, quantity->name);
     for (int i = 0; i < n_lines; i++) {
         const PictureKey *key = &lines[i].key;
-        plot_begin(&picture->plot, STROKE_LINE, key->line, key->style, lines[i].rank, key->ascii);
+        plot_begin(&picture->plot, STROKE_LINE, (Pen){key->line, key->ascii, key->style, lines[i].rank, 0});
         time_plot_curve(picture, &(Curve){lines[i].run->record, lines[i].column, NULL, NULL});
     }
     overlay_add(screen, picture, quantity->name, false);

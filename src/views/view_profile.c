@@ -132,7 +132,7 @@ static void add_exact(const Experiment *experiment, Picture *picture, const char
     const References *refs = experiment_references(experiment);
     const double time = experiment_time(experiment);
     const double from = row->x[0], to = row->x[row->count - 1], margin = (to - from) / (double)row->count / 2;
-    plot_begin(&picture->plot, STROKE_LINE, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, '.');
+    plot_begin(&picture->plot, STROKE_LINE, pen_exact);
     for (int i = 0; i <= picture->dots; i++) {
         double x = from - margin + (to - from + 2 * margin) * i / picture->dots;
         plot_point(&picture->plot, x, references_profile(refs, field, x, time));
@@ -196,8 +196,7 @@ static void add_keys(const Screen *screen, Picture *picture, const Curve *curves
             picture_key(picture, runs_key(&runs[i]));
     }
     if (exact)
-        picture_key(picture,
-                    (PictureKey){LINE_DOTTED, '.', STYLE_EXACT, screen_problem(screen)->answer, 0, 0});
+        picture_name(picture, pen_exact, screen_problem(screen)->answer);
     runs_add_keys(picture, runs, n_curves);
 }
 

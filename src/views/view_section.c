@@ -244,18 +244,18 @@ static void add_strokes(const Section *section, Plot *plot, bool theory)
     if (theory) {
         enum { PIECES = 48 };
         const double slope = straight ? slope_of(section) : 0;
-        plot_begin(plot, STROKE_LINE, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, '.');
+        plot_begin(plot, STROKE_LINE, pen_exact);
         for (int i = 0; i <= PIECES; i++) {
             const double y = bottom + height * i / PIECES, up = y - section->middle;
             plot_point(plot, straight ? -up * slope : theory_at(section, up, time), y);
         }
     }
     for (size_t c = 0; c < section->columns && section->columns > 1; c++) {
-        plot_begin(plot, STROKE_LINE, LINE_DASHED, STYLE_SECOND, RANK_SECOND, '-');
+        plot_begin(plot, STROKE_LINE, pen_second);
         for (size_t j = 0; j < section->rows; j++)
             plot_point(plot, section->values[c][j], section->y[j]);
     }
-    plot_begin(plot, STROKE_LINE, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '*');
+    plot_begin(plot, STROKE_LINE, pen_measured);
     for (size_t j = 0; j < section->rows; j++)
         plot_point(plot, section->mean[j], section->y[j]);
 }
@@ -271,12 +271,11 @@ static void describe_section(const Section *section, Picture *picture)
     picture->compares = true;
     picture_axes(picture, axis_symmetric(reach_of(section)), of->field, of->unit,
                  axis_make(bottom, bottom + section->body.size[1]), of->name, "m");
-    picture_key(picture, (PictureKey){LINE_SOLID, '*', STYLE_MEASURED, several ? "mean" : "measured", 0, 0});
+    picture_name(picture, pen_measured, several ? "mean" : "measured");
     if (several)
-        picture_key(picture, (PictureKey){LINE_DASHED, '-', STYLE_SECOND, "columns", 0, 0});
+        picture_name(picture, pen_second, "columns");
     if (theory)
-        picture_key(picture, (PictureKey){LINE_DOTTED, '.', STYLE_EXACT,
-                                          section->known || !of->resultant ? of->theory : of->own, 0, 0});
+        picture_name(picture, pen_exact, section->known || !of->resultant ? of->theory : of->own);
     add_strokes(section, &picture->plot, theory);
     section_line(section, line);
     picture_note(picture, STYLE_NORMAL, line);

@@ -94,22 +94,23 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     const double from = simulation_value(sim, node_x, first), to = simulation_value(sim, node_x, last);
     /* the mesh's spacing: slopes are counted in it */
     const double spacing = (to - from) / (double)(last > first ? last - first : 1);
+    const Pen pen_own = {LINE_SOLID, '*', STYLE_MEASURED, RANK_SECOND, 0},
+              pen_other = {LINE_DASHED, ':', STYLE_FAINT, RANK_GHOST, 0};
     char name[64];
     snprintf(name, sizeof name, slope ? "slopes N', p %zu" : "shapes N, p %zu", chosen);
     picture_axes(picture, axis_make(from, to), "x", "",
                  slope ? axis_make(-1.25 / spacing, 1.25 / spacing) : axis_make(0, 1.2), name, "");
-    picture_key(picture, (PictureKey){LINE_SOLID, '*', STYLE_MEASURED, "p's nodes", 0, 0});
-    picture_key(picture, (PictureKey){LINE_DASHED, ':', STYLE_FAINT, "others", 0, 0});
-    picture_key(picture, (PictureKey){LINE_DOTTED, '.', STYLE_EXACT, "sum", 0, 0});
+    picture_name(picture, pen_own, "p's nodes");
+    picture_name(picture, pen_other, "others");
+    picture_name(picture, pen_exact, "sum");
     for (size_t node = first; node <= last; node++) {
         bool own = false;
         for (size_t i = 0; i < n_links; i++)
             own |= links[i].index == node;
-        plot_begin(&picture->plot, STROKE_LINE, own ? LINE_SOLID : LINE_DASHED,
-                   own ? STYLE_MEASURED : STYLE_FAINT, own ? RANK_SECOND : RANK_GHOST, own ? '*' : ':');
+        plot_begin(&picture->plot, STROKE_LINE, own ? pen_own : pen_other);
         add_curve(picture, sim, node, slope, 2 * picture->dots, false);
     }
-    plot_begin(&picture->plot, STROKE_LINE, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, '.');
+    plot_begin(&picture->plot, STROKE_LINE, pen_exact);
     add_curve(picture, sim, first, slope, picture->dots, true);
     /* every particle in sight on the functions that it sees, the chosen one marked */
     for (size_t p = 0; p < sim->counts[0]; p++) {

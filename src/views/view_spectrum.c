@@ -270,17 +270,13 @@ static void add_marks(const Screen *screen, Picture *picture, const Scale *scale
             continue;
         named[exact] = true;
         const double x = marks[i].frequency / scale->unit;
-        plot_begin(&picture->plot, STROKE_LINE, exact ? LINE_DOTTED : LINE_DASHED,
-                   exact ? STYLE_EXACT : STYLE_PREDICTED, exact ? RANK_EXACT : RANK_PREDICTED,
-                   exact ? '.' : '-');
-        plot_point(&picture->plot, x, picture->plot.y.low);
-        plot_point(&picture->plot, x, picture->plot.y.high);
+        picture_line(picture, x, picture->plot.y.low, x, picture->plot.y.high,
+                     exact ? pen_exact : pen_predicted);
     }
     if (named[true])
-        picture_key(picture,
-                    (PictureKey){LINE_DOTTED, '.', STYLE_EXACT, screen_problem(screen)->answer, 0, 0});
+        picture_name(picture, pen_exact, screen_problem(screen)->answer);
     if (named[false])
-        picture_key(picture, (PictureKey){LINE_DASHED, '-', STYLE_PREDICTED, "predicted", 0, 0});
+        picture_name(picture, pen_predicted, "predicted");
 }
 
 /* A run's letter stands at its highest peak. */

@@ -472,7 +472,7 @@ static void describe_beam(Strip *strip, const double *x, const double *y, const 
     const double stretch = lay_beam(strip, low, high);
     const double reach = screen_field_reach(strip->screen, sim->displacement[1], uy, strip->count);
     strip->k = axis_enlargement(fmax(reach, moved), 0.75 * (high[1] - low[1]));
-    plot_begin(plot, STROKE_DOTS, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '#');
+    plot_begin(plot, STROKE_DOTS, (Pen){LINE_SOLID, '#', STYLE_MEASURED, RANK_MEASURED, 0});
     for (size_t i = 0; i < strip->count; i++)
         if (damage[i] <= CRACK_DAMAGE)
             plot_point(plot, x[i] + strip->u[i], y[i] + strip->k * uy[i]);

@@ -15,17 +15,15 @@
 typedef struct Curve {
     Influence influence;
     double angle;
-    LineStyle line;
-    char letter;
-    Style style;
+    Pen pen;
 } Curve;
 
 enum { CURVES = 4 };
 static const Curve curves[CURVES] = {
-    {INFLUENCE_CONSTANT, 0, LINE_SOLID, 'c', STYLE_MEASURED},
-    {INFLUENCE_CONSTANT, M_PI / 4, LINE_DASHED, 'c', STYLE_MEASURED},
-    {INFLUENCE_CONICAL, 0, LINE_SOLID, 'k', STYLE_SECOND},
-    {INFLUENCE_CONICAL, M_PI / 4, LINE_DASHED, 'k', STYLE_SECOND},
+    {INFLUENCE_CONSTANT, 0, {LINE_SOLID, 'c', STYLE_MEASURED, RANK_MEASURED, 0}},
+    {INFLUENCE_CONSTANT, M_PI / 4, {LINE_DASHED, 'c', STYLE_MEASURED, RANK_MEASURED, 0}},
+    {INFLUENCE_CONICAL, 0, {LINE_SOLID, 'k', STYLE_SECOND, RANK_MEASURED, 0}},
+    {INFLUENCE_CONICAL, M_PI / 4, {LINE_DASHED, 'k', STYLE_SECOND, RANK_MEASURED, 0}},
 };
 
 static double speed(const Settings *settings, const Curve *curve, bool transverse, double share)
@@ -44,12 +42,12 @@ static void add_curves(Picture *picture, const Settings *settings, bool transver
 {
     Plot *plot = &picture->plot;
     for (int i = 0; i < CURVES; i++) {
-        plot_begin(plot, STROKE_LINE, curves[i].line, curves[i].style, RANK_MEASURED, curves[i].letter);
+        plot_begin(plot, STROKE_LINE, curves[i].pen);
         for (int k = 1; k <= points; k++)
             plot_point(plot, (double)k / points, speed(settings, &curves[i], transverse, (double)k / points));
     }
     for (int shape = INFLUENCE_CONSTANT; shape <= INFLUENCE_CONICAL; shape++) {
-        plot_begin(plot, STROKE_LINE, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, '.');
+        plot_begin(plot, STROKE_LINE, pen_exact);
         for (int k = 1; k <= points; k++)
             plot_point(plot, (double)k / points,
                        integral(settings, (Influence)shape, transverse, (double)k / points));
@@ -92,7 +90,7 @@ void waves_plane_describe(const Screen *screen, bool transverse, Picture *pictur
     /* colour alone tells nobody apart: a letter stands on each curve along the rows */
     for (int i = 0; i < CURVES; i += 2)
         picture_mark(picture, letter_at, speed(settings, &curves[i], transverse, letter_at),
-                     (uint32_t)(unsigned char)curves[i].letter, curves[i].style);
+                     (uint32_t)(unsigned char)curves[i].pen.letter, curves[i].pen.style);
     tell(settings, transverse, false, line);
     PictureNote *note = picture_note(picture, STYLE_NORMAL, line);
     tell(settings, transverse, true, note->brief);

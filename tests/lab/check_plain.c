@@ -552,12 +552,13 @@ static Words told_of(double (*curve)(double), double (*exact)(double), const cha
     picture_axes(&picture, axis_make(0, 10), "t", "", axis_make(-2, 2), "", "");
     picture_heading(&picture, heading);
     for (int which = 0; which < (exact ? 2 : 1); which++) {
-        plot_begin(&picture.plot, STROKE_LINE, which ? LINE_DOTTED : LINE_SOLID,
-                   which ? STYLE_EXACT : STYLE_MEASURED, RANK_MEASURED, 'm');
+        plot_begin(&picture.plot, STROKE_LINE,
+                   (Pen){which ? LINE_DOTTED : LINE_SOLID, 'm', which ? STYLE_EXACT : STYLE_MEASURED,
+                         RANK_MEASURED, 0});
         for (int i = 0; i <= 1000; i++)
             plot_point(&picture.plot, 0.01 * i, (which ? exact : curve)(0.01 * i));
     }
-    picture_key(&picture, (PictureKey){LINE_DOTTED, '.', STYLE_EXACT, "exact", 0, 0});
+    picture_name(&picture, pen_exact, "exact");
     tell_picture(&picture, 5, &words);
     picture_close(&picture);
     is_plain(words.text);
@@ -630,7 +631,7 @@ START_TEST(a_path_is_no_function)
     picture_open(&picture, WORDS_WIDTH, 0, WORDS_WIDTH, 16);
     picture.kind = _i == 0 ? PICTURE_PATH : PICTURE_FUNCTION;
     picture_axes(&picture, axis_make(0, 4), "u", "", axis_make(-2, 2), "v", "");
-    plot_begin(&picture.plot, STROKE_LINE, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '*');
+    plot_begin(&picture.plot, STROKE_LINE, pen_measured);
     for (int i = 0; i < 4; i++)
         plot_point(&picture.plot, path[i][0], path[i][1]);
     tell_picture(&picture, 2, &words);

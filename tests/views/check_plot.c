@@ -145,7 +145,7 @@ START_TEST(each_column_shows_least_and_largest)
     ck_assert(canvas_open(&canvas, COLUMNS, ROWS, NULL));
     Plot plot;
     plot_open(&plot, axis_with_ticks(axis_make(0, 1), 5), axis_with_ticks(axis_make(-1, 1), 5));
-    plot_begin(&plot, STROKE_LINE, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '*');
+    plot_begin(&plot, STROKE_LINE, pen_measured);
     int dots = COLUMNS * plot_dots_across(glyphs), rows = ROWS * plot_dots_down(glyphs);
     plot_curve(&plot, sample, &samples, 0, COUNT, dots);
     ck_assert_uint_le(plot.n_points, 4 * (size_t)dots);
@@ -172,11 +172,11 @@ START_TEST(what_is_measured_wins_a_cell)
     ck_assert(canvas_open(&canvas, 10, 3, NULL));
     Plot plot;
     plot_open(&plot, axis_with_ticks(axis_make(0, 1), 5), axis_with_ticks(axis_make(-1, 1), 5));
-    plot_begin(&plot, STROKE_LINE, LINE_SOLID, STYLE_MEASURED, RANK_MEASURED, '*');
+    plot_begin(&plot, STROKE_LINE, pen_measured);
     plot_point(&plot, 0, 0), plot_point(&plot, 1, 0);
-    plot_begin(&plot, STROKE_LINE, LINE_DOTTED, STYLE_EXACT, RANK_EXACT, '.');
+    plot_begin(&plot, STROKE_LINE, pen_exact);
     plot_point(&plot, 0, 0.1), plot_point(&plot, 1, 0.1);
-    plot_begin(&plot, STROKE_LINE, LINE_DOTTED, STYLE_FAINT, RANK_GHOST, ',');
+    plot_begin(&plot, STROKE_LINE, (Pen){LINE_DOTTED, ',', STYLE_FAINT, RANK_GHOST});
     plot_point(&plot, 0.5, 5), plot_point(&plot, 0.5, -5);
     plot_draw(&plot, (Area){&canvas, {0, 0, 10, 3}, GLYPHS_BRAILLE});
     char *styles = canvas_dump_styles(&canvas);
@@ -199,7 +199,7 @@ START_TEST(broken_and_wild_curves_do_no_harm)
         plot_open(&plot, axis_with_ticks(axis_make(0, 1), 5),
                   axis_with_ticks(axis_around(-1, random_share(&state)), 4));
         Area inner = axes_draw(whole, &plot.x, &plot.y, "t", 4);
-        plot_begin(&plot, (StrokeKind)(i % 3), (LineStyle)(i % 3), STYLE_EXACT, RANK_EXACT, '.');
+        plot_begin(&plot, (StrokeKind)(i % 3), (Pen){(LineStyle)(i % 3), '.', STYLE_EXACT, RANK_EXACT, 0});
         for (int k = 0; k < 40; k++) {
             static const double odd[] = {NAN, INFINITY, -INFINITY, 1e300, -1e300, 0, 1e-300};
             uint64_t pick = random_bits(&state) % 20;

@@ -53,7 +53,8 @@ static double row_of(const Drawing *drawing, double share) /* of the height */
 static void trace(const Drawing *drawing, StrokeKind kind, Style style, int count, const double (*places)[2])
 {
     Plot *plot = &drawing->picture->plot;
-    plot_begin(plot, kind, LINE_SOLID, style, RANK_EXACT, '|');
+    /* a band is no darker than the body's outline */
+    plot_begin(plot, kind, (Pen){LINE_SOLID, '|', style, RANK_EXACT, kind == STROKE_BAND ? 2 : 0});
     for (int i = 0; i < count; i++)
         plot_point(plot, places[i][0], places[i][1]);
 }
@@ -130,9 +131,7 @@ static void add_channel(const Drawing *drawing)
         const double edge = side > 0 ? drawing->room.top : drawing->room.bottom, near = edge + 0.15 * side,
                      far = edge + 0.8 * side;
         const double places[][2] = {{from, near}, {from, far}, {to, near}, {to, far}};
-        Plot *plot = &drawing->picture->plot;
         trace(drawing, STROKE_BAND, STYLE_FRAME, 4, places);
-        plot->strokes[plot->n_strokes - 1].fill = 2; /* no darker than the beam's outline */
     }
     char text[48];
     snprintf(text, sizeof text, "→ %s m/s", text_rounded(settings_motion(drawing->settings)->speed, 4).text);

@@ -75,7 +75,7 @@ void overlay_add(const Screen *screen, Picture *picture, const char *curve, bool
     const double *x = screen->overlay->columns[screen->overlay->x].values;
     const Samples samples = {x, column->values};
     rows_within(screen->overlay, axis, &first, &end);
-    plot_begin(&picture->plot, STROKE_DOTS, LINE_SOLID, STYLE_THIRD, RANK_SECOND, '+');
+    plot_begin(&picture->plot, STROKE_DOTS, (Pen){LINE_SOLID, '+', STYLE_THIRD, RANK_SECOND, 0});
     plot_curve(&picture->plot, sample, &samples, first, end, picture->dots);
     picture_key(picture, (PictureKey){LINE_SOLID, '+', STYLE_THIRD, screen->overlay->file, '+', 0});
     for (size_t row = first; row < end && end - first <= (size_t)width / 2; row++)

@@ -111,7 +111,7 @@ int runs_with(ShownRun *runs, int n_runs, const char *column)
 
 void runs_begin(Picture *picture, const ShownRun *run)
 {
-    plot_begin(&picture->plot, STROKE_LINE, run->line, run->style, run->rank, run->mark);
+    plot_begin(&picture->plot, STROKE_LINE, (Pen){run->line, run->mark, run->style, run->rank, 0});
 }
 
 PictureKey runs_key(const ShownRun *run)
