@@ -2,6 +2,7 @@
 /* `matvib figure SCENARIO --view NAME --output FILE`: runs without a screen, then draws what a view of the
  * laboratory shows, at the end or at several times, on one page. */
 #include "picture/paper/figure_file.h"
+#include "scenario/parameters.h"
 #include "answers/convergence.h"
 #include "scenario/concern_output.h"
 #include "scenario/settings.h"

@@ -230,7 +230,7 @@ static int page_of(const HelpShown *help)
 /* The lines of the page that is open, for a screen of this width. */
 static void write_page(HelpLines *written, const Screen *screen, int screen_width)
 {
-    const int width = screen_width - 2 < 100 ? screen_width - 2 : 100, page = page_of(&screen->help);
+    const int width = screen_width - 2 < 100 ? screen_width - 2 : 100, page = page_of(screen->help);
     const HelpText *text = help_text_of(experiment_simulation(screen->experiment));
     written->used = 0;
     written->count = 0;
@@ -266,11 +266,11 @@ void help_draw(const Screen *screen, Area area)
 {
     static const char *const names[HELP_PAGES] = {"this scenario, the keys", "the curves", "what is solved",
                                                   "where the paper is silent"};
-    const int page = page_of(&screen->help), room = area.rect.height - 1;
+    const int page = page_of(screen->help), room = area.rect.height - 1;
     HelpLines written;
     write_page(&written, screen, area.rect.width);
 
-    int first = screen->help.scroll;
+    int first = screen->help->scroll;
     if (first > written.count - room)
         first = written.count - room;
     if (first < 0)

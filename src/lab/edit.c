@@ -13,15 +13,15 @@ const Parameter *edit_selected(const Screen *screen)
 {
     ParameterRow rows[PARAMETER_ROWS_MAX];
     int count = screen_parameter_rows(screen, rows);
-    int selected = screen->parameters.selected;
+    int selected = screen->parameters->selected;
     return selected >= 0 && selected < count ? rows[selected].parameter : NULL;
 }
 
-void edit_move(Screen *screen, int by)
+void edit_move(Laboratory *lab, int by)
 {
     ParameterRow rows[PARAMETER_ROWS_MAX];
-    int count = screen_parameter_rows(screen, rows);
-    int direction = by < 0 ? -1 : 1, at = screen->parameters.selected, last = at;
+    int count = screen_parameter_rows(&lab->screen, rows);
+    int direction = by < 0 ? -1 : 1, at = lab->parameters.selected, last = at;
     for (int left = by * direction; left > 0;) {
         at += direction;
         if (at < 0 || at >= count)
@@ -31,23 +31,23 @@ void edit_move(Screen *screen, int by)
         last = at;
         left--;
     }
-    screen->parameters.selected = last < 0 ? 0 : last >= count && count > 0 ? count - 1 : last;
+    lab->parameters.selected = last < 0 ? 0 : last >= count && count > 0 ? count - 1 : last;
 }
 
 bool edit_answer_filter(Laboratory *lab, const char *text)
 {
     ParameterRow rows[PARAMETER_ROWS_MAX];
-    snprintf(lab->screen.parameters.filter, sizeof lab->screen.parameters.filter, "%.31s", text);
+    snprintf(lab->parameters.filter, sizeof lab->parameters.filter, "%.31s", text);
     int count = screen_parameter_rows(&lab->screen, rows);
-    lab->screen.parameters.selected = 0;
-    while (lab->screen.parameters.selected < count && !rows[lab->screen.parameters.selected].parameter &&
-           !rows[lab->screen.parameters.selected].is_row)
-        lab->screen.parameters.selected++;
-    if (lab->screen.parameters.selected < count)
+    lab->parameters.selected = 0;
+    while (lab->parameters.selected < count && !rows[lab->parameters.selected].parameter &&
+           !rows[lab->parameters.selected].is_row)
+        lab->parameters.selected++;
+    if (lab->parameters.selected < count)
         return true;
-    lab->screen.parameters.filter[0] = '\0';
-    lab->screen.parameters.selected = 0;
-    edit_move(&lab->screen, 1);
+    lab->parameters.filter[0] = '\0';
+    lab->parameters.selected = 0;
+    edit_move(lab, 1);
     return prompt_refuse(&lab->prompting, "no parameter has that in its name");
 }
 
@@ -184,14 +184,12 @@ static bool accept_value(Laboratory *lab, Status *status)
 {
     const Parameter *parameter = edit_selected(&lab->screen);
     Settings settings = *experiment_settings(laboratory_run(lab));
-    return !parameter ||
-           (settings_change(&settings, parameter->key, lab->screen.parameters.edit.text, status) &&
-            edit_change(lab, &settings, experiment_edit, status));
+    return !parameter || (settings_change(&settings, parameter->key, lab->parameters.edit.text, status) &&
+                          edit_change(lab, &settings, experiment_edit, status));
 }
 
 void edit_begin(Laboratory *lab)
 {
-    Screen *screen = &lab->screen;
     const Parameter *parameter = edit_selected(&lab->screen);
     if (!parameter)
         return;
@@ -203,10 +201,10 @@ void edit_begin(Laboratory *lab)
             laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
         return;
     }
-    settings_get(experiment_settings(laboratory_run(lab)), parameter, screen->parameters.edit.text);
-    screen->parameters.edit.cursor = glyphs_count(screen->parameters.edit.text);
-    screen->parameters.edit.problem[0] = '\0';
-    screen->parameters.edit.open = true;
+    settings_get(experiment_settings(laboratory_run(lab)), parameter, lab->parameters.edit.text);
+    lab->parameters.edit.cursor = glyphs_count(lab->parameters.edit.text);
+    lab->parameters.edit.problem[0] = '\0';
+    lab->parameters.edit.open = true;
     lab->editing.fresh = true;
     lab->editing.accept = accept_value;
 }
@@ -214,7 +212,7 @@ void edit_begin(Laboratory *lab)
 /* True: taken, the editor is closed. */
 static bool accept_edit(Laboratory *lab)
 {
-    FieldEdit *edit = &lab->screen.parameters.edit;
+    FieldEdit *edit = &lab->parameters.edit;
     Status status = {STATUS_DONE, ""};
     edit->open = !lab->editing.accept(lab, &status);
     if (edit->open) {
@@ -226,21 +224,20 @@ static bool accept_edit(Laboratory *lab)
 
 void edit_key(Laboratory *lab, const Key *key)
 {
-    Screen *screen = &lab->screen;
     const char *name = key->name;
     if (strcmp(name, "Enter") == 0)
         accept_edit(lab);
     else if (strcmp(name, "Esc") == 0 || strcmp(name, "F10") == 0)
-        screen->parameters.edit.open = false;
+        lab->parameters.edit.open = false;
     else if (strcmp(name, "Up") == 0 || strcmp(name, "S-Tab") == 0) {
         if (accept_edit(lab))
-            edit_move(&lab->screen, -1);
+            edit_move(lab, -1);
     } else if (strcmp(name, "Down") == 0 || strcmp(name, "Tab") == 0) {
         if (accept_edit(lab))
-            edit_move(&lab->screen, 1);
-    } else if (line_edit_key(screen->parameters.edit.text, sizeof screen->parameters.edit.text,
-                             &screen->parameters.edit.cursor, name, lab->editing.fresh)) {
+            edit_move(lab, 1);
+    } else if (line_edit_key(lab->parameters.edit.text, sizeof lab->parameters.edit.text,
+                             &lab->parameters.edit.cursor, name, lab->editing.fresh)) {
         lab->editing.fresh = false;
-        screen->parameters.edit.problem[0] = '\0';
+        lab->parameters.edit.problem[0] = '\0';
     }
 }

@@ -5,6 +5,7 @@
 
 #include "run/duel.h"
 #include "terminal/keys.h"
+#include "panes/parameters_shown.h"
 #include "panes/screen.h"
 
 typedef struct Laboratory Laboratory;
@@ -25,7 +26,7 @@ typedef struct Editing {
 
 /* The parameter in the chosen row; NULL: it has none. */
 const Parameter *edit_selected(const Screen *);
-void edit_move(Screen *, int rows); /* the choice */
+void edit_move(Laboratory *, int rows); /* the choice */
 
 void edit_nudge(Laboratory *, int direction, bool fine);
 void edit_begin(Laboratory *); /* opens the field; of a choice: takes the next one */

@@ -27,6 +27,8 @@ bool laboratory_open(Laboratory *lab, const LaboratoryOptions *options, const Ho
         return status_fail(status, "out of memory");
     }
     screen_default(&lab->screen);
+    lab->screen.parameters = &lab->parameters;
+    lab->screen.help = &lab->help;
     lab->screen.playback = &lab->player.playback;
     lab->screen.bookmarks = &lab->player.bookmarks;
     lab->screen.lesson = &lab->play.shown;
@@ -79,7 +81,7 @@ bool laboratory_draw(Laboratory *lab, Canvas *canvas, int width, int height)
     const bool was_whole = lab->width == 0 || screen_is_whole(&lab->screen, lab->width, lab->height);
     const bool is_whole = screen_is_whole(&lab->screen, width, height);
     if (was_whole && !is_whole && lab->screen.panes.focus == PANE_PARAMETERS && !lab->play.shown.open &&
-        !lab->screen.parameters.edit.open && !lab->prompting.shown.open) {
+        !lab->parameters.edit.open && !lab->prompting.shown.open) {
         lab->screen.panes.focus = PANE_LOWER;
         lab->focus_lent = true;
     } else if (!was_whole && is_whole && lab->focus_lent) {

@@ -71,6 +71,8 @@ struct Laboratory {
     Refining refining;
     Held held;
     /* what the screen points at, with what belongs to player, prompts and lessons */
+    ParametersShown parameters;
+    HelpShown help;
     Message message;
     CommandSet used;
     RunSummary summary;

@@ -15,18 +15,18 @@
 
 /* --- help ------------------------------------------------------------------------------------------- */
 
-static void turn_page(Screen *screen, int direction)
+static void turn_page(Laboratory *lab, int direction)
 {
     int pages = help_pages();
-    screen->help.page = (screen->help.page + direction + pages) % pages;
-    screen->help.scroll = 0;
+    lab->help.page = (lab->help.page + direction + pages) % pages;
+    lab->help.scroll = 0;
 }
 
 static void scroll_help(Laboratory *lab, int lines)
 {
     int most = help_most(&lab->screen, lab->width, lab->height);
-    int to = lab->screen.help.scroll + lines;
-    lab->screen.help.scroll = to < 0 ? 0 : to > most ? most : to;
+    int to = lab->help.scroll + lines;
+    lab->help.scroll = to < 0 ? 0 : to > most ? most : to;
 }
 
 static void help_command(Laboratory *lab, CommandId id)
@@ -49,16 +49,16 @@ static void help_command(Laboratory *lab, CommandId id)
     case COMMAND_RIGHT:
     case COMMAND_NEXT_PANE:
     case COMMAND_HELP:
-        turn_page(&lab->screen, 1);
+        turn_page(lab, 1);
         break;
     case COMMAND_LEFT:
     case COMMAND_PREVIOUS_PANE:
-        turn_page(&lab->screen, -1);
+        turn_page(lab, -1);
         break;
     case COMMAND_CANCEL:
     case COMMAND_QUIT:
     case COMMAND_ENTER:
-        lab->screen.help.open = false;
+        lab->help.open = false;
         break;
     default:
         break;
@@ -77,19 +77,19 @@ static bool holds(Rect rect, int x, int y)
 static void click(Laboratory *lab, int x, int y)
 {
     Screen *screen = &lab->screen;
-    if (screen->parameters.rows.placing) {
+    if (lab->parameters.rows.placing) {
         row_edit_point(lab, x, y);
         return;
     }
     if (y == lab->height - 1) {
         CommandId id = screen_key_command(screen, lab->width, x);
-        if (screen->help.open)
+        if (lab->help.open)
             help_command(lab, id);
         else if (id != COMMAND_NONE)
             laboratory_command(lab, id);
         return;
     }
-    if (screen->help.open)
+    if (lab->help.open)
         return;
     const long step = screen_timeline_step(screen, lab->width, lab->height, x, y);
     if (step >= 0) {
@@ -112,9 +112,9 @@ static void click(Laboratory *lab, int x, int y)
         return;
     lab->held.drag = DRAG_VALUE;
     lab->held.drag_x = x;
-    if (row == screen->parameters.selected)
+    if (row == lab->parameters.selected)
         laboratory_command(lab, COMMAND_ENTER);
-    screen->parameters.selected = row;
+    lab->parameters.selected = row;
 }
 
 /* A value gets smaller to the left and larger to the right; the time follows the mouse. */
@@ -122,12 +122,12 @@ static void drag(Laboratory *lab, int x, int y)
 {
     enum { CELLS_A_NUDGE = 2 };
     const int nudges = (x - lab->held.drag_x) / CELLS_A_NUDGE;
-    if (lab->screen.parameters.rows.placing) {
+    if (lab->parameters.rows.placing) {
         row_edit_point(lab, x, y);
     } else if (lab->held.drag == DRAG_TIME) {
         player_seek(lab, screen_timeline_nearest(&lab->screen, lab->width, lab->height, x), 0);
     } else if (lab->held.drag == DRAG_VALUE && nudges != 0) {
-        lab->screen.parameters.edit.open = false; /* the press began a drag, not an edit */
+        lab->parameters.edit.open = false; /* the press began a drag, not an edit */
         lab->held.drag_x += CELLS_A_NUDGE * nudges;
         for (int i = 0; i < abs(nudges); i++)
             row_edit_nudge(lab, nudges > 0 ? 1 : -1, false);
@@ -137,7 +137,7 @@ static void drag(Laboratory *lab, int x, int y)
 static void wheel(Laboratory *lab, int direction, int x, int y)
 {
     enum { LINES = 3 };
-    if (lab->screen.help.open)
+    if (lab->help.open)
         scroll_help(lab, LINES * direction);
     else if (!screen_scroll_view(&lab->screen, lab->width, lab->height, x, y, LINES * direction))
         laboratory_command(lab, direction < 0 ? COMMAND_UP : COMMAND_DOWN);
@@ -146,7 +146,7 @@ static void wheel(Laboratory *lab, int direction, int x, int y)
 /* False: not the mouse. In the middle of a field or a question the mouse does nothing. */
 static bool mouse_key(Laboratory *lab, const Key *key)
 {
-    bool busy = lab->prompting.shown.open || lab->screen.parameters.edit.open;
+    bool busy = lab->prompting.shown.open || lab->parameters.edit.open;
     const bool drags = strcmp(key->name, "Drag") == 0;
     if (!drags)
         lab->held.drag = DRAG_NOTHING;
@@ -169,9 +169,9 @@ static bool is_for_everywhere(CommandId id)
     return id == COMMAND_INTERRUPT || id == COMMAND_REDRAW || id == COMMAND_SUSPEND;
 }
 
-static bool takes_text(const Screen *screen)
+static bool takes_text(const Laboratory *lab)
 {
-    return screen->parameters.edit.open || (screen->prompt->open && !screen->prompt->yes_no);
+    return lab->parameters.edit.open || (lab->prompting.shown.open && !lab->prompting.shown.yes_no);
 }
 
 static void text_key(Laboratory *lab, const char *name)
@@ -189,7 +189,7 @@ static void text_key(Laboratory *lab, const char *name)
 static void take_pasted(Laboratory *lab, const char *what)
 {
     const bool ends_line = strcmp(what, "Enter") == 0;
-    if (!takes_text(&lab->screen)) {
+    if (!takes_text(lab)) {
         laboratory_say(lab, MESSAGE_INFO,
                        "pasted text goes into a field or a question only; : asks for a command");
         return;
@@ -248,9 +248,9 @@ static void take_key(Laboratory *lab, const Key *key)
         return;
     else if (lab->prompting.shown.open)
         prompt_key(lab, key);
-    else if (lab->screen.parameters.edit.open)
+    else if (lab->parameters.edit.open)
         edit_key(lab, key);
-    else if (lab->screen.help.open)
+    else if (lab->help.open)
         help_command(lab, command ? command->id : COMMAND_NONE);
     else if (lesson_play_key(lab, key))
         return;

@@ -68,7 +68,7 @@ void opening_begin(Laboratory *lab, Experiment *experiment)
     screen->duel = &lab->player.duel;
     screen->convergence = &lab->refining.convergence;
     lab->player.second_ended = false;
-    screen_select(screen, NULL);
+    lab->parameters.selected = screen_row_of(screen, NULL);
     if (screen_is_plain(screen))
         screen->panes.last_plot = view_pane_of_number(screen);
     lab->player.resume = lab->player.playback.state = STATE_RUNNING;
@@ -142,7 +142,7 @@ static bool open_scenario(Laboratory *lab, const char *name, Status *status)
         Screen fresh;
         screen_default(&fresh);
         lab->screen.views.n_variants = 0;
-        lab->screen.parameters.filter[0] = '\0';
+        lab->parameters.filter[0] = '\0';
         lab->screen.time.window = fresh.time.window;
         lab->screen.views.references = fresh.views.references;
         command_map_whole(&lab->screen);

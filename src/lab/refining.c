@@ -20,10 +20,9 @@ static const ConvergenceStudy *study_to_do(const Laboratory *lab)
 
 bool refining_is_due(const Laboratory *lab)
 {
-    const Screen *screen = &lab->screen;
     return laboratory_run(lab) && lab->player.playback.state != STATE_RUNNING &&
            lab->player.playback.state != STATE_COMPUTING && !lab->prompting.shown.open &&
-           !screen->parameters.edit.open && !screen->help.open && study_to_do(lab);
+           !lab->parameters.edit.open && !lab->help.open && study_to_do(lab);
 }
 
 /* A point takes up to some seconds. */

@@ -13,13 +13,13 @@
 #include <stdio.h>
 #include <string.h>
 
-static void select_row(Screen *screen, int kind, int row)
+static void select_row(Laboratory *lab, int kind, int row)
 {
     ParameterRow rows[PARAMETER_ROWS_MAX];
-    const int count = screen_parameter_rows(screen, rows);
+    const int count = screen_parameter_rows(&lab->screen, rows);
     for (int i = 0; i < count; i++)
         if (rows[i].is_row && rows[i].place.kind == kind && rows[i].place.row == row && !rows[i].place.value)
-            screen->parameters.selected = i;
+            lab->parameters.selected = i;
 }
 
 /* "cut1", or the first of these that is free. */
@@ -73,9 +73,9 @@ bool row_edit_line(Laboratory *lab, int kind, const char *words, Status *status)
         return false;
     const int row = settings_row_find(&settings, kind, name);
     if (row >= 0) { /* the keys that edit rows mean it now, so it is to be seen */
-        lab->screen.parameters.filter[0] = '\0';
+        lab->parameters.filter[0] = '\0';
         lab->screen.panes.focus = PANE_PARAMETERS;
-        select_row(&lab->screen, kind, row);
+        select_row(lab, kind, row);
     }
     return true;
 }
@@ -113,7 +113,7 @@ static bool accept(Laboratory *lab, Status *status)
 {
     RowPlace place;
     char name[KEY_MAX];
-    const char *values, *text = lab->screen.parameters.edit.text;
+    const char *values, *text = lab->parameters.edit.text;
     if (!screen_selected_row(&lab->screen, &place) || place.row == ROW_NEW)
         return true;
     const int kind = place.kind, row = place.row;
@@ -134,13 +134,13 @@ static bool accept(Laboratory *lab, Status *status)
         put_in_place(&settings, kind, row);
     if (!apply(lab, &settings, status))
         return false;
-    select_row(&lab->screen, kind, settings_row_find(experiment_settings(laboratory_run(lab)), kind, name));
+    select_row(lab, kind, settings_row_find(experiment_settings(laboratory_run(lab)), kind, name));
     return true;
 }
 
 static void open_field(Laboratory *lab, int kind, int row)
 {
-    FieldEdit *edit = &lab->screen.parameters.edit;
+    FieldEdit *edit = &lab->parameters.edit;
     const Settings *settings = experiment_settings(laboratory_run(lab));
     char values[ROW_TEXT_MAX];
     settings_row_show(settings, kind, row, values);
@@ -160,14 +160,14 @@ static bool accept_value(Laboratory *lab, Status *status)
     RowPlace place;
     Settings settings = *experiment_settings(laboratory_run(lab));
     return !screen_selected_row(&lab->screen, &place) ||
-           (settings_row_place_set(&settings, &place, lab->screen.parameters.edit.text, status) &&
+           (settings_row_place_set(&settings, &place, lab->parameters.edit.text, status) &&
             apply(lab, &settings, status));
 }
 
 /* One value of a row; a first character replaces it. */
 static void open_value(Laboratory *lab, const RowPlace *place)
 {
-    FieldEdit *edit = &lab->screen.parameters.edit;
+    FieldEdit *edit = &lab->parameters.edit;
     const Settings *settings = experiment_settings(laboratory_run(lab));
     text_shortest(edit->text, settings_row_value(settings, place->kind, place->row, place->value - 1));
     edit->cursor = glyphs_count(edit->text);
@@ -252,7 +252,7 @@ static void put_place(Settings *settings, const RowsShown *shown, int column, in
 /* Both ends together stop where the first of them meets an edge. */
 static void shift(Laboratory *lab, const double by[2])
 {
-    const RowsShown *shown = &lab->screen.parameters.rows;
+    const RowsShown *shown = &lab->parameters.rows;
     Settings *draft = lab->editing.draft;
     for (int axis = 0; axis < 2; axis++) {
         double way = by[axis];
@@ -282,7 +282,7 @@ static bool has_ends(const Settings *settings, const RowsShown *shown)
 static void say_place(Laboratory *lab)
 {
     static const char *const ends[] = {"first end", "second end", "both ends"};
-    const RowsShown *shown = &lab->screen.parameters.rows;
+    const RowsShown *shown = &lab->parameters.rows;
     char values[ROW_TEXT_MAX];
     settings_row_show(lab->editing.draft, shown->kind, shown->row, values);
     if (has_ends(lab->editing.draft, shown))
@@ -305,7 +305,7 @@ static void show_map(Laboratory *lab)
 static void begin_placing(Laboratory *lab, int kind, int row, int end)
 {
     Screen *screen = &lab->screen;
-    screen->parameters.rows =
+    lab->parameters.rows =
         (RowsShown){.placing = true, .kind = kind, .row = row, .end = end, .draft = lab->editing.draft};
     if (!screen->views.upper->is_map && !screen->views.lower->is_map)
         show_map(lab);
@@ -316,22 +316,22 @@ static void begin_placing(Laboratory *lab, int kind, int row, int end)
 
 static void end_placing(Laboratory *lab)
 {
-    lab->screen.parameters.rows = (RowsShown){.placing = false};
+    lab->parameters.rows = (RowsShown){.placing = false};
     laboratory_say(lab, MESSAGE_NONE, "%s", "");
 }
 
 static void take(Laboratory *lab)
 {
-    const RowsShown shown = lab->screen.parameters.rows;
+    const RowsShown shown = lab->parameters.rows;
     Status status = {STATUS_DONE, ""};
     Settings settings = *lab->editing.draft;
     end_placing(lab);
     if (!apply(lab, &settings, &status)) {
-        lab->screen.parameters.rows = shown;
+        lab->parameters.rows = shown;
         laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
         return;
     }
-    select_row(&lab->screen, shown.kind, shown.row);
+    select_row(lab, shown.kind, shown.row);
 }
 
 bool row_edit_key(Laboratory *lab, const char *key)
@@ -342,7 +342,7 @@ bool row_edit_key(Laboratory *lab, const char *key)
     } moves[] = {{{"Left", "h"}, -1, 0, 1},  {{"Right", "l"}, 1, 0, 1},    {{"Up", "k"}, 0, 1, 1},
                  {{"Down", "j"}, 0, -1, 1},  {{"S-Left", "("}, -1, 0, 10}, {{"S-Right", ")"}, 1, 0, 10},
                  {{"PageUp", ""}, 0, 1, 10}, {{"PageDown", ""}, 0, -1, 10}};
-    RowsShown *shown = &lab->screen.parameters.rows;
+    RowsShown *shown = &lab->parameters.rows;
     if (!shown->placing)
         return false;
     const double spacing = settings_lattice(lab->editing.draft)->spacing;
@@ -369,7 +369,7 @@ bool row_edit_key(Laboratory *lab, const char *key)
 /* An end comes to the nearest whole spacing, between the nodes. */
 void row_edit_point(Laboratory *lab, int x, int y)
 {
-    const RowsShown *shown = &lab->screen.parameters.rows;
+    const RowsShown *shown = &lab->parameters.rows;
     const Settings *draft = lab->editing.draft;
     double place[2], by[2] = {0, 0};
     int columns[2];

@@ -55,7 +55,7 @@ void layout_small(const Screen *screen, int width, int height, Layout *layout)
     const PaneId given = screen->panes.focus < PANE_COUNT ? screen->panes.focus : PANE_PARAMETERS;
     /* what is moved on the map is looked at there, though the keys go to the parameters */
     const PaneId map = screen->views.upper->is_map ? PANE_UPPER : PANE_LOWER;
-    const PaneId focus = screen->parameters.rows.placing ? map : given;
+    const PaneId focus = screen->parameters->rows.placing ? map : given;
     const bool whole = screen->panes.zoomed, roomy = width >= BOX_WIDTH && height >= BOX_HEIGHT;
     layout->kind = LAYOUT_ONE_PANE;
     if (!whole && roomy && screen->lesson->open && screen->lesson->lesson &&

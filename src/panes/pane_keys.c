@@ -106,9 +106,9 @@ static const Offers *offers_of(const Screen *screen)
 {
     const bool in_fields = screen->panes.focus == PANE_PARAMETERS;
     const RunState state = screen->playback->state;
-    if (screen->help.open)
+    if (screen->help->open)
         return &help_keys;
-    if (screen->parameters.edit.open)
+    if (screen->parameters->edit.open)
         return &editing_keys;
     if (state == STATE_COMPUTING)
         return &computing_keys;
@@ -282,10 +282,10 @@ static void draw_keys(const Screen *screen, Area area)
     lay_out_bar(screen, area.rect.width, &area, -1);
     ParameterRow rows[PARAMETER_ROWS_MAX];
     const int count = screen_parameter_rows(screen, rows);
-    if (!screen->parameters.edit.open || screen->parameters.selected < 0 ||
-        screen->parameters.selected >= count || !rows[screen->parameters.selected].parameter)
+    if (!screen->parameters->edit.open || screen->parameters->selected < 0 ||
+        screen->parameters->selected >= count || !rows[screen->parameters->selected].parameter)
         return;
-    const Parameter *parameter = rows[screen->parameters.selected].parameter;
+    const Parameter *parameter = rows[screen->parameters->selected].parameter;
     char range[96], text[320];
     const Problem *problem = experiment_settings(screen->experiment)->problem;
     parameter_range(parameter, problem, range, sizeof range);
@@ -310,8 +310,8 @@ void pane_keys(const Screen *screen, Area area)
         area_put(area, x, 0, ' ', STYLE_TITLE);
     if (screen->prompt->open)
         draw_prompt(screen, area);
-    else if (screen->parameters.edit.open && screen->parameters.edit.problem[0])
-        draw_notice(area, 0, screen->parameters.edit.problem, STYLE_ERROR);
+    else if (screen->parameters->edit.open && screen->parameters->edit.problem[0])
+        draw_notice(area, 0, screen->parameters->edit.problem, STYLE_ERROR);
     else if (screen->message->kind != MESSAGE_NONE && screen->message->text[0])
         draw_notice(area, 0, screen->message->text, styles[screen->message->kind]);
     else

@@ -78,8 +78,8 @@ static void write_page(Scribe *pen, const Screen *screen)
     const int count = page->n_fields ? screen_parameter_rows(screen, rows) : 0;
     for (int i = 0; i < page->n_fields; i++) {
         const Parameter *parameter = parameter_find(page->fields[i]);
-        const bool chosen = screen->parameters.selected >= 0 && screen->parameters.selected < count &&
-                            rows[screen->parameters.selected].parameter == parameter;
+        const bool chosen = screen->parameters->selected >= 0 && screen->parameters->selected < count &&
+                            rows[screen->parameters->selected].parameter == parameter;
         pane_parameter(screen, pen->area, pen->y++, parameter, chosen);
         pen->end = pen->y;
     }

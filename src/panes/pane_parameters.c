@@ -54,7 +54,7 @@ static int add_rows(const Screen *screen, int kind, ParameterRow *rows, int room
     const int places = list->count + (about->fresh && list->count < ROWS_OF_KIND_MAX);
     for (int row = 0; row < places && count + 1 < room; row++) {
         const bool is_new = row == list->count;
-        if (!passes(&screen->parameters, is_new ? "" : list->rows[row].name, about->section))
+        if (!passes(screen->parameters, is_new ? "" : list->rows[row].name, about->section))
             continue;
         if (count == 0)
             rows[count++] = (ParameterRow){.heading = about->section, .derived = -1};
@@ -67,14 +67,14 @@ static int add_rows(const Screen *screen, int kind, ParameterRow *rows, int room
 const Settings *screen_rows_shown(const Screen *screen, int *kind, int *row)
 {
     ParameterRow rows[PARAMETER_ROWS_MAX];
-    const RowsShown *shown = &screen->parameters.rows;
+    const RowsShown *shown = &screen->parameters->rows;
     *kind = *row = -1;
     if (shown->placing) {
         *kind = shown->kind;
         *row = shown->row;
         return shown->draft;
     }
-    const int count = screen_parameter_rows(screen, rows), selected = screen->parameters.selected;
+    const int count = screen_parameter_rows(screen, rows), selected = screen->parameters->selected;
     if (screen_is_focused(screen, PANE_PARAMETERS) && selected >= 0 && selected < count &&
         rows[selected].is_row) {
         *kind = rows[selected].place.kind;
@@ -86,7 +86,7 @@ const Settings *screen_rows_shown(const Screen *screen, int *kind, int *row)
 /* Mistakes are looked for by a filter, or set by name; a row for none of them tells nobody anything. */
 static bool is_put_away(const Screen *screen, const Parameter *parameter)
 {
-    return parameter->wrong && !*screen->parameters.filter &&
+    return parameter->wrong && !*screen->parameters->filter &&
            !settings_are_at_work(experiment_settings(screen->experiment), parameter);
 }
 
@@ -95,7 +95,7 @@ int screen_parameter_rows(const Screen *screen, ParameterRow rows[PARAMETER_ROWS
     const Settings *settings = experiment_settings(screen->experiment);
     const char *group = "";
     int count = 0;
-    if (screen_is_plain(screen) && !screen->lesson->open && !screen->parameters.filter[0]) {
+    if (screen_is_plain(screen) && !screen->lesson->open && !screen->parameters->filter[0]) {
         Asked asked[ASKED_MAX];
         const int n_asked = settings_asked(settings, asked);
         for (; count < n_asked; count++)
@@ -108,7 +108,7 @@ int screen_parameter_rows(const Screen *screen, ParameterRow rows[PARAMETER_ROWS
     for (int i = 0; i < n_parameters && count + 2 < PARAMETER_ROWS_MAX; i++) {
         const Parameter *parameter = &parameters[i];
         if (!parameter_applies_to(settings, parameter) || is_put_away(screen, parameter) ||
-            !passes(&screen->parameters, parameter->label, parameter->key))
+            !passes(screen->parameters, parameter->label, parameter->key))
             continue;
         if (strcmp(parameter->group, group) != 0)
             rows[count++] = (ParameterRow){.heading = group = parameter->group, .derived = -1};
@@ -121,7 +121,7 @@ int screen_parameter_rows(const Screen *screen, ParameterRow rows[PARAMETER_ROWS
     bool begun = false;
     for (int i = 0; i < n_derived && count + 1 < PARAMETER_ROWS_MAX; i++) {
         if (is_field(&derived[i], settings->problem) ||
-            !passes(&screen->parameters, derived[i].label, derived[i].name))
+            !passes(screen->parameters, derived[i].label, derived[i].name))
             continue;
         if (!begun)
             rows[count++] = (ParameterRow){.heading = "Follows from these", .derived = -1};
@@ -134,7 +134,7 @@ int screen_parameter_rows(const Screen *screen, ParameterRow rows[PARAMETER_ROWS
 bool screen_selected_row(const Screen *screen, RowPlace *place)
 {
     ParameterRow rows[PARAMETER_ROWS_MAX];
-    const int count = screen_parameter_rows(screen, rows), selected = screen->parameters.selected;
+    const int count = screen_parameter_rows(screen, rows), selected = screen->parameters->selected;
     if (selected < 0 || selected >= count || !rows[selected].is_row)
         return false;
     *place = rows[selected].place;
@@ -172,9 +172,9 @@ int pane_parameters_first(const ParametersShown *shown, int count, int room)
 static void draw_field(const Screen *screen, Area area, int y, int from)
 {
     int room = area.rect.width - from < 12 ? 12 : area.rect.width - from,
-        cursor = screen->parameters.edit.cursor;
+        cursor = screen->parameters->edit.cursor;
     Area field = area_part(area, area.rect.width - room, y, room, 1);
-    const char *text = screen->parameters.edit.text;
+    const char *text = screen->parameters->edit.text;
     for (; cursor >= room && *text; cursor--)
         glyph_next(&text);
     for (int x = 0; x < room; x++)
@@ -198,10 +198,10 @@ static void draw_row(const Screen *screen, Area area, int y, const ParameterRow 
     else
         settings_row_place_show(settings, &row->place, name, value);
     const bool under_heading = !row->place.value && row->place.row != ROW_NEW &&
-                               (!screen_is_plain(screen) || screen->parameters.filter[0]);
+                               (!screen_is_plain(screen) || screen->parameters->filter[0]);
     if (under_heading)
         snprintf(name, sizeof name, "%s", settings->rows[row->place.kind].rows[row->place.row].name);
-    if (focused && screen->parameters.edit.open) {
+    if (focused && screen->parameters->edit.open) {
         draw_field(screen, area, y, row->place.value ? 3 + glyphs_columns(name) : 1);
         return;
     }
@@ -241,7 +241,7 @@ void pane_parameter(const Screen *screen, Area area, int y, const Parameter *par
     const int indent = is_number && 2 + glyphs_columns(name) > label_width ? 1 : 2;
     int label = area_text(area_part(area, 0, y, label_width, 1), indent, 0, name, style) + indent;
 
-    if (focused && screen->parameters.edit.open) {
+    if (focused && screen->parameters->edit.open) {
         draw_field(screen, area, y, label + 1);
         return;
     }
@@ -310,7 +310,7 @@ static bool draw_row_hint(const Screen *screen, Area area, const ParameterRow *r
     const Settings *settings = experiment_settings(screen->experiment);
     const RowKind *kind = &row_kinds[row->place.kind];
     char values[ROW_TEXT_MAX];
-    if (row->place.row == ROW_NEW || screen->parameters.edit.open)
+    if (row->place.row == ROW_NEW || screen->parameters->edit.open)
         return draw_wrapped(area, kind->form);
     settings_row_show(settings, row->place.kind, row->place.row, values);
     const int label = glyphs_columns(settings->rows[row->place.kind].rows[row->place.row].name);
@@ -350,7 +350,7 @@ static void draw_rows(const Screen *screen, Area area, const ParameterRow *rows,
     const bool focused = screen_is_focused(screen, PANE_PARAMETERS);
     for (int y = 0; y < area.rect.height && first + y < count; y++) {
         const ParameterRow *row = &rows[first + y];
-        const bool chosen = first + y == screen->parameters.selected;
+        const bool chosen = first + y == screen->parameters->selected;
         if (row->heading)
             area_text(area, 1, y, row->heading, focused ? STYLE_FOCUS : STYLE_HEADING);
         else if (row->parameter)
@@ -370,15 +370,15 @@ void pane_parameters(const Screen *screen, Area area)
     experiment_derived(screen->experiment, derived);
     const bool focused = screen_is_focused(screen, PANE_PARAMETERS);
     const int room = room_of(area.rect.height),
-              first = pane_parameters_first(&screen->parameters, count, room);
+              first = pane_parameters_first(screen->parameters, count, room);
 
     draw_rows(screen, area_part(area, 0, 0, area.rect.width, room), rows, first, count, derived);
     if (count == 0)
         area_text(area, 1, 0, "no parameter of that name", STYLE_FAINT);
     if (room == area.rect.height)
         return;
-    if (focused && screen->parameters.selected >= 0 && screen->parameters.selected < count)
-        draw_hint(screen, area, &rows[screen->parameters.selected], derived);
+    if (focused && screen->parameters->selected >= 0 && screen->parameters->selected < count)
+        draw_hint(screen, area, &rows[screen->parameters->selected], derived);
     else if (first + room < count) {
         char text[40];
         snprintf(text, sizeof text, "%d more below", count - first - room);
@@ -434,7 +434,7 @@ void pane_asked(const Screen *screen, Area area)
     Derived derived[DERIVED_MAX];
     char tried[160];
     const int count = screen_parameter_rows(screen, rows), room = area.rect.height - 1;
-    const int first = pane_parameters_first(&screen->parameters, count, room);
+    const int first = pane_parameters_first(screen->parameters, count, room);
     experiment_derived(screen->experiment, derived);
     draw_rows(screen, area_part(area, 0, 0, area.rect.width, room), rows, first, count, derived);
     if (!screen_question(screen, tried, sizeof tried))

@@ -34,6 +34,6 @@ int screen_parameter_at(const Screen *screen, int width, int height, int x, int 
     const int count = screen_parameter_rows(screen, rows), room = pane.height - 1;
     if (x < pane.x || x >= pane.x + pane.width || y < pane.y || y >= pane.y + room)
         return -1;
-    const int row = pane_parameters_first(&screen->parameters, count, room) + y - pane.y;
+    const int row = pane_parameters_first(screen->parameters, count, room) + y - pane.y;
     return row < count && !rows[row].heading ? row : -1;
 }

@@ -2,6 +2,7 @@
 /* The runs of one picture in the box at the bottom, a line each: what it is, what was measured, and how far
  * it is off. */
 #include "panes/panes.h"
+#include "scenario/parameters.h"
 
 #include "views/plots/runs.h"
 

@@ -4,6 +4,7 @@
 #define VIEW_PANES_H
 
 #include "base/text.h"
+#include "panes/parameters_shown.h"
 #include "picture/area.h"
 #include "picture/axes.h"
 #include "picture/heading.h"

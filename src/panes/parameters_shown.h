@@ -56,7 +56,7 @@ bool screen_selected_row(const Screen *, RowPlace *);
  * chosen in the parameter pane, if that has the focus; else kind -1. */
 const Settings *screen_rows_shown(const Screen *, int *kind, int *row);
 
-/* The arrows change this one or, where there is no row for it, the first one. */
-void screen_select(Screen *, const Parameter *);
+/* The row that the arrows are to change: that of this parameter or, where it has none, the first one. */
+int screen_row_of(const Screen *, const Parameter *);
 
 #endif

@@ -2,6 +2,7 @@
 /* The whole screen: each pane drawn where the layout puts it, and what the mouse finds in the plot panes. */
 #include "base/text.h"
 #include "panes/screen.h"
+#include "panes/parameters_shown.h"
 #include "scenario/concern_output.h"
 #include "panes/panes.h"
 #include "views/views.h"
@@ -15,29 +16,28 @@
 #include <stdio.h>
 #include <string.h>
 
+static const Screen nothing = {
+    .parameters = &(const ParametersShown){.selected = 0},
+    .help = &(const HelpShown){.open = false},
+    .playback = &(const Playback){.state = STATE_PAUSED, .pace = 1},
+    .bookmarks = &(const Bookmarks){.count = 0},
+    .lesson = &(const LessonShown){.open = false},
+    .prompt = &(const Prompt){.open = false},
+    .message = &(const Message){.kind = MESSAGE_NONE},
+    .used = &(const CommandSet){.words = {0}},
+    .diagnosis = "",
+    .look = {.glyphs = GLYPHS_BRAILLE, .colours = 256},
+    .panes = {.focus = PANE_PARAMETERS, .last_plot = PANE_LOWER},
+    .time = {.cursor = NAN},
+    .eye = {.magnified = 1, .centre = {0.5, 0.5}},
+    .log = {.event = -1},
+};
+
 void screen_default(Screen *screen)
 {
-    static const Playback paused = {.state = STATE_PAUSED, .pace = 1};
-    static const Bookmarks no_bookmarks;
-    static const LessonShown no_lesson;
-    static const Prompt no_prompt;
-    static const Message no_message;
-    static const CommandSet none_used;
-    *screen = (Screen){
-        .playback = &paused,
-        .bookmarks = &no_bookmarks,
-        .lesson = &no_lesson,
-        .prompt = &no_prompt,
-        .message = &no_message,
-        .used = &none_used,
-        .diagnosis = "",
-        .look = {.glyphs = GLYPHS_BRAILLE, .colours = 256},
-        .panes = {.focus = PANE_PARAMETERS, .last_plot = PANE_LOWER},
-        .views = {.upper = view_at_home(PANE_UPPER, NULL), .lower = view_at_home(PANE_LOWER, NULL)},
-        .time = {.cursor = NAN},
-        .eye = {.magnified = 1, .centre = {0.5, 0.5}},
-        .log = {.event = -1},
-    };
+    *screen = nothing;
+    screen->views.upper = view_at_home(PANE_UPPER, NULL);
+    screen->views.lower = view_at_home(PANE_LOWER, NULL);
 }
 
 void screen_read_view(Screen *screen, const ViewSettings *view)
@@ -121,7 +121,7 @@ void screen_draw(const Screen *screen, Canvas *canvas)
             canvas_to_ascii(canvas);
         return;
     }
-    if (screen->help.open) {
+    if (screen->help->open) {
         Rect all = {0, 1, canvas->width, canvas->height - 2};
         help_draw(screen, area_of(&screen->look, canvas, all));
     } else {

@@ -5,7 +5,6 @@
 #ifndef VIEW_SCREEN_H
 #define VIEW_SCREEN_H
 
-#include "panes/parameters_shown.h"
 #include "panes/sheet.h"
 #include "run/experiment.h"
 #include "views/views_shown.h"
@@ -13,7 +12,7 @@
 /* Two runs share a picture, or each has its own. */
 typedef enum DuelSide { SIDE_BOTH, SIDE_A, SIDE_B } DuelSide;
 
-struct Screen {
+typedef struct Screen {
     const Experiment *experiment; /* the run that is drawn; looking changes none */
     const struct Duel *duel;      /* whose A it is; its second run is drawn beside. NULL: there is none */
     DuelSide side;                /* a picture of one run of it only */
@@ -23,13 +22,13 @@ struct Screen {
     PanesShown panes;
     ViewsShown views;
     TimeShown time;
-    ParametersShown parameters;
     Selection chosen;
     LogPlace log;
     MapEye eye;
-    HelpShown help;
     bool offers_lesson; /* to who is here for the first time, until a key is pressed */
 
+    const struct ParametersShown *parameters; /* panes/parameters_shown.h */
+    const HelpShown *help;
     const struct Playback *playback;       /* run/playback.h */
     const struct Bookmarks *bookmarks;     /* likewise */
     const struct LessonShown *lesson;      /* lessons/lesson_shown.h */
@@ -40,7 +39,7 @@ struct Screen {
     const struct Overlay *overlay;         /* a foreign series over the plots; NULL: none */
     const struct RunSummary *summary;      /* what the run came to; NULL: not known */
     const char *diagnosis;                 /* what is said of somebody's own code, in the box; "": nothing */
-};
+} Screen;
 
 /* The parts that nobody has said anything of are empty, and the run is paused. */
 void screen_default(Screen *);

@@ -2,6 +2,7 @@
 /* What panes and views ask of the runs on screen: which ones there are, what is known of them, how far their
  * fields reach, and their times and units as text. */
 #include "panes/screen_runs.h"
+#include "scenario/parameters.h"
 
 #include "run/duel.h"
 #include "run/playback.h"

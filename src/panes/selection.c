@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Which particle or node is the chosen one: all panes show that, and the arrows go on from it. */
 #include "panes/screen.h"
+#include "panes/parameters_shown.h"
 
 void selection_next(Selection *selection, const Simulation *sim, int direction, size_t by)
 {
@@ -20,7 +21,7 @@ size_t selection_middle(const Simulation *sim)
     return sim->columns > 0 ? sim->rows / 2 * sim->columns + sim->columns / 2 : sim->counts[0] / 2;
 }
 
-void screen_select(Screen *screen, const Parameter *parameter)
+int screen_row_of(const Screen *screen, const Parameter *parameter)
 {
     ParameterRow rows[PARAMETER_ROWS_MAX];
     const int count = screen_parameter_rows(screen, rows);
@@ -30,7 +31,7 @@ void screen_select(Screen *screen, const Parameter *parameter)
     for (int i = first; i < count && found < 0; i++)
         if (rows[i].parameter && rows[i].parameter == parameter)
             found = i;
-    screen->parameters.selected = found >= 0 ? found : first < count ? first : 0;
+    return found >= 0 ? found : first < count ? first : 0;
 }
 
 const View *screen_view_in(const Screen *screen, PaneId pane)

@@ -416,7 +416,7 @@ static void command(Plain *plain, const char *line)
         say(plain, "The line is too long for a command.");
         return;
     }
-    if (plain->lab.screen.parameters.rows.placing) {
+    if (plain->lab.parameters.rows.placing) {
         say(plain,
             "A row is being moved: Left, Right, Up and Down do it, Tab takes its other end, Enter takes "
             "it, Esc drops it.");
@@ -435,9 +435,9 @@ static void take(Plain *plain, const char *line)
 {
     const Screen *screen = &plain->lab.screen;
     const Experiment *before = laboratory_run(&plain->lab);
-    if (screen->help.open)
+    if (screen->help->open)
         press(plain, "Esc");
-    if (screen->prompt->open || screen->parameters.edit.open)
+    if (screen->prompt->open || screen->parameters->edit.open)
         answer(plain, line);
     else if (!*line)
         press(plain, "Enter");
@@ -467,20 +467,21 @@ static void cut_help(Words *words)
 static void tell_help(Plain *plain)
 {
     Words words = {.text = NULL};
-    Screen *screen = &plain->lab.screen;
-    const int open = screen->help.page;
+    const Screen *screen = &plain->lab.screen;
+    int *page = &plain->lab.help.page;
+    const int open = *page;
     if (!plain->all_help) {
-        screen->help.page = 0;
+        *page = 0;
         tell_part(screen, TELL_HELP, &words);
-        screen->help.page = open;
+        *page = open;
         cut_help(&words);
         put_words(plain, &words);
         say(plain, "help all tells all keys and commands, help WORD one of them, a view or a parameter.");
         return;
     }
-    for (screen->help.page = 0; screen->help.page < help_pages(); screen->help.page++)
+    for (*page = 0; *page < help_pages(); ++*page)
         tell_part(screen, TELL_HELP, &words);
-    screen->help.page = open;
+    *page = open;
     put_words(plain, &words);
 }
 
@@ -522,7 +523,7 @@ bool plain_line(Plain *plain, const char *typed, Status *status)
         echo(plain, line);
     plain->said = false;
     plain->lines = 0;
-    const bool is_answer = plain->lab.prompting.shown.open || plain->lab.screen.parameters.edit.open;
+    const bool is_answer = plain->lab.prompting.shown.open || plain->lab.parameters.edit.open;
     const char *const word = line + (*line == ':');
     if (!is_answer && (strcmp(word, "more") == 0 || strcmp(word, "why") == 0)) {
         *word == 'm' ? tell_more(plain) : tell_alone(plain, TELL_WHY);
@@ -543,7 +544,7 @@ bool plain_line(Plain *plain, const char *typed, Status *status)
         return false;
     tell_message(plain);
     tell_edits(plain);
-    if (plain->lab.screen.help.open)
+    if (plain->lab.help.open)
         tell_help(plain);
     tell_changes(plain);
     tell_question(plain);

@@ -2,6 +2,7 @@
 /* A body in the plane as it lies, coloured by a field, or drawn with its dimensions. Every factor is stated.
  */
 #include "views/map/map.h"
+#include "scenario/parameters.h"
 #include "scenario/concern_body.h"
 #include "scenario/concern_loads.h"
 #include "views/views.h"

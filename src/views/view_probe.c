@@ -2,6 +2,7 @@
 /* What is measured at the probe, over time, with the reference curves, earlier runs and the readout.
  */
 #include "views/plots/overlay_plot.h"
+#include "scenario/parameters.h"
 #include "run/overlay.h"
 #include "scenario/concern_time.h"
 #include "views/plots/runs.h"

@@ -23,11 +23,11 @@ static void press_every_key_after(Bench *bench, const char *before)
             press(bench, key);
             frame(bench);
             for (int most = 8;
-                 most > 0 && (bench->lab.screen.prompt->open || bench->lab.screen.parameters.edit.open ||
-                              bench->lab.screen.help.open || bench->lab.screen.panes.zoomed);
+                 most > 0 && (bench->lab.screen.prompt->open || bench->lab.parameters.edit.open ||
+                              bench->lab.help.open || bench->lab.screen.panes.zoomed);
                  most--)
                 press(bench, "Esc");
-            ck_assert_msg(!bench->lab.screen.prompt->open && !bench->lab.screen.parameters.edit.open, "%s %s",
+            ck_assert_msg(!bench->lab.screen.prompt->open && !bench->lab.parameters.edit.open, "%s %s",
                           before, key);
             bench->lab.closed = false;
         }

@@ -25,7 +25,7 @@ static void select_parameter(Bench *bench, const char *key)
     bench->lab.screen.panes.focus = PANE_PARAMETERS;
     for (int i = 0; i < count; i++)
         if (rows[i].parameter && strcmp(rows[i].parameter->key, key) == 0) {
-            bench->lab.screen.parameters.selected = i;
+            bench->lab.parameters.selected = i;
             return;
         }
     ck_abort_msg("%s is not on the screen", key);
@@ -448,14 +448,14 @@ START_TEST(a_field_is_edited_in_place)
     Bench *bench = open_bench("mode1", true);
     select_parameter(bench, "initial.velocity");
     press_all(bench, "Enter");
-    ck_assert(bench->lab.screen.parameters.edit.open);
+    ck_assert(bench->lab.parameters.edit.open);
     press_all(bench, "0 . 2 5 Enter");
-    ck_assert(!bench->lab.screen.parameters.edit.open);
+    ck_assert(!bench->lab.parameters.edit.open);
     ck_assert_double_eq(value(bench, "initial.velocity"), 0.25);
     press_all(bench, "Enter Backspace 7 Enter"); /* 0.2 and 7 */
     ck_assert_double_eq(value(bench, "initial.velocity"), 0.27);
     press_all(bench, "Enter 9 Esc");
-    ck_assert(!bench->lab.screen.parameters.edit.open);
+    ck_assert(!bench->lab.parameters.edit.open);
     ck_assert_double_eq(value(bench, "initial.velocity"), 0.27);
     close_bench(bench);
 }
@@ -470,8 +470,8 @@ START_TEST(a_bad_value_says_why_and_keeps_the_old)
         press(bench, "Enter");
         press_all(bench, bad[i]);
         press(bench, "Enter");
-        ck_assert_msg(bench->lab.screen.parameters.edit.open, "'%s' was taken", bad[i]);
-        ck_assert(bench->lab.screen.parameters.edit.problem[0] != '\0');
+        ck_assert_msg(bench->lab.parameters.edit.open, "'%s' was taken", bad[i]);
+        ck_assert(bench->lab.parameters.edit.problem[0] != '\0');
         ck_assert_double_eq(value(bench, "bar.length"), 25);
         press(bench, "Esc");
         ck_assert_double_eq(value(bench, "bar.length"), 25);
@@ -738,11 +738,11 @@ START_TEST(quitting_closes_what_is_open_first)
 {
     Bench *bench = open_bench("mode1", true);
     press_all(bench, "? q");
-    ck_assert(!bench->lab.closed && !bench->lab.screen.help.open);
+    ck_assert(!bench->lab.closed && !bench->lab.help.open);
     press_all(bench, "z q");
     ck_assert(!bench->lab.closed && !bench->lab.screen.panes.zoomed);
     press_all(bench, "Enter F10");
-    ck_assert(!bench->lab.closed && !bench->lab.screen.parameters.edit.open);
+    ck_assert(!bench->lab.closed && !bench->lab.parameters.edit.open);
     press_all(bench, ": F10");
     ck_assert(!bench->lab.closed && !bench->lab.screen.prompt->open);
     press(bench, "F10");
@@ -886,7 +886,7 @@ START_TEST(rows_keep_their_digits)
     press_all(bench, "/ c u t s Enter");
     press_all(bench,
               "Enter ^U n e w Space = Space 0 Space 0 . 0 2 6 Space 0 . 0 3 3 3 3 3 3 Space 0 . 0 2 7 Enter");
-    ck_assert_msg(!bench->lab.screen.parameters.edit.open, "%s", bench->lab.screen.parameters.edit.problem);
+    ck_assert_msg(!bench->lab.parameters.edit.open, "%s", bench->lab.parameters.edit.problem);
     const Settings *settings = experiment_settings(bench->lab.screen.experiment);
     ck_assert_str_eq(settings->rows[ROWS_CUTS].rows[0].name, "new");
     ck_assert_str_eq(settings->rows[ROWS_CUTS].rows[1].name, "right");

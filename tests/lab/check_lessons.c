@@ -645,7 +645,7 @@ END_TEST
 /* A field that was opened takes what the page asks for; one that takes nothing is left as its line says. */
 static void close_field(Bench *bench)
 {
-    const FieldEdit *edit = &bench->lab.screen.parameters.edit;
+    const FieldEdit *edit = &bench->lab.parameters.edit;
     const LessonUntil *until = &page_of(bench)->until;
     if (bench->lab.screen.prompt->open || edit->open)
         press(bench, "Enter");

@@ -155,7 +155,7 @@ static void look(Sitting *sitting)
     /* the host leaves the picture before where there is no memory for one */
     laboratory_draw(&bench->lab, &bench->canvas, bench->width, bench->height);
     sitting->told |= speaks_of_memory(screen->message->text) || speaks_of_memory(screen->prompt->problem) ||
-                     speaks_of_memory(screen->parameters.edit.problem);
+                     speaks_of_memory(screen->parameters->edit.problem);
 }
 
 static void go(Sitting *sitting)

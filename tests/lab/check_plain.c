@@ -249,9 +249,9 @@ START_TEST(rows_of_a_plate_are_told)
     line(talk, "pd.spacing=2e-3");
     line(talk, "pd.horizon=8e-3");
     for (int i = 0, count = screen_parameter_rows(screen, rows); i < count; i++) {
-        const int before = screen->parameters.selected;
+        const int before = screen->parameters->selected;
         const char *said = line(talk, "Down");
-        ck_assert_msg(screen->parameters.selected == before || !strstr(said, "Done."), "%d: %s", i, said);
+        ck_assert_msg(screen->parameters->selected == before || !strstr(said, "Done."), "%d: %s", i, said);
     }
     line(talk, "/");
     line(talk, "cuts");

@@ -458,11 +458,11 @@ START_TEST(any_state_can_be_drawn)
         for (int v = 0; v < n_views; v++)
             view_choose_variant(views[v], screen, DRAW(9));
         screen->views.references = (ReferencesShown)DRAW(SHOW_COUNT);
-        screen->parameters.selected = DRAW(60) - 2;
-        screen->parameters.edit.open = DRAW(4) == 0;
-        strcpy(screen->parameters.edit.text, DRAW(2) ? "3:0.03,7:0.01,9:0.005,11:0.001,13:0.01" : "");
-        screen->parameters.edit.cursor = DRAW(40);
-        strcpy(screen->parameters.filter, DRAW(4) ? "" : "den");
+        scene.parameters.selected = DRAW(60) - 2;
+        scene.parameters.edit.open = DRAW(4) == 0;
+        strcpy(scene.parameters.edit.text, DRAW(2) ? "3:0.03,7:0.01,9:0.005,11:0.001,13:0.01" : "");
+        scene.parameters.edit.cursor = DRAW(40);
+        strcpy(scene.parameters.filter, DRAW(4) ? "" : "den");
         screen->chosen.particle = (size_t)DRAW(3000);
         screen->chosen.node = (size_t)DRAW(100);
         screen->chosen.is_node = DRAW(2);
@@ -480,9 +480,9 @@ START_TEST(any_state_can_be_drawn)
         strcpy(scene.prompt.problem, DRAW(2) ? "" : "it exists already");
         scene.message.kind = (MessageKind)DRAW(4);
         strcpy(scene.message.text, "a message that says something");
-        screen->help.open = DRAW(6) == 0;
-        screen->help.page = DRAW(5) - 1;
-        screen->help.scroll = DRAW(200) - 5;
+        scene.help.open = DRAW(6) == 0;
+        scene.help.page = DRAW(5) - 1;
+        scene.help.scroll = DRAW(200) - 5;
         scene.used.words[0] = state;
         screen->summary = DRAW(2) ? &scene.summary : NULL;
         int width = 1 + DRAW(180), height = 1 + DRAW(60);

@@ -73,14 +73,14 @@ START_TEST(help_is_shown_whole)
     Status status = {STATUS_DONE, ""};
     snprintf(words, sizeof words, "%s 80x24 3", scenarios[_i]);
     ck_assert_msg(scene_open(&scene, words, &status), "%s", status.text);
-    scene.screen.help.open = true;
+    scene.help.open = true;
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
         for (int page = 0; page < HELP_PAGES; page++) {
             const int width = sizes[i][0], height = sizes[i][1];
-            scene.screen.help.page = page;
+            scene.help.page = page;
             const int most = help_most(&scene.screen, width, height);
             for (int scroll = 0; scroll <= most + height; scroll += height - 4) {
-                scene.screen.help.scroll = scroll < most ? scroll : most;
+                scene.help.scroll = scroll < most ? scroll : most;
                 draw_at(&scene, width, height);
                 check_whole(&scene, (Rect){0, 0, width, height}, "the help");
             }
@@ -103,7 +103,7 @@ START_TEST(what_matters_has_room)
     ck_assert_ptr_nonnull(strstr(text, "v_cm: velocity of the centre of mass"));
     ck_assert_ptr_nonnull(strstr(text, "New here?  T lessons  o scenarios"));
     free(text);
-    scene.screen.help.open = true;
+    scene.help.open = true;
     draw_at(&scene, 80, 24);
     text = canvas_dump(&scene.canvas);
     ck_assert_ptr_nonnull(strstr(text, "Five keys to begin with\n   Space"));

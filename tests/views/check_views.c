@@ -2,6 +2,7 @@
 /* What the views of the errors, the spectrum and the timeline show is where theory and the run say: read from
  * the grid alone, by the labels of its axes, as a reader would. */
 #include "scenario/scenario.h"
+#include "scenario/parameters.h"
 #include "scenario/settings.h"
 #include "answers/dispersion_curves.h"
 #include "suite.h"

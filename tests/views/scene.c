@@ -40,7 +40,7 @@ static bool simple_word(Scene *scene, const char *word)
     else if (strcmp(word, "lecture") == 0)
         screen->panes.lecture = true;
     else if (strcmp(word, "bare") == 0)
-        screen->panes.sheet = SHEET_PLAIN, screen->parameters.selected = 0;
+        screen->panes.sheet = SHEET_PLAIN, scene->parameters.selected = 0;
     else if (strcmp(word, "zoom") == 0)
         screen->panes.zoomed = true;
     else if (strcmp(word, "none") == 0)
@@ -60,9 +60,9 @@ static bool simple_word(Scene *scene, const char *word)
     else if (strcmp(word, "plain") == 0)
         screen->look.colours = 0;
     else if (strcmp(word, "edit") == 0) {
-        screen->parameters.edit.open = true;
-        strcpy(screen->parameters.edit.text, "12.5");
-        screen->parameters.edit.cursor = 4;
+        scene->parameters.edit.open = true;
+        strcpy(scene->parameters.edit.text, "12.5");
+        scene->parameters.edit.cursor = 4;
     } else
         return false;
     return true;
@@ -72,11 +72,11 @@ static bool number_word(Scene *scene, Plan *plan, const char *word, const char *
 {
     Screen *screen = &scene->screen;
     if (strcmp(word, "help") == 0)
-        screen->help.open = true, screen->help.page = atoi(number);
+        scene->help.open = true, scene->help.page = atoi(number);
     else if (strcmp(word, "points") == 0) /* of a study, the first ones */
         scene->refined = true, plan->points = atoi(number);
     else if (strcmp(word, "scroll") == 0)
-        screen->help.scroll = atoi(number);
+        scene->help.scroll = atoi(number);
     else if (strcmp(word, "upper") == 0)
         screen->views.upper = view_named(number);
     else if (strcmp(word, "lower") == 0)
@@ -87,7 +87,7 @@ static bool number_word(Scene *scene, Plan *plan, const char *word, const char *
     else if (strcmp(word, "focus") == 0)
         screen->panes.focus = (PaneId)atoi(number);
     else if (strcmp(word, "select") == 0)
-        screen->parameters.selected = atoi(number);
+        scene->parameters.selected = atoi(number);
     else if (strcmp(word, "stage") == 0)
         plan->stages = atol(number);
     else if (strcmp(word, "back") == 0)
@@ -229,13 +229,15 @@ bool scene_open(Scene *scene, const char *words, Status *status)
     screen_default(&scene->screen);
     scene->playback = *scene->screen.playback;
     scene->screen.playback = &scene->playback;
+    scene->screen.parameters = &scene->parameters;
+    scene->screen.help = &scene->help;
     scene->screen.bookmarks = &scene->bookmarks;
     scene->screen.lesson = &scene->lesson;
     scene->screen.prompt = &scene->prompt;
     scene->screen.message = &scene->message;
     scene->screen.used = &scene->used;
     scene->screen.scenario = scene->scenario;
-    scene->screen.parameters.selected = 1;
+    scene->parameters.selected = 1;
     if (!read_words(scene, &plan, words, status) || !play(scene, &plan, status) ||
         !canvas_open(&scene->canvas, plan.width, plan.height, status))
         return false;

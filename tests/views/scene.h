@@ -17,6 +17,7 @@
 #include "help/command.h"
 #include "lessons/lesson_shown.h"
 #include "panes/key_line.h"
+#include "panes/parameters_shown.h"
 #include "panes/screen.h"
 #include "run/duel.h"
 #include "run/playback.h"
@@ -25,6 +26,8 @@
 typedef struct Scene {
     Screen screen;
     Duel duel; /* behind screen.duel, and so the others behind its pointers */
+    ParametersShown parameters;
+    HelpShown help;
     Playback playback;
     Bookmarks bookmarks;
     LessonShown lesson;

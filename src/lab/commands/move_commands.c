@@ -72,7 +72,7 @@ static void move(Laboratory *lab, int x, int y, int page)
         if (x)
             row_edit_nudge(lab, x, false);
         else
-            edit_move(&lab->screen, y * page);
+            edit_move(lab, y * page);
     } else if (view && view->is_list) {
         view_move(view, screen, screen_pane(screen, lab->width, lab->height, screen->panes.focus), x, y,
                   page);
@@ -211,12 +211,12 @@ void command_inspect(Laboratory *lab)
 bool command_close_top(Laboratory *lab)
 {
     Screen *screen = &lab->screen;
-    if (screen->help.open)
-        screen->help.open = false;
+    if (lab->help.open)
+        lab->help.open = false;
     else if (lab->prompting.shown.open)
         prompt_close(&lab->prompting);
-    else if (screen->parameters.edit.open)
-        screen->parameters.edit.open = false;
+    else if (lab->parameters.edit.open)
+        lab->parameters.edit.open = false;
     else if (!isnan(screen->time.cursor))
         screen->time.cursor = NAN;
     else if (screen->eye.open)
@@ -225,8 +225,8 @@ bool command_close_top(Laboratory *lab)
         command_zoom_out(screen);
     else if (screen->panes.inspecting)
         command_close_inspector(&lab->screen);
-    else if (screen->parameters.filter[0])
-        screen->parameters.filter[0] = '\0';
+    else if (lab->parameters.filter[0])
+        lab->parameters.filter[0] = '\0';
     else
         return false;
     return true;

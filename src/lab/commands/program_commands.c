@@ -14,14 +14,14 @@ void command_filter(Laboratory *lab)
     if (lab->screen.panes.inspecting)
         command_close_inspector(&lab->screen);
     lab->screen.panes.focus = PANE_PARAMETERS;
-    prompt_ask(&lab->prompting, edit_answer_filter, false, lab->screen.parameters.filter,
+    prompt_ask(&lab->prompting, edit_answer_filter, false, lab->parameters.filter,
                "parameters whose name holds");
 }
 
 void command_help_pages(Laboratory *lab)
 {
-    lab->screen.help.open = true;
-    lab->screen.help.page = lab->screen.help.scroll = 0;
+    lab->help.open = true;
+    lab->help.page = lab->help.scroll = 0;
 }
 
 static bool answer_quit(Laboratory *lab, const char *text)

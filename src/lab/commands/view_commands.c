@@ -100,7 +100,7 @@ static void turn_sheet(Laboratory *lab, Sheet sheet, bool lecture)
     screen->panes.lecture = lecture;
     if (screen_is_plain(screen) == was_plain)
         return;
-    screen_select(screen, chosen);
+    lab->parameters.selected = screen_row_of(screen, chosen);
     screen->panes.zoomed = false;
     if (was_plain || screen->panes.inspecting || screen->eye.open)
         return;

@@ -456,8 +456,8 @@ static void queue_page(Laboratory *lab, int page)
  */
 void lesson_entry_select(Laboratory *lab, const char *key)
 {
-    lab->screen.parameters.filter[0] = '\0';
-    screen_select(&lab->screen, parameter_find(key));
+    lab->parameters.filter[0] = '\0';
+    lab->parameters.selected = screen_row_of(&lab->screen, parameter_find(key));
 }
 
 void lesson_entry_show(Laboratory *lab, int page)
@@ -527,6 +527,6 @@ void lesson_entry_note(Laboratory *lab, const Key *key)
     bool known = answers;
     for (size_t i = 0; command && i < sizeof harmless / sizeof *harmless; i++)
         known = known || command->id == harmless[i];
-    if (page && (!known || lab->screen.parameters.edit.open || lab->prompting.shown.open))
+    if (page && (!known || lab->parameters.edit.open || lab->prompting.shown.open))
         lab->play.touched = true;
 }

@@ -61,7 +61,7 @@ void lesson_play_close(Laboratory *lab)
     forget_lesson(lab);
     lab->play.shown.open = false;
     if (screen_is_plain(&lab->screen) && laboratory_run(lab))
-        screen_select(&lab->screen, chosen);
+        lab->parameters.selected = screen_row_of(&lab->screen, chosen);
     lab->editing.changed = false; /* what was tried beside a page is nobody's work */
 }
 

@@ -55,7 +55,7 @@ static bool approach(Replay *replay, Laboratory *lab, const SessionEvent *event,
 
 static bool takes_text(const Screen *screen)
 {
-    return screen->prompt->open || screen->parameters.edit.open || screen->help.open;
+    return screen->prompt->open || screen->parameters->edit.open || screen->help->open;
 }
 
 bool replay_go_on(Replay *replay, Laboratory *lab, double deadline)

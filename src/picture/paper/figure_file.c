@@ -2,6 +2,7 @@
 /* A figure from its name to its file: which views make one, panels side by side, what the page says of the
  * run. */
 #include "picture/paper/figure_file.h"
+#include "scenario/parameters.h"
 #include "scenario/settings.h"
 #include "scenario/rows/rows.h"
 #include "base/text.h"

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The parts of the screen in words (tell.h). */
 #include "picture/words/tell.h"
+#include "panes/parameters_shown.h"
 #include "scenario/concern_loads.h"
 #include "scenario/settings.h"
 #include "scenario/rows/rows.h"
@@ -224,7 +225,7 @@ static void tell_derived(const Screen *screen, int index, Words *words)
 static void tell_parameter(const Screen *screen, Words *words)
 {
     ParameterRow rows[PARAMETER_ROWS_MAX];
-    const int count = screen_parameter_rows(screen, rows), selected = screen->parameters.selected;
+    const int count = screen_parameter_rows(screen, rows), selected = screen->parameters->selected;
     const Settings *settings = experiment_settings(screen->experiment);
     const ParameterRow *row = selected >= 0 && selected < count ? &rows[selected] : NULL;
     if (row && row->is_row)
@@ -339,7 +340,7 @@ void tell_names(char *out, size_t size)
 void tell_prompt(const Screen *screen, Words *words)
 {
     const Prompt *prompt = screen->prompt;
-    const FieldEdit *edit = &screen->parameters.edit;
+    const FieldEdit *edit = &screen->parameters->edit;
     if (!prompt->open && edit->open && edit->problem[0])
         words_say(words, 2, "Refused: %s", edit->problem);
     if (!prompt->open && edit->open)

@@ -3,6 +3,7 @@
  * at the edge, the probe; and the cracks that grow from the cuts. The row that is chosen among the
  * parameters, or being moved, is drawn on top, its end that the arrows move with a mark. */
 #include "views/map/map.h"
+#include "panes/parameters_shown.h"
 #include "scenario/concern_body.h"
 #include "scenario/settings.h"
 #include "scenario/rows/rows.h"
@@ -170,7 +171,7 @@ void map_add_row_signs(Map *map)
 {
     int chosen_kind, chosen_row;
     const Settings *settings = screen_rows_shown(map->screen, &chosen_kind, &chosen_row);
-    const RowsShown *shown = &map->screen->parameters.rows;
+    const RowsShown *shown = &map->screen->parameters->rows;
     if (!settings_have_rows(settings, ROWS_PROBE))
         return;
     for (int row = 0; row < settings->rows[ROWS_LOADS].count; row++)
