@@ -29,12 +29,5 @@ bool axial_check_layer(double layer, double spacing, double length, Status *stat
 void axial_set_motion(Simulation *sim, unsigned has, double spacing)
 {
     sim->has = HAS_LINE | has;
-    sim->columns = sim->counts[0];
-    sim->rows = 1;
-    sim->spacing = spacing;
-    sim->dimensions = 1;
-    sim->position[0] = AXIAL_X0;
-    sim->displacement[0] = AXIAL_U;
-    sim->velocity[0] = AXIAL_V;
-    sim->position[1] = sim->displacement[1] = sim->velocity[1] = -1;
+    simulation_lay(sim, sim->counts[0], 1, spacing, 1, &(MotionFields){AXIAL_X0, AXIAL_U, AXIAL_V});
 }

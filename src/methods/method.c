@@ -258,6 +258,21 @@ bool simulation_fail(Simulation *sim, Status *status, const char *format, ...)
     return false;
 }
 
+void simulation_lay(Simulation *sim, size_t columns, size_t rows, double spacing, int dimensions,
+                    const MotionFields *fields)
+{
+    ASSERT_INT(dimensions, <=, SIMULATION_DIMENSIONS_MAX);
+    sim->columns = columns;
+    sim->rows = rows;
+    sim->spacing = spacing;
+    sim->dimensions = dimensions;
+    for (int d = 0; d < SIMULATION_DIMENSIONS_MAX; d++) {
+        sim->position[d] = d < dimensions ? fields[d].position : -1;
+        sim->displacement[d] = d < dimensions ? fields[d].displacement : -1;
+        sim->velocity[d] = d < dimensions ? fields[d].velocity : -1;
+    }
+}
+
 int simulation_find_field(const Simulation *sim, int set, const char *name)
 {
     ASSERT_INDEX(set, sim->n_sets);

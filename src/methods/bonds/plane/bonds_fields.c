@@ -287,14 +287,6 @@ void beam_set_fields(Beam *beam)
     sim->has = HAS_PLANE | HAS_BONDS | HAS_STRETCH | (beam->def.problem == BEAM_PLATE ? HAS_ROWS : 0u);
     if (beam->def.critical_stretch > 0)
         beam_set_breaking(beam);
-    sim->columns = (size_t)beam->lattice.nx;
-    sim->rows = (size_t)beam->lattice.ny;
-    sim->spacing = beam->lattice.spacing;
-    sim->dimensions = 2;
-    sim->position[0] = F_X0;
-    sim->position[1] = F_Y0;
-    sim->displacement[0] = F_UX;
-    sim->displacement[1] = F_UY;
-    sim->velocity[0] = F_VX;
-    sim->velocity[1] = F_VY;
+    simulation_lay(sim, (size_t)beam->lattice.nx, (size_t)beam->lattice.ny, beam->lattice.spacing, 2,
+                   (MotionFields[]){{F_X0, F_UX, F_VX}, {F_Y0, F_UY, F_VY}});
 }

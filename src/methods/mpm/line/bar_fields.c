@@ -111,114 +111,80 @@ static double strain_increment(const Bar *bar, int particle, int cell, double s)
     return (bar_mistake(bar) ? bar_strain_span(bar) * bar_slope_scale(bar) : bar->dt / bar->dx) * gradient;
 }
 
-/* Values of `count` particles from `first` on, whose cells are met on the way. x of a moved particle counts
- * from its old cell until the last stage; u as a difference of cells and of places within them keeps all
- * digits of a small motion. */
-static void particle_field(const Bar *bar, int field, int first, int count, double *out)
+/* The value of one particle's field. x of a moved particle counts from its old cell until the last stage; u
+ * as a difference of cells and of places within them keeps all digits of a small motion. */
+static double particle_field(const Bar *bar, int field, int p, int cell)
 {
-    const bool moved = bar_has_done(bar, OP_UPDATE), strained = bar_has_done(bar, OP_STRAIN);
-    int cell = bar_cell_of(bar, first);
-    for (int i = 0; i < count; i++) {
-        int p = first + i, j = p % bar->slots, k = p / bar->slots;
-        while (bar->first[cell + 1] <= p)
-            cell++;
-        double s = bar->s[j][k], place = moved ? bar->moved[j][k] : s, start = bar_place_at_start(bar, j);
-        switch (field) {
-        case AXIAL_X0:
-            out[i] = (k + start) * bar->dx;
-            break;
-        case AXIAL_X:
-            out[i] = ((cell - bar->origin) + place) * bar->dx;
-            break;
-        case AXIAL_U:
-            out[i] = ((cell - bar->origin - k) + (place - start)) * bar->dx;
-            break;
-        case AXIAL_V:
-            out[i] = bar->v[j][k];
-            break;
-        case AXIAL_STRESS:
-            out[i] = bar->stress[j][k];
-            break;
-        case AXIAL_STRAIN:
-            out[i] = bar->stress[j][k] / bar_modulus(bar, p);
-            break;
-        case AXIAL_DENSITY:
-            out[i] = bar_particle_mass(bar, p) / bar->volume[j][k];
-            break;
-        case AXIAL_MASS:
-            out[i] = bar_particle_mass(bar, p);
-            break;
-        case P_CELL:
-            out[i] = cell;
-            break;
-        case P_NATURAL:
-            out[i] = place;
-            break;
-        case P_STRAIN_INCREMENT:
-            out[i] = strained ? strain_increment(bar, p, cell, s) : 0.0;
-            break;
-        case P_MOMENTUM:
-            out[i] = bar_particle_mass(bar, p) * bar->v[j][k];
-            break;
-        case P_AFFINE:
-            out[i] = bar->affine[j][k];
-            break;
-        case P_STRETCH:
-            out[i] = bar->volume[j][k] * bar->slots / bar->dx;
-            break;
-        default:
-            out[i] = 0.0;
-        }
+    const int j = p % bar->slots, k = p / bar->slots;
+    const double s = bar->s[j][k], place = bar_has_done(bar, OP_UPDATE) ? bar->moved[j][k] : s,
+                 start = bar_place_at_start(bar, j);
+    switch (field) {
+    case AXIAL_X0:
+        return (k + start) * bar->dx;
+    case AXIAL_X:
+        return ((cell - bar->origin) + place) * bar->dx;
+    case AXIAL_U:
+        return ((cell - bar->origin - k) + (place - start)) * bar->dx;
+    case AXIAL_V:
+        return bar->v[j][k];
+    case AXIAL_STRESS:
+        return bar->stress[j][k];
+    case AXIAL_STRAIN:
+        return bar->stress[j][k] / bar_modulus(bar, p);
+    case AXIAL_DENSITY:
+        return bar_particle_mass(bar, p) / bar->volume[j][k];
+    case AXIAL_MASS:
+        return bar_particle_mass(bar, p);
+    case P_CELL:
+        return cell;
+    case P_NATURAL:
+        return place;
+    case P_STRAIN_INCREMENT:
+        return bar_has_done(bar, OP_STRAIN) ? strain_increment(bar, p, cell, s) : 0.0;
+    case P_MOMENTUM:
+        return bar_particle_mass(bar, p) * bar->v[j][k];
+    case P_AFFINE:
+        return bar->affine[j][k];
+    case P_STRETCH:
+        return bar->volume[j][k] * bar->slots / bar->dx;
+    default:
+        return 0.0;
     }
 }
 
-/* The grid is forgotten between steps, and each of its fields is 0 before its stage. */
-static void node_field(const Bar *bar, int field, int first, int count, double *out)
+/* The value of one node's field: the grid is forgotten between steps, and each is 0 before its stage. */
+static double node_field(const Bar *bar, int field, int i)
 {
     const bool mapped = bar->sim.stage > 0 && bar_has_done(bar, OP_MAP);
     const bool forced = bar_has_done(bar, OP_FORCE);
-    for (int n = 0; n < count; n++) {
-        int i = first + n;
-        switch (field) {
-        case N_X:
-            out[n] = bar_node_position(bar, i);
-            break;
-        case N_MASS:
-            out[n] = mapped ? bar->node_mass[i] : 0.0;
-            break;
-        case N_MOMENTUM:
-            out[n] = mapped ? bar->node_momentum[i] : 0.0;
-            break;
-        case N_VELOCITY:
-            out[n] = mapped ? bar_node_velocity(bar, i) : 0.0;
-            break;
-        case N_F_INT:
-            out[n] = forced ? bar->node_f_int[i] : 0.0;
-            break;
-        case N_F_EXT:
-            out[n] = forced && bar_is_loaded(bar) ? bar->node_f_ext[i] : 0.0;
-            break;
-        case N_F:
-            out[n] = forced ? bar_node_force(bar, i) : 0.0;
-            break;
-        case N_ACCELERATION:
-            out[n] = mapped ? bar_node_acceleration(bar, i) : 0.0;
-            break;
-        case N_MASS_0:
-        case N_MASS_1:
-        case N_MASS_2:
-        case N_MASS_3:
-            out[n] = mapped ? bar_mass_between(bar, i, i + field - N_MASS_0) : 0.0;
-            break;
-        case N_ACTIVE:
-            out[n] = mapped && bar->node_inverse[i] > 0.0;
-            break;
-        case N_FIXED:
-            out[n] = bar_node_is_fixed(bar, i);
-            break;
-        default:
-            out[n] = 0.0;
-        }
+    switch (field) {
+    case N_X:
+        return bar_node_position(bar, i);
+    case N_MASS:
+        return mapped ? bar->node_mass[i] : 0.0;
+    case N_MOMENTUM:
+        return mapped ? bar->node_momentum[i] : 0.0;
+    case N_VELOCITY:
+        return mapped ? bar_node_velocity(bar, i) : 0.0;
+    case N_F_INT:
+        return forced ? bar->node_f_int[i] : 0.0;
+    case N_F_EXT:
+        return forced && bar_is_loaded(bar) ? bar->node_f_ext[i] : 0.0;
+    case N_F:
+        return forced ? bar_node_force(bar, i) : 0.0;
+    case N_ACCELERATION:
+        return mapped ? bar_node_acceleration(bar, i) : 0.0;
+    case N_MASS_0:
+    case N_MASS_1:
+    case N_MASS_2:
+    case N_MASS_3:
+        return mapped ? bar_mass_between(bar, i, i + field - N_MASS_0) : 0.0;
+    case N_ACTIVE:
+        return mapped && bar->node_inverse[i] > 0.0;
+    case N_FIXED:
+        return bar_node_is_fixed(bar, i);
+    default:
+        return 0.0;
     }
 }
 
@@ -227,12 +193,14 @@ void bar_field(const Simulation *sim, int field, size_t first, size_t count, dou
     const Bar *bar = bar_of_const(sim);
     ASSERT_INT(field, <, sim->n_fields);
     ASSERT_INT(first + count, <=, sim->counts[sim->fields[field].set]);
-    if (count == 0)
-        return;
-    if (sim->fields[field].set == BAR_PARTICLES)
-        particle_field(bar, bar->field_kinds[field], (int)first, (int)count, out);
-    else
-        node_field(bar, bar->field_kinds[field], (int)first, (int)count, out);
+    const int kind = bar->field_kinds[field], end = (int)(first + count);
+    const bool of_particles = sim->fields[field].set == BAR_PARTICLES;
+    int cell = of_particles && count > 0 ? bar_cell_of(bar, (int)first) : 0;
+    for (int i = (int)first; i < end; i++) {
+        while (of_particles && bar->first[cell + 1] <= i)
+            cell++;
+        *out++ = of_particles ? particle_field(bar, kind, i, cell) : node_field(bar, kind, i);
+    }
 }
 
 /* N and dN/dx of a particle and a node of its cell. */

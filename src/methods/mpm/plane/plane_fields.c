@@ -107,16 +107,8 @@ void plane_set_fields(Plane *plane)
     sim->n_fields = FIELDS;
     sim->has = HAS_PLANE | HAS_MESH | (plane->speed > 0 ? HAS_RELATIVE_ENERGY : 0);
     sim->common_speed = plane->speed;
-    sim->columns = (size_t)plane->nxp;
-    sim->rows = (size_t)plane->nyp;
-    sim->spacing = plane->spacing;
-    sim->dimensions = 2;
-    sim->position[0] = P_X0;
-    sim->position[1] = P_Y0;
-    sim->displacement[0] = P_UX;
-    sim->displacement[1] = P_UY;
-    sim->velocity[0] = P_VX;
-    sim->velocity[1] = P_VY;
+    simulation_lay(sim, (size_t)plane->nxp, (size_t)plane->nyp, plane->spacing, 2,
+                   (MotionFields[]){{P_X0, P_UX, P_VX}, {P_Y0, P_UY, P_VY}});
 }
 
 static double rest_x(const Plane *plane, int p)
