@@ -74,8 +74,8 @@ static BatchMark mark_of(Simulation *sim, const Batches *batches)
 /* Undoes everything since the mark. */
 void batch_return(Simulation *sim, const Batches *batches, BatchMark mark)
 {
-    batches->put_back(sim);
     sim->step = mark.step;
+    batches->put_back(sim);
     sim->n_events = mark.n_events;
     sim->events_beyond = mark.events_beyond;
     sim->failed = false;
@@ -87,14 +87,14 @@ bool batch_steps(Simulation *sim, const Batches *batches, long count, double *ro
     ASSERT_INT(count, >=, 0);
     ASSERT_INT(sim->stage, ==, 0);
     *done = 0;
-    while (*done < count) {
+    while (*done < count && !sim->at_rest) {
         long batch = BATCH_STEPS - sim->step % BATCH_STEPS;
         if (batch > count - *done)
             batch = count - *done;
         double *here = rows ? rows + *done * sim->n_series : NULL;
         BatchMark mark = mark_of(sim, batches);
         if (batches->steps(sim, batch, here, status)) {
-            *done += batch;
+            *done += sim->step - mark.step;
             continue;
         }
         /* again one step at a time, so that the run ends before the step that fails */

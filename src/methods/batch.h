@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Whole steps in batches, and the energy that may stop a run: what the material point methods share.
+/* Whole steps in batches, for all methods, and the energy that may stop a run of the material point methods.
  *
  * The energy is looked at behind steps that are multiples of BATCH_STEPS, so that the outcome does not depend
  * on how a run is cut; batches end there. A batch that fails is taken back and done again step by step, so
@@ -39,7 +39,8 @@ typedef struct Batches {
     void (*keep)(Simulation *);
     void (*put_back)(Simulation *);
 
-    /* Does whole steps with rows or without (method.h); on failure the state is anything. */
+    /* Does whole steps with rows or without (method.h), fewer where the run comes to rest; on failure the
+     * state is anything. */
     bool (*steps)(Simulation *, long count, double *rows, Status *);
 } Batches;
 

@@ -54,15 +54,15 @@ static void turn_chunk(void *context, int band, int worker)
     }
 }
 
-/* Whole steps, `done` of `count`, fewer where the beam comes to rest; rows: n_series numbers for each, or
- * NULL. The end of a step and the beginning of the next touch the same row of nodes and nothing else, so they
- * are one pass while the row is in the cache (turn_chunk); only a row of the series in between parts them. On
- * failure the state is in the middle of the step that failed. */
-static bool run_turns(Beam *beam, long count, double *rows, long *done, Status *status)
+/* Whole steps, fewer where the beam comes to rest; rows: n_series numbers for each, or NULL. The end of a
+ * step and the beginning of the next touch the same row of nodes and nothing else, so they are one pass while
+ * the row is in the cache (turn_chunk); only a row of the series in between parts them. On failure the state
+ * is in the middle of the step that failed. */
+static bool run_turns(Beam *beam, long count, double *rows, Status *status)
 {
     Simulation *sim = &beam->sim;
     bool begun = false;
-    for (*done = 0; *done < count && !beam->sim.at_rest; ++*done) {
+    for (long n = 0; n < count && !beam->sim.at_rest; n++) {
         beam->strain_known = beam->kinetic_known = false;
         if (!begun) {
             beam_run(beam, begin_chunk, beam->n_bands);
@@ -77,7 +77,7 @@ static bool run_turns(Beam *beam, long count, double *rows, long *done, Status *
         if (!sound)
             return false;
 
-        bool pause = rows || *done + 1 == count || beam_asks_for_rest(beam, sim->step + 1);
+        bool pause = rows || n + 1 == count || beam_asks_for_rest(beam, sim->step + 1);
         beam_run(beam, rows ? watched_end_chunk : pause ? end_chunk : turn_chunk, beam->n_bands);
         if (rows)
             beam_keep_kinetic(beam);
@@ -92,7 +92,7 @@ static bool run_turns(Beam *beam, long count, double *rows, long *done, Status *
             beam_look_for_rest(beam, sim->step + 1);
         sim->step++;
         if (rows)
-            beam_row(sim, rows + *done * sim->n_series);
+            beam_row(sim, rows + n * sim->n_series);
     }
     return true;
 }

@@ -45,7 +45,7 @@ static void destroy(Simulation *sim)
     PdBar *bar = (PdBar *)sim;
     free(bar->memory);
     free(bar->head);
-    free(bar->sound);
+    free(bar->backup);
     free(bar);
 }
 
@@ -75,8 +75,8 @@ static bool lay_out(PdBar *bar)
     const size_t n = (size_t)bar->lattice.n, padded = bar->lattice.padded;
     bar->state_size = sizeof(PdBarHead) + (padded + 2 * n) * sizeof(double);
     bar->head = calloc(1, bar->state_size);
-    bar->sound = malloc(bar->state_size);
-    if (!bar->head || !bar->sound)
+    bar->backup = malloc(bar->state_size);
+    if (!bar->head || !bar->backup)
         return false;
     bar->sim.state = bar->head;
     bar->u = (double *)(bar->head + 1);

@@ -54,7 +54,7 @@ typedef struct PdBar {
     PdBarHead *head; /* the state: head, then u (padded), v, f */
     double *u, *v, *f;
     size_t state_size;
-    void *sound; /* the state at the last whole step that was sound */
+    void *backup; /* the state when a batch of steps began */
 } PdBar;
 
 /* pd_bar_lattice.c; `lattice` is freed by free() of the returned memory. NULL: not enough. */

@@ -12,10 +12,10 @@
  * Each stage is a function of a range of nodes; whole steps call the same functions over all of them. A step
  * fails when two neighbours meet or part by a spacing, and the state goes back to before it. */
 #include "base/assertion.h"
+#include "methods/batch.h"
 #include "methods/bonds/line/pd_bar_internal.h"
 
 #include <math.h>
-#include <string.h>
 
 static double body_force(const Simulation *sim, size_t i, int axis, const void *context)
 {
@@ -180,22 +180,31 @@ void pd_bar_forces(PdBar *bar)
 
 /* --- whole steps --- */
 
-/* A step may fail at the bonds only, before f is written; the state before it is kept aside and put back. */
-bool pd_bar_steps(Simulation *sim, long count, double *rows, long *done, Status *status)
+static bool run_steps(Simulation *sim, long count, double *rows, Status *status)
 {
-    ASSERT_INT(count, >=, 0);
-    ASSERT_INT(sim->stage, ==, 0);
-    PdBar *bar = (PdBar *)sim;
-    for (*done = 0; *done < count; ++*done) {
-        memcpy(bar->sound, bar->head, bar->state_size);
+    for (long n = 0; n < count; n++) {
         for (int stage = 0; stage < PD_BAR_STAGES; stage++)
-            if (!pd_bar_stage(sim, stage, 0, sim->stage_items, status)) {
-                memcpy(bar->head, bar->sound, bar->state_size);
+            if (!pd_bar_stage(sim, stage, 0, sim->stage_items, status))
                 return false;
-            }
         sim->step++;
         if (rows)
-            sim->method->row(sim, rows + *done * sim->n_series);
+            sim->method->row(sim, rows + n * sim->n_series);
     }
     return true;
+}
+
+static void keep(Simulation *sim)
+{
+    simulation_save(sim, ((PdBar *)sim)->backup);
+}
+
+static void put_back(Simulation *sim)
+{
+    sim->method->load(sim, ((PdBar *)sim)->backup);
+}
+
+bool pd_bar_steps(Simulation *sim, long count, double *rows, long *done, Status *status)
+{
+    static const Batches batches = {keep, put_back, run_steps};
+    return batch_steps(sim, &batches, count, rows, done, status);
 }

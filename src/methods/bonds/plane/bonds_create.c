@@ -34,7 +34,7 @@ static void destroy(Simulation *sim)
     free(beam->row_speeds);
     free(beam->scratch);
     free(beam->both);
-    free(beam->rescue.state);
+    free(beam->backup);
     lattice_free(&beam->lattice);
     free(beam);
 }
@@ -97,7 +97,7 @@ static bool allocate(Beam *beam, Status *status)
     beam->unbreakable = zeroed(beam, nodes);
     beam->rooted = zeroed(beam, (size_t)lattice->ny * lattice->n_tiles * (size_t)lattice->n_offsets);
     beam->sim.state = beam->state = zeroed(beam, beam->state_size);
-    beam->rescue.state = malloc(beam->state_size);
+    beam->backup = malloc(beam->state_size);
     beam->broken_at = calloc(slots, sizeof *beam->broken_at);
     beam->damage = zeroed(beam, nodes * sizeof *beam->damage);
     beam->dirty = zeroed(beam, nodes * sizeof *beam->dirty);
@@ -110,7 +110,7 @@ static bool allocate(Beam *beam, Status *status)
     beam->band_logs = zeroed(beam, bands * sizeof *beam->band_logs);
     beam->scratch = zeroed(beam, (size_t)beam->def.threads * BONDS_SCRATCH * sizeof *beam->scratch);
     if (!beam->coefficient || !beam->notched || !beam->unbreakable || !beam->rooted || !beam->state ||
-        !beam->rescue.state || !beam->broken_at || !beam->damage || !beam->dirty || !beam->is_dirty ||
+        !beam->backup || !beam->broken_at || !beam->damage || !beam->dirty || !beam->is_dirty ||
         !beam->halo || !beam->row_energy || !beam->row_squares || !beam->row_work || !beam->row_speeds ||
         !beam->band_logs || !beam->scratch)
         return beam_go_on(beam, BUILDING_BONDS, status) &&

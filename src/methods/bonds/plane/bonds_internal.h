@@ -59,14 +59,6 @@ typedef struct CrackCache {
     double x, y;
 } CrackCache;
 
-/* The state some steps ago; see beam_steps(). */
-typedef struct Rescue {
-    void *state;
-    bool valid; /* only whole steps have been done since */
-    long step, events_beyond;
-    int n_events;
-} Rescue;
-
 typedef struct Beam {
     Simulation sim; /* first */
     BeamDef def;
@@ -135,8 +127,8 @@ typedef struct Beam {
     BondLog *band_logs;  /* one per band */
     double *scratch;     /* one per worker */
     Pool *pool;          /* NULL: one thread */
-    Rescue rescue;
-    double built; /* share of the building that is done, for forces meanwhile; see beam_ask_forces() */
+    void *backup;        /* the state when a batch of steps began */
+    double built;        /* share of the building that is done, for forces meanwhile; see beam_ask_forces() */
     _Atomic bool given_up; /* by BeamDef.patience */
 } Beam;
 

@@ -51,7 +51,6 @@ void beam_load(Simulation *sim, const void *bytes)
     beam_rebuild_damage(beam);
     beam_set_stages(beam);
     beam->strain_known = beam->kinetic_known = false;
-    beam->rescue.valid = false;
 }
 
 /* Parameters that a run may change between steps: they stand in the state's head, so a snapshot brings back
@@ -99,7 +98,6 @@ static bool change_mistake(Beam *beam, double value, Status *status)
         return status_refuse(status, "pd.mistake: %s is made at the start and holds for the whole run",
                              def.conceals_mistake ? "?" : beam_mistake_words[of_start]);
     beam->head->mistake = def.mistake;
-    beam->rescue.valid = false;
     beam_set_stages(beam);
     return true;
 }
@@ -121,7 +119,6 @@ bool beam_change(Simulation *sim, const char *key, double value, Status *status)
             return status_refuse(status, "%s: %g is not allowed (%s)", key, value, live->what);
         memcpy((char *)beam->head + live->offset, &value, sizeof value);
         set_breaking(beam);
-        beam->rescue.valid = false;
         /* it may move anew */
         beam->head->most_kinetic = 0;
         beam->head->moved = sim->step;

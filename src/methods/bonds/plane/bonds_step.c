@@ -20,6 +20,7 @@
  * fast/bonds_turns.h has it. A step fails when a bond doubles its length or
  * collapses, or when there is no memory for the list of broken bonds. */
 #include "base/assertion.h"
+#include "methods/batch.h"
 #include "methods/bonds/plane/bonds_mistakes.h"
 
 #include <math.h>
@@ -208,7 +209,6 @@ bool beam_stage(Simulation *sim, int stage, size_t first, size_t end, Status *st
     beam->kinetic_known = false;
     if (stage <= STAGE_BONDS)
         beam->strain_known = false;
-    beam->rescue.valid = false;
     if (stage == STAGE_BONDS)
         return bonds_stage(beam, (int)first, (int)end, status);
     if (stage == STAGE_DAMAGE) {
@@ -240,19 +240,17 @@ bool beam_goes_fast(const Simulation *sim)
 }
 
 /* Whole steps, stage by stage over all rows. */
-static bool run_stages(Beam *beam, long count, double *rows, long *done, Status *status)
+static bool run_stages(Beam *beam, long count, double *rows, Status *status)
 {
     Simulation *sim = &beam->sim;
-    const bool kept = beam->rescue.valid;
-    for (*done = 0; *done < count && !sim->at_rest; ++*done) {
+    for (long n = 0; n < count && !sim->at_rest; n++) {
         for (int stage = 0; stage < N_STAGES; stage++)
             if (!beam_stage(sim, stage, 0, (size_t)beam->lattice.ny, status))
                 return false;
         sim->step++;
         if (rows)
-            beam_row(sim, rows + *done * sim->n_series);
+            beam_row(sim, rows + n * sim->n_series);
     }
-    beam->rescue.valid = kept; /* these were whole steps */
     return true;
 }
 
@@ -260,65 +258,27 @@ static bool run_stages(Beam *beam, long count, double *rows, long *done, Status 
 #include "methods/fast/bonds_turns.h"
 #endif
 
-static bool run_steps(Beam *beam, long count, double *rows, long *done, Status *status)
+static bool run_steps(Simulation *sim, long count, double *rows, Status *status)
 {
 #ifdef HAVE_FAST
-    if (beam_goes_fast(&beam->sim))
-        return run_turns(beam, count, rows, done, status);
+    if (beam_goes_fast(sim))
+        return run_turns((Beam *)sim, count, rows, status);
 #endif
-    return run_stages(beam, count, rows, done, status);
+    return run_stages((Beam *)sim, count, rows, status);
 }
 
-/* --- a run that becomes unstable is put back to its last sound step: the state of at most RESCUE_EVERY steps
- * before is restored, and the steps since are computed again --- */
-
-enum { RESCUE_EVERY = 64 };
-
-static void keep_rescue(Beam *beam)
+static void keep(Simulation *sim)
 {
-    Rescue *rescue = &beam->rescue;
-    rescue->valid = true;
-    simulation_save(&beam->sim, rescue->state);
-    rescue->step = beam->sim.step;
-    rescue->n_events = beam->sim.n_events;
-    rescue->events_beyond = beam->sim.events_beyond;
+    simulation_save(sim, ((Beam *)sim)->backup);
 }
 
-/* From the state that was kept to the last sound step. The steps since are computed again and cannot fail,
- * for they did not the first time; events since are cut off first, for they are told again. */
-static void go_back(Beam *beam)
+static void put_back(Simulation *sim)
 {
-    Simulation *sim = &beam->sim;
-    Status failure = sim->failure;
-    long sound = sim->step, done;
-    sim->step = beam->rescue.step;
-    sim->n_events = beam->rescue.n_events;
-    sim->events_beyond = beam->rescue.events_beyond;
-    beam_load(sim, beam->rescue.state);
-    run_steps(beam, sound - sim->step, NULL, &done, NULL);
-    sim->failed = true;
-    sim->failure = failure;
+    beam_load(sim, ((Beam *)sim)->backup);
 }
 
-/* A copy of the state every 64 steps is little beside them; a failure costs up to 63 steps more. */
 bool beam_steps(Simulation *sim, long count, double *rows, long *done, Status *status)
 {
-    ASSERT_INT(count, >=, 0);
-    ASSERT_INT(sim->stage, ==, 0);
-    Beam *beam = (Beam *)sim;
-    *done = 0;
-    while (*done < count && !sim->at_rest) {
-        if (!beam->rescue.valid || sim->step >= beam->rescue.step + RESCUE_EVERY)
-            keep_rescue(beam);
-        long left = count - *done, until = beam->rescue.step + RESCUE_EVERY - sim->step, part;
-        if (until < left)
-            left = until;
-        bool sound = run_steps(beam, left, rows ? rows + *done * sim->n_series : NULL, &part, status);
-        *done += part;
-        if (!sound) {
-            go_back(beam);
-            return false;
-        }
-    }
-    return true;
+    static const Batches batches = {keep, put_back, run_steps};
+    return batch_steps(sim, &batches, count, rows, done, status);
 }
