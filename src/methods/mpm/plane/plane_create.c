@@ -68,10 +68,7 @@ static void destroy(Simulation *sim)
  */
 static void take_schedule(Plane *plane)
 {
-    const PlaneSchedule *schedule = plane_schedule(plane->head);
-    plane->sim.stages = schedule->stages;
-    plane->sim.n_stages = schedule->count;
-    plane->sim.sets = schedule->sets;
+    plane_list_stages(plane);
     plane->sim.exchanges = plane_exchanges(plane->head);
     plane->sim.n_exchanges = PLANE_EXCHANGES;
 }

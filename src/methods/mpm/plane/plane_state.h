@@ -55,6 +55,8 @@ typedef enum PlaneOp {
     PLANE_OPS
 } PlaneOp;
 
+enum { PLANE_PARTICLES, PLANE_NODES, PLANE_SETS };
+
 /* The part of the state that is no array; live parameters belong to it. */
 typedef struct PlaneHead {
     MpmAlgorithm algorithm;
@@ -110,6 +112,8 @@ typedef struct Plane {
     double speed;               /* v0; 0 for a supported beam */
     int probe[4];               /* particles whose mean is u_probe, v_probe */
     double energy_start;
+    Stage stages[PLANE_OPS]; /* of the present algorithm, and what is ready when */
+    Set sets[PLANE_SETS];
     Quantity series[9]; /* of this beam; and which of all it is */
     int series_entry[9];
 
@@ -311,17 +315,16 @@ void plane_add_far(const Plane *, PlaneOp);
 /* plane_start.c: particles at t = 0. False: given up, or numbers that are none. */
 bool plane_begin(Plane *, Status *);
 
-/* plane_stages.c: the stages of an algorithm, what people read and what is done. */
+/* plane_stages.c: the stages of an algorithm; and what people read of them, which stands in the simulation.
+ */
 typedef struct PlaneSchedule {
-    const Stage *stages;
-    const PlaneOp *ops;
     int count;
-    const Set *sets;
+    int nodes_ready; /* Set.ready_after of the nodes */
+    PlaneOp ops[PLANE_OPS];
 } PlaneSchedule;
 
-enum { PLANE_PARTICLES, PLANE_NODES, PLANE_SETS };
-
 const PlaneSchedule *plane_schedule(const PlaneHead *);
+void plane_list_stages(Plane *);
 bool plane_has_done(const Plane *, PlaneOp); /* whether the stage of `op` is done in the step going on */
 
 /* plane_steps.c */
