@@ -168,6 +168,17 @@ void picture_mark(Picture *picture, double x, double y, uint32_t glyph, Style st
     picture_add_mark(picture, (PictureMark){.x = x, .y = y, .glyph = glyph, .style = style});
 }
 
+void picture_thing(Picture *picture, double x, double y, uint32_t glyph, Style style, PictureThing thing)
+{
+    picture_add_mark(picture, (PictureMark){.x = x,
+                                            .y = y,
+                                            .glyph = glyph,
+                                            .style = style,
+                                            .is_target = true,
+                                            .set = thing.set,
+                                            .index = thing.index});
+}
+
 bool picture_has_points(const Picture *picture, size_t count)
 {
     const int places = picture->dots / 4 > picture->across ? picture->dots / 4 : picture->across;

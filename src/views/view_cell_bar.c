@@ -297,16 +297,11 @@ static void add_node(const Near *near, Picture *picture, size_t node, double mos
     const double x = node_at(near, node);
     const bool own = near->terms.set == 1 && node == near->terms.index, linked = is_link(near, 1, node);
     const bool there = experiment_stage(near->screen->experiment) > 0;
-    PictureLabel label = {.x = x,
-                          .y = NUMBER_ROW,
-                          .side = 1,
-                          .style = own      ? STYLE_SELECTED
-                                   : linked ? STYLE_NORMAL
-                                            : STYLE_FAINT,
-                          .thing = "node",
-                          .says_thing = true};
-    picture_line(picture, x, grid_row(near) - 0.4, x, grid_row(near) + 0.4,
-                 (Pen){LINE_SOLID, '|', there ? STYLE_NORMAL : STYLE_FAINT, RANK_GHOST, 0});
+    const Style style = own ? STYLE_SELECTED : linked ? STYLE_NORMAL : STYLE_FAINT;
+    const Pen pen = {LINE_SOLID, '|', there ? STYLE_NORMAL : STYLE_FAINT, RANK_GHOST, 0};
+    PictureLabel label = {
+        .x = x, .y = NUMBER_ROW, .side = 1, .style = style, .thing = "node", .says_thing = true};
+    picture_line(picture, x, grid_row(near) - 0.4, x, grid_row(near) + 0.4, pen);
     add_support(near, picture, node);
     add_bar(near, picture, x - 0.05 * near->spacing, 0.04 * near->spacing,
             near->most_mass > 0 ? mass_beside(near, node) / near->most_mass : 0, style_of_masses(near), 'm',
@@ -315,17 +310,11 @@ static void add_node(const Near *near, Picture *picture, size_t node, double mos
             near->most_momentum > 0 && !near->masses ? fabs(near->momenta[node]) / near->most_momentum : 0,
             style_of_momenta(near), 'p', 1);
     add_vector(near, picture, node, most);
-    picture_add_mark(picture, (PictureMark){.x = x,
-                                            .y = grid_row(near),
-                                            .glyph = own      ? 0x25a0
-                                                     : linked ? 0x25cf
-                                                              : 0x253c,
-                                            .style = own      ? STYLE_CHANGED
-                                                     : !there ? STYLE_FAINT
-                                                              : STYLE_NORMAL,
-                                            .is_target = true,
-                                            .set = 1,
-                                            .index = node});
+    picture_thing(picture, x, grid_row(near),
+                  own      ? 0x25a0
+                  : linked ? 0x25cf
+                           : 0x253c,
+                  own ? STYLE_CHANGED : pen.style, (PictureThing){1, node});
     snprintf(label.text, sizeof label.text, "%zu", node);
     node_numbers(near, node, label.text, sizeof label.text);
     picture_label(picture, &label);
@@ -338,22 +327,14 @@ static void add_particle(const Near *near, Picture *picture, size_t particle)
     const bool own = near->terms.set == 0 && particle == near->terms.index,
                linked = is_link(near, 0, particle);
     const double x = particle_at(near, particle);
-    PictureLabel label = {.x = x,
-                          .y = DOTS_ROW,
-                          .side = 1,
-                          .spare = !own && !linked,
-                          .style = own      ? STYLE_SELECTED
-                                   : linked ? STYLE_NORMAL
-                                            : STYLE_FAINT,
-                          .thing = "particle"};
-    picture_add_mark(picture, (PictureMark){.x = x,
-                                            .y = DOTS_ROW,
-                                            .glyph = own || (linked && near->terms.set) ? 0x25cf : 0x25cb,
-                                            .style = own      ? STYLE_CHANGED
-                                                     : linked ? STYLE_MEASURED
-                                                              : STYLE_FAINT,
-                                            .is_target = true,
-                                            .index = particle});
+    const Style style = own ? STYLE_SELECTED : linked ? STYLE_NORMAL : STYLE_FAINT;
+    PictureLabel label = {
+        .x = x, .y = DOTS_ROW, .side = 1, .spare = !own && !linked, .style = style, .thing = "particle"};
+    picture_thing(picture, x, DOTS_ROW, own || (linked && near->terms.set) ? 0x25cf : 0x25cb,
+                  own      ? STYLE_CHANGED
+                  : linked ? STYLE_MEASURED
+                           : STYLE_FAINT,
+                  (PictureThing){0, particle});
     snprintf(label.text, sizeof label.text, "%zu", particle);
     if (own && (near->terms.to_nodes || near->terms.n_flows == 0))
         cell_value_add(near->screen, 0, particle, "x", "x", false, label.text, sizeof label.text);

@@ -92,14 +92,11 @@ static void add_label(Picture *picture, double x, double y, int side, Style styl
 
 static void add_end(Picture *picture, double x, double y, size_t node, bool own, bool now)
 {
-    picture_add_mark(picture, (PictureMark){.x = x,
-                                            .y = y,
-                                            .glyph = now ? 0x25cf : 0x25cb,
-                                            .style = own   ? STYLE_CHANGED
-                                                     : now ? STYLE_MEASURED
-                                                           : STYLE_FAINT,
-                                            .is_target = true,
-                                            .index = node});
+    picture_thing(picture, x, y, now ? 0x25cf : 0x25cb,
+                  own   ? STYLE_CHANGED
+                  : now ? STYLE_MEASURED
+                        : STYLE_FAINT,
+                  (PictureThing){0, node});
 }
 
 static void open_drawing(Picture *picture, double low, double high, const char *name)
@@ -214,15 +211,11 @@ static void add_family(const NearBonds *bonds, Picture *picture, size_t shown)
     const double across = 0.13 / reach, up = 5 / reach, x = 0.16, y = 6;
     for (size_t k = 0; k < bonds->count; k++) {
         const Link *link = &bonds->links[k];
-        picture_add_mark(picture, (PictureMark){.x = x + across * bonds->at[k][0],
-                                                .y = y + up * bonds->at[k][1],
-                                                .glyph = k < shown      ? (uint32_t)('a' + k)
-                                                         : link->broken ? 'x'
-                                                                        : 0x00b7,
-                                                .ascii = k < shown || link->broken ? 0 : '.',
-                                                .style = k < shown ? STYLE_CHANGED : STYLE_FAINT,
-                                                .is_target = true,
-                                                .index = link->index});
+        picture_thing(picture, x + across * bonds->at[k][0], y + up * bonds->at[k][1],
+                      k < shown      ? (uint32_t)('a' + k)
+                      : link->broken ? 'x'
+                                     : 0x00b7,
+                      k < shown ? STYLE_CHANGED : STYLE_FAINT, (PictureThing){0, link->index});
     }
     picture_mark(picture, x, y, 0x25cf, STYLE_MEASURED);
 }

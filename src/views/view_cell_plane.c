@@ -82,13 +82,7 @@ static void add_node(Picture *picture, const Screen *screen, const CellTerms *te
                        sizeof label.text);
     }
     picture_label(picture, &label);
-    picture_add_mark(picture, (PictureMark){.x = x,
-                                            .y = y,
-                                            .glyph = 0x25a0,
-                                            .style = STYLE_CHANGED,
-                                            .is_target = true,
-                                            .set = 1,
-                                            .index = node});
+    picture_thing(picture, x, y, 0x25a0, STYLE_CHANGED, (PictureThing){1, node});
 }
 
 /* Where a stage passes something the way that it takes, with the terms of the strongest; between steps to all
@@ -119,12 +113,9 @@ static void add_particle(Picture *picture, const Screen *screen, const CellTerms
     const Simulation *sim = terms->sim;
     const bool chosen = particle == terms->index;
     const double at[2] = {particle_at(sim, 0, particle), particle_at(sim, 1, particle)};
-    PictureLabel label = {.x = at[0],
-                          .y = at[1],
-                          .side = 1,
-                          .spare = !chosen,
-                          .style = chosen ? STYLE_CHANGED : STYLE_FAINT,
-                          .thing = "particle"};
+    const Style style = chosen ? STYLE_CHANGED : STYLE_FAINT;
+    PictureLabel label = {
+        .x = at[0], .y = at[1], .side = 1, .spare = !chosen, .style = style, .thing = "particle"};
     snprintf(label.text, sizeof label.text, "%zu", particle);
     for (int f = 0; f < terms->n_flows && chosen && !terms->to_nodes; f++) {
         const char *field = terms->flows[f].exchange->field;
@@ -132,12 +123,7 @@ static void add_particle(Picture *picture, const Screen *screen, const CellTerms
                        sizeof label.text);
     }
     picture_label(picture, &label);
-    picture_add_mark(picture, (PictureMark){.x = at[0],
-                                            .y = at[1],
-                                            .glyph = chosen ? 0x25cf : 0x25cb,
-                                            .style = chosen ? STYLE_CHANGED : STYLE_FAINT,
-                                            .is_target = true,
-                                            .index = particle});
+    picture_thing(picture, at[0], at[1], chosen ? 0x25cf : 0x25cb, style, (PictureThing){0, particle});
 }
 
 void cell_plane_describe(const Screen *screen, Picture *picture)
