@@ -7,6 +7,7 @@
 #include "scenario/settings.h"
 #include "answers/crack_growth.h"
 #include "methods/bonds/cracks/crack_cost.h"
+#include "methods/bonds/cracks/fronts.h"
 #include "theory/frequency.h"
 
 #include <stdio.h>
@@ -26,66 +27,6 @@ static double time_of(const VerifyRun *run, size_t k)
 
 /* --- the readout --------------------------------------------------------------------------------- */
 
-double quantity_measured(VerifyRun *run, const VerifyRow *row)
-{
-    (void)row;
-    return run->readout.measured_known ? run->readout.measured : NAN;
-}
-
-double quantity_exact(VerifyRun *run, const VerifyRow *row)
-{
-    (void)row;
-    return run->readout.exact_known ? run->readout.exact : NAN;
-}
-
-double quantity_predicted(VerifyRun *run, const VerifyRow *row)
-{
-    (void)row;
-    return run->readout.predicted_known ? run->readout.predicted : NAN;
-}
-
-double quantity_frequency_error(VerifyRun *run, const VerifyRow *row)
-{
-    (void)row;
-    return run->readout.measured_known ? run->readout.error_frequency : NAN;
-}
-
-double quantity_predicted_frequency_error(VerifyRun *run, const VerifyRow *row)
-{
-    (void)row;
-    return 100 * (run->readout.predicted / run->readout.exact - 1);
-}
-
-double quantity_period_error(VerifyRun *run, const VerifyRow *row)
-{
-    (void)row;
-    return run->readout.measured_known ? run->readout.error_period : NAN;
-}
-
-double quantity_predicted_period_error(VerifyRun *run, const VerifyRow *row)
-{
-    (void)row;
-    return 100 * (run->readout.exact / run->readout.predicted - 1);
-}
-
-double quantity_kept(VerifyRun *run, const VerifyRow *row)
-{
-    (void)row;
-    return run->readout.kept_measured;
-}
-
-double quantity_predicted_kept(VerifyRun *run, const VerifyRow *row)
-{
-    (void)row;
-    return run->readout.kept_predicted;
-}
-
-double quantity_decay_ratio(VerifyRun *run, const VerifyRow *row)
-{
-    (void)row;
-    return run->readout.decay_measured / run->readout.decay_exact;
-}
-
 static double derived_of(const VerifyRun *run, const char *name)
 {
     for (int i = 0; i < run->n_derived; i++)
@@ -94,39 +35,14 @@ static double derived_of(const VerifyRun *run, const char *name)
     return NAN;
 }
 
-static Finding finding_of(VerifyRun *run, const VerifyRow *row)
+static Finding finding_of(const VerifyRun *run, const char *name)
 {
     Finding findings[FINDINGS_MAX];
     const int count = references_findings(run->refs, run->passing.sim, findings);
     for (int i = 0; i < count; i++)
-        if (strcmp(findings[i].name, row->column) == 0)
+        if (strcmp(findings[i].name, name) == 0)
             return findings[i];
     return (Finding){.measured = NAN, .exact = NAN};
-}
-
-double quantity_finding(VerifyRun *run, const VerifyRow *row)
-{
-    return finding_of(run, row).measured;
-}
-
-double quantity_exact_finding(VerifyRun *run, const VerifyRow *row)
-{
-    return finding_of(run, row).exact;
-}
-
-double quantity_derived_number(VerifyRun *run, const VerifyRow *row)
-{
-    return derived_of(run, row->column);
-}
-
-double quantity_measured_over(VerifyRun *run, const VerifyRow *row)
-{
-    return quantity_measured(run, row) / derived_of(run, row->column);
-}
-
-double quantity_percent_over(VerifyRun *run, const VerifyRow *row)
-{
-    return 100 * (quantity_measured_over(run, row) - 1);
 }
 
 double quantity_longer_than(VerifyRun *run, const VerifyRow *row)
@@ -156,16 +72,6 @@ static double at_time(const VerifyRun *run, const char *name, double t)
                               : NAN;
 }
 
-double quantity_value_at(VerifyRun *run, const VerifyRow *row)
-{
-    return at_time(run, row->column, row->from);
-}
-
-double quantity_other_at(VerifyRun *run, const VerifyRow *row)
-{
-    return at_time(run, row->other, row->from);
-}
-
 static double mean(const VerifyRun *run, const char *name, double from, double to)
 {
     const double *column = verify_column(run, name);
@@ -174,11 +80,6 @@ static double mean(const VerifyRun *run, const char *name, double from, double t
     for (size_t k = first; column && k < first + count; k++)
         sum += at(run, column, k);
     return column ? sum / (double)count : NAN;
-}
-
-double quantity_mean_share(VerifyRun *run, const VerifyRow *row)
-{
-    return mean(run, row->column, row->from, row->to) / mean(run, row->other, row->from, row->to);
 }
 
 double quantity_amplitude_share(VerifyRun *run, const VerifyRow *row)
@@ -226,26 +127,6 @@ static Peaks peaks_of(const VerifyRun *run, const char *name)
     return peaks;
 }
 
-double quantity_first_peak(VerifyRun *run, const VerifyRow *row)
-{
-    return peaks_of(run, row->column).first;
-}
-
-double quantity_first_peak_time(VerifyRun *run, const VerifyRow *row)
-{
-    return peaks_of(run, row->column).first_time;
-}
-
-double quantity_largest(VerifyRun *run, const VerifyRow *row)
-{
-    return peaks_of(run, row->column).largest;
-}
-
-double quantity_largest_time(VerifyRun *run, const VerifyRow *row)
-{
-    return peaks_of(run, row->column).largest_time;
-}
-
 /* The zero of a column nearest to a time; NAN: there is none within a tenth of it. */
 static double zero_of(const VerifyRun *run, const char *name, double t)
 {
@@ -262,11 +143,6 @@ static double zero_of(const VerifyRun *run, const char *name, double t)
     return best;
 }
 
-double quantity_zero_over_other(VerifyRun *run, const VerifyRow *row)
-{
-    return zero_of(run, row->column, row->from) / zero_of(run, row->other, row->from);
-}
-
 double quantity_distance(VerifyRun *run, const VerifyRow *row)
 {
     const double *column = verify_column(run, row->column), *other = verify_column(run, row->other);
@@ -280,7 +156,7 @@ double quantity_distance(VerifyRun *run, const VerifyRow *row)
     return 100 * sqrt(left / whole);
 }
 
-static double swing_ratio(const VerifyRun *run, const VerifyRow *row, const char *name)
+static double swing_of(const VerifyRun *run, const VerifyRow *row, const char *name)
 {
     const double *column = verify_column(run, name);
     double before = 0, after = 0;
@@ -292,16 +168,6 @@ static double swing_ratio(const VerifyRun *run, const VerifyRow *row, const char
             after = fmax(after, size);
     }
     return after / before;
-}
-
-double quantity_swing_ratio(VerifyRun *run, const VerifyRow *row)
-{
-    return swing_ratio(run, row, row->column);
-}
-
-double quantity_other_swing_ratio(VerifyRun *run, const VerifyRow *row)
-{
-    return swing_ratio(run, row, row->other);
 }
 
 double quantity_line(VerifyRun *run, const VerifyRow *row)
@@ -493,18 +359,6 @@ static Crack crack_of(const VerifyRun *run)
     return crack;
 }
 
-double quantity_first_break(VerifyRun *run, const VerifyRow *row)
-{
-    (void)row;
-    return crack_of(run).first_break;
-}
-
-double quantity_twentieth_break(VerifyRun *run, const VerifyRow *row)
-{
-    (void)row;
-    return crack_of(run).twentieth_break;
-}
-
 double quantity_plane_energy(VerifyRun *run, const VerifyRow *row)
 {
     (void)row;
@@ -512,18 +366,33 @@ double quantity_plane_energy(VerifyRun *run, const VerifyRow *row)
     return crack_cost(run->passing.sim, &(Patience){0}, &cost) ? cost.plane : NAN;
 }
 
-double quantity_broken_bonds(VerifyRun *run, const VerifyRow *row)
+typedef enum FrontNumber { BRANCH_X, BRANCH_TIME, HALF_ANGLE, FASTEST, ANGLE } FrontNumber;
+
+static double number_of(const CrackFront *front, FrontNumber which, double height)
 {
-    (void)row;
-    return (double)crack_of(run).broken;
+    const double of_branch[] = {front->branch[0], front->branch_time, front->half_angle};
+    if (which <= HALF_ANGLE)
+        return front->branched ? of_branch[which] : NAN;
+    return which == FASTEST ? front->fastest : fabs(crack_fronts_angle(front, height));
 }
 
-double quantity_angle_over(VerifyRun *run, const VerifyRow *row)
+/* Of the first front; NAN: there is no front, or it has no such number. */
+static double front_number(const VerifyRun *run, FrontNumber which, double height)
 {
-    return crack_angle(run->passing.sim, row->from);
+    CrackFronts fronts = {0};
+    double number = NAN;
+    if (crack_fronts_update(&fronts, run->passing.sim) && fronts.count > 0)
+        number = number_of(&fronts.fronts[0], which, height);
+    crack_fronts_free(&fronts);
+    return number;
 }
 
-double quantity_angle_turned(VerifyRun *run, const VerifyRow *row)
-{
-    return crack_angle(run->passing.sim, row->to) - crack_angle(run->passing.sim, row->from);
-}
+/* --- those of one expression ------------------------------------------------------------------------- */
+
+#define QUANTITY(name, value)                                                                                \
+    double quantity_##name(VerifyRun *run, const VerifyRow *row)                                             \
+    {                                                                                                        \
+        (void)row;                                                                                           \
+        return value;                                                                                        \
+    }
+#include "cli/verify/verify_quantity_rows.inc"
