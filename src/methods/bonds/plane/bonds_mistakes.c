@@ -65,15 +65,9 @@ bool bonds_mistakes_join(int one, int other, BondsMistake *out)
     if (!a || !b || a == b || (a->micromodulus && b->micromodulus))
         return false;
     *out = *a;
-    out->of_start = a->of_start || b->of_start;
+    out->does = a->does | b->does;
     out->micromodulus = a->micromodulus ? a->micromodulus : b->micromodulus;
-    out->within_horizon = a->within_horizon || b->within_horizon;
-    out->no_volume_factor = a->no_volume_factor || b->no_volume_factor;
-    out->no_surface_factor = a->no_surface_factor || b->no_surface_factor;
-    out->starts_bent = a->starts_bent || b->starts_bent;
     out->share_beside = b->share;
-    out->along_rest = a->along_rest || b->along_rest;
-    out->kicks_late = a->kicks_late || b->kicks_late;
     return true;
 }
 
@@ -89,10 +83,25 @@ const BondsMistake *bonds_mistake(const Beam *beam)
     return beam->both ? beam->both : row_of(beam->head->mistake);
 }
 
+static bool does(const BondsMistake *mistake, unsigned wrong)
+{
+    return mistake && (mistake->does & wrong) != 0;
+}
+
+bool bonds_does(const Beam *beam, unsigned wrong)
+{
+    return does(bonds_mistake(beam), wrong);
+}
+
+bool bonds_does_by(const BeamDef *def, unsigned wrong)
+{
+    BondsMistake room;
+    return does(bonds_mistake_of(def, &room), wrong);
+}
+
 bool beam_mistake_is_of_start(int mistake)
 {
-    const BondsMistake *row = row_of(mistake);
-    return row && row->of_start;
+    return does(row_of(mistake), WRONG_OF_START);
 }
 
 const char *beam_mistake_sentence(int mistake)
@@ -111,7 +120,8 @@ bool bonds_check_mistake(const BeamDef *def, Status *status)
     const BondsMistake *row = bonds_mistake_of(def, &both);
     if (!row)
         return status_refuse(status, "pd.mistake: %d is no choice (0 to %d)", def->mistake, MISTAKES);
-    const bool hhb = def->volume_correction == VOLUME_HHB && (row->within_horizon || row->no_volume_factor);
+    const bool hhb =
+        def->volume_correction == VOLUME_HHB && does(row, WRONG_WITHIN_HORIZON | WRONG_NO_VOLUME_FACTOR);
     const char *other = def->influence != INFLUENCE_CONSTANT          ? "pd.influence = constant"
                         : def->critical_stretch != 0                  ? "pd.critical_stretch = 0"
                         : def->damping != 0 || def->critically_damped ? "damping.rate = 0"
@@ -136,7 +146,7 @@ BondsPull bonds_pull(const Beam *beam, const Offset *offset, double coefficient,
     const double stretch = offset_stretch(offset, ex, ey), whole = coefficient * stretch;
     const double lengthening = length / offset->length;
     BondsPull pull = {x / length, y / length, whole, whole, whole * stretch};
-    if (mistake && mistake->along_rest) {
+    if (does(mistake, WRONG_ALONG_REST)) {
         pull.x = offset->x / offset->length;
         pull.y = offset->y / offset->length;
     }

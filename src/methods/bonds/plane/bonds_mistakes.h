@@ -22,28 +22,36 @@ typedef struct MistakeLine {
     const char *equation, *ascii; /* NULL: no further line */
 } MistakeLine;
 
+/* What else such a code does. */
+enum {
+    WRONG_OF_START = 1 << 0,       /* it is in the start, the family or a factor: it cannot come in mid-run */
+    WRONG_WITHIN_HORIZON = 1 << 1, /* the family lies nearer than delta, not as far as that */
+    WRONG_NO_VOLUME_FACTOR = 1 << 2,
+    WRONG_NO_SURFACE_FACTOR = 1 << 3,
+    WRONG_STARTS_BENT = 1 << 4, /* the shape at t = 0 is that without supports */
+    WRONG_ALONG_REST = 1 << 5,  /* a bond pulls along xi */
+    WRONG_KICKS_LATE = 1 << 6   /* u += dt v, then v += dt a by the force of the old place; no half kicks */
+};
+
 typedef struct BondsMistake {
     const char *id, *sentence;
     MistakeLine lines[MISTAKE_LINES];
-    bool of_start; /* it is in the start, the family or a factor: it cannot come in mid-run */
 
     /* What this code does; what is not said it does as it should be done. */
+    unsigned does;                           /* WRONG_... */
     double (*micromodulus)(const BeamDef *); /* c */
-    bool within_horizon;                     /* the family lies nearer than delta, not as far as that */
-    bool no_volume_factor, no_surface_factor;
-    bool starts_bent; /* the shape at t = 0 is that without supports */
     /* The share of a bond's pull that an end gets, the left one (below the other where none is) or the right
      * one; of its length over that at rest. */
     double (*share)(double lengthening, bool left), (*share_beside)(double lengthening, bool left);
-    bool along_rest; /* it pulls along xi */
-    bool kicks_late; /* u += dt v, then v += dt a by the force of the old place; no half kicks */
 } BondsMistake;
 
-/* NULL: none. */
+/* NULL: none. Whether its code does that (WRONG_...). */
 const BondsMistake *bonds_mistake(const Beam *);
+bool bonds_does(const Beam *, unsigned wrong);
 
 /* That of a definition; `room` holds what is wrong in two places, worded as the first of them. */
 const BondsMistake *bonds_mistake_of(const BeamDef *, BondsMistake *room);
+bool bonds_does_by(const BeamDef *, unsigned wrong);
 
 /* A code that is wrong in two places. False: no such two mistakes go together. */
 bool bonds_mistakes_join(int one, int other, BondsMistake *);

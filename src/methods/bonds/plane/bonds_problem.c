@@ -303,11 +303,9 @@ bool beam_set_motion(Beam *beam, const BeamOptions *options, Status *status)
     for (const PlateRegion *r = plate->impulses; r < plate->impulses + plate->n_impulses; r++)
         move_patch(beam, patch_of(lattice, r->x0, r->y0, r->x1, r->y1, false), true, true, r->vx, r->vy,
                    false);
-    const BondsMistake *mistake = bonds_mistake(beam);
-    const bool bent = mistake && mistake->starts_bent;
     /* supports begin as they are to go on, and undeformed; set after the first force instead, the energy
      * would jump */
     for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++)
-        move_patch(beam, s->patch, s->x, s->y, s->vx, s->vy, bent);
+        move_patch(beam, s->patch, s->x, s->y, s->vx, s->vy, bonds_does(beam, WRONG_STARTS_BENT));
     return true;
 }

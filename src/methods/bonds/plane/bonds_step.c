@@ -218,8 +218,7 @@ bool beam_stage(Simulation *sim, int stage, size_t first, size_t end, Status *st
         }
         return true;
     }
-    const BondsMistake *mistake = bonds_mistake(beam);
-    RowStage *const work = (mistake && mistake->kicks_late ? late_stages : row_stages)[stage];
+    RowStage *const work = (bonds_does(beam, WRONG_KICKS_LATE) ? late_stages : row_stages)[stage];
     for (size_t j = first; j < end; j++)
         work(beam, (int)j, sim->step);
     if (end < sim->stage_items)

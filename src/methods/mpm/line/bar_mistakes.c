@@ -79,26 +79,13 @@ bool bar_mistakes_join(int one, int other, BarMistake *out)
         out->also_equation = b->equation;
         out->also_ascii = b->ascii;
     }
-    out->of_start = a->of_start || b->of_start;
-    out->starts_at_centres = a->starts_at_centres || b->starts_at_centres;
-    out->starts_as_held = a->starts_as_held || b->starts_as_held;
-    out->mass_of_cell = a->mass_of_cell || b->mass_of_cell;
-    out->keeps_grid = a->keeps_grid || b->keeps_grid;
+    out->does = a->does | b->does;
     out->holds = (BarHolds)holds;
-    out->holds_next = a->holds_next || b->holds_next;
-    out->held_yield = a->held_yield || b->held_yield;
-    out->no_span = a->no_span || b->no_span;
-    out->no_spacing = a->no_spacing || b->no_spacing;
-    out->only_newest = a->only_newest || b->only_newest;
-    out->stress_before = a->stress_before || b->stress_before;
     out->thinned = a->thinned ? a->thinned : b->thinned;
     out->volume = a->volume ? a->volume : b->volume;
-    out->pushes = a->pushes || b->pushes;
     out->first_kick = fmax(a->first_kick, b->first_kick);
-    out->new_weights = a->new_weights || b->new_weights;
     out->moves = (BarMoves)moves;
     out->algorithm = (MpmAlgorithm)algorithm;
-    out->of_grid = a->of_grid || b->of_grid;
     return true;
 }
 
@@ -112,16 +99,24 @@ const BarMistake *bar_mistake(const Bar *bar)
     return bar_mistake_if(bar, bar->head->mistake);
 }
 
+static bool does(const BarMistake *mistake, unsigned wrong)
+{
+    return mistake && (mistake->does & wrong) != 0;
+}
+
+bool bar_does(const Bar *bar, unsigned wrong)
+{
+    return does(bar_mistake(bar), wrong);
+}
+
 bool bar_mistake_is_of_start(int mistake)
 {
-    const BarMistake *row = bar_mistake_of(mistake);
-    return row && row->of_start;
+    return does(bar_mistake_of(mistake), WRONG_OF_START);
 }
 
 bool bar_mistake_starts_as_held(int mistake)
 {
-    const BarMistake *row = bar_mistake_of(mistake);
-    return row && row->starts_as_held;
+    return does(bar_mistake_of(mistake), WRONG_STARTS_AS_HELD);
 }
 
 const char *bar_mistake_sentence(int mistake)
@@ -156,14 +151,12 @@ bool bar_check_mistake(const BarDef *def, Status *status)
 
 double bar_strain_span(const Bar *bar)
 {
-    const BarMistake *mistake = bar_mistake(bar);
-    return mistake && mistake->no_span ? 1.0 : bar->dt;
+    return bar_does(bar, WRONG_NO_SPAN) ? 1.0 : bar->dt;
 }
 
 double bar_slope_scale(const Bar *bar)
 {
-    const BarMistake *mistake = bar_mistake(bar);
-    return mistake && mistake->no_spacing ? 1.0 : 1.0 / bar->dx;
+    return bar_does(bar, WRONG_NO_SPACING) ? 1.0 : 1.0 / bar->dx;
 }
 
 double bar_force_volume(const Bar *bar, int particle)
@@ -182,6 +175,5 @@ double bar_load_share(const Bar *bar)
 
 double bar_force_share(const Bar *bar)
 {
-    const BarMistake *mistake = bar_mistake(bar);
-    return mistake && mistake->pushes ? bar_load_share(bar) : -bar_load_share(bar);
+    return bar_does(bar, WRONG_PUSHES) ? bar_load_share(bar) : -bar_load_share(bar);
 }

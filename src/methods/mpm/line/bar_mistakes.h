@@ -19,6 +19,24 @@ typedef enum BarHolds { HOLDS_BEFORE_STRAIN, HOLDS_AFTER_STRAIN, HOLDS_NEVER } B
 /* By which velocity particles move. */
 typedef enum BarMoves { MOVES_WITH_NODES, MOVES_WITH_OLD_NODES, MOVES_BY_ITSELF } BarMoves;
 
+/* What else such a code does. */
+enum {
+    WRONG_OF_START = 1 << 0,          /* it is in the start or in a factor: it cannot come in mid-run */
+    WRONG_STARTS_AT_CENTRES = 1 << 1, /* velocities at t = 0 are those of the cells' centres */
+    WRONG_STARTS_AS_HELD = 1 << 2,    /* they are modes of a bar whose right end is held as the left one is */
+    WRONG_MASS_OF_CELL = 1 << 3,      /* a particle's mass is that of a cell */
+    WRONG_KEEPS_GRID = 1 << 4,     /* the nodes' masses and momenta are added to those of the step before */
+    WRONG_HOLDS_NEXT = 1 << 5,     /* the nodes one further in are held */
+    WRONG_HELD_YIELD = 1 << 6,     /* forces of held nodes are not taken away */
+    WRONG_NO_SPAN = 1 << 7,        /* de = sum N' v, without dt */
+    WRONG_NO_SPACING = 1 << 8,     /* dN/ds in place of dN/dx */
+    WRONG_ONLY_NEWEST = 1 << 9,    /* stress = E de */
+    WRONG_STRESS_BEFORE = 1 << 10, /* the force is of the stress before this step's strain */
+    WRONG_PUSHES = 1 << 11,        /* f_int has the other sign */
+    WRONG_NEW_WEIGHTS = 1 << 12,   /* velocities with N at the new places */
+    WRONG_OF_GRID = 1 << 13        /* v = sum N v_i */
+};
+
 typedef struct BarMistake {
     const char *id, *sentence;
     BarOp stage;
@@ -26,35 +44,23 @@ typedef struct BarMistake {
     const char *equation, *ascii;
     BarOp also; /* another stage that has it too, with its line; equation NULL: none */
     const char *also_equation, *also_ascii;
-    bool of_start; /* it is in the start or in a factor of the whole run: it cannot come in mid-run */
 
     /* What this code does; what is not said it does as it should be done. */
-    bool starts_at_centres; /* velocities at t = 0 are those of the cells' centres */
-    bool starts_as_held;    /* they are modes of a bar whose right end is held as the left one is */
-    bool mass_of_cell;      /* a particle's mass is that of a cell */
-    bool keeps_grid;        /* the nodes' masses and momenta are added to those of the step before */
+    unsigned does; /* WRONG_... */
     BarHolds holds;
-    bool holds_next;    /* the nodes one further in are held */
-    bool held_yield;    /* forces of held nodes are not taken away */
-    bool no_span;       /* de = sum N' v, without dt */
-    bool no_spacing;    /* dN/ds in place of dN/dx */
-    bool only_newest;   /* stress = E de */
-    bool stress_before; /* the force is of the stress before this step's strain */
     double (*thinned)(double volume,
                       double stretch); /* the volume m/rho that eq. 8 leaves; NULL: V (1 + de) */
     double (*volume)(const Bar *, int particle, double); /* that the force takes, of m/rho; NULL: that */
-    bool pushes;                                         /* f_int has the other sign */
     double first_kick; /* of the first step's force the share that is taken; 0: all */
-    bool new_weights;  /* velocities with N at the new places */
     BarMoves moves;
     MpmAlgorithm algorithm; /* USF where nothing is said */
-    bool of_grid;           /* v = sum N v_i */
 } BarMistake;
 
 /* The row of a bar's mistake; NULL: it makes none. */
 const BarMistake *bar_mistake(const Bar *);
 const BarMistake *bar_mistake_if(const Bar *,
                                  int mistake); /* if that is its one; what it does besides is in it */
+bool bar_does(const Bar *, unsigned wrong);    /* whether its code does that (WRONG_...) */
 
 /* What a code does that makes two of them. False: they are one and the same thing done otherwise. */
 bool bar_mistakes_join(int one, int other, BarMistake *out);

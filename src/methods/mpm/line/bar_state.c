@@ -19,8 +19,7 @@ bool bar_has_done(const Bar *bar, BarOp op)
 bool bar_node_is_fixed(const Bar *bar, int node)
 {
     ASSERT_INDEX(node, bar->n_nodes);
-    const BarMistake *mistake = bar_mistake(bar);
-    if (mistake && mistake->holds_next)
+    if (bar_does(bar, WRONG_HOLDS_NEXT))
         return (bar->fixed_left > 0 && node == bar->fixed_left) ||
                (bar->fixed_right > 0 && node == bar->n_nodes - 1 - bar->fixed_right);
     return node < bar->fixed_left || node >= bar->n_nodes - bar->fixed_right;
@@ -121,7 +120,7 @@ double bar_mass_between(const Bar *bar, int i, int j)
 size_t bar_lasting_bytes(const Bar *bar, const BarHead *head)
 {
     const BarMistake *mistake = bar_mistake_if(bar, head->mistake);
-    if (mistake && mistake->keeps_grid)
+    if (mistake && (mistake->does & WRONG_KEEPS_GRID))
         return bar->bytes_kept;
     return head->transfer == MPM_APIC ? bar->bytes_apic : bar->bytes_flip;
 }
@@ -136,6 +135,5 @@ bool bar_holds_momentum(const Bar *bar, BarOp stage, int node)
 
 bool bar_holds_force(const Bar *bar, int node)
 {
-    const BarMistake *mistake = bar_mistake(bar);
-    return bar_node_is_fixed(bar, node) && !(mistake && mistake->held_yield);
+    return bar_node_is_fixed(bar, node) && !bar_does(bar, WRONG_HELD_YIELD);
 }

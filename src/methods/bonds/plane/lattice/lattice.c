@@ -35,9 +35,7 @@ static const double inverse_root_series[LATTICE_SERIES] = {0.5,
 
 static double factor_at(const BeamDef *def, double length)
 {
-    BondsMistake room;
-    const BondsMistake *mistake = bonds_mistake_of(def, &room);
-    if (mistake && mistake->no_volume_factor)
+    if (bonds_does_by(def, WRONG_NO_VOLUME_FACTOR))
         return 1;
     return volume_factor(def->volume_correction, def->horizon, def->spacing, length);
 }
@@ -45,9 +43,7 @@ static double factor_at(const BeamDef *def, double length)
 /* The members of a family lie no farther than this. */
 static double reach_of(const BeamDef *def)
 {
-    BondsMistake room;
-    const BondsMistake *mistake = bonds_mistake_of(def, &room);
-    if (mistake && mistake->within_horizon)
+    if (bonds_does_by(def, WRONG_WITHIN_HORIZON))
         return def->horizon * (1 - 1e-9);
     return volume_reach(def->volume_correction, def->horizon, def->spacing);
 }
@@ -321,7 +317,7 @@ bool lattice_measure(Lattice *lattice, const BeamDef *def, Status *status)
     const BondsMistake *mistake = bonds_mistake_of(def, &room);
     if (mistake && mistake->micromodulus)
         lattice->micromodulus = mistake->micromodulus(def);
-    if (mistake && mistake->no_surface_factor)
+    if (bonds_does_by(def, WRONG_NO_SURFACE_FACTOR))
         lattice->correction = SURFACE_NONE;
     add_offsets(lattice, def);
     return count_nodes(lattice, def, status);
