@@ -14,7 +14,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 /* Energies stacked from below: what the grid sees, what it does not, strain, dissipated. */
 typedef struct Layer {

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The shape functions of the nodes around the chosen particle, or their slopes, with the particles on
  * them and the sum of all. */
-#include "panes/screen_runs.h"
 #include "views/views.h"
 
 #include <math.h>

@@ -5,11 +5,9 @@
 #include "base/kinds.h"
 #include "answers/waves.h"
 #include "views/plots/runs.h"
-#include "views/views.h"
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 /* A curve of the lattice. */
 typedef struct Curve {

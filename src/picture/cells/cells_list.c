@@ -9,7 +9,6 @@
 #include "picture/sum_column.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 
 enum { NUMBER_WIDTH = 10, NAME_WIDTH = 9, DIGITS = 5, SIDE_WIDTH = 20 };
 

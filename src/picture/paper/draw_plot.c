@@ -8,7 +8,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #define TICK    3.0   /* length of a tick */
 #define GAP     3.0   /* between a tick and its label */

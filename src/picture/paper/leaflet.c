@@ -4,9 +4,7 @@
 
 #include "picture/paper/draw.h"
 
-#include <errno.h>
 #include <stdarg.h>
-#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 

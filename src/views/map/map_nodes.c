@@ -5,7 +5,6 @@
 
 #include "base/math/functions.h"
 
-#include <math.h>
 
 enum { LINKS_MAX = 256 };
 

@@ -6,8 +6,6 @@
 #include "picture/picture.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <string.h>
 
 enum { MARK_EVERY = 6 }; /* cells between the marks of a curve that is dense */
 

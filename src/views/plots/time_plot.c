@@ -3,8 +3,6 @@
 #include "views/plots/time_plot.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <string.h>
 
 /* --- the time window ------------------------------------------------------------------------------ */
 
