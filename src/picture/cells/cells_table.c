@@ -4,7 +4,6 @@
 #include "picture/heading.h"
 #include "picture/table.h"
 
-
 static void write_in(const TableSheet *sheet, int column, int row, const char *text, Style style, bool to_end)
 {
     const Area *area = sheet->back_end;

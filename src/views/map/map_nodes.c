@@ -5,7 +5,6 @@
 
 #include "base/math/functions.h"
 
-
 enum { LINKS_MAX = 256 };
 
 #define NEAREST 1.5 /* bonds up to so many spacings are drawn: along the lattice and across it */

@@ -9,7 +9,6 @@
 #include "scenario/rows/rows.h"
 #include "answers/crack_growth.h"
 
-
 enum { RANK_REGION = 1, RANK_CUT = 4, RANK_CRACK, RANK_CHOSEN };
 enum { PROBE = '+', END = 0x25a0, TIP = 0x25cf, FORK = 'Y' };
 
