@@ -31,11 +31,12 @@ const Command commands[] = {
 #undef DIGIT
 const int n_commands = sizeof commands / sizeof *commands;
 
-#define COMMAND(id, function, ...) {COMMAND_##id, function},
+#define COMMAND(id, function, ...)        {COMMAND_##id, function, NULL, 0},
+#define COMMAND_BY(id, function, by, ...) {COMMAND_##id, NULL, function, by},
 #define DIGIT(n)
 const CommandFunction command_functions[] = {
 #include "help/command_rows.inc"
-    {GREET, greet},
+    {GREET, greet, NULL, 0},
 };
 #undef COMMAND
 #undef DIGIT

@@ -2,7 +2,8 @@
 /* The function of each command, made from the rows of the command table. */
 #include "lab/commands/commands.h"
 
-#define COMMAND(id, function, ...) {COMMAND_##id, function},
+#define COMMAND(id, function, ...)        {COMMAND_##id, function, NULL, 0},
+#define COMMAND_BY(id, function, by, ...) {COMMAND_##id, NULL, function, by},
 #define DIGIT(n)
 
 const CommandFunction command_functions[] = {

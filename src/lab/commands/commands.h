@@ -8,13 +8,16 @@
 typedef struct CommandFunction {
     CommandId id;
     void (*run)(Laboratory *);
+    void (*run_by)(Laboratory *, int by); /* in place of it */
+    int by;
 } CommandFunction;
 
 /* One for each row of the command table. */
 extern const CommandFunction command_functions[];
 extern const int n_command_functions;
 
-#define COMMAND(id, function, ...) void function(Laboratory *);
+#define COMMAND(id, function, ...)        void function(Laboratory *);
+#define COMMAND_BY(id, function, by, ...) void function(Laboratory *, int);
 #define DIGIT(n)
 #include "help/command_rows.inc"
 #undef COMMAND

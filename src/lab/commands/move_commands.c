@@ -10,7 +10,7 @@
 #include <math.h>
 #include <string.h>
 
-static void focus_by(Laboratory *lab, int direction)
+void command_pane(Laboratory *lab, int direction)
 {
     Screen *screen = &lab->screen;
     Screen whole = *screen;
@@ -25,16 +25,6 @@ static void focus_by(Laboratory *lab, int direction)
     screen->panes.focus = (PaneId)focus;
     screen->panes.followed = false;
     screen->time.cursor = NAN;
-}
-
-void command_next_pane(Laboratory *lab)
-{
-    focus_by(lab, 1);
-}
-
-void command_previous_pane(Laboratory *lab)
-{
-    focus_by(lab, -1);
 }
 
 /* Moves the cursor of a time plot by about a column. */
@@ -86,28 +76,24 @@ static void move(Laboratory *lab, int x, int y, int page)
     }
 }
 
-void command_up(Laboratory *lab)
+void command_move_down(Laboratory *lab, int y)
 {
-    move(lab, 0, -1, 1);
+    move(lab, 0, y, 1);
 }
 
-void command_down(Laboratory *lab)
+void command_move_right(Laboratory *lab, int x)
 {
-    move(lab, 0, 1, 1);
+    move(lab, x, 0, 1);
 }
 
-void command_left(Laboratory *lab)
+void command_page(Laboratory *lab, int direction)
 {
-    move(lab, -1, 0, 1);
-}
-
-void command_right(Laboratory *lab)
-{
-    move(lab, 1, 0, 1);
+    if (!lesson_play_turn(lab, direction))
+        move(lab, 0, direction, 10);
 }
 
 /* In the fields a smaller step than with the arrows; elsewhere the same. */
-static void move_finely(Laboratory *lab, int x)
+void command_move_finely(Laboratory *lab, int x)
 {
     RowPlace place;
     if (lab->screen.panes.focus == PANE_PARAMETERS &&
@@ -115,28 +101,6 @@ static void move_finely(Laboratory *lab, int x)
         row_edit_nudge(lab, x, true);
     else
         move(lab, x, 0, 1);
-}
-
-void command_left_fine(Laboratory *lab)
-{
-    move_finely(lab, -1);
-}
-
-void command_right_fine(Laboratory *lab)
-{
-    move_finely(lab, 1);
-}
-
-void command_page_up(Laboratory *lab)
-{
-    if (!lesson_play_turn(lab, -1))
-        move(lab, 0, -1, 10);
-}
-
-void command_page_down(Laboratory *lab)
-{
-    if (!lesson_play_turn(lab, 1))
-        move(lab, 0, 1, 10);
 }
 
 /* Where the chosen row leads: to its step, or to what it has been over time. False: nowhere. */

@@ -69,7 +69,7 @@ void command_run_or_pause(Laboratory *lab)
 }
 
 /* A step that has begun counts as one of those that are done. */
-static void step_by(Laboratory *lab, long steps)
+void command_step(Laboratory *lab, int steps)
 {
     long step;
     int stage;
@@ -83,26 +83,6 @@ static void step_by(Laboratory *lab, long steps)
         laboratory_say(lab, MESSAGE_INFO, "this is the end of the run");
     else
         player_seek(lab, step + steps, 0);
-}
-
-void command_step_forward(Laboratory *lab)
-{
-    step_by(lab, 1);
-}
-
-void command_step_back(Laboratory *lab)
-{
-    step_by(lab, -1);
-}
-
-void command_step_forward_ten(Laboratory *lab)
-{
-    step_by(lab, 10);
-}
-
-void command_step_back_ten(Laboratory *lab)
-{
-    step_by(lab, -10);
 }
 
 void command_stage_forward(Laboratory *lab)
@@ -155,7 +135,7 @@ static void change_slowness(Laboratory *lab, int faster)
     laboratory_say(lab, MESSAGE_INFO, "a stage every %.2g s", (double)*frames / FRAMES_PER_SECOND);
 }
 
-static void change_pace(Laboratory *lab, int direction)
+void command_pace(Laboratory *lab, int direction)
 {
     Screen *screen = &lab->screen;
     if (screen->eye.open && command_map_is_focused(&lab->screen)) {
@@ -177,16 +157,6 @@ static void change_pace(Laboratory *lab, int direction)
         laboratory_say(lab, MESSAGE_INFO, "%g steps a frame", pace);
     else
         laboratory_say(lab, MESSAGE_INFO, "a step every %g frames", round(1 / pace));
-}
-
-void command_faster(Laboratory *lab)
-{
-    change_pace(lab, 1);
-}
-
-void command_slower(Laboratory *lab)
-{
-    change_pace(lab, -1);
 }
 
 void command_to_start(Laboratory *lab)

@@ -131,7 +131,7 @@ void command_sheet(Laboratory *lab)
     command_show_sheet(lab, screen_is_plain(&lab->screen) ? SHEET_FULL : SHEET_PLAIN);
 }
 
-static void change_window(Laboratory *lab, int direction)
+void command_window(Laboratory *lab, int direction)
 {
     Screen *screen = &lab->screen;
     double from, to;
@@ -156,16 +156,6 @@ static void change_window(Laboratory *lab, int direction)
     screen->time.window = window;
     const Problem *facts = experiment_settings(laboratory_run(lab))->problem;
     laboratory_say(lab, MESSAGE_INFO, "time window %g%s", window / facts->shown_time, facts->shown_time_unit);
-}
-
-void command_narrower(Laboratory *lab)
-{
-    change_window(lab, -1);
-}
-
-void command_wider(Laboratory *lab)
-{
-    change_window(lab, 1);
 }
 
 void command_automatic(Laboratory *lab)
