@@ -60,7 +60,7 @@ short() {
 		;;
 	*" export-lammps notched-beam --set pd.spacing"*) echo "$1" | sed 's/spacing=.25e-3/spacing=1e-3/; s/horizon=1e-3/horizon=4e-3/' ;;
 	*" export-lammps notched-beam "*) echo "$1" | sed 's/ notched-beam / notched-beam-coarse /' ;;
-	*" sound supported-beam-coarse"*) echo "$1 --end 2e-3" ;;
+	*" sound supported-beam-coarse"*) echo "$1 --end 1e-3" ;;
 	*" run supported-beam"* | *" run notched-beam"*) echo "$1 --steps 10" | sed 's/ notched-beam / notched-beam-coarse /' ;;
 	*" movie notched-beam-coarse"*) echo "$1 --to 2e-5" ;;
 	*" verify") echo "$1 M-fig3" ;;

@@ -67,11 +67,11 @@ expect "with a decimal comma" 0 mode5 --steps 1 --stages 1 --particles d.csv --d
 result "in the same columns" says d.csv '^1;1;map;12;6,25;6,25;0;'
 
 # --- beams, by bonds and by cells ---
-expect "a beam" 0 supported-beam-coarse --steps 2 --stages 2:2 --particles f.csv --bonds g.csv --quiet
+expect "a beam" 0 supported-beam-coarse --set pd.spacing=1mm --set pd.horizon=4mm --steps 2 --stages 2:2 --particles f.csv --bonds g.csv --quiet
 result "forces, which no table at times has" test -n "$(column f.csv fx)"
 result "bonds at each stage" says g.csv '^step,stage,stage_id,'
 # pull = c G w V s, V the square of the spacing; some are corrected, some cut
-pick g.csv 2 4 c G w stretch pull | awk -F, '{ pull = $1 * $2 * $3 * 0.0005 ^ 2 * $4; off = pull - $5
+pick g.csv 2 4 c G w stretch pull | awk -F, '{ pull = $1 * $2 * $3 * 0.001 ^ 2 * $4; off = pull - $5
 	if (off * off > 1e-24 * pull * pull) wrong++; corrected += $2 > 2; cut += $3 < 1; count++ }
 	END { exit wrong || !corrected || !cut || !count }'
 result "what a bond pulls with, from its c, G and w" test $? -eq 0

@@ -274,7 +274,7 @@ START_TEST(each_allocation_may_fail)
     ck_assert(!sitting->told);
     /* the first ones each, then some spread over the rest; MATVIB_FAILURES says how many */
     const char *wanted = getenv("MATVIB_FAILURES");
-    long most = wanted ? atol(wanted) : suite_wide() ? 16 : 10, dense = most / 2, stride = all / most + 1;
+    long most = wanted ? atol(wanted) : suite_wide() ? 16 : 8, dense = most / 2, stride = all / most + 1;
     for (long n = 1; n <= all; n += n < dense ? 1 : stride) {
         clear_folder();
         long before = n_live;

@@ -395,7 +395,8 @@ END_TEST
 void add_cases(Suite *suite)
 {
     TCase *digits = tcase_create("digits");
-    tcase_add_test(digits, golden_decay);
+    if (suite_wide())
+        tcase_add_test(digits, golden_decay);
     tcase_add_test(digits, a_load_ends_in_the_nearest_step);
     tcase_add_test(digits, golden_rest);
     tcase_add_test(digits, golden_sags);

@@ -82,7 +82,7 @@ START_TEST(a_node_is_found_where_it_is_drawn)
     static const char *const scenes[] = {
         "supported-beam-coarse 80x24 700 upper 8",
         "moving-cantilever-coarse 80x24 2000 upper 8",
-        "notched-beam-coarse 132x43 1000 upper 8 focus 2 zoom magnified 64 at 0.3,0.3",
+        "notched-beam-coarse 132x43 300 upper 8 focus 2 zoom magnified 64 at 0.3,0.3",
     };
     Scene scene;
     open_scene(&scene, scenes[_i]);
@@ -113,7 +113,7 @@ START_TEST(factors_are_those_that_are_stated)
 {
     char row[256], wanted[64];
     Scene scene;
-    open_scene(&scene, "notched-beam-coarse 132x43 1000 upper 8 focus 2 zoom view.exaggeration=40");
+    open_scene(&scene, "notched-beam-coarse 132x43 250 upper 8 focus 2 zoom view.exaggeration=40");
     ck_assert_ptr_nonnull(find_row(&scene, "u x 40  to scale", row));
     Seen map;
     see(&map, &scene, (Rect){1, 2, 130, 39});
@@ -165,7 +165,7 @@ END_TEST
 START_TEST(ramps_hold_their_values)
 {
     Scene scene;
-    open_scene(&scene, "notched-beam-coarse 80x24 1200 upper 8");
+    open_scene(&scene, "notched-beam-coarse 80x24 800 upper 8");
     for (int variant = 0; variant < MAP_COLOURINGS; variant++) {
         Seen map;
         see(&map, &scene, (Rect){26, 1, 54, 8});
@@ -452,7 +452,7 @@ START_TEST(the_most_stretched_bond_is_named)
 {
     char row[256];
     Scene scene;
-    open_scene(&scene, "notched-beam-coarse 80x24 1000 inspect focus 5 particle 3640");
+    open_scene(&scene, "notched-beam-coarse 80x24 300 inspect focus 5 particle 3640");
     const Simulation *sim = experiment_simulation(scene.screen.experiment);
     double stretch = 0, percent = 0, said = 0;
     sim->method->field(sim, simulation_find_field(sim, 0, "stretch"), 3640, 1, &stretch);
@@ -466,7 +466,7 @@ START_TEST(the_most_stretched_bond_is_named)
     ck_assert_ptr_nonnull(find_row(&scene, "bonds never break here", row));
     scene_close(&scene);
     /* in a protected zone bonds are stretched beyond s0 and hold all the same */
-    open_scene(&scene, "notched-beam-coarse 80x24 600 inspect focus 5 pd.critical_stretch=1e-4");
+    open_scene(&scene, "notched-beam-coarse 80x24 300 inspect focus 5 pd.critical_stretch=1e-4");
     sim = experiment_simulation(scene.screen.experiment);
     const int stretched = simulation_find_field(sim, 0, "stretch");
     size_t node = 0;
