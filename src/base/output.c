@@ -386,3 +386,10 @@ void output_make_own_folders(Asker asker, const char *file)
     }
     free(path);
 }
+
+bool output_end(OutputFile *file, bool wanted, Status *status)
+{
+    const bool there = wanted && output_finish(file, status) && output_commit(file, status);
+    output_close(file);
+    return there;
+}

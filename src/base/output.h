@@ -77,4 +77,8 @@ void output_remove_remains(const char *name);
 /* Takes back what was not committed, and frees. */
 void output_close(OutputFile *);
 
+/* The end of a file that stands alone: what is wanted is finished, gets its name and is closed, else it is
+ * taken back. Whether it is there. */
+bool output_end(OutputFile *, bool wanted, Status *);
+
 #endif

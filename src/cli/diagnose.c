@@ -236,9 +236,7 @@ static bool write_table(const Files *all, Status *status)
             row[c] = cells[c];
         csv_words(file.stream, options->outputs.dialect, row, CELLS);
     }
-    const bool sound = output_finish(&file, status) && output_commit(&file, status);
-    output_close(&file);
-    return sound;
+    return output_end(&file, true, status);
 }
 
 /* One that cannot be read is an error; of many it is one at the end. */

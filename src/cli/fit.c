@@ -141,9 +141,7 @@ static bool write_table(const Options *options, const FitTask *task, const FitRe
             fprintf(file.stream, "%s%c", text, i < 3 ? ',' : '\n');
         }
     }
-    const bool sound = output_finish(&file, status) && output_commit(&file, status);
-    output_close(&file);
-    return sound;
+    return output_end(&file, true, status);
 }
 
 static bool run_fitted(Experiment *experiment, Progress *progress, Status *status)

@@ -89,9 +89,7 @@ static bool write_tones(const Options *options, const Tones *tones, double secon
     if (!output_open(&file, ASKER_COMMAND_LINE, options->output, options->force, status))
         return false;
     wav_write(file.stream, tones->measured * tones->times, tones->exact * tones->times, seconds);
-    const bool sound = output_finish(&file, status) && output_commit(&file, status);
-    output_close(&file);
-    return sound;
+    return output_end(&file, true, status);
 }
 
 int cli_sound(int count, char **arguments, Status *status)

@@ -179,8 +179,7 @@ bool crate_write(const Crate *crate, const Settings *settings, const char *date,
     bool sound = output_open(&file, crate->asker, name, crate->force, status);
     if (sound) {
         put_crate(file.stream, crate, settings, date);
-        sound = output_finish(&file, status) && output_commit(&file, status);
-        output_close(&file);
+        sound = output_end(&file, true, status);
     }
     free(name);
     return sound;

@@ -13,7 +13,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 static void read_view(Laboratory *lab)
 {
@@ -126,14 +125,12 @@ Asker laboratory_user(const Laboratory *lab)
 /* Another scenario in the place of this one. False: the status says why, and this one stays. */
 static bool open_scenario(Laboratory *lab, const char *name, Status *status)
 {
-    Settings *settings = malloc(sizeof *settings);
-    if (!settings)
-        return status_fail(status, "out of memory");
+    Settings settings;
     Experiment *experiment = NULL;
-    if (scenario_load(name, settings, status) &&
-        (view_check(settings_view(settings), status) || (scenario_blame(name, NULL, 0, status), false))) {
-        opening_show_progress(lab, settings);
-        experiment = opening_experiment(lab, settings, status);
+    if (scenario_load(name, &settings, status) &&
+        (view_check(settings_view(&settings), status) || (scenario_blame(name, NULL, 0, status), false))) {
+        opening_show_progress(lab, &settings);
+        experiment = opening_experiment(lab, &settings, status);
         laboratory_say(lab, MESSAGE_NONE, "%s", "");
         if (!experiment && status)
             scenario_blame(name, NULL, 0, status);
@@ -149,7 +146,6 @@ static bool open_scenario(Laboratory *lab, const char *name, Status *status)
         opening_name(lab, name);
         opening_begin(lab, experiment);
     }
-    free(settings);
     return experiment != NULL;
 }
 

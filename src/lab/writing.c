@@ -42,11 +42,9 @@ static bool write_scenario(Laboratory *lab, const char *name)
     OutputFile file = {0};
     if (!writing_allowed(lab, name))
         return true;
-    bool sound = output_open(&file, lab->asker, name, true, &status) &&
-                 scenario_write(file.stream, &settings, NULL, &status) && output_finish(&file, &status) &&
-                 output_commit(&file, &status);
-    output_close(&file);
-    if (!sound)
+    const bool sound = output_open(&file, lab->asker, name, true, &status) &&
+                       scenario_write(file.stream, &settings, NULL, &status);
+    if (!output_end(&file, sound, &status))
         laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
     else
         laboratory_say(lab, MESSAGE_INFO, "wrote %s; open it with: matvib %s", name, name);

@@ -14,7 +14,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* --- keys ------------------------------------------------------------------------------------------ */
@@ -200,13 +199,10 @@ static void seek_second(Duel *duel)
 /* A new B for A as it is now. */
 static bool make_second(Duel *duel, Status *status)
 {
-    Settings *settings = malloc(sizeof *settings);
-    if (!settings)
-        return status_fail(status, "not enough memory");
+    Settings settings;
     Experiment *fresh = NULL;
-    if (second_settings(duel, experiment_base(duel->a), settings, status))
-        fresh = experiment_create(settings, duel->history / 2, duel->threads, status);
-    free(settings);
+    if (second_settings(duel, experiment_base(duel->a), &settings, status))
+        fresh = experiment_create(&settings, duel->history / 2, duel->threads, status);
     if (!fresh)
         return false;
     experiment_destroy(duel->b);
@@ -238,18 +234,14 @@ void duel_end(Duel *duel)
 bool duel_start(Duel *duel, const Assignment *keys, int n_keys, Status *status)
 {
     ASSERT_INT(n_keys, <=, DUEL_MAX);
-    Settings *settings = malloc(sizeof *settings);
-    if (!settings)
-        return status_fail(status, "not enough memory");
+    Settings settings;
     Duel tried = {.n_keys = n_keys};
     memcpy(tried.keys, keys, (size_t)n_keys * sizeof *keys);
     const Settings *base = experiment_base(duel->a);
-    bool sound = second_settings(&tried, base, settings, status);
-    if (sound && settings_same(base, settings))
-        sound = status_refuse(status, "both runs would be the same: a key must differ");
-    free(settings);
-    if (!sound)
+    if (!second_settings(&tried, base, &settings, status))
         return false;
+    if (settings_same(base, &settings))
+        return status_refuse(status, "both runs would be the same: a key must differ");
     duel_end(duel);
     memcpy(duel->keys, tried.keys, sizeof duel->keys);
     duel->n_keys = n_keys;
@@ -392,34 +384,25 @@ void duel_cancel(Duel *duel)
 /* A begins again: so does B, made anew where it is no longer the same. */
 static bool restart_second(Duel *duel, Status *status)
 {
-    Settings *settings = malloc(sizeof *settings);
-    if (!settings)
-        return status_fail(status, "not enough memory");
-    bool sound = second_settings(duel, experiment_base(duel->a), settings, status);
-    if (sound && settings_same(settings, experiment_base(duel->b)))
-        sound = experiment_restart(duel->b, false, status);
-    else if (sound)
-        sound = make_second(duel, status);
-    free(settings);
-    return sound;
+    Settings settings;
+    if (!second_settings(duel, experiment_base(duel->a), &settings, status))
+        return false;
+    return settings_same(&settings, experiment_base(duel->b)) ? experiment_restart(duel->b, false, status)
+                                                              : make_second(duel, status);
 }
 
 /* What does not touch a computed run. */
 static bool edit_second(Duel *duel, const Settings *wanted, Status *status)
 {
-    Settings *settings = malloc(sizeof *settings);
-    if (!settings)
-        return status_fail(status, "not enough memory");
-    *settings = *experiment_settings(duel->b);
-    settings_edit_time(settings)->end = settings_time(wanted)->end;
-    settings_edit_output(settings)->every = settings_output(wanted)->every;
-    settings_edit_output(settings)->frames = settings_output(wanted)->frames;
-    memcpy(settings_edit_output(settings)->at, settings_output(wanted)->at,
-           sizeof settings_output(settings)->at);
-    memcpy(settings_edit_output(settings)->columns, settings_output(wanted)->columns,
-           sizeof settings_output(settings)->columns);
-    const bool sound = experiment_edit(duel->b, settings, status);
-    free(settings);
+    Settings settings = *experiment_settings(duel->b);
+    settings_edit_time(&settings)->end = settings_time(wanted)->end;
+    settings_edit_output(&settings)->every = settings_output(wanted)->every;
+    settings_edit_output(&settings)->frames = settings_output(wanted)->frames;
+    memcpy(settings_edit_output(&settings)->at, settings_output(wanted)->at,
+           sizeof settings_output(&settings)->at);
+    memcpy(settings_edit_output(&settings)->columns, settings_output(wanted)->columns,
+           sizeof settings_output(&settings)->columns);
+    const bool sound = experiment_edit(duel->b, &settings, status);
     seek_second(duel);
     return sound;
 }
@@ -437,12 +420,8 @@ bool duel_change(Duel *duel, const Settings *wanted, DuelChange change, Status *
 {
     if (!duel->b)
         return change(duel->a, wanted, status);
-    Settings *second = malloc(sizeof *second);
-    if (!second)
-        return status_fail(status, "not enough memory");
-    const bool possible = second_settings(duel, wanted, second, status);
-    free(second);
-    if (!possible)
+    Settings second;
+    if (!second_settings(duel, wanted, &second, status))
         return status_prefix(status, "run B");
     const bool anew = experiment_recomputes(duel->a, wanted);
     if (anew && change == experiment_edit)

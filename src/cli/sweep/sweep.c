@@ -342,9 +342,7 @@ static int print_plan(const Sweep *sweep, Status *status)
                      status))
         return (int)status->code;
     sweep_plan_print(&sweep->plan, options, file.stream);
-    bool good = output_finish(&file, status) && output_commit(&file, status);
-    output_close(&file);
-    return good ? STATUS_DONE : (int)status->code;
+    return output_end(&file, true, status) ? STATUS_DONE : (int)status->code;
 }
 
 static int sweep_through(Sweep *sweep, int count, char **arguments, Status *status)

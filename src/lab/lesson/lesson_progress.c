@@ -49,9 +49,7 @@ void lesson_progress_write(Asker asker, const int shown[LESSONS_MAX])
         for (int i = 0; i < LESSONS_MAX && builtin_lessons[i].name; i++)
             if (reached[i] > 0)
                 fprintf(file.stream, "%s %d\n", builtin_lessons[i].name, reached[i]);
-        if (output_finish(&file, &ignored))
-            output_commit(&file, &ignored);
-        output_close(&file);
+        output_end(&file, true, &ignored);
     }
     free(path);
 }

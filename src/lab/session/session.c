@@ -56,18 +56,6 @@ Session *session_begin(const LaboratoryOptions *options, Status *status)
     return session;
 }
 
-static SessionEvent event_now(const Session *session, const Laboratory *lab, double now)
-{
-    const Experiment *experiment = laboratory_run(lab);
-    return (SessionEvent){.on_the_way = lab->player.playback.state == STATE_COMPUTING,
-                          .step = experiment_step(experiment),
-                          .stage = experiment_stage(experiment),
-                          .seconds = fmin(fmax(now - session->last, 0), SESSION_SECONDS_MOST),
-                          .width = lab->width,
-                          .height = lab->height,
-                          .key = {.x = -1, .y = -1}};
-}
-
 static bool write_head(FILE *, uint64_t *check, const Session *, Status *);
 static void write_event(FILE *, uint64_t *check, const SessionEvent *);
 
@@ -91,12 +79,20 @@ static void record_event(Session *session, const SessionEvent *event)
 }
 
 /* Behind a key that was not kept the others would mean something else. */
-static void note(Session *session, const SessionEvent *event, double now)
+static void note(Session *session, const Laboratory *lab, SessionEvent event)
 {
+    const Experiment *experiment = laboratory_run(lab);
+    const double now = lab->host.now(lab->host.context);
+    event.on_the_way = lab->player.playback.state == STATE_COMPUTING;
+    event.step = experiment_step(experiment);
+    event.stage = experiment_stage(experiment);
+    event.seconds = fmin(fmax(now - session->last, 0), SESSION_SECONDS_MOST);
+    event.width = lab->width;
+    event.height = lab->height;
     if (!session->full)
-        session->full = !session_append(session, event);
+        session->full = !session_append(session, &event);
     if (!session->full && session->record)
-        record_event(session, event);
+        record_event(session, &event);
     session->last = now;
 }
 
@@ -143,26 +139,17 @@ void session_note_start(Session *session, const Laboratory *lab)
 
 void session_note(Session *session, const Laboratory *lab, const Key *key)
 {
-    double now = lab->host.now(lab->host.context);
-    SessionEvent event = event_now(session, lab, now);
-    event.key = *key;
-    note(session, &event, now);
+    note(session, lab, (SessionEvent){.key = *key});
 }
 
 void session_note_stop(Session *session, const Laboratory *lab)
 {
-    double now = lab->host.now(lab->host.context);
-    SessionEvent event = event_now(session, lab, now);
-    event.is_stop = true;
-    note(session, &event, now);
+    note(session, lab, (SessionEvent){.is_stop = true, .key = {.x = -1}});
 }
 
 void session_note_end(Session *session, const Laboratory *lab)
 {
-    double now = lab->host.now(lab->host.context);
-    SessionEvent event = event_now(session, lab, now);
-    event.is_end = true;
-    note(session, &event, now);
+    note(session, lab, (SessionEvent){.is_end = true, .key = {.x = -1}});
 }
 
 static void put(FILE *file, uint64_t *check, const char *text)
@@ -192,26 +179,7 @@ static void write_event(FILE *file, uint64_t *check, const SessionEvent *event)
         fprintf(file, "check %016" PRIx64 "\n", *check);
 }
 
-static bool write_scenario_lines(FILE *file, const Session *session, Status *status)
-{
-    char *text = NULL;
-    size_t size = 0;
-    FILE *memory = open_memstream(&text, &size);
-    bool sound = memory && scenario_write(memory, &session->settings, NULL, status);
-    if (memory && !text_stream_close(memory, &text))
-        sound = false;
-    for (char *line = text; sound && line && *line;) {
-        size_t length = strcspn(line, "\n");
-        fprintf(file, "|%s%.*s\n", length ? " " : "", (int)length, line);
-        line += length + (line[length] == '\n');
-    }
-    free(text);
-    if (!sound && !*status->text)
-        status_fail(status, "not enough memory for a session");
-    return sound;
-}
-
-static bool write_head_lines(FILE *file, const Session *session, Status *status)
+static void write_head_lines(FILE *file, const Session *session)
 {
     fprintf(file, "# matvib session: matvib --replay FILE does it again\nscenario %s\n%s", session->scenario,
             session->paused ? "paused\n" : "");
@@ -229,22 +197,31 @@ static bool write_head_lines(FILE *file, const Session *session, Status *status)
     for (int i = 0; i < LESSONS_MAX && builtin_lessons[i].name; i++)
         if (session->reached[i] > 0)
             fprintf(file, "reached %s %d\n", builtin_lessons[i].name, session->reached[i]);
-    return write_scenario_lines(file, session, status);
 }
 
+/* Behind its own lines those of the scenario, each marked. */
 static bool write_head(FILE *file, uint64_t *check, const Session *session, Status *status)
 {
     char *text = NULL;
     size_t size = 0;
     FILE *memory = open_memstream(&text, &size);
-    bool sound = memory && write_head_lines(memory, session, status);
-    if (memory && !text_stream_close(memory, &text))
-        sound = false;
-    if (sound)
-        put(file, check, text);
-    else if (!*status->text)
-        status_fail(status, "not enough memory for a session");
+    long own = 0;
+    bool sound = memory != NULL;
+    if (memory) {
+        write_head_lines(memory, session);
+        own = ftell(memory);
+        sound = scenario_write(memory, &session->settings, NULL, status);
+        sound = text_stream_close(memory, &text) && sound;
+    }
+    for (char *line = text, *end; sound && (end = strchr(line, '\n')); line = end + 1) {
+        *end = '\0';
+        put(file, check, line < text + own ? "" : *line ? "| " : "|");
+        put(file, check, line);
+        put(file, check, "\n");
+    }
     free(text);
+    if (!sound && !*status->text)
+        status_fail(status, "not enough memory for a session");
     return sound;
 }
 
@@ -257,9 +234,7 @@ bool session_keep(const Session *session, const char *name, Status *status)
     bool sound = write_head(file.stream, &check, session, status);
     for (size_t i = 0; i < session->count; i++)
         write_event(file.stream, &check, &session->events[i]);
-    sound = sound && output_finish(&file, status) && output_commit(&file, status);
-    output_close(&file);
-    return sound && is_whole(session, name, status);
+    return output_end(&file, sound, status) && is_whole(session, name, status);
 }
 
 bool session_has_keys(const Session *session)

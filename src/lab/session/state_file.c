@@ -45,9 +45,7 @@ void state_file_put(Asker asker, const char *name, const char *word)
         output_make_own_folders(asker, path);
     if (path && output_open_own(&file, asker, path, &ignored)) {
         fprintf(file.stream, "%s\n", word);
-        if (output_finish(&file, &ignored))
-            output_commit(&file, &ignored);
-        output_close(&file);
+        output_end(&file, true, &ignored);
     }
     free(path);
 }

@@ -286,7 +286,5 @@ bool figure_write(Figure *figure, Asker asker, const char *name, bool force, Sta
         const bool in_want = errno == ENOMEM;
         sound = paper_finish(paper, status) && (!in_want || no_memory(status));
     }
-    sound = sound && output_finish(&file, status) && output_commit(&file, status);
-    output_close(&file);
-    return sound;
+    return output_end(&file, sound, status);
 }
