@@ -12,58 +12,40 @@
 enum { RANK_REGION = 1, RANK_CUT = 4, RANK_CRACK, RANK_CHOSEN };
 enum { PROBE = '+', END = 0x25a0, TIP = 0x25cf, FORK = 'Y' };
 
-typedef struct Place {
-    double x, y;
-} Place;
-
-/* Both ends of a row as places: of a load along its edge; of the probe twice the same. */
-static void ends_of(const Settings *settings, int kind, int row, Place ends[2])
+void map_row_ends(const Settings *settings, int kind, int row, double ends[2][2])
 {
     double value[ROW_VALUES_MAX];
     for (int i = 0; i < row_kinds[kind].n_columns; i++)
         value[i] = settings_row_value(settings, kind, row, i);
-    if (kind == ROWS_PROBE) {
-        ends[0] = ends[1] = (Place){value[0], value[1]};
-    } else if (kind == ROWS_LOADS) {
-        const int edge = (int)value[0];
-        const bool lies = edge == ROW_TOP || edge == ROW_BOTTOM;
-        const double at = edge == ROW_TOP     ? settings_geometry(settings)->height
-                          : edge == ROW_RIGHT ? settings_geometry(settings)->length
-                                              : 0;
-        for (int i = 0; i < 2; i++)
-            ends[i] = lies ? (Place){value[1 + i], at} : (Place){at, value[1 + i]};
-    } else {
-        ends[0] = (Place){value[0], value[1]};
-        ends[1] = (Place){value[2], value[3]};
-    }
-}
-
-void map_row_ends(const Settings *settings, int kind, int row, double ends[2][2])
-{
-    Place places[2];
-    ends_of(settings, kind, row, places);
+    const int edge = (int)value[0];
+    const bool lies = edge == ROW_TOP || edge == ROW_BOTTOM;
     for (int i = 0; i < 2; i++)
-        ends[i][0] = places[i].x, ends[i][1] = places[i].y;
+        if (kind == ROWS_LOADS) {
+            ends[i][!lies] = value[1 + i];
+            ends[i][lies] = edge == ROW_TOP     ? settings_geometry(settings)->height
+                            : edge == ROW_RIGHT ? settings_geometry(settings)->length
+                                                : 0;
+        } else {
+            const int first = kind == ROWS_PROBE ? 0 : 2 * i;
+            ends[i][0] = value[first];
+            ends[i][1] = value[first + 1];
+        }
 }
 
-static void line_between(Map *map, Place a, Place b, Stroke pen)
+static void outline(Map *map, double ends[2][2], Stroke pen)
 {
-    map_body_line(map, (double[]){a.x, a.y}, (double[]){b.x, b.y}, pen);
-}
-
-static void outline(Map *map, const Place ends[2], Stroke pen)
-{
-    const Place a = ends[0], c = ends[1], b = {c.x, a.y}, d = {a.x, c.y};
-    line_between(map, a, b, pen);
-    line_between(map, b, c, pen);
-    line_between(map, c, d, pen);
-    line_between(map, d, a, pen);
+    const double *a = ends[0], *c = ends[1];
+    const double b[2] = {c[0], a[1]}, d[2] = {a[0], c[1]};
+    map_body_line(map, a, b, pen);
+    map_body_line(map, b, c, pen);
+    map_body_line(map, c, d, pen);
+    map_body_line(map, d, a, pen);
 }
 
 static void draw_row(Map *map, const Settings *settings, int kind, int row, bool chosen)
 {
-    Place ends[2];
-    ends_of(settings, kind, row, ends);
+    double ends[2][2];
+    map_row_ends(settings, kind, row, ends);
     Stroke pen = {.style = STYLE_HEADING, .rank = RANK_CUT};
     if (chosen)
         pen = (Stroke){.style = STYLE_CHANGED, .rank = RANK_CHOSEN};
@@ -75,7 +57,7 @@ static void draw_row(Map *map, const Settings *settings, int kind, int row, bool
                        .rank = RANK_REGION,
                        .letter = kind == ROWS_SUPPORTS ? '=' : ':'};
     if (kind == ROWS_CUTS || kind == ROWS_LOADS)
-        line_between(map, ends[0], ends[1], pen);
+        map_body_line(map, ends[0], ends[1], pen);
     else if (kind != ROWS_PROBE)
         outline(map, ends, pen);
 }
@@ -89,8 +71,8 @@ static void draw_cracks(Map *map)
         for (int k = 0; k < fronts->fronts[f].n_paths; k++) {
             const CrackPath *path = &fronts->fronts[f].paths[k];
             for (size_t i = 1; i < path->count; i++)
-                line_between(map, (Place){path->x[i - 1], path->y[i - 1]}, (Place){path->x[i], path->y[i]},
-                             pen);
+                map_body_line(map, (double[]){path->x[i - 1], path->y[i - 1]},
+                              (double[]){path->x[i], path->y[i]}, pen);
         }
 }
 
@@ -109,10 +91,10 @@ void map_add_rows(Map *map)
 
 /* --- signs ------------------------------------------------------------------------------------------- */
 
-static void sign_at(Map *map, Place at, uint32_t glyph, Style style)
+static void sign_at(Map *map, const double at[2], uint32_t glyph, Style style)
 {
     double place[2];
-    map_body_place(map, at.x, at.y, place);
+    map_body_place(map, at[0], at[1], place);
     picture_mark(map->picture, place[0], place[1], glyph, style);
 }
 
@@ -149,16 +131,16 @@ static void draw_tips(Map *map)
     for (int f = 0; fronts && f < fronts->count; f++) {
         const CrackFront *front = &fronts->fronts[f];
         for (int k = 0; k < front->n_tips; k++)
-            sign_at(map, (Place){front->tips[k][0], front->tips[k][1]}, TIP, STYLE_CHANGED);
+            sign_at(map, front->tips[k], TIP, STYLE_CHANGED);
         if (front->branched)
-            sign_at(map, (Place){front->branch[0], front->branch[1]}, FORK, STYLE_CHANGED);
+            sign_at(map, front->branch, FORK, STYLE_CHANGED);
     }
 }
 
-static void add_end(Map *map, Place end)
+static void add_end(Map *map, const double end[2])
 {
     double place[2];
-    map_body_place(map, end.x, end.y, place);
+    map_body_place(map, end[0], end[1], place);
     picture_add_mark(
         map->picture,
         (PictureMark){
@@ -176,12 +158,12 @@ void map_add_row_signs(Map *map)
         draw_load(map, settings, row,
                   chosen_kind == ROWS_LOADS && chosen_row == row ? STYLE_CHANGED : STYLE_HEADING);
     draw_tips(map);
-    Place ends[2];
-    ends_of(settings, ROWS_PROBE, 0, ends);
+    double ends[2][2];
+    map_row_ends(settings, ROWS_PROBE, 0, ends);
     sign_at(map, ends[0], PROBE, chosen_kind == ROWS_PROBE ? STYLE_CHANGED : STYLE_HEADING);
     if (!shown->placing)
         return;
-    ends_of(settings, chosen_kind, chosen_row, ends);
+    map_row_ends(settings, chosen_kind, chosen_row, ends);
     for (int i = 0; i < 2; i++)
         if (shown->end == i || shown->end == ROW_BOTH_ENDS)
             add_end(map, ends[i]);
