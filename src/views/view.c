@@ -16,7 +16,9 @@ const char *view_missing(const View *view, const Screen *screen)
 
 int view_variants(const View *view, const Screen *screen)
 {
-    const int count = view->variants ? view->variants(screen) : 1;
+    int count = view->variants ? view->variants(screen) : 0;
+    while (!view->variants && view->variant_word && view->variant_word(screen, count))
+        count++;
     return count > 0 ? count : 1;
 }
 

@@ -36,8 +36,9 @@ struct View {
     ViewOpening opens;
 
     void (*describe)(const Screen *, int variant, Picture *); /* what it shows */
-    int (*variants)(const Screen *);                          /* how many there are; NULL: one */
-    const char *(*variant_word)(const Screen *, int variant); /* NULL: there is one, without a name */
+    /* The words of its variants, counted from 0; NULL: there are no more. NULL: they have no names. */
+    const char *(*variant_word)(const Screen *, int variant);
+    int (*variants)(const Screen *); /* how many there are without names; NULL: as many as words, or one */
 
     ViewDuel duel;
     bool names_run;         /* in DUEL_IN_AXES: its legend does not tell whose picture it is */

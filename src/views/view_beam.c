@@ -19,11 +19,6 @@ static bool in_plane(const Experiment *experiment)
     return simulation_has(experiment_simulation(experiment), HAS_PLANE);
 }
 
-static int variants_of(const Screen *screen)
-{
-    return in_plane(screen->experiment) ? map_variants(experiment_simulation(screen->experiment)) : 1;
-}
-
 static MapVariant shown(const Screen *screen, int variant)
 {
     return map_variant(experiment_simulation(screen->experiment), variant);
@@ -213,7 +208,6 @@ const View view_beam = {
     .home = PANE_UPPER,
     .opens = OPENS_IN_PLANE,
     .describe = describe,
-    .variants = variants_of,
     .variant_word = word_of,
     .duel = DUEL_APART,
     .of_moment = true,

@@ -15,19 +15,14 @@ static void describe(const Screen *screen, int variant, Picture *picture)
         cell_plane_describe(screen, picture);
 }
 
-static int variants_of(const Screen *screen)
-{
-    const Simulation *sim = experiment_simulation(screen->experiment);
-    return simulation_has(sim, HAS_BONDS)             ? CELL_BONDS_VARIANTS
-           : simulation_has(sim, HAS_MESH | HAS_LINE) ? 2
-                                                      : 1;
-}
-
 static const char *word_of(const Screen *screen, int variant)
 {
-    if (simulation_has(experiment_simulation(screen->experiment), HAS_BONDS))
-        return variant == 1 ? "family" : "bond";
-    return variant == 1 ? "masses" : "terms";
+    static const char *const bonds[] = {"bond", "family", NULL}, *const line[] = {"terms", "masses", NULL},
+                             *const plane[] = {"terms", NULL};
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    return (simulation_has(sim, HAS_BONDS)             ? bonds
+            : simulation_has(sim, HAS_MESH | HAS_LINE) ? line
+                                                       : plane)[variant];
 }
 
 const View view_cell = {
@@ -36,7 +31,6 @@ const View view_cell = {
     .help = "one cell from near, with the terms of a stage, or one bond; again: masses, or the family",
     .home = PANE_UPPER,
     .describe = describe,
-    .variants = variants_of,
     .variant_word = word_of,
     .duel = DUEL_APART,
     .of_moment = true,

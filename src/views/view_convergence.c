@@ -26,12 +26,6 @@ static int studies_of(const Experiment *experiment, const ConvergenceStudy *out[
     return convergence_studies(experiment_settings(experiment), out);
 }
 
-static int variants_of(const Screen *screen)
-{
-    const ConvergenceStudy *studies[CONVERGENCE_STUDIES_MAX];
-    return studies_of(screen->experiment, studies);
-}
-
 static const ConvergenceStudy *study_of(const Screen *screen, int variant)
 {
     const ConvergenceStudy *studies[CONVERGENCE_STUDIES_MAX];
@@ -300,7 +294,6 @@ const View view_convergence = {
             "both methods; Table 1",
     .home = PANE_LOWER,
     .describe = describe,
-    .variants = variants_of,
     .variant_word = word_of,
     .duel = DUEL_TOGETHER,
     .on_paper = true,

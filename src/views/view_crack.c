@@ -214,11 +214,6 @@ void crack_describe(const Screen *screen, int variant, Picture *picture)
         describe_over_time(screen, picture, variant == 1 ? &angle : &speed);
 }
 
-int crack_cost_variants(const Screen *screen)
-{
-    return has_crack(screen) ? 2 : experiment_fronts(screen->experiment) ? 1 : 0;
-}
-
 /* What it costs over time is a column's of the notched beam alone. */
 static bool is_over_time(const Screen *screen, int variant)
 {
@@ -227,7 +222,8 @@ static bool is_over_time(const Screen *screen, int variant)
 
 const char *crack_cost_variant_word(const Screen *screen, int variant)
 {
-    return is_over_time(screen, variant) ? "fracture" : "cost";
+    static const char *const words[] = {"fracture", "cost", NULL};
+    return words[variant + (has_crack(screen) ? 0 : experiment_fronts(screen->experiment) ? 1 : 2)];
 }
 
 /* --- where the energy went ------------------------------------------------------------------------- */

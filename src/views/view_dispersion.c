@@ -415,21 +415,16 @@ static bool has_waves(const Screen *screen)
     return simulation_has(experiment_simulation(screen->experiment), HAS_PLANE | HAS_BONDS);
 }
 
-static int variants_of(const Screen *screen)
-{
-    if (has_waves(screen))
-        return 3;
-    return 1 + has_near(screen) + (count_ways(experiment_settings(screen->experiment)) > 0);
-}
-
 static const char *word_of(const Screen *screen, int variant)
 {
-    static const char *const waves[] = {"period", "pressure", "shear"};
+    static const char *const waves[] = {"period", "pressure", "shear", NULL};
     if (has_waves(screen))
         return waves[variant];
-    if (shows_ways(screen, variant))
-        return letters_of(screen) == shape_letters ? "shapes" : "transfers";
-    return variant == 1 ? "near" : "all";
+    if (!shows_ways(screen, variant))
+        return variant == 0 ? "all" : variant == 1 ? "near" : NULL;
+    return count_ways(experiment_settings(screen->experiment)) == 0 ? NULL
+           : letters_of(screen) == shape_letters                    ? "shapes"
+                                                                    : "transfers";
 }
 
 static void describe(const Screen *screen, int variant, Picture *picture)
@@ -458,7 +453,6 @@ const View view_dispersion = {
     .digit = 5,
     .home = PANE_LOWER,
     .describe = describe,
-    .variants = variants_of,
     .variant_word = word_of,
     .duel = DUEL_TOGETHER,
     .on_paper = true,

@@ -303,11 +303,6 @@ static void residual_phrases(const Screen *screen, double most_work, char out[32
                 text_fitted(now[work], 4, 9).text);
 }
 
-static int variants_of(const Screen *screen)
-{
-    return 1 + crack_cost_variants(screen);
-}
-
 static const char *word_of(const Screen *screen, int variant)
 {
     return variant > 0 ? crack_cost_variant_word(screen, variant - 1) : "stack";
@@ -420,7 +415,6 @@ const View view_energies = {
     .digit = 3,
     .home = PANE_LOWER,
     .describe = describe,
-    .variants = variants_of,
     .variant_word = word_of,
     .names_run = true,
     .has_time_axis = true,

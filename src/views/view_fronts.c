@@ -18,16 +18,11 @@ static int shown_of(const CrackFronts *fronts)
     return fronts->count < SHOWN_MAX ? fronts->count : SHOWN_MAX;
 }
 
-static int variants_of(const Screen *screen)
-{
-    (void)screen;
-    return 2;
-}
-
 static const char *word_of(const Screen *screen, int variant)
 {
+    static const char *const words[] = {[VARIANT_SPEED] = "speed", [VARIANT_ADVANCE] = "advance", NULL};
     (void)screen;
-    return variant == VARIANT_SPEED ? "speed" : "advance";
+    return words[variant];
 }
 
 static double value_at(const CrackFronts *fronts, const CrackFront *front, size_t sample, int variant)
@@ -114,7 +109,6 @@ const View view_fronts = {
     .home = PANE_LOWER,
     .opens = OPENS_ON_DEMAND,
     .describe = describe,
-    .variants = variants_of,
     .variant_word = word_of,
     .duel = DUEL_APART,
     .has_time_axis = true,

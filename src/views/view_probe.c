@@ -58,13 +58,6 @@ static int probe_column(const Screen *screen, int variant, int *picture)
     return variant < count ? columns[variant] : -1;
 }
 
-static int variants_of(const Screen *screen)
-{
-    int columns[COLUMNS_MAX];
-    const int count = probe_columns(screen, columns) + crack_variants(screen);
-    return count > 0 ? count : 1;
-}
-
 static const char *word_of(const Screen *screen, int variant)
 {
     int n, picture;
@@ -412,7 +405,6 @@ const View view_probe = {
     .home = PANE_LOWER,
     .opens = OPENS_ALWAYS,
     .describe = describe,
-    .variants = variants_of,
     .variant_word = word_of,
     .has_time_axis = true,
     .on_paper = true,

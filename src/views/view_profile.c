@@ -14,15 +14,6 @@
 #include <stdio.h>
 #include <string.h>
 
-static int variants_of(const Screen *screen)
-{
-    const Simulation *sim = experiment_simulation(screen->experiment);
-    int count = 0;
-    while (profile_field(sim, count))
-        count++;
-    return count ? count : 1;
-}
-
 static const char *word_of(const Screen *screen, int variant)
 {
     return profile_field(experiment_simulation(screen->experiment), variant);
@@ -307,7 +298,6 @@ const View view_profile = {
     .home = PANE_UPPER,
     .opens = OPENS_ALWAYS,
     .describe = describe,
-    .variants = variants_of,
     .variant_word = word_of,
     .of_moment = true,
     .on_paper = true,

@@ -292,14 +292,6 @@ static const SectionPart *part_of(const Screen *screen, int variant)
     return NULL;
 }
 
-static int variants_of(const Screen *screen)
-{
-    int count = 0;
-    while (part_of(screen, count))
-        count++;
-    return count;
-}
-
 static const char *word_of(const Screen *screen, int variant)
 {
     const SectionPart *part = part_of(screen, variant);
@@ -326,7 +318,6 @@ const View view_section = {
             "shear",
     .home = PANE_UPPER,
     .describe = describe,
-    .variants = variants_of,
     .variant_word = word_of,
     .duel = DUEL_APART,
     .of_moment = true,

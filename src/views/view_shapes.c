@@ -8,16 +8,10 @@
 
 enum { LINKS_MAX = 8, NEIGHBOURS = 3 };
 
-static int variants_of(const Screen *screen)
-{
-    return simulation_has(experiment_simulation(screen->experiment), HAS_STRETCH) ? 1 : 2; /* N and N' */
-}
-
 static const char *word_of(const Screen *screen, int variant)
 {
-    if (simulation_has(experiment_simulation(screen->experiment), HAS_STRETCH))
-        return "law";
-    return variant == 1 ? "slopes" : "values";
+    static const char *const law[] = {"law", NULL}, *const mesh[] = {"values", "slopes", NULL}; /* N, N' */
+    return (simulation_has(experiment_simulation(screen->experiment), HAS_STRETCH) ? law : mesh)[variant];
 }
 
 static double pick(const Link *link, bool slope)
@@ -128,7 +122,6 @@ const View view_shapes = {
     .digit = 4,
     .home = PANE_UPPER,
     .describe = describe,
-    .variants = variants_of,
     .variant_word = word_of,
     .duel = DUEL_APART,
     .of_moment = true,

@@ -45,15 +45,11 @@ static Choice choice_of(const Screen *screen, int variant)
     return (Choice){screen_column(screen, variant < 2 ? "v_probe" : "u_probe"), variant == 0};
 }
 
-static int variants_of(const Screen *screen)
-{
-    return !screen_problem(screen)->si ? 2 : 3;
-}
-
 static const char *word_of(const Screen *screen, int variant)
 {
-    static const char *const bar[] = {"slow", "fast"}, *const beam[] = {"fast", "slow", "displacement"};
-    return !screen_problem(screen)->si ? bar[variant % 2] : beam[variant % 3];
+    static const char *const bar[] = {"slow", "fast", NULL}, *const beam[] = {"fast", "slow", "displacement",
+                                                                              NULL};
+    return (!screen_problem(screen)->si ? bar : beam)[variant];
 }
 
 /* The lines that theory knows: of the watched mode, of the bar's other modes where v_cm is watched, and, in
@@ -367,7 +363,6 @@ const View view_spectrum = {
     .digit = 6,
     .home = PANE_LOWER,
     .describe = describe,
-    .variants = variants_of,
     .variant_word = word_of,
     .on_paper = true,
 };

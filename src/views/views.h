@@ -16,11 +16,10 @@ extern const View view_inspector;
 extern const View view_strip;
 
 /* Of a body that breaks: the crack's path, angle and speed among the probe's pictures, what it costs and
- * where that went among the energies. Counts of 0: it does not break. */
+ * where that went among the energies. A count of 0, a word of NULL: it does not break. */
 int crack_variants(const Screen *);
 const char *crack_variant_word(int variant);
 void crack_describe(const Screen *, int variant, Picture *);
-int crack_cost_variants(const Screen *);
 const char *crack_cost_variant_word(const Screen *, int variant);
 void crack_cost_describe(const Screen *, int variant, Picture *);
 
@@ -28,7 +27,6 @@ void crack_cost_describe(const Screen *, int variant, Picture *);
 void cell_bar_describe(const Screen *, int variant, Picture *);
 
 /* One bond with its two ends, or the strongest of a family, in the place of a cell where there is no mesh. */
-enum { CELL_BONDS_VARIANTS = 2 };
 void cell_bonds_describe(const Screen *, int variant, Picture *);
 
 /* A cell of a plane mesh with its nodes. */

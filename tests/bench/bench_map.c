@@ -43,9 +43,9 @@ static double measure(Scene *scene, const char *name)
 static void measure_colours(Scene *scene, const char *only)
 {
     const Simulation *sim = experiment_simulation(scene->screen.experiment);
+    const char *word;
     double most = 0;
-    for (int number = 0; number < map_variants(sim); number++) {
-        const char *word = parameter_colour_words[map_variant(sim, number)];
+    for (int number = 0; (word = parameter_colour_words[map_variant(sim, number)]); number++) {
         if (only && strcmp(word, only) != 0)
             continue;
         view_choose_variant(view_of_map(), &scene->screen, number);

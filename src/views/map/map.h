@@ -73,8 +73,7 @@ typedef enum MapVariant {
     MAP_VARIANTS
 } MapVariant;
 
-/* Of these a simulation has those whose field it has, and the drawing: how many, and which. */
-int map_variants(const Simulation *);
+/* Of these a simulation has those whose field it has, and the drawing; MAP_VARIANTS: there are no more. */
 MapVariant map_variant(const Simulation *, int number);
 
 /* Fills values and range of the colours, whose ends are round. False: the nodes have no such field. */

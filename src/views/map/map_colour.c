@@ -38,18 +38,10 @@ const char *map_meaning(const Map *map)
     return map->scene.slender || !colouring->flat ? colouring->meaning : colouring->flat;
 }
 
-int map_variants(const Simulation *sim)
-{
-    int count = 0;
-    for (int variant = 0; variant < MAP_VARIANTS; variant++)
-        count += is_there(sim, variant);
-    return count;
-}
-
 MapVariant map_variant(const Simulation *sim, int number)
 {
     int variant = 0;
-    for (; variant < MAP_DRAWING; variant++)
+    for (; variant < MAP_VARIANTS; variant++)
         if (is_there(sim, variant) && number-- == 0)
             break;
     return (MapVariant)variant;
