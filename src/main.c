@@ -45,10 +45,10 @@ static int run(int count, char **arguments, Status *status)
         cli_print_help(command);
         return STATUS_DONE;
     }
-    if (!command)
-        return count > 0 && is_slip(arguments[0], status) ? (int)status->code
-                                                          : cli_open(count, arguments, status);
-    return command->run(count - 1, arguments + 1, status);
+    if (command)
+        return cli_do(command, count - 1, arguments + 1, status);
+    return count > 0 && is_slip(arguments[0], status) ? (int)status->code
+                                                      : cli_do(&cli_laboratory, count, arguments, status);
 }
 
 /* Of a write that failed a while ago stdio knows that it failed but no longer why; who tries once more is

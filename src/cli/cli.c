@@ -4,6 +4,7 @@
 #include "cli/cli.h"
 
 #include "cli/options.h"
+#include "cli/progress.h"
 #include "cli/verify/verify.h"
 #include "scenario/parameters.h"
 
@@ -18,34 +19,55 @@ static int verify(int count, char **arguments, Status *status)
 static int help(int count, char **arguments, Status *status)
 {
     const CliCommand *command = count > 0 ? cli_find(arguments[0]) : NULL;
-    if (count > 1 || (count > 0 && !command)) {
-        status_refuse(status, "%.60s: no such command (see: matvib help)", arguments[count - 1]);
-        return (int)status->code;
-    }
+    if (count > 1 || (count > 0 && !command))
+        return progress_result(
+            status_refuse(status, "%.60s: no such command (see: matvib help)", arguments[count - 1]), status);
     cli_print_help(command);
     return STATUS_DONE;
 }
 
 const CliCommand cli_commands[] = {
-    {"run", "SCENARIO", "runs a scenario to its end and writes tables of it", cli_run},
-    {"sweep", "SCENARIO", "many runs that differ in some parameters, a row for each", cli_sweep},
-    {"figure", "SCENARIO", "runs a scenario and draws a view of it for paper: SVG, PDF, PNG", cli_figure},
-    {"movie", "SCENARIO|SESSION|SCRIPT", "films the laboratory: .cast, animated .svg, .gif", cli_movie},
-    {"fit", "SCENARIO", "the parameters that a measured series asks for", cli_fit},
+    {"run", "SCENARIO", "runs a scenario to its end and writes tables of it", cli_run, 1, 1, NULL, NULL},
+    {"sweep", "SCENARIO", "many runs that differ in some parameters, a row for each", cli_sweep, 1, 1, NULL,
+     NULL},
+    {"figure", "SCENARIO", "runs a scenario and draws a view of it for paper: SVG, PDF, PNG", cli_figure, 1,
+     1, NULL, NULL},
+    {"movie", "SCENARIO|SESSION|SCRIPT", "films the laboratory: .cast, animated .svg, .gif", cli_movie, 1, 1,
+     "SCENARIO, SESSION or SCRIPT", NULL},
+    {"fit", "SCENARIO", "the parameters that a measured series asks for", cli_fit, 1, 1, NULL, NULL},
     {"diagnose", "SCENARIO FILE...", "tells from the numbers of your own code which mistake is in it",
-     cli_diagnose},
-    {"sound", "SCENARIO", "the error of a frequency, to be heard: .wav", cli_sound},
-    {"verify", "[NAME]...", "the papers' numbers measured anew: reproduced, and agreeing?", verify},
-    {"lesson", "[NAME]", "a lesson beside the live laboratory; without a name: all of them", cli_lesson},
-    {"grade", "LESSON SESSION...", "marks recorded sessions of a lesson's exercises", cli_grade},
+     cli_diagnose, 2, WORDS_MAX, "SCENARIO FILE", NULL},
+    {"sound", "SCENARIO", "the error of a frequency, to be heard: .wav", cli_sound, 1, 1, NULL, NULL},
+    {"verify", "[NAME]...", "the papers' numbers measured anew: reproduced, and agreeing?", NULL, 0, -1, NULL,
+     verify},
+    {"lesson", "[NAME]", "a lesson beside the live laboratory; without a name: all of them", cli_lesson, 0, 1,
+     NULL, NULL},
+    {"grade", "LESSON SESSION...", "marks recorded sessions of a lesson's exercises", cli_grade, 0, -1, NULL,
+     NULL},
     {"export-lammps", "SCENARIO", "a beam or a plate as input for LAMMPS, for runs on many machines",
-     cli_export_lammps},
-    {"list", "", "the built-in scenarios", cli_list},
-    {"show", "SCENARIO", "the resolved scenario as a file, derived values as comments", cli_show},
-    {"params", "[PROBLEM]", "the parameters: default, unit, what is allowed, meaning", cli_params},
-    {"help", "[COMMAND]", "the options of a command, as --help behind it", help},
-    {NULL, NULL, NULL, NULL},
+     cli_export_lammps, 1, 1, NULL, NULL},
+    {"list", "", "the built-in scenarios", cli_list, 0, 0, NULL, NULL},
+    {"show", "SCENARIO", "the resolved scenario as a file, derived values as comments", cli_show, 1, 1, NULL,
+     NULL},
+    {"params", "[PROBLEM]", "the parameters: default, unit, what is allowed, meaning", cli_params, 0, 1, NULL,
+     NULL},
+    {"help", "[COMMAND]", "the options of a command, as --help behind it", NULL, 0, -1, NULL, help},
+    {NULL, NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
+
+const CliCommand cli_laboratory = {"open", "", "opens the laboratory", cli_open, 0, -1, NULL, NULL};
+
+int cli_do(const CliCommand *command, int count, char **arguments, Status *status)
+{
+    Options options;
+    if (command->raw)
+        return command->raw(count, arguments, status);
+    if (!options_parse(command->name, count, arguments, &options, status) ||
+        (command->most >= 0 && !options_words(&options, command->least, command->most,
+                                              command->words ? command->words : command->synopsis, status)))
+        return (int)status->code;
+    return command->run(&options, status);
+}
 
 const CliCommand *cli_find(const char *name)
 {
@@ -90,7 +112,7 @@ void cli_print_help(const CliCommand *command)
            "SCENARIO is a name from `matvib list`, the path of a file, or - for standard input; without one\n"
            "it is mode5.\n\n"
            "Commands:\n");
-    print_command(&(CliCommand){"[SCENARIO]", "", "opens the laboratory", NULL});
+    print_command(&(CliCommand){.name = "[SCENARIO]", .synopsis = "", .help = cli_laboratory.help});
     for (command = cli_commands; command->name; command++)
         print_command(command);
     printf("\nOptions of the laboratory:\n");

@@ -14,9 +14,11 @@ typedef struct CliCommand {
     const char *name;     /* "show" */
     const char *synopsis; /* what follows the name, options left out: "SCENARIO" */
     const char *help;     /* one line */
-    /* `arguments` are those behind the name. Returns the exit status; if that is not 0 the status says why.
-     */
-    int (*run)(int count, char **arguments, Status *);
+    /* Returns the exit status; if that is not 0 the status says why. */
+    int (*run)(Options *, Status *);
+    int least, most;   /* words that it takes, options left out; most -1: it looks itself */
+    const char *words; /* what they are called where they are missing; NULL: as in the synopsis */
+    int (*raw)(int count, char **arguments, Status *); /* in place of run(): reads its arguments itself */
 } CliCommand;
 
 extern const CliCommand cli_commands[]; /* ended by a NULL name */
@@ -29,23 +31,28 @@ const char *cli_nearest(const char *word);
 /* --help: of the program, or of one command. */
 void cli_print_help(const CliCommand *command);
 
-int cli_open(int count, char **arguments, Status *); /* no command word: the laboratory */
-int cli_lesson(int count, char **arguments, Status *);
-int cli_run(int count, char **arguments, Status *);
-int cli_sweep(int count, char **arguments, Status *);
-int cli_export_lammps(int count, char **arguments, Status *);
-int cli_figure(int count, char **arguments, Status *);
-int cli_movie(int count, char **arguments, Status *);
-int cli_grade(int count, char **arguments, Status *);
-int cli_fit(int count, char **arguments, Status *);
-int cli_diagnose(int count, char **arguments, Status *);
-int cli_sound(int count, char **arguments, Status *);
-int cli_list(int count, char **arguments, Status *);
+/* Does it, with the arguments behind its name. Returns the exit status. */
+int cli_do(const CliCommand *, int count, char **arguments, Status *);
+
+extern const CliCommand cli_laboratory; /* no command word */
+
+int cli_open(Options *, Status *);
+int cli_lesson(Options *, Status *);
+int cli_run(Options *, Status *);
+int cli_sweep(Options *, Status *);
+int cli_export_lammps(Options *, Status *);
+int cli_figure(Options *, Status *);
+int cli_movie(Options *, Status *);
+int cli_grade(Options *, Status *);
+int cli_fit(Options *, Status *);
+int cli_diagnose(Options *, Status *);
+int cli_sound(Options *, Status *);
+int cli_list(Options *, Status *);
 int cli_list_lessons(void);                                             /* what `lesson --list` prints */
 int cli_lesson_handout(const Options *, const char *student, Status *); /* what `lesson --handout` writes */
 int cli_lesson_print(const char *name, Status *);                       /* what `lesson --print` prints */
 int cli_grade_key(const Options *, Status *);                           /* what `grade --key` prints */
-int cli_show(int count, char **arguments, Status *);
-int cli_params(int count, char **arguments, Status *);
+int cli_show(Options *, Status *);
+int cli_params(Options *, Status *);
 
 #endif

@@ -271,16 +271,13 @@ static bool may_write(const Options *options, Status *status)
             distinct_files(&options->output, 1, options->words + 1, options->n_words - 1, status));
 }
 
-int cli_diagnose(int count, char **arguments, Status *status)
+int cli_diagnose(Options *options, Status *status)
 {
-    Options options;
     Settings settings;
-    if (!options_parse("diagnose", count, arguments, &options, status) ||
-        !options_words(&options, 2, WORDS_MAX, "SCENARIO FILE", status) ||
-        !options_load(&options, options.words[0], &settings, status) || !may_write(&options, status))
+    if (!options_load(options, options->words[0], &settings, status) || !may_write(options, status))
         return (int)status->code;
-    const int files = options.n_words - 1, threads = progress_threads(options.threads);
-    Files all = {.options = &options,
+    const int files = options->n_words - 1, threads = progress_threads(options->threads);
+    Files all = {.options = options,
                  .settings = &settings,
                  .files = calloc((size_t)files, sizeof *all.files),
                  .count = files,
@@ -288,14 +285,12 @@ int cli_diagnose(int count, char **arguments, Status *status)
     all.threads = threads / all.at_once;
     pthread_mutex_init(&all.lock, NULL);
     for (int i = 0; i < files && all.files; i++)
-        all.files[i].path = options.words[i + 1];
+        all.files[i].path = options->words[i + 1];
     const bool sound =
         (all.files || status_fail(status, "out of memory")) && work_all(&all, status) && tell(&all, status);
     for (int i = 0; i < files && all.files; i++)
         diagnose_close(&all.files[i].table);
     free(all.files);
     pthread_mutex_destroy(&all.lock);
-    if (!sound && progress_signal())
-        return 128 + progress_signal();
-    return sound ? STATUS_DONE : (int)status->code;
+    return progress_result(sound, status);
 }

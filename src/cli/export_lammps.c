@@ -8,26 +8,19 @@
 
 #include <stdio.h>
 
-int cli_export_lammps(int count, char **arguments, Status *status)
+int cli_export_lammps(Options *options, Status *status)
 {
-    Options options;
     Settings settings;
-    if (!options_parse("export-lammps", count, arguments, &options, status) ||
-        !options_words(&options, 1, 1, "SCENARIO", status))
-        return (int)status->code;
-    if (!options.output) {
-        status_refuse(status, "--output: is missing (a folder)");
-        return (int)status->code;
-    }
-    if (!options_load(&options, options.words[0], &settings, status))
+    if (!options->output)
+        return progress_result(status_refuse(status, "--output: is missing (a folder)"), status);
+    if (!options_load(options, options->words[0], &settings, status))
         return (int)status->code;
     Progress progress;
     progress_begin(&progress, false);
     settings.patience = (Patience){progress_show, &progress};
-    const bool done = lammps_export(&settings, ASKER_COMMAND_LINE, options.output, options.force, status);
+    const bool done = lammps_export(&settings, ASKER_COMMAND_LINE, options->output, options->force, status);
     progress_end(&progress);
-    if (!done)
-        return progress_signal() != 0 ? 128 + progress_signal() : (int)status->code;
-    printf("wrote %s; run it with: cd %s && lmp -in in.matvib\n", options.output, options.output);
-    return STATUS_DONE;
+    if (done)
+        printf("wrote %s; run it with: cd %s && lmp -in in.matvib\n", options->output, options->output);
+    return progress_result(done, status);
 }

@@ -223,61 +223,53 @@ static bool draw(const Options *options, const Settings *settings, const Setting
     return sound;
 }
 
-static int failed_with(const Status *status)
+int cli_figure(Options *options, Status *status)
 {
-    return progress_signal() ? 128 + progress_signal() : (int)status->code;
-}
-
-int cli_figure(int count, char **arguments, Status *status)
-{
-    Options options;
     Settings settings, others[OPTION_LIST_MAX];
-    if (!options_parse("figure", count, arguments, &options, status) ||
-        !options_words(&options, 1, 1, "SCENARIO", status) ||
-        !options_load(&options, options.words[0], &settings, status))
+    if (!options_load(options, options->words[0], &settings, status))
         return (int)status->code;
     /* pictures of a crack are compared with each other, so displacements are not enlarged unless asked for */
     if (settings.problem->concerns & CONCERN_NOTCH && !settings_view(&settings)->exaggeration[0])
         strcpy(settings_edit_view(&settings)->exaggeration, "1");
     others[0] = settings;
     bool sound = true;
-    if (!options.list) {
-        if (!options.view)
+    if (!options->list) {
+        if (!options->view)
             sound = status_refuse(status, "figure: --view NAME is missing (--list prints the names)");
-        else if (!options.output)
+        else if (!options->output)
             sound = status_refuse(status, "figure: --output FILE is missing (FILE.svg, .pdf or .png)");
-        sound = sound && figure_allowed(options.output, status) &&
-                output_may_begin(options.output, options.force, status) &&
-                all_others(&options.against, &settings, others, status);
+        sound = sound && figure_allowed(options->output, status) &&
+                output_may_begin(options->output, options->force, status) &&
+                all_others(&options->against, &settings, others, status);
     }
     if (!sound)
         return (int)status->code;
     Progress progress;
-    progress_begin(&progress, options.quiet);
+    progress_begin(&progress, options->quiet);
     settings.patience = (Patience){progress_show, &progress};
     for (int i = 0; i < OPTION_LIST_MAX; i++)
         others[i].patience = settings.patience;
     Screen screen;
     screen_default(&screen);
-    screen.scenario = options.words[0];
+    screen.scenario = options->words[0];
     Experiment *experiment =
-        experiment_create(&others[0], HISTORY, progress_threads(options.threads), status);
+        experiment_create(&others[0], HISTORY, progress_threads(options->threads), status);
     if (!experiment) {
         progress_end(&progress);
-        return failed_with(status);
+        return progress_result(false, status);
     }
     screen.experiment = experiment;
     screen.chosen.particle = selection_middle(experiment_simulation(experiment));
-    if (options.list) {
+    if (options->list) {
         figure_names(&screen, stdout);
     } else {
-        sound = draw(&options, &settings, others, experiment, &screen, &progress, status);
+        sound = draw(options, &settings, others, experiment, &screen, &progress, status);
     }
     progress_end(&progress);
     experiment_destroy(experiment);
     if (!sound)
-        return failed_with(status);
-    if (!options.list && !options.quiet)
-        printf("wrote %s\n", options.output);
+        return progress_result(false, status);
+    if (!options->list && !options->quiet)
+        printf("wrote %s\n", options->output);
     return STATUS_DONE;
 }

@@ -219,44 +219,39 @@ static bool solve(const Options *options, Settings *settings, Data *data, FitTas
     return fit_solve(task, result, status);
 }
 
-int cli_fit(int count, char **arguments, Status *status)
+int cli_fit(Options *options, Status *status)
 {
-    Options options;
     Settings settings;
-    if (!options_parse("fit", count, arguments, &options, status) ||
-        !options_words(&options, 1, 1, "SCENARIO", status) ||
-        !options_load(&options, options.words[0], &settings, status) || !may_write(&options, status))
+    if (!options_load(options, options->words[0], &settings, status) || !may_write(options, status))
         return (int)status->code;
-    if (!options.data || !options.sought) {
-        status_refuse(status, "fit: %s is missing", options.data ? "--vary KEY,..." : "--data FILE");
-        return (int)status->code;
-    }
-    char *keys = strdup(options.sought);
-    const Crate crate = crate_of(&options);
+    if (!options->data || !options->sought)
+        return progress_result(
+            status_refuse(status, "fit: %s is missing", options->data ? "--vary KEY,..." : "--data FILE"),
+            status);
+    char *keys = strdup(options->sought);
+    const Crate crate = crate_of(options);
     FitTask task = {.settings = &settings};
     FitResult result = {0};
     Data data = {.table = {.y = -1}};
     Progress progress;
-    progress_begin(&progress, options.quiet);
+    progress_begin(&progress, options->quiet);
     bool sound = (keys || status_fail(status, "out of memory")) && take_keys(keys, &task, status) &&
-                 solve(&options, &settings, &data, &task, &result, &progress, status);
+                 solve(options, &settings, &data, &task, &result, &progress, status);
     const bool found = sound; /* what took long is told, whatever becomes of the files */
-    sound = sound && (!options.output || write_table(&options, &task, &result, status)) &&
-            describe(&options, &crate, &result.settings, status) &&
-            (!options.figure || draw(&options, &data, &result, &progress, status));
+    sound = sound && (!options->output || write_table(options, &task, &result, status)) &&
+            describe(options, &crate, &result.settings, status) &&
+            (!options->figure || draw(options, &data, &result, &progress, status));
     progress_end(&progress);
-    if (found && options.json)
-        print_json(&options, &task, &result);
+    if (found && options->json)
+        print_json(options, &task, &result);
     else if (found)
         print_result(&task, &result);
-    if (sound && options.output && !options.json)
-        printf("wrote %s\n", options.output);
-    if (sound && options.figure && !options.json)
-        printf("wrote %s\n", options.figure);
+    if (sound && options->output && !options->json)
+        printf("wrote %s\n", options->output);
+    if (sound && options->figure && !options->json)
+        printf("wrote %s\n", options->figure);
     fit_free(&result);
     close_data(&data);
     free(keys);
-    if (!sound && progress_signal())
-        return 128 + progress_signal();
-    return sound ? STATUS_DONE : (int)status->code;
+    return progress_result(sound, status);
 }

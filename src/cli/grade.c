@@ -227,32 +227,28 @@ static bool may_write(const Options *options, Status *status)
            distinct_files(outputs, 3, sessions, options->n_words - 1, status);
 }
 
-int cli_grade(int count, char **arguments, Status *status)
+int cli_grade(Options *options, Status *status)
 {
-    Options options;
     Marking marking = {.refused = 0};
-    if (!options_parse("grade", count, arguments, &options, status))
+    if (options->key)
+        return cli_grade_key(options, status);
+    if ((options->name && !status_refuse(status, "--name: goes with --key")) ||
+        !options_words(options, 2, WORDS_MAX, "LESSON SESSION...", status) ||
+        !read_limit(options->limit, &marking.task.seconds, status) || !may_write(options, status) ||
+        !lesson_load(options->words[0], command_line_for_lessons, &marking.lesson, status))
         return (int)status->code;
-    if (options.key)
-        return cli_grade_key(&options, status);
-    if ((options.name && !status_refuse(status, "--name: goes with --key")) ||
-        !options_words(&options, 2, WORDS_MAX, "LESSON SESSION...", status) ||
-        !read_limit(options.limit, &marking.task.seconds, status) || !may_write(&options, status) ||
-        !lesson_load(options.words[0], command_line_for_lessons, &marking.lesson, status))
-        return (int)status->code;
-    marking.dialect = options.outputs.dialect;
-    marking.sessions = options.n_words - 1;
-    progress_begin(&marking.progress, options.quiet);
-    marking.task.lesson = options.words[0];
-    marking.task.threads = progress_threads(options.threads);
+    marking.dialect = options->outputs.dialect;
+    marking.sessions = options->n_words - 1;
+    progress_begin(&marking.progress, options->quiet);
+    marking.task.lesson = options->words[0];
+    marking.task.threads = progress_threads(options->threads);
     marking.task.patience = (Patience){go_on, &marking};
-    bool sound = write_all(&marking, &options, status);
+    bool sound = write_all(&marking, options, status);
     progress_end(&marking.progress);
     lesson_free(&marking.lesson);
-    if (progress_signal())
-        return 128 + progress_signal();
+    sound = sound && !progress_signal();
     if (sound && marking.refused > 0)
         sound = status_fail(status, "%d of %d sessions have no marks (see the remarks)", marking.refused,
                             marking.sessions);
-    return sound ? STATUS_DONE : (int)status->code;
+    return progress_result(sound, status);
 }

@@ -89,7 +89,5 @@ int cli_grade_key(const Options *options, Status *status)
     }
     free(grades);
     lesson_free(&lesson);
-    if (progress_signal())
-        return 128 + progress_signal();
-    return sound ? STATUS_DONE : (int)status->code;
+    return progress_result(sound && !progress_signal(), status);
 }

@@ -2,6 +2,7 @@
 /* `matvib lesson NAME --handout FILE.pdf`: a lesson's exercises on paper; `--print`: its text. */
 #include "cli/cli.h"
 #include "cli/options.h"
+#include "cli/progress.h"
 
 #include "picture/paper/leaflet.h"
 #include "lessons/lesson.h"
@@ -63,10 +64,10 @@ static void write_lesson(Leaflet *leaflet, const Lesson *lesson, const char *stu
 
 int cli_lesson_handout(const Options *options, const char *student, Status *status)
 {
-    if (options->n_words == 0) {
-        status_refuse(status, "--handout: which lesson? (matvib lesson NAME --handout FILE.pdf)");
-        return (int)status->code;
-    }
+    if (options->n_words == 0)
+        return progress_result(
+            status_refuse(status, "--handout: which lesson? (matvib lesson NAME --handout FILE.pdf)"),
+            status);
     Lesson lesson;
     Leaflet leaflet = {.paper = NULL};
     if (!leaflet_allowed(options->handout, options->force, status) ||
@@ -82,7 +83,7 @@ int cli_lesson_handout(const Options *options, const char *student, Status *stat
     lesson_free(&lesson);
     if (sound)
         printf("wrote %s\n", options->handout);
-    return sound ? STATUS_DONE : (int)status->code;
+    return progress_result(sound, status);
 }
 
 int cli_lesson_print(const char *name, Status *status)
@@ -94,5 +95,5 @@ int cli_lesson_print(const char *name, Status *status)
         status_refuse(status, "--print: %.60s: is no lesson of the program (matvib lesson --list)", name);
     else
         fputs(builtin->text, stdout);
-    return builtin ? STATUS_DONE : (int)status->code;
+    return progress_result(builtin != NULL, status);
 }

@@ -8,12 +8,9 @@
 #include <stdio.h>
 #include <string.h>
 
-int cli_list(int count, char **arguments, Status *status)
+int cli_list(Options *options, Status *status)
 {
-    Options options;
-    if (!options_parse("list", count, arguments, &options, status) ||
-        !options_words(&options, 0, 0, NULL, status))
-        return STATUS_USAGE;
+    (void)options;
     size_t width = 0;
     const BuiltinScenario *builtin;
     for (builtin = builtin_scenarios; builtin->name; builtin++)

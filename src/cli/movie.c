@@ -121,56 +121,48 @@ static int film(const Options *options, LaboratoryOptions *laboratory, Camera *c
         result = (int)status->code;
     camera_close(camera); /* it may still end the film: before its file goes */
     output_close(&file);
-    return progress_signal() ? 128 + progress_signal() : result;
+    return progress_signal() ? progress_result(false, status) : result;
 }
 
-int cli_movie(int count, char **arguments, Status *status)
+int cli_movie(Options *options, Status *status)
 {
-    Options options;
     Settings settings;
     Camera camera = {0};
-    if (!options_parse("movie", count, arguments, &options, status) ||
-        !options_words(&options, 1, 1, "SCENARIO, SESSION or SCRIPT", status))
-        return (int)status->code;
-    if (!options.output) {
-        status_refuse(status, "movie: --output FILE is missing (FILE.cast, .svg or .gif)");
-        return (int)status->code;
-    }
-    const char *word = options.words[0];
+    if (!options->output)
+        return progress_result(
+            status_refuse(status, "movie: --output FILE is missing (FILE.cast, .svg or .gif)"), status);
+    const char *word = options->words[0];
     const Source source = source_of(word, status);
-    if (source == SOURCE_WRONG || !(camera.format = film_format(options.output, status)) ||
-        !set_up(&camera, &options, status) || !output_may_begin(options.output, options.force, status))
+    if (source == SOURCE_WRONG || !(camera.format = film_format(options->output, status)) ||
+        !set_up(&camera, options, status) || !output_may_begin(options->output, options->force, status))
         return (int)status->code;
     *status = (Status){0};
-    if (source == SOURCE_SESSION && (options.n_overrides > 0 || options.steps > 0 || options.script)) {
-        status_refuse(status, "%.200s: a session has its own scenario and parameters", word);
-        return (int)status->code;
-    }
-    if (source == SOURCE_SCRIPT && options.script) {
-        status_refuse(status, "--script: %.200s is a script already", word);
-        return (int)status->code;
-    }
-    if (source == SOURCE_SESSION && options.size[0] == 0 && !read_session(word, options.size, status))
+    if (source == SOURCE_SESSION && (options->n_overrides > 0 || options->steps > 0 || options->script))
+        return progress_result(
+            status_refuse(status, "%.200s: a session has its own scenario and parameters", word), status);
+    if (source == SOURCE_SCRIPT && options->script)
+        return progress_result(status_refuse(status, "--script: %.200s is a script already", word), status);
+    if (source == SOURCE_SESSION && options->size[0] == 0 && !read_session(word, options->size, status))
         return (int)status->code;
     const char *scenario = source == SOURCE_SCENARIO ? word : scenario_unnamed;
-    if (!options_load(&options, scenario, &settings, status))
+    if (!options_load(options, scenario, &settings, status))
         return (int)status->code;
     LaboratoryOptions laboratory = {
         .settings = &settings,
         .scenario = scenario,
         .replay = source == SOURCE_SESSION ? word : NULL,
-        .script = source == SOURCE_SCRIPT ? word : options.script,
-        .paused = options.paused,
-        .glyphs = options.glyphs ? options.glyphs : "braille",
-        .sheet = options.screen_sheet ? options.screen_sheet : usual_sheet(&settings, source),
-        .theme = options.theme,
-        .threads = progress_threads(options.threads),
-        .width = options.size[0],
-        .height = options.size[1],
+        .script = source == SOURCE_SCRIPT ? word : options->script,
+        .paused = options->paused,
+        .glyphs = options->glyphs ? options->glyphs : "braille",
+        .sheet = options->screen_sheet ? options->screen_sheet : usual_sheet(&settings, source),
+        .theme = options->theme,
+        .threads = progress_threads(options->threads),
+        .width = options->size[0],
+        .height = options->size[1],
     };
-    camera.look.light = options.theme && strcmp(options.theme, "light") == 0;
-    const int result = film(&options, &laboratory, &camera, status);
-    if (result == STATUS_DONE && !options.quiet)
-        printf("wrote %s\n", options.output);
+    camera.look.light = options->theme && strcmp(options->theme, "light") == 0;
+    const int result = film(options, &laboratory, &camera, status);
+    if (result == STATUS_DONE && !options->quiet)
+        printf("wrote %s\n", options->output);
     return result;
 }

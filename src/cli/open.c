@@ -83,38 +83,31 @@ static int enter(const Options *options, const char *named, const char *lesson, 
     return result;
 }
 
-int cli_open(int count, char **arguments, Status *status)
+int cli_open(Options *options, Status *status)
 {
-    Options options;
-    if (!options_parse("open", count, arguments, &options, status))
-        return (int)status->code;
-    const char *word = options.n_words > 0 ? options.words[0] : NULL;
+    const char *word = options->n_words > 0 ? options->words[0] : NULL;
     const char *scenario = word ? word : scenario_unnamed;
-    if (!go_together(&options, word, status) || !options_words(&options, 0, 1, "[SCENARIO]", status))
+    if (!go_together(options, word, status) || !options_words(options, 0, 1, "[SCENARIO]", status))
         return (int)status->code;
-    return enter(&options, scenario, NULL, &(HomeworkFile){.file = ""}, status);
+    return enter(options, scenario, NULL, &(HomeworkFile){.file = ""}, status);
 }
 
-int cli_lesson(int count, char **arguments, Status *status)
+int cli_lesson(Options *options, Status *status)
 {
-    Options options;
     HomeworkFile homework;
-    if (!options_parse("lesson", count, arguments, &options, status) ||
-        !options_words(&options, 0, 1, "[NAME]", status))
-        return (int)status->code;
-    const char *word = options.n_words > 0 ? options.words[0] : NULL;
-    if (options.list)
+    const char *word = options->n_words > 0 ? options->words[0] : NULL;
+    if (options->list)
         return cli_list_lessons();
-    if (options.print)
+    if (options->print)
         return cli_lesson_print(word, status);
-    if (!homework_begin(&options, word, &homework, status))
+    if (!homework_begin(options, word, &homework, status))
         return (int)status->code;
-    if (options.handout)
-        return cli_lesson_handout(&options, homework.student, status);
-    if (!go_together(&options, NULL, status))
+    if (options->handout)
+        return cli_lesson_handout(options, homework.student, status);
+    if (!go_together(options, NULL, status))
         return (int)status->code;
     const int result =
-        enter(&options, scenario_unnamed, word ? word : laboratory_all_lessons, &homework, status);
+        enter(options, scenario_unnamed, word ? word : laboratory_all_lessons, &homework, status);
     if (result == STATUS_DONE && *homework.file && access(homework.file, F_OK) == 0)
         printf("Hand in this file: %s\n", homework.file);
     return result;

@@ -375,7 +375,7 @@ bool options_asks_help(const char *argument)
 
 bool options_parse(const char *command, int count, char **arguments, Options *options, Status *status)
 {
-    memset(options, 0, sizeof *options);
+    *options = (Options){.arguments = arguments, .n_arguments = count};
     bool only_words = false;
     for (int at = 0; at < count; at++) {
         const char *argument = arguments[at];

@@ -58,6 +58,8 @@ typedef struct OptionList {
 typedef struct Options {
     const char *words[WORDS_MAX]; /* arguments that are no options */
     int n_words;
+    char **arguments; /* all, as they were given */
+    int n_arguments;
     bool full, list, bare;
 
     Override overrides[OVERRIDES_MAX];

@@ -92,14 +92,10 @@ static const Problem *find_problem(const char *word, Status *status)
     return problem;
 }
 
-int cli_params(int count, char **arguments, Status *status)
+int cli_params(Options *options, Status *status)
 {
-    Options options;
-    if (!options_parse("params", count, arguments, &options, status) ||
-        !options_words(&options, 0, 1, "[PROBLEM]", status))
-        return STATUS_USAGE;
-    const Problem *asked = options.n_words == 1 ? find_problem(options.words[0], status) : NULL;
-    if (options.n_words == 1 && !asked)
+    const Problem *asked = options->n_words == 1 ? find_problem(options->words[0], status) : NULL;
+    if (options->n_words == 1 && !asked)
         return STATUS_USAGE;
     for (int i = 0; problems[i]; i++)
         if ((!asked || asked == problems[i]) && !print_problem(problems[i], status))

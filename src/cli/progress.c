@@ -65,6 +65,11 @@ int progress_signal(void)
     return signals_ended_by();
 }
 
+int progress_result(bool done, const Status *status)
+{
+    return done ? STATUS_DONE : progress_signal() ? 128 + progress_signal() : (int)status->code;
+}
+
 int progress_threads(long wanted)
 {
     return wanted > 0 ? (int)wanted : threads_default(false);

@@ -4,6 +4,8 @@
 #ifndef CLI_PROGRESS_H
 #define CLI_PROGRESS_H
 
+#include "base/status.h"
+
 #include <stdbool.h>
 
 typedef struct Progress {
@@ -21,6 +23,9 @@ bool progress_show(double share, void *progress);
 
 /* The signal that came; 0: none. */
 int progress_signal(void);
+
+/* The exit status of a command: 0, 128 + n after signal n, or the status's code. */
+int progress_result(bool done, const Status *);
 
 /* The number given with --threads, else as many as this process may use. */
 int progress_threads(long wanted);

@@ -154,35 +154,31 @@ static bool may_describe(const Options *options, const Crate *crate, Status *sta
     return describe_may_begin(options, crate, status);
 }
 
-int cli_run(int count, char **arguments, Status *status)
+int cli_run(Options *options, Status *status)
 {
-    Options options;
     Settings settings;
-    if (!options_parse("run", count, arguments, &options, status) ||
-        !options_words(&options, 1, 1, "SCENARIO", status) ||
-        !options_load(&options, options.words[0], &settings, status) || !times_are_used(&options, status) ||
-        !read_stages(&options, status))
+    if (!options_load(options, options->words[0], &settings, status) || !times_are_used(options, status) ||
+        !read_stages(options, status))
         return (int)status->code;
-    if (options.json && writes_to_standard_output(&options.outputs)) {
-        status_refuse(status, "--json: standard output has a table (--series FILE)");
-        return (int)status->code;
-    }
-    const Crate crate = crate_of_run(&options.outputs);
-    if (!may_describe(&options, &crate, status))
+    if (options->json && writes_to_standard_output(&options->outputs))
+        return progress_result(status_refuse(status, "--json: standard output has a table (--series FILE)"),
+                               status);
+    const Crate crate = crate_of_run(&options->outputs);
+    if (!may_describe(options, &crate, status))
         return (int)status->code;
     Progress progress;
-    progress_begin(&progress, options.quiet);
+    progress_begin(&progress, options->quiet);
     settings.patience = (Patience){progress_show, &progress};
     RunSummary summary;
-    bool done = export_run(&settings, &options.outputs, progress_threads(options.threads), progress_show,
+    bool done = export_run(&settings, &options->outputs, progress_threads(options->threads), progress_show,
                            &progress, &summary, status);
-    done = done && describe(&options, &crate, &settings, status);
+    done = done && describe(options, &crate, &settings, status);
     progress_end(&progress);
     if (progress_signal() != 0 && !done && !summary.failed)
         return 128 + progress_signal();
-    if ((done || summary.failed) && (options.json || !options.quiet))
-        print_summary(&options, &settings, &summary, progress_seconds(&progress));
+    if ((done || summary.failed) && (options->json || !options->quiet))
+        print_summary(options, &settings, &summary, progress_seconds(&progress));
     if (!done)
-        options_blame(&options, options.words[0], status);
-    return done ? STATUS_DONE : (int)status->code;
+        options_blame(options, options->words[0], status);
+    return progress_result(done, status);
 }

@@ -4,23 +4,19 @@
 #include "scenario/settings.h"
 #include "cli/derived.h"
 #include "cli/options.h"
+#include "cli/progress.h"
 
 #include <stdio.h>
 
-int cli_show(int count, char **arguments, Status *status)
+int cli_show(Options *options, Status *status)
 {
-    Options options;
     Settings settings;
     char comment[DERIVED_TEXT_MAX];
-    if (!options_parse("show", count, arguments, &options, status) ||
-        !options_words(&options, 1, 1, "SCENARIO", status) ||
-        !options_load(&options, options.words[0], &settings, status))
+    if (!options_load(options, options->words[0], &settings, status))
         return (int)status->code;
     if (!derived_text(&settings, comment, sizeof comment, status)) {
-        options_blame(&options, options.words[0], status);
+        options_blame(options, options->words[0], status);
         return (int)status->code;
     }
-    if (!scenario_write(stdout, &settings, comment, status))
-        return (int)status->code;
-    return STATUS_DONE;
+    return progress_result(scenario_write(stdout, &settings, comment, status), status);
 }

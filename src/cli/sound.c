@@ -92,41 +92,34 @@ static bool write_tones(const Options *options, const Tones *tones, double secon
     return output_end(&file, true, status);
 }
 
-int cli_sound(int count, char **arguments, Status *status)
+int cli_sound(Options *options, Status *status)
 {
-    Options options;
     Settings settings;
     double seconds, pitch = 0;
-    if (!options_parse("sound", count, arguments, &options, status) ||
-        !options_words(&options, 1, 1, "SCENARIO", status) ||
-        !options_load(&options, options.words[0], &settings, status) ||
-        !read_seconds(options.seconds, &seconds, status) || !read_pitch(options.pitch, &pitch, status))
+    if (!options_load(options, options->words[0], &settings, status) ||
+        !read_seconds(options->seconds, &seconds, status) || !read_pitch(options->pitch, &pitch, status))
         return (int)status->code;
-    if (!options.output) {
-        status_refuse(status, "sound: --output FILE is missing (FILE.wav)");
-        return (int)status->code;
-    }
-    if (!output_may_begin(options.output, options.force, status))
+    if (!options->output)
+        return progress_result(status_refuse(status, "sound: --output FILE is missing (FILE.wav)"), status);
+    if (!output_may_begin(options->output, options->force, status))
         return (int)status->code;
     Progress progress;
-    progress_begin(&progress, options.quiet);
+    progress_begin(&progress, options->quiet);
     settings.patience = (Patience){progress_show, &progress};
     RunSummary summary;
     Tones tones = {0};
-    bool sound = export_run(&settings, &(Outputs){0}, progress_threads(options.threads), progress_show,
+    bool sound = export_run(&settings, &(Outputs){0}, progress_threads(options->threads), progress_show,
                             &progress, &summary, status);
     progress_end(&progress);
     if (progress_signal())
-        return 128 + progress_signal();
+        return progress_result(false, status);
     if (!sound)
-        options_blame(&options, options.words[0], status);
+        options_blame(options, options->words[0], status);
     sound = sound && tune(&summary.readout, pitch, &tones, status) &&
-            write_tones(&options, &tones, seconds, status);
-    if (!sound)
-        return (int)status->code;
-    if (!options.quiet) {
+            write_tones(options, &tones, seconds, status);
+    if (sound && !options->quiet) {
         print_tones(&tones);
-        printf("wrote %s\n", options.output);
+        printf("wrote %s\n", options->output);
     }
-    return STATUS_DONE;
+    return progress_result(sound, status);
 }

@@ -202,7 +202,7 @@ static int run_all(Sweep *sweep, Status *status)
     progress_end(&sweep->progress);
     pool_destroy(pool);
     if (progress_signal() != 0)
-        return status_fail(status, "interrupted"), 128 + progress_signal();
+        return progress_result(status_fail(status, "interrupted"), status);
     for (int i = 0; i < sweep->plan.n_combinations; i++)
         warn(sweep, i);
     return STATUS_DONE;
@@ -220,8 +220,7 @@ static char *beside_name(const char *output, Status *status)
 }
 
 /* The scenario of the first combination; as comments the command and the columns. */
-static bool write_beside(const Sweep *sweep, const SweepTable *table, int count, char **arguments,
-                         OutputFile *file, Status *status)
+static bool write_beside(const Sweep *sweep, const SweepTable *table, OutputFile *file, Status *status)
 {
     char *comment = NULL;
     size_t size = 0;
@@ -230,9 +229,9 @@ static bool write_beside(const Sweep *sweep, const SweepTable *table, int count,
     if (!text)
         return no_memory(status);
     fputs("matvib " PACKAGE_VERSION "\n\nmatvib sweep", text);
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < sweep->options->n_arguments; i++) {
         fputc(' ', text);
-        sweep_shell_quote(text, arguments[i]);
+        sweep_shell_quote(text, sweep->options->arguments[i]);
     }
     fputs("\n\nColumns:\n", text);
     sweep_table_describe(table, text);
@@ -244,8 +243,7 @@ static bool write_beside(const Sweep *sweep, const SweepTable *table, int count,
     return written;
 }
 
-static bool write_files(const Sweep *sweep, const SweepTable *table, int count, char **arguments,
-                        Status *status)
+static bool write_files(const Sweep *sweep, const SweepTable *table, Status *status)
 {
     const Options *options = sweep->options;
     OutputFile file, beside = {0};
@@ -256,7 +254,7 @@ static bool write_files(const Sweep *sweep, const SweepTable *table, int count, 
     if (good && file.target) {
         char *name = beside_name(options->output, status);
         good = name && output_open(&beside, ASKER_COMMAND_LINE, name, options->force, status) &&
-               write_beside(sweep, table, count, arguments, &beside, status);
+               write_beside(sweep, table, &beside, status);
         free(name);
     }
     good = good && output_commit(&file, status) && output_commit(&beside, status);
@@ -285,7 +283,7 @@ static bool describe_table(const Sweep *sweep, Status *status)
             describe(sweep->options, &crate, &settings, status));
 }
 
-static int write_all(Sweep *sweep, int count, char **arguments, Status *status)
+static int write_all(Sweep *sweep, Status *status)
 {
     const Options *options = sweep->options;
     SweepTable table = {
@@ -294,8 +292,7 @@ static int write_all(Sweep *sweep, int count, char **arguments, Status *status)
     int all = sweep->plan.n_combinations;
     if (table.rows == 0)
         return status_fail(status, "no combination has a row (%d left out)", all), STATUS_FAILED;
-    if (options->output &&
-        !(write_files(sweep, &table, count, arguments, status) && describe_table(sweep, status)))
+    if (options->output && !(write_files(sweep, &table, status) && describe_table(sweep, status)))
         return (int)status->code;
     bool terminal = isatty(STDOUT_FILENO);
     if (terminal && !(options->output && output_is_standard(options->output)))
@@ -334,18 +331,17 @@ static int print_plan(const Sweep *sweep, Status *status)
 {
     OutputFile file;
     const Options *options = sweep->options;
-    if (strcmp(options->words[0], input_standard_name) == 0) {
-        status_refuse(status, "%s: is read once, and a plan names a file", input_standard_name);
-        return (int)status->code;
-    }
+    if (strcmp(options->words[0], input_standard_name) == 0)
+        return progress_result(
+            status_refuse(status, "%s: is read once, and a plan names a file", input_standard_name), status);
     if (!output_open(&file, ASKER_COMMAND_LINE, options->output ? options->output : "-", options->force,
                      status))
         return (int)status->code;
     sweep_plan_print(&sweep->plan, options, file.stream);
-    return output_end(&file, true, status) ? STATUS_DONE : (int)status->code;
+    return progress_result(output_end(&file, true, status), status);
 }
 
-static int sweep_through(Sweep *sweep, int count, char **arguments, Status *status)
+static int sweep_through(Sweep *sweep, Status *status)
 {
     if (!prepare(sweep, status))
         return (int)status->code;
@@ -354,18 +350,14 @@ static int sweep_through(Sweep *sweep, int count, char **arguments, Status *stat
     if (!may_begin(sweep, status))
         return (int)status->code;
     const int result = run_all(sweep, status);
-    return result == STATUS_DONE ? write_all(sweep, count, arguments, status) : result;
+    return result == STATUS_DONE ? write_all(sweep, status) : result;
 }
 
-int cli_sweep(int count, char **arguments, Status *status)
+int cli_sweep(Options *options, Status *status)
 {
-    Options options;
-    if (!options_parse("sweep", count, arguments, &options, status) ||
-        !options_words(&options, 1, 1, "SCENARIO", status))
-        return (int)status->code;
-    Sweep sweep = {.options = &options};
+    Sweep sweep = {.options = options};
     pthread_mutex_init(&sweep.lock, NULL);
-    int result = sweep_through(&sweep, count, arguments, status);
+    int result = sweep_through(&sweep, status);
     give_back(&sweep);
     return result;
 }
