@@ -2,6 +2,7 @@
 /* A progress bar with the time that is left, drawn ten times a second at most and only on a terminal; it
  * also tells a long command to stop when a signal came (progress.h). */
 #include "cli/progress.h"
+#include "base/clock.h"
 
 #include "base/signals.h"
 #include "base/threads.h"
@@ -9,15 +10,7 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <time.h>
 #include <unistd.h>
-
-static double seconds(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
 
 static void draw_bar(const Progress *progress, double share, double now)
 {
@@ -34,13 +27,13 @@ static void draw_bar(const Progress *progress, double share, double now)
 void progress_begin(Progress *progress, bool quiet)
 {
     signals_catch();
-    *progress = (Progress){.visible = !quiet && isatty(STDERR_FILENO), .began = seconds()};
+    *progress = (Progress){.visible = !quiet && isatty(STDERR_FILENO), .began = clock_seconds()};
 }
 
 bool progress_show(double share, void *context)
 {
     Progress *progress = context;
-    double now = progress->visible ? seconds() : 0;
+    double now = progress->visible ? clock_seconds() : 0;
     /* a run that takes no time needs no bar */
     if (progress->visible && now - progress->began > 0.5 && now - progress->shown > 0.1) {
         draw_bar(progress, share, now);
@@ -57,7 +50,7 @@ void progress_end(const Progress *progress)
 
 double progress_seconds(const Progress *progress)
 {
-    return seconds() - progress->began;
+    return clock_seconds() - progress->began;
 }
 
 int progress_signal(void)

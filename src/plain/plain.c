@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The host of plain words: lines become keys, and what they changed is told. */
 #include "plain/plain.h"
+#include "base/clock.h"
 #include "scenario/settings.h"
 #include "scenario/rows/rows.h"
 #include "base/input.h"
@@ -34,13 +35,6 @@ static void worked(void *context, long steps)
 {
     (void)context;
     (void)steps;
-}
-
-static double wall(void)
-{
-    struct timespec time;
-    clock_gettime(CLOCK_MONOTONIC, &time);
-    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
 }
 
 /* --- what is told ------------------------------------------------------------------------------------- */
@@ -102,8 +96,8 @@ static bool go_on(void *context)
     Plain *plain = context;
     if (plain->talks)
         wait_for(NULL, 0, &(const struct timespec){0, 0}, NULL);
-    if (plain->talks && wall() > plain->told_at + PROGRESS_SECONDS) {
-        plain->told_at = wall();
+    if (plain->talks && clock_seconds() > plain->told_at + PROGRESS_SECONDS) {
+        plain->told_at = clock_seconds();
         if (plain->lab.message.text[0])
             say(plain, plain->lab.message.text);
         else if (laboratory_run(&plain->lab))
@@ -341,7 +335,7 @@ static void forget_interrupt(const Plain *plain)
 /* The clock of a run by lines goes on by frames; of somebody who sits there it is that of the wall. */
 static void pass_time(Plain *plain)
 {
-    const double at = wall();
+    const double at = clock_seconds();
     plain->time += plain->talks ? at - plain->seen_at : FRAME_SECONDS;
     plain->seen_at = at;
 }
@@ -361,7 +355,7 @@ static void let_it_work(Plain *plain)
     double before = experiment_time(laboratory_run(lab));
     long stage = experiment_stage(laboratory_run(lab));
     bool came_back = false;
-    plain->told_at = wall();
+    plain->told_at = clock_seconds();
     while (laboratory_active(lab)) {
         pass_time(plain);
         laboratory_frame(lab, plain->time);
@@ -561,7 +555,7 @@ bool plain_open(Plain *plain, const LaboratoryOptions *options, FILE *out, Statu
     const Host host = {now, worked, go_on, forget_told, suspend, plain, NULL, tell_asked};
     LaboratoryOptions how = *options;
     how.paused = true;
-    *plain = (Plain){.out = out, .seen_at = wall()};
+    *plain = (Plain){.out = out, .seen_at = clock_seconds()};
     if (!laboratory_open(&plain->lab, &how, &host, status))
         return false;
     plain->lab.screen.look.glyphs = GLYPHS_ASCII;

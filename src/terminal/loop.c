@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "terminal/loop.h"
+#include "base/clock.h"
 
 #include "base/visible.h"
 #include "lab/laboratory.h"
@@ -9,7 +10,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
 #define PROGRESS_SECONDS 0.1 /* between pictures during work that is not cut into frames */
@@ -36,9 +36,7 @@ typedef struct Loop {
 static double now(void *context)
 {
     (void)context;
-    struct timespec time;
-    clock_gettime(CLOCK_MONOTONIC, &time);
-    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
+    return clock_seconds();
 }
 
 static void worked(void *context, long steps)

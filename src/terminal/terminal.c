@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "terminal/terminal.h"
+#include "base/clock.h"
 
 #include "base/signals.h"
 #include "base/wait.h"
@@ -42,13 +43,6 @@ struct Terminal {
     sigset_t mask_outside; /* the signal mask before we came, in force while sleeping */
     struct sigaction old_crashes[N_CRASHES], old_others[N_OTHERS];
 };
-
-static double now(void)
-{
-    struct timespec time;
-    clock_gettime(CLOCK_MONOTONIC, &time);
-    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
-}
 
 /* --- bytes to the terminal -------------------------------------------------------------------------- */
 
@@ -398,7 +392,7 @@ bool terminal_has_input(const Terminal *terminal)
 
 bool terminal_key(Terminal *terminal, Key *key)
 {
-    const bool any = keys_read(&terminal->keys, terminal->grid.keys, now(), key);
+    const bool any = keys_read(&terminal->keys, terminal->grid.keys, clock_seconds(), key);
     if (terminal->keys.answered && !terminal->grid.synchronised)
         grid_synchronise(&terminal->grid);
     return any;

@@ -3,6 +3,7 @@
  * threads of a pool take one combination after the other; every run has its row's place from the start, so
  * that neither the table nor what is told depends on how many run side by side. */
 #include "base/hash.h"
+#include "base/clock.h"
 #include "base/input.h"
 #include "scenario/settings.h"
 #include "base/output.h"
@@ -22,7 +23,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <time.h>
 #include <unistd.h>
 
 typedef struct Sweep {
@@ -133,13 +133,6 @@ static bool show_share(double share, void *context)
     return goes_on;
 }
 
-static double seconds(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
 static void run_combination(Sweep *sweep, int combination)
 {
     SweepResult *result = &sweep->results[combination];
@@ -160,9 +153,9 @@ static void run_combination(Sweep *sweep, int combination)
         !sweep_plan_load(&sweep->plan, sweep->options, combination, true, &settings, why))
         return;
     settings.patience = (Patience){show_share, &run};
-    double began = seconds();
+    double began = clock_seconds();
     if (export_run(&settings, &(Outputs){0}, sweep->threads, show_share, &run, &summary, why))
-        sweep_result_of(&summary, &settings, seconds() - began, result);
+        sweep_result_of(&summary, &settings, clock_seconds() - began, result);
     show_share(1, &run);
 }
 

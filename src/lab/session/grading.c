@@ -2,6 +2,7 @@
 /* Does sessions again on a host without a screen, whose clock goes on with the steps that are done and not
  * with the machine's, and notes what becomes of the exercises (grading.h). */
 #include "lab/session/grading.h"
+#include "base/clock.h"
 
 #include "scenario/settings.h"
 #include "scenario/scenario.h"
@@ -15,7 +16,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #define STEPS_MOST      200000000L
 #define STEPS_A_SECOND  10000.0 /* of the host's clock */
@@ -41,7 +41,7 @@ typedef struct Grader {
     double time; /* virtual */
     long steps;
     double share;
-    struct timespec begun;
+    double begun;
     bool given_up; /* by the patience */
 } Grader;
 
@@ -49,11 +49,7 @@ typedef struct Grader {
 
 static bool is_spent(const Grader *grader)
 {
-    struct timespec at;
-    clock_gettime(CLOCK_MONOTONIC, &at);
-    const double seconds =
-        (double)(at.tv_sec - grader->begun.tv_sec) + 1e-9 * (double)(at.tv_nsec - grader->begun.tv_nsec);
-    return seconds > grader->task->seconds || grader->steps > STEPS_MOST;
+    return clock_seconds() - grader->begun > grader->task->seconds || grader->steps > STEPS_MOST;
 }
 
 static double now(void *context)
@@ -91,7 +87,7 @@ static Grader *open_grader(const GradingTask *task, LaboratoryOptions *options, 
     }
     const Host host = {now, worked, go_on, nothing, nothing, grader, NULL, NULL};
     grader->task = task;
-    clock_gettime(CLOCK_MONOTONIC, &grader->begun);
+    grader->begun = clock_seconds();
     options->lesson = task->lesson;
     options->threads = task->threads;
     options->history = HISTORY;
@@ -454,7 +450,7 @@ bool grading_key(const GradingTask *task, const char *student, Grades *grades, S
     begin_grades(&grader->lab.play.lesson, grades);
     bool sound = true;
     for (int i = 0; i < grades->count && sound; i++) {
-        clock_gettime(CLOCK_MONOTONIC, &grader->begun);
+        grader->begun = clock_seconds();
         sound = answer_page(grader, &grades->grades[i], status);
     }
     close_grader(grader);

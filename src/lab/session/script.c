@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The script player: a table of instructions over a laboratory with a virtual clock. */
 #include "lab/session/script.h"
+#include "base/clock.h"
 
 #include "scenario/concern_time.h"
 #include "base/input.h"
@@ -16,7 +17,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 /* Keys of a script follow at once; who looks at a film of it wants to see each. */
 #define KEY_SECONDS    0.5
@@ -35,7 +35,7 @@ struct Script {
     /* Real seconds that an instruction may take for work that is not cut into frames; 0: as long as it
      * takes. */
     double patience;
-    struct timespec begun;       /* when the instruction began */
+    double begun;                /* when the instruction began */
     char scene[80];              /* of a lecture, under way; "": none */
     int scene_keys;              /* that it has cost */
     Camera *camera;              /* NULL: nobody films */
@@ -46,13 +46,9 @@ struct Script {
 static bool go_on(void *context)
 {
     const Script *script = context;
-    struct timespec at;
     if (script->camera && !camera_goes_on(script->camera))
         return false;
-    clock_gettime(CLOCK_MONOTONIC, &at);
-    const double spent =
-        (double)(at.tv_sec - script->begun.tv_sec) + 1e-9 * (double)(at.tv_nsec - script->begun.tv_nsec);
-    return script->patience == 0 || spent < script->patience;
+    return script->patience == 0 || clock_seconds() - script->begun < script->patience;
 }
 
 /* Whatever waits for the clock waits no longer when the camera is told to stop, or patience is at its end. */
@@ -319,7 +315,7 @@ const ScriptInstruction script_instructions[] = {
 
 static bool play_line(Script *script, char *line, Status *status)
 {
-    clock_gettime(CLOCK_MONOTONIC, &script->begun);
+    script->begun = clock_seconds();
     line += strspn(line, " \t");
     if (!*line || *line == '#')
         return true;
