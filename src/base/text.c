@@ -179,6 +179,11 @@ void text_append(char *out, size_t size, const char *format, ...)
     va_end(arguments);
 }
 
+void text_or(char *out, size_t size, const char *word)
+{
+    text_append(out, size, "%s%s", *out ? " | " : "", word);
+}
+
 static bool next_of(const char **text, const char *between, char *out, size_t size)
 {
     *text += strspn(*text, between);

@@ -65,6 +65,9 @@ void text_append(char *out, size_t size, const char *format, ...) __attribute__(
 bool text_next_word(const char **text, char *out, size_t size);
 bool text_next_item(const char **list, char *out, size_t size);
 
+/* One more of what is allowed: "usf | usl"; what has no room is left out. */
+void text_or(char *out, size_t size, const char *word);
+
 /* Where a word stands among words that end with a NULL; -1: nowhere. */
 int text_place_in(const char *word, const char *const words[]);
 

@@ -182,13 +182,6 @@ static bool takes(const Option *option, const char *command)
     return strstr(option->commands, word) != NULL;
 }
 
-static void join(const char *const *words, char *out, size_t size)
-{
-    size_t used = 0;
-    for (int i = 0; words[i] && used < size; i++)
-        used += (size_t)snprintf(out + used, size - used, "%s%s", i ? " | " : "", words[i]);
-}
-
 static bool read_bytes(const char *text, size_t *bytes)
 {
     char number[32];
@@ -247,7 +240,7 @@ static bool take_override(const Option *option, const char *value, Options *opti
 static bool take(const Option *option, const char *value, Options *options, Status *status)
 {
     void *member = (char *)options + option->offset;
-    char allowed[128];
+    char allowed[128] = "";
     switch (option->kind) {
     case OPTION_FLAG:
         *(bool *)member = true;
@@ -274,12 +267,13 @@ static bool take(const Option *option, const char *value, Options *options, Stat
                                  option->name, value, option->most);
         return true;
     case OPTION_WORD:
-        for (int i = 0; option->words[i]; i++)
+        for (int i = 0; option->words[i]; i++) {
             if (strcmp(option->words[i], value) == 0) {
                 *(const char **)member = value;
                 return true;
             }
-        join(option->words, allowed, sizeof allowed);
+            text_or(allowed, sizeof allowed, option->words[i]);
+        }
         return status_refuse(status, "%s: %.60s is not a choice (%s)", option->name, value, allowed);
     case OPTION_OVERRIDE:
         return take_override(option, value, options, status);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `matvib params [PROBLEM]`: the parameter table as text. */
 #include "cli/cli.h"
+#include "base/text.h"
 #include "scenario/settings.h"
 #include "cli/derived.h"
 #include "cli/options.h"
@@ -58,8 +59,7 @@ static bool print_problem(const Problem *problem, Status *status)
     settings_default(&settings, problem);
     for (int method = 0; settings_method_words[method]; method++)
         if (problem_allows(problem, (MethodKind)method, NULL))
-            snprintf(methods + strlen(methods), sizeof methods - strlen(methods), "%s%s",
-                     *methods ? " | " : "", settings_method_words[method]);
+            text_or(methods, sizeof methods, settings_method_words[method]);
     printf("%s (%s): %s\n", problem->word, methods, problem->title);
     const char *group = "";
     for (int i = 0; i < n_parameters; i++) {
@@ -85,8 +85,7 @@ static const Problem *find_problem(const char *word, Status *status)
     const Problem *problem = problem_find(word);
     char words[256] = "";
     for (int i = 0; problems[i]; i++)
-        snprintf(words + strlen(words), sizeof words - strlen(words), "%s%s", i ? " | " : "",
-                 problems[i]->word);
+        text_or(words, sizeof words, problems[i]->word);
     if (!problem)
         status_refuse(status, "params: %.60s is not a problem (%s)", word, words);
     return problem;

@@ -200,7 +200,7 @@ static bool read_choice(Parser *parser, const Parameter *key)
             next(parser);
             return put(parser, (ExpressionStep){.kind = STEP_CONSTANT, .number = i});
         }
-        text_append(known, sizeof known, "%s%s", i ? " | " : "", choices[i]);
+        text_or(known, sizeof known, choices[i]);
     }
     return status_refuse(parser->status, "%s is compared with one of its choices (%s)", key->key, known);
 }

@@ -402,8 +402,8 @@ static bool read_word(Reader *reader, char *line)
         return words[i].read(reader, text);
     }
     char known[240] = "";
-    for (size_t i = 0, used = 0; i < sizeof words / sizeof *words && used < sizeof known; i++)
-        used += (size_t)snprintf(known + used, sizeof known - used, "%s@%s", i ? " | " : "", words[i].word);
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        text_append(known, sizeof known, "%s@%s", i ? " | " : "", words[i].word);
     return status_refuse(reader->status, "@%.*s is not known (%s)", length < 20 ? (int)length : 20, line,
                          known);
 }

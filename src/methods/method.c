@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The driver that all methods share: stages, steps, snapshots, events. */
 #include "methods/method.h"
+#include "base/text.h"
 
 #include "base/assertion.h"
 
@@ -351,11 +352,9 @@ static int find_field(const Simulation *sim, int set, const char *words)
 static bool refuse_field(const Simulation *sim, int set, const char *words, Status *status)
 {
     char known[256] = "";
-    size_t used = 0;
-    for (int i = 0; i < sim->n_fields && used < sizeof known; i++)
+    for (int i = 0; i < sim->n_fields; i++)
         if (sim->fields[i].set == set)
-            used += (size_t)snprintf(known + used, sizeof known - used, "%s%s", used ? " | " : "",
-                                     sim->fields[i].quantity.name);
+            text_or(known, sizeof known, sim->fields[i].quantity.name);
     return status_refuse(status, "%.40s is no field of a %s (%s)", words, sim->sets[set].name, known);
 }
 

@@ -231,9 +231,9 @@ void parameter_range(const Parameter *parameter, const Problem *problem, char *o
         snprintf(out, size, "%s, or one of %d: matvib params %s", parameter->choices[0],
                  parameter_choices(parameter, problem) - 1, problem->word);
     } else if (parameter->choices) {
-        size_t used = 0;
-        for (int i = 0; i < parameter_choices(parameter, problem) && used < size; i++)
-            used += (size_t)snprintf(out + used, size - used, "%s%s", i ? " | " : "", parameter->choices[i]);
+        *out = '\0';
+        for (int i = 0; i < parameter_choices(parameter, problem); i++)
+            text_or(out, size, parameter->choices[i]);
     } else if (parameter->type == PARAMETER_TEXT) {
         snprintf(out, size, "%s",
                  strcmp(parameter->key, "initial.overtones") == 0 ? "mode:velocity,..."

@@ -85,12 +85,11 @@ static bool check_twice(const Source *source, Status *status)
 /* The index of a word; -1 and a status if it is none of them. */
 static int choose(const char *const *words, const Entry *entry, Status *status)
 {
-    char allowed[128];
-    size_t used = 0;
+    char allowed[128] = "";
     for (int i = 0; words[i]; i++) {
         if (strcmp(words[i], entry->value) == 0)
             return i;
-        used += (size_t)snprintf(allowed + used, sizeof allowed - used, "%s%s", i ? " | " : "", words[i]);
+        text_or(allowed, sizeof allowed, words[i]);
     }
     status_refuse(status, "scenario.%s: %.60s is not a choice (%s)", entry->name, entry->value, allowed);
     return -1;

@@ -152,11 +152,11 @@ static bool check_words(const Settings *settings, const TextKey *key, const char
     bool sound = !*text || key->rule == TEXT_ANY || (key->rule == TEXT_VIEW && can_be_view(text));
     if (key->rule == TEXT_POSITIVE && text_to_double(text, &value))
         sound = value > 0;
-    for (size_t used = 0; words && *words; words++) {
+    for (; words && *words; words++) {
         if (key->rule == TEXT_COLOUR && !parameter_colour_is_there(settings, *words))
             continue;
         sound |= strcmp(*words, text) == 0;
-        used += (size_t)snprintf(allowed + used, sizeof allowed - used, "%s%s", used ? " | " : "", *words);
+        text_or(allowed, sizeof allowed, *words);
     }
     if (!sound && !*allowed)
         return status_refuse(status, "%s: %.60s is not allowed (it is of beams and plates)", key->key, text);

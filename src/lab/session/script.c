@@ -325,9 +325,8 @@ static bool play_line(Script *script, char *line, Status *status)
         if (strlen(row->name) == length && strncmp(line, row->name, length) == 0)
             return row->run(script, rest, status);
     char known[256] = "";
-    size_t used = 0;
-    for (const ScriptInstruction *row = script_instructions; row->name && used < sizeof known; row++)
-        used += (size_t)snprintf(known + used, sizeof known - used, "%s%s", used ? " | " : "", row->name);
+    for (const ScriptInstruction *row = script_instructions; row->name; row++)
+        text_or(known, sizeof known, row->name);
     return status_refuse(status, "unknown instruction: %.60s (%s)", line, known);
 }
 
