@@ -59,7 +59,6 @@ typedef struct Plot {
     bool lost; /* memory was short for a point */
 } Plot;
 
-void plot_open(Plot *, Axis x, Axis y);
 void plot_close(Plot *);
 
 /* Begins a stroke; plot_point() adds to the last one begun. Without memory a point is lost. */

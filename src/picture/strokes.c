@@ -7,11 +7,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-void plot_open(Plot *plot, Axis x, Axis y)
-{
-    *plot = (Plot){.x = x, .y = y};
-}
-
 void plot_close(Plot *plot)
 {
     free(plot->points);

@@ -19,16 +19,11 @@
 
 /* --- the view ------------------------------------------------------------------------------------- */
 
-static int variants_of(const Screen *screen)
-{
-    (void)screen;
-    return 2;
-}
-
 static const char *word_of(const Screen *screen, int variant)
 {
+    static const char *const words[] = {"first", "second", NULL};
     (void)screen;
-    return variant == 1 ? "second" : "first";
+    return words[variant];
 }
 
 static void describe(const Screen *screen, int variant, Picture *picture)
@@ -57,7 +52,6 @@ static const View view_new = {
     .digit = 9,
     .home = PANE_LOWER,
     .describe = describe,
-    .variants = variants_of,
     .variant_word = word_of,
     .on_paper = true,
 };

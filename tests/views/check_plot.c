@@ -143,8 +143,7 @@ START_TEST(each_column_shows_least_and_largest)
     const Glyphs glyphs = (Glyphs)_i;
     Canvas canvas = {0};
     ck_assert(canvas_open(&canvas, COLUMNS, ROWS, NULL));
-    Plot plot;
-    plot_open(&plot, axis_with_ticks(axis_make(0, 1), 5), axis_with_ticks(axis_make(-1, 1), 5));
+    Plot plot = {.x = axis_with_ticks(axis_make(0, 1), 5), .y = axis_with_ticks(axis_make(-1, 1), 5)};
     plot_begin(&plot, STROKE_LINE, pen_measured);
     int dots = COLUMNS * plot_dots_across(glyphs), rows = ROWS * plot_dots_down(glyphs);
     plot_curve(&plot, sample, &samples, 0, COUNT, dots);
@@ -170,8 +169,7 @@ START_TEST(what_is_measured_wins_a_cell)
 {
     Canvas canvas = {0};
     ck_assert(canvas_open(&canvas, 10, 3, NULL));
-    Plot plot;
-    plot_open(&plot, axis_with_ticks(axis_make(0, 1), 5), axis_with_ticks(axis_make(-1, 1), 5));
+    Plot plot = {.x = axis_with_ticks(axis_make(0, 1), 5), .y = axis_with_ticks(axis_make(-1, 1), 5)};
     plot_begin(&plot, STROKE_LINE, pen_measured);
     plot_point(&plot, 0, 0), plot_point(&plot, 1, 0);
     plot_begin(&plot, STROKE_LINE, pen_exact);
@@ -195,9 +193,8 @@ START_TEST(broken_and_wild_curves_do_no_harm)
         int width = 1 + (int)(random_bits(&state) % 30), height = 1 + (int)(random_bits(&state) % 9);
         ck_assert(canvas_open(&canvas, width, height, NULL));
         Area whole = {&canvas, {0, 0, width, height}, (Glyphs)(i % GLYPHS_COUNT)};
-        Plot plot;
-        plot_open(&plot, axis_with_ticks(axis_make(0, 1), 5),
-                  axis_with_ticks(axis_around(-1, random_share(&state)), 4));
+        Plot plot = {.x = axis_with_ticks(axis_make(0, 1), 5),
+                     .y = axis_with_ticks(axis_around(-1, random_share(&state)), 4)};
         Area inner = axes_draw(whole, &plot.x, &plot.y, "t", 4);
         plot_begin(&plot, (StrokeKind)(i % 3), (Pen){(LineStyle)(i % 3), '.', STYLE_EXACT, RANK_EXACT, 0});
         for (int k = 0; k < 40; k++) {
