@@ -2,6 +2,7 @@
 /* Answers for the bar that both methods share: its theory, which column shows its frequency, exact answers
  * beside the run. */
 #include "answers/bar_answers.h"
+#include "theory/bar_waves.h"
 
 #include "base/assertion.h"
 #include "scenario/parameters.h"

@@ -7,7 +7,7 @@
 #include "answers/dispersion_curves.h"
 #include "answers/bar_theory.h"
 #include "problems/solver.h"
-#include "theory/bar_waves.h"
+#include "theory/bar_motion.h"
 #include "theory/frequency.h"
 
 /* On which column the bar's frequency is measured, and what it should be. */

@@ -2,6 +2,7 @@
 /* What a pulse on a bar is judged by (references.h, Finding): how far it is from the exact one, how high it
  * still is and how late; where it meets a second material, what comes back and what goes on. */
 #include "answers/bar_answers.h"
+#include "theory/bar_waves.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -8,7 +8,6 @@
 #include "scenario/assignment.h"
 #include "methods/bonds/line/pd_bar.h"
 #include "theory/elastic_bar.h"
-#include "theory/pd_bar_theory.h"
 
 /* The bar with its modes and loads. False: its overtones cannot be read. */
 bool bar_theory_of(const Settings *, BarTheory *, Status *);

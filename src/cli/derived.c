@@ -4,7 +4,7 @@
 #include "cli/derived.h"
 
 #include "base/text.h"
-#include "answers/references.h"
+#include "problems/problem.h"
 
 #include <errno.h>
 #include <stdio.h>

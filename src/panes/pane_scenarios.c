@@ -4,8 +4,6 @@
 #include "panes/panes.h"
 #include "panes/key_line.h"
 
-#include <string.h>
-
 static int widest(const ScenarioList *list, bool of_titles)
 {
     int width = 0;

@@ -9,6 +9,7 @@
 #include "scenario/settings.h"
 #include "methods/mpm/line/mpm_bar.h"
 #include "problems/solvers.h"
+#include "theory/bar_waves.h"
 #include "theory/step_limit.h"
 #include "theory/step_motion.h"
 #include "theory/step_spectrum.h"

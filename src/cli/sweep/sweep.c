@@ -17,7 +17,6 @@
 #include "cli/sweep/sweep_table.h"
 #include "methods/pool.h"
 
-#include <inttypes.h>
 #include <math.h>
 #include <pthread.h>
 #include <stdlib.h>
