@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What both methods of the bar share: which column shows its frequency, exact answers, and what is predicted
  * beside. Not for front ends. */
-#ifndef LAB_BAR_ANSWERS_H
-#define LAB_BAR_ANSWERS_H
+#ifndef ANSWERS_BAR_ANSWERS_H
+#define ANSWERS_BAR_ANSWERS_H
 
 #include "answers/dispersion_curves.h"
 #include "answers/bar_theory.h"

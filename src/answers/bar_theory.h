@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The bar between its settings and its theory: for what needs the theory directly (a
  * dispersion plot, a table of verification). */
-#ifndef LAB_BAR_THEORY_H
-#define LAB_BAR_THEORY_H
+#ifndef ANSWERS_BAR_THEORY_H
+#define ANSWERS_BAR_THEORY_H
 
 #include "methods/mpm/line/mpm_bar.h"
 #include "scenario/assignment.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the solvers of the beams share. Not for front ends. SI units. */
-#ifndef LAB_BEAM_ANSWERS_H
-#define LAB_BEAM_ANSWERS_H
+#ifndef ANSWERS_BEAM_ANSWERS_H
+#define ANSWERS_BEAM_ANSWERS_H
 
 #include "problems/solver.h"
 #include "methods/bonds/plane/bonds_plane.h"

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Where the papers are silent or do otherwise, and what is done here: the list behind a page of the help and
  * a section of the manual. Paper M is the bar's, paper P that of the beams. */
-#ifndef LAB_CHOICES_H
-#define LAB_CHOICES_H
+#ifndef ANSWERS_CHOICES_H
+#define ANSWERS_CHOICES_H
 
 #include "problems/problem.h"
 

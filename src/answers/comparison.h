@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the two runs of a duel come to, in a table of two columns: the keys that differ first, then what each
  * is judged by, what matters most first. */
-#ifndef LAB_COMPARISON_H
-#define LAB_COMPARISON_H
+#ifndef ANSWERS_COMPARISON_H
+#define ANSWERS_COMPARISON_H
 
 #include "run/duel.h"
 

@@ -9,8 +9,8 @@
  * both methods, each with its own size. The error of a beam is measured against Timoshenko's period at the
  * size that the beam has on each lattice, so that its layers do not hide what the horizon does; the same at
  * the size asked for stands beside. */
-#ifndef LAB_CONVERGENCE_H
-#define LAB_CONVERGENCE_H
+#ifndef ANSWERS_CONVERGENCE_H
+#define ANSWERS_CONVERGENCE_H
 
 #include "scenario/settings.h"
 #include "base/patience.h"

@@ -2,8 +2,8 @@
 /* The crack of the notched beam as it is shown on screen, on paper and in tables: the numbers that the method
  * measures, and those of paper P (figs. 9 and 10). Front ends call this, not the method. SI units; angles in
  * degrees between the notch and the way that the crack goes, positive towards larger x. */
-#ifndef LAB_CRACK_H
-#define LAB_CRACK_H
+#ifndef ANSWERS_CRACK_GROWTH_H
+#define ANSWERS_CRACK_GROWTH_H
 
 #include "scenario/assignment.h"
 #include "methods/bonds/cracks/crack.h"

@@ -5,8 +5,8 @@
  *
  * What an entry can tell is bounded by how it is written (the significant digits and decimal places of its
  * column) and by the round-off in which two right codes differ. */
-#ifndef LAB_DIAGNOSE_H
-#define LAB_DIAGNOSE_H
+#ifndef ANSWERS_DIAGNOSE_H
+#define ANSWERS_DIAGNOSE_H
 
 #include "base/patience.h"
 #include "run/overlay.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the files behind diagnose.h share: a run beside a table. */
-#ifndef LAB_DIAGNOSE_INTERNAL_H
-#define LAB_DIAGNOSE_INTERNAL_H
+#ifndef ANSWERS_DIAGNOSE_INTERNAL_H
+#define ANSWERS_DIAGNOSE_INTERNAL_H
 
 #include "answers/diagnose.h"
 #include "run/advance.h"

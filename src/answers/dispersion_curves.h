@@ -5,8 +5,8 @@
  * Source: the discrete dispersion relations of theory/elastic_bar.h and theory/pd_bar_theory.h. Units: any
  * consistent system.
  */
-#ifndef LAB_DISPERSION_H
-#define LAB_DISPERSION_H
+#ifndef ANSWERS_DISPERSION_CURVES_H
+#define ANSWERS_DISPERSION_CURVES_H
 
 #include "problems/problem.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a fit is made from: a measured table and a list of parameters, as people give them. */
-#ifndef LAB_FIT_DATA_H
-#define LAB_FIT_DATA_H
+#ifndef ANSWERS_FIT_DATA_H
+#define ANSWERS_FIT_DATA_H
 
 #include "answers/fit_search.h"
 #include "run/overlay.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the files behind fit.h share: a search under way. */
-#ifndef LAB_FIT_INTERNAL_H
-#define LAB_FIT_INTERNAL_H
+#ifndef ANSWERS_FIT_INTERNAL_H
+#define ANSWERS_FIT_INTERNAL_H
 
 #include "answers/fit_search.h"
 

@@ -11,8 +11,8 @@
  * chi^2 of what swings has a minimum for each number of swings by which run and data may differ. The search
  * therefore looks first at other beginnings, begins where chi^2 is least, and again elsewhere as long as what
  * is left does not look like noise. That finds the best of some minima, not surely the least of all. */
-#ifndef LAB_FIT_H
-#define LAB_FIT_H
+#ifndef ANSWERS_FIT_SEARCH_H
+#define ANSWERS_FIT_SEARCH_H
 
 #include "scenario/settings.h"
 #include "base/patience.h"

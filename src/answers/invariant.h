@@ -8,8 +8,8 @@
  *
  * the new one with USF, the old one with MUSL and USL. A loss of energy is measured by it wherever it exists.
  */
-#ifndef LAB_INVARIANT_H
-#define LAB_INVARIANT_H
+#ifndef ANSWERS_INVARIANT_H
+#define ANSWERS_INVARIANT_H
 
 #include "scenario/assignment.h"
 #include "methods/method.h"

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Which references account for a run: each names the parameters that it understands, and leaves where another
  * one is at work. */
-#ifndef LAB_KNOWN_H
-#define LAB_KNOWN_H
+#ifndef ANSWERS_KNOWN_H
+#define ANSWERS_KNOWN_H
 
 #include "problems/problem.h"
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Fields of the particles along a bar, or along the middle row of a beam, at one moment: what a picture over
  * x shows of a run, and what is kept of one that is no more. */
-#ifndef LAB_PROFILE_H
-#define LAB_PROFILE_H
+#ifndef ANSWERS_PROFILE_H
+#define ANSWERS_PROFILE_H
 
 #include "methods/method.h"
 

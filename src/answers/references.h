@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The references of one run: the columns of its series with theory beside, theory's coefficients worked out
  * once; profiles, frequencies and envelopes from the same; and the readout by which a run is judged. */
-#ifndef LAB_REFERENCES_H
-#define LAB_REFERENCES_H
+#ifndef ANSWERS_REFERENCES_H
+#define ANSWERS_REFERENCES_H
 
 #include "problems/problem.h"
 

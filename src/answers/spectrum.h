@@ -5,8 +5,8 @@
  * What is looked at follows from how many rows there are, and from nothing else. The last rows wait until a
  * power of two of them, at most a sixty-fourth of the record, has come, so that a spectrum on screen is
  * worked out anew now and then and not for every picture. */
-#ifndef LAB_SPECTRUM_H
-#define LAB_SPECTRUM_H
+#ifndef ANSWERS_SPECTRUM_H
+#define ANSWERS_SPECTRUM_H
 
 #include "run/record.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What is told of the stress in the plane. Pa, tension positive. */
-#ifndef LAB_STRESS_H
-#define LAB_STRESS_H
+#ifndef ANSWERS_STRESS_H
+#define ANSWERS_STRESS_H
 
 typedef struct Principal {
     double most, least; /* the two principal stresses */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a run came to, in words: printed by `matvib run`, shown by the laboratory at the end. */
-#ifndef LAB_SUMMARY_H
-#define LAB_SUMMARY_H
+#ifndef ANSWERS_SUMMARY_H
+#define ANSWERS_SUMMARY_H
 
 #include "run/experiment.h"
 #include "answers/run_summary.h"

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Waves in the plane of bonds far from surfaces: how fast they run by their length, their direction to the
  * lattice's rows, and the shape of the micromodulus. Source: theory/pd_waves.h. */
-#ifndef LAB_WAVES_H
-#define LAB_WAVES_H
+#ifndef ANSWERS_WAVES_H
+#define ANSWERS_WAVES_H
 
 #include "base/kinds.h"
 #include "scenario/assignment.h"

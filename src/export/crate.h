@@ -2,8 +2,8 @@
 /* What a folder of tables is, for those who keep research data: an RO-Crate 1.1, the file
  * ro-crate-metadata.json beside the tables. It names each file with what it holds, the program and its
  * version, and the scenario from which the program makes the tables again. */
-#ifndef LAB_CRATE_H
-#define LAB_CRATE_H
+#ifndef EXPORT_CRATE_H
+#define EXPORT_CRATE_H
 
 #include "export/export.h"
 

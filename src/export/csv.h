@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Lines of a CSV table: numbers as the shortest text that reads back to the same double, LF. */
-#ifndef LAB_CSV_H
-#define LAB_CSV_H
+#ifndef EXPORT_CSV_H
+#define EXPORT_CSV_H
 
 #include "export/export.h"
 

@@ -2,8 +2,8 @@
 /* A run as files: CSV tables with their .csv.ini beside. Column contract: manual page matvib(1).
  *
  * Files are written whole or not at all: a temporary file in the same folder, fsync, rename. */
-#ifndef LAB_EXPORT_H
-#define LAB_EXPORT_H
+#ifndef EXPORT_EXPORT_H
+#define EXPORT_EXPORT_H
 
 #include "export/vtk.h"
 #include "base/output.h"

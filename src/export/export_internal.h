@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the files behind export.h share: a run under way, and its files. */
-#ifndef LAB_EXPORT_INTERNAL_H
-#define LAB_EXPORT_INTERNAL_H
+#ifndef EXPORT_EXPORT_INTERNAL_H
+#define EXPORT_EXPORT_INTERNAL_H
 
 #include "export/export.h"
 #include "export/frames.h"

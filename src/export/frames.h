@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The steps at which tables of particles, nodes and bonds are written. */
-#ifndef LAB_FRAMES_H
-#define LAB_FRAMES_H
+#ifndef EXPORT_FRAMES_H
+#define EXPORT_FRAMES_H
 
 #include "base/status.h"
 #include "scenario/assignment.h"

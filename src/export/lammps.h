@@ -9,8 +9,8 @@
  * The same: lattice, micromodulus (eq. 4), horizon, partial volumes, cuts bond by bond, supports and what
  * moves them, channel, impulses, loads with their ramp and their end, weight, damping, rest, protected
  * regions, time step. What differs is said at the head of the script. */
-#ifndef LAB_LAMMPS_H
-#define LAB_LAMMPS_H
+#ifndef EXPORT_LAMMPS_H
+#define EXPORT_LAMMPS_H
 
 #include "base/output.h"
 #include "scenario/assignment.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the files that write for LAMMPS share (lammps.h). */
-#ifndef LAB_LAMMPS_INTERNAL_H
-#define LAB_LAMMPS_INTERNAL_H
+#ifndef EXPORT_LAMMPS_INTERNAL_H
+#define EXPORT_LAMMPS_INTERNAL_H
 
 #include "methods/bonds/plane/bonds_plane.h"
 #include "scenario/assignment.h"

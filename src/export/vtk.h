@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Particles as XML point data for ParaView: one .vtu file for each frame, and a .pvd file that names them
  * with their times. Points stand at their reference positions; "displacement" and "velocity" are vectors. */
-#ifndef LAB_VTK_H
-#define LAB_VTK_H
+#ifndef EXPORT_VTK_H
+#define EXPORT_VTK_H
 
 #include "methods/method.h"
 

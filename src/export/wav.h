@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Two tones as a file of sound (RIFF WAVE, PCM, 16 bits, 44.1 kHz): one for each ear. */
-#ifndef LAB_WAV_H
-#define LAB_WAV_H
+#ifndef EXPORT_WAV_H
+#define EXPORT_WAV_H
 
 #include <stdio.h>
 

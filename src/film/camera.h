@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The camera in front of the laboratory: which pictures of it become a film, and when each appears. */
-#ifndef TUI_CAMERA_H
-#define TUI_CAMERA_H
+#ifndef FILM_CAMERA_H
+#define FILM_CAMERA_H
 
 #include "base/patience.h"
 #include "film/film.h"

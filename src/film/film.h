@@ -3,8 +3,8 @@
  *
  * A format is a row of `film_formats` and a file of its own. Pictures arrive in their order, whole, and only
  * where something has changed; what they are made of is the canvas, so the same run gives the same film. */
-#ifndef TUI_FILM_H
-#define TUI_FILM_H
+#ifndef FILM_FILM_H
+#define FILM_FILM_H
 
 #include "base/status.h"
 #include "picture/canvas.h"

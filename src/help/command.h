@@ -4,8 +4,8 @@
  * command_rows.inc and the function that it names, in src/lab/commands; a word of the `:` line that
  * takes arguments: one row in line_rows.inc and the function that it names, in src/lab/prompt/line.c.
  */
-#ifndef VIEW_COMMANDS_H
-#define VIEW_COMMANDS_H
+#ifndef HELP_COMMAND_H
+#define HELP_COMMAND_H
 
 #include "base/status.h"
 

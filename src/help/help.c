@@ -6,7 +6,7 @@
 #include "help/help_text.h"
 #include "panes/panes.h"
 #include "help/command.h"
-#include "panes/places.h"
+#include "panes/screen_places.h"
 
 #include <stdio.h>
 #include <string.h>

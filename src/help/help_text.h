@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the help tells of a problem and its method: the words of its curves, and what is solved. */
-#ifndef VIEW_HELP_TEXT_H
-#define VIEW_HELP_TEXT_H
+#ifndef HELP_HELP_TEXT_H
+#define HELP_HELP_TEXT_H
 
 #include "methods/method.h"
 

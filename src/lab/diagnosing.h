@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `:diagnose FILE`: which code made the numbers of a file, as against the scenario on screen. */
-#ifndef TUI_DIAGNOSING_H
-#define TUI_DIAGNOSING_H
+#ifndef LAB_DIAGNOSING_H
+#define LAB_DIAGNOSING_H
 
 #include <stdbool.h>
 

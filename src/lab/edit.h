@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Parameters changed by the user: chosen, nudged and edited in their pane, undone and done again. */
-#ifndef TUI_EDIT_H
-#define TUI_EDIT_H
+#ifndef LAB_EDIT_H
+#define LAB_EDIT_H
 
 #include "run/duel.h"
 #include "terminal/keys.h"

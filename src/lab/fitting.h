@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `:fit KEY,...`: the parameters with which the run agrees best with the series that lies over it. */
-#ifndef TUI_FITTING_H
-#define TUI_FITTING_H
+#ifndef LAB_FITTING_H
+#define LAB_FITTING_H
 
 #include <stdbool.h>
 

@@ -2,8 +2,8 @@
 /* The laboratory's state and what changes it: keys and frames. A host (a terminal's event loop, a script)
  * owns clock and picture and calls in here; session/laboratory_main.h is how the program opens it. Each part
  * of the state is described where its functions are. */
-#ifndef TUI_LABORATORY_H
-#define TUI_LABORATORY_H
+#ifndef LAB_LABORATORY_H
+#define LAB_LABORATORY_H
 
 #include "base/output.h"
 #include "answers/run_summary.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Opening a scenario: its run is made, and put in the place of another. */
-#ifndef TUI_OPENING_H
-#define TUI_OPENING_H
+#ifndef LAB_OPENING_H
+#define LAB_OPENING_H
 
 #include "run/experiment.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The run on screen and the second one beside it: playing, pausing, going to another time. */
-#ifndef TUI_PLAYER_H
-#define TUI_PLAYER_H
+#ifndef LAB_PLAYER_H
+#define LAB_PLAYER_H
 
 #include "base/status.h"
 #include "run/duel.h"

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The points of the study of convergence that a view shows, worked out one after the other while nothing else
  * is to be done. */
-#ifndef TUI_REFINING_H
-#define TUI_REFINING_H
+#ifndef LAB_REFINING_H
+#define LAB_REFINING_H
 
 #include "answers/convergence.h"
 

@@ -7,7 +7,7 @@
 #include "scenario/rows/rows.h"
 #include "base/text.h"
 #include "views/view.h"
-#include "panes/places.h"
+#include "panes/screen_places.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -2,8 +2,8 @@
 /* The rows of a plate (scenario/rows/rows.h) changed by the user: added, copied, deleted, edited as text
  * in the parameter pane, and moved on the map, by the arrows or the mouse. Every change is undone like that
  * of a parameter; a row that is being moved is a draft until Enter. */
-#ifndef TUI_ROW_EDIT_H
-#define TUI_ROW_EDIT_H
+#ifndef LAB_ROW_EDIT_H
+#define LAB_ROW_EDIT_H
 
 #include "lab/laboratory.h"
 

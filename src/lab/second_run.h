@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A second run beside the first. */
-#ifndef TUI_SECOND_RUN_H
-#define TUI_SECOND_RUN_H
+#ifndef LAB_SECOND_RUN_H
+#define LAB_SECOND_RUN_H
 
 #include <stdbool.h>
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Writing the scenario as a file, and what every answer that names a file is asked first. */
-#ifndef TUI_WRITING_H
-#define TUI_WRITING_H
+#ifndef LAB_WRITING_H
+#define LAB_WRITING_H
 
 #include <stdbool.h>
 

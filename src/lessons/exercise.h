@@ -7,8 +7,8 @@
  *
  * A choice (@choice, @right) is an exercise too. Nothing of what is right is stored: it is calculated from a
  * run, since each student may have another variant. */
-#ifndef LAB_EXERCISE_H
-#define LAB_EXERCISE_H
+#ifndef LESSONS_EXERCISE_H
+#define LESSONS_EXERCISE_H
 
 #include "base/text.h"
 #include "lessons/expression.h"

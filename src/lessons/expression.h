@@ -14,8 +14,8 @@
  * `was` takes the value that a parameter, the mesh or the step had as the page was opened. "or" binds closer
  * than "and", so that what a goal asks for can be read off as a list. A % behind a number only says its unit:
  * errors are in percent already. What is not known fulfils no relation. */
-#ifndef LAB_EXPRESSION_H
-#define LAB_EXPRESSION_H
+#ifndef LESSONS_EXPRESSION_H
+#define LESSONS_EXPRESSION_H
 
 #include "lessons/run_numbers.h"
 #include "scenario/parameters.h"

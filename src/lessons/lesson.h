@@ -47,8 +47,8 @@
  * with the box below it or a drawing that has its terms; tests/lab/check_lessons holds this, the states, and
  * that numbers are on the screen or in tests/lab/lesson-numbers; tests/cli/numbers.sh that they are right.
  */
-#ifndef LAB_LESSON_H
-#define LAB_LESSON_H
+#ifndef LESSONS_LESSON_H
+#define LESSONS_LESSON_H
 
 #include "lessons/exercise.h"
 #include "lessons/variant.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The lesson beside the run, in place of the parameters. */
-#ifndef LAB_LESSON_SHOWN_H
-#define LAB_LESSON_SHOWN_H
+#ifndef LESSONS_LESSON_SHOWN_H
+#define LESSONS_LESSON_SHOWN_H
 
 #include "lessons/lesson.h"
 

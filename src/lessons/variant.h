@@ -2,8 +2,8 @@
 /* Variants of an exercise: a parameter that has another value for each student, drawn from the name, so that
  * who copies an answer copies that of another question. The same name gets the same value on every machine.
  */
-#ifndef LAB_VARIANT_H
-#define LAB_VARIANT_H
+#ifndef LESSONS_VARIANT_H
+#define LESSONS_VARIANT_H
 
 #include "base/text.h"
 #include "scenario/assignment.h"

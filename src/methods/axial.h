@@ -2,8 +2,8 @@
 /* What the methods for the axial vibration of a bar share: the fields and series that both report under the
  * same names, and which of their particles bear the traction. Units: any consistent system; lengths, masses
  * and forces are per unit cross-section. */
-#ifndef PHYSICS_AXIAL_H
-#define PHYSICS_AXIAL_H
+#ifndef METHODS_AXIAL_H
+#define METHODS_AXIAL_H
 
 #include "methods/method.h"
 

@@ -4,8 +4,8 @@
  * The energy is looked at behind steps that are multiples of BATCH_STEPS, so that the outcome does not depend
  * on how a run is cut; batches end there. A batch that fails is taken back and done again step by step, so
  * that the run stands before the step that failed. */
-#ifndef PHYSICS_BATCH_H
-#define PHYSICS_BATCH_H
+#ifndef METHODS_BATCH_H
+#define METHODS_BATCH_H
 
 #include "methods/method.h"
 

@@ -4,8 +4,8 @@
  * gets the printed result, to its last digit.
  *
  * UTF-8. No-break spaces (U+00A0) hold a term together; a line may be broken at every other space. */
-#ifndef PHYSICS_CALCULATION_H
-#define PHYSICS_CALCULATION_H
+#ifndef METHODS_CALCULATION_H
+#define METHODS_CALCULATION_H
 
 #include <stdbool.h>
 #include <stddef.h>

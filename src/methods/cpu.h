@@ -3,8 +3,8 @@
  *
  * Kernels are compiled once for each level from the same source, with the same bits as result, and chosen
  * when a simulation is built. A level that was not compiled (another processor family) is never available. */
-#ifndef PHYSICS_CPU_H
-#define PHYSICS_CPU_H
+#ifndef METHODS_CPU_H
+#define METHODS_CPU_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -2,8 +2,8 @@
 /* What acts from outside, a row for each term. The stage that adds them, the sum under it and the field are
  * worded by the rows that are at work, so that the screen cannot show another force than the one that acts;
  * a definition may bring rows of its own. */
-#ifndef PHYSICS_FORCES_H
-#define PHYSICS_FORCES_H
+#ifndef METHODS_FORCES_H
+#define METHODS_FORCES_H
 
 #include "methods/method.h"
 

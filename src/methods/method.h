@@ -13,8 +13,8 @@
  * Files of this folder use no clock, no screen, no file, no printf, no exit, no rand and no global state.
  * Every result is a function of the parameters alone: the same bits forwards, rewound, sliced, observed or
  * not, at any number of threads and any vector width. */
-#ifndef PHYSICS_METHOD_H
-#define PHYSICS_METHOD_H
+#ifndef METHODS_METHOD_H
+#define METHODS_METHOD_H
 
 #include "base/status.h"
 

@@ -3,8 +3,8 @@
  *
  * The caller works too, and waits only for chunks that another thread has begun, never for a thread that has
  * not come yet: a machine that is busy elsewhere costs no more than one chunk. */
-#ifndef PHYSICS_POOL_H
-#define PHYSICS_POOL_H
+#ifndef METHODS_POOL_H
+#define METHODS_POOL_H
 
 #include "base/status.h"
 

@@ -7,8 +7,8 @@
  * optimiser recognises. A comparison gives all bits set where it holds, else 0; with something that is not a
  * number it never holds. A file that includes this is compiled once for each instruction set, and calls its
  * table of functions KERNELS(name). */
-#ifndef PHYSICS_VECTOR_H
-#define PHYSICS_VECTOR_H
+#ifndef METHODS_VECTOR_H
+#define METHODS_VECTOR_H
 
 #include <stdbool.h>
 #include <stdint.h>

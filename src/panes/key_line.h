@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What stands in the key line in place of keys: a question, or a message. */
-#ifndef VIEW_KEY_LINE_H
-#define VIEW_KEY_LINE_H
+#ifndef PANES_KEY_LINE_H
+#define PANES_KEY_LINE_H
 
 #include "scenario/assignment.h"
 

@@ -6,7 +6,7 @@
 #include "scenario/concern_body.h"
 #include "views/view.h"
 #include "lessons/lesson_shown.h"
-#include "panes/places.h"
+#include "panes/screen_places.h"
 
 enum {
     LEAST_WIDTH = 40,

@@ -6,7 +6,7 @@
 #include "lessons/lesson_shown.h"
 #include "run/playback.h"
 #include "help/command.h"
-#include "panes/places.h"
+#include "panes/screen_places.h"
 
 #include <stdio.h>
 #include <string.h>

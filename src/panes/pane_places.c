@@ -3,7 +3,7 @@
  * scrolled. Apart from the panes that draw them, which the layout asks how much room they need. */
 #include "panes/panes.h"
 #include "lessons/lesson_shown.h"
-#include "panes/places.h"
+#include "panes/screen_places.h"
 
 int screen_lesson_at(const Screen *screen, int width, int height, int x, int y)
 {

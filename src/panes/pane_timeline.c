@@ -3,7 +3,7 @@
  * when. */
 #include "panes/panes.h"
 #include "run/playback.h"
-#include "panes/places.h"
+#include "panes/screen_places.h"
 
 #include <math.h>
 #include <stdio.h>

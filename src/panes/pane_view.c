@@ -7,7 +7,7 @@
 #include "views/inspector/inspector.h"
 #include "views/views.h"
 #include "lessons/lesson_shown.h"
-#include "panes/places.h"
+#include "panes/screen_places.h"
 #include "run/duel.h"
 #include "run/playback.h"
 

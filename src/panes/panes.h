@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The panes of the screen: each draws itself into an area from what the screen says. Private to src/view. */
-#ifndef VIEW_PANES_H
-#define VIEW_PANES_H
+#ifndef PANES_PANES_H
+#define PANES_PANES_H
 
 #include "base/text.h"
 #include "panes/parameters_shown.h"

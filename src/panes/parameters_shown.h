@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the parameter pane shows: its rows, the chosen one and what is typed into it. */
-#ifndef VIEW_PARAMETERS_SHOWN_H
-#define VIEW_PARAMETERS_SHOWN_H
+#ifndef PANES_PARAMETERS_SHOWN_H
+#define PANES_PARAMETERS_SHOWN_H
 
 #include "scenario/parameters.h"
 #include "scenario/rows/rows.h"

@@ -10,7 +10,7 @@
 #include "lessons/lesson_shown.h"
 #include "run/playback.h"
 #include "help/command.h"
-#include "panes/places.h"
+#include "panes/screen_places.h"
 
 #include <math.h>
 #include <stdio.h>

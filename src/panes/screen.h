@@ -2,8 +2,8 @@
 /* All that is drawn, as one view of its parts: everything seen is a function of a Screen. Nothing here knows
  * keys or terminals. What whoever owns a part says of it is read by its pointer; what a view moves itself, as
  * the arrows and the mouse want it, stands in the Screen. */
-#ifndef VIEW_SCREEN_H
-#define VIEW_SCREEN_H
+#ifndef PANES_SCREEN_H
+#define PANES_SCREEN_H
 
 #include "panes/sheet.h"
 #include "run/experiment.h"

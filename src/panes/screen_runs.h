@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What panes and views ask of the runs on screen. */
-#ifndef VIEW_SCREEN_RUNS_H
-#define VIEW_SCREEN_RUNS_H
+#ifndef PANES_SCREEN_RUNS_H
+#define PANES_SCREEN_RUNS_H
 
 #include "panes/screen.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Which panes there are, which one the keys go to, and what the terminal can show of them. */
-#ifndef VIEW_SHEET_H
-#define VIEW_SHEET_H
+#ifndef PANES_SHEET_H
+#define PANES_SHEET_H
 
 #include "picture/glyph.h"
 

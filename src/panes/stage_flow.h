@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Between which things a stage hands on, as its exchanges say. */
-#ifndef VIEW_STAGE_FLOW_H
-#define VIEW_STAGE_FLOW_H
+#ifndef PANES_STAGE_FLOW_H
+#define PANES_STAGE_FLOW_H
 
 #include "panes/screen.h"
 

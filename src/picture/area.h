@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A part of the canvas with its own origin: what is drawn on it never leaves it. */
-#ifndef VIEW_AREA_H
-#define VIEW_AREA_H
+#ifndef PICTURE_AREA_H
+#define PICTURE_AREA_H
 
 #include "picture/canvas.h"
 

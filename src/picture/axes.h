@@ -2,8 +2,8 @@
 /* Axes with round ticks: steps of 1, 2 or 5 times a power of ten, and a common power of ten for their labels.
  * An axis may also go by square roots, where small and large errors are to be read side by side, or by powers
  * of ten. */
-#ifndef VIEW_AXES_H
-#define VIEW_AXES_H
+#ifndef PICTURE_AXES_H
+#define PICTURE_AXES_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -2,8 +2,8 @@
 /* A grid of cells, each a glyph and a style: the screen as data. Panes draw on it; the terminal shows a copy
  * of it, and a test dumps it as text. No cell holds what would act on a terminal or move what stands beside
  * it, wherever the text comes from. */
-#ifndef VIEW_CANVAS_H
-#define VIEW_CANVAS_H
+#ifndef PICTURE_CANVAS_H
+#define PICTURE_CANVAS_H
 
 #include "base/status.h"
 #include "picture/glyph.h"

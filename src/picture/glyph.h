@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Characters: UTF-8 in and out, and how many cells of a terminal each takes. */
-#ifndef VIEW_GLYPH_H
-#define VIEW_GLYPH_H
+#ifndef PICTURE_GLYPH_H
+#define PICTURE_GLYPH_H
 
 #include <stddef.h>
 #include <stdint.h>

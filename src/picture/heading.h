@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Legends and the heading line of a plot. */
-#ifndef VIEW_HEADING_H
-#define VIEW_HEADING_H
+#ifndef PICTURE_HEADING_H
+#define PICTURE_HEADING_H
 
 #include "picture/area.h"
 #include "picture/plot.h"

@@ -2,8 +2,8 @@
 /* What a view shows, as data in its own coordinates: title, axes, strokes, marks, legend, words. A view
  * describes it once; back ends make cells of it (cells/), a page (paper/) or sentences (words/), and each of
  * them decides how many ticks, lines and words it has room for. */
-#ifndef VIEW_PICTURE_H
-#define VIEW_PICTURE_H
+#ifndef PICTURE_PICTURE_H
+#define PICTURE_PICTURE_H
 
 #include "picture/plot.h"
 

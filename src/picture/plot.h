@@ -4,8 +4,8 @@
  *
  * Where strokes share a cell the one of higher rank is seen and the other is not: a measured curve stays
  * clean where the exact one lies beside it. */
-#ifndef VIEW_PLOT_H
-#define VIEW_PLOT_H
+#ifndef PICTURE_PLOT_H
+#define PICTURE_PLOT_H
 
 #include "picture/axes.h"
 #include "picture/glyph.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Columns of numbers that add up as they are printed: whoever adds the printed terms gets the printed sum. */
-#ifndef VIEW_SUM_COLUMN_H
-#define VIEW_SUM_COLUMN_H
+#ifndef PICTURE_SUM_COLUMN_H
+#define PICTURE_SUM_COLUMN_H
 
 #include "base/text.h"
 

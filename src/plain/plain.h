@@ -11,8 +11,8 @@
  *
  * While a question or a field is open the line is its answer. A run goes on to where it stops, or to its
  * end, before the next line is read; on a terminal ^C pauses it. */
-#ifndef TUI_PLAIN_H
-#define TUI_PLAIN_H
+#ifndef PLAIN_PLAIN_H
+#define PLAIN_PLAIN_H
 
 #include "lab/laboratory.h"
 #include "picture/words/tell.h"

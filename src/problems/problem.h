@@ -5,8 +5,8 @@
  * To add a problem: a file with its row, and its name in the list of problem_list.c. To add a method to a
  * problem: a file with the solver, and its name in the problem's row. Front ends use the functions below
  * and references.h; they look into no method. */
-#ifndef LAB_PROBLEM_H
-#define LAB_PROBLEM_H
+#ifndef PROBLEMS_PROBLEM_H
+#define PROBLEMS_PROBLEM_H
 
 #include "scenario/assignment.h"
 #include "methods/method.h"

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What solvers share: the plan of the columns of a series, the references in full, and what helps to fill
  * them. Not for front ends. */
-#ifndef LAB_SOLVER_H
-#define LAB_SOLVER_H
+#ifndef PROBLEMS_SOLVER_H
+#define PROBLEMS_SOLVER_H
 
 #include "answers/references.h"
 

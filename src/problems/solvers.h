@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* For the rows of problems: their parameters, and the solvers that there are. */
-#ifndef LAB_SOLVERS_H
-#define LAB_SOLVERS_H
+#ifndef PROBLEMS_SOLVERS_H
+#define PROBLEMS_SOLVERS_H
 
 #include "problems/problem.h"
 

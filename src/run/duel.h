@@ -8,8 +8,8 @@
  *
  * Where there is no B every verb acts on A alone, so that a caller need not ask. Work is done in pieces, as
  * in experiment.h. */
-#ifndef LAB_DUEL_H
-#define LAB_DUEL_H
+#ifndef RUN_DUEL_H
+#define RUN_DUEL_H
 
 #include "run/experiment.h"
 

@@ -2,8 +2,8 @@
 /* What happened in a run, in plain words with their steps: what the method reported, the changes that were
  * made, and what follows from the record beside theory: drift of the energy, a lag behind the exact answer.
  */
-#ifndef LAB_EVENT_LOG_H
-#define LAB_EVENT_LOG_H
+#ifndef RUN_EVENT_LOG_H
+#define RUN_EVENT_LOG_H
 
 #include "run/experiment.h"
 

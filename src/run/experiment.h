@@ -7,8 +7,8 @@
  * Settings are those in force at the present step: where a live parameter was changed in mid-run, what is on
  * screen before the change is the old value and after it the new one. Edits start from a copy of them. What a
  * file should hold (values at t = 0, and the changes) is experiment_scenario(). */
-#ifndef LAB_EXPERIMENT_H
-#define LAB_EXPERIMENT_H
+#ifndef RUN_EXPERIMENT_H
+#define RUN_EXPERIMENT_H
 
 #include "answers/references.h"
 #include "answers/crack_growth.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the files behind experiment.h share. */
-#ifndef LAB_EXPERIMENT_INTERNAL_H
-#define LAB_EXPERIMENT_INTERNAL_H
+#ifndef RUN_EXPERIMENT_INTERNAL_H
+#define RUN_EXPERIMENT_INTERNAL_H
 
 #include "scenario/settings.h"
 #include "run/advance.h"

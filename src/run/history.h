@@ -3,8 +3,8 @@
  *
  * They are taken every `interval` steps. When the next one would not fit the budget, every second one is
  * given up and the interval doubles; the one at t = 0 always stays. */
-#ifndef LAB_HISTORY_H
-#define LAB_HISTORY_H
+#ifndef RUN_HISTORY_H
+#define RUN_HISTORY_H
 
 #include "methods/method.h"
 

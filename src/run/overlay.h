@@ -6,8 +6,8 @@
  * free, names in the first line or none, any line ends, a byte order mark, quoted cells, lines of comment (#)
  * and empty lines. An empty cell, NaN or NA is a value that is missing. Anything else that is no number is
  * refused with file and line. */
-#ifndef LAB_OVERLAY_H
-#define LAB_OVERLAY_H
+#ifndef RUN_OVERLAY_H
+#define RUN_OVERLAY_H
 
 #include "base/status.h"
 

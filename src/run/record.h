@@ -3,8 +3,8 @@
  *
  * Rows are kept whole up to a budget. Beyond it every second row is dropped and from then on only every
  * second step is kept (again and again): the spacing doubles, first and last row stay. */
-#ifndef LAB_RECORD_H
-#define LAB_RECORD_H
+#ifndef RUN_RECORD_H
+#define RUN_RECORD_H
 
 #include <stdbool.h>
 #include <stddef.h>

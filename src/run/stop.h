@@ -8,8 +8,8 @@
  * A run with time.rest reports that it is at rest, and ends. Of one that is damped only it is looked for
  * here: the kinetic energy is below 1e-10 of its largest, and has been for a tenth of the time, longer than
  * any turning point. */
-#ifndef LAB_STOP_H
-#define LAB_STOP_H
+#ifndef RUN_STOP_H
+#define RUN_STOP_H
 
 #include "run/experiment.h"
 

@@ -3,8 +3,8 @@
  *
  * A change "STEP = KEY=VALUE" is applied between steps, when STEP whole steps have been done; the row of that
  * step is from before it. */
-#ifndef LAB_CHANGES_H
-#define LAB_CHANGES_H
+#ifndef SCENARIO_CHANGES_H
+#define SCENARIO_CHANGES_H
 
 #include "base/status.h"
 #include "scenario/assignment.h"

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The words and macros of which the rows of the parameter table are made; for who reads parameter_rows.inc.
  */
-#ifndef LAB_PARAMETER_TABLE_H
-#define LAB_PARAMETER_TABLE_H
+#ifndef SCENARIO_PARAMETER_TABLE_H
+#define SCENARIO_PARAMETER_TABLE_H
 
 #include "scenario/settings_values.h"
 #include "scenario/parameters.h"

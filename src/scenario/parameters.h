@@ -3,8 +3,8 @@
  * writer, --set, the fields on screen, `matvib params`, completion and the manual page read this table;
  * none repeats it. To add a parameter: one row in parameter_rows.inc and the member it fills in concern_*.h.
  */
-#ifndef LAB_PARAMETERS_H
-#define LAB_PARAMETERS_H
+#ifndef SCENARIO_PARAMETERS_H
+#define SCENARIO_PARAMETERS_H
 
 #include "problems/problem.h"
 #include "scenario/rows/rows.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Scenario files: INI text in, settings out, and back. Format: manual page matvib(5). */
-#ifndef LAB_SCENARIO_H
-#define LAB_SCENARIO_H
+#ifndef SCENARIO_SCENARIO_H
+#define SCENARIO_SCENARIO_H
 
 #include "base/status.h"
 #include "scenario/assignment.h"

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The lines of a scenario file, before anything is known of their meaning. What a reader of INI files would
  * silently take for something else (indented keys, long lines, NUL bytes, unknown sections) is refused. */
-#ifndef LAB_SCENARIO_LINES_H
-#define LAB_SCENARIO_LINES_H
+#ifndef SCENARIO_SCENARIO_LINES_H
+#define SCENARIO_SCENARIO_LINES_H
 
 #include "base/status.h"
 #include "scenario/assignment.h"

@@ -5,8 +5,8 @@
  * The values of parameters stand by concern in concern_*.h, each read through its own function:
  * settings_mesh() of concern_cells.h. Here they are room of a size that does not change, so that a new member
  * is compiled anew by those who read its concern and not by those who copy settings or pass them on. */
-#ifndef LAB_SETTINGS_H
-#define LAB_SETTINGS_H
+#ifndef SCENARIO_SETTINGS_H
+#define SCENARIO_SETTINGS_H
 
 #include "base/patience.h"
 #include "base/status.h"

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Two sets of settings as against what somebody was to change; how they compare as a whole is in
  * parameters.h. */
-#ifndef LAB_COMPARE_H
-#define LAB_COMPARE_H
+#ifndef SCENARIO_SETTINGS_COMPARE_H
+#define SCENARIO_SETTINGS_COMPARE_H
 
 #include "scenario/assignment.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Terminals where the system has no descriptions of them: two that are compiled in. */
-#ifndef TUI_FALLBACK_H
-#define TUI_FALLBACK_H
+#ifndef TERMINAL_FALLBACK_H
+#define TERMINAL_FALLBACK_H
 
 #include <curses.h>
 #include <stdio.h>

@@ -5,8 +5,8 @@
  * not. So here it writes into a file in memory; the bytes are taken from there and sent by somebody who can
  * wait for a signal meanwhile (terminal.c), who sets the modes of the line too. One grid can be open at a
  * time. */
-#ifndef TUI_GRID_H
-#define TUI_GRID_H
+#ifndef TERMINAL_GRID_H
+#define TERMINAL_GRID_H
 
 #include "base/status.h"
 #include "picture/canvas.h"

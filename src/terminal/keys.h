@@ -10,8 +10,8 @@
  * What a terminal's description does not tell is given to curses by define_key(), so Home is Home under any
  * TERM. What curses does not know it passes on byte by byte; by the grammar of such sequences (ECMA-48) they
  * are swallowed whole: a focus report or a strange function key never turns into Esc, "[" and digits. */
-#ifndef TUI_KEYS_H
-#define TUI_KEYS_H
+#ifndef TERMINAL_KEYS_H
+#define TERMINAL_KEYS_H
 
 #include <stdbool.h>
 

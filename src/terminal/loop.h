@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The laboratory on a real terminal: sleeps, reads keys, gives the engine its share of each frame, draws. */
-#ifndef TUI_LOOP_H
-#define TUI_LOOP_H
+#ifndef TERMINAL_LOOP_H
+#define TERMINAL_LOOP_H
 
 #include "lab/session/laboratory_main.h"
 #include "lab/session/session.h"

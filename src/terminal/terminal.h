@@ -6,8 +6,8 @@
  * lost between looking and sleeping. Nothing here waits for a terminal that does not read: what it does not
  * take is sent later, and on leaving given up after a third of a second without a byte. On a crash, and when
  * a library calls exit(), the terminal is restored too. */
-#ifndef TUI_TERMINAL_H
-#define TUI_TERMINAL_H
+#ifndef TERMINAL_TERMINAL_H
+#define TERMINAL_TERMINAL_H
 
 #include "base/status.h"
 #include "terminal/keys.h"

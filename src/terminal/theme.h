@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a style looks like on a terminal of 256, 8 or no colours, on dark and on light ground. */
-#ifndef TUI_THEME_H
-#define TUI_THEME_H
+#ifndef TERMINAL_THEME_H
+#define TERMINAL_THEME_H
 
 #include "picture/canvas.h"
 

@@ -3,8 +3,8 @@
  *
  * Source: paper M, eqs. 16 to 20; the discrete dispersion relation is our own derivation for the material
  * point method on a regular mesh (see the manual page). Units: any consistent system. */
-#ifndef THEORY_BAR_H
-#define THEORY_BAR_H
+#ifndef THEORY_ELASTIC_BAR_H
+#define THEORY_ELASTIC_BAR_H
 
 #include "base/kinds.h"
 #include "base/patience.h"

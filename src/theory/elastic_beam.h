@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The right answers for beams: Euler-Bernoulli and Timoshenko, and the axially moving cantilever. SI units.
  */
-#ifndef THEORY_BEAM_H
-#define THEORY_BEAM_H
+#ifndef THEORY_ELASTIC_BEAM_H
+#define THEORY_ELASTIC_BEAM_H
 
 #include "base/patience.h"
 #include "base/status.h"

@@ -31,8 +31,8 @@
  *
  * Source: the dispersion relation of S. A. Silling (2000), section 6, summed over the lattice. Units: any
  * consistent system. */
-#ifndef THEORY_PD_BAR_H
-#define THEORY_PD_BAR_H
+#ifndef THEORY_PD_BAR_THEORY_H
+#define THEORY_PD_BAR_THEORY_H
 
 #include "base/patience.h"
 #include "theory/bar_motion.h"

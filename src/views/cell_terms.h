@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The terms that a stage passes between one thing of a mesh and those that it is linked with, as the pictures
  * of a cell write them: on arrows, strongest first, and so that they add up as they stand. */
-#ifndef VIEW_CELL_TERMS_H
-#define VIEW_CELL_TERMS_H
+#ifndef VIEWS_CELL_TERMS_H
+#define VIEWS_CELL_TERMS_H
 
 #include "panes/screen.h"
 #include "picture/picture.h"

@@ -6,8 +6,8 @@
  * the key line, completion, the help and the manual all read that list, so no other file knows that the
  * view is there, and none knows the key that it usually has. A view decides by what the simulation has
  * (methods/method.h, Simulation.has) whether there is something to show. */
-#ifndef VIEW_VIEW_H
-#define VIEW_VIEW_H
+#ifndef VIEWS_VIEW_H
+#define VIEWS_VIEW_H
 
 #include "picture/picture.h"
 #include "panes/screen.h"

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The names of the views for their list, and of the pictures that some of them have in a file of their own.
  */
-#ifndef VIEW_VIEWS_H
-#define VIEW_VIEWS_H
+#ifndef VIEWS_VIEWS_H
+#define VIEWS_VIEWS_H
 
 #include "views/view.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What stands in the plot panes, and what is chosen, read and magnified there. */
-#ifndef VIEW_VIEWS_SHOWN_H
-#define VIEW_VIEWS_SHOWN_H
+#ifndef VIEWS_VIEWS_SHOWN_H
+#define VIEWS_VIEWS_SHOWN_H
 
 #include "methods/method.h"
 

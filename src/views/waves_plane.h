@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Part of the dispersion view: waves in the plane of bonds. */
-#ifndef VIEW_WAVES_PLANE_H
-#define VIEW_WAVES_PLANE_H
+#ifndef VIEWS_WAVES_PLANE_H
+#define VIEWS_WAVES_PLANE_H
 
 #include "views/view.h"
 

@@ -7,7 +7,7 @@
 #include "views/view.h"
 #include "lab/tui_case.h"
 #include "lab/prompt/line.h"
-#include "panes/places.h"
+#include "panes/screen_places.h"
 
 #include <dirent.h>
 #include <math.h>

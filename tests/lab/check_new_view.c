@@ -10,7 +10,7 @@
 #include "help/command.h"
 #include "panes/panes.h"
 #include "views/views.h"
-#include "panes/places.h"
+#include "panes/screen_places.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -4,7 +4,7 @@
 
 #include "panes/panes.h"
 #include "suite.h"
-#include "panes/places.h"
+#include "panes/screen_places.h"
 
 #include <ctype.h>
 #include <math.h>

@@ -11,7 +11,7 @@
 #include "picture/cells/cells_map.h"
 #include "views/map/map.h"
 #include "views/scene.h"
-#include "panes/places.h"
+#include "panes/screen_places.h"
 
 #include <math.h>
 #include <stdio.h>

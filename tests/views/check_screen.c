@@ -15,7 +15,7 @@
 #include "panes/key_line.h"
 #include "run/playback.h"
 #include "help/command.h"
-#include "panes/places.h"
+#include "panes/screen_places.h"
 #include "answers/summary.h"
 
 #include <ctype.h>

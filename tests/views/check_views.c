@@ -9,7 +9,7 @@
 #include "panes/screen.h"
 #include "views/view.h"
 #include "run/playback.h"
-#include "panes/places.h"
+#include "panes/screen_places.h"
 
 #include <math.h>
 #include <stdlib.h>

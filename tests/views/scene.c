@@ -6,7 +6,7 @@
 #include "scenario/scenario.h"
 #include "answers/summary.h"
 #include "run/playback.h"
-#include "panes/places.h"
+#include "panes/screen_places.h"
 #include "run/duel.h"
 
 #include <stdio.h>

@@ -5,8 +5,8 @@
  * inertia); bisection does the rest. No vectors, no memory beyond a few rows, n (width + 1)^2 operations for
  * each halving, and the eigenvalue found is the one that was asked for. Source: B. N. Parlett, The Symmetric
  * Eigenvalue Problem (1998), sections 3.3 and 3.5. */
-#ifndef BASE_BAND_H
-#define BASE_BAND_H
+#ifndef BASE_LINEAR_BAND_H
+#define BASE_LINEAR_BAND_H
 
 #include "base/patience.h"
 

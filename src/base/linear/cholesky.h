@@ -4,8 +4,8 @@
  * K = L L^T keeps the band, so n rows of half-width b take n (b + 1) numbers, n b^2 / 2 products for the
  * factor and 2 n b for each solution. No pivoting: a positive definite matrix needs none. Source: G. H.
  * Golub, C. F. Van Loan, Matrix Computations (2013), section 4.3.5. */
-#ifndef BASE_CHOLESKY_H
-#define BASE_CHOLESKY_H
+#ifndef BASE_LINEAR_CHOLESKY_H
+#define BASE_LINEAR_CHOLESKY_H
 
 #include "base/patience.h"
 

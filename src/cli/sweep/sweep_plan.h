@@ -4,8 +4,8 @@
  * Every --vary is an axis of its own, and the combinations are the product of the axes; a --with changes
  * value by value together with the --vary before it. The last axis runs fastest, so the order of the
  * combinations, and of the rows, is that of nested loops read from left to right. */
-#ifndef CLI_SWEEP_PLAN_H
-#define CLI_SWEEP_PLAN_H
+#ifndef CLI_SWEEP_SWEEP_PLAN_H
+#define CLI_SWEEP_SWEEP_PLAN_H
 
 #include "base/status.h"
 #include "cli/options.h"

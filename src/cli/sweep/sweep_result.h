@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What one combination of a sweep comes to: a number for each column that its run has, NAN for the others. */
-#ifndef CLI_SWEEP_RESULT_H
-#define CLI_SWEEP_RESULT_H
+#ifndef CLI_SWEEP_SWEEP_RESULT_H
+#define CLI_SWEEP_SWEEP_RESULT_H
 
 #include "export/export.h"
 

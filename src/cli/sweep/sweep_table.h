@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The rows of a sweep as a table: the varied keys, then the results. */
-#ifndef CLI_SWEEP_TABLE_H
-#define CLI_SWEEP_TABLE_H
+#ifndef CLI_SWEEP_SWEEP_TABLE_H
+#define CLI_SWEEP_SWEEP_TABLE_H
 
 #include "cli/sweep/sweep_plan.h"
 #include "cli/sweep/sweep_result.h"

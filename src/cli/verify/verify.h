@@ -7,8 +7,8 @@
  * table of rows (verify_row.h). The engine runs, and each row prints theory, the measured number,
  * what our reference allows and whether it is reproduced; and under it, with a verdict of its own, the
  * paper's claim. */
-#ifndef CLI_VERIFY_H
-#define CLI_VERIFY_H
+#ifndef CLI_VERIFY_VERIFY_H
+#define CLI_VERIFY_VERIFY_H
 
 #include "base/status.h"
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Numbers that a verification takes from a run; what `row` must hold for each stands after it. NAN where
  * the run has no such number. */
-#ifndef CLI_VERIFY_QUANTITY_H
-#define CLI_VERIFY_QUANTITY_H
+#ifndef CLI_VERIFY_VERIFY_QUANTITY_H
+#define CLI_VERIFY_VERIFY_QUANTITY_H
 
 #include "cli/verify/verify_row.h"
 

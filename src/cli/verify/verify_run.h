@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A run as verification sees it: a scenario, its series with the references beside, and what it came to. */
-#ifndef CLI_VERIFY_RUN_H
-#define CLI_VERIFY_RUN_H
+#ifndef CLI_VERIFY_VERIFY_RUN_H
+#define CLI_VERIFY_VERIFY_RUN_H
 
 #include "scenario/settings.h"
 #include "base/patience.h"

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The one runner of checks, and its counts: what reproduces our reference, what is bounded as it should be,
  * and what agrees with the paper. */
-#ifndef CLI_VERIFY_RUNNER_H
-#define CLI_VERIFY_RUNNER_H
+#ifndef CLI_VERIFY_VERIFY_RUNNER_H
+#define CLI_VERIFY_VERIFY_RUNNER_H
 
 #include "cli/progress.h"
 #include "cli/quantities.h"

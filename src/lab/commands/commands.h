@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The functions of the command table, a file for each kind; private to src/tui. */
-#ifndef TUI_COMMANDS_H
-#define TUI_COMMANDS_H
+/* The functions of the command table, a file for each kind; private to src/lab. */
+#ifndef LAB_COMMANDS_COMMANDS_H
+#define LAB_COMMANDS_COMMANDS_H
 
 #include "lab/laboratory.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What leaves the laboratory: the run as files, the focused view as a figure. */
-#ifndef TUI_EXPORTING_H
-#define TUI_EXPORTING_H
+#ifndef LAB_COMMANDS_EXPORTING_H
+#define LAB_COMMANDS_EXPORTING_H
 
 #include <stdbool.h>
 

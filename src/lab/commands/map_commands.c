@@ -8,7 +8,7 @@
 #include "base/math/functions.h"
 #include "base/text.h"
 #include "views/view.h"
-#include "panes/places.h"
+#include "panes/screen_places.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -4,7 +4,7 @@
 #include "lab/row_edit.h"
 #include "views/inspector/inspector.h"
 #include "views/views.h"
-#include "panes/places.h"
+#include "panes/screen_places.h"
 #include "views/plots/time_plot.h"
 
 #include <math.h>

@@ -5,7 +5,7 @@
 #include "panes/screen_runs.h"
 #include "views/view.h"
 #include "lab/session/state_file.h"
-#include "panes/places.h"
+#include "panes/screen_places.h"
 #include "views/plots/time_plot.h"
 
 #include <math.h>

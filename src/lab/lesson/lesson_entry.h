@@ -4,8 +4,8 @@
  * That state is what the pages leave behind that begin with the last one that opens a scenario, as if each
  * had been read: what it does, what follows its answer, and where its goal is. From the page before nothing
  * needs to be done again where its reader left it just so. */
-#ifndef TUI_LESSON_ENTRY_H
-#define TUI_LESSON_ENTRY_H
+#ifndef LAB_LESSON_LESSON_ENTRY_H
+#define LAB_LESSON_LESSON_ENTRY_H
 
 #include "base/output.h"
 #include "lessons/lesson_shown.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Exercises of a page: answers are asked for, judged and noted. */
-#ifndef TUI_LESSON_EXERCISE_H
-#define TUI_LESSON_EXERCISE_H
+#ifndef LAB_LESSON_LESSON_EXERCISE_H
+#define LAB_LESSON_LESSON_EXERCISE_H
 
 typedef struct Laboratory Laboratory;
 

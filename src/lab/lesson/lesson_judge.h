@@ -2,8 +2,8 @@
 /* What is right beside the run: calculated on the spot, of the page's run for a number and of the reader's
  * own for a goal, so that a session that is done again gets its marks anew. All is about the page that is
  * open. */
-#ifndef TUI_LESSON_JUDGE_H
-#define TUI_LESSON_JUDGE_H
+#ifndef LAB_LESSON_LESSON_JUDGE_H
+#define LAB_LESSON_LESSON_JUDGE_H
 
 #include "scenario/settings.h"
 #include "lessons/lesson.h"

@@ -5,7 +5,7 @@
 #include "lab/prompt/line.h"
 #include "lab/lesson/lesson_exercise.h"
 #include "lab/lesson/lesson_progress.h"
-#include "panes/places.h"
+#include "panes/screen_places.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Lessons: pages beside the run, and what the laboratory does when one is opened. */
-#ifndef TUI_LESSON_PLAY_H
-#define TUI_LESSON_PLAY_H
+#ifndef LAB_LESSON_LESSON_PLAY_H
+#define LAB_LESSON_LESSON_PLAY_H
 
 #include "lab/lesson/lesson_entry.h"
 

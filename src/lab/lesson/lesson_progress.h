@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* How far one has come in each lesson, kept between two visits: a file with one line a lesson, NAME PAGE. */
-#ifndef TUI_LESSON_PROGRESS_H
-#define TUI_LESSON_PROGRESS_H
+#ifndef LAB_LESSON_LESSON_PROGRESS_H
+#define LAB_LESSON_LESSON_PROGRESS_H
 
 #include "base/output.h"
 #include "lessons/lesson_shown.h"

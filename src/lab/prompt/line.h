@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command line behind `:`: commands by name, KEY=VALUE, a time, and verbs that take arguments. */
-#ifndef TUI_LINE_H
-#define TUI_LINE_H
+#ifndef LAB_PROMPT_LINE_H
+#define LAB_PROMPT_LINE_H
 
 #include <stdbool.h>
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Editing one line of UTF-8 text; shared by fields and prompts. */
-#ifndef TUI_LINE_EDIT_H
-#define TUI_LINE_EDIT_H
+#ifndef LAB_PROMPT_LINE_EDIT_H
+#define LAB_PROMPT_LINE_EDIT_H
 
 #include <stdbool.h>
 #include <stddef.h>

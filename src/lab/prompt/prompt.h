@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Questions at the foot of the screen: asked, typed into, answered. A question is answered by a function of
  * whoever asked it, and may bring keys and completions of its own. */
-#ifndef TUI_PROMPT_H
-#define TUI_PROMPT_H
+#ifndef LAB_PROMPT_PROMPT_H
+#define LAB_PROMPT_PROMPT_H
 
 #include "terminal/keys.h"
 #include "panes/key_line.h"

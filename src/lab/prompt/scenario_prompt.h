@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Asks which scenario is opened, with a list to choose from. */
-#ifndef TUI_SCENARIO_PROMPT_H
-#define TUI_SCENARIO_PROMPT_H
+#ifndef LAB_PROMPT_SCENARIO_PROMPT_H
+#define LAB_PROMPT_SCENARIO_PROMPT_H
 
 typedef struct Laboratory Laboratory;
 

@@ -4,8 +4,8 @@
  *
  * Sessions are files from anybody: they are read with bounds, write nothing, see the lesson that the teacher
  * named and not the one that they name, and are given up after so many steps or so long. */
-#ifndef TUI_GRADING_H
-#define TUI_GRADING_H
+#ifndef LAB_SESSION_GRADING_H
+#define LAB_SESSION_GRADING_H
 
 #include "base/patience.h"
 #include "lessons/lesson.h"

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The laboratory: what the user does to a Screen. Keys come in as names, pictures go out as a Canvas; they
  * are the same for a terminal and for a script. */
-#ifndef TUI_LABORATORY_MAIN_H
-#define TUI_LABORATORY_MAIN_H
+#ifndef LAB_SESSION_LABORATORY_MAIN_H
+#define LAB_SESSION_LABORATORY_MAIN_H
 
 #include "base/status.h"
 #include "scenario/assignment.h"

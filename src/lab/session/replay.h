@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Doing a session again: its keys, each when the run has come to the step at which it was pressed. A key that
  * did not wait for the run to arrive somewhere does not wait here either. */
-#ifndef TUI_REPLAY_H
-#define TUI_REPLAY_H
+#ifndef LAB_SESSION_REPLAY_H
+#define LAB_SESSION_REPLAY_H
 
 #include "lab/session/session.h"
 

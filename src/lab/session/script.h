@@ -4,8 +4,8 @@
  *
  * One instruction a line, as the table below has them; empty lines and lines that begin with # are skipped.
  * The first instruction that misses ends the script: "FILE:LINE: ..." and exit status 1. */
-#ifndef TUI_SCRIPT_H
-#define TUI_SCRIPT_H
+#ifndef LAB_SESSION_SCRIPT_H
+#define LAB_SESSION_SCRIPT_H
 
 #include "lab/session/laboratory_main.h"
 #include "lab/session/session.h"

@@ -16,8 +16,8 @@
  * SECONDS WIDTHxHEIGHT" says where the session was left, "check HASH" behind it is of all lines before: it
  * tells a file that was changed by mistake, and nothing against somebody who calculates it anew - what such a
  * session does is judged by doing it again. */
-#ifndef TUI_SESSION_H
-#define TUI_SESSION_H
+#ifndef LAB_SESSION_SESSION_H
+#define LAB_SESSION_SESSION_H
 
 #include "base/status.h"
 #include "scenario/assignment.h"

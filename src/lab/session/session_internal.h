@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a session is made of, for the two files that record and read it. Private to this folder. */
-#ifndef TUI_SESSION_INTERNAL_H
-#define TUI_SESSION_INTERNAL_H
+#ifndef LAB_SESSION_SESSION_INTERNAL_H
+#define LAB_SESSION_SESSION_INTERNAL_H
 
 #include "scenario/settings.h"
 #include "base/output.h"

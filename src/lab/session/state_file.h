@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What is kept between two visits: files in $XDG_STATE_HOME/matvib or ~/.local/state/matvib. */
-#ifndef TUI_STATE_FILE_H
-#define TUI_STATE_FILE_H
+#ifndef LAB_SESSION_STATE_FILE_H
+#define LAB_SESSION_STATE_FILE_H
 
 #include "base/output.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The particle or node whose sums are written out, and what both meshes write of an exchange. */
-#ifndef PHYSICS_MPM_SUBJECT_H
-#define PHYSICS_MPM_SUBJECT_H
+#ifndef METHODS_MPM_SUBJECT_H
+#define METHODS_MPM_SUBJECT_H
 
 #include "methods/calculation.h"
 #include "methods/method.h"

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pictures in cells. Whatever has to give way to the size of a pane does so here, by one order for all of
  * them: ticks, words of the legend, lines of words below; the plot keeps four rows. */
-#ifndef PICTURE_CELLS_H
-#define PICTURE_CELLS_H
+#ifndef PICTURE_CELLS_CELLS_H
+#define PICTURE_CELLS_CELLS_H
 
 #include "picture/area.h"
 #include "picture/picture.h"

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A body in cells: in a pane its field's name stands above it, its colours below. Columns and rows are cells
  * of the part between, a row counted downwards. */
-#ifndef PICTURE_CELLS_MAP_H
-#define PICTURE_CELLS_MAP_H
+#ifndef PICTURE_CELLS_CELLS_MAP_H
+#define PICTURE_CELLS_CELLS_MAP_H
 
 #include "picture/area.h"
 #include "picture/picture.h"

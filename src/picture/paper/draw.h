@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The parts of a page, each drawn into a box. Private to src/picture/paper. */
-#ifndef FIGURE_DRAW_H
-#define FIGURE_DRAW_H
+#ifndef PICTURE_PAPER_DRAW_H
+#define PICTURE_PAPER_DRAW_H
 
 #include "picture/paper/ink.h"
 

@@ -4,8 +4,8 @@
  *
  * Colours are told apart by all kinds of colour vision, and lines by their dashes, so that a copy in black
  * and white says the same. The same figure gives the same bytes. */
-#ifndef FIGURE_FIGURE_H
-#define FIGURE_FIGURE_H
+#ifndef PICTURE_PAPER_FIGURE_FILE_H
+#define PICTURE_PAPER_FIGURE_FILE_H
 
 #include "base/output.h"
 #include "panes/screen.h"

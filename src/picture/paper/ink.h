@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* How the styles of the screen look on white paper. Private to src/picture/paper. */
-#ifndef FIGURE_INK_H
-#define FIGURE_INK_H
+#ifndef PICTURE_PAPER_INK_H
+#define PICTURE_PAPER_INK_H
 
 #include <stdbool.h>
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pages of plain text on A4 paper, as PDF: what a teacher hands out and gives back. Lines are broken at words
  * and pages at lines. The same text gives the same bytes. */
-#ifndef FIGURE_LEAFLET_H
-#define FIGURE_LEAFLET_H
+#ifndef PICTURE_PAPER_LEAFLET_H
+#define PICTURE_PAPER_LEAFLET_H
 
 #include "base/output.h"
 

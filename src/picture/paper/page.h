@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The layout of a figure's page, in points. Private to src/picture/paper. */
-#ifndef FIGURE_PAGE_H
-#define FIGURE_PAGE_H
+#ifndef PICTURE_PAPER_PAGE_H
+#define PICTURE_PAPER_PAGE_H
 
 #include "picture/paper/figure_file.h"
 #include "picture/paper/paper.h"

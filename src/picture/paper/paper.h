@@ -2,8 +2,8 @@
 /* What figures are drawn on: lines, areas, discs and words, in points (1/72 inch) from the upper left corner,
  * y downwards. One interface, a back end for each kind of file: SVG is written here, with its words as text;
  * PDF and PNG come through cairo. The same calls give the same bytes. Private to src/picture/paper. */
-#ifndef FIGURE_PAPER_H
-#define FIGURE_PAPER_H
+#ifndef PICTURE_PAPER_PAPER_H
+#define PICTURE_PAPER_PAPER_H
 
 #include "base/status.h"
 

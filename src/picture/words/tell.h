@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The screen in plain words. What panes draw as words (a stage, a lesson, a table) is told as it is drawn,
  * without frames; what views draw as curves or colours is told in sentences, made from what they plot. */
-#ifndef VIEW_TELL_H
-#define VIEW_TELL_H
+#ifndef PICTURE_WORDS_TELL_H
+#define PICTURE_WORDS_TELL_H
 
 #include "panes/screen.h"
 #include "picture/words/words.h"

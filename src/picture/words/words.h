@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What is told in plain words: a growing text of short lines for whoever has no screen to look at. Signs are
  * printable ASCII; letters that come from outside stay what they are, in UTF-8. */
-#ifndef VIEW_WORDS_H
-#define VIEW_WORDS_H
+#ifndef PICTURE_WORDS_WORDS_H
+#define PICTURE_WORDS_WORDS_H
 
 #include "picture/canvas.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The line of one row; for the files of this folder. `about` is the row's key, for messages. */
-#ifndef LAB_ROW_TEXT_H
-#define LAB_ROW_TEXT_H
+#ifndef SCENARIO_ROWS_ROW_TEXT_H
+#define SCENARIO_ROWS_ROW_TEXT_H
 
 #include "scenario/rows/rows.h"
 

@@ -11,8 +11,8 @@
  * of the probe has one row without a name, whose values are its keys.
  *
  * As keys: "loads.top" is a row, "loads.top.sy" one of its values, "probe.x" one of the probe's. */
-#ifndef LAB_ROWS_H
-#define LAB_ROWS_H
+#ifndef SCENARIO_ROWS_ROWS_H
+#define SCENARIO_ROWS_ROWS_H
 
 #include "base/status.h"
 

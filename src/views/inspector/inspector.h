@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The inspector, which `i` opens over the plots: the chosen particle, node or family with all that it
  * exchanges with others. One for each kind of simulation, a file each: what it needs and what it does. */
-#ifndef VIEW_INSPECTOR_H
-#define VIEW_INSPECTOR_H
+#ifndef VIEWS_INSPECTOR_INSPECTOR_H
+#define VIEWS_INSPECTOR_INSPECTOR_H
 
 #include "panes/screen.h"
 #include "picture/picture.h"

@@ -2,8 +2,8 @@
 /* The map of a beam: the nodes of a two-dimensional simulation as they lie, deformed, as a picture. Any
  * experiment's beam can be described: all that is read is the Screen that is handed over. Private to
  * src/views. Lengths in m. */
-#ifndef VIEW_MAP_H
-#define VIEW_MAP_H
+#ifndef VIEWS_MAP_MAP_H
+#define VIEWS_MAP_MAP_H
 
 #include "panes/screen_runs.h"
 #include "picture/picture.h"

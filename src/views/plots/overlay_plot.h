@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A foreign series over the curves of a plot. `curve` is the name of the plot's own curve, `along` tells a
  * profile from a plot over time; where the series has no such column all of these do nothing. */
-#ifndef VIEW_OVERLAY_PLOT_H
-#define VIEW_OVERLAY_PLOT_H
+#ifndef VIEWS_PLOTS_OVERLAY_PLOT_H
+#define VIEWS_PLOTS_OVERLAY_PLOT_H
 
 #include "panes/screen_runs.h"
 #include "picture/picture.h"

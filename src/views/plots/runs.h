@@ -2,8 +2,8 @@
 /* The runs that a picture shows: the present one, the second one of a duel, and the ghosts of earlier ones.
  * Every view draws this list, so that all of them tell the runs apart in the same way: by line, style, and a
  * letter at the end of the curve. */
-#ifndef VIEW_RUNS_H
-#define VIEW_RUNS_H
+#ifndef VIEWS_PLOTS_RUNS_H
+#define VIEWS_PLOTS_RUNS_H
 
 #include "panes/screen_runs.h"
 #include "picture/picture.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What plots over time share: the window, curves from a record, the mark of the present. */
-#ifndef VIEW_TIME_PLOT_H
-#define VIEW_TIME_PLOT_H
+#ifndef VIEWS_PLOTS_TIME_PLOT_H
+#define VIEWS_PLOTS_TIME_PLOT_H
 
 #include "panes/screen_runs.h"
 #include "picture/picture.h"

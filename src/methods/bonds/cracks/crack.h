@@ -4,8 +4,8 @@
  * The crack has begun when a node above the notch's end, between the notch - 10 mm and the load and not in a
  * protected zone, is cracked; the tip is the highest of these. The path is the damage-weighted centre of the
  * cracked nodes of each row. SI units. */
-#ifndef PHYSICS_PD_CRACK_H
-#define PHYSICS_PD_CRACK_H
+#ifndef METHODS_BONDS_CRACKS_CRACK_H
+#define METHODS_BONDS_CRACKS_CRACK_H
 
 #include "methods/method.h"
 

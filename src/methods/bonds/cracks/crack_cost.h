@@ -7,8 +7,8 @@
  * the lattice sum is not the integral; bonds break beside the path without crossing it; others break far from
  * it, under the load; and a bond breaks at the first step beyond s0, so that it takes more than its share
  * along. SI units; energies are those of the beam, J. */
-#ifndef PHYSICS_PD_CRACK_COST_H
-#define PHYSICS_PD_CRACK_COST_H
+#ifndef METHODS_BONDS_CRACKS_CRACK_COST_H
+#define METHODS_BONDS_CRACKS_CRACK_COST_H
 
 #include "base/patience.h"
 #include "methods/method.h"

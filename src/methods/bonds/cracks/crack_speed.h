@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* How fast a crack runs, beside how fast it can: no crack that is pulled open outruns the surface wave of its
  * own edges (Rayleigh's). SI units. */
-#ifndef PHYSICS_PD_CRACK_SPEED_H
-#define PHYSICS_PD_CRACK_SPEED_H
+#ifndef METHODS_BONDS_CRACKS_CRACK_SPEED_H
+#define METHODS_BONDS_CRACKS_CRACK_SPEED_H
 
 #include <stddef.h>
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The shape of the cracks of a plate at one state (fronts.h): the lines of the lattice across a front, groups
  * of cracked nodes on them, and what follows from these: tips, the branch, paths. Private to fronts.c. */
-#ifndef PHYSICS_PD_FRONT_SHAPE_H
-#define PHYSICS_PD_FRONT_SHAPE_H
+#ifndef METHODS_BONDS_CRACKS_FRONT_SHAPE_H
+#define METHODS_BONDS_CRACKS_FRONT_SHAPE_H
 
 #include "methods/bonds/plane/bonds_internal.h"
 #include "methods/bonds/cracks/fronts.h"

@@ -18,8 +18,8 @@
  *
  * Everything follows from the steps at which bonds broke, so it is worked out afterwards for the state that
  * there is, at any place of a run. SI units. These definitions are ours; both papers have one crack only. */
-#ifndef PHYSICS_PD_FRONTS_H
-#define PHYSICS_PD_FRONTS_H
+#ifndef METHODS_BONDS_CRACKS_FRONTS_H
+#define METHODS_BONDS_CRACKS_FRONTS_H
 
 #include "methods/method.h"
 #include "methods/bonds/cracks/crack_cost.h"

@@ -26,8 +26,8 @@
  * others, Convergence, adaptive refinement, and scaling in 1D peridynamics (2009); time stepping, partial
  * volumes and surface correction as in paper P (beam.h). Units: any consistent system; forces, masses and
  * energies are per unit cross-section. */
-#ifndef PHYSICS_PD_BAR_H
-#define PHYSICS_PD_BAR_H
+#ifndef METHODS_BONDS_LINE_PD_BAR_H
+#define METHODS_BONDS_LINE_PD_BAR_H
 
 #include "methods/forces.h"
 #include "methods/bonds/plane/bonds_plane.h"

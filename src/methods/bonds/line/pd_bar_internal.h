@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the files of the bar by peridynamics share: model and state. Not for front ends. */
-#ifndef PHYSICS_PD_BAR_INTERNAL_H
-#define PHYSICS_PD_BAR_INTERNAL_H
+#ifndef METHODS_BONDS_LINE_PD_BAR_INTERNAL_H
+#define METHODS_BONDS_LINE_PD_BAR_INTERNAL_H
 
 #include "methods/bonds/line/pd_bar.h"
 

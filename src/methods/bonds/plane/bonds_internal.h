@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the files of this folder share: the model and the state of a beam. Not for front ends. */
-#ifndef PHYSICS_PD_BEAM_INTERNAL_H
-#define PHYSICS_PD_BEAM_INTERNAL_H
+#ifndef METHODS_BONDS_PLANE_BONDS_INTERNAL_H
+#define METHODS_BONDS_PLANE_BONDS_INTERNAL_H
 
 #include "methods/bonds/plane/bonds_plane.h"
 #include "methods/bonds/plane/lattice/bonds.h"

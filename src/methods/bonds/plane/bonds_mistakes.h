@@ -9,8 +9,8 @@
  *
  * Beams with a mistake do their steps stage by stage, bond by bond. The time step, and its limit, are those
  * of the right code. */
-#ifndef PHYSICS_PD_MISTAKES_H
-#define PHYSICS_PD_MISTAKES_H
+#ifndef METHODS_BONDS_PLANE_BONDS_MISTAKES_H
+#define METHODS_BONDS_PLANE_BONDS_MISTAKES_H
 
 #include "methods/bonds/plane/bonds_internal.h"
 

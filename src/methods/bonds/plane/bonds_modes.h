@@ -3,8 +3,8 @@
  * period of a simply supported beam, and of any beam or plate what critical damping and rest go by. It is
  * what the discretisation gives for small motion, before any
  * step is taken: what a run measures differs by the step (dt^2) and by how well the record can be fitted. */
-#ifndef PHYSICS_PD_BEAM_MODES_H
-#define PHYSICS_PD_BEAM_MODES_H
+#ifndef METHODS_BONDS_PLANE_BONDS_MODES_H
+#define METHODS_BONDS_PLANE_BONDS_MODES_H
 
 #include "methods/bonds/plane/bonds_plane.h"
 

@@ -4,8 +4,8 @@
  * Source: Chen, Liu, Yang, "The application of peridynamics in predicting beam vibration and impact damage"
  * (2015; paper P); equation numbers are its. SI units; forces and energies are those of the beam, that is per
  * unit thickness times the thickness. */
-#ifndef PHYSICS_PD_BEAM_H
-#define PHYSICS_PD_BEAM_H
+#ifndef METHODS_BONDS_PLANE_BONDS_PLANE_H
+#define METHODS_BONDS_PLANE_BONDS_PLANE_H
 
 #include "base/kinds.h"
 #include "base/patience.h"

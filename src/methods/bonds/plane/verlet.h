@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The stages of velocity Verlet (paper P, eqs. 9 to 11) as people read them: rows of the stage tables of
  * beams and of the bar, each with the fields that it reads and writes there. */
-#ifndef PHYSICS_PD_VERLET_H
-#define PHYSICS_PD_VERLET_H
+#ifndef METHODS_BONDS_PLANE_VERLET_H
+#define METHODS_BONDS_PLANE_VERLET_H
 
 #define VERLET_HALF_KICK(fields_read, fields_written)                                                        \
     {                                                                                                        \

@@ -8,8 +8,8 @@
  *
  * Bars with a mistake do the stages of bar_wrong_stages.c, one after the other over the whole bar. They are
  * written for reading; with a row that says nothing they give what the kernels give, but for rounding. */
-#ifndef PHYSICS_MPM_BAR_MISTAKES_H
-#define PHYSICS_MPM_BAR_MISTAKES_H
+#ifndef METHODS_MPM_LINE_BAR_MISTAKES_H
+#define METHODS_MPM_LINE_BAR_MISTAKES_H
 
 #include "methods/mpm/line/bar_state.h"
 

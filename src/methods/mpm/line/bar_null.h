@@ -11,8 +11,8 @@
  *
  * The sums go from left to right, as far as the grid is mapped, so that they can follow the steps of
  * bar_tiles.c: the order, and with it every bit, is the same however the cells are cut. */
-#ifndef PHYSICS_MPM_BAR_NULL_H
-#define PHYSICS_MPM_BAR_NULL_H
+#ifndef METHODS_MPM_LINE_BAR_NULL_H
+#define METHODS_MPM_LINE_BAR_NULL_H
 
 #include "methods/mpm/line/bar_state.h"
 

@@ -13,8 +13,8 @@
  * A cell touches `support` nodes, numbered cell to cell + support - 1 for every shape (uGIMP's first node is
  * the ghost one). What a cell gives to its a-th node is summed in part[a][cell] in the order of particles,
  * then a node adds the cells in their order: this fixes every bit, however the cells are divided up. */
-#ifndef PHYSICS_MPM_BAR_STATE_H
-#define PHYSICS_MPM_BAR_STATE_H
+#ifndef METHODS_MPM_LINE_BAR_STATE_H
+#define METHODS_MPM_LINE_BAR_STATE_H
 
 #include "methods/batch.h"
 #include "methods/mpm/line/mpm_bar.h"

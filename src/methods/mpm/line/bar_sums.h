@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The sums of one particle or node of the bar, written out term by term. For bar_explain.c only. */
-#ifndef PHYSICS_MPM_BAR_SUMS_H
-#define PHYSICS_MPM_BAR_SUMS_H
+#ifndef METHODS_MPM_LINE_BAR_SUMS_H
+#define METHODS_MPM_LINE_BAR_SUMS_H
 
 #include "methods/mpm/line/bar_state.h"
 #include "methods/mpm/subject.h"

@@ -3,8 +3,8 @@
  *
  * Source: A. da Silva Rocha, "Unidimensional Axial Vibration Using MPM" (paper M); equation numbers are its.
  * Units: any consistent system; lengths, masses and forces are per unit cross-section. */
-#ifndef PHYSICS_MPM_BAR_H
-#define PHYSICS_MPM_BAR_H
+#ifndef METHODS_MPM_LINE_MPM_BAR_H
+#define METHODS_MPM_LINE_MPM_BAR_H
 
 #include "base/kinds.h"
 #include "base/patience.h"

@@ -6,8 +6,8 @@
  * vibration and impact damage" (paper P). SI units; energies are those of the beam (per unit thickness times
  * the thickness), masses and forces of particles and nodes are per unit thickness. Shapes, starts and
  * supports are explained where they are made: plane_shape.h, plane_start.c, plane_state.h. */
-#ifndef PHYSICS_MPM_PLANE_H
-#define PHYSICS_MPM_PLANE_H
+#ifndef METHODS_MPM_PLANE_PLANE_H
+#define METHODS_MPM_PLANE_PLANE_H
 
 #include "base/kinds.h"
 #include "base/patience.h"

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the equations of a beam's own mesh say before any step is taken: the period of its lowest vibration,
  * and the largest stable time step. */
-#ifndef PHYSICS_PLANE_MODES_H
-#define PHYSICS_PLANE_MODES_H
+#ifndef METHODS_MPM_PLANE_PLANE_MODES_H
+#define METHODS_MPM_PLANE_PLANE_MODES_H
 
 #include "methods/mpm/plane/plane.h"
 

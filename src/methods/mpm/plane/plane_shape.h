@@ -15,8 +15,8 @@
  *
  * Source: S. G. Bardenhagen, E. M. Kober, "The generalized interpolation material point method" (2004), with
  * boxes that keep their size. */
-#ifndef PHYSICS_PLANE_SHAPE_H
-#define PHYSICS_PLANE_SHAPE_H
+#ifndef METHODS_MPM_PLANE_PLANE_SHAPE_H
+#define METHODS_MPM_PLANE_PLANE_SHAPE_H
 
 enum { PLANE_SUPPORT_MAX = 3 };
 

@@ -23,8 +23,8 @@
  * takes, lane by lane, what the particle of lane l gives to the node in column `column` + l + c. The order of
  * every sum is that of the particles' places, at any width of the machine's vectors and any number of
  * threads. */
-#ifndef PHYSICS_PLANE_STATE_H
-#define PHYSICS_PLANE_STATE_H
+#ifndef METHODS_MPM_PLANE_PLANE_STATE_H
+#define METHODS_MPM_PLANE_PLANE_STATE_H
 
 #include "methods/batch.h"
 #include "methods/mpm/plane/plane.h"

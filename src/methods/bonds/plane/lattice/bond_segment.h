@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Segments of bonds, the inner loops of bond_kernels.c: by the series of bonds.h or with the root. Included
  * by that file alone, once for each instruction set. Units: m, N/m^3 for forces; sums of k s^2 in N/m^3. */
-#ifndef PHYSICS_PD_BOND_SEGMENT_H
-#define PHYSICS_PD_BOND_SEGMENT_H
+#ifndef METHODS_BONDS_PLANE_LATTICE_BOND_SEGMENT_H
+#define METHODS_BONDS_PLANE_LATTICE_BOND_SEGMENT_H
 
 #include "methods/bonds/plane/lattice/bonds.h"
 #include "methods/vector.h"

@@ -13,8 +13,8 @@
  * the coefficient zero. Each bond is computed once, by its owner's row.
  *
  * The source is compiled once per vector width. Every sum runs in the same order at every width. */
-#ifndef PHYSICS_PD_BONDS_H
-#define PHYSICS_PD_BONDS_H
+#ifndef METHODS_BONDS_PLANE_LATTICE_BONDS_H
+#define METHODS_BONDS_PLANE_LATTICE_BONDS_H
 
 #include "methods/cpu.h"
 #include "methods/bonds/plane/lattice/lattice.h"

@@ -7,8 +7,8 @@
  * (slot) each, direction by direction and in a direction column by column, so that a bond needs no index and
  * the whole row is read from front to back. Slots whose other end is no node stay empty. Source: paper P,
  * eqs. 4 and 8, and the text between them. */
-#ifndef PHYSICS_PD_LATTICE_H
-#define PHYSICS_PD_LATTICE_H
+#ifndef METHODS_BONDS_PLANE_LATTICE_LATTICE_H
+#define METHODS_BONDS_PLANE_LATTICE_LATTICE_H
 
 #include "base/status.h"
 #include "methods/bonds/plane/bonds_plane.h"

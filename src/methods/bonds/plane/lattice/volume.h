@@ -10,8 +10,8 @@
  * whose centres lie beyond the horizon, so that a body far from its surfaces is too soft at every horizon: by
  * 12 % at delta = 4 dx, where hhb is off by 2 %. Names and rules as in P. Seleson, Improved one-point
  * quadrature algorithms for two-dimensional peridynamic models based on analytical calculations (2014). */
-#ifndef PHYSICS_PD_VOLUME_H
-#define PHYSICS_PD_VOLUME_H
+#ifndef METHODS_BONDS_PLANE_LATTICE_VOLUME_H
+#define METHODS_BONDS_PLANE_LATTICE_VOLUME_H
 
 #include "base/kinds.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Cuts: which bonds they part. */
-#ifndef PHYSICS_PD_CUTS_H
-#define PHYSICS_PD_CUTS_H
+#ifndef METHODS_BONDS_PLANE_PLATE_CUTS_H
+#define METHODS_BONDS_PLANE_PLATE_CUTS_H
 
 #include "methods/bonds/plane/lattice/lattice.h"
 #include "methods/bonds/plane/plate/plate.h"

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Patches: rectangles of nodes on which something acts. Whatever holds or loads a body, a beam's support, the
  * pressure on its top, a region of a plate, is one; so a step knows no more of them than this. */
-#ifndef PHYSICS_PD_PATCHES_H
-#define PHYSICS_PD_PATCHES_H
+#ifndef METHODS_BONDS_PLANE_PLATE_PATCHES_H
+#define METHODS_BONDS_PLANE_PLATE_PATCHES_H
 
 #include "methods/bonds/plane/lattice/lattice.h"
 #include "methods/bonds/plane/plate/plate.h"

@@ -2,8 +2,8 @@
 /* What a plate has any number of: cuts, loads on its edges, regions that are moved, set in motion or
  * protected. Places in m from its lower left corner. Regions and stretches of edges include their ends to
  * 1e-6 dx, and may be given from either end. Each has a name, for messages: "cuts.NAME: ...". */
-#ifndef PHYSICS_PD_PLATE_H
-#define PHYSICS_PD_PLATE_H
+#ifndef METHODS_BONDS_PLANE_PLATE_PLATE_H
+#define METHODS_BONDS_PLANE_PLATE_PLATE_H
 
 #include <stdbool.h>
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Is what a plate has sound? */
-#ifndef PHYSICS_PD_PLATE_CHECK_H
-#define PHYSICS_PD_PLATE_CHECK_H
+#ifndef METHODS_BONDS_PLANE_PLATE_PLATE_CHECK_H
+#define METHODS_BONDS_PLANE_PLATE_PLATE_CHECK_H
 
 #include "methods/bonds/plane/plate/patches.h"
 

@@ -4,8 +4,8 @@
  * Each function does a range of cells, or the nodes that come with it: node i goes with cell i, the last
  * nodes with the last cell. The bits are the same for every instruction set and for every way of cutting the
  * cells into ranges: each sum has its order, and nothing is contracted. */
-#ifndef PHYSICS_MPM_KERNELS_H
-#define PHYSICS_MPM_KERNELS_H
+#ifndef METHODS_MPM_LINE_KERNELS_BAR_KERNELS_H
+#define METHODS_MPM_LINE_KERNELS_BAR_KERNELS_H
 
 #include "methods/cpu.h"
 #include "methods/mpm/line/bar_state.h"

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Shape functions of the bar's mesh, in natural coordinates: a particle in `cell` at s in [0, 1) sees
  * `support` nodes, cell to cell + support - 1. Derivatives are by s (divide by dx). */
-#ifndef PHYSICS_MPM_SHAPE_H
-#define PHYSICS_MPM_SHAPE_H
+#ifndef METHODS_MPM_LINE_KERNELS_SHAPE_H
+#define METHODS_MPM_LINE_KERNELS_SHAPE_H
 
 #include "methods/mpm/line/mpm_bar.h"
 

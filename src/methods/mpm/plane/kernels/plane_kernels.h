@@ -5,8 +5,8 @@
  *
  * Functions over particles do one block; those that give to nodes end with the block's patch. Functions over
  * nodes do a part of the grid. Masses, momenta and forces are per unit thickness. */
-#ifndef PHYSICS_PLANE_KERNELS_H
-#define PHYSICS_PLANE_KERNELS_H
+#ifndef METHODS_MPM_PLANE_KERNELS_PLANE_KERNELS_H
+#define METHODS_MPM_PLANE_KERNELS_PLANE_KERNELS_H
 
 #include "methods/cpu.h"
 #include "methods/mpm/plane/plane_state.h"

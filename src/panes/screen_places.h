@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The whole screen as cells of a canvas, and what lies where on it: for the focus, for keys that scroll and
  * for the mouse. */
-#ifndef VIEW_PLACES_H
-#define VIEW_PLACES_H
+#ifndef PANES_SCREEN_PLACES_H
+#define PANES_SCREEN_PLACES_H
 
 #include "help/command.h"
 #include "panes/screen.h"
