@@ -216,6 +216,40 @@ bool simulation_visit(Simulation *sim, const void *there, void (*look)(Simulatio
     return true;
 }
 
+/* What is seen of a step ahead; `row` has room for one of the series. */
+typedef struct StepAhead {
+    double *before, *after, *strain, *row;
+    bool done;
+} StepAhead;
+
+static void see_state(Simulation *sim, double *velocity, double *strain, double *row)
+{
+    simulation_row(sim, row);
+    *strain = row[simulation_find_series(sim, "strain")];
+    for (int d = 0; d < sim->dimensions; d++)
+        sim->method->field(sim, sim->velocity[d], 0, sim->counts[0], velocity + (size_t)d * sim->counts[0]);
+}
+
+static void step_and_see(Simulation *sim, void *context)
+{
+    StepAhead *ahead = context;
+    see_state(sim, ahead->before, &ahead->strain[0], ahead->row);
+    ahead->done = simulation_steps(sim, 1, NULL, NULL, NULL);
+    if (ahead->done)
+        see_state(sim, ahead->after, &ahead->strain[1], ahead->row);
+}
+
+bool simulation_step_ahead(Simulation *sim, double *before, double *after, double strain[2])
+{
+    ASSERT_INT(sim->stage, ==, 0);
+    ASSERT_INT(simulation_find_series(sim, "strain"), >=, 0);
+    double *row = malloc((size_t)sim->n_series * sizeof *row);
+    StepAhead ahead = {before, after, strain, row, false};
+    const bool seen = row && simulation_visit(sim, NULL, step_and_see, &ahead);
+    free(row);
+    return seen && ahead.done;
+}
+
 void simulation_make_ready(Simulation *sim, int set)
 {
     ASSERT_INDEX(set, sim->n_sets);

@@ -345,6 +345,10 @@ void simulation_restore(Simulation *, const void *bytes);
 bool simulation_visit(Simulation *, const void *there, void (*look)(Simulation *, void *context),
                       void *context);
 
+/* One step ahead and back: the velocities of set 0 before and after it, one component after the other, and
+ * the energy of strain ("strain" of the series) before and after. False: the step failed, or no memory. */
+bool simulation_step_ahead(Simulation *, double *before, double *after, double strain[2]);
+
 /* Goes on, within the step, to where the things of a set are ready (Set.ready_after): for who comes back, as
  * by simulation_visit(). What a stage cannot do any more stays as it stands. */
 void simulation_make_ready(Simulation *, int set);

@@ -172,49 +172,19 @@ static const char *damping(const Settings *settings)
 
 /* --- the sharp invariant -------------------------------------------------------------------------- */
 
-/* Velocities of the particles one component after the other, without the common speed; the strain energy. */
-static bool take_state(Simulation *sim, double *velocity, double *strain)
-{
-    double row[COLUMNS_MAX];
-    const int energy = simulation_find_series(sim, "strain");
-    if (energy < 0 || sim->n_series > COLUMNS_MAX)
-        return false;
-    simulation_row(sim, row);
-    *strain = row[energy];
-    for (int d = 0; d < 2; d++)
-        sim->method->field(sim, sim->velocity[d], 0, sim->counts[0], velocity + (size_t)d * sim->counts[0]);
-    return true;
-}
-
 /* E* (answers/invariant.h): sum of m v^n v^(n+1)/2 and the strain energy that belongs to it. */
-typedef struct Ahead {
-    const Settings *settings;
-    double value;
-} Ahead;
-
-static void one_step_ahead(Simulation *sim, void *context)
-{
-    Ahead *ahead = context;
-    const Settings *settings = ahead->settings;
-    const size_t count = 2 * sim->counts[0];
-    double *before = malloc(2 * count * sizeof *before), *after = before + count, old, new;
-    if (before && take_state(sim, before, &old) && simulation_steps(sim, 1, NULL, NULL, NULL) &&
-        take_state(sim, after, &new)) {
-        const double mass = settings_material(settings)->density * sim->spacing * sim->spacing;
-        double sum = 0;
-        for (size_t i = 0; i < count; i++)
-            sum += before[i] * after[i];
-        ahead->value = sum / 2 * mass * settings_geometry(settings)->thickness +
-                       (settings_transfer(settings)->algorithm == MPM_USF ? new : old);
-    }
-    free(before);
-}
-
 static double invariant(Simulation *sim, const Settings *settings)
 {
-    Ahead ahead = {settings, NAN};
-    simulation_visit(sim, NULL, one_step_ahead, &ahead);
-    return ahead.value;
+    const size_t count = 2 * sim->counts[0];
+    double *before = malloc(2 * count * sizeof *before), *after = before + count, strain[2], sum = 0;
+    const bool known = before && simulation_step_ahead(sim, before, after, strain);
+    for (size_t i = 0; known && i < count; i++)
+        sum += before[i] * after[i];
+    free(before);
+    const double mass = settings_material(settings)->density * sim->spacing * sim->spacing;
+    return known ? sum / 2 * mass * settings_geometry(settings)->thickness +
+                       strain[settings_transfer(settings)->algorithm == MPM_USF]
+                 : NAN;
 }
 
 /* A channel does work. */
