@@ -174,7 +174,7 @@ START_TEST(what_is_measured_wins_a_cell)
     plot_point(&plot, 0, 0), plot_point(&plot, 1, 0);
     plot_begin(&plot, STROKE_LINE, pen_exact);
     plot_point(&plot, 0, 0.1), plot_point(&plot, 1, 0.1);
-    plot_begin(&plot, STROKE_LINE, (Pen){LINE_DOTTED, ',', STYLE_FAINT, RANK_GHOST});
+    plot_begin(&plot, STROKE_LINE, (Pen){LINE_DOTTED, ',', STYLE_FAINT, RANK_GHOST, 0});
     plot_point(&plot, 0.5, 5), plot_point(&plot, 0.5, -5);
     plot_draw(&plot, (Area){&canvas, {0, 0, 10, 3}, GLYPHS_BRAILLE});
     char *styles = canvas_dump_styles(&canvas);
