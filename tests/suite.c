@@ -57,6 +57,11 @@ bool suite_wide(void)
     return getenv("MATVIB_WIDE") != NULL;
 }
 
+bool suite_long(void)
+{
+    return suite_wide() && getenv("MATVIB_LONG") != NULL;
+}
+
 int main(int count, char **arguments)
 {
     setenv("CK_DEFAULT_TIMEOUT", "600",

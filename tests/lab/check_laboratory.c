@@ -5,6 +5,7 @@
 #include "scenario/settings.h"
 #include "scenario/rows/rows.h"
 #include "views/view.h"
+#include "lab/refining.h"
 #include "lab/tui_case.h"
 #include "lab/prompt/line.h"
 #include "panes/screen_places.h"
@@ -896,6 +897,35 @@ START_TEST(rows_keep_their_digits)
 }
 END_TEST
 
+/* A clock by which whatever is asked has taken a second, and an interrupt that has come. */
+static double a_second_later(void *context)
+{
+    static double time;
+    (void)context;
+    return time += 1;
+}
+
+static bool gives_up(void *context)
+{
+    (void)context;
+    return false;
+}
+
+/* An interrupt that is no key stops a study as the key does: the point that is worked on is the last one. */
+START_TEST(an_interrupt_stops_a_study)
+{
+    Bench *bench = open_bench("supported-beam-coarse", true);
+    enter_line(bench, "show convergence");
+    ck_assert(refining_is_due(&bench->lab));
+    bench->lab.host.now = a_second_later;
+    bench->lab.host.go_on = gives_up;
+    refining_work(&bench->lab);
+    ck_assert(!refining_is_due(&bench->lab));
+    ck_assert(shows(bench, "stopped; show the view again"));
+    close_bench(bench);
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("laboratory");
@@ -934,5 +964,6 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, rows_keep_their_digits);
     tcase_add_test(tcase, who_does_a_session_again_is_not_suspended_again);
     tcase_add_test(tcase, the_command_line_takes_commands_values_and_times);
+    tcase_add_test(tcase, an_interrupt_stops_a_study);
     suite_add_tcase(suite, tcase);
 }

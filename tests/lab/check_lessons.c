@@ -612,8 +612,11 @@ START_TEST(every_page_is_entered_in_one_state)
             press(bench, !whole || (now->n_fields > 0 && now->until.kind == UNTIL_NOTHING) ? "n" : "Enter");
     }
     keep_close(kept, name, !only_near);
-    /* backwards, and leaving pages out: where not everything is wanted, each lesson on a bar one of both */
-    const bool back = suite_wide() || (line && _i % 2 == 0), leaving = suite_wide() || (line && _i % 2 != 0);
+    /* backwards, and leaving pages out: where not everything is wanted, each lesson one of both, in the short
+     * form each on a bar */
+    const bool turned = line || suite_wide();
+    const bool back = suite_long() || (turned && _i % 2 == 0),
+               leaving = suite_long() || (turned && _i % 2 != 0);
     for (int page = count - 1; back && page >= 0; page--) {
         if (page + 1 < count)
             press(bench, "b");
@@ -661,7 +664,8 @@ static void close_field(Bench *bench)
 /* Whoever knows Enter, n, b, digits and arrows alone comes from the first page to the last, on both sheets:
  * nothing is refused, no key leads out of the lesson, and each question that a key opens another one closes.
  * Pages on their way are left out, for they are not waited for where only what is near is computed.
- * Where not everything is wanted each lesson on a bar is read on one of the sheets. */
+ * Where not everything is wanted each lesson is read on one of the sheets, in the short form each on a bar.
+ */
 START_TEST(few_keys_lead_through)
 {
     static const char *const keys[] = {"Enter", "1",     "Down", "b",  "Right", "2",
@@ -672,7 +676,7 @@ START_TEST(few_keys_lead_through)
     const LessonShown *shown = bench->lab.screen.lesson;
     const int last = shown->lesson->n_pages - 1;
     const bool line = experiment_simulation(bench->lab.screen.experiment)->dimensions == 1;
-    const bool wanted = suite_wide() || (line && _i / 2 % 2 == _i % 2);
+    const bool wanted = suite_long() || ((line || suite_wide()) && _i / 2 % 2 == _i % 2);
     only_near = !line;
     bench->rate = line ? 0 : NEAR_STEPS / FRAME_SECONDS;
     bench->width = 80;

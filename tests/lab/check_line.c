@@ -19,7 +19,7 @@ static void type(Bench *bench, const char *text)
         press(bench, *text == ' ' ? "Space" : (char[2]){*text, '\0'});
 }
 
-static void enter_line(Bench *bench, const char *text)
+static void do_line(Bench *bench, const char *text)
 {
     press(bench, ":");
     type(bench, text);
@@ -55,27 +55,27 @@ START_TEST(verbs_take_arguments)
     char folder[64];
     enter_folder(folder);
     Bench *bench = open_bench("mode1", true);
-    enter_line(bench, "set initial.mode 3");
+    do_line(bench, "set initial.mode 3");
     ck_assert_double_eq(parameter(bench, "initial.mode"), 3);
-    enter_line(bench, "set initial.mode = 4");
+    do_line(bench, "set initial.mode = 4");
     ck_assert_double_eq(parameter(bench, "initial.mode"), 4);
-    enter_line(bench, " initial.mode= 5 ");
+    do_line(bench, " initial.mode= 5 ");
     ck_assert_double_eq(parameter(bench, "initial.mode"), 5);
-    enter_line(bench, "goto 2.5");
+    do_line(bench, "goto 2.5");
     ck_assert_int_eq(experiment_step(bench->lab.screen.experiment), 250);
-    enter_line(bench, "goto #40");
+    do_line(bench, "goto #40");
     ck_assert_int_eq(experiment_step(bench->lab.screen.experiment), 40);
-    enter_line(bench, "write mine.ini");
+    do_line(bench, "write mine.ini");
     ck_assert_int_eq(access("mine.ini", R_OK), 0);
-    enter_line(bench, "open mode10");
+    do_line(bench, "open mode10");
     ck_assert_double_eq(parameter(bench, "initial.mode"), 10);
-    enter_line(bench, "open mine.ini");
+    do_line(bench, "open mine.ini");
     ck_assert_double_eq(parameter(bench, "initial.mode"), 5);
-    enter_line(bench, "goto 1");
-    enter_line(bench, "export out");
+    do_line(bench, "goto 1");
+    do_line(bench, "export out");
     ck_assert_int_eq(access("out-series.csv", R_OK), 0);
-    enter_line(bench, "goto 0.5");
-    enter_line(bench, "export part"); /* rewound: how far is asked, the name is known */
+    do_line(bench, "goto 0.5");
+    do_line(bench, "export part"); /* rewound: how far is asked, the name is known */
     type(bench, "here");
     press(bench, "Enter");
     ck_assert_msg(shows(bench, "(51 rows)"), "%s", bench->lab.screen.message->text);
@@ -104,7 +104,7 @@ static const char *const bad_lines[][2] = {
 START_TEST(bad_lines_say_why)
 {
     Bench *bench = open_bench("mode1", true);
-    enter_line(bench, bad_lines[_i][0]);
+    do_line(bench, bad_lines[_i][0]);
     ck_assert_msg(bench->lab.screen.prompt->open, "'%s' was taken", bad_lines[_i][0]);
     ck_assert_msg(strstr(bench->lab.screen.prompt->problem, bad_lines[_i][1]) != NULL, "%s",
                   bench->lab.screen.prompt->problem);
@@ -257,9 +257,9 @@ START_TEST(up_and_down_fetch_earlier_lines)
     press_all(bench, ": Up");
     expect_line(bench, "");
     press(bench, "Esc");
-    enter_line(bench, "step");
-    enter_line(bench, "initial.mode=3");
-    enter_line(bench, "initial.mode=3"); /* the same line is kept once */
+    do_line(bench, "step");
+    do_line(bench, "initial.mode=3");
+    do_line(bench, "initial.mode=3"); /* the same line is kept once */
     press(bench, ":");
     type(bench, "goto");
     press(bench, "Up");
@@ -277,7 +277,7 @@ START_TEST(up_and_down_fetch_earlier_lines)
     for (int i = 0; i < 2 * LINE_HISTORY_MAX; i++) {
         char line[16];
         snprintf(line, sizeof line, "#%d", i + 1);
-        enter_line(bench, line);
+        do_line(bench, line);
     }
     press(bench, ":");
     for (int i = 0; i < 2 * LINE_HISTORY_MAX; i++)
@@ -309,13 +309,13 @@ START_TEST(a_scenario_opens_as_its_view_says)
     ck_assert_double_eq(screen->playback->pace, 3);
     ck_assert_int_eq(screen->views.references, SHOW_EXACT);
     ck_assert(shows(bench, "energy"));
-    enter_line(bench, "open plain.ini"); /* nothing of it stays */
+    do_line(bench, "open plain.ini"); /* nothing of it stays */
     ck_assert_int_eq(screen->views.upper->digit, 1);
     ck_assert_int_eq(screen->views.lower->digit, 2);
     ck_assert_double_eq(screen->time.window, 0);
     ck_assert_double_ne(screen->playback->pace, 3);
     ck_assert_int_eq(screen->views.references, SHOW_ALL);
-    enter_line(bench, "open beam.ini"); /* of a beam the whole is seen */
+    do_line(bench, "open beam.ini"); /* of a beam the whole is seen */
     ck_assert_int_eq(screen->views.upper->digit, 8);
     ck_assert_int_eq(screen->views.lower->digit, 9);
     close_bench(bench);
@@ -362,7 +362,7 @@ START_TEST(the_cursor_reads_and_enter_goes_there)
 {
     Bench *bench = open_bench("mode5", true);
     Screen *screen = &bench->lab.screen;
-    enter_line(bench, "goto 4");
+    do_line(bench, "goto 4");
     screen->panes.focus = PANE_LOWER;
     press_all(bench, "Left Left Left Left Left Left Left");
     const double time = screen->time.cursor;
@@ -390,8 +390,8 @@ START_TEST(a_series_lies_over_the_plot_and_goes_again)
     fclose(file);
     write_text("bad.csv", "time,v_cm\n0,1\n1,one\n");
     Bench *bench = open_bench("mode1", true);
-    enter_line(bench, "goto 2");
-    enter_line(bench, "overlay pupil.csv");
+    do_line(bench, "goto 2");
+    do_line(bench, "overlay pupil.csv");
     ck_assert_ptr_nonnull(bench->lab.screen.overlay);
     ck_assert(shows(bench, "+ pupil.csv"));
     /* the cursor reads it, and a curve without a column of its name has none */
@@ -402,18 +402,18 @@ START_TEST(a_series_lies_over_the_plot_and_goes_again)
     ck_assert(shows(bench, "pupil.csv 0.006"));
     press(bench, "3");
     ck_assert(!shows(bench, "+ pupil.csv")); /* no column of the total energy */
-    enter_line(bench, "overlay pupil.csv 1 x_cm");
+    do_line(bench, "overlay pupil.csv 1 x_cm");
     ck_assert(shows(bench, "+ pupil.csv")); /* now x_cm is asked for, over the energies */
     /* a bad file changes nothing */
-    enter_line(bench, "overlay bad.csv");
+    do_line(bench, "overlay bad.csv");
     ck_assert_str_eq(bench->lab.screen.prompt->problem, "bad.csv:3: column 2, v_cm: 'one' is no number");
     press(bench, "Esc");
     ck_assert(shows(bench, "+ pupil.csv"));
-    enter_line(bench, "overlay");
+    do_line(bench, "overlay");
     ck_assert_ptr_null(bench->lab.screen.overlay);
     ck_assert(!shows(bench, "pupil"));
-    enter_line(bench, "overlay \"pupil.csv\" time v_cm");
-    enter_line(bench, "open mode5"); /* it stays for the next scenario */
+    do_line(bench, "overlay \"pupil.csv\" time v_cm");
+    do_line(bench, "open mode5"); /* it stays for the next scenario */
     ck_assert_ptr_nonnull(bench->lab.screen.overlay);
     close_bench(bench);
     leave_folder(folder);
@@ -427,7 +427,7 @@ START_TEST(an_export_says_its_size_first_and_its_place_afterwards)
     char folder[64], path[160];
     enter_folder(folder);
     Bench *bench = open_bench("mode1", true);
-    enter_line(bench, "goto 50");
+    do_line(bench, "goto 50");
     press(bench, "x");
     double megabytes;
     long rows;
@@ -443,7 +443,7 @@ START_TEST(an_export_says_its_size_first_and_its_place_afterwards)
     fseek(file, 0, SEEK_END);
     ck_assert_double_eq_tol((double)ftell(file) / 1e6, megabytes, 0.06);
     fclose(file);
-    enter_line(bench, "output.every=7");
+    do_line(bench, "output.every=7");
     press(bench, "x");
     ck_assert_int_eq(sscanf(bench->lab.screen.prompt->question, "export %ld rows", &rows), 1);
     ck_assert_int_eq(rows, 5000 / 7 + 2);
@@ -462,12 +462,12 @@ START_TEST(more_rows_than_a_spreadsheet_takes_are_announced)
     enter_folder(folder);
     write_text("long.ini", "[bar]\nlength = 2\n[initial]\nvelocity = 0.01\n[time]\nend = 10486\n");
     Bench *bench = open_bench("long.ini", true);
-    enter_line(bench, "goto 10485.74");
+    do_line(bench, "goto 10485.74");
     press(bench, "x");
     ck_assert(shows(bench, "export 1048575 rows"));
     ck_assert(!shows(bench, "spreadsheet"));
     press(bench, "Esc");
-    enter_line(bench, "goto 10485.75");
+    do_line(bench, "goto 10485.75");
     press(bench, "x");
     ck_assert(shows(bench, "more rows than a spreadsheet takes (1048576 with the heading)"));
     ck_assert(shows(bench, "output.every=2"));

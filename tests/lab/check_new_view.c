@@ -81,14 +81,6 @@ const int n_views = sizeof views / sizeof *views;
 
 /* --- what finds it ---------------------------------------------------------------------------------- */
 
-static void enter_line(Bench *bench, const char *line)
-{
-    press(bench, ":");
-    for (const char *at = line; *at; at++)
-        press(bench, *at == ' ' ? "Space" : (const char[]){*at, '\0'});
-    press(bench, "Enter");
-}
-
 START_TEST(it_is_shown_by_digit_and_word)
 {
     Bench *bench = open_bench("mode1", true);

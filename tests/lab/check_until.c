@@ -7,14 +7,6 @@
 #include <math.h>
 #include <string.h>
 
-static void enter_line(Bench *bench, const char *text)
-{
-    press(bench, ":");
-    for (; *text; text++)
-        press(bench, *text == ' ' ? "Space" : (char[2]){*text, '\0'});
-    press(bench, "Enter");
-}
-
 static void run_until_paused(Bench *bench)
 {
     for (int i = 0; i < 100000 && bench->lab.screen.playback->state != STATE_PAUSED; i++)

@@ -100,6 +100,14 @@ void press_all(Bench *bench, const char *names)
         press(bench, name);
 }
 
+void enter_line(Bench *bench, const char *text)
+{
+    press(bench, ":");
+    for (; *text; text++)
+        press(bench, *text == ' ' ? "Space" : (char[2]){*text, '\0'});
+    press(bench, "Enter");
+}
+
 bool shows(Bench *bench, const char *text)
 {
     char *dump = canvas_dump(&bench->canvas);

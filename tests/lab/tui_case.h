@@ -32,6 +32,8 @@ void frame(Bench *);
 void press_key(Bench *, const Key *);
 void press(Bench *, const char *name);
 void press_all(Bench *, const char *names); /* parted by spaces */
+/* On the command line. */
+void enter_line(Bench *, const char *text);
 
 bool shows(Bench *, const char *text);
 

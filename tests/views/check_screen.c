@@ -296,8 +296,8 @@ START_TEST(screens_look_as_they_did)
     for (int i = 0; i < (int)(sizeof sizes / sizeof *sizes); i++)
         for (int glyphs = 0; glyphs < GLYPHS_COUNT; glyphs++)
             for (int focus = 0; focus < PANE_COUNT; focus++) {
-                if (!suite_wide() &&
-                    ((i > 0 && (i + _i) % 15 != 0) || (i + _i + focus) % GLYPHS_COUNT != glyphs))
+                if (!suite_long() && ((i > 0 && !suite_wide() && (i + _i) % 15 != 0) ||
+                                      (i + _i + focus) % GLYPHS_COUNT != glyphs))
                     continue;
                 screen->look.glyphs = (Glyphs)glyphs;
                 screen->panes.focus = (PaneId)focus;
