@@ -108,7 +108,7 @@ bool diagnose_settings_of(const Candidate *candidate, const Settings *right, con
             candidate->beside;
     }
     if (!candidate->own_step)
-        return diagnose_hold_step(out, table->dt);
+        return diagnose_hold_step(out, table->dt, NULL);
     *settings_edit_time(out) = *candidate->own_step;
     return settings_check(out, NULL);
 }

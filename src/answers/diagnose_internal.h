@@ -35,8 +35,8 @@ bool diagnose_walk(Walk *, const Settings *, int threads, Patience, Status *);
  * that size. */
 double diagnose_bound(const DiagnoseTable *, const DiagnoseColumn *, double theirs, double size, long step);
 
-/* Gives settings the time step of the file. False: they allow none. */
-bool diagnose_hold_step(Settings *, double dt);
+/* Gives settings the time step of the file. False: they do not allow it; the status may say why. */
+bool diagnose_hold_step(Settings *, double dt, Status *);
 
 /* The number of a row of the file in our units; NAN: missing. */
 double diagnose_theirs(const DiagnoseTable *, const DiagnoseColumn *, size_t row);

@@ -266,18 +266,18 @@ bool diagnose_walk(Walk *walk, const Settings *settings, int threads, Patience p
     return sound;
 }
 
-bool diagnose_hold_step(Settings *settings, double dt)
+bool diagnose_hold_step(Settings *settings, double dt, Status *status)
 {
     double now;
     if (settings->problem->concerns & CONCERN_STEP && settings->method == METHOD_PD) {
         settings_edit_time(settings)->step = dt;
-        return settings_check(settings, NULL);
+        return settings_check(settings, status);
     }
-    if (!settings_check(settings, NULL) || !problem_time_step(settings, &now, NULL))
+    if (!settings_check(settings, status) || !problem_time_step(settings, &now, status))
         return false;
     if (fabs(now - dt) <= 1e-12 * dt)
         return true;
     settings_edit_time(settings)->courant *= dt / now;
-    return settings_check(settings, NULL) && problem_time_step(settings, &now, NULL) &&
+    return settings_check(settings, status) && problem_time_step(settings, &now, status) &&
            fabs(now - dt) <= 1e-12 * dt;
 }

@@ -587,9 +587,10 @@ bool diagnose(const DiagnoseTask *task, DiagnoseTable *table, Diagnosis *found, 
     for (size_t i = 0; search->values && i < table->file.count * (size_t)table->n_columns; i++)
         search->values[i] = NAN;
     bool sound = search->values || status_fail(status, "out of memory");
-    sound = sound && (diagnose_hold_step(&search->right, table->dt) ||
-                      status_refuse(status, "%s: the scenario cannot be run with its time step %.10g",
-                                    table->file.file, table->dt));
+    Status why = {STATUS_DONE, ""};
+    sound = sound && (diagnose_hold_step(&search->right, table->dt, &why) ||
+                      status_refuse(status, "%s: the scenario cannot be run with its time step %.10g%s%s",
+                                    table->file.file, table->dt, *why.text ? ": " : "", why.text));
     sound = sound &&
             settings_refuse_mistake(&search->right, "a file is compared with the right code", status) &&
             judge(search);
