@@ -2,6 +2,8 @@
 /* A run beside the table of a foreign code (diagnose_internal.h): ours for each of its entries, up to the
  * first that departs or to its end. */
 #include "answers/diagnose_internal.h"
+
+#include "base/assertion.h"
 #include "scenario/settings.h"
 #include "scenario/concern_output.h"
 
@@ -18,6 +20,8 @@
 
 double diagnose_theirs(const DiagnoseTable *table, const DiagnoseColumn *column, size_t row)
 {
+    ASSERT_INDEX(column->theirs, table->file.n_columns);
+    ASSERT_INDEX(table->rows[row], table->file.count);
     return table->file.columns[column->theirs].values[table->rows[row]] * column->factor;
 }
 
@@ -30,6 +34,8 @@ static double diagnose_round_off(const DiagnoseTable *table, long step)
 double diagnose_bound(const DiagnoseTable *table, const DiagnoseColumn *column, double theirs, double size,
                       long step)
 {
+    ASSERT_INDEX(column->theirs, table->file.n_columns);
+    ASSERT(column->factor != 0);
     const OverlayColumn *written = &table->file.columns[column->theirs];
     const double number = fabs(theirs / column->factor);
     double unit = math_pow(10, -fmin(written->places, 300)); /* of the last digit */
@@ -268,6 +274,7 @@ bool diagnose_walk(Walk *walk, const Settings *settings, int threads, Patience p
 
 bool diagnose_hold_step(Settings *settings, double dt, Status *status)
 {
+    ASSERT_REAL(dt, >, 0);
     double now;
     if (settings->problem->concerns & CONCERN_STEP && settings->method == METHOD_PD) {
         settings_edit_time(settings)->step = dt;

@@ -2,6 +2,7 @@
 /* Data and parameters of a fit (fit_data.h). */
 #include "answers/fit_data.h"
 
+#include "base/assertion.h"
 #include "base/text.h"
 #include "scenario/parameters.h"
 
@@ -11,6 +12,8 @@
 
 bool fit_data_take(FitData *data, const Overlay *table, int y, Status *status)
 {
+    ASSERT_INDEX(table->x, table->n_columns);
+    ASSERT_INDEX(y, table->n_columns);
     const double *times = table->columns[table->x].values, *values = table->columns[y].values;
     *data = (FitData){.times = malloc((table->count + 1) * sizeof(double)),
                       .values = malloc((table->count + 1) * sizeof(double))};

@@ -3,6 +3,7 @@
  * questions on to the solver; the sums are in problems/bar_invariant.c. With USF E* = sum m v^n
  * v^{n+1}/2 + strain(stress^{n+1}). */
 #include "answers/invariant.h"
+#include "base/assertion.h"
 #include "scenario/settings.h"
 #include "answers/known.h"
 
@@ -17,6 +18,7 @@ bool invariant_exists(const Settings *settings)
 
 double invariant_now(Simulation *sim, const Settings *settings)
 {
+    ASSERT_INT(sim->stage, ==, 0);
     const Solver *solver = problem_solver(settings->problem, settings->method);
     return solver && solver->invariant ? solver->invariant(sim, settings) : NAN;
 }

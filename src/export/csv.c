@@ -2,6 +2,8 @@
 /* Header and rows of a table (csv.h); the number format is that of base/text.h, with whole numbers written
  * directly, since they are most of a table. */
 #include "export/csv.h"
+
+#include "base/assertion.h"
 #include "base/text.h"
 
 #include <math.h>
@@ -15,6 +17,7 @@ static char separator(Dialect dialect)
 
 void csv_header(FILE *stream, Dialect dialect, const char *const *names, int count)
 {
+    ASSERT_INT(count, >=, 1);
     for (int i = 0; i < count; i++)
         fprintf(stream, "%s%c", names[i], i + 1 < count ? separator(dialect) : '\n');
 }

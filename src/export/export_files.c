@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The files of an export: tables, frames for ParaView, the scenarios that stand beside. */
 #include "base/text.h"
+
+#include "base/assertion.h"
 #include "scenario/concern_output.h"
 #include "scenario/settings.h"
 #include "export/csv.h"
@@ -291,6 +293,7 @@ static bool write_tables(Export *export, long step, int stage, Status *status)
 
 bool export_write_stage(Export *export, long step, int stage, Status *status)
 {
+    ASSERT_INT(step, >=, 0);
     const int only = export->outputs->stage;
     return (only > 0 && stage != only) || write_tables(export, step, stage, status);
 }

@@ -2,6 +2,7 @@
 /* The variants of a lesson: a student's values, set by its pages and told in its texts (lesson.h). */
 #include "lessons/lesson.h"
 
+#include "base/assertion.h"
 #include "base/text.h"
 #include "scenario/parameters.h"
 
@@ -20,6 +21,7 @@ static size_t braced_key(const char *text, char key[KEY_MAX])
 
 const LessonVariant *lesson_variant(const Lesson *lesson, const char *key, int page)
 {
+    ASSERT_INT(page, >=, 0);
     for (int i = lesson->n_variants - 1; i >= 0; i--)
         if (lesson->variants[i].page <= page && strcmp(lesson->variants[i].variant.key, key) == 0)
             return &lesson->variants[i];

@@ -17,6 +17,7 @@ int axial_particles_in_layer(double layer, double spacing, int particles)
 
 bool axial_check_layer(double layer, double spacing, double length, Status *status)
 {
+    ASSERT_REAL(spacing, >, 0);
     if (!(layer >= 0 && layer <= length))
         return status_refuse(status, "load.traction_layer: %g is out of range (0 to the length %g)", layer,
                              length);
@@ -28,6 +29,8 @@ bool axial_check_layer(double layer, double spacing, double length, Status *stat
 
 void axial_set_motion(Simulation *sim, unsigned has, double spacing)
 {
+    ASSERT_INT(sim->counts[0], >=, 1);
+    ASSERT_REAL(spacing, >, 0);
     sim->has = HAS_LINE | has;
     simulation_lay(sim, sim->counts[0], 1, spacing, 1, &(MotionFields){AXIAL_X0, AXIAL_U, AXIAL_V});
 }

@@ -231,6 +231,7 @@ void calculation_change(Calculation *calculation, const char *label, double was,
 
 double calculation_before(const void *state, const double *now, const void *before)
 {
+    ASSERT(before);
     double value;
     memcpy(&value, (const char *)before + ((const char *)now - (const char *)state), sizeof value);
     return value;

@@ -21,6 +21,7 @@ void forces_add_all(ForceTerms *forces, const ForceTerm *terms)
 
 double forces_on(const ForceTerms *forces, const Simulation *sim, size_t particle, int axis)
 {
+    ASSERT_INDEX(axis, sim->dimensions);
     ASSERT_INDEX(particle, sim->counts[0]);
     double force = 0;
     for (int i = 0; i < forces->count; i++)

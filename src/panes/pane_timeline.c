@@ -2,6 +2,8 @@
 /* The timeline: from 0 to the end of the run, what of it has been computed, where we are, and what happened
  * when. */
 #include "panes/panes.h"
+
+#include "base/assertion.h"
 #include "run/playback.h"
 #include "panes/screen_places.h"
 
@@ -59,6 +61,7 @@ static int cell_of(const Screen *screen, const Line *line, long step)
 
 long screen_bookmark_step(const Screen *screen, int index)
 {
+    ASSERT_INT(index, >=, 0);
     const double dt = experiment_simulation(screen->experiment)->dt;
     const long step = lround(screen->bookmarks->places[index].time / dt),
                last = experiment_last_step(screen->experiment);

@@ -57,6 +57,7 @@ static void part_wide(Canvas *canvas, int x, int y)
 
 void canvas_put(Canvas *canvas, int x, int y, uint32_t glyph, Style style)
 {
+    ASSERT(canvas->cells);
     Cell *cell = cell_at(canvas, x, y);
     if (!cell)
         return;

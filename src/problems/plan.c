@@ -19,6 +19,7 @@ void derived_add(Derived out[DERIVED_MAX], int *count, const char *name, const c
 void derived_add_answer(Derived out[DERIVED_MAX], int *count, Reference reference, const char *name,
                         const char *label, const char *unit, double value)
 {
+    ASSERT_INT(reference, >=, 0);
     const int before = *count;
     derived_add(out, count, name, label, unit, value, false);
     if (*count > before) {
@@ -70,6 +71,7 @@ void plan_filter(References *refs, const Quantity *quantity, const char *of, Ans
 
 void *plan_own(References *refs, size_t size, void (*release)(void *own), Status *status)
 {
+    ASSERT(!refs->own);
     refs->own = calloc(1, size);
     refs->release = release;
     if (!refs->own)
@@ -79,6 +81,7 @@ void *plan_own(References *refs, size_t size, void (*release)(void *own), Status
 
 bool plan_window(References *refs, const Simulation *sim, const char *series, long rows)
 {
+    ASSERT_INT(rows, >=, 1);
     Window *window = &refs->window;
     window->of = simulation_find_series(sim, series);
     window->size = rows;

@@ -12,6 +12,7 @@
 
 bool problem_check_steps(double end, double dt, Status *status)
 {
+    ASSERT_REAL(dt, >, 0);
     char most[NUMBER_TEXT_MAX];
     if (end / dt <= STEPS_MOST)
         return true;

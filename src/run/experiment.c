@@ -193,6 +193,7 @@ const CrackFronts *experiment_fronts(const Experiment *experiment)
 
 const Spectrum *experiment_spectrum(const Experiment *experiment, int column, SpectrumSpan span)
 {
+    ASSERT_INDEX(column, experiment->n_columns);
     Spectrum *spectrum = &experiment->worked->spectra[span];
     return spectrum_of(&experiment->record, column, span, spectrum) ? spectrum : NULL;
 }

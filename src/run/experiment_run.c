@@ -117,6 +117,7 @@ static bool begin(Experiment *experiment, size_t history, Status *status)
 bool experiment_open(Experiment *experiment, const Settings *settings, size_t history, int threads,
                      Status *status)
 {
+    ASSERT_INT(threads, >=, 1);
     experiment->base = *settings;
     if (!goes_on(settings, status) ||
         !changes_advice(settings, experiment->advice, sizeof experiment->advice, status))
@@ -255,6 +256,7 @@ bool experiment_do_stage(Experiment *experiment, Status *status)
 
 bool experiment_do_slice(Experiment *experiment, size_t items, bool *whole, Status *status)
 {
+    ASSERT_INT(items, >=, 1);
     const Simulation *sim = experiment->run.sim;
     const bool begun = sim->stage != 0 || sim->item != 0;
     *whole = !begun && sim->step >= experiment->run.last;
@@ -449,6 +451,7 @@ bool experiment_change(Experiment *experiment, long step, const char *key, const
 
 void experiment_set_end(Experiment *experiment, double end)
 {
+    ASSERT_REAL(end, >=, 0);
     Simulation *sim = experiment->run.sim;
     const double before = settings_time(&experiment->base)->end;
     settings_edit_time(&experiment->base)->end = settings_edit_time(&experiment->now)->end = end;

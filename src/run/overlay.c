@@ -3,6 +3,8 @@
  * from the first lines. Then columns by name or number, rows sorted by x. Bounds on lines, cells and
  * memory: files come from anywhere. */
 #include "run/overlay.h"
+
+#include "base/assertion.h"
 #include "base/input.h"
 #include "base/text.h"
 #include "base/visible.h"
@@ -472,6 +474,7 @@ int overlay_column_for(const Overlay *overlay, const char *curve, bool along)
 
 size_t overlay_find(const Overlay *overlay, double x)
 {
+    ASSERT_INDEX(overlay->x, overlay->n_columns);
     const double *values = overlay->count ? overlay->columns[overlay->x].values : NULL;
     size_t low = 0, high = overlay->count;
     while (low < high) {

@@ -137,6 +137,7 @@ double record_known(const Record *record, size_t i, int column)
 
 const double *record_of_step(const Record *record, long step)
 {
+    ASSERT_INT(record->spacing, >=, 1);
     if (record->count == 0 || step < 0)
         return NULL;
     size_t i = (size_t)(step / record->spacing);
@@ -148,6 +149,7 @@ const double *record_of_step(const Record *record, long step)
 
 size_t record_find(const Record *record, double t)
 {
+    ASSERT_INT(record->n_columns, >=, 2);
     size_t low = 0,
            high = record->count; /* rows before `low` are not later than t, from `high` on they are */
     while (low < high) {

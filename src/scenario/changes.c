@@ -77,6 +77,7 @@ bool changes_same(const Settings *a, const Settings *b)
 
 bool changes_add(Settings *settings, long step, const char *key, const char *value, Status *status)
 {
+    ASSERT_INT(step, >=, 0);
     int n = settings->n_changes;
     while (n > 0 && settings->changes[n - 1].step > step)
         n--;
@@ -99,6 +100,7 @@ bool changes_add(Settings *settings, long step, const char *key, const char *val
 
 void changes_move(Change *changes, int count, double from_dt, double to_dt)
 {
+    ASSERT(count == 0 || to_dt > 0);
     for (int i = 0; i < count; i++)
         changes[i].step = lround((double)changes[i].step * from_dt / to_dt);
 }

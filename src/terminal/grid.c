@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "terminal/grid.h"
 
+#include "base/assertion.h"
 #include "terminal/fallback.h"
 
 #include "terminal/theme.h"
@@ -149,6 +150,7 @@ const char *grid_bytes(const Grid *grid, size_t *left)
 
 void grid_sent(Grid *grid, size_t count)
 {
+    ASSERT_INT(count, <=, grid->length - grid->first);
     grid->first += count;
     if (grid->first == grid->length)
         grid->first = grid->length = 0;
@@ -301,6 +303,8 @@ void grid_leave(Grid *grid)
 
 void grid_resize(Grid *grid, int width, int height)
 {
+    ASSERT_INT(width, >=, 1);
+    ASSERT_INT(height, >=, 1);
     resize_term(height, width);
     grid_redraw(grid);
 }

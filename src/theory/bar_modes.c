@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "theory/bar_modes.h"
 
+#include "base/assertion.h"
 #include "base/math/functions.h"
 
 #include <math.h>
@@ -66,6 +67,8 @@ static double crest(double from, double to)
 
 BarMode bar_modes_of_two(const BarTheory *bar, double growth)
 {
+    ASSERT_REAL(bar->joint, >, 0);
+    ASSERT_REAL(bar->joint, <, bar->length);
     const Way way = way_of(bar);
     BarMode mode = {.joint = bar->joint};
     mode.frequency = find_frequency(&way, growth);

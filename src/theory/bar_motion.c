@@ -18,6 +18,7 @@ struct BarMotion {
 /* y^n = exp(i Omega n dt) gives 2 - 2 cos(Omega dt) = (omega dt)^2. */
 double bar_motion_frequency(double omega, double dt)
 {
+    ASSERT_REAL(dt, >, 0);
     double half = omega * dt / 2;
     return half <= 1 ? 2 * math_asin(half) / dt : NAN;
 }
@@ -54,6 +55,8 @@ void bar_motion_set(BarMotion *motion, int k, double share, double frequency)
 
 bool bar_motion_resolve(BarMotion *motion, gsl_matrix *s, const double *start, const double *weights)
 {
+    ASSERT_INT(s->size1, ==, motion->count);
+    ASSERT_INT(s->size2, ==, motion->count);
     static const double rounding = 1e-13; /* of the largest omega^2: such a mode does not move */
     const size_t n = (size_t)motion->count;
     quiet_begin();
@@ -84,6 +87,7 @@ bool bar_motion_resolve(BarMotion *motion, gsl_matrix *s, const double *start, c
 
 double bar_motion_centre_velocity(const BarMotion *motion, long step)
 {
+    ASSERT_INT(step, >=, 0);
     double sum = 0;
     for (int k = 0; k < motion->count; k++)
         sum += motion->frequency[k] == 0

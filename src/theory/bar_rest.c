@@ -209,6 +209,8 @@ void bar_rest_free(BarRest *rest)
 
 bool bar_rest_solve_mass(const BarRest *rest, double share, double *x)
 {
+    ASSERT_REAL(share, >=, 0);
+    ASSERT_REAL(share, <=, 1);
     const size_t n = (size_t)rest->nodes, width = (size_t)rest->reach;
     if (share == 0) {
         for (size_t i = 0; i < n; i++)
@@ -232,6 +234,7 @@ bool bar_rest_solve_mass(const BarRest *rest, double share, double *x)
 /* v_i = sum m N_i phi(x_p) / m_i: what mapping and eq. 4 of paper M make of a mode phi of unit velocity. */
 void bar_rest_sample(const BarRest *rest, const BarTheory *bar, BarShape *shape, int number, double *velocity)
 {
+    ASSERT_INT(rest->per_cell, >=, 1);
     const double part = 1.0 / rest->per_cell, cell_size = bar->length / rest->cells;
     memset(velocity, 0, (size_t)rest->nodes * sizeof *velocity);
     for (int cell = 0; cell < rest->cells; cell++)

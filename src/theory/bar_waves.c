@@ -22,6 +22,7 @@
  * met once, though 2^n ways lead through n of them. */
 #include "theory/bar_waves.h"
 
+#include "base/assertion.h"
 #include "base/math/functions.h"
 
 #include <math.h>
@@ -78,6 +79,7 @@ static bool is_within_reach(const Waves *waves, double t)
 
 bool bar_waves_known(const BarTheory *bar, double end)
 {
+    ASSERT_REAL(end, >=, 0);
     const Waves waves = waves_of(bar);
     if (bar_is_layered(bar) && (bar->body_force != 0 || bar->traction != 0))
         return false;
@@ -370,6 +372,7 @@ static double impulse_at(const Waves *waves, int part, double x, double t)
 
 double bar_waves_centre_velocity(const BarTheory *bar, double t)
 {
+    ASSERT_REAL(t, >=, 0);
     const double rest = !has_rest(bar) ? 0 : bar_centre_velocity(bar, t);
     if (!are_there(bar))
         return rest;

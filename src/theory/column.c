@@ -5,12 +5,14 @@
  *     mean of x over the bar   = (e^{kL} - (e^{kL} - 1)/(kL))/k */
 #include "theory/column.h"
 
+#include "base/assertion.h"
 #include "base/math/functions.h"
 
 #include <math.h>
 
 static double rate(const HangingColumn *column)
 {
+    ASSERT_REAL(column->youngs_modulus, >, 0);
     return column->density * column->body_force / column->youngs_modulus;
 }
 

@@ -75,6 +75,7 @@ static BarMode mode_of_two(const BarTheory *bar, int number)
 
 double bar_largest_wave_number(const BarTheory *bar, int number)
 {
+    ASSERT_INT(number, >=, 0);
     return bar_is_layered(bar) ? bar_frequency(bar, number) / fmin(bar_wave_speed(bar), speed_beyond(bar))
                                : bar_wave_number(bar, number);
 }
@@ -114,6 +115,7 @@ double bar_mode_shape(const BarTheory *bar, int number, double x)
 
 double bar_start_shape(const BarTheory *bar, int number, double x)
 {
+    ASSERT_INT(number, >=, 0);
     return bar->of_sines ? sine_shape(bar, number, x) : bar_mode_shape(bar, number, x);
 }
 
@@ -168,6 +170,7 @@ double bar_initial_slope(const BarTheory *bar, double x)
 
 double bar_share_of_sine(const BarTheory *bar, int start, int number)
 {
+    ASSERT_INT(start, >=, 0);
     if (!is_of_two(bar, number))
         return start == number ? 1 : 0;
     const BarMode mode = mode_of_two(bar, number);

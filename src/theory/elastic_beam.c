@@ -130,6 +130,7 @@ double beam_cantilever_frequency(const BeamTheory *beam, double length)
 
 double beam_damped_period(double period, double damping)
 {
+    ASSERT_REAL(damping, >=, 0);
     const double omega = 2 * M_PI / period, square = omega * omega - damping * damping / 4;
     return damping == 0 ? period : square > 0 ? 2 * M_PI / sqrt(square) : NAN;
 }

@@ -13,6 +13,7 @@
  */
 #include "theory/oscillator.h"
 
+#include "base/assertion.h"
 #include "base/math/functions.h"
 
 #include <math.h>
@@ -77,6 +78,8 @@ static void advance(const Oscillator *oscillator, double time, double *w, double
 
 bool oscillator_make(Oscillator *oscillator, double cell, double speed, double velocity)
 {
+    ASSERT_REAL(cell, >, 0);
+    ASSERT_REAL(speed, >, 0);
     oscillator->cell = cell;
     oscillator->speed = speed;
     oscillator->velocity = velocity;
@@ -96,6 +99,8 @@ bool oscillator_make(Oscillator *oscillator, double cell, double speed, double v
 
 void oscillator_at(const Oscillator *oscillator, double time, double *strain, double *velocity)
 {
+    ASSERT_REAL(time, >=, 0);
+    ASSERT_REAL(oscillator->period, >, 0);
     const double part = oscillator->period / OSCILLATOR_TABLE, rest = fmod(time, oscillator->period);
     int i = (int)(rest / part);
     i = i < OSCILLATOR_TABLE ? i : OSCILLATOR_TABLE - 1;

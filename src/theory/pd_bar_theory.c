@@ -5,6 +5,7 @@
  * are needed for v_cm(t). */
 #include "theory/pd_bar_theory.h"
 
+#include "base/assertion.h"
 #include "base/linear/band.h"
 #include "base/math/functions.h"
 #include "theory/quiet.h"
@@ -52,6 +53,7 @@ static double strength(const PdBarTheory *lattice, int m)
  * not decay. */
 Dispersion pd_bar_dispersion(const BarTheory *bar, const PdBarTheory *lattice, double wave_number)
 {
+    ASSERT_REAL(lattice->spacing, >, 0);
     Dispersion wave = {.space_only = NAN, .frequency = NAN, .decay = 0, .filter = 1};
     double theta = fabs(wave_number) * lattice->spacing, ratio = lattice->horizon / lattice->spacing;
     double sum = 0, moment = 0;

@@ -16,6 +16,7 @@
  * Source: S. A. Silling (2000), section 6, with the micromoduli of two dimensions. */
 #include "theory/pd_waves.h"
 
+#include "base/assertion.h"
 #include "base/math/functions.h"
 #include "theory/quiet.h"
 
@@ -39,6 +40,7 @@ static double cin(double z)
 
 double pd_waves_line(Influence shape, double z)
 {
+    ASSERT_REAL(z, >=, 0);
     if (z < 1e-3) /* to the next power: 1e-14 */
         return 1 - z * z / (shape == INFLUENCE_CONICAL ? 40 : 24);
     if (shape == INFLUENCE_CONSTANT)
@@ -102,6 +104,7 @@ double pd_volumes_reach(VolumeCorrection volumes, double m)
 
 double pd_volumes_factor(VolumeCorrection volumes, double m, double length)
 {
+    ASSERT_REAL(m, >, 0);
     return volumes == VOLUME_NONE ? 1 : fmin(1, m + 0.5 - length);
 }
 
@@ -118,6 +121,7 @@ static double stiffness(const PdWaveLattice *lattice, int p, int q)
 
 double pd_waves_lattice(const PdWaveLattice *lattice, bool transverse, double angle, double z)
 {
+    ASSERT_REAL(lattice->ratio, >, 0);
     const int reach = (int)pd_volumes_reach(lattice->volumes, lattice->ratio);
     const double x = math_cos(angle), y = math_sin(angle), step = z / lattice->ratio; /* k dx */
     const double longest = transverse ? 3.0 / 8 : 9.0 / 8;

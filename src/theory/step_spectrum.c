@@ -20,6 +20,8 @@
  * but a part of the sampled mode, all of them are looked at if the bar is short. lambda - 1 is what is looked
  * for because small steps have lambda near 1. */
 #include "theory/step_spectrum.h"
+
+#include "base/assertion.h"
 #include "base/math/functions.h"
 #include "theory/bar_modes.h"
 #include "theory/bar_rest.h"
@@ -581,6 +583,8 @@ static Dispersion endless_wave(const BarTheory *bar, const BarMesh *mesh, int nu
 
 StepMode step_mode(const BarTheory *bar, const BarMesh *mesh, int number)
 {
+    ASSERT_INT(number, >=, 0);
+    ASSERT_REAL(mesh->cell_size, >, 0);
     const Dispersion wave = endless_wave(bar, mesh, number);
     StepMode mode = {.known = wave.known, .frequency = wave.frequency, .decay = wave.decay, .overlap = 1};
     const double cells = round(bar->length / mesh->cell_size);

@@ -13,6 +13,8 @@
  *
  * Three unknowns either way, by least squares over the whole record: what has died counts for nothing. */
 #include "theory/swing.h"
+
+#include "base/assertion.h"
 #include "theory/quiet.h"
 #include "base/math/functions.h"
 
@@ -55,6 +57,8 @@ static bool least_squares(const double *values, size_t stride, size_t count, siz
 bool swing_fit(const double *values, size_t stride, size_t count, double dt, double frequency, bool squared,
                Swing *out)
 {
+    ASSERT_INT(stride, >=, 1);
+    ASSERT_REAL(dt, >, 0);
     const double turn = 2 * M_PI / (squared ? 2 * frequency : frequency), span = turn / dt;
     if (!(span >= 4 && span < (double)count))
         return false;
@@ -73,5 +77,6 @@ bool swing_fit(const double *values, size_t stride, size_t count, double dt, dou
 
 double swing_kept(double decay, double frequency)
 {
+    ASSERT_REAL(frequency, >, 0);
     return math_exp(-2 * decay * 2 * M_PI / frequency);
 }

@@ -4,6 +4,8 @@
  * sin(Omega dt/2) = omega dt/2. Only modes that are even about the middle show in the probe, the mean of the
  * rows beside it. */
 #include "theory/elastic_beam.h"
+
+#include "base/assertion.h"
 #include "theory/quiet.h"
 #include "base/math/functions.h"
 
@@ -40,6 +42,8 @@ static int take_modes(const gsl_vector *squares, const gsl_matrix *modes, double
 int thickness_modes(const double *stiffness, int rows, double density, double dt, double *frequencies,
                     int most)
 {
+    ASSERT(stiffness && frequencies);
+    ASSERT_INT(most, >=, 0);
     if (rows < 3 || !(density > 0) || !(dt > 0))
         return 0;
     const size_t n = (size_t)rows;

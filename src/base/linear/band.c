@@ -8,6 +8,8 @@
  * rows of L are kept. Used for the critical step and the predicted frequencies of the bar by peridynamics. */
 #include "base/linear/band.h"
 
+#include "base/assertion.h"
+
 #include <errno.h>
 #include <float.h>
 #include <math.h>
@@ -77,6 +79,8 @@ static size_t count_below(const Band *band, double x, double least, Search *sear
 /* Bisection between the bounds; ends at a quarter of their rounding, or where no double lies between. */
 double band_eigenvalue(const Band *band, size_t number, const Patience *patience)
 {
+    ASSERT_INDEX(number, band->size);
+    ASSERT_INT(band->width, <=, BAND_WIDTH_MAX);
     enum { HALVINGS = 56 }; /* of 2 to eps/4, about */
     double high = reach_of(band), low = -high;
     const double rounding = DBL_EPSILON * high;

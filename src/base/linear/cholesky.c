@@ -3,6 +3,8 @@
  * for the lowest modes of the beams' lattice (pd_plane/beam_modes.c). */
 #include "base/linear/cholesky.h"
 
+#include "base/assertion.h"
+
 #include <math.h>
 
 /* A question every ten milliseconds or so: a product of the solution waits for memory, where the factor has
@@ -56,6 +58,7 @@ CholeskyEnd cholesky_factor(CholeskyBand *band, const Patience *patience)
 /* L y = x forwards, L^T x = y backwards. */
 bool cholesky_solve(const CholeskyBand *band, double *x, const Patience *patience)
 {
+    ASSERT(band->rows);
     const size_t width = band->width, stride = width + 1, rows_a_question = PRODUCTS_OF_SOLUTION / stride + 1;
     for (size_t i = 0; i < band->size; i++) {
         if (i % rows_a_question == 0 && !patience_lasts(patience, 1))

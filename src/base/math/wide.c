@@ -2,6 +2,8 @@
 /* Numbers of 192 bits (wide.h): school arithmetic in base 2^32. */
 #include "base/math/wide.h"
 
+#include "base/assertion.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -33,6 +35,7 @@ Wide wide_of_digits(bool negative, int exponent, const uint32_t *digits, int cou
 
 Wide wide_of(double number)
 {
+    ASSERT(isfinite(number));
     int exponent;
     const uint64_t bits = (uint64_t)ldexp(fabs(frexp(number, &exponent)), 64 - 11) << 11;
     return wide_of_digits(number < 0, exponent, (uint32_t[]){(uint32_t)(bits >> 32), (uint32_t)bits}, 2);

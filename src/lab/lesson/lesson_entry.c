@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The state in which a page of a lesson is entered, and its goal. */
 #include "lab/lesson/lesson_entry.h"
+
+#include "base/assertion.h"
 #include "lab/laboratory.h"
 #include "scenario/settings.h"
 
@@ -462,6 +464,7 @@ void lesson_entry_select(Laboratory *lab, const char *key)
 
 void lesson_entry_show(Laboratory *lab, int page)
 {
+    ASSERT_INT(page, >=, 0);
     Screen *screen = &lab->screen;
     LessonShown *shown = &lab->play.shown;
     LessonPlay *play = &lab->play;

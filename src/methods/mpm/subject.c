@@ -10,13 +10,16 @@ Subject subject_of(const Simulation *sim, int set, size_t index, const void *bef
     Subject subject = {
         .sim = sim, .before = before, .set = set, .index = (int)index, .calculation = calculation};
     subject.n_links = sim->method->links(sim, set, index, subject.links, SUBJECT_LINKS_MAX);
+    ASSERT_INT(subject.n_links, <=, SUBJECT_LINKS_MAX);
     return subject;
 }
 
 double subject_term(const Subject *subject, int exchange, size_t from, size_t to, int *count,
                     double factors[EXCHANGE_FACTORS_MAX])
 {
+    ASSERT_INDEX(exchange, subject->sim->n_exchanges);
     *count = subject->sim->method->exchange(subject->sim, exchange, from, to, factors);
+    ASSERT_INT(*count, <=, EXCHANGE_FACTORS_MAX);
     double value = *count > 0 ? 1 : 0;
     for (int k = 0; k < *count; k++)
         value *= factors[k];
@@ -25,6 +28,7 @@ double subject_term(const Subject *subject, int exchange, size_t from, size_t to
 
 void subject_write_given(const Subject *subject, int exchange, const char *label, double whole)
 {
+    ASSERT_INT(subject->index, >=, 0);
     CalculationSum sum = {.label = label, .result = whole};
     double factors[EXCHANGE_FACTORS_MAX];
     for (size_t i = 0; i < subject->n_links; i++) {

@@ -2,6 +2,8 @@
 /* The colours of a figure: told apart by all kinds of colour vision. */
 #include "picture/paper/ink.h"
 
+#include "base/assertion.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -74,6 +76,7 @@ Colour ink_fill(Style style, int fill)
 /* Brightness falls evenly from white; the signed one goes to blue below and to red above zero. */
 Colour ink_heat(double share, bool is_signed)
 {
+    ASSERT(!isnan(share));
     static const Colour one_way[] = {0xf7f5e9, 0xfbd27c, 0xf08f3c, 0xc8433b, 0x7a1f55, 0x24083b};
     static const Colour two_ways[] = {0x053061, 0x2f79b5, 0x9bc9e0, 0xf7f7f7, 0xf6b799, 0xca4842, 0x67001f};
     const Colour *ramp = is_signed ? two_ways : one_way;

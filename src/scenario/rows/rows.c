@@ -90,6 +90,7 @@ bool settings_row_set(Settings *settings, int index, const char *name, const cha
 
 bool row_missing(const Settings *settings, int index, const char *name, Status *status)
 {
+    ASSERT_INDEX(index, ROW_KINDS);
     const RowKind *kind = &row_kinds[index];
     char there[160] = "", about[KEY_MAX];
     key_of(kind, name, about);

@@ -103,6 +103,8 @@ static void follow(Settings *settings, const RowPlace *place, double factor)
 
 void settings_row_place_put(Settings *settings, const RowPlace *place, double value)
 {
+    ASSERT_INDEX(place->kind, ROW_KINDS);
+    ASSERT_INDEX(place->row, settings->rows[place->kind].count);
     const double before = settings_row_value(settings, place->kind, place->row, place->value - 1);
     put(settings, place->kind, place->row, place->value - 1, value);
     follow(settings, place, value / before);

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The rows of settings as a whole: do they lie on the plate, and how do they differ from others? */
 #include "scenario/rows/row_text.h"
+
+#include "base/assertion.h"
 #include "scenario/settings.h"
 
 #include <stdio.h>
@@ -63,6 +65,7 @@ static const Row *row_of(const Settings *settings, int kind, const char *name)
 bool settings_rows_difference(const Settings *a, const Settings *b, int which, char about[64],
                               char in_a[ROW_TEXT_MAX], char in_b[ROW_TEXT_MAX])
 {
+    ASSERT_INT(which, >=, 0);
     for (int kind = 0; kind < ROW_KINDS; kind++) {
         const RowKind *what = &row_kinds[kind];
         /* those of `a`, then those that `b` alone has */

@@ -71,6 +71,7 @@ static bool row_centre(const Beam *beam, int j, double *centre)
 
 size_t crack_path(const Simulation *sim, double *x, double *y, size_t max)
 {
+    ASSERT(max == 0 || (x && y));
     const Beam *beam = notched(sim);
     size_t n = 0;
     for (int j = 0; beam && j < beam->lattice.ny && n < max; j++) {
@@ -210,6 +211,7 @@ bool crack_measure(const Simulation *sim, Crack *crack)
  * NAN with fewer than two rows. */
 double crack_angle(const Simulation *sim, double height)
 {
+    ASSERT_REAL(height, >, 0);
     const Beam *beam = notched(sim);
     if (!beam)
         return NAN;

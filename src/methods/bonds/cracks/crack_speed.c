@@ -7,17 +7,21 @@
  * whose root between 0 and 1 is 2 - 2/sqrt(3). */
 #include "methods/bonds/cracks/crack_speed.h"
 
+#include "base/assertion.h"
 #include "base/math/functions.h"
 
 #include <math.h>
 
 double crack_speed_rayleigh(double youngs_modulus, double density)
 {
+    ASSERT_REAL(youngs_modulus, >, 0);
+    ASSERT_REAL(density, >, 0);
     return sqrt(2 - 2 / sqrt(3)) * sqrt(3 * youngs_modulus / (8 * density));
 }
 
 double crack_speed_window(double horizon, double youngs_modulus, double density)
 {
+    ASSERT_REAL(horizon, >, 0);
     return 4 * horizon / crack_speed_rayleigh(youngs_modulus, density);
 }
 
@@ -31,6 +35,7 @@ double crack_speed(const double *x, const double *y, size_t n, double dt)
     const double count = (double)n;
     if (n < 2)
         return 0;
+    ASSERT_REAL(dt, >, 0);
     for (size_t k = 0; k < n; k++) {
         const double from_middle = (double)k - (count - 1) / 2;
         sum_x += from_middle * x[k];

@@ -55,6 +55,8 @@ static bool front_has_line(const Beam *beam, const CrackFront *front, int line)
 
 int front_groups(const Growth *growth, int front, int line, Group groups[FRONT_GROUPS_MAX])
 {
+    ASSERT_INDEX(front, growth->fronts->count);
+    ASSERT_INDEX(line, growth->lines);
     const Beam *beam = growth->beam;
     const int axis = growth->fronts->fronts[front].axis;
     const int across = front_lines(beam, 1 - axis);
@@ -101,6 +103,7 @@ static bool touch(const Group *a, const Group *b)
  * itself or nothing has come farther. */
 void front_find_tips(const Growth *growth, int f)
 {
+    ASSERT_INDEX(f, growth->fronts->count);
     const Beam *beam = growth->beam;
     CrackFront *front = &growth->fronts->fronts[f];
     Group before[FRONT_GROUPS_MAX], now[FRONT_GROUPS_MAX];
@@ -163,6 +166,7 @@ static double line_centre(const Growth *growth, int f, int line)
 
 bool front_find_lines(const Growth *growth, int f)
 {
+    ASSERT_INDEX(f, growth->fronts->count);
     const Beam *beam = growth->beam;
     CrackFront *front = &growth->fronts->fronts[f];
     front->away = malloc(2 * ((size_t)growth->lines + 1) * sizeof *front->away);
@@ -181,6 +185,8 @@ bool front_find_lines(const Growth *growth, int f)
 
 double crack_fronts_angle(const CrackFront *front, double reach)
 {
+    ASSERT_INDEX(front->axis, 2);
+    ASSERT_REAL(reach, >, 0);
     const double tolerance = 1e-9,
                  one =
                      front->branched ? fabs(front->branch[front->axis] - front->end[front->axis]) : INFINITY,
@@ -226,6 +232,7 @@ static double half_angle(const Growth *growth, int f, int from)
 
 void front_find_branch(const Growth *growth, int f)
 {
+    ASSERT_INDEX(f, growth->fronts->count);
     const Beam *beam = growth->beam;
     CrackFront *front = &growth->fronts->fronts[f];
     const int32_t *split = growth->split + (size_t)f * (size_t)growth->lines;
@@ -292,6 +299,7 @@ static bool add_path(const Growth *growth, int f, const double start[2], int fro
 
 bool front_find_paths(const Growth *growth, int f)
 {
+    ASSERT_INDEX(f, growth->fronts->count);
     const Beam *beam = growth->beam;
     const CrackFront *front = &growth->fronts->fronts[f];
     const int first = front_first_line(beam, front), none = -2;

@@ -86,6 +86,7 @@ static double node_damage(const Beam *beam, size_t node, long step)
 
 void beam_report(Beam *beam, EventKind kind, long step, const char *text)
 {
+    ASSERT_INT(step, >=, 0);
     Simulation *sim = &beam->sim;
     int before = sim->n_events;
     simulation_report(sim, kind, text);

@@ -32,6 +32,7 @@
  * is, so that nodes turn at every step and are hardly braked. */
 bool beam_check_damping(double damping, double dt, Status *status)
 {
+    ASSERT_REAL(dt, >, 0);
     return damping * dt <= 2 || status_refuse(status,
                                               "damping.rate: %g is too much for the time step %.4g (at most "
                                               "2/time.step = %.4g)",
@@ -160,6 +161,7 @@ static void come_to_rest(Beam *beam, long step)
 
 bool beam_asks_for_rest(const Beam *beam, long step)
 {
+    ASSERT_INT(step, >=, 0);
     return beam->def.to_rest && step % BEAM_REST_EVERY == 0;
 }
 

@@ -40,8 +40,10 @@ BondNow beam_bond(const Beam *beam, BondPlace place)
 
 BondNow bonds_seen_from(const Beam *beam, BondPlace place, size_t index)
 {
+    ASSERT_INDEX(place.offset, beam->lattice.n_offsets);
     BondNow bond = beam_bond(beam, place);
     const bool own = bond.a == index;
+    ASSERT(own || bond.b == index);
     if (bonds_mistake(beam)) {
         const Offset *offset = &beam->lattice.offsets[place.offset];
         const size_t at = lattice_at(&beam->lattice, place.i, place.j);

@@ -56,6 +56,8 @@ const char *const beam_mistake_words[] = {
 
 static const BondsMistake *row_of(int mistake)
 {
+    ASSERT_INT(mistake, >=, 0);
+    ASSERT_INT(mistake, <=, MISTAKES);
     return mistake > 0 && mistake <= MISTAKES ? &mistakes[mistake - 1] : NULL;
 }
 
@@ -141,6 +143,7 @@ static bool owner_is_left(const Offset *offset)
 
 BondsPull bonds_pull(const Beam *beam, const Offset *offset, double coefficient, double ex, double ey)
 {
+    ASSERT_REAL(offset->length, >, 0);
     const BondsMistake *mistake = bonds_mistake(beam);
     const double x = offset->x + ex, y = offset->y + ey, length = sqrt(x * x + y * y);
     const double stretch = offset_stretch(offset, ex, ey), whole = coefficient * stretch;

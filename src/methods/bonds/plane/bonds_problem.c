@@ -5,6 +5,7 @@
  * An error names the key. */
 #include "methods/bonds/plane/bonds_mistakes.h"
 
+#include "base/assertion.h"
 #include "base/math/functions.h"
 #include "methods/bonds/plane/plate/cuts.h"
 
@@ -96,6 +97,7 @@ static void set_simple_supports(Beam *beam)
  * otherwise. By bisection: X grows with the column. */
 int beam_held_columns(const Beam *beam, double time)
 {
+    ASSERT_REAL(time, >=, 0);
     if (beam->def.problem != BEAM_MOVING_CANTILEVER || beam->free_body)
         return 0;
     double limit = -1e-6 * beam->lattice.spacing;

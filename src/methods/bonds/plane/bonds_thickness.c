@@ -10,10 +10,13 @@
  * The family is that of a node in the middle of the beam, surface correction included. */
 #include "methods/bonds/plane/bonds_internal.h"
 
+#include "base/assertion.h"
+
 /* From the middle column's bonds: in N/m^4, k = c G w V/|xi| times n_y^2. Every bond of the family counts,
  * whether node j owns it or its other end does. */
 bool beam_row_stiffness(const Simulation *sim, double *matrix)
 {
+    ASSERT(matrix);
     const Beam *beam = sim->method->field == beam_field ? (const Beam *)sim : NULL;
     if (!beam)
         return false;

@@ -50,6 +50,7 @@ ForceTerms bar_forces(const Bar *bar)
 
 double bar_load_on(const Bar *bar, int particle)
 {
+    ASSERT_INDEX(particle, bar->n_particles);
     const ForceTerms forces = bar_forces(bar);
     return forces_on(&forces, &bar->sim, (size_t)particle, 0);
 }

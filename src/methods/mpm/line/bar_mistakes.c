@@ -55,6 +55,8 @@ const char *const bar_mistake_words[] = {
 
 static const BarMistake *bar_mistake_of(int mistake)
 {
+    ASSERT_INT(mistake, >=, 0);
+    ASSERT_INT(mistake, <=, MISTAKES);
     return mistake > 0 && mistake <= MISTAKES ? &mistakes[mistake - 1] : NULL;
 }
 

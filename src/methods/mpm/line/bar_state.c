@@ -63,6 +63,7 @@ double bar_node_velocity(const Bar *bar, int node)
 /* (p + dt f)/m: with it particles move (eq. 15). */
 double bar_integrated_velocity(const Bar *bar, int node)
 {
+    ASSERT_INDEX(node, bar->n_nodes);
     return bar->node_drift[node] * (bar->dx / bar->dt);
 }
 
@@ -127,6 +128,7 @@ size_t bar_lasting_bytes(const Bar *bar, const BarHead *head)
 
 bool bar_holds_momentum(const Bar *bar, BarOp stage, int node)
 {
+    ASSERT_INDEX(node, bar->n_nodes);
     const BarMistake *mistake = bar_mistake(bar);
     const BarHolds holds = mistake ? mistake->holds : HOLDS_BEFORE_STRAIN;
     return bar_node_is_fixed(bar, node) && holds != HOLDS_NEVER &&
@@ -135,5 +137,6 @@ bool bar_holds_momentum(const Bar *bar, BarOp stage, int node)
 
 bool bar_holds_force(const Bar *bar, int node)
 {
+    ASSERT_INDEX(node, bar->n_nodes);
     return bar_node_is_fixed(bar, node) && !bar_does(bar, WRONG_HELD_YIELD);
 }

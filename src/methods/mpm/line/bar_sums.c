@@ -3,10 +3,12 @@
  * are exactly 0 by their shape function are left out. */
 #include "methods/mpm/line/bar_sums.h"
 
+#include "base/assertion.h"
 #include "base/text.h"
 
 BarLabel bar_label(const char *before, int node, const char *after)
 {
+    ASSERT_INT(node, >=, 0);
     BarLabel label;
     Calculation words;
     calculation_open(&words, label.text, sizeof label.text, 0);

@@ -185,6 +185,8 @@ static bool forget(Bar *bar, int first, int end, Status *status)
 
 bool bar_do_wrongly(Bar *bar, BarOp op, int first, int end, Status *status)
 {
+    ASSERT_INT(first, >=, 0);
+    ASSERT_INT(end, <=, bar->n_cells);
     switch (op) {
     case OP_MAP:
         bar->kernels->map(bar, first, end);

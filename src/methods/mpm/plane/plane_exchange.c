@@ -83,6 +83,7 @@ static bool at_hand(const Plane *plane, PlaneExchange exchange)
 /* With USF those before the momentum was integrated, p/m - dt f/m. */
 void plane_strain_velocity(const Plane *plane, int node, double v[2])
 {
+    ASSERT_INDEX(node, plane->n_nodes);
     const bool integrated = plane->head->algorithm == MPM_USF && plane_has_done(plane, PLANE_INTEGRATE);
     v[0] = plane->node_vx[node] - (integrated ? plane->dt * plane_acceleration(plane, 0, node) : 0);
     v[1] = plane->node_vy[node] - (integrated ? plane->dt * plane_acceleration(plane, 1, node) : 0);

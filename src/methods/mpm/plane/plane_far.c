@@ -4,6 +4,8 @@
  * order of places, by the equations of kernels/plane_kernels.c. */
 #include "methods/mpm/plane/plane_state.h"
 
+#include "base/assertion.h"
+
 /* Whether the particle found no slot: the same question as to_nodes() of the kernels asks. */
 static bool is_far(const Plane *plane, const PlaneBlock *block, int at)
 {
@@ -14,6 +16,7 @@ static bool is_far(const Plane *plane, const PlaneBlock *block, int at)
 /* m, p of eqs. 2, 3 and f of eq. 10, per unit thickness. */
 static void give(const Plane *plane, PlaneOp op, int at)
 {
+    ASSERT_INDEX(plane->base[at], plane->n_nodes);
     const PlaneWeights w = plane_weights(plane, plane->sx[at], plane->sy[at]);
     const double scale = plane->volume[at] / plane->dx;
     const double xx = plane->sxx[at] * scale, yy = plane->syy[at] * scale, xy = plane->sxy[at] * scale;

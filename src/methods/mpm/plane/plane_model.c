@@ -3,6 +3,8 @@
  * = dx/P, dt, the constants of plane stress, the probe. */
 #include "methods/mpm/plane/plane_state.h"
 
+#include "base/assertion.h"
+
 #include <math.h>
 
 /* The mean of the middle two rows: over the two columns beside mid-span, or in the last column. */
@@ -57,6 +59,7 @@ void plane_derive(Plane *plane)
 /* Asked of plane_held() itself, so that there is one answer. */
 PlaneHeldColumns plane_held_columns(const Plane *plane, long step, int row)
 {
+    ASSERT_INT(step, >=, 0);
     /* a guess, and then to the very node */
     int left = (int)((0 - plane_xmin(plane, step)) / plane->dx);
     int right = plane->def.leaves_channel ? plane->gx : left + (int)(plane->def.length / plane->dx);

@@ -19,6 +19,7 @@
 /* Strain energy of a particle in plane stress, s.D^-1 s/2 times its volume, J. */
 double plane_strain_at(const Plane *plane, int at)
 {
+    ASSERT_INDEX(at, plane->n_places);
     const PlaneDef *def = &plane->def;
     const double xx = plane->sxx[at], yy = plane->syy[at], xy = plane->sxy[at];
     const double direct = xx * xx + yy * yy - 2 * def->poisson * (xx * yy);

@@ -43,6 +43,7 @@ int beam_loads(const Simulation *sim, Load out[PLATE_ROWS_MAX])
 
 void beam_load_force(const Beam *beam, const Load *load, double time, double force[2])
 {
+    ASSERT_REAL(time, >=, 0);
     const double share = load_share(load, time, beam->sim.dt), dx = beam->lattice.spacing;
     const double scale = load_scale(beam);
     force[0] = load->sx * scale * share / dx;

@@ -22,6 +22,7 @@ static void find_range(double low, double high, bool inside, double first, doubl
 
 Patch patch_of(const Lattice *lattice, double x0, double y0, double x1, double y1, bool inside)
 {
+    ASSERT_REAL(lattice->spacing, >, 0);
     Patch patch;
     find_range(fmin(x0, x1), fmax(x0, x1), inside, lattice_x(lattice, 0), lattice->spacing, lattice->nx,
                &patch.i, &patch.columns);
@@ -32,6 +33,7 @@ Patch patch_of(const Lattice *lattice, double x0, double y0, double x1, double y
 
 Patch patch_of_edge(const Lattice *lattice, PlateEdge edge, double from, double to)
 {
+    ASSERT_INDEX(edge, PLATE_RIGHT + 1);
     const bool level = edge == PLATE_TOP || edge == PLATE_BOTTOM;
     const double across = level ? lattice_y(lattice, edge == PLATE_TOP ? lattice->ny - 1 : 0)
                                 : lattice_x(lattice, edge == PLATE_RIGHT ? lattice->nx - 1 : 0);

@@ -40,6 +40,9 @@ static void functions(int degree, int knots_degree, int n_cells, int cell, doubl
 
 void shape_open_spline(int degree, int n_cells, int cell, double s, double *n, double *dn)
 {
+    ASSERT_INT(degree, >=, 1);
+    ASSERT_INT(degree, <, SHAPE_SUPPORT_MAX);
+    ASSERT_INDEX(cell, n_cells);
     functions(degree, degree, n_cells, cell, s, n);
     /* N' as above: before and after are the two terms of the difference */
     double lower[SHAPE_SUPPORT_MAX];
