@@ -19,7 +19,7 @@ void derived_add(Derived out[DERIVED_MAX], int *count, const char *name, const c
 void derived_add_answer(Derived out[DERIVED_MAX], int *count, Reference reference, const char *name,
                         const char *label, const char *unit, double value)
 {
-    ASSERT_INT(reference, >=, 0);
+    ASSERT_INDEX(reference, REFERENCES);
     const int before = *count;
     derived_add(out, count, name, label, unit, value, false);
     if (*count > before) {
