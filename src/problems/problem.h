@@ -147,6 +147,7 @@ struct Problem {
     bool end_matters;            /* another time.end is another run from the start on */
 };
 
+/* For who names one; a new one need not stand here, but in problem_list.c. */
 extern const Problem problem_bar, problem_one_particle, problem_hanging_column, problem_supported_beam,
     problem_moving_cantilever, problem_notched_beam, problem_plate;
 

@@ -1,8 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The list of problems: nothing but their names. */
+/* The list of problems: nothing but their names. To add one: its file, and its name here. */
 #include "problems/problem.h"
 
-const Problem *const problems[] = {
-    &problem_bar,   &problem_supported_beam, &problem_moving_cantilever, &problem_notched_beam,
-    &problem_plate, &problem_one_particle,   &problem_hanging_column,    NULL,
-};
+#define PROBLEMS(PROBLEM)                                                                                    \
+    PROBLEM(bar)                                                                                             \
+    PROBLEM(supported_beam)                                                                                  \
+    PROBLEM(moving_cantilever)                                                                               \
+    PROBLEM(notched_beam)                                                                                    \
+    PROBLEM(plate)                                                                                           \
+    PROBLEM(one_particle)                                                                                    \
+    PROBLEM(hanging_column)
+
+#define DECLARED(name) extern const Problem problem_##name;
+PROBLEMS(DECLARED)
+
+#define LISTED(name) &problem_##name,
+const Problem *const problems[] = {PROBLEMS(LISTED) NULL};

@@ -1,13 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The names of the views for their list, and of the pictures that some of them have in a file of their own.
- */
+/* Views that others name (all: view_list.c), and pictures that some of them have in a file of their own. */
 #ifndef VIEWS_VIEWS_H
 #define VIEWS_VIEWS_H
 
 #include "views/view.h"
 
-extern const View view_profile, view_probe, view_energies, view_shapes, view_dispersion, view_convergence,
-    view_spectrum, view_table, view_beam, view_section, view_fronts, view_cell, view_log;
+extern const View view_profile, view_probe, view_energies, view_table, view_beam, view_log;
 
 /* What the inspector shows (inspector/inspector.h); it is in no list, for it has a pane of its own. */
 extern const View view_inspector;

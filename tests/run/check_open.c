@@ -18,6 +18,7 @@
 #include "scenario/changes.h"
 #include "scenario/parameter_table.h"
 #include "scenario/scenario.h"
+#include "picture/canvas.h"
 #include "plate.h"
 #include "suite.h"
 #include "views/scene.h"
@@ -34,7 +35,6 @@
 
 const Parameter parameters[] = {
 #include "scenario/parameter_rows.inc"
-#include "picture/canvas.h"
     {"mpm.damping", CONCERN_MESH, "Method", DAMPING, .methods = BY_MPM, AT(motion.speed)},
     {"pd.damping", CONCERN_LATTICE, "Lattice", DAMPING, .methods = BY_PD, AT(notch.position)},
 };
