@@ -91,6 +91,13 @@ double bar_start_stress(double x, const void *theory)
 
 /* --- does it make sense? -------------------------------------------------------------------------- */
 
+bool bar_check_mesh(const Settings *settings, Status *status)
+{
+    const BarDef def = bar_mpm_definition(settings);
+    return bar_check(&def, status) &&
+           problem_check_steps(settings_time(settings)->end, bar_time_step(settings), status);
+}
+
 bool bar_check_modes(const Settings *settings, double particles, Status *status)
 {
     if (settings_start(settings)->mode == 0 && settings_start(settings)->velocity != 0 &&
@@ -282,9 +289,15 @@ static void release(void *own)
     bar_motion_free(bar->motion);
 }
 
-BarAnswers *bar_answers_create(References *refs, Status *status)
+BarAnswers *bar_answers_create(References *refs, const Settings *settings, Status *status)
 {
-    return plan_own(refs, sizeof(BarAnswers), release, status);
+    BarTheory theory;
+    if (!bar_theory_of(settings, &theory, status))
+        return NULL;
+    BarAnswers *bar = plan_own(refs, sizeof *bar, release, status);
+    if (bar)
+        bar->theory = theory;
+    return bar;
 }
 
 static double exact_v_cm(References *refs, long step, double time, const double *row)
@@ -293,12 +306,10 @@ static double exact_v_cm(References *refs, long step, double time, const double 
     return bar_waves_centre_velocity(&bar_answers(refs)->theory, time);
 }
 
-bool bar_prepare(References *refs, const Settings *settings, const Simulation *sim, BarFrequency *frequency,
-                 Answer *predicted, const char *meaning, Status *status)
+void bar_prepare(References *refs, const Settings *settings, const Simulation *sim, BarFrequency *frequency,
+                 Answer *predicted, const char *meaning)
 {
     BarAnswers *bar = refs->own;
-    if (!bar_theory_of(settings, &bar->theory, status))
-        return false;
     bar->watch = predicted_watch(settings, &bar->theory,
                                  refs->unaccounted[REFERENCE_PREDICTED] ? NULL : frequency, sim->dt);
     if (bar->watch.moving)
@@ -312,7 +323,6 @@ bool bar_prepare(References *refs, const Settings *settings, const Simulation *s
     plan_answer(refs, &exact, COLUMN_EXACT, "v_cm", exact_v_cm);
     if (predicted)
         plan_answer(refs, &of_mesh, COLUMN_PREDICTED, "v_cm", predicted);
-    return true;
 }
 
 double bar_profile(const References *refs, const char *field, double x, double time)

@@ -35,8 +35,9 @@ typedef struct BarAnswers {
 
 const BarAnswers *bar_answers(const References *);
 
-/* Zeroed; in References.own. NULL: not enough memory. */
-BarAnswers *bar_answers_create(References *, Status *);
+/* With the theory, else zeroed; in References.own. NULL: not enough memory, or overtones that cannot be read.
+ */
+BarAnswers *bar_answers_create(References *, const Settings *, Status *);
 
 /* The velocity at t = 0; the context is a BarTheory. */
 double bar_start(double x, const void *theory);
@@ -53,8 +54,8 @@ BarWatch bar_watch(const BarTheory *);
 typedef double BarFrequency(const Settings *, const BarTheory *, double dt, int mode);
 
 /* Plans v_cm with its references. `predicted` v_cm, NULL: not known; `meaning` of that column. */
-bool bar_prepare(References *, const Settings *, const Simulation *, BarFrequency *, Answer *predicted,
-                 const char *meaning, Status *);
+void bar_prepare(References *, const Settings *, const Simulation *, BarFrequency *, Answer *predicted,
+                 const char *meaning);
 
 /* Of both solvers. */
 double bar_profile(const References *, const char *field, double x, double time);
@@ -91,6 +92,9 @@ bool bar_mode(const Settings *, int number, BarWave *, ModeOnMesh *, Dispersion 
 /* For Solver. */
 double bar_invariant(Simulation *, const Settings *);
 bool bar_invariant_kept(const Settings *);
+
+/* Whether the mesh makes sense, and the time that it takes steps for. */
+bool bar_check_mesh(const Settings *, Status *);
 
 /* Start, question and loads as far as they are the same by both; `particles` in the bar. */
 bool bar_check_modes(const Settings *, double particles, Status *);

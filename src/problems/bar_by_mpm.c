@@ -140,21 +140,17 @@ static double predicted_v_cm(References *refs, long step, double time, const dou
 
 static bool prepare(References *refs, const Settings *settings, const Simulation *sim, Status *status)
 {
-    BarTheory theory;
-    if (!bar_theory_of(settings, &theory, status))
-        return false;
-    BarAnswers *bar = bar_answers_create(refs, status);
+    BarAnswers *bar = bar_answers_create(refs, settings, status);
     if (!bar)
         return false;
     bar->mesh = bar_mesh_of(settings, sim->dt);
     errno = 0;
-    if (bar_is_layered(&theory) && !refs->unaccounted[REFERENCE_PREDICTED])
-        bar->motion = step_motion(&theory, &bar->mesh);
-    const bool whole = bar->motion || dispersion_predicts_centre_velocity(&theory, &bar->mesh);
-    if (!bar_prepare(refs, settings, sim, predicted_frequency, whole ? predicted_v_cm : NULL,
-                     "velocity of the centre of mass predicted for this mesh", status))
-        return false;
-    const StepMode found = step_mode(&theory, &bar->mesh, bar->watch.mode);
+    if (bar_is_layered(&bar->theory) && !refs->unaccounted[REFERENCE_PREDICTED])
+        bar->motion = step_motion(&bar->theory, &bar->mesh);
+    const bool whole = bar->motion || dispersion_predicts_centre_velocity(&bar->theory, &bar->mesh);
+    bar_prepare(refs, settings, sim, predicted_frequency, whole ? predicted_v_cm : NULL,
+                "velocity of the centre of mass predicted for this mesh");
+    const StepMode found = step_mode(&bar->theory, &bar->mesh, bar->watch.mode);
     if (bar->watch.mode > 0 && found.known) {
         bar->watch.overlap = found.overlap;
         bar->watch.kept = found.frequency > 0 ? swing_kept(found.decay, bar->watch.exact) : NAN;

@@ -88,22 +88,17 @@ static double predicted_v_cm(References *refs, long step, double time, const dou
 
 static bool prepare(References *refs, const Settings *settings, const Simulation *sim, Status *status)
 {
-    BarTheory theory;
-    if (!bar_theory_of(settings, &theory, status))
-        return false;
-    BarAnswers *bar = bar_answers_create(refs, status);
+    BarAnswers *bar = bar_answers_create(refs, settings, status);
     if (!bar)
         return false;
     const PdBarTheory lattice = bar_lattice_of(settings);
     errno = 0;
     if (!refs->unaccounted[REFERENCE_PREDICTED])
-        bar->motion = pd_bar_motion(&theory, &lattice);
-    const bool prepared =
-        bar_prepare(refs, settings, sim, predicted_frequency, bar->motion ? predicted_v_cm : NULL,
-                    "velocity of the centre of mass predicted for this lattice", status);
+        bar->motion = pd_bar_motion(&bar->theory, &lattice);
+    bar_prepare(refs, settings, sim, predicted_frequency, bar->motion ? predicted_v_cm : NULL,
+                "velocity of the centre of mass predicted for this lattice");
     return bar_prediction_is_whole(round(settings_geometry(settings)->length / lattice.spacing), "nodes",
-                                   status) &&
-           prepared;
+                                   status);
 }
 
 static int derived(const Settings *settings, const Simulation *sim, Derived out[DERIVED_MAX])

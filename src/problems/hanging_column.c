@@ -5,7 +5,6 @@
 #include "scenario/concern_body.h"
 #include "scenario/concern_cells.h"
 #include "scenario/concern_loads.h"
-#include "scenario/concern_time.h"
 #include "methods/mpm/line/mpm_bar.h"
 #include "problems/solvers.h"
 #include "theory/column.h"
@@ -20,13 +19,6 @@ static HangingColumn column_of(const Settings *settings)
                            .youngs_modulus = settings_material(settings)->youngs_modulus,
                            .density = settings_material(settings)->density,
                            .body_force = settings_loads(settings)->body_force};
-}
-
-static bool check(const Settings *settings, Status *status)
-{
-    const BarDef def = bar_mpm_definition(settings);
-    return bar_check(&def, status) &&
-           problem_check_steps(settings_time(settings)->end, bar_time_step(settings), status);
 }
 
 static Simulation *simulate(const Settings *settings, int threads, Status *status)
@@ -82,25 +74,18 @@ static void read_out(const References *refs, const double *rows, size_t n_rows, 
     out->column = "x_cm"; /* which comes to rest: there is no frequency */
 }
 
-static double field_of(const Simulation *sim, const char *name, size_t particle)
-{
-    double value;
-    sim->method->field(sim, simulation_find_field(sim, 0, name), particle, 1, &value);
-    return value;
-}
-
 static int findings(const References *refs, const Simulation *sim, Finding *out)
 {
     const HangingColumn *column = own_column(refs);
     const size_t last = sim->counts[0] - 1;
     out[0] = (Finding){.name = "u_last",
                        .label = "last particle's u",
-                       .measured = field_of(sim, "u", last),
-                       .exact = column_displacement(column, field_of(sim, "x0", last))};
+                       .measured = simulation_named(sim, 0, "u", last),
+                       .exact = column_displacement(column, simulation_named(sim, 0, "x0", last))};
     out[1] = (Finding){.name = "stress_first",
                        .label = "first particle's stress",
-                       .measured = field_of(sim, "stress", 0),
-                       .exact = column_stress(column, field_of(sim, "x0", 0))};
+                       .measured = simulation_named(sim, 0, "stress", 0),
+                       .exact = column_stress(column, simulation_named(sim, 0, "x0", 0))};
     return 2;
 }
 
@@ -133,7 +118,7 @@ static const char *const changes[] = {"mpm.algorithm", "mpm.transfer", "mpm.flip
 static const Solver hanging_column_by_mpm = {
     .method = METHOD_MPM,
     .understands = {[REFERENCE_EXACT] = {of_rest, changes}},
-    .check = check,
+    .check = bar_check_mesh,
     .simulate = simulate,
     .limit = bar_limit,
     .derived = derived,

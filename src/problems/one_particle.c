@@ -5,7 +5,6 @@
 #include "scenario/concern_body.h"
 #include "scenario/concern_cells.h"
 #include "scenario/concern_loads.h"
-#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "methods/mpm/line/mpm_bar.h"
 #include "problems/solvers.h"
@@ -33,12 +32,10 @@ static double wave_speed(const Settings *settings)
 static bool check(const Settings *settings, Status *status)
 {
     const Settings bar = as_bar(settings);
-    const BarDef def = bar_mpm_definition(&bar);
     if (settings_mesh(settings)->particles_per_cell != 1)
         return status_refuse(status, "mesh.particles_per_cell: %d is not allowed (1: there is one particle)",
                              settings_mesh(settings)->particles_per_cell);
-    return bar_check(&def, status) &&
-           problem_check_steps(settings_time(settings)->end, bar_time_step(settings), status);
+    return bar_check_mesh(&bar, status);
 }
 
 static double start(double x, const void *settings)
@@ -127,9 +124,7 @@ static void read_out(const References *refs, const double *rows, size_t n_rows, 
 static int findings(const References *refs, const Simulation *sim, Finding *out)
 {
     const Oscillator *oscillator = oscillator_of(refs);
-    double strain, velocity;
-    sim->method->field(sim, simulation_find_field(sim, 0, "strain"), 0, 1, &strain);
-    sim->method->field(sim, simulation_find_field(sim, 0, "v"), 0, 1, &velocity);
+    const double strain = simulation_named(sim, 0, "strain", 0), velocity = simulation_named(sim, 0, "v", 0);
     if (oscillator->velocity == 0)
         return 0;
     out[0] = (Finding){"invariant",
