@@ -43,6 +43,21 @@ static void lay_out_sides(const Screen *screen, Rect rect, Layout *layout)
         layout->sides[2] = (Rect){rect.x, rect.y + energies + rest / 2, rect.width, rest - rest / 2};
 }
 
+/* Over the plots, and where its columns need the room over the fields too. */
+static void lay_out_inspector(int width, Layout *layout)
+{
+    Rect *fields = &layout->panes[PANE_PARAMETERS], *timeline = &layout->timeline;
+    const bool beside = width >= INSPECTOR_WIDTH + fields->width + 1;
+    const int x = beside ? layout->panes[PANE_UPPER].x : 0;
+    layout->panes[PANE_INSPECTOR] = (Rect){x, fields->y, width - x, fields->height - timeline->height};
+    layout->panes[PANE_UPPER] = layout->panes[PANE_LOWER] = (Rect){0};
+    if (beside)
+        return;
+    *fields = (Rect){0};
+    if (timeline->height > 0)
+        *timeline = (Rect){0, timeline->y, width, timeline->height};
+}
+
 static void lay_out_full(const Screen *screen, int width, int height, Layout *layout)
 {
     /* a beam that stands in a plot pane is not drawn twice */
@@ -78,20 +93,9 @@ static void lay_out_full(const Screen *screen, int width, int height, Layout *la
     if (timeline)
         layout->timeline = (Rect){left, top + middle - timeline, plots, timeline};
     layout->panes[PANE_BOX] = (Rect){0, top + middle, width, box};
-    if (screen->panes.inspecting) {
-        /* over the plots, and where its columns need the room over the fields too */
-        const bool beside = width >= INSPECTOR_WIDTH + fields + 1;
-        layout->panes[PANE_INSPECTOR] =
-            (Rect){beside ? left : 0, top, beside ? width - left : width, middle - timeline};
-        layout->panes[PANE_UPPER] = layout->panes[PANE_LOWER] = (Rect){0};
-        if (!beside) {
-            layout->panes[PANE_PARAMETERS] = (Rect){0};
-            if (timeline)
-                layout->timeline = (Rect){0, top + middle - timeline, width, timeline};
-        }
-        return;
-    }
-    if (side) {
+    if (screen->panes.inspecting)
+        lay_out_inspector(width, layout);
+    else if (side) {
         /* a beam lies along the whole width, and what joins at the right stands beside the lower plot */
         const int above = drawn && screen->views.upper->is_map ? upper : 0;
         if (above)
