@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The tour of CONTRIBUTING.md goes through rooms that are there: each `function()` that it names is defined in the
-# `src/...` file that it names next.
+# `src/...` file that it names next; and each folder says in one line what it is for.
 cd "${MATVIB_SRCDIR:-..}" || exit 1
 grep -q '^## A tour' CONTRIBUTING.md || exit 1
 number=0
@@ -22,4 +22,12 @@ if [ "$number" -gt 15 ]; then
 else
 	echo "not ok $((number + 1)) - a key and a step are followed ($number places)"
 fi
-echo "1..$((number + 1))"
+found=$(find src -name '*.[ch]' | sed 's/\/[^/]*$//' | sort -u | while read -r folder; do
+	test "$(wc -l <"$folder/README" 2>/dev/null)" = 1 || echo "$folder"
+done)
+if [ -z "$found" ]; then
+	echo "ok $((number + 2)) - each folder says in a line what it is for"
+else
+	echo "not ok $((number + 2)) - each folder says in a line what it is for: $(echo "$found" | tr "\n" " ")"
+fi
+echo "1..$((number + 2))"
