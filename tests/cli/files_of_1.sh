@@ -19,6 +19,12 @@ expect "a share of the blend is read" 0 show "$files/series.csv.ini"
 result "as it stood there" says out '^mass_blend = auto'
 expect "changes in mid-run are" 0 show "$files/bar.ini"
 result "as they stood there" says out '^2 = load.body_force=0.01'
+# a series had all columns, where its head has their names
+expect "a series with what the grid has of the energy" 0 run "$files/series.csv.ini" --steps 2 --series - --quiet
+result "has it again" says out ',kinetic,kinetic_grid,kinetic_null,strain,'
+sed '/^# kinetic_/d' "$files/series.csv.ini" >without.ini
+expect "one without" 0 run without.ini --steps 2 --series - --quiet
+result "stays without" says out ',kinetic,strain,'
 
 # replayed NAME TEXT: it comes to where it was left, with a warning in one line
 replayed() {

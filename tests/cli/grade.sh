@@ -294,11 +294,13 @@ expect "stolen, and sealed anew" 0 own.lesson other.session --output stolen.csv
 result "is wrong, for the name has another number" row_is stolen.csv other.session 1 "5,$(key_of "$other"),0,3"
 cp right.session again.session
 expect "the same twice, and under two names" 0 own.lesson right.session again.session other.session changed.session --output twins.csv
-remark_of() { grep ",$1," twins.csv | sed 's/.*,//' | sort -u; }
+remark_of() { grep ",$1," "${2-twins.csv}" | sed 's/.*,//' | sort -u; }
 result "the first is told of the second" test "$(remark_of right.session)" = "the same recording as again.session"
 result "and the second of the first" test "$(remark_of again.session)" = "the same recording as right.session"
 result "the third of its keys" test "$(remark_of other.session)" = "the same keys at the same times as right.session"
 result "one of its own of nothing" test -z "$(remark_of changed.session)"
+expect "the one of the same keys before that of the same lines" 0 own.lesson other.session right.session again.session --output three.csv
+result "the whole one is told" test "$(remark_of right.session three.csv)" = "the same recording as again.session"
 edited right.session 's/^scenario .*/scenario other/;s/^| cell_size.*/| cell_size = 5/' scenario.raw
 sealed scenario.raw scenario.session
 expect "another scenario at the start, sealed anew" 0 own.lesson scenario.session --output scenario.csv

@@ -230,7 +230,7 @@ static const LessonPage *page_of(const Bench *bench)
 
 /* Steps that a page of a beam or a plate may take to where it shows its run, where not everything is wanted:
  * one that shows a later time is left on its way there. */
-enum { NEAR_STEPS = 100 };
+enum { NEAR_STEPS = 50 };
 
 static bool only_near; /* of the test case that runs */
 static int frames;     /* that the page has had */

@@ -438,7 +438,7 @@ START_TEST(the_number_of_a_scenario_is_known_at_its_end)
     ck_assert_msg(experiment != NULL, "%s", status.text);
     const Simulation *sim = experiment_simulation(screen.experiment);
     const double work = (double)sim->counts[0] * (double)experiment_last_step(screen.experiment);
-    if (work < (suite_wide() ? 1e8 : 1e7)) {
+    if (work < (suite_wide() ? 1e8 : 3e6)) {
         char digits[NUMBER_DIGITS_MAX], words[NUMBER_WORDS_MAX];
         experiment_advance(experiment, experiment_last_step(screen.experiment), &status);
         experiment_rest(experiment);
