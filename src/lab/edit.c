@@ -69,6 +69,7 @@ static void return_to_time(Laboratory *lab)
 void edit_changed(Laboratory *lab)
 {
     lab->editing.changed = true;
+    /* it told of the run as it was */
     lab->screen.summary = NULL;
     player_forget_rates(&lab->player); /* a step may take longer now */
     laboratory_say(lab, MESSAGE_NONE, "%s", "");
@@ -114,6 +115,8 @@ bool edit_change_runs(Laboratory *lab, const Settings *settings, DuelChange verb
     if (!duel_change(&lab->player.duel, settings, verb, status))
         return false;
     sim = experiment_simulation(laboratory_run(lab));
+    /* another spacing numbers them anew: the one that was looked at is the one that lies nearest to its place
+     */
     if (*chosen < before && sim->counts[0] != before)
         *chosen = nearest_to(sim, place);
     return true;
@@ -170,6 +173,7 @@ void edit_nudge(Laboratory *lab, int direction, bool fine)
     Settings settings = *experiment_settings(laboratory_run(lab));
     Status status = {STATUS_DONE, ""};
     if (!settings_nudge(&settings, parameter, direction, fine)) {
+        /* a key that did nothing at the end of a range would seem broken */
         char range[96];
         parameter_range(parameter, settings.problem, range, sizeof range);
         if (parameter->nudge == NUDGE_NONE)
@@ -193,6 +197,7 @@ void edit_begin(Laboratory *lab)
     const Parameter *parameter = edit_selected(&lab->screen);
     if (!parameter)
         return;
+    /* a few words are sooner gone through than typed */
     if (parameter->type == PARAMETER_CHOICE || parameter->type == PARAMETER_FLAG) {
         Settings settings = *experiment_settings(laboratory_run(lab));
         Status status = {STATUS_DONE, ""};
@@ -224,6 +229,7 @@ static bool accept_edit(Laboratory *lab)
 
 void edit_key(Laboratory *lab, const Key *key)
 {
+    /* a value that is refused keeps its field open, whichever key was to leave it */
     const char *name = key->name;
     if (strcmp(name, "Enter") == 0)
         accept_edit(lab);

@@ -42,9 +42,11 @@ void opening_begin(Laboratory *lab, Experiment *experiment)
     Screen *screen = &lab->screen;
     Experiment *before = laboratory_run(lab);
     duel_open(&lab->player.duel, experiment, history_size(lab), threads_of(lab));
+    /* only now, when nothing shows it any more */
     experiment_destroy(before);
     screen->experiment = experiment;
     lab->player.pace_automatic = true;
+    /* what could be undone was of another run */
     lab->editing.n_undo = lab->editing.n_redo = 0;
     lab->editing.changed = false;
     lab->editing.anchor_step = screen->log.event = -1;
@@ -63,6 +65,7 @@ void opening_begin(Laboratory *lab, Experiment *experiment)
     screen->chosen.is_node = false;
     screen->chosen.node = simulation->n_sets > 1 ? simulation->counts[1] / 2 : 0;
     player_choose_pace(&lab->player);
+    /* after what was chosen for it: what the scenario says itself goes before */
     read_view(lab);
     screen->duel = &lab->player.duel;
     screen->convergence = &lab->refining.convergence;
@@ -77,6 +80,7 @@ void opening_begin(Laboratory *lab, Experiment *experiment)
     laboratory_say(lab, MESSAGE_NONE, "%s", "");
     second_run_open(lab);
     const char *advice = experiment_advice(laboratory_run(lab));
+    /* what the second run had to say stands there already, and goes before */
     if (advice && !lab->message.text[0])
         laboratory_say(lab, MESSAGE_WARNING, "%s", advice);
 }
@@ -129,6 +133,7 @@ static bool open_scenario(Laboratory *lab, const char *name, Status *status)
     Experiment *experiment = NULL;
     if (scenario_load(name, &settings, status) &&
         (view_check(settings_view(&settings), status) || (scenario_blame(name, NULL, 0, status), false))) {
+        /* checked before, for this may take long */
         opening_show_progress(lab, &settings);
         experiment = opening_experiment(lab, &settings, status);
         laboratory_say(lab, MESSAGE_NONE, "%s", "");
@@ -140,6 +145,7 @@ static bool open_scenario(Laboratory *lab, const char *name, Status *status)
         screen_default(&fresh);
         lab->screen.views.n_variants = 0;
         lab->parameters.filter[0] = '\0';
+        /* a stretch of the old run's time would show nothing of this one */
         lab->screen.time.window = fresh.time.window;
         lab->screen.views.references = fresh.views.references;
         command_map_whole(&lab->screen);

@@ -27,10 +27,13 @@ static bool take_flow(const CellTerms *terms, int exchange, Flowing *flow)
         flow->sum += flow->terms[i];
         any |= count > 0;
     }
+    /* all with the same last decimal: they are compared by eye, and add up as they stand */
     flow->writing = writing_of(flow->terms, terms->n_links, 0, flow->sum, CELL_TERM_WIDTH);
     return any;
 }
 
+/* Of one unit the stronger goes first; what cannot be compared is put by its formula, the longer one first.
+ */
 static bool is_before(const CellTerms *terms, const Flowing *flow, const Flowing *other)
 {
     const Simulation *sim = terms->sim;
@@ -69,6 +72,7 @@ void cell_terms_find(CellTerms *terms, const Stage *stage, size_t most)
     terms->n_links = count < CELL_LINKS_MAX ? count : CELL_LINKS_MAX;
     if (stage)
         take_flows(terms, stage->id);
+    /* the largest first: what finds no room is the smallest */
     for (size_t i = 0; i < terms->n_links; i++) {
         const double *by = terms->n_flows > 0 ? terms->flows[0].terms : NULL;
         size_t at = i;
@@ -76,12 +80,14 @@ void cell_terms_find(CellTerms *terms, const Stage *stage, size_t most)
             terms->order[at] = terms->order[at - 1];
         terms->order[at] = i;
     }
+    /* where they do not fit, one place is for what the others come to */
     terms->shown = terms->n_links <= most ? terms->n_links : most - 1;
 }
 
 NumberText cell_term_text(double value, Writing writing)
 {
     const int first = value != 0 ? (int)floor(math_log10(fabs(value))) : 0;
+    /* not beyond the last decimal of its column */
     const int digits = first - (writing.exponent - writing.decimals) + 1;
     return text_rounded(digits > 0 ? value : 0, digits > 1 ? digits : 1);
 }
@@ -126,6 +132,7 @@ void cell_value_add(const Screen *screen, int set, size_t index, const char *nam
         return;
     const double now = simulation_value(sim, field, index);
     text_append(out, size, "\n%s ", label);
+    /* an arrow says that the stage has changed it */
     if (change && experiment_field_before(screen->experiment, field, index, 1, &before) && before != now)
         text_append(out, size, "%s→", text_fitted(before, 5, 10).text);
     text_append(out, size, "%s", text_fitted(now, 5, 10).text);

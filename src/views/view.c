@@ -35,6 +35,7 @@ static const int *chosen_variant(const View *view, const ViewsShown *shown)
 int view_variant(const View *view, const Screen *screen)
 {
     const int variant = *chosen_variant(view, &screen->views);
+    /* another run may have fewer; the choice is kept for one that has as many again */
     return variant > 0 ? variant % view_variants(view, screen) : 0;
 }
 

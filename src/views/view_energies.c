@@ -143,9 +143,8 @@ static double mean_height(const Stack *stack, double time, double swing, int upt
 
 static void begin_layer(Plot *plot, const Stack *stack, int layer)
 {
-    const Layer *drawn = &stack->layers[layer];
-    plot_begin(plot, STROKE_BAND,
-               (Pen){LINE_SOLID, "#+.:"[layer & 3], drawn -> style, RANK_BAND, drawn -> fill});
+    const Layer drawn = stack->layers[layer];
+    plot_begin(plot, STROKE_BAND, (Pen){LINE_SOLID, "#+.:"[layer & 3], drawn.style, RANK_BAND, drawn.fill});
 }
 
 static void add_means(Picture *picture, const Stack *stack, double swing)

@@ -33,6 +33,7 @@ void view_names(char *out, size_t size)
         snprintf(out + used, size - used, "or 1 to 9");
 }
 
+/* The one that is the most willing to open by itself; of equals the first in the list. */
 const View *view_at_home(PaneId home, const Simulation *sim)
 {
     const bool plane = sim && simulation_has(sim, HAS_PLANE);
@@ -50,6 +51,7 @@ const View *view_at_home(PaneId home, const Simulation *sim)
 PaneId view_pane_of_number(const Screen *screen)
 {
     const RunNumber *number = run_number_about(experiment_settings(screen->experiment));
+    /* a number of this moment is read off a curve along the body, one of the run off a curve over time */
     return number->of_moment ? PANE_UPPER : PANE_LOWER;
 }
 

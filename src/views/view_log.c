@@ -23,6 +23,7 @@ typedef struct Log {
     long beyond;
 } Log;
 
+/* What ends or endangers the run stands out: crossings and breaks come by the hundred. */
 static Style style_of(const Event *event)
 {
     switch (event->kind) {
@@ -67,6 +68,7 @@ static long step_of(const Screen *screen, const LogEntry *entry)
 {
     if (entry->run != 'B')
         return entry->event->step;
+    /* A's first step that is not before it: seen from there, it has happened */
     const double steps = ceil(entry->time / experiment_simulation(screen->experiment)->dt - 1e-9);
     const long last = experiment_last_step(screen->experiment);
     return steps < (double)last ? (long)steps : last;
@@ -86,6 +88,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
         snprintf(text, sizeof text, "what happened: %d event%s", log.count, log.count == 1 ? "" : "s");
     picture_heading(picture, text);
     const LogPlace *place = &screen->log;
+    /* until one is chosen it is the newest: the list goes on with the run */
     const int newest = log.count > 0 ? log.count - 1 : 0;
     const int chosen = place->event < 0 || place->event > newest ? newest : place->event;
     PictureList *list = picture_list(picture, -1, (size_t)log.count, (size_t)chosen, both ? 3 : 2);

@@ -154,6 +154,7 @@ static void widen_range(const Screen *screen, const ShownRun *run, const char *n
     Screen one = *screen;
     double least[COLUMNS_MAX], most[COLUMNS_MAX];
     bool asked = false;
+    /* a range is asked for of a screen, and each run of a duel has its own */
     one.experiment = run->experiment;
     range->reach = fmax(range->reach, time_plot_reach(record, column));
     for (int i = 2; i < run->n_columns; i++) {
@@ -201,6 +202,7 @@ static void frequency_lines(const Screen *screen, int width, char first[160], ch
     }
     const bool exact = readout->exact_known && screen_shows_exact(screen);
     const bool predicted = readout->predicted_known && screen_shows_predicted(screen);
+    /* what comes to rest, or never moved, is judged by what it has come to */
     if (!readout->moving) {
         Finding findings[FINDINGS_MAX];
         const int n = references_findings(experiment_references(screen->experiment),
@@ -266,6 +268,7 @@ static void cursor_line(const Screen *screen, const Line *lines, int n_lines, co
             screen_time_text(screen, row[1], time, sizeof time);
             snprintf(out, 160, "%s", time);
         }
+        /* a reference that is not known there has no value; what is measured says even so that it has none */
         if (i > 0 && !isfinite(row[lines[i].column]))
             continue;
         letter[0] = lines[i].run->letter;

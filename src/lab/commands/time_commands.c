@@ -57,6 +57,7 @@ void command_run_or_pause(Laboratory *lab)
         laboratory_say(lab, MESSAGE_INFO,
                        "the run cannot go on: change a parameter, step back, or r to begin again");
     else if (lab->player.playback.state == STATE_COMPUTING)
+        /* on the way to another place the key says what comes then */
         lab->player.resume = lab->player.resume == STATE_RUNNING ? STATE_PAUSED : STATE_RUNNING;
     else if (lab->player.playback.state == STATE_RUNNING)
         player_pause(lab);
@@ -97,6 +98,7 @@ void command_stage_forward(Laboratory *lab)
         return;
     }
     if (lab->player.playback.state == STATE_COMPUTING) {
+        /* from the place that it is on its way to, not from where it has come */
         bool whole = stage + 1 >= experiment_simulation(experiment)->n_stages;
         player_seek(lab, whole ? step + 1 : step, whole ? 0 : stage + 1);
         return;
@@ -147,6 +149,7 @@ void command_pace(Laboratory *lab, int direction)
         return;
     }
     double pace = player_next_125(lab->player.playback.pace, direction);
+    /* a step in a hundred frames, or ten million in one: beyond that nothing is seen of a change */
     if (pace < 0.01 || pace > 1e7)
         return;
     lab->player.playback.pace = pace;
@@ -181,6 +184,7 @@ bool command_answer_go_to(Laboratory *lab, const char *text)
             return prompt_refuse(&lab->prompting, "after # comes the number of a step, as in #1000");
     } else if (stop_read_time(text, laboratory_run(lab), &time)) {
         step = time / dt > (double)last ? last + 1 : time < 0 ? -1 : lround(time / dt);
+        /* the last step may end a little before time.end; who types that means the end */
         if (time > (double)last * dt &&
             time <= settings_time(experiment_settings(laboratory_run(lab)))->end * (1 + 1e-9))
             step = last;

@@ -33,6 +33,7 @@ bool lesson_play_open(Laboratory *lab, const char *name, Status *status)
     if (!lesson_load_for(name, lab->options.student ? lab->options.student : "", command_line_for_lessons,
                          &lesson, status))
         return false;
+    /* from lesson to lesson the sheet from before the first one is kept */
     if (!lab->play.shown.lesson)
         lab->play.before = (int)lab->screen.panes.sheet, lab->play.full = false;
     forget_lesson(lab);
@@ -44,6 +45,7 @@ bool lesson_play_open(Laboratory *lab, const char *name, Status *status)
     shown->page = -1;
     shown->counts = lab->options.student && lesson_judge_counts(lab);
     const int *reached = lesson_entry_reached(lab);
+    /* a lesson that was read to its end begins anew */
     const int page = reached && *reached > 1 && *reached < lesson.n_pages ? *reached - 1 : 0;
     lab->play.resumes = page > 0 ? page + 1 : 0;
     lesson_entry_show(lab, page);
@@ -100,6 +102,7 @@ static void open_next(Laboratory *lab)
     int next = 0;
     while (builtin_lessons[next].name && strcmp(builtin_lessons[next].name, lab->play.name) != 0)
         next++;
+    /* a file of one's own has no place among them */
     const bool known = builtin_lessons[next].name != NULL;
     const bool more = known && ++next < screen_lesson_count();
     if (!known) {
@@ -221,6 +224,7 @@ bool lesson_play_key(Laboratory *lab, const Key *key)
     }
     if (!page)
         return false;
+    /* while a question is open a digit answers it, and changes no view even where it is no choice */
     if (page->n_choices > 0 && shown->answer < 0 && digit >= 0) {
         if (digit < page->n_choices)
             take_answer(lab, digit);
@@ -253,6 +257,7 @@ void lesson_play_move(Laboratory *lab, int x, int y)
         shown->chosen = chosen < 0 ? 0 : chosen > last ? last : chosen;
         return;
     }
+    /* choices and fields are gone through where the whole page is seen; else the keys turn it */
     const int most = screen_lesson_most(&lab->screen, lab->width, lab->height), to = shown->scroll + y;
     if (page->n_choices > 0 && shown->answer < 0 && most == 0) {
         const int last = page->n_choices - 1, marked = shown->marked + y;

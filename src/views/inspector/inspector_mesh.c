@@ -129,6 +129,7 @@ static void add_totals(const Block *block, const Exchange *passed, TableColumn *
     column->label = subject->sim->fields[field].quantity.label;
     column->brief = passed->field;
     column->base = column->result = NAN;
+    /* of what is given there is no sum at the giver; later stages may have changed what this one left */
     if (!block->takes || subject->sim->stage != block->stage + 1)
         return;
     if (passed->adds &&
@@ -196,6 +197,7 @@ static void describe_block(const Subject *subject, int stage, bool takes, Pictur
         snprintf(table->rows[i].name, sizeof table->rows[i].name, "%zu", subject->links[i].index);
     }
     add_shapes(&block);
+    /* factors stand once, before all products that they are part of: these are read from left to right */
     for (int e = 0; e < sim->n_exchanges; e++)
         if (is_passed(&block, e))
             add_factors(&block, e);
@@ -282,6 +284,7 @@ static void describe(const Screen *screen, Picture *picture)
     for (int pass = 0; pass < 2; pass++)
         for (int stage = latest; stage >= 0; stage--)
             for (int takes = 1; takes >= 0; takes--) {
+                /* what a node gives to particles at an earlier stage says least: it stands at the end */
                 const bool first = stage == latest || takes || subject.set == 0;
                 if (first != (pass == 0) || !passes_any(&subject, stage, takes))
                     continue;
@@ -303,6 +306,7 @@ static void move_on(Screen *screen, int x, int y, int page)
                                                                                               : count - 1;
         return;
     }
+    /* nodes stand above particles: there is nothing further up or down */
     if ((y < 0) == screen->chosen.is_node)
         return;
     size_t nearest = 0;

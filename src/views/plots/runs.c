@@ -15,6 +15,7 @@ static ShownRun run_of_ghost(const Ghost *ghost, int index)
     ShownRun run = {
         .letter = ghost->letter,
         .line = LINE_SOLID,
+        /* what is not pinned goes with the next change: it is faint, and takes no colour */
         .style = ghost->pinned ? (Style)(STYLE_GHOST_A + index) : STYLE_FAINT,
         .rank = RANK_GHOST,
         .mark = ':',
@@ -131,6 +132,7 @@ double runs_mark(const ShownRun *run, const Axis *x, int k)
 {
     if (run->ghost < 0 || run->style == STYLE_FAINT)
         return NAN;
+    /* each a little farther on: letters of curves that lie on each other stand side by side */
     const double share = (k + (run->ghost + 0.5) / GHOSTS_MAX) / RUN_MARKS;
     return x->low + share * (x->high - x->low);
 }
@@ -155,6 +157,7 @@ void runs_letter_over_time(Picture *picture, const ShownRun *run, int column)
     for (int k = 0; k < RUN_MARKS; k++) {
         const double time = runs_mark(run, &picture->plot.x, k);
         const double *here = record_row(record, record_find(record, time));
+        /* none beyond the end of the curve */
         if (time < row[1])
             runs_letter(picture, run, here[1], here[column], MARK_AGAIN);
     }
