@@ -257,6 +257,20 @@ void simulation_make_ready(Simulation *sim, int set)
         ;
 }
 
+bool simulation_make_stage(Simulation *sim, int stage, void **before)
+{
+    ASSERT_INDEX(stage, sim->n_stages);
+    ASSERT_INT(sim->stage, ==, 0);
+    *before = NULL;
+    for (int i = 0; i < stage; i++)
+        if (!simulation_stage(sim, NULL))
+            return false;
+    *before = malloc(sim->method->state_size(sim));
+    if (*before)
+        simulation_save(sim, *before);
+    return simulation_stage(sim, NULL);
+}
+
 static void stay(Simulation *sim, void *context)
 {
     (void)sim;

@@ -353,6 +353,10 @@ bool simulation_step_ahead(Simulation *, double *before, double *after, double s
  * by simulation_visit(). What a stage cannot do any more stays as it stands. */
 void simulation_make_ready(Simulation *, int set);
 
+/* The same from between steps to where a stage is done. *before is the state before it, which is the caller's
+ * to free; NULL: no memory, or a stage before it failed. */
+bool simulation_make_stage(Simulation *, int stage, void **before);
+
 /* A simulation that has failed goes no further even where it stands at a sound moment; from here on it is as
  * one that was brought there, and may walk up to its failure again. False: no memory. */
 bool simulation_forget_failure(Simulation *);

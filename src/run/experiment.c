@@ -333,13 +333,8 @@ typedef struct Ahead {
 static void look_ahead(Simulation *sim, void *context)
 {
     Ahead *ahead = context;
-    void *before = NULL;
-    ahead->walked = true;
-    for (int i = 0; i <= ahead->stage && ahead->walked; i++) {
-        if (i == ahead->stage && (before = malloc(sim->method->state_size(sim))))
-            simulation_save(sim, before);
-        ahead->walked = simulation_stage(sim, NULL);
-    }
+    void *before;
+    ahead->walked = simulation_make_stage(sim, ahead->stage, &before);
     if (ahead->walked)
         sim->method->explain(sim, ahead->stage, ahead->set, ahead->index, before, ahead->terms, ahead->out,
                              ahead->size);
