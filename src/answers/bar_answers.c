@@ -91,13 +91,6 @@ double bar_start_stress(double x, const void *theory)
 
 /* --- does it make sense? -------------------------------------------------------------------------- */
 
-bool bar_check_mesh(const Settings *settings, Status *status)
-{
-    const BarDef def = bar_mpm_definition(settings);
-    return bar_check(&def, status) &&
-           problem_check_steps(settings_time(settings)->end, bar_time_step(settings), status);
-}
-
 bool bar_check_modes(const Settings *settings, double particles, Status *status)
 {
     if (settings_start(settings)->mode == 0 && settings_start(settings)->velocity != 0 &&

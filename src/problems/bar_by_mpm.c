@@ -82,6 +82,13 @@ BarDef bar_mpm_definition(const Settings *settings)
     };
 }
 
+bool bar_check_mesh(const Settings *settings, Status *status)
+{
+    const BarDef def = bar_mpm_definition(settings);
+    return bar_check(&def, status) &&
+           problem_check_steps(settings_time(settings)->end, bar_time_step(settings), status);
+}
+
 static bool check(const Settings *settings, Status *status)
 {
     const BarDef bar = bar_mpm_definition(settings);
