@@ -71,14 +71,12 @@ static double size_of(double complex a)
     return math_hypot(creal(a), cimag(a));
 }
 
-/* a/b without overflow (R. L. Smith, Communications of the ACM 5, 1962) */
+/* a/b = a b* / |b|^2 */
 static double complex quotient(double complex a, double complex b)
 {
-    const bool steep = fabs(cimag(b)) > fabs(creal(b));
-    if (steep) /* a/b = (-i a)/(-i b) */
-        a = cimag(a) - I * creal(a), b = cimag(b) - I * creal(b);
-    const double ratio = cimag(b) / creal(b), whole = creal(b) + cimag(b) * ratio;
-    return (creal(a) + cimag(a) * ratio) / whole + I * ((cimag(a) - creal(a) * ratio) / whole);
+    const double square = creal(b) * creal(b) + cimag(b) * cimag(b);
+    return (creal(a) * creal(b) + cimag(a) * cimag(b)) / square +
+           I * ((cimag(a) * creal(b) - creal(a) * cimag(b)) / square);
 }
 
 /* Gauss' elimination with row pivots, in place; x: right-hand side in, solution out. */

@@ -703,6 +703,28 @@ START_TEST(few_keys_lead_through)
 }
 END_TEST
 
+/* Keys wait until the page is there that they are meant for, and then act in their order. */
+START_TEST(keys_wait_for_a_page_on_its_way)
+{
+    Bench *bench = open_lesson("crack");
+    const LessonShown *shown = bench->lab.screen.lesson;
+    bench->rate = 10 / FRAME_SECONDS;
+    while (!is_arriving(bench)) {
+        ck_assert_int_lt(shown->page + 1, shown->lesson->n_pages);
+        press(bench, "n");
+    }
+    const int page = shown->page;
+    press_all(bench, "Down b"); /* b alone would leave it */
+    ck_assert_int_eq(bench->lab.play.n_waiting, 2);
+    ck_assert_int_eq(shown->page, page);
+    bench->rate = 0;
+    finish_work(bench);
+    ck_assert_int_eq(bench->lab.play.n_waiting, 0);
+    ck_assert_int_eq(shown->page, page - 1);
+    close_bench(bench);
+}
+END_TEST
+
 /* The arrows go among the choices, and Enter takes the one that they stand on. */
 START_TEST(arrows_choose_an_answer)
 {
@@ -841,6 +863,7 @@ void add_cases(Suite *suite)
     TCase *format = tcase_create("format"), *own = tcase_create("own"), *turning = tcase_create("turning");
     tcase_add_test(format, a_lesson_is_read);
     tcase_add_test(format, a_choice_is_right_for_whom_it_is_drawn);
+    tcase_add_test(turning, keys_wait_for_a_page_on_its_way);
     tcase_add_loop_test(format, what_is_wrong_is_told_with_its_line, 0, (int)(sizeof wrong / sizeof *wrong));
     tcase_add_loop_test(own, every_page_is_entered_in_one_state, 0, count);
     tcase_add_loop_test(turning, few_keys_lead_through, 0, 2 * count);

@@ -345,7 +345,12 @@ START_TEST(the_number_is_told_and_curves_wait)
     ck_assert_ptr_nonnull(strstr(asked, "The number (periods late) is not known yet."));
     ck_assert_ptr_nonnull(strstr(asked, "Bar: supports fixed-free."));
     ck_assert_ptr_null(strstr(talk->text, "View "));
-    const char *said = line(talk, "until t 10");
+    line(talk, "goto 5");
+    const char *said = line(talk, "."); /* a step alone tells no number, some steps do */
+    ck_assert_msg(!strstr(said, "The number"), "%s", said);
+    said = line(talk, "goto 5.5"); /* fifty */
+    ck_assert_msg(strstr(said, "The number: "), "%s", said);
+    said = line(talk, "until t 10");
     ck_assert_msg(strstr(said, "The number: 0.38 periods late.") && !strstr(said, "measured"), "%s", said);
     said = line(talk, "why");
     ck_assert_msg(strstr(said, "11 cells to a wave") && strstr(said, "Mode 5 swings on this mesh at 0.957"),
