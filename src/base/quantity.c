@@ -117,8 +117,11 @@ static bool fail_unit(Reader *reader, const char *word)
     while (length < UNIT_NAME_MAX - 1 && word[length] &&
            (is_letter(word[length]) || strchr("0123456789^/*-", word[length])))
         length++;
-    while (((unsigned char)word[length] & 0xc0) == 0x80) /* whole characters */
-        length--;
+    for (size_t whole = length; whole > 0; whole--) /* whole characters, where they are some */
+        if (((unsigned char)word[whole] & 0xc0) != 0x80) {
+            length = whole;
+            break;
+        }
     if (!reader->why)
         snprintf(reader->name, sizeof reader->name, "%.*s", (int)length, word);
     return fail(reader, "cannot be read");

@@ -36,7 +36,7 @@ static atomic_bool memory_fails;
 
 /* --- memory ------------------------------------------------------------------------------------------ */
 
-#ifndef __SANITIZE_ADDRESS__ /* which has a malloc of its own */
+#ifndef MATVIB_SANITIZERS /* which has a malloc of its own */
 
 void *__libc_malloc(size_t size);
 void *__libc_calloc(size_t count, size_t size);

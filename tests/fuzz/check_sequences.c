@@ -410,7 +410,7 @@ static void tell_failure(uint64_t seed, Sequence *sequence, int failure)
 }
 
 /* A run that asks for too much memory should hear so, not fill the machine. */
-#if defined __SANITIZE_ADDRESS__
+#ifdef MATVIB_SANITIZERS
 const char *__asan_default_options(void);
 const char *__lsan_default_suppressions(void);
 

@@ -78,6 +78,7 @@ static void walk(Duel *duel, unsigned long *state)
     Experiment *a = duel->a;
     const long step = experiment_step(a), last = experiment_last_step(a);
     bool whole = false;
+    int to;
     switch (draw(state, 8)) {
     case 0:
         ck_assert(duel_advance(duel, 1, NULL));
@@ -92,7 +93,8 @@ static void walk(Duel *duel, unsigned long *state)
         duel_seek(duel, step - 10, 0);
         break;
     case 4:
-        duel_seek(duel, (long)draw(state, (unsigned long)last), (int)draw(state, 4));
+        to = (int)draw(state, 4); /* in this order, whichever the compiler's is */
+        duel_seek(duel, (long)draw(state, (unsigned long)last), to);
         break;
     case 5:
         if (experiment_stage(a) == 0)

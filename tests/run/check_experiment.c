@@ -66,7 +66,7 @@ static void walk(Experiment *experiment, unsigned long *state)
 {
     Status status = {0};
     long step = experiment_step(experiment), last = experiment_last_step(experiment);
-    int stage = experiment_stage(experiment), stages = experiment_simulation(experiment)->n_stages;
+    int stage = experiment_stage(experiment), stages = experiment_simulation(experiment)->n_stages, to;
     switch (draw(state, 12)) {
     case 0:
         ck_assert(experiment_advance(experiment, 1, &status));
@@ -91,16 +91,16 @@ static void walk(Experiment *experiment, unsigned long *state)
             experiment_seek(experiment, step - 1, stages - 1);
         break;
     case 7:
-        experiment_seek(experiment, (long)draw(state, (unsigned long)last + 1),
-                        (int)draw(state, (unsigned long)stages));
+        to = (int)draw(state, (unsigned long)stages); /* in this order, whichever the compiler's is */
+        experiment_seek(experiment, (long)draw(state, (unsigned long)last + 1), to);
         break;
     case 8:
     case 9:
         step_in_parts(experiment, state);
         break;
     case 10:
-        seek_in_parts(experiment, step + 3 - (long)draw(state, 7), (int)draw(state, (unsigned long)stages),
-                      state);
+        to = (int)draw(state, (unsigned long)stages);
+        seek_in_parts(experiment, step + 3 - (long)draw(state, 7), to, state);
         break;
     default:
         ck_assert(experiment_advance(experiment, (long)draw(state, 80), &status));
