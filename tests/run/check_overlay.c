@@ -92,7 +92,7 @@ END_TEST
 /* How exactly numbers are written; a power without end is no number of places. */
 START_TEST(digits_are_counted_as_written)
 {
-    static const char *const text = "t,a,b,c,d\n0,0.0120,1.5e3,0e-99999999999,0e99999999999\n";
+    static const char *const text = "t,a,b,c,d\n0,0.0120,1.5e3,0e-99999999999,0e4294967295\n";
     static const struct {
         int digits, places;
     } wanted[] = {{0, 0}, {3, 4}, {2, -2}, {0, 400}, {0, -400}};
