@@ -23,7 +23,7 @@ else
 	echo "not ok $((number + 1)) - a key and a step are followed ($number places)"
 fi
 found=$(find src -name '*.[ch]' | sed 's/\/[^/]*$//' | sort -u | while read -r folder; do
-	test "$(wc -l <"$folder/README" 2>/dev/null)" = 1 || echo "$folder"
+	test -s "$folder/README" && test "$(wc -l <"$folder/README")" -eq 1 || echo "$folder"
 done)
 if [ -z "$found" ]; then
 	echo "ok $((number + 2)) - each folder says in a line what it is for"

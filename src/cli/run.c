@@ -175,10 +175,10 @@ int cli_run(Options *options, Status *status)
     done = done && describe(options, &crate, &settings, status);
     progress_end(&progress);
     if (progress_signal() != 0 && !done && !summary.failed)
-        return 128 + progress_signal();
+        return progress_result(false, status);
     if ((done || summary.failed) && (options->json || !options->quiet))
         print_summary(options, &settings, &summary, progress_seconds(&progress));
     if (!done)
         options_blame(options, options->words[0], status);
-    return progress_result(done, status);
+    return done ? STATUS_DONE : (int)status->code; /* of a run that failed, though a signal came behind it */
 }

@@ -158,7 +158,7 @@ static void explain_kick(const Beam *beam, Calculation *calculation, bool second
                          const NodeNow *was)
 {
     const double factor = beam->sim.dt / (2 * beam->def.density);
-    if (bonds_does(beam, WRONG_KICKS_LATE)) {
+    if (bonds_does(beam, BONDS_WRONG_KICKS_LATE)) {
         write_pair(calculation, "vx, vy stay ", now->vx, now->vy, "m/s");
     } else if (was && beam->damping > 0) {
         explain_damped(beam, calculation, second, now, was);
@@ -177,7 +177,7 @@ static void explain_drift(const Beam *beam, Calculation *calculation, const Node
     if (was) {
         write_change(calculation, "ux = ux + Δt vx = ", was->ux, beam->sim.dt, was->vx, now->ux, "m");
         write_change(calculation, "uy = uy + Δt vy = ", was->uy, beam->sim.dt, was->vy, now->uy, "m");
-        if (bonds_does(beam, WRONG_KICKS_LATE)) {
+        if (bonds_does(beam, BONDS_WRONG_KICKS_LATE)) {
             write_change(calculation, "vx = vx + Δt/ρ fx = ", was->vx, kick, was->fx, now->vx, "m/s");
             write_change(calculation, "vy = vy + Δt/ρ fy = ", was->vy, kick, was->fy, now->vy, "m/s");
         }

@@ -56,8 +56,6 @@ const char *const beam_mistake_words[] = {
 
 static const BondsMistake *row_of(int mistake)
 {
-    ASSERT_INT(mistake, >=, 0);
-    ASSERT_INT(mistake, <=, MISTAKES);
     return mistake > 0 && mistake <= MISTAKES ? &mistakes[mistake - 1] : NULL;
 }
 
@@ -103,7 +101,7 @@ bool bonds_does_by(const BeamDef *def, unsigned wrong)
 
 bool beam_mistake_is_of_start(int mistake)
 {
-    return does(row_of(mistake), WRONG_OF_START);
+    return does(row_of(mistake), BONDS_WRONG_OF_START);
 }
 
 const char *beam_mistake_sentence(int mistake)
@@ -122,8 +120,8 @@ bool bonds_check_mistake(const BeamDef *def, Status *status)
     const BondsMistake *row = bonds_mistake_of(def, &both);
     if (!row)
         return status_refuse(status, "pd.mistake: %d is no choice (0 to %d)", def->mistake, MISTAKES);
-    const bool hhb =
-        def->volume_correction == VOLUME_HHB && does(row, WRONG_WITHIN_HORIZON | WRONG_NO_VOLUME_FACTOR);
+    const bool hhb = def->volume_correction == VOLUME_HHB &&
+                     does(row, BONDS_WRONG_WITHIN_HORIZON | BONDS_WRONG_NO_VOLUME_FACTOR);
     const char *other = def->influence != INFLUENCE_CONSTANT          ? "pd.influence = constant"
                         : def->critical_stretch != 0                  ? "pd.critical_stretch = 0"
                         : def->damping != 0 || def->critically_damped ? "damping.rate = 0"
@@ -149,7 +147,7 @@ BondsPull bonds_pull(const Beam *beam, const Offset *offset, double coefficient,
     const double stretch = offset_stretch(offset, ex, ey), whole = coefficient * stretch;
     const double lengthening = length / offset->length;
     BondsPull pull = {x / length, y / length, whole, whole, whole * stretch};
-    if (does(mistake, WRONG_ALONG_REST)) {
+    if (does(mistake, BONDS_WRONG_ALONG_REST)) {
         pull.x = offset->x / offset->length;
         pull.y = offset->y / offset->length;
     }

@@ -24,13 +24,14 @@ typedef struct MistakeLine {
 
 /* What else such a code does. */
 enum {
-    WRONG_OF_START = 1 << 0,       /* it is in the start, the family or a factor: it cannot come in mid-run */
-    WRONG_WITHIN_HORIZON = 1 << 1, /* the family lies nearer than delta, not as far as that */
-    WRONG_NO_VOLUME_FACTOR = 1 << 2,
-    WRONG_NO_SURFACE_FACTOR = 1 << 3,
-    WRONG_STARTS_BENT = 1 << 4, /* the shape at t = 0 is that without supports */
-    WRONG_ALONG_REST = 1 << 5,  /* a bond pulls along xi */
-    WRONG_KICKS_LATE = 1 << 6   /* u += dt v, then v += dt a by the force of the old place; no half kicks */
+    BONDS_WRONG_OF_START = 1 << 0, /* it is in the start, the family or a factor: it cannot come in mid-run */
+    BONDS_WRONG_WITHIN_HORIZON = 1 << 1, /* the family lies nearer than delta, not as far as that */
+    BONDS_WRONG_NO_VOLUME_FACTOR = 1 << 2,
+    BONDS_WRONG_NO_SURFACE_FACTOR = 1 << 3,
+    BONDS_WRONG_STARTS_BENT = 1 << 4, /* the shape at t = 0 is that without supports */
+    BONDS_WRONG_ALONG_REST = 1 << 5,  /* a bond pulls along xi */
+    BONDS_WRONG_KICKS_LATE =
+        1 << 6 /* u += dt v, then v += dt a by the force of the old place; no half kicks */
 };
 
 typedef struct BondsMistake {
@@ -38,14 +39,14 @@ typedef struct BondsMistake {
     MistakeLine lines[MISTAKE_LINES];
 
     /* What this code does; what is not said it does as it should be done. */
-    unsigned does;                           /* WRONG_... */
+    unsigned does;                           /* BONDS_WRONG_... */
     double (*micromodulus)(const BeamDef *); /* c */
     /* The share of a bond's pull that an end gets, the left one (below the other where none is) or the right
      * one; of its length over that at rest. */
     double (*share)(double lengthening, bool left), (*share_beside)(double lengthening, bool left);
 } BondsMistake;
 
-/* NULL: none. Whether its code does that (WRONG_...). */
+/* NULL: none. Whether its code does that (BONDS_WRONG_...). */
 const BondsMistake *bonds_mistake(const Beam *);
 bool bonds_does(const Beam *, unsigned wrong);
 

@@ -308,6 +308,6 @@ bool beam_set_motion(Beam *beam, const BeamOptions *options, Status *status)
     /* supports begin as they are to go on, and undeformed; set after the first force instead, the energy
      * would jump */
     for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++)
-        move_patch(beam, s->patch, s->x, s->y, s->vx, s->vy, bonds_does(beam, WRONG_STARTS_BENT));
+        move_patch(beam, s->patch, s->x, s->y, s->vx, s->vy, bonds_does(beam, BONDS_WRONG_STARTS_BENT));
     return true;
 }

@@ -218,7 +218,7 @@ bool beam_stage(Simulation *sim, int stage, size_t first, size_t end, Status *st
         }
         return true;
     }
-    RowStage *const work = (bonds_does(beam, WRONG_KICKS_LATE) ? late_stages : row_stages)[stage];
+    RowStage *const work = (bonds_does(beam, BONDS_WRONG_KICKS_LATE) ? late_stages : row_stages)[stage];
     for (size_t j = first; j < end; j++)
         work(beam, (int)j, sim->step);
     if (end < sim->stage_items)

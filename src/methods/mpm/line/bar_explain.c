@@ -127,7 +127,7 @@ static void write_system(const Subject *subject, RowOf of)
 /* Of a grid that nobody empties the sum begins with what was there. */
 static void write_kept(const Subject *subject, const double *kept, const double *whole, CalculationSum *sum)
 {
-    if (!bar_does(bar_of_const(subject->sim), WRONG_KEEPS_GRID))
+    if (!bar_does(bar_of_const(subject->sim), BAR_WRONG_KEEPS_GRID))
         return;
     sum->has_base = true;
     sum->base = kept[subject->index];
@@ -288,7 +288,7 @@ static void strain_particle(const Subject *subject)
     const double was = subject->before
                            ? calculation_before(bar->block, &bar->stress[slot][k], subject->before)
                            : stress - modulus * increment; /* with its rounding */
-    if (bar_does(bar, WRONG_ONLY_NEWEST)) {
+    if (bar_does(bar, BAR_WRONG_ONLY_NEWEST)) {
         CalculationSum newest = {.label = "σ = E Δε = ", .result = stress};
         calculation_add(&newest, 2, modulus, increment, 0);
         calculation_sum(subject->calculation, &newest);

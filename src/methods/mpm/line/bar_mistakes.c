@@ -55,8 +55,6 @@ const char *const bar_mistake_words[] = {
 
 static const BarMistake *bar_mistake_of(int mistake)
 {
-    ASSERT_INT(mistake, >=, 0);
-    ASSERT_INT(mistake, <=, MISTAKES);
     return mistake > 0 && mistake <= MISTAKES ? &mistakes[mistake - 1] : NULL;
 }
 
@@ -113,12 +111,12 @@ bool bar_does(const Bar *bar, unsigned wrong)
 
 bool bar_mistake_is_of_start(int mistake)
 {
-    return does(bar_mistake_of(mistake), WRONG_OF_START);
+    return does(bar_mistake_of(mistake), BAR_WRONG_OF_START);
 }
 
 bool bar_mistake_starts_as_held(int mistake)
 {
-    return does(bar_mistake_of(mistake), WRONG_STARTS_AS_HELD);
+    return does(bar_mistake_of(mistake), BAR_WRONG_STARTS_AS_HELD);
 }
 
 const char *bar_mistake_sentence(int mistake)
@@ -153,12 +151,12 @@ bool bar_check_mistake(const BarDef *def, Status *status)
 
 double bar_strain_span(const Bar *bar)
 {
-    return bar_does(bar, WRONG_NO_SPAN) ? 1.0 : bar->dt;
+    return bar_does(bar, BAR_WRONG_NO_SPAN) ? 1.0 : bar->dt;
 }
 
 double bar_slope_scale(const Bar *bar)
 {
-    return bar_does(bar, WRONG_NO_SPACING) ? 1.0 : 1.0 / bar->dx;
+    return bar_does(bar, BAR_WRONG_NO_SPACING) ? 1.0 : 1.0 / bar->dx;
 }
 
 double bar_force_volume(const Bar *bar, int particle)
@@ -177,5 +175,5 @@ double bar_load_share(const Bar *bar)
 
 double bar_force_share(const Bar *bar)
 {
-    return bar_does(bar, WRONG_PUSHES) ? bar_load_share(bar) : -bar_load_share(bar);
+    return bar_does(bar, BAR_WRONG_PUSHES) ? bar_load_share(bar) : -bar_load_share(bar);
 }

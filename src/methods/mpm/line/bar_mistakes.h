@@ -21,20 +21,21 @@ typedef enum BarMoves { MOVES_WITH_NODES, MOVES_WITH_OLD_NODES, MOVES_BY_ITSELF 
 
 /* What else such a code does. */
 enum {
-    WRONG_OF_START = 1 << 0,          /* it is in the start or in a factor: it cannot come in mid-run */
-    WRONG_STARTS_AT_CENTRES = 1 << 1, /* velocities at t = 0 are those of the cells' centres */
-    WRONG_STARTS_AS_HELD = 1 << 2,    /* they are modes of a bar whose right end is held as the left one is */
-    WRONG_MASS_OF_CELL = 1 << 3,      /* a particle's mass is that of a cell */
-    WRONG_KEEPS_GRID = 1 << 4,     /* the nodes' masses and momenta are added to those of the step before */
-    WRONG_HOLDS_NEXT = 1 << 5,     /* the nodes one further in are held */
-    WRONG_HELD_YIELD = 1 << 6,     /* forces of held nodes are not taken away */
-    WRONG_NO_SPAN = 1 << 7,        /* de = sum N' v, without dt */
-    WRONG_NO_SPACING = 1 << 8,     /* dN/ds in place of dN/dx */
-    WRONG_ONLY_NEWEST = 1 << 9,    /* stress = E de */
-    WRONG_STRESS_BEFORE = 1 << 10, /* the force is of the stress before this step's strain */
-    WRONG_PUSHES = 1 << 11,        /* f_int has the other sign */
-    WRONG_NEW_WEIGHTS = 1 << 12,   /* velocities with N at the new places */
-    WRONG_OF_GRID = 1 << 13        /* v = sum N v_i */
+    BAR_WRONG_OF_START = 1 << 0,          /* it is in the start or in a factor: it cannot come in mid-run */
+    BAR_WRONG_STARTS_AT_CENTRES = 1 << 1, /* velocities at t = 0 are those of the cells' centres */
+    BAR_WRONG_STARTS_AS_HELD =
+        1 << 2,                      /* they are modes of a bar whose right end is held as the left one is */
+    BAR_WRONG_MASS_OF_CELL = 1 << 3, /* a particle's mass is that of a cell */
+    BAR_WRONG_KEEPS_GRID = 1 << 4,   /* the nodes' masses and momenta are added to those of the step before */
+    BAR_WRONG_HOLDS_NEXT = 1 << 5,   /* the nodes one further in are held */
+    BAR_WRONG_HELD_YIELD = 1 << 6,   /* forces of held nodes are not taken away */
+    BAR_WRONG_NO_SPAN = 1 << 7,      /* de = sum N' v, without dt */
+    BAR_WRONG_NO_SPACING = 1 << 8,   /* dN/ds in place of dN/dx */
+    BAR_WRONG_ONLY_NEWEST = 1 << 9,  /* stress = E de */
+    BAR_WRONG_STRESS_BEFORE = 1 << 10, /* the force is of the stress before this step's strain */
+    BAR_WRONG_PUSHES = 1 << 11,        /* f_int has the other sign */
+    BAR_WRONG_NEW_WEIGHTS = 1 << 12,   /* velocities with N at the new places */
+    BAR_WRONG_OF_GRID = 1 << 13        /* v = sum N v_i */
 };
 
 typedef struct BarMistake {
@@ -46,7 +47,7 @@ typedef struct BarMistake {
     const char *also_equation, *also_ascii;
 
     /* What this code does; what is not said it does as it should be done. */
-    unsigned does; /* WRONG_... */
+    unsigned does; /* BAR_WRONG_... */
     BarHolds holds;
     double (*thinned)(double volume,
                       double stretch); /* the volume m/rho that eq. 8 leaves; NULL: V (1 + de) */
@@ -60,7 +61,7 @@ typedef struct BarMistake {
 const BarMistake *bar_mistake(const Bar *);
 const BarMistake *bar_mistake_if(const Bar *,
                                  int mistake); /* if that is its one; what it does besides is in it */
-bool bar_does(const Bar *, unsigned wrong);    /* whether its code does that (WRONG_...) */
+bool bar_does(const Bar *, unsigned wrong);    /* whether its code does that (BAR_WRONG_...) */
 
 /* What a code does that makes two of them. False: they are one and the same thing done otherwise. */
 bool bar_mistakes_join(int one, int other, BarMistake *out);

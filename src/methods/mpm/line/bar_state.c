@@ -19,7 +19,7 @@ bool bar_has_done(const Bar *bar, BarOp op)
 bool bar_node_is_fixed(const Bar *bar, int node)
 {
     ASSERT_INDEX(node, bar->n_nodes);
-    if (bar_does(bar, WRONG_HOLDS_NEXT))
+    if (bar_does(bar, BAR_WRONG_HOLDS_NEXT))
         return (bar->fixed_left > 0 && node == bar->fixed_left) ||
                (bar->fixed_right > 0 && node == bar->n_nodes - 1 - bar->fixed_right);
     return node < bar->fixed_left || node >= bar->n_nodes - bar->fixed_right;
@@ -121,7 +121,7 @@ double bar_mass_between(const Bar *bar, int i, int j)
 size_t bar_lasting_bytes(const Bar *bar, const BarHead *head)
 {
     const BarMistake *mistake = bar_mistake_if(bar, head->mistake);
-    if (mistake && (mistake->does & WRONG_KEEPS_GRID))
+    if (mistake && (mistake->does & BAR_WRONG_KEEPS_GRID))
         return bar->bytes_kept;
     return head->transfer == MPM_APIC ? bar->bytes_apic : bar->bytes_flip;
 }
@@ -138,5 +138,5 @@ bool bar_holds_momentum(const Bar *bar, BarOp stage, int node)
 bool bar_holds_force(const Bar *bar, int node)
 {
     ASSERT_INDEX(node, bar->n_nodes);
-    return bar_node_is_fixed(bar, node) && !bar_does(bar, WRONG_HELD_YIELD);
+    return bar_node_is_fixed(bar, node) && !bar_does(bar, BAR_WRONG_HELD_YIELD);
 }

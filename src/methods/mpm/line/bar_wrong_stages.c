@@ -29,7 +29,7 @@ double bar_force_stress(const Bar *bar, int particle)
 {
     ASSERT_INDEX(particle, bar->n_particles);
     const double stress = bar->stress[particle % bar->slots][particle / bar->slots];
-    if (!bar_does(bar, WRONG_STRESS_BEFORE))
+    if (!bar_does(bar, BAR_WRONG_STRESS_BEFORE))
         return stress;
     return stress - bar_modulus(bar, particle) * increment_of(bar, particle, bar_cell_of(bar, particle));
 }
@@ -40,7 +40,7 @@ void bar_kick_weights(const Bar *bar, int particle, int *cell, double n[2])
     const int slot = particle % bar->slots, k = particle / bar->slots;
     double dn[2], s = bar->s[slot][k];
     *cell = bar_cell_of(bar, particle);
-    if (bar_does(bar, WRONG_NEW_WEIGHTS)) {
+    if (bar_does(bar, BAR_WRONG_NEW_WEIGHTS)) {
         const double left = -(double)*cell, right = bar->n_cells - 1.0 - *cell; /* cells of the mesh */
         const double edges = fmin(fmax(floor(bar->moved[slot][k]), left), right);
         *cell += (int)edges;
@@ -95,7 +95,7 @@ static bool strain(Bar *bar, int first, int end, Status *status)
             const double de = increment_of(bar, p, c), stretch = 1.0 + de;
             double *stress = &bar->stress[p % bar->slots][p / bar->slots];
             double *volume = &bar->volume[p % bar->slots][p / bar->slots];
-            *stress = (bar_does(bar, WRONG_ONLY_NEWEST) ? 0.0 : *stress) + bar_modulus(bar, p) * de;
+            *stress = (bar_does(bar, BAR_WRONG_ONLY_NEWEST) ? 0.0 : *stress) + bar_modulus(bar, p) * de;
             *volume = mistake->thinned ? mistake->thinned(*volume, stretch) : *volume * stretch;
             if (!(stretch > 0.0))
                 return bar_fail_particle(bar, status, p, "was crushed (1 + de <= 0)");
@@ -175,7 +175,7 @@ static void update(Bar *bar, int first, int end)
 
 static bool forget(Bar *bar, int first, int end, Status *status)
 {
-    if (bar_does(bar, WRONG_KEEPS_GRID)) {
+    if (bar_does(bar, BAR_WRONG_KEEPS_GRID)) {
         const size_t bytes = (size_t)(nodes_end(bar, end) - first) * sizeof(double);
         memcpy(bar->kept_mass + first, bar->node_mass + first, bytes);
         memcpy(bar->kept_momentum + first, bar->node_momentum + first, bytes);
@@ -190,7 +190,7 @@ bool bar_do_wrongly(Bar *bar, BarOp op, int first, int end, Status *status)
     switch (op) {
     case OP_MAP:
         bar->kernels->map(bar, first, end);
-        if (bar_does(bar, WRONG_KEEPS_GRID))
+        if (bar_does(bar, BAR_WRONG_KEEPS_GRID))
             keep_grid(bar, first, end);
         return true;
     case OP_FIX:

@@ -164,7 +164,7 @@ static void take_mistake(Bar *bar, int mistake)
     if (!row)
         return;
     head->algorithm = row->algorithm;
-    head->flip_fraction = row->does & WRONG_OF_GRID ? 0.0 : 1.0;
+    head->flip_fraction = row->does & BAR_WRONG_OF_GRID ? 0.0 : 1.0;
 }
 
 /* How momentum is transferred: the values that the run would have then, if they fit each other. C of APIC
@@ -305,7 +305,7 @@ static void derive(Bar *bar)
     bar->dt = def->courant * bar->dx / speed;
     bar->mass = def->density * bar->dx / bar->slots;
     const BarMistake *mistake = bar_mistake_if(bar, def->mistake);
-    if (mistake && (mistake->does & WRONG_MASS_OF_CELL))
+    if (mistake && (mistake->does & BAR_WRONG_MASS_OF_CELL))
         bar->mass = def->density * bar->dx;
     bar->mass_floor = 1e-12 * lightest * bar->dx;
     bar->gimp_half = 0.5 / bar->slots;
@@ -343,7 +343,7 @@ static bool begin(Bar *bar, Status *status)
 {
     const BarDef *def = &bar->def;
     const BarMistake *mistake = bar_mistake_if(bar, def->mistake);
-    const bool at_centres = mistake && (mistake->does & WRONG_STARTS_AT_CENTRES);
+    const bool at_centres = mistake && (mistake->does & BAR_WRONG_STARTS_AT_CENTRES);
     *bar->head = (BarHead){.algorithm = def->algorithm,
                            .transfer = def->transfer,
                            .flip_fraction = def->flip_fraction,

@@ -35,7 +35,7 @@ static const double inverse_root_series[LATTICE_SERIES] = {0.5,
 
 static double factor_at(const BeamDef *def, double length)
 {
-    if (bonds_does_by(def, WRONG_NO_VOLUME_FACTOR))
+    if (bonds_does_by(def, BONDS_WRONG_NO_VOLUME_FACTOR))
         return 1;
     return volume_factor(def->volume_correction, def->horizon, def->spacing, length);
 }
@@ -43,7 +43,7 @@ static double factor_at(const BeamDef *def, double length)
 /* The members of a family lie no farther than this. */
 static double reach_of(const BeamDef *def)
 {
-    if (bonds_does_by(def, WRONG_WITHIN_HORIZON))
+    if (bonds_does_by(def, BONDS_WRONG_WITHIN_HORIZON))
         return def->horizon * (1 - 1e-9);
     return volume_reach(def->volume_correction, def->horizon, def->spacing);
 }
@@ -317,7 +317,7 @@ bool lattice_measure(Lattice *lattice, const BeamDef *def, Status *status)
     const BondsMistake *mistake = bonds_mistake_of(def, &room);
     if (mistake && mistake->micromodulus)
         lattice->micromodulus = mistake->micromodulus(def);
-    if (bonds_does_by(def, WRONG_NO_SURFACE_FACTOR))
+    if (bonds_does_by(def, BONDS_WRONG_NO_SURFACE_FACTOR))
         lattice->correction = SURFACE_NONE;
     add_offsets(lattice, def);
     return count_nodes(lattice, def, status);
