@@ -162,8 +162,9 @@ shown() { # SCENARIO
 # Whether the text of FILE holds BEFORE NUMBER AFTER, line ends being spaces, and NUMBER is the measured QUANTITY
 # times FACTOR plus OFFSET, without its sign, rounded to the digits that the text gives.
 agrees() { # FILE BEFORE NUMBER AFTER QUANTITY FACTOR OFFSET
-	tr -s '\n ' '  ' <"$MATVIB_SRCDIR/$1" >text
-	grep -q -F -e "$2$3$4" text || { echo "$1 does not say: $2$3$4" && return 1; }
+	text=text-$(echo "$1" | tr / -)
+	[ -e "$text" ] || tr -s '\n ' '  ' <"$MATVIB_SRCDIR/$1" >"$text"
+	grep -q -F -e "$2$3$4" "$text" || { echo "$1 does not say: $2$3$4" && return 1; }
 	awk -v said="$3" -v name="$5" -v factor="$6" -v offset="$7" '
 		$1 == name { value = $2 * factor + offset; found = 1 }
 		END {
@@ -292,11 +293,11 @@ run column
 claim $scenario/column.ini "its last particle " 0.315 " lower" u_last
 claim $lesson/hang.lesson "hangs " 0.315 " lower" u_last
 
-run hanging-beam
-claim $lesson/rest.lesson "of its largest, at " 2.1 " ms" end
-claim $lesson/rest.lesson "within " 4 " millionths" off
-claim $lesson/rest.lesson "hangs " 2.4 " % lower" sag
 if [ -n "$MATVIB_WIDE" ]; then
+	run hanging-beam
+	claim $lesson/rest.lesson "of its largest, at " 2.1 " ms" end
+	claim $lesson/rest.lesson "within " 4 " millionths" off
+	claim $lesson/rest.lesson "hangs " 2.4 " % lower" sag
 	run hanging-beam --set pd.surface_correction=none
 	claim $lesson/rest.lesson "" 48 " % more than theory" sag
 fi
@@ -313,19 +314,21 @@ claim $lesson/two-methods.lesson "Timoshenko says " 0.864 " ms" exact 1000
 claim $lesson/two-methods.lesson "A: " 0.8606 " ms" measured 1000
 claim $lesson/two-methods.lesson "From " 0.36 " to 1.00 %" predicted 115781.98 -100
 claim $lesson/poisson.lesson "With a third this mesh is early by " 0.38 " %" period_error
-run supported-beam-mpm-coarse --end 0.0009 --set mesh.particles_per_cell=3
-claim $lesson/two-methods.lesson "From 0.36 to " 1.00 " %" predicted 115781.98 -100
-run supported-beam-mpm-coarse --end 0.0007
-claim $lesson/two-methods.lesson "" 0.37 " % become" period_error
 if [ -n "$MATVIB_WIDE" ]; then
+	run supported-beam-mpm-coarse --end 0.0009 --set mesh.particles_per_cell=3
+	claim $lesson/two-methods.lesson "From 0.36 to " 1.00 " %" predicted 115781.98 -100
+	run supported-beam-mpm-coarse --end 0.0007
+	claim $lesson/two-methods.lesson "" 0.37 " % become" period_error
 	run supported-beam-mpm-coarse --end 0.0007 --set mesh.cell_size=0.000625
 	claim $lesson/two-methods.lesson "0.37 % become " "0.10" " %" period_error
 fi
 run supported-beam-mpm-coarse --set beam.poisson=0 --end 0.0009
 claim $lesson/poisson.lesson "Theory: " 0.8631 " ms with 0" exact 1000
-run supported-beam-mpm-coarse --set beam.poisson=0.45 --end 0.0017
-claim $lesson/poisson.lesson "ms with 0 and " 0.8641 " ms" exact 1000
-claim $lesson/poisson.lesson "Early by " "0.60" " %" period_error
+if [ -n "$MATVIB_WIDE" ]; then
+	run supported-beam-mpm-coarse --set beam.poisson=0.45 --end 0.0017
+	claim $lesson/poisson.lesson "ms with 0 and " 0.8641 " ms" exact 1000
+	claim $lesson/poisson.lesson "Early by " "0.60" " %" period_error
+fi
 run supported-beam-coarse --series beam.csv
 cp measured beam
 claim $lesson/two-methods.lesson "B: " 0.8655 " ms" measured 1000
@@ -392,12 +395,13 @@ claim $lesson/skin.lesson "half a millimetre too short (-" 1.0 " %)" size
 claim $lesson/skin.lesson "still a little soft (+" 1.2 " %)" skin
 claim $lesson/skin.lesson "Timoshenko says " 0.864 " ms" exact 1000
 claim $scenario/supported-beam.ini "which counts shear, is " 0.864 " ms" exact 1000
-run supported-beam-coarse --set pd.surface_correction=none
-claim $lesson/skin.lesson "" 1.04 " ms, 20.5 % too long" measured 1000
-claim $lesson/skin.lesson "1.04 ms, " 20.5 " % too long" period_error
-claim $lesson/homework-crack.lesson "From " 21 " % to" period_error
-claim $lesson/two-wrongs.lesson "Uncorrected, A is " 20.5 " % too slow" period_error
-if [ -n "$MATVIB_WIDE" ]; then # a wrong code takes the plain stages
+if [ -n "$MATVIB_WIDE" ]; then
+	run supported-beam-coarse --set pd.surface_correction=none
+	claim $lesson/skin.lesson "" 1.04 " ms, 20.5 % too long" measured 1000
+	claim $lesson/skin.lesson "1.04 ms, " 20.5 " % too long" period_error
+	claim $lesson/homework-crack.lesson "From " 21 " % to" period_error
+	claim $lesson/two-wrongs.lesson "Uncorrected, A is " 20.5 " % too slow" period_error
+	# a wrong code takes the plain stages
 	run supported-beam-coarse --set pd.surface_correction=none --set pd.mistake=micromodulus_plane_strain --end 0.0007
 	claim $lesson/two-wrongs.lesson "and is " 16.7 " % too slow" period_error
 fi
@@ -490,17 +494,17 @@ claim $lesson/channel.lesson "the swing " 0.2 " millionths" strain 1e6
 
 last_row notched-beam-coarse --end 3.1e-6
 claim $lesson/crack.lesson "" 10 " bonds broke in the first 0.0031" broken_bonds
-run notched-beam-coarse
-claim $lesson/crack.lesson "The notch broke first at " 0.0732 " ms" first 0.001
-claim $lesson/crack.lesson "twenty broken bonds there at " 0.087 "." twentieth 0.001
-claim $lesson/crack.lesson "fitted to the first 10 mm of the path has " 26 "." angle10
-claim $lesson/crack.lesson "a line fitted over 38 mm has " 35 " degrees" angle38
-claim $lesson/crack.lesson "this tip comes to " 0.42 " of it" of_rayleigh
-claim $lesson/crack.lesson "G0 = 9 E d s0^2/(4 pi) = " 71 " J/m^2" G0
-claim $lesson/crack.lesson "more, " 82 "" cost
-claim $lesson/crack.lesson "" 61 " of the 82 went into the bonds that cross the path" path
-claim $lesson/crack.lesson "At " 0.246 " ms it" through 0.001
 if [ -n "$MATVIB_WIDE" ]; then
+	run notched-beam-coarse
+	claim $lesson/crack.lesson "The notch broke first at " 0.0732 " ms" first 0.001
+	claim $lesson/crack.lesson "twenty broken bonds there at " 0.087 "." twentieth 0.001
+	claim $lesson/crack.lesson "fitted to the first 10 mm of the path has " 26 "." angle10
+	claim $lesson/crack.lesson "a line fitted over 38 mm has " 35 " degrees" angle38
+	claim $lesson/crack.lesson "this tip comes to " 0.42 " of it" of_rayleigh
+	claim $lesson/crack.lesson "G0 = 9 E d s0^2/(4 pi) = " 71 " J/m^2" G0
+	claim $lesson/crack.lesson "more, " 82 "" cost
+	claim $lesson/crack.lesson "" 61 " of the 82 went into the bonds that cross the path" path
+	claim $lesson/crack.lesson "At " 0.246 " ms it" through 0.001
 	last_row notched-beam-coarse --set output.every=10
 	awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
 		$at["crack_y"] > .0694 { print "edge", 1e6 * $at["time"]; exit }' row.csv >>measured

@@ -412,6 +412,10 @@ static Bench *open_lesson(const char *name)
 static void check_same(Bench *bench, const char *page, const char *how)
 {
     char *dump = entered(bench);
+    if (is_arriving(bench)) {
+        free(dump);
+        return; /* it is far */
+    }
     size_t line = 0, i = 0;
     for (; dump[i] && dump[i] == page[i]; i++)
         if (dump[i] == '\n')
@@ -577,6 +581,10 @@ START_TEST(every_page_is_entered_in_one_state)
     const LessonShown *shown = bench->lab.screen.lesson;
     const int count = shown->lesson->n_pages;
     const bool line = experiment_simulation(bench->lab.screen.experiment)->dimensions == 1;
+    if (!line && !suite_wide() && _i % 2 == 0) { /* of beams and plates every other one */
+        close_bench(bench);
+        return;
+    }
     char *pages[LESSON_PAGES_MAX];
     KeptScreens kept[N_KEPT];
     keep_open(kept);
@@ -613,11 +621,15 @@ START_TEST(every_page_is_entered_in_one_state)
     }
     keep_close(kept, name, !only_near);
     /* backwards, and leaving pages out: where not everything is wanted, each lesson one of both, in the short
-     * form each on a bar */
+     * form each on a bar, and of beams the pages that are near */
     const bool turned = line || suite_wide();
     const bool back = suite_long() || (turned && _i % 2 == 0),
                leaving = suite_long() || (turned && _i % 2 != 0);
+    only_near = !line && !suite_long();
+    const double rate = only_near ? NEAR_STEPS / FRAME_SECONDS : 0;
+    bench->rate = rate;
     for (int page = count - 1; back && page >= 0; page--) {
+        frames = 0;
         if (page + 1 < count)
             press(bench, "b");
         ck_assert_int_eq(shown->page, page);
@@ -626,12 +638,14 @@ START_TEST(every_page_is_entered_in_one_state)
     }
     close_bench(bench);
     bench = open_lesson(name);
+    bench->rate = rate;
     shown = bench->lab.screen.lesson;
     for (int page = 0; leaving && page < count; page++) {
+        frames = 0;
         ck_assert_int_eq(shown->page, page);
         check_same(bench, pages[page], "from one that was left out");
         static const char *const else_done[] = {"3 Tab Right z > Space", "e 5 Tab", "> <"};
-        press_all(bench, else_done[page % 3]);
+        press_all(bench, is_arriving(bench) ? "" : else_done[page % 3]);
         for (int i = 0; i < 5; i++)
             frame(bench);
         if (bench->lab.screen.prompt->open)
@@ -676,7 +690,7 @@ START_TEST(few_keys_lead_through)
     const LessonShown *shown = bench->lab.screen.lesson;
     const int last = shown->lesson->n_pages - 1;
     const bool line = experiment_simulation(bench->lab.screen.experiment)->dimensions == 1;
-    const bool wanted = suite_long() || ((line || suite_wide()) && _i / 2 % 2 == _i % 2);
+    const bool wanted = suite_long() || ((line || suite_wide()) && _i / 2 % 2 == _i % 2 && (suite_wide() || _i % 3 == 0));
     only_near = !line;
     bench->rate = line ? 0 : NEAR_STEPS / FRAME_SECONDS;
     bench->width = 80;

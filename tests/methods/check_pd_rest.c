@@ -108,7 +108,8 @@ START_TEST(golden_sags)
     double spacing, horizon, sag, ratio;
     int held = 0;
     while (fgets(line, sizeof line, file)) {
-        if (sscanf(line, "sag %lf %lf %15s %lf %lf", &spacing, &horizon, surface, &sag, &ratio) != 5)
+        if (sscanf(line, "sag %lf %lf %15s %lf %lf", &spacing, &horizon, surface, &sag, &ratio) != 5 ||
+            (!suite_wide() && spacing < 0.49))
             continue;
         BeamDef def = beam_default(BEAM_SIMPLY_SUPPORTED);
         def.spacing = spacing * 1e-3;
@@ -130,7 +131,7 @@ START_TEST(golden_sags)
         held++;
     }
     fclose(file);
-    ck_assert_int_eq(held, 18);
+    ck_assert_int_eq(held, suite_wide() ? 18 : 9);
 }
 END_TEST
 

@@ -734,7 +734,8 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, paraview_gets_a_collection);
     tcase_add_test(tcase, raw_data_are_those_of_the_text);
     tcase_add_test(tcase, a_summary_tells_what_a_run_came_to);
-    tcase_add_test(tcase, damping_is_told_as_a_rate);
+    if (suite_wide()) /* a whole beam */
+        tcase_add_test(tcase, damping_is_told_as_a_rate);
     tcase_add_test(tcase, the_ripple_is_no_loss);
     tcase_add_test(tcase, what_has_decayed_is_told_so);
     tcase_add_test(tcase, a_zero_keeps_its_sign);

@@ -415,7 +415,8 @@ void add_cases(Suite *suite)
     TCase *tcase = tcase_create("fit");
     tcase_add_test(tcase, what_a_run_was_made_with_is_found);
     tcase_add_test(tcase, the_interval_holds_as_often_as_it_says);
-    tcase_add_test(tcase, intervals_hold_for_white_noise_and_for_noise_that_lasts);
+    if (suite_wide()) /* 1,200 fits */
+        tcase_add_test(tcase, intervals_hold_for_white_noise_and_for_noise_that_lasts);
     tcase_add_test(tcase, changes_in_mid_run_are_those_of_the_run);
     tcase_add_test(tcase, a_run_that_comes_to_rest_ends_there);
     tcase_add_test(tcase, a_run_that_fails_is_told);

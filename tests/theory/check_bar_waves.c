@@ -142,7 +142,7 @@ START_TEST(two_materials_obey)
     theory.of_sines = _i < SUPPORTS;
     enum { CELLS = 5000 };
     double first = 0;
-    for (double t = 0.3; t < 7; t += suite_wide() ? 0.9 : 2.7) {
+    for (double t = 0.3; t < 7; t += suite_wide() ? 0.9 : 3.3) {
         ck_assert(bar_waves_known(&theory, t));
         double energy = 0, momentum = 0, mass = 0;
         for (int i = 0; i < CELLS; i++) {
