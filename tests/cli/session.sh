@@ -17,7 +17,7 @@ printf 'key Esc x\ntype again\nkey Enter\nexpect wrote\n' >export.script
 session() {
 	"$MATVIB" "$2" --paused --script play.script --record "$1.session" --size 100x30
 }
-for scenario in mode5 crossing notched-beam-coarse supported-beam-mpm-coarse; do
+for scenario in mode5 crossing supported-beam-mpm-coarse ${MATVIB_WIDE:+notched-beam-coarse}; do
 	key=mpm.algorithm value=musl
 	[ $scenario = notched-beam-coarse ] && key=pd.critical_stretch value=0.0007
 	cat >play.script <<END

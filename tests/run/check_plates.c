@@ -182,6 +182,8 @@ static const char *const histories[] = {"branching-1", "branching-0.5", "kalthof
 
 START_TEST(histories_agree)
 {
+    if (!suite_wide() && _i == 2) /* a second */
+        return;
     expect_history(histories[_i]);
 }
 END_TEST
