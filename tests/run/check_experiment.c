@@ -496,7 +496,7 @@ START_TEST(changes_in_mid_run_hold_on_any_way)
     walk_with_changes(&settings, bar, sizeof bar / sizeof *bar, 12000, 100, 12);
     settings = beam_settings(&problem_notched_beam, 6e-5);
     set(&settings, "load.stress", "2.4e8");
-    walk_with_changes(&settings, beam, sizeof beam / sizeof *beam, 4 * MEGABYTE, suite_wide() ? 30 : 10, 13);
+    walk_with_changes(&settings, beam, sizeof beam / sizeof *beam, 4 * MEGABYTE, 30, 13);
 }
 END_TEST
 
