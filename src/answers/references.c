@@ -146,28 +146,20 @@ int references_findings(const References *refs, const Simulation *sim, Finding o
                : 0;
 }
 
-int findings_text(const Finding *findings, int n_findings, bool with_exact, int columns, char *out,
-                  size_t size)
+void findings_text(const Finding *findings, int n_findings, bool with_exact, char *out, size_t size)
 {
     ASSERT_INT(n_findings, <=, FINDINGS_MAX);
-    ASSERT_INT(columns, >=, 1);
-    size_t used = 0;
     out[0] = '\0';
     for (int i = 0; i < n_findings; i++) {
-        char text[160];
         const Finding *finding = &findings[i];
-        int n = snprintf(text, sizeof text, "%s%s %s", i ? "  " : "", finding->label,
-                         isfinite(finding->measured) ? text_rounded(finding->measured, 4).text
-                         : finding->missing          ? finding->missing
-                                                     : "not yet");
+        text_append(out, size, "%s%s %s", i ? "  " : "", finding->label,
+                    isfinite(finding->measured) ? text_rounded(finding->measured, 4).text
+                    : finding->missing          ? finding->missing
+                                                : "not yet");
         if (with_exact && finding->exact != 0)
-            n += snprintf(text + n, sizeof text - (size_t)n, " (%s %s)",
-                          finding->word ? finding->word : "exact", text_rounded(finding->exact, 4).text);
-        if (used + (size_t)n >= size || (int)used + n > columns)
-            return i;
-        used += (size_t)snprintf(out + used, size - used, "%s", text);
+            text_append(out, size, " (%s %s)", finding->word ? finding->word : "exact",
+                        text_rounded(finding->exact, 4).text);
     }
-    return n_findings;
 }
 
 int references_thickness_lines(const References *refs, double out[THICKNESS_LINES_MAX])

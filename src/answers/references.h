@@ -108,8 +108,8 @@ enum { FINDINGS_MAX = 6 };
 /* Returns how many there are. The simulation is that of the references, at any time. */
 int references_findings(const References *, const Simulation *, Finding out[FINDINGS_MAX]);
 
-/* "L2 error of v 0.7394  peak/start 0.6993 (exact 1)", as many as `columns` hold; returns how many. */
-int findings_text(const Finding *, int n_findings, bool with_exact, int columns, char *out, size_t size);
+/* "L2 error of v 0.7394  peak/start 0.6993 (exact 1)". */
+void findings_text(const Finding *, int n_findings, bool with_exact, char *out, size_t size);
 
 /* Periods behind the exact answer at another time than the readout's; NAN: not known. */
 double readout_late(const Readout *, double time);

@@ -366,7 +366,7 @@ void summary_text(const RunSummary *summary, const Settings *settings, char out[
     add_decay(&writer, &summary->readout);
     add_kept(&writer, &summary->readout, summary->mistake != NULL);
     char found[SUMMARY_MAX];
-    findings_text(summary->findings, summary->n_findings, true, SUMMARY_MAX, found, sizeof found);
+    findings_text(summary->findings, summary->n_findings, true, found, sizeof found);
     add(&writer, "%s%s", found, *found ? "\n" : "");
     char unaccounted[KNOWN_TEXT_MAX];
     if (known_text(settings, unaccounted, NULL))

@@ -303,7 +303,7 @@ static void draw_summary(const Screen *screen, Area area)
     }
     char found[SUMMARY_MAX] = "";
     if (summary)
-        findings_text(summary->findings, summary->n_findings, screen_shows_exact(screen), SUMMARY_MAX, found,
+        findings_text(summary->findings, summary->n_findings, screen_shows_exact(screen), found,
                       sizeof found);
     if (*found && y < rows)
         y += area_phrases(area, 1, y, width, rows - y, found, STYLE_NORMAL);

@@ -2,6 +2,7 @@
 /* Text and glyphs in a part of the canvas: clipped to it, broken at spaces, cut with an ellipsis. */
 #include "picture/area.h"
 
+#include <limits.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -113,17 +114,35 @@ int area_paragraph_lines(int width, const char *text)
     return paragraph(NULL, 0, 0, width, 10000, text, STYLE_NORMAL);
 }
 
+/* The phrase at the begin of a text, and how many columns it has. */
+static int next_phrase(const char *text, char phrase[256])
+{
+    const char *end = strstr(text, "  ");
+    const size_t length = end ? (size_t)(end - text) : strlen(text);
+    snprintf(phrase, 256, "%.*s", (int)(length < 255 ? length : 255), text);
+    return glyphs_columns(phrase);
+}
+
+int area_rows_of_phrases(const char *text, int width)
+{
+    int line = 0, used = 0;
+    char phrase[256];
+    for (; *text != '\0'; text += strlen(phrase), text += strspn(text, " ")) {
+        const int columns = next_phrase(text, phrase);
+        if (columns > width)
+            return INT_MAX;
+        line += used == 0 || used + 2 + columns > width;
+        used = used == 0 || used + 2 + columns > width ? columns : used + 2 + columns;
+    }
+    return line;
+}
+
 int area_phrases(Area area, int x, int y, int width, int rows, const char *text, Style style)
 {
     int line = 0, used = 0;
     while (*text != '\0' && line < rows) {
-        const char *end = strstr(text, "  ");
-        size_t length = end ? (size_t)(end - text) : strlen(text);
         char phrase[256];
-        length = length < sizeof phrase - 1 ? length : sizeof phrase - 1;
-        memcpy(phrase, text, length);
-        phrase[length] = '\0';
-        const int columns = glyphs_columns(phrase), gap = used ? 2 : 0;
+        const int columns = next_phrase(text, phrase), gap = used ? 2 : 0;
         if (used && used + gap + columns > width) {
             line++;
             used = 0;

@@ -35,6 +35,7 @@ int area_paragraph_lines(int width, const char *text);
 /* Draws phrases that are parted by two spaces, each whole, on as many lines as it takes up to `rows`. Returns
  * the lines used. */
 int area_phrases(Area, int x, int y, int width, int rows, const char *text, Style);
+int area_rows_of_phrases(const char *text, int width); /* that it takes; INT_MAX: one has no room */
 
 /* A bar that stands in a cell, so much of it; at 0 as low as a bar can be. */
 uint32_t area_bar(Area, double share);

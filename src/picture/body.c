@@ -148,27 +148,34 @@ void picture_spread(Picture *picture, const double from[2], const double to[2], 
 
 /* --- in a strip --------------------------------------------------------------------------------------- */
 
-void picture_lay_strip(Picture *picture, const char *heading, int words, int rows)
+/* Characters for the words beside it; rows that it keeps to (0: takes all); columns of one of its pieces. */
+static const struct {
+    int words, rows, least, most;
+} strips[] = {[STRIP_CELLS] = {25, 4, 2, 6}, [STRIP_NODES] = {22, 3, 1, 4}, [STRIP_BODY] = {25, 0, 0, 0}};
+
+void picture_lay_strip(Picture *picture, StripKind strip, const char *heading)
 {
+    const int rows = strips[strip].rows;
     enum { HEADED = 4, TALL = 7, MARGINS = 3 };
     const bool headed = picture->rows >= HEADED;
     picture->kind = PICTURE_STRIP;
     picture->bare = true;
     picture_heading(picture, headed ? heading : "");
-    picture->body[0] = picture->columns - words - MARGINS;
+    picture->body[0] = picture->columns - strips[strip].words - MARGINS;
     picture->body[1] = rows > 0 && picture->rows >= TALL ? rows : picture->rows - headed;
 }
 
-void picture_lay_row(const Picture *picture, StripRow *row)
+void picture_lay_row(const Picture *picture, StripKind strip, StripRow *row)
 {
+    const int least = strips[strip].least, most = strips[strip].most;
     const long all = row->pieces + row->beyond, room = picture->body[0] - row->aside;
     const long per = all > 0 ? room / all : 0;
-    row->per = (int)(per < row->most ? per : row->most);
+    row->per = (int)(per < most ? per : most);
     row->first = 0;
     row->shown = all;
-    if (per >= row->least)
+    if (per >= least)
         return;
-    row->per = row->least;
+    row->per = least;
     row->shown = room > 0 ? room / row->per : 0;
     const long last = row->shown < row->pieces ? all - row->shown : 0, first = row->around - row->shown / 2;
     row->first = first > last ? last : first > 0 ? first : 0;

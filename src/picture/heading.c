@@ -38,6 +38,7 @@ const char *legend_short_name(const char *name)
         {"measured", "meas"},
         {"displacement", "displ."},
         {"measured, middle row", "meas"},
+        {"error of w, % (square-root scale)", "% error, sqrt scale"},
         {"% error, sqrt scale", "error of w, %"},
         {"force, N/m^5", "f, N/m^5"},
         {"30° from the notch (paper)", "30° (paper)"},
@@ -125,12 +126,14 @@ int legend_draw_short(Area area, int x, int y, const Legend *legend, int n_legen
 int heading_draw(Area area, Style heading, const char *name, const char *scale, const Legend *legend,
                  int n_legend, bool goes_on)
 {
-    enum { SHORT_NAME = 1, CLOSE, LETTERS_ONLY }; /* what gives way, one after the other */
+    enum { CLOSE = 2, LETTERS_ONLY }; /* what gives way, one after the other */
     char text[160];
     Legend shown[LEGENDS_MAX];
     int x = 0, gap = GAP_MOST;
     for (int pass = 0; pass <= (goes_on ? CLOSE : LETTERS_ONLY); pass++) {
-        const char *title = pass >= SHORT_NAME ? legend_short_name(name) : name;
+        const char *title = name;
+        for (int i = 0; i < pass && i < CLOSE; i++)
+            title = legend_short_name(title);
         snprintf(text, sizeof text, "%s%s%s", title, !scale[0] ? "" : scale[0] == 'x' ? " " : ", ", scale);
         x = 4 + glyphs_columns(text) + 1;
         gap = pass >= CLOSE ? 1 : GAP_MOST;

@@ -18,6 +18,12 @@ void picture_open(Picture *picture, int columns, int rows, int across, int dots)
                          .body = {columns - 2, rows - 2}};
 }
 
+bool picture_is_low(const Picture *picture)
+{
+    enum { LOW = 10 };
+    return picture->rows < LOW;
+}
+
 void picture_close(Picture *picture)
 {
     plot_close(&picture->plot);
@@ -248,6 +254,13 @@ void picture_name(Picture *picture, Pen pen, const char *name)
 char picture_run_of(const PictureKey *key)
 {
     return key->sign >= 'a' && key->sign <= 'z' ? (char)key->sign : '\0';
+}
+
+PictureNote *picture_note_brief(Picture *picture, Style style, const char *text, const char *brief)
+{
+    PictureNote *note = picture_note(picture, style, text);
+    snprintf(note->brief, sizeof note->brief, "%s", brief);
+    return note;
 }
 
 PictureNote *picture_note(Picture *picture, Style style, const char *text)

@@ -76,6 +76,7 @@ typedef struct PictureMark {
 typedef struct PictureNote {
     Style style;   /* STYLE_FAINT: an explanation, not a result */
     bool joins;    /* goes on behind the one before where lines are long */
+    bool flows;    /* goes on behind the one before where there is room for both */
     bool spare;    /* told where the plot is larger than it must be; with others of the kind, or not at all */
     bool told;     /* in words alone, behind the others: what a look at the picture says */
     int rows;      /* that it may take where there are many; 0 is 1 */
@@ -293,6 +294,9 @@ typedef struct Picture {
 void picture_open(Picture *, int columns, int rows, int across, int dots);
 void picture_close(Picture *);
 
+/* So few rows that a drawing shows what is looked at, and not what is beside it. */
+bool picture_is_low(const Picture *);
+
 /* Without memory something is left out of what is added; the plot is `lost` then. */
 
 /* Both axes with their names and SI units; "": none. Strokes come after them. Ticks are found for the room
@@ -322,21 +326,23 @@ bool picture_in_sight(const Picture *, double x, double y, double margin);
  * goes on with its dashes. */
 void picture_trace(Picture *, const double from[2], const double to[2], const Stroke *pen);
 
-/* A strip has room for so many characters beside it: for its keys or notes, of which the first stands beside
- * the first row, the second beside the last. A low pane has no heading; a tall one keeps to so many rows (0:
- * takes all), and has the labels below each other under them. */
-void picture_lay_strip(Picture *, const char *heading, int words, int rows);
+typedef enum StripKind { STRIP_CELLS, STRIP_NODES, STRIP_BODY } StripKind;
+
+/* A strip has room beside it for its keys or notes, of which the first stands beside the first row, the
+ * second beside the last. A low pane has no heading; in a tall one a row of pieces keeps to a few rows, and
+ * has the labels below each other under them. */
+void picture_lay_strip(Picture *, StripKind, const char *heading);
 
 /* Pieces in a row, so many whole columns each; where they have no room, a part of them around one, which may
  * end so many beyond the last one. `aside`: columns that are no piece's. What comes out: columns of a piece,
  * the first one in sight, how many are. */
 typedef struct StripRow {
     long pieces, beyond, around;
-    int aside, least, most;
+    int aside;
     int per;
     long first, shown;
 } StripRow;
-void picture_lay_row(const Picture *, StripRow *);
+void picture_lay_row(const Picture *, StripKind, StripRow *);
 
 /* How a body with its dimensions is laid out, in characters: its size in m, the rows that things above and
  * below it need, and so many rows of lengths below that. What comes out: characters to a metre, its edges as
@@ -381,5 +387,6 @@ char picture_run_of(const PictureKey *);             /* the letter of an earlier
 
 /* Below it; more can be said of the note that is returned. */
 PictureNote *picture_note(Picture *, Style, const char *text);
+PictureNote *picture_note_brief(Picture *, Style, const char *text, const char *brief); /* in short too */
 
 #endif

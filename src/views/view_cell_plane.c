@@ -10,7 +10,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { SHOWN_MAX = 4, LOW_ROWS = 10 };
+enum { SHOWN_MAX = 4 };
 
 static double node_at(const Simulation *sim, int direction, size_t node)
 {
@@ -102,7 +102,7 @@ static void add_arrow(Picture *picture, const CellTerms *terms, size_t rank)
         arrow.side = node_at(sim, 0, node) < particle_at(sim, 0, terms->index) ? 1 : -1;
         arrow.at[0] = node_at(sim, 0, node), arrow.at[1] = node_at(sim, 1, node);
         cell_terms_arrow(terms, link, &arrow);
-        if (picture->rows < LOW_ROWS)
+        if (picture_is_low(picture))
             arrow.text[1][0] = '\0';
     }
     picture_arrow(picture, &arrow);
@@ -163,7 +163,7 @@ void cell_plane_describe(const Screen *screen, Picture *picture)
         add_arrow(picture, &terms, rank);
     add_particle(picture, screen, &terms, terms.index);
     /* in a low pane they stand where the terms would */
-    for (size_t p = 0; p < sim->counts[0] && (terms.n_flows == 0 || picture->rows >= LOW_ROWS); p++)
+    for (size_t p = 0; p < sim->counts[0] && (terms.n_flows == 0 || !picture_is_low(picture)); p++)
         if (p != terms.index &&
             is_near((const double[2]){particle_at(sim, 0, p), particle_at(sim, 1, p)}, low, high))
             add_particle(picture, screen, &terms, p);

@@ -132,8 +132,6 @@ static void verdict_of(const Screen *screen, const Study *study, char out[160])
         text_append(out, 160, "  no one order: the error does not fall with one sign");
 }
 
-enum { BRIEF = 60 }; /* columns that a point wants with all that there is to say */
-
 /* Of point k: its size, its answers, its error, the order from the one before; in brief, the last two. */
 static void point_line(const Study *study, int k, bool brief, char out[200])
 {
@@ -155,12 +153,10 @@ static void point_line(const Study *study, int k, bool brief, char out[200])
         in_line > 0 && !study->of->paper ? convergence_order(&study->points[k - 1], point) : NAN;
     if (isfinite(order))
         text_append(out, 200, ", order %.2f", order);
-    if (brief && !study->of->paper)
-        return;
-    text_append(out, 200, ", %s %.4f", study->of->paper ? "T" : "predicted", shown(study, is->predicted));
+    text_append(out, 200, "  %s %.4f", study->of->paper ? "T" : "predicted", shown(study, is->predicted));
     if (study->of->paper)
-        text_append(out, 200, ", paper %.3f", point->paper / 1e-3);
-    text_append(out, 200, ", theory %.4f%s", shown(study, is->real_size), study->periods ? " ms" : "");
+        text_append(out, 200, "  paper %.3f", point->paper / 1e-3);
+    text_append(out, 200, "  theory %.4f%s", shown(study, is->real_size), study->periods ? " ms" : "");
 }
 
 /* --- pictures ------------------------------------------------------------------------------------- */
@@ -282,8 +278,10 @@ static void describe(const Screen *screen, int variant, Picture *picture)
         describe_errors(picture, &study);
     picture_note(picture, STYLE_NORMAL, line);
     for (int k = 0; k < study.known; k++) {
-        point_line(&study, k, picture->columns < BRIEF, line);
-        picture_note(picture, STYLE_FAINT, line)->spare = true;
+        char brief[200];
+        point_line(&study, k, false, line);
+        point_line(&study, k, true, brief);
+        picture_note_brief(picture, STYLE_FAINT, line, brief)->spare = true;
     }
 }
 

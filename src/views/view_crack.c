@@ -32,7 +32,7 @@ static bool has_crack(const Screen *screen)
 static void note_crack(const Screen *screen, Picture *picture, const char *first)
 {
     char lines[2][160];
-    beam_lines(screen, picture->columns - 2, lines[0], lines[1]);
+    beam_lines(screen, false, lines[0], lines[1]);
     picture_note(picture, STYLE_NORMAL, *first ? first : lines[0]);
     picture_note(picture, STYLE_NORMAL, lines[1])->joins = true;
 }

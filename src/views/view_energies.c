@@ -318,8 +318,7 @@ static void note_run(const Screen *screen, Picture *picture, const char *run, do
             residual_phrases(screen, most_work, phrases);
         snprintf(out, sizeof text, "%s%s", run, phrases);
     }
-    PictureNote *note = picture_note(picture, STYLE_NORMAL, picture->columns > 90 ? text : brief);
-    note->rows = rows;
+    picture_note_brief(picture, STYLE_NORMAL, text, brief)->rows = rows;
 }
 
 static void add_keys(Picture *picture, const Stack *stack, const ShownRun *runs, int n_runs,

@@ -97,7 +97,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
         add_front(&picture->plot, fronts, &fronts->fronts[f], variant);
         mark_front(picture, fronts, f);
     }
-    beam_lines(screen, picture->columns - 2, lines[0], lines[1]);
+    beam_lines(screen, false, lines[0], lines[1]);
     picture_note(picture, STYLE_NORMAL, lines[0]);
     picture_note(picture, STYLE_NORMAL, lines[1])->joins = true;
 }

@@ -178,26 +178,29 @@ static void widen_range(const Screen *screen, const ShownRun *run, const char *n
 
 /* --- lines under the plot ------------------------------------------------------------------------- */
 
+enum { READOUT_TEXT = 320 };
+
 /* "a period keeps 68.4 %, predicted 68.4 %" of the energy, where it does not keep all of it. */
-static void append_kept(const Readout *readout, bool predicted, bool narrow, char out[160])
+static void append_kept(const Readout *readout, bool predicted, bool narrow, char out[READOUT_TEXT])
 {
     const bool measured = isfinite(readout->kept_measured);
     if (!(readout->kept_predicted < READOUT_UNDAMPED) || !(measured || predicted))
         return;
-    text_append(out, 160, narrow ? "%skept" : "%sa period keeps", out[0] ? "  " : "");
+    text_append(out, READOUT_TEXT, narrow ? "%skept" : "%sa period keeps", out[0] ? "  " : "");
     if (measured)
-        text_append(out, 160, " %.3g %%", 100 * readout->kept_measured);
-    if (predicted && !(narrow && measured))
-        text_append(out, 160, "%s predicted %.3g %%", measured ? "," : "", 100 * readout->kept_predicted);
+        text_append(out, READOUT_TEXT, " %.3g %%", 100 * readout->kept_measured);
+    if (predicted)
+        text_append(out, READOUT_TEXT, "%s %s %.3g %%", measured ? "," : "", narrow ? "pred" : "predicted",
+                    100 * readout->kept_predicted);
 }
 
-/* What the run is judged by. In a narrow pane the words are shorter; a number is never
- * cut. */
-static void frequency_lines(const Screen *screen, int width, char first[160], char second[160])
+/* What the run is judged by; `narrow`: in short words. */
+static void frequency_lines(const Screen *screen, bool narrow, char first[READOUT_TEXT],
+                            char second[READOUT_TEXT])
 {
     const Readout *readout = experiment_readout(screen->experiment);
-    if (beam_lines(screen, width, first, second)) {
-        append_kept(readout, screen_shows_predicted(screen), width < 52, second);
+    if (beam_lines(screen, narrow, first, second)) {
+        append_kept(readout, screen_shows_predicted(screen), narrow, second);
         return;
     }
     const bool exact = readout->exact_known && screen_shows_exact(screen);
@@ -207,47 +210,45 @@ static void frequency_lines(const Screen *screen, int width, char first[160], ch
         Finding findings[FINDINGS_MAX];
         const int n = references_findings(experiment_references(screen->experiment),
                                           experiment_simulation(screen->experiment), findings);
-        const bool with_exact = screen_shows_exact(screen);
-        const int fitted = findings_text(findings, n, with_exact, width, first, 160);
-        findings_text(findings + fitted, n - fitted, with_exact, width, second, 160);
+        findings_text(findings, n, screen_shows_exact(screen) && !narrow, first, READOUT_TEXT);
         if (n == 0 && !readout->unjudged)
-            snprintf(first, 160, "nothing vibrates: no frequency to measure");
+            snprintf(first, READOUT_TEXT, "nothing vibrates: no frequency to measure");
         return;
     }
-    const bool narrow = width < 52;
     const bool wrong = settings_mistake(experiment_settings(screen->experiment)) != NULL;
     /* while rows come in the fit is a little behind them, see experiment_rest() */
     const bool about = screen_is_running(screen) && experiment_is_flowing(screen->experiment);
     if (readout->measured_known)
-        text_append(first, 160,
+        text_append(first, READOUT_TEXT,
                     narrow  ? "w %s%.*f"
                     : wrong ? "w wrong code %s%.*f"
                             : "w measured %s%.*f",
                     about ? "~" : "", about ? 3 : 4, readout->measured);
     else if (readout->unaccounted)
-        text_append(first, 160, narrow ? "w ? %s" : "w: not known with %s", readout->unaccounted);
-    else if (experiment_at_end(screen->experiment))
-        text_append(first, 160, narrow ? "w none" : "w: %s", readout->unmeasured);
-    else
-        text_append(first, 160, narrow ? "w ..." : "w measuring");
+        text_append(first, READOUT_TEXT, narrow ? "w ? %s" : "w: not known with %s", readout->unaccounted);
+    else if (experiment_at_end(screen->experiment)) {
+        text_append(first, READOUT_TEXT, narrow ? "w none" : "w: %s", readout->unmeasured);
+        text_append(second, READOUT_TEXT, "%s", narrow ? readout->unmeasured : "");
+    } else
+        text_append(first, READOUT_TEXT, narrow ? "w ..." : "w measuring");
     if (predicted)
-        text_append(first, 160, narrow ? " %s %.4f" : "  %s %.4f",
+        text_append(first, READOUT_TEXT, narrow ? " %s %.4f" : "  %s %.4f",
                     wrong    ? (narrow ? "right" : "right code")
                     : narrow ? "pred"
                              : "predicted",
                     readout->predicted);
     if (exact)
-        text_append(first, 160, narrow ? " exact %.4f" : "  exact %.4f", readout->exact);
+        text_append(first, READOUT_TEXT, narrow ? " exact %.4f" : "  exact %.4f", readout->exact);
     if (readout->measured_known && exact) {
-        text_append(second, 160, "w %+.*f %%", about ? 1 : 2, readout->error_frequency);
-        /* of what dies its decay is told first */
-        if (width >= 100 || !(readout->kept_predicted < READOUT_UNDAMPED)) {
-            text_append(second, 160, "  T %+.*f %%", about ? 1 : 2, readout->error_period);
-            text_append(second, 160, narrow ? "  %s %.2f T" : "  %s by %.2f periods",
+        text_append(second, READOUT_TEXT, "w %+.*f %%", about ? 1 : 2, readout->error_frequency);
+        /* of what dies its decay is told, if not everything can be */
+        if (!narrow || !(readout->kept_predicted < READOUT_UNDAMPED)) {
+            text_append(second, READOUT_TEXT, "  T %+.*f %%", about ? 1 : 2, readout->error_period);
+            text_append(second, READOUT_TEXT, narrow ? "  %s %.2f T" : "  %s by %.2f periods",
                         readout->late < 0 ? "early" : "late", fabs(readout->late));
         }
         if (predicted && readout->overlap < READOUT_PURE)
-            text_append(second, 160, narrow ? "  mixture %.2f" : "  mixture of modes, overlap %.3f",
+            text_append(second, READOUT_TEXT, narrow ? "  mixture %.2f" : "  mixture of modes, overlap %.3f",
                         readout->overlap);
     }
     append_kept(readout, predicted, narrow, second);
@@ -287,10 +288,14 @@ static void note_both(const Screen *screen, Picture *picture)
 {
     for (int run = 0; run < 2; run++) {
         const Screen one = screen_of_side(screen, run == 0 ? SIDE_A : SIDE_B);
-        char first[160], second[160], text[336];
-        frequency_lines(&one, picture->columns < 82 ? 40 : picture->columns - 2, first, second);
-        snprintf(text, sizeof text, "%c %s%s%s", "AB"[run], first, second[0] ? "  " : "", second);
-        picture_note(picture, STYLE_NORMAL, text);
+        char text[2][PICTURE_TEXT_MAX];
+        for (int narrow = 0; narrow < 2; narrow++) {
+            char first[READOUT_TEXT], second[READOUT_TEXT];
+            frequency_lines(&one, narrow, first, second);
+            snprintf(text[narrow], sizeof *text, "%c %s", "AB"[run], first);
+            text_append(text[narrow], sizeof *text, "%s%s", second[0] ? "  " : "", second);
+        }
+        picture_note_brief(picture, STYLE_NORMAL, text[0], text[1]);
     }
 }
 
@@ -305,15 +310,14 @@ static void note_cursor(const Screen *screen, Picture *picture, const Line *line
     do
         cursor_line(screen, lines, n_lines, curve, digits, true, brief);
     while (glyphs_columns(brief) > picture->columns - 2 && --digits >= LEAST);
-    PictureNote *note = picture_note(picture, STYLE_SELECTED, text);
-    snprintf(note->brief, sizeof note->brief, "%s", brief);
+    PictureNote *note = picture_note_brief(picture, STYLE_SELECTED, text, brief);
     note->rows = digits <= LEAST ? 2 : 1;
 }
 
 static void note_readout(const Screen *screen, Picture *picture, const Line *lines, int n_lines,
                          const char *curve)
 {
-    char first[160], second[160];
+    char first[2][READOUT_TEXT], second[2][READOUT_TEXT];
     const bool cursor = isfinite(screen->time.cursor);
     if (cursor)
         note_cursor(screen, picture, lines, n_lines, curve);
@@ -325,10 +329,13 @@ static void note_readout(const Screen *screen, Picture *picture, const Line *lin
             note_both(screen, picture);
         return;
     }
-    frequency_lines(screen, picture->columns - 2, first, second);
-    picture_note(picture, STYLE_NORMAL, first);
+    if (!cursor && !experiment_readout(screen->experiment)->moving && runs_note_findings(screen, picture))
+        return;
+    for (int narrow = 0; narrow < 2; narrow++)
+        frequency_lines(screen, narrow, first[narrow], second[narrow]);
+    picture_note_brief(picture, STYLE_NORMAL, first[0], first[1]);
     if (!cursor)
-        picture_note(picture, STYLE_NORMAL, second)->joins = true;
+        picture_note_brief(picture, STYLE_NORMAL, second[0], second[1])->joins = true;
 }
 
 /* The axis of the values of these runs, over all that they have, foreign series and references will be. */

@@ -219,22 +219,9 @@ static const char *curve(const Screen *screen)
 /* On the page of a lesson this is the one picture: at its end what the run comes to stands below it. */
 static void note_findings(const Screen *screen, Picture *picture)
 {
-    Finding findings[FINDINGS_MAX];
-    char line[160];
-    if (!screen->lesson->lesson || !screen_is_plain(screen) || !screen_shows_exact(screen) ||
-        !experiment_at_end(screen->experiment))
-        return;
-    const int count = references_findings(experiment_references(screen->experiment),
-                                          experiment_simulation(screen->experiment), findings);
-    for (int told = 0; told < count;) {
-        const int room = picture->columns - 2;
-        int fitted = findings_text(findings + told, count - told, true, room, line, sizeof line);
-        if (fitted == 0)
-            fitted = findings_text(findings + told, 1, false, room, line, sizeof line);
-        if (fitted > 0)
-            picture_note(picture, STYLE_NORMAL, line);
-        told += fitted > 0 ? fitted : 1;
-    }
+    if (screen->lesson->lesson && screen_is_plain(screen) && screen_shows_exact(screen) &&
+        experiment_at_end(screen->experiment))
+        runs_note_findings(screen, picture);
 }
 
 static void describe(const Screen *screen, int variant, Picture *picture)

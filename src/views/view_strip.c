@@ -239,7 +239,6 @@ static void note_bar(const Bar *bar, Flow flow)
 
 static void describe_bar(Strip *strip, const double *x0)
 {
-    enum { WORDS = 25, ROWS = 4, LEAST = 2, MOST = 6 };
     const Simulation *sim = strip->sim;
     Bar bar = {.strip = strip,
                .x0 = x0,
@@ -251,15 +250,13 @@ static void describe_bar(Strip *strip, const double *x0)
     bar.spacing = node_at(&bar, bar.nodes / 2) - node_at(&bar, bar.nodes / 2 - 1);
     bar.length = x0[strip->count - 1] + sim->spacing / 2;
     enlarge(strip, bar.spacing);
-    picture_lay_strip(strip->picture, "the bar: its grid, and its particles", WORDS, ROWS);
+    picture_lay_strip(strip->picture, STRIP_CELLS, "the bar: its grid, and its particles");
     /* beyond its end a cell more, into which it may stretch */
     strip->row = (StripRow){.pieces = lround(bar.length / bar.spacing),
                             .beyond = 1,
                             .aside = 1,
-                            .around = (long)floor(x0[strip->chosen] / bar.spacing),
-                            .least = LEAST,
-                            .most = MOST};
-    picture_lay_row(strip->picture, &strip->row);
+                            .around = (long)floor(x0[strip->chosen] / bar.spacing)};
+    picture_lay_row(strip->picture, STRIP_CELLS, &strip->row);
     open_axes(strip, strip->row.shown * strip->row.per + (strip->row.shown <= strip->row.pieces));
     bool inside;
     const Flow flow = stage_flow(strip->screen, &inside);
@@ -395,7 +392,6 @@ static void note_nodes(const NodeRow *row, bool pulls, bool mirrors)
 
 static void describe_bonds(Strip *strip)
 {
-    enum { WORDS = 22, ROWS = 3, LEAST = 1, MOST = 4 };
     const Settings *settings = experiment_settings(strip->screen->experiment);
     enlarge(strip, strip->sim->spacing);
     const BarSupports ends = settings_supports(settings)->ends;
@@ -409,13 +405,11 @@ static void describe_bonds(Strip *strip)
     bool done;
     const char *stage = strip->sim->stages[screen_box_stage(strip->screen, &done)].id;
     const bool inside = strip->paused && done, pulls = inside && strcmp(stage, "bonds") == 0;
-    picture_lay_strip(strip->picture, "the bar: its nodes, and the bonds of one", WORDS, ROWS);
+    picture_lay_strip(strip->picture, STRIP_NODES, "the bar: its nodes, and the bonds of one");
     strip->row = (StripRow){.pieces = before + row.nodes + (row.walls[1] ? row.reach : 0),
                             .aside = row.walls[0] + row.walls[1],
-                            .around = before + (long)strip->chosen,
-                            .least = LEAST,
-                            .most = MOST};
-    picture_lay_row(strip->picture, &strip->row);
+                            .around = before + (long)strip->chosen};
+    picture_lay_row(strip->picture, STRIP_NODES, &strip->row);
     row.first = strip->row.first - before;
     row.end = row.first + strip->row.shown;
     open_axes(strip, strip->row.shown * strip->row.per + (row.first < 0) + (row.end > row.nodes));
@@ -453,13 +447,12 @@ static double lay_beam(Strip *strip, const double low[2], const double high[2])
 static void describe_beam(Strip *strip, const double *x, const double *y, const double *uy,
                           const double *damage)
 {
-    enum { WORDS = 25 };
     const Simulation *sim = strip->sim;
     Plot *plot = &strip->picture->plot;
     double low[2] = {x[0], y[0]}, high[2] = {x[0], y[0]}, moved = 0; /* with where it began */
     char text[48];
     snprintf(text, sizeof text, "the %s", screen_problem(strip->screen)->body);
-    picture_lay_strip(strip->picture, text, WORDS, 0);
+    picture_lay_strip(strip->picture, STRIP_BODY, text);
     for (size_t i = 0; i < strip->count; i++) {
         low[0] = fmin(low[0], x[i] + strip->u[i]);
         high[0] = fmax(high[0], x[i] + strip->u[i]);

@@ -41,6 +41,6 @@ void beam_lines_tip_speed(const Crack *, double rayleigh, char out[160]);
 
 /* Two lines that tell what a beam's run is judged by, for a pane of so many columns; false: it is a bar,
  * or comes to rest: its findings tell more. */
-bool beam_lines(const Screen *, int width, char first[160], char second[160]);
+bool beam_lines(const Screen *, bool narrow, char first[160], char second[160]);
 
 #endif

@@ -42,7 +42,7 @@ START_TEST(every_key_in_every_view)
     bench->rate = 1000;
     press_all(bench, "> ]");
     for (char view = '1'; view <= '9'; view++)
-        if (suite_wide() || (view + _i) % N_SCENARIOS == 0)
+        if (suite_long() || (view + _i) % (suite_wide() ? 2 : N_SCENARIOS) == 0)
             press_every_key_after(bench, (char[]){view, '\0'});
     close_bench(bench);
 }
@@ -58,7 +58,7 @@ START_TEST(every_key_in_every_prompt)
     bench->rate = 1000;
     for (size_t i = 0; i < sizeof openers / sizeof *openers; i++) {
         bench->lab.screen.panes.focus = PANE_PARAMETERS;
-        if (suite_wide() || (i + (size_t)_i) % N_SCENARIOS == 0)
+        if (suite_long() || (i + (size_t)_i) % (suite_wide() ? 2 : N_SCENARIOS) == 0)
             press_every_key_after(bench, openers[i]);
     }
     close_bench(bench);

@@ -253,7 +253,8 @@ START_TEST(marks_are_what_was_seen)
 {
     char folder[64];
     int right = 0;
-    const int first = (int)number_of("MATVIB_SEED", 30), count = (int)number_of("MATVIB_SEQUENCES", suite_wide() ? 20 : 12);
+    const int first = (int)number_of("MATVIB_SEED", 30),
+              count = (int)number_of("MATVIB_SEQUENCES", suite_wide() ? 20 : 12);
     enter_with_lesson(folder);
     for (int i = 0; i < count; i++)
         right += do_homework(NULL, first + i);

@@ -690,7 +690,8 @@ START_TEST(few_keys_lead_through)
     const LessonShown *shown = bench->lab.screen.lesson;
     const int last = shown->lesson->n_pages - 1;
     const bool line = experiment_simulation(bench->lab.screen.experiment)->dimensions == 1;
-    const bool wanted = suite_long() || ((line || suite_wide()) && _i / 2 % 2 == _i % 2 && (suite_wide() || _i % 3 == 0));
+    const bool wanted =
+        suite_long() || ((line || suite_wide()) && _i / 2 % 2 == _i % 2 && (suite_wide() || _i % 3 == 0));
     only_near = !line;
     bench->rate = line ? 0 : NEAR_STEPS / FRAME_SECONDS;
     bench->width = 80;

@@ -658,7 +658,7 @@ START_TEST(an_echo_is_told_while_it_is_in_one_piece)
         const int n = references_findings(experiment_references(experiment),
                                           experiment_simulation(experiment), findings);
         ck_assert_int_eq(n, 3);
-        findings_text(findings, 2, false, sizeof told, told, sizeof told);
+        findings_text(findings, 2, false, told, sizeof told);
         ck_assert_msg(strstr(told, cases[i].told) == told, "%s, %g: %s", cases[i].supports, cases[i].time,
                       told);
         experiment_destroy(experiment);

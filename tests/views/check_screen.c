@@ -266,12 +266,11 @@ static void expect_whole_numbers(const Canvas *canvas, const char *what)
 }
 
 /* Pictures that take long, and of which another one shows nearly the same: where everything is wanted. */
-static const char *const long_ones[] = {"study-methods",       "study-uncorrected", "study-nodes-ascii",
-                                        "notched-near-ascii",  "notched-map-large", "family-large-ascii",
-                                        "cantilever-energies", "duel-notched",      "cantilever-map-ascii",
-                                        "notched-near",        "notched-map-ascii", "convergence",
-                                        "notched-map",         "crack-speed",       "crack-path-ascii",
-                                        "study-table"};
+static const char *const long_ones[] = {
+    "study-methods",        "study-uncorrected",  "study-nodes-ascii",   "notched-near-ascii",
+    "notched-map-large",    "family-large-ascii", "cantilever-energies", "duel-notched",
+    "cantilever-map-ascii", "notched-near",       "notched-map-ascii",   "convergence",
+    "notched-map",          "crack-speed",        "crack-path-ascii",    "study-table"};
 static int wanted[sizeof pictures / sizeof *pictures];
 
 static bool takes_long(const Screenshot *picture)

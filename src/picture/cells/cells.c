@@ -31,16 +31,35 @@ void cells_open(Picture *picture, int columns, int rows, Glyphs glyphs)
 
 /* --- room ------------------------------------------------------------------------------------------ */
 
+/* The note from `i` on with those that go on behind it, in lines that are long or not; returns the next one.
+ */
+static int line_of_notes(const Picture *picture, int i, int columns, bool joined, PictureNote *line)
+{
+    *line = picture->notes[i++];
+    for (; i < picture->n_notes; i++) {
+        const PictureNote *next = &picture->notes[i];
+        const bool fits = glyphs_columns(line->text) + 2 + glyphs_columns(next->text) <= columns - 1;
+        if (!(next->joins && joined) && !(next->flows && fits))
+            break;
+        if (line->brief[0])
+            text_append(line->brief, sizeof line->brief, "  %s", next->brief[0] ? next->brief : next->text);
+        text_append(line->text, sizeof line->text, "  %s", next->text);
+    }
+    line->rows = line->rows > 1 ? line->rows : 1;
+    return i;
+}
+
 /* Rows of words under a plot in so many rows with its heading: it keeps four, in a low pane three. */
 static int rows_under(const Picture *picture, int columns, int rows)
 {
     int wanted = 0, spare = 0;
-    for (int i = 0; i < picture->n_notes; i++) {
-        const PictureNote *note = &picture->notes[i];
-        if (note->spare)
+    for (int i = 0; i < picture->n_notes;) {
+        PictureNote line;
+        i = line_of_notes(picture, i, columns, columns >= JOINED, &line);
+        if (line.spare)
             spare++;
-        else if (!(note->joins && columns >= JOINED && wanted > 0))
-            wanted += note->rows > 1 ? note->rows : 1;
+        else
+            wanted += line.rows;
     }
     const bool drawn = picture->kind == PICTURE_DRAWING;
     const int room = drawn ? rows - DRAWING : rows < 6 ? 0 : rows < 8 ? 1 : rows - 6;
@@ -217,12 +236,12 @@ static void draw_note(const PictureNote *note, Area area, int x, int y, int rows
         area_put(area, x, y, note->sign, note->sign_style);
         x += 2;
     }
-    const bool is_long = note->brief[0] && glyphs_columns(note->text) > rows * (area.rect.width - x);
+    const bool is_long = note->brief[0] && area_rows_of_phrases(note->text, area.rect.width - x) > rows;
     glyphs_plain(area.glyphs, is_long ? note->brief : note->text, text, sizeof text);
-    if (note->spare || glyphs_columns(text) <= area.rect.width - x)
+    if (glyphs_columns(text) <= area.rect.width - x)
         area_text(area, x, y, text, note->style);
     else
-        area_phrases(area, x, y, area.rect.width - 1 - x, rows, text, note->style);
+        area_phrases(area, x, y, area.rect.width - x, rows, text, note->style);
 }
 
 /* Each on rows of its own; what joins goes on behind the one before where lines are long or rows are few. */
@@ -231,10 +250,9 @@ static void draw_notes(const Picture *picture, Area area)
     const int rows = area.rect.height;
     const bool short_of = rows < picture->n_notes, joined = area.rect.width >= JOINED || short_of;
     for (int i = 0, y = 0; i < picture->n_notes && y < rows;) {
-        PictureNote line = picture->notes[i++];
-        for (; i < picture->n_notes && picture->notes[i].joins && joined; i++)
-            text_append(line.text, sizeof line.text, "  %s", picture->notes[i].text);
-        const int wanted = line.rows > 1 ? line.rows : 1, given = wanted < rows - y ? wanted : rows - y;
+        PictureNote line;
+        i = line_of_notes(picture, i, area.rect.width, joined, &line);
+        const int given = line.rows < rows - y ? line.rows : rows - y;
         draw_note(&line, area, 1, y, given);
         y += given;
     }

@@ -31,29 +31,23 @@ static const char *predicted_word(const Screen *screen)
     return settings_mistake(experiment_settings(screen->experiment)) ? "right code" : "predicted";
 }
 
-static void supported_lines(const Screen *screen, int width, char first[160], char second[160])
+static void supported_lines(const Screen *screen, bool narrow, char first[160], char second[160])
 {
-    const bool narrow = width < 60;
     const Readout *readout = experiment_readout(screen->experiment);
     const double euler = screen_derived(screen, "period_euler"), timoshenko = readout->exact;
-    char theory[80] = ""; /* where the first line has no room for it, it begins the second */
     if (readout->measured_known) {
         snprintf(first, 160, "T %s%.4f ms", narrow ? "" : "measured ", readout->measured / 1e-3);
         if (screen_shows_exact(screen)) {
             text_append(first, 160, "  Timoshenko %+.2f %%", percent(readout->measured / timoshenko));
-            snprintf(theory, sizeof theory, "Euler %+.2f %%", percent(readout->measured / euler));
+            snprintf(second, 160, "Euler %+.2f %%", percent(readout->measured / euler));
         }
     } else {
         snprintf(first, 160, "T measuring");
         if (screen_shows_exact(screen)) {
             text_append(first, 160, "  Timoshenko %.4f ms", timoshenko / 1e-3);
-            snprintf(theory, sizeof theory, "Euler %.4f ms", euler / 1e-3);
+            snprintf(second, 160, "Euler %.4f ms", euler / 1e-3);
         }
     }
-    if (theory[0] && glyphs_columns(first) + 2 + glyphs_columns(theory) <= width)
-        text_append(first, 160, "  %s", theory);
-    else
-        snprintf(second, 160, "%s", theory);
     if (isfinite(readout->by_zeros))
         text_append(second, 160, "%sby its zeros %.4f ms", second[0] ? "  " : "", readout->by_zeros / 1e-3);
     append_ghosts(screen->experiment, second);
@@ -81,9 +75,8 @@ static void damped_lines(const Screen *screen, char first[160], char second[160]
         text_append(second, 160, "  Timoshenko %.1f", 1 / readout->exact);
 }
 
-static void moving_lines(const Screen *screen, int width, char first[160], char second[160])
+static void moving_lines(const Screen *screen, bool narrow, char first[160], char second[160])
 {
-    const bool narrow = width < 52;
     const Readout *readout = experiment_readout(screen->experiment);
     const int length = screen_column(screen, "length");
     const double *row = experiment_row(screen->experiment);
@@ -143,7 +136,7 @@ static bool has_findings(const Screen *screen)
                                experiment_simulation(screen->experiment), findings) > 0;
 }
 
-bool beam_lines(const Screen *screen, int width, char first[160], char second[160])
+bool beam_lines(const Screen *screen, bool narrow, char first[160], char second[160])
 {
     const bool leaves = experiment_settings(screen->experiment)->problem->concerns & CONCERN_MOTION;
     first[0] = second[0] = '\0';
@@ -168,8 +161,8 @@ bool beam_lines(const Screen *screen, int width, char first[160], char second[16
     else if (isfinite(experiment_readout(screen->experiment)->decay_exact))
         damped_lines(screen, first, second);
     else if (leaves)
-        moving_lines(screen, width, first, second);
+        moving_lines(screen, narrow, first, second);
     else
-        supported_lines(screen, width, first, second);
+        supported_lines(screen, narrow, first, second);
     return true;
 }

@@ -190,3 +190,17 @@ void runs_ghost_names(const Screen *screen, int columns, char *out, size_t size)
             text_append(out, size, "%s", name);
     }
 }
+
+int runs_note_findings(const Screen *screen, Picture *picture)
+{
+    Finding findings[FINDINGS_MAX];
+    const int count = references_findings(experiment_references(screen->experiment),
+                                          experiment_simulation(screen->experiment), findings);
+    for (int i = 0; i < count; i++) {
+        char text[160], brief[160];
+        findings_text(&findings[i], 1, screen_shows_exact(screen), text, sizeof text);
+        findings_text(&findings[i], 1, false, brief, sizeof brief);
+        picture_note_brief(picture, STYLE_NORMAL, text, brief)->flows = true;
+    }
+    return count;
+}
