@@ -227,8 +227,8 @@ static void frequency_lines(const Screen *screen, bool narrow, char first[READOU
     else if (readout->unaccounted)
         text_append(first, READOUT_TEXT, narrow ? "w ? %s" : "w: not known with %s", readout->unaccounted);
     else if (experiment_at_end(screen->experiment)) {
-        text_append(first, READOUT_TEXT, narrow ? "w none" : "w: %s", readout->unmeasured);
-        text_append(second, READOUT_TEXT, "%s", narrow ? readout->unmeasured : "");
+        text_append(first, READOUT_TEXT, "w none");
+        text_append(second, READOUT_TEXT, "%s", readout->unmeasured);
     } else
         text_append(first, READOUT_TEXT, narrow ? "w ..." : "w measuring");
     if (predicted)
