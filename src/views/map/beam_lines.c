@@ -49,7 +49,8 @@ static void supported_lines(const Screen *screen, bool narrow, char first[160], 
         }
     }
     if (isfinite(readout->by_zeros))
-        text_append(second, 160, "%sby its zeros %.4f ms", second[0] ? "  " : "", readout->by_zeros / 1e-3);
+        text_append(second, 160, "%s%szeros %.4f ms", second[0] ? "  " : "", narrow ? "" : "by its ",
+                    readout->by_zeros / 1e-3);
     append_ghosts(screen->experiment, second);
     if (screen_shows_predicted(screen) && readout->predicted_known)
         text_append(second, 160, "%s%s %.4f ms", second[0] ? "  " : "", predicted_word(screen),
