@@ -7,11 +7,13 @@
 #include "run/lab_case.h"
 
 #include "answers/diagnose.h"
+#include "answers/diagnose_internal.h"
 #include "methods/bonds/plane/bonds_plane.h"
 #include "methods/mpm/line/mpm_bar.h"
 #include "problems/problem.h"
 #include "scenario/concern_bonds.h"
 #include "scenario/concern_cells.h"
+#include "scenario/scenario.h"
 #include "scenario/settings.h"
 #include "suite.h"
 
@@ -314,12 +316,40 @@ START_TEST(a_beams_mistake_is_named)
 }
 END_TEST
 
+/* Four steps of a nudge each way; of what is doubled and halved one (2 cannot be had: the bar is 25 long). */
+START_TEST(values_beside_the_right_one_are_tried)
+{
+    static const double moduli[] = {50, 20, 10, 5, 200, 500, 1000, 2000}, halved = 0.5;
+    static Candidate candidates[CANDIDATES_MAX];
+    Settings settings;
+    Status status = {0};
+    ck_assert(scenario_load("mode5", &settings, &status));
+    const int count = diagnose_candidates(&settings, candidates);
+    int n_moduli = 0, n_sizes = 0;
+    for (int i = 0; i < count; i++) {
+        const Parameter *parameter = candidates[i].parameter;
+        if (parameter == parameter_find("bar.youngs_modulus")) {
+            ck_assert_int_lt(n_moduli, 8);
+            ck_assert_double_eq_tol(candidates[i].value, moduli[n_moduli], 1e-9);
+            n_moduli++;
+        }
+        if (parameter == parameter_find("mesh.cell_size")) {
+            ck_assert_double_eq_tol(candidates[i].value, halved, 1e-9);
+            n_sizes++;
+        }
+    }
+    ck_assert_int_eq(n_moduli, 8);
+    ck_assert_int_eq(n_sizes, 1);
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     TCase *cases = tcase_create("named");
     tcase_set_timeout(cases, 1200);
     tcase_add_test(cases, a_bars_mistake_is_named);
     tcase_add_test(cases, a_beams_mistake_is_named);
+    tcase_add_test(cases, values_beside_the_right_one_are_tried);
     TCase *pairs = tcase_create("pairs");
     tcase_set_timeout(pairs, 1200);
     tcase_add_test(pairs, a_second_mistake_takes_nothing_from_the_first);
