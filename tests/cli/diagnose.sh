@@ -73,6 +73,9 @@ result "and where it shows first" says out '^They first depart at step 2, row 3,
 head -n 4 own17.csv >three.csv
 expect "three steps of it" 0 mode5 three.csv
 result "are enough" says out '^  x_by_own_velocity: '
+make offset.csv mode5 --steps 50 --set initial.offset=0.3
+expect "an offset between those that a nudge comes to" 0 mode5 offset.csv
+result "is found" says out '^  initial\.offset=0\.3: another value, the scenario has 0\.$'
 make vol.csv mode5 --steps 50 --set mpm.mistake=volume_of_cell
 digits 6 step,v_cm <vol.csv >vol6.csv
 expect "rivals" 0 mode5 vol6.csv
