@@ -208,16 +208,19 @@ void calculation_sum(Calculation *calculation, const CalculationSum *sum)
         wanted = 3 + place_of(sum->result) - place_of(gain);
         wanted = wanted < 5 ? 5 : wanted > 9 ? 9 : wanted;
     }
-    for (int result = wanted; result >= 2; result--)
-        for (int term = sum->count > 1 ? 4 : 5; term <= 6 + (wanted - result); term++) {
+    enum { LEAST = 2, CANCELLED = 4 }; /* digits of the result; more of the terms where it all but cancels */
+    for (int result = wanted; result >= LEAST; result--) {
+        const int most = 6 + (wanted - result) + (result == LEAST ? CANCELLED : 0);
+        for (int term = sum->count > 1 ? 4 : 5; term <= most; term++) {
             Attempt try = {.value = 0};
             calculation_open(&try.text, line, sizeof line, 0);
             attempt(&try, sum, shown, term, result);
-            if (fabs(try.value) <= 0.5 * (1 + 1e-6) || (result == 2 && term == 6 + (wanted - result))) {
+            if (fabs(try.value) <= 0.5 * (1 + 1e-6) || (result == LEAST && term == most)) {
                 calculation_write(calculation, "%s\n", line);
                 return;
             }
         }
+    }
 }
 
 void calculation_change(Calculation *calculation, const char *label, double was, double factor, double rate,

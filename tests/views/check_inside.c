@@ -40,7 +40,11 @@ static const struct {
     {"σ", 0, "stress", false},    {"ρ", 0, "density", false}, {"C", 0, "affine", false},
     {"ux", 0, "ux", false},       {"uy", 0, "uy", false},     {"vx", 0, "vx", false},
     {"vy", 0, "vy", false},       {"fx", 0, "fx", false},     {"fy", 0, "fy", false},
-    {"φ", 0, "damage", false},
+    {"φ", 0, "damage", false},    {"fx", 1, "fx", false},     {"fy", 1, "fy", false},
+    {"vx", 1, "vx", false},       {"vy", 1, "vy", false},     {"m", 1, "mass", false},
+    {"px", 1, "px", false},       {"py", 1, "py", false},     {"Δεxx", 0, "exx", false},
+    {"Δεyy", 0, "eyy", false},    {"Δγxy", 0, "gxy", false},  {"σxx", 0, "sxx", false},
+    {"σyy", 0, "syy", false},     {"σxy", 0, "sxy", false},
 };
 
 /* The result is the value of the field. Returns whether the label names one. */
@@ -53,7 +57,7 @@ static bool expect_field(const Simulation *sim, int set, size_t index, const Pri
         snprintf(number, sizeof number, "%zu", index);
         const bool here = strncmp(sum->label, told[i].label, length) == 0 &&
                           strcmp(sum->label + length, told[i].numbered ? number : "") == 0;
-        if (!here || told[i].set != set)
+        if (!here || told[i].set != set || simulation_find_field(sim, set, told[i].field) < 0)
             continue;
         const double value = field_now(sim, set, told[i].field, index);
         /* a result may be rounded to fewer digits than it is printed with: trailing zeros are not printed */
@@ -70,8 +74,9 @@ typedef struct Tally {
 
 static void expect_sums(const Simulation *sim, int set, size_t index, const char *text, Tally *tally)
 {
-    ck_assert_uint_gt(strlen(text), 0);
-    ck_assert_int_eq(text[strlen(text) - 1], '\n');
+    /* nothing happens to the particles of a beam of cells while the nodes are integrated */
+    ck_assert(*text || (set == 0 && simulation_has(sim, HAS_PLANE)));
+    ck_assert(!*text || text[strlen(text) - 1] == '\n');
     for (const char *line = text; *line != '\0'; line = strchr(line, '\n') + 1) {
         PrintedSum sum;
         if (!read_sum(line, &sum))
@@ -91,7 +96,7 @@ static void expect_all_sums(Experiment *experiment, size_t stride, Tally *tally)
 {
     static const int terms[] = {0, 3};
     const Simulation *sim = experiment_simulation(experiment);
-    const int sets = sim->dimensions == 1 ? 2 : 1;
+    const int sets = sim->dimensions == 1 || strcmp(sim->method->name, "mpm") == 0 ? 2 : 1;
     Status status;
     for (int stage = 0; stage < sim->n_stages; stage++) {
         ck_assert(experiment_next_stage(experiment, &status));
@@ -173,6 +178,20 @@ START_TEST(sums_of_a_beam_add_up)
                                             "notched-beam-coarse"};
     static const char *const none[] = {NULL};
     Experiment *experiment = experiment_with(scenarios[_i], none, _i == 2 ? 1100 : 60);
+    Tally tally = {0};
+    expect_all_sums(experiment, 37, &tally);
+    ck_assert_int_gt(tally.sums, 400);
+    ck_assert_int_gt(tally.fields, 300);
+    experiment_destroy(experiment);
+}
+END_TEST
+
+/* A beam of cells: each algorithm, with hats and with domains, on a mesh that rests and on one that moves. */
+START_TEST(sums_of_a_beam_of_cells_add_up)
+{
+    const char *keys[] = {"mpm.algorithm", algorithms[_i % 3], "mpm.shape", shapes[_i % 2], NULL};
+    Experiment *experiment =
+        experiment_with(_i % 2 ? "supported-beam-mpm-coarse" : "moving-cantilever-mpm-coarse", keys, 60);
     Tally tally = {0};
     expect_all_sums(experiment, 37, &tally);
     ck_assert_int_gt(tally.sums, 400);
@@ -477,6 +496,7 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(sums, sums_of_a_bar_add_up, 0, BAR_VARIANTS);
     tcase_add_loop_test(sums, sums_of_a_wrong_bar_add_up, 0, 24);
     tcase_add_loop_test(sums, sums_of_a_beam_add_up, 0, 3);
+    tcase_add_loop_test(sums, sums_of_a_beam_of_cells_add_up, 0, 6);
     tcase_add_loop_test(sums, sums_of_a_wrong_beam_add_up, 0, 11);
     tcase_add_loop_test(sums, columns_of_the_inspector_add_up, 0, 12);
     tcase_add_loop_test(sums, forces_of_bonds_add_up, 0, 2);

@@ -125,7 +125,7 @@ static void strain_particle(const Subject *subject)
     write_taken(subject, TAKE_EXX, "Δεxx = ");
     write_taken(subject, TAKE_EYY, "Δεyy = ");
     write_taken(subject, TAKE_GXY, "Δγxy = ");
-    const double rates[3] = {e[0] + nu * e[1], e[1] + nu * e[0], e[2]};
+    double rates[3] = {e[0] + nu * e[1], e[1] + nu * e[0], e[2]};
     const double factors[3] = {plane->lambda, plane->lambda, plane->shear};
     const double *const stress[3] = {&plane->sxx[at], &plane->syy[at], &plane->sxy[at]};
     static const char *const labels[3] = {
@@ -134,6 +134,9 @@ static void strain_particle(const Subject *subject)
     for (int k = 0; k < 3; k++) {
         const double was = subject->before ? calculation_before(plane->block, stress[k], subject->before)
                                            : *stress[k] - factors[k] * rates[k];
+        /* where it is the last stage the step is over, and what strained is forgotten */
+        if (!plane_has_done(plane, PLANE_STRAIN))
+            rates[k] = (*stress[k] - was) / factors[k];
         calculation_change(subject->calculation, labels[k], was, factors[k], rates[k], *stress[k], "Pa");
     }
 }
