@@ -109,9 +109,15 @@ static bool is_whole(const Session *session, const char *name, Status *status)
            status_fail(status, "%s: memory was short for more than its first %zu keys", name, session->count);
 }
 
+/* Whether its file has begun, or would have if memory had not been short for the first key already. */
+static bool is_recorded(const Session *session)
+{
+    return session->begun || (session->record && session->full);
+}
+
 bool session_is_lost(Session *session, Status *status)
 {
-    if (session->told || !session->begun || (session->trouble.code == STATUS_DONE && !session->full))
+    if (session->told || !is_recorded(session) || (session->trouble.code == STATUS_DONE && !session->full))
         return false;
     session->told = true;
     *status = session->trouble;
@@ -128,7 +134,7 @@ bool session_finish(Session *session, Status *status)
         *status = session->trouble;
         return false;
     }
-    return !session->begun || is_whole(session, session->record, status);
+    return !is_recorded(session) || is_whole(session, session->record, status);
 }
 
 void session_note_start(Session *session, const Laboratory *lab)
