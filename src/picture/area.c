@@ -114,46 +114,50 @@ int area_paragraph_lines(int width, const char *text)
     return paragraph(NULL, 0, 0, width, 10000, text, STYLE_NORMAL);
 }
 
-/* The phrase at the begin of a text, and how many columns it has. */
-static int next_phrase(const char *text, char phrase[256])
+/* The next phrase of a text, and where it stands: behind the one before, or below it. */
+typedef struct Phrases {
+    const char *text;              /* that is left */
+    int width, x, y, columns, end; /* of the phrase; `end`: of what stands in its row; 0: nothing does yet */
+    char phrase[256];
+} Phrases;
+
+static bool next_phrase(Phrases *at)
 {
-    const char *end = strstr(text, "  ");
-    const size_t length = end ? (size_t)(end - text) : strlen(text);
-    snprintf(phrase, 256, "%.*s", (int)(length < 255 ? length : 255), text);
-    return glyphs_columns(phrase);
+    if (*at->text == '\0')
+        return false;
+    const char *end = strstr(at->text, "  ");
+    const size_t length = end ? (size_t)(end - at->text) : strlen(at->text);
+    snprintf(at->phrase, sizeof at->phrase, "%.*s", (int)(length < 255 ? length : 255), at->text);
+    at->columns = glyphs_columns(at->phrase);
+    at->x = at->end > 0 ? at->end + 2 : 0;
+    if (at->end > 0 && at->x + at->columns > at->width) {
+        at->x = 0;
+        at->y++;
+    }
+    at->end = at->x + at->columns;
+    at->text += strlen(at->phrase);
+    at->text += strspn(at->text, " ");
+    return true;
 }
 
 int area_rows_of_phrases(const char *text, int width)
 {
-    int line = 0, used = 0;
-    char phrase[256];
-    for (; *text != '\0'; text += strlen(phrase), text += strspn(text, " ")) {
-        const int columns = next_phrase(text, phrase);
-        if (columns > width)
+    Phrases at = {.text = text, .width = width};
+    while (next_phrase(&at))
+        if (at.columns > width)
             return INT_MAX;
-        line += used == 0 || used + 2 + columns > width;
-        used = used == 0 || used + 2 + columns > width ? columns : used + 2 + columns;
-    }
-    return line;
+    return at.y + (at.end > 0);
 }
 
 int area_phrases(Area area, int x, int y, int width, int rows, const char *text, Style style)
 {
-    int line = 0, used = 0;
-    while (*text != '\0' && line < rows) {
-        char phrase[256];
-        const int columns = next_phrase(text, phrase), gap = used ? 2 : 0;
-        if (used && used + gap + columns > width) {
-            line++;
-            used = 0;
-            continue;
-        }
-        Area part = area_part(area, x + used + gap, y + line, width - used - gap, 1);
-        used += gap + area_text(part, 0, 0, phrase, style);
-        text += strlen(phrase);
-        text += strspn(text, " ");
+    Phrases at = {.text = text, .width = width};
+    int used = 0;
+    while (next_phrase(&at) && at.y < rows) {
+        area_text(area_part(area, x + at.x, y + at.y, width - at.x, 1), 0, 0, at.phrase, style);
+        used = at.y + 1;
     }
-    return line + (used > 0);
+    return used;
 }
 
 void area_rule(Area area, int y, const char *heading, Style heading_style)

@@ -159,15 +159,16 @@ void picture_lay_strip(Picture *picture, StripKind strip, const char *heading)
     enum { HEADED = 4, TALL = 7, MARGINS = 3 };
     const bool headed = picture->rows >= HEADED;
     picture->kind = PICTURE_STRIP;
+    picture->strip = strip;
     picture->bare = true;
     picture_heading(picture, headed ? heading : "");
     picture->body[0] = picture->columns - strips[strip].words - MARGINS;
     picture->body[1] = rows > 0 && picture->rows >= TALL ? rows : picture->rows - headed;
 }
 
-void picture_lay_row(const Picture *picture, StripKind strip, StripRow *row)
+void picture_lay_row(const Picture *picture, StripRow *row)
 {
-    const int least = strips[strip].least, most = strips[strip].most;
+    const int least = strips[picture->strip].least, most = strips[picture->strip].most;
     const long all = row->pieces + row->beyond, room = picture->body[0] - row->aside;
     const long per = all > 0 ? room / all : 0;
     row->per = (int)(per < most ? per : most);

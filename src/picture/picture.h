@@ -29,6 +29,9 @@ typedef enum PictureKind {
     PICTURE_TABLES    /* one thing with what it exchanges with others, as sums */
 } PictureKind;
 
+/* What a strip is of. */
+typedef enum StripKind { STRIP_CELLS, STRIP_NODES, STRIP_BODY } StripKind;
+
 /* What stands for an entry of the legend, in place of a piece of its line: a mark, the letter of an earlier
  * run, or one of these. */
 enum { SIGN_DOTS = 0x110000, SIGN_BAND };
@@ -255,12 +258,13 @@ typedef struct Picture {
     bool whole;  /* there are no places between characters, and no rows beyond these */
 
     PictureKind kind;
-    bool of_moment; /* of that time alone, not of all up to it */
-    bool compares;  /* its curves are of one quantity: words say how far the measured one is from others */
-    bool has_axes;  /* if not, there is nothing to draw and the notes say why */
-    bool bare;      /* the axes only say where things are: a drawing, with labels */
-    double stretch; /* a length upwards is drawn so many times as long as one across; 0: as there is room */
-    char time[48];  /* "t 12.34" */
+    StripKind strip; /* of PICTURE_STRIP */
+    bool of_moment;  /* of that time alone, not of all up to it */
+    bool compares;   /* its curves are of one quantity: words say how far the measured one is from others */
+    bool has_axes;   /* if not, there is nothing to draw and the notes say why */
+    bool bare;       /* the axes only say where things are: a drawing, with labels */
+    double stretch;  /* a length upwards is drawn so many times as long as one across; 0: as there is room */
+    char time[48];   /* "t 12.34" */
     char name[PICTURE_TEXT_MAX], unit[24]; /* of what goes up: "v_cm"; its unit, SI, or "" */
     char heading[PICTURE_TEXT_MAX];        /* the two with the axis's power of ten */
     char x_name[PICTURE_TEXT_MAX];
@@ -326,8 +330,6 @@ bool picture_in_sight(const Picture *, double x, double y, double margin);
  * goes on with its dashes. */
 void picture_trace(Picture *, const double from[2], const double to[2], const Stroke *pen);
 
-typedef enum StripKind { STRIP_CELLS, STRIP_NODES, STRIP_BODY } StripKind;
-
 /* A strip has room beside it for its keys or notes, of which the first stands beside the first row, the
  * second beside the last. A low pane has no heading; in a tall one a row of pieces keeps to a few rows, and
  * has the labels below each other under them. */
@@ -342,7 +344,7 @@ typedef struct StripRow {
     int per;
     long first, shown;
 } StripRow;
-void picture_lay_row(const Picture *, StripKind, StripRow *);
+void picture_lay_row(const Picture *, StripRow *);
 
 /* How a body with its dimensions is laid out, in characters: its size in m, the rows that things above and
  * below it need, and so many rows of lengths below that. What comes out: characters to a metre, its edges as

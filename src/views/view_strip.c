@@ -256,7 +256,7 @@ static void describe_bar(Strip *strip, const double *x0)
                             .beyond = 1,
                             .aside = 1,
                             .around = (long)floor(x0[strip->chosen] / bar.spacing)};
-    picture_lay_row(strip->picture, STRIP_CELLS, &strip->row);
+    picture_lay_row(strip->picture, &strip->row);
     open_axes(strip, strip->row.shown * strip->row.per + (strip->row.shown <= strip->row.pieces));
     bool inside;
     const Flow flow = stage_flow(strip->screen, &inside);
@@ -409,7 +409,7 @@ static void describe_bonds(Strip *strip)
     strip->row = (StripRow){.pieces = before + row.nodes + (row.walls[1] ? row.reach : 0),
                             .aside = row.walls[0] + row.walls[1],
                             .around = before + (long)strip->chosen};
-    picture_lay_row(strip->picture, STRIP_NODES, &strip->row);
+    picture_lay_row(strip->picture, &strip->row);
     row.first = strip->row.first - before;
     row.end = row.first + strip->row.shown;
     open_axes(strip, strip->row.shown * strip->row.per + (row.first < 0) + (row.end > row.nodes));

@@ -9,7 +9,7 @@
 
 #include "scenario/scenario.h"
 #include "lab/session/grading.h"
-#include "lab/session/session.h"
+#include "lab/session/session_internal.h"
 #include "picture/canvas.h"
 
 #include <signal.h>
@@ -358,6 +358,28 @@ START_TEST(a_recording_that_ends_is_told)
 }
 END_TEST
 
+/* So is one for which memory is short at its first key; one without keys has no file, and misses none. */
+START_TEST(a_recording_that_never_begins_is_told)
+{
+    static Live live;
+    LaboratoryOptions options;
+    Status status = {STATUS_DONE, ""};
+    char folder[64];
+    enter_with_lesson(folder);
+    open_live(&live, &options);
+    Session *session = session_begin(&options, &status);
+    ck_assert_msg(session != NULL, "%s", status.text);
+    session_record(session, "any.session", true);
+    ck_assert(!session_is_lost(session, &status) && session_finish(session, &status));
+    session->full = true; /* the first key found no room */
+    ck_assert(session_is_lost(session, &status) && !session_finish(session, &status));
+    ck_assert_str_eq(status.text, "any.session: memory was short for more than its first 0 keys");
+    session_free(session);
+    close_live(&live);
+    leave_folder(folder);
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     TCase *homework = tcase_create("homework");
@@ -365,6 +387,7 @@ void add_cases(Suite *suite)
     tcase_add_test(homework, marks_are_what_was_seen);
     tcase_add_test(homework, a_page_given_up_is_not_judged);
     tcase_add_test(homework, a_recording_that_ends_is_told);
+    tcase_add_test(homework, a_recording_that_never_begins_is_told);
     tcase_add_test(homework, so_they_are_of_recordings);
     suite_add_tcase(suite, homework);
 }

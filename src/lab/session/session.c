@@ -112,7 +112,7 @@ static bool is_whole(const Session *session, const char *name, Status *status)
 /* Whether its file has begun, or would have if memory had not been short for the first key already. */
 static bool is_recorded(const Session *session)
 {
-    return session->begun || (session->record && session->full);
+    return session->record && session_has_keys(session);
 }
 
 bool session_is_lost(Session *session, Status *status)

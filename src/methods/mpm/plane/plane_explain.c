@@ -118,27 +118,36 @@ static void strain_particle(const Subject *subject)
     const Simulation *sim = &plane->sim;
     const int p = subject->index, at = plane_at(plane, p);
     const double nu = plane->def.poisson;
-    double e[3];
-    static const char *const names[3] = {"exx", "eyy", "gxy"};
-    for (int k = 0; k < 3; k++)
-        e[k] = simulation_named(sim, PLANE_PARTICLES, names[k], (size_t)p);
-    write_taken(subject, TAKE_EXX, "Δεxx = ");
-    write_taken(subject, TAKE_EYY, "Δεyy = ");
-    write_taken(subject, TAKE_GXY, "Δγxy = ");
-    double rates[3] = {e[0] + nu * e[1], e[1] + nu * e[0], e[2]};
     const double factors[3] = {plane->lambda, plane->lambda, plane->shear};
     const double *const stress[3] = {&plane->sxx[at], &plane->syy[at], &plane->sxy[at]};
+    static const char *const names[3] = {"exx", "eyy", "gxy"};
     static const char *const labels[3] = {
         "σxx = σxx + E/(1 - ν²) (Δεxx + ν Δεyy) = ", "σyy = σyy + E/(1 - ν²) (Δεyy + ν Δεxx) = ",
         "σxy = σxy + G Δγxy = "};
+    /* as the last stage it ends the step, and what strained is forgotten: the stresses tell it */
+    const bool over = !plane_has_done(plane, PLANE_STRAIN);
+    double e[3], rates[3], was[3];
+    if (over && !subject->before)
+        return;
+    for (int k = 0; k < 3; k++)
+        e[k] = simulation_named(sim, PLANE_PARTICLES, names[k], (size_t)p);
+    rates[0] = e[0] + nu * e[1], rates[1] = e[1] + nu * e[0], rates[2] = e[2];
     for (int k = 0; k < 3; k++) {
-        const double was = subject->before ? calculation_before(plane->block, stress[k], subject->before)
-                                           : *stress[k] - factors[k] * rates[k];
-        /* where it is the last stage the step is over, and what strained is forgotten */
-        if (!plane_has_done(plane, PLANE_STRAIN))
-            rates[k] = (*stress[k] - was) / factors[k];
-        calculation_change(subject->calculation, labels[k], was, factors[k], rates[k], *stress[k], "Pa");
+        was[k] = subject->before ? calculation_before(plane->block, stress[k], subject->before)
+                                 : *stress[k] - factors[k] * rates[k];
+        if (over)
+            rates[k] = (*stress[k] - was[k]) / factors[k];
     }
+    if (over) {
+        calculation_number(subject->calculation, "Δεxx = ", (rates[0] - nu * rates[1]) / (1 - nu * nu));
+        calculation_number(subject->calculation, "   Δεyy = ", (rates[1] - nu * rates[0]) / (1 - nu * nu));
+        calculation_value(subject->calculation, "   Δγxy = ", rates[2]);
+    }
+    write_taken(subject, TAKE_EXX, "Δεxx = ");
+    write_taken(subject, TAKE_EYY, "Δεyy = ");
+    write_taken(subject, TAKE_GXY, "Δγxy = ");
+    for (int k = 0; k < 3; k++)
+        calculation_change(subject->calculation, labels[k], was[k], factors[k], rates[k], *stress[k], "Pa");
 }
 
 static void strain_node(const Subject *subject)
