@@ -62,6 +62,15 @@ bool suite_long(void)
     return suite_wide() && getenv("MATVIB_LONG") != NULL;
 }
 
+bool suite_sanitized(void)
+{
+#ifdef MATVIB_SANITIZERS
+    return true;
+#else
+    return false;
+#endif
+}
+
 int main(int count, char **arguments)
 {
     setenv("CK_DEFAULT_TIMEOUT", "600",

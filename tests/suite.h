@@ -26,5 +26,8 @@ void suite_compare(const char *relative, const char *text, const char *what);
 bool suite_wide(void);
 /* Or every repetition of them too: MATVIB_LONG, which check-long sets. */
 bool suite_long(void);
+/* Whether this is a build for the sanitizers, which look at each access and make computing ten times as long:
+ * runs that are there for their numbers alone are left to the other builds, and walks are shorter. */
+bool suite_sanitized(void);
 
 #endif

@@ -111,7 +111,7 @@ static void walk(Experiment *experiment, unsigned long *state)
 static void walk_randomly(const Settings *settings, size_t history, int moves, unsigned long seed)
 {
     Experiment *experiment = open_experiment(settings, history);
-    for (int i = 0; i < moves; i++) {
+    for (int i = 0; i < (suite_sanitized() ? moves / 4 : moves); i++) {
         walk(experiment, &seed);
         expect_straight(experiment, "random walk");
         const double *row = experiment_row(experiment);
@@ -250,7 +250,7 @@ START_TEST(an_edit_recomputes_to_the_time_on_screen)
     Experiment *experiment = open_experiment(&settings, 16 * MEGABYTE);
     ck_assert(experiment_advance(experiment, 2000, NULL));
     double time = experiment_time(experiment);
-    for (int i = 0; i < 10; i++) {
+    for (int i = 0; i < (suite_sanitized() ? 4 : 10); i++) {
         Settings wanted = *experiment_settings(experiment);
         Status status = {0};
         set(&wanted, "mesh.cell_size", sizes[i]);
@@ -490,10 +490,11 @@ START_TEST(changes_in_mid_run_hold_on_any_way)
                                     {"load.stress", "4e8"},
                                     {"pd.critical_stretch", "0.0005"},
                                     {"pd.critical_stretch", "0.0002"}};
+    const int moves = suite_sanitized() ? 40 : 100;
     Settings settings = bar_settings(5, 5);
-    walk_with_changes(&settings, bar, sizeof bar / sizeof *bar, 16 * MEGABYTE, 100, 11);
+    walk_with_changes(&settings, bar, sizeof bar / sizeof *bar, 16 * MEGABYTE, moves, 11);
     set(&settings, "mpm.shape", "gimp");
-    walk_with_changes(&settings, bar, sizeof bar / sizeof *bar, 12000, 100, 12);
+    walk_with_changes(&settings, bar, sizeof bar / sizeof *bar, 12000, moves, 12);
     settings = beam_settings(&problem_notched_beam, 6e-5);
     set(&settings, "load.stress", "2.4e8");
     walk_with_changes(&settings, beam, sizeof beam / sizeof *beam, 4 * MEGABYTE, 30, 13);
