@@ -199,6 +199,41 @@ START_TEST(intervals_hold_for_white_noise_and_for_noise_that_lasts)
 }
 END_TEST
 
+/* In which order three parameters stand changes nothing, though noise that lasts hangs their columns
+ * together. */
+START_TEST(the_order_of_parameters_is_of_no_account)
+{
+    enum { COUNT = 60 };
+    static const int turned[3] = {2, 0, 1};
+    double times[COUNT], e[COUNT], slopes[3 * COUNT], others[3 * COUNT];
+    uint64_t state = 7;
+    double before = normal(&state);
+    for (int k = 0; k < COUNT; k++) {
+        double *row = slopes + 3 * k;
+        times[k] = 0.1 * k;
+        row[0] = cos(2 * times[k]);
+        row[1] = times[k] * sin(2 * times[k]);
+        row[2] = 1 + 0.3 * times[k];
+        for (int i = 0; i < 3; i++)
+            others[3 * k + i] = row[turned[i]];
+        e[k] = before;
+        before = 0.7 * before + sqrt(1 - 0.7 * 0.7) * normal(&state);
+    }
+    Noise as_given, in_turn;
+    ck_assert(noise_judge(times, e, slopes, COUNT, 3, &as_given));
+    ck_assert(noise_judge(times, e, others, COUNT, 3, &in_turn));
+    ck_assert_double_gt(as_given.correlation, 0.4);
+    ck_assert_double_eq_tol(in_turn.correlation, as_given.correlation, 1e-6);
+    for (int i = 0; i < 3; i++) {
+        const double width = as_given.half_widths[turned[i]];
+        ck_assert_double_eq_tol(in_turn.half_widths[i], width, 1e-5 * width);
+        for (int j = 0; j < 3; j++)
+            ck_assert_double_eq_tol(in_turn.correlations[i][j], as_given.correlations[turned[i]][turned[j]],
+                                    1e-5);
+    }
+}
+END_TEST
+
 /* The series of a run by the laboratory, of every so many steps. */
 static FitTask record(const Settings *settings, const char *column, long every, double *at, double *value,
                       size_t room)
@@ -415,6 +450,7 @@ void add_cases(Suite *suite)
     TCase *tcase = tcase_create("fit");
     tcase_add_test(tcase, what_a_run_was_made_with_is_found);
     tcase_add_test(tcase, the_interval_holds_as_often_as_it_says);
+    tcase_add_test(tcase, the_order_of_parameters_is_of_no_account);
     if (suite_wide()) /* 1,200 fits */
         tcase_add_test(tcase, intervals_hold_for_white_noise_and_for_noise_that_lasts);
     tcase_add_test(tcase, changes_in_mid_run_are_those_of_the_run);
