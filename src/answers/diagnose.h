@@ -109,6 +109,8 @@ typedef struct Diagnosis {
     int digits;            /* of that agreement */
     bool naive;            /* it is no better than the round-off of a bond's |y| - |xi| */
     Departure departure;
+    char agreeing[160]; /* where some depart: the columns that change, and agree in all rows; "": none */
+    double farthest;    /* the largest departure of all, as a share of its column's size */
     Explanation
         explanations[EXPLANATIONS_MAX]; /* EXPLAINED: of the file; RIGHT: mistakes that it cannot show */
     int n_explanations, more;           /* of which there is no room */

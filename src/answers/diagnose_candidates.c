@@ -38,7 +38,7 @@ static void add_choices(List *list, const Settings *right, const Parameter *para
             add(list, parameter->wrong ? DIAGNOSE_MISTAKE : DIAGNOSE_SCHEME, parameter, i, 0);
 }
 
-/* Its neighbours, and the ends of a range that has two. */
+/* The other sign, its neighbours, and the ends of a range that has two. */
 static void add_values(List *list, const Settings *right, const Parameter *parameter)
 {
     enum { NEIGHBOURS = 4 };
@@ -50,6 +50,8 @@ static void add_values(List *list, const Settings *right, const Parameter *param
                 add(list, DIAGNOSE_SCHEME, parameter, end, 0);
         return;
     }
+    if (!whole && now != 0 && settings_in_range(parameter, right->problem, -now))
+        add(list, DIAGNOSE_VALUE, parameter, -now, 0);
     for (int direction = -1; direction <= 1; direction += 2) {
         Settings moved = *right;
         const int steps = parameter->nudge == NUDGE_DOUBLE ? 1 : NEIGHBOURS;
@@ -145,6 +147,8 @@ void diagnose_name_factor(double factor, double tolerance, const Settings *setti
         {1 / dt, "1/dt, dt the time step"},
     };
     out[0] = '\0';
+    if (!isfinite(factor))
+        return;
     for (size_t i = 0; i < sizeof known / sizeof *known; i++)
         if (known[i].value != 1 && fabs(factor - known[i].value) <= tolerance * fabs(known[i].value))
             text_append(out, size, "%s%s", *out ? " = " : "", known[i].name);

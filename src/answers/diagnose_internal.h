@@ -11,21 +11,22 @@
 /* A walk along a run, as far as the file or `moments` go. */
 typedef struct Walk {
     const DiagnoseTable *table;
-    size_t moments; /* of the table, at most */
-    long shift;     /* the file's step n is the run's step n + shift */
-    bool to_end;    /* it goes on where it departs */
-    double *values; /* ours, [row][column]; NULL: they are not kept */
-    const double
-        *grown; /* of each moment, as a share of a column's size: what round-off has grown to; NULL */
+    size_t moments;      /* of the table, at most */
+    long shift;          /* the file's step n is the run's step n + shift */
+    bool to_end;         /* it goes on where it departs */
+    double *values;      /* ours, [row][column]; NULL: they are not kept */
+    const double *grown; /* what round-off has grown to, [moment][group of columns]; NULL: it is not known */
 
     /* what it comes to */
-    size_t compared;      /* moments that the run reached */
-    size_t agreed;        /* of them, from the first on */
-    size_t entries;       /* that were compared and agreed, up to there */
-    size_t departing;     /* entries that depart (to_end) */
-    double worst;         /* largest difference of those that agree, over their column's size */
-    Departure departure;  /* the first */
-    bool failed, stopped; /* the run failed; somebody gave up, or there was no memory */
+    size_t compared;                    /* moments that the run reached */
+    size_t agreed;                      /* of them, from the first on */
+    size_t entries;                     /* that were compared and agreed, up to there */
+    size_t departing;                   /* entries that depart (to_end) */
+    double worst;                       /* largest difference of those that agree, over their column's size */
+    double farthest;                    /* likewise of all (to_end) */
+    bool departs[DIAGNOSE_COLUMNS_MAX]; /* columns that depart anywhere (to_end) */
+    Departure departure;                /* the first */
+    bool failed, stopped;               /* the run failed; somebody gave up, or there was no memory */
 } Walk;
 
 /* False: the walk was given up, or the run cannot be made; the status says why. */
@@ -38,7 +39,7 @@ double diagnose_bound(const DiagnoseTable *, const DiagnoseColumn *, double thei
 /* Gives settings the time step of the file. False: they do not allow it; the status may say why. */
 bool diagnose_hold_step(Settings *, double dt, Status *);
 
-/* The number of a row of the file in our units; NAN: missing. */
+/* The number of a row of the file in our units; NAN: missing; infinite: from there on it is no number. */
 double diagnose_theirs(const DiagnoseTable *, const DiagnoseColumn *, size_t row);
 
 /* What is to be said of the table; more than it has room for is dropped. */

@@ -62,6 +62,7 @@ static void depart(Walker *walker, size_t row, int column, double theirs, double
     const DiagnoseTable *table = walk->table;
     const DiagnoseMoment *moment = &table->moments[walker->moment];
     walk->departing++;
+    walk->departs[column] = true;
     if (!walk->departure.is)
         walk->departure = (Departure){.is = true,
                                       .moment = walker->moment,
@@ -85,12 +86,20 @@ static void compare(Walker *walker, size_t row, int c, double ours)
     const double theirs = diagnose_theirs(table, column, row);
     if (walk->values)
         walk->values[row * (size_t)table->n_columns + (size_t)c] = ours;
-    if (column->silent || isnan(theirs) || isnan(ours))
+    if (column->silent || isnan(theirs) || !isfinite(ours))
         return;
+    if (isinf(theirs)) {
+        walk->farthest = INFINITY;
+        depart(walker, row, c, theirs, ours);
+        return;
+    }
     double *size = &walker->size[column->group];
     *size = fmax(*size, fabs(theirs));
     const double difference = fabs(theirs - ours);
-    const double grown = walk->grown ? walk->grown[walker->moment] * *size : 0;
+    const double grown =
+        walk->grown ? walk->grown[walker->moment * (size_t)table->n_columns + (size_t)column->group] : 0;
+    if (*size > 0)
+        walk->farthest = fmax(walk->farthest, difference / *size);
     if (difference >
         grown + diagnose_bound(table, column, theirs, *size, table->moments[walker->moment].step))
         depart(walker, row, c, theirs, ours);

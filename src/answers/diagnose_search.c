@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "problems/problem.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -21,7 +22,9 @@ typedef struct Search {
     DiagnoseTable *table;
     Diagnosis *found;
     Settings right;    /* with the file's time step */
+    bool units, taken; /* units of the file's own are sought; some was found */
     double *values;    /* of the right run */
+    double *grown;     /* what its round-off grows to, where it departs; else NULL */
     Walk walk;         /* along it */
     Candidate first;   /* the first that explains it all */
     Settings by_first; /* its settings; without one the right ones */
@@ -52,35 +55,36 @@ static Extent extent_of(const Search *search, int c)
     return extent;
 }
 
-/* Another power of a thousand for a unit, as the numbers of the start tell: 1 without one. */
+/* Another power of a thousand for a unit, as the first numbers tell that are not small: 1 without one. */
 static double unit_of(const Search *search, int c)
 {
     const DiagnoseTable *table = search->table;
-    const DiagnoseMoment *start = &table->moments[0];
-    if (start->step != 0)
-        return 1;
-    for (size_t k = 0; k < start->count; k++) {
-        const double theirs = diagnose_theirs(table, &table->columns[c], start->first + k);
-        const double ours = search->values[(start->first + k) * (size_t)table->n_columns + (size_t)c];
-        if (!(fabs(ours) > 1e-3 * table->columns[c].natural) || !(theirs != 0) || !(theirs / ours > 0))
-            continue;
-        const double thousands = math_log10(theirs / ours) / 3, whole = round(thousands);
-        const double bound =
-            diagnose_bound(table, &table->columns[c], theirs, fabs(theirs), 0) / fabs(theirs);
-        return whole != 0 && fabs(theirs / ours / math_pow(10, 3 * whole) - 1) <= bound
-                   ? math_pow(10, -3 * whole)
-                   : 1;
-    }
+    const DiagnoseColumn *column = &table->columns[c];
+    const double least = 1e-3 * extent_of(search, c).ours;
+    for (size_t m = 0; m < search->walk.compared; m++)
+        for (size_t k = 0; k < table->moments[m].count; k++) {
+            const size_t row = table->moments[m].first + k;
+            const double theirs = diagnose_theirs(table, column, row);
+            const double ours = search->values[row * (size_t)table->n_columns + (size_t)c];
+            if (!(fabs(ours) > least) || !(theirs / ours > 0) || !isfinite(theirs / ours))
+                continue;
+            const double whole = round(math_log10(theirs / ours) / 3);
+            const double bound = diagnose_bound(table, column, theirs, fabs(theirs), table->moments[m].step);
+            return whole != 0 && fabs(theirs / ours / math_pow(10, 3 * whole) - 1) <= bound / fabs(theirs)
+                       ? math_pow(10, -3 * whole)
+                       : 1;
+        }
     return 1;
 }
 
 static void find_units(Search *search)
 {
     DiagnoseTable *table = search->table;
-    for (int c = 0; c < table->n_columns; c++) {
+    for (int c = 0; c < table->n_columns && search->units; c++) {
         const double factor = table->columns[c].factor == 1 ? unit_of(search, c) : 1;
         if (factor == 1)
             continue;
+        search->taken = true;
         diagnose_note(table, "its %s is in a unit of its own: %g of ours each", table->columns[c].name,
                       factor);
         for (int i = 0; i < table->n_columns; i++)
@@ -126,6 +130,30 @@ static bool is_still(const Search *search, int c)
             search->values[row * wide + (size_t)c] != search->values[row % count * wide + (size_t)c])
             return false;
     return true;
+}
+
+/* A run that has blown up has no number left. Beside numbers that go on, what is none was not written. */
+static void leave_out_lost(Search *search)
+{
+    DiagnoseTable *table = search->table;
+    bool still[DIAGNOSE_COLUMNS_MAX], told[DIAGNOSE_COLUMNS_MAX] = {false};
+    for (int c = 0; c < table->n_columns; c++)
+        still[c] = is_still(search, c);
+    for (size_t row = 0; row < rows_of(table); row++) {
+        bool goes_on = false;
+        for (int c = 0; c < table->n_columns; c++)
+            goes_on = goes_on || (!still[c] && isfinite(diagnose_theirs(table, &table->columns[c], row)));
+        for (int c = 0; c < table->n_columns && goes_on; c++) {
+            double *value = &table->file.columns[table->columns[c].theirs].values[table->rows[row]];
+            if (!isinf(*value))
+                continue;
+            *value = NAN;
+            if (!told[c])
+                diagnose_note(table, "its column %s is no number from row %zu on: left out",
+                              table->columns[c].name, table->rows[row] + 1);
+            told[c] = true;
+        }
+    }
 }
 
 static void judge_copy(Search *search, int c, const char *what, const double *answers)
@@ -199,6 +227,18 @@ static bool find_copies(Search *search)
     return sound;
 }
 
+/* What is 0 at the start, as the velocities of a run from rest, is as large as in the right run. */
+static void size_from_rest(Search *search)
+{
+    DiagnoseTable *table = search->table;
+    double size[DIAGNOSE_COLUMNS_MAX] = {0};
+    for (int c = 0; c < table->n_columns; c++)
+        size[table->columns[c].group] = fmax(size[table->columns[c].group], extent_of(search, c).ours);
+    for (int c = 0; c < table->n_columns; c++)
+        if (table->columns[c].natural == 0 && isfinite(size[table->columns[c].group]))
+            table->columns[c].natural = size[table->columns[c].group];
+}
+
 /* Empty columns and zeros. Returns how many tell something. */
 static int silence(Search *search)
 {
@@ -221,12 +261,94 @@ static int silence(Search *search)
     return telling;
 }
 
+/* --- what round-off grows to ---------------------------------------------------------------------------- */
+
+/* The same run with a modulus and cells that are others in their last digit: its round-off is another one
+ * throughout, that of places too. */
+static bool disturb(Settings *settings)
+{
+    static const char *const keys[] = {"bar.youngs_modulus", "beam.youngs_modulus", "mesh.cell_size"};
+    bool other = false;
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
+        const Parameter *parameter = parameter_find(keys[i]);
+        const Settings before = *settings;
+        if (!parameter_applies_to(settings, parameter))
+            continue;
+        settings_put(settings, parameter, settings_number(settings, parameter) * (1 + 2 * DBL_EPSILON));
+        if (settings_check(settings, NULL))
+            other = true;
+        else
+            *settings = before;
+    }
+    return other;
+}
+
+/* Of each moment and group of columns what two records have differed by up to there. Returns the moments
+ * before that is as large as the numbers. */
+static size_t growth(const DiagnoseTable *table, size_t moments, const double *one, const double *other,
+                     double *grown)
+{
+    enum { MARGIN = 100 }; /* one run stands for all */
+    const size_t wide = (size_t)table->n_columns;
+    double size[DIAGNOSE_COLUMNS_MAX] = {0}, most[DIAGNOSE_COLUMNS_MAX] = {0};
+    for (size_t m = 0; m < moments; m++) {
+        for (size_t k = 0; k < table->moments[m].count; k++)
+            for (int c = 0; c < table->n_columns; c++) {
+                const DiagnoseColumn *column = &table->columns[c];
+                const size_t at = (table->moments[m].first + k) * wide + (size_t)c;
+                const double apart = MARGIN * fabs(one[at] - other[at]);
+                if (column->silent || isnan(apart))
+                    continue;
+                size[column->group] = fmax(size[column->group], fmax(column->natural, fabs(one[at])));
+                most[column->group] = fmax(most[column->group], apart);
+                if (!(apart < 1e-3 * size[column->group]) && apart > 0)
+                    return m;
+            }
+        memcpy(grown + m * wide, most, wide * sizeof *most);
+    }
+    return moments;
+}
+
+/* What the round-off of a run has grown to, [moment][group]; the caller frees it. *moments: those before it
+ * is as large as the numbers. NULL: it is not known, or it was given up. */
+static double *round_off_of(const Search *search, const Settings *settings, size_t *moments, bool *stopped)
+{
+    const DiagnoseTable *table = search->table;
+    const size_t entries = table->file.count * (size_t)table->n_columns;
+    double *values[2] = {malloc((entries + 1) * sizeof(double)), malloc((entries + 1) * sizeof(double))};
+    double *grown = calloc(entries + 1, sizeof *grown);
+    Settings twin = *settings;
+    const Settings *both[2] = {settings, &twin};
+    bool known = values[0] && values[1] && grown && disturb(&twin);
+    *moments = table->n_moments;
+    for (int i = 0; i < 2 && known; i++) {
+        for (size_t k = 0; k < entries; k++)
+            values[i][k] = NAN;
+        Walk one = {.table = table, .moments = SIZE_MAX, .to_end = true, .values = values[i]};
+        diagnose_walk(&one, both[i], search->task->threads, search->task->patience, NULL);
+        *stopped = *stopped || one.stopped;
+        *moments = one.compared < *moments ? one.compared : *moments;
+        known = !one.stopped && one.compared > 0;
+    }
+    if (known)
+        *moments = growth(table, *moments, values[0], values[1], grown);
+    free(values[0]);
+    free(values[1]);
+    if (known)
+        return grown;
+    free(grown);
+    return NULL;
+}
+
 /* --- the right run -------------------------------------------------------------------------------------- */
 
 static bool walk_right(Search *search)
 {
-    search->walk =
-        (Walk){.table = search->table, .moments = SIZE_MAX, .to_end = true, .values = search->values};
+    search->walk = (Walk){.table = search->table,
+                          .moments = SIZE_MAX,
+                          .to_end = true,
+                          .values = search->values,
+                          .grown = search->grown};
     return diagnose_walk(&search->walk, &search->right, search->task->threads, search->task->patience,
                          search->status);
 }
@@ -239,13 +361,34 @@ static bool is_quiet(const DiagnoseTable *table)
     return true;
 }
 
+/* Where the file departs it may do so by no more than round-off does that grows, as at a node that hardly has
+ * mass. Rows in which that is as large as the numbers tell nothing. */
+static bool walk_with_round_off(Search *search)
+{
+    size_t moments;
+    bool stopped = false;
+    search->grown = round_off_of(search, &search->right, &moments, &stopped);
+    if (stopped)
+        return status_fail(search->status, "interrupted");
+    if (!search->grown || moments == 0)
+        return true;
+    if (moments < search->walk.compared) {
+        search->table->n_moments = moments;
+        diagnose_note(search->table, "round-off grows to the size of the numbers: compared up to step %ld",
+                      search->table->moments[moments - 1].step);
+    }
+    return walk_right(search);
+}
+
 /* A column that was copied may leave others that were computed. */
 static bool read_columns(Search *search)
 {
     DiagnoseTable *table = search->table;
     if (!walk_right(search))
         return false;
+    leave_out_lost(search);
     find_units(search);
+    size_from_rest(search);
     const int telling = silence(search);
     if (telling > 0 && !table->of_stages && !find_copies(search))
         return false;
@@ -254,7 +397,7 @@ static bool read_columns(Search *search)
         return true;
     }
     search->found->verdict = DIAGNOSE_UNKNOWN;
-    return walk_right(search);
+    return walk_right(search) && (!search->walk.departure.is || walk_with_round_off(search));
 }
 
 static int digits_of(const Search *search, double worst)
@@ -289,7 +432,7 @@ static void name_departure(Search *search)
     const DiagnoseColumn *column = &table->columns[departure->column];
     const double bound = diagnose_bound(table, column, departure->theirs, column->natural, departure->step);
     look_back(search);
-    if (departure->ours != 0)
+    if (departure->ours != 0 && isfinite(departure->theirs))
         diagnose_name_factor(departure->theirs / departure->ours, 1e-12 + 2 * bound / fabs(departure->ours),
                              &search->right, departure->factors, sizeof departure->factors);
     const double change = departure->ours - departure->ours_before;
@@ -297,6 +440,10 @@ static void name_departure(Search *search)
         diagnose_name_factor((departure->theirs - departure->theirs_before) / change,
                              1e-9 + 4 * bound / fabs(change), &search->right, departure->change_factors,
                              sizeof departure->change_factors);
+    for (int c = 0; c < table->n_columns; c++)
+        if (!table->columns[c].silent && !search->walk.departs[c] && !is_still(search, c))
+            text_list_add(search->found->agreeing, sizeof search->found->agreeing, table->columns[c].name);
+    search->found->farthest = search->walk.farthest;
     departure->row = table->rows[departure->row] + 1;
     if (departure->stage > 0)
         departure->stage_id = table->stage_ids[departure->stage - 1];
@@ -317,7 +464,7 @@ static void keep(Search *search, const Candidate *candidate, const Settings *wro
     explanation->digits = digits_of(search, walk->worst);
     for (size_t m = 0; m < walk->compared; m++)
         explanation->rows += search->table->moments[m].count;
-    explanation->grown = walk->compared < search->table->n_moments;
+    explanation->grown = walk->failed || walk->moments < search->table->n_moments;
     if (found->n_explanations++ == 0 && search->walk.departure.is) {
         search->first = *candidate;
         search->by_first = *wrong;
@@ -328,81 +475,22 @@ static void keep(Search *search, const Candidate *candidate, const Settings *wro
                             sizeof explanation->apart);
 }
 
-/* --- codes that blow up --------------------------------------------------------------------------------- */
-
-/* The same run with a trace of the shortest wave that its cells hold: what round-off may grow to. False:
- * there is none. */
-static bool disturb(Settings *settings)
-{
-    const Parameter *overtones = parameter_find("initial.overtones");
-    const double cells = round(settings_geometry(settings)->length / settings_mesh(settings)->cell_size);
-    char text[LIST_MAX];
-    if (!parameter_applies_to(settings, overtones) || settings_start(settings)->velocity == 0)
-        return false;
-    snprintf(text, sizeof text, "%.200s%s%.0f:%.3g", settings_start(settings)->overtones,
-             *settings_start(settings)->overtones ? "," : "",
-             settings_start(settings)->mode == (int)cells ? cells - 1 : cells,
-             1e-13 * settings_start(settings)->velocity);
-    return settings_change(settings, overtones->key, text, NULL);
-}
-
-/* Of each moment the largest difference of two records, as a share of the columns' sizes. Returns the moments
- * before it is as large as the numbers. */
-static size_t growth(const DiagnoseTable *table, size_t moments, const double *one, const double *other,
-                     double *grown)
-{
-    enum { MARGIN = 100 }; /* one wave stands for all */
-    double size[DIAGNOSE_COLUMNS_MAX] = {0}, most = 0;
-    for (size_t m = 0; m < moments; m++) {
-        for (size_t k = 0; k < table->moments[m].count; k++)
-            for (int c = 0; c < table->n_columns; c++) {
-                const DiagnoseColumn *column = &table->columns[c];
-                const size_t at = (table->moments[m].first + k) * (size_t)table->n_columns + (size_t)c;
-                double *largest = &size[column->group];
-                *largest = fmax(*largest, fmax(column->natural, fabs(one[at])));
-                if (!column->silent && *largest > 0)
-                    most = fmax(most, MARGIN * fabs(one[at] - other[at]) / *largest);
-            }
-        grown[m] = most;
-        if (!(most < 1e-3))
-            return m;
-    }
-    return moments;
-}
-
 /* A code that agrees for a while and then by less and less: compared again with what round-off grows to in
  * it. False: it was given up. */
 static bool try_again(Search *search, const Settings *wrong, Walk *walk, bool *agrees)
 {
-    const DiagnoseTable *table = search->table;
-    const size_t entries = table->file.count * (size_t)table->n_columns;
-    double *values[2] = {malloc((entries + 1) * sizeof(double)), malloc((entries + 1) * sizeof(double))};
-    double *grown = malloc((table->n_moments + 1) * sizeof *grown);
-    Settings twin = *wrong;
-    const Settings *settings[2] = {wrong, &twin};
-    bool sound = true, can = values[0] && values[1] && grown && disturb(&twin);
-    size_t moments = walk->departure.moment + 1;
-    for (int i = 0; i < 2 && can; i++) {
-        for (size_t k = 0; k < entries; k++)
-            values[i][k] = NAN;
-        Walk one = {.table = table, .moments = SIZE_MAX, .to_end = true, .values = values[i]};
-        sound = diagnose_walk(&one, settings[i], search->task->threads, search->task->patience, NULL) ||
-                !one.stopped;
-        can = sound && one.compared > moments;
-        moments = can ? moments : 0;
-    }
-    moments = can ? growth(table, table->n_moments, values[0], values[1], grown) : 0;
-    if (moments > walk->departure.moment) {
-        *walk = (Walk){.table = table, .moments = moments, .grown = grown};
-        sound =
-            diagnose_walk(walk, wrong, search->task->threads, search->task->patience, NULL) || !walk->stopped;
-        *agrees = sound && !walk->departure.is;
+    size_t moments;
+    bool stopped = false;
+    double *grown = round_off_of(search, wrong, &moments, &stopped);
+    if (grown && moments > walk->departure.moment) {
+        *walk = (Walk){.table = search->table, .moments = moments, .grown = grown};
+        diagnose_walk(walk, wrong, search->task->threads, search->task->patience, NULL);
+        stopped = walk->stopped;
+        *agrees = !stopped && !walk->departure.is;
         walk->grown = NULL;
     }
-    free(values[0]);
-    free(values[1]);
     free(grown);
-    return sound || status_fail(search->status, "interrupted");
+    return !stopped || status_fail(search->status, "interrupted");
 }
 
 /* So many moments beyond the right run's departure are no chance. */
@@ -412,7 +500,8 @@ enum { LEAST_BEYOND = 5 };
 static bool try_one(Search *search, const Candidate *candidate, Walk *walk, Settings *wrong, bool *agrees)
 {
     *agrees = false;
-    *walk = (Walk){.table = search->table, .moments = SIZE_MAX, .shift = candidate->shift};
+    *walk = (Walk){
+        .table = search->table, .moments = SIZE_MAX, .shift = candidate->shift, .grown = search->grown};
     if (!diagnose_settings_of(candidate, &search->right, search->table, wrong))
         return true;
     Status why = {STATUS_DONE, ""};
@@ -422,11 +511,14 @@ static bool try_one(Search *search, const Candidate *candidate, Walk *walk, Sett
             *search->status = why;
         return false;
     }
-    /* up to where a run fails it may agree; it has to agree beyond where the right one departs */
-    const size_t shown = search->walk.departure.is ? search->walk.departure.moment : 0;
-    *agrees =
-        !walk->departure.is && walk->entries > 0 && (!search->walk.departure.is || walk->compared > shown);
-    return *agrees || !search->walk.departure.is || candidate->kind != DIAGNOSE_MISTAKE ||
+    walk->grown = NULL;
+    /* up to where a run fails it may agree; it has to agree beyond where the right one departs, or as far as
+     * the right one does */
+    const bool departs = search->walk.departure.is;
+    const size_t shown = departs ? search->walk.departure.moment : 0;
+    *agrees = !walk->departure.is && walk->entries > 0 &&
+              (departs ? walk->compared > shown : walk->compared >= search->walk.compared);
+    return *agrees || !departs || candidate->kind != DIAGNOSE_MISTAKE ||
            walk->departure.moment < shown + LEAST_BEYOND || try_again(search, wrong, walk, agrees);
 }
 
@@ -478,7 +570,8 @@ static bool try_value(Search *search, const Parameter *parameter, const TimeSett
         return patience_lasts(&search->task->patience, 0) || status_fail(search->status, "interrupted");
     const double now = settings_number(&search->right, parameter);
     const double factor = now != 0 ? candidate.value / now : candidate.value;
-    if ((now != 0 && !(fabs(factor) > LEAST_FACTOR && fabs(factor) < 1 / LEAST_FACTOR)) ||
+    if ((now != 0 && fabs(factor - 1) < 1e-8) || /* of another time step, or of fewer digits */
+        (now != 0 && !(fabs(factor) > LEAST_FACTOR && fabs(factor) < 1 / LEAST_FACTOR)) ||
         (simpler && !is_round(factor, &search->right)))
         return true;
     if (!try_one(search, &candidate, &walk, &wrong, &agrees))
@@ -563,7 +656,8 @@ static bool judge(Search *search)
     }
     found->agreed_step = walk->agreed > 0 ? table->moments[walk->agreed - 1].step : -1;
     found->digits = digits_of(search, walk->worst);
-    found->naive = walk->worst > 1e-12 && table->noise > 1e-10 && walk->worst < table->noise * 10;
+    found->naive =
+        search->right.method == METHOD_PD && walk->worst > 1e-11 && walk->worst < table->noise * 10;
     found->departure = walk->departure;
     if (walk->departure.is)
         name_departure(search);
@@ -575,14 +669,41 @@ static bool judge(Search *search)
     return true;
 }
 
+/* A power of a thousand may be a mistake and no unit: where no code explains the file with units of its own,
+ * one may with ours. `begun`: the table as it was read. */
+static bool judge_without_units(Search *search, const DiagnoseTable *begun)
+{
+    const Diagnosis before = *search->found;
+    const DiagnoseTable table = *search->table;
+    *search->table = *begun;
+    *search->found = (Diagnosis){
+        .agreed_step = -1, .verdict = DIAGNOSE_UNKNOWN, .rows = begun->file.count, .tried = before.tried};
+    free(search->grown);
+    search->grown = NULL;
+    search->units = false;
+    const bool sound = judge(search);
+    if (!sound || search->found->verdict != DIAGNOSE_UNKNOWN)
+        return sound;
+    const long tried = search->found->tried;
+    *search->table = table;
+    *search->found = before;
+    search->found->tried = tried;
+    return true;
+}
+
 bool diagnose(const DiagnoseTask *task, DiagnoseTable *table, Diagnosis *found, Status *status)
 {
     Search *search = calloc(1, sizeof *search);
     *found = (Diagnosis){.agreed_step = -1, .verdict = DIAGNOSE_UNKNOWN, .rows = table->file.count};
     if (!search)
         return status_fail(status, "out of memory");
-    *search =
-        (Search){.task = task, .table = table, .found = found, .right = *task->settings, .status = status};
+    *search = (Search){.task = task,
+                       .table = table,
+                       .found = found,
+                       .right = *task->settings,
+                       .units = true,
+                       .status = status};
+    const DiagnoseTable begun = *table;
     search->values = malloc((table->file.count * (size_t)table->n_columns + 1) * sizeof *search->values);
     for (size_t i = 0; search->values && i < table->file.count * (size_t)table->n_columns; i++)
         search->values[i] = NAN;
@@ -593,8 +714,10 @@ bool diagnose(const DiagnoseTask *task, DiagnoseTable *table, Diagnosis *found, 
                                     table->file.file, table->dt, *why.text ? ": " : "", why.text));
     sound = sound &&
             settings_refuse_mistake(&search->right, "a file is compared with the right code", status) &&
-            judge(search);
+            judge(search) &&
+            (!search->taken || found->verdict != DIAGNOSE_UNKNOWN || judge_without_units(search, &begun));
     free(search->values);
+    free(search->grown);
     free(search);
     return sound;
 }

@@ -7,6 +7,7 @@
 #include "scenario/concern_output.h"
 #include "scenario/concern_time.h"
 
+#include "base/assertion.h"
 #include "base/input.h"
 #include "base/math/functions.h"
 #include "base/text.h"
@@ -141,20 +142,23 @@ static int column_of(const Overlay *file, const Names *names, const char *ours, 
 
 /* --- words in cells ------------------------------------------------------------------------------------- */
 
-/* The name of a stage is its number; what overflowed is missing. */
+/* The name of a stage is its number; what overflowed is infinite, and what was not written is missing. */
 static bool take_word(const char *column, const char *cell, double *value, void *context)
 {
-    static const char *const lost[] = {"-nan",     "inf",       "-inf", "+inf",
-                                       "infinity", "-infinity", "null", "none"};
+    static const char *const lost[] = {"nan", "inf", "infinity"}, *const missing[] = {"null", "none"};
     const DiagnoseTable *table = context;
     for (int i = 0; i < table->n_stages; i++)
         if (strcasecmp(cell, table->stage_ids[i]) == 0) {
             *value = i + 1;
             return true;
         }
-    *value = NAN;
+    *value = INFINITY;
     for (size_t i = 0; i < sizeof lost / sizeof *lost; i++)
-        if (strcasecmp(cell, lost[i]) == 0)
+        if (strcasecmp(cell + (*cell == '-' || *cell == '+'), lost[i]) == 0)
+            return true;
+    *value = NAN;
+    for (size_t i = 0; i < sizeof missing / sizeof *missing; i++)
+        if (strcasecmp(cell, missing[i]) == 0)
             return true;
     return strcasecmp(column, "comment") == 0 || strcasecmp(column, "note") == 0;
 }
@@ -313,7 +317,7 @@ static void time_step_of_steps(DiagnoseTable *table, const Heads *heads, double 
     const double *times = file->columns[heads->time].values, *steps = file->columns[heads->step].values;
     size_t low = file->count, high = file->count;
     for (size_t r = 0; r < file->count; r++) {
-        if (isnan(times[r]) || isnan(steps[r]))
+        if (!isfinite(times[r]) || !isfinite(steps[r]))
             continue;
         low = low == file->count || steps[r] < steps[low] ? r : low;
         high = high == file->count || steps[r] > steps[high] ? r : high;
@@ -324,10 +328,10 @@ static void time_step_of_steps(DiagnoseTable *table, const Heads *heads, double 
     const double count = steps[high] - steps[low], own = (t[1] - t[0]) / count;
     const double bound = 2 * fmax(time_bound(file, heads, t[0]), time_bound(file, heads, t[1])) / count;
     table->dt_bound = bound;
-    if (!(own > 0) || fabs(own - dt) <= bound + 1e-9 * dt)
+    if (!(own > 0) || fabs(own - dt) <= bound + 1e-12 * dt)
         return;
     table->dt = own;
-    diagnose_note(table, "its time step is %.10g, not the scenario's %.10g: the runs beside it take its own",
+    diagnose_note(table, "its time step is %.13g, not the scenario's %.13g: the runs beside it take its own",
                   own, dt);
 }
 
@@ -340,7 +344,7 @@ static bool time_step_of_times(DiagnoseTable *table, const Heads *heads, double 
     double last = -INFINITY, spacing = INFINITY, before = NAN;
     for (size_t r = 0; r < file->count; r++) {
         const double t = times[r] * heads->time_factor;
-        if (isnan(t))
+        if (!isfinite(t))
             continue;
         if (t < -time_bound(file, heads, t))
             return status_refuse(status, "%s: row %zu: a time below 0 (a run begins at 0)", file->file,
@@ -505,6 +509,28 @@ static bool place_rows(DiagnoseTable *table, const Heads *heads, const Simulatio
     return sound;
 }
 
+/* What is no number (nan, inf) is missing where numbers of the same thing follow, as in the first row of a
+ * velocity; from the last of them on it is what became of a run. */
+static bool find_lost(DiagnoseTable *table, size_t things, Status *status)
+{
+    const size_t count = table->file.count;
+    bool *follow = malloc(things * sizeof *follow);
+    for (int c = 0; c < table->n_columns && follow; c++) {
+        double *values = table->file.columns[table->columns[c].theirs].values;
+        memset(follow, 0, things * sizeof *follow);
+        for (size_t r = count; r-- > 0;) {
+            double *value = &values[table->rows[r]];
+            ASSERT_INDEX(table->things[r], things);
+            if (isinf(*value) && follow[table->things[r]])
+                *value = NAN;
+            follow[table->things[r]] = follow[table->things[r]] || isfinite(*value);
+        }
+    }
+    const bool sound = follow || status_fail(status, "out of memory");
+    free(follow);
+    return sound;
+}
+
 static void say_what_is_odd(DiagnoseTable *table, const Heads *heads, const Simulation *sim)
 {
     const Overlay *file = &table->file;
@@ -532,12 +558,25 @@ static void say_what_is_odd(DiagnoseTable *table, const Heads *heads, const Simu
 /* More entries than these tell no more. */
 enum { ENTRIES_MAX = 8000000 };
 
+/* Whether rows hold no number of any column. */
+static bool is_empty(const DiagnoseTable *table, const DiagnoseMoment *moment)
+{
+    for (size_t row = moment->first; row < moment->first + moment->count; row++)
+        for (int c = 0; c < table->n_columns; c++)
+            if (!isnan(diagnose_theirs(table, &table->columns[c], row)))
+                return false;
+    return true;
+}
+
 /* `last`: the scenario's own last step. A file that asks for far more than that is a slip. */
 static bool cut(DiagnoseTable *table, long last, Status *status)
 {
     const double steps = fmax(1e5, 10.0 * (double)last);
     const size_t most = ENTRIES_MAX / (size_t)table->n_columns;
     size_t kept = table->n_moments;
+    while (kept > 1 && is_empty(table, &table->moments[kept - 1]))
+        kept--;
+    table->n_moments = kept;
     while (kept > 1 && (table->moments[kept - 1].first + table->moments[kept - 1].count > most ||
                         (double)table->moments[kept - 1].step > steps))
         kept--;
@@ -565,14 +604,15 @@ static bool read_rows(DiagnoseTable *table, const Settings *settings, const char
     snprintf(table->thing, sizeof table->thing, "%s", table->set < 0 ? "" : sim->sets[table->set].name);
     table->stages_by_id = heads.stage_id >= 0;
     table->of_next = !table->of_stages && table->set >= 0 && sim->sets[table->set].ready_after > 0;
-    table->noise = simulation_has(sim, HAS_BONDS) ? 1e-9 : 1e-13;
+    table->noise = simulation_has(sim, HAS_BONDS) || simulation_has(sim, HAS_PLANE) ? 1e-9 : 1e-13;
     table->dt = sim->dt;
     table->timed = heads.time >= 0;
     table->time_column = heads.time >= 0 ? heads.time : heads.step;
     if (table->timed && heads.step >= 0)
         time_step_of_steps(table, &heads, sim->dt);
     if ((table->timed && heads.step < 0 && !time_step_of_times(table, &heads, sim->dt, status)) ||
-        !place_rows(table, &heads, sim, status))
+        !place_rows(table, &heads, sim, status) ||
+        !find_lost(table, table->set < 0 ? 1 : sim->counts[table->set], status))
         return false;
     say_what_is_odd(table, &heads, sim);
     return cut(table, problem_last_step(sim->dt, settings_time(settings)->end), status);
@@ -627,7 +667,7 @@ bool diagnose_overlay(DiagnoseTable *table, Overlay *out)
         OverlayColumn *theirs = &file->columns[table->columns[c].theirs];
         memcpy(theirs->name, table->columns[c].name, sizeof theirs->name);
         for (size_t r = 0; r < file->count; r++)
-            theirs->values[r] *= table->columns[c].factor;
+            theirs->values[r] *= isfinite(theirs->values[r]) ? table->columns[c].factor : NAN;
         find_range(theirs, file->count);
     }
     OverlayColumn *time = &file->columns[table->time_column];

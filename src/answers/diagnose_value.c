@@ -49,7 +49,7 @@ static double newton(const Seek *seek, size_t moments, double change)
                 const size_t row = table->moments[m].first + k,
                              at = row * (size_t)table->n_columns + (size_t)c;
                 const double theirs = diagnose_theirs(table, column, row);
-                if (column->silent || isnan(theirs) || isnan(seek->values[0][at]) ||
+                if (column->silent || !isfinite(theirs) || isnan(seek->values[0][at]) ||
                     isnan(seek->values[1][at]))
                     continue;
                 double *most = &size[column->group];
@@ -95,6 +95,22 @@ static bool improve(Seek *seek, size_t moments, double *value)
     return isfinite(by);
 }
 
+/* What the file's first departure is in proportion to, or to the square of. False: neither agrees. */
+static bool guess_value(Seek *seek, const Departure *departure, double *value)
+{
+    const double ratio = departure->theirs / departure->ours, now = *value;
+    const double guesses[] = {now * ratio, now * sqrt(ratio)};
+    for (size_t i = 0; i < sizeof guesses / sizeof *guesses; i++) {
+        Walk walk = {.table = seek->table, .moments = SIZE_MAX};
+        if (isfinite(guesses[i]) && guesses[i] != now && walk_with(seek, guesses[i], &walk) &&
+            !walk.departure.is && walk.compared > 0 && !walk.failed) {
+            *value = guesses[i];
+            return true;
+        }
+    }
+    return false;
+}
+
 static bool seek_value(Seek *seek, size_t moments, double *value)
 {
     enum { TURNS = 40 };
@@ -125,7 +141,9 @@ bool diagnose_find_value(const DiagnoseTask *task, const DiagnoseTable *table, c
     seek.values[0] = malloc(entries * sizeof(double));
     seek.values[1] = malloc(entries * sizeof(double));
     *value = now;
-    const bool found = seek.values[0] && seek.values[1] && seek_value(&seek, departure->moment + 1, value);
+    const bool found =
+        seek.values[0] && seek.values[1] &&
+        (guess_value(&seek, departure, value) || seek_value(&seek, departure->moment + 1, value));
     if (found)
         *value = rounded(&seek, *value);
     free(seek.values[0]);

@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "base/visible.h"
 
+#include <math.h>
 #include <string.h>
 
 static void tell_moment(const Departure *departure, FILE *out)
@@ -16,18 +17,22 @@ static void tell_moment(const Departure *departure, FILE *out)
         visible_print(out, departure->step == 0 ? "at the start (step %ld)" : "at step %ld", departure->step);
 }
 
-static void tell_departure(const Departure *departure, const DiagnoseTable *table, FILE *out)
+static void tell_departure(const Diagnosis *found, const DiagnoseTable *table, FILE *out)
 {
+    const Departure *departure = &found->departure;
     const DiagnoseColumn *column = &table->columns[departure->column];
     fputs("They first depart ", out);
     tell_moment(departure, out);
     if (table->set >= 0)
         visible_print(out, ", %s %zu", table->thing, departure->thing);
     visible_print(out, ", row %zu, column %s:\n", departure->row, column->name);
-    visible_print(out, "  yours %.16g, right %.16g: ratio %s, difference %s\n", departure->theirs,
-                  departure->ours,
-                  departure->ours != 0 ? text_rounded(departure->theirs / departure->ours, 8).text : "none",
-                  text_rounded(departure->theirs - departure->ours, 3).text);
+    if (isinf(departure->theirs))
+        visible_print(out, "  yours is no number from here on (nan or inf), right %.16g\n", departure->ours);
+    else
+        visible_print(
+            out, "  yours %.16g, right %.16g: ratio %s, difference %s\n", departure->theirs, departure->ours,
+            departure->ours != 0 ? text_rounded(departure->theirs / departure->ours, 8).text : "none",
+            text_rounded(departure->theirs - departure->ours, 3).text);
     if (*departure->factors)
         visible_print(out, "  the ratio is %s\n", departure->factors);
     if (*departure->change_factors)
@@ -36,13 +41,16 @@ static void tell_departure(const Departure *departure, const DiagnoseTable *tabl
     if (table->of_next)
         visible_print(out, "  Rows of a grid are of the step that follows: this one of step %ld.\n",
                       departure->step + 1);
+    else if (*found->agreeing)
+        visible_print(out, "  %s: as they should be in all rows. Look at how %s is made of the same run.\n",
+                      found->agreeing, column->name);
     else if (departure->step == 0)
         fputs("  No step is done yet: what is wrong is the start.\n", out);
     else if (departure->moment == 0)
         fputs("  There is no row before it, so start and loop cannot be told apart.\n", out);
 }
 
-static void tell_agreement(const Diagnosis *found, FILE *out)
+static void tell_agreement(const Diagnosis *found, const DiagnoseTable *table, FILE *out)
 {
     const char *rows = found->agreed == 1 ? "row" : "rows";
     if (found->verdict == DIAGNOSE_RIGHT)
@@ -52,9 +60,8 @@ static void tell_agreement(const Diagnosis *found, FILE *out)
         fputs("Your numbers agree with the right code's in no row.\n", out);
     else
         visible_print(
-            out,
-            "Your numbers agree with the right code's to %d digits over the first %zu %s (to step %ld).\n",
-            found->digits, found->agreed, rows, found->agreed_step);
+            out, "Your numbers agree with the right code's to %d digits over %s%zu %s (to step %ld).\n",
+            found->digits, table->of_stages ? "" : "the first ", found->agreed, rows, found->agreed_step);
     if (found->verdict == DIAGNOSE_RIGHT && found->naive)
         fputs("More cannot be had where a bond's |y| - |xi| is taken as it stands: that is round-off, no "
               "mistake.\n",
@@ -114,13 +121,19 @@ static void tell_nothing_found(const Diagnosis *found, const DiagnoseTable *tabl
         found->tried);
     if (found->pairs_left)
         fputs("Two mistakes at once were not tried (--pairs).\n", out);
+    if (found->farthest < 1e-6)
+        visible_print(out, "No number is farther off than %s of the largest of its kind: single precision?\n",
+                      text_rounded(found->farthest, 1).text);
+    if (*found->agreeing)
+        return;
     if (departure->step == 0 && !table->of_next)
         fputs("Look at how the start is made: places, masses, velocities of t = 0.\n", out);
     else if (!table->of_stages) {
         const long step = departure->step + table->of_next;
         visible_print(
             out, "Look into step %ld: compare your numbers after each of its stages with those of\n", step);
-        visible_print(out, "  matvib run SCENARIO --stages %ld:%ld --particles p.csv\n", step, step);
+        visible_print(out, "  matvib run SCENARIO --stages %ld:%ld --particles p.csv (and your --set)\n",
+                      step, step);
     } else
         visible_print(out, "Look at what stage %d (%s) does with what the stages before it gave.\n",
                       departure->stage, departure->stage_id);
@@ -140,9 +153,9 @@ void diagnosis_tell(const Diagnosis *found, const DiagnoseTable *table, FILE *ou
               out);
         return;
     }
-    tell_agreement(found, out);
+    tell_agreement(found, table, out);
     if (found->departure.is)
-        tell_departure(&found->departure, table, out);
+        tell_departure(found, table, out);
     if (found->verdict == DIAGNOSE_EXPLAINED)
         tell_explanations(found, out);
     else if (found->verdict == DIAGNOSE_RIGHT)
@@ -176,7 +189,8 @@ void diagnosis_sum_up(const Diagnosis *found, const DiagnoseTable *table, char *
         return;
     text_append(out, size, "departs at step %ld%s%s in %s: yours %s, right %s", departure->step,
                 departure->stage > 0 ? ", stage " : "", departure->stage > 0 ? departure->stage_id : "",
-                table->columns[departure->column].name, text_rounded(departure->theirs, 9).text,
+                table->columns[departure->column].name,
+                isinf(departure->theirs) ? "no number" : text_rounded(departure->theirs, 9).text,
                 text_rounded(departure->ours, 9).text);
     if (*departure->factors)
         text_append(out, size, " (times %s)", departure->factors);

@@ -27,7 +27,8 @@ typedef struct Reader {
     char separator;
     bool decimal_comma;
     char text[OVERLAY_LINE_MAX];
-    char cut[OVERLAY_LINE_MAX]; /* its cells, each with a final zero: no longer than the line */
+    char comment[OVERLAY_LINE_MAX]; /* the last one */
+    char cut[OVERLAY_LINE_MAX];     /* its cells, each with a final zero: no longer than the line */
     char *cells[OVERLAY_COLUMNS_MAX];
     size_t room;
     OverlayWord word;
@@ -77,9 +78,11 @@ static Got next_line(Reader *reader)
     return GOT_LINE;
 }
 
-static bool says_nothing(const char *text)
+static bool says_nothing(Reader *reader)
 {
-    text += strspn(text, " \t;,");
+    const char *text = reader->text + strspn(reader->text, " \t;,");
+    if (*text == '#')
+        snprintf(reader->comment, sizeof reader->comment, "%s", text + 1);
     return *text == '\0' || *text == '#';
 }
 
@@ -89,7 +92,7 @@ static Got next_row(Reader *reader)
     Got got;
     do
         got = next_line(reader);
-    while (got == GOT_LINE && says_nothing(reader->text));
+    while (got == GOT_LINE && says_nothing(reader));
     return got;
 }
 
@@ -121,13 +124,19 @@ static int cut_cells(Reader *reader)
                 return -1;
             }
         } else {
-            while (*from && *from != reader->separator)
+            while (*from && *from != reader->separator && !(reader->separator == ' ' && *from == '\t'))
                 *to++ = *from++;
             while (to > cell && strchr(blanks, to[-1]))
                 to--;
         }
         *to++ = '\0';
-        if (!*from++)
+        if (reader->separator == ' ') /* or several */
+            from += strspn(from, blanks);
+        else if (*from)
+            from++;
+        else
+            return count;
+        if (!*from && reader->separator == ' ')
             return count;
     }
 }
@@ -204,6 +213,14 @@ static void note_digits(OverlayColumn *column, const char *cell)
     column->places = places > column->places ? places : column->places;
 }
 
+/* Whether the reader knows what a cell that begins with a letter stands for. */
+static bool is_word(const Reader *reader, const char *column, const char *cell, double *value)
+{
+    const char first = cell[*cell == '-' || *cell == '+'];
+    return reader->word && ((first >= 'a' && first <= 'z') || (first >= 'A' && first <= 'Z')) &&
+           reader->word(column, cell, value, reader->context);
+}
+
 /* Takes the line that was cut; `cells` of them. */
 static bool take_row(Reader *reader, Overlay *overlay, int cells)
 {
@@ -218,10 +235,12 @@ static bool take_row(Reader *reader, Overlay *overlay, int cells)
     for (int i = 0; i < cells; i++) {
         OverlayColumn *column = &overlay->columns[i];
         double value;
-        if (number_of(reader, reader->cells[i], &value)) {
+        if (is_word(reader, column->name, reader->cells[i], &value)) {
+            ;
+        } else if (number_of(reader, reader->cells[i], &value)) {
             if (!isnan(value))
                 note_digits(column, reader->cells[i]);
-        } else if (!reader->word || !reader->word(column->name, reader->cells[i], &value, reader->context)) {
+        } else {
             char text[OVERLAY_NAME_MAX];
             keep_name(text, reader->cells[i]);
             snprintf(what, sizeof what, "column %d%s%s: '%s' is no number", i + 1,
@@ -236,18 +255,35 @@ static bool take_row(Reader *reader, Overlay *overlay, int cells)
     return true;
 }
 
+/* Names that stand in the comment above the first row, where numpy writes them; any other comment is none. */
+static void take_comment(Reader *reader, Overlay *overlay)
+{
+    double value;
+    strcpy(reader->text, reader->comment);
+    reader->status = NULL; /* what a comment says is never wrong */
+    const int cells = cut_cells(reader);
+    bool names = cells == overlay->n_columns;
+    for (int i = 0; i < cells && names; i++)
+        names = *reader->cells[i] && !number_of(reader, reader->cells[i], &value);
+    for (int i = 0; i < cells && names; i++)
+        keep_name(overlay->columns[i].name, reader->cells[i]);
+}
+
 /* From the first line: how cells are separated, how many there are, their names or the first row. */
 static bool take_head(Reader *reader, Overlay *overlay)
 {
     bool names = false;
     double value;
-    reader->separator = strchr(reader->text, ';') ? ';' : strchr(reader->text, '\t') ? '\t' : ',';
+    reader->separator = strchr(reader->text, ';')    ? ';'
+                        : strchr(reader->text, '\t') ? '\t'
+                        : strchr(reader->text, ',')  ? ','
+                                                     : ' ';
     reader->decimal_comma = reader->separator != ',';
     const int cells = cut_cells(reader);
     if (cells < 0)
         return false;
     if (cells < 2)
-        return fail(reader, "one column only (a time and a value are wanted, parted by , or ;)");
+        return fail(reader, "one column only (a time and a value are wanted, parted by , or ; or blanks)");
     overlay->columns = calloc((size_t)cells, sizeof *overlay->columns);
     if (!overlay->columns)
         return no_memory(reader);
@@ -259,7 +295,14 @@ static bool take_head(Reader *reader, Overlay *overlay)
     }
     for (int i = 0; i < cells && names; i++)
         keep_name(overlay->columns[i].name, reader->cells[i]);
-    return names || take_row(reader, overlay, cells);
+    if (names)
+        return true;
+    if (!take_row(reader, overlay, cells))
+        return false;
+    Status *status = reader->status;
+    take_comment(reader, overlay);
+    reader->status = status;
+    return true;
 }
 
 static double size_of(FILE *stream)

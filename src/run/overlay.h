@@ -2,10 +2,10 @@
 /* A foreign series, a student's or an experiment's, to be drawn over the curves of a run: a table of numbers
  * read from a CSV file of any origin.
  *
- * Comma, semicolon or tab between the cells (found from the first line), decimal comma where the comma is
- * free, names in the first line or none, any line ends, a byte order mark, quoted cells, lines of comment (#)
- * and empty lines. An empty cell, NaN or NA is a value that is missing. Anything else that is no number is
- * refused with file and line. */
+ * Comma, semicolon, tab or blanks between the cells (found from the first line), decimal comma where the
+ * comma is free, names in the first line, in a comment (#) above the first row, or none, any line ends, a
+ * byte order mark, quoted cells, lines of comment (#) and empty lines. An empty cell, NaN or NA is a value
+ * that is missing. Anything else that is no number is refused with file and line. */
 #ifndef RUN_OVERLAY_H
 #define RUN_OVERLAY_H
 
@@ -45,8 +45,8 @@ typedef struct Overlay {
 /* Told the share that is read in [0, 1]; false stops the reading. May be NULL. */
 typedef bool (*OverlayProgress)(double share, void *context);
 
-/* What a cell stands for that is no number, such as the name of a stage; false: it is refused. NULL: so is
- * every such cell. */
+/* What a cell stands for that begins with a letter, such as the name of a stage; false: it is read as a
+ * number. NULL: so is every cell. */
 typedef bool (*OverlayWord)(const char *column, const char *cell, double *value, void *context);
 
 /* Reads a table; `file` stands for FILE in an error. False: the status says why, the overlay is empty. */

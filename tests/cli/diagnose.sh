@@ -169,6 +169,56 @@ result "are sorted" sh -c 'grep -q "were sorted" out && grep -q "those of the ri
 sed '20,$s/^\([0-9]*,[^,]*\),[^,]*/\1,nan/' own.csv >nan.csv
 expect "NaN from a row on" 0 mode5 nan.csv
 result "is left out" says out '^  x_by_own_velocity: '
+result "and told" says out '^(its column v_cm is no number from row 19 on: left out)$'
+for step in 29 30 31 32; do echo "$step,,nan,nan,inf,-inf,nan"; done >tail.csv
+awk -F, -v OFS=, 'NR == 1 || NR <= 30 { print $1, $2, $3, $6, $7, $8, $10 }' right.csv | cat - tail.csv >lost.csv
+expect "a run that is no number in the end" 0 mode5 lost.csv
+result "is not right" sh -c 'grep -q "^They first depart at step 29, row 30, column v_cm:$" out && grep -q "^  yours is no number from here on (nan or inf), right " out'
+expect "such a run as JSON" 0 mode5 lost.csv --json
+result "is JSON" sh -c 'command -v python3 >/dev/null || exit 0; python3 -c "import json, sys; row = json.load(open(\"out\"))[0]; assert row[\"verdict\"] == \"unknown\" and row[\"yours\"] is None"'
+awk -F, 'NR <= 31; NR > 31 && NR <= 41 { print $1 ",,,,,,,,," }' right.csv >blank.csv
+expect "rows of nothing at the end" 0 mode5 blank.csv
+result "are not counted" says out '^Your numbers are those of the right code, to 16 digits over 30 rows.$'
+printf 'step,v_cm\n0,1e308\n1,1\n2,2\n3,1\n' >huge.csv
+expect "a number too large for a ratio" 0 mode5 huge.csv
+result "has none" sh -c '! grep -q "the ratio is" out'
+
+# one column alone may be wrong, and nothing of the run
+awk -F, -v OFS=, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; print; next } { $at["kinetic"] = sprintf("%.17g", 2 * $at["kinetic"]); print }' right.csv >twice.csv
+expect "a column twice too large" 0 mode5 twice.csv
+result "is told from the run" sh -c 'grep -q "v_cm, .*strain, .*: as they should be in all rows. Look at how kinetic is made" out && ! grep -q "what is wrong is the start" out'
+
+# a sign, and a power of a thousand that is no unit
+make sign.csv mode5 --steps 50 --set initial.velocity=-0.1
+expect "another sign" 0 mode5 sign.csv
+result "is a value" says out '^  initial.velocity=-0.1: another value, the scenario.s 0.1 times -1.$'
+make slow.csv mode5 --steps 50 --set initial.velocity=0.0001
+expect "a thousandth of the speed" 0 mode5 slow.csv
+result "is a value too" sh -c 'grep -q "^  initial.velocity=0.0001: " out && ! grep -q "unit of its own" out'
+awk -F, -v OFS=, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; print; next } { $at["v_cm"] = sprintf("%.17g", 1000 * $at["v_cm"]); print }' right.csv >milli.csv
+expect "a unit of its own" 0 mode5 milli.csv
+result "is one where the run is right" sh -c 'grep -q "^(its v_cm is in a unit of its own: 0.001 of ours each)$" out && grep -q "those of the right code" out'
+
+# round-off that grows where a node hardly has mass, by a code whose last digits are others
+grown="--set initial.mode=2 --set initial.velocity=2 --set bar.supports=free-free --set mpm.algorithm=usl --set load.body_force=0.3"
+# shellcheck disable=SC2086
+make grown.csv mode1 $grown --steps 200 --set bar.youngs_modulus=100.0000000000001
+# shellcheck disable=SC2086
+expect "round-off that grows" 0 mode1 $grown grown.csv
+result "is no mistake" says out '^Your numbers are those of the right code, to [0-9]* digits over 201 rows.$'
+
+# a code that cannot run so far is shown by a file that does
+coarse="--set initial.mode=5 --set initial.velocity=2 --set bar.density=2 --set mesh.cell_size=0.5"
+# shellcheck disable=SC2086
+make far.csv mode1 $coarse --steps 200
+# shellcheck disable=SC2086
+expect "a run that a mistake ends at once" 0 mode1 $coarse far.csv
+result "has not that mistake" sh -c 'grep -q "those of the right code" out && ! grep -q strain_without_dt out'
+
+# as numpy writes a table
+awk -F, 'NR == 1 { print "# step v_cm x_cm"; next } { printf "%.18e %.18e %.18e\n", $1, $3, $6 }' right.csv >numpy.txt
+expect "a table of numpy" 0 mode5 numpy.txt
+result "is read" says out '^Your numbers are those of the right code'
 
 make soft.csv mode5 --steps 50 --set mpm.mistake=stress_not_added
 printf 'step,v_cm\n0,quick\n' >broken.csv
