@@ -4,7 +4,9 @@
 
 #include "base/assertion.h"
 #include "base/text.h"
+#include "scenario/concern_time.h"
 #include "scenario/parameters.h"
+#include "scenario/settings.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -48,10 +50,18 @@ bool fit_data_keys(char *list, FitTask *task, Status *status)
     return task->n_keys > 0 || status_refuse(status, "no parameter is named (KEY,KEY)");
 }
 
+/* Data far beyond a run have a slip in their times, and many runs so long end in no lecture. */
+enum { TIMES_LONGER = 1000 };
+
 bool fit_data_end(const FitData *data, Settings *settings, Status *status)
 {
     char end[NUMBER_TEXT_MAX];
     const double last = data->count > 0 ? data->times[data->count - 1] : 0;
+    if (last > TIMES_LONGER * settings_time(settings)->end)
+        return status_refuse(status,
+                             "the data end at t = %.6g, more than %d times the run's own end (%.6g; time.end "
+                             "is what it may be)",
+                             last, TIMES_LONGER, settings_time(settings)->end);
     text_shortest(end, last);
     return !(last > 0) || settings_set(settings, "time.end", end, status);
 }

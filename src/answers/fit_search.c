@@ -2,7 +2,7 @@
 /* The search of fit.h: runs of a simulation as the model of a least-squares fit by GSL.
  *
  *     chi^2(p) = sum_k f_k^2,  f_k(p) = s(t_k; p) - y_k              residuals, one run for each p
- *     d f_k/d p_i by central differences, two runs each
+ *     d f_k/d p_i by central differences, two runs each; at the end of its range by one within it
  *     cov(p) from J and the noise that f looks like                  theory/noise.h
  *
  * The parameters are sought as multiples of their values at the start, so that a modulus of 1e11 and a
@@ -64,7 +64,68 @@ static int residuals(const gsl_vector *scaled, void *context, gsl_vector *out)
     return GSL_SUCCESS;
 }
 
+/* A run beside where the search is: into `model`. */
+static bool run_beside(Search *search, const gsl_vector *scaled, size_t key, double x)
+{
+    gsl_vector *beside = gsl_vector_alloc(scaled->size);
+    Settings settings;
+    bool sound = beside != NULL;
+    if (sound) {
+        gsl_vector_memcpy(beside, scaled);
+        gsl_vector_set(beside, key, x);
+        sound = place(search, beside, &settings) && fit_run_at_data(search, &settings);
+        gsl_vector_free(beside);
+    }
+    return sound;
+}
+
+/* J: a parameter beside which there is no run leaves zeros. */
+static int slopes(const gsl_vector *scaled, void *context, gsl_matrix *jacobian)
+{
+    Search *search = context;
+    const size_t count = search->task->count;
+    for (size_t i = 0; i < scaled->size; i++) {
+        const double x = gsl_vector_get(scaled, i), half = 0.5 * DIFFERENCE * (x != 0 ? fabs(x) : 1);
+        double at[2] = {x - half, x + half};
+        int runs = 0;
+        for (size_t k = 0; k < count; k++)
+            gsl_matrix_set(jacobian, k, i, 0);
+        for (int side = 0; side < 2; side++) {
+            if (!run_beside(search, scaled, i, at[side])) {
+                search->why_fixed = search->why;
+                at[side] = x;
+                if (search->interrupted)
+                    return GSL_EFAILED;
+                if (!run_beside(search, scaled, i, x))
+                    break;
+            } else {
+                runs++;
+            }
+            for (size_t k = 0; k < count; k++)
+                gsl_matrix_set(jacobian, k, i,
+                               side == 0
+                                   ? search->model[k]
+                                   : (search->model[k] - gsl_matrix_get(jacobian, k, i)) / (at[1] - at[0]));
+        }
+        search->fixed[i] = runs == 0;
+        for (size_t k = 0; k < count && runs == 0; k++)
+            gsl_matrix_set(jacobian, k, i, 0);
+    }
+    return search->interrupted ? GSL_EFAILED : GSL_SUCCESS;
+}
+
 /* --- the search ---------------------------------------------------------------------------------- */
+
+/* rms of the data about their mean, or of a datum that never changes. */
+static double spread_of(const FitTask *task)
+{
+    double mean = 0, squares = 0;
+    for (size_t k = 0; k < task->count; k++)
+        mean += task->values[k] / (double)task->count;
+    for (size_t k = 0; k < task->count; k++)
+        squares += math_pow(task->values[k] - mean, 2) / (double)task->count;
+    return squares > 0 ? sqrt(squares) : fabs(mean);
+}
 
 /* What is sought must be there, real, not 0 and named once, and there must be more data than parameters: else
  * s^2 = chi^2/(n - m) has no meaning. */
@@ -73,6 +134,8 @@ static bool find_parameters(Search *search, Status *status)
     const FitTask *task = search->task;
     if (task->count <= (size_t)task->n_keys)
         return status_refuse(status, "%zu data are too few for %d parameters", task->count, task->n_keys);
+    if (spread_of(task) == 0)
+        return status_refuse(status, "the data are all 0");
     for (int i = 0; i < task->n_keys; i++) {
         const char *key = task->keys[i];
         const Parameter *parameter = parameter_find(key);
@@ -100,27 +163,20 @@ typedef struct Space {
     double *slopes, *left; /* J and f row by row */
 } Space;
 
-/* rms of the data about their mean, or of a datum that never changes. */
-static double spread_of(const FitTask *task)
-{
-    double mean = 0, squares = 0;
-    for (size_t k = 0; k < task->count; k++)
-        mean += task->values[k] / (double)task->count;
-    for (size_t k = 0; k < task->count; k++)
-        squares += math_pow(task->values[k] - mean, 2) / (double)task->count;
-    return squares > 0 ? sqrt(squares) : fabs(mean);
-}
-
 /* J has no column of zeros. */
-static bool all_matter(const FitTask *task, const gsl_matrix *jacobian, Status *status)
+static bool all_matter(const Search *search, const gsl_matrix *jacobian, Status *status)
 {
+    const FitTask *task = search->task;
     for (int i = 0; i < task->n_keys; i++) {
         size_t k = 0;
         while (k < task->count && gsl_matrix_get(jacobian, k, (size_t)i) == 0)
             k++;
         if (k == task->count)
-            return status_refuse(status, "%s: changes nothing of %s in these data", task->keys[i],
-                                 task->column);
+            return search->fixed[i]
+                       ? status_refuse(status, "%s: there is no run with a little more or less: %s",
+                                       task->keys[i], search->why_fixed.text)
+                       : status_refuse(status, "%s: changes nothing of %s in these data", task->keys[i],
+                                       task->column);
     }
     return true;
 }
@@ -144,7 +200,7 @@ static bool judge(const Search *search, Space *space, Status *status)
             space->slopes[k * (size_t)m + (size_t)i] =
                 gsl_matrix_get(jacobian, k, (size_t)i) / search->starts[i];
     }
-    if (!all_matter(task, jacobian, status))
+    if (!all_matter(search, jacobian, status))
         return false;
     const double rms = sqrt(squares / (double)task->count);
     if (result->searches++ > 0 && rms >= result->rms)
@@ -166,13 +222,16 @@ static bool judge(const Search *search, Space *space, Status *status)
 /* Levenberg and Marquardt by trust regions until p changes by less than TOLERANCE. */
 static bool search_from(Search *search, const Beginning *from, Space *space, Status *status)
 {
-    gsl_multifit_nlinear_fdf functions = {
-        .f = residuals, .n = search->task->count, .p = (size_t)search->task->n_keys, .params = search};
+    gsl_multifit_nlinear_fdf functions = {.f = residuals,
+                                          .df = slopes,
+                                          .n = search->task->count,
+                                          .p = (size_t)search->task->n_keys,
+                                          .params = search};
     int info = 0;
     gsl_vector_set_all(space->start, 1);
     gsl_vector_set(space->start, (size_t)from->key, from->factor);
     int outcome = gsl_multifit_nlinear_init(space->start, &functions, space->work);
-    if (outcome == GSL_SUCCESS && !all_matter(search->task, gsl_multifit_nlinear_jac(space->work), status))
+    if (outcome == GSL_SUCCESS && !all_matter(search, gsl_multifit_nlinear_jac(space->work), status))
         return false;
     if (outcome == GSL_SUCCESS)
         outcome =
@@ -210,6 +269,9 @@ static bool search_best(Search *search, Space *space, Status *status)
             break;
     }
     if (search->interrupted || result->searches == 0) {
+        if (!search->interrupted && why.code == STATUS_DONE)
+            return status_refuse(status,
+                                 "the data are so far from any run that least squares have no number");
         if (status)
             *status = search->interrupted ? search->why : why;
         return false;
@@ -241,8 +303,6 @@ bool fit_solve(const FitTask *task, FitResult *result, Status *status)
     }
     const size_t m = (size_t)task->n_keys;
     gsl_multifit_nlinear_parameters options = gsl_multifit_nlinear_default_parameters();
-    options.fdtype = GSL_MULTIFIT_NLINEAR_CTRDIFF;
-    options.h_df = DIFFERENCE;
     quiet_begin();
     Space space = {.work = gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &options, task->count, m),
                    .start = gsl_vector_alloc(m),

@@ -60,6 +60,20 @@ refuse "once more" "ro-crate-metadata.json: exists (--force replaces it)" mode5 
 refuse "table and picture in one file" "./t.svg: two outputs cannot be the same file" mode5 --data d.csv --vary bar.density --output t.svg --figure ./t.svg
 refuse "over its data" "d.csv: it is read, so it cannot be written too" mode5 --data d.csv --vary bar.density --output d.csv --force
 refuse "a table where the metadata are to stand" "ro-crate-metadata.json: is the name of the metadata that --crate writes" mode5 --data d.csv --vary bar.density --output ro-crate-metadata.json --crate --force
+
+# at the end of its range a parameter has a slope on one side; an interval beyond it stands for the other
+"$MATVIB" run mode5 --end 1.2 --series n.csv --quiet --force
+awk -F, -v OFS=, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; print "time,v_cm"; next } { x = (x * 69069 + 1) % 4294967296; print $at["time"], $at["v_cm"] + 4e-4 * (x / 4294967296 - .5) }' n.csv >noisy.csv
+expect "a share that is all" 0 mode5 --data noisy.csv --vary mpm.flip_fraction
+result "is known as well as the noise allows" sh -c 'awk "\$1 == \"mpm.flip_fraction\" { n = \$2 > .99 && \$3 > 1e-4 && \$3 < .02 } END { exit !n }" out'
+expect "a length that is no whole number of cells" 2 mode5 --data noisy.csv --vary bar.length
+result "is told so" says err '^matvib: bar.length: there is no run with a little more or less: mesh.cell_size: the length [0-9.]* must be'
+printf 'time,v_cm\n0,0\n1,0\n2,0\n3,0\n' >zero.csv
+refuse "data that are 0" "the data are all 0" mode5 --data zero.csv --vary bar.density
+printf 'time,v_cm\n0,.007\n1,1e308\n2,-1e308\n3,1e308\n' >far.csv
+refuse "data beyond all squares" "the data are so far from any run that least squares have no number" mode5 --data far.csv --vary bar.density
+printf 'time,v_cm\n0,.007\n1,.001\n2,.004\n1e7,.1\n' >long.csv
+refuse "data that ask for a run without end" "the data end at t = 1e+07, more than 1000 times the run's own end (100; time.end is what it may be)" mode5 --data long.csv --vary bar.density
 refuse "no data" "fit: --data FILE is missing" mode5 --vary bar.density
 refuse "no parameters" "fit: --vary KEY,... is missing" mode5 --data d.csv
 refuse "a parameter that it has not" "beam.length: this run has no such parameter" mode5 --data d.csv --vary beam.length
