@@ -547,6 +547,9 @@ static void say_what_is_odd(DiagnoseTable *table, const Heads *heads, const Simu
     for (int c = 0; c < table->n_columns; c++) {
         const DiagnoseColumn *column = &table->columns[c];
         const char *theirs = file->columns[column->theirs].name;
+        for (int i = column->theirs + 1; i < file->n_columns; i++)
+            if (*theirs && strcasecmp(theirs, file->columns[i].name) == 0)
+                diagnose_note(table, "it has several columns %s: the first counts", theirs);
         if (strcasecmp(theirs, column->name) != 0)
             diagnose_note(table, "its column %s is taken for %s", *theirs ? theirs : "(without a name)",
                           column->name);

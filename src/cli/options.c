@@ -443,8 +443,13 @@ static bool load_run(const Options *options, const char *scenario, Settings *set
     double dt;
     overrides[count] = (Override){"--steps", "time.end", end};
     overrides[count + 1] = (Override){"--steps", "output.at", ""};
-    if (!scenario_load_with(scenario, overrides, count + 2, settings, status))
+    if (!scenario_load_with(scenario, overrides, count + 2, settings, status)) {
+        /* what is wrong without it is not said of --steps */
+        Status without = {STATUS_DONE, ""};
+        if (!scenario_load_with(scenario, overrides, count, settings, &without) && status)
+            *status = without;
         return false;
+    }
     if (!problem_time_step(settings, &dt, status)) {
         options_blame(options, scenario, status);
         return false;

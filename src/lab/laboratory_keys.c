@@ -213,15 +213,15 @@ static bool take_offer(Laboratory *lab, const Key *key)
 }
 
 /* What was refused is read as a message: a key that does something else goes on, Enter and the keys of an
- * editor mend the answer. But whoever is asked for the name of a file types another one. Pasted text never
- * comes here. */
+ * editor mend the answer. But whoever is asked for the name of a file, or by an exercise, types another one.
+ * Pasted text never comes here. */
 static void leave_refused(Laboratory *lab, const char *key)
 {
     const Prompt *prompt = &lab->prompting.shown;
     const bool is_character = !key[1] || strcmp(key, "Space") == 0;
     const Typing *typing = lab->prompting.typing;
-    const bool asks_name = typing && typing->names_file;
-    if (prompt->open && !prompt->yes_no && prompt->problem[0] && !asks_name && is_character &&
+    const bool retyped = typing && typing->retyped;
+    if (prompt->open && !prompt->yes_no && prompt->problem[0] && !retyped && is_character &&
         command_by_key(key))
         prompt_close(&lab->prompting);
 }

@@ -179,6 +179,10 @@ bool player_arrive(Laboratory *lab)
     }
     if (stop >= 0 && stop < step)
         player_stop_at(lab, &never); /* passed by other means */
+    if (player->stop.kind == STOP_AT_EVENT && experiment_at_end(experiment)) {
+        laboratory_say(lab, MESSAGE_INFO, "the run has ended: %s did not come", player->playback.until);
+        player_stop_at(lab, &never);
+    }
     if (!player->loop.on || step < loop_end(lab, &first))
         return false;
     player->owed = 0;

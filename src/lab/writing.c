@@ -70,7 +70,7 @@ bool writing_answer(Laboratory *lab, const char *text)
     return true;
 }
 
-static const Typing file_typing = {.offer = complete_files, .names_file = true};
+static const Typing file_typing = {.offer = complete_files, .retyped = true};
 
 void writing_ask(Laboratory *lab)
 {

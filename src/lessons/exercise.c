@@ -71,6 +71,11 @@ static bool read_plain(const char *text, double *number)
     strcpy(copy, text);
     for (size_t length = strlen(copy); length > 0 && strchr(" %", copy[length - 1]);)
         copy[--length] = '\0';
+    static const char minus[] = "\u2212"; /* as word processors write it */
+    if (strncmp(copy, minus, sizeof minus - 1) == 0) {
+        memmove(copy + 1, copy + sizeof minus - 1, strlen(copy + sizeof minus - 1) + 1);
+        copy[0] = '-';
+    }
     char *comma = strchr(copy, ',');
     if (comma && !strchr(copy, '.'))
         *comma = '.';

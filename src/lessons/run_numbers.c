@@ -221,7 +221,7 @@ const RunNumber run_numbers[] = {
     {"u_last", "displacement of a hanging column's last particle", finding,
      ABOUT("", "moved, at the last one", NULL), .part = SUMMARY_FINDINGS},
     {"invariant", "what one particle keeps of its motion, as a share of the start", finding,
-     ABOUT_IN("%", 100, "of its first energy"), .part = SUMMARY_FINDINGS},
+     ABOUT_IN("%", 100, "of the invariant"), .part = SUMMARY_FINDINGS},
     {NULL, NULL, NULL, .label = NULL},
 };
 

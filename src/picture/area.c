@@ -119,6 +119,7 @@ typedef struct Phrases {
     const char *text;              /* that is left */
     int width, x, y, columns, end; /* of the phrase; `end`: of what stands in its row; 0: nothing does yet */
     char phrase[256];
+    bool whole; /* one that is wider than a row is not broken */
 } Phrases;
 
 static bool next_phrase(Phrases *at)
@@ -129,6 +130,10 @@ static bool next_phrase(Phrases *at)
     const size_t length = end ? (size_t)(end - at->text) : strlen(at->text);
     snprintf(at->phrase, sizeof at->phrase, "%.*s", (int)(length < 255 ? length : 255), at->text);
     at->columns = glyphs_columns(at->phrase);
+    for (char *blank; !at->whole && at->columns > at->width && (blank = strrchr(at->phrase, ' '));) {
+        *blank = '\0';
+        at->columns = glyphs_columns(at->phrase);
+    }
     at->x = at->end > 0 ? at->end + 2 : 0;
     if (at->end > 0 && at->x + at->columns > at->width) {
         at->x = 0;
@@ -142,7 +147,7 @@ static bool next_phrase(Phrases *at)
 
 int area_rows_of_phrases(const char *text, int width)
 {
-    Phrases at = {.text = text, .width = width};
+    Phrases at = {.text = text, .width = width, .whole = true};
     while (next_phrase(&at))
         if (at.columns > width)
             return INT_MAX;

@@ -79,7 +79,9 @@ static void mode_lines(const Screen *screen, bool brief, char first[160], char s
     ModeOnMesh mode;
     first[0] = second[0] = '\0';
     if (readout->mode < 1 || !readout->moving) {
-        snprintf(first, 160, "nothing vibrates here: no mode to measure");
+        snprintf(first, 160,
+                 readout->moving ? "this motion is no mode of a bar"
+                                 : "nothing vibrates here: no mode to measure");
         return;
     }
     snprintf(first, 160, "mode %d:", readout->mode);
@@ -344,8 +346,9 @@ static void period_lines(const Readout *readout, double height, double span, boo
                        : "T %.4f ms: %+.2f %%, its real size alone %+.2f %%",
                  milliseconds(readout->measured), percent(readout->measured / readout->exact),
                  percent(readout->real_size / readout->exact));
-        snprintf(second, 160, "real height %.4g mm, span %.4g mm%s", height / 1e-3, span / 1e-3,
-                 brief ? "" : "; T as span^2/height");
+        if (isfinite(height) && isfinite(span)) /* a mesh has the size that is asked for */
+            snprintf(second, 160, "real height %.4g mm, span %.4g mm%s", height / 1e-3, span / 1e-3,
+                     brief ? "" : "; T as span^2/height");
     }
 }
 

@@ -141,6 +141,8 @@ expect "the struck plate" 0 kalthoff-coarse --view beam:damage --end 1e-6 --outp
 result "is drawn as it is, for it comes apart" sh -c "! grep -q \">u × \" struck.svg"
 expect "the period of a beam without bonds" 0 supported-beam-mpm-coarse --view dispersion --end 1e-6 --output period.svg
 result "depends on its cells" has_word period.svg "cell size, mm"
+expect "one that was measured" 0 supported-beam-mpm-coarse --set beam.length=25mm --view dispersion --end 1e-4 --output period.svg --force
+result "has no size but the one asked for" sh -c 'grep -q "its real size alone +0.00 %<" period.svg && ! grep -qw nan period.svg'
 
 # the drawing is of the start, so the long run of the fine lattice is not made
 expect "a beam with its dimensions" 0 notched-beam --view beam:drawing --output drawing.svg

@@ -265,6 +265,11 @@ mkfifo pipe.session
 printf 'key . .\n' >two.script
 "$MATVIB" mode1 --record run.session --script two.script >/dev/null
 "$MATVIB" lesson late --name Ada --record late.session --script two.script >/dev/null
+# of one computer for many: each begins at the first page, and a script gives the same screens always
+printf 'screen a\nkey n n\nwait 1\nkey n n\n' >four.script
+for one in Ada Max Ada; do XDG_STATE_HOME=$scratch/shared "$MATVIB" lesson late --name $one --script four.script; done >shared.out
+"$MATVIB" lesson late --script four.script >>shared.out
+result "a lesson begins for each at its first page" test "$(grep -c '  1/' shared.out)" -eq 4
 expect "what gets no mark" 1 own.lesson stolen.session less.session cut.session stopped.session nameless.session \
 	text.session program.session free.session broken.session half.session noise.session empty.session none.session \
 	pipe.session . run.session late.session right.session --output bad.csv

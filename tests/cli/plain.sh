@@ -31,6 +31,8 @@ result "what the inspector shows is drawn on paper" says inspector.svg '>0\.5000
 
 printf '%s\n' 'until t 1' x '' | "$MATVIB" mode1 --plain >out
 result "an empty line takes what a question proposes" test -s mode1-series.csv
+printf 'until end\n' | "$MATVIB" moving-cantilever-coarse --steps 30 --plain >out
+result "a long phrase is broken and not cut" sh -c 'grep -q "nearly all of it feed motion" out && ! grep -q "~" out'
 printf 'until break\nmore\n' | "$MATVIB" notched-beam-coarse --plain >out
 result "a map says where the crack is" says out 'crack tip: x 65 mm'
 "$MATVIB" mode1 --plain </dev/null >out

@@ -247,6 +247,25 @@ START_TEST(a_refused_answer_gives_way_to_the_next_key)
 }
 END_TEST
 
+/* An answer to an exercise that is refused is typed anew, and is no keys: q would leave the homework. */
+START_TEST(a_refused_number_is_typed_anew)
+{
+    Bench *bench = open_bench("mode1", true);
+    const Prompt *prompt = bench->lab.screen.prompt;
+    Status status = {STATUS_DONE, ""};
+    ck_assert_msg(lesson_play_open(&bench->lab, "homework-late", &status), "%s", status.text);
+    while (lesson_exercise(&bench->lab.screen.lesson->lesson->pages[bench->lab.screen.lesson->page]) !=
+           EXERCISE_NUMBER)
+        press(bench, "n");
+    press_all(bench, "Enter o n e Enter");
+    ck_assert(prompt->open && prompt->problem[0]);
+    press_all(bench, "q - 1");
+    ck_assert(prompt->open && !prompt->problem[0] && !bench->lab.closed);
+    ck_assert_str_eq(prompt->text, "q-1");
+    close_bench(bench);
+}
+END_TEST
+
 /* A name that is refused is typed anew, and is no keys. */
 START_TEST(a_refused_name_is_typed_anew)
 {
@@ -931,6 +950,7 @@ void add_cases(Suite *suite)
     TCase *tcase = tcase_create("laboratory");
     tcase_add_loop_test(tcase, a_table_is_followed_over_time, 0, 2);
     tcase_add_loop_test(tcase, a_refused_answer_gives_way_to_the_next_key, 0, 4);
+    tcase_add_test(tcase, a_refused_number_is_typed_anew);
     tcase_add_test(tcase, a_refused_name_is_typed_anew);
     tcase_add_test(tcase, every_row_of_the_table_is_carried_out);
     tcase_add_test(tcase, a_late_run_is_late_within_ten_seconds);

@@ -92,6 +92,20 @@ START_TEST(a_run_stops_at_an_event_that_is_not_kept)
 }
 END_TEST
 
+/* What did not come is told, and waited for no more. */
+START_TEST(what_did_not_come_is_told)
+{
+    Bench *bench = open_bench("mode1", true);
+    enter_line(bench, "time.end=0.5");
+    enter_line(bench, "until crossing");
+    for (int i = 0; i < 100000 && bench->lab.screen.playback->state != STATE_ENDED; i++)
+        frame(bench);
+    ck_assert_str_eq(bench->lab.screen.message->text, "the run has ended: a crossing did not come");
+    ck_assert_str_eq(bench->lab.screen.playback->until, "");
+    close_bench(bench);
+}
+END_TEST
+
 START_TEST(a_run_stops_at_a_time_and_at_a_step)
 {
     Bench *bench = open_bench("mode1", true);
@@ -233,6 +247,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, a_run_stops_at_an_event_that_is_not_kept);
     tcase_add_loop_test(tcase, a_damped_run_stops_at_rest, 0,
                         suite_wide() ? sizeof rests / sizeof *rests : 1);
+    tcase_add_test(tcase, what_did_not_come_is_told);
     tcase_add_test(tcase, a_run_stops_at_a_time_and_at_a_step);
     tcase_add_test(tcase, a_stretch_comes_again);
     tcase_add_test(tcase, slow_motion_shows_every_stage);

@@ -305,15 +305,15 @@ START_TEST(a_number_is_read_as_it_is_written)
     static const struct {
         const char *text;
         double number;
-    } rows[] = {{"1.5", 1.5}, {" -4,25 ", -4.25},     {"4 %", 4},          {"1e-3", 1e-3},
-                {"+2", 2},    {"100/17", 100.0 / 17}, {"-1,5 / 3 %", -0.5}};
+    } rows[] = {{"1.5", 1.5}, {" -4,25 ", -4.25},     {"4 %", 4},           {"1e-3", 1e-3},
+                {"+2", 2},    {"100/17", 100.0 / 17}, {"-1,5 / 3 %", -0.5}, {"\u22122,5", -2.5}};
     double number;
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         ck_assert_msg(exercise_read_number(rows[i].text, &number), "%s", rows[i].text);
         ck_assert_double_eq(number, rows[i].number);
     }
-    static const char *const none[] = {"",    "%",   "four", "1.000,5", "1,2,3", "nan",
-                                       "inf", "1 2", "1/0",  "/2",      "1/",    "1/2/3"};
+    static const char *const none[] = {"",    "%",   "four", "1.000,5", "1,2,3", "nan",    "inf",
+                                       "1 2", "1/0", "/2",   "1/",      "1/2/3", "\u2212", "\u2212-1"};
     for (size_t i = 0; i < sizeof none / sizeof *none; i++)
         ck_assert_msg(!exercise_read_number(none[i], &number), "%s", none[i]);
 }

@@ -221,7 +221,7 @@ static double series_bytes(const Laboratory *lab)
 
 static void ask_name(Laboratory *lab)
 {
-    static const Typing typing = {.names_file = true};
+    static const Typing typing = {.retyped = true};
     char name[NAME_MAX_BYTES];
     const long rows = series_rows(lab);
     const double megabytes = series_bytes(lab) / 1e6;

@@ -69,7 +69,7 @@ static void submit(Laboratory *lab, const char *text)
     prompting->shown = asked;
     prompting->answer = answer;
     prompting->typing = typing;
-    prompting->fresh = typing && typing->names_file;
+    prompting->fresh = typing && typing->retyped;
 }
 
 static void text_changed(Laboratory *lab, const char *key)

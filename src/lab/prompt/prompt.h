@@ -27,7 +27,7 @@ typedef struct Typing {
     bool (*key)(Laboratory *, const char *key);         /* false: the key does what it does everywhere */
     void (*offer)(Completion *, const Laboratory *lab); /* what Tab completes */
     void (*typed)(Laboratory *, const char *key);       /* the text has changed */
-    bool names_file; /* another name replaces a refused one, and none of its letters is a key */
+    bool retyped; /* a name, or an answer: another replaces a refused one, and none of its letters is a key */
 } Typing;
 
 typedef struct Prompting {

@@ -90,7 +90,9 @@ int laboratory_main(const LaboratoryOptions *given, Status *status)
     LaboratoryOptions options = *given;
     Session *replay = NULL, *recording = NULL;
     int result = STATUS_DONE, reached[LESSONS_MAX] = {0};
-    lesson_progress_read(reached);
+    /* a script gives the same screens always; a homework is each student's own, from its first page on */
+    if (!is_unattended(&options) && !(options.student && *options.student))
+        lesson_progress_read(reached);
     options.reached = reached;
     options.first_start = is_first_start(&options);
     options.keeps_sheet = !is_unattended(&options) && !options.plain;

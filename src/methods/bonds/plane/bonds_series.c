@@ -167,7 +167,7 @@ static const SeriesEntry series[BEAM_SERIES_MAX] = {
      1 << BEAM_NOTCHED},
     {{"kinetic", "kinetic", "J", "kinetic energy"}, beam_kinetic, ALL},
     {{"strain", "strain", "J", "energy of the bonds"}, beam_strain, ALL},
-    {{"work", "work", "J", "work of loads, moving supports and weight"}, work, ALL},
+    {{"work", "work", "J", "work of loads, a plate's moving supports and weight"}, work, ALL},
     {{"dissipated", "dissipated", "J", "energy of the bonds when they broke"}, dissipated, ALL},
     {{"total", "total", "J", "kinetic + strain + dissipated + damped; less the work it keeps its value"},
      total,
