@@ -220,7 +220,8 @@ static void leave_refused(Laboratory *lab, const char *key)
     const Prompt *prompt = &lab->prompting.shown;
     const bool is_character = !key[1] || strcmp(key, "Space") == 0;
     const Typing *typing = lab->prompting.typing;
-    const bool retyped = typing && typing->retyped;
+    const bool retyped =
+        typing && typing->retyped && !(typing->leaves && !key[1] && strchr(typing->leaves, *key));
     if (prompt->open && !prompt->yes_no && prompt->problem[0] && !retyped && is_character &&
         command_by_key(key))
         prompt_close(&lab->prompting);

@@ -236,6 +236,32 @@ START_TEST(resizes_while_running)
 }
 END_TEST
 
+/* On one computer each begins at the first page of a homework, however far another came. */
+START_TEST(a_homework_is_each_student_s_own)
+{
+    static const char *const names[] = {"Ada", "Max"};
+    char folder[] = "/tmp/matvib-XXXXXX", state[64], file[64];
+    ck_assert_ptr_nonnull(mkdtemp(folder));
+    snprintf(state, sizeof state, "XDG_STATE_HOME=%s", folder);
+    for (int i = 0; i < 2; i++) {
+        Session session;
+        snprintf(file, sizeof file, "%s/%s.session", folder, names[i]);
+        session_open(
+            &session, 80, 24, (const char *const[]){state, NULL},
+            (const char *const[]){matvib(), "lesson", "late", "--name", names[i], "--record", file, NULL});
+        session_wait_for(&session, " 1/");
+        session_send(&session, "n");
+        session_wait_for(&session, " 2/");
+        session_send(&session, "q");
+        ck_assert_int_eq(session_exit(&session), 0);
+        session_close(&session);
+    }
+    char command[96];
+    snprintf(command, sizeof command, "rm -r %s", folder);
+    ck_assert_int_eq(system(command), 0);
+}
+END_TEST
+
 START_TEST(a_recorded_session_is_the_last_one_too)
 {
     char folder[] = "/tmp/matvib-XXXXXX", state[64], file[64], command[192];
@@ -587,6 +613,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, escape_is_answered_while_a_crack_runs);
     tcase_add_test(tcase, resizes);
     tcase_add_test(tcase, resizes_while_running);
+    tcase_add_test(tcase, a_homework_is_each_student_s_own);
     tcase_add_test(tcase, a_recorded_session_is_the_last_one_too);
     tcase_add_test(tcase, a_session_of_matvib_1_is_done_again_with_a_warning);
     tcase_add_test(tcase, a_first_start_offers_the_first_lesson);

@@ -71,13 +71,13 @@ static bool take_number(Laboratory *lab, const char *text)
 
 void lesson_exercise_ask(Laboratory *lab)
 {
-    static const Typing typing = {.retyped = true};
+    static const Typing of_words = {.retyped = true}, of_number = {.retyped = true, .leaves = "nb"};
     const bool words = lesson_exercise(lesson_entry_page(lab)) == EXERCISE_WORDS;
     prompt_ask(&lab->prompting, words ? take_words : take_number, false, "", "%s",
                words ? "your words" : "your answer");
     snprintf(lab->prompting.shown.hint, sizeof lab->prompting.shown.hint, "%s",
              words ? "one line for the teacher" : "a number, as 1.5");
-    lab->prompting.typing = &typing;
+    lab->prompting.typing = words ? &of_words : &of_number;
 }
 
 void lesson_exercise_choose(Laboratory *lab, int choice)

@@ -28,6 +28,7 @@ typedef struct Typing {
     void (*offer)(Completion *, const Laboratory *lab); /* what Tab completes */
     void (*typed)(Laboratory *, const char *key);       /* the text has changed */
     bool retyped; /* a name, or an answer: another replaces a refused one, and none of its letters is a key */
+    const char *leaves; /* but these, which no such answer begins with */
 } Typing;
 
 typedef struct Prompting {
