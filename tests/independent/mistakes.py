@@ -83,6 +83,8 @@ class WrongBar(bar.Bar):
             volume = volume * round(1 / (2 * self.half))
         elif self.mistake == "mass_for_volume":
             volume = self.m
+        elif self.mistake == "volume_kept":
+            volume = self.m / self.rho0
         elif self.mistake == "no_volume":
             volume = 1
         self.f = (1 if self.mistake == "force_sign" else -1) * (self.dN.T @ (stress * volume))

@@ -494,7 +494,7 @@ void add_cases(Suite *suite)
     TCase *sums = tcase_create("sums");
     tcase_add_test(sums, a_wrong_sum_is_seen);
     tcase_add_loop_test(sums, sums_of_a_bar_add_up, 0, BAR_VARIANTS);
-    tcase_add_loop_test(sums, sums_of_a_wrong_bar_add_up, 0, 24);
+    tcase_add_loop_test(sums, sums_of_a_wrong_bar_add_up, 0, 25);
     tcase_add_loop_test(sums, sums_of_a_beam_add_up, 0, 3);
     tcase_add_loop_test(sums, sums_of_a_beam_of_cells_add_up, 0, 6);
     tcase_add_loop_test(sums, sums_of_a_wrong_beam_add_up, 0, 11);

@@ -20,6 +20,13 @@ static double mass_for_volume(const Bar *bar, int particle, double volume)
     return bar_particle_mass(bar, particle);
 }
 
+/* All particles had the same share of a cell. */
+static double volume_at_start(const Bar *bar, int particle, double volume)
+{
+    (void)particle, (void)volume;
+    return bar->dx / bar->slots;
+}
+
 static double no_volume(const Bar *bar, int particle, double volume)
 {
     (void)bar, (void)particle, (void)volume;
