@@ -12,7 +12,8 @@ typedef struct Search {
     double *model; /* of the run that is made, at the data */
     bool began;    /* a run has been made: what fails from here on is a step too far */
     bool interrupted;
-    bool fixed[FIT_KEYS_MAX]; /* no run can be made beside where a parameter is; why_fixed tells of the last */
+    bool
+        fixed[FIT_KEYS_MAX]; /* no run can be made beside where a parameter is; why_fixed tells of the last */
     Status why_fixed;
     Status why; /* the last run could not be made */
 } Search;

@@ -203,25 +203,25 @@ END_TEST
  * together. */
 START_TEST(the_order_of_parameters_is_of_no_account)
 {
-    enum { COUNT = 60 };
+    enum { ROWS = 60 };
     static const int turned[3] = {2, 0, 1};
-    double times[COUNT], e[COUNT], slopes[3 * COUNT], others[3 * COUNT];
+    double at[ROWS], e[ROWS], slopes[3 * ROWS], others[3 * ROWS];
     uint64_t state = 7;
     double before = normal(&state);
-    for (int k = 0; k < COUNT; k++) {
+    for (int k = 0; k < ROWS; k++) {
         double *row = slopes + 3 * k;
-        times[k] = 0.1 * k;
-        row[0] = cos(2 * times[k]);
-        row[1] = times[k] * sin(2 * times[k]);
-        row[2] = 1 + 0.3 * times[k];
+        at[k] = 0.1 * k;
+        row[0] = cos(2 * at[k]);
+        row[1] = at[k] * sin(2 * at[k]);
+        row[2] = 1 + 0.3 * at[k];
         for (int i = 0; i < 3; i++)
             others[3 * k + i] = row[turned[i]];
         e[k] = before;
         before = 0.7 * before + sqrt(1 - 0.7 * 0.7) * normal(&state);
     }
     Noise as_given, in_turn;
-    ck_assert(noise_judge(times, e, slopes, COUNT, 3, &as_given));
-    ck_assert(noise_judge(times, e, others, COUNT, 3, &in_turn));
+    ck_assert(noise_judge(at, e, slopes, ROWS, 3, &as_given));
+    ck_assert(noise_judge(at, e, others, ROWS, 3, &in_turn));
     ck_assert_double_gt(as_given.correlation, 0.4);
     ck_assert_double_eq_tol(in_turn.correlation, as_given.correlation, 1e-6);
     for (int i = 0; i < 3; i++) {
