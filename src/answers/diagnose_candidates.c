@@ -3,6 +3,7 @@
  * of a scheme, every value beside the scenario's, all from the parameter table; and which run tells two of
  * them apart. */
 #include "answers/diagnose_internal.h"
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "scenario/concern_body.h"
 #include "scenario/concern_bonds.h"

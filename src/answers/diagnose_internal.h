@@ -5,8 +5,10 @@
 
 #include "answers/diagnose.h"
 #include "run/advance.h"
-#include "scenario/concern_time.h"
 #include "scenario/parameters.h"
+#include "scenario/settings.h"
+
+typedef struct TimeSettings TimeSettings; /* scenario/concern_time.h, which few of them need */
 
 /* A walk along a run, as far as the file or `moments` go. */
 typedef struct Walk {
@@ -81,5 +83,34 @@ bool diagnose_find_value(const DiagnoseTask *, const DiagnoseTable *, const Depa
 /* The run that tells two codes apart: a column that the file has not, or another setting of both; "": none
  * was found. */
 bool diagnose_tell_apart(const Settings *a, const Settings *b, const DiagnoseTable *, char *out, size_t size);
+
+/* One file and what is found of it. */
+typedef struct Search {
+    const DiagnoseTask *task;
+    DiagnoseTable *table;
+    Diagnosis *found;
+    Settings right;    /* with the file's time step */
+    bool units, taken; /* units of the file's own are sought; some was found */
+    int notes;         /* before them */
+    double *values;    /* of the right run */
+    double *grown;     /* what its round-off grows to, where it departs; else NULL */
+    Walk walk;         /* along it */
+    Candidate first;   /* the first that explains it all */
+    Settings by_first; /* its settings; without one the right ones */
+    Status *status;
+} Search;
+
+/* diagnose_columns.c: after the first walk along the right run. Leaves out what is no number, finds units and
+ * sizes, silences what tells nothing; the verdict is UNKNOWN if something tells. False: there is no memory.
+ */
+bool diagnose_judge_columns(Search *);
+
+/* Whether a column never changes in the right run, as a mass: beside others it tells of no run. */
+bool diagnose_is_still(const Search *, int column);
+
+/* diagnose_round_off.c: what the round-off of a run has grown to, [moment][group of columns], by a run whose
+ * last digits are others; the caller frees it. *moments: those before it is as large as the numbers. NULL: it
+ * is not known, or *stopped: it was given up. */
+double *diagnose_grown(const Search *, const Settings *, size_t *moments, bool *stopped);
 
 #endif

@@ -4,6 +4,7 @@
 #include "answers/diagnose_internal.h"
 
 #include "base/assertion.h"
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "scenario/concern_output.h"
 
@@ -86,7 +87,7 @@ static void compare(Walker *walker, size_t row, int c, double ours)
     const double theirs = diagnose_theirs(table, column, row);
     if (walk->values)
         walk->values[row * (size_t)table->n_columns + (size_t)c] = ours;
-    if (column->silent || isnan(theirs) || !isfinite(ours))
+    if (column->silent || isnan(theirs) || isnan(ours) || (isinf(theirs) && isinf(ours)))
         return;
     if (isinf(theirs)) {
         walk->farthest = INFINITY;

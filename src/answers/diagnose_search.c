@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The search for the code that made a file's numbers (diagnose.h). */
 #include "answers/diagnose_internal.h"
+#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "scenario/concern_body.h"
 #include "scenario/concern_cells.h"
@@ -11,334 +12,10 @@
 #include "base/text.h"
 #include "problems/problem.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-
-typedef struct Search {
-    const DiagnoseTask *task;
-    DiagnoseTable *table;
-    Diagnosis *found;
-    Settings right;    /* with the file's time step */
-    bool units, taken; /* units of the file's own are sought; some was found */
-    double *values;    /* of the right run */
-    double *grown;     /* what its round-off grows to, where it departs; else NULL */
-    Walk walk;         /* along it */
-    Candidate first;   /* the first that explains it all */
-    Settings by_first; /* its settings; without one the right ones */
-    Status *status;
-} Search;
-
-/* --- columns that tell nothing -------------------------------------------------------------------------- */
-
-/* What of a column there is: in the file and in the right run. */
-typedef struct Extent {
-    size_t given;
-    double theirs, ours; /* largest */
-} Extent;
-
-static Extent extent_of(const Search *search, int c)
-{
-    const DiagnoseTable *table = search->table;
-    Extent extent = {0, 0, 0};
-    for (size_t m = 0; m < search->walk.compared; m++)
-        for (size_t k = 0; k < table->moments[m].count; k++) {
-            const size_t row = table->moments[m].first + k;
-            const double theirs = diagnose_theirs(table, &table->columns[c], row);
-            const double ours = search->values[row * (size_t)table->n_columns + (size_t)c];
-            extent.given += isnan(theirs) ? 0 : 1;
-            extent.theirs = fmax(extent.theirs, fabs(theirs)); /* NAN counts for nothing */
-            extent.ours = fmax(extent.ours, fabs(ours));
-        }
-    return extent;
-}
-
-/* Another power of a thousand for a unit, as the first numbers tell that are not small: 1 without one. */
-static double unit_of(const Search *search, int c)
-{
-    const DiagnoseTable *table = search->table;
-    const DiagnoseColumn *column = &table->columns[c];
-    const double least = 1e-3 * extent_of(search, c).ours;
-    for (size_t m = 0; m < search->walk.compared; m++)
-        for (size_t k = 0; k < table->moments[m].count; k++) {
-            const size_t row = table->moments[m].first + k;
-            const double theirs = diagnose_theirs(table, column, row);
-            const double ours = search->values[row * (size_t)table->n_columns + (size_t)c];
-            if (!(fabs(ours) > least) || !(theirs / ours > 0) || !isfinite(theirs / ours))
-                continue;
-            const double whole = round(math_log10(theirs / ours) / 3);
-            const double bound = diagnose_bound(table, column, theirs, fabs(theirs), table->moments[m].step);
-            return whole != 0 && fabs(theirs / ours / math_pow(10, 3 * whole) - 1) <= bound / fabs(theirs)
-                       ? math_pow(10, -3 * whole)
-                       : 1;
-        }
-    return 1;
-}
-
-static void find_units(Search *search)
-{
-    DiagnoseTable *table = search->table;
-    for (int c = 0; c < table->n_columns && search->units; c++) {
-        const double factor = table->columns[c].factor == 1 ? unit_of(search, c) : 1;
-        if (factor == 1)
-            continue;
-        search->taken = true;
-        diagnose_note(table, "its %s is in a unit of its own: %g of ours each", table->columns[c].name,
-                      factor);
-        for (int i = 0; i < table->n_columns; i++)
-            if (table->columns[i].group == table->columns[c].group && table->columns[i].factor == 1)
-                table->columns[i].factor = factor;
-    }
-}
-
-/* The rows that are compared. */
-static size_t rows_of(const DiagnoseTable *table)
-{
-    const DiagnoseMoment *last = &table->moments[table->n_moments - 1];
-    return last->first + last->count;
-}
-
-/* Whether a column holds what stands beside a run, an answer for each row, to its digits, and not the run. */
-static bool is_copy(const Search *search, int c, const double *answers)
-{
-    const DiagnoseTable *table = search->table;
-    const DiagnoseColumn *column = &table->columns[c];
-    size_t other = 0, counted = 0;
-    for (size_t row = 0; row < rows_of(table); row++) {
-        const double theirs = diagnose_theirs(table, column, row);
-        const double bound = diagnose_bound(table, column, theirs, column->natural, 0);
-        const double ours = search->values[row * (size_t)table->n_columns + (size_t)c];
-        if (isnan(theirs))
-            continue;
-        if (isnan(answers[row]) || fabs(theirs - answers[row]) > bound + 1e-9 * column->natural)
-            return false;
-        counted++;
-        other += fabs(ours - answers[row]) > 2 * bound + 2e-9 * column->natural;
-    }
-    return other > 0 && counted > 1;
-}
-
-/* A column that never changes in the right run, as a mass: beside copied ones it tells of no run. */
-static bool is_still(const Search *search, int c)
-{
-    const DiagnoseTable *table = search->table;
-    const size_t count = table->moments[0].count, wide = (size_t)table->n_columns;
-    for (size_t row = 0; row < rows_of(table); row++)
-        if (table->things[row] != table->things[row % count] ||
-            search->values[row * wide + (size_t)c] != search->values[row % count * wide + (size_t)c])
-            return false;
-    return true;
-}
-
-/* A run that has blown up has no number left. Beside numbers that go on, what is none was not written. */
-static void leave_out_lost(Search *search)
-{
-    DiagnoseTable *table = search->table;
-    bool still[DIAGNOSE_COLUMNS_MAX], told[DIAGNOSE_COLUMNS_MAX] = {false};
-    for (int c = 0; c < table->n_columns; c++)
-        still[c] = is_still(search, c);
-    for (size_t row = 0; row < rows_of(table); row++) {
-        bool goes_on = false;
-        for (int c = 0; c < table->n_columns; c++)
-            goes_on = goes_on || (!still[c] && isfinite(diagnose_theirs(table, &table->columns[c], row)));
-        for (int c = 0; c < table->n_columns && goes_on; c++) {
-            double *value = &table->file.columns[table->columns[c].theirs].values[table->rows[row]];
-            if (!isinf(*value))
-                continue;
-            *value = NAN;
-            if (!told[c])
-                diagnose_note(table, "its column %s is no number from row %zu on: left out",
-                              table->columns[c].name, table->rows[row] + 1);
-            told[c] = true;
-        }
-    }
-}
-
-static void judge_copy(Search *search, int c, const char *what, const double *answers)
-{
-    DiagnoseColumn *column = &search->table->columns[c];
-    if (column->silent || !is_copy(search, c, answers))
-        return;
-    column->silent = true;
-    search->found->verdict = DIAGNOSE_COPIED;
-    diagnose_note(search->table, "its column %s is %s, to all its digits: an answer, not a run", column->name,
-                  what);
-}
-
-/* Of a series: the answers that stand beside it; those that need the past are left alone. */
-static void find_copied_series(Search *search, References *refs, const double *nothing, double *answers)
-{
-    const DiagnoseTable *table = search->table;
-    Column columns[COLUMNS_MAX];
-    double row[COLUMNS_MAX];
-    const int count = references_memory(refs) == 0 ? references_columns(refs, columns) : 0;
-    for (int i = 0; i < count; i++)
-        for (int c = 0; c < table->n_columns && columns[i].of >= 0; c++) {
-            if (strcmp(columns[columns[i].of].quantity.name, table->columns[c].name) != 0)
-                continue;
-            for (size_t m = 0; m < table->n_moments; m++) {
-                const long step = table->moments[m].step;
-                references_row(refs, step, (double)step * table->dt, nothing, row);
-                answers[table->moments[m].first] = row[i];
-            }
-            judge_copy(search, c, columns[i].quantity.meaning, answers);
-        }
-}
-
-/* Of things: the exact profile at their places of reference. */
-static void find_copied_things(Search *search, const References *refs, const Simulation *sim, double *answers)
-{
-    const DiagnoseTable *table = search->table;
-    int place = simulation_find_field(sim, table->set, "x0");
-    place = place >= 0 ? place : simulation_find_field(sim, table->set, "x");
-    for (int c = 0; c < table->n_columns && place >= 0; c++) {
-        const char *name = table->columns[c].name;
-        for (size_t m = 0; m < table->n_moments; m++)
-            for (size_t k = 0; k < table->moments[m].count; k++) {
-                const size_t row = table->moments[m].first + k;
-                answers[row] = references_profile(refs, strcmp(name, "velocity") == 0 ? "v" : name,
-                                                  simulation_value(sim, place, table->things[row]),
-                                                  (double)table->moments[m].step * table->dt);
-            }
-        judge_copy(search, c, "the exact profile", answers);
-    }
-}
-
-static bool find_copies(Search *search)
-{
-    DiagnoseTable *table = search->table;
-    Simulation *sim = problem_simulate(&search->right, 1, search->status);
-    References *refs = sim ? references_create(&search->right, sim, search->status) : NULL;
-    double *nothing = sim ? calloc((size_t)sim->n_series + 1, sizeof *nothing) : NULL;
-    double *answers = malloc((rows_of(table) + 1) * sizeof *answers);
-    const bool sound = refs && nothing && answers;
-    if (sound && table->set < 0)
-        find_copied_series(search, refs, nothing, answers);
-    else if (sound)
-        find_copied_things(search, refs, sim, answers);
-    for (int c = 0; c < table->n_columns && search->found->verdict == DIAGNOSE_COPIED; c++)
-        table->columns[c].silent = table->columns[c].silent || is_still(search, c);
-    references_destroy(refs);
-    simulation_destroy(sim);
-    free(nothing);
-    free(answers);
-    return sound;
-}
-
-/* What is 0 at the start, as the velocities of a run from rest, is as large as in the right run. */
-static void size_from_rest(Search *search)
-{
-    DiagnoseTable *table = search->table;
-    double size[DIAGNOSE_COLUMNS_MAX] = {0};
-    for (int c = 0; c < table->n_columns; c++)
-        size[table->columns[c].group] = fmax(size[table->columns[c].group], extent_of(search, c).ours);
-    for (int c = 0; c < table->n_columns; c++)
-        if (table->columns[c].natural == 0 && isfinite(size[table->columns[c].group]))
-            table->columns[c].natural = size[table->columns[c].group];
-}
-
-/* Empty columns and zeros. Returns how many tell something. */
-static int silence(Search *search)
-{
-    DiagnoseTable *table = search->table;
-    int telling = 0;
-    for (int c = 0; c < table->n_columns; c++) {
-        DiagnoseColumn *column = &table->columns[c];
-        const Extent extent = extent_of(search, c);
-        const double least = 1e2 * table->noise * column->natural;
-        if (extent.given == 0)
-            diagnose_note(table, "its column %s is empty", column->name);
-        else if (extent.theirs == 0 && extent.ours > least)
-            diagnose_note(table,
-                          "its column %s is zero throughout, where the right run moves: as good as empty",
-                          column->name);
-        column->silent =
-            extent.given == 0 || extent.theirs == 0 || (extent.theirs <= least && extent.ours <= least);
-        telling += !column->silent;
-    }
-    return telling;
-}
-
-/* --- what round-off grows to ---------------------------------------------------------------------------- */
-
-/* The same run with a modulus and cells that are others in their last digit: its round-off is another one
- * throughout, that of places too. */
-static bool disturb(Settings *settings)
-{
-    static const char *const keys[] = {"bar.youngs_modulus", "beam.youngs_modulus", "mesh.cell_size"};
-    bool other = false;
-    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
-        const Parameter *parameter = parameter_find(keys[i]);
-        const Settings before = *settings;
-        if (!parameter_applies_to(settings, parameter))
-            continue;
-        settings_put(settings, parameter, settings_number(settings, parameter) * (1 + 2 * DBL_EPSILON));
-        if (settings_check(settings, NULL))
-            other = true;
-        else
-            *settings = before;
-    }
-    return other;
-}
-
-/* Of each moment and group of columns what two records have differed by up to there. Returns the moments
- * before that is as large as the numbers. */
-static size_t growth(const DiagnoseTable *table, size_t moments, const double *one, const double *other,
-                     double *grown)
-{
-    enum { MARGIN = 100 }; /* one run stands for all */
-    const size_t wide = (size_t)table->n_columns;
-    double size[DIAGNOSE_COLUMNS_MAX] = {0}, most[DIAGNOSE_COLUMNS_MAX] = {0};
-    for (size_t m = 0; m < moments; m++) {
-        for (size_t k = 0; k < table->moments[m].count; k++)
-            for (int c = 0; c < table->n_columns; c++) {
-                const DiagnoseColumn *column = &table->columns[c];
-                const size_t at = (table->moments[m].first + k) * wide + (size_t)c;
-                const double apart = MARGIN * fabs(one[at] - other[at]);
-                if (column->silent || isnan(apart))
-                    continue;
-                size[column->group] = fmax(size[column->group], fmax(column->natural, fabs(one[at])));
-                most[column->group] = fmax(most[column->group], apart);
-                if (!(apart < 1e-3 * size[column->group]) && apart > 0)
-                    return m;
-            }
-        memcpy(grown + m * wide, most, wide * sizeof *most);
-    }
-    return moments;
-}
-
-/* What the round-off of a run has grown to, [moment][group]; the caller frees it. *moments: those before it
- * is as large as the numbers. NULL: it is not known, or it was given up. */
-static double *round_off_of(const Search *search, const Settings *settings, size_t *moments, bool *stopped)
-{
-    const DiagnoseTable *table = search->table;
-    const size_t entries = table->file.count * (size_t)table->n_columns;
-    double *values[2] = {malloc((entries + 1) * sizeof(double)), malloc((entries + 1) * sizeof(double))};
-    double *grown = calloc(entries + 1, sizeof *grown);
-    Settings twin = *settings;
-    const Settings *both[2] = {settings, &twin};
-    bool known = values[0] && values[1] && grown && disturb(&twin);
-    *moments = table->n_moments;
-    for (int i = 0; i < 2 && known; i++) {
-        for (size_t k = 0; k < entries; k++)
-            values[i][k] = NAN;
-        Walk one = {.table = table, .moments = SIZE_MAX, .to_end = true, .values = values[i]};
-        diagnose_walk(&one, both[i], search->task->threads, search->task->patience, NULL);
-        *stopped = *stopped || one.stopped;
-        *moments = one.compared < *moments ? one.compared : *moments;
-        known = !one.stopped && one.compared > 0;
-    }
-    if (known)
-        *moments = growth(table, *moments, values[0], values[1], grown);
-    free(values[0]);
-    free(values[1]);
-    if (known)
-        return grown;
-    free(grown);
-    return NULL;
-}
 
 /* --- the right run -------------------------------------------------------------------------------------- */
 
@@ -353,21 +30,13 @@ static bool walk_right(Search *search)
                          search->status);
 }
 
-static bool is_quiet(const DiagnoseTable *table)
-{
-    for (int c = 0; c < table->n_columns; c++)
-        if (!table->columns[c].silent)
-            return false;
-    return true;
-}
-
 /* Where the file departs it may do so by no more than round-off does that grows, as at a node that hardly has
  * mass. Rows in which that is as large as the numbers tell nothing. */
 static bool walk_with_round_off(Search *search)
 {
     size_t moments;
     bool stopped = false;
-    search->grown = round_off_of(search, &search->right, &moments, &stopped);
+    search->grown = diagnose_grown(search, &search->right, &moments, &stopped);
     if (stopped)
         return status_fail(search->status, "interrupted");
     if (!search->grown || moments == 0)
@@ -380,24 +49,12 @@ static bool walk_with_round_off(Search *search)
     return walk_right(search);
 }
 
-/* A column that was copied may leave others that were computed. */
 static bool read_columns(Search *search)
 {
-    DiagnoseTable *table = search->table;
-    if (!walk_right(search))
+    if (!walk_right(search) || !diagnose_judge_columns(search))
         return false;
-    leave_out_lost(search);
-    find_units(search);
-    size_from_rest(search);
-    const int telling = silence(search);
-    if (telling > 0 && !table->of_stages && !find_copies(search))
-        return false;
-    if (telling == 0 || is_quiet(table)) {
-        search->found->verdict = search->found->verdict == DIAGNOSE_COPIED ? DIAGNOSE_COPIED : DIAGNOSE_MUTE;
-        return true;
-    }
-    search->found->verdict = DIAGNOSE_UNKNOWN;
-    return walk_right(search) && (!search->walk.departure.is || walk_with_round_off(search));
+    return search->found->verdict != DIAGNOSE_UNKNOWN ||
+           (walk_right(search) && (!search->walk.departure.is || walk_with_round_off(search)));
 }
 
 static int digits_of(const Search *search, double worst)
@@ -441,7 +98,7 @@ static void name_departure(Search *search)
                              1e-9 + 4 * bound / fabs(change), &search->right, departure->change_factors,
                              sizeof departure->change_factors);
     for (int c = 0; c < table->n_columns; c++)
-        if (!table->columns[c].silent && !search->walk.departs[c] && !is_still(search, c))
+        if (!table->columns[c].silent && !search->walk.departs[c] && !diagnose_is_still(search, c))
             text_list_add(search->found->agreeing, sizeof search->found->agreeing, table->columns[c].name);
     search->found->farthest = search->walk.farthest;
     departure->row = table->rows[departure->row] + 1;
@@ -481,7 +138,7 @@ static bool try_again(Search *search, const Settings *wrong, Walk *walk, bool *a
 {
     size_t moments;
     bool stopped = false;
-    double *grown = round_off_of(search, wrong, &moments, &stopped);
+    double *grown = diagnose_grown(search, wrong, &moments, &stopped);
     if (grown && moments > walk->departure.moment) {
         *walk = (Walk){.table = search->table, .moments = moments, .grown = grown};
         diagnose_walk(walk, wrong, search->task->threads, search->task->patience, NULL);
@@ -676,6 +333,8 @@ static bool judge_without_units(Search *search, const DiagnoseTable *begun)
     const Diagnosis before = *search->found;
     const DiagnoseTable table = *search->table;
     *search->table = *begun;
+    memcpy(search->table->notes, table.notes, sizeof table.notes);
+    search->table->n_notes = search->notes;
     *search->found = (Diagnosis){
         .agreed_step = -1, .verdict = DIAGNOSE_UNKNOWN, .rows = begun->file.count, .tried = before.tried};
     free(search->grown);

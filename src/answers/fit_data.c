@@ -58,10 +58,9 @@ bool fit_data_end(const FitData *data, Settings *settings, Status *status)
     char end[NUMBER_TEXT_MAX];
     const double last = data->count > 0 ? data->times[data->count - 1] : 0;
     if (last > TIMES_LONGER * settings_time(settings)->end)
-        return status_refuse(status,
-                             "the data end at t = %.6g, more than %d times the run's own end (%.6g; time.end "
-                             "is what it may be)",
-                             last, TIMES_LONGER, settings_time(settings)->end);
+        return status_refuse(
+            status, "the data end at t = %.6g, more than %d times the run's own end (time.end = %.6g)", last,
+            TIMES_LONGER, settings_time(settings)->end);
     text_shortest(end, last);
     return !(last > 0) || settings_set(settings, "time.end", end, status);
 }

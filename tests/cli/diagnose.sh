@@ -215,6 +215,13 @@ make far.csv mode1 $coarse --steps 200
 expect "a run that a mistake ends at once" 0 mode1 $coarse far.csv
 result "has not that mistake" sh -c 'grep -q "those of the right code" out && ! grep -q strain_without_dt out'
 
+awk -F, -v OFS=, 'NR == 1 { print "step,v_cm,v_cm"; next } { print $1, $3, $3 + 1 }' right.csv >double.csv
+expect "a column that is there twice" 0 mode5 double.csv
+result "is told" says out '^(it has several columns v_cm: the first counts)$'
+awk -F, -v OFS=, 'NR == 1 { print "step,v_cm,x_cm"; next } { print $1, $3 * (1 + 4e-8), $6 }' OFMT=%.17g CONVFMT=%.17g right.csv >single.csv
+expect "seven digits of each" 0 mode5 single.csv
+result "may be single precision" says out '^No number is farther off than 3e-9 of the largest of its kind: single precision?$'
+
 # as numpy writes a table
 awk -F, 'NR == 1 { print "# step v_cm x_cm"; next } { printf "%.18e %.18e %.18e\n", $1, $3, $6 }' right.csv >numpy.txt
 expect "a table of numpy" 0 mode5 numpy.txt

@@ -1,0 +1,268 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the columns of a foreign table are worth, once the right run has been laid beside them
+ * (diagnose_internal.h): their units and sizes, and those that tell nothing, for they are empty, zero,
+ * copied, or no numbers. */
+#include "answers/diagnose_internal.h"
+#include "base/assertion.h"
+
+#include "answers/references.h"
+#include "base/math/functions.h"
+#include "problems/problem.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* What of a column there is: in the file and in the right run. */
+typedef struct Extent {
+    size_t given;
+    double theirs, ours; /* largest */
+} Extent;
+
+static Extent extent_of(const Search *search, int c)
+{
+    const DiagnoseTable *table = search->table;
+    Extent extent = {0, 0, 0};
+    for (size_t m = 0; m < search->walk.compared; m++)
+        for (size_t k = 0; k < table->moments[m].count; k++) {
+            const size_t row = table->moments[m].first + k;
+            const double theirs = diagnose_theirs(table, &table->columns[c], row);
+            const double ours = search->values[row * (size_t)table->n_columns + (size_t)c];
+            extent.given += isnan(theirs) ? 0 : 1;
+            extent.theirs = fmax(extent.theirs, fabs(theirs)); /* NAN counts for nothing */
+            extent.ours = fmax(extent.ours, fabs(ours));
+        }
+    return extent;
+}
+
+/* Another power of a thousand for a unit, as the first numbers tell that are not small: 1 without one. */
+static double unit_of(const Search *search, int c)
+{
+    const DiagnoseTable *table = search->table;
+    const DiagnoseColumn *column = &table->columns[c];
+    const double least = 1e-3 * extent_of(search, c).ours;
+    for (size_t m = 0; m < search->walk.compared; m++)
+        for (size_t k = 0; k < table->moments[m].count; k++) {
+            const size_t row = table->moments[m].first + k;
+            const double theirs = diagnose_theirs(table, column, row);
+            const double ours = search->values[row * (size_t)table->n_columns + (size_t)c];
+            if (!(fabs(ours) > least) || !(theirs / ours > 0) || !isfinite(theirs / ours))
+                continue;
+            const double whole = round(math_log10(theirs / ours) / 3);
+            const double bound = diagnose_bound(table, column, theirs, fabs(theirs), table->moments[m].step);
+            return whole != 0 && fabs(theirs / ours / math_pow(10, 3 * whole) - 1) <= bound / fabs(theirs)
+                       ? math_pow(10, -3 * whole)
+                       : 1;
+        }
+    return 1;
+}
+
+static void find_units(Search *search)
+{
+    DiagnoseTable *table = search->table;
+    for (int c = 0; c < table->n_columns && search->units; c++) {
+        const double factor = table->columns[c].factor == 1 ? unit_of(search, c) : 1;
+        if (factor == 1)
+            continue;
+        search->taken = true;
+        diagnose_note(table, "its %s is in a unit of its own: %g of ours each", table->columns[c].name,
+                      factor);
+        for (int i = 0; i < table->n_columns; i++)
+            if (table->columns[i].group == table->columns[c].group && table->columns[i].factor == 1)
+                table->columns[i].factor = factor;
+    }
+}
+
+/* The rows that are compared. */
+static size_t rows_of(const DiagnoseTable *table)
+{
+    const DiagnoseMoment *last = &table->moments[table->n_moments - 1];
+    return last->first + last->count;
+}
+
+/* Whether a column holds what stands beside a run, an answer for each row, to its digits, and not the run. */
+static bool is_copy(const Search *search, int c, const double *answers)
+{
+    const DiagnoseTable *table = search->table;
+    const DiagnoseColumn *column = &table->columns[c];
+    size_t other = 0, counted = 0;
+    for (size_t row = 0; row < rows_of(table); row++) {
+        const double theirs = diagnose_theirs(table, column, row);
+        const double bound = diagnose_bound(table, column, theirs, column->natural, 0);
+        const double ours = search->values[row * (size_t)table->n_columns + (size_t)c];
+        if (isnan(theirs))
+            continue;
+        if (isnan(answers[row]) || fabs(theirs - answers[row]) > bound + 1e-9 * column->natural)
+            return false;
+        counted++;
+        other += fabs(ours - answers[row]) > 2 * bound + 2e-9 * column->natural;
+    }
+    return other > 0 && counted > 1;
+}
+
+/* A column that never changes in the right run, as a mass: beside copied ones it tells of no run. */
+bool diagnose_is_still(const Search *search, int c)
+{
+    const DiagnoseTable *table = search->table;
+    const size_t count = table->moments[0].count, wide = (size_t)table->n_columns;
+    for (size_t row = 0; row < rows_of(table); row++)
+        if (table->things[row] != table->things[row % count] ||
+            search->values[row * wide + (size_t)c] != search->values[row % count * wide + (size_t)c])
+            return false;
+    return true;
+}
+
+/* A run that has blown up has no number left. Beside numbers that go on, what is none was not written. */
+static void leave_out_lost(Search *search)
+{
+    DiagnoseTable *table = search->table;
+    bool still[DIAGNOSE_COLUMNS_MAX], told[DIAGNOSE_COLUMNS_MAX] = {false};
+    for (int c = 0; c < table->n_columns; c++)
+        still[c] = diagnose_is_still(search, c);
+    for (size_t row = 0; row < rows_of(table); row++) {
+        bool goes_on = false;
+        for (int c = 0; c < table->n_columns; c++)
+            goes_on = goes_on || (!still[c] && isfinite(diagnose_theirs(table, &table->columns[c], row)));
+        for (int c = 0; c < table->n_columns && goes_on; c++) {
+            double *value = &table->file.columns[table->columns[c].theirs].values[table->rows[row]];
+            if (!isinf(*value))
+                continue;
+            *value = NAN;
+            if (!told[c])
+                diagnose_note(table, "its column %s is no number from row %zu on: left out",
+                              table->columns[c].name, table->rows[row] + 1);
+            told[c] = true;
+        }
+    }
+}
+
+static void judge_copy(Search *search, int c, const char *what, const double *answers)
+{
+    DiagnoseColumn *column = &search->table->columns[c];
+    if (column->silent || !is_copy(search, c, answers))
+        return;
+    column->silent = true;
+    search->found->verdict = DIAGNOSE_COPIED;
+    diagnose_note(search->table, "its column %s is %s, to all its digits: an answer, not a run", column->name,
+                  what);
+}
+
+/* Of a series: the answers that stand beside it; those that need the past are left alone. */
+static void find_copied_series(Search *search, References *refs, const double *nothing, double *answers)
+{
+    const DiagnoseTable *table = search->table;
+    Column columns[COLUMNS_MAX];
+    double row[COLUMNS_MAX];
+    const int count = references_memory(refs) == 0 ? references_columns(refs, columns) : 0;
+    for (int i = 0; i < count; i++)
+        for (int c = 0; c < table->n_columns && columns[i].of >= 0; c++) {
+            if (strcmp(columns[columns[i].of].quantity.name, table->columns[c].name) != 0)
+                continue;
+            for (size_t m = 0; m < table->n_moments; m++) {
+                const long step = table->moments[m].step;
+                references_row(refs, step, (double)step * table->dt, nothing, row);
+                answers[table->moments[m].first] = row[i];
+            }
+            judge_copy(search, c, columns[i].quantity.meaning, answers);
+        }
+}
+
+/* Of things: the exact profile at their places of reference. */
+static void find_copied_things(Search *search, const References *refs, const Simulation *sim, double *answers)
+{
+    const DiagnoseTable *table = search->table;
+    int place = simulation_find_field(sim, table->set, "x0");
+    place = place >= 0 ? place : simulation_find_field(sim, table->set, "x");
+    for (int c = 0; c < table->n_columns && place >= 0; c++) {
+        const char *name = table->columns[c].name;
+        for (size_t m = 0; m < table->n_moments; m++)
+            for (size_t k = 0; k < table->moments[m].count; k++) {
+                const size_t row = table->moments[m].first + k;
+                answers[row] = references_profile(refs, strcmp(name, "velocity") == 0 ? "v" : name,
+                                                  simulation_value(sim, place, table->things[row]),
+                                                  (double)table->moments[m].step * table->dt);
+            }
+        judge_copy(search, c, "the exact profile", answers);
+    }
+}
+
+static bool find_copies(Search *search)
+{
+    DiagnoseTable *table = search->table;
+    Simulation *sim = problem_simulate(&search->right, 1, search->status);
+    References *refs = sim ? references_create(&search->right, sim, search->status) : NULL;
+    double *nothing = sim ? calloc((size_t)sim->n_series + 1, sizeof *nothing) : NULL;
+    double *answers = malloc((rows_of(table) + 1) * sizeof *answers);
+    const bool sound = refs && nothing && answers;
+    if (sound && table->set < 0)
+        find_copied_series(search, refs, nothing, answers);
+    else if (sound)
+        find_copied_things(search, refs, sim, answers);
+    for (int c = 0; c < table->n_columns && search->found->verdict == DIAGNOSE_COPIED; c++)
+        table->columns[c].silent = table->columns[c].silent || diagnose_is_still(search, c);
+    references_destroy(refs);
+    simulation_destroy(sim);
+    free(nothing);
+    free(answers);
+    return sound;
+}
+
+/* What is 0 at the start, as the velocities of a run from rest, is as large as in the right run. */
+static void size_from_rest(Search *search)
+{
+    DiagnoseTable *table = search->table;
+    double size[DIAGNOSE_COLUMNS_MAX] = {0};
+    for (int c = 0; c < table->n_columns; c++)
+        size[table->columns[c].group] = fmax(size[table->columns[c].group], extent_of(search, c).ours);
+    for (int c = 0; c < table->n_columns; c++)
+        if (table->columns[c].natural == 0 && isfinite(size[table->columns[c].group]))
+            table->columns[c].natural = size[table->columns[c].group];
+}
+
+/* Empty columns and zeros. Returns how many tell something. */
+static int silence(Search *search)
+{
+    DiagnoseTable *table = search->table;
+    int telling = 0;
+    for (int c = 0; c < table->n_columns; c++) {
+        DiagnoseColumn *column = &table->columns[c];
+        const Extent extent = extent_of(search, c);
+        const double least = 1e2 * table->noise * column->natural;
+        if (extent.given == 0)
+            diagnose_note(table, "its column %s is empty", column->name);
+        else if (extent.theirs == 0 && extent.ours > least)
+            diagnose_note(table,
+                          "its column %s is zero throughout, where the right run moves: as good as empty",
+                          column->name);
+        column->silent =
+            extent.given == 0 || extent.theirs == 0 || (extent.theirs <= least && extent.ours <= least);
+        telling += !column->silent;
+    }
+    return telling;
+}
+
+static bool is_quiet(const DiagnoseTable *table)
+{
+    for (int c = 0; c < table->n_columns; c++)
+        if (!table->columns[c].silent)
+            return false;
+    return true;
+}
+
+/* A column that was copied may leave others that were computed. */
+bool diagnose_judge_columns(Search *search)
+{
+    DiagnoseTable *table = search->table;
+    leave_out_lost(search);
+    search->notes = table->n_notes;
+    find_units(search);
+    size_from_rest(search);
+    const int telling = silence(search);
+    if (telling > 0 && !table->of_stages && !find_copies(search))
+        return false;
+    const bool copied = search->found->verdict == DIAGNOSE_COPIED;
+    search->found->verdict = telling > 0 && !is_quiet(table) ? DIAGNOSE_UNKNOWN
+                             : copied                        ? DIAGNOSE_COPIED
+                                                             : DIAGNOSE_MUTE;
+    return true;
+}

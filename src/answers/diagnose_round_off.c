@@ -1,0 +1,86 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the round-off of a run grows to (diagnose_internal.h). */
+#include "answers/diagnose_internal.h"
+
+#include "scenario/settings.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The same run with a modulus and cells that are others in their last digit: its round-off is another one
+ * throughout, that of places too. */
+static bool disturb(Settings *settings)
+{
+    static const char *const keys[] = {"bar.youngs_modulus", "beam.youngs_modulus", "mesh.cell_size"};
+    bool other = false;
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
+        const Parameter *parameter = parameter_find(keys[i]);
+        const Settings before = *settings;
+        if (!parameter_applies_to(settings, parameter))
+            continue;
+        settings_put(settings, parameter, settings_number(settings, parameter) * (1 + 2 * DBL_EPSILON));
+        if (settings_check(settings, NULL))
+            other = true;
+        else
+            *settings = before;
+    }
+    return other;
+}
+
+/* Of each moment and group of columns what two records have differed by up to there. Returns the moments
+ * before that is as large as the numbers. */
+static size_t growth(const DiagnoseTable *table, size_t moments, const double *one, const double *other,
+                     double *grown)
+{
+    enum { MARGIN = 100 }; /* one run stands for all */
+    const size_t wide = (size_t)table->n_columns;
+    double size[DIAGNOSE_COLUMNS_MAX] = {0}, most[DIAGNOSE_COLUMNS_MAX] = {0};
+    for (size_t m = 0; m < moments; m++) {
+        for (size_t k = 0; k < table->moments[m].count; k++)
+            for (int c = 0; c < table->n_columns; c++) {
+                const DiagnoseColumn *column = &table->columns[c];
+                const size_t at = (table->moments[m].first + k) * wide + (size_t)c;
+                const double apart = MARGIN * fabs(one[at] - other[at]);
+                if (column->silent || isnan(apart))
+                    continue;
+                size[column->group] = fmax(size[column->group], fmax(column->natural, fabs(one[at])));
+                most[column->group] = fmax(most[column->group], apart);
+                if (!(apart < 1e-3 * size[column->group]) && apart > 0)
+                    return m;
+            }
+        memcpy(grown + m * wide, most, wide * sizeof *most);
+    }
+    return moments;
+}
+
+double *diagnose_grown(const Search *search, const Settings *settings, size_t *moments, bool *stopped)
+{
+    const DiagnoseTable *table = search->table;
+    const size_t entries = table->file.count * (size_t)table->n_columns;
+    double *values[2] = {malloc((entries + 1) * sizeof(double)), malloc((entries + 1) * sizeof(double))};
+    double *grown = calloc(entries + 1, sizeof *grown);
+    Settings twin = *settings;
+    const Settings *both[2] = {settings, &twin};
+    bool known = values[0] && values[1] && grown && disturb(&twin);
+    *moments = table->n_moments;
+    for (int i = 0; i < 2 && known; i++) {
+        for (size_t k = 0; k < entries; k++)
+            values[i][k] = NAN;
+        Walk one = {.table = table, .moments = SIZE_MAX, .to_end = true, .values = values[i]};
+        diagnose_walk(&one, both[i], search->task->threads, search->task->patience, NULL);
+        *stopped = *stopped || one.stopped;
+        *moments = one.compared < *moments ? one.compared : *moments;
+        known = !one.stopped && one.compared > 0;
+    }
+    if (known)
+        *moments = growth(table, *moments, values[0], values[1], grown);
+    free(values[0]);
+    free(values[1]);
+    if (known)
+        return grown;
+    free(grown);
+    return NULL;
+}
