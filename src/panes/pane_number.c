@@ -92,6 +92,8 @@ static int common(const char *one, const char *other)
     int same = 0;
     while (one[same] && one[same] == other[same])
         same++;
+    while (same > 0 && one[same - 1] != ' ') /* whole words */
+        same--;
     return same;
 }
 
@@ -104,12 +106,17 @@ bool screen_number(const Screen *screen, char digits[NUMBER_DIGITS_MAX], char wo
     const bool hidden = number->judged && !screen_shows_exact(screen);
     const char *gap = number->unit[0] ? " " : "";
     if (hidden || !isfinite(value)) {
-        /* of what may turn out one way or the other the words that both have */
+        /* of what may turn out one way or the other the words that both have: what is too long or short is
+         * off */
         const int same =
             number->opposite ? common(number->label, number->opposite) : (int)strlen(number->label);
         strcpy(digits, hidden ? "?" : "...");
-        snprintf(words, NUMBER_WORDS_MAX, "%s%s%.*s%s", number->unit, gap, same, number->label,
-                 number->opposite ? "..." : "");
+        snprintf(words, NUMBER_WORDS_MAX, "%s%s%.*s", number->unit, gap, same, number->label);
+        char *end = strstr(words, " too ");
+        if (end)
+            strcpy(end, " off");
+        for (end = words + strlen(words); end > words && end[-1] == ' ';)
+            *--end = '\0';
         return false;
     }
     const bool turned = value < 0 && number->opposite;

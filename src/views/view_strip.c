@@ -232,7 +232,7 @@ static void note_bar(const Bar *bar, Flow flow)
         snprintf(text, sizeof text, "cells %ld-%ld of %ld", row->first, row->first + row->shown - 1,
                  row->pieces);
     else
-        snprintf(text, sizeof text, "%ld cells", row->pieces);
+        snprintf(text, sizeof text, "%ld cell%s", row->pieces, row->pieces == 1 ? "" : "s");
     picture_note(bar->strip->picture, flow ? STYLE_CHANGED : STYLE_FAINT, flow ? flows[flow] : text);
     note_factor(bar->strip, "particles at x0", "u");
 }

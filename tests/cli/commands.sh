@@ -113,6 +113,7 @@ expect "a view, a window, curves" 0 show mode1 --set view.upper=3 --set view.win
 result "they are in the scenario" says out '^references = exact$'
 refuse "--end that is no time" '--end: time.end: soon is not a number (> 0)' show mode1 --end soon
 refuse "--end and --steps" '--steps: --end says when the run ends (one of them)' show mode1 --end 3 --steps 4
+refuse "a length that is wrong without --steps" "--set: mesh.cell_size: the length 25.3 must be a whole number of cells, not 25.3" show mode1 --set bar.length=25.3 --steps 4
 refuse "no steps" '--steps: 0 is not allowed (a whole number, 1 or more)' show mode1 --steps 0
 refuse "no step of the best blend" '--set: time.courant: 1.75 is unstable on this mesh (at most 1.5811, or time.unstable = yes)' run mode5 --end 1 --set mpm.mass_blend=auto --set time.courant=1.75
 refuse "too many nodes" '--set: pd.spacing: 1.47e+08 nodes with 14 bonds each are too many for memory (at most 19173961 nodes: a larger spacing, or a smaller horizon)' show notched-beam --set pd.spacing=1e-5 --set pd.horizon=3e-5

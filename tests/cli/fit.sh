@@ -73,7 +73,7 @@ refuse "data that are 0" "the data are all 0" mode5 --data zero.csv --vary bar.d
 printf 'time,v_cm\n0,.007\n1,1e308\n2,-1e308\n3,1e308\n' >far.csv
 refuse "data beyond all squares" "the data are so far from any run that least squares have no number" mode5 --data far.csv --vary bar.density
 printf 'time,v_cm\n0,.007\n1,.001\n2,.004\n1e7,.1\n' >long.csv
-refuse "data that ask for a run without end" "the data end at t = 1e+07, more than 1000 times the run's own end (100; time.end is what it may be)" mode5 --data long.csv --vary bar.density
+refuse "data that ask for a run without end" "the data end at t = 1e+07, more than 1000 times the run's own end (time.end = 100)" mode5 --data long.csv --vary bar.density
 refuse "no data" "fit: --data FILE is missing" mode5 --vary bar.density
 refuse "no parameters" "fit: --vary KEY,... is missing" mode5 --data d.csv
 refuse "a parameter that it has not" "beam.length: this run has no such parameter" mode5 --data d.csv --vary beam.length
