@@ -78,6 +78,7 @@ static Got next_line(Reader *reader)
     return GOT_LINE;
 }
 
+/* A comment is kept: names may stand in it. */
 static bool says_nothing(Reader *reader)
 {
     const char *text = reader->text + strspn(reader->text, " \t;,");

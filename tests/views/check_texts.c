@@ -192,7 +192,8 @@ START_TEST(the_number_stands_in_large_digits)
     ck_assert_msg((first < 0 ? 0 : last - first + 1) == numbers[_i].rows, "%s: rows %d to %d",
                   numbers[_i].words, first, last);
     char *text = canvas_dump(canvas);
-    ck_assert_ptr_nonnull(strstr(text, numbers[_i].rows > 0 ? "periods late" : "periods ..."));
+    ck_assert_ptr_nonnull(strstr(text, "periods"));
+    ck_assert((strstr(text, "periods late") != NULL) == (numbers[_i].rows > 0));
     free(text);
     scene_close(&scene);
 }
