@@ -200,6 +200,33 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
     return n;
 }
 
+/* Whether the end particle at x passes a node by the exact motion, where that is known. */
+static bool passes_node(const BarTheory *theory, const Settings *settings, double x)
+{
+    enum { LOOKS = 1000 };
+    const double dx = settings_mesh(settings)->cell_size, end = settings_time(settings)->end;
+    for (int i = 1; i <= LOOKS; i++) {
+        const double there = x + bar_waves_displacement(theory, x, end * i / LOOKS);
+        if (isfinite(there) && floor(there / dx) != floor(x / dx))
+            return true;
+    }
+    return false;
+}
+
+static bool advice(const Settings *settings, char *text, size_t size, Status *status)
+{
+    const BarDef def = bar_mpm_definition(settings);
+    BarTheory theory;
+    if (!bar_theory_of(settings, &theory, status))
+        return false;
+    const double share = def.cell_size / def.particles_per_cell, first = (0.5 + def.offset) * share;
+    if (bar_feels_light_nodes(&def, def.transfer) &&
+        ((!theory.left_fixed && passes_node(&theory, settings, first)) ||
+         (!theory.right_fixed && passes_node(&theory, settings, def.length - share + first))))
+        snprintf(text, size, BAR_LIGHT_NODES ": gimp does not");
+    return true;
+}
+
 /* The largest courant number that is stable, asked for one that is not. The best mass blend depends on it:
  * what is stable with the share of the step asked for need not be with its own, so the step falls until it
  * is. */
@@ -368,6 +395,7 @@ const Solver bar_by_mpm = {
     .unaccounted = unaccounted,
     .check = check,
     .simulate = simulate,
+    .advice = advice,
     .limit = bar_limit,
     .derived = derived,
     .predict = predict,

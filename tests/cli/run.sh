@@ -312,6 +312,19 @@ for signal in HUP INT QUIT TERM PIPE ALRM USR1 USR2 XCPU XFSZ VTALRM PROF SYS TR
 	result "leaves nothing" nothing_else
 done
 
+# --- APIC with hats, where an end moves past a node: named before the run, and where it fails
+drifts="mode1 --set mpm.transfer=apic --set initial.mode=0 --set bar.supports=free-free --set initial.velocity=2.5
+	--set mesh.particles_per_cell=1 --set mesh.padding=200"
+# shellcheck disable=SC2086 # words
+expect "a drifting bar of one particle a cell" 1 $drifts --end 60
+result "is warned of by name" says out '^APIC with hats lets round-off grow at nodes of tiny mass beside a moving end: gimp does not$'
+result "and so it fails" says err 'was crushed (1 + de <= 0) (APIC with hats lets round-off grow'
+# shellcheck disable=SC2086 # words
+expect "boxes do not" 0 $drifts --end 60 --set mpm.shape=gimp
+result "and are not warned of" test -z "$(grep 'APIC with hats' out)"
+expect "nor is an end that stays in its cell" 0 mode1 --set mpm.transfer=apic --steps 10
+result "either" test -z "$(grep 'APIC with hats' out)"
+
 # --- long names: a scenario stands beside a table, with .ini behind its name
 long=$(printf '%0247d' 0)
 expect "a name of 251 bytes" 0 mode1 --steps 5 --series "$long.csv" --quiet

@@ -129,12 +129,15 @@ class Bar:
             v[moving] = p[moving] / self.mass[moving]
         return v
 
-    def strain(self):
-        u = self.u.copy()
-        if self.shape == "hat":  # beside the bar's end an inactive node moves with its neighbour
+    def gradient(self, u):
+        """sum N' u at each particle; with hats an inactive node beside the bar's end moves with its neighbour."""
+        if self.shape == "hat":
             first, last = np.flatnonzero(self.active)[[0, -1]]
-            u[:first], u[last + 1:] = u[first], u[last]
-        de = self.dt * (self.dN @ u)
+            u = np.concatenate([np.full(first, u[first]), u[first:last + 1], np.full(len(u) - last - 1, u[last])])
+        return self.dN @ u
+
+    def strain(self):
+        de = self.dt * self.gradient(self.u)
         self.stress = self.stress + self.E * de
         self.rho = self.rho / (1 + de)
 
@@ -159,7 +162,7 @@ class Bar:
         if self.transfer == "fmpm":
             self.moved = self.x + self.dt * (before + self.v) / 2
         if self.transfer == "apic" and self.shape == "hat":
-            self.C = self.dN @ self.new
+            self.C = self.gradient(self.new)
         elif self.transfer == "apic":
             self.C = (self.N * self.arm) @ self.new / (self.N * self.arm ** 2).sum(1)
 

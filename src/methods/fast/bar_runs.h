@@ -37,8 +37,8 @@ KERNEL_INLINE int run_end(const Bar *bar, MpmShape shape, int c, int end)
     return before > 0 && before < (stop - c) * bar->slots ? c + before / bar->slots : stop;
 }
 
-/* The same where hats strain: a node may be inactive where the bar ends, see bar_lend_velocity(), so that the
- * last cells are done one by one. */
+/* The same where hats strain, or give APIC its slope: a node may be inactive where the bar ends, see
+ * bar_lend_velocity(), so that the last cells are done one by one. */
 KERNEL_INLINE int strain_run_end(const Bar *bar, MpmShape shape, int c, int end)
 {
     const int stop = run_end(bar, shape, c, end);

@@ -18,7 +18,20 @@
 bool bar_fail_particle(Bar *bar, Status *status, int particle, const char *what)
 {
     ASSERT_INDEX(particle, bar->n_particles);
-    return batch_fail_particle(&bar->sim, status, particle, what, "");
+    const bool light = bar_feels_light_nodes(&bar->def, bar->head->transfer);
+    char text[160];
+    snprintf(text, sizeof text, "%s%s", what, light ? " (" BAR_LIGHT_NODES ")" : "");
+    return batch_fail_particle(&bar->sim, status, particle, text, "");
+}
+
+static bool leave_mesh(Bar *bar, Status *status, int particle, bool to_left)
+{
+    const bool box = bar->def.shape == MPM_GIMP || bar->def.shape == MPM_CPDI;
+    const bool held = (to_left ? bar->fixed_left : bar->fixed_right) > 0;
+    return bar_fail_particle(bar, status, particle,
+                             box && held ? "left the mesh through a support (its box reaches past the fixed "
+                                           "node, which stops only the grid)"
+                                         : "left the mesh");
 }
 
 static void report_crossing(Bar *bar, int particle, int cell)
@@ -140,7 +153,7 @@ static bool settle_cell(Bar *bar, int c, Status *status)
         double s = moved;
         int target = c + pass_edges(&s);
         if (target < 0 || target >= bar->n_cells)
-            return bar_fail_particle(bar, status, p, "left the mesh");
+            return leave_mesh(bar, status, p, target < 0);
         if (target < c) {
             if (p > 0 && bar->first[c - 1] < p && !(s >= bar->s[(p - 1) % bar->slots][(p - 1) / bar->slots]))
                 return bar_fail_particle(bar, status, p, "was overtaken by its neighbour (1 + de <= 0)");
@@ -174,10 +187,10 @@ static bool settle_all(Bar *bar, Status *status)
             int j = p % bar->slots, k = p / bar->slots;
             double s = bar->moved[j][k];
             if (!(s >= -(double)c && s < (double)(bar->n_cells - c)))
-                return bar_fail_particle(bar, status, p, "left the mesh");
+                return leave_mesh(bar, status, p, s < 0.0);
             int target = c + pass_edges(&s);
             if (target == bar->n_cells)
-                return bar_fail_particle(bar, status, p, "left the mesh");
+                return leave_mesh(bar, status, p, false);
             if (target < last_cell || (target == last_cell && s < last_s))
                 return bar_fail_particle(bar, status, p, "was overtaken by its neighbour (1 + de <= 0)");
             last_cell = target;

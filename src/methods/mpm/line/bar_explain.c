@@ -410,10 +410,16 @@ static void write_slope(const Subject *subject)
     const bool hat = bar->def.shape == MPM_HAT;
     CalculationSum sum = {.label = hat ? "C = Σ N′ v = " : "C = Σ N v d / Σ N d² = ",
                           .result = bar->affine[slot][k]};
+    double v[BAR_SUPPORT_MAX];
+    for (int a = 0; a < bar->support; a++)
+        v[a] = bar_integrated_velocity(bar, cell + a);
+    if (hat)
+        bar_lend_velocity(bar, cell, v);
     for (size_t i = 0; i < subject->n_links; i++) {
         const Link *link = &subject->links[i];
-        const double speed = bar_integrated_velocity(bar, (int)link->index);
-        const double offset = shape_node_offset(bar->def.shape, bar->n_cells, cell, (int)link->index - cell);
+        const int a = (int)link->index - cell;
+        const double speed = v[a];
+        const double offset = shape_node_offset(bar->def.shape, bar->n_cells, cell, a);
         const double arm = bar->dx * (offset - bar->s[slot][k]);
         if (hat)
             calculation_add(&sum, 2, link->gradient[0], speed, 0);

@@ -13,7 +13,9 @@ static double energy(const Simulation *sim)
 
 static bool check_energy(Bar *bar, Status *status)
 {
-    const GrowthNow now = {bar->energy_start, energy, bar->head->work, "", "another algorithm"};
+    const bool light = bar_feels_light_nodes(&bar->def, bar->head->transfer);
+    const GrowthNow now = {bar->energy_start, energy, bar->head->work, "",
+                           light ? "another shape: " BAR_LIGHT_NODES : "another algorithm"};
     return batch_check_energy(&bar->sim, &bar->head->growth, &now, status);
 }
 

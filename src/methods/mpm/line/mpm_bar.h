@@ -81,6 +81,15 @@ const char *bar_mistake_sentence(int mistake); /* what is done, in one sentence;
 /* Whether the bar is to start with modes of a bar whose right end is held as the left one is. */
 bool bar_mistake_starts_as_held(int mistake);
 
+/* Whether nodes of tiny mass act on the particles beside them: a hat's slope does not vanish where the hat
+ * does, and by its slope APIC's C takes the velocity of a node that an end has just passed, whose f/m is
+ * rounding over next to nothing. Written so wherever such a run may fail. */
+static inline bool bar_feels_light_nodes(const BarDef *def, MpmTransfer transfer)
+{
+    return transfer == MPM_APIC && def->shape == MPM_HAT && def->supports != BAR_FIXED_FIXED;
+}
+#define BAR_LIGHT_NODES "APIC with hats lets round-off grow at nodes of tiny mass beside a moving end"
+
 /* Below this the matrix may be nearly singular where particles are few: see bar_check(). */
 #define BAR_MASS_BLEND_LEAST 0.05
 

@@ -304,7 +304,7 @@ static void integrate(Bar *bar, int first, int end)
  * not with the particle's own: that is another method, off by 4e-6 in one step of the paper's first mode. */
 KERNEL_INLINE void update_as(Bar *bar, MpmShape shape, Transfer transfer, int first, int end)
 {
-    EACH_CELL(first, end, run_end, update_cell(bar, shape, transfer, c),
+    EACH_CELL(first, end, strain_run_end, update_cell(bar, shape, transfer, c),
               update_run(bar, shape, transfer, slots, c, stop))
 }
 

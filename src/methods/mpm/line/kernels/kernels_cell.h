@@ -194,7 +194,8 @@ KERNEL_INLINE void traction_cell(Bar *bar, MpmShape shape, int c)
  *     FLIP   v += sum N_a kick_a                       every transfer   moved = s + sum N_a drift_a,
  *     FMPM   v = sum N_a v_a                           but FMPM         moved = s + (dt/dx)(v before + v)/2
  *     blend  v = alpha (v + sum N_a kick_a) + (1 - alpha) sum N_a v_a
- *     APIC   v = sum N_a v_a,   C = sum N_a v_a (x_a - x) / sum N_a (x_a - x)^2; hats: C = sum N'_a v_a
+ *     APIC   v = sum N_a v_a,   C = sum N_a v_a (x_a - x) / sum N_a (x_a - x)^2; hats: C = sum N'_a v_a,
+ *            in which an inactive node moves as it does for the strain: bar_lend_velocity()
  *
  * FLIP leaves in v whatever the grid cannot see, PIC's share and FMPM take it away. They do
  * so in each step, so half the step damps twice as much in a time. Writes moved, v, affine; cannot fail. */
@@ -204,6 +205,9 @@ KERNEL_INLINE void update_cell(Bar *bar, MpmShape shape, Transfer transfer, int 
     const double alpha = bar->head->flip_fraction, speed = bar->dx / bar->dt, rate = 1.0 / bar->dt;
     const double rate_of_places = bar->dt / bar->dx;
     const double *kick = bar->node_kick + c, *drift = bar->node_drift + c;
+    double lent[BAR_SUPPORT_MAX] = {drift[0], drift[1]};
+    if (transfer == TO_APIC && shape == MPM_HAT)
+        bar_lend_velocity(bar, c, lent);
     Place at = place_of(bar, bar->first[c]);
     for (int p = bar->first[c]; p < bar->first[c + 1]; p++, at = next_place(bar, at)) {
         double n[BAR_SUPPORT_MAX], dn[BAR_SUPPORT_MAX];
@@ -227,7 +231,7 @@ KERNEL_INLINE void update_cell(Bar *bar, MpmShape shape, Transfer transfer, int 
 #pragma GCC unroll 4
             for (int a = 0; a < support; a++) {
                 double arm = shape_node_offset(shape, bar->n_cells, c, a) - s;
-                slope += shape == MPM_HAT ? dn[a] * drift[a] : n[a] * drift[a] * arm;
+                slope += shape == MPM_HAT ? dn[a] * lent[a] : n[a] * drift[a] * arm;
                 spread += n[a] * (arm * arm);
             }
             if (shape != MPM_HAT) /* a particle on the end of the mesh has no spread */
