@@ -85,7 +85,8 @@ typedef struct Explanation {
     char id[2 * KEY_MAX]; /* "x_by_own_velocity", "mpm.algorithm=usl", "bar.density=2" */
     char words[200];      /* a sentence, without its full stop */
     char where[200];      /* of a mistake: stage and equation; else "" */
-    char apart[160]; /* the run that tells it from the first explanation, or the right code; "": none does */
+    char apart[160]; /* the run that tells it from the first explanation, or the right code; "": none of */
+    int compared;    /* that were made of both */
     int digits;
     size_t rows; /* over which it agrees */
     bool grown;  /* no farther, since round-off grows in such a run */
@@ -111,6 +112,7 @@ typedef struct Diagnosis {
     Departure departure;
     char agreeing[160]; /* where some depart: the columns that change, and agree in all rows; "": none */
     double farthest;    /* the largest departure of all, as a share of its column's size */
+    bool single;        /* where some depart: each is a number of single precision */
     Explanation
         explanations[EXPLANATIONS_MAX]; /* EXPLAINED: of the file; RIGHT: mistakes that it cannot show */
     int n_explanations, more;           /* of which there is no room */

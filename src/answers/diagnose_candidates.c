@@ -8,8 +8,10 @@
 #include "scenario/concern_body.h"
 #include "scenario/concern_bonds.h"
 #include "scenario/concern_cells.h"
+#include "scenario/concern_output.h"
 
 #include "base/assertion.h"
+#include "base/math/functions.h"
 #include "base/text.h"
 #include "problems/problem.h"
 
@@ -133,6 +135,7 @@ void diagnose_name_factor(double factor, double tolerance, const Settings *setti
         double value;
         const char *name;
     } known[] = {
+        /* what the problem has not is NAN; 0 stands for "auto" */
         {-1, "-1"},
         {2, "2"},
         {0.5, "1/2"},
@@ -151,7 +154,8 @@ void diagnose_name_factor(double factor, double tolerance, const Settings *setti
     if (!isfinite(factor))
         return;
     for (size_t i = 0; i < sizeof known / sizeof *known; i++)
-        if (known[i].value != 1 && fabs(factor - known[i].value) <= tolerance * fabs(known[i].value))
+        if (known[i].value != 0 && known[i].value != 1 && isfinite(known[i].value) &&
+            fabs(factor - known[i].value) <= tolerance * fabs(known[i].value))
             text_append(out, size, "%s%s", *out ? " = " : "", known[i].name);
 }
 
@@ -216,96 +220,161 @@ void diagnose_explain(const Candidate *candidate, const Settings *right, const S
 
 /* --- telling two apart ---------------------------------------------------------------------------------- */
 
-enum { LOOK = 12, SERIES_MAX = 64 }; /* so many steps tell any two codes apart that differ */
+enum { LOOK = 12, COLUMNS_MOST = 64 }; /* so many steps tell any two codes apart that differ */
 
-/* The first rows of a run. */
-typedef struct Beginning {
+/* One of two codes that run side by side. */
+typedef struct Code {
+    Settings settings;
     Run run;
-    double rows[LOOK][SERIES_MAX];
-    long count;
-} Beginning;
+    const DiagnoseTable *table;
+    double *values; /* at the present step, [column][thing]: of the series, or of the file's set */
+    int columns;
+    size_t things;
+} Code;
 
-static bool take_row(void *owner, Run *run, long step, const double *row, Status *status)
+static const Quantity *column_of_code(const Code *code, int column)
 {
-    Beginning *beginning = owner;
-    const int count = run->sim->n_series < SERIES_MAX ? run->sim->n_series : SERIES_MAX;
-    (void)status;
-    ASSERT_INDEX(step, LOOK);
-    memcpy(beginning->rows[step], row, (size_t)count * sizeof *row);
-    beginning->count = step + 1;
-    return true;
+    const Simulation *sim = code->run.sim;
+    if (code->table->set < 0)
+        return &sim->series[column];
+    for (int f = 0; f < sim->n_fields; f++)
+        if (sim->fields[f].set == code->table->set && column-- == 0)
+            return &sim->fields[f].quantity;
+    ASSERT(false);
+    return NULL;
 }
 
-/* Up to where it fails, if it does. */
-static bool begin(Beginning *beginning, const Settings *settings)
+/* Further steps. False: it goes no further. */
+static bool go_on(Code *code, long steps)
 {
-    const Sink sink = {.every = 1, .row = take_row, .owner = beginning};
-    Run *run = &beginning->run;
-    if (!run_open(run, settings, problem_simulate(settings, 1, NULL), NULL) || !run_start(run, &sink, NULL))
+    return steps == 0 || run_advance(&code->run, (RunUntil){RUN_STEPS, steps}, NULL, NULL);
+}
+
+/* `ahead`: of the file's row 0 stands the step. */
+static bool open_code(Code *code, long ahead)
+{
+    const int set = code->table->set;
+    strcpy(settings_edit_output(&code->settings)->columns, "all");
+    settings_edit_output(&code->settings)->follow[0] = '\0';
+    if (!run_open(&code->run, &code->settings, problem_simulate(&code->settings, 1, NULL), NULL) ||
+        !run_start(&code->run, NULL, NULL))
         return false;
-    run_advance(run, (RunUntil){RUN_STEPS, LOOK - 1}, &sink, NULL);
+    const Simulation *sim = code->run.sim;
+    for (int f = 0; f < sim->n_fields && set >= 0; f++)
+        code->columns += sim->fields[f].set == set;
+    code->columns = set < 0 ? sim->n_series : code->columns;
+    code->things = set < 0 ? 1 : sim->counts[set];
+    code->values = malloc(((size_t)code->columns * code->things + 1) * sizeof *code->values);
+    return code->values && code->columns <= COLUMNS_MOST && go_on(code, ahead);
+}
+
+static void close_code(Code *code)
+{
+    run_close(&code->run);
+    free(code->values);
+}
+
+static void read_fields(Simulation *sim, void *context)
+{
+    const Code *code = context;
+    const int set = code->table->set;
+    double *values = code->values;
+    if (sim->sets[set].ready_after > 0)
+        simulation_make_ready(sim, set);
+    for (int f = 0; f < sim->n_fields; f++)
+        if (sim->fields[f].set == set) {
+            sim->method->field(sim, f, 0, code->things, values);
+            values += code->things;
+        }
+}
+
+static bool read_code(Code *code)
+{
+    Simulation *sim = code->run.sim;
+    if (code->table->set < 0)
+        simulation_row(sim, code->values);
+    else if (sim->sets[code->table->set].ready_after > 0)
+        return simulation_visit(sim, NULL, read_fields, code);
+    else
+        read_fields(sim, code);
     return true;
 }
 
-/* The largest number of a column's unit in a row. */
-static double size_in(const Simulation *sim, const double *row, int column)
-{
-    double size = 0;
-    for (int i = 0; i < sim->n_series && i < SERIES_MAX; i++)
-        if (strcmp(sim->series[i].unit, sim->series[column].unit) == 0)
-            size = fmax(size, fabs(row[i]));
-    return size;
-}
-
-static bool has_column(const DiagnoseTable *table, const char *name)
+/* Of the file; NULL: it has none of that name. */
+static const DiagnoseColumn *column_of_file(const DiagnoseTable *table, const char *name)
 {
     for (int c = 0; c < table->n_columns; c++)
         if (strcmp(table->columns[c].name, name) == 0)
-            return true;
-    return false;
+            return &table->columns[c];
+    return NULL;
 }
 
-/* The first column of the series in which two beginnings differ; of a series' file one of its columns; NULL:
- * none. */
-static const char *difference(const Beginning *a, const Beginning *b, const DiagnoseTable *only)
+/* The first column in which two codes differ at their present steps, with what numbers of its unit were at
+ * most so far; `by_file`: of those that the file has, and to its digits. NULL: none. */
+static const char *difference(const Code codes[2], bool by_file, double most[COLUMNS_MOST])
 {
-    const Simulation *sim = a->run.sim;
-    double size[SERIES_MAX] = {0};
-    for (long step = 0; step < a->count && step < b->count; step++)
-        for (int i = 0; i < sim->n_series && i < SERIES_MAX; i++) {
-            const char *name = sim->series[i].name;
-            const int other = simulation_find_series(b->run.sim, name);
-            size[i] = fmax(size[i], size_in(sim, a->rows[step], i));
-            if (other >= 0 && other < SERIES_MAX && (!only || only->set >= 0 || has_column(only, name)) &&
-                fabs(a->rows[step][i] - b->rows[step][other]) > 1e-9 * size[i])
-                return name;
-        }
+    const Code *one = &codes[0], *two = &codes[1];
+    for (int c = 0; c < one->columns; c++)
+        for (size_t k = 0; k < one->things; k++)
+            most[c] = fmax(most[c], fabs(one->values[(size_t)c * one->things + k]));
+    for (int c = 0; c < one->columns; c++) {
+        const Quantity *quantity = column_of_code(one, c);
+        const DiagnoseColumn *written = column_of_file(one->table, quantity->name);
+        double size = 0, least = 1e-9;
+        int other = 0;
+        while (other < two->columns && strcmp(column_of_code(two, other)->name, quantity->name) != 0)
+            other++;
+        if (other == two->columns || (by_file && !written))
+            continue;
+        for (int i = 0; i < one->columns; i++)
+            if (strcmp(column_of_code(one, i)->unit, quantity->unit) == 0)
+                size = fmax(size, most[i]);
+        if (by_file)
+            least = fmax(least, math_pow(10, 1 - one->table->file.columns[written->theirs].digits));
+        for (size_t k = 0; k < one->things; k++)
+            if (fabs(one->values[(size_t)c * one->things + k] -
+                     two->values[(size_t)other * one->things + k]) > least * size)
+                return quantity->name;
+    }
     return NULL;
 }
 
 /* Whether two codes differ within some steps, and in which column. */
-static bool differ(const Settings *a, const Settings *b, const DiagnoseTable *only,
+static bool differ(const Settings *a, const Settings *b, long shift, const DiagnoseTable *table, bool by_file,
                    char name[OVERLAY_NAME_MAX])
 {
-    Beginning *both = calloc(2, sizeof *both);
-    const char *found =
-        both && begin(&both[0], a) && begin(&both[1], b) ? difference(&both[0], &both[1], only) : NULL;
+    Code *codes = calloc(2, sizeof *codes);
+    double most[COLUMNS_MOST] = {0};
+    const char *found = NULL;
+    if (!codes)
+        return false;
+    codes[0] = (Code){.settings = *a, .table = table};
+    codes[1] = (Code){.settings = *b, .table = table};
+    bool goes_on = open_code(&codes[0], shift > 0 ? shift : 0) &&
+                   open_code(&codes[1], shift < 0 ? -shift : 0) && codes[0].things == codes[1].things;
+    for (int step = 0; step < LOOK && goes_on && !found; step++) {
+        goes_on = read_code(&codes[0]) && read_code(&codes[1]);
+        found = goes_on ? difference(codes, by_file, most) : NULL;
+        goes_on = goes_on && go_on(&codes[0], 1) && go_on(&codes[1], 1);
+    }
     snprintf(name, OVERLAY_NAME_MAX, "%s", found ? found : "");
-    for (int i = 0; i < 2 && both; i++)
-        run_close(&both[i].run);
-    free(both);
+    close_code(&codes[0]);
+    close_code(&codes[1]);
+    free(codes);
     return *name;
 }
 
-bool diagnose_tell_apart(const Settings *a, const Settings *b, const DiagnoseTable *table, char *out,
-                         size_t size)
+void diagnose_tell_apart(const Settings *a, const Settings *b, long shift, const DiagnoseTable *table,
+                         Explanation *out)
 {
     char name[OVERLAY_NAME_MAX];
-    out[0] = '\0';
-    if (table->set < 0 && differ(a, b, NULL, name)) {
-        snprintf(out, size,
-                 has_column(table, name) ? "more rows or digits of %s tell" : "the column %s tells", name);
-        return true;
+    const size_t size = sizeof out->apart;
+    out->compared = 1;
+    if (differ(a, b, shift, table, false, name)) {
+        snprintf(out->apart, size,
+                 column_of_file(table, name) ? "more rows or digits of %s tell" : "the column %s tells",
+                 name);
+        return;
     }
     for (int i = 0; i < n_parameters; i++) {
         const Parameter *parameter = &parameters[i];
@@ -319,12 +388,13 @@ bool diagnose_tell_apart(const Settings *a, const Settings *b, const DiagnoseTab
             if (!settings_nudge(&others[0], parameter, direction, false))
                 continue;
             settings_get(&others[0], parameter, value);
-            if (!settings_change(&others[1], parameter->key, value, NULL) ||
-                !differ(&others[0], &others[1], table, name))
+            if (!settings_change(&others[1], parameter->key, value, NULL))
                 continue;
-            snprintf(out, size, "--set %s=%s tells", parameter->key, value);
-            return true;
+            out->compared++;
+            if (!differ(&others[0], &others[1], shift, table, true, name))
+                continue;
+            text_append(out->apart, size, "--set %s=%s tells", parameter->key, value);
+            return;
         }
     }
-    return false;
 }

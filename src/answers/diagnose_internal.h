@@ -34,6 +34,9 @@ typedef struct Walk {
 /* False: the walk was given up, or the run cannot be made; the status says why. */
 bool diagnose_walk(Walk *, const Settings *, int threads, Patience, Status *);
 
+/* A unit of the last digit with which a number of a column of the file is written. */
+double diagnose_last_digit(const OverlayColumn *, double number);
+
 /* What an entry of a column can tell at a step: half a unit of its last digit, or the round-off of numbers of
  * that size. */
 double diagnose_bound(const DiagnoseTable *, const DiagnoseColumn *, double theirs, double size, long step);
@@ -80,9 +83,10 @@ void diagnose_name_factor(double factor, double tolerance, const Settings *, cha
 bool diagnose_find_value(const DiagnoseTask *, const DiagnoseTable *, const Departure *, const Parameter *,
                          const TimeSettings *own_step, double *value, long *tried);
 
-/* The run that tells two codes apart: a column that the file has not, or another setting of both; "": none
- * was found. */
-bool diagnose_tell_apart(const Settings *a, const Settings *b, const DiagnoseTable *, char *out, size_t size);
+/* Fills in the run that tells two codes apart, one that was made: a column that the file has not, or another
+ * setting of both. `shift`: so many steps the first is ahead. */
+void diagnose_tell_apart(const Settings *a, const Settings *b, long shift, const DiagnoseTable *,
+                         Explanation *);
 
 /* One file and what is found of it. */
 typedef struct Search {

@@ -32,16 +32,20 @@ static double diagnose_round_off(const DiagnoseTable *table, long step)
     return table->noise * (1 + 1e-2 * (double)step);
 }
 
+double diagnose_last_digit(const OverlayColumn *column, double number)
+{
+    const double place = math_pow(10, -fmin(column->places, 300));
+    return number == 0
+               ? place
+               : fmax(place, math_pow(10, floor(math_log10(fabs(number))) - fmin(column->digits, 17) + 1));
+}
+
 double diagnose_bound(const DiagnoseTable *table, const DiagnoseColumn *column, double theirs, double size,
                       long step)
 {
     ASSERT_INDEX(column->theirs, table->file.n_columns);
     ASSERT(column->factor != 0);
-    const OverlayColumn *written = &table->file.columns[column->theirs];
-    const double number = fabs(theirs / column->factor);
-    double unit = math_pow(10, -fmin(written->places, 300)); /* of the last digit */
-    if (number > 0)
-        unit = fmax(unit, math_pow(10, floor(math_log10(number)) - fmin(written->digits, 17) + 1));
+    const double unit = diagnose_last_digit(&table->file.columns[column->theirs], theirs / column->factor);
     return 0.51 * unit * fabs(column->factor) + diagnose_round_off(table, step) * size;
 }
 

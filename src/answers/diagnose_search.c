@@ -82,6 +82,26 @@ static void look_back(Search *search)
         }
 }
 
+/* Whether all numbers that are written with more digits than single precision has are numbers of it. */
+static bool is_single(const DiagnoseTable *table)
+{
+    enum { DIGITS = 8, LEAST = 10 };
+    size_t counted = 0;
+    for (int c = 0; c < table->n_columns; c++) {
+        const OverlayColumn *column = &table->file.columns[table->columns[c].theirs];
+        for (size_t k = 0; k < table->file.count && !table->columns[c].silent && column->digits >= DIGITS;
+             k++) {
+            const double value = column->values[k];
+            if (!isfinite(value) || value == 0)
+                continue;
+            if (fabs(value - (double)(float)value) > 0.51 * diagnose_last_digit(column, value))
+                return false;
+            counted++;
+        }
+    }
+    return counted >= LEAST;
+}
+
 static void name_departure(Search *search)
 {
     const DiagnoseTable *table = search->table;
@@ -101,6 +121,7 @@ static void name_departure(Search *search)
         if (!table->columns[c].silent && !search->walk.departs[c] && !diagnose_is_still(search, c))
             text_list_add(search->found->agreeing, sizeof search->found->agreeing, table->columns[c].name);
     search->found->farthest = search->walk.farthest;
+    search->found->single = is_single(table);
     departure->row = table->rows[departure->row] + 1;
     if (departure->stage > 0)
         departure->stage_id = table->stage_ids[departure->stage - 1];
@@ -127,9 +148,8 @@ static void keep(Search *search, const Candidate *candidate, const Settings *wro
         search->by_first = *wrong;
         return;
     }
-    if (candidate->kind != DIAGNOSE_SHIFT && search->first.kind != DIAGNOSE_SHIFT)
-        diagnose_tell_apart(wrong, &search->by_first, search->table, explanation->apart,
-                            sizeof explanation->apart);
+    diagnose_tell_apart(wrong, &search->by_first, candidate->shift - search->first.shift, search->table,
+                        explanation);
 }
 
 /* A code that agrees for a while and then by less and less: compared again with what round-off grows to in

@@ -300,14 +300,12 @@ static bool whole_number(double value, double most, long *out)
     return true;
 }
 
-/* Half a unit of the last digit with which times are written. */
-static double time_bound(const Overlay *file, const Heads *heads, double time)
+/* A unit of the last digit with which the time of a row is written, in our units. */
+static double time_bound(const Overlay *file, const Heads *heads, size_t row)
 {
     const OverlayColumn *column = &file->columns[heads->time];
-    const double size = time != 0 ? floor(math_log10(fabs(time))) : -300;
-    return fmax(math_pow(10, size - fmin(column->digits, 16) + 1), math_pow(10, -column->places)) *
-               heads->time_factor +
-           1e-15 * fabs(time);
+    const double written = column->values[row];
+    return fabs(heads->time_factor) * (diagnose_last_digit(column, written) + 1e-15 * fabs(written));
 }
 
 /* The time step of times beside steps. */
@@ -326,7 +324,7 @@ static void time_step_of_steps(DiagnoseTable *table, const Heads *heads, double 
         return;
     const double t[2] = {times[low] * heads->time_factor, times[high] * heads->time_factor};
     const double count = steps[high] - steps[low], own = (t[1] - t[0]) / count;
-    const double bound = 2 * fmax(time_bound(file, heads, t[0]), time_bound(file, heads, t[1])) / count;
+    const double bound = 2 * fmax(time_bound(file, heads, low), time_bound(file, heads, high)) / count;
     table->dt_bound = bound;
     if (!(own > 0) || fabs(own - dt) <= bound + 1e-12 * dt)
         return;
@@ -341,22 +339,24 @@ static bool time_step_of_times(DiagnoseTable *table, const Heads *heads, double 
 {
     const Overlay *file = &table->file;
     const double *times = file->columns[heads->time].values;
-    double last = -INFINITY, spacing = INFINITY, before = NAN;
+    double last = -INFINITY, spacing = INFINITY, before = NAN, last_bound = 0;
     for (size_t r = 0; r < file->count; r++) {
         const double t = times[r] * heads->time_factor;
         if (!isfinite(t))
             continue;
-        if (t < -time_bound(file, heads, t))
+        const double own_bound = time_bound(file, heads, r);
+        if (t < -own_bound)
             return status_refuse(status, "%s: row %zu: a time below 0 (a run begins at 0)", file->file,
                                  r + 1);
-        if (!isnan(before) && fabs(t - before) > 2 * time_bound(file, heads, t))
+        if (!isnan(before) && fabs(t - before) > 2 * own_bound)
             spacing = fmin(spacing, fabs(t - before));
         before = t;
-        last = fmax(last, t);
+        if (t > last)
+            last = t, last_bound = own_bound;
     }
     if (!isfinite(spacing))
         return true;
-    const double steps = round(spacing / dt), bound = 2 * time_bound(file, heads, last) + 1e-9 * spacing;
+    const double steps = round(spacing / dt), bound = 2 * last_bound + 1e-9 * spacing;
     if (steps >= 1 && fabs(spacing - steps * dt) <= bound)
         return true;
     table->dt = last / fmax(1, round(last / spacing));
@@ -444,7 +444,7 @@ static bool place_of(const DiagnoseTable *table, const Heads *heads, const Simul
         const double steps = round(time / table->dt);
         if (!(steps >= -0.5 && steps <= 1e12))
             return status_refuse(status, "%s: row %zu: no time", file->file, row + 1);
-        if (fabs(time - steps * table->dt) > 2 * time_bound(file, heads, time) + 1e-6 * table->dt)
+        if (fabs(time - steps * table->dt) > 2 * time_bound(file, heads, row) + 1e-6 * table->dt)
             return status_refuse(status, "%s: row %zu: time %.10g is no multiple of the time step %.10g",
                                  file->file, row + 1, time, table->dt);
         place->step = (long)steps;

@@ -93,7 +93,7 @@ static void tell_explanations(const Diagnosis *found, FILE *out)
         if (*rival->apart)
             visible_print(out, "  (%s them apart)\n", rival->apart);
         else
-            fputs("  (no run tells them apart: the same code by another name)\n", out);
+            visible_print(out, "  (none of %d runs of both tells them apart)\n", rival->compared);
     }
     if (found->more > 0)
         visible_print(out, "and %d more: the file has too few rows or digits.\n", found->more);
@@ -121,8 +121,10 @@ static void tell_nothing_found(const Diagnosis *found, const DiagnoseTable *tabl
         found->tried);
     if (found->pairs_left)
         fputs("Two mistakes at once were not tried (--pairs).\n", out);
-    if (found->farthest < 1e-6)
-        visible_print(out, "No number is farther off than %s of the largest of its kind: single precision?\n",
+    if (found->farthest < 1e-6 && found->single)
+        visible_print(out,
+                      "No number is farther off than %s of the largest of its kind, and each is a number of "
+                      "single precision.\n",
                       text_rounded(found->farthest, 1).text);
     if (*found->agreeing)
         return;

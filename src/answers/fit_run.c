@@ -79,7 +79,6 @@ bool fit_run(Search *search, const Settings *settings, const double *times, doub
              search->task->column);
     Run run = {.sim = NULL};
     const bool sound =
-        settings_check(settings, &search->why) &&
         run_open(&run, settings, problem_simulate(&asked, search->task->threads, &search->why),
                  &search->why) &&
         follow_to_end(search, &run, &(Trace){.times = times, .values = values, .count = count});

@@ -48,7 +48,8 @@ static bool follow_all(const Settings *settings, Simulation *sim, Status *status
 Simulation *problem_simulate(const Settings *settings, int threads, Status *status)
 {
     ASSERT_INT(threads, >=, 1);
-    ASSERT(settings_check(settings, NULL));
+    if (!settings_check(settings, status))
+        return NULL;
     Simulation *sim =
         problem_solver(settings->problem, settings->method)->simulate(settings, threads, status);
     if (sim)

@@ -169,8 +169,8 @@ bool problem_check_steps(double end, double dt, Status *);
  * allows. */
 long problem_last_step(double dt, double end);
 
-/* The simulation at t = 0, of settings that settings_check() allows: the caller has made them by what asks
- * it. `threads` at least 1. NULL: the status says why. */
+/* The simulation at t = 0. `threads` at least 1. NULL: settings_check() refuses the settings, or there is no
+ * memory; the status says why. */
 Simulation *problem_simulate(const Settings *, int threads, Status *);
 
 /* The time step that a simulation of these settings has; a beam's critical one may have to be found for it.

@@ -64,6 +64,14 @@ expect "six digits of them" 0 mode5 six.csv
 result "are judged by six" says out 'to 6 digits over 51 rows'
 result "and hide more" says out '^  mass_of_cell (the column kinetic tells)$'
 
+awk -F, 'NR == 1 { print "step,time,v_cm" } NR > 1 { printf "%d,%.4g,%s\n", $1, $2 * 1.03 / 3600, $3 }' right.csv >hours.csv
+expect "times in hours, 3 % too long" 0 mode5 hours.csv --map 'time=time*3600'
+result "tell another time step" sh -c 'grep -q "^(its time step is 0.0103" out && ! grep -q "those of the right code, to" out'
+"$MATVIB" run mode5 --steps 60 --frames 4 --particles speeds-of.csv --quiet
+awk -F, -v OFS=, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i } { print $1, $at["particle"], $at["v"] }' speeds-of.csv >speeds.csv
+expect "velocities of particles" 0 mode5 speeds.csv
+result "hide what another of their columns tells" says out '^  mass_of_cell (the column mass tells)$'
+
 make own.csv mode5 --steps 50 --set mpm.mistake=x_by_own_velocity
 digits 17 step,v_cm <own.csv >own17.csv
 expect "a silent mistake" 0 mode5 own17.csv
@@ -97,6 +105,10 @@ result "is found too" says out '^  bar.youngs_modulus=93.25: another value'
 make usl.csv mode5 --steps 50 --set mpm.algorithm=usl
 expect "another scheme" 0 mode5 usl.csv
 result "is no mistake" says out '^  mpm.algorithm=usl: no mistake, but another choice'
+result "and has another name" says out '^  (none of [0-9]* runs of both tells them apart)$'
+digits 4 step,v_cm <usl.csv | sed '2d;6q' >usl4.csv
+expect "few rows of it, without the first" 0 mode5 usl4.csv
+result "may be the right code's, counted otherwise" sh -c 'grep -A 1 "^  rows-1: " out | grep -q "(the column x_cm tells them apart)"'
 make dt.csv mode5 --steps 50 --set time.courant=0.07
 expect "another time step" 0 mode5 dt.csv
 result "is taken from the file" sh -c 'grep -q "^(its time step is 0.007, not" out && grep -q "those of the right code" out'
@@ -218,9 +230,22 @@ result "has not that mistake" sh -c 'grep -q "those of the right code" out && ! 
 awk -F, -v OFS=, 'NR == 1 { print "step,v_cm,v_cm"; next } { print $1, $3, $3 + 1 }' right.csv >double.csv
 expect "a column that is there twice" 0 mode5 double.csv
 result "is told" says out '^(it has several columns v_cm: the first counts)$'
-awk -F, -v OFS=, 'NR == 1 { print "step,v_cm,x_cm"; next } { print $1, $3 * (1 + 4e-8), $6 }' OFMT=%.17g CONVFMT=%.17g right.csv >single.csv
-expect "seven digits of each" 0 mode5 single.csv
-result "may be single precision" says out '^No number is farther off than 3e-9 of the largest of its kind: single precision?$'
+single() { # FORMAT: v_cm of the right run, nearly, in single precision
+	awk -F, -v format="%d,$1\n" 'function single(x, unit) { for (unit = 1; unit > x; unit /= 2); return int(x / unit * 8388608 + 0.5) / 8388608 * unit }
+		NR == 1 { print "step,v_cm"; next } { v = $3 < 0 ? -$3 : $3; v = single(v * (1 + 4e-8)); printf format, $1, $3 < 0 ? -v : v }' right.csv
+}
+single %.12g >single.csv
+expect "single precision" 0 mode5 single.csv
+result "is known" says out '^No number is farther off than [1-9]e-[89] of the largest of its kind, and each is a number of single precision\.$'
+awk -F, 'NR == 1 { print "step,v_cm"; next } { printf "%d,%.8g\n", $1, $3 * (1 + 4e-8) }' right.csv >eight.csv
+expect "eight digits of others" 0 mode5 eight.csv
+result "are none" sh -c 'grep -q "^None of" out && ! grep -q "single precision" out'
+
+# a bar by bonds, whose spacing is that of its particles
+make bonds.csv mode5-peridynamics --steps 9
+awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; print "step,v_cm"; next } { printf "%d,%.17g\n", $1, 1.37 * $at["v_cm"] }' bonds.csv >factor.csv
+expect "any factor" 0 mode5-peridynamics factor.csv
+result "has no name" sh -c 'grep -q "ratio 1.37," out && ! grep -q "1/dx" out'
 
 # as numpy writes a table
 awk -F, 'NR == 1 { print "# step v_cm x_cm"; next } { printf "%.18e %.18e %.18e\n", $1, $3, $6 }' right.csv >numpy.txt
