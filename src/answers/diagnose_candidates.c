@@ -135,7 +135,7 @@ void diagnose_name_factor(double factor, double tolerance, const Settings *setti
         double value;
         const char *name;
     } known[] = {
-        /* what the problem has not is NAN; 0 stands for "auto" */
+        /* "auto" is 0, and what the problem has not is NAN */
         {-1, "-1"},
         {2, "2"},
         {0.5, "1/2"},
@@ -154,7 +154,7 @@ void diagnose_name_factor(double factor, double tolerance, const Settings *setti
     if (!isfinite(factor))
         return;
     for (size_t i = 0; i < sizeof known / sizeof *known; i++)
-        if (known[i].value != 0 && known[i].value != 1 && isfinite(known[i].value) &&
+        if (known[i].value != 1 && isfinite(known[i].value) &&
             fabs(factor - known[i].value) <= tolerance * fabs(known[i].value))
             text_append(out, size, "%s%s", *out ? " = " : "", known[i].name);
 }

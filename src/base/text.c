@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Numbers and words as text (text.h), by snprintf() and strtod(): LC_NUMERIC stays "C" in this
  * program. The shortest text is found by trying more and more digits, up to 17. */
+#include "base/math/functions.h"
 #include "base/text.h"
 
 #include "base/assertion.h"
@@ -55,6 +56,15 @@ NumberText text_rounded(double value, int digits)
         snprintf(number.text, sizeof number.text, "%.*g", digits, value == 0 ? 0.0 : value);
     text_trim_exponent(number.text);
     return number;
+}
+
+NumberText text_limit(double most, int digits)
+{
+    const NumberText number = text_rounded(most, digits);
+    double read;
+    if (!text_to_double(number.text, &read) || read <= most)
+        return number;
+    return text_rounded(read - math_pow(10, floor(math_log10(fabs(most))) - digits + 1), digits);
 }
 
 static bool only_spaces(const char *text)

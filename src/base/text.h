@@ -24,6 +24,9 @@ size_t text_shortest(char *out, double value);
 /* A number for reading: `digits` significant digits, trailing zeros cut, never an exponent's padding. */
 NumberText text_rounded(double value, int digits);
 
+/* The largest number of so many digits that is not above `most`: a limit, as it may be copied. */
+NumberText text_limit(double most, int digits);
+
 /* Cuts "1e-07" to "1e-7" and "1e+16" to "1e16". Returns the length. */
 size_t text_trim_exponent(char *text);
 

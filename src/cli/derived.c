@@ -18,7 +18,7 @@ static size_t add_line(char *out, size_t size, size_t used, const Derived *deriv
     if (derived->integer)
         snprintf(value, sizeof value, "%.0f", derived->value);
     else
-        strcpy(value, text_rounded(derived->value, 10).text);
+        text_shortest(value, derived->value);
     const char *unit = strcmp(derived->unit, "1") == 0 ? "" : derived->unit; /* a plain number */
     int n = snprintf(out + used, size - used, "%s = %s%s%s\n", derived->name, value, *unit ? " " : "", unit);
     return used + (n > 0 ? (size_t)n : 0);

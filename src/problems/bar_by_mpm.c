@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The bar by the material point method: settings to simulation, exact and predicted answers beside. */
 #include "base/assertion.h"
+#include "base/text.h"
 #include "answers/bar_answers.h"
 #include "scenario/concern_body.h"
 #include "scenario/concern_cells.h"
@@ -259,8 +260,8 @@ bool bar_limit(const Settings *settings, char *text, size_t size, Status *status
         return status_fail(status, "not enough memory for the largest stable time step");
     if (courant > largest && !settings_time(settings)->unstable)
         return status_refuse(
-            status, "time.courant: %.6g is unstable on this mesh (at most %.5g, or time.unstable = yes)",
-            courant, stable_courant(settings, &theory, largest));
+            status, "time.courant: %.6g is unstable on this mesh (at most %s, or time.unstable = yes)",
+            courant, text_limit(stable_courant(settings, &theory, largest), 5).text);
     if (courant > largest)
         snprintf(text, size, "courant %.4g is beyond the largest stable one, %.5g: this run will blow up",
                  courant, largest);

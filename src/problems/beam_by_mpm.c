@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Beams by the material point method: settings to simulation, derived numbers, the largest step, answers. */
 #include "answers/beam_answers.h"
+#include "base/text.h"
 #include "scenario/concern_body.h"
 #include "scenario/concern_cells.h"
 #include "scenario/concern_loads.h"
@@ -142,8 +143,8 @@ static bool limit(const Settings *settings, char *text, size_t size, Status *sta
         return false;
     if (def.courant > largest && !settings_time(settings)->unstable)
         return status_refuse(
-            status, "time.courant: %.6g is unstable on this mesh (at most %.5g, or time.unstable = yes)",
-            def.courant, largest);
+            status, "time.courant: %.6g is unstable on this mesh (at most %s, or time.unstable = yes)",
+            def.courant, text_limit(largest, 5).text);
     if (def.courant > largest)
         snprintf(text, size, "courant %.4g is beyond the largest stable one, %.5g: this run will blow up",
                  def.courant, largest);

@@ -101,7 +101,6 @@ static bool write_parameter(FILE *stream, const Settings *settings, const Parame
     if ((stretch && settings_bonds(settings)->energy_given) ||
         (energy && !settings_bonds(settings)->energy_given)) {
         /* critical stretch and energy follow from each other; written both, the value would be given twice */
-        settings_show(settings, parameter, value);
         fprintf(stream, "# %s = %s%s%s\n", name, value, *parameter->unit ? " " : "", parameter->unit);
         return true;
     }

@@ -71,6 +71,20 @@ expect "--steps of the bar" 0 show mode1 --steps 100
 result "a hundred steps of 0.01" says out '^end = 1$'
 expect "--steps of a beam with its own step" 0 show supported-beam-coarse --steps 10
 result "derived values are comments" says out '^# dt_crit = [0-9.]*e-7 s$'
+"$MATVIB" run supported-beam-coarse --steps 9 --quiet --series own.csv
+"$MATVIB" run supported-beam-coarse --steps 9 --quiet --series copied.csv --set "time.step=$("$MATVIB" show supported-beam-coarse | sed -n 's/^# dt = \(.*\) s$/\1/p')"
+result "the step that is shown makes the run again" cmp own.csv copied.csv
+"$MATVIB" show notched-beam-coarse --set pd.critical_energy=50 >energy.ini
+"$MATVIB" show notched-beam-coarse --set "pd.critical_stretch=$(sed -n 's/^# critical_stretch = //p' energy.ini | tail -n 1)" >stretch.ini
+"$MATVIB" run energy.ini --steps 9 --quiet --series own.csv --force
+"$MATVIB" run stretch.ini --steps 9 --quiet --series copied.csv --force
+result "and so does the stretch" cmp own.csv copied.csv
+expect "a step beyond the largest stable one" 2 run mode5 --end 1 --set time.courant=1.75
+most=$(sed -n 's/.*(at most \([0-9.]*\), .*/\1/p' err)
+expect "the largest that is said" 0 run mode5 --end 1 --set "time.courant=$most"
+expect "a step beyond the critical one" 2 run supported-beam-coarse --steps 2 --set time.step=3e-7
+most=$(sed -n 's/.*(at most \([0-9.e-]*\), .*/\1/p' err)
+expect "the critical one that is said" 0 run supported-beam-coarse --steps 2 --set "time.step=$most"
 result "a wrong step is said" test "$("$MATVIB" show mode1 --set time.courant=3 | grep -c '^# a run is refused')" -eq 1
 
 expect "params" 0 params
@@ -115,7 +129,7 @@ refuse "--end that is no time" '--end: time.end: soon is not a number (> 0)' sho
 refuse "--end and --steps" '--steps: --end says when the run ends (one of them)' show mode1 --end 3 --steps 4
 refuse "a length that is wrong without --steps" "--set: mesh.cell_size: the length 25.3 must be a whole number of cells, not 25.3" show mode1 --set bar.length=25.3 --steps 4
 refuse "no steps" '--steps: 0 is not allowed (a whole number, 1 or more)' show mode1 --steps 0
-refuse "no step of the best blend" '--set: time.courant: 1.75 is unstable on this mesh (at most 1.5811, or time.unstable = yes)' run mode5 --end 1 --set mpm.mass_blend=auto --set time.courant=1.75
+refuse "no step of the best blend" '--set: time.courant: 1.75 is unstable on this mesh (at most 1.581, or time.unstable = yes)' run mode5 --end 1 --set mpm.mass_blend=auto --set time.courant=1.75
 refuse "too many nodes" '--set: pd.spacing: 1.47e+08 nodes with 14 bonds each are too many for memory (at most 19173961 nodes: a larger spacing, or a smaller horizon)' show notched-beam --set pd.spacing=1e-5 --set pd.horizon=3e-5
 refuse "both handles" '--set: pd.critical_stretch: pd.critical_stretch and pd.critical_energy say the same (one of them)' \
 	show notched-beam --set pd.critical_energy=1 --set pd.critical_stretch=1e-3

@@ -3,6 +3,7 @@
  * the table of functions through which a driver runs it (method.h). Long work calls BeamDef.patience and may
  * be stopped by it; on any failure nothing is left allocated. */
 #include "base/assertion.h"
+#include "base/text.h"
 #include "methods/bonds/plane/bonds_mistakes.h"
 
 #include <math.h>
@@ -153,8 +154,8 @@ static bool set_time_step(Beam *beam, Status *status)
     beam->facts.critical_step = critical;
     beam->sim.dt = beam->def.dt > 0 ? beam->def.dt : critical / 2;
     if (!(beam->sim.dt <= critical))
-        return status_refuse(status, "time.step: %g is above the critical time step (at most %.4g, or auto)",
-                             beam->sim.dt, critical);
+        return status_refuse(status, "time.step: %g is above the critical time step (at most %s, or auto)",
+                             beam->sim.dt, text_limit(critical, 4).text);
     return true;
 }
 
