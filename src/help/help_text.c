@@ -24,9 +24,10 @@ static const HelpWord bar_words[] = {
      "w times the time step. It is no loss: E* takes velocity and stress where they belong together, and "
      "does not ripple. What E* loses is lost."},
     {"K and F",
-     "view 5, the error of w. The lag is all lumping: over lumped masses the way to nodes and back is a "
-     "filter (F), and the mesh is too slow (K). With consistent masses it is 1/F. The axis goes by square "
-     "roots: an error that grows like the square of n is a straight line."},
+     "view 5, the error of w. The lag has two parts, both from lumped masses: mapping to nodes and back is a "
+     "filter (F), and the linear elements are too slow (K). apic removes F; smaller cells reduce both; with "
+     "consistent masses the factor is 1/F, and a mass blend cancels both. The axis goes by square roots: an "
+     "error that grows like the square of n is a straight line."},
     {"R, T",
      "of a pulse that meets a joint: what is sent back of its velocity, and what is let on, while each is "
      "in one piece. Of two materials mode n is their own n-th; a sine is a mixture of them."},
