@@ -2,9 +2,10 @@
 /* Where a fit may begin (fit.h).
  *
  * Of run and data that swing, with omega_s ~ p_i^e from two runs, at the p_i whose omega_s is
- * the data's; at those that differ from it by one swing over the record, between which chi^2 has a minimum
- * each; and, of data whose neighbours are Delta apart, at the frequencies |2 pi j/Delta +- omega| that they
- * cannot tell from their own. Then at some shares and multiples of each p_i. */
+ * the data's, however far that is; at its aliases |2 pi j/Delta +- omega|, which data whose neighbours are
+ * Delta apart cannot tell from it, up to FARTHEST times the frequency of the first run; and at those that
+ * differ from each by one swing over the record, between which chi^2 has a minimum each. Then at some shares
+ * and multiples of each p_i. */
 #include "answers/fit_internal.h"
 #include "scenario/settings.h"
 #include "base/math/functions.h"
@@ -18,7 +19,7 @@ enum { EVEN = 2048 }; /* points over the record, to find frequencies */
 #define NUDGE    1.02 /* of a parameter, to see what it does to the frequency */
 #define WEAKEST  0.2  /* power of a parameter with which the frequency goes, to be of use */
 #define SWINGS   0.5  /* what may be left of a record beside one line, over its amplitude */
-#define FARTHEST 1.5  /* ratio of frequencies between which aliases are looked at */
+#define FARTHEST 3    /* ratio of frequencies between which aliases are looked at */
 
 static const double multiples[MULTIPLES] = {0.6, 0.8, 1.25, 1.6};
 
@@ -29,10 +30,10 @@ static bool place_one(const Search *search, int key, double factor, Settings *se
     return fit_put(settings, search->task->keys[key], factor * search->starts[key]);
 }
 
-static void begin_at(Beginning *list, int *count, int key, double factor)
+static void begin_at(Beginning *list, int *count, int key, double factor, bool alias)
 {
     if (*count < BEGINNINGS_MAX)
-        list[(*count)++] = (Beginning){key, factor, INFINITY};
+        list[(*count)++] = (Beginning){key, factor, INFINITY, alias};
 }
 
 /* The frequency of what swings over the record, at even times; 0: it does not. */
@@ -92,8 +93,9 @@ static void find_aliases(Search *search, int key, double own, double wanted, Beg
         for (int side = j > 0 ? -1 : 1; side <= 1; side += 2)
             for (int beside = -1; beside <= 1; beside++) {
                 const double omega = fold * j + side * wanted + beside * swing;
-                if (omega > own / FARTHEST && omega < own * FARTHEST && *count - before < ALIASES_MAX)
-                    begin_at(list, count, key, math_pow(omega / own, 1 / power));
+                if (omega > 0 && (j == 0 || (omega > own / FARTHEST && omega < own * FARTHEST)) &&
+                    *count - before < ALIASES_MAX)
+                    begin_at(list, count, key, math_pow(omega / own, 1 / power), beside == 0);
             }
 }
 
@@ -113,12 +115,12 @@ int fit_beginnings(Search *search, Beginning list[BEGINNINGS_MAX])
     search->result->rms_before = sqrt(fit_chi2(search) / (double)task->count);
     const double start = fit_chi2(search), wanted = swings_of_data(search);
     const double own = wanted > 0 ? swings_of_run(search, 0, 1) : 0;
-    begin_at(list, &count, 0, 1);
+    begin_at(list, &count, 0, 1, false);
     for (int key = 0; key < task->n_keys && own > 0; key++)
         find_aliases(search, key, own, wanted, list, &count);
     for (int key = 0; key < task->n_keys; key++)
         for (int i = 0; i < MULTIPLES; i++)
-            begin_at(list, &count, key, multiples[i]);
+            begin_at(list, &count, key, multiples[i], false);
     list[0].chi2 = start;
     for (int i = 1; i < count; i++) {
         Settings settings;

@@ -27,11 +27,12 @@ double fit_chi2(const Search *);                  /* of the run that is made */
 typedef struct Beginning {
     int key;
     double factor, chi2; /* of what it is in the settings */
+    bool alias;          /* the run swings there as the data do, or as they cannot tell from it */
 } Beginning;
 
 enum {
-    ALIASES_MAX = 9, /* of one parameter */
-    MULTIPLES = 4,   /* and other values of it */
+    ALIASES_MAX = 27, /* of one parameter, and those beside them */
+    MULTIPLES = 4,    /* and other values of it */
     BEGINNINGS_MAX = FIT_KEYS_MAX * (ALIASES_MAX + MULTIPLES) + 1
 };
 

@@ -30,7 +30,9 @@ enum { ITERATIONS_MAX = 60, SEARCHES_MAX = 3 };
 #define ROUND_OFF  1e-6 /* residuals of so little of the data are none */
 #define NOT_WHITE  0.05 /* the chance below which residuals are not called so */
 #define NO_NOISE   1e-3
-#define NO_FIT     0.5 /* the share of the data that is left */
+#define NO_FIT     0.5  /* the share of the data that is left */
+#define SAME       1e-3 /* relative distance of two searches that end in one minimum */
+#define NEAR       0.02 /* of a beginning and the minimum that a search from there ends in */
 
 const char fit_not_covered[] =
     "Intervals cover noise in the data. They do not cover the error of mesh and time step, for which the\n"
@@ -96,8 +98,10 @@ static int slopes(const gsl_vector *scaled, void *context, gsl_matrix *jacobian)
                 at[side] = x;
                 if (search->interrupted)
                     return GSL_EFAILED;
-                if (!run_beside(search, scaled, i, x))
+                if (!run_beside(search, scaled, i, x)) {
+                    runs = 0;
                     break;
+                }
             } else {
                 runs++;
             }
@@ -203,6 +207,10 @@ static bool judge(const Search *search, Space *space, Status *status)
     if (!all_matter(search, jacobian, status))
         return false;
     const double rms = sqrt(squares / (double)task->count);
+    if (result->n_others < FIT_MINIMA_MAX) {
+        memcpy(result->others[result->n_others].values, values, sizeof values);
+        result->others[result->n_others++].rms = rms;
+    }
     if (result->searches++ > 0 && rms >= result->rms)
         return true;
     memcpy(result->values, values, sizeof values);
@@ -250,7 +258,52 @@ static bool search_from(Search *search, const Beginning *from, Space *space, Sta
     return judge(search, space, status);
 }
 
-/* From one beginning after the other, until what is left looks like noise; one more run at the best p. */
+/* Whether a minimum is another than one at some values, and not the same to what is known of it. */
+static bool is_another(const Search *search, const FitMinimum *minimum, const double *values)
+{
+    const FitResult *result = search->result;
+    for (int i = 0; i < search->task->n_keys; i++)
+        if (fabs(minimum->values[i] - values[i]) > result->noise.half_widths[i] + SAME * fabs(values[i]))
+            return true;
+    return false;
+}
+
+/* Leaves of all minima those that the data cannot tell from the best:
+ *
+ *     chi^2 - chi_0^2 <= 3.84 chi_0^2/(n - m) (1 + r)/(1 - r)      95 % of chi^2 with one degree of freedom
+ */
+static void part_minima(Search *search)
+{
+    const FitTask *task = search->task;
+    FitResult *result = search->result;
+    const double r = result->noise.correlation;
+    const double more = 3.84 / (double)(task->count - (size_t)task->n_keys) * (1 + r) / (1 - r);
+    const double most =
+        result->left == FIT_NOTHING ? ROUND_OFF * spread_of(task) : result->rms * sqrt(1 + more);
+    int kept = 0;
+    for (int i = 0; i < result->n_others; i++) {
+        const FitMinimum minimum = result->others[i];
+        bool another = minimum.rms <= most && is_another(search, &minimum, result->values);
+        for (int j = 0; j < kept && another; j++)
+            another = is_another(search, &minimum, result->others[j].values);
+        if (another)
+            result->others[kept++] = minimum;
+    }
+    result->n_others = kept;
+}
+
+/* Whether a search has ended near a beginning, where another one would end too. */
+static bool is_searched(const Search *search, const Beginning *from)
+{
+    const double value = from->factor * search->starts[from->key];
+    for (int i = 0; i < search->result->n_others; i++)
+        if (fabs(search->result->others[i].values[from->key] - value) < NEAR * fabs(value))
+            return true;
+    return false;
+}
+
+/* From one beginning after the other, until what is left looks like noise, and from each alias of what the
+ * data swing with; one more run at the best p. */
 static bool search_best(Search *search, Space *space, Status *status)
 {
     const FitTask *task = search->task;
@@ -263,10 +316,10 @@ static bool search_best(Search *search, Space *space, Status *status)
             *status = search->why;
         return false;
     }
-    for (int i = 0; i < SEARCHES_MAX && i < result->beginnings && isfinite(list[i].chi2); i++) {
-        search_from(search, &list[i], space, result->searches > 0 ? NULL : &why);
-        if (search->interrupted || (result->searches > 0 && result->left != FIT_NO_NOISE))
-            break;
+    for (int i = 0; i < result->beginnings && isfinite(list[i].chi2) && !search->interrupted; i++) {
+        const bool settled = result->searches > 0 && (i >= SEARCHES_MAX || result->left != FIT_NO_NOISE);
+        if ((!settled && i < SEARCHES_MAX) || (list[i].alias && !is_searched(search, &list[i])))
+            search_from(search, &list[i], space, result->searches > 0 ? NULL : &why);
     }
     if (search->interrupted || result->searches == 0) {
         if (!search->interrupted && why.code == STATUS_DONE)
@@ -276,6 +329,7 @@ static bool search_best(Search *search, Space *space, Status *status)
             *status = search->interrupted ? search->why : why;
         return false;
     }
+    part_minima(search);
     result->settings = *task->settings;
     for (int i = 0; i < task->n_keys; i++)
         fit_put(&result->settings, task->keys[i], result->values[i]);
@@ -353,10 +407,12 @@ static bool is_fit(const FitResult *result)
 
 const char *fit_verdict(const FitResult *result)
 {
-    return is_fit(result) ? left_words[result->left].brief : "nearly as large as the data: that is no fit";
+    return !is_fit(result)        ? "nearly as large as the data: that is no fit"
+           : result->n_others > 0 ? "as small at other values, which the data cannot tell from these"
+                                  : left_words[result->left].brief;
 }
 
-void fit_tell(const FitResult *result, char *out, size_t size)
+void fit_tell(const FitTask *task, const FitResult *result, char *out, size_t size)
 {
     *out = '\0';
     text_append(out, size, "residuals, root mean square: %.4g (began at %.4g), %.3g %% of the data\n",
@@ -366,4 +422,11 @@ void fit_tell(const FitResult *result, char *out, size_t size)
         text_append(out, size, "correlation of neighbours: %.3f\n", result->noise.correlation);
     if (!is_fit(result))
         text_append(out, size, "nearly as large as the data: that is a minimum, and no fit\n");
+    if (result->n_others > 0)
+        text_append(out, size, "other minima are as deep, the data cannot tell them apart:\n");
+    for (int i = 0; i < result->n_others; i++) {
+        for (int k = 0; k < task->n_keys; k++)
+            text_append(out, size, "  %s %.8g", task->keys[k], result->others[i].values[k]);
+        text_append(out, size, "  (residuals %.4g)\n", result->others[i].rms);
+    }
 }

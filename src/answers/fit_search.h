@@ -10,7 +10,9 @@
  *
  * chi^2 of what swings has a minimum for each number of swings by which run and data may differ. The search
  * therefore looks first at other beginnings, begins where chi^2 is least, and again elsewhere as long as what
- * is left does not look like noise. That finds the best of some minima, not surely the least of all. */
+ * is left does not look like noise; and at each alias of the data's frequency. Minima whose chi^2 is larger
+ * by no more than noise makes of one parameter are told. That finds the best of some minima, not surely the
+ * least of all. */
 #ifndef ANSWERS_FIT_SEARCH_H
 #define ANSWERS_FIT_SEARCH_H
 
@@ -40,8 +42,17 @@ typedef enum FitLeft {
     FIT_NO_NOISE /* something that the run has not: the intervals do not hold */
 } FitLeft;
 
+enum { FIT_MINIMA_MAX = 12 };
+
+typedef struct FitMinimum {
+    double values[FIT_KEYS_MAX];
+    double rms; /* of the residuals */
+} FitMinimum;
+
 typedef struct FitResult {
     double values[FIT_KEYS_MAX];
+    FitMinimum others[FIT_MINIMA_MAX]; /* that these data cannot tell from it */
+    int n_others;
     Noise noise;            /* what is left of the data, as noise; the intervals and how they hang together */
     FitLeft left;           /* what it looks like */
     double share;           /* rms of the residuals over that of the data about their mean */
@@ -59,8 +70,9 @@ typedef struct FitResult {
 bool fit_solve(const FitTask *, FitResult *, Status *);
 void fit_free(FitResult *);
 
-/* In words: what the residuals are, and whether the intervals hold. Lines ended by '\n'. */
-void fit_tell(const FitResult *, char *out, size_t size);
+/* In words: what the residuals are, whether the intervals hold, and which other minima are as deep. Lines
+ * ended by '\n'. */
+void fit_tell(const FitTask *, const FitResult *, char *out, size_t size);
 
 /* The first of it in a few words. */
 const char *fit_verdict(const FitResult *);

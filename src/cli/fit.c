@@ -96,7 +96,7 @@ static void print_result(const FitTask *task, const FitResult *result)
         for (int j = 0; j < i; j++)
             printf("correlation of %s and %s: %.3f\n", task->keys[j], task->keys[i],
                    result->noise.correlations[i][j]);
-    fit_tell(result, told, sizeof told);
+    fit_tell(task, result, told, sizeof told);
     printf("%s%s\n", told, fit_not_covered);
 }
 
@@ -104,7 +104,7 @@ static void print_json(const Options *options, const FitTask *task, const FitRes
 {
     Quantities list = quantities_open(stdout, "fit");
     char told[1024];
-    fit_tell(result, told, sizeof told);
+    fit_tell(task, result, told, sizeof told);
     quantities_text(&list, "scenario", options->words[0]);
     quantities_text(&list, "data", options->data);
     quantities_text(&list, "column", task->column);
