@@ -33,7 +33,7 @@ static Film *open_cast(FILE *stream, const FilmLook *look, Status *status)
     Film *film = calloc(1, sizeof *film);
     if (!film)
         status_fail(status, "out of memory");
-    if (!film || !grid_open(&film->grid, term, GRID_NO_KEYS, false, &stand_in, status)) {
+    if (!film || !grid_open(&film->grid, term, false, &stand_in, status)) {
         free(film);
         return NULL;
     }

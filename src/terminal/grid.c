@@ -77,7 +77,8 @@ static void append(Grid *grid, const char *text)
     }
 }
 
-static const char mouse_on[] = "\033[?1002h", mouse_off[] = "\033[?1002l\033[?1006l\033[?1000l";
+static const char mouse_on[] = "\033[?1000h\033[?1002h\033[?1006h",
+                  mouse_off[] = "\033[?1002l\033[?1006l\033[?1000l";
 static const char paste_on[] = "\033[?2004h", paste_off[] = "\033[?2004l";
 static const char hold_on[] = "\033[?2026h", hold_off[] = "\033[?2026l", hold_query[] = "\033[?2026$p";
 
@@ -193,13 +194,12 @@ static int count_colours(void)
     return colours >= 256 ? 256 : 8;
 }
 
-static FILE *curses_output, *curses_input;
+static FILE *curses_output, *curses_input; /* keys are read past curses */
 
-static bool open_files(int input, Status *status)
+static bool open_files(Status *status)
 {
-    const int keyboard = input == GRID_NO_KEYS ? -1 : fcntl(input, F_DUPFD_CLOEXEC, 0);
     curses_output = open_memory();
-    curses_input = input == GRID_NO_KEYS ? open_memory() : keyboard >= 0 ? fdopen(keyboard, "r") : NULL;
+    curses_input = open_memory();
     return (curses_output && curses_input) ||
            status_fail(status, "not enough memory or files for the screen");
 }
@@ -220,33 +220,21 @@ static bool cannot_draw(const char *term, Status *status)
                          term && *term ? term : "unset");
 }
 
-/* What keys and pictures need, once curses knows the terminal. */
-static bool prepare(Grid *grid, Status *status)
+/* What pictures need, once curses knows the terminal. */
+static void prepare(Grid *grid)
 {
-    grid->keys = newpad(1, 1);
-    if (!grid->keys)
-        return status_fail(status, "out of memory");
-    /* neither is the user's palette to be reset, nor Alt to be told by an eighth bit */
-    orig_colors = NULL;
-    meta_on = NULL;
+    orig_colors = NULL; /* the user's palette is not to be reset */
     grid->colours = count_colours();
-    grid->mouse = grid->mouse && capability("kmous")[0] != '\0' &&
-                  mousemask(BUTTON1_PRESSED | BUTTON1_RELEASED | BUTTON4_PRESSED | BUTTON5_PRESSED |
-                                REPORT_MOUSE_POSITION,
-                            NULL) != 0;
-    mouseinterval(0);
-    meta(grid->keys, TRUE);
-    nodelay(grid->keys, TRUE);
+    grid->mouse = grid->mouse && capability("kmous")[0] != '\0';
     typeahead(-1); /* whether a key waits is asked by who draws */
     compose_farewell(grid);
-    return true;
 }
 
-bool grid_open(Grid *grid, const char *term, int input, bool mouse, const char **stand_in, Status *status)
+bool grid_open(Grid *grid, const char *term, bool mouse, const char **stand_in, Status *status)
 {
     if (!term || !*term || strcmp(term, "dumb") == 0)
         return cannot_draw(term, status);
-    if (!open_files(input, status)) {
+    if (!open_files(status)) {
         close_files();
         return false;
     }
@@ -259,16 +247,16 @@ bool grid_open(Grid *grid, const char *term, int input, bool mouse, const char *
                       term);
     else if (!capability("cup")[0])
         cannot_draw(term, status);
-    else if (prepare(grid, status))
+    else {
+        prepare(grid);
         return true;
+    }
     grid_close(grid);
     return false;
 }
 
 void grid_close(Grid *grid)
 {
-    if (grid->keys)
-        delwin(grid->keys);
     if (grid->curses) {
         endwin();
         delscreen(grid->curses);
@@ -282,9 +270,9 @@ void grid_close(Grid *grid)
 void grid_enter(Grid *grid)
 {
     grid_redraw(grid);
-    keypad(grid->keys, TRUE);
     refresh();
     take(grid);
+    put(grid, capability("smkx"), strlen(capability("smkx")));
     put(grid, paste_on, sizeof paste_on - 1);
     if (grid->mouse)
         put(grid, mouse_on, sizeof mouse_on - 1);

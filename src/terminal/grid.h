@@ -16,10 +16,9 @@
 
 typedef struct Grid {
     struct screen *curses;
-    struct _win_st *keys; /* where keys are read from: a pad, for to read from a window draws it */
-    int memory;           /* what curses writes to, a descriptor */
-    Canvas shown;         /* what curses was given last; width 0: nothing */
-    int colours;          /* 256, 8 or 0; NO_COLOR is honoured */
+    int memory;   /* what curses writes to, a descriptor */
+    Canvas shown; /* what curses was given last; width 0: nothing */
+    int colours;  /* 256, 8 or 0; NO_COLOR is honoured */
     bool light, utf8, mouse;
     bool synchronised;    /* the terminal holds a picture back until it is whole */
     char *bytes;          /* what is to be sent */
@@ -29,12 +28,9 @@ typedef struct Grid {
     size_t farewell_length;
 } Grid;
 
-enum { GRID_NO_KEYS = -1 };
-
-/* Keys are read from the descriptor `input`; GRID_NO_KEYS: there are none. `*stand_in`: the known
- * terminal that an unknown TERM is treated as; NULL: it is known itself. Nothing is to be sent yet. False:
- * TERM cannot be drawn on; there is nothing to close then. */
-bool grid_open(Grid *, const char *term, int input, bool mouse, const char **stand_in, Status *);
+/* `*stand_in`: the known terminal that an unknown TERM is treated as; NULL: it is known itself. Nothing is to
+ * be sent yet. False: TERM cannot be drawn on; there is nothing to close then. */
+bool grid_open(Grid *, const char *term, bool mouse, const char **stand_in, Status *);
 void grid_close(Grid *); /* sends nothing: see grid_leave() */
 
 void grid_enter(Grid *);                            /* takes the screen over */

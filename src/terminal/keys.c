@@ -1,225 +1,214 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "terminal/keys.h"
 
+#include "base/assertion.h"
+
+#include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
-#include <curses.h>
+/* Seconds of silence, and in all, after which what has begun is given up. */
+#define ESCAPE_SECONDS 0.1 /* behind a lone Esc, where ESCDELAY does not say */
+#define BYTE_SECONDS   1.0 /* to the next byte of a sequence that is known to be one */
+#define PASTE_SILENCE  5.0 /* the rest of it must not become keys where the line is slow */
+#define PASTE_SECONDS  10.0
 
-#define SEQUENCE_SECONDS 0.5 /* after which a sequence is given up */
-#define PASTE_SECONDS    5.0 /* the rest of it must not become keys where the line is slow */
-
-enum { ESCAPE_MS = 25, MODIFIERS = 8, FIRST_CODE = 0x2000 };
-
-/* Codes of ours, beyond those that curses gives to keys of a description. */
-enum {
-    CODE_PASTE = FIRST_CODE - 16, /* bracketed paste begins */
-    CODE_PASTE_END,
-    CODE_HOLDS /* the terminal holds a picture back until it is whole */
-};
+enum { ESCDELAY_MAX = 10000, STRING_MAX = 4096, PASTE_MAX = 1 << 20 };
+enum { SHIFT = 1, ALT = 2, CONTROL = 4, MODIFIERS = 8 };
 
 /* Keys by what terminals send. Of one with a letter "Esc [ letter" and "Esc O letter", of one with a number
  * "Esc [ number ~", each also with a second parameter: 1 + Shift + 2 Alt + 4 Control. */
 static const struct {
     const char *name;
-    int code; /* of curses; 0: it has none, or another row has it */
     char letter;
     int number;
 } rows[] = {
-    {"Up", KEY_UP, 'A', 0},       {"Down", KEY_DOWN, 'B', 0},
-    {"Right", KEY_RIGHT, 'C', 0}, {"Left", KEY_LEFT, 'D', 0},
-    {"Home", KEY_HOME, 'H', 1},   {"End", KEY_END, 'F', 4},
-    {"Home", KEY_FIND, 0, 7},     {"End", KEY_SELECT, 0, 8},
-    {"Insert", KEY_IC, 0, 2},     {"Delete", KEY_DC, 0, 3},
-    {"PageUp", KEY_PPAGE, 0, 5},  {"PageDown", KEY_NPAGE, 0, 6},
-    {"F1", KEY_F(1), 'P', 11},    {"F2", KEY_F(2), 'Q', 12},
-    {"F3", KEY_F(3), 'R', 13},    {"F4", KEY_F(4), 'S', 14},
-    {"F5", KEY_F(5), 0, 15},      {"F6", KEY_F(6), 0, 17},
-    {"F7", KEY_F(7), 0, 18},      {"F8", KEY_F(8), 0, 19},
-    {"F9", KEY_F(9), 0, 20},      {"F10", KEY_F(10), 0, 21},
-    {"F11", KEY_F(11), 0, 23},    {"F12", KEY_F(12), 0, 24},
-    {"Enter", KEY_ENTER, 0, 0},   {"Backspace", KEY_BACKSPACE, 0, 0},
-    {"S-Tab", KEY_BTAB, 0, 0},
+    {"Up", 'A', 0},      {"Down", 'B', 0},   {"Right", 'C', 0}, {"Left", 'D', 0}, {"Home", 'H', 1},
+    {"End", 'F', 4},     {"Home", 0, 7},     {"End", 0, 8},     {"Insert", 0, 2}, {"Delete", 0, 3},
+    {"PageUp", 0, 5},    {"PageDown", 0, 6}, {"F1", 'P', 11},   {"F2", 'Q', 12},  {"F3", 'R', 13},
+    {"F4", 'S', 14},     {"F5", 0, 15},      {"F6", 0, 17},     {"F7", 0, 18},    {"F8", 0, 19},
+    {"F9", 0, 20},       {"F10", 0, 21},     {"F11", 0, 23},    {"F12", 0, 24},   {"Enter", 0, 0},
+    {"Backspace", 0, 0}, {"Space", 0, 0},    {"Tab", 0, 0},     {"Esc", 0, 0},
 };
 enum { N_ROWS = sizeof rows / sizeof *rows };
-
-/* Sequences of one key each. */
-static const struct {
-    const char *sequence;
-    int code;
-} singles[] = {
-    {"\033[Z", KEY_BTAB},           {"\033\t", KEY_BTAB}, /* the Linux console */
-    {"\033[[A", KEY_F(1)},          {"\033[[B", KEY_F(2)},         {"\033[[C", KEY_F(3)},
-    {"\033[[D", KEY_F(4)},          {"\033[[E", KEY_F(5)},         {"\033OM", KEY_ENTER},
-    {"\033[200~", CODE_PASTE},      {"\033[201~", CODE_PASTE_END}, {"\033[?2026;1$y", CODE_HOLDS},
-    {"\033[?2026;2$y", CODE_HOLDS},
-};
 
 /* The keypad in application mode, which PuTTY keeps even with NumLock: Esc O and a letter. */
 static const char keypad_letters[] = "jklmnopqrstuvwxyX", keypad_keys[] = "*+,-./0123456789=";
 
-static const char *const modifier_names[MODIFIERS] = {"", "S-", "M-", "S-M-", "C-", "S-C-", "M-C-", "S-M-C-"};
-
-/* --- what curses is told --------------------------------------------------------------------------- */
-
-static void define(int code, const char *format, int a, int b)
+void keys_open(KeyReader *reader, const char *escdelay)
 {
-    char sequence[24];
-    snprintf(sequence, sizeof sequence, format, a, b);
-    define_key(sequence, code);
+    char *end;
+    const long delay = escdelay && *escdelay ? strtol(escdelay, &end, 10) : -1;
+    const bool sound = delay >= 0 && delay <= ESCDELAY_MAX && !*end;
+    *reader = (KeyReader){.escape_seconds = sound ? (double)delay / 1000 : ESCAPE_SECONDS};
 }
 
-static int modified_code(int row, int modifiers)
-{
-    return FIRST_CODE + MODIFIERS * row + modifiers;
-}
+/* --- keys that are complete ------------------------------------------------------------------------ */
 
-static void define_letter(int row)
+static bool give(const KeyReader *reader, Key *key, int modifiers, const char *name)
 {
-    const char letter = rows[row].letter;
-    define(rows[row].code, "\033[%c", letter, 0);
-    define(rows[row].code, "\033O%c", letter, 0);
-    define(modified_code(row, 2), "\033\033[%c", letter, 0); /* rxvt: Alt */
-    define(modified_code(row, 2), "\033\033O%c", letter, 0);
-    for (int modifiers = 1; modifiers < MODIFIERS; modifiers++)
-        define(modified_code(row, modifiers), "\033[1;%d%c", 1 + modifiers, letter);
-}
-
-static void define_number(int row)
-{
-    const int number = rows[row].number;
-    define(rows[row].code, "\033[%d~", number, 0);
-    define(modified_code(row, 1), "\033[%d$", number, 0); /* rxvt: Shift, Control, both, Alt */
-    define(modified_code(row, 4), "\033[%d^", number, 0);
-    define(modified_code(row, 5), "\033[%d@", number, 0);
-    define(modified_code(row, 2), "\033\033[%d~", number, 0);
-    for (int modifiers = 1; modifiers < MODIFIERS; modifiers++)
-        define(modified_code(row, modifiers), "\033[%d;%d~", number, 1 + modifiers);
-}
-
-void keys_define(WINDOW *from)
-{
-    keypad(from, TRUE); /* takes the description's keys; what comes later replaces them */
-    set_escdelay(ESCAPE_MS);
-    for (int row = 0; row < N_ROWS; row++) {
-        if (rows[row].letter)
-            define_letter(row);
-        if (rows[row].number)
-            define_number(row);
-    }
-    for (size_t i = 0; i < sizeof singles / sizeof *singles; i++)
-        define_key(singles[i].sequence, singles[i].code);
-    for (int i = 0; keypad_letters[i]; i++)
-        define(modified_code(N_ROWS + i, 0), "\033O%c", keypad_letters[i], 0);
-}
-
-/* --- what curses tells ----------------------------------------------------------------------------- */
-
-static bool give(const KeyReader *reader, Key *key, const char *modifiers, const char *name)
-{
+    static const char *const words[MODIFIERS] = {"", "S-", "M-", "S-M-", "C-", "S-C-", "M-C-", "S-M-C-"};
     *key = (Key){.x = -1, .y = -1};
-    snprintf(key->name, sizeof key->name, "%s%s%s", reader->pasting ? "P-" : "", modifiers, name);
+    snprintf(key->name, sizeof key->name, "%s%s%.9s", reader->pasting ? "P-" : "", words[modifiers], name);
     return true;
 }
 
-static bool give_letter(const KeyReader *reader, Key *key, const char *modifiers, int letter)
+static bool give_letter(const KeyReader *reader, Key *key, int modifiers, int letter)
 {
     return give(reader, key, modifiers, (char[]){(char)letter, '\0'});
 }
 
-static void keep(KeyReader *reader, const Key *key)
+/* Esc was pressed before this key. */
+static bool give_behind_escape(KeyReader *reader, Key *key)
 {
-    if (reader->n_waiting < KEYS_WAITING)
-        reader->waiting[reader->n_waiting++] = *key;
+    reader->waiting = *key;
+    reader->waits = true;
+    return give(reader, key, 0, "Esc");
 }
 
-static bool give_waiting(KeyReader *reader, Key *key)
+static bool give_row(const KeyReader *reader, Key *key, int modifiers, char letter, int number)
 {
-    if (reader->next_waiting < reader->n_waiting) {
-        *key = reader->waiting[reader->next_waiting++];
-        return true;
-    }
-    reader->next_waiting = reader->n_waiting = 0;
+    for (int row = 0; row < N_ROWS; row++)
+        if (letter ? rows[row].letter == letter : number > 0 && rows[row].number == number)
+            return give(reader, key, modifiers | (reader->alt ? ALT : 0), rows[row].name);
     return false;
 }
 
-/* The name of an event; NULL: it has none. Motion is told while the button is held, by some terminals always.
- */
-static const char *name_event(KeyReader *reader, const MEVENT *event)
+/* A report of the mouse: what was pressed, +32: moved with it held, +4, 8, 16: modifiers; from which cell. */
+static bool give_mouse(const KeyReader *reader, Key *key, int button, bool released, int x, int y)
 {
-    const bool held = reader->held;
-    if (event->bstate & (BUTTON1_PRESSED | BUTTON1_RELEASED))
-        reader->held = (event->bstate & BUTTON1_PRESSED) != 0;
-    if (event->bstate & BUTTON1_PRESSED)
-        return held ? "Drag" : "Click";
-    if (event->bstate & REPORT_MOUSE_POSITION)
-        return held ? "Drag" : NULL;
-    return event->bstate & BUTTON4_PRESSED ? "WheelUp" : event->bstate & BUTTON5_PRESSED ? "WheelDown" : NULL;
-}
-
-/* Events that came together, which curses tells from the last to the first. Of a way only its end counts. */
-static bool take_mouse(KeyReader *reader, Key *key)
-{
-    MEVENT events[KEYS_WAITING];
-    int count = 0;
-    while (count < KEYS_WAITING && getmouse(&events[count]) == OK)
-        count++;
-    while (count-- > 0) {
-        const char *name = name_event(reader, &events[count]);
-        if (!name || reader->pasting || events[count].x < 0 || events[count].y < 0)
-            continue;
-        const bool goes_on = reader->n_waiting > 0 && strcmp(name, "Drag") == 0 &&
-                             strcmp(reader->waiting[reader->n_waiting - 1].name, name) == 0;
-        give(reader, key, "", name);
-        key->x = events[count].x;
-        key->y = events[count].y;
-        reader->n_waiting -= goes_on;
-        keep(reader, key);
-    }
-    return give_waiting(reader, key);
-}
-
-static bool name_code(const KeyReader *reader, int code, Key *key)
-{
-    for (int row = 0; row < N_ROWS; row++)
-        if (code == rows[row].code)
-            return give(reader, key, "", rows[row].name);
-    const int row = (code - FIRST_CODE) / MODIFIERS;
-    if (code < FIRST_CODE || row >= N_ROWS + (int)sizeof keypad_keys - 1)
+    const int what = button & ~(4 | 8 | 16);
+    const char *name = released     ? NULL
+                       : what == 0  ? "Click"
+                       : what == 32 ? "Drag"
+                       : what == 64 ? "WheelUp"
+                       : what == 65 ? "WheelDown"
+                                    : NULL;
+    if (!name || x < 0 || y < 0)
         return false;
-    return row < N_ROWS ? give(reader, key, modifier_names[(code - FIRST_CODE) % MODIFIERS], rows[row].name)
-                        : give_letter(reader, key, "", keypad_keys[row - N_ROWS]);
-}
-
-static bool take_code(KeyReader *reader, int code, Key *key)
-{
-    const bool escaped = reader->state == KEYS_ESCAPE;
-    reader->state = KEYS_GROUND; /* what was begun was cut short */
-    if (code == KEY_MOUSE)
-        return take_mouse(reader, key);
-    if (code == CODE_PASTE || code == CODE_PASTE_END)
-        reader->pasting = code == CODE_PASTE;
-    if (code == CODE_HOLDS)
-        reader->answered = true;
-    if (reader->pasting || !name_code(reader, code, key)) /* in a paste only text means something */
-        return false;
-    if (escaped) { /* Esc, and then a key */
-        keep(reader, key);
-        give(reader, key, "", "Esc");
-    }
+    give(reader, key, 0, name);
+    key->x = x;
+    key->y = y;
     return true;
 }
 
-static bool is_continuation(int byte)
-{
-    return (byte & 0xc0) == 0x80;
-}
+/* --- sequences ------------------------------------------------------------------------------------- */
 
 static bool begin(KeyReader *reader, KeyState state)
 {
     reader->state = state;
-    reader->parameters = false;
-    reader->string_end = '\0';
+    reader->text[reader->length = 0] = '\0';
+    return false;
+}
+
+/* Numbers separated by ';'; -1: something else. */
+static int read_numbers(const char *text, int *numbers, int most)
+{
+    int count = 0;
+    for (; *text; count++) {
+        if (count == most || *text < '0' || *text > '9')
+            return -1;
+        for (numbers[count] = 0; *text >= '0' && *text <= '9'; text++)
+            if (numbers[count] < 100000)
+                numbers[count] = 10 * numbers[count] + (*text - '0');
+        text += *text == ';';
+    }
+    return count;
+}
+
+/* The end of "Esc [ text final". What is not known is swallowed. */
+static bool end_csi(KeyReader *reader, char final, Key *key)
+{
+    const char *text = reader->text;
+    int numbers[3];
+    reader->state = KEYS_GROUND;
+    if (final == 'y' && (strcmp(text, "?2026;1$") == 0 || strcmp(text, "?2026;2$") == 0))
+        reader->answered = true;
+    const bool mouse = *text == '<' && (final == 'M' || final == 'm');
+    const int count = read_numbers(text + mouse, numbers, 3);
+    if (final == '~' && count == 1 && (numbers[0] == 200 || numbers[0] == 201)) {
+        reader->pasting = numbers[0] == 200;
+        reader->paste_began = reader->began;
+        reader->n_pasted = 0;
+        return false;
+    }
+    if (reader->pasting) /* only text means something */
+        return false;
+    if (mouse)
+        return count == 3 &&
+               give_mouse(reader, key, numbers[0], final == 'm', numbers[1] - 1, numbers[2] - 1);
+    if (count < 0 || count > 2 || (count == 2 && (numbers[1] < 1 || numbers[1] > MODIFIERS)))
+        return false;
+    const int modifiers = count == 2 ? numbers[1] - 1 : 0;
+    if (final == 'Z')
+        return give(reader, key, modifiers | SHIFT | (reader->alt ? ALT : 0), "Tab");
+    if (final == '$' || final == '^' || final == '@') /* rxvt */
+        return count == 1 && give_row(reader, key,
+                                      final == '$'   ? SHIFT
+                                      : final == '^' ? CONTROL
+                                                     : SHIFT | CONTROL,
+                                      0, numbers[0]);
+    if (final == '~')
+        return count > 0 && give_row(reader, key, modifiers, 0, numbers[0]);
+    return (count == 0 || numbers[0] == 1) && give_row(reader, key, modifiers, final, 0);
+}
+
+/* The last byte is one of @ to ~, of rxvt's keys a $ behind a number. */
+static bool take_csi(KeyReader *reader, int byte, Key *key)
+{
+    char *text = reader->text;
+    const bool number = reader->length > 0 && strspn(text, "0123456789") == (size_t)reader->length;
+    if (byte >= ' ' && byte < '@' && !(byte == '$' && number)) {
+        text[reader->length++] = (char)byte;
+        text[reader->length] = '\0';
+        return reader->length + 1 == KEY_SEQUENCE_MAX && begin(reader, KEYS_GROUND);
+    }
+    if (reader->length == 0 && byte == '[') /* a function key of the Linux console: one byte more */
+        return begin(reader, KEYS_CONSOLE);
+    if (reader->length == 0 && byte == 'M') /* the old report of the mouse */
+        return begin(reader, KEYS_MOUSE);
+    return end_csi(reader, (char)byte, key);
+}
+
+static bool take_ss3(KeyReader *reader, int byte, Key *key)
+{
+    if (byte >= '0' && byte <= '9' && ++reader->length < KEY_SEQUENCE_MAX)
+        return false;
+    const bool known = reader->length == 0 && !reader->pasting;
+    begin(reader, KEYS_GROUND);
+    const char *keypad = strchr(keypad_letters, byte);
+    if (!known)
+        return false;
+    if (byte == 'M')
+        return give(reader, key, reader->alt ? ALT : 0, "Enter");
+    return keypad ? give_letter(reader, key, reader->alt ? ALT : 0, keypad_keys[keypad - keypad_letters])
+                  : give_row(reader, key, 0, (char)byte, 0);
+}
+
+static bool take_console(KeyReader *reader, int byte, Key *key)
+{
+    begin(reader, KEYS_GROUND);
+    return byte >= 'A' && byte <= 'E' && !reader->pasting && give_row(reader, key, 0, 0, 11 + byte - 'A');
+}
+
+/* Three bytes, each with 32 added; places count from 1. */
+static bool take_mouse(KeyReader *reader, int byte, Key *key)
+{
+    reader->text[reader->length++] = (char)byte;
+    if (reader->length < 3)
+        return false;
+    reader->state = KEYS_GROUND;
+    const unsigned char *report = (const unsigned char *)reader->text;
+    return !reader->pasting && give_mouse(reader, key, report[0] - 32, false, report[1] - 33, report[2] - 33);
+}
+
+static bool take_string(KeyReader *reader, int byte)
+{
+    if (byte == 0x1b)
+        begin(reader, KEYS_STRING_END);
+    else if (byte == 0x07 || ++reader->length > STRING_MAX)
+        begin(reader, KEYS_GROUND);
     return false;
 }
 
@@ -230,50 +219,51 @@ static bool begin_character(KeyReader *reader, int byte)
                      : byte >= 0xe0 && byte < 0xf0 ? 2
                      : byte >= 0xf0 && byte < 0xf5 ? 3
                                                    : 0;
-    reader->character[0] = (char)byte;
-    reader->character[1] = '\0';
-    return begin(reader, reader->wanted > 0 ? KEYS_CHARACTER : KEYS_GROUND);
+    begin(reader, reader->wanted > 0 ? KEYS_CHARACTER : KEYS_GROUND);
+    reader->text[reader->length++] = (char)byte;
+    return false;
 }
 
 static bool take_continuation(KeyReader *reader, int byte, Key *key)
 {
-    const size_t length = strlen(reader->character);
-    reader->character[length] = (char)byte;
-    reader->character[length + 1] = '\0';
+    reader->text[reader->length++] = (char)byte;
     if (--reader->wanted > 0)
         return false;
+    reader->text[reader->length] = '\0';
     reader->state = KEYS_GROUND;
-    return give(reader, key, "", reader->character);
+    return give(reader, key, 0, reader->text);
 }
 
 static bool take_control(const KeyReader *reader, int byte, Key *key)
 {
     if (byte == '\r' || byte == '\n')
-        return give(reader, key, "", "Enter");
+        return give(reader, key, 0, "Enter");
     if (reader->pasting)
-        return byte == '\t' && give(reader, key, "", "Space");
+        return byte == '\t' && give(reader, key, 0, "Space");
     if (byte == '\t')
-        return give(reader, key, "", "Tab");
+        return give(reader, key, 0, "Tab");
     if (byte == 0x08 || byte == 0x7f)
-        return give(reader, key, "", "Backspace");
-    return give_letter(reader, key, "^", byte + '@');
+        return give(reader, key, 0, "Backspace");
+    return give(reader, key, 0, (char[]){'^', (char)(byte + '@'), '\0'});
 }
 
 static bool take_ground(KeyReader *reader, int byte, Key *key)
 {
-    reader->state = KEYS_GROUND;
+    begin(reader, KEYS_GROUND);
+    reader->alt = false;
+    reader->began = reader->fed;
     if (byte == 0x1b)
         return begin(reader, KEYS_ESCAPE);
     if (byte < ' ' || byte == 0x7f)
         return take_control(reader, byte, key);
     if (byte >= 0x80)
         return begin_character(reader, byte);
-    return byte == ' ' ? give(reader, key, "", "Space") : give_letter(reader, key, "", byte);
+    return byte == ' ' ? give(reader, key, 0, "Space") : give_letter(reader, key, 0, byte);
 }
 
-/* Behind an Esc that began nothing known. */
 static bool take_escape(KeyReader *reader, int byte, Key *key)
 {
+    const bool twice = reader->alt;
     switch (byte) {
     case '[':
         return begin(reader, KEYS_CSI);
@@ -285,42 +275,40 @@ static bool take_escape(KeyReader *reader, int byte, Key *key)
     case '^':
     case '_':
         return begin(reader, KEYS_STRING);
-    case 0x1b: /* the one before was pressed, of this one is still to be seen */
-        return !reader->pasting && give(reader, key, "", "Esc");
+    case 0x1b: /* the one before was pressed; of this one, or of both (rxvt's Alt), is still to be seen */
+        reader->alt = true;
+        reader->state = KEYS_ESCAPE;
+        return twice && !reader->pasting && give(reader, key, 0, "Esc");
     default:
-        reader->state = KEYS_GROUND;
-        return !reader->pasting && byte > ' ' && byte < 0x7f && give_letter(reader, key, "M-", byte);
+        begin(reader, KEYS_GROUND);
+        if (reader->pasting || byte >= 0x7f || (byte <= ' ' && byte != '\t'))
+            return false;
+        if (byte == '\t') /* the Linux console */
+            give(reader, key, SHIFT, "Tab");
+        else
+            give_letter(reader, key, ALT, byte);
+        return !twice || give_behind_escape(reader, key);
     }
 }
 
-/* Swallows; the last byte of a CSI is one of @ to ~. */
-static bool take_csi(KeyReader *reader, int byte)
+/* ^C is the way out of whatever has not ended. What came with it of a paste or a string is dropped, as a
+ * terminal's driver does, for no rest of a text may become commands. */
+static bool interrupt(KeyReader *reader, Key *key)
 {
-    if (byte >= ' ' && byte < '@') {
-        reader->parameters = true;
-        return false;
-    }
-    if (byte == '[' && !reader->parameters) { /* a function key of the Linux console: one byte more */
-        reader->wanted = 1;
-        return begin(reader, KEYS_MOUSE);
-    }
-    if (byte == 'M' && !reader->parameters) { /* the old report of the mouse */
-        reader->wanted = 3;
-        return begin(reader, KEYS_MOUSE);
-    }
-    return begin(reader, KEYS_GROUND);
-}
-
-static bool take_string(KeyReader *reader, int byte)
-{
-    const bool ends = byte == 0x07 || (reader->string_end == 0x1b && byte == '\\');
-    reader->string_end = (char)byte;
-    return ends ? begin(reader, KEYS_GROUND) : false;
+    if (reader->pasting || reader->state == KEYS_STRING)
+        reader->next = reader->count;
+    reader->pasting = false;
+    return take_ground(reader, '\3', key);
 }
 
 static bool take_byte(KeyReader *reader, int byte, Key *key)
 {
-    const bool in_sequence = reader->state == KEYS_CSI || reader->state == KEYS_SS3;
+    const bool in_sequence =
+        reader->state == KEYS_CSI || reader->state == KEYS_SS3 || reader->state == KEYS_CONSOLE;
+    if (byte == '\3')
+        return interrupt(reader, key);
+    if (reader->pasting && ++reader->n_pasted > PASTE_MAX)
+        reader->pasting = false;
     /* a control byte or a letter of another script: the sequence was cut short, this begins anew */
     if (in_sequence && (byte < ' ' || byte >= 0x7f))
         return take_ground(reader, byte, key);
@@ -328,65 +316,89 @@ static bool take_byte(KeyReader *reader, int byte, Key *key)
     case KEYS_ESCAPE:
         return take_escape(reader, byte, key);
     case KEYS_CSI:
-        return take_csi(reader, byte);
+        return take_csi(reader, byte, key);
     case KEYS_SS3:
-        return byte >= '0' && byte <= '9' ? false : begin(reader, KEYS_GROUND);
+        return take_ss3(reader, byte, key);
+    case KEYS_CONSOLE:
+        return take_console(reader, byte, key);
+    case KEYS_MOUSE:
+        return take_mouse(reader, byte, key);
     case KEYS_STRING:
         return take_string(reader, byte);
-    case KEYS_MOUSE:
-        return --reader->wanted == 0 ? begin(reader, KEYS_GROUND) : false;
+    case KEYS_STRING_END:
+        return byte == '\\' ? begin(reader, KEYS_GROUND) : take_escape(reader, byte, key);
     case KEYS_CHARACTER:
-        return is_continuation(byte) ? take_continuation(reader, byte, key) : take_ground(reader, byte, key);
+        return (byte & 0xc0) == 0x80 ? take_continuation(reader, byte, key) : take_ground(reader, byte, key);
     case KEYS_GROUND:
     default:
         return take_ground(reader, byte, key);
     }
 }
 
-/* A sequence that was cut short is given up after a while. */
-static void expire(KeyReader *reader, double now)
+void keys_feed(KeyReader *reader, const void *bytes, size_t count, double now)
 {
-    if (now - reader->fed > SEQUENCE_SECONDS)
-        reader->state = KEYS_GROUND;
-    if (now - reader->fed > PASTE_SECONDS)
-        reader->pasting = false;
+    ASSERT(reader->next == reader->count && count <= KEYS_ROOM);
+    memcpy(reader->bytes, bytes, count);
+    reader->count = count;
+    reader->next = 0;
+    reader->fed = now;
 }
 
-bool keys_read(KeyReader *reader, WINDOW *from, double now, Key *key)
+bool keys_next(KeyReader *reader, Key *key)
 {
-    if (give_waiting(reader, key))
+    if (reader->waits) {
+        *key = reader->waiting;
+        reader->waits = false;
         return true;
-    expire(reader, now);
-    /* behind a report of the mouse that it does not pass on curses once says ERR though more has come */
-    for (int code, silent = 0; silent < 2;) {
-        code = wgetch(from);
-        silent = code == ERR ? silent + 1 : 0;
-        if (code == ERR)
-            continue;
-        reader->fed = now;
-        if (code <= 0xff ? take_byte(reader, code, key) : take_code(reader, code, key))
-            return true;
     }
-    if (reader->state != KEYS_ESCAPE)
+    while (reader->next < reader->count)
+        if (take_byte(reader, reader->bytes[reader->next++], key))
+            return true;
+    return false;
+}
+
+/* --- silence --------------------------------------------------------------------------------------- */
+
+static double paste_due(const KeyReader *reader)
+{
+    return reader->pasting ? fmin(reader->fed + PASTE_SILENCE, reader->paste_began + PASTE_SECONDS)
+                           : INFINITY;
+}
+
+double keys_due(const KeyReader *reader)
+{
+    const double next_byte = fmax(BYTE_SECONDS, reader->escape_seconds);
+    if (reader->state == KEYS_GROUND)
+        return paste_due(reader);
+    if (reader->state == KEYS_ESCAPE && !reader->pasting)
+        return reader->fed + reader->escape_seconds;
+    const double due = fmin(reader->fed + next_byte, reader->began + 5 * next_byte);
+    return fmin(due, paste_due(reader));
+}
+
+bool keys_silence(KeyReader *reader, double now, Key *key)
+{
+    if (now < keys_due(reader))
         return false;
-    /* curses has waited: nothing stands behind it, so it was pressed */
-    reader->state = KEYS_GROUND;
-    return !reader->pasting && give(reader, key, "", "Esc");
+    const bool pressed = reader->state == KEYS_ESCAPE && !reader->pasting;
+    reader->pasting = now < paste_due(reader) && reader->pasting;
+    begin(reader, KEYS_GROUND);
+    if (!pressed)
+        return false;
+    give(reader, key, 0, "Esc");
+    return !reader->alt || give_behind_escape(reader, key);
 }
 
 /* --- names ----------------------------------------------------------------------------------------- */
 
 static bool is_named(const char *name)
 {
-    static const char *const names[] = {"Space", "Tab", "Esc"};
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-        if (strcmp(name, names[i]) == 0)
-            return true;
     for (int row = 0; row < N_ROWS; row++)
         if (strcmp(name, rows[row].name) == 0)
             return true;
     return false;
 }
+
 const char *keys_pasted(const char *name)
 {
     return name[0] == 'P' && name[1] == '-' && name[2] ? name + 2 : NULL;

@@ -7,15 +7,16 @@
  * and "WheelDown" carry the cell under the mouse; "P-" before a character, "Space" or "Enter" says that it
  * was pasted.
  *
- * What a terminal's description does not tell is given to curses by define_key(), so Home is Home under any
- * TERM. What curses does not know it passes on byte by byte; by the grammar of such sequences (ECMA-48) they
- * are swallowed whole: a focus report or a strange function key never turns into Esc, "[" and digits. */
+ * Bytes are read by the grammar of such sequences (ECMA-48), so Home is Home under any TERM, and what is not
+ * known is swallowed whole: a focus report or a strange function key never turns into Esc, "[" and digits. A
+ * line may tear a sequence: how long the rest is waited for depends on what has come. */
 #ifndef TERMINAL_KEYS_H
 #define TERMINAL_KEYS_H
 
 #include <stdbool.h>
+#include <stddef.h>
 
-enum { KEY_NAME_MAX = 16, KEYS_WAITING = 10 };
+enum { KEY_NAME_MAX = 16, KEYS_ROOM = 1024, KEY_SEQUENCE_MAX = 64 };
 
 typedef struct Key {
     char name[KEY_NAME_MAX];
@@ -24,37 +25,47 @@ typedef struct Key {
 
 typedef enum KeyState {
     KEYS_GROUND,
-    KEYS_ESCAPE,   /* after Esc, which began nothing that curses knows */
-    KEYS_CSI,      /* after Esc [ */
-    KEYS_SS3,      /* after Esc O */
-    KEYS_STRING,   /* in a control string, up to BEL or Esc \ */
-    KEYS_MOUSE,    /* bytes of an unrequested mouse report are to come */
-    KEYS_CHARACTER /* bytes of a UTF-8 character are to come */
+    KEYS_ESCAPE,     /* after Esc, or after two */
+    KEYS_CSI,        /* after Esc [ */
+    KEYS_SS3,        /* after Esc O */
+    KEYS_CONSOLE,    /* after Esc [ [ */
+    KEYS_MOUSE,      /* after Esc [ M: three bytes are to come */
+    KEYS_STRING,     /* in a control string, up to BEL or Esc \ */
+    KEYS_STRING_END, /* in it, after Esc */
+    KEYS_CHARACTER   /* bytes of a UTF-8 character are to come */
 } KeyState;
 
 typedef struct KeyReader {
     KeyState state;
-    bool pasting;              /* in bracketed paste */
-    bool held;                 /* the mouse's button */
-    bool answered;             /* the terminal told that it can hold a picture back */
-    bool parameters;           /* of a CSI: one was given */
-    char string_end;           /* the byte before in a string, if it was Esc */
-    int wanted;                /* bytes to come, KEYS_MOUSE and KEYS_CHARACTER */
-    char character[5];         /* as far as it has come */
-    double fed;                /* when the last byte came, s */
-    Key waiting[KEYS_WAITING]; /* read together with one that was given */
-    int n_waiting, next_waiting;
+    bool alt;                    /* two Esc came: Alt with a key of rxvt's, or both were pressed */
+    bool pasting;                /* in bracketed paste */
+    bool answered;               /* the terminal told that it can hold a picture back */
+    int wanted;                  /* bytes to come, KEYS_CHARACTER */
+    char text[KEY_SEQUENCE_MAX]; /* of a sequence or a character, as far as it has come */
+    int length, n_pasted;        /* bytes so far */
+    double escape_seconds;       /* how long Esc alone waits */
+    double fed, began;           /* when the last byte came, and the first of what has begun, s */
+    double paste_began;
+    unsigned char bytes[KEYS_ROOM];
+    size_t next, count; /* of these bytes */
+    Key waiting;        /* given next */
+    bool waits;
 } KeyReader;
 
-struct _win_st;
+/* `escdelay`: milliseconds for which the rest of a sequence is waited for after Esc; NULL, or no such number:
+ * 100. */
+void keys_open(KeyReader *, const char *escdelay);
 
-/* Tells curses the sequences that a description may lack, and how long to wait behind Esc. Once for each
- * terminal that is opened; keys come from this window. */
-void keys_define(struct _win_st *);
+/* Bytes that have come, KEYS_ROOM at most, once keys_next() has used up those before. `now` is any clock's
+ * time in s. */
+void keys_feed(KeyReader *, const void *bytes, size_t count, double now);
 
-/* The next key that has come in; false: none. Never waits for more than the 25 ms after Esc. `now` is any
- * clock's time in s. */
-bool keys_read(KeyReader *, struct _win_st *from, double now, Key *);
+/* The next key; false: all bytes are used up. */
+bool keys_next(KeyReader *, Key *);
+
+/* Whoever has found no more bytes says so: once the time is due, what has begun ends, which may be a key. */
+bool keys_silence(KeyReader *, double now, Key *);
+double keys_due(const KeyReader *); /* INFINITY: nothing has begun */
 
 /* What was pasted, of the name of such a key; NULL: it was pressed. */
 const char *keys_pasted(const char *name);

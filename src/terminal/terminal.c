@@ -10,6 +10,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <langinfo.h>
+#include <math.h>
 #include <poll.h>
 #include <signal.h>
 #include <stdio.h>
@@ -195,7 +196,7 @@ static void take_screen(Terminal *terminal)
     raw.c_iflag &= ~(tcflag_t)(BRKINT | ICRNL | INLCR | IGNCR | ISTRIP | IXON);
     raw.c_lflag &= ~(tcflag_t)(ECHO | ECHONL | ICANON | ISIG | IEXTEN);
     raw.c_oflag &= ~(tcflag_t)OPOST;
-    raw.c_cc[VMIN] = 1;
+    raw.c_cc[VMIN] = 0; /* reading never waits */
     raw.c_cc[VTIME] = 0;
     tcsetattr(STDIN_FILENO, TCSANOW, &raw);
     grid_enter(&terminal->grid);
@@ -242,7 +243,7 @@ static bool open_picture(Terminal *terminal, const TerminalOptions *options, Sta
     grid->utf8 = strcmp(codeset, "UTF-8") == 0;
     terminal->input = open_again(STDIN_FILENO, O_RDONLY);
     terminal->output = open_again(STDOUT_FILENO, O_WRONLY);
-    return grid_open(grid, term, terminal->input, options->mouse, &terminal->stand_in, status);
+    return grid_open(grid, term, options->mouse, &terminal->stand_in, status);
 }
 
 static void free_terminal(Terminal *terminal)
@@ -270,15 +271,7 @@ Terminal *terminal_open(const TerminalOptions *options, Status *status)
         free_terminal(terminal);
         return NULL;
     }
-    errno = 0;
-    keys_define(terminal->grid.keys);
-    if (errno == ENOMEM) { /* a key that curses has no room for would do nothing */
-        grid_close(&terminal->grid);
-        release_signals(terminal);
-        free_terminal(terminal);
-        status_fail(status, "out of memory");
-        return NULL;
-    }
+    keys_open(&terminal->keys, getenv("ESCDELAY"));
     tcgetattr(STDIN_FILENO, &before);
     read_size(terminal);
     grid_resize(&terminal->grid, terminal->width, terminal->height);
@@ -369,6 +362,11 @@ void terminal_wait(Terminal *terminal, double seconds)
         answer_signals(terminal); /* it came through terminal_signal() */
         return;
     }
+    const double due = keys_due(&terminal->keys);
+    if (due < INFINITY) {
+        const double left = fmax(due - clock_seconds(), 0);
+        seconds = seconds < 0 ? left : fmin(seconds, left);
+    }
     struct timespec time = {.tv_sec = (time_t)seconds};
     time.tv_nsec = (long)((seconds - (double)time.tv_sec) * 1e9);
     struct pollfd files[] = {
@@ -392,8 +390,17 @@ bool terminal_has_input(const Terminal *terminal)
 
 bool terminal_key(Terminal *terminal, Key *key)
 {
-    const bool any = keys_read(&terminal->keys, terminal->grid.keys, clock_seconds(), key);
-    if (terminal->keys.answered && !terminal->grid.synchronised)
+    KeyReader *keys = &terminal->keys;
+    bool any;
+    while (!(any = keys_next(keys, key))) {
+        char bytes[KEYS_ROOM];
+        const ssize_t got = read(terminal->input, bytes, sizeof bytes);
+        if (got <= 0)
+            break;
+        keys_feed(keys, bytes, (size_t)got, clock_seconds());
+    }
+    any = any || keys_silence(keys, clock_seconds(), key);
+    if (keys->answered && !terminal->grid.synchronised)
         grid_synchronise(&terminal->grid);
     return any;
 }

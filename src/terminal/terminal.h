@@ -51,7 +51,7 @@ void terminal_wait(Terminal *, double seconds);
 /* Whether there is something to read at once. */
 bool terminal_has_input(const Terminal *);
 
-/* The next key that has come in; at most the 25 ms behind Esc are waited. False: none. */
+/* The next key that has come in; false: none. */
 bool terminal_key(Terminal *, Key *);
 
 /* Whether the size has changed since the last call (the new one is in force then). */

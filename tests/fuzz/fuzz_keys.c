@@ -2,7 +2,7 @@
 /* Any bytes as keys: every key has a name, and after enough silence the next one is itself. */
 #include "fuzz/fuzz.h"
 
-#include "lab/keyboard.h"
+#include "terminal/keys.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -18,17 +18,18 @@ static void check_key(const Key *key)
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    enum { PIECE = 1000 };
-    static Keyboard keyboard;
+    KeyReader reader;
     Key key;
-    FUZZ_ASSERT(keyboard.grid.curses || keyboard_open(&keyboard, "xterm-256color"));
-    for (size_t i = 0; i < size; i += PIECE) {
-        FUZZ_ASSERT(keyboard_type(&keyboard, data + i, size - i < PIECE ? size - i : PIECE));
-        while (keyboard_next(&keyboard, &key))
+    keys_open(&reader, NULL);
+    for (size_t i = 0; i < size; i += KEYS_ROOM) {
+        keys_feed(&reader, data + i, size - i < KEYS_ROOM ? size - i : KEYS_ROOM, 0);
+        while (keys_next(&reader, &key))
             check_key(&key);
     }
-    keyboard.time += 60;
-    FUZZ_ASSERT(keyboard_type(&keyboard, "q", 1) && keyboard_next(&keyboard, &key));
-    FUZZ_ASSERT(strcmp(key.name, "q") == 0 && !keyboard_next(&keyboard, &key));
+    while (keys_silence(&reader, 60, &key) || keys_next(&reader, &key))
+        check_key(&key);
+    keys_feed(&reader, "q", 1, 60);
+    FUZZ_ASSERT(keys_next(&reader, &key) && strcmp(key.name, "q") == 0);
+    FUZZ_ASSERT(!keys_next(&reader, &key) && !keys_silence(&reader, 120, &key));
     return 0;
 }

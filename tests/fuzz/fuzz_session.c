@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Any bytes as what a terminal sends to the laboratory; a zero byte and the two after it resize it. */
 #include "fuzz/fuzz.h"
-#include "lab/keyboard.h"
 
 #include "scenario/scenario.h"
 #include "lab/laboratory.h"
 #include "lab/writing.h"
 #include "lab/opening.h"
+#include "terminal/keys.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -48,11 +48,11 @@ static bool is_harmless(const Laboratory *lab, const Key *key)
 }
 
 /* All keys that these bytes are. */
-static void press(Keyboard *keyboard, Laboratory *lab, const uint8_t *bytes, size_t count)
+static void press(KeyReader *reader, Laboratory *lab, const uint8_t *bytes, size_t count)
 {
     Key key;
-    FUZZ_ASSERT(keyboard_type(keyboard, bytes, count));
-    while (keyboard_next(keyboard, &key))
+    keys_feed(reader, bytes, count, time_now);
+    while (keys_next(reader, &key) || keys_silence(reader, time_now + 60, &key))
         if (!lab->closed && is_harmless(lab, &key)) {
             laboratory_key(lab, &key);
             laboratory_frame(lab, time_now + FRAME_SECONDS);
@@ -66,7 +66,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     Settings settings;
     Status status = {STATUS_DONE, ""};
     Canvas canvas = {0};
-    static Keyboard keyboard;
+    KeyReader reader;
     int width = 80, height = 24;
     /* how far somebody came in the lessons is not a fuzzer's to write, and each fsync() takes its time */
     unsetenv("XDG_STATE_HOME");
@@ -77,8 +77,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     Host host = {now, worked, go_on, nothing, nothing, NULL, NULL, NULL};
     time_now = 0;
     FUZZ_ASSERT(laboratory_open(&lab, &options, &host, &status));
-    FUZZ_ASSERT(keyboard.grid.curses || keyboard_open(&keyboard, "xterm-256color"));
-    keyboard.time += 60; /* nothing is open any more */
+    keys_open(&reader, NULL);
     for (size_t i = 0; i < size && i < BYTES_MAX && !lab.closed; i++) {
         if (data[i] == 0 && i + 2 < size) {
             width = 1 + data[i + 1] % 200;
@@ -89,7 +88,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
             size_t count = 1;
             while (count < 8 && i + count < size && i + count < BYTES_MAX && data[i + count] != 0)
                 count++;
-            press(&keyboard, &lab, data + i, count);
+            press(&reader, &lab, data + i, count);
             i += count - 1;
         }
         FUZZ_ASSERT(laboratory_draw(&lab, &canvas, width, height));

@@ -3,36 +3,32 @@
 #include "suite.h"
 #include "help/command.h"
 #include "lab/prompt/line_edit.h"
-#include "lab/keyboard.h"
+#include "terminal/keys.h"
 
+#include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
-static void open_keyboard(Keyboard *keyboard, const char *term)
+static size_t add_keys(char *out, size_t size, size_t length, KeyReader *reader, double now)
 {
-    ck_assert(keyboard_open(keyboard, term));
+    Key key;
+    while (keys_next(reader, &key) || keys_silence(reader, now, &key)) {
+        ck_assert(key.name[0] != '\0' && strlen(key.name) < KEY_NAME_MAX);
+        length += (size_t)snprintf(out + length, size - length, "%s%s", length ? " " : "", key.name);
+    }
+    return length;
 }
 
-static void type(const Keyboard *keyboard, const char *bytes, size_t count)
-{
-    ck_assert(keyboard_type(keyboard, bytes, count));
-}
-
-/* The names of all keys that these bytes are, separated by spaces. */
+/* The names of all keys that these bytes are, separated by spaces: all at once, and a long silence behind. */
 static const char *decode_bytes(const char *bytes, size_t count)
 {
     static char out[4096];
-    static Keyboard keyboard;
-    Key key;
-    size_t length = 0;
-    if (!keyboard.grid.curses)
-        open_keyboard(&keyboard, "xterm-256color");
-    keyboard.reader = (KeyReader){0};
+    KeyReader reader;
     out[0] = '\0';
-    type(&keyboard, bytes, count);
-    while (keyboard_next(&keyboard, &key))
-        length += (size_t)snprintf(out + length, sizeof out - length, "%s%s", length ? " " : "", key.name);
+    keys_open(&reader, NULL);
+    keys_feed(&reader, bytes, count, 0);
+    add_keys(out, sizeof out, 0, &reader, 60);
     return out;
 }
 
@@ -138,7 +134,7 @@ START_TEST(what_is_pasted_is_no_key)
     expect("\033[200~r m\r\033[201~q", "P-r P-Space P-m P-Enter q");
     expect("\033[200~\xce\xa9q\xce\033[201~q", "P-Ω P-q q");
     /* what terminals and controls say inside means nothing */
-    expect("\033[200~\033[A\003\033[20\033[201~q", "q");
+    expect("\033[200~\033[A\001\033[20\033[201~q", "q");
     expect("\033[200~\033[200;1m1\033OPx\033x\033\033[201~q", "P-1 P-x q");
     expect("\033[200~\033[<0;3;2M\033[201~q", "q");
     ck_assert(keys_known("P-q") && keys_known("P-Space") && keys_known("P-Ω") && keys_known("P"));
@@ -148,29 +144,147 @@ START_TEST(what_is_pasted_is_no_key)
 }
 END_TEST
 
-/* What is cut short is waited for on a slow line, but not for ever. */
-START_TEST(what_is_cut_short_ends)
+/* As a slow line brings them: byte by byte, `escape` seconds behind Esc and `gap` behind others, looked for
+ * every 10 ms. */
+static const char *decode_torn(const char *escdelay, const char *bytes, double escape, double gap)
+{
+    static char out[4096];
+    KeyReader reader;
+    double now = 0;
+    size_t length = 0;
+    out[0] = '\0';
+    keys_open(&reader, escdelay);
+    for (; *bytes; bytes++) {
+        keys_feed(&reader, bytes, 1, now);
+        const double next = now + (*bytes == '\033' ? escape : gap);
+        for (; now < next - 0.005; now += 0.01)
+            length = add_keys(out, sizeof out, length, &reader, now);
+    }
+    add_keys(out, sizeof out, length, &reader, now + 60);
+    return out;
+}
+
+START_TEST(a_torn_sequence_is_still_one_key)
+{
+    static const char *const sequences[][2] = {
+        {"\033[A\033[B\033OC\033[D", "Up Down Right Left"},
+        {"\033[3~q", "Delete q"},
+        {"\033[1;5C\033[7$", "C-Right S-Home"},
+        {"\033[[A\033OP\033[15~", "F1 F1 F5"},
+        {"\033\033[A", "M-Up"},
+        {"\033x", "M-x"},
+        {"\033[<0;12;5Mq", "Click q"},
+        {"\033[M +%q", "Click q"},
+        {"\033[I\033[O\033[99~q", "q"},
+        {"\033]11;rgb:0/0/0\033\\q", "q"},
+        {"\033[200~d\033[201~q", "P-d q"},
+        {"\xe2\xa0\xbfq", "⠿ q"},
+    };
+    static const double escapes[] = {.01, .03, .08}, gaps[] = {.01, .03, .1, .3};
+    for (size_t i = 0; i < sizeof sequences / sizeof *sequences; i++)
+        for (size_t j = 0; j < sizeof escapes / sizeof *escapes; j++)
+            for (size_t k = 0; k < sizeof gaps / sizeof *gaps; k++)
+                ck_assert_str_eq(decode_torn(NULL, sequences[i][0], escapes[j], gaps[k]), sequences[i][1]);
+}
+END_TEST
+
+/* ESCDELAY says how slow the line is, where it is a number of milliseconds. */
+START_TEST(escape_waits_as_long_as_told)
 {
     static const struct {
-        const char *beginning;
+        const char *escdelay;
         double waits;
-    } cuts[] = {{"\033[1;", 0.5}, {"\033]2;title", 0.5}, {"\xe2\xa0", 0.5}, {"\033[200~", 5}};
-    Keyboard keyboard;
-    Key key;
-    open_keyboard(&keyboard, "xterm-256color");
-    for (size_t i = 0; i < sizeof cuts / sizeof *cuts; i++) {
-        type(&keyboard, cuts[i].beginning, strlen(cuts[i].beginning));
-        ck_assert(!keyboard_next(&keyboard, &key));
-        keyboard.time += 0.9 * cuts[i].waits;
-        type(&keyboard, ";", 1);
-        const bool any = keyboard_next(&keyboard, &key);
-        ck_assert_msg(!any || strcmp(key.name, "P-;") == 0 || i == 2, "%s", key.name);
-        keyboard.time += 1.1 * cuts[i].waits;
-        type(&keyboard, ";", 1);
-        ck_assert(keyboard_next(&keyboard, &key));
-        ck_assert_str_eq(key.name, ";");
+    } delays[] = {{NULL, .1}, {"", .1},     {"soon", .1}, {"99999999999999999999", .1},
+                  {"-5", .1}, {"25", .025}, {"1000", 1},  {"0", 0}};
+    for (size_t i = 0; i < sizeof delays / sizeof *delays; i++) {
+        KeyReader reader;
+        Key key;
+        keys_open(&reader, delays[i].escdelay);
+        ck_assert(isinf(keys_due(&reader)));
+        keys_feed(&reader, "\033", 1, 5);
+        ck_assert(!keys_next(&reader, &key));
+        ck_assert_double_eq(keys_due(&reader), 5 + delays[i].waits);
+        ck_assert(!keys_silence(&reader, 5 + .99 * delays[i].waits, &key) || delays[i].waits == 0);
+        ck_assert(delays[i].waits == 0 || keys_silence(&reader, 5 + 1.01 * delays[i].waits, &key));
+        ck_assert_str_eq(key.name, "Esc");
+        ck_assert(isinf(keys_due(&reader)));
     }
-    keyboard_close(&keyboard);
+    ck_assert_str_eq(decode_torn("1000", "\033[A", .9, .9), "Up");
+    ck_assert_str_eq(decode_torn("3000", "\033[A", 2.9, 2.9), "Up");
+}
+END_TEST
+
+static const struct {
+    const char *beginning;
+    double silence, most; /* s */
+    long bytes;
+} unfinished[] = {
+    {"\033[1;", 1, 5, 70}, {"\033]2;title", 1, 5, 5000},  {"\033P", 1, 5, 5000}, {"\033_", 1, 5, 5000},
+    {"\xe2\xa0", 1, 5, 5}, {"\033[200~", 5, 10, 2200000}, {"\033O", 1, 5, 140},  {"\033[M", 1, 5, 5},
+};
+
+/* What is cut short is waited for on a slow line, but not for ever: nor where bytes go on coming. */
+START_TEST(what_is_cut_short_ends)
+{
+    KeyReader reader;
+    Key key;
+    const char *beginning = unfinished[_i].beginning;
+    keys_open(&reader, NULL);
+    keys_feed(&reader, beginning, strlen(beginning), 0);
+    ck_assert(!keys_next(&reader, &key) && !keys_silence(&reader, .9 * unfinished[_i].silence, &key));
+    ck_assert(isfinite(keys_due(&reader)));
+    ck_assert(!keys_silence(&reader, 1.1 * unfinished[_i].silence, &key) && isinf(keys_due(&reader)));
+    keys_feed(&reader, "5", 1, 10);
+    ck_assert(keys_next(&reader, &key));
+    ck_assert_str_eq(key.name, "5");
+    /* a byte every 100 ms */
+    double now = 20;
+    keys_feed(&reader, beginning, strlen(beginning), now);
+    do {
+        ck_assert(!keys_next(&reader, &key) || strcmp(key.name, "P-5") == 0);
+        now += 0.1;
+        ck_assert_double_lt(now - 20, 1.05 * unfinished[_i].most);
+        ck_assert(!keys_silence(&reader, now, &key));
+        keys_feed(&reader, "5", 1, now);
+    } while (isfinite(keys_due(&reader)) && !(keys_next(&reader, &key) && strcmp(key.name, "5") == 0));
+    /* all at once */
+    keys_open(&reader, NULL);
+    keys_feed(&reader, beginning, strlen(beginning), 0);
+    key.name[0] = '\0';
+    for (long i = 0; strcmp(key.name, "5") != 0; i++) {
+        ck_assert_int_lt(i, unfinished[_i].bytes);
+        if (!keys_next(&reader, &key))
+            keys_feed(&reader, "5", 1, 0);
+    }
+}
+END_TEST
+
+START_TEST(control_c_ends_what_is_cut_short)
+{
+    char bytes[64];
+    for (int more = 0; more < 2; more++) {
+        snprintf(bytes, sizeof bytes, "%s%s\003", unfinished[_i].beginning, more ? "555" : "");
+        const char *names = decode_bytes(bytes, strlen(bytes));
+        ck_assert_msg(strlen(names) >= 2 && strcmp(names + strlen(names) - 2, "^C") == 0, "%s", names);
+    }
+    KeyReader reader;
+    Key key;
+    keys_open(&reader, NULL);
+    keys_feed(&reader, bytes, strlen(bytes), 0);
+    while (keys_next(&reader, &key))
+        continue;
+    keys_feed(&reader, "q", 1, 0);
+    ck_assert(keys_next(&reader, &key));
+    ck_assert_str_eq(key.name, "q");
+}
+END_TEST
+
+/* No rest of a paste becomes commands because a ^C stood in it. */
+START_TEST(control_c_drops_what_came_with_it)
+{
+    expect("\033[200~one\003quit\r", "P-o P-n P-e ^C");
+    expect("\033Pone\003quit\r", "^C");
+    expect("\033\003q", "^C q");
 }
 END_TEST
 
@@ -186,7 +300,6 @@ START_TEST(what_is_not_known_is_swallowed_whole)
     expect("\033]11;rgb:0000/0000/0000\007q", "q"); /* its colour */
     expect("\033]11;rgb:0000/0000/0000\033\\q", "q");
     expect("\033P1$r0m\033\\q", "q");
-    expect("\033[M !!q", "q");     /* the old mouse report */
     expect("\033[32;12;5Mq", "q"); /* rxvt's */
     expect("\033[27;5;65~q", "q"); /* xterm's modifyOtherKeys */
     expect("\033[97;5uq", "q");
@@ -214,44 +327,30 @@ START_TEST(bad_utf8_is_dropped)
 }
 END_TEST
 
+static void expect_place(const char *bytes, const char *name, int x, int y)
+{
+    KeyReader reader;
+    Key key;
+    keys_open(&reader, NULL);
+    keys_feed(&reader, bytes, strlen(bytes), 0);
+    ck_assert(keys_next(&reader, &key));
+    ck_assert_str_eq(key.name, name);
+    ck_assert_int_eq(key.x, x);
+    ck_assert_int_eq(key.y, y);
+}
+
 START_TEST(mouse_reports_carry_a_place)
 {
-    const char report[] = "\033[<0;12;5M";
-    Keyboard keyboard;
-    Key key;
-    open_keyboard(&keyboard, "xterm-256color");
-    type(&keyboard, report, sizeof report - 1);
-    ck_assert(keyboard_next(&keyboard, &key));
-    ck_assert_str_eq(key.name, "Click");
-    ck_assert_int_eq(key.x, 11);
-    ck_assert_int_eq(key.y, 4);
-    type(&keyboard, "\033[<32;300;5M", 12);
-    ck_assert(keyboard_next(&keyboard, &key));
-    ck_assert_str_eq(key.name, "Drag");
-    ck_assert_int_eq(key.x, 299);
-    ck_assert(!keyboard_next(&keyboard, &key));
-    keyboard_close(&keyboard);
+    expect_place("\033[<0;12;5M", "Click", 11, 4);
+    expect_place("\033[<32;300;5M", "Drag", 299, 4);
+    expect_place("\033[<4;12;5M", "Click", 11, 4); /* with Shift */
+    expect_place("\033[M +%q", "Click", 10, 4);    /* of before SGR */
+    expect("\033[M +%q", "Click q");
+    expect("\033[M#+%q", "q"); /* released */
     expect("\033[<64;1;1M\033[<65;1;1M", "WheelUp WheelDown");
     expect("\033[<0;1;1M\033[<32;2;1M\033[<32;3;1M\033[<0;3;1m\033[<35;4;1M", "Click Drag Drag");
     expect("\033[<2;1;1M\033[<34;2;1M\033[<2;2;1m", ""); /* the other button */
-    expect("\033[<35;1;1M", "");                         /* moved */
-}
-END_TEST
-
-/* The reports of before SGR, which some descriptions still stand for. */
-START_TEST(old_mouse_reports_are_read)
-{
-    Keyboard keyboard;
-    Key key;
-    open_keyboard(&keyboard, "screen-256color");
-    type(&keyboard, "\033[M +%q", 7);
-    ck_assert(keyboard_next(&keyboard, &key));
-    ck_assert_str_eq(key.name, "Click");
-    ck_assert_int_eq(key.x, 10);
-    ck_assert_int_eq(key.y, 4);
-    ck_assert(keyboard_next(&keyboard, &key));
-    ck_assert_str_eq(key.name, "q");
-    keyboard_close(&keyboard);
+    expect("\033[<35;1;1M\033[<0;0;0M", "");             /* moved; nowhere */
 }
 END_TEST
 
@@ -259,10 +358,11 @@ END_TEST
 START_TEST(noise_leads_nowhere)
 {
     uint64_t random = 88172645463325252u;
-    Keyboard keyboard;
+    KeyReader reader;
     Key key;
-    open_keyboard(&keyboard, _i ? "screen" : "xterm-256color");
-    for (int round = 0; round < 300; round++) {
+    char out[4096];
+    keys_open(&reader, NULL);
+    for (int round = 0; round < 600; round++) {
         char noise[200];
         for (size_t i = 0; i < sizeof noise; i++) {
             random ^= random << 13, random ^= random >> 7, random ^= random << 17;
@@ -270,15 +370,12 @@ START_TEST(noise_leads_nowhere)
             if ((random >> 40) % 4 == 0)
                 noise[i] = "\033[O<;~M0123]P\\\007"[(random >> 44) % 15];
         }
-        type(&keyboard, noise, sizeof noise);
-        while (keyboard_next(&keyboard, &key))
-            ck_assert(key.name[0] != '\0' && strlen(key.name) < KEY_NAME_MAX);
-        keyboard.time += 6;
-        type(&keyboard, "q", 1);
-        ck_assert(keyboard_next(&keyboard, &key));
+        keys_feed(&reader, noise, sizeof noise, 100 * round);
+        add_keys(out, sizeof out, 0, &reader, 100 * round + 60);
+        keys_feed(&reader, "q", 1, 100 * round + 70);
+        ck_assert(keys_next(&reader, &key));
         ck_assert_str_eq(key.name, "q");
     }
-    keyboard_close(&keyboard);
 }
 END_TEST
 
@@ -352,9 +449,13 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, a_cut_sequence_does_not_eat_the_next_key);
     tcase_add_test(tcase, bad_utf8_is_dropped);
     tcase_add_test(tcase, mouse_reports_carry_a_place);
-    tcase_add_test(tcase, old_mouse_reports_are_read);
-    tcase_add_test(tcase, what_is_cut_short_ends);
-    tcase_add_loop_test(tcase, noise_leads_nowhere, 0, 2);
+    tcase_add_test(tcase, a_torn_sequence_is_still_one_key);
+    tcase_add_test(tcase, escape_waits_as_long_as_told);
+    tcase_add_loop_test(tcase, what_is_cut_short_ends, 0, (int)(sizeof unfinished / sizeof *unfinished));
+    tcase_add_loop_test(tcase, control_c_ends_what_is_cut_short, 0,
+                        (int)(sizeof unfinished / sizeof *unfinished));
+    tcase_add_test(tcase, control_c_drops_what_came_with_it);
+    tcase_add_test(tcase, noise_leads_nowhere);
     tcase_add_test(tcase, a_line_can_be_edited);
     tcase_add_test(tcase, named_keys_are_no_text);
     suite_add_tcase(suite, tcase);

@@ -355,6 +355,40 @@ START_TEST(escape_is_told_from_a_sequence)
 }
 END_TEST
 
+/* A slow line brings the bytes of a key apart. However late they are here, ESCDELAY waits longer. */
+START_TEST(a_torn_arrow_is_no_command)
+{
+    Session session;
+    session_open_paused(&session, 80, 24, (const char *const[]){"ESCDELAY=10000", NULL});
+    session_keys(&session, ".");
+    ck_assert(session_shows(&session, "step 1"));
+    for (const char *byte = "\033[B"; *byte; byte++) {
+        session_send(&session, (char[]){*byte, '\0'});
+        usleep(60000);
+    }
+    session_idle(&session);
+    ck_assert(session_shows(&session, "step 1 "));
+    session_keys(&session, ".");
+    ck_assert(session_shows(&session, "step 2 ") && !session_shows(&session, "does nothing"));
+    session_close(&session);
+}
+END_TEST
+
+/* ^C leaves, whatever has begun and not ended. */
+START_TEST(control_c_ends_a_paste)
+{
+    static const char *const beginnings[] = {"\033[200~", "\033P", "\033_"};
+    for (int i = 0; i < 3; i++) {
+        Session session;
+        session_open_paused(&session, 80, 24, NULL);
+        session_send(&session, beginnings[i]);
+        session_send(&session, "some text\003");
+        ck_assert_int_eq(session_exit(&session), 0);
+        session_close(&session);
+    }
+}
+END_TEST
+
 /* A stopped program gets no SIGWINCH: that goes to whoever has the terminal then. */
 START_TEST(takes_the_size_that_it_finds_after_a_stop)
 {
@@ -619,6 +653,8 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, a_first_start_offers_the_first_lesson);
     tcase_add_test(tcase, control_c_leaves);
     tcase_add_test(tcase, escape_is_told_from_a_sequence);
+    tcase_add_test(tcase, a_torn_arrow_is_no_command);
+    tcase_add_test(tcase, control_c_ends_a_paste);
     tcase_add_test(tcase, takes_the_size_that_it_finds_after_a_stop);
     tcase_add_test(tcase, suspends_and_comes_back);
     tcase_add_test(tcase, colours_and_no_colours);
