@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The numbers of the crack for front ends: those that the method measures (pd_plane/crack.h), with the
+/* The numbers of the crack for front ends: those that the method measures (cracks/crack.h), with the
  * angles over the heights of figure 10, each known only when the crack has grown so far. */
 #include "answers/crack_growth.h"
 

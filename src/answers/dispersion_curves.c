@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Hands the questions of dispersion.h on to the solver, and leaves out what does not account for a
+/* Hands the questions of dispersion_curves.h on to the solver, and leaves out what does not account for a
  * parameter that is at work (known.h). */
 #include "answers/dispersion_curves.h"
 #include "base/assertion.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Where a fit may begin (fit.h).
+/* Where a fit may begin (fit_search.h).
  *
  * Of run and data that swing, with omega_s ~ p_i^e from two runs, at the p_i whose omega_s is
  * the data's, however far that is; at its aliases |2 pi j/Delta +- omega|, which data whose neighbours are

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the files behind fit.h share: a search under way. */
+/* What the files behind fit_search.h share: a search under way. */
 #ifndef ANSWERS_FIT_INTERNAL_H
 #define ANSWERS_FIT_INTERNAL_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The search of fit.h: runs of a simulation as the model of a least-squares fit by GSL.
+/* The search of fit_search.h: runs of a simulation as the model of a least-squares fit by GSL.
  *
  *     chi^2(p) = sum_k f_k^2,  f_k(p) = s(t_k; p) - y_k              residuals, one run for each p
  *     d f_k/d p_i by central differences, two runs each; at the end of its range by one within it

@@ -6,7 +6,7 @@
  *
  *     v^{n+1/2} = v^{n-1/2} (1 - h)/(1 + h) + dt f^n/(rho (1 + h))
  *
- * which is the central difference of beam_damping.c, and the same v^n. Only the first half kick would be
+ * which is the central difference of bonds_damping.c, and the same v^n. Only the first half kick would be
  * another one; from the first velocity
  *
  *     w^0 = v^0 (1 - h^2) + h dt/2 f^0/rho

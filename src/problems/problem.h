@@ -54,7 +54,7 @@ typedef struct References References; /* references.h */
 typedef struct Readout Readout;
 typedef struct Finding Finding;
 typedef struct Derived Derived;
-typedef struct ModeOnMesh ModeOnMesh; /* answers/dispersion.h */
+typedef struct ModeOnMesh ModeOnMesh; /* answers/dispersion_curves.h */
 
 /* The answers that stand beside a run. */
 typedef enum Reference {

@@ -55,7 +55,7 @@ static double duration(const Part *part)
     return (part->right - part->left) / part->speed;
 }
 
-/* Nothing but a pulse, or sines on two materials, makes waves that bar.h does not know. */
+/* Nothing but a pulse, or sines on two materials, makes waves that elastic_bar.h does not know. */
 static bool are_there(const BarTheory *bar)
 {
     return bar->pulse.velocity != 0 || (bar_is_layered(bar) && bar->of_sines);
@@ -135,7 +135,7 @@ double bar_waves_start_stress(const BarTheory *bar, double x)
     return impedance * (2 * bar->pulse.to_left - 1) * pulse(bar, x);
 }
 
-/* Modes of the bar are bar.h's; what is none starts as a velocity, half to each side. */
+/* Modes of the bar are elastic_bar.h's; what is none starts as a velocity, half to each side. */
 static bool are_waves(const Waves *waves)
 {
     return waves->parts > 1 && waves->bar->of_sines;

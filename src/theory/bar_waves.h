@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The continuum's exact motion from any start, by its waves: a pulse that comes back from the ends, and a bar
  * of two materials, at whose joint a wave divides. What a bar of one material does besides - modes, loads -
- * is bar.h's, and is added here. Units: any consistent system. */
+ * is elastic_bar.h's, and is added here. Units: any consistent system. */
 #ifndef THEORY_BAR_WAVES_H
 #define THEORY_BAR_WAVES_H
 

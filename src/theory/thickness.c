@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Vibration through the thickness of a beam: rows u_j with rho u_j'' = -sum K_jk u_k (methods/bonds/plane,
- * beam_thickness.c). The eigenvalues of K/rho are omega^2; velocity Verlet raises every frequency to
+ * bonds_thickness.c). The eigenvalues of K/rho are omega^2; velocity Verlet raises every frequency to
  * sin(Omega dt/2) = omega dt/2. Only modes that are even about the middle show in the probe, the mean of the
  * rows beside it. */
 #include "theory/elastic_beam.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The factor and the solution of cholesky.h. Nearly all time goes into dot products of two rows of L. Used
- * for the lowest modes of the beams' lattice (pd_plane/beam_modes.c). */
+ * for the lowest modes of the beams' lattice (bonds_modes.c). */
 #include "base/linear/cholesky.h"
 
 #include "base/assertion.h"

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Numbers of 192 bits, by integers alone: what math.h's functions are made of when 64 bits are not enough.
+/* Numbers of 192 bits, by integers alone: what functions.h's functions are made of when 64 bits are not
+ * enough.
  *
  * Every operation cuts off what it cannot keep: an error below 2^-190 of its result. Sums that cancel keep
  * the error of what they were made of. Exponents are int: nothing here over- or underflows that began as a

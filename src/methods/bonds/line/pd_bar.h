@@ -10,7 +10,7 @@
  *
  * On a line |xi + eta| - |xi| is eta n itself as long as no node overtakes another, so the stretch is linear
  * in the displacements at any amplitude. w is what node j's volume counts for
- * (pd_plane/bonds/volume.h; here that of "hhb" is the share of its cell within the horizon, and "partial" is
+ * (lattice/volume.h; here that of "hhb" is the share of its cell within the horizon, and "partial" is
  * the same unless delta/h has a fraction above 1/2): then the sum over j gives back E exactly where delta is
  * a whole number of spacings; with w = 1 it gives E (1 + h/delta).
  *
@@ -24,8 +24,8 @@
  * Sources: S. A. Silling, Reformulation of elasticity theory for discontinuities and long-range forces
  * (2000); S. A. Silling, M. Zimmermann, R. Abeyaratne, Deformation of a peridynamic bar (2003); F. Bobaru and
  * others, Convergence, adaptive refinement, and scaling in 1D peridynamics (2009); time stepping, partial
- * volumes and surface correction as in paper P (beam.h). Units: any consistent system; forces, masses and
- * energies are per unit cross-section. */
+ * volumes and surface correction as in paper P (bonds_plane.h). Units: any consistent system; forces, masses
+ * and energies are per unit cross-section. */
 #ifndef METHODS_BONDS_LINE_PD_BAR_H
 #define METHODS_BONDS_LINE_PD_BAR_H
 

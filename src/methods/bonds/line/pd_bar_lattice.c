@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The lattice of the bar, made once when the bar is created; pd_bar.h has the equations.
  *
- *     w_m as pd_plane/bonds/volume.h has it, m h = |xi|                   volume factor
+ *     w_m as lattice/volume.h has it, m h = |xi|                   volume factor
  *     g_i = (E/2)/(sum_j c w V_j |xi|/4),  G = (g_i + g_j)/2              surface correction
  *     k_m = c G w_m V/|xi|,  c = 2E/delta^2,  V = h,  |xi| = m h          stiffness of a bond
  *     conical: c (1 - |xi|/delta), c = E/(h^2 sum_m (1 - m h/delta) w_m m)

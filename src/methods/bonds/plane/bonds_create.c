@@ -136,7 +136,7 @@ static bool allocate(Beam *beam, Status *status)
     return true;
 }
 
-/* Velocity Verlet is stable for dt < 2/omega_max of the lattice (beam_critical.c); auto takes half of it. A
+/* Velocity Verlet is stable for dt < 2/omega_max of the lattice (bonds_critical.c); auto takes half of it. A
  * step above it is refused. (Paper P takes 1e-8 s, far below; periods do not depend on it.) */
 static bool set_time_step(Beam *beam, Status *status)
 {

@@ -2,7 +2,7 @@
 /* The fields of a beam that front ends read (Simulation.fields): for each its
  * index, a row with name, unit and meaning, and the case that fills it. Everything is computed when it is
  * read, from the state as it stands, in mid-step too; nothing here is part of a step. Strain energy and
- * largest stretch of nodes, which need all bonds, go through the vector loops of beam_shares.c. SI units. */
+ * largest stretch of nodes, which need all bonds, go through the vector loops of bonds_shares.c. SI units. */
 #include "base/assertion.h"
 #include "methods/bonds/plane/bonds_internal.h"
 #include "base/math/functions.h"
@@ -162,7 +162,7 @@ static void copy_array(const Beam *beam, const double *array, size_t first, size
     }
 }
 
-/* The value of one node's field; strain energy and stretch go over bonds (beam_shares.c). */
+/* The value of one node's field; strain energy and stretch go over bonds (bonds_shares.c). */
 static double node_field(const Beam *beam, int field, size_t node)
 {
     const Lattice *lattice = &beam->lattice;

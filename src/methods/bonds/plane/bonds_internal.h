@@ -21,7 +21,7 @@ enum {
     N_STAGES
 };
 
-/* See beam_fields.c. */
+/* See bonds_fields.c. */
 enum { SET_PARTICLE, SET_BOND, N_SETS };
 
 enum { BEAM_SERIES_MAX = 16 };
@@ -143,11 +143,11 @@ typedef struct BeamOptions {
 
 Simulation *beam_create_with(const BeamDef *definition, const BeamOptions *options, Status *status);
 
-/* beam_critical.c: 2 / omega_max of the body as if nothing held it; the displacements and forces are zero
+/* bonds_critical.c: 2 / omega_max of the body as if nothing held it; the displacements and forces are zero
  * afterwards. */
 bool beam_critical_step(Beam *beam, double *step, Status *status);
 
-/* beam_patience.c: asks BeamDef.patience. False: the building is to be given up, from now on. */
+/* bonds_patience.c: asks BeamDef.patience. False: the building is to be given up, from now on. */
 bool beam_go_on(Beam *beam, double share, Status *status);
 
 /* The section of its sizes in a scenario file, and what it is called. */
@@ -156,14 +156,14 @@ static inline const char *beam_word(const BeamDef *def)
     return def->problem == BEAM_PLATE ? "plate" : "beam";
 }
 
-/* beam_problem.c */
+/* bonds_problem.c */
 bool beam_set_bonds(Beam *beam, Status *); /* coefficients, and the notch */
 bool beam_set_problem(Beam *beam, Status *status);
 void beam_simple_supports(const Lattice *, Support supports[2]); /* one node at each end, at mid-height */
 int beam_held_columns(const Beam *beam, double time);            /* columns inside the channel */
 bool beam_set_motion(Beam *beam, const BeamOptions *options, Status *status); /* false: interrupted */
 
-/* beam_bands.c */
+/* bonds_bands.c */
 void beam_run(Beam *beam, PoolWork *work, int chunks); /* context: the beam */
 void beam_bonds_of_row(Beam *beam, int j, BondLog *log, bool with_energy);
 void beam_add_halos(Beam *beam, int j);              /* what the bands below have for row j */
@@ -173,7 +173,7 @@ bool beam_ask_forces(Beam *beam, double share, Status *status);
 double beam_strain(Beam *beam);
 void beam_keep_strain(Beam *beam); /* the sum of what a sweep over all rows has left, until u changes */
 
-/* beam_damping.c */
+/* bonds_damping.c */
 bool beam_check_damping(double damping, double dt, Status *); /* false: more than the step can follow */
 bool beam_set_damping(Beam *beam, Status *status);
 void beam_brake_first(Beam *beam, int j); /* before the first half kick of row j, and after the second */
@@ -185,7 +185,7 @@ void beam_weigh(Beam *beam, int j);       /* adds the weight of row j to its for
 bool beam_asks_for_rest(const Beam *beam, long step);
 void beam_look_for_rest(Beam *beam, long step);
 
-/* beam_step.c */
+/* bonds_step.c */
 bool beam_stage(Simulation *sim, int stage, size_t first, size_t end, Status *status);
 bool beam_steps(Simulation *sim, long count, double *rows, long *done, Status *status);
 
@@ -198,7 +198,7 @@ void beam_note_work(Beam *beam, int j, long step);   /* in the drift, and ... */
 void beam_note_reaction(Beam *beam, int j);          /* ... in the second kick; */
 void beam_add_work(Beam *beam, int half);            /* and once all rows are there, half 0 or 1 */
 
-/* beam_break.c */
+/* bonds_break.c */
 bool beam_take_log(Beam *beam, BondLog *log, long step); /* false: memory was short */
 void beam_update_damage(Beam *beam, long step);
 void beam_rebuild_damage(Beam *beam);
@@ -223,28 +223,28 @@ void crack_note_tip(Beam *beam, long step);
 /* The tip's speed (crack_speed.h) over the time up to the last whole step, m/s; 0: too few steps yet. */
 double crack_speed_now(const Beam *beam);
 
-/* beam_state.c */
+/* bonds_state.c */
 size_t beam_state_size(const Simulation *sim);
 void beam_load(Simulation *sim, const void *bytes);
 bool beam_change(Simulation *sim, const char *key, double value, Status *status);
 
-/* beam_series.c */
+/* bonds_series.c */
 void beam_set_series(Beam *beam);
 void beam_row(Simulation *sim, double *row);
 double beam_kinetic(Beam *beam);
 void beam_note_squares(Beam *beam, int j); /* of row j; and once all rows are there: */
 void beam_keep_kinetic(Beam *beam);
 
-/* beam_fields.c */
+/* bonds_fields.c */
 void beam_set_fields(Beam *beam);
 void beam_field(const Simulation *sim, int field, size_t first, size_t count, double *out);
 
-/* beam_shares.c: half of the energy of the bonds of nodes [first, first + count), J; the largest stretch of
+/* bonds_shares.c: half of the energy of the bonds of nodes [first, first + count), J; the largest stretch of
  * their live bonds, 0 where none is left. `count` is at least 1. */
 void beam_strain_energies(const Beam *beam, size_t first, size_t count, double *out);
 void beam_largest_stretches(const Beam *beam, size_t first, size_t count, double *out);
 
-/* beam_family.c: one bond as it stands. */
+/* bonds_family.c: one bond as it stands. */
 typedef struct BondNow {
     size_t a, b; /* nodes: the owner and the other end */
     double stretch;
@@ -261,7 +261,7 @@ size_t beam_family(const Beam *beam, int i, int j, BondPlace *out);
 enum { FAMILY_MAX = 2 * LATTICE_OFFSETS_MAX };
 size_t beam_links(const Simulation *sim, int set, size_t index, Link *out, size_t max);
 
-/* beam_explain.c */
+/* bonds_explain.c */
 void beam_set_stages(Beam *);
 void beam_explain(const Simulation *sim, int stage, int set, size_t index, const void *before, int terms,
                   char *out, size_t size);

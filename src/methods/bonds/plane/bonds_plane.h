@@ -44,7 +44,7 @@ typedef struct BeamDef {
     PlateDef plate;          /* what a plate has */
     double body_force;       /* on every node from t = 0 on, upwards, m/s^2; -9.81: weight */
     const ForceTerm *forces; /* beside weight and loads, as force densities, along x and y; NULL: none */
-    double damping; /* rate alpha, 1/s: the acceleration is f/rho - alpha v (beam_damping.c); 0: none */
+    double damping; /* rate alpha, 1/s: the acceleration is f/rho - alpha v (bonds_damping.c); 0: none */
     bool critically_damped; /* alpha is twice the lowest frequency of the lattice instead */
     bool to_rest;           /* the run is over when the motion is ... */
     long changes_until;     /* ... and this many steps are done: Method.change is to be called till then */

@@ -8,10 +8,10 @@
  *     v^{n+1} = v^{n+1/2} + dt/2 a^{n+1}                       second half kick      (11)
  *     phi of nodes whose bonds broke                           damage                (5, 6)
  *
- * Damping brakes the half steps, and weight joins the body force (beam_damping.c).
+ * Damping brakes the half steps, and weight joins the body force (bonds_damping.c).
  *
  * (Paper P says "Eq. (5)" above eq. 9 where it means eq. 8.) The scheme is of second order and stable up to
- * dt = 2/omega_max (beam_critical.c). It keeps linear momentum to round-off; the energy ripples by O(dt^2)
+ * dt = 2/omega_max (bonds_critical.c). It keeps linear momentum to round-off; the energy ripples by O(dt^2)
  * about a constant value while no bond breaks. Where bonds break the balance is of first order in dt: a bond
  * breaks at the first step past s0 and takes the overshoot with it. That is no error of the sums.
  *

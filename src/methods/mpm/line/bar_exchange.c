@@ -11,7 +11,7 @@
  *     dt N_i p_i/m_i                 position                        (15)
  *
  * for the inspector and the written-out sums (bar_explain.c). The stages themselves do not call this: their
- * loops are in kernels.c. */
+ * loops are in bar_kernels.c. */
 #include "base/assertion.h"
 #include "methods/mpm/line/bar_mistakes.h"
 #include "methods/mpm/line/bar_state.h"

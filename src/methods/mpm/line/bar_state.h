@@ -154,7 +154,8 @@ struct Bar {
     double *node_velocity; /* that strains the particles; before the momentum is integrated that of p */
     double *node_kick;     /* dt times the acceleration, dt f / m */
     double *node_drift;    /* dt/dx times the integrated velocity, dt p / (m dx) */
-    /* of masses that are not lumped (bar_mass.h): M_c(i, i + d) by d = 1 .. reach, and the factors of M */
+    /* of masses that are not lumped (kernels_mass.h): M_c(i, i + d) by d = 1 .. reach, and the factors of M
+     */
     double *node_couple[BAR_REACH_MAX + 1];
     double *node_lower[BAR_REACH_MAX + 1]; /* L(i, i - d) */
     double *node_pivot;                    /* 1/D(i); 0 where the node is held or inactive */

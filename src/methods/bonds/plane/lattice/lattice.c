@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The lattice of a beam, made once when the beam is created: families, surface correction, numbers of bonds.
  *
- *     family, w        as pd_plane/bonds/volume.h has them
+ *     family, w        as lattice/volume.h has them
  *     micromodulus     c = 6 E/(pi delta^3 (1 - nu)), nu = 1/3                                 (4)
  *                      or conical, c_1 (1 - |xi|/delta) with c_1 = 4 c; then nodes from the
  *                      distance delta on are no family, for nothing binds them

@@ -6,7 +6,7 @@
  * A traction (Pa) on an edge becomes a body force in the one layer of nodes along it, which stands for the
  * depth dx. Its work in a step is that at the middle, b(t^{n+1/2}) v^{n+1/2} V dt times the thickness: of
  * second order like the scheme. What a moving support does to a node is minus the force density that the node
- * has, and what damping takes from it (beam_damping.c), so its work is
+ * has, and what damping takes from it (bonds_damping.c), so its work is
  *
  *     (alpha rho v - (f^n + f^{n+1})/2) v V dt
  *

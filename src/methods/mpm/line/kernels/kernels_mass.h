@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Part of kernels.c: nodal velocities where masses are not lumped.
+/* Part of bar_kernels.c: nodal velocities where masses are not lumped.
  *
  * The consistent mass matrix is M_c(i, j) = sum m N_i N_j. Its couplings of different nodes alone are kept,
  * node_couple[d][i] = M_c(i, i + d): as the N of a particle add up to 1, a row of M_c adds up to m_i, so that
