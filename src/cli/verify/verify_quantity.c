@@ -330,20 +330,24 @@ double quantity_middle_factor(VerifyRun *run, const VerifyRow *row)
 
 double quantity_energy_after_steps(VerifyRun *run, const VerifyRow *row)
 {
-    Settings settings = run->settings;
-    settings_edit_time(&settings)->step = row->from * derived_of(run, "dt_crit");
     Status *status = &run->failure;
     double values[COLUMNS_MAX], ratio = NAN;
     Run other;
-    if (run_open(&other, &settings, problem_simulate(&settings, run->threads, status), status) &&
-        run_advance(&other, (RunUntil){RUN_STEPS, 1}, NULL, status)) {
+    const bool open =
+        run_open(&other, &run->settings, problem_simulate(&run->settings, run->threads, status), status);
+    if (open) /* behind the check that refuses a step beyond the critical one */
+        other.sim->dt = row->from * derived_of(run, "dt_crit");
+    if (open && run_advance(&other, (RunUntil){RUN_STEPS, 1}, NULL, status)) {
         const int total = simulation_find_series(other.sim, "total");
         simulation_row(other.sim, values);
         const double start = values[total];
         other.last = 1 + (long)row->to;
-        if (run_to_end(&other, NULL, status)) {
+        Status stopped = {STATUS_DONE, ""}; /* where it blows up that is the answer, not a failure */
+        if (run_to_end(&other, NULL, &stopped)) {
             simulation_row(other.sim, values);
             ratio = values[total] / start;
+        } else if (other.failed) {
+            ratio = INFINITY;
         }
     }
     run_close(&other);
