@@ -148,6 +148,11 @@ expect "numbers of no beam" 0 supported-beam-coarse --set beam.length=20mm --set
 result "say what was not tried" says out '^Two mistakes at once were not tried (--pairs)\.$'
 expect "two mistakes of a beam at once" 0 supported-beam-coarse --set beam.length=20mm --set beam.height=2mm bent.csv --pairs
 result "are tried then" sh -c 'grep -q "^None of" out && ! grep -q "not tried" out'
+# a value beside the right one that no run can have is not tried
+make whole.csv supported-beam-coarse --steps 2
+awk -F, 'NR == 1 { print "step,v_probe" } NR > 1 { print $1 "," 1.05 * $4 }' whole.csv >fast.csv
+expect "numbers of no beam of the usual size" 0 supported-beam-coarse fast.csv
+result "are of none of its neighbours" says out '^None of [0-9]* other codes gives these numbers'
 "$MATVIB" run supported-beam-coarse --set beam.length=20mm --set beam.height=2mm --steps 2 --set pd.mistake=one_way --bonds b.csv --particles p.csv --quiet
 expect "bonds" 0 supported-beam-coarse --set beam.length=20mm --set beam.height=2mm b.csv
 result "tell a beam's mistake" says out '^  one_way: A bond pulls at its left end only'
