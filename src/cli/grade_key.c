@@ -61,13 +61,30 @@ static bool go_on(double share, void *progress)
     return progress_show(share, progress);
 }
 
+/* What is about sessions and their tables. */
+static bool is_for_key(const Options *options, Status *status)
+{
+    const struct {
+        bool given;
+        const char *name;
+    } others[] = {{options->limit, "--limit"},
+                  {options->output, "--output"},
+                  {options->students, "--students"},
+                  {options->sheet, "--sheet"},
+                  {options->bom, "--bom"}};
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++)
+        if (others[i].given)
+            return status_refuse(status, "%s: does not go with --key", others[i].name);
+    return true;
+}
+
 int cli_grade_key(const Options *options, Status *status)
 {
     const char *name = options->words[0];
     char student[STUDENT_MAX] = "";
     Lesson lesson;
     Progress progress;
-    if (!options_words(options, 1, 1, "LESSON", status) ||
+    if (!is_for_key(options, status) || !options_words(options, 1, 1, "LESSON", status) ||
         (options->name && !variant_student(options->name, student, status) &&
          !status_prefix(status, "--name")) ||
         !lesson_load_for(name, student, command_line_for_lessons, &lesson, status))

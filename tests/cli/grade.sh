@@ -507,6 +507,8 @@ refuse "no such lesson" "latte: no such lesson or file (did you mean late?)" lat
 refuse "no limit" "--limit: not a number from 1 to 1e+06: soon" own.lesson right.session --limit soon
 refuse "no folder for the table" "none/m.csv: there is no folder none" own.lesson right.session --output none/m.csv
 refuse "a name without a key" "--name: goes with --key" own.lesson right.session --name Ada
+refuse "a limit for a key" "--limit: does not go with --key" --key own.lesson --limit 5
+refuse "a table for a key" "--output: does not go with --key" --key own.lesson --output key.csv
 refuse "a key of one lesson" "right.session: is one argument too many (LESSON)" --key own.lesson right.session
 subcommand=lesson
 refuse "the key is the teacher's" "--key: is matvib grade --key LESSON" own.lesson --key
