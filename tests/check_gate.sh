@@ -46,4 +46,7 @@ found=$(cd "$source" && grep -rnE --include='*.c' 'perror\(|psignal\(|dprintf\(|
 judge "and by no other way"
 found=$(cd "$source" && grep -rnE --include='*.c' 'asker *= *ASKER_(COMMAND_LINE|KEYBOARD|SCRIPT)' run export lessons scenario problems answers picture views panes help)
 judge "who asks is not made up below the front ends"
+# A status may be NULL: whoever does not want to know passes none.
+found=$(cd "$source" && grep -rnE --include='*.c' '^ *\*status = ' . | grep -v -E '^\./(base/status\.c|cli/|plain/)')
+judge "a status is handed on by status_take()"
 echo "1..$number"

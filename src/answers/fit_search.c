@@ -246,11 +246,8 @@ static bool search_from(Search *search, const Beginning *from, Space *space, Sta
             gsl_multifit_nlinear_driver(ITERATIONS_MAX, TOLERANCE, 0, 0, NULL, NULL, &info, space->work);
     const int iterations = (int)gsl_multifit_nlinear_niter(space->work);
     search->result->iterations += iterations;
-    if (search->interrupted) {
-        if (status)
-            *status = search->why;
-        return false;
-    }
+    if (search->interrupted)
+        return status_take(status, &search->why);
     /* no step downhill from where it began, to the last digit: that is a minimum too */
     if (outcome != GSL_SUCCESS && info != GSL_ENOPROG)
         return status_fail(status, "the fit does not settle after %d iterations (%s)", iterations,
@@ -311,11 +308,8 @@ static bool search_best(Search *search, Space *space, Status *status)
     Beginning list[BEGINNINGS_MAX];
     Status why = {0};
     result->beginnings = fit_beginnings(search, list);
-    if (result->beginnings == 0) {
-        if (status)
-            *status = search->why;
-        return false;
-    }
+    if (result->beginnings == 0)
+        return status_take(status, &search->why);
     for (int i = 0; i < result->beginnings && isfinite(list[i].chi2) && !search->interrupted; i++) {
         const bool settled = result->searches > 0 && (i >= SEARCHES_MAX || result->left != FIT_NO_NOISE);
         if ((!settled && i < SEARCHES_MAX) || (list[i].alias && !is_searched(search, &list[i])))
@@ -325,19 +319,13 @@ static bool search_best(Search *search, Space *space, Status *status)
         if (!search->interrupted && why.code == STATUS_DONE)
             return status_refuse(status,
                                  "the data are so far from any run that least squares have no number");
-        if (status)
-            *status = search->interrupted ? search->why : why;
-        return false;
+        return status_take(status, search->interrupted ? &search->why : &why);
     }
     part_minima(search);
     result->settings = *task->settings;
     for (int i = 0; i < task->n_keys; i++)
         fit_put(&result->settings, task->keys[i], result->values[i]);
-    if (fit_run_at_data(search, &result->settings))
-        return true;
-    if (status)
-        *status = search->why;
-    return false;
+    return fit_run_at_data(search, &result->settings) || status_take(status, &search->why);
 }
 
 /* Takes some 10 runs for each parameter to find where to begin, then 2 m + 1 in each iteration. */

@@ -36,6 +36,13 @@ bool status_fail(Status *status, const char *format, ...)
     return false;
 }
 
+bool status_take(Status *status, const Status *why)
+{
+    if (status)
+        *status = *why;
+    return false;
+}
+
 bool status_prefix(Status *status, const char *format, ...)
 {
     if (!status)

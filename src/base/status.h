@@ -27,6 +27,11 @@ typedef struct Status {
 bool status_refuse(Status *status, const char *format, ...) __attribute__((format(printf, 2, 3)));
 bool status_fail(Status *status, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
+/* Takes over what another status says. The only way to hand one on, for the status may be NULL; returns
+ * false.
+ */
+bool status_take(Status *status, const Status *why);
+
 /* Puts "prefix: " before the text of a failure; for a caller who knows the file or the key. Returns false. */
 bool status_prefix(Status *status, const char *format, ...) __attribute__((format(printf, 2, 3)));
 

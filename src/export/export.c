@@ -253,6 +253,6 @@ bool export_run(const Settings *settings, const Outputs *outputs, int threads, R
               export_commit_files(&export, status) && sum_up(&export, summary, status);
     close_all(&export);
     if (written && summary->failed)
-        *status = summary->failure;
+        status_take(status, &summary->failure);
     return written && !summary->failed;
 }

@@ -148,10 +148,8 @@ bool edit_change(Laboratory *lab, const Settings *settings, DuelChange verb, Sta
     Status said = {STATUS_DONE, ""};
     bool taken = edit_change_runs(lab, settings, verb, &said);
     laboratory_say(lab, MESSAGE_NONE, "%s", ""); /* in place of how far the building had come */
-    if (!taken) {
-        *status = said;
-        return false;
-    }
+    if (!taken)
+        return status_take(status, &said);
     if (same && experiment_pending(laboratory_run(lab), NULL)) {
         return_to_time(lab); /* the same run with another column */
         player_settle(lab);

@@ -137,7 +137,7 @@ static bool open_scenario(Laboratory *lab, const char *name, Status *status)
         opening_show_progress(lab, &settings);
         experiment = opening_experiment(lab, &settings, status);
         laboratory_say(lab, MESSAGE_NONE, "%s", "");
-        if (!experiment && status)
+        if (!experiment)
             scenario_blame(name, NULL, 0, status);
     }
     if (experiment) {

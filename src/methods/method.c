@@ -70,11 +70,7 @@ double simulation_time(const Simulation *sim)
 
 static bool may_go_on(const Simulation *sim, Status *status)
 {
-    if (!sim->failed)
-        return true;
-    if (status)
-        *status = sim->failure;
-    return false;
+    return !sim->failed || status_take(status, &sim->failure);
 }
 
 /* A piece of a stage, at most `items` of its things (0: all that are left). Stages are loops over ranges, so
@@ -302,9 +298,7 @@ bool simulation_fail(Simulation *sim, Status *status, const char *format, ...)
     sim->failure.code = STATUS_FAILED;
     vsnprintf(sim->failure.text, sizeof sim->failure.text, format, arguments);
     va_end(arguments);
-    if (status)
-        *status = sim->failure;
-    return false;
+    return status_take(status, &sim->failure);
 }
 
 void simulation_lay(Simulation *sim, size_t columns, size_t rows, double spacing, int dimensions,

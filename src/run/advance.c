@@ -92,9 +92,7 @@ static bool fail(Run *run, const Status *why, Status *status)
 {
     run->failed = true;
     run->failure = *why;
-    if (status)
-        *status = *why;
-    return false;
+    return status_take(status, why);
 }
 
 bool run_change(Run *run, Status *status)

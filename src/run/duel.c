@@ -431,8 +431,7 @@ bool duel_change(Duel *duel, const Settings *wanted, DuelChange change, Status *
     Status why = {STATUS_DONE, ""};
     if (anew ? !make_second(duel, &why) : !edit_second(duel, wanted, &why)) {
         let_go(duel, false);
-        if (status)
-            *status = why;
+        status_take(status, &why);
     }
     return true;
 }

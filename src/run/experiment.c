@@ -154,8 +154,8 @@ bool experiment_at_end(const Experiment *experiment)
 
 bool experiment_failed(const Experiment *experiment, Status *status)
 {
-    if (experiment->run.failed && status)
-        *status = experiment->run.failure;
+    if (experiment->run.failed)
+        status_take(status, &experiment->run.failure);
     return experiment->run.failed;
 }
 

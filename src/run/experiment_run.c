@@ -212,18 +212,13 @@ static bool fail(Experiment *experiment, const Status *why, Status *status)
         replay(experiment, experiment->newest);
     }
     note_now(experiment);
-    if (status)
-        *status = *why;
-    return false;
+    return status_take(status, why);
 }
 
 static bool may_go_on(const Experiment *experiment, Status *status)
 {
-    if (!experiment->run.failed || experiment->run.sim->step < experiment->newest)
-        return true;
-    if (status)
-        *status = experiment->run.failure;
-    return false;
+    return !experiment->run.failed || experiment->run.sim->step < experiment->newest ||
+           status_take(status, &experiment->run.failure);
 }
 
 /* As advance(); where the run cannot go on it stands at its last sound whole step. */

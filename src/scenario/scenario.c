@@ -337,6 +337,8 @@ void scenario_blame(const char *name_or_path, const Override *overrides, int cou
 {
     Source source = {.file = name_or_path, .overrides = overrides, .n_overrides = count};
     char key[KEY_MAX] = "";
+    if (!status)
+        return;
     const size_t length = strcspn(status->text, ":");
     if (length < sizeof key)
         memcpy(key, status->text, length);

@@ -292,6 +292,15 @@ result "the session of a run" remark_is bad.csv run.session "" "foreign: it is n
 result "another lesson" remark_is bad.csv late.session "Ada" '"foreign: it is of another lesson, or of another text of this one"'
 result "the good one among them has its marks" row_is bad.csv right.session 1 "$ada,$ada,1,2"
 
+# sessions whose scenario cannot be read, as those of a version to come: a row for each, and nothing stays behind
+mkdir unread && cp "$MATVIB_SRCDIR"/tests/fuzz/corpus/recording/cut-?.session right.session unread/
+expect "what cannot be read among a class" 1 own.lesson unread/*.session --output unread/marks.csv
+result "it is said how many" says err '^matvib: 3 of 4 sessions have no marks (see the remarks)$'
+for file in 1 2 3; do
+	result "number $file has a remark" says unread/marks.csv ",unread/cut-$file.session,\"*damaged: unread/cut-$file.session"
+done
+result "no file stays half" test "$(find unread -name '*.part' | wc -l)" -eq 0
+
 # sealed anew: what the keys do is the defence
 edited right.session "s/^student .*/student $other/" other.raw
 sealed other.raw other.session

@@ -26,6 +26,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         lesson_free(&lesson);
     } else {
         FUZZ_ASSERT(status.code != STATUS_DONE && status.text[0] && !strchr(status.text, '\n'));
+        rewind(file);
+        FUZZ_ASSERT(
+            !lesson_read(file, "input", command_line_for_lessons, &lesson, NULL)); /* nobody asks why */
     }
     fclose(file);
     return 0;

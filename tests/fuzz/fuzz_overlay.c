@@ -18,6 +18,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     FILE *file = fmemopen((void *)(uintptr_t)data, size, "r");
     FUZZ_ASSERT(file);
     bool sound = overlay_read(&overlay, file, "input", NULL, NULL, &status);
+    rewind(file);
+    if (!sound) /* nobody asks why */
+        FUZZ_ASSERT(!overlay_read(&overlay, file, "input", NULL, NULL, NULL));
     fclose(file);
     FUZZ_ASSERT(sound || (status.text[0] && !strchr(status.text, '\n')));
     if (sound && overlay_choose(&overlay, NULL, NULL, "v_cm", "u", &status)) {

@@ -19,6 +19,11 @@ enum { EVENTS_MAX = 1000000 };
 
 /* --- recording -------------------------------------------------------------------------------------- */
 
+static bool no_memory(Status *status)
+{
+    return status_fail(status, "not enough memory for a session");
+}
+
 bool session_append(Session *session, const SessionEvent *event)
 {
     if (session->count == session->room) {
@@ -38,7 +43,7 @@ Session *session_begin(const LaboratoryOptions *options, Status *status)
 {
     Session *session = calloc(1, sizeof *session);
     if (!session) {
-        status_fail(status, "not enough memory for a session");
+        no_memory(status);
         return NULL;
     }
     session->settings = *options->settings;
@@ -120,7 +125,7 @@ bool session_is_lost(Session *session, Status *status)
     if (session->told || !is_recorded(session) || (session->trouble.code == STATUS_DONE && !session->full))
         return false;
     session->told = true;
-    *status = session->trouble;
+    status_take(status, &session->trouble);
     return session->trouble.code != STATUS_DONE || !is_whole(session, session->record, status);
 }
 
@@ -130,10 +135,8 @@ bool session_finish(Session *session, Status *status)
     if (file->stream)
         output_finish(file, &session->trouble);
     output_close(file);
-    if (session->trouble.code != STATUS_DONE) {
-        *status = session->trouble;
-        return false;
-    }
+    if (session->trouble.code != STATUS_DONE)
+        return status_take(status, &session->trouble);
     return !is_recorded(session) || is_whole(session, session->record, status);
 }
 
@@ -212,13 +215,13 @@ static bool write_head(FILE *file, uint64_t *check, const Session *session, Stat
     size_t size = 0;
     FILE *memory = open_memstream(&text, &size);
     long own = 0;
-    bool sound = memory != NULL;
-    if (memory) {
-        write_head_lines(memory, session);
-        own = ftell(memory);
-        sound = scenario_write(memory, &session->settings, NULL, status);
-        sound = text_stream_close(memory, &text) && sound;
-    }
+    if (!memory)
+        return no_memory(status);
+    write_head_lines(memory, session);
+    own = ftell(memory);
+    bool sound = scenario_write(memory, &session->settings, NULL, status);
+    if (!text_stream_close(memory, &text) && sound)
+        sound = no_memory(status);
     for (char *line = text, *end; sound && (end = strchr(line, '\n')); line = end + 1) {
         *end = '\0';
         put(file, check, line < text + own ? "" : *line ? "| " : "|");
@@ -226,8 +229,6 @@ static bool write_head(FILE *file, uint64_t *check, const Session *session, Stat
         put(file, check, "\n");
     }
     free(text);
-    if (!sound && !*status->text)
-        status_fail(status, "not enough memory for a session");
     return sound;
 }
 

@@ -205,11 +205,10 @@ static bool read_scenario(Session *session, const char *name, const char *text, 
     FILE *memory = fmemopen((void *)text, size, "r");
     char origin[SESSION_NAME_MAX];
     snprintf(origin, sizeof origin, "%.200s (scenario)", name);
-    bool sound = memory && scenario_read(memory, origin, &session->settings, status);
-    if (memory)
-        fclose(memory);
-    if (!sound && !*status->text)
-        status_fail(status, "not enough memory for a session");
+    if (!memory)
+        return status_fail(status, "not enough memory for a session");
+    const bool sound = scenario_read(memory, origin, &session->settings, status);
+    fclose(memory);
     return sound;
 }
 
