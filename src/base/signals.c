@@ -33,6 +33,40 @@ static struct {
 } taken[SIGNALS_MAX];
 static int n_taken;
 
+static void (*clean_up)(void);
+
+void signals_end_at_once(int number)
+{
+    if (clean_up)
+        clean_up();
+    signal(number, SIG_DFL);
+    raise(number);
+}
+
+static void guard(int number)
+{
+    struct sigaction before, action = {.sa_handler = signals_end_at_once};
+    sigemptyset(&action.sa_mask);
+    if (sigaction(number, NULL, &before) == 0 && before.sa_handler == SIG_DFL)
+        sigaction(number, &action, NULL);
+}
+
+void signals_before_end(void (*clean)(void))
+{
+    static const int faults[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
+    if (clean_up)
+        return;
+    clean_up = clean;
+    for (size_t i = 0; i < sizeof faults / sizeof *faults; i++)
+        guard(faults[i]);
+    for (int i = 0; i < N_NAMED; i++)
+        guard(named[i]);
+#ifdef SIGRTMIN
+    for (int number = SIGRTMIN; number <= SIGRTMAX; number++)
+        guard(number);
+#endif
+}
+
 void signals_end(int number)
 {
     if (ended_by == 0)
@@ -55,7 +89,8 @@ static void take(int number)
         return;
     /* that a write fails instead of ending the program is the program's own wish */
     const bool ignored = before.sa_handler == SIG_IGN && number != SIGPIPE && number != SIGXFSZ;
-    const bool handled = before.sa_handler != SIG_IGN && before.sa_handler != SIG_DFL;
+    const bool handled = before.sa_handler != SIG_IGN && before.sa_handler != SIG_DFL &&
+                         before.sa_handler != signals_end_at_once;
     if (ignored || handled || sigaction(number, &action, NULL) != 0)
         return;
     taken[n_taken].number = number;

@@ -12,6 +12,13 @@
 
 void signals_catch(void);
 
+/* What is done before a signal ends the process at once, by default or by a fault: only what a handler may.
+ */
+void signals_before_end(void (*clean)(void));
+
+/* Ends the process by a signal, in whose handler it is called, after what is done before. */
+void signals_end_at_once(int number);
+
 /* The first that came since signals_catch(); 0: none. */
 int signals_ended_by(void);
 

@@ -10,6 +10,7 @@
 #include "picture/glyph.h"
 
 #include <cairo.h>
+#include <errno.h>
 #include <gif_lib.h>
 #include <math.h>
 #include <stdlib.h>
@@ -19,6 +20,8 @@ enum { CELL_WIDTH = 8, CELL_HEIGHT = 17, BASELINE = 13, FONT = 13, COLOURS = 256
 
 struct Film {
     GifFileType *gif;
+    FILE *stream;
+    int why; /* errno of a write that failed; 0: none did */
     FilmLook look;
     cairo_surface_t *surface; /* a cell, or the two of a wide character: how much of each pixel is ink */
     cairo_t *cairo;
@@ -36,12 +39,17 @@ struct Film {
 
 static int write_bytes(GifFileType *gif, const GifByteType *bytes, int count)
 {
-    return (int)fwrite(bytes, 1, (size_t)count, gif->UserData);
+    Film *film = gif->UserData;
+    errno = 0;
+    const size_t written = fwrite(bytes, 1, (size_t)count, film->stream);
+    if (written < (size_t)count && film->why == 0)
+        film->why = errno;
+    return (int)written;
 }
 
 static bool fails(const Film *film, Status *status)
 {
-    const char *why = GifErrorString(film->gif->Error);
+    const char *why = film->why ? strerror(film->why) : film->gif ? GifErrorString(film->gif->Error) : NULL;
     return status_fail(status, "the film: %s", why ? why : "it cannot be written");
 }
 
@@ -227,7 +235,7 @@ static bool end_gif(Film *film, double seconds, Status *status)
         return false;
     const int result = EGifCloseFile(film->gif, &error);
     film->gif = NULL;
-    return result == GIF_OK || status_fail(status, "the film: %s", GifErrorString(error));
+    return result == GIF_OK || fails(film, status);
 }
 
 /* --- opening and closing ------------------------------------------------------------------------- */
@@ -266,11 +274,12 @@ static Film *open_gif(FILE *stream, const FilmLook *look, Status *status)
     Film *film = calloc(1, sizeof *film);
     if (film) {
         film->look = *look;
+        film->stream = stream;
         film->cells = calloc(cells, sizeof *film->cells);
         film->pixels = calloc(cells, (size_t)CELL_WIDTH * CELL_HEIGHT);
         film->surface = cairo_image_surface_create(CAIRO_FORMAT_A8, 2 * CELL_WIDTH, CELL_HEIGHT);
         film->cairo = cairo_create(film->surface);
-        film->gif = EGifOpen(stream, write_bytes, &error);
+        film->gif = EGifOpen(film, write_bytes, &error);
     }
     if (!film || !film->cells || !film->pixels || !film->gif ||
         cairo_status(film->cairo) != CAIRO_STATUS_SUCCESS) {

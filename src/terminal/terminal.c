@@ -103,8 +103,7 @@ static void say_farewell(void)
 static void on_crash(int number)
 {
     say_farewell();
-    signal(number, SIG_DFL);
-    raise(number);
+    signals_end_at_once(number);
 }
 
 static void on_signal(int number)
