@@ -22,6 +22,7 @@ static void write_paragraphs(Leaflet *leaflet, const char *text)
 
 static void write_exercise(Leaflet *leaflet, const LessonPage *page)
 {
+    char goal[2 * EXPRESSION_MAX];
     if (page->question)
         leaflet_line(leaflet, LEAFLET_HEADING, "%s", page->question);
     switch (lesson_exercise(page)) {
@@ -36,8 +37,8 @@ static void write_exercise(Leaflet *leaflet, const LessonPage *page)
         leaflet_lines(leaflet, 4);
         break;
     case EXERCISE_GOAL:
-        leaflet_line(leaflet, LEAFLET_SMALL, "What the run has to fulfil: %s",
-                     page->exercise->expression.text);
+        exercise_tell_goal(page->exercise, NULL, goal, sizeof goal);
+        leaflet_line(leaflet, LEAFLET_SMALL, "What the run has to fulfil: %s", goal);
         leaflet_lines(leaflet, 1);
         break;
     case EXERCISE_NONE:
@@ -70,7 +71,7 @@ int cli_lesson_handout(const Options *options, const char *student, Status *stat
             status);
     Lesson lesson;
     Leaflet leaflet = {.paper = NULL};
-    if (!leaflet_allowed(options->handout, options->force, status) ||
+    if (!leaflet_allowed(options->handout, ASKER_COMMAND_LINE, options->force, status) ||
         !lesson_load_for(options->words[0], student, command_line_for_lessons, &lesson, status))
         return (int)status->code;
     bool sound =

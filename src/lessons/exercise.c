@@ -2,7 +2,9 @@
 /* Reads and judges exercises (exercise.h). */
 #include "lessons/exercise.h"
 
+#include "base/math/functions.h"
 #include "base/text.h"
+#include "scenario/settings.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -106,21 +108,197 @@ void exercise_write_number(double number, char out[NUMBER_TEXT_MAX])
     strcpy(out, isfinite(number) ? text_rounded(number, DIGITS).text : "");
 }
 
+/* --- goals in words ---------------------------------------------------------------------------------- */
+
+/* A claim, and the runs that it is held against; NULL: not known. */
+typedef struct Telling {
+    const Expression *goal;
+    const ExpressionClaim *claim;
+    int middle; /* behind its left side; 0: it is told as it is written */
+    const ExpressionRun *now, *was;
+} Telling;
+
+static const ExpressionStep *left_of(const Telling *telling)
+{
+    return &telling->goal->steps[telling->claim->first];
+}
+
+static const ExpressionStep *right_of(const Telling *telling)
+{
+    return &telling->goal->steps[telling->middle];
+}
+
+static bool is_size(const Telling *telling)
+{
+    return telling->middle > telling->claim->first + 1 &&
+           telling->goal->steps[telling->middle - 1].kind == STEP_ABS;
+}
+
+/* "error", "cell size"; of a sum its text. */
+static void tell_subject(const Telling *telling, char *out, size_t size)
+{
+    const ExpressionStep *step = left_of(telling);
+    const char *text = telling->goal->text + telling->claim->text;
+    const bool single = telling->middle - telling->claim->first == 1 + is_size(telling);
+    size_t length = (size_t)telling->claim->length;
+    if (telling->middle && single && step->kind == STEP_WORD) {
+        text = step->word->called ? step->word->called : step->word->word;
+        length = strlen(text);
+    } else if (telling->middle && single && step->kind == STEP_KEY) {
+        text = step->key->label;
+        length = strlen(text);
+    } else if (telling->middle) {
+        length = strcspn(text, "<>=!");
+        while (length > 0 && text[length - 1] == ' ')
+            length--;
+    }
+    text_append(out, size, "%.*s", (int)length, text);
+    if (single && step->kind == STEP_WORD)
+        for (char *at = out; (at = strchr(at, '_'));)
+            *at = ' ';
+}
+
+/* As many digits as tell it from the other. */
+static NumberText told(double number, double other)
+{
+    NumberText text;
+    int digits = EXPRESSION_DIGITS;
+    do
+        text = text_rounded(number, digits);
+    while (number != other && digits++ < 17 && strcmp(text.text, text_rounded(other, digits - 1).text) == 0);
+    return text;
+}
+
+/* A side's value: the word of a choice, a number with its per cent. */
+static void tell_value(const Telling *telling, double value, double other, char *out, size_t size)
+{
+    static const char *const flags[] = {"no", "yes", NULL};
+    const ExpressionStep *step = left_of(telling);
+    const Parameter *key =
+        step->kind == STEP_KEY && telling->middle == telling->claim->first + 1 ? step->key : NULL;
+    const char *const *choices = !key ? NULL : key->type == PARAMETER_FLAG ? flags : key->choices;
+    if (choices)
+        text_append(out, size, "%s", choices[(int)value]);
+    else
+        text_append(out, size, "%s%s", told(value, other).text, right_of(telling)->percent ? " %" : "");
+}
+
+static double side(const Telling *telling, bool right)
+{
+    return expression_part(telling->goal, right ? telling->middle : telling->claim->first,
+                           right ? telling->claim->end - 1 : telling->middle, telling->now, telling->was);
+}
+
+/* Whether the runs are there that the right side speaks of. */
+static bool knows_limit(const Telling *telling)
+{
+    bool known = true;
+    for (int i = telling->middle; i < telling->claim->end - 1; i++) {
+        const ExpressionStep *step = &telling->goal->steps[i];
+        if (step->kind == STEP_WORD || step->kind == STEP_KEY)
+            known &= (step->was ? telling->was : telling->now) != NULL;
+    }
+    return known;
+}
+
+/* "at most 60". */
+static void tell_limit(const Telling *telling, char *out, size_t size)
+{
+    static const char *const words[] = {"below ", "at most ", "above ", "at least ", "", "not "};
+    static const char *const sizes[] = {"within ", "within ", "beyond ", "beyond ", "", "not "};
+    const int relation = (int)telling->goal->steps[telling->claim->end - 1].kind - STEP_LESS;
+    text_append(out, size, "%s", (is_size(telling) ? sizes : words)[relation]);
+    const bool of_opening = telling->claim->end - telling->middle == 2 && right_of(telling)->was;
+    if (!telling->was && of_opening) {
+        text_append(out, size, "as the page opens it");
+    } else if (!knows_limit(telling)) {
+        const char *text = telling->goal->text + telling->claim->text;
+        size_t skipped = strcspn(text, "<>=!");
+        skipped += strspn(text + skipped, "<>=! ");
+        text_append(out, size, "%.*s", telling->claim->length - (int)skipped, text + skipped);
+    } else {
+        const double limit = side(telling, true);
+        tell_value(telling, limit, telling->now ? side(telling, false) : limit, out, size);
+    }
+}
+
+/* The courant number with which a time step would be as long as it is to be; "": it does not come from one.
+ */
+static void tell_cure(const Telling *telling, char *out, size_t size)
+{
+    enum { DIGITS = 5 };
+    const Parameter *courant = parameter_find("time.courant");
+    const ExpressionStep *step = left_of(telling);
+    if (step->kind != STEP_WORD || strcmp(step->word->word, "dt") != 0 ||
+        telling->goal->steps[telling->claim->end - 1].kind != STEP_NOT_LESS ||
+        !parameter_applies_to(telling->now->settings, courant))
+        return;
+    const double wanted =
+        settings_number(telling->now->settings, courant) * side(telling, true) / side(telling, false);
+    const double unit = math_pow(10, floor(math_log10(wanted)) - (DIGITS - 1));
+    if (isfinite(wanted) && wanted > 0)
+        text_append(out, size, " (Courant %s)",
+                    text_rounded(ceil(wanted / unit * (1 - 1e-9)) * unit, DIGITS).text);
+}
+
+static void tell_failing(const Telling *telling, char *out, size_t size)
+{
+    tell_subject(telling, out, size);
+    if (!telling->middle) {
+        text_append(out, size, " does not hold");
+        return;
+    }
+    const double left = side(telling, false);
+    if (isnan(left))
+        text_append(out, size, " is not known");
+    else {
+        text_append(out, size, " ");
+        tell_value(telling, left, side(telling, true), out, size);
+    }
+    text_append(out, size, ", must be ");
+    tell_limit(telling, out, size);
+    if (isfinite(left))
+        tell_cure(telling, out, size);
+}
+
+static Telling telling_of(const Expression *goal, int claim, const ExpressionRun *now,
+                          const ExpressionRun *was)
+{
+    return (Telling){goal, &goal->claims[claim], expression_middle(goal, &goal->claims[claim]), now, was};
+}
+
+void exercise_tell_goal(const Exercise *exercise, const ExpressionRun *was, char *out, size_t size)
+{
+    out[0] = '\0';
+    for (int i = 0; i < exercise->expression.n_claims; i++) {
+        const Telling telling = telling_of(&exercise->expression, i, NULL, was);
+        char one[EXPRESSION_MAX] = "";
+        tell_subject(&telling, one, sizeof one);
+        if (telling.middle) {
+            text_append(one, sizeof one, " ");
+            tell_limit(&telling, one, sizeof one);
+        }
+        text_append(out, size, "%s%s", i > 0 ? "; " : "", one);
+    }
+}
+
 bool exercise_failing(const Exercise *exercise, const ExpressionRun *now, const ExpressionRun *was, char *out,
                       size_t size)
 {
-    const Expression *goal = &exercise->expression;
-    double left;
-    const int failing = expression_failing(goal, now, was, &left);
+    char met[ANSWER_MAX] = "";
     out[0] = '\0';
-    if (failing < 0)
-        return false;
-    const ExpressionClaim *claim = &goal->claims[failing];
-    snprintf(out, size, "%.*s", claim->length, goal->text + claim->text);
-    if (isfinite(left) && claim->end - claim->first == 3 && goal->steps[claim->first].kind == STEP_KEY &&
-        goal->steps[claim->first].key->choices)
-        return true; /* a choice has a word, not a number */
-    if (isfinite(left))
-        text_append(out, size, ": it is %s", text_rounded(left, 4).text);
-    return true;
+    for (int i = 0; i < exercise->expression.n_claims; i++) {
+        const Telling telling = telling_of(&exercise->expression, i, now, was);
+        char one[ANSWER_MAX] = "";
+        if (expression_holds(&exercise->expression, telling.claim, now, was)) {
+            tell_subject(&telling, one, sizeof one);
+            text_append(met, sizeof met, "%s%s", *met ? ", " : "", one);
+        } else {
+            tell_failing(&telling, one, sizeof one);
+            text_append(out, size, "%s%s", *out ? "; " : "", one);
+        }
+    }
+    if (*out && *met)
+        text_append(out, size, ". Met: %s", met);
+    return *out != '\0';
 }

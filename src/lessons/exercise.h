@@ -45,7 +45,11 @@ bool exercise_read_number(const char *text, double *number);
 /* A right answer as it is told; "": it is not known. */
 void exercise_write_number(double number, char out[NUMBER_TEXT_MAX]);
 
-/* Why a run does not fulfil a goal, in a few words: "cells <= 60: it is 100"; false: it does. */
+/* What a goal asks, in words: "error within 1 %; cells at most 60". `was`: NULL where no run is known. */
+void exercise_tell_goal(const Exercise *, const ExpressionRun *was, char *out, size_t size);
+
+/* Why a run does not fulfil a goal, and what it does: "cells 100, must be at most 60. Met: error"; false: it
+ * fulfils all. */
 bool exercise_failing(const Exercise *, const ExpressionRun *now, const ExpressionRun *was, char *out,
                       size_t size);
 

@@ -8,6 +8,7 @@
 #include <ctype.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { DEPTH_MAX = 24, TOKEN_MAX = 64 };
@@ -136,8 +137,8 @@ static bool read_number(Parser *parser)
     if (!text_to_double(parser->token, &value))
         return expected(parser, "a number");
     next(parser);
-    take(parser, "%");
-    return put(parser, (ExpressionStep){.kind = STEP_CONSTANT, .number = value});
+    const bool percent = take(parser, "%");
+    return put(parser, (ExpressionStep){.kind = STEP_CONSTANT, .number = value, .percent = percent});
 }
 
 static bool read_factor(Parser *parser)
@@ -320,6 +321,38 @@ static double value_of(const ExpressionStep *step, const ExpressionRun *run)
     return automatic && strcmp(automatic, text) == 0 ? NAN : settings_number(run->settings, step->key);
 }
 
+static double as_told(double number)
+{
+    return strtod(text_rounded(number, EXPRESSION_DIGITS).text, NULL);
+}
+
+static bool relates(ExpressionVerb relation, double a, double b)
+{
+    if (isnan(a) || isnan(b))
+        return false;
+    const bool whole = a == floor(a) && b == floor(b);
+    const bool same = a == b || (!whole && as_told(a) == as_told(b));
+    switch (relation) {
+    case STEP_LESS:
+        return a < b;
+    case STEP_NOT_MORE:
+        return a < b || same;
+    case STEP_MORE:
+        return a > b;
+    case STEP_NOT_LESS:
+        return a > b || same;
+    case STEP_EQUAL:
+        return same;
+    default:
+        return !same;
+    }
+}
+
+static bool is_relation(const ExpressionStep *step)
+{
+    return step->kind >= STEP_LESS && step->kind <= STEP_UNEQUAL;
+}
+
 /* The truth of a relation or the number of a sign, from what stands left and right of it. */
 static double combine(const ExpressionStep *step, double a, double b)
 {
@@ -332,35 +365,20 @@ static double combine(const ExpressionStep *step, double a, double b)
         return a * b;
     case STEP_DIVIDE:
         return a / b;
-    case STEP_LESS:
-        return a < b;
-    case STEP_NOT_MORE:
-        return a <= b;
-    case STEP_MORE:
-        return a > b;
-    case STEP_NOT_LESS:
-        return a >= b;
-    case STEP_EQUAL:
-        return a == b;
-    case STEP_UNEQUAL:
-        return a != b && !isnan(a) && !isnan(b);
     case STEP_AND:
         return a != 0 && b != 0;
     case STEP_OR:
         return a != 0 || b != 0;
     default:
-        return NAN;
+        return relates(step->kind, a, b);
     }
 }
 
-/* Does the steps from `first` to before `end`; *left: what stood left of the relation, where there is one
- * only.
- */
-static double calculate(const Expression *expression, int first, int end, const ExpressionRun *now,
-                        const ExpressionRun *was, double *left)
+double expression_part(const Expression *expression, int first, int end, const ExpressionRun *now,
+                       const ExpressionRun *was)
 {
     double stack[EXPRESSION_STEPS_MAX];
-    int top = 0, relations = 0;
+    int top = 0;
     for (int i = first; i < end; i++) {
         const ExpressionStep *step = &expression->steps[i];
         if (step->kind <= STEP_KEY) {
@@ -369,31 +387,39 @@ static double calculate(const Expression *expression, int first, int end, const 
             const double a = stack[top - 1];
             stack[top - 1] = step->kind == STEP_MINUS ? -a : fabs(a);
         } else {
-            const double a = stack[top - 2], b = stack[--top];
-            if (step->kind >= STEP_LESS && step->kind <= STEP_UNEQUAL)
-                *left = relations++ == 0 ? a : NAN;
-            stack[top - 1] = combine(step, a, b);
+            const double b = stack[--top];
+            stack[top - 1] = combine(step, stack[top - 1], b);
         }
     }
     return top > 0 ? stack[0] : NAN;
 }
 
-double expression_value(const Expression *expression, const ExpressionRun *now, const ExpressionRun *was)
+int expression_middle(const Expression *expression, const ExpressionClaim *claim)
 {
-    double left = NAN;
-    if (expression->kind == EXPRESSION_TRUTH)
-        return expression_failing(expression, now, was, &left) < 0;
-    return calculate(expression, 0, expression->n_steps, now, was, &left);
+    int middle = 0;
+    for (int i = claim->first, top = 0; i < claim->end; i++) {
+        const ExpressionStep *step = &expression->steps[i];
+        if (is_relation(step) && i + 1 < claim->end)
+            return 0;
+        top += step->kind <= STEP_KEY ? 1 : step->kind == STEP_MINUS || step->kind == STEP_ABS ? 0 : -1;
+        if (top == 1 && i + 1 < claim->end)
+            middle = i + 1;
+    }
+    return middle;
 }
 
-int expression_failing(const Expression *expression, const ExpressionRun *now, const ExpressionRun *was,
-                       double *left)
+bool expression_holds(const Expression *expression, const ExpressionClaim *claim, const ExpressionRun *now,
+                      const ExpressionRun *was)
 {
-    for (int i = 0; i < expression->n_claims; i++) {
-        const ExpressionClaim *claim = &expression->claims[i];
-        *left = NAN;
-        if (calculate(expression, claim->first, claim->end, now, was, left) == 0)
-            return i;
-    }
-    return -1;
+    return expression_part(expression, claim->first, claim->end, now, was) != 0;
+}
+
+double expression_value(const Expression *expression, const ExpressionRun *now, const ExpressionRun *was)
+{
+    if (expression->kind == EXPRESSION_NUMBER)
+        return expression_part(expression, 0, expression->n_steps, now, was);
+    for (int i = 0; i < expression->n_claims; i++)
+        if (!expression_holds(expression, &expression->claims[i], now, was))
+            return 0;
+    return 1;
 }

@@ -48,6 +48,7 @@ typedef enum ExpressionVerb {
 typedef struct ExpressionStep {
     ExpressionVerb kind;
     bool was;
+    bool percent; /* of a number: it says so behind it */
     double number;
     const RunNumber *word;
     const Parameter *key;
@@ -82,8 +83,19 @@ bool expression_read(const char *text, ExpressionKind, Expression *, Status *);
  * beforehand. */
 double expression_value(const Expression *, const ExpressionRun *now, const ExpressionRun *was);
 
-/* The first claim that does not hold: its index, -1 where all do; *left is what stands left of its relation,
- * NAN where it has none or several. */
-int expression_failing(const Expression *, const ExpressionRun *now, const ExpressionRun *was, double *left);
+/* Numbers are compared as they are told to the student, with so many digits (whole ones exactly): 0.0099999
+ * is not less than 0.01. */
+enum { EXPRESSION_DIGITS = 4 };
+
+/* Whether a claim of a truth holds. */
+bool expression_holds(const Expression *, const ExpressionClaim *, const ExpressionRun *now,
+                      const ExpressionRun *was);
+
+/* The value of the steps from `first` to before `end`. */
+double expression_part(const Expression *, int first, int end, const ExpressionRun *now,
+                       const ExpressionRun *was);
+
+/* Of a claim that is one relation the step behind its left side; 0: it is none, or several. */
+int expression_middle(const Expression *, const ExpressionClaim *);
 
 #endif

@@ -181,7 +181,7 @@ const RunNumber run_numbers[] = {
      ABOUT("%", "energy gained", "energy lost"), .part = SUMMARY_ENERGY},
     {"end", "the time at the end", last_time, .label = NULL},
     {"steps", "steps to the end", steps, .label = NULL},
-    {"dt", "the time step", derived, .beforehand = true},
+    {"dt", "the time step", derived, .beforehand = true, .called = "time step"},
     {"cells", "cells of the mesh", derived, .beforehand = true},
     {"particles", "particles or lattice points", derived, .beforehand = true},
     {"cells_per_wave", "cells to a wave length", derived, .beforehand = true},

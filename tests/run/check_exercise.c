@@ -168,6 +168,14 @@ static const struct {
     const char *text;
     bool holds;
 } truths[] = {{"error < 1", true},
+              {"0.99999 >= 1", true},
+              {"0.9999 >= 1", false},
+              {"0.99999 < 1", true},
+              {"1.00001 <= 1", true},
+              {"1 < 1.00001", true},
+              {"0.1 + 0.2 = 0.3", true},
+              {"14704 <= 14700", false},
+              {"14704 != 14700", true},
               {"abs(error) < 1", false},
               {"abs(error) < 5 % and cells <= 60", true},
               {"cells <= 24", false},
@@ -270,15 +278,58 @@ START_TEST(why_a_goal_is_missed_is_told)
     Status status = {STATUS_DONE, ""};
     ck_assert(exercise_read_goal("cells <= 60 and abs(error) < 1 % and cells <= 20", &exercise, &status));
     ck_assert(exercise_failing(&exercise, &now, &was, why, sizeof why));
-    ck_assert_str_eq(why, "abs(error) < 1 %: it is 4.5");
+    ck_assert_str_eq(why, "error 4.5 %, must be within 1 %; cells 25, must be at most 20. Met: cells");
     ck_assert(exercise_read_goal("mpm.algorithm = usl", &exercise, &status));
     ck_assert(exercise_failing(&exercise, &now, &was, why, sizeof why));
-    ck_assert_str_eq(why, "mpm.algorithm = usl");
+    ck_assert_str_eq(why, "algorithm usf, must be usl");
     ck_assert(exercise_read_goal("late < 1", &exercise, &status));
     ck_assert(exercise_failing(&exercise, &now, &was, why, sizeof why));
-    ck_assert_str_eq(why, "late < 1");
+    ck_assert_str_eq(why, "late is not known, must be below 1");
     ck_assert(exercise_read_goal("cells <= 60", &exercise, &status));
     ck_assert(!exercise_failing(&exercise, &now, &was, why, sizeof why));
+}
+END_TEST
+
+/* A cell of 25/55 and a courant number of .22: dt is 0.01 but for its last bit. */
+START_TEST(numbers_are_compared_as_they_are_told)
+{
+    Held run = *held();
+    const ExpressionRun now = {&run.settings, &run.summary}, was = {&run.was_settings, &run.before};
+    Exercise exercise;
+    char why[ANSWER_MAX];
+    Status status = {STATUS_DONE, ""};
+    ck_assert(exercise_read_goal("dt >= was dt and cells <= 60", &exercise, &status));
+    for (int i = 0; i < run.before.n_derived; i++)
+        if (strcmp(run.before.derived[i].name, "dt") == 0)
+            run.before.derived[i].value = 0.01;
+    ck_assert(settings_set(&run.settings, "mesh.cell_size", "0.45454545454545453", &status));
+    ck_assert(settings_set(&run.settings, "time.courant", "0.22", &status));
+    ck_assert(run_numbers_beforehand(&run.settings, &run.summary, &status));
+    ck_assert(!exercise_failing(&exercise, &now, &was, why, sizeof why));
+    ck_assert(settings_set(&run.settings, "time.courant", "0.219998", &status));
+    ck_assert(run_numbers_beforehand(&run.settings, &run.summary, &status));
+    ck_assert(!exercise_failing(&exercise, &now, &was, why, sizeof why));
+    ck_assert(settings_set(&run.settings, "time.courant", "0.2199", &status));
+    ck_assert(run_numbers_beforehand(&run.settings, &run.summary, &status));
+    ck_assert(exercise_failing(&exercise, &now, &was, why, sizeof why));
+    ck_assert_str_eq(why, "time step 0.009995, must be at least 0.01 (Courant 0.22). Met: cells");
+}
+END_TEST
+
+/* Without a run, on paper. */
+START_TEST(a_goal_is_told_in_words)
+{
+    Exercise exercise;
+    char text[ANSWER_MAX];
+    Status status = {STATUS_DONE, ""};
+    ck_assert(
+        exercise_read_goal("abs(error) < 1 % and cells <= 60 and dt >= was dt and mpm.algorithm = usl and "
+                           "late < 2 * was mesh.cell_size",
+                           &exercise, &status));
+    exercise_tell_goal(&exercise, NULL, text, sizeof text);
+    ck_assert_str_eq(text,
+                     "error within 1 %; cells at most 60; time step at least as the page opens it; algorithm "
+                     "usl; late below 2 * was mesh.cell_size");
 }
 END_TEST
 
@@ -494,6 +545,8 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(expressions, what_is_no_expression_is_told, 0, (int)(sizeof wrong / sizeof *wrong));
     tcase_add_test(expressions, an_endless_one_is_refused);
     tcase_add_test(expressions, why_a_goal_is_missed_is_told);
+    tcase_add_test(expressions, numbers_are_compared_as_they_are_told);
+    tcase_add_test(expressions, a_goal_is_told_in_words);
     tcase_add_test(answers, an_answer_is_near_enough_or_not);
     tcase_add_test(answers, a_number_is_read_as_it_is_written);
     tcase_add_test(answers, no_cell_is_a_formula);

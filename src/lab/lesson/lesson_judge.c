@@ -140,7 +140,7 @@ bool lesson_judge_goal(Laboratory *lab)
     Experiment *experiment = laboratory_run(lab);
     ExerciseRun *run = &lab->play.run;
     const Settings *base = experiment_base(experiment);
-    char why[ANSWER_MAX], verdict[ANSWER_MAX + 20];
+    char why[EXPRESSION_MAX + ANSWER_MAX], verdict[sizeof lab->play.shown.verdict];
     if (!run->known || !experiment_at_end(experiment) || experiment_failed(experiment, NULL) ||
         lab->player.playback.state == STATE_COMPUTING || settings_same(base, &run->entered) ||
         (run->was_judged && settings_same(base, &run->judged)))
@@ -157,6 +157,10 @@ bool lesson_judge_goal(Laboratory *lab)
     mark->judged = true;
     mark->right = met;
     settings_name(base, &run->entered, mark->value, sizeof mark->value);
-    snprintf(mark->right_answer, sizeof mark->right_answer, "%s", page->exercise->expression.text);
+    RunSummary before;
+    Status ignored = {0};
+    const bool known = summary_before(page->exercise, &run->entered, &before, &ignored);
+    exercise_tell_goal(page->exercise, known ? &(ExpressionRun){&run->entered, &before} : NULL,
+                       mark->right_answer, sizeof mark->right_answer);
     return met;
 }
