@@ -41,4 +41,9 @@ struct Settings {
 /* The words of a scenario file for MethodKind, ended by NULL. */
 extern const char *const settings_method_words[];
 
+/* A word of a choice as a file has it that is not to tell the mistake: four hexadecimal digits of its hash.
+ */
+enum { CIPHER_MAX = 5 };
+void parameter_cipher(const char *word, char out[CIPHER_MAX]);
+
 #endif

@@ -5,6 +5,7 @@
 #include "scenario/rows/rows.h"
 #include "base/kinds.h"
 #include "base/assertion.h"
+#include "base/hash.h"
 #include "base/text.h"
 #include "problems/problem.h"
 
@@ -112,6 +113,11 @@ void settings_default(Settings *settings, const Problem *problem)
 
 /* --- text out ------------------------------------------------------------------------------------- */
 
+void parameter_cipher(const char *word, char out[CIPHER_MAX])
+{
+    snprintf(out, CIPHER_MAX, "%04x", (unsigned)(hash_bytes(HASH_BEGIN, word, strlen(word)) & 0xffff));
+}
+
 /* digits 0: as many as it takes to read back to the same number. */
 static void write_value(const Settings *settings, const Parameter *parameter, int digits, char out[LIST_MAX])
 {
@@ -123,9 +129,12 @@ static void write_value(const Settings *settings, const Parameter *parameter, in
     if (parameter->choices) {
         ASSERT_INT(value, >=, 0);
         ASSERT_INT(value, <, parameter_choices(parameter, settings->problem));
+        const char *word = parameter->choices[(int)value];
         const bool concealed = parameter->wrong && settings->concealed;
-        snprintf(out, LIST_MAX, "%s%s", concealed ? "?" : "",
-                 concealed && digits > 0 ? "" : parameter->choices[(int)value]);
+        char cipher[CIPHER_MAX] = "";
+        if (concealed && digits == 0)
+            parameter_cipher(word, cipher);
+        snprintf(out, LIST_MAX, "%s%s", concealed ? "?" : "", concealed ? cipher : word);
     } else if (parameter_automatic(parameter, settings->problem) && value == parameter->automatic_value)
         strcpy(out, parameter_automatic(parameter, settings->problem));
     else if (digits == 0 || parameter->type == PARAMETER_INTEGER)

@@ -188,6 +188,12 @@ bool settings_set(Settings *settings, const char *key, const char *text, Status 
     double value;
     const bool concealed = parameter->wrong && *text == '?';
     text += concealed;
+    for (int i = 0; concealed && parameter->choices[i]; i++) {
+        char cipher[CIPHER_MAX];
+        parameter_cipher(parameter->choices[i], cipher);
+        if (strcmp(text, cipher) == 0)
+            text = parameter->choices[i];
+    }
     if (!(parameter->choices ? read_choice : read_number)(parameter, settings->problem, text, &value, status))
         return false;
     settings_put(settings, parameter, value);
