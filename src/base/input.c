@@ -6,6 +6,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -75,6 +76,52 @@ static FILE *open_standard(long most, Status *status)
     return stream;
 }
 
+/* The names of what is read, as long as the program runs; a sweep reads on many threads. */
+static struct {
+    pthread_mutex_t lock;
+    char **names;
+    size_t count;
+} noted = {.lock = PTHREAD_MUTEX_INITIALIZER};
+
+static bool is_noted(const char *real)
+{
+    for (size_t i = 0; i < noted.count; i++)
+        if (strcmp(noted.names[i], real) == 0)
+            return true;
+    return false;
+}
+
+bool input_is_read(const char *real)
+{
+    pthread_mutex_lock(&noted.lock);
+    const bool is_read = is_noted(real);
+    pthread_mutex_unlock(&noted.lock);
+    return is_read;
+}
+
+bool input_note(const char *name, Status *status)
+{
+    char *real = realpath(name, NULL);
+    if (!real)
+        return errno != ENOMEM || cannot_read(name, status); /* what is not there nobody overwrites */
+    pthread_mutex_lock(&noted.lock);
+    bool sound = true;
+    if (!is_noted(real)) {
+        char **grown = realloc(noted.names, (noted.count + 1) * sizeof *grown);
+        sound = grown != NULL;
+        if (grown) {
+            noted.names = grown;
+            noted.names[noted.count++] = real;
+            real = NULL;
+        }
+    }
+    pthread_mutex_unlock(&noted.lock);
+    free(real);
+    if (!sound)
+        errno = ENOMEM;
+    return sound || cannot_read(name, status);
+}
+
 FILE *input_open(const char *name, long most, Status *status)
 {
     if (standard.text && strcmp(name, input_standard_name) == 0)
@@ -84,7 +131,7 @@ FILE *input_open(const char *name, long most, Status *status)
         cannot_read(name, status);
         return NULL;
     }
-    if (is_file(descriptor, name, most, status)) {
+    if (is_file(descriptor, name, most, status) && input_note(name, status)) {
         FILE *stream = fdopen(descriptor, "r");
         if (stream)
             return stream;

@@ -16,6 +16,11 @@
  * refused. */
 FILE *input_open(const char *name, long most, Status *);
 
+/* Every file that was opened, and what is noted as one that will be: no output takes its place (output.h).
+ * `real`: as output_real_name() has it. False of input_note(): no memory. */
+bool input_note(const char *name, Status *);
+bool input_is_read(const char *real);
+
 /* What stands for standard input in place of a file's name, "-", for input_open() once all that it holds (so
  * many bytes at most) was taken: only who starts the program may ask for that, for reading it may wait. */
 extern const char input_standard_name[];

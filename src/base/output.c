@@ -4,12 +4,16 @@
  * program does to a disk is here too. */
 #include "base/output.h"
 
+#include "base/input.h"
+#include "base/signals.h"
 #include "base/visible.h"
 
+#include <ctype.h>
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <libgen.h>
+#include <pthread.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -120,7 +124,88 @@ static bool too_long(const char *name, Status *status)
     return status_refuse(status, "%s: the name is too long (most systems allow 255 bytes)", name);
 }
 
-bool output_may_begin(const char *name, bool force, Status *status)
+static bool overwrites_input(const char *name, Status *status)
+{
+    return status_refuse(status, "%s: the output would overwrite an input", name);
+}
+
+static bool is_input(const char *name)
+{
+    char *real = output_real_name(name, NULL);
+    const bool is_read = real && input_is_read(real);
+    free(real);
+    return is_read;
+}
+
+/* What a file of this program begins with, as its first line has it; what has no lines says of which kind it
+ * is. */
+static const char *const beginnings[] = {"step,time",
+                                         "step,stage",
+                                         "name,exercise,value,",
+                                         "ID number,Full name,Grade,",
+                                         "file,verdict,",
+                                         "# matvib session: ",
+                                         "matvib run ",
+                                         "{\"version\": 2, \"width\"",
+                                         "%PDF-",
+                                         "\x89PNG",
+                                         "GIF8",
+                                         "RIFF",
+                                         "<svg "};
+static const char *const columns[] = {",fitted,residual",
+                                      ",steps,wall"}; /* of tables that begin as they may */
+
+static bool begins(const char *text, const char *with)
+{
+    return strncmp(text, with, strlen(with)) == 0;
+}
+
+/* The head of a file, its commas as they were before a dialect; false: it cannot be read. */
+static bool read_head(const char *name, char *head, size_t size)
+{
+    const int descriptor = open(name, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+    const ssize_t length = descriptor < 0 ? -1 : read(descriptor, head, size - 1);
+    if (descriptor >= 0)
+        close(descriptor);
+    head[length > 0 ? length : 0] = '\0';
+    for (char *at = head; (at = strchr(at, ';'));)
+        *at++ = ',';
+    return length >= 0;
+}
+
+/* Whether this program wrote it, as far as its head tells; of one that is empty nothing is lost. */
+static bool is_own(const char *name)
+{
+    static const char mark[] = "\xef\xbb\xbf", version[] = "# matvib ", lammps[] = ".matvib";
+    static const char crate[] = "{\n \"@context\": \"https://w3id.org/ro/crate/", xml[] = "<?xml ";
+    char text[4096], *head = text;
+    if (!read_head(name, text, sizeof text))
+        return false;
+    head += begins(text, mark) ? strlen(mark) : 0;
+    const char *ending = strrchr(name, '.');
+    if (!*head || (ending && strcmp(ending, lammps) == 0) || begins(head, crate) ||
+        (begins(head, xml) && (strstr(head, "\n<svg ") || strstr(head, "\n<VTKFile "))))
+        return true;
+    head[strcspn(head, "\r\n")] = '\0';
+    bool known = begins(head, version) && isdigit((unsigned char)head[strlen(version)]);
+    for (size_t i = 0; i < sizeof beginnings / sizeof *beginnings; i++)
+        known |= begins(head, beginnings[i]);
+    for (size_t i = 0; i < sizeof columns / sizeof *columns; i++)
+        known |= strstr(head, columns[i]) != NULL;
+    return known;
+}
+
+/* A regular file that is there. */
+static bool may_replace(const char *name, Asker asker, bool force, Status *status)
+{
+    if (asker == ASKER_COMMAND_LINE && is_input(name))
+        return overwrites_input(name, status);
+    if (asker == ASKER_COMMAND_LINE && !is_own(name))
+        return status_refuse(status, "%s: exists and was not written by matvib (choose another name)", name);
+    return force || status_refuse(status, "%s: exists (--force replaces it)", name);
+}
+
+bool output_may_begin(const char *name, Asker asker, bool force, Status *status)
 {
     struct stat what;
     if (*name == '\0')
@@ -137,9 +222,7 @@ bool output_may_begin(const char *name, bool force, Status *status)
         return folder_takes(name, status);
     if (S_ISDIR(what.st_mode))
         return status_refuse(status, "%s: is a folder", name);
-    if (S_ISREG(what.st_mode) && !force)
-        return status_refuse(status, "%s: exists (--force replaces it)", name);
-    return !S_ISREG(what.st_mode) || folder_takes(name, status);
+    return !S_ISREG(what.st_mode) || (may_replace(name, asker, force, status) && folder_takes(name, status));
 }
 
 /* Bytes of the name of a file that the name of its temporary file begins with: that has more behind it, and a
@@ -184,6 +267,50 @@ void output_remove_remains(const char *name)
     free(copies[1]);
 }
 
+/* Files under temporary names, removed when a signal ends the program at once. */
+typedef struct Temporary {
+    struct Temporary *previous, *next;
+    char *name;
+} Temporary;
+
+static Temporary *volatile first;
+static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
+
+static void remove_temporaries(void)
+{
+    for (const Temporary *one = first; one; one = one->next)
+        unlink(one->name);
+}
+
+static void enter_list(Temporary *one)
+{
+    pthread_mutex_lock(&lock);
+    one->next = first;
+    if (first)
+        first->previous = one;
+    first = one;
+    pthread_mutex_unlock(&lock);
+}
+
+/* It is removed, or has another name. */
+static void leave_list(OutputFile *file)
+{
+    Temporary *one = file->temporary;
+    file->temporary = NULL;
+    if (!one)
+        return;
+    pthread_mutex_lock(&lock);
+    if (one->next)
+        one->next->previous = one->previous;
+    if (one->previous)
+        one->previous->next = one->next;
+    else if (first == one)
+        first = one->next;
+    pthread_mutex_unlock(&lock);
+    free(one->name);
+    free(one);
+}
+
 /* A new file beside the target, with these rights, or with those that the user's mask gives. */
 static bool open_temporary(OutputFile *file, mode_t rights, Status *status)
 {
@@ -191,29 +318,34 @@ static bool open_temporary(OutputFile *file, mode_t rights, Status *status)
     const char *slash = strrchr(file->target, '/'), *base = slash ? slash + 1 : file->target;
     const int stem = (int)((size_t)(base - file->target) + stem_length(base));
     const mode_t mode = rights ? rights : 0666;
+    Temporary *one = file->temporary = calloc(1, sizeof *one);
+    if (!one)
+        return no_memory(status);
+    signals_before_end(remove_temporaries);
     for (int i = 0; i < 100 && descriptor < 0; i++) {
-        free(file->temporary);
-        if (asprintf(&file->temporary, "%.*s.%ld-%d.part", stem, file->target, (long)getpid(), i) < 0) {
-            file->temporary = NULL;
-            return no_memory(status);
+        free(one->name);
+        if (asprintf(&one->name, "%.*s.%ld-%d.part", stem, file->target, (long)getpid(), i) < 0) {
+            one->name = NULL;
+            break;
         }
-        descriptor = open(file->temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+        descriptor = open(one->name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
         if (descriptor < 0 && errno != EEXIST)
             break;
     }
+    if (descriptor >= 0)
+        enter_list(one);
     if (descriptor >= 0 && rights)
         (void)!fchmod(descriptor, mode);
     if (descriptor >= 0)
         file->stream = fdopen(descriptor, "w");
     if (file->stream)
         return true;
-    cannot_write(file->name, status);
+    one->name ? cannot_write(file->name, status) : no_memory(status);
     if (descriptor >= 0) {
         close(descriptor);
-        unlink(file->temporary);
+        unlink(one->name);
     }
-    free(file->temporary);
-    file->temporary = NULL;
+    leave_list(file);
     return false;
 }
 
@@ -230,8 +362,8 @@ static FILE *open_direct(Asker asker, const char *name)
 
 bool output_open(OutputFile *file, Asker asker, const char *name, bool force, Status *status)
 {
-    *file = (OutputFile){.replaces = force};
-    if (!output_allowed(asker, name, status) || !output_may_begin(name, force, status))
+    *file = (OutputFile){.replaces = force, .spares = asker == ASKER_COMMAND_LINE};
+    if (!output_allowed(asker, name, status) || !output_may_begin(name, asker, force, status))
         return false;
     file->name = strdup(name);
     if (!file->name)
@@ -291,13 +423,13 @@ bool output_finish(OutputFile *file, Status *status)
  * (some file systems of sticks and servers) the second comer wins. */
 static bool take_free_name(const OutputFile *file, Status *status)
 {
-    if (link(file->temporary, file->target) == 0) {
-        unlink(file->temporary);
+    if (link(file->temporary->name, file->target) == 0) {
+        unlink(file->temporary->name);
         return true;
     }
     if (errno == EEXIST)
         return status_fail(status, "%s: another program has written it (--force replaces it)", file->name);
-    return rename(file->temporary, file->target) == 0 || cannot_write(file->name, status);
+    return rename(file->temporary->name, file->target) == 0 || cannot_write(file->name, status);
 }
 
 /* Brings a new name to the disk; without it the file may be gone after the computer stopped. */
@@ -321,13 +453,14 @@ bool output_commit(OutputFile *file, Status *status)
 {
     if (!file->temporary)
         return true;
+    if (file->spares && file->replaces && input_is_read(file->target))
+        return overwrites_input(file->name, status);
     if (!file->replaces) {
         if (!take_free_name(file, status))
             return false;
-    } else if (rename(file->temporary, file->target) != 0)
+    } else if (rename(file->temporary->name, file->target) != 0)
         return cannot_write(file->name, status);
-    free(file->temporary);
-    file->temporary = NULL;
+    leave_list(file);
     return sync_folder(file, status);
 }
 
@@ -343,10 +476,10 @@ void output_close(OutputFile *file)
     if (file->stream && !file->standard)
         fclose(file->stream);
     if (file->temporary)
-        unlink(file->temporary);
+        unlink(file->temporary->name);
+    leave_list(file);
     free(file->name);
     free(file->target);
-    free(file->temporary);
     *file = (OutputFile){0};
 }
 

@@ -23,12 +23,13 @@ typedef enum Asker {
 } Asker;
 
 typedef struct OutputFile {
-    FILE *stream;    /* NULL once it is finished */
-    char *name;      /* as the user wrote it, for messages */
-    char *target;    /* the file that it will be; NULL: written directly */
-    char *temporary; /* until it is committed */
+    FILE *stream;                /* NULL once it is finished */
+    char *name;                  /* as the user wrote it, for messages */
+    char *target;                /* the file that it will be; NULL: written directly */
+    struct Temporary *temporary; /* until it is committed */
     bool standard;
     bool replaces; /* what has the name by the time it is committed; else that is an error */
+    bool spares;   /* a file that has been read by then: an error too */
 } OutputFile;
 
 /* Whether this asker may write at all; checked by every function below that makes or changes something. */
@@ -38,8 +39,9 @@ bool output_is_standard(const char *name); /* "-" */
 bool output_is_direct(const char *name); /* "-", or a terminal, a pipe, a device: nothing stands beside it */
 
 /* Whether a file may be begun: its folder takes files, it does not exist or may be replaced. Nothing is
- * touched. */
-bool output_may_begin(const char *name, bool force, Status *);
+ * touched. A command line replaces (--force) only what this program wrote, as the first line tells, and never
+ * a file that is read; a person who was asked about the very name replaces any. */
+bool output_may_begin(const char *name, Asker, bool force, Status *);
 
 /* The one name that stands for a file however it is written; free() it. NULL: no memory, or there is no such
  * folder (the status says which). */

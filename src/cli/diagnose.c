@@ -6,7 +6,6 @@
 #include "base/text.h"
 #include "base/visible.h"
 #include "cli/cli.h"
-#include "cli/distinct.h"
 #include "cli/options.h"
 #include "cli/progress.h"
 #include "export/csv.h"
@@ -266,9 +265,7 @@ static bool tell(const Files *all, Status *status)
 
 static bool may_write(const Options *options, Status *status)
 {
-    return !options->output ||
-           (output_may_begin(options->output, options->force, status) &&
-            distinct_files(&options->output, 1, options->words + 1, options->n_words - 1, status));
+    return !options->output || output_may_begin(options->output, ASKER_COMMAND_LINE, options->force, status);
 }
 
 int cli_diagnose(Options *options, Status *status)

@@ -6,18 +6,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What is not there yet, or has no folder, is no input that could be overwritten. */
 static bool is_same(const char *real, const char *name)
 {
-    Status status = {STATUS_DONE, ""};
-    char *other = output_real_name(name, &status);
+    char *other = output_real_name(name, NULL);
     const bool same = other && strcmp(real, other) == 0;
     free(other);
     return same;
 }
 
-static bool is_alone(const char *const *outputs, int which, const char *const *inputs, int n_inputs,
-                     Status *status)
+static bool is_alone(const char *const *outputs, int which, Status *status)
 {
     const char *name = outputs[which];
     bool alone = true;
@@ -33,18 +30,14 @@ static bool is_alone(const char *const *outputs, int which, const char *const *i
     for (int i = 0; i < which && alone; i++)
         if (outputs[i] && !output_is_standard(outputs[i]) && is_same(real, outputs[i]))
             alone = status_refuse(status, "%s: two outputs cannot be the same file", name);
-    for (int i = 0; i < n_inputs && alone; i++)
-        if (is_same(real, inputs[i]))
-            alone = status_refuse(status, "%s: it is read, so it cannot be written too", name);
     free(real);
     return alone;
 }
 
-bool distinct_files(const char *const *outputs, int n_outputs, const char *const *inputs, int n_inputs,
-                    Status *status)
+bool distinct_outputs(const char *const *outputs, int count, Status *status)
 {
-    for (int i = 0; i < n_outputs; i++)
-        if (outputs[i] && !is_alone(outputs, i, inputs, n_inputs, status))
+    for (int i = 0; i < count; i++)
+        if (outputs[i] && !is_alone(outputs, i, status))
             return false;
     return true;
 }

@@ -239,7 +239,7 @@ int cli_figure(Options *options, Status *status)
         else if (!options->output)
             sound = status_refuse(status, "figure: --output FILE is missing (FILE.svg, .pdf or .png)");
         sound = sound && figure_allowed(options->output, status) &&
-                output_may_begin(options->output, options->force, status) &&
+                output_may_begin(options->output, ASKER_COMMAND_LINE, options->force, status) &&
                 all_others(&options->against, &settings, others, status);
     }
     if (!sound)

@@ -197,10 +197,12 @@ static bool may_write(const Options *options, Status *status)
     const Crate crate = crate_of(options);
     const char *const outputs[] = {options->output, options->figure};
     return describe_may_begin(options, &crate, status) &&
-           (!options->output || output_may_begin(options->output, options->force, status)) &&
-           (!options->figure || (figure_allowed(options->figure, status) &&
-                                 output_may_begin(options->figure, options->force, status))) &&
-           distinct_files(outputs, 2, &options->data, options->data ? 1 : 0, status);
+           (!options->output ||
+            output_may_begin(options->output, ASKER_COMMAND_LINE, options->force, status)) &&
+           (!options->figure ||
+            (figure_allowed(options->figure, status) &&
+             output_may_begin(options->figure, ASKER_COMMAND_LINE, options->force, status))) &&
+           distinct_outputs(outputs, 2, status);
 }
 
 /* The run goes as far as the data do. */

@@ -5,6 +5,7 @@
 #include "cli/distinct.h"
 #include "cli/options.h"
 #include "cli/progress.h"
+#include "cli/roster.h"
 #include "cli/students.h"
 
 #include "base/output.h"
@@ -63,6 +64,15 @@ static const char *mark_text(const Lesson *lesson, const Grade *grade)
     return grade->mark.right ? "1" : "0";
 }
 
+/* Of the list of the class, who handed in nothing. */
+static void write_missing(const Marking *marking)
+{
+    const char *name;
+    for (int at = 0; (name = students_missing(&marking->students, &at));)
+        csv_words(marking->table, marking->dialect,
+                  (const char *[CELLS]){name, "", "", "", "", "", "", "", "missing"}, CELLS);
+}
+
 static void write_rows(const Marking *marking, const char *file, const Grades *grades)
 {
     const char *cells[CELLS] = {grades->student, "", "", "", "", "", "", file, grades->remark};
@@ -87,7 +97,7 @@ static void write_rows(const Marking *marking, const char *file, const Grades *g
 
 /* --- sessions that are one ------------------------------------------------------------------------- */
 
-/* Another session of the same lines, or of the same keys at the same times; it may stand before or behind. */
+/* Another session of the same lines, or of the same keys; it may stand before or behind. */
 static void tell_twin(const Marking *marking, const Options *options, const GradingOrigin *origins, int own,
                       Grades *grades)
 {
@@ -104,8 +114,7 @@ static void tell_twin(const Marking *marking, const Options *options, const Grad
     char file[NAME_SHOWN_MAX];
     visible_text(file, sizeof file, options->words[twin + 1]);
     text_append(grades->remark, sizeof grades->remark, "%s%s %.100s", *grades->remark ? "; " : "",
-                origins[twin].check == origins[own].check ? "the same recording as"
-                                                          : "the same keys at the same times as",
+                origins[twin].check == origins[own].check ? "the same recording as" : "the same keys as",
                 file);
 }
 
@@ -167,6 +176,8 @@ static bool mark_all(Marking *marking, const Options *options, Status *status)
         if (marking->sheets)
             write_sheet(marking, file, grades);
     }
+    if (sound)
+        write_missing(marking);
     free(grades);
     free(origins);
     return sound;
@@ -188,7 +199,7 @@ static void begin_table(const Options *options, FILE *stream)
 /* Two tables and the pages: all are there at the end, or none. */
 static bool write_all(Marking *marking, const Options *options, Status *status)
 {
-    OutputFile file, students = {.stream = NULL};
+    OutputFile file, moodle = {.stream = NULL};
     Leaflet sheets = {.paper = NULL};
     const char *name = options->output ? options->output : "-";
     if (!output_open(&file, ASKER_COMMAND_LINE, name, options->force, status))
@@ -196,35 +207,34 @@ static bool write_all(Marking *marking, const Options *options, Status *status)
     marking->table = file.stream;
     marking->sheets = options->sheet ? &sheets : NULL;
     begin_table(options, file.stream);
-    bool sound = (!options->students ||
-                  output_open(&students, ASKER_COMMAND_LINE, options->students, options->force, status)) &&
+    bool sound = (!options->moodle ||
+                  output_open(&moodle, ASKER_COMMAND_LINE, options->moodle, options->force, status)) &&
                  (!options->sheet || leaflet_open(&sheets, ASKER_COMMAND_LINE, options->sheet, options->force,
                                                   marking->lesson.title, status)) &&
                  mark_all(marking, options, status);
-    if (sound && options->students) {
-        begin_table(options, students.stream);
-        students_write(&marking->students, &marking->lesson, students.stream, marking->dialect);
+    if (sound && options->moodle) {
+        begin_table(options, moodle.stream);
+        students_write(&marking->students, &marking->lesson, moodle.stream, marking->dialect);
     }
-    sound = sound && output_finish(&file, status) &&
-            (!options->students || output_finish(&students, status)) &&
+    sound = sound && output_finish(&file, status) && (!options->moodle || output_finish(&moodle, status)) &&
             (!options->sheet || leaflet_finish(&sheets, status)) && output_commit(&file, status) &&
-            (!options->students || output_commit(&students, status));
+            (!options->moodle || output_commit(&moodle, status));
     leaflet_close(&sheets);
     output_close(&file);
-    output_close(&students);
+    output_close(&moodle);
     students_free(&marking->students);
     return sound;
 }
 
 static bool may_write(const Options *options, Status *status)
 {
-    const char *const outputs[] = {options->output ? options->output : "-", options->students,
-                                   options->sheet};
-    const char *const *sessions = (const char *const *)options->words + 1;
-    return (!options->output || output_may_begin(options->output, options->force, status)) &&
-           (!options->students || output_may_begin(options->students, options->force, status)) &&
-           (!options->sheet || leaflet_allowed(options->sheet, options->force, status)) &&
-           distinct_files(outputs, 3, sessions, options->n_words - 1, status);
+    const char *const outputs[] = {options->output ? options->output : "-", options->moodle, options->sheet};
+    return (!options->output ||
+            output_may_begin(options->output, ASKER_COMMAND_LINE, options->force, status)) &&
+           (!options->moodle ||
+            output_may_begin(options->moodle, ASKER_COMMAND_LINE, options->force, status)) &&
+           (!options->sheet || leaflet_allowed(options->sheet, ASKER_COMMAND_LINE, options->force, status)) &&
+           distinct_outputs(outputs, 3, status);
 }
 
 int cli_grade(Options *options, Status *status)
@@ -237,6 +247,11 @@ int cli_grade(Options *options, Status *status)
         !read_limit(options->limit, &marking.task.seconds, status) || !may_write(options, status) ||
         !lesson_load(options->words[0], command_line_for_lessons, &marking.lesson, status))
         return (int)status->code;
+    if (options->roster && !roster_read(options->roster, &marking.students, status)) {
+        lesson_free(&marking.lesson);
+        students_free(&marking.students);
+        return (int)status->code;
+    }
     marking.dialect = options->outputs.dialect;
     marking.sessions = options->n_words - 1;
     progress_begin(&marking.progress, options->quiet);

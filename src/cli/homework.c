@@ -82,7 +82,7 @@ static bool choose_file(const char *lesson, HomeworkFile *homework, Status *stat
         snprintf(homework->file, sizeof homework->file, "%s%s%s%s.session", word, *word && *name ? "-" : "",
                  name, number);
         if (!exists(homework->file))
-            return output_may_begin(homework->file, false, status);
+            return output_may_begin(homework->file, ASKER_COMMAND_LINE, false, status);
     }
     return status_refuse(status, "%s: exists, and so do all before it", homework->file);
 }

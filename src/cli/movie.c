@@ -134,7 +134,8 @@ int cli_movie(Options *options, Status *status)
     const char *word = options->words[0];
     const Source source = source_of(word, status);
     if (source == SOURCE_WRONG || !(camera.format = film_format(options->output, status)) ||
-        !set_up(&camera, options, status) || !output_may_begin(options->output, options->force, status))
+        !set_up(&camera, options, status) ||
+        !output_may_begin(options->output, ASKER_COMMAND_LINE, options->force, status))
         return (int)status->code;
     *status = (Status){0};
     if (source == SOURCE_SESSION && (options->n_overrides > 0 || options->steps > 0 || options->script))

@@ -6,7 +6,6 @@
 #include "cli/options.h"
 
 #include "scenario/concern_output.h"
-#include "cli/distinct.h"
 #include "base/input.h"
 #include "base/threads.h"
 #include "base/text.h"
@@ -15,6 +14,7 @@
 #include "scenario/scenario_lines.h"
 #include "answers/references.h"
 #include "lab/session/script.h"
+#include "lessons/lesson.h"
 #include "help/command.h"
 
 #include <stdint.h>
@@ -52,7 +52,7 @@ const Option options_table[] = {
     {"--output", "FILE", " sweep ", "where the table goes", OPTION_TEXT, AT(output), LETTER('o')},
     {"--output", "FILE", " movie ", "the film: FILE.cast (asciinema), FILE.svg (animated) or FILE.gif",
      OPTION_TEXT, AT(output), LETTER('o')},
-    {"--data", "FILE", " fit ", "the measured series: a CSV file with a column of times", OPTION_TEXT,
+    {"--data", "FILE", " fit ", "the measured series: a CSV file with a column of times", OPTION_INPUT,
      AT(data)},
     {"--vary", "KEY,...", " fit ", "the parameters that are sought, from the scenario's values on",
      OPTION_TEXT, AT(sought)},
@@ -86,8 +86,11 @@ const Option options_table[] = {
      AT(print)},
     {"--output", "FILE", " grade ", "where the table of marks goes (standard output)", OPTION_TEXT,
      AT(output), LETTER('o')},
-    {"--students", "FILE", " grade ", "a table with a row for each student, as Moodle takes it", OPTION_TEXT,
-     AT(students)},
+    {"--moodle", "FILE", " grade ", "writes a table with a row for each student, as Moodle imports it",
+     OPTION_TEXT, AT(moodle)},
+    {"--roster", "FILE", " grade ",
+     "reads the list of the class (CSV with names and ID numbers): who handed in nothing has a row too",
+     OPTION_INPUT, AT(roster)},
     {"--bom", NULL, " grade ", "begins tables with the mark by which spreadsheets know UTF-8", OPTION_FLAG,
      AT(bom)},
     {"--sheet", "FILE", " grade ", "a page for each session: FILE.pdf", OPTION_TEXT, AT(sheet)},
@@ -136,7 +139,8 @@ const Option options_table[] = {
     {"--dialect", "D", " run sweep grade ", "comma, or semicolon with a decimal comma, for spreadsheets",
      AT(dialect), ONE_OF(dialects)},
     {"--force", NULL, " run figure movie sound fit diagnose sweep grade export-lammps open lesson ",
-     "replaces files that exist", OPTION_FLAG, AT(force)},
+     "replaces files that matvib wrote (pictures: any of the kind), never one that is read", OPTION_FLAG,
+     AT(force)},
     {"--quiet", NULL, " run figure movie sound fit diagnose sweep grade ", "neither progress nor summary",
      OPTION_FLAG, AT(quiet), LETTER('q')},
     {"--threads", "N", " open lesson run figure movie sound fit diagnose sweep grade ",
@@ -156,13 +160,13 @@ const Option options_table[] = {
     {"--history", "SIZE", " open lesson ", "memory for stepping back (256M)", OPTION_BYTES, AT(history)},
     {"--record", "FILE", " open lesson ",
      "keeps the session in FILE: the scenario, and every key with its step", OPTION_TEXT, AT(record)},
-    {"--replay", "FILE", " open ", "does a session again to the same bits; any key takes over", OPTION_TEXT,
+    {"--replay", "FILE", " open ", "does a session again to the same bits; any key takes over", OPTION_INPUT,
      AT(replay)},
     {"--last", NULL, " open ", "opens the last session again where it was left", OPTION_FLAG, AT(last)},
     {"--fast", NULL, " open ", "with --replay: as fast as it can, not at the pace of then", OPTION_FLAG,
      AT(fast)},
     {"--script", "FILE", " open lesson movie ",
-     "keys from FILE (- is standard input), screens to standard output", OPTION_TEXT, AT(script)},
+     "keys from FILE (- is standard input), screens to standard output", OPTION_INPUT, AT(script)},
     {"--bare", NULL, " figure ", "curves and axes alone fill the page: no title, legend, results, parameters",
      OPTION_FLAG, AT(bare)},
     {"--size", "WxH", " figure ", "width and height of the page in mm (160 wide, as high as it takes)",
@@ -246,10 +250,11 @@ static bool take(const Option *option, const char *value, Options *options, Stat
         *(bool *)member = true;
         return true;
     case OPTION_TEXT:
+    case OPTION_INPUT:
         if (!*value)
             return status_refuse(status, "%s: is empty (%s)", option->name, option->argument);
         *(const char **)member = value;
-        return true;
+        return option->kind != OPTION_INPUT || input_note(value, status);
     case OPTION_COUNT:
         if (!text_to_long(value, (long *)member) || *(long *)member < 1)
             return status_refuse(status, "%s: %.60s is not allowed (a whole number, 1 or more)", option->name,
@@ -300,6 +305,7 @@ static const struct {
     const char *command, *name, *place;
 } moved[] = {
     {"lesson", "--key", "matvib grade --key LESSON"},
+    {"grade", "--students", "--moodle FILE now, which writes; --roster FILE reads the list of the class"},
     {"sweep", "--jobs", "--threads N now, which shares the runs out too (or --plan, for other machines)"},
 };
 
@@ -362,6 +368,12 @@ static bool take_option(const char *command, int count, char **arguments, int *a
     return take(option, value, options, status);
 }
 
+/* Each word may be a file that is read; a name of the program is none. */
+static bool note_word(const char *word, Status *status)
+{
+    return scenario_builtin(word) || lesson_builtin(word) || input_note(word, status);
+}
+
 bool options_asks_help(const char *argument)
 {
     return strcmp(argument, "--help") == 0 || strcmp(argument, "-h") == 0;
@@ -380,6 +392,8 @@ bool options_parse(const char *command, int count, char **arguments, Options *op
                 return false;
         } else if (options->n_words < WORDS_MAX) {
             options->words[options->n_words++] = argument;
+            if (!note_word(argument, status))
+                return false;
         } else {
             return status_refuse(status, "%.60s: too many arguments (at most %d)", argument, WORDS_MAX);
         }
@@ -458,25 +472,13 @@ static bool load_run(const Options *options, const char *scenario, Settings *set
     return scenario_load_with(scenario, overrides, count + 1, settings, status);
 }
 
-/* Which views there are no scenario file knows. */
-/* Not even --force writes over the scenario that is read. */
-static bool spares_scenario(const Options *options, const char *scenario, Status *status)
-{
-    const char *const outputs[] = {options->outputs.series, options->outputs.particles,
-                                   options->outputs.nodes,  options->outputs.bonds,
-                                   options->outputs.vtk,    options->output};
-    for (size_t i = 0; i < sizeof outputs / sizeof *outputs && !scenario_builtin(scenario); i++)
-        if (!distinct_files(&outputs[i], 1, &scenario, 1, status))
-            return false;
-    return true;
-}
-
 bool options_load(const Options *options, const char *scenario, Settings *settings, Status *status)
 {
     if (strcmp(scenario, input_standard_name) == 0 && !input_take_standard(SCENARIO_BYTES_MAX, status))
         return false;
-    if (!spares_scenario(options, scenario, status) || !load_run(options, scenario, settings, status))
+    if (!load_run(options, scenario, settings, status))
         return false;
+    /* which views there are no scenario file knows */
     if (view_check(settings_view(settings), status))
         return true;
     options_blame(options, scenario, status);

@@ -14,6 +14,7 @@
 typedef enum OptionKind {
     OPTION_FLAG,     /* bool */
     OPTION_TEXT,     /* const char * */
+    OPTION_INPUT,    /* the same: a file that is read */
     OPTION_COUNT,    /* long, 1 or more */
     OPTION_BYTES,    /* size_t: 4096, 64k, 256M, 2G */
     OPTION_SIZE,     /* int[2]: 80x24 */
@@ -85,7 +86,7 @@ typedef struct Options {
     const char *seconds, *pitch;                /* of a sound */
     const char *fps, *speed, *idle, *from, *to; /* of a film */
 
-    const char *name, *id, *handout, *students, *sheet, *limit; /* of homework */
+    const char *name, *id, *handout, *moodle, *roster, *sheet, *limit; /* of homework */
     bool key, print, bom;
 
     bool paused, no_mouse, last, fast, plain;

@@ -101,7 +101,7 @@ int cli_sound(Options *options, Status *status)
         return (int)status->code;
     if (!options->output)
         return progress_result(status_refuse(status, "sound: --output FILE is missing (FILE.wav)"), status);
-    if (!output_may_begin(options->output, options->force, status))
+    if (!output_may_begin(options->output, ASKER_COMMAND_LINE, options->force, status))
         return (int)status->code;
     Progress progress;
     progress_begin(&progress, options->quiet);

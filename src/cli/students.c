@@ -9,22 +9,31 @@
 
 struct Student {
     char name[STUDENT_MAX], id[STUDENT_MAX], remark[GRADING_REMARK_MAX];
-    int sessions; /* that are marked */
+    bool listed;  /* in the list of the class */
+    int came;     /* sessions, */
+    int sessions; /* and those that are marked */
     /* of each page, whether a session has it so */
     bool right[LESSON_PAGES_MAX], wrong[LESSON_PAGES_MAX], unread[LESSON_PAGES_MAX];
 };
 
-static bool is_same(const Student *student, const Grades *grades)
+static bool is_same(const Student *student, const char *name, const char *id)
 {
-    return strcmp(student->name, grades->student) == 0 &&
-           (!*student->id || !*grades->id || strcmp(student->id, grades->id) == 0);
+    const bool same_name = strcmp(student->name, name) == 0;
+    if (!*student->id || !*id)
+        return same_name;
+    return strcmp(student->id, id) == 0 && (same_name || student->listed);
 }
 
-static Student *find(Students *students, const Grades *grades, Status *status)
+static Student *find(const Students *students, const char *name, const char *id)
 {
     for (int i = 0; i < students->count; i++)
-        if (is_same(&students->list[i], grades))
+        if (is_same(&students->list[i], name, id))
             return &students->list[i];
+    return NULL;
+}
+
+static Student *add(Students *students, const char *name, const char *id, Status *status)
+{
     Student *list = realloc(students->list, (size_t)(students->count + 1) * sizeof *list);
     if (!list) {
         status_fail(status, "out of memory");
@@ -33,19 +42,42 @@ static Student *find(Students *students, const Grades *grades, Status *status)
     students->list = list;
     Student *student = &list[students->count++];
     *student = (Student){.sessions = 0};
-    snprintf(student->name, sizeof student->name, "%s", grades->student);
+    snprintf(student->name, sizeof student->name, "%s", name);
+    snprintf(student->id, sizeof student->id, "%s", id);
     return student;
+}
+
+bool students_enrol(Students *students, const char *name, const char *id, Status *status)
+{
+    if (find(students, name, id))
+        return status_refuse(status, "%s: stands there twice (give each an ID number)", name);
+    Student *student = add(students, name, id, status);
+    students->listed = true;
+    return student && (student->listed = true);
+}
+
+const char *students_missing(const Students *students, int *at)
+{
+    while (*at < students->count) {
+        const Student *student = &students->list[(*at)++];
+        if (student->came == 0)
+            return student->name;
+    }
+    return NULL;
 }
 
 bool students_add(Students *students, const Lesson *lesson, const Grades *grades, Status *status)
 {
     if (!*grades->student)
         return true;
-    Student *student = find(students, grades, status);
+    Student *student = find(students, grades->student, grades->id);
+    if (!student)
+        student = add(students, grades->student, grades->id, status);
     if (!student)
         return false;
     if (*grades->id)
         snprintf(student->id, sizeof student->id, "%s", grades->id);
+    student->came++;
     if (*grades->remark && !strstr(student->remark, grades->remark))
         text_append(student->remark, sizeof student->remark, "%s%s", *student->remark ? "; " : "",
                     grades->remark);
@@ -72,9 +104,11 @@ enum { FEEDBACK_MAX = 8192 };
 static const char *const heads[CELLS] = {"ID number",         "Full name", "Grade",    "Maximum grade",
                                          "Feedback comments", "To read",   "Sessions", "Remark"};
 
-static void write_student(const Student *student, const Lesson *lesson, FILE *stream, Dialect dialect)
+static void write_student(const Students *students, const Student *student, const Lesson *lesson,
+                          FILE *stream, Dialect dialect)
 {
     double sum = 0, most = 0, unread = 0;
+    char remark[GRADING_REMARK_MAX + 32];
     char feedback[FEEDBACK_MAX] = "", grade[NUMBER_TEXT_MAX] = "", maximum[NUMBER_TEXT_MAX],
          to_read[NUMBER_TEXT_MAX], sessions[NUMBER_TEXT_MAX];
     for (int page = 0; page < lesson->n_pages; page++) {
@@ -96,9 +130,14 @@ static void write_student(const Student *student, const Lesson *lesson, FILE *st
     text_shortest(maximum, most);
     text_shortest(to_read, unread);
     snprintf(sessions, sizeof sessions, "%d", student->sessions);
+    snprintf(remark, sizeof remark, "%s%s%s", student->remark,
+             *student->remark && students->listed && !student->listed ? "; " : "",
+             student->came == 0                     ? "missing"
+             : students->listed && !student->listed ? "not in the list of the class"
+                                                    : "");
     csv_words(stream, dialect,
               (const char *[CELLS]){student->id, student->name, grade, maximum, feedback, to_read, sessions,
-                                    student->remark},
+                                    remark},
               CELLS);
 }
 
@@ -106,7 +145,7 @@ void students_write(const Students *students, const Lesson *lesson, FILE *stream
 {
     csv_header(stream, dialect, heads, CELLS);
     for (int i = 0; i < students->count; i++)
-        write_student(&students->list[i], lesson, stream, dialect);
+        write_student(students, &students->list[i], lesson, stream, dialect);
 }
 
 void students_free(Students *students)

@@ -67,8 +67,8 @@ bool crate_may_begin(const Crate *crate, Status *status)
             return status_refuse(status, "%s: is the name of the metadata that --crate writes",
                                  crate->tables[i].file);
     char *name = metadata_name(first);
-    const bool may =
-        name ? output_may_begin(name, crate->force, status) : status_fail(status, "out of memory");
+    const bool may = name ? output_may_begin(name, crate->asker, crate->force, status)
+                          : status_fail(status, "out of memory");
     free(name);
     return may;
 }

@@ -34,12 +34,13 @@ typedef struct Names {
     char **real;
     size_t count, room;
     int standard;
+    Asker asker;
     bool force;
 } Names;
 
 static bool take_name(Names *names, const char *name, Status *status)
 {
-    if (!output_may_begin(name, names->force, status))
+    if (!output_may_begin(name, names->asker, names->force, status))
         return false;
     if (output_is_standard(name)) {
         if (names->standard++ > 0)
@@ -125,7 +126,7 @@ static bool take_vtk_names(Names *names, const char *name, size_t frames, const 
 bool export_check_names(const Export *export, Status *status)
 {
     const Outputs *outputs = export->outputs;
-    Names names = {.force = outputs->force};
+    Names names = {.asker = outputs->asker, .force = outputs->force};
     bool good = take_table_names(&names, outputs->series, status);
     for (int i = 0; good && i < TABLES; i++)
         good = take_table_names(&names, table_name(outputs, i), status);

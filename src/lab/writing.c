@@ -23,7 +23,7 @@ bool writing_allowed(Laboratory *lab, const char *name)
 bool writing_name_fits(Laboratory *lab, const char *name)
 {
     Status status = {STATUS_DONE, ""};
-    return output_may_begin(name, true, &status) || prompt_refuse(&lab->prompting, status.text);
+    return output_may_begin(name, lab->asker, true, &status) || prompt_refuse(&lab->prompting, status.text);
 }
 
 /* The scenario as it was opened and edited, to its own end; not only what has been computed of it. */

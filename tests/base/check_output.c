@@ -95,6 +95,17 @@ static void expect_refused(const char *name, bool force, const char *why)
     ck_assert_msg(strstr(status.text, why) != NULL, "%s", status.text);
 }
 
+/* Nobody was asked about a name on the command line; a person was. */
+START_TEST(what_is_foreign_stays)
+{
+    put(in_folder("old"), "old");
+    expect_refused(in_folder("old"), true, "was not written by matvib");
+    expect_text(in_folder("old"), "old");
+    ck_assert(write_file(ASKER_KEYBOARD, in_folder("old"), true));
+    expect_text(in_folder("old"), "new");
+}
+END_TEST
+
 START_TEST(who_asks_decides)
 {
     static const struct {
@@ -109,9 +120,9 @@ START_TEST(who_asks_decides)
         const bool may = askers[i].may;
         OutputFile file;
         bool made;
-        put(in_folder("old"), "old");
+        put(in_folder("old"), "step,time");
         ck_assert_int_eq(write_file(asker, in_folder("old"), true), may);
-        expect_text(in_folder("old"), may ? "new" : "old");
+        expect_text(in_folder("old"), may ? "new" : "step,time");
         ck_assert_int_eq(output_open(&file, asker, "-", true, &status), may);
         ck_assert_int_eq(output_open_own(&file, asker, in_folder("own"), &status), may);
         output_close(&file);
@@ -275,6 +286,7 @@ void add_cases(Suite *suite)
     TCase *gate = tcase_create("output");
     tcase_add_checked_fixture(gate, begin, end);
     tcase_add_test(gate, who_asks_decides);
+    tcase_add_test(gate, what_is_foreign_stays);
     tcase_add_test(gate, file_and_folder_reach_the_disk);
     tcase_add_test(gate, a_published_file_takes_more);
     tcase_add_test(gate, what_is_replaced_keeps_its_rights);

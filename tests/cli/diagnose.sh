@@ -263,7 +263,7 @@ expect "many files" 2 mode5 right.csv own.csv soft.csv broken.csv --output marks
 result "have a line each" sh -c 'grep -q "^own.csv  *explained  *16  *1  step 1 x_cm  *x_by_own_velocity$" out && grep -q "^broken.csv  *unread" out'
 result "and say how many were not read" says err '^matvib: 1 of 4 files cannot be judged$'
 result "and a row each" sh -c 'test "$(wc -l <marks.csv)" -eq 5 && grep -q "^soft.csv,explained,16,2,51,2,,,v_cm,.*,stress_not_added,,$" marks.csv'
-refuse "the table over a file" "own.csv: it is read, so it cannot be written too" mode5 own.csv --output own.csv --force
+refuse "the table over a file" "own.csv: the output would overwrite an input" mode5 own.csv --output own.csv --force
 refuse "a table that exists" "marks.csv: exists (--force replaces it)" mode5 own.csv --output marks.csv
 expect "as JSON" 0 mode5 own.csv right.csv --json
 result "it is JSON" sh -c 'command -v python3 >/dev/null || exit 0; python3 -c "import json, sys; rows = json.load(open(\"out\")); assert rows[0][\"code\"] == \"x_by_own_velocity\" and rows[0][\"step\"] == 1 and rows[1][\"verdict\"] == \"right\""'

@@ -58,7 +58,7 @@ result "is JSON" sh -c 'command -v python3 >/dev/null || exit 0; python3 -m json
 refuse "once more" "ro-crate-metadata.json: exists (--force replaces it)" mode5 --data d.csv --vary bar.density --output z.csv --crate
 
 refuse "table and picture in one file" "./t.svg: two outputs cannot be the same file" mode5 --data d.csv --vary bar.density --output t.svg --figure ./t.svg
-refuse "over its data" "d.csv: it is read, so it cannot be written too" mode5 --data d.csv --vary bar.density --output d.csv --force
+refuse "over its data" "d.csv: the output would overwrite an input" mode5 --data d.csv --vary bar.density --output d.csv --force
 refuse "a table where the metadata are to stand" "ro-crate-metadata.json: is the name of the metadata that --crate writes" mode5 --data d.csv --vary bar.density --output ro-crate-metadata.json --crate --force
 
 # at the end of its range a parameter has a slope on one side; an interval beyond it stands for the other

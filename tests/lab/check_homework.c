@@ -213,7 +213,8 @@ static int do_homework(const Session *again, int number)
     open_live(&live, &options);
     Session *session = session_begin(&options, &status);
     ck_assert_msg(session != NULL, "%s", status.text);
-    session_record(session, "any.session", true);
+    remove("any.session");
+    session_record(session, "any.session", false);
     live.lab.recording = session;
     session_note_start(session, &live.lab);
     if (again)

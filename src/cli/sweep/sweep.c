@@ -313,8 +313,10 @@ static bool may_begin(const Sweep *sweep, Status *status)
     if (!options->output)
         return true;
     char *beside = beside_name(options->output, status);
-    const bool good = beside && output_may_begin(options->output, options->force, status) &&
-                      (!is_regular(options->output) || output_may_begin(beside, options->force, status));
+    const bool good = beside &&
+                      output_may_begin(options->output, ASKER_COMMAND_LINE, options->force, status) &&
+                      (!is_regular(options->output) ||
+                       output_may_begin(beside, ASKER_COMMAND_LINE, options->force, status));
     free(beside);
     return good;
 }

@@ -285,7 +285,7 @@ bool grading_session(const GradingTask *task, const char *file, Grades *grades, 
 
 void grading_origin(const GradingTask *task, const Lesson *lesson, const char *file, GradingOrigin *origin)
 {
-    enum { KEYS_LEAST = 5 }; /* fewer may be the same by chance */
+    enum { KEYS_LEAST = 12 }; /* fewer may be the same by chance */
     SessionFacts facts;
     Session *session = session_read(file, NULL);
     *origin = (GradingOrigin){.known = false};

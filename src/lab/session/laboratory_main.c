@@ -46,7 +46,7 @@ static bool open_replay(LaboratoryOptions *options, Session **replay, Status *st
 
 static bool open_recording(const LaboratoryOptions *options, Session **recording, Status *status)
 {
-    if (options->record && !output_may_begin(options->record, options->force, status))
+    if (options->record && !output_may_begin(options->record, ASKER_COMMAND_LINE, options->force, status))
         return false;
     *recording = session_begin(options, status);
     if (*recording && options->record)

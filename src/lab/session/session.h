@@ -93,7 +93,7 @@ typedef struct SessionFacts {
     const char *student, *id, *lesson, *program;
     uint64_t version; /* of the lesson's text */
     uint64_t check;   /* of its lines, */
-    uint64_t keys;    /* and of those of its keys and their times alone */
+    uint64_t keys;    /* and of its keys and their steps alone, without times and sizes of the screen */
     size_t n_keys;
     bool ended; /* it goes on to its end */
     bool sound; /* its check is that of its lines */

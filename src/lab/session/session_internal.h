@@ -21,7 +21,7 @@ struct Session {
     char student[STUDENT_MAX], id[STUDENT_MAX], program[SESSION_PROGRAM_MAX];
     uint64_t version; /* of the lesson's text */
     uint64_t check;   /* of the lines so far */
-    uint64_t keys;    /* of those of keys, where it was read */
+    uint64_t keys;    /* of keys and their steps, where it was read */
     bool ended, sound;
     bool paused, first;
     const char *sheet; /* one of parameter_sheet_words; NULL: it is older than these */

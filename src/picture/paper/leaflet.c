@@ -25,12 +25,12 @@ static const struct {
              [LEAFLET_TEXT] = {10, 0.5, false, BLACK},
              [LEAFLET_SMALL] = {8.5, 0.4, false, GREY}};
 
-bool leaflet_allowed(const char *file, bool force, Status *status)
+bool leaflet_allowed(const char *file, Asker asker, bool force, Status *status)
 {
     const char *dot = strrchr(file, '.');
     if (!dot || strcasecmp(dot, ".pdf") != 0)
         return status_refuse(status, "%.200s: is no name for pages (FILE.pdf)", file);
-    return paper_has_cairo(status) && output_may_begin(file, force, status);
+    return paper_has_cairo(status) && output_may_begin(file, asker, force, status);
 }
 
 bool leaflet_open(Leaflet *leaflet, Asker asker, const char *file, bool force, const char *title,

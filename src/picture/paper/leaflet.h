@@ -20,7 +20,7 @@ typedef struct Leaflet {
 } Leaflet;
 
 /* Whether a leaflet can be begun: its name ends in .pdf, there is cairo, and output_may_begin(). */
-bool leaflet_allowed(const char *file, bool force, Status *);
+bool leaflet_allowed(const char *file, Asker, bool force, Status *);
 
 bool leaflet_open(Leaflet *, Asker, const char *file, bool force, const char *title, Status *);
 
