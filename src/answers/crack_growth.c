@@ -14,7 +14,8 @@
 
 #include <math.h>
 
-const double crack_heights[CRACK_ANGLES] = {0.010, 0.020, 0.038};
+/* Of the beam's height: 10, 20 and 38 mm of the 70 mm of paper P. */
+static const double angle_heights[CRACK_ANGLES] = {10.0 / 70, 20.0 / 70, 38.0 / 70};
 
 /* Angles over the heights of paper P's fig. 10, NAN until the tip is as far above the path's first row. */
 bool crack_facts(const Simulation *sim, CrackFacts *facts)
@@ -24,9 +25,10 @@ bool crack_facts(const Simulation *sim, CrackFacts *facts)
     double x, y = 0;
     crack_path(sim, &x, &y, 1);
     for (int i = 0; i < CRACK_ANGLES; i++) {
+        facts->heights[i] = angle_heights[i] * facts->measured.beam_height;
         /* the first row of the path is the next one above the notch's end */
-        const bool far = facts->measured.begun && facts->measured.y >= y + crack_heights[i];
-        facts->angles[i] = far ? crack_angle(sim, crack_heights[i]) : NAN;
+        const bool far = facts->measured.begun && facts->measured.y * (1 + 1e-9) >= y + facts->heights[i];
+        facts->angles[i] = far ? crack_angle(sim, facts->heights[i]) : NAN;
     }
     facts->angle = crack_angle(sim, INFINITY);
     return true;

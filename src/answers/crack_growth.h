@@ -13,13 +13,13 @@
 /* Paper P, section 3.3: the crack leaves the notch at about this angle. */
 #define CRACK_PAPER_ANGLE 30.0
 
-/* Heights above the notch's end (m) over which the angle is measured, as in figure 10. */
 enum { CRACK_ANGLES = 3 };
-extern const double crack_heights[CRACK_ANGLES];
 
 typedef struct CrackFacts {
-    Crack measured;              /* tip, length, counts of bonds, times */
-    double angles[CRACK_ANGLES]; /* over crack_heights; NAN: the tip has not come so far */
+    Crack measured; /* tip, length, counts of bonds, times */
+    double
+        heights[CRACK_ANGLES]; /* above the notch's end (m) over which the angle is measured, as in fig. 10 */
+    double angles[CRACK_ANGLES]; /* NAN: the tip has not come so far */
     double angle;                /* over the whole path; NAN: it has fewer than two rows */
 } CrackFacts;
 

@@ -272,18 +272,13 @@ static void add_time(Writer *writer, const char *word, double seconds, const cha
         add(writer, "%s %.2f %s", word, 1e6 * seconds, unit);
 }
 
-/* Each share per area of the crack, so that it can be set beside G0. A bond breaks at the first step beyond
- * s0, so what it held beyond goes with the time step; without it stands what the cost comes to as that falls,
- * but for what else differs between the runs. */
-static void add_cost(Writer *writer, const CrackPrice *price, double dt)
+/* Each share per area of the crack, so that it can be set beside G0. */
+static void add_cost(Writer *writer, const CrackPrice *price)
 {
     const CrackCost *cost = &price->cost;
-    add(writer, "cost  %.1f J/m^2: path %.1f  beside %.1f  far %.1f  beyond s0 %.1f\n",
-        cost->total / cost->area, cost->through / cost->area, cost->beside / cost->area,
-        cost->far / cost->area, cost->beyond / cost->area);
+    add(writer, "cost  %.1f J/m^2: path %.1f  beside %.1f  far %.1f\n", cost->total / cost->area,
+        cost->through / cost->area, cost->beside / cost->area, cost->far / cost->area);
     add(writer, "G0  %.1f J/m^2, on this lattice %.1f\n", price->critical_energy, cost->plane);
-    add(writer, "all with this time step, %s s; as it falls the cost comes to some %.0f J/m^2\n",
-        text_rounded(dt, 6).text, (cost->total - cost->beyond) / cost->area);
 }
 
 /* First break, angles, tip, speed against Rayleigh's, and where the energy went. */
@@ -297,7 +292,7 @@ void summary_crack_text(const RunSummary *summary, const char *microseconds, cha
         crack_fronts_lines(&summary->fronts, summary->rayleigh_speed, microseconds, lines[0], lines[1]);
         add(&writer, "cracks  %s\n%s%s", lines[0], lines[1], lines[1][0] ? "\n" : "");
         if (summary->price_known)
-            add_cost(&writer, &summary->price, summary->dt);
+            add_cost(&writer, &summary->price);
     }
     if (!summary->crack_known)
         return;
@@ -310,7 +305,7 @@ void summary_crack_text(const RunSummary *summary, const char *microseconds, cha
         if (isnan(summary->crack.angles[i]))
             continue;
         add(&writer, "%s%.1f deg over %.0f mm", any ? "  " : "angle of fit  ", summary->crack.angles[i],
-            1e3 * crack_heights[i]);
+            1e3 * summary->crack.heights[i]);
         any = true;
     }
     add(&writer, "%s", any ? "\n" : "");
@@ -323,7 +318,7 @@ void summary_crack_text(const RunSummary *summary, const char *microseconds, cha
         add(&writer, "tip's speed  at most %.0f m/s = %.2f c_R\n", crack->fastest,
             crack->fastest / summary->rayleigh_speed);
     if (summary->price_known)
-        add_cost(&writer, &summary->price, summary->dt);
+        add_cost(&writer, &summary->price);
 }
 
 /* The energy's change in per cent; less than 5e-4 % is written as 0. */

@@ -63,9 +63,8 @@ static const char of_cost[] =
     "the energy that a crack should cost for its area, and s0 follow from each other: edit either. View 3, "
     "again: what the crack has cost so far.";
 static const char of_residual[] =
-    "kinetic + strain + dissipated energy less the work of the load: 0 but for the time step. A bond breaks "
-    "at the first step beyond its limit and takes the overshoot along, so breaking is first order in time: "
-    "with half the step the residual halves.";
+    "kinetic + strain + dissipated energy less the work of the load: 0 but for the time step: with half of "
+    "it a quarter is left.";
 static const char of_damage[] =
     "the share of a node's bonds that is broken. A crack right through reads 0.4 to 0.5, not 1.";
 
@@ -111,7 +110,7 @@ static const HelpWord plate_words[] = {
     {"c_R", "the speed of Rayleigh's wave along an edge, dotted: no crack that is pulled open outruns it."},
     {"deg",
      "from the cut: the angle between the cut and the straight line through its crack. Half angle: half "
-     "of that between two branches, over 10 mm behind the place where the crack split."},
+     "of that between two branches, over five horizons behind the place where the crack split."},
     {"surface", "made / length: as many metres of cut as the broken bonds would make, over the length of the "
                 "cracks. 1 is as clean as a cut; what is more broke beside the crack."},
     {"force", of_force},

@@ -71,13 +71,14 @@ static void describe_path(const Screen *screen, Picture *picture)
     const Settings *settings = experiment_settings(screen->experiment);
     const Notch notch = notch_of(settings);
     const double load = settings_loads(settings)->position, height = settings_geometry(settings)->height;
-    double left = fmin(notch.x, load) - 0.02, right = fmax(notch.x, load) + 0.02;
+    const double beside = height * 2 / 7;
+    double left = fmin(notch.x, load) - beside, right = fmax(notch.x, load) + beside;
     ShownRun runs[RUNS_MAX];
     const int n_runs = runs_with(runs, runs_of(screen, runs), "crack_x");
     for (int r = 0; r < n_runs; r++)
         if (runs[r].ghost >= 0 && runs[r].crack->count > 0) {
-            left = fmin(left, settings_notch(runs[r].settings)->position - 0.02);
-            right = fmax(right, settings_notch(runs[r].settings)->position + 0.02);
+            left = fmin(left, settings_notch(runs[r].settings)->position - beside);
+            right = fmax(right, settings_notch(runs[r].settings)->position + beside);
         }
     Plot *plot = &picture->plot;
     picture->kind = PICTURE_PATH;
@@ -113,7 +114,7 @@ static void describe_path(const Screen *screen, Picture *picture)
 typedef struct CrackColumns {
     int x, y, length, dissipated, speed;
     Notch notch;
-    double thickness;
+    double thickness, horizon;
 } CrackColumns;
 
 /* Degrees between the notch and the line from its end to the tip. */
@@ -124,12 +125,12 @@ static double tip_angle(const double *row, const void *context)
     return rise > 0 ? math_atan(aside / rise) * 180 / M_PI : NAN;
 }
 
-/* What the crack has cost per area, J/m^2. Its first few millimetres say little: bonds break around them. */
+/* What the crack has cost per area, J/m^2. Its first horizon says little: bonds break around it. */
 static double energy_of_crack(const double *row, const void *context)
 {
     const CrackColumns *columns = context;
     const double area = row[columns->length] * columns->thickness;
-    return row[columns->length] > 2e-3 ? row[columns->dissipated] / area : NAN;
+    return row[columns->length] > columns->horizon ? row[columns->dissipated] / area : NAN;
 }
 
 static double tip_speed(const double *row, const void *context)
@@ -145,7 +146,8 @@ static CrackColumns crack_columns(const ShownRun *run)
                           runs_column(run, "dissipated"),
                           runs_column(run, "crack_speed"),
                           notch_of(run->settings),
-                          settings_geometry(run->settings)->thickness};
+                          settings_geometry(run->settings)->thickness,
+                          settings_lattice(run->settings)->horizon};
 }
 
 typedef struct CrackCurve {
@@ -228,7 +230,7 @@ const char *crack_cost_variant_word(const Screen *screen, int variant)
 
 /* --- where the energy went ------------------------------------------------------------------------- */
 
-enum { PARTS = 4 };
+enum { PARTS = 3 };
 
 /* A bar a part, beside what theory and what a plane through this lattice would cost. */
 static void add_bars(const Screen *screen, Picture *picture, const double parts[PARTS],
@@ -262,12 +264,6 @@ static bool is_quick(double share, void *context)
 
 static void describe_cost(const Screen *screen, Picture *picture)
 {
-    static const char *const wholes[] = {"all %.1f  G0 %.1f, a plane of this lattice %.1f  crack %.1f mm",
-                                         "1 through the path %.1f  2 beside it %.1f",
-                                         "3 further than a horizon %.1f  4 held beyond s0 %.1f"};
-    static const char *const briefs[] = {"all %.1f  G0 %.1f  plane %.1f  %.1f mm",
-                                         "1 through path %.1f  2 beside %.1f",
-                                         "3 far off %.1f  4 held beyond s0 %.1f"};
     CrackPrice price;
     int asked = 0;
     const Patience quickly = {is_quick, &asked};
@@ -283,21 +279,22 @@ static void describe_cost(const Screen *screen, Picture *picture)
     }
     const CrackCost *cost = &price.cost;
     const double parts[PARTS] = {cost->through / cost->area, cost->beside / cost->area,
-                                 cost->far / cost->area, cost->beyond / cost->area};
+                                 cost->far / cost->area};
     const double thickness = settings_geometry(experiment_settings(screen->experiment))->thickness;
     add_bars(screen, picture, parts, &price);
-    for (int i = 0; i < 3; i++) {
-        char text[2][160];
-        for (int brief = 0; brief < 2; brief++)
-            if (i == 0)
-                snprintf(text[brief], sizeof text[0], (brief ? briefs : wholes)[0], cost->total / cost->area,
-                         price.critical_energy, cost->plane, cost->area / thickness / 1e-3);
-            else
-                snprintf(text[brief], sizeof text[0], (brief ? briefs : wholes)[i], parts[2 * i - 2],
-                         parts[2 * i - 1]);
-        PictureNote *note = picture_note(picture, i == 0 ? STYLE_NORMAL : STYLE_FAINT, text[0]);
-        snprintf(note->brief, sizeof note->brief, "%s", text[1]);
-    }
+    const double whole = cost->total / cost->area, length = cost->area / thickness / 1e-3;
+    char text[160], brief[160];
+    snprintf(text, sizeof text, "all %.1f  G0 %.1f, a plane of this lattice %.1f  crack %.1f mm", whole,
+             price.critical_energy, cost->plane, length);
+    snprintf(brief, sizeof brief, "all %.1f  G0 %.1f  plane %.1f  %.1f mm", whole, price.critical_energy,
+             cost->plane, length);
+    picture_note_brief(picture, STYLE_NORMAL, text, brief);
+    snprintf(text, sizeof text, "1 through the path %.1f  2 beside it %.1f", parts[0], parts[1]);
+    snprintf(brief, sizeof brief, "1 through path %.1f  2 beside %.1f", parts[0], parts[1]);
+    picture_note_brief(picture, STYLE_FAINT, text, brief);
+    snprintf(text, sizeof text, "3 further than a horizon %.1f", parts[2]);
+    snprintf(brief, sizeof brief, "3 far off %.1f", parts[2]);
+    picture_note_brief(picture, STYLE_FAINT, text, brief);
 }
 
 void crack_cost_describe(const Screen *screen, int variant, Picture *picture)

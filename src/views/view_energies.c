@@ -282,9 +282,7 @@ static void energy_phrases(const Screen *screen, const Stack *stack, const Axis 
 }
 
 /* What the balance lacks: kinetic + strain + dissipated less the start and the work of the load, against the
- * largest work so far. A bond breaks at the first step beyond its limit and takes along what it then holds
- * too much, so where bonds break the residual is of first order in the time step, and a share of what they
- * took. */
+ * largest work so far; of second order in the time step. */
 static void residual_phrases(const Screen *screen, double most_work, char out[320])
 {
     const double *now = experiment_row(screen->experiment);
@@ -294,10 +292,6 @@ static void residual_phrases(const Screen *screen, double most_work, char out[32
         return;
     const double residual = now[total] - record_row(record, 0)[total] - now[work];
     snprintf(out, 320, "residual %+.2f %% of the work", 100 * residual / most_work);
-    const int dissipated = screen_column(screen, "dissipated");
-    if (breaks(screen->experiment) && dissipated >= 0 && now[dissipated] > 0)
-        text_append(out, 320, "  = %.1f %% of what broke  breaking is first order in dt",
-                    100 * residual / now[dissipated]);
     text_append(out, 320, "  total %s J  work %s J", text_fitted(now[total], 4, 9).text,
                 text_fitted(now[work], 4, 9).text);
 }

@@ -39,7 +39,7 @@ run() { # SCENARIO OPTIONS...
 		/^cracks / { after("fastest", "fastest"); after("=", "of_rayleigh") }
 		/^branch / { after("mm,", "split") }
 		/ surface made / { after("length", "surface") }
-		/^cost / { after("cost", "cost"); after("path", "path"); after("beside", "beside"); after("s0", "beyond") }
+		/^cost / { after("cost", "cost"); after("path", "path"); after("beside", "beside"); }
 		/^G0 / { after("G0", "G0"); after("lattice", "plane") }' summary >measured
 }
 
@@ -522,12 +522,12 @@ if [ -n "$MATVIB_WIDE" ]; then
 	run notched-beam-coarse
 	claim $lesson/crack.lesson "The notch broke first at " 0.0732 " ms" first 0.001
 	claim $lesson/crack.lesson "twenty broken bonds there at " 0.087 "." twentieth 0.001
-	claim $lesson/crack.lesson "fitted to the first 10 mm of the path has " 26 "." angle10
-	claim $lesson/crack.lesson "a line fitted over 38 mm has " 35 " degrees" angle38
+	claim $lesson/crack.lesson "from a horizon above the notch on, has " 27 "." angle10
+	claim $lesson/crack.lesson "a line fitted over 38 mm has " 37 " degrees" angle38
 	claim $lesson/crack.lesson "this tip comes to " 0.42 " of it" of_rayleigh
 	claim $lesson/crack.lesson "G0 = 9 E d s0^2/(4 pi) = " 71 " J/m^2" G0
-	claim $lesson/crack.lesson "more, " 82 "" cost
-	claim $lesson/crack.lesson "" 61 " of the 82 went into the bonds that cross the path" path
+	claim $lesson/crack.lesson "more, " 78 "" cost
+	claim $lesson/crack.lesson "" 62 " of the 78 went into the bonds that cross the path" path
 	claim $lesson/crack.lesson "At " 0.246 " ms it" through 0.001
 	last_row notched-beam-coarse --set output.every=10
 	awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
@@ -552,18 +552,13 @@ if [ -n "$MATVIB_WIDE" ]; then
 	claim $lesson/branch.lesson "and at " 70 " mm it split" branch50
 	claim $lesson/branch.lesson "the tip made " 1750 " m/s" fast
 	claim $lesson/branch.lesson "less, " 1150 " m/s" behind
-	claim $lesson/branch.lesson "each millimetre took " 0.265 " mJ" alone
-	claim $lesson/branch.lesson "along x takes " 0.69 " mJ" branches
+	claim $lesson/branch.lesson "each millimetre took " 0.216 " mJ" alone
+	claim $lesson/branch.lesson "along x takes " 0.56 " mJ" branches
 	awk '{ print } $1 == "alone" { print "over_G0", 100 * ($2 / 0.204 - 1) }' measured >more && mv more measured
-	result "$lesson/branch.lesson: a third more than G0" awk '$1 == "over_G0" { exit !($2 > 28 && $2 < 36) }' measured
-	plate "10 20" branching-coarse --set time.step=2.5e-8 --end 20e-6
-	slope alone cost 10 20 tip 1
-	awk '{ print } $1 == "alone" { print "over_G0", 100 * ($2 / 0.204 - 1) }' measured >more && mv more measured
-	claim $lesson/branch.lesson "of the time step " 0.227 " mJ" alone
-	claim $lesson/branch.lesson "0.227 mJ, " 11 " % more" over_G0
+	claim $lesson/branch.lesson "0.216 mJ, " 6 " % more" over_G0
 	plate "20 60" pulled-plate --end 6e-5
 	slope alone cost 20 60 tip 1
-	claim $lesson/branch.lesson "Each millimetre costs " 0.26 " mJ with this step" alone
+	claim $lesson/branch.lesson "Each millimetre costs " 0.21 " mJ" alone
 	result "$lesson/branch.lesson: it stays alone" sh -c '! grep -q ^branch measured'
 	plate 60 pulled-plate --end 6e-5 --set loads.top.sy=8e6 --set loads.bottom.sy=-8e6
 	claim $lesson/branch.lesson "farther out, at " 74 " mm" branch60
@@ -579,7 +574,9 @@ if [ -n "$MATVIB_WIDE" ]; then
 	claim $lesson/crack-speed.lesson "" 1471 " m/s at its fastest" fastest
 	claim $lesson/crack-speed.lesson "at its fastest, " 0.48 " of c_R" of_rayleigh
 	claim $lesson/crack-speed.lesson "6 MPa gave " 1.17 ", once through" surface
-	claim $scenario/pulled-plate.ini "the time step: " 256 " J/m^2 with this" cost
+	claim $scenario/pulled-plate.ini "Alone it costs " 214 " J/m^2" cost
+	awk '$1 == "cost" { print "over_G0", 100 * ($2 / 204 - 1) }' measured >more && cat more >>measured
+	claim $scenario/pulled-plate.ini "214 J/m^2, " 5 " % more" over_G0
 	# what a crack makes that is pulled by so many MPa up to so many microseconds
 	pulled() { # MPA MICROSECONDS OPTIONS...
 		pull=$1 until=$2
@@ -650,8 +647,6 @@ if [ -n "$MATVIB_LONG" ]; then
 		claim $scenario/$file.ini "instead of " 0.854 " ms" measured 1000
 	done
 	claim $scenario/supported-beam.ini "The lattice shows " 0.854 " ms" measured 1000
-	run pulled-plate --set time.step=2.5e-8
-	claim $scenario/pulled-plate.ini "0.1 us, and " 223 " with a quarter" cost
 	pulled 7 50 --set time.step=5e-8
 	claim $lesson/crack-speed.lesson "half of it 7 MPa give " 1492 " m/s" fastest
 	pulled 10 50 --set time.step=5e-8

@@ -25,6 +25,7 @@ class Body:
         self.u, self.v, self.f = (np.zeros((2, nx * ny)) for _ in range(3))
         self.step_number, self.work, self.dissipated, self.damped, self.broken, self.cut = 0, 0.0, 0.0, 0.0, 0, 0
         self.supports, self.loads, self.protected, self.probe = [], [], np.zeros(nx * ny, bool), [0]
+        self.s = None  # before the first force
         self.clamp, self.speed, self.weight, self.alpha = None, 0.0, 0.0, 0.0
 
     # --- the lattice -------------------------------------------------------------------------------------------
@@ -156,10 +157,11 @@ class Body:
         eta = self.u[:, self.j] - self.u[:, self.i]
         now = self.xi + eta
         length = np.hypot(*now)
-        self.s = (eta * (self.xi + now)).sum(0) / (self.length * (length + self.length))
+        before, self.s = self.s, (eta * (self.xi + now)).sum(0) / (self.length * (length + self.length))
+        before = self.s if before is None else before
         safe = self.protected[self.i] | self.protected[self.j]
         self.gone = np.flatnonzero(self.alive & (self.s >= self.s0) & ~safe)
-        self.dissipated += self.energies()[self.gone].sum()
+        self.dissipated += self.energies(before * self.s)[self.gone].sum()
         self.alive[self.gone], self.k[self.gone] = False, 0
         self.broken += len(self.gone)
         pull = self.k * self.s * now / length
@@ -185,11 +187,11 @@ class Body:
         self.step_number += 1
 
     # --- what is told between steps ----------------------------------------------------------------------------
-    def energies(self):
-        return self.k * self.s ** 2 * self.length * self.V / 2 * self.b
+    def energies(self, squared):
+        return self.k * squared * self.length * self.V / 2 * self.b
 
     def row(self):
         (ux, uy), (vx, vy) = self.u[:, self.probe].mean(1), self.v[:, self.probe].mean(1)
-        return {"ux": ux, "uy": uy, "vx": vx, "vy": vy, "strain": self.energies().sum(), "work": self.work,
+        return {"ux": ux, "uy": uy, "vx": vx, "vy": vy, "strain": self.energies(self.s ** 2).sum(), "work": self.work,
                 "kinetic": self.rho / 2 * (self.v ** 2).sum() * self.V * self.b, "dissipated": self.dissipated,
                 "damped": self.damped, "broken": self.broken}

@@ -572,6 +572,23 @@ END_TEST
 
 /* --- a run that is changed, and one that bursts --- */
 
+/* The critical step is that of the linear operator: finding it breaks no bond, however small s0 is. */
+START_TEST(finding_the_step_breaks_nothing)
+{
+    BeamDef def = small_beam(BEAM_NOTCHED);
+    def.dt = 0;
+    BeamFacts facts[2];
+    for (int k = 0; k < 2; k++) {
+        Simulation *sim = beam_case_create(&def, NULL);
+        beam_facts(sim, &facts[k]);
+        ck_assert_double_eq(series_now(sim, "broken_bonds"), 0);
+        simulation_destroy(sim);
+        def.critical_stretch = 1e-12;
+    }
+    ck_assert_double_eq(facts[0].critical_step, facts[1].critical_step);
+}
+END_TEST
+
 START_TEST(load_and_critical_stretch_change_in_mid_run)
 {
     Simulation *sim = cracking(), *straight = cracking();
@@ -733,6 +750,7 @@ void add_cases(Suite *suite)
 
     TCase *changes = tcase_create("changes");
     tcase_add_test(changes, load_and_critical_stretch_change_in_mid_run);
+    tcase_add_test(changes, finding_the_step_breaks_nothing);
     tcase_add_test(changes, a_bursting_run_stops_at_a_sound_step);
     tcase_add_test(changes, a_crack_before_a_burst_is_told_once);
     tcase_add_test(changes, events_tell_of_the_crack);

@@ -13,6 +13,7 @@
 #include "suite.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 static const char *const glass[] = {"plate.length",
@@ -260,6 +261,59 @@ START_TEST(the_first_branch_is_told)
 }
 END_TEST
 
+/* Lengths and times of a body times a factor, and the energy of its cracks: the same cracks. */
+static CrackFront similar(double factor)
+{
+    static const char *const lengths[] = {"plate.length", "plate.height", "pd.spacing",
+                                          "pd.horizon",   "time.step",    "time.end"};
+    static const double values[] = {.1, .04, 5e-4, 2e-3, 1e-7, 50e-6};
+    Settings settings;
+    Status status = {0};
+    char text[128];
+    settings_default(&settings, &problem_plate);
+    for (size_t k = 0; k < sizeof values / sizeof *values; k++) {
+        snprintf(text, sizeof text, "%.17g", factor * values[k]);
+        set(&settings, lengths[k], text);
+    }
+    snprintf(text, sizeof text, "%.17g", factor * 204);
+    set(&settings, "pd.critical_energy", text);
+    snprintf(text, sizeof text, "0 %.17g %.17g %.17g", .02 * factor, .05 * factor, .02 * factor);
+    set(&settings, "cuts.notch", text);
+    snprintf(text, sizeof text, "top 0 %.17g 0 12e6", .1 * factor);
+    set(&settings, "loads.top", text);
+    snprintf(text, sizeof text, "bottom 0 %.17g 0 -12e6", .1 * factor);
+    set(&settings, "loads.bottom", text);
+    set(&settings, "plate.youngs_modulus", "65e9");
+    set(&settings, "plate.density", "2235");
+    ck_assert_msg(settings_check(&settings, &status), "%s", status.text);
+    Simulation *sim = problem_simulate(&settings, 1, &status);
+    ck_assert_msg(sim != NULL, "%s", status.text);
+    CrackFronts fronts = {0};
+    steps(sim, 400);
+    ck_assert(crack_fronts_update(&fronts, sim));
+    ck_assert_int_eq(fronts.count, 1);
+    const CrackFront front = fronts.fronts[0];
+    crack_fronts_free(&fronts);
+    simulation_destroy(sim);
+    return front;
+}
+
+START_TEST(similar_bodies_crack_alike)
+{
+    const CrackFront one = similar(1);
+    ck_assert(one.branched && isfinite(one.half_angle) && isfinite(one.angle));
+    for (int k = 0; k < 2; k++) {
+        const double factor = k == 0 ? 1e-3 : 1e3;
+        const CrackFront other = similar(factor);
+        expect_within("half angle", other.half_angle, one.half_angle, 1e-9);
+        expect_within("angle", other.angle, one.angle, 1e-9);
+        expect_within("branch", other.branch[0] / factor, one.branch[0], 1e-12);
+        expect_within("advance", other.advance / factor, one.advance, 1e-12);
+        expect_within("fastest", other.fastest, one.fastest, 1e-6);
+    }
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     TCase *reference = tcase_create("reference"), *tells = tcase_create("tells");
@@ -272,6 +326,7 @@ void add_cases(Suite *suite)
         tcase_add_test(tells, joining_is_no_speed);
     tcase_add_test(tells, fronts_do_not_remember);
     tcase_add_test(tells, a_speed_needs_its_window);
+    tcase_add_test(tells, similar_bodies_crack_alike);
     tcase_add_loop_test(tells, the_first_branch_is_told, 0, 3);
     suite_add_tcase(suite, reference);
     suite_add_tcase(suite, tells);

@@ -119,7 +119,7 @@ static void crack_lines(const CrackFacts *facts, double rayleigh, char first[160
     }
     for (int i = CRACK_ANGLES - 1; i >= 0 && !second[0]; i--)
         if (isfinite(facts->angles[i]))
-            snprintf(second, 160, "fit over %.0f mm %.0f deg", crack_heights[i] / 1e-3, facts->angles[i]);
+            snprintf(second, 160, "fit over %.0f mm %.0f deg", facts->heights[i] / 1e-3, facts->angles[i]);
     if (isnan(crack->first_break))
         return;
     text_append(second, 160, "%s%s %.1f", second[0] ? "  " : "",

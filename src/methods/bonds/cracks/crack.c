@@ -10,8 +10,7 @@
 
 #include <math.h>
 
-#define BEFORE_NOTCH 0.01  /* m; the crack is looked for from here */
-#define ABOVE_NOTCH  0.002 /* m; the angle is measured from here */
+#define BEFORE_NOTCH 5.0 /* horizons; the crack is looked for from here */
 
 /* NULL: the simulation is no beam with a notch. */
 static const Beam *notched(const Simulation *sim)
@@ -26,8 +25,8 @@ static bool is_above_notch(const Beam *beam, int j)
     return lattice_y(&beam->lattice, j) > beam->def.notch_depth + 1e-6 * beam->lattice.spacing;
 }
 
-/* Where the crack is looked for: from the load to 10 mm beyond the notch. Farther out single nodes beside
- * supports and load may be damaged too. */
+/* Where the crack is looked for: from the load to five horizons beyond the notch. Farther out single nodes
+ * beside supports and load may be damaged too. */
 typedef struct Region {
     double low, high;
     int from, end; /* columns, with one or two to spare */
@@ -36,8 +35,9 @@ typedef struct Region {
 static Region region_of(const Beam *beam)
 {
     const double notch = beam->def.notch_position, load = beam->def.load_position;
-    Region region = {load < notch ? load : notch - BEFORE_NOTCH, load < notch ? notch + BEFORE_NOTCH : load,
-                     0, beam->lattice.nx};
+    const double before = BEFORE_NOTCH * beam->def.horizon;
+    Region region = {load < notch ? load : notch - before, load < notch ? notch + before : load, 0,
+                     beam->lattice.nx};
     const double first = beam->lattice.x0, dx = beam->lattice.spacing;
     region.from = (int)fmax(region.from, (region.low - first) / dx - 2);
     region.end = (int)fmin(region.end, (region.high - first) / dx + 2);
@@ -197,13 +197,14 @@ bool crack_measure(const Simulation *sim, Crack *crack)
         .fastest = beam->head->fastest,
         .broken = beam->head->broken,
         .notch = (long)beam->facts.notch_bonds,
+        .beam_height = beam->def.height,
     };
     crack->begun = find_tip(beam, &crack->x, &crack->y);
     crack->length = beam->head->crack_length;
     return true;
 }
 
-/* The angle of the path against the vertical, degrees, over `height` from ABOVE_NOTCH above the notch's end:
+/* The angle of the path against the vertical, degrees, over `height` from a horizon above the notch's end:
  * the straight line x = a + b y through the rows' centres by least squares,
  *
  *     b = (n sum xy - sum x sum y)/(n sum y^2 - (sum y)^2),   angle = atan b
@@ -215,7 +216,7 @@ double crack_angle(const Simulation *sim, double height)
     const Beam *beam = notched(sim);
     if (!beam)
         return NAN;
-    double low = beam->def.notch_depth + ABOVE_NOTCH, tolerance = 1e-6 * beam->lattice.spacing;
+    double low = beam->def.notch_depth + beam->def.horizon, tolerance = 1e-6 * beam->lattice.spacing;
     double n = 0, sx = 0, sy = 0, sxy = 0, syy = 0;
     for (int j = 0; j < beam->lattice.ny; j++) {
         double y = lattice_y(&beam->lattice, j), x;

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The crack of the notched beam: the quantities that paper P gives for it (figs. 9 and 10), measured.
  *
- * The crack has begun when a node above the notch's end, between the notch - 10 mm and the load and not in a
- * protected zone, is cracked; the tip is the highest of these. The path is the damage-weighted centre of the
- * cracked nodes of each row. SI units. */
+ * The crack has begun when a node above the notch's end, between the notch - 5 delta and the load and not in
+ * a protected zone, is cracked; the tip is the highest of these. The path is the damage-weighted centre of
+ * the cracked nodes of each row. SI units. */
 #ifndef METHODS_BONDS_CRACKS_CRACK_H
 #define METHODS_BONDS_CRACKS_CRACK_H
 
@@ -30,13 +30,14 @@ typedef struct Crack {
                   * shift as bonds beside the path break, but a crack does not heal; 0 before it has begun */
     long broken; /* bonds, without the notch's */
     long notch;  /* bonds cut by the notch */
+    double beam_height; /* m */
 } Crack;
 
 /* False: the simulation is no beam with a notch. */
 bool crack_measure(const Simulation *beam, Crack *crack);
 
 /* The angle (degrees) between the notch and the straight line through the path (least squares of x over y)
- * over `height` from 2 mm above the notch's end; NAN: fewer than two rows of path. */
+ * over `height` from a horizon above the notch's end; NAN: fewer than two rows of path. */
 double crack_angle(const Simulation *beam, double height);
 
 /* The path: at most `max` rows from the notch's end upwards, x and y of each; returns how many there are. */

@@ -19,10 +19,13 @@ static double side(double ax, double ay, double bx, double by, double cx, double
     return (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
 }
 
+/* Or touch: many bonds end or pass just where a path does, and rounding is not to decide. */
 static bool segments_cross(const double a[2], const double b[2], const double c[2], const double d[2])
 {
-    return side(a[0], a[1], b[0], b[1], c[0], c[1]) * side(a[0], a[1], b[0], b[1], d[0], d[1]) <= 0 &&
-           side(c[0], c[1], d[0], d[1], a[0], a[1]) * side(c[0], c[1], d[0], d[1], b[0], b[1]) <= 0;
+    const double x = b[0] - a[0], y = b[1] - a[1], u = d[0] - c[0], v = d[1] - c[1];
+    const double touch = 1e-9 * (x * x + y * y) * (u * u + v * v);
+    return side(a[0], a[1], b[0], b[1], c[0], c[1]) * side(a[0], a[1], b[0], b[1], d[0], d[1]) <= touch &&
+           side(c[0], c[1], d[0], d[1], a[0], a[1]) * side(c[0], c[1], d[0], d[1], b[0], b[1]) <= touch;
 }
 
 /* From a place to a segment. */
@@ -46,8 +49,7 @@ static bool is_off(const double c[2], const double d[2], const double at[2], dou
 static double at_limit(const Beam *beam, BondPlace bond)
 {
     const double s0 = beam->head->critical_stretch;
-    return lattice_coefficient(&beam->lattice, bond) * s0 * s0 * beam->lattice.offsets[bond.offset].length *
-           beam->system.energy_scale;
+    return beam_energy_at(beam, bond, s0 * s0);
 }
 
 static void add_bond(CrackCost *cost, const Beam *beam, const CrackPath *paths, int n_paths, BondPlace bond)
@@ -135,7 +137,9 @@ bool crack_cost_along(const Simulation *sim, const CrackPath *paths, int n_paths
         }
     }
     cost->total = beam->head->dissipated;
-    cost->beyond = cost->total - cost->through - cost->beside - cost->far;
+    const double at_limit = cost->through + cost->beside + cost->far;
+    const double share = at_limit > 0 ? cost->total / at_limit : 0;
+    cost->through *= share, cost->beside *= share, cost->far *= share;
     return true;
 }
 

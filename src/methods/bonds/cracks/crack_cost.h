@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Where the energy of broken bonds went: the price of the crack itself and what was broken or overshot
- * besides.
+/* Where the energy of broken bonds went: the price of the crack itself and what was broken besides.
  *
  * A crack of area A should cost G0 A, with G0 = 9 E delta s0^2/(4 pi) of paper P: the work, up to s0, of all
- * bonds that an unbounded plane cuts. On the lattice it costs more, for four reasons that can be told apart:
+ * bonds that an unbounded plane cuts. On the lattice it costs more, for three reasons that can be told apart:
  * the lattice sum is not the integral; bonds break beside the path without crossing it; others break far from
- * it, under the load; and a bond breaks at the first step beyond s0, so that it takes more than its share
- * along. SI units; energies are those of the beam, J. */
+ * it, under the load. What is dissipated (bonds_break.c) is shared out by the energies of whole bonds at s0,
+ * of which it is the sum to some .2 %. SI units; energies are those of the beam, J. */
 #ifndef METHODS_BONDS_CRACKS_CRACK_COST_H
 #define METHODS_BONDS_CRACKS_CRACK_COST_H
 
@@ -22,11 +21,10 @@ typedef struct CrackPath {
 typedef struct CrackCost {
     double area;    /* length of the path times the thickness, m^2 */
     double plane;   /* what the bonds through a straight upright plane of this lattice take up to s0, J/m^2 */
-    double through; /* J: up to s0, of the broken bonds that cross the path */
+    double through; /* J: of the broken bonds that cross the path */
     double beside;  /* likewise of those that do not, but lie within a horizon of it */
     double far;     /* likewise of all others */
-    double beyond;  /* J: what they all held beyond s0 when they broke */
-    double total;   /* J: dissipated so far; the sum of the four */
+    double total;   /* J: dissipated so far; the sum of the three */
 } CrackCost;
 
 /* So many pairs of a broken bond and a piece of a path, or eights of bonds, lie between two questions. */

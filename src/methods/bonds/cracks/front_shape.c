@@ -9,8 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define BESIDE_CUT   0.002 /* m; the angle of a front is measured from here */
-#define BRANCH_REACH 0.01  /* m; the angle of branches is measured over so much */
+#define BRANCH_REACH 5.0 /* horizons; the angle of branches is measured over so much */
 
 /* --- lines ----------------------------------------------------------------------------------- */
 
@@ -187,13 +186,12 @@ double crack_fronts_angle(const CrackFront *front, double reach)
 {
     ASSERT_INDEX(front->axis, 2);
     ASSERT_REAL(reach, >, 0);
-    const double tolerance = 1e-9,
-                 one =
+    const double one =
                      front->branched ? fabs(front->branch[front->axis] - front->end[front->axis]) : INFINITY,
-                 last = fmin(BESIDE_CUT + reach, one);
+                 last = fmin(front->beside + reach, one);
     Line fit = {0};
     for (size_t k = 0; k < front->n_lines; k++)
-        if (front->away[k] >= BESIDE_CUT - tolerance && front->away[k] <= last + tolerance)
+        if (front->away[k] >= front->beside * (1 - 1e-9) && front->away[k] <= last * (1 + 1e-9))
             line_add(&fit, front->sign * front->away[k], front->centre[k]);
     const double slope = line_slope(&fit);
     if (isnan(slope))
@@ -215,7 +213,7 @@ static double half_angle(const Growth *growth, int f, int from)
     const CrackFront *front = &growth->fronts->fronts[f];
     Group groups[FRONT_GROUPS_MAX];
     Line low = {0}, high = {0};
-    const int lines = (int)lround(BRANCH_REACH / beam->lattice.spacing);
+    const int lines = (int)lround(BRANCH_REACH * beam->def.horizon / beam->lattice.spacing);
     for (int k = 0; k < lines; k++) {
         const int line = from + k * front->sign;
         const int n = front_has_line(beam, front, line) ? front_groups(growth, f, line, groups) : 0;

@@ -30,6 +30,7 @@ static void add_end(CrackFronts *fronts, const Beam *beam, const PlateCut *cut, 
     CrackFront *front = &fronts->fronts[fronts->count++];
     *front = (CrackFront){.end = {to[0], to[1]},
                           .along = {x / length, y / length},
+                          .beside = beam->def.horizon,
                           .first = NAN,
                           .branch_time = NAN,
                           .half_angle = NAN,

@@ -49,13 +49,14 @@ typedef struct CrackFront {
     bool branched;
     double branch[2];   /* the middle of the branch's first line */
     double branch_time; /* s */
-    double half_angle;  /* degrees between the branches, halved, over 10 mm from there; NAN: not so long, or
-                         * they meet again */
-    double angle; /* degrees between the cut and the line through the centres of the front's lines, from 2 mm
-                   * on and as far as there is one crack; NAN: fewer than two lines */
-    double fastest;    /* largest speed, m/s; NAN: too short a time */
-    double fastest_at; /* s */
-    double *advances;  /* at CrackFronts.n_samples times */
+    double half_angle;  /* degrees between the branches, halved, over five horizons from there; NAN: not so
+                         * long, or they meet again */
+    double beside;      /* m from the end: a horizon */
+    double angle;       /* degrees between the cut and the line through the centres of the front's lines, from
+                         * there on and as far as there is one crack; NAN: fewer than two lines */
+    double fastest;     /* largest speed, m/s; NAN: too short a time */
+    double fastest_at;  /* s */
+    double *advances;   /* at CrackFronts.n_samples times */
 
     /* lines that have a cracked node: their distance from the end, and the damage-weighted centre of these
      * nodes, both m */
@@ -92,8 +93,8 @@ void crack_fronts_free(CrackFronts *);
  * more than a horizon: it met what had cracked by itself. */
 double crack_fronts_speed(const CrackFronts *, const CrackFront *, size_t sample);
 
-/* The angle between the cut and the straight line through the centres of the front's lines, from 2 mm beside
- * its end over `reach` (m) as far as there is one crack, degrees; NAN: fewer than two lines. */
+/* The angle between the cut and the straight line through the centres of the front's lines, from `beside`
+ * its end on over `reach` (m) as far as there is one crack, degrees; NAN: fewer than two lines. */
 double crack_fronts_angle(const CrackFront *, double reach);
 
 #endif

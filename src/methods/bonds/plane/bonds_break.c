@@ -1,14 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Broken bonds: when each broke, what energy it held, and the damage of nodes, the last stage of a step:
+/* Broken bonds: when each broke, what it cost, and the damage of nodes, the last stage of a step:
  *
  *     mu = 1 while s < s0 at all times so far, else 0                                                  (6)
  *     phi_i = 1 - sum_j mu w V_j / sum_j w V_j                                                         (5)
+ *     cost = c G w s_n s_{n+1} |xi| V^2/2                           J, times the thickness
  *
  * A bond stretched to s0 is broken by the kernels (bond_kernels.c) and carries no force in that same
- * evaluation. Here the energy that it held, c G w s^2 |xi| V^2/2 times the thickness (J, s at that step, so a
- * little past s0), goes to "dissipated" and its ends are marked; only marked nodes compute their damage
- * again. The notch's bonds count in phi but in neither sum. On the notched beam the stage also follows the
- * crack (crack.c). */
+ * evaluation. In the step in which it breaks it pulled with c s_n at the step's start and with nothing at its
+ * end, so the step took c s_n (s_{n+1} - s_n)/2 from the motion, beside the c s_n^2/2 that the bond held
+ * before. The sum, not c s_{n+1}^2/2, goes to "dissipated". The bond's ends are marked; only marked nodes
+ * compute their damage again. The notch's bonds count in phi but in neither sum. On the notched beam the
+ * stage also follows the crack (crack.c). */
 #include "base/assertion.h"
 #include "methods/bonds/plane/bonds_internal.h"
 #include "methods/bonds/cracks/crack.h"
@@ -45,6 +47,28 @@ static bool is_near_tip(const Beam *beam, BondPlace place)
     return x * x + y * y <= limit * limit;
 }
 
+double beam_energy_at(const Beam *beam, BondPlace place, double squared)
+{
+    return lattice_coefficient(&beam->lattice, place) * squared * beam->lattice.offsets[place.offset].length *
+           beam->system.energy_scale;
+}
+
+/* The displacements of the step before are u - dt v^{n+1/2}: the bonds stage lies between the drift and the
+ * second kick. A bond that breaks at the start (step -1) has not moved: s_n = s_{n+1}. */
+static double break_cost(const Beam *beam, BondPlace place, long step)
+{
+    const Lattice *lattice = &beam->lattice;
+    const NodeArrays *nodes = &beam->nodes;
+    const Offset *offset = &lattice->offsets[place.offset];
+    const size_t own = lattice_at(lattice, place.i, place.j);
+    const size_t other = lattice_at(lattice, place.i + offset->p, place.j + offset->q);
+    const double dt = step < 0 ? 0 : beam->sim.dt;
+    const double ex = nodes->ux[other] - nodes->ux[own], ey = nodes->uy[other] - nodes->uy[own];
+    const double before = offset_stretch(offset, ex - dt * (nodes->vx[other] - nodes->vx[own]),
+                                         ey - dt * (nodes->vy[other] - nodes->vy[own]));
+    return beam_energy_at(beam, place, before * offset_stretch(offset, ex, ey));
+}
+
 /* The breaks of one band in the order in which the kernels met them: bands one after the other, so that
  * dissipated is the same sum at any number of threads. Step -1 is the start: broken_at 0. False: memory was
  * short, the log is not whole. */
@@ -53,10 +77,10 @@ bool beam_take_log(Beam *beam, BondLog *log, long step)
     ASSERT_INT(step, >=, -1);
     bool written = !log->no_memory;
     for (size_t k = 0; k < log->n_breaks; k++) {
-        BondPlace place = lattice_slot_place(&beam->lattice, log->breaks[k].slot);
-        beam->broken_at[log->breaks[k].slot] = (int32_t)(step + 1);
+        BondPlace place = lattice_slot_place(&beam->lattice, log->breaks[k]);
+        beam->broken_at[log->breaks[k]] = (int32_t)(step + 1);
         beam->head->broken++;
-        beam->head->dissipated += log->breaks[k].energy;
+        beam->head->dissipated += break_cost(beam, place, step);
         beam->head->near_tip += is_near_tip(beam, place);
         mark_ends(beam, place);
     }

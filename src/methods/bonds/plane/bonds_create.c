@@ -163,6 +163,7 @@ static bool set_time_step(Beam *beam, Status *status)
  * too far by the initial shape breaks now and counts as broken before the first step. */
 static bool start(Beam *beam, Status *status)
 {
+    bonds_set_limits(&beam->system, beam->def.critical_stretch);
     if (!beam_ask_forces(beam, BUILDING_START, status))
         return false;
     for (int band = 0; band < beam->n_bands; band++) {

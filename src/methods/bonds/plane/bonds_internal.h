@@ -199,7 +199,8 @@ void beam_note_reaction(Beam *beam, int j);          /* ... in the second kick; 
 void beam_add_work(Beam *beam, int half);            /* and once all rows are there, half 0 or 1 */
 
 /* bonds_break.c */
-bool beam_take_log(Beam *beam, BondLog *log, long step); /* false: memory was short */
+double beam_energy_at(const Beam *beam, BondPlace, double squared); /* of a whole bond whose s^2 is this, J */
+bool beam_take_log(Beam *beam, BondLog *log, long step);            /* false: memory was short */
 void beam_update_damage(Beam *beam, long step);
 void beam_rebuild_damage(Beam *beam);
 void beam_report(Beam *beam, EventKind, long step, const char *text); /* at the end of that step */

@@ -70,7 +70,7 @@ bool beam_set_bonds(Beam *beam, Status *status)
         .rooted = beam->rooted,
         .energy_scale = beam_volume(beam) / 2 * beam->def.thickness,
     };
-    bonds_set_limits(&beam->system, beam->def.critical_stretch);
+    bonds_set_limits(&beam->system, 0); /* nothing breaks before the start */
     return true;
 }
 

@@ -4,8 +4,7 @@
  *     probe      mean over up to four nodes beside the point (beam_set_problem)
  *     kinetic    sum rho (vx^2 + vy^2)/2 V b            strain   sum of bonds c G w s^2 |xi| V^2/2 b
  *     damped     sum over steps of alpha sum rho |v|^2 V b dt, v at mid-step
- *     total      kinetic + strain + dissipated + damped; less the work it keeps its value to O(dt^2); to
- * O(dt) where bonds break
+ *     total      kinetic + strain + dissipated + damped; less the work it keeps its value to O(dt^2)
  *
  * V = dx^2, b the thickness; SI units. Each column is a function and a row of the table below, which says
  * which problems have it. Called between steps only, when u, v and the broken bonds belong to the same time.
@@ -168,7 +167,7 @@ static const SeriesEntry series[BEAM_SERIES_MAX] = {
     {{"kinetic", "kinetic", "J", "kinetic energy"}, beam_kinetic, ALL},
     {{"strain", "strain", "J", "energy of the bonds"}, beam_strain, ALL},
     {{"work", "work", "J", "work of loads, a plate's moving supports and weight"}, work, ALL},
-    {{"dissipated", "dissipated", "J", "energy of the bonds when they broke"}, dissipated, ALL},
+    {{"dissipated", "dissipated", "J", "what the broken bonds took from the motion"}, dissipated, ALL},
     {{"total", "total", "J", "kinetic + strain + dissipated + damped; less the work it keeps its value"},
      total,
      ALL},

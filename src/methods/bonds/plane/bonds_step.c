@@ -11,9 +11,8 @@
  * Damping brakes the half steps, and weight joins the body force (bonds_damping.c).
  *
  * (Paper P says "Eq. (5)" above eq. 9 where it means eq. 8.) The scheme is of second order and stable up to
- * dt = 2/omega_max (bonds_critical.c). It keeps linear momentum to round-off; the energy ripples by O(dt^2)
- * about a constant value while no bond breaks. Where bonds break the balance is of first order in dt: a bond
- * breaks at the first step past s0 and takes the overshoot with it. That is no error of the sums.
+ * dt = 2/omega_max (bonds_critical.c). It keeps linear momentum to round-off; the energy, with what broken
+ * bonds cost (bonds_break.c), ripples by O(dt^2) about a constant value.
  *
  * Arrays over nodes are padded rows (lattice.h): u m, v m/s, f = rho a N/m^3. Each stage is a function of one
  * row of the lattice; whole steps do one stage after the other, or call the same functions as

@@ -104,19 +104,13 @@ static Bond bond_at(const Segment *segment, size_t i)
     return bond;
 }
 
-/* k s^2; times V |xi|/2 and the thickness it is the bond's energy in J. */
-static double bond_energy(const Segment *segment, size_t i, const Bond *bond)
-{
-    return segment->coefficient[i] * bond->stretch * bond->stretch;
-}
-
 /* Notes a bond that broke, in the band's own list. Without memory for a longer one the step fails afterwards
  * (no_memory). */
-static void log_break(BondLog *log, size_t slot, double energy)
+static void log_break(BondLog *log, size_t slot)
 {
     if (log->n_breaks == log->capacity) {
         size_t capacity = log->capacity ? 2 * log->capacity : 256;
-        BondBreak *breaks = realloc(log->breaks, capacity * sizeof *breaks);
+        uint32_t *breaks = realloc(log->breaks, capacity * sizeof *breaks);
         if (!breaks) {
             log->no_memory = true;
             return;
@@ -124,7 +118,7 @@ static void log_break(BondLog *log, size_t slot, double energy)
         log->breaks = breaks;
         log->capacity = capacity;
     }
-    log->breaks[log->n_breaks++] = (BondBreak){(uint32_t)slot, energy};
+    log->breaks[log->n_breaks++] = (uint32_t)slot;
 }
 
 /* A bond that has reached s0 breaks unless one of its ends is protected. */
@@ -139,7 +133,7 @@ static bool may_break(const BondSystem *system, BondPlace bond)
 
 /* Bond by bond, for the few that may break or are beyond all bounds: f = k s (xi + eta) / |xi + eta|. A bond
  * with s >= s0 breaks (eq. 6) unless an end is protected: its coefficient becomes 0, its bit is set, and its
- * energy goes to the log. True: one broke. */
+ * slot goes to the log. True: one broke. */
 static bool block_by_root(const BondSystem *system, const Segment *segment, size_t from, double *fx,
                           double *fy, BondLog *log)
 {
@@ -153,10 +147,9 @@ static bool block_by_root(const BondSystem *system, const Segment *segment, size
         BondPlace place = {segment->first.i + (int)i, segment->first.j, segment->first.offset};
         if (bond.d >= segment->break_limit && may_break(system, place)) {
             size_t slot = lattice_slot(system->lattice, place);
-            double energy = bond_energy(segment, i, &bond) * direction->length * system->energy_scale;
             segment->coefficient[i] = 0;
             system->broken[slot / 8] = (uint8_t)(system->broken[slot / 8] | 1u << slot % 8);
-            log_break(log, slot, energy);
+            log_break(log, slot);
             broke = true;
             continue;
         }

@@ -32,15 +32,9 @@ typedef struct BondSystem {
     double energy_scale;                      /* V / 2 times the thickness */
 } BondSystem;
 
-/* A bond that broke, and the energy (J) that it held. */
-typedef struct BondBreak {
-    uint32_t slot;
-    double energy;
-} BondBreak;
-
 /* What one thread keeps while it works on rows. */
 typedef struct BondLog {
-    BondBreak *breaks;
+    uint32_t *breaks; /* slots of bonds that broke */
     size_t n_breaks, capacity;
     bool no_memory; /* a bond broke and could not be written down */
     bool strained;  /* a live bond is longer by a fifth: trouble is near */
