@@ -67,11 +67,8 @@ static bool is_for_key(const Options *options, Status *status)
     const struct {
         bool given;
         const char *name;
-    } others[] = {{options->limit, "--limit"},
-                  {options->output, "--output"},
-                  {options->students, "--students"},
-                  {options->sheet, "--sheet"},
-                  {options->bom, "--bom"}};
+    } others[] = {{options->limit, "--limit"},   {options->output, "--output"}, {options->moodle, "--moodle"},
+                  {options->roster, "--roster"}, {options->sheet, "--sheet"},   {options->bom, "--bom"}};
     for (size_t i = 0; i < sizeof others / sizeof *others; i++)
         if (others[i].given)
             return status_refuse(status, "%s: does not go with --key", others[i].name);
