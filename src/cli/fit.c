@@ -5,7 +5,6 @@
 #include "scenario/concern_output.h"
 #include "scenario/settings.h"
 #include "cli/distinct.h"
-#include "cli/describe.h"
 #include "cli/options.h"
 #include "cli/progress.h"
 #include "cli/quantities.h"
@@ -184,20 +183,10 @@ static bool draw(const Options *options, Data *data, const FitResult *result, Pr
     return sound;
 }
 
-static Crate crate_of(const Options *options)
-{
-    return (Crate){.tables = {{options->output, "Measured data beside the run that was fitted to them"}},
-                   .command = "matvib fit",
-                   .asker = ASKER_COMMAND_LINE,
-                   .force = options->force};
-}
-
 static bool may_write(const Options *options, Status *status)
 {
-    const Crate crate = crate_of(options);
     const char *const outputs[] = {options->output, options->figure};
-    return describe_may_begin(options, &crate, status) &&
-           (!options->output ||
+    return (!options->output ||
             output_may_begin(options->output, ASKER_COMMAND_LINE, options->force, status)) &&
            (!options->figure ||
             (figure_allowed(options->figure, status) &&
@@ -231,7 +220,6 @@ int cli_fit(Options *options, Status *status)
             status_refuse(status, "fit: %s is missing", options->data ? "--vary KEY,..." : "--data FILE"),
             status);
     char *keys = strdup(options->sought);
-    const Crate crate = crate_of(options);
     FitTask task = {.settings = &settings};
     FitResult result = {0};
     Data data = {.table = {.y = -1}};
@@ -241,7 +229,6 @@ int cli_fit(Options *options, Status *status)
                  solve(options, &settings, &data, &task, &result, &progress, status);
     const bool found = sound; /* what took long is told, whatever becomes of the files */
     sound = sound && (!options->output || write_table(options, &task, &result, status)) &&
-            describe(options, &crate, &result.settings, status) &&
             (!options->figure || draw(options, &data, &result, &progress, status));
     progress_end(&progress);
     if (found && options->json)

@@ -124,8 +124,6 @@ const Option options_table[] = {
      "tables after each stage of these steps (the first is 1), with all fields, in place of those at times",
      OPTION_TEXT, AT(stages)},
     {"--vtk", "FILE", " run ", "writes points for ParaView", OPTION_TEXT, AT(outputs.vtk)},
-    {"--crate", NULL, " run sweep fit ",
-     "describes the tables as research data: ro-crate-metadata.json beside them", OPTION_FLAG, AT(crate)},
     {"--vtk-data", "D", " run ", "numbers of --vtk as text, or raw: a third of the size, and read faster",
      AT(vtk_data), ONE_OF(vtk_data)},
     {"--frames", "N", " run ", "tables at N times from 0 to the end, not at the last step alone",
@@ -179,11 +177,16 @@ const int n_options = (int)(sizeof options_table / sizeof *options_table);
 
 /* --- one argument --------------------------------------------------------------------------------- */
 
-static bool takes(const Option *option, const char *command)
+static bool is_among(const char *command, const char *list)
 {
     char word[32];
     snprintf(word, sizeof word, " %s ", command);
-    return strstr(option->commands, word) != NULL;
+    return strstr(list, word) != NULL;
+}
+
+static bool takes(const Option *option, const char *command)
+{
+    return is_among(command, option->commands);
 }
 
 static bool read_bytes(const char *text, size_t *bytes)
@@ -300,20 +303,29 @@ static bool take(const Option *option, const char *value, Options *options, Stat
 
 /* --- the whole line ------------------------------------------------------------------------------- */
 
-/* Options that stand elsewhere now. */
+/* Options that went or stand elsewhere now. */
 static const struct {
-    const char *command, *name, *place;
+    const char *commands, *name, *now;
 } moved[] = {
-    {"lesson", "--key", "matvib grade --key LESSON"},
-    {"grade", "--students", "--moodle FILE now, which writes; --roster FILE reads the list of the class"},
-    {"sweep", "--jobs", "--threads N now, which shares the runs out too (or --plan, for other machines)"},
+    {" lesson ", "--key", "matvib grade --key LESSON"},
+    {" grade ", "--students", "--moodle FILE now, which writes; --roster FILE reads the list of the class"},
+    {" sweep ", "--jobs", "--threads N now, which shares the runs out too (or --plan, for other machines)"},
+    {" run sweep fit ", "--crate",
+     "gone (FILE.csv.ini beside a table says what it holds and makes it again)"},
 };
+
+bool options_stand(const char *command, const char *name, Status *status)
+{
+    for (size_t i = 0; i < sizeof moved / sizeof *moved; i++)
+        if (is_among(command, moved[i].commands) && strcmp(moved[i].name, name) == 0)
+            return status_refuse(status, "%s: is %s", name, moved[i].now);
+    return true;
+}
 
 static bool unknown(const char *command, const char *name, Status *status)
 {
-    for (size_t i = 0; i < sizeof moved / sizeof *moved; i++)
-        if (strcmp(moved[i].command, command) == 0 && strcmp(moved[i].name, name) == 0)
-            return status_refuse(status, "%s: is %s", name, moved[i].place);
+    if (!options_stand(command, name, status))
+        return false;
     enum { MOST = 64 };
     const char *known[MOST + 1] = {NULL};
     int count = 0;

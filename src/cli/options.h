@@ -71,7 +71,7 @@ typedef struct Options {
 
     Outputs outputs; /* its dialect and force are filled in by options_parse() */
     const char *dialect, *vtk_data, *stages;
-    bool force, quiet, crate;
+    bool force, quiet;
 
     SweepAxis axes[AXES_MAX]; /* --vary and --with, in their order */
     int n_axes;
@@ -98,6 +98,10 @@ typedef struct Options {
 
 /* Whether an argument is --help or -h. */
 bool options_asks_help(const char *argument);
+
+/* False: the option of that command, or the word in place of a command ("command"), is one that went or
+ * stands elsewhere now; the status says where. */
+bool options_stand(const char *command, const char *name, Status *);
 
 /* Reads the arguments of a command ("open": the laboratory). False: the status says which is wrong and what
  * is allowed. */

@@ -7,7 +7,6 @@
 #include "cli/quantities.h"
 #include "cli/sweep/sweep_result.h"
 #include "base/text.h"
-#include "cli/describe.h"
 #include "export/export.h"
 #include "export/vtk.h"
 #include "answers/summary.h"
@@ -146,14 +145,6 @@ static bool read_stages(Options *options, Status *status)
     return true;
 }
 
-/* --vtk is no table, and a folder that is described is described whole. */
-static bool may_describe(const Options *options, const Crate *crate, Status *status)
-{
-    if (options->crate && options->outputs.vtk)
-        return status_refuse(status, "--crate: describes tables, not --vtk");
-    return describe_may_begin(options, crate, status);
-}
-
 int cli_run(Options *options, Status *status)
 {
     Settings settings;
@@ -163,16 +154,12 @@ int cli_run(Options *options, Status *status)
     if (options->json && writes_to_standard_output(&options->outputs))
         return progress_result(status_refuse(status, "--json: standard output has a table (--series FILE)"),
                                status);
-    const Crate crate = crate_of_run(&options->outputs);
-    if (!may_describe(options, &crate, status))
-        return (int)status->code;
     Progress progress;
     progress_begin(&progress, options->quiet);
     settings.patience = (Patience){progress_show, &progress};
     RunSummary summary;
     bool done = export_run(&settings, &options->outputs, progress_threads(options->threads), progress_show,
                            &progress, &summary, status);
-    done = done && describe(options, &crate, &settings, status);
     progress_end(&progress);
     if (progress_signal() != 0 && !done && !summary.failed)
         return progress_result(false, status);

@@ -52,14 +52,8 @@ printf 't;u\n0;0,0071\n0,1;0,0061\n0,2;0,0035\n0,3;0,0002\n' >own.csv
 expect "a table with names of its own" 0 mode5 --data own.csv --vary initial.velocity --column v_cm
 result "is fitted too" says out '^v_cm, 4 data'
 
-expect "a fit as research data" 0 mode5 --data d.csv --vary bar.youngs_modulus --output described.csv --crate --quiet
-result "names its table" sh -c 'grep -q "\"hasPart\": .{\"@id\": \"described.csv\"}\]" ro-crate-metadata.json'
-result "is JSON" sh -c 'command -v python3 >/dev/null || exit 0; python3 -m json.tool ro-crate-metadata.json'
-refuse "once more" "ro-crate-metadata.json: exists (--force replaces it)" mode5 --data d.csv --vary bar.density --output z.csv --crate
-
 refuse "table and picture in one file" "./t.svg: two outputs cannot be the same file" mode5 --data d.csv --vary bar.density --output t.svg --figure ./t.svg
 refuse "over its data" "d.csv: the output would overwrite an input" mode5 --data d.csv --vary bar.density --output d.csv --force
-refuse "a table where the metadata are to stand" "ro-crate-metadata.json: is the name of the metadata that --crate writes" mode5 --data d.csv --vary bar.density --output ro-crate-metadata.json --crate --force
 
 # at the end of its range a parameter has a slope on one side; an interval beyond it stands for the other
 "$MATVIB" run mode5 --end 1.2 --series n.csv --quiet --force

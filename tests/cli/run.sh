@@ -206,30 +206,6 @@ result "with no tip yet" says out '^no crack yet  broken bonds 0$'
 result "without an angle" sh -c '! grep -q angle out'
 rm -f ./*.csv ./*.ini
 
-# --- research data ---
-expect "tables with what they are" 0 mode5 --end 1 --series c.csv --particles p.csv --crate --quiet
-if command -v python3 >/dev/null 2>&1; then
-	result "is JSON that names each file" python3 -c '
-import json, os
-graph = json.load(open("ro-crate-metadata.json"))["@graph"]
-nodes = {node["@id"]: node for node in graph}
-parts = [part["@id"] for part in nodes["./"]["hasPart"]]
-assert parts == ["c.csv", "c.csv.ini", "p.csv", "p.csv.ini"], parts
-assert all(os.path.exists(part) and nodes[part]["@type"] == "File" for part in parts)
-assert nodes["#run"]["object"]["@id"] in parts and nodes["./"]["name"] == "Why is mode 5 late?"
-assert nodes["ro-crate-metadata.json"]["about"]["@id"] == "./"'
-else
-	skip "is JSON that names each file" "no python3"
-fi
-result "with the day" says ro-crate-metadata.json "\"datePublished\": \"$(date -u +%Y-%m-%d)\""
-refuse "once more" "ro-crate-metadata.json: exists (--force replaces it)" mode5 --end 1 --series d.csv --crate
-refuse "no table" "--crate: there is no table to describe (--series, ...)" mode5 --crate
-refuse "none that stays" "--crate: - is no file that stays" mode5 --series - --crate
-mkdir other
-refuse "tables in two folders" "--crate: other/p.csv lies in another folder than d.csv" mode5 --series d.csv --particles other/p.csv --crate
-result "nothing is written of those" test ! -e d.csv
-rm -rf ./*.csv ./*.ini ro-crate-metadata.json other
-
 # --- what goes wrong ---
 expect "no scenario" 2
 expect "an unknown scenario" 2 mode99

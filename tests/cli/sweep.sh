@@ -214,13 +214,6 @@ refuse "too many" '--vary: 1000000 combinations are too many (at most 100000)' \
 refuse "jobs" '--jobs: is --threads N now, which shares the runs out too (or --plan, for other machines)' \
 	mode5 --vary time.end=1,2 --jobs 2
 refuse "two ends" '--vary: time.end: --steps says when the run ends (one of them)' mode5 --vary time.end=1,2 --steps 9
-# --- research data ---
-expect "a sweep as research data" 0 mode1 --end 1 --vary initial.mode=1,2 --output described.csv --crate --quiet
-result "names its table and what stands beside it" sh -c 'grep -q "\"hasPart\": .*described.csv\"}, .*described.csv.ini\"}\]" ro-crate-metadata.json'
-result "and the command" says ro-crate-metadata.json '"name": "matvib sweep"'
-result "is JSON" sh -c 'command -v python3 >/dev/null || exit 0; python3 -m json.tool ro-crate-metadata.json'
-refuse "once more" "ro-crate-metadata.json: exists (--force replaces it)" mode1 --end 1 --vary initial.mode=1,2 --output again.csv --crate
-result "writes nothing" test ! -e again.csv
-refuse "no table" "--crate: there is no table to describe (--output FILE)" mode1 --end 1 --vary initial.mode=1,2 --crate
+refuse "metadata of a sweep" '--crate: is gone (FILE.csv.ini beside a table says what it holds and makes it again)' mode1 --vary initial.mode=1,2 --crate
 
 echo "1..$number"

@@ -10,7 +10,6 @@
 #include "base/text.h"
 #include "base/visible.h"
 #include "cli/cli.h"
-#include "cli/describe.h"
 #include "cli/options.h"
 #include "cli/progress.h"
 #include "cli/sweep/sweep_plan.h"
@@ -255,26 +254,6 @@ static bool write_files(const Sweep *sweep, const SweepTable *table, Status *sta
     return good;
 }
 
-static Crate crate_of(const Options *options)
-{
-    return (Crate){
-        .tables = {{options->output, "Table of a sweep: a row for each combination of parameters"}},
-        .command = "matvib sweep",
-        .source = "Scenario of the first combination; its comments hold the command and the columns",
-        .asker = ASKER_COMMAND_LINE,
-        .force = options->force,
-    };
-}
-
-static bool describe_table(const Sweep *sweep, Status *status)
-{
-    const Crate crate = crate_of(sweep->options);
-    Settings settings;
-    return !sweep->options->crate ||
-           (sweep_plan_load(&sweep->plan, sweep->options, 0, true, &settings, status) &&
-            describe(sweep->options, &crate, &settings, status));
-}
-
 static int write_all(Sweep *sweep, Status *status)
 {
     const Options *options = sweep->options;
@@ -284,7 +263,7 @@ static int write_all(Sweep *sweep, Status *status)
     int all = sweep->plan.n_combinations;
     if (table.rows == 0)
         return status_fail(status, "no combination has a row (%d left out)", all), STATUS_FAILED;
-    if (options->output && !(write_files(sweep, &table, status) && describe_table(sweep, status)))
+    if (options->output && !write_files(sweep, &table, status))
         return (int)status->code;
     bool terminal = isatty(STDOUT_FILENO);
     if (terminal && !(options->output && output_is_standard(options->output)))
@@ -307,9 +286,6 @@ static bool is_regular(const char *name)
 static bool may_begin(const Sweep *sweep, Status *status)
 {
     const Options *options = sweep->options;
-    const Crate crate = crate_of(options);
-    if (!describe_may_begin(options, &crate, status))
-        return false;
     if (!options->output)
         return true;
     char *beside = beside_name(options->output, status);
