@@ -105,8 +105,6 @@ const Option options_table[] = {
     {"--from", "T", " movie ", "filmed from time T of the run on (0)", OPTION_TEXT, AT(from)},
     {"--to", "T", " movie ", "filmed up to time T of the run (its end)", OPTION_TEXT, AT(to)},
     {"--idle", "S", " movie ", "nothing stands still for longer than S seconds", OPTION_TEXT, AT(idle)},
-    {"--plan", NULL, " sweep ", "prints one matvib run command a line instead of running", OPTION_FLAG,
-     AT(plan)},
     {"--every", "N", " run ", "a row of the series every N steps (1)", OPTION_OVERRIDE,
      .key = "output.every"},
     {"--columns", "NAME,...", " run ",
@@ -309,7 +307,8 @@ static const struct {
 } moved[] = {
     {" lesson ", "--key", "matvib grade --key LESSON"},
     {" grade ", "--students", "--moodle FILE now, which writes; --roster FILE reads the list of the class"},
-    {" sweep ", "--jobs", "--threads N now, which shares the runs out too (or --plan, for other machines)"},
+    {" sweep ", "--jobs", "--threads N now, which shares the runs out too"},
+    {" sweep ", "--plan", "gone (a shell loop over matvib run SCENARIO --set KEY=VALUE does it)"},
     {" run sweep fit ", "--crate",
      "gone (FILE.csv.ini beside a table says what it holds and makes it again)"},
 };

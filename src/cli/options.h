@@ -78,7 +78,6 @@ typedef struct Options {
     const char *output;
     const char *view;
     OptionList against;
-    bool plan;
     const char *data, *sought, *column, *figure; /* of a fit */
     const char *map;                             /* of a diagnosis */
     bool pairs;                                  /* likewise */

@@ -32,8 +32,6 @@ head -c 5000001 /dev/zero | "$MATVIB" show - >out 2>err
 result "it has a size" says err '^matvib: -: is too large (at most 5000 kB)'
 printf 'q' | "$MATVIB" - >out 2>err
 result "the laboratory has its keys there" says err '^matvib: -: keys come from standard input'
-"$MATVIB" show mode5 | "$MATVIB" sweep - --vary mesh.cell_size=0.5,1 --plan >out 2>err
-result "nor can other machines read it again" says err '^matvib: -: is read once'
 printf ':open -\n.\n' | timeout 20 "$MATVIB" mode1 --plain --paused >out 2>err
 result "once it is open no word reads there" says out '^-: no such scenario or file'
 result "and the next line is still a line" says out 'step 1 of'

@@ -49,11 +49,11 @@ while read -r line; do
 	result "$line" sh -c "$line"
 done <commands
 
-# what else the pages and the README tell to type: beams for a few steps, sweeps as plans, the laboratory without keys.
+# what else the pages and the README tell to type: beams for a few steps, sweeps for a few steps, the laboratory without keys.
 # Some lines need what an earlier one wrote.
 short() {
 	case $1 in
-	*" sweep supported-beam"*) echo "$1 --plan" ;;
+	*" sweep supported-beam"*) echo "$1" | sed "s/--end 2e-3/--end 1e-4/" ;;
 	*" figure "*" --at "*) echo "$1" | sed 's/notched-beam/notched-beam-coarse/; s/--at [^ ]*/--at 2e-5,4e-5/' ;;
 	*" figure supported-beam"* | *" figure moving-cantilever"*)
 		echo "$1 --end 1e-4" | sed 's/ supported-beam / supported-beam-coarse /; s/ moving-cantilever / moving-cantilever-coarse /'

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Sweeps: what they measure, the order of their rows, interruptions, plans, wrong words.
+# Sweeps: what they measure, the order of their rows, interruptions, wrong words.
 # shellcheck source=tests/common.sh
 . "$MATVIB_SRCDIR/tests/common.sh"
 subcommand=sweep
@@ -160,22 +160,9 @@ sed -i 's/^mode *=.*/mode = 6/' changing.ini
 ends $sweep
 result "is not mixed with another" says err '^left out: time.end=20: changing.ini has changed since the sweep began$'
 
-# --- plans
-
-"$MATVIB" show mode5 >"it's \$mine.ini"
-expect "a plan" 0 "it's \$mine.ini" --vary mesh.cell_size=1,0.5 --set scenario.title='a; b' --end 20 --plan
-cp out plan
-for sign in '$' '`' '&' ';' '|' '<' '>' '(' ')' '*' '?' '[' '!' '"' '\' '~' ' '; do
-	"$MATVIB" sweep mode1 --vary mesh.cell_size=1,0.5 --set "scenario.title=a${sign}b" --plan >signs
-	result "$sign is quoted" grep -q -F -e " 'scenario.title=a${sign}b' " signs
-done
-result "a command for each combination" test "$(grep -c '^matvib run .* --series .*-[12]\.csv' plan)" -eq 2
-mkdir bin
-ln -s "$MATVIB" bin/matvib
-PATH=$PWD/bin:$PATH sh plan >out 2>err
-result "the shell takes it" test ! -s err
-result "cell sizes as planned" says "it's \$mine-2.csv.ini" '^cell_size = 0.5$'
-result "the end as planned" says "it's \$mine-1.csv.ini" '^end = 20$'
+"$MATVIB" sweep mode1 --vary initial.mode=1,2 --set 'scenario.title=a$(b) it'"'"'s' --end .1 --output quoted.csv --quiet
+result "the command beside a table can be pasted" grep -q -F -e "'scenario.title=a\$(b) it'\\''s' --end .1" quoted.csv.ini
+rm -f quoted.csv*
 
 # --- values of the rows of a plate
 
@@ -211,9 +198,10 @@ refuse "--with too short" '--with: mesh.cell_size: has 1 values beside 2 of time
 	mode5 --vary time.end=1,2 --with mesh.cell_size=1
 refuse "too many" '--vary: 1000000 combinations are too many (at most 100000)' \
 	mode5 --vary time.end=1:2:1000 --vary bar.density=1:2:1000
-refuse "jobs" '--jobs: is --threads N now, which shares the runs out too (or --plan, for other machines)' \
+refuse "jobs" '--jobs: is --threads N now, which shares the runs out too' \
 	mode5 --vary time.end=1,2 --jobs 2
 refuse "two ends" '--vary: time.end: --steps says when the run ends (one of them)' mode5 --vary time.end=1,2 --steps 9
+refuse "a plan" '--plan: is gone (a shell loop over matvib run SCENARIO --set KEY=VALUE does it)' mode1 --vary initial.mode=1,2 --plan
 refuse "metadata of a sweep" '--crate: is gone (FILE.csv.ini beside a table says what it holds and makes it again)' mode1 --vary initial.mode=1,2 --crate
 
 echo "1..$number"

@@ -210,6 +210,23 @@ static char *beside_name(const char *output, Status *status)
     return NULL;
 }
 
+/* A word as a POSIX shell needs it. */
+static void shell_quote(FILE *stream, const char *word)
+{
+    static const char harmless[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%";
+    if (*word && strspn(word, harmless) == strlen(word)) {
+        fputs(word, stream);
+        return;
+    }
+    fputc('\'', stream);
+    for (; *word; word++)
+        if (*word == '\'')
+            fputs("'\\''", stream);
+        else
+            fputc(*word, stream);
+    fputc('\'', stream);
+}
+
 /* The scenario of the first combination; as comments the command and the columns. */
 static bool write_beside(const Sweep *sweep, const SweepTable *table, OutputFile *file, Status *status)
 {
@@ -222,7 +239,7 @@ static bool write_beside(const Sweep *sweep, const SweepTable *table, OutputFile
     fputs("matvib " PACKAGE_VERSION "\n\nmatvib sweep", text);
     for (int i = 0; i < sweep->options->n_arguments; i++) {
         fputc(' ', text);
-        sweep_shell_quote(text, sweep->options->arguments[i]);
+        shell_quote(text, sweep->options->arguments[i]);
     }
     fputs("\n\nColumns:\n", text);
     sweep_table_describe(table, text);
@@ -297,26 +314,10 @@ static bool may_begin(const Sweep *sweep, Status *status)
     return good;
 }
 
-static int print_plan(const Sweep *sweep, Status *status)
-{
-    OutputFile file;
-    const Options *options = sweep->options;
-    if (strcmp(options->words[0], input_standard_name) == 0)
-        return progress_result(
-            status_refuse(status, "%s: is read once, and a plan names a file", input_standard_name), status);
-    if (!output_open(&file, ASKER_COMMAND_LINE, options->output ? options->output : "-", options->force,
-                     status))
-        return (int)status->code;
-    sweep_plan_print(&sweep->plan, options, file.stream);
-    return progress_result(output_end(&file, true, status), status);
-}
-
 static int sweep_through(Sweep *sweep, Status *status)
 {
     if (!prepare(sweep, status))
         return (int)status->code;
-    if (sweep->options->plan)
-        return print_plan(sweep, status);
     if (!may_begin(sweep, status))
         return (int)status->code;
     const int result = run_all(sweep, status);

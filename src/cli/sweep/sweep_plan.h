@@ -42,10 +42,4 @@ bool sweep_plan_load(const SweepPlan *, const Options *, int combination, bool w
 /* "mesh.cell_size=1 mpm.algorithm=usl" */
 void sweep_plan_describe(const SweepPlan *, int combination, char *out, size_t size);
 
-/* One `matvib run` command for every combination, a line each, quoted for a POSIX shell. */
-void sweep_plan_print(const SweepPlan *, const Options *, FILE *);
-
-/* A word as a POSIX shell needs it. */
-void sweep_shell_quote(FILE *, const char *word);
-
 #endif
