@@ -16,6 +16,8 @@ static bool is_slip(const char *word, Status *status)
 {
     if (*word == '-' || scenario_builtin(word) || access(word, F_OK) == 0 || errno != ENOENT)
         return false;
+    if (!options_stand("command", word, status))
+        return true;
     const char *nearest = cli_nearest(word);
     if (nearest && !cli_find(nearest))
         return false; /* a scenario is meant, and its reader says which */

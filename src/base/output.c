@@ -114,11 +114,6 @@ static bool folder_takes(const char *name, Status *status)
     return takes || cannot_write(name, status);
 }
 
-static bool no_name(const char *name, Status *status)
-{
-    return status_refuse(status, "%s: is no name for a file (UTF-8 without control characters)", name);
-}
-
 static bool too_long(const char *name, Status *status)
 {
     return status_refuse(status, "%s: the name is too long (most systems allow 255 bytes)", name);
@@ -484,28 +479,6 @@ void output_close(OutputFile *file)
 }
 
 /* --- what is no file written whole -------------------------------------------------------------------- */
-
-bool output_make_folder(Asker asker, const char *name, bool *made, Status *status)
-{
-    struct stat what;
-    *made = false;
-    if (!output_allowed(asker, name, status))
-        return false;
-    if (!visible_is_clean(name))
-        return no_name(name, status);
-    if (stat(name, &what) == 0)
-        return S_ISDIR(what.st_mode) || status_refuse(status, "%s: is no folder", name);
-    if (!output_has_folder(name, status))
-        return false;
-    *made = mkdir(name, 0777) == 0;
-    return *made || status_fail(status, "%s: cannot be made: %s", name, strerror(errno));
-}
-
-void output_remove_folder(Asker asker, const char *name)
-{
-    if (output_allowed(asker, name, NULL))
-        rmdir(name);
-}
 
 void output_make_own_folders(Asker asker, const char *file)
 {

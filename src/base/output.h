@@ -66,10 +66,6 @@ bool output_commit(OutputFile *, Status *);
  * until output_finish(). */
 bool output_publish(OutputFile *, Status *);
 
-/* Makes a folder; *made: it was not there. output_remove_folder() takes back one that is empty. */
-bool output_make_folder(Asker, const char *name, bool *made, Status *);
-void output_remove_folder(Asker, const char *name);
-
 /* Makes the folders that a file of the program's own lies in, the last one for the user alone. */
 void output_make_own_folders(Asker, const char *file);
 

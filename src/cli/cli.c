@@ -44,8 +44,6 @@ const CliCommand cli_commands[] = {
      NULL, NULL},
     {"grade", "LESSON SESSION...", "marks recorded sessions of a lesson's exercises", cli_grade, 0, -1, NULL,
      NULL},
-    {"export-lammps", "SCENARIO", "a beam or a plate as input for LAMMPS, for runs on many machines",
-     cli_export_lammps, 1, 1, NULL, NULL},
     {"list", "", "the built-in scenarios", cli_list, 0, 0, NULL, NULL},
     {"show", "SCENARIO", "the resolved scenario as a file, derived values as comments", cli_show, 1, 1, NULL,
      NULL},

@@ -40,7 +40,6 @@ int cli_open(Options *, Status *);
 int cli_lesson(Options *, Status *);
 int cli_run(Options *, Status *);
 int cli_sweep(Options *, Status *);
-int cli_export_lammps(Options *, Status *);
 int cli_figure(Options *, Status *);
 int cli_movie(Options *, Status *);
 int cli_grade(Options *, Status *);

@@ -31,12 +31,12 @@ static const char *const themes[] = {"auto", "light", "dark", NULL};
 #define ONE_OF(names) .kind = OPTION_WORD, .words = names
 
 const Option options_table[] = {
-    {"--set", "KEY=VALUE", " open show run figure movie sound fit diagnose sweep export-lammps ",
+    {"--set", "KEY=VALUE", " open show run figure movie sound fit diagnose sweep ",
      "a value instead of the scenario's; may be repeated", OPTION_OVERRIDE, AT(overrides)},
-    {"--end", "T", " open show run figure movie sound fit sweep export-lammps ", "the run ends at time T",
-     OPTION_OVERRIDE, AT(overrides), .key = "time.end"},
-    {"--steps", "N", " open show run figure movie sound fit sweep export-lammps ",
-     "the run ends after N steps", OPTION_COUNT, AT(steps)},
+    {"--end", "T", " open show run figure movie sound fit sweep ", "the run ends at time T", OPTION_OVERRIDE,
+     AT(overrides), .key = "time.end"},
+    {"--steps", "N", " open show run figure movie sound fit sweep ", "the run ends after N steps",
+     OPTION_COUNT, AT(steps)},
     {"--vary", "KEY=VALUES", " sweep ",
      "a run for each value, KEY=A,B,C or KEY=LO:HI:N; given twice: the product", OPTION_AXIS, AT(axes)},
     {"--with", "KEY=VALUES", " sweep ", "changes value by value together with the --vary before it",
@@ -47,8 +47,6 @@ const Option options_table[] = {
      OPTION_LIST, AT(against)},
     {"--output", "FILE", " figure ", "the figure: FILE.svg, FILE.pdf or FILE.png", OPTION_TEXT, AT(output),
      LETTER('o')},
-    {"--output", "DIR", " export-lammps ", "the folder that the files go to; it is made if missing",
-     OPTION_TEXT, AT(output), LETTER('o')},
     {"--output", "FILE", " sweep ", "where the table goes", OPTION_TEXT, AT(output), LETTER('o')},
     {"--output", "FILE", " movie ", "the film: FILE.cast (asciinema), FILE.svg (animated) or FILE.gif",
      OPTION_TEXT, AT(output), LETTER('o')},
@@ -134,7 +132,7 @@ const Option options_table[] = {
      OPTION_OVERRIDE, AT(overrides), .key = "output.at", .clears = "output.frames"},
     {"--dialect", "D", " run sweep grade ", "comma, or semicolon with a decimal comma, for spreadsheets",
      AT(dialect), ONE_OF(dialects)},
-    {"--force", NULL, " run figure movie sound fit diagnose sweep grade export-lammps open lesson ",
+    {"--force", NULL, " run figure movie sound fit diagnose sweep grade open lesson ",
      "replaces files that matvib wrote (pictures: any of the kind), never one that is read", OPTION_FLAG,
      AT(force)},
     {"--quiet", NULL, " run figure movie sound fit diagnose sweep grade ", "neither progress nor summary",
@@ -309,6 +307,7 @@ static const struct {
     {" grade ", "--students", "--moodle FILE now, which writes; --roster FILE reads the list of the class"},
     {" sweep ", "--jobs", "--threads N now, which shares the runs out too"},
     {" sweep ", "--plan", "gone (a shell loop over matvib run SCENARIO --set KEY=VALUE does it)"},
+    {" command ", "export-lammps", "gone (what agreed with LAMMPS, and how, is in matvib-checks(7))"},
     {" run sweep fit ", "--crate",
      "gone (FILE.csv.ini beside a table says what it holds and makes it again)"},
 };

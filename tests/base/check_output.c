@@ -119,20 +119,14 @@ START_TEST(who_asks_decides)
         const Asker asker = askers[i].asker;
         const bool may = askers[i].may;
         OutputFile file;
-        bool made;
         put(in_folder("old"), "step,time");
         ck_assert_int_eq(write_file(asker, in_folder("old"), true), may);
         expect_text(in_folder("old"), may ? "new" : "step,time");
         ck_assert_int_eq(output_open(&file, asker, "-", true, &status), may);
         ck_assert_int_eq(output_open_own(&file, asker, in_folder("own"), &status), may);
         output_close(&file);
-        ck_assert_int_eq(output_make_folder(asker, in_folder("made"), &made, &status), may);
         output_make_own_folders(asker, in_folder("state/matvib/file"));
         ck_assert_int_eq(access(in_folder("state"), F_OK) == 0, may);
-        mkdir(in_folder("made"), 0700);
-        output_remove_folder(asker, in_folder("made"));
-        ck_assert_int_eq(access(in_folder("made"), F_OK) != 0, may);
-        rmdir(in_folder("made"));
         rmdir(in_folder("state/matvib"));
         rmdir(in_folder("state"));
     }

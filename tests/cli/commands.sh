@@ -139,6 +139,7 @@ refuse "laboratory: unknown scenario" 'mode11: no such scenario or file (did you
 refuse "a lesson that there is not" 'one-stop: no such lesson or file (did you mean one-step?)' lesson one-stop --script empty
 "$MATVIB" lesson --list >lessons && grep -q '^one-step  *One step of MPM$' lessons
 result "lesson --list tells the names" test $? -eq 0
+refuse "a command that went" 'export-lammps: is gone (what agreed with LAMMPS, and how, is in matvib-checks(7))' export-lammps notched-beam
 refuse "a slip in a command" 'rnu: no such command, scenario or file (did you mean run?)' rnu mode1
 refuse "laboratory: two scenarios" 'mode5: is one argument too many ([SCENARIO])' mode1 mode5
 refuse "laboratory: wrong word" '--glyphs: dots is not a choice (auto | braille | block | ascii)' --glyphs dots

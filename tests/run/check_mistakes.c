@@ -5,7 +5,6 @@
 
 #include "answers/fit_search.h"
 #include "answers/summary.h"
-#include "export/lammps.h"
 #include "methods/bonds/plane/bonds_plane.h"
 #include "scenario/settings.h"
 #include "methods/mpm/line/bar_mistakes.h"
@@ -459,11 +458,8 @@ END_TEST
 
 START_TEST(who_needs_the_right_code_refuses_it)
 {
-    Settings settings = wrong_beam(1);
+    Settings settings = wrong_bar(3);
     Status status = {0};
-    ck_assert(!lammps_export(&settings, ASKER_KEYBOARD, "no-such-folder", false, &status));
-    ck_assert_str_eq(status.text, "pd.mistake: micromodulus_3d is a mistake, and LAMMPS is no wrong code");
-    settings = wrong_bar(3);
     FitResult result;
     const FitTask task = {.settings = &settings};
     ck_assert(!fit_solve(&task, &result, &status));
