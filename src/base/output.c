@@ -171,15 +171,12 @@ static bool read_head(const char *name, char *head, size_t size)
 /* Whether this program wrote it, as far as its head tells; of one that is empty nothing is lost. */
 static bool is_own(const char *name)
 {
-    static const char mark[] = "\xef\xbb\xbf", version[] = "# matvib ", lammps[] = ".matvib";
-    static const char crate[] = "{\n \"@context\": \"https://w3id.org/ro/crate/", xml[] = "<?xml ";
+    static const char mark[] = "\xef\xbb\xbf", version[] = "# matvib ", xml[] = "<?xml ";
     char text[4096], *head = text;
     if (!read_head(name, text, sizeof text))
         return false;
     head += begins(text, mark) ? strlen(mark) : 0;
-    const char *ending = strrchr(name, '.');
-    if (!*head || (ending && strcmp(ending, lammps) == 0) || begins(head, crate) ||
-        (begins(head, xml) && (strstr(head, "\n<svg ") || strstr(head, "\n<VTKFile "))))
+    if (!*head || (begins(head, xml) && (strstr(head, "\n<svg ") || strstr(head, "\n<VTKFile "))))
         return true;
     head[strcspn(head, "\r\n")] = '\0';
     bool known = begins(head, version) && isdigit((unsigned char)head[strlen(version)]);

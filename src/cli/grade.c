@@ -160,7 +160,7 @@ static bool mark_all(Marking *marking, const Options *options, Status *status)
     GradingOrigin *origins = calloc((size_t)marking->sessions, sizeof *origins);
     bool sound = (grades && origins) || status_fail(status, "out of memory");
     for (int i = 0; i < marking->sessions && sound; i++)
-        grading_origin(&marking->task, &marking->lesson, options->words[i + 1], &origins[i]);
+        grading_origin(&marking->lesson, options->words[i + 1], &origins[i]);
     csv_header(marking->table, marking->dialect, heads, CELLS);
     for (int i = 1; i < options->n_words && sound; i++) {
         marking->session = i - 1;

@@ -115,9 +115,8 @@ typedef struct Lesson {
     int n_pages;
     LessonVariant variants[LESSON_VARIANTS_MAX];
     int n_variants;
-    uint64_t version;   /* of its lines, and of those of the scenario files that it opens, without comments:
-                           tells one text of a lesson from another */
-    uint64_t version_1; /* the same as matvib 1 wrote it into recordings: of its own lines, with comments */
+    uint64_t version; /* of its lines, and of those of the scenario files that it opens, without comments:
+                         tells one text of a lesson from another */
 } Lesson;
 
 /* A lesson that is part of the program, from data/lessons. */

@@ -439,7 +439,6 @@ static bool read_line(Reader *reader, char *line)
     Lesson *lesson = reader->lesson;
     if (strncmp(line, "@group ", 7) == 0) /* where it is listed is no part of what was read and recorded */
         return read_word(reader, line + 1);
-    lesson->version_1 = hash_bytes(hash_bytes(lesson->version_1, line, strlen(line)), "\n", 1);
     if (*line == '#')
         return true;
     lesson->version = hash_bytes(hash_bytes(lesson->version, line, strlen(line)), "\n", 1);
@@ -455,7 +454,7 @@ bool lesson_read(FILE *stream, const char *name, LessonJudge may_do, Lesson *les
     char line[LINE_BYTES_MAX + 1];
     bool sound = true;
     InputGot got;
-    *lesson = (Lesson){.version = HASH_BEGIN, .version_1 = HASH_BEGIN};
+    *lesson = (Lesson){.version = HASH_BEGIN};
     while (sound && (got = input_line(&lines, line, sizeof line, status)) != INPUT_END)
         if (got == INPUT_WRONG)
             sound = false;

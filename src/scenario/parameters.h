@@ -47,11 +47,10 @@ typedef struct Parameter {
     bool above_least;           /* the least itself is not allowed */
     const char *const *choices; /* ended by NULL */
     const char *(*choice_help)(
-        int);   /* a sentence for each of many, NULL for the first; NULL: help says it all */
-    bool wrong; /* at work, the code is wrong in one place */
-    const char *renamed, *renamed_to; /* a choice's word in older files, and the one it has now; NULL: none */
-    const char *automatic;            /* a word that stands for 0, "auto"; NULL: none */
-    double automatic_value;           /* it stands for this instead of 0 */
+        int);               /* a sentence for each of many, NULL for the first; NULL: help says it all */
+    bool wrong;             /* at work, the code is wrong in one place */
+    const char *automatic;  /* a word that stands for 0, "auto"; NULL: none */
+    double automatic_value; /* it stands for this instead of 0 */
     Nudge nudge;
     bool live; /* may change in mid-run, */
     bool (*of_start)(

@@ -273,8 +273,6 @@ static bool apply(const Source *source, Settings *settings, Status *status)
 {
     if (!check_twice(source, status) || !begin(source, settings, status))
         return false;
-    if (source->entries.whole_rows)
-        strcpy(settings_edit_output(settings)->columns, "all");
     for (int i = 0; i < source->entries.count; i++)
         if (!take_entry(&source->entries.all[i], settings, status))
             return at_line(source, &source->entries.all[i], status);

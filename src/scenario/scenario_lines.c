@@ -102,14 +102,6 @@ static void cut_comment(char *line)
         line[--n] = '\0';
 }
 
-/* The .csv.ini of 1.x, whose series had all columns and no key that asks for them. */
-static void note_column(Entries *entries, const char *line)
-{
-    static const char *const columns[] = {"# kinetic_grid [", "# kinetic_null ["};
-    for (size_t i = 0; i < sizeof columns / sizeof *columns; i++)
-        entries->whole_rows = entries->whole_rows || strncmp(line, columns[i], strlen(columns[i])) == 0;
-}
-
 /* --- what a line is ------------------------------------------------------------------------------- */
 
 static size_t word_length(const char *text)
@@ -258,7 +250,6 @@ bool entries_read(Entries *entries, FILE *stream, const char *file, Status *stat
     while (raw_line(&reader, raw)) {
         if (!clean_line(&reader, raw))
             return false;
-        note_column(entries, raw);
         cut_comment(raw);
         if (!accept_line(&reader, raw))
             return false;

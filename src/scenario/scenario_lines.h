@@ -26,8 +26,7 @@ typedef struct Entry {
 typedef struct Entries {
     Entry *all;
     int count, room;
-    int lines;       /* of the file */
-    bool whole_rows; /* its comments describe a column that is written only when it is asked for */
+    int lines; /* of the file */
 } Entries;
 
 /* The sections there are, in the order in which they are written; ended by NULL. */

@@ -58,10 +58,8 @@ static bool read_number(const Parameter *parameter, const Problem *problem, cons
 static bool read_choice(const Parameter *parameter, const Problem *problem, const char *text, double *value,
                         Status *status)
 {
-    const char *word =
-        parameter->renamed && strcmp(parameter->renamed, text) == 0 ? parameter->renamed_to : text;
     for (int i = 0; i < parameter_choices(parameter, problem); i++)
-        if (strcmp(parameter->choices[i], word) == 0) {
+        if (strcmp(parameter->choices[i], text) == 0) {
             *value = i;
             return true;
         }

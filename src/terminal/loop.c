@@ -24,13 +24,12 @@ typedef struct Loop {
     long frames;
     int frame_fd; /* -1: nobody listens */
     Replay replay;
-    char origin[SESSION_ORIGIN_MAX]; /* of what is replayed; "": nothing is to be said of it */
-    bool fast;                       /* replay as fast as it can */
-    double replayed_at;              /* when its last key was done again */
-    bool told;        /* something stands on the shell's last line that tell how far the opening has come */
-    bool stale;       /* the picture shown is out of date */
-    bool more_keys;   /* are answered before it sleeps */
-    bool unannounced; /* a picture is not yet announced, for the terminal has not taken all of it */
+    bool fast;          /* replay as fast as it can */
+    double replayed_at; /* when its last key was done again */
+    bool told;          /* something stands on the shell's last line that tell how far the opening has come */
+    bool stale;         /* the picture shown is out of date */
+    bool more_keys;     /* are answered before it sleeps */
+    bool unannounced;   /* a picture is not yet announced, for the terminal has not taken all of it */
 } Loop;
 
 static double now(void *context)
@@ -165,10 +164,7 @@ static double replay_due(const Loop *loop)
 /* Begun and ended, for the first key takes a message away. */
 static void say_replay(Loop *loop, const char *how, const char *what)
 {
-    if (*loop->origin)
-        laboratory_say(&loop->lab, MESSAGE_INFO, "%s, %s", how, loop->origin);
-    else
-        laboratory_say(&loop->lab, MESSAGE_INFO, "%s: %s", how, what);
+    laboratory_say(&loop->lab, MESSAGE_INFO, "%s: %s", how, what);
 }
 
 static void end_replay(Loop *loop, const char *how)
@@ -280,8 +276,6 @@ int loop_run(const LaboratoryOptions *options, const Session *replay, Session *r
     loop->lab.recording = recording;
     session_note_start(recording, &loop->lab);
     loop->replay = (Replay){.session = replay};
-    if (replay)
-        session_origin(replay, loop->origin, sizeof loop->origin);
     loop->fast = options->fast;
     loop->replayed_at = now(NULL);
     if (is_replaying(loop))

@@ -61,8 +61,6 @@ own v.vtu run own.ini --quiet --vtk v
 beside v-0001.vtu run own.ini --quiet --frames 2 --vtk v
 beside v.pvd run own.ini --quiet --frames 2 --vtk v
 beside a.csv.ini run own.ini --quiet --series a.csv
-beside ro-crate-metadata.json run own.ini --quiet --series a.csv --crate
-beside ro-crate-metadata.json sweep own.ini --vary initial.mode=1,2 --quiet --output a.csv --crate
 for ending in svg pdf png; do
 	own "f.$ending" figure own.ini --view energies --quiet --output "f.$ending"
 done
@@ -74,7 +72,6 @@ own fit.csv fit mode5 --data data.csv --vary bar.youngs_modulus --quiet --output
 own fit.svg fit mode5 --data data.csv --vary bar.youngs_modulus --quiet --figure fit.svg
 own d.csv diagnose mode5 data.csv --quiet --output d.csv
 own w.csv sweep own.ini --vary initial.mode=1,2 --quiet --output w.csv
-own plan sweep own.ini --vary initial.mode=1,2 --plan --output plan
 own g.csv grade homework-late ada.session --quiet --output g.csv
 own m.csv grade homework-late ada.session --quiet --output /dev/null --moodle m.csv --bom
 own g.pdf grade homework-late ada.session --quiet --output /dev/null --sheet g.pdf
@@ -93,7 +90,6 @@ spared() {
 ln -s own.ini link.ini
 mkdir inside && cp own.ini v-0001.vtu && cp own.ini x.svg && cp own.ini x.cast && cp own.ini x.wav
 "$MATVIB" run mode5 --end 20 --series data.svg --quiet
-"$MATVIB" show notched-beam-coarse >inside/in.matvib
 for option in series particles nodes; do
 	spared own.ini own.ini run own.ini --quiet --$option own
 done
@@ -103,11 +99,9 @@ spared own.ini own.ini run link.ini --quiet --series own
 spared own.ini ./own.ini run inside/../own.ini --quiet --particles ./own.ini
 spared v-0001.vtu v-0001.vtu run v-0001.vtu --quiet --frames 2 --vtk v
 spared own.ini own.ini sweep own.ini --vary initial.mode=1,2 --quiet --output own
-spared own.ini own.ini sweep own.ini --vary initial.mode=1,2 --plan --output own.ini
 spared x.svg x.svg figure x.svg --view energies --quiet --output x.svg
 spared x.cast x.cast movie x.cast --quiet --output x.cast
 spared x.wav x.wav sound x.wav --quiet --output x.wav
-spared inside/in.matvib inside/in.matvib export-lammps inside/in.matvib --output inside
 spared data.csv data.csv fit mode5 --data data.csv --vary bar.density --quiet --output data.csv
 spared data.svg data.svg fit mode5 --data data.svg --vary bar.density --quiet --figure data.svg
 spared data.csv data.csv diagnose mode5 data.csv --quiet --output data.csv

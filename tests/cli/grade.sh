@@ -284,6 +284,7 @@ edited right.session '/^student/d' nameless.session
 edited right.session 's/^version [0-9a-f]*/version 0123456789abcdef/' text.session
 edited right.session 's/^\(version [0-9a-f]*\).*/\1 0.1/' program.session
 edited right.session '/^version/d' free.session
+version=$("$MATVIB" --version | cut -d' ' -f2)
 edited right.session 's/^end .*/end nowhere/' broken.session
 head -c 120 right.session >half.session
 head -c 3000 /dev/urandom >noise.session
@@ -308,8 +309,8 @@ result "no end" remark_is bad.csv cut.session "Ada Lovelace" "cut: it has no end
 result "no end and no check" remark_is bad.csv stopped.session "Ada Lovelace" "cut: it has no end"
 result "no name" remark_is bad.csv nameless.session "" "foreign: it has no name (matvib lesson NAME --name)"
 result "another text" remark_is bad.csv text.session "Ada Lovelace" '"foreign: it is of another lesson, or of another text of this one"'
-result "another version" remark_is bad.csv program.session "Ada Lovelace" "foreign: it is of another version of matvib"
-result "of no version" remark_is bad.csv free.session "Ada Lovelace" "foreign: it is not the session of a lesson"
+result "another version" remark_is bad.csv program.session "Ada Lovelace" "foreign: it is of another version of matvib (this is $version)"
+result "of no version" remark_is bad.csv free.session "" "damaged: free.session: is no session of matvib $version (it names no version)"
 result "a broken line" says bad.csv '^,,,,,,,broken.session,damaged: broken.session:[0-9]*: not a place of a session (end STEP'
 for file in half noise empty none pipe; do
 	result "$file" says bad.csv "^,,,,,,,$file.session,\"*damaged: $file.session"

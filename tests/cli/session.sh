@@ -56,6 +56,10 @@ result "a session is not overwritten" refused 'mode5.session: exists (--force re
 "$MATVIB" show mode1 2>/dev/null | sed -n '/^\[scenario\]/,$p' >first.ini
 result "a scenario is no session" refused \
 	'first.ini:1: unknown line: [scenario] (scenario NAME | paused | first | sheet WORD | lesson NAME | student NAME | version HASH PROGRAM | reached NAME PAGE | "| ..." | at ... | stop ... | end ... | check HASH)' --replay first.ini
+sed 's/^\(version [0-9a-f]*\) .*/\1 1.0.0/' mode5.session >old.session
+result "another version's is refused by it" refused "old.session: is of matvib 1.0.0 (this is $("$MATVIB" --version | cut -d' ' -f2), which replays its own sessions only)" --replay old.session
+sed '/^|/s/.*/| nothing that is known/' old.session >older.session
+result "whatever else it holds" refused "older.session: is of matvib 1.0.0 (this is $("$MATVIB" --version | cut -d' ' -f2), which replays its own sessions only)" --replay older.session
 result "nor is nothing" refused 'empty: is no session (its scenario is missing)' --replay empty
 sed 's/^at .*Space$/at x 1 80x24 Space/' mode5.session >broken.session
 line=$(grep -n '^at x' broken.session | head -n 1 | cut -d: -f1)
@@ -126,7 +130,7 @@ sed '/ Esc$/d' loop.session | sed 's/^at 26 /at 40 /' >beyond.session
 result "a place beyond the loop is gone to" timeout -s KILL 60 "$MATVIB" --replay beyond.session --script empty
 # a film of a run that takes long ends when it is told to
 {
-	grep '^[s|p]' loop.session | sed 's/^| end = .*/| end = 10/'
+	grep '^[s|pv]' loop.session | sed 's/^| end = .*/| end = 10/'
 	printf 'at 0 0 80x24 Space\nat 10000000 0 80x24 1\n'
 } >long.session
 "$MATVIB" movie long.session --output long.gif >out 2>err &

@@ -281,17 +281,6 @@ START_TEST(a_recorded_session_is_the_last_one_too)
 }
 END_TEST
 
-START_TEST(a_session_of_matvib_1_is_done_again_with_a_warning)
-{
-    const char *file = source_path("tests/files-of-1/bar.session");
-    Session session;
-    session_open(&session, 80, 24, NULL, (const char *const[]){matvib(), "--replay", file, "--fast", NULL});
-    session_wait_for(&session, "the session has been done again, of matvib 1: digits may differ");
-    ck_assert(session_shows(&session, "step 31"));
-    session_close(&session);
-}
-END_TEST
-
 /* Who has no state yet is offered the first lesson, in a line of its own; one key takes it, any other does
  * what it always does. Once left, the program knows its user; and the session that was the first can be done
  * again. */
@@ -649,7 +638,6 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, resizes_while_running);
     tcase_add_test(tcase, a_homework_is_each_student_s_own);
     tcase_add_test(tcase, a_recorded_session_is_the_last_one_too);
-    tcase_add_test(tcase, a_session_of_matvib_1_is_done_again_with_a_warning);
     tcase_add_test(tcase, a_first_start_offers_the_first_lesson);
     tcase_add_test(tcase, control_c_leaves);
     tcase_add_test(tcase, escape_is_told_from_a_sequence);

@@ -237,31 +237,6 @@ START_TEST(columns_are_written_that_are_asked_for)
 }
 END_TEST
 
-/* The lists beside the series of 1.x have no key for that, and their series had every column. */
-START_TEST(lists_of_1_x_write_what_they_wrote)
-{
-    Settings settings = bar_settings(1, 1);
-    Outputs outputs = {.asker = ASKER_COMMAND_LINE, .series = in_folder("s.csv"), .force = true};
-    run(&settings, &outputs, NULL);
-    char *text = contents(in_folder("s.csv.ini"));
-    FILE *file = fopen(in_folder("old.ini"), "w");
-    fputs("# matvib 1.0.0\n#\n# Columns:\n"
-          "# kinetic [force/length]: kinetic energy of the particles\n"
-          "# kinetic_grid [force/length]: the part of it that the grid sees\n",
-          file);
-    for (char *line = strtok(text, "\n"); line; line = strtok(NULL, "\n"))
-        if (*line != '#' && strncmp(line, "columns", 7) != 0)
-            fprintf(file, "%s\n", line);
-    ck_assert_int_eq(fclose(file), 0);
-    free(text);
-    const Settings old = read_back(in_folder("old.ini"));
-    run(&old, &outputs, NULL);
-    expect_header(
-        outputs.series,
-        "step,time,v_cm,v_cm_exact,v_cm_predicted,x_cm,kinetic,kinetic_grid,kinetic_null,strain,work,total");
-}
-END_TEST
-
 START_TEST(rows_are_those_of_the_laboratory)
 {
     static const Problem *const some[] = {&problem_bar, &problem_moving_cantilever, &problem_notched_beam};
@@ -723,7 +698,6 @@ void add_cases(Suite *suite)
     tcase_add_checked_fixture(tcase, make_folder, remove_folder);
     tcase_add_test(tcase, columns_are_those_of_the_contract);
     tcase_add_test(tcase, columns_are_written_that_are_asked_for);
-    tcase_add_test(tcase, lists_of_1_x_write_what_they_wrote);
     tcase_add_test(tcase, rows_are_those_of_the_laboratory);
     tcase_add_test(tcase, what_stands_beside_repeats_the_run);
     tcase_add_test(tcase, a_failed_run_is_written_up_to_there);

@@ -51,21 +51,6 @@ static void expect_refused(const Settings *settings, const char *key, const char
     ck_assert_msg(memcmp(&copy, settings, sizeof copy) == 0, "%s changed something", key);
 }
 
-/* A word of older files is read, and the one that it has now is written. */
-START_TEST(a_renamed_choice_opens)
-{
-    Settings beam;
-    char value[LIST_MAX];
-    Status status = {0};
-    settings_default(&beam, problem_find("simply-supported-beam"));
-    beam.method = METHOD_MPM;
-    ck_assert_msg(settings_set(&beam, "initial.stress", "exact", &status), "%s", status.text);
-    settings_spell(&beam, parameter_find("initial.stress"), value);
-    ck_assert_str_eq(value, "beam");
-    ck_assert(!settings_set(&beam, "supports.ends", "exact", &status));
-}
-END_TEST
-
 START_TEST(rows_fit_the_screen)
 {
     for (int i = 0; i < n_parameters; i++) {
@@ -400,7 +385,6 @@ void add_cases(Suite *suite)
 {
     TCase *table = tcase_create("table");
     tcase_add_test(table, rows_fit_the_screen);
-    tcase_add_test(table, a_renamed_choice_opens);
     tcase_add_test(table, defaults_are_those_of_the_engines);
     tcase_add_loop_test(table, defaults_are_sound, 0, N_PROBLEMS);
     tcase_add_loop_test(table, values_read_back, 0, N_PROBLEMS);

@@ -177,58 +177,15 @@ static bool remark(Grades *grades, const char *text)
     return true;
 }
 
-/* Recordings of matvib 1 are done again: their digits may differ, and what is marked is the lesson of today.
- */
-static bool is_of_1(const SessionFacts *facts)
-{
-    return strncmp(facts->program, "1.", 2) == 0;
-}
-
-/* The homework that matvib 1 brought along has changed since. */
-static const struct {
-    const char *lesson;
-    uint64_t version;
-    bool asks_otherwise;
-} texts_of_1[] = {{"homework-energy", 0xdaeb3d01169de117, true},
-                  {"homework-crack", 0xf6663dd757d82d59, true},
-                  {"homework-late", 0x00ddb700b77f03be, false}};
-
-static bool asks_otherwise(const SessionFacts *facts)
-{
-    for (size_t i = 0; i < sizeof texts_of_1 / sizeof *texts_of_1; i++)
-        if (texts_of_1[i].version == facts->version)
-            return texts_of_1[i].asks_otherwise;
-    return false;
-}
-
-static bool is_of_lesson(const SessionFacts *facts, const GradingTask *task, const Lesson *lesson)
-{
-    if (!is_of_1(facts))
-        return facts->version == lesson->version;
-    for (size_t i = 0; i < sizeof texts_of_1 / sizeof *texts_of_1; i++)
-        if (strcmp(texts_of_1[i].lesson, task->lesson) == 0 && texts_of_1[i].version == facts->version)
-            return true;
-    return facts->version == lesson->version_1;
-}
-
-static void say_origin(const Session *session, const SessionFacts *facts, Grades *grades)
-{
-    if (is_of_1(facts) && asks_otherwise(facts))
-        snprintf(grades->remark, sizeof grades->remark,
-                 "of matvib %s, where this lesson asked otherwise: a 0 may have been right", facts->program);
-    else
-        session_origin(session, grades->remark, sizeof grades->remark);
-}
-
 /* What is no homework of this lesson, or not all of it. */
-static const char *why_refused(const SessionFacts *facts, const GradingTask *task, const Lesson *lesson)
+static const char *why_refused(const SessionFacts *facts, const Lesson *lesson)
 {
+    if (strcmp(facts->program, PACKAGE_VERSION) != 0)
+        return "foreign: it is of another version of matvib (this is " PACKAGE_VERSION ")";
     if (!*facts->lesson || facts->version == 0)
         return "foreign: it is not the session of a lesson";
-    if (!is_of_lesson(facts, task, lesson))
+    if (facts->version != lesson->version)
         return "foreign: it is of another lesson, or of another text of this one";
-    if (strcmp(facts->program, PACKAGE_VERSION) != 0 && !is_of_1(facts))
-        return "foreign: it is of another version of matvib";
     if (!*facts->student)
         return "foreign: it has no name (matvib lesson NAME --name)";
     if (!facts->ended)
@@ -265,16 +222,14 @@ bool grading_session(const GradingTask *task, const char *file, Grades *grades, 
     *grades = (Grades){.student = ""};
     if (!lesson_load(task->lesson, command_line_for_lessons, &lesson, status))
         return false;
-    Session *session = session_read(file, &why);
+    Session *session = session_read_facts(file, &why);
     bool sound = true;
     if (session) {
         session_facts(session, &facts);
         snprintf(grades->student, sizeof grades->student, "%s", facts.student);
         snprintf(grades->id, sizeof grades->id, "%s", facts.id);
-        const char *refused = why_refused(&facts, task, &lesson);
+        const char *refused = why_refused(&facts, &lesson);
         sound = refused ? remark(grades, refused) : replay_session(task, session, grades, status);
-        if (sound && grades->count > 0)
-            say_origin(session, &facts, grades);
     } else {
         snprintf(grades->remark, sizeof grades->remark, "damaged: %s", why.text);
     }
@@ -283,15 +238,15 @@ bool grading_session(const GradingTask *task, const char *file, Grades *grades, 
     return sound;
 }
 
-void grading_origin(const GradingTask *task, const Lesson *lesson, const char *file, GradingOrigin *origin)
+void grading_origin(const Lesson *lesson, const char *file, GradingOrigin *origin)
 {
     enum { KEYS_LEAST = 12 }; /* fewer may be the same by chance */
     SessionFacts facts;
-    Session *session = session_read(file, NULL);
+    Session *session = session_read_facts(file, NULL);
     *origin = (GradingOrigin){.known = false};
     if (session) {
         session_facts(session, &facts);
-        origin->known = facts.n_keys > KEYS_LEAST && !why_refused(&facts, task, lesson);
+        origin->known = facts.n_keys > KEYS_LEAST && !why_refused(&facts, lesson);
         origin->check = facts.check;
         origin->keys = facts.keys;
     }

@@ -41,7 +41,7 @@ typedef struct GradingOrigin {
     uint64_t check, keys;
 } GradingOrigin;
 
-void grading_origin(const GradingTask *, const Lesson *, const char *file, GradingOrigin *);
+void grading_origin(const Lesson *, const char *file, GradingOrigin *);
 
 /* Marks one session. What is wrong with it is the remark; false: given up by the patience, no memory, or the
  * lesson cannot be read, and the status says so. */

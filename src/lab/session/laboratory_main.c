@@ -33,12 +33,8 @@ static bool open_replay(LaboratoryOptions *options, Session **replay, Status *st
         sound = *replay != NULL;
     }
     if (sound && *replay) {
-        char origin[SESSION_ORIGIN_MAX];
         session_options(*replay, options);
         options->fast |= options->last;
-        session_origin(*replay, origin, sizeof origin);
-        if (*origin && (options->script || options->camera || options->plain)) /* else the screen says it */
-            visible_print(stderr, "matvib: %s: %s\n", file, origin);
     }
     free(last);
     return sound;

@@ -276,13 +276,6 @@ void session_facts(const Session *session, SessionFacts *facts)
                             .sound = session->sound};
 }
 
-void session_origin(const Session *session, char *out, size_t size)
-{
-    *out = '\0';
-    if (strcmp(session->program, PACKAGE_VERSION) != 0)
-        snprintf(out, size, "of matvib %s: digits may differ", *session->program ? session->program : "1");
-}
-
 const SessionEvent *session_event(const Session *session, size_t index)
 {
     return index < session->count ? &session->events[index] : NULL;

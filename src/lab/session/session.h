@@ -31,7 +31,7 @@
 typedef struct Laboratory Laboratory;
 typedef struct Session Session;
 
-enum { SESSION_NAME_MAX = 256, SESSION_ORIGIN_MAX = 128 };
+enum { SESSION_NAME_MAX = 256 };
 
 /* One key, and where it came. */
 typedef struct SessionEvent {
@@ -74,16 +74,16 @@ bool session_keep(const Session *, const char *file, Status *);
 
 bool session_has_keys(const Session *); /* something has been noted, or would have been with more memory */
 
-/* Reads a session to do again. NULL: "FILE:LINE: what is wrong (what is allowed)". */
+/* Reads a session to do again. NULL: "FILE:LINE: what is wrong (what is allowed)", or it is of another
+ * version of matvib. */
 Session *session_read(const char *file, Status *);
+
+/* Of one of another version this has what it says of itself before its version, and nothing to do again. */
+Session *session_read_facts(const char *file, Status *);
 Session *session_read_stream(FILE *, const char *name, Status *);
 
 /* Makes the options those of the session: settings, scenario, paused, lesson, reached. */
 void session_options(const Session *, LaboratoryOptions *);
-
-/* What is to be said before it is done again: "of matvib 1.0.0: digits may differ"; "": nothing, it is of
- * this program. Programs before 2 named themselves only in a lesson. */
-void session_origin(const Session *, char *out, size_t size);
 
 /* What was noted, in order; NULL: there are no more. */
 const SessionEvent *session_event(const Session *, size_t index);

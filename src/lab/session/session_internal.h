@@ -24,7 +24,7 @@ struct Session {
     uint64_t keys;    /* of keys and their steps, where it was read */
     bool ended, sound;
     bool paused, first;
-    const char *sheet; /* one of parameter_sheet_words; NULL: it is older than these */
+    const char *sheet; /* one of parameter_sheet_words; NULL: none is named */
     SessionEvent *events;
     size_t count, room;
     bool full;

@@ -90,6 +90,12 @@ static bool read_hash(const char *text, uint64_t *hash, const char **rest)
     return true;
 }
 
+/* What another version recorded ends elsewhere, or nowhere, when this one does it again. */
+static bool is_foreign(const Session *session)
+{
+    return *session->program && strcmp(session->program, PACKAGE_VERSION) != 0;
+}
+
 static bool read_version(Session *session, const char *text, Status *status)
 {
     const char *program;
@@ -199,8 +205,9 @@ static bool read_lines(Session *session, FILE *file, const char *name, FILE *sce
 {
     InputLines lines = {.stream = file, .name = name};
     char line[SESSION_LINE_MAX + 1];
-    InputGot got;
-    while ((got = input_line(&lines, line, sizeof line, status)) == INPUT_LINE && !lines.cut)
+    InputGot got = INPUT_LINE;
+    while (!is_foreign(session) && (got = input_line(&lines, line, sizeof line, status)) == INPUT_LINE &&
+           !lines.cut)
         if (!read_line(session, line, scenario, status))
             return status_prefix(status, "%s:%ld", name, lines.number);
     return got != INPUT_WRONG; /* a last line that was cut when the computer stopped is dropped */
@@ -208,8 +215,13 @@ static bool read_lines(Session *session, FILE *file, const char *name, FILE *sce
 
 static bool read_scenario(Session *session, const char *name, const char *text, size_t size, Status *status)
 {
+    if (is_foreign(session))
+        return true;
     if (size == 0)
         return status_refuse(status, "%s: is no session (its scenario is missing)", name);
+    if (!*session->program)
+        return status_refuse(status, "%s: is no session of matvib " PACKAGE_VERSION " (it names no version)",
+                             name);
     FILE *memory = fmemopen((void *)text, size, "r");
     char origin[SESSION_NAME_MAX];
     snprintf(origin, sizeof origin, "%.200s (scenario)", name);
@@ -242,7 +254,7 @@ Session *session_read_stream(FILE *file, const char *name, Status *status)
     return NULL;
 }
 
-Session *session_read(const char *name, Status *status)
+Session *session_read_facts(const char *name, Status *status)
 {
     FILE *file = input_open(name, SESSION_BYTES_MAX, status);
     if (!file)
@@ -250,4 +262,15 @@ Session *session_read(const char *name, Status *status)
     Session *session = session_read_stream(file, name, status);
     fclose(file);
     return session;
+}
+
+Session *session_read(const char *name, Status *status)
+{
+    Session *session = session_read_facts(name, status);
+    if (!session || !is_foreign(session))
+        return session;
+    status_refuse(status, "%s: is of matvib %s (this is %s, which replays its own sessions only)", name,
+                  session->program, PACKAGE_VERSION);
+    session_free(session);
+    return NULL;
 }
