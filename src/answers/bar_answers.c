@@ -188,8 +188,6 @@ static BarWatch predicted_watch(const Settings *settings, const BarTheory *theor
     return watch;
 }
 
-static const double DIES = 0.9; /* share of the energy that a period keeps */
-
 enum { MODES_FITTED = 6 };
 
 /* How much of a mode of two materials the column shows, of a start with sines. */
@@ -362,22 +360,14 @@ void bar_read_out(const References *refs, const double *rows, size_t n_rows, int
     out->kept_predicted = watch->kept;
     int column = plan_find(refs, watch->column);
     double expected = watch->times * (watch->predicted_known ? watch->predicted : watch->exact);
-    if (readout_fit(rows, n_rows, n_columns, column, expected, watch->ratios, watch->n_lines,
-                    &out->measured)) {
-        out->measured /= watch->times;
-        out->measured_known = true;
-    }
+    readout_fit(rows, n_rows, n_columns, column, expected, watch->ratios, watch->n_lines, out);
     /* without the first row: what the particles are given is not yet what comes back from the grid; beside
      * the middle of their shares they start in many modes, of which v_cm shows the lowest ones best */
     Swing swing;
     if (n_rows > 2 && watch->n_lines == 1 && bar_answers(refs)->mesh.offset == 0 &&
         swing_fit(rows + n_columns + column, (size_t)n_columns, n_rows - 1,
-                  rows[(size_t)n_columns + 1] - rows[1], expected / watch->times, watch->times > 1, &swing)) {
+                  rows[(size_t)n_columns + 1] - rows[1], expected / watch->times, watch->times > 1, &swing))
         out->kept_measured = swing_kept(swing.decay, watch->exact);
-        /* laid through a swing that dies within some periods, one of constant height is drawn off */
-        if (out->measured_known && watch->kept < DIES)
-            out->measured = swing.frequency;
-    }
 }
 
 bool bar_prediction_is_whole(double count, const char *parts, Status *status)

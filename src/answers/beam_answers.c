@@ -247,22 +247,17 @@ static bool swings(const BeamAnswers *beam)
     return beam->body.damping * slowest / (4 * M_PI) < most;
 }
 
-/* A swing that dies: its period and what a period keeps, by one fit. */
+/* An oscillation that decays: its period and what a period keeps, by one fit. */
 static void read_damped(const References *refs, const double *rows, size_t n_rows, int n_columns,
                         Readout *out)
 {
     const double expected = out->predicted_known ? out->predicted : out->real_size;
-    const size_t width = (size_t)n_columns;
-    Swing swing;
     out->decay_exact = own(refs)->body.damping / 2;
     out->kept_predicted = swing_kept(out->decay_exact, 2 * M_PI / out->exact);
-    if (n_rows < 2 || !swing_fit(rows + plan_find(refs, "u_probe"), width, n_rows, rows[width + 1] - rows[1],
-                                 2 * M_PI / expected, false, &swing))
-        return;
-    out->measured = 2 * M_PI / swing.frequency;
-    out->measured_known = true;
-    out->decay_measured = swing.decay;
-    out->kept_measured = swing_kept(swing.decay, 2 * M_PI / out->exact);
+    readout_fit(rows, n_rows, n_columns, plan_find(refs, "u_probe"), 2 * M_PI / expected, &(double){1}, 1,
+                out);
+    if (isfinite(out->decay_measured))
+        out->kept_measured = swing_kept(out->decay_measured, 2 * M_PI / out->exact);
 }
 
 /* Beam theory is Timoshenko's period of the beam as it was asked for, and the same at its real size that of
@@ -287,12 +282,8 @@ void beam_read_supported(const References *refs, const double *rows, size_t n_ro
         return;
     }
     const double expected = out->predicted_known ? out->predicted : out->real_size;
-    double frequency;
-    if (readout_fit(rows, n_rows, n_columns, plan_find(refs, "u_probe"), 2 * M_PI / expected, &(double){1}, 1,
-                    &frequency)) {
-        out->measured = 2 * M_PI / frequency;
-        out->measured_known = true;
-    }
+    readout_fit(rows, n_rows, n_columns, plan_find(refs, "u_probe"), 2 * M_PI / expected, &(double){1}, 1,
+                out);
     const Zeros zeros = find_zeros(rows, n_rows, n_columns, plan_find(refs, "u_probe"), LONG_MAX);
     if (zeros.count > 1)
         out->by_zeros = 2 * (zeros.last - zeros.first) / (double)(zeros.count - 1);

@@ -50,13 +50,16 @@ static bool fill_measured(const Standing *run, char *label, char *value)
 {
     const Readout *readout = run->readout;
     /* while rows come in the fit is a little behind them, see experiment_rest() */
-    const char *format = experiment_is_flowing(run->experiment) ? "~%.3f" : "%.4f";
-    if (fill_answer(run, "measured", format, readout->measured_known, readout->measured, label, value))
-        return true;
+    const bool about = experiment_is_flowing(run->experiment);
+    const bool known = readout->moving && readout->measured_known;
+    fill_answer(run, "measured", "", false, NAN, label, value);
     snprintf(value, COMPARISON_TEXT_MAX,
-             readout->unaccounted                 ? "not known"
+             known                                ? (about ? "~" : "")
+             : readout->unaccounted               ? "not known"
              : experiment_at_end(run->experiment) ? "none"
                                                   : "measuring");
+    if (known)
+        text_append(value, COMPARISON_TEXT_MAX, "%s", readout_text(readout, about ? 3 : 4).text);
     return readout->moving;
 }
 
@@ -77,9 +80,11 @@ static bool fill_error(const Standing *run, char *label, char *value)
 {
     const Readout *readout = run->readout;
     snprintf(label, COMPARISON_TEXT_MAX, readout->is_period ? "T off by" : "w off by");
-    return readout->moving && readout->measured_known && readout->exact_known &&
-           put(value, experiment_is_flowing(run->experiment) ? "~%+.1f %%" : "%+.2f %%",
-               readout->is_period ? readout->error_period : readout->error_frequency);
+    const bool about = experiment_is_flowing(run->experiment);
+    snprintf(value, COMPARISON_TEXT_MAX, "%s%+.*f %%", about ? "~" : "",
+             readout_error_decimals(readout, about ? 1 : 2),
+             readout->is_period ? readout->error_period : readout->error_frequency);
+    return readout->moving && readout->measured_known && readout->exact_known;
 }
 
 /* By how many periods of the exact answer the run is behind at its present time. */

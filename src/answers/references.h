@@ -4,6 +4,7 @@
 #ifndef ANSWERS_REFERENCES_H
 #define ANSWERS_REFERENCES_H
 
+#include "base/text.h"
 #include "problems/problem.h"
 
 /* Where a number comes from; the three words that are used everywhere. */
@@ -61,6 +62,7 @@ int references_thickness_lines(const References *, double out[THICKNESS_LINES_MA
 double references_standing_frequency(const References *, double time);
 
 #define READOUT_PURE     0.995
+#define READOUT_ONE      0.5     /* below this R2 a record is not one frequency */
 #define READOUT_UNDAMPED 0.99995 /* a period that keeps more of its energy keeps all of it */
 
 /* What the run is judged by: a frequency (bar, radians per time) or a period (beams, s). */
@@ -70,6 +72,8 @@ struct Readout {
     bool measured_known, predicted_known, exact_known;
     bool is_period; /* the three numbers are periods, not frequencies */
     double measured, predicted, exact;
+    double uncertainty;                   /* standard deviation of `measured`; NAN: not known */
+    double r2;                            /* share of the record's squares that the fit explains; NAN: none */
     double swing;                         /* how long about one swing takes, in units of time, whether that is
                                            * known exactly or not: for windows and paces; NAN: nothing swings */
     double error_frequency, error_period; /* measured against exact, in percent */
@@ -113,6 +117,14 @@ void findings_text(const Finding *, int n_findings, bool with_exact, char *out, 
 
 /* Periods behind the exact answer at another time than the readout's; NAN: not known. */
 double readout_late(const Readout *, double time);
+
+/* To how many digits behind the point, at most so many, a number is known: to the first digit of its
+ * uncertainty. */
+int readout_decimals(double uncertainty, int most);
+int readout_error_decimals(const Readout *, int most); /* of its error in percent */
+
+/* What is measured to the digits that are known, a period in ms. */
+NumberText readout_text(const Readout *, int most);
 
 /* From a record of rows (n_columns numbers each, equally spaced): measured as soon as it can be. */
 void references_readout(const References *, const double *rows, size_t n_rows, int n_columns, Readout *);

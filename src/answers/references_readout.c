@@ -7,9 +7,10 @@
 #include "theory/frequency.h"
 
 #include <math.h>
+#include <stdio.h>
 
-bool readout_fit(const double *rows, size_t n_rows, int n_columns, int column, double start,
-                 const double *ratios, int n_lines, double *frequency)
+void readout_fit(const double *rows, size_t n_rows, int n_columns, int column, double start,
+                 const double *ratios, int n_lines, Readout *out)
 {
     ASSERT_INDEX(column, n_columns);
     ASSERT_INT(n_lines, <=, FREQUENCY_LINES_MAX);
@@ -17,11 +18,11 @@ bool readout_fit(const double *rows, size_t n_rows, int n_columns, int column, d
     double samples[SAMPLES_MAX];
     size_t width = (size_t)n_columns;
     if (n_rows < 8 || !(start > 0))
-        return false;
+        return;
     double t0 = rows[1], dt = (rows[(n_rows - 1) * width + 1] - t0) / (double)(n_rows - 1);
     double span = dt * (double)(n_rows - 1);
     if (!(dt > 0) || start * span < (n_lines > 1 ? 2 * M_PI * (1 - 1e-3) : M_PI))
-        return false;
+        return;
     double highest = 1;
     for (int i = 0; i < n_lines; i++)
         highest = fmax(highest, ratios[i]);
@@ -40,9 +41,40 @@ bool readout_fit(const double *rows, size_t n_rows, int n_columns, int column, d
         samples[k] = rows[k * stride * width + (size_t)column];
     FrequencyFit fit;
     if (!frequency_fit_lines(samples, count, t0, dt * (double)stride, start, ratios, n_lines, &fit, NULL))
-        return false;
-    *frequency = fit.frequency;
-    return true;
+        return;
+    out->r2 = fit.r2;
+    out->measured_known = fit.r2 >= READOUT_ONE;
+    if (!out->measured_known)
+        return;
+    out->measured = fit.frequency / out->times;
+    out->uncertainty = fit.uncertainty / out->times;
+    out->decay_measured = fit.decay != 0 ? fit.decay : NAN;
+    if (out->is_period) {
+        out->uncertainty *= 2 * M_PI / (out->measured * out->measured);
+        out->measured = 2 * M_PI / out->measured;
+    }
+}
+
+int readout_decimals(double uncertainty, int most)
+{
+    int count = 0;
+    for (; count < most && !(uncertainty >= 1); count++)
+        uncertainty *= 10;
+    return count;
+}
+
+int readout_error_decimals(const Readout *readout, int most)
+{
+    return readout_decimals(100 * readout->uncertainty / readout->measured, most);
+}
+
+NumberText readout_text(const Readout *readout, int most)
+{
+    const double unit = readout->is_period ? 1e-3 : 1;
+    NumberText number;
+    snprintf(number.text, sizeof number.text, "%.*f", readout_decimals(readout->uncertainty / unit, most),
+             readout->measured / unit);
+    return number;
 }
 
 /* Root mean square of a column about its mean. */
@@ -70,6 +102,8 @@ static const char *why_unmeasured(const References *refs, const Readout *readout
     if (quarter < 8 || column < 0 || !(readout->time >= period))
         return "too short a run to measure it";
     const double first = liveliness(rows, quarter, n_columns, column);
+    if (readout->r2 < READOUT_ONE)
+        return "not one frequency: R2 < 0.5";
     const double last = liveliness(rows + (n_rows - quarter) * (size_t)n_columns, quarter, n_columns, column);
     return last < first / 2 ? "the motion has decayed: nothing to measure" : "no steady frequency to measure";
 }
@@ -79,6 +113,8 @@ void references_readout(const References *refs, const double *rows, size_t n_row
 {
     ASSERT_INT(n_columns, ==, refs->n_columns); /* a record of this run */
     *readout = (Readout){.measured = NAN,
+                         .uncertainty = NAN,
+                         .r2 = NAN,
                          .predicted = NAN,
                          .exact = NAN,
                          .swing = NAN,
@@ -108,6 +144,7 @@ void references_readout(const References *refs, const double *rows, size_t n_row
     }
     if (refs->unaccounted[REFERENCE_FREQUENCY]) {
         readout->measured_known = readout->exact_known = false;
+        readout->uncertainty = readout->r2 = NAN;
         readout->measured = readout->exact = readout->by_zeros = readout->real_size = NAN;
         readout->kept_measured = readout->decay_measured = readout->decay_exact = NAN;
         readout->unaccounted = refs->unaccounted[REFERENCE_FREQUENCY];

@@ -26,10 +26,8 @@ typedef struct RunSummary {
     bool energy_of_work;  /* it begins at rest, or next to it: the change is a share of the largest work */
     double energy_change; /* from the start to the end, in percent of the start */
     long rows;            /* of the series */
-    Column columns[COLUMNS_MAX]; /* of the series */
-    int n_columns;
-    double last_row[COLUMNS_MAX];
-    Derived derived[DERIVED_MAX]; /* of the simulation that ran */
+    double broken_bonds, crack_length; /* the columns at the end; NAN: there is no such column */
+    Derived derived[DERIVED_MAX];      /* of the simulation that ran */
     int n_derived;
     bool crack_known; /* a beam with a notch */
     CrackFacts crack;

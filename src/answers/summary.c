@@ -93,17 +93,18 @@ static void take_energy(RunSummary *summary, const Simulation *sim, const Column
     summary->energy_most = summary->energy_of_work ? 0 : 100 * (most / rows[total] - 1);
 }
 
-/* What a run's rows give: the energy's change, and the last row. */
+/* What a run's rows give: the energy's change, and what is at the end. */
 void summary_rows(RunSummary *summary, const Simulation *sim, const Column *columns, int n_columns,
                   const double *rows, size_t count, const double invariant[2])
 {
     ASSERT_INT(n_columns, <=, COLUMNS_MAX);
     take_energy(summary, sim, columns, n_columns, rows, count, invariant);
     summary->at_rest = sim->at_rest;
-    summary->n_columns = n_columns;
-    memcpy(summary->columns, columns, (size_t)n_columns * sizeof *columns);
-    if (count > 0)
-        memcpy(summary->last_row, rows + (count - 1) * (size_t)n_columns, (size_t)n_columns * sizeof *rows);
+    const double *last = count > 0 ? rows + (count - 1) * (size_t)n_columns : NULL;
+    const int broken = find(columns, n_columns, "broken_bonds");
+    const int length = find(columns, n_columns, "crack_length");
+    summary->broken_bonds = last && broken >= 0 ? last[broken] : NAN;
+    summary->crack_length = last && length >= 0 ? last[length] : NAN;
 }
 
 void summary_crack(RunSummary *summary, const Simulation *sim, const Settings *settings)
@@ -159,7 +160,10 @@ void summary_now(const Experiment *experiment, SummaryPart part, RunSummary *sum
     double invariant[2] = {NAN, NAN};
     int n;
     const Column *columns = experiment_columns(experiment, &n);
-    *summary = (RunSummary){.readout = *experiment_readout(experiment), .steps = sim->step};
+    *summary = (RunSummary){.readout = *experiment_readout(experiment),
+                            .steps = sim->step,
+                            .broken_bonds = NAN,
+                            .crack_length = NAN};
     if (part == SUMMARY_ENERGY && sim->stage == 0) {
         if (!experiment_invariant(experiment, &invariant[1], &invariant[0]))
             invariant[0] = NAN;
@@ -224,6 +228,8 @@ static void add_readout(Writer *writer, const Readout *readout, const char *answ
     if (readout->is_period && (readout->measured_known || readout->predicted_known || readout->exact_known))
         add(writer, "  s");
     add(writer, "\n");
+    if (readout->measured_known && isfinite(readout->r2))
+        add(writer, "uncertainty  %s  R2 %.4f\n", text_rounded(readout->uncertainty, 2).text, readout->r2);
     if (!readout->measured_known || !readout->exact_known)
         return;
     add(writer, "error%s  frequency %+.4g %%  period %+.4g %%", wrong ? " with a mistake" : "",

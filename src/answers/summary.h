@@ -8,7 +8,7 @@
 
 enum { SUMMARY_MAX = 1024 };
 
-/* Fills in the columns, the last row and the energy from the rows of a run whose readout is known.
+/* Fills in the columns that are told at the end and the energy from the rows of a run whose readout is known.
  * `invariant`: E* at the start and at the end, NAN where it is not known. */
 void summary_rows(RunSummary *, const Simulation *, const Column *columns, int n_columns, const double *rows,
                   size_t count, const double invariant[2]);

@@ -58,8 +58,10 @@ static bool tune(const Readout *readout, double pitch, Tones *tones, Status *sta
 {
     if (!readout->measured_known || !readout->exact_known)
         return status_refuse(status, "there is no steady frequency beside an exact one to be heard%s%s",
-                             readout->unaccounted ? ": not known with " : "",
-                             readout->unaccounted ? readout->unaccounted : "");
+                             readout->unaccounted   ? ": not known with "
+                             : *readout->unmeasured ? ": "
+                                                    : "",
+                             readout->unaccounted ? readout->unaccounted : readout->unmeasured);
     tones->measured = frequency(readout, readout->measured);
     tones->exact = frequency(readout, readout->exact);
     tones->in_hertz = readout->is_period; /* a bar's time has no unit */

@@ -131,9 +131,11 @@ static void write_curves(HelpLines *written, int width, const HelpText *text)
     static const struct {
         const char *word, *meaning;
     } words[] = {
-        {"measured", "what this run does: solid. A number with ~ is a little behind while the run goes on. "
-                     "In a time plot each column shows the least and the largest of "
-                     "its rows, so no peak is lost."},
+        {"measured",
+         "what this run does: solid. A number with ~ is a little behind while the run goes on. "
+         "A frequency is shown to the first digit of its uncertainty, and not at all where R2 < 0.5. "
+         "In a time plot each column shows the least and the largest of "
+         "its rows, so no peak is lost."},
         {"predicted", "what the equations of this very mesh or lattice and this time step give, worked out "
                       "beforehand: dashed. It holds the error of the method."},
         {"faint",

@@ -59,9 +59,7 @@ double exercise_at_start(const Exercise *exercise, const ExpressionRun *end)
     start.crack = (CrackFacts){0};
     start.fronts = (FrontsFacts){0};
     start.price_known = false;
-    for (int i = 0; i < start.n_columns; i++)
-        if (strcmp(start.columns[i].quantity.name, "broken_bonds") == 0)
-            start.last_row[i] = 0;
+    start.broken_bonds *= 0; /* where there are any */
     return expression_value(sum, &(ExpressionRun){end->settings, &start}, end);
 }
 

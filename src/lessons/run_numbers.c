@@ -115,12 +115,9 @@ static double crack_speed(const RunSummary *run, const char *word)
 static double broken_bonds(const RunSummary *run, const char *word)
 {
     (void)word;
-    if (run->crack_known || run->fronts_known)
-        return either(run, (double)run->crack.measured.broken, (double)run->fronts.broken);
-    for (int i = 0; i < run->n_columns; i++)
-        if (strcmp(run->columns[i].quantity.name, "broken_bonds") == 0)
-            return run->last_row[i];
-    return NAN;
+    return run->crack_known || run->fronts_known
+               ? either(run, (double)run->crack.measured.broken, (double)run->fronts.broken)
+               : run->broken_bonds;
 }
 
 static double of_branch(const RunSummary *run, double value)
@@ -242,9 +239,12 @@ const RunNumber *run_number_about(const Settings *settings)
 
 bool run_numbers_beforehand(const Settings *settings, RunSummary *summary, Status *status)
 {
-    *summary = (RunSummary){
-        .readout = {
-            .error_frequency = NAN, .error_period = NAN, .predicted_error_frequency = NAN, .late = NAN}};
+    *summary = (RunSummary){.readout = {.error_frequency = NAN,
+                                        .error_period = NAN,
+                                        .predicted_error_frequency = NAN,
+                                        .late = NAN},
+                            .broken_bonds = NAN,
+                            .crack_length = NAN};
     Simulation *sim = problem_simulate(settings, 1, status);
     if (!sim)
         return false;

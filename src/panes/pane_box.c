@@ -288,16 +288,17 @@ static void draw_summary(const Screen *screen, Area area)
     y += area_phrases(area, 1, y, width, rows - y, text, STYLE_NORMAL);
     if (readout->moving && readout->measured_known && y < rows) {
         const double unit = readout->is_period ? 1e-3 : 1;
+        const int decimals = readout_error_decimals(readout, 3);
         const char *tail = readout->is_period ? " ms" : "";
         const bool wrong = settings_mistake(experiment_settings(screen->experiment)) != NULL;
-        snprintf(text, sizeof text, "%s%s measured %.5f", readout->is_period ? "period" : "frequency w",
-                 wrong ? " with a mistake" : "", readout->measured / unit);
+        snprintf(text, sizeof text, "%s%s measured %s", readout->is_period ? "period" : "frequency w",
+                 wrong ? " with a mistake" : "", readout_text(readout, 5).text);
         if (readout->predicted_known && screen_shows_predicted(screen))
             text_append(text, sizeof text, wrong ? "  predicted (right code) %.5f" : "  predicted %.5f",
                         readout->predicted / unit);
         if (readout->exact_known && screen_shows_exact(screen))
-            text_append(text, sizeof text, "  %s %.5f%s  %+.3f %%", screen_problem(screen)->answer,
-                        readout->exact / unit, tail,
+            text_append(text, sizeof text, "  %s %.5f%s  %+.*f %%", screen_problem(screen)->answer,
+                        readout->exact / unit, tail, decimals,
                         readout->is_period ? readout->error_period : readout->error_frequency);
         y += area_phrases(area, 1, y, width, rows - y, text, STYLE_NORMAL);
     }

@@ -65,12 +65,14 @@ static void draw_row(const Table *table, const ShownRun *run, Area area, int y)
     const int count = values_of(table, readout, values);
     for (int i = 0; i < count; i++) {
         x += VALUE_COLUMNS;
-        area_text_right(area, x, y, isfinite(values[i]) ? text_rounded(values[i], 5).text : "-", run->style);
+        const NumberText number =
+            i == 0 ? readout_text(readout, values[0] < 1 ? 5 : 4) : text_rounded(values[i], 5);
+        area_text_right(area, x, y, isfinite(values[i]) ? number.text : "-", run->style);
     }
     const double off = readout->is_period ? readout->error_period : readout->error_frequency;
     if (!table->exact || !readout->measured_known || !readout->exact_known)
         return;
-    snprintf(text, sizeof text, "%+.2f %%", off);
+    snprintf(text, sizeof text, "%+.*f %%", readout_error_decimals(readout, 2), off);
     area_text_right(area, x + VALUE_COLUMNS, y, text, run->style);
 }
 

@@ -116,8 +116,7 @@ static void read_out(const References *refs, const double *rows, size_t n_rows, 
         return;
     out->exact_known = true;
     out->exact = 2 * M_PI / oscillator->period;
-    out->measured_known = readout_fit(rows, n_rows, n_columns, plan_find(refs, "v_cm"), out->exact, ratios,
-                                      HARMONICS, &out->measured);
+    readout_fit(rows, n_rows, n_columns, plan_find(refs, "v_cm"), out->exact, ratios, HARMONICS, out);
 }
 
 /* What the motion keeps, as a share of what it was. */

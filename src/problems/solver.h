@@ -51,9 +51,10 @@ bool plan_window(References *, const Simulation *, const char *series, long rows
 
 /* One or more cosines in a column fitted by least squares (theory/frequency.h); at most a few thousand of its
  * rows are looked at, spread evenly. `start`: radians per unit time, the frequency expected of the first
- * line. Several lines need a whole period of it, one a half. False: not yet. */
-bool readout_fit(const double *rows, size_t n_rows, int n_columns, int column, double start,
-                 const double *ratios, int n_lines, double *frequency);
+ * line. Several lines need a whole period of it, one a half. Fills in what is measured of the readout, whose
+ * `times` and `is_period` say what it is of the line; nothing: not yet. */
+void readout_fit(const double *rows, size_t n_rows, int n_columns, int column, double start,
+                 const double *ratios, int n_lines, Readout *);
 
 /* Appends a derived number; that of a reference is left out where the reference is not known. */
 void derived_add_answer(Derived out[DERIVED_MAX], int *count, Reference, const char *name, const char *label,

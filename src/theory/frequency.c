@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The frequency of a recorded series by least squares, and its spectrum.
  *
- *     minimise sum_k (c + sum_l [a_l cos(r_l omega t_k) + b_l sin(r_l omega t_k)] - y_k)^2
+ *     minimise sum_k (c + exp(-g t_k) sum_l [a_l cos(r_l omega t_k) + b_l sin(r_l omega t_k)] - y_k)^2
  *
- * over omega, c, a_l, b_l for given ratios r_l (r_0 = 1). With omega fixed the rest is linear (normal
- * equations), which also scans for a start; then all unknowns together by Levenberg and Marquardt (GSL). The
- * start is the largest line of the spectrum, a discrete Fourier transform under a Hann window. */
+ * over omega, c, a_l, b_l, g for given ratios r_l (r_0 = 1). With omega and g fixed the rest is linear
+ * (normal equations), which also scans for a start; then all unknowns together by Levenberg and Marquardt
+ * (GSL). Starts are what the caller expects and, unless the line found there holds most of the motion, the
+ * largest line of the spectrum, a discrete Fourier transform under a Hann window; the one that leaves less is
+ * taken. */
 #include "theory/frequency.h"
 #include "base/assertion.h"
 #include "theory/quiet.h"
@@ -22,7 +24,7 @@
 
 enum {
     LINEAR_MAX = 2 * FREQUENCY_LINES_MAX + 1,
-    UNKNOWNS_MAX = LINEAR_MAX + 1,
+    UNKNOWNS_MAX = LINEAR_MAX + 2,
     ITERATIONS_MAX = 60,
     SAMPLES_MIN = 8
 };
@@ -104,16 +106,24 @@ bool frequency_spectrum(const double *values, size_t count, double *out)
 
 /* The record as the fit sees it: its time runs from -1 to 1, its values are of order 1. Angles are then
  * half the record's, and the unknowns hardly depend on each other. Unknowns: the first line's angle, cosine
- * and sine, the offset, cosine and sine of each further line. */
+ * and sine, the offset, cosine and sine of each further line, and the decay, counted from the beginning of
+ * the record, where `decays`. */
 typedef struct Record {
     const double *values;
     size_t count;
     const double *ratios;
     int n_lines;
+    bool decays;
     double middle, scale; /* value = middle + scale * scaled value */
+    double total;         /* squares of the scaled values about their mean */
 } Record;
 
 static size_t unknowns_of(const Record *record)
+{
+    return 2 * (size_t)record->n_lines + 2 + record->decays;
+}
+
+static size_t place_of_decay(const Record *record)
 {
     return 2 * (size_t)record->n_lines + 2;
 }
@@ -136,27 +146,32 @@ static double scaled_value(const Record *record, size_t k)
     return (record->values[k] - record->middle) / record->scale;
 }
 
-/* cos and sin of each line's phase r_l angle t at one sample, and what turns them to the next one. */
+/* exp(-decay (t + 1)) times cos and sin of each line's phase r_l angle t at one sample, and what turns them
+ * to the next one. */
 typedef struct Lines {
     double cosine[FREQUENCY_LINES_MAX], sine[FREQUENCY_LINES_MAX];
     double turn_cosine[FREQUENCY_LINES_MAX], turn_sine[FREQUENCY_LINES_MAX];
 } Lines;
 
-/* Of sample k, after that of k - 1: cos(p + d) = cos p cos d - sin p sin d, and anew every so many, which
- * keeps the error below 1e-14. */
-static void turn_lines(const Record *record, double angle, size_t k, Lines *lines)
+/* Of sample k, after that of k - 1: cos(p + d) = cos p cos d - sin p sin d, and from the functions every so
+ * many, which keeps the error below 1e-14. */
+static void turn_lines(const Record *record, const double *unknowns, size_t k, Lines *lines)
 {
-    enum { ANEW = 16 };
+    enum { EVERY = 16 };
+    const double angle = unknowns[0], step = 2 / (double)(record->count - 1);
+    const double decay = record->decays ? unknowns[place_of_decay(record)] : 0;
+    const double kept = decay != 0 && k == 0 ? math_exp(-decay * step) : 1;
+    const double left = decay != 0 && k % EVERY == 0 ? math_exp(-decay * (double)k * step) : 1;
     for (int line = 0; line < record->n_lines; line++) {
         const double whole = record->ratios[line] * angle;
         const double c = lines->cosine[line], s = lines->sine[line];
         if (k == 0) {
-            const double step = whole * 2 / (double)(record->count - 1);
-            lines->turn_cosine[line] = math_cos(step), lines->turn_sine[line] = math_sin(step);
+            const double turn = whole * step;
+            lines->turn_cosine[line] = kept * math_cos(turn), lines->turn_sine[line] = kept * math_sin(turn);
         }
-        if (k % ANEW == 0) {
+        if (k % EVERY == 0) {
             const double phase = whole * scaled_time(record, k);
-            lines->cosine[line] = math_cos(phase), lines->sine[line] = math_sin(phase);
+            lines->cosine[line] = left * math_cos(phase), lines->sine[line] = left * math_sin(phase);
         } else {
             lines->cosine[line] = c * lines->turn_cosine[line] - s * lines->turn_sine[line];
             lines->sine[line] = s * lines->turn_cosine[line] + c * lines->turn_sine[line];
@@ -184,47 +199,58 @@ static int residuals(const gsl_vector *unknowns, void *context, gsl_vector *out)
         at[j] = gsl_vector_get(unknowns, j);
     Lines lines = {0};
     for (size_t k = 0; k < record->count; k++) {
-        turn_lines(record, at[0], k, &lines);
+        turn_lines(record, at, k, &lines);
         gsl_vector_set(out, k, residual(record, at, &lines, k));
     }
     return GSL_SUCCESS;
 }
 
-/* d(residual)/d(unknowns): t r (b cos - a sin) summed over the lines for omega, cos and sin for a and b, 1
- * for c. */
+/* d(residual)/d(unknowns) at sample k: t r (b cos - a sin) summed over the lines for omega, -(t + 1) times
+ * the lines for the decay, cos and sin for a and b, 1 for c. */
+static void slopes_at(const Record *record, const double *unknowns, const Lines *lines, size_t k, double *out)
+{
+    const double time = scaled_time(record, k);
+    double turned = 0, sum = 0;
+    for (int line = 0; line < record->n_lines; line++) {
+        const size_t at = place_of(line);
+        const double cosine = lines->cosine[line], sine = lines->sine[line];
+        turned += record->ratios[line] * time * (unknowns[at + 1] * cosine - unknowns[at] * sine);
+        sum += unknowns[at] * cosine + unknowns[at + 1] * sine;
+        out[at] = cosine, out[at + 1] = sine;
+    }
+    out[0] = turned, out[3] = 1;
+    if (record->decays)
+        out[place_of_decay(record)] = -(time + 1) * sum;
+}
+
 static int jacobian(const gsl_vector *unknowns, void *context, gsl_matrix *out)
 {
     const Record *record = context;
+    double at[UNKNOWNS_MAX];
+    for (size_t j = 0; j < unknowns_of(record); j++)
+        at[j] = gsl_vector_get(unknowns, j);
     Lines lines = {0};
     for (size_t k = 0; k < record->count; k++) {
-        double time = scaled_time(record, k), slope = 0;
-        turn_lines(record, gsl_vector_get(unknowns, 0), k, &lines);
-        for (int line = 0; line < record->n_lines; line++) {
-            const size_t at = place_of(line);
-            const double ratio = record->ratios[line], cosine = lines.cosine[line], sine = lines.sine[line];
-            const double a = gsl_vector_get(unknowns, at), b = gsl_vector_get(unknowns, at + 1);
-            slope += ratio * time * (b * cosine - a * sine);
-            gsl_matrix_set(out, k, at, cosine);
-            gsl_matrix_set(out, k, at + 1, sine);
-        }
-        gsl_matrix_set(out, k, 0, slope);
-        gsl_matrix_set(out, k, 3, 1);
+        turn_lines(record, at, k, &lines);
+        slopes_at(record, at, &lines, k, gsl_matrix_ptr(out, k, 0));
     }
     return GSL_SUCCESS;
 }
 
-/* With the angle given, the other unknowns x are a linear problem, y = A x with a row (cos, sin, 1, ...) for
- * each sample. Its normal equations A^T A x = A^T y are solved by Cholesky; in the scaled time their columns
- * are nearly orthogonal, so nothing is lost by squaring. Returns the squares that are left, y^T y - x^T A^T
- * y, in scaled units; 1 where the equations have no answer. */
-static double linear_part(const Record *record, double angle, double unknowns[UNKNOWNS_MAX])
+/* With angle and decay given, the other unknowns x are a linear problem, y = A x with a row (cos, sin, 1,
+ * ...) for each sample. Its normal equations A^T A x = A^T y are solved by Cholesky; in the scaled time their
+ * columns are nearly orthogonal, so nothing is lost by squaring. Returns the squares that are left, y^T y -
+ * x^T A^T y, in scaled units; infinite where the equations have no answer. */
+static double linear_part(const Record *record, double angle, double decay, double unknowns[UNKNOWNS_MAX])
 {
-    const size_t n = unknowns_of(record) - 1;
+    const size_t n = place_of_decay(record) - 1;
     double matrix[LINEAR_MAX * LINEAR_MAX] = {0}, right[LINEAR_MAX] = {0}, row[LINEAR_MAX], squares = 0;
+    memset(unknowns, 0, UNKNOWNS_MAX * sizeof *unknowns);
+    unknowns[0] = angle, unknowns[place_of_decay(record)] = decay;
     Lines lines = {0};
     for (size_t k = 0; k < record->count; k++) {
         const double value = scaled_value(record, k);
-        turn_lines(record, angle, k, &lines);
+        turn_lines(record, unknowns, k, &lines);
         row[2] = 1;
         for (int line = 0; line < record->n_lines; line++) {
             row[place_of(line) - 1] = lines.cosine[line];
@@ -239,13 +265,11 @@ static double linear_part(const Record *record, double angle, double unknowns[UN
     }
     double kept[LINEAR_MAX];
     memcpy(kept, right, sizeof kept);
-    memset(unknowns, 0, UNKNOWNS_MAX * sizeof *unknowns);
-    unknowns[0] = angle;
     gsl_matrix_view view = gsl_matrix_view_array(matrix, n, n);
     gsl_vector_view vector = gsl_vector_view_array(right, n);
     if (gsl_linalg_cholesky_decomp1(&view.matrix) != GSL_SUCCESS ||
         gsl_linalg_cholesky_svx(&view.matrix, &vector.vector) != GSL_SUCCESS)
-        return 1;
+        return INFINITY;
     for (size_t i = 0; i < n; i++) {
         unknowns[1 + i] = right[i];
         squares -= right[i] * kept[i];
@@ -307,14 +331,14 @@ static bool refine(const Record *record, double unknowns[UNKNOWNS_MAX], Status *
     return done || status_fail(status, "the frequency fit does not converge");
 }
 
-/* A start for the angle. A line well inside the spectrum is taken from there, between two bins by the
+/* The angle of the largest line. One well inside the spectrum is taken from there, between two bins by the
  * parabola through the logarithms l of three neighbours,
  *
  *     place = k + (l_{k-1} - l_{k+1})/(2 (l_{k-1} + l_{k+1} - 2 l_k))
  *
  * With few periods the lines overlap, and a scan of the linear problem, twelve angles for each bin, finds the
  * deepest valley. 0: not enough memory. */
-static double find_start(const Record *record)
+static double find_peak(const Record *record)
 {
     size_t count = record->count, peak = 1;
     double *lines = malloc((count / 2 + 1) * sizeof *lines);
@@ -338,7 +362,7 @@ static double find_start(const Record *record)
     double best = 0, least = INFINITY, unknowns[UNKNOWNS_MAX];
     for (int i = 4; i <= 12 * 8 && (double)i / 12 < (double)count / 2; i++) {
         double angle = bin * i / 12;
-        double left = linear_part(record, angle, unknowns);
+        double left = linear_part(record, angle, 0, unknowns);
         if (left < least)
             least = left, best = angle;
     }
@@ -362,11 +386,66 @@ static bool measure_record(Record *record, Status *status)
     /* what rounding leaves of a constant is no motion */
     if (!(record->scale > 16 * DBL_EPSILON * fmax(fabs(low), fabs(high))) || record->scale < DBL_MIN)
         return status_fail(status, "nothing moves: no frequency");
+    double sum = 0, squares = 0;
+    for (size_t k = 0; k < record->count; k++)
+        sum += scaled_value(record, k), squares += scaled_value(record, k) * scaled_value(record, k);
+    record->total = squares - sum * sum / (double)record->count;
     return true;
 }
 
+static double squares_left(const Record *record, const double *unknowns)
+{
+    double squares = 0;
+    Lines lines = {0};
+    for (size_t k = 0; k < record->count; k++) {
+        turn_lines(record, unknowns, k, &lines);
+        const double left = residual(record, unknowns, &lines, k);
+        squares += left * left;
+    }
+    return squares;
+}
+
+/* The standard deviation of the angle if the residuals e_k are noise. With the slopes J_k, p unknowns and x
+ * the angle's row of (J'J)^-1,
+ *
+ *     white noise          s^2 x_0,  s^2 = sum e_k^2/(n - p)      (a long record: 24 s^2/(A^2 n), Bretthorst)
+ *     correlated residuals sum_b (sum_{k in b} x.J_k e_k)^2 B/(B - p),  B blocks b that are independent
+ *
+ * and the larger of both is taken. Without the factor the sum over blocks would be too small: p of its sums
+ * over all blocks are 0 at the minimum. */
+static double angle_uncertainty(const Record *record, const double *unknowns, double squares)
+{
+    enum { BLOCKS = 4, SAMPLES = 4 };
+    const size_t p = unknowns_of(record), n = record->count, blocks = BLOCKS * p;
+    double matrix[UNKNOWNS_MAX * UNKNOWNS_MAX] = {0}, x[UNKNOWNS_MAX] = {1}, slopes[UNKNOWNS_MAX];
+    Lines lines = {0};
+    for (size_t k = 0; k < n; k++) {
+        turn_lines(record, unknowns, k, &lines);
+        slopes_at(record, unknowns, &lines, k, slopes);
+        for (size_t i = 0; i < p; i++)
+            for (size_t j = 0; j < p; j++)
+                matrix[p * i + j] += slopes[i] * slopes[j];
+    }
+    gsl_matrix_view view = gsl_matrix_view_array(matrix, p, p);
+    gsl_vector_view vector = gsl_vector_view_array(x, p);
+    if (n <= p || gsl_linalg_cholesky_decomp1(&view.matrix) != GSL_SUCCESS ||
+        gsl_linalg_cholesky_svx(&view.matrix, &vector.vector) != GSL_SUCCESS)
+        return NAN;
+    double variance = 0, sum = 0;
+    for (size_t k = 0; k < n && n >= SAMPLES * blocks; k++) {
+        turn_lines(record, unknowns, k, &lines);
+        slopes_at(record, unknowns, &lines, k, slopes);
+        const double left = residual(record, unknowns, &lines, k);
+        for (size_t i = 0; i < p; i++)
+            sum += x[i] * slopes[i] * left;
+        if ((k + 1) * blocks / n > k * blocks / n)
+            variance += sum * sum, sum = 0;
+    }
+    return sqrt(fmax(squares / (double)(n - p) * x[0], variance * BLOCKS / (BLOCKS - 1)));
+}
+
 /* From the scaled unknowns to the caller's units. The fit's phase is counted from the middle t_m of the
- * record; from t = 0 on, with s = omega t_m,
+ * record and its decay from the beginning; from t = 0 on, with s = omega t_m,
  *
  *     a cos(omega (t - t_m)) + b sin(omega (t - t_m)) = (a cos s - b sin s) cos(omega t) + (a sin s + b cos
  * s) sin(omega t)
@@ -376,32 +455,25 @@ static void fill_fit(const Record *record, const double unknowns[UNKNOWNS_MAX], 
                      FrequencyFit *fit)
 {
     double half = dt * (double)(record->count - 1) / 2, middle = t0 + half;
-    double a = unknowns[1] * record->scale, b = unknowns[2] * record->scale;
     fit->frequency = unknowns[0] / half;
+    fit->decay = record->decays ? unknowns[place_of_decay(record)] / half : 0;
+    const double at_zero = record->scale * math_exp(fit->decay * t0);
+    double a = unknowns[1] * at_zero, b = unknowns[2] * at_zero;
     double shift = fit->frequency * middle;
     fit->cosine = a * math_cos(shift) - b * math_sin(shift);
     fit->sine = a * math_sin(shift) + b * math_cos(shift);
     fit->offset = unknowns[3] * record->scale + record->middle;
-    fit->amplitude = math_hypot(a, b);
-    double squares = 0;
-    Lines lines = {0};
-    for (size_t k = 0; k < record->count; k++) {
-        turn_lines(record, unknowns[0], k, &lines);
-        double left = residual(record, unknowns, &lines, k);
-        squares += left * left;
-    }
+    fit->amplitude = math_hypot(a, b) * math_exp(-fit->decay * middle);
+    const double squares = squares_left(record, unknowns);
     fit->residual = sqrt(squares / (double)record->count) * record->scale / fit->amplitude;
+    fit->r2 = 1 - squares / record->total;
+    fit->uncertainty = angle_uncertainty(record, unknowns, squares) / half;
 }
 
-/* Angle, linear part, then all unknowns. False: less than half a period, beyond the Nyquist frequency, or no
- * convergence. */
-static bool fit_record(const Record *record, double half, double start, double unknowns[UNKNOWNS_MAX],
-                       Status *status)
+/* All unknowns from a start that the linear part has found. False: less than half a period, beyond the
+ * Nyquist frequency, or no convergence. */
+static bool fit_from(const Record *record, double unknowns[UNKNOWNS_MAX], Status *status)
 {
-    double angle = start > 0 ? start * half : find_start(record);
-    if (angle <= 0)
-        return status_fail(status, "not enough memory for the spectrum of %zu samples", record->count);
-    linear_part(record, angle, unknowns);
     if (!refine(record, unknowns, status))
         return false;
     if (unknowns[0] < 0)
@@ -413,6 +485,61 @@ static bool fit_record(const Record *record, double half, double start, double u
     if (unknowns[0] > M_PI * (double)(record->count - 1) / 2)
         return status_fail(status, "the frequency fit has left the range that the samples can show");
     return true;
+}
+
+/* From an angle, first without a decay. The start of the decay is the best of a scan over what may be left at
+ * the end; it is kept where it explains at least half of what is left without. Less than a period tells no
+ * decay from an offset. */
+static bool fit_at(Record *record, double angle, double unknowns[UNKNOWNS_MAX], double *left, Status *status)
+{
+    static const double decays[] = {-8, -4, -2, -1, -0.5, 0.25, 0.5, 1, 2, 4, 8, 16, 32, 64};
+    record->decays = false;
+    linear_part(record, angle, 0, unknowns);
+    bool done = fit_from(record, unknowns, status);
+    *left = done ? squares_left(record, unknowns) : INFINITY;
+    if (angle < M_PI)
+        return done;
+    double damped[UNKNOWNS_MAX], best = 0, least = INFINITY;
+    record->decays = true;
+    for (size_t i = 0; i < sizeof decays / sizeof *decays; i++) {
+        const double now = linear_part(record, angle, decays[i], damped);
+        if (now < least)
+            least = now, best = decays[i];
+    }
+    linear_part(record, angle, best, damped);
+    if (fit_from(record, damped, NULL) && squares_left(record, damped) < *left / 2) {
+        *left = squares_left(record, damped);
+        memcpy(unknowns, damped, sizeof damped);
+        done = true;
+    } else
+        record->decays = false;
+    return done;
+}
+
+/* What explains more than half by far leaves no room for a larger line; else the spectrum is asked, whose
+ * largest line may be any of the lines. */
+static bool fit_record(Record *record, double half, double start, double unknowns[UNKNOWNS_MAX],
+                       Status *status)
+{
+    const double enough = 0.25;
+    double left = INFINITY, other_left, other[UNKNOWNS_MAX];
+    bool done = start > 0 && fit_at(record, start * half, unknowns, &left, NULL);
+    if (left < enough * record->total)
+        return true;
+    const double peak = find_peak(record);
+    if (peak <= 0)
+        return done ||
+               status_fail(status, "not enough memory for the spectrum of %zu samples", record->count);
+    for (int line = 0; line < record->n_lines; line++) {
+        const bool decays = record->decays;
+        if (fit_at(record, peak / record->ratios[line], other, &other_left, done ? NULL : status) &&
+            !(other_left >= left)) {
+            left = other_left, done = true;
+            memcpy(unknowns, other, sizeof other);
+        } else
+            record->decays = decays;
+    }
+    return done;
 }
 
 bool frequency_fit(const double *values, size_t count, double t0, double dt, double start, FrequencyFit *fit,

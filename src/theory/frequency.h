@@ -8,24 +8,29 @@
 #include <stddef.h>
 
 typedef struct FrequencyFit {
-    double frequency; /* radians per unit time */
+    double frequency;   /* radians per unit time */
+    double uncertainty; /* its standard deviation if what is left is noise; NAN: not known */
+    double decay;       /* amplitude ~ exp(-decay t), 1/time; 0 unless it explains half of what is left */
     double cosine, sine, offset;
-    double amplitude; /* of the oscillation */
+    double amplitude; /* of the oscillation, in the middle of the record */
     double residual;  /* root mean square of what is left, over the amplitude */
+    double r2;        /* share of the squares about the mean that is explained */
 } FrequencyFit;
 
-/* Least squares of offset + a cos(omega t) + b sin(omega t), for equally spaced samples t = t0 + k dt; never
- * the cosine alone: there is a half-step phase and a real offset. Starts at `start` (radians per unit time),
- * or, where that is 0, at the largest line of the spectrum. Needs at least 8 samples and about half a period.
+/* Least squares of offset + exp(-decay t) (a cos(omega t) + b sin(omega t)), for equally spaced samples t =
+ * t0
+ * + k dt; never the cosine alone: there is a half-step phase and a real offset. Starts at `start` (radians
+ * per unit time; 0: nothing is expected) and at the largest line of the spectrum, and takes what leaves less.
+ * Needs at least 8 samples and about half a period.
  * False: the record is too short, at rest, or the fit does not converge. */
 bool frequency_fit(const double *values, size_t count, double t0, double dt, double start, FrequencyFit *fit,
                    Status *status);
 
 enum { FREQUENCY_LINES_MAX = 12 };
 
-/* The same with several lines, whose ratios to the first one's frequency are known (the first is 1): offset +
- * sum of a_k cos(ratio_k omega t) + b_k sin(ratio_k omega t). omega is the first one's, and so are `cosine`,
- * `sine` and `amplitude`. */
+/* The same with several lines, whose ratios to the first one's frequency are known (the first is 1), and one
+ * decay: the sum of a_k cos(ratio_k omega t) + b_k sin(ratio_k omega t). omega is the first one's, and so are
+ * `cosine`, `sine` and `amplitude`. */
 bool frequency_fit_lines(const double *values, size_t count, double t0, double dt, double start,
                          const double *ratios, int n_lines, FrequencyFit *fit, Status *status);
 

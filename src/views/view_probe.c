@@ -220,10 +220,10 @@ static void frequency_lines(const Screen *screen, bool narrow, char first[READOU
     const bool about = screen_is_running(screen) && experiment_is_flowing(screen->experiment);
     if (readout->measured_known)
         text_append(first, READOUT_TEXT,
-                    narrow  ? "w %s%.*f"
-                    : wrong ? "w wrong code %s%.*f"
-                            : "w measured %s%.*f",
-                    about ? "~" : "", about ? 3 : 4, readout->measured);
+                    narrow  ? "w %s%s"
+                    : wrong ? "w wrong code %s%s"
+                            : "w measured %s%s",
+                    about ? "~" : "", readout_text(readout, about ? 3 : 4).text);
     else if (readout->unaccounted)
         text_append(first, READOUT_TEXT, narrow ? "w ? %s" : "w: not known with %s", readout->unaccounted);
     else if (experiment_at_end(screen->experiment)) {
@@ -240,10 +240,11 @@ static void frequency_lines(const Screen *screen, bool narrow, char first[READOU
     if (exact)
         text_append(first, READOUT_TEXT, narrow ? " exact %.4f" : "  exact %.4f", readout->exact);
     if (readout->measured_known && exact) {
-        text_append(second, READOUT_TEXT, "w %+.*f %%", about ? 1 : 2, readout->error_frequency);
+        const int decimals = readout_error_decimals(readout, about ? 1 : 2);
+        text_append(second, READOUT_TEXT, "w %+.*f %%", decimals, readout->error_frequency);
         /* of what dies its decay is told, if not everything can be */
         if (!narrow || !(readout->kept_predicted < READOUT_UNDAMPED)) {
-            text_append(second, READOUT_TEXT, "  T %+.*f %%", about ? 1 : 2, readout->error_period);
+            text_append(second, READOUT_TEXT, "  T %+.*f %%", decimals, readout->error_period);
             text_append(second, READOUT_TEXT, narrow ? "  %s %.2f T" : "  %s by %.2f periods",
                         readout->late < 0 ? "early" : "late", fabs(readout->late));
         }

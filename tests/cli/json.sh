@@ -41,6 +41,42 @@ result "is JSON too" is_json out
 result "with the reason" says out '"failure": "'
 result "on standard error in one line" lines err 1
 
+# is RIGHT DIGITS ARGUMENTS...: the frequency that is measured, rounded to so many digits, and that others find in the
+# same series; it explains most of the series, to a small share of itself
+is() {
+	right=$1 digits=$2
+	shift 2
+	"$MATVIB" run "$@" --json >out
+	result "$*: w $right" test "$(value out frequency_measured | awk -v d="$digits" '{ printf "%.*g", d, $1 }')" = "$right"
+	result "it is most of the series" holds 'r2 > .85 && r2 <= 1 && u > 0 && u < 5e-4 * w'
+}
+holds() {
+	awk -v w="$(value out frequency_measured)" -v u="$(value out frequency_uncertainty)" -v r2="$(value out frequency_r2)" \
+		"BEGIN { exit !($1) }"
+}
+# beside what is expected: a side lobe is not what is measured
+is 7.82 3 mode5 --set mpm.shape=gimp --set initial.mode=8 --set initial.offset=.4
+is 7.659 4 mode5 --set mpm.mistake=volume_of_cell --end 13.1
+is 5.416 4 mode5 --set mpm.mistake=mass_for_volume --set bar.density=2 --end 13.1
+is 2.797 4 mode5 --set mpm.mistake=gradient_without_h --set mesh.cell_size=.5 --end 20 --every 2
+# with its decay; the eigenvalue is .862755
+is 0.86275 5 mode1 --set bar.length=18 --set initial.velocity=1e-7 --set initial.offset=.3 --set mesh.particles_per_cell=5 \
+	--set mpm.algorithm=musl --set mpm.shape=bspline3 --set mpm.flip_fraction=.5 --end 60
+set -- mode5 --set mpm.mistake=stress_not_added --set mesh.cell_size=.5 --end 20
+expect "what is not one frequency" 0 run "$@" --json
+result "has no number" test "$(value out frequency_measured)" = null
+result "and this reason" says out '"why": "not one frequency: R2 < 0.5"'
+result "with its R2" holds 'r2 >= 0 && r2 < .01 && u == ""'
+result "and no lag" test -z "$(value out late)"
+expect "in words" 0 run "$@"
+result "it says so too" says out '^frequency with a mistake  not one frequency: R2 < 0.5 '
+result "and nothing more" test -z "$(grep -e '^uncertainty' -e '^error' -e '^late' -e '^early' out)"
+expect "and is no sound" 2 sound "$@" --output none.wav
+result "for this reason" says err 'there is no steady frequency .*: not one frequency: R2 < 0.5'
+
+expect "a run that follows a particle" 0 run mode1 --set output.follow='particle 3 v' --end 1 --json
+result "is JSON" is_json out
+
 "$MATVIB" run mode5 --end 5 --set bar.youngs_modulus=93 --every 10 --series d.csv --quiet
 expect "a fit" 0 fit mode5 --data d.csv --vary bar.youngs_modulus,bar.density --output f.csv --json
 result "is JSON" is_json out

@@ -149,14 +149,14 @@ START_TEST(a_word_is_its_number)
     ck_assert(isnan(run_number_find("branch_time")->value(&run, "")));
     /* bonds break without a cut too */
     run.fronts_known = false;
-    run.n_columns = 1;
-    run.columns[0].quantity.name = "broken_bonds";
-    run.last_row[0] = 26;
+    run.broken_bonds = 26;
     ck_assert(run_number_find("broken_bonds")->value(&run, "") == 26);
     /* without them there is none */
-    run = (RunSummary){
-        .readout = {
-            .error_frequency = NAN, .error_period = NAN, .predicted_error_frequency = NAN, .late = NAN}};
+    run = (RunSummary){.readout = {.error_frequency = NAN,
+                                   .error_period = NAN,
+                                   .predicted_error_frequency = NAN,
+                                   .late = NAN},
+                       .broken_bonds = NAN};
     for (const RunNumber *number = run_numbers; number->word; number++)
         ck_assert_msg(strcmp(number->word, "end") == 0 || strcmp(number->word, "steps") == 0 ||
                           isnan(number->value(&run, number->word)),

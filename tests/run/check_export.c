@@ -624,7 +624,13 @@ START_TEST(what_has_decayed_is_told_so)
 {
     Settings settings = bar_settings(10, 100);
     RunSummary summary;
-    settings_edit_transfer(&settings)->algorithm = MPM_USL;
+    settings_edit_transfer(&settings)->algorithm = MPM_USL; /* decays and is measured */
+    run(&settings, &(Outputs){0}, &summary);
+    ck_assert_double_eq_tol(summary.readout.measured / summary.readout.predicted, 1, 3e-5);
+    ck_assert_double_eq_tol(summary.readout.measured, summary.readout.predicted, summary.readout.uncertainty);
+    ck_assert_double_lt(summary.energy_change, -90);
+    settings_edit_transfer(&settings)->algorithm = MPM_USF;
+    ck_assert(settings_set(&settings, "mpm.mistake", "stress_not_added", NULL));
     run(&settings, &(Outputs){0}, &summary);
     ck_assert(summary.readout.moving && !summary.readout.measured_known);
     ck_assert_str_eq(summary.readout.unmeasured, "the motion has decayed: nothing to measure");

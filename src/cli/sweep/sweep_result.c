@@ -15,11 +15,19 @@ static const struct {
 } texts[RESULT_COLUMNS] = {
     [RESULT_FREQUENCY_MEASURED] = {"frequency_measured", "1/time",
                                    "bar: radians per time, fitted to the series"},
+    [RESULT_FREQUENCY_UNCERTAINTY] = {"frequency_uncertainty", "1/time",
+                                      "its standard deviation if the residual is noise"},
+    [RESULT_FREQUENCY_R2] = {"frequency_r2", "1",
+                             "share of the series' variance that the fit explains; below 0.5 it is not one "
+                             "frequency, and there is none measured"},
     [RESULT_FREQUENCY_PREDICTED] = {"frequency_predicted", "1/time",
                                     "the same by the equations of this very mesh or lattice"},
     [RESULT_FREQUENCY_EXACT] = {"frequency_exact", "1/time", "the same of the continuum"},
     [RESULT_FREQUENCY_ERROR] = {"frequency_error", "%", "measured against exact"},
     [RESULT_PERIOD_MEASURED] = {"period_measured", "s", "beam: fitted to the series"},
+    [RESULT_PERIOD_UNCERTAINTY] = {"period_uncertainty", "s",
+                                   "its standard deviation if the residual is noise"},
+    [RESULT_PERIOD_R2] = {"period_r2", "1", "as frequency_r2"},
     [RESULT_PERIOD_PREDICTED] = {"period_predicted", "s",
                                  "the same by the equations of this very lattice (supported beam)"},
     [RESULT_PERIOD_THEORY] = {"period_theory", "s",
@@ -80,14 +88,6 @@ static double derived_value(const RunSummary *summary, const char *name)
     return NAN;
 }
 
-static double last_value(const RunSummary *summary, const char *column)
-{
-    for (int i = 0; i < summary->n_columns; i++)
-        if (strcmp(summary->columns[i].quantity.name, column) == 0)
-            return summary->last_row[i];
-    return NAN;
-}
-
 static double percent(double value, double reference)
 {
     return 100 * (value / reference - 1);
@@ -99,15 +99,17 @@ static void put_readout(const RunSummary *summary, double cells[RESULT_COLUMNS])
     const Readout *readout = &summary->readout;
     if (!readout->moving)
         return;
-    /* four columns for either: measured, predicted, exact or theory, and the error */
-    double *four = cells + (readout->is_period ? RESULT_PERIOD_MEASURED : RESULT_FREQUENCY_MEASURED);
+    /* six columns for either: measured, its uncertainty, R2, predicted, exact or theory, and the error */
+    double *six = cells + (readout->is_period ? RESULT_PERIOD_MEASURED : RESULT_FREQUENCY_MEASURED);
     if (readout->measured_known)
-        four[0] = readout->measured;
+        six[0] = readout->measured;
+    six[1] = readout->uncertainty;
+    six[2] = readout->r2;
     if (readout->predicted_known)
-        four[1] = readout->predicted;
+        six[3] = readout->predicted;
     if (readout->exact_known)
-        four[2] = readout->exact;
-    four[3] = percent(four[0], four[2]);
+        six[4] = readout->exact;
+    six[5] = percent(six[0], six[4]);
     cells[RESULT_KEPT_MEASURED] = readout->kept_measured;
     cells[RESULT_KEPT_PREDICTED] = readout->kept_predicted;
     cells[RESULT_PERIOD_EULER] = derived_value(summary, "period_euler");
@@ -148,9 +150,9 @@ void sweep_result_of(const RunSummary *summary, const Settings *settings, double
     cells[RESULT_REAL_HEIGHT] = derived_value(summary, "real_height");
     cells[RESULT_REAL_SPAN] = derived_value(summary, "real_span");
     if (settings->problem->concerns & CONCERN_BREAKING && settings_bonds(settings)->critical_stretch > 0)
-        cells[RESULT_BROKEN_BONDS] = last_value(summary, "broken_bonds");
+        cells[RESULT_BROKEN_BONDS] = summary->broken_bonds;
     put_cracks(summary, cells);
-    cells[RESULT_CRACK_LENGTH] = last_value(summary, "crack_length");
+    cells[RESULT_CRACK_LENGTH] = summary->crack_length;
     if (summary->energy_measure != ENERGY_NOT_KNOWN && !summary->energy_of_work)
         cells[RESULT_ENERGY_LEFT] = 1 + summary->energy_change / 100;
     cells[RESULT_STEPS] = (double)summary->steps;

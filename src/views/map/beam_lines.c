@@ -22,7 +22,7 @@ static void append_ghosts(const Experiment *experiment, char line[160])
     const Ghost *ghosts = experiment_ghosts(experiment);
     for (int i = 0; i < GHOSTS_MAX; i++)
         if (ghosts[i].used && ghosts[i].readout.is_period && ghosts[i].readout.measured_known)
-            text_append(line, 160, "  %c: %.4f", ghosts[i].letter, ghosts[i].readout.measured / 1e-3);
+            text_append(line, 160, "  %c: %s", ghosts[i].letter, readout_text(&ghosts[i].readout, 4).text);
 }
 
 /* Of a code that is wrong in one place the answer of the right one is known. */
@@ -36,10 +36,12 @@ static void supported_lines(const Screen *screen, bool narrow, char first[160], 
     const Readout *readout = experiment_readout(screen->experiment);
     const double euler = screen_derived(screen, "period_euler"), timoshenko = readout->exact;
     if (readout->measured_known) {
-        snprintf(first, 160, "T %s%.4f ms", narrow ? "" : "measured ", readout->measured / 1e-3);
+        const int decimals = readout_error_decimals(readout, 2);
+        snprintf(first, 160, "T %s%s ms", narrow ? "" : "measured ", readout_text(readout, 4).text);
         if (screen_shows_exact(screen)) {
-            text_append(first, 160, "  Timoshenko %+.2f %%", percent(readout->measured / timoshenko));
-            snprintf(second, 160, "Euler %+.2f %%", percent(readout->measured / euler));
+            text_append(first, 160, "  Timoshenko %+.*f %%", decimals,
+                        percent(readout->measured / timoshenko));
+            snprintf(second, 160, "Euler %+.*f %%", decimals, percent(readout->measured / euler));
         }
     } else {
         snprintf(first, 160, "T measuring");
@@ -66,7 +68,7 @@ static void damped_lines(const Screen *screen, char first[160], char second[160]
     if (exact)
         text_append(first, 160, ", theory %.5g%s", readout->decay_exact, measured ? "" : " 1/s");
     if (readout->measured_known) {
-        text_append(first, 160, "  T %.4f ms", readout->measured / 1e-3);
+        text_append(first, 160, "  T %s ms", readout_text(readout, 4).text);
         snprintf(second, 160, "f %.1f Hz", 1 / readout->measured);
     } else
         snprintf(second, 160, "f measuring");
