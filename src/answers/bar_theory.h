@@ -4,7 +4,7 @@
 #ifndef ANSWERS_BAR_THEORY_H
 #define ANSWERS_BAR_THEORY_H
 
-#include "methods/mpm/line/mpm_bar.h"
+#include "methods/mpm/mpm_bar.h"
 #include "scenario/assignment.h"
 #include "methods/bonds/line/pd_bar.h"
 #include "theory/elastic_bar.h"

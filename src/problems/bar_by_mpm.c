@@ -8,7 +8,7 @@
 #include "scenario/concern_loads.h"
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
-#include "methods/mpm/line/mpm_bar.h"
+#include "methods/mpm/mpm_bar.h"
 #include "problems/solvers.h"
 #include "theory/bar_waves.h"
 #include "theory/step_limit.h"

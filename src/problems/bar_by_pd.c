@@ -6,7 +6,7 @@
 #include "scenario/concern_loads.h"
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
-#include "methods/mpm/line/mpm_bar.h"
+#include "methods/mpm/mpm_bar.h"
 #include "problems/solvers.h"
 #include "methods/bonds/line/pd_bar.h"
 #include "theory/pd_bar_theory.h"

@@ -8,7 +8,7 @@
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "problems/solvers.h"
-#include "methods/mpm/plane/plane_modes.h"
+#include "methods/mpm/plane_modes.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -5,7 +5,7 @@
 #include "scenario/concern_body.h"
 #include "scenario/concern_cells.h"
 #include "scenario/concern_loads.h"
-#include "methods/mpm/line/mpm_bar.h"
+#include "methods/mpm/mpm_bar.h"
 #include "problems/solvers.h"
 #include "theory/column.h"
 #include "base/math/functions.h"

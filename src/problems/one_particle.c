@@ -6,7 +6,7 @@
 #include "scenario/concern_cells.h"
 #include "scenario/concern_loads.h"
 #include "scenario/settings.h"
-#include "methods/mpm/line/mpm_bar.h"
+#include "methods/mpm/mpm_bar.h"
 #include "problems/solvers.h"
 #include "theory/oscillator.h"
 #include "base/math/functions.h"

@@ -2,7 +2,7 @@
 /* The parameter table: nothing but its rows. */
 #include "scenario/parameter_table.h"
 #include "methods/bonds/plane/bonds_plane.h"
-#include "methods/mpm/line/mpm_bar.h"
+#include "methods/mpm/mpm_bar.h"
 
 const Parameter parameters[] = {
 #include "scenario/parameter_rows.inc"

@@ -4,9 +4,8 @@
  * The plain loop is what one writes first: hat functions, update stress first, one loop over the particles
  * for each of map, strain with force, and update; scalar, compiled with the flags of the rest of the program.
  * Runs are interleaved and the best of several counts, so that a busy machine disturbs the ratios little. */
-#include "methods/mpm/line/mpm_bar.h"
+#include "methods/mpm/mpm_bar.h"
 #include "methods/default_defs.h"
-#include "methods/mpm/line/kernels/bar_kernels.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -138,7 +137,7 @@ static double starting_velocity(double x, const void *context)
     return start->v0 * sin(pi / 2 * x / start->length);
 }
 
-static Simulation *engine_create(BarDef def, double v0, CpuLevel level)
+static Simulation *engine_create(BarDef def, double v0)
 {
     Start start = {def.length, v0};
     def.initial_velocity = starting_velocity;
@@ -149,7 +148,6 @@ static Simulation *engine_create(BarDef def, double v0, CpuLevel level)
         fprintf(stderr, "bench_bar: %s\n", status.text);
         exit(1);
     }
-    bar_use_kernels(sim, level);
     simulation_ask_columns(sim, ""); /* the default rows */
     return sim;
 }
@@ -178,14 +176,7 @@ static void sizes(void)
 {
     static const int particles[] = {50, 1000, 100000, 1000000};
     puts("hat, USF, 2 particles per cell: 1e8 particle-steps per second (ratio to the plain loop)");
-    puts("particles    plain  |  unobserved                               |  a row every step");
-    printf("                    ");
-    for (int pass = 0; pass < 2; pass++) {
-        printf("|");
-        for (int level = 0; level < CPU_LEVELS; level++)
-            printf("  %-12s", cpu_has((CpuLevel)level) ? cpu_name((CpuLevel)level) : "");
-    }
-    puts("");
+    puts("particles    plain    unobserved       a row every step");
     for (size_t i = 0; i < sizeof particles / sizeof particles[0]; i++) {
         const int n = particles[i], cells = n / 2;
         const long steps = steps_for(n);
@@ -193,49 +184,34 @@ static void sizes(void)
         BarDef def = bar_default();
         def.length = cells;
         Plain plain = plain_create(cells, 2, v0, def.courant);
-        Simulation *sims[2][CPU_LEVELS] = {{NULL}};
-        double best_plain = INFINITY, best[2][CPU_LEVELS];
-        for (int pass = 0; pass < 2; pass++)
-            for (int level = 0; level < CPU_LEVELS; level++) {
-                best[pass][level] = INFINITY;
-                if (cpu_has((CpuLevel)level))
-                    sims[pass][level] = engine_create(def, v0, (CpuLevel)level);
-            }
-        double *rows = array((int)steps * sims[0][0]->n_series);
+        Simulation *sims[2] = {engine_create(def, v0), engine_create(def, v0)};
+        double best_plain = INFINITY, best[2] = {INFINITY, INFINITY};
+        double *rows = array((int)steps * sims[0]->n_series);
         for (int round = 0; round < ROUNDS; round++) {
             double start = now();
             for (long step = 0; step < steps; step++)
                 plain_step(&plain);
             best_plain = fmin(best_plain, now() - start);
-            for (int pass = 0; pass < 2; pass++)
-                for (int level = 0; level < CPU_LEVELS; level++)
-                    if (sims[pass][level]) {
-                        start = now();
-                        engine_run(sims[pass][level], steps, pass ? rows : NULL);
-                        best[pass][level] = fmin(best[pass][level], now() - start);
-                    }
+            for (int pass = 0; pass < 2; pass++) {
+                start = now();
+                engine_run(sims[pass], steps, pass ? rows : NULL);
+                best[pass] = fmin(best[pass], now() - start);
+            }
         }
         /* the two have to have done the same work */
         double row[16], sum = 0;
-        simulation_row(sims[0][0], row);
+        simulation_row(sims[0], row);
         for (int p = 0; p < n; p++)
             sum += plain.v[p];
         if (!(fabs(sum / n - row[0]) < 1e-9 * v0)) {
             fprintf(stderr, "bench_bar: plain loop and engine disagree: %.17g %.17g\n", sum / n, row[0]);
             exit(1);
         }
-        double work = (double)n * (double)steps;
+        const double work = (double)n * (double)steps;
         printf("%9d  %7.2f  ", n, work / best_plain * 1e-8);
         for (int pass = 0; pass < 2; pass++) {
-            printf("|");
-            for (int level = 0; level < CPU_LEVELS; level++) {
-                if (sims[pass][level])
-                    printf(" %5.2f (%4.2f) ", work / best[pass][level] * 1e-8,
-                           best_plain / best[pass][level]);
-                else
-                    printf(" %13s", "");
-                simulation_destroy(sims[pass][level]);
-            }
+            printf("  %5.2f (%4.2f)  ", work / best[pass] * 1e-8, best_plain / best[pass]);
+            simulation_destroy(sims[pass]);
         }
         puts("");
         free(rows);
@@ -243,15 +219,14 @@ static void sizes(void)
     }
 }
 
-static void variants(CpuLevel level)
+static void variants(void)
 {
     static const char *const algorithms[] = {"USF", "USL", "MUSL"};
     static const char *const shapes[] = {"hat", "gimp", "bspline2", "bspline3"};
     static const char *const transfers[] = {"flip", "flip .95", "apic"};
     enum { PARTICLES = 24000, ALGORITHMS = 3, SHAPES = 4, TRANSFERS = 3, VARIANT_ROUNDS = 20 };
     const long steps = 32;
-    printf("\nvariants at %d particles, %s: ratio to the plain loop (hat, USF)\n", PARTICLES,
-           cpu_name(level));
+    printf("\nvariants at %d particles: ratio to the plain loop (hat, USF)\n", PARTICLES);
     puts("                      P = 1    P = 2    P = 4    P = 8");
     static const int per_cell[] = {1, 2, 4, 8};
     for (int shape = 0; shape < SHAPES; shape++)
@@ -269,7 +244,7 @@ static void variants(CpuLevel level)
                     def.transfer = transfer == 2 ? MPM_APIC : MPM_FLIP;
                     def.flip_fraction = transfer == 1 ? 0.95 : 1;
                     Plain plain = plain_create(cells, per_cell[i], v0, def.courant);
-                    Simulation *sim = engine_create(def, v0, level);
+                    Simulation *sim = engine_create(def, v0);
                     double best_plain = INFINITY, best = INFINITY;
                     for (int round = 0; round < VARIANT_ROUNDS; round++) {
                         double start = now();
@@ -291,7 +266,7 @@ static void variants(CpuLevel level)
 
 /* Masses that are not lumped and domains that stretch, each beside what it is compared with: the best of
  * rounds that are run by turns. */
-static void cures(CpuLevel level)
+static void cures(void)
 {
     enum { CURES = 6, CURE_ROUNDS = 15 };
     static const struct {
@@ -306,8 +281,7 @@ static void cures(CpuLevel level)
         {"hat, FMPM(2)", MPM_HAT, MPM_FMPM, 2, 1, 0},   {"hat, FMPM(4)", MPM_HAT, MPM_FMPM, 4, 1, 0},
         {"uGIMP, lumped", MPM_GIMP, MPM_FLIP, 1, 1, 4}, {"CPDI, lumped", MPM_CPDI, MPM_FLIP, 1, 1, 4}};
     static const int particles[] = {1000, 100000};
-    printf("\ncures, %s: 1e8 particle-steps per second (ratio to hat, lumped; CPDI: to uGIMP)\n",
-           cpu_name(level));
+    puts("\ncures: 1e8 particle-steps per second (ratio to hat, lumped; CPDI: to uGIMP)");
     puts("                    1000 particles    100000 particles");
     double best[CURES][2];
     for (int size = 0; size < 2; size++) {
@@ -321,7 +295,7 @@ static void cures(CpuLevel level)
             def.transfer = ways[way].transfer;
             def.fmpm_order = ways[way].order;
             def.mass_blend = ways[way].blend;
-            sims[way] = engine_create(def, 0.1 * 50 / n, level);
+            sims[way] = engine_create(def, 0.1 * 50 / n);
             best[way][size] = INFINITY;
         }
         for (int round = 0; round < CURE_ROUNDS; round++)
@@ -343,21 +317,16 @@ static void cures(CpuLevel level)
     fflush(stdout);
 }
 
-/* Without argument everything on the best instruction set; "sizes", "cures" or "variants" with the name of a
- * set. */
+/* Without argument everything, else "sizes", "cures" or "variants". */
 int main(int count, char **arguments)
 {
     const char *what = count > 1 ? arguments[1] : "";
-    CpuLevel level = cpu_best();
-    for (int i = 0; count > 2 && i < CPU_LEVELS; i++)
-        if (cpu_has((CpuLevel)i) && strcmp(arguments[2], cpu_name((CpuLevel)i)) == 0)
-            level = (CpuLevel)i;
     if (!*what || strcmp(what, "sizes") == 0)
         sizes();
     fflush(stdout);
     if (!*what || strcmp(what, "cures") == 0)
-        cures(level);
+        cures();
     if (!*what || strcmp(what, "variants") == 0)
-        variants(level);
+        variants();
     return 0;
 }

@@ -3,7 +3,7 @@
  * yardstick is a plain loop over particles and their nodes, measured in the same run: it is ours, as no
  * program of the distribution solves this problem. All are measured in turn, several times, and the best
  * counts, since the machine may have other work. */
-#include "methods/mpm/plane/kernels/plane_kernels.h"
+#include "methods/mpm/plane_inner.h"
 #include "methods/default_defs.h"
 
 #include <math.h>
@@ -13,7 +13,7 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { ROUNDS = 5, RUNNERS_MAX = CPU_LEVELS + 4 };
+enum { ROUNDS = 5, RUNNERS_MAX = 5 };
 
 static double now(void)
 {
@@ -44,25 +44,27 @@ typedef struct PlainNode {
 } PlainNode;
 
 typedef struct Plain {
-    const Plane *plane;
+    const Mpm *plane;
     PlainParticle *particles;
     PlainNode *nodes;
 } Plain;
 
-static Plain plain_create(const Plane *plane)
+static Plain plain_create(const Mpm *plane)
 {
     Plain plain = {plane, memory((size_t)plane->n_particles, sizeof *plain.particles),
                    memory((size_t)plane->n_nodes, sizeof *plain.nodes)};
-    for (int p = 0; p < plane->n_particles; p++) {
-        const int at = plane_at(plane, p);
-        plain.particles[p] =
-            (PlainParticle){plane->x[at],   plane->y[at],   plane->vx[at],  plane->vy[at],
-                            plane->sxx[at], plane->syy[at], plane->sxy[at], plane->volume[at]};
-    }
+    for (int p = 0; p < plane->n_particles; p++)
+        plain.particles[p] = (PlainParticle){mpm_rest(plane, 0, p) + plane->u[0][p],
+                                             mpm_rest(plane, 1, p) + plane->u[1][p],
+                                             plane->v[0][p],
+                                             plane->v[1][p],
+                                             plane->stress[0][p],
+                                             plane->stress[1][p],
+                                             plane->stress[2][p],
+                                             plane->volume[p]};
     for (int i = 0; i < plane->n_nodes; i++) {
-        const PlaneHeld held = plane_held(plane, 0, i % plane->gx, i / plane->gx);
-        plain.nodes[i].held_x = held.x;
-        plain.nodes[i].held_y = held.y;
+        plain.nodes[i].held_x = (mpm_held(plane, 0, i) & HELD_X) != 0;
+        plain.nodes[i].held_y = (mpm_held(plane, 0, i) & HELD_Y) != 0;
     }
     return plain;
 }
@@ -74,24 +76,26 @@ static void plain_free(Plain *plain)
 }
 
 /* The first of a particle's nodes, and its weights. */
-static PlainNode *plain_weights(Plain *plain, const PlainParticle *p, PlaneWeights *w)
+static PlainNode *plain_weights(Plain *plain, const PlainParticle *p, MpmWeights *w)
 {
-    int32_t base;
-    double sx, sy;
-    if (!plane_find(plain->plane, plain->plane->xmin, p->x, p->y, &base, &sx, &sy)) {
+    const Mpm *plane = plain->plane;
+    const double rx = (p->x - plane->xmin) * (1 / plane->dx) + plane->edge;
+    const double ry = (p->y - plane->ymin) * (1 / plane->dx) + plane->edge;
+    if (!(rx >= 0 && ry >= 0 && rx < plane->high[0] && ry < plane->high[1])) {
         fputs("bench_plane: a particle left the grid\n", stderr);
         exit(1);
     }
-    *w = plane_weights(plain->plane, sx, sy);
-    return &plain->nodes[base];
+    const int i = (int)rx, j = (int)ry;
+    mpm_weights(plane, 2, plane->shape, plane->half, 0, (const double[]){rx - i, ry - j}, w);
+    return &plain->nodes[j * plane->gx + i];
 }
 
 static void plain_step(Plain *plain)
 {
-    const Plane *plane = plain->plane;
-    const double dt = plane->dt, rate = dt / plane->dx, nu = plane->def.poisson, m = plane->mass;
+    const Mpm *plane = plain->plane;
+    const double dt = plane->dt, rate = dt / plane->dx, nu = plane->plane.poisson, m = plane->mass[0];
     const int n = plane->support, gx = plane->gx;
-    PlaneWeights w = {{0}, {0}, {0}, {0}};
+    MpmWeights w;
     for (int i = 0; i < plane->n_nodes; i++) {
         PlainNode *node = &plain->nodes[i];
         node->m = node->px = node->py = node->fx = node->fy = 0;
@@ -102,7 +106,7 @@ static void plain_step(Plain *plain)
         for (int b = 0; b < n; b++)
             for (int a = 0; a < n; a++) {
                 PlainNode *node = first + b * gx + a;
-                const double share = m * w.nx[a] * w.ny[b];
+                const double share = m * w.n[0][a] * w.n[1][b];
                 node->m += share;
                 node->px += share * p->vx;
                 node->py += share * p->vy;
@@ -124,7 +128,7 @@ static void plain_step(Plain *plain)
         for (int b = 0; b < n; b++)
             for (int a = 0; a < n; a++) {
                 const PlainNode *node = first + b * gx + a;
-                const double bx = w.dnx[a] * w.ny[b], by = w.nx[a] * w.dny[b];
+                const double bx = w.dn[0][a] * w.n[1][b], by = w.n[0][a] * w.dn[1][b];
                 xx += bx * node->vx;
                 yy += by * node->vy;
                 xy += by * node->vx + bx * node->vy;
@@ -140,7 +144,7 @@ static void plain_step(Plain *plain)
         for (int b = 0; b < n; b++)
             for (int a = 0; a < n; a++) {
                 PlainNode *node = first + b * gx + a;
-                const double bx = w.dnx[a] * w.ny[b] * scale, by = w.nx[a] * w.dny[b] * scale;
+                const double bx = w.dn[0][a] * w.n[1][b] * scale, by = w.n[0][a] * w.dn[1][b] * scale;
                 node->fx -= bx * p->sxx + by * p->sxy;
                 node->fy -= bx * p->sxy + by * p->syy;
             }
@@ -166,7 +170,7 @@ static void plain_step(Plain *plain)
         for (int b = 0; b < n; b++)
             for (int a = 0; a < n; a++) {
                 const PlainNode *node = first + b * gx + a;
-                const double share = w.nx[a] * w.ny[b];
+                const double share = w.n[0][a] * w.n[1][b];
                 ax += share * node->ax;
                 ay += share * node->ay;
                 ux += share * node->vx;
@@ -209,7 +213,7 @@ static double measure(const Runner *runner, Plain *plain, long steps)
     return (double)plain->plane->n_particles * (double)steps / (now() - start);
 }
 
-static int add_runner(Runner *runners, int *n, const PlaneDef *def, CpuLevel level, int threads, bool rows)
+static int add_runner(Runner *runners, int *n, const PlaneDef *def, int threads, bool rows)
 {
     PlaneDef mine = *def;
     Status status = {0};
@@ -220,10 +224,9 @@ static int add_runner(Runner *runners, int *n, const PlaneDef *def, CpuLevel lev
         fprintf(stderr, "bench_plane: %s\n", status.text);
         exit(1);
     }
-    plane_use_kernels(runner->sim, level);
     runner->rows = rows;
-    snprintf(runner->name, sizeof runner->name, "%s, %d thread%s%s", cpu_name(level), threads,
-             threads > 1 ? "s" : "", rows ? ", a row each step" : "");
+    snprintf(runner->name, sizeof runner->name, "%d thread%s%s", threads, threads > 1 ? "s" : "",
+             rows ? ", a row each step" : "");
     return *n - 1;
 }
 
@@ -235,14 +238,12 @@ static void bench(MpmShape shape, int cells)
     PlaneDef def = plane_default(false);
     def.shape = shape;
     def.cell_size = def.height / cells;
-    for (int level = CPU_PLAIN; level < CPU_LEVELS; level++)
-        if (cpu_has((CpuLevel)level))
-            one = add_runner(runners, &n, &def, (CpuLevel)level, 1, false);
+    one = add_runner(runners, &n, &def, 1, false);
     if (cores > 1)
-        runners[add_runner(runners, &n, &def, cpu_best(), threads, false)].one = one;
-    add_runner(runners, &n, &def, cpu_best(), 1, true);
+        runners[add_runner(runners, &n, &def, threads, false)].one = one;
+    add_runner(runners, &n, &def, 1, true);
 
-    const Plane *plane = (const Plane *)runners[1].sim;
+    const Mpm *plane = mpm_of_const(runners[1].sim);
     Plain plain = plain_create(plane);
     for (int round = 0; round < ROUNDS; round++)
         for (int k = 0; k < n; k++)

@@ -35,7 +35,7 @@ if [ -n "$python" ]; then
 	# that of force_sign blows up, and round-off with it
 	bars="force_sign x_by_own_velocity strain_last density_kept" beams=${MATVIB_WIDE:+stretch_of_current micromodulus_3d}
 	if [ -n "$MATVIB_LONG" ]; then
-		bars=$(sed -n 's/^MISTAKE("\([a-z_]*\)".*/\1/p' "$MATVIB_SRCDIR/src/methods/mpm/line/bar_mistake_rows.inc")
+		bars=$(sed -n 's/^MISTAKE("\([a-z_]*\)".*/\1/p' "$MATVIB_SRCDIR/src/methods/mpm/mistake_rows.inc")
 		beams=$(sed -n 's/^MISTAKE("\([a-z_0-9]*\)".*/\1/p' "$MATVIB_SRCDIR/src/methods/bonds/plane/bonds_mistake_rows.inc")
 	fi
 	# shellcheck disable=SC2086

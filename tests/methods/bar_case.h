@@ -3,7 +3,7 @@
 #ifndef TESTS_BAR_CASE_H
 #define TESTS_BAR_CASE_H
 
-#include "methods/mpm/line/mpm_bar.h"
+#include "methods/mpm/mpm_bar.h"
 #include "methods/run_case.h"
 
 enum { BAR_CASE_MODES = 4 };

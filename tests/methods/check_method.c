@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The contract of method.h, held by assertions whatever the build: these two files are compiled into the test
+/* The contract of method.h, held by assertions whatever the build: these files are compiled into the test
  * with assertions switched on, in place of the library's. */
 #define MATVIB_ASSERTIONS 1
 #include "methods/method.c"
 
-#include "methods/mpm/line/bar_fields.c"
+#include "methods/mpm/line_fields.c"
+#include "methods/mpm/links.c"
 
 #include "methods/bar_case.h"
 #include "suite.h"

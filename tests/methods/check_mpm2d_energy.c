@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The beam that leaves its channel by cells of 1.25 mm, over all of its 5 ms: what is left of its energy. */
-#include "methods/mpm/plane/plane.h"
+#include "methods/mpm/plane.h"
 #include "methods/default_defs.h"
 #include "methods/run_case.h"
 #include "suite.h"

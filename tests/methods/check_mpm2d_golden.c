@@ -2,7 +2,7 @@
 /* Beams by the material point method against runs of an independent program, digit by digit: only these catch
  * a small error of convention. */
 #include "base/text.h"
-#include "methods/mpm/plane/plane.h"
+#include "methods/mpm/plane.h"
 #include "methods/default_defs.h"
 #include "methods/run_case.h"
 #include "suite.h"

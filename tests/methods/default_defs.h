@@ -5,8 +5,8 @@
 #define TESTS_DEFAULT_DEFS_H
 
 #include "methods/bonds/plane/bonds_plane.h"
-#include "methods/mpm/line/mpm_bar.h"
-#include "methods/mpm/plane/plane.h"
+#include "methods/mpm/mpm_bar.h"
+#include "methods/mpm/plane.h"
 
 /* Paper M's first mode, at rest: L 25, E 100, rho 1, dx 1, two particles per cell, USF, hat, courant 0.1. */
 BarDef bar_default(void);

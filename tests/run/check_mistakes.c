@@ -7,7 +7,7 @@
 #include "answers/summary.h"
 #include "methods/bonds/plane/bonds_plane.h"
 #include "scenario/settings.h"
-#include "methods/mpm/line/bar_mistakes.h"
+#include "methods/mpm/mistakes.h"
 #include "problems/problem.h"
 #include "suite.h"
 
@@ -203,23 +203,6 @@ START_TEST(bits_do_not_depend_on_how_it_is_run)
 }
 END_TEST
 
-#ifdef HAVE_FAST
-/* A bar that is long enough for steps in tiles takes them without a mistake alone. */
-START_TEST(nothing_fast_knows_of_a_mistake)
-{
-    Settings settings = bar_settings(5, 1);
-    set(&settings, "bar.length", "1000");
-    Simulation *sim = simulate(&settings);
-    ck_assert(bar_tiles_pay(bar_of(sim), true));
-    simulation_destroy(sim);
-    set(&settings, "mpm.mistake", bar_mistake_words[_i + 1]);
-    sim = simulate(&settings);
-    ck_assert(!bar_tiles_pay(bar_of(sim), true));
-    simulation_destroy(sim);
-}
-END_TEST
-#endif
-
 /* Within three steps, on a bar whose cells are not 1, nor its particles one in each. */
 START_TEST(each_differs_from_the_right_code)
 {
@@ -398,7 +381,7 @@ START_TEST(those_of_the_start_begin_the_run_anew)
     ck_assert(sim->method->change(sim, key, 0, &status) == !of_start);
     ck_assert(of_start || count_marks(sim) == 0);
     ck_assert(of_start || !bar ||
-              (bar_of(sim)->head->algorithm == MPM_USF && bar_of(sim)->head->flip_fraction == 1));
+              (mpm_of(sim)->head->algorithm == MPM_USF && mpm_of(sim)->head->flip_fraction == 1));
     ck_assert(!of_start || !sim->method->change(sim, key, 0, &status));
     Settings back = *experiment_settings(experiment);
     set(&back, key, "none");
@@ -494,7 +477,7 @@ START_TEST(a_summary_says_so)
     Settings bar = bar_settings(5, 100), beam = wrong_beam(2);
     set(&beam, "pd.surface_correction", "none");
     Settings *const bodies[] = {&bar, &beam};
-    static const char *const mistakes[] = {"volume_of_cell", "micromodulus_plane_strain"};
+    static const char *const mistakes[] = {"volume_kept", "micromodulus_plane_strain"};
     for (int i = 0; i < 2; i++) {
         char right[SUMMARY_MAX], wrong_one[SUMMARY_MAX];
         double of_right, of_wrong;
@@ -550,9 +533,6 @@ void add_cases(Suite *suite)
     tcase_set_timeout(digits, 300);
     tcase_add_test(digits, digits_are_those_of_codes_that_are_wrong_in_one_place);
     tcase_add_loop_test(bar, bits_do_not_depend_on_how_it_is_run, 0, all);
-#ifdef HAVE_FAST
-    tcase_add_loop_test(bar, nothing_fast_knows_of_a_mistake, 0, n);
-#endif
     tcase_add_loop_test(bar, each_differs_from_the_right_code, 0, all);
     tcase_add_test(bar, weights_are_those_of_the_new_place);
     tcase_add_loop_test(bar, what_they_are_not_defined_for_is_refused_by_name, 0, n);

@@ -8,7 +8,7 @@
 #include "scenario/concern_loads.h"
 #include "scenario/concern_output.h"
 #include "scenario/settings.h"
-#include "methods/mpm/line/mpm_bar.h"
+#include "methods/mpm/mpm_bar.h"
 #include "methods/default_defs.h"
 #include "scenario/parameters.h"
 #include "base/text.h"

@@ -1,0 +1,153 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What is asked of the state in mid-step, whatever the order of the stages: which of them are done, where a
+ * particle and a node are, and what a node has at present. */
+#include "base/assertion.h"
+#include "methods/mpm/mistakes.h"
+#include "methods/mpm/plane_inner.h"
+
+size_t mpm_lasting_bytes(const Mpm *mpm, const MpmHead *head)
+{
+    const BarMistake *mistake = mpm_mistake_if(mpm, head->mistake);
+    if (mistake && (mistake->does & WRONG_KEEPS_GRID))
+        return mpm->bytes_kept;
+    return head->transfer == MPM_APIC ? mpm->bytes_apic : mpm->bytes_flip;
+}
+
+bool mpm_holds_momentum(const Mpm *mpm, MpmOp stage, int node)
+{
+    const BarHolds holds = mpm_holds(mpm);
+    return mpm_held(mpm, mpm->sim.step, node) && holds != HOLDS_NEVER &&
+           (holds == HOLDS_AFTER_STRAIN ? stage == OP_STRAIN : stage == OP_FIX);
+}
+
+bool mpm_has_done(const Mpm *mpm, MpmOp op)
+{
+    const MpmSchedule *schedule = mpm_schedule(mpm);
+    for (int i = 0; i < mpm->sim.stage; i++)
+        if (schedule->ops[i] == op)
+            return true;
+    return false;
+}
+
+bool mpm_find_all(Mpm *mpm)
+{
+    const double shift = mpm_shift(mpm, mpm->sim.step);
+    bool inside = true;
+    for (int k = 0; k < mpm->n_chunks; k++) {
+        const MpmChunk *chunk = &mpm->chunks[k];
+        mpm->spans[k] = (MpmSpan){mpm->gx, 0};
+        for (int row = 0; row < chunk->rows; row++) {
+            const int first = chunk->first + row * chunk->stride;
+            for (int p = first; p < first + chunk->count; p++)
+                inside = mpm_set_place(mpm, mpm->dim, mpm->shape, 1.0 / mpm->dx, shift, p, &mpm->spans[k]) &&
+                         inside;
+        }
+    }
+    return inside;
+}
+
+MpmWeights mpm_weights_of(const Mpm *mpm, int p)
+{
+    const double s[MPM_AXES] = {mpm->s[0][p], mpm->dim == 2 ? mpm->s[1][p] : 0.0};
+    MpmWeights w;
+    mpm_weights(mpm, mpm->dim, mpm->shape, mpm_half(mpm, p), mpm->base[p], s, &w);
+    return w;
+}
+
+bool mpm_crosses(const Mpm *mpm, int particle, int old, const double *s)
+{
+    const int gx = mpm->dim == 2 ? mpm->gx : mpm->n_nodes, now = mpm->base[particle];
+    const int from[MPM_AXES] = {old % gx, old / gx}, to[MPM_AXES] = {now % gx, now / gx};
+    bool crosses = false;
+    for (int axis = 0; axis < mpm->dim; axis++)
+        crosses = crosses || mpm_cell(from[axis], s[axis], mpm->edge) !=
+                                 mpm_cell(to[axis], mpm->s[axis][particle], mpm->edge);
+    return crosses;
+}
+
+double mpm_rest(const Mpm *mpm, int axis, int particle)
+{
+    if (mpm->dim == 2)
+        return axis == 0 ? (particle % mpm->nxp + 0.5) * mpm->spacing - mpm->plane.channel
+                         : (particle / mpm->nxp + 0.5) * mpm->spacing - mpm->plane.height / 2;
+    const int P = mpm->bar.particles_per_cell;
+    return (particle / P + (particle % P + 0.5 + mpm->bar.offset) / P) * mpm->dx;
+}
+
+double mpm_grid_place(const Mpm *mpm, int axis, double coordinate)
+{
+    if (mpm->dim == 1)
+        return coordinate / mpm->dx + mpm->origin + mpm->edge;
+    const double first = axis == 0 ? mpm->xmin + mpm_shift(mpm, mpm->sim.step) * mpm->dx : mpm->ymin;
+    return (coordinate - first) / mpm->dx + mpm->edge;
+}
+
+double mpm_way(const Mpm *mpm, int p)
+{
+    return ((mpm->rest[0][p] - mpm->base[p] + mpm->u[0][p] / mpm->dx) - mpm->s[0][p]) * mpm->dx;
+}
+
+/* A bar's end nodes, and uGIMP's and CPDI's ghosts beyond them; a wrong code may hold those beside. */
+unsigned mpm_held(const Mpm *mpm, long step, int node)
+{
+    ASSERT_INDEX(node, mpm->n_nodes);
+    if (mpm->dim == 2)
+        return plane_held(mpm, step, node % mpm->gx, node / mpm->gx);
+    const int last = mpm->n_nodes - 1;
+    if (mpm_does(mpm, WRONG_HOLDS_NEXT))
+        return (mpm->fixed_left > 0 && node == mpm->fixed_left) ||
+               (mpm->fixed_right > 0 && node == last - mpm->fixed_right);
+    return node < mpm->fixed_left || node > last - mpm->fixed_right;
+}
+
+/* Only a grid that rides past its supports has other nodes held from step to step: as soon as one more is. */
+void mpm_find_held(Mpm *mpm, long step)
+{
+    const long riding = mpm->dim == 2 ? lround(ceil(mpm_shift(mpm, step) + mpm->xmin / mpm->dx - 1e-6)) : 0;
+    if (mpm->held_known && mpm->held_riding == riding && mpm->held_mistake == mpm->head->mistake)
+        return;
+    for (int i = 0; i < mpm->n_nodes; i++)
+        for (int axis = 0; axis < mpm->dim; axis++)
+            mpm->free[axis][i] = mpm_held(mpm, step, i) & (unsigned)(HELD_X << axis) ? 0.0 : 1.0;
+    mpm->held_known = true;
+    mpm->held_riding = riding;
+    mpm->held_mistake = mpm->head->mistake;
+}
+
+double mpm_node_force(const Mpm *mpm, int axis, int node)
+{
+    if (mpm_holds_force(mpm, axis, node))
+        return 0.0;
+    return mpm_is_loaded(mpm) ? mpm->force[axis][node] + mpm->load[node] : mpm->force[axis][node];
+}
+
+/* p/m with lumped masses, or the solution of M v = p; at present, so behind `integrate` with the force in it.
+ */
+double mpm_node_velocity(const Mpm *mpm, int axis, int node)
+{
+    ASSERT_INDEX(node, mpm->n_nodes);
+    if (mpm_is_lumped(mpm)) {
+        const double mass = mpm->node_mass[node];
+        return mass > mpm->floor ? mpm->momentum[axis][node] / mass : axis == 0 ? mpm->speed : 0.0;
+    }
+    /* USF keeps the velocity that strained */
+    const bool integrated = mpm->head->algorithm == MPM_USF && mpm_has_done(mpm, OP_INTEGRATE);
+    return (integrated ? mpm->carry : mpm->velocity)[axis][node];
+}
+
+double mpm_node_acceleration(const Mpm *mpm, int axis, int node)
+{
+    ASSERT_INDEX(node, mpm->n_nodes);
+    if (!mpm_has_done(mpm, OP_FORCE))
+        return 0.0;
+    return mpm_is_lumped(mpm) ? mpm_node_force(mpm, axis, node) * mpm->inverse[node]
+                              : mpm->kick[axis][node] / mpm->dt;
+}
+
+double mpm_node_position(const Mpm *mpm, int node)
+{
+    ASSERT_INDEX(node, mpm->n_nodes);
+    const int cell = node < mpm->cells ? node : mpm->cells - 1;
+    const double offset = shape_node_offset(mpm->shape, mpm->half, mpm->cells, cell, node - cell);
+    return ((cell - mpm->origin) + (offset - mpm->edge)) * mpm->dx;
+}

@@ -1,0 +1,411 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The inside of the material point method: model, state, what a stage may ask. For the files of this folder.
+ *
+ * One engine for a line and for the plane: `dim` is 1 or 2. Particles stand in arrays in the order in which
+ * they were made, and may be anywhere on a regular grid: node j gx + i lies at (xmin + i dx, ymin + j dx).
+ * The state of a particle is its displacement u, velocity, stress and volume m/rho. Its place on the grid,
+ *
+ *     r = rest + u/dx - shift,    base = floor(r) (its first node),    s = r - base
+ *
+ * is found in the first stage of a step and holds for all of its stages: shape functions are those of the old
+ * place throughout, and small displacements keep all their digits. `shift` is the way of a grid that rides.
+ *
+ * A stage is a plain function over a range of particles or nodes (stages.c); a step is the list of its stages
+ * (steps.c). Particles are worked on in chunks, of which each is a piece of the body; those that give to
+ * nodes come in the order of chunks 0, 2, 4 .. 1, 3, 5 .., so that each sum has its order however many
+ * threads there are: chunks of one colour that share no nodes may be done at once.
+ *
+ * Mistakes are flags that the stages ask (mistakes.h). */
+#ifndef METHODS_MPM_ENGINE_H
+#define METHODS_MPM_ENGINE_H
+
+#include "methods/batch.h"
+#include "methods/mpm/mpm_bar.h"
+#include "methods/mpm/plane.h"
+#include "methods/mpm/shape.h"
+#include "methods/pool.h"
+
+#include <math.h>
+#include <stdint.h>
+
+enum {
+    MPM_AXES = 2,
+    MPM_STRESSES = 3, /* of a line one; in the plane xx, yy, xy */
+    MPM_REACH_MAX = SHAPE_SUPPORT_MAX - 1,
+    MPM_FIELDS = 36,
+    MPM_SERIES = 9
+};
+
+enum { MPM_PARTICLES, MPM_NODES, MPM_SETS };
+
+/* The work of a stage. Stage tables are lists of these. */
+typedef enum MpmOp {
+    OP_MAP,
+    OP_FIX,
+    OP_STRAIN,
+    OP_FORCE,
+    OP_FIX_FORCE, /* in the plane; along a line the force stage does it */
+    OP_INTEGRATE,
+    OP_UPDATE,
+    OP_MAP_AGAIN,
+    OP_FIX_AGAIN, /* likewise */
+    OP_FORGET,    /* of a line; in the plane the last stage forgets the grid */
+    OP_COUNT
+} MpmOp;
+
+/* The stages of an algorithm. */
+typedef struct MpmSchedule {
+    MpmOp ops[OP_COUNT];
+    int count, nodes_ready; /* nodes_ready: Set.ready_after of the nodes */
+} MpmSchedule;
+
+/* What particles and nodes give each other; the terms of the sums of a step. */
+typedef enum MpmExchange {
+    GIVE_MASS,
+    GIVE_MOMENTUM,
+    GIVE_F_INT,
+    GIVE_F_EXT,
+    GIVE_MOMENTUM_AGAIN,
+    TAKE_STRAIN,
+    TAKE_VELOCITY,
+    TAKE_PLACE,
+    BAR_EXCHANGES
+} MpmExchange;
+
+/* The part of the state that is no array. Live parameters belong to it, so that a restored snapshot goes on
+ * with the parameters of its own time. */
+typedef struct MpmHead {
+    MpmAlgorithm algorithm;
+    MpmTransfer transfer;
+    double flip_fraction, body_force, traction;
+    double mass_blend; /* mu, never 0 */
+    int fmpm_order;
+    int mistake;   /* 0: none; the algorithm and the FLIP fraction above are those that it makes */
+    double work;   /* of the external force so far */
+    Growth growth; /* what the energy check has seen */
+} MpmHead;
+
+/* Particles that are worked on together: `rows` ranges of `count`, `stride` apart. */
+typedef struct MpmChunk {
+    int first, count, rows, stride;
+} MpmChunk;
+
+/* A stage of a step: that which is going on, or the next one. */
+typedef struct MpmTask {
+    MpmOp op;
+    long step;
+} MpmTask;
+
+/* The particle of a chunk with which the run cannot go on, and the stage that found it; -1: there is none. */
+typedef struct MpmTrouble {
+    int particle;
+    MpmOp op;
+} MpmTrouble;
+
+/* Columns of nodes that a chunk reaches. */
+typedef struct MpmSpan {
+    int low, high;
+} MpmSpan;
+
+/* N and dN/ds along each axis. */
+typedef struct MpmWeights {
+    double n[MPM_AXES][SHAPE_SUPPORT_MAX], dn[MPM_AXES][SHAPE_SUPPORT_MAX];
+} MpmWeights;
+
+/* Which components of a node a support holds: bits. */
+enum { HELD_X = 1 << 0, HELD_Y = 1 << 1 };
+
+typedef struct Mpm {
+    Simulation sim; /* first: an Mpm is a Simulation */
+    Stage stages[OP_COUNT];
+    Set sets[MPM_SETS];
+    ForceWords force_words; /* the whole equation of the force stage */
+    Exchange exchanges[BAR_EXCHANGES];
+    Field fields[MPM_FIELDS]; /* those that there are at present, and which each of them is */
+    int field_kinds[MPM_FIELDS];
+    Quantity series[MPM_SERIES]; /* those that are not left out, and which each of them is */
+    int series_entry[MPM_SERIES];
+
+    /* model: constant */
+    BarDef bar;
+    struct BarMistake *both; /* what a code does that is wrong in two places; NULL: in one at most */
+    int dim;
+    MpmShape shape;
+    int support;                /* nodes that a particle touches along each axis */
+    int n_particles, joint;     /* joint: the first particle of the second material, else n_particles */
+    double mass[2], modulus[2]; /* of a particle, of each material */
+    int cells, gx, gy, n_nodes; /* cells: along x */
+    int n_chunks;
+    MpmChunk *chunks;     /* in the order in which they are done */
+    double dx, dt, floor; /* nodes not heavier than floor are inactive */
+    double half;          /* of a uGIMP box over dx */
+    double edge;          /* base + s - edge is the particle's place in cells from the left end */
+    double low[MPM_AXES], high[MPM_AXES]; /* rest + u/dx - shift of a particle that is on the grid */
+    double *rest[MPM_AXES];
+    double speed; /* v0 with which held nodes move along x */
+    double energy_start, whole_mass, x_cm_start;
+    /* of a beam: columns and rows of particles, d, the grid's first node at t = 0, plane stress, probe */
+    PlaneDef plane;
+    int nxp, nyp, probe[4];
+    double spacing, xmin, ymin, lambda, shear;
+    /* of a bar */
+    int fixed_left, fixed_right; /* nodes [0, fixed_left) and the last fixed_right ones are held */
+    int layer_left,
+        layer_right; /* particles [0, layer_left) and the last layer_right ones bear the traction */
+    double layer;    /* its thickness h */
+    int origin;      /* the cell that begins at x = 0 */
+
+    /* state: one block; what lies beyond the particle part exists only within a step */
+    void *memory; /* what was allocated: the block, then scratch */
+    unsigned char *block;
+    size_t bytes_memory; /* with all scratch */
+    size_t bytes_flip, bytes_apic, bytes_kept, bytes_placed,
+        bytes_whole; /* to the end of the FLIP part, the APIC part, the
+           kept grid, the places, everything */
+    MpmHead *head;
+    double *u[MPM_AXES], *v[MPM_AXES], *stress[MPM_STRESSES], *volume;
+    uint8_t *crossed;                  /* 1: has entered another cell once; 2: in this step */
+    double *affine;                    /* C of APIC */
+    double *kept_mass, *kept_momentum; /* of nodes that nobody empties (mistakes.h) */
+    int32_t *base;
+    double *s[MPM_AXES];
+    double *domain;              /* half a CPDI particle's length over dx */
+    double *node_mass, *inverse; /* 1/m; 0 where the node is inactive */
+    double *momentum[MPM_AXES], *force[MPM_AXES], *load;
+    double *velocity[MPM_AXES]; /* that strains the particles */
+    double *kick[MPM_AXES];     /* dt times the acceleration */
+    double *carry[MPM_AXES];    /* the integrated velocity, with which particles move */
+    /* of masses that are not lumped (mass.c): M_c(i, i + d) by d = 1 .. reach, and the factors of M */
+    double *couple[MPM_REACH_MAX + 1], *lower[MPM_REACH_MAX + 1]; /* L(i, i - d) */
+    double *pivot; /* 1/D(i); 0 where the node is held or inactive */
+
+    /* scratch */
+    double *free[MPM_AXES]; /* of each node: 0 where a support holds it, else 1; of the step below */
+    bool held_known;
+    long held_riding;
+    int held_mistake;
+    MpmSpan *spans;        /* of each chunk: columns of nodes in which its particles begin */
+    double *null;          /* of plane_null.c */
+    MpmTrouble *trouble;   /* of each chunk */
+    unsigned char *backup; /* the particles at the beginning of a batch of steps */
+    Pool *pool;            /* NULL: one thread */
+} Mpm;
+
+static inline Mpm *mpm_of(Simulation *sim)
+{
+    return (Mpm *)sim;
+}
+
+static inline const Mpm *mpm_of_const(const Simulation *sim)
+{
+    return (const Mpm *)sim;
+}
+
+/* --- particles ------------------------------------------------------------------------------------ */
+
+static inline double mpm_mass(const Mpm *mpm, int particle)
+{
+    return mpm->mass[particle >= mpm->joint];
+}
+
+static inline double mpm_modulus(const Mpm *mpm, int particle)
+{
+    return mpm->modulus[particle >= mpm->joint];
+}
+
+/* Where a particle lies on the grid of a step, of which `shift` is the way: its first node's column and row,
+ * and s; `inverse` is 1/dx. False: outside. */
+MPM_INLINE bool mpm_find(const Mpm *mpm, const int dim, double inverse, double shift, int p, int *node,
+                         double *s)
+{
+    bool inside = true;
+    for (int axis = 0; axis < dim; axis++) {
+        const double r = mpm->rest[axis][p] + (mpm->u[axis][p] * inverse - (axis == 0 ? shift : 0.0));
+        const bool within = r >= mpm->low[axis] && r < mpm->high[axis];
+        node[axis] = within ? (int)r : 0;
+        s[axis] = r - node[axis];
+        inside = inside && within;
+    }
+    return inside;
+}
+
+MPM_INLINE int32_t mpm_node_at(const Mpm *mpm, const int dim, const int *node)
+{
+    return (int32_t)(dim == 2 ? node[1] * mpm->gx + node[0] : node[0]);
+}
+
+/* The way of the grid in cells when so many steps are done. */
+static inline double mpm_shift(const Mpm *mpm, long step)
+{
+    return mpm->dim == 2 ? mpm->plane.grid_velocity * ((double)step * mpm->dt) / mpm->dx : 0.0;
+}
+
+/* Takes it to be there, and CPDI's domain as long as the particle: the volume of a unit of cross-section is a
+ * length. */
+MPM_INLINE bool mpm_set_place(Mpm *mpm, const int dim, const MpmShape shape, double inverse, double shift,
+                              int p, MpmSpan *span)
+{
+    int node[MPM_AXES] = {0};
+    double s[MPM_AXES];
+    const bool inside = mpm_find(mpm, dim, inverse, shift, p, node, s);
+    mpm->base[p] = mpm_node_at(mpm, dim, node);
+    for (int axis = 0; axis < dim; axis++)
+        mpm->s[axis][p] = s[axis];
+    if (shape == MPM_CPDI)
+        mpm->domain[p] = 0.5 * mpm->volume[p] * inverse;
+    span->low = node[0] < span->low ? node[0] : span->low;
+    span->high = node[0] > span->high ? node[0] : span->high;
+    return inside;
+}
+
+/* The places of all at the beginning of a step, when the state was put back. False: one is outside. */
+bool mpm_find_all(Mpm *);
+
+/* The half-width of a particle's box over dx. */
+static inline double mpm_half(const Mpm *mpm, int particle)
+{
+    return mpm->shape == MPM_CPDI ? mpm->domain[particle] : mpm->half;
+}
+
+MPM_INLINE void mpm_weights(const Mpm *mpm, const int dim, const MpmShape shape, double half, int base,
+                            const double *s, MpmWeights *w)
+{
+    for (int axis = 0; axis < dim; axis++)
+        shape_at(shape, half, mpm->cells, base, s[axis], w->n[axis], w->dn[axis]);
+}
+
+/* The column or row of cells of a place, from its first node along an axis. */
+MPM_INLINE int mpm_cell(int first, double s, double edge)
+{
+    return first + (s - edge >= 1.0) - (s - edge < 0.0);
+}
+
+/* Whether a particle lies in another cell than where `old` was its first node, and s its place beside it. */
+bool mpm_crosses(const Mpm *, int particle, int old, const double *s);
+
+/* N and N' of a particle. */
+MpmWeights mpm_weights_of(const Mpm *, int particle);
+
+/* Its coordinate at rest. */
+double mpm_rest(const Mpm *, int axis, int particle);
+
+/* How far a particle of a line has come in the step going on. */
+double mpm_way(const Mpm *, int particle);
+
+/* base + s of a coordinate at present. */
+double mpm_grid_place(const Mpm *, int axis, double coordinate);
+
+/* --- nodes ---------------------------------------------------------------------------------------- */
+
+/* Which components a support holds, in a step; and whether it is free to move along a line. */
+unsigned mpm_held(const Mpm *, long step, int node);
+static inline bool mpm_moves(const Mpm *mpm, int node)
+{
+    return mpm->inverse[node] > 0.0 && mpm->free[0][node] != 0.0;
+}
+
+/* Whether a load acts: only then are there external forces. */
+static inline bool mpm_is_loaded(const Mpm *mpm)
+{
+    return mpm->head->body_force != 0.0 || mpm->head->traction != 0.0 || mpm->bar.forces;
+}
+
+/* Whether a node's velocity is its own momentum over its own mass; else it is one of M v = p, or FMPM's. */
+static inline bool mpm_is_lumped(const Mpm *mpm)
+{
+    return mpm->head->mass_blend == 1.0 && mpm->head->transfer != MPM_FMPM;
+}
+
+/* The whole force, eq. 12; none where a support holds the node. */
+double mpm_node_force(const Mpm *, int axis, int node);
+/* Its velocity at present, 0 before the map; its acceleration, 0 as long as it is not known; its place. */
+double mpm_node_velocity(const Mpm *, int axis, int node);
+double mpm_node_acceleration(const Mpm *, int axis, int node);
+double mpm_node_position(const Mpm *, int node);
+
+/* Velocities along a line of a particle's nodes, as it is strained by them: for hats at the end of the bar an
+ * inactive node moves with the other one. A hat's slope is not small where the function itself is: a particle
+ * that has just passed a node would see the empty node beyond at rest, and be strained by v dt/dx in a bar
+ * that merely drifts. */
+MPM_INLINE void mpm_line_velocities(const MpmShape shape, const double *of, const double *inverse, int base,
+                                    double *v)
+{
+    for (int a = 0; a < shape_support(shape); a++)
+        v[a] = of[base + a];
+    if (shape == MPM_HAT && inverse[base] == 0.0)
+        v[0] = v[1];
+    else if (shape == MPM_HAT && inverse[base + 1] == 0.0)
+        v[1] = v[0];
+}
+
+/* --- mass.c: velocities where masses are not lumped ------------------------------------------------- */
+
+void mpm_factor(Mpm *);
+void mpm_solve(Mpm *, double *x); /* x <- M^-1 x, or FMPM's series of it */
+double mpm_consistent_mass(const Mpm *, int i, int j);
+double mpm_mass_between(const Mpm *, int i, int j);
+
+/* --- stages.c, steps.c ------------------------------------------------------------------------------ */
+
+/* The work of a stage on items [first, end), serially; an item is a chunk, or as great a share of the nodes.
+ */
+bool mpm_do(Mpm *, MpmTask, int first, int end, Status *);
+void mpm_map_and_fix(Mpm *);
+void mpm_find_held(Mpm *, long step);
+
+bool mpm_stage(Simulation *, int stage, size_t first, size_t end, Status *);
+bool mpm_steps(Simulation *, long count, double *rows, long *done, Status *);
+/* memory.c: memory by counts and shape; the state's verbs; what front ends read depends on live parameters.
+ */
+bool mpm_build(Mpm *, Status *);
+void mpm_destroy(Simulation *);
+void mpm_take_schedule(Mpm *);
+size_t mpm_state_size(const Simulation *);
+void mpm_load(Simulation *, const void *bytes);
+size_t mpm_lasting_bytes(const Mpm *, const MpmHead *); /* of the state that lasts from step to step */
+
+/* Particles of a chunk, and what a stage does with them: see stages.c. */
+int mpm_do_particles(Mpm *, MpmTask, MpmSpan *, int first, int end);
+void mpm_do_nodes(Mpm *, MpmOp, int first, int end);
+void mpm_begin_stage(Mpm *, MpmOp, long step);
+bool mpm_end_stage(Mpm *, MpmOp, Status *);
+bool mpm_op_gives(MpmOp); /* particles give to nodes */
+bool mpm_op_of_nodes(MpmOp);
+
+/* --- what front ends read --------------------------------------------------------------------------- */
+
+const MpmSchedule *mpm_schedule(const Mpm *);
+void mpm_list_stages(Mpm *);
+bool mpm_has_done(const Mpm *, MpmOp); /* whether the stage of `op` is done in the step going on */
+
+ForceTerms mpm_forces(const Mpm *);            /* the terms of the external force that are at work */
+double mpm_load_on(const Mpm *, int particle); /* what they are together on a particle */
+void mpm_word_forces(Mpm *, Stage *);
+
+void mpm_list_fields(Mpm *);
+void mpm_field(const Simulation *, int field, size_t first, size_t count, double *out);
+size_t mpm_links(const Simulation *, int set, size_t index, Link *out, size_t max);
+size_t mpm_shapes(const Simulation *, const double *at, Link *out, size_t max);
+
+int mpm_exchange(const Simulation *, int exchange, size_t from, size_t to,
+                 double factors[EXCHANGE_FACTORS_MAX]);
+void mpm_list_exchanges(Mpm *);
+void mpm_explain(const Simulation *, int stage, int set, size_t index, const void *before, int terms,
+                 char *out, size_t size);
+
+extern const Quantity mpm_line_series[];
+double mpm_energy(const Mpm *);
+void mpm_row(Simulation *, double *row);
+/* With the grid as it stands after map and supports, if it needs it; one that is not whole has no
+ * kinetic_null. */
+void mpm_write_row(Mpm *, double *row, bool whole);
+bool mpm_row_needs_grid(const Mpm *);
+void mpm_set_series(Mpm *);
+extern const char *const mpm_costly[];
+void mpm_leave_out(Simulation *, int column);
+double mpm_line_null_energy(const Mpm *); /* null.c */
+
+void mpm_report_crossings(Mpm *);
+bool mpm_fail_particle(Mpm *, Status *, int particle, const char *what);
+
+#endif

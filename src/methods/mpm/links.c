@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Who is linked with whom by shape functions: particles and nodes, and nodes and a place. During a step they
+ * are those of its beginning. */
+#include "base/assertion.h"
+#include "methods/mpm/engine.h"
+
+/* The nodes of a place; those with neither weight nor slope are left out: a box far from its last node has no
+ * part in it. */
+static size_t links_at(const Mpm *mpm, double half, int base, const double *s, Link *out, size_t max)
+{
+    const int across = mpm->dim == 2 ? mpm->support : 1;
+    MpmWeights w;
+    size_t count = 0;
+    mpm_weights(mpm, mpm->dim, mpm->shape, half, base, s, &w);
+    for (int b = 0; b < across; b++)
+        for (int a = 0; a < mpm->support && count < max; a++) {
+            const double ny = mpm->dim == 2 ? w.n[1][b] : 1.0, dny = mpm->dim == 2 ? w.dn[1][b] : 0.0;
+            const Link link = {.set = MPM_NODES,
+                               .index = (size_t)(base + b * mpm->gx + a),
+                               .weight = w.n[0][a] * ny,
+                               .gradient = {w.dn[0][a] * ny / mpm->dx, w.n[0][a] * dny / mpm->dx}};
+            if (link.weight != 0.0 || link.gradient[0] != 0.0 || link.gradient[1] != 0.0)
+                out[count++] = link;
+        }
+    return count;
+}
+
+static size_t links_of(const Mpm *mpm, int p, Link *out, size_t max)
+{
+    const double s[MPM_AXES] = {mpm->s[0][p], mpm->dim == 2 ? mpm->s[1][p] : 0.0};
+    return links_at(mpm, mpm_half(mpm, p), mpm->base[p], s, out, max);
+}
+
+/* Along a line particles are in order: the first whose nodes reach so far, by bisection. */
+static int first_reaching(const Mpm *mpm, int node)
+{
+    int low = 0, high = mpm->n_particles;
+    while (mpm->dim == 1 && low < high) {
+        const int middle = low + (high - low) / 2;
+        if (mpm->base[middle] + mpm->support > node)
+            high = middle;
+        else
+            low = middle + 1;
+    }
+    return low;
+}
+
+size_t mpm_links(const Simulation *sim, int set, size_t index, Link *out, size_t max)
+{
+    const Mpm *mpm = mpm_of_const(sim);
+    size_t count = 0;
+    ASSERT_INT(index, <, sim->counts[set]);
+    if (set == MPM_PARTICLES)
+        return links_of(mpm, (int)index, out, max);
+    for (int p = first_reaching(mpm, (int)index); p < mpm->n_particles && count < max; p++) {
+        Link links[SHAPE_SUPPORT_MAX * SHAPE_SUPPORT_MAX];
+        const size_t n = links_of(mpm, p, links, sizeof links / sizeof *links);
+        if (mpm->dim == 1 && mpm->base[p] > (int)index)
+            break;
+        for (size_t k = 0; k < n; k++)
+            if (links[k].index == index) {
+                out[count] = links[k];
+                out[count].set = MPM_PARTICLES;
+                out[count++].index = (size_t)p;
+            }
+    }
+    return count;
+}
+
+/* CPDI's functions differ from particle to particle: those of the one that is nearest in the cell. */
+static double half_near(const Mpm *mpm, int base, double at)
+{
+    double half = mpm->half, nearest = INFINITY;
+    for (int p = first_reaching(mpm, base); mpm->shape == MPM_CPDI && p < mpm->n_particles; p++) {
+        const double s = mpm->s[0][p];
+        if (mpm->base[p] > base)
+            break;
+        if (mpm->base[p] < base || !(fabs(s - at) < nearest))
+            continue;
+        nearest = fabs(s - at);
+        half = mpm_half(mpm, p);
+    }
+    return half;
+}
+
+/* A place on the right end of a line's mesh belongs to the last cell. */
+size_t mpm_shapes(const Simulation *sim, const double *place, Link *out, size_t max)
+{
+    const Mpm *mpm = mpm_of_const(sim);
+    int node[MPM_AXES] = {0};
+    double s[MPM_AXES] = {0};
+    for (int axis = 0; axis < mpm->dim; axis++) {
+        const double r = mpm_grid_place(mpm, axis, place[axis]);
+        const bool last = mpm->dim == 1 && r == mpm->high[0];
+        if (!(r >= mpm->low[axis] && (r < mpm->high[axis] || last)))
+            return 0;
+        node[axis] = (int)r - last;
+        s[axis] = r - node[axis];
+    }
+    const int base = mpm_node_at(mpm, mpm->dim, node);
+    return links_at(mpm, half_near(mpm, base, s[0]), base, s, out, max);
+}

@@ -1,0 +1,143 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The engine's memory and state: one block of arrays, of which a snapshot between steps is the first part,
+ * the particles, in the middle of a step all of it. Then what is asked of the state in mid-step, whatever the
+ * order of the stages: for what front ends read; the stages themselves need little of it. */
+#include "base/assertion.h"
+#include "methods/mpm/mistakes.h"
+#include "methods/mpm/plane_inner.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* --- memory --------------------------------------------------------------------------------------- */
+
+/* Where each array stands; called twice: to measure, then to set pointers. Behind the state stand the scratch
+ * and what of the model is an array. Large arrays begin at different distances from a multiple of 4096 bytes:
+ * processors take a load for dependent on an earlier store when these agree. */
+static size_t lay_out(Mpm *mpm, unsigned char *block)
+{
+    size_t size = 0, number = 0;
+    /* a box on the grid's last row or column has its third node, with weight 0, beyond it */
+    const size_t particles = (size_t)mpm->n_particles,
+                 nodes = (size_t)mpm->n_nodes + (mpm->dim == 2 ? (size_t)mpm->gx + 1 : 0);
+#define ARRAY(pointer, count)                                                                                \
+    do {                                                                                                     \
+        if (block)                                                                                           \
+            (pointer) = (void *)(block + size);                                                              \
+        const size_t bytes_ = ((count) * sizeof *(pointer) + 63) / 64 * 64;                                  \
+        size += bytes_ + (bytes_ < 4096 ? 0 : 64 * (++number % 7));                                          \
+    } while (0)
+#define AXES(pointers, count)                                                                                \
+    for (int axis = 0; axis < mpm->dim; axis++)                                                              \
+    ARRAY((pointers)[axis], count)
+    ARRAY(mpm->head, 1);
+    AXES(mpm->u, particles);
+    AXES(mpm->v, particles);
+    for (int k = 0; k < (mpm->dim == 2 ? MPM_STRESSES : 1); k++)
+        ARRAY(mpm->stress[k], particles);
+    ARRAY(mpm->volume, particles);
+    ARRAY(mpm->crossed, particles);
+    mpm->bytes_flip = size;
+    ARRAY(mpm->affine, mpm->dim == 1 ? particles : 0);
+    mpm->bytes_apic = size;
+    ARRAY(mpm->kept_mass, mpm->dim == 1 ? nodes : 0);
+    ARRAY(mpm->kept_momentum, mpm->dim == 1 ? nodes : 0);
+    mpm->bytes_kept = size;
+    ARRAY(mpm->base, particles);
+    AXES(mpm->s, particles);
+    if (mpm->shape == MPM_CPDI)
+        ARRAY(mpm->domain, particles);
+    mpm->bytes_placed = size;
+    ARRAY(mpm->node_mass, nodes);
+    ARRAY(mpm->inverse, nodes);
+    AXES(mpm->momentum, nodes);
+    AXES(mpm->force, nodes);
+    ARRAY(mpm->load, mpm->dim == 1 ? nodes : 0);
+    AXES(mpm->velocity, nodes);
+    AXES(mpm->kick, nodes);
+    AXES(mpm->carry, nodes);
+    ARRAY(mpm->pivot, mpm->dim == 1 ? nodes : 0);
+    for (int d = 1; mpm->dim == 1 && d < mpm->support; d++) {
+        ARRAY(mpm->couple[d], nodes);
+        ARRAY(mpm->lower[d], nodes);
+    }
+    mpm->bytes_whole = size;
+    AXES(mpm->rest, particles);
+    AXES(mpm->free, nodes);
+    ARRAY(mpm->chunks, (size_t)mpm->n_chunks);
+    ARRAY(mpm->trouble, (size_t)mpm->n_chunks);
+    ARRAY(mpm->spans, (size_t)mpm->n_chunks);
+    ARRAY(mpm->null, mpm->dim == 2 && plane_null_pays(mpm) ? plane_null_numbers(mpm) : 0);
+    ARRAY(mpm->backup, mpm->bytes_kept);
+#undef AXES
+#undef ARRAY
+    return size;
+}
+
+bool mpm_build(Mpm *mpm, Status *status)
+{
+    const size_t bytes = mpm->bytes_memory = lay_out(mpm, NULL);
+    mpm->memory = calloc(1, bytes + 64); /* pages that are never written cost nothing */
+    if (!mpm->memory)
+        return status_fail(status, "not enough memory for %d particles (%zu MB)", mpm->n_particles,
+                           bytes / 1000000 + 1);
+    mpm->block = (unsigned char *)mpm->memory + (64 - (uintptr_t)mpm->memory % 64);
+    lay_out(mpm, mpm->block);
+    for (int k = 0; k < mpm->n_chunks; k++)
+        mpm->trouble[k].particle = -1;
+    mpm->sim.state = mpm->block;
+    mpm->sim.dt = mpm->dt;
+    mpm->sim.stage_items = (size_t)mpm->n_chunks;
+    mpm->sim.n_sets = MPM_SETS;
+    mpm->sim.counts[MPM_PARTICLES] = (size_t)mpm->n_particles;
+    mpm->sim.counts[MPM_NODES] = (size_t)mpm->n_nodes;
+    return true;
+}
+
+void mpm_destroy(Simulation *sim)
+{
+    Mpm *mpm = mpm_of(sim);
+    pool_destroy(mpm->pool);
+    free(mpm->memory);
+    free(mpm->both);
+    free(mpm);
+}
+
+void mpm_take_schedule(Mpm *mpm)
+{
+    if (mpm->dim == 2) {
+        plane_list_stages(mpm);
+        mpm->sim.exchanges = plane_exchanges(mpm->head);
+        mpm->sim.n_exchanges = PLANE_EXCHANGES;
+        return;
+    }
+    mpm_list_stages(mpm);
+    mpm_list_fields(mpm);
+    mpm_list_exchanges(mpm);
+}
+
+/* Between steps the grid is forgotten and is not saved. */
+static size_t saved_bytes(const Mpm *mpm, const MpmHead *head)
+{
+    return mpm->sim.stage != 0 ? mpm->bytes_whole : mpm_lasting_bytes(mpm, head);
+}
+
+size_t mpm_state_size(const Simulation *sim)
+{
+    return saved_bytes(mpm_of_const(sim), mpm_of_const(sim)->head);
+}
+
+void mpm_load(Simulation *sim, const void *bytes)
+{
+    Mpm *mpm = mpm_of(sim);
+    MpmHead head; /* it stands first, but the bytes may not be aligned */
+    memcpy(&head, bytes, sizeof head);
+    const size_t size = saved_bytes(mpm, &head);
+    memcpy(mpm->block, bytes, size);
+    if (size < mpm->bytes_kept)
+        memset(mpm->block + size, 0, mpm->bytes_kept - size);
+    if (sim->stage == 0)
+        mpm_find_all(mpm);
+    mpm_find_held(mpm, sim->step);
+    mpm_take_schedule(mpm);
+}

@@ -1,0 +1,57 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the engine asks of a beam, and the words and numbers that front ends read of it: plane_*.c. */
+#ifndef METHODS_MPM_PLANE_INNER_H
+#define METHODS_MPM_PLANE_INNER_H
+
+#include "methods/mpm/engine.h"
+
+enum { PLANE_CHUNK_CELLS = 8 }; /* columns of cells whose particles are worked on together */
+
+void plane_derive(Mpm *); /* everything constant, from mpm->plane, which is sound */
+unsigned plane_held(const Mpm *, long step, int column, int row);
+
+const MpmSchedule *plane_schedule(const MpmHead *);
+void plane_list_stages(Mpm *);
+void plane_set_fields(Mpm *);
+void plane_field(const Simulation *, int field, size_t first, size_t count, double *out);
+
+/* The terms of the sums, and the sums as lines. */
+typedef enum PlaneExchange {
+    PLANE_GIVE_MASS,
+    GIVE_PX,
+    GIVE_PY,
+    GIVE_FX,
+    GIVE_FY,
+    GIVE_PX_AGAIN,
+    GIVE_PY_AGAIN,
+    TAKE_EXX,
+    TAKE_EYY,
+    TAKE_GXY,
+    TAKE_VX,
+    TAKE_VY,
+    TAKE_X,
+    TAKE_Y,
+    PLANE_EXCHANGES
+} PlaneExchange;
+
+const Exchange *plane_exchanges(const MpmHead *);
+int plane_exchange(const Simulation *, int exchange, size_t from, size_t to,
+                   double factors[EXCHANGE_FACTORS_MAX]);
+void plane_explain(const Simulation *, int stage, int set, size_t index, const void *before, int terms,
+                   char *out, size_t size);
+
+double plane_energy(const Mpm *);
+double plane_strain_at(const Mpm *, int particle); /* strain energy, J */
+bool plane_row_needs_grid(const Mpm *);
+/* A row that is not whole, or not due to be (Simulation.whole_rows), has no kinetic_null (NAN), which takes
+ * several times as long as a step. */
+void plane_write_row(Mpm *, double *row, bool whole);
+void plane_set_series(Mpm *);
+
+/* The kinetic energy that no velocities of the grid can give (J); the grid stands as after map and supports.
+ * Its scratch, and whether it takes so long that it is left out. */
+size_t plane_null_numbers(const Mpm *);
+bool plane_null_pays(const Mpm *);
+double plane_null_energy(const Mpm *, double kinetic);
+
+#endif

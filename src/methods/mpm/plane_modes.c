@@ -1,0 +1,384 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Small motion about the undeformed lattice, on which hats and boxes are the same numbers. With the nodal
+ * masses M_L (lumped) and M_C = sum m N_i N_j (consistent) and the stiffness K = sum V B'D B, a step maps
+ * what the grid sees as
+ *
+ *     v' = G v + dt S f,   S = M_L^-1 M_C M_L^-1,   G = alpha + (1 - alpha) M_L^-1 M_C      (flip fraction)
+ *     f' = f - dt K v'  (USF, MUSL)        f' = f - dt K (v + dt M_L^-1 f)  (USL)
+ *
+ * because a force goes to particles and comes back through M_C. So the mode x of the lowest omega^2 of S K,
+ *
+ *     K x = omega^2 M_L M_C^-1 M_L x,      x <- K^-1 M_L M_C^-1 M_L x  (inverse iteration),
+ *
+ * swings with Omega = (2/dt) asin(omega dt/2) where alpha = 1; with w^2 = x'Kx / x'M_L x, F = omega^2/w^2 and
+ * g = alpha + (1 - alpha) F in general
+ *
+ *     cos(Omega dt) = tr/(2 sqrt(det)),   USF, MUSL: tr = g + 1 - F w^2 dt^2,  det = g
+ *                                         USL: tr = g + 1 - w^2 dt^2,  det = g (1 - w^2 dt^2) + F w^2 dt^2.
+ *
+ * The step is too large where an eigenvalue reaches -1. Put v' = -v, f' = -f:
+ *
+ *     USF, MUSL: dt^2 = 2/max eig(W K)     USL: dt^2 = 2/max eig((M_L^-1 - W) K)
+ *     W = (1 + G)^-1 S = ((1 + alpha) M_L + (1 - alpha) M_C)^-1 M_C M_L^-1,
+ *
+ * W and M_L^-1 - W symmetric and not negative, so that Lanczos' method in the product of K finds the largest
+ * eigenvalue. Held components are left out throughout. Source for both iterations: B. N. Parlett, The
+ * Symmetric Eigenvalue Problem (1998), chapters 4 and 13. */
+#include "methods/mpm/plane_modes.h"
+
+#include "base/linear/band.h"
+#include "base/linear/cholesky.h"
+#include "base/math/functions.h"
+#include "methods/mpm/plane_inner.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { NUMBERS_MAX = 1 << 25, ITERATIONS_MAX = 60, LANCZOS_MAX = 400 };
+
+/* Unknown 2 (i rows + j) + component: nodes by columns. */
+typedef struct Lattice2 {
+    Mpm model;
+    int columns, rows; /* of nodes */
+    size_t size, width;
+    bool *held;
+    double *lumped;
+    CholeskyBand stiffness, mass; /* K and M_C; held unknowns stand alone */
+    double *work;                 /* 5 vectors */
+} Lattice2;
+
+static void release(Lattice2 *lattice)
+{
+    free(lattice->held);
+    free(lattice->lumped);
+    free(lattice->stiffness.rows);
+    free(lattice->mass.rows);
+    free(lattice->work);
+}
+
+static double *entry(CholeskyBand *band, size_t row, size_t column)
+{
+    return &band->rows[row * (band->width + 1) + (row - column)];
+}
+
+/* One particle's share of K = sum V B'D B and of M_C, at s in the cell whose first node is (i, j): per unit
+ * thickness, N/m^2 and kg/m. Hats only: on the undeformed lattice boxes are the same numbers. */
+static void add_particle(Lattice2 *lattice, int i, int j, double sx, double sy)
+{
+    const Mpm *model = &lattice->model;
+    const double area = model->spacing * model->spacing, nu = model->plane.poisson, dx = model->dx;
+    double nx[SHAPE_SUPPORT_MAX], ny[SHAPE_SUPPORT_MAX], dnx[SHAPE_SUPPORT_MAX], dny[SHAPE_SUPPORT_MAX];
+    shape_at(MPM_HAT, 0, 0, 0, sx, nx, dnx);
+    shape_at(MPM_HAT, 0, 0, 0, sy, ny, dny);
+    for (int a = 0; a < 4; a++)
+        for (int b = 0; b < 4; b++) {
+            const size_t row = 2 * (size_t)((i + a / 2) * lattice->rows + j + a % 2);
+            const size_t column = 2 * (size_t)((i + b / 2) * lattice->rows + j + b % 2);
+            const double n = nx[a / 2] * ny[a % 2], m = nx[b / 2] * ny[b % 2];
+            const double px = dnx[a / 2] * ny[a % 2] / dx, py = nx[a / 2] * dny[a % 2] / dx;
+            const double qx = dnx[b / 2] * ny[b % 2] / dx, qy = nx[b / 2] * dny[b % 2] / dx;
+            const double k[2][2] = {
+                {model->lambda * (px * qx) + model->shear * (py * qy),
+                 model->lambda * (nu * (px * qy)) + model->shear * (py * qx)},
+                {model->lambda * (nu * (py * qx)) + model->shear * (px * qy),
+                 model->lambda * (py * qy) + model->shear * (px * qx)},
+            };
+            for (int r = 0; r < 2; r++) {
+                for (int c = 0; c < 2; c++)
+                    if (row + (size_t)r >= column + (size_t)c && !lattice->held[row + (size_t)r] &&
+                        !lattice->held[column + (size_t)c])
+                        *entry(&lattice->stiffness, row + (size_t)r, column + (size_t)c) += k[r][c] * area;
+                lattice->lumped[row + (size_t)r] += model->mass[0] * (n * m);
+                if (row >= column && !lattice->held[row + (size_t)r] && !lattice->held[column + (size_t)r])
+                    *entry(&lattice->mass, row + (size_t)r, column + (size_t)r) += model->mass[0] * (n * m);
+            }
+        }
+}
+
+static bool given_up(Status *status)
+{
+    return status_fail(status, "what the mesh predicts was given up");
+}
+
+/* K, M_C and M_L of the undeformed lattice; a held unknown gets 1 on its diagonals and is coupled to nothing.
+ * Of a displaced body of boxes this would not do: its feather-light nodes give K spurious zeros. False: given
+ * up. */
+static bool assemble(Lattice2 *lattice)
+{
+    const Mpm *model = &lattice->model;
+    const int P = model->plane.particles_per_cell, padding = model->plane.padding;
+    for (int i = 0; i < lattice->columns; i++)
+        for (int j = 0; j < lattice->rows; j++) {
+            const unsigned held = plane_held(model, 0, i + padding, j + padding);
+            const size_t at = 2 * (size_t)(i * lattice->rows + j);
+            lattice->held[at] = held & HELD_X;
+            lattice->held[at + 1] = held & HELD_Y;
+        }
+    for (int i = 0; i + 1 < lattice->columns; i++) {
+        if (!patience_lasts(&model->plane.patience, (double)i / lattice->columns))
+            return false;
+        for (int j = 0; j + 1 < lattice->rows; j++)
+            for (int k = 0; k < P * P; k++)
+                add_particle(lattice, i, j, (k % P + 0.5) / P, (k / P + 0.5) / P);
+    }
+    for (size_t u = 0; u < lattice->size; u++)
+        if (lattice->held[u])
+            *entry(&lattice->stiffness, u, u) = *entry(&lattice->mass, u, u) = 1;
+    return true;
+}
+
+/* False: the status says why. *fits: the matrices are there. */
+static bool build(Lattice2 *lattice, const PlaneDef *def, bool *fits, Status *status)
+{
+    *lattice = (Lattice2){.model = {.plane = *def}};
+    plane_derive(&lattice->model);
+    const int P = def->particles_per_cell;
+    lattice->columns = lattice->model.nxp / P + 1;
+    lattice->rows = lattice->model.nyp / P + 1;
+    lattice->size = 2 * (size_t)lattice->columns * (size_t)lattice->rows;
+    lattice->width = 2 * (size_t)(lattice->rows + 1) + 1;
+    *fits = 3 * (double)lattice->size * (double)(lattice->width + 1) <= NUMBERS_MAX;
+    if (!*fits)
+        return true;
+    lattice->stiffness = (CholeskyBand){lattice->size, lattice->width,
+                                        calloc(lattice->size * (lattice->width + 1), sizeof(double))};
+    lattice->mass = (CholeskyBand){lattice->size, lattice->width,
+                                   calloc(lattice->size * (lattice->width + 1), sizeof(double))};
+    lattice->held = calloc(lattice->size, sizeof *lattice->held);
+    lattice->lumped = calloc(lattice->size, sizeof *lattice->lumped);
+    lattice->work = calloc(5 * lattice->size, sizeof *lattice->work);
+    if (!lattice->stiffness.rows || !lattice->mass.rows || !lattice->held || !lattice->lumped ||
+        !lattice->work)
+        return status_fail(status, "not enough memory for what the mesh predicts");
+    return assemble(lattice) || given_up(status);
+}
+
+static double dot(const double *a, const double *b, size_t count)
+{
+    double sum = 0;
+    for (size_t i = 0; i < count; i++)
+        sum += a[i] * b[i];
+    return sum;
+}
+
+/* y = A x, A symmetric. */
+static void multiply(const CholeskyBand *band, const double *x, double *y)
+{
+    memset(y, 0, band->size * sizeof *y);
+    for (size_t r = 0; r < band->size; r++) {
+        const double *row = band->rows + r * (band->width + 1);
+        const size_t most = band->width < r ? band->width : r;
+        y[r] += row[0] * x[r];
+        for (size_t d = 1; d <= most; d++) {
+            y[r] += row[d] * x[r - d];
+            y[r - d] += row[d] * x[r];
+        }
+    }
+}
+
+static void clear_held(const Lattice2 *lattice, double *x)
+{
+    for (size_t u = 0; u < lattice->size; u++)
+        if (lattice->held[u])
+            x[u] = 0;
+}
+
+static bool factor(CholeskyBand *band, const PlaneDef *def, bool *sound, Status *status)
+{
+    const CholeskyEnd end = cholesky_factor(band, &def->patience);
+    *sound = end == CHOLESKY_DONE;
+    return end != CHOLESKY_GIVEN_UP || given_up(status);
+}
+
+/* --- the period ----------------------------------------------------------------------------------- */
+
+/* The mode of the lowest vibration by x <- K^-1 M_L M_C^-1 M_L x, from half a wave: omega^2 of S K and w^2 =
+ * x'Kx/x'M_L x, both 1/s^2, by Rayleigh quotients of the last vector. Both matrices are factors. False: given
+ * up. */
+static bool lowest_mode(Lattice2 *lattice, double *omega2, double *lumped2, Status *status)
+{
+    const Patience *patience = &lattice->model.plane.patience;
+    const size_t n = lattice->size;
+    double *x = lattice->work, *y = x + n, *z = y + n;
+    for (size_t u = 0; u < n; u++)
+        x[u] = u % 2 ? math_sin(M_PI * (double)(u / 2 / (size_t)lattice->rows) / (lattice->columns - 1)) : 0;
+    clear_held(lattice, x);
+    *omega2 = 0;
+    for (int k = 0; k < ITERATIONS_MAX; k++) {
+        const double before = *omega2, length = sqrt(dot(x, x, n));
+        for (size_t u = 0; u < n; u++)
+            y[u] = lattice->lumped[u] * (x[u] /= length);
+        if (!cholesky_solve(&lattice->mass, y, patience))
+            return given_up(status);
+        for (size_t u = 0; u < n; u++)
+            z[u] = y[u] *= lattice->lumped[u];
+        clear_held(lattice, y);
+        clear_held(lattice, z);
+        if (!cholesky_solve(&lattice->stiffness, z, patience))
+            return given_up(status);
+        double lumped = 0;
+        for (size_t u = 0; u < n; u++)
+            lumped += lattice->lumped[u] * z[u] * z[u];
+        *omega2 = dot(x, y, n) / dot(z, y, n);
+        *lumped2 = dot(z, y, n) / lumped; /* z'K z = z'y */
+        memcpy(x, z, n * sizeof *x);
+        if (fabs(*omega2 - before) < 1e-13 * *omega2)
+            break;
+    }
+    return true;
+}
+
+/* T = 2 pi/Omega, s, from omega^2 and w^2 by the formulas above; with alpha = 1 and USF or MUSL Omega =
+ * (2/dt) asin(omega dt/2), which keeps all digits of a small omega dt. */
+static double period_of(const PlaneDef *def, double dt, double omega2, double lumped2)
+{
+    const double F = omega2 / lumped2, g = def->flip_fraction + (1 - def->flip_fraction) * F;
+    const double w = lumped2 * dt * dt;
+    if (def->flip_fraction == 1 && def->algorithm != MPM_USL)
+        return M_PI * dt / math_asin(sqrt(omega2) * dt / 2);
+    const bool last = def->algorithm == MPM_USL;
+    const double trace = g + 1 - (last ? w : F * w), det = last ? g * (1 - w) + F * w : g;
+    return 2 * M_PI * dt / math_acos(trace / (2 * sqrt(det)));
+}
+
+/* *period in s; NAN where the band would take more than NUMBERS_MAX numbers, and for the cantilever, which
+ * has none. */
+bool plane_predicted_period(const PlaneDef *def, double *period, Status *status)
+{
+    Lattice2 lattice;
+    bool fits, sound, good;
+    *period = NAN;
+    if (def->leaves_channel)
+        return true;
+    good = build(&lattice, def, &fits, status);
+    if (good && fits) {
+        good = factor(&lattice.stiffness, def, &sound, status);
+        if (good && sound)
+            good = factor(&lattice.mass, def, &sound, status);
+        if (good && sound) {
+            double omega2, lumped2 = 1;
+            good = lowest_mode(&lattice, &omega2, &lumped2, status);
+            *period = good ? period_of(def, lattice.model.dt, omega2, lumped2) : NAN;
+        }
+    }
+    release(&lattice);
+    return good;
+}
+
+/* --- the largest step ----------------------------------------------------------------------------- */
+
+/* Of an endless mesh: waves along it with theta = k dx, K = 4 sin^2(theta/2), F = 1 - (1/3 + 1/(6 P^2)) (1 -
+ * cos theta), and the courant number C of the largest of them: C^2 F K = 2 (1 + g), or C^2 K (1 - F/(1 + g))
+ * = 2. */
+static double endless_limit(const PlaneDef *def)
+{
+    enum { WAVES = 2000 };
+    const double P = def->particles_per_cell, alpha = def->flip_fraction;
+    double most = 0;
+    for (int k = 1; k <= WAVES; k++) {
+        const double theta = M_PI * k / WAVES, K = 2 * (1 - math_cos(theta));
+        const double F = 1 - (1.0 / 3 + 1 / (6 * P * P)) * (1 - math_cos(theta)), g = alpha + (1 - alpha) * F;
+        const double inverse = def->algorithm == MPM_USL ? K * (1 - F / (1 + g)) / 2 : F * K / (2 * (1 + g));
+        most = fmax(most, inverse);
+    }
+    return sqrt(1 / most);
+}
+
+/* out = W x or (M_L^-1 - W) x; `blend` is the factor of (1 + alpha) M_L + (1 - alpha) M_C; x is used up. */
+static bool apply(const Lattice2 *lattice, const CholeskyBand *blend, double *x, double *out)
+{
+    const size_t n = lattice->size;
+    for (size_t u = 0; u < n; u++)
+        x[u] = lattice->held[u] ? 0 : x[u] / lattice->lumped[u];
+    multiply(&lattice->mass, x, out);
+    if (!cholesky_solve(blend, out, &lattice->model.plane.patience))
+        return false;
+    for (size_t u = 0; u < n; u++)
+        out[u] = lattice->model.plane.algorithm == MPM_USL ? x[u] - out[u] : out[u];
+    clear_held(lattice, out);
+    return true;
+}
+
+/* The largest eigenvalue of the tridiagonal matrix that Lanczos' method has made so far. */
+static double largest(const double *rows, size_t size)
+{
+    const Band band = {size, 1, rows};
+    return band_eigenvalue(&band, size - 1, &(Patience){0}); /* small */
+}
+
+/* Lanczos' method with products x'K y: v of length 1, u = K v, w the next. False: given up. */
+static bool largest_eigenvalue(Lattice2 *lattice, const CholeskyBand *blend, double *eigenvalue)
+{
+    const size_t n = lattice->size;
+    double *v = lattice->work, *before = v + n, *u = before + n, *w = u + n, *scratch = w + n;
+    static const double settled = 1e-5;
+    double rows[2 * LANCZOS_MAX], beta = 0;
+    uint32_t noise = 1; /* any vector that has a part of every mode */
+    for (size_t i = 0; i < n; i++) {
+        noise = noise * 1664525u + 1013904223u;
+        v[i] = (double)noise / 4294967296.0 - 0.5;
+        before[i] = 0;
+    }
+    clear_held(lattice, v);
+    multiply(&lattice->stiffness, v, u);
+    const double length = sqrt(dot(v, u, n));
+    for (size_t i = 0; i < n; i++)
+        v[i] /= length, u[i] /= length;
+    *eigenvalue = 0;
+    for (size_t k = 0; k < LANCZOS_MAX; k++) {
+        memcpy(scratch, u, n * sizeof *u);
+        if (!apply(lattice, blend, scratch, w))
+            return false;
+        const double alpha = dot(w, u, n);
+        for (size_t i = 0; i < n; i++) {
+            w[i] -= alpha * v[i] + beta * before[i];
+            before[i] = v[i];
+        }
+        rows[2 * k] = alpha;
+        rows[2 * k + 1] = beta;
+        multiply(&lattice->stiffness, w, u);
+        beta = sqrt(fmax(dot(w, u, n), 0));
+        if (k % 8 == 7 || beta == 0) {
+            const double was = *eigenvalue;
+            *eigenvalue = largest(rows, k + 1);
+            if (beta == 0 || fabs(*eigenvalue - was) < settled * *eigenvalue)
+                break;
+        }
+        for (size_t i = 0; i < n; i++) {
+            v[i] = w[i] / beta;
+            u[i] /= beta;
+        }
+    }
+    return true;
+}
+
+/* The largest stable courant number of the undeformed beam, by its own matrices where they fit, else of an
+ * endless mesh, less one per cent. Particles that have moved can lower it: hats down to 1.39 of 1.72. */
+bool plane_courant_limit(const PlaneDef *def, double *courant, Status *status)
+{
+    Lattice2 lattice;
+    CholeskyBand blend = {0};
+    bool fits, sound = false;
+    *courant = 0.99 * endless_limit(def);
+    bool good = build(&lattice, def, &fits, status);
+    if (good && fits) {
+        const size_t numbers = lattice.size * (lattice.width + 1);
+        blend = (CholeskyBand){lattice.size, lattice.width, malloc(numbers * sizeof(double))};
+        good = blend.rows || status_fail(status, "not enough memory for the largest step");
+        for (size_t k = 0; good && k < numbers; k++)
+            blend.rows[k] = (1 - def->flip_fraction) * lattice.mass.rows[k];
+        for (size_t u = 0; good && u < lattice.size; u++)
+            *entry(&blend, u, u) += (1 + def->flip_fraction) * lattice.lumped[u];
+        good = good && factor(&blend, def, &sound, status);
+        if (good && sound) {
+            double eigenvalue;
+            good = largest_eigenvalue(&lattice, &blend, &eigenvalue) || given_up(status);
+            if (good)
+                *courant = def->courant * sqrt(2 / eigenvalue) / lattice.model.dt;
+        }
+    }
+    free(blend.rows);
+    release(&lattice);
+    return good;
+}

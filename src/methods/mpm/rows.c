@@ -1,0 +1,172 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Energies and the row of the series of a line: sums over all particles and nodes, per unit cross-section,
+ *
+ *     kinetic      sum m v^2 / 2, with APIC + sum m D C^2 / 2, D = sum N (x_i - x)^2
+ *     kinetic_grid sum p_i^2 / (2 m_i) of the particles mapped as in the first stage, supports applied
+ *     kinetic_null what the grid cannot see at all (null.c)
+ *     strain       sum stress^2 volume / (2 E)
+ *
+ * The second and third are left out where nobody asks for them: they need the grid, and the third takes
+ * longer than the step. A row is taken between steps, when velocities and stresses of USF are half a step
+ * apart: kinetic + strain ripples by about omega dt/2 of itself though nothing is lost (E* of problems/ is
+ * the sum without ripple). stress^2/2E is the energy of small strains; where particles cross cells, strains
+ * are large enough to tell it from E (e exp(e) - exp(e) + 1), e = stress/E, which is what the updates of
+ * stress and density really store. */
+#include "base/assertion.h"
+#include "methods/mpm/plane_inner.h"
+
+/* sum m D C^2 / 2 with D = sum N_i d_i^2, d_i = x_i - x: the energy of APIC's affine motion. */
+static double affine_energy(const Mpm *mpm, int p)
+{
+    MpmWeights w;
+    const int base = mpm->base[p];
+    double s = mpm->s[0][p], spread = 0.0;
+    mpm_weights(mpm, 1, mpm->shape, mpm_half(mpm, p), base, &s, &w);
+    for (int a = 0; a < mpm->support; a++) {
+        const double arm = shape_node_offset(mpm->shape, mpm->half, mpm->cells, base, a) - s;
+        spread += w.n[0][a] * (arm * arm);
+    }
+    const double speed = mpm->affine[p] * mpm->dx;
+    return 0.5 * mpm_mass(mpm, p) * (spread * (speed * speed));
+}
+
+typedef struct Sums {
+    double momentum, moment, kinetic, strain;
+} Sums;
+
+enum { LANES = 4 }; /* a sum is made of four, which are added up in their order: particle p counts in p % 4 */
+
+static double fold(const double *lanes)
+{
+    return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
+}
+
+/* Over particles [first, end) of one material: sum m v, sum m u, and energies. */
+static Sums sum_material(const Mpm *mpm, int which, int first, int end)
+{
+    double momentum[LANES] = {0}, moment[LANES] = {0}, squares[LANES] = {0}, strain[LANES] = {0};
+    const double *const v = mpm->v[0], *const u = mpm->u[0], *const stress = mpm->stress[0];
+    const double *const volume = mpm->volume, m = mpm->mass[which];
+    for (int p = first; p < end; p += LANES) {
+        const int lanes = end - p < LANES ? end - p : LANES;
+        for (int lane = 0; lane < lanes; lane++) {
+            momentum[lane] += v[p + lane];
+            moment[lane] += u[p + lane];
+            squares[lane] += v[p + lane] * v[p + lane];
+            strain[lane] += stress[p + lane] * stress[p + lane] * volume[p + lane];
+        }
+    }
+    return (Sums){m * fold(momentum), m * fold(moment), 0.5 * m * fold(squares),
+                  fold(strain) / (2.0 * mpm->modulus[which])};
+}
+
+static Sums sum_particles(const Mpm *mpm)
+{
+    Sums sums = sum_material(mpm, 0, 0, mpm->joint);
+    if (mpm->joint < mpm->n_particles) {
+        const Sums more = sum_material(mpm, 1, mpm->joint, mpm->n_particles);
+        sums.momentum += more.momentum;
+        sums.moment += more.moment;
+        sums.kinetic += more.kinetic;
+        sums.strain += more.strain;
+    }
+    for (int p = 0; mpm->head->transfer == MPM_APIC && p < mpm->n_particles; p++)
+        sums.kinetic += affine_energy(mpm, p);
+    return sums;
+}
+
+double mpm_energy(const Mpm *mpm)
+{
+    if (mpm->dim == 2)
+        return plane_energy(mpm);
+    const Sums sums = sum_particles(mpm);
+    return sums.kinetic + sums.strain;
+}
+
+static double kinetic_grid(const Mpm *mpm)
+{
+    double sum = 0.0;
+    for (int i = 0; i < mpm->n_nodes; i++)
+        sum += mpm->momentum[0][i] * mpm->momentum[0][i] * mpm->inverse[i];
+    return 0.5 * sum;
+}
+
+enum Entry { V_CM, X_CM, KINETIC, KINETIC_GRID, KINETIC_NULL, STRAIN, WORK, TOTAL, ENTRIES };
+
+void mpm_set_series(Mpm *mpm)
+{
+    Simulation *sim = &mpm->sim;
+    for (int k = 0; k < ENTRIES; k++) {
+        mpm->series[k] = mpm_line_series[k];
+        mpm->series_entry[k] = k;
+    }
+    sim->series = mpm->series;
+    sim->n_series = ENTRIES;
+}
+
+const char *const mpm_costly[] = {"kinetic_grid", "kinetic_null", NULL};
+
+void mpm_leave_out(Simulation *sim, int column)
+{
+    ASSERT_INDEX(column, sim->n_series);
+    ASSERT_INT(sim->step, ==, 0);
+    Mpm *mpm = mpm_of(sim);
+    sim->n_series--;
+    for (int k = column; k < sim->n_series; k++) {
+        mpm->series[k] = mpm->series[k + 1];
+        mpm->series_entry[k] = mpm->series_entry[k + 1];
+    }
+}
+
+static bool has(const Mpm *mpm, enum Entry entry)
+{
+    for (int k = 0; k < mpm->sim.n_series; k++)
+        if (mpm->series_entry[k] == (int)entry)
+            return true;
+    return false;
+}
+
+bool mpm_row_needs_grid(const Mpm *mpm)
+{
+    if (mpm->dim == 2)
+        return plane_row_needs_grid(mpm);
+    return has(mpm, KINETIC_GRID) || has(mpm, KINETIC_NULL);
+}
+
+void mpm_write_row(Mpm *mpm, double *row, bool whole)
+{
+    if (mpm->dim == 2) {
+        plane_write_row(mpm, row, whole);
+        return;
+    }
+    const Sums sums = sum_particles(mpm);
+    for (int k = 0; k < mpm->sim.n_series; k++)
+        switch ((enum Entry)mpm->series_entry[k]) {
+        case V_CM:
+            row[k] = sums.momentum / mpm->whole_mass;
+            break;
+        case X_CM:
+            row[k] = mpm->x_cm_start + sums.moment / mpm->whole_mass;
+            break;
+        case KINETIC:
+            row[k] = sums.kinetic;
+            break;
+        case KINETIC_GRID:
+            row[k] = kinetic_grid(mpm);
+            break;
+        case KINETIC_NULL:
+            row[k] = mpm_line_null_energy(mpm);
+            break;
+        case STRAIN:
+            row[k] = sums.strain;
+            break;
+        case WORK:
+            row[k] = mpm->head->work;
+            break;
+        case TOTAL:
+            row[k] = sums.kinetic + sums.strain;
+            break;
+        case ENTRIES:
+            break;
+        }
+}

@@ -1,0 +1,566 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* One step of the material point method, a function for each stage:
+ *
+ *     map         m_i = sum m N_i              p_i = sum m v N_i                                (2, 3)
+ *     fix         p_i = m_i v0 along x, 0 across where a support holds; v_i = p_i/m_i           (4)
+ *     strain      de = dt sym(sum grad N_i v_i)    stress += D de    V *= 1 + tr de             (5 to 9)
+ *     force       f_i = -sum stress . grad N_i V + loads,   none at supports                    (10 to 12)
+ *     integrate   p_i += dt f_i                                                                 (13)
+ *     update      v += dt sum N_i f_i/m_i          x += dt sum N_i p_i/m_i                      (14, 15)
+ *
+ * Source: A. da Silva Rocha, "Unidimensional Axial Vibration Using MPM" (paper M), whose numbers these are;
+ * sums over particles at a node i, over nodes at a particle; V = m/rho. Along a line de = dt sum N'_i v_i and
+ * D = E; in the plane N = N_x N_y and D is that of plane stress,
+ *
+ *     sxx += lambda (exx + nu eyy)    syy += lambda (eyy + nu exx)    sxy += G gxy,   lambda = E/(1 - nu^2).
+ *
+ * Lengths, masses and forces of a line are per unit cross-section, those of the plane per unit thickness. */
+#include "base/assertion.h"
+#include "methods/mpm/mistakes.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* --- what happens to particles ---------------------------------------------------------------------- */
+
+bool mpm_fail_particle(Mpm *mpm, Status *status, int particle, const char *what)
+{
+    const bool light = mpm->dim == 1 && bar_feels_light_nodes(&mpm->bar, mpm->head->transfer);
+    char text[160];
+    snprintf(text, sizeof text, "%s%s", what, light ? " (" BAR_LIGHT_NODES ")" : "");
+    return batch_fail_particle(&mpm->sim, status, particle, text, mpm->dim == 2 ? " s" : "");
+}
+
+/* The first crossing of a particle is an event; in the plane one event a step, as particles of a lattice
+ * cross many at once. */
+void mpm_report_crossings(Mpm *mpm)
+{
+    const size_t count = (size_t)mpm->n_particles;
+    uint8_t *at = mpm->crossed;
+    int first = -1, others = 0;
+    char text[120];
+    while ((at = memchr(at, 2, count - (size_t)(at - mpm->crossed))) != NULL) {
+        const int p = (int)(at - mpm->crossed);
+        *at++ = 1;
+        if (mpm->dim == 2) {
+            others += first >= 0;
+            first = first >= 0 ? first : p;
+        } else if (mpm->sim.n_events == SIMULATION_EVENTS_MAX)
+            mpm->sim.events_beyond++;
+        else {
+            snprintf(text, sizeof text, "particle %d crossed into cell %d", p,
+                     mpm_cell(mpm->base[p], mpm->s[0][p], mpm->edge));
+            batch_report(&mpm->sim, EVENT_CROSSING, text);
+        }
+    }
+    if (first < 0)
+        return;
+    const int used = snprintf(text, sizeof text, "particle %d crossed into cell (%d, %d)", first,
+                              mpm_cell(mpm->base[first] % mpm->gx, mpm->s[0][first], mpm->edge),
+                              mpm_cell(mpm->base[first] / mpm->gx, mpm->s[1][first], mpm->edge));
+    if (others > 0)
+        snprintf(text + used, sizeof text - (size_t)used, ", %d others with it", others);
+    batch_report(&mpm->sim, EVENT_CROSSING, text);
+}
+
+/* --- loops --------------------------------------------------------------------------------------- */
+
+/* A loop over the nodes (a, b) of a particle, from its first one; its index and its N. */
+#define EACH_NODE(dim, shape)                                                                                \
+    for (int b = 0; b < ((dim) == 2 ? shape_support(shape) : 1); b++)                                        \
+    _Pragma("GCC unroll 4") for (int a = 0; a < shape_support(shape); a++)
+#define NODE_OF(at, dim, base) ((base) + ((dim) == 2 ? b * (at).gx : 0) + a)
+#define N_OF(w, dim)           ((dim) == 2 ? (w).n[0][a] * (w).n[1][b] : (w).n[0][a])
+
+/* Does what is said with dimension and shape as constants, and whether this is the step of paper M without
+ * more: FLIP, lumped masses, one material, no mistake. */
+#define WITH(mpm, the_dim, the_shape, ...)                                                                   \
+    if ((mpm)->dim == (the_dim) && (mpm)->shape == (the_shape)) {                                            \
+        const int dim = the_dim;                                                                             \
+        const MpmShape shape = the_shape;                                                                    \
+        if (is_ordinary(mpm)) {                                                                              \
+            const bool ordinary = true;                                                                      \
+            __VA_ARGS__;                                                                                     \
+        } else {                                                                                             \
+            const bool ordinary = false;                                                                     \
+            __VA_ARGS__;                                                                                     \
+        }                                                                                                    \
+    }
+#define BY_SHAPE(mpm, ...)                                                                                   \
+    WITH(mpm, 1, MPM_HAT, __VA_ARGS__)                                                                       \
+    WITH(mpm, 1, MPM_GIMP, __VA_ARGS__)                                                                      \
+    WITH(mpm, 1, MPM_CPDI, __VA_ARGS__)                                                                      \
+    WITH(mpm, 1, MPM_BSPLINE2, __VA_ARGS__)                                                                  \
+    WITH(mpm, 1, MPM_BSPLINE3, __VA_ARGS__)                                                                  \
+    WITH(mpm, 2, MPM_HAT, __VA_ARGS__)                                                                       \
+    WITH(mpm, 2, MPM_GIMP, __VA_ARGS__)
+
+static bool is_ordinary(const Mpm *mpm)
+{
+    return mpm->head->transfer == MPM_FLIP && mpm->head->flip_fraction == 1.0 && mpm_is_lumped(mpm) &&
+           !mpm_mistake(mpm) && mpm->joint == mpm->n_particles;
+}
+
+/* What a loop over particles asks of the engine, read once. */
+typedef struct Places {
+    const int32_t *base;
+    const double *s[MPM_AXES], *domain;
+    double half;
+    int cells, gx;
+} Places;
+
+MPM_INLINE Places places_of(const Mpm *mpm)
+{
+    return (Places){mpm->base, {mpm->s[0], mpm->s[1]}, mpm->domain, mpm->half, mpm->cells, mpm->gx};
+}
+
+MPM_INLINE MpmWeights weights_at(const Places *at, const int dim, const MpmShape shape, int p)
+{
+    MpmWeights w;
+    for (int axis = 0; axis < dim; axis++)
+        shape_at(shape, shape == MPM_CPDI ? at->domain[p] : at->half, at->cells, at->base[p], at->s[axis][p],
+                 w.n[axis], w.dn[axis]);
+    return w;
+}
+
+/* --- map ------------------------------------------------------------------------------------------ */
+
+/* Eqs. 2, 3: m_i = sum m N, p_i = sum m v N, with APIC v + C (x_i - x) in place of v (Jiang et al. 2015); of
+ * masses that are not lumped also the couplings M_c(i, i + d) = sum m N_i N_(i+d). MUSL's second map has the
+ * same masses. */
+MPM_INLINE void map(Mpm *mpm, const int dim, const MpmShape shape, const bool ordinary, const bool again,
+                    int first, int end)
+{
+    const Places at = places_of(mpm);
+    const bool affine = !ordinary && mpm->head->transfer == MPM_APIC;
+    const bool couples = !ordinary && !again && !mpm_is_lumped(mpm);
+    double *const mass = mpm->node_mass, *const momentum[MPM_AXES] = {mpm->momentum[0], mpm->momentum[1]};
+    const double *const velocity[MPM_AXES] = {mpm->v[0], mpm->v[1]}, of_all = mpm->mass[0];
+    for (int p = first; p < end; p++) {
+        const MpmWeights w = weights_at(&at, dim, shape, p);
+        const int base = at.base[p];
+        const double m = ordinary ? of_all : mpm_mass(mpm, p);
+        double v[MPM_AXES] = {0}, spin = affine ? mpm->affine[p] * mpm->dx : 0.0;
+        for (int axis = 0; axis < dim; axis++)
+            v[axis] = velocity[axis][p];
+        EACH_NODE(dim, shape)
+        {
+            const int i = NODE_OF(at, dim, base);
+            const double share = m * N_OF(w, dim);
+            if (!again)
+                mass[i] += share;
+            double arm = 0.0;
+            if (affine)
+                arm = spin * (shape_node_offset(shape, at.half, at.cells, base, a) - at.s[0][p]);
+            for (int axis = 0; axis < dim; axis++)
+                momentum[axis][i] += share * (affine ? v[axis] + arm : v[axis]);
+        }
+        for (int d = 1; couples && d < shape_support(shape); d++)
+            for (int a = 0; a + d < shape_support(shape); a++)
+                mpm->couple[d][base + a] += m * (w.n[0][a] * w.n[0][a + d]);
+    }
+}
+
+/* --- supports, and velocities of nodes ------------------------------------------------------------ */
+
+/* Step 2 of paper M: p = m v0 along x and 0 across where a support holds the node; the mass stays. Then
+ * eq. 4. A node of hardly any mass moves along with the body: one at rest would strain a particle that lands
+ * on its neighbour to the last bit by v0 dt/dx. */
+static void fix(Mpm *mpm, bool holds, int first, int end)
+{
+    const double floor = mpm->floor, *const mass = mpm->node_mass;
+    double *const inverse = mpm->inverse;
+#pragma omp simd
+    for (int i = first; i < end; i++)
+        inverse[i] = mass[i] > floor ? 1.0 / mass[i] : 0.0;
+    for (int axis = 0; axis < mpm->dim; axis++) {
+        const double speed = axis == 0 ? mpm->speed : 0.0, *const free = mpm->free[axis];
+        double *const momentum = mpm->momentum[axis], *const velocity = mpm->velocity[axis];
+#pragma omp simd
+        for (int i = first; i < end; i++) {
+            const double p = holds && free[i] == 0.0 ? mass[i] * speed : momentum[i];
+            momentum[i] = p;
+            velocity[i] = inverse[i] > 0.0 ? p * inverse[i] : speed;
+        }
+    }
+}
+
+/* --- strain and stress ---------------------------------------------------------------------------- */
+
+/* Eqs. 5, 7, 8, 9. Returns the first particle with 1 + tr de <= 0, whose density would turn negative; -1:
+ * there is none. */
+MPM_INLINE int strain(Mpm *mpm, const int dim, const MpmShape shape, const bool ordinary, int first, int end)
+{
+    const Places at = places_of(mpm);
+    const BarMistake *mistake = ordinary ? NULL : mpm_mistake(mpm);
+    const bool newest = !ordinary && mpm_does(mpm, WRONG_ONLY_NEWEST);
+    const double rate = mpm_strain_span(mpm) * mpm_slope_scale(mpm), of_all = mpm->modulus[0];
+    const double nu = mpm->plane.poisson, lambda = mpm->lambda, shear = mpm->shear;
+    const double *const vx = mpm->velocity[0], *const vy = mpm->velocity[1], *const inverse = mpm->inverse;
+    double *const stress = mpm->stress[0], *const volume = mpm->volume;
+    double *const syy = mpm->stress[1], *const sxy = mpm->stress[2];
+    int crushed = -1;
+    for (int p = first; p < end; p++) {
+        const MpmWeights w = weights_at(&at, dim, shape, p);
+        const int base = at.base[p];
+        double xx = 0.0, yy = 0.0, xy = 0.0, v[SHAPE_SUPPORT_MAX];
+        if (dim == 1)
+            mpm_line_velocities(shape, vx, inverse, base, v);
+        EACH_NODE(dim, shape)
+        {
+            const int i = NODE_OF(at, dim, base);
+            const double bx = dim == 2 ? w.dn[0][a] * w.n[1][b] : w.dn[0][a];
+            xx += bx * (dim == 2 ? vx[i] : v[a]);
+            if (dim == 1)
+                continue;
+            const double by = w.n[0][a] * w.dn[1][b];
+            yy += by * vy[i];
+            xy += by * vx[i] + bx * vy[i];
+        }
+        xx *= rate, yy *= rate, xy *= rate;
+        const double stretch = 1.0 + (dim == 2 ? xx + yy : xx);
+        if (dim == 2) {
+            stress[p] += lambda * (xx + nu * yy);
+            syy[p] += lambda * (yy + nu * xx);
+            sxy[p] += shear * xy;
+        } else
+            stress[p] = (newest ? 0.0 : stress[p]) + (ordinary ? of_all : mpm_modulus(mpm, p)) * xx;
+        volume[p] = mistake && mistake->thinned ? mistake->thinned(volume[p], stretch) : volume[p] * stretch;
+        if (!(stretch > 0.0) && crushed < 0)
+            crushed = p;
+    }
+    return crushed;
+}
+
+/* --- nodal forces --------------------------------------------------------------------------------- */
+
+/* Eq. 10: f_i = -sum stress . grad N_i V, the same grad N that makes the strain: what forces do to nodes is
+ * what stress does in particles. With USF stress and volume are those of this step, with USL and MUSL the old
+ * ones. Eq. 11: each particle's load goes to its nodes by N. */
+MPM_INLINE void force(Mpm *mpm, const int dim, const MpmShape shape, const bool ordinary, int first, int end)
+{
+    const Places at = places_of(mpm);
+    const bool loaded = dim == 1 && mpm_is_loaded(mpm);
+    const ForceTerms loads = mpm_forces(mpm);
+    const double scale = mpm_force_share(mpm) * mpm_slope_scale(mpm), of_load = mpm_load_share(mpm);
+    const double *const stress = mpm->stress[0], *const volume = mpm->volume;
+    const double *const syy = mpm->stress[1], *const sxy = mpm->stress[2];
+    double *const fx = mpm->force[0], *const fy = mpm->force[1];
+    for (int p = first; p < end; p++) {
+        const MpmWeights w = weights_at(&at, dim, shape, p);
+        const int base = at.base[p];
+        if (dim == 2) {
+            const double V = scale * volume[p], xx = stress[p] * V, yy = syy[p] * V, xy = sxy[p] * V;
+            EACH_NODE(dim, shape)
+            {
+                const double bx = w.dn[0][a] * w.n[1][b], by = w.n[0][a] * w.dn[1][b];
+                const int i = NODE_OF(at, dim, base);
+                fx[i] += bx * xx + by * xy;
+                fy[i] += bx * xy + by * yy;
+            }
+            continue;
+        }
+        const double pull =
+            scale * (ordinary ? stress[p] * volume[p] : mpm_force_stress(mpm, p) * mpm_force_volume(mpm, p));
+        EACH_NODE(dim, shape)
+        fx[NODE_OF(at, dim, base)] += w.dn[0][a] * pull;
+        if (!loaded)
+            continue;
+        const double load = of_load * forces_on(&loads, &mpm->sim, (size_t)p, 0);
+        EACH_NODE(dim, shape)
+        mpm->load[NODE_OF(at, dim, base)] += N_OF(w, dim) * load;
+    }
+}
+
+/* In the plane supports take the force of the nodes that they hold in a stage of its own, for a channel that
+ * moves with v0 does work on the beam there: -f_x v0 dt times the thickness, J, f_x the beam's force. */
+static void add_push(Mpm *mpm)
+{
+    double push = 0.0;
+    for (int i = 0; mpm->speed != 0.0 && i < mpm->n_nodes; i++)
+        if (mpm->free[0][i] == 0.0)
+            push += mpm->force[0][i];
+    mpm->head->work -= push * mpm->speed * mpm->dt * mpm->plane.thickness;
+}
+
+static void fix_force(Mpm *mpm, int first, int end)
+{
+    for (int axis = 0; axis < mpm->dim; axis++)
+        for (int i = first; i < end; i++)
+            mpm->force[axis][i] = mpm->free[axis][i] == 0.0 ? 0.0 : mpm->force[axis][i];
+}
+
+/* dt a with M a = f, or FMPM's series of dt f: it is linear, so that v(k) of p + dt f is the sum of both.
+ * With lumped masses integrate() does it node by node. */
+static void find_kicks(Mpm *mpm)
+{
+    for (int i = 0; i < mpm->n_nodes; i++)
+        mpm->kick[0][i] = mpm->dt * (mpm->force[0][i] + (mpm_is_loaded(mpm) ? mpm->load[i] : 0.0));
+    mpm_solve(mpm, mpm->kick[0]);
+}
+
+/* --- integrate momentum --------------------------------------------------------------------------- */
+
+/* Eqs. 12, 13: p_i += dt f_i; then what eqs. 14, 15 need of a node: kick = dt f_i/m_i and carry = p_i/m_i.
+ * Where masses are not lumped kick is there already, and the integrated velocity is the one before plus it.
+ * USF: the velocity that strained stays as it is. */
+static void integrate(Mpm *mpm, int first, int end)
+{
+    const bool lumped = mpm_is_lumped(mpm), loaded = mpm_is_loaded(mpm),
+               usf = mpm->head->algorithm == MPM_USF;
+    const bool all_free = mpm_does(mpm, WRONG_HELD_YIELD);
+    const double dt = mpm->dt, *const inverse = mpm->inverse, *const load = loaded ? mpm->load : NULL;
+    for (int axis = 0; axis < mpm->dim; axis++) {
+        const double speed = axis == 0 ? mpm->speed : 0.0, *const free = mpm->free[axis];
+        double *const momentum = mpm->momentum[axis], *const force = mpm->force[axis];
+        double *const kick = mpm->kick[axis], *const carry = mpm->carry[axis];
+        double *const velocity = mpm->velocity[axis];
+#pragma omp simd
+        for (int i = first; i < end; i++) {
+            const double f = load ? force[i] + load[i] : force[i];
+            const double impulse = dt * (all_free ? f : f * free[i]);
+            const double after = momentum[i] + impulse;
+            momentum[i] = after;
+            if (lumped)
+                kick[i] = impulse * inverse[i];
+            carry[i] = !lumped ? velocity[i] + kick[i] : inverse[i] > 0.0 ? after * inverse[i] : speed;
+        }
+        if (!usf)
+            memcpy(velocity + first, carry + first, (size_t)(end - first) * sizeof *carry);
+    }
+}
+
+/* The work of the loads, sum f_ext dx_i, with the velocity by which particles move. */
+static void add_work(Mpm *mpm)
+{
+    for (int i = 0; mpm_is_loaded(mpm) && i < mpm->n_nodes; i++)
+        if (!mpm_holds_force(mpm, 0, i))
+            mpm->head->work += mpm->load[i] * (mpm->dt * mpm->carry[0][i]);
+}
+
+/* --- update particles ----------------------------------------------------------------------------- */
+
+/* C = sum N_i v_i d_i/sum N_i d_i^2 with d_i = x_i - x; of hats C = sum N'_i v_i. A particle on the end of
+ * the mesh has no spread. */
+MPM_INLINE double slope_of(const Mpm *mpm, const MpmShape shape, int p, const MpmWeights *w)
+{
+    double v[SHAPE_SUPPORT_MAX], slope = 0.0, spread = 0.0;
+    mpm_line_velocities(shape, mpm->carry[0], mpm->inverse, mpm->base[p], v);
+    for (int a = 0; a < shape_support(shape); a++) {
+        const double arm = shape_node_offset(shape, mpm->half, mpm->cells, mpm->base[p], a) - mpm->s[0][p];
+        slope += shape == MPM_HAT ? w->dn[0][a] * v[a] : w->n[0][a] * v[a] * arm;
+        spread += w->n[0][a] * (arm * arm);
+    }
+    if (shape == MPM_HAT)
+        return slope / mpm->dx;
+    return spread > 0.0 ? slope / spread / mpm->dx : 0.0;
+}
+
+/* Eqs. 14, 15, shape functions those of the old place for v and x alike:
+ *
+ *     FLIP   v += sum N kick                                     x += dt sum N carry
+ *     blend  v = alpha (v + sum N kick) + (1 - alpha) sum N carry
+ *     APIC   v = sum N carry, C of slope_of()
+ *     FMPM   v = sum N carry                                     x += dt (v before + v)/2
+ *
+ * FLIP leaves in v whatever the grid cannot see; PIC's share and FMPM take it away in each step. x moves with
+ * the nodes' velocity (eq. 15), not with the particle's own: neighbours cannot overtake each other, as the
+ * grid's velocity is continuous. */
+MPM_INLINE void update(Mpm *mpm, const int dim, const MpmShape shape, const bool ordinary, int first, int end)
+{
+    const Places at = places_of(mpm);
+    const double alpha = ordinary ? 1.0 : mpm->head->flip_fraction, dt = mpm->dt;
+    const MpmTransfer transfer = ordinary ? MPM_FLIP : mpm->head->transfer;
+    const BarMoves moves = ordinary ? MOVES_WITH_NODES : mpm_moves_by(mpm);
+    const bool new_weights = !ordinary && mpm_does(mpm, WRONG_NEW_WEIGHTS);
+    double *const us[MPM_AXES] = {mpm->u[0], mpm->u[1]}, *const vs[MPM_AXES] = {mpm->v[0], mpm->v[1]};
+    const double *const kick[MPM_AXES] = {mpm->kick[0], mpm->kick[1]};
+    const double *const carry[MPM_AXES] = {mpm->carry[0], mpm->carry[1]};
+    for (int p = first; p < end; p++) {
+        const MpmWeights w = weights_at(&at, dim, shape, p);
+        const int base = at.base[p];
+        double dv[MPM_AXES] = {0}, now[MPM_AXES] = {0}, before = 0.0;
+        EACH_NODE(dim, shape)
+        {
+            const int i = NODE_OF(at, dim, base);
+            for (int axis = 0; axis < dim; axis++) {
+                dv[axis] += N_OF(w, dim) * kick[axis][i];
+                now[axis] += N_OF(w, dim) * carry[axis][i];
+            }
+            if (moves == MOVES_WITH_OLD_NODES)
+                before += N_OF(w, dim) * mpm->velocity[0][i];
+        }
+        if (transfer == MPM_APIC)
+            mpm->affine[p] = slope_of(mpm, shape, p, &w);
+        for (int axis = 0; axis < dim; axis++) {
+            const double v = vs[axis][p], u = us[axis][p];
+            const double mean = transfer == MPM_FMPM ? 0.5 * (v + now[axis]) : now[axis];
+            us[axis][p] = u + dt * (moves == MOVES_WITH_OLD_NODES ? before : mean);
+            if (new_weights)
+                dv[axis] = mpm_kick_at_new_place(mpm, p);
+            vs[axis][p] = transfer != MPM_FLIP ? now[axis]
+                          : alpha == 1.0       ? v + dv[axis]
+                                               : alpha * (v + dv[axis]) + (1.0 - alpha) * now[axis];
+            if (moves == MOVES_BY_ITSELF)
+                us[axis][p] = u + dt * vs[axis][p];
+        }
+    }
+}
+
+/* --- the end of the step ---------------------------------------------------------------------------- */
+
+/* The grid is forgotten: where the particles lie on that of the next step. All must be on it, and along a
+ * line in their order; the first time that one enters another cell is noted. CPDI's domains are as long as
+ * the particles are then: the volume of a unit of cross-section is a length. */
+MPM_INLINE int settle(Mpm *mpm, const int dim, const MpmShape shape, double shift, MpmSpan *span, int first,
+                      int end)
+{
+    const double edge = shape == MPM_GIMP ? mpm->edge : 0.0, inverse = 1.0 / mpm->dx;
+    double before = -INFINITY; /* the end before a chunk is looked at when all have moved */
+    for (int p = first; p < end; p++) {
+        const int old = mpm->base[p];
+        const double s[MPM_AXES] = {mpm->s[0][p], dim == 2 ? mpm->s[1][p] : 0.0};
+        const bool inside = mpm_set_place(mpm, dim, shape, inverse, shift, p, span);
+        const double r = dim == 1 ? mpm->base[p] + mpm->s[0][p] : 0.0;
+        if (!inside || (dim == 1 && !(r >= before)))
+            return p;
+        before = r;
+        bool same = mpm->base[p] == old;
+        for (int axis = 0; axis < dim; axis++)
+            same = same && mpm_cell(0, mpm->s[axis][p], edge) == mpm_cell(0, s[axis], edge);
+        if (!same && !mpm->crossed[p] && mpm_crosses(mpm, p, old, s))
+            mpm->crossed[p] = 2;
+    }
+    return -1;
+}
+
+/* --- the stages by their name ----------------------------------------------------------------------- */
+
+bool mpm_op_gives(MpmOp op)
+{
+    return op == OP_MAP || op == OP_MAP_AGAIN || op == OP_FORCE;
+}
+
+bool mpm_op_of_nodes(MpmOp op)
+{
+    return op == OP_FIX || op == OP_FIX_FORCE || op == OP_INTEGRATE || op == OP_FIX_AGAIN;
+}
+
+/* What of a stage is done before its first item: sums begin at 0. */
+void mpm_begin_stage(Mpm *mpm, MpmOp op, long step)
+{
+    const size_t bytes = (size_t)mpm->n_nodes * sizeof(double);
+    if (op == OP_MAP)
+        memset(mpm->node_mass, 0, bytes);
+    for (int d = 1; op == OP_MAP && d < mpm->support && !mpm_is_lumped(mpm); d++)
+        memset(mpm->couple[d], 0, bytes);
+    for (int axis = 0; axis < mpm->dim; axis++)
+        if (op == OP_MAP || op == OP_MAP_AGAIN)
+            memset(mpm->momentum[axis], 0, bytes);
+        else if (op == OP_FORCE)
+            memset(mpm->force[axis], 0, bytes);
+    if (op == OP_FORCE && mpm->dim == 1 && mpm_is_loaded(mpm))
+        memset(mpm->load, 0, bytes);
+    mpm_find_held(mpm, step);
+    if (op == OP_FIX_FORCE)
+        add_push(mpm);
+}
+
+/* Returns the first particle of [first, end) with which the run cannot go on; -1: there is none. */
+int mpm_do_particles(Mpm *mpm, MpmTask task, MpmSpan *span, int first, int end)
+{
+    int bad = -1;
+    switch (task.op) {
+    case OP_MAP:
+        BY_SHAPE(mpm, map(mpm, dim, shape, ordinary, false, first, end))
+        break;
+    case OP_MAP_AGAIN:
+        BY_SHAPE(mpm, map(mpm, dim, shape, ordinary, true, first, end))
+        break;
+    case OP_STRAIN:
+        BY_SHAPE(mpm, bad = strain(mpm, dim, shape, ordinary, first, end))
+        break;
+    case OP_FORCE:
+        BY_SHAPE(mpm, force(mpm, dim, shape, ordinary, first, end))
+        break;
+    case OP_UPDATE:
+        BY_SHAPE(mpm, update(mpm, dim, shape, ordinary, first, end))
+        break;
+    case OP_FORGET:
+        BY_SHAPE(mpm, (void)ordinary;
+                 bad = settle(mpm, dim, shape, mpm_shift(mpm, task.step + 1), span, first, end))
+        break;
+    default:
+        break;
+    }
+    return bad;
+}
+
+void mpm_do_nodes(Mpm *mpm, MpmOp op, int first, int end)
+{
+    if (op == OP_INTEGRATE)
+        integrate(mpm, first, end);
+    else if (op == OP_FIX_FORCE)
+        fix_force(mpm, first, end);
+    else
+        fix(mpm, mpm_holds(mpm) == HOLDS_BEFORE_STRAIN, first, end);
+}
+
+/* What takes all of its items, or must be seen in order. */
+bool mpm_end_stage(Mpm *mpm, MpmOp op, Status *status)
+{
+    const size_t bytes = (size_t)mpm->n_nodes * sizeof(double);
+    const bool kept = mpm_does(mpm, WRONG_KEEPS_GRID);
+    switch (op) {
+    case OP_MAP:
+        for (int i = 0; kept && i < mpm->n_nodes; i++) {
+            mpm->node_mass[i] += mpm->kept_mass[i];
+            mpm->momentum[0][i] += mpm->kept_momentum[i];
+        }
+        return true;
+    case OP_MAP_AGAIN:
+        if (mpm->dim == 2)
+            return true; /* supports have a stage of their own */
+        fix(mpm, true, 0, mpm->n_nodes);
+        break;
+    case OP_FIX:
+        break;
+    case OP_STRAIN:
+        for (int i = 0; mpm_holds(mpm) == HOLDS_AFTER_STRAIN && i < mpm->n_nodes; i++)
+            mpm->momentum[0][i] *= mpm->free[0][i];
+        for (int p = 0; mpm->shape == MPM_CPDI && p < mpm->n_particles; p++)
+            if (!(mpm->volume[p] < 2.0 * mpm->dx))
+                return mpm_fail_particle(mpm, status, p, "was stretched over two cells");
+        return true;
+    case OP_FORCE:
+        if (!mpm_is_lumped(mpm))
+            find_kicks(mpm);
+        return true;
+    case OP_INTEGRATE:
+        if (mpm->dim == 1)
+            add_work(mpm);
+        return true;
+    case OP_FORGET:
+        for (int k = 0; mpm->dim == 1 && k < mpm->n_chunks; k++) {
+            const int p = mpm->chunks[k].first;
+            if (p > 0 && mpm->base[p] + mpm->s[0][p] < mpm->base[p - 1] + mpm->s[0][p - 1])
+                return mpm_fail_particle(mpm, status, p, "was overtaken by its neighbour (1 + de <= 0)");
+        }
+        mpm_report_crossings(mpm);
+        if (kept) {
+            memcpy(mpm->kept_mass, mpm->node_mass, bytes);
+            memcpy(mpm->kept_momentum, mpm->momentum[0], bytes);
+        }
+        return true;
+    default:
+        return true;
+    }
+    /* supports are done: the velocities of all nodes together */
+    if (!mpm_is_lumped(mpm)) {
+        if (op == OP_FIX)
+            mpm_factor(mpm);
+        memcpy(mpm->velocity[0], mpm->momentum[0], bytes);
+        mpm_solve(mpm, mpm->velocity[0]);
+    }
+    return true;
+}

@@ -1,0 +1,250 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Stages and whole steps as the driver asks for them (method.h), by one thread or several. Whole steps go in
+ * batches (batch.h). */
+#include "base/assertion.h"
+#include "methods/mpm/mistakes.h"
+#include "methods/mpm/plane_inner.h"
+
+#include <string.h>
+
+/* How a particle ended that is not where it could go on. */
+static const char *end_of(const Mpm *mpm, int p)
+{
+    if (mpm->dim == 2)
+        return "left the grid";
+    const bool box = mpm->shape == MPM_GIMP || mpm->shape == MPM_CPDI;
+    const double r = mpm->rest[0][p] + mpm->u[0][p] / mpm->dx;
+    if (r >= mpm->low[0] && r < mpm->high[0])
+        return "was overtaken by its neighbour (1 + de <= 0)";
+    return box && (r < mpm->low[0] ? mpm->fixed_left : mpm->fixed_right) > 0
+               ? "left the mesh through a support (its box reaches past the fixed node, which stops only the "
+                 "grid)"
+               : "left the mesh";
+}
+
+/* The first particle that a stage could not go on with. */
+static bool judge(Mpm *mpm, MpmOp op, int first, int end, Status *status)
+{
+    int worst = -1;
+    for (int k = first; k < end; k++) {
+        MpmTrouble *trouble = &mpm->trouble[k];
+        if (trouble->particle < 0 || trouble->op != op)
+            continue;
+        if (worst < 0 || trouble->particle < worst)
+            worst = trouble->particle;
+        trouble->particle = -1;
+    }
+    if (worst < 0)
+        return true;
+    for (int k = 0; k < mpm->n_chunks; k++)
+        mpm->trouble[k].particle = -1;
+    return mpm_fail_particle(mpm, status, worst,
+                             op != OP_STRAIN ? end_of(mpm, worst)
+                             : mpm->dim == 1 ? "was crushed (1 + de <= 0)"
+                                             : "was crushed (1 + exx + eyy <= 0)");
+}
+
+/* --- one stage ------------------------------------------------------------------------------------- */
+
+/* What went wrong in a chunk stays so until somebody has looked: later stages leave it alone. */
+static void do_item(Mpm *mpm, MpmTask task, int item)
+{
+    if (mpm_op_of_nodes(task.op)) {
+        const int64_t n = mpm->n_nodes;
+        mpm_do_nodes(mpm, task.op, (int)(n * item / mpm->n_chunks), (int)(n * (item + 1) / mpm->n_chunks));
+        return;
+    }
+    const MpmChunk *chunk = &mpm->chunks[item];
+    MpmTrouble *trouble = &mpm->trouble[item];
+    if (task.op == OP_FORGET)
+        mpm->spans[item] = (MpmSpan){mpm->gx, 0};
+    for (int row = 0; row < chunk->rows && trouble->particle < 0; row++) {
+        const int first = chunk->first + row * chunk->stride;
+        trouble->particle = mpm_do_particles(mpm, task, &mpm->spans[item], first, first + chunk->count);
+        trouble->op = task.op;
+    }
+}
+
+bool mpm_do(Mpm *mpm, MpmTask task, int first, int end, Status *status)
+{
+    const MpmOp op = task.op;
+    ASSERT_INT(first, >=, 0);
+    ASSERT_INT(first, <=, end);
+    ASSERT_INT(end, <=, mpm->n_chunks);
+    if (first == 0)
+        mpm_begin_stage(mpm, op, task.step);
+    for (int item = first; item < end; item++)
+        do_item(mpm, task, item);
+    if (!judge(mpm, op, first, end, status))
+        return false;
+    return end < mpm->n_chunks || mpm_end_stage(mpm, op, status);
+}
+
+/* Some stages that follow each other on each chunk, or on as great a share of the nodes. */
+typedef struct Group {
+    Mpm *mpm;
+    const MpmTask *tasks;
+    int count, first; /* first: the item with which a job begins */
+} Group;
+
+static void do_items(void *context, int item, int worker)
+{
+    const Group *group = context;
+    (void)worker;
+    for (int k = 0; k < group->count; k++)
+        do_item(group->mpm, group->tasks[k], group->first + item);
+}
+
+/* Whether no two chunks [first, end), which are in the order of the body, give to the same node. */
+static bool are_apart(const Mpm *mpm, int first, int end)
+{
+    for (int k = first; k + 1 < end; k++)
+        if (mpm->spans[k].high + mpm->support > mpm->spans[k + 1].low)
+            return false;
+    return true;
+}
+
+static void run_items(Group *group, int end, bool shared)
+{
+    if (group->mpm->pool && shared)
+        pool_run(group->mpm->pool, do_items, group, end - group->first);
+    else
+        for (int item = 0; item < end - group->first; item++)
+            do_items(group, item, 0);
+}
+
+/* Some stages over everything. Those on particles that follow each other are done chunk by chunk, one after
+ * the other while the chunk is in the cache, up to one that gives to the nodes: the order of every sum is the
+ * same. By several threads that one begins anew, as it asks which chunks are apart. A wrong code looks at
+ * what the stage before has left as a whole. */
+static bool do_all(Mpm *mpm, const MpmTask *tasks, int count, Status *status)
+{
+    const int n = mpm->n_chunks, even = (n + 1) / 2;
+    for (int first = 0, end; first < count; first = end) {
+        end = first + 1;
+        while (end < count && !mpm_op_of_nodes(tasks[end].op) && !mpm_op_of_nodes(tasks[end - 1].op) &&
+               !mpm_op_gives(tasks[end - 1].op) && !mpm_mistake(mpm) &&
+               !(mpm->pool && tasks[end - 1].op == OP_FORGET))
+            end++;
+        for (int k = first; k < end; k++)
+            mpm_begin_stage(mpm, tasks[k].op, tasks[k].step);
+        Group group = {mpm, tasks + first, end - first, 0};
+        if (mpm_op_gives(tasks[end - 1].op)) {
+            run_items(&group, even, are_apart(mpm, 0, even));
+            group.first = even;
+            run_items(&group, n, are_apart(mpm, even, n));
+        } else
+            run_items(&group, n, true);
+        for (int k = first; k < end; k++)
+            if (!judge(mpm, tasks[k].op, 0, n, status) || !mpm_end_stage(mpm, tasks[k].op, status))
+                return false;
+    }
+    return true;
+}
+
+void mpm_map_and_fix(Mpm *mpm)
+{
+    Status unused; /* neither of them fails */
+    do_all(mpm, (MpmTask[]){{OP_MAP, mpm->sim.step}, {OP_FIX, mpm->sim.step}}, 2, &unused);
+}
+
+static double energy(const Simulation *sim)
+{
+    return mpm_energy(mpm_of_const(sim));
+}
+
+/* Seen from a beam the channel moves nothing that it holds and does no work: its work in the laboratory, some
+ * times the energy of the vibration, is left out. A beam that does not vibrate has what rounding makes of its
+ * common speed, at most some 1e-20 of 1/2 m v0^2 in a million steps. */
+static bool check_energy(Mpm *mpm, Status *status)
+{
+    const bool plane = mpm->dim == 2, light = !plane && bar_feels_light_nodes(&mpm->bar, mpm->head->transfer);
+    const double body = mpm->mass[0] * mpm->n_particles * mpm->plane.thickness;
+    const double rounding = plane ? 1e-20 * body * mpm->speed * mpm->speed / 2 : 0;
+    const GrowthNow now = {fmax(mpm->energy_start, rounding), energy, plane ? 0 : mpm->head->work,
+                           plane ? " s" : "",
+                           plane   ? "other shapes"
+                           : light ? "another shape: " BAR_LIGHT_NODES
+                                   : "another algorithm"};
+    return batch_check_energy(&mpm->sim, &mpm->head->growth, &now, status);
+}
+
+/* One stage on its items [first, end), for whoever looks at a step from inside (method.h). The energy is
+ * checked behind the last stage. */
+bool mpm_stage(Simulation *sim, int stage, size_t first, size_t end, Status *status)
+{
+    ASSERT_INDEX(stage, sim->n_stages);
+    Mpm *mpm = mpm_of(sim);
+    const MpmSchedule *schedule = mpm_schedule(mpm);
+    /* what a step that can be looked at has not written yet is 0, so that its snapshots are the same bytes
+     * whatever ran before */
+    if (stage == 0 && first == 0)
+        memset(mpm->block + mpm->bytes_placed, 0, mpm->bytes_whole - mpm->bytes_placed);
+    if (!mpm_do(mpm, (MpmTask){schedule->ops[stage], sim->step}, (int)first, (int)end, status))
+        return false;
+    if (stage + 1 < schedule->count || end < sim->stage_items)
+        return true;
+    const MpmTask forget = {OP_FORGET, sim->step}; /* in the plane a part of the last stage */
+    return (mpm->dim == 1 || do_all(mpm, &forget, 1, status)) && check_energy(mpm, status);
+}
+
+/* --- whole steps ----------------------------------------------------------------------------------- */
+
+static void keep(Simulation *sim)
+{
+    Mpm *mpm = mpm_of(sim);
+    memcpy(mpm->backup, mpm->block, mpm_lasting_bytes(mpm, mpm->head));
+}
+
+static void put_back(Simulation *sim)
+{
+    Mpm *mpm = mpm_of(sim);
+    memcpy(mpm->block, mpm->backup, mpm_lasting_bytes(mpm, mpm->head));
+    mpm_find_all(mpm);
+}
+
+/* A row may need the grid after map and supports, which are also the first two stages of the next step: they
+ * are done once for both, and the map goes with the stages before it. */
+static bool whole_steps(Simulation *sim, long count, double *rows, Status *status)
+{
+    Mpm *mpm = mpm_of(sim);
+    const MpmSchedule *schedule = mpm_schedule(mpm);
+    if (count > 0)
+        mpm_map_and_fix(mpm);
+    for (long n = 0; n < count; n++) {
+        const bool more = n + 1 < count || (rows && mpm_row_needs_grid(mpm));
+        MpmTask tasks[OP_COUNT + 2];
+        int n_tasks = 0;
+        for (int stage = 2; stage < schedule->count; stage++)
+            tasks[n_tasks++] = (MpmTask){schedule->ops[stage], sim->step};
+        if (mpm->dim == 2)
+            tasks[n_tasks++] = (MpmTask){OP_FORGET, sim->step};
+        if (more)
+            tasks[n_tasks++] = (MpmTask){OP_MAP, sim->step + 1};
+        if (!do_all(mpm, tasks, n_tasks, status) || !check_energy(mpm, status))
+            return false;
+        sim->step++;
+        if (more && !do_all(mpm, &(MpmTask){OP_FIX, sim->step}, 1, status))
+            return false;
+        if (rows)
+            mpm_write_row(mpm, rows + n * sim->n_series, !sim->spares_rows || n + 1 == count);
+    }
+    return true;
+}
+
+bool mpm_steps(Simulation *sim, long count, double *rows, long *done, Status *status)
+{
+    ASSERT_INT(count, >=, 0);
+    ASSERT_INT(sim->stage, ==, 0);
+    static const Batches batches = {keep, put_back, whole_steps};
+    return batch_steps(sim, &batches, count, rows, done, status);
+}
+
+void mpm_row(Simulation *sim, double *row)
+{
+    ASSERT_INT(sim->stage, ==, 0);
+    Mpm *mpm = mpm_of(sim);
+    if (mpm_row_needs_grid(mpm))
+        mpm_map_and_fix(mpm); /* the grid is scratch between steps */
+    mpm_write_row(mpm, row, true);
+}
