@@ -83,14 +83,14 @@ static void write_words(void)
     for (int c = 0; command_name(c); c++) {
         const char *synopsis = c ? cli_commands[c - 1].synopsis : "SCENARIO";
         printf("    %s) echo '", command_name(c));
-        if (strcmp(synopsis, "SCENARIO") == 0) {
-            fputs("@file '\"$(_matvib_scenarios)\"'", stdout);
-        } else if (strcmp(synopsis, "[COMMAND]") == 0) {
+        if (strcmp(synopsis, "SCENARIO") == 0 || strstr(synopsis, "SCENARIO]"))
+            printf("%s'\"$(_matvib_scenarios)\"'", strstr(synopsis, "COMMAND") ? "" : "@file ");
+        if (strstr(synopsis, "[COMMAND")) {
             for (int i = 1; command_name(i); i++)
-                printf("%s%s", i > 1 ? " " : "", command_name(i));
-        } else if (strcmp(synopsis, "[PROBLEM]") == 0) {
+                printf(" %s", command_name(i));
+        } else if (strstr(synopsis, "[PROBLEM")) {
             for (int i = 0; problems[i]; i++)
-                printf("%s%s", i ? " " : "", problems[i]->word);
+                printf(" %s", problems[i]->word);
         } else if (strcmp(command_name(c), "verify") == 0) {
             for (int i = 0; verify_name(i); i++)
                 printf("%s%s", i ? " " : "", verify_name(i));

@@ -26,7 +26,7 @@ static const struct {
     const char *ours, *others;
 } synonyms[] = {
     {"step", "nstep n_step step_number timestep iteration iter it n"},
-    {"time", "t"},
+    {"time", "t zeit"},
     {"stage", "stage_number"},
     {"stage_id", "stage_name"},
     {"particle", "particle_id particle_index pid point id index"},

@@ -7,6 +7,7 @@
 #include "cli/progress.h"
 #include "cli/verify/verify.h"
 #include "scenario/parameters.h"
+#include "scenario/scenario.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -19,9 +20,12 @@ static int verify(int count, char **arguments, Status *status)
 static int help(int count, char **arguments, Status *status)
 {
     const CliCommand *command = count > 0 ? cli_find(arguments[0]) : NULL;
+    if (count == 1 && !command && scenario_builtin(arguments[0]))
+        return cli_describe(arguments[0], status);
     if (count > 1 || (count > 0 && !command))
-        return progress_result(
-            status_refuse(status, "%.60s: no such command (see: matvib help)", arguments[count - 1]), status);
+        return progress_result(status_refuse(status, "%.60s: no such command or scenario (see: matvib help)",
+                                             arguments[count - 1]),
+                               status);
     cli_print_help(command);
     return STATUS_DONE;
 }
@@ -44,12 +48,14 @@ const CliCommand cli_commands[] = {
      NULL, NULL},
     {"grade", "LESSON SESSION...", "marks recorded sessions of a lesson's exercises", cli_grade, 0, -1, NULL,
      NULL},
-    {"list", "", "the built-in scenarios", cli_list, 0, 0, NULL, NULL},
+    {"list", "[SCENARIO]", "the built-in scenarios; of one its title and what it is about", cli_list, 0, 1,
+     NULL, NULL},
     {"show", "SCENARIO", "the resolved scenario as a file, derived values as comments", cli_show, 1, 1, NULL,
      NULL},
-    {"params", "[PROBLEM]", "the parameters: default, unit, what is allowed, meaning", cli_params, 0, 1, NULL,
-     NULL},
-    {"help", "[COMMAND]", "the options of a command, as --help behind it", NULL, 0, -1, NULL, help},
+    {"params", "[PROBLEM|SCENARIO]", "the parameters: value, unit, what is allowed, meaning", cli_params, 0,
+     1, NULL, NULL},
+    {"help", "[COMMAND|SCENARIO]", "the options of a command, or what a scenario is about", NULL, 0, -1, NULL,
+     help},
     {NULL, NULL, NULL, NULL, 0, 0, NULL, NULL},
 };
 

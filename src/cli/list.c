@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* `matvib list`: the built-in scenarios with their titles; `matvib lesson --list`: the lessons. */
+/* `matvib list [SCENARIO]`: the built-in scenarios with their titles, or what one is about; `matvib lesson
+ * --list`: the lessons. */
 #include "cli/cli.h"
+#include "base/visible.h"
 #include "scenario/settings.h"
 #include "cli/options.h"
 #include "lessons/lesson.h"
@@ -8,9 +10,20 @@
 #include <stdio.h>
 #include <string.h>
 
+int cli_describe(const char *name, Status *status)
+{
+    Settings settings;
+    if (!scenario_load(name, &settings, status))
+        return (int)status->code;
+    visible_print(stdout, "%s: %s\n", name, settings.title);
+    visible_print(stdout, "%s\n", settings.about);
+    return STATUS_DONE;
+}
+
 int cli_list(Options *options, Status *status)
 {
-    (void)options;
+    if (options->n_words == 1)
+        return cli_describe(options->words[0], status);
     size_t width = 0;
     const BuiltinScenario *builtin;
     for (builtin = builtin_scenarios; builtin->name; builtin++)

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* `matvib params [PROBLEM]`: the parameter table as text. */
+/* `matvib params [PROBLEM|SCENARIO]`: the parameter table as text. */
 #include "cli/cli.h"
 #include "base/text.h"
+#include "scenario/scenario.h"
 #include "scenario/settings.h"
 #include "cli/derived.h"
 #include "cli/options.h"
@@ -52,11 +53,10 @@ static bool print_derived(Settings *settings, MethodKind method, Status *status)
     return true;
 }
 
-static bool print_problem(const Problem *problem, Status *status)
+static bool print_problem(Settings *settings, Status *status)
 {
-    Settings settings;
+    const Problem *problem = settings->problem;
     char methods[32] = "";
-    settings_default(&settings, problem);
     for (int method = 0; settings_method_words[method]; method++)
         if (problem_allows(problem, (MethodKind)method, NULL))
             text_or(methods, sizeof methods, settings_method_words[method]);
@@ -67,38 +67,44 @@ static bool print_problem(const Problem *problem, Status *status)
             continue;
         if (strcmp(parameters[i].group, group) != 0)
             printf("\n%s\n", group = parameters[i].group);
-        print_parameter(&settings, &parameters[i]);
+        print_parameter(settings, &parameters[i]);
     }
     for (const FixedKey *fixed = fixed_keys; fixed->key; fixed++)
-        if (fixed == fixed_key_find(&settings, fixed->key))
+        if (fixed == fixed_key_find(settings, fixed->key))
             printf("\nFixed\n  %s = %s\n      %s\n", fixed->key, fixed->value, fixed->reason);
     for (int method = 0; settings_method_words[method]; method++)
         if (problem_allows(problem, (MethodKind)method, NULL) &&
-            !print_derived(&settings, (MethodKind)method, status))
+            !print_derived(settings, (MethodKind)method, status))
             return false;
     putchar('\n');
     return true;
 }
 
-static const Problem *find_problem(const char *word, Status *status)
+/* A problem with its defaults, or else a scenario with its values. */
+static bool find_settings(const char *word, Settings *settings, Status *status)
 {
     const Problem *problem = problem_find(word);
     char words[256] = "";
     for (int i = 0; problems[i]; i++)
         text_or(words, sizeof words, problems[i]->word);
-    if (!problem)
-        status_refuse(status, "params: %.60s is not a problem (%s)", word, words);
-    return problem;
+    if (problem)
+        settings_default(settings, problem);
+    else if (scenario_builtin(word) || strpbrk(word, "./"))
+        return scenario_load(word, settings, status);
+    return problem || status_refuse(status, "params: %.60s is not a problem (%s) or a scenario", word, words);
 }
 
 int cli_params(Options *options, Status *status)
 {
-    const Problem *asked = options->n_words == 1 ? find_problem(options->words[0], status) : NULL;
-    if (options->n_words == 1 && !asked)
-        return STATUS_USAGE;
-    for (int i = 0; problems[i]; i++)
-        if ((!asked || asked == problems[i]) && !print_problem(problems[i], status))
+    Settings settings;
+    if (options->n_words == 1 &&
+        (!find_settings(options->words[0], &settings, status) || !print_problem(&settings, status)))
+        return (int)status->code;
+    for (int i = 0; problems[i] && options->n_words == 0; i++) {
+        settings_default(&settings, problems[i]);
+        if (!print_problem(&settings, status))
             return (int)status->code;
+    }
     printf("[live] may change in mid-run; [mpm], [pd] only by that method.\nEach value is set by --set "
            "KEY=VALUE or in a scenario file.\n");
     return STATUS_DONE;

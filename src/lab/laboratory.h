@@ -111,6 +111,9 @@ bool laboratory_can(CommandId);
 /* Whether there is work for frames; if not, the host may sleep until a key. */
 bool laboratory_active(const Laboratory *);
 
+/* After so many seconds a frame gives the key line back its keys; -1: no message is in their place. */
+double laboratory_message_left(const Laboratory *);
+
 /* One frame's share of the engine's work, until `deadline` at the latest (by the host's clock). False: there
  * is nothing new to be drawn, for a step that takes longer than the frame goes on; to draw now would throw
  * away what has been done of it. */

@@ -9,18 +9,23 @@
 
 #include <math.h>
 
-#define MESSAGE_SECONDS                                                                                      \
-    4.0                     /* while a run goes on, the keys come back into the key line after that long     \
-                             */
-#define CHUNK_SECONDS 0.004 /* the engine is let go for about that long before the clock is read again */
-#define STEP_SHARE    0.5   /* of a frame: a step that takes longer is done in parts */
-#define ROUND_FRAMES  15    /* frames in time before "max" goes from the title */
+#define MESSAGE_SECONDS 4.0   /* after that long the keys come back into the key line */
+#define CHUNK_SECONDS   0.004 /* the engine is let go for about that long before the clock is read again */
+#define STEP_SHARE      0.5   /* of a frame: a step that takes longer is done in parts */
+#define ROUND_FRAMES    15    /* frames in time before "max" goes from the title */
 
 bool laboratory_active(const Laboratory *lab)
 {
     return !lab->closed &&
            (lab->player.playback.state == STATE_RUNNING || lab->player.playback.state == STATE_COMPUTING ||
             lab->player.playback.slow || refining_is_due(lab));
+}
+
+double laboratory_message_left(const Laboratory *lab)
+{
+    return lab->message.kind == MESSAGE_INFO
+               ? fmax(0, lab->said_at + MESSAGE_SECONDS - lab->host.now(lab->host.context))
+               : -1;
 }
 
 /* Steps for the next piece of work: about CHUNK_SECONDS of it, judged by the last piece. */
@@ -200,8 +205,7 @@ static bool slow_frame(Laboratory *lab)
 
 static bool do_frame(Laboratory *lab, double deadline)
 {
-    if (lab->message.kind == MESSAGE_INFO &&
-        lab->host.now(lab->host.context) > lab->said_at + MESSAGE_SECONDS)
+    if (laboratory_message_left(lab) == 0)
         laboratory_say(lab, MESSAGE_NONE, "%s", "");
     if (lab->player.playback.state == STATE_COMPUTING)
         return compute_frame(lab, deadline);

@@ -142,23 +142,34 @@ static int cut_cells(Reader *reader)
     }
 }
 
+/* Nothing, or what C, Fortran and Windows print where a result is not finite: nan, -nan(ind),
+ * Infinity, 1.#INF. */
 static bool is_missing(const char *cell)
 {
-    return *cell == '\0' || strcasecmp(cell, "nan") == 0 || strcasecmp(cell, "na") == 0;
+    const char *word = cell + (*cell == '-' || *cell == '+');
+    const bool nan = strncasecmp(word, "nan", 3) == 0 && (!word[3] || word[3] == '(');
+    return !*cell || nan || strcasecmp(word, "na") == 0 || strcasecmp(word, "inf") == 0 ||
+           strcasecmp(word, "infinity") == 0 || strncmp(word, "1.#", 3) == 0;
 }
 
-/* False: neither a number nor a missing one. */
+/* False: neither a number nor a missing one. Fortran writes double precision as 4.85D-05. */
 static bool number_of(const Reader *reader, char *cell, double *value)
 {
     *value = NAN;
     if (is_missing(cell))
         return true;
     char *comma = reader->decimal_comma && !strchr(cell, '.') ? strchr(cell, ',') : NULL;
+    char *power = strpbrk(cell, "dD");
+    const char letter = power ? *power : '\0';
     if (comma)
         *comma = '.';
+    if (power)
+        *power = 'e';
     const bool sound = text_to_double(cell, value);
     if (comma)
         *comma = ',';
+    if (power)
+        *power = letter;
     return sound;
 }
 
@@ -201,7 +212,7 @@ static void note_digits(OverlayColumn *column, const char *cell)
 {
     int digits = 0, places = 0;
     bool fraction = false;
-    for (; *cell && *cell != 'e' && *cell != 'E'; cell++)
+    for (; *cell && !strchr("eEdD", *cell); cell++)
         if (*cell == '.' || *cell == ',')
             fraction = true;
         else if (*cell >= '0' && *cell <= '9') {
@@ -400,7 +411,7 @@ static int first_named(const Overlay *overlay, const char *const *names)
     return found;
 }
 
-static const char *const times[] = {"time", "t", NULL}, *const places[] = {"x", "x0", NULL};
+static const char *const times[] = {"time", "t", "zeit", NULL}, *const places[] = {"x", "x0", NULL};
 
 static bool is_place(const Overlay *overlay, int column)
 {

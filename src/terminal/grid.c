@@ -215,9 +215,9 @@ static void close_files(void)
 
 static bool cannot_draw(const char *term, Status *status)
 {
-    return status_refuse(status,
-                         "the laboratory cannot draw on this terminal (TERM=%s); use: matvib run SCENARIO",
-                         term && *term ? term : "unset");
+    return status_refuse(
+        status, "the laboratory cannot draw on this terminal (TERM=%s); use --plain, or: matvib run SCENARIO",
+        term && *term ? term : "unset");
 }
 
 /* What pictures need, once curses knows the terminal. */
@@ -243,8 +243,9 @@ bool grid_open(Grid *grid, const char *term, bool mouse, const char **stand_in, 
     grid->mouse = mouse;
     grid->curses = open_curses(term, curses_output, curses_input, stand_in);
     if (!grid->curses)
-        status_refuse(status, "the terminal TERM=%s is not known on this machine; use: matvib run SCENARIO",
-                      term);
+        status_refuse(
+            status, "the terminal TERM=%s is not known on this machine; use --plain, or: matvib run SCENARIO",
+            term);
     else if (!capability("cup")[0])
         cannot_draw(term, status);
     else {

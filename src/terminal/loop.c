@@ -231,7 +231,8 @@ static void one_round(Loop *loop)
         return;
     double begin = now(NULL);
     /* a key between two frames is shown at once, but does not make the run go faster */
-    if (laboratory_active(lab) && (begin >= loop->due || lab->player.playback.state == STATE_COMPUTING)) {
+    if ((laboratory_active(lab) && (begin >= loop->due || lab->player.playback.state == STATE_COMPUTING)) ||
+        laboratory_message_left(lab) == 0) {
         if (laboratory_frame(lab, begin + FRAME_SECONDS - loop->draw_time))
             loop->stale = true;
         loop->due = loop->due + FRAME_SECONDS > begin ? loop->due + FRAME_SECONDS : begin + FRAME_SECONDS;
@@ -251,7 +252,7 @@ static void one_round(Loop *loop)
     } else if (loop->more_keys) {
         terminal_wait(loop->terminal, 0);
     } else if (!laboratory_active(lab)) {
-        terminal_wait(loop->terminal, -1);
+        terminal_wait(loop->terminal, laboratory_message_left(lab));
         loop->due = now(NULL);
     } else {
         double left = lab->player.playback.state == STATE_COMPUTING ? 0 : loop->due - now(NULL);

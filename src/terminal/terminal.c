@@ -237,7 +237,12 @@ static bool open_picture(Terminal *terminal, const TerminalOptions *options, Sta
         return status_refuse(status, "--glyphs: unknown set '%s' (auto, braille, block or ascii)",
                              options->glyphs);
     if (!isatty(STDIN_FILENO) || !isatty(STDOUT_FILENO))
-        return status_refuse(status, "the laboratory needs a terminal; without one use: matvib run SCENARIO");
+        return status_refuse(status, "the laboratory needs a terminal; without one use: matvib run SCENARIO, "
+                                     "matvib lesson --list, or --plain");
+    if (terminal->glyphs != GLYPHS_ASCII && strcmp(codeset, "UTF-8") != 0)
+        return status_refuse(status,
+                             "--glyphs: %s needs UTF-8, and this locale has %.40s (ascii; or LC_ALL=C.UTF-8)",
+                             options->glyphs, codeset);
     grid->light = theme_is_light(options->theme, getenv("COLORFGBG"));
     grid->utf8 = strcmp(codeset, "UTF-8") == 0;
     terminal->input = open_again(STDIN_FILENO, O_RDONLY);

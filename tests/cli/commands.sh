@@ -18,7 +18,7 @@ expect "help as a command" 0 help
 result "is --help" sh -c '"$MATVIB" -h | cmp -s - out'
 expect "help COMMAND" 0 help sweep
 result "is its --help" sh -c '"$MATVIB" sweep -h | cmp -s - out'
-refuse "help of what is none" 'mode1: no such command (see: matvib help)' help mode1
+refuse "help of what is none" 'zebra: no such command or scenario (see: matvib help)' help zebra
 expect "-V" 0 -V
 result "is --version" sh -c '"$MATVIB" --version | cmp -s - out'
 
@@ -99,7 +99,7 @@ refuse "unknown scenario" 'mode11: no such scenario or file (did you mean mode1?
 refuse "unknown scenario, none near" 'zebra: no such scenario or file (see: matvib list)' show zebra
 refuse "no scenario" 'SCENARIO is missing (see: matvib --help)' show
 refuse "two scenarios" 'mode5: is one argument too many (SCENARIO)' show mode1 mode5
-refuse "list takes no argument" 'mode5: is one argument too many (none)' list mode5
+refuse "list takes one scenario" 'mode1: is one argument too many ([SCENARIO])' list mode5 mode1
 refuse "a folder" '/: cannot be read: Is a directory' show /
 refuse "unknown option" '--sett: unknown option (did you mean --set?)' show mode1 --sett a=b
 refuse "unknown option, none near" '--zebra: unknown option (see: matvib show --help)' show mode1 --zebra
@@ -132,7 +132,7 @@ refuse "too many nodes" '--set: pd.spacing: 1.47e+08 nodes with 14 bonds each ar
 refuse "both handles" '--set: pd.critical_stretch: pd.critical_stretch and pd.critical_energy say the same (one of them)' \
 	show notched-beam --set pd.critical_energy=1 --set pd.critical_stretch=1e-3
 refuse "unknown problem" \
-	'params: beam is not a problem (bar | simply-supported-beam | moving-cantilever | notched-beam | plate | one-particle | hanging-column)' params beam
+	'params: beam is not a problem (bar | simply-supported-beam | moving-cantilever | notched-beam | plate | one-particle | hanging-column) or a scenario' params beam
 refuse "laboratory: unknown option" '--pause: unknown option (did you mean --paused?)' --pause
 refuse "laboratory: unknown scenario" 'mode11: no such scenario or file (did you mean mode1?)' mode11
 : >empty
@@ -148,8 +148,15 @@ refuse "laboratory: wrong history" '--history: 1Q is no size (such as 64M or 2G)
 refuse "laboratory: wrong threads" '--threads: 0 is not allowed (a whole number, 1 or more)' --threads 0
 refuse "laboratory: too many threads" '--threads: 100000 are too many (1 to 1024)' --threads 100000
 
+expect "list of a scenario" 0 list mode5
+result "list SCENARIO tells what it is about" says out '^Solid is what the mesh makes'
+expect "help on a scenario" 0 help pulse
+result "help SCENARIO tells its title" says out '^pulse: A pulse comes back$'
+expect "params of a scenario" 0 params mode10
+result "params SCENARIO has its values" says out 'initial.mode = 10 '
+
 # no command word: the laboratory, which needs a terminal or a script
-refuse "laboratory: no terminal" 'the laboratory needs a terminal; without one use: matvib run SCENARIO' mode5 </dev/null
+refuse "laboratory: no terminal" 'the laboratory needs a terminal; without one use: matvib run SCENARIO, matvib lesson --list, or --plain' mode5 </dev/null
 printf 'screen\nkey q\nclosed\n' >keys
 expect "laboratory: a script" 0 --script keys --size 100x30 --paused mode10 --set mesh.cell_size=0.5 --glyphs ascii
 result "it opens the scenario" says out 'mode10 .*PAUSED'

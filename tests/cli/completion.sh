@@ -33,7 +33,7 @@ result "the choices behind its sign" offers_only 'matvib mode5 --glyphs=as' asci
 result "a key" offers_only 'matvib run mode5 --set mesh.cell' mesh.cell_size=
 result "the values of a key" offers_only 'matvib run mode5 --set mpm.algorithm=us' "usf usl"
 result "keys of a sweep" offers 'matvib sweep mode5 --vary mpm.sha' mpm.shape=
-result "a problem" offers_only 'matvib params notch' notched-beam
+result "a problem" offers_only 'matvib params simply' simply-supported-beam
 result "a name of verify" offers_only 'matvib verify P-table' P-table1
 result "nothing for a number" offers_only 'matvib run mode5 --every ' ''
 cd / && COMP_WORDBREAKS=' ' result "the whole word where the sign parts none" \

@@ -533,6 +533,38 @@ START_TEST(the_c_locale_gets_ascii)
 }
 END_TEST
 
+/* ssh hands on the name of a locale that the machine may not have; its characters are those of UTF-8. */
+START_TEST(a_locale_that_is_not_installed_gets_braille)
+{
+    Session session;
+    session_open_paused(&session, 80, 24, (const char *const[]){"LC_ALL=xx_XX.UTF-8", NULL});
+    ck_assert(session_shows(&session, "\u2812\u2812 measured"));
+    session_close(&session);
+}
+END_TEST
+
+START_TEST(braille_is_refused_where_it_would_be_question_marks)
+{
+    Session session;
+    session_open(&session, 80, 24, (const char *const[]){"LC_ALL=C", NULL},
+                 (const char *const[]){matvib(), "mode1", "--glyphs", "braille", NULL});
+    ck_assert_int_eq(session_exit(&session), 2);
+    ck_assert(session_shows(&session, "braille needs UTF-8, and this locale has"));
+    session_close(&session);
+}
+END_TEST
+
+START_TEST(keys_come_back_behind_a_message)
+{
+    Session session;
+    session_open_paused(&session, 80, 24, NULL);
+    session_keys(&session, ":help go\r");
+    session_wait_for(&session, "to a time (12.5)");
+    session_wait_for(&session, "q quit");
+    session_close(&session);
+}
+END_TEST
+
 /* Some a machine may not know: then the nearest that it does. */
 static const char *const terms[] = {
     "TERM=xterm-256color",  "TERM=xterm",       "TERM=putty",           "TERM=putty-256color", "TERM=screen",
@@ -651,6 +683,9 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, no_text_leaves_its_cells);
     tcase_add_test(tcase, an_unknown_sign_keeps_its_columns);
     tcase_add_test(tcase, the_c_locale_gets_ascii);
+    tcase_add_test(tcase, a_locale_that_is_not_installed_gets_braille);
+    tcase_add_test(tcase, braille_is_refused_where_it_would_be_question_marks);
+    tcase_add_test(tcase, keys_come_back_behind_a_message);
     tcase_add_loop_test(tcase, works_on_many_terminals, 0, 2 * N_TERMS);
     tcase_add_test(tcase, tells_what_an_unknown_terminal_is_taken_for);
     tcase_add_test(tcase, several_threads_are_as_quiet_as_one);

@@ -107,6 +107,33 @@ START_TEST(digits_are_counted_as_written)
 }
 END_TEST
 
+/* Double precision as Fortran writes it, and what Windows and C print where nothing finite comes out. */
+START_TEST(numbers_of_other_programs)
+{
+    static const char *const none[] = {"-nan(ind)", "1.#INF", "-1.#IND00", "1.#QNAN",
+                                       "Infinity",  "-inf",   "NaN"};
+    Overlay overlay;
+    Status status = {STATUS_DONE, ""};
+    ck_assert_msg(read_text(&overlay, "Zeit;v_cm\n1,0D+00;-4,85d-05\n", &status), "%s", status.text);
+    ck_assert(overlay_choose(&overlay, NULL, NULL, "v_cm", "u", &status));
+    ck_assert_int_eq(overlay.x, 0);
+    ck_assert_double_eq(overlay.columns[0].values[0], 1);
+    ck_assert_double_eq(overlay.columns[1].values[0], -4.85e-5);
+    ck_assert_int_eq(overlay.columns[1].digits, 3);
+    ck_assert_int_eq(overlay.columns[1].places, 7);
+    overlay_close(&overlay);
+    for (size_t i = 0; i < sizeof none / sizeof *none; i++) {
+        char text[64];
+        snprintf(text, sizeof text, "t,v_cm\n0,1\n1,%s\n", none[i]);
+        ck_assert_msg(read_text(&overlay, text, &status), "%s", status.text);
+        ck_assert(isnan(overlay.columns[1].values[1]));
+        overlay_close(&overlay);
+    }
+    ck_assert(!read_text(&overlay, "t,v_cm\n0,1\n1,DD\n", &status));
+    ck_assert(!read_text(&overlay, "t,v_cm\n0,1\n1,1d2d3\n", &status));
+}
+END_TEST
+
 START_TEST(x_makes_it_a_profile)
 {
     Overlay overlay;
@@ -152,7 +179,7 @@ static const struct {
     {"time,v_cm\n0,1\n1,x\n", "dir/student.csv:3: column 2, v_cm: 'x' is no number"},
     {"time;v_cm\ns;m/s\n0;1\n", "dir/student.csv:2: column 1, time: 's' is no number"},
     {"0,1\n1,0x10\n", "dir/student.csv:2: column 2: '0x10' is no number"},
-    {"0,1\n1,inf\n", "dir/student.csv:2: column 2: 'inf' is no number"},
+    {"0,1\n1,info\n", "dir/student.csv:2: column 2: 'info' is no number"},
     {"0,1\r\n1\r\n", "dir/student.csv:2: 1 value in a table of 2 columns"},
     {"0,1\n1,2,3\n", "dir/student.csv:2: 3 values in a table of 2 columns"},
     {"0;1\n1;1.000,5\n", "dir/student.csv:2: column 2: '1.000,5' is no number"},
@@ -284,6 +311,7 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(tcase, every_dialect_reads_to_the_same, 0,
                         (int)(sizeof same_tables / sizeof *same_tables));
     tcase_add_test(tcase, digits_are_counted_as_written);
+    tcase_add_test(tcase, numbers_of_other_programs);
     tcase_add_test(tcase, a_table_without_names_goes_by_numbers);
     tcase_add_test(tcase, x_makes_it_a_profile);
     tcase_add_test(tcase, rows_are_found_by_x);

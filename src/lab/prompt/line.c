@@ -3,6 +3,7 @@
 #include "lab/prompt/line.h"
 #include "lab/laboratory.h"
 #include "scenario/concern_output.h"
+#include "scenario/scenario.h"
 #include "scenario/settings.h"
 #include "scenario/rows/rows.h"
 #include "lab/commands/commands.h"
@@ -264,6 +265,7 @@ static bool help_on(Laboratory *lab, const char *words)
     const LineVerb *verb = line_verb_find(words, strlen(words));
     const Parameter *parameter = parameter_find(words);
     const View *view = view_named(words);
+    char title[TITLE_MAX];
     if (!*words || strcmp(words, "all") == 0)
         lab->carry_out(lab, COMMAND_HELP);
     else if (verb)
@@ -276,9 +278,12 @@ static bool help_on(Laboratory *lab, const char *words)
         laboratory_say(lab, MESSAGE_INFO, "%s (%s): %s", command->name, key, command_help(command));
     } else if (parameter)
         laboratory_say(lab, MESSAGE_INFO, "%s: %s", parameter->key, parameter->help);
+    else if (scenario_builtin(words) && scenario_title(scenario_builtin(words), title))
+        laboratory_say(lab, MESSAGE_INFO, "%s: %s", words, title);
     else
-        return prompt_refuse(&lab->prompting,
-                             "help on what? (a command, a word behind :, a view or a parameter; all)");
+        return prompt_refuse(
+            &lab->prompting,
+            "help on what? (a command, a word behind :, a view, a parameter or a scenario; all)");
     return true;
 }
 
@@ -390,8 +395,8 @@ static bool answer_line(Laboratory *lab, const char *text)
     return line_run(lab, line);
 }
 
-/* An unknown first word, with the nearest one that there is. */
-static bool refuse_word(Laboratory *lab, const char *line, const char *end)
+/* An unknown first word, with the nearest one that there is; or a command with more behind it. */
+static bool refuse_word(Laboratory *lab, const char *line, const char *words)
 {
     enum { MOST = COMMAND_COUNT + LINE_COUNT };
     const char *known[MOST + 1] = {NULL}, *nearest;
@@ -401,14 +406,20 @@ static bool refuse_word(Laboratory *lab, const char *line, const char *end)
         known[count++] = line_verbs[i].name;
     for (int i = 0; i < n_commands && count < MOST; i++)
         known[count++] = commands[i].name;
-    while (end > line && end[-1] == ' ')
-        end--;
-    snprintf(word, sizeof word, "%.*s", (int)(end - line), line);
+    snprintf(word, sizeof word, "%.*s", (int)strcspn(line, " "), line);
     const FixedKey *fixed = fixed_key_find(experiment_settings(laboratory_run(lab)), word);
     if (fixed) {
         char text[sizeof lab->prompting.shown.problem];
         fixed_key_text(fixed, text, sizeof text);
         return prompt_refuse(&lab->prompting, text);
+    }
+    double time;
+    if (command_by_name(word)) {
+        const bool place = text_to_double(*words == '#' ? words + 1 : words, &time);
+        snprintf(why, sizeof why,
+                 place ? "%s takes no argument; :%.20s goes to %s%.20s" : "%s takes no argument", word, words,
+                 *words == '#' ? "step " : "t = ", words + (*words == '#'));
+        return prompt_refuse(&lab->prompting, why);
     }
     nearest = parameter_nearest_word(known, word);
     snprintf(why, sizeof why, "%s: unknown%s%s%s: a command (Tab completes), KEY=VALUE or a time is wanted",

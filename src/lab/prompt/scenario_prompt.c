@@ -112,15 +112,12 @@ static void narrow_to_text(Laboratory *lab, const char *key)
     narrow(&lab->prompting.scenarios, lab->prompting.shown.text, lab->scenario);
 }
 
-/* What was typed is a name or a path; where it is neither, but one scenario is left in the list, that is
- * meant. */
+/* What was typed is a name or a path; where it is neither, the first scenario left in the list is meant. */
 static bool answer_scenario(Laboratory *lab, const char *text)
 {
     const ScenarioList *list = &lab->prompting.scenarios;
-    if (text[0] && list->n_shown == 1 && !scenario_builtin(text) && access(text, F_OK) != 0)
+    if (text[0] && list->n_shown > 0 && !scenario_builtin(text) && access(text, F_OK) != 0)
         text = list->entries[list->shown[0]].name;
-    if (text[0] && list->n_shown > 1 && !scenario_builtin(text) && access(text, F_OK) != 0)
-        return prompt_refuse(&lab->prompting, "several have that in their name or title: Down chooses one");
     return opening_answer(lab, text);
 }
 

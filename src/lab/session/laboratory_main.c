@@ -15,6 +15,7 @@
 
 #include <locale.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 static const char *const last_session = "last.session";
@@ -81,6 +82,16 @@ static bool is_first_start(const LaboratoryOptions *options)
     return first;
 }
 
+/* Whether the locale that the environment names has the characters of UTF-8. */
+static bool names_utf8(void)
+{
+    static const char *const variables[] = {"LC_ALL", "LC_CTYPE", "LANG"};
+    const char *name = NULL;
+    for (size_t i = 0; i < sizeof variables / sizeof *variables && (!name || !*name); i++)
+        name = getenv(variables[i]);
+    return name && (strcasestr(name, "utf-8") || strcasestr(name, "utf8"));
+}
+
 int laboratory_main(const LaboratoryOptions *given, Status *status)
 {
     LaboratoryOptions options = *given;
@@ -97,9 +108,10 @@ int laboratory_main(const LaboratoryOptions *given, Status *status)
     if (options.keeps_sheet && !options.sheet)
         options.sheet = parameter_sheet_words[SHEET_PLAIN];
     /* names, widths and the character set are the user's; numbers have a point everywhere */
-    setlocale(LC_ALL, "");
-    /* a film has the characters of UTF-8, whatever the terminal has that asked for it */
-    if (options.camera && !setlocale(LC_CTYPE, "C.UTF-8"))
+    const bool installed = setlocale(LC_ALL, "") != NULL;
+    /* a film has the characters of UTF-8, whatever the terminal has that asked for it; so has a locale that
+     * is named (ssh hands names on) but not installed here */
+    if ((options.camera || (!installed && names_utf8())) && !setlocale(LC_CTYPE, "C.UTF-8"))
         setlocale(LC_CTYPE, "en_US.UTF-8");
     setlocale(LC_NUMERIC, "C");
     if (!open_replay(&options, &replay, status) || !open_recording(&options, &recording, status)) {
