@@ -110,7 +110,7 @@ static const HelpWord plate_words[] = {
     {"c_R", "the speed of Rayleigh's wave along an edge, dotted: no crack that is pulled open outruns it."},
     {"deg",
      "from the cut: the angle between the cut and the straight line through its crack. Half angle: half "
-     "of that between two branches, over five horizons behind the place where the crack split."},
+     "of that between two branches, over a quarter of the plate behind the place where the crack split."},
     {"surface", "made / length: as many metres of cut as the broken bonds would make, over the length of the "
                 "cracks. 1 is as clean as a cut; what is more broke beside the crack."},
     {"force", of_force},

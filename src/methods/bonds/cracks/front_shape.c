@@ -9,8 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define BRANCH_REACH 5.0 /* horizons; the angle of branches is measured over so much */
-
 /* --- lines ----------------------------------------------------------------------------------- */
 
 static int front_lines(const Beam *beam, int axis)
@@ -205,15 +203,15 @@ double crack_fronts_angle(const CrackFront *front, double reach)
 
 /* --- branches -------------------------------------------------------------------------------- */
 
-/* Half the angle between the outermost groups of the lines over BRANCH_REACH from the branch on, the first
- * one among them and the last one not. */
+/* Half the angle between the outermost groups of the lines from the branch on, the first one among them, over
+ * a quarter of what the plate measures across the front. */
 static double half_angle(const Growth *growth, int f, int from)
 {
     const Beam *beam = growth->beam;
     const CrackFront *front = &growth->fronts->fronts[f];
     Group groups[FRONT_GROUPS_MAX];
     Line low = {0}, high = {0};
-    const int lines = (int)lround(BRANCH_REACH * beam->def.horizon / beam->lattice.spacing);
+    const int lines = front_lines(beam, 1 - front->axis) / 4;
     for (int k = 0; k < lines; k++) {
         const int line = from + k * front->sign;
         const int n = front_has_line(beam, front, line) ? front_groups(growth, f, line, groups) : 0;

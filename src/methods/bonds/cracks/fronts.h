@@ -49,8 +49,8 @@ typedef struct CrackFront {
     bool branched;
     double branch[2];   /* the middle of the branch's first line */
     double branch_time; /* s */
-    double half_angle;  /* degrees between the branches, halved, over five horizons from there; NAN: not so
-                         * long, or they meet again */
+    double half_angle;  /* degrees between the branches, halved, over a quarter of the plate's height (width)
+                         * from there; NAN: not so long, or they meet again */
     double beside;      /* m from the end: a horizon */
     double angle;       /* degrees between the cut and the line through the centres of the front's lines, from
                          * there on and as far as there is one crack; NAN: fewer than two lines */
