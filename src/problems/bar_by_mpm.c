@@ -265,7 +265,7 @@ bool bar_limit(const Settings *settings, char *text, size_t size, Status *status
     if (courant > largest)
         snprintf(text, size, "courant %.4g is beyond the largest stable one, %.5g: this run will blow up",
                  courant, largest);
-    else if (courant >= (settings_transfer(settings)->algorithm == MPM_USL ? 0.7 : 1))
+    else if (courant > 0.9 * largest)
         snprintf(text, size, "courant %.4g is near the largest stable one, %.5g", courant, largest);
     return true;
 }

@@ -132,12 +132,12 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
     return n;
 }
 
-/* Below the first warning no mesh is unstable, and the limit is not worked out. */
+/* Below these courant numbers no mesh is near its limit, which is not worked out then. */
 static bool limit(const Settings *settings, char *text, size_t size, Status *status)
 {
     const PlaneDef def = definition(settings, 1);
     double largest;
-    if (def.courant < (def.algorithm == MPM_USL ? 0.7 : 1))
+    if (def.courant < (def.algorithm == MPM_USL ? 0.6 : 1))
         return true;
     if (!plane_courant_limit(&def, &largest, status))
         return false;
@@ -148,7 +148,7 @@ static bool limit(const Settings *settings, char *text, size_t size, Status *sta
     if (def.courant > largest)
         snprintf(text, size, "courant %.4g is beyond the largest stable one, %.5g: this run will blow up",
                  def.courant, largest);
-    else
+    else if (def.courant > 0.9 * largest)
         snprintf(text, size, "courant %.4g is near the largest stable one, %.5g", def.courant, largest);
     return true;
 }
