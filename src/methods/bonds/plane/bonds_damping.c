@@ -19,9 +19,10 @@
  * load.
  *
  * Rest: the kinetic energy is below 1e-10 of its largest, and where alpha < 2 omega_1 stays there for half a
- * period, since it vanishes at each turning point too; and nothing that will move it anew lies ahead: a load
- * that still grows or will be let go, a change that was ordered. Looked for every BEAM_REST_EVERY steps. The
- * displacements are then those of rest to some 4e-6. */
+ * period, since it vanishes at each turning point too (where nothing holds the body and omega_1 is not known,
+ * for 2 pi/alpha: no mode that swings, omega > alpha/2, has a longer half period); and nothing that will move
+ * it anew lies ahead: a load that still grows or will be let go, a change that was ordered. Looked for every
+ * BEAM_REST_EVERY steps. The displacements are then those of rest to some 4e-6. */
 #include "base/assertion.h"
 #include "methods/bonds/plane/bonds_internal.h"
 #include "methods/bonds/plane/bonds_modes.h"
@@ -62,12 +63,11 @@ bool beam_set_damping(Beam *beam, Status *status)
     if (!beam_linear(&beam->sim, &linear, status))
         return false;
     beam->period = linear.period;
-    if (!isfinite(beam->period))
-        return status_refuse(
-            status, "%s: nothing holds the %s, or the lattice is too fine (%s)",
-            def->to_rest ? "time.rest: the lowest frequency is not known here"
-                         : "damping.rate: critical is twice a lowest frequency that is not known here",
-            beam_word(def), def->to_rest ? "no" : "a number, 1/s");
+    if (def->critically_damped && !isfinite(beam->period))
+        return status_refuse(status,
+                             "damping.rate: critical is twice a lowest frequency that is not known here: "
+                             "nothing holds the %s, or the lattice is too fine (a number, 1/s)",
+                             beam_word(def));
     const double lowest = 2 * M_PI / beam->period;
     if (def->critically_damped)
         beam->damping = 2 * lowest;
@@ -76,7 +76,8 @@ bool beam_set_damping(Beam *beam, Status *status)
                              "time.rest: without damping nothing comes to rest (damping.rate above 0)");
     if (def->to_rest)
         beam->head->kinetic_left = beam->sim.kinetic_left = 1;
-    beam->rest_steps = beam->damping < 2 * lowest ? (long)ceil(beam->period / 2 / beam->sim.dt) : 0;
+    const double half_period = isfinite(beam->period) ? beam->period / 2 : 2 * M_PI / beam->damping;
+    beam->rest_steps = beam->damping >= 2 * lowest ? 0 : (long)fmin(ceil(half_period / beam->sim.dt), 1e15);
     beam->last_order = last_order(beam);
     return beam_check_damping(beam->damping, beam->sim.dt, status);
 }
