@@ -179,11 +179,7 @@ Pool *pool_create(int threads, Status *status)
         pool->n_workers++;
     }
     pthread_sigmask(SIG_SETMASK, &before, NULL);
-    if (pool->n_workers == threads - 1)
-        return pool;
-    pool_destroy(pool);
-    status_fail(status, "--threads: cannot start %d threads", threads);
-    return NULL;
+    return pool;
 }
 
 void pool_destroy(Pool *pool)

@@ -13,7 +13,8 @@ typedef struct Pool Pool;
 /* Does one chunk; `worker` counts the threads from 0 (the caller). */
 typedef void PoolWork(void *context, int chunk, int worker);
 
-/* `threads` counts the caller. NULL: the status says why. */
+/* `threads` counts the caller; where the system starts fewer, these do the work. NULL: the status says why.
+ */
 Pool *pool_create(int threads, Status *status);
 void pool_destroy(Pool *pool); /* NULL is allowed */
 

@@ -4,11 +4,13 @@
  *
  *     MATVIB_FAULT=memory:N    the N-th allocation from main on finds no memory
  *     MATVIB_FAULT=disk:N      the N-th call that writes, makes or renames a file finds the disk full
+ *     MATVIB_FAULT=thread:N    the N-th thread is not started
  *     MATVIB_FAULT_COUNT=FILE  how many there were, written at the end (N = 0: none fails)
  *
  * The functions named malloc and so on go before those of the C library, for the libraries too. Writes fail
  * in the kernel, where those of stdio arrive as well: a filter of system calls asks a thread of this file,
  * which counts and answers. Standard error is left alone, for it has to tell. */
+#include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <pthread.h>
@@ -32,7 +34,7 @@ enum { COUNT_FD = 900 };
 
 static long fails_at;
 static atomic_long n_calls;
-static atomic_bool memory_fails;
+static atomic_bool memory_fails, thread_fails;
 
 /* --- memory ------------------------------------------------------------------------------------------ */
 
@@ -185,6 +187,21 @@ static bool watch_disk(void)
     return runs;
 }
 
+/* --- threads ----------------------------------------------------------------------------------------- */
+
+typedef int CreateThread(pthread_t *, const pthread_attr_t *, void *(*)(void *), void *);
+
+int pthread_create(pthread_t *restrict thread, const pthread_attr_t *restrict attributes,
+                   void *(*start)(void *), void *restrict argument)
+{
+    if (thread_fails && ++n_calls == fails_at)
+        return EAGAIN;
+    void *const found = dlsym(RTLD_NEXT, "pthread_create");
+    CreateThread *create;
+    memcpy(&create, &found, sizeof create);
+    return create(thread, attributes, start, argument);
+}
+
 /* --- the beginning and the end ------------------------------------------------------------------------- */
 
 static void write_count(void)
@@ -210,6 +227,8 @@ __attribute__((constructor)) static void begin(void)
     }
     if (strcmp(kind, "memory") == 0)
         memory_fails = true;
+    else if (strcmp(kind, "thread") == 0)
+        thread_fails = true;
     else if (!watch_disk()) {
         fprintf(stderr, "faults: the kernel takes no filter: %s\n", strerror(errno));
         _exit(77);
