@@ -11,6 +11,7 @@
 #include "scenario/scenario.h"
 #include "export/vtk.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -216,14 +217,26 @@ bool export_open_files(Export *export, Status *status)
     return true;
 }
 
+/* What is not known is NAN, and left out; an infinite number is a result that was not computed. */
+static bool too_large(const Quantity *quantity, long step, Status *status)
+{
+    return status_fail(status,
+                       "%s in step %ld is too large for a number: a value of the scenario is too large "
+                       "or too small",
+                       quantity->name, step);
+}
+
 bool export_write_row(Export *export, const double *row, Status *status)
 {
     export->rows++;
     if (!export->series.stream)
         return true;
     double written[COLUMNS_MAX];
-    for (int i = 0; i < export->n_written; i++)
+    for (int i = 0; i < export->n_written; i++) {
         written[i] = row[export->written[i]];
+        if (isinf(written[i]))
+            return too_large(&export->columns[export->written[i]].quantity, (long)row[0], status);
+    }
     csv_row(export->series.stream, export->outputs->dialect, written, export->n_written);
     return output_sound(&export->series, status);
 }
@@ -235,6 +248,7 @@ typedef struct Sheet {
     Table *table;
     Dialect dialect;
     double *fields;
+    int *infinite; /* the field that was, or -1 */
     long step;
     int stage; /* so many are done of the step that leads to `step`; 0: a whole step */
 } Sheet;
@@ -253,8 +267,10 @@ static void write_things(const Simulation *sim, const Sheet *sheet)
             sim->method->field(sim, table->fields[f], first, n, sheet->fields + (size_t)f * CHUNK);
         for (size_t k = 0; k < n; k++) {
             row[0] = (double)(first + k);
-            for (int f = 0; f < table->n_fields; f++)
+            for (int f = 0; f < table->n_fields; f++) {
                 row[indices + f] = sheet->fields[(size_t)f * CHUNK + k];
+                *sheet->infinite = isinf(row[indices + f]) ? table->fields[f] : *sheet->infinite;
+            }
             csv_begin(table->file.stream, sheet->dialect, head, 2, id);
             csv_row(table->file.stream, sheet->dialect, row, indices + table->n_fields);
         }
@@ -272,14 +288,21 @@ static void write_later_things(Simulation *sim, void *context)
 static bool write_table(Export *export, Table *table, long step, int stage, Status *status)
 {
     Simulation *sim = export->run.sim;
-    Sheet sheet = {table, export->outputs->dialect,
-                   malloc(((size_t)table->n_fields + 1) * CHUNK * sizeof *sheet.fields), step, stage};
+    int infinite = -1;
+    Sheet sheet = {table,
+                   export->outputs->dialect,
+                   malloc(((size_t)table->n_fields + 1) * CHUNK * sizeof *sheet.fields),
+                   &infinite,
+                   step,
+                   stage};
     bool written = sheet.fields != NULL;
     if (written && (stage > 0 || sim->sets[table->set].ready_after == 0))
         write_things(sim, &sheet);
     else
         written = written && simulation_visit(sim, NULL, write_later_things, &sheet);
     free(sheet.fields);
+    if (infinite >= 0)
+        return too_large(&sim->fields[infinite].quantity, step, status);
     return written ? output_sound(&table->file, status)
                    : status_fail(status, "not enough memory to write %s", table->name);
 }
