@@ -24,6 +24,7 @@ typedef struct RunSummary {
     bool energy_of_feed;  /* of the start's energy the motion that all of a body has in common is most */
     double energy_most;   /* per cent of the start: the largest change on the way; 0: not of the start */
     bool energy_of_work;  /* it begins at rest, or next to it: the change is a share of the largest work */
+    bool energy_of_ahead; /* and that work is half a step ahead of the velocities */
     double energy_change; /* from the start to the end, in percent of the start */
     long rows;            /* of the series */
     double broken_bonds, crack_length; /* the columns at the end; NAN: there is no such column */

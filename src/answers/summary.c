@@ -75,6 +75,8 @@ static void take_energy(RunSummary *summary, const Simulation *sim, const Column
     summary->energy_of_work = !(rows[total] > 0) || largest > rows[total];
     if (summary->energy_of_work && !(largest > 0))
         return;
+    /* by the material point method it is that of the nodes' velocity at the end of the step */
+    summary->energy_of_ahead = summary->energy_of_work && find(columns, n_columns, "kinetic_grid") >= 0;
     const double end = rows[(count - 1) * width + 1], span = span_of(summary, end) * (1 - 1e-9);
     size_t first = 1, last = 1;
     while (first < count && rows[first * width + 1] < span)
@@ -341,7 +343,8 @@ void summary_energy_text(const RunSummary *summary, char out[SUMMARY_MAX])
     add(&writer, "%s", summary->mistake ? "with a mistake: " : "");
     add(&writer, fabs(change) < 5e-4 ? "%s changed by %.3f %% of the %s" : "%s changed by %+.3g %% of the %s",
         names[summary->energy_measure], fabs(change) < 5e-4 ? 0 : change,
-        summary->energy_of_work   ? "work"
+        summary->energy_of_ahead  ? "work, which is half a step ahead of the motion"
+        : summary->energy_of_work ? "work"
         : summary->energy_of_feed ? "start, nearly all of it feed motion"
                                   : "start");
     /* what came within the first tenth is not in the change from it to the last */
