@@ -148,18 +148,23 @@ long player_steps_ahead(const Laboratory *lab)
     return limit == LONG_MAX ? limit : limit > step ? limit - step : 0;
 }
 
-/* The first thing that happened in the step that has just been done; else the time. */
+/* The first thing that it waited for of the step that has just been done, in general words where the run
+ * keeps no more events; else the time. */
 static void tell_stop(Laboratory *lab)
 {
     const Simulation *sim = experiment_simulation(laboratory_run(lab));
     const NumberText time = text_rounded(simulation_time(sim), 6);
-    int event = sim->n_events - 1;
-    while (event > 0 && sim->events[event - 1].step == sim->events[event].step)
-        event--;
-    if (lab->player.stop.rests)
+    const Stop *stop = &lab->player.stop;
+    char waited[STOP_WORDS_MAX];
+    const char *what = waited;
+    stop_words(stop, waited);
+    for (int i = sim->n_events - 1; i >= 0 && sim->events[i].step == sim->step; i--)
+        if (stop->events >> sim->events[i].kind & 1)
+            what = sim->events[i].text;
+    if (stop->rests)
         laboratory_say(lab, MESSAGE_INFO, "stopped at t = %s: at rest", time.text);
-    else if (lab->player.stop.kind == STOP_AT_EVENT && event >= 0)
-        laboratory_say(lab, MESSAGE_INFO, "stopped at t = %s: %s", time.text, sim->events[event].text);
+    else if (stop->kind == STOP_AT_EVENT)
+        laboratory_say(lab, MESSAGE_INFO, "stopped at t = %s: %s", time.text, what);
     else
         laboratory_say(lab, MESSAGE_INFO, "stopped at t = %s, step %ld", time.text, sim->step);
 }

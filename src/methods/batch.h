@@ -48,7 +48,7 @@ typedef struct Batches {
 typedef struct BatchMark {
     long step;
     int n_events;
-    long events_beyond;
+    EventCounts events_beyond;
 } BatchMark;
 
 void batch_return(Simulation *, const Batches *, BatchMark);

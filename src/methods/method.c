@@ -163,7 +163,7 @@ typedef struct SnapshotHead {
     long step;
     int stage;
     int n_events;
-    long events_beyond;
+    EventCounts events_beyond;
 } SnapshotHead;
 
 size_t simulation_snapshot_size(const Simulation *sim)
@@ -281,7 +281,7 @@ bool simulation_forget_failure(Simulation *sim)
 void simulation_report(Simulation *sim, EventKind kind, const char *text)
 {
     if (sim->n_events == SIMULATION_EVENTS_MAX) {
-        sim->events_beyond++;
+        sim->events_beyond.of[kind]++;
         return;
     }
     Event *event = &sim->events[sim->n_events++];

@@ -149,7 +149,8 @@ typedef enum EventKind {
     EVENT_REST,     /* the motion has come to an end */
     EVENT_FAILURE,  /* the run stopped: the text is the failure's */
     EVENT_ADVICE,   /* not of a method: a limit is near, known beforehand */
-    EVENT_LATE      /* not of a method: the run lags behind the exact answer */
+    EVENT_LATE,     /* not of a method: the run lags behind the exact answer */
+    EVENT_KINDS
 } EventKind;
 
 typedef struct Event {
@@ -157,6 +158,11 @@ typedef struct Event {
     EventKind kind;
     char text[120]; /* "particle 49 crossed into cell 25" */
 } Event;
+
+/* How many events of each kind there are. */
+typedef struct EventCounts {
+    long of[EVENT_KINDS];
+} EventCounts;
 
 typedef struct Simulation Simulation;
 
@@ -265,7 +271,7 @@ struct Simulation {
 
     Event events[SIMULATION_EVENTS_MAX]; /* the first ones; later ones are counted only */
     int n_events;
-    long events_beyond;
+    EventCounts events_beyond;
 
     double kinetic_left; /* of a run that is to end at rest: its kinetic energy over the largest; else 0 */
     bool at_rest; /* the run was to end at rest, and has: nothing moves any more; simulation_steps() stands */

@@ -214,29 +214,31 @@ static bool edit_from_start(Experiment *experiment, const Settings *wanted, bool
 
 static bool edit_live(Experiment *experiment, const Settings *wanted, Status *status)
 {
-    const Settings before = experiment->now;
+    Settings changed = experiment->base;
     long step = experiment->run.sim->step + (experiment->run.sim->stage != 0);
     if (experiment->pending && experiment->goal_step >= step)
         step = experiment->goal_step + (experiment->goal_stage != 0);
     char advice[sizeof experiment->advice];
-    if (!problem_advice(wanted, advice, sizeof advice, status))
+    if (!settings_check(wanted, status) || !problem_advice(wanted, advice, sizeof advice, status))
         return false;
+    for (int i = 0; i < n_parameters; i++) {
+        char text[LIST_MAX];
+        if (!differs(&experiment->now, wanted, &parameters[i]) || !recomputes(&parameters[i]))
+            continue;
+        settings_get(wanted, &parameters[i], text);
+        if (!changes_add(&changed, step, parameters[i].key, text, status))
+            return false;
+    }
     Record old = {0};
     Remains remains = {0};
     if (experiment->newest > step && !record_copy(&old, &experiment->record))
         return status_fail(status, "not enough memory to keep the curves");
     if (old.count > 0)
         remains = experiment_remains(experiment);
-    for (int i = 0; i < n_parameters; i++) {
-        char text[LIST_MAX];
-        if (!differs(&before, wanted, &parameters[i]) || !recomputes(&parameters[i]))
-            continue;
-        settings_get(wanted, &parameters[i], text);
-        if (!experiment_change(experiment, step, parameters[i].key, text, status)) {
-            record_close(&old);
-            experiment_drop_remains(&remains);
-            return false;
-        }
+    if (!experiment_change(experiment, step, &changed, status)) {
+        record_close(&old);
+        experiment_drop_remains(&remains);
+        return false;
     }
     memcpy(experiment->advice, advice, sizeof advice);
     if (old.count > 0)

@@ -103,9 +103,9 @@ bool experiment_do_slice(Experiment *, size_t items, bool *whole, Status *);
  * present is beyond the step, or before the keyframe. */
 void experiment_approach(Experiment *, long step, int stage);
 
-/* A live parameter changes after `step` whole steps, which is the present one or, while a step goes on, the
- * next: what was computed beyond is forgotten. */
-bool experiment_change(Experiment *, long step, const char *key, const char *value, Status *);
+/* The settings with more changes of live parameters after `step` whole steps, which is the present one or,
+ * while a step goes on, the next: what was computed beyond is forgotten. */
+bool experiment_change(Experiment *, long step, const Settings *changed, Status *);
 
 /* Another time.end (where the problem allows it without a new run); rows beyond it are forgotten. */
 void experiment_set_end(Experiment *, double end);

@@ -413,12 +413,36 @@ static void cut(Experiment *experiment, long step)
         refill_references(experiment, step);
 }
 
-bool experiment_change(Experiment *experiment, long step, const char *key, const char *value, Status *status)
+typedef struct Trial {
+    const Settings *settings;
+    Status why;
+    bool good;
+} Trial;
+
+static void try_changes(Simulation *sim, void *context)
+{
+    Trial *trial = context;
+    trial->good = changes_apply(trial->settings, sim, &trial->why);
+}
+
+/* Whether the method takes the changes of the present step, one after the other; nothing is changed by it. */
+static bool takes_changes(Experiment *experiment, Status *status)
+{
+    Trial trial = {.settings = &experiment->base};
+    if (!simulation_visit(experiment->run.sim, NULL, try_changes, &trial))
+        return out_of_memory(status);
+    if (!trial.good && status)
+        *status = trial.why;
+    return trial.good;
+}
+
+bool experiment_change(Experiment *experiment, long step, const Settings *changed, Status *status)
 {
     ASSERT_INT(step, >=, 0);
     Settings before = experiment->base;
-    if (!changes_add(&experiment->base, step, key, value, status) ||
-        !renew_references(experiment, step, status)) {
+    const bool here = experiment->run.sim->stage == 0 && experiment->run.sim->step == step;
+    experiment->base = *changed;
+    if ((here && !takes_changes(experiment, status)) || !renew_references(experiment, step, status)) {
         experiment->base = before;
         return false;
     }
@@ -427,7 +451,7 @@ bool experiment_change(Experiment *experiment, long step, const char *key, const
     experiment_derive(experiment, experiment->base.patience);
     experiment->run.failed = false; /* what stopped the run may not stop the changed one */
     Simulation *sim = experiment->run.sim;
-    if (sim->stage != 0 || sim->step != step)
+    if (!here)
         return true;
     const bool others = changes_next(&before, step - 1) == step;
     if (others && step > 0) {

@@ -145,10 +145,15 @@ long stop_step(const Stop *stop, const Experiment *experiment)
                                         : -1;
 }
 
-/* Those that are no longer kept count too. */
-static long events_of(const Simulation *sim)
+/* How many of the events that it waits for there were; those that are not kept count too. */
+static long events_of(const Stop *stop, const Simulation *sim)
 {
-    return sim->n_events + sim->events_beyond;
+    long count = 0;
+    for (int i = 0; i < sim->n_events; i++)
+        count += stop->events >> sim->events[i].kind & 1;
+    for (EventKind kind = 0; kind < EVENT_KINDS; kind++)
+        count += stop->events >> kind & 1 ? sim->events_beyond.of[kind] : 0;
+    return count;
 }
 
 static int kinetic_column(const Experiment *experiment)
@@ -183,20 +188,12 @@ static bool is_at_rest(Stop *stop, const Experiment *experiment)
 
 void stop_look(Stop *stop, const Experiment *experiment)
 {
-    stop->seen = events_of(experiment_simulation(experiment));
+    stop->seen = events_of(stop, experiment_simulation(experiment));
 }
 
 bool stop_happened(Stop *stop, const Experiment *experiment)
 {
-    const Simulation *sim = experiment_simulation(experiment);
     const long before = stop->seen;
     stop_look(stop, experiment);
-    if (stop->kind != STOP_AT_EVENT)
-        return false;
-    if (is_at_rest(stop, experiment))
-        return true;
-    for (long i = before; i < sim->n_events; i++)
-        if (stop->events >> sim->events[i].kind & 1)
-            return true;
-    return stop->seen > before && stop->seen > sim->n_events;
+    return stop->kind == STOP_AT_EVENT && (is_at_rest(stop, experiment) || stop->seen > before);
 }

@@ -22,7 +22,7 @@ typedef struct Stop {
     long step;       /* STOP_AT_STEP: whole steps done */
     double time;     /* STOP_AT_TIME: the first whole step that is not before it */
     unsigned events; /* STOP_AT_EVENT: any of these, 1 << EventKind */
-    long seen;       /* events of the run that were there when it was looked at last */
+    long seen;       /* how many of these there were when it was looked at last */
     bool rests;      /* at rest too, of a damped run that does not end there by itself */
     double most;     /* the largest kinetic energy so far */
     double since;    /* the kinetic energy has been next to nothing since that time */

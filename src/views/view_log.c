@@ -42,7 +42,8 @@ static void add_run(Log *log, const Experiment *experiment, char run)
     const Simulation *sim = experiment_simulation(experiment);
     const Event *events = experiment_events(experiment, &log->of_run[run == 'B']);
     const int before = log->count;
-    log->beyond += sim->events_beyond;
+    for (EventKind kind = 0; kind < EVENT_KINDS; kind++)
+        log->beyond += sim->events_beyond.of[kind];
     for (int i = 0, at = 0; i < log->of_run[run == 'B'] && log->count < LOG_MAX; i++) {
         const LogEntry entry = {&events[i], sim->dt * (double)events[i].step, run};
         /* both lists ascend in time; at the same time A's stand first */

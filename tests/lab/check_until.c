@@ -80,13 +80,18 @@ START_TEST(a_run_stops_at_an_event_that_is_not_kept)
     enter_line(bench, "mesh.cell_size=0.05");
     Experiment *experiment = laboratory_run(&bench->lab);
     const Simulation *sim = experiment_simulation(experiment);
-    while (sim->events_beyond == 0)
+    while (sim->events_beyond.of[EVENT_CROSSING] == 0)
         ck_assert(experiment_advance(experiment, 1, &status));
-    const long known = sim->events_beyond;
+    const long known = sim->events_beyond.of[EVENT_CROSSING];
     bench->lab.player.playback.pace = 300;
     enter_line(bench, "until crossing");
+    /* nor does another kind count for it */
+    Stop other = {.kind = STOP_AT_EVENT, .events = 1u << EVENT_BREAK | 1u << EVENT_REST};
+    stop_look(&other, experiment);
     run_until_paused(bench);
-    ck_assert_int_gt(sim->events_beyond, known);
+    ck_assert_int_gt(sim->events_beyond.of[EVENT_CROSSING], known);
+    ck_assert(!stop_happened(&other, experiment));
+    ck_assert_ptr_nonnull(strstr(bench->lab.screen.message->text, ": a crossing"));
     ck_assert_int_eq(experiment_newest(experiment), step_of(bench));
     close_bench(bench);
 }

@@ -655,7 +655,7 @@ START_TEST(a_crack_before_a_burst_is_told_once)
     ck_assert_int_eq(sim->n_events, 1);
     ck_assert_int_eq(sim->events[0].kind, EVENT_BREAK);
     ck_assert_int_lt(sim->events[0].step, done);
-    ck_assert_int_eq(sim->events_beyond, 0);
+    ck_assert_int_eq(sim->events_beyond.of[EVENT_BREAK], 0);
     simulation_destroy(sim);
 }
 END_TEST

@@ -183,7 +183,7 @@ START_TEST(many_crossings_hide_nothing)
 {
     Experiment *experiment =
         run("crossing", (const char *const[]){"mesh.cell_size", "0.1", "mesh.padding", "200", NULL}, 9000);
-    ck_assert_int_gt(experiment_simulation(experiment)->events_beyond, 0);
+    ck_assert_int_gt(experiment_simulation(experiment)->events_beyond.of[EVENT_CROSSING], 0);
     Settings settings = *experiment_settings(experiment);
     ck_assert(settings_set(&settings, "mpm.algorithm", "musl", NULL));
     ck_assert(experiment_edit(experiment, &settings, NULL));

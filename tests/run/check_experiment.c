@@ -323,14 +323,14 @@ START_TEST(a_live_parameter_changes_in_mid_run)
     Experiment *experiment = open_experiment(&settings, MEGABYTE);
     int n;
     experiment_columns(experiment, &n);
-    ck_assert_int_eq(n, 12);
+    ck_assert_int_eq(n, 13);
     ck_assert(experiment_advance(experiment, 300, NULL));
     edit_one(experiment, "mpm.algorithm", "usl");
     ck_assert_int_eq(experiment_step(experiment), 300);
     ck_assert(!experiment_ghosts(experiment)[0].used); /* nothing was cut off */
     experiment_columns(experiment, &n);
-    ck_assert_int_eq(n, 11); /* no prediction any more */
-    ck_assert_int_eq(experiment_record(experiment)->n_columns, 11);
+    ck_assert_int_eq(n, 12); /* no prediction any more */
+    ck_assert_int_eq(experiment_record(experiment)->n_columns, 12);
     ck_assert(experiment_advance(experiment, 300, NULL));
     expect_repeats(experiment, "changed at the newest step");
 
@@ -531,7 +531,7 @@ START_TEST(undo_brings_back_what_was)
     finish_work(experiment);
     int n;
     experiment_columns(experiment, &n);
-    ck_assert_int_eq(n, 12);
+    ck_assert_int_eq(n, 13);
     expect_straight(experiment, "undone");
 
     /* the other algorithm from the start, and back: not as a change in mid-run */
@@ -546,6 +546,38 @@ START_TEST(undo_brings_back_what_was)
     ck_assert_int_eq(experiment_settings(experiment)->n_changes, 0);
     ck_assert_int_eq(experiment_step(experiment), 500);
     expect_straight(experiment, "toggled back");
+    experiment_destroy(experiment);
+}
+END_TEST
+
+/* Of live edits made at once one is refused: none is made, and no row of the run is lost. */
+START_TEST(live_edits_are_made_together_or_not_at_all)
+{
+    Settings settings = bar_settings(5, 20);
+    Status status = {0};
+    Experiment *experiment = open_experiment(&settings, MEGABYTE);
+    ck_assert(experiment_advance(experiment, 300, NULL));
+    experiment_seek(experiment, 200, 0);
+    finish_work(experiment);
+    const Settings before = *experiment_settings(experiment);
+    Settings wanted = before;
+    set(&wanted, "mpm.algorithm", "usl");
+    set(&wanted, "mpm.transfer", "apic");
+    set(&wanted, "mpm.mass_blend", "0.5");
+    ck_assert(!experiment_edit(experiment, &wanted, &status));
+    ck_assert_msg(strstr(status.text, "mpm.mass_blend") != NULL, "%s", status.text);
+    ck_assert(settings_same(experiment_settings(experiment), &before));
+    ck_assert_int_eq(experiment_newest(experiment), 300);
+    ck_assert(!experiment_ghosts(experiment)[0].used);
+    ck_assert(experiment_advance(experiment, 200, NULL));
+    expect_straight(experiment, "refused");
+
+    /* and those that are allowed are made together */
+    set(&wanted, "mpm.mass_blend", "1");
+    ck_assert_msg(experiment_edit(experiment, &wanted, &status), "%s", status.text);
+    ck_assert_int_eq(experiment_settings(experiment)->n_changes, 2);
+    ck_assert(experiment_advance(experiment, 200, NULL));
+    expect_repeats(experiment, "both");
     experiment_destroy(experiment);
 }
 END_TEST
@@ -845,6 +877,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, a_column_that_went_comes_back);
     tcase_add_test(tcase, changes_in_mid_run_hold_on_any_way);
     tcase_add_test(tcase, undo_brings_back_what_was);
+    tcase_add_test(tcase, live_edits_are_made_together_or_not_at_all);
     tcase_add_test(tcase, a_live_edit_at_either_end_holds_from_the_start);
     tcase_add_test(tcase, given_changes_stay_with_the_scenario);
     tcase_add_test(tcase, a_filter_survives_a_change_in_the_past);

@@ -46,7 +46,7 @@ void mpm_report_crossings(Mpm *mpm)
             others += first >= 0;
             first = first >= 0 ? first : p;
         } else if (mpm->sim.n_events == SIMULATION_EVENTS_MAX)
-            mpm->sim.events_beyond++;
+            mpm->sim.events_beyond.of[EVENT_CROSSING]++;
         else {
             snprintf(text, sizeof text, "particle %d crossed into cell %d", p,
                      mpm_cell(mpm->base[p], mpm->s[0][p], mpm->edge));
