@@ -10,8 +10,9 @@ static const HelpWord bar_words[] = {
           "its error has the other sign."},
     {"late", "by how many periods the run is behind the exact answer now: a small error of frequency grows "
              "into a large lag."},
-    {"v_cm", "the velocity of the centre of mass. Its amplitude may fall while the energy is still there: "
-             "it then sits in particle velocities that cancel within a cell."},
+    {"v_cm", "the momentum of the particles over their mass. They move with the nodes' velocities, so x_cm "
+             "moves at another rate (column x_cm_rate); the two part as energy goes to velocities that the "
+             "grid cannot see, and the amplitude of v_cm falls while the energy is still there."},
     {"lumping",
      "kinetic energy that the grid has, but counts too small, because each node carries its mass alone. It "
      "is there from the start and is not lost. The shares below the energies are means over what the plot "

@@ -35,7 +35,10 @@ enum {
 /* The series begins and ends alike. */
 #define AXIAL_SERIES_BEGIN                                                                                   \
     {"v_cm", "v_cm", "length/time", "velocity of the centre of mass"},                                       \
-        {"x_cm", "x_cm", "length", "position of the centre of mass"},                                        \
+    {                                                                                                        \
+        "x_cm", "x_cm", "length", "position of the centre of mass"                                           \
+    }
+#define AXIAL_SERIES_KINETIC                                                                                 \
     {                                                                                                        \
         "kinetic", "kinetic", "force/length", "kinetic energy of the particles"                              \
     }

@@ -276,7 +276,7 @@ refuse "no step" "x.csv:1: no column step or time (--map theirs=step names it)" 
 refuse "half a step" "x.csv: row 2: step 0.5 is no whole number from 0 on" mode5 "$(printf 'step,v_cm\n0,2\n.5,2\n' >x.csv; echo x.csv)"
 refuse "a step twice" "x.csv: rows 1 and 3 are both of step 0" mode5 "$(printf 'step,v_cm\n0,2\n1,2\n0,3\n' >x.csv; echo x.csv)"
 refuse "a word" "x.csv:3: column 2, v_cm: 'fast' is no number" mode5 "$(printf 'step,v_cm\n0,2\n1,fast\n' >x.csv; echo x.csv)"
-refuse "nothing of ours" "x.csv:1: none of its columns is one of v_cm, x_cm, kinetic, kinetic_grid, kinetic_null, strain, work, total (--map theirs=ours)" mode5 "$(printf 'step,foo\n0,2\n' >x.csv; echo x.csv)"
+refuse "nothing of ours" "x.csv:1: none of its columns is one of v_cm, x_cm, x_cm_rate, kinetic, kinetic_grid, kinetic_null, strain, work, total (--map theirs=ours)" mode5 "$(printf 'step,foo\n0,2\n' >x.csv; echo x.csv)"
 refuse "a mistake of the scenario's" "mpm.mistake: pic is a mistake, and a file is compared with the right code" mode5 right.csv --set mpm.mistake=pic
 refuse "no file" "SCENARIO FILE is missing (see: matvib --help)" mode5
 refuse "a map without a column" "--map: right.csv:1: no column speed (step, time, v_cm, v_cm_exact, v_cm_predicted, x_cm, kinetic, strain, work, total, or 1 to 10)" mode5 right.csv --map speed=v_cm

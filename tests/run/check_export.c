@@ -191,7 +191,8 @@ END_TEST
 /* What no row has unless somebody asks. */
 static bool costs(const char *column)
 {
-    return strcmp(column, "kinetic_grid") == 0 || strcmp(column, "kinetic_null") == 0;
+    return strcmp(column, "kinetic_grid") == 0 || strcmp(column, "kinetic_null") == 0 ||
+           strcmp(column, "x_cm_rate") == 0;
 }
 
 /* The columns of a file that are asked for, at the bits that any other choice gives. */
@@ -200,8 +201,8 @@ START_TEST(columns_are_written_that_are_asked_for)
     static const struct {
         const char *asked, *header;
     } cases[] = {
-        {"all",
-         "step,time,v_cm,v_cm_exact,v_cm_predicted,x_cm,kinetic,kinetic_grid,kinetic_null,strain,work,total"},
+        {"all", "step,time,v_cm,v_cm_exact,v_cm_predicted,x_cm,x_cm_rate,kinetic,kinetic_grid,kinetic_null,"
+                "strain,work,total"},
         {"kinetic_null,v_cm", "step,time,v_cm,kinetic_null"},
         {"total, step", "step,time,total"},
     };
@@ -226,8 +227,8 @@ START_TEST(columns_are_written_that_are_asked_for)
         expect_same_files(outputs.series, again.series);
     }
     ck_assert_double_eq(last[1][2], last[0][2]);
-    ck_assert_double_eq(last[1][3], last[0][8]);
-    ck_assert_double_eq(last[2][2], last[0][11]);
+    ck_assert_double_eq(last[1][3], last[0][9]);
+    ck_assert_double_eq(last[2][2], last[0][12]);
     Status status = {0};
     set(&settings, "output.columns", "v_cm,u_probe");
     ck_assert(!export_run(&settings, &outputs, 1, NULL, NULL, NULL, &status));

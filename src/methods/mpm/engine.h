@@ -82,6 +82,7 @@ typedef struct MpmHead {
     int fmpm_order;
     int mistake;   /* 0: none; the algorithm and the FLIP fraction above are those that it makes */
     double work;   /* of the external force so far */
+    double moment; /* sum m u before the last step, along a line: for x_cm_rate */
     Growth growth; /* what the energy check has seen */
 } MpmHead;
 
@@ -395,6 +396,7 @@ void mpm_explain(const Simulation *, int stage, int set, size_t index, const voi
 
 extern const Quantity mpm_line_series[];
 double mpm_energy(const Mpm *);
+double mpm_moment(const Mpm *); /* sum m u along a line */
 void mpm_row(Simulation *, double *row);
 /* With the grid as it stands after map and supports, if it needs it; one that is not whole has no
  * kinetic_null. */

@@ -90,6 +90,9 @@ void mpm_list_fields(Mpm *mpm)
 
 const Quantity mpm_line_series[] = {
     AXIAL_SERIES_BEGIN,
+    {"x_cm_rate", "d(x_cm)/dt", "length/time",
+     "rate of x_cm in the last step: particles move with the nodes, and not with their own velocities"},
+    AXIAL_SERIES_KINETIC,
     {"kinetic_grid", "seen by grid", "force/length",
      "the part of it that the grid sees: sum p^2/(2m) of the nodes, boundary applied"},
     {"kinetic_null", "null space", "force/length",

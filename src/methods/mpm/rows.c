@@ -1,17 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Energies and the row of the series of a line: sums over all particles and nodes, per unit cross-section,
  *
- *     kinetic      sum m v^2 / 2, with APIC + sum m D C^2 / 2, D = sum N (x_i - x)^2
- *     kinetic_grid sum p_i^2 / (2 m_i) of the particles mapped as in the first stage, supports applied
- *     kinetic_null what the grid cannot see at all (null.c)
- *     strain       sum stress^2 volume / (2 E)
+ *     x_cm_rate    d(x_cm)/dt of the last step, sum m sum N_i v_i / M with v_i of eq. 15; before the first
+ * one of the momenta that no force has changed yet kinetic      sum m v^2 / 2, with APIC + sum m D C^2 / 2, D
+ * = sum N (x_i - x)^2 kinetic_grid sum p_i^2 / (2 m_i) of the particles mapped as in the first stage,
+ * supports applied kinetic_null what the grid cannot see at all (null.c) strain       sum stress^2 volume /
+ * (2 E)
  *
- * The second and third are left out where nobody asks for them: they need the grid, and the third takes
- * longer than the step. A row is taken between steps, when velocities and stresses of USF are half a step
- * apart: kinetic + strain ripples by about omega dt/2 of itself though nothing is lost (E* of problems/ is
- * the sum without ripple). stress^2/2E is the energy of small strains; where particles cross cells, strains
- * are large enough to tell it from E (e exp(e) - exp(e) + 1), e = stress/E, which is what the updates of
- * stress and density really store. */
+ * Rate, grid and null space are left out where nobody asks for them: the latter two need the grid, and the
+ * last takes longer than the step. A row is taken between steps, when velocities and stresses of USF are half
+ * a step apart: kinetic + strain ripples by about omega dt/2 of itself though nothing is lost (E* of
+ * problems/ is the sum without ripple). stress^2/2E is the energy of small strains; where particles cross
+ * cells, strains are large enough to tell it from E (e exp(e) - exp(e) + 1), e = stress/E, which is what the
+ * updates of stress and density really store. */
 #include "base/assertion.h"
 #include "methods/mpm/plane_inner.h"
 
@@ -41,22 +42,37 @@ static double fold(const double *lanes)
     return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
 }
 
+static double sum_moment(const Mpm *mpm, int which, int first, int end)
+{
+    double moment[LANES] = {0};
+    const double *const u = mpm->u[0];
+    for (int p = first; p < end; p += LANES)
+        for (int lane = 0; lane < LANES && p + lane < end; lane++)
+            moment[lane] += u[p + lane];
+    return mpm->mass[which] * fold(moment);
+}
+
+double mpm_moment(const Mpm *mpm)
+{
+    const double first = sum_moment(mpm, 0, 0, mpm->joint);
+    return mpm->joint < mpm->n_particles ? first + sum_moment(mpm, 1, mpm->joint, mpm->n_particles) : first;
+}
+
 /* Over particles [first, end) of one material: sum m v, sum m u, and energies. */
 static Sums sum_material(const Mpm *mpm, int which, int first, int end)
 {
-    double momentum[LANES] = {0}, moment[LANES] = {0}, squares[LANES] = {0}, strain[LANES] = {0};
-    const double *const v = mpm->v[0], *const u = mpm->u[0], *const stress = mpm->stress[0];
+    double momentum[LANES] = {0}, squares[LANES] = {0}, strain[LANES] = {0};
+    const double *const v = mpm->v[0], *const stress = mpm->stress[0];
     const double *const volume = mpm->volume, m = mpm->mass[which];
     for (int p = first; p < end; p += LANES) {
         const int lanes = end - p < LANES ? end - p : LANES;
         for (int lane = 0; lane < lanes; lane++) {
             momentum[lane] += v[p + lane];
-            moment[lane] += u[p + lane];
             squares[lane] += v[p + lane] * v[p + lane];
             strain[lane] += stress[p + lane] * stress[p + lane] * volume[p + lane];
         }
     }
-    return (Sums){m * fold(momentum), m * fold(moment), 0.5 * m * fold(squares),
+    return (Sums){m * fold(momentum), sum_moment(mpm, which, first, end), 0.5 * m * fold(squares),
                   fold(strain) / (2.0 * mpm->modulus[which])};
 }
 
@@ -91,7 +107,17 @@ static double kinetic_grid(const Mpm *mpm)
     return 0.5 * sum;
 }
 
-enum Entry { V_CM, X_CM, KINETIC, KINETIC_GRID, KINETIC_NULL, STRAIN, WORK, TOTAL, ENTRIES };
+static double rate_of_centre(const Mpm *mpm, double moment)
+{
+    double momentum = 0.0;
+    if (mpm->sim.step > 0)
+        return (moment - mpm->head->moment) / (mpm->whole_mass * mpm->dt);
+    for (int i = 0; i < mpm->n_nodes; i++)
+        momentum += mpm->node_mass[i] * mpm->velocity[0][i];
+    return momentum / mpm->whole_mass;
+}
+
+enum Entry { V_CM, X_CM, X_CM_RATE, KINETIC, KINETIC_GRID, KINETIC_NULL, STRAIN, WORK, TOTAL, ENTRIES };
 
 void mpm_set_series(Mpm *mpm)
 {
@@ -104,7 +130,7 @@ void mpm_set_series(Mpm *mpm)
     sim->n_series = ENTRIES;
 }
 
-const char *const mpm_costly[] = {"kinetic_grid", "kinetic_null", NULL};
+const char *const mpm_costly[] = {"x_cm_rate", "kinetic_grid", "kinetic_null", NULL};
 
 void mpm_leave_out(Simulation *sim, int column)
 {
@@ -130,7 +156,7 @@ bool mpm_row_needs_grid(const Mpm *mpm)
 {
     if (mpm->dim == 2)
         return plane_row_needs_grid(mpm);
-    return has(mpm, KINETIC_GRID) || has(mpm, KINETIC_NULL);
+    return has(mpm, KINETIC_GRID) || has(mpm, KINETIC_NULL) || (has(mpm, X_CM_RATE) && mpm->sim.step == 0);
 }
 
 void mpm_write_row(Mpm *mpm, double *row, bool whole)
@@ -147,6 +173,9 @@ void mpm_write_row(Mpm *mpm, double *row, bool whole)
             break;
         case X_CM:
             row[k] = mpm->x_cm_start + sums.moment / mpm->whole_mass;
+            break;
+        case X_CM_RATE:
+            row[k] = rate_of_centre(mpm, sums.moment);
             break;
         case KINETIC:
             row[k] = sums.kinetic;

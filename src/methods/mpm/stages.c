@@ -461,6 +461,8 @@ void mpm_begin_stage(Mpm *mpm, MpmOp op, long step)
             memset(mpm->force[axis], 0, bytes);
     if (op == OP_FORCE && mpm->dim == 1 && mpm_is_loaded(mpm))
         memset(mpm->load, 0, bytes);
+    if (op == OP_UPDATE && mpm->dim == 1)
+        mpm->head->moment = mpm_moment(mpm);
     mpm_find_held(mpm, step);
     if (op == OP_FIX_FORCE)
         add_push(mpm);

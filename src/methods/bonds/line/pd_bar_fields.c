@@ -314,6 +314,7 @@ size_t pd_bar_links(const Simulation *sim, int set, size_t index, Link *out, siz
 
 static const Quantity series[PD_BAR_SERIES] = {
     AXIAL_SERIES_BEGIN,
+    AXIAL_SERIES_KINETIC,
     {"strain", "strain", "force/length", "strain energy of the bonds"},
     AXIAL_SERIES_END,
 };
