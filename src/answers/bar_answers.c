@@ -373,7 +373,7 @@ void bar_read_out(const References *refs, const double *rows, size_t n_rows, int
 bool bar_prediction_is_whole(double count, const char *parts, Status *status)
 {
     if (errno == ECANCELED)
-        return status_fail(status, "the prediction for the bar was given up");
+        return status_fail(status, "the prediction for the bar was cancelled");
     return errno != ENOMEM ||
            status_fail(status, "not enough memory to predict the motion of %g %s", count, parts);
 }

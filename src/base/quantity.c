@@ -310,7 +310,7 @@ static bool read_all(Reader *reader, Value *value)
     return *reader->at == '\0' || fail(reader, "is not a number");
 }
 
-bool quantity_read(const char *text, const char *unit, double *value, char *why)
+static bool read_any(const char *text, const char *unit, double *value, char *why)
 {
     if (text_to_double(text, value))
         return true;
@@ -339,4 +339,17 @@ bool quantity_read(const char *text, const char *unit, double *value, char *why)
         return true;
     }
     return false;
+}
+
+bool quantity_read(const char *text, const char *unit, double *value, char *why)
+{
+    double any;
+    if (!read_any(text, unit, &any, why))
+        return false;
+    if (!quantity_is_sound(any)) {
+        snprintf(why, QUANTITY_WHY_MAX, "is too %s to compute with", fabs(any) < 1 ? "small" : "large");
+        return false;
+    }
+    *value = any;
+    return true;
 }

@@ -3,6 +3,7 @@
  * commands look at the note between steps. Which handlers stood before is kept, so that a signal can be
  * taken back before the process ends itself by it. */
 #include "base/signals.h"
+#include "base/clock.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -26,7 +27,11 @@ static const int named[] = {
 };
 enum { N_NAMED = sizeof named / sizeof *named, SIGNALS_MAX = N_NAMED + 64 };
 
+#define TOGETHER_SECONDS 0.5
+
 static volatile sig_atomic_t ended_by;
+static double ended_at;
+static void (*farewell)(void);
 static struct {
     int number;
     struct sigaction before;
@@ -69,15 +74,26 @@ void signals_before_end(void (*clean)(void))
 
 void signals_end(int number)
 {
-    if (ended_by == 0)
-        ended_by = number;
+    if (ended_by != 0)
+        return;
+    ended_at = clock_seconds();
+    ended_by = number;
+}
+
+void signals_farewell(void (*last)(void))
+{
+    farewell = last;
 }
 
 static void note(int number, siginfo_t *info, void *context)
 {
     (void)context;
     const bool own_write = (number == SIGPIPE || number == SIGXFSZ) && info->si_pid == getpid();
-    if (!own_write)
+    if (!own_write && ended_by != 0 && clock_seconds() - ended_at >= TOGETHER_SECONDS) {
+        if (farewell)
+            farewell();
+        signals_end_at_once(number);
+    } else if (!own_write)
         signals_end(number);
 }
 

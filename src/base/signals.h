@@ -4,7 +4,11 @@
  * Taken are all that end a process by default and are sent from outside (SIGHUP, SIGTERM, SIGUSR1, SIGXCPU,
  * the real-time ones, ...). Left alone are those that the process was started to ignore (nohup), those that
  * have a handler already (a profiler), and faults (SIGSEGV, ...), after which nothing can go on. SIGPIPE
- * and SIGXFSZ of an own write do not end the program: the write fails and is reported. */
+ * and SIGXFSZ of an own write do not end the program: the write fails and is reported.
+ *
+ * No signal is ignored twice: one that comes half a second or more behind the first, which nothing has looked
+ * at or which takes long to answer, ends the process. (Shell, terminal and kernel may each say once that it
+ * ends; these come together.) */
 #ifndef BASE_SIGNALS_H
 #define BASE_SIGNALS_H
 
@@ -18,6 +22,9 @@ void signals_before_end(void (*clean)(void));
 
 /* Ends the process by a signal, in whose handler it is called, after what is done before. */
 void signals_end_at_once(int number);
+
+/* What is done before a second one ends the process, NULL: nothing. It may call only what a handler may. */
+void signals_farewell(void (*)(void));
 
 /* The first that came since signals_catch(); 0: none. */
 int signals_ended_by(void);

@@ -118,7 +118,7 @@ static bool take_vtk_names(Names *names, const char *name, size_t frames, const 
         good = one ? take_name(names, one, status) : status_fail(status, "not enough memory for file names");
         free(one);
         if (good && i % NAMES_A_QUESTION == 0 && !patience_lasts(patience, (double)i / (double)frames))
-            good = status_fail(status, "the export was given up");
+            good = status_fail(status, "the export was cancelled");
     }
     return good;
 }

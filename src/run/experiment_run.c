@@ -95,7 +95,7 @@ void experiment_derive(const Experiment *experiment, Patience patience)
 static bool goes_on(const Settings *settings, Status *status)
 {
     return patience_lasts(&settings->patience, 0) ||
-           status_fail(status, "the building of the run was given up");
+           status_fail(status, "the building of the run was cancelled");
 }
 
 /* The record and the first keyframe; of a large beam each takes as long as one asks to hear of it. */
@@ -371,7 +371,7 @@ static bool write_rows_again(const Experiment *experiment, References *refs, con
 static bool renew_references(Experiment *experiment, long step, Status *status)
 {
     if (!patience_lasts(&experiment->base.patience, 0))
-        return status_fail(status, "the change was given up");
+        return status_fail(status, "the change was cancelled");
     References *refs = references_create(&experiment->base, experiment->run.sim, status);
     if (!refs)
         return false;

@@ -6,6 +6,7 @@
 #include "scenario/concern_output.h"
 #include "methods/bonds/plane/lattice/volume.h"
 
+#include "base/quantity.h"
 #include "base/text.h"
 
 #include <string.h>
@@ -73,8 +74,8 @@ int overtones_read(const char *text, Overtone out[OVERTONES_MAX], Status *status
         double velocity;
         if (colon)
             *colon = '\0';
-        if (!colon || !text_to_long(item, &mode) || !text_to_double(colon + 1, &velocity) || mode < 1 ||
-            mode > 9999) {
+        if (!colon || !text_to_long(item, &mode) || !text_to_double(colon + 1, &velocity) ||
+            !quantity_is_sound(velocity) || mode < 1 || mode > 9999) {
             if (colon)
                 *colon = ':';
             return status_refuse(status,
@@ -101,7 +102,8 @@ bool pulse_read(const char *text, Pulse *out, Status *status)
     *out = (Pulse){.width = 1};
     if (is_blank(text))
         return true;
-    while (count < 3 && (rest = next_item(rest, item)) && text_to_double(item, &numbers[count]))
+    while (count < 3 && (rest = next_item(rest, item)) && text_to_double(item, &numbers[count]) &&
+           quantity_is_sound(numbers[count]))
         count++;
     if (count < 3 || *rest || ends_in_comma(text) || !(numbers[1] > 0))
         return status_refuse(status,

@@ -123,7 +123,8 @@ static void catch_signal(int number, void (*handler)(int), int flags, struct sig
     sigaction(number, &action, old);
 }
 
-/* What asks for an end or for a look at the terminal comes only while terminal_wait() sleeps. */
+/* What asks for a look at the terminal comes only while terminal_wait() sleeps; what asks for an end comes
+ * also while something is computed, so that the second time it ends even what never looks. */
 static void catch_signals(Terminal *terminal)
 {
     static char spare[32768]; /* for the handler when the stack is what has run out */
@@ -131,11 +132,11 @@ static void catch_signals(Terminal *terminal)
     sigset_t blocked;
     signal_resized = signal_stop = signal_continued = 0;
     signals_catch();
-    signals_block(&terminal->mask_outside);
+    signals_farewell(say_farewell);
     sigemptyset(&blocked);
     for (int i = 0; i < N_OTHERS; i++)
         sigaddset(&blocked, others[i]);
-    sigprocmask(SIG_BLOCK, &blocked, NULL);
+    sigprocmask(SIG_BLOCK, &blocked, &terminal->mask_outside);
     sigaltstack(&stack, NULL);
     for (int i = 0; i < N_CRASHES; i++)
         catch_signal(crashes[i], on_crash, SA_ONSTACK, &terminal->old_crashes[i]);
@@ -362,7 +363,10 @@ static void answer_signals(Terminal *terminal)
 
 void terminal_wait(Terminal *terminal, double seconds)
 {
+    sigset_t ours;
+    signals_block(&ours); /* none is lost between looking and sleeping */
     if (signals_ended_by() || signal_resized || signal_stop || signal_continued) {
+        sigprocmask(SIG_SETMASK, &ours, NULL);
         answer_signals(terminal); /* it came through terminal_signal() */
         return;
     }
@@ -378,6 +382,7 @@ void terminal_wait(Terminal *terminal, double seconds)
         {.fd = terminal_is_behind(terminal) ? terminal->output : -1, .events = POLLOUT},
     };
     const int ready = wait_for(files, 2, seconds < 0 ? NULL : &time, &terminal->mask_outside);
+    sigprocmask(SIG_SETMASK, &ours, NULL);
     if (ready > 0 && files[0].revents & (POLLHUP | POLLERR | POLLNVAL))
         signals_end(SIGHUP); /* nobody is there any more */
     if (ready > 0 && files[1].revents)

@@ -63,7 +63,8 @@ bool bar_motion_resolve(BarMotion *motion, gsl_matrix *s, const double *start, c
     gsl_matrix *vectors = gsl_matrix_alloc(n, n);
     gsl_vector *squares = gsl_vector_alloc(n);
     gsl_eigen_symmv_workspace *work = gsl_eigen_symmv_alloc(n);
-    bool sound = vectors && squares && work && gsl_eigen_symmv(s, squares, vectors, work) == GSL_SUCCESS;
+    bool sound = vectors && squares && work && quiet_converges(s) &&
+                 gsl_eigen_symmv(s, squares, vectors, work) == GSL_SUCCESS;
     const double largest = sound ? gsl_vector_max(squares) : 0;
     for (size_t k = 0; sound && k < n; k++) {
         double along = 0, mean = 0;

@@ -209,7 +209,7 @@ static bool integrate_motion(const Modes *modes, const BeamTheory *beam, MovingC
         if (k % SAMPLES_A_QUESTION == 0 &&
             !patience_lasts(&beam->patience, (double)k / (double)solution->count)) {
             gsl_odeiv2_driver_free(driver);
-            return status_fail(status, "the solving of the cantilever's motion was given up");
+            return status_fail(status, "the solving of the cantilever's motion was cancelled");
         }
         sound = k == 0 || gsl_odeiv2_driver_apply(driver, &t, next, y) == GSL_SUCCESS;
         Tip tip = tip_of(modes, next, y);

@@ -4,6 +4,7 @@
 #include "theory/quiet.h"
 
 #include <gsl/gsl_errno.h>
+#include <math.h>
 #include <pthread.h>
 
 /* GSL's handler is global, so what counts its users has to be global too. */
@@ -25,4 +26,15 @@ void quiet_end(void)
     if (--users == 0)
         gsl_set_error_handler(before);
     pthread_mutex_unlock(&lock);
+}
+
+bool quiet_converges(const gsl_matrix *matrix)
+{
+    for (size_t i = 0; i < matrix->size1; i++)
+        for (size_t j = 0; j < matrix->size2; j++) {
+            const double size = fabs(gsl_matrix_get(matrix, i, j));
+            if (size != 0 && !(size >= 1e-250 && size <= 1e250))
+                return false;
+        }
+    return true;
 }

@@ -60,7 +60,8 @@ static void release(Workspace *work)
 static double largest_eigenvalue(const BarRest *rest, const BarMesh *mesh, Workspace *work)
 {
     scaled(rest, rest->consistent, work->matrix);
-    if (gsl_eigen_symmv(work->matrix, work->values, work->basis, work->with_vectors))
+    if (!quiet_converges(work->matrix) ||
+        gsl_eigen_symmv(work->matrix, work->values, work->basis, work->with_vectors))
         return NAN;
     for (size_t k = 0; k < (size_t)rest->nodes; k++) {
         const MeshResponse step = bar_mesh_response(mesh, gsl_vector_get(work->values, k));
@@ -72,7 +73,9 @@ static double largest_eigenvalue(const BarRest *rest, const BarMesh *mesh, Works
     scaled(rest, rest->stiffness, work->matrix);
     gsl_blas_dgemm(CblasNoTrans, CblasNoTrans, 1, work->matrix, work->basis, 0, work->product);
     gsl_blas_dgemm(CblasTrans, CblasNoTrans, 1, work->basis, work->product, 0, work->matrix);
-    return gsl_eigen_symm(work->matrix, work->values, work->alone) ? NAN : gsl_vector_max(work->values);
+    return quiet_converges(work->matrix) && gsl_eigen_symm(work->matrix, work->values, work->alone) == 0
+               ? gsl_vector_max(work->values)
+               : NAN;
 }
 
 double step_limit_with_ends(const BarTheory *bar, const BarMesh *mesh)

@@ -10,6 +10,7 @@
 #include "base/math/functions.h"
 
 #include <gsl/gsl_eigen.h>
+#include <gsl/gsl_errno.h>
 #include <math.h>
 
 /* Whether u_j = u_{n-1-j} rather than its opposite. */
@@ -56,9 +57,10 @@ int thickness_modes(const double *stiffness, int rows, double density, double dt
         for (size_t j = 0; j < n; j++)
             for (size_t k = 0; k < n; k++)
                 gsl_matrix_set(matrix, j, k, (stiffness[j * n + k] + stiffness[k * n + j]) / 2);
-        gsl_eigen_symmv(matrix, squares, modes, work);
-        gsl_eigen_symmv_sort(squares, modes, GSL_EIGEN_SORT_VAL_ASC);
-        count = take_modes(squares, modes, density, dt, frequencies, most);
+        if (quiet_converges(matrix) && gsl_eigen_symmv(matrix, squares, modes, work) == GSL_SUCCESS) {
+            gsl_eigen_symmv_sort(squares, modes, GSL_EIGEN_SORT_VAL_ASC);
+            count = take_modes(squares, modes, density, dt, frequencies, most);
+        }
     }
     gsl_eigen_symmv_free(work);
     gsl_vector_free(squares);

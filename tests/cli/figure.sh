@@ -224,8 +224,8 @@ interrupt() { # NAME HUNDREDTHS-OF-A-SECOND-OF-WORK ARGUMENTS...
 	result "no file" test ! -e x.svg
 }
 interrupt "while it builds" 20 supported-beam --set beam.length=2 --view probe
-result "it says what was given up" says err '^matvib: .*given up$'
+result "it says what was given up" says err '^matvib: .*cancelled$'
 interrupt "while it runs" 20 mode5 --end 1e8 --view probe
-result "it says so" says err '^matvib: .*\(interrupted\|given up\)$'
+result "it says so" says err '^matvib: .*\(interrupted\|cancelled\)$'
 result "nothing was left behind" sh -c 'test -z "$(ls x.* *.part 2>/dev/null)"'
 echo "1..$number"

@@ -357,7 +357,7 @@ START_TEST(a_motion_that_is_solved_can_be_given_up)
     bench->gives_up = true;
     press_all(bench, ": t i m e . e n d = 2 Enter");
     ck_assert(bench->lab.screen.prompt->open);
-    ck_assert_msg(strstr(bench->lab.screen.prompt->problem, "given up") != NULL, "%s",
+    ck_assert_msg(strstr(bench->lab.screen.prompt->problem, "cancelled") != NULL, "%s",
                   bench->lab.screen.prompt->problem);
     ck_assert_ptr_eq(experiment_simulation(bench->lab.screen.experiment), before);
     close_bench(bench);
@@ -374,7 +374,7 @@ START_TEST(a_beam_that_is_built_can_be_given_up)
     bench->gives_up = true;
     press_all(bench, ": p d . s p a c i n g = 8 e - 4 Enter");
     ck_assert(bench->lab.screen.prompt->open);
-    ck_assert_msg(strstr(bench->lab.screen.prompt->problem, "given up") != NULL, "%s",
+    ck_assert_msg(strstr(bench->lab.screen.prompt->problem, "cancelled") != NULL, "%s",
                   bench->lab.screen.prompt->problem);
     ck_assert_msg(strncmp(bench->progress, "building the run: ", 18) == 0 &&
                       strstr(bench->progress, "Esc gives up") != NULL,

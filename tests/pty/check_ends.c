@@ -287,7 +287,7 @@ START_TEST(a_building_shows_how_far_it_is_and_can_be_given_up)
         ends_by_signal(&session, SIGXCPU);
     } else {
         session_send(&session, keys[_i]);
-        session_wait_for(&session, "given up");
+        session_wait_for(&session, "cancelled");
         session_idle(&session);
         ck_assert(session_shows(&session, ": beam.length=2")); /* for another value */
     }

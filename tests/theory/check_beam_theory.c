@@ -103,6 +103,10 @@ START_TEST(rows_ring_through_the_height)
     }
     ck_assert_int_eq(thickness_modes(matrix, ROWS, density, dt, found, 1), 1);
     ck_assert_int_eq(thickness_modes(matrix, 2, density, dt, found, ROWS), 0);
+    /* with such numbers the search would never end */
+    for (int i = 0; i < ROWS * ROWS; i++)
+        matrix[i] = matrix[i] / k * 1e-310;
+    ck_assert_int_eq(thickness_modes(matrix, ROWS, density, dt, found, ROWS), 0);
 }
 END_TEST
 
@@ -357,7 +361,7 @@ START_TEST(a_long_motion_can_be_given_up)
     int asked = 0;
     BeamTheory beam = paper;
     beam.patience = (Patience){a_few_times, &asked};
-    expect_refused(beam, 1e-6, 1, "given up");
+    expect_refused(beam, 1e-6, 1, "cancelled");
     ck_assert_int_eq(asked, 5);
 }
 END_TEST
@@ -376,7 +380,7 @@ START_TEST(a_motion_has_a_bound)
     const double fastest =
         sqrt(beam.youngs_modulus / (12 * beam.density)) * beam.height * pow(9.5 * M_PI / beam.length, 2);
     const double most = 1e7 * 2 * M_PI / fastest / 16;
-    expect_refused(beam, 1e-9, 0.999 * most, "given up");
+    expect_refused(beam, 1e-9, 0.999 * most, "cancelled");
     expect_refused(beam, 1e-9, 1.001 * most, "oscillations (at most 6.25e+05)");
 }
 END_TEST

@@ -98,7 +98,7 @@ static void add_particle(Lattice2 *lattice, int i, int j, double sx, double sy)
 
 static bool given_up(Status *status)
 {
-    return status_fail(status, "what the mesh predicts was given up");
+    return status_fail(status, "what the mesh predicts was cancelled");
 }
 
 /* K, M_C and M_L of the undeformed lattice; a held unknown gets 1 on its diagonals and is coupled to nothing.

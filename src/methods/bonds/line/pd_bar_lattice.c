@@ -16,6 +16,7 @@
 
 #include "base/linear/band.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -141,11 +142,14 @@ static double critical_step(const PdBarDef *def, const PdBarLattice *lattice, St
                 row[i - j] += j == i + m ? -k : k;
         }
     const Band band = {n, lattice->reach, rows};
-    double largest = band_eigenvalue(&band, n - 1, &def->patience);
+    errno = 0;
+    const double largest = band_eigenvalue(&band, n - 1, &def->patience), step = 2 / sqrt(largest);
+    const bool cancelled = isnan(largest) && errno == ECANCELED;
     free(rows);
-    if (isnan(largest))
-        status_fail(status, "the building of the bar was given up");
-    return 2 / sqrt(largest);
+    if (!isfinite(step))
+        status_fail(status, cancelled ? "the building of the bar was cancelled"
+                                      : "the search for the critical time step did not converge");
+    return step;
 }
 
 /* The largest frequency of a long bar is that of 2000 nodes with the same ends, to 1e-6. */

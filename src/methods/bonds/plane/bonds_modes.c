@@ -136,9 +136,9 @@ static void fill(const Model *model, const bool *held, double *x)
  * K^-1 x the quotient 1/(x . y) has the square of the vector's error, and each turn makes that smaller by
  * lambda_1/lambda_2, 1/16 or less for a slender beam: a handful of turns; where two frequencies lie side by
  * side it takes more. The half wave's own quotient x . K x would be of no use (.79 ms in place of .85 at dx
- * .25 mm): it violates the point supports, and K punishes that. NAN: given up. */
-static double lowest_eigenvalue(const CholeskyBand *factor, const Model *model, const bool *held, double *x,
-                                double *y)
+ * .25 mm): it violates the point supports, and K punishes that. False: cancelled. */
+static bool lowest_eigenvalue(const CholeskyBand *factor, const Model *model, const bool *held, double *x,
+                              double *y, double *eigenvalue)
 {
     const size_t n = factor->size;
     fill(model, held, x);
@@ -148,14 +148,15 @@ static double lowest_eigenvalue(const CholeskyBand *factor, const Model *model, 
         for (size_t i = 0; i < n; i++)
             y[i] = x[i] /= length;
         if (!cholesky_solve(factor, y, model->patience))
-            return NAN;
+            return false;
         lambda = 1 / dot(x, y, n);
         for (size_t i = 0; i < n; i++)
             x[i] = y[i];
         if (fabs(lambda - before) < 1e-12 * lambda)
             break;
     }
-    return lambda;
+    *eigenvalue = lambda;
+    return true;
 }
 
 /* The displacement of a point under its own weight: K u = rho b with b = 1 m/s^2, upwards; mean over its four
@@ -207,11 +208,12 @@ static bool solve(const Model *model, const Probe *probe, BeamLinear *out, Statu
         hold(model, held);
         const CholeskyEnd end =
             assemble(&band, model, held) ? cholesky_factor(&band, model->patience) : CHOLESKY_GIVEN_UP;
-        const double lambda =
-            end == CHOLESKY_DONE ? lowest_eigenvalue(&band, model, held, vectors, vectors + band.size) : NAN;
+        double lambda = NAN;
         done = end == CHOLESKY_SINGULAR ||
-               (!isnan(lambda) && (!probe || find_sag(&band, model, held, probe, vectors, &out->sag))) ||
-               status_fail(status, "the predicted period was given up");
+               (end == CHOLESKY_DONE &&
+                lowest_eigenvalue(&band, model, held, vectors, vectors + band.size, &lambda) &&
+                (!probe || find_sag(&band, model, held, probe, vectors, &out->sag))) ||
+               status_fail(status, "the predicted period was cancelled");
         out->period = 2 * M_PI / sqrt(lambda / model->density);
     }
     free(held);

@@ -7,5 +7,5 @@ bool beam_go_on(Beam *beam, double share, Status *status)
 {
     if (!beam->given_up)
         beam->given_up = !patience_lasts(&beam->def.patience, share);
-    return !beam->given_up || status_fail(status, "the building of the beam was given up");
+    return !beam->given_up || status_fail(status, "the building of the beam was cancelled");
 }

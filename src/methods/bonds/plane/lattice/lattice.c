@@ -128,7 +128,7 @@ static double family_area(const Lattice *lattice, const BeamDef *def, int i, int
 static bool lattice_go_on(const BeamDef *def, double share, Status *status)
 {
     return patience_lasts(&def->patience, share) ||
-           status_fail(status, "the building of the beam was given up");
+           status_fail(status, "the building of the beam was cancelled");
 }
 
 /* The factors of all nodes, before the coefficients of bonds are made of them. False: interrupted. */
