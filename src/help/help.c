@@ -4,6 +4,7 @@
 #include "answers/choices.h"
 #include "scenario/settings.h"
 #include "help/help_text.h"
+#include "picture/glyph.h"
 #include "panes/panes.h"
 #include "help/command.h"
 #include "panes/screen_places.h"
@@ -173,11 +174,12 @@ static void write_curves(HelpLines *written, int width, const HelpText *text)
 
 /* --- what is solved ------------------------------------------------------------------------------- */
 
-static void write_passages(HelpLines *written, int width, bool ascii, const HelpPassage *passages,
+static void write_passages(HelpLines *written, int width, Glyphs glyphs, const HelpPassage *passages,
                            size_t count)
 {
     for (size_t i = 0; i < count; i++) {
-        const char *text = ascii && passages[i].ascii ? passages[i].ascii : passages[i].text;
+        char text[1024];
+        glyphs_plain(glyphs, passages[i].text, text, sizeof text);
         if (passages[i].heading && written->count > 0)
             put_line(written, STYLE_NORMAL, "");
         if (passages[i].heading)
@@ -190,20 +192,20 @@ static void write_passages(HelpLines *written, int width, bool ascii, const Help
 static void write_solved(HelpLines *written, const Screen *screen, int width, const HelpText *text)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
-    const bool ascii = screen->look.glyphs == GLYPHS_ASCII;
-    const HelpPassage step = {true, text->step, NULL};
-    write_passages(written, width, ascii, text->before, text->n_before);
-    write_passages(written, width, ascii, text->answers, text->n_answers);
-    write_passages(written, width, ascii, &step, 1);
+    const Glyphs glyphs = screen->look.glyphs;
+    const HelpPassage step = {true, text->step};
+    write_passages(written, width, glyphs, text->before, text->n_before);
+    write_passages(written, width, glyphs, text->answers, text->n_answers);
+    write_passages(written, width, glyphs, &step, 1);
     for (int i = 0; i < sim->n_stages; i++) {
         const Stage *stage = &sim->stages[i];
         char line[160];
         snprintf(line, sizeof line, "%d %s   (%s)", i + 1, stage->name, stage->source);
         put_text(written, STYLE_FOCUS, width, 2, line);
-        put_text(written, STYLE_NORMAL, width, 4, ascii ? stage->ascii : stage->equation);
+        put_text(written, STYLE_NORMAL, width, 4, glyphs == GLYPHS_ASCII ? stage->ascii : stage->equation);
         put_text(written, STYLE_FAINT, width, 4, stage->sentence);
     }
-    write_passages(written, width, ascii, text->after, text->n_after);
+    write_passages(written, width, glyphs, text->after, text->n_after);
 }
 
 /* --- where the papers are silent ------------------------------------------------------------------- */

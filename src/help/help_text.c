@@ -152,188 +152,136 @@ static const HelpWord plane_words[] = {
 /* --- what is solved -------------------------------------------------------------------------------- */
 
 static const HelpPassage bar_before[] = {
-    {true, "What is solved: axial vibration of a bar", NULL},
-    {false, "Momentum and Hooke's law along a line, small strains:", NULL},
-    {false, "ρ dv/dt = dσ/dx + ρ b      dσ/dt = E dv/dx", "rho dv/dt = ds/dx + rho b      ds/dt = E dv/dx"},
-    {false, "Weak form, with a test function w that vanishes where the bar is held:", NULL},
-    {false, "∫ w ρ dv/dt dx = -∫ w′ σ dx + ∫ w ρ b dx + w t at the ends",
-     "int w rho dv/dt dx = -int w' s dx + int w rho b dx + w t at the ends"},
-    {false, "The integrals become sums over particles of mass m and volume m/ρ.",
-     "The integrals become sums over particles of mass m and volume m/rho."},
+    {true, "What is solved: axial vibration of a bar"},
+    {false, "Momentum and Hooke's law along a line, small strains:"},
+    {false, "ρ dv/dt = dσ/dx + ρ b      dσ/dt = E dv/dx"},
+    {false, "Weak form, with a test function w that vanishes where the bar is held:"},
+    {false, "∫ w ρ dv/dt dx = -∫ w′ σ dx + ∫ w ρ b dx + w t at the ends"},
+    {false, "The integrals become sums over particles of mass m and volume m/ρ."},
 };
 
 static const HelpPassage pd_bar_before[] = {
-    {true, "What is solved: axial vibration of a bar, by bonds", NULL},
-    {false, "ρ d²u/dt² = Σ c G w s V sign(ξ+η) + ρ b      s = (|ξ+η| - |ξ|)/|ξ|",
-     "rho d2u/dt2 = sum c G w s V sign(xi+eta) + rho b      s = (|xi+eta| - |xi|)/|xi|"},
+    {true, "What is solved: axial vibration of a bar, by bonds"},
+    {false, "ρ d²u/dt² = Σ c G w s V sign(ξ+η) + ρ b      s = (|ξ+η| - |ξ|)/|ξ|"},
     {false,
      "The sum runs over the family: all nodes nearer than the horizon δ. ξ is where the other lies at first, "
      "η how far the two have moved apart; c = 2E/(A δ²), from equal strain energy in a stretched bar, with "
-     "cross-section A = 1.",
-     "The sum runs over the family: all nodes nearer than the horizon delta. xi is where the other lies at "
-     "first, eta how far the two have moved apart; c = 2E/(A delta^2), from equal strain energy in a "
-     "stretched bar, with cross-section A = 1."},
-    {false, "On a line the stretch is linear in the displacements, at any amplitude.", NULL},
+     "cross-section A = 1."},
+    {false, "On a line the stretch is linear in the displacements, at any amplitude."},
     {false,
      "Conical influence: c₁ (1 - |ξ|/δ) in place of c, c₁ = E/(Δx² Σ (1 - mΔx/δ) w_m m) over one side, which "
-     "is 6E/(A δ²) on a fine lattice.",
-     "Conical influence: c1 (1 - |xi|/delta) in place of c, c1 = E/(dx^2 sum (1 - m dx/delta) w_m m) over "
-     "one side, which is 6E/(A delta^2) on a fine lattice."},
+     "is 6E/(A δ²) on a fine lattice."},
     {false,
      "w counts a node at the edge of the horizon by the part of its cell inside: partial leaves out those "
      "whose middle lies beyond, hhb does not. G is the mean of the two nodes' surface factors: the energy of "
-     "a uniform strain over what their families hold.",
-     NULL},
+     "a uniform strain over what their families hold."},
 };
 
 static const HelpPassage bar_exact[] = {
-    {true, "The exact answer", NULL},
-    {false, "v = A φ(x) cos ωt    u = A/ω φ(x) sin ωt    ω = β c,  c = √(E/ρ)",
-     "v = A f(x) cos wt    u = A/w f(x) sin wt    w = beta c,  c = sqrt(E/rho)"},
+    {true, "The exact answer"},
+    {false, "v = A φ(x) cos ωt    u = A/ω φ(x) sin ωt    ω = β c,  c = √(E/ρ)"},
     {false,
      "φ = sin βx if the left end is held, cos βx if it is free; β = (2n-1)π/2L with one free end, nπ/L "
-     "with two equal ends. Several modes add up.",
-     "f = sin(beta x) if the left end is held, cos(beta x) if it is free; beta = (2n-1) pi/2L with one free "
-     "end, n pi/L with two equal ends. Several modes add up."},
+     "with two equal ends. Several modes add up."},
 };
 
 static const HelpPassage bar_after[] = {
-    {true, "What this mesh makes of a wave (hat, uGIMP)", NULL},
-    {false, "ω² = (c/Δx)² F K    K = 4 sin²(βΔx/2)\nF = 1 - (1/3 + 1/(6P²))(1 - cos βΔx)",
-     "w^2 = (c/dx)^2 F K    K = 4 sin^2(beta dx/2)\nF = 1 - (1/3 + 1/(6P^2))(1 - cos(beta dx))"},
+    {true, "What this mesh makes of a wave (hat, uGIMP)"},
+    {false, "ω² = (c/Δx)² F K    K = 4 sin²(βΔx/2)\nF = 1 - (1/3 + 1/(6P²))(1 - cos βΔx)"},
     {false,
      "K is the usual dispersion of linear elements; F, what particle to node to particle leaves of a wave, "
-     "is the larger part of the error. P: particles per cell.",
-     NULL},
-    {true, "Slips of the paper, and what is done instead", NULL},
-    {false,
-     "eqs. 5, 6: as printed they are no tensor expressions. In one dimension the strain increment is "
-     "Δt Σ N′v without the 1/2, and the vorticity increment is 0: a line cannot spin.",
-     "eqs. 5, 6: as printed they are no tensor expressions. In one dimension the strain increment is dt sum "
-     "N'v without the 1/2, and the vorticity increment is 0: a line cannot spin."},
-    {false, "eq. 7: the density is the particle's.", NULL},
-    {false, "eq. 9: a stray t.", NULL},
-    {false, "eqs. 14, 15: they start from the particle's own velocity and place.", NULL},
-    {false, "eq. 17: L is a length. \"In elements\" is true only where a cell has the size 1.", NULL},
-    {false, "A particle gives to two nodes here, to four in two dimensions, to eight in three.", NULL},
+     "is the larger part of the error. P: particles per cell."},
+    {true, "Slips of the paper, and what is done instead"},
+    {false, "eqs. 5, 6: as printed they are no tensor expressions. In one dimension the strain increment is "
+            "Δt Σ N′v without the 1/2, and the vorticity increment is 0: a line cannot spin."},
+    {false, "eq. 7: the density is the particle's."},
+    {false, "eq. 9: a stray t."},
+    {false, "eqs. 14, 15: they start from the particle's own velocity and place."},
+    {false, "eq. 17: L is a length. \"In elements\" is true only where a cell has the size 1."},
+    {false, "A particle gives to two nodes here, to four in two dimensions, to eight in three."},
 };
 
 static const HelpPassage pd_bar_after[] = {
-    {true, "What this lattice makes of a wave", NULL},
-    {false, "ω² = 8EG/(ρδ²) Σ (w_m/m) sin²(mβΔx/2)      sin(ΩΔt/2) = ωΔt/2",
-     "w^2 = 8EG/(rho delta^2) sum (w_m/m) sin^2(m beta dx/2)      sin(W dt/2) = w dt/2"},
-    {false,
-     "m counts the spacings Δx within the horizon; G is the surface factor of a whole family, 1 where "
-     "nothing is corrected; Ω is what the run shows. For long waves ω = βc (1 - β²(δ² + Δx²)/48): the "
-     "horizon sets the error, more than the spacing.",
-     "m counts the spacings dx within the horizon; G is the surface factor of a whole family, 1 where "
-     "nothing is corrected; W is what the run shows. For long waves w = beta c (1 - beta^2 (delta^2 + "
-     "dx^2)/48): the horizon sets the error, more than the spacing."},
+    {true, "What this lattice makes of a wave"},
+    {false, "ω² = 8EG/(ρδ²) Σ (w_m/m) sin²(mβΔx/2)      sin(ΩΔt/2) = ωΔt/2"},
+    {false, "m counts the spacings Δx within the horizon; G is the surface factor of a whole family, 1 where "
+            "nothing is corrected; Ω is what the run shows. For long waves ω = βc (1 - β²(δ² + Δx²)/48): the "
+            "horizon sets the error, more than the spacing."},
     {false,
      "Conical influence: w_m (1 - mΔx/δ) times (δ/Δx)²/(2 Σ w_m m (1 - mΔx/δ)) in place of w_m. For long "
-     "waves ω = βc (1 - β²(δ² - ⅔ Δx²)/80).",
-     "Conical influence: w_m (1 - m dx/delta) times (delta/dx)^2/(2 sum w_m m (1 - m dx/delta)) in place of "
-     "w_m. For long waves w = beta c (1 - beta^2 (delta^2 - 2/3 dx^2)/80)."},
+     "waves ω = βc (1 - β²(δ² - ⅔ Δx²)/80)."},
     {false,
      "Exact for a bar fixed at both ends. With a free end the frequencies are eigenvalues of the lattice as "
-     "it lies.",
-     NULL},
+     "it lies."},
 };
 
 static const HelpPassage beam_before[] = {
-    {true, "What is solved: points that pull at each other", NULL},
-    {false, "ρ d²u/dt² = Σ c G w s V (ξ+η)/|ξ+η| + b      s = (|ξ+η| - |ξ|)/|ξ|",
-     "rho d2u/dt2 = sum c G w s V (xi+eta)/|xi+eta| + b      s = (|xi+eta| - |xi|)/|xi|"},
+    {true, "What is solved: points that pull at each other"},
+    {false, "ρ d²u/dt² = Σ c G w s V (ξ+η)/|ξ+η| + b      s = (|ξ+η| - |ξ|)/|ξ|"},
     {false,
      "The sum runs over the family: all points nearer than the horizon δ. ξ is where the other lies at "
      "first, η how far the two have moved apart; c = 6E/(πδ³(1-ν)) with ν = 1/3, the only value that "
-     "this theory has in two dimensions.",
-     "The sum runs over the family: all points nearer than the horizon delta. xi is where the other lies at "
-     "first, eta how far the two have moved apart; c = 6E/(pi delta^3 (1-nu)) with nu = 1/3, the only value "
-     "that this theory has in two dimensions."},
-    {false, "Conical influence: c₁ (1 - |ξ|/δ) in place of c, c₁ = 4c.",
-     "Conical influence: c1 (1 - |xi|/delta) in place of c, c1 = 4c."},
+     "this theory has in two dimensions."},
+    {false, "Conical influence: c₁ (1 - |ξ|/δ) in place of c, c₁ = 4c."},
     {false,
      "w makes points near the horizon count less and less, from 1 at |ξ| = δ - Δx/2 along (δ + Δx/2 - "
      "|ξ|)/Δx: partial leaves out those beyond δ, hhb goes on to 0. It is not the share of their area. G "
-     "makes up for what bonds near a surface lack (surface correction).",
-     "w makes points near the horizon count less and less, from 1 at |xi| = delta - dx/2 along (delta + dx/2 "
-     "- |xi|)/dx: partial leaves out those beyond delta, hhb goes on to 0. It is not the share of their "
-     "area. G makes up for what bonds near a surface lack (surface correction)."},
-    {false, "A bond breaks for ever at the critical stretch: s₀ = √(4πG₀/(9Eδ)), conical √(5πG₀/(9Eδ)).",
-     "A bond breaks for ever at the critical stretch: s0 = sqrt(4 pi G0/(9 E delta)), conical sqrt(5 pi "
-     "G0/(9 E delta))."},
-    {false, "There is no contact: broken bonds do not push, so where a crack closes its faces may overlap.",
-     NULL},
+     "makes up for what bonds near a surface lack (surface correction)."},
+    {false, "A bond breaks for ever at the critical stretch: s₀ = √(4πG₀/(9Eδ)), conical √(5πG₀/(9Eδ))."},
+    {false, "There is no contact: broken bonds do not push, so where a crack closes its faces may overlap."},
 };
 
 static const HelpPassage plane_before[] = {
-    {true, "What is solved: a beam in plane stress, by particles and cells", NULL},
-    {false, "ρ dv/dt = div σ      dσ/dt = D dε/dt      D: Young's modulus E and Poisson's ratio ν",
-     "rho dv/dt = div s      ds/dt = D de/dt      D: Young's modulus E and Poisson's ratio nu"},
+    {true, "What is solved: a beam in plane stress, by particles and cells"},
+    {false, "ρ dv/dt = div σ      dσ/dt = D dε/dt      D: Young's modulus E and Poisson's ratio ν"},
     {false,
      "Each particle carries mass, velocity and stress. In each step they are mapped to the nodes of square "
      "cells, N = N_x N_y; the nodes feel forces and move; the particles take the change and the mesh is put "
-     "back.",
-     NULL},
-    {false, "Small strains: the stress is not turned with the particle.", NULL},
-    {false,
-     "The stress at the start is the one that the bent beam has when its sections may get thinner "
-     "(relaxed); else it rings through its height.",
-     NULL},
+     "back."},
+    {false, "Small strains: the stress is not turned with the particle."},
+    {false, "The stress at the start is the one that the bent beam has when its sections may get thinner "
+            "(relaxed); else it rings through its height."},
 };
 
 static const HelpPassage plane_after[] = {
-    {true, "The right answers", NULL},
-    {false, "(k² + q²)² tanh(ph/2) = 4k²pq tanh(qh/2)    p² = k² - ω²/c²    q² = k² - ω²ρ/G    k = π/L",
-     "(k^2 + q^2)^2 tanh(ph/2) = 4k^2 pq tanh(qh/2)    p^2 = k^2 - w^2/c^2    q^2 = k^2 - w^2 rho/G    k = "
-     "pi/L"},
-    {false, "Moving cantilever: bending modes of the length outside the channel, L(t) = L0 + v0 t.", NULL},
-    {true, "What this mesh makes of it", NULL},
-    {false, "ω² = lowest eigenvalue of M_L⁻¹ M_C M_L⁻¹ K      sin(ΩΔt/2) = ωΔt/2",
-     "w^2 = lowest eigenvalue of M_L^-1 M_C M_L^-1 K      sin(W dt/2) = w dt/2"},
+    {true, "The right answers"},
+    {false, "(k² + q²)² tanh(ph/2) = 4k²pq tanh(qh/2)    p² = k² - ω²/c²    q² = k² - ω²ρ/G    k = π/L"},
+    {false, "Moving cantilever: bending modes of the length outside the channel, L(t) = L0 + v0 t."},
+    {true, "What this mesh makes of it"},
+    {false, "ω² = lowest eigenvalue of M_L⁻¹ M_C M_L⁻¹ K      sin(ΩΔt/2) = ωΔt/2"},
     {false,
      "K adds up over the particles, so it is stiffer the further they lie from the middle of their cells: "
-     "three along a side lock more than two.",
-     NULL},
+     "three along a side lock more than two."},
     {false,
      "A particle that enters another cell jumps from one slope of a hat to the next. The jump feeds stress "
-     "that no node feels, and the energy grows: uGIMP, or a mesh that rides along (mesh.velocity).",
-     NULL},
+     "that no node feels, and the energy grows: uGIMP, or a mesh that rides along (mesh.velocity)."},
 };
 
 static const HelpPassage plate_after[] = {
-    {true, "What a crack is held against", NULL},
-    {false, "c_R = c_s √(2 - 2/√3)    c_s = √(3E/(8ρ))",
-     "c_R = c_s sqrt(2 - 2/sqrt(3))    c_s = sqrt(3E/(8 rho))"},
+    {true, "What a crack is held against"},
+    {false, "c_R = c_s √(2 - 2/√3)    c_s = √(3E/(8ρ))"},
     {false,
      "Rayleigh's speed in plane stress at ν = 1/3. A speed is taken over the time in which that wave goes "
-     "four horizons: over less the tip's jumps from spacing to spacing would show.",
-     "Rayleigh's speed in plane stress at nu = 1/3. A speed is taken over the time in which that wave goes "
      "four horizons: over less the tip's jumps from spacing to spacing would show."},
-    {false,
-     "No formula tells where a crack in a plate goes. What must hold all the way is the sum of the energies.",
-     NULL},
+    {false, "No formula tells where a crack in a plate goes. What must hold all the way is the sum of the "
+            "energies."},
 };
 
 static const HelpPassage beam_after[] = {
-    {true, "The right answers", NULL},
-    {false, "Euler-Bernoulli: T = 2L²/π / √(Eh²/12ρ). Timoshenko: the same with shear and rotation, κ = 5/6.",
-     "Euler-Bernoulli: T = 2L^2/pi / sqrt(E h^2/(12 rho)). Timoshenko: the same with shear and rotation, "
-     "kappa = 5/6."},
+    {true, "The right answers"},
+    {false,
+     "Euler-Bernoulli: T = 2L²/π / √(Eh²/(12ρ)). Timoshenko: the same with shear and rotation, κ = 5/6."},
     {false,
      "Moving cantilever: bending modes of the length outside the channel, L(t) = L0 + v0 t; its amplitude "
-     "grows and it swings ever more slowly.",
-     NULL},
-    {true, "Slips of the paper, and what is done instead", NULL},
-    {false, "Before eq. 9: \"Eq. (5)\" means eq. 8.", NULL},
-    {false, "ν = .33 of the notched beam is 1/3.", "nu = .33 of the notched beam is 1/3."},
-    {false, "Velocity Verlet and central differences give the same positions.", NULL},
-    {false, "The time step of 1e-8 s is far below the critical one; periods do not depend on it.", NULL},
+     "grows and it swings ever more slowly."},
+    {true, "Slips of the paper, and what is done instead"},
+    {false, "Before eq. 9: \"Eq. (5)\" means eq. 8."},
+    {false, "ν = .33 of the notched beam is 1/3."},
+    {false, "Velocity Verlet and central differences give the same positions."},
+    {false, "The time step of 1e-8 s is far below the critical one; periods do not depend on it."},
     {false,
      "Table 1 is not monotone because a beam of floor(h/dx) layers is up to 4 % thinner and the supports "
-     "lie a spacing nearer: see real height and real span.",
-     NULL},
+     "lie a spacing nearer: see real height and real span."},
 };
 
 /* --- by what the simulation has ------------------------------------------------------------------------- */

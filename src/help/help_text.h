@@ -13,7 +13,7 @@ typedef struct HelpWord {
 
 typedef struct HelpPassage {
     bool heading;
-    const char *text, *ascii; /* ascii NULL: the text is */
+    const char *text;
 } HelpPassage;
 
 typedef struct HelpText {

@@ -3,8 +3,10 @@
 #include "picture/glyph.h"
 
 #include "base/assertion.h"
+#include "base/spell.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 enum { REPLACEMENT = '?' };
@@ -128,7 +130,7 @@ int glyphs_columns(const char *utf8)
 }
 
 /* What stands for a character where only ASCII can be shown; one column for one column, so that nothing
- * moves. Texts that matter (equations) have a better ASCII form of their own. */
+ * moves. spell_ascii() has a better form of texts that have room for it, such as equations. */
 static const struct {
     uint32_t first, last;
     char ascii;
@@ -191,29 +193,8 @@ size_t glyphs_line(const char *text, int width, const char **rest)
 
 void glyphs_plain(Glyphs glyphs, const char *text, char *out, size_t size)
 {
-    static const char *const spellings[][2] = {
-        {"→", "->"},  {"←", "<-"}, {"Δ", "d"},   {"ε", "e"},    {"σ", "s"},    {"ρ", "rho"},
-        {"φ", "phi"}, {"ξ", "xi"}, {"η", "eta"}, {"μ", "mu"},   {"α", "a"},    {"Σ", "sum"},
-        {"×", "x"},   {"′", "'"},  {"↑", "Up"},  {"↓", "Down"}, {"½", "1/2"},  {"²", "^2"},
-        {"³", "^3"},  {"−", "-"},  {"≥", ">="},  {"…", "..."},  {"°", " deg"},
-    };
-    enum { SPELLINGS = sizeof spellings / sizeof *spellings };
-    size_t used = 0;
-    while (*text != '\0') {
-        const char *word = NULL;
-        size_t taken = 1;
-        for (int i = 0; !word && glyphs == GLYPHS_ASCII && i < SPELLINGS; i++)
-            if (strncmp(text, spellings[i][0], strlen(spellings[i][0])) == 0) {
-                word = spellings[i][1];
-                taken = strlen(spellings[i][0]);
-            }
-        const char *from = word ? word : text;
-        const size_t length = word ? strlen(word) : 1;
-        if (used + length >= size)
-            break;
-        memcpy(out + used, from, length);
-        used += length;
-        text += taken;
-    }
-    out[used] = '\0';
+    if (glyphs == GLYPHS_ASCII)
+        spell_ascii(text, out, size);
+    else
+        snprintf(out, size, "%s", text);
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Numbers survive the way through text; words are compared as a person would. */
+#include "base/spell.h"
 #include "base/text.h"
 #include "suite.h"
 
@@ -70,6 +71,29 @@ START_TEST(distance_counts_edits)
 }
 END_TEST
 
+START_TEST(symbols_are_spelled)
+{
+    static const char *const pairs[][2] = {
+        {"Δε = Δt Σ N′v    σ ← σ + E Δε", "de = dt sum N'v    s <- s + E de"},
+        {"ρ dv/dt = dσ/dx + ρ b", "rho dv/dt = ds/dx + rho b"},
+        {"v = A φ(x) cos ωt, β = (n−½)π/L", "v = A phi(x) cos wt, beta = (n-1/2)pi/L"},
+        {"ω² = 8EG/(ρδ²) Σ (w_m/m) sin²(mβΔx/2)", "w^2 = 8EG/(rho delta^2) sum (w_m/m) sin^2(m beta dx/2)"},
+        {"s₀ = √(4πG₀/(9Eδ)) ≥ 2/√3", "s0 = sqrt(4 pi G0/(9E delta)) >= 2/sqrt 3"},
+        {"f(i) = Σ »2« c G w s V (ξ+η)/|ξ+η|", "f(i) = sum >>2<< c G w s V (xi+eta)/|xi+eta|"},
+        {"M_L⁻¹ M_C", "M_L^-1 M_C"},
+        {"é stays", "é stays"},
+        {"", ""},
+    };
+    for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++) {
+        char out[80], little[8];
+        spell_ascii(pairs[i][0], out, sizeof out);
+        ck_assert_str_eq(out, pairs[i][1]);
+        spell_ascii(pairs[i][0], little, sizeof little); /* what does not fit is left out whole */
+        ck_assert(strncmp(little, out, strlen(little)) == 0);
+    }
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     TCase *numbers = tcase_create("numbers");
@@ -79,5 +103,6 @@ void add_cases(Suite *suite)
     suite_add_tcase(suite, numbers);
     TCase *words = tcase_create("words");
     tcase_add_test(words, distance_counts_edits);
+    tcase_add_test(words, symbols_are_spelled);
     suite_add_tcase(suite, words);
 }
