@@ -463,7 +463,7 @@ static bool load_run(const Options *options, const char *scenario, Settings *set
             return status_refuse(status, "--steps: %s says when the run ends (one of them)",
                                  strcmp(overrides[i].origin, "--set") == 0 ? "--set time.end" : "--end");
     /* the step does not depend on the end, so an end that nothing can object to comes first */
-    char end[NUMBER_TEXT_MAX] = "1e-300";
+    char end[NUMBER_TEXT_MAX] = "1e-50";
     double dt;
     overrides[count] = (Override){"--steps", "time.end", end};
     overrides[count + 1] = (Override){"--steps", "output.at", ""};
