@@ -99,10 +99,6 @@ result "its cracks" says out '^cracks  2 tips  fastest 1862 m/s = 0.61 c_R  brok
 result "where and when it branched, and how rough it is" says out \
 	'^branch x 69.8, y 20.0 mm, 26.0 us  half angle 26 deg  surface made / length 1.39$'
 result "what it cost" says out '^cost  248.0 J/m^2: path 182.1  beside 65.9  far 0.0$'
-expect "an energy beyond all numbers" 1 pulled-plate --steps 3 --set plate.thickness=1e308 --series - --quiet
-result "is told by its column" says err '^matvib: work in step [0-9]* is too large for a number: '
-expect "in a table too" 1 supported-beam-coarse --steps 2 --set beam.thickness=1e308 --set beam.youngs_modulus=71e20 --particles - --quiet
-result "by its field" says err '^matvib: strain_energy in step [0-9]* is too large for a number: '
 expect "a bar under a load" 0 pull --end 20
 result "by the work" says out '^energy, first period to last, .* % of the work, which is half a step ahead of the motion$'
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Runs as files: what they hold, that they repeat, that they are written whole or not at all. */
 #include "answers/summary.h"
+#include "scenario/concern_body.h"
 #include "scenario/concern_cells.h"
 #include "scenario/concern_loads.h"
 #include "scenario/concern_output.h"
@@ -317,6 +318,24 @@ static void expect_repeats(const Settings *settings, bool may_fail)
     if (bar)
         expect_same_files(first.nodes, again.nodes);
 }
+
+/* What can be typed is within bounds; what is made of it may still be beyond all numbers some day. */
+START_TEST(no_infinite_number_is_written)
+{
+    Settings settings = beam_settings(&problem_supported_beam, 1e-6);
+    settings_edit_geometry(&settings)->thickness = 1e308;
+    set(&settings, "beam.youngs_modulus", "71e20");
+    const Outputs outputs[] = {
+        {.asker = ASKER_COMMAND_LINE, .series = in_folder("inf.csv")},
+        {.asker = ASKER_COMMAND_LINE, .particles = in_folder("inf.csv")},
+    };
+    Status status = {0};
+    ck_assert(!export_run(&settings, &outputs[_i], 1, NULL, NULL, NULL, &status));
+    ck_assert_msg(strstr(status.text, _i ? "strain_energy in step" : "in step") &&
+                      strstr(status.text, "is too large for a number"),
+                  "%s", status.text);
+}
+END_TEST
 
 START_TEST(what_stands_beside_repeats_the_run)
 {
@@ -706,6 +725,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, columns_are_those_of_the_contract);
     tcase_add_test(tcase, columns_are_written_that_are_asked_for);
     tcase_add_test(tcase, rows_are_those_of_the_laboratory);
+    tcase_add_loop_test(tcase, no_infinite_number_is_written, 0, 2);
     tcase_add_test(tcase, what_stands_beside_repeats_the_run);
     tcase_add_test(tcase, a_failed_run_is_written_up_to_there);
     tcase_add_test(tcase, frames_are_the_nearest_steps);
