@@ -431,9 +431,7 @@ static bool takes_changes(Experiment *experiment, Status *status)
     Trial trial = {.settings = &experiment->base};
     if (!simulation_visit(experiment->run.sim, NULL, try_changes, &trial))
         return out_of_memory(status);
-    if (!trial.good && status)
-        *status = trial.why;
-    return trial.good;
+    return trial.good || status_take(status, &trial.why);
 }
 
 bool experiment_change(Experiment *experiment, long step, const Settings *changed, Status *status)

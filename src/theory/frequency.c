@@ -561,8 +561,8 @@ bool frequency_fit_lines(const double *values, size_t count, double t0, double d
     double unknowns[UNKNOWNS_MAX];
     quiet_begin();
     bool done = fit_record(&record, dt * (double)(count - 1) / 2, start, unknowns, status);
-    quiet_end();
     if (done)
         fill_fit(&record, unknowns, t0, dt, fit);
+    quiet_end();
     return done;
 }
