@@ -76,7 +76,7 @@ static void take_energy(RunSummary *summary, const Simulation *sim, const Column
     if (summary->energy_of_work && !(largest > 0))
         return;
     /* by the material point method it is that of the nodes' velocity at the end of the step */
-    summary->energy_of_ahead = summary->energy_of_work && find(columns, n_columns, "kinetic_grid") >= 0;
+    summary->energy_of_ahead = summary->energy_of_work && simulation_has(sim, HAS_MESH);
     const double end = rows[(count - 1) * width + 1], span = span_of(summary, end) * (1 - 1e-9);
     size_t first = 1, last = 1;
     while (first < count && rows[first * width + 1] < span)

@@ -113,7 +113,7 @@ typedef struct Record {
     size_t count;
     const double *ratios;
     int n_lines;
-    bool decays;
+    bool decays, short_of_memory;
     double middle, scale; /* value = middle + scale * scaled value */
     double total;         /* squares of the scaled values about their mean */
 } Record;
@@ -299,7 +299,7 @@ static double step_left(const gsl_multifit_nlinear_workspace *fit, const Record 
 }
 
 /* Levenberg and Marquardt from a start; the end is left in `unknowns`. */
-static bool refine(const Record *record, double unknowns[UNKNOWNS_MAX], Status *status)
+static bool refine(Record *record, double unknowns[UNKNOWNS_MAX], Status *status)
 {
     const size_t n = unknowns_of(record);
     gsl_multifit_nlinear_parameters parameters = gsl_multifit_nlinear_default_parameters();
@@ -307,6 +307,7 @@ static bool refine(const Record *record, double unknowns[UNKNOWNS_MAX], Status *
         .f = residuals, .df = jacobian, .n = record->count, .p = n, .params = (void *)record};
     gsl_multifit_nlinear_workspace *fit =
         gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &parameters, record->count, n);
+    record->short_of_memory = record->short_of_memory || !fit;
     if (!fit)
         return status_fail(status, "not enough memory to fit %zu samples", record->count);
     gsl_vector_view start = gsl_vector_view_array(unknowns, n);
@@ -472,7 +473,7 @@ static void fill_fit(const Record *record, const double unknowns[UNKNOWNS_MAX], 
 
 /* All unknowns from a start that the linear part has found. False: less than half a period, beyond the
  * Nyquist frequency, or no convergence. */
-static bool fit_from(const Record *record, double unknowns[UNKNOWNS_MAX], Status *status)
+static bool fit_from(Record *record, double unknowns[UNKNOWNS_MAX], Status *status)
 {
     if (!refine(record, unknowns, status))
         return false;
@@ -561,6 +562,8 @@ bool frequency_fit_lines(const double *values, size_t count, double t0, double d
     double unknowns[UNKNOWNS_MAX];
     quiet_begin();
     bool done = fit_record(&record, dt * (double)(count - 1) / 2, start, unknowns, status);
+    if (record.short_of_memory) /* another fit would have been better, perhaps */
+        done = status_fail(status, "not enough memory to fit %zu samples", count);
     if (done)
         fill_fit(&record, unknowns, t0, dt, fit);
     quiet_end();

@@ -526,8 +526,11 @@ static StepMode find_mode(Search *search, int number, double complex mu)
     if (!sample(search, bar_mode_shape, number) || !go_on(&search->step, 0.5 / SOLVES_MOST))
         return mode;
     begin(&search->step, search->sampled, mu, search->x);
+    errno = 0;
     if (iterate(&search->step, &search->band, &mu, search->x, search->y))
         mode = read_mode(search, mu);
+    else if (errno == ECANCELED)
+        return mode;
     if (mode.known && (mode.overlap >= nearly_pure || search->step.rest.cells > CELLS_MOST_DENSE))
         return mode;
     quiet_begin();

@@ -420,7 +420,7 @@ END_TEST
 START_TEST(beams_are_reproduced)
 {
     char *text = expect_reproduced("P-step P-surface P-table1");
-    ck_assert_ptr_nonnull(strstr(text, "Left out without --full:\n  P-step       5 of 9 rows\n"));
+    ck_assert_ptr_nonnull(strstr(text, "Left out without --full:\n  P-step       5 of 11 rows\n"));
     ck_assert_ptr_nonnull(strstr(text, "  P-table1     16 of 27 rows\n"));
     ck_assert_ptr_null(strstr(text, "P-fig7"));
     free(text);

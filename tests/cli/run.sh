@@ -76,7 +76,7 @@ result "and not that nothing vibrates" sh -c '! grep -q "nothing vibrates" out'
 expect "a cut along nodes" 0 plate.ini --set 'cuts.a=0 10.5mm 100% 10.5mm' --end 1e-6
 result "is told of" says out '^cut a runs along nodes'
 cp plate.ini own.ini
-for option in --series --particles --nodes --vtk; do
+for option in --series --particles --nodes; do
 	expect "$option onto the scenario" 2 own.ini --end 1e-6 $option own.ini --force
 	result "is refused" says err '^matvib: own.ini: the output would overwrite an input$'
 done

@@ -61,7 +61,7 @@ START_TEST(the_crack_goes_as_the_paper_says)
     CrackCost cost;
     ck_assert(crack_cost(sim, &(Patience){0}, &cost));
     ck_assert_double_eq_tol(cost.plane / 35.68, 0.9537, 2e-4);
-    ck_assert_double_eq_tol(cost.total / cost.area, 44.7, 0.5);
+    ck_assert_double_eq_tol(cost.total / cost.area, 40.8, 0.5);
     ck_assert_double_eq_tol(cost.through / cost.area, 31.2, 1);
     ck_assert_double_eq_tol(cost.beside / cost.area, 9.0, 0.5);
     simulation_destroy(sim);

@@ -84,10 +84,11 @@ static void check_told(const Session *session, long place)
 
 /* ncurses does not ask whether it got memory, neither for the description of a terminal nor for a text with
  * arguments, tiparm(); what is ours is found without a terminal by check_memory and tests/faults/run. Then
- * too the terminal has to be as it was. */
+ * too the terminal has to be as it was. What curses leaves of its heap may end the program later, in
+ * malloc(). */
 static bool crashed_in_library(int status)
 {
-    return status == 128 + SIGSEGV;
+    return status == 128 + SIGSEGV || status == 128 + SIGABRT;
 }
 
 /* MATVIB_FAULTS places (4), spread over all. */

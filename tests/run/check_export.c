@@ -131,7 +131,10 @@ static Settings read_back(const char *name)
 {
     Settings settings;
     Status status = {0};
-    ck_assert_msg(scenario_load(name, &settings, &status), "%s", status.text);
+    FILE *stream = fopen(name, "r"); /* not noted as an input, which no output may overwrite */
+    ck_assert_ptr_nonnull(stream);
+    ck_assert_msg(scenario_read(stream, name, &settings, &status), "%s", status.text);
+    fclose(stream);
     return settings;
 }
 
@@ -683,7 +686,8 @@ END_TEST
 START_TEST(damping_is_told_as_a_rate)
 {
     const double alpha = 1451.9169931853621;
-    Settings settings = read_back("supported-beam-coarse");
+    Settings settings;
+    ck_assert(scenario_load("supported-beam-coarse", &settings, NULL));
     RunSummary summary;
     settings_edit_damping(&settings)->rate = alpha;
     settings_edit_time(&settings)->step = 1e-7;

@@ -507,7 +507,10 @@ START_TEST(a_concealed_one_is_made_and_not_told)
     ck_assert_str_eq(settings_mistake(&hidden), "?");
     settings_show(&hidden, row, text);
     ck_assert_str_eq(text, "?");
-    settings_get(&hidden, row, text);
+    settings_get(&hidden, row, text); /* as a cipher, which reads back to the same */
+    ck_assert(text[0] == '?' && strstr(text, id_of(_i)) == NULL);
+    set(&hidden, row->key, text);
+    settings_get(&hidden, row, value);
     ck_assert_str_eq(text, value);
     const Settings right = right_of(_i);
     Simulation *a = simulate(&told), *b = simulate(&hidden), *c = simulate(&right);
