@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Numbers that are worked on together, for the kernels alone: as many as the machine's vectors hold, or, in a
- * build without fast/, one.
+/* Numbers that are worked on together, for the kernels alone: as many as the machine's vectors hold.
  *
  * They are the compiler's own types (GCC and clang), on which + - * / and comparisons work number by number,
  * so that a loop over vectors reads like the loop over numbers and its speed does not hang on what an
@@ -13,10 +12,24 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#ifdef HAVE_FAST
-#include "methods/fast/vector_width.h"
+#ifdef __SSE2__
+#include <immintrin.h>
+#endif
+
+/* Eight doubles at once with AVX-512, four with AVX, else two. */
+#if defined __AVX512F__
+enum { VECTOR_WIDTH = 8 };
+#define VECTOR_ROOT(x)       _mm512_sqrt_pd((__m512d)(x))
+#define VECTOR_IS_ZERO(bits) (_mm512_test_epi64_mask((__m512i)(bits), (__m512i)(bits)) == 0)
+#elif defined __AVX__
+enum { VECTOR_WIDTH = 4 };
+#define VECTOR_ROOT(x)       _mm256_sqrt_pd((__m256d)(x))
+#define VECTOR_IS_ZERO(bits) (_mm256_testz_si256((__m256i)(bits), (__m256i)(bits)) != 0)
 #else
-enum { VECTOR_WIDTH = 1 };
+enum { VECTOR_WIDTH = 2 };
+#ifdef __SSE2__
+#define VECTOR_ROOT(x) _mm_sqrt_pd((__m128d)(x))
+#endif
 #endif
 
 /* KERNEL_LEVEL is given where a file is compiled: plain, avx2 or avx512 (cpu.h). */

@@ -303,19 +303,6 @@ static int count_marks(const Simulation *sim)
     return n;
 }
 
-START_TEST(a_beams_mistake_switches_its_bands_off)
-{
-    Settings settings = wrong_beam(0);
-    Simulation *sim = simulate(&settings);
-    ck_assert(beam_goes_fast(sim));
-    simulation_destroy(sim);
-    settings = wrong_beam(_i + 1);
-    sim = simulate(&settings);
-    ck_assert(!beam_goes_fast(sim));
-    simulation_destroy(sim);
-}
-END_TEST
-
 /* The same bits by several threads, of the bonds too. */
 START_TEST(threads_leave_no_trace)
 {
@@ -541,7 +528,6 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(bar, what_they_are_not_defined_for_is_refused_by_name, 0, n);
     tcase_add_loop_test(bar, those_of_the_start_begin_the_run_anew, 0, all);
     tcase_add_loop_test(bar, the_stage_shows_what_differs, 0, all);
-    tcase_add_loop_test(bar, a_beams_mistake_switches_its_bands_off, 0, m);
     tcase_add_loop_test(bar, threads_leave_no_trace, 0, m);
     tcase_add_loop_test(bar, what_a_beams_are_not_defined_for_is_refused_by_name, 0, m);
     TCase *told = tcase_create("told");

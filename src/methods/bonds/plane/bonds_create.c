@@ -30,7 +30,6 @@ static void destroy(Simulation *sim)
     free(beam->is_dirty);
     free(beam->halo);
     free(beam->row_energy);
-    free(beam->row_squares);
     free(beam->row_work);
     free(beam->row_speeds);
     free(beam->scratch);
@@ -105,15 +104,14 @@ static bool allocate(Beam *beam, Status *status)
     beam->is_dirty = zeroed(beam, nodes);
     beam->halo = zeroed(beam, bands * 2 * reach * lattice->stride * sizeof *beam->halo);
     beam->row_energy = zeroed(beam, (size_t)lattice->ny * sizeof *beam->row_energy);
-    beam->row_squares = zeroed(beam, 2 * (size_t)lattice->ny * sizeof *beam->row_squares);
     beam->row_work = zeroed(beam, 2 * (size_t)lattice->ny * sizeof *beam->row_work);
     beam->row_speeds = zeroed(beam, 2 * (size_t)lattice->ny * sizeof *beam->row_speeds);
     beam->band_logs = zeroed(beam, bands * sizeof *beam->band_logs);
     beam->scratch = zeroed(beam, (size_t)beam->def.threads * BONDS_SCRATCH * sizeof *beam->scratch);
     if (!beam->coefficient || !beam->notched || !beam->unbreakable || !beam->rooted || !beam->state ||
         !beam->backup || !beam->broken_at || !beam->damage || !beam->dirty || !beam->is_dirty ||
-        !beam->halo || !beam->row_energy || !beam->row_squares || !beam->row_work || !beam->row_speeds ||
-        !beam->band_logs || !beam->scratch)
+        !beam->halo || !beam->row_energy || !beam->row_work || !beam->row_speeds || !beam->band_logs ||
+        !beam->scratch)
         return beam_go_on(beam, BUILDING_BONDS, status) &&
                status_fail(status, "not enough memory for %zu bonds (pd.spacing)", lattice_bonds(lattice));
 

@@ -121,14 +121,13 @@ typedef struct Beam {
     int *band_of_row;
     double *halo; /* per band: reach rows of fx, then of fy */
     double *row_energy;
-    double *row_squares; /* per row sum vx^2 and sum vy^2 at the end of a step whose row is taken */
-    double *row_work;    /* per row the work done in the first half of a step and in the second, J */
-    double *row_speeds;  /* per row sum |v|^2 and sum vy at mid-step, for what damping and weight do in it */
-    BondLog *band_logs;  /* one per band */
-    double *scratch;     /* one per worker */
-    Pool *pool;          /* NULL: one thread */
-    void *backup;        /* the state when a batch of steps began */
-    double built;        /* share of the building that is done, for forces meanwhile; see beam_ask_forces() */
+    double *row_work;   /* per row the work done in the first half of a step and in the second, J */
+    double *row_speeds; /* per row sum |v|^2 and sum vy at mid-step, for what damping and weight do in it */
+    BondLog *band_logs; /* one per band */
+    double *scratch;    /* one per worker */
+    Pool *pool;         /* NULL: one thread */
+    void *backup;       /* the state when a batch of steps began */
+    double built;       /* share of the building that is done, for forces meanwhile; see beam_ask_forces() */
     _Atomic bool given_up; /* by BeamDef.patience */
 } Beam;
 
@@ -233,8 +232,6 @@ bool beam_change(Simulation *sim, const char *key, double value, Status *status)
 void beam_set_series(Beam *beam);
 void beam_row(Simulation *sim, double *row);
 double beam_kinetic(Beam *beam);
-void beam_note_squares(Beam *beam, int j); /* of row j; and once all rows are there: */
-void beam_keep_kinetic(Beam *beam);
 
 /* bonds_fields.c */
 void beam_set_fields(Beam *beam);

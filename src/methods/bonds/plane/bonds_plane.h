@@ -111,9 +111,6 @@ typedef struct BeamFacts {
 
 void beam_facts(const Simulation *beam, BeamFacts *facts);
 
-/* Whether whole steps go bands of rows at a time; what a wrong code does is done stage by stage. */
-bool beam_goes_fast(const Simulation *beam);
-
 /* What holds and what loads its nodes, with the pressure of now; returns how many there are. The channel of a
  * moving cantilever is not among them. */
 int beam_supports(const Simulation *beam, Support out[PLATE_ROWS_MAX]);

@@ -44,32 +44,20 @@ static double vx_probe(Beam *beam)
     return probe(beam, beam->nodes.vx);
 }
 
-void beam_note_squares(Beam *beam, int j)
-{
-    ASSERT_INDEX(j, beam->lattice.ny);
-    const size_t first = lattice_at(&beam->lattice, 0, j), count = beam->lattice.columns;
-    const double *vx = beam->nodes.vx + first, *vy = beam->nodes.vy + first;
-    beam->row_squares[2 * j] = beam->kernels->dot(vx, vx, count);
-    beam->row_squares[2 * j + 1] = beam->kernels->dot(vy, vy, count);
-}
-
 /* sum rho |v|^2/2 V b, row by row in a fixed order: the same bits with any vector width and thread. */
-void beam_keep_kinetic(Beam *beam)
-{
-    double sum = 0;
-    for (int k = 0; k < 2 * beam->lattice.ny; k++)
-        sum += beam->row_squares[k];
-    beam->kinetic = sum * beam->def.density / 2 * beam_volume(beam) * beam->def.thickness;
-    beam->kinetic_known = true;
-}
-
 double beam_kinetic(Beam *beam)
 {
-    if (!beam->kinetic_known) {
-        for (int j = 0; j < beam->lattice.ny; j++)
-            beam_note_squares(beam, j);
-        beam_keep_kinetic(beam);
+    double sum = 0;
+    const size_t count = beam->lattice.columns;
+    for (int j = 0; !beam->kinetic_known && j < beam->lattice.ny; j++) {
+        const size_t row = lattice_at(&beam->lattice, 0, j);
+        const double *vx = beam->nodes.vx + row, *vy = beam->nodes.vy + row;
+        sum += beam->kernels->dot(vx, vx, count);
+        sum += beam->kernels->dot(vy, vy, count);
     }
+    if (!beam->kinetic_known)
+        beam->kinetic = sum * beam->def.density / 2 * beam_volume(beam) * beam->def.thickness;
+    beam->kinetic_known = true;
     return beam->kinetic;
 }
 

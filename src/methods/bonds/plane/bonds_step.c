@@ -15,9 +15,8 @@
  * bonds cost (bonds_break.c), ripples by O(dt^2) about a constant value.
  *
  * Arrays over nodes are padded rows (lattice.h): u m, v m/s, f = rho a N/m^3. Each stage is a function of one
- * row of the lattice; whole steps do one stage after the other, or call the same functions as
- * fast/bonds_turns.h has it. A step fails when a bond doubles its length or
- * collapses, or when there is no memory for the list of broken bonds. */
+ * row of the lattice; whole steps call the same functions, bands of rows by several threads. A step fails
+ * when a bond doubles its length or collapses, or when there is no memory for the list of broken bonds. */
 #include "base/assertion.h"
 #include "methods/batch.h"
 #include "methods/bonds/plane/bonds_mistakes.h"
@@ -180,6 +179,18 @@ static RowStage *const late_stages[N_STAGES] = {
     [STAGE_BODY_FORCE] = body_force, [STAGE_SECOND_KICK] = nothing,
 };
 
+static RowStage *const *stages_of(const Beam *beam)
+{
+    return bonds_does(beam, BONDS_WRONG_KICKS_LATE) ? late_stages : row_stages;
+}
+
+/* Damage where bonds broke, and whether the motion is at rest. */
+static void end_step(Beam *beam)
+{
+    beam_update_damage(beam, beam->sim.step + 1);
+    beam_look_for_rest(beam, beam->sim.step + 1);
+}
+
 /* The bonds that rows [first, end) own, eqs. 2, 3, 6 and 8. Forces that cross from one band of rows to the
  * next wait in the halos until the last slice, so that f is whole only when the stage is. */
 static bool bonds_stage(Beam *beam, int first, int end, Status *status)
@@ -211,13 +222,11 @@ bool beam_stage(Simulation *sim, int stage, size_t first, size_t end, Status *st
     if (stage == STAGE_BONDS)
         return bonds_stage(beam, (int)first, (int)end, status);
     if (stage == STAGE_DAMAGE) {
-        if (end == sim->stage_items) {
-            beam_update_damage(beam, sim->step + 1);
-            beam_look_for_rest(beam, sim->step + 1);
-        }
+        if (end == sim->stage_items)
+            end_step(beam);
         return true;
     }
-    RowStage *const work = (bonds_does(beam, BONDS_WRONG_KICKS_LATE) ? late_stages : row_stages)[stage];
+    RowStage *const work = stages_of(beam)[stage];
     for (size_t j = first; j < end; j++)
         work(beam, (int)j, sim->step);
     if (end < sim->stage_items)
@@ -232,37 +241,55 @@ bool beam_stage(Simulation *sim, int stage, size_t first, size_t end, Status *st
 
 /* --- whole steps --- */
 
-bool beam_goes_fast(const Simulation *sim)
+/* The stages [from, end) of a step on the rows of a band; none of them looks at another row. */
+static void do_stages(Beam *beam, int band, int from, int end)
 {
-    return !bonds_mistake((const Beam *)sim);
+    RowStage *const *const stages = stages_of(beam);
+    for (int j = beam->band_first[band]; j < beam->band_first[band + 1]; j++)
+        for (int stage = from; stage < end; stage++)
+            stages[stage](beam, j, beam->sim.step);
 }
 
-/* Whole steps, stage by stage over all rows. */
-static bool run_stages(Beam *beam, long count, double *rows, Status *status)
+static void begin_band(void *context, int band, int worker)
 {
-    Simulation *sim = &beam->sim;
+    (void)worker;
+    do_stages(context, band, STAGE_HALF_KICK, STAGE_BONDS);
+}
+
+/* The rows first receive what the bands below have for them. */
+static void end_band(void *context, int band, int worker)
+{
+    (void)worker;
+    Beam *beam = context;
+    for (int j = beam->band_first[band]; j < beam->band_first[band + 1]; j++)
+        beam_add_halos(beam, j);
+    do_stages(beam, band, STAGE_BODY_FORCE, STAGE_DAMAGE);
+}
+
+/* Fewer steps where the beam comes to rest. On failure the state is in the middle of the step that failed.
+ * The energy of the bonds comes with their forces where a row is taken; a mistake's bonds have no other. */
+static bool run_steps(Simulation *sim, long count, double *rows, Status *status)
+{
+    Beam *beam = (Beam *)sim;
     for (long n = 0; n < count && !sim->at_rest; n++) {
-        for (int stage = 0; stage < N_STAGES; stage++)
-            if (!beam_stage(sim, stage, 0, (size_t)beam->lattice.ny, status))
-                return false;
+        beam->strain_known = beam->kinetic_known = false;
+        beam_run(beam, begin_band, beam->n_bands);
+        beam_add_work(beam, 0);
+        beam_add_speeds(beam);
+        beam_bond_forces(beam, rows || bonds_mistake(beam));
+        bool sound = true;
+        for (int band = 0; band < beam->n_bands; band++)
+            sound = take_log(beam, &beam->band_logs[band], sim->step, status) && sound;
+        if (!sound)
+            return false;
+        beam_run(beam, end_band, beam->n_bands);
+        beam_add_work(beam, 1);
+        end_step(beam);
         sim->step++;
         if (rows)
             beam_row(sim, rows + n * sim->n_series);
     }
     return true;
-}
-
-#ifdef HAVE_FAST
-#include "methods/fast/bonds_turns.h"
-#endif
-
-static bool run_steps(Simulation *sim, long count, double *rows, Status *status)
-{
-#ifdef HAVE_FAST
-    if (beam_goes_fast(sim))
-        return run_turns((Beam *)sim, count, rows, status);
-#endif
-    return run_stages((Beam *)sim, count, rows, status);
 }
 
 static void keep(Simulation *sim)
