@@ -9,6 +9,7 @@
 #define ANSWERS_DIAGNOSE_H
 
 #include "base/patience.h"
+#include "methods/method.h"
 #include "run/overlay.h"
 #include "scenario/assignment.h"
 
@@ -19,10 +20,15 @@ typedef struct DiagnoseColumn {
     int theirs;                  /* of the overlay */
     char name[OVERLAY_NAME_MAX]; /* ours */
     char unit[32];
-    int group;      /* the first column with this unit: what is of one unit has one size */
-    double factor;  /* theirs times it is in our units */
-    double natural; /* the largest number of this unit at t = 0, in our units */
-    bool silent;    /* it is empty, zero, or copied: it tells nothing */
+    char meaning[64];            /* ours, in words */
+    char kinds[96];              /* it may be any of these by its name; "": it is `name` */
+    char point[FOLLOW_TEXT_MAX]; /* of a series: it is one thing's, "particle 49 v"; "": the series' own */
+    bool own;                    /* it has our name */
+    int group;                   /* the first column with this unit: what is of one unit has one size */
+    double factor;               /* theirs times it is in our units */
+    double scale;                /* that of the reading alone: a sign, a unit, a mass */
+    double natural;              /* the largest number of this unit at t = 0, in our units */
+    bool silent;                 /* it is empty, zero, or copied: it tells nothing */
 } DiagnoseColumn;
 
 /* The rows of one step, or of one stage of it. */
@@ -43,14 +49,21 @@ typedef struct DiagnoseTable {
     DiagnoseColumn columns[DIAGNOSE_COLUMNS_MAX];
     int n_columns;
     DiagnoseMoment *moments;
-    size_t n_moments;
-    size_t *rows;    /* of the file, in the order of the moments */
-    size_t *things;  /* of each of them */
-    double dt;       /* that its times tell, by so much more or less: */
-    double dt_bound; /* what is written with few digits leaves it open */
-    bool timed;      /* they tell one */
-    int time_column; /* of the file: its times, or else its steps */
-    double noise;    /* round-off of two right codes after a step, as a share of a column's size */
+    size_t n_moments, all_moments; /* that are compared; that there are */
+    size_t *rows;                  /* of the file, in the order of the moments */
+    size_t *things;                /* of each of them */
+    double scenario_dt;
+    double spacing,
+        spacing_bound;  /* of its times as they are written, where they alone tell the step; else 0 */
+    double time_factor; /* they times it are ours */
+    int step_column;    /* of the file; -1: none */
+    bool half;          /* its times are those of half steps */
+    long shift;         /* its row of step n holds what the run has after step n + shift */
+    double dt;          /* that its times tell, by so much more or less: */
+    double dt_bound;    /* what is written with few digits leaves it open */
+    bool timed;         /* they tell one */
+    int time_column;    /* of the file: its times, or else its steps */
+    double noise;       /* round-off of two right codes after a step, as a share of a column's size */
     char notes[DIAGNOSE_NOTES_MAX][160]; /* what has to be said of it */
     int n_notes;
 } DiagnoseTable;
@@ -129,6 +142,9 @@ typedef struct DiagnoseTask {
 
 /* False: it was given up, there is no memory, or the scenario itself cannot be run. */
 bool diagnose(const DiagnoseTask *, DiagnoseTable *, Diagnosis *, Status *);
+
+/* How the table was read: "v: v of particle 49; rows carry the time before their step; dt 0.02". */
+void diagnosis_read_as(const DiagnoseTable *, char *out, size_t size);
 
 /* What it came to, in lines of ASCII. */
 void diagnosis_tell(const Diagnosis *, const DiagnoseTable *, FILE *);

@@ -79,8 +79,6 @@ int diagnose_candidates(const Settings *right, Candidate out[CANDIDATES_MAX])
         if (diagnose_is_tried(right, &parameters[i]) && !parameters[i].wrong &&
             (parameters[i].type == PARAMETER_CHOICE || parameters[i].type == PARAMETER_FLAG))
             add_choices(&list, right, &parameters[i]);
-    add(&list, DIAGNOSE_SHIFT, NULL, 0, 1);
-    add(&list, DIAGNOSE_SHIFT, NULL, 0, -1);
     for (int i = 0; i < n_parameters; i++)
         if (diagnose_is_tried(right, &parameters[i]) && parameters[i].nudge != NUDGE_NONE &&
             (parameters[i].type == PARAMETER_REAL || parameters[i].type == PARAMETER_INTEGER))

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the columns of a foreign table are worth, once the right run has been laid beside them
- * (diagnose_internal.h): their units and sizes, and those that tell nothing, for they are empty, zero,
+ * (diagnose_internal.h): their sizes, and those that tell nothing, for they are empty, zero,
  * copied, or no numbers. */
 #include "answers/diagnose_internal.h"
 #include "base/assertion.h"
@@ -33,44 +33,6 @@ static Extent extent_of(const Search *search, int c)
             extent.ours = fmax(extent.ours, fabs(ours));
         }
     return extent;
-}
-
-/* Another power of a thousand for a unit, as the first numbers tell that are not small: 1 without one. */
-static double unit_of(const Search *search, int c)
-{
-    const DiagnoseTable *table = search->table;
-    const DiagnoseColumn *column = &table->columns[c];
-    const double least = 1e-3 * extent_of(search, c).ours;
-    for (size_t m = 0; m < search->walk.compared; m++)
-        for (size_t k = 0; k < table->moments[m].count; k++) {
-            const size_t row = table->moments[m].first + k;
-            const double theirs = diagnose_theirs(table, column, row);
-            const double ours = search->values[row * (size_t)table->n_columns + (size_t)c];
-            if (!(fabs(ours) > least) || !(theirs / ours > 0) || !isfinite(theirs / ours))
-                continue;
-            const double whole = round(math_log10(theirs / ours) / 3);
-            const double bound = diagnose_bound(table, column, theirs, fabs(theirs), table->moments[m].step);
-            return whole != 0 && fabs(theirs / ours / math_pow(10, 3 * whole) - 1) <= bound / fabs(theirs)
-                       ? math_pow(10, -3 * whole)
-                       : 1;
-        }
-    return 1;
-}
-
-static void find_units(Search *search)
-{
-    DiagnoseTable *table = search->table;
-    for (int c = 0; c < table->n_columns && search->units; c++) {
-        const double factor = table->columns[c].factor == 1 ? unit_of(search, c) : 1;
-        if (factor == 1)
-            continue;
-        search->taken = true;
-        diagnose_note(table, "its %s is in a unit of its own: %g of ours each", table->columns[c].name,
-                      factor);
-        for (int i = 0; i < table->n_columns; i++)
-            if (table->columns[i].group == table->columns[c].group && table->columns[i].factor == 1)
-                table->columns[i].factor = factor;
-    }
 }
 
 /* The rows that are compared. */
@@ -254,8 +216,6 @@ bool diagnose_judge_columns(Search *search)
 {
     DiagnoseTable *table = search->table;
     leave_out_lost(search);
-    search->notes = table->n_notes;
-    find_units(search);
     size_from_rest(search);
     const int telling = silence(search);
     if (telling > 0 && !table->of_stages && !find_copies(search))

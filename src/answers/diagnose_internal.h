@@ -50,6 +50,9 @@ double diagnose_theirs(const DiagnoseTable *, const DiagnoseColumn *, size_t row
 /* What is to be said of the table; more than it has room for is dropped. */
 void diagnose_note(DiagnoseTable *, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
+/* What numbers of a unit are at most at the start; `row`: of the series there. */
+double diagnose_size_at_start(Simulation *, const char *unit, const double *row);
+
 /* diagnose_candidates.c: what else could have made the numbers: up to two values other than the scenario's,
  * or rows counted from elsewhere. */
 typedef struct Candidate {
@@ -94,8 +97,6 @@ typedef struct Search {
     DiagnoseTable *table;
     Diagnosis *found;
     Settings right;    /* with the file's time step */
-    bool units, taken; /* units of the file's own are sought; some was found */
-    int notes;         /* before them */
     double *values;    /* of the right run */
     double *grown;     /* what its round-off grows to, where it departs; else NULL */
     Walk walk;         /* along it */
@@ -104,9 +105,28 @@ typedef struct Search {
     Status *status;
 } Search;
 
-/* diagnose_columns.c: after the first walk along the right run. Leaves out what is no number, finds units and
- * sizes, silences what tells nothing; the verdict is UNKNOWN if something tells. False: there is no memory.
- */
+/* diagnose_reading.c: how the table may be meant. */
+typedef struct DiagnoseReading {
+    double dt, time_factor;
+    long shift;  /* DiagnoseTable */
+    double last; /* a step of the scenario's end */
+    DiagnoseColumn columns[DIAGNOSE_COLUMNS_MAX];
+    int n_columns;
+} DiagnoseReading;
+
+/* The likeliest first; that which agrees with a right code alone, where one does. Returns how many there are;
+ * -1: it was given up, or there is no memory. */
+enum { READINGS_MAX = 4 };
+int diagnose_readings(const Search *, DiagnoseReading out[READINGS_MAX]);
+
+/* Puts steps and columns of a table as a reading has them. False: it has rows between its steps. */
+bool diagnose_read_as(DiagnoseTable *, const DiagnoseReading *);
+
+/* The time of a moment as it is written. */
+double diagnose_time_of(const DiagnoseTable *, size_t moment);
+
+/* diagnose_columns.c: after the first walk along the right run. Leaves out what is no number, finds sizes,
+ * silences what tells nothing; the verdict is UNKNOWN if something tells. False: there is no memory. */
 bool diagnose_judge_columns(Search *);
 
 /* Whether a column never changes in the right run, as a mass: beside others it tells of no run. */

@@ -268,8 +268,11 @@ bool diagnose_walk(Walk *walk, const Settings *settings, int threads, Patience p
                    .grown = given.grown};
     settings_edit_output(&asked)->columns[0] = settings_edit_output(&asked)->follow[0] = '\0';
     for (int c = 0; c < walk->table->n_columns && walk->table->set < 0; c++)
-        if (strlen(settings_output(&asked)->columns) + strlen(walk->table->columns[c].name) + 3 <
-            sizeof settings_output(&asked)->columns)
+        if (*walk->table->columns[c].point)
+            text_list_add(settings_edit_output(&asked)->follow, sizeof settings_output(&asked)->follow,
+                          walk->table->columns[c].point);
+        else if (strlen(settings_output(&asked)->columns) + strlen(walk->table->columns[c].name) + 3 <
+                 sizeof settings_output(&asked)->columns)
             text_list_add(settings_edit_output(&asked)->columns, sizeof settings_output(&asked)->columns,
                           walk->table->columns[c].name);
     bool sound = run_open(&run, &asked, problem_simulate(&asked, threads, status), status);

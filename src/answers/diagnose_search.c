@@ -346,27 +346,40 @@ static bool judge(Search *search)
     return true;
 }
 
-/* A power of a thousand may be a mistake and no unit: where no code explains the file with units of its own,
- * one may with ours. `begun`: the table as it was read. */
-static bool judge_without_units(Search *search, const DiagnoseTable *begun)
+/* Each way to read the table, the likeliest first, up to one that some code explains; else as the first. */
+static bool judge_readings(Search *search, const DiagnoseReading *readings, int count)
 {
-    const Diagnosis before = *search->found;
-    const DiagnoseTable table = *search->table;
-    *search->table = *begun;
-    memcpy(search->table->notes, table.notes, sizeof table.notes);
-    search->table->n_notes = search->notes;
-    *search->found = (Diagnosis){
-        .agreed_step = -1, .verdict = DIAGNOSE_UNKNOWN, .rows = begun->file.count, .tried = before.tried};
-    free(search->grown);
-    search->grown = NULL;
-    search->units = false;
-    const bool sound = judge(search);
-    if (!sound || search->found->verdict != DIAGNOSE_UNKNOWN)
-        return sound;
-    const long tried = search->found->tried;
-    *search->table = table;
-    *search->found = before;
-    search->found->tried = tried;
+    DiagnoseTable *table = search->table;
+    const DiagnoseTable begun = *table;
+    const Diagnosis nothing = *search->found;
+    Diagnosis first = nothing;
+    DiagnoseTable as_first = begun;
+    Status why = {STATUS_DONE, ""};
+    int first_of = -1;
+    for (int i = 0; i < count; i++) {
+        const long tried = search->found->tried;
+        *table = begun;
+        *search->found = nothing;
+        search->found->tried = tried;
+        free(search->grown);
+        search->grown = NULL;
+        search->right = *search->task->settings;
+        if (!diagnose_read_as(table, &readings[i]) || !diagnose_hold_step(&search->right, table->dt, &why))
+            continue;
+        if (!judge(search))
+            return false;
+        if (search->found->verdict != DIAGNOSE_UNKNOWN)
+            return true;
+        if (first_of < 0)
+            first_of = i, first = *search->found, as_first = *table;
+    }
+    if (first_of < 0)
+        return status_refuse(search->status, "%s: the scenario cannot be run with its time step %.10g%s%s",
+                             table->file.file, readings[0].dt, *why.text ? ": " : "", why.text);
+    first.tried = search->found->tried;
+    diagnose_read_as(table, &readings[first_of]); /* its steps */
+    *search->found = first;
+    *table = as_first;
     return true;
 }
 
@@ -376,25 +389,26 @@ bool diagnose(const DiagnoseTask *task, DiagnoseTable *table, Diagnosis *found, 
     *found = (Diagnosis){.agreed_step = -1, .verdict = DIAGNOSE_UNKNOWN, .rows = table->file.count};
     if (!search)
         return status_fail(status, "out of memory");
-    *search = (Search){.task = task,
-                       .table = table,
-                       .found = found,
-                       .right = *task->settings,
-                       .units = true,
-                       .status = status};
-    const DiagnoseTable begun = *table;
+    *search =
+        (Search){.task = task, .table = table, .found = found, .right = *task->settings, .status = status};
     search->values = malloc((table->file.count * (size_t)table->n_columns + 1) * sizeof *search->values);
     for (size_t i = 0; search->values && i < table->file.count * (size_t)table->n_columns; i++)
         search->values[i] = NAN;
-    bool sound = search->values || status_fail(status, "out of memory");
-    Status why = {STATUS_DONE, ""};
-    sound = sound && (diagnose_hold_step(&search->right, table->dt, &why) ||
-                      status_refuse(status, "%s: the scenario cannot be run with its time step %.10g%s%s",
-                                    table->file.file, table->dt, *why.text ? ": " : "", why.text));
+    DiagnoseReading *readings = malloc(READINGS_MAX * sizeof *readings);
+    bool sound = (search->values && readings) || status_fail(status, "out of memory");
+    sound =
+        sound && settings_refuse_mistake(&search->right, "a file is compared with the right code", status);
+    const int count = sound ? diagnose_readings(search, readings) : -1;
     sound = sound &&
-            settings_refuse_mistake(&search->right, "a file is compared with the right code", status) &&
-            judge(search) &&
-            (!search->taken || found->verdict != DIAGNOSE_UNKNOWN || judge_without_units(search, &begun));
+            (count > 0 ||
+             status_refuse(
+                 status,
+                 count < 0
+                     ? "interrupted"
+                     : "%s: none of its columns is ours, as far as its first rows tell (--map 1=time,2=v_cm)",
+                 table->file.file)) &&
+            judge_readings(search, readings, count);
+    free(readings);
     free(search->values);
     free(search->grown);
     free(search);

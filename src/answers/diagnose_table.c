@@ -25,19 +25,22 @@
 static const struct {
     const char *ours, *others;
 } synonyms[] = {
-    {"step", "nstep n_step step_number timestep iteration iter it n"},
-    {"time", "t zeit"},
+    {"step", "nstep n_step step_number timestep iteration iter it n schritt"},
+    {"time", "t zeit times t_n tn temps"},
     {"stage", "stage_number"},
     {"stage_id", "stage_name"},
     {"particle", "particle_id particle_index pid point id index"},
     {"node", "node_id node_index nid id index"},
-    {"v_cm", "vcm v_com vcom com_velocity mean_velocity v_mean velocity v"},
-    {"x_cm", "xcm x_com xcom com_position mean_position x_mean position x"},
-    {"v_probe", "vy v velocity"},
-    {"u_probe", "uy u displacement deflection"},
+    {"v_cm",
+     "vcm v_com vcom com_velocity mean_velocity v_mean velocity v vel geschwindigkeit speed v_tip vtip v_end "
+     "momentum p p_cm"},
+    {"x_cm", "xcm x_com xcom com_position mean_position x_mean position x pos u displacement disp "
+             "verschiebung u_tip utip x_tip"},
+    {"v_probe", "vy v velocity v_y vel"},
+    {"u_probe", "uy u displacement deflection u_y disp w"},
     {"kinetic", "kinetic_energy e_kin ekin ek ke"},
     {"strain", "strain_energy e_strain estrain potential_energy epot se pe"},
-    {"total", "total_energy energy e_tot e_total etot te"},
+    {"total", "total_energy energy e_tot e_total etot te e"},
     {"work", "external_work w_ext"},
     {"x", "position pos xp"},
     {"u", "displacement disp up"},
@@ -140,6 +143,48 @@ static int column_of(const Overlay *file, const Names *names, const char *ours, 
     return -1;
 }
 
+/* What a column may be by another's name than ours: the first that agrees counts. */
+static const struct {
+    const char *names, *kinds;
+} meanings[] = {
+    {"v_cm vcm v_com vcom com_velocity mean_velocity v_mean kinetic_energy", ""},
+    {"velocity v vel geschwindigkeit speed v_tip vtip v_end vp", "v_cm v"},
+    {"momentum p p_cm mv", "v_cm"},
+    {"x position pos xp x_tip", "x_cm x"},
+    {"u displacement disp up verschiebung u_tip utip", "x_cm u x"},
+    {"vy v_y", "v_probe vy"},
+    {"uy u_y deflection w", "u_probe uy"},
+};
+
+static const char any_kind[] = "v_cm v x_cm u x stress kinetic strain total v_probe u_probe vy uy";
+
+static const char *kinds_of(const char *name, bool known)
+{
+    for (size_t i = 0; i < sizeof meanings / sizeof *meanings; i++) {
+        const char *names = meanings[i].names;
+        char other[OVERLAY_NAME_MAX];
+        while (text_next_word(&names, other, sizeof other))
+            if (strcasecmp(other, name) == 0)
+                return meanings[i].kinds;
+    }
+    return known ? "" : any_kind;
+}
+
+/* A name without the unit behind it, "time (s)" and "v [m/s]", its words joined. */
+static void clean_name(char name[OVERLAY_NAME_MAX])
+{
+    const size_t length = strcspn(name, "([");
+    if (length > 0)
+        name[length] = '\0';
+    char *unit = strstr(name, " / ");
+    if (unit)
+        *unit = '\0';
+    for (size_t end = strlen(name); end > 0 && strchr(" \t,_", name[end - 1]); end--)
+        name[end - 1] = '\0';
+    for (char *c = name; *c; c++)
+        *c = *c == ' ' ? '_' : *c;
+}
+
 /* --- words in cells ------------------------------------------------------------------------------------- */
 
 /* The name of a stage is its number; what overflowed is infinite, and what was not written is missing. */
@@ -171,7 +216,7 @@ typedef struct Heads {
     double time_factor;
 } Heads;
 
-static double size_at_start(Simulation *sim, const char *unit, const double *row)
+double diagnose_size_at_start(Simulation *sim, const char *unit, const double *row)
 {
     double size = 0, value;
     for (int i = 0; i < sim->n_series; i++)
@@ -187,12 +232,13 @@ static double size_at_start(Simulation *sim, const char *unit, const double *row
     return size;
 }
 
-static void add_column(DiagnoseTable *table, int theirs, const Quantity *ours, double factor)
+static void add_column(DiagnoseTable *table, int theirs, const Quantity *ours, double factor, bool own)
 {
     if (table->n_columns == DIAGNOSE_COLUMNS_MAX)
         return;
     DiagnoseColumn *column = &table->columns[table->n_columns];
-    *column = (DiagnoseColumn){.theirs = theirs, .factor = factor, .group = table->n_columns};
+    *column = (DiagnoseColumn){
+        .theirs = theirs, .factor = factor, .scale = 1, .group = table->n_columns, .own = own};
     snprintf(column->name, sizeof column->name, "%s", ours->name);
     snprintf(column->unit, sizeof column->unit, "%s", ours->unit);
     for (int i = 0; i < table->n_columns && column->group == table->n_columns; i++)
@@ -217,6 +263,39 @@ static int set_of(const Overlay *file, const Names *names, const Simulation *sim
     return -1;
 }
 
+/* Where nothing has a name that is known, a column may be anything. */
+static void add_unknown(DiagnoseTable *table, const Names *names, const bool *taken)
+{
+    static const Quantity anything = {"?", "", "", ""};
+    for (int i = 0; i < table->file.n_columns && (table->n_columns == 0 || !*table->file.columns[i].name);
+         i++) {
+        if (taken[i] || names->n_mapped > 0)
+            continue;
+        add_column(table, i, &anything, 1, false);
+        snprintf(table->columns[table->n_columns - 1].kinds, sizeof table->columns[0].kinds, "%s", any_kind);
+    }
+}
+
+/* Columns without names: steps, times, or both come first. */
+static void find_unnamed(const Overlay *file, Heads *heads)
+{
+    for (int c = 0; c < 2 && c < file->n_columns - 1; c++) {
+        const double *values = file->columns[c].values;
+        bool rises = file->count > 1 && values[0] >= 0, counts = rises && (values[0] == 0 || values[0] == 1);
+        for (size_t r = 1; r < file->count; r++) {
+            rises = rises && values[r] >= values[r - 1];
+            counts = counts && (values[r] == values[r - 1] || values[r] == values[r - 1] + 1);
+        }
+        if (c == 0 && counts && values[file->count - 1] > values[0])
+            heads->step = c;
+        else if (rises && heads->time < 0 && values[file->count - 1] > values[0] &&
+                 (c == 0 || (heads->step == 0 && fabs(values[1] - values[0] -
+                                                      (values[file->count - 1] - values[file->count - 2])) <
+                                                     1e-6 * values[file->count - 1])))
+            heads->time = c;
+    }
+}
+
 static bool find_columns(DiagnoseTable *table, const Names *names, Simulation *sim, Heads *heads,
                          Status *status)
 {
@@ -232,6 +311,11 @@ static bool find_columns(DiagnoseTable *table, const Names *names, Simulation *s
     heads->time = column_of(file, names, "time", taken, &heads->time_factor);
     heads->stage = column_of(file, names, "stage", taken, &factor);
     heads->stage_id = column_of(file, names, "stage_id", taken, &factor);
+    bool named_any = names->n_mapped > 0;
+    for (int i = 0; i < file->n_columns; i++)
+        named_any = named_any || *file->columns[i].name;
+    if (!named_any)
+        find_unnamed(file, heads);
     table->set = set_of(file, names, sim, heads);
     const int of_row[] = {heads->step,  heads->time, heads->stage, heads->stage_id,
                           heads->thing, heads->i,    heads->j};
@@ -256,17 +340,23 @@ static bool find_columns(DiagnoseTable *table, const Names *names, Simulation *s
             if (theirs < 0 || taken[theirs])
                 continue;
             taken[theirs] = true;
-            add_column(table, theirs, ours, pass == 0 ? 1 : factor);
+            const bool own = pass == 0 || is_mapped(names, theirs);
+            add_column(table, theirs, ours, pass == 0 ? 1 : factor, own);
+            if (!own)
+                snprintf(table->columns[table->n_columns - 1].kinds, sizeof table->columns[0].kinds, "%s",
+                         kinds_of(file->columns[theirs].name, true));
         }
+    add_unknown(table, names, taken);
     for (int c = 0; c < table->n_columns; c++)
-        table->columns[c].natural = size_at_start(sim, table->columns[c].unit, row);
+        table->columns[c].natural = diagnose_size_at_start(sim, table->columns[c].unit, row);
     free(row);
     for (int i = 0; i < names->n_mapped; i++)
         if (!taken[names->mapped[i].theirs])
             return status_refuse(status, "--map: %.40s is no column of ours (step, time, %s)",
                                  names->mapped[i].ours, known);
     if (heads->step < 0 && heads->time < 0)
-        return status_refuse(status, "%s:1: no column step or time (--map theirs=step names it)", file->file);
+        return status_refuse(status, "%s:1: no column step or time (--map 1=time names the first so)",
+                             file->file);
     return table->n_columns > 0 ||
            status_refuse(status, "%s:1: none of its columns is one of %s (--map theirs=ours)", file->file,
                          known);
@@ -329,42 +419,37 @@ static void time_step_of_steps(DiagnoseTable *table, const Heads *heads, double 
     if (!(own > 0) || fabs(own - dt) <= bound + 1e-12 * dt)
         return;
     table->dt = own;
-    diagnose_note(table, "its time step is %.13g, not the scenario's %.13g: the runs beside it take its own",
-                  own, dt);
 }
 
 /* The time step of times alone: the scenario's where rows are a multiple of it apart, else that of the rows.
  */
-static bool time_step_of_times(DiagnoseTable *table, const Heads *heads, double dt, Status *status)
+static bool time_step_of_times(DiagnoseTable *table, const Heads *heads, Status *status)
 {
     const Overlay *file = &table->file;
     const double *times = file->columns[heads->time].values;
-    double last = -INFINITY, spacing = INFINITY, before = NAN, last_bound = 0;
+    double first = INFINITY, last = -INFINITY, spacing = INFINITY, before = NAN;
     for (size_t r = 0; r < file->count; r++) {
-        const double t = times[r] * heads->time_factor;
+        const double t = times[r];
         if (!isfinite(t))
             continue;
-        const double own_bound = time_bound(file, heads, r);
+        const double own_bound = time_bound(file, heads, r) / heads->time_factor;
         if (t < -own_bound)
             return status_refuse(status, "%s: row %zu: a time below 0 (a run begins at 0)", file->file,
                                  r + 1);
-        if (!isnan(before) && fabs(t - before) > 2 * own_bound)
+        if (!isnan(before) && fabs(t - before) > 0.5 * own_bound)
             spacing = fmin(spacing, fabs(t - before));
         before = t;
+        first = fmin(first, t);
         if (t > last)
-            last = t, last_bound = own_bound;
+            last = t;
     }
     if (!isfinite(spacing))
         return true;
-    const double steps = round(spacing / dt), bound = 2 * last_bound + 1e-9 * spacing;
-    if (steps >= 1 && fabs(spacing - steps * dt) <= bound)
-        return true;
-    table->dt = last / fmax(1, round(last / spacing));
-    table->dt_bound = bound / fmax(1, round(last / spacing));
-    diagnose_note(
-        table,
-        "its rows are %.10g apart, no multiple of the scenario's time step %.10g: taken for its own steps",
-        table->dt, dt);
+    const double rows = fmax(1, round((last - first) / spacing));
+    table->spacing = (last - first) / rows;
+    table->spacing_bound =
+        (math_pow(10, -fmin(file->columns[heads->time].places, 300)) + 1e-9 * spacing) / rows;
+    table->dt_bound = table->spacing_bound * heads->time_factor;
     return true;
 }
 
@@ -440,14 +525,11 @@ static bool place_of(const DiagnoseTable *table, const Heads *heads, const Simul
             return status_refuse(status, "%s: row %zu: step %g is no whole number from 0 on", file->file,
                                  row + 1, file->columns[heads->step].values[row]);
     } else {
-        const double time = file->columns[heads->time].values[row] * heads->time_factor;
-        const double steps = round(time / table->dt);
+        const double time = file->columns[heads->time].values[row];
+        const double steps = table->spacing > 0 ? floor(time / table->spacing + 0.25) : 0; /* half ones too */
         if (!(steps >= -0.5 && steps <= 1e12))
             return status_refuse(status, "%s: row %zu: no time", file->file, row + 1);
-        if (fabs(time - steps * table->dt) > 2 * time_bound(file, heads, row) + 1e-6 * table->dt)
-            return status_refuse(status, "%s: row %zu: time %.10g is no multiple of the time step %.10g",
-                                 file->file, row + 1, time, table->dt);
-        place->step = (long)steps;
+        place->step = (long)steps; /* in order; which they are a reading says */
     }
     if (table->of_stages) {
         const int column = heads->stage_id >= 0 ? heads->stage_id : heads->stage;
@@ -550,9 +632,6 @@ static void say_what_is_odd(DiagnoseTable *table, const Heads *heads, const Simu
         for (int i = column->theirs + 1; i < file->n_columns; i++)
             if (*theirs && strcasecmp(theirs, file->columns[i].name) == 0)
                 diagnose_note(table, "it has several columns %s: the first counts", theirs);
-        if (strcasecmp(theirs, column->name) != 0)
-            diagnose_note(table, "its column %s is taken for %s", *theirs ? theirs : "(without a name)",
-                          column->name);
     }
 }
 
@@ -579,16 +658,79 @@ static bool cut(DiagnoseTable *table, long last, Status *status)
     size_t kept = table->n_moments;
     while (kept > 1 && is_empty(table, &table->moments[kept - 1]))
         kept--;
-    table->n_moments = kept;
     while (kept > 1 && (table->moments[kept - 1].first + table->moments[kept - 1].count > most ||
                         (double)table->moments[kept - 1].step > steps))
         kept--;
     if ((double)table->moments[0].step > steps)
         return status_refuse(status, "%s: begins at step %ld, and the scenario has %ld", table->file.file,
                              table->moments[0].step, last);
-    if (kept < table->n_moments)
-        diagnose_note(table, "it is long: compared up to step %ld", table->moments[kept - 1].step);
-    table->n_moments = kept;
+    table->n_moments = table->all_moments = kept;
+    return true;
+}
+
+static void find_range(OverlayColumn *column, size_t count)
+{
+    column->least = column->largest = NAN;
+    for (size_t r = 0; r < count; r++) {
+        column->least = fmin(column->least, column->values[r]);
+        column->largest = fmax(column->largest, column->values[r]);
+    }
+}
+
+/* Of a wide table, times and then a column for each thing of a set, a long one: a row for each thing, as
+ * tables of things are. */
+static bool lengthen(Overlay *file, const Simulation *sim, Status *status)
+{
+    for (int c = 0; c < file->n_columns; c++)
+        clean_name(file->columns[c].name);
+    const char *last = file->columns[file->n_columns - 1].name;
+    const size_t stem = strcspn(last, "0123456789");
+    const bool numbered = last[stem] && stem > 0 && last[stem + strspn(last + stem, "0123456789")] == '\0';
+    if (*last && !numbered)
+        return true;
+    int first = 0;
+    while (first < file->n_columns && *last && strncmp(file->columns[first].name, last, stem) != 0)
+        first++;
+    first = *last ? first : 1;
+    const size_t wide = (size_t)(file->n_columns - first), count = file->count;
+    int set = 0;
+    while (set < sim->n_sets && (sim->counts[set] != wide || sim->sets[set].ready_after > 0))
+        set++;
+    if (set == sim->n_sets || wide < 3 || first < 1)
+        return true;
+    Overlay tall = {.count = count * wide, .n_columns = first + 2, .y = -1};
+    memcpy(tall.file, file->file, sizeof tall.file);
+    tall.columns = calloc((size_t)tall.n_columns, sizeof *tall.columns);
+    bool sound = tall.columns && count <= OVERLAY_CELLS_MAX / wide;
+    for (int c = 0; c < tall.n_columns && sound; c++) {
+        OverlayColumn *column = &tall.columns[c];
+        *column = file->columns[c < first ? c : first];
+        sound = (column->values = malloc((tall.count + 1) * sizeof *column->values)) != NULL;
+        for (size_t r = 0; r < tall.count && sound; r++)
+            column->values[r] = c < first    ? file->columns[c].values[r / wide]
+                                : c == first ? (double)(r % wide)
+                                             : file->columns[first + (int)(r % wide)].values[r / wide];
+        for (int i = 0; i < (int)wide && c > first; i++) {
+            column->digits = file->columns[first + i].digits > column->digits
+                                 ? file->columns[first + i].digits
+                                 : column->digits;
+            column->places = file->columns[first + i].places > column->places
+                                 ? file->columns[first + i].places
+                                 : column->places;
+        }
+        find_range(column, tall.count);
+    }
+    if (!sound) {
+        overlay_close(&tall);
+        return status_fail(status, "not enough memory for %s", file->file);
+    }
+    snprintf(tall.columns[first].name, OVERLAY_NAME_MAX, "%s", sim->sets[set].name);
+    snprintf(tall.columns[first + 1].name, OVERLAY_NAME_MAX, "%.*s", (int)stem, last);
+    clean_name(tall.columns[first + 1].name);
+    if (!*last)
+        snprintf(tall.columns[0].name, OVERLAY_NAME_MAX, "time");
+    overlay_close(file);
+    *file = tall;
     return true;
 }
 
@@ -608,12 +750,14 @@ static bool read_rows(DiagnoseTable *table, const Settings *settings, const char
     table->stages_by_id = heads.stage_id >= 0;
     table->of_next = !table->of_stages && table->set >= 0 && sim->sets[table->set].ready_after > 0;
     table->noise = simulation_has(sim, HAS_BONDS) || simulation_has(sim, HAS_PLANE) ? 1e-9 : 1e-13;
-    table->dt = sim->dt;
+    table->dt = table->scenario_dt = sim->dt;
+    table->time_factor = heads.time >= 0 ? heads.time_factor : 1;
     table->timed = heads.time >= 0;
     table->time_column = heads.time >= 0 ? heads.time : heads.step;
+    table->step_column = heads.step;
     if (table->timed && heads.step >= 0)
         time_step_of_steps(table, &heads, sim->dt);
-    if ((table->timed && heads.step < 0 && !time_step_of_times(table, &heads, sim->dt, status)) ||
+    if ((table->timed && heads.step < 0 && !time_step_of_times(table, &heads, status)) ||
         !place_rows(table, &heads, sim, status) ||
         !find_lost(table, table->set < 0 ? 1 : sim->counts[table->set], status))
         return false;
@@ -634,7 +778,7 @@ bool diagnose_read_from(DiagnoseTable *table, FILE *stream, const char *file, co
     for (int i = 0; i < sim->n_stages && i < DIAGNOSE_STAGES_MAX; i++)
         snprintf(table->stage_ids[table->n_stages++], sizeof table->stage_ids[0], "%s", sim->stages[i].id);
     const bool sound = overlay_read_words(&table->file, stream, file, take_word, table, status) &&
-                       read_rows(table, settings, map, sim, status);
+                       lengthen(&table->file, sim, status) && read_rows(table, settings, map, sim, status);
     simulation_destroy(sim);
     if (!sound)
         diagnose_close(table);
@@ -650,15 +794,6 @@ bool diagnose_read(DiagnoseTable *table, const char *path, const Settings *setti
     if (stream)
         fclose(stream);
     return sound;
-}
-
-static void find_range(OverlayColumn *column, size_t count)
-{
-    column->least = column->largest = NAN;
-    for (size_t r = 0; r < count; r++) {
-        column->least = fmin(column->least, column->values[r]);
-        column->largest = fmax(column->largest, column->values[r]);
-    }
 }
 
 bool diagnose_overlay(DiagnoseTable *table, Overlay *out)

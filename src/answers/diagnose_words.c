@@ -7,6 +7,7 @@
 
 #include <math.h>
 #include <string.h>
+#include <strings.h>
 
 static void tell_moment(const Departure *departure, FILE *out)
 {
@@ -141,8 +142,61 @@ static void tell_nothing_found(const Diagnosis *found, const DiagnoseTable *tabl
                       departure->stage, departure->stage_id);
 }
 
+/* A unit or a sign: what a number of the file is in ours. */
+static const char *scale_words(const DiagnoseColumn *column)
+{
+    return column->scale == 1      ? ""
+           : column->scale == -1   ? ", with the other sign"
+           : column->scale == 1e-3 ? ", in thousandths"
+           : column->scale == 1e3  ? ", in thousands"
+                                   : ", times the mass of the bar";
+}
+
+void diagnosis_read_as(const DiagnoseTable *table, char *out, size_t size)
+{
+    char names[120] = "";
+    out[0] = '\0';
+    for (int c = 0; c < table->n_columns; c++) {
+        const DiagnoseColumn *column = &table->columns[c];
+        const char *theirs = table->file.columns[column->theirs].name;
+        char of[160];
+        if (strcasecmp(theirs, column->name) == 0 && column->scale == 1) {
+            text_list_add(names, sizeof names, column->name);
+            continue;
+        }
+        snprintf(of, sizeof of, "%s", *column->point ? column->point : column->name);
+        if (*column->point) { /* "particle 49 v" */
+            const char *field = strrchr(column->point, ' ');
+            snprintf(of, sizeof of, "%s of %.*s", field + 1, (int)(field - column->point), column->point);
+        }
+        text_append(out, size, "%s: %s%s; ", *theirs ? theirs : "a column without a name", of,
+                    scale_words(column));
+    }
+    if (*names)
+        text_append(out, size, "%s; ", names);
+    if (table->shift == 1)
+        text_append(out, size, "rows carry the time before their step; ");
+    else if (table->shift == -1)
+        text_append(out, size, "rows carry the time after their step; ");
+    if (table->half)
+        text_append(out, size, "times of half steps; ");
+    if (table->spacing > 0 && table->time_factor == 1e-3)
+        text_append(out, size, "times in ms; ");
+    else if (table->spacing > 0 && table->time_factor == 1e-6)
+        text_append(out, size, "times in millionths; ");
+    const long every = table->n_moments > 1 ? table->moments[1].step - table->moments[0].step : 1;
+    text_append(out, size, "dt %.10g", table->dt);
+    if (fabs(table->dt - table->scenario_dt) > table->dt_bound + 1e-12 * table->dt)
+        text_append(out, size, " (the scenario's is %.10g)", table->scenario_dt);
+    if (every > 1 && !table->of_stages)
+        text_append(out, size, ", a row every %ld steps", every);
+}
+
 void diagnosis_tell(const Diagnosis *found, const DiagnoseTable *table, FILE *out)
 {
+    char read_as[400];
+    diagnosis_read_as(table, read_as, sizeof read_as);
+    visible_print(out, "Read as: %s\n", read_as);
     for (int i = 0; i < table->n_notes; i++)
         visible_print(out, "(%s)\n", table->notes[i]);
     if (found->verdict == DIAGNOSE_COPIED) {

@@ -1,0 +1,532 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* How a foreign table is meant (diagnose_internal.h): in what unit and step its times are, whether a row
+ * carries the time of its step, and what its columns are of: the centre of mass or one point, in which unit.
+ *
+ * A reading is a hypothesis. Each is tried against the right code of each order of the stages, over the first
+ * rows; a column may be any quantity that its name allows. The first that agrees throughout counts; where
+ * none does, those whose first row agrees, the longest first. */
+#include "answers/diagnose_internal.h"
+
+#include "base/assertion.h"
+#include "base/math/functions.h"
+#include "base/text.h"
+#include "problems/problem.h"
+#include "scenario/concern_output.h"
+#include "scenario/concern_time.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+/* --- times ------------------------------------------------------------------------------------------------
+ */
+
+double diagnose_time_of(const DiagnoseTable *table, size_t moment)
+{
+    ASSERT_INDEX(moment, table->all_moments);
+    const int column = table->step_column >= 0 ? table->step_column : table->time_column;
+    return table->file.columns[column].values[table->rows[table->moments[moment].first]];
+}
+
+/* The steps that the times of a reading are of: whole ones, or all half a step off. False: they are of none.
+ */
+static bool steps_of(DiagnoseTable *table, const DiagnoseReading *reading, double last)
+{
+    const OverlayColumn *times = &table->file.columns[table->time_column];
+    bool half = false;
+    for (size_t m = 0; m < table->all_moments; m++) {
+        double step;
+        if (table->step_column >= 0)
+            step = diagnose_time_of(table, m);
+        else {
+            const double written = diagnose_time_of(table, m), time = written * reading->time_factor;
+            /* of few digits it may be of the nearest step alone */
+            const double bound =
+                fmin(0.51 * reading->time_factor * diagnose_last_digit(times, written), 0.45 * reading->dt);
+            const double exact = time / reading->dt;
+            half = m == 0 ? fabs(exact - floor(exact) - 0.5) < 0.01 : half;
+            step = half ? floor(exact) : round(exact);
+            if (!(fabs(time - (step + (half ? 0.5 : 0)) * reading->dt) <=
+                  bound + 2e-6 * reading->dt + 1e-14 * time))
+                return false;
+        }
+        step += (double)reading->shift;
+        if (!(step >= 0 && step < 1e12) ||
+            (m > 0 && step <= (double)table->moments[m - 1].step && !table->of_stages))
+            return false;
+        table->moments[m].step = (long)step;
+    }
+    table->half = half;
+    const double most = fmax(1e5, 10 * last);
+    table->n_moments = table->all_moments;
+    while (table->n_moments > 0 && (double)table->moments[table->n_moments - 1].step > most)
+        table->n_moments--;
+    return table->n_moments > 0;
+}
+
+bool diagnose_read_as(DiagnoseTable *table, const DiagnoseReading *reading)
+{
+    if (!table->of_stages && !steps_of(table, reading, reading->last))
+        return false;
+    table->dt = reading->dt;
+    table->shift = reading->shift;
+    table->time_factor = reading->time_factor;
+    memcpy(table->columns, reading->columns, sizeof table->columns);
+    table->n_columns = reading->n_columns;
+    return true;
+}
+
+/* --- what a column may be ---------------------------------------------------------------------------------
+ */
+
+enum { FIELDS_MAX = 64 }; /* more than any simulation has */
+
+/* A quantity that a column may be, and how long it agrees. */
+typedef struct Source {
+    int series, field; /* of the simulation; one of them is -1 */
+    size_t thing;
+    double factor;
+    size_t agreed, telling; /* entries; of them those that are no round-off */
+    bool over, first;       /* it departs; its first entry agrees and tells something */
+} Source;
+
+typedef struct Sources {
+    Source *all;
+    size_t count, room;
+} Sources;
+
+static const double signs_and_units[] = {1, -1, 1e-3, 1e3};
+
+static bool add_source(Sources *sources, int series, int field, size_t thing, double mass)
+{
+    for (size_t i = 0; i < sizeof signs_and_units / sizeof *signs_and_units + (mass > 0); i++) {
+        if (sources->count == sources->room) {
+            const size_t room = sources->room ? 2 * sources->room : 64;
+            Source *more = realloc(sources->all, room * sizeof *more);
+            if (!more)
+                return false;
+            sources->all = more;
+            sources->room = room;
+        }
+        const double factor = i < 4 ? signs_and_units[i] : 1 / mass;
+        sources->all[sources->count++] = (Source){series, field, thing, factor, 0, 0, false, false};
+    }
+    return true;
+}
+
+/* The particles in the order in which a course looks at them: the tip, the middle, any. */
+static size_t nth_point(size_t n, size_t count)
+{
+    const size_t middle = count / 2, tip = count - 1;
+    if (n < 2)
+        return n == 0 ? tip : middle;
+    const size_t k = n - 2;
+    return k < middle ? k : k + 1; /* count - 2 of them are left */
+}
+
+static double mass_of(Simulation *sim)
+{
+    const int field = simulation_find_field(sim, 0, "mass");
+    double sum = 0;
+    for (size_t k = 0; field >= 0 && k < sim->counts[0]; k++)
+        sum += simulation_value(sim, field, k);
+    return sum;
+}
+
+/* Whether a name may be one of a field's: "v" of the v of a particle. */
+static bool may_be(const char *kinds, const char *field)
+{
+    char word[OVERLAY_NAME_MAX];
+    while (text_next_word(&kinds, word, sizeof word))
+        if (strcmp(word, field) == 0)
+            return true;
+    return false;
+}
+
+static bool find_sources(const DiagnoseTable *table, const DiagnoseColumn *column, Simulation *sim,
+                         Sources *out)
+{
+    const double mass =
+        table->set < 0 && (*column->kinds || strcmp(column->name, "v_cm") == 0) ? mass_of(sim) : 0;
+    const int series = table->set < 0 ? simulation_find_series(sim, column->name) : -1;
+    const int own = table->set < 0 ? -1 : simulation_find_field(sim, table->set, column->name);
+    bool sound = true;
+    out->count = 0;
+    if (series >= 0 || own >= 0)
+        sound = add_source(out, series, own, 0, column->own ? 0 : mass);
+    for (int i = 0; i < sim->n_series && table->set < 0 && sound; i++)
+        if (i != series && may_be(column->kinds, sim->series[i].name))
+            sound = add_source(out, i, -1, 0, mass);
+    for (int f = 0; f < sim->n_fields && f < FIELDS_MAX && sound; f++) {
+        const Field *field = &sim->fields[f];
+        if (field->set != (table->set < 0 ? 0 : table->set) || !may_be(column->kinds, field->quantity.name))
+            continue;
+        if (table->set >= 0)
+            sound = f == own || add_source(out, -1, f, 0, 0);
+        for (size_t k = 0; table->set < 0 && k < sim->counts[0] && sound && sim->counts[0] > 2; k++)
+            sound = add_source(out, -1, f, nth_point(k, sim->counts[0]), 0);
+    }
+    return sound;
+}
+
+/* --- one trial --------------------------------------------------------------------------------------------
+ */
+
+enum { MOMENTS_MAX = 150, TRIAL_STEPS_MAX = 20000, TRIALS_MAX = 64 };
+#define TOLERANCE 2e-6 /* a reading is told from another by more than single precision */
+
+typedef struct Trial {
+    DiagnoseReading reading;
+    bool plain;      /* it is kept where none agrees */
+    int firsts;      /* columns that agree in the first row */
+    size_t agreed;   /* rows, the sum of all columns */
+    bool throughout; /* all of them to the end */
+} Trial;
+
+typedef struct Trials {
+    const Search *search;
+    Trial all[TRIALS_MAX];
+    int count;
+    Sources sources[DIAGNOSE_COLUMNS_MAX];
+    double *row, *field[FIELDS_MAX];
+    double *size, *most; /* of the unit of fields and series at the start; of themselves so far */
+    bool wanted[FIELDS_MAX];
+} Trials;
+
+static bool is_given(const DiagnoseTable *table, int c)
+{
+    const OverlayColumn *column = &table->file.columns[table->columns[c].theirs];
+    return column->least != 0 || column->largest != 0;
+}
+
+static void compare_sources(Trials *trials, const Simulation *sim, size_t moment)
+{
+    const DiagnoseTable *table = trials->search->table;
+    const DiagnoseMoment *now = &table->moments[moment];
+    for (int c = 0; c < table->n_columns; c++) {
+        const OverlayColumn *column = &table->file.columns[table->columns[c].theirs];
+        for (size_t k = now->first; k < now->first + now->count; k++) {
+            const double written = column->values[table->rows[k]];
+            const double digit = 0.51 * diagnose_last_digit(column, written);
+            if (!isfinite(written))
+                continue;
+            for (size_t i = 0; i < trials->sources[c].count; i++) {
+                Source *source = &trials->sources[c].all[i];
+                if (source->over)
+                    continue;
+                const size_t thing = table->set < 0 ? source->thing : table->things[k];
+                const double ours =
+                    source->series >= 0 ? trials->row[source->series] : trials->field[source->field][thing];
+                const double size =
+                    trials->most[source->series >= 0 ? sim->n_fields + source->series : source->field];
+                const double factor = source->factor * table->columns[c].factor;
+                const double theirs = written * factor;
+                source->over =
+                    !(fabs(theirs - ours) <= digit * fabs(factor) + TOLERANCE * fmax(size, fabs(theirs)));
+                source->agreed += !source->over;
+                source->telling += !source->over && written != 0 && fabs(ours) > 1e3 * TOLERANCE * size;
+                source->first = source->first || (moment == 0 && source->telling > 0);
+            }
+        }
+    }
+}
+
+/* What numbers of a unit are at most when the run begins. */
+static void find_sizes(Trials *trials, Simulation *sim)
+{
+    simulation_row(sim, trials->row);
+    for (int i = 0; i < sim->n_fields + sim->n_series; i++) {
+        const Quantity *quantity =
+            i < sim->n_fields ? &sim->fields[i].quantity : &sim->series[i - sim->n_fields];
+        trials->size[i] = diagnose_size_at_start(sim, quantity->unit, trials->row);
+    }
+}
+
+static bool read_now(Trials *trials, Simulation *sim)
+{
+    const int set = trials->search->table->set < 0 ? 0 : trials->search->table->set;
+    simulation_row(sim, trials->row);
+    for (int i = 0; i < sim->n_series; i++)
+        trials->most[sim->n_fields + i] = fmax(trials->most[sim->n_fields + i], fabs(trials->row[i]));
+    for (int f = 0; f < sim->n_fields && f < FIELDS_MAX; f++) {
+        if (!trials->wanted[f])
+            continue;
+        sim->method->field(sim, f, 0, sim->counts[set], trials->field[f]);
+        for (size_t k = 0; k < sim->counts[set]; k++)
+            trials->most[f] = fmax(trials->most[f], fabs(trials->field[f][k]));
+    }
+    return patience_lasts(&trials->search->task->patience, 0);
+}
+
+/* The run as far as some source of some column agrees. */
+static bool go_along(Trials *trials, Simulation *sim)
+{
+    const DiagnoseTable *table = trials->search->table;
+    const size_t most = table->n_moments < MOMENTS_MAX ? table->n_moments : MOMENTS_MAX;
+    size_t m = 0;
+    for (bool any = true; m < most && any && table->moments[m].step <= TRIAL_STEPS_MAX; m++) {
+        if (!simulation_steps(sim, table->moments[m].step - sim->step, NULL, NULL, NULL))
+            break;
+        if (!read_now(trials, sim))
+            return false;
+        compare_sources(trials, sim, m);
+        any = false;
+        for (int c = 0; c < table->n_columns; c++)
+            for (size_t i = 0; i < trials->sources[c].count && !any; i++)
+                any = !trials->sources[c].all[i].over && is_given(table, c);
+    }
+    return true;
+}
+
+/* Whether a column whose name tells nothing agrees with a source by more than chance. */
+static bool is_evidence(const DiagnoseTable *table, int c, const Source *source)
+{
+    enum { ENTRIES = 3, DIGITS = 4 };
+    return source->telling >= ENTRIES ||
+           (source->first && table->file.columns[table->columns[c].theirs].digits >= DIGITS);
+}
+
+static void keep_best(const Trials *trials, const Simulation *sim, Trial *trial)
+{
+    const DiagnoseTable *table = trials->search->table;
+    trial->throughout = true;
+    for (int c = 0; c < table->n_columns; c++) {
+        const Sources *sources = &trials->sources[c];
+        const Source *best = NULL;
+        for (size_t i = 0; i < sources->count; i++)
+            if (!best || sources->all[i].agreed > best->agreed)
+                best = &sources->all[i];
+        DiagnoseColumn *column = &trial->reading.columns[c];
+        if (!best || !is_given(table, c))
+            continue;
+        trial->throughout =
+            trial->throughout && ((!best->over && best->agreed > 0) || strcmp(column->name, "?") == 0);
+        trial->agreed += best->agreed;
+        trial->firsts += best->first;
+        if (best->agreed == 0 || (strcmp(column->name, "?") == 0 && !is_evidence(table, c, best)))
+            continue;
+        column->scale = best->factor;
+        column->factor *= best->factor;
+        const Quantity *quantity =
+            best->series >= 0 ? &sim->series[best->series] : &sim->fields[best->field].quantity;
+        snprintf(column->name, sizeof column->name, "%s", quantity->name);
+        snprintf(column->unit, sizeof column->unit, "%s", quantity->unit);
+        snprintf(column->meaning, sizeof column->meaning, "%s", quantity->label);
+        column->natural = trials->size[best->series >= 0 ? sim->n_fields + best->series : best->field];
+        if (table->set < 0 && best->field >= 0) {
+            snprintf(column->point, sizeof column->point, "%s %zu %s", sim->sets[0].name, best->thing,
+                     quantity->name);
+            snprintf(column->name, sizeof column->name, "%s_%zu_%.20s", sim->sets[0].name, best->thing,
+                     quantity->name);
+        }
+    }
+    /* what nothing of ours is like is left out */
+    DiagnoseColumn *columns = trial->reading.columns;
+    trial->reading.n_columns = 0;
+    for (int c = 0; c < table->n_columns; c++)
+        if (strcmp(columns[c].name, "?") != 0)
+            columns[trial->reading.n_columns++] = columns[c];
+    for (int c = 0; c < trial->reading.n_columns; c++)
+        for (columns[c].group = 0; strcmp(columns[columns[c].group].unit, columns[c].unit) != 0;)
+            columns[c].group++;
+}
+
+static bool make_room(Trials *trials, const Simulation *sim)
+{
+    const DiagnoseTable *table = trials->search->table;
+    const size_t count = sim->counts[table->set < 0 ? 0 : table->set],
+                 all = (size_t)(sim->n_series + sim->n_fields);
+    bool sound = true;
+    memset(trials->wanted, 0, sizeof trials->wanted);
+    for (int c = 0; c < table->n_columns; c++)
+        for (size_t i = 0; i < trials->sources[c].count; i++)
+            if (trials->sources[c].all[i].field >= 0)
+                trials->wanted[trials->sources[c].all[i].field] = true;
+    for (int f = 0; f < FIELDS_MAX && sound; f++)
+        if (trials->wanted[f] && !trials->field[f])
+            sound = (trials->field[f] = malloc((count + 1) * sizeof(double))) != NULL;
+    free(trials->row);
+    free(trials->size);
+    free(trials->most);
+    trials->row = malloc(((size_t)sim->n_series + 1) * sizeof *trials->row);
+    trials->size = malloc((all + 1) * sizeof *trials->size);
+    trials->most = calloc(all + 1, sizeof *trials->most);
+    return sound && trials->row && trials->size && trials->most;
+}
+
+/* One reading beside one order of the stages. False: it was given up, or there is no memory. */
+static bool try_reading(Trials *trials, const DiagnoseReading *reading, const Settings *settings, bool plain)
+{
+    DiagnoseTable *table = trials->search->table;
+    Settings asked = *settings;
+    if (trials->count == TRIALS_MAX || !diagnose_hold_step(&asked, reading->dt, NULL) ||
+        !diagnose_read_as(table, reading))
+        return true;
+    strcpy(settings_edit_output(&asked)->columns, "all");
+    settings_edit_output(&asked)->follow[0] = '\0';
+    Simulation *sim = problem_simulate(&asked, trials->search->task->threads, NULL);
+    bool sound = true;
+    for (int c = 0; c < table->n_columns && sim && sound; c++)
+        sound = find_sources(table, &table->columns[c], sim, &trials->sources[c]);
+    if (sim && sound && (sound = make_room(trials, sim))) {
+        Trial *trial = &trials->all[trials->count++];
+        *trial = (Trial){.reading = *reading, .plain = plain};
+        find_sizes(trials, sim);
+        sound = go_along(trials, sim);
+        keep_best(trials, sim, trial);
+        trials->count -= trial->reading.n_columns == 0;
+    }
+    simulation_destroy(sim);
+    return sound;
+}
+
+/* --- the hypotheses ---------------------------------------------------------------------------------------
+ */
+
+static bool is_whole(double number, double bound)
+{
+    return number >= 0.5 && fabs(number - round(number)) <= bound + 1e-9 * number;
+}
+
+/* One reading of the times with each shift and each order of the stages; *found: one agrees throughout. */
+static bool try_times(Trials *trials, double factor, double dt, bool plain, bool *found)
+{
+    static const long shifts[] = {0, 1, -1};
+    const DiagnoseTable *table = trials->search->table;
+    const Settings *right = trials->search->task->settings;
+    const Parameter *order = parameter_find("mpm.algorithm");
+    const bool ordered = parameter_applies_to(right, order);
+    DiagnoseReading reading = {.dt = dt, .time_factor = factor, .n_columns = table->n_columns};
+    memcpy(reading.columns, table->columns, sizeof reading.columns);
+    for (size_t s = 0; s < sizeof shifts / sizeof *shifts && !*found; s++) {
+        reading.shift = shifts[s];
+        reading.last = (double)problem_last_step(dt, settings_time(right)->end);
+        for (int i = -1; i < (ordered ? parameter_choices(order, right->problem) : 0) && !*found; i++) {
+            Settings settings = *right;
+            if (i == (int)settings_number(right, order) && ordered)
+                continue;
+            if (i >= 0)
+                settings_put(&settings, order, i);
+            const int before = trials->count;
+            if (!try_reading(trials, &reading, &settings, plain))
+                return false;
+            *found =
+                trials->count > before && trials->all[before].throughout && trials->all[before].agreed > 0;
+        }
+    }
+    return true;
+}
+
+/* The units of times in the order in which they are likely: rows far apart may be in ms. */
+static bool try_all_times(Trials *trials, bool *found)
+{
+    const DiagnoseTable *table = trials->search->table;
+    const double dt = table->scenario_dt, share = table->spacing_bound / fmax(table->spacing, 1e-300);
+    const bool far = table->spacing > 99 * dt;
+    const double factors[] = {far ? 1e-3 : 1, far ? 1 : 1e-3, 1e-6}; /* but for one that --map has given */
+    static const int parts[] = {2, 3, 4, 5, 8, 10, 20, 25, 40, 50, 100};
+    if (table->step_column >= 0 || table->of_stages || !(table->spacing > 0))
+        return try_times(trials, table->time_factor, table->dt, true, found);
+    for (int pass = 0; pass < 2; pass++) /* the plain ones first */
+        for (size_t f = 0; f < sizeof factors / sizeof *factors && !*found; f++) {
+            const bool given = table->time_factor != 1;
+            const double factor = given ? table->time_factor : factors[f], spacing = table->spacing * factor;
+            const bool likely = f == 0 || (f == 1 && far);
+            if (given && f > 0)
+                continue;
+            if (f > 0 && !likely && !(spacing > dt / 50 && spacing < 1000 * dt))
+                continue;
+            const bool multiple = is_whole(spacing / dt, share * spacing / dt);
+            if (pass == 0 && multiple && !try_times(trials, factor, dt, likely, found))
+                return false;
+            if (pass == 0 && !*found && !(multiple && fabs(spacing - dt) <= share * spacing + 1e-9 * dt) &&
+                !try_times(trials, factor, spacing, likely, found))
+                return false;
+            for (size_t i = 0; pass == 1 && i < sizeof parts / sizeof *parts && !*found; i++)
+                if (spacing / parts[i] > dt / 20 && spacing / parts[i] < 20 * dt &&
+                    !try_times(trials, factor, spacing / parts[i], false, found))
+                    return false;
+        }
+    return true;
+}
+
+static bool is_same(const DiagnoseReading *a, const DiagnoseReading *b, int columns)
+{
+    bool same = a->dt == b->dt && a->time_factor == b->time_factor && a->shift == b->shift;
+    for (int c = 0; c < columns; c++)
+        same = same && strcmp(a->columns[c].name, b->columns[c].name) == 0 &&
+               a->columns[c].factor == b->columns[c].factor;
+    return same;
+}
+
+/* A sign or a power of a thousand may be a mistake and no unit. */
+static int add_unscaled(const DiagnoseReading *reading, DiagnoseReading *out)
+{
+    bool scaled = false;
+    *out = *reading;
+    for (int c = 0; c < out->n_columns; c++) {
+        DiagnoseColumn *column = &out->columns[c];
+        scaled = scaled || column->scale != 1;
+        column->factor /= column->scale;
+        column->scale = 1;
+    }
+    return scaled;
+}
+
+/* The best comes first. */
+static int choose(const Trials *trials, DiagnoseReading out[READINGS_MAX])
+{
+    int count = 0, most = 0;
+    for (int i = 0; i < trials->count; i++)
+        if (trials->all[i].plain && trials->all[i].firsts > most)
+            most = trials->all[i].firsts;
+    for (int i = 0; i < trials->count; i++)
+        if (trials->all[i].throughout)
+            out[count = 0] = trials->all[i].reading, count = 1;
+    bool taken[TRIALS_MAX] = {false};
+    while (count < READINGS_MAX) {
+        int best = -1;
+        for (int i = 0; i < trials->count; i++)
+            if (!taken[i] && trials->all[i].plain && trials->all[i].firsts == most &&
+                (best < 0 || trials->all[i].agreed > trials->all[best].agreed))
+                best = i;
+        if (best < 0)
+            break;
+        taken[best] = true;
+        bool same = false;
+        for (int i = 0; i < count; i++)
+            same = same || is_same(&out[i], &trials->all[best].reading, trials->search->table->n_columns);
+        if (!same)
+            out[count++] = trials->all[best].reading;
+    }
+    return count > 0 && count < READINGS_MAX ? count + add_unscaled(&out[0], &out[count]) : count;
+}
+
+int diagnose_readings(const Search *search, DiagnoseReading out[READINGS_MAX])
+{
+    const DiagnoseTable begun = *search->table;
+    const DiagnoseReading as_it_is = {
+        .dt = begun.dt, .time_factor = begun.time_factor, .last = INFINITY, .n_columns = begun.n_columns};
+    out[0] = as_it_is;
+    memcpy(out[0].columns, begun.columns, sizeof begun.columns);
+    if (begun.of_stages || begun.of_next)
+        return 1;
+    Trials *trials = calloc(1, sizeof *trials);
+    bool found = false;
+    int count = 0;
+    if (trials) {
+        trials->search = search;
+        count = try_all_times(trials, &found) ? choose(trials, out) : -1;
+        for (int f = 0; f < FIELDS_MAX; f++)
+            free(trials->field[f]);
+        for (int c = 0; c < DIAGNOSE_COLUMNS_MAX; c++)
+            free(trials->sources[c].all);
+        free(trials->row);
+        free(trials->size);
+        free(trials->most);
+    }
+    free(trials);
+    *search->table = begun;
+    return count;
+}
