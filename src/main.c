@@ -11,7 +11,7 @@
 #include <string.h>
 #include <unistd.h>
 
-/* "rnu mode1" is no scenario but a slip of the fingers, or a command that this version has not. */
+/* "rnu mode1" is not a scenario but a slip of the fingers, or a command that this version has not. */
 static bool is_slip(const char *word, Status *status)
 {
     if (*word == '-' || scenario_builtin(word) || access(word, F_OK) == 0 || errno != ENOENT)
@@ -54,7 +54,7 @@ static int run(int count, char **arguments, Status *status)
 }
 
 /* Of a write that failed a while ago stdio knows that it failed but no longer why; who tries once more is
- * told. What stands there is broken already. */
+ * told. What was written is broken already. */
 static const char *why_not_written(void)
 {
     return write(STDOUT_FILENO, "\n", 1) < 0 ? strerror(errno) : "not all of it was written";

@@ -114,7 +114,7 @@ static double v_plane(References *refs, long step, double time, const double *ro
     return beam_midpoint_velocity(&own(refs)->theory, own(refs)->body.plane, time);
 }
 
-/* Under a weight that is there from t = 0 on the state of rest stands beside the run, whatever the way to it.
+/* Under a weight that is there from t = 0 on the state of rest is beside the run, whatever the way to it.
  */
 static double u_rest(References *refs, long step, double time, const double *row)
 {

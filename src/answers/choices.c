@@ -68,7 +68,7 @@ const Choice choices[] = {
     {CONCERN_BEAM | CONCERN_DEFLECTION, METHOD_PD, "reading a period", "not given.",
      "least squares of cosine, sine and offset over the record; beside it the mean distance of zeros."},
     {CONCERN_BEAM | CONCERN_DEFLECTION, METHOD_PD, "which theory", "Euler-Bernoulli's period, .86 ms.",
-     "Timoshenko's, .8638 ms, stands beside: a body in the plane shears. Both at the size asked for and, "
+     "Timoshenko's, .8638 ms, is given too: a body in the plane shears. Both at the size asked for and, "
      "named so, at the size that the lattice has."},
     {CONCERN_BEAM | CONCERN_DEFLECTION, METHOD_PD, "supports", "one node at each end, at an unnamed height.",
      "the node at mid-height (of an even number of rows the lower one): along and across at the left, across "

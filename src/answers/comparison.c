@@ -334,7 +334,7 @@ static Standing standing_of(const Experiment *experiment)
     return run;
 }
 
-/* The keys in which the two differ, as they stand in a scenario file. */
+/* The keys in which the two differ, as they are in a scenario file. */
 static int add_keys(const Duel *duel, Comparison *rows)
 {
     const Settings *settings[2] = {experiment_settings(duel->a), experiment_settings(duel->b)};

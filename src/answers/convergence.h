@@ -8,7 +8,7 @@
  * Table 1. A study of several lines sets them beside each other: other numbers of particles in a cell, or
  * both methods, each with its own size. The error of a beam is measured against Timoshenko's period at the
  * size that the beam has on each lattice, so that its layers do not hide what the horizon does; the same at
- * the size asked for stands beside. */
+ * the size asked for is beside. */
 #ifndef ANSWERS_CONVERGENCE_H
 #define ANSWERS_CONVERGENCE_H
 

@@ -18,7 +18,7 @@ void spectrum_close(Spectrum *spectrum)
     *spectrum = (Spectrum){0};
 }
 
-/* Rows in whole grains of 1/128 to 1/64 of the record: while a run goes on the spectrum is worked out anew
+/* Rows in whole grains of 1/128 to 1/64 of the record: while a run goes on the spectrum is worked out again
  * only then, not in every frame. The last row is left out where its distance differs from the others'. */
 static size_t settled_rows(const Record *record)
 {
@@ -60,7 +60,7 @@ static bool transform(const Record *record, int column, size_t first, size_t cou
 
 /* SPECTRUM_SLOW: the whole record, means of `stride` rows where it has more than 8192. SPECTRUM_FAST: the
  * last 16384 rows as they are, up to the Nyquist frequency of the record. What is known already is kept.
- * False: too few rows, a value that is no number, or memory is short; nothing is left then. */
+ * False: too few rows, a value that is not a number, or memory is short; nothing is left then. */
 bool spectrum_of(const Record *record, int column, SpectrumSpan span, Spectrum *spectrum)
 {
     ASSERT_INDEX(column, record->n_columns);

@@ -4,7 +4,7 @@
  *
  * What is looked at follows from how many rows there are, and from nothing else. The last rows wait until a
  * power of two of them, at most a sixty-fourth of the record, has come, so that a spectrum on screen is
- * worked out anew now and then and not for every picture. */
+ * worked out again now and then and not for every picture. */
 #ifndef ANSWERS_SPECTRUM_H
 #define ANSWERS_SPECTRUM_H
 

@@ -203,7 +203,7 @@ bool output_may_begin(const char *name, Asker asker, bool force, Status *status)
     if (*name == '\0')
         return status_refuse(status, "a file needs a name");
     if (!visible_is_clean(name))
-        return status_refuse(status, "%s: is no name for a file (UTF-8 without control characters)", name);
+        return status_refuse(status, "%s: not a file name (UTF-8 without control characters)", name);
     if (output_is_standard(name))
         return true;
     if (stat(name, &what) != 0 && errno == ENAMETOOLONG)
@@ -484,7 +484,7 @@ void output_make_own_folders(Asker asker, const char *file)
         *slash = '\0';
         mkdir(path, 0700); /* where that fails, so will the file */
         if (!strchr(slash + 1, '/'))
-            (void)!chmod(path, 0700); /* private to the user, whoever made the folder */
+            (void)!chmod(path, 0700); /* private to the user, even if another made the folder */
         *slash = '/';
     }
     free(path);

@@ -36,7 +36,7 @@ typedef struct OutputFile {
 bool output_allowed(Asker, const char *name, Status *);
 
 bool output_is_standard(const char *name); /* "-" */
-bool output_is_direct(const char *name); /* "-", or a terminal, a pipe, a device: nothing stands beside it */
+bool output_is_direct(const char *name);   /* "-", or a terminal, a pipe, a device: nothing is beside it */
 
 /* Whether a file may be begun: its folder takes files, it does not exist or may be replaced. Nothing is
  * touched. A command line replaces (--force) only what this program wrote, as the first line tells, and never

@@ -21,7 +21,7 @@ static inline bool quantity_is_sound(double value)
 }
 
 /* Reads a text as a value in `unit`, such as "Pa", "kg/m^3" or "m/s"; of another word, or "", nothing is
- * known, and no unit may stand in the text. A text without a unit is meant in that unit. False: `why` (of
+ * known, and no unit may be in the text. A text without a unit is meant in that unit. False: `why` (of
  * QUANTITY_WHY_MAX bytes) says what is wrong, "is not a number", "divides by zero", "is not in Pa", "cannot
  * be read: no unit t/m^3 here", "is too small to compute with"; nothing else is written. Any bytes may stand
  * in the text. */

@@ -17,7 +17,7 @@ typedef struct NumberText {
 } NumberText;
 
 /* Writes the shortest decimal text that reads back to the same double (".1" is written "0.1", 1e-7 as
- * "1e-7"), with a point in every locale; "nan", "inf", "-inf" for what is no number. `out` holds
+ * "1e-7"), with a point in every locale; "nan", "inf", "-inf" for what is not a number. `out` holds
  * NUMBER_TEXT_MAX characters. Returns the length. */
 size_t text_shortest(char *out, double value);
 

@@ -42,7 +42,7 @@ const CliCommand cli_commands[] = {
     {"diagnose", "SCENARIO FILE...", "tells from the numbers of your own code which mistake is in it",
      cli_diagnose, 2, WORDS_MAX, "SCENARIO FILE", NULL},
     {"sound", "SCENARIO", "the error of a frequency, to be heard: .wav", cli_sound, 1, 1, NULL, NULL},
-    {"verify", "[NAME]...", "the papers' numbers measured anew: reproduced, and agreeing?", NULL, 0, -1, NULL,
+    {"verify", "[NAME]...", "the papers' numbers measured: reproduced, and agreeing?", NULL, 0, -1, NULL,
      verify},
     {"lesson", "[NAME]", "a lesson beside the live laboratory; without a name: all of them", cli_lesson, 0, 1,
      NULL, NULL},

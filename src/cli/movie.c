@@ -52,7 +52,7 @@ static Source source_of(const char *word, Status *status)
                                               : SOURCE_SCENARIO;
 }
 
-/* A positive number of an option; where it is not given, what stands there already. */
+/* A positive number of an option; where it is not given, what is there already. */
 static bool read_number(const char *option, const char *text, double least, double most, double *value,
                         Status *status)
 {

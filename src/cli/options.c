@@ -353,7 +353,7 @@ static const Option *find_letter(const char *command, char letter)
     return NULL;
 }
 
-/* An option with its value, which may stand in the same argument: behind '=', or right behind a letter. Moves
+/* An option with its value, which may be in the same argument: behind '=', or right behind a letter. Moves
  * *at on. */
 static bool take_option(const char *command, int count, char **arguments, int *at, Options *options,
                         Status *status)

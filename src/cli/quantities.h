@@ -5,7 +5,8 @@
  *       {"name": "frequency_measured", "value": 5.4140744171, "unit": "1/time"}, ...]}
  *
  * Members of the object come before its quantities, members of a quantity behind its unit. Numbers have 17
- * digits and read back to the same; what is no number is null, and so is a unit that is not known (NULL). */
+ * digits and read back to the same; what is not a number is null, and so is a unit that is not known (NULL).
+ */
 #ifndef CLI_QUANTITIES_H
 #define CLI_QUANTITIES_H
 

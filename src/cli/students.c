@@ -50,7 +50,7 @@ static Student *add(Students *students, const char *name, const char *id, Status
 bool students_enrol(Students *students, const char *name, const char *id, Status *status)
 {
     if (find(students, name, id))
-        return status_refuse(status, "%s: stands there twice (give each an ID number)", name);
+        return status_refuse(status, "%s: listed twice (give each an ID number)", name);
     Student *student = add(students, name, id, status);
     students->listed = true;
     return student && (student->listed = true);

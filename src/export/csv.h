@@ -14,7 +14,7 @@ void csv_begin(FILE *, Dialect, const double *row, int count, const char *word);
 void csv_row(FILE *, Dialect, const double *row, int count);
 
 /* Words, in quotes where they hold a quote, a separator or a line end. A text that a spreadsheet would take
- * for a formula (it begins with = + - @ or a control character, and is no number) gets an apostrophe in
+ * for a formula (it begins with = + - @ or a control character, and is not a number) gets an apostrophe in
  * front. */
 void csv_words(FILE *, Dialect, const char *const *cells, int count);
 

@@ -170,7 +170,7 @@ static bool choose_columns(Export *export, Status *status)
     return true;
 }
 
-/* Tables of stages stand in the place of those at frames. */
+/* Tables of stages are in the place of those at frames. */
 static bool stages_fit(Export *export, Status *status)
 {
     const long *stages = export->outputs->stages;

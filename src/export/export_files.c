@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The files of an export: tables, frames for ParaView, the scenarios that stand beside. */
+/* The files of an export: tables, frames for ParaView, the scenarios that are beside. */
 #include "base/text.h"
 
 #include "base/assertion.h"
@@ -84,7 +84,7 @@ static char *name_beside(const char *name)
     return asprintf(&out, "%s.ini", name) < 0 ? NULL : out;
 }
 
-/* Whether a scenario stands beside a table: not beside what is no file. */
+/* Whether a scenario is beside a table: not beside what is no file. */
 static bool has_beside(const OutputFile *file)
 {
     return file->target != NULL;

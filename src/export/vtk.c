@@ -31,7 +31,7 @@ char *vtk_collection_name(const char *name)
 
 /* --- a frame: its arrays, one after the other ---------------------------------------------------- */
 
-/* Where an array stands in the frame, and how its numbers are written. */
+/* Where an array is in the frame, and how its numbers are written. */
 typedef struct Writer {
     FILE *stream;
     const Simulation *sim;

@@ -104,7 +104,7 @@ static const HelpWord plate_words[] = {
      "cuts, loads, supports, impulses, protected regions and the probe, each a line among the parameters. "
      "Enter edits it as text, p moves it on the map, Tab takes its other end; A adds one, C copies, D "
      "deletes."},
-    {"probe", "the node at the place that the row of that name gives. No theory stands beside its curves."},
+    {"probe", "the node at the place that the row of that name gives. Its curves have no theory."},
     {"cracks",
      ":show cracks: how fast the tip of each crack runs, again: how far it has come. One is followed "
      "from each end of a cut inside the plate; where there are several each curve ends in a letter."},

@@ -51,7 +51,7 @@ bool edit_answer_filter(Laboratory *lab, const char *text)
     return prompt_refuse(&lab->prompting, "no parameter has that in its name");
 }
 
-/* A run that begins anew seeks the time that the first of these edits found on screen. */
+/* A run that begins again seeks the time that the first of these edits found on screen. */
 static void return_to_time(Laboratory *lab)
 {
     Experiment *experiment = laboratory_run(lab);
@@ -115,7 +115,8 @@ bool edit_change_runs(Laboratory *lab, const Settings *settings, DuelChange verb
     if (!duel_change(&lab->player.duel, settings, verb, status))
         return false;
     sim = experiment_simulation(laboratory_run(lab));
-    /* another spacing numbers them anew: the one that was looked at is the one that lies nearest to its place
+    /* another spacing numbers them again: the one that was looked at is the one that lies nearest to its
+     * place
      */
     if (*chosen < before && sim->counts[0] != before)
         *chosen = nearest_to(sim, place);

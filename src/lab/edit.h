@@ -19,7 +19,7 @@ typedef struct Editing {
     bool changed;                           /* since the last export: quitting asks */
     double anchor_time;                     /* the time that edits in a row come back to, */
     long anchor_step;                       /* and the step that it was at the last of them; -1: none */
-    bool (*accept)(Laboratory *, Status *); /* takes what stands in the open field; false: refused */
+    bool (*accept)(Laboratory *, Status *); /* takes what is in the open field; false: refused */
     bool fresh; /* the text in the field is the old value or one that was refused: a first character replaces
                    it */
 } Editing;

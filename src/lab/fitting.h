@@ -7,8 +7,9 @@
 
 typedef struct Laboratory Laboratory;
 
-/* Searches, says how far it has come meanwhile, and has the run made anew with what was found; one undo takes
- * it back. What was found, its intervals and the residuals are said. False: refused, prompt.problem says why.
+/* Searches, says how far it has come meanwhile, and has the run made again with what was found; one undo
+ * takes it back. What was found, its intervals and the residuals are said. False: refused, prompt.problem
+ * says why.
  */
 bool fitting_answer(Laboratory *, const char *words);
 

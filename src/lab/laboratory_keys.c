@@ -213,8 +213,8 @@ static bool take_offer(Laboratory *lab, const Key *key)
 }
 
 /* What was refused is read as a message: a key that does something else goes on, Enter and the keys of an
- * editor mend the answer. But whoever is asked for the name of a file, or by an exercise, types another one.
- * Pasted text never comes here. */
+ * editor mend the answer. But a user who is asked for the name of a file, or by an exercise, types another
+ * one. Pasted text never comes here. */
 static void leave_refused(Laboratory *lab, const char *key)
 {
     const Prompt *prompt = &lab->prompting.shown;

@@ -80,7 +80,7 @@ void opening_begin(Laboratory *lab, Experiment *experiment)
     laboratory_say(lab, MESSAGE_NONE, "%s", "");
     second_run_open(lab);
     const char *advice = experiment_advice(laboratory_run(lab));
-    /* what the second run had to say stands there already, and goes before */
+    /* what the second run had to say is there already, and goes before */
     if (advice && !lab->message.text[0])
         laboratory_say(lab, MESSAGE_WARNING, "%s", advice);
 }

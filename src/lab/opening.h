@@ -13,7 +13,7 @@ void opening_show_progress(Laboratory *, Settings *);
 Experiment *opening_experiment(const Laboratory *, const Settings *, Status *);
 
 /* This run takes the place of the one before, which goes; what belongs to a run and not to the way it is
- * looked at begins anew. */
+ * looked at begins again. */
 void opening_begin(Laboratory *, Experiment *);
 void opening_name(Laboratory *, const char *name);
 

@@ -16,7 +16,7 @@ typedef struct Refining {
 /* Whether a study on screen lacks points and nothing else goes on. */
 bool refining_is_due(const Laboratory *);
 
-/* The next point. A key that waits is let through, and the point begun anew afterwards. */
+/* The next point. A key that waits is let through, and the point begun again afterwards. */
 void refining_work(Laboratory *);
 
 /* False: there is nothing to stop. */

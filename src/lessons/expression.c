@@ -124,7 +124,7 @@ static bool read_word(Parser *parser, bool was)
                              "time step)",
                              word);
     if (key && key->type == PARAMETER_TEXT)
-        return status_refuse(parser->status, "%s is no number", word);
+        return status_refuse(parser->status, "%s is not a number", word);
     parser->out->has_was |= was;
     next(parser);
     return number ? put(parser, (ExpressionStep){.kind = STEP_WORD, .word = number, .was = was})

@@ -29,8 +29,8 @@
  * State: a page is entered as the pages before it leave the laboratory that begin with the last that did
  * `open`, each one read, answered rightly and brought to its goal - forwards, backwards, skipping or coming
  * back to the lesson later. So the first page opens a scenario, and one that shows another run, or the same
- * from its start, opens it anew: that costs least and keeps no ghost. `run-pause` stands last, starts the run
- * and counts on its own page only; the goal of a command leaves nothing behind.
+ * from its start, opens it again: that costs least and keeps no ghost. `run-pause` stands last, starts the
+ * run and counts on its own page only; the goal of a command leaves nothing behind.
  *
  * Goals: to a time, a step, the end or an event the run stops by itself, seconds after Space; pages of stages
  * and steps go on by ] or Space, which never runs away under them. What must not be known beforehand stands

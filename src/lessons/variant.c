@@ -73,7 +73,7 @@ static bool read_words(const char *list, const Parameter *parameter, Variant *va
             return status_refuse(status, "%s: %s is none of its words (see: matvib params)", variant->key,
                                  item);
         if (text_place_in(item, variant->words) >= 0)
-            return status_refuse(status, "%s: %s stands there twice", variant->key, item);
+            return status_refuse(status, "%s: %s listed twice", variant->key, item);
         if (variant->n_words == VARIANT_WORDS_MAX)
             return status_refuse(status, "%s: too many words (at most %d)", variant->key, VARIANT_WORDS_MAX);
         variant->words[variant->n_words++] = parameter->choices[choice];
@@ -253,7 +253,7 @@ bool variant_student(const char *text, char out[STUDENT_MAX], Status *status)
     int characters = 0;
     bool space = false, fits = true;
     if (!visible_is_clean(text))
-        return status_refuse(status, "%.80s: is no name (UTF-8 without control characters)", text);
+        return status_refuse(status, "%.80s: is not a name (UTF-8 without control characters)", text);
     char *name = compose(text, status);
     if (!name)
         return false;

@@ -138,7 +138,7 @@ static int last_place(const CalculationSum *sum, int digits)
 }
 
 /* Terms that are products each keep so many digits, terms that are single numbers the same last place: they
- * stand in a column in the student's exercise book. */
+ * are in a column in the student's exercise book. */
 static void attempt(Attempt *try, const CalculationSum *sum, int shown, int term_digits, int result_digits)
 {
     Calculation *text = &try->text;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Arithmetic written out with its numbers, as on a blackboard: "p13 = 0.5 × (0.2 × 0.3 + 0.4 ×
- * 0.1) = 0.05". The digits are chosen so that what is printed adds up: whoever works the printed numbers out
- * gets the printed result, to its last digit.
+ * 0.1) = 0.05". The digits are chosen so that what is printed adds up: a reader who works the printed numbers
+ * out gets the printed result, to its last digit.
  *
  * UTF-8. No-break spaces (U+00A0) hold a term together; a line may be broken at every other space. */
 #ifndef METHODS_CALCULATION_H

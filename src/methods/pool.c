@@ -3,7 +3,7 @@
  * word, with no lock. One chunk is a few microseconds of work, and a lock that two threads want at once puts
  * one of them to sleep, which takes as long as a chunk.
  *
- * Two to four jobs make a time step; so whoever has nothing to do looks for a moment before going to sleep.
+ * Two to four jobs make a time step; so a thread with nothing to do looks for a moment before going to sleep.
  * Without that look two threads are a fifth slower on a large beam, and slower than one on a small one. The
  * mutex and the two conditions are for sleepers alone: one who goes to sleep says so before looking a last
  * time, and one who has something to tell writes it before asking whether anybody sleeps (all in one order,

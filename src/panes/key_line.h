@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What stands in the key line in place of keys: a question, or a message. */
+/* What is in the key line in place of keys: a question, or a message. */
 #ifndef PANES_KEY_LINE_H
 #define PANES_KEY_LINE_H
 

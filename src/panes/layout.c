@@ -60,7 +60,7 @@ static void lay_out_inspector(int width, Layout *layout)
 
 static void lay_out_full(const Screen *screen, int width, int height, Layout *layout)
 {
-    /* a beam that stands in a plot pane is not drawn twice */
+    /* a beam that is in a plot pane is not drawn twice */
     const bool drawn = simulation_has(experiment_simulation(screen->experiment), HAS_PLANE) &&
                        (screen->views.upper->is_map || screen->views.lower->is_map);
     const int box = layout_box_rows(screen, height, drawn);
@@ -96,7 +96,7 @@ static void lay_out_full(const Screen *screen, int width, int height, Layout *la
     if (screen->panes.inspecting)
         lay_out_inspector(width, layout);
     else if (side) {
-        /* a beam lies along the whole width, and what joins at the right stands beside the lower plot */
+        /* a beam lies along the whole width, and what joins at the right is beside the lower plot */
         const int above = drawn && screen->views.upper->is_map ? upper : 0;
         if (above)
             layout->panes[PANE_UPPER].width = width - left;

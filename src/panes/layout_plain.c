@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Where panes lie on the plain sheet: one large picture, above it the strip of particles, below it what is
  * asked, the number that the scenario is about and the parameters that it asks about. Beside a lesson the
- * text and the picture; in the middle of a step, where a run has failed, and for whoever has asked what is
+ * text and the picture; in the middle of a step, where a run has failed, and for a user who has asked what is
  * wrong with a code of his own, the box that tells of it. */
 #include "panes/panes.h"
 #include "views/view.h"

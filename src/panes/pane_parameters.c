@@ -288,7 +288,7 @@ static int room_of(int height)
     return height > HINT_ROWS ? height - HINT_ROWS : height;
 }
 
-/* A text in both rows of the hint, parted at a space. False: it fits into the first, and stands there. */
+/* A text in both rows of the hint, parted at a space. False: it fits into the first, and is there. */
 static bool draw_wrapped(Area area, const char *text)
 {
     const int room = area.rect.width - 2, top = area.rect.height - HINT_ROWS;

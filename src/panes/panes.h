@@ -45,7 +45,7 @@ int layout_box_rows(const Screen *, int height, bool map);
 /* --- the other panes --- */
 
 void pane_title(const Screen *, Area);
-bool title_has_headline(const Screen *, int width); /* what the run is about stands in it */
+bool title_has_headline(const Screen *, int width); /* what the run is about is in it */
 
 /* Of the plain sheet: the number that the scenario is about, in large digits with its words below; how many
  * rows it takes; what is asked, and the parameters that it is asked about, with what `t` tries. */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* All that is drawn, as one view of its parts: everything seen is a function of a Screen. Nothing here knows
- * keys or terminals. What whoever owns a part says of it is read by its pointer; what a view moves itself, as
- * the arrows and the mouse want it, stands in the Screen. */
+ * keys or terminals. What the owner of a part says of it is read by its pointer; what a view moves itself, as
+ * the arrows and the mouse want it, is in the Screen. */
 #ifndef PANES_SCREEN_H
 #define PANES_SCREEN_H
 

@@ -117,7 +117,7 @@ int area_paragraph_lines(int width, const char *text)
 /* The next phrase of a text, and where it stands: behind the one before, or below it. */
 typedef struct Phrases {
     const char *text;              /* that is left */
-    int width, x, y, columns, end; /* of the phrase; `end`: of what stands in its row; 0: nothing does yet */
+    int width, x, y, columns, end; /* of the phrase; `end`: of what is in its row; 0: nothing does yet */
     char phrase[256];
     bool whole; /* one that is wider than a row is not broken */
 } Phrases;

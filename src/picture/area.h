@@ -37,7 +37,7 @@ int area_paragraph_lines(int width, const char *text);
 int area_phrases(Area, int x, int y, int width, int rows, const char *text, Style);
 int area_rows_of_phrases(const char *text, int width); /* that it takes; INT_MAX: one has no room */
 
-/* A bar that stands in a cell, so much of it; at 0 as low as a bar can be. */
+/* A bar that is in a cell, so much of it; at 0 as low as a bar can be. */
 uint32_t area_bar(Area, double share);
 
 /* A horizontal line with a heading in it. */

@@ -389,7 +389,7 @@ Area axes_draw(Area area, const Axis *x, const Axis *y, const char *x_name, int 
     for (int i = 0; i < count; i++) {
         int row = axis_row(y, ticks[i], rows);
         axis_label(y, ticks[i], text);
-        /* where two would stand in one row the first has it, but the line of 0 is that of 0 alone */
+        /* where two would be in one row the first has it, but the line of 0 is that of 0 alone */
         const bool beside_zero = row == zero && fabs(ticks[i]) > 1e-9 * (y->high - y->low);
         if (row < 0 || row == before || beside_zero || glyphs_columns(text) > gutter)
             continue;

@@ -23,8 +23,8 @@ typedef struct Axis {
     bool moves;       /* and its labels change their length with it */
 } Axis;
 
-/* At most so many ticks; at least 2 are aimed at. Axes are made with some, and whoever draws one finds those
- * for its room. */
+/* At most so many ticks; at least 2 are aimed at. Axes are made with some, and the back end that draws one
+ * finds those for its room. */
 Axis axis_with_ticks(Axis, int most);
 
 /* An axis from low to high. low < high, both finite; else 0 to 1. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A grid of cells, each a glyph and a style: the screen as data. Panes draw on it; the terminal shows a copy
- * of it, and a test dumps it as text. No cell holds what would act on a terminal or move what stands beside
+ * of it, and a test dumps it as text. No cell holds what would act on a terminal or move what is beside
  * it, wherever the text comes from. */
 #ifndef PICTURE_CANVAS_H
 #define PICTURE_CANVAS_H

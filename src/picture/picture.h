@@ -50,7 +50,7 @@ typedef enum MarkKind {
     MARK_PLACE, /* a dot, ring or letter */
     MARK_AGAIN, /* a letter once more on its curve, where curves cannot be told apart by their dashes */
     MARK_DOT,   /* on one of many dots, which a curve may cover where it is wide; a page shows them all */
-    MARK_FINE,  /* narrower than a character: others may stand in the same one */
+    MARK_FINE,  /* narrower than a character: others may be in the same one */
     MARK_RULE,  /* a vertical line across the plot, perhaps with a word at its head */
     /* of a body: */
     MARK_BESIDE, /* just outside its place, on `side` */
@@ -330,7 +330,7 @@ bool picture_in_sight(const Picture *, double x, double y, double margin);
  * goes on with its dashes. */
 void picture_trace(Picture *, const double from[2], const double to[2], const Stroke *pen);
 
-/* A strip has room beside it for its keys or notes, of which the first stands beside the first row, the
+/* A strip has room beside it for its keys or notes, of which the first is beside the first row, the
  * second beside the last. A low pane has no heading; in a tall one a row of pieces keeps to a few rows, and
  * has the labels below each other under them. */
 void picture_lay_strip(Picture *, StripKind, const char *heading);

@@ -69,7 +69,7 @@ static void put_dot(Raster *raster, const Stroke *stroke, int x, int y)
 
 /* --- lines --- */
 
-/* Where along a broken line we are. It begins anew every few dots of the absolute x, so that a pattern moves
+/* Where along a broken line we are. It begins again every few dots of the absolute x, so that a pattern moves
  * with its curve when the window moves by whole cells, instead of crawling along it. */
 typedef struct Pattern {
     int begun_at, place;

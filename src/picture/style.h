@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What things are drawn as, whoever draws them. */
+/* What things are drawn as, in every back end. */
 #ifndef PICTURE_STYLE_H
 #define PICTURE_STYLE_H
 

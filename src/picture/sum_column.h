@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Columns of numbers that add up as they are printed: whoever adds the printed terms gets the printed sum. */
+/* Columns of numbers that add up as they are printed: a reader who adds the printed terms gets the printed
+ * sum. */
 #ifndef PICTURE_SUM_COLUMN_H
 #define PICTURE_SUM_COLUMN_H
 
@@ -20,7 +21,7 @@ typedef struct Writing {
  * sum_decimals. */
 Writing writing_of(const double *terms, size_t n, double base, double gain, int width);
 
-/* For values that stand under each other and are not added: `digits` of the largest one at most, as many as
+/* For values that are under each other and are not added: `digits` of the largest one at most, as many as
  * none of them needs left out, in at most `width` columns. What is very small or large has its own exponent
  * in every row. */
 typedef struct Format {
@@ -30,7 +31,7 @@ typedef struct Format {
 Format format_of(const double *values, size_t n, int digits, int width);
 void format_number(double value, Format, char out[NUMBER_TEXT_MAX]);
 
-/* A number of the column; returns how many columns further left it ends, so that the points stand under each
+/* A number of the column; returns how many columns further left it ends, so that the points are under each
  * other. */
 int sum_column_number(double value, Writing, int decimals, char out[64]);
 

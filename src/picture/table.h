@@ -33,7 +33,7 @@ int table_decimals(const TableColumn *, TableTotal, Writing);
 /* Whether what is around and the tables have no room beside each other. */
 bool tables_are_parted(const Picture *, int columns);
 
-/* The columns and rows that what is around takes where it stands beside the tables; false: it does not. */
+/* The columns and rows that what is around takes where it is beside the tables; false: it does not. */
 bool tables_around(const Picture *, int columns, int *width, int *height);
 
 #endif

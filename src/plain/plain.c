@@ -89,7 +89,7 @@ static void tell_asked(void *context, const char *text)
     put(context, text);
 }
 
-/* Work that takes long is told now and then to whoever sits there; false: it is given up. Signals may come in
+/* Work that takes long is told now and then to the user; false: it is given up. Signals may come in
  * the meantime (in a page only then). */
 static bool go_on(void *context)
 {
@@ -384,7 +384,7 @@ static bool is_key(const char *line)
     return keys_known(line) && strcmp(line, ":") != 0;
 }
 
-/* In place of what stands in the question or the field. */
+/* In place of what is in the question or the field. */
 static void answer(Plain *plain, const char *line)
 {
     const Prompt *prompt = &plain->lab.prompting.shown;

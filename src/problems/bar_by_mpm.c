@@ -367,7 +367,7 @@ static const char *unaccounted(const Settings *settings, Reference reference)
 }
 
 /* The energy E* is that of the right code's step; the other answers are those of the right code too, and
- * stand beside what a wrong one does. */
+ * are beside what a wrong one does. */
 static const char *const of_energy[] = {BAR_KEYS, BAR_MESH_KEYS, BAR_TRANSFER_KEYS, BAR_WAVE_KEYS, NULL};
 static const char *const known[] = {BAR_KEYS,      BAR_MESH_KEYS, BAR_TRANSFER_KEYS,
                                     BAR_WAVE_KEYS, "mpm.mistake", NULL};

@@ -56,7 +56,7 @@ typedef struct Finding Finding;
 typedef struct Derived Derived;
 typedef struct ModeOnMesh ModeOnMesh; /* answers/dispersion_curves.h */
 
-/* The answers that stand beside a run. */
+/* The answers that are beside a run. */
 typedef enum Reference {
     REFERENCE_EXACT,     /* the motion of the continuum, or of beam theory: columns, profiles, envelopes */
     REFERENCE_PREDICTED, /* of this mesh or lattice: columns, frequencies, limits */

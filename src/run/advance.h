@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A run as time passes in it: a simulation, the changes of its settings in mid-run, rest, failure, and where
- * it is. run_advance() is the only place above the methods where time passes; whoever wants something of it
+ * it is. run_advance() is the only place above the methods where time passes; code that wants something of it
  * on the way, rows of the series or the state at some steps, says so by a sink.
  *
  * At a whole step, in this order: its row (the state before what changes there), changes come into force, the

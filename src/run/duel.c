@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Two runs side by side (duel.h): A is the scenario, B the same with some keys changed. Every verb acts on
- * A and then brings B to the same time; B is made anew whenever A becomes another run. If B fails alone it
+ * A and then brings B to the same time; B is made again whenever A becomes another run. If B fails alone it
  * stays at its last sound step. */
 #include "run/duel.h"
 
@@ -381,7 +381,7 @@ void duel_cancel(Duel *duel)
 
 /* --- other settings -------------------------------------------------------------------------------- */
 
-/* A begins again: so does B, made anew where it is no longer the same. */
+/* A begins again: so does B, made again where it is no longer the same. */
 static bool restart_second(Duel *duel, Status *status)
 {
     Settings settings;
@@ -423,13 +423,13 @@ bool duel_change(Duel *duel, const Settings *wanted, DuelChange change, Status *
     Settings second;
     if (!second_settings(duel, wanted, &second, status))
         return status_prefix(status, "run B");
-    const bool anew = experiment_recomputes(duel->a, wanted);
-    if (anew && change == experiment_edit)
+    const bool again = experiment_recomputes(duel->a, wanted);
+    if (again && change == experiment_edit)
         change = experiment_rerun;
     if (!change(duel->a, wanted, status))
         return false;
     Status why = {STATUS_DONE, ""};
-    if (anew ? !make_second(duel, &why) : !edit_second(duel, wanted, &why)) {
+    if (again ? !make_second(duel, &why) : !edit_second(duel, wanted, &why)) {
         let_go(duel, false);
         status_take(status, &why);
     }

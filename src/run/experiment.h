@@ -87,8 +87,8 @@ bool experiment_advance(Experiment *, long steps, Status *);
 
 /* For steps that take longer than a frame: at most so many items of the step at hand (Simulation.stage_items
  * to each of its stages) or, of a seek that is pending, of the way to its goal. *whole: a step came to its
- * end, or there was none to do. Until then the state is no moment of the run, not to be looked at: whoever
- * wants to, and whatever else is done to the experiment, goes back to where the step began by
+ * end, or there was none to do. Until then the state is no moment of the run, not to be looked at: a caller
+ * that wants to, and whatever else is done to the experiment, goes back to where the step began by
  * experiment_drop_part(). */
 bool experiment_advance_part(Experiment *, size_t items, bool *whole, Status *);
 bool experiment_work_part(Experiment *, size_t items, bool *whole, Status *);
@@ -132,10 +132,10 @@ bool experiment_restart(Experiment *, bool keep_ghost, Status *);
 
 /* New settings, made from a copy of experiment_settings(). Where only live parameters differ they change at
  * the present step (the end of the step that has begun; at t = 0 and at the end of the run as a restart
- * parameter), and the future that was computed is cut off. A restart parameter begins anew at t = 0 and seeks
- * the time that was on screen: call experiment_work() until nothing is pending. Either way the curves that go
- * stay as the unpinned ghost. time.end, output.*, texts and view alone do not recompute. False: refused,
- * nothing has changed. */
+ * parameter), and the future that was computed is cut off. A restart parameter begins again at t = 0 and
+ * seeks the time that was on screen: call experiment_work() until nothing is pending. Either way the curves
+ * that go stay as the unpinned ghost. time.end, output.*, texts and view alone do not recompute. False:
+ * refused, nothing has changed. */
 bool experiment_edit(Experiment *, const Settings *, Status *);
 
 /* The same, but live parameters hold from t = 0 on as all others do: another run to compare with. */

@@ -90,7 +90,7 @@ static void begin_changed_ones(Settings *settings, const Settings *base)
     }
 }
 
-/* The same run from its beginning; nothing has to be made anew. */
+/* The same run from its beginning; nothing has to be made again. */
 static void rewind_run(Experiment *experiment, bool keep_ghost)
 {
     Record old;

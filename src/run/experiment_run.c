@@ -80,7 +80,7 @@ void experiment_derive(const Experiment *experiment, Patience patience)
 {
     Settings settings = experiment->now;
     settings.patience = patience;
-    const int before = errno; /* of whoever draws, and asks for memory too */
+    const int before = errno; /* of the code that draws, and asks for memory too */
     errno = 0;
     experiment->worked->n_derived =
         problem_derived(&settings, experiment->run.sim, experiment->worked->derived);
@@ -379,7 +379,7 @@ static bool renew_references(Experiment *experiment, long step, Status *status)
     const int n = references_columns(refs, columns);
     Record record;
     if (references_memory(experiment->refs) > 0 && same_columns(experiment, columns, n)) {
-        references_destroy(refs); /* it would have to look back anew */
+        references_destroy(refs); /* it would have to look back again */
         return true;
     }
     if (!write_rows_again(experiment, refs, columns, n, step, &record)) {

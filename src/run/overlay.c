@@ -78,7 +78,7 @@ static Got next_line(Reader *reader)
     return GOT_LINE;
 }
 
-/* A comment is kept: names may stand in it. */
+/* A comment is kept: names may be in it. */
 static bool says_nothing(Reader *reader)
 {
     const char *text = reader->text + strspn(reader->text, " \t;,");
@@ -255,7 +255,7 @@ static bool take_row(Reader *reader, Overlay *overlay, int cells)
         } else {
             char text[OVERLAY_NAME_MAX];
             keep_name(text, reader->cells[i]);
-            snprintf(what, sizeof what, "column %d%s%s: '%s' is no number", i + 1,
+            snprintf(what, sizeof what, "column %d%s%s: '%s' is not a number", i + 1,
                      column->name[0] ? ", " : "", column->name, text);
             return fail(reader, what);
         }
@@ -267,7 +267,7 @@ static bool take_row(Reader *reader, Overlay *overlay, int cells)
     return true;
 }
 
-/* Names that stand in the comment above the first row, where numpy writes them; any other comment is none. */
+/* Names that are in the comment above the first row, where numpy writes them; any other comment is none. */
 static void take_comment(Reader *reader, Overlay *overlay)
 {
     double value;

@@ -5,7 +5,7 @@
  * Comma, semicolon, tab or blanks between the cells (found from the first line), decimal comma where the
  * comma is free, names in the first line, in a comment (#) above the first row, or none, any line ends, a
  * byte order mark, quoted cells, lines of comment (#) and empty lines. An empty cell, NaN or NA is a value
- * that is missing. Anything else that is no number is refused with file and line. */
+ * that is missing. Anything else that is not a number is refused with file and line. */
 #ifndef RUN_OVERLAY_H
 #define RUN_OVERLAY_H
 

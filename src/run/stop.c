@@ -61,7 +61,7 @@ static bool read_event(Stop *stop, const char *word, const Experiment *experimen
     return true;
 }
 
-/* What stands behind one of two words and spaces; NULL: another word stands there. */
+/* What stands behind one of two words and spaces; NULL: another word is there. */
 static const char *behind(const char *text, const char *word, const char *other)
 {
     const size_t length = strcspn(text, " ");

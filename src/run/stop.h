@@ -2,7 +2,7 @@
 /* What a run that goes on stops at: a step, a time, or something that happens to it.
  *
  * A step or time is known beforehand (stop_step()). Whether something happened is seen only while the run
- * goes on, so whoever drives it does one step after the other and asks stop_happened() after each: then it
+ * goes on, so the caller does one step after the other and asks stop_happened() after each: then it
  * stands at the very step and nothing beyond has been computed.
  *
  * A run with time.rest reports that it is at rest, and ends. Of one that is damped only it is looked for

@@ -46,7 +46,7 @@ const TextKey text_keys[] = {
     {"view.exaggeration", VIEW(exaggeration), "factor by which displacements are drawn", TEXT_POSITIVE},
     {"view.references", VIEW(references), "reference curves: all, exact, predicted, none", TEXT_REFERENCES},
     {"screen.sheet", VIEW(sheet), "how much there is on the screen at first: plain or full", TEXT_SHEET},
-    {"screen.about", VIEW(about), "the number that stands in large digits: a word of exercises", TEXT_ANY},
+    {"screen.about", VIEW(about), "the number shown in large digits: a word of exercises", TEXT_ANY},
     {"screen.ask", VIEW(ask),
      "keys of up to four parameters to be changed, or of rows of a plate, parted by commas", TEXT_ANY},
 };

@@ -175,7 +175,7 @@ bool parameter_applies_to(const Settings *, const Parameter *);
 /* All values at the defaults of a problem, method as usual for it, texts empty. */
 void settings_default(Settings *, const Problem *);
 
-/* Sets one value from text as it stands in a scenario file or after --set; parameters and text keys. False:
+/* Sets one value from text as it is in a scenario file or after --set; parameters and text keys. False:
  * unknown key (with the nearest one), not used by this problem or its method, not a number, out of range: the
  * status's text is "KEY: what is wrong (what is allowed)", and nothing is changed. */
 bool settings_set(Settings *, const char *key, const char *text, Status *);

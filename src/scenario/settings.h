@@ -4,7 +4,7 @@
  *
  * The values of parameters stand by concern in concern_*.h, each read through its own function:
  * settings_mesh() of concern_cells.h. Here they are room of a size that does not change, so that a new member
- * is compiled anew by those who read its concern and not by those who copy settings or pass them on. */
+ * is compiled again by those who read its concern and not by those who copy settings or pass them on. */
 #ifndef SCENARIO_SETTINGS_H
 #define SCENARIO_SETTINGS_H
 

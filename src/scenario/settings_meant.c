@@ -65,7 +65,7 @@ bool settings_meant_key(const Settings *settings, const char *words, char key[KE
     }
     if (count > 1)
         return status_refuse(status, "%s: which one? (%s)", words, list);
-    /* what is none stays as it was typed, for whoever refuses it */
+    /* what is none stays as it was typed, for the function that refuses it */
     snprintf(key, KEY_MAX, "%s", found ? found : words);
     return true;
 }

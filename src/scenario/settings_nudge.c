@@ -93,7 +93,7 @@ static double next_place(const Settings *settings, double value, double spacings
     return as_typed((value / dx + spacings) * dx);
 }
 
-/* In the map of a body 40 columns wide what moved by this stands in the next one. */
+/* In the map of a body 40 columns wide what moved by this is in the next one. */
 static double wide_step(const Settings *settings)
 {
     return fmax(1, floor(settings_geometry(settings)->length / (40 * lattice_spacing(settings)) + 1e-9));

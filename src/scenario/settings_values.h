@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the room for values in Settings holds: for the parameter table and whoever asks which row of it stands
- * for a member. All others read one concern by its header. */
+/* What the room for values in Settings holds: for the parameter table and code that asks which row of it
+ * stands for a member. All others read one concern by its header. */
 #ifndef SCENARIO_SETTINGS_VALUES_H
 #define SCENARIO_SETTINGS_VALUES_H
 

@@ -35,7 +35,7 @@ void grid_close(Grid *); /* sends nothing: see grid_leave() */
 
 void grid_enter(Grid *);                            /* takes the screen over */
 void grid_leave(Grid *);                            /* gives it back */
-void grid_resize(Grid *, int width, int height);    /* the next one is drawn anew */
+void grid_resize(Grid *, int width, int height);    /* the next one is drawn again */
 void grid_redraw(Grid *);                           /* likewise */
 void grid_show(Grid *, const Canvas *);             /* what lies beyond the size is left out */
 void grid_synchronise(Grid *);                      /* the terminal told that it can */

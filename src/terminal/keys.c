@@ -309,7 +309,7 @@ static bool take_byte(KeyReader *reader, int byte, Key *key)
         return interrupt(reader, key);
     if (reader->pasting && ++reader->n_pasted > PASTE_MAX)
         reader->pasting = false;
-    /* a control byte or a letter of another script: the sequence was cut short, this begins anew */
+    /* a control byte or a letter of another script: the sequence was cut short, this begins again */
     if (in_sequence && (byte < ' ' || byte >= 0x7f))
         return take_ground(reader, byte, key);
     switch (reader->state) {

@@ -41,7 +41,7 @@ void terminal_show(Terminal *, const Canvas *);
 /* Whether the terminal has not yet taken all of what was shown: the next picture had better wait. */
 bool terminal_is_behind(const Terminal *);
 
-/* The next show draws everything anew. */
+/* The next show draws everything again. */
 void terminal_redraw(Terminal *);
 
 /* Sleeps until a key or a signal comes, the terminal takes output again, or the time is over; seconds < 0:

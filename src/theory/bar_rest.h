@@ -4,7 +4,7 @@
  *
  * All shape functions are written as B-splines of degree p by their definition, the recursion of Cox and de
  * Boor on the open knots of the mesh (p = 1: the hat). uGIMP's particles at rest touch no edge of their cell,
- * so that their weights are the hat's, unless they stand beside the middle of their share. Physics computes
+ * so that their weights are the hat's, unless they are beside the middle of their share. Physics computes
  * the same functions in another way; neither knows the other.
  *
  * Lengths are in cells, masses in rho dx, stiffnesses in E/dx; a time step is then the courant number, and a

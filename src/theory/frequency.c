@@ -380,7 +380,7 @@ static bool measure_record(Record *record, Status *status)
     double low = INFINITY, high = -INFINITY;
     for (size_t k = 0; k < record->count; k++) {
         if (!isfinite(record->values[k]))
-            return status_fail(status, "sample %zu is no number: no frequency", k);
+            return status_fail(status, "sample %zu is not a number: no frequency", k);
         low = fmin(low, record->values[k]), high = fmax(high, record->values[k]);
     }
     record->middle = low / 2 + high / 2, record->scale = high / 2 - low / 2;

@@ -16,7 +16,7 @@
  * factor g = (delta/h)^2 / (2 sum_m w_m m), which takes out what the sum over the family has too much or too
  * little.
  *
- * A conical micromodulus, c_1 (1 - m h/delta), stands in the sums as w_m (1 - m h/delta) times the scale that
+ * A conical micromodulus, c_1 (1 - m h/delta), is in the sums as w_m (1 - m h/delta) times the scale that
  * makes the long waves right, (delta/h)^2/(2 sum_m (1 - m h/delta) w_m m).
  *
  * Velocity Verlet turns u'' = -omega_h^2 u into u_{n+1} - 2 u_n + u_{n-1} = -(omega_h dt)^2 u_n, hence
@@ -27,7 +27,7 @@
  *
  * With both ends fixed by mirrored nodes sin(beta_n X) keeps its form under the whole sum, so Omega(beta_n)
  * is the frequency of the run. A free end has fewer bonds, or stiffer ones where they are corrected: there
- * the frequencies are eigenvalues of the matrix of the lattice, put together here anew from its families.
+ * the frequencies are eigenvalues of the matrix of the lattice, put together here again from its families.
  *
  * Source: the dispersion relation of S. A. Silling (2000), section 6, summed over the lattice. Units: any
  * consistent system. */

@@ -165,7 +165,7 @@ static void multiply(const RealBand *a, const RealBand *b, RealBand *out)
 
 /* --- the step ------------------------------------------------------------------------------------- */
 
-/* `mass`, `consistent` and `stiffness` are M, M_c and K, or what stands in their places. */
+/* `mass`, `consistent` and `stiffness` are M, M_c and K, or what is in their places. */
 typedef struct Step {
     BarRest rest;
     RealBand mass, consistent, stiffness;

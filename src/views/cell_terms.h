@@ -32,12 +32,12 @@ typedef struct CellTerms {
     bool to_nodes;
 } CellTerms;
 
-/* The links of `set`, `index`, which stand in `terms` with `sim`, and what passes in the stage (NULL:
+/* The links of `set`, `index`, which are in `terms` with `sim`, and what passes in the stage (NULL:
  * nothing), strongest first; of more links than `most`, most - 1 are shown. Of one unit the stronger exchange
  * comes first, of two that with more factors: mass with velocity before mass alone. */
 void cell_terms_find(CellTerms *, const Stage *, size_t most);
 
-/* A term as it stands in a sum of such a writing. */
+/* A term as it is in a sum of such a writing. */
 NumberText cell_term_text(double value, Writing);
 
 /* The words on the arrow of a link. */

@@ -22,7 +22,7 @@ int view_variants(const View *view, const Screen *screen)
     return count > 0 ? count : 1;
 }
 
-/* What was chosen, as it was counted: more than there are begins anew. */
+/* What was chosen, as it was counted: more than there are begins again. */
 static const int *chosen_variant(const View *view, const ViewsShown *shown)
 {
     static const int first = 0;

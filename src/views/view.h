@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A view: one picture of a run that can stand in either of the two plot panes.
+/* A view: one picture of a run that can be in either of the two plot panes.
  *
  * A view is one value of type View in one file, src/views/view_NAME.c, with static functions behind it;
  * view_list.c names it once. Scenario keys ([view] upper, lower), `:show`, `figure --view`, the digit keys,
@@ -22,7 +22,7 @@ typedef enum ViewDuel {
     DUEL_APART     /* always each in its own, as far as there is room: else A alone */
 } ViewDuel;
 
-/* Whether it stands in its pane when a run is opened that says nothing of views; of several the one that asks
+/* Whether it is in its pane when a run is opened that says nothing of views; of several the one that asks
  * for more. */
 typedef enum ViewOpening { OPENS_ON_DEMAND, OPENS_ALWAYS, OPENS_IN_PLANE } ViewOpening;
 
@@ -73,13 +73,13 @@ const View *view_of_digit(int digit);
 /* "profile, probe, ... or 1 to 9": what view_named() takes. */
 void view_names(char *out, size_t size);
 
-/* What stands in a plot pane when such a run is opened. */
+/* What is in a plot pane when such a run is opened. */
 const View *view_at_home(PaneId, const Simulation *);
 
 /* The plot pane in which the number that the scenario is about is seen. */
 PaneId view_pane_of_number(const Screen *);
 
-/* What stands in the plot panes when the run is opened: as the scenario says, else as the views like. */
+/* What is in the plot panes when the run is opened: as the scenario says, else as the views like. */
 void views_open(Screen *, const ViewSettings *);
 
 /* The names of the curves on screen: of the plot over time, and of the field along the bar. */

@@ -202,7 +202,7 @@ static const char *last_word(const char *words)
 /* What a node has to do with the stage: what the stage writes of it or what it gives in it. */
 static void node_numbers(const Near *near, size_t node, char *out, size_t size)
 {
-    const bool made = near->terms.n_flows > 0; /* anew, by terms that are seen */
+    const bool made = near->terms.n_flows > 0; /* again, by terms that are seen */
     const bool in_row = is_in_row(near, node);
     if (in_row) {
         const double mass = near->row.masses[node - near->row.first];

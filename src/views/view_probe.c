@@ -15,7 +15,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* The columns that can stand in the probe view: what is measured and is no energy. */
+/* The columns that can be in the probe view: what is measured and is no energy. */
 static bool is_energy(const char *name)
 {
     static const char *const energies[] = {"kinetic",    "kinetic_grid", "strain", "work",

@@ -74,7 +74,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
         describe_field(screen, list, c, fields[c]);
     const int chosen = screen->chosen.table_column;
     list->chosen_column = chosen < last ? chosen : last;
-    if (n_fields > 0) /* else no field of the set stands in a table */
+    if (n_fields > 0) /* else no field of the set is in a table */
         snprintf(picture->follow, sizeof picture->follow, "%.16s %zu %.30s", sim->sets[set].name,
                  list->chosen, sim->fields[fields[list->chosen_column]].quantity.name);
 }

@@ -10,7 +10,7 @@ extern const View view_profile, view_probe, view_energies, view_table, view_beam
 /* What the inspector shows (inspector/inspector.h); it is in no list, for it has a pane of its own. */
 extern const View view_inspector;
 
-/* The body in the pane that is its own, where a map stands in neither plot pane; no word shows it. */
+/* The body in the pane that is its own, where a map is in neither plot pane; no word shows it. */
 extern const View view_strip;
 
 /* Of a body that breaks: the crack's path, angle and speed among the probe's pictures, what it costs and

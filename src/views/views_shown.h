@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What stands in the plot panes, and what is chosen, read and magnified there. */
+/* What is in the plot panes, and what is chosen, read and magnified there. */
 #ifndef VIEWS_VIEWS_SHOWN_H
 #define VIEWS_VIEWS_SHOWN_H
 

@@ -184,9 +184,9 @@ START_TEST(names_are_judged_before_anything_is_done)
     expect_refused(in_folder("link"), false, ": is a link that leads nowhere");
     expect_refused(in_folder("link"), true, ": is a link that leads nowhere");
     ck_assert_int_eq(status.code, STATUS_USAGE);
-    expect_refused(in_folder("\x1b[2J"), false, "/\\x1b[2J: is no name for a file");
-    expect_refused(in_folder("\xc2\x9b"), false, "/\\u009b: is no name for a file");
-    expect_refused(in_folder("\xe2\x80\xaegpj"), false, "/\\u202egpj: is no name for a file");
+    expect_refused(in_folder("\x1b[2J"), false, "/\\x1b[2J: not a file name");
+    expect_refused(in_folder("\xc2\x9b"), false, "/\\u009b: not a file name");
+    expect_refused(in_folder("\xe2\x80\xaegpj"), false, "/\\u202egpj: not a file name");
 }
 END_TEST
 

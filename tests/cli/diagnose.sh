@@ -290,7 +290,7 @@ refuse "steps far beyond the run" "x.csv: begins at step 99999999999, and the sc
 refuse "no step" "x.csv:1: no column step or time (--map 1=time names the first so)" mode5 "$(printf 'a,v_cm\n1,2\n' >x.csv; echo x.csv)"
 refuse "half a step" "x.csv: row 2: step 0.5 is no whole number from 0 on" mode5 "$(printf 'step,v_cm\n0,2\n.5,2\n' >x.csv; echo x.csv)"
 refuse "a step twice" "x.csv: rows 1 and 3 are both of step 0" mode5 "$(printf 'step,v_cm\n0,2\n1,2\n0,3\n' >x.csv; echo x.csv)"
-refuse "a word" "x.csv:3: column 2, v_cm: 'fast' is no number" mode5 "$(printf 'step,v_cm\n0,2\n1,fast\n' >x.csv; echo x.csv)"
+refuse "a word" "x.csv:3: column 2, v_cm: 'fast' is not a number" mode5 "$(printf 'step,v_cm\n0,2\n1,fast\n' >x.csv; echo x.csv)"
 refuse "nothing of ours" "x.csv: none of its columns is ours, as far as its first rows tell (--map 1=time,2=v_cm)" mode5 "$(printf 'step,foo\n0,2\n' >x.csv; echo x.csv)"
 refuse "a mistake of the scenario's" "mpm.mistake: pic is a mistake, and a file is compared with the right code" mode5 right.csv --set mpm.mistake=pic
 refuse "no file" "SCENARIO FILE is missing (see: matvib --help)" mode5

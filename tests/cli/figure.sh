@@ -196,7 +196,7 @@ result "of what a bar has not" sh -c '! grep -q shapes:slopes out'
 expect "a view that is not there" 2 mode1 --view beam --output x.svg
 result "in one line with all names" says err '^matvib: beam: no such view here (profile:u|v|stress'
 expect "a kind that is none" 2 mode1 --view probe --output x.gif
-result "says what is one" says err '^matvib: x.gif: is no figure (FILE.svg, FILE.pdf or FILE.png)$'
+result "says what is one" says err '^matvib: x.gif: not a figure file (FILE.svg, FILE.pdf or FILE.png)$'
 cp a.svg c.svg
 expect "an existing file is refused" 2 mode1 --view probe --output a.svg
 result "and left alone" cmp -s a.svg c.svg

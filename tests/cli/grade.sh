@@ -239,7 +239,7 @@ refuse "no names" "none.csv:1: no column of names in the head (Full name, or Fir
 printf 'Full name,ID number\n"Karl,7\n' >open.csv
 refuse "a quote that stays open" "open.csv:2: a quote is not closed" points.lesson bo.session --roster open.csv
 printf 'Full name,ID number\nKarl,7\n Karl ,7\n' >twice.csv
-refuse "one twice" "twice.csv:3: Karl: stands there twice (give each an ID number)" points.lesson bo.session --roster twice.csv
+refuse "one twice" "twice.csv:3: Karl: listed twice (give each an ID number)" points.lesson bo.session --roster twice.csv
 refuse "the list is no output" "class.csv: the output would overwrite an input" points.lesson bo.session --roster class.csv --moodle class.csv --force
 refuse "nor a list that is given as one" "class.csv: exists and was not written by matvib (choose another name)" points.lesson bo.session --moodle class.csv --force
 
@@ -425,7 +425,7 @@ if "$MATVIB" lesson own.lesson --handout probe.pdf >out 2>err; then
 	"$MATVIB" lesson own.lesson --handout ada.pdf >out 2>err
 	result "it is not overwritten" says err '^matvib: ada.pdf: exists (--force replaces it)$'
 	"$MATVIB" lesson own.lesson --handout ada.svg >out 2>err
-	result "it is a PDF" says err '^matvib: ada.svg: is no name for pages (FILE.pdf)$'
+	result "it is a PDF" says err '^matvib: ada.svg: not a file of pages (FILE.pdf)$'
 	expect "a page for each" 1 own.lesson right.session cut.session --sheet sheet.pdf --output sheet.csv
 	if command -v pdftotext >/dev/null 2>&1; then
 		pdftotext -layout ada.pdf ada.txt
@@ -558,7 +558,7 @@ refuse "a lesson of one's own is no sample" "--print: own.lesson: is no lesson o
 refuse "a print of which lesson" "--print: which lesson? (matvib lesson NAME --print)" --print
 refuse "an ID of nobody" "--id: goes with --name" own.lesson --id 17
 refuse "an empty name" "--name: the name is empty" own.lesson --name " "
-refuse "a name that acts" '--name: \x1b[2J: is no name (UTF-8 without control characters)' own.lesson --name "$(printf '\033[2J')"
+refuse "a name that acts" '--name: \x1b[2J: is not a name (UTF-8 without control characters)' own.lesson --name "$(printf '\033[2J')"
 sed 's/^@solve.*/@solve set mesh.cell_size 2.5/' own.lesson >stuck.lesson
 "$MATVIB" grade --key stuck.lesson >out 2>err
 result "a way that leads elsewhere is told" says err '^matvib: page 2: its own way misses the goal: Not yet: error [0-9.]* %, must be within 2 %'

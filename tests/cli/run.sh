@@ -53,7 +53,7 @@ expect "a name of 250 bytes, 254 with .ini" 0 mode1 --end 1 --series "$longest" 
 result "is a file like others" test -s "$longest" -a -s "$longest.ini"
 rm -f dangling.csv "$longest" "$longest.ini"
 refuse "a name that a terminal would obey" \
-	'a\x1b[2J.csv: is no name for a file (UTF-8 without control characters)' mode1 --series "$(printf 'a\033[2J.csv')"
+	'a\x1b[2J.csv: not a file name (UTF-8 without control characters)' mode1 --series "$(printf 'a\033[2J.csv')"
 refuse "a density beyond numbers blames the density" \
 	'--set: beam.density: 1e-300 is too small to compute with (> 0)' \
 	notched-beam-coarse --set pd.spacing=2e-3 --set pd.horizon=8e-3 --set beam.density=1e-300

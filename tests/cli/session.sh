@@ -162,7 +162,7 @@ result "a lesson that writes is refused" refused \
 	'bad.lesson:3: @do: write: a lesson may not (it changes the laboratory only)' lesson bad.lesson
 result "and has written nothing" test ! -e .bash_aliases
 result "a name with control characters is none for a recording" refused \
-	'a\x1b[2Jb: is no name for a file (UTF-8 without control characters)' mode1 --record "$(printf 'a\033[2Jb')"
+	'a\x1b[2Jb: not a file name (UTF-8 without control characters)' mode1 --record "$(printf 'a\033[2Jb')"
 sed 's/^| cell_size.*/| cell_size = -1/' mode5.session >wrong.session
 "$MATVIB" --replay wrong.session --script empty 2>message
 result "its scenario is judged" grep -q 'wrong.session (scenario):[0-9]*: mesh.cell_size:' message

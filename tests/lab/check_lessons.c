@@ -177,7 +177,7 @@ static const struct {
     {"@title x\n@page y\n@variant mpm.shape from hat\n",
      "my.lesson:3: @variant: mpm.shape: two words at least are wanted to draw from"},
     {"@title x\n@page y\n@variant mpm.shape from hat, gimp, hat\n",
-     "my.lesson:3: @variant: mpm.shape: hat stands there twice"},
+     "my.lesson:3: @variant: mpm.shape: hat listed twice"},
     {"@title x\n@page y\n@variant mpm.mistake from none, pic\n",
      "my.lesson:3: @variant: mpm.mistake: none is none of its words (see: matvib params)"},
     {"@title x\n@page y\n@ask a\n@right b if mpm.shape is hat\n",

@@ -423,7 +423,7 @@ START_TEST(a_series_lies_over_the_plot_and_goes_again)
     ck_assert(shows(bench, "+ pupil.csv")); /* now x_cm is asked for, over the energies */
     /* a bad file changes nothing */
     do_line(bench, "overlay bad.csv");
-    ck_assert_str_eq(bench->lab.screen.prompt->problem, "bad.csv:3: column 2, v_cm: 'one' is no number");
+    ck_assert_str_eq(bench->lab.screen.prompt->problem, "bad.csv:3: column 2, v_cm: 'one' is not a number");
     press(bench, "Esc");
     ck_assert(shows(bench, "+ pupil.csv"));
     do_line(bench, "overlay");

@@ -138,7 +138,7 @@ START_TEST(homework_asks_whose_it_is)
     session_wait_for(&session, "Your name");
     ck_assert(session_shows(&session, "Homework: the late mode") && !session_shows(&session, "\\x"));
     session_send(&session, "\033[2J\r");
-    session_wait_for(&session, "is no name");
+    session_wait_for(&session, "is not a name");
     session_send(&session, "Ada Lovelace\r");
     session_wait_for(&session, "Your ID");
     session_send(&session, "17\r");

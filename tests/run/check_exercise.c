@@ -227,7 +227,7 @@ static const struct {
      "was error: is known of a run that has ended only (was is for parameters, mesh and time step)",
      EXPRESSION_NUMBER},
     {"errors", "errors is neither a number of a run nor a parameter (see: man 5 matvib)", EXPRESSION_NUMBER},
-    {"initial.overtones", "initial.overtones is no number", EXPRESSION_NUMBER},
+    {"initial.overtones", "initial.overtones is not a number", EXPRESSION_NUMBER},
     {"error", "a relation (< <= > >= = !=) is wanted, not: the end of the line", EXPRESSION_TRUTH},
     {"error < 1 and", "a number is wanted, not: the end of the line", EXPRESSION_TRUTH},
     {"error < 1 but cells < 3", "and, or is wanted, not: but", EXPRESSION_TRUTH},

@@ -116,7 +116,7 @@ static const struct {
     {"[cuts]\na = 0 0 1cm 0.05\n", "f.ini:4: cuts.a: y1 = 0.05 is off the plate (0 to plate.height = 0.04)"},
     {"[cuts]\na = 0 0 1 1\na = 0 0 1 1\n", "f.ini:5: cuts.a: stands twice (first in line 4)"},
     {"[cuts]\nwith-a-name-that-is-long = 0 0 1 1\n",
-     "f.ini:4: cuts.with-a-name-that-is-long: this is no name for a cut (1 to 23 letters, digits, _ and -)"},
+     "f.ini:4: cuts.with-a-name-that-is-long: invalid name of a cut (1 to 23 letters, digits, _ and -)"},
     {"[cuts]\na.b = 0 0 1 1\n", "f.ini:4: cuts.a: there is no cut of that name (none at all)"},
     {"[cuts]\na = 0 0 1cm 1cm\na.x9 = 1\n", "f.ini:5: cuts.a.x9: a cut has no such value (x0, y0, x1, y1)"},
     {"[loads]\na = up 0 1 0 0\n", "f.ini:4: loads.a: up is no edge (top | bottom | left | right)"},

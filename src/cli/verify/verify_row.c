@@ -4,7 +4,7 @@
 
 static bool lies_in(Band band, double number)
 {
-    return number >= band.low && number <= band.high; /* what is no number lies nowhere */
+    return number >= band.low && number <= band.high; /* what is not a number lies nowhere */
 }
 
 VerifyNumbers verify_numbers(VerifyRun *run, const VerifyRow *row)

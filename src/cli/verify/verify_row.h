@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A row of a verification: one number of one run beside what theory, the mesh's eigenvalue and its prediction
  * say; the reference that it has to reproduce, the bounds that must hold, and the paper's claim about it. All
- * rows stand in data/verify; tools/claims.awk makes the table of them. */
+ * rows are in data/verify; tools/claims.awk makes the table of them. */
 #ifndef CLI_VERIFY_VERIFY_ROW_H
 #define CLI_VERIFY_VERIFY_ROW_H
 

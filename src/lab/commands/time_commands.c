@@ -34,7 +34,7 @@ static bool answer_again(Laboratory *lab, const char *text)
     return true;
 }
 
-/* A run that is soon computed again begins anew at once; one that took long is not thrown away by a slip. */
+/* A run that is soon computed again begins again at once; one that took long is not thrown away by a slip. */
 static void run_again(Laboratory *lab)
 {
     const double rate = lab->player.rates[RATE_RUN];

@@ -114,7 +114,7 @@ static bool fulfils(Laboratory *lab, const Exercise *exercise, char *why, size_t
     RunSummary summary, before;
     Status status = {STATUS_DONE, ""};
     if (experiment_base(experiment)->n_changes > run->entered.n_changes) {
-        snprintf(why, size, "a value was changed on the way; r begins anew");
+        snprintf(why, size, "a value was changed on the way; r restarts it");
         return false;
     }
     if (!summary_before(exercise, &run->entered, &before, &status)) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What is right beside the run: calculated on the spot, of the page's run for a number and of the reader's
- * own for a goal, so that a session that is done again gets its marks anew. All is about the page that is
+ * own for a goal, so that a session that is done again gets its marks again. All is about the page that is
  * open. */
 #ifndef LAB_LESSON_LESSON_JUDGE_H
 #define LAB_LESSON_LESSON_JUDGE_H

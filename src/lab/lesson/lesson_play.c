@@ -45,7 +45,7 @@ bool lesson_play_open(Laboratory *lab, const char *name, Status *status)
     shown->page = -1;
     shown->counts = lab->options.student && lesson_judge_counts(lab);
     const int *reached = lesson_entry_reached(lab);
-    /* a lesson that was read to its end begins anew */
+    /* a lesson that was read to its end begins again */
     const int page = reached && *reached > 1 && *reached < lesson.n_pages ? *reached - 1 : 0;
     lab->play.resumes = page > 0 ? page + 1 : 0;
     lesson_entry_show(lab, page);

@@ -16,7 +16,7 @@
 #include <sys/stat.h>
 
 struct Completion {
-    const char *start; /* what stands there */
+    const char *start; /* what is there */
     char common[sizeof((Prompt *)0)->text];
     char list[sizeof((Prompt *)0)->hint];
     char tail[2]; /* follows if there is one candidate only */
@@ -334,7 +334,7 @@ void complete_tab(Laboratory *lab)
     prompt->problem[0] = prompt->hint[0] = '\0';
     lab->prompting.fresh = false;
     if (!further && prompt->scenarios && prompt->scenarios->n_shown > 0)
-        return; /* they stand there, with their titles */
+        return; /* they are there, with their titles */
     lab->prompting.tabbed = 0;
     if (!further) {
         const int shown = completion.skipped + completion.listed;

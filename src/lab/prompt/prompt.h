@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Questions at the foot of the screen: asked, typed into, answered. A question is answered by a function of
- * whoever asked it, and may bring keys and completions of its own. */
+ * the code that asked it, and may bring keys and completions of its own. */
 #ifndef LAB_PROMPT_PROMPT_H
 #define LAB_PROMPT_PROMPT_H
 

@@ -34,8 +34,8 @@ typedef struct Grades {
     int count; /* 0: there are no marks */
 } Grades;
 
-/* What sessions are told apart by: two of the same keys at the same steps are one, whoever's name they have
- * and however fast and on whatever screen they were pressed. */
+/* What sessions are told apart by: two of the same keys at the same steps are one, no matter whose name they
+ * have and however fast and on whatever screen they were pressed. */
 typedef struct GradingOrigin {
     bool known; /* it gets marks, and has keys enough to tell */
     uint64_t check, keys;

@@ -180,7 +180,7 @@ static void draw_rules(const Picture *picture, Area inner)
     }
 }
 
-/* A letter stands beside its dot, on the side where there is room; those of dots on one place in a row. */
+/* A letter is beside its dot, on the side where there is room; those of dots on one place in a row. */
 static void draw_letter(const Picture *picture, Area inner, size_t mark, int column, int row)
 {
     const Plot *plot = &picture->plot;
@@ -220,7 +220,7 @@ static void draw_marks(const Picture *picture, Area inner)
             glyph = fine_glyph(mark, &picture->plot.x, inner, column, row);
         const bool beside = mark->kind == MARK_BESIDE, shifted = beside || mark->kind == MARK_BAR;
         Area around = inner;
-        around.rect.width += beside; /* a wall stands in the margin */
+        around.rect.width += beside; /* a wall is in the margin */
         area_put(around, column + (shifted ? mark->side[0] : 0), row, glyph, mark->style);
         if (mark->letter)
             draw_letter(picture, inner, i, column, row);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A body in cells. Each of its pieces covers its place on the lattice, a pixel shows the mean of what covers
- * it. Two colours stand in a cell, one above the other; where colours are few the ramp is told by ink:
+ * it. Two colours are in a cell, one above the other; where colours are few the ramp is told by ink:
  * braille dots, shades or letters. Over it each cell gathers the dots of the lines that cross it, or the
  * letter that stands for their direction; signs and words come last. */
 #include "picture/cells/cells_map.h"

@@ -160,7 +160,7 @@ static void draw_ramp(Paper *paper, const PictureMap *map, Box box)
     paper->kind->line(paper, frame, 5, &(Pencil){.colour = BLACK, .width = 0.5});
 }
 
-/* The name stands beside the bar or, where that would leave it too short, above it. */
+/* The name is beside the bar or, where that would leave it too short, above it. */
 double draw_heat_bar(Paper *paper, const Picture *picture, Box box)
 {
     const PictureMap *map = picture->map;

@@ -434,7 +434,7 @@ static size_t draw_signs(const Frame *frame, size_t first)
     return end;
 }
 
-/* Dots, rings and letters of a plot; a letter stands beside its place, several at one place in a row. */
+/* Dots, rings and letters of a plot; a letter is beside its place, several at one place in a row. */
 static void draw_marks(const Frame *frame)
 {
     const Picture *picture = frame->picture;

@@ -43,7 +43,7 @@ bool figure_allowed(const char *file, Status *status)
 {
     const Format format = format_of(file);
     if (format == FORMAT_NONE)
-        return status_refuse(status, "%.200s: is no figure (FILE.svg, FILE.pdf or FILE.png)", file);
+        return status_refuse(status, "%.200s: not a figure file (FILE.svg, FILE.pdf or FILE.png)", file);
     return format == FORMAT_SVG || paper_has_cairo(status);
 }
 

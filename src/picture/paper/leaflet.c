@@ -29,7 +29,7 @@ bool leaflet_allowed(const char *file, Asker asker, bool force, Status *status)
 {
     const char *dot = strrchr(file, '.');
     if (!dot || strcasecmp(dot, ".pdf") != 0)
-        return status_refuse(status, "%.200s: is no name for pages (FILE.pdf)", file);
+        return status_refuse(status, "%.200s: not a file of pages (FILE.pdf)", file);
     return paper_has_cairo(status) && output_may_begin(file, asker, force, status);
 }
 

@@ -12,7 +12,7 @@
 #define BARE_MARGIN 3.0         /* for the ends of lines and digits */
 #define MILLIMETRES (72 / 25.4) /* points in one */
 
-enum { COLUMNS_MANY = 3 }; /* from so many panels on they stand in two columns */
+enum { COLUMNS_MANY = 3 }; /* from so many panels on they are in two columns */
 
 static const Type small = {.size = SIZE_SMALL, .colour = GREY};
 

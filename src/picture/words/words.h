@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is told in plain words: a growing text of short lines for whoever has no screen to look at. Signs are
+/* What is told in plain words: a growing text of short lines for a user without a screen. Signs are
  * printable ASCII; letters that come from outside stay what they are, in UTF-8. */
 #ifndef PICTURE_WORDS_WORDS_H
 #define PICTURE_WORDS_WORDS_H

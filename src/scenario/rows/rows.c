@@ -61,7 +61,7 @@ static bool check_name(const RowKind *kind, const char *name, const char *about,
         return !*name || status_refuse(status, "%s: has no rows with names (%s)", about, kind->form);
     if (*name && strlen(name) < ROW_NAME_MAX && name[strspn(name, letters)] == '\0')
         return true;
-    return status_refuse(status, "%s: this is no name for a %s (1 to %d letters, digits, _ and -)", about,
+    return status_refuse(status, "%s: invalid name of a %s (1 to %d letters, digits, _ and -)", about,
                          kind->one, ROW_NAME_MAX - 1);
 }
 
@@ -245,7 +245,7 @@ bool settings_row_key_set(Settings *settings, const char *key, const char *text,
         if (index < 0)
             return status_refuse(status, "%s: no such rows", key);
         const RowKind *kind = &row_kinds[index];
-        return status_refuse(status, "%s: this is no name for a %s (1 to %d letters, digits, _ and -)", key,
+        return status_refuse(status, "%s: invalid name of a %s (1 to %d letters, digits, _ and -)", key,
                              kind->one, ROW_NAME_MAX - 1);
     }
     if (*at.value)

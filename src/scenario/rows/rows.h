@@ -6,7 +6,7 @@
  *     top = top 0% 100% 0 12MPa ramp 1us
  *
  * and so data: one table (row_kinds) says for each kind what values its rows have. The scenario reader and
- * writer, --set, comparisons, the manual and whoever edits rows on screen read that table and the functions
+ * writer, --set, comparisons, the manual and the editor of rows on screen read that table and the functions
  * below. A value is one word: "5mm", "25/3mm", "50%" (a share of the plate's length or height). The section
  * of the probe has one row without a name, whose values are its keys.
  *

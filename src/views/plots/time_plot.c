@@ -25,7 +25,7 @@ void time_plot_window(const Screen *screen, double *from, double *to)
     double window = screen->time.window > 0 ? screen->time.window : automatic_window(screen, last);
     if (!(window > 0))
         window = last > 0 ? last : 1;
-    /* it shows the newest; rewound far, the present stands in the middle */
+    /* it shows the newest; rewound far, the present is in the middle */
     double right = newest - present <= window / 2 ? newest : present + window / 2;
     right = fmax(right, present);
     /* move by whole hundredths, so that curves shift by whole cells and do not shimmer */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The crack of the notched beam (crack.h), measured from the damage of nodes: path, tip, length, angle and
- * speed. Called at the end of the damage stage (bonds_break.c) and by whoever shows or tabulates the crack;
+ * speed. Called at the end of the damage stage (bonds_break.c) and by code that shows or tabulates the crack;
  * nothing here changes the motion. */
 #include "methods/bonds/cracks/crack.h"
 #include "base/assertion.h"

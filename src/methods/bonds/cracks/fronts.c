@@ -2,7 +2,7 @@
 /* The cracks of a plate (fronts.h). First the run's broken bonds are gone through in the order in which they
  * broke, and each node that cracks is dealt to the front that it is connected with; when all are known, each
  * node cracks once more, for the advance over time and the steps at which lines split. Called after whole
- * steps by whoever shows or tabulates the cracks; nothing here changes the motion. */
+ * steps by code that shows or tabulates the cracks; nothing here changes the motion. */
 #include "base/assertion.h"
 #include "methods/bonds/cracks/front_shape.h"
 

@@ -84,8 +84,9 @@ typedef struct CrackFronts {
     double dissipated;
 } CrackFronts;
 
-/* Worked out anew unless the state is the one that it was worked out for; begin with {0}, and free it. False:
- * the simulation is no plate, no end of a cut lies in it, or memory is short; then there are no fronts. */
+/* Worked out again unless the state is the one that it was worked out for; begin with {0}, and free it.
+ * False: the simulation is no plate, no end of a cut lies in it, or memory is short; then there are no
+ * fronts. */
 bool crack_fronts_update(CrackFronts *, const Simulation *);
 void crack_fronts_free(CrackFronts *);
 

@@ -21,7 +21,7 @@
  * Rest: the kinetic energy is below 1e-10 of its largest, and where alpha < 2 omega_1 stays there for half a
  * period, since it vanishes at each turning point too (where nothing holds the body and omega_1 is not known,
  * for 2 pi/alpha: no mode that swings, omega > alpha/2, has a longer half period); and nothing that will move
- * it anew lies ahead: a load that still grows or will be let go, a change that was ordered. Looked for every
+ * it again lies ahead: a load that still grows or will be let go, a change that was ordered. Looked for every
  * BEAM_REST_EVERY steps. The displacements are then those of rest to some 4e-6. */
 #include "base/assertion.h"
 #include "methods/bonds/plane/bonds_internal.h"
@@ -40,7 +40,7 @@ bool beam_check_damping(double damping, double dt, Status *status)
                                               damping, dt, 2 / dt);
 }
 
-/* The last step at which something is ordered that moves the body anew. */
+/* The last step at which something is ordered that moves the body again. */
 static long last_order(const Beam *beam)
 {
     double last = (double)beam->def.changes_until;
@@ -108,7 +108,8 @@ void beam_brake_second(Beam *beam, int j)
         brake(beam, j, 1 / (1 + beam->damping * beam->sim.dt / 2));
 }
 
-/* Written by whoever has the row, added in the order of rows: the number of threads leaves no trace. */
+/* Written by the thread that has the row, added in the order of rows: the number of threads leaves no trace.
+ */
 void beam_note_speeds(Beam *beam, int j)
 {
     ASSERT_INDEX(j, beam->lattice.ny);

@@ -2,7 +2,7 @@
 /* Whether a beam that is being built is still wanted; every part of the building asks. */
 #include "methods/bonds/plane/bonds_internal.h"
 
-/* Asks whoever waits for the beam whether it is still wanted, and remembers a no for all threads. */
+/* Asks the caller that waits for the beam whether it is still wanted, and remembers a no for all threads. */
 bool beam_go_on(Beam *beam, double share, Status *status)
 {
     if (!beam->given_up)

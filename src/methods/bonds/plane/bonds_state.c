@@ -38,7 +38,7 @@ static void set_breaking(Beam *beam)
 }
 
 /* Puts a snapshot back: only bonds whose bit differs are touched, so a short way back is cheap; damage and
- * crack are computed anew from the bits. */
+ * crack are computed again from the bits. */
 void beam_load(Simulation *sim, const void *bytes)
 {
     Beam *beam = (Beam *)sim;
@@ -53,7 +53,7 @@ void beam_load(Simulation *sim, const void *bytes)
     beam->strain_known = beam->kinetic_known = false;
 }
 
-/* Parameters that a run may change between steps: they stand in the state's head, so a snapshot brings back
+/* Parameters that a run may change between steps: they are in the state's head, so a snapshot brings back
  * its own. */
 typedef struct LiveParameter {
     const char *key;
@@ -119,7 +119,7 @@ bool beam_change(Simulation *sim, const char *key, double value, Status *status)
             return status_refuse(status, "%s: %g is not allowed (%s)", key, value, live->what);
         memcpy((char *)beam->head + live->offset, &value, sizeof value);
         set_breaking(beam);
-        /* it may move anew */
+        /* it may move again */
         beam->head->most_kinetic = 0;
         beam->head->moved = sim->step;
         beam->head->kinetic_left = sim->kinetic_left = beam->def.to_rest ? 1 : 0;

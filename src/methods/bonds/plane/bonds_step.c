@@ -149,7 +149,7 @@ static bool take_log(Beam *beam, BondLog *log, long step, Status *status)
         if (bonds_mistake(beam)) /* which goes on as long as there are numbers */
             return simulation_fail(
                 &beam->sim, status,
-                "unstable: at node %zu a bond's pull is no number any more in step %ld, t = %.6g s",
+                "unstable: at node %zu a bond's pull is not a number any more in step %ld, t = %.6g s",
                 (size_t)place.j * (size_t)beam->lattice.nx + (size_t)place.i, step + 1,
                 (double)(step + 1) * beam->sim.dt);
         return simulation_fail(
@@ -205,11 +205,11 @@ static bool bonds_stage(Beam *beam, int first, int end, Status *status)
         return true;
     for (int j = 0; j < beam->lattice.ny; j++)
         beam_add_halos(beam, j);
-    beam_keep_strain(beam); /* whoever goes by stages looks at each step */
+    beam_keep_strain(beam); /* code that goes by stages looks at each step */
     return true;
 }
 
-/* One stage on rows [first, end), for whoever looks at a step from inside; called in order, in any slices. */
+/* One stage on rows [first, end), for the stage stepper; called in order, in any slices. */
 bool beam_stage(Simulation *sim, int stage, size_t first, size_t end, Status *status)
 {
     ASSERT_INDEX(stage, N_STAGES);

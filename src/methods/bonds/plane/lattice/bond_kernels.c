@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The forces and energies of bonds, for rows of the lattice: the stage of a step in which all the time goes.
- * What is computed, and why without a root, stands in bonds.h.
+ * What is computed, and why without a root, is in bonds.h.
  *
  * Bonds of one direction xi whose owners stand side by side in a row are a segment: owner i at u[i], the
  * other end at v[i], coefficient c G w V at coefficient[i], no list of indices. A tile is a piece of a row

@@ -69,8 +69,8 @@ KERNEL_INLINE bool by_series(const Segment *segment, bool with_forces, bool with
             const Vector d = ex * (x + rx) + ey * (y + ry);
             const Vector k = vector_load(coefficient + at);
             const Vector dd = d * d;
-            /* the bits of k are those of zero where there is no bond; written so that a d which is no number
-             * counts as beyond */
+            /* the bits of k are those of zero where there is no bond; written so that a d which is not a
+             * number counts as beyond */
             beyond |= ~(dd < limit) & (VectorMask)k;
             const Vector series = c0 + c1 * d + dd * (c2 + c3 * d + dd * (c4 + c5 * d));
             const Vector g = k * d * series;

@@ -300,7 +300,7 @@ static bool count_nodes(Lattice *lattice, const BeamDef *def, Status *status)
 }
 
 /* c = 6 E/(pi delta^3 (1 - nu)), eq. 4: such that a plane under a uniform strain stores what elasticity says;
- * there |xi| dA c stands under the integral, and with c_1 (1 - |xi|/delta) it comes to a quarter.
+ * there |xi| dA c is under the integral, and with c_1 (1 - |xi|/delta) it comes to a quarter.
  * One constant for each bond leaves room for one elastic constant only, so nu = 1/3 in plane stress, always.
  */
 bool lattice_measure(Lattice *lattice, const BeamDef *def, Status *status)

@@ -96,7 +96,7 @@ static inline double lattice_y(const Lattice *lattice, int j)
     return lattice->y0 + (j + 0.5) * lattice->spacing;
 }
 
-/* Where a node stands in a padded array. */
+/* Where a node is in a padded array. */
 static inline size_t lattice_at(const Lattice *lattice, int i, int j)
 {
     return (size_t)j * lattice->stride + LATTICE_BLOCK + (size_t)i;
