@@ -17,6 +17,12 @@ cat >"$scratch/wanted" <<'END'
 ./share/doc/matvib/COPYING
 ./share/doc/matvib/NEWS
 ./share/doc/matvib/README.md
+./share/doc/matvib/doc/building.md
+./share/doc/matvib/doc/crack.svg
+./share/doc/matvib/doc/guide.md
+./share/doc/matvib/doc/page.md
+./share/doc/matvib/doc/teaching.md
+./share/doc/matvib/doc/words.md
 ./share/man/man1/matvib.1
 ./share/man/man5/matvib.5
 ./share/man/man7/matvib-checks.7

@@ -12,7 +12,7 @@ typedef struct RunNumber {
     const char *help;                                      /* with its unit */
     double (*value)(const RunSummary *, const char *word); /* NAN: not known of this run */
     bool beforehand;                                       /* known of a run that has not begun */
-    SummaryPart part;                                      /* what of the summary it is read from */
+    SummaryPart part;                                      /* the part of the summary that it is read from */
     const char *called;                                    /* in words; NULL: as the word */
     /* In large digits, where it stands alone: */
     const char *label;    /* "periods late"; NULL: it is none that a scenario is about */

@@ -25,7 +25,7 @@ typedef struct Start {
     double offset;      /* of particles from the middle of their share of a cell, in such shares */
     StartShape shape;   /* of a mode of a bar of two materials */
     double amplitude;   /* deflection U of a beam's mode */
-    PlaneStart start;   /* of a beam in cells: what of the mode there is at t = 0 */
+    PlaneStart start;   /* of a beam in cells: which fields of the mode are given at t = 0 */
     PlaneStress stress; /* that its deflection comes with */
 } Start;
 

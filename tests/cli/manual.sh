@@ -86,11 +86,17 @@ longer() { # PAGE: the commands between .nf and .fi
 longer matvib.1 >commands
 longer matvib-checks.7 >checks
 result "matvib.1 has longer examples" test "$(wc -l <commands)" -ge 7
-sed -n 's/^    build\/\(matvib .*\)/\1/p' "$MATVIB_SRCDIR/README.md" | sed 's/   *.*//' >readme
-result "the README has commands" test "$(wc -l <readme)" -ge 18
+told() { # FILE: the commands of a document
+	sed -n 's/^    build\/\(matvib .*\)/\1/p' "$MATVIB_SRCDIR/$1" | sed 's/   *.*//'
+}
+told README.md >readme
+told doc/guide.md >guide
+result "the README has commands" test "$(wc -l <readme)" -ge 6
+result "the guide has commands" test "$(wc -l <guide)" -ge 18
 result "matvib-checks.7 has commands" test "$(wc -l <checks)" -ge 15
 typed commands
 typed readme
+typed guide
 # these are of whole runs
 if [ -n "$MATVIB_WIDE" ]; then
 	typed checks

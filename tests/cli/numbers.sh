@@ -186,7 +186,7 @@ tells_why() { # FILE
 	grep -q "The lag has two parts, both from lumped masses: mapping to nodes and back is a filter (F" text &&
 		grep -q "), and the linear elements are too slow (K" text
 }
-for file in README.md src/help/help_text.c $lesson/late.lesson $lesson/cure.lesson $lesson/filters.lesson; do
+for file in doc/guide.md src/help/help_text.c $lesson/late.lesson $lesson/cure.lesson $lesson/filters.lesson; do
 	result "$file tells why mode 5 is late" tells_why $file
 done
 
@@ -198,7 +198,7 @@ claim $scenario/late-cure.ini "lumped masses, " 4.2 " % late" predicted_error
 claim $lesson/late.lesson "omega (w on the screen) is " 4.2 " % too low" predicted_error
 claim $lesson/late.lesson "so every period is " 4.4 " % too long" period_error
 claim $lesson/late.lesson "4.2 % of 90 periods are " 3.8 "" periods
-claim README.md "The frequency is " 4.2 " % low" predicted_error
+claim doc/guide.md "The frequency is " 4.2 " % low" predicted_error
 claim src/answers/choices.c "nearer to the period (" .57 " off" predicted_period -1 5
 claim src/answers/choices.c "off, " .76 " from the frequency" predicted_error 1 5
 run mode5 --set mpm.transfer=apic --end 2

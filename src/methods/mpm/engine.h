@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The inside of the material point method: model, state, what a stage may ask. For the files of this folder.
  *
- * One engine for a line and for the plane: `dim` is 1 or 2. Particles stand in arrays in the order in which
+ * One engine for a line and for the plane: `dim` is 1 or 2. Particles are in arrays in the order in which
  * they were made, and may be anywhere on a regular grid: node j gx + i lies at (xmin + i dx, ymin + j dx).
  * The state of a particle is its displacement u, velocity, stress and volume m/rho. Its place on the grid,
  *

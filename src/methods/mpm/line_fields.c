@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What front ends read of a bar: fields, series, links. Computed when read, from the state as it stands in
+/* What front ends read of a bar: fields, series, links. Computed when read, from the state as it is in
  * mid-step too: which stages are done decides whether a place is the old or the new one, and a node's field
  * is 0 before its stage. */
 #include "base/assertion.h"

@@ -7,7 +7,7 @@
  *     MUSL   map  fix          force  integrate  update  map again  strain  forget
  *
  * USF strains with the velocities that particles begin the step with, USL with those that it has made, MUSL
- * with the latter mapped anew from the particles; gradients are those of the old places in all three. The
+ * with the latter mapped again from the particles; gradients are those of the old places in all three. The
  * transfer (FLIP, PIC blend, APIC, FMPM) and the masses (lumped, blended) change what some stages say,
  * so each stage has a row for each; of the force stage they say what is made of f_int and f_ext, loads.c
  * says what these are. The work of a stage is stages.c. */
@@ -96,7 +96,7 @@ static const Stage blend[OP_COUNT] = {
                    .ascii = "v_p <- a (v_p + dt sum N_i f_i/m_i) + (1 - a) sum N_i p_i/m_i\n"
                             "x_p <- x_p + dt sum N_i p_i/m_i",
                    .source = "eqs. 14, 15 with PIC",
-                   .sentence = "A particle takes part of its velocity anew from its nodes, "
+                   .sentence = "A particle takes part of its velocity from its nodes, "
                                "which wipes out what the grid cannot see."},
 };
 
@@ -111,7 +111,7 @@ static const Stage apic_hat[OP_COUNT] = {
     [OP_UPDATE] = {.equation = "v_p = Σ N_i v_i    C_p = Σ N_i′ v_i    x_p ← x_p + Δt Σ N_i p_i/m_i",
                    .ascii = "v_p = sum N_i v_i    C_p = sum N_i' v_i    x_p <- x_p + dt sum N_i p_i/m_i",
                    .source = "APIC, eq. 15",
-                   .sentence = "A particle takes its velocity anew from its nodes, "
+                   .sentence = "A particle takes its velocity from its nodes, "
                                "and the slope of the velocity with it.",
                    .reads = "mass momentum velocity",
                    .writes = "v affine x u"},
@@ -165,7 +165,7 @@ static const Stage mass_blend[OP_COUNT] = {
                    .ascii = "v_p <- a (v_p + dt sum N_i a_i) + (1 - a) sum N_i v_i\n"
                             "x_p <- x_p + dt sum N_i v_i",
                    .source = "eqs. 14, 15 with PIC",
-                   .sentence = "A particle takes part of its velocity anew from its nodes, "
+                   .sentence = "A particle takes part of its velocity from its nodes, "
                                "which wipes out what the grid cannot see."},
 };
 
@@ -188,13 +188,13 @@ static const Stage series[OP_COUNT] = {
                               "their accelerations follow from the forces as velocities do from momenta."},
     [OP_INTEGRATE] = {.equation = "p_i ← p_i + Δt f_i      v_i ← v_i + Δt a_i: the series of the new p",
                       .ascii = "p_i <- p_i + dt f_i      v_i <- v_i + dt a_i: the series of the new p"},
-    [OP_UPDATE] =
-        {.equation = "v_p = Σ N_i v_i      x_p ← x_p + Δt (v_p before + v_p)/2",
-         .ascii = "v_p = sum N_i v_i      x_p <- x_p + dt (v_p before + v_p)/2",
-         .source = "FMPM",
-         .sentence = "A particle takes its velocity anew from its nodes, nothing that they cannot see stays, "
-                     "and moves with the mean of both.",
-         .reads = "velocity v"},
+    [OP_UPDATE] = {.equation = "v_p = Σ N_i v_i      x_p ← x_p + Δt (v_p before + v_p)/2",
+                   .ascii = "v_p = sum N_i v_i      x_p <- x_p + dt (v_p before + v_p)/2",
+                   .source = "FMPM",
+                   .sentence =
+                       "A particle takes its velocity from its nodes, nothing that they cannot see stays, "
+                       "and moves with the mean of both.",
+                   .reads = "velocity v"},
     [OP_MAP_AGAIN] = {.equation = "p_i = Σ m_p v_p N_i,   p_i = 0 at fixed nodes      v of FMPM(k)",
                       .ascii = "p_i = sum m_p v_p N_i,   p_i = 0 at fixed nodes      v of FMPM(k)"},
 };

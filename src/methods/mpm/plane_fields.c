@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What front ends read of a beam: fields, links, shapes. Computed when read, from the state as it stands in
+/* What front ends read of a beam: fields, links, shapes. Computed when read, from the state as it is in
  * mid-step too; a node's field is 0 before its stage. */
 #include "methods/mpm/plane_inner.h"
 

@@ -69,7 +69,7 @@ static const Stage blended_update = {
     "v_p <- a (v_p + dt sum N_i f_i/m_i) + (1 - a) sum N_i p_i/m_i\n"
     "x_p <- x_p + dt sum N_i p_i/m_i",
     "paper M, eqs. 14, 15 with PIC",
-    "A particle takes part of its velocity anew from its nodes, which wipes out what the "
+    "A particle takes part of its velocity from its nodes, which wipes out what the "
     "grid cannot see; then the grid is forgotten.",
     "ax ay vx vy",
     "vx vy x y ux uy"};

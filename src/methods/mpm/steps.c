@@ -115,7 +115,7 @@ static void run_items(Group *group, int end, bool shared)
 
 /* Some stages over everything. Those on particles that follow each other are done chunk by chunk, one after
  * the other while the chunk is in the cache, up to one that gives to the nodes: the order of every sum is the
- * same. By several threads that one begins anew, as it asks which chunks are apart. A wrong code looks at
+ * same. By several threads that one begins again, as it asks which chunks are apart. A wrong code looks at
  * what the stage before has left as a whole. */
 static bool do_all(Mpm *mpm, const MpmTask *tasks, int count, Status *status)
 {
@@ -169,7 +169,7 @@ static bool check_energy(Mpm *mpm, Status *status)
     return batch_check_energy(&mpm->sim, &mpm->head->growth, &now, status);
 }
 
-/* One stage on its items [first, end), for whoever looks at a step from inside (method.h). The energy is
+/* One stage on its items [first, end), for the stage stepper (method.h). The energy is
  * checked behind the last stage. */
 bool mpm_stage(Simulation *sim, int stage, size_t first, size_t end, Status *status)
 {
