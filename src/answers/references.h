@@ -16,7 +16,7 @@ typedef struct Column {
     int of; /* a reference: the index of the column that it answers; else -1 */
 } Column;
 
-enum { COLUMNS_MAX = 32 };
+enum { COLUMNS_MAX = 96 };
 
 References *references_create(const Settings *, const Simulation *, Status *);
 void references_destroy(References *);

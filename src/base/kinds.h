@@ -20,6 +20,15 @@ typedef enum MpmTransfer { MPM_FLIP, MPM_APIC, MPM_FMPM } MpmTransfer;
 
 enum { FMPM_ORDER_MAX = 8 };
 
+/* Elastic bodies in the plane: their law, what is prevented across the plane, how stress turns with the body,
+ * what a wall of the box does, and whether bodies share one velocity field. */
+typedef enum BodyLaw { LAW_HYPOELASTIC, LAW_NEO_HOOKEAN } BodyLaw;
+typedef enum BodyPlane { PLANE_STRAIN, PLANE_STRESS } BodyPlane;
+typedef enum BodyRotation { ROTATION_JAUMANN, ROTATION_NONE } BodyRotation;
+typedef enum BodyWall { WALL_OPEN, WALL_CLAMP, WALL_SLIP, WALL_FRICTION } BodyWall;
+typedef enum BodyFields { FIELDS_ONE, FIELDS_EACH } BodyFields;
+typedef enum BodyShape { BODY_DISC, BODY_RING, BODY_BLOCK } BodyShape;
+
 /* How the ends of a supported beam are held: uy = 0 over the whole end section (the plane problem with an
  * exact answer), or at its middle alone. ux = 0 at the left end's middle either way. */
 typedef enum PlaneEnds { PLANE_SECTION, PLANE_POINT } PlaneEnds;

@@ -87,7 +87,10 @@ enum {
     HAS_FRONTS = 1 << 7,   /* and cracks may run from the ends of its cuts: fronts.h follows them */
     /* The energies of the series are those beside the body's common speed: the work of what moves it so is no
      * part of their balance. */
-    HAS_RELATIVE_ENERGY = 1 << 8
+    HAS_RELATIVE_ENERGY = 1 << 8,
+    /* set 0 are particles of bodies anywhere in the plane, in no rows: field "body" tells of which; set 1 are
+     * the nodes of each body's own grid, one grid after the other */
+    HAS_BODIES = 1 << 9
 };
 
 /* "set_from[index_from] and the other are linked": a particle and a node of its cell, the two ends of a bond.

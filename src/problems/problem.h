@@ -34,6 +34,7 @@ enum Concern {
     CONCERN_POINT = 1 << 18,    /* one particle */
     CONCERN_WEIGHT = 1 << 19,   /* a body force alone */
     CONCERN_PLATE = 1 << 20,    /* a rectangle with rows of cuts, loads, supports: settings/rows */
+    CONCERN_BODIES = 1 << 21,   /* bodies in a box of cells: rows */
     CONCERN_DAMPING = 1 << 24,  /* a rate at which motion is damped */
     CONCERN_REST = 1 << 25,     /* it may end at rest */
     CONCERN_ANY = ~0            /* every problem: time.end, output */
@@ -149,7 +150,7 @@ struct Problem {
 
 /* For who names one; a new one need not stand here, but in problem_list.c. */
 extern const Problem problem_bar, problem_one_particle, problem_hanging_column, problem_supported_beam,
-    problem_moving_cantilever, problem_notched_beam, problem_plate;
+    problem_moving_cantilever, problem_notched_beam, problem_plate, problem_bodies;
 
 enum { PROBLEMS_MAX = 32 };
 extern const Problem *const problems[]; /* ended by NULL */

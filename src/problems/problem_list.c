@@ -9,7 +9,8 @@
     PROBLEM(notched_beam)                                                                                    \
     PROBLEM(plate)                                                                                           \
     PROBLEM(one_particle)                                                                                    \
-    PROBLEM(hanging_column)
+    PROBLEM(hanging_column)                                                                                  \
+    PROBLEM(bodies)
 
 #define DECLARED(name) extern const Problem problem_##name;
 PROBLEMS(DECLARED)

@@ -26,6 +26,7 @@ typedef struct Transfer {
     double mass_blend; /* 0: the best one */
     int fmpm_order;
     AffineStart affine_start;
+    BodyRotation rotation;
     int mistake;        /* of a code that is wrong in one place; 0: none */
     int mistake_beside; /* and in another one: of a code that is sought, no scenario has it */
 } Transfer;

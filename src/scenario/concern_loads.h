@@ -41,6 +41,7 @@ typedef struct Cut {
 
 typedef struct Loads {
     double body_force;                    /* per unit mass */
+    double gravity, incline;              /* of bodies; degrees by which the box is tilted */
     double traction, traction_layer;      /* at each free end of a bar; 0: the last particle */
     double stress, ramp, position, width; /* pressure on the top of a beam */
 } Loads;

@@ -23,6 +23,11 @@ static const char *const pulse_ways[] = {"right", "left", "both", NULL};
 static const char *const start_shapes[] = {"sine", "exact", NULL};
 static const char *const plane_starts[] = {"deflection", "velocity", NULL};
 static const char *const plane_stresses[] = {"relaxed", "grid", "beam", NULL};
+static const char *const body_laws[] = {"hypoelastic", "neo-hookean", NULL};
+static const char *const body_planes[] = {"strain", "stress", NULL};
+static const char *const body_rotations[] = {"jaumann", "none", NULL};
+static const char *const body_walls[] = {"open", "clamp", "slip", "friction", NULL};
+static const char *const body_fields[] = {"one", "each", NULL};
 static const char *const flags[] = {"no", "yes", NULL};
 
 /* Enum members are read and written as int. */

@@ -11,9 +11,10 @@
 #include <string.h>
 
 const char *const scenario_sections[] = {
-    "scenario", "bar",  "bar2",   "beam",     "plate", "motion",   "initial",  "mesh",      "mpm",
-    "pd",       "cuts", "notch",  "load",     "loads", "supports", "impulses", "protected", "probe",
-    "damping",  "time", "output", "question", "duel",  "changes",  "view",     "screen",    NULL,
+    "scenario", "bar",      "bar2",     "beam",     "plate",     "domain", "bodies",  "material",
+    "motion",   "initial",  "mesh",     "mpm",      "pd",        "cuts",   "notch",   "load",
+    "contact",  "loads",    "supports", "impulses", "protected", "probe",  "damping", "time",
+    "output",   "question", "duel",     "changes",  "view",      "screen", NULL,
 };
 
 typedef struct Reader {

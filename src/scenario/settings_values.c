@@ -23,6 +23,8 @@ _Static_assert(sizeof(SettingsValues) <= sizeof((Settings *)NULL)->values,
 READ_AND_EDIT(Geometry, geometry)
 READ(Material, material)
 READ(Joint, joint)
+READ(Domain, domain)
+READ_AND_EDIT(Contact, contact)
 READ_AND_EDIT(Start, start)
 READ_AND_EDIT(Mesh, mesh)
 READ_AND_EDIT(Transfer, transfer)

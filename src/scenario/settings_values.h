@@ -16,6 +16,8 @@ typedef struct SettingsValues {
     Geometry geometry;
     Material material;
     Joint joint;
+    Domain domain;
+    Contact contact;
     Start start;
     Mesh mesh;
     Transfer transfer;

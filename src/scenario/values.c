@@ -49,6 +49,20 @@ static bool is_stretch(const Parameter *parameter)
     return parameter->offset == VALUE_OFFSET(bonds.critical_stretch);
 }
 
+/* The usual gap at which bodies meet: a body that touches a wall on a row of nodes has its mean mapped place
+ * so many cells from it, which is more for wider shape functions. */
+static bool is_gap(const Parameter *parameter)
+{
+    return parameter->offset == VALUE_OFFSET(contact.gap);
+}
+
+static void join_gap(Settings *settings)
+{
+    if (!settings_contact(settings)->gap_given)
+        settings_edit_contact(settings)->gap =
+            settings_transfer(settings)->shape == MPM_BSPLINE2 ? 0.45 : 0.4;
+}
+
 /* --- numbers into members and back ---------------------------------------------------------------- */
 
 void settings_put(Settings *settings, const Parameter *parameter, double value)
@@ -76,7 +90,10 @@ void settings_put(Settings *settings, const Parameter *parameter, double value)
         settings_edit_bonds(settings)->energy_given = true;
     if (is_stretch(parameter))
         settings_edit_bonds(settings)->energy_given = false;
+    if (is_gap(parameter))
+        settings_edit_contact(settings)->gap_given = true;
     join_handles(settings);
+    join_gap(settings);
 }
 
 double settings_number(const Settings *settings, const Parameter *parameter)
@@ -108,6 +125,7 @@ void settings_default(Settings *settings, const Problem *problem)
         if (parameter_applies(&parameters[i], problem) &&
             (!is_energy(&parameters[i]) || parameter_use(&parameters[i], problem)))
             settings_put(settings, &parameters[i], parameter_usual(&parameters[i], problem));
+    settings_edit_contact(settings)->gap_given = false;
     settings_default_rows(settings);
 }
 

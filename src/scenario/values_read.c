@@ -92,7 +92,8 @@ static bool unknown(const Problem *problem, const char *key, Status *status)
     if (kind >= 0)
         return status_refuse(status, "%s: problem %s has no [%s] (%s)", key, problem->word, section,
                              row_kinds[kind].concern & problem->concerns ? "a name behind a dot"
-                                                                         : "a plate has");
+                             : row_kinds[kind].concern == CONCERN_PLATE  ? "a plate has"
+                                                                         : "bodies have");
     const char *nearest = parameter_nearest(problem, key);
     if (nearest)
         return status_refuse(status, "%s: unknown key (did you mean %s?)", key, nearest);

@@ -5,6 +5,8 @@
 #include "methods/mpm/mistakes.h"
 #include "methods/mpm/plane_inner.h"
 
+#include <limits.h>
+
 size_t mpm_lasting_bytes(const Mpm *mpm, const MpmHead *head)
 {
     const BarMistake *mistake = mpm_mistake_if(mpm, head->mistake);
@@ -35,7 +37,7 @@ bool mpm_find_all(Mpm *mpm)
     bool inside = true;
     for (int k = 0; k < mpm->n_chunks; k++) {
         const MpmChunk *chunk = &mpm->chunks[k];
-        mpm->spans[k] = (MpmSpan){mpm->gx, 0};
+        mpm->spans[k] = (MpmSpan){INT_MAX, 0};
         for (int row = 0; row < chunk->rows; row++) {
             const int first = chunk->first + row * chunk->stride;
             for (int p = first; p < first + chunk->count; p++)
@@ -67,6 +69,8 @@ bool mpm_crosses(const Mpm *mpm, int particle, int old, const double *s)
 
 double mpm_rest(const Mpm *mpm, int axis, int particle)
 {
+    if (mpm->bodies)
+        return mpm->at[axis][particle];
     if (mpm->dim == 2)
         return axis == 0 ? (particle % mpm->nxp + 0.5) * mpm->spacing - mpm->plane.channel
                          : (particle / mpm->nxp + 0.5) * mpm->spacing - mpm->plane.height / 2;
@@ -103,6 +107,8 @@ unsigned mpm_held(const Mpm *mpm, long step, int node)
 /* Only a grid that rides past its supports has other nodes held from step to step: as soon as one more is. */
 void mpm_find_held(Mpm *mpm, long step)
 {
+    if (mpm->bodies) /* walls know their nodes */
+        return;
     const long riding = mpm->dim == 2 ? lround(ceil(mpm_shift(mpm, step) + mpm->xmin / mpm->dx - 1e-6)) : 0;
     if (mpm->held_known && mpm->held_riding == riding && mpm->held_mistake == mpm->head->mistake)
         return;

@@ -33,7 +33,7 @@ enum {
     MPM_STRESSES = 3, /* of a line one; in the plane xx, yy, xy */
     MPM_REACH_MAX = SHAPE_SUPPORT_MAX - 1,
     MPM_FIELDS = 36,
-    MPM_SERIES = 9
+    MPM_SERIES = 96
 };
 
 enum { MPM_PARTICLES, MPM_NODES, MPM_SETS };
@@ -46,6 +46,7 @@ typedef enum MpmOp {
     OP_FORCE,
     OP_FIX_FORCE, /* in the plane; along a line the force stage does it */
     OP_INTEGRATE,
+    OP_FIX_MOVED, /* of bodies: walls and contact once more */
     OP_UPDATE,
     OP_MAP_AGAIN,
     OP_FIX_AGAIN, /* likewise */
@@ -80,10 +81,11 @@ typedef struct MpmHead {
     double flip_fraction, body_force, traction;
     double mass_blend; /* mu, never 0 */
     int fmpm_order;
-    int mistake;   /* 0: none; the algorithm and the FLIP fraction above are those that it makes */
-    double work;   /* of the external force so far */
-    double moment; /* sum m u before the last step, along a line: for x_cm_rate */
-    Growth growth; /* what the energy check has seen */
+    int mistake;     /* 0: none; the algorithm and the FLIP fraction above are those that it makes */
+    double work;     /* of the external force so far */
+    double moment;   /* sum m u before the last step, along a line: for x_cm_rate */
+    double friction; /* energy that friction of bodies has taken so far */
+    Growth growth;   /* what the energy check has seen */
 } MpmHead;
 
 /* Particles that are worked on together: `rows` ranges of `count`, `stride` apart. */
@@ -103,7 +105,7 @@ typedef struct MpmTrouble {
     MpmOp op;
 } MpmTrouble;
 
-/* Columns of nodes that a chunk reaches. */
+/* Columns of nodes that a chunk reaches, of bodies rows. */
 typedef struct MpmSpan {
     int low, high;
 } MpmSpan;
@@ -149,6 +151,17 @@ typedef struct Mpm {
     PlaneDef plane;
     int nxp, nyp, probe[4];
     double spacing, xmin, ymin, lambda, shear;
+    /* of bodies (bodies_inner.h); NULL: it is a beam or a bar. Each field of velocities has nodes of its own,
+     * one grid after the other: those of field f begin at f grid_nodes. */
+    struct Bodies *bodies;
+    int grid_nodes;
+    int32_t *field;         /* of each particle, the first node of its field; NULL: 0 */
+    double *at[MPM_AXES];   /* its place at t = 0 */
+    double *rate[4];        /* B of APIC: xx, xy, yx, yy, */
+    double *deformation[4]; /* and F of the neo-Hookean law */
+    double *start[MPM_AXES], *normal[MPM_AXES],
+        *moment[MPM_AXES]; /* of nodes: p as mapped, sum m grad N, sum m N x */
+    double *lost;          /* of a node of the grid: the energy that friction took in this step */
     /* of a bar */
     int fixed_left, fixed_right; /* nodes [0, fixed_left) and the last fixed_right ones are held */
     int layer_left,
@@ -250,12 +263,15 @@ MPM_INLINE bool mpm_set_place(Mpm *mpm, const int dim, const MpmShape shape, dou
     double s[MPM_AXES];
     const bool inside = mpm_find(mpm, dim, inverse, shift, p, node, s);
     mpm->base[p] = mpm_node_at(mpm, dim, node);
+    if (dim == 2 && mpm->field)
+        mpm->base[p] += mpm->field[p];
     for (int axis = 0; axis < dim; axis++)
         mpm->s[axis][p] = s[axis];
     if (shape == MPM_CPDI)
         mpm->domain[p] = 0.5 * mpm->volume[p] * inverse;
-    span->low = node[0] < span->low ? node[0] : span->low;
-    span->high = node[0] > span->high ? node[0] : span->high;
+    const int at = dim == 2 && mpm->field ? mpm->base[p] / mpm->gx : node[0];
+    span->low = at < span->low ? at : span->low;
+    span->high = at > span->high ? at : span->high;
     return inside;
 }
 

@@ -12,6 +12,7 @@
  * so each stage has a row for each; of the force stage they say what is made of f_int and f_ext, loads.c
  * says what these are. The work of a stage is stages.c. */
 #include "methods/mpm/mistakes.h"
+#include "methods/mpm/bodies_inner.h"
 #include "methods/mpm/plane_inner.h"
 
 /* FLIP with lumped masses; the other transfers below name only what they change. */
@@ -273,7 +274,9 @@ static const MpmSchedule schedules[] = {
 
 const MpmSchedule *mpm_schedule(const Mpm *mpm)
 {
-    return mpm->dim == 2 ? plane_schedule(mpm->head) : &schedules[mpm->head->algorithm];
+    return mpm->bodies     ? bodies_schedule(mpm->head)
+           : mpm->dim == 2 ? plane_schedule(mpm->head)
+                           : &schedules[mpm->head->algorithm];
 }
 
 void mpm_list_stages(Mpm *mpm)

@@ -3,6 +3,7 @@
  * the particles, in the middle of a step all of it. Then what is asked of the state in mid-step, whatever the
  * order of the stages: for what front ends read; the stages themselves need little of it. */
 #include "base/assertion.h"
+#include "methods/mpm/bodies_inner.h"
 #include "methods/mpm/mistakes.h"
 #include "methods/mpm/plane_inner.h"
 
@@ -37,6 +38,10 @@ static size_t lay_out(Mpm *mpm, unsigned char *block)
         ARRAY(mpm->stress[k], particles);
     ARRAY(mpm->volume, particles);
     ARRAY(mpm->crossed, particles);
+    for (int k = 0; mpm->bodies && k < 4; k++) {
+        ARRAY(mpm->rate[k], particles);
+        ARRAY(mpm->deformation[k], bodies_are_neo(mpm) ? particles : 0);
+    }
     mpm->bytes_flip = size;
     ARRAY(mpm->affine, mpm->dim == 1 ? particles : 0);
     mpm->bytes_apic = size;
@@ -56,6 +61,12 @@ static size_t lay_out(Mpm *mpm, unsigned char *block)
     AXES(mpm->velocity, nodes);
     AXES(mpm->kick, nodes);
     AXES(mpm->carry, nodes);
+    for (int axis = 0; mpm->bodies && axis < 2; axis++) {
+        ARRAY(mpm->start[axis], nodes);
+        ARRAY(mpm->normal[axis], nodes);
+        ARRAY(mpm->moment[axis], nodes);
+    }
+    ARRAY(mpm->lost, mpm->bodies ? (size_t)mpm->grid_nodes : 0);
     ARRAY(mpm->pivot, mpm->dim == 1 ? nodes : 0);
     for (int d = 1; mpm->dim == 1 && d < mpm->support; d++) {
         ARRAY(mpm->couple[d], nodes);
@@ -64,10 +75,12 @@ static size_t lay_out(Mpm *mpm, unsigned char *block)
     mpm->bytes_whole = size;
     AXES(mpm->rest, particles);
     AXES(mpm->free, nodes);
+    ARRAY(mpm->field, mpm->bodies ? particles : 0);
+    AXES(mpm->at, mpm->bodies ? particles : 0);
     ARRAY(mpm->chunks, (size_t)mpm->n_chunks);
     ARRAY(mpm->trouble, (size_t)mpm->n_chunks);
     ARRAY(mpm->spans, (size_t)mpm->n_chunks);
-    ARRAY(mpm->null, mpm->dim == 2 && plane_null_pays(mpm) ? plane_null_numbers(mpm) : 0);
+    ARRAY(mpm->null, mpm->dim == 2 && !mpm->bodies && plane_null_pays(mpm) ? plane_null_numbers(mpm) : 0);
     ARRAY(mpm->backup, mpm->bytes_kept);
 #undef AXES
 #undef ARRAY
@@ -83,6 +96,8 @@ bool mpm_build(Mpm *mpm, Status *status)
                            bytes / 1000000 + 1);
     mpm->block = (unsigned char *)mpm->memory + (64 - (uintptr_t)mpm->memory % 64);
     lay_out(mpm, mpm->block);
+    if (!mpm->bodies)
+        mpm->field = NULL;
     for (int k = 0; k < mpm->n_chunks; k++)
         mpm->trouble[k].particle = -1;
     mpm->sim.state = mpm->block;
@@ -100,11 +115,16 @@ void mpm_destroy(Simulation *sim)
     pool_destroy(mpm->pool);
     free(mpm->memory);
     free(mpm->both);
+    free(mpm->bodies);
     free(mpm);
 }
 
 void mpm_take_schedule(Mpm *mpm)
 {
+    if (mpm->bodies) {
+        bodies_list_stages(mpm);
+        return;
+    }
     if (mpm->dim == 2) {
         plane_list_stages(mpm);
         mpm->sim.exchanges = plane_exchanges(mpm->head);

@@ -14,6 +14,7 @@
  * cells, strains are large enough to tell it from E (e exp(e) - exp(e) + 1), e = stress/E, which is what the
  * updates of stress and density really store. */
 #include "base/assertion.h"
+#include "methods/mpm/bodies_inner.h"
 #include "methods/mpm/plane_inner.h"
 
 /* sum m D C^2 / 2 with D = sum N_i d_i^2, d_i = x_i - x: the energy of APIC's affine motion. */
@@ -93,6 +94,8 @@ static Sums sum_particles(const Mpm *mpm)
 
 double mpm_energy(const Mpm *mpm)
 {
+    if (mpm->bodies)
+        return bodies_energy(mpm);
     if (mpm->dim == 2)
         return plane_energy(mpm);
     const Sums sums = sum_particles(mpm);
@@ -154,6 +157,8 @@ static bool has(const Mpm *mpm, enum Entry entry)
 
 bool mpm_row_needs_grid(const Mpm *mpm)
 {
+    if (mpm->bodies)
+        return false;
     if (mpm->dim == 2)
         return plane_row_needs_grid(mpm);
     return has(mpm, KINETIC_GRID) || has(mpm, KINETIC_NULL) || (has(mpm, X_CM_RATE) && mpm->sim.step == 0);
@@ -161,6 +166,10 @@ bool mpm_row_needs_grid(const Mpm *mpm)
 
 void mpm_write_row(Mpm *mpm, double *row, bool whole)
 {
+    if (mpm->bodies) {
+        bodies_write_row(mpm, row);
+        return;
+    }
     if (mpm->dim == 2) {
         plane_write_row(mpm, row, whole);
         return;

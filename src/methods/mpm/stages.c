@@ -16,6 +16,7 @@
  *
  * Lengths, masses and forces of a line are per unit cross-section, those of the plane per unit thickness. */
 #include "base/assertion.h"
+#include "methods/mpm/bodies_inner.h"
 #include "methods/mpm/mistakes.h"
 
 #include <stdio.h>
@@ -443,7 +444,8 @@ bool mpm_op_gives(MpmOp op)
 
 bool mpm_op_of_nodes(MpmOp op)
 {
-    return op == OP_FIX || op == OP_FIX_FORCE || op == OP_INTEGRATE || op == OP_FIX_AGAIN;
+    return op == OP_FIX || op == OP_FIX_FORCE || op == OP_FIX_MOVED || op == OP_INTEGRATE ||
+           op == OP_FIX_AGAIN;
 }
 
 /* What of a stage is done before its first item: sums begin at 0. */
@@ -452,6 +454,10 @@ void mpm_begin_stage(Mpm *mpm, MpmOp op, long step)
     const size_t bytes = (size_t)mpm->n_nodes * sizeof(double);
     if (op == OP_MAP)
         memset(mpm->node_mass, 0, bytes);
+    for (int axis = 0; op == OP_MAP && mpm->bodies && axis < 2; axis++) {
+        memset(mpm->normal[axis], 0, bytes);
+        memset(mpm->moment[axis], 0, bytes);
+    }
     for (int d = 1; op == OP_MAP && d < mpm->support && !mpm_is_lumped(mpm); d++)
         memset(mpm->couple[d], 0, bytes);
     for (int axis = 0; axis < mpm->dim; axis++)
@@ -472,6 +478,8 @@ void mpm_begin_stage(Mpm *mpm, MpmOp op, long step)
 int mpm_do_particles(Mpm *mpm, MpmTask task, MpmSpan *span, int first, int end)
 {
     int bad = -1;
+    if (mpm->bodies)
+        return bodies_do_particles(mpm, task.op, span, first, end);
     switch (task.op) {
     case OP_MAP:
         BY_SHAPE(mpm, map(mpm, dim, shape, ordinary, false, first, end))
@@ -500,7 +508,9 @@ int mpm_do_particles(Mpm *mpm, MpmTask task, MpmSpan *span, int first, int end)
 
 void mpm_do_nodes(Mpm *mpm, MpmOp op, int first, int end)
 {
-    if (op == OP_INTEGRATE)
+    if (mpm->bodies)
+        bodies_do_nodes(mpm, op, first, end);
+    else if (op == OP_INTEGRATE)
         integrate(mpm, first, end);
     else if (op == OP_FIX_FORCE)
         fix_force(mpm, first, end);
@@ -513,6 +523,11 @@ bool mpm_end_stage(Mpm *mpm, MpmOp op, Status *status)
 {
     const size_t bytes = (size_t)mpm->n_nodes * sizeof(double);
     const bool kept = mpm_does(mpm, WRONG_KEEPS_GRID);
+    if (mpm->bodies) {
+        if (op == OP_FIX_MOVED)
+            bodies_add_friction(mpm);
+        return true;
+    }
     switch (op) {
     case OP_MAP:
         for (int i = 0; kept && i < mpm->n_nodes; i++) {

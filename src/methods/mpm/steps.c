@@ -5,6 +5,7 @@
 #include "methods/mpm/mistakes.h"
 #include "methods/mpm/plane_inner.h"
 
+#include <limits.h>
 #include <string.h>
 
 /* How a particle ended that is not where it could go on. */
@@ -40,6 +41,7 @@ static bool judge(Mpm *mpm, MpmOp op, int first, int end, Status *status)
         mpm->trouble[k].particle = -1;
     return mpm_fail_particle(mpm, status, worst,
                              op != OP_STRAIN ? end_of(mpm, worst)
+                             : mpm->bodies   ? "was turned inside out (det F <= 0)"
                              : mpm->dim == 1 ? "was crushed (1 + de <= 0)"
                                              : "was crushed (1 + exx + eyy <= 0)");
 }
@@ -50,14 +52,14 @@ static bool judge(Mpm *mpm, MpmOp op, int first, int end, Status *status)
 static void do_item(Mpm *mpm, MpmTask task, int item)
 {
     if (mpm_op_of_nodes(task.op)) {
-        const int64_t n = mpm->n_nodes;
+        const int64_t n = mpm->bodies ? mpm->grid_nodes : mpm->n_nodes;
         mpm_do_nodes(mpm, task.op, (int)(n * item / mpm->n_chunks), (int)(n * (item + 1) / mpm->n_chunks));
         return;
     }
     const MpmChunk *chunk = &mpm->chunks[item];
     MpmTrouble *trouble = &mpm->trouble[item];
     if (task.op == OP_FORGET)
-        mpm->spans[item] = (MpmSpan){mpm->gx, 0};
+        mpm->spans[item] = (MpmSpan){INT_MAX, 0};
     for (int row = 0; row < chunk->rows && trouble->particle < 0; row++) {
         const int first = chunk->first + row * chunk->stride;
         trouble->particle = mpm_do_particles(mpm, task, &mpm->spans[item], first, first + chunk->count);
@@ -158,6 +160,10 @@ static double energy(const Simulation *sim)
  * common speed, at most some 1e-20 of 1/2 m v0^2 in a million steps. */
 static bool check_energy(Mpm *mpm, Status *status)
 {
+    if (mpm->bodies) {
+        const GrowthNow now = {mpm->energy_start, energy, 0, "", "uGIMP, MUSL, or more particles"};
+        return batch_check_energy(&mpm->sim, &mpm->head->growth, &now, status);
+    }
     const bool plane = mpm->dim == 2, light = !plane && bar_feels_light_nodes(&mpm->bar, mpm->head->transfer);
     const double body = mpm->mass[0] * mpm->n_particles * mpm->plane.thickness;
     const double rounding = plane ? 1e-20 * body * mpm->speed * mpm->speed / 2 : 0;

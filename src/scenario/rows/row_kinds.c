@@ -7,21 +7,28 @@
 #include <math.h>
 
 const char *const row_edge_words[] = {"top", "bottom", "left", "right", NULL};
+const char *const row_shape_words[] = {"disc", "ring", "block", NULL};
 
-#define PLACE(word, along)                                                                                   \
+#define PLACE(name, along)                                                                                   \
     {                                                                                                        \
-        word, along, "m", false, 0                                                                           \
+        .word = name, .value = along, .unit = "m"                                                            \
     }
 #define RECTANGLE                                                                                            \
     PLACE("x0", ROW_ALONG_X), PLACE("y0", ROW_ALONG_Y), PLACE("x1", ROW_ALONG_X), PLACE("y1", ROW_ALONG_Y)
-#define NUMBER(word, unit)                                                                                   \
+#define NUMBER(name, its_unit)                                                                               \
     {                                                                                                        \
-        word, ROW_NUMBER, unit, false, 0                                                                     \
+        .word = name, .value = ROW_NUMBER, .unit = its_unit                                                  \
     }
-#define OPTION(word, value, unit, absent)                                                                    \
+#define OPTION(name, its_value, its_unit, if_absent)                                                         \
     {                                                                                                        \
-        word, value, unit, true, absent                                                                      \
+        .word = name, .value = its_value, .unit = its_unit, .optional = true, .absent = if_absent            \
     }
+/* Of bodies, in units of one's own. */
+#define OF_SHAPES(name, its_value, shapes)                                                                   \
+    {                                                                                                        \
+        .word = name, .value = its_value, .unit = "", .of = shapes                                           \
+    }
+enum { DISC = 1 << 0, RING = 1 << 1, BLOCK = 1 << 2 };
 
 const RowKind row_kinds[ROW_KINDS] = {
     [ROWS_CUTS] = {.section = "cuts",
@@ -40,7 +47,7 @@ const RowKind row_kinds[ROW_KINDS] = {
                         "a traction on a stretch of an edge (top | bottom | left | right) from t = 0 on; it "
                         "rises in the time ramp and is gone after until",
                     .concern = CONCERN_PLATE,
-                    .columns = {{"edge", ROW_EDGE, "", false, 0},
+                    .columns = {{.word = "edge", .value = ROW_EDGE, .unit = ""},
                                 PLACE("from", ROW_ALONG_EDGE),
                                 PLACE("to", ROW_ALONG_EDGE),
                                 NUMBER("sx", "Pa"),
@@ -82,4 +89,26 @@ const RowKind row_kinds[ROW_KINDS] = {
                     .usual = "50% 50%",
                     .columns = {PLACE("x", ROW_ALONG_X), PLACE("y", ROW_ALONG_Y)},
                     .n_columns = 2},
+    [ROWS_BODIES] =
+        {.section = "bodies",
+         .one = "body",
+         .form = "disc CX CY R | ring CX CY RI RO | block X0 Y0 X1 Y1, then [velocity VX VY] [spin W]",
+         .fresh = "disc 50% 50% 0.1",
+         .help = "an elastic body with its velocity and its spin about its centre, counterclockwise",
+         .concern = CONCERN_BODIES,
+         .plain_names = true,
+         .columns = {{.word = "shape", .value = ROW_SHAPE, .unit = ""},
+                     OF_SHAPES("cx", ROW_ALONG_X, DISC | RING),
+                     OF_SHAPES("cy", ROW_ALONG_Y, DISC | RING),
+                     OF_SHAPES("r", ROW_SIZE, DISC),
+                     OF_SHAPES("ri", ROW_SIZE, RING),
+                     OF_SHAPES("ro", ROW_SIZE, RING),
+                     OF_SHAPES("x0", ROW_ALONG_X, BLOCK),
+                     OF_SHAPES("y0", ROW_ALONG_Y, BLOCK),
+                     OF_SHAPES("x1", ROW_ALONG_X, BLOCK),
+                     OF_SHAPES("y1", ROW_ALONG_Y, BLOCK),
+                     {.word = "vx", .value = ROW_NUMBER, .unit = "", .optional = true, .line = "velocity"},
+                     {.word = "vy", .value = ROW_NUMBER, .unit = "", .optional = true, .follows = true},
+                     OPTION("spin", ROW_NUMBER, "", 0)},
+         .n_columns = 13},
 };

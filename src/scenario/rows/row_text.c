@@ -18,19 +18,36 @@ typedef struct Words {
     int count;
 } Words;
 
-static int edge_of(const char *word)
+const char *const *row_words(RowValue value)
 {
-    for (int i = 0; row_edge_words[i]; i++)
-        if (strcmp(row_edge_words[i], word) == 0)
+    return value == ROW_EDGE ? row_edge_words : value == ROW_SHAPE ? row_shape_words : NULL;
+}
+
+static int index_of(const char *const *words, const char *word)
+{
+    for (int i = 0; words && words[i]; i++)
+        if (strcmp(words[i], word) == 0)
             return i;
     return -1;
+}
+
+bool row_has(const RowKind *kind, const Row *row, int column)
+{
+    const unsigned of = kind->columns[column].of;
+    return of == 0 || of >> (int)row->values[0] & 1;
+}
+
+static const char *word_in_line(const RowColumn *column)
+{
+    return column->line ? column->line : column->word;
 }
 
 /* The optional value that a word stands for; -1: none. */
 static int option_of(const RowKind *kind, const char *word)
 {
     for (int i = 0; i < kind->n_columns; i++)
-        if (kind->columns[i].optional && strcmp(kind->columns[i].word, word) == 0)
+        if (kind->columns[i].optional && !kind->columns[i].follows &&
+            strcmp(word_in_line(&kind->columns[i]), word) == 0)
             return i;
     return -1;
 }
@@ -40,7 +57,7 @@ static bool goes_with(const RowKind *kind, const char *last, const char *word)
 {
     const bool unit = *word == '%' || isalpha((unsigned char)*word) || (unsigned char)*word >= 0x80;
     const char end = last[strlen(last) - 1];
-    return unit && option_of(kind, word) < 0 && edge_of(word) < 0 &&
+    return unit && option_of(kind, word) < 0 && index_of(row_words(kind->columns[0].value), word) < 0 &&
            (isdigit((unsigned char)end) || end == '.' || end == ')') &&
            strlen(last) + strlen(word) < WORD_MAX;
 }
@@ -86,13 +103,19 @@ static bool read_number(const RowColumn *column, const char *word, bool share, d
 {
     char why[QUANTITY_WHY_MAX], number[WORD_MAX];
     snprintf(number, sizeof number, "%.*s", (int)(strlen(word) - share), word);
-    const bool place = is_place(column->value);
+    const bool place = is_place(column->value), bare = !*column->unit;
     if (!share && strchr(word, '%'))
         snprintf(why, sizeof why, place ? "is no share" : "is a share, which only a place can be");
     else if (quantity_read(number, share ? "" : column->unit, value, why))
         return true;
-    return status_refuse(status, "%s: %s: %s %s (%s %s%s)", about, column->word, word, why,
-                         place ? "a place in" : "in", column->unit, place ? ", or a share such as 50%" : "");
+    return status_refuse(status, "%s: %s: %s %s (%s%s%s%s)", about, column->word, word, why,
+                         place  ? "a place"
+                         : bare ? "a number"
+                                : "",
+                         bare    ? ""
+                         : place ? " in "
+                                 : "in ",
+                         column->unit, place ? ", or a share such as 50%" : "");
 }
 
 bool row_read_value(const RowKind *kind, int index, const char *word, Row *row, const char *about,
@@ -102,11 +125,15 @@ bool row_read_value(const RowKind *kind, int index, const char *word, Row *row, 
     const RowColumn *column = &kind->columns[index];
     const unsigned bit = 1u << index;
     const bool share = is_place(column->value) && is_share(word);
+    const char *const *words = row_words(column->value);
     double value = 0;
-    if (column->value == ROW_EDGE) {
-        value = edge_of(word);
+    if (words) {
+        char allowed[64] = "";
+        value = index_of(words, word);
+        for (int i = 0; words[i]; i++)
+            text_or(allowed, sizeof allowed, words[i]);
         if (value < 0)
-            return status_refuse(status, "%s: %.60s is no edge (top | bottom | left | right)", about, word);
+            return status_refuse(status, "%s: %.60s is no %s (%s)", about, word, column->word, allowed);
     } else if (strlen(word) >= WORD_MAX) {
         return status_refuse(status, "%s: %s: the value is too long (at most %d bytes)", about, column->word,
                              WORD_MAX - 1);
@@ -114,8 +141,10 @@ bool row_read_value(const RowKind *kind, int index, const char *word, Row *row, 
         return false;
     }
     if (is_place(column->value) && !(value >= 0 && (!share || value <= 100)))
-        return status_refuse(status, "%s: %s: %s is off the plate (%s)", about, column->word, word,
-                             share ? "0% to 100%" : "0 or more");
+        return status_refuse(status, "%s: %s: %s is off the %s (%s)", about, column->word, word,
+                             row_whole_word(kind), share ? "0% to 100%" : "0 or more");
+    if (column->value == ROW_SIZE && !(value > 0))
+        return status_refuse(status, "%s: %s: %s is not allowed (a size above 0)", about, column->word, word);
     if (column->value == ROW_TIME && !(value > 0))
         return status_refuse(status, "%s: %s: %s is not allowed (a time above 0)", about, column->word, word);
     row->values[index] = value;
@@ -139,17 +168,19 @@ bool row_read(const RowKind *kind, const char *text, Row *row, const char *about
     memcpy(read.name, row->name, sizeof read.name);
     if (!cut_into_words(kind, text, &words))
         return refuse(kind, about, "has more or longer values than it can have", status);
-    for (; column < kind->n_columns && !kind->columns[column].optional; column++, at++) {
+    for (; column < kind->n_columns && !kind->columns[column].optional; column++) {
+        if (!row_has(kind, &read, column))
+            continue;
         if (at == words.count || option_of(kind, words.all[at]) >= 0) {
             char what[64];
             snprintf(what, sizeof what, "%s is missing", kind->columns[column].word);
             return refuse(kind, about, at == 0 ? "has no value" : what, status);
         }
-        if (!row_read_value(kind, column, words.all[at], &read, about, status))
+        if (!row_read_value(kind, column, words.all[at++], &read, about, status))
             return false;
     }
     const unsigned fixed = read.given;
-    for (; at < words.count; at += 2) {
+    while (at < words.count) {
         char what[WORD_MAX + 64];
         const char *word = words.all[at];
         const int option = option_of(kind, word);
@@ -157,12 +188,18 @@ bool row_read(const RowKind *kind, const char *text, Row *row, const char *about
             snprintf(what, sizeof what, "%s is too much", word);
         else if (read.given >> option & 1)
             snprintf(what, sizeof what, "%s stands twice", word);
-        else if (at + 1 == words.count)
-            snprintf(what, sizeof what, "%s has no value", word);
-        else if (row_read_value(kind, option, words.all[at + 1], &read, about, status))
-            continue;
-        else
-            return false;
+        else {
+            int last = option, value = option;
+            while (last + 1 < kind->n_columns && kind->columns[last + 1].follows)
+                last++;
+            for (; value <= last && at + 1 + value - option < words.count; value++)
+                if (!row_read_value(kind, value, words.all[at + 1 + value - option], &read, about, status))
+                    return false;
+            at += 2 + last - option;
+            if (value > last)
+                continue;
+            snprintf(what, sizeof what, "%s has no value", last > option ? kind->columns[value].word : word);
+        }
         return refuse(kind, about, what, status);
     }
     if (kind->needs_optional && read.given == fixed)
@@ -180,9 +217,9 @@ static void add_value(const RowKind *kind, const Row *row, int index, int digits
         text_shortest(number, row->values[index]);
     else
         strcpy(number, text_rounded(row->values[index], digits).text);
-    text_append(out, size, "%s%s%s%s%s", *out ? " " : "", column->optional ? column->word : "",
-                column->optional ? " " : "",
-                column->value == ROW_EDGE ? row_edge_words[(int)row->values[index]] : number,
+    const bool named = column->optional && !column->follows;
+    text_append(out, size, "%s%s%s%s%s", *out ? " " : "", named ? word_in_line(column) : "", named ? " " : "",
+                row_words(column->value) ? row_words(column->value)[(int)row->values[index]] : number,
                 row->shares >> index & 1 ? "%" : "");
 }
 

@@ -19,6 +19,9 @@ void row_write_difference(const RowKind *, const Row *, const Row *other, char o
 /* The plate's length or height: of which a share of such a place is one. `key` (NULL: not wanted): which. */
 double row_whole(const Settings *, const Row *, RowValue, const char **key);
 
+/* Of what a place is: "plate", "box". */
+const char *row_whole_word(const RowKind *);
+
 /* The column of that word; -1: none. */
 int row_column(const RowKind *, const char *word);
 

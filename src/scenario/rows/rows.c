@@ -59,6 +59,10 @@ static bool check_name(const RowKind *kind, const char *name, const char *about,
     static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
     if (!has_names(kind))
         return !*name || status_refuse(status, "%s: has no rows with names (%s)", about, kind->form);
+    if (kind->plain_names && !(*name >= 'a' && *name <= 'z' && !strpbrk(name, "ABCDEFGHIJKLMNOPQRSTUVWXYZ-")))
+        return status_refuse(status,
+                             "%s: this is no name for a %s (a letter a to z, then a to z, 0 to 9 and _)",
+                             about, kind->one);
     if (*name && strlen(name) < ROW_NAME_MAX && name[strspn(name, letters)] == '\0')
         return true;
     return status_refuse(status, "%s: invalid name of a %s (1 to %d letters, digits, _ and -)", about,
@@ -73,8 +77,8 @@ bool settings_row_set(Settings *settings, int index, const char *name, const cha
     char about[KEY_MAX];
     key_of(kind, name, about);
     if (!settings_have_rows(settings, index))
-        return status_refuse(status, "%s: problem %s has no %s (only: plate)", about, settings->problem->word,
-                             kind->section);
+        return status_refuse(status, "%s: problem %s has no %s (only: %s)", about, settings->problem->word,
+                             kind->section, kind->concern == CONCERN_PLATE ? "plate" : "bodies");
     if (!check_name(kind, name, about, status))
         return false;
     int at = settings_row_find(settings, index, name);
@@ -142,13 +146,20 @@ void settings_row_show(const Settings *settings, int kind, int row, char out[ROW
     row_write(&row_kinds[kind], &settings->rows[kind].rows[row], 6, out);
 }
 
+const char *row_whole_word(const RowKind *kind)
+{
+    return kind->concern == CONCERN_PLATE ? "plate" : "box";
+}
+
 double row_whole(const Settings *settings, const Row *row, RowValue value, const char **key)
 {
     bool height = value == ROW_ALONG_Y;
     if (value == ROW_ALONG_EDGE)
         height = (int)row->values[0] == ROW_LEFT || (int)row->values[0] == ROW_RIGHT;
     if (key)
-        *key = height ? "plate.height" : "plate.length";
+        *key = settings->problem->concerns & CONCERN_BODIES ? height ? "domain.height" : "domain.width"
+               : height                                     ? "plate.height"
+                                                            : "plate.length";
     return height ? settings_geometry(settings)->height : settings_geometry(settings)->length;
 }
 
@@ -230,8 +241,17 @@ static bool set_value(Settings *settings, const RowKey *at, const char *key, con
         return status_refuse(status, "%s: a %s has no such value (%s)", key, kind->one, words);
     key_of(kind, at->name, about);
     Row changed = settings->rows[at->kind].rows[row];
+    if (!row_has(kind, &changed, column))
+        return status_refuse(status, "%s: a %s has no %s (%s)", key, row_shape_words[(int)changed.values[0]],
+                             at->value, kind->form);
+    if (kind->columns[column].value == ROW_SHAPE)
+        return status_refuse(status, "%s: another shape has other values (%s = %s)", key, about, kind->form);
     if (!row_read_value(kind, column, text, &changed, about, status))
         return false;
+    for (int k = column; kind->columns[k].follows; k--) /* those that share a word come together */
+        changed.given |= 1u << (k - 1);
+    for (int k = column + 1; k < kind->n_columns && kind->columns[k].follows; k++)
+        changed.given |= 1u << k;
     settings->rows[at->kind].rows[row] = changed;
     return true;
 }
@@ -286,8 +306,8 @@ void settings_row_key_show(const Settings *settings, const char *key, char out[R
     if (column < 0)
         return;
     const double value = settings_row_value(settings, at.kind, row, column);
-    if (row_kinds[at.kind].columns[column].value == ROW_EDGE)
-        strcpy(out, row_edge_words[(int)value]);
+    if (row_words(row_kinds[at.kind].columns[column].value))
+        strcpy(out, row_words(row_kinds[at.kind].columns[column].value)[(int)value]);
     else if (isfinite(value))
         strcpy(out, text_rounded(value, 6).text);
 }

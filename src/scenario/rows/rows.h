@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a plate has any number of: cuts, loads, supports, impulses, protected regions. Each is a row of the
- * scenario file, a name chosen by the user and its values in one line,
+/* What a plate has any number of: cuts, loads, supports, impulses, protected regions; and the bodies of a
+ * box. Each is a row of the scenario file, a name chosen by the user and its values in one line,
  *
  *     [loads]
  *     top = top 0% 100% 0 12MPa ramp 1us
@@ -23,7 +23,7 @@ typedef struct Settings Settings; /* settings.h */
 enum {
     ROWS_OF_KIND_MAX = 16, /* of a kind */
     ROW_NAME_MAX = 24,     /* bytes, with the final zero */
-    ROW_VALUES_MAX = 8,    /* of a row */
+    ROW_VALUES_MAX = 16,   /* of a row */
     ROW_TEXT_MAX = 256
 };
 
@@ -34,6 +34,7 @@ typedef enum RowKinds {
     ROWS_IMPULSES,
     ROWS_PROTECTED,
     ROWS_PROBE,
+    ROWS_BODIES,
     ROW_KINDS
 } RowKinds;
 
@@ -55,6 +56,8 @@ typedef enum RowValue {
     ROW_ALONG_Y,    /* likewise of its height */
     ROW_ALONG_EDGE, /* likewise of the edge that the row's first value names */
     ROW_EDGE,       /* a word: top, bottom, left, right */
+    ROW_SHAPE,      /* a word: disc, ring, block */
+    ROW_SIZE,       /* above 0 */
     ROW_NUMBER,
     ROW_TIME /* above 0 */
 } RowValue;
@@ -64,7 +67,10 @@ typedef struct RowColumn {
     RowValue value;
     const char *unit;
     bool optional;
-    double absent; /* what settings_row_value() says of an optional one that is not there */
+    bool follows;     /* an optional one that comes with the one before, without a word of its own */
+    const char *line; /* the word before it in the line, where that is another; NULL: none */
+    unsigned of;      /* the choices of the row's first word that have it, a bit for each; 0: all */
+    double absent;    /* what settings_row_value() says of an optional one that is not there */
 } RowColumn;
 
 typedef struct RowKind {
@@ -76,6 +82,7 @@ typedef struct RowKind {
     const char *fresh;   /* a new row's values; NULL where none can be added */
     const char *usual;   /* not NULL: there is one row without a name, and this is its usual text */
     bool needs_optional; /* at least one of the optional values must be there */
+    bool plain_names;    /* a to z, 0 to 9 and _, a letter first */
     RowColumn columns[ROW_VALUES_MAX];
     int n_columns;
 } RowKind;
@@ -84,6 +91,13 @@ extern const RowKind row_kinds[ROW_KINDS];
 
 extern const char *const row_edge_words[]; /* top, bottom, left, right, NULL */
 enum { ROW_TOP, ROW_BOTTOM, ROW_LEFT, ROW_RIGHT };
+extern const char *const row_shape_words[]; /* disc, ring, block, NULL: BodyShape */
+
+/* The words of a value that is one; NULL: it is a number. */
+const char *const *row_words(RowValue);
+
+/* Whether a row of the kind has the value at all: a disc has no second radius. */
+bool row_has(const RowKind *, const Row *, int column);
 
 /* The kind whose section this is; -1: none. */
 int row_kind_find(const char *section);

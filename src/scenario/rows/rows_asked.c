@@ -20,9 +20,9 @@ static bool find_value(const RowKind *kind, const char *key, const char *word, R
     char words[160] = "";
     const int column = row_column(kind, word);
     for (int i = 0; i < kind->n_columns; i++)
-        if (kind->columns[i].value != ROW_EDGE)
+        if (!row_words(kind->columns[i].value))
             text_list_add(words, sizeof words, kind->columns[i].word);
-    if (column < 0 || kind->columns[column].value == ROW_EDGE)
+    if (column < 0 || row_words(kind->columns[column].value))
         return status_refuse(status, "screen.ask: %s: a %s has no such number (%s)", key, kind->one, words);
     out->value = column + 1;
     return true;

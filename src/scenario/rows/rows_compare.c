@@ -13,15 +13,16 @@ static bool check_value(const Settings *settings, int kind, int row, int column,
                         Status *status)
 {
     const RowColumn *what = &row_kinds[kind].columns[column];
-    if (what->value != ROW_ALONG_X && what->value != ROW_ALONG_Y && what->value != ROW_ALONG_EDGE)
+    if (!row_has(&row_kinds[kind], &settings->rows[kind].rows[row], column) ||
+        (what->value != ROW_ALONG_X && what->value != ROW_ALONG_Y && what->value != ROW_ALONG_EDGE))
         return true;
     const char *key;
     const double whole = row_whole(settings, &settings->rows[kind].rows[row], what->value, &key);
     const double value = settings_row_value(settings, kind, row, column);
     /* where a row has no name, its values are the keys of the file */
-    return value <= whole * (1 + 1e-9) ||
-           status_refuse(status, "%s%s%s = %g is off the plate (0 to %s = %g)", about,
-                         row_kinds[kind].usual ? "." : ": ", what->word, value, key, whole);
+    return value <= whole * (1 + 1e-9) || status_refuse(status, "%s%s%s = %g is off the %s (0 to %s = %g)",
+                                                        about, row_kinds[kind].usual ? "." : ": ", what->word,
+                                                        value, row_whole_word(&row_kinds[kind]), key, whole);
 }
 
 bool settings_rows_check(const Settings *settings, Status *status)

@@ -1,0 +1,71 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the engine asks of bodies, and what front ends read of them: bodies_*.c. */
+#ifndef METHODS_MPM_BODIES_INNER_H
+#define METHODS_MPM_BODIES_INNER_H
+
+#include "methods/mpm/bodies.h"
+#include "methods/mpm/engine.h"
+
+enum {
+    BODIES_PADDING = 4,     /* empty cells all around the box */
+    BODIES_CHUNK_CELLS = 4, /* rows of cells whose particles are worked on together */
+    BODY_COLUMNS = 5        /* of the series, for each body */
+};
+
+/* The constants of some bodies. */
+typedef struct Bodies {
+    BodiesDef def;
+    int n_fields;           /* 1, or one for each body */
+    int columns, rows;      /* cells of the box */
+    double D11, D12, shear; /* stress = D strain; shear: G */
+    double lambda;          /* of Lame */
+    double volume;          /* of a particle at t = 0 */
+    int first[BODIES_MAX + 1];
+    char column_names[BODIES_MAX][BODY_COLUMNS][BODY_NAME_MAX + 8];
+    char column_meanings[BODIES_MAX][BODY_COLUMNS][BODY_NAME_MAX + 48];
+} Bodies;
+
+static inline bool bodies_are_neo(const Mpm *mpm)
+{
+    return mpm->bodies && mpm->bodies->def.law == LAW_NEO_HOOKEAN;
+}
+
+/* The body that a particle belongs to. */
+int bodies_body_of(const Mpm *, int particle);
+
+/* Whether the place lies in the body: an open set. */
+bool body_holds(const BodyDef *, double x, double y);
+/* Its centre: given, of a block its middle. */
+void body_centre(const BodyDef *, double centre[2]);
+void body_bounds(const BodyDef *, double low[2], double high[2]);
+
+/* bodies_stages.c: what the stages do; bodies_walls.c: walls and contact on nodes [first, end) of the grid.
+ */
+int bodies_do_particles(Mpm *, MpmOp, MpmSpan *, int first, int end);
+void bodies_do_nodes(Mpm *, MpmOp, int first, int end);
+void bodies_add_friction(Mpm *);
+/* D of APIC along one axis in cells squared: sum N (x_i - x)^2. */
+double bodies_spread(const Mpm *, double s, const double *n);
+
+void bodies_fix(Mpm *, MpmOp, int first, int end);
+
+/* What contact does at a node of the grid between the fields a and b as they are mapped. */
+typedef struct Meeting {
+    double normal[2];  /* common, from a to b; 0 0: there is none */
+    double distance;   /* of the mean places along it, cells */
+    double approach;   /* vn: relative to the common velocity, before; > 0: a pushes */
+    double impulse[2]; /* taken from a, given to b */
+    double lost;       /* energy that friction takes */
+} Meeting;
+Meeting bodies_meet(const Mpm *, int node, int a, int b);
+
+const MpmSchedule *bodies_schedule(const MpmHead *);
+void bodies_list_stages(Mpm *);
+void bodies_set_fields(Mpm *);
+void bodies_field(const Simulation *, int field, size_t first, size_t count, double *out);
+void bodies_set_series(Mpm *);
+void bodies_write_row(Mpm *, double *row);
+double bodies_energy(const Mpm *); /* kinetic + strain */
+double bodies_strain_at(const Mpm *, int particle);
+
+#endif

@@ -1,0 +1,136 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Energies of bodies and the row of their series, per unit thickness:
+ *
+ *     kinetic    sum m v^2/2
+ *     strain     sum V stress : D^-1 stress/2 (hypoelastic: no potential, only nearly kept), or
+ *                sum V0 (G (tr F F^T - 2)/2 - G ln J + lambda (ln J)^2/2) (neo-Hookean)
+ *     potential  -sum m g . x
+ *     friction   what walls and contact took by it
+ *     angular    about the middle of the box: sum m (x - c) x v, with APIC + sum m (B_yx - B_xy)
+ *     NAME.spin  the body's own angular momentum, without B, over its own moment of inertia */
+#include "base/math/functions.h"
+#include "methods/mpm/bodies_inner.h"
+
+#include <stdio.h>
+
+double bodies_strain_at(const Mpm *mpm, int p)
+{
+    const Bodies *bodies = mpm->bodies;
+    const double G = bodies->shear;
+    if (bodies_are_neo(mpm)) {
+        const double F[4] = {mpm->deformation[0][p], mpm->deformation[1][p], mpm->deformation[2][p],
+                             mpm->deformation[3][p]};
+        const double trace = F[0] * F[0] + F[1] * F[1] + F[2] * F[2] + F[3] * F[3];
+        const double swell = math_log(F[0] * F[3] - F[1] * F[2]);
+        return bodies->volume * (0.5 * G * (trace - 2.0) - G * swell + 0.5 * bodies->lambda * swell * swell);
+    }
+    const double xx = mpm->stress[0][p], yy = mpm->stress[1][p], xy = mpm->stress[2][p];
+    const double whole = bodies->D11 * bodies->D11 - bodies->D12 * bodies->D12;
+    const double direct = (bodies->D11 * (xx * xx + yy * yy) - 2.0 * bodies->D12 * (xx * yy)) / whole;
+    return 0.5 * mpm->volume[p] * (direct + xy * xy / G);
+}
+
+/* Sums over some particles. */
+typedef struct Sums {
+    double x, y, vx, vy, turn, inertia; /* sum x, ..., sum x v_y - y v_x, sum x^2 + y^2 */
+    double squares, strain, affine;     /* sum v^2, strain energies, sum B_yx - B_xy */
+} Sums;
+
+static Sums sum_particles(const Mpm *mpm, int first, int end)
+{
+    Sums sum = {0};
+    for (int p = first; p < end; p++) {
+        const double x = mpm->at[0][p] + mpm->u[0][p], y = mpm->at[1][p] + mpm->u[1][p];
+        const double vx = mpm->v[0][p], vy = mpm->v[1][p];
+        sum.x += x, sum.y += y, sum.vx += vx, sum.vy += vy;
+        sum.turn += x * vy - y * vx;
+        sum.inertia += x * x + y * y;
+        sum.squares += vx * vx + vy * vy;
+        sum.strain += bodies_strain_at(mpm, p);
+        sum.affine += mpm->rate[2][p] - mpm->rate[1][p];
+    }
+    return sum;
+}
+
+double bodies_energy(const Mpm *mpm)
+{
+    const Sums sum = sum_particles(mpm, 0, mpm->n_particles);
+    return 0.5 * mpm->mass[0] * sum.squares + sum.strain;
+}
+
+enum { KINETIC, STRAIN, POTENTIAL, FRICTION, TOTAL, MOMENTUM_X, MOMENTUM_Y, ANGULAR, BODY_X };
+
+static const Quantity quantities[BODY_X] = {
+    [KINETIC] = {"kinetic", "kinetic", "force*length", "kinetic energy of the particles"},
+    [STRAIN] = {"strain", "strain", "force*length", "strain energy of the particles"},
+    [POTENTIAL] = {"potential", "potential", "force*length",
+                   "potential energy in the field of gravity, 0 at the origin"},
+    [FRICTION] = {"friction", "friction", "force*length",
+                  "energy that friction at walls and in contact has taken"},
+    [TOTAL] = {"total", "total", "force*length", "kinetic + strain + potential + friction"},
+    [MOMENTUM_X] = {"momentum_x", "momentum x", "mass*length/time", "momentum of all bodies along x"},
+    [MOMENTUM_Y] = {"momentum_y", "momentum y", "mass*length/time", "momentum of all bodies along y"},
+    [ANGULAR] = {"angular", "angular mom.", "mass*length^2/time",
+                 "angular momentum about the middle of the box"},
+};
+
+void bodies_set_series(Mpm *mpm)
+{
+    static const struct {
+        const char *name, *unit, *meaning;
+    } of_body[BODY_COLUMNS] = {{"x", "length", "x of the centre of mass"},
+                               {"y", "length", "y of the centre of mass"},
+                               {"vx", "length/time", "mean velocity along x"},
+                               {"vy", "length/time", "mean velocity along y"},
+                               {"spin", "rad/time", "angular momentum over moment of inertia"}};
+    Bodies *bodies = mpm->bodies;
+    Simulation *sim = &mpm->sim;
+    for (int k = 0; k < BODY_X; k++)
+        mpm->series[sim->n_series++] = quantities[k];
+    for (int body = 0; body < bodies->def.n_bodies; body++)
+        for (int k = 0; k < BODY_COLUMNS; k++) {
+            char *name = bodies->column_names[body][k], *meaning = bodies->column_meanings[body][k];
+            snprintf(name, sizeof bodies->column_names[body][k], "%s.%s", bodies->def.bodies[body].name,
+                     of_body[k].name);
+            snprintf(meaning, sizeof bodies->column_meanings[body][k], "%s of %s", of_body[k].meaning,
+                     bodies->def.bodies[body].name);
+            mpm->series[sim->n_series++] = (Quantity){name, name, of_body[k].unit, meaning};
+        }
+    sim->series = mpm->series;
+}
+
+/* Of a body: its centre, its mean velocity, its spin. */
+static void write_body(const Sums *sum, double count, double *out)
+{
+    const double x = sum->x / count, y = sum->y / count, vx = sum->vx / count, vy = sum->vy / count;
+    const double turn = sum->turn - count * (x * vy - y * vx),
+                 inertia = sum->inertia - count * (x * x + y * y);
+    out[0] = x, out[1] = y, out[2] = vx, out[3] = vy;
+    out[4] = inertia > 0.0 ? turn / inertia : 0.0;
+}
+
+void bodies_write_row(Mpm *mpm, double *row)
+{
+    const Bodies *bodies = mpm->bodies;
+    const BodiesDef *def = &bodies->def;
+    const double m = mpm->mass[0];
+    double affine = 0.0;
+    for (int k = 0; k < BODY_X; k++)
+        row[k] = 0.0;
+    for (int body = 0; body < def->n_bodies; body++) {
+        const int first = bodies->first[body], end = bodies->first[body + 1];
+        const Sums sum = sum_particles(mpm, first, end);
+        row[KINETIC] += 0.5 * m * sum.squares;
+        row[STRAIN] += sum.strain;
+        row[POTENTIAL] -= m * (def->gravity[0] * sum.x + def->gravity[1] * sum.y);
+        row[MOMENTUM_X] += m * sum.vx;
+        row[MOMENTUM_Y] += m * sum.vy;
+        row[ANGULAR] += m * (sum.turn - 0.5 * (def->width * sum.vy - def->height * sum.vx));
+        affine += m * sum.affine;
+        write_body(&sum, end - first, row + BODY_X + body * BODY_COLUMNS);
+    }
+    if (mpm->head->transfer == MPM_APIC)
+        row[ANGULAR] += affine;
+    row[FRICTION] = mpm->head->friction;
+    row[TOTAL] = row[KINETIC] + row[STRAIN] + row[POTENTIAL] + row[FRICTION];
+}

@@ -1,0 +1,156 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Walls and contact, on the momenta of nodes (stage `fix`).
+ *
+ *     wall      acts on its nodes and all beyond, in the order left, right, bottom, top:
+ *               clamp     q = q0 = 0
+ *               slip      where q goes out of the box and |mean place - wall| <= gap: its normal part goes
+ *               friction  besides, the tangential part is reduced by at most mu times what was removed
+ *     contact   of the fields a < b in their order, n = (n_a - n_b)/|n_a - n_b|: n_i = sum m grad N points
+ * out of a body; skipped where (r_b/m_b - r_a/m_a) . n > 2 gap; v = (q_a + q_b)/(m_a + m_b), vn = (q_a/m_a -
+ * v) . n; if vn > 0, a loses vn and the share min(1, mu vn/|vt|) of its tangential velocity vt relative to v,
+ * and b is given them
+ *
+ * Bardenhagen, Brackbill, Sulsky 2000; the gap after Nairn 2013. Contact keeps momentum and the grid's
+ * angular momentum exactly. Energy that friction takes: impulse times the mean of the relative tangential
+ * velocities before and after. */
+#include "methods/mpm/bodies_inner.h"
+
+#include <math.h>
+
+/* A wall is at `place` in cells along `axis`, and out of the box is the direction `out`. */
+static void hold(Mpm *mpm, int node, int grid_node, BodyWall wall, int axis, double out, double place)
+{
+    double *const normal = &mpm->momentum[axis][node], *const along = &mpm->momentum[1 - axis][node];
+    const BodiesDef *def = &mpm->bodies->def;
+    if (wall == WALL_CLAMP) {
+        *normal = *along = 0.0;
+        mpm->start[0][node] = mpm->start[1][node] = 0.0;
+        return;
+    }
+    const double mass = mpm->node_mass[node];
+    if (!(*normal * out > 0.0) ||
+        !(fabs(mpm->moment[axis][node] / mass - place * mpm->dx) <= def->gap * mpm->dx))
+        return;
+    const double most = def->wall_friction * fabs(*normal), before = fabs(*along);
+    *normal = 0.0;
+    if (wall != WALL_FRICTION || !(most > 0.0))
+        return;
+    const double after = before > most ? before - most : 0.0;
+    *along = *along > 0.0 ? after : -after;
+    mpm->lost[grid_node] += (before - after) * (before + after) / (2.0 * mass);
+}
+
+static void hold_walls(Mpm *mpm, int node, int grid_node)
+{
+    const Bodies *bodies = mpm->bodies;
+    const int cells[2] = {bodies->columns, bodies->rows};
+    const int at[2] = {grid_node % mpm->gx - BODIES_PADDING, grid_node / mpm->gx - BODIES_PADDING};
+    for (int wall = 0; wall < WALLS; wall++) {
+        const int axis = wall / 2, far = wall % 2;
+        if (bodies->def.walls[wall] != WALL_OPEN && (far ? at[axis] >= cells[axis] : at[axis] <= 0))
+            hold(mpm, node, grid_node, bodies->def.walls[wall], axis, far ? 1.0 : -1.0,
+                 far ? cells[axis] : 0.0);
+    }
+}
+
+Meeting bodies_meet(const Mpm *mpm, int node, int a, int b)
+{
+    const int at[2] = {a * mpm->grid_nodes + node, b * mpm->grid_nodes + node};
+    const double m[2] = {mpm->node_mass[at[0]], mpm->node_mass[at[1]]}, both = m[0] + m[1];
+    Meeting meeting = {{0.0, 0.0}, INFINITY, 0.0, {0.0, 0.0}, 0.0};
+    double *const n = meeting.normal, v[2], length = 0.0;
+    if (!(m[0] > mpm->floor && m[1] > mpm->floor))
+        return meeting;
+    for (int axis = 0; axis < 2; axis++) {
+        n[axis] = mpm->normal[axis][at[0]] - mpm->normal[axis][at[1]];
+        length += n[axis] * n[axis];
+    }
+    if (!(length > 0.0))
+        return meeting;
+    length = 1.0 / sqrt(length);
+    meeting.distance = 0.0;
+    for (int axis = 0; axis < 2; axis++) {
+        const double *const q = mpm->momentum[axis], *const r = mpm->moment[axis];
+        n[axis] *= length;
+        meeting.distance += (r[at[1]] / m[1] - r[at[0]] / m[0]) * n[axis] / mpm->dx;
+        v[axis] = q[at[0]] / m[0] - (q[at[0]] + q[at[1]]) / both;
+        meeting.approach += v[axis] * n[axis];
+    }
+    const BodiesDef *def = &mpm->bodies->def;
+    if (meeting.distance > 2.0 * def->gap || !(meeting.approach > 0.0))
+        return meeting;
+    const double vn = meeting.approach, t[2] = {v[0] - vn * n[0], v[1] - vn * n[1]};
+    const double vt = sqrt(t[0] * t[0] + t[1] * t[1]), most = def->friction * vn;
+    const double share = vt > most ? most / vt : 1.0;
+    for (int axis = 0; axis < 2; axis++)
+        meeting.impulse[axis] = m[0] * (vn * n[axis] + share * t[axis]);
+    /* of b the velocity relative to v is -m_a/m_b times that of a */
+    meeting.lost = 0.5 * m[0] * both / m[1] * (vt * vt) * (share * (2.0 - share));
+    return meeting;
+}
+
+static void touch(Mpm *mpm, int node)
+{
+    int there[BODIES_MAX], count = 0;
+    for (int field = 0; field < mpm->bodies->n_fields; field++)
+        if (mpm->node_mass[field * mpm->grid_nodes + node] > mpm->floor)
+            there[count++] = field;
+    for (int a = 0; a < count; a++)
+        for (int b = a + 1; b < count; b++) {
+            const Meeting meeting = bodies_meet(mpm, node, there[a], there[b]);
+            for (int axis = 0; axis < 2; axis++) {
+                mpm->momentum[axis][there[a] * mpm->grid_nodes + node] -= meeting.impulse[axis];
+                mpm->momentum[axis][there[b] * mpm->grid_nodes + node] += meeting.impulse[axis];
+            }
+            mpm->lost[node] += meeting.lost;
+        }
+}
+
+/* The velocities of nodes: after the first `fix` those that strain with USF; after the second carry = q/m and
+ * kick = (q - q0)/m of eqs. 14, 15, and the velocity that strains with USL; after the third that of MUSL. */
+static void find_velocities(Mpm *mpm, MpmOp op, int first, int end)
+{
+    const bool strains = op != OP_FIX_MOVED || mpm->head->algorithm != MPM_USF;
+    for (int axis = 0; axis < 2; axis++)
+        for (int i = first; i < end; i++) {
+            const double v = mpm->momentum[axis][i] * mpm->inverse[i];
+            if (strains)
+                mpm->velocity[axis][i] = v;
+            if (op != OP_FIX_MOVED)
+                continue;
+            mpm->carry[axis][i] = v;
+            mpm->kick[axis][i] = (mpm->momentum[axis][i] - mpm->start[axis][i]) * mpm->inverse[i];
+        }
+}
+
+void bodies_fix(Mpm *mpm, MpmOp op, int first, int end)
+{
+    for (int i = first; op == OP_FIX && i < end; i++)
+        mpm->lost[i] = 0.0;
+    for (int field = 0; field < mpm->bodies->n_fields; field++)
+        for (int i = first; i < end; i++) {
+            const int node = field * mpm->grid_nodes + i;
+            const double mass = mpm->node_mass[node];
+            if (op == OP_FIX) {
+                mpm->inverse[node] = mass > mpm->floor ? 1.0 / mass : 0.0;
+                for (int axis = 0; axis < 2; axis++)
+                    mpm->start[axis][node] = mpm->momentum[axis][node];
+            }
+            if (mass > mpm->floor)
+                hold_walls(mpm, node, i);
+        }
+    for (int i = first; mpm->bodies->n_fields > 1 && i < end; i++)
+        touch(mpm, i);
+    for (int field = 0; field < mpm->bodies->n_fields; field++)
+        find_velocities(mpm, op, field * mpm->grid_nodes + first, field * mpm->grid_nodes + end);
+}
+
+/* What both `fix` of a step took from particles; MUSL's third one is for the strain alone. */
+void bodies_add_friction(Mpm *mpm)
+{
+    double sum = 0.0;
+    if (mpm->bodies->def.friction > 0.0 || mpm->bodies->def.wall_friction > 0.0)
+        for (int i = 0; i < mpm->grid_nodes; i++)
+            sum += mpm->lost[i];
+    mpm->head->friction += sum;
+}
