@@ -132,7 +132,7 @@ refuse "too many nodes" '--set: pd.spacing: 1.47e+08 nodes with 14 bonds each ar
 refuse "both handles" '--set: pd.critical_stretch: pd.critical_stretch and pd.critical_energy say the same (one of them)' \
 	show notched-beam --set pd.critical_energy=1 --set pd.critical_stretch=1e-3
 refuse "unknown problem" \
-	'params: beam is not a problem (bar | simply-supported-beam | moving-cantilever | notched-beam | plate | one-particle | hanging-column) or a scenario' params beam
+	'params: beam is not a problem (bar | simply-supported-beam | moving-cantilever | notched-beam | plate | one-particle | hanging-column | bodies) or a scenario' params beam
 refuse "laboratory: unknown option" '--pause: unknown option (did you mean --paused?)' --pause
 refuse "laboratory: unknown scenario" 'mode11: no such scenario or file (did you mean mode1?)' mode11
 : >empty

@@ -185,10 +185,10 @@ static const struct {
     {"problem = bar\n", "f.ini:1: problem: stands before any section (begin with [scenario])"},
     {"[scenario]\nproblem = beem\n",
      "f.ini:2: scenario.problem: beem is not a choice (bar | simply-supported-beam | moving-cantilever | "
-     "notched-beam | plate | one-particle | hanging-column)"},
+     "notched-beam | plate | one-particle | hanging-column | bodies)"},
     {"[scenario]\nproblem =\n",
      "f.ini:2: scenario.problem:  is not a choice (bar | simply-supported-beam | moving-cantilever | "
-     "notched-beam | plate | one-particle | hanging-column)"},
+     "notched-beam | plate | one-particle | hanging-column | bodies)"},
     {BAR "method = fem\n", "f.ini:3: scenario.method: fem is not a choice (mpm | pd)"},
     {"[scenario]\nproblem = notched-beam\nmethod = mpm\n",
      "f.ini:3: scenario.method: mpm cannot solve problem notched-beam: by it nothing breaks (pd)"},

@@ -11,7 +11,7 @@
 
 /* --- a line in words ------------------------------------------------------------------------------ */
 
-enum { WORDS_MAX = 2 * ROW_VALUES_MAX, WORD_MAX = 48 };
+enum { WORDS_MAX = 16, WORD_MAX = 48 };
 
 typedef struct Words {
     char all[WORDS_MAX][WORD_MAX];
