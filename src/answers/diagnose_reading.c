@@ -300,11 +300,12 @@ static void keep_best(const Trials *trials, const Simulation *sim, Trial *trial)
         DiagnoseColumn *column = &trial->reading.columns[c];
         if (!best || !is_given(table, c))
             continue;
-        trial->throughout =
-            trial->throughout && ((!best->over && best->agreed > 0) || strcmp(column->name, "?") == 0);
+        if (strcmp(column->name, "?") == 0 && !is_evidence(table, c, best))
+            continue;
+        trial->throughout = trial->throughout && !best->over && best->agreed > 0;
         trial->agreed += best->agreed;
         trial->firsts += best->first;
-        if (best->agreed == 0 || (strcmp(column->name, "?") == 0 && !is_evidence(table, c, best)))
+        if (best->agreed == 0)
             continue;
         column->scale = best->factor;
         column->factor *= best->factor;
