@@ -54,16 +54,17 @@ typedef struct DiagnoseTable {
     size_t *things;                /* of each of them */
     double scenario_dt;
     double spacing,
-        spacing_bound;  /* of its times as they are written, where they alone tell the step; else 0 */
-    double time_factor; /* they times it are ours */
-    int step_column;    /* of the file; -1: none */
-    bool half;          /* its times are those of half steps */
-    long shift;         /* its row of step n holds what the run has after step n + shift */
-    double dt;          /* that its times tell, by so much more or less: */
-    double dt_bound;    /* what is written with few digits leaves it open */
-    bool timed;         /* they tell one */
-    int time_column;    /* of the file: its times, or else its steps */
-    double noise;       /* round-off of two right codes after a step, as a share of a column's size */
+        spacing_bound;   /* of its times as they are written, where they alone tell the step; else 0 */
+    double time_factor;  /* they times it are ours */
+    int step_column;     /* of the file; -1: none */
+    bool half;           /* its times are those of half steps */
+    long shift;          /* its row of step n holds what the run has after step n + shift */
+    double dt;           /* that its times tell, by so much more or less: */
+    double dt_bound;     /* what is written with few digits leaves it open */
+    bool timed;          /* they tell one */
+    int time_column;     /* of the file: its times, or else its steps */
+    double noise;        /* round-off of two right codes after a step, as a share of a column's size */
+    double noise_growth; /* and what each further step adds, as a share of that */
     char notes[DIAGNOSE_NOTES_MAX][160]; /* what has to be said of it */
     int n_notes;
 } DiagnoseTable;
@@ -98,6 +99,8 @@ typedef struct Explanation {
     char id[2 * KEY_MAX]; /* "x_by_own_velocity", "mpm.algorithm=usl", "bar.density=2" */
     char words[200];      /* a sentence, without its full stop */
     char where[200];      /* of a mistake: stage and equation; else "" */
+    char stage[24];       /* and the stage's id */
+    char scheme[64];      /* of that code: "USL, gimp" */
     char apart[160]; /* the run that tells it from the first explanation, or the right code; "": none of */
     int compared;    /* that were made of both */
     int digits;
@@ -125,7 +128,8 @@ typedef struct Diagnosis {
     Departure departure;
     char agreeing[160]; /* where some depart: the columns that change, and agree in all rows; "": none */
     double farthest;    /* the largest departure of all, as a share of its column's size */
-    bool single;        /* where some depart: each is a number of single precision */
+    bool single;        /* it is judged as numbers of single precision */
+    char scheme[64];    /* of the right run */
     Explanation
         explanations[EXPLANATIONS_MAX]; /* EXPLAINED: of the file; RIGHT: mistakes that it cannot show */
     int n_explanations, more;           /* of which there is no room */
@@ -145,6 +149,24 @@ bool diagnose(const DiagnoseTask *, DiagnoseTable *, Diagnosis *, Status *);
 
 /* How the table was read: "v: v of particle 49; rows carry the time before their step; dt 0.02". */
 void diagnosis_read_as(const DiagnoseTable *, char *out, size_t size);
+
+/* The verdict: right by the scenario's scheme or another one; right, but for how it is written; a mistake or
+ * a wrong value; one of several; unknown. */
+typedef enum DiagnoseWord {
+    WORD_RIGHT,
+    WORD_RIGHT_BUT,
+    WORD_MISTAKE,
+    WORD_ONE_OF,
+    WORD_UNKNOWN
+} DiagnoseWord;
+
+extern const char *const diagnose_words[]; /* "right", "right but", "mistake", "one of", "unknown" */
+enum { DIAGNOSE_NAMED_MAX = 5 };           /* so many codes are named */
+
+DiagnoseWord diagnosis_word(const Diagnosis *, const DiagnoseTable *);
+
+/* The explanation that acquits the file, a right code by another scheme; NULL: none does. */
+const Explanation *diagnosis_acquits(const Diagnosis *);
 
 /* What it came to, in lines of ASCII. */
 void diagnosis_tell(const Diagnosis *, const DiagnoseTable *, FILE *);

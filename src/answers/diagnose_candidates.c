@@ -159,8 +159,32 @@ void diagnose_name_factor(double factor, double tolerance, const Settings *setti
 
 /* --- in words -------------------------------------------------------------------------------- */
 
+void diagnose_name_scheme(const Settings *settings, char *out, size_t size)
+{
+    static const char *const keys[] = {"mpm.algorithm", "mpm.shape", "mpm.transfer", "pd.surface_correction",
+                                       "pd.volume_correction"};
+    out[0] = '\0';
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
+        const Parameter *parameter = parameter_find(keys[i]);
+        char value[LIST_MAX];
+        if (!parameter_applies_to(settings, parameter))
+            continue;
+        settings_get(settings, parameter, value);
+        if (i == 0)
+            for (char *c = value; *c; c++)
+                *c = (char)(*c >= 'a' && *c <= 'z' ? *c - 'a' + 'A' : *c);
+        else if (settings_number(settings, parameter) == 0)
+            continue;
+        text_append(out, size, "%s%s%s", *out ? ", " : "",
+                    i == 3   ? "surface "
+                    : i == 4 ? "volume "
+                             : "",
+                    value);
+    }
+}
+
 /* The stage of a wrong code that differs, with its line as it is wrongly written. */
-static void say_where(const Settings *wrong, char *out, size_t size)
+static void say_where(const Settings *wrong, char *out, size_t size, char stage[24])
 {
     Simulation *sim = problem_simulate(wrong, 1, NULL);
     out[0] = '\0';
@@ -169,6 +193,7 @@ static void say_where(const Settings *wrong, char *out, size_t size)
         if (!strstr(line, STAGE_WRONG_OPEN_ASCII))
             continue;
         text_append(out, size, "stage %d, %s:  ", i + 1, sim->stages[i].name);
+        snprintf(stage, 24, "%s", sim->stages[i].id);
         for (; *line; line++)
             text_append(out, size, *line == '\n' ? "    " : "%c", *line);
     }
@@ -181,6 +206,7 @@ void diagnose_explain(const Candidate *candidate, const Settings *right, const S
     const Parameter *parameter = candidate->parameter;
     char value[LIST_MAX], before[LIST_MAX];
     *out = (Explanation){.kind = candidate->kind};
+    diagnose_name_scheme(wrong, out->scheme, sizeof out->scheme);
     if (candidate->kind == DIAGNOSE_SHIFT) {
         text_append(out->id, sizeof out->id, "rows%+ld", candidate->shift);
         text_append(out->words, sizeof out->words,
@@ -199,7 +225,7 @@ void diagnose_explain(const Candidate *candidate, const Settings *right, const S
     if (candidate->kind == DIAGNOSE_MISTAKE) {
         text_append(out->id, sizeof out->id, "%s", value);
         text_append(out->words, sizeof out->words, "%s", parameter->choice_help((int)candidate->value));
-        say_where(wrong, out->where, sizeof out->where);
+        say_where(wrong, out->where, sizeof out->where, out->stage);
         return;
     }
     text_append(out->id, sizeof out->id, "%s=%s", parameter->key, value);

@@ -74,6 +74,9 @@ int diagnose_candidates(const Settings *, Candidate out[CANDIDATES_MAX]);
 /* Its settings, with the file's time step. False: there is no such run. */
 bool diagnose_settings_of(const Candidate *, const Settings *right, const DiagnoseTable *, Settings *out);
 
+/* The scheme of a code in a word or two: "USL", "MUSL, gimp, apic". */
+void diagnose_name_scheme(const Settings *, char *out, size_t size);
+
 /* In words. */
 void diagnose_explain(const Candidate *, const Settings *right, const Settings *wrong, Explanation *);
 
@@ -132,7 +135,12 @@ bool diagnose_judge_columns(Search *);
 /* Whether a column never changes in the right run, as a mass: beside others it tells of no run. */
 bool diagnose_is_still(const Search *, int column);
 
-/* diagnose_round_off.c: what the round-off of a run has grown to, [moment][group of columns], by a run whose
+/* diagnose_round_off.c: whether all numbers that are written with more digits than single precision has are
+ * numbers of it; and the most digits of any column. */
+bool diagnose_is_single(const DiagnoseTable *);
+int diagnose_digits_written(const DiagnoseTable *);
+
+/* What the round-off of a run has grown to, [moment][group of columns], by a run whose
  * last digits are others; the caller frees it. *moments: those before it is as large as the numbers. NULL: it
  * is not known, or *stopped: it was given up. */
 double *diagnose_grown(const Search *, const Settings *, size_t *moments, bool *stopped);

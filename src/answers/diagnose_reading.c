@@ -70,6 +70,8 @@ bool diagnose_read_as(DiagnoseTable *table, const DiagnoseReading *reading)
     if (!table->of_stages && !steps_of(table, reading, reading->last))
         return false;
     table->dt = reading->dt;
+    if (table->spacing > 0)
+        table->dt_bound = table->spacing_bound / table->spacing * table->dt;
     table->shift = reading->shift;
     table->time_factor = reading->time_factor;
     memcpy(table->columns, reading->columns, sizeof table->columns);

@@ -10,6 +10,35 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Whether all numbers that are written with more digits than single precision has are numbers of it. */
+bool diagnose_is_single(const DiagnoseTable *table)
+{
+    enum { DIGITS = 8, LEAST = 10 };
+    size_t counted = 0;
+    for (int c = 0; c < table->n_columns; c++) {
+        const OverlayColumn *column = &table->file.columns[table->columns[c].theirs];
+        for (size_t k = 0; k < table->file.count && !table->columns[c].silent && column->digits >= DIGITS;
+             k++) {
+            const double value = column->values[k];
+            if (!isfinite(value) || value == 0)
+                continue;
+            if (fabs(value - (double)(float)value) > 0.51 * diagnose_last_digit(column, value))
+                return false;
+            counted++;
+        }
+    }
+    return counted >= LEAST;
+}
+
+int diagnose_digits_written(const DiagnoseTable *table)
+{
+    int most = 0;
+    for (int c = 0; c < table->n_columns; c++)
+        if (!table->columns[c].silent)
+            most = (int)fmax(most, table->file.columns[table->columns[c].theirs].digits);
+    return most;
+}
+
 /* The same run with a modulus and cells that are others in their last digit: its round-off is another one
  * throughout, that of places too. */
 static bool disturb(Settings *settings)

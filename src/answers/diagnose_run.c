@@ -29,7 +29,7 @@ double diagnose_theirs(const DiagnoseTable *table, const DiagnoseColumn *column,
 /* The round-off of two right codes, as a share of a column's size. */
 static double diagnose_round_off(const DiagnoseTable *table, long step)
 {
-    return table->noise * (1 + 1e-2 * (double)step);
+    return table->noise * (1 + table->noise_growth * (double)step);
 }
 
 double diagnose_last_digit(const OverlayColumn *column, double number)

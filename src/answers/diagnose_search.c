@@ -59,12 +59,8 @@ static bool read_columns(Search *search)
 
 static int digits_of(const Search *search, double worst)
 {
-    int most = 0;
-    for (int c = 0; c < search->table->n_columns; c++)
-        if (!search->table->columns[c].silent)
-            most = (int)fmax(most, search->table->file.columns[search->table->columns[c].theirs].digits);
     const double digits = worst > 0 ? floor(-math_log10(worst)) : 17;
-    return (int)fmax(0, fmin(fmin(digits, most), 16));
+    return (int)fmax(0, fmin(fmin(digits, diagnose_digits_written(search->table)), 16));
 }
 
 /* The row of the same thing before. */
@@ -80,26 +76,6 @@ static void look_back(Search *search)
                 search->values[row * (size_t)table->n_columns + (size_t)departure->column];
             return;
         }
-}
-
-/* Whether all numbers that are written with more digits than single precision has are numbers of it. */
-static bool is_single(const DiagnoseTable *table)
-{
-    enum { DIGITS = 8, LEAST = 10 };
-    size_t counted = 0;
-    for (int c = 0; c < table->n_columns; c++) {
-        const OverlayColumn *column = &table->file.columns[table->columns[c].theirs];
-        for (size_t k = 0; k < table->file.count && !table->columns[c].silent && column->digits >= DIGITS;
-             k++) {
-            const double value = column->values[k];
-            if (!isfinite(value) || value == 0)
-                continue;
-            if (fabs(value - (double)(float)value) > 0.51 * diagnose_last_digit(column, value))
-                return false;
-            counted++;
-        }
-    }
-    return counted >= LEAST;
 }
 
 static void name_departure(Search *search)
@@ -121,7 +97,6 @@ static void name_departure(Search *search)
         if (!table->columns[c].silent && !search->walk.departs[c] && !diagnose_is_still(search, c))
             text_list_add(search->found->agreeing, sizeof search->found->agreeing, table->columns[c].name);
     search->found->farthest = search->walk.farthest;
-    search->found->single = is_single(table);
     departure->row = table->rows[departure->row] + 1;
     if (departure->stage > 0)
         departure->stage_id = table->stage_ids[departure->stage - 1];
@@ -336,6 +311,7 @@ static bool judge(Search *search)
     found->naive =
         search->right.method == METHOD_PD && walk->worst > 1e-11 && walk->worst < table->noise * 10;
     found->departure = walk->departure;
+    diagnose_name_scheme(&search->right, found->scheme, sizeof found->scheme);
     if (walk->departure.is)
         name_departure(search);
     if (!try_all(search, walk->departure.is))
@@ -383,6 +359,42 @@ static bool judge_readings(Search *search, const DiagnoseReading *readings, int 
     return true;
 }
 
+/* Numbers of single precision are judged by its round-off; where no code agrees to double precision, by what
+ * 12 digits have lost, or by single precision where no more digits are written. */
+static bool judge_by_noise(Search *search, const DiagnoseReading *readings, int count)
+{
+    DiagnoseTable *table = search->table;
+    const double single = 1.2e-7, rounded = 1e-11;
+    const Diagnosis begun = *search->found;
+    const DiagnoseTable as_read = *table;
+    search->found->single = diagnose_is_single(table);
+    if (search->found->single)
+        table->noise = single, table->noise_growth = 0.1;
+    if (!judge_readings(search, readings, count))
+        return false;
+    const int digits = diagnose_digits_written(table);
+    if (search->found->verdict != DIAGNOSE_UNKNOWN || search->found->single || digits < 5 ||
+        (digits > 7 && digits < 12))
+        return true;
+    const Diagnosis before = *search->found;
+    const DiagnoseTable as_before = *table;
+    const double noise = digits >= 12 ? rounded : single;
+    if (noise <= as_read.noise)
+        return true;
+    *table = as_read;
+    table->noise = noise;
+    table->noise_growth = noise == single ? 0.1 : 1e-2;
+    *search->found = begun;
+    search->found->single = noise == single;
+    if (!judge_readings(search, readings, count))
+        return false;
+    if (search->found->verdict != DIAGNOSE_UNKNOWN)
+        return true;
+    *search->found = before;
+    *table = as_before;
+    return true;
+}
+
 bool diagnose(const DiagnoseTask *task, DiagnoseTable *table, Diagnosis *found, Status *status)
 {
     Search *search = calloc(1, sizeof *search);
@@ -407,7 +419,7 @@ bool diagnose(const DiagnoseTask *task, DiagnoseTable *table, Diagnosis *found, 
                      ? "interrupted"
                      : "%s: none of its columns is ours, as far as its first rows tell (--map 1=time,2=v_cm)",
                  table->file.file)) &&
-            judge_readings(search, readings, count);
+            judge_by_noise(search, readings, count);
     free(readings);
     free(search->values);
     free(search->grown);

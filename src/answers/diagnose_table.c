@@ -749,6 +749,7 @@ static bool read_rows(DiagnoseTable *table, const Settings *settings, const char
     snprintf(table->thing, sizeof table->thing, "%s", table->set < 0 ? "" : sim->sets[table->set].name);
     table->stages_by_id = heads.stage_id >= 0;
     table->of_next = !table->of_stages && table->set >= 0 && sim->sets[table->set].ready_after > 0;
+    table->noise_growth = 1e-2;
     table->noise = simulation_has(sim, HAS_BONDS) || simulation_has(sim, HAS_PLANE) ? 1e-9 : 1e-13;
     table->dt = table->scenario_dt = sim->dt;
     table->time_factor = heads.time >= 0 ? heads.time_factor : 1;

@@ -9,6 +9,76 @@
 #include <string.h>
 #include <strings.h>
 
+const char *const diagnose_words[] = {"right", "right but", "mistake", "one of", "unknown"};
+
+const Explanation *diagnosis_acquits(const Diagnosis *found)
+{
+    static const char *const schemes[] = {"mpm.algorithm=", "mpm.shape=", "mpm.transfer=", "pd."};
+    for (int i = 0; i < found->n_explanations && found->verdict == DIAGNOSE_EXPLAINED; i++)
+        for (size_t k = 0; k < sizeof schemes / sizeof *schemes; k++)
+            if (found->explanations[i].kind == DIAGNOSE_SCHEME &&
+                strncmp(found->explanations[i].id, schemes[k], strlen(schemes[k])) == 0)
+                return &found->explanations[i];
+    return NULL;
+}
+
+/* How right numbers are written otherwise than the scenario's; "": no such thing. */
+static void tell_but(const Diagnosis *found, const DiagnoseTable *table, char *out, size_t size)
+{
+    bool sign = false, unit = table->spacing > 0 && table->time_factor != 1;
+    out[0] = '\0';
+    for (int c = 0; c < table->n_columns; c++) {
+        sign = sign || table->columns[c].scale == -1;
+        unit = unit || table->columns[c].scale == 1e-3 || table->columns[c].scale == 1e3;
+    }
+    const struct {
+        bool is;
+        const char *words;
+    } all[] = {{table->shift > 0, "labelled a step early"},
+               {table->shift < 0, "labelled a step late"},
+               {table->half, "labelled with half steps"},
+               {unit, "in another unit"},
+               {sign, "with the other sign"},
+               {found->single, "in single precision"}};
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+        if (all[i].is)
+            text_append(out, size, "%s%s", *out ? ", " : "", all[i].words);
+}
+
+DiagnoseWord diagnosis_word(const Diagnosis *found, const DiagnoseTable *table)
+{
+    char but[200];
+    if (found->verdict == DIAGNOSE_RIGHT || diagnosis_acquits(found)) {
+        tell_but(found, table, but, sizeof but);
+        return *but ? WORD_RIGHT_BUT : WORD_RIGHT;
+    }
+    return found->verdict != DIAGNOSE_EXPLAINED ? WORD_UNKNOWN
+           : found->n_explanations > 1          ? WORD_ONE_OF
+                                                : WORD_MISTAKE;
+}
+
+/* "Right, USL", "Right, USF, but labelled a step early", "Mistake: pic", "One of: a, b". */
+static void tell_verdict(const Diagnosis *found, const DiagnoseTable *table, char *out, size_t size)
+{
+    const Explanation *right = diagnosis_acquits(found);
+    const DiagnoseWord word = diagnosis_word(found, table);
+    const char *scheme = right ? right->scheme : found->scheme;
+    char but[200];
+    out[0] = '\0';
+    tell_but(found, table, but, sizeof but);
+    if (word <= WORD_RIGHT_BUT)
+        text_append(out, size, "Right%s%s%s%s", *scheme ? ", " : "", scheme, *but ? ", but " : "", but);
+    else if (word == WORD_UNKNOWN)
+        text_append(out, size, "Unknown");
+    else {
+        text_append(out, size, word == WORD_MISTAKE ? "Mistake: " : "One of: ");
+        for (int i = 0; i < found->n_explanations && i < DIAGNOSE_NAMED_MAX; i++)
+            text_append(out, size, "%s%s", i > 0 ? ", " : "", found->explanations[i].id);
+        if (*found->explanations[0].scheme)
+            text_append(out, size, " (%s)", found->explanations[0].scheme);
+    }
+}
+
 static void tell_moment(const Departure *departure, FILE *out)
 {
     if (departure->stage > 0)
@@ -53,10 +123,12 @@ static void tell_departure(const Diagnosis *found, const DiagnoseTable *table, F
 
 static void tell_agreement(const Diagnosis *found, const DiagnoseTable *table, FILE *out)
 {
-    const char *rows = found->agreed == 1 ? "row" : "rows";
-    if (found->verdict == DIAGNOSE_RIGHT)
+    const Explanation *right = diagnosis_acquits(found);
+    const size_t agreed = right ? right->rows : found->agreed;
+    const char *rows = agreed == 1 ? "row" : "rows";
+    if (found->verdict == DIAGNOSE_RIGHT || right)
         visible_print(out, "Your numbers are those of the right code, to %d digits over %zu %s.\n",
-                      found->digits, found->agreed, rows);
+                      right ? right->digits : found->digits, agreed, rows);
     else if (found->agreed == 0)
         fputs("Your numbers agree with the right code's in no row.\n", out);
     else
@@ -87,7 +159,7 @@ static void tell_explanations(const Diagnosis *found, FILE *out)
     if (first->grown)
         fputs("  (no farther: such a run blows up, or lets round-off grow to the size of its numbers)\n",
               out);
-    for (int i = 1; i < found->n_explanations; i++) {
+    for (int i = 1; i < found->n_explanations && i < DIAGNOSE_NAMED_MAX; i++) {
         const Explanation *rival = &found->explanations[i];
         visible_print(out, i == 1 ? "This file cannot tell it from:\n" : "or\n");
         tell_explanation(rival, out);
@@ -96,21 +168,30 @@ static void tell_explanations(const Diagnosis *found, FILE *out)
         else
             visible_print(out, "  (none of %d runs of both tells them apart)\n", rival->compared);
     }
-    if (found->more > 0)
-        visible_print(out, "and %d more: the file has too few rows or digits.\n", found->more);
+    const int more = found->more + found->n_explanations - DIAGNOSE_NAMED_MAX;
+    if (more > 0)
+        visible_print(out, "and %d more: the file has too few rows or digits.\n", more);
 }
 
 static void tell_hidden(const Diagnosis *found, FILE *out)
 {
-    if (found->n_explanations == 0)
-        return;
-    fputs("Not shown by this file, with or without them its numbers are the same:\n", out);
-    for (int i = 0; i < found->n_explanations; i++)
-        visible_print(out, "  %s%s%s%s\n", found->explanations[i].id,
-                      *found->explanations[i].apart ? " (" : "", found->explanations[i].apart,
-                      *found->explanations[i].apart ? ")" : "");
-    if (found->more > 0)
-        visible_print(out, "  and %d more\n", found->more);
+    const Explanation *right = diagnosis_acquits(found);
+    int told = 0, more = found->more;
+    for (int i = 0; i < found->n_explanations; i++) {
+        const Explanation *hidden = &found->explanations[i];
+        if (hidden == right)
+            continue;
+        if (told == DIAGNOSE_NAMED_MAX) {
+            more++;
+            continue;
+        }
+        if (told++ == 0)
+            fputs("Not shown by this file, with or without them its numbers are the same:\n", out);
+        visible_print(out, "  %s%s%s%s\n", hidden->id, *hidden->apart ? " (" : "", hidden->apart,
+                      *hidden->apart ? ")" : "");
+    }
+    if (more > 0)
+        visible_print(out, "  and %d more\n", more);
 }
 
 static void tell_nothing_found(const Diagnosis *found, const DiagnoseTable *table, FILE *out)
@@ -122,10 +203,8 @@ static void tell_nothing_found(const Diagnosis *found, const DiagnoseTable *tabl
         found->tried);
     if (found->pairs_left)
         fputs("Two mistakes at once were not tried (--pairs).\n", out);
-    if (found->farthest < 1e-6 && found->single)
-        visible_print(out,
-                      "No number is farther off than %s of the largest of its kind, and each is a number of "
-                      "single precision.\n",
+    if (found->farthest < 1e-6)
+        visible_print(out, "No number is farther off than %s of the largest of its kind.\n",
                       text_rounded(found->farthest, 1).text);
     if (*found->agreeing)
         return;
@@ -194,9 +273,11 @@ void diagnosis_read_as(const DiagnoseTable *table, char *out, size_t size)
 
 void diagnosis_tell(const Diagnosis *found, const DiagnoseTable *table, FILE *out)
 {
-    char read_as[400];
+    char read_as[400], verdict[400];
     diagnosis_read_as(table, read_as, sizeof read_as);
+    tell_verdict(found, table, verdict, sizeof verdict);
     visible_print(out, "Read as: %s\n", read_as);
+    visible_print(out, "%s.\n", verdict);
     for (int i = 0; i < table->n_notes; i++)
         visible_print(out, "(%s)\n", table->notes[i]);
     if (found->verdict == DIAGNOSE_COPIED) {
@@ -209,13 +290,14 @@ void diagnosis_tell(const Diagnosis *found, const DiagnoseTable *table, FILE *ou
               out);
         return;
     }
+    const bool right = diagnosis_word(found, table) <= WORD_RIGHT_BUT;
     tell_agreement(found, table, out);
-    if (found->departure.is)
+    if (found->departure.is && !right)
         tell_departure(found, table, out);
-    if (found->verdict == DIAGNOSE_EXPLAINED)
-        tell_explanations(found, out);
-    else if (found->verdict == DIAGNOSE_RIGHT)
+    if (right)
         tell_hidden(found, out);
+    else if (found->verdict == DIAGNOSE_EXPLAINED)
+        tell_explanations(found, out);
     else
         tell_nothing_found(found, table, out);
     if (found->compared == 1 && found->verdict == DIAGNOSE_RIGHT)
@@ -228,21 +310,29 @@ void diagnosis_sum_up(const Diagnosis *found, const DiagnoseTable *table, char *
 {
     const Departure *departure = &found->departure;
     const Explanation *first = &found->explanations[0];
+    char read_as[400], verdict[400];
     out[0] = '\0';
-    text_append(out, size, "%s: ", table->file.file);
+    diagnosis_read_as(table, read_as, sizeof read_as);
+    text_append(out, size, "%s, read as %s. ", table->file.file, read_as);
     if (found->verdict == DIAGNOSE_COPIED || found->verdict == DIAGNOSE_MUTE) {
         text_append(out, size,
-                    found->verdict == DIAGNOSE_COPIED ? "the exact answer, not a run."
-                                                      : "its columns tell nothing.");
+                    found->verdict == DIAGNOSE_COPIED ? "Unknown: the exact answer, not a run."
+                                                      : "Unknown: its columns tell nothing.");
         return;
     }
-    if (found->verdict == DIAGNOSE_RIGHT)
-        text_append(out, size, "the right code's numbers, to %d digits over %zu rows.", found->digits,
-                    found->agreed);
-    for (int i = 0; i < found->n_explanations && found->verdict == DIAGNOSE_RIGHT; i++)
-        text_append(out, size, "%s%s", i == 0 ? " It cannot show " : ", ", found->explanations[i].id);
-    if (!departure->is)
+    const Explanation *right = diagnosis_acquits(found);
+    tell_verdict(found, table, verdict, sizeof verdict);
+    text_append(out, size, "%s", verdict);
+    if (diagnosis_word(found, table) <= WORD_RIGHT_BUT) {
+        text_append(out, size, ", to %d digits over %zu rows.", right ? right->digits : found->digits,
+                    right ? right->rows : found->agreed);
+        for (int i = 0, told = 0; i < found->n_explanations && told < DIAGNOSE_NAMED_MAX; i++)
+            if (&found->explanations[i] != right)
+                text_append(out, size, "%s%s", told++ == 0 ? " It cannot show " : ", ",
+                            found->explanations[i].id);
         return;
+    }
+    text_append(out, size, ". It ");
     text_append(out, size, "departs at step %ld%s%s in %s: yours %s, right %s", departure->step,
                 departure->stage > 0 ? ", stage " : "", departure->stage > 0 ? departure->stage_id : "",
                 table->columns[departure->column].name,
@@ -255,8 +345,5 @@ void diagnosis_sum_up(const Diagnosis *found, const DiagnoseTable *table, char *
                     found->pairs_left ? "; :diagnose FILE pairs tries two mistakes at once" : "");
         return;
     }
-    text_append(out, size, ". It is %s, to %d digits over %zu rows: %s", first->id, first->digits,
-                found->compared, first->words);
-    for (int i = 1; i < found->n_explanations; i++)
-        text_append(out, size, "%s%s", i == 1 ? " Or " : ", ", found->explanations[i].id);
+    text_append(out, size, ". To %d digits over %zu rows: %s", first->digits, found->compared, first->words);
 }

@@ -85,25 +85,28 @@ static bool work_all(Files *all, Status *status)
 
 /* --- what is said ----------------------------------------------------------------------------------- */
 
-enum { CELL_MAX = 200 };
+enum { CELL_MAX = 400 };
 
-/* What is told of a file, in the order of the table's columns. */
+/* What is told of a file: the first of them are the table's columns. */
 typedef enum Cell {
-    CELL_FILE,
+    CELL_NAME,
     CELL_VERDICT,
+    CELL_SCHEME,
     CELL_DIGITS,
-    CELL_AGREED,
-    CELL_ROWS,
-    CELL_STEP,
+    CELL_MISTAKE,
     CELL_STAGE,
+    TABLE_CELLS,
+    CELL_READ_AS = TABLE_CELLS,
+    CELL_ROWS,
+    CELL_AGREED,
+    CELL_STEP,
+    CELL_AFTER,
     CELL_THING,
     CELL_COLUMN,
     CELL_YOURS,
     CELL_RIGHT,
     CELL_RATIO,
     CELL_RATIO_IS,
-    CELL_CODE,
-    CELL_RIVALS,
     CELL_ERROR,
     CELLS
 } Cell;
@@ -112,21 +115,16 @@ static const struct {
     const char *name;
     bool is_number;
 } columns[CELLS] = {
-    [CELL_FILE] = {"file", false},         [CELL_VERDICT] = {"verdict", false},
-    [CELL_DIGITS] = {"digits", true},      [CELL_AGREED] = {"rows_agreed", true},
-    [CELL_ROWS] = {"rows", true},          [CELL_STEP] = {"step", true},
-    [CELL_STAGE] = {"stage", false},       [CELL_THING] = {"thing", false},
+    [CELL_NAME] = {"name", false},         [CELL_VERDICT] = {"verdict", false},
+    [CELL_SCHEME] = {"scheme", false},     [CELL_DIGITS] = {"digits", true},
+    [CELL_MISTAKE] = {"mistake", false},   [CELL_STAGE] = {"stage", false},
+    [CELL_READ_AS] = {"read_as", false},   [CELL_ROWS] = {"rows", true},
+    [CELL_AGREED] = {"rows_agreed", true}, [CELL_STEP] = {"step", true},
+    [CELL_AFTER] = {"after_stage", false}, [CELL_THING] = {"thing", false},
     [CELL_COLUMN] = {"column", false},     [CELL_YOURS] = {"yours", true},
     [CELL_RIGHT] = {"right", true},        [CELL_RATIO] = {"ratio", true},
-    [CELL_RATIO_IS] = {"ratio_is", false}, [CELL_CODE] = {"code", false},
-    [CELL_RIVALS] = {"rivals", false},     [CELL_ERROR] = {"error", false},
+    [CELL_RATIO_IS] = {"ratio_is", false}, [CELL_ERROR] = {"error", false},
 };
-
-static const char *verdict_of(const File *file)
-{
-    static const char *const words[] = {"right", "explained", "unknown", "copied", "mute"};
-    return file->failure.code != STATUS_DONE ? "unread" : words[file->found.verdict];
-}
 
 static void put_number(char cell[CELL_MAX], double value)
 {
@@ -134,30 +132,45 @@ static void put_number(char cell[CELL_MAX], double value)
         text_shortest(cell, value);
 }
 
-/* What the first departure is and which codes explain the file, as cells. */
+/* The verdict, which codes explain the file, and where it departs first, as cells. */
 static void fill(const File *file, char cells[CELLS][CELL_MAX])
 {
     const Diagnosis *found = &file->found;
     const Departure *departure = &found->departure;
+    const Explanation *right = diagnosis_acquits(found), *first = &found->explanations[0];
     memset(cells, 0, (size_t)CELLS * CELL_MAX);
-    visible_text(cells[CELL_FILE], CELL_MAX, file->path);
-    text_append(cells[CELL_VERDICT], CELL_MAX, "%s", verdict_of(file));
+    visible_text(cells[CELL_NAME], CELL_MAX, file->path);
     text_append(cells[CELL_ERROR], CELL_MAX, "%s", file->failure.text);
-    if (file->failure.code != STATUS_DONE)
+    if (file->failure.code != STATUS_DONE) {
+        text_append(cells[CELL_VERDICT], CELL_MAX, "unread");
         return;
+    }
+    const DiagnoseWord word = diagnosis_word(found, &file->table);
+    text_append(cells[CELL_VERDICT], CELL_MAX, "%s", diagnose_words[word]);
+    diagnosis_read_as(&file->table, cells[CELL_READ_AS], CELL_MAX);
     text_append(cells[CELL_ROWS], CELL_MAX, "%zu", found->rows);
     if (found->verdict == DIAGNOSE_COPIED || found->verdict == DIAGNOSE_MUTE)
         return;
-    text_append(cells[CELL_DIGITS], CELL_MAX, "%d", found->digits);
-    text_append(cells[CELL_AGREED], CELL_MAX, "%zu", found->agreed);
-    for (int i = 0; i < found->n_explanations; i++) {
-        char *cell = cells[found->verdict == DIAGNOSE_EXPLAINED && i == 0 ? CELL_CODE : CELL_RIVALS];
-        text_append(cell, CELL_MAX, "%s%s", *cell ? " " : "", found->explanations[i].id);
-    }
-    if (!departure->is)
+    const bool named = word == WORD_MISTAKE || word == WORD_ONE_OF;
+    text_append(cells[CELL_SCHEME], CELL_MAX, "%s",
+                right   ? right->scheme
+                : named ? first->scheme
+                        : found->scheme);
+    text_append(cells[CELL_DIGITS], CELL_MAX, "%d",
+                right   ? right->digits
+                : named ? first->digits
+                        : found->digits);
+    text_append(cells[CELL_AGREED], CELL_MAX, "%zu", right ? right->rows : found->agreed);
+    for (int i = 0; i < found->n_explanations && i < DIAGNOSE_NAMED_MAX && named; i++)
+        text_append(cells[CELL_MISTAKE], CELL_MAX, "%s%s", i > 0 ? " " : "", found->explanations[i].id);
+    if (word <= WORD_RIGHT_BUT || !departure->is)
         return;
+    text_append(cells[CELL_STAGE], CELL_MAX, "%s",
+                named && *first->stage ? first->stage
+                : departure->stage > 0 ? departure->stage_id
+                                       : "");
     put_number(cells[CELL_STEP], (double)departure->step);
-    text_append(cells[CELL_STAGE], CELL_MAX, "%s", departure->stage > 0 ? departure->stage_id : "");
+    text_append(cells[CELL_AFTER], CELL_MAX, "%s", departure->stage > 0 ? departure->stage_id : "");
     if (file->table.set >= 0)
         text_append(cells[CELL_THING], CELL_MAX, "%s %zu", file->table.thing, departure->thing);
     text_append(cells[CELL_COLUMN], CELL_MAX, "%s", file->table.columns[departure->column].name);
@@ -173,22 +186,14 @@ static void tell_lines(const Files *all)
     int wide = 4;
     for (int i = 0; i < all->count; i++)
         wide = (int)fmax(wide, fmin(48, (double)strlen(all->files[i].path)));
-    visible_print(stdout, "%-*s %-9s %6s %7s  %-22s %s\n", wide, "file", "verdict", "digits", "rows",
-                  "departs first", "code");
+    visible_print(stdout, "%-*s %-9s %6s  %-10s %s\n", wide, "name", "verdict", "digits", "scheme",
+                  "mistake, stage");
     for (int i = 0; i < all->count; i++) {
-        const File *file = &all->files[i];
-        char place[CELL_MAX] = "";
-        fill(file, cells);
-        if (*cells[CELL_STEP])
-            text_append(place, sizeof place, "step %s%s%s %s", cells[CELL_STEP],
-                        *cells[CELL_STAGE] ? " " : "", cells[CELL_STAGE], cells[CELL_COLUMN]);
-        const char *first = *cells[CELL_ERROR]  ? cells[CELL_ERROR]
-                            : *cells[CELL_CODE] ? cells[CELL_CODE]
-                                                : "";
-        const bool rivals = *cells[CELL_RIVALS] && file->found.verdict == DIAGNOSE_EXPLAINED;
-        visible_print(stdout, "%-*s %-9s %6s %7s  %-22s %s%s%s\n", wide, cells[CELL_FILE],
-                      cells[CELL_VERDICT], cells[CELL_DIGITS], cells[CELL_AGREED], place, first,
-                      rivals ? " or " : "", rivals ? cells[CELL_RIVALS] : "");
+        fill(&all->files[i], cells);
+        visible_print(stdout, "%-*s %-9s %6s  %-10s %s%s%s\n", wide, cells[CELL_NAME], cells[CELL_VERDICT],
+                      cells[CELL_DIGITS], cells[CELL_SCHEME],
+                      *cells[CELL_ERROR] ? cells[CELL_ERROR] : cells[CELL_MISTAKE],
+                      *cells[CELL_STAGE] && *cells[CELL_MISTAKE] ? ", " : "", cells[CELL_STAGE]);
     }
 }
 
@@ -203,16 +208,31 @@ static void put_json(FILE *out, const char *key, const char *cell, bool number)
         text_put_json(out, cell, strlen(cell));
 }
 
+/* Words as a list. */
+static void put_list(FILE *out, const char *key, const char *words)
+{
+    char word[CELL_MAX];
+    fprintf(out, ", \"%s\": [", key);
+    for (bool first = true; text_next_word(&words, word, sizeof word); first = false) {
+        fputs(first ? "" : ", ", out);
+        text_put_json(out, word, strlen(word));
+    }
+    fputs("]", out);
+}
+
 static void tell_json(const Files *all)
 {
     char cells[CELLS][CELL_MAX];
     puts("[");
     for (int i = 0; i < all->count; i++) {
         fill(&all->files[i], cells);
-        fputs("  {\"file\": ", stdout);
-        text_put_json(stdout, cells[CELL_FILE], strlen(cells[CELL_FILE]));
+        fputs("  {\"name\": ", stdout);
+        text_put_json(stdout, cells[CELL_NAME], strlen(cells[CELL_NAME]));
         for (int c = 1; c < CELLS; c++)
-            put_json(stdout, columns[c].name, cells[c], columns[c].is_number);
+            if (c == CELL_MISTAKE)
+                put_list(stdout, columns[c].name, cells[c]);
+            else
+                put_json(stdout, columns[c].name, cells[c], columns[c].is_number);
         puts(i + 1 < all->count ? "}," : "}");
     }
     puts("]");
@@ -225,15 +245,15 @@ static bool write_table(const Files *all, Status *status)
     char cells[CELLS][CELL_MAX];
     if (!output_open(&file, ASKER_COMMAND_LINE, options->output, options->force, status))
         return false;
-    const char *row[CELLS];
-    for (int c = 0; c < CELLS; c++)
+    const char *row[TABLE_CELLS];
+    for (int c = 0; c < TABLE_CELLS; c++)
         row[c] = columns[c].name;
-    csv_words(file.stream, options->outputs.dialect, row, CELLS);
+    csv_words(file.stream, options->outputs.dialect, row, TABLE_CELLS);
     for (int i = 0; i < all->count; i++) {
         fill(&all->files[i], cells);
-        for (int c = 0; c < CELLS; c++)
+        for (int c = 0; c < TABLE_CELLS; c++)
             row[c] = cells[c];
-        csv_words(file.stream, options->outputs.dialect, row, CELLS);
+        csv_words(file.stream, options->outputs.dialect, row, TABLE_CELLS);
     }
     return output_end(&file, true, status);
 }
@@ -285,9 +305,13 @@ int cli_diagnose(Options *options, Status *status)
         all.files[i].path = options->words[i + 1];
     const bool sound =
         (all.files || status_fail(status, "out of memory")) && work_all(&all, status) && tell(&all, status);
+    int judged = STATUS_DONE; /* the worst: a file that is not right is a check that failed */
+    for (int i = 0; i < files && sound; i++)
+        if (diagnosis_word(&all.files[i].found, &all.files[i].table) > WORD_RIGHT_BUT)
+            judged = STATUS_FAILED;
     for (int i = 0; i < files && all.files; i++)
         diagnose_close(&all.files[i].table);
     free(all.files);
     pthread_mutex_destroy(&all.lock);
-    return progress_result(sound, status);
+    return sound && judged != 0 ? judged : progress_result(sound, status);
 }
