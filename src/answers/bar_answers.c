@@ -4,6 +4,7 @@
 #include "answers/bar_answers.h"
 #include "theory/bar_waves.h"
 
+#include "base/shortage.h"
 #include "base/assertion.h"
 #include "scenario/parameters.h"
 #include "methods/method.h"
@@ -370,8 +371,9 @@ void bar_read_out(const References *refs, const double *rows, size_t n_rows, int
         out->kept_measured = swing_kept(swing.decay, watch->exact);
 }
 
-bool bar_prediction_is_whole(double count, const char *parts, Status *status)
+bool bar_prediction_is_whole(int before, double count, const char *parts, Status *status)
 {
+    shortage_end(before);
     if (errno == ECANCELED)
         return status_fail(status, "the prediction for the bar was cancelled");
     return errno != ENOMEM ||

@@ -93,6 +93,7 @@ struct Readout {
     double times;            /* which swings so many times as fast */
     int mode;                /* of a bar: the number of the mode that it is; 0: none */
     const char *unmeasured;  /* of what moves: why there is no measured number, in a few words; else "" */
+    bool no_memory;          /* the fit found no memory, and `unmeasured` says so */
     const char *unaccounted; /* the parameter with which no frequency is known; NULL: it is known */
 };
 

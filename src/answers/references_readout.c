@@ -3,6 +3,7 @@
 #include "problems/solver.h"
 
 #include "base/assertion.h"
+#include "base/shortage.h"
 
 #include "theory/frequency.h"
 
@@ -40,7 +41,12 @@ void readout_fit(const double *rows, size_t n_rows, int n_columns, int column, d
     for (size_t k = 0; k < count; k++)
         samples[k] = rows[k * stride * width + (size_t)column];
     FrequencyFit fit;
-    if (!frequency_fit_lines(samples, count, t0, dt * (double)stride, start, ratios, n_lines, &fit, NULL))
+    const int before = shortage_begin();
+    const bool fitted =
+        frequency_fit_lines(samples, count, t0, dt * (double)stride, start, ratios, n_lines, &fit, NULL);
+    out->no_memory = errno == ENOMEM;
+    shortage_end(before);
+    if (!fitted)
         return;
     out->r2 = fit.r2;
     out->measured_known = fit.r2 >= READOUT_ONE;
@@ -101,6 +107,8 @@ static const char *why_unmeasured(const References *refs, const Readout *readout
     const size_t quarter = n_rows / 4;
     if (quarter < 8 || column < 0 || !(readout->time >= period))
         return "too short a run to measure it";
+    if (readout->no_memory)
+        return "not enough memory to measure it";
     const double first = liveliness(rows, quarter, n_columns, column);
     if (readout->r2 < READOUT_ONE)
         return "not one frequency: R2 < 0.5";

@@ -5,8 +5,8 @@
 #include "base/text.h"
 
 #include "base/assertion.h"
+#include "base/shortage.h"
 #include <ctype.h>
-#include <errno.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -91,9 +91,11 @@ bool text_to_double(const char *text, double *value)
 bool text_to_long(const char *text, long *value)
 {
     char *end;
-    errno = 0;
+    const int before = shortage_begin();
     long read = strtol(text, &end, 10);
-    if (end == text || !only_spaces(end) || errno)
+    const bool fits = errno == 0;
+    shortage_end(before);
+    if (end == text || !only_spaces(end) || !fits)
         return false;
     *value = read;
     return true;
@@ -103,9 +105,8 @@ bool text_to_size(const char *text, long least, long most, int size[2])
 {
     for (int i = 0; i < 2; i++) {
         char *end;
-        errno = 0;
         const long read = isdigit((unsigned char)*text) ? strtol(text, &end, 10) : -1;
-        if (read < least || read > most || errno || *end != (i ? '\0' : 'x'))
+        if (read < least || read > most || *end != (i ? '\0' : 'x'))
             return false;
         size[i] = (int)read;
         text = end + 1;

@@ -3,6 +3,7 @@
  * that a run would get (derived.h). */
 #include "cli/derived.h"
 
+#include "base/shortage.h"
 #include "base/text.h"
 #include "problems/problem.h"
 
@@ -31,9 +32,10 @@ bool derived_text(const Settings *settings, char *out, size_t size, Status *stat
     Simulation *simulation = problem_simulate(settings, 1, status);
     if (!simulation)
         return false;
-    errno = 0;
+    const int before = shortage_begin();
     int count = problem_derived(settings, simulation, derived);
     const bool complete = errno != ENOMEM;
+    shortage_end(before);
     simulation_destroy(simulation);
     if (!complete)
         return status_fail(status, "not enough memory for the numbers that follow from these");

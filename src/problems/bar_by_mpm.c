@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The bar by the material point method: settings to simulation, exact and predicted answers beside. */
+#include "base/shortage.h"
 #include "base/assertion.h"
 #include "base/text.h"
 #include "answers/bar_answers.h"
@@ -152,7 +153,7 @@ static bool prepare(References *refs, const Settings *settings, const Simulation
     if (!bar)
         return false;
     bar->mesh = bar_mesh_of(settings, sim->dt);
-    errno = 0;
+    const int before = shortage_begin();
     if (bar_is_layered(&bar->theory) && !refs->unaccounted[REFERENCE_PREDICTED])
         bar->motion = step_motion(&bar->theory, &bar->mesh);
     const bool whole = bar->motion || dispersion_predicts_centre_velocity(&bar->theory, &bar->mesh);
@@ -164,7 +165,8 @@ static bool prepare(References *refs, const Settings *settings, const Simulation
         bar->watch.kept = found.frequency > 0 ? swing_kept(found.decay, bar->watch.exact) : NAN;
     }
     return bar_prediction_is_whole(
-        round(settings_geometry(settings)->length / settings_mesh(settings)->cell_size), "cells", status);
+        before, round(settings_geometry(settings)->length / settings_mesh(settings)->cell_size), "cells",
+        status);
 }
 
 /* --- derived numbers and advice ------------------------------------------------------------------- */
@@ -254,9 +256,11 @@ bool bar_limit(const Settings *settings, char *text, size_t size, Status *status
         return false;
     BarMesh mesh = bar_mesh_of(settings, bar_time_step(settings));
     const double courant = settings_time(settings)->courant;
-    errno = 0;
+    const int before = shortage_begin();
     const double largest = step_limit(&theory, &mesh);
-    if (errno == ENOMEM)
+    const bool known = errno != ENOMEM;
+    shortage_end(before);
+    if (!known)
         return status_fail(status, "not enough memory for the largest stable time step");
     if (courant > largest && !settings_time(settings)->unstable)
         return status_refuse(

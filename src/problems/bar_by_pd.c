@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The bar by peridynamics: settings to simulation, exact and predicted answers beside. */
 #include "answers/bar_answers.h"
+#include "base/shortage.h"
 #include "scenario/concern_body.h"
 #include "scenario/concern_bonds.h"
 #include "scenario/concern_loads.h"
@@ -12,7 +13,6 @@
 #include "theory/pd_bar_theory.h"
 #include "theory/pd_waves.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 
@@ -92,12 +92,12 @@ static bool prepare(References *refs, const Settings *settings, const Simulation
     if (!bar)
         return false;
     const PdBarTheory lattice = bar_lattice_of(settings);
-    errno = 0;
+    const int before = shortage_begin();
     if (!refs->unaccounted[REFERENCE_PREDICTED])
         bar->motion = pd_bar_motion(&bar->theory, &lattice);
     bar_prepare(refs, settings, sim, predicted_frequency, bar->motion ? predicted_v_cm : NULL,
                 "velocity of the centre of mass predicted for this lattice");
-    return bar_prediction_is_whole(round(settings_geometry(settings)->length / lattice.spacing), "nodes",
+    return bar_prediction_is_whole(before, round(settings_geometry(settings)->length / lattice.spacing), "nodes",
                                    status);
 }
 

@@ -177,7 +177,8 @@ const Readout *experiment_readout(const Experiment *experiment)
     if (known == 0 || rows < known || rows > known + known / 10 || (still && rows != known)) {
         references_readout(experiment->refs, record->rows, rows, record->n_columns,
                            &experiment->worked->readout);
-        experiment->worked->readout_rows = rows;
+        /* for want of memory it is asked for again */
+        experiment->worked->readout_rows = experiment->worked->readout.no_memory ? 0 : rows;
     }
     experiment->worked->readout.time = simulation_time(experiment->run.sim);
     experiment->worked->readout.late =

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The run itself: forwards by steps, stages and parts of a stage, back to a keyframe, on into another future.
  */
+#include "base/shortage.h"
 #include "base/assertion.h"
 #include "run/experiment_internal.h"
 #include "base/status.h"
@@ -80,16 +81,14 @@ void experiment_derive(const Experiment *experiment, Patience patience)
 {
     Settings settings = experiment->now;
     settings.patience = patience;
-    const int before = errno; /* of the code that draws, and asks for memory too */
-    errno = 0;
+    const int before = shortage_begin();
     experiment->worked->n_derived =
         problem_derived(&settings, experiment->run.sim, experiment->worked->derived);
     if (errno == ENOMEM || errno == ECANCELED) /* what is missing is asked for again */
         memset(&experiment->worked->derived_for, 0, sizeof experiment->worked->derived_for);
-    else {
+    else
         experiment->worked->derived_for = experiment->now;
-        errno = before;
-    }
+    shortage_end(before);
 }
 
 static bool goes_on(const Settings *settings, Status *status)

@@ -13,6 +13,7 @@
 #include "theory/quiet.h"
 #include "base/math/functions.h"
 
+#include <errno.h>
 #include <float.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_fft_complex.h>
@@ -309,7 +310,7 @@ static bool refine(Record *record, double unknowns[UNKNOWNS_MAX], Status *status
         gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &parameters, record->count, n);
     record->short_of_memory = record->short_of_memory || !fit;
     if (!fit)
-        return status_fail(status, "not enough memory to fit %zu samples", record->count);
+        return false;
     gsl_vector_view start = gsl_vector_view_array(unknowns, n);
     bool done = gsl_multifit_nlinear_init(&start.vector, &problem, fit) == GSL_SUCCESS;
     for (int i = 0; done && i < ITERATIONS_MAX; i++) {
@@ -528,9 +529,10 @@ static bool fit_record(Record *record, double half, double start, double unknown
     if (left < enough * record->total)
         return true;
     const double peak = find_peak(record);
-    if (peak <= 0)
-        return done ||
-               status_fail(status, "not enough memory for the spectrum of %zu samples", record->count);
+    if (peak <= 0) {
+        record->short_of_memory = true;
+        return false;
+    }
     for (int line = 0; line < record->n_lines; line++) {
         const bool decays = record->decays;
         if (fit_at(record, peak / record->ratios[line], other, &other_left, done ? NULL : status) &&
@@ -562,8 +564,10 @@ bool frequency_fit_lines(const double *values, size_t count, double t0, double d
     double unknowns[UNKNOWNS_MAX];
     quiet_begin();
     bool done = fit_record(&record, dt * (double)(count - 1) / 2, start, unknowns, status);
-    if (record.short_of_memory) /* another fit would have been better, perhaps */
+    if (record.short_of_memory) { /* another fit would have been better, perhaps */
         done = status_fail(status, "not enough memory to fit %zu samples", count);
+        errno = ENOMEM;
+    }
     if (done)
         fill_fit(&record, unknowns, t0, dt, fit);
     quiet_end();

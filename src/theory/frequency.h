@@ -22,7 +22,7 @@ typedef struct FrequencyFit {
  * + k dt; never the cosine alone: there is a half-step phase and a real offset. Starts at `start` (radians
  * per unit time; 0: nothing is expected) and at the largest line of the spectrum, and takes what leaves less.
  * Needs at least 8 samples and about half a period.
- * False: the record is too short, at rest, or the fit does not converge. */
+ * False: the record is too short, at rest, the fit does not converge, or not enough memory (errno ENOMEM). */
 bool frequency_fit(const double *values, size_t count, double t0, double dt, double start, FrequencyFit *fit,
                    Status *status);
 

@@ -21,6 +21,7 @@
  * for because small steps have lambda near 1. */
 #include "theory/step_spectrum.h"
 
+#include "base/shortage.h"
 #include "base/assertion.h"
 #include "base/math/functions.h"
 #include "theory/bar_modes.h"
@@ -526,11 +527,14 @@ static StepMode find_mode(Search *search, int number, double complex mu)
     if (!sample(search, bar_mode_shape, number) || !go_on(&search->step, 0.5 / SOLVES_MOST))
         return mode;
     begin(&search->step, search->sampled, mu, search->x);
-    errno = 0;
-    if (iterate(&search->step, &search->band, &mu, search->x, search->y))
-        mode = read_mode(search, mu);
-    else if (errno == ECANCELED)
+    const int before = shortage_begin();
+    const bool found = iterate(&search->step, &search->band, &mu, search->x, search->y);
+    const bool cancelled = errno == ECANCELED;
+    shortage_end(before);
+    if (cancelled)
         return mode;
+    if (found)
+        mode = read_mode(search, mu);
     if (mode.known && (mode.overlap >= nearly_pure || search->step.rest.cells > CELLS_MOST_DENSE))
         return mode;
     quiet_begin();

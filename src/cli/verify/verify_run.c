@@ -75,6 +75,8 @@ bool verify_run_open(VerifyRun *run, const char *scenario, int threads, Patience
     if (!fill_rows(run, status))
         return false;
     references_readout(run->refs, run->rows, run->count, run->n_columns, &run->readout);
+    if (run->readout.no_memory)
+        return status_fail(status, "%s: %s", scenario, run->readout.unmeasured);
     run->n_derived = problem_derived(&run->settings, run->passing.sim, run->derived);
     return true;
 }
