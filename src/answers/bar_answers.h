@@ -99,8 +99,9 @@ bool bar_check_mesh(const Settings *, Status *);
 /* Start, question and loads as far as they are the same by both; `particles` in the bar. */
 bool bar_check_modes(const Settings *, double particles, Status *);
 
-/* After a prediction that began with shortage_begin(), which gave `before`: what theory cannot predict is left
- * out; for want of memory or patience it must not be. False: the status says so, of a bar of `count` `parts`.
+/* After a prediction that began with shortage_begin(), which gave `before`: what theory cannot predict is
+ * left out; for want of memory or patience it must not be. False: the status says so, of a bar of `count`
+ * `parts`.
  */
 bool bar_prediction_is_whole(int before, double count, const char *parts, Status *);
 

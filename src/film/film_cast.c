@@ -49,7 +49,6 @@ static Film *open_cast(FILE *stream, const FilmLook *look, Status *status)
 
 static bool add_to_cast(Film *film, const Canvas *canvas, double seconds, Status *status)
 {
-    (void)status;
     Grid *grid = &film->grid;
     if (film->width != canvas->width || film->height != canvas->height) {
         grid_resize(grid, canvas->width, canvas->height);
@@ -59,6 +58,9 @@ static bool add_to_cast(Film *film, const Canvas *canvas, double seconds, Status
         film->height = canvas->height;
     }
     grid_show(grid, canvas);
+    if (grid->why_lost)
+        return status_fail(status, "a picture of the recording could not be drawn: %s",
+                           strerror(grid->why_lost));
     put_event(film, seconds);
     return true;
 }

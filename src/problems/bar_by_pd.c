@@ -97,8 +97,8 @@ static bool prepare(References *refs, const Settings *settings, const Simulation
         bar->motion = pd_bar_motion(&bar->theory, &lattice);
     bar_prepare(refs, settings, sim, predicted_frequency, bar->motion ? predicted_v_cm : NULL,
                 "velocity of the centre of mass predicted for this lattice");
-    return bar_prediction_is_whole(before, round(settings_geometry(settings)->length / lattice.spacing), "nodes",
-                                   status);
+    return bar_prediction_is_whole(before, round(settings_geometry(settings)->length / lattice.spacing),
+                                   "nodes", status);
 }
 
 static int derived(const Settings *settings, const Simulation *sim, Derived out[DERIVED_MAX])

@@ -6,6 +6,7 @@
 
 #include "terminal/theme.h"
 
+#include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -105,13 +106,20 @@ void grid_redraw(Grid *grid)
     erase();
 }
 
+/* The next picture is drawn whole; who cannot show it again looks at `why_lost`. */
+static void lose(Grid *grid, int why)
+{
+    grid->why_lost = why;
+    grid_redraw(grid);
+}
+
 static void put(Grid *grid, const char *bytes, size_t count)
 {
     if (grid->length + count > grid->room) {
         const size_t room = 2 * (grid->length + count);
         char *more = realloc(grid->bytes, room);
         if (!more) {
-            grid_redraw(grid);
+            lose(grid, ENOMEM);
             return;
         }
         grid->bytes = more;
@@ -128,11 +136,15 @@ static void drop(const Grid *grid)
     (void)!lseek(grid->memory, 0, SEEK_SET);
 }
 
-/* What curses wrote into its file is to be sent. */
+/* What curses now writes into its file is to be sent. That a write of its failed curses tells by errno alone.
+ */
 static void take(Grid *grid)
 {
     char piece[4096];
-    ssize_t got;
+    ssize_t got = 0;
+    errno = 0;
+    refresh();
+    int why = errno == ENOSPC || errno == ENOMEM || errno == EFBIG || errno == EIO ? errno : 0;
     off_t left = lseek(grid->memory, 0, SEEK_CUR);
     drop(grid);
     while (left > 0 &&
@@ -141,6 +153,8 @@ static void take(Grid *grid)
         left -= got;
     }
     drop(grid);
+    if (why || left != 0)
+        lose(grid, why ? why : EIO);
 }
 
 const char *grid_bytes(const Grid *grid, size_t *left)
@@ -271,7 +285,6 @@ void grid_close(Grid *grid)
 void grid_enter(Grid *grid)
 {
     grid_redraw(grid);
-    refresh();
     take(grid);
     put(grid, capability("smkx"), strlen(capability("smkx")));
     put(grid, paste_on, sizeof paste_on - 1);
@@ -355,8 +368,10 @@ void grid_show(Grid *grid, const Canvas *canvas)
 {
     Canvas *shown = &grid->shown;
     const bool fresh = shown->width != canvas->width || shown->height != canvas->height;
-    if (fresh && !canvas_open(shown, canvas->width, canvas->height, NULL))
+    if (fresh && !canvas_open(shown, canvas->width, canvas->height, NULL)) {
+        lose(grid, ENOMEM);
         return;
+    }
     const size_t before = grid->length;
     if (grid->synchronised)
         put(grid, hold_on, sizeof hold_on - 1);
@@ -369,7 +384,6 @@ void grid_show(Grid *grid, const Canvas *canvas)
         }
     put_cursor(canvas);
     memcpy(shown->cells, canvas->cells, (size_t)canvas->width * (size_t)canvas->height * sizeof(Cell));
-    refresh();
     const size_t began = grid->length;
     take(grid);
     if (grid->length == began)
