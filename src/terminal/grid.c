@@ -307,7 +307,8 @@ void grid_resize(Grid *grid, int width, int height)
 {
     ASSERT_INT(width, >=, 1);
     ASSERT_INT(height, >=, 1);
-    resize_term(height, width);
+    if (resize_term(height, width) == ERR)
+        grid->why_lost = ENOMEM;
     grid_redraw(grid);
 }
 
