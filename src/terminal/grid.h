@@ -24,7 +24,7 @@ typedef struct Grid {
     char *bytes;          /* what is to be sent */
     size_t first, length; /* sent already, in all */
     size_t room;
-    int why_lost; /* errno of what kept bytes of a picture away; 0: nothing did */
+    int why_lost;       /* errno of what kept bytes of a picture away; 0: nothing did */
     char farewell[256]; /* gives the screen back, whatever state it is in; a handler of signals may send it */
     size_t farewell_length;
 } Grid;
