@@ -151,10 +151,10 @@ class Host {
 			FS.unlink(name);
 			FS.mkdev(name, device);
 		});
-		for (const name of ['close', 'rename', 'unlink']) {
+		for (const name of ['write', 'close', 'rename', 'unlink']) {
 			const before = FS[name];
-			FS[name] = function() {
-				host.touched = true;
+			FS[name] = function(stream) {
+				host.touched = host.touched || name !== 'write' || !stream.tty;
 				return before.apply(FS, arguments);
 			};
 		}

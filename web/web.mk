@@ -12,7 +12,7 @@ ncurses = $(work)/ncurses/lib/libncursesw.a
 gsl = $(work)/gsl/libgsl.a
 utf8proc = $(work)/utf8proc/libutf8proc.a
 npm = $(work)/node_modules/.installed
-parts = index.html matvib.css page.js worker.js host.js licences.txt
+parts = index.html matvib.css page.js worker.js host.js offline.js licences.txt
 
 all: $(web_page)/index.html matvib.html
 

@@ -3,13 +3,24 @@
 'use strict';
 
 const HERE = '/here', STATE = '/home/web_user/.local/state/matvib';
-let host = null, made = null, scanning = null;
+const REST = 1000; // milliseconds between two looks at the files
+let host = null, made = null, scanning = null, scanned = 0;
 let told = ''; // the end of what was said outside of the screen
 const seen = new Map();
 
+// A file changes: at once, but not more often than REST, for a session is written with every key.
+function changed() {
+	if (scanning !== null) return;
+	const left = scanned + REST - performance.now();
+	if (left <= 0) scan();
+	else scanning = setTimeout(scan, left);
+}
+
 // Files that are new or others than before go to the page.
 function scan() {
+	clearTimeout(scanning);
 	scanning = null;
+	scanned = performance.now();
 	const FS = made.FS;
 	const look = (folder, kept) => {
 		if (!FS.analyzePath(folder).exists) return;
@@ -53,7 +64,7 @@ function ended(status, why) {
 
 function start(message) {
 	host = new Host((bytes) => postMessage({out: bytes}, [bytes.buffer]),
-		() => { if (scanning === null) scanning = setTimeout(scan, 200); },
+		changed,
 		(error) => ended(134, String(error)));
 	host.columns = message.columns;
 	host.rows = message.rows;
@@ -95,4 +106,5 @@ onmessage = ({data}) => {
 	else if (data.put) put(HERE, [data.put]);
 	else if (data.interrupt) host.interrupt();
 	else if (data.leave) host.hang_up();
+	else if (data.look && made) scan(); // the page may be taken away at any moment
 };
