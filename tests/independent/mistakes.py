@@ -17,7 +17,7 @@ import golden
 
 
 class WrongBar(bar.Bar):
-    """USF, hat, FLIP and lumped masses, each stage as bar.py has it but for the mistake."""
+    """Lumped masses, each stage as bar.py has it but for the mistake."""
 
     def __init__(self, mistake, n, A, **given):
         super().__init__(modes=((n, A),), **given)
@@ -28,17 +28,26 @@ class WrongBar(bar.Bar):
             self.v = A * np.sin(n * np.pi / self.L * self.x)
         elif mistake == "mass_of_cell":
             self.m = np.full(len(self.x), self.rho0 * self.dx)
-        elif mistake == "strain_last":
-            self.algorithm = "usl"
-        elif mistake == "pic":
-            self.transfer = "pic"
+        elif mistake in ("gimp_whole_length", "gimp_half_of_half"):
+            self.half *= 2 if mistake == "gimp_whole_length" else 0.5
+        self.home, self.rho_before = np.floor(self.x / self.dx), self.rho
 
     def shapes(self):
         super().shapes()
+        if self.mistake == "cells_kept":  # both hats of the first cell, as straight lines
+            s = (self.x - self.xmin) / self.dx - (self.home - self.xmin / self.dx)
+            here = (self.node[None, :] - self.xmin) / self.dx - (self.home - self.xmin / self.dx)[:, None]
+            left, right = abs(here) < 1e-9, abs(here - 1) < 1e-9
+            self.N = left * (1 - s)[:, None] + right * s[:, None]
+            self.dN = (right * 1.0 - left) / self.dx
+        self.right_dN = self.dN
         if self.mistake == "gradient_without_h":
             self.dN = self.dN * self.dx
+        elif self.mistake == "natural_slope":
+            self.dN = self.dN * self.dx / 2
         if self.mistake == "fix_next_node":
-            self.free[:2] = True, False
+            ends = np.flatnonzero(~self.free)  # of the left end alone
+            self.free[ends], self.free[ends[-1] + 1] = True, False
 
     def velocity_of(self, p):
         """Of every node, also of one that should be held and was forgotten."""
@@ -51,13 +60,20 @@ class WrongBar(bar.Bar):
 
     def fix(self):
         held = self.free.copy()
-        if self.mistake in ("no_fix_momentum", "fix_after_strain"):
+        again = self.stage == "map_again"
+        if self.mistake in ("no_fix_momentum", "fix_after_strain", "fix_at_end") and not again:
+            self.free[:] = True
+        if self.mistake == "no_second_fix" and again:
             self.free[:] = True
         super().fix()
         self.free = held
 
+    def gradient(self, u):
+        return super().gradient(u) * (self.dx / 2 if self.mistake == "natural_slope_in_strain" else 1)
+
     def strain(self):
         old = self.stress, self.rho
+        self.rho_before = self.rho
         super().strain()
         de = (self.stress - old[0]) / self.E
         if self.mistake in ("strain_without_dt", "stress_not_added", "density_kept", "density_inverted"):
@@ -83,34 +99,62 @@ class WrongBar(bar.Bar):
             volume = volume * round(1 / (2 * self.half))
         elif self.mistake == "mass_for_volume":
             volume = self.m
+        elif self.mistake == "volume_late":
+            volume = self.m / self.rho_before
         elif self.mistake == "volume_kept":
             volume = self.m / self.rho0
         elif self.mistake == "no_volume":
             volume = 1
+        if self.mistake == "stress_of_next":
+            stress = np.append(stress[1:], stress[-1])
         self.f = (1 if self.mistake == "force_sign" else -1) * (self.dN.T @ (stress * volume))
+        if self.mistake == "natural_slope_in_force":
+            self.f = self.f * self.dx / 2
         if self.mistake == "half_first_kick" and not self.made:
             self.f = self.f / 2
-        if self.mistake != "no_fix_force":
+        if self.mistake not in ("no_fix_force", "held_acceleration", "fix_at_end"):
             self.f[~self.free] = 0
         self.a, self.u_before = self.velocity_of(self.f), self.velocity_of(self.p)
+
+    def integrate(self):
+        super().integrate()
+        if self.mistake in ("held_acceleration", "fix_at_end"):
+            self.p[~self.free] = 0
+            self.new = self.velocity_of(self.p)
+            self.u = self.u if self.algorithm == "usf" else self.new
 
     def update(self):
         before = self.v
         super().update()
+        if self.transfer == "apic" and self.shape == "hat":  # by the right slopes, whatever strains
+            u, (first, last) = self.new.copy(), np.flatnonzero(self.active)[[0, -1]]
+            u[:first], u[last + 1:] = u[first], u[last]
+            self.C = self.right_dN @ u
+            if self.mistake in ("affine_of_bspline", "affine_undivided"):
+                self.C = (self.N * self.arm) @ u * (4 / self.dx ** 2 if self.mistake == "affine_of_bspline" else 1)
         if self.mistake == "x_by_own_velocity":
             self.moved = self.x + self.dt * self.v
         elif self.mistake == "x_by_old_node_velocity":
             self.moved = self.x + self.dt * (self.N @ self.u_before)
+        elif self.mistake == "x_by_half_step":
+            self.moved = self.x + self.dt * (self.N @ (self.u_before + self.new)) / 2
         elif self.mistake == "moved_weights":
-            there = bar.hat((self.moved[:, None] - self.node) / self.dx)[0]
-            self.v = before + self.dt * (there @ self.a)
+            there = bar.hat if self.shape == "hat" else lambda r: bar.hat_mean(r, self.half)
+            self.v = before + self.dt * (there((self.moved[:, None] - self.node) / self.dx)[0] @ self.a)
 
     def step(self):
-        super().step()
+        for self.stage in bar.STAGES[self.algorithm].split():
+            getattr(self, self.stage)()
+            if self.mistake == "x_by_mapped_velocity" and self.stage == "map_again":
+                self.moved = self.x + self.dt * (self.N @ self.u)
         self.made += 1
 
     def told(self):
-        return {"v_cm": self.v.mean(), "kinetic": (self.m * self.v ** 2).sum() / 2}
+        kinetic = (self.m * self.v ** 2).sum() / 2
+        if self.transfer == "apic" and self.mistake != "plain_kinetic":
+            self.shapes()
+            kinetic += (self.m * (self.N * self.arm ** 2).sum(1) * self.C ** 2).sum() / 2
+        return {"v_cm": self.v.mean(), "kinetic": kinetic}
 
 
 class WrongBody(bonds.Body):
@@ -195,7 +239,8 @@ def code_of(given, mistake):
         L, E, rho, dx, courant = number("bar.length", "bar.youngs_modulus", "bar.density", "mesh.cell_size",
                                         "time.courant")
         return WrongBar(mistake, int(given["initial.mode"]), float(given["initial.velocity"]), L=L, E=E, rho=rho, dx=dx,
-                        P=int(given["mesh.particles_per_cell"]), courant=courant)
+                        P=int(given["mesh.particles_per_cell"]), courant=courant,
+                        **{key: given[f"mpm.{key}"] for key in ("algorithm", "shape", "transfer") if f"mpm.{key}" in given})
     kind = type("WrongBeam", (WrongBody,), {"mistake": mistake})
     beams.Body, right = kind, beams.Body
     E, rho, thickness, dt = number("beam.youngs_modulus", "beam.density", "beam.thickness", "time.step")
@@ -216,7 +261,7 @@ def compare(name, case):
     for mistake, expected in rows.items():
         told, code, step = golden.Comparison(f"mistakes.txt {name} {mistake}"), code_of(given, mistake), 0
         share = 1e-11 if isinstance(code, bar.Bar) else 1e-9
-        for at, position in zip(steps, range(len(steps))):
+        for at, position in zip(steps, range(max(len(digits) for digits in expected.values()))):
             while step < at:
                 code.step()
                 step += 1

@@ -68,7 +68,8 @@ START_TEST(a_choice_is_right_for_whom_it_is_drawn)
         "@title x\n@page y\n@do open mode5\n@variant mpm.mistake from keep_grid, pic, force_sign\nIt is "
         "{mpm.mistake}.\n"
         "@ask a\n@right b, if you like if mpm.mistake is pic, keep_grid\n@choice no\n"
-        "@right c if mpm.mistake is force_sign\n@page z\n@variant mpm.mistake from strain_last, pic\n";
+        "@right c if mpm.mistake is force_sign\n@page z\n@variant mpm.mistake from density_kept, "
+        "volume_kept\n";
     static const char *const names[] = {"Ada", "Bob", "Cyd", "Dan", "Eve", "Fay", "Gus", "Hal", "Ida", "Jim"};
     int right[3] = {0, 0, 0};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
@@ -81,7 +82,7 @@ START_TEST(a_choice_is_right_for_whom_it_is_drawn)
         ck_assert_str_eq(page->first.text, "It is ?.");
         ck_assert_str_eq(page->choices[0], "b, if you like");
         ck_assert_int_eq(page->right, strcmp(set, "set mpm.mistake ?force_sign") == 0 ? 2 : 0);
-        ck_assert(strncmp(set, "set mpm.mistake ?", 17) == 0 && !strstr(set, "strain_last"));
+        ck_assert(strncmp(set, "set mpm.mistake ?", 17) == 0 && !strstr(set, "density_kept"));
         right[strstr(set, "force_sign") ? 2 : strstr(set, "keep_grid") ? 1 : 0]++;
         lesson_free(&lesson);
     }

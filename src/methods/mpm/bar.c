@@ -16,18 +16,6 @@ static double blend_of(const BarDef *def, double mass_blend)
                              : mass_blend;
 }
 
-/* Another scheme that is taken for this one is run as that. */
-static void take_mistake(Mpm *mpm, int mistake)
-{
-    MpmHead *head = mpm->head;
-    const BarMistake *row = mpm_mistake_if(mpm, mistake);
-    head->mistake = mistake;
-    if (!row)
-        return;
-    head->algorithm = row->algorithm;
-    head->flip_fraction = row->does & WRONG_OF_GRID ? 0.0 : 1.0;
-}
-
 /* How momentum is transferred: the values that the run would have then, if they fit each other. C of APIC
  * begins at 0 where the transfer is changed: there is no slope to begin with. */
 static bool change_method(Mpm *mpm, const char *key, double value, Status *status)
@@ -40,8 +28,6 @@ static bool change_method(Mpm *mpm, const char *key, double value, Status *statu
     def.mass_blend = head->mass_blend;
     def.fmpm_order = head->fmpm_order;
     def.mistake = head->mistake;
-    if (def.mistake != 0) /* one is made of these */
-        def.algorithm = MPM_USF, def.flip_fraction = 1.0;
     bool algorithm = strcmp(key, "mpm.algorithm") == 0, transfer = strcmp(key, "mpm.transfer") == 0;
     if (algorithm || transfer) {
         int last = algorithm ? MPM_MUSL : MPM_FMPM;
@@ -76,13 +62,14 @@ static bool change_method(Mpm *mpm, const char *key, double value, Status *statu
     if (def.mistake != head->mistake) {
         memset(mpm->kept_mass, 0, (size_t)mpm->n_nodes * sizeof(double));
         memset(mpm->kept_momentum, 0, (size_t)mpm->n_nodes * sizeof(double));
+        memcpy(mpm->kept_volume, mpm->volume, (size_t)mpm->n_particles * sizeof(double));
     }
     if (def.transfer != head->transfer)
         memset(mpm->affine, 0, (size_t)mpm->n_particles * sizeof(double));
     head->algorithm = def.algorithm;
     head->transfer = def.transfer;
     head->flip_fraction = def.flip_fraction;
-    take_mistake(mpm, def.mistake);
+    head->mistake = def.mistake;
     head->mass_blend = blend_of(&def, def.mass_blend);
     head->fmpm_order = def.fmpm_order;
     mpm_take_schedule(mpm);
@@ -142,6 +129,7 @@ static void derive(Mpm *mpm)
     bool left = def->supports == BAR_FIXED_FREE || def->supports == BAR_FIXED_FIXED;
     bool right = def->supports == BAR_FREE_FIXED || def->supports == BAR_FIXED_FIXED;
     const int P = def->particles_per_cell, places = (int)round(def->length / def->cell_size);
+    const BarMistake *mistake = mpm_mistake_if(mpm, def->mistake);
     mpm->dim = 1;
     mpm->shape = def->shape;
     mpm->n_particles = places * P;
@@ -153,7 +141,8 @@ static void derive(Mpm *mpm)
     mpm->n_nodes = mpm->gx = mpm->cells + mpm->support - 1 + (def->shape == MPM_GIMP);
     mpm->fixed_left = left ? 1 + ghosts : 0;
     mpm->fixed_right = right ? 1 + ghosts : 0;
-    mpm->half = 0.5 / P;
+    mpm->stays = mistake && (mistake->does & WRONG_STAYS_IN_CELL);
+    mpm->half = 0.5 / P * (mistake && mistake->box > 0 ? mistake->box : 1);
     mpm->edge = def->shape == MPM_GIMP ? 1.0 - mpm->half : 0.0;
     mpm->low[0] = mpm->edge;
     mpm->high[0] = mpm->cells + mpm->edge;
@@ -172,7 +161,6 @@ static void derive(Mpm *mpm)
         lightest = fmin(lightest, def->joint_density);
     }
     mpm->dt = def->courant * mpm->dx / speed;
-    const BarMistake *mistake = mpm_mistake_if(mpm, def->mistake);
     if (mistake && (mistake->does & WRONG_MASS_OF_CELL))
         mpm->mass[0] = def->density * mpm->dx;
     mpm->floor = 1e-12 * lightest * mpm->dx;
@@ -219,8 +207,8 @@ static bool begin(Mpm *mpm, Status *status)
                            .body_force = def->body_force,
                            .traction = def->traction,
                            .mass_blend = blend_of(def, def->mass_blend),
-                           .fmpm_order = def->fmpm_order};
-    take_mistake(mpm, def->mistake);
+                           .fmpm_order = def->fmpm_order,
+                           .mistake = def->mistake};
     for (int k = 0; k < mpm->n_chunks; k++) { /* even ones first: engine.h */
         const int even = (mpm->n_chunks + 1) / 2, which = k < even ? 2 * k : 2 * (k - even) + 1;
         const int first = which * CHUNK, rest = mpm->n_particles - first;
@@ -233,7 +221,7 @@ static bool begin(Mpm *mpm, Status *status)
         const double x = at_centres ? (p / P + 0.5) * mpm->dx : mpm_rest(mpm, 0, p);
         mpm->rest[0][p] = p / P + (mpm->origin + mpm->edge + (p % P + 0.5 + def->offset) / P);
         mpm->v[0][p] = def->initial_velocity ? def->initial_velocity(x, def->initial_context) : 0.0;
-        mpm->volume[p] = mpm->mass[0] / def->density;
+        mpm->volume[p] = mpm->kept_volume[p] = mpm->mass[0] / def->density;
         if (def->transfer == MPM_APIC && def->initial_slope)
             mpm->affine[p] = def->initial_slope(x, def->initial_context);
         if (!isfinite(mpm->v[0][p]))

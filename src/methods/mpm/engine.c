@@ -10,7 +10,7 @@
 size_t mpm_lasting_bytes(const Mpm *mpm, const MpmHead *head)
 {
     const BarMistake *mistake = mpm_mistake_if(mpm, head->mistake);
-    if (mistake && (mistake->does & WRONG_KEEPS_GRID))
+    if (mistake && (mistake->does & (WRONG_KEEPS_GRID | WRONG_VOLUME_LATE)))
         return mpm->bytes_kept;
     return head->transfer == MPM_APIC ? mpm->bytes_apic : mpm->bytes_flip;
 }

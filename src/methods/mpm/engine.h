@@ -81,7 +81,7 @@ typedef struct MpmHead {
     double flip_fraction, body_force, traction;
     double mass_blend; /* mu, never 0 */
     int fmpm_order;
-    int mistake;     /* 0: none; the algorithm and the FLIP fraction above are those that it makes */
+    int mistake;     /* 0: none */
     double work;     /* of the external force so far */
     double moment;   /* sum m u before the last step, along a line: for x_cm_rate */
     double friction; /* energy that friction of bodies has taken so far */
@@ -131,6 +131,7 @@ typedef struct Mpm {
 
     /* model: constant */
     BarDef bar;
+    bool stays;              /* particles keep the nodes of their first cell (mistakes.h) */
     struct BarMistake *both; /* what a code does that is wrong in two places; NULL: in one at most */
     int dim;
     MpmShape shape;
@@ -178,9 +179,10 @@ typedef struct Mpm {
            kept grid, the places, everything */
     MpmHead *head;
     double *u[MPM_AXES], *v[MPM_AXES], *stress[MPM_STRESSES], *volume;
-    uint8_t *crossed;                  /* 1: has entered another cell once; 2: in this step */
-    double *affine;                    /* C of APIC */
-    double *kept_mass, *kept_momentum; /* of nodes that nobody empties (mistakes.h) */
+    uint8_t *crossed; /* 1: has entered another cell once; 2: in this step */
+    double *affine;   /* C of APIC */
+    /* of wrong codes (mistakes.h): nodes that nobody empties, the volume before the newest strain */
+    double *kept_mass, *kept_momentum, *kept_volume;
     int32_t *base;
     double *s[MPM_AXES];
     double *domain;              /* half a CPDI particle's length over dx */
@@ -236,7 +238,7 @@ MPM_INLINE bool mpm_find(const Mpm *mpm, const int dim, double inverse, double s
     for (int axis = 0; axis < dim; axis++) {
         const double r = mpm->rest[axis][p] + (mpm->u[axis][p] * inverse - (axis == 0 ? shift : 0.0));
         const bool within = r >= mpm->low[axis] && r < mpm->high[axis];
-        node[axis] = within ? (int)r : 0;
+        node[axis] = within ? (int)(dim == 1 && mpm->stays ? mpm->rest[axis][p] : r) : 0;
         s[axis] = r - node[axis];
         inside = inside && within;
     }

@@ -92,8 +92,9 @@ static bool at_hand(const Mpm *mpm, MpmExchange exchange)
     case TAKE_STRAIN:
         return strained;
     case TAKE_VELOCITY:
-    case TAKE_PLACE:
         return updated;
+    case TAKE_PLACE:
+        return mpm_has_done(mpm, mpm_moves_by(mpm) == MOVES_WITH_MAPPED ? OP_MAP_AGAIN : OP_UPDATE);
     case BAR_EXCHANGES:
         break;
     }
@@ -130,12 +131,12 @@ static double blended_gain(const Mpm *mpm, const double n[], int base, int parti
 /* N of a particle at its node, by which it takes its velocity. */
 static double kick_weight(const Mpm *mpm, int particle, int node, double weight)
 {
-    double n[2];
+    double n[SHAPE_SUPPORT_MAX];
     int base;
     if (!mpm_mistake(mpm))
         return weight;
     mpm_kick_weights(mpm, particle, &base, n);
-    return node == base || node == base + 1 ? n[node - base] : 0.0;
+    return node >= base && node < base + mpm->support ? n[node - base] : 0.0;
 }
 
 /* The factors of one term, in the order of the exchange's words. 0: not at hand, or the node is none of the
@@ -169,7 +170,8 @@ int mpm_exchange(const Simulation *sim, int exchange, size_t from, size_t to,
                               n[a]);
     case GIVE_F_INT:
         if (mpm_mistake(mpm))
-            return exchange_three(factors, copysign(mpm_slope_scale(mpm), mpm_force_share(mpm)) * dn[a],
+            return exchange_three(factors,
+                                  copysign(mpm_slope_scale(mpm, OP_FORCE), mpm_force_share(mpm)) * dn[a],
                                   mpm_force_stress(mpm, particle), mpm_force_volume(mpm, particle));
         return exchange_three(factors, -dn[a] / mpm->dx, mpm->stress[0][particle], mpm->volume[particle]);
     case GIVE_F_EXT:
@@ -177,7 +179,8 @@ int mpm_exchange(const Simulation *sim, int exchange, size_t from, size_t to,
     case TAKE_STRAIN:
         mpm_line_velocities(mpm->shape, mpm->velocity[0], mpm->inverse, base, v);
         if (mpm_mistake(mpm))
-            return exchange_three(factors, mpm_strain_span(mpm), mpm_slope_scale(mpm) * dn[a], v[a]);
+            return exchange_three(factors, mpm_strain_span(mpm), mpm_slope_scale(mpm, OP_STRAIN) * dn[a],
+                                  v[a]);
         return exchange_three(factors, mpm->dt, dn[a] / mpm->dx, v[a]);
     case TAKE_VELOCITY:
         if (mpm->head->transfer != MPM_FLIP || mpm->head->flip_fraction == 0.0)

@@ -173,7 +173,8 @@ static void map_particle(const Subject *subject)
 static void map_again_node(const Subject *subject)
 {
     write_momentum(subject, GIVE_MOMENTUM_AGAIN);
-    if (mpm_held(mpm_of_const(subject->sim), subject->sim->step, subject->index))
+    const Mpm *mpm = mpm_of_const(subject->sim);
+    if (mpm_held(mpm, subject->sim->step, subject->index) && !mpm_does(mpm, WRONG_NO_SECOND_FIX))
         calculation_write(subject->calculation, "the node is fixed: p%d = 0\n", subject->index);
 }
 
@@ -406,6 +407,10 @@ static void write_slope(const Subject *subject)
     const Mpm *mpm = mpm_of_const(subject->sim);
     const int p = subject->index;
     const bool hat = mpm->shape == MPM_HAT;
+    if (mpm_mistake(mpm) && mpm_mistake(mpm)->affine) {
+        calculation_value(subject->calculation, "C = ", mpm->affine[p]);
+        return;
+    }
     CalculationSum sum = {.label = hat ? "C = Σ N′ v = " : "C = Σ N v d / Σ N d² = ",
                           .result = mpm->affine[p]};
     double v[SHAPE_SUPPORT_MAX];
@@ -429,10 +434,10 @@ static void write_slope(const Subject *subject)
 static double write_kicks(const Subject *subject, CalculationSum *sum)
 {
     const Mpm *mpm = mpm_of_const(subject->sim);
-    double n[2], kick = 0;
+    double n[SHAPE_SUPPORT_MAX], kick = 0;
     int cell;
     mpm_kick_weights(mpm, subject->index, &cell, n);
-    for (int a = 0; a < 2; a++) {
+    for (int a = 0; a < mpm->support; a++) {
         kick += n[a] * mpm->kick[0][cell + a];
         calculation_add(sum, 2, n[a], mpm->kick[0][cell + a] / mpm->dt, 0);
     }
@@ -456,15 +461,17 @@ static void write_velocity(const Subject *subject)
     double kick = 0;
     if (mpm_mistake(mpm))
         kick = write_kicks(subject, &flip);
-    for (size_t i = 0; i < subject->n_links && !mpm_mistake(mpm); i++) {
+    for (size_t i = 0; i < subject->n_links; i++) {
         const Link *link = &subject->links[i];
         const int node = (int)link->index;
         if (link->weight == 0.0)
             continue;
-        kick += link->weight * mpm->kick[0][node];
         mean.result += link->weight * mpm->carry[0][node];
-        calculation_add(&flip, 2, link->weight, mpm->kick[0][node] / mpm->dt, 0);
         calculation_add(&mean, 2, link->weight, mpm->carry[0][node], 0);
+        if (mpm_mistake(mpm))
+            continue;
+        kick += link->weight * mpm->kick[0][node];
+        calculation_add(&flip, 2, link->weight, mpm->kick[0][node] / mpm->dt, 0);
     }
     flip.result = alpha == 1.0 ? now : (now - (1.0 - alpha) * mean.result) / alpha;
     flip.base = flip.result - kick;

@@ -110,7 +110,7 @@ static double strain_increment(const Mpm *mpm, int p)
     mpm_line_velocities(mpm->shape, mpm->velocity[0], mpm->inverse, mpm->base[p], v);
     for (int a = 0; a < mpm->support; a++)
         gradient += w.dn[0][a] * v[a];
-    return mpm_strain_span(mpm) * mpm_slope_scale(mpm) * gradient;
+    return mpm_strain_span(mpm) * mpm_slope_scale(mpm, OP_STRAIN) * gradient;
 }
 
 /* The value of one particle's field. The place in the cell of a moved particle counts from its old cell until

@@ -43,6 +43,30 @@ static double thickened(double volume, double stretch)
     return volume / stretch;
 }
 
+/* Sum N v d in units of dx^2/s, d = x_i - x. */
+static double first_moment(const Mpm *mpm, const MpmWeights *w, int particle)
+{
+    double v[SHAPE_SUPPORT_MAX], sum = 0.0;
+    const int base = mpm->base[particle];
+    mpm_line_velocities(mpm->shape, mpm->carry[0], mpm->inverse, base, v);
+    for (int a = 0; a < mpm->support; a++)
+        sum += w->n[0][a] * v[a] *
+               (shape_node_offset(mpm->shape, mpm_half(mpm, particle), mpm->cells, base, a) -
+                mpm->s[0][particle]);
+    return sum;
+}
+
+/* As if D were dx^2/4, which is that of quadratic B-splines. */
+static double affine_of_bspline(const Mpm *mpm, const MpmWeights *w, int particle)
+{
+    return 4.0 * first_moment(mpm, w, particle) / mpm->dx;
+}
+
+static double affine_undivided(const Mpm *mpm, const MpmWeights *w, int particle)
+{
+    return first_moment(mpm, w, particle) * mpm->dx;
+}
+
 static const BarMistake mistakes[] = {
 #define MISTAKE(name, op, words, line, plain, ...)                                                           \
     {.id = name, .sentence = words, .stage = op, .equation = line, .ascii = plain, __VA_ARGS__},
@@ -74,10 +98,12 @@ static bool join(int one, int other, int *out)
 bool bar_mistakes_join(int one, int other, BarMistake *out)
 {
     const BarMistake *a = mistake_of(one), *b = mistake_of(other);
-    int holds, moves, algorithm;
+    int holds, moves;
     if (!a || !b || a == b || (a->thinned && b->thinned) || (a->volume && b->volume) ||
-        !join((int)a->holds, (int)b->holds, &holds) || !join((int)a->moves, (int)b->moves, &moves) ||
-        !join((int)a->algorithm, (int)b->algorithm, &algorithm))
+        (a->box > 0 && b->box > 0) || (a->affine && b->affine) ||
+        (fmax(a->slope_of_strain, a->slope_of_force) > 0 &&
+         fmax(b->slope_of_strain, b->slope_of_force) > 0) ||
+        !join((int)a->holds, (int)b->holds, &holds) || !join((int)a->moves, (int)b->moves, &moves))
         return false;
     *out = *a;
     if (!out->also_equation && b->stage != a->stage) {
@@ -86,12 +112,16 @@ bool bar_mistakes_join(int one, int other, BarMistake *out)
         out->also_ascii = b->ascii;
     }
     out->does = a->does | b->does;
+    out->only = a->only | b->only;
     out->holds = (BarHolds)holds;
     out->thinned = a->thinned ? a->thinned : b->thinned;
     out->volume = a->volume ? a->volume : b->volume;
     out->first_kick = fmax(a->first_kick, b->first_kick);
     out->moves = (BarMoves)moves;
-    out->algorithm = (MpmAlgorithm)algorithm;
+    out->slope_of_strain = fmax(a->slope_of_strain, b->slope_of_strain);
+    out->slope_of_force = fmax(a->slope_of_force, b->slope_of_force);
+    out->box = fmax(a->box, b->box);
+    out->affine = a->affine ? a->affine : b->affine;
     return true;
 }
 
@@ -138,17 +168,22 @@ bool bar_mistake_check(const BarDef *def, Status *status)
         return status_refuse(status, "mpm.mistake: these two are no two mistakes");
     if (def->mistake == 0)
         return true;
-    const BarMistake *row = mistake_of(def->mistake);
+    const BarMistake *row = def->mistake_beside != 0 ? &both : mistake_of(def->mistake);
     if (!row)
         return status_refuse(status, "mpm.mistake: %d is no choice (0 to %d)", def->mistake, MISTAKES);
-    const char *other = def->algorithm != MPM_USF   ? "mpm.algorithm = usf"
-                        : def->shape != MPM_HAT     ? "mpm.shape = hat"
-                        : def->transfer != MPM_FLIP ? "mpm.transfer = flip"
-                        : def->flip_fraction != 1.0 ? "mpm.flip_fraction = 1"
-                        : def->mass_blend != 1.0    ? "mpm.mass_blend = 1"
-                        : def->joint > 0.0          ? "bar2.joint = 0"
-                        : def->forces               ? "the forces of [load]"
-                                                    : NULL;
+    const unsigned only = row->only;
+    const char *other = (only & ONLY_USF) && def->algorithm != MPM_USF     ? "mpm.algorithm = usf"
+                        : (only & ONLY_MUSL) && def->algorithm != MPM_MUSL ? "mpm.algorithm = musl"
+                        : (only & ONLY_HAT) && def->shape != MPM_HAT       ? "mpm.shape = hat"
+                        : (only & ONLY_GIMP) && def->shape != MPM_GIMP     ? "mpm.shape = gimp"
+                        : (only & ONLY_FLIP) && def->transfer != MPM_FLIP  ? "mpm.transfer = flip"
+                        : (only & ONLY_APIC) && def->transfer != MPM_APIC  ? "mpm.transfer = apic"
+                        : def->transfer == MPM_FMPM                        ? "mpm.transfer = flip or apic"
+                        : row->box > 1 && def->particles_per_cell < 2 ? "mesh.particles_per_cell of 2 or more"
+                        : def->mass_blend != 1.0                      ? "mpm.mass_blend = 1"
+                        : def->joint > 0.0                            ? "bar2.joint = 0"
+                        : def->forces                                 ? "the forces of [load]"
+                                                                      : NULL;
     return !other || status_refuse(status, "mpm.mistake: %s is defined for %s only",
                                    def->conceals_mistake ? "?" : row->id, other);
 }
@@ -160,16 +195,21 @@ double mpm_strain_span(const Mpm *mpm)
     return mpm_does(mpm, WRONG_NO_SPAN) ? 1.0 : mpm->dt;
 }
 
-double mpm_slope_scale(const Mpm *mpm)
+double mpm_slope_scale(const Mpm *mpm, MpmOp op)
 {
-    return mpm_does(mpm, WRONG_NO_SPACING) ? 1.0 : 1.0 / mpm->dx;
+    const BarMistake *mistake = mpm_mistake(mpm);
+    const double wrong = !mistake          ? 0.0
+                         : op == OP_STRAIN ? mistake->slope_of_strain
+                                           : mistake->slope_of_force;
+    return wrong > 0.0 ? wrong : 1.0 / mpm->dx;
 }
 
 double mpm_force_volume(const Mpm *mpm, int particle)
 {
     ASSERT_INDEX(particle, mpm->n_particles);
     const BarMistake *mistake = mpm_mistake(mpm);
-    const double volume = mpm->volume[particle];
+    const double volume =
+        mpm_does(mpm, WRONG_VOLUME_LATE) ? mpm->kept_volume[particle] : mpm->volume[particle];
     return mistake && mistake->volume ? mistake->volume(mpm, particle, volume) : volume;
 }
 
@@ -199,9 +239,12 @@ BarMoves mpm_moves_by(const Mpm *mpm)
 double mpm_moving_velocity(const Mpm *mpm, int particle, int node)
 {
     const BarMoves moves = mpm_moves_by(mpm);
+    const double kick = mpm->kick[0][node], carry = mpm->carry[0][node];
     return moves == MOVES_BY_ITSELF        ? mpm->v[0][particle]
-           : moves == MOVES_WITH_OLD_NODES ? mpm->velocity[0][node]
-                                           : mpm->carry[0][node];
+           : moves == MOVES_WITH_OLD_NODES ? carry - kick
+           : moves == MOVES_WITH_MEAN      ? carry - 0.5 * kick
+           : moves == MOVES_WITH_MAPPED    ? mpm->velocity[0][node]
+                                           : carry;
 }
 
 /* The stress before this step's strain is the one after it less E de: the nodes still have the velocities
@@ -210,31 +253,47 @@ double mpm_force_stress(const Mpm *mpm, int particle)
 {
     MpmWeights w;
     double v[SHAPE_SUPPORT_MAX];
-    const int base = mpm->base[particle];
+    if (mpm_does(mpm, WRONG_STRESS_OF_NEXT) && particle + 1 < mpm->n_particles)
+        particle++;
     if (!mpm_does(mpm, WRONG_STRESS_BEFORE))
         return mpm->stress[0][particle];
-    mpm_weights(mpm, 1, MPM_HAT, mpm->half, base, &mpm->s[0][particle], &w);
-    mpm_line_velocities(MPM_HAT, mpm->velocity[0], mpm->inverse, base, v);
-    const double de = mpm_strain_span(mpm) * mpm_slope_scale(mpm) * (w.dn[0][0] * v[0] + w.dn[0][1] * v[1]);
-    return mpm->stress[0][particle] - mpm_modulus(mpm, particle) * de;
+    const int base = mpm->base[particle];
+    double slope = 0.0;
+    mpm_weights(mpm, 1, mpm->shape, mpm_half(mpm, particle), base, &mpm->s[0][particle], &w);
+    mpm_line_velocities(mpm->shape, mpm->velocity[0], mpm->inverse, base, v);
+    for (int a = 0; a < mpm->support; a++)
+        slope += w.dn[0][a] * v[a];
+    return mpm->stress[0][particle] -
+           mpm_modulus(mpm, particle) * (mpm_strain_span(mpm) * mpm_slope_scale(mpm, OP_STRAIN) * slope);
 }
 
-void mpm_kick_weights(const Mpm *mpm, int particle, int *base, double n[2])
+void mpm_kick_weights(const Mpm *mpm, int particle, int *base, double n[SHAPE_SUPPORT_MAX])
 {
     *base = mpm->base[particle];
-    double s = mpm->s[0][particle], dn[2];
+    double s = mpm->s[0][particle], dn[SHAPE_SUPPORT_MAX];
     if (mpm_does(mpm, WRONG_NEW_WEIGHTS)) {
         const double r = mpm->rest[0][particle] + mpm->u[0][particle] / mpm->dx; /* perhaps beyond the mesh */
-        *base = (int)fmin(fmax(floor(r), 0.0), mpm->cells - 1.0);
+        *base = (int)fmin(fmax(floor(r), 0.0), ceil(mpm->high[0]) - 1.0);
         s = fmin(fmax(r - *base, 0.0), 1.0);
     }
-    shape_at(MPM_HAT, mpm->half, mpm->cells, *base, s, n, dn);
+    shape_at(mpm->shape, mpm_half(mpm, particle), mpm->cells, *base, s, n, dn);
 }
 
 double mpm_kick_at_new_place(const Mpm *mpm, int particle)
 {
-    double n[2];
+    double n[SHAPE_SUPPORT_MAX], sum = 0.0;
     int base;
     mpm_kick_weights(mpm, particle, &base, n);
-    return n[0] * mpm->kick[0][base] + n[1] * mpm->kick[0][base + 1];
+    for (int a = 0; a < mpm->support; a++)
+        sum += n[a] * mpm->kick[0][base + a];
+    return sum;
+}
+
+double mpm_mapped_velocity(const Mpm *mpm, int particle)
+{
+    const MpmWeights w = mpm_weights_of(mpm, particle);
+    double sum = 0.0;
+    for (int a = 0; a < mpm->support; a++)
+        sum += w.n[0][a] * mpm->velocity[0][mpm->base[particle] + a];
+    return sum;
 }

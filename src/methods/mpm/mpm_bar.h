@@ -72,8 +72,8 @@ typedef struct BarDef {
 double bar_mass_blend_auto(MpmShape shape, int particles_per_cell, double courant);
 
 /* The mistakes that such codes make, "none" first, ended by NULL; each at its index. They are defined for
- * USF, hats, FLIP and lumped masses on a bar of one material. Those of the start or of a factor cannot come
- * or go in mid-run. */
+ * lumped masses on a bar of one material, some for one algorithm, shape or transfer alone. Those of the start
+ * or of a factor cannot come or go in mid-run. */
 extern const char *const bar_mistake_words[];
 bool bar_mistake_is_of_start(int mistake);
 const char *bar_mistake_sentence(int mistake); /* what is done, in one sentence; NULL: no mistake */

@@ -15,6 +15,7 @@
  * updates of stress and density really store. */
 #include "base/assertion.h"
 #include "methods/mpm/bodies_inner.h"
+#include "methods/mpm/mistakes.h"
 #include "methods/mpm/plane_inner.h"
 
 /* sum m D C^2 / 2 with D = sum N_i d_i^2, d_i = x_i - x: the energy of APIC's affine motion. */
@@ -87,7 +88,8 @@ static Sums sum_particles(const Mpm *mpm)
         sums.kinetic += more.kinetic;
         sums.strain += more.strain;
     }
-    for (int p = 0; mpm->head->transfer == MPM_APIC && p < mpm->n_particles; p++)
+    const bool affine = mpm->head->transfer == MPM_APIC && !mpm_does(mpm, WRONG_PLAIN_KINETIC);
+    for (int p = 0; affine && p < mpm->n_particles; p++)
         sums.kinetic += affine_energy(mpm, p);
     return sums;
 }

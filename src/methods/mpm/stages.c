@@ -195,10 +195,10 @@ MPM_INLINE int strain(Mpm *mpm, const int dim, const MpmShape shape, const bool 
     const Places at = places_of(mpm);
     const BarMistake *mistake = ordinary ? NULL : mpm_mistake(mpm);
     const bool newest = !ordinary && mpm_does(mpm, WRONG_ONLY_NEWEST);
-    const double rate = mpm_strain_span(mpm) * mpm_slope_scale(mpm), of_all = mpm->modulus[0];
+    const double rate = mpm_strain_span(mpm) * mpm_slope_scale(mpm, OP_STRAIN), of_all = mpm->modulus[0];
     const double nu = mpm->plane.poisson, lambda = mpm->lambda, shear = mpm->shear;
     const double *const vx = mpm->velocity[0], *const vy = mpm->velocity[1], *const inverse = mpm->inverse;
-    double *const stress = mpm->stress[0], *const volume = mpm->volume;
+    double *const stress = mpm->stress[0], *const volume = mpm->volume, *const kept = mpm->kept_volume;
     double *const syy = mpm->stress[1], *const sxy = mpm->stress[2];
     int crushed = -1;
     for (int p = first; p < end; p++) {
@@ -226,6 +226,8 @@ MPM_INLINE int strain(Mpm *mpm, const int dim, const MpmShape shape, const bool 
             sxy[p] += shear * xy;
         } else
             stress[p] = (newest ? 0.0 : stress[p]) + (ordinary ? of_all : mpm_modulus(mpm, p)) * xx;
+        if (!ordinary && dim == 1)
+            kept[p] = volume[p];
         volume[p] = mistake && mistake->thinned ? mistake->thinned(volume[p], stretch) : volume[p] * stretch;
         if (!(stretch > 0.0) && crushed < 0)
             crushed = p;
@@ -243,7 +245,7 @@ MPM_INLINE void force(Mpm *mpm, const int dim, const MpmShape shape, const bool 
     const Places at = places_of(mpm);
     const bool loaded = dim == 1 && mpm_is_loaded(mpm);
     const ForceTerms loads = mpm_forces(mpm);
-    const double scale = mpm_force_share(mpm) * mpm_slope_scale(mpm), of_load = mpm_load_share(mpm);
+    const double scale = mpm_force_share(mpm) * mpm_slope_scale(mpm, OP_FORCE), of_load = mpm_load_share(mpm);
     const double *const stress = mpm->stress[0], *const volume = mpm->volume;
     const double *const syy = mpm->stress[1], *const sxy = mpm->stress[2];
     double *const fx = mpm->force[0], *const fy = mpm->force[1];
@@ -309,7 +311,7 @@ static void integrate(Mpm *mpm, int first, int end)
 {
     const bool lumped = mpm_is_lumped(mpm), loaded = mpm_is_loaded(mpm),
                usf = mpm->head->algorithm == MPM_USF;
-    const bool all_free = mpm_does(mpm, WRONG_HELD_YIELD);
+    const bool pulls = mpm_does(mpm, WRONG_HELD_PULL), all_free = pulls || mpm_does(mpm, WRONG_HELD_YIELD);
     const double dt = mpm->dt, *const inverse = mpm->inverse, *const load = loaded ? mpm->load : NULL;
     for (int axis = 0; axis < mpm->dim; axis++) {
         const double speed = axis == 0 ? mpm->speed : 0.0, *const free = mpm->free[axis];
@@ -320,7 +322,7 @@ static void integrate(Mpm *mpm, int first, int end)
         for (int i = first; i < end; i++) {
             const double f = load ? force[i] + load[i] : force[i];
             const double impulse = dt * (all_free ? f : f * free[i]);
-            const double after = momentum[i] + impulse;
+            const double sum = momentum[i] + impulse, after = pulls ? sum * free[i] : sum;
             momentum[i] = after;
             if (lumped)
                 kick[i] = impulse * inverse[i];
@@ -352,6 +354,9 @@ MPM_INLINE double slope_of(const Mpm *mpm, const MpmShape shape, int p, const Mp
         slope += shape == MPM_HAT ? w->dn[0][a] * v[a] : w->n[0][a] * v[a] * arm;
         spread += w->n[0][a] * (arm * arm);
     }
+    const BarMistake *mistake = mpm_mistake(mpm);
+    if (mistake && mistake->affine)
+        return mistake->affine(mpm, w, p);
     if (shape == MPM_HAT)
         return slope / mpm->dx;
     return spread > 0.0 ? slope / spread / mpm->dx : 0.0;
@@ -373,6 +378,7 @@ MPM_INLINE void update(Mpm *mpm, const int dim, const MpmShape shape, const bool
     const double alpha = ordinary ? 1.0 : mpm->head->flip_fraction, dt = mpm->dt;
     const MpmTransfer transfer = ordinary ? MPM_FLIP : mpm->head->transfer;
     const BarMoves moves = ordinary ? MOVES_WITH_NODES : mpm_moves_by(mpm);
+    const bool as_nodes = moves == MOVES_WITH_NODES || moves == MOVES_BY_ITSELF;
     const bool new_weights = !ordinary && mpm_does(mpm, WRONG_NEW_WEIGHTS);
     double *const us[MPM_AXES] = {mpm->u[0], mpm->u[1]}, *const vs[MPM_AXES] = {mpm->v[0], mpm->v[1]};
     const double *const kick[MPM_AXES] = {mpm->kick[0], mpm->kick[1]};
@@ -380,7 +386,7 @@ MPM_INLINE void update(Mpm *mpm, const int dim, const MpmShape shape, const bool
     for (int p = first; p < end; p++) {
         const MpmWeights w = weights_at(&at, dim, shape, p);
         const int base = at.base[p];
-        double dv[MPM_AXES] = {0}, now[MPM_AXES] = {0}, before = 0.0;
+        double dv[MPM_AXES] = {0}, now[MPM_AXES] = {0}, other = 0.0;
         EACH_NODE(dim, shape)
         {
             const int i = NODE_OF(at, dim, base);
@@ -388,15 +394,16 @@ MPM_INLINE void update(Mpm *mpm, const int dim, const MpmShape shape, const bool
                 dv[axis] += N_OF(w, dim) * kick[axis][i];
                 now[axis] += N_OF(w, dim) * carry[axis][i];
             }
-            if (moves == MOVES_WITH_OLD_NODES)
-                before += N_OF(w, dim) * mpm->velocity[0][i];
+            if (!as_nodes)
+                other += N_OF(w, dim) * mpm_moving_velocity(mpm, p, i);
         }
         if (transfer == MPM_APIC)
             mpm->affine[p] = slope_of(mpm, shape, p, &w);
         for (int axis = 0; axis < dim; axis++) {
             const double v = vs[axis][p], u = us[axis][p];
             const double mean = transfer == MPM_FMPM ? 0.5 * (v + now[axis]) : now[axis];
-            us[axis][p] = u + dt * (moves == MOVES_WITH_OLD_NODES ? before : mean);
+            if (moves != MOVES_WITH_MAPPED)
+                us[axis][p] = u + dt * (as_nodes ? mean : other);
             if (new_weights)
                 dv[axis] = mpm_kick_at_new_place(mpm, p);
             vs[axis][p] = transfer != MPM_FLIP ? now[axis]
@@ -538,7 +545,9 @@ bool mpm_end_stage(Mpm *mpm, MpmOp op, Status *status)
     case OP_MAP_AGAIN:
         if (mpm->dim == 2)
             return true; /* supports have a stage of their own */
-        fix(mpm, true, 0, mpm->n_nodes);
+        fix(mpm, !mpm_does(mpm, WRONG_NO_SECOND_FIX), 0, mpm->n_nodes);
+        for (int p = 0; mpm_moves_by(mpm) == MOVES_WITH_MAPPED && p < mpm->n_particles; p++)
+            mpm->u[0][p] += mpm->dt * mpm_mapped_velocity(mpm, p);
         break;
     case OP_FIX:
         break;
