@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Where panes lie on the plain sheet: one large picture, above it the strip of particles, below it what is
- * asked, the number that the scenario is about and the parameters that it asks about. Beside a lesson the
- * text and the picture; in the middle of a step, where a run has failed, and for a user who has asked what is
- * wrong with a code of his own, the box that tells of it. */
+/* Where panes lie on the plain sheet: in one column below 80 columns; else one large picture, above it the
+ * strip of particles, below it what is asked, the number that the scenario is about and the parameters that
+ * it asks about. Beside a lesson the text and the picture; in the middle of a step, where a run has failed,
+ * and for a user who has asked what is wrong with a code of his own, the box that tells of it. */
 #include "panes/panes.h"
 #include "views/view.h"
 #include "lessons/lesson_shown.h"
@@ -11,6 +11,9 @@
 enum {
     LEAST_WIDTH = 60,
     LEAST_HEIGHT = 18,
+    STACKED_WIDTH = 80,      /* below it a screen that is high, as a telephone's, has one column */
+    STACKED_LEAST = 36,      /* columns */
+    STACKED_HEIGHT = 30,     /* of one that could have two */
     LESSON_LEAST_WIDTH = 80, /* a text wants a column of its own */
     LESSON_LEAST_HEIGHT = 20,
     ASKED_WIDTH = 34,
@@ -100,9 +103,51 @@ static void lay_out_scenario(const Screen *screen, int width, int height, Layout
     layout->panes[PANE_PARAMETERS] = (Rect){width - fields - 1, end + question, fields, below};
 }
 
+/* In one column: what is asked, the bar or the map, the plot, the number and the parameters, as rows allow.
+ */
+static void lay_out_stacked(const Screen *screen, int width, int height, Layout *layout)
+{
+    const PaneId picture = picture_of(screen);
+    const PaneId map = screen->panes.inspecting      ? PANE_COUNT
+                       : screen->views.upper->is_map ? PANE_UPPER
+                       : screen->views.lower->is_map ? PANE_LOWER
+                                                     : PANE_COUNT;
+    const PaneId plot = map != picture ? picture : map == PANE_UPPER ? PANE_LOWER : PANE_UPPER;
+    const int question = pane_question_rows(screen, width),
+              strip = map < PANE_COUNT ? 0 : strip_rows(screen, height);
+    const int least = map < PANE_COUNT ? 2 * PICTURE_LEAST : PICTURE_LEAST;
+    int box = box_rows(screen, height, false), number = pane_number_rows(screen, width, height),
+        asked = pane_asked_rows(screen);
+    int middle = height - 2 - question - strip - box - number - asked;
+    if (middle < least)
+        middle += asked, asked = 0;
+    if (middle < least)
+        middle += number, number = 0;
+    if (middle < least)
+        middle += box, box = 0;
+    const int above = map < PANE_COUNT ? middle / 2 : 0, top = 1 + question + strip;
+    layout->question = (Rect){0, 1, question ? width : 0, question};
+    layout->panes[PANE_MESH] = (Rect){0, 1 + question, strip ? width : 0, strip};
+    lay_out_picture(screen, (Rect){0, top, width, middle}, layout);
+    if (map < PANE_COUNT) {
+        layout->panes[map] = (Rect){0, top, width, above};
+        layout->panes[plot] = (Rect){0, top + above, width, middle - above};
+    }
+    const int end = top + middle;
+    layout->panes[PANE_BOX] = (Rect){0, end, box ? width : 0, box};
+    layout->number = (Rect){0, end + box, number ? width : 0, number};
+    layout->panes[PANE_PARAMETERS] = (Rect){0, end + box + number, asked ? width : 0, asked};
+}
+
 bool layout_plain(const Screen *screen, int width, int height, Layout *layout)
 {
     const bool lesson = screen->lesson->open;
+    if (!lesson && width < STACKED_WIDTH && width >= STACKED_LEAST &&
+        height >= (width < LEAST_WIDTH ? LEAST_HEIGHT : STACKED_HEIGHT)) {
+        layout->kind = LAYOUT_FULL;
+        lay_out_stacked(screen, width, height, layout);
+        return true;
+    }
     if (width < (lesson ? LESSON_LEAST_WIDTH : LEAST_WIDTH) ||
         height < (lesson ? LESSON_LEAST_HEIGHT : LEAST_HEIGHT))
         return false;
