@@ -156,7 +156,7 @@ void findings_text(const Finding *findings, int n_findings, bool with_exact, cha
                     isfinite(finding->measured) ? text_rounded(finding->measured, 4).text
                     : finding->missing          ? finding->missing
                                                 : "not yet");
-        if (with_exact && finding->exact != 0)
+        if (with_exact && isfinite(finding->exact) && finding->exact != 0)
             text_append(out, size, " (%s %s)", finding->word ? finding->word : "exact",
                         text_rounded(finding->exact, 4).text);
     }

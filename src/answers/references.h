@@ -16,7 +16,7 @@ typedef struct Column {
     int of; /* a reference: the index of the column that it answers; else -1 */
 } Column;
 
-enum { COLUMNS_MAX = 96 };
+enum { COLUMNS_MAX = 104 };
 
 References *references_create(const Settings *, const Simulation *, Status *);
 void references_destroy(References *);
@@ -108,7 +108,7 @@ typedef struct Finding {
     const char *missing; /* why it is not measured, in two or three words; NULL: not yet */
 } Finding;
 
-enum { FINDINGS_MAX = 6 };
+enum { FINDINGS_MAX = 8 };
 
 /* Returns how many there are. The simulation is that of the references, at any time. */
 int references_findings(const References *, const Simulation *, Finding out[FINDINGS_MAX]);

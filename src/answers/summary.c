@@ -370,8 +370,12 @@ void summary_text(const RunSummary *summary, const Settings *settings, char out[
     add_decay(&writer, &summary->readout);
     add_kept(&writer, &summary->readout, summary->mistake != NULL);
     char found[SUMMARY_MAX];
-    findings_text(summary->findings, summary->n_findings, true, found, sizeof found);
-    add(&writer, "%s%s", found, *found ? "\n" : "");
+    const int in_a_line = summary->n_findings > 4 ? 2 : 4;
+    for (int i = 0; i < summary->n_findings; i += in_a_line) {
+        const int left = summary->n_findings - i;
+        findings_text(summary->findings + i, left < in_a_line ? left : in_a_line, true, found, sizeof found);
+        add(&writer, "%s\n", found);
+    }
     char unaccounted[KNOWN_TEXT_MAX];
     if (known_text(settings, unaccounted, NULL))
         add(&writer, "%s\n", unaccounted);

@@ -3,7 +3,7 @@
  * the problem. */
 #include "base/math/functions.h"
 #include "methods/mpm/bodies.h"
-#include "problems/solver.h"
+#include "problems/bodies_answers.h"
 #include "problems/solvers.h"
 #include "scenario/concern_body.h"
 #include "scenario/concern_cells.h"
@@ -104,11 +104,50 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
     return n;
 }
 
+static bool prepare(References *refs, const Settings *settings, const Simulation *sim, Status *status)
+{
+    const BodiesDef def = definition(settings, 1);
+    return bodies_prepare(refs, &def, sim, status);
+}
+
+/* What the exact answers account for; rigid motion does not ask how a body is computed. */
+static const char *const of_motion[] = {"domain.width",
+                                        "domain.height",
+                                        "domain.left",
+                                        "domain.right",
+                                        "domain.bottom",
+                                        "domain.top",
+                                        "domain.wall_friction",
+                                        "material.youngs_modulus",
+                                        "material.poisson",
+                                        "material.density",
+                                        "material.law",
+                                        "material.plane",
+                                        "mesh.cell_size",
+                                        "mesh.particles_per_cell",
+                                        "mpm.algorithm",
+                                        "mpm.shape",
+                                        "mpm.transfer",
+                                        "mpm.flip_fraction",
+                                        "mpm.rotation",
+                                        "contact.fields",
+                                        "contact.friction",
+                                        "contact.gap",
+                                        "load.gravity",
+                                        "load.incline",
+                                        "time.courant",
+                                        "time.end",
+                                        NULL};
+static const char *const changes[] = {"mpm.algorithm", "mpm.transfer", "mpm.flip_fraction", NULL};
+
 static const Solver bodies_by_mpm = {
     .method = METHOD_MPM,
     .check = check,
     .simulate = simulate,
     .derived = derived,
+    .understands = {[REFERENCE_EXACT] = {of_motion, changes}},
+    .prepare = prepare,
+    .findings = bodies_findings,
 };
 
 /* --- the problem ---------------------------------------------------------------------------------- */
@@ -135,7 +174,7 @@ const Problem problem_bodies = {
     .title = "elastic bodies that move, turn, bend and meet",
     .body = "bodies",
     .answer = "exact",
-    .about = "late",
+    .about = "energy_change",
     .concerns = CONCERN_BODIES,
     .uses = uses,
     .n_uses = sizeof uses / sizeof *uses,

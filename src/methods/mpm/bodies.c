@@ -152,6 +152,23 @@ static void set_moving(Mpm *mpm, const BodyDef *body, int p)
     mpm->rate[2][p] = body->spin * squared * bodies_spread(mpm, mpm->s[0][p], w.n[0]);
 }
 
+/* Of each particle the one above it: a row of a body is from the left, and the next row follows it. */
+static void find_neighbours(Mpm *mpm)
+{
+    for (int body = 0; body < mpm->bodies->def.n_bodies; body++) {
+        const int end = mpm->bodies->first[body + 1];
+        int q = mpm->bodies->first[body];
+        for (int p = q; p < end; p++) {
+            const double x = mpm->at[0][p] - 0.5 * mpm->spacing, y = mpm->at[1][p] + 0.5 * mpm->spacing;
+            while (q < end && (mpm->at[1][q] < y || (mpm->at[1][q] < y + mpm->spacing && mpm->at[0][q] < x)))
+                q++;
+            const bool is_above =
+                q < end && mpm->at[1][q] < y + mpm->spacing && mpm->at[0][q] < x + mpm->spacing;
+            mpm->above[p] = is_above ? q : -1;
+        }
+    }
+}
+
 static bool begin(Mpm *mpm, Status *status)
 {
     const Bodies *bodies = mpm->bodies;
@@ -167,6 +184,7 @@ static bool begin(Mpm *mpm, Status *status)
         for (int p = bodies->first[k]; p < bodies->first[k + 1]; p++)
             mpm->field[p] = bodies->n_fields > 1 ? k * mpm->grid_nodes : 0;
     }
+    find_neighbours(mpm);
     if (!make_chunks(mpm))
         return status_fail(status, "not enough memory for the bodies");
     mpm_find_all(mpm);

@@ -71,4 +71,18 @@ double bodies_step(const BodiesDef *);
  * Live parameters: mpm.algorithm, mpm.transfer, mpm.flip_fraction. */
 Simulation *bodies_create(const BodiesDef *, Status *);
 
+/* What the simulation has seen: the times of the first push between two bodies, of the first one by a wall,
+ * of the first tear, NAN: not yet; and the largest distance of neighbours over that at t = 0. */
+typedef struct BodiesSeen {
+    double met, hit, torn, stretch;
+} BodiesSeen;
+BodiesSeen bodies_seen(const Simulation *);
+
+/* The row of the series at present. */
+void bodies_row(const Simulation *, double *row);
+
+/* The centre of a body: given, of a block its middle; and the box around it. */
+void body_centre(const BodyDef *, double centre[2]);
+void body_bounds(const BodyDef *, double low[2], double high[2]);
+
 #endif

@@ -35,19 +35,23 @@ int bodies_body_of(const Mpm *, int particle);
 
 /* Whether the place lies in the body: an open set. */
 bool body_holds(const BodyDef *, double x, double y);
-/* Its centre: given, of a block its middle. */
-void body_centre(const BodyDef *, double centre[2]);
-void body_bounds(const BodyDef *, double low[2], double high[2]);
 
 /* bodies_stages.c: what the stages do; bodies_walls.c: walls and contact on nodes [first, end) of the grid.
  */
 int bodies_do_particles(Mpm *, MpmOp, MpmSpan *, int first, int end);
 void bodies_do_nodes(Mpm *, MpmOp, int first, int end);
-void bodies_add_friction(Mpm *);
+/* What both `fix` of a step did, behind the second one; and whether neighbours have parted, behind the step.
+ */
+void bodies_note_contact(Mpm *);
+void bodies_note_tear(Mpm *);
+/* The largest distance of neighbours over that at t = 0, and the particle that it begins at. */
+double bodies_largest_stretch(const Mpm *, int *at);
 /* D of APIC along one axis in cells squared: sum N (x_i - x)^2. */
 double bodies_spread(const Mpm *, double s, const double *n);
 
 void bodies_fix(Mpm *, MpmOp, int first, int end);
+
+enum { TOUCHED_BODY = 1, TOUCHED_WALL = 2 };
 
 /* What contact does at a node of the grid between the fields a and b as they are mapped. */
 typedef struct Meeting {
@@ -64,7 +68,7 @@ void bodies_list_stages(Mpm *);
 void bodies_set_fields(Mpm *);
 void bodies_field(const Simulation *, int field, size_t first, size_t count, double *out);
 void bodies_set_series(Mpm *);
-void bodies_write_row(Mpm *, double *row);
+void bodies_write_row(const Mpm *, double *row);
 double bodies_energy(const Mpm *); /* kinetic + strain */
 double bodies_strain_at(const Mpm *, int particle);
 

@@ -58,6 +58,19 @@ double bodies_energy(const Mpm *mpm)
     return 0.5 * mpm->mass[0] * sum.squares + sum.strain;
 }
 
+static double time_of(const Simulation *sim, long step)
+{
+    return step > 0 ? (double)step * sim->dt : NAN;
+}
+
+BodiesSeen bodies_seen(const Simulation *sim)
+{
+    const Mpm *mpm = mpm_of_const(sim);
+    int at = 0;
+    return (BodiesSeen){time_of(sim, mpm->head->met), time_of(sim, mpm->head->hit),
+                        time_of(sim, mpm->head->torn), bodies_largest_stretch(mpm, &at)};
+}
+
 enum { KINETIC, STRAIN, POTENTIAL, FRICTION, TOTAL, MOMENTUM_X, MOMENTUM_Y, ANGULAR, BODY_X };
 
 static const Quantity quantities[BODY_X] = {
@@ -109,7 +122,7 @@ static void write_body(const Sums *sum, double count, double *out)
     out[4] = inertia > 0.0 ? turn / inertia : 0.0;
 }
 
-void bodies_write_row(Mpm *mpm, double *row)
+void bodies_write_row(const Mpm *mpm, double *row)
 {
     const Bodies *bodies = mpm->bodies;
     const BodiesDef *def = &bodies->def;
@@ -133,4 +146,9 @@ void bodies_write_row(Mpm *mpm, double *row)
         row[ANGULAR] += affine;
     row[FRICTION] = mpm->head->friction;
     row[TOTAL] = row[KINETIC] + row[STRAIN] + row[POTENTIAL] + row[FRICTION];
+}
+
+void bodies_row(const Simulation *sim, double *row)
+{
+    bodies_write_row(mpm_of_const(sim), row);
 }

@@ -12,6 +12,8 @@
 #include "base/math/functions.h"
 #include "methods/mpm/bodies_inner.h"
 
+#include <stdio.h>
+
 #define BY_SHAPE(mpm, ...)                                                                                   \
     switch ((mpm)->shape) {                                                                                  \
     case MPM_HAT: {                                                                                          \
@@ -252,6 +254,58 @@ MPM_INLINE int settle(Mpm *mpm, const MpmShape shape, MpmSpan *span, int first, 
         if (!mpm_set_place(mpm, 2, shape, inverse, 0.0, p, span))
             return p;
     return -1;
+}
+
+/* Neighbours whose distance grows over d lambda may share no node any more, and nothing holds them together
+ * then: hats from lambda = P on, boxes from P + 1, splines from 2 P. */
+static double torn_stretch(const Mpm *mpm)
+{
+    const int P = mpm->bodies->def.particles_per_cell;
+    return mpm->shape == MPM_HAT ? P : mpm->shape == MPM_GIMP ? P + 1 : 2 * P;
+}
+
+/* Squared distance over d^2 of a particle and its neighbour to the right or above; 0: it has none. */
+static double squared_stretch(const Mpm *mpm, int p, bool above)
+{
+    const double d = mpm->spacing;
+    const int q = above ? mpm->above[p] : p + 1;
+    if (q < 0 || q >= mpm->n_particles ||
+        (!above && (mpm->at[1][q] != mpm->at[1][p] || !(fabs(mpm->at[0][q] - mpm->at[0][p] - d) < 0.5 * d))))
+        return 0.0;
+    const double x = mpm->at[0][q] + mpm->u[0][q] - (mpm->at[0][p] + mpm->u[0][p]);
+    const double y = mpm->at[1][q] + mpm->u[1][q] - (mpm->at[1][p] + mpm->u[1][p]);
+    return (x * x + y * y) / (d * d);
+}
+
+double bodies_largest_stretch(const Mpm *mpm, int *at)
+{
+    double most = 0.0;
+    for (int p = 0; p < mpm->n_particles; p++)
+        for (int above = 0; above < 2; above++) {
+            const double squared = squared_stretch(mpm, p, above);
+            if (squared > most) {
+                most = squared;
+                *at = p;
+            }
+        }
+    return sqrt(most);
+}
+
+void bodies_note_tear(Mpm *mpm)
+{
+    MpmHead *head = mpm->head;
+    int at = 0;
+    char text[120];
+    if (head->torn > 0)
+        return;
+    const double stretch = bodies_largest_stretch(mpm, &at);
+    if (!(stretch > torn_stretch(mpm)))
+        return;
+    head->torn = mpm->sim.step + 1;
+    head->torn_at = at;
+    snprintf(text, sizeof text, "torn: particle %d and its neighbour are %.3g times as far apart as at first",
+             at, stretch);
+    batch_report(&mpm->sim, EVENT_BREAK, text);
 }
 
 int bodies_do_particles(Mpm *mpm, MpmOp op, MpmSpan *span, int first, int end)

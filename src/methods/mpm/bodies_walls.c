@@ -17,27 +17,29 @@
 
 #include <math.h>
 
-/* A wall is at `place` in cells along `axis`, and out of the box is the direction `out`. */
-static void hold(Mpm *mpm, int node, int grid_node, BodyWall wall, int axis, double out, double place)
+/* A wall is at `place` in cells along `axis`, and out of the box is the direction `out`. Returns the energy
+ * that friction takes. */
+static double hold(Mpm *mpm, int node, int grid_node, BodyWall wall, int axis, double out, double place)
 {
     double *const normal = &mpm->momentum[axis][node], *const along = &mpm->momentum[1 - axis][node];
     const BodiesDef *def = &mpm->bodies->def;
     if (wall == WALL_CLAMP) {
         *normal = *along = 0.0;
         mpm->start[0][node] = mpm->start[1][node] = 0.0;
-        return;
+        return 0.0;
     }
     const double mass = mpm->node_mass[node];
     if (!(*normal * out > 0.0) ||
         !(fabs(mpm->moment[axis][node] / mass - place * mpm->dx) <= def->gap * mpm->dx))
-        return;
+        return 0.0;
+    mpm->touched[grid_node] |= TOUCHED_WALL;
     const double most = def->wall_friction * fabs(*normal), before = fabs(*along);
     *normal = 0.0;
     if (wall != WALL_FRICTION || !(most > 0.0))
-        return;
+        return 0.0;
     const double after = before > most ? before - most : 0.0;
     *along = *along > 0.0 ? after : -after;
-    mpm->lost[grid_node] += (before - after) * (before + after) / (2.0 * mass);
+    return (before - after) * (before + after) / (2.0 * mass);
 }
 
 static void hold_walls(Mpm *mpm, int node, int grid_node)
@@ -45,12 +47,17 @@ static void hold_walls(Mpm *mpm, int node, int grid_node)
     const Bodies *bodies = mpm->bodies;
     const int cells[2] = {bodies->columns, bodies->rows};
     const int at[2] = {grid_node % mpm->gx - BODIES_PADDING, grid_node / mpm->gx - BODIES_PADDING};
+    double lost = 0.0;
     for (int wall = 0; wall < WALLS; wall++) {
         const int axis = wall / 2, far = wall % 2;
-        if (bodies->def.walls[wall] != WALL_OPEN && (far ? at[axis] >= cells[axis] : at[axis] <= 0))
-            hold(mpm, node, grid_node, bodies->def.walls[wall], axis, far ? 1.0 : -1.0,
-                 far ? cells[axis] : 0.0);
+        const BodyWall kind = bodies->def.walls[wall];
+        if (kind == WALL_OPEN || !(far ? at[axis] >= cells[axis] : at[axis] <= 0))
+            continue;
+        const double more = hold(mpm, node, grid_node, kind, axis, far ? 1.0 : -1.0, far ? cells[axis] : 0.0);
+        lost = kind == WALL_CLAMP ? 0.0
+                                  : lost + more; /* in a corner a clamp takes what friction took before it */
     }
+    mpm->lost[grid_node] += lost;
 }
 
 Meeting bodies_meet(const Mpm *mpm, int node, int a, int b)
@@ -103,6 +110,8 @@ static void touch(Mpm *mpm, int node)
                 mpm->momentum[axis][there[b] * mpm->grid_nodes + node] += meeting.impulse[axis];
             }
             mpm->lost[node] += meeting.lost;
+            if (meeting.impulse[0] != 0.0 || meeting.impulse[1] != 0.0)
+                mpm->touched[node] |= TOUCHED_BODY;
         }
 }
 
@@ -126,7 +135,7 @@ static void find_velocities(Mpm *mpm, MpmOp op, int first, int end)
 void bodies_fix(Mpm *mpm, MpmOp op, int first, int end)
 {
     for (int i = first; op == OP_FIX && i < end; i++)
-        mpm->lost[i] = 0.0;
+        mpm->lost[i] = 0.0, mpm->touched[i] = 0;
     for (int field = 0; field < mpm->bodies->n_fields; field++)
         for (int i = first; i < end; i++) {
             const int node = field * mpm->grid_nodes + i;
@@ -146,11 +155,19 @@ void bodies_fix(Mpm *mpm, MpmOp op, int first, int end)
 }
 
 /* What both `fix` of a step took from particles; MUSL's third one is for the strain alone. */
-void bodies_add_friction(Mpm *mpm)
+void bodies_note_contact(Mpm *mpm)
 {
+    MpmHead *head = mpm->head;
+    const long step = mpm->sim.step + 1;
     double sum = 0.0;
-    if (mpm->bodies->def.friction > 0.0 || mpm->bodies->def.wall_friction > 0.0)
-        for (int i = 0; i < mpm->grid_nodes; i++)
-            sum += mpm->lost[i];
-    mpm->head->friction += sum;
+    unsigned touched = 0;
+    for (int i = 0; i < mpm->grid_nodes; i++) {
+        touched |= mpm->touched[i];
+        sum += mpm->lost[i];
+    }
+    head->friction += sum;
+    if (head->met == 0 && touched & TOUCHED_BODY)
+        head->met = step;
+    if (head->hit == 0 && touched & TOUCHED_WALL)
+        head->hit = step;
 }

@@ -85,7 +85,10 @@ typedef struct MpmHead {
     double work;     /* of the external force so far */
     double moment;   /* sum m u before the last step, along a line: for x_cm_rate */
     double friction; /* energy that friction of bodies has taken so far */
-    Growth growth;   /* what the energy check has seen */
+    long met, hit;   /* the step in which two bodies pushed each other first, and one a wall; 0: not yet */
+    long torn;       /* that in which neighbours parted first, and the one of them that comes first */
+    int torn_at;
+    Growth growth; /* what the energy check has seen */
 } MpmHead;
 
 /* Particles that are worked on together: `rows` ranges of `count`, `stride` apart. */
@@ -162,6 +165,8 @@ typedef struct Mpm {
     double *deformation[4]; /* and F of the neo-Hookean law */
     double *start[MPM_AXES], *normal[MPM_AXES],
         *moment[MPM_AXES]; /* of nodes: p as mapped, sum m grad N, sum m N x */
+    int32_t *above;        /* of a particle, its neighbour above at t = 0; -1: it has none */
+    uint8_t *touched;      /* of a node of the grid: TOUCHED_... in this step */
     double *lost;          /* of a node of the grid: the energy that friction took in this step */
     /* of a bar */
     int fixed_left, fixed_right; /* nodes [0, fixed_left) and the last fixed_right ones are held */

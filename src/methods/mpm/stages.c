@@ -27,7 +27,7 @@
 bool mpm_fail_particle(Mpm *mpm, Status *status, int particle, const char *what)
 {
     const bool light = mpm->dim == 1 && bar_feels_light_nodes(&mpm->bar, mpm->head->transfer);
-    char text[160];
+    char text[200];
     snprintf(text, sizeof text, "%s%s", what, light ? " (" BAR_LIGHT_NODES ")" : "");
     return batch_fail_particle(&mpm->sim, status, particle, text, mpm->dim == 2 ? " s" : "");
 }
@@ -532,7 +532,9 @@ bool mpm_end_stage(Mpm *mpm, MpmOp op, Status *status)
     const bool kept = mpm_does(mpm, WRONG_KEEPS_GRID);
     if (mpm->bodies) {
         if (op == OP_FIX_MOVED)
-            bodies_add_friction(mpm);
+            bodies_note_contact(mpm);
+        if (op == OP_FORGET)
+            bodies_note_tear(mpm);
         return true;
     }
     switch (op) {

@@ -11,6 +11,10 @@
 /* How a particle ended that is not where it could go on. */
 static const char *end_of(const Mpm *mpm, int p)
 {
+    if (mpm->bodies)
+        return mpm->head->torn > 0
+                   ? "left the box, torn from its body (gimp or more particles hold it longer)"
+                   : "left the box by an open side (a wall there, a larger box, or an earlier end)";
     if (mpm->dim == 2)
         return "left the grid";
     const bool box = mpm->shape == MPM_GIMP || mpm->shape == MPM_CPDI;
@@ -39,11 +43,13 @@ static bool judge(Mpm *mpm, MpmOp op, int first, int end, Status *status)
         return true;
     for (int k = 0; k < mpm->n_chunks; k++)
         mpm->trouble[k].particle = -1;
-    return mpm_fail_particle(mpm, status, worst,
-                             op != OP_STRAIN ? end_of(mpm, worst)
-                             : mpm->bodies   ? "was turned inside out (det F <= 0)"
-                             : mpm->dim == 1 ? "was crushed (1 + de <= 0)"
-                                             : "was crushed (1 + exx + eyy <= 0)");
+    return mpm_fail_particle(
+        mpm, status, worst,
+        op != OP_STRAIN ? end_of(mpm, worst)
+        : mpm->bodies
+            ? "was turned inside out (det F <= 0; a smaller courant number, gimp, musl or more particles)"
+        : mpm->dim == 1 ? "was crushed (1 + de <= 0)"
+                        : "was crushed (1 + exx + eyy <= 0)");
 }
 
 /* --- one stage ------------------------------------------------------------------------------------- */

@@ -1,0 +1,331 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Exact answers beside a run of bodies, and what the run has come to:
+ *
+ *     free flight      x = x0 + v0 t + g t^2/2, until a wall or another body is met; any body's velocity is
+ * exact first touch      two round bodies: |D + V t| = R_a + R_b, gravity cancels; blocks: their edges
+ *     momentum         p = p0 + M g t until a wall acts, L = L0 + M ((c - m) x g t + v x g t^2/2), m the
+ * box's middle down an incline  a disc let go on a wall with friction slips where tan(angle) > 3 mu: a = g
+ * (sin - mu cos), spin -2 mu g t cos/R; else it rolls: a = (2/3) g sin, spin -a t/R */
+#include "base/math/functions.h"
+#include "problems/bodies_answers.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The columns of the series by their places in the method's row. */
+enum { KINETIC, STRAIN, POTENTIAL, FRICTION, TOTAL, MOMENTUM_X, MOMENTUM_Y, ANGULAR, BODY_X };
+enum { X, Y, VX, VY, SPIN, OF_BODY };
+
+typedef struct Answers {
+    BodiesDef def;
+    double start[BODY_X + BODIES_MAX * OF_BODY]; /* the row at t = 0 */
+    double mass, centre[2];                      /* of all, at t = 0 */
+    double met, hit; /* when two bodies, and a body and a wall, touch first in free flight; INFINITY: never;
+                        NAN: not known */
+    bool slides;     /* down an incline, from rest */
+    double rate, turns; /* with this acceleration, and so much spin in a unit of time */
+    char names[OF_BODY][BODY_NAME_MAX + 16];
+} Answers;
+
+/* --- first touch ---------------------------------------------------------------------------------- */
+
+/* The first t >= 0 with a t^2 + b t + c <= 0; INFINITY: never. c > 0: not yet; touching, only if it closes.
+ */
+static double first_root(double a, double b, double c, double close)
+{
+    if (c <= close)
+        return b < 0 || (b == 0 && a < 0) ? 0 : INFINITY;
+    if (a == 0)
+        return b < 0 ? -c / b : INFINITY;
+    const double whole = b * b - 4 * a * c;
+    if (whole < 0)
+        return INFINITY;
+    /* of both roots without cancellation the least that is positive */
+    const double q = -0.5 * (b + (b < 0 ? -sqrt(whole) : sqrt(whole)));
+    const double one = q / a, other = q != 0 ? c / q : INFINITY;
+    const double least = fmin(one, other), most = fmax(one, other);
+    return least > 0 ? least : most > 0 ? most : INFINITY;
+}
+
+static bool is_round(const BodyDef *body)
+{
+    return body->shape != BODY_BLOCK;
+}
+
+/* Two blocks that do not turn: from when on they overlap along both axes. */
+static double blocks_meet(const BodyDef *a, const BodyDef *b)
+{
+    double from = 0, until = INFINITY, low[2][2], high[2][2];
+    body_bounds(a, low[0], high[0]);
+    body_bounds(b, low[1], high[1]);
+    for (int axis = 0; axis < 2; axis++) {
+        const double v = b->velocity[axis] - a->velocity[axis];
+        const double before = high[0][axis] - low[1][axis], behind = low[0][axis] - high[1][axis];
+        if (v == 0 && (before <= 0 || behind >= 0))
+            return INFINITY;
+        if (v == 0)
+            continue;
+        from = fmax(from, (v < 0 ? before : behind) / v);
+        until = fmin(until, (v < 0 ? behind : before) / v);
+    }
+    return from < until ? from : INFINITY;
+}
+
+static double pair_meets(const BodyDef *a, const BodyDef *b, double close)
+{
+    double D[2], V[2], centre[2][2];
+    if (!is_round(a) && !is_round(b))
+        return a->spin == 0 && b->spin == 0 ? blocks_meet(a, b) : NAN;
+    if (is_round(a) != is_round(b))
+        return NAN;
+    body_centre(a, centre[0]);
+    body_centre(b, centre[1]);
+    for (int axis = 0; axis < 2; axis++) {
+        D[axis] = centre[1][axis] - centre[0][axis];
+        V[axis] = b->velocity[axis] - a->velocity[axis];
+    }
+    const double R = a->size[a->shape == BODY_RING ? 3 : 2] + b->size[b->shape == BODY_RING ? 3 : 2];
+    const double apart = D[0] * D[0] + D[1] * D[1] - R * R;
+    if (apart < -close * R)
+        return NAN; /* one is within the other */
+    return first_root(V[0] * V[0] + V[1] * V[1], 2 * (D[0] * V[0] + D[1] * V[1]), apart, close * R);
+}
+
+static double wall_meets(const BodiesDef *def, const BodyDef *body, int wall, double close)
+{
+    const int axis = wall / 2, far = wall % 2;
+    const double out = far ? 1 : -1;
+    double low[2], high[2];
+    body_bounds(body, low, high);
+    if (body->spin != 0 && !is_round(body))
+        return NAN;
+    const double distance = far ? (axis ? def->height : def->width) - high[axis] : low[axis];
+    if (def->walls[wall] == WALL_CLAMP && distance <= close)
+        return 0;
+    return first_root(-0.5 * out * def->gravity[axis], -out * body->velocity[axis], distance, close);
+}
+
+/* NAN where one of them is not known. */
+static void find_touches(Answers *answers)
+{
+    const BodiesDef *def = &answers->def;
+    const double close = 1e-9 * (def->width + def->height);
+    answers->met = answers->hit = INFINITY;
+    for (int a = 0; a < def->n_bodies; a++) {
+        for (int b = a + 1; b < def->n_bodies; b++) {
+            const double met = pair_meets(&def->bodies[a], &def->bodies[b], close);
+            answers->met = isnan(met) || isnan(answers->met) ? NAN : fmin(met, answers->met);
+        }
+        for (int wall = 0; wall < WALLS; wall++)
+            if (def->walls[wall] != WALL_OPEN) {
+                const double hit = wall_meets(def, &def->bodies[a], wall, close);
+                answers->hit = isnan(hit) || isnan(answers->hit) ? NAN : fmin(hit, answers->hit);
+            }
+    }
+}
+
+/* --- down an incline ------------------------------------------------------------------------------ */
+
+static void find_slide(Answers *answers)
+{
+    const BodiesDef *def = &answers->def;
+    const BodyDef *body = &def->bodies[0];
+    const double along = fabs(def->gravity[0]), down = -def->gravity[1], mu = def->wall_friction;
+    const double sign = def->gravity[0] < 0 ? -1 : 1, R = body->size[2];
+    answers->slides = def->n_bodies == 1 && body->shape == BODY_DISC &&
+                      def->walls[WALL_BOTTOM] == WALL_FRICTION && along > 0 && down > 0 && body->spin == 0 &&
+                      body->velocity[0] == 0 && body->velocity[1] == 0 && fabs(body->size[1] - R) <= 1e-6 * R;
+    const bool slips = along > 3 * mu * down;
+    answers->rate = sign * (slips ? along - mu * down : 2 * along / 3);
+    answers->turns = slips ? -sign * 2 * mu * down / R : -answers->rate / R;
+}
+
+/* --- columns -------------------------------------------------------------------------------------- */
+
+static const Answers *answers_of(const References *refs)
+{
+    return refs->own;
+}
+
+/* Whether no wall has acted, at a time. */
+static bool is_free(const Answers *answers, double time)
+{
+    return time <= answers->hit;
+}
+
+static double momentum(const Answers *answers, int axis, double time)
+{
+    return is_free(answers, time)
+               ? answers->start[MOMENTUM_X + axis] + answers->mass * answers->def.gravity[axis] * time
+               : NAN;
+}
+
+static double angular(const Answers *answers, double time)
+{
+    const BodiesDef *def = &answers->def;
+    const double *const g = def->gravity, *const start = answers->start;
+    if (!is_free(answers, time))
+        return NAN;
+    const double moment[2] = {answers->centre[0] - 0.5 * def->width, answers->centre[1] - 0.5 * def->height};
+    const double fall = start[MOMENTUM_X] * g[1] - start[MOMENTUM_Y] * g[0];
+    return start[ANGULAR] + answers->mass * (moment[0] * g[1] - moment[1] * g[0]) * time +
+           0.5 * fall * time * time;
+}
+
+static double exact_px(References *refs, long step, double time, const double *row)
+{
+    (void)step, (void)row;
+    return momentum(answers_of(refs), 0, time);
+}
+
+static double exact_py(References *refs, long step, double time, const double *row)
+{
+    (void)step, (void)row;
+    return momentum(answers_of(refs), 1, time);
+}
+
+static double exact_angular(References *refs, long step, double time, const double *row)
+{
+    (void)step, (void)row;
+    return angular(answers_of(refs), time);
+}
+
+/* Of the only body. */
+static double motion(const Answers *answers, int what, double time)
+{
+    const double *const start = answers->start + BODY_X, *const g = answers->def.gravity;
+    const double t = time;
+    if (answers->slides)
+        return what == X      ? start[X] + 0.5 * answers->rate * t * t
+               : what == VX   ? answers->rate * t
+               : what == SPIN ? answers->turns * t
+               : what == Y    ? start[Y]
+                              : 0;
+    if (!is_free(answers, time) || (what == SPIN && !is_round(&answers->def.bodies[0])))
+        return NAN;
+    return what == X    ? start[X] + start[VX] * t + 0.5 * g[0] * t * t
+           : what == Y  ? start[Y] + start[VY] * t + 0.5 * g[1] * t * t
+           : what == VX ? start[VX] + g[0] * t
+           : what == VY ? start[VY] + g[1] * t
+                        : NAN;
+}
+
+#define MOTION(name, what)                                                                                   \
+    static double name(References *refs, long step, double time, const double *row)                          \
+    {                                                                                                        \
+        (void)step, (void)row;                                                                               \
+        return motion(answers_of(refs), what, time);                                                         \
+    }
+MOTION(exact_x, X)
+MOTION(exact_y, Y)
+MOTION(exact_vx, VX)
+MOTION(exact_vy, VY)
+MOTION(exact_spin, SPIN)
+
+static void plan_motion(References *refs, Answers *answers)
+{
+    static const struct {
+        const char *name, *unit;
+        Answer *answer;
+    } of[OF_BODY] = {[X] = {"x", "length", exact_x},
+                     [Y] = {"y", "length", exact_y},
+                     [VX] = {"vx", "length/time", exact_vx},
+                     [VY] = {"vy", "length/time", exact_vy},
+                     [SPIN] = {"spin", "rad/time", exact_spin}};
+    for (int k = 0; k < OF_BODY; k++) {
+        char column[BODY_NAME_MAX + 8];
+        if (k == SPIN && !answers->slides)
+            continue;
+        snprintf(column, sizeof column, "%s.%s", answers->def.bodies[0].name, of[k].name);
+        snprintf(answers->names[k], sizeof answers->names[k], "%s_exact", column);
+        plan_answer(refs, &(Quantity){answers->names[k], "exact", of[k].unit, "of a rigid body"},
+                    COLUMN_EXACT, column, of[k].answer);
+    }
+}
+
+bool bodies_prepare(References *refs, const BodiesDef *def, const Simulation *sim, Status *status)
+{
+    static const Quantity px = {"momentum_x_exact", "exact", "mass*length/time", "momentum along x, exact"};
+    static const Quantity py = {"momentum_y_exact", "exact", "mass*length/time", "momentum along y, exact"};
+    static const Quantity turn = {"angular_exact", "exact", "mass*length^2/time", "angular momentum, exact"};
+    Answers *answers = plan_own(refs, sizeof *answers, NULL, status);
+    if (!answers)
+        return false;
+    answers->def = *def;
+    bodies_row(sim, answers->start);
+    answers->mass = (double)sim->counts[0] * simulation_named(sim, 0, "mass", 0);
+    for (int axis = 0; axis < 2; axis++) {
+        for (size_t p = 0; p < sim->counts[0]; p++)
+            answers->centre[axis] += simulation_value(sim, sim->position[axis], p);
+        answers->centre[axis] /= (double)sim->counts[0];
+    }
+    find_touches(answers);
+    find_slide(answers);
+    plan_rest_of_method(refs, sim);
+    if (!isnan(answers->hit) && answers->hit > 0) {
+        plan_answer(refs, &px, COLUMN_EXACT, "momentum_x", exact_px);
+        plan_answer(refs, &py, COLUMN_EXACT, "momentum_y", exact_py);
+        plan_answer(refs, &turn, COLUMN_EXACT, "angular", exact_angular);
+    }
+    if (def->n_bodies == 1 && (answers->slides || (!isnan(answers->hit) && answers->hit > 0)))
+        plan_motion(refs, answers);
+    return true;
+}
+
+/* --- findings ------------------------------------------------------------------------------------- */
+
+static void add(Finding *out, int *count, const char *name, const char *label, double measured, double exact,
+                const char *missing)
+{
+    if (*count < FINDINGS_MAX)
+        out[(*count)++] = (Finding){name, label, measured, exact, NULL, missing};
+}
+
+/* How fast two bodies come nearer, by a row. */
+static double closing(const double *row)
+{
+    const double *const a = row + BODY_X, *const b = a + OF_BODY;
+    const double D[2] = {b[X] - a[X], b[Y] - a[Y]}, length = sqrt(D[0] * D[0] + D[1] * D[1]);
+    return -(D[0] * (b[VX] - a[VX]) + D[1] * (b[VY] - a[VY])) / length;
+}
+
+int bodies_findings(const References *refs, const Simulation *sim, Finding out[FINDINGS_MAX])
+{
+    const Answers *answers = answers_of(refs);
+    const BodiesDef *def = &answers->def;
+    const BodiesSeen seen = bodies_seen(sim);
+    const double now = simulation_time(sim), *const start = answers->start;
+    double row[BODY_X + BODIES_MAX * OF_BODY];
+    int n = 0;
+    bool walls = false;
+    bodies_row(sim, row);
+    for (int wall = 0; wall < WALLS; wall++)
+        walls = walls || def->walls[wall] == WALL_SLIP || def->walls[wall] == WALL_FRICTION;
+    const double met = answers->met < answers->hit ? answers->met : NAN,
+                 hit = answers->hit < answers->met ? answers->hit : NAN;
+    if (def->n_bodies > 1 && def->fields == FIELDS_EACH)
+        add(out, &n, "first_touch", "first touch", seen.met, met, NULL);
+    if (walls)
+        add(out, &n, "wall_touch", "first touch of a wall", seen.hit, isfinite(hit) ? hit : NAN, NULL);
+    if (def->n_bodies == 2 && def->gravity[0] == 0 && def->gravity[1] == 0 && closing(start) > 0) {
+        const double apart = -closing(row) / closing(start);
+        add(out, &n, "restitution", "restitution", apart > 0 ? apart : NAN, NAN, NULL);
+    }
+    const double p[2] = {momentum(answers, 0, now), momentum(answers, 1, now)};
+    if (isfinite(p[0]) && isfinite(p[1])) {
+        const double off[2] = {row[MOMENTUM_X] - p[0], row[MOMENTUM_Y] - p[1]};
+        const double size = sqrt(2 * answers->mass * fmax(start[KINETIC], row[KINETIC]));
+        if (size > 0)
+            add(out, &n, "momentum_error", "error of momentum",
+                sqrt(off[0] * off[0] + off[1] * off[1]) / size, 0, NULL);
+    }
+    const double L = angular(answers, now);
+    if (isfinite(L) && fabs(L) > 1e-9 * sqrt(2 * answers->mass * start[KINETIC]) * (def->width + def->height))
+        add(out, &n, "angular_kept", "angular momentum/exact", row[ANGULAR] / L, 1, NULL);
+    add(out, &n, "stretch", "largest stretch", seen.stretch, NAN, NULL);
+    if (isfinite(seen.torn))
+        add(out, &n, "torn", "torn at t =", seen.torn, NAN, NULL);
+    return n;
+}

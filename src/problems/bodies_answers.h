@@ -1,0 +1,12 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Exact answers beside a run of bodies, for its solver. */
+#ifndef PROBLEMS_BODIES_ANSWERS_H
+#define PROBLEMS_BODIES_ANSWERS_H
+
+#include "methods/mpm/bodies.h"
+#include "problems/solver.h"
+
+bool bodies_prepare(References *, const BodiesDef *, const Simulation *, Status *);
+int bodies_findings(const References *, const Simulation *, Finding out[FINDINGS_MAX]);
+
+#endif
