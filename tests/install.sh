@@ -27,6 +27,8 @@ cat >"$scratch/wanted" <<'END'
 ./share/man/man5/matvib.5
 ./share/man/man7/matvib-checks.7
 ./share/man/man7/matvib-equations.7
+./share/matvib/python/matvib.ipynb
+./share/matvib/python/matvib.py
 ./share/metainfo/org.example.matvib.metainfo.xml
 ./share/zsh/site-functions/_matvib
 END

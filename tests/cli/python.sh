@@ -1,0 +1,65 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# python/matvib.py against the program: the numbers are those of the tables, refusals are exceptions, and the notebook's cells run.
+# shellcheck source=tests/common.sh
+. "$MATVIB_SRCDIR/tests/common.sh"
+
+if ! command -v python3 >/dev/null 2>&1; then
+	skip "matvib from Python" "no python3"
+	echo "1..$number"
+	exit
+fi
+PYTHONPATH=$MATVIB_SRCDIR/python PYTHONDONTWRITEBYTECODE=1
+export PYTHONPATH PYTHONDONTWRITEBYTECODE MATVIB
+python() { # NAME: standard input is a program that ends by an assertion
+	cat >program.py
+	result "$1" python3 program.py
+}
+"$MATVIB" run mode1 --steps 20 --series own.csv --quiet
+python "a series has the numbers of its file" <<'END'
+import csv, matvib
+own = list(csv.DictReader(open("own.csv")))
+series = matvib.series("mode1", steps=20)
+assert [float(row["v_cm"]) for row in own] == list(series["v_cm"]) and len(own) == 21
+END
+python "a summary has quantities by name" <<'END'
+import matvib
+summary = matvib.run({"scenario": "mode5", "mesh.cell_size": 0.5}, end=20)
+assert abs(summary["frequency_exact"] - 5.654866776) < 1e-8 and -1.2 < summary["frequency_error"] < -1
+END
+python "particles at several times" <<'END'
+import matvib
+assert sorted(set(matvib.particles("mode1", steps=20, at=[0, 0.1])["step"])) == [0, 10]
+END
+python "a right table is right, a wrong one is a mistake" <<'END'
+import matvib
+right = matvib.diagnose("mode1", "own.csv")
+assert right["verdict"] == "right" and right["scheme"] == "USF", right
+wrong = matvib.series("mode1", steps=40, set={"mpm.mistake": "volume_of_cell"}, columns="all")
+wrong = matvib.diagnose("mode1", {name: wrong[name] for name in ("time", "v_cm", "kinetic", "strain")})
+assert wrong["verdict"] == "mistake" and wrong["mistake"] == ["volume_of_cell"], wrong
+END
+python "a fit finds the parameter" <<'END'
+import matvib
+fitted = matvib.fit("mode1", "own.csv", ["bar.youngs_modulus"], set={"bar.youngs_modulus": 90}, steps=20)
+assert any(abs(value - 100) < 1e-3 for value in fitted.values() if isinstance(value, float)), fitted
+END
+python "a refusal is an exception with the message and its status" <<'END'
+import matvib
+try:
+    matvib.run("mode1", set={"bar.length": -1})
+except matvib.MatvibError as refused:
+    assert refused.status == 2 and "bar.length" in str(refused), refused
+else:
+    raise AssertionError
+END
+python "the notebook runs" <<'END'
+import json, os
+names = {}
+for cell in json.load(open(os.environ["MATVIB_SRCDIR"] + "/python/matvib.ipynb"))["cells"]:
+    if cell["cell_type"] == "code":
+        exec("".join(cell["source"]), names)
+assert names["verdict"]["verdict"] == "right" and names["verdict"]["scheme"] == "USL", names["verdict"]
+assert abs(names["errors"][1]) > 3 * abs(names["errors"][0.5])
+END
+echo "1..$number"
