@@ -80,6 +80,19 @@ for option in --series --particles --nodes; do
 	expect "$option onto the scenario" 2 own.ini --end 1e-6 $option own.ini --force
 	result "is refused" says err '^matvib: own.ini: the output would overwrite an input$'
 done
+while read -r own options; do
+	cp plate.ini "$own"
+	expect "$options makes a name that is read" 2 "$own" --end 1e-6 $options --force
+	result "which is refused" says err "^matvib: $own: the output would overwrite an input\$"
+	result "and stays" cmp plate.ini "$own"
+	rm "$own"
+done <<-'END'
+	x.vtu --vtk x
+	x.pvd --vtk x --frames 2
+	x-0001.vtu --vtk x.vtu --frames 2
+	s.csv.ini --series s.csv
+	p.csv.ini --particles p.csv
+END
 result "which stays" cmp plate.ini own.ini
 "$MATVIB" sweep own.ini --vary plate.height=20mm,30mm --output own.ini --force >out 2>err
 result "so by a sweep" says err '^matvib: own.ini: the output would overwrite an input$'
