@@ -194,8 +194,8 @@ static bool factor(CholeskyBand *band, const PlaneDef *def, bool *sound, Status 
 /* --- the period ----------------------------------------------------------------------------------- */
 
 /* The mode of the lowest vibration by x <- K^-1 M_L M_C^-1 M_L x, from half a wave: omega^2 of S K and w^2 =
- * x'Kx/x'M_L x, both 1/s^2, by Rayleigh quotients of the last vector. Both matrices are factors. False: given
- * up. */
+ * x'Kx/x'M_L x, both 1/s^2, by Rayleigh quotients of the last vector; NAN: not converged. Both matrices are
+ * factors. False: given up. */
 static bool lowest_mode(Lattice2 *lattice, double *omega2, double *lumped2, Status *status)
 {
     const Patience *patience = &lattice->model.plane.patience;
@@ -204,8 +204,10 @@ static bool lowest_mode(Lattice2 *lattice, double *omega2, double *lumped2, Stat
     for (size_t u = 0; u < n; u++)
         x[u] = u % 2 ? math_sin(M_PI * (double)(u / 2 / (size_t)lattice->rows) / (lattice->columns - 1)) : 0;
     clear_held(lattice, x);
+    const double settled = 1e-8; /* where rounding keeps the last digits moving */
+    double change = INFINITY;
     *omega2 = 0;
-    for (int k = 0; k < ITERATIONS_MAX; k++) {
+    for (int k = 0; k < ITERATIONS_MAX && !(change < 1e-13); k++) {
         const double before = *omega2, length = sqrt(dot(x, x, n));
         for (size_t u = 0; u < n; u++)
             y[u] = lattice->lumped[u] * (x[u] /= length);
@@ -223,9 +225,10 @@ static bool lowest_mode(Lattice2 *lattice, double *omega2, double *lumped2, Stat
         *omega2 = dot(x, y, n) / dot(z, y, n);
         *lumped2 = dot(z, y, n) / lumped; /* z'K z = z'y */
         memcpy(x, z, n * sizeof *x);
-        if (fabs(*omega2 - before) < 1e-13 * *omega2)
-            break;
+        change = fabs(*omega2 - before) / *omega2;
     }
+    if (!(change < settled))
+        *omega2 = NAN;
     return true;
 }
 
@@ -308,7 +311,8 @@ static double largest(const double *rows, size_t size)
 }
 
 /* Lanczos' method with products x'K y: v of length 1, u = K v, w the next. False: given up. */
-static bool largest_eigenvalue(Lattice2 *lattice, const CholeskyBand *blend, double *eigenvalue)
+static bool largest_eigenvalue(Lattice2 *lattice, const CholeskyBand *blend, double *eigenvalue,
+                               bool *converged)
 {
     const size_t n = lattice->size;
     double *v = lattice->work, *before = v + n, *u = before + n, *w = u + n, *scratch = w + n;
@@ -326,6 +330,7 @@ static bool largest_eigenvalue(Lattice2 *lattice, const CholeskyBand *blend, dou
     for (size_t i = 0; i < n; i++)
         v[i] /= length, u[i] /= length;
     *eigenvalue = 0;
+    *converged = false;
     for (size_t k = 0; k < LANCZOS_MAX; k++) {
         memcpy(scratch, u, n * sizeof *u);
         if (!apply(lattice, blend, scratch, w))
@@ -342,7 +347,8 @@ static bool largest_eigenvalue(Lattice2 *lattice, const CholeskyBand *blend, dou
         if (k % 8 == 7 || beta == 0) {
             const double was = *eigenvalue;
             *eigenvalue = largest(rows, k + 1);
-            if (beta == 0 || fabs(*eigenvalue - was) < settled * *eigenvalue)
+            *converged = beta == 0 || fabs(*eigenvalue - was) < settled * *eigenvalue;
+            if (*converged)
                 break;
         }
         for (size_t i = 0; i < n; i++) {
@@ -353,8 +359,9 @@ static bool largest_eigenvalue(Lattice2 *lattice, const CholeskyBand *blend, dou
     return true;
 }
 
-/* The largest stable courant number of the undeformed beam, by its own matrices where they fit, else of an
- * endless mesh, less one per cent. Particles that have moved can lower it: hats down to 1.39 of 1.72. */
+/* The largest stable courant number of the undeformed beam, by its own matrices where they fit and the search
+ * for their largest eigenvalue converges, else of an endless mesh, less one per cent. Particles that have
+ * moved can lower it: hats down to 1.39 of 1.72. */
 bool plane_courant_limit(const PlaneDef *def, double *courant, Status *status)
 {
     Lattice2 lattice;
@@ -373,8 +380,9 @@ bool plane_courant_limit(const PlaneDef *def, double *courant, Status *status)
         good = good && factor(&blend, def, &sound, status);
         if (good && sound) {
             double eigenvalue;
-            good = largest_eigenvalue(&lattice, &blend, &eigenvalue) || given_up(status);
-            if (good)
+            bool converged;
+            good = largest_eigenvalue(&lattice, &blend, &eigenvalue, &converged) || given_up(status);
+            if (good && converged)
                 *courant = def->courant * sqrt(2 / eigenvalue) / lattice.model.dt;
         }
     }

@@ -72,10 +72,10 @@ static double largest(const double *diagonal, const double *beside, int n)
     return high;
 }
 
-/* omega_max^2 in 1/s^2; -1: interrupted by BeamDef.patience. A = K/rho: a displacement tiny q gives the force
- * density -tiny rho A q. v is q_k, previous q_{k-1}, each of 2 `array` doubles; f becomes A q_k less its
- * parts along both, so that its length is beta_k. The Lanczos vectors are not made orthogonal again: that
- * only repeats eigenvalues that have converged, and the largest stays right. */
+/* omega_max^2 in 1/s^2; -1: interrupted by BeamDef.patience, or not converged. A = K/rho: a displacement tiny
+ * q gives the force density -tiny rho A q. v is q_k, previous q_{k-1}, each of 2 `array` doubles; f becomes A
+ * q_k less its parts along both, so that its length is beta_k. The Lanczos vectors are not made orthogonal
+ * again: that only repeats eigenvalues that have converged, and the largest stays right. */
 static double iterate(Beam *beam, double *v, double *previous, Status *status)
 {
     const size_t count = 2 * beam->array;
@@ -120,15 +120,16 @@ static double iterate(Beam *beam, double *v, double *previous, Status *status)
             double before = value;
             value = largest(diagonal, beside, k + 1);
             if (value - before < 1e-7 * value)
-                break;
+                return value;
         }
     }
-    return value;
+    status_fail(status, "the search for the critical time step did not converge");
+    return -1;
 }
 
 /* *step = 2/omega_max, s. The iteration comes from below, so the step may be too large by some 1e-7.
  * The row-sum estimate sqrt(2 rho/sum c G w V/|xi|) would be up to 1.8 times too small. False: no
- * memory, or given up. */
+ * memory, given up, or not converged. */
 bool beam_critical_step(Beam *beam, double *step, Status *status)
 {
     size_t bytes = (2 * beam->array * sizeof(double) + 63) / 64 * 64;

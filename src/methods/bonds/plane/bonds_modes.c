@@ -136,14 +136,15 @@ static void fill(const Model *model, const bool *held, double *x)
  * K^-1 x the quotient 1/(x . y) has the square of the vector's error, and each turn makes that smaller by
  * lambda_1/lambda_2, 1/16 or less for a slender beam: a handful of turns; where two frequencies lie side by
  * side it takes more. The half wave's own quotient x . K x would be of no use (.79 ms in place of .85 at dx
- * .25 mm): it violates the point supports, and K punishes that. False: cancelled. */
+ * .25 mm): it violates the point supports, and K punishes that. NAN: not converged. False: cancelled. */
 static bool lowest_eigenvalue(const CholeskyBand *factor, const Model *model, const bool *held, double *x,
                               double *y, double *eigenvalue)
 {
     const size_t n = factor->size;
     fill(model, held, x);
-    double lambda = 0;
-    for (int k = 0; k < ITERATIONS_MAX; k++) {
+    const double settled = 1e-8; /* where rounding keeps the last digits moving */
+    double lambda = 0, change = INFINITY;
+    for (int k = 0; k < ITERATIONS_MAX && !(change < 1e-12); k++) {
         const double length = sqrt(dot(x, x, n)), before = lambda;
         for (size_t i = 0; i < n; i++)
             y[i] = x[i] /= length;
@@ -152,10 +153,9 @@ static bool lowest_eigenvalue(const CholeskyBand *factor, const Model *model, co
         lambda = 1 / dot(x, y, n);
         for (size_t i = 0; i < n; i++)
             x[i] = y[i];
-        if (fabs(lambda - before) < 1e-12 * lambda)
-            break;
+        change = fabs(lambda - before) / lambda;
     }
-    *eigenvalue = lambda;
+    *eigenvalue = change < settled ? lambda : NAN;
     return true;
 }
 
@@ -189,8 +189,8 @@ static void hold(const Model *model, bool *held)
 }
 
 /* T = 2 pi/sqrt(lambda/rho), and the sag of a probe (NULL: not wanted). They stay NAN where nothing holds the
- * body, or where the band would take more than BEAM_MODES_NUMBERS_MAX doubles. False: no memory, or
- * interrupted. */
+ * body, where two lowest periods are too close to be told apart, or where the band would take more than
+ * BEAM_MODES_NUMBERS_MAX doubles. False: no memory, or interrupted. */
 static bool solve(const Model *model, const Probe *probe, BeamLinear *out, Status *status)
 {
     const Lattice *lattice = model->lattice;
