@@ -273,6 +273,25 @@ START_TEST(critical_is_twice_the_lowest_of_a_post)
 }
 END_TEST
 
+/* A cut makes two tongues that sway alike, together or against each other, with nearly one frequency: an
+ * iteration that has not told them apart has no period. */
+START_TEST(two_alike_have_no_period)
+{
+    BeamDef def = post();
+    def.height = 0.1;
+    def.plate.probe_y = 0.1;
+    def.plate.n_cuts = 2;
+    def.plate.cuts[0] = (PlateCut){.x0 = 0.020, .y0 = 0.1, .x1 = 0.020, .y1 = 0, .name = "a"};
+    def.plate.cuts[1] = (PlateCut){.x0 = 0, .y0 = 0.0611, .x1 = 0.0035, .y1 = 0.0611, .name = "b"};
+    Simulation *sim = beam_case_create(&def, NULL);
+    BeamLinear linear;
+    ck_assert(beam_linear(sim, &linear, NULL));
+    ck_assert_msg(isnan(linear.period), "%.17g", linear.period);
+    ck_assert(linear.sag > 0);
+    simulation_destroy(sim);
+}
+END_TEST
+
 static long step_of_rest(const BeamDef *def)
 {
     Simulation *sim = beam_case_create(def, NULL);
@@ -423,6 +442,7 @@ void add_cases(Suite *suite)
     tcase_add_test(rest, comes_to_rest_by_itself);
     tcase_add_test(rest, a_turning_point_is_no_rest);
     tcase_add_test(rest, critical_is_twice_the_lowest_of_a_post);
+    tcase_add_test(rest, two_alike_have_no_period);
     tcase_add_test(rest, rest_waits_for_what_was_ordered);
     tcase_add_test(rest, damping_beyond_the_step_is_refused);
     tcase_add_test(rest, rest_is_the_same_by_every_way);

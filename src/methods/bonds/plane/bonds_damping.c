@@ -66,7 +66,8 @@ bool beam_set_damping(Beam *beam, Status *status)
     if (def->critically_damped && !isfinite(beam->period))
         return status_refuse(status,
                              "damping.rate: critical is twice a lowest frequency that is not known here: "
-                             "nothing holds the %s, or the lattice is too fine (a number, 1/s)",
+                             "nothing holds the %s, its two lowest lie too close, or the lattice is too fine "
+                             "(a number, 1/s)",
                              beam_word(def));
     const double lowest = 2 * M_PI / beam->period;
     if (def->critically_damped)
