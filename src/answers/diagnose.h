@@ -135,12 +135,14 @@ typedef struct Diagnosis {
     int n_explanations, more;           /* of which there is no room */
     long tried;
     bool pairs_left; /* no two mistakes at once were tried */
+    bool time_up;    /* the time was up before all were tried */
 } Diagnosis;
 
 typedef struct DiagnoseTask {
     const Settings *settings;
     int threads;
-    bool pairs; /* two mistakes at once are tried in the plane too, where that takes long */
+    bool pairs;     /* two mistakes at once are tried in the plane too, where that takes long */
+    double seconds; /* no other code is tried after so many; 0: all are */
     Patience patience;
 } DiagnoseTask;
 

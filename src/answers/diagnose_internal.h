@@ -105,6 +105,7 @@ typedef struct Search {
     Walk walk;         /* along it */
     Candidate first;   /* the first that explains it all */
     Settings by_first; /* its settings; without one the right ones */
+    double until;      /* of the clock: DiagnoseTask.seconds */
     Status *status;
 } Search;
 
@@ -121,6 +122,9 @@ typedef struct DiagnoseReading {
  * -1: it was given up, or there is no memory. */
 enum { READINGS_MAX = 4 };
 int diagnose_readings(const Search *, DiagnoseReading out[READINGS_MAX]);
+
+/* Time steps that differ by less are one, as where it is a number of single precision. */
+#define DIAGNOSE_SAME_STEP 2e-7
 
 /* Puts steps and columns of a table as a reading has them. False: it has rows between its steps. */
 bool diagnose_read_as(DiagnoseTable *, const DiagnoseReading *);

@@ -48,7 +48,7 @@ static bool steps_of(DiagnoseTable *table, const DiagnoseReading *reading, doubl
             half = m == 0 ? fabs(exact - floor(exact) - 0.5) < 0.01 : half;
             step = half ? floor(exact) : round(exact);
             if (!(fabs(time - (step + (half ? 0.5 : 0)) * reading->dt) <=
-                  bound + 2e-6 * reading->dt + 1e-14 * time))
+                  bound + 2e-6 * reading->dt + DIAGNOSE_SAME_STEP * time))
                 return false;
         }
         step += (double)reading->shift;
@@ -378,7 +378,7 @@ static bool try_reading(Trials *trials, const DiagnoseReading *reading, const Se
         find_sizes(trials, sim);
         sound = go_along(trials, sim);
         keep_best(trials, sim, trial);
-        trials->count -= trial->reading.n_columns == 0;
+        trials->count -= trial->reading.n_columns == 0 || (!plain && !trial->throughout);
     }
     simulation_destroy(sim);
     return sound;
@@ -389,7 +389,7 @@ static bool try_reading(Trials *trials, const DiagnoseReading *reading, const Se
 
 static bool is_whole(double number, double bound)
 {
-    return number >= 0.5 && fabs(number - round(number)) <= bound + 1e-9 * number;
+    return number >= 0.5 && fabs(number - round(number)) <= bound + DIAGNOSE_SAME_STEP * number;
 }
 
 /* One reading of the times with each shift and each order of the stages; *found: one agrees throughout. */
@@ -428,9 +428,17 @@ static bool try_all_times(Trials *trials, bool *found)
     const double dt = table->scenario_dt, share = table->spacing_bound / fmax(table->spacing, 1e-300);
     const bool far = table->spacing > 99 * dt;
     const double factors[] = {far ? 1e-3 : 1, far ? 1 : 1e-3, 1e-6}; /* but for one that --map has given */
+    static const double steps[] = {2, 5, 0.5, 2.5, 4, 3, 8, 0.2, 0.1, 0.25, 9}; /* where no time tells it */
     static const int parts[] = {2, 3, 4, 5, 8, 10, 20, 25, 40, 50, 100};
-    if (table->step_column >= 0 || table->of_stages || !(table->spacing > 0))
-        return try_times(trials, table->time_factor, table->dt, true, found);
+    if (table->step_column >= 0 || table->of_stages || !(table->spacing > 0)) {
+        if (!try_times(trials, table->time_factor, table->dt, true, found))
+            return false;
+        for (size_t i = 0; !table->timed && !table->of_stages && i < sizeof steps / sizeof *steps && !*found;
+             i++)
+            if (!try_times(trials, 1, steps[i] * dt, false, found))
+                return false;
+        return true;
+    }
     for (int pass = 0; pass < 2; pass++) /* the plain ones first */
         for (size_t f = 0; f < sizeof factors / sizeof *factors && !*found; f++) {
             const bool given = table->time_factor != 1;
@@ -443,7 +451,8 @@ static bool try_all_times(Trials *trials, bool *found)
             const bool multiple = is_whole(spacing / dt, share * spacing / dt);
             if (pass == 0 && multiple && !try_times(trials, factor, dt, likely, found))
                 return false;
-            if (pass == 0 && !*found && !(multiple && fabs(spacing - dt) <= share * spacing + 1e-9 * dt) &&
+            if (pass == 0 && !*found &&
+                !(multiple && fabs(spacing - dt) <= share * spacing + DIAGNOSE_SAME_STEP * dt) &&
                 !try_times(trials, factor, spacing, likely, found))
                 return false;
             for (size_t i = 0; pass == 1 && i < sizeof parts / sizeof *parts && !*found; i++)

@@ -8,6 +8,7 @@
 #include "scenario/concern_loads.h"
 
 #include "answers/references.h"
+#include "base/clock.h"
 #include "base/math/functions.h"
 #include "base/text.h"
 #include "problems/problem.h"
@@ -148,13 +149,19 @@ static bool try_again(Search *search, const Settings *wrong, Walk *walk, bool *a
 /* So many moments beyond the right run's departure are no chance. */
 enum { LEAST_BEYOND = 5 };
 
+static bool time_is_up(Search *search)
+{
+    search->found->time_up = search->found->time_up || clock_seconds() > search->until;
+    return search->found->time_up;
+}
+
 /* False: it was given up. */
 static bool try_one(Search *search, const Candidate *candidate, Walk *walk, Settings *wrong, bool *agrees)
 {
     *agrees = false;
     *walk = (Walk){
         .table = search->table, .moments = SIZE_MAX, .shift = candidate->shift, .grown = search->grown};
-    if (!diagnose_settings_of(candidate, &search->right, search->table, wrong))
+    if (time_is_up(search) || !diagnose_settings_of(candidate, &search->right, search->table, wrong))
         return true;
     Status why = {STATUS_DONE, ""};
     search->found->tried++;
@@ -217,6 +224,8 @@ static bool try_value(Search *search, const Parameter *parameter, const TimeSett
     Settings wrong;
     Walk walk;
     bool agrees;
+    if (time_is_up(search))
+        return true;
     if (!diagnose_find_value(&task, search->table, &search->walk.departure, parameter, own_step,
                              &candidate.value, &search->found->tried))
         return patience_lasts(&search->task->patience, 0) || status_fail(search->status, "interrupted");
@@ -401,8 +410,12 @@ bool diagnose(const DiagnoseTask *task, DiagnoseTable *table, Diagnosis *found, 
     *found = (Diagnosis){.agreed_step = -1, .verdict = DIAGNOSE_UNKNOWN, .rows = table->file.count};
     if (!search)
         return status_fail(status, "out of memory");
-    *search =
-        (Search){.task = task, .table = table, .found = found, .right = *task->settings, .status = status};
+    *search = (Search){.task = task,
+                       .table = table,
+                       .found = found,
+                       .until = task->seconds > 0 ? clock_seconds() + task->seconds : INFINITY,
+                       .right = *task->settings,
+                       .status = status};
     search->values = malloc((table->file.count * (size_t)table->n_columns + 1) * sizeof *search->values);
     for (size_t i = 0; search->values && i < table->file.count * (size_t)table->n_columns; i++)
         search->values[i] = NAN;

@@ -416,7 +416,7 @@ static void time_step_of_steps(DiagnoseTable *table, const Heads *heads, double 
     const double count = steps[high] - steps[low], own = (t[1] - t[0]) / count;
     const double bound = 2 * fmax(time_bound(file, heads, low), time_bound(file, heads, high)) / count;
     table->dt_bound = bound;
-    if (!(own > 0) || fabs(own - dt) <= bound + 1e-12 * dt)
+    if (!(own > 0) || fabs(own - dt) <= bound + DIAGNOSE_SAME_STEP * dt)
         return;
     table->dt = own;
 }

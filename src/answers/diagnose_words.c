@@ -201,7 +201,9 @@ static void tell_nothing_found(const Diagnosis *found, const DiagnoseTable *tabl
         out,
         "None of %ld other codes gives these numbers: no one mistake, scheme or value that is known here.\n",
         found->tried);
-    if (found->pairs_left)
+    if (found->time_up)
+        fputs("The time of --time was up before all of them were tried.\n", out);
+    else if (found->pairs_left)
         fputs("Two mistakes at once were not tried (--pairs).\n", out);
     if (found->farthest < 1e-6)
         visible_print(out, "No number is farther off than %s of the largest of its kind.\n",

@@ -31,35 +31,37 @@ static int help(int count, char **arguments, Status *status)
 }
 
 const CliCommand cli_commands[] = {
-    {"run", "SCENARIO", "runs a scenario to its end and writes tables of it", cli_run, 1, 1, NULL, NULL},
+    {"run", "SCENARIO", "runs a scenario to its end and writes tables of it", cli_run, 1, 1, NULL, NULL,
+     NULL},
     {"sweep", "SCENARIO", "many runs that differ in some parameters, a row for each", cli_sweep, 1, 1, NULL,
-     NULL},
+     NULL, NULL},
     {"figure", "SCENARIO", "runs a scenario and draws a view of it for paper: SVG, PDF, PNG", cli_figure, 1,
-     1, NULL, NULL},
+     1, NULL, NULL, NULL},
     {"movie", "SCENARIO|SESSION|SCRIPT", "films the laboratory: .cast, animated .svg, .gif", cli_movie, 1, 1,
-     "SCENARIO, SESSION or SCRIPT", NULL},
-    {"fit", "SCENARIO", "the parameters that a measured series asks for", cli_fit, 1, 1, NULL, NULL},
+     "SCENARIO, SESSION or SCRIPT", NULL, NULL},
+    {"fit", "SCENARIO", "the parameters that a measured series asks for", cli_fit, 1, 1, NULL, NULL, NULL},
     {"diagnose", "SCENARIO FILE...", "tells from the numbers of your own code which mistake is in it",
-     cli_diagnose, 2, WORDS_MAX, "SCENARIO FILE", NULL},
-    {"sound", "SCENARIO", "the error of a frequency, to be heard: .wav", cli_sound, 1, 1, NULL, NULL},
+     cli_diagnose, 0, WORDS_MAX, "SCENARIO FILE", NULL,
+     "matvib diagnose mode5 own.csv --set time.courant=0.2"},
+    {"sound", "SCENARIO", "the error of a frequency, to be heard: .wav", cli_sound, 1, 1, NULL, NULL, NULL},
     {"verify", "[NAME]...", "the papers' numbers measured: reproduced, and agreeing?", NULL, 0, -1, NULL,
-     verify},
+     verify, NULL},
     {"lesson", "[NAME]", "a lesson beside the live laboratory; without a name: all of them", cli_lesson, 0, 1,
-     NULL, NULL},
+     NULL, NULL, NULL},
     {"grade", "LESSON SESSION...", "marks recorded sessions of a lesson's exercises", cli_grade, 0, -1, NULL,
-     NULL},
-    {"list", "[SCENARIO]", "the built-in scenarios; of one its title and what it is about", cli_list, 0, 1,
      NULL, NULL},
+    {"list", "[SCENARIO]", "the built-in scenarios; of one its title and what it is about", cli_list, 0, 1,
+     NULL, NULL, NULL},
     {"show", "SCENARIO", "the resolved scenario as a file, derived values as comments", cli_show, 1, 1, NULL,
-     NULL},
+     NULL, NULL},
     {"params", "[PROBLEM|SCENARIO]", "the parameters: value, unit, what is allowed, meaning", cli_params, 0,
-     1, NULL, NULL},
+     1, NULL, NULL, NULL},
     {"help", "[COMMAND|SCENARIO]", "the options of a command, or what a scenario is about", NULL, 0, -1, NULL,
-     help},
-    {NULL, NULL, NULL, NULL, 0, 0, NULL, NULL},
+     help, NULL},
+    {NULL, NULL, NULL, NULL, 0, 0, NULL, NULL, NULL},
 };
 
-const CliCommand cli_laboratory = {"open", "", "opens the laboratory", cli_open, 0, -1, NULL, NULL};
+const CliCommand cli_laboratory = {"open", "", "opens the laboratory", cli_open, 0, -1, NULL, NULL, NULL};
 
 int cli_do(const CliCommand *command, int count, char **arguments, Status *status)
 {
@@ -108,6 +110,8 @@ void cli_print_help(const CliCommand *command)
         if (options_count(command->name) > 0)
             printf("\nOptions:\n");
         options_print(command->name);
+        if (command->example)
+            printf("\nExample:\n  %s\n", command->example);
         return;
     }
     printf("usage: matvib [SCENARIO] [OPTION]...\n"

@@ -19,6 +19,7 @@ typedef struct CliCommand {
     int least, most;   /* words that it takes, options left out; most -1: it looks itself */
     const char *words; /* what they are called where they are missing; NULL: as in the synopsis */
     int (*raw)(int count, char **arguments, Status *); /* in place of run(): reads its arguments itself */
+    const char *example;                               /* a line as one types it; NULL: none is shown */
 } CliCommand;
 
 extern const CliCommand cli_commands[]; /* ended by a NULL name */

@@ -31,6 +31,7 @@ typedef struct Files {
     File *files;
     int count;
     int at_once, threads; /* files side by side, and threads of each */
+    double seconds;       /* of each; 0: no bound */
     pthread_mutex_t lock; /* of what follows */
     int next, done;
     Progress progress;
@@ -55,6 +56,7 @@ static void work(void *context, int chunk, int worker)
     const DiagnoseTask task = {.settings = all->settings,
                                .threads = all->threads,
                                .pairs = all->options->pairs,
+                               .seconds = all->seconds,
                                .patience = {show_share, all}};
     for (;;) {
         pthread_mutex_lock(&all->lock);
@@ -281,6 +283,62 @@ static bool tell(const Files *all, Status *status)
     return unread == 0 || status_refuse(status, "%d of %d files cannot be judged", unread, all->count);
 }
 
+/* --- the lines that write a file --------------------------------------------------------------------- */
+
+static const struct {
+    const char *language, *lines;
+} templates[] = {
+    {"python", "# a row for t = 0 and one after each step, with all digits; arrays over particles\n"
+               "out = open('own.csv', 'w')\n"
+               "out.write('step,time,v_cm,kinetic,strain\\n')\n"
+               "def record(step):\n"
+               "    v_cm = sum(m * v) / sum(m)\n"
+               "    kinetic = sum(0.5 * m * v**2)\n"
+               "    strain = sum(0.5 * s**2 / E * m / rho)\n"
+               "    out.write('%d,%.17g,%.17g,%.17g,%.17g\\n' % (step, step * dt, v_cm, kinetic, strain))\n"
+               "record(0)     # before the loop\n"
+               "record(step)  # at the end of step 1, 2, ...\n"},
+    {"matlab", "% a row for t = 0 and one after each step, with all digits; vectors over particles\n"
+               "out = fopen('own.csv', 'w');\n"
+               "fprintf(out, 'step,time,v_cm,kinetic,strain\\n');\n"
+               "record = @(step, m, v, s, rho) fprintf(out, '%d,%.17g,%.17g,%.17g,%.17g\\n', ...\n"
+               "    step, step * dt, sum(m .* v) / sum(m), sum(0.5 * m .* v.^2), ...\n"
+               "    sum(0.5 * s.^2 / E .* m ./ rho));\n"
+               "record(0, m, v, s, rho);     % before the loop\n"
+               "record(step, m, v, s, rho);  % at the end of step 1, 2, ...\n"
+               "fclose(out);\n"},
+    {"fortran", "! a row for t = 0 and one after each step, with all digits; arrays over particles\n"
+                "open(10, file='own.csv')\n"
+                "write(10, '(a)') 'step,time,v_cm,kinetic,strain'\n"
+                "call record(0)     ! before the loop\n"
+                "call record(step)  ! at the end of step 1, 2, ...\n"
+                "contains\n"
+                "subroutine record(n)\n"
+                "  integer, intent(in) :: n\n"
+                "  write(10, '(i0,4(\",\",es24.16e3))') n, n*dt, sum(m*v)/sum(m), &\n"
+                "    sum(0.5d0*m*v**2), sum(0.5d0*s**2/E*m/rho)\n"
+                "end subroutine\n"},
+    {"julia", "# a row for t = 0 and one after each step, with all digits; vectors over particles\n"
+              "out = open(\"own.csv\", \"w\")\n"
+              "println(out, \"step,time,v_cm,kinetic,strain\")\n"
+              "function record(step)\n"
+              "    v_cm = sum(m .* v) / sum(m)\n"
+              "    kinetic = sum(0.5 .* m .* v.^2)\n"
+              "    strain = sum(0.5 .* s.^2 ./ E .* m ./ rho)\n"
+              "    println(out, join((step, step * dt, v_cm, kinetic, strain), \",\"))\n"
+              "end\n"
+              "record(0)     # before the loop\n"
+              "record(step)  # at the end of step 1, 2, ...; close(out) behind the last\n"},
+};
+
+static int print_template(const char *language)
+{
+    for (size_t i = 0; i < sizeof templates / sizeof *templates; i++)
+        if (strcmp(templates[i].language, language) == 0)
+            fputs(templates[i].lines, stdout);
+    return STATUS_DONE;
+}
+
 /* --- the command ------------------------------------------------------------------------------------ */
 
 static bool may_write(const Options *options, Status *status)
@@ -291,13 +349,20 @@ static bool may_write(const Options *options, Status *status)
 int cli_diagnose(Options *options, Status *status)
 {
     Settings settings;
-    if (!options_load(options, options->words[0], &settings, status) || !may_write(options, status))
+    double seconds = 0;
+    if (options->template)
+        return print_template(options->template);
+    if (options->time_bound && !(text_to_double(options->time_bound, &seconds) && seconds > 0))
+        status_refuse(status, "--time: not a number of seconds above 0: %.60s", options->time_bound);
+    if (status->code != STATUS_DONE || !options_words(options, 2, WORDS_MAX, "SCENARIO FILE", status) ||
+        !options_load(options, options->words[0], &settings, status) || !may_write(options, status))
         return (int)status->code;
     const int files = options->n_words - 1, threads = progress_threads(options->threads);
     Files all = {.options = options,
                  .settings = &settings,
                  .files = calloc((size_t)files, sizeof *all.files),
                  .count = files,
+                 .seconds = seconds,
                  .at_once = threads < files ? threads : files};
     all.threads = threads / all.at_once;
     pthread_mutex_init(&all.lock, NULL);

@@ -23,6 +23,7 @@
 
 static const char *const dialects[] = {"comma", "semicolon", NULL};
 static const char *const vtk_data[] = {"text", "raw", NULL};
+static const char *const languages[] = {"python", "matlab", "fortran", "julia", NULL};
 static const char *const glyph_sets[] = {"auto", "braille", "block", "ascii", NULL};
 static const char *const themes[] = {"auto", "light", "dark", NULL};
 
@@ -61,11 +62,16 @@ const Option options_table[] = {
     {"--figure", "FILE", " fit ", "a picture of both: FILE.svg, FILE.pdf or FILE.png", OPTION_TEXT,
      AT(figure)},
     {"--map", "THEIRS=OURS,...", " diagnose ",
-     "columns whose names say nothing; THEIRS=OURS*FACTOR turns units into the scenario's", OPTION_TEXT,
-     AT(map)},
+     "columns whose names say nothing, by name or number; --map 1=time,2=v_cm*0.001 turns mm into m",
+     OPTION_TEXT, AT(map)},
     {"--pairs", NULL, " diagnose ",
      "tries two mistakes at once on beams too, where no one thing explains the numbers; it takes longer",
      OPTION_FLAG, AT(pairs)},
+    {"--time", "SECONDS", " diagnose ", "tries no more codes after so many seconds of a file", OPTION_TEXT,
+     AT(time_bound)},
+    {"--template", "LANGUAGE", " diagnose ",
+     "prints the lines that write a good file: python, matlab, fortran, julia", AT(template),
+     ONE_OF(languages)},
     {"--output", "FILE", " diagnose ", "a table with a row for each file: FILE.csv", OPTION_TEXT, AT(output),
      LETTER('o')},
     {"--json", NULL, " diagnose ", "the same rows on standard output, as JSON", OPTION_FLAG, AT(json)},

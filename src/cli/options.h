@@ -81,6 +81,7 @@ typedef struct Options {
     const char *data, *sought, *column, *figure; /* of a fit */
     const char *map;                             /* of a diagnosis */
     bool pairs;                                  /* likewise */
+    const char *time_bound, *template;           /* likewise */
     bool json;
     const char *seconds, *pitch;                /* of a sound */
     const char *fps, *speed, *idle, *from, *to; /* of a film */
