@@ -12,7 +12,7 @@
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "base/kinds.h"
-#include "answers/waves.h"
+#include "answers/dispersion_curves.h"
 #include "scenario/parameters.h"
 #include "base/math/functions.h"
 
@@ -133,10 +133,10 @@ static double limit_of_horizon(const Settings *settings)
     const double long_wave = 1e-3 / settings_lattice(settings)->horizon;
     if (settings_lattice(settings)->surface_correction != SURFACE_NONE)
         return NAN;
-    const double along =
-                     waves_on_lattice(settings, settings_lattice(settings)->influence, false, 0, long_wave),
-                 across =
-                     waves_on_lattice(settings, settings_lattice(settings)->influence, true, 0, long_wave);
+    const double along = dispersion_on_lattice(settings, settings_lattice(settings)->influence, false, 0,
+                                               long_wave),
+                 across = dispersion_on_lattice(settings, settings_lattice(settings)->influence, true, 0,
+                                                long_wave);
     const double c11 = 9.0 / 8 * along * along, c12 = 3.0 / 8 * across * across;
     return 1 / sqrt(c11 - c12 * c12 / c11);
 }

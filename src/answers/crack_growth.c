@@ -10,7 +10,7 @@
 #include "base/text.h"
 #include "scenario/settings.h"
 #include "scenario/rows/rows.h"
-#include "methods/bonds/cracks/crack_speed.h"
+#include "methods/bonds/cracks/crack.h"
 
 #include <math.h>
 

@@ -9,6 +9,10 @@
 #define ANSWERS_DISPERSION_CURVES_H
 
 #include "problems/problem.h"
+#include "base/kinds.h"
+#include "scenario/assignment.h"
+
+#include <stdbool.h>
 
 enum { MODE_FACTORS_MAX = 4 };
 
@@ -38,5 +42,14 @@ bool dispersion_mode(const Settings *, int number, ModeOnMesh *);
 /* The same mode by other ways of the method on this very mesh, to be compared: the name of the way (which =
  * 0, 1, ...) and its predicted frequency, NAN where such a wave does not swing. NULL: there is none more. */
 const char *dispersion_other_way(const Settings *, int which, int number, double *frequency);
+
+/* Waves in the plane of bonds far from surfaces: how fast they run by their length, their direction to the
+ * lattice's rows, and the shape of the micromodulus. Source: theory/pd_waves.h. */
+
+/* Phase speed over that of long waves in elasticity, at the wave number k: on this lattice with its volume
+ * and surface correction (NAN: shorter than two spacings), and in the continuum of bonds with this horizon.
+ * `angle` in radians, 0 along the rows. */
+double dispersion_on_lattice(const Settings *, Influence, bool transverse, double angle, double k);
+double dispersion_of_bonds(const Settings *, Influence, bool transverse, double k);
 
 #endif

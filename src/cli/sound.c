@@ -8,10 +8,64 @@
 #include "base/math/functions.h"
 #include "base/output.h"
 #include "base/text.h"
-#include "export/wav.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <stdint.h>
+
+/* Two tones as a file of sound (RIFF WAVE, PCM, 16 bits, 44.1 kHz): one for each ear. */
+
+enum { WAV_RATE = 44100 }; /* samples in a second, Hz */
+
+#define FADE_SECONDS 0.02
+#define LOUDNESS     0.35 /* of what a sample can hold; both together stay below 1 on one loudspeaker */
+
+static const double tau = 6.283185307179586;
+
+/* Numbers stand with their lowest byte first. */
+static void put_number(FILE *file, uint32_t number, int bytes)
+{
+    for (int i = 0; i < bytes; i++)
+        fputc((int)(number >> 8 * i & 0xff), file);
+}
+
+static void put_head(FILE *file, uint32_t samples)
+{
+    const uint32_t channels = 2, width = 2, data = samples * channels * width;
+    fputs("RIFF", file);
+    put_number(file, 36 + data, 4);
+    fputs("WAVEfmt ", file);
+    put_number(file, 16, 4);
+    put_number(file, 1, 2); /* PCM */
+    put_number(file, channels, 2);
+    put_number(file, WAV_RATE, 4);
+    put_number(file, WAV_RATE * channels * width, 4);
+    put_number(file, channels * width, 2);
+    put_number(file, 8 * width, 2);
+    fputs("data", file);
+    put_number(file, data, 4);
+}
+
+/* s(t) = a(t) sin(2 pi f t), a rising and falling evenly at the ends */
+static void put_sample(FILE *file, double frequency, double time, double seconds)
+{
+    const double edge = fmin(1, fmin(time, seconds - time) / FADE_SECONDS);
+    const long value = lround(32767 * LOUDNESS * edge * math_sin(tau * frequency * time));
+    put_number(file, (uint32_t)(value & 0xffff), 2);
+}
+
+/* Pure tones of these frequencies, Hz, for so many seconds. They fade in and out over a fiftieth of a second,
+ * so that nothing clicks. */
+static void wav_write(FILE *file, double left, double right, double seconds)
+{
+    const uint32_t samples = (uint32_t)lround(seconds * WAV_RATE);
+    put_head(file, samples);
+    for (uint32_t i = 0; i < samples; i++) {
+        const double time = (double)i / WAV_RATE;
+        put_sample(file, left, time, seconds);
+        put_sample(file, right, time, seconds);
+    }
+}
 
 #define SECONDS      6.0
 #define SECONDS_MOST 600.0
@@ -20,8 +74,6 @@
 /* What is heard well by small loudspeakers and by most ears, Hz. */
 #define HEARD_LEAST 80.0
 #define HEARD_MOST  6000.0
-
-static const double tau = 6.283185307179586;
 
 /* What both ears get. */
 typedef struct Tones {

@@ -35,7 +35,7 @@ typedef struct Layout {
 Layout layout_make(const Screen *, int width, int height);
 void layout_small(const Screen *, int width, int height, Layout *); /* without room for all panes */
 bool layout_plain(const Screen *, int width, int height, Layout *); /* false: it has no room */
-/* layout_rows.c, what both sheets have: the width of a lesson's text, the rows of the strip of particles and
+/* layout.c, what both sheets have: the width of a lesson's text, the rows of the strip of particles and
  * of the box. */
 int layout_lesson_width(int width);
 int layout_strip_rows(int height);

@@ -13,7 +13,6 @@
 #include "problems/solvers.h"
 #include "theory/bar_waves.h"
 #include "theory/step_limit.h"
-#include "theory/step_motion.h"
 #include "theory/step_spectrum.h"
 #include "theory/swing.h"
 

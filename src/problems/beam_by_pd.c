@@ -8,7 +8,7 @@
 #include "scenario/settings.h"
 #include "problems/solvers.h"
 #include "methods/bonds/plane/bonds_modes.h"
-#include "methods/bonds/cracks/crack_speed.h"
+#include "methods/bonds/cracks/crack.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -52,8 +52,8 @@ static void find_thickness_lines(BeamBody *body, const Settings *settings, const
     const size_t rows = (size_t)facts.ny;
     double *stiffness = facts.ny <= ROWS_MAX ? malloc(rows * rows * sizeof *stiffness) : NULL;
     if (stiffness && beam_row_stiffness(sim, stiffness))
-        body->n_thickness = thickness_modes(stiffness, facts.ny, settings_material(settings)->density,
-                                            sim->dt, body->thickness, THICKNESS_LINES_MAX);
+        body->n_thickness = beam_thickness_modes(stiffness, facts.ny, settings_material(settings)->density,
+                                                 sim->dt, body->thickness, THICKNESS_LINES_MAX);
     free(stiffness);
 }
 

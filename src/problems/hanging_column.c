@@ -7,7 +7,7 @@
 #include "scenario/concern_loads.h"
 #include "methods/mpm/mpm_bar.h"
 #include "problems/solvers.h"
-#include "theory/column.h"
+#include "theory/bar_motion.h"
 #include "base/math/functions.h"
 
 #include <math.h>
@@ -36,7 +36,7 @@ static const HangingColumn *own_column(const References *refs)
 static double exact_x_cm(References *refs, long step, double time, const double *row)
 {
     (void)step, (void)time, (void)row;
-    return column_centre(own_column(refs));
+    return bar_column_centre(own_column(refs));
 }
 
 static bool prepare(References *refs, const Settings *settings, const Simulation *sim, Status *status)
@@ -57,7 +57,7 @@ static double profile(const References *refs, const char *field, double x, doubl
     (void)time;
     if (!(x >= 0 && x <= column->length))
         return NAN;
-    const double u = column_displacement(column, x), stress = column_stress(column, x);
+    const double u = bar_column_displacement(column, x), stress = bar_column_stress(column, x);
     const double strain = stress / column->youngs_modulus;
     return strcmp(field, "u") == 0         ? u
            : strcmp(field, "x") == 0       ? x + u
@@ -81,11 +81,11 @@ static int findings(const References *refs, const Simulation *sim, Finding *out)
     out[0] = (Finding){.name = "u_last",
                        .label = "last particle's u",
                        .measured = simulation_named(sim, 0, "u", last),
-                       .exact = column_displacement(column, simulation_named(sim, 0, "x0", last))};
+                       .exact = bar_column_displacement(column, simulation_named(sim, 0, "x0", last))};
     out[1] = (Finding){.name = "stress_first",
                        .label = "first particle's stress",
                        .measured = simulation_named(sim, 0, "stress", 0),
-                       .exact = column_stress(column, simulation_named(sim, 0, "x0", 0))};
+                       .exact = bar_column_stress(column, simulation_named(sim, 0, "x0", 0))};
     return 2;
 }
 
@@ -101,13 +101,13 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
     derived_add(out, &n, "cells", "cells", "1", cells, true);
     derived_add(out, &n, "particles", "particles", "1", cells * count, true);
     derived_add_answer(out, &n, REFERENCE_EXACT, "stress_support", "support bears", "force/area",
-                       column_stress(&column, 0)); /* rho b L; the first particle stands a little below */
+                       bar_column_stress(&column, 0)); /* rho b L; the first particle stands a little below */
     derived_add_answer(out, &n, REFERENCE_EXACT, "strain_largest", "largest strain", "1",
-                       column_stress(&column, 0) / column.youngs_modulus);
+                       bar_column_stress(&column, 0) / column.youngs_modulus);
     derived_add_answer(out, &n, REFERENCE_EXACT, "u_last", "last u, exact", "length",
-                       column_displacement(&column, last));
+                       bar_column_displacement(&column, last));
     derived_add_answer(out, &n, REFERENCE_EXACT, "u_last_linear", "  for small strain", "length",
-                       column_linear(&column, last));
+                       bar_column_linear(&column, last));
     return n;
 }
 

@@ -2,7 +2,6 @@
 #include "terminal/grid.h"
 
 #include "base/assertion.h"
-#include "terminal/fallback.h"
 
 #include "terminal/theme.h"
 
@@ -18,6 +17,34 @@
 
 #include <curses.h>
 #include <term.h>
+
+/* Terminals where the system has no descriptions of them: two that are compiled in. */
+
+enum { FALLBACK_MANY_COLOURS, FALLBACK_FEW_COLOURS, FALLBACKS };
+
+static const struct {
+    const char *name, *description;
+} terminals[FALLBACKS] = {
+#include "terminal/fallback.inc"
+};
+
+/* Opens curses on one of them; NULL: curses cannot take a description from the program. */
+static SCREEN *fallback_open(int which, FILE *output, FILE *input)
+{
+    const char *given = getenv("TERMINFO");
+    char *before = given ? strdup(given) : NULL;
+    if ((given && !before) || setenv("TERMINFO", terminals[which].description, 1) != 0) {
+        free(before);
+        return NULL;
+    }
+    SCREEN *screen = newterm(terminals[which].name, output, input);
+    if (before)
+        setenv("TERMINFO", before, 1);
+    else
+        unsetenv("TERMINFO");
+    free(before);
+    return screen;
+}
 
 /* --- the terminal's description -------------------------------------------------------------------- */
 

@@ -51,8 +51,8 @@ double beam_cantilever_frequency(const BeamTheory *beam, double length);
  * two sides alike, as a run with steps of dt shows them (paper P, the fast lines of fig. 4). `stiffness`:
  * rows x rows, N/m^4, symmetric; `frequencies` takes at most `most`. Returns how many; 0 also without memory.
  */
-int thickness_modes(const double *stiffness, int rows, double density, double dt, double *frequencies,
-                    int most);
+int beam_thickness_modes(const double *stiffness, int rows, double density, double dt, double *frequencies,
+                         int most);
 
 /* Axially moving cantilever, Euler-Bernoulli on L(t) = L0 + v0 t, by modal equations; see the .c file. */
 typedef struct MovingCantilever MovingCantilever;

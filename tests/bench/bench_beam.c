@@ -208,7 +208,7 @@ static int add_runner(Runner *runners, int *n, const BeamDef *def, CpuLevel leve
     }
     runner->busy = busy;
     runner->clock = threads > 1 || busy ? CLOCK_MONOTONIC : CLOCK_PROCESS_CPUTIME_ID;
-    snprintf(runner->name, sizeof runner->name, "%s, %d thread%s%s", cpu_name(level), threads,
+    snprintf(runner->name, sizeof runner->name, "%s, %d thread%s%s", bonds_cpu_name(level), threads,
              threads > 1 ? "s" : "", busy ? ", one core busy" : "");
     return *n - 1;
 }
@@ -231,15 +231,15 @@ static void bench(const char *title, const BeamDef *def)
     Runner runners[RUNNERS_MAX] = {{.name = "plain list of bonds", .clock = CLOCK_PROCESS_CPUTIME_ID}};
     int n = 1, one = 0, cores = (int)sysconf(_SC_NPROCESSORS_ONLN), threads = cores < 64 ? cores : 64;
     for (int level = CPU_PLAIN; level < CPU_LEVELS; level++)
-        if (cpu_has((CpuLevel)level))
+        if (bonds_cpu_has((CpuLevel)level))
             one = add_runner(runners, &n, def, (CpuLevel)level, 1, false);
     if (cores > 1) {
         /* threads are compared by the wall */
-        one = add_runner(runners, &n, def, cpu_best(), 1, false);
+        one = add_runner(runners, &n, def, bonds_cpu_best(), 1, false);
         runners[one].clock = CLOCK_MONOTONIC;
-        runners[add_runner(runners, &n, def, cpu_best(), threads, false)].one = one;
-        one = add_runner(runners, &n, def, cpu_best(), 1, true);
-        runners[add_runner(runners, &n, def, cpu_best(), threads, true)].one = one;
+        runners[add_runner(runners, &n, def, bonds_cpu_best(), threads, false)].one = one;
+        one = add_runner(runners, &n, def, bonds_cpu_best(), 1, true);
+        runners[add_runner(runners, &n, def, bonds_cpu_best(), threads, true)].one = one;
     }
 
     Plain plain = plain_create((const Beam *)runners[1].sim);

@@ -273,17 +273,17 @@ END_TEST
 
 START_TEST(vector_width_leaves_no_trace)
 {
-    if (!cpu_has((CpuLevel)_i))
+    if (!bonds_cpu_has((CpuLevel)_i))
         return;
     BeamOptions options = {.force_level = true, .level = (CpuLevel)_i};
     BeamDef def = small_beam(BEAM_NOTCHED);
-    same_with(&def, &options, cpu_name((CpuLevel)_i));
+    same_with(&def, &options, bonds_cpu_name((CpuLevel)_i));
     def = small_beam(BEAM_SIMPLY_SUPPORTED);
     def.dt = 0; /* the power iteration too */
-    same_with(&def, &options, cpu_name((CpuLevel)_i));
+    same_with(&def, &options, bonds_cpu_name((CpuLevel)_i));
     def.volume_correction = VOLUME_HHB;
     def.horizon = 4e-3; /* the largest family there is */
-    same_with(&def, &options, cpu_name((CpuLevel)_i));
+    same_with(&def, &options, bonds_cpu_name((CpuLevel)_i));
 }
 END_TEST
 
@@ -300,11 +300,11 @@ static size_t rooted_segments(const Beam *beam)
  * first, for a run that goes back has other segments marked than one that comes for the first time. */
 START_TEST(steep_waves_leave_no_trace)
 {
-    if (!cpu_has((CpuLevel)_i) || !suite_wide())
+    if (!bonds_cpu_has((CpuLevel)_i) || !suite_wide())
         return;
     BeamOptions options = {.force_level = true, .level = (CpuLevel)_i};
     const BeamDef def = struck_plate();
-    same_with(&def, &options, cpu_name((CpuLevel)_i));
+    same_with(&def, &options, bonds_cpu_name((CpuLevel)_i));
 
     Simulation *straight = beam_case_create(&def, NULL), *sim = beam_case_create(&def, &options);
     advance(sim, 50);

@@ -7,7 +7,7 @@
 #include "scenario/settings.h"
 #include "problems/problem.h"
 #include "run/lab_case.h"
-#include "methods/bonds/cracks/crack_speed.h"
+#include "methods/bonds/cracks/crack.h"
 #include "methods/bonds/cracks/fronts.h"
 #include "methods/run_case.h"
 #include "suite.h"

@@ -96,17 +96,17 @@ START_TEST(rows_ring_through_the_height)
         matrix[j * ROWS + j] += k, matrix[(j + 1) * ROWS + j + 1] += k;
         matrix[j * ROWS + j + 1] -= k, matrix[(j + 1) * ROWS + j] -= k;
     }
-    ck_assert_int_eq(thickness_modes(matrix, ROWS, density, dt, found, ROWS), 2);
+    ck_assert_int_eq(beam_thickness_modes(matrix, ROWS, density, dt, found, ROWS), 2);
     for (int i = 0; i < 2; i++) {
         const double omega = 2 * sqrt(k / density) * sin((2 * i + 2) * M_PI / 10);
         ck_assert_double_eq_tol(sin(found[i] * dt / 2) / (omega * dt / 2), 1, 1e-12);
     }
-    ck_assert_int_eq(thickness_modes(matrix, ROWS, density, dt, found, 1), 1);
-    ck_assert_int_eq(thickness_modes(matrix, 2, density, dt, found, ROWS), 0);
+    ck_assert_int_eq(beam_thickness_modes(matrix, ROWS, density, dt, found, 1), 1);
+    ck_assert_int_eq(beam_thickness_modes(matrix, 2, density, dt, found, ROWS), 0);
     /* with such numbers the search would never end */
     for (int i = 0; i < ROWS * ROWS; i++)
         matrix[i] = matrix[i] / k * 1e-310;
-    ck_assert_int_eq(thickness_modes(matrix, ROWS, density, dt, found, ROWS), 0);
+    ck_assert_int_eq(beam_thickness_modes(matrix, ROWS, density, dt, found, ROWS), 0);
 }
 END_TEST
 

@@ -4,7 +4,7 @@
 #include "suite.h"
 #include "theory/elastic_bar.h"
 #include "theory/frequency.h"
-#include "theory/step_motion.h"
+#include "theory/step_limit.h"
 
 #include <math.h>
 #include <stdlib.h>

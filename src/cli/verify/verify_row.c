@@ -1,6 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Verdicts on a number. */
 #include "cli/verify/verify_row.h"
+#include "scenario/concern_output.h"
+#include "base/patience.h"
+#include "scenario/parameters.h"
+#include "scenario/scenario.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 static bool lies_in(Band band, double number)
 {
@@ -59,4 +67,101 @@ Agreement verify_agreement(const Claim *claim, double measured)
         return lies_in(claim->range, measured) ? PAPER_AGREES : PAPER_DIFFERS;
     double off = fabs(measured / claim->number - 1);
     return off <= claim->agrees ? PAPER_AGREES : off <= claim->near ? PAPER_NEAR : PAPER_DIFFERS;
+}
+
+/* Runs a scenario step by step as `matvib run` does, and keeps its rows. */
+
+bool verify_settings(const char *scenario, Settings *settings, Status *status)
+{
+    enum { KEYS_MAX = 12 };
+    char text[256], *place = NULL;
+    Override overrides[KEYS_MAX];
+    int count = 0;
+    snprintf(text, sizeof text, "%s", scenario);
+    const char *name = strtok_r(text, " ", &place);
+    for (char *word; count < KEYS_MAX && (word = strtok_r(NULL, " ", &place)) != NULL; count++) {
+        char *value = strchr(word, '=');
+        *value = '\0';
+        overrides[count] = (Override){"--set", word, value + 1};
+    }
+    return scenario_load_with(name, overrides, count, settings, status);
+}
+
+/* Columns that need the past want a row of every step: those between are overwritten by the next. */
+static bool fill_row(void *owner, Run *passing, long step, const double *row, Status *status)
+{
+    VerifyRun *run = owner;
+    const long every = settings_output(&run->settings)->every;
+    const size_t place = (size_t)((step + every - 1) / every);
+    (void)status;
+    if (place >= run->count)
+        return true; /* the last step, where it is no multiple */
+    references_row(run->refs, step, (double)step * passing->sim->dt, row,
+                   run->rows + place * (size_t)run->n_columns);
+    return true;
+}
+
+/* Its rows, one for each `every`-th step up to its end, which may come before that of its time. */
+static bool fill_rows(VerifyRun *run, Status *status)
+{
+    const long every = settings_output(&run->settings)->every;
+    const Sink sink = {.every = references_memory(run->refs) ? 1 : every, .row = fill_row, .owner = run};
+    run->count = (size_t)(run->passing.last / every) + 1;
+    run->passing.last = (long)(run->count - 1) * every;
+    run->spacing = (double)every * run->passing.sim->dt;
+    run->rows = calloc(run->count * (size_t)run->n_columns, sizeof *run->rows);
+    if (!run->rows)
+        return status_fail(status, "not enough memory for the rows of a run");
+    references_reset(run->refs);
+    if (!run_start(&run->passing, &sink, status) || !run_to_end(&run->passing, &sink, status))
+        return false;
+    run->count = (size_t)(run->passing.last / every) + 1;
+    return true;
+}
+
+bool verify_run_open(VerifyRun *run, const char *scenario, int threads, Patience patience)
+{
+    Status *status = &run->failure;
+    *run = (VerifyRun){.scenario = scenario, .threads = threads};
+    if (!verify_settings(scenario, &run->settings, status))
+        return false;
+    run->settings.patience = patience;
+    if (!run_open(&run->passing, &run->settings, problem_simulate(&run->settings, threads, status), status))
+        return false;
+    run->refs = references_create(&run->settings, run->passing.sim, status);
+    if (!run->refs)
+        return false;
+    run->n_columns = references_columns(run->refs, run->columns);
+    if (!fill_rows(run, status))
+        return false;
+    references_readout(run->refs, run->rows, run->count, run->n_columns, &run->readout);
+    if (run->readout.no_memory)
+        return status_fail(status, "%s: %s", scenario, run->readout.unmeasured);
+    run->n_derived = problem_derived(&run->settings, run->passing.sim, run->derived);
+    return true;
+}
+
+void verify_run_close(VerifyRun *run)
+{
+    free(run->rows);
+    references_destroy(run->refs);
+    run_close(&run->passing);
+    *run = (VerifyRun){0};
+}
+
+const double *verify_column(const VerifyRun *run, const char *name)
+{
+    for (int i = 0; i < run->n_columns; i++)
+        if (strcmp(run->columns[i].quantity.name, name) == 0)
+            return run->rows + i;
+    return NULL;
+}
+
+size_t verify_rows_between(const VerifyRun *run, double from, double to, size_t *first)
+{
+    const double slack = 1e-9; /* a time that should be a row's may miss it by rounding */
+    double begin = fmax(ceil(from / run->spacing - slack), 0);
+    double end = fmin(floor(to / run->spacing + slack), (double)run->count - 1);
+    *first = (size_t)begin;
+    return end >= begin ? (size_t)(end - begin) + 1 : 0;
 }

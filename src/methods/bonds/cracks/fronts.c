@@ -8,7 +8,6 @@
 
 #include "base/math/functions.h"
 #include "methods/bonds/cracks/crack.h"
-#include "methods/bonds/cracks/crack_speed.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -341,7 +340,7 @@ double crack_fronts_speed(const CrackFronts *fronts, const CrackFront *front, si
         if (front->advances[k + 1] - front->advances[k] > fronts->jump)
             return NAN;
     double across[CRACK_FRONT_WINDOW_MAX] = {0};
-    return crack_speed(front->advances + (sample - half), across, 2 * half + 1, fronts->every);
+    return crack_tip_speed(front->advances + (sample - half), across, 2 * half + 1, fronts->every);
 }
 
 static void find_fastest(const CrackFronts *fronts, CrackFront *front)

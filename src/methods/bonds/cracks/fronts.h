@@ -13,7 +13,7 @@
  * A line is split when its cracked nodes form two groups or more. The crack has branched at the first line
  * from which on all lines over a horizon are split, at the time at which the first and the last of these were
  * both split, looked at every CRACK_FRONT_LOOK steps. The speed is the slope of the least-squares line
- * through the advance over the time in which Rayleigh's wave goes four horizons (crack_speed.h), about its
+ * through the advance over the time in which Rayleigh's wave goes four horizons (crack.h), about its
  * middle: behind a branch it is that of the leading branch along the axis.
  *
  * Everything follows from the steps at which bonds broke, so it is worked out afterwards for the state that

@@ -9,6 +9,7 @@
  * threads. */
 #include "base/assertion.h"
 #include "methods/bonds/plane/bonds_mistakes.h"
+#include "methods/bonds/plane/bonds_internal.h"
 
 #include <string.h>
 
@@ -166,4 +167,12 @@ double beam_strain(Beam *beam)
         beam_keep_strain(beam);
     }
     return beam->strain;
+}
+
+/* Asks the caller that waits for the beam whether it is still wanted, and remembers a no for all threads. */
+bool beam_go_on(Beam *beam, double share, Status *status)
+{
+    if (!beam->given_up)
+        beam->given_up = !patience_lasts(&beam->def.patience, share);
+    return !beam->given_up || status_fail(status, "the building of the beam was cancelled");
 }

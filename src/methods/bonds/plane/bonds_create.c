@@ -254,10 +254,10 @@ Simulation *beam_create_with(const BeamDef *definition, const BeamOptions *optio
     beam->sim.method = &beam_method;
     beam->def = *definition;
     beam->free_body = options && options->free_body;
-    beam->kernels = bond_kernels(options && options->force_level ? options->level : cpu_best());
+    beam->kernels = bond_kernels(options && options->force_level ? options->level : bonds_cpu_best());
     if (!beam->kernels || !build(beam, options, status)) {
         if (!beam->kernels)
-            status_fail(status, "this machine has no %s", cpu_name(options->level));
+            status_fail(status, "this machine has no %s", bonds_cpu_name(options->level));
         destroy(&beam->sim);
         return NULL;
     }

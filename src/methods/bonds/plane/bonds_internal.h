@@ -146,9 +146,6 @@ Simulation *beam_create_with(const BeamDef *definition, const BeamOptions *optio
  * afterwards. */
 bool beam_critical_step(Beam *beam, double *step, Status *status);
 
-/* bonds_patience.c: asks BeamDef.patience. False: the building is to be given up, from now on. */
-bool beam_go_on(Beam *beam, double share, Status *status);
-
 /* The section of its sizes in a scenario file, and what it is called. */
 static inline const char *beam_word(const BeamDef *def)
 {
@@ -163,6 +160,8 @@ int beam_held_columns(const Beam *beam, double time);            /* columns insi
 bool beam_set_motion(Beam *beam, const BeamOptions *options, Status *status); /* false: interrupted */
 
 /* bonds_bands.c */
+/* Asks BeamDef.patience. False: the building is to be given up, from now on. */
+bool beam_go_on(Beam *beam, double share, Status *status);
 void beam_run(Beam *beam, PoolWork *work, int chunks); /* context: the beam */
 void beam_bonds_of_row(Beam *beam, int j, BondLog *log, bool with_energy);
 void beam_add_halos(Beam *beam, int j);              /* what the bands below have for row j */
@@ -220,7 +219,7 @@ void crack_begin(Beam *beam);
 /* At the end of every step: where the tip is. */
 void crack_note_tip(Beam *beam, long step);
 
-/* The tip's speed (crack_speed.h) over the time up to the last whole step, m/s; 0: too few steps yet. */
+/* The tip's speed (crack.h) over the time up to the last whole step, m/s; 0: too few steps yet. */
 double crack_speed_now(const Beam *beam);
 
 /* bonds_state.c */

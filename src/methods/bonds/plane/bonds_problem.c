@@ -7,7 +7,7 @@
 
 #include "base/assertion.h"
 #include "base/math/functions.h"
-#include "methods/bonds/plane/plate/cuts.h"
+#include "methods/bonds/plane/plate/patches.h"
 
 #include <math.h>
 #include <string.h>
@@ -31,7 +31,7 @@ static void set_cuts(Beam *beam)
 static bool is_cut(const Beam *beam, BondPlace bond)
 {
     for (int k = 0; k < beam->n_cuts; k++)
-        if (cut_parts(&beam->cuts[k], &beam->lattice, bond))
+        if (plate_cut_parts(&beam->cuts[k], &beam->lattice, bond))
             return true;
     return false;
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The stiffness matrix of the rows of a long beam that move against each other through the thickness, all
- * columns alike: the thickness modes of paper P's fig. 4 are its eigenvectors (theory/thickness.c). Row j of
- * nodes obeys
+ * columns alike: the thickness modes of paper P's fig. 4 are its eigenvectors (theory/elastic_beam.c). Row j
+ * of nodes obeys
  *
  *     rho u_j'' = -sum_k K_jk u_k,   K_jj = -sum_{k != j} K_jk
  *     K_jk = -sum of c G w V (xi_y/|xi|)^2/|xi| over the bonds from a node of row j to row k

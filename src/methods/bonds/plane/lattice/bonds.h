@@ -16,8 +16,30 @@
 #ifndef METHODS_BONDS_PLANE_LATTICE_BONDS_H
 #define METHODS_BONDS_PLANE_LATTICE_BONDS_H
 
-#include "methods/cpu.h"
 #include "methods/bonds/plane/lattice/lattice.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* Which vector instructions this machine has. Kernels are compiled once for each level from the same source,
+ * with the same bits as result, and chosen when a simulation is built. A level that was not compiled (another
+ * processor family) is never available. */
+typedef enum CpuLevel {
+    CPU_PLAIN, /* what every machine of this family has: two doubles at once on x86-64 */
+    CPU_AVX2,  /* four */
+    CPU_AVX512 /* eight: the foundation with its DQ and VL extensions */
+} CpuLevel;
+
+enum { CPU_LEVELS = 3 };
+
+/* Kernels of this level were compiled and run here. CPU_PLAIN always does. */
+bool bonds_cpu_has(CpuLevel level);
+
+/* The widest level that this machine has. */
+CpuLevel bonds_cpu_best(void);
+
+/* "plain", "avx2", "avx512". */
+const char *bonds_cpu_name(CpuLevel level);
 
 /* What the kernels read of a simulation, and the coefficients and bits that they clear and set. */
 typedef struct BondSystem {

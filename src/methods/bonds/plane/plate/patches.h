@@ -30,4 +30,15 @@ bool patches_meet(const Patch *, const Patch *);
 /* The share of a load that acts at a time, in steps of dt. */
 double load_share(const Load *, double time, double dt);
 
+/* Cuts: which bonds they part. */
+
+/* Whether the cut parts the bond. */
+bool plate_cut_parts(const PlateCut *, const Lattice *, BondPlace);
+
+/* Whether all nodes lie on one side of it because it runs along an edge: it parts no bond. */
+bool plate_cut_runs_outside(const PlateCut *, const Lattice *);
+
+/* Whether two or more nodes lie on the cut, so that it is one-sided. */
+bool plate_cut_runs_along_nodes(const PlateCut *, const Lattice *);
+
 #endif
