@@ -121,6 +121,11 @@ static bool read_number(const RowColumn *column, const char *word, bool share, d
                          column->unit, place ? ", or a share such as 50%" : "");
 }
 
+const char *row_whole_word(const RowKind *kind)
+{
+    return kind->concern == CONCERN_PLATE ? "plate" : "box";
+}
+
 bool row_read_value(const RowKind *kind, int index, const char *word, Row *row, const char *about,
                     Status *status)
 {

@@ -146,11 +146,6 @@ void settings_row_show(const Settings *settings, int kind, int row, char out[ROW
     row_write(&row_kinds[kind], &settings->rows[kind].rows[row], 6, out);
 }
 
-const char *row_whole_word(const RowKind *kind)
-{
-    return kind->concern == CONCERN_PLATE ? "plate" : "box";
-}
-
 double row_whole(const Settings *settings, const Row *row, RowValue value, const char **key)
 {
     bool height = value == ROW_ALONG_Y;
