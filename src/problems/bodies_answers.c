@@ -58,8 +58,8 @@ static bool is_round(const BodyDef *body)
 static double blocks_meet(const BodyDef *a, const BodyDef *b)
 {
     double from = 0, until = INFINITY, low[2][2], high[2][2];
-    body_bounds(a, low[0], high[0]);
-    body_bounds(b, low[1], high[1]);
+    bodies_bounds(a, low[0], high[0]);
+    bodies_bounds(b, low[1], high[1]);
     for (int axis = 0; axis < 2; axis++) {
         const double v = b->velocity[axis] - a->velocity[axis];
         const double before = high[0][axis] - low[1][axis], behind = low[0][axis] - high[1][axis];
@@ -80,8 +80,8 @@ static double pair_meets(const BodyDef *a, const BodyDef *b, double close)
         return a->spin == 0 && b->spin == 0 ? blocks_meet(a, b) : NAN;
     if (is_round(a) != is_round(b))
         return NAN;
-    body_centre(a, centre[0]);
-    body_centre(b, centre[1]);
+    bodies_centre(a, centre[0]);
+    bodies_centre(b, centre[1]);
     for (int axis = 0; axis < 2; axis++) {
         D[axis] = centre[1][axis] - centre[0][axis];
         V[axis] = b->velocity[axis] - a->velocity[axis];
@@ -98,7 +98,7 @@ static double wall_meets(const BodiesDef *def, const BodyDef *body, int wall, do
     const int axis = wall / 2, far = wall % 2;
     const double out = far ? 1 : -1;
     double low[2], high[2];
-    body_bounds(body, low, high);
+    bodies_bounds(body, low, high);
     if (body->spin != 0 && !is_round(body))
         return NAN;
     const double distance = far ? (axis ? def->height : def->width) - high[axis] : low[axis];

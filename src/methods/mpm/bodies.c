@@ -5,6 +5,7 @@
  * The grid begins BODIES_PADDING cells before the box and ends as many behind it. */
 #include "base/assertion.h"
 #include "methods/mpm/bodies_inner.h"
+#include "methods/mpm/plane_inner.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -25,11 +26,11 @@ static int each_particle(const Mpm *mpm, const BodyDef *body, void (*take)(Mpm *
 {
     const double d = mpm->spacing;
     double low[2], high[2];
-    body_bounds(body, low, high);
+    bodies_bounds(body, low, high);
     for (long j = (long)floor(low[1] / d) - 1; j <= (long)ceil(high[1] / d); j++)
         for (long i = (long)floor(low[0] / d) - 1; i <= (long)ceil(high[0] / d); i++) {
             const double x = ((double)i + 0.5) * d, y = ((double)j + 0.5) * d;
-            if (!body_holds(body, x, y))
+            if (!bodies_hold(body, x, y))
                 continue;
             if (take)
                 take(to, next, x, y);
@@ -94,7 +95,7 @@ static int count_chunks(const Bodies *bodies, double dx)
     int count = 0;
     for (int k = 0; k < bodies->def.n_bodies; k++) {
         double low[2], high[2];
-        body_bounds(&bodies->def.bodies[k], low, high);
+        bodies_bounds(&bodies->def.bodies[k], low, high);
         count += (int)((high[1] - low[1]) / (BODIES_CHUNK_CELLS * dx)) + 2;
     }
     return count;
@@ -139,7 +140,7 @@ static void place(Mpm *mpm, int p, double x, double y)
 static void set_moving(Mpm *mpm, const BodyDef *body, int p)
 {
     double centre[2];
-    body_centre(body, centre);
+    bodies_centre(body, centre);
     mpm->v[0][p] = body->velocity[0] - body->spin * (mpm->at[1][p] - centre[1]);
     mpm->v[1][p] = body->velocity[1] + body->spin * (mpm->at[0][p] - centre[0]);
     if (mpm->head->transfer != MPM_APIC || body->spin == 0)
@@ -231,6 +232,8 @@ static const Method method = {
     .field = bodies_field,
     .links = mpm_links,
     .shapes = mpm_shapes,
+    .exchange = plane_exchange,
+    .explain = plane_explain,
     .state_size = mpm_state_size,
     .load = mpm_load,
     .change = change,

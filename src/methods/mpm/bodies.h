@@ -82,7 +82,7 @@ BodiesSeen bodies_seen(const Simulation *);
 void bodies_row(const Simulation *, double *row);
 
 /* The centre of a body: given, of a block its middle; and the box around it. */
-void body_centre(const BodyDef *, double centre[2]);
-void body_bounds(const BodyDef *, double low[2], double high[2]);
+void bodies_centre(const BodyDef *, double centre[2]);
+void bodies_bounds(const BodyDef *, double low[2], double high[2]);
 
 #endif

@@ -12,14 +12,14 @@ static const char *const wall_names[WALLS] = {"left", "right", "bottom", "top"};
 
 /* --- shapes --------------------------------------------------------------------------------------- */
 
-void body_centre(const BodyDef *body, double centre[2])
+void bodies_centre(const BodyDef *body, double centre[2])
 {
     const bool block = body->shape == BODY_BLOCK;
     for (int axis = 0; axis < 2; axis++)
         centre[axis] = block ? 0.5 * (body->size[axis] + body->size[2 + axis]) : body->size[axis];
 }
 
-void body_bounds(const BodyDef *body, double low[2], double high[2])
+void bodies_bounds(const BodyDef *body, double low[2], double high[2])
 {
     const double radius = body->size[body->shape == BODY_RING ? 3 : 2];
     for (int axis = 0; axis < 2; axis++) {
@@ -29,7 +29,7 @@ void body_bounds(const BodyDef *body, double low[2], double high[2])
     }
 }
 
-bool body_holds(const BodyDef *body, double x, double y)
+bool bodies_hold(const BodyDef *body, double x, double y)
 {
     const double *const size = body->size;
     if (body->shape == BODY_BLOCK)
@@ -108,7 +108,7 @@ static bool check_body(const BodiesDef *def, const BodyDef *body, Status *status
                              size[3], size[2]);
     if (body->shape == BODY_BLOCK && !(size[2] > size[0] && size[3] > size[1]))
         return status_refuse(status, "bodies.%s: is empty (a block has x0 < x1 and y0 < y1)", body->name);
-    body_bounds(body, low, high);
+    bodies_bounds(body, low, high);
     for (int axis = 0; axis < 2; axis++)
         if (!(low[axis] >= -close && high[axis] <= box[axis] + close))
             return status_refuse(status, "bodies.%s: reaches out of the box, %s from %g to %g (0 to %s = %g)",
@@ -161,15 +161,15 @@ static bool check_particles(const BodiesDef *def, Status *status)
     for (int k = 0; k < def->n_bodies; k++) {
         double low[2], high[2];
         long own = 0;
-        body_bounds(&def->bodies[k], low, high);
+        bodies_bounds(&def->bodies[k], low, high);
         for (long j = (long)floor(low[1] / d) - 1; j <= (long)ceil(high[1] / d); j++)
             for (long i = (long)floor(low[0] / d) - 1; i <= (long)ceil(high[0] / d); i++) {
                 const double x = ((double)i + 0.5) * d, y = ((double)j + 0.5) * d;
-                if (!body_holds(&def->bodies[k], x, y))
+                if (!bodies_hold(&def->bodies[k], x, y))
                     continue;
                 own++;
                 for (int other = 0; other < k; other++)
-                    if (body_holds(&def->bodies[other], x, y))
+                    if (bodies_hold(&def->bodies[other], x, y))
                         return status_refuse(status, "bodies.%s: overlaps bodies.%s at (%g, %g)",
                                              def->bodies[k].name, def->bodies[other].name, x, y);
             }

@@ -27,6 +27,9 @@ enum FieldIndex {
     P_STRAIN_ENERGY,
     P_ENERGY_DENSITY,
     P_KINETIC_ENERGY,
+    P_EXX,
+    P_EYY,
+    P_GXY,
     N_X,
     N_Y,
     N_MASS,
@@ -77,6 +80,9 @@ static const Field fields[FIELDS] = {
     [P_ENERGY_DENSITY] = SHOWN("energy_density", "energy density", "force/area", "strain energy over volume"),
     [P_KINETIC_ENERGY] =
         SHOWN("kinetic_energy", "kinetic energy", "force*length", "kinetic energy of the particle"),
+    [P_EXX] = SHOWN("exx", "strain step xx", "1", "strain of this time step along x; 0 before its stage"),
+    [P_EYY] = SHOWN("eyy", "strain step yy", "1", "strain of this time step along y; 0 before its stage"),
+    [P_GXY] = SHOWN("gxy", "shear step", "1", "shear strain of this time step; 0 before its stage"),
     [N_X] = NODE("x", "x", "length", "place of the node along x"),
     [N_Y] = NODE("y", "y", "length", "place of the node along y"),
     [N_MASS] = NODE("mass", "mass", "mass/length", "mass mapped from the particles of its field"),
@@ -115,6 +121,23 @@ static double stress_across(const Mpm *mpm, int p)
     return def->plane == PLANE_STRESS    ? 0.0
            : def->law == LAW_NEO_HOOKEAN ? mpm->bodies->lambda * math_log(J) / J
                                          : def->poisson * (mpm->stress[0][p] + mpm->stress[1][p]);
+}
+
+/* dt sum of N' v_i, as the stage has it: a light node moves with the particle. */
+static double strain_step(const Mpm *mpm, int field, int p)
+{
+    if (!mpm_has_done(mpm, OP_STRAIN))
+        return 0.0;
+    const MpmWeights w = mpm_weights_of(mpm, p);
+    double sum = 0.0;
+    for (int b = 0; b < mpm->support; b++)
+        for (int a = 0; a < mpm->support; a++) {
+            const int i = mpm->base[p] + b * mpm->gx + a;
+            const double bx = w.dn[0][a] * w.n[1][b], by = w.n[0][a] * w.dn[1][b];
+            const double vx = bodies_velocity_for(mpm, 0, i, p), vy = bodies_velocity_for(mpm, 1, i, p);
+            sum += field == P_EXX ? bx * vx : field == P_EYY ? by * vy : by * vx + bx * vy;
+        }
+    return mpm->dt / mpm->dx * sum;
 }
 
 static double particle_field(const Mpm *mpm, int field, int p)
@@ -163,15 +186,20 @@ static double particle_field(const Mpm *mpm, int field, int p)
         return bodies_strain_at(mpm, p) / mpm->volume[p];
     case P_KINETIC_ENERGY:
         return 0.5 * mpm->mass[0] * (vx * vx + vy * vy);
+    case P_EXX:
+    case P_EYY:
+    case P_GXY:
+        return strain_step(mpm, field, p);
     default:
         return 0.0;
     }
 }
 
-/* Whether a wall of the box acts on the node at a column and a row of the grid. */
-static bool is_held(const Bodies *bodies, int column, int row)
+bool bodies_at_wall(const Mpm *mpm, int node)
 {
-    const int i = column - BODIES_PADDING, j = row - BODIES_PADDING;
+    const Bodies *bodies = mpm->bodies;
+    const int place = node % mpm->grid_nodes;
+    const int i = place % mpm->gx - BODIES_PADDING, j = place / mpm->gx - BODIES_PADDING;
     const bool at[WALLS] = {i <= 0, i >= bodies->columns, j <= 0, j >= bodies->rows};
     for (int wall = 0; wall < WALLS; wall++)
         if (at[wall] && bodies->def.walls[wall] != WALL_OPEN)
@@ -190,7 +218,7 @@ static double node_field(const Mpm *mpm, int field, int node)
     case N_BODY:
         return node / mpm->grid_nodes;
     case N_FIXED:
-        return is_held(mpm->bodies, i, j);
+        return bodies_at_wall(mpm, node);
     default:
         break;
     }

@@ -30,11 +30,17 @@ static inline bool bodies_are_neo(const Mpm *mpm)
     return mpm->bodies && mpm->bodies->def.law == LAW_NEO_HOOKEAN;
 }
 
+/* The velocity of a node by which a particle is strained: its own where the node is light. */
+static inline double bodies_velocity_for(const Mpm *mpm, int axis, int node, int p)
+{
+    return mpm->inverse[node] > 0.0 ? mpm->velocity[axis][node] : mpm->v[axis][p];
+}
+
 /* The body that a particle belongs to. */
 int bodies_body_of(const Mpm *, int particle);
 
 /* Whether the place lies in the body: an open set. */
-bool body_holds(const BodyDef *, double x, double y);
+bool bodies_hold(const BodyDef *, double x, double y);
 
 /* bodies_stages.c: what the stages do; bodies_walls.c: walls and contact on nodes [first, end) of the grid.
  */
@@ -53,7 +59,7 @@ void bodies_fix(Mpm *, MpmOp, int first, int end);
 
 enum { TOUCHED_BODY = 1, TOUCHED_WALL = 2 };
 
-/* What contact does at a node of the grid between the fields a and b as they are mapped. */
+/* What contact does at a node of the grid between the fields a and b, whose momenta there are q. */
 typedef struct Meeting {
     double normal[2];  /* common, from a to b; 0 0: there is none */
     double distance;   /* of the mean places along it, cells */
@@ -61,7 +67,17 @@ typedef struct Meeting {
     double impulse[2]; /* taken from a, given to b */
     double lost;       /* energy that friction takes */
 } Meeting;
-Meeting bodies_meet(const Mpm *, int node, int a, int b);
+Meeting bodies_meet(const Mpm *, int node, int a, int b, const double q[2][2]);
+
+/* bodies_explain.c: the sums of stages that beams do otherwise. */
+struct Subject;
+/* The velocity that a particle gives to its node (a, b): with APIC that of its gradient there. */
+double bodies_given(const Mpm *, int axis, int p, int a, int b, const MpmWeights *);
+void bodies_write_fix(const struct Subject *);
+void bodies_write_strain(const struct Subject *);
+void bodies_write_integrate(const struct Subject *);
+/* Whether a wall of the box acts on a node. */
+bool bodies_at_wall(const Mpm *, int node);
 
 const MpmSchedule *bodies_schedule(const MpmHead *);
 void bodies_list_stages(Mpm *);

@@ -60,7 +60,7 @@ static void hold_walls(Mpm *mpm, int node, int grid_node)
     mpm->lost[grid_node] += lost;
 }
 
-Meeting bodies_meet(const Mpm *mpm, int node, int a, int b)
+Meeting bodies_meet(const Mpm *mpm, int node, int a, int b, const double q[2][2])
 {
     const int at[2] = {a * mpm->grid_nodes + node, b * mpm->grid_nodes + node};
     const double m[2] = {mpm->node_mass[at[0]], mpm->node_mass[at[1]]}, both = m[0] + m[1];
@@ -77,10 +77,10 @@ Meeting bodies_meet(const Mpm *mpm, int node, int a, int b)
     length = 1.0 / sqrt(length);
     meeting.distance = 0.0;
     for (int axis = 0; axis < 2; axis++) {
-        const double *const q = mpm->momentum[axis], *const r = mpm->moment[axis];
+        const double *const r = mpm->moment[axis];
         n[axis] *= length;
         meeting.distance += (r[at[1]] / m[1] - r[at[0]] / m[0]) * n[axis] / mpm->dx;
-        v[axis] = q[at[0]] / m[0] - (q[at[0]] + q[at[1]]) / both;
+        v[axis] = q[0][axis] / m[0] - (q[0][axis] + q[1][axis]) / both;
         meeting.approach += v[axis] * n[axis];
     }
     const BodiesDef *def = &mpm->bodies->def;
@@ -104,10 +104,14 @@ static void touch(Mpm *mpm, int node)
             there[count++] = field;
     for (int a = 0; a < count; a++)
         for (int b = a + 1; b < count; b++) {
-            const Meeting meeting = bodies_meet(mpm, node, there[a], there[b]);
+            const int i = there[a] * mpm->grid_nodes + node, j = there[b] * mpm->grid_nodes + node;
+            const Meeting meeting =
+                bodies_meet(mpm, node, there[a], there[b],
+                            (const double[2][2]){{mpm->momentum[0][i], mpm->momentum[1][i]},
+                                                 {mpm->momentum[0][j], mpm->momentum[1][j]}});
             for (int axis = 0; axis < 2; axis++) {
-                mpm->momentum[axis][there[a] * mpm->grid_nodes + node] -= meeting.impulse[axis];
-                mpm->momentum[axis][there[b] * mpm->grid_nodes + node] += meeting.impulse[axis];
+                mpm->momentum[axis][i] -= meeting.impulse[axis];
+                mpm->momentum[axis][j] += meeting.impulse[axis];
             }
             mpm->lost[node] += meeting.lost;
             if (meeting.impulse[0] != 0.0 || meeting.impulse[1] != 0.0)

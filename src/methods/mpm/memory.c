@@ -126,11 +126,13 @@ void mpm_take_schedule(Mpm *mpm)
 {
     if (mpm->bodies) {
         bodies_list_stages(mpm);
+        mpm->sim.exchanges = plane_exchanges(mpm);
+        mpm->sim.n_exchanges = PLANE_EXCHANGES;
         return;
     }
     if (mpm->dim == 2) {
         plane_list_stages(mpm);
-        mpm->sim.exchanges = plane_exchanges(mpm->head);
+        mpm->sim.exchanges = plane_exchanges(mpm);
         mpm->sim.n_exchanges = PLANE_EXCHANGES;
         return;
     }

@@ -3,6 +3,7 @@
  * stage has just been done. The terms come from plane_exchange.c; what is no exchange (supports, stress,
  * momentum) is written here. */
 #include "base/assertion.h"
+#include "methods/mpm/bodies_inner.h"
 #include "methods/mpm/plane_inner.h"
 #include "methods/mpm/subject.h"
 
@@ -186,7 +187,7 @@ static void integrate_node(const Subject *subject)
 static void integrate_particle(const Subject *subject)
 {
     (void)subject;
-    calculation_write(subject->calculation, "nothing changes here: only nodes have forces\n");
+    calculation_write(subject->calculation, "nothing changes here: this stage is of nodes\n");
 }
 
 /* Eqs. 14 and 15 of both components. */
@@ -217,6 +218,15 @@ static void (*const writers[OP_COUNT][MPM_SETS])(const Subject *) = {
     [OP_FIX_AGAIN] = {hold_particle, hold_node},
 };
 
+/* What bodies do otherwise. */
+static void (*const of_bodies[OP_COUNT][MPM_SETS])(const Subject *) = {
+    [OP_FIX] = {integrate_particle, bodies_write_fix},
+    [OP_STRAIN] = {bodies_write_strain, strain_node},
+    [OP_INTEGRATE] = {NULL, bodies_write_integrate},
+    [OP_FIX_MOVED] = {integrate_particle, bodies_write_fix},
+    [OP_FIX_AGAIN] = {integrate_particle, bodies_write_fix},
+};
+
 void plane_explain(const Simulation *sim, int stage, int set, size_t index, const void *before, int terms,
                    char *out, size_t size)
 {
@@ -229,5 +239,7 @@ void plane_explain(const Simulation *sim, int stage, int set, size_t index, cons
         calculation_write(&calculation, "no particle is near: this node is empty\n");
         return;
     }
-    writers[mpm_schedule(mpm_of_const(sim))->ops[stage]][set](&subject);
+    const MpmOp op = mpm_schedule(mpm_of_const(sim))->ops[stage];
+    const bool otherwise = mpm_of_const(sim)->bodies && of_bodies[op][set];
+    (otherwise ? of_bodies : writers)[op][set](&subject);
 }

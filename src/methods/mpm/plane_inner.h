@@ -34,7 +34,7 @@ typedef enum PlaneExchange {
     PLANE_EXCHANGES
 } PlaneExchange;
 
-const Exchange *plane_exchanges(const MpmHead *);
+const Exchange *plane_exchanges(const Mpm *);
 int plane_exchange(const Simulation *, int exchange, size_t from, size_t to,
                    double factors[EXCHANGE_FACTORS_MAX]);
 void plane_explain(const Simulation *, int stage, int set, size_t index, const void *before, int terms,
