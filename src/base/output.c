@@ -114,11 +114,6 @@ static bool folder_takes(const char *name, Status *status)
     return takes || cannot_write(name, status);
 }
 
-static bool too_long(const char *name, Status *status)
-{
-    return status_refuse(status, "%s: the name is too long (most systems allow 255 bytes)", name);
-}
-
 static bool overwrites_input(const char *name, Status *status)
 {
     return status_refuse(status, "%s: the output would overwrite an input", name);
@@ -207,7 +202,7 @@ bool output_may_begin(const char *name, Asker asker, bool force, Status *status)
     if (output_is_standard(name))
         return true;
     if (stat(name, &what) != 0 && errno == ENAMETOOLONG)
-        return too_long(name, status);
+        return status_refuse(status, "%s: the name is too long (most systems allow 255 bytes)", name);
     if (stat(name, &what) != 0 && lstat(name, &what) == 0 && S_ISLNK(what.st_mode))
         return status_refuse(status, "%s: is a link that leads nowhere", name);
     if (stat(name, &what) != 0)

@@ -76,11 +76,6 @@ static bool read_data(Data *data, const Options *options, const Settings *settin
     return fit_data_take(&data->taken, &data->table, data->table.y, status);
 }
 
-static bool take_keys(char *list, FitTask *task, Status *status)
-{
-    return fit_data_keys(list, task, status) || (status_prefix(status, "--vary"), false);
-}
-
 static void print_result(const FitTask *task, const FitResult *result)
 {
     char told[1024];
@@ -225,7 +220,8 @@ int cli_fit(Options *options, Status *status)
     Data data = {.table = {.y = -1}};
     Progress progress;
     progress_begin(&progress, options->quiet);
-    bool sound = (keys || status_fail(status, "out of memory")) && take_keys(keys, &task, status) &&
+    bool sound = (keys || status_fail(status, "out of memory")) &&
+                 (fit_data_keys(keys, &task, status) || (status_prefix(status, "--vary"), false)) &&
                  solve(options, &settings, &data, &task, &result, &progress, status);
     const bool found = sound; /* what took long is told, whatever becomes of the files */
     sound = sound && (!options->output || write_table(options, &task, &result, status)) &&

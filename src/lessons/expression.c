@@ -348,11 +348,6 @@ static bool relates(ExpressionVerb relation, double a, double b)
     }
 }
 
-static bool is_relation(const ExpressionStep *step)
-{
-    return step->kind >= STEP_LESS && step->kind <= STEP_UNEQUAL;
-}
-
 /* The truth of a relation or the number of a sign, from what stands left and right of it. */
 static double combine(const ExpressionStep *step, double a, double b)
 {
@@ -399,7 +394,7 @@ int expression_middle(const Expression *expression, const ExpressionClaim *claim
     int middle = 0;
     for (int i = claim->first, top = 0; i < claim->end; i++) {
         const ExpressionStep *step = &expression->steps[i];
-        if (is_relation(step) && i + 1 < claim->end)
+        if (step->kind >= STEP_LESS && step->kind <= STEP_UNEQUAL && i + 1 < claim->end)
             return 0;
         top += step->kind <= STEP_KEY ? 1 : step->kind == STEP_MINUS || step->kind == STEP_ABS ? 0 : -1;
         if (top == 1 && i + 1 < claim->end)

@@ -283,11 +283,6 @@ static void draw_derived(Area area, int y, const Derived *derived, bool chosen)
 /* Below the fields: the unit of the chosen one, and what it may be. */
 enum { HINT_ROWS = 2 };
 
-static int room_of(int height)
-{
-    return height > HINT_ROWS ? height - HINT_ROWS : height;
-}
-
 /* A text in both rows of the hint, parted at a space. False: it fits into the first, and is there. */
 static bool draw_wrapped(Area area, const char *text)
 {
@@ -369,7 +364,7 @@ void pane_parameters(const Screen *screen, Area area)
     const int count = screen_parameter_rows(screen, rows);
     experiment_derived(screen->experiment, derived);
     const bool focused = screen_is_focused(screen, PANE_PARAMETERS);
-    const int room = room_of(area.rect.height),
+    const int room = area.rect.height > HINT_ROWS ? area.rect.height - HINT_ROWS : area.rect.height,
               first = pane_parameters_first(screen->parameters, count, room);
 
     draw_rows(screen, area_part(area, 0, 0, area.rect.width, room), rows, first, count, derived);

@@ -379,11 +379,6 @@ static void let_it_work(Plain *plain)
 
 /* --- lines --------------------------------------------------------------------------------------------- */
 
-static bool is_key(const char *line)
-{
-    return keys_known(line) && strcmp(line, ":") != 0;
-}
-
 /* In place of what is in the question or the field. */
 static void answer(Plain *plain, const char *line)
 {
@@ -435,7 +430,7 @@ static void take(Plain *plain, const char *line)
         answer(plain, line);
     else if (!*line)
         press(plain, "Enter");
-    else if (is_key(line))
+    else if (keys_known(line) && strcmp(line, ":") != 0)
         press(plain, line);
     else
         command(plain, line);

@@ -118,15 +118,6 @@ static bool not_of_settings(const Parameter *parameter, const Settings *settings
                          problem->word, words);
 }
 
-/* The words that a rule allows; NULL: it has no list of words. */
-static const char *const *words_of(TextRule rule)
-{
-    return rule == TEXT_REFERENCES ? parameter_reference_words
-           : rule == TEXT_SHEET    ? parameter_sheet_words
-           : rule == TEXT_COLOUR   ? parameter_colour_words
-                                   : NULL;
-}
-
 /* A view's digit, or a word such as name views, perhaps with that of a variant, "profile:v"; which there are
  * the laboratory knows, not the scenario. */
 static bool can_be_view(const char *text)
@@ -141,7 +132,10 @@ static bool can_be_view(const char *text)
 /* Empty is always allowed: as the laboratory likes. */
 static bool check_words(const Settings *settings, const TextKey *key, const char *text, Status *status)
 {
-    const char *const *words = words_of(key->rule);
+    const char *const *words = key->rule == TEXT_REFERENCES ? parameter_reference_words
+                               : key->rule == TEXT_SHEET    ? parameter_sheet_words
+                               : key->rule == TEXT_COLOUR   ? parameter_colour_words
+                                                            : NULL;
     char allowed[160];
     double value;
     snprintf(allowed, sizeof allowed, "%s",

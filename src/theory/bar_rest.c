@@ -125,11 +125,6 @@ static double density_in(const BarRest *rest, int cell)
     return cell < rest->joint ? 1 : rest->density_beyond;
 }
 
-static double modulus_in(const BarRest *rest, int cell)
-{
-    return cell < rest->joint ? 1 : rest->modulus_beyond;
-}
-
 /* The matrices of bar_rest.h in units of rho dx and E/dx: a particle has mass and volume 1/P of a cell's.
  *
  *     M_l,i = sum_p m N_i      M_ij = sum_p m N_i N_j      K_ij = sum_p V E N_i' N_j'
@@ -146,7 +141,8 @@ static void assemble(BarRest *rest, bool apic)
             const double mass = part * density_in(rest, cell);
             bar_rest_weights(rest, cell, j, n, slope, arm);
             add_outer(rest, rest->consistent, first, n, mass);
-            add_outer(rest, rest->stiffness, first, slope, part * modulus_in(rest, cell));
+            add_outer(rest, rest->stiffness, first, slope,
+                      part * (cell < rest->joint ? 1 : rest->modulus_beyond));
             for (int a = 0; a <= rest->degree; a++) {
                 if (first + a >= 0 && first + a < rest->nodes)
                     rest->mass[first + a] += mass * n[a];

@@ -580,17 +580,13 @@ static Dispersion wave_of_two(const BarTheory *bar, const BarMesh *mesh, int num
                         .decay = (1 - share) * one.decay + share * other.decay};
 }
 
-static Dispersion endless_wave(const BarTheory *bar, const BarMesh *mesh, int number)
-{
-    return bar_is_layered(bar) && number > 0 ? wave_of_two(bar, mesh, number)
-                                             : dispersion_of_bar(bar, mesh, bar_wave_number(bar, number));
-}
-
 StepMode step_mode(const BarTheory *bar, const BarMesh *mesh, int number)
 {
     ASSERT_INT(number, >=, 0);
     ASSERT_REAL(mesh->cell_size, >, 0);
-    const Dispersion wave = endless_wave(bar, mesh, number);
+    const Dispersion wave = bar_is_layered(bar) && number > 0
+                                ? wave_of_two(bar, mesh, number)
+                                : dispersion_of_bar(bar, mesh, bar_wave_number(bar, number));
     StepMode mode = {.known = wave.known, .frequency = wave.frequency, .decay = wave.decay, .overlap = 1};
     const double cells = round(bar->length / mesh->cell_size);
     const bool is_long = cells > cells_most(bar, mesh);

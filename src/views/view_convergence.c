@@ -21,15 +21,11 @@ typedef struct Study {
     double limit;           /* convergence_limit() */
 } Study;
 
-static int studies_of(const Experiment *experiment, const ConvergenceStudy *out[CONVERGENCE_STUDIES_MAX])
-{
-    return convergence_studies(experiment_settings(experiment), out);
-}
-
 static const ConvergenceStudy *study_of(const Screen *screen, int variant)
 {
     const ConvergenceStudy *studies[CONVERGENCE_STUDIES_MAX];
-    return variant < studies_of(screen->experiment, studies) ? studies[variant] : NULL;
+    return variant < convergence_studies(experiment_settings(screen->experiment), studies) ? studies[variant]
+                                                                                           : NULL;
 }
 
 static const char *word_of(const Screen *screen, int variant)

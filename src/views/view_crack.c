@@ -216,12 +216,6 @@ void crack_describe(const Screen *screen, int variant, Picture *picture)
         describe_over_time(screen, picture, variant == 1 ? &angle : &speed);
 }
 
-/* What it costs over time is a column's of the notched beam alone. */
-static bool is_over_time(const Screen *screen, int variant)
-{
-    return has_crack(screen) && variant == 0;
-}
-
 const char *crack_cost_variant_word(const Screen *screen, int variant)
 {
     static const char *const words[] = {"fracture", "cost", NULL};
@@ -301,7 +295,8 @@ void crack_cost_describe(const Screen *screen, int variant, Picture *picture)
 {
     const CrackCurve cost = {
         "crack's cost, J/m^2", "", "G0", energy_of_crack, screen_derived(screen, "critical_energy"), ""};
-    if (is_over_time(screen, variant))
+    /* what it costs over time is a column's of the notched beam alone */
+    if (has_crack(screen) && variant == 0)
         describe_over_time(screen, picture, &cost);
     else
         describe_cost(screen, picture);

@@ -25,11 +25,6 @@ static const char *word_of(const Screen *screen, int variant)
     return words[variant];
 }
 
-static double value_at(const CrackFronts *fronts, const CrackFront *front, size_t sample, int variant)
-{
-    return variant == VARIANT_SPEED ? crack_speed_at(fronts, front, sample) : front->advances[sample];
-}
-
 static double largest(const CrackFronts *fronts, int variant)
 {
     double most = 0;
@@ -45,7 +40,7 @@ static void add_front(Plot *plot, const CrackFronts *fronts, const CrackFront *f
 {
     plot_begin(plot, STROKE_LINE, pen_measured);
     for (size_t k = 0; k < fronts->n_samples; k++) {
-        const double value = value_at(fronts, front, k, variant);
+        const double value = variant == VARIANT_SPEED ? crack_speed_at(fronts, front, k) : front->advances[k];
         if (isfinite(value))
             plot_point(plot, (double)k * fronts->every, value);
     }

@@ -151,11 +151,6 @@ static void put_row(Verify *verify, const VerifyCheck *check, const VerifyRow *r
 
 /* --- running ------------------------------------------------------------------------------------- */
 
-static bool same_run(const VerifyRun *run, const char *scenario)
-{
-    return run->scenario && strcmp(run->scenario, scenario) == 0;
-}
-
 static bool show_progress(double share, void *context)
 {
     const Verify *verify = context;
@@ -166,7 +161,7 @@ static bool show_progress(double share, void *context)
 static void run_row(Verify *verify, const VerifyCheck *check, const VerifyRow *row, const char *scenario)
 {
     VerifyRun *run = &verify->run;
-    if (!same_run(run, scenario)) {
+    if (!(run->scenario && strcmp(run->scenario, scenario) == 0)) {
         verify_run_close(run);
         const Patience patience = {verify->progress ? show_progress : NULL, verify};
         verify_run_open(run, scenario, verify->threads, patience);

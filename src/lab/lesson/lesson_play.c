@@ -246,11 +246,6 @@ static void take_answer(Laboratory *lab, int choice)
 
 /* --- keys ------------------------------------------------------------------------------------------- */
 
-static int digit_of(const Key *key)
-{
-    return key->name[0] >= '1' && key->name[0] <= '9' && !key->name[1] ? key->name[0] - '1' : -1;
-}
-
 bool lesson_play_click(Laboratory *lab, int x, int y)
 {
     const int lesson = screen_lesson_at(&lab->screen, lab->width, lab->height, x, y);
@@ -310,7 +305,7 @@ bool lesson_play_key(Laboratory *lab, const Key *key)
     } turns[] = {{"n", 1, true}, {"b", -1, true}, {"PageDown", 1, false}, {"PageUp", -1, false}};
     const LessonShown *shown = &lab->play.shown;
     const LessonPage *page = lesson_entry_page(lab);
-    const int digit = digit_of(key);
+    const int digit = key->name[0] >= '1' && key->name[0] <= '9' && !key->name[1] ? key->name[0] - '1' : -1;
     if (!shown->open)
         return false;
     if (!page && digit >= 0) {

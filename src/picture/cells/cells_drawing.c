@@ -20,14 +20,9 @@ static int arms_of(uint32_t glyph)
     return arms;
 }
 
-static bool is_in(Area area, int x, int y)
-{
-    return x >= 0 && y >= 0 && x < area.rect.width && y < area.rect.height;
-}
-
 static void add_arms(Area area, int x, int y, int arms, Style style)
 {
-    if (is_in(area, x, y))
+    if (x >= 0 && y >= 0 && x < area.rect.width && y < area.rect.height)
         area_put(area, x, y, frames[arms | arms_of(area_cell(area, x, y)->glyph)], style);
 }
 

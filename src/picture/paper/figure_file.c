@@ -214,22 +214,6 @@ static double lay_out(Paper *paper, const Figure *figure, double height)
     return y + draw_phrases(paper, figure->parameters, (Box){MARGIN, y, width, 0}, &small) + MARGIN;
 }
 
-static double page_width(const Figure *figure)
-{
-    return figure->width * MILLIMETRES;
-}
-
-/* as asked for, or as much as it takes */
-static double page_height(const Figure *figure)
-{
-    return figure->height > 0 ? figure->height * MILLIMETRES : lay_out(NULL, figure, 0);
-}
-
-static void page_draw(const Figure *figure, Paper *paper)
-{
-    lay_out(paper, figure, figure->height > 0 ? figure->height * MILLIMETRES : 0);
-}
-
 #define WIDTH_DEFAULT 160.0 /* mm: the text of an A4 page */
 
 enum { NAME_MAX_BYTES = 48 };
@@ -488,7 +472,8 @@ bool figure_write(Figure *figure, Asker asker, const char *name, bool force, Sta
     if (!figure_allowed(name, status) || !output_open(&file, asker, name, force, status))
         return false;
     share_ranges(figure);
-    const double width = page_width(figure), height = page_height(figure);
+    const double width = figure->width * MILLIMETRES,
+                 height = figure->height > 0 ? figure->height * MILLIMETRES : lay_out(NULL, figure, 0);
     const Format format = format_of(name);
     Paper *paper = format == FORMAT_SVG   ? paper_svg(file.stream, width, height, figure->title, status)
                    : format == FORMAT_PDF ? paper_pdf(file.stream, width, height, figure->title, status)
@@ -496,7 +481,7 @@ bool figure_write(Figure *figure, Asker asker, const char *name, bool force, Sta
     bool sound = paper != NULL;
     if (paper) {
         errno = 0;
-        page_draw(figure, paper);
+        lay_out(paper, figure, figure->height > 0 ? figure->height * MILLIMETRES : 0);
         const bool in_want = errno == ENOMEM;
         sound = paper_finish(paper, status) && (!in_want || no_memory(status));
     }

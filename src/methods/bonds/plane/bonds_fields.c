@@ -135,12 +135,6 @@ static bool is_loaded(const Beam *beam, int i, int j)
     return loaded;
 }
 
-static bool is_at_probe(const Beam *beam, int i, int j)
-{
-    return (i == beam->probe_i[0] || i == beam->probe_i[1]) &&
-           (j == beam->probe_j[0] || j == beam->probe_j[1]);
-}
-
 /* The padded array of the state that a field is; NULL: it is none. */
 static const double *array_of(const Beam *beam, int field)
 {
@@ -189,7 +183,8 @@ static double node_field(const Beam *beam, int field, size_t node)
     case F_LOADED:
         return is_loaded(beam, i, j);
     case F_PROBE:
-        return is_at_probe(beam, i, j);
+        return (i == beam->probe_i[0] || i == beam->probe_i[1]) &&
+               (j == beam->probe_j[0] || j == beam->probe_j[1]);
     case F_PROTECTED:
         return beam->unbreakable[node];
     default:
