@@ -314,6 +314,7 @@ static bool write_parameters(const char *which)
 {
     const int concern = strcmp(which, "bar") == 0      ? CONCERN_BAR
                         : strcmp(which, "plates") == 0 ? CONCERN_PLATE
+                        : strcmp(which, "bodies") == 0 ? CONCERN_BODIES
                                                        : CONCERN_BEAM;
     for (int i = 0; i < n_parameters; i++) {
         bool of_any = false;
@@ -350,15 +351,14 @@ static bool write_rows(const char *unused)
         say(kind->help);
         puts(".");
         const char *comma = "";
-        fputs("Units: ", stdout);
         for (int i = 0; i < kind->n_columns; i++) {
             if (!*kind->columns[i].unit)
                 continue;
-            printf("%s%s ", comma, kind->columns[i].word);
+            printf("%s%s ", *comma ? comma : "Units: ", kind->columns[i].word);
             say(kind->columns[i].unit);
             comma = ", ";
         }
-        puts(".");
+        puts(*comma ? "." : "");
         if (kind->usual) {
             fputs("Default ", stdout);
             say_in("B", kind->usual);
