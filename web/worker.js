@@ -83,7 +83,7 @@ function start(message) {
 			const FS = made.FS;
 			host.install(made, (bytes) => { told = (told + decoder.decode(bytes, {stream: true})).slice(-2000); });
 			Object.assign(made.ENV, {HOME: '/home/web_user', LC_ALL: 'C.UTF-8', LANG: 'C.UTF-8',
-				TERM: 'matvib-256', TERMINFO: message.terminal});
+				TERM: 'matvib-256', MATVIB_VECTORS: '1', TERMINFO: message.terminal});
 			FS.mkdir(HERE);
 			FS.mkdirTree(STATE);
 			put(HERE, message.files);

@@ -3,6 +3,8 @@
 #include "picture/canvas.h"
 
 #include "base/assertion.h"
+#include <stdarg.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -27,6 +29,7 @@ bool canvas_open(Canvas *canvas, int width, int height, Status *status)
 void canvas_close(Canvas *canvas)
 {
     free(canvas->cells);
+    free(canvas->vectors);
     *canvas = (Canvas){.cursor_x = -1, .cursor_y = -1};
 }
 
@@ -36,6 +39,29 @@ void canvas_clear(Canvas *canvas)
     for (size_t i = 0; i < count; i++)
         canvas->cells[i] = (Cell){.glyph = ' ', .style = STYLE_NORMAL};
     canvas->cursor_x = canvas->cursor_y = -1;
+    canvas->vectors_used = 0;
+    if (canvas->vectors)
+        canvas->vectors[0] = '\0';
+}
+
+void canvas_vector(Canvas *canvas, const char *format, ...)
+{
+    enum { ROOM = 256 }; /* of one call at most */
+    if (!canvas->vectored)
+        return;
+    if (canvas->vectors_room < canvas->vectors_used + ROOM) {
+        const size_t room = 2 * canvas->vectors_room + 16 * ROOM;
+        char *vectors = realloc(canvas->vectors, room);
+        if (!vectors)
+            return;
+        canvas->vectors = vectors;
+        canvas->vectors_room = room;
+    }
+    va_list values;
+    va_start(values, format);
+    const int length = vsnprintf(canvas->vectors + canvas->vectors_used, ROOM, format, values);
+    va_end(values);
+    canvas->vectors_used += length < ROOM ? (size_t)length : ROOM - 1;
 }
 
 static Cell *cell_at(Canvas *canvas, int x, int y)

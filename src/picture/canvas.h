@@ -29,11 +29,26 @@ typedef struct Canvas {
     Cell *cells;            /* height x width */
     int cursor_x, cursor_y; /* where the hardware cursor stands; -1: hidden */
     bool large;             /* to be read from afar: thick curves, few labels, no faint words */
+    bool vectored;          /* lines and colours are described too, for a terminal that draws them finer */
+    char *vectors;          /* that description, if there is one: commands of canvas_vector() */
+    size_t vectors_used, vectors_room;
 } Canvas;
 
 bool canvas_open(Canvas *, int width, int height, Status *); /* all spaces; also resizes an open one */
 void canvas_close(Canvas *);
 void canvas_clear(Canvas *);
+
+/* Adds to the description of what is drawn, where it is wanted. Lengths are in 16ths of a cell, from the
+ * upper left corner of the area that was named last; a command ends with the next one's ';'.
+ *
+ *     A X,Y,COLUMNS,ROWS               an area, in cells
+ *     L|D|B STYLE,LINE,RANK X,Y ...    a stroke as plot.h has it: line, dots or band; '-' breaks a line;
+ *                                      LINE of a band is its fill
+ *     M COLUMNS,ROWS STEPS             colours across the area, row by row from above: a..p is a step of the
+ *                                      ramp, '.' nothing, each followed by how often where that is not once
+ *
+ * Without memory something is left out. */
+void canvas_vector(Canvas *, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* Outside the canvas: nothing. What cannot be shown in cells (glyph_shown) becomes ' ' or '?'; of a wide
  * character that is cut or half overwritten nothing is left. */

@@ -76,7 +76,7 @@ typedef struct Pattern {
     long offset; /* dots left of the window */
 } Pattern;
 
-enum { PATTERN_CHUNK = 12 };
+enum { PATTERN_CHUNK = 12, VECTOR_FAR = 100000 /* dots */ };
 
 static bool pattern_lit(Pattern *pattern, LineStyle line, int x)
 {
@@ -242,6 +242,26 @@ static uint32_t glyph_of(const Raster *raster, const Spot *spot)
     return halves[spot->dots & 3];
 }
 
+/* The strokes as they are, finer than any cell. */
+static void describe(const Plot *plot, const Raster *raster, Area area)
+{
+    canvas_vector(area.canvas, ";A%d,%d,%d,%d", area.rect.x, area.rect.y, area.rect.width, area.rect.height);
+    for (int i = 0; i < plot->n_strokes && area.canvas->vectored; i++) {
+        const Stroke *stroke = &plot->strokes[i];
+        const bool band = stroke->kind == STROKE_BAND;
+        canvas_vector(area.canvas, ";%c%d,%d,%d", "LDB"[stroke->kind], (int)stroke -> style,
+                      band ? stroke -> fill : (int)stroke -> line, stroke -> rank);
+        for (size_t k = 0; k < stroke->count; k++) {
+            const Place here = place_of(plot, raster, stroke->first + k);
+            if (fabs(here.x) < VECTOR_FAR && fabs(here.y) < VECTOR_FAR)
+                canvas_vector(area.canvas, " %ld,%ld", lround(16 * here.x / raster->across),
+                              lround(16 * here.y / raster->down));
+            else if (!band)
+                canvas_vector(area.canvas, " -");
+        }
+    }
+}
+
 void plot_draw(const Plot *plot, Area area)
 {
     Raster raster = {
@@ -274,6 +294,7 @@ void plot_draw(const Plot *plot, Area area)
             if (spot->rank >= 0 && (spot->dots || spot->glyph))
                 area_put(area, x, y, glyph_of(&raster, spot), (Style)spot->style);
         }
+    describe(plot, &raster, area);
     free(raster.spots);
 }
 

@@ -392,6 +392,27 @@ static void put_cursor(const Canvas *canvas)
     curs_set(visible);
 }
 
+/* What a terminal draws finer than cells (canvas_vector()), behind the colour numbers of all styles: an
+ * operating system command of our own, which others leave alone. Sent where it is another one than before. */
+static void put_vectors(Grid *grid, const Canvas *canvas)
+{
+    static const char begin[] = "\033]7770;P", end[] = "\a";
+    Canvas *shown = &grid->shown;
+    if (!canvas->vectors || (shown->vectors && strcmp(shown->vectors, canvas->vectors) == 0))
+        return;
+    free(shown->vectors);
+    shown->vectors = strdup(canvas->vectors);
+    put(grid, begin, sizeof begin - 1);
+    for (unsigned style = 0; style < STYLE_COUNT; style++) {
+        char number[16];
+        const int length = snprintf(number, sizeof number, style ? ",%d" : "%d",
+                                    theme_look(grid->colours, grid->light, style, 0).foreground);
+        put(grid, number, (size_t)length);
+    }
+    put(grid, canvas->vectors, strlen(canvas->vectors));
+    put(grid, end, sizeof end - 1);
+}
+
 void grid_show(Grid *grid, const Canvas *canvas)
 {
     Canvas *shown = &grid->shown;
@@ -414,6 +435,7 @@ void grid_show(Grid *grid, const Canvas *canvas)
     memcpy(shown->cells, canvas->cells, (size_t)canvas->width * (size_t)canvas->height * sizeof(Cell));
     const size_t began = grid->length;
     take(grid);
+    put_vectors(grid, canvas);
     if (grid->length == began)
         grid->length = before; /* nothing changed */
     else if (grid->synchronised)

@@ -274,6 +274,7 @@ int loop_run(const LaboratoryOptions *options, const Session *replay, Session *r
         return (int)status->code;
     }
     int signal_number = 0;
+    loop->canvas.vectored = getenv("MATVIB_VECTORS") != NULL;
     loop->lab.recording = recording;
     session_note_start(recording, &loop->lab);
     loop->replay = (Replay){.session = replay};

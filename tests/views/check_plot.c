@@ -7,6 +7,7 @@
 
 #include <math.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -305,6 +306,33 @@ START_TEST(legends_keep_the_solid_curve)
 }
 END_TEST
 
+/* A terminal that draws finer than cells is told the strokes, in 16ths of a cell; others nothing. */
+START_TEST(strokes_are_described)
+{
+    static const double points[][2] = {{0, 0}, {2, 1}, {NAN, NAN}, {4, 1}};
+    Plot plot = {.x = axis_make(0, 4), .y = axis_make(0, 1)};
+    plot_begin(&plot, STROKE_LINE, pen_exact);
+    for (int i = 0; i < 4; i++)
+        plot_point(&plot, points[i][0], points[i][1]);
+    for (int wanted = 0; wanted < 2; wanted++) {
+        Canvas canvas = {.vectored = wanted};
+        ck_assert(canvas_open(&canvas, 10, 4, NULL));
+        plot_draw(&plot, (Area){&canvas, {1, 2, 8, 2}, GLYPHS_BRAILLE});
+        char expected[80];
+        snprintf(expected, sizeof expected, ";A1,2,8,2;L%d,%d,%d 0,30 64,2 - 124,2", STYLE_EXACT, LINE_DOTTED,
+                 RANK_EXACT);
+        if (wanted)
+            ck_assert_str_eq(canvas.vectors, expected);
+        else
+            ck_assert_ptr_null(canvas.vectors);
+        canvas_clear(&canvas);
+        ck_assert(!canvas.vectors || !*canvas.vectors);
+        canvas_close(&canvas);
+    }
+    plot_close(&plot);
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     TCase *axes = tcase_create("axes");
@@ -319,6 +347,7 @@ void add_cases(Suite *suite)
     suite_add_tcase(suite, axes);
     TCase *curves = tcase_create("curves");
     tcase_add_loop_test(curves, each_column_shows_least_and_largest, 0, GLYPHS_COUNT);
+    tcase_add_test(curves, strokes_are_described);
     tcase_add_test(curves, what_is_measured_wins_a_cell);
     tcase_add_test(curves, broken_and_wild_curves_do_no_harm);
     suite_add_tcase(suite, curves);

@@ -515,6 +515,70 @@ async function sandboxed() {
 	result('a download that may be forbidden is told', /frame allows no downloads/.test(await frame.$eval('#notice', (p) => p.textContent)));
 }
 
+// Curves and maps as lines and pixels, over cells that keep what they hold.
+async function lines() {
+	const drawn = () => page.evaluate(() => {
+		const canvas = vectors.canvas, bytes = canvas ? canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data : [];
+		let count = 0;
+		for (let i = 3; i < bytes.length; i += 4) count += bytes[i] > 0;
+		return count;
+	});
+	for (const scenario of ['mode5', 'notched-beam-coarse']) {
+		await open(one + '?scenario=' + scenario);
+		await until('', has('Space pause'));
+		await pause(1500);
+		await page.keyboard.press(' ');
+		await until('', has('Space run'));
+		await page.evaluate(() => vectors.turn(true)); // a slow machine may have turned it off
+		await pause(500);
+		const found = await page.evaluate(() => vectors.areas.map((area) => area.strokes.length + (area.map ? ' map' : '')));
+		result(`${scenario}: the picture comes as lines`, found.some((area) => parseInt(area) > 0) && found.some((area) => / map/.test(area)) === (scenario !== 'mode5'), found.join());
+		result('which are drawn', (await drawn()) > 2000, await drawn());
+		if (scenario !== 'mode5') result('beside the legend, which is left', await page.evaluate(() => vectors.areas.some((area) => area.map && area.crossed.slice(0, area.rect[2]).every((cell) => cell === 0))));
+		result('over cells that keep theirs', /[\u2801-\u28ff\u2580-\u2588]{3}/.test(await screen()));
+		await shot('lines-' + scenario);
+		await page.keyboard.press('F9');
+		await pause(200);
+		result('F9 shows the cells', (await drawn()) === 0);
+		await page.keyboard.press('F9');
+		await pause(200);
+		result('and the lines again', (await drawn()) > 2000);
+	}
+	await page.evaluate(() => term.select(0, 0, 5));
+	await pause(300);
+	result('a selection is seen in the cells', (await drawn()) === 0);
+}
+
+async function telephone() {
+	await open(one + '?scenario=mode5', {width: 412, height: 915}, true);
+	await until('', has('Space pause'));
+	await shot('phone');
+	const stacked = await screen();
+	result('one column: question, bar, plot, number, parameters', stacked.search('Which cures') < stacked.search('particles at') && stacked.search('particles at') < stacked.search('v_cm') &&
+		stacked.search('v_cm') < stacked.search('periods') && stacked.search('periods') < stacked.search('cell size  '), stacked);
+	const wide = await page.evaluate(() => [...document.querySelectorAll('header, body')].filter((part) => part.scrollWidth > part.clientWidth).length);
+	result('the header is in sight as a whole', wide === 0);
+	const small = await page.evaluate(() => [...document.querySelectorAll('button, select')].map((target) => [target.textContent.slice(0, 10), target.getBoundingClientRect()])
+		.filter(([, box]) => box.width > 0 && (box.height < 43.5 || box.width < 43.5)).map(([name, box]) => name + ' ' + box.width + 'x' + box.height));
+	result('targets are 44 pixels', small.length === 0, small.join());
+	await tap_button('Space pause');
+	await until('', has('Space run'));
+	await tap_button('Enter');
+	const is_pad = () => page.waitForFunction(() => /^1234/.test(document.getElementById('keys').textContent), {timeout: patience}).catch(() => {});
+	await is_pad();
+	await pause(500);
+	await is_pad();
+	await shot('phone-pad');
+	const pad = await page.$$eval('#keys button', (buttons) => buttons.map((button) => button.textContent).join(' '));
+	result('a field has a pad of numbers, and no key that would be typed into it', /^1 2 3 4 5 6 7 8 9 0 \. - \/ e ⌫ Enter Esc/.test(pad) && !/sheet|next/.test(pad), pad);
+	for (let i = 0; i < 4; i++) await tap_button('⌫');
+	for (const key of ['0', '.', '2', 'Enter']) await tap_button(key);
+	await shows('which enters a number', (text) => /courant number +0\.2\b/.test(text));
+	await page.setViewport({width: 915, height: 412, isMobile: true, hasTouch: true});
+	await shows('another size when it is turned', (text) => text.split('\n').length < 30 && has('Space')(text));
+	await shot('phone-turned');
+}
+
 async function files_of_any_kind() {
 	await open(one);
 	await until('', has('Space pause'));
@@ -796,7 +860,7 @@ async function main() {
 	}).listen(0, '127.0.0.1');
 	await new Promise((done) => server.on('listening', done));
 	served = `http://127.0.0.1:${server.address().port}/`;
-	const cases = {first_picture, keys_and_size, edit_and_stages, export_of_a_run, dropped_scenario, dropped_series, lesson_by_taps, sheets_by_taps, cell_by_taps, homework, homework_is_kept, address, browser_keys, sandboxed, files_of_any_kind,
+	const cases = {first_picture, keys_and_size, edit_and_stages, export_of_a_run, dropped_scenario, dropped_series, lesson_by_taps, sheets_by_taps, cell_by_taps, homework, homework_is_kept, address, browser_keys, sandboxed, files_of_any_kind, lines, telephone,
 		plain_words, slow_terminal, computing, hostile_links, hostile_files, hostile_storage,
 		failing_storage, crash, end_of_the_program, without_webassembly, from_a_server};
 	const wanted = process.argv.slice(2);

@@ -198,10 +198,35 @@ static uint32_t dots_of(const Sheet *sheet, int x, int y)
     return dots;
 }
 
+/* The colours in pixels of half a cell across and a quarter down. */
+static void describe_heat(const Sheet *sheet)
+{
+    const Area area = sheet->area;
+    Sheet fine = *sheet;
+    fine.across = 2, fine.down = 4;
+    const int columns = area.rect.width * fine.across, rows = area.rect.height * fine.down;
+    fine.pixels = area.canvas->vectored ? calloc((size_t)columns * (size_t)rows, sizeof *fine.pixels) : NULL;
+    if (!fine.pixels)
+        return;
+    cover_all(&fine);
+    canvas_vector(area.canvas, ";M%d,%d ", columns, rows);
+    for (int i = 0, run = 1; i < columns * rows; i++, run++) {
+        const int step = step_of(&fine, &fine.pixels[i]);
+        if (i + 1 < columns * rows && step_of(&fine, &fine.pixels[i + 1]) == step)
+            continue;
+        canvas_vector(area.canvas, "%c", step == NOTHING ? '.' : 'a' + step);
+        if (run > 1)
+            canvas_vector(area.canvas, "%d", run);
+        run = 0;
+    }
+    free(fine.pixels);
+}
+
 static void draw_heat(const Sheet *sheet)
 {
     const Area area = sheet->area;
     cover_all(sheet);
+    describe_heat(sheet);
     for (int y = 0; y < area.rect.height; y++)
         for (int x = 0; x < area.rect.width; x++) {
             if (sheet->coloured) {
@@ -268,6 +293,9 @@ static void draw_line(const Sheet *sheet, const double from[2], const double to[
     const uint32_t letter = pen->letter ? (uint32_t)(unsigned char)pen->letter : direction_of(dx, dy);
     if (!(length < 1e5))
         return;
+    canvas_vector(sheet->area.canvas, ";L%d,%d,%d %ld,%ld %ld,%ld", (int)pen->style, (int)pen->line,
+                  pen->rank, lround(16 * from[0]), lround(16 * from[1]), lround(16 * to[0]),
+                  lround(16 * to[1]));
     const bool dots = sheet->area.glyphs == GLYPHS_BRAILLE;
     const int every = !dots || pen->line == LINE_SOLID ? 1 : pen->line == LINE_DASHED ? 2 : 4;
     const int steps = (int)ceil(length);
@@ -554,6 +582,7 @@ void cells_map_body(const Picture *picture, Area area, int colours)
     if (!sheet.pixels)
         return;
     sheet.crossings = (Crossing *)(sheet.pixels + pixels);
+    canvas_vector(area.canvas, ";A%d,%d,%d,%d", area.rect.x, area.rect.y, area.rect.width, area.rect.height);
     if (!picture->map->is_near)
         draw_heat(&sheet);
     for (int i = 0; i < picture->plot.n_strokes; i++)
