@@ -358,7 +358,8 @@ static bool write_rows(const char *unused)
             say(kind->columns[i].unit);
             comma = ", ";
         }
-        puts(*comma ? "." : "");
+        if (*comma)
+            puts(".");
         if (kind->usual) {
             fputs("Default ", stdout);
             say_in("B", kind->usual);

@@ -10,14 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-int bodies_body_of(const Mpm *mpm, int particle)
-{
-    int body = 0;
-    while (mpm->bodies->first[body + 1] <= particle)
-        body++;
-    return body;
-}
-
 /* --- what is constant ----------------------------------------------------------------------------- */
 
 /* Calls `take` for each particle of a body in their order: rows from below, in a row from the left. */

@@ -39,6 +39,14 @@ bool bodies_hold(const BodyDef *body, double x, double y)
                                     : squared > size[2] * size[2] && squared < size[3] * size[3];
 }
 
+int bodies_body_of(const Mpm *mpm, int particle)
+{
+    int body = 0;
+    while (mpm->bodies->first[body + 1] <= particle)
+        body++;
+    return body;
+}
+
 /* --- one value, one body -------------------------------------------------------------------------- */
 
 static bool above(double value, const char *key, Status *status)
