@@ -54,8 +54,9 @@ $(npm): $(web)/package.json $(web)/package-lock.json | tools
 		{ echo "make web: npm's packages are missing: run make web-sources first" >&2; exit 1; }
 	touch $@
 
-# What emcc calls for a file, with what it says; emcc itself takes longer to begin than most files take.
-compiler = $(eval compiler := $$(shell PYTHONPATH=$$$$(em-config EMSCRIPTEN_ROOT) python3 -c 'from tools import shared; print(shared.CLANG_CC)') $$(shell emcc --cflags))$(compiler)
+# What emcc calls for a file, with what it says; emcc itself takes longer to begin than most files take. By ccache, where that
+# is installed, files that did not change are not compiled again.
+compiler = $(eval compiler := $$(shell command -v ccache) $$(shell PYTHONPATH=$$$$(em-config EMSCRIPTEN_ROOT) python3 -c 'from tools import shared; print(shared.CLANG_CC)') $$(shell emcc --cflags))$(compiler)
 
 # --- libraries --------------------------------------------------------------------------------
 # Descriptions of terminals are read by ncurses, but none lies in the page: the program brings its own.
@@ -104,7 +105,7 @@ $(work)/program/Makefile: $(web_source)/configure $(ncurses) $(gsl) $(utf8proc) 
 # its own makefile knows what is out of date
 .PHONY: program
 program: $(work)/program/Makefile
-	+$(MAKE) -s -C $(work)/program $(if $(filter -j%,$(MAKEFLAGS)),,-j$(shell nproc 2>/dev/null || echo 2)) \
+	+$(MAKE) -s -C $(work)/program $(if $(filter -j%,$(MAKEFLAGS)),,-j$(shell n=$$(nproc 2>/dev/null || echo 2); echo $$((n < 4 ? n : 4)))) \
 		EXEEXT=.js CC='$(compiler)' CCLD=emcc matvib.js LDFLAGS='$(link)'
 $(program): program
 
