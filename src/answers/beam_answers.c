@@ -378,6 +378,34 @@ double beam_moving_section(const References *refs, const char *field, double x, 
     return NAN;
 }
 
+/* How well half a sine between two zeros explains the rows y_k there, and how well these tell its period T:
+ *
+ *     y ~ A sin(w (t - t_1)) + B sin(2 w (t - t_1)),  w = pi/(t_2 - t_1),  A = sum y sin/sum sin^2, B
+ * likewise R2 = 1 - sum r^2/sum (y - mean)^2,   s^2 = sum r^2/(n - 2),   sigma_T = 2 sqrt(2) s/(|A| w)
+ *
+ * for a zero is displaced by s over the slope A w there, and T is twice the time between two. B is what the
+ * sine leans over while the beam lengthens; over half a period the two are orthogonal. */
+static void judge_half_period(const double *rows, size_t n_rows, int n_columns, int column,
+                              const Zeros *zeros, Readout *out)
+{
+    const double w = M_PI / (zeros->last - zeros->before);
+    double n = 0, sum = 0, squares = 0, both = 0, of_sine = 0, lean = 0, of_lean = 0;
+    for (size_t k = 0; k < n_rows; k++) {
+        const double *row = rows + k * (size_t)n_columns, y = row[column];
+        if (row[1] < zeros->before || row[1] > zeros->last)
+            continue;
+        const double phase = w * (row[1] - zeros->before), sine = math_sin(phase),
+                     twice = math_sin(2 * phase);
+        n++, sum += y, squares += y * y, both += y * sine, of_sine += sine * sine;
+        lean += y * twice, of_lean += twice * twice;
+    }
+    if (n < 4 || both == 0)
+        return;
+    const double left = fmax(squares - both * both / of_sine - lean * lean / of_lean, 0);
+    out->r2 = 1 - left / (squares - sum * sum / n);
+    out->uncertainty = 2 * sqrt(2 * left / (n - 2)) / (fabs(both / of_sine) * w);
+}
+
 /* The period grows with the length, so the time between the last two zeros is given (twice, for a whole
  * period), against that between the same zeros of the modal solution. */
 void beam_read_moving(const References *refs, const double *rows, size_t n_rows, int n_columns, Readout *out)
@@ -402,6 +430,7 @@ void beam_read_moving(const References *refs, const double *rows, size_t n_rows,
         exact = find_zeros(rows, n_rows, n_columns, modal, both);
     out->measured_known = out->exact_known = true;
     out->measured = 2 * (measured.last - measured.before);
+    judge_half_period(rows, n_rows, n_columns, u, &measured, out);
     out->exact = 2 * (exact.last - exact.before);
     out->late = (measured.last - exact.last) / out->exact;
 }
