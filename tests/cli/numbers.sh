@@ -21,6 +21,7 @@ run() { # SCENARIO OPTIONS...
 		/^error / { after("frequency", "frequency_error"); after("period", "period_error")
 			sub(/.*\(frequency predicted/, "mesh"); after("mesh", "predicted_error")
 			print "predicted_period", 100 / (1 + $2 / 100) - 100 }
+		/^uncertainty / { after("uncertainty", "uncertainty"); after("R2", "r2") }
 		/^(late|early) / { after("by", "periods") }
 		/^a period keeps/ { after("predicted", "kept") }
 		/^energy E\* / { after("by", "lost") }
@@ -509,6 +510,8 @@ if [ -n "$MATVIB_WIDE" ]; then
 	claim $lesson/channel.lesson "its last swing took " 3 " % longer, and" period_error
 	claim $lesson/channel.lesson "it is late by " 0.02 " periods" periods
 	result "$lesson/channel.lesson: A swings at 309 Hz" awk '$1 == "measured" { exit !($2 > 3.231e-3 && $2 < 3.2415e-3) }' measured
+	result "a period that grows has an uncertainty and R2" awk '
+		$1 == "uncertainty" { known += $2 > 1e-6 && $2 < 2e-5 } $1 == "r2" { known += $2 > 0.999 } END { exit known != 2 }' measured
 	run moving-cantilever-coarse --end 0.0024 --set motion.clamp=guide
 	result "$lesson/channel.lesson: B swings at 293 Hz" awk '$1 == "measured" { exit !($2 > 3.407e-3 && $2 < 3.4188e-3) }' measured
 fi
