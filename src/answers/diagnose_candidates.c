@@ -69,17 +69,17 @@ bool diagnose_is_tried(const Settings *right, const Parameter *parameter)
            parameter_applies_to(right, parameter) && strncmp(parameter->key, "time.", 5) != 0;
 }
 
-int diagnose_candidates(const Settings *right, Candidate out[CANDIDATES_MAX])
+int diagnose_candidates(const Settings *right, bool values, Candidate out[CANDIDATES_MAX])
 {
     List list = {out, 0};
     for (int i = 0; i < n_parameters; i++)
         if (diagnose_is_tried(right, &parameters[i]) && parameters[i].wrong)
             add_choices(&list, right, &parameters[i]);
-    for (int i = 0; i < n_parameters; i++)
+    for (int i = 0; i < n_parameters && values; i++)
         if (diagnose_is_tried(right, &parameters[i]) && !parameters[i].wrong &&
             (parameters[i].type == PARAMETER_CHOICE || parameters[i].type == PARAMETER_FLAG))
             add_choices(&list, right, &parameters[i]);
-    for (int i = 0; i < n_parameters; i++)
+    for (int i = 0; i < n_parameters && values; i++)
         if (diagnose_is_tried(right, &parameters[i]) && parameters[i].nudge != NUDGE_NONE &&
             (parameters[i].type == PARAMETER_REAL || parameters[i].type == PARAMETER_INTEGER))
             add_values(&list, right, &parameters[i]);
@@ -95,6 +95,107 @@ int diagnose_pairs(const Settings *right, Candidate out[CANDIDATES_MAX])
                 for (int k = 1; k < i && count < CANDIDATES_MAX; k++)
                     out[count++] = (Candidate){DIAGNOSE_MISTAKE, &parameters[p], i, 0, k, NULL};
     return count;
+}
+
+/* --- schemes -------------------------------------------------------------------------------------------- */
+
+/* What a scheme is chosen of: one of each axis. */
+enum { AXES_OF_A_SCHEME = 4, WAYS_MAX = 8 };
+static const char *const mpm_axes[AXES_OF_A_SCHEME][WAYS_MAX] = {
+    {"mpm.algorithm=usf", "mpm.algorithm=usl", "mpm.algorithm=musl"},
+    {"mpm.shape=hat", "mpm.shape=gimp", "mpm.shape=bspline2", "mpm.shape=bspline3"},
+    {"mpm.transfer=flip,mpm.flip_fraction=1", "mpm.transfer=flip,mpm.flip_fraction=0",
+     "mpm.transfer=apic,mpm.affine_start=gradient", "mpm.transfer=apic,mpm.affine_start=zero",
+     "mpm.transfer=flip,mpm.flip_fraction=0.99", "mpm.transfer=flip,mpm.flip_fraction=0.95",
+     "mpm.transfer=flip,mpm.flip_fraction=0.9"},
+};
+static const char *const pd_axes[AXES_OF_A_SCHEME][WAYS_MAX] = {
+    {"pd.surface_correction=none", "pd.surface_correction=energy", "pd.surface_correction=volume"},
+    {"pd.volume_correction=none", "pd.volume_correction=partial", "pd.volume_correction=hhb"},
+    {"pd.influence=constant", "pd.influence=conical"},
+    {"pd.horizon"},
+};
+
+/* Takes one way of an axis, "key=value,key=value"; the horizon's is .015 spacings more, as codes have it that
+ * fear round-off. False: it is not allowed, or changes nothing. */
+static bool take_way(Settings *settings, const char *way)
+{
+    char text[VALUE_MAX];
+    bool changes = false;
+    if (strcmp(way, "pd.horizon") == 0) {
+        const double ratio = lattice_horizon(settings) / lattice_spacing(settings);
+        snprintf(text, sizeof text, "%.17g", (ratio + 0.015) * lattice_spacing(settings));
+        return fabs(ratio - round(ratio)) < 1e-9 && settings_change(settings, way, text, NULL);
+    }
+    while (*way) {
+        char key[KEY_MAX];
+        const size_t length = strcspn(way, "="), wide = strcspn(way + length + 1, ",");
+        snprintf(key, sizeof key, "%.*s", (int)length, way);
+        snprintf(text, sizeof text, "%.*s", (int)wide, way + length + 1);
+        const Parameter *parameter = parameter_find(key);
+        const double before = settings_number(settings, parameter);
+        if (!parameter_applies_to(settings, parameter) || !settings_change(settings, key, text, NULL))
+            return false;
+        changes = changes || settings_number(settings, parameter) != before;
+        way += length + 1 + wide + (way[length + 1 + wide] == ',');
+    }
+    return changes;
+}
+
+typedef struct Schemes {
+    DiagnoseScheme *all;
+    int count, room;
+} Schemes;
+
+static bool add_scheme(Schemes *schemes, const Settings *settings, int choices)
+{
+    if (schemes->count == schemes->room) {
+        const int room = 2 * schemes->room + 16;
+        DiagnoseScheme *more = realloc(schemes->all, (size_t)room * sizeof *more);
+        if (!more)
+            return false;
+        schemes->all = more;
+        schemes->room = room;
+    }
+    schemes->all[schemes->count++] = (DiagnoseScheme){*settings, choices};
+    return true;
+}
+
+int diagnose_schemes(const Settings *right, const DiagnoseTable *table, DiagnoseScheme **out)
+{
+    const char *const(*const axes)[WAYS_MAX] = right->method == METHOD_PD ? pd_axes : mpm_axes;
+    Schemes schemes = {0};
+    bool sound = add_scheme(&schemes, right, 0);
+    for (int axis = 0; axis < AXES_OF_A_SCHEME; axis++)
+        for (int s = 0, before = schemes.count; s < before; s++)
+            for (int way = 0; sound && way < WAYS_MAX && axes[axis][way]; way++) {
+                Settings other = schemes.all[s].settings;
+                if (take_way(&other, axes[axis][way]) && diagnose_hold_step(&other, table->dt, NULL))
+                    sound = add_scheme(&schemes, &other, schemes.all[s].choices + 1);
+            }
+    Candidate *others = malloc(CANDIDATES_MAX * sizeof *others);
+    const int product = schemes.count, count = others ? diagnose_candidates(right, true, others) : 0;
+    for (int i = 0; i < count && sound; i++) {
+        Settings other;
+        bool known =
+            others[i].kind != DIAGNOSE_SCHEME || !diagnose_settings_of(&others[i], right, table, &other);
+        for (int s = 0; s < product && !known; s++)
+            known = schemes.all[s].choices == 1 &&
+                    settings_number(&schemes.all[s].settings, others[i].parameter) == others[i].value;
+        sound = known || add_scheme(&schemes, &other, 1);
+    }
+    sound = sound && others;
+    free(others);
+    Schemes sorted = {0};
+    for (int choices = 0; choices <= AXES_OF_A_SCHEME; choices++)
+        for (int s = 0; s < schemes.count && sound; s++)
+            if (schemes.all[s].choices == choices)
+                sound = add_scheme(&sorted, &schemes.all[s].settings, choices);
+    free(schemes.all);
+    if (!sound)
+        free(sorted.all);
+    *out = sound ? sorted.all : NULL;
+    return sound ? sorted.count : 0;
 }
 
 /* --- one of them ---------------------------------------------------------------------------------------- */
@@ -161,11 +262,20 @@ void diagnose_name_factor(double factor, double tolerance, const Settings *setti
 
 void diagnose_name_scheme(const Settings *settings, char *out, size_t size)
 {
-    static const char *const keys[] = {"mpm.algorithm", "mpm.shape", "mpm.transfer", "pd.surface_correction",
-                                       "pd.volume_correction"};
+    static const struct {
+        const char *key, *before;
+        double silent; /* the value of which nothing is said */
+    } words[] = {{"mpm.algorithm", "", -1},
+                 {"mpm.shape", "", 0},
+                 {"mpm.transfer", "", 0},
+                 {"mpm.flip_fraction", "flip_fraction ", 1},
+                 {"mpm.affine_start", "affine start ", 0},
+                 {"pd.surface_correction", "surface ", 0},
+                 {"pd.volume_correction", "volume ", 0},
+                 {"pd.influence", "influence ", 0}};
     out[0] = '\0';
-    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
-        const Parameter *parameter = parameter_find(keys[i]);
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
+        const Parameter *parameter = parameter_find(words[i].key);
         char value[LIST_MAX];
         if (!parameter_applies_to(settings, parameter))
             continue;
@@ -173,13 +283,9 @@ void diagnose_name_scheme(const Settings *settings, char *out, size_t size)
         if (i == 0)
             for (char *c = value; *c; c++)
                 *c = (char)(*c >= 'a' && *c <= 'z' ? *c - 'a' + 'A' : *c);
-        else if (settings_number(settings, parameter) == 0)
+        if (settings_number(settings, parameter) == words[i].silent)
             continue;
-        text_append(out, size, "%s%s%s", *out ? ", " : "",
-                    i == 3   ? "surface "
-                    : i == 4 ? "volume "
-                             : "",
-                    value);
+        text_append(out, size, "%s%s%s", *out ? ", " : "", words[i].before, value);
     }
 }
 
@@ -214,6 +320,22 @@ void diagnose_explain(const Candidate *candidate, const Settings *right, const S
                     candidate->shift);
         return;
     }
+    if (candidate->kind == DIAGNOSE_SCHEME) {
+        int choices = 0;
+        for (int i = 0; i < n_parameters; i++)
+            if (diagnose_is_tried(wrong, &parameters[i]) &&
+                settings_number(wrong, &parameters[i]) != settings_number(right, &parameters[i])) {
+                settings_get(wrong, &parameters[i], value);
+                settings_get(right, &parameters[i], before);
+                text_append(out->id, sizeof out->id, "%s%s=%s", choices++ > 0 ? " " : "", parameters[i].key,
+                            value);
+            }
+        text_append(out->words, sizeof out->words,
+                    choices == 1 ? "no mistake, but another choice, the scenario has %s"
+                                 : "no mistake, but other choices than the scenario's",
+                    before);
+        return;
+    }
     settings_get(wrong, parameter, value);
     settings_get(right, parameter, before);
     if (candidate->beside) {
@@ -230,10 +352,8 @@ void diagnose_explain(const Candidate *candidate, const Settings *right, const S
     }
     text_append(out->id, sizeof out->id, "%s=%s", parameter->key, value);
     const double now = settings_number(right, parameter);
-    if (candidate->kind == DIAGNOSE_SCHEME || now == 0)
-        text_append(out->words, sizeof out->words, "%s, the scenario has %s",
-                    candidate->kind == DIAGNOSE_SCHEME ? "no mistake, but another choice" : "another value",
-                    before);
+    if (now == 0)
+        text_append(out->words, sizeof out->words, "another value, the scenario has %s", before);
     else {
         char name[96];
         diagnose_name_factor(candidate->value / now, 1e-9, right, name, sizeof name);

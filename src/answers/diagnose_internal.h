@@ -64,12 +64,23 @@ typedef struct Candidate {
     const TimeSettings *own_step; /* it makes its own time step, as these say; NULL: it has the file's */
 } Candidate;
 
-enum { CANDIDATES_MAX = 400 };
+enum { CANDIDATES_MAX = 1200 };
 /* Every two mistakes. */
 int diagnose_pairs(const Settings *right, Candidate out[CANDIDATES_MAX]);
 
 bool diagnose_is_tried(const Settings *, const Parameter *); /* whether codes may differ in it */
-int diagnose_candidates(const Settings *, Candidate out[CANDIDATES_MAX]);
+int diagnose_candidates(const Settings *, bool values, Candidate out[CANDIDATES_MAX]);
+
+/* A right code: the scenario's, or by other choices of its scheme. */
+typedef struct DiagnoseScheme {
+    Settings settings; /* with the file's time step */
+    int choices;       /* in which it differs from the scenario */
+} DiagnoseScheme;
+
+/* The product of algorithms, shapes and transfers, or of corrections, influences and horizons; and what else
+ * a scheme may choose, one at a time. The scenario's own comes first, then those of fewer choices. Returns
+ * how many there are; the caller frees them. NULL: there is no memory. */
+int diagnose_schemes(const Settings *, const DiagnoseTable *, DiagnoseScheme **out);
 
 /* Its settings, with the file's time step. False: there is no such run. */
 bool diagnose_settings_of(const Candidate *, const Settings *right, const DiagnoseTable *, Settings *out);
@@ -99,13 +110,15 @@ typedef struct Search {
     const DiagnoseTask *task;
     DiagnoseTable *table;
     Diagnosis *found;
-    Settings right;    /* with the file's time step */
+    Settings right;    /* with the file's time step; while a scheme is tried, the right code of that */
+    Settings given;    /* the scenario's, likewise */
     double *values;    /* of the right run */
     double *grown;     /* what its round-off grows to, where it departs; else NULL */
     Walk walk;         /* along it */
     Candidate first;   /* the first that explains it all */
     Settings by_first; /* its settings; without one the right ones */
     double until;      /* of the clock: DiagnoseTask.seconds */
+    Settings of_first; /* the right code of its scheme */
     Status *status;
 } Search;
 

@@ -4,6 +4,7 @@
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "scenario/concern_body.h"
+#include "scenario/concern_bonds.h"
 #include "scenario/concern_cells.h"
 #include "scenario/concern_loads.h"
 
@@ -13,6 +14,7 @@
 #include "base/text.h"
 #include "problems/problem.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -114,7 +116,8 @@ static void keep(Search *search, const Candidate *candidate, const Settings *wro
         return;
     }
     Explanation *explanation = &found->explanations[found->n_explanations];
-    diagnose_explain(candidate, &search->right, wrong, explanation);
+    diagnose_explain(candidate, candidate->kind == DIAGNOSE_SCHEME ? &search->given : &search->right, wrong,
+                     explanation);
     explanation->digits = digits_of(search, walk->worst);
     for (size_t m = 0; m < walk->compared; m++)
         explanation->rows += search->table->moments[m].count;
@@ -122,8 +125,11 @@ static void keep(Search *search, const Candidate *candidate, const Settings *wro
     if (found->n_explanations++ == 0 && search->walk.departure.is) {
         search->first = *candidate;
         search->by_first = *wrong;
+        search->of_first = search->right;
         return;
     }
+    if (found->n_explanations > DIAGNOSE_NAMED_MAX + 1) /* which nobody is told */
+        return;
     diagnose_tell_apart(wrong, &search->by_first, candidate->shift - search->first.shift, search->table,
                         explanation);
 }
@@ -231,7 +237,7 @@ static bool try_value(Search *search, const Parameter *parameter, const TimeSett
         return patience_lasts(&search->task->patience, 0) || status_fail(search->status, "interrupted");
     const double now = settings_number(&search->right, parameter);
     const double factor = now != 0 ? candidate.value / now : candidate.value;
-    if ((now != 0 && fabs(factor - 1) < 1e-8) || /* of another time step, or of fewer digits */
+    if ((now != 0 && fabs(factor - 1) < 1e-5) || /* of another time step, or of fewer digits */
         (now != 0 && !(fabs(factor) > LEAST_FACTOR && fabs(factor) < 1 / LEAST_FACTOR)) ||
         (simpler && !is_round(factor, &search->right)))
         return true;
@@ -251,8 +257,8 @@ static bool try_values(Search *search)
         return true;
     for (int by_value = 0; by_value <= (open && !simpler); by_value++)
         for (int i = 0; i < n_parameters; i++)
-            if (diagnose_is_tried(&search->right, &parameters[i]) && parameters[i].type == PARAMETER_REAL &&
-                !has_value(search->found, &parameters[i]) &&
+            if (!time_is_up(search) && diagnose_is_tried(&search->right, &parameters[i]) &&
+                parameters[i].type == PARAMETER_REAL && !has_value(search->found, &parameters[i]) &&
                 !try_value(search, &parameters[i], by_value ? settings_time(search->task->settings) : NULL,
                            simpler))
                 return false;
@@ -277,40 +283,106 @@ static bool try_pairs(Search *search)
     return sound;
 }
 
-/* `shown`: whether the file departs; else only mistakes count, those that it cannot show. */
-static bool try_all(Search *search, bool shown)
+/* What may be wrong in the code of the scheme that is `right` at present. False: it was given up. */
+static bool try_listed(Search *search, bool values, bool mistakes_only)
 {
     Candidate *candidates = malloc(CANDIDATES_MAX * sizeof *candidates);
     Settings wrong;
     Walk walk;
     bool sound = candidates || status_fail(search->status, "out of memory"), agrees;
-    const int count = sound ? diagnose_candidates(&search->right, candidates) : 0;
-    search->by_first = search->right;
+    const int count = sound ? diagnose_candidates(&search->right, values, candidates) : 0;
     for (int i = 0; i < count && sound; i++) {
-        if (!shown && candidates[i].kind != DIAGNOSE_MISTAKE)
+        if (candidates[i].kind == DIAGNOSE_SCHEME ||
+            (mistakes_only && candidates[i].kind != DIAGNOSE_MISTAKE))
             continue;
         sound = try_one(search, &candidates[i], &walk, &wrong, &agrees);
         if (sound && agrees)
             keep(search, &candidates[i], &wrong, &walk);
     }
     free(candidates);
-    if (!sound || !shown)
-        return sound;
-    return try_values(search) &&
-           (search->found->n_explanations > 0 || search->walk.departing < ENTRIES_LEAST || try_pairs(search));
+    return sound;
+}
+
+/* Right codes of all schemes; of the first that agrees also the mistakes that the file cannot show. */
+static bool try_schemes(Search *search, const DiagnoseScheme *schemes, int count)
+{
+    Candidate candidate = {.kind = DIAGNOSE_SCHEME};
+    Settings wrong;
+    Walk walk;
+    bool agrees;
+    int fewest = INT_MAX;
+    for (int s = 1; s < count && schemes[s].choices <= fewest; s++) {
+        search->right = schemes[s].settings;
+        if (!try_one(search, &candidate, &walk, &wrong, &agrees))
+            return false;
+        search->right = search->given;
+        if (agrees) {
+            keep(search, &candidate, &wrong, &walk);
+            fewest = schemes[s].choices;
+        }
+    }
+    if (search->found->n_explanations == 0)
+        return true;
+    search->right = search->by_first;
+    const bool sound = try_listed(search, false, true);
+    search->right = search->given;
+    return sound;
+}
+
+/* Where no right code agrees: what is wrong in one place, in codes of fewer choices first; then one wrong
+ * value of any size, and two mistakes, by each algorithm. */
+static bool try_product(Search *search, const DiagnoseScheme *schemes, int count)
+{
+    const int most = schemes[count - 1].choices;
+    bool sound = true;
+    for (int choices = 0; choices <= most && sound && search->found->n_explanations == 0; choices++) {
+        for (int s = 0; s < count && sound; s++) {
+            if (schemes[s].choices != choices)
+                continue;
+            search->right = schemes[s].settings;
+            sound = try_listed(search, choices <= 1, false);
+        }
+        search->right = search->given;
+        sound = sound && (choices > 0 || try_values(search));
+    }
+    const bool few = search->walk.departing < ENTRIES_LEAST;
+    for (int s = 0; s < count && sound && !few && search->found->n_explanations == 0; s++)
+        if (s == 0 || (schemes[s].choices == 1 && settings_transfer(&schemes[s].settings)->algorithm !=
+                                                      settings_transfer(&search->given)->algorithm)) {
+            search->right = schemes[s].settings;
+            sound =
+                (s == 0 || try_values(search)) && (search->found->n_explanations > 0 || try_pairs(search));
+        }
+    return sound;
+}
+
+/* `shown`: whether the file departs; else only mistakes count, those that it cannot show. */
+static bool try_all(Search *search, bool shown)
+{
+    DiagnoseScheme *schemes;
+    search->given = search->by_first = search->right;
+    if (!shown)
+        return try_listed(search, false, true);
+    const int count = diagnose_schemes(&search->right, search->table, &schemes);
+    if (!schemes)
+        return status_fail(search->status, "out of memory");
+    const bool sound = try_schemes(search, schemes, count) &&
+                       (search->found->n_explanations > 0 || try_product(search, schemes, count));
+    free(schemes);
+    search->right = search->given;
+    return sound;
 }
 
 /* --- the whole ------------------------------------------------------------------------------------------ */
 
-static bool judge(Search *search)
+/* How far the numbers agree with the right code's, and where they depart. */
+static void tell_walk(Search *search)
 {
     Diagnosis *found = search->found;
     const DiagnoseTable *table = search->table;
     const Walk *walk = &search->walk;
-    if (!read_columns(search))
-        return false;
-    if (found->verdict != DIAGNOSE_UNKNOWN)
-        return true;
+    found->compared = found->agreed = 0;
+    found->agreeing[0] = '\0';
     for (size_t m = 0; m < walk->compared; m++) {
         found->compared += table->moments[m].count;
         found->agreed += m < walk->agreed ? table->moments[m].count : 0;
@@ -323,15 +395,36 @@ static bool judge(Search *search)
     diagnose_name_scheme(&search->right, found->scheme, sizeof found->scheme);
     if (walk->departure.is)
         name_departure(search);
+}
+
+static bool judge(Search *search)
+{
+    Diagnosis *found = search->found;
+    const Walk *walk = &search->walk;
+    if (!read_columns(search))
+        return false;
+    if (found->verdict != DIAGNOSE_UNKNOWN)
+        return true;
+    tell_walk(search);
     if (!try_all(search, walk->departure.is))
         return false;
-    found->verdict = !walk->departure.is         ? DIAGNOSE_RIGHT
+    const bool departs = walk->departure.is;
+    if (departs && found->n_explanations > 0 && found->explanations[0].kind != DIAGNOSE_SCHEME) {
+        search->right = search->of_first; /* what is wrong is told beside the right code of its scheme */
+        if (!walk_right(search))
+            return false;
+        if (walk->departure.is)
+            tell_walk(search);
+        search->right = search->given;
+    }
+    found->verdict = !departs                    ? DIAGNOSE_RIGHT
                      : found->n_explanations > 0 ? DIAGNOSE_EXPLAINED
                                                  : DIAGNOSE_UNKNOWN;
     return true;
 }
 
-/* Each way to read the table, the likeliest first, up to one that some code explains; else as the first. */
+/* Each way to read the table, the likeliest first, up to one that a right code or a mistake explains; else as
+ * the first that a value does, or as the first. */
 static bool judge_readings(Search *search, const DiagnoseReading *readings, int count)
 {
     DiagnoseTable *table = search->table;
@@ -353,9 +446,12 @@ static bool judge_readings(Search *search, const DiagnoseReading *readings, int 
             continue;
         if (!judge(search))
             return false;
-        if (search->found->verdict != DIAGNOSE_UNKNOWN)
+        const bool by_value = search->found->verdict == DIAGNOSE_EXPLAINED &&
+                              search->found->explanations[0].kind == DIAGNOSE_VALUE;
+        if (search->found->verdict != DIAGNOSE_UNKNOWN && !by_value)
             return true;
-        if (first_of < 0)
+        /* a value that fits a few rows is less likely than a mistake in another reading */
+        if (first_of < 0 || (by_value && first.verdict == DIAGNOSE_UNKNOWN))
             first_of = i, first = *search->found, as_first = *table;
     }
     if (first_of < 0)

@@ -107,6 +107,20 @@ result "is found too" says out '^  bar.youngs_modulus=93.25: another value'
 make usl.csv mode5 --steps 50 --set mpm.algorithm=usl
 expect "another scheme" 0 mode5 usl.csv
 result "is right" sh -c 'grep -q "^Right, USL.$" out && ! grep -q "depart" out'
+make pushing.csv mode5 --steps 50 --set mpm.algorithm=usl --set mpm.shape=gimp --set mpm.mistake=force_sign
+expect "a mistake in another scheme" 1 mode5 pushing.csv
+result "is named with its scheme" says out '^Mistake: force_sign (USL, gimp)\.$'
+small="--set beam.length=0.02 --set beam.height=0.002 --set pd.spacing=0.0005 --set pd.horizon=0.0015 --set time.step=5e-8"
+# shellcheck disable=SC2086
+make wide.csv supported-beam $small --steps 12 --set pd.horizon=0.0015075
+# shellcheck disable=SC2086
+expect "a horizon that is longer by a little" 0 supported-beam $small wide.csv
+result "is right too" says out "^Right, surface energy, volume partial"
+# shellcheck disable=SC2086
+make plain.csv supported-beam $small --steps 12 --set pd.surface_correction=none --set pd.volume_correction=none
+# shellcheck disable=SC2086
+expect "a plate without corrections" 0 supported-beam $small plain.csv
+result "is right" says out '^Right\.$'
 make dt.csv mode5 --steps 50 --set time.courant=0.07
 expect "another time step" 0 mode5 dt.csv
 result "is taken from the file" sh -c 'grep -q "; dt 0.007 (the scenario.s is 0.01)$" out && grep -q "those of the right code" out'
