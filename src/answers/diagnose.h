@@ -59,6 +59,7 @@ typedef struct DiagnoseTable {
     int step_column;     /* of the file; -1: none */
     bool half;           /* its times are those of half steps */
     long shift;          /* its row of step n holds what the run has after step n + shift */
+    double otherwise;    /* another time step with which a right code has these few digits; 0: none */
     double dt;           /* that its times tell, by so much more or less: */
     double dt_bound;     /* what is written with few digits leaves it open */
     bool timed;          /* they tell one */

@@ -125,8 +125,9 @@ typedef struct Search {
 /* diagnose_reading.c: how the table may be meant. */
 typedef struct DiagnoseReading {
     double dt, time_factor;
-    long shift;  /* DiagnoseTable */
-    double last; /* a step of the scenario's end */
+    long shift;       /* DiagnoseTable */
+    double last;      /* a step of the scenario's end */
+    double otherwise; /* DiagnoseTable */
     DiagnoseColumn columns[DIAGNOSE_COLUMNS_MAX];
     int n_columns;
 } DiagnoseReading;

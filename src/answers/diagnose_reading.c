@@ -76,13 +76,14 @@ bool diagnose_read_as(DiagnoseTable *table, const DiagnoseReading *reading)
     table->time_factor = reading->time_factor;
     memcpy(table->columns, reading->columns, sizeof table->columns);
     table->n_columns = reading->n_columns;
+    table->otherwise = reading->otherwise;
     return true;
 }
 
 /* --- what a column may be ---------------------------------------------------------------------------------
  */
 
-enum { FIELDS_MAX = 64 }; /* more than any simulation has */
+enum { ENOUGH_DIGITS = 6, FIELDS_MAX = 64 }; /* more than any simulation has */
 
 /* A quantity that a column may be, and how long it agrees. */
 typedef struct Source {
@@ -192,6 +193,8 @@ typedef struct Trials {
     int count;
     Sources sources[DIAGNOSE_COLUMNS_MAX];
     double *row, *field[FIELDS_MAX];
+    double doubt; /* of few digits: the step of the rows, with which no right code agrees, as one does with
+                     another */
     double *size, *most; /* of the unit of fields and series at the start; of themselves so far */
     bool wanted[FIELDS_MAX];
 } Trials;
@@ -451,6 +454,13 @@ static bool try_all_times(Trials *trials, bool *found)
             const bool multiple = is_whole(spacing / dt, share * spacing / dt);
             if (pass == 0 && multiple && !try_times(trials, factor, dt, likely, found))
                 return false;
+            if (*found && pass == 0 && spacing > 1.5 * dt && diagnose_digits_written(table) < ENOUGH_DIGITS) {
+                *found = false; /* or by a wrong code with the step of its rows */
+                if (!try_times(trials, factor, spacing, likely, found))
+                    return false;
+                trials->doubt = !*found ? spacing : 0;
+                *found = true;
+            }
             if (pass == 0 && !*found &&
                 !(multiple && fabs(spacing - dt) <= share * spacing + DIAGNOSE_SAME_STEP * dt) &&
                 !try_times(trials, factor, spacing, likely, found))
@@ -512,6 +522,13 @@ static int choose(const Trials *trials, DiagnoseReading out[READINGS_MAX])
         if (!same)
             out[count++] = trials->all[best].reading;
     }
+    for (int i = 0; i < trials->count && trials->doubt > 0 && count > 0 && count < READINGS_MAX; i++)
+        if (trials->all[i].reading.dt == trials->doubt && trials->all[i].firsts > 0) {
+            memmove(&out[1], &out[0], (size_t)count++ * sizeof *out);
+            out[0] = trials->all[i].reading;
+            out[0].otherwise = out[1].dt;
+            return count;
+        }
     return count > 0 && count < READINGS_MAX ? count + add_unscaled(&out[0], &out[count]) : count;
 }
 

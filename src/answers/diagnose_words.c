@@ -52,9 +52,9 @@ DiagnoseWord diagnosis_word(const Diagnosis *found, const DiagnoseTable *table)
         tell_but(found, table, but, sizeof but);
         return *but ? WORD_RIGHT_BUT : WORD_RIGHT;
     }
-    return found->verdict != DIAGNOSE_EXPLAINED ? WORD_UNKNOWN
-           : found->n_explanations > 1          ? WORD_ONE_OF
-                                                : WORD_MISTAKE;
+    return found->verdict != DIAGNOSE_EXPLAINED                ? WORD_UNKNOWN
+           : found->n_explanations > 1 || table->otherwise > 0 ? WORD_ONE_OF
+                                                               : WORD_MISTAKE;
 }
 
 /* "Right, USL", "Right, USF, but labelled a step early", "Mistake: pic", "One of: a, b". */
@@ -150,8 +150,14 @@ static void tell_explanation(const Explanation *explanation, FILE *out)
         visible_print(out, "  %s\n", explanation->where);
 }
 
-static void tell_explanations(const Diagnosis *found, FILE *out)
+static void tell_explanations(const Diagnosis *found, const DiagnoseTable *table, FILE *out)
 {
+    if (table->otherwise > 0)
+        visible_print(
+            out,
+            "Or they are a right code's with dt %.10g, of which not every step is written: more digits "
+            "tell (--template).\n",
+            table->otherwise);
     const Explanation *first = &found->explanations[0];
     visible_print(out, "They are those of this code, to %d digits over %zu rows:\n", first->digits,
                   first->rows);
@@ -299,7 +305,7 @@ void diagnosis_tell(const Diagnosis *found, const DiagnoseTable *table, FILE *ou
     if (right)
         tell_hidden(found, out);
     else if (found->verdict == DIAGNOSE_EXPLAINED)
-        tell_explanations(found, out);
+        tell_explanations(found, table, out);
     else
         tell_nothing_found(found, table, out);
     if (found->compared == 1 && found->verdict == DIAGNOSE_RIGHT)
