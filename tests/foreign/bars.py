@@ -81,7 +81,7 @@ class Bar:
         k, f = self.mistake, [0.0] * self.nodes
         slope = self.dx / 2 if k in ("natural_slope", "natural_slope_in_force") else 1
         if k == "gradient_without_h":
-            slope = 1
+            slope = self.dx
         n = len(self.x)
         for p, w in enumerate(self.w):
             s = self.before[p] if k == "old_stress_new_start" else self.s[min(p + 1, n - 1)] if k == "stress_of_next" else self.s[p]

@@ -158,7 +158,7 @@ for mistake, scheme, writer, how in (
         ("stress_of_next", "usf", tip, {}), ("half_first_kick", "usf", tenth, {}), ("half_first_kick", "usf", late, {}),
         ("volume_kept", "usl", plain, stiff), ("held_acceleration", "usl", plain, {}),
         ("gimp_whole_length", "usl", plain, dict(shape="gimp", sets=("mpm.shape=gimp",))),
-        ("gimp_half_of_half", "usl", plain, dict(shape="gimp", sets=("mpm.shape=gimp",))),
+        ("gimp_whole_length", "musl", tip, dict(shape="gimp", sets=("mpm.shape=gimp",))),
         ("no_fix_force", "usf", nine, dict(rounded=True)), ("density_inverted", "usf", seven, dict(rounded=True)),
         ("stress_not_added", "usl", vcm, dict(courant=0.2))):
     case("mistake", mistake, writer, scheme=scheme, mistake=mistake, **how)
