@@ -63,6 +63,11 @@ bool simulation_has(const Simulation *sim, unsigned what)
     return (sim->has & what) == what;
 }
 
+bool simulation_has_map(const Simulation *sim)
+{
+    return sim->has & (HAS_PLANE | HAS_BODIES);
+}
+
 double simulation_time(const Simulation *sim)
 {
     return (double)sim->step * sim->dt;

@@ -295,6 +295,9 @@ double simulation_carried(const Simulation *, int field);
 /* Whether it has all of these (HAS_...). */
 bool simulation_has(const Simulation *, unsigned what);
 
+/* Whether set 0 lies in a plane, in rows or anywhere: there is a map of it. */
+bool simulation_has_map(const Simulation *);
+
 /* step * dt: never accumulated. */
 double simulation_time(const Simulation *);
 

@@ -4,6 +4,7 @@
  * we are back in time. */
 #include "panes/panes.h"
 #include "scenario/concern_body.h"
+#include "scenario/settings.h"
 #include "views/view.h"
 #include "lessons/lesson_shown.h"
 #include "panes/screen_places.h"
@@ -62,7 +63,7 @@ static void lay_out_inspector(int width, Layout *layout)
 static void lay_out_full(const Screen *screen, int width, int height, Layout *layout)
 {
     /* a beam that is in a plot pane is not drawn twice */
-    const bool drawn = simulation_has(experiment_simulation(screen->experiment), HAS_PLANE) &&
+    const bool drawn = simulation_has_map(experiment_simulation(screen->experiment)) &&
                        (screen->views.upper->is_map || screen->views.lower->is_map);
     const int box = layout_box_rows(screen, height, drawn);
     const int mesh = drawn ? 0 : layout_strip_rows(height);
@@ -221,6 +222,7 @@ enum {
     ASKED_WIDTH = 34,
     ASKED_MOST = 40,
     PICTURE_LEAST = 6,
+    PLOT_LEAST = 30,
     DRAWING_ROWS = 15 /* with the sums of a stage below it */
 };
 
@@ -234,6 +236,8 @@ static PaneId picture_of(const Screen *screen)
 /* A body that is drawn large is not drawn twice. */
 static int strip_rows(const Screen *screen, int height)
 {
+    if (simulation_has(experiment_simulation(screen->experiment), HAS_BODIES))
+        return 0;
     return screen_view_in(screen, picture_of(screen))->is_map ? 0 : layout_strip_rows(height);
 }
 
@@ -245,10 +249,34 @@ static int box_rows(const Screen *screen, int height, bool wide)
     return speaks ? layout_box_rows(screen, height, false) : 0;
 }
 
+/* Of a map of bodies, whose lengths are to one scale, as much as it can use; the plot beside or below it has
+ * the rest. */
+static void lay_out_bodies(const Screen *screen, Rect rect, Layout *layout)
+{
+    const bool upper = screen->views.upper->is_map;
+    Rect *map = &layout->panes[upper ? PANE_UPPER : PANE_LOWER],
+         *plot = &layout->panes[upper ? PANE_LOWER : PANE_UPPER];
+    const Geometry *box = settings_geometry(experiment_settings(screen->experiment));
+    const int used = (int)(2 * (rect.height - 2) * box->length / box->height) + 2;
+    *map = rect;
+    if (rect.width - used >= PLOT_LEAST) {
+        map->width = used;
+        *plot = (Rect){rect.x + used, rect.y, rect.width - used, rect.height};
+    } else if (rect.height >= 2 * PICTURE_LEAST) {
+        map->height = rect.height * 3 / 5;
+        *plot = (Rect){rect.x, rect.y + map->height, rect.width, rect.height - map->height};
+    }
+}
+
 /* In one column: the picture, or over it what one thing gives and takes. */
 static void lay_out_picture(const Screen *screen, Rect rect, Layout *layout)
 {
-    layout->panes[screen->panes.inspecting ? PANE_INSPECTOR : picture_of(screen)] = rect;
+    const bool map = screen->views.upper->is_map || screen->views.lower->is_map;
+    if (map && !screen->panes.inspecting &&
+        simulation_has(experiment_simulation(screen->experiment), HAS_BODIES))
+        lay_out_bodies(screen, rect, layout);
+    else
+        layout->panes[screen->panes.inspecting ? PANE_INSPECTOR : picture_of(screen)] = rect;
 }
 
 /* A drawing across the whole screen under the text; the strip of all particles would show it once more.

@@ -12,7 +12,15 @@
 #define MOST_ENLARGED 1e9
 #define NODE_COLUMNS  3.0 /* from that distance on pieces are drawn one by one */
 
-enum { KEYS_ROOM = 19, KEYS_ROWS = 4, SIGN_ROWS = 2, SPREAD = 4 };
+enum { KEYS_ROOM = 19, KEYS_ROWS = 4, SIGN_ROWS = 2, WALL_ROWS = 2, SPREAD = 4 };
+
+/* By number: what neighbours have is told apart. */
+Style picture_kind_style(int kind)
+{
+    static const Style styles[] = {STYLE_MEASURED, STYLE_PREDICTED, STYLE_SECOND,  STYLE_EXACT,
+                                   STYLE_THIRD,    STYLE_GHOST_A,   STYLE_GHOST_C, STYLE_GHOST_D};
+    return styles[kind % (int)(sizeof styles / sizeof *styles)];
+}
 
 /* The factor that fills the room beside the body with the largest displacement of the run. */
 static double choose_enlargement(const PictureMap *map, const BodyRoom *room, double height, double rows)
@@ -46,6 +54,14 @@ static void magnify(Picture *picture, const BodyRoom *room, double rows)
     map->middle[1] = room->eye[1] + map->enlarged * room->moved[1];
 }
 
+static Axis axis_with_limits(double low, double high, int most)
+{
+    Axis axis = axis_with_ticks(axis_make(low, high), most);
+    axis.low = low;
+    axis.high = high;
+    return axis;
+}
+
 static Axis axis_in_millimetres(double low, double high, int most)
 {
     Axis axis = axis_with_ticks(axis_make(1e3 * low, 1e3 * high), most);
@@ -68,6 +84,11 @@ static void lay_axes(Picture *picture, const BodyRoom *room)
         low[d] = fills ? room->low[d] - margin : map->middle[d] - half;
         high[d] = fills ? room->low[d] + room->size[d] + margin : map->middle[d] + half;
     }
+    if (room->in_box) {
+        picture_axes(picture, axis_with_limits(low[0], high[0], picture->body[0] / 9), "x", "",
+                     axis_with_limits(low[1], high[1], 5), "y", "");
+        return;
+    }
     const Axis x = axis_in_millimetres(low[0], high[0], picture->body[0] / 9),
                y = axis_in_millimetres(low[1], high[1], 5);
     picture_axes(picture, x, "x", "m", y, "y", "m");
@@ -79,18 +100,20 @@ void picture_lay_body(Picture *picture, const BodyRoom *room)
     const int width = picture->body[0], height = picture->body[1];
     /* a body on its way moves across the picture, which stays */
     const double length = room->size[0] + room->travel;
-    map->scale[0] = width / length;
+    map->scale[0] = (width - (room->in_box ? 2 * WALL_ROWS : 0)) / length;
     double rows = room->size[1] * map->scale[0] / 2;
-    const double most = fmax(1, fmin(TALL_PART * height, room->pressed ? height - SIGN_ROWS : height));
+    const double most = room->in_box
+                            ? fmax(1, height - WALL_ROWS)
+                            : fmax(1, fmin(TALL_PART * height, room->pressed ? height - SIGN_ROWS : height));
     if (rows > most) {
         map->scale[0] *= most / rows;
         rows = most;
     }
     picture->stretch = 1;
-    if (rows < LEAST_ROWS && SLENDER_PART * height > rows)
+    if (!room->in_box && rows < LEAST_ROWS && SLENDER_PART * height > rows)
         picture->stretch = fmax(1, axis_step_down(SLENDER_PART * height / rows));
     map->scale[1] = map->scale[0] / 2 * picture->stretch;
-    map->enlarged = choose_enlargement(map, room, height, rows * picture->stretch);
+    map->enlarged = room->in_box ? 1 : choose_enlargement(map, room, height, rows * picture->stretch);
     map->along = room->travels ? 1 : map->enlarged;
     map->middle[0] = room->low[0] + length / 2;
     map->middle[1] = room->low[1] + room->size[1] / 2;

@@ -13,6 +13,7 @@ enum {
     PICTURE_LABELS_MAX = 48,
     PICTURE_ARROWS_MAX = 32,
     PICTURE_ARROW_LINES = 4,
+    PICTURE_KINDS_MAX = 16,
     PICTURE_TEXT_MAX = 384
 };
 
@@ -89,19 +90,23 @@ typedef struct PictureNote {
     char brief[PICTURE_TEXT_MAX]; /* the same where that has no room; "": it is cut */
 } PictureNote;
 
-/* A body of coloured pieces on a lattice: piece k lies in column k % nx and row k / nx, row 0 below, and is
- * centred at (x, y) as drawn, displacements enlarged, in the coordinates of the plot, m. Its heading is what
- * the colours mean; the first of the notes says how it is drawn, the second what its lines and bars are. */
+/* A body of coloured pieces on a lattice, or pieces anywhere in one row (is_cloud): piece k lies in column k
+ * % nx and row k / nx, row 0 below, and is centred at (x, y) as drawn, displacements enlarged, in the
+ * coordinates of the plot, m. Its heading is what the colours mean; the first of the notes says how it is
+ * drawn, the second what its lines and bars are. */
 typedef struct PictureMap {
     int nx, ny;
     double *x, *y, *value;
     bool *torn;       /* too much to have a colour; a cell in which most are shows none */
     double size;      /* of a piece, both ways */
     double low, high; /* range of the colours */
-    bool is_signed;   /* zero is in the middle */
-    bool open_ended;  /* some values lie above it */
-    char unit[16];    /* SI; "" for a number */
-    char brief[48];   /* the heading where room is short */
+    int kinds; /* values are numbers of so many things, each with its colour and name; 0: of the ramp */
+    const char *kind_names[PICTURE_KINDS_MAX];
+    bool is_cloud;   /* its lengths have no unit */
+    bool is_signed;  /* zero is in the middle */
+    bool open_ended; /* some values lie above it */
+    char unit[16];   /* SI; "" for a number */
+    char brief[48];  /* the heading where room is short */
 
     /* how it lies, by picture_lay_body() */
     double enlarged;            /* the factor of the displacements across it, */
@@ -120,6 +125,7 @@ typedef struct BodyRoom {
     bool travels;
     double reach;     /* the largest displacement across it; 0: not known */
     double enlarged;  /* if that is given; 0: as there is room */
+    bool in_box;      /* it moves in a box, which is drawn with both lengths to one scale, and walls around */
     bool pressed;     /* between a load above and supports below: deep, it keeps its shape */
     bool on_mesh;     /* seen from near it is drawn as it is, in its cells */
     double magnified; /* and then what is in the middle, with its displacement */
@@ -322,6 +328,9 @@ PictureMap *picture_map(Picture *, int nx, int ny);
  * the whole run reaches, so that they keep still; the height stretched (`stretch`) where the body is too
  * slender for its room; or a part of it magnified. Axes show what is in sight. */
 void picture_lay_body(Picture *, const BodyRoom *);
+
+/* The colour of a thing among those of a map's kinds. */
+Style picture_kind_style(int kind);
 
 /* Whether a place is in sight, or no farther from it than so much, m. */
 bool picture_in_sight(const Picture *, double x, double y, double margin);

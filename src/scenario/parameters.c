@@ -15,8 +15,9 @@ const char *const parameter_method_titles[] = {"MPM", "PD"};
 const char *const parameter_reference_words[] = {"all", "exact", "predicted", "none", NULL};
 const char *const parameter_sheet_words[] = {"full", "plain", NULL};
 const char *const parameter_colour_words[] = {
-    "uy",        "ux",        "velocity",  "energy", "damage",  "family",  "surface_factor",
-    "stress_xx", "stress_yy", "stress_xy", "mises",  "kinetic", "drawing", NULL};
+    "body",           "uy",        "ux",        "velocity",  "energy", "damage",  "family",
+    "surface_factor", "stress_xx", "stress_yy", "stress_xy", "mises",  "kinetic", "speed",
+    "pressure",       "det_f",     "drawing",   NULL};
 
 bool parameter_colour_is_there(const Settings *settings, const char *word)
 {
@@ -24,7 +25,12 @@ bool parameter_colour_is_there(const Settings *settings, const char *word)
         [METHOD_MPM] = {"stress_xx", "stress_yy", "stress_xy", "mises", "kinetic"},
         [METHOD_PD] = {"damage", "family", "surface_factor"},
     };
-    bool there = (settings->problem->concerns & (CONCERN_BEAM | CONCERN_PLATE)) != 0;
+    static const char *const of_bodies[] = {"body", "speed", "pressure", "det_f", NULL};
+    const bool bodies = settings->problem->concerns & CONCERN_BODIES;
+    bool there = (settings->problem->concerns & (CONCERN_BEAM | CONCERN_PLATE)) || bodies;
+    for (int i = 0; of_bodies[i]; i++)
+        there = there && (bodies || strcmp(of_bodies[i], word) != 0);
+    there = there && !(bodies && strcmp(word, "drawing") == 0);
     for (int method = 0; method <= METHOD_PD; method++)
         for (int i = 0; of_one_method[method][i]; i++)
             there = there && (method == (int)settings->method || strcmp(of_one_method[method][i], word) != 0);

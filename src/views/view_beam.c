@@ -16,7 +16,7 @@
 
 static bool in_plane(const Experiment *experiment)
 {
-    return simulation_has(experiment_simulation(experiment), HAS_PLANE);
+    return simulation_has_map(experiment_simulation(experiment));
 }
 
 static MapVariant shown(const Screen *screen, int variant)
@@ -113,6 +113,7 @@ static void note_what(const Map *map)
                  {"", ""}};
     const bool damage = strcmp(map->colouring->field, "damage") == 0;
     const int which = map_has_mesh(map)     ? fabs(map->sim->common_speed) > 0 ? 0 : 1
+                      : map->scene.bodies   ? 4
                       : map->drawn->is_near ? 2
                       : damage              ? 3
                                             : 4;
@@ -181,6 +182,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
         return;
     picture_heading(picture, map_meaning(&map));
     map_add_bonds(&map);
+    map_add_box(&map);
     map_add_mesh(&map);
     map_add_lines(&map);
     map_add_signs(&map);
@@ -195,6 +197,7 @@ bool view_map_small(const Screen *screen, Picture *picture)
     Map map;
     if (!open_map(&map, screen, shown(screen, view_variant(&view_beam, screen)), picture))
         return false;
+    map_add_box(&map);
     map_add_signs(&map);
     map_close(&map);
     return true;
@@ -203,7 +206,7 @@ bool view_map_small(const Screen *screen, Picture *picture)
 const View view_beam = {
     .word = "beam",
     .brief = "beam",
-    .help = "the beam or plate as it lies, coloured; again: by another field",
+    .help = "the body as it lies, coloured; again: by another field",
     .digit = 8,
     .home = PANE_UPPER,
     .opens = OPENS_IN_PLANE,
@@ -213,6 +216,6 @@ const View view_beam = {
     .of_moment = true,
     .is_map = true,
     .on_paper = true,
-    .on_paper_with = HAS_PLANE,
+    .on_paper_with = HAS_PLANE | HAS_BODIES,
     .shows_start = shows_start,
 };

@@ -36,7 +36,7 @@ void view_names(char *out, size_t size)
 /* The one that is the most willing to open by itself; of equals the first in the list. */
 const View *view_at_home(PaneId home, const Simulation *sim)
 {
-    const bool plane = sim && simulation_has(sim, HAS_PLANE);
+    const bool plane = sim && simulation_has_map(sim);
     const View *found = views[0];
     ViewOpening most = OPENS_ON_DEMAND;
     for (int i = 0; i < n_views; i++)

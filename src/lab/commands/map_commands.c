@@ -76,7 +76,7 @@ void command_map_pan(Screen *screen, int x, int y)
 void command_map_zoom(Laboratory *lab)
 {
     Screen *screen = &lab->screen;
-    if (!simulation_has(experiment_simulation(laboratory_run(lab)), HAS_PLANE)) {
+    if (!simulation_has_map(experiment_simulation(laboratory_run(lab)))) {
         laboratory_say(lab, MESSAGE_INFO,
                        "Z magnifies the map of a beam or plate; n and N change the time window of a plot");
         return;
@@ -97,7 +97,7 @@ bool command_answer_magnify(Laboratory *lab, const char *text)
 {
     Screen *screen = &lab->screen;
     double times;
-    if (!simulation_has(experiment_simulation(laboratory_run(lab)), HAS_PLANE))
+    if (!simulation_has_map(experiment_simulation(laboratory_run(lab))))
         return prompt_refuse(&lab->prompting, "there is no map of a bar (only of a beam or plate)");
     if (!text_to_double(text, &times) || !(times >= 1 && times <= MOST_MAGNIFIED))
         return prompt_refuse(&lab->prompting, "a number from 1 to 1024, as in 16");
@@ -112,7 +112,7 @@ bool command_answer_magnify(Laboratory *lab, const char *text)
 
 bool command_map_is_focused(const Screen *screen)
 {
-    return simulation_has(experiment_simulation(screen->experiment), HAS_PLANE) &&
+    return simulation_has_map(experiment_simulation(screen->experiment)) &&
            ((screen->panes.focus == PANE_UPPER && screen->views.upper->is_map) ||
             (screen->panes.focus == PANE_LOWER && screen->views.lower->is_map));
 }

@@ -15,13 +15,14 @@
 #include <string.h>
 
 #define GAPLESS                                                                                              \
-    1.15            /* a piece covers so much more than its own: the body does not tear where it is drawn    \
-                     */
-#define FAR    1e6  /* cells: a run that has become unstable has nodes anywhere and nowhere */
-#define BESIDE 0.9  /* cells between the end of an arrow and the thing */
-#define STANDS 0.75 /* rows from an edge to what stands below or above it */
+    1.15 /* a piece covers so much more than its own: the body does not tear where it is drawn               \
+          */
+#define CLOUD_SHARE 0.7  /* of their own, where they have room to be seen apart */
+#define FAR         1e6  /* cells: a run that has become unstable has nodes anywhere and nowhere */
+#define BESIDE      0.9  /* cells between the end of an arrow and the thing */
+#define STANDS      0.75 /* rows from an edge to what stands below or above it */
 
-enum { NOTHING = -1, RANK_ARROW = 3 };
+enum { NOTHING = -1, RANK_ARROW = 3, CLOUD_DOTS = 3 };
 
 /* A piece of a cell, and the nodes that cover it. */
 typedef struct Pixel {
@@ -67,8 +68,16 @@ static bool is_inside(const Sheet *sheet, double column, double row)
 
 static int step_in(const PictureMap *map, double value)
 {
+    if (map->kinds)
+        return (int)value;
     const int step = (int)floor((value - map->low) / (map->high - map->low) * RAMP_STEPS);
     return step < 0 ? 0 : step >= RAMP_STEPS ? RAMP_STEPS - 1 : step;
+}
+
+/* What a step of the ramp, or a thing, is drawn in. */
+static Style style_of(const PictureMap *map, int step)
+{
+    return map->kinds ? picture_kind_style(step) : (Style)(STYLE_RAMP_0 + step);
 }
 
 /* Pixels from .. end - 1 of a row or a column of pixels. */
@@ -97,8 +106,10 @@ static void cover_all(const Sheet *sheet)
 {
     const PictureMap *map = sheet->map;
     const int width = sheet->area.rect.width * sheet->across, height = sheet->area.rect.height * sheet->down;
-    const double wide = GAPLESS * map->size * map->scale[0] * sheet->across;
-    const double high = GAPLESS * map->size * map->scale[1] * sheet->down;
+    double wide = GAPLESS * map->size * map->scale[0] * sheet->across;
+    double high = GAPLESS * map->size * map->scale[1] * sheet->down;
+    if (map->is_cloud && wide > CLOUD_DOTS)
+        wide *= CLOUD_SHARE, high *= CLOUD_SHARE;
     const size_t count = (size_t)map->nx * (size_t)map->ny;
     for (size_t k = 0; k < count; k++) {
         double column, row;
@@ -109,8 +120,8 @@ static void cover_all(const Sheet *sheet)
         for (int y = down.from; y < down.end; y++)
             for (int x = across.from; x < across.end; x++) {
                 Pixel *pixel = &sheet->pixels[(size_t)y * (size_t)width + (size_t)x];
-                pixel->sum += value;
-                pixel->count += 1;
+                pixel->sum = map->kinds ? value : pixel->sum + value;
+                pixel->count = map->kinds ? 1 : pixel->count + 1;
                 pixel->broken += broken;
             }
     }
@@ -122,6 +133,10 @@ static void cover_all(const Sheet *sheet)
  * field those below and above zero differ. */
 static uint32_t letter_of(const PictureMap *map, Glyphs glyphs, int step)
 {
+    if (map->kinds)
+        return glyphs == GLYPHS_BLOCK     ? 0x2588
+               : glyphs == GLYPHS_BRAILLE ? 0x28ff
+                                          : (unsigned char)"o#+x*%=&"[step % 8];
     static const char one_way[] = ".,:;-=+coaxOX%#@", two_ways[] = "WWwwvv-..+ooOO@@";
     static const uint32_t shades[] = {0x2591, 0x2592, 0x2593, 0x2588};
     if (glyphs == GLYPHS_BLOCK && !map->is_signed)
@@ -153,9 +168,10 @@ static void draw_colours(const Sheet *sheet, int x, int y)
 {
     const int upper = step_of(sheet, pixel_of(sheet, x, 2 * y));
     const int lower = step_of(sheet, pixel_of(sheet, x, 2 * y + 1));
-    const Style above = (Style)(STYLE_RAMP_0 + upper), below = (Style)(STYLE_RAMP_0 + lower);
     if (upper == NOTHING && lower == NOTHING)
         return;
+    const Style above = style_of(sheet->map, upper == NOTHING ? lower : upper),
+                below = style_of(sheet->map, lower == NOTHING ? upper : lower);
     if (lower == NOTHING)
         area_put(sheet->area, x, y, 0x2580, above);
     else if (upper == NOTHING)
@@ -173,8 +189,8 @@ static int cell_step(const Sheet *sheet, int x, int y)
             const Pixel *pixel = pixel_of(sheet, x * sheet->across + column, y * sheet->down + row);
             if (!is_body(pixel))
                 continue;
-            all.sum += pixel->sum / pixel->count;
-            all.count += 1;
+            all.sum = sheet->map->kinds ? pixel->sum : all.sum + pixel->sum / pixel->count;
+            all.count = sheet->map->kinds ? 1 : all.count + 1;
         }
     return step_of(sheet, &all);
 }
@@ -191,6 +207,12 @@ static uint32_t dots_of(const Sheet *sheet, int x, int y)
             const Pixel *pixel = pixel_of(sheet, 2 * x + column, 4 * y + row);
             if (!is_body(pixel))
                 continue;
+            if (map->is_cloud) {
+                /* every other body has fewer dots where no colour tells it */
+                const bool thin = sheet->colours < 8 && map->kinds && (int)pixel->sum % 2;
+                dots |= thin && (row + column) % 2 ? 0 : glyph_dot(column, row);
+                continue;
+            }
             const double share = ((double)(pixel->sum / pixel->count) - map->low) / (map->high - map->low);
             if (8 * share >= thresholds[row][column])
                 dots |= glyph_dot(column, row);
@@ -239,7 +261,7 @@ static void draw_heat(const Sheet *sheet)
                                    : dots          ? dots_of(sheet, x, y)
                                                    : letter_of(sheet->map, area.glyphs, step);
             if (glyph != ' ' && glyph != 0x2800)
-                area_put(area, x, y, glyph, (Style)(STYLE_RAMP_0 + step));
+                area_put(area, x, y, glyph, style_of(sheet->map, step));
         }
 }
 
@@ -257,7 +279,7 @@ static void draw_dots(const Sheet *sheet)
             continue;
         const int step = step_in(map, map->value[k]);
         const uint32_t glyph = few && glyphs != GLYPHS_BRAILLE ? letter_of(map, glyphs, step) : 0x25cf;
-        area_put(sheet->area, (int)column, (int)row, glyph, (Style)(STYLE_RAMP_0 + step));
+        area_put(sheet->area, (int)column, (int)row, glyph, style_of(map, step));
     }
 }
 
@@ -340,7 +362,10 @@ static void show_crossings(const Sheet *sheet)
                 area.glyphs == GLYPHS_BRAILLE ? 0x2800u + crossing->dots : crossing->letter;
             const Cell *cell = area_cell(area, x, y);
             const int step = cell->style - STYLE_RAMP_0;
-            if (!sheet->coloured || step < 0)
+            const bool behind = sheet->map->is_cloud && crossing->rank == 0;
+            if (behind && cell->glyph != ' ' && cell->glyph != 0) {
+                continue; /* cells of the grid are behind the particles */
+            } else if (!sheet->coloured || step < 0)
                 area_put(area, x, y, glyph, (Style)crossing->style);
             else
                 area_put_back(area, x, y, glyph,
@@ -528,7 +553,8 @@ static int draw_length(const PictureMap *map, Area area, int x, int y, int end)
     const double length = axis_step_down(COLUMNS_MOST / map->scale[0]);
     const int columns = (int)lround(length * map->scale[0]);
     char text[NUMBER_TEXT_MAX + 8];
-    snprintf(text, sizeof text, " %s mm", text_rounded(1e3 * length, 3).text);
+    snprintf(text, sizeof text, map->is_cloud ? " %s" : " %s mm",
+             text_rounded((map->is_cloud ? 1 : 1e3) * length, 3).text);
     if (x + columns + glyphs_columns(text) > end)
         return 0;
     for (int i = 0; i < columns; i++)
@@ -536,11 +562,30 @@ static int draw_length(const PictureMap *map, Area area, int x, int y, int end)
     return columns + area_text(area, x + columns, y, text, STYLE_NORMAL);
 }
 
+/* "●● left  ●● right", as far as they have room. */
+static void name_kinds(const PictureMap *map, Area area, int y)
+{
+    int x = 1;
+    for (int i = 0; i < map->kinds; i++) {
+        const int columns = 5 + glyphs_columns(map->kind_names[i]);
+        if (x + columns > area.rect.width)
+            return;
+        const uint32_t sign = area.glyphs == GLYPHS_ASCII ? letter_of(map, area.glyphs, i) : 0x25cf;
+        area_put(area, x, y, sign, picture_kind_style(i));
+        area_text(area, x + 2, y, map->kind_names[i], STYLE_NORMAL);
+        x += columns;
+    }
+}
+
 /* "-4 [ramp] 0 [ramp] 4 µm", and what there is to say of the picture, which of lines and bars seen from near
  * must be said in any case. */
 static void draw_scale(const Picture *picture, Area area, bool coloured, int y)
 {
     const PictureMap *map = picture->map;
+    if (map->kinds) {
+        name_kinds(map, area, y);
+        return;
+    }
     const PictureNote *note = &picture->notes[1];
     Axis axis = axis_with_ticks(axis_make(map->low, map->high), 5);
     const double ends[3] = {map->low, (map->low + map->high) / 2, map->high};
@@ -573,7 +618,7 @@ void cells_map_body(const Picture *picture, Area area, int colours)
 {
     const bool braille = area.glyphs == GLYPHS_BRAILLE;
     Sheet sheet = {.picture = picture, .map = picture->map, .area = area, .colours = colours};
-    sheet.coloured = colours >= 256 && area.glyphs != GLYPHS_ASCII;
+    sheet.coloured = colours >= 256 && area.glyphs != GLYPHS_ASCII && !(picture->map->is_cloud && braille);
     sheet.across = !sheet.coloured && braille ? 2 : 1;
     sheet.down = sheet.coloured ? 2 : braille ? 4 : 1;
     const size_t cells = (size_t)area.rect.width * (size_t)area.rect.height;

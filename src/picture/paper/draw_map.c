@@ -19,6 +19,8 @@ static int level_in(const PictureMap *map, double value)
 {
     if (isnan(value))
         return -1;
+    if (map->kinds)
+        return (int)value;
     const int level = (int)floor((value - map->low) / (map->high - map->low) * LEVELS);
     return level < 0 ? 0 : level >= LEVELS ? LEVELS - 1 : level;
 }
@@ -30,6 +32,8 @@ static int level_of(const PictureMap *map, size_t piece)
 
 static Colour colour_of(const PictureMap *map, int level)
 {
+    if (map->kinds)
+        return ink_of(picture_kind_style(level));
     return ink_heat((level + 0.5) / LEVELS, map->is_signed);
 }
 
@@ -100,20 +104,21 @@ static void draw_run(Paper *paper, const PictureMap *map, int row, int first, in
 static void draw_discs(Paper *paper, const PictureMap *map, const Place *place)
 {
     const size_t count = (size_t)map->nx * (size_t)map->ny;
-    const double radius = fmin(4, 0.35 * map->size * fabs(place->scale_x));
+    const double radius =
+        fmin(4, (map->is_near ? 0.35 : 0.5) * map->size * fabs(place->scale_x)); /* a body has no gaps */
     for (size_t k = 0; k < count; k++) {
         const double x = place->x0 + map->x[k] * place->scale_x, y = place->y0 + map->y[k] * place->scale_y;
         const int level = level_in(map, map->value[k]); /* bonds that are gone tell of damage */
         if (level >= 0 && x > place->seen.x - radius && x < place->seen.x + place->seen.width + radius &&
             y > place->seen.y - radius && y < place->seen.y + place->seen.height + radius)
             paper->kind->disc(paper, x, y, radius, colour_of(map, level),
-                              &(Pencil){.colour = BLACK, .width = 0.4});
+                              map->is_near ? &(Pencil){.colour = BLACK, .width = 0.4} : NULL);
     }
 }
 
 void draw_heat(Paper *paper, const PictureMap *map, const Place *place)
 {
-    if (map->is_near) {
+    if (map->is_near || map->is_cloud) {
         draw_discs(paper, map, place);
         return;
     }
@@ -160,12 +165,28 @@ static void draw_ramp(Paper *paper, const PictureMap *map, Box box)
     paper->kind->line(paper, frame, 5, &(Pencil){.colour = BLACK, .width = 0.5});
 }
 
+/* Of things a dot with its name each. */
+static double draw_kinds(Paper *paper, const PictureMap *map, Box box)
+{
+    const Type words = {.size = SIZE_WORDS};
+    const double radius = 3;
+    double x = box.x + 8;
+    for (int i = 0; paper && i < map->kinds; i++) {
+        paper->kind->disc(paper, x, box.y + BAR_HEIGHT - radius, radius, ink_of(picture_kind_style(i)), NULL);
+        draw_words(paper, x + 3 * radius, box.y + BAR_HEIGHT, map->kind_names[i], &words);
+        x += 7 * radius + draw_words_width(map->kind_names[i], &words);
+    }
+    return BAR_HEIGHT + SIZE_TICKS;
+}
+
 /* The name is beside the bar or, where that would leave it too short, above it. */
 double draw_heat_bar(Paper *paper, const Picture *picture, Box box)
 {
     const PictureMap *map = picture->map;
     if (!map)
         return 0;
+    if (map->kinds)
+        return draw_kinds(paper, map, box);
     const Type words = {.size = SIZE_WORDS}, numbers = {.size = SIZE_TICKS, .align = ALIGN_CENTRE};
     Axis axis = axis_with_ticks(axis_make(map->low, map->high), 7);
     char name[PICTURE_TEXT_MAX + 2 * TICK_TEXT_MAX], text[TICK_TEXT_MAX];

@@ -392,7 +392,10 @@ static void place_of(const PictureMap *map, size_t piece, char out[NAME_MAX])
 {
     const int column = (int)(piece % (size_t)map->nx), row = (int)(piece / (size_t)map->nx);
     const double along = map->nx > 1 ? 100.0 * column / (map->nx - 1) : 0;
-    if (row == 0 || row == map->ny - 1)
+    if (map->is_cloud)
+        snprintf(out, NAME_MAX, "at %s, %s", text_rounded(map->x[piece], DIGITS).text,
+                 text_rounded(map->y[piece], DIGITS).text);
+    else if (row == 0 || row == map->ny - 1)
         snprintf(out, NAME_MAX, "%.0f %% along, at the %s edge", along, row == 0 ? "lower" : "upper");
     else
         snprintf(out, NAME_MAX, "%.0f %% along, %.0f %% up", along, 100.0 * row / (map->ny - 1));
@@ -407,9 +410,35 @@ static void say_piece(Words *words, const char *what, const PictureMap *map, siz
               map->unit[0] ? " " : "", map->unit, place);
 }
 
+/* Of each thing where it lies. */
+static void say_kinds(const PictureMap *map, Words *words)
+{
+    for (int kind = 0; kind < map->kinds; kind++) {
+        size_t count = 0;
+        double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+        for (size_t i = 0; i < (size_t)map->nx; i++) {
+            const double place[2] = {map->x[i], map->y[i]};
+            if ((int)map->value[i] != kind)
+                continue;
+            count++;
+            for (int d = 0; d < 2; d++) {
+                low[d] = fmin(low[d], place[d]);
+                high[d] = fmax(high[d], place[d]);
+            }
+        }
+        words_say(words, 4, "  %s: %zu particles, x from %s to %s, y from %s to %s.", map->kind_names[kind],
+                  count, text_rounded(low[0], DIGITS).text, text_rounded(high[0], DIGITS).text,
+                  text_rounded(low[1], DIGITS).text, text_rounded(high[1], DIGITS).text);
+    }
+}
+
 static void say_map(const Picture *picture, Words *words)
 {
     const PictureMap *map = picture->map;
+    if (map->kinds) {
+        say_kinds(map, words);
+        return;
+    }
     const size_t count = (size_t)map->nx * (size_t)map->ny;
     size_t least = count, greatest = count, shown = 0;
     for (size_t i = 0; i < count; i++) {
@@ -419,8 +448,11 @@ static void say_map(const Picture *picture, Words *words)
         least = least == count || map->value[i] < map->value[least] ? i : least;
         greatest = greatest == count || map->value[i] > map->value[greatest] ? i : greatest;
     }
-    words_say(words, 4, "  %d by %d nodes, coloured by %s; displacements are drawn %s times as large.",
-              map->nx, map->ny, picture->heading, text_factor(map->enlarged).text);
+    if (map->is_cloud)
+        words_say(words, 4, "  %d particles, coloured by %s.", map->nx, picture->heading);
+    else
+        words_say(words, 4, "  %d by %d nodes, coloured by %s; displacements are drawn %s times as large.",
+                  map->nx, map->ny, picture->heading, text_factor(map->enlarged).text);
     if (shown > 0 && map->value[greatest] == map->value[least]) {
         words_say(words, 4, "  everywhere %s%s%s.", text_rounded(map->value[least], DIGITS).text,
                   map->unit[0] ? " " : "", map->unit);

@@ -10,7 +10,8 @@
 #include "panes/stage_flow.h"
 #include "views/plots/runs.h"
 
-/* The lattice of nodes: node k lies in column k % nx and row k / nx, row 0 below. */
+/* The lattice of nodes: node k lies in column k % nx and row k / nx, row 0 below. Particles anywhere are one
+ * row, and `low` and `size` are of their box. */
 typedef struct Body {
     size_t count;
     int nx, ny;
@@ -36,6 +37,7 @@ typedef struct MapScene {
     bool pressed; /* a load above, supports below: it is deep, and keeps its shape when it bends */
     bool notched; /* cut from below, with a crack to come */
     bool pinned;  /* its left support holds both ways */
+    bool bodies;  /* particles anywhere in a box with walls */
     int around;   /* rows above and below the body that a drawing of it needs */
     double probe[2]; /* where the motion is measured: shares of length and height */
 } MapScene;
@@ -56,6 +58,7 @@ typedef struct Map {
 
 /* The words of view.colour in their order; the last is the drawing with its dimensions. */
 typedef enum MapVariant {
+    MAP_BODY,
     MAP_UY,
     MAP_UX,
     MAP_VELOCITY,
@@ -68,6 +71,9 @@ typedef enum MapVariant {
     MAP_SXY,
     MAP_MISES,
     MAP_KINETIC,
+    MAP_SPEED,
+    MAP_PRESSURE,
+    MAP_DET_F,
     MAP_COLOURINGS,
     MAP_DRAWING = MAP_COLOURINGS,
     MAP_VARIANTS
@@ -108,6 +114,7 @@ int map_cracks_before(const Map *, ShownRun[RUNS_MAX]);
 
 /* The parts of the picture, in the order in which they are drawn. */
 void map_add_bonds(Map *);
+void map_add_box(Map *); /* of bodies: cells of the grid, walls, gravity */
 void map_add_mesh(Map *);
 void map_add_lines(Map *);     /* channel, notch, protected zones, crack */
 void map_add_rows(Map *);      /* what a plate has by rows, and its cracks; by map_add_lines() */

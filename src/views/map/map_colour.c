@@ -2,12 +2,14 @@
 /* What the nodes of a beam can be coloured by, and the range of the ramp for it. */
 #include "views/map/map.h"
 #include "scenario/concern_body.h"
+#include "scenario/settings.h"
 #include "answers/crack_growth.h"
 
 #include <math.h>
 #include <stdio.h>
 
 static const Colouring colourings[MAP_COLOURINGS] = {
+    [MAP_BODY] = {"body", "body", "body", "", false, NULL},
     [MAP_UY] = {"uy", "uy", "displacement across the beam", "m", true, "displacement along y"},
     [MAP_UX] = {"ux", "ux", "displacement along the beam", "m", true, "displacement along x"},
     [MAP_VELOCITY] = {"vy", "vy", "velocity across the beam", "m/s", true, "velocity along y"},
@@ -21,6 +23,9 @@ static const Colouring colourings[MAP_COLOURINGS] = {
     [MAP_SXY] = {"sxy", "stress xy", "shear stress", "Pa", true, NULL},
     [MAP_MISES] = {"mises", "von Mises", "von Mises' stress", "Pa", false, NULL},
     [MAP_KINETIC] = {"kinetic_energy", "kinetic density", "kinetic energy density", "J/m³", false, NULL},
+    [MAP_SPEED] = {"speed", "speed", "magnitude of the velocity", "m/s", false, NULL},
+    [MAP_PRESSURE] = {"pressure", "pressure", "pressure", "Pa", true, NULL},
+    [MAP_DET_F] = {"det_f", "det F", "volume over that at t = 0", "", false, NULL},
 };
 
 /* Of a body that moves along as a whole. */
@@ -29,7 +34,8 @@ static const Colouring beside_travel = {"ux", "ux - v0 t", "displacement along t
 
 static bool is_there(const Simulation *sim, int variant)
 {
-    return variant == MAP_DRAWING || simulation_find_field(sim, 0, colourings[variant].field) >= 0;
+    return (variant == MAP_DRAWING && simulation_has(sim, HAS_PLANE)) ||
+           (variant != MAP_DRAWING && simulation_find_field(sim, 0, colourings[variant].field) >= 0);
 }
 
 const char *map_meaning(const Map *map)
@@ -125,7 +131,8 @@ bool map_colour(Map *map, MapVariant variant)
     if (travels)
         map->colouring = &beside_travel;
     map->drawn->is_signed = map->colouring->is_signed;
-    snprintf(map->drawn->unit, sizeof map->drawn->unit, "%s", map->colouring->unit);
+    snprintf(map->drawn->unit, sizeof map->drawn->unit, "%s",
+             map->settings->problem->si ? map->colouring->unit : "");
     snprintf(map->drawn->brief, sizeof map->drawn->brief, "%s", map->colouring->label);
     double least = INFINITY, most = -INFINITY;
     for (size_t i = 0; i < count; i++) {
@@ -134,7 +141,16 @@ bool map_colour(Map *map, MapVariant variant)
     }
     if (!isfinite(least) || !isfinite(most))
         return false;
-    if (variant == MAP_FAMILY) {
+    if (variant == MAP_BODY) {
+        const RowList *bodies = &map->settings->rows[ROWS_BODIES];
+        map->drawn->kinds = bodies->count;
+        for (int i = 0; i < bodies->count; i++)
+            map->drawn->kind_names[i] = bodies->rows[i].name;
+        map->drawn->low = 0;
+        map->drawn->high = map->drawn->kinds;
+    } else if (variant == MAP_DET_F) {
+        round_range(map, fmin(least, 0.99), fmax(most, 1.01));
+    } else if (variant == MAP_FAMILY) {
         share_of_family(map);
     } else if (variant == MAP_SURFACE) {
         round_range(map, least, most_values(map, most));
@@ -148,7 +164,8 @@ bool map_colour(Map *map, MapVariant variant)
         const bool density = variant == MAP_ENERGY || variant == MAP_KINETIC;
         double reach, scale = 1;
         if (density)
-            scale = 1 / (map->body.spacing * map->body.spacing * settings_geometry(map->settings)->thickness);
+            scale = 1 / (map->body.spacing * map->body.spacing *
+                         (map->scene.bodies ? 1 : settings_geometry(map->settings)->thickness));
         else if (travels) /* of a section that turns about its middle by the slope of the swing */
             reach = fmax(fmax(-least, most), map_reach(map, map->sim->displacement[1], map->uy) *
                                                  map->body.size[1] /

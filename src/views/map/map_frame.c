@@ -23,6 +23,7 @@ MapScene map_scene(const Settings *settings)
                       .leaves = concerns & CONCERN_MOTION,
                       .pressed = concerns & CONCERN_PRESSURE,
                       .notched = concerns & CONCERN_NOTCH,
+                      .bodies = concerns & CONCERN_BODIES,
                       .pinned = !(concerns & CONCERN_SUPPORTS) || settings_supports(settings)->pinned,
                       .probe = {0.5, 0.5}};
     scene.around = scene.leaves || scene.pressed || scene.by_rows;
@@ -38,7 +39,7 @@ MapScene map_scene(const Settings *settings)
 bool body_of(const Simulation *sim, Body *body)
 {
     *body = (Body){.count = sim->counts[0]};
-    if (!simulation_has(sim, HAS_PLANE) || body->count < 4)
+    if (!simulation_has_map(sim) || body->count < 1)
         return false;
     for (int d = 0; d < 2; d++)
         body->first[d] = simulation_value(sim, sim->position[d], 0);
@@ -131,6 +132,20 @@ double map_reach(const Map *map, int field, const double *now)
     return reach;
 }
 
+/* Bodies are drawn as they are, in a box that stands still. */
+static void lay_box(Map *map)
+{
+    const MapEye *eye = &map->screen->eye;
+    BodyRoom room = {.spacing = map->body.spacing, .in_box = true, .magnified = eye->magnified};
+    for (int d = 0; d < 2; d++) {
+        room.low[d] = map->body.low[d];
+        room.size[d] = map->body.size[d];
+        room.eye[d] = room.low[d] + eye->centre[d] * room.size[d];
+    }
+    map->drawn->is_cloud = true;
+    picture_lay_body(map->picture, &room);
+}
+
 static void lay(Map *map)
 {
     const MapEye *eye = &map->screen->eye;
@@ -158,6 +173,19 @@ static void lay(Map *map)
     picture_lay_body(map->picture, &room);
 }
 
+static void place_particles(Map *map)
+{
+    const Simulation *sim = map->sim;
+    PictureMap *drawn = map->drawn;
+    sim->method->field(sim, sim->position[0], 0, map->body.count, drawn->x);
+    sim->method->field(sim, sim->position[1], 0, map->body.count, drawn->y);
+    for (size_t k = 0; k < map->body.count; k++) {
+        drawn->x[k] += map->ux[k];
+        drawn->y[k] += map->uy[k];
+    }
+    drawn->size = map->body.spacing;
+}
+
 static void place_nodes(Map *map)
 {
     const Body *body = &map->body;
@@ -181,6 +209,9 @@ bool map_open(Map *map, const Screen *screen, Picture *picture)
     if (picture->body[0] < 4 || picture->body[1] < 2 || !body_of(sim, &map->body))
         return false;
     map->scene = map_scene(map->settings);
+    if (map->scene.bodies)
+        map->body.low[0] = map->body.low[1] = 0, map->body.size[0] = settings_geometry(map->settings)->length,
+        map->body.size[1] = settings_geometry(map->settings)->height;
     const size_t count = map->body.count;
     map->ux = malloc(2 * count * sizeof *map->ux);
     map->drawn = picture_map(picture, map->body.nx, map->body.ny);
@@ -189,8 +220,13 @@ bool map_open(Map *map, const Screen *screen, Picture *picture)
     map->uy = map->ux + count;
     sim->method->field(sim, sim->displacement[0], 0, count, map->ux);
     sim->method->field(sim, sim->displacement[1], 0, count, map->uy);
-    lay(map);
-    place_nodes(map);
+    if (map->scene.bodies) {
+        lay_box(map);
+        place_particles(map);
+    } else {
+        lay(map);
+        place_nodes(map);
+    }
     return true;
 }
 

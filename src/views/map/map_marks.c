@@ -149,7 +149,8 @@ void map_add_lines(Map *map)
         draw_crack_before(map, &before[i]);
     if (map->scene.notched)
         draw_notch(map);
-    map_add_rows(map);
+    if (!map->scene.bodies)
+        map_add_rows(map);
     if (map->scene.pressed)
         name_lines(map);
     else
