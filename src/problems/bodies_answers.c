@@ -324,6 +324,17 @@ int bodies_findings(const References *refs, const Simulation *sim, Finding out[F
     const double L = angular(answers, now);
     if (isfinite(L) && fabs(L) > 1e-9 * sqrt(2 * answers->mass * start[KINETIC]) * (def->width + def->height))
         add(out, &n, "angular_kept", "angular momentum/exact", row[ANGULAR] / L, 1, NULL);
+    if (def->n_bodies == 2)
+        add(out, &n, "body_spin", "spin of the second", row[BODY_X + OF_BODY + SPIN], NAN, NULL);
+    if (answers->slides && now > 0)
+        add(out, &n, "acceleration", "mean acceleration", row[BODY_X + VX] / now, answers->rate, NULL);
+    /* once it has left the floor: y + v^2/(2 g) */
+    if (walls && def->n_bodies == 1 && def->gravity[0] == 0 && def->gravity[1] < 0) {
+        const double up = row[BODY_X + VY];
+        add(out, &n, "bounce_height", "height of the bounce",
+            isfinite(seen.hit) && up > 0 ? row[BODY_X + Y] - up * up / (2 * def->gravity[1]) : NAN,
+            start[BODY_X + Y], NULL);
+    }
     add(out, &n, "stretch", "largest stretch", seen.stretch, NAN, NULL);
     if (isfinite(seen.torn))
         add(out, &n, "torn", "torn at t =", seen.torn, NAN, NULL);

@@ -126,7 +126,7 @@ static bool can_be_view(const char *text)
     const bool digit = text[0] >= '1' && text[0] <= '9' && text[1] == '\0';
     const char *variant = text[letters] == ':' ? text + letters + 1 : "v";
     return digit || (letters > 0 && (text[letters] == '\0' || text[letters] == ':') && *variant &&
-                     variant[strspn(variant, "abcdefghijklmnopqrstuvwxyz_-")] == '\0');
+                     variant[strspn(variant, "abcdefghijklmnopqrstuvwxyz0123456789._-")] == '\0');
 }
 
 /* Empty is always allowed: as the laboratory likes. */

@@ -25,7 +25,7 @@ typedef struct Layer {
 
 typedef struct Stack {
     const Record *record;
-    Layer layers[4];
+    Layer layers[6];
     int count;
 } Stack;
 
@@ -102,6 +102,13 @@ static Stack stack_of(const Screen *screen)
     add_layer(&stack, "strain", screen_column(screen, "strain"), -1, STYLE_EXACT);
     if (screen_column(screen, "kinetic_grid") >= 0 || breaks(screen->experiment))
         add_layer(&stack, "dissipated", screen_column(screen, "dissipated"), -1, STYLE_THIRD);
+    /* on a tilted floor it has no least value */
+    const Settings *settings = experiment_settings(screen->experiment);
+    const Loads *loads = settings_loads(settings);
+    if (loads->gravity > 0 && loads->incline == 0)
+        add_layer(&stack, "potential", screen_column(screen, "potential"), -1, STYLE_SECOND);
+    if (settings_contact(settings)->friction > 0 || settings_domain(settings)->friction > 0)
+        add_layer(&stack, "friction", screen_column(screen, "friction"), -1, STYLE_THIRD);
     add_layer(&stack, "damped", screen_column(screen, "damped"), -1, STYLE_SECOND);
     return stack;
 }

@@ -18,8 +18,8 @@
 /* The columns that can be in the probe view: what is measured and is no energy. */
 static bool is_energy(const char *name)
 {
-    static const char *const energies[] = {"kinetic",    "kinetic_grid", "strain", "work",
-                                           "dissipated", "damped",       "total"};
+    static const char *const energies[] = {"kinetic", "kinetic_grid", "strain",    "work",    "dissipated",
+                                           "damped",  "total",        "potential", "friction"};
     for (size_t i = 0; i < sizeof energies / sizeof *energies; i++)
         if (strcmp(name, energies[i]) == 0)
             return true;

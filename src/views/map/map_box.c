@@ -13,10 +13,11 @@
 
 enum { RANK_CELLS, RANK_BOX, RANK_HATCH };
 
-#define CELL_COLUMNS  3.0 /* narrower cells are not drawn */
-#define CROSS_ARM     0.06
-#define HATCH_COLUMNS 3.0 /* from one line of a wall's hatching to the next */
-#define HATCH_ROWS    0.75
+#define CELL_COLUMNS    3.0 /* narrower cells are not drawn */
+#define CROSS_ARM       0.06
+#define GRAVITY_COLUMNS 10.0
+#define HATCH_COLUMNS   3.0 /* from one line of a wall's hatching to the next */
+#define HATCH_ROWS      0.75
 
 /* A small cross at each node: lines from edge to edge would hide the particles. */
 static void add_cells(Map *map, double cell)
@@ -60,7 +61,7 @@ static void add_side(Map *map, int d, bool high, BodyWall wall)
     }
 }
 
-/* From the upper left corner, where it points out of the box from the middle of its edge. */
+/* In the upper right corner, with room for its number. */
 static void add_gravity(Map *map)
 {
     const Loads *loads = settings_loads(map->settings);
@@ -71,7 +72,8 @@ static void add_gravity(Map *map)
     const double along[2] = {up * math_sin(angle), -up * math_cos(angle)};
     PictureArrow arrow = {.style = STYLE_HEADING};
     for (int d = 0; d < 2; d++) {
-        const double middle = d == 0 ? 2 / map->drawn->scale[0] + length / 2 : map->body.size[1] - length;
+        const double middle =
+            d == 0 ? map->body.size[0] - GRAVITY_COLUMNS / map->drawn->scale[0] : map->body.size[1] - length;
         arrow.from[d] = middle - along[d] * length / 2;
         arrow.to[d] = middle + along[d] * length / 2;
     }

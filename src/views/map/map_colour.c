@@ -34,6 +34,9 @@ static const Colouring beside_travel = {"ux", "ux - v0 t", "displacement along t
 
 static bool is_there(const Simulation *sim, int variant)
 {
+    const bool of_bodies = variant >= MAP_SPEED && variant < MAP_COLOURINGS;
+    if (of_bodies && !simulation_has(sim, HAS_BODIES))
+        return false;
     return (variant == MAP_DRAWING && simulation_has(sim, HAS_PLANE)) ||
            (variant != MAP_DRAWING && simulation_find_field(sim, 0, colourings[variant].field) >= 0);
 }
