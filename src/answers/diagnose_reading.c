@@ -522,6 +522,8 @@ static int choose(const Trials *trials, DiagnoseReading out[READINGS_MAX])
         if (!same)
             out[count++] = trials->all[best].reading;
     }
+    if (trials->doubt > 0 && count == READINGS_MAX)
+        count--;
     for (int i = 0; i < trials->count && trials->doubt > 0 && count > 0 && count < READINGS_MAX; i++)
         if (trials->all[i].reading.dt == trials->doubt && trials->all[i].firsts > 0) {
             memmove(&out[1], &out[0], (size_t)count++ * sizeof *out);
