@@ -208,8 +208,8 @@ class WrongBody(bonds.Body):
             length = np.hypot(*now)
             self.s = (length - self.length) / self.length
             self.f = np.array([self.families(p, -p) for p in self.k * self.s * now / length])
-        elif self.mistake == "counted_twice":
-            self.f = 2 * self.f
+        elif self.mistake in ("counted_twice", "bond_sign", "half_bond"):
+            self.f = {"counted_twice": 2, "bond_sign": -1, "half_bond": 0.5}[self.mistake] * self.f
         elif self.mistake in ("one_way", "stretch_of_current", "direction_of_reference"):
             now = self.xi + self.u[:, self.j] - self.u[:, self.i]
             length = np.hypot(*now)

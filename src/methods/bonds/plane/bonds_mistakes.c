@@ -31,6 +31,18 @@ static double to_both_twice(double lengthening, bool left)
     return 2;
 }
 
+static double to_the_other_side(double lengthening, bool left)
+{
+    (void)lengthening, (void)left;
+    return -1;
+}
+
+static double to_both_by_half(double lengthening, bool left)
+{
+    (void)lengthening, (void)left;
+    return 0.5;
+}
+
 static double over_the_length_now(double lengthening, bool left)
 {
     (void)left;
