@@ -196,7 +196,7 @@ START_TEST(a_mistake_is_named_in_every_scheme)
                                              {"musl", "bspline2", "apic", "MUSL, bspline2, apic"},
                                              {"usf", "gimp", "apic", "USF, gimp, apic"}};
     static const char *const mistakes[] = {"none", "force_sign", "natural_slope_in_force", "stress_of_next",
-                                           "x_by_own_velocity"};
+                                           "no_volume"};
     char path[] = "/tmp/check_diagnose.XXXXXX";
     const int made = mkstemp(path);
     Settings right = bar_settings(3, 100);
