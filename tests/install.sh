@@ -18,7 +18,7 @@ cat >"$scratch/wanted" <<'END'
 ./share/doc/matvib/NEWS
 ./share/doc/matvib/README.md
 ./share/doc/matvib/doc/building.md
-./share/doc/matvib/doc/crack.svg
+./share/doc/matvib/doc/discs.svg
 ./share/doc/matvib/doc/guide.md
 ./share/doc/matvib/doc/page.md
 ./share/doc/matvib/doc/teaching.md
