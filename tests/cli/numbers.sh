@@ -35,6 +35,13 @@ run() { # SCENARIO OPTIONS...
 			sub(/.*over Timoshenko/, "over"); print "sag", 100 * ($2 - 1) }
 		/ steps to t = / { print "end", 1e3 * $6 }
 		/^last particle/ { after("u", "u_last") }
+		/first touch / { after("touch", "touch") }
+		/restitution / { after("restitution", "restitution") }
+		/angular momentum.exact / { after("momentum/exact", "angular") }
+		/height of the bounce / { after("bounce", "bounce") }
+		/spin of the second / { after("second", "spin") }
+		/mean acceleration / { after("acceleration", "acceleration") }
+		/largest stretch / { after("stretch", "stretch") }
 		/^angle / { before("10", "angle10"); before("38", "angle38") }
 		/^tip.s speed / { after("=", "of_rayleigh") }
 		/^cracks / { after("fastest", "fastest"); after("=", "of_rayleigh") }
@@ -190,6 +197,29 @@ tells_why() { # FILE
 for file in doc/guide.md src/help/help_text.c $lesson/late.lesson $lesson/cure.lesson $lesson/filters.lesson; do
 	result "$file tells why mode 5 is late" tells_why $file
 done
+
+run two-discs
+claim $lesson/touching.lesson "First touch " 1.551 ": right to" touch
+claim $lesson/touching.lesson "with it with " 81 " %" restitution 100
+claim $lesson/why-particles.lesson "leave with " 81 " % of that" restitution 100
+claim $lesson/why-particles.lesson "Of the whole energy " 3 " % are lost" lost
+run two-discs --set contact.gap=off
+claim $lesson/touching.lesson "leave with " 98 " % of their speed" restitution 100
+claim $lesson/touching.lesson "than they had: " 14 " % out of nothing" lost
+run two-discs-off-centre
+claim $lesson/touching.lesson "Without friction there is " 0.06 " of spin left" spin
+run two-discs-off-centre --set contact.friction=0.5
+claim $lesson/touching.lesson "" 0.49 " each, as gears" spin
+run two-discs-off-centre --set contact.fields=one
+claim $lesson/touching.lesson "With one field it is " 0.42 "" spin
+run bouncing-disc
+claim $scenario/bouncing-disc.ini "It comes to " 0.457 ": the rest" bounce
+run spinning-disc --end 25
+claim $lesson/who-spins.lesson "At the end " 68 " % are left" angular 100
+run spinning-disc --end 25 --set mpm.flip_fraction=0.99
+claim $lesson/who-spins.lesson "@right " 15 " %" angular 100
+run spinning-disc --end 25 --set mesh.cell_size=0.05
+claim $lesson/who-spins.lesson "half the size " 94 " % are left" angular 100
 
 run mode5
 claim $scenario/mode5-fine.ini "falls from " 4.2 " % to" predicted_error
