@@ -208,8 +208,8 @@ claim $lesson/touching.lesson "leave with " 98 " % of their speed" restitution 1
 claim $lesson/touching.lesson "than they had: " 14 " % out of nothing" lost
 run two-discs-off-centre
 claim $lesson/touching.lesson "Without friction there is " 0.06 " of spin left" spin
-run two-discs-off-centre --set contact.friction=0.5
-claim $lesson/touching.lesson "" 0.49 " each, as gears" spin
+last_row two-discs-off-centre --set contact.friction=0.5
+claim $lesson/touching.lesson "" 0.49 " each, as gears" right.spin
 run two-discs-off-centre --set contact.fields=one
 claim $lesson/touching.lesson "With one field it is " 0.42 "" spin
 run bouncing-disc
