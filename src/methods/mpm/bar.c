@@ -62,14 +62,16 @@ static bool change_method(Mpm *mpm, const char *key, double value, Status *statu
     if (def.mistake != head->mistake) {
         memset(mpm->kept_mass, 0, (size_t)mpm->n_nodes * sizeof(double));
         memset(mpm->kept_momentum, 0, (size_t)mpm->n_nodes * sizeof(double));
-        memcpy(mpm->kept_volume, mpm->volume, (size_t)mpm->n_particles * sizeof(double));
     }
     if (def.transfer != head->transfer)
         memset(mpm->affine, 0, (size_t)mpm->n_particles * sizeof(double));
     head->algorithm = def.algorithm;
     head->transfer = def.transfer;
     head->flip_fraction = def.flip_fraction;
+    const bool other = head->mistake != def.mistake;
     head->mistake = def.mistake;
+    for (int p = 0; other && p < mpm->n_particles; p++)
+        mpm->kept_volume[p] = mpm_does(mpm, WRONG_VOLUME_LATE) ? mpm->volume[p] : 0.0;
     head->mass_blend = blend_of(&def, def.mass_blend);
     head->fmpm_order = def.fmpm_order;
     mpm_take_schedule(mpm);
@@ -221,7 +223,8 @@ static bool begin(Mpm *mpm, Status *status)
         const double x = at_centres ? (p / P + 0.5) * mpm->dx : mpm_rest(mpm, 0, p);
         mpm->rest[0][p] = p / P + (mpm->origin + mpm->edge + (p % P + 0.5 + def->offset) / P);
         mpm->v[0][p] = def->initial_velocity ? def->initial_velocity(x, def->initial_context) : 0.0;
-        mpm->volume[p] = mpm->kept_volume[p] = mpm->mass[0] / def->density;
+        mpm->volume[p] = mpm->mass[0] / def->density;
+        mpm->kept_volume[p] = mpm_does(mpm, WRONG_VOLUME_LATE) ? mpm->volume[p] : 0.0;
         if (def->transfer == MPM_APIC && def->initial_slope)
             mpm->affine[p] = def->initial_slope(x, def->initial_context);
         if (!isfinite(mpm->v[0][p]))

@@ -195,6 +195,7 @@ MPM_INLINE int strain(Mpm *mpm, const int dim, const MpmShape shape, const bool 
     const Places at = places_of(mpm);
     const BarMistake *mistake = ordinary ? NULL : mpm_mistake(mpm);
     const bool newest = !ordinary && mpm_does(mpm, WRONG_ONLY_NEWEST);
+    const bool late = !ordinary && mpm_does(mpm, WRONG_VOLUME_LATE);
     const double rate = mpm_strain_span(mpm) * mpm_slope_scale(mpm, OP_STRAIN), of_all = mpm->modulus[0];
     const double nu = mpm->plane.poisson, lambda = mpm->lambda, shear = mpm->shear;
     const double *const vx = mpm->velocity[0], *const vy = mpm->velocity[1], *const inverse = mpm->inverse;
@@ -226,7 +227,7 @@ MPM_INLINE int strain(Mpm *mpm, const int dim, const MpmShape shape, const bool 
             sxy[p] += shear * xy;
         } else
             stress[p] = (newest ? 0.0 : stress[p]) + (ordinary ? of_all : mpm_modulus(mpm, p)) * xx;
-        if (!ordinary && dim == 1)
+        if (late)
             kept[p] = volume[p];
         volume[p] = mistake && mistake->thinned ? mistake->thinned(volume[p], stretch) : volume[p] * stretch;
         if (!(stretch > 0.0) && crushed < 0)
