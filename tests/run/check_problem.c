@@ -515,9 +515,14 @@ START_TEST(derived_numbers_follow_from_the_settings)
         Settings settings = beam ? beam_settings(problem, 1e-6) : bar_settings(5, 1);
         if (!beam && problem != &problem_bar)
             settings_default(&settings, problem);
+        if (problem->concerns & CONCERN_BODIES) {
+            Status status = {0};
+            ck_assert_msg(settings_set(&settings, "bodies.one", "disc 0.5 0.5 0.3", &status), "%s",
+                          status.text);
+        }
         Simulation *sim = simulate(&settings);
         int n = problem_derived(&settings, sim, rows), without = 0;
-        ck_assert_int_gt(n, 4);
+        ck_assert_int_ge(n, 4);
         ck_assert_int_lt(n, DERIVED_MAX);
         for (int i = 0; i < n; i++)
             for (int j = 0; j < i; j++)
@@ -828,7 +833,8 @@ START_TEST(every_problem_has_its_method)
 {
     for (int p = 0; problems[p]; p++) {
         const Problem *problem = problems[p];
-        const bool both = problem->concerns & CONCERN_METHODS, mesh = problem->concerns & CONCERN_MESH;
+        const bool both = problem->concerns & CONCERN_METHODS,
+                   mesh = problem->concerns & (CONCERN_MESH | CONCERN_BODIES);
         ck_assert(problem_allows(problem, METHOD_MPM, NULL) == (both || mesh));
         ck_assert(problem_allows(problem, METHOD_PD, NULL) == (both || !mesh));
         ck_assert_uint_gt(strlen(problem->title), 10);
