@@ -131,8 +131,8 @@ static bool sum_up(const Export *export, RunSummary *summary, Status *status)
 bool export_writes(const Settings *settings, const Simulation *sim, int i, const char *column)
 {
     const char *asked = settings_output(settings)->columns;
-    return i < 2 ||
-           (asked[strspn(asked, ", ")] ? simulation_asks(asked, column) : !simulation_is_costly(sim, column));
+    return i < 2 || (asked[strspn(asked, ", ")] ? simulation_asks(asked, column)
+                                                : !simulation_is_on_request(sim, column));
 }
 
 static bool writes_tables(const Outputs *outputs)

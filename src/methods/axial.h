@@ -47,6 +47,12 @@ enum {
     {                                                                                                        \
         "total", "total", "force/length", "kinetic + strain; without loads it should keep its value"         \
     }
+/* On request; the reaction where an end is held. */
+#define AXIAL_SERIES_MOMENTUM(of_when)                                                                       \
+    {"momentum", "momentum", "mass/length/time", "momentum of all particles"},                               \
+    {                                                                                                        \
+        "reaction", "reaction", "force/length^2", "force of the supports on the bar, +x" of_when             \
+    }
 
 /* Of particles `spacing` apart: how many at a free end have their middle in the traction's layer h of paper
  * M, eq. 11. */

@@ -436,9 +436,9 @@ bool simulation_asks(const char *names, const char *column)
     return false;
 }
 
-bool simulation_is_costly(const Simulation *sim, const char *column)
+bool simulation_is_on_request(const Simulation *sim, const char *column)
 {
-    for (const char *const *name = sim->method->costly; name && *name; name++)
+    for (const char *const *name = sim->method->on_request; name && *name; name++)
         if (strcmp(*name, column) == 0)
             return true;
     return false;
@@ -447,9 +447,19 @@ bool simulation_is_costly(const Simulation *sim, const char *column)
 void simulation_ask_columns(Simulation *sim, const char *names)
 {
     ASSERT(!sim->follow);
-    for (int i = sim->n_series - 1; i >= 0; i--)
-        if (simulation_is_costly(sim, sim->series[i].name) && !simulation_asks(names, sim->series[i].name))
-            sim->method->leave_out(sim, i);
+    ASSERT_INT(sim->step, ==, 0);
+    int count = 0;
+    for (int i = 0; i < sim->n_series; i++) {
+        if (simulation_is_on_request(sim, sim->series[i].name) &&
+            !simulation_asks(names, sim->series[i].name))
+            continue;
+        if (count < i) {
+            sim->series_asked[count] = sim->series[i];
+            sim->series_entry[count] = sim->series_entry[i];
+        }
+        count++;
+    }
+    sim->n_series = count;
 }
 
 bool simulation_follow(Simulation *sim, const char *thing, Status *status)

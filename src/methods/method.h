@@ -189,10 +189,9 @@ typedef struct Method {
     /* Called between steps only: the series at the present state. Must not change what comes. */
     void (*row)(Simulation *, double *row);
 
-    /* The columns of the series that cost more than the step does, ended by NULL, and what leaves one of them
-     * out from now on; called before the first step. Both NULL: there is none. */
-    const char *const *costly;
-    void (*leave_out)(Simulation *, int column);
+    /* The columns of the series that are there only where somebody asks for them, ended by NULL: those that
+     * cost more than the step does, and forces and momenta. NULL: there is none. */
+    const char *const *on_request;
 
     /* Values [first, first + count) of a field at the present stage. */
     void (*field)(const Simulation *, int field, size_t first, size_t count, double *out);
@@ -248,7 +247,9 @@ struct Simulation {
 
     const Quantity *series;
     int n_series;
-    struct Follow *follow; /* things that are followed, behind the method's own series; NULL: none */
+    Quantity *series_asked; /* where some are on request: the same, and which of the method's each is; for */
+    int *series_entry;      /* simulation_ask_columns(); else NULL */
+    struct Follow *follow;  /* things that are followed, behind the method's own series; NULL: none */
 
     unsigned has; /* HAS_... */
 
@@ -333,13 +334,13 @@ void simulation_release_names(struct Follow *);
 enum { FOLLOW_MAX = 4, FOLLOW_TEXT_MAX = 64 };
 bool simulation_follow(Simulation *, const char *thing, Status *);
 
-/* Leaves out of the series the columns that cost more than the step does, but for those that are asked for:
- * names parted by commas, or "all"; "": none. Before the first step, and before anything is followed. */
+/* Leaves out of the series the columns that are there on request, but for those that are asked for: names
+ * parted by commas, or "all"; "": none. Before the first step, and before anything is followed. */
 void simulation_ask_columns(Simulation *, const char *names);
 
 /* Whether such a list has a column, and whether it is one that it takes. */
 bool simulation_asks(const char *names, const char *column);
-bool simulation_is_costly(const Simulation *, const char *column);
+bool simulation_is_on_request(const Simulation *, const char *column);
 
 /* The state as bytes, Method.state_size() of them. */
 void simulation_save(const Simulation *, void *bytes);

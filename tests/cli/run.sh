@@ -30,7 +30,7 @@ result "are written" header c.csv step,time,v_cm,kinetic_null
 result "and asked for beside" says c.csv.ini '^columns = kinetic_null,v_cm$'
 expect "all" 0 mode1 --steps 9 --columns all --series c.csv --quiet --force
 result "are all" header c.csv \
-	step,time,v_cm,v_cm_exact,v_cm_predicted,x_cm,x_cm_rate,kinetic,kinetic_grid,kinetic_null,strain,work,total
+	step,time,v_cm,v_cm_exact,v_cm_predicted,x_cm,x_cm_rate,kinetic,kinetic_grid,kinetic_null,strain,work,total,momentum,reaction
 expect "what stands beside repeats them" 0 c.csv.ini --series d.csv --quiet
 result "with the same bytes" cmp -s c.csv d.csv
 refuse "a column that there is not" "--columns: output.columns: v_probe is no column of the series (all, step, time, v_cm, v_cm_exact, v_cm_predicted, x_cm, kinetic, strain, work, total)" \

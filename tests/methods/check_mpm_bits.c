@@ -337,9 +337,9 @@ START_TEST(columns_that_are_left_out)
         bar.def.joint_modulus = 400;
         bar.def.joint_density = 2;
     }
-    static const char *const asked[] = {"all", "", "kinetic_grid", "kinetic_null", "x_cm_rate"};
-    static const int left_out[] = {0, 3, 2, 2, 2};
-    enum { CHOICES = 5 };
+    static const char *const asked[] = {"all", "", "kinetic_grid", "kinetic_null", "x_cm_rate", "reaction"};
+    static const int left_out[] = {0, 5, 4, 4, 4, 4};
+    enum { CHOICES = 6 };
     double rows[CHOICES][40 * 16]; /* of steps 1 to 39, and the last once more */
     Simulation *sims[CHOICES];
     for (int k = 0; k < CHOICES; k++) {

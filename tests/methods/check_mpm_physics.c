@@ -239,6 +239,43 @@ START_TEST(v_cm_is_not_the_rate_of_x_cm)
 }
 END_TEST
 
+/* What the supports take is what acts on the nodes that they hold; the particles get the rest. A free bar has
+ * no such column. */
+START_TEST(the_reaction_is_what_held_nodes_get)
+{
+    BarCase bar = bar_case(5, 0.2);
+    bar.def.algorithm = (MpmAlgorithm)(_i % 3);
+    bar.def.body_force = _i < 3 ? 0.01 : 0;
+    bar.def.traction = _i < 3 ? 0.02 : 0;
+    Simulation *sim = bar_case_create(&bar);
+    ck_assert_double_eq(series_now(sim, "reaction"), 0);
+    for (int step = 0; step < 100; step++) {
+        double held = 0, pull = 0;
+        const double before = series_now(sim, "momentum");
+        while (strcmp(sim->stages[sim->stage].id, "integrate") != 0)
+            ck_assert(simulation_stage(sim, NULL));
+        double *f = field_now(sim, 1, "f_int"), *load = field_now(sim, 1, "f_ext"),
+               *fixed = field_now(sim, 1, "fixed");
+        for (size_t i = 0; i < sim->counts[1]; i++) {
+            held -= fixed[i] * (f[i] + load[i]);
+            pull += load[i];
+        }
+        free(f), free(load), free(fixed);
+        do
+            ck_assert(simulation_stage(sim, NULL));
+        while (sim->stage > 0);
+        ck_assert_double_eq_tol(series_now(sim, "reaction"), held, 1e-11);
+        ck_assert_double_eq_tol((series_now(sim, "momentum") - before) / sim->dt, held + pull, 1e-11);
+    }
+    simulation_destroy(sim);
+    bar.def.supports = BAR_FREE_FREE;
+    sim = bar_case_create(&bar);
+    ck_assert_int_eq(simulation_find_series(sim, "reaction"), -1);
+    ck_assert_int_ge(simulation_find_series(sim, "momentum"), 0);
+    simulation_destroy(sim);
+}
+END_TEST
+
 static double mean_energy(Simulation *sim, const char *name, long steps)
 {
     double *rows = malloc(sizeof(double) * (size_t)(steps * sim->n_series)), sum = 0;
@@ -697,6 +734,7 @@ void add_cases(Suite *suite)
     tcase_add_test(test, momentum_of_a_free_bar);
     tcase_add_loop_test(test, rigid_motion_is_not_felt, 0, 4);
     tcase_add_loop_test(test, the_rate_of_x_cm_is_its_rate, 0, 18);
+    tcase_add_loop_test(test, the_reaction_is_what_held_nodes_get, 0, 6);
     tcase_add_loop_test(test, v_cm_is_not_the_rate_of_x_cm, 0, 3);
     tcase_add_loop_test(test, apic_does_not_feel_an_empty_node, MPM_USF, MPM_MUSL + 1);
     tcase_add_loop_test(test, energy_left, 0, 9);

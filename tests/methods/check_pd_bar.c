@@ -233,6 +233,8 @@ START_TEST(free_bar_keeps_momentum)
     advance(sim, 3000);
     ck_assert_double_eq_tol(series_now(sim, "v_cm"), before, 1e-15);
     ck_assert_double_eq_tol(series_now(sim, "x_cm"), 12.5 + before * 30, 1e-12);
+    ck_assert_double_eq_tol(series_now(sim, "momentum"), 25 * before, 1e-13);
+    ck_assert_int_eq(simulation_find_series(sim, "reaction"), -1);
     simulation_destroy(sim);
 }
 END_TEST
@@ -279,6 +281,13 @@ START_TEST(work_of_loads)
     for (size_t i = 0; i < 50; i++)
         sum += 0.5 * of_particle(sim, "load", i);
     ck_assert_double_eq_tol(sum, 2e-2 + 25e-3, 1e-15);
+    /* what loads and support give to the momentum in a step, by the mean of its ends */
+    for (int k = 0; k < 100; k++) {
+        const double momentum = series_now(sim, "momentum"), reaction = series_now(sim, "reaction");
+        advance(sim, 1);
+        ck_assert_double_eq_tol((series_now(sim, "momentum") - momentum) / sim->dt,
+                                sum + (reaction + series_now(sim, "reaction")) / 2, 1e-12);
+    }
     simulation_destroy(sim);
 }
 END_TEST

@@ -142,6 +142,7 @@ START_TEST(nothing_holds_a_free_body)
     BeamLinear linear;
     ck_assert(beam_linear(sim, &linear, NULL));
     ck_assert(isnan(linear.period) && isnan(linear.sag));
+    ck_assert_int_eq(simulation_find_series(sim, "reaction_y"), -1);
     simulation_destroy(sim);
     def.critically_damped = true;
     Status status = {0};
@@ -181,6 +182,31 @@ static BeamDef hanging(void)
     def.dt = 1e-7;
     return def;
 }
+
+/* P' = R - m g - alpha P as velocity Verlet has it, from step to step; at rest supports bear the weight. */
+START_TEST(supports_bear_the_weight)
+{
+    const BeamDef def = hanging();
+    Simulation *sim = beam_case_create(&def, NULL);
+    BeamFacts facts;
+    beam_facts(sim, &facts);
+    const double weight =
+        9.81 * def.density * def.thickness * sim->spacing * sim->spacing * (double)sim->counts[0];
+    const double half = facts.damping * sim->dt / 2;
+    for (int step = 0; step < 200; step++) {
+        const double momentum = series_now(sim, "momentum_y"), reaction = series_now(sim, "reaction_y");
+        advance(sim, 1);
+        const double gain = series_now(sim, "momentum_y") * (1 + half) - momentum * (1 - half);
+        const double force = (reaction + series_now(sim, "reaction_y")) / 2 - weight;
+        ck_assert_double_eq_tol(gain / sim->dt, force, 1e-9 * weight);
+    }
+    ck_assert(simulation_steps(sim, 200000, NULL, NULL, NULL));
+    ck_assert(sim->at_rest);
+    ck_assert_double_eq_tol(series_now(sim, "reaction_y"), weight, 1e-4 * weight);
+    ck_assert_double_eq_tol(series_now(sim, "reaction_x"), 0, 1e-4 * weight);
+    simulation_destroy(sim);
+}
+END_TEST
 
 START_TEST(comes_to_rest_by_itself)
 {
@@ -439,6 +465,7 @@ void add_cases(Suite *suite)
     tcase_add_test(digits, a_free_body_comes_to_rest);
     suite_add_tcase(suite, digits);
     TCase *rest = tcase_create("rest");
+    tcase_add_test(rest, supports_bear_the_weight);
     tcase_add_test(rest, comes_to_rest_by_itself);
     tcase_add_test(rest, a_turning_point_is_no_rest);
     tcase_add_test(rest, critical_is_twice_the_lowest_of_a_post);

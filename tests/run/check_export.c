@@ -195,8 +195,12 @@ END_TEST
 /* What no row has unless somebody asks. */
 static bool costs(const char *column)
 {
-    return strcmp(column, "kinetic_grid") == 0 || strcmp(column, "kinetic_null") == 0 ||
-           strcmp(column, "x_cm_rate") == 0;
+    static const char *const names[] = {"kinetic_grid", "kinetic_null", "x_cm_rate",  "momentum",  "reaction",
+                                        "momentum_x",   "momentum_y",   "reaction_x", "reaction_y"};
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++)
+        if (strcmp(column, names[k]) == 0)
+            return true;
+    return false;
 }
 
 /* The columns of a file that are asked for, at the bits that any other choice gives. */
@@ -206,7 +210,7 @@ START_TEST(columns_are_written_that_are_asked_for)
         const char *asked, *header;
     } cases[] = {
         {"all", "step,time,v_cm,v_cm_exact,v_cm_predicted,x_cm,x_cm_rate,kinetic,kinetic_grid,kinetic_null,"
-                "strain,work,total"},
+                "strain,work,total,momentum,reaction"},
         {"kinetic_null,v_cm", "step,time,v_cm,kinetic_null"},
         {"total, step", "step,time,total"},
     };

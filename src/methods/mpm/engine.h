@@ -81,12 +81,13 @@ typedef struct MpmHead {
     double flip_fraction, body_force, traction;
     double mass_blend; /* mu, never 0 */
     int fmpm_order;
-    int mistake;     /* 0: none */
-    double work;     /* of the external force so far */
-    double moment;   /* sum m u before the last step, along a line: for x_cm_rate */
-    double friction; /* energy that friction of bodies has taken so far */
-    long met, hit;   /* the step in which two bodies pushed each other first, and one a wall; 0: not yet */
-    long torn;       /* that in which neighbours parted first, and the one of them that comes first */
+    int mistake;                       /* 0: none */
+    double work;                       /* of the external force so far */
+    double moment;                     /* sum m u before the last step, along a line: for x_cm_rate */
+    double momentum[MPM_AXES], pushed; /* sum m v before the last step, and sum f_ext in it: for reactions */
+    double friction;                   /* energy that friction of bodies has taken so far */
+    long met, hit; /* the step in which two bodies pushed each other first, and one a wall; 0: not yet */
+    long torn;     /* that in which neighbours parted first, and the one of them that comes first */
     int torn_at;
     Growth growth; /* what the energy check has seen */
 } MpmHead;
@@ -420,14 +421,15 @@ void mpm_explain(const Simulation *, int stage, int set, size_t index, const voi
 extern const Quantity mpm_line_series[];
 double mpm_energy(const Mpm *);
 double mpm_moment(const Mpm *); /* sum m u along a line */
+double mpm_momentum(const Mpm *, int axis);
+double mpm_reaction(const Mpm *, int axis, double momentum); /* momentum: that of now */
 void mpm_row(Simulation *, double *row);
 /* With the grid as it stands after map and supports, if it needs it; one that is not whole has no
  * kinetic_null. */
 void mpm_write_row(Mpm *, double *row, bool whole);
 bool mpm_row_needs_grid(const Mpm *);
 void mpm_set_series(Mpm *);
-extern const char *const mpm_costly[];
-void mpm_leave_out(Simulation *, int column);
+extern const char *const mpm_on_request[];
 double mpm_line_null_energy(const Mpm *); /* null.c */
 
 void mpm_report_crossings(Mpm *);

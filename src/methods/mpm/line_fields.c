@@ -99,6 +99,7 @@ const Quantity mpm_line_series[] = {
      "the part of it that no velocities of the grid can give: the rest is seen, or lost to lumped masses"},
     {"strain", "strain", "force/length", "strain energy of the particles"},
     AXIAL_SERIES_END,
+    AXIAL_SERIES_MOMENTUM(" in the last step"),
 };
 
 /* Eq. 5: de = dt sum N'_i v_i / dx, N' by s. */

@@ -73,7 +73,22 @@ static double probe(const Mpm *mpm, const double *values)
     return sum / 4;
 }
 
-enum Entry { U_PROBE, V_PROBE, LENGTH, KINETIC, KINETIC_GRID, KINETIC_NULL, STRAIN, WORK, TOTAL, ENTRIES };
+enum Entry {
+    U_PROBE,
+    V_PROBE,
+    LENGTH,
+    KINETIC,
+    KINETIC_GRID,
+    KINETIC_NULL,
+    STRAIN,
+    WORK,
+    TOTAL,
+    MOMENTUM_X,
+    MOMENTUM_Y,
+    REACTION_X,
+    REACTION_Y,
+    ENTRIES
+};
 
 static const Quantity quantities[ENTRIES] = {
     [U_PROBE] = {"u_probe", "u", "m", "transverse displacement at the probe"},
@@ -88,6 +103,12 @@ static const Quantity quantities[ENTRIES] = {
     [STRAIN] = {"strain", "strain", "J", "strain energy of the particles"},
     [WORK] = {"work", "work", "J", "work of the channel, which draws the beam out"},
     [TOTAL] = {"total", "total", "J", "kinetic + strain; it ripples, as the two are half a step apart"},
+    [MOMENTUM_X] = {"momentum_x", "momentum x", "kg m/s", "momentum of all particles along x"},
+    [MOMENTUM_Y] = {"momentum_y", "momentum y", "kg m/s", "momentum of all particles along y"},
+    [REACTION_X] = {"reaction_x", "reaction x", "N",
+                    "force of what holds the beam, along x, in the last step"},
+    [REACTION_Y] = {"reaction_y", "reaction y", "N",
+                    "force of what holds the beam, along y, in the last step"},
 };
 
 void plane_set_series(Mpm *mpm)
@@ -98,7 +119,8 @@ void plane_set_series(Mpm *mpm)
             mpm->series_entry[sim->n_series] = k;
             mpm->series[sim->n_series++] = quantities[k];
         }
-    sim->series = mpm->series;
+    sim->series = sim->series_asked = mpm->series;
+    sim->series_entry = mpm->series_entry;
 }
 
 static bool has(const Mpm *mpm, enum Entry entry)
@@ -148,6 +170,16 @@ void plane_write_row(Mpm *mpm, double *row, bool whole)
         case TOTAL:
             row[k] = energy.kinetic + energy.strain;
             break;
+        case MOMENTUM_X:
+        case MOMENTUM_Y:
+            row[k] = mpm->plane.thickness * mpm_momentum(mpm, mpm->series_entry[k] - MOMENTUM_X);
+            break;
+        case REACTION_X:
+        case REACTION_Y: {
+            const int axis = mpm->series_entry[k] - REACTION_X;
+            row[k] = mpm->plane.thickness * mpm_reaction(mpm, axis, mpm_momentum(mpm, axis));
+            break;
+        }
         case ENTRIES:
             break;
         }

@@ -44,20 +44,38 @@ static double fold(const double *lanes)
     return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
 }
 
-static double sum_moment(const Mpm *mpm, int which, int first, int end)
+/* sum m a over particles [first, end) of one material. */
+static double sum_moment(const Mpm *mpm, const double *a, int which, int first, int end)
 {
     double moment[LANES] = {0};
-    const double *const u = mpm->u[0];
     for (int p = first; p < end; p += LANES)
         for (int lane = 0; lane < LANES && p + lane < end; lane++)
-            moment[lane] += u[p + lane];
+            moment[lane] += a[p + lane];
     return mpm->mass[which] * fold(moment);
+}
+
+static double sum_moments(const Mpm *mpm, const double *a)
+{
+    const double first = sum_moment(mpm, a, 0, 0, mpm->joint);
+    return mpm->joint < mpm->n_particles ? first + sum_moment(mpm, a, 1, mpm->joint, mpm->n_particles)
+                                         : first;
 }
 
 double mpm_moment(const Mpm *mpm)
 {
-    const double first = sum_moment(mpm, 0, 0, mpm->joint);
-    return mpm->joint < mpm->n_particles ? first + sum_moment(mpm, 1, mpm->joint, mpm->n_particles) : first;
+    return sum_moments(mpm, mpm->u[0]);
+}
+
+double mpm_momentum(const Mpm *mpm, int axis)
+{
+    return sum_moments(mpm, mpm->v[axis]);
+}
+
+/* Supports are the only other thing that changes the particles' momentum: what is internal adds up to 0. */
+double mpm_reaction(const Mpm *mpm, int axis, double momentum)
+{
+    const double before = mpm->sim.step > 0 ? mpm->head->momentum[axis] : momentum;
+    return (momentum - before) / mpm->dt - (axis == 0 ? mpm->head->pushed : 0.0);
 }
 
 /* Over particles [first, end) of one material: sum m v, sum m u, and energies. */
@@ -74,7 +92,7 @@ static Sums sum_material(const Mpm *mpm, int which, int first, int end)
             strain[lane] += stress[p + lane] * stress[p + lane] * volume[p + lane];
         }
     }
-    return (Sums){m * fold(momentum), sum_moment(mpm, which, first, end), 0.5 * m * fold(squares),
+    return (Sums){m * fold(momentum), sum_moment(mpm, mpm->u[0], which, first, end), 0.5 * m * fold(squares),
                   fold(strain) / (2.0 * mpm->modulus[which])};
 }
 
@@ -122,7 +140,20 @@ static double rate_of_centre(const Mpm *mpm, double moment)
     return momentum / mpm->whole_mass;
 }
 
-enum Entry { V_CM, X_CM, X_CM_RATE, KINETIC, KINETIC_GRID, KINETIC_NULL, STRAIN, WORK, TOTAL, ENTRIES };
+enum Entry {
+    V_CM,
+    X_CM,
+    X_CM_RATE,
+    KINETIC,
+    KINETIC_GRID,
+    KINETIC_NULL,
+    STRAIN,
+    WORK,
+    TOTAL,
+    MOMENTUM,
+    REACTION,
+    ENTRIES
+};
 
 void mpm_set_series(Mpm *mpm)
 {
@@ -131,23 +162,13 @@ void mpm_set_series(Mpm *mpm)
         mpm->series[k] = mpm_line_series[k];
         mpm->series_entry[k] = k;
     }
-    sim->series = mpm->series;
-    sim->n_series = ENTRIES;
+    sim->series = sim->series_asked = mpm->series;
+    sim->series_entry = mpm->series_entry;
+    sim->n_series = mpm->fixed_left > 0 || mpm->fixed_right > 0 ? ENTRIES : REACTION;
 }
 
-const char *const mpm_costly[] = {"x_cm_rate", "kinetic_grid", "kinetic_null", NULL};
-
-void mpm_leave_out(Simulation *sim, int column)
-{
-    ASSERT_INDEX(column, sim->n_series);
-    ASSERT_INT(sim->step, ==, 0);
-    Mpm *mpm = mpm_of(sim);
-    sim->n_series--;
-    for (int k = column; k < sim->n_series; k++) {
-        mpm->series[k] = mpm->series[k + 1];
-        mpm->series_entry[k] = mpm->series_entry[k + 1];
-    }
-}
+const char *const mpm_on_request[] = {"x_cm_rate",  "kinetic_grid", "kinetic_null", "momentum",   "reaction",
+                                      "momentum_x", "momentum_y",   "reaction_x",   "reaction_y", NULL};
 
 static bool has(const Mpm *mpm, enum Entry entry)
 {
@@ -205,6 +226,12 @@ void mpm_write_row(Mpm *mpm, double *row, bool whole)
             break;
         case TOTAL:
             row[k] = sums.kinetic + sums.strain;
+            break;
+        case MOMENTUM:
+            row[k] = sums.momentum;
+            break;
+        case REACTION:
+            row[k] = mpm_reaction(mpm, 0, sums.momentum);
             break;
         case ENTRIES:
             break;

@@ -475,8 +475,14 @@ void mpm_begin_stage(Mpm *mpm, MpmOp op, long step)
             memset(mpm->force[axis], 0, bytes);
     if (op == OP_FORCE && mpm->dim == 1 && mpm_is_loaded(mpm))
         memset(mpm->load, 0, bytes);
-    if (op == OP_UPDATE && mpm->dim == 1)
+    if (op == OP_UPDATE && mpm->dim == 1) {
         mpm->head->moment = mpm_moment(mpm);
+        mpm->head->pushed = 0.0;
+        for (int i = 0; mpm_is_loaded(mpm) && i < mpm->n_nodes; i++)
+            mpm->head->pushed += mpm->load[i];
+    }
+    for (int axis = 0; op == OP_UPDATE && !mpm->bodies && axis < mpm->dim; axis++)
+        mpm->head->momentum[axis] = mpm_momentum(mpm, axis);
     mpm_find_held(mpm, step);
     if (op == OP_FIX_FORCE)
         add_push(mpm);

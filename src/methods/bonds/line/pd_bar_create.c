@@ -50,6 +50,8 @@ static void destroy(Simulation *sim)
     free(bar);
 }
 
+static const char *const on_request[] = {"momentum", "reaction", NULL};
+
 static const Method method = {
     .name = "pd",
     .title = "bond-based peridynamics",
@@ -57,6 +59,7 @@ static const Method method = {
     .stage = pd_bar_stage,
     .steps = pd_bar_steps,
     .row = pd_bar_row,
+    .on_request = on_request,
     .field = pd_bar_field,
     .links = pd_bar_links,
     .explain = pd_bar_explain,

@@ -317,28 +317,38 @@ static const Quantity series[PD_BAR_SERIES] = {
     AXIAL_SERIES_KINETIC,
     {"strain", "strain", "force/length", "strain energy of the bonds"},
     AXIAL_SERIES_END,
+    AXIAL_SERIES_MOMENTUM(""),
 };
 
 /* The row of a step, between steps: v_cm = sum v/n, x_cm = L/2 + sum u/n, kinetic = rho h sum v^2/2, strain =
- * sum over nodes as above, the load's work so far, and kinetic + strain. All nodes have the same mass rho h.
- */
+ * sum over nodes as above, the load's work so far, and kinetic + strain; momentum rho h sum v, and what the
+ * bonds to mirrored nodes pull: h sum (f - load), as those between nodes add up to 0. All nodes have the same
+ * mass rho h. */
 void pd_bar_row(Simulation *sim, double *row)
 {
     ASSERT_INT(sim->stage, ==, 0);
     const PdBar *bar = (const PdBar *)sim;
     const int n = bar->lattice.n;
-    double momentum = 0, moved = 0, square = 0, stored = 0;
+    const ForceTerms forces = pd_bar_terms(bar);
+    double momentum = 0, moved = 0, square = 0, stored = 0, pull = 0;
     for (int i = 0; i < n; i++) {
         momentum += bar->v[i];
         moved += displacement(bar, i);
         square += bar->v[i] * bar->v[i];
         stored += strain_energy(bar, i);
+        pull += bar->f[i] - forces_on(&forces, sim, (size_t)i, 0);
     }
     const double kinetic = square * bar->def.density * bar->lattice.h / 2;
-    const double values[PD_BAR_SERIES] = {
-        momentum / n, bar->def.length / 2 + moved / n, kinetic, stored, bar->head->work, kinetic + stored};
-    for (int k = 0; k < PD_BAR_SERIES; k++)
-        row[k] = values[k];
+    const double values[PD_BAR_SERIES] = {momentum / n,
+                                          bar->def.length / 2 + moved / n,
+                                          kinetic,
+                                          stored,
+                                          bar->head->work,
+                                          kinetic + stored,
+                                          momentum * bar->def.density * bar->lattice.h,
+                                          pull * bar->lattice.h};
+    for (int k = 0; k < sim->n_series; k++)
+        row[k] = values[bar->series_entry[k]];
 }
 
 void pd_bar_set_fields(PdBar *bar)
@@ -350,7 +360,12 @@ void pd_bar_set_fields(PdBar *bar)
     sim->counts[PD_BAR_BOND] = bonds_before(&bar->lattice, bar->lattice.n);
     sim->fields = fields;
     sim->n_fields = N_FIELDS;
-    sim->series = series;
-    sim->n_series = PD_BAR_SERIES;
+    for (int k = 0; k < PD_BAR_SERIES; k++) {
+        bar->series[k] = series[k];
+        bar->series_entry[k] = k;
+    }
+    sim->series = sim->series_asked = bar->series;
+    sim->series_entry = bar->series_entry;
+    sim->n_series = PD_BAR_SERIES - (bar->def.left_fixed || bar->def.right_fixed ? 0 : 1);
     axial_set_motion(sim, HAS_BONDS | HAS_STRETCH, bar->lattice.h);
 }

@@ -17,7 +17,7 @@ enum {
 };
 
 enum { PD_BAR_PARTICLE, PD_BAR_BOND, PD_BAR_SETS };
-enum { PD_BAR_SERIES = 6 };
+enum { PD_BAR_SERIES = 8 };
 
 /* What does not change during a run: the lattice, and the stiffness of its bonds.
  *
@@ -50,6 +50,8 @@ typedef struct PdBar {
     double critical_step;
     Stage stages[PD_BAR_STAGES];
     ForceWords force_words;
+    Quantity series[PD_BAR_SERIES]; /* those that are not left out, and which each of them is */
+    int series_entry[PD_BAR_SERIES];
     void *memory;    /* factors and stiffnesses */
     PdBarHead *head; /* the state: head, then u (padded), v, f */
     double *u, *v, *f;

@@ -188,6 +188,8 @@ static bool start(Beam *beam, Status *status)
     return true;
 }
 
+static const char *const on_request[] = {"momentum_x", "momentum_y", "reaction_x", "reaction_y", NULL};
+
 static const Method beam_method = {
     .name = "pd",
     .title = "peridynamics",
@@ -195,6 +197,7 @@ static const Method beam_method = {
     .stage = beam_stage,
     .steps = beam_steps,
     .row = beam_row,
+    .on_request = on_request,
     .field = beam_field,
     .links = beam_links,
     .explain = beam_explain,

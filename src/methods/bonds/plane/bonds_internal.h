@@ -24,7 +24,7 @@ enum {
 /* See bonds_fields.c. */
 enum { SET_PARTICLE, SET_BOND, N_SETS };
 
-enum { BEAM_SERIES_MAX = 16 };
+enum { BEAM_SERIES_MAX = 20 };
 
 /* The head of the state: single numbers that change. */
 enum { CRACK_TIPS = 64 };
@@ -193,6 +193,7 @@ ForceTerms beam_terms(const Beam *beam);                                        
 double beam_own_power(const Beam *beam, int j);      /* of the definition's own terms, W/m^3 */
 void beam_add_loads(Beam *beam, int j, double time); /* to its forces */
 void beam_note_work(Beam *beam, int j, long step);   /* in the drift, and ... */
+void beam_reaction(const Beam *, double force[2]);   /* of all that holds the body, on it, N */
 void beam_note_reaction(Beam *beam, int j);          /* ... in the second kick; */
 void beam_add_work(Beam *beam, int half);            /* and once all rows are there, half 0 or 1 */
 

@@ -4,7 +4,8 @@
  *     probe      mean over up to four nodes beside the point (beam_set_problem)
  *     kinetic    sum rho (vx^2 + vy^2)/2 V b            strain   sum of bonds c G w s^2 |xi| V^2/2 b
  *     damped     sum over steps of alpha sum rho |v|^2 V b dt, v at mid-step
- *     total      kinetic + strain + dissipated + damped; less the work it keeps its value to O(dt^2)
+ *     momentum   sum rho v V b                          reaction -sum (f - alpha rho v) V b over held
+ * components total      kinetic + strain + dissipated + damped; less the work it keeps its value to O(dt^2)
  *
  * V = dx^2, b the thickness; SI units. Each column is a function and a row of the table below, which says
  * which problems have it. Called between steps only, when u, v and the broken bonds belong to the same time.
@@ -123,6 +124,41 @@ static double crack_speed_of(Beam *beam)
     return crack_speed_now(beam);
 }
 
+static double momentum(const Beam *beam, const double *speed)
+{
+    double sum = 0;
+    for (int j = 0; j < beam->lattice.ny; j++) {
+        const double *v = speed + lattice_at(&beam->lattice, 0, j);
+        for (int i = 0; i < beam->lattice.nx; i++)
+            sum += v[i];
+    }
+    return sum * beam->def.density * beam_volume(beam) * beam->def.thickness;
+}
+
+static double momentum_x(Beam *beam)
+{
+    return momentum(beam, beam->nodes.vx);
+}
+
+static double momentum_y(Beam *beam)
+{
+    return momentum(beam, beam->nodes.vy);
+}
+
+static double reaction_x(Beam *beam)
+{
+    double force[2];
+    beam_reaction(beam, force);
+    return force[0];
+}
+
+static double reaction_y(Beam *beam)
+{
+    double force[2];
+    beam_reaction(beam, force);
+    return force[1];
+}
+
 typedef struct SeriesEntry {
     Quantity quantity;
     double (*value)(Beam *beam);
@@ -163,6 +199,10 @@ static const SeriesEntry series[BEAM_SERIES_MAX] = {
      broken_bonds,
      ALL},
     {{"damped", "damped", "J", "energy that damping has taken"}, damped, ALL},
+    {{"momentum_x", "momentum x", "kg m/s", "momentum of the body along x"}, momentum_x, ALL},
+    {{"momentum_y", "momentum y", "kg m/s", "momentum of the body along y"}, momentum_y, ALL},
+    {{"reaction_x", "reaction x", "N", "force of what holds or moves the body, along x"}, reaction_x, ALL},
+    {{"reaction_y", "reaction y", "N", "force of what holds or moves the body, along y"}, reaction_y, ALL},
 };
 
 void beam_row(Simulation *sim, double *out)
@@ -176,11 +216,14 @@ void beam_row(Simulation *sim, double *out)
 void beam_set_series(Beam *beam)
 {
     Simulation *sim = &beam->sim;
+    const bool held = beam->n_supports > 0 || beam_held_columns(beam, 0) > 0;
     for (int k = 0; k < BEAM_SERIES_MAX; k++)
         if ((series[k].problems >> beam->def.problem & 1) &&
-            (series[k].value != damped || beam->damping > 0)) {
+            (series[k].value != damped || beam->damping > 0) &&
+            (held || (series[k].value != reaction_x && series[k].value != reaction_y))) {
             beam->series_entry[sim->n_series] = k;
             beam->series[sim->n_series++] = series[k].quantity;
         }
-    sim->series = beam->series;
+    sim->series = sim->series_asked = beam->series;
+    sim->series_entry = beam->series_entry;
 }

@@ -154,6 +154,29 @@ static double moved_power(const Beam *beam, int j)
     return power;
 }
 
+void beam_reaction(const Beam *beam, double force[2])
+{
+    const NodeArrays *nodes = &beam->nodes;
+    const double drag = beam->damping * beam->def.density, scale = beam_volume(beam) * beam->def.thickness;
+    const size_t held = (size_t)beam_held_columns(beam, simulation_time(&beam->sim));
+    double x = 0, y = 0;
+    for (int j = 0; j < beam->lattice.ny; j++) {
+        const size_t row = lattice_at(&beam->lattice, 0, j);
+        for (size_t i = row; i < row + held; i++) {
+            x -= beam->def.clamp == CLAMP_FULL ? nodes->fx[i] : 0;
+            y -= nodes->fy[i];
+        }
+        for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++)
+            for (int k = 0; patch_has_row(&s->patch, j) && k < s->patch.columns; k++) {
+                const size_t i = row + (size_t)(s->patch.i + k);
+                x -= s->x ? nodes->fx[i] - drag * s->vx : 0;
+                y -= s->y ? nodes->fy[i] - drag * s->vy : 0;
+            }
+    }
+    force[0] = x * scale;
+    force[1] = y * scale;
+}
+
 void beam_note_work(Beam *beam, int j, long step)
 {
     ASSERT_INDEX(j, beam->lattice.ny);
