@@ -65,9 +65,10 @@ END_TEST
 START_TEST(a_choice_is_right_for_whom_it_is_drawn)
 {
     static const char text[] =
-        "@title x\n@page y\n@do open mode5\n@variant mpm.mistake from keep_grid, pic, force_sign\nIt is "
+        "@title x\n@page y\n@do open mode5\n@variant mpm.mistake from keep_grid, no_volume, force_sign\nIt "
+        "is "
         "{mpm.mistake}.\n"
-        "@ask a\n@right b, if you like if mpm.mistake is pic, keep_grid\n@choice no\n"
+        "@ask a\n@right b, if you like if mpm.mistake is no_volume, keep_grid\n@choice no\n"
         "@right c if mpm.mistake is force_sign\n@page z\n@variant mpm.mistake from density_kept, "
         "volume_kept\n";
     static const char *const names[] = {"Ada", "Bob", "Cyd", "Dan", "Eve", "Fay", "Gus", "Hal", "Ida", "Jim"};
@@ -179,7 +180,7 @@ static const struct {
      "my.lesson:3: @variant: mpm.shape: two words at least are wanted to draw from"},
     {"@title x\n@page y\n@variant mpm.shape from hat, gimp, hat\n",
      "my.lesson:3: @variant: mpm.shape: hat listed twice"},
-    {"@title x\n@page y\n@variant mpm.mistake from none, pic\n",
+    {"@title x\n@page y\n@variant mpm.mistake from none, no_volume\n",
      "my.lesson:3: @variant: mpm.mistake: none is none of its words (see: matvib params)"},
     {"@title x\n@page y\n@ask a\n@right b if mpm.shape is hat\n",
      "my.lesson:4: if mpm.shape: there is no @variant of it above"},

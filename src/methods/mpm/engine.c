@@ -48,14 +48,6 @@ bool mpm_find_all(Mpm *mpm)
     return inside;
 }
 
-MpmWeights mpm_weights_of(const Mpm *mpm, int p)
-{
-    const double s[MPM_AXES] = {mpm->s[0][p], mpm->dim == 2 ? mpm->s[1][p] : 0.0};
-    MpmWeights w;
-    mpm_weights(mpm, mpm->dim, mpm->shape, mpm_half(mpm, p), mpm->base[p], s, &w);
-    return w;
-}
-
 bool mpm_crosses(const Mpm *mpm, int particle, int old, const double *s)
 {
     const int gx = mpm->dim == 2 ? mpm->gx : mpm->n_nodes, now = mpm->base[particle];

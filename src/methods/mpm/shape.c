@@ -8,8 +8,9 @@
  *
  * Inner cells, nearly all of a mesh, have the closed forms of shape.h. Lengths in cells. */
 #include "methods/mpm/shape.h"
-
 #include "base/assertion.h"
+#include "methods/mpm/engine.h"
+
 /* Knot k of an open knot vector on cell edges 0, 1, ..., n_cells: the ends are repeated degree + 1 times. */
 static double knot(int degree, int n_cells, int k)
 {
@@ -74,4 +75,12 @@ double shape_node_offset(MpmShape shape, double half, int cells, int cell, int a
     for (int d = 1; d <= degree; d++)
         sum += knot(degree, cells, cell + a + d) - cell;
     return sum / degree;
+}
+
+MpmWeights mpm_weights_of(const Mpm *mpm, int p)
+{
+    const double s[MPM_AXES] = {mpm->s[0][p], mpm->dim == 2 ? mpm->s[1][p] : 0.0};
+    MpmWeights w;
+    mpm_weights(mpm, mpm->dim, mpm->shape, mpm_half(mpm, p), mpm->base[p], s, &w);
+    return w;
 }
