@@ -287,6 +287,10 @@ void diagnose_name_scheme(const Settings *settings, char *out, size_t size)
             continue;
         text_append(out, size, "%s%s%s", *out ? ", " : "", words[i].before, value);
     }
+    if (settings->method == METHOD_PD && settings->problem->concerns & CONCERN_PLANE &&
+        settings_lattice(settings)->surface_correction == SURFACE_NONE &&
+        settings_lattice(settings)->volume_correction == VOLUME_NONE)
+        text_append(out, size, "%s%s", *out ? ", " : "", "no corrections");
 }
 
 /* The stage of a wrong code that differs, with its line as it is wrongly written. */

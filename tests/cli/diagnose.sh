@@ -120,7 +120,14 @@ result "is right too" says out "^Right, surface energy, volume partial"
 make plain.csv supported-beam $small --steps 12 --set pd.surface_correction=none --set pd.volume_correction=none
 # shellcheck disable=SC2086
 expect "a plate without corrections" 0 supported-beam $small plain.csv
-result "is right" says out '^Right\.$'
+result "is right, and what it leaves out is told" says out '^Right, no corrections\.$'
+for id in one_way_row_major no_second_kick u_added_twice stretch_without_length; do
+	# shellcheck disable=SC2086
+	make wrong_$id.csv supported-beam $small --steps 12 --set pd.mistake=$id
+	# shellcheck disable=SC2086
+	expect "a plate with $id" 1 supported-beam $small wrong_$id.csv
+	result "is named: $id" says out "^Mistake: $id"
+done
 make dt.csv mode5 --steps 50 --set time.courant=0.07
 expect "another time step" 0 mode5 dt.csv
 result "is taken from the file" sh -c 'grep -q "; dt 0.007 (the scenario.s is 0.01)$" out && grep -q "those of the right code" out'

@@ -199,6 +199,8 @@ class WrongBody(bonds.Body):
         if self.mistake == "euler_forward":
             self.v = self.v_before
         super().drift()
+        if self.mistake == "u_added_twice":
+            self.u = self.u + self.dt * self.v
         self.v = kicked
 
     def bonds(self):
@@ -210,7 +212,8 @@ class WrongBody(bonds.Body):
             self.f = np.array([self.families(p, -p) for p in self.k * self.s * now / length])
         elif self.mistake in ("counted_twice", "bond_sign", "half_bond"):
             self.f = {"counted_twice": 2, "bond_sign": -1, "half_bond": 0.5}[self.mistake] * self.f
-        elif self.mistake in ("one_way", "stretch_of_current", "direction_of_reference"):
+        elif self.mistake in ("one_way", "one_way_row_major", "stretch_of_current", "stretch_without_length",
+                              "direction_of_reference"):
             now = self.xi + self.u[:, self.j] - self.u[:, self.i]
             length = np.hypot(*now)
             pull = self.k * self.s * now / length
@@ -218,12 +221,16 @@ class WrongBody(bonds.Body):
                 pull = pull * self.length / length
             elif self.mistake == "direction_of_reference":
                 pull = self.k * self.s * self.xi / self.length
+            elif self.mistake == "stretch_without_length":
+                pull = pull * self.length
             first = (self.xi[0] > 0) | ((self.xi[0] == 0) & (self.xi[1] > 0))  # which end is the left one
-            at_i, at_j = (first, ~first) if self.mistake == "one_way" else (1, 1)
+            if self.mistake == "one_way_row_major":
+                first = self.i < self.j
+            at_i, at_j = (first, ~first) if self.mistake.startswith("one_way") else (1, 1)
             self.f = np.array([self.families(p * at_i, -p * at_j) for p in pull])
 
     def second_kick(self):
-        if self.mistake == "euler_forward":
+        if self.mistake in ("euler_forward", "no_second_kick"):
             self.hold(self.step_number + 1)
         else:
             super().second_kick()

@@ -158,7 +158,8 @@ static void explain_kick(const Beam *beam, Calculation *calculation, bool second
                          const NodeNow *was)
 {
     const double factor = beam->sim.dt / (2 * beam->def.density);
-    if (bonds_does(beam, BONDS_WRONG_KICKS_LATE)) {
+    if (bonds_does(beam,
+                   second ? BONDS_WRONG_KICKS_LATE | BONDS_WRONG_KICKS_BEFORE : BONDS_WRONG_KICKS_LATE)) {
         write_pair(calculation, "vx, vy stay ", now->vx, now->vy, "m/s");
     } else if (was && beam->damping > 0) {
         explain_damped(beam, calculation, second, now, was);
@@ -174,9 +175,13 @@ static void explain_kick(const Beam *beam, Calculation *calculation, bool second
 static void explain_drift(const Beam *beam, Calculation *calculation, const NodeNow *now, const NodeNow *was)
 {
     const double kick = beam->sim.dt / beam->def.density;
+    const bool twice = bonds_does(beam, BONDS_WRONG_DRIFTS_TWICE);
+    const double dt = twice ? 2 * beam->sim.dt : beam->sim.dt;
     if (was) {
-        write_change(calculation, "ux = ux + Δt vx = ", was->ux, beam->sim.dt, was->vx, now->ux, "m");
-        write_change(calculation, "uy = uy + Δt vy = ", was->uy, beam->sim.dt, was->vy, now->uy, "m");
+        write_change(calculation, twice ? "ux = ux + 2 Δt vx = " : "ux = ux + Δt vx = ", was->ux, dt, was->vx,
+                     now->ux, "m");
+        write_change(calculation, twice ? "uy = uy + 2 Δt vy = " : "uy = uy + Δt vy = ", was->uy, dt, was->vy,
+                     now->uy, "m");
         if (bonds_does(beam, BONDS_WRONG_KICKS_LATE)) {
             write_change(calculation, "vx = vx + Δt/ρ fx = ", was->vx, kick, was->fx, now->vx, "m/s");
             write_change(calculation, "vy = vy + Δt/ρ fy = ", was->vy, kick, was->fy, now->vy, "m/s");

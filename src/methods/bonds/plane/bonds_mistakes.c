@@ -19,34 +19,42 @@ static double of_plane_strain(const BeamDef *def)
     return 48 * def->youngs_modulus / (5 * M_PI * delta * delta * delta);
 }
 
-static double to_the_left_one(double lengthening, bool left)
+static double to_the_left_one(const BondEnd *end)
 {
-    (void)lengthening;
-    return left ? 1 : 0;
+    return end->left ? 1 : 0;
 }
 
-static double to_both_twice(double lengthening, bool left)
+static double to_the_owner(const BondEnd *end)
 {
-    (void)lengthening, (void)left;
+    return end->owner ? 1 : 0;
+}
+
+static double to_both_twice(const BondEnd *end)
+{
+    (void)end;
     return 2;
 }
 
-static double to_the_other_side(double lengthening, bool left)
+static double to_the_other_side(const BondEnd *end)
 {
-    (void)lengthening, (void)left;
+    (void)end;
     return -1;
 }
 
-static double to_both_by_half(double lengthening, bool left)
+static double to_both_by_half(const BondEnd *end)
 {
-    (void)lengthening, (void)left;
+    (void)end;
     return 0.5;
 }
 
-static double over_the_length_now(double lengthening, bool left)
+static double over_the_length_now(const BondEnd *end)
 {
-    (void)left;
-    return 1 / lengthening;
+    return end->rest / end->now;
+}
+
+static double over_no_length(const BondEnd *end)
+{
+    return end->rest;
 }
 
 #define LINES(...) __VA_ARGS__
@@ -157,18 +165,19 @@ BondsPull bonds_pull(const Beam *beam, const Offset *offset, double coefficient,
     const BondsMistake *mistake = bonds_mistake(beam);
     const double x = offset->x + ex, y = offset->y + ey, length = sqrt(x * x + y * y);
     const double stretch = offset_stretch(offset, ex, ey), whole = coefficient * stretch;
-    const double lengthening = length / offset->length;
+    const bool left = owner_is_left(offset);
+    const BondEnd own = {left, true, offset->length, length}, other = {!left, false, offset->length, length};
     BondsPull pull = {x / length, y / length, whole, whole, whole * stretch};
     if (does(mistake, BONDS_WRONG_ALONG_REST)) {
         pull.x = offset->x / offset->length;
         pull.y = offset->y / offset->length;
     }
-    double (*const shares[])(double, bool) = {mistake ? mistake->share : NULL,
-                                              mistake ? mistake->share_beside : NULL};
+    double (*const shares[])(const BondEnd *) = {mistake ? mistake->share : NULL,
+                                                 mistake ? mistake->share_beside : NULL};
     for (size_t i = 0; i < 2; i++)
         if (shares[i]) {
-            pull.own *= shares[i](lengthening, owner_is_left(offset));
-            pull.other *= shares[i](lengthening, !owner_is_left(offset));
+            pull.own *= shares[i](&own);
+            pull.other *= shares[i](&other);
         }
     return pull;
 }

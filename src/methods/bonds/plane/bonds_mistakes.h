@@ -31,8 +31,17 @@ enum {
     BONDS_WRONG_STARTS_BENT = 1 << 4, /* the shape at t = 0 is that without supports */
     BONDS_WRONG_ALONG_REST = 1 << 5,  /* a bond pulls along xi */
     BONDS_WRONG_KICKS_LATE =
-        1 << 6 /* u += dt v, then v += dt a by the force of the old place; no half kicks */
+        1 << 6, /* u += dt v, then v += dt a by the force of the old place; no half kicks */
+    BONDS_WRONG_KICKS_BEFORE = 1 << 7, /* the second half kick is missing */
+    BONDS_WRONG_DRIFTS_TWICE = 1 << 8  /* u += 2 dt v */
 };
+
+/* An end of a bond, as its share of the pull may depend on it. */
+typedef struct BondEnd {
+    bool left;        /* the left one, of upright bonds the lower */
+    bool owner;       /* the earlier one, nodes numbered by rows from below */
+    double rest, now; /* the bond's lengths, m */
+} BondEnd;
 
 typedef struct BondsMistake {
     const char *id, *sentence;
@@ -41,9 +50,8 @@ typedef struct BondsMistake {
     /* What this code does; what is not said it does as it should be done. */
     unsigned does;                           /* BONDS_WRONG_... */
     double (*micromodulus)(const BeamDef *); /* c */
-    /* The share of a bond's pull that an end gets, the left one (below the other where none is) or the right
-     * one; of its length over that at rest. */
-    double (*share)(double lengthening, bool left), (*share_beside)(double lengthening, bool left);
+    double (*share)(const BondEnd *),
+        (*share_beside)(const BondEnd *); /* of a bond's pull that an end gets */
 } BondsMistake;
 
 /* NULL: none. Whether its code does that (BONDS_WRONG_...). */

@@ -133,6 +133,15 @@ static void drift_and_kick(Beam *beam, int j, long step)
     constrain_velocity(beam, j, (double)step * dt);
 }
 
+/* By a code that adds its displacement twice. */
+static void drift_twice(Beam *beam, int j, long step)
+{
+    const size_t row = lattice_at(&beam->lattice, 0, j), count = beam->lattice.columns;
+    beam->kernels->add(beam->nodes.ux + row, beam->nodes.vx + row, beam->sim.dt, count);
+    beam->kernels->add(beam->nodes.uy + row, beam->nodes.vy + row, beam->sim.dt, count);
+    drift(beam, j, step);
+}
+
 static void nothing(Beam *beam, int j, long step)
 {
     (void)beam, (void)j, (void)step;
@@ -179,9 +188,13 @@ static RowStage *const late_stages[N_STAGES] = {
     [STAGE_BODY_FORCE] = body_force, [STAGE_SECOND_KICK] = nothing,
 };
 
-static RowStage *const *stages_of(const Beam *beam)
+static RowStage *stage_of(const Beam *beam, int stage)
 {
-    return bonds_does(beam, BONDS_WRONG_KICKS_LATE) ? late_stages : row_stages;
+    if (stage == STAGE_SECOND_KICK && bonds_does(beam, BONDS_WRONG_KICKS_BEFORE))
+        return nothing;
+    if (stage == STAGE_DRIFT && bonds_does(beam, BONDS_WRONG_DRIFTS_TWICE))
+        return drift_twice;
+    return (bonds_does(beam, BONDS_WRONG_KICKS_LATE) ? late_stages : row_stages)[stage];
 }
 
 /* Damage where bonds broke, and whether the motion is at rest. */
@@ -226,7 +239,7 @@ bool beam_stage(Simulation *sim, int stage, size_t first, size_t end, Status *st
             end_step(beam);
         return true;
     }
-    RowStage *const work = stages_of(beam)[stage];
+    RowStage *const work = stage_of(beam, stage);
     for (size_t j = first; j < end; j++)
         work(beam, (int)j, sim->step);
     if (end < sim->stage_items)
@@ -244,10 +257,9 @@ bool beam_stage(Simulation *sim, int stage, size_t first, size_t end, Status *st
 /* The stages [from, end) of a step on the rows of a band; none of them looks at another row. */
 static void do_stages(Beam *beam, int band, int from, int end)
 {
-    RowStage *const *const stages = stages_of(beam);
     for (int j = beam->band_first[band]; j < beam->band_first[band + 1]; j++)
         for (int stage = from; stage < end; stage++)
-            stages[stage](beam, j, beam->sim.step);
+            stage_of(beam, stage)(beam, j, beam->sim.step);
 }
 
 static void begin_band(void *context, int band, int worker)
