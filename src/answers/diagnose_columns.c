@@ -42,7 +42,7 @@ static size_t rows_of(const DiagnoseTable *table)
     return last->first + last->count;
 }
 
-/* Whether a column holds what stands beside a run, an answer for each row, to its digits, and not the run. */
+/* Whether a column holds what is beside a run, an answer for each row, to its digits, and not the run. */
 static bool is_copy(const Search *search, int c, const double *answers)
 {
     const DiagnoseTable *table = search->table;
@@ -91,7 +91,7 @@ static void leave_out_lost(Search *search)
                 continue;
             *value = NAN;
             if (!told[c])
-                diagnose_note(table, "its column %s is no number from row %zu on: left out",
+                diagnose_note(table, "its column %s is not a number from row %zu on: left out",
                               table->columns[c].name, table->rows[row] + 1);
             told[c] = true;
         }
@@ -109,7 +109,7 @@ static void judge_copy(Search *search, int c, const char *what, const double *an
                   what);
 }
 
-/* Of a series: the answers that stand beside it; those that need the past are left alone. */
+/* Of a series: the answers that are beside it; those that need the past are left alone. */
 static void find_copied_series(Search *search, References *refs, const double *nothing, double *answers)
 {
     const DiagnoseTable *table = search->table;

@@ -44,7 +44,7 @@ double diagnose_bound(const DiagnoseTable *, const DiagnoseColumn *, double thei
 /* Gives settings the time step of the file. False: they do not allow it; the status may say why. */
 bool diagnose_hold_step(Settings *, double dt, Status *);
 
-/* The number of a row of the file in our units; NAN: missing; infinite: from there on it is no number. */
+/* The number of a row of the file in our units; NAN: missing; infinite: from there on it is not a number. */
 double diagnose_theirs(const DiagnoseTable *, const DiagnoseColumn *, size_t row);
 
 /* What is to be said of the table; more than it has room for is dropped. */
@@ -146,7 +146,7 @@ bool diagnose_read_as(DiagnoseTable *, const DiagnoseReading *);
 /* The time of a moment as it is written. */
 double diagnose_time_of(const DiagnoseTable *, size_t moment);
 
-/* diagnose_columns.c: after the first walk along the right run. Leaves out what is no number, finds sizes,
+/* diagnose_columns.c: after the first walk along the right run. Leaves out what is not a number, finds sizes,
  * silences what tells nothing; the verdict is UNKNOWN if something tells. False: there is no memory. */
 bool diagnose_judge_columns(Search *);
 

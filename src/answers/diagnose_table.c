@@ -92,7 +92,7 @@ static bool read_map(Names *names, const Overlay *file, const char *map, Status 
         *equals = '\0';
         mapped->factor = 1;
         if (times && (!text_to_double(times + 1, &mapped->factor) || mapped->factor == 0))
-            return status_refuse(status, "--map: %.40s is no factor", times + 1);
+            return status_refuse(status, "--map: %.40s invalid factor", times + 1);
         if (times)
             *times = '\0';
         snprintf(mapped->ours, sizeof mapped->ours, "%.47s", equals + 1);
@@ -591,7 +591,7 @@ static bool place_rows(DiagnoseTable *table, const Heads *heads, const Simulatio
     return sound;
 }
 
-/* What is no number (nan, inf) is missing where numbers of the same thing follow, as in the first row of a
+/* What is not a number (nan, inf) is missing where numbers of the same thing follow, as in the first row of a
  * velocity; from the last of them on it is what became of a run. */
 static bool find_lost(DiagnoseTable *table, size_t things, Status *status)
 {

@@ -98,7 +98,8 @@ static void tell_departure(const Diagnosis *found, const DiagnoseTable *table, F
         visible_print(out, ", %s %zu", table->thing, departure->thing);
     visible_print(out, ", row %zu, column %s:\n", departure->row, column->name);
     if (isinf(departure->theirs))
-        visible_print(out, "  yours is no number from here on (nan or inf), right %.16g\n", departure->ours);
+        visible_print(out, "  yours is not a number from here on (nan or inf), right %.16g\n",
+                      departure->ours);
     else
         visible_print(
             out, "  yours %.16g, right %.16g: ratio %s, difference %s\n", departure->theirs, departure->ours,

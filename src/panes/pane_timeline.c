@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The timeline: from 0 to the end of the run, what of it has been computed, where we are, and what happened
- * when. */
+/* The timeline: from 0 to the end of the run, the part that has been computed, where we are, and what
+ * happened when. */
 #include "panes/panes.h"
 
 #include "base/assertion.h"

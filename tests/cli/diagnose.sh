@@ -208,11 +208,11 @@ result "are sorted" sh -c 'grep -q "were sorted" out && grep -q "those of the ri
 sed '20,$s/^\([0-9]*,[^,]*\),[^,]*/\1,nan/' own.csv >nan.csv
 expect "NaN from a row on" 1 mode5 nan.csv
 result "is left out" says out '^  x_by_own_velocity: '
-result "and told" says out '^(its column v_cm is no number from row 19 on: left out)$'
+result "and told" says out '^(its column v_cm is not a number from row 19 on: left out)$'
 for step in 29 30 31 32; do echo "$step,,nan,nan,inf,-inf,nan"; done >tail.csv
 awk -F, -v OFS=, 'NR == 1 || NR <= 30 { print $1, $2, $3, $6, $7, $8, $10 }' right.csv | cat - tail.csv >lost.csv
 expect "a run that is no number in the end" 1 mode5 lost.csv
-result "is not right" sh -c 'grep -q "^They first depart at step 29, row 30, column v_cm:$" out && grep -q "^  yours is no number from here on (nan or inf), right " out'
+result "is not right" sh -c 'grep -q "^They first depart at step 29, row 30, column v_cm:$" out && grep -q "^  yours is not a number from here on (nan or inf), right " out'
 expect "such a run as JSON" 1 mode5 lost.csv --json
 result "is JSON" sh -c 'command -v python3 >/dev/null || exit 0; python3 -c "import json, sys; row = json.load(open(\"out\"))[0]; assert row[\"verdict\"] == \"unknown\" and row[\"yours\"] is None"'
 awk -F, 'NR <= 31; NR > 31 && NR <= 41 { print $1 ",,,,,,,,," }' right.csv >blank.csv

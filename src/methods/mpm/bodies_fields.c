@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What front ends read of bodies: fields, computed when read, from the state as it stands in mid-step too; a
+/* What front ends read of bodies: fields, computed when read, from the state as it is in mid-step too; a
  * node's field is 0 before its stage. Set 1 has the nodes of all fields, one grid after the other. */
 #include "base/assertion.h"
 #include "base/math/functions.h"

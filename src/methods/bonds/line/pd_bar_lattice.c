@@ -61,7 +61,7 @@ static double energy_factor(const PdBarDef *def, const PdBarLattice *lattice, in
     return def->youngs_modulus / 2 / held;
 }
 
-/* g of every node, and of the mirrored ones that of their originals, for they stand in a bond's mean too. */
+/* g of every node, and of the mirrored ones that of their originals, for they are in a bond's mean too. */
 static void make_factors(const PdBarDef *def, PdBarLattice *lattice)
 {
     for (int i = 0; i < lattice->n; i++)
