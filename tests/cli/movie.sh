@@ -79,10 +79,15 @@ result "write nothing while they are filmed" test -z "$(find . -name 'stolen*')"
 if grep -q 'built without' err; then
 	skip "a GIF" "built without giflib"
 	skip "has the same bytes again" "built without giflib"
+	skip "a GIF on a disk that is full" "built without giflib"
+	skip "has a reason" "built without giflib"
 else
 	result "a GIF" test "$(head -c 6 a.gif)" = GIF89a
 	"$MATVIB" movie mode5 --end 1 --output b.gif >out 2>err
 	result "has the same bytes again" cmp a.gif b.gif
+	(ulimit -f 8 && exec "$MATVIB" movie mode5 --end 3 --output full.gif) >out 2>err
+	result "a GIF on a disk that is full" test $? -eq 1 -a -z "$(find . -name 'full.gif*')"
+	result "has a reason" says err '^matvib: the film: File too large$'
 fi
 
 # --- refusals ---

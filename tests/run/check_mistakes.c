@@ -517,6 +517,8 @@ START_TEST(a_concealed_one_is_made_and_not_told)
     settings_get(&hidden, row, text); /* as a cipher, which reads back to the same */
     ck_assert(text[0] == '?' && strstr(text, id_of(_i)) == NULL);
     set(&hidden, row->key, text);
+    ck_assert_double_eq(settings_number(&hidden, row),
+                        settings_number(&told, row)); /* no two share a cipher */
     settings_get(&hidden, row, value);
     ck_assert_str_eq(text, value);
     const Settings right = right_of(_i);
