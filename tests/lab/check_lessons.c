@@ -654,6 +654,9 @@ START_TEST(every_page_is_entered_in_one_state)
             press(bench, "Esc"); /* Space at the end of a run may ask */
         if (page + 1 < count)
             press(bench, "n");
+        /* it waits for what an answer computes */
+        for (int i = 0; i < 20000 && page + 1 < count && shown->page == page; i++)
+            frame(bench);
     }
     close_bench(bench);
     for (int page = 0; page < count; page++)
