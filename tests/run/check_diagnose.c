@@ -180,8 +180,9 @@ START_TEST(a_bars_mistake_is_named)
         for (int m = 0; bar_mistake_words[m]; m++)
             for (int d = 0; d < 3; d++)
                 if (all || (m + d + k) % 3 == 0)
-                    judge(&right, "mpm.mistake", m > 0 ? bar_mistake_words[m] : NULL, count, columns,
-                          digits[d]);
+                    /* three numbers of six digits fit a mistake with another value too */
+                    judge(&right, "mpm.mistake", m > 0 ? bar_mistake_words[m] : NULL,
+                          digits[d] < 9 && count < 10 ? 10 : count, columns, digits[d]);
     }
 }
 END_TEST

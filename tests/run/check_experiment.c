@@ -323,7 +323,7 @@ START_TEST(a_live_parameter_changes_in_mid_run)
     Experiment *experiment = open_experiment(&settings, MEGABYTE);
     int n;
     experiment_columns(experiment, &n);
-    ck_assert_int_eq(n, 13);
+    ck_assert_int_eq(n, 15);
     ck_assert(experiment_advance(experiment, 300, NULL));
     edit_one(experiment, "mpm.algorithm", "usl");
     ck_assert_int_eq(experiment_step(experiment), 300);
@@ -531,7 +531,7 @@ START_TEST(undo_brings_back_what_was)
     finish_work(experiment);
     int n;
     experiment_columns(experiment, &n);
-    ck_assert_int_eq(n, 13);
+    ck_assert_int_eq(n, 15);
     expect_straight(experiment, "undone");
 
     /* the other algorithm from the start, and back: not as a change in mid-run */

@@ -177,13 +177,14 @@ static Experiment *run(const Settings *settings)
 
 START_TEST(columns_are_those_of_the_bar)
 {
-    static const char *const names[] = {"step", "time",    "v_cm",   "v_cm_exact", "v_cm_predicted",
-                                        "x_cm", "kinetic", "strain", "work",       "total"};
+    static const char *const names[] = {"step",           "time",  "v_cm",     "v_cm_exact",
+                                        "v_cm_predicted", "x_cm",  "kinetic",  "strain",
+                                        "work",           "total", "momentum", "reaction"};
     Settings settings = bar_by_pd(5, 2);
     Experiment *experiment = run(&settings);
     int count;
     const Column *columns = experiment_columns(experiment, &count);
-    ck_assert_int_eq(count, 10);
+    ck_assert_int_eq(count, 12);
     for (int i = 0; i < count; i++)
         ck_assert_str_eq(columns[i].quantity.name, names[i]);
     /* v_cm is predicted whole, free end or not */

@@ -54,13 +54,13 @@ static void expect_columns(const Experiment *experiment, const char *const *name
 START_TEST(columns_of_the_supported_beam)
 {
     static const char *const names[] = {
-        "step",         "time",         "u_probe", "v_probe", "u_euler", "v_euler",
-        "u_timoshenko", "v_timoshenko", "u_plane", "v_plane", "kinetic", "kinetic_grid",
-        "kinetic_null", "strain",       "work",    "total",   NULL};
+        "step",         "time",    "u_probe",    "v_probe",    "u_euler",      "v_euler",      "u_timoshenko",
+        "v_timoshenko", "u_plane", "v_plane",    "kinetic",    "kinetic_grid", "kinetic_null", "strain",
+        "work",         "total",   "momentum_x", "momentum_y", "reaction_x",   "reaction_y",   NULL};
     static const char *const at_points[] = {
-        "step",         "time",         "u_probe",      "v_probe", "u_euler",
-        "v_euler",      "u_timoshenko", "v_timoshenko", "kinetic", "kinetic_grid",
-        "kinetic_null", "strain",       "work",         "total",   NULL};
+        "step",         "time",       "u_probe",      "v_probe",      "u_euler", "v_euler", "u_timoshenko",
+        "v_timoshenko", "kinetic",    "kinetic_grid", "kinetic_null", "strain",  "work",    "total",
+        "momentum_x",   "momentum_y", "reaction_x",   "reaction_y",   NULL};
     Settings settings = cells(&problem_supported_beam);
     Experiment *experiment = open_experiment(&settings, 1 << 20);
     expect_columns(experiment, names);
@@ -74,9 +74,10 @@ END_TEST
 
 START_TEST(columns_of_the_cantilever)
 {
-    static const char *const names[] = {
-        "step",    "time",         "u_probe",      "v_probe", "length", "u_modal", "v_modal",
-        "kinetic", "kinetic_grid", "kinetic_null", "strain",  "work",   "total",   NULL};
+    static const char *const names[] = {"step",       "time",       "u_probe", "v_probe",      "length",
+                                        "u_modal",    "v_modal",    "kinetic", "kinetic_grid", "kinetic_null",
+                                        "strain",     "work",       "total",   "momentum_x",   "momentum_y",
+                                        "reaction_x", "reaction_y", NULL};
     const Settings settings = cells(&problem_moving_cantilever);
     Experiment *experiment = open_experiment(&settings, 1 << 20);
     expect_columns(experiment, names);
