@@ -125,7 +125,7 @@ static double iterate(Beam *beam, double *v, double *previous, Status *status)
         }
     }
     /* large lattices without a surface correction creep on in the last digits */
-    if (change < 1e-5)
+    if (change < 1e-3)
         return value;
     status_fail(status, "the search for the critical time step did not converge");
     return -1;
