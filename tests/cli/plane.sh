@@ -14,7 +14,7 @@ sums() { awk -F, -v name="$2" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == nam
 expect "a supported beam" 0 supported-beam-mpm-coarse --steps 40 --columns all --series s.csv --particles p.csv --nodes n.csv \
 	--vtk v --frames 2
 result "columns of its series" header s.csv \
-	step,time,u_probe,v_probe,u_euler,v_euler,u_timoshenko,v_timoshenko,u_plane,v_plane,kinetic,kinetic_grid,kinetic_null,strain,work,total
+	step,time,u_probe,v_probe,u_euler,v_euler,u_timoshenko,v_timoshenko,u_plane,v_plane,kinetic,kinetic_grid,kinetic_null,strain,work,total,momentum_x,momentum_y,reaction_x,reaction_y
 result "columns of particles" header p.csv \
 	step,time,particle,x0,y0,x,y,ux,uy,vx,vy,sxx,syy,sxy,density,mass,mises,speed,strain_energy,kinetic_energy,exx,eyy,gxy,probe
 result "columns of nodes" header n.csv step,time,node,x,y,mass,px,py,fx,fy,vx,vy,ax,ay,active,fixed,held_x,held_y
