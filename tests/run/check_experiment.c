@@ -330,7 +330,7 @@ START_TEST(a_live_parameter_changes_in_mid_run)
     ck_assert(!experiment_ghosts(experiment)[0].used); /* nothing was cut off */
     experiment_columns(experiment, &n);
     ck_assert_int_eq(n, 14); /* no prediction any more */
-    ck_assert_int_eq(experiment_record(experiment)->n_columns, 12);
+    ck_assert_int_eq(experiment_record(experiment)->n_columns, 14);
     ck_assert(experiment_advance(experiment, 300, NULL));
     expect_repeats(experiment, "changed at the newest step");
 
