@@ -420,6 +420,15 @@ void mpm_explain(const Simulation *, int stage, int set, size_t index, const voi
 
 extern const Quantity mpm_line_series[];
 double mpm_energy(const Mpm *);
+/* A sum over particles is made of four, which are added in their order: particle p counts in p % 4. */
+enum { MPM_LANES = 4 };
+static inline double mpm_fold(const double *lanes)
+{
+    return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
+}
+
+/* sum m a over particles [first, end) of one material */
+double mpm_sum_moment(const Mpm *, const double *a, int which, int first, int end);
 double mpm_moment(const Mpm *); /* sum m u along a line */
 double mpm_momentum(const Mpm *, int axis);
 double mpm_reaction(const Mpm *, int axis, double momentum); /* momentum: that of now */

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Energies and the row of the series of a line: sums over all particles and nodes, per unit cross-section,
  *
- *     x_cm_rate    d(x_cm)/dt of the last step, sum m sum N_i v_i / M with v_i of eq. 15; before the first
- * one of the momenta that no force has changed yet kinetic      sum m v^2 / 2, with APIC + sum m D C^2 / 2, D
- * = sum N (x_i - x)^2 kinetic_grid sum p_i^2 / (2 m_i) of the particles mapped as in the first stage,
- * supports applied kinetic_null what the grid cannot see at all (null.c) strain       sum stress^2 volume /
- * (2 E)
+ *     x_cm_rate     d(x_cm)/dt of the last step, sum m sum N_i v_i / M with v_i of eq. 15; before the first
+ *                   step of the momenta that no force has changed yet
+ *     kinetic       sum m v^2 / 2, with APIC + sum m D C^2 / 2, D = sum N (x_i - x)^2
+ *     kinetic_grid  sum p_i^2 / (2 m_i) of the particles mapped as in the first stage, supports applied
+ *     kinetic_null  the part in modes that the grid does not see (null.c)
+ *     strain        sum stress^2 volume / (2 E)
  *
  * Rate, grid and null space are left out where nobody asks for them: the latter two need the grid, and the
  * last takes longer than the step. A row is taken between steps, when velocities and stresses of USF are half
@@ -37,63 +38,22 @@ typedef struct Sums {
     double momentum, moment, kinetic, strain;
 } Sums;
 
-enum { LANES = 4 }; /* a sum is made of four, which are added up in their order: particle p counts in p % 4 */
-
-static double fold(const double *lanes)
-{
-    return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
-}
-
-/* sum m a over particles [first, end) of one material. */
-static double sum_moment(const Mpm *mpm, const double *a, int which, int first, int end)
-{
-    double moment[LANES] = {0};
-    for (int p = first; p < end; p += LANES)
-        for (int lane = 0; lane < LANES && p + lane < end; lane++)
-            moment[lane] += a[p + lane];
-    return mpm->mass[which] * fold(moment);
-}
-
-static double sum_moments(const Mpm *mpm, const double *a)
-{
-    const double first = sum_moment(mpm, a, 0, 0, mpm->joint);
-    return mpm->joint < mpm->n_particles ? first + sum_moment(mpm, a, 1, mpm->joint, mpm->n_particles)
-                                         : first;
-}
-
-double mpm_moment(const Mpm *mpm)
-{
-    return sum_moments(mpm, mpm->u[0]);
-}
-
-double mpm_momentum(const Mpm *mpm, int axis)
-{
-    return sum_moments(mpm, mpm->v[axis]);
-}
-
-/* Supports are the only other thing that changes the particles' momentum: what is internal adds up to 0. */
-double mpm_reaction(const Mpm *mpm, int axis, double momentum)
-{
-    const double before = mpm->sim.step > 0 ? mpm->head->momentum[axis] : momentum;
-    return (momentum - before) / mpm->dt - (axis == 0 ? mpm->head->pushed : 0.0);
-}
-
 /* Over particles [first, end) of one material: sum m v, sum m u, and energies. */
 static Sums sum_material(const Mpm *mpm, int which, int first, int end)
 {
-    double momentum[LANES] = {0}, squares[LANES] = {0}, strain[LANES] = {0};
+    double momentum[MPM_LANES] = {0}, squares[MPM_LANES] = {0}, strain[MPM_LANES] = {0};
     const double *const v = mpm->v[0], *const stress = mpm->stress[0];
     const double *const volume = mpm->volume, m = mpm->mass[which];
-    for (int p = first; p < end; p += LANES) {
-        const int lanes = end - p < LANES ? end - p : LANES;
+    for (int p = first; p < end; p += MPM_LANES) {
+        const int lanes = end - p < MPM_LANES ? end - p : MPM_LANES;
         for (int lane = 0; lane < lanes; lane++) {
             momentum[lane] += v[p + lane];
             squares[lane] += v[p + lane] * v[p + lane];
             strain[lane] += stress[p + lane] * stress[p + lane] * volume[p + lane];
         }
     }
-    return (Sums){m * fold(momentum), sum_moment(mpm, mpm->u[0], which, first, end), 0.5 * m * fold(squares),
-                  fold(strain) / (2.0 * mpm->modulus[which])};
+    return (Sums){m * mpm_fold(momentum), mpm_sum_moment(mpm, mpm->u[0], which, first, end),
+                  0.5 * m * mpm_fold(squares), mpm_fold(strain) / (2.0 * mpm->modulus[which])};
 }
 
 static Sums sum_particles(const Mpm *mpm)
