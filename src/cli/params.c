@@ -72,10 +72,14 @@ static bool print_problem(Settings *settings, Status *status)
     for (const FixedKey *fixed = fixed_keys; fixed->key; fixed++)
         if (fixed == fixed_key_find(settings, fixed->key))
             printf("\nFixed\n  %s = %s\n      %s\n", fixed->key, fixed->value, fixed->reason);
-    for (int method = 0; settings_method_words[method]; method++)
-        if (problem_allows(problem, (MethodKind)method, NULL) &&
-            !print_derived(settings, (MethodKind)method, status))
-            return false;
+    Status incomplete;
+    if (!settings_check(settings, &incomplete)) /* bodies, of which each scenario has its own */
+        printf("\nA scenario needs more than these: %s\n", incomplete.text);
+    else
+        for (int method = 0; settings_method_words[method]; method++)
+            if (problem_allows(problem, (MethodKind)method, NULL) &&
+                !print_derived(settings, (MethodKind)method, status))
+                return false;
     putchar('\n');
     return true;
 }
