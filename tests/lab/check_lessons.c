@@ -845,9 +845,9 @@ START_TEST(the_list_has_groups_and_says_how_many_more)
     press(bench, "T");
     ck_assert(shows(bench, " Bar "));
     ck_assert(shows(bench, "What a time step does:"));
-    ck_assert(!shows(bench, "Five cells or eleven"));
+    ck_assert(!shows(bench, "Two discs meet, and no"));
     press(bench, "Down");
-    ck_assert(shows(bench, "Five cells or eleven"));
+    ck_assert(shows(bench, "Two discs meet, and no"));
     ck_assert(!shows(bench, "What a time step does:"));
     /* what is below and what is seen are all */
     const Rect pane = screen_pane(&bench->lab.screen, 80, 24, PANE_PARAMETERS);
