@@ -53,7 +53,8 @@ static double span_of(RunSummary *summary, double end)
  *     100 (mean of the last span - mean of the first)/(mean of the first)
  *
  * of total less work, unless that is no part of its balance. A run that begins at rest has nothing at first,
- * one that is struck next to nothing: then it is a share of the largest work done. rows: count x n_columns;
+ * one that is struck next to nothing: then it is a share of the largest work done. Weight does work where the
+ * total has a potential, whose zero is anywhere: what it has lost. rows: count x n_columns;
  * nothing is set where there is no energy to speak of. */
 static void take_energy(RunSummary *summary, const Simulation *sim, const Column *columns, int n_columns,
                         const double *rows, size_t count, const double invariant[2])
@@ -68,15 +69,17 @@ static void take_energy(RunSummary *summary, const Simulation *sim, const Column
     }
     if (total < 0 || count == 0)
         return;
+    const int potential = find(columns, n_columns, "potential"), worked = potential < 0 ? work : potential;
+    const double level = potential < 0 ? 0 : rows[potential], start = rows[total] - level;
     double largest = 0;
     /* the work of a load oscillates with the body, so the largest is taken, not that at the end */
-    for (size_t i = 0; i < count && work >= 0; i++)
-        largest = fmax(largest, fabs(rows[i * width + (size_t)work]));
-    summary->energy_of_work = !(rows[total] > 0) || largest > rows[total];
+    for (size_t i = 0; i < count && worked >= 0; i++)
+        largest = fmax(largest, fabs(rows[i * width + (size_t)worked] - level));
+    summary->energy_of_work = !(start > 0) || largest > start;
     if (summary->energy_of_work && !(largest > 0))
         return;
     /* by the material point method it is that of the nodes' velocity at the end of the step */
-    summary->energy_of_ahead = summary->energy_of_work && simulation_has(sim, HAS_MESH);
+    summary->energy_of_ahead = summary->energy_of_work && potential < 0 && simulation_has(sim, HAS_MESH);
     const double end = rows[(count - 1) * width + 1], span = span_of(summary, end) * (1 - 1e-9);
     size_t first = 1, last = 1;
     while (first < count && rows[first * width + 1] < span)
@@ -85,14 +88,14 @@ static void take_energy(RunSummary *summary, const Simulation *sim, const Column
         last++;
     const double before = mean_energy(rows, first, n_columns, total, work);
     const double after = mean_energy(rows + (count - last) * width, last, n_columns, total, work);
-    summary->energy_change = 100 * (after - before) / (summary->energy_of_work ? largest : before);
+    summary->energy_change = 100 * (after - before) / (summary->energy_of_work ? largest : before - level);
     const int kinetic = find(columns, n_columns, "kinetic");
     summary->energy_of_feed =
         summary->readout.drifting && kinetic >= 0 && rows[kinetic] > 0.5 * fabs(rows[total]);
     double most = rows[total];
     for (size_t i = 0; i < count; i++)
         most = fmax(most, mean_energy(rows + i * width, 1, n_columns, total, work));
-    summary->energy_most = summary->energy_of_work ? 0 : 100 * (most / rows[total] - 1);
+    summary->energy_most = summary->energy_of_work ? 0 : 100 * (most - rows[total]) / start;
 }
 
 /* What a run's rows give: the energy's change, and what is at the end. */

@@ -59,6 +59,7 @@ double exercise_at_start(const Exercise *exercise, const ExpressionRun *end)
     start.crack = (CrackFacts){0};
     start.fronts = (FrontsFacts){0};
     start.price_known = false;
+    start.n_findings = 0;
     start.broken_bonds *= 0; /* where there are any */
     return expression_value(sum, &(ExpressionRun){end->settings, &start}, end);
 }

@@ -157,6 +157,15 @@ static double finding(const RunSummary *run, const char *word)
     return NAN;
 }
 
+static double acceleration_exact(const RunSummary *run, const char *word)
+{
+    (void)word;
+    for (int i = 0; i < run->n_findings; i++)
+        if (strcmp(run->findings[i].name, "acceleration") == 0)
+            return run->findings[i].exact;
+    return NAN;
+}
+
 /* What a scenario can be about: how it is called in large digits, of a negative one the other way round. */
 #define ABOUT(unit_, label_, opposite_)                                                                      \
     .label = (label_), .opposite = (opposite_), .unit = (unit_), .scale = 1
@@ -234,6 +243,8 @@ const RunNumber run_numbers[] = {
      ABOUT("", "spin of the second", NULL), .part = SUMMARY_FINDINGS, .of_moment = true},
     {"acceleration", "speed down an incline, per time", finding, ABOUT("", "acceleration so far", NULL),
      .part = SUMMARY_FINDINGS, .of_moment = true},
+    {"acceleration_exact", "the same by the formula for sliding or rolling", acceleration_exact,
+     .label = NULL},
     {"bounce_height", "height to which a body flies up from a floor", finding,
      ABOUT("", "high, the bounce", NULL), .part = SUMMARY_FINDINGS, .of_moment = true},
     {"stretch", "largest distance of neighbours, as a share of that at the start", finding,

@@ -332,8 +332,8 @@ int bodies_findings(const References *refs, const Simulation *sim, Finding out[F
     if (walls && def->n_bodies == 1 && def->gravity[0] == 0 && def->gravity[1] < 0) {
         const double up = row[BODY_X + VY];
         add(out, &n, "bounce_height", "height of the bounce",
-            isfinite(seen.hit) && up > 0 ? row[BODY_X + Y] - up * up / (2 * def->gravity[1]) : NAN,
-            start[BODY_X + Y], NULL);
+            isfinite(seen.hit) && up > 0 ? row[BODY_X + Y] - up * up / (2 * def->gravity[1]) : NAN, NAN,
+            NULL); /* a part of the motion becomes vibration: where it started is no answer */
     }
     add(out, &n, "stretch", "largest stretch", seen.stretch, NAN, NULL);
     if (isfinite(seen.torn))

@@ -27,8 +27,10 @@ independent() { # CASE SCENARIO ROWS MISTAKE...
 	shift 3
 	for mistake; do
 		"$python" -B "$MATVIB_SRCDIR/tests/independent/mistakes.py" --mistake "$mistake" "$case" "$rows" >np.csv 2>/dev/null
+		# the energy correction calibrates the micromodulus: such a code is right there, and the answer tells of it
+		case $mistake in micromodulus_*) status=0 ;; *) status=1 ;; esac
 		# shellcheck disable=SC2046
-		expect "$mistake by numpy" 1 "$scenario" $(settings_of "$case") np.csv
+		expect "$mistake by numpy" $status "$scenario" $(settings_of "$case") np.csv
 		result "$mistake by numpy: is named" says out "^  $mistake"
 	done
 }

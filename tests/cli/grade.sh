@@ -460,7 +460,7 @@ solve() {
 	/^   to be read/ { print "key Enter\ntype because\nkey Enter" }' "$MATVIB_SRCDIR/data/lessons/$1.lesson" key
 }
 # homework-crack takes as long as all the rest: with MATVIB_LONG alone
-for lesson in late mistake ${MATVIB_WIDE:+energy} ${MATVIB_LONG:+crack}; do
+for lesson in late mistake roll ${MATVIB_WIDE:+energy} ${MATVIB_LONG:+crack}; do
 	"$MATVIB" grade --key homework-$lesson --name "Ada Lovelace" >key 2>err
 	result "homework-$lesson: a key" lines err 0
 	{

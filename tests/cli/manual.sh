@@ -60,7 +60,7 @@ short() {
 		;;
 	*" diagnose mode5 own.csv") echo "matvib run mode5 --end 1 --series own.csv --force --quiet && $1" ;;
 	*" diagnose mode5 *.csv"*) echo "rm -f marks.csv && $1" ;; # of one folder, whose codes are right
-	*" diagnose mode5 \*/own.csv"*) echo "mkdir -p ada && cp own.csv ada && $1 --force" ;;
+	*" diagnose mode5 */own.csv"*) echo "mkdir -p ada && cp own.csv ada && $1 --force" ;;
 	*" sound supported-beam-coarse"*) echo "$1 --end 1e-3" ;;
 	*" run supported-beam"* | *" run notched-beam"*) echo "$1 --steps 10" | sed 's/ notched-beam / notched-beam-coarse /' ;;
 	*" movie notched-beam-coarse"*) echo "$1 --to 2e-5" ;;
