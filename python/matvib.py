@@ -66,7 +66,7 @@ def _words(command, scenario, **options):
 def _text(value):
     if isinstance(value, (list, tuple)):
         return ",".join(_text(item) for item in value)
-    return repr(value) if isinstance(value, float) else str(value)
+    return repr(float(value)) if isinstance(value, float) else str(value)
 
 
 def table(text):
@@ -127,5 +127,7 @@ def _fields(row):
 
 
 def fit(scenario, data, vary, **options):
-    """The parameters that a measured series asks for: path of the CSV file, keys to vary."""
-    return _quantities(_call(_words("fit", scenario, data=os.fspath(data), vary=_text(vary), json=True, **options)))
+    """The parameters that a measured series asks for: path of the CSV file, keys to vary. A dict of quantities by name, each
+    with value, unit and, of a parameter, half_width_95 and began_at."""
+    answer = json.loads(_call(_words("fit", scenario, data=os.fspath(data), vary=_text(vary), json=True, **options)))
+    return {item.pop("name"): item for item in answer["quantities"]}

@@ -53,7 +53,8 @@ static bool print_derived(Settings *settings, MethodKind method, Status *status)
     return true;
 }
 
-static bool print_problem(Settings *settings, Status *status)
+/* What follows from the settings is that of the method of a scenario, and of a problem that of each. */
+static bool print_problem(Settings *settings, bool scenario, Status *status)
 {
     const Problem *problem = settings->problem;
     char methods[32] = "";
@@ -72,12 +73,14 @@ static bool print_problem(Settings *settings, Status *status)
     for (const FixedKey *fixed = fixed_keys; fixed->key; fixed++)
         if (fixed == fixed_key_find(settings, fixed->key))
             printf("\nFixed\n  %s = %s\n      %s\n", fixed->key, fixed->value, fixed->reason);
+    const MethodKind own = settings->method;
     Status incomplete;
     if (!settings_check(settings, &incomplete)) /* bodies, of which each scenario has its own */
         printf("\nA scenario needs more than these: %s\n", incomplete.text);
     else
         for (int method = 0; settings_method_words[method]; method++)
             if (problem_allows(problem, (MethodKind)method, NULL) &&
+                (!scenario || (MethodKind)method == own) &&
                 !print_derived(settings, (MethodKind)method, status))
                 return false;
     putchar('\n');
@@ -101,12 +104,12 @@ static bool find_settings(const char *word, Settings *settings, Status *status)
 int cli_params(Options *options, Status *status)
 {
     Settings settings;
-    if (options->n_words == 1 &&
-        (!find_settings(options->words[0], &settings, status) || !print_problem(&settings, status)))
+    if (options->n_words == 1 && (!find_settings(options->words[0], &settings, status) ||
+                                  !print_problem(&settings, !problem_find(options->words[0]), status)))
         return (int)status->code;
     for (int i = 0; problems[i] && options->n_words == 0; i++) {
         settings_default(&settings, problems[i]);
-        if (!print_problem(&settings, status))
+        if (!print_problem(&settings, false, status))
             return (int)status->code;
     }
     printf("[live] may change in mid-run; [mpm], [pd] only by that method.\nEach value is set by --set "

@@ -169,7 +169,7 @@ static Film *open_svg(FILE *stream, const FilmLook *look, Status *status)
     fprintf(stream,
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\" "
             "font-family=\"DejaVu Sans Mono, Menlo, Consolas, monospace\" font-size=\"%d\" "
-            "xml:space=\"preserve\">\n<title>",
+            "xml:space=\"preserve\" style=\"white-space:pre\">\n<title>",
             look->width * CELL_WIDTH, look->height * CELL_HEIGHT, look->width * CELL_WIDTH,
             look->height * CELL_HEIGHT, FONT);
     text_put_xml(stream, look->title);

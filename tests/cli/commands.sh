@@ -90,6 +90,9 @@ result "a word has no unit" says out '^  load.traction_layer = auto  *auto | > 0
 result "nothing has no unit" says out '^  output.at =  *time,time,...$'
 result "every problem" test "$(grep -c -E '^(bar|simply-supported-beam|moving-cantilever|notched-beam) \(' out)" -eq 4
 result "params fits 120 columns" test -z "$(awk 'length > 120' out)"
+for name in pulse two-materials hanging-beam two-discs mode5-peridynamics; do
+	expect "params of $name" 0 params $name
+done
 expect "params of one problem" 0 params notched-beam
 result "its parameters" says out '^  load.stress = 6e7 Pa .*\[live\]$'
 result "and what follows from them" says out '^  bonds = 1388854$'

@@ -27,6 +27,13 @@ import matvib
 summary = matvib.run({"scenario": "mode5", "mesh.cell_size": 0.5}, end=20)
 assert abs(summary["frequency_exact"] - 5.654866776) < 1e-8 and -1.2 < summary["frequency_error"] < -1
 END
+python "a number of another type is a number" <<'END'
+import matvib
+class Float64(float):
+    def __repr__(self):
+        return "np.float64(%r)" % float(self)
+assert matvib.run("mode5", steps=3, set={"mesh.cell_size": Float64(0.5)})["steps"] == 3
+END
 python "particles at several times" <<'END'
 import matvib
 assert sorted(set(matvib.particles("mode1", steps=20, at=[0, 0.1])["step"])) == [0, 10]
@@ -42,7 +49,8 @@ END
 python "a fit finds the parameter" <<'END'
 import matvib
 fitted = matvib.fit("mode1", "own.csv", ["bar.youngs_modulus"], set={"bar.youngs_modulus": 90}, steps=20)
-assert any(abs(value - 100) < 1e-3 for value in fitted.values() if isinstance(value, float)), fitted
+assert abs(fitted["bar.youngs_modulus"]["value"] - 100) < 1e-3, fitted
+assert fitted["bar.youngs_modulus"]["half_width_95"] >= 0 and fitted["bar.youngs_modulus"]["began_at"] == 90, fitted
 END
 python "a refusal is an exception with the message and its status" <<'END'
 import matvib
