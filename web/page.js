@@ -229,7 +229,7 @@ const vectors = {
 			const [head, ...points] = command.split(' '), numbers = head.slice(1).split(',').map(Number), area = this.areas[this.areas.length - 1];
 			if (head[0] === 'A') this.areas.push({rect: numbers, strokes: [], map: null});
 			else if (!area) continue;
-			else if (head[0] === 'M') area.map = {columns: numbers[0], rows: numbers[1], steps: points[0] || ''};
+			else if (head[0] === 'M') area.map = {columns: numbers[0], rows: numbers[1], styles: points[0] || ''};
 			else area.strokes.push({kind: head[0], style: numbers[0], line: numbers[1], rank: numbers[2], points: points.map((point) => (point === '-' ? null : point.split(',').map((value) => value / 16)))});
 		}
 		for (const area of this.areas) area.strokes.sort((a, b) => a.rank - b.rank);
@@ -381,15 +381,16 @@ const vectors = {
 	image(map) {
 		if (!map.image) {
 			const {columns, rows} = map, image = new ImageData(columns, rows), probe = document.createElement('canvas').getContext('2d');
-			const ramp = Array.from({length: 16}, (_, step) => {
-				probe.fillStyle = this.colour(this.colours.length - 16 + step);
-				return parseInt(probe.fillStyle.slice(1), 16);
-			});
+			const inks = {};
 			let at = 0;
-			for (const [, letter, times] of map.steps.matchAll(/([a-p.])(\d*)/g))
+			for (const [, letter, times] of map.styles.matchAll(/([@-e.])(\d*)/g))
 				for (let i = Number(times) || 1; i > 0 && at < columns * rows; i--, at++) {
 					if (letter === '.') continue;
-					const colour = ramp[letter.charCodeAt(0) - 97];
+					if (!(letter in inks)) {
+						probe.fillStyle = this.colour(letter.charCodeAt(0) - 64);
+						inks[letter] = parseInt(probe.fillStyle.slice(1), 16);
+					}
+					const colour = inks[letter];
 					image.data.set([colour >> 16, colour >> 8 & 255, colour & 255, 255], 4 * at);
 				}
 			map.image = Object.assign(document.createElement('canvas'), {width: columns, height: rows});
@@ -553,24 +554,19 @@ function show_keys() {
 // --- files ---------------------------------------------------------------------------------------
 const written = new Map(); // name: bytes
 
-// What a session says of itself: whether it has its end, whose it is and of which lesson, and how many answers were entered.
+// What a session says of itself: whether it has its end, whose it is and of which lesson.
 function about_session(name) {
 	const text = new TextDecoder().decode(written.get(name)), line = (word) => (new RegExp('^' + word + ' (.*)$', 'm').exec(text) || [, ''])[1];
-	let answers = 0, number = '';
-	for (const [, key] of text.matchAll(/^at \S+ \S+ \S+ (\S+)$/gm)) {
-		answers += key === 'Enter' && /^[-.]?\d/.test(number);
-		number = /^[-+.\de]$/.test(key) ? number + key : '';
-	}
-	return {name, answers, whole: /\nend .*\ncheck [0-9a-f]+\n$/.test(text), student: line('student'), id: line('id'), lesson: line('lesson')};
+	return {name, whole: /\nend .*\ncheck [0-9a-f]+\n$/.test(text), student: line('student'), id: line('id'), lesson: line('lesson')};
 }
 const sessions = () => [...written.keys()].filter((name) => name.endsWith('.session')).map(about_session);
 function time_of(name) {
 	const when = new Date(Number(store.text('when', name)));
 	if (!(when > 0)) return '';
 	const clock = when.toTimeString().slice(0, 5);
-	return ', ' + (Date.now() - when < 20 * 3600e3 ? clock : when.toLocaleDateString() + ' ' + clock);
+	return ' (' + (Date.now() - when < 20 * 3600e3 ? clock : when.toLocaleDateString() + ' ' + clock) + ')';
 }
-const go_on_words = ({name, student, answers}) => 'go on with ' + (student ? student + "'s" : name) + ' (' + answers + (answers === 1 ? ' answer' : ' answers') + time_of(name) + ')';
+const go_on_words = ({name, student}) => 'go on with ' + (student ? student + "'s" : name) + time_of(name);
 
 function word_button(label, act) {
 	const button = document.createElement('button');

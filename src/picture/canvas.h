@@ -44,8 +44,8 @@ void canvas_clear(Canvas *);
  *     A X,Y,COLUMNS,ROWS               an area, in cells
  *     L|D|B STYLE,LINE,RANK X,Y ...    a stroke as plot.h has it: line, dots or band; '-' breaks a line;
  *                                      LINE of a band is its fill
- *     M COLUMNS,ROWS STEPS             colours across the area, row by row from above: a..p is a step of the
- *                                      ramp, '.' nothing, each followed by how often where that is not once
+ *     M COLUMNS,ROWS STYLES            colours across the area, row by row from above: the character '@' +
+ *                                      Style, '.' nothing, each followed by how often where that is not once
  *
  * Without memory something is left out. */
 void canvas_vector(Canvas *, const char *format, ...) __attribute__((format(printf, 2, 3)));

@@ -256,9 +256,12 @@ static void energy_phrases(const Screen *screen, const Stack *stack, const Axis 
         return;
     double sharp, first;
     text_append(out, 320, "total %s", text_fitted(now[total], 4, 10).text);
-    /* what is kept is told once: the total as a share of the start would tell its ripple as well */
+    /* what is kept is told once: the total as a share of the start would tell its ripple as well; the zero of
+     * a potential is anywhere, so that a share of it says nothing */
     const bool known = experiment_invariant(screen->experiment, &sharp, &first) && first > 0;
-    if (start[total] != 0 && !known) {
+    const bool shared =
+        start[total] != 0 && settings_loads(experiment_settings(screen->experiment))->gravity == 0;
+    if (shared && !known) {
         const double share = now[total] / start[total];
         if (share > 100) /* a run that blows up */
             text_append(out, 320, " = %.0f times the start", share);
@@ -281,7 +284,7 @@ static void energy_phrases(const Screen *screen, const Stack *stack, const Axis 
                     wide ? " of kinetic in this window" : "");
     if (shares)
         text_append(out, 320, "  lumping %.2f %%", 100 * lumping);
-    const double kept = known ? sharp / first : start[total] != 0 ? now[total] / start[total] : 1;
+    const double kept = known ? sharp / first : shared ? now[total] / start[total] : 1;
     if (shares && fabs(1 - kept) < KEPT_SHARE)
         text_append(out, 320,
                     wide ? "  the ripple is staggering (v and stress half a step apart), not loss"

@@ -698,6 +698,126 @@ START_TEST(a_disc_is_round)
 }
 END_TEST
 
+/* What is behind the colours of the row below a map: the last number, its power of ten and its unit. */
+static void scale_end(const Scene *scene, int columns, char *out)
+{
+    enum { ROWS = 20 };
+    Seen seen;
+    Scene drawn = {.scenario = ""};
+    Status status = {STATUS_DONE, ""};
+    ck_assert(canvas_open(&drawn.canvas, columns, ROWS, &status));
+    see(&seen, scene, (Rect){1, 1, columns - 2, ROWS - 2});
+    ck_assert(map_colour(&seen.map, MAP_MISES));
+    cells_map(&seen.picture,
+              (Area){.canvas = &drawn.canvas, .rect = {0, 0, columns, ROWS}, .glyphs = GLYPHS_BRAILLE},
+              STYLE_HEADING, 256);
+    int end = columns;
+    while (end > 0 && drawn.canvas.cells[(ROWS - 1) * columns + end - 1].style < STYLE_RAMP_0)
+        end--;
+    char row[200];
+    row_text(&drawn, ROWS - 1, row);
+    snprintf(out, sizeof row, "%s", row + end);
+    char *after = strstr(out, "  ");
+    if (after)
+        *after = '\0';
+    const size_t length = strlen(out);
+    if (length > 0 && out[length - 1] == ' ')
+        out[length - 1] = '\0';
+    see_no_more(&seen);
+    canvas_close(&drawn.canvas);
+}
+
+/* In a narrow pane what is left out of the scale is not its last number or its power of ten. */
+START_TEST(a_narrow_scale_tells_its_power)
+{
+    Scene scene;
+    char wide[200], narrow[200];
+    open_scene(&scene, "falling-beam 80x24 400 bare upper 8 variant 8");
+    scale_end(&scene, 70, wide);
+    ck_assert_msg(strstr(wide, "x10^"), "\"%s\"", wide);
+    for (int columns = 20; columns < 70; columns++) {
+        scale_end(&scene, columns, narrow);
+        ck_assert_msg(strcmp(wide, narrow) == 0, "%d columns: \"%s\", not \"%s\"", columns, narrow, wide);
+    }
+    scene_close(&scene);
+}
+END_TEST
+
+/* In the description of a map each body has the style that its name has below it. */
+START_TEST(bodies_are_described_in_their_colours)
+{
+    Scene scene;
+    open_scene(&scene, "two-discs 80x24 0 bare upper 8");
+    scene.canvas.vectored = true;
+    screen_draw(&scene.screen, &scene.canvas);
+    const char *map = scene.canvas.vectors ? strstr(scene.canvas.vectors, ";M") : NULL;
+    ck_assert_ptr_nonnull(map);
+    int seen[2] = {0, 0};
+    for (map = strchr(map, ' ') + 1; *map && *map != ';'; map++) {
+        if (*map == '.' || (*map >= '0' && *map <= '9'))
+            continue;
+        const bool second = *map == '@' + (int)picture_kind_style(1);
+        ck_assert_int_eq(*map, '@' + (int)picture_kind_style(second));
+        seen[second]++;
+    }
+    ck_assert_int_gt(seen[0], 3);
+    ck_assert_int_gt(seen[1], 3);
+    scene_close(&scene);
+}
+END_TEST
+
+/* Without colours two bodies differ in ink, and each has the sign of its name. */
+START_TEST(bodies_differ_without_colours)
+{
+    static const char *const words[] = {"two-discs 80x24 0 bare upper 8 plain",
+                                        "two-discs 80x24 0 bare upper 8 plain block",
+                                        "two-discs 80x24 0 bare upper 8 plain ascii"};
+    Scene scene;
+    open_scene(&scene, words[_i]);
+    uint32_t named[2] = {0, 0};
+    int same[2] = {0, 0}, other[2] = {0, 0};
+    for (int i = scene.canvas.width * scene.canvas.height - 1; i >= 0; i--) {
+        const Cell *cell = &scene.canvas.cells[i];
+        for (int body = 0; body < 2; body++) {
+            if (cell->style != (unsigned)picture_kind_style(body) || cell->back || i < 2 * scene.canvas.width)
+                continue;
+            if (!named[body] && cell[1].glyph == ' ' && cell[2].glyph > ' ' && cell[2].glyph < 0x7f)
+                named[body] = cell->glyph;
+            else if (named[body])
+                (cell->glyph == named[body] ? same : other)[body]++;
+        }
+    }
+    ck_assert_uint_ne(named[0], named[1]);
+    for (int body = 0; body < 2; body++)
+        ck_assert_msg(same[body] >= 3, "body %d: %d of %d cells have the sign U+%04x", body, same[body],
+                      same[body] + other[body], (unsigned)named[body]);
+    scene_close(&scene);
+}
+END_TEST
+
+/* Of particles seen apart those of more stress have more dots where no colour tells it. */
+START_TEST(stress_is_ink_without_colours)
+{
+    Scene scene;
+    open_scene(&scene, "colliding-rings 132x43 300 plain bare upper 8 variant 8");
+    int dots[2] = {0, 0}, cells[2] = {0, 0};
+    const Rect map = screen_pane(&scene.screen, scene.canvas.width, scene.canvas.height, PANE_UPPER);
+    for (int i = 0; i < scene.canvas.width * (map.y + map.height - 1); i++) {
+        const Cell *cell = &scene.canvas.cells[i];
+        const int step = cell->style - STYLE_RAMP_0;
+        if (step < 0 || cell->glyph < 0x2800 || cell->glyph > 0x28ff)
+            continue;
+        const bool high = step >= RAMP_STEPS / 2;
+        cells[high]++;
+        dots[high] += __builtin_popcount(cell->glyph & 0xff);
+    }
+    ck_assert_int_gt(cells[0], 5);
+    ck_assert_int_gt(cells[1], 5);
+    ck_assert_double_lt((double)dots[0] / cells[0], 0.7 * dots[1] / cells[1]);
+    scene_close(&scene);
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     TCase *map = tcase_create("map");
@@ -716,6 +836,10 @@ void add_cases(Suite *suite)
     tcase_add_test(map, bending_stress_is_seen);
     tcase_add_test(map, the_drawing_has_its_dimensions);
     tcase_add_loop_test(map, a_disc_is_round, 0, 2);
+    tcase_add_test(map, a_narrow_scale_tells_its_power);
+    tcase_add_test(map, bodies_are_described_in_their_colours);
+    tcase_add_loop_test(map, bodies_differ_without_colours, 0, 3);
+    tcase_add_test(map, stress_is_ink_without_colours);
     suite_add_tcase(suite, map);
     TCase *family = tcase_create("family");
     tcase_add_loop_test(family, the_forces_add_up, 0, 7);

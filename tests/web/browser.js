@@ -353,7 +353,7 @@ async function homework() {
 	const after = await file(name);
 	result('it survives a reload', bytes && after && after.equals(bytes));
 	// a session that was cut off has no end: it is done again, and goes on
-	result('what was cut off cannot be handed in', /^kept here: go on with Ada's \(1 answer, \d\d:\d\d\)$/.test(await text_of('#whose')), await text_of('#whose'));
+	result('what was cut off cannot be handed in', /^kept here: go on with Ada's \(\d\d:\d\d\)$/.test(await text_of('#whose')), await text_of('#whose'));
 	await page.click('#whose button');
 	await until('', has('Ada'));
 	await new Promise((done) => setTimeout(done, 1500));
@@ -393,13 +393,19 @@ async function homework_is_kept() {
 	result('a key after the simulation has run is kept', /^at .* 5\n.*\nat .* 5\nat .* Enter\nat .* b\n$/m.test(await kept()), (await kept()).slice(-400) + await screen());
 	await page.reload();
 	await is_open('kept-sheet');
-	result('a reload offers to go on', /^go on with Eve's \(1 answer, \d\d:\d\d\)start againit was somebody else$/.test(await text_of('#kept')), await text_of('#kept'));
+	result('a reload offers to go on', /^go on with Eve's \(\d\d:\d\d\)start againit was somebody else$/.test(await text_of('#kept')), await text_of('#kept'));
 	await shot('go-on');
 	await page.click('#kept button');
 	await shows('and goes on where it was', (text) => /[23] of \d+|[23]\/\d+/.test(text));
 	await keys(' ', ' ');
+	const entries = async () => ((await kept()).match(/^at /gm) || []).length;
+	await pause(1500);
+	const entered = await entries();
+	await page.keyboard.press('b');
+	await pause(100);
 	await page.evaluate(() => document.dispatchEvent(new Event('visibilitychange')));
 	await pause(300);
+	result('a key is kept as soon as the page is hidden', (await entries()) > entered, `${entered} ${await entries()}`);
 	if (engine === engines.Chromium) {
 		const before = (await kept()).length;
 		await keys('b');
@@ -546,6 +552,20 @@ async function lines() {
 		await pause(200);
 		result('and the lines again', (await drawn()) > 2000);
 	}
+	await open(one + '?scenario=two-discs');
+	await until('', has('Space pause'));
+	await page.keyboard.press(' ');
+	await until('', has('Space run'));
+	await page.evaluate(() => vectors.turn(true));
+	await pause(500);
+	const bodies = await page.evaluate(() => {
+		const map = vectors.areas.map((area) => area.map).find(Boolean), found = new Set();
+		const letters = new Set(map ? [...map.styles.replace(/[\d.]/g, '')].map((letter) => vectors.colour(letter.charCodeAt(0) - 64)) : []);
+		const bytes = map ? vectors.image(map).getContext('2d').getImageData(0, 0, map.columns, map.rows).data : [];
+		for (let i = 0; i < bytes.length; i += 4) if (bytes[i + 3]) found.add('rgb(' + bytes.slice(i, i + 3).join() + ')');
+		return [[...letters].sort(), [...found].sort()];
+	});
+	result('two bodies have the colours of their names', bodies[0].length === 2 && bodies[0].join() === bodies[1].join(), JSON.stringify(bodies));
 	await page.evaluate(() => term.select(0, 0, 5));
 	await pause(300);
 	result('a selection is seen in the cells', (await drawn()) === 0);

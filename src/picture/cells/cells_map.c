@@ -22,7 +22,7 @@
 #define BESIDE      0.9  /* cells between the end of an arrow and the thing */
 #define STANDS      0.75 /* rows from an edge to what stands below or above it */
 
-enum { NOTHING = -1, RANK_ARROW = 3, CLOUD_DOTS = 3 };
+enum { NOTHING = -1, RANK_ARROW = 3, CLOUD_DOTS = 3, ALL_DOTS = 0x28ff, THIN_DOTS = 0x2895 };
 
 /* A piece of a cell, and the nodes that cover it. */
 typedef struct Pixel {
@@ -57,6 +57,12 @@ void cells_place(const PictureMap *map, Rect rect, double x, double y, double *c
 static void place(const Sheet *sheet, double x, double y, double *column, double *row)
 {
     cells_place(sheet->map, sheet->area.rect, x, y, column, row);
+}
+
+/* Values are told by colours alone. */
+static bool is_coloured(Area area, int colours)
+{
+    return colours >= 256 && area.glyphs != GLYPHS_ASCII;
 }
 
 static bool is_inside(const Sheet *sheet, double column, double row)
@@ -134,8 +140,8 @@ static void cover_all(const Sheet *sheet)
 static uint32_t letter_of(const PictureMap *map, Glyphs glyphs, int step)
 {
     if (map->kinds)
-        return glyphs == GLYPHS_BLOCK     ? 0x2588
-               : glyphs == GLYPHS_BRAILLE ? 0x28ff
+        return glyphs == GLYPHS_BLOCK     ? (step % 2 ? 0x2592 : 0x2588)
+               : glyphs == GLYPHS_BRAILLE ? (step % 2 ? THIN_DOTS : ALL_DOTS)
                                           : (unsigned char)"o#+x*%=&"[step % 8];
     static const char one_way[] = ".,:;-=+coaxOX%#@", two_ways[] = "WWwwvv-..+ooOO@@";
     static const uint32_t shades[] = {0x2591, 0x2592, 0x2593, 0x2588};
@@ -196,28 +202,30 @@ static int cell_step(const Sheet *sheet, int x, int y)
 }
 
 /* Braille: each of the eight dots is set where the value is above the dot's own threshold, so that more ink
- * is more; the least value still has a dot. */
+ * is more; every other body has fewer dots where no colour tells it. What covers a part of a cell still has a
+ * dot. */
 static uint32_t dots_of(const Sheet *sheet, int x, int y)
 {
     static const double thresholds[4][2] = {{7, 4}, {2, 5}, {6, 3}, {0, 1}};
     const PictureMap *map = sheet->map;
-    uint32_t dots = 0x2800;
+    const bool full = map->is_cloud && (map->kinds || sheet->colours >= 256);
+    uint32_t dots = 0x2800, any = 0;
     for (int row = 0; row < 4; row++)
         for (int column = 0; column < 2; column++) {
             const Pixel *pixel = pixel_of(sheet, 2 * x + column, 4 * y + row);
             if (!is_body(pixel))
                 continue;
-            if (map->is_cloud) {
-                /* every other body has fewer dots where no colour tells it */
+            const uint32_t dot = any = glyph_dot(column, row);
+            if (full) {
                 const bool thin = sheet->colours < 8 && map->kinds && (int)pixel->sum % 2;
-                dots |= thin && (row + column) % 2 ? 0 : glyph_dot(column, row);
+                dots |= thin ? dot & THIN_DOTS : dot;
                 continue;
             }
             const double share = ((double)(pixel->sum / pixel->count) - map->low) / (map->high - map->low);
             if (8 * share >= thresholds[row][column])
-                dots |= glyph_dot(column, row);
+                dots |= dot;
         }
-    return dots;
+    return dots == 0x2800 ? dots | any : dots;
 }
 
 /* The colours in pixels of half a cell across and a quarter down. */
@@ -236,7 +244,7 @@ static void describe_heat(const Sheet *sheet)
         const int step = step_of(&fine, &fine.pixels[i]);
         if (i + 1 < columns * rows && step_of(&fine, &fine.pixels[i + 1]) == step)
             continue;
-        canvas_vector(area.canvas, "%c", step == NOTHING ? '.' : 'a' + step);
+        canvas_vector(area.canvas, "%c", step == NOTHING ? '.' : '@' + (int)style_of(sheet->map, step));
         if (run > 1)
             canvas_vector(area.canvas, "%d", run);
         run = 0;
@@ -270,7 +278,8 @@ static void draw_dots(const Sheet *sheet)
 {
     const PictureMap *map = sheet->map;
     const Glyphs glyphs = sheet->area.glyphs;
-    const bool few = sheet->colours < 256 || glyphs == GLYPHS_ASCII;
+    const bool few =
+        glyphs == GLYPHS_BRAILLE ? sheet->colours < 8 : sheet->colours < 256 || glyphs == GLYPHS_ASCII;
     const size_t count = (size_t)map->nx * (size_t)map->ny;
     for (size_t k = 0; k < count; k++) {
         double column, row;
@@ -278,7 +287,7 @@ static void draw_dots(const Sheet *sheet)
         if (!is_inside(sheet, column, row))
             continue;
         const int step = step_in(map, map->value[k]);
-        const uint32_t glyph = few && glyphs != GLYPHS_BRAILLE ? letter_of(map, glyphs, step) : 0x25cf;
+        const uint32_t glyph = few ? letter_of(map, glyphs, step) : 0x25cf;
         area_put(sheet->area, (int)column, (int)row, glyph, style_of(map, step));
     }
 }
@@ -537,11 +546,15 @@ static void draw_title(const Picture *picture, Area area, Style heading)
 
 enum { HALF_RAMP = RAMP_STEPS / 2 };
 
-static int draw_half_ramp(const PictureMap *map, Area area, bool coloured, int x, int y, int first)
+/* Of `columns` columns: both ends of the half are in them. */
+static int draw_half_ramp(const PictureMap *map, Area area, bool coloured, int x, int y, int first,
+                          int columns)
 {
-    for (int step = first; step < first + HALF_RAMP; step++, x++)
+    for (int i = 0; i < columns; i++, x++) {
+        const int step = first + i * (HALF_RAMP - 1) / (columns - 1);
         area_put(area, x, y, coloured ? 0x2588 : letter_of(map, area.glyphs, step),
                  (Style)(STYLE_RAMP_0 + step));
+    }
     return x;
 }
 
@@ -562,15 +575,16 @@ static int draw_length(const PictureMap *map, Area area, int x, int y, int end)
     return columns + area_text(area, x + columns, y, text, STYLE_NORMAL);
 }
 
-/* "●● left  ●● right", as far as they have room. */
-static void name_kinds(const PictureMap *map, Area area, int y)
+/* "● left  ● right", each as its body is drawn, as far as they have room. */
+static void name_kinds(const PictureMap *map, Area area, int colours, int y)
 {
+    const bool told = area.glyphs == GLYPHS_BRAILLE ? colours >= 8 : is_coloured(area, colours);
     int x = 1;
     for (int i = 0; i < map->kinds; i++) {
         const int columns = 5 + glyphs_columns(map->kind_names[i]);
         if (x + columns > area.rect.width)
             return;
-        const uint32_t sign = area.glyphs == GLYPHS_ASCII ? letter_of(map, area.glyphs, i) : 0x25cf;
+        const uint32_t sign = told ? 0x25cf : letter_of(map, area.glyphs, i);
         area_put(area, x, y, sign, picture_kind_style(i));
         area_text(area, x + 2, y, map->kind_names[i], STYLE_NORMAL);
         x += columns;
@@ -578,30 +592,39 @@ static void name_kinds(const PictureMap *map, Area area, int y)
 }
 
 /* "-4 [ramp] 0 [ramp] 4 µm", and what there is to say of the picture, which of lines and bars seen from near
- * must be said in any case. */
-static void draw_scale(const Picture *picture, Area area, bool coloured, int y)
+ * must be said in any case. In a narrow pane the ramp is shorter, then without its middle: the last number
+ * without its power of ten would be another one. */
+static void draw_scale(const Picture *picture, Area area, int colours, int y)
 {
+    enum { SHORTEST = 2 };
     const PictureMap *map = picture->map;
     if (map->kinds) {
-        name_kinds(map, area, y);
+        name_kinds(map, area, colours, y);
         return;
     }
+    const bool coloured = is_coloured(area, colours);
     const PictureNote *note = &picture->notes[1];
     Axis axis = axis_with_ticks(axis_make(map->low, map->high), 5);
     const double ends[3] = {map->low, (map->low + map->high) / 2, map->high};
     const double middle = ends[1] * math_pow(10, axis.decimals - axis.exponent);
     axis.decimals += fabs(middle - round(middle)) > 1e-6 * (1 + fabs(middle));
-    char text[TICK_TEXT_MAX], scale[TICK_TEXT_MAX];
-    int x = 1;
-    for (int i = 0; i < 3; i++) {
-        axis_label(&axis, ends[i], text);
-        if (i == 2 && map->open_ended)
-            x += area_text(area, x, y, ">", STYLE_NORMAL);
-        x += area_text(area, x, y, text, STYLE_NORMAL) + 1;
-        if (i < 2)
-            x = draw_half_ramp(map, area, coloured, x, y, i * HALF_RAMP) + 1;
-    }
+    char texts[3][TICK_TEXT_MAX], scale[TICK_TEXT_MAX];
     axis_scale_text(&axis, map->unit, scale);
+    int x = 1, half = HALF_RAMP, room = area.rect.width - x - map->open_ended - glyphs_columns(scale) - 2;
+    for (int i = 0; i < 3; i++) {
+        axis_label(&axis, ends[i], texts[i]);
+        room -= glyphs_columns(texts[i]) + 1;
+    }
+    while (half > SHORTEST && 2 * half > room)
+        half /= 2;
+    x += area_text(area, x, y, texts[0], STYLE_NORMAL) + 1;
+    x = draw_half_ramp(map, area, coloured, x, y, 0, half);
+    if (2 * half <= room)
+        x += area_text(area, x + 1, y, texts[1], STYLE_NORMAL) + 2;
+    x = draw_half_ramp(map, area, coloured, x, y, HALF_RAMP, half) + 1;
+    if (map->open_ended)
+        x += area_text(area, x, y, ">", STYLE_NORMAL);
+    x += area_text(area, x, y, texts[2], STYLE_NORMAL) + 1;
     x += area_text(area, x, y, scale, STYLE_NORMAL) + 2;
     if (map->is_part) {
         const int kept = map->is_near ? glyphs_columns(note->brief) + 2 : 0;
@@ -618,7 +641,7 @@ void cells_map_body(const Picture *picture, Area area, int colours)
 {
     const bool braille = area.glyphs == GLYPHS_BRAILLE;
     Sheet sheet = {.picture = picture, .map = picture->map, .area = area, .colours = colours};
-    sheet.coloured = colours >= 256 && area.glyphs != GLYPHS_ASCII && !(picture->map->is_cloud && braille);
+    sheet.coloured = is_coloured(area, colours) && !(picture->map->is_cloud && braille);
     sheet.across = !sheet.coloured && braille ? 2 : 1;
     sheet.down = sheet.coloured ? 2 : braille ? 4 : 1;
     const size_t cells = (size_t)area.rect.width * (size_t)area.rect.height;
@@ -653,7 +676,7 @@ void cells_map(const Picture *picture, Area area, Style heading, int colours)
 {
     cells_map_body(picture, body_part(area), colours);
     draw_title(picture, area, heading);
-    draw_scale(picture, area, colours >= 256 && area.glyphs != GLYPHS_ASCII, area.rect.height - 1);
+    draw_scale(picture, area, colours, area.rect.height - 1);
 }
 
 /* --- for keys and the mouse ------------------------------------------------------------------------- */
