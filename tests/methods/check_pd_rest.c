@@ -183,15 +183,31 @@ static BeamDef hanging(void)
     return def;
 }
 
-/* P' = R - m g - alpha P as velocity Verlet has it, from step to step; at rest supports bear the weight. */
-START_TEST(supports_bear_the_weight)
+/* 20 x 30 nodes that stand on their foot. */
+static BeamDef post(void)
 {
-    const BeamDef def = hanging();
-    Simulation *sim = beam_case_create(&def, NULL);
+    BeamDef def = beam_default(BEAM_PLATE);
+    def.length = 0.04;
+    def.height = 0.06;
+    def.spacing = 2e-3;
+    def.horizon = 6e-3;
+    def.dt = 2e-7;
+    def.plate.n_supports = 1;
+    def.plate.supports[0] =
+        (PlateRegion){.x1 = 0.04, .y1 = 0.004, .gives_x = true, .gives_y = true, .name = "foot"};
+    def.plate.probe_x = 0.02;
+    def.plate.probe_y = 0.06;
+    return def;
+}
+
+/* P' = R - m g - alpha P as velocity Verlet has it, from step to step; at rest supports bear the weight. */
+static void weigh(const BeamDef *def)
+{
+    Simulation *sim = beam_case_create(def, NULL);
     BeamFacts facts;
     beam_facts(sim, &facts);
     const double weight =
-        9.81 * def.density * def.thickness * sim->spacing * sim->spacing * (double)sim->counts[0];
+        9.81 * def->density * def->thickness * sim->spacing * sim->spacing * (double)sim->counts[0];
     const double half = facts.damping * sim->dt / 2;
     for (int step = 0; step < 200; step++) {
         const double momentum = series_now(sim, "momentum_y"), reaction = series_now(sim, "reaction_y");
@@ -205,6 +221,22 @@ START_TEST(supports_bear_the_weight)
     ck_assert_double_eq_tol(series_now(sim, "reaction_y"), weight, 1e-4 * weight);
     ck_assert_double_eq_tol(series_now(sim, "reaction_x"), 0, 1e-4 * weight);
     simulation_destroy(sim);
+}
+
+START_TEST(supports_bear_the_weight)
+{
+    BeamDef def = hanging();
+    weigh(&def);
+    /* nodes that two supports hold, each in its own directions */
+    def = post();
+    def.body_force = -9.81;
+    def.critically_damped = def.to_rest = true;
+    def.plate.n_supports = 2;
+    def.plate.supports[0].x1 = 0.024;
+    def.plate.supports[0].gives_x = false;
+    def.plate.supports[1] = post().plate.supports[0];
+    def.plate.supports[1].x0 = 0.016;
+    weigh(&def);
 }
 END_TEST
 
@@ -253,23 +285,6 @@ START_TEST(a_turning_point_is_no_rest)
     ck_assert_ptr_nonnull(strstr(status.text, "time.rest: without damping"));
 }
 END_TEST
-
-/* 20 x 30 nodes that stand on their foot. */
-static BeamDef post(void)
-{
-    BeamDef def = beam_default(BEAM_PLATE);
-    def.length = 0.04;
-    def.height = 0.06;
-    def.spacing = 2e-3;
-    def.horizon = 6e-3;
-    def.dt = 2e-7;
-    def.plate.n_supports = 1;
-    def.plate.supports[0] =
-        (PlateRegion){.x1 = 0.04, .y1 = 0.004, .gives_x = true, .gives_y = true, .name = "foot"};
-    def.plate.probe_x = 0.02;
-    def.plate.probe_y = 0.06;
-    return def;
-}
 
 /* The way a post sways is not the way a supported beam bends: what it is left to do after a push sideways has
  * the lowest frequency of all. */

@@ -169,8 +169,13 @@ void beam_reaction(const Beam *beam, double force[2])
         for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++)
             for (int k = 0; patch_has_row(&s->patch, j) && k < s->patch.columns; k++) {
                 const size_t i = row + (size_t)(s->patch.i + k);
-                x -= s->x ? nodes->fx[i] - drag * s->vx : 0;
-                y -= s->y ? nodes->fy[i] - drag * s->vy : 0;
+                bool holds_x = s->x, holds_y = s->y;
+                /* a component that two supports hold counts once */
+                for (const Support *e = beam->supports; e < s; e++)
+                    if (patch_has(&e->patch, s->patch.i + k, j))
+                        holds_x = holds_x && !e->x, holds_y = holds_y && !e->y;
+                x -= holds_x ? nodes->fx[i] - drag * s->vx : 0;
+                y -= holds_y ? nodes->fy[i] - drag * s->vy : 0;
             }
     }
     force[0] = x * scale;
