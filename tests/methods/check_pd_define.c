@@ -86,6 +86,20 @@ START_TEST(critical_steps)
 }
 END_TEST
 
+/* By 800 Lanczos steps of another program; without a surface correction the largest eigenvalues lie close
+ * together, and 200 steps are 2e-6 away. */
+START_TEST(the_critical_step_has_converged)
+{
+    BeamDef def = row_beam(&(TableRow){.horizon = 0.75, .spacing = 0.25});
+    def.surface_correction = SURFACE_NONE;
+    Simulation *sim = beam_case_create(&def, NULL);
+    BeamFacts facts;
+    beam_facts(sim, &facts);
+    ck_assert_double_eq_tol(facts.critical_step / 2 / 4.677823117e-8, 1, 2e-7);
+    simulation_destroy(sim);
+}
+END_TEST
+
 /* 1.075e-7 is stable and 1.08e-7 blows up: so says the reference, and the refusal stands between them. */
 START_TEST(the_edge_of_stability)
 {
@@ -330,6 +344,7 @@ void add_cases(Suite *suite)
     TCase *facts = tcase_create("facts");
     tcase_add_test(facts, the_papers_notched_beam);
     tcase_add_test(facts, bulk_factors);
+    tcase_add_test(facts, the_critical_step_has_converged);
     tcase_add_loop_test(facts, critical_steps, 0, TABLE_ROWS);
     tcase_add_test(facts, the_edge_of_stability);
     tcase_add_loop_test(facts, horizons_of_all_sizes, 2, 17);
