@@ -92,7 +92,7 @@ static bool read_map(Names *names, const Overlay *file, const char *map, Status 
         *equals = '\0';
         mapped->factor = 1;
         if (times && (!text_to_double(times + 1, &mapped->factor) || mapped->factor == 0))
-            return status_refuse(status, "--map: %.40s invalid factor", times + 1);
+            return status_refuse(status, "--map: invalid factor %.40s", times + 1);
         if (times)
             *times = '\0';
         snprintf(mapped->ours, sizeof mapped->ours, "%.47s", equals + 1);
@@ -427,7 +427,7 @@ static bool time_step_of_times(DiagnoseTable *table, const Heads *heads, Status 
 {
     const Overlay *file = &table->file;
     const double *times = file->columns[heads->time].values;
-    double first = INFINITY, last = -INFINITY, spacing = INFINITY, before = NAN;
+    double first = INFINITY, last = -INFINITY, last_bound = 0, spacing = INFINITY, before = NAN;
     for (size_t r = 0; r < file->count; r++) {
         const double t = times[r];
         if (!isfinite(t))
@@ -441,14 +441,13 @@ static bool time_step_of_times(DiagnoseTable *table, const Heads *heads, Status 
         before = t;
         first = fmin(first, t);
         if (t > last)
-            last = t;
+            last = t, last_bound = own_bound;
     }
     if (!isfinite(spacing))
         return true;
     const double rows = fmax(1, round((last - first) / spacing));
     table->spacing = (last - first) / rows;
-    table->spacing_bound =
-        (math_pow(10, -fmin(file->columns[heads->time].places, 300)) + 1e-9 * spacing) / rows;
+    table->spacing_bound = (last_bound + 1e-9 * spacing) / rows;
     table->dt_bound = table->spacing_bound * heads->time_factor;
     return true;
 }

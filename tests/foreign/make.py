@@ -163,6 +163,8 @@ for mistake, scheme, writer, how in (
         ("stress_not_added", "usl", vcm, dict(courant=0.2))):
     case("mistake", mistake, writer, scheme=scheme, mistake=mistake, **how)
 
+case("right", "USL", columns("time v_cm", form="%.6g"), scheme="usl", rho=7.0, sets=("bar.density=7",), steps=100)
+
 names, lines = {}, []
 for number, (verdict, what, writer, steps, scenario, sets, bar) in enumerate(cases, 1):
     bar = dict(bar)
