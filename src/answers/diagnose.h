@@ -92,7 +92,7 @@ typedef struct Departure {
     const char *stage_id, *stage_name; /* of the right run; NULL: the file has no stages */
 } Departure;
 
-typedef enum DiagnoseKind { DIAGNOSE_MISTAKE, DIAGNOSE_SCHEME, DIAGNOSE_VALUE, DIAGNOSE_SHIFT } DiagnoseKind;
+typedef enum DiagnoseKind { DIAGNOSE_MISTAKE, DIAGNOSE_SCHEME, DIAGNOSE_VALUE } DiagnoseKind;
 
 /* A code that makes these numbers. */
 typedef struct Explanation {

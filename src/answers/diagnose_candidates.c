@@ -26,10 +26,24 @@ typedef struct List {
     int count;
 } List;
 
-static void add(List *list, DiagnoseKind kind, const Parameter *parameter, double value, long shift)
+bool diagnose_is_share(const Parameter *parameter)
+{
+    return parameter->type == PARAMETER_REAL && parameter->least == 0 && parameter->most == 1;
+}
+
+DiagnoseKind diagnose_kind(const Parameter *parameter)
+{
+    const bool scheme = strncmp(parameter->key, "mpm.", 4) == 0 || strncmp(parameter->key, "pd.", 3) == 0;
+    const bool choice = parameter->type == PARAMETER_CHOICE || parameter->type == PARAMETER_FLAG;
+    return parameter->wrong                                     ? DIAGNOSE_MISTAKE
+           : scheme && (choice || diagnose_is_share(parameter)) ? DIAGNOSE_SCHEME
+                                                                : DIAGNOSE_VALUE;
+}
+
+static void add(List *list, const Parameter *parameter, double value)
 {
     if (list->count < CANDIDATES_MAX)
-        list->out[list->count++] = (Candidate){kind, parameter, value, shift, 0, NULL};
+        list->out[list->count++] = (Candidate){diagnose_kind(parameter), parameter, value, 0, NULL};
 }
 
 static void add_choices(List *list, const Settings *right, const Parameter *parameter)
@@ -38,7 +52,7 @@ static void add_choices(List *list, const Settings *right, const Parameter *para
     const int count = parameter->type == PARAMETER_FLAG ? 2 : parameter_choices(parameter, right->problem);
     for (int i = 0; i < count; i++)
         if (i != now)
-            add(list, parameter->wrong ? DIAGNOSE_MISTAKE : DIAGNOSE_SCHEME, parameter, i, 0);
+            add(list, parameter, i);
 }
 
 /* The other sign, its neighbours, and the ends of a range that has two. */
@@ -46,20 +60,19 @@ static void add_values(List *list, const Settings *right, const Parameter *param
 {
     enum { NEIGHBOURS = 4 };
     const double now = settings_number(right, parameter);
-    const bool whole = parameter->type == PARAMETER_INTEGER, share = parameter->nudge == NUDGE_SHARE;
-    if (!whole && (share || (parameter->least == 0 && parameter->most == 1))) {
+    if (diagnose_is_share(parameter)) {
         for (int end = 0; end < 2; end++)
             if (now != end)
-                add(list, DIAGNOSE_SCHEME, parameter, end, 0);
+                add(list, parameter, end);
         return;
     }
-    if (!whole && now != 0 && settings_in_range(parameter, right->problem, -now))
-        add(list, DIAGNOSE_VALUE, parameter, -now, 0);
+    if (parameter->type == PARAMETER_REAL && now != 0 && settings_in_range(parameter, right->problem, -now))
+        add(list, parameter, -now);
     for (int direction = -1; direction <= 1; direction += 2) {
         Settings moved = *right;
         const int steps = parameter->nudge == NUDGE_DOUBLE ? 1 : NEIGHBOURS;
         for (int i = 0; i < steps && settings_nudge(&moved, parameter, direction, false); i++)
-            add(list, DIAGNOSE_VALUE, parameter, settings_number(&moved, parameter), 0);
+            add(list, parameter, settings_number(&moved, parameter));
     }
 }
 
@@ -93,7 +106,7 @@ int diagnose_pairs(const Settings *right, Candidate out[CANDIDATES_MAX])
         if (diagnose_is_tried(right, &parameters[p]) && parameters[p].wrong)
             for (int i = 1; i < parameter_choices(&parameters[p], right->problem); i++)
                 for (int k = 1; k < i && count < CANDIDATES_MAX; k++)
-                    out[count++] = (Candidate){DIAGNOSE_MISTAKE, &parameters[p], i, 0, k, NULL};
+                    out[count++] = (Candidate){DIAGNOSE_MISTAKE, &parameters[p], i, k, NULL};
     return count;
 }
 
@@ -105,9 +118,7 @@ static const char *const mpm_axes[AXES_OF_A_SCHEME][WAYS_MAX] = {
     {"mpm.algorithm=usf", "mpm.algorithm=usl", "mpm.algorithm=musl"},
     {"mpm.shape=hat", "mpm.shape=gimp", "mpm.shape=bspline2", "mpm.shape=bspline3"},
     {"mpm.transfer=flip,mpm.flip_fraction=1", "mpm.transfer=flip,mpm.flip_fraction=0",
-     "mpm.transfer=apic,mpm.affine_start=gradient", "mpm.transfer=apic,mpm.affine_start=zero",
-     "mpm.transfer=flip,mpm.flip_fraction=0.99", "mpm.transfer=flip,mpm.flip_fraction=0.95",
-     "mpm.transfer=flip,mpm.flip_fraction=0.9"},
+     "mpm.transfer=apic,mpm.affine_start=gradient", "mpm.transfer=apic,mpm.affine_start=zero"},
 };
 static const char *const pd_axes[AXES_OF_A_SCHEME][WAYS_MAX] = {
     {"pd.surface_correction=none", "pd.surface_correction=energy", "pd.surface_correction=volume"},
@@ -250,7 +261,7 @@ void diagnose_name_factor(double factor, double tolerance, const Settings *setti
         {1 / dt, "1/dt, dt the time step"},
     };
     out[0] = '\0';
-    if (!isfinite(factor))
+    if (!isfinite(factor) || tolerance > 0.05) /* else it would have every name */
         return;
     for (size_t i = 0; i < sizeof known / sizeof *known; i++)
         if (known[i].value != 1 && isfinite(known[i].value) &&
@@ -317,13 +328,6 @@ void diagnose_explain(const Candidate *candidate, const Settings *right, const S
     char value[LIST_MAX], before[LIST_MAX];
     *out = (Explanation){.kind = candidate->kind};
     diagnose_name_scheme(wrong, out->scheme, sizeof out->scheme);
-    if (candidate->kind == DIAGNOSE_SHIFT) {
-        text_append(out->id, sizeof out->id, "rows%+ld", candidate->shift);
-        text_append(out->words, sizeof out->words,
-                    "the right code, whose rows are counted otherwise: its step n is step n%+ld",
-                    candidate->shift);
-        return;
-    }
     if (candidate->kind == DIAGNOSE_SCHEME) {
         int choices = 0;
         for (int i = 0; i < n_parameters; i++)
@@ -356,7 +360,7 @@ void diagnose_explain(const Candidate *candidate, const Settings *right, const S
     }
     text_append(out->id, sizeof out->id, "%s=%s", parameter->key, value);
     const double now = settings_number(right, parameter);
-    if (now == 0)
+    if (now == 0 || parameter->type != PARAMETER_REAL)
         text_append(out->words, sizeof out->words, "another value, the scenario has %s", before);
     else {
         char name[96];
@@ -392,14 +396,13 @@ static const Quantity *column_of_code(const Code *code, int column)
     return NULL;
 }
 
-/* Further steps. False: it goes no further. */
-static bool go_on(Code *code, long steps)
+/* A further step. False: it goes no further. */
+static bool go_on(Code *code)
 {
-    return steps == 0 || run_advance(&code->run, (RunUntil){RUN_STEPS, steps}, NULL, NULL);
+    return run_advance(&code->run, (RunUntil){RUN_STEPS, 1}, NULL, NULL);
 }
 
-/* `ahead`: of the file's row 0 stands the step. */
-static bool open_code(Code *code, long ahead)
+static bool open_code(Code *code)
 {
     const int set = code->table->set;
     strcpy(settings_edit_output(&code->settings)->columns, "all");
@@ -413,7 +416,7 @@ static bool open_code(Code *code, long ahead)
     code->columns = set < 0 ? sim->n_series : code->columns;
     code->things = set < 0 ? 1 : sim->counts[set];
     code->values = malloc(((size_t)code->columns * code->things + 1) * sizeof *code->values);
-    return code->values && code->columns <= COLUMNS_MOST && go_on(code, ahead);
+    return code->values && code->columns <= COLUMNS_MOST;
 }
 
 static void close_code(Code *code)
@@ -488,7 +491,7 @@ static const char *difference(const Code codes[2], bool by_file, double most[COL
 }
 
 /* Whether two codes differ within some steps, and in which column. */
-static bool differ(const Settings *a, const Settings *b, long shift, const DiagnoseTable *table, bool by_file,
+static bool differ(const Settings *a, const Settings *b, const DiagnoseTable *table, bool by_file,
                    char name[OVERLAY_NAME_MAX])
 {
     Code *codes = calloc(2, sizeof *codes);
@@ -498,12 +501,11 @@ static bool differ(const Settings *a, const Settings *b, long shift, const Diagn
         return false;
     codes[0] = (Code){.settings = *a, .table = table};
     codes[1] = (Code){.settings = *b, .table = table};
-    bool goes_on = open_code(&codes[0], shift > 0 ? shift : 0) &&
-                   open_code(&codes[1], shift < 0 ? -shift : 0) && codes[0].things == codes[1].things;
+    bool goes_on = open_code(&codes[0]) && open_code(&codes[1]) && codes[0].things == codes[1].things;
     for (int step = 0; step < LOOK && goes_on && !found; step++) {
         goes_on = read_code(&codes[0]) && read_code(&codes[1]);
         found = goes_on ? difference(codes, by_file, most) : NULL;
-        goes_on = goes_on && go_on(&codes[0], 1) && go_on(&codes[1], 1);
+        goes_on = goes_on && go_on(&codes[0]) && go_on(&codes[1]);
     }
     snprintf(name, OVERLAY_NAME_MAX, "%s", found ? found : "");
     close_code(&codes[0]);
@@ -512,13 +514,12 @@ static bool differ(const Settings *a, const Settings *b, long shift, const Diagn
     return *name;
 }
 
-void diagnose_tell_apart(const Settings *a, const Settings *b, long shift, const DiagnoseTable *table,
-                         Explanation *out)
+void diagnose_tell_apart(const Settings *a, const Settings *b, const DiagnoseTable *table, Explanation *out)
 {
     char name[OVERLAY_NAME_MAX];
     const size_t size = sizeof out->apart;
     out->compared = 1;
-    if (differ(a, b, shift, table, false, name)) {
+    if (differ(a, b, table, false, name)) {
         snprintf(out->apart, size,
                  column_of_file(table, name) ? "more rows or digits of %s tell" : "the column %s tells",
                  name);
@@ -539,7 +540,7 @@ void diagnose_tell_apart(const Settings *a, const Settings *b, long shift, const
             if (!settings_change(&others[1], parameter->key, value, NULL))
                 continue;
             out->compared++;
-            if (!differ(&others[0], &others[1], shift, table, true, name))
+            if (!differ(&others[0], &others[1], table, true, name))
                 continue;
             text_append(out->apart, size, "--set %s=%s tells", parameter->key, value);
             return;

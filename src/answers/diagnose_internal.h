@@ -14,7 +14,6 @@ typedef struct TimeSettings TimeSettings; /* scenario/concern_time.h, which few 
 typedef struct Walk {
     const DiagnoseTable *table;
     size_t moments;      /* of the table, at most */
-    long shift;          /* the file's step n is the run's step n + shift */
     bool to_end;         /* it goes on where it departs */
     double *values;      /* ours, [row][column]; NULL: they are not kept */
     const double *grown; /* what round-off has grown to, [moment][group of columns]; NULL: it is not known */
@@ -53,13 +52,12 @@ void diagnose_note(DiagnoseTable *, const char *format, ...) __attribute__((form
 /* What numbers of a unit are at most at the start; `row`: of the series there. */
 double diagnose_size_at_start(Simulation *, const char *unit, const double *row);
 
-/* diagnose_candidates.c: what else could have made the numbers: up to two values other than the scenario's,
- * or rows counted from elsewhere. */
+/* diagnose_candidates.c: what else could have made the numbers: up to two values other than the scenario's.
+ */
 typedef struct Candidate {
     DiagnoseKind kind;
     const Parameter *parameter;
     double value;
-    long shift;
     int beside;                   /* a second mistake; 0: none */
     const TimeSettings *own_step; /* it makes its own time step, as these say; NULL: it has the file's */
 } Candidate;
@@ -69,6 +67,11 @@ enum { CANDIDATES_MAX = 1200 };
 int diagnose_pairs(const Settings *right, Candidate out[CANDIDATES_MAX]);
 
 bool diagnose_is_tried(const Settings *, const Parameter *); /* whether codes may differ in it */
+bool diagnose_is_share(const Parameter *);                   /* whether it is any number from 0 to 1 */
+
+/* What another value of a parameter is: a mistake; a right code's, by another choice or share of the scheme
+ * (mpm., pd.); or a wrong value. */
+DiagnoseKind diagnose_kind(const Parameter *);
 int diagnose_candidates(const Settings *, bool values, Candidate out[CANDIDATES_MAX]);
 
 /* A right code: the scenario's, or by other choices of its scheme. */
@@ -101,9 +104,8 @@ bool diagnose_find_value(const DiagnoseTask *, const DiagnoseTable *, const Depa
                          const TimeSettings *own_step, double *value, long *tried);
 
 /* Fills in the run that tells two codes apart, one that was made: a column that the file has not, or another
- * setting of both. `shift`: so many steps the first is ahead. */
-void diagnose_tell_apart(const Settings *a, const Settings *b, long shift, const DiagnoseTable *,
-                         Explanation *);
+ * setting of both. */
+void diagnose_tell_apart(const Settings *a, const Settings *b, const DiagnoseTable *, Explanation *);
 
 /* One file and what is found of it. */
 typedef struct Search {
@@ -115,12 +117,14 @@ typedef struct Search {
     double *values;    /* of the right run */
     double *grown;     /* what its round-off grows to, where it departs; else NULL */
     Walk walk;         /* along it */
-    Candidate first;   /* the first that explains it all */
-    Settings by_first; /* its settings; without one the right ones */
+    Settings by_first; /* of the first code that explains it all; without one the right ones */
     double until;      /* of the clock: DiagnoseTask.seconds */
     Settings of_first; /* the right code of its scheme */
     Status *status;
 } Search;
+
+/* Whether no other code and no other reading is tried any more; what is found says so. */
+bool diagnose_time_is_up(const Search *);
 
 /* diagnose_reading.c: how the table may be meant. */
 typedef struct DiagnoseReading {

@@ -118,13 +118,15 @@ static bool add_source(Sources *sources, int series, int field, size_t thing, do
     return true;
 }
 
-/* The particles in the order in which a course looks at them: the tip, the middle, any. */
+/* The particles in the order in which a course looks at them: the tip, the middle, any; of many every so
+ * manieth. */
+enum { POINTS_MAX = 1000 };
 static size_t nth_point(size_t n, size_t count)
 {
     const size_t middle = count / 2, tip = count - 1;
     if (n < 2)
         return n == 0 ? tip : middle;
-    const size_t k = n - 2;
+    const size_t k = count > POINTS_MAX ? (n - 2) * (count - 2) / (POINTS_MAX - 2) : n - 2;
     return k < middle ? k : k + 1; /* count - 2 of them are left */
 }
 
@@ -167,7 +169,8 @@ static bool find_sources(const DiagnoseTable *table, const DiagnoseColumn *colum
             continue;
         if (table->set >= 0)
             sound = f == own || add_source(out, -1, f, 0, 0);
-        for (size_t k = 0; table->set < 0 && k < sim->counts[0] && sound && sim->counts[0] > 2; k++)
+        const size_t points = sim->counts[0] < POINTS_MAX ? sim->counts[0] : POINTS_MAX;
+        for (size_t k = 0; table->set < 0 && k < points && sound && points > 2; k++)
             sound = add_source(out, -1, f, nth_point(k, sim->counts[0]), 0);
     }
     return sound;
@@ -248,7 +251,7 @@ static void find_sizes(Trials *trials, Simulation *sim)
     }
 }
 
-static bool read_now(Trials *trials, Simulation *sim)
+static void read_now(Trials *trials, Simulation *sim)
 {
     const int set = trials->search->table->set < 0 ? 0 : trials->search->table->set;
     simulation_row(sim, trials->row);
@@ -261,20 +264,21 @@ static bool read_now(Trials *trials, Simulation *sim)
         for (size_t k = 0; k < sim->counts[set]; k++)
             trials->most[f] = fmax(trials->most[f], fabs(trials->field[f][k]));
     }
-    return patience_lasts(&trials->search->task->patience, 0);
 }
 
-/* The run as far as some source of some column agrees. */
+/* The run as far as some source of some column agrees, and the time lasts. False: it was given up. */
 static bool go_along(Trials *trials, Simulation *sim)
 {
     const DiagnoseTable *table = trials->search->table;
     const size_t most = table->n_moments < MOMENTS_MAX ? table->n_moments : MOMENTS_MAX;
     size_t m = 0;
     for (bool any = true; m < most && any && table->moments[m].step <= TRIAL_STEPS_MAX; m++) {
-        if (!simulation_steps(sim, table->moments[m].step - sim->step, NULL, NULL, NULL))
-            break;
-        if (!read_now(trials, sim))
+        if (!patience_lasts(&trials->search->task->patience, 0))
             return false;
+        if (diagnose_time_is_up(trials->search) ||
+            !simulation_steps(sim, table->moments[m].step - sim->step, NULL, NULL, NULL))
+            break;
+        read_now(trials, sim);
         compare_sources(trials, sim, m);
         any = false;
         for (int c = 0; c < table->n_columns; c++)
@@ -366,8 +370,8 @@ static bool try_reading(Trials *trials, const DiagnoseReading *reading, const Se
 {
     DiagnoseTable *table = trials->search->table;
     Settings asked = *settings;
-    if (trials->count == TRIALS_MAX || !diagnose_hold_step(&asked, reading->dt, NULL) ||
-        !diagnose_read_as(table, reading))
+    if (trials->count == TRIALS_MAX || diagnose_time_is_up(trials->search) ||
+        !diagnose_hold_step(&asked, reading->dt, NULL) || !diagnose_read_as(table, reading))
         return true;
     strcpy(settings_edit_output(&asked)->columns, "all");
     settings_edit_output(&asked)->follow[0] = '\0';

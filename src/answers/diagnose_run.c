@@ -175,8 +175,7 @@ static long next_moment(const void *owner, long step)
     const Walker *walker = owner;
     const Walk *walk = walker->walk;
     (void)step;
-    return walker->moment < walk->moments ? walk->table->moments[walker->moment].step + walk->shift
-                                          : LONG_MAX;
+    return walker->moment < walk->moments ? walk->table->moments[walker->moment].step : LONG_MAX;
 }
 
 static bool take_state(void *owner, Run *run, Status *status)
@@ -228,17 +227,13 @@ static bool go(Walker *walker, Run *run, Status *status)
 {
     Walk *walk = walker->walk;
     const DiagnoseTable *table = walk->table;
-    const long last = table->moments[walk->moments - 1].step + walk->shift;
+    const long last = table->moments[walk->moments - 1].step;
     const Sink states = {.next = next_moment, .state = take_state, .owner = walker};
     const Sink stages = {.stage = take_stage, .first = table->moments[0].step, .last = last, .owner = walker};
     const Sink *sink = table->of_stages ? &stages : &states;
     if (!run->settings->problem->end_matters || last < run->last)
         run->last = last;
-    while (walker->moment + 1 < walk->moments && table->moments[walker->moment].step + walk->shift < 0)
-        walker->moment++; /* a row before the run's first */
-    if (last < 0)
-        walk->departure.is = walker->done = true;
-    if (!walker->done && run_start(run, sink, status) && run_to_end(run, sink, status) && !walker->done)
+    if (run_start(run, sink, status) && run_to_end(run, sink, status) && !walker->done)
         walk->stopped = walk->stopped || !patience_lasts(&run->patience, 1);
     else
         walk->stopped = walk->stopped || !(run->failed || walker->done);
@@ -262,7 +257,6 @@ bool diagnose_walk(Walk *walk, const Settings *settings, int threads, Patience p
     const Walk given = *walk;
     *walk = (Walk){.table = given.table,
                    .moments = given.moments < given.table->n_moments ? given.moments : given.table->n_moments,
-                   .shift = given.shift,
                    .to_end = given.to_end,
                    .values = given.values,
                    .grown = given.grown};

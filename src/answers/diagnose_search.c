@@ -118,20 +118,21 @@ static void keep(Search *search, const Candidate *candidate, const Settings *wro
     Explanation *explanation = &found->explanations[found->n_explanations];
     diagnose_explain(candidate, candidate->kind == DIAGNOSE_SCHEME ? &search->given : &search->right, wrong,
                      explanation);
+    for (int i = 0; i < found->n_explanations; i++)
+        if (strcmp(found->explanations[i].id, explanation->id) == 0) /* by another scheme */
+            return;
     explanation->digits = digits_of(search, walk->worst);
     for (size_t m = 0; m < walk->compared; m++)
         explanation->rows += search->table->moments[m].count;
     explanation->grown = walk->failed || walk->moments < search->table->n_moments;
     if (found->n_explanations++ == 0 && search->walk.departure.is) {
-        search->first = *candidate;
         search->by_first = *wrong;
         search->of_first = search->right;
         return;
     }
     if (found->n_explanations > DIAGNOSE_NAMED_MAX + 1) /* which nobody is told */
         return;
-    diagnose_tell_apart(wrong, &search->by_first, candidate->shift - search->first.shift, search->table,
-                        explanation);
+    diagnose_tell_apart(wrong, &search->by_first, search->table, explanation);
 }
 
 /* A code that agrees for a while and then by less and less: compared again with what round-off grows to in
@@ -155,7 +156,7 @@ static bool try_again(Search *search, const Settings *wrong, Walk *walk, bool *a
 /* So many moments beyond the right run's departure are no chance. */
 enum { LEAST_BEYOND = 5 };
 
-static bool time_is_up(Search *search)
+bool diagnose_time_is_up(const Search *search)
 {
     search->found->time_up = search->found->time_up || clock_seconds() > search->until;
     return search->found->time_up;
@@ -165,9 +166,8 @@ static bool time_is_up(Search *search)
 static bool try_one(Search *search, const Candidate *candidate, Walk *walk, Settings *wrong, bool *agrees)
 {
     *agrees = false;
-    *walk = (Walk){
-        .table = search->table, .moments = SIZE_MAX, .shift = candidate->shift, .grown = search->grown};
-    if (time_is_up(search) || !diagnose_settings_of(candidate, &search->right, search->table, wrong))
+    *walk = (Walk){.table = search->table, .moments = SIZE_MAX, .grown = search->grown};
+    if (diagnose_time_is_up(search) || !diagnose_settings_of(candidate, &search->right, search->table, wrong))
         return true;
     Status why = {STATUS_DONE, ""};
     search->found->tried++;
@@ -177,12 +177,13 @@ static bool try_one(Search *search, const Candidate *candidate, Walk *walk, Sett
         return false;
     }
     walk->grown = NULL;
-    /* up to where a run fails it may agree; it has to agree beyond where the right one departs, or as far as
+    /* it has to agree beyond where the right one departs, by more than chance where it fails, or as far as
      * the right one does */
     const bool departs = search->walk.departure.is;
     const size_t shown = departs ? search->walk.departure.moment : 0;
     *agrees = !walk->departure.is && walk->entries > 0 &&
-              (departs ? walk->compared > shown : walk->compared >= search->walk.compared);
+              (departs ? walk->compared > shown + (walk->failed ? LEAST_BEYOND : 0)
+                       : walk->compared >= search->walk.compared);
     return *agrees || !departs || candidate->kind != DIAGNOSE_MISTAKE ||
            walk->departure.moment < shown + LEAST_BEYOND || try_again(search, wrong, walk, agrees);
 }
@@ -224,13 +225,13 @@ static bool may_be_its_step(const Search *search, const Settings *wrong)
  * explanation only a round one. False: it was given up. */
 static bool try_value(Search *search, const Parameter *parameter, const TimeSettings *own_step, bool simpler)
 {
-    Candidate candidate = {DIAGNOSE_VALUE, parameter, 0, 0, 0, own_step};
+    Candidate candidate = {diagnose_kind(parameter), parameter, 0, 0, own_step};
     const DiagnoseTask task = {
         .settings = &search->right, .threads = search->task->threads, .patience = search->task->patience};
     Settings wrong;
     Walk walk;
     bool agrees;
-    if (time_is_up(search))
+    if (diagnose_time_is_up(search))
         return true;
     if (!diagnose_find_value(&task, search->table, &search->walk.departure, parameter, own_step,
                              &candidate.value, &search->found->tried))
@@ -248,17 +249,20 @@ static bool try_value(Search *search, const Parameter *parameter, const TimeSett
     return true;
 }
 
-/* One value that is wrong. Where times of few digits leave the step open, it may be that of the value. */
-static bool try_values(Search *search)
+/* One value that is another, or a round share of the scheme that is `right` at present. Where times of few
+ * digits leave the step open, it may be that of the value. */
+static bool try_values(Search *search, bool shares)
 {
     const DiagnoseTable *table = search->table;
-    const bool simpler = search->found->n_explanations > 0, open = table->dt_bound > 1e-12 * table->dt;
+    const bool simpler = shares || search->found->n_explanations > 0,
+               open = table->dt_bound > 1e-12 * table->dt;
     if (search->walk.departing < ENTRIES_LEAST)
         return true;
     for (int by_value = 0; by_value <= (open && !simpler); by_value++)
         for (int i = 0; i < n_parameters; i++)
-            if (!time_is_up(search) && diagnose_is_tried(&search->right, &parameters[i]) &&
-                parameters[i].type == PARAMETER_REAL && !has_value(search->found, &parameters[i]) &&
+            if (!diagnose_time_is_up(search) && diagnose_is_tried(&search->right, &parameters[i]) &&
+                parameters[i].type == PARAMETER_REAL && (!shares || diagnose_is_share(&parameters[i])) &&
+                !has_value(search->found, &parameters[i]) &&
                 !try_value(search, &parameters[i], by_value ? settings_time(search->task->settings) : NULL,
                            simpler))
                 return false;
@@ -303,7 +307,8 @@ static bool try_listed(Search *search, bool values, bool mistakes_only)
     return sound;
 }
 
-/* Right codes of all schemes; of the first that agrees also the mistakes that the file cannot show. */
+/* Right codes of all schemes; where one agrees also the mistakes that the file cannot show, in the first of
+ * them and in the scenario's. */
 static bool try_schemes(Search *search, const DiagnoseScheme *schemes, int count)
 {
     Candidate candidate = {.kind = DIAGNOSE_SCHEME};
@@ -321,12 +326,18 @@ static bool try_schemes(Search *search, const DiagnoseScheme *schemes, int count
             fewest = schemes[s].choices;
         }
     }
-    if (search->found->n_explanations == 0)
-        return true;
-    search->right = search->by_first;
-    const bool sound = try_listed(search, false, true);
+    bool sound = true;
+    for (int s = 0; s < count && sound && search->found->n_explanations == 0; s++) {
+        search->right = schemes[s].settings;
+        sound = try_values(search, true);
+    }
     search->right = search->given;
-    return sound;
+    if (!sound || search->found->n_explanations == 0)
+        return sound;
+    search->right = search->by_first;
+    sound = try_listed(search, false, true);
+    search->right = search->given;
+    return sound && try_listed(search, false, true);
 }
 
 /* Where no right code agrees: what is wrong in one place, in codes of fewer choices first; then one wrong
@@ -343,15 +354,15 @@ static bool try_product(Search *search, const DiagnoseScheme *schemes, int count
             sound = try_listed(search, choices <= 1, false);
         }
         search->right = search->given;
-        sound = sound && (choices > 0 || try_values(search));
+        sound = sound && (choices > 0 || try_values(search, false));
     }
     const bool few = search->walk.departing < ENTRIES_LEAST;
     for (int s = 0; s < count && sound && !few && search->found->n_explanations == 0; s++)
         if (s == 0 || (schemes[s].choices == 1 && settings_transfer(&schemes[s].settings)->algorithm !=
                                                       settings_transfer(&search->given)->algorithm)) {
             search->right = schemes[s].settings;
-            sound =
-                (s == 0 || try_values(search)) && (search->found->n_explanations > 0 || try_pairs(search));
+            sound = (s == 0 || try_values(search, false)) &&
+                    (search->found->n_explanations > 0 || try_pairs(search));
         }
     return sound;
 }
@@ -524,8 +535,9 @@ bool diagnose(const DiagnoseTask *task, DiagnoseTable *table, Diagnosis *found, 
             (count > 0 ||
              status_refuse(
                  status,
-                 count < 0
-                     ? "interrupted"
+                 count < 0 ? "interrupted"
+                 : diagnose_time_is_up(search)
+                     ? "%s: the time was up before its columns were known (--time)"
                      : "%s: none of its columns is ours, as far as its first rows tell (--map 1=time,2=v_cm)",
                  table->file.file)) &&
             judge_by_noise(search, readings, count);

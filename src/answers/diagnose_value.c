@@ -26,9 +26,9 @@ static bool walk_with(Seek *seek, double value, Walk *walk)
 {
     Settings settings;
     Status ignored = {STATUS_DONE, ""};
-    const Candidate candidate = {DIAGNOSE_VALUE, seek->parameter, value, 0, 0, seek->own_step};
+    const Candidate candidate = {DIAGNOSE_VALUE, seek->parameter, value, 0, seek->own_step};
     const double now = settings_number(seek->task->settings, seek->parameter);
-    const bool size = seek->parameter->nudge != NUDGE_1_2_5 && seek->parameter->nudge != NUDGE_SHARE;
+    const bool size = seek->parameter->nudge != NUDGE_1_2_5 && !diagnose_is_share(seek->parameter);
     if (size && now != 0 && !(value / now > 0.5 && value / now < 2)) /* the work grows with it */
         return false;
     ++*seek->tried;
@@ -84,7 +84,9 @@ static double rounded(Seek *seek, double value)
 /* One step of the search over so many moments. False: it leads nowhere. */
 static bool improve(Seek *seek, size_t moments, double *value)
 {
-    const double change = 1e-6 * fmax(fabs(*value), seek->scale);
+    double change = 1e-6 * fmax(fabs(*value), seek->scale);
+    if (!settings_in_range(seek->parameter, seek->task->settings->problem, *value + change))
+        change = -change;
     for (int side = 0; side < 2; side++) {
         Walk walk = {.table = seek->table, .moments = moments, .to_end = true, .values = seek->values[side]};
         if (!walk_with(seek, *value + side * change, &walk) || walk.failed || walk.compared < moments)

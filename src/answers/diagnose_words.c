@@ -15,8 +15,7 @@ const Explanation *diagnosis_acquits(const Diagnosis *found)
 {
     for (int i = 0; i < found->n_explanations && found->verdict == DIAGNOSE_EXPLAINED; i++) {
         const Explanation *one = &found->explanations[i];
-        if (one->kind == DIAGNOSE_SCHEME &&
-            (strncmp(one->id, "mpm.", 4) == 0 || strncmp(one->id, "pd.", 3) == 0))
+        if (one->kind == DIAGNOSE_SCHEME)
             return one;
     }
     return NULL;
@@ -208,9 +207,7 @@ static void tell_nothing_found(const Diagnosis *found, const DiagnoseTable *tabl
         out,
         "None of %ld other codes gives these numbers: no one mistake, scheme or value that is known here.\n",
         found->tried);
-    if (found->time_up)
-        fputs("The time of --time was up before all of them were tried.\n", out);
-    else if (found->pairs_left)
+    if (found->pairs_left && !found->time_up)
         fputs("Two mistakes at once were not tried (--pairs).\n", out);
     if (found->farthest < 1e-6)
         visible_print(out, "No number is farther off than %s of the largest of its kind.\n",
@@ -299,6 +296,8 @@ void diagnosis_tell(const Diagnosis *found, const DiagnoseTable *table, FILE *ou
               out);
         return;
     }
+    if (found->time_up)
+        fputs("Not everything was tried in the time (--time).\n", out);
     const bool right = diagnosis_word(found, table) <= WORD_RIGHT_BUT;
     tell_agreement(found, table, out);
     if (found->departure.is && !right)

@@ -109,13 +109,14 @@ typedef enum Cell {
     CELL_RIGHT,
     CELL_RATIO,
     CELL_RATIO_IS,
+    CELL_TIME_UP,
     CELL_ERROR,
     CELLS
 } Cell;
 
 static const struct {
     const char *name;
-    bool is_number;
+    bool is_number; /* or true, false */
 } columns[CELLS] = {
     [CELL_NAME] = {"name", false},         [CELL_VERDICT] = {"verdict", false},
     [CELL_SCHEME] = {"scheme", false},     [CELL_DIGITS] = {"digits", true},
@@ -125,7 +126,8 @@ static const struct {
     [CELL_AFTER] = {"after_stage", false}, [CELL_THING] = {"thing", false},
     [CELL_COLUMN] = {"column", false},     [CELL_YOURS] = {"yours", true},
     [CELL_RIGHT] = {"right", true},        [CELL_RATIO] = {"ratio", true},
-    [CELL_RATIO_IS] = {"ratio_is", false}, [CELL_ERROR] = {"error", false},
+    [CELL_RATIO_IS] = {"ratio_is", false}, [CELL_TIME_UP] = {"time_up", true},
+    [CELL_ERROR] = {"error", false},
 };
 
 static void put_number(char cell[CELL_MAX], double value)
@@ -150,6 +152,7 @@ static void fill(const File *file, char cells[CELLS][CELL_MAX])
     const DiagnoseWord word = diagnosis_word(found, &file->table);
     text_append(cells[CELL_VERDICT], CELL_MAX, "%s", diagnose_words[word]);
     diagnosis_read_as(&file->table, cells[CELL_READ_AS], CELL_MAX);
+    text_append(cells[CELL_TIME_UP], CELL_MAX, "%s", found->time_up ? "true" : "false");
     text_append(cells[CELL_ROWS], CELL_MAX, "%zu", found->rows);
     if (found->verdict == DIAGNOSE_COPIED || found->verdict == DIAGNOSE_MUTE)
         return;

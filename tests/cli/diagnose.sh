@@ -109,6 +109,16 @@ result "is found too" says out '^  bar.youngs_modulus=93.25: another value'
 make usl.csv mode5 --steps 50 --set mpm.algorithm=usl
 expect "another scheme" 0 mode5 usl.csv
 result "is right" sh -c 'grep -q "^Right, USL.$" out && ! grep -q "depart" out'
+make clamped.csv mode5 --steps 50 --set bar.supports=free-fixed
+expect "another support" 1 mode5 clamped.csv
+result "is the one thing that is wrong" says out '^Mistake: bar\.supports=free-fixed (USF)\.$'
+result "and no choice of a scheme" says out '^  bar\.supports=free-fixed: another value, the scenario has fixed-free\.$'
+make blended.csv mode5 --steps 50 --set mpm.flip_fraction=0.5
+expect "a share that the scenario has at its bound" 0 mode5 blended.csv
+result "is a scheme" says out '^Right, USF, flip_fraction 0\.5\.$'
+make blended.csv mode5 --steps 50 --set mpm.flip_fraction=0.95 --set mpm.algorithm=usl --set mpm.shape=gimp
+expect "a share in another scheme" 0 mode5 blended.csv
+result "is one too" says out '^Right, USL, gimp, flip_fraction 0\.95\.$'
 make pushing.csv mode5 --steps 50 --set mpm.algorithm=usl --set mpm.shape=gimp --set mpm.mistake=force_sign
 expect "a mistake in another scheme" 1 mode5 pushing.csv
 result "is named with its scheme" says out '^Mistake: force_sign (USL, gimp)\.$'
@@ -256,6 +266,15 @@ make far.csv mode1 $coarse --steps 200
 expect "a run that a mistake ends at once" 0 mode1 $coarse far.csv
 result "has not that mistake" sh -c 'grep -q "those of the right code" out && ! grep -q strain_without_dt out'
 
+# rows of which codes that fail at once have only the first
+# shellcheck disable=SC2086
+"$MATVIB" run mode1 $coarse --steps 1 --quiet --force --series first.csv
+awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; print "step,v_cm,kinetic" } NR == 2 { v = $at["v_cm"]; print 0 "," v "," $at["kinetic"]
+	for (k = 1; k < 9; k++) print k "," v + k ",1" }' first.csv >wildly.csv
+# shellcheck disable=SC2086
+expect "codes that blow up at once" 1 mode1 $coarse wildly.csv
+result "explain no file by its first row" says out '^Unknown\.$'
+
 awk -F, -v OFS=, 'NR == 1 { print "step,v_cm,v_cm"; next } { print $1, $3, $3 + 1 }' right.csv >double.csv
 expect "a column that is there twice" 0 mode5 double.csv
 result "is told" says out '^(it has several columns v_cm: the first counts)$'
@@ -295,6 +314,14 @@ awk -F, 'NR == 1 { print "# step v_cm x_cm"; next } { printf "%.18e %.18e %.18e\
 expect "a table of numpy" 0 mode5 numpy.txt
 result "is read" says out '^Your numbers are those of the right code'
 
+# the time that a file is given
+"$MATVIB" run mode5 --steps 2 --stages 1:2 --particles stages.csv --quiet
+expect "no time for other codes" 0 mode5 stages.csv --time 1e-9
+result "is told beside any verdict" sh -c 'grep -q "^Right, USF\.$" out && grep -q "^Not everything was tried in the time (--time)\.$" out'
+expect "no time for other codes, as JSON" 0 mode5 stages.csv --time 1e-9 --json
+result "is told too" says out '"time_up": true'
+refuse "no time to read" "right.csv: the time was up before its columns were known (--time)" mode5 right.csv --time 1e-9
+
 make soft.csv mode5 --steps 50 --set mpm.mistake=stress_not_added
 printf 'step,v_cm\n0,quick\n' >broken.csv
 expect "many files" 2 mode5 right.csv own.csv soft.csv broken.csv --output marks.csv
@@ -317,5 +344,6 @@ refuse "a word" "x.csv:3: column 2, v_cm: 'fast' is not a number" mode5 "$(print
 refuse "nothing of ours" "x.csv: none of its columns is ours, as far as its first rows tell (--map 1=time,2=v_cm)" mode5 "$(printf 'step,foo\n0,2\n' >x.csv; echo x.csv)"
 refuse "a mistake of the scenario's" "mpm.mistake: force_sign is a mistake, and a file is compared with the right code" mode5 right.csv --set mpm.mistake=force_sign
 refuse "no file" "SCENARIO FILE is missing (see: matvib --help)" mode5
+refuse "a map by no number" "--map: invalid factor fast" mode5 right.csv --map 1=v_cm*fast
 refuse "a map without a column" "--map: right.csv:1: no column speed (step, time, v_cm, v_cm_exact, v_cm_predicted, x_cm, kinetic, strain, work, total, or 1 to 10)" mode5 right.csv --map speed=v_cm
 echo "1..$number"
