@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Settings as a scenario file that reads back to the last bit. */
 #include "scenario/scenario.h"
+#include "scenario/concern_body.h"
 #include "scenario/concern_bonds.h"
 #include "scenario/settings.h"
 #include "scenario/rows/rows.h"
@@ -97,10 +98,13 @@ static bool write_parameter(FILE *stream, const Settings *settings, const Parame
     settings_get(settings, parameter, value);
     if (parameter->type == PARAMETER_TEXT)
         return write_text(stream, section, name, value, status);
-    bool stretch = strcmp(name, "critical_stretch") == 0, energy = strcmp(name, "critical_energy") == 0;
+    const bool stretch = strcmp(name, "critical_stretch") == 0, energy = strcmp(name, "critical_energy") == 0,
+               gap = strcmp(parameter->key, "contact.gap") == 0;
     if ((stretch && settings_bonds(settings)->energy_given) ||
-        (energy && !settings_bonds(settings)->energy_given)) {
-        /* critical stretch and energy follow from each other; written both, the value would be given twice */
+        (energy && !settings_bonds(settings)->energy_given) ||
+        (gap && !settings_contact(settings)->gap_given)) {
+        /* what follows from another value, as critical stretch and energy do, and the gap from the shape:
+         * written, it would be given */
         fprintf(stream, "# %s = %s%s%s\n", name, value, *parameter->unit ? " " : "", parameter->unit);
         return true;
     }
