@@ -13,6 +13,7 @@
 #include "base/text.h"
 #include "problems/problem.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -676,6 +677,13 @@ static void find_range(OverlayColumn *column, size_t count)
     }
 }
 
+/* The number of a thing in a head: 50 of "v50" behind a stem of one letter. False: it has no such stem. */
+static bool number_in(const char *head, const char *stem, size_t length, double *number)
+{
+    return strncmp(head, stem, length) == 0 && isdigit((unsigned char)head[length]) &&
+           text_to_double(head + length, number);
+}
+
 /* Of a wide table, times and then a column for each thing of a set, a long one: a row for each thing, as
  * tables of things are. */
 static bool lengthen(Overlay *file, const Simulation *sim, Status *status)
@@ -684,31 +692,36 @@ static bool lengthen(Overlay *file, const Simulation *sim, Status *status)
         clean_name(file->columns[c].name);
     const char *last = file->columns[file->n_columns - 1].name;
     const size_t stem = strcspn(last, "0123456789");
-    const bool numbered = last[stem] && stem > 0 && last[stem + strspn(last + stem, "0123456789")] == '\0';
-    if (*last && !numbered)
-        return true;
-    int first = 0;
-    while (first < file->n_columns && *last && strncmp(file->columns[first].name, last, stem) != 0)
-        first++;
-    first = *last ? first : 1;
+    double number;
+    int first = *last ? file->n_columns : 1;
+    while (*last && first > 0 && stem > 0 && number_in(file->columns[first - 1].name, last, stem, &number))
+        first--;
     const size_t wide = (size_t)(file->n_columns - first), count = file->count;
     int set = 0;
     while (set < sim->n_sets && (sim->counts[set] != wide || sim->sets[set].ready_after > 0))
         set++;
     if (set == sim->n_sets || wide < 3 || first < 1)
         return true;
+    if (count > OVERLAY_CELLS_MAX / wide / (size_t)(first + 2))
+        return status_refuse(status, "%s: too many numbers (at most 64 million, a row for each %s)",
+                             file->file, sim->sets[set].name);
     Overlay tall = {.count = count * wide, .n_columns = first + 2, .y = -1};
     memcpy(tall.file, file->file, sizeof tall.file);
     tall.columns = calloc((size_t)tall.n_columns, sizeof *tall.columns);
-    bool sound = tall.columns && count <= OVERLAY_CELLS_MAX / wide;
+    bool sound = tall.columns != NULL;
     for (int c = 0; c < tall.n_columns && sound; c++) {
         OverlayColumn *column = &tall.columns[c];
         *column = file->columns[c < first ? c : first];
         sound = (column->values = malloc((tall.count + 1) * sizeof *column->values)) != NULL;
-        for (size_t r = 0; r < tall.count && sound; r++)
+        for (size_t r = 0; r < tall.count && sound; r++) {
+            const OverlayColumn *of = &file->columns[first + (int)(r % wide)];
+            number = (double)(r % wide);
+            if (*last)
+                number_in(of->name, last, stem, &number);
             column->values[r] = c < first    ? file->columns[c].values[r / wide]
-                                : c == first ? (double)(r % wide)
-                                             : file->columns[first + (int)(r % wide)].values[r / wide];
+                                : c == first ? number
+                                             : of->values[r / wide];
+        }
         for (int i = 0; i < (int)wide && c > first; i++) {
             column->digits = file->columns[first + i].digits > column->digits
                                  ? file->columns[first + i].digits

@@ -308,6 +308,14 @@ result "are read" sh -c 'grep -q "^Read as: a column without a name: v_cm, with 
 awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next } { row[$2] = row[$2] " " $at["u"] } END { for (k = 0; k <= 5; k++) print k / 100 row[k / 100] }' long.csv >wide.txt
 expect "a wide table" 0 mode5 wide.txt
 result "is one of particles" sh -c 'grep -q "^Read as: a column without a name: u; dt 0.01$" out && grep -q "those of the right code, to 1[4-6] digits over 300 rows" out'
+awk 'BEGIN { printf "t"; for (k = 50; k > 0; k--) printf ",u%d", k; print "" } { printf "%s", $1; for (k = 51; k > 1; k--) printf ",%s", $k; print "" }' wide.txt >down.csv
+expect "a wide table that counts down" 0 mode5 down.csv
+result "is read by its heads" sh -c 'grep -q "^Right, USF.$" out && grep -q "particle 1 is our particle 0" out'
+sed '1s/u7,/u8,/' down.csv >same.csv
+refuse "a wide table with a head twice" "same.csv: rows 43 and 44 are both of step 0, particle 7" mode5 same.csv
+awk 'BEGIN { printf "t"; for (k = 1; k < 200; k++) printf ",a"; for (k = 0; k < 50; k++) printf ",u%d", k; print ""
+	for (r = 0; r < 6500; r++) { printf "%d", r; for (k = 1; k < 250; k++) printf ",1"; print "" } }' >broad.csv
+refuse "a wide table that would grow beyond bounds" "broad.csv: too many numbers (at most 64 million, a row for each particle)" mode5 broad.csv
 
 # as numpy writes a table
 awk -F, 'NR == 1 { print "# step v_cm x_cm"; next } { printf "%.18e %.18e %.18e\n", $1, $3, $6 }' right.csv >numpy.txt
