@@ -141,9 +141,17 @@ double references_standing_frequency(const References *refs, double time)
 int references_findings(const References *refs, const Simulation *sim, Finding out[FINDINGS_MAX])
 {
     const Solver *solver = refs->solver;
-    return solver && solver->findings && !refs->unaccounted[REFERENCE_EXACT]
-               ? solver->findings(refs, sim, out)
-               : 0;
+    const int count = solver && solver->findings ? solver->findings(refs, sim, out) : 0;
+    int n = 0;
+    for (int i = 0; i < count; i++) {
+        if (refs->unaccounted[REFERENCE_EXACT] && out[i].exact == 0)
+            continue; /* an error of what is not known */
+        out[n] = out[i];
+        if (refs->unaccounted[REFERENCE_EXACT])
+            out[n].exact = NAN;
+        n++;
+    }
+    return n;
 }
 
 void findings_text(const Finding *findings, int n_findings, bool with_exact, char *out, size_t size)

@@ -110,7 +110,8 @@ typedef struct Finding {
 
 enum { FINDINGS_MAX = 8 };
 
-/* Returns how many there are. The simulation is that of the references, at any time. */
+/* Returns how many there are. The simulation is that of the references, at any time. Of a run whose exact
+ * answer is not known, what is measured alone. */
 int references_findings(const References *, const Simulation *, Finding out[FINDINGS_MAX]);
 
 /* "L2 error of v 0.7394  peak/start 0.6993 (exact 1)". */

@@ -1,11 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Exact answers beside a run of bodies, and what the run has come to:
  *
- *     free flight      x = x0 + v0 t + g t^2/2, until a wall or another body is met; any body's velocity is
- * exact first touch      two round bodies: |D + V t| = R_a + R_b, gravity cancels; blocks: their edges
- *     momentum         p = p0 + M g t until a wall acts, L = L0 + M ((c - m) x g t + v x g t^2/2), m the
- * box's middle down an incline  a disc let go on a wall with friction slips where tan(angle) > 3 mu: a = g
- * (sin - mu cos), spin -2 mu g t cos/R; else it rolls: a = (2/3) g sin, spin -a t/R */
+ *     free flight   x = x0 + v0 t + g t^2/2, of one body until it meets a wall
+ *     first touch   |D + V t| = R_a + R_b, two round bodies; blocks: their edges
+ *     momentum      p = p0 + M g t
+ *     angular       L = L0 + M ((c - m) x g t + v x g t^2/2), m the box's middle
+ *     slips         a = g (sin - mu cos), spin = -2 mu g t cos/R
+ *     rolls         a = (2/3) g sin, spin = -a t/R
+ *
+ * Gravity cancels in first touch. Momenta are exact until a wall can act: in a box with walls until the
+ * first touch of any two, for a body that was struck flies another way. A disc let go on an incline, a wall
+ * with friction, slips where tan(angle) > 3 mu, else it rolls, until it comes to the wall ahead. */
 #include "base/math/functions.h"
 #include "problems/bodies_answers.h"
 
@@ -14,18 +19,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The columns of the series by their places in the method's row. */
-enum { KINETIC, STRAIN, POTENTIAL, FRICTION, TOTAL, MOMENTUM_X, MOMENTUM_Y, ANGULAR, BODY_X };
 enum { X, Y, VX, VY, SPIN, OF_BODY };
 
 typedef struct Answers {
     BodiesDef def;
-    double start[BODY_X + BODIES_MAX * OF_BODY]; /* the row at t = 0 */
-    double mass, centre[2];                      /* of all, at t = 0 */
+    double start[BODIES_X + BODIES_MAX * OF_BODY]; /* the row at t = 0 */
+    double mass, centre[2];                        /* of all, at t = 0 */
     double met, hit; /* when two bodies, and a body and a wall, touch first in free flight; INFINITY: never;
                         NAN: not known */
+    double free;     /* until then no wall acts: the first of both in a box with walls */
     bool slides;     /* down an incline, from rest */
     double rate, turns; /* with this acceleration, and so much spin in a unit of time */
+    double until;       /* when the disc comes to the wall ahead; INFINITY: it is open */
     char names[OF_BODY][BODY_NAME_MAX + 16];
 } Answers;
 
@@ -107,11 +112,18 @@ static double wall_meets(const BodiesDef *def, const BodyDef *body, int wall, do
     return first_root(-0.5 * out * def->gravity[axis], -out * body->velocity[axis], distance, close);
 }
 
+/* What is nearer touches. */
+static double closeness(const BodiesDef *def)
+{
+    return 1e-9 * (def->width + def->height);
+}
+
 /* NAN where one of them is not known. */
 static void find_touches(Answers *answers)
 {
     const BodiesDef *def = &answers->def;
-    const double close = 1e-9 * (def->width + def->height);
+    const double close = closeness(def);
+    bool walled = false;
     answers->met = answers->hit = INFINITY;
     for (int a = 0; a < def->n_bodies; a++) {
         for (int b = a + 1; b < def->n_bodies; b++) {
@@ -122,8 +134,12 @@ static void find_touches(Answers *answers)
             if (def->walls[wall] != WALL_OPEN) {
                 const double hit = wall_meets(def, &def->bodies[a], wall, close);
                 answers->hit = isnan(hit) || isnan(answers->hit) ? NAN : fmin(hit, answers->hit);
+                walled = true;
             }
     }
+    answers->free = !walled                                      ? INFINITY
+                    : isnan(answers->met) || isnan(answers->hit) ? NAN
+                                                                 : fmin(answers->met, answers->hit);
 }
 
 /* --- down an incline ------------------------------------------------------------------------------ */
@@ -140,6 +156,10 @@ static void find_slide(Answers *answers)
     const bool slips = along > 3 * mu * down;
     answers->rate = sign * (slips ? along - mu * down : 2 * along / 3);
     answers->turns = slips ? -sign * 2 * mu * down / R : -answers->rate / R;
+    const double way = sign > 0 ? def->width - body->size[0] - R : body->size[0] - R;
+    answers->until = def->walls[sign > 0 ? WALL_RIGHT : WALL_LEFT] == WALL_OPEN
+                         ? INFINITY
+                         : sqrt(2 * fmax(way, 0) / fabs(answers->rate));
 }
 
 /* --- columns -------------------------------------------------------------------------------------- */
@@ -152,13 +172,13 @@ static const Answers *answers_of(const References *refs)
 /* Whether no wall has acted, at a time. */
 static bool is_free(const Answers *answers, double time)
 {
-    return time <= answers->hit;
+    return time <= answers->free;
 }
 
 static double momentum(const Answers *answers, int axis, double time)
 {
     return is_free(answers, time)
-               ? answers->start[MOMENTUM_X + axis] + answers->mass * answers->def.gravity[axis] * time
+               ? answers->start[BODIES_MOMENTUM_X + axis] + answers->mass * answers->def.gravity[axis] * time
                : NAN;
 }
 
@@ -169,8 +189,8 @@ static double angular(const Answers *answers, double time)
     if (!is_free(answers, time))
         return NAN;
     const double moment[2] = {answers->centre[0] - 0.5 * def->width, answers->centre[1] - 0.5 * def->height};
-    const double fall = start[MOMENTUM_X] * g[1] - start[MOMENTUM_Y] * g[0];
-    return start[ANGULAR] + answers->mass * (moment[0] * g[1] - moment[1] * g[0]) * time +
+    const double fall = start[BODIES_MOMENTUM_X] * g[1] - start[BODIES_MOMENTUM_Y] * g[0];
+    return start[BODIES_ANGULAR] + answers->mass * (moment[0] * g[1] - moment[1] * g[0]) * time +
            0.5 * fall * time * time;
 }
 
@@ -195,8 +215,10 @@ static double exact_angular(References *refs, long step, double time, const doub
 /* Of the only body. */
 static double motion(const Answers *answers, int what, double time)
 {
-    const double *const start = answers->start + BODY_X, *const g = answers->def.gravity;
+    const double *const start = answers->start + BODIES_X, *const g = answers->def.gravity;
     const double t = time;
+    if (answers->slides && time > answers->until)
+        return NAN;
     if (answers->slides)
         return what == X      ? start[X] + 0.5 * answers->rate * t * t
                : what == VX   ? answers->rate * t
@@ -264,12 +286,12 @@ bool bodies_prepare(References *refs, const BodiesDef *def, const Simulation *si
     find_touches(answers);
     find_slide(answers);
     plan_rest_of_method(refs, sim);
-    if (!isnan(answers->hit) && answers->hit > 0) {
+    if (answers->free > 0) {
         plan_answer(refs, &px, COLUMN_EXACT, "momentum_x", exact_px);
         plan_answer(refs, &py, COLUMN_EXACT, "momentum_y", exact_py);
         plan_answer(refs, &turn, COLUMN_EXACT, "angular", exact_angular);
     }
-    if (def->n_bodies == 1 && (answers->slides || (!isnan(answers->hit) && answers->hit > 0)))
+    if (def->n_bodies == 1 && (answers->slides || answers->free > 0))
         plan_motion(refs, answers);
     return true;
 }
@@ -286,7 +308,7 @@ static void add(Finding *out, int *count, const char *name, const char *label, d
 /* How fast two bodies come nearer, by a row. */
 static double closing(const double *row)
 {
-    const double *const a = row + BODY_X, *const b = a + OF_BODY;
+    const double *const a = row + BODIES_X, *const b = a + OF_BODY;
     const double D[2] = {b[X] - a[X], b[Y] - a[Y]}, length = sqrt(D[0] * D[0] + D[1] * D[1]);
     return -(D[0] * (b[VX] - a[VX]) + D[1] * (b[VY] - a[VY])) / length;
 }
@@ -297,7 +319,7 @@ int bodies_findings(const References *refs, const Simulation *sim, Finding out[F
     const BodiesDef *def = &answers->def;
     const BodiesSeen seen = bodies_seen(sim);
     const double now = simulation_time(sim), *const start = answers->start;
-    double row[BODY_X + BODIES_MAX * OF_BODY];
+    double row[BODIES_X + BODIES_MAX * OF_BODY];
     int n = 0;
     bool walls = false;
     bodies_row(sim, row);
@@ -307,32 +329,43 @@ int bodies_findings(const References *refs, const Simulation *sim, Finding out[F
                  hit = answers->hit < answers->met ? answers->hit : NAN;
     if (def->n_bodies > 1 && def->fields == FIELDS_EACH)
         add(out, &n, "first_touch", "first touch", seen.met, met, NULL);
-    if (walls)
+    if (walls && answers->hit != 0)
         add(out, &n, "wall_touch", "first touch of a wall", seen.hit, isfinite(hit) ? hit : NAN, NULL);
     if (def->n_bodies == 2 && def->gravity[0] == 0 && def->gravity[1] == 0 && closing(start) > 0) {
         const double apart = -closing(row) / closing(start);
         add(out, &n, "restitution", "restitution", apart > 0 ? apart : NAN, NAN, NULL);
     }
+    const bool known = !refs->unaccounted[REFERENCE_EXACT];
     const double p[2] = {momentum(answers, 0, now), momentum(answers, 1, now)};
-    if (isfinite(p[0]) && isfinite(p[1])) {
-        const double off[2] = {row[MOMENTUM_X] - p[0], row[MOMENTUM_Y] - p[1]};
-        const double size = sqrt(2 * answers->mass * fmax(start[KINETIC], row[KINETIC]));
+    if (known && isfinite(p[0]) && isfinite(p[1])) {
+        const double off[2] = {row[BODIES_MOMENTUM_X] - p[0], row[BODIES_MOMENTUM_Y] - p[1]};
+        const double size = sqrt(2 * answers->mass * fmax(start[BODIES_KINETIC], row[BODIES_KINETIC]));
         if (size > 0)
             add(out, &n, "momentum_error", "error of momentum",
                 sqrt(off[0] * off[0] + off[1] * off[1]) / size, 0, NULL);
     }
     const double L = angular(answers, now);
-    if (isfinite(L) && fabs(L) > 1e-9 * sqrt(2 * answers->mass * start[KINETIC]) * (def->width + def->height))
-        add(out, &n, "angular_kept", "angular momentum/exact", row[ANGULAR] / L, 1, NULL);
-    if (def->n_bodies == 2)
-        add(out, &n, "body_spin", "spin of the second", row[BODY_X + OF_BODY + SPIN], NAN, NULL);
+    if (known && isfinite(L) &&
+        fabs(L) > 1e-9 * sqrt(2 * answers->mass * start[BODIES_KINETIC]) * (def->width + def->height))
+        add(out, &n, "angular_kept", "angular momentum/exact", row[BODIES_ANGULAR] / L, 1, NULL);
+    if (def->n_bodies == 2) {
+        const double spin = row[BODIES_X + OF_BODY + SPIN];
+        double low[2], high[2];
+        bodies_bounds(&def->bodies[1], low, high);
+        const double turning = fabs(spin) * 0.5 * (high[0] - low[0]);
+        const bool rounding = turning < 1e-9 * sqrt(2 * start[BODIES_KINETIC] / answers->mass);
+        add(out, &n, "body_spin", "spin of the second", rounding ? 0 : spin, NAN, NULL);
+    }
     if (answers->slides && now > 0)
-        add(out, &n, "acceleration", "mean acceleration", row[BODY_X + VX] / now, answers->rate, NULL);
+        add(out, &n, "acceleration", "mean acceleration", row[BODIES_X + VX] / now,
+            now <= answers->until ? answers->rate : NAN, NULL);
     /* once it has left the floor: y + v^2/(2 g) */
-    if (walls && def->n_bodies == 1 && def->gravity[0] == 0 && def->gravity[1] < 0) {
-        const double up = row[BODY_X + VY];
+    if (def->n_bodies == 1 && def->walls[WALL_BOTTOM] == WALL_SLIP && def->gravity[0] == 0 &&
+        def->gravity[1] < 0 &&
+        wall_meets(def, &def->bodies[0], WALL_BOTTOM, closeness(def)) <= answers->hit) {
+        const double up = row[BODIES_X + VY];
         add(out, &n, "bounce_height", "height of the bounce",
-            isfinite(seen.hit) && up > 0 ? row[BODY_X + Y] - up * up / (2 * def->gravity[1]) : NAN, NAN,
+            isfinite(seen.hit) && up > 0 ? row[BODIES_X + Y] - up * up / (2 * def->gravity[1]) : NAN, NAN,
             NULL); /* a part of the motion becomes vibration: where it started is no answer */
     }
     add(out, &n, "stretch", "largest stretch", seen.stretch, NAN, NULL);

@@ -264,7 +264,7 @@ START_TEST(contact_is_written_out)
         double *mass = field_now(sim, 1, "mass");
         /* the state of a step between steps is shorter than that within one */
         for (size_t node = 0; node < sim->counts[1] && stage == 1; node++)
-            met += mass[node] > 0 && says(sim, stage, node, before, "it gives the impulse");
+            met += mass[node] > 0 && says(sim, stage, node, before, "this body gives it (");
         for (size_t node = 0; node < sim->counts[1] && stage == 0; node++) {
             Link links[64];
             double sum = 0, factors[EXCHANGE_FACTORS_MAX];
@@ -385,14 +385,6 @@ static void half_cells(BodiesDef *def)
 {
     def->height = .85;
 }
-static void bad_name(BodiesDef *def)
-{
-    strcpy(def->bodies[0].name, "2nd");
-}
-static void same_name(BodiesDef *def)
-{
-    strcpy(def->bodies[1].name, "left");
-}
 static void none(BodiesDef *def)
 {
     def->n_bodies = 0;
@@ -408,6 +400,14 @@ static void empty_block(BodiesDef *def)
 static void no_gap(BodiesDef *def)
 {
     def->gap = 0;
+}
+static void three_cells_a_step(BodiesDef *def)
+{
+    def->courant = 3;
+}
+static void overdamped(BodiesDef *def)
+{
+    def->damping = 240;
 }
 static void one_particle(BodiesDef *def)
 {
@@ -426,8 +426,8 @@ static const struct {
     {spin_in_clamp, "bodies.arm: spin 1, but the left wall clamps it (0, or domain.left = open)"},
     {stress_of_neo, "material.plane: stress is not for the neo-hookean law (strain, or law = hypoelastic)"},
     {half_cells, "domain.height: 0.85 is 8.5 cells (a whole number of mesh.cell_size = 0.1)"},
-    {bad_name, "bodies.2nd: this is no name for a body (a to z, then also 0 to 9 and _)"},
-    {same_name, "bodies.left: two bodies have this name"},
+    {three_cells_a_step, "time.courant: 3 is out of range (above 0, at most 1)"},
+    {overdamped, "damping.rate: 240 is too much for the time step 0.008619 (below 1/dt = 116)"},
     {none, "bodies: there is none (at least one line, NAME = disc CX CY R)"},
     {ring_without_width, "bodies.o: outer radius 0.2 is not above the inner one, 0.2"},
     {empty_block, "bodies.b: is empty (a block has x0 < x1 and y0 < y1)"},
@@ -459,6 +459,8 @@ START_TEST(a_particle_leaves)
     ck_assert_msg(strstr(status.text, "left the box by an open side") != NULL, "%s", status.text);
     ck_assert_msg(strncmp(status.text, "particle ", 9) == 0 || strstr(status.text, "particle") != NULL, "%s",
                   status.text);
+    const char *const time = strstr(status.text, "t = ");
+    ck_assert(time && time[4 + strspn(time + 4, "0123456789.")] != ' '); /* in any unit */
     ck_assert_int_eq(sim->step, done);
     simulation_destroy(sim);
 }

@@ -847,6 +847,139 @@ START_TEST(every_problem_has_its_method)
 }
 END_TEST
 
+/* --- bodies --------------------------------------------------------------------------------------------- */
+
+/* The first row at or after a time; experiment_destroy() it. */
+static Experiment *at_time(const Settings *settings, double time)
+{
+    Experiment *experiment = open_experiment(settings, 1 << 20);
+    const double dt = experiment_simulation(experiment)->dt;
+    ck_assert(experiment_advance(experiment, (long)ceil(time / dt), NULL));
+    return experiment;
+}
+
+static double now(const Experiment *experiment, const char *column)
+{
+    const int k = column_of(experiment, column);
+    ck_assert_msg(k >= 0, "no column %s", column);
+    return experiment_row(experiment)[k];
+}
+
+/* Of a name, with NAN for both when there is none; its name is NULL then. */
+static Finding found(const Experiment *experiment, const char *name)
+{
+    Finding findings[FINDINGS_MAX];
+    const int n =
+        references_findings(experiment_references(experiment), experiment_simulation(experiment), findings);
+    for (int i = 0; i < n; i++)
+        if (strcmp(findings[i].name, name) == 0)
+            return findings[i];
+    return (Finding){.measured = NAN, .exact = NAN};
+}
+
+/* 0.05 from a body at rest, which is struck at t = 0.25 and then moves on to a wall; the one that strikes
+ * would be there at 2.5. */
+START_TEST(momenta_are_exact_until_a_wall_can_act)
+{
+    static const char *const row[] = {"bodies.left",
+                                      "disc 0.3 0.5 0.2 velocity 0.2 0",
+                                      "bodies.right",
+                                      "disc 0.75 0.5 0.2",
+                                      "domain.right",
+                                      "slip",
+                                      NULL};
+    Settings settings = loaded("two-discs", row);
+    Experiment *before = at_time(&settings, 0.2), *after = at_time(&settings, 0.3);
+    ck_assert_double_eq_tol(now(before, "momentum_x") / now(before, "momentum_x_exact"), 1, 1e-9);
+    ck_assert_double_eq(now(before, "momentum_y_exact"), 0);
+    ck_assert(isnan(now(after, "momentum_x_exact")) && isnan(now(after, "angular_exact")));
+    ck_assert_ptr_null(found(after, "momentum_error").name);
+    ck_assert_double_eq_tol(found(after, "first_touch").exact, 0.25, 1e-12);
+    experiment_destroy(before);
+    experiment_destroy(after);
+    set(&settings, "domain.right", "open");
+    after = at_time(&settings, 0.6);
+    ck_assert_double_eq_tol(now(after, "momentum_x") / now(after, "momentum_x_exact"), 1, 1e-9);
+    ck_assert_double_lt(found(after, "momentum_error").measured, 1e-9);
+    experiment_destroy(after);
+}
+END_TEST
+
+/* a = g (sin - mu cos) as tan 30 > 3 mu; 2/3 g sin where it rolls. The wall ahead is 1.8 away. */
+START_TEST(an_incline_ends_at_its_wall)
+{
+    static const char *const walled[] = {"domain.right", "slip", "time.end", "1.5", NULL};
+    Settings settings = loaded("roll-or-slide", walled);
+    const double g = 9.81, slides = g * (0.5 - 0.1 * sqrt(0.75)), until = sqrt(2 * 1.8 / slides);
+    Experiment *before = at_time(&settings, 0.9 * until), *after = at_time(&settings, 1.01 * until);
+    const double t = simulation_time(experiment_simulation(before));
+    ck_assert_double_eq_tol(now(before, "disc.x_exact"), 0.7 + slides * t * t / 2, 1e-4); /* from particles */
+    ck_assert_double_eq_tol(now(before, "disc.vx_exact"), slides * t, 1e-12);
+    ck_assert_double_eq_tol(now(before, "disc.spin_exact"), -2 * 0.1 * g * sqrt(0.75) / 0.5 * t, 1e-12);
+    ck_assert_double_eq_tol(found(before, "acceleration").exact, slides, 1e-12);
+    ck_assert_ptr_null(found(before, "wall_touch").name); /* it lies on one */
+    ck_assert(isnan(now(after, "disc.x_exact")) && isnan(now(after, "disc.spin_exact")));
+    ck_assert(isnan(found(after, "acceleration").exact) && found(after, "acceleration").measured > 0);
+    experiment_destroy(before);
+    experiment_destroy(after);
+    set(&settings, "domain.right", "open");
+    set(&settings, "domain.wall_friction", "0.6");
+    after = at_time(&settings, 0.5);
+    ck_assert_double_eq_tol(found(after, "acceleration").exact, 2 * g * 0.5 / 3, 1e-12);
+    ck_assert_double_eq_tol(now(after, "disc.spin_exact") / now(after, "disc.vx_exact"), -2, 1e-12);
+    experiment_destroy(after);
+}
+END_TEST
+
+/* With damping no answer is exact, but what the disc does is still told; where the floor does not let it
+ * slip, it does not bounce by y + v^2/(2 g). */
+START_TEST(a_bounce_is_told)
+{
+    static const char *const as_it_is[] = {NULL};
+    Settings settings = loaded("bouncing-disc", as_it_is);
+    Experiment *flying = at_time(&settings, 0.2), *run = at_time(&settings, 0.45);
+    const double t = simulation_time(experiment_simulation(flying));
+    ck_assert_double_eq_tol(now(flying, "disc.y_exact"), 0.6 - 5 * t * t, 1e-9);
+    ck_assert_double_eq_tol(now(flying, "disc.y"), now(flying, "disc.y_exact"), 1e-3);
+    ck_assert_double_eq_tol(now(flying, "disc.vy_exact"), -10 * t, 1e-12);
+    ck_assert_double_eq_tol(found(run, "wall_touch").exact, sqrt(0.08), 1e-9);
+    ck_assert_double_eq_tol(found(run, "wall_touch").measured, sqrt(0.08), 0.01);
+    const double height = found(run, "bounce_height").measured;
+    ck_assert(height > 0.45 && height < 0.6 && isnan(now(run, "disc.y_exact")));
+    experiment_destroy(flying);
+    experiment_destroy(run);
+    set(&settings, "damping.rate", "3");
+    run = at_time(&settings, 0.45);
+    ck_assert_int_lt(column_of(run, "disc.y_exact"), 0);
+    static const char *const told[] = {"wall_touch", "bounce_height", "stretch"};
+    for (int i = 0; i < 3; i++) {
+        const Finding finding = found(run, told[i]);
+        ck_assert_msg(isfinite(finding.measured) && isnan(finding.exact), "%s", told[i]);
+    }
+    ck_assert_double_lt(found(run, "bounce_height").measured, height);
+    ck_assert_ptr_null(found(run, "momentum_error").name);
+    experiment_destroy(run);
+    set(&settings, "domain.bottom", "friction");
+    run = at_time(&settings, 0);
+    ck_assert_ptr_null(found(run, "bounce_height").name);
+    experiment_destroy(run);
+}
+END_TEST
+
+START_TEST(a_spin_of_round_off_is_none)
+{
+    static const char *const as_it_is[] = {NULL};
+    Settings settings = loaded("two-discs", as_it_is);
+    Experiment *run = at_time(&settings, 1);
+    ck_assert_double_eq(found(run, "body_spin").measured, 0);
+    experiment_destroy(run);
+    settings = loaded("two-discs-off-centre", as_it_is);
+    run = at_time(&settings, settings_time(&settings)->end);
+    ck_assert_double_gt(fabs(found(run, "body_spin").measured), 1e-3);
+    experiment_destroy(run);
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("problem");
@@ -879,4 +1012,11 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, every_problem_has_its_method);
     tcase_add_test(tcase, other_ways_on_the_same_mesh);
     suite_add_tcase(suite, tcase);
+    TCase *bodies = tcase_create("bodies");
+    tcase_set_timeout(bodies, 120);
+    tcase_add_test(bodies, momenta_are_exact_until_a_wall_can_act);
+    tcase_add_test(bodies, an_incline_ends_at_its_wall);
+    tcase_add_test(bodies, a_bounce_is_told);
+    tcase_add_test(bodies, a_spin_of_round_off_is_none);
+    suite_add_tcase(suite, bodies);
 }

@@ -78,7 +78,18 @@ typedef struct BodiesSeen {
 } BodiesSeen;
 BodiesSeen bodies_seen(const Simulation *);
 
-/* The row of the series at present. */
+/* The row of the series at present, by these places; from BODIES_X on five of each body. */
+enum {
+    BODIES_KINETIC,
+    BODIES_STRAIN,
+    BODIES_POTENTIAL,
+    BODIES_FRICTION,
+    BODIES_TOTAL,
+    BODIES_MOMENTUM_X,
+    BODIES_MOMENTUM_Y,
+    BODIES_ANGULAR,
+    BODIES_X
+};
 void bodies_row(const Simulation *, double *row);
 
 /* The centre of a body: given, of a block its middle; and the box around it. */

@@ -48,7 +48,7 @@ static bool write_meeting(const Subject *subject, int a, int b)
                                                      : "they part: nothing is given\n");
         return true;
     }
-    calculation_number(to, "it gives the impulse (", sign * meeting.impulse[0]);
+    calculation_number(to, "this body gives it (", sign * meeting.impulse[0]);
     calculation_number(to, ", ", sign * meeting.impulse[1]);
     calculation_write(to, ")\n");
     return true;

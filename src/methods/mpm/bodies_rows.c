@@ -71,20 +71,18 @@ BodiesSeen bodies_seen(const Simulation *sim)
                         time_of(sim, mpm->head->torn), bodies_largest_stretch(mpm, &at)};
 }
 
-enum { KINETIC, STRAIN, POTENTIAL, FRICTION, TOTAL, MOMENTUM_X, MOMENTUM_Y, ANGULAR, BODY_X };
-
-static const Quantity quantities[BODY_X] = {
-    [KINETIC] = {"kinetic", "kinetic", "force*length", "kinetic energy of the particles"},
-    [STRAIN] = {"strain", "strain", "force*length", "strain energy of the particles"},
-    [POTENTIAL] = {"potential", "potential", "force*length",
-                   "potential energy in the field of gravity, 0 at the origin"},
-    [FRICTION] = {"friction", "friction", "force*length",
-                  "energy that friction at walls and in contact has taken"},
-    [TOTAL] = {"total", "total", "force*length", "kinetic + strain + potential + friction"},
-    [MOMENTUM_X] = {"momentum_x", "momentum x", "mass*length/time", "momentum of all bodies along x"},
-    [MOMENTUM_Y] = {"momentum_y", "momentum y", "mass*length/time", "momentum of all bodies along y"},
-    [ANGULAR] = {"angular", "angular mom.", "mass*length^2/time",
-                 "angular momentum about the middle of the box"},
+static const Quantity quantities[BODIES_X] = {
+    [BODIES_KINETIC] = {"kinetic", "kinetic", "force*length", "kinetic energy of the particles"},
+    [BODIES_STRAIN] = {"strain", "strain", "force*length", "strain energy of the particles"},
+    [BODIES_POTENTIAL] = {"potential", "potential", "force*length",
+                          "potential energy in the field of gravity, 0 at the origin"},
+    [BODIES_FRICTION] = {"friction", "friction", "force*length",
+                         "energy that friction at walls and in contact has taken"},
+    [BODIES_TOTAL] = {"total", "total", "force*length", "kinetic + strain + potential + friction"},
+    [BODIES_MOMENTUM_X] = {"momentum_x", "momentum x", "mass*length/time", "momentum of all bodies along x"},
+    [BODIES_MOMENTUM_Y] = {"momentum_y", "momentum y", "mass*length/time", "momentum of all bodies along y"},
+    [BODIES_ANGULAR] = {"angular", "angular mom.", "mass*length^2/time",
+                        "angular momentum about the middle of the box"},
 };
 
 void bodies_set_series(Mpm *mpm)
@@ -98,7 +96,7 @@ void bodies_set_series(Mpm *mpm)
                                {"spin", "rad/time", "angular momentum over moment of inertia"}};
     Bodies *bodies = mpm->bodies;
     Simulation *sim = &mpm->sim;
-    for (int k = 0; k < BODY_X; k++)
+    for (int k = 0; k < BODIES_X; k++)
         mpm->series[sim->n_series++] = quantities[k];
     for (int body = 0; body < bodies->def.n_bodies; body++)
         for (int k = 0; k < BODY_COLUMNS; k++) {
@@ -128,24 +126,25 @@ void bodies_write_row(const Mpm *mpm, double *row)
     const BodiesDef *def = &bodies->def;
     const double m = mpm->mass[0];
     double affine = 0.0;
-    for (int k = 0; k < BODY_X; k++)
+    for (int k = 0; k < BODIES_X; k++)
         row[k] = 0.0;
     for (int body = 0; body < def->n_bodies; body++) {
         const int first = bodies->first[body], end = bodies->first[body + 1];
         const Sums sum = sum_particles(mpm, first, end);
-        row[KINETIC] += 0.5 * m * sum.squares;
-        row[STRAIN] += sum.strain;
-        row[POTENTIAL] -= m * (def->gravity[0] * sum.x + def->gravity[1] * sum.y);
-        row[MOMENTUM_X] += m * sum.vx;
-        row[MOMENTUM_Y] += m * sum.vy;
-        row[ANGULAR] += m * (sum.turn - 0.5 * (def->width * sum.vy - def->height * sum.vx));
+        row[BODIES_KINETIC] += 0.5 * m * sum.squares;
+        row[BODIES_STRAIN] += sum.strain;
+        row[BODIES_POTENTIAL] -= m * (def->gravity[0] * sum.x + def->gravity[1] * sum.y);
+        row[BODIES_MOMENTUM_X] += m * sum.vx;
+        row[BODIES_MOMENTUM_Y] += m * sum.vy;
+        row[BODIES_ANGULAR] += m * (sum.turn - 0.5 * (def->width * sum.vy - def->height * sum.vx));
         affine += m * sum.affine;
-        write_body(&sum, end - first, row + BODY_X + body * BODY_COLUMNS);
+        write_body(&sum, end - first, row + BODIES_X + body * BODY_COLUMNS);
     }
     if (mpm->head->transfer == MPM_APIC)
-        row[ANGULAR] += affine;
-    row[FRICTION] = mpm->head->friction;
-    row[TOTAL] = row[KINETIC] + row[STRAIN] + row[POTENTIAL] + row[FRICTION];
+        row[BODIES_ANGULAR] += affine;
+    row[BODIES_FRICTION] = mpm->head->friction;
+    row[BODIES_TOTAL] =
+        row[BODIES_KINETIC] + row[BODIES_STRAIN] + row[BODIES_POTENTIAL] + row[BODIES_FRICTION];
 }
 
 void bodies_row(const Simulation *sim, double *row)

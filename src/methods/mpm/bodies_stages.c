@@ -1,11 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One step of bodies, a function for each stage:
  *
- *     map        m_i = sum m N    q_i = sum m N (v + B D^-1 (x_i - x))    n_i = sum m grad N    r_i = sum m N
- * x fix        walls and contact on q, with q0 = q as mapped (bodies_walls.c) strain     L = sum (q/m) grad
- * N, which turns and strains the stress force      f_i = sum (m N g - V stress . grad N) integrate  q += dt
- * (f - damping q) fix        once more update     FLIP v = alpha (v + sum N (q - q0)/m) + (1 - alpha) u, APIC
- * v = u, B = sum N (q/m) (x_i - x)^T; u = sum N q/m, x += dt u
+ *     map        m_i = sum m N      q_i = sum m N (v + B D^-1 (x_i - x))
+ *                n_i = sum m grad N      r_i = sum m N x
+ *     fix        walls and contact on q, with q0 = q as mapped (bodies_walls.c)
+ *     strain     L = sum (q/m) grad N, which turns and strains the stress
+ *     force      f_i = sum (m N g - V stress . grad N)
+ *     integrate  q += dt (f - damping q)
+ *     fix        once more
+ *     update     u = sum N q/m      x += dt u
+ *                FLIP  v = alpha (v + sum N (q - q0)/m) + (1 - alpha) u
+ *                APIC  v = u      B = sum N (q/m) (x_i - x)^T
  *
  * Sums over particles of a field at its node i, over nodes at a particle; N = N_x N_y at the place that the
  * particle had when the step began. A node with m <= 1e-12 rho dx^2 is light: fix and update leave it out. */

@@ -9,8 +9,11 @@
 #include "methods/mpm/bodies_inner.h"
 
 #define FIX_EQUATION                                                                                         \
-    "wall: q·n < 0 → 0      contact: vₙ = (v_a - v)·n > 0:  q_a -= m_a vₙ n,  q_b += m_a vₙ n"
-#define FIX_ASCII "wall: q.n < 0 -> 0    contact: vn = (v_a - v).n > 0: q_a -= m_a vn n, q_b += m_a vn n"
+    "wall: d ≤ gap, q·n > 0: q·n → 0, |qₜ| falls by at most μ q·n\n"                               \
+    "contact: d ≤ 2 gap, vₙ = (v_a - v)·n > 0: a gives b m_a (vₙ n + min(1, μ vₙ/|vₜ|) vₜ)"
+#define FIX_ASCII                                                                                            \
+    "wall: d <= gap, q.n > 0: q.n -> 0, |qt| falls by at most mu q.n\n"                                      \
+    "contact: d <= 2 gap, vn = (v_a - v).n > 0: a gives b m_a (vn n + min(1, mu vn/|vt|) vt)"
 #define STRAIN_ROW(equation, ascii, source)                                                                  \
     {                                                                                                        \
         "strain", "strain and stress", equation, ascii, source,                                              \

@@ -5,11 +5,13 @@
  *               clamp     q = q0 = 0
  *               slip      where q goes out of the box and |mean place - wall| <= gap: its normal part goes
  *               friction  besides, the tangential part is reduced by at most mu times what was removed
- *     contact   of the fields a < b in their order, n = (n_a - n_b)/|n_a - n_b|: n_i = sum m grad N points
- * out of a body; skipped where (r_b/m_b - r_a/m_a) . n > 2 gap; v = (q_a + q_b)/(m_a + m_b), vn = (q_a/m_a -
- * v) . n; if vn > 0, a loses vn and the share min(1, mu vn/|vt|) of its tangential velocity vt relative to v,
- * and b is given them
+ *     contact   of the fields a < b in their order, where (r_b/m_b - r_a/m_a) . n <= 2 gap:
+ *               n = (n_a - n_b)/|n_a - n_b|
+ *               v = (q_a + q_b)/(m_a + m_b)
+ *               vn = (q_a/m_a - v) . n      vt = q_a/m_a - v - vn n
+ *               vn > 0: J = m_a (vn n + min(1, mu vn/|vt|) vt), q_a -= J, q_b += J
  *
+ * n_i = sum m grad N points out of a body; a wall's n points out of the box.
  * Bardenhagen, Brackbill, Sulsky 2000; the gap after Nairn 2013. Contact keeps momentum and the grid's
  * angular momentum exactly. Energy that friction takes: impulse times the mean of the relative tangential
  * velocities before and after. */

@@ -29,7 +29,7 @@ bool mpm_fail_particle(Mpm *mpm, Status *status, int particle, const char *what)
     const bool light = mpm->dim == 1 && bar_feels_light_nodes(&mpm->bar, mpm->head->transfer);
     char text[200];
     snprintf(text, sizeof text, "%s%s", what, light ? " (" BAR_LIGHT_NODES ")" : "");
-    return batch_fail_particle(&mpm->sim, status, particle, text, mpm->dim == 2 ? " s" : "");
+    return batch_fail_particle(&mpm->sim, status, particle, text, mpm->dim == 2 && !mpm->bodies ? " s" : "");
 }
 
 /* The first crossing of a particle is an event; in the plane one event a step, as particles of a lattice

@@ -2,13 +2,16 @@
 /* The row of a step, the columns of a beam's series:
  *
  *     probe      mean over up to four nodes beside the point (beam_set_problem)
- *     kinetic    sum rho (vx^2 + vy^2)/2 V b            strain   sum of bonds c G w s^2 |xi| V^2/2 b
+ *     kinetic    sum rho (vx^2 + vy^2)/2 V b
+ *     strain     sum of bonds c G w s^2 |xi| V^2/2 b
  *     damped     sum over steps of alpha sum rho |v|^2 V b dt, v at mid-step
- *     momentum   sum rho v V b                          reaction -sum (f - alpha rho v) V b over held
- * components total      kinetic + strain + dissipated + damped; less the work it keeps its value to O(dt^2)
+ *     momentum   sum rho v V b
+ *     reaction   -sum (f - alpha rho v) V b over held components
+ *     total      kinetic + strain + dissipated + damped
  *
- * V = dx^2, b the thickness; SI units. Each column is a function and a row of the table below, which says
- * which problems have it. Called between steps only, when u, v and the broken bonds belong to the same time.
+ * V = dx^2, b the thickness; SI units. The total less the work keeps its value to O(dt^2). Each column is a
+ * function and a row of the table below, which says which problems have it. Called between steps only, when
+ * u, v and the broken bonds belong to the same time.
  */
 #include "base/assertion.h"
 #include "methods/bonds/plane/bonds_internal.h"
