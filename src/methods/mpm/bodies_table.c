@@ -9,11 +9,11 @@
 #include "methods/mpm/bodies_inner.h"
 
 #define FIX_EQUATION                                                                                         \
-    "wall: d ≤ gap, q·n > 0: q·n → 0, |qₜ| falls by at most μ q·n\n"                               \
-    "contact: d ≤ 2 gap, vₙ = (v_a - v)·n > 0: a gives b m_a (vₙ n + min(1, μ vₙ/|vₜ|) vₜ)"
+    "wall: d ≤ gap, q·n > 0: q·n → 0, |qₜ| falls by ≤ μ q·n      vₙ = (v_a - v)·n\n"          \
+    "contact: d ≤ 2 gap, vₙ > 0: a gives b m_a (vₙ n + min(1, μ vₙ/|vₜ|) vₜ)"
 #define FIX_ASCII                                                                                            \
-    "wall: d <= gap, q.n > 0: q.n -> 0, |qt| falls by at most mu q.n\n"                                      \
-    "contact: d <= 2 gap, vn = (v_a - v).n > 0: a gives b m_a (vn n + min(1, mu vn/|vt|) vt)"
+    "wall: d <= gap, q.n > 0: q.n -> 0, |qt| falls by <= mu q.n   vn = (v_a - v).n\n"                        \
+    "contact: d <= 2 gap, vn > 0: a gives b m_a (vn n + min(1, mu vn/|vt|) vt)"
 #define STRAIN_ROW(equation, ascii, source)                                                                  \
     {                                                                                                        \
         "strain", "strain and stress", equation, ascii, source,                                              \
