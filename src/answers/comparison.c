@@ -41,7 +41,7 @@ static bool fill_answer(const Standing *run, const char *word, const char *forma
     const Readout *readout = run->readout;
     if (!readout->moving)
         return false;
-    snprintf(label, COMPARISON_TEXT_MAX, readout->is_period ? "T %s, ms" : "w %s", word);
+    snprintf(label, COMPARISON_TEXT_MAX, readout->is_period ? "T %s, ms" : "ω %s", word);
     return known && put(value, format, readout->is_period ? answer / 1e-3 : answer);
 }
 
@@ -79,7 +79,7 @@ static bool fill_exact(const Standing *run, char *label, char *value)
 static bool fill_error(const Standing *run, char *label, char *value)
 {
     const Readout *readout = run->readout;
-    snprintf(label, COMPARISON_TEXT_MAX, readout->is_period ? "T off by" : "w off by");
+    snprintf(label, COMPARISON_TEXT_MAX, readout->is_period ? "T off by" : "ω off by");
     const bool about = experiment_is_flowing(run->experiment);
     snprintf(value, COMPARISON_TEXT_MAX, "%s%+.*f %%", about ? "~" : "",
              readout_error_decimals(readout, about ? 1 : 2),

@@ -10,6 +10,8 @@
 #include "panes/screen_places.h"
 #include "run/playback.h"
 
+#include <math.h>
+
 enum {
     LEAST_WIDTH = 40,
     LEAST_HEIGHT = 12,
@@ -23,10 +25,42 @@ enum {
     INSPECTOR_WIDTH = 79,
     TIMELINE_WIDTH = 100,
     TIMELINE_HEIGHT = 30,
-    LEGEND_HEIGHT = 40
+    LEGEND_HEIGHT = 40,
+    PICTURE_LEAST = 6,
+    PLOT_LEAST = 30
 };
 
 #define TALL_SHARE 0.2 /* height over length */
+
+/* How many rows and columns panes take that both sheets have. */
+
+enum { LESSON_WIDTH = 37, WIDE_LESSON_WIDTH = 46 };
+
+/* A caption is short; a stage, a summary and a table of runs are not. */
+static bool layout_has_caption(const Screen *screen)
+{
+    return !screen_second_run(screen) && pane_runs_rows(screen) == 0 &&
+           (screen_is_running(screen) ||
+            (screen->playback->state == STATE_COMPUTING && screen->playback->goes_on));
+}
+
+/* While a run goes on no more than the words need where there is a map: it takes the rest. */
+static int layout_box_rows(const Screen *screen, int height, bool map)
+{
+    if (layout_has_caption(screen))
+        return height < 27 ? 3 : height < 30 ? 4 : height < 40 || map ? 5 : 6;
+    return height < 22 ? 4 : height < 27 ? 5 : height < 30 ? 6 : height < 40 ? 9 : 10;
+}
+
+static int layout_lesson_width(int width)
+{
+    return width < WIDE ? LESSON_WIDTH : WIDE_LESSON_WIDTH;
+}
+
+static int layout_strip_rows(int height)
+{
+    return height < 28 ? 2 : height < 40 ? 3 : 4;
+}
 
 /* The tables and the energies one below the other, in so many rows; the second table only where all three
  * have room. */
@@ -60,11 +94,34 @@ static void lay_out_inspector(int width, Layout *layout)
         *timeline = (Rect){0, timeline->y, width, timeline->height};
 }
 
+/* The map of bodies, whose lengths are to one scale, is beside the plot or above it, whichever draws it
+ * larger; the plot has the rest, at least what can be read. */
+static void lay_out_bodies(const Screen *screen, Rect rect, Layout *layout)
+{
+    const bool upper = screen->views.upper->is_map;
+    Rect *map = &layout->panes[upper ? PANE_UPPER : PANE_LOWER],
+         *plot = &layout->panes[upper ? PANE_LOWER : PANE_UPPER];
+    const Geometry *box = settings_geometry(experiment_settings(screen->experiment));
+    const double across = 2 * box->length / box->height; /* columns to a row */
+    const int most = (int)(across * (rect.height - 2)) + 2, free = rect.width - PLOT_LEAST;
+    const int beside = most < free ? most : free, high = rect.height * 3 / 5;
+    *map = *plot = rect;
+    if (rect.height < 2 * PICTURE_LEAST || beside - 2 >= fmin(rect.width - 2, across * (high - 2))) {
+        map->width = beside;
+        plot->x += beside, plot->width -= beside;
+    } else {
+        map->height = high;
+        plot->y += high, plot->height -= high;
+    }
+}
+
 static void lay_out_full(const Screen *screen, int width, int height, Layout *layout)
 {
     /* a beam that is in a plot pane is not drawn twice */
     const bool drawn = simulation_has_map(experiment_simulation(screen->experiment)) &&
                        (screen->views.upper->is_map || screen->views.lower->is_map);
+    const bool bodies = drawn && simulation_has(experiment_simulation(screen->experiment), HAS_BODIES) &&
+                        !screen_second_run(screen);
     const int box = layout_box_rows(screen, height, drawn);
     const int mesh = drawn ? 0 : layout_strip_rows(height);
     const int top = 1 + mesh, middle = height - 2 - box - mesh;
@@ -100,41 +157,14 @@ static void lay_out_full(const Screen *screen, int width, int height, Layout *la
     else if (side) {
         /* a beam lies along the whole width, and what joins at the right is beside the lower plot */
         const int above = drawn && screen->views.upper->is_map ? upper : 0;
-        if (above)
+        if (bodies) {
+            layout->panes[PANE_UPPER].height = middle - timeline;
+            layout->panes[PANE_LOWER] = (Rect){width - side_width, top, side_width, upper};
+        } else if (above)
             layout->panes[PANE_UPPER].width = width - left;
         lay_out_sides(screen, (Rect){width - side_width, top + above, side_width, middle - above}, layout);
-    }
-}
-
-Layout layout_make(const Screen *screen, int width, int height)
-{
-    Layout layout = {.kind = LAYOUT_TOO_SMALL};
-    if (width < LEAST_WIDTH || height < LEAST_HEIGHT)
-        return layout;
-    layout.title = (Rect){0, 0, width, 1};
-    layout.keys = (Rect){0, height - 1, width, 1};
-    if (screen_is_plain(screen) && !screen->panes.zoomed && layout_plain(screen, width, height, &layout))
-        return layout;
-    if (width >= FULL_WIDTH && height >= FULL_HEIGHT && !screen->panes.zoomed && !screen_is_plain(screen)) {
-        lay_out_full(screen, width, height, &layout);
-        return layout;
-    }
-    layout_small(screen, width, height, &layout);
-    return layout;
-}
-
-bool screen_is_whole(const Screen *screen, int width, int height)
-{
-    Layout layout;
-    if (screen_is_plain(screen))
-        return layout_plain(screen, width, height, &layout);
-    return width >= FULL_WIDTH && height >= FULL_HEIGHT;
-}
-
-Rect screen_pane(const Screen *screen, int width, int height, PaneId pane)
-{
-    Layout layout = layout_make(screen, width, height);
-    return pane < PANE_COUNT ? layout.panes[pane] : (Rect){0};
+    } else if (bodies)
+        lay_out_bodies(screen, (Rect){left, top, plots, middle - timeline}, layout);
 }
 
 /* Where panes lie on a screen without room for all of them, and what a pane that fills the screen leaves.
@@ -184,7 +214,7 @@ static bool lay_out_page(const Screen *screen, int width, int height, Layout *la
     return true;
 }
 
-void layout_small(const Screen *screen, int width, int height, Layout *layout)
+static void layout_small(const Screen *screen, int width, int height, Layout *layout)
 {
     const PaneId given = screen->panes.focus < PANE_COUNT ? screen->panes.focus : PANE_PARAMETERS;
     /* what is moved on the map is looked at there, though the keys go to the parameters */
@@ -221,8 +251,6 @@ enum {
     LESSON_LEAST_HEIGHT = 20,
     ASKED_WIDTH = 34,
     ASKED_MOST = 40,
-    PICTURE_LEAST = 6,
-    PLOT_LEAST = 30,
     DRAWING_ROWS = 15 /* with the sums of a stage below it */
 };
 
@@ -247,25 +275,6 @@ static int box_rows(const Screen *screen, int height, bool wide)
     const bool inside = experiment_stage(screen->experiment) > 0 || experiment_before(screen->experiment);
     const bool speaks = (inside && !wide) || screen->playback->state == STATE_FAILED || screen->diagnosis[0];
     return speaks ? layout_box_rows(screen, height, false) : 0;
-}
-
-/* Of a map of bodies, whose lengths are to one scale, as much as it can use; the plot beside or below it has
- * the rest. */
-static void lay_out_bodies(const Screen *screen, Rect rect, Layout *layout)
-{
-    const bool upper = screen->views.upper->is_map;
-    Rect *map = &layout->panes[upper ? PANE_UPPER : PANE_LOWER],
-         *plot = &layout->panes[upper ? PANE_LOWER : PANE_UPPER];
-    const Geometry *box = settings_geometry(experiment_settings(screen->experiment));
-    const int used = (int)(2 * (rect.height - 2) * box->length / box->height) + 2;
-    *map = rect;
-    if (rect.width - used >= PLOT_LEAST) {
-        map->width = used;
-        *plot = (Rect){rect.x + used, rect.y, rect.width - used, rect.height};
-    } else if (rect.height >= 2 * PICTURE_LEAST) {
-        map->height = rect.height * 3 / 5;
-        *plot = (Rect){rect.x, rect.y + map->height, rect.width, rect.height - map->height};
-    }
 }
 
 /* In one column: the picture, or over it what one thing gives and takes. */
@@ -369,7 +378,7 @@ static void lay_out_stacked(const Screen *screen, int width, int height, Layout 
     layout->panes[PANE_PARAMETERS] = (Rect){0, end + box + number, asked ? width : 0, asked};
 }
 
-bool layout_plain(const Screen *screen, int width, int height, Layout *layout)
+static bool layout_plain(const Screen *screen, int width, int height, Layout *layout)
 {
     const bool lesson = screen->lesson->open;
     if (!lesson && width < STACKED_WIDTH && width >= STACKED_LEAST &&
@@ -386,32 +395,33 @@ bool layout_plain(const Screen *screen, int width, int height, Layout *layout)
     return true;
 }
 
-/* How many rows and columns panes take that both sheets have. */
-
-enum { LESSON_WIDTH = 37, WIDE_LESSON_WIDTH = 46 };
-
-/* A caption is short; a stage, a summary and a table of runs are not. */
-bool layout_has_caption(const Screen *screen)
+Layout layout_make(const Screen *screen, int width, int height)
 {
-    return !screen_second_run(screen) && pane_runs_rows(screen) == 0 &&
-           (screen_is_running(screen) ||
-            (screen->playback->state == STATE_COMPUTING && screen->playback->goes_on));
+    Layout layout = {.kind = LAYOUT_TOO_SMALL};
+    if (width < LEAST_WIDTH || height < LEAST_HEIGHT)
+        return layout;
+    layout.title = (Rect){0, 0, width, 1};
+    layout.keys = (Rect){0, height - 1, width, 1};
+    if (screen_is_plain(screen) && !screen->panes.zoomed && layout_plain(screen, width, height, &layout))
+        return layout;
+    if (width >= FULL_WIDTH && height >= FULL_HEIGHT && !screen->panes.zoomed && !screen_is_plain(screen)) {
+        lay_out_full(screen, width, height, &layout);
+        return layout;
+    }
+    layout_small(screen, width, height, &layout);
+    return layout;
 }
 
-/* While a run goes on no more than the words need where there is a map: it takes the rest. */
-int layout_box_rows(const Screen *screen, int height, bool map)
+bool screen_is_whole(const Screen *screen, int width, int height)
 {
-    if (layout_has_caption(screen))
-        return height < 27 ? 3 : height < 30 ? 4 : height < 40 || map ? 5 : 6;
-    return height < 22 ? 4 : height < 27 ? 5 : height < 30 ? 6 : height < 40 ? 9 : 10;
+    Layout layout;
+    if (screen_is_plain(screen))
+        return layout_plain(screen, width, height, &layout);
+    return width >= FULL_WIDTH && height >= FULL_HEIGHT;
 }
 
-int layout_lesson_width(int width)
+Rect screen_pane(const Screen *screen, int width, int height, PaneId pane)
 {
-    return width < WIDE ? LESSON_WIDTH : WIDE_LESSON_WIDTH;
-}
-
-int layout_strip_rows(int height)
-{
-    return height < 28 ? 2 : height < 40 ? 3 : 4;
+    Layout layout = layout_make(screen, width, height);
+    return pane < PANE_COUNT ? layout.panes[pane] : (Rect){0};
 }

@@ -291,7 +291,7 @@ static void draw_summary(const Screen *screen, Area area)
         const int decimals = readout_error_decimals(readout, 3);
         const char *tail = readout->is_period ? " ms" : "";
         const bool wrong = settings_mistake(experiment_settings(screen->experiment)) != NULL;
-        snprintf(text, sizeof text, "%s%s measured %s", readout->is_period ? "period" : "frequency w",
+        snprintf(text, sizeof text, "%s%s measured %s", readout->is_period ? "period" : "frequency ω",
                  wrong ? " with a mistake" : "", readout_text(readout, 5).text);
         if (readout->predicted_known && screen_shows_predicted(screen))
             text_append(text, sizeof text, wrong ? "  predicted (right code) %.5f" : "  predicted %.5f",

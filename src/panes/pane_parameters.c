@@ -222,8 +222,9 @@ void pane_parameter(const Screen *screen, Area area, int y, const Parameter *par
     Style style = focused ? STYLE_SELECTED : STYLE_NORMAL;
     for (int x = 1; focused && x < width; x++)
         area_put(area, x, y, ' ', style);
+    const bool alone = screen_is_plain(screen) && !screen->lesson->open;
     char value[LIST_MAX], name[48];
-    if (screen_is_plain(screen) && !screen->lesson->open)
+    if (alone)
         parameter_name_alone(parameter, name, sizeof name);
     else
         snprintf(name, sizeof name, "%s", parameter->label);
@@ -233,6 +234,12 @@ void pane_parameter(const Screen *screen, Area area, int y, const Parameter *par
     /* a number is never cut: where both have no room, the label is shorter */
     const bool is_number = parameter->type == PARAMETER_REAL || parameter->type == PARAMETER_INTEGER;
     const int wanted = 3 + glyphs_columns(name);
+    /* the plain sheet has no row for the unit of the chosen one */
+    const char *unit = alone && settings->problem->si ? parameter_unit(parameter, settings->problem) : "";
+    if (parameter->type == PARAMETER_REAL && unit[0] && strcmp(unit, "1") != 0 &&
+        isdigit((unsigned char)value[strspn(value, "-.")]) &&
+        wanted + glyphs_columns(value) + 1 + glyphs_columns(unit) <= width)
+        text_append(value, sizeof value, " %s", unit);
     if (is_number && glyphs_columns(value) > width - wanted && parameter->type == PARAMETER_REAL)
         strcpy(value,
                text_fitted(settings_number(settings, parameter), 6, width - wanted < 10 ? 10 : width - wanted)

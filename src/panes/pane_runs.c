@@ -31,7 +31,7 @@ static int values_of(const Table *table, const Readout *readout, double values[4
 /* In the rule above the rows, a space on each side. */
 static void draw_heads(const Table *table, const Screen *screen, bool is_period, Area area)
 {
-    const char *heads[] = {is_period ? "T meas, ms" : "w measured", "predicted",
+    const char *heads[] = {is_period ? "T meas, ms" : "ω measured", "predicted",
                            screen_problem(screen)->answer, "off"};
     int x = 1 + NAME_COLUMNS;
     for (int i = 0; i < 4; i++) {

@@ -33,14 +33,6 @@ typedef struct Layout {
 } Layout;
 
 Layout layout_make(const Screen *, int width, int height);
-void layout_small(const Screen *, int width, int height, Layout *); /* without room for all panes */
-bool layout_plain(const Screen *, int width, int height, Layout *); /* false: it has no room */
-/* layout.c, what both sheets have: the width of a lesson's text, the rows of the strip of particles and
- * of the box. */
-int layout_lesson_width(int width);
-int layout_strip_rows(int height);
-bool layout_has_caption(const Screen *);
-int layout_box_rows(const Screen *, int height, bool map);
 
 /* --- the other panes --- */
 

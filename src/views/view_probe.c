@@ -220,17 +220,17 @@ static void frequency_lines(const Screen *screen, bool narrow, char first[READOU
     const bool about = screen_is_running(screen) && experiment_is_flowing(screen->experiment);
     if (readout->measured_known)
         text_append(first, READOUT_TEXT,
-                    narrow  ? "w %s%s"
-                    : wrong ? "w wrong code %s%s"
-                            : "w measured %s%s",
+                    narrow  ? "ω %s%s"
+                    : wrong ? "ω wrong code %s%s"
+                            : "ω measured %s%s",
                     about ? "~" : "", readout_text(readout, about ? 3 : 4).text);
     else if (readout->unaccounted)
-        text_append(first, READOUT_TEXT, narrow ? "w ? %s" : "w: not known with %s", readout->unaccounted);
+        text_append(first, READOUT_TEXT, narrow ? "ω ? %s" : "ω: not known with %s", readout->unaccounted);
     else if (experiment_at_end(screen->experiment)) {
-        text_append(first, READOUT_TEXT, "w none");
+        text_append(first, READOUT_TEXT, "ω none");
         text_append(second, READOUT_TEXT, "%s", readout->unmeasured);
     } else
-        text_append(first, READOUT_TEXT, narrow ? "w ..." : "w measuring");
+        text_append(first, READOUT_TEXT, narrow ? "ω ..." : "ω measuring");
     if (predicted)
         text_append(first, READOUT_TEXT, narrow ? " %s %.4f" : "  %s %.4f",
                     wrong    ? (narrow ? "right" : "right code")
@@ -241,7 +241,7 @@ static void frequency_lines(const Screen *screen, bool narrow, char first[READOU
         text_append(first, READOUT_TEXT, narrow ? " exact %.4f" : "  exact %.4f", readout->exact);
     if (readout->measured_known && exact) {
         const int decimals = readout_error_decimals(readout, about ? 1 : 2);
-        text_append(second, READOUT_TEXT, "w %+.*f %%", decimals, readout->error_frequency);
+        text_append(second, READOUT_TEXT, "ω %+.*f %%", decimals, readout->error_frequency);
         /* of what dies its decay is told, if not everything can be */
         if (!narrow || !(readout->kept_predicted < READOUT_UNDAMPED)) {
             text_append(second, READOUT_TEXT, "  T %+.*f %%", decimals, readout->error_period);
@@ -356,10 +356,13 @@ static Axis value_axis(const Screen *screen, const ShownRun *runs, int n_runs, c
     }
     if (strcmp(quantity->unit, "1") == 0) /* of things */
         return axis_count(range.most);
-    /* what swings far from zero, a place, is seen about its own middle; what is conserved is not magnified */
-    const bool aside = range.least > 0 && range.most > (1 + 1e-9) * range.least;
-    return (range.swings && !aside) || range.least < 0 ? axis_symmetric(range.reach)
-                                                       : axis_around(range.least, range.most);
+    /* what swings to one side of zero, a place, is seen about its own middle; what is conserved is not
+     * magnified, nor are errors of rounding below zero */
+    const double below = -0.1 * range.most;
+    const bool aside = range.least > below && range.most > (1 + 1e-9) * range.least;
+    if ((range.swings && !aside) || range.least < below)
+        return axis_symmetric(range.reach);
+    return axis_around(fabs(range.least) < 1e-9 * range.most ? 0 : range.least, range.most);
 }
 
 static void describe(const Screen *screen, int variant, Picture *picture)

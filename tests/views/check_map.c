@@ -666,7 +666,8 @@ END_TEST
  */
 START_TEST(a_disc_is_round)
 {
-    static const char *const words[] = {"two-discs 80x24 0 bare upper 8", "two-discs 132x43 0 bare upper 8"};
+    static const char *const words[] = {"two-discs 80x24 0 bare upper 8", "two-discs 132x43 0 bare upper 8",
+                                        "two-discs 132x43 0 upper 8"};
     Scene scene;
     open_scene(&scene, words[_i]);
     const Rect pane = screen_pane(&scene.screen, scene.canvas.width, scene.canvas.height, PANE_UPPER);
@@ -689,11 +690,46 @@ START_TEST(a_disc_is_round)
             }
     }
     const int wide = high[0] - low[0] + 1, tall = high[1] - low[1] + 1;
-    ck_assert_int_gt(wide, 15);
+    ck_assert_int_gt(wide, _i == 2 ? 30 : 15);
     ck_assert_int_le(abs(wide - tall), 2);
     /* no square, and not a ring: particles that are seen apart leave gaps */
     ck_assert_double_lt(dots, 0.88 * wide * tall);
     ck_assert_double_gt(dots, 0.45 * wide * tall);
+    scene_close(&scene);
+}
+END_TEST
+
+/* Its arrow is in the picture, and no particle is under it; it is left out rather. */
+START_TEST(gravity_hides_nothing)
+{
+    static const char *const words[] = {"bouncing-disc 80x24 300 upper 8", "falling-beam 80x24 100 upper 8",
+                                        "roll-or-slide 80x24 900 upper 8"};
+    static const int sizes[][2] = {{20, 14}, {24, 10}, {36, 12}, {52, 8}, {90, 30}};
+    Scene scene;
+    open_scene(&scene, words[_i]);
+    int drawn = 0;
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        Seen seen;
+        see(&seen, &scene, (Rect){1, 1, sizes[i][0], sizes[i][1]});
+        map_add_box(&seen.map);
+        for (int a = 0; a < seen.picture.n_arrows; a++, drawn++) {
+            const PictureArrow *arrow = &seen.picture.arrows[a];
+            const double middle[2] = {(arrow->from[0] + arrow->to[0]) / 2,
+                                      (arrow->from[1] + arrow->to[1]) / 2};
+            ck_assert(picture_in_sight(&seen.picture, arrow->from[0], arrow->from[1], 0));
+            ck_assert(picture_in_sight(&seen.picture, arrow->to[0], arrow->to[1], 0));
+            const double *size = seen.map.body.size;
+            ck_assert_msg(middle[0] > 0 &&
+                              (middle[0] > size[0] || middle[0] < size[0] - .4 / seen.drawn->scale[0]),
+                          "on a wall: %g", middle[0]);
+            for (size_t k = 0; k < seen.map.body.count; k++)
+                ck_assert_msg(fabs(seen.drawn->x[k] - middle[0]) * seen.drawn->scale[0] > 0.5 ||
+                                  fabs(seen.drawn->y[k] - middle[1]) * seen.drawn->scale[1] > 1.5,
+                              "%d columns: over particle %zu", sizes[i][0], k);
+        }
+        see_no_more(&seen);
+    }
+    ck_assert_int_ge(drawn, 3);
     scene_close(&scene);
 }
 END_TEST
@@ -835,7 +871,8 @@ void add_cases(Suite *suite)
     tcase_add_test(map, every_colour_word_is_known);
     tcase_add_test(map, bending_stress_is_seen);
     tcase_add_test(map, the_drawing_has_its_dimensions);
-    tcase_add_loop_test(map, a_disc_is_round, 0, 2);
+    tcase_add_loop_test(map, a_disc_is_round, 0, 3);
+    tcase_add_loop_test(map, gravity_hides_nothing, 0, 3);
     tcase_add_test(map, a_narrow_scale_tells_its_power);
     tcase_add_test(map, bodies_are_described_in_their_colours);
     tcase_add_loop_test(map, bodies_differ_without_colours, 0, 3);

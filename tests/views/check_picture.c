@@ -75,7 +75,7 @@ START_TEST(curve_over_time_is_the_record)
         ck_assert_double_eq(point[1], row[2]);
     }
     ck_assert_int_gt(picture->n_notes, 0);
-    ck_assert_ptr_nonnull(strstr(picture->notes[0].text, "w measured"));
+    ck_assert_ptr_nonnull(strstr(picture->notes[0].text, "ω measured"));
     close_drawing(&drawing);
 }
 END_TEST

@@ -190,6 +190,7 @@ static const Screenshot pictures[] = {
     {"discs-ascii", "two-discs 80x24 190 bare upper 8 ascii"},
     {"discs-plain", "two-discs-off-centre 132x43 120 bare upper 8 plain"},
     {"discs-stress", "two-discs 80x24 220 upper 8 variant 8"},
+    {"speed-one-way", "roll-or-slide 80x24 800 bare upper 2 variant 5"},
     {"weight-energies", "roll-or-slide 80x24 300 upper 4 lower 3"},
     {"falling-narrow", "falling-beam 80x24 400 bare upper 8 variant 8"},
     {"incline-block", "roll-or-slide 80x24 150 bare upper 8 block"},

@@ -193,8 +193,7 @@ static Wide wide_divide(Wide a, Wide b)
     return wide_scaled(wide_multiply(a, inverse), -power);
 }
 
-/* of a number >= 0 */
-/* y <- y + (a - y^2)/(2 y) */
+/* Of a number >= 0: y <- y + (a - y^2)/(2 y). */
 static Wide wide_root(Wide a)
 {
     if (wide_is_zero(a))

@@ -13,8 +13,6 @@
 
 /* Exercises of a page: answers are asked for, judged and noted. */
 
-typedef struct Laboratory Laboratory;
-
 /* What follows is shown; more answers change nothing. */
 static void reveal(Laboratory *lab)
 {

@@ -18,7 +18,7 @@
 #include <string.h>
 #include <strings.h>
 
-/* The layout of a figure's page, in points. Private to src/picture/paper. */
+/* The layout of a figure's page, in points. */
 
 #define MARGIN      10.0
 #define BARE_MARGIN 3.0         /* for the ends of lines and digits */

@@ -13,11 +13,11 @@
 
 enum { RANK_CELLS, RANK_BOX, RANK_HATCH };
 
-#define CELL_COLUMNS    3.0 /* narrower cells are not drawn */
-#define CROSS_ARM       0.06
-#define GRAVITY_COLUMNS 10.0
-#define HATCH_COLUMNS   3.0 /* from one line of a wall's hatching to the next */
-#define HATCH_ROWS      0.75
+#define CELL_COLUMNS  3.0 /* narrower cells are not drawn */
+#define CROSS_ARM     0.06
+#define GRAVITY_WORDS 2.0 /* columns from the tail of its arrow to its number */
+#define HATCH_COLUMNS 3.0 /* from one line of a wall's hatching to the next */
+#define HATCH_ROWS    0.75
 
 /* A small cross at each node: lines from edge to edge would hide the particles. */
 static void add_cells(Map *map, double cell)
@@ -61,26 +61,51 @@ static void add_side(Map *map, int d, bool high, BodyWall wall)
     }
 }
 
-/* In the upper right corner, with room for its number. */
+/* Whether a piece lies in a rectangle. */
+static bool is_covered(const Map *map, const double low[2], const double high[2])
+{
+    for (size_t k = 0; k < map->body.count; k++)
+        if (map->drawn->x[k] >= low[0] && map->drawn->x[k] <= high[0] && map->drawn->y[k] >= low[1] &&
+            map->drawn->y[k] <= high[1])
+            return true;
+    return false;
+}
+
+/* In the upper corner right of the box, or else in one within it that is free, with room for its number. */
 static void add_gravity(Map *map)
 {
     const Loads *loads = settings_loads(map->settings);
-    const double angle = loads->incline * (M_PI / 180), length = 3 / map->drawn->scale[1];
+    const double *size = map->body.size, *scale = map->drawn->scale;
+    const double angle = loads->incline * (M_PI / 180), length = 3 / scale[1];
     if (loads->gravity == 0)
         return;
     const double up = loads->gravity > 0 ? 1 : -1;
     const double along[2] = {up * math_sin(angle), -up * math_cos(angle)};
-    PictureArrow arrow = {.style = STYLE_HEADING};
-    for (int d = 0; d < 2; d++) {
-        const double middle =
-            d == 0 ? map->body.size[0] - GRAVITY_COLUMNS / map->drawn->scale[0] : map->body.size[1] - length;
-        arrow.from[d] = middle - along[d] * length / 2;
-        arrow.to[d] = middle + along[d] * length / 2;
-    }
-    picture_arrow(map->picture, &arrow);
-    PictureLabel label = {.x = arrow.from[0], .y = arrow.from[1], .side = 1, .style = STYLE_HEADING};
+    PictureLabel label = {.side = 1, .style = STYLE_HEADING};
     text_append(label.text, sizeof label.text, "g %s", text_rounded(fabs(loads->gravity), 4).text);
-    picture_label(map->picture, &label);
+    /* from its middle, in columns: the number is to the right of its tail */
+    const double tail = -along[0] * length / 2 * scale[0], words = GRAVITY_WORDS + glyphs_columns(label.text);
+    const double left = fabs(tail) + 1, right = fmax(fabs(tail) + 1, tail + words);
+    const double edge = map->drawn->middle[0] + map->picture->body[0] / 2.0 / scale[0];
+    const double outside = size[0] + (HATCH_COLUMNS + left) / scale[0];
+    const double places[] = {outside, size[0] - fmin((right + 1) / scale[0], size[0] / 4),
+                             (left + 1) / scale[0]};
+    const double middle = size[1] - length;
+    for (size_t i = outside + right / scale[0] <= edge ? 0 : 1; i < sizeof places / sizeof *places; i++) {
+        const double low[2] = {places[i] - left / scale[0], middle - length},
+                     high[2] = {places[i] + right / scale[0], size[1]};
+        if (is_covered(map, low, high))
+            continue;
+        PictureArrow arrow = {.style = STYLE_HEADING};
+        for (int d = 0; d < 2; d++) {
+            arrow.from[d] = (d == 0 ? places[i] : middle) - along[d] * length / 2;
+            arrow.to[d] = (d == 0 ? places[i] : middle) + along[d] * length / 2;
+        }
+        picture_arrow(map->picture, &arrow);
+        label.x = arrow.from[0], label.y = arrow.from[1];
+        picture_label(map->picture, &label);
+        return;
+    }
 }
 
 void map_add_box(Map *map)
