@@ -428,7 +428,7 @@ static bool time_step_of_times(DiagnoseTable *table, const Heads *heads, Status 
 {
     const Overlay *file = &table->file;
     const double *times = file->columns[heads->time].values;
-    double first = INFINITY, last = -INFINITY, last_bound = 0, spacing = INFINITY, before = NAN;
+    double first = INFINITY, last = -INFINITY, last_bound = 0, spacing = INFINITY, bound = 0, before = NAN;
     for (size_t r = 0; r < file->count; r++) {
         const double t = times[r];
         if (!isfinite(t))
@@ -437,8 +437,9 @@ static bool time_step_of_times(DiagnoseTable *table, const Heads *heads, Status 
         if (t < -own_bound)
             return status_refuse(status, "%s: row %zu: a time below 0 (a run begins at 0)", file->file,
                                  r + 1);
-        if (!isnan(before) && fabs(t - before) > 0.5 * own_bound)
-            spacing = fmin(spacing, fabs(t - before));
+        const double apart = fabs(t - before);
+        if (apart > 0.5 * own_bound && apart + 2 * own_bound < spacing)
+            spacing = apart, bound = 2 * own_bound;
         before = t;
         first = fmin(first, t);
         if (t > last)
@@ -446,6 +447,12 @@ static bool time_step_of_times(DiagnoseTable *table, const Heads *heads, Status 
     }
     if (!isfinite(spacing))
         return true;
+    for (size_t r = 0; r < file->count; r++) { /* the farther from the first, the sharper */
+        const double apart = times[r] - first, own_rows = round(apart / spacing);
+        const double own_bound = 2 * time_bound(file, heads, r) / heads->time_factor / own_rows;
+        if (own_rows >= 1 && own_rows * bound < 0.3 * spacing && own_bound < bound)
+            spacing = apart / own_rows, bound = own_bound;
+    }
     const double rows = fmax(1, round((last - first) / spacing));
     table->spacing = (last - first) / rows;
     table->spacing_bound = (last_bound + 1e-9 * spacing) / rows;

@@ -164,6 +164,7 @@ for mistake, scheme, writer, how in (
     case("mistake", mistake, writer, scheme=scheme, mistake=mistake, **how)
 
 case("right", "USL", columns("time v_cm", form="%.6g"), scheme="usl", rho=7.0, sets=("bar.density=7",), steps=100)
+case("right", "MUSL", columns("time v_cm", form="%.5g"), scheme="musl", rho=7.0, sets=("bar.density=7",), steps=600)
 
 names, lines = {}, []
 for number, (verdict, what, writer, steps, scenario, sets, bar) in enumerate(cases, 1):
