@@ -152,8 +152,9 @@ static bool may_be(const char *kinds, const char *field)
 static bool find_sources(const DiagnoseTable *table, const DiagnoseColumn *column, Simulation *sim,
                          Sources *out)
 {
-    const double mass =
-        table->set < 0 && (*column->kinds || strcmp(column->name, "v_cm") == 0) ? mass_of(sim) : 0;
+    const double mass = table->set < 0 && (may_be(column->kinds, "v_cm") || strcmp(column->name, "v_cm") == 0)
+                            ? mass_of(sim)
+                            : 0;
     const int series = table->set < 0 ? simulation_find_series(sim, column->name) : -1;
     const int own = table->set < 0 ? -1 : simulation_find_field(sim, table->set, column->name);
     bool sound = true;

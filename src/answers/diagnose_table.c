@@ -43,9 +43,9 @@ static const struct {
     {"strain", "strain_energy e_strain estrain potential_energy epot se pe"},
     {"total", "total_energy energy e_tot e_total etot te e"},
     {"work", "external_work w_ext"},
-    {"x", "position pos xp"},
-    {"u", "displacement disp up"},
-    {"v", "velocity vel vp"},
+    {"x", "position pos xp x_tip"},
+    {"u", "displacement disp up verschiebung u_tip utip"},
+    {"v", "velocity vel vp speed geschwindigkeit v_tip vtip v_end"},
     {"velocity", "v vel"},
     {"momentum", "p mv"},
     {"stress", "sigma sig s"},
@@ -53,7 +53,7 @@ static const struct {
     {"density", "rho"},
     {"mass", "m"},
     {"ux", "u_x"},
-    {"uy", "u_y"},
+    {"uy", "u_y deflection w"},
     {"vx", "v_x"},
     {"vy", "v_y"},
 };
@@ -144,31 +144,25 @@ static int column_of(const Overlay *file, const Names *names, const char *ours, 
     return -1;
 }
 
-/* What a column may be by another's name than ours: the first that agrees counts. */
-static const struct {
-    const char *names, *kinds;
-} meanings[] = {
-    {"v_cm vcm v_com vcom com_velocity mean_velocity v_mean kinetic_energy", ""},
-    {"velocity v vel geschwindigkeit speed v_tip vtip v_end vp", "v_cm v"},
-    {"momentum p p_cm mv", "v_cm"},
-    {"x position pos xp x_tip", "x_cm x"},
-    {"u displacement disp up verschiebung u_tip utip", "x_cm u x"},
-    {"vy v_y", "v_probe vy"},
-    {"uy u_y deflection w", "u_probe uy"},
-};
-
 static const char any_kind[] = "v_cm v x_cm u x stress kinetic strain total v_probe u_probe vy uy";
 
-static const char *kinds_of(const char *name, bool known)
+/* What a column may be by another's name than ours; "": one thing alone. */
+static void find_kinds(const char *name, char *out, size_t size)
 {
-    for (size_t i = 0; i < sizeof meanings / sizeof *meanings; i++) {
-        const char *names = meanings[i].names;
+    int count = 0;
+    out[0] = '\0';
+    for (size_t i = 0; i < sizeof synonyms / sizeof *synonyms; i++) {
+        const char *others = synonyms[i].others;
         char other[OVERLAY_NAME_MAX];
-        while (text_next_word(&names, other, sizeof other))
-            if (strcasecmp(other, name) == 0)
-                return meanings[i].kinds;
+        bool is = strcasecmp(synonyms[i].ours, name) == 0;
+        while (!is && text_next_word(&others, other, sizeof other))
+            is = strcasecmp(other, name) == 0;
+        if (is) /* a displacement may be a place */
+            text_append(out, size, "%s%s", count++ > 0 ? " " : "",
+                        strcmp(synonyms[i].ours, "u") == 0 ? "u x" : synonyms[i].ours);
     }
-    return known ? "" : any_kind;
+    if (count < 2)
+        out[0] = '\0';
 }
 
 /* A name without the unit behind it, "time (s)" and "v [m/s]", its words joined. */
@@ -344,8 +338,8 @@ static bool find_columns(DiagnoseTable *table, const Names *names, Simulation *s
             const bool own = pass == 0 || is_mapped(names, theirs);
             add_column(table, theirs, ours, pass == 0 ? 1 : factor, own);
             if (!own)
-                snprintf(table->columns[table->n_columns - 1].kinds, sizeof table->columns[0].kinds, "%s",
-                         kinds_of(file->columns[theirs].name, true));
+                find_kinds(file->columns[theirs].name, table->columns[table->n_columns - 1].kinds,
+                           sizeof table->columns[0].kinds);
         }
     add_unknown(table, names, taken);
     for (int c = 0; c < table->n_columns; c++)

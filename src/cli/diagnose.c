@@ -288,51 +288,59 @@ static bool tell(const Files *all, Status *status)
 
 /* --- the lines that write a file --------------------------------------------------------------------- */
 
+static const char python[] =
+    "# a row for t = 0 and one after each step, with all digits; arrays over particles\n"
+    "out = open('own.csv', 'w')\n"
+    "out.write('step,time,v_cm,kinetic,strain\\n')\n"
+    "def record(step):\n"
+    "    v_cm = sum(m * v) / sum(m)\n"
+    "    kinetic = sum(0.5 * m * v**2)\n"
+    "    strain = sum(0.5 * s**2 / E * m / rho)\n"
+    "    out.write('%d,%.17g,%.17g,%.17g,%.17g\\n' % (step, step * dt, v_cm, kinetic, strain))\n"
+    "record(0)     # before the loop\n"
+    "record(step)  # at the end of step 1, 2, ...\n";
+
+static const char matlab[] =
+    "% a row for t = 0 and one after each step, with all digits; vectors over particles\n"
+    "out = fopen('own.csv', 'w');\n"
+    "fprintf(out, 'step,time,v_cm,kinetic,strain\\n');\n"
+    "record = @(step, m, v, s, rho) fprintf(out, '%d,%.17g,%.17g,%.17g,%.17g\\n', ...\n"
+    "    step, step * dt, sum(m .* v) / sum(m), sum(0.5 * m .* v.^2), ...\n"
+    "    sum(0.5 * s.^2 / E .* m ./ rho));\n"
+    "record(0, m, v, s, rho);     % before the loop\n"
+    "record(step, m, v, s, rho);  % at the end of step 1, 2, ...\n"
+    "fclose(out);\n";
+
+static const char fortran[] =
+    "! a row for t = 0 and one after each step, with all digits; arrays over particles\n"
+    "open(10, file='own.csv')\n"
+    "write(10, '(a)') 'step,time,v_cm,kinetic,strain'\n"
+    "call record(0)     ! before the loop\n"
+    "call record(step)  ! at the end of step 1, 2, ...\n"
+    "contains\n"
+    "subroutine record(n)\n"
+    "  integer, intent(in) :: n\n"
+    "  write(10, '(i0,4(\",\",es24.16e3))') n, n*dt, sum(m*v)/sum(m), &\n"
+    "    sum(0.5d0*m*v**2), sum(0.5d0*s**2/E*m/rho)\n"
+    "end subroutine\n";
+
+static const char julia[] =
+    "# a row for t = 0 and one after each step, with all digits; vectors over particles\n"
+    "out = open(\"own.csv\", \"w\")\n"
+    "println(out, \"step,time,v_cm,kinetic,strain\")\n"
+    "function record(step)\n"
+    "    v_cm = sum(m .* v) / sum(m)\n"
+    "    kinetic = sum(0.5 .* m .* v.^2)\n"
+    "    strain = sum(0.5 .* s.^2 ./ E .* m ./ rho)\n"
+    "    println(out, join((step, step * dt, v_cm, kinetic, strain), \",\"))\n"
+    "end\n"
+    "record(0)     # before the loop\n"
+    "record(step)  # at the end of step 1, 2, ...; close(out) behind the last\n";
+
+#define TEMPLATE(language) {#language, language},
 static const struct {
     const char *language, *lines;
-} templates[] = {
-    {"python", "# a row for t = 0 and one after each step, with all digits; arrays over particles\n"
-               "out = open('own.csv', 'w')\n"
-               "out.write('step,time,v_cm,kinetic,strain\\n')\n"
-               "def record(step):\n"
-               "    v_cm = sum(m * v) / sum(m)\n"
-               "    kinetic = sum(0.5 * m * v**2)\n"
-               "    strain = sum(0.5 * s**2 / E * m / rho)\n"
-               "    out.write('%d,%.17g,%.17g,%.17g,%.17g\\n' % (step, step * dt, v_cm, kinetic, strain))\n"
-               "record(0)     # before the loop\n"
-               "record(step)  # at the end of step 1, 2, ...\n"},
-    {"matlab", "% a row for t = 0 and one after each step, with all digits; vectors over particles\n"
-               "out = fopen('own.csv', 'w');\n"
-               "fprintf(out, 'step,time,v_cm,kinetic,strain\\n');\n"
-               "record = @(step, m, v, s, rho) fprintf(out, '%d,%.17g,%.17g,%.17g,%.17g\\n', ...\n"
-               "    step, step * dt, sum(m .* v) / sum(m), sum(0.5 * m .* v.^2), ...\n"
-               "    sum(0.5 * s.^2 / E .* m ./ rho));\n"
-               "record(0, m, v, s, rho);     % before the loop\n"
-               "record(step, m, v, s, rho);  % at the end of step 1, 2, ...\n"
-               "fclose(out);\n"},
-    {"fortran", "! a row for t = 0 and one after each step, with all digits; arrays over particles\n"
-                "open(10, file='own.csv')\n"
-                "write(10, '(a)') 'step,time,v_cm,kinetic,strain'\n"
-                "call record(0)     ! before the loop\n"
-                "call record(step)  ! at the end of step 1, 2, ...\n"
-                "contains\n"
-                "subroutine record(n)\n"
-                "  integer, intent(in) :: n\n"
-                "  write(10, '(i0,4(\",\",es24.16e3))') n, n*dt, sum(m*v)/sum(m), &\n"
-                "    sum(0.5d0*m*v**2), sum(0.5d0*s**2/E*m/rho)\n"
-                "end subroutine\n"},
-    {"julia", "# a row for t = 0 and one after each step, with all digits; vectors over particles\n"
-              "out = open(\"own.csv\", \"w\")\n"
-              "println(out, \"step,time,v_cm,kinetic,strain\")\n"
-              "function record(step)\n"
-              "    v_cm = sum(m .* v) / sum(m)\n"
-              "    kinetic = sum(0.5 .* m .* v.^2)\n"
-              "    strain = sum(0.5 .* s.^2 ./ E .* m ./ rho)\n"
-              "    println(out, join((step, step * dt, v_cm, kinetic, strain), \",\"))\n"
-              "end\n"
-              "record(0)     # before the loop\n"
-              "record(step)  # at the end of step 1, 2, ...; close(out) behind the last\n"},
-};
+} templates[] = {TEMPLATE_LANGUAGES(TEMPLATE)};
 
 static int print_template(const char *language)
 {

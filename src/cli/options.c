@@ -23,7 +23,8 @@
 
 static const char *const dialects[] = {"comma", "semicolon", NULL};
 static const char *const vtk_data[] = {"text", "raw", NULL};
-static const char *const languages[] = {"python", "matlab", "fortran", "julia", NULL};
+#define WORD(name) #name,
+static const char *const languages[] = {TEMPLATE_LANGUAGES(WORD) NULL};
 static const char *const glyph_sets[] = {"auto", "braille", "block", "ascii", NULL};
 static const char *const themes[] = {"auto", "light", "dark", NULL};
 

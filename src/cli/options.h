@@ -41,6 +41,9 @@ typedef struct Option {
 extern const Option options_table[];
 extern const int n_options;
 
+/* Of --template; an array of each name in cli/diagnose.c holds its lines. */
+#define TEMPLATE_LANGUAGES(EACH) EACH(python) EACH(matlab) EACH(fortran) EACH(julia)
+
 enum { WORDS_MAX = 1024, OVERRIDES_MAX = 128, AXES_MAX = 16, OPTION_LIST_MAX = 4 };
 
 /* What a sweep varies, as given. */

@@ -300,6 +300,16 @@ make tip.csv mode5 --steps 60 --set "output.follow=particle 49 v"
 awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; print "time (s);Geschwindigkeit [m/s]"; next } (NR - 2) % 4 == 0 { t = $2; v = $at["particle_49_v"]; sub(/\./, ",", t); sub(/\./, ",", v); print t ";" v }' tip.csv >tip4.csv
 expect "the tip of a bar, every fourth step" 0 mode5 tip4.csv
 result "is read" sh -c 'grep -q "^Read as: Geschwindigkeit: v of particle 49; dt 0.01, a row every 4 steps$" out && grep -q "those of the right code" out'
+make named.csv mode5 --steps 30 --set "output.follow=particle 49 v,particle 49 x"
+for as in v=speed v=v_tip x=u_tip x=pos; do
+	awk -F, -v name="${as#*=}" -v wanted="particle_49_${as%=*}" 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; print "time," name; next } { print $2 "," $at[wanted] }' named.csv >tip.csv
+	expect "the tip's ${as%=*} by the name ${as#*=}" 0 mode5 tip.csv
+	result "is read" says out "^Read as: ${as#*=}: ${as%=*} of particle 49; dt 0.01$"
+done
+for language in python matlab fortran julia; do
+	expect "a template in $language" 0 --template $language
+	result "is written" says out step,time,v_cm
+done
 make dt2.csv mode5 --steps 60 --set time.courant=0.2
 awk -F, 'NR > 1 { printf "%.15g %.15g\n", 1000 * $2, -$3 }' dt2.csv >ms.txt
 expect "twice the time step, in ms, without names" 0 mode5 ms.txt
