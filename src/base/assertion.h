@@ -5,10 +5,10 @@
  * configured with --enable-assertions (the one with sanitizers of .ci/run) and cost nothing in the others,
  * where their arguments are compiled but not evaluated: an argument must have no side effect.
  *
- *     ASSERT(simulation->model);                 file:line: function: simulation->model does not hold
- *     ASSERT_INT(stage, <, STAGES);              file:line: function: stage < STAGES does not hold: 8 < 8
- *     ASSERT_INDEX(node, n_nodes);               file:line: function: node is one of n_nodes does not hold: 9
- * of 9 ASSERT_REAL(dt, >, 0);                     file:line: function: dt > 0 does not hold: -0.1 > 0
+ *     ASSERT(simulation->model);      file:line: function: simulation->model does not hold
+ *     ASSERT_INT(stage, <, STAGES);   file:line: function: stage < STAGES does not hold: 8 < 8
+ *     ASSERT_INDEX(node, n_nodes);    file:line: function: node is one of n_nodes does not hold: 9 of 9
+ *     ASSERT_REAL(dt, >, 0);          file:line: function: dt > 0 does not hold: -0.1 > 0
  *
  * A failure writes that line to standard error and aborts, so that a core or a debugger shows the caller. */
 #ifndef BASE_ASSERTION_H

@@ -3,8 +3,8 @@
  *
  *     sum      [+|-] product { (+|-) product }
  *     product  power { (*|/) power | unit }            a unit behind a number multiplies it
- *     power    (number | unit | pi | ( sum )) [%] [^ [-] whole number]; a digit right behind a unit is its
- * power
+ *     power    (number | unit | pi | ( sum )) [%] [^ [-] whole number]
+ *              a digit right behind a unit is its power
  *
  * "1/2 mm" is half a millimetre, "kN/mm^2" and "kN/mm2" what they say, "3 1/ms" three in a millisecond. Every
  * value carries a power of ten beside its number, applied at the end: factors of units are powers of ten, so

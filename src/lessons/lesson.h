@@ -11,18 +11,18 @@
  *     @field KEY            a parameter to be changed beside the text
  *     @ask QUESTION         then two to four choices, one of them right:
  *     @choice TEXT          @right TEXT
- *     @reveal               what follows waits: text and @do for the answer, text for the goal of a page that
- * asks nothing
- *     @until CONDITION      the goal: step N | time T | end | crossing | break | event | rest | stage N |
- * command NAME | value KEY VALUE
+ *     @reveal               what follows waits: text and @do for the answer,
+ *                           text for the goal of a page that asks nothing
+ *     @until CONDITION      the goal: step N | time T | end | crossing | break | event | rest |
+ *                           stage N | command NAME | value KEY VALUE
  *     @variant KEY from A to B   sets a parameter to a value of the student's own; "{KEY}" in a text is that
  *     @variant KEY from WORD, WORD ...   the same of a choice; a mistake is made, but not told
- *     @right TEXT if KEY is WORD, WORD ...   right for those whose variant is one of these; several, each for
- * some
+ *     @right TEXT if KEY is WORD, WORD ...   right for those whose variant is one of these;
+ *                           several, each for some
  *     @answer EXPRESSION within TOLERANCE   in place of choices: a number (exercise.h)
  *     @words                in place of choices: free text for the teacher
- *     @goal EXPRESSION      in place of @until: what the reader's own run is to fulfil at its end
- * (expression.h)
+ *     @goal EXPRESSION      in place of @until: what the reader's own run is to fulfil
+ *                           at its end (expression.h)
  *     @points N             what the page's exercise counts in a student's sum (1)
  *     @solve LINE           behind it: how it is reached, for the teacher's key and for the pages behind
  *

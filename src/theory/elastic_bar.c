@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The exact solution for the bar as a continuum.
  *
- *     u_tt = c^2 u_xx + b,   u = 0 at a fixed end,   E u_x = t at a free end,   u = 0, u_t = sum A phi at t =
- * 0
+ *     u_tt = c^2 u_xx + b,   u = 0 at a fixed end,   E u_x = t at a free end
+ *     u = 0,   u_t = sum A phi at t = 0
  *
  * Vibration and load are superposed. The load's part is its static displacement w(x) less the free motion
  * that starts at rest from w, which d'Alembert gives: u = w(x) - (W(x - ct) + W(x + ct))/2, where W continues

@@ -688,19 +688,21 @@ START_TEST(crossings_are_told)
 }
 END_TEST
 
+/* A node takes 14 numbers: a beam ten cells high has 0.38 of them for a particle, one of forty cells 0.28. */
 START_TEST(memory_of_a_beam)
 {
     static const struct {
         double cell_size;
         MpmShape shape;
-    } known[] = {{.5e-3, MPM_HAT}, {.5e-3, MPM_GIMP}, {.125e-3, MPM_GIMP}};
+        double most;
+    } known[] = {{.5e-3, MPM_HAT, 230}, {.5e-3, MPM_GIMP, 230}, {.125e-3, MPM_GIMP, 200}};
     for (size_t k = 0; k < sizeof known / sizeof *known; k++) {
         PlaneDef def = plane_default(false);
         def.cell_size = known[k].cell_size;
         def.shape = known[k].shape;
         Simulation *sim = create(&def);
         const double bytes = (double)mpm_of_const(sim)->bytes_memory / (double)sim->counts[0];
-        ck_assert_msg(bytes <= 230, "%.0f bytes for each of %zu particles", bytes, sim->counts[0]);
+        ck_assert_msg(bytes <= known[k].most, "%.0f bytes for each of %zu particles", bytes, sim->counts[0]);
         simulation_destroy(sim);
     }
 }

@@ -2,17 +2,17 @@
 /* Shape functions along one axis of the mesh: N and dN/ds of the nodes from the particle's first one on, s
  * the place of the particle beside it, in cells. Those of the plane are products of two.
  *
- *     hat        r, s                                                              r = 1 - s
+ *     hat        r, s                                             r = 1 - s
  *     bspline2   r^2/2, 1/2 + s r, s^2/2
  *     bspline3   r^3/6, 2/3 - s^2 (1 - s/2), 2/3 - r^2 (1 - r/2), s^3/6
- *     uGIMP      the hat averaged over a box of half-width h (Bardenhagen and Kober 2004); s is the place of
- * the box's left edge, o = max(0, s + 2 h - 1) what stands over into the next cell: 1 - (s + h) + o^2/4h, (s
- * + h) - 2 o^2/4h, o^2/4h CPDI       the hat's mean from the two ends of a domain of half-width h that
- * follows the particle (Sadeghirad, Brannon, Burghardt 2011); four nodes, the second one the left node of the
- * cell, L = max(h - s, 0), R = max(s - 1 + h, 0): L/2, r - L + R/2, s + L/2 - R, R/2;   N' = L/2h, 1 less of
- * each, R/2h as of a box
+ *     uGIMP      1 - (s + h) + o^2/4h, (s + h) - 2 o^2/4h, o^2/4h  o = max(0, s + 2 h - 1)
+ *     CPDI       L/2, r - L + R/2, s + L/2 - R, R/2               L = max(h - s, 0), R = max(s - 1 + h, 0)
+ *     CPDI's N'  -L/2h, L/h + R/2h - 1, 1 - L/2h - R/h, R/2h
  *
- * Each set adds up to 1, its derivatives to 0: that is why mass and momentum are kept. */
+ * uGIMP is the hat averaged over a box of half-width h (Bardenhagen and Kober 2004); s is the place of the
+ * box's left edge, o what reaches into the next cell. CPDI is the hat's mean from the two ends of a domain of
+ * half-width h that follows the particle (Sadeghirad, Brannon, Burghardt 2011); of its four nodes the second
+ * is the left one of the cell. Each set adds up to 1, its derivatives to 0: mass and momentum are kept. */
 #ifndef METHODS_MPM_SHAPE_H
 #define METHODS_MPM_SHAPE_H
 

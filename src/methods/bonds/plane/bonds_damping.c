@@ -3,8 +3,8 @@
  *
  * Damping takes velocity away at the rate alpha: rho u'' = f - alpha rho u'. In velocity Verlet,
  *
- *     v^{n+1/2} = (1 - alpha dt/2) v^n + dt/2 f^n/rho,   v^{n+1} = (v^{n+1/2} + dt/2 f^{n+1}/rho)/(1 + alpha
- * dt/2)
+ *     v^{n+1/2} = (1 - alpha dt/2) v^n + dt/2 f^n/rho
+ *     v^{n+1} = (v^{n+1/2} + dt/2 f^{n+1}/rho)/(1 + alpha dt/2)
  *
  * which is the central difference: of second order, stable to the same dt as without damping, and without
  * alpha the same bits. What it takes, alpha rho V b sum |v^{n+1/2}|^2 dt, is summed as "damped"; at rest the
