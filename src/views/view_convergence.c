@@ -185,7 +185,7 @@ static void describe_errors(Picture *picture, const Study *study)
     for (int line = 0; line < study->lines && study->of->lines; line++)
         picture_name(picture, pens[line], study->of->lines[line]);
     picture_key(picture, (PictureKey){LINE_SOLID, 'O', STYLE_PREDICTED,
-                                      study->periods ? "T above theory" : "w above", 0x25cf, 0});
+                                      study->periods ? "T above theory" : "ω above", 0x25cf, 0});
     picture_key(picture, (PictureKey){LINE_SOLID, 'o', STYLE_PREDICTED, "below", 0x25cb, 0});
     for (int k = 0; k < study->known; k++) {
         const ConvergencePoint *point = &study->points[k];

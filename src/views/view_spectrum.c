@@ -342,7 +342,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
         if (runs[i].experiment && of_run[i].spectrum)
             largest = fmax(largest, largest_of(&of_run[i]));
     }
-    picture_axes(picture, axis_make(0, scale.end), !si ? "w" : "f, kHz", "",
+    picture_axes(picture, axis_make(0, scale.end), !si ? "ω" : "f, kHz", "",
                  choice.fast ? axis_make_log(fmax(largest, 1e-290) * 1e-3, fmax(largest, 1e-286) * 1.02)
                              : axis_make(0, axis_round_up(1.02 * largest)),
                  name, !choice.fast || si ? quantity->unit : "");
