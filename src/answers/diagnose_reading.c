@@ -8,6 +8,7 @@
 #include "answers/diagnose_internal.h"
 
 #include "base/assertion.h"
+#include "base/clock.h"
 #include "base/math/functions.h"
 #include "base/text.h"
 #include "problems/problem.h"
@@ -18,6 +19,12 @@
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+
+bool diagnose_time_is_up(const Search *search)
+{
+    search->found->time_up = search->found->time_up || clock_seconds() > search->until;
+    return search->found->time_up;
+}
 
 /* --- times ------------------------------------------------------------------------------------------------
  */

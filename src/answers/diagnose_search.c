@@ -156,12 +156,6 @@ static bool try_again(Search *search, const Settings *wrong, Walk *walk, bool *a
 /* So many moments beyond the right run's departure are no chance. */
 enum { LEAST_BEYOND = 5 };
 
-bool diagnose_time_is_up(const Search *search)
-{
-    search->found->time_up = search->found->time_up || clock_seconds() > search->until;
-    return search->found->time_up;
-}
-
 /* False: it was given up. */
 static bool try_one(Search *search, const Candidate *candidate, Walk *walk, Settings *wrong, bool *agrees)
 {
