@@ -18,6 +18,11 @@ for file in README.md CONTRIBUTING.md doc/*.md; do
 	result "links of $file$(sed 's/^/ /' "$scratch/broken" | tr -d '\n')" test ! -s "$scratch/broken"
 done
 
+email=$(sed -n 's/^email=//p' release.conf)
+for file in README.md CITATION.cff codemeta.json $(test ! -d debian || echo debian/control); do
+	result "$file has the address of release.conf" grep -q -F "$email" "$file"
+done
+
 for lesson in data/lessons/*.lesson; do
 	name=$(basename "$lesson" .lesson)
 	result "doc/teaching.md has an objective of $name" grep -q "^| \`$name\` | .* | .* | [0-9]* |$" doc/teaching.md
