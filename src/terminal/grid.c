@@ -339,6 +339,12 @@ void grid_resize(Grid *grid, int width, int height)
     grid_redraw(grid);
 }
 
+void grid_ask(Grid *grid)
+{
+    static const char status_query[] = "\033[5n";
+    put(grid, status_query, sizeof status_query - 1);
+}
+
 void grid_synchronise(Grid *grid)
 {
     grid->synchronised = true;

@@ -34,12 +34,13 @@ typedef struct Grid {
 bool grid_open(Grid *, const char *term, bool mouse, const char **stand_in, Status *);
 void grid_close(Grid *); /* sends nothing: see grid_leave() */
 
-void grid_enter(Grid *);                            /* takes the screen over */
-void grid_leave(Grid *);                            /* gives it back */
-void grid_resize(Grid *, int width, int height);    /* the next one is drawn again */
-void grid_redraw(Grid *);                           /* likewise */
-void grid_show(Grid *, const Canvas *);             /* what lies beyond the size is left out */
-void grid_synchronise(Grid *);                      /* the terminal told that it can */
+void grid_enter(Grid *);                         /* takes the screen over */
+void grid_leave(Grid *);                         /* gives it back */
+void grid_resize(Grid *, int width, int height); /* the next one is drawn again */
+void grid_redraw(Grid *);                        /* likewise */
+void grid_show(Grid *, const Canvas *);          /* what lies beyond the size is left out */
+void grid_ask(Grid *);         /* for a status report, which comes once all before is drawn */
+void grid_synchronise(Grid *); /* the terminal told that it can */
 const char *grid_bytes(const Grid *, size_t *left); /* what is to be sent; 0: nothing */
 void grid_sent(Grid *, size_t count);               /* of these */
 

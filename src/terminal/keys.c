@@ -125,6 +125,8 @@ static bool end_csi(KeyReader *reader, char final, Key *key)
     reader->state = KEYS_GROUND;
     if (final == 'y' && (strcmp(text, "?2026;1$") == 0 || strcmp(text, "?2026;2$") == 0))
         reader->answered = true;
+    if (final == 'n' && (strcmp(text, "0") == 0 || strcmp(text, "3") == 0))
+        reader->reports++;
     const bool mouse = *text == '<' && (final == 'M' || final == 'm');
     const int count = read_numbers(text + mouse, numbers, 3);
     if (final == '~' && count == 1 && (numbers[0] == 200 || numbers[0] == 201)) {

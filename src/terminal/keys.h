@@ -40,6 +40,7 @@ typedef struct KeyReader {
     bool alt;                    /* two Esc came: Alt with a key of rxvt's, or both were pressed */
     bool pasting;                /* in bracketed paste */
     bool answered;               /* the terminal told that it can hold a picture back */
+    int reports;                 /* status reports (CSI 0 n) that have come */
     int wanted;                  /* bytes to come, KEYS_CHARACTER */
     char text[KEY_SEQUENCE_MAX]; /* of a sequence or a character, as far as it has come */
     int length, n_pasted;        /* bytes so far */

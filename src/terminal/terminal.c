@@ -32,6 +32,11 @@ static const int crashes[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 static const int others[] = {SIGWINCH, SIGTSTP, SIGCONT};
 enum { N_CRASHES = sizeof crashes / sizeof *crashes, N_OTHERS = sizeof others / sizeof *others };
 
+/* How long the answer to a status report is waited for, s: the first one, and once one has come. */
+#define FIRST_REPORT_SECONDS 1.0
+#define REPORT_SECONDS       10.0
+#define LAST_REPORT_SECONDS  2.0 /* on leaving: what comes later is typed into the shell */
+
 enum { PATIENCE_MS = 300, PATIENCE_PIECES = 20 }; /* with a terminal that takes nothing, when we leave */
 
 struct Terminal {
@@ -41,6 +46,9 @@ struct Terminal {
     Glyphs glyphs;
     const char *stand_in; /* as which an unknown TERM is treated; NULL: it is known */
     KeyReader keys;
+    bool reports;          /* it has answered a status report */
+    int asked;             /* status reports that it has not answered */
+    double asked_at;       /* when the last of them was asked for */
     sigset_t mask_outside; /* the signal mask before we came, in force while sleeping */
     struct sigaction old_crashes[N_CRASHES], old_others[N_OTHERS];
 };
@@ -70,12 +78,70 @@ static bool wait_for_room(int output)
     return poll(&screen, 1, PATIENCE_MS) > 0;
 }
 
+static bool has_bytes(const Terminal *terminal)
+{
+    size_t left;
+    grid_bytes(&terminal->grid, &left);
+    return left > 0;
+}
+
 static void send_all(Terminal *terminal)
 {
     send_some(terminal);
-    for (int i = 0; i < PATIENCE_PIECES && terminal_is_behind(terminal) && wait_for_room(terminal->output);
-         i++)
+    for (int i = 0; i < PATIENCE_PIECES && has_bytes(terminal) && wait_for_room(terminal->output); i++)
         send_some(terminal);
+}
+
+/* --- status reports: one picture under way ---------------------------------------------------------- */
+
+/* When it is not waited for any longer; 0: nothing is asked. */
+static double report_due(const Terminal *terminal)
+{
+    return terminal->asked == 0
+               ? 0
+               : terminal->asked_at + (terminal->reports ? REPORT_SECONDS : FIRST_REPORT_SECONDS);
+}
+
+/* Not where the last report did not come in time: it comes late, and counts then, or never. */
+static void ask(Terminal *terminal)
+{
+    if (terminal->asked > 0 && clock_seconds() >= report_due(terminal)) {
+        terminal->reports = false;
+        return;
+    }
+    grid_ask(&terminal->grid);
+    terminal->asked++;
+    terminal->asked_at = clock_seconds();
+}
+
+static void count_reports(Terminal *terminal)
+{
+    KeyReader *keys = &terminal->keys;
+    if (keys->reports == 0)
+        return;
+    terminal->reports = true;
+    terminal->asked = keys->reports < terminal->asked ? terminal->asked - keys->reports : 0;
+    keys->reports = 0;
+}
+
+/* Takes the answers that are still to come, byte by byte: what is typed behind them is the shell's. */
+static void await_reports(Terminal *terminal)
+{
+    const double latest = clock_seconds() + LAST_REPORT_SECONDS;
+    struct pollfd keyboard = {.fd = terminal->input, .events = POLLIN};
+    Key key;
+    char byte;
+    while (terminal->reports && terminal->asked > 0 && clock_seconds() < latest &&
+           poll(&keyboard, 1, PATIENCE_MS) >= 0 && !(keyboard.revents & (POLLHUP | POLLERR | POLLNVAL))) {
+        while (keys_next(&terminal->keys, &key))
+            continue;
+        if (keyboard.revents && read(terminal->input, &byte, 1) == 1)
+            keys_feed(&terminal->keys, &byte, 1, clock_seconds());
+        while (keys_next(&terminal->keys, &key))
+            continue;
+        count_reports(terminal);
+    }
+    terminal->asked = 0;
 }
 
 /* --- crashes ---------------------------------------------------------------------------------------- */
@@ -200,6 +266,7 @@ static void take_screen(Terminal *terminal)
     raw.c_cc[VTIME] = 0;
     tcsetattr(STDIN_FILENO, TCSANOW, &raw);
     grid_enter(&terminal->grid);
+    ask(terminal);
     send_some(terminal);
 }
 
@@ -208,6 +275,7 @@ static void give_screen_back(Terminal *terminal)
 {
     grid_leave(&terminal->grid);
     send_all(terminal);
+    await_reports(terminal);
     tcsetattr(STDIN_FILENO, TCSANOW, &before);
 }
 
@@ -332,14 +400,14 @@ Glyphs terminal_glyphs(const Terminal *terminal)
 void terminal_show(Terminal *terminal, const Canvas *canvas)
 {
     grid_show(&terminal->grid, canvas);
+    if (has_bytes(terminal))
+        ask(terminal);
     send_some(terminal);
 }
 
 bool terminal_is_behind(const Terminal *terminal)
 {
-    size_t left;
-    grid_bytes(&terminal->grid, &left);
-    return left > 0;
+    return has_bytes(terminal) || clock_seconds() < report_due(terminal);
 }
 
 void terminal_redraw(Terminal *terminal)
@@ -375,11 +443,14 @@ void terminal_wait(Terminal *terminal, double seconds)
         const double left = fmax(due - clock_seconds(), 0);
         seconds = seconds < 0 ? left : fmin(seconds, left);
     }
+    const double report_left = report_due(terminal) - clock_seconds();
+    if (report_left > 0)
+        seconds = seconds < 0 ? report_left : fmin(seconds, report_left);
     struct timespec time = {.tv_sec = (time_t)seconds};
     time.tv_nsec = (long)((seconds - (double)time.tv_sec) * 1e9);
     struct pollfd files[] = {
         {.fd = terminal->input, .events = POLLIN},
-        {.fd = terminal_is_behind(terminal) ? terminal->output : -1, .events = POLLOUT},
+        {.fd = has_bytes(terminal) ? terminal->output : -1, .events = POLLOUT},
     };
     const int ready = wait_for(files, 2, seconds < 0 ? NULL : &time, &terminal->mask_outside);
     sigprocmask(SIG_SETMASK, &ours, NULL);
@@ -408,6 +479,7 @@ bool terminal_key(Terminal *terminal, Key *key)
             break;
         keys_feed(keys, bytes, (size_t)got, clock_seconds());
     }
+    count_reports(terminal);
     any = any || keys_silence(keys, clock_seconds(), key);
     if (keys->answered && !terminal->grid.synchronised)
         grid_synchronise(&terminal->grid);

@@ -38,7 +38,9 @@ const char *terminal_stand_in(const Terminal *);
 /* Shows a canvas: what differs from what was shown last is written; nothing, if nothing does. */
 void terminal_show(Terminal *, const Canvas *);
 
-/* Whether the terminal has not yet taken all of what was shown: the next picture had better wait. */
+/* Whether the terminal has not yet taken all of what was shown, or not yet answered that it has drawn it: the
+ * next picture has to wait, or pictures queue in a slow line and a key is seen after all of them. A terminal
+ * that answers no status report is waited for once, for a second. */
 bool terminal_is_behind(const Terminal *);
 
 /* The next show draws everything again. */

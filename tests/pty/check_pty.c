@@ -482,7 +482,7 @@ START_TEST(pictures_are_whole_where_the_terminal_can_wait)
     const char *begin = memmem(session.bytes, session.n_bytes, "\033[?2026h", 8);
     ck_assert_ptr_nonnull(begin);
     ck_assert(session_wrote_last(&session, "\033[?2026l", "\033[?2026h"));
-    ck_assert_mem_eq(session.bytes + session.n_bytes - 8, "\033[?2026l", 8);
+    ck_assert_mem_eq(session.bytes + session.n_bytes - 12, "\033[?2026l\033[5n", 12);
     session_close(&session);
 }
 END_TEST
@@ -641,6 +641,46 @@ START_TEST(says_what_to_use_where_it_cannot_draw)
 }
 END_TEST
 
+/* 9600 baud: 960 bytes a second. The full sheet is some 3 kB once, and a frame of a run up to 1 kB. */
+START_TEST(a_key_is_seen_behind_one_frame_of_a_slow_line)
+{
+    const char *const command[] = {matvib(), "mode5", "--sheet", "full", NULL};
+    for (int mute = 0; mute < 2; mute++) {
+        Session session;
+        session_open(&session, 80, 24, NULL, command);
+        session.mute = mute;
+        session_trickle(&session, NULL, 960, 8);
+        ck_assert(session_shows(&session, "RUNNING"));
+        session_send(&session, " ");
+        const size_t behind = session_trickle(&session, "PAUSED", 9600, 20);
+        ck_assert(session_shows(&session, "PAUSED"));
+        if (!mute)
+            ck_assert_uint_lt(behind, 3000);
+        session_send(&session, "q");
+        ck_assert_int_eq(session_exit(&session), 0);
+        session_check_restored(&session);
+        session_close(&session);
+    }
+}
+END_TEST
+
+START_TEST(no_answer_is_typed_into_the_shell)
+{
+    Session session;
+    session_open(&session, 80, 24, NULL, (const char *const[]){matvib(), "mode5", NULL});
+    session_frame(&session);
+    session_send(&session, "q");
+    ck_assert_int_eq(session_exit(&session), 0);
+    struct termios raw = session.modes;
+    raw.c_lflag &= ~(tcflag_t)ICANON;
+    raw.c_cc[VMIN] = raw.c_cc[VTIME] = 0;
+    tcsetattr(session.slave, TCSANOW, &raw);
+    char rest[64];
+    ck_assert_int_eq(read(session.slave, rest, sizeof rest), 0);
+    session_close(&session);
+}
+END_TEST
+
 START_TEST(needs_a_terminal)
 {
     char command[4096], line[512] = "";
@@ -690,6 +730,8 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, tells_what_an_unknown_terminal_is_taken_for);
     tcase_add_test(tcase, several_threads_are_as_quiet_as_one);
     tcase_add_loop_test(tcase, says_what_to_use_where_it_cannot_draw, 0, 2);
+    tcase_add_test(tcase, a_key_is_seen_behind_one_frame_of_a_slow_line);
+    tcase_add_test(tcase, no_answer_is_typed_into_the_shell);
     tcase_add_test(tcase, needs_a_terminal);
     suite_add_tcase(suite, tcase);
 }

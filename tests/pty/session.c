@@ -12,6 +12,7 @@
 #include <string.h>
 #include <sys/ioctl.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #ifdef HAVE_PTY_H
@@ -140,10 +141,11 @@ void session_close(Session *session)
     free(session->bytes);
 }
 
-static void take(Session *session)
+/* `most` bytes, or fewer. */
+static void take(Session *session, size_t most)
 {
     char piece[4096];
-    ssize_t got = read(session->master, piece, sizeof piece);
+    ssize_t got = read(session->master, piece, most < sizeof piece ? most : sizeof piece);
     if (got <= 0)
         return;
     if (session->n_bytes + (size_t)got > session->room) {
@@ -154,6 +156,25 @@ static void take(Session *session)
     memcpy(session->bytes + session->n_bytes, piece, (size_t)got);
     session->n_bytes += (size_t)got;
     vterm_input_write(session->vterm, piece, (size_t)got);
+    /* what the terminal is asked for it answers */
+    const size_t answer = vterm_output_read(session->vterm, piece, sizeof piece);
+    if (answer > 0 && !session->mute)
+        ck_assert_int_eq(write(session->master, piece, answer), (ssize_t)answer);
+}
+
+size_t session_trickle(Session *session, const char *text, double rate, double seconds)
+{
+    const struct timespec pause = {0, 50000000};
+    size_t count = 0;
+    for (double passed = 0; passed < seconds && !(text && session_shows(session, text)); passed += 0.05) {
+        const size_t before = session->n_bytes;
+        struct pollfd master = {.fd = session->master, .events = POLLIN};
+        nanosleep(&pause, NULL);
+        if (poll(&master, 1, 0) > 0)
+            take(session, (size_t)(0.05 * rate));
+        count += session->n_bytes - before;
+    }
+    return count;
 }
 
 /* Takes all that has been written already. */
@@ -161,7 +182,7 @@ static void drain(Session *session)
 {
     struct pollfd master = {.fd = session->ignored ? -1 : session->master, .events = POLLIN};
     while (poll(&master, 1, 0) > 0 && (master.revents & POLLIN))
-        take(session);
+        take(session, SIZE_MAX);
 }
 
 /* Reads one line of the frame pipe if there is one; false: the program has closed it. */
@@ -189,7 +210,7 @@ static bool pump(Session *session, const char *ending)
     char line[64];
     while (poll(both, 2, PATIENCE_MS) > 0) {
         if (both[0].revents & POLLIN)
-            take(session);
+            take(session, SIZE_MAX);
         if (both[1].revents) {
             if (!read_line(session, line, sizeof line))
                 return false;
@@ -254,7 +275,7 @@ void session_wait_for(Session *session, const char *text)
     struct pollfd master = {.fd = session->master, .events = POLLIN};
     while (!session_shows(session, text)) {
         ck_assert_msg(poll(&master, 1, PATIENCE_MS) > 0, "'%s' did not come", text);
-        take(session);
+        take(session, SIZE_MAX);
     }
 }
 
@@ -279,7 +300,7 @@ void session_gone(Session *session)
     while (open) {
         ck_assert_msg(poll(both, 2, PATIENCE_MS) > 0, "the program does not end");
         if (both[0].revents & POLLIN)
-            take(session);
+            take(session, SIZE_MAX);
         if (both[1].revents)
             open = read_line(session, line, sizeof line);
     }

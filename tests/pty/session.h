@@ -19,6 +19,7 @@ typedef struct Session {
     VTerm *vterm;
     VTermScreen *screen;
     bool ignored; /* see session_ignore() */
+    bool mute;    /* the terminal answers nothing that it is asked */
     bool alternate, cursor_visible;
     int mouse;   /* what the mouse reports: VTERM_PROP_MOUSE_NONE, _DRAG, ... */
     char *bytes; /* all that the program wrote */
@@ -47,6 +48,10 @@ bool session_idle_or_gone(Session *);
 
 /* Reads until at least one more picture has been drawn. */
 void session_frame(Session *);
+
+/* Reads as a line of so many bytes a second does, until a text is on the screen (NULL: to the end of the
+ * time). Returns how many bytes that took. */
+size_t session_trickle(Session *, const char *text, double rate, double seconds);
 
 /* Sends keys and waits until they have been answered. */
 void session_keys(Session *, const char *bytes);
