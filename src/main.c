@@ -3,13 +3,20 @@
 #include "base/visible.h"
 #include "cli/cli.h"
 #include "cli/options.h"
+#include "methods/bonds/plane/lattice/bonds.h"
 #include "scenario/scenario.h"
 
+#include <curses.h>
+#include <describe.h>
 #include <errno.h>
+#include <gsl/gsl_version.h>
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
+#ifdef HAVE_CAIRO
+#include <cairo.h>
+#endif
 
 /* "rnu mode1" is not a scenario but a slip of the fingers, or a command that this version has not. */
 static bool is_slip(const char *word, Status *status)
@@ -36,10 +43,32 @@ static bool asks_for_help(int count, char **arguments)
     return false;
 }
 
+static void print_version(void)
+{
+    const char *described = DESCRIBE;
+    puts("matvib " PACKAGE_VERSION);
+    if (*described)
+        printf("commit: %s\n", described);
+    printf("kernels:");
+    for (int level = 0; level < CPU_LEVELS && bonds_cpu_has((CpuLevel)level); level++)
+        printf(" %s", bonds_cpu_name((CpuLevel)level));
+    puts("\nlibraries: ncurses " NCURSES_VERSION ", GSL " GSL_VERSION
+#ifdef HAVE_CAIRO
+         ", cairo " CAIRO_VERSION_STRING
+#endif
+#ifdef HAVE_GIF
+         ", giflib"
+#endif
+#ifdef HAVE_UTF8PROC
+         ", utf8proc"
+#endif
+    );
+}
+
 static int run(int count, char **arguments, Status *status)
 {
     if (count > 0 && (strcmp(arguments[0], "--version") == 0 || strcmp(arguments[0], "-V") == 0)) {
-        puts("matvib " PACKAGE_VERSION);
+        print_version();
         return STATUS_DONE;
     }
     const CliCommand *command = count > 0 ? cli_find(arguments[0]) : NULL;

@@ -18,9 +18,15 @@ for file in README.md CONTRIBUTING.md doc/*.md; do
 	result "links of $file$(sed 's/^/ /' "$scratch/broken" | tr -d '\n')" test ! -s "$scratch/broken"
 done
 
-email=$(sed -n 's/^email=//p' release.conf)
-for file in README.md CITATION.cff codemeta.json $(test ! -d debian || echo debian/control); do
-	result "$file has the address of release.conf" grep -q -F "$email" "$file"
+# version, date and addresses are those of release.conf
+named="README.md man/matvib.1.in CITATION.cff codemeta.json data/org.example.matvib.metainfo.xml
+	$(test ! -d debian || echo debian/changelog debian/control debian/copyright debian/watch)"
+mkdir "$scratch/named" && tar -chf - release.conf $named | tar -xf - -C "$scratch/named"
+result "make addresses has been run" sh -c "tools/addresses '$scratch/named' && for file in $(echo $named); do diff \$file '$scratch/named/'\$file || exit 1; done"
+sed 's/@.*/@host.test/; s/^date=.*/date=2030-01-02/; s/^tag=.*/tag=/; s|//[^/]*|//host.test|' release.conf >"$scratch/named/release.conf"
+tools/addresses "$scratch/named"
+for file in $named; do
+	result "$file: no other address is left" sh -c "grep -q host.test '$scratch/named/$file' && ! grep '@example\|//example\|2026-11-23' '$scratch/named/$file'"
 done
 
 for lesson in data/lessons/*.lesson; do

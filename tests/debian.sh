@@ -14,7 +14,7 @@ test -e "$MATVIB_SRCDIR/debian" || {
 # shellcheck source=tests/common.sh
 . "$MATVIB_SRCDIR/tests/common.sh"
 
-version=$("$MATVIB" --version | awk '{ print $2 }')
+version=$("$MATVIB" --version | sed 's/matvib //;q')
 tarball() {
 	env -u MAKEFLAGS -u MAKELEVEL -u MFLAGS make -s -C "$MATVIB_BUILDDIR" dist-gzip distdir="$1" >/dev/null
 }

@@ -35,7 +35,7 @@ END
 find . -type f | LC_ALL=C sort >"$scratch/found"
 result "these files and no others" diff "$scratch/wanted" "$scratch/found"
 cd / && result "the program runs from anywhere" "$scratch/root/usr/bin/matvib" run mode1 --steps 10 --quiet
-version=$("$scratch/root/usr/bin/matvib" --version | awk '{ print $2 }')
+version=$("$scratch/root/usr/bin/matvib" --version | sed 's/matvib //;q')
 result "the manual is of this version" grep -q "$version" "$scratch/root/usr/share/man/man1/matvib.1"
 result "NEWS begins with it" grep -q -x "matvib $version" "$scratch/root/usr/share/doc/matvib/NEWS"
 # the package is no part of the tarball, as Debian asks

@@ -284,7 +284,7 @@ edited right.session '/^student/d' nameless.session
 edited right.session 's/^version [0-9a-f]*/version 0123456789abcdef/' text.session
 edited right.session 's/^\(version [0-9a-f]*\).*/\1 0.1/' program.session
 edited right.session '/^version/d' free.session
-version=$("$MATVIB" --version | cut -d' ' -f2)
+version=$("$MATVIB" --version | sed 's/matvib //;q')
 edited right.session 's/^end .*/end nowhere/' broken.session
 head -c 120 right.session >half.session
 head -c 3000 /dev/urandom >noise.session

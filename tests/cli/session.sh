@@ -57,9 +57,9 @@ result "a session is not overwritten" refused 'mode5.session: exists (--force re
 result "a scenario is no session" refused \
 	'first.ini:1: unknown line: [scenario] (scenario NAME | paused | first | sheet WORD | lesson NAME | student NAME | version HASH PROGRAM | reached NAME PAGE | "| ..." | at ... | stop ... | end ... | check HASH)' --replay first.ini
 sed 's/^\(version [0-9a-f]*\) .*/\1 1.0.0/' mode5.session >old.session
-result "another version's is refused by it" refused "old.session: is of matvib 1.0.0 (this is $("$MATVIB" --version | cut -d' ' -f2), which replays its own sessions only)" --replay old.session
+result "another version's is refused by it" refused "old.session: is of matvib 1.0.0 (this is $("$MATVIB" --version | sed 's/matvib //;q'), which replays its own sessions only)" --replay old.session
 sed '/^|/s/.*/| nothing that is known/' old.session >older.session
-result "whatever else it holds" refused "older.session: is of matvib 1.0.0 (this is $("$MATVIB" --version | cut -d' ' -f2), which replays its own sessions only)" --replay older.session
+result "whatever else it holds" refused "older.session: is of matvib 1.0.0 (this is $("$MATVIB" --version | sed 's/matvib //;q'), which replays its own sessions only)" --replay older.session
 result "nor is nothing" refused 'empty: is no session (its scenario is missing)' --replay empty
 sed 's/^at .*Space$/at x 1 80x24 Space/' mode5.session >broken.session
 line=$(grep -n '^at x' broken.session | head -n 1 | cut -d: -f1)
