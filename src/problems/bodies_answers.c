@@ -7,6 +7,10 @@
  *     angular       L = L0 + M ((c - m) x g t + v x g t^2/2), m the box's middle
  *     slips         a = g (sin - mu cos), spin = -2 mu g t cos/R
  *     rolls         a = (2/3) g sin, spin = -a t/R
+ *     spins         mean (sxx + syy)/2 = rho w^2 R^2/4, I/I0 - 1 = rho w^2 R^2 (1 - n)(7 + n)/(12 E'),
+ *                   n = nu/(1 - nu), E' = E/(1 - nu^2) in plane strain, n = nu, E' = E in plane stress
+ *     falls         a block 5:1 clamped at its end: converged finite elements
+ * (tests/independent/cantilever.py)
  *
  * Gravity cancels in first touch. Momenta are exact until a wall can act: in a box with walls until the
  * first touch of any two, for a body that was struck flies another way. A disc let go on an incline, a wall
@@ -31,7 +35,8 @@ typedef struct Answers {
     bool slides;     /* down an incline, from rest */
     double rate, turns; /* with this acceleration, and so much spin in a unit of time */
     double until;       /* when the disc comes to the wall ahead; INFINITY: it is open */
-    char names[OF_BODY][BODY_NAME_MAX + 16];
+    bool falls;         /* a clamped block that has a reference */
+    char names[OF_BODY][BODY_NAME_MAX + 24];
 } Answers;
 
 /* --- first touch ---------------------------------------------------------------------------------- */
@@ -162,6 +167,50 @@ static void find_slide(Answers *answers)
                          : sqrt(2 * fmax(way, 0) / fabs(answers->rate));
 }
 
+/* --- a clamped block that falls ------------------------------------------------------------------- */
+
+/* Displacements over L, of the centre of mass and of the middle of the free end, at E/(rho g L) = 50. */
+enum { CENTRE = 0, TIP = 2, FALL_ROWS = 101 };
+static const double fall_rows[FALL_ROWS][4] = {
+#include "problems/cantilever_rows.inc"
+};
+
+static bool is_about(double value, double right)
+{
+    return fabs(value - right) <= 1e-9 * right;
+}
+
+static double fall_length(const BodiesDef *def)
+{
+    return def->bodies[0].size[2] - def->bodies[0].size[0];
+}
+
+static bool find_fall(const BodiesDef *def)
+{
+    const BodyDef *body = &def->bodies[0];
+    const double L = fall_length(def), g = -def->gravity[1];
+    return def->n_bodies == 1 && body->shape == BODY_BLOCK && body->size[0] == 0 && body->velocity[0] == 0 &&
+           body->velocity[1] == 0 && body->spin == 0 && def->gravity[0] == 0 && g > 0 &&
+           def->law == LAW_NEO_HOOKEAN && def->damping == 0 && is_about(def->poisson, 0.3) &&
+           is_about(L / (body->size[3] - body->size[1]), 5) &&
+           is_about(def->youngs_modulus / (def->density * g * L), 50) &&
+           def->walls[WALL_LEFT] == WALL_CLAMP && def->walls[WALL_RIGHT] == WALL_OPEN &&
+           def->walls[WALL_BOTTOM] == WALL_OPEN && def->walls[WALL_TOP] == WALL_OPEN;
+}
+
+/* Cubic between rows (Catmull, Rom), which are sqrt(L/(1000 g)) apart. NAN: behind the last but one. */
+static double fallen(const Answers *answers, int what, double time)
+{
+    const double L = fall_length(&answers->def);
+    const double place = time / sqrt(L / (-1000 * answers->def.gravity[1]));
+    const int k = place < FALL_ROWS - 2 ? (int)place : -1;
+    if (k < 0)
+        return NAN;
+    const double s = place - k, a = fall_rows[k > 0 ? k - 1 : 1][what], b = fall_rows[k][what],
+                 c = fall_rows[k + 1][what], d = fall_rows[k + 2][what]; /* it begins at rest: even */
+    return L * (b + 0.5 * s * (c - a + s * (2 * a - 5 * b + 4 * c - d + s * (3 * (b - c) + d - a))));
+}
+
 /* --- columns -------------------------------------------------------------------------------------- */
 
 static const Answers *answers_of(const References *refs)
@@ -234,6 +283,18 @@ static double motion(const Answers *answers, int what, double time)
                         : NAN;
 }
 
+static double reference_x(References *refs, long step, double time, const double *row)
+{
+    (void)step, (void)row;
+    return answers_of(refs)->start[BODIES_X + X] + fallen(answers_of(refs), CENTRE, time);
+}
+
+static double reference_y(References *refs, long step, double time, const double *row)
+{
+    (void)step, (void)row;
+    return answers_of(refs)->start[BODIES_X + Y] + fallen(answers_of(refs), CENTRE + 1, time);
+}
+
 #define MOTION(name, what)                                                                                   \
     static double name(References *refs, long step, double time, const double *row)                          \
     {                                                                                                        \
@@ -245,6 +306,19 @@ MOTION(exact_y, Y)
 MOTION(exact_vx, VX)
 MOTION(exact_vy, VY)
 MOTION(exact_spin, SPIN)
+
+static void plan_fall(References *refs, Answers *answers)
+{
+    static Answer *const of[] = {[X] = reference_x, [Y] = reference_y};
+    for (int k = X; k <= Y; k++) {
+        char column[BODY_NAME_MAX + 8];
+        snprintf(column, sizeof column, "%s.%s", answers->def.bodies[0].name, k == X ? "x" : "y");
+        snprintf(answers->names[k], sizeof answers->names[k], "%s_reference", column);
+        plan_answer(refs,
+                    &(Quantity){answers->names[k], "reference", "length", "of converged finite elements"},
+                    COLUMN_EXACT, column, of[k]);
+    }
+}
 
 static void plan_motion(References *refs, Answers *answers)
 {
@@ -285,6 +359,7 @@ bool bodies_prepare(References *refs, const BodiesDef *def, const Simulation *si
     }
     find_touches(answers);
     find_slide(answers);
+    answers->falls = find_fall(def);
     plan_rest_of_method(refs, sim);
     if (answers->free > 0) {
         plan_answer(refs, &px, COLUMN_EXACT, "momentum_x", exact_px);
@@ -293,16 +368,41 @@ bool bodies_prepare(References *refs, const BodiesDef *def, const Simulation *si
     }
     if (def->n_bodies == 1 && (answers->slides || answers->free > 0))
         plan_motion(refs, answers);
+    if (answers->falls)
+        plan_fall(refs, answers);
     return true;
 }
 
 /* --- findings ------------------------------------------------------------------------------------- */
 
 static void add(Finding *out, int *count, const char *name, const char *label, double measured, double exact,
-                const char *missing)
+                const char *word)
 {
     if (*count < FINDINGS_MAX)
-        out[(*count)++] = (Finding){name, label, measured, exact, NULL, missing};
+        out[(*count)++] = (Finding){name, label, measured, exact, word, NULL};
+}
+
+/* Of a disc that spins alone: means over the time so far, about which it breathes. */
+static void add_spin(const Answers *answers, const BodiesSeen *seen, Finding *out, int *count)
+{
+    const BodiesDef *def = &answers->def;
+    const bool stress = def->plane == PLANE_STRESS;
+    const double nu = def->poisson, n = stress ? nu : nu / (1 - nu);
+    const double E = def->youngs_modulus / (stress ? 1 : 1 - nu * nu);
+    const double v = def->bodies[0].spin * def->bodies[0].size[2], pull = def->density * v * v;
+    const bool free = is_free(answers, INFINITY);
+    add(out, count, "growth", "growth of I", seen->growth, free ? pull * (1 - n) * (7 + n) / (12 * E) : NAN,
+        NULL);
+    add(out, count, "mean_stress", "mean stress", seen->pull, free ? pull / 4 : NAN, NULL);
+}
+
+static void add_tip(const Answers *answers, const Simulation *sim, Finding *out, int *count)
+{
+    const double now = simulation_time(sim);
+    double tip[2];
+    bodies_tip(sim, tip);
+    add(out, count, "tip_x", "tip moved x", tip[0], fallen(answers, TIP, now), "reference");
+    add(out, count, "tip_y", "y", tip[1], fallen(answers, TIP + 1, now), "reference");
 }
 
 /* How fast two bodies come nearer, by a row. */
@@ -368,6 +468,10 @@ int bodies_findings(const References *refs, const Simulation *sim, Finding out[F
             isfinite(seen.hit) && up > 0 ? row[BODIES_X + Y] - up * up / (2 * def->gravity[1]) : NAN, NAN,
             NULL); /* a part of the motion becomes vibration: where it started is no answer */
     }
+    if (known && isfinite(seen.growth))
+        add_spin(answers, &seen, out, &n);
+    if (answers->falls)
+        add_tip(answers, sim, out, &n);
     add(out, &n, "stretch", "largest stretch", seen.stretch, NAN, NULL);
     if (isfinite(seen.torn))
         add(out, &n, "torn", "torn at t =", seen.torn, NAN, NULL);

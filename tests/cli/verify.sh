@@ -19,6 +19,9 @@ result "nothing on stderr" lines err 0
 expect "loads, both sides of a critical step, a crack that branches" 0 M-load P-step P-rest P-branching
 result "work and places are those of theory" says out '^  traction: work, 1e-6 '
 result "and an unstable step is seen to be so" says out '^  E/E0 at 1.045 of it  *inf$'
+expect "bodies: APIC strains and turns exactly, keeps momenta, and a beam falls as finite elements do" 0 B-affine B-kept B-order B-fall
+result "an order of two" says out '^    order, dx .1 to .05  *1.95$'
+result "FLIP loses what APIC keeps" says out '^    angular momentum/exact  *1.000000000000  *0.6806'
 expect "the list" 0 --list
 result "names figures of both papers" says out '^P-fig10 '
 expect "an unknown name is bad usage" 2 M-fig1

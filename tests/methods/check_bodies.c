@@ -82,6 +82,15 @@ START_TEST(momentum_is_kept)
 }
 END_TEST
 
+static void affine(const double x[2], const void *context, double v[2], double gradient[4])
+{
+    const double *const C = context;
+    for (int k = 0; k < 4; k++)
+        gradient[k] = C[k];
+    for (int axis = 0; axis < 2; axis++)
+        v[axis] = C[2 * axis] * x[0] + C[2 * axis + 1] * x[1];
+}
+
 /* v = C x in a block: with APIC every particle is strained by dt sym C in one step, whatever shape and
  * algorithm. */
 START_TEST(an_affine_block)
@@ -97,16 +106,7 @@ START_TEST(an_affine_block)
     def.rotation = ROTATION_NONE;
     Simulation *sim = create(&def);
     Mpm *mpm = mpm_of(sim);
-    for (int p = 0; p < mpm->n_particles; p++) {
-        double D[2];
-        for (int axis = 0; axis < 2; axis++) {
-            mpm->v[axis][p] = C[2 * axis] * mpm->at[0][p] + C[2 * axis + 1] * mpm->at[1][p];
-            const MpmWeights w = mpm_weights_of(mpm, p);
-            D[axis] = bodies_spread(mpm, mpm->s[axis][p], w.n[axis]) * .01;
-        }
-        for (int k = 0; k < 4; k++)
-            mpm->rate[k][p] = C[k] * D[k % 2];
-    }
+    bodies_begin_with(sim, affine, C);
     advance(sim, 1);
     for (int p = 0; p < mpm->n_particles; p++)
         for (int k = 0; k < 3; k++)

@@ -44,6 +44,16 @@ double quantity_courant_limit(VerifyRun *, const VerifyRow *);
 double quantity_middle_factor(VerifyRun *, const VerifyRow *);
 double quantity_energy_after_steps(VerifyRun *, const VerifyRow *);
 
+/* Bodies of a scenario that begin with a field of velocities: the largest stress off D eps of a uniform
+ * stretch in one step, over the largest of these; off that of a rigid turn with the spin `from`, over
+ * G spin dt. Blocks clamped at x = 0 and 1, nu = 0, in their first mode: the root
+ * mean square of the error of the displacement, or of a field `column`, over the largest value of the motion,
+ * at the cell size `from`; its order between that and `to`. */
+double quantity_stretch_error(VerifyRun *, const VerifyRow *);
+double quantity_turn_error(VerifyRun *, const VerifyRow *);
+double quantity_vibration_error(VerifyRun *, const VerifyRow *);
+double quantity_vibration_order(VerifyRun *, const VerifyRow *);
+
 /* Of the bonds through a plane, stretched up to s0; J/m^2. */
 double quantity_plane_energy(VerifyRun *, const VerifyRow *);
 

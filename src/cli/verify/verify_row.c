@@ -81,6 +81,12 @@ bool verify_settings(const char *scenario, Settings *settings, Status *status)
     const char *name = strtok_r(text, " ", &place);
     for (char *word; count < KEYS_MAX && (word = strtok_r(NULL, " ", &place)) != NULL; count++) {
         char *value = strchr(word, '=');
+        while (*place && strcspn(place, " ") <= strcspn(place, "=")) { /* "bodies.left=disc 1 2 3" */
+            place[-1] = ' ';
+            place += strcspn(place, " ");
+            if (*place)
+                *place++ = '\0';
+        }
         *value = '\0';
         overrides[count] = (Override){"--set", word, value + 1};
     }

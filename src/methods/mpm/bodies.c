@@ -129,20 +129,53 @@ static void place(Mpm *mpm, int p, double x, double y)
         mpm->deformation[k][p] = k == 0 || k == 3;
 }
 
-static void set_moving(Mpm *mpm, const BodyDef *body, int p)
+/* v = v0 + w x (X - c) */
+static void rigid(const double x[2], const void *context, double v[2], double gradient[4])
 {
+    const BodyDef *body = context;
     double centre[2];
     bodies_centre(body, centre);
-    mpm->v[0][p] = body->velocity[0] - body->spin * (mpm->at[1][p] - centre[1]);
-    mpm->v[1][p] = body->velocity[1] + body->spin * (mpm->at[0][p] - centre[0]);
-    if (mpm->head->transfer != MPM_APIC || body->spin == 0)
+    v[0] = body->velocity[0] - body->spin * (x[1] - centre[1]);
+    v[1] = body->velocity[1] + body->spin * (x[0] - centre[0]);
+    gradient[0] = gradient[3] = 0;
+    gradient[1] = -body->spin;
+    gradient[2] = body->spin;
+}
+
+/* With APIC also B = C D of the field's gradient C. */
+static void set_moving(Mpm *mpm, BodiesField *field, const void *context, int p)
+{
+    const double x[2] = {mpm->at[0][p], mpm->at[1][p]};
+    double v[2], gradient[4];
+    field(x, context, v, gradient);
+    mpm->v[0][p] = v[0];
+    mpm->v[1][p] = v[1];
+    if (mpm->head->transfer != MPM_APIC)
         return;
-    MpmWeights w;
-    for (int axis = 0; axis < 2; axis++)
+    for (int k = 0; k < 4; k++) {
+        const int axis = k % 2;
+        MpmWeights w;
         shape_at(mpm->shape, mpm->half, 1 << 20, 2, mpm->s[axis][p], w.n[axis], w.dn[axis]);
-    const double squared = mpm->dx * mpm->dx;
-    mpm->rate[1][p] = -body->spin * squared * bodies_spread(mpm, mpm->s[1][p], w.n[1]);
-    mpm->rate[2][p] = body->spin * squared * bodies_spread(mpm, mpm->s[0][p], w.n[0]);
+        mpm->rate[k][p] = gradient[k] * (mpm->dx * mpm->dx) * bodies_spread(mpm, mpm->s[axis][p], w.n[axis]);
+    }
+}
+
+/* By what a run that grows without bound is known. */
+static void note_energy(Mpm *mpm)
+{
+    const BodiesDef *def = &mpm->bodies->def;
+    const double fall = sqrt(def->gravity[0] * def->gravity[0] + def->gravity[1] * def->gravity[1]) *
+                        (def->width + def->height);
+    mpm->energy_start = bodies_energy(mpm) + mpm->mass[0] * mpm->n_particles * fall;
+}
+
+void bodies_begin_with(Simulation *sim, BodiesField *field, const void *context)
+{
+    Mpm *mpm = mpm_of(sim);
+    ASSERT(sim->step == 0 && sim->stage == 0);
+    for (int p = 0; p < mpm->n_particles; p++)
+        set_moving(mpm, field, context, p);
+    note_energy(mpm);
 }
 
 /* Of each particle the one above it: a row of a body is from the left, and the next row follows it. */
@@ -183,10 +216,8 @@ static bool begin(Mpm *mpm, Status *status)
     mpm_find_all(mpm);
     for (int k = 0; k < def->n_bodies; k++)
         for (int p = bodies->first[k]; p < bodies->first[k + 1]; p++)
-            set_moving(mpm, &def->bodies[k], p);
-    const double fall = sqrt(def->gravity[0] * def->gravity[0] + def->gravity[1] * def->gravity[1]) *
-                        (def->width + def->height);
-    mpm->energy_start = bodies_energy(mpm) + mpm->mass[0] * mpm->n_particles * fall;
+            set_moving(mpm, rigid, &def->bodies[k], p);
+    note_energy(mpm);
     return isfinite(mpm->energy_start) ||
            status_refuse(status, "bodies: their energy is not a finite number");
 }

@@ -75,6 +75,8 @@ Simulation *bodies_create(const BodiesDef *, Status *);
  * of the first tear, NAN: not yet; and the largest distance of neighbours over that at t = 0. */
 typedef struct BodiesSeen {
     double met, hit, torn, stretch;
+    double growth, pull; /* of a disc that spins alone: I/I0 - 1 and sum V (sxx + syy)/2 over its area, means
+                            over the steps so far; NAN: not such a disc, no step */
 } BodiesSeen;
 BodiesSeen bodies_seen(const Simulation *);
 
@@ -91,6 +93,14 @@ enum {
     BODIES_X
 };
 void bodies_row(const Simulation *, double *row);
+
+/* A field of velocities at t = 0 in place of the bodies' own, with its gradient dv_i/dx_j in rows. */
+typedef void BodiesField(const double x[2], const void *context, double v[2], double gradient[4]);
+void bodies_begin_with(Simulation *, BodiesField *, const void *context);
+
+/* The displacement of the middle of a block's right end: the columns of particles next to it, extrapolated.
+ */
+void bodies_tip(const Simulation *, double tip[2]);
 
 /* The centre of a body: given, of a block its middle; and the box around it. */
 void bodies_centre(const BodyDef *, double centre[2]);

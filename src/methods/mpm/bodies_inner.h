@@ -50,6 +50,7 @@ void bodies_do_nodes(Mpm *, MpmOp, int first, int end);
  */
 void bodies_note_contact(Mpm *);
 void bodies_note_tear(Mpm *);
+void bodies_note_spin(Mpm *); /* and the sums over steps of a disc that spins alone */
 /* The largest distance of neighbours over that at t = 0, and the particle that it begins at. */
 double bodies_largest_stretch(const Mpm *, int *at);
 /* D of APIC along one axis in cells squared: sum N (x_i - x)^2. */

@@ -63,12 +63,67 @@ static double time_of(const Simulation *sim, long step)
     return step > 0 ? (double)step * sim->dt : NAN;
 }
 
+static bool spins_alone(const BodiesDef *def)
+{
+    return def->n_bodies == 1 && def->bodies[0].shape == BODY_DISC && def->bodies[0].spin != 0.0;
+}
+
+/* I = sum m |X - c|^2, X = x at t = 0 or now. */
+static double inertia(const Mpm *mpm, bool now)
+{
+    const double count = mpm->n_particles;
+    double sum[2] = {0}, squares = 0.0;
+    for (int axis = 0; axis < 2; axis++)
+        for (int p = 0; p < mpm->n_particles; p++) {
+            const double x = mpm->at[axis][p] + (now ? mpm->u[axis][p] : 0.0);
+            sum[axis] += x;
+            squares += x * x;
+        }
+    return mpm->mass[0] * (squares - (sum[0] * sum[0] + sum[1] * sum[1]) / count);
+}
+
+void bodies_note_spin(Mpm *mpm)
+{
+    if (!spins_alone(&mpm->bodies->def))
+        return;
+    double pull = 0.0;
+    for (int p = 0; p < mpm->n_particles; p++)
+        pull += 0.5 * mpm->volume[p] * (mpm->stress[0][p] + mpm->stress[1][p]);
+    mpm->head->inertia += inertia(mpm, true);
+    mpm->head->pull += pull;
+}
+
 BodiesSeen bodies_seen(const Simulation *sim)
 {
     const Mpm *mpm = mpm_of_const(sim);
+    const bool spins = spins_alone(&mpm->bodies->def) && sim->step > 0;
+    const double steps = (double)sim->step, area = mpm->bodies->volume * mpm->n_particles;
     int at = 0;
-    return (BodiesSeen){time_of(sim, mpm->head->met), time_of(sim, mpm->head->hit),
-                        time_of(sim, mpm->head->torn), bodies_largest_stretch(mpm, &at)};
+    return (BodiesSeen){time_of(sim, mpm->head->met),
+                        time_of(sim, mpm->head->hit),
+                        time_of(sim, mpm->head->torn),
+                        bodies_largest_stretch(mpm, &at),
+                        spins ? mpm->head->inertia / steps / inertia(mpm, false) - 1.0 : NAN,
+                        spins ? mpm->head->pull / steps / area : NAN};
+}
+
+void bodies_tip(const Simulation *sim, double tip[2])
+{
+    const Mpm *mpm = mpm_of_const(sim);
+    const double *const size = mpm->bodies->def.bodies[0].size, d = mpm->spacing;
+    double weight = 0.0, sum[2] = {0};
+    for (int p = 0; p < mpm->bodies->first[1]; p++) {
+        /* the two rows next to the middle, or that in it; of columns u_last + (u_last - u_before)/2 */
+        const double column = size[2] - mpm->at[0][p], row = mpm->at[1][p] - 0.5 * (size[1] + size[3]);
+        if (column > 2.0 * d || fabs(row) > 0.75 * d)
+            continue;
+        const double share = column < d ? 1.5 : -0.5;
+        weight += share;
+        for (int axis = 0; axis < 2; axis++)
+            sum[axis] += share * mpm->u[axis][p];
+    }
+    for (int axis = 0; axis < 2; axis++)
+        tip[axis] = sum[axis] / weight;
 }
 
 static const Quantity quantities[BODIES_X] = {

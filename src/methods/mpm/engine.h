@@ -86,6 +86,7 @@ typedef struct MpmHead {
     double moment;                     /* sum m u before the last step, along a line: for x_cm_rate */
     double momentum[MPM_AXES], pushed; /* sum m v before the last step, and sum f_ext in it: for reactions */
     double friction;                   /* energy that friction of bodies has taken so far */
+    double inertia, pull; /* of a disc that spins, summed over steps: I, and sum V (sxx + syy)/2 */
     long met, hit; /* the step in which two bodies pushed each other first, and one a wall; 0: not yet */
     long torn;     /* that in which neighbours parted first, and the one of them that comes first */
     int torn_at;

@@ -541,7 +541,7 @@ bool mpm_end_stage(Mpm *mpm, MpmOp op, Status *status)
         if (op == OP_FIX_MOVED)
             bodies_note_contact(mpm);
         if (op == OP_FORGET)
-            bodies_note_tear(mpm);
+            bodies_note_tear(mpm), bodies_note_spin(mpm);
         return true;
     }
     switch (op) {
