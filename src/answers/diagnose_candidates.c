@@ -113,7 +113,7 @@ int diagnose_pairs(const Settings *right, Candidate out[CANDIDATES_MAX])
 /* --- schemes -------------------------------------------------------------------------------------------- */
 
 /* What a scheme is chosen of: one of each axis. */
-enum { AXES_OF_A_SCHEME = 4, WAYS_MAX = 8 };
+enum { AXES_OF_A_SCHEME = 5, WAYS_MAX = 8 };
 static const char *const mpm_axes[AXES_OF_A_SCHEME][WAYS_MAX] = {
     {"mpm.algorithm=usf", "mpm.algorithm=usl", "mpm.algorithm=musl"},
     {"mpm.shape=hat", "mpm.shape=gimp", "mpm.shape=bspline2", "mpm.shape=bspline3"},
@@ -121,6 +121,8 @@ static const char *const mpm_axes[AXES_OF_A_SCHEME][WAYS_MAX] = {
      "mpm.transfer=apic,mpm.affine_start=gradient", "mpm.transfer=apic,mpm.affine_start=zero"},
 };
 static const char *const pd_axes[AXES_OF_A_SCHEME][WAYS_MAX] = {
+    {"pd.stepping=verlet", "pd.stepping=euler", "pd.stepping=euler_position", "pd.stepping=leapfrog",
+     "pd.stepping=leapfrog_ahead"},
     {"pd.surface_correction=none", "pd.surface_correction=energy", "pd.surface_correction=volume"},
     {"pd.volume_correction=none", "pd.volume_correction=partial", "pd.volume_correction=hhb"},
     {"pd.influence=constant", "pd.influence=conical"},
@@ -281,6 +283,7 @@ void diagnose_name_scheme(const Settings *settings, char *out, size_t size)
                  {"mpm.transfer", "", 0},
                  {"mpm.flip_fraction", "flip_fraction ", 1},
                  {"mpm.affine_start", "affine start ", 0},
+                 {"pd.stepping", "", 0},
                  {"pd.surface_correction", "surface ", 0},
                  {"pd.volume_correction", "volume ", 0},
                  {"pd.influence", "influence ", 0}};
@@ -296,7 +299,9 @@ void diagnose_name_scheme(const Settings *settings, char *out, size_t size)
                 *c = (char)(*c >= 'a' && *c <= 'z' ? *c - 'a' + 'A' : *c);
         if (settings_number(settings, parameter) == words[i].silent)
             continue;
-        text_append(out, size, "%s%s%s", *out ? ", " : "", words[i].before, value);
+        text_append(out, size, "%s%s%s", *out ? ", " : "", words[i].before,
+                    parameter->choice_help ? parameter->choice_help((int)settings_number(settings, parameter))
+                                           : value);
     }
     if (settings->method == METHOD_PD && settings->problem->concerns & CONCERN_PLANE &&
         settings_lattice(settings)->surface_correction == SURFACE_NONE &&

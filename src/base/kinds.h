@@ -52,6 +52,16 @@ typedef enum VolumeCorrection { VOLUME_NONE, VOLUME_PARTIAL, VOLUME_HHB } Volume
 typedef enum SurfaceCorrection { SURFACE_NONE, SURFACE_ENERGY, SURFACE_VOLUME } SurfaceCorrection;
 /* How a bond's stiffness depends on its length (the micromodulus): not at all, or as 1 - |xi|/delta. */
 typedef enum Influence { INFLUENCE_CONSTANT, INFLUENCE_CONICAL } Influence;
+
+/* How a step moves the nodes by their forces: methods/bonds/plane/bonds_step.c. */
+typedef enum Stepping {
+    STEPPING_VERLET,
+    STEPPING_EULER,
+    STEPPING_EULER_POSITION,
+    STEPPING_LEAPFROG,
+    STEPPING_LEAPFROG_AHEAD
+} Stepping;
+
 typedef enum Clamp { CLAMP_FULL, CLAMP_GUIDE } Clamp;
 
 #endif

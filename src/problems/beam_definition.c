@@ -115,6 +115,7 @@ BeamDef beam_definition(const Settings *settings, int threads)
         .surface_correction = settings_lattice(settings)->surface_correction,
         .volume_correction = settings_lattice(settings)->volume_correction,
         .influence = settings_lattice(settings)->influence,
+        .stepping = settings_lattice(settings)->stepping,
         .critical_stretch = settings_bonds(settings)->critical_stretch,
         .protected_depth = settings_bonds(settings)->protected_depth,
         .amplitude = settings_start(settings)->amplitude,

@@ -14,6 +14,7 @@ typedef struct Lattice {
     SurfaceCorrection surface_correction;
     VolumeCorrection volume_correction;
     Influence influence;
+    Stepping stepping;
     int mistake, mistake_beside; /* as of Transfer (concern_cells.h) */
 } Lattice;
 

@@ -17,6 +17,8 @@ static const char *const affine_starts[] = {"gradient", "zero", NULL};
 static const char *const surface_corrections[] = {"none", "energy", "volume", NULL};
 static const char *const volume_corrections[] = {"none", "partial", "hhb", NULL};
 static const char *const influences[] = {"constant", "conical", NULL};
+static const char *const steppings[] = {"verlet",   "euler",          "euler_position",
+                                        "leapfrog", "leapfrog_ahead", NULL};
 static const char *const clamps[] = {"full", "guide", NULL};
 static const char *const plane_ends[] = {"section", "point", NULL};
 static const char *const pulse_ways[] = {"right", "left", "both", NULL};

@@ -233,7 +233,7 @@ void parameter_range(const Parameter *parameter, const Problem *problem, char *o
     const char *automatic = parameter_automatic(parameter, problem);
     const char *or_word = automatic ? *automatic ? automatic : "empty" : "";
     const char *or_bar = automatic ? " | " : "";
-    if (parameter->choice_help) {
+    if (parameter->choice_help && parameter->wrong) {
         snprintf(out, size, "%s, or one of %d: matvib params %s", parameter->choices[0],
                  parameter_choices(parameter, problem) - 1, problem->word);
     } else if (parameter->choices) {

@@ -160,14 +160,18 @@ class WrongBar(bar.Bar):
 class WrongBody(bonds.Body):
     """The scheme of bonds.py but for the mistake; nothing breaks."""
 
-    mistake = "right"
+    mistake, stepping = "right", "verlet"
 
     def set_bonds(self, volume, influence):
         delta = self.delta
         if self.mistake == "horizon_strict":
             self.delta = delta * (1 - 1e-8)
+        if self.mistake == "horizon_as_diameter":
+            self.delta = delta / 2
         super().set_bonds(volume, influence)
-        if self.mistake == "horizon_strict":  # the family alone is smaller
+        if self.mistake == "horizon_as_diameter":  # c and w are still those of the whole
+            self.delta, self.c, self.w = delta, 9 * self.E / (np.pi * delta ** 3), np.ones(len(self.w))
+        elif self.mistake == "horizon_strict":  # the family alone is smaller
             whole = self.length <= delta - self.dx / 2
             self.delta, self.c = delta, 9 * self.E / (np.pi * delta ** 3)
             self.w = np.where(whole, 1, (delta + self.dx / 2 - self.length) / self.dx)
@@ -189,7 +193,14 @@ class WrongBody(bonds.Body):
 
     def half_kick(self):
         self.v_before = self.v
-        super().half_kick()
+        shares = {"verlet": 1 / 2, "euler": 1, "leapfrog": 1, "euler_position": 0, "leapfrog_ahead": 0}
+        share = shares[self.stepping]
+        if self.stepping.startswith("leapfrog") and self.step_number == 0:
+            share = 1 / 2
+        if self.mistake == "no_first_force" and self.step_number == 0:
+            share = 0
+        self.v = self.v + share * self.dt * self.f / self.rho
+        self.hold(self.step_number)
         if self.mistake == "euler_forward":  # the whole kick at once, by the force of the old place
             self.v = self.v_before + self.dt * self.f / self.rho
             self.hold(self.step_number)
@@ -204,8 +215,11 @@ class WrongBody(bonds.Body):
         self.v = kicked
 
     def bonds(self):
+        f_before = self.f
         super().bonds()
-        if self.mistake == "naive_stretch":  # no mistake: round-off of a difference of nearly equal lengths
+        if self.mistake == "force_not_reset":
+            self.f = f_before + self.f
+        elif self.mistake == "naive_stretch":  # no mistake: round-off of a difference of nearly equal lengths
             now = self.xi + self.u[:, self.j] - self.u[:, self.i]
             length = np.hypot(*now)
             self.s = (length - self.length) / self.length
@@ -230,10 +244,10 @@ class WrongBody(bonds.Body):
             self.f = np.array([self.families(p * at_i, -p * at_j) for p in pull])
 
     def second_kick(self):
-        if self.mistake in ("euler_forward", "no_second_kick"):
-            self.hold(self.step_number + 1)
-        else:
-            super().second_kick()
+        shares = {"verlet": 1 / 2, "euler": 0, "leapfrog": 0, "euler_position": 1, "leapfrog_ahead": 1}
+        if self.mistake not in ("euler_forward", "no_second_kick"):
+            self.v = self.v + shares[self.stepping] * self.dt * self.f / self.rho
+        self.hold(self.step_number + 1)
 
     def told(self):
         return {"v_probe": self.v[1, self.probe].mean()}
@@ -248,7 +262,7 @@ def code_of(given, mistake):
         return WrongBar(mistake, int(given["initial.mode"]), float(given["initial.velocity"]), L=L, E=E, rho=rho, dx=dx,
                         P=int(given["mesh.particles_per_cell"]), courant=courant,
                         **{key: given[f"mpm.{key}"] for key in ("algorithm", "shape", "transfer") if f"mpm.{key}" in given})
-    kind = type("WrongBeam", (WrongBody,), {"mistake": mistake})
+    kind = type("WrongBeam", (WrongBody,), {"mistake": mistake, "stepping": given.get("pd.stepping", "verlet")})
     beams.Body, right = kind, beams.Body
     E, rho, thickness, dt = number("beam.youngs_modulus", "beam.density", "beam.thickness", "time.step")
     body = beams.supported_beam(*number("beam.length", "beam.height", "pd.spacing", "pd.horizon", "initial.amplitude"),

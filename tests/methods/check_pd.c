@@ -230,6 +230,21 @@ START_TEST(moving_stages_are_steps)
 }
 END_TEST
 
+START_TEST(every_stepping_is_its_stages)
+{
+    BeamDef def = small_beam(BEAM_MOVING_CANTILEVER);
+    def.stepping = (Stepping)_i;
+    Simulation *straight = beam_case_create(&def, NULL), *sim = beam_case_create(&def, NULL);
+    Status status = {0};
+    advance(straight, 40);
+    while (sim->step < 40)
+        ck_assert(simulation_stage(sim, &status));
+    expect_same_state(straight, sim, "by stages");
+    simulation_destroy(sim);
+    simulation_destroy(straight);
+}
+END_TEST
+
 static void same_with(const BeamDef *def, const BeamOptions *options, const char *what)
 {
     BeamDef one = *def;
@@ -732,6 +747,7 @@ void add_cases(Suite *suite)
     tcase_add_test(bits, stages_restore_what_they_show);
     tcase_add_loop_test(bits, slices_are_stages, 0, 4);
     tcase_add_loop_test(bits, moving_stages_are_steps, 0, 2);
+    tcase_add_loop_test(bits, every_stepping_is_its_stages, 0, STEPPING_LEAPFROG_AHEAD + 1);
     tcase_add_loop_test(bits, threads_leave_no_trace, 2, 4);
     tcase_add_loop_test(bits, vector_width_leaves_no_trace, 0, CPU_LEVELS);
     tcase_add_loop_test(bits, steep_waves_leave_no_trace, 0, CPU_LEVELS);

@@ -37,8 +37,10 @@ static void clear_band(Beam *beam, int band)
 {
     int first = beam->band_first[band], rows = beam->band_first[band + 1] - first;
     size_t stride = beam->lattice.stride, bytes = stride * sizeof(double);
-    memset(beam->nodes.fx + (size_t)first * stride, 0, (size_t)rows * bytes);
-    memset(beam->nodes.fy + (size_t)first * stride, 0, (size_t)rows * bytes);
+    if (!bonds_does(beam, BONDS_WRONG_FORCE_STAYS)) {
+        memset(beam->nodes.fx + (size_t)first * stride, 0, (size_t)rows * bytes);
+        memset(beam->nodes.fy + (size_t)first * stride, 0, (size_t)rows * bytes);
+    }
     memset(halo_row(beam, band, 0, 0) - LATTICE_BLOCK, 0, 2 * (size_t)beam->lattice.reach * bytes);
 }
 

@@ -211,6 +211,23 @@ static bool check_notched(const BeamDef *def, Status *status)
     return true;
 }
 
+const char *beam_stepping_name(int stepping)
+{
+    static const char *const names[] = {[STEPPING_EULER] = "symplectic Euler (kick first)",
+                                        [STEPPING_EULER_POSITION] = "symplectic Euler (move first)",
+                                        [STEPPING_LEAPFROG] = "leapfrog (v half a step behind)",
+                                        [STEPPING_LEAPFROG_AHEAD] = "leapfrog (v half a step ahead)"};
+    return stepping > 0 && stepping <= STEPPING_LEAPFROG_AHEAD ? names[stepping] : NULL;
+}
+
+/* Damping is defined by two half kicks (bonds_damping.c). */
+static bool check_stepping(const BeamDef *def, Status *status)
+{
+    return def->stepping == STEPPING_VERLET || (def->damping == 0 && !def->critically_damped) ||
+           status_refuse(status, "pd.stepping: %s is defined without damping only (damping.rate = 0)",
+                         beam_stepping_name(def->stepping));
+}
+
 bool beam_check(const BeamDef *def, Status *status)
 {
     static bool (*const of_problem[])(const BeamDef *, Status *) = {
@@ -220,7 +237,8 @@ bool beam_check(const BeamDef *def, Status *status)
         [BEAM_PLATE] = NULL, /* what it has is looked at on its lattice */
     };
     Lattice measured;
-    return check_bounds(def, status) && check_lattice(def, status) && bonds_check_mistake(def, status) &&
+    return check_bounds(def, status) && check_lattice(def, status) && check_stepping(def, status) &&
+           bonds_check_mistake(def, status) &&
            (!of_problem[def->problem] || of_problem[def->problem](def, status)) &&
            (def->dt == 0 || beam_check_damping(def->damping, def->dt, status)) &&
            lattice_measure(&measured, def, status) &&

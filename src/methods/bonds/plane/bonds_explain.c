@@ -34,6 +34,46 @@ static const Stage stage_table[N_STAGES] = {
                       "damage"},
 };
 
+/* The kicks of the steppings other than velocity Verlet, before the drift and after it. */
+typedef struct KickWords {
+    const char *equation, *ascii, *sentence;
+} KickWords;
+static const KickWords no_kick = {"nothing", "nothing", "One kick a step is enough."};
+static const KickWords kick_words[][2] = {
+    [STEPPING_EULER] = {{"v(n+1) = v(n) + Δt a(n),   a = f/ρ", "v(n+1) = v(n) + dt a(n),   a = f/rho",
+                         "The force of the last step gives every node its new velocity."}},
+    [STEPPING_EULER_POSITION] = {{NULL},
+                                 {"v(n+1) = v(n) + Δt a(n+1)", "v(n+1) = v(n) + dt a(n+1)",
+                                  "The new force gives every node its new velocity."}},
+    [STEPPING_LEAPFROG] = {{"v(n+½) = v(n−½) + Δt a(n),   in step 1: v(½) = v(0) + Δt/2 a(0)",
+                            "v(n+1/2) = v(n-1/2) + dt a(n),   in step 1: v(1/2) = v(0) + dt/2 a(0)",
+                            "The force of the last step carries the velocity from half step to half step."}},
+    [STEPPING_LEAPFROG_AHEAD] = {{"in step 1 alone: v(½) = v(0) + Δt/2 a(0)",
+                                  "in step 1 alone: v(1/2) = v(0) + dt/2 a(0)",
+                                  "Before the first step a half kick sets the velocity half a step ahead."},
+                                 {"v(n+3/2) = v(n+½) + Δt a(n+1)", "v(n+3/2) = v(n+1/2) + dt a(n+1)",
+                                  "The new force carries the velocity from half step to half step."}},
+};
+
+static void word_kicks(Beam *beam)
+{
+    const Stepping stepping = beam->def.stepping;
+    for (int k = 0; k < 2 && stepping != STEPPING_VERLET; k++) {
+        Stage *stage = &beam->stages[k == 0 ? STAGE_HALF_KICK : STAGE_SECOND_KICK];
+        const KickWords *words = kick_words[stepping][k].equation ? &kick_words[stepping][k] : &no_kick;
+        stage->name = k == 0 ? "first kick" : "second kick";
+        stage->equation = words->equation;
+        stage->ascii = words->ascii;
+        stage->sentence = words->sentence;
+        stage->source = "in words";
+    }
+    if (stepping != STEPPING_VERLET) {
+        beam->stages[STAGE_DRIFT].equation = "u(n+1) = u(n) + Δt v";
+        beam->stages[STAGE_DRIFT].ascii = "u(n+1) = u(n) + dt v";
+        beam->stages[STAGE_DRIFT].sentence = "Every node moves on with the velocity that it has now.";
+    }
+}
+
 void beam_set_stages(Beam *beam)
 {
     memcpy(beam->stages, stage_table, sizeof beam->stages);
@@ -74,6 +114,7 @@ void beam_set_stages(Beam *beam)
                 "The last force adds half a step's worth of velocity, and damping takes its share: of "
                 "vx what differs from v0.";
     }
+    word_kicks(beam);
     if (beam->n_loads == 0)
         beam->stages[STAGE_BODY_FORCE].reads = "fy";
     const ForceTerms forces = beam_terms(beam);
@@ -153,19 +194,23 @@ static void explain_damped(const Beam *beam, Calculation *calculation, bool seco
                  was->vy, factor, was->fy / density - alpha * was->vy, now->vy, "m/s");
 }
 
-/* Eqs. 9 and 11, each half of a step: v = v + dt/(2 rho) f, from the velocity before the stage. */
+/* Eqs. 9 and 11, each half of a step, or a whole kick: v = v + dt/(2 rho) f, from the velocity before the
+ * stage. */
 static void explain_kick(const Beam *beam, Calculation *calculation, bool second, const NodeNow *now,
                          const NodeNow *was)
 {
-    const double factor = beam->sim.dt / (2 * beam->def.density);
-    if (bonds_does(beam,
-                   second ? BONDS_WRONG_KICKS_LATE | BONDS_WRONG_KICKS_BEFORE : BONDS_WRONG_KICKS_LATE)) {
+    const double share = beam_kick_share(beam, second, beam->sim.step);
+    const double factor = share * beam->sim.dt / beam->def.density;
+    if (share == 0 || bonds_does(beam, second ? BONDS_WRONG_KICKS_LATE | BONDS_WRONG_KICKS_BEFORE
+                                              : BONDS_WRONG_KICKS_LATE)) {
         write_pair(calculation, "vx, vy stay ", now->vx, now->vy, "m/s");
     } else if (was && beam->damping > 0) {
         explain_damped(beam, calculation, second, now, was);
     } else if (was) {
-        write_change(calculation, "vx = vx + Δt/(2ρ) fx = ", was->vx, factor, was->fx, now->vx, "m/s");
-        write_change(calculation, "vy = vy + Δt/(2ρ) fy = ", was->vy, factor, was->fy, now->vy, "m/s");
+        write_change(calculation, share == 1 ? "vx = vx + Δt/ρ fx = " : "vx = vx + Δt/(2ρ) fx = ", was->vx,
+                     factor, was->fx, now->vx, "m/s");
+        write_change(calculation, share == 1 ? "vy = vy + Δt/ρ fy = " : "vy = vy + Δt/(2ρ) fy = ", was->vy,
+                     factor, was->fy, now->vy, "m/s");
     } else {
         write_pair(calculation, "vx, vy = ", now->vx, now->vy, "m/s");
     }
@@ -242,7 +287,7 @@ static void write_lost(const Beam *beam, Calculation *calculation, const BondPla
 }
 
 /* The strongest bonds first, the rest as one number. */
-static void explain_bonds(const Beam *beam, Calculation *calculation, size_t index)
+static void explain_bonds(const Beam *beam, Calculation *calculation, size_t index, const NodeNow *now)
 {
     size_t nx = (size_t)beam->lattice.nx;
     BondPlace family[FAMILY_MAX];
@@ -272,8 +317,15 @@ static void explain_bonds(const Beam *beam, Calculation *calculation, size_t ind
             calculation_add(&sums[d], 2, bonds[k].pull, parts[d], 0);
         }
     }
-    calculation_sum(calculation, &sums[0]);
-    calculation_sum(calculation, &sums[1]);
+    const double f[2] = {now->fx, now->fy};
+    for (int d = 0; d < 2; d++) {
+        if (bonds_does(beam, BONDS_WRONG_FORCE_STAYS)) {
+            sums[d].has_base = true;
+            sums[d].base = f[d] - sums[d].result;
+            sums[d].result = f[d];
+        }
+        calculation_sum(calculation, &sums[d]);
+    }
 }
 
 /* The terms of eq. 8's b that act on the node; what the bonds had left in f is solved for. */
@@ -368,7 +420,7 @@ void beam_explain(const Simulation *sim, int stage, int set, size_t index, const
         explain_constraints(beam, &text, index, &now);
         break;
     case STAGE_BONDS:
-        explain_bonds(beam, &text, index);
+        explain_bonds(beam, &text, index, &now);
         break;
     case STAGE_BODY_FORCE:
         explain_body_force(beam, &text, index, &now);

@@ -142,13 +142,33 @@ bool bonds_check_mistake(const BeamDef *def, Status *status)
         return status_refuse(status, "pd.mistake: %d is no choice (0 to %d)", def->mistake, MISTAKES);
     const bool hhb = def->volume_correction == VOLUME_HHB &&
                      does(row, BONDS_WRONG_WITHIN_HORIZON | BONDS_WRONG_NO_VOLUME_FACTOR);
+    const bool stepped =
+        def->stepping != STEPPING_VERLET && does(row, BONDS_WRONG_KICKS_LATE | BONDS_WRONG_KICKS_BEFORE);
+    const bool first = def->stepping == STEPPING_EULER_POSITION && does(row, BONDS_WRONG_NO_FIRST_FORCE);
+    const bool near = def->horizon < 2 * def->spacing * (1 - 1e-9) && does(row, BONDS_WRONG_HALF_HORIZON);
     const char *other = def->influence != INFLUENCE_CONSTANT          ? "pd.influence = constant"
                         : def->critical_stretch != 0                  ? "pd.critical_stretch = 0"
                         : def->damping != 0 || def->critically_damped ? "damping.rate = 0"
-                        : hhb ? "pd.volume_correction = partial or none"
-                              : NULL;
+                        : hhb     ? "pd.volume_correction = partial or none"
+                        : first   ? "pd.stepping = verlet, euler or leapfrog"
+                        : near    ? "pd.horizon = 2 spacings or more"
+                        : stepped ? "pd.stepping = verlet"
+                                  : NULL;
     return !other || status_refuse(status, "pd.mistake: %s is defined for %s only",
                                    def->conceals_mistake ? "?" : row->id, other);
+}
+
+double beam_kick_share(const Beam *beam, bool second, long step)
+{
+    static const double shares[][2] = {[STEPPING_VERLET] = {0.5, 0.5},
+                                       [STEPPING_EULER] = {1, 0},
+                                       [STEPPING_EULER_POSITION] = {0, 1},
+                                       [STEPPING_LEAPFROG] = {1, 0},
+                                       [STEPPING_LEAPFROG_AHEAD] = {0, 1}};
+    if (!second && step == 0 && bonds_does(beam, BONDS_WRONG_NO_FIRST_FORCE))
+        return 0;
+    const bool leaps = beam->def.stepping >= STEPPING_LEAPFROG;
+    return leaps && !second && step == 0 ? 0.5 : shares[beam->def.stepping][second];
 }
 
 /* --- bonds ------------------------------------------------------------------------------------------ */

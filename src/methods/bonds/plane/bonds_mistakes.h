@@ -5,7 +5,7 @@
  * A mistake is a row of bonds_mistake_rows.inc: its id, one sentence, the stage that it is in with the
  * equation as it is wrongly written, and what it does instead. Nobody else knows one mistake from another:
  * the lattice, the stages and the written sums ask the row for what this code takes. All of them are of
- * velocity Verlet with whole bonds of one stiffness, undamped.
+ * whole bonds of one stiffness, undamped; those of the half kicks of velocity Verlet alone.
  *
  * Beams with a mistake do their steps stage by stage, bond by bond. The time step, and its limit, are those
  * of the right code. */
@@ -32,8 +32,11 @@ enum {
     BONDS_WRONG_ALONG_REST = 1 << 5,  /* a bond pulls along xi */
     BONDS_WRONG_KICKS_LATE =
         1 << 6, /* u += dt v, then v += dt a by the force of the old place; no half kicks */
-    BONDS_WRONG_KICKS_BEFORE = 1 << 7, /* the second half kick is missing */
-    BONDS_WRONG_DRIFTS_TWICE = 1 << 8  /* u += 2 dt v */
+    BONDS_WRONG_KICKS_BEFORE = 1 << 7,   /* the second half kick is missing */
+    BONDS_WRONG_DRIFTS_TWICE = 1 << 8,   /* u += 2 dt v */
+    BONDS_WRONG_HALF_HORIZON = 1 << 9,   /* the family lies within delta/2; c and w are those of delta */
+    BONDS_WRONG_FORCE_STAYS = 1 << 10,   /* f is never set to zero */
+    BONDS_WRONG_NO_FIRST_FORCE = 1 << 11 /* the first kick of the run is missing */
 };
 
 /* An end of a bond, as its share of the pull may depend on it. */
@@ -57,6 +60,9 @@ typedef struct BondsMistake {
 /* NULL: none. Whether its code does that (BONDS_WRONG_...). */
 const BondsMistake *bonds_mistake(const Beam *);
 bool bonds_does(const Beam *, unsigned wrong);
+
+/* The share of dt of the first or second kick of a step, by the stepping. */
+double beam_kick_share(const Beam *, bool second, long step);
 
 /* That of a definition; `room` holds what is wrong in two places, worded as the first of them. */
 const BondsMistake *bonds_mistake_of(const BeamDef *, BondsMistake *room);

@@ -28,6 +28,7 @@ typedef struct BeamDef {
     SurfaceCorrection surface_correction;
     VolumeCorrection volume_correction;
     Influence influence;
+    Stepping stepping;
     double critical_stretch; /* s0; 0: bonds never break */
     double protected_depth;  /* bonds nearer than this to load or supports never break, m */
 
@@ -59,6 +60,9 @@ typedef struct BeamDef {
 
     Patience patience; /* asked while the beam is being built, with share 0 first */
 } BeamDef;
+
+/* The names of the steppings: "symplectic Euler (kick first)"; NULL: velocity Verlet. */
+const char *beam_stepping_name(int stepping);
 
 /* The mistakes that such codes make, "none" first, ended by NULL; each at its index. They are defined for
  * whole bonds of one stiffness without damping. Those of the start, the family or a factor cannot come or go

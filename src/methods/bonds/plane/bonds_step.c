@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* One time step of a beam by velocity Verlet, paper P:
+/* One time step of a beam, by default by velocity Verlet, paper P:
  *
  *     v^{n+1/2} = v^n + dt/2 a^n                               half kick             (9)
  *     u^{n+1} = u^n + dt v^{n+1/2}                             drift                 (10)
@@ -16,7 +16,13 @@
  *
  * Arrays over nodes are padded rows (lattice.h): u m, v m/s, f = rho a N/m^3. Each stage is a function of one
  * row of the lattice; whole steps call the same functions, bands of rows by several threads. A step fails
- * when a bond doubles its length or collapses, or when there is no memory for the list of broken bonds. */
+ * when a bond doubles its length or collapses, or when there is no memory for the list of broken bonds.
+ *
+ * Other codes kick once a step, v += dt a, before the drift or after it: symplectic Euler, whose v is half a
+ * step late or early, so that energies ripple by O(dt) and u is shifted in time by as much; or the leapfrog,
+ * whose first kick is a half one: its u is that of velocity Verlet, its v that of n - 1/2 or n + 1/2. All
+ * have the frequencies and the stability limit of velocity Verlet (one recurrence in u: E. Hairer, C. Lubich,
+ * G. Wanner, Geometric numerical integration illustrated by the Stoermer/Verlet method, 2003). */
 #include "base/assertion.h"
 #include "methods/batch.h"
 #include "methods/bonds/plane/bonds_mistakes.h"
@@ -63,11 +69,13 @@ static void constrain_displacement(Beam *beam, int j, double time)
     }
 }
 
-/* v += dt/(2 rho) f, eqs. 9 and 11: f is rho a, so the density divides here and nowhere else. */
-static void kick(Beam *beam, int j)
+/* v += share dt/rho f, eqs. 9 and 11: f is rho a, so the density divides here and nowhere else. */
+static void kick(Beam *beam, int j, double share)
 {
     size_t row = lattice_at(&beam->lattice, 0, j), count = beam->lattice.columns;
-    double factor = beam->sim.dt / (2 * beam->def.density);
+    double factor = share * beam->sim.dt / beam->def.density;
+    if (share == 0)
+        return;
     beam->kernels->add(beam->nodes.vx + row, beam->nodes.fx + row, factor, count);
     beam->kernels->add(beam->nodes.vy + row, beam->nodes.fy + row, factor, count);
 }
@@ -76,7 +84,7 @@ static void kick(Beam *beam, int j)
 static void half_kick(Beam *beam, int j, long step)
 {
     beam_brake_first(beam, j);
-    kick(beam, j);
+    kick(beam, j, beam_kick_share(beam, false, step));
     constrain_velocity(beam, j, (double)step * beam->sim.dt);
 }
 
@@ -113,7 +121,7 @@ static void body_force(Beam *beam, int j, long step)
 /* Eq. 11. */
 static void second_kick(Beam *beam, int j, long step)
 {
-    kick(beam, j);
+    kick(beam, j, beam_kick_share(beam, true, step));
     beam_brake_second(beam, j);
     constrain_velocity(beam, j, (double)(step + 1) * beam->sim.dt);
     beam_note_reaction(beam, j);

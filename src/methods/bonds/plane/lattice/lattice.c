@@ -45,6 +45,8 @@ static double reach_of(const BeamDef *def)
 {
     if (bonds_does_by(def, BONDS_WRONG_WITHIN_HORIZON))
         return def->horizon * (1 - 1e-9);
+    if (bonds_does_by(def, BONDS_WRONG_HALF_HORIZON))
+        return def->horizon / 2 * (1 + 1e-9);
     return volume_reach(def->volume_correction, def->horizon, def->spacing);
 }
 
