@@ -2,7 +2,7 @@
 // The service worker of the folder on a server: what the page is made of is kept, so that it opens without a network. What comes
 // anew comes from the network where there is one.
 'use strict';
-const KEPT = 'matvib-@version@', PARTS = ['./', 'index.html', 'matvib.css', 'xterm.js', 'fit.js', 'page.js', 'worker.js', 'matvib.wasm'];
+const KEPT = 'matvib-@version@', PARTS = ['./', 'index.html', 'matvib.css', @scripts@, 'worker.js', 'matvib.wasm'];
 addEventListener('install', (event) => event.waitUntil(caches.open(KEPT).then((kept) => kept.addAll(PARTS.slice(1)))));
 addEventListener('activate', (event) => event.waitUntil(caches.keys().then((names) =>
 	Promise.all(names.filter((name) => name.startsWith('matvib-') && name !== KEPT).map((name) => caches.delete(name))))));

@@ -12,7 +12,7 @@ ncurses = $(work)/ncurses/lib/libncursesw.a
 gsl = $(work)/gsl/libgsl.a
 utf8proc = $(work)/utf8proc/libutf8proc.a
 npm = $(work)/node_modules/.installed
-parts = index.html matvib.css page.js worker.js host.js offline.js licences.txt
+parts = index.html matvib.css terminal.js vectors.js plain.js address.js kept.js files.js fingers.js page.js worker.js host.js offline.js licences.txt
 
 all: $(web_page)/index.html matvib.html
 
@@ -58,17 +58,25 @@ $(npm): $(web)/package.json $(web)/package-lock.json | tools
 # is installed, files that did not change are not compiled again.
 compiler = $(eval compiler := $$(shell command -v ccache) $$(shell PYTHONPATH=$$$$(em-config EMSCRIPTEN_ROOT) python3 -c 'from tools import shared; print(shared.CLANG_CC)') $$(shell emcc --cflags))$(compiler)
 
+# How far all of it has come, in percent: what is there already takes no time. counted FROM,TO,COUNT,COMMAND: of a command that
+# compiles so many files.
+say = @echo "make web: $(1) %"
+counted = { $(4); echo $$? >$(work)/status; } | sh $(web)/progress $(1) $(2) $(3); exit $$(cat $(work)/status)
+
 # --- libraries --------------------------------------------------------------------------------
 # Descriptions of terminals are read by ncurses, but none lies in the page: the program brings its own.
 $(ncurses): $(work)/ncurses-source/.unpacked
+	$(call say,1)
 	@mkdir -p $(work)/ncurses
-	cp $(web_source)/build-aux/config.sub $(work)/ncurses-source
-	cd $(work)/ncurses && emconfigure ../ncurses-source/configure --host=wasm32-unknown-emscripten --build=$(web_build) \
+	@cp $(web_source)/build-aux/config.sub $(work)/ncurses-source
+	@cd $(work)/ncurses && emconfigure ../ncurses-source/configure --host=wasm32-unknown-emscripten --build=$(web_build) \
 		--enable-widec --disable-db-install --disable-home-terminfo --disable-mixed-case \
 		--with-default-terminfo-dir=/none --with-terminfo-dirs=/none --without-cxx --without-cxx-binding --without-ada \
 		--without-tests --without-progs --without-manpages --without-debug --without-tack --disable-stripping \
 		--disable-pc-files --disable-lp64 --with-build-cc=cc CFLAGS=-O2 >configure.log 2>&1
-	cd $(work)/ncurses && emmake $(MAKE) -C include >make.log 2>&1 && emmake $(MAKE) -C ncurses HOSTCC=cc CC='$(compiler)' >>make.log 2>&1
+	@cd $(work)/ncurses && emmake $(MAKE) -C include >make.log 2>&1
+	@$(call counted,10,20,$$(grep -c '^\.\./objects/.*\.o' $(work)/ncurses/ncurses/Makefile),\
+		cd $(work)/ncurses && emmake $(MAKE) -C ncurses HOSTCC=cc CC='$(compiler)' 2>&1) >$(work)/ncurses/told.log 2>&1
 
 gsl_files = $(shell cat $(web)/gsl-files)
 gsl_objects = $(patsubst %.c,$(work)/gsl/%.o,$(gsl_files))

@@ -3,6 +3,7 @@
 #include "picture/canvas.h"
 
 #include "base/assertion.h"
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -46,7 +47,7 @@ void canvas_clear(Canvas *canvas)
 
 void canvas_vector(Canvas *canvas, const char *format, ...)
 {
-    enum { ROOM = 256 }; /* of one call at most */
+    enum { ROOM = 512 }; /* of one call at most */
     if (!canvas->vectored)
         return;
     if (canvas->vectors_room < canvas->vectors_used + ROOM) {
@@ -62,6 +63,11 @@ void canvas_vector(Canvas *canvas, const char *format, ...)
     const int length = vsnprintf(canvas->vectors + canvas->vectors_used, ROOM, format, values);
     va_end(values);
     canvas->vectors_used += length < ROOM ? (size_t)length : ROOM - 1;
+}
+
+void canvas_mark(Canvas *canvas, double x, double y, uint32_t glyph, Style style)
+{
+    canvas_vector(canvas, ";S%d,%u %ld,%ld", (int)style, (unsigned)glyph, lround(16 * x), lround(16 * y));
 }
 
 static Cell *cell_at(Canvas *canvas, int x, int y)

@@ -44,11 +44,14 @@ void canvas_clear(Canvas *);
  *     A X,Y,COLUMNS,ROWS               an area, in cells
  *     L|D|B STYLE,LINE,RANK X,Y ...    a stroke as plot.h has it: line, dots or band; '-' breaks a line;
  *                                      LINE of a band is its fill
+ *     S STYLE,GLYPH X,Y                a mark by its glyph: a dot, ring, cross or piece of a cell; of U+2502
+ *                                      a rule over all rows
  *     M COLUMNS,ROWS STYLES            colours across the area, row by row from above: the character '@' +
  *                                      Style, '.' nothing, each followed by how often where that is not once
  *
  * Without memory something is left out. */
 void canvas_vector(Canvas *, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void canvas_mark(Canvas *, double x, double y, uint32_t glyph, Style); /* 'S', in cells */
 
 /* Outside the canvas: nothing. What cannot be shown in cells (glyph_shown) becomes ' ' or '?'; of a wide
  * character that is cut or half overwritten nothing is left. */

@@ -140,20 +140,24 @@ typedef struct Place {
     double x, y; /* in dots from the upper left corner */
 } Place;
 
-static Place place_of(const Plot *plot, const Raster *raster, size_t point)
+static Place place_at(const Plot *plot, const Raster *raster, double at_x, double at_y)
 {
     double width = raster->columns * raster->across, height = raster->rows * raster->down;
     const double left = axis_place(&plot->x, plot->x.low), right = axis_place(&plot->x, plot->x.high);
-    double x = (axis_place(&plot->x, plot->points[2 * point]) - left) / (right - left) * width;
+    double x = (axis_place(&plot->x, at_x) - left) / (right - left) * width;
     const double top = axis_place(&plot->y, plot->y.high), bottom = axis_place(&plot->y, plot->y.low);
-    double y =
-        (top - axis_place(&plot->y, plot->points[2 * point + 1])) / (top - bottom) * (height - 1) + 0.5;
+    double y = (top - axis_place(&plot->y, at_y)) / (top - bottom) * (height - 1) + 0.5;
     /* the right end belongs to the last dot; rounding must not lose what lies on an edge */
     if (x >= width && x <= width * (1 + 1e-9))
         x = width - 0.5;
     if (x < 0 && x > -1e-9 * width)
         x = 0;
     return (Place){x, y};
+}
+
+static Place place_of(const Plot *plot, const Raster *raster, size_t point)
+{
+    return place_at(plot, raster, plot->points[2 * point], plot->points[2 * point + 1]);
 }
 
 static void draw_line(const Plot *plot, const Stroke *stroke, Raster *raster)
@@ -262,9 +266,9 @@ static void describe(const Plot *plot, const Raster *raster, Area area)
     }
 }
 
-void plot_draw(const Plot *plot, Area area)
+static Raster raster_of(Area area)
 {
-    Raster raster = {
+    return (Raster){
         .columns = area.rect.width,
         .rows = area.rect.height,
         .across = plot_dots_across(area.glyphs),
@@ -273,6 +277,19 @@ void plot_draw(const Plot *plot, Area area)
         .thick = area.canvas->large && area.glyphs == GLYPHS_BRAILLE,
         .glyphs = area.glyphs,
     };
+}
+
+void plot_describe_mark(const Plot *plot, Area area, double x, double y, uint32_t glyph, Style style)
+{
+    const Raster raster = raster_of(area);
+    const Place here = place_at(plot, &raster, x, y);
+    if (fabs(here.x) < VECTOR_FAR && fabs(here.y) < VECTOR_FAR)
+        canvas_mark(area.canvas, here.x / raster.across, here.y / raster.down, glyph, style);
+}
+
+void plot_draw(const Plot *plot, Area area)
+{
+    Raster raster = raster_of(area);
     const size_t count = (size_t)raster.columns * (size_t)raster.rows;
     raster.spots = count ? malloc(count * sizeof *raster.spots) : NULL;
     if (!raster.spots)

@@ -43,6 +43,11 @@ bool scenario_read(FILE *stream, const char *name, Settings *settings, Status *s
  * the head, each of its lines behind "# ". False: a text that would not read back, or a write error. */
 bool scenario_write(FILE *stream, const Settings *settings, const char *comment, Status *status);
 
+/* Hands on what makes these settings of a scenario, as --set takes it; what a run writes, its changes in
+ * mid-run and a concealed mistake are left out. False: there is no such scenario. */
+typedef void AssignmentTaker(void *context, const char *key, const char *value);
+bool scenario_assignments(const char *name_or_path, const Settings *, AssignmentTaker *, void *context);
+
 /* The built-in of that name; NULL: there is none. */
 const BuiltinScenario *scenario_builtin(const char *name);
 

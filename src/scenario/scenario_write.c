@@ -91,6 +91,15 @@ static const char *name_in(const char *key, const char *section)
     return strncmp(key, section, n) == 0 && key[n] == '.' ? key + n + 1 : NULL;
 }
 
+/* What follows from another value, as critical stretch and energy do, and the gap from the shape: written, it
+ * would be given. */
+static bool is_derived(const Settings *settings, const Parameter *parameter)
+{
+    return (strcmp(parameter->key, "pd.critical_stretch") == 0 && settings_bonds(settings)->energy_given) ||
+           (strcmp(parameter->key, "pd.critical_energy") == 0 && !settings_bonds(settings)->energy_given) ||
+           (strcmp(parameter->key, "contact.gap") == 0 && !settings_contact(settings)->gap_given);
+}
+
 static bool write_parameter(FILE *stream, const Settings *settings, const Parameter *parameter,
                             const char *section, const char *name, Status *status)
 {
@@ -98,13 +107,7 @@ static bool write_parameter(FILE *stream, const Settings *settings, const Parame
     settings_get(settings, parameter, value);
     if (parameter->type == PARAMETER_TEXT)
         return write_text(stream, section, name, value, status);
-    const bool stretch = strcmp(name, "critical_stretch") == 0, energy = strcmp(name, "critical_energy") == 0,
-               gap = strcmp(parameter->key, "contact.gap") == 0;
-    if ((stretch && settings_bonds(settings)->energy_given) ||
-        (energy && !settings_bonds(settings)->energy_given) ||
-        (gap && !settings_contact(settings)->gap_given)) {
-        /* what follows from another value, as critical stretch and energy do, and the gap from the shape:
-         * written, it would be given */
+    if (is_derived(settings, parameter)) {
         fprintf(stream, "# %s = %s%s%s\n", name, value, *parameter->unit ? " " : "", parameter->unit);
         return true;
     }
@@ -223,5 +226,81 @@ bool scenario_write(FILE *stream, const Settings *settings, const char *comment,
     }
     if (fflush(stream) != 0 || ferror(stream))
         return status_fail(status, "cannot write the scenario: %s", strerror(errno));
+    return true;
+}
+
+/* --- what was changed ------------------------------------------------------------------------------- */
+
+/* The text of a row; false: there is none of that name. */
+static bool get_row(const Settings *settings, int kind, const char *name, char text[ROW_TEXT_MAX])
+{
+    const int row = settings_row_find(settings, kind, name);
+    if (row >= 0)
+        settings_row_get(settings, kind, row, text);
+    return row >= 0;
+}
+
+static void take_row(const char *section, const char *name, const char *value, AssignmentTaker *take,
+                     void *context)
+{
+    char key[2 * KEY_MAX];
+    snprintf(key, sizeof key, "%s.%s", section, name);
+    take(context, key, value);
+}
+
+static void compare_rows(const Settings *from, const Settings *to, int kind, AssignmentTaker *take,
+                         void *context)
+{
+    const RowKind *what = &row_kinds[kind];
+    char before[ROW_TEXT_MAX], text[ROW_TEXT_MAX], word[ROW_TEXT_MAX];
+    for (int row = 0; row < to->rows[kind].count; row++) {
+        const char *name = to->rows[kind].rows[row].name, *rest = text;
+        settings_row_get(to, kind, row, text);
+        if (get_row(from, kind, name, before) && strcmp(before, text) == 0)
+            continue;
+        if (!what->usual)
+            take_row(what->section, name, text, take, context);
+        else
+            for (int i = 0; text_next_word(&rest, word, sizeof word); i++)
+                take_row(what->section, what->columns[i].word, word, take, context);
+    }
+    for (int row = 0; row < from->rows[kind].count; row++)
+        if (!get_row(to, kind, from->rows[kind].rows[row].name, text))
+            take_row(what->section, from->rows[kind].rows[row].name, "none", take, context);
+}
+
+static bool is_changed(const Settings *from, const Settings *to, const Parameter *parameter)
+{
+    char before[LIST_MAX], value[LIST_MAX];
+    if (parameter->output || parameter->offset == offsetof(Settings, method) ||
+        !parameter_applies_to(to, parameter) || is_derived(to, parameter) ||
+        (parameter->wrong && to->concealed))
+        return false;
+    settings_get(from, parameter, before);
+    settings_get(to, parameter, value);
+    return strcmp(before, value) != 0 || is_derived(from, parameter);
+}
+
+bool scenario_assignments(const char *name_or_path, const Settings *to, AssignmentTaker *take, void *context)
+{
+    Settings from;
+    Status ignored = {0};
+    const Override method = {"", "scenario.method", settings_method_words[to->method]};
+    if (!scenario_load(name_or_path, &from, &ignored))
+        return false;
+    if (from.method != to->method) {
+        take(context, method.key, method.value);
+        if (!scenario_load_with(name_or_path, &method, 1, &from, &ignored))
+            return false;
+    }
+    for (int i = 0; i < n_parameters; i++)
+        if (is_changed(&from, to, &parameters[i])) {
+            char value[LIST_MAX];
+            settings_get(to, &parameters[i], value);
+            take(context, parameters[i].key, value);
+        }
+    for (int kind = 0; kind < ROW_KINDS; kind++)
+        if (settings_have_rows(to, kind))
+            compare_rows(&from, to, kind, take, context);
     return true;
 }

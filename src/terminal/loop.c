@@ -5,8 +5,12 @@
 #include "base/visible.h"
 #include "lab/laboratory.h"
 #include "lab/session/replay.h"
+#include "scenario/changes.h"
+#include "scenario/scenario.h"
+#include "scenario/settings.h"
 #include "terminal/terminal.h"
 
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -29,7 +33,9 @@ typedef struct Loop {
     bool told;          /* something stands on the shell's last line that tell how far the opening has come */
     bool stale;         /* the picture shown is out of date */
     bool more_keys;     /* are answered before it sleeps */
-    bool unannounced;   /* a picture is not yet announced, for the terminal has not taken all of it */
+    Settings told_settings; /* of which `address` tells */
+    char *address;          /* of a page: the scenario, and what was changed of it */
+    bool unannounced;       /* a picture is not yet announced, for the terminal has not taken all of it */
 } Loop;
 
 static double now(void *context)
@@ -56,13 +62,47 @@ static void announce(Loop *loop)
     (void)written; /* unread frames are dropped */
 }
 
+static void add_assignment(void *context, const char *key, const char *value)
+{
+    fprintf(context, ";K%s=%s", key, value);
+}
+
+/* Behind the picture, for a page whose address follows what is opened and changed: ";T1" where all is larger,
+ * ";N" and the scenario's name, ";K" and each KEY=VALUE. */
+static void describe_address(Loop *loop)
+{
+    const Settings *settings = experiment_settings(laboratory_run(&loop->lab));
+    if (!loop->canvas.vectored)
+        return;
+    if (!loop->address || memcmp(settings, &loop->told_settings, sizeof *settings) != 0) {
+        size_t size;
+        Settings now;
+        free(loop->address);
+        loop->address = NULL;
+        FILE *stream = open_memstream(&loop->address, &size);
+        if (!stream)
+            return;
+        memcpy(&loop->told_settings, settings, sizeof *settings);
+        changes_in_force(settings, LONG_MAX, &now);
+        fprintf(stream, ";N%s", loop->lab.scenario);
+        scenario_assignments(loop->lab.scenario, &now, add_assignment, stream);
+        fclose(stream);
+    }
+    canvas_vector(&loop->canvas, ";T%d", loop->canvas.large);
+    enum { PIECE = 400 };
+    for (size_t at = 0; loop->address && at < strlen(loop->address); at += PIECE)
+        canvas_vector(&loop->canvas, "%.*s", PIECE, loop->address + at);
+}
+
 static void draw(Loop *loop)
 {
     int width, height;
     double begin = now(NULL);
     terminal_size(loop->terminal, &width, &height);
-    if (laboratory_draw(&loop->lab, &loop->canvas, width, height))
+    if (laboratory_draw(&loop->lab, &loop->canvas, width, height)) {
+        describe_address(loop);
         terminal_show(loop->terminal, &loop->canvas);
+    }
     loop->stale = false;
     loop->unannounced = true;
     loop->frames++;
@@ -294,6 +334,7 @@ int loop_run(const LaboratoryOptions *options, const Session *replay, Session *r
     session_note_end(recording, &loop->lab);
     laboratory_close(&loop->lab);
     canvas_close(&loop->canvas);
+    free(loop->address);
     free(loop);
     return signal_number ? 128 + signal_number : 0;
 }

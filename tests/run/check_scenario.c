@@ -369,6 +369,55 @@ START_TEST(mutilated_files_do_no_harm)
 }
 END_TEST
 
+typedef struct Taken {
+    char keys[8][40], values[8][256];
+    Override overrides[8];
+    int count;
+} Taken;
+
+static void take(void *context, const char *key, const char *value)
+{
+    Taken *taken = context;
+    ck_assert_int_lt(taken->count, 8);
+    const int n = taken->count++;
+    snprintf(taken->keys[n], sizeof taken->keys[n], "%s", key);
+    snprintf(taken->values[n], sizeof taken->values[n], "%s", value);
+    taken->overrides[n] = (Override){"--set", taken->keys[n], taken->values[n]};
+}
+
+/* A scenario with some values changed is the same again by what is told of it. */
+START_TEST(what_was_changed_is_told)
+{
+    static const struct {
+        const char *scenario;
+        const char *changes[3][2]; /* ended by NULL */
+        int count;
+    } cases[] = {{"mode5", {{NULL}}, 0},
+                 {"mode5", {{"mesh.cell_size", "0.5"}, {"mpm.algorithm", "musl"}}, 2},
+                 {"mode5", {{"scenario.method", "pd"}, {"initial.mode", "3"}}, 2},
+                 {"notched-beam-coarse", {{"pd.critical_energy", "50"}}, 1},
+                 {"branching-coarse", {{"cuts.notch", "none"}, {"cuts.other", "0 0.02 0.05 0.02"}}, 2},
+                 {"branching-coarse", {{"probe.x", "0.03"}, {"probe.y", "0.01"}}, 2},
+                 {"two-discs", {{"contact.gap", "0.3"}, {"contact.friction", "0.2"}}, 2}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        Settings changed, again;
+        Status status = {0};
+        Override overrides[3];
+        int count = 0;
+        for (; count < 3 && cases[i].changes[count][0]; count++)
+            overrides[count] = (Override){"--set", cases[i].changes[count][0], cases[i].changes[count][1]};
+        ck_assert_msg(scenario_load_with(cases[i].scenario, overrides, count, &changed, &status), "%s",
+                      status.text);
+        Taken taken = {.count = 0};
+        ck_assert(scenario_assignments(cases[i].scenario, &changed, take, &taken));
+        ck_assert_msg(taken.count == cases[i].count, "%s: %d", cases[i].scenario, taken.count);
+        ck_assert_msg(scenario_load_with(cases[i].scenario, taken.overrides, taken.count, &again, &status),
+                      "%s", status.text);
+        ck_assert(settings_same(&changed, &again));
+    }
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     TCase *good = tcase_create("read and write");
@@ -376,6 +425,7 @@ void add_cases(Suite *suite)
     tcase_add_test(good, a_file_is_read);
     tcase_add_test(good, every_text_reads_back_or_is_refused);
     tcase_add_test(good, overrides_stand_above_the_file);
+    tcase_add_test(good, what_was_changed_is_told);
     suite_add_tcase(suite, good);
     TCase *bad = tcase_create("damage");
     tcase_add_loop_test(bad, damage_is_answered_with_one_line, 0, (int)(sizeof damages / sizeof *damages));

@@ -406,6 +406,15 @@ async function homework_is_kept() {
 	await page.evaluate(() => document.dispatchEvent(new Event('visibilitychange')));
 	await pause(300);
 	result('a key is kept as soon as the page is hidden', (await entries()) > entered, `${entered} ${await entries()}`);
+	for (const [target, name] of [['document', 'freeze'], ['window', 'pagehide']]) {
+		await pause(1500);
+		const before = await entries();
+		await page.keyboard.press(' ');
+		await pause(100);
+		await page.evaluate((target, name) => window[target].dispatchEvent(new Event(name)), target, name);
+		await pause(300);
+		result('and with ' + name, (await entries()) > before, `${before} ${await entries()}`);
+	}
 	if (engine === engines.Chromium) {
 		const before = (await kept()).length;
 		await keys('b');
@@ -456,6 +465,97 @@ async function address() {
 	result('another scenario is another address', (await where()) === '?scenario=mode1', await where());
 	await page.goBack().catch(() => {});
 	await shows('Back goes to the one before', (text) => /cell size +0\.5/.test(text));
+	const comes = (wanted) => page.waitForFunction((wanted) => location.search === wanted, {timeout: patience}, wanted).then(() => true, () => false);
+	await page.keyboard.press(' ');
+	await until('', has('Space run'));
+	await type(':initial.mode=3\r');
+	result('the address follows what is changed in the program', await comes('?scenario=mode5&set=initial.mode:3&set=mesh.cell_size:0.5&sheet=full'), await where());
+	result('and the link', (await page.evaluate(() => link_to_opened())).endsWith('?scenario=mode5&set=initial.mode:3&set=mesh.cell_size:0.5&sheet=full'));
+	await page.reload();
+	await shows('a reload keeps it', (text) => /mode +3/.test(text) && /cell size +0\.5/.test(text));
+	await page.keyboard.press(' ');
+	await until('', has('Space run'));
+	await type(':open pull\r');
+	result('what is opened in the program is another address', await comes('?scenario=pull&sheet=full'), await where());
+	result('with its title', /^(?!Why is mode 5).* - matvib$/.test(await page.title()), await page.title());
+	await page.goBack().catch(() => {});
+	await shows('from which Back goes to the one before, as it was changed', (text) => /mode +3/.test(text) && /cell size +0\.5/.test(text));
+}
+
+async function size_of_type() {
+	await open(one + '?scenario=mode5');
+	await until('', has('Space pause'));
+	await page.keyboard.press(' ');
+	await until('', has('Space run'));
+	const size = () => page.evaluate(() => term.options.fontSize), first = await size();
+	await page.keyboard.press('L');
+	result('L raises the size of the type', await page.waitForFunction((first) => term.options.fontSize > 1.2 * first, {timeout: patience}, first).then(() => true, () => false), await size());
+	await until('', has('Space'));
+	await shot('large');
+	await page.keyboard.press('L');
+	result('and gives it back', await page.waitForFunction((first) => term.options.fontSize === first, {timeout: patience}, first).then(() => true, () => false), await size());
+	for (const [key, holds] of [['+', (now) => now > first], ['-', (now) => now === first], ['-', (now) => now < first], ['0', (now) => now === first]]) {
+		await page.keyboard.down('Control'); await page.keyboard.press(key); await page.keyboard.up('Control');
+		result('Ctrl with ' + key + ' changes it', holds(await size()), await size());
+	}
+	await page.click('#larger');
+	result('and A+', (await size()) > first);
+	if (engine !== engines.Chromium) return;
+	await open(one, {width: 1024, height: 768}, true);
+	await until('', has('Space pause'));
+	const before = await size();
+	await fingers([[400, 400], [500, 400]], [[300, 400], [600, 400]]);
+	result('two fingers change it', (await size()) > before, before + ' ' + await size());
+}
+
+// Fingers of Chromium that go from where to where, held still before for so long.
+async function fingers(from, to, still = 0) {
+	const client = await page.createCDPSession(), points = (list) => list.map(([x, y], id) => ({x, y, id}));
+	await client.send('Input.dispatchTouchEvent', {type: 'touchStart', touchPoints: points(from)});
+	await pause(still);
+	for (let i = 1; i <= 10 && to; i++)
+		await client.send('Input.dispatchTouchEvent', {type: 'touchMove', touchPoints: points(from.map(([x, y], k) => [x + (to[k][0] - x) * i / 10, y + (to[k][1] - y) * i / 10]))});
+	await client.send('Input.dispatchTouchEvent', {type: 'touchEnd', touchPoints: []});
+}
+
+async function selecting() {
+	await open(one + '?scenario=mode5');
+	await until('', has('Space pause'));
+	await page.keyboard.press(' ');
+	await until('', has('Space run'));
+	const place = (column, row) => page.evaluate((column, row) => {
+		const box = document.querySelector('.xterm-screen').getBoundingClientRect();
+		return [box.left + (column + .5) * box.width / term.cols, box.top + (row + .5) * box.height / term.rows];
+	}, column, row);
+	const selection = () => page.evaluate(() => term.getSelection());
+	const first = (await screen()).split('\n')[0];
+	await page.keyboard.down('Shift');
+	await page.mouse.move(...await place(0, 0));
+	await page.mouse.down();
+	await page.mouse.move(...await place(10, 0), {steps: 5});
+	await page.mouse.move(...await place(20, 0), {steps: 5});
+	await page.mouse.up();
+	await page.keyboard.up('Shift');
+	result('dragging with Shift selects', (await selection()).length >= 19 && first.includes((await selection()).trim()), await selection());
+	if (engine !== engines.Chromium) return;
+	await open(one, {width: 1024, height: 768}, true);
+	await until('', has('Space pause'));
+	await tap_word('pause');
+	await until('', has('Space run'));
+	const row = (await screen()).split('\n').findIndex((line) => line.includes('cell size')), column = (await screen()).split('\n')[row].indexOf('cell size');
+	await fingers([await place(column + 1, row)], null, 800);
+	result('a long touch selects a word', (await selection()) === 'cell', await selection());
+	await page.evaluate(() => term.clearSelection());
+	await fingers([await place(column + 1, row)], [await place(column + 7, row)], 800);
+	result('and from there to where the finger goes', (await selection()) === 'cell siz', await selection());
+	result('which a button copies', /Selected: copy/.test(await notice_of()), await notice_of());
+	await page.evaluate(() => { window.copied = ''; navigator.clipboard.writeText = async (text) => { window.copied = text; }; });
+	await page.click('#notice button');
+	await pause(200);
+	result('all of it', (await page.evaluate(() => window.copied)) === 'cell siz');
+	await fingers([await place(column + 1, row)], null, 50);
+	await pause(300);
+	result('a short one selects nothing', (await selection()) === '');
 }
 
 // What a browser's keys are for stays so.
@@ -566,6 +666,22 @@ async function lines() {
 		return [[...letters].sort(), [...found].sort()];
 	});
 	result('two bodies have the colours of their names', bodies[0].length === 2 && bodies[0].join() === bodies[1].join(), JSON.stringify(bodies));
+	await open(one + '?scenario=mode5&sheet=full');
+	await until('', has('Space pause'));
+	await pause(1000);
+	await page.keyboard.press(' ');
+	await until('', has('Space run'));
+	await page.keyboard.press(']'); // the bar with its cells
+	await until('', has('Stage 1'));
+	await page.evaluate(() => vectors.turn(true));
+	await pause(500);
+	const marks = await page.evaluate(() => {
+		const all = vectors.areas.flatMap((area) => area.marks), counts = {};
+		for (const {glyph} of all) counts[String.fromCharCode(glyph)] = (counts[String.fromCharCode(glyph)] || 0) + 1;
+		return counts;
+	});
+	result('particles of the bar and nodes come as marks', marks['·'] >= 40 && marks['●'] >= 1, JSON.stringify(marks));
+	await shot('marks');
 	await page.evaluate(() => term.select(0, 0, 5));
 	await pause(300);
 	result('a selection is seen in the cells', (await drawn()) === 0);
@@ -882,7 +998,7 @@ async function main() {
 	}).listen(0, '127.0.0.1');
 	await new Promise((done) => server.on('listening', done));
 	served = `http://127.0.0.1:${server.address().port}/`;
-	const cases = {first_picture, keys_and_size, edit_and_stages, export_of_a_run, dropped_scenario, dropped_series, lesson_by_taps, sheets_by_taps, cell_by_taps, homework, homework_is_kept, address, browser_keys, sandboxed, files_of_any_kind, lines, telephone,
+	const cases = {first_picture, keys_and_size, edit_and_stages, export_of_a_run, dropped_scenario, dropped_series, lesson_by_taps, sheets_by_taps, cell_by_taps, homework, homework_is_kept, address, size_of_type, selecting, browser_keys, sandboxed, files_of_any_kind, lines, telephone,
 		plain_words, slow_terminal, computing, hostile_links, hostile_files, hostile_storage,
 		failing_storage, crash, end_of_the_program, without_webassembly, from_a_server};
 	const wanted = process.argv.slice(2);

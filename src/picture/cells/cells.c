@@ -165,6 +165,8 @@ static int rows_of_legend(const Picture *picture, int rows)
 
 /* --- marks ----------------------------------------------------------------------------------------- */
 
+enum { RULE = 0x2502 }; /* as axes_rule() draws it */
+
 static void draw_rules(const Picture *picture, Area inner)
 {
     for (size_t i = 0; i < picture->n_marks; i++) {
@@ -210,6 +212,8 @@ static void draw_marks(const Picture *picture, Area inner)
         const PictureMark *mark = &picture->marks[i];
         const int column = axis_column(&picture->plot.x, mark->x, inner.rect.width);
         const int row = axis_row(&picture->plot.y, mark->y, inner.rect.height);
+        if (mark->kind == MARK_RULE && column >= 0)
+            plot_describe_mark(&picture->plot, inner, mark->x, picture->plot.y.high, RULE, mark->style);
         if (column < 0 || row < 0 || mark->kind == MARK_RULE ||
             (mark->kind == MARK_AGAIN && inner.rect.width < APART))
             continue;
@@ -222,6 +226,8 @@ static void draw_marks(const Picture *picture, Area inner)
         Area around = inner;
         around.rect.width += beside; /* a wall is in the margin */
         area_put(around, column + (shifted ? mark->side[0] : 0), row, glyph, mark->style);
+        if (!shifted)
+            plot_describe_mark(&picture->plot, inner, mark->x, mark->y, mark->glyph, mark->style);
         if (mark->letter)
             draw_letter(picture, inner, i, column, row);
     }

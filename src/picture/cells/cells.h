@@ -41,5 +41,7 @@ void axes_rule(Area inner, const Axis *x, double at_x, Style);
 
 /* Draws all strokes into an area that axes_draw() left. */
 void plot_draw(const Plot *, Area);
+/* Adds a mark of the plot that was drawn last to what its canvas describes (canvas_vector()). */
+void plot_describe_mark(const Plot *, Area, double x, double y, uint32_t glyph, Style);
 
 #endif

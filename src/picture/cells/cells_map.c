@@ -435,9 +435,12 @@ static void draw_marks(const Sheet *sheet)
         const PictureMark *mark = &sheet->picture->marks[i];
         double column, row;
         mark_place(sheet, mark, &column, &row);
-        if (is_inside(sheet, column, row))
-            area_put(sheet->area, (int)column, (int)row,
-                     mark->kind == MARK_BAR ? area_bar(sheet->area, mark->share) : mark->glyph, mark->style);
+        if (!is_inside(sheet, column, row))
+            continue;
+        area_put(sheet->area, (int)column, (int)row,
+                 mark->kind == MARK_BAR ? area_bar(sheet->area, mark->share) : mark->glyph, mark->style);
+        if (mark->kind == MARK_PLACE || mark->kind == MARK_CHOSEN)
+            canvas_mark(sheet->area.canvas, column, row, mark->glyph, mark->style);
     }
 }
 

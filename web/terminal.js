@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The terminal: its look, its size, its keys without those of the browser. The first of the page's scripts; each has one
+// subject, and what they share, `term` among it, is global. Text from outside, of a link, a file or the program, becomes text of an
+// element and never HTML.
+'use strict';
+
+const element = (id) => document.getElementById(id);
+
+const notice = (text, ...parts) => {
+	element('notice').replaceChildren(text, ...parts);
+	element('notice').hidden = text === '';
+};
+
+const clean_line = (text) => text.replace(/[\x00-\x1f\x7f]/g, ' ').trim();
+
+function word_button(label, act) {
+	const button = document.createElement('button');
+	button.type = 'button';
+	button.textContent = label;
+	button.addEventListener('click', act);
+	return button;
+}
+
+const encoder = new TextEncoder();
+const dark = matchMedia('(prefers-color-scheme: dark)');
+const coarse = matchMedia('(pointer: coarse)');
+
+const themes = {
+	light: {background: '#ffffff', foreground: '#1b1f23', cursor: '#1b1f23', selectionBackground: '#b6d6ff'},
+	dark: {background: '#101418', foreground: '#d8dee4', cursor: '#d8dee4', selectionBackground: '#39506b'},
+};
+
+const look = () => (dark.matches ? 'dark' : 'light');
+
+const term = new Terminal({
+	fontFamily: '"Cascadia Mono", monospace', fontSize: innerWidth < 600 ? 12 : 15, lineHeight: 1,
+	theme: themes[look()], scrollback: 0, cursorBlink: false, allowProposedApi: true,
+});
+
+const fit = new FitAddon.FitAddon();
+let worker = null, program = null;
+let answers = false; // the program has said something, and takes keys
+
+function send(bytes) {
+	if (worker) worker.postMessage({keys: bytes});
+}
+
+const press = (text) => send(encoder.encode(text));
+
+function resize() {
+	if (plain.on) return;
+	fit.fit();
+	if (worker) worker.postMessage({size: [term.cols, term.rows]});
+}
+
+// A frame takes the keys of the page around it only when it is asked to.
+function focus_program() {
+	if (window !== window.top && !document.hasFocus()) return;
+	plain.on ? element('line').focus() : term.focus();
+}
+
+function set_keyboard(on) {
+	term.textarea.inputMode = on ? 'text' : 'none';
+	element('keyboard').setAttribute('aria-pressed', String(on));
+}
+
+// What a browser's own keys are for stays so; Ctrl+C copies what is selected, and else does what Esc does: it never ends the program.
+function is_ours(event) {
+	const control = event.ctrlKey || event.metaKey;
+	if (event.type !== 'keydown') return true;
+	if (['F3', 'F5', 'F6', 'F9', 'F11'].includes(event.key)) return false;
+	if (!control || event.altKey) return true;
+	if (event.key.toLowerCase() === 'c' && !event.shiftKey) {
+		if (!term.hasSelection()) press('\x1b');
+		return false;
+	}
+	if (['+', '=', '-', '0'].includes(event.key)) {
+		event.preventDefault();
+		type_size(event.key === '0' ? 0 : event.key === '-' ? -1 : 1);
+		return false;
+	}
+	return !/^[crfpslvtnw]$/i.test(event.key);
+}
+
+// Steps of the type's size; 0: as it was at first.
+const sizes = {first: 0, before: 0};
+
+function type_size(step) {
+	sizes.first = sizes.first || term.options.fontSize;
+	term.options.fontSize = step === 0 ? sizes.first : Math.max(6, Math.min(48, Math.round(term.options.fontSize * (step > 0 ? 1.12 : 1 / 1.12) + step * .4)));
+	resize();
+}
+
+// With L: larger by ENLARGED, as far as the usual screen of 80 by 24 has room.
+const ENLARGED = 1.4;
+
+function enlarge(large) {
+	if (large === sizes.before > 0) return;
+	const now = term.options.fontSize, room = Math.min(ENLARGED, Math.max(1, Math.min(term.cols / 80, term.rows / 24)));
+	term.options.fontSize = large ? Math.floor(now * room) : sizes.before;
+	sizes.before = large ? now : 0;
+	resize();
+}
