@@ -6,7 +6,8 @@
 
 const FRAME = 2; // STYLE_FRAME
 
-const RULE = 0x2502, UPRIGHT = 0x7c, POINT = 0xb7, CROSS = 0x2b, DISC = 0x25cf, RING = 0x25cb, SHAPES = [RULE, CROSS, DISC, RING];
+const RULE = 0x2502, UPRIGHT = 0x7c, POINT = 0xb7, CROSS = 0x2b, DISC = 0x25cf, RING = 0x25cb, SQUARE = 0x25a0, SHAPES = [RULE, CROSS, DISC, RING, SQUARE];
+const RADIUS = .42; // of a disc, in cells
 const COSTLY = 4, DRAWINGS = 40; // milliseconds a picture, on the mean of so many
 
 const vectors = {
@@ -101,10 +102,13 @@ const vectors = {
 	},
 	// cells of the area: 1 those with dots or blocks, 2 blank ones beside them, into which a line may lean
 	free({rect: [left, top, columns, rows], marks, crossed}, rules) {
-		// what a mark has in its cell; of a rule in all of its column
+		// what a mark has in its cells; of a rule in all of its column. Its place is rounded, and a disc may lean into the next cell.
 		const marked = new Map();
-		for (const {glyph, at: [x, y]} of marks)
-			for (let row = glyph === RULE ? 0 : Math.floor(y); row < (glyph === RULE ? rows : Math.floor(y) + 1); row++) marked.set(row * columns + Math.floor(x), glyph);
+		for (const {glyph, at: [x, y]} of marks) {
+			const reach = glyph !== RULE && SHAPES.includes(glyph) ? RADIUS : 1 / 16, row = Math.floor(y);
+			for (let i = Math.max(0, Math.floor(x - reach)); i <= Math.min(columns - 1, Math.floor(x + reach)); i++)
+				for (let j = glyph === RULE ? 0 : row; j < (glyph === RULE ? rows : row + 1); j++) marked.set(j * columns + i, glyph);
+		}
 		const buffer = term.buffer.active, found = new Uint8Array(columns * rows), blank = new Uint8Array(columns * rows);
 		for (let y = 0; y < rows; y++) {
 			const line = buffer.getLine(buffer.viewportY + top + y);
@@ -112,8 +116,10 @@ const vectors = {
 				const cell = line.getCell(left + x), code = cell ? cell.getCode() : -1;
 				const mark = marked.get(y * columns + x), drawn = (code >= 0x2800 && code < 0x2900) || (code >= 0x2580 && code <= 0x2593);
 				found[y * columns + x] = (crossed[y * columns + x] || mark) && (drawn || (code === mark && SHAPES.includes(mark)));
-				if (code === 0x2500) rules.add(y); // a line across, which curves have broken
 				blank[y * columns + x] = code === 0 || code === 32;
+				if (code !== 0x2500) continue;
+				rules.add(y); // a line across, which curves have broken
+				found[y * columns + x] = 1;
 			}
 		}
 		const near = (x, y) => x >= 0 && y >= 0 && x < columns && y < rows && found[y * columns + x] === 1;
@@ -182,25 +188,31 @@ const vectors = {
 		pen.restore();
 	},
 	draw_mark(pen, glyph, x, y, {across, down, thin, y0, y1, row}) {
-		const radius = .42 * across, from = glyph === RULE ? y0 : row, to = glyph === RULE ? y1 : row + down;
+		const radius = RADIUS * across, from = glyph === RULE ? y0 : row, to = glyph === RULE ? y1 : row + down;
 		pen.beginPath();
 		if (glyph === RULE || glyph === UPRIGHT) {
 			pen.moveTo(x, from);
 			pen.lineTo(x, to);
 			return pen.stroke();
 		}
-		if (glyph === CROSS) {
+		if (glyph === CROSS)
 			for (const [dx, dy] of [[radius, 0], [0, radius]]) {
 				pen.moveTo(x - dx, y - dy);
 				pen.lineTo(x + dx, y + dy);
 			}
-			return pen.stroke();
-		}
-		pen.arc(x, y, glyph === POINT ? 1.4 * thin : radius, 0, 7);
-		if (glyph !== RING) return pen.fill();
-		pen.fillStyle = term.options.theme.background;
-		pen.fill();
+		else if (glyph === SQUARE) pen.rect(x - radius, y - radius, 2 * radius, 2 * radius);
+		else pen.arc(x, y, glyph === POINT ? 1.4 * thin : radius, 0, 7);
+		if (glyph === POINT) return pen.fill();
+		// seen on every colour of a map
+		const colour = pen.strokeStyle;
+		pen.strokeStyle = term.options.theme.background;
+		pen.lineWidth = 3 * thin;
 		pen.stroke();
+		pen.strokeStyle = colour;
+		pen.lineWidth = thin;
+		if (glyph === RING) pen.fillStyle = term.options.theme.background;
+		if (glyph !== CROSS) pen.fill();
+		if (glyph === CROSS || glyph === RING) pen.stroke();
 	},
 	draw_map(pen, map, x0, y0, x1, y1) {
 		pen.imageSmoothingEnabled = false;

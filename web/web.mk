@@ -61,7 +61,7 @@ compiler = $(eval compiler := $$(shell command -v ccache) $$(shell PYTHONPATH=$$
 # How far all of it has come, in percent: what is there already takes no time. counted FROM,TO,COUNT,COMMAND: of a command that
 # compiles so many files.
 say = @echo "make web: $(1) %"
-counted = { $(4); echo $$? >$(work)/status; } | sh $(web)/progress $(1) $(2) $(3); exit $$(cat $(work)/status)
+counted = { $(4) 2>&1; echo $$? >$(work)/status; } | sh $(web)/progress $(1) $(2) $(3); exit $$(cat $(work)/status)
 
 # --- libraries --------------------------------------------------------------------------------
 # Descriptions of terminals are read by ncurses, but none lies in the page: the program brings its own.
@@ -75,8 +75,8 @@ $(ncurses): $(work)/ncurses-source/.unpacked
 		--without-tests --without-progs --without-manpages --without-debug --without-tack --disable-stripping \
 		--disable-pc-files --disable-lp64 --with-build-cc=cc CFLAGS=-O2 >configure.log 2>&1
 	@cd $(work)/ncurses && emmake $(MAKE) -C include >make.log 2>&1
-	@$(call counted,10,20,$$(grep -c '^\.\./objects/.*\.o' $(work)/ncurses/ncurses/Makefile),\
-		cd $(work)/ncurses && emmake $(MAKE) -C ncurses HOSTCC=cc CC='$(compiler)' 2>&1) >$(work)/ncurses/told.log 2>&1
+	$(call say,10)
+	@cd $(work)/ncurses && emmake $(MAKE) -C ncurses HOSTCC=cc CC='$(compiler)' >>make.log 2>&1
 
 gsl_files = $(shell cat $(web)/gsl-files)
 gsl_objects = $(patsubst %.c,$(work)/gsl/%.o,$(gsl_files))
@@ -86,15 +86,18 @@ $(work)/gsl-source/gsl/.linked: $(work)/gsl-source/.unpacked $(web)/gsl-config.h
 	touch $@
 $(gsl_objects): $(work)/gsl/%.o: $(work)/gsl-source/gsl/.linked
 	@mkdir -p $(@D)
+	$(eval gsl_done += $@)
+	@expr '(' 20 '*' $(words $(gsl_done)) - 20 ')' / $(words $(gsl_objects)) = 20 '*' $(words $(gsl_done)) / $(words $(gsl_objects)) >/dev/null || \
+		echo "make web: $$((20 + 20 * $(words $(gsl_done)) / $(words $(gsl_objects)))) %"
 	@$(compiler) -O2 -w -ffp-contract=off -DHAVE_CONFIG_H -I$(work)/gsl-source -I$(work)/gsl-source/$(dir $*) \
 		-c $(work)/gsl-source/$*.c -o $@
 $(gsl): $(gsl_objects)
-	rm -f $@ && emar cr $@ $^
+	@rm -f $@ && emar cr $@ $^
 
 $(utf8proc): $(work)/utf8proc-source/.unpacked
 	@mkdir -p $(@D)
-	emcc -O2 -w -DUTF8PROC_STATIC -c $(work)/utf8proc-source/utf8proc.c -o $(@D)/utf8proc.o
-	rm -f $@ && emar cr $@ $(@D)/utf8proc.o
+	@emcc -O2 -w -DUTF8PROC_STATIC -c $(work)/utf8proc-source/utf8proc.c -o $(@D)/utf8proc.o
+	@rm -f $@ && emar cr $@ $(@D)/utf8proc.o
 
 # --- the program ------------------------------------------------------------------------------
 here := $(abspath $(work))
@@ -104,21 +107,24 @@ link = -O2 -sASYNCIFY -sASYNCIFY_IMPORTS=web_wait -sASYNCIFY_STACK_SIZE=262144 -
 	-sEXIT_RUNTIME -sFORCE_FILESYSTEM -sEXPORTED_RUNTIME_METHODS=FS,ENV -sDYNAMIC_EXECUTION=0 \
 	--js-library $(abspath $(web)/library.js)
 $(work)/program/Makefile: $(web_source)/configure $(ncurses) $(gsl) $(utf8proc) $(web)/web.mk
+	$(call say,40)
 	@mkdir -p $(@D)
-	cd $(@D) && emconfigure $(abspath $(web_source))/configure --quiet --host=wasm32-unknown-emscripten --build=$(web_build) \
+	@cd $(@D) && emconfigure $(abspath $(web_source))/configure --quiet --host=wasm32-unknown-emscripten --build=$(web_build) \
 		--without-cairo --without-gif CFLAGS=-O2 LDFLAGS= PKG_CONFIG=false \
 		NCURSES_CFLAGS="-D_XOPEN_SOURCE_EXTENDED -DNCURSES_WIDECHAR=1 -I$(here)/ncurses/include" NCURSES_LIBS="$(here)/ncurses/lib/libncursesw.a" \
 		GSL_CFLAGS="-I$(here)/gsl-source" GSL_LIBS="$(here)/gsl/libgsl.a" \
 		UTF8PROC_CFLAGS="-I$(here)/utf8proc-source -DUTF8PROC_STATIC" UTF8PROC_LIBS="$(here)/utf8proc/libutf8proc.a"
 # its own makefile knows what is out of date
+jobs = $(if $(filter -j%,$(MAKEFLAGS)),,-j$(shell n=$$(nproc 2>/dev/null || echo 2); echo $$((n < 4 ? n : 4))))
+build_program = $(MAKE) -s -C $(work)/program $(jobs) EXEEXT=.js CC='$(compiler)' CCLD=emcc matvib.js LDFLAGS='$(link)'
 .PHONY: program
 program: $(work)/program/Makefile
-	+$(MAKE) -s -C $(work)/program $(if $(filter -j%,$(MAKEFLAGS)),,-j$(shell n=$$(nproc 2>/dev/null || echo 2); echo $$((n < 4 ? n : 4)))) \
-		EXEEXT=.js CC='$(compiler)' CCLD=emcc matvib.js LDFLAGS='$(link)'
+	+@$(call counted,45,90,$$($(build_program) --dry-run 2>/dev/null | grep -c 'echo "  CC  '),$(build_program))
+	$(call say,99)
 $(program): program
 
 # --- the page ---------------------------------------------------------------------------------
 $(web_page)/index.html: $(program) $(npm) $(parts:%=$(web)/%) $(web)/assemble
 	@mkdir -p $(web_page)
-	node $(web)/assemble $(web) $(work) $(web_page) matvib.html
+	@node $(web)/assemble $(web) $(work) $(web_page) matvib.html
 matvib.html: $(web_page)/index.html
