@@ -126,7 +126,6 @@ typedef struct Exchange {
     const char *field;   /* of the receiver: what the products add up to */
     bool adds;           /* they are added to what the field was before the stage */
     const char *factors; /* their names, one word each: "m v N", UTF-8 */
-    const char *ascii;   /* the same in ASCII */
     const char *note;    /* what a factor stands for, or NULL: "a = f/m" */
 } Exchange;
 

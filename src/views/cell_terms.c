@@ -3,6 +3,7 @@
 #include "views/cell_terms.h"
 
 #include "base/math/functions.h"
+#include "base/spell.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -47,7 +48,7 @@ static bool is_before(const CellTerms *terms, const Flowing *flow, const Flowing
             strength[k] = fmax(strength[k], fabs((k ? other : flow)->terms[i]));
     }
     return strcmp(units[0], units[1]) == 0 ? strength[0] > strength[1]
-                                           : strlen(both[0]->ascii) > strlen(both[1]->ascii);
+                                           : strlen(both[0]->factors) > strlen(both[1]->factors);
 }
 
 static void take_flows(CellTerms *terms, const char *stage)
@@ -101,9 +102,11 @@ void cell_terms_arrow(const CellTerms *terms, size_t link, PictureArrow *arrow)
              terms->to_nodes ? node : particle);
     for (int f = 0; f < terms->n_flows; f++) {
         const Flowing *flow = &terms->flows[f];
+        char words[32];
         strcpy(arrow->brief[f], cell_term_text(flow->terms[link], flow->writing).text);
         snprintf(arrow->text[f], sizeof arrow->text[f], "%s %.20s", flow->exchange->factors, arrow->brief[f]);
-        text_append(arrow->told, sizeof arrow->told, "%s %s = %.20s", f ? " and" : "", flow->exchange->ascii,
+        spell_ascii(flow->exchange->factors, words, sizeof words);
+        text_append(arrow->told, sizeof arrow->told, "%s %s = %.20s", f ? " and" : "", words,
                     arrow->brief[f]);
     }
 }

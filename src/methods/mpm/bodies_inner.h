@@ -70,13 +70,6 @@ typedef struct Meeting {
 } Meeting;
 Meeting bodies_meet(const Mpm *, int node, int a, int b, const double q[2][2]);
 
-/* bodies_explain.c: the sums of stages that beams do otherwise. */
-struct Subject;
-/* The velocity that a particle gives to its node (a, b): with APIC that of its gradient there. */
-double bodies_given(const Mpm *, int axis, int p, int a, int b, const MpmWeights *);
-void bodies_write_fix(const struct Subject *);
-void bodies_write_strain(const struct Subject *);
-void bodies_write_integrate(const struct Subject *);
 /* Whether a wall of the box acts on a node. */
 bool bodies_at_wall(const Mpm *, int node);
 

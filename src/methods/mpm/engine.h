@@ -60,17 +60,26 @@ typedef struct MpmSchedule {
     int count, nodes_ready; /* nodes_ready: Set.ready_after of the nodes */
 } MpmSchedule;
 
-/* What particles and nodes give each other; the terms of the sums of a step. */
-typedef enum MpmExchange {
-    GIVE_MASS,
-    GIVE_MOMENTUM,
-    GIVE_F_INT,
-    GIVE_F_EXT,
-    GIVE_MOMENTUM_AGAIN,
-    TAKE_STRAIN,
-    TAKE_VELOCITY,
-    TAKE_PLACE,
-    BAR_EXCHANGES
+/* What particles and nodes give each other: the terms of the sums of a step (terms.c). */
+typedef enum MpmTerm {
+    TERM_MASS,
+    TERM_MOMENTUM,
+    TERM_STRESS,
+    TERM_LOAD,
+    TERM_STRAIN,
+    TERM_SHEAR,
+    TERM_VELOCITY,
+    TERM_PLACE
+} MpmTerm;
+
+enum { MPM_TERMS = 14 };
+
+/* A row of Simulation.exchanges: which term, of which stage and direction; and its words. */
+typedef struct MpmExchange {
+    MpmTerm term;
+    MpmOp op;
+    int axis;
+    char field[20], symbol[12], factors[24], note[88];
 } MpmExchange;
 
 /* The part of the state that is no array. Live parameters belong to it, so that a restored snapshot goes on
@@ -128,8 +137,9 @@ typedef struct Mpm {
     Stage stages[OP_COUNT];
     Set sets[MPM_SETS];
     ForceWords force_words; /* the whole equation of the force stage */
-    Exchange exchanges[BAR_EXCHANGES];
-    Field fields[MPM_FIELDS]; /* those that there are at present, and which each of them is */
+    Exchange exchanges[MPM_TERMS];
+    MpmExchange terms[MPM_TERMS]; /* the same */
+    Field fields[MPM_FIELDS];     /* those that there are at present, and which each of them is */
     int field_kinds[MPM_FIELDS];
     Quantity series[MPM_SERIES]; /* those that are not left out, and which each of them is */
     int series_entry[MPM_SERIES];

@@ -124,20 +124,14 @@ void mpm_destroy(Simulation *sim)
 
 void mpm_take_schedule(Mpm *mpm)
 {
-    if (mpm->bodies) {
+    if (mpm->bodies)
         bodies_list_stages(mpm);
-        mpm->sim.exchanges = plane_exchanges(mpm);
-        mpm->sim.n_exchanges = PLANE_EXCHANGES;
-        return;
-    }
-    if (mpm->dim == 2) {
+    else if (mpm->dim == 2)
         plane_list_stages(mpm);
-        mpm->sim.exchanges = plane_exchanges(mpm);
-        mpm->sim.n_exchanges = PLANE_EXCHANGES;
-        return;
+    else {
+        mpm_list_stages(mpm);
+        mpm_list_fields(mpm);
     }
-    mpm_list_stages(mpm);
-    mpm_list_fields(mpm);
     mpm_list_exchanges(mpm);
 }
 

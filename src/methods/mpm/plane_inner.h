@@ -15,31 +15,6 @@ void plane_list_stages(Mpm *);
 void plane_set_fields(Mpm *);
 void plane_field(const Simulation *, int field, size_t first, size_t count, double *out);
 
-/* The terms of the sums, and the sums as lines. */
-typedef enum PlaneExchange {
-    PLANE_GIVE_MASS,
-    GIVE_PX,
-    GIVE_PY,
-    GIVE_FX,
-    GIVE_FY,
-    GIVE_PX_AGAIN,
-    GIVE_PY_AGAIN,
-    TAKE_EXX,
-    TAKE_EYY,
-    TAKE_GXY,
-    TAKE_VX,
-    TAKE_VY,
-    TAKE_X,
-    TAKE_Y,
-    PLANE_EXCHANGES
-} PlaneExchange;
-
-const Exchange *plane_exchanges(const Mpm *);
-int plane_exchange(const Simulation *, int exchange, size_t from, size_t to,
-                   double factors[EXCHANGE_FACTORS_MAX]);
-void plane_explain(const Simulation *, int stage, int set, size_t index, const void *before, int terms,
-                   char *out, size_t size);
-
 double plane_energy(const Mpm *);
 double plane_strain_at(const Mpm *, int particle); /* strain energy, J */
 bool plane_row_needs_grid(const Mpm *);

@@ -1,0 +1,598 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The sums behind a stage with their numbers, for one particle or one node, as in "p13 = 0.5 × 0.2 = 0.1":
+ * what the laboratory shows when a stage has just been done. What particles and nodes exchange is written
+ * from the table of terms.c, the same for all; what a stage does besides (supports, contact, stress,
+ * momentum) is a function of the table at the end. */
+#include "base/assertion.h"
+#include "base/text.h"
+#include "methods/calculation.h"
+#include "methods/mpm/bodies_inner.h"
+#include "methods/mpm/mistakes.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { LINKS_MAX = 64, LABEL_MAX = 64 };
+
+#define GRID_FORGOTTEN "the step is over: the grid is forgotten\n"
+
+typedef struct Subject {
+    const Mpm *mpm;
+    const void *before; /* the state before the stage; NULL: not known */
+    int set, index;
+    Link links[LINKS_MAX];
+    size_t n_links;
+    Calculation *to;
+} Subject;
+
+/* "p13 = " of a node of a line, "px = " in the plane. */
+typedef struct Label {
+    char text[LABEL_MAX];
+} Label;
+
+static Label label_of(const Mpm *mpm, const char *symbol, int axis, int node, const char *after)
+{
+    Label label = {""};
+    text_append(label.text, sizeof label.text, "%s%s", symbol, mpm->dim == 1 ? "" : axis ? "y" : "x");
+    if (mpm->dim == 1 && node >= 0)
+        text_append(label.text, sizeof label.text, "%d", node);
+    text_append(label.text, sizeof label.text, "%s", after);
+    return label;
+}
+
+static double was(const Subject *subject, const double *now)
+{
+    return calculation_before(subject->mpm->block, now, subject->before);
+}
+
+/* "Bxx: 0.1 → 0.2" */
+static void write_change(const Subject *subject, const char *label, const double *now)
+{
+    calculation_write(subject->to, subject->before ? "%s: " : "%s", label);
+    if (subject->before)
+        calculation_number(subject->to, "", was(subject, now));
+    calculation_value(subject->to, " → ", *now);
+}
+
+/* --- what is exchanged ------------------------------------------------------------------------------ */
+
+static bool has_slope(MpmTerm term)
+{
+    return term == TERM_STRESS || term == TERM_STRAIN || term == TERM_SHEAR;
+}
+
+/* Whether a wrong code has added to what the grid had. */
+static bool keeps(const Mpm *mpm, const MpmExchange *of)
+{
+    return of->op == OP_MAP && mpm_does(mpm, WRONG_KEEPS_GRID);
+}
+
+/* "p13 = 0.5 × (0.2 × 0.3 + ...) = 0.1": what the subject is given; mass and time step, which are those of
+ * all, before the bracket. Nothing where the numbers are not at hand. */
+static void write_taken(const Subject *subject, int exchange)
+{
+    const Mpm *mpm = subject->mpm;
+    const Exchange *row = &mpm->exchanges[exchange];
+    const MpmExchange *of = &mpm->terms[exchange];
+    const bool numbered = mpm->dim == 1 && of->op != OP_FORCE && subject->set == MPM_NODES;
+    char label[LABEL_MAX];
+    snprintf(label, sizeof label, numbered ? "%s%d = " : "%s = ", of->symbol, subject->index);
+    CalculationSum sum = {.label = label};
+    double f[EXCHANGE_FACTORS_MAX], total = 0;
+    const bool leads = strncmp(row->factors, "m ", 2) == 0 || strncmp(row->factors, "Δt ", 4) == 0;
+    if (of->op == OP_FORCE && mpm_load_share(mpm) != 1)
+        sum.scale = mpm_load_share(mpm);
+    for (size_t i = 0; i < subject->n_links; i++) {
+        const Link *link = &subject->links[i];
+        const int n = mpm_exchange(&mpm->sim, exchange, link->index, (size_t)subject->index, f);
+        if (n == 0)
+            return;
+        if (has_slope(of->term) ? link->gradient[0] == 0 && link->gradient[1] == 0 : link->weight == 0)
+            continue;
+        if (leads)
+            sum.scale = f[0];
+        const double *own = leads ? f + 1 : f;
+        calculation_add(&sum, leads ? n - 1 : n, own[0], own[1], own[2]);
+        total += n == 2 ? f[0] * f[1] : f[0] * f[1] * f[2];
+    }
+    const double now = simulation_named(&mpm->sim, row->to, row->field, (size_t)subject->index);
+    sum.has_base = row->adds || keeps(mpm, of);
+    sum.base = now - total;
+    sum.result = sum.has_base ? now : sum.scale != 0 && !leads ? sum.scale * total : total;
+    calculation_sum(subject->to, &sum);
+}
+
+/* "m v N: 0.1 to 12 + 0.3 to 13 = 0.4": how what a particle gives is divided. Of stress the shares add up to
+ * 0, as sum grad N = 0. */
+static void write_given(const Subject *subject, int exchange)
+{
+    const Exchange *row = &subject->mpm->exchanges[exchange];
+    char label[LABEL_MAX];
+    snprintf(label, sizeof label, "%s: ", row->factors);
+    CalculationSum sum = {.label = label};
+    double f[EXCHANGE_FACTORS_MAX];
+    for (size_t i = 0; i < subject->n_links; i++) {
+        const size_t to = subject->links[i].index;
+        const int n = mpm_exchange(&subject->mpm->sim, exchange, (size_t)subject->index, to, f);
+        if (n == 0)
+            return;
+        const double term = n == 2 ? f[0] * f[1] : f[0] * f[1] * f[2];
+        calculation_add(&sum, 1, term, 0, 0)->to = (long)to;
+        sum.result += term;
+    }
+    calculation_sum(subject->to, &sum);
+}
+
+/* sum N = 1 */
+static void write_shares(const Subject *subject)
+{
+    CalculationSum sum = {.label = "N: ", .result = 1};
+    for (size_t i = 0; i < subject->n_links; i++)
+        calculation_add(&sum, 1, subject->links[i].weight, 0, 0)->to = (long)subject->links[i].index;
+    calculation_sum(subject->to, &sum);
+}
+
+/* --- one system of all nodes of a line, where masses are not lumped ---------------------------------- */
+
+typedef enum RowOf { ROW_OF_VELOCITY, ROW_OF_ACCELERATION } RowOf;
+
+/* v, or a, of the solution at a node; 0 where it is held or inactive. */
+static double solved(const Mpm *mpm, RowOf of, int node)
+{
+    return of == ROW_OF_ACCELERATION ? mpm_node_acceleration(mpm, 0, node) : mpm_node_velocity(mpm, 0, node);
+}
+
+/* The row of M v = p, or of M a = f, at a node, with what the solution gives:
+ *     "M v: 0.11 × v7 + 0.78 × v8 + 0.11 × v9 = p8" */
+static void write_row(const Subject *subject, RowOf of, int node)
+{
+    const Mpm *mpm = subject->mpm;
+    const bool forces = of == ROW_OF_ACCELERATION;
+    const Label label = label_of(mpm, forces ? "Σ M a = f" : "Σ M v = p", 0, node, ": ");
+    CalculationSum sum = {.label = label.text,
+                          .result = forces ? mpm_node_force(mpm, 0, node) : mpm->momentum[0][node]};
+    for (int j = node - (mpm->support - 1); j <= node + (mpm->support - 1); j++)
+        if (j >= 0 && j < mpm->n_nodes && mpm_moves(mpm, j))
+            calculation_add(&sum, 2, mpm_mass_between(mpm, node, j), solved(mpm, of, j), 0);
+    calculation_sum(subject->to, &sum);
+}
+
+enum { WINDOW_MAX = 2 * (FMPM_ORDER_MAX - 1) * MPM_REACH_MAX + 1 };
+
+/* FMPM's terms at a node: "v8 = d_1 + d_2 = 0.1 - 0.02 = 0.08". A term needs the one before of the nodes
+ * `reach` away: all are made on a stretch of the bar that gets shorter. */
+static void write_series(const Subject *subject, RowOf of, int node)
+{
+    const Mpm *mpm = subject->mpm;
+    const int order = mpm->head->fmpm_order, half = (order - 1) * (mpm->support - 1);
+    double term[WINDOW_MAX] = {0}, next[WINDOW_MAX];
+    for (int w = 0, i = node - half; i <= node + half; w++, i++)
+        if (i >= 0 && i < mpm->n_nodes && mpm_moves(mpm, i))
+            term[w] = (of == ROW_OF_ACCELERATION ? mpm_node_force(mpm, 0, i) : mpm->momentum[0][i]) *
+                      mpm->inverse[i];
+    const Label label = label_of(mpm, of == ROW_OF_ACCELERATION ? "a" : "v", 0, node,
+                                 order > 1 ? " = d_1 + d_2 ... = " : " = d_1 = ");
+    CalculationSum sum = {.label = label.text, .result = solved(mpm, of, node)};
+    for (int j = 1;; j++) {
+        calculation_add(&sum, 1, term[half], 0, 0);
+        if (j == order)
+            break;
+        for (int w = 0, i = node - half; i <= node + half; w++, i++) {
+            next[w] = 0.0;
+            for (int d = -(mpm->support - 1); d <= (mpm->support - 1); d++)
+                if (i >= 0 && i < mpm->n_nodes && mpm_moves(mpm, i) && w + d >= 0 && w + d <= 2 * half &&
+                    i + d >= 0 && i + d < mpm->n_nodes)
+                    next[w] += mpm_consistent_mass(mpm, i, i + d) * (term[w] - term[w + d]);
+            next[w] *= i >= 0 && i < mpm->n_nodes ? mpm->inverse[i] : 0.0;
+        }
+        memcpy(term, next, sizeof term);
+    }
+    calculation_sum(subject->to, &sum);
+}
+
+/* Of the node, or of all nodes of the particle. */
+static void write_system(const Subject *subject, RowOf of)
+{
+    const Mpm *mpm = subject->mpm;
+    const bool node = subject->set == MPM_NODES, forces = of == ROW_OF_ACCELERATION;
+    for (size_t i = 0; i < (node ? 1 : subject->n_links); i++) {
+        const int at = node ? subject->index : (int)subject->links[i].index;
+        if (!mpm_moves(mpm, at))
+            calculation_write(subject->to, "%s%d = 0: %s\n", forces ? "a" : "v", at,
+                              mpm_held(mpm, mpm->sim.step, at) ? "a support holds the node"
+                                                               : "too little mass is here, the node is "
+                                                                 "inactive");
+        else
+            (mpm->head->transfer == MPM_FMPM ? write_series : write_row)(subject, of, at);
+    }
+}
+
+/* --- what nodes do ------------------------------------------------------------------------------------ */
+
+static bool holds(const Mpm *mpm, int axis, int node)
+{
+    return mpm_holds_momentum(mpm, OP_FIX, node) &&
+           (mpm_held(mpm, mpm->sim.step, node) & (unsigned)(HELD_X << axis)) != 0;
+}
+
+/* Step 2 of paper M, with the momentum that the support took away. */
+static void fix_node(const Subject *subject)
+{
+    const Mpm *mpm = subject->mpm;
+    const int i = subject->index;
+    for (int axis = 0; axis < mpm->dim; axis++) {
+        const double *p = &mpm->momentum[axis][i];
+        calculation_write(subject->to, "%s", label_of(mpm, "p", axis, i, "").text);
+        if (!holds(mpm, axis, i)) {
+            calculation_number(subject->to, " = ", *p);
+            calculation_write(subject->to, mpm->dim == 1 && mpm_held(mpm, mpm->sim.step, i)
+                                               ? " stays, though a support holds the node\n"
+                                               : " stays: no support holds the node\n");
+            continue;
+        }
+        if (subject->before)
+            calculation_number(subject->to, ": ", was(subject, p));
+        calculation_number(subject->to, " → ", *p);
+        calculation_write(subject->to, ": a support holds the node\n");
+    }
+    if (!mpm_is_lumped(mpm))
+        write_system(subject, ROW_OF_VELOCITY);
+}
+
+static void fix_particle(const Subject *subject)
+{
+    const Mpm *mpm = subject->mpm;
+    if (!mpm_is_lumped(mpm)) {
+        write_system(subject, ROW_OF_VELOCITY);
+        return;
+    }
+    for (size_t i = 0; i < subject->n_links; i++) {
+        const int node = (int)subject->links[i].index;
+        if (mpm_held(mpm, mpm->sim.step, node)) {
+            calculation_write(subject->to, "its node %d is held%s\n", node,
+                              mpm_holds_momentum(mpm, OP_FIX, node) ? "" : ", and moves on");
+            return;
+        }
+    }
+    calculation_write(subject->to, "none of its nodes is held: nothing changes here\n");
+}
+
+/* What contact does at the node between two fields, from the momenta before the stage; false: they do not
+ * share the node. */
+static bool write_meeting(const Subject *subject, int a, int b)
+{
+    const Mpm *mpm = subject->mpm;
+    Calculation *to = subject->to;
+    const int node = subject->index % mpm->grid_nodes, own = subject->index / mpm->grid_nodes;
+    const int at[2] = {a * mpm->grid_nodes + node, b * mpm->grid_nodes + node};
+    double q[2][2];
+    for (int k = 0; k < 2; k++)
+        for (int axis = 0; axis < 2; axis++)
+            q[k][axis] = was(subject, &mpm->momentum[axis][at[k]]);
+    const Meeting meeting = bodies_meet(mpm, node, a, b, (const double(*)[2])q);
+    const double sign = own == a ? 1.0 : -1.0;
+    if (!isfinite(meeting.distance))
+        return false;
+    calculation_write(to, "with %s: ", mpm->bodies->def.bodies[own == a ? b : a].name);
+    calculation_number(to, "n = (", sign * meeting.normal[0]);
+    calculation_number(to, ", ", sign * meeting.normal[1]);
+    calculation_value(to, ")   gap in cells = ", meeting.distance);
+    calculation_value(to, "vₙ = (v - v_common)·n = ",
+                      meeting.approach * (own == a ? 1.0 : mpm->node_mass[at[0]] / mpm->node_mass[at[1]]));
+    if (meeting.impulse[0] == 0.0 && meeting.impulse[1] == 0.0) {
+        calculation_write(to, meeting.approach > 0.0 ? "too far apart: nothing is given\n"
+                                                     : "they part: nothing is given\n");
+        return true;
+    }
+    calculation_number(to, "this body gives it (", sign * meeting.impulse[0]);
+    calculation_number(to, ", ", sign * meeting.impulse[1]);
+    calculation_write(to, ")\n");
+    return true;
+}
+
+/* Walls, and contact, which beside a wall begins with what the wall leaves. */
+static void touch_node(const Subject *subject)
+{
+    const Mpm *mpm = subject->mpm;
+    const int own = subject->index / mpm->grid_nodes;
+    const bool wall = bodies_at_wall(mpm, subject->index);
+    bool any = wall;
+    if (!subject->before)
+        return;
+    if (wall)
+        calculation_write(subject->to, "a wall acts on this node\n");
+    for (int other = 0; !wall && other < mpm->bodies->n_fields; other++)
+        if (other != own)
+            any = write_meeting(subject, other < own ? other : own, other < own ? own : other) || any;
+    for (int axis = 0; any && axis < 2; axis++)
+        write_change(subject, axis ? "py" : "px", &mpm->momentum[axis][subject->index]);
+    if (!any)
+        calculation_write(subject->to, "no wall and no other body here: its momentum stays\n");
+}
+
+static void idle_particle(const Subject *subject)
+{
+    calculation_write(subject->to, "nothing changes here: this stage is of nodes\n");
+}
+
+/* A node's value over its mass, or that it is inactive. */
+static void write_ratio(const Subject *subject, const char *label, double above, double result)
+{
+    const Mpm *mpm = subject->mpm;
+    CalculationSum sum = {.label = label, .result = result};
+    if (mpm->inverse[subject->index] == 0.0) {
+        calculation_write(subject->to, "%s0: too little mass is here, the node is inactive\n", label);
+        return;
+    }
+    calculation_add(&sum, 1, above, 0, 0)->divisor = mpm->node_mass[subject->index];
+    calculation_sum(subject->to, &sum);
+}
+
+/* Eq. 4, with which the node strains its particles. */
+static void velocity_node(const Subject *subject)
+{
+    const Mpm *mpm = subject->mpm;
+    const int i = subject->index;
+    if (mpm->sim.stage == 0) {
+        calculation_write(subject->to, GRID_FORGOTTEN);
+        return;
+    }
+    if (!mpm_is_lumped(mpm)) {
+        write_system(subject, ROW_OF_VELOCITY);
+        return;
+    }
+    if (mpm_holds_momentum(mpm, OP_STRAIN, i)) {
+        const double velocity = mpm->velocity[0][i];
+        write_ratio(subject, label_of(mpm, "it strains by v", 0, i, " = p/m = ").text,
+                    velocity * mpm->node_mass[i], velocity);
+        calculation_write(subject->to, "then p%d → 0: a support holds the node\n", i);
+        return;
+    }
+    for (int axis = 0; axis < mpm->dim; axis++)
+        write_ratio(subject, label_of(mpm, "v", axis, i, " = p/m = ").text, mpm->momentum[axis][i],
+                    mpm_node_velocity(mpm, axis, i));
+}
+
+/* Eqs. 11, 12. */
+static void force_node(const Subject *subject)
+{
+    const Mpm *mpm = subject->mpm;
+    const int i = subject->index;
+    if (mpm->dim == 2)
+        return;
+    if (mpm_holds_force(mpm, 0, i))
+        calculation_write(subject->to, "the node is fixed: f = 0, the support bears the rest\n");
+    else if (mpm_is_loaded(mpm) && mpm->load[i] != 0.0) {
+        CalculationSum whole = {.label = "f = f_int + f_ext = ", .result = mpm_node_force(mpm, 0, i)};
+        calculation_add(&whole, 1, mpm->force[0][i], 0, 0);
+        calculation_add(&whole, 1, mpm->load[i], 0, 0);
+        calculation_sum(subject->to, &whole);
+    } else
+        calculation_write(subject->to, "no load acts here: f = f_int\n");
+    if (!mpm_is_lumped(mpm))
+        write_system(subject, ROW_OF_ACCELERATION);
+}
+
+/* What the loads on a particle are together. */
+static void force_particle(const Subject *subject)
+{
+    const Mpm *mpm = subject->mpm;
+    if (mpm->dim == 1 && mpm_is_loaded(mpm)) {
+        const ForceTerms forces = mpm_forces(mpm);
+        char label[sizeof mpm->force_words.load + 4] = "";
+        text_append(label, sizeof label, "%s = ", mpm->force_words.load);
+        CalculationSum sum = {.label = label, .result = mpm_load_on(mpm, subject->index)};
+        for (int i = 0; i < forces.count; i++)
+            calculation_add(
+                &sum, 1, forces.terms[i]->on(&mpm->sim, (size_t)subject->index, 0, forces.terms[i]->context),
+                0, 0);
+        calculation_sum(subject->to, &sum);
+    }
+    if (!mpm_is_lumped(mpm))
+        write_system(subject, ROW_OF_ACCELERATION);
+}
+
+static void fix_force_node(const Subject *subject)
+{
+    const unsigned held = mpm_held(subject->mpm, subject->mpm->sim.step, subject->index);
+    for (int axis = 0; axis < 2; axis++)
+        if (held & (unsigned)(HELD_X << axis))
+            calculation_write(subject->to, "f%s → 0: the support bears it\n", axis ? "y" : "x");
+    if (held == 0)
+        calculation_write(subject->to, "no support holds this node: its force stays\n");
+}
+
+/* Eq. 13, of bodies with damping; the momentum before, which the stage has written over, is solved for. */
+static void write_integrated(const Subject *subject, int node)
+{
+    const Mpm *mpm = subject->mpm;
+    const double rate = mpm->bodies ? mpm->bodies->def.damping : 0.0;
+    for (int axis = 0; axis < mpm->dim; axis++) {
+        const double force = mpm->bodies ? mpm->force[axis][node] : mpm_node_force(mpm, axis, node);
+        const double now = mpm->momentum[axis][node];
+        const double before = (now - mpm->dt * force) / (1.0 - mpm->dt * rate);
+        const Label label =
+            label_of(mpm, "p", axis, node, rate > 0.0 ? " = p + Δt (f - α p) = " : " = p + Δt f = ");
+        calculation_change(subject->to, label.text, before, mpm->dt, force - rate * before, now, NULL);
+    }
+}
+
+static void integrate_node(const Subject *subject)
+{
+    write_integrated(subject, subject->index);
+    velocity_node(subject);
+}
+
+static void integrate_particle(const Subject *subject)
+{
+    const Mpm *mpm = subject->mpm;
+    if (mpm->dim == 2)
+        idle_particle(subject);
+    for (size_t i = 0; mpm->dim == 1 && i < subject->n_links; i++)
+        if (subject->links[i].weight != 0.0)
+            write_integrated(subject, (int)subject->links[i].index);
+    if (!mpm_is_lumped(mpm))
+        write_system(subject, ROW_OF_VELOCITY);
+}
+
+static void update_node(const Subject *subject)
+{
+    const Mpm *mpm = subject->mpm;
+    const int i = subject->index;
+    if (!mpm_has_done(mpm, OP_UPDATE)) {
+        calculation_write(subject->to, GRID_FORGOTTEN);
+        return;
+    }
+    for (int axis = 0; axis < mpm->dim; axis++) {
+        calculation_number(subject->to, label_of(mpm, "it gives a", axis, -1, " = ").text,
+                           mpm->kick[axis][i] / mpm->dt);
+        calculation_value(subject->to, label_of(mpm, " and v", axis, -1, " = ").text, mpm->carry[axis][i]);
+    }
+}
+
+/* --- what particles do -----------------------------------------------------------------------------------
+ */
+
+/* Eq. 8, or what a code has in its place: the density before is solved for. */
+static void write_density(const Subject *subject, double density, double stretch)
+{
+    const BarMistake *mistake = mpm_mistake(subject->mpm);
+    const bool other = mistake && mistake->thinned;
+    const double ratio = other ? 1 / mistake->thinned(1, stretch) : 1 / stretch;
+    CalculationSum thin = {.label = other ? "ρ = ρ (1 + Δε) = " : "ρ = ρ/(1 + Δε) = ", .result = density};
+    if (other && ratio == 1) {
+        calculation_value(subject->to, "ρ stays ", density);
+        return;
+    }
+    if (!other)
+        calculation_add(&thin, 1, density * stretch, 0, 0)->divisor = stretch;
+    else
+        calculation_add(&thin, 2, density / ratio, ratio, 0);
+    calculation_sum(subject->to, &thin);
+}
+
+/* Eqs. 7 and 8, of beams with D of plane stress; of bodies, whose stress is turned too, and where the strain
+ * was that of a step that is over, the stress before and after. */
+static void strain_particle(const Subject *subject)
+{
+    static const char *const names[] = {"σxx", "σyy", "σxy"}, *const strains[] = {"exx", "eyy", "gxy"};
+    static const char *const labels[] = {
+        "σxx = σxx + E/(1 - ν²) (Δεxx + ν Δεyy) = ", "σyy = σyy + E/(1 - ν²) (Δεyy + ν Δεxx) = ",
+        "σxy = σxy + G Δγxy = "};
+    const Mpm *mpm = subject->mpm;
+    const int p = subject->index;
+    const bool line = mpm->dim == 1;
+    double e[MPM_STRESSES];
+    for (int k = 0; k < (line ? 1 : MPM_STRESSES); k++)
+        e[k] = simulation_named(&mpm->sim, MPM_PARTICLES, line ? "strain_increment" : strains[k], (size_t)p);
+    if (line && mpm_does(mpm, WRONG_ONLY_NEWEST)) {
+        CalculationSum newest = {.label = "σ = E Δε = ", .result = mpm->stress[0][p]};
+        calculation_add(&newest, 2, mpm_modulus(mpm, p), e[0], 0);
+        calculation_sum(subject->to, &newest);
+    }
+    for (int k = 0; k < (line ? 1 : MPM_STRESSES); k++) {
+        const double *stress = &mpm->stress[k][p];
+        const double rate = line || k == 2 ? e[k] : e[k] + mpm->plane.poisson * e[1 - k];
+        const double factor = line ? mpm_modulus(mpm, p) : k == 2 ? mpm->shear : mpm->lambda;
+        const bool newest = line && mpm_does(mpm, WRONG_ONLY_NEWEST);
+        if (mpm->bodies || !mpm_has_done(mpm, OP_STRAIN))
+            write_change(subject, names[k], stress);
+        else if (!newest)
+            calculation_change(subject->to, line ? "σ = σ + E Δε = " : labels[k],
+                               subject->before ? was(subject, stress) : *stress - factor * rate, factor, rate,
+                               *stress, line ? NULL : "Pa");
+    }
+    if (line)
+        write_density(subject, mpm_mass(mpm, p) / mpm->volume[p], 1 + e[0]);
+    if (mpm->bodies)
+        calculation_value(subject->to, "det F = V/V₀ = ", mpm->volume[p] / mpm->bodies->volume);
+    if (!mpm_is_lumped(mpm))
+        write_system(subject, ROW_OF_VELOCITY);
+}
+
+/* Where the step is over, what came of eqs. 14 and 15; APIC's slopes. */
+static void update_particle(const Subject *subject)
+{
+    static const char *const slopes[] = {"Bxx", "Bxy", "Byx", "Byy"};
+    const Mpm *mpm = subject->mpm;
+    const int p = subject->index;
+    for (int axis = 0; axis < mpm->dim && !mpm_has_done(mpm, OP_UPDATE); axis++) {
+        write_change(subject, axis ? "vy" : "vx", &mpm->v[axis][p]);
+        write_change(subject, axis ? "uy" : "ux", &mpm->u[axis][p]);
+    }
+    if (mpm->head->transfer != MPM_APIC)
+        return;
+    if (mpm->dim == 1)
+        write_change(subject, "C", &mpm->affine[p]);
+    for (int k = 0; mpm->dim == 2 && k < 4; k++)
+        write_change(subject, slopes[k], &mpm->rate[k][p]);
+}
+
+static void again_node(const Subject *subject)
+{
+    const Mpm *mpm = subject->mpm;
+    if (mpm->dim == 1 && mpm_held(mpm, mpm->sim.step, subject->index) && !mpm_does(mpm, WRONG_NO_SECOND_FIX))
+        calculation_write(subject->to, "the node is fixed: p%d → 0\n", subject->index);
+}
+
+static void forget_node(const Subject *subject)
+{
+    calculation_value(subject->to, "the node is empty again, and where it was: x = ",
+                      mpm_node_position(subject->mpm, subject->index));
+}
+
+static void forget_particle(const Subject *subject)
+{
+    const Mpm *mpm = subject->mpm;
+    const int p = subject->index, cell = mpm_cell(mpm->base[p], mpm->s[0][p], mpm->edge);
+    const double left = (cell - mpm->origin) * mpm->dx;
+    calculation_number(subject->to, "x = ", mpm_rest(mpm, 0, p) + mpm->u[0][p]);
+    calculation_write(subject->to, " lies in cell %d, from", cell);
+    calculation_number(subject->to, " ", left);
+    calculation_value(subject->to, " to ", left + mpm->dx);
+}
+
+static void (*const others[OP_COUNT][MPM_SETS])(const Subject *) = {
+    [OP_FIX] = {fix_particle, fix_node},
+    [OP_STRAIN] = {strain_particle, velocity_node},
+    [OP_FORCE] = {force_particle, force_node},
+    [OP_FIX_FORCE] = {fix_particle, fix_force_node},
+    [OP_INTEGRATE] = {integrate_particle, integrate_node},
+    [OP_FIX_MOVED] = {idle_particle, touch_node},
+    [OP_UPDATE] = {update_particle, update_node},
+    [OP_MAP_AGAIN] = {NULL, again_node},
+    [OP_FIX_AGAIN] = {fix_particle, fix_node},
+    [OP_FORGET] = {forget_particle, forget_node},
+};
+
+void mpm_explain(const Simulation *sim, int stage, int set, size_t index, const void *before, int terms,
+                 char *out, size_t size)
+{
+    ASSERT_INDEX(stage, sim->n_stages);
+    ASSERT_INDEX(index, sim->counts[set]);
+    const Mpm *mpm = mpm_of_const(sim);
+    const MpmSchedule *schedule = mpm_schedule(mpm);
+    Calculation calculation;
+    calculation_open(&calculation, out, size, terms);
+    /* right after its stage only: the next one may overwrite the numbers */
+    if (stage != (sim->stage > 0 ? sim->stage - 1 : schedule->count - 1))
+        return;
+    Subject subject = {mpm, before, set, (int)index, .to = &calculation};
+    subject.n_links = mpm_links(sim, set, index, subject.links, LINKS_MAX);
+    if (subject.n_links == 0) {
+        calculation_write(&calculation, "no particle is near: this node is empty\n");
+        return;
+    }
+    const MpmOp op = schedule->ops[stage];
+    if (op == OP_MAP && set == MPM_PARTICLES)
+        write_shares(&subject);
+    for (int e = 0; e < sim->n_exchanges; e++)
+        if (mpm->terms[e].op == op && sim->exchanges[e].to == set)
+            write_taken(&subject, e);
+        else if (mpm->terms[e].op == op && set == MPM_PARTICLES)
+            write_given(&subject, e);
+    const bool fixes = op == OP_FIX || op == OP_FIX_AGAIN;
+    const MpmOp other = mpm->bodies && fixes ? OP_FIX_MOVED : op;
+    if (others[other][set])
+        others[other][set](&subject);
+}

@@ -1,0 +1,168 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The loops of the engine held to its table of exchanges: of every stage, the products that a thing is given
+ * come to what its field is, or to what was added to it, but for the rounding of as many additions. */
+#include "methods/bar_case.h"
+#include "methods/default_defs.h"
+#include "methods/mpm/bodies.h"
+#include "methods/run_case.h"
+#include "suite.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LINKS_MAX = 128, EXCHANGES_MAX = 16 };
+
+static double add_terms(const Simulation *sim, int e, size_t to, double *scale)
+{
+    Link links[LINKS_MAX];
+    double sum = 0, factors[EXCHANGE_FACTORS_MAX];
+    const size_t n = sim->method->links(sim, sim->exchanges[e].to, to, links, LINKS_MAX);
+    for (size_t k = 0; k < n; k++) {
+        const int count = sim->method->exchange(sim, e, links[k].index, to, factors);
+        double product = 1;
+        ck_assert_int_gt(count, 0);
+        for (int f = 0; f < count; f++)
+            product *= factors[f];
+        sum += product;
+        *scale += fabs(product);
+    }
+    return sum;
+}
+
+/* Of the stage that comes; returns how many exchanges it has. The last one ends the step, and with it what
+ * was exchanged. `loose`: numbers that the stage has written over are solved for. */
+static int expect_stage(Simulation *sim)
+{
+    double *before[EXCHANGES_MAX] = {NULL};
+    const char *id = sim->stages[sim->stage].id;
+    const bool last = sim->stage + 1 == sim->n_stages;
+    int seen = 0;
+    Status status = {0};
+    ck_assert_int_le(sim->n_exchanges, EXCHANGES_MAX);
+    for (int e = 0; e < sim->n_exchanges; e++)
+        if (strcmp(sim->exchanges[e].stage, id) == 0)
+            before[e] = field_now(sim, sim->exchanges[e].to, sim->exchanges[e].field);
+    ck_assert_msg(simulation_stage(sim, &status), "%s", status.text);
+    for (int e = 0; e < sim->n_exchanges; e++) {
+        const Exchange *exchange = &sim->exchanges[e];
+        double factors[EXCHANGE_FACTORS_MAX];
+        Link link;
+        size_t some = 0; /* one that is linked */
+        while (before[e] && sim->method->links(sim, exchange->to, some, &link, 1) == 0)
+            some++;
+        if (!before[e] || last || sim->method->exchange(sim, e, link.index, some, factors) == 0) {
+            free(before[e]);
+            continue;
+        }
+        double *now = field_now(sim, exchange->to, exchange->field), most = 0;
+        for (size_t k = 0; k < sim->counts[exchange->to]; k++)
+            most = fmax(most, fabs(now[k]));
+        for (size_t k = 0; k < sim->counts[exchange->to]; k++) {
+            double scale = exchange->adds ? fabs(before[e][k]) : 0;
+            const double sum = add_terms(sim, e, k, &scale) + (exchange->adds ? before[e][k] : 0);
+            const double bound = 16 * DBL_EPSILON * scale + 1e-14 * most;
+            /* what a support holds has no force any more */
+            const bool held = strcmp(id, "update") != 0 && now[k] == 0;
+            ck_assert_msg(held || fabs(sum - now[k]) <= bound, "%s, %s of %zu: %.17g, the engine has %.17g",
+                          id, exchange->field, k, sum, now[k]);
+        }
+        free(now), free(before[e]);
+        seen++;
+    }
+    return seen;
+}
+
+static void expect_step(Simulation *sim, int least)
+{
+    int seen = 0;
+    ck_assert_ptr_nonnull(sim);
+    for (int k = 0; k < 3; k++) {
+        do
+            seen += expect_stage(sim);
+        while (sim->stage > 0);
+        ck_assert_int_ge(seen, least);
+        Status status = {0};
+        ck_assert(simulation_steps(sim, 5, NULL, NULL, &status));
+        seen = 0;
+    }
+    simulation_destroy(sim);
+}
+
+static const struct {
+    MpmTransfer transfer;
+    double flip, blend;
+} ways[] = {{MPM_FLIP, 1, 1},   {MPM_FLIP, 0.5, 1},   {MPM_FLIP, 0, 1}, {MPM_APIC, 1, 1},
+            {MPM_FLIP, 1, 0.5}, {MPM_FLIP, 0.5, 0.5}, {MPM_FMPM, 1, 1}};
+enum { WAYS = 7, PLANE_WAYS = 3, BODY_WAYS = 4 };
+
+START_TEST(sums_of_bars)
+{
+    static const MpmShape shapes[] = {MPM_HAT, MPM_GIMP, MPM_CPDI, MPM_BSPLINE2, MPM_BSPLINE3};
+    BarCase bar = bar_case(5, 0.1);
+    bar.def.algorithm = (MpmAlgorithm)(_i % 3);
+    bar.def.shape = shapes[_i / 3 % 5];
+    bar.def.transfer = ways[_i / 15].transfer;
+    bar.def.flip_fraction = ways[_i / 15].flip;
+    bar.def.mass_blend = ways[_i / 15].blend;
+    bar.def.fmpm_order = 2;
+    bar.def.body_force = 1e-3;
+    expect_step(bar_case_create(&bar), 6);
+}
+END_TEST
+
+START_TEST(sums_of_beams)
+{
+    PlaneDef def = plane_default(_i % 2);
+    Status status = {0};
+    def.length = 0.02;
+    def.cell_size = 0.00125;
+    def.end = 1e-4;
+    def.algorithm = (MpmAlgorithm)(_i / 2 % 3);
+    def.shape = _i / 6 % 2 ? MPM_GIMP : MPM_HAT;
+    def.flip_fraction = ways[_i / 12].flip;
+    expect_step(plane_create(&def, &status), 5);
+}
+END_TEST
+
+/* Two discs in contact, with weight and damping. */
+START_TEST(sums_of_bodies)
+{
+    static const MpmShape shapes[] = {MPM_HAT, MPM_GIMP, MPM_BSPLINE2};
+    BodiesDef def = {.width = 1,
+                     .height = 0.8,
+                     .walls = {WALL_SLIP, WALL_FRICTION, WALL_CLAMP, WALL_OPEN},
+                     .bodies = {{"left", BODY_DISC, {.3, .2, .2}, {.2, 0}, 0},
+                                {"right", BODY_DISC, {.7, .25, .2}, {-.2, 0}, 0}},
+                     .n_bodies = 2,
+                     .youngs_modulus = 1000,
+                     .density = 1000,
+                     .poisson = .3,
+                     .cell_size = .1,
+                     .particles_per_cell = 2,
+                     .fields = FIELDS_EACH,
+                     .friction = .3,
+                     .gap = INFINITY,
+                     .gravity = {.1, -.2},
+                     .damping = .1,
+                     .courant = .1,
+                     .threads = 1};
+    Status status = {0};
+    def.algorithm = (MpmAlgorithm)(_i % 3);
+    def.shape = shapes[_i / 3 % 3];
+    def.transfer = ways[_i / 9].transfer;
+    def.flip_fraction = ways[_i / 9].flip;
+    ck_assert_msg(bodies_check(&def, &status), "%s", status.text);
+    expect_step(bodies_create(&def, &status), 5);
+}
+END_TEST
+
+void add_cases(Suite *suite)
+{
+    TCase *terms = tcase_create("terms");
+    tcase_add_loop_test(terms, sums_of_bars, 0, 15 * WAYS);
+    tcase_add_loop_test(terms, sums_of_beams, 0, 12 * PLANE_WAYS);
+    tcase_add_loop_test(terms, sums_of_bodies, 0, 9 * BODY_WAYS);
+    suite_add_tcase(suite, terms);
+}
