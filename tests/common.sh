@@ -61,4 +61,11 @@ ends() {
 }
 # works PID HUNDREDTHS: the process has had so much of a processor, or is no more; where this is not told, it has
 works() { test ! -r "/proc/$1/stat" || awk -v most="$2" '{ exit $14 + $15 < most }' "/proc/$1/stat" || gone "$1"; }
-gone() { case $(ps -o stat= -p "$1") in '' | Z*) ;; *) false ;; esac; } # PID
+# PID: by /proc, for ps is not everywhere; one that is dead and not yet waited for is gone too
+gone() {
+	if test -r "/proc/$1/stat"; then
+		case $(sed 's/.*) //' "/proc/$1/stat" 2>/dev/null) in '' | Z*) ;; *) false ;; esac
+	else
+		! kill -0 "$1" 2>/dev/null
+	fi
+}

@@ -6,10 +6,10 @@
 
 #if defined HAVE_CAIRO && defined HAVE_GIF
 
-#include "terminal/theme.h"
 #include "picture/glyph.h"
+#include "picture/paper/cairo_calls.h"
+#include "terminal/theme.h"
 
-#include <cairo.h>
 #include <errno.h>
 #include <gif_lib.h>
 #include <math.h>
@@ -99,35 +99,36 @@ static bool draw_shape(cairo_t *cairo, uint32_t glyph)
     if (glyph >= 0x2800 && glyph <= 0x28ff) {
         for (int dot = 0; dot < 8; dot++)
             if (glyph >> dot & 1)
-                cairo_rectangle(cairo, 1 + 4 * column[dot], 1 + 4 * row[dot], 2, 2);
+                CAIRO(rectangle)(cairo, 1 + 4 * column[dot], 1 + 4 * row[dot], 2, 2);
     } else if (glyph == 0x2580) {
-        cairo_rectangle(cairo, 0, 0, CELL_WIDTH, (CELL_HEIGHT + 1) / 2);
+        CAIRO(rectangle)(cairo, 0, 0, CELL_WIDTH, (CELL_HEIGHT + 1) / 2);
     } else if (glyph == 0x2584) {
-        cairo_rectangle(cairo, 0, (CELL_HEIGHT + 1) / 2, CELL_WIDTH, CELL_HEIGHT / 2);
+        CAIRO(rectangle)(cairo, 0, (CELL_HEIGHT + 1) / 2, CELL_WIDTH, CELL_HEIGHT / 2);
     } else if (glyph == 0x2588) {
-        cairo_rectangle(cairo, 0, 0, CELL_WIDTH, CELL_HEIGHT);
+        CAIRO(rectangle)(cairo, 0, 0, CELL_WIDTH, CELL_HEIGHT);
     } else
         return false;
-    cairo_fill(cairo);
+    CAIRO(fill)(cairo);
     return true;
 }
 
 static void draw_glyph(cairo_t *cairo, uint32_t glyph, unsigned attributes)
 {
     char text[5] = "";
-    cairo_set_operator(cairo, CAIRO_OPERATOR_CLEAR);
-    cairo_paint(cairo);
-    cairo_set_operator(cairo, CAIRO_OPERATOR_OVER);
+    CAIRO(set_operator)(cairo, CAIRO_OPERATOR_CLEAR);
+    CAIRO(paint)(cairo);
+    CAIRO(set_operator)(cairo, CAIRO_OPERATOR_OVER);
     if (!draw_shape(cairo, glyph)) {
         glyph_put(text, glyph);
-        cairo_select_font_face(cairo, "monospace", CAIRO_FONT_SLANT_NORMAL,
-                               attributes & LOOK_BOLD ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
-        cairo_move_to(cairo, 0, BASELINE);
-        cairo_show_text(cairo, text);
+        CAIRO(select_font_face)
+        (cairo, "monospace", CAIRO_FONT_SLANT_NORMAL,
+         attributes & LOOK_BOLD ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+        CAIRO(move_to)(cairo, 0, BASELINE);
+        CAIRO(show_text)(cairo, text);
     }
     if (attributes & LOOK_UNDERLINE) {
-        cairo_rectangle(cairo, 0, BASELINE + 2, 2 * CELL_WIDTH, 1);
-        cairo_fill(cairo);
+        CAIRO(rectangle)(cairo, 0, BASELINE + 2, 2 * CELL_WIDTH, 1);
+        CAIRO(fill)(cairo);
     }
 }
 
@@ -141,9 +142,9 @@ static void draw_cell(Film *film, int x, int y, const Cell *cell)
     for (int level = 0; level < LEVELS; level++)
         numbers[level] = number_of(film, blend(reversed ? paper : ink, reversed ? ink : paper, level));
     draw_glyph(film->cairo, cell->glyph ? cell->glyph : ' ', look.attributes);
-    cairo_surface_flush(film->surface);
-    const unsigned char *covered = cairo_image_surface_get_data(film->surface);
-    const int stride = cairo_image_surface_get_stride(film->surface);
+    CAIRO(surface_flush)(film->surface);
+    const unsigned char *covered = CAIRO(image_surface_get_data)(film->surface);
+    const int stride = CAIRO(image_surface_get_stride)(film->surface);
     const int width = CELL_WIDTH * (x + 1 < film->look.width && glyph_columns(cell->glyph) == 2 ? 2 : 1);
     for (int j = 0; j < CELL_HEIGHT; j++)
         for (int i = 0; i < width; i++) {
@@ -246,9 +247,9 @@ static void close_gif(Film *film)
     if (film->gif)
         EGifCloseFile(film->gif, &error);
     if (film->cairo)
-        cairo_destroy(film->cairo);
+        CAIRO(destroy)(film->cairo);
     if (film->surface)
-        cairo_surface_destroy(film->surface);
+        CAIRO(surface_destroy)(film->surface);
     free(film->cells);
     free(film->pixels);
     free(film);
@@ -271,24 +272,26 @@ static Film *open_gif(FILE *stream, const FilmLook *look, Status *status)
 {
     int error = 0;
     const size_t cells = (size_t)look->width * (size_t)look->height;
+    if (!cairo_load(status))
+        return NULL;
     Film *film = calloc(1, sizeof *film);
     if (film) {
         film->look = *look;
         film->stream = stream;
         film->cells = calloc(cells, sizeof *film->cells);
         film->pixels = calloc(cells, (size_t)CELL_WIDTH * CELL_HEIGHT);
-        film->surface = cairo_image_surface_create(CAIRO_FORMAT_A8, 2 * CELL_WIDTH, CELL_HEIGHT);
-        film->cairo = cairo_create(film->surface);
+        film->surface = CAIRO(image_surface_create)(CAIRO_FORMAT_A8, 2 * CELL_WIDTH, CELL_HEIGHT);
+        film->cairo = CAIRO(create)(film->surface);
         film->gif = EGifOpen(film, write_bytes, &error);
     }
     if (!film || !film->cells || !film->pixels || !film->gif ||
-        cairo_status(film->cairo) != CAIRO_STATUS_SUCCESS) {
+        CAIRO(status)(film->cairo) != CAIRO_STATUS_SUCCESS) {
         status_fail(status, "out of memory");
         if (film)
             close_gif(film);
         return NULL;
     }
-    cairo_set_font_size(film->cairo, FONT);
+    CAIRO(set_font_size)(film->cairo, FONT);
     if (!put_head(film)) {
         fails(film, status);
         close_gif(film);

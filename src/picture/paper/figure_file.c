@@ -9,6 +9,7 @@
 #include "views/view.h"
 #include "picture/paper/paper.h"
 #include "base/assertion.h"
+#include "picture/paper/cairo_calls.h"
 #include "picture/paper/draw.h"
 
 #include <errno.h>
@@ -242,7 +243,7 @@ bool figure_allowed(const char *file, Status *status)
     const Format format = format_of(file);
     if (format == FORMAT_NONE)
         return status_refuse(status, "%.200s: not a figure file (FILE.svg, FILE.pdf or FILE.png)", file);
-    return format == FORMAT_SVG || paper_has_cairo(status);
+    return format == FORMAT_SVG || cairo_load(status);
 }
 
 /* --- views by name --------------------------------------------------------------------------------- */

@@ -2,6 +2,7 @@
 /* Sets paragraphs line by line on the pages of a PDF (leaflet.h). */
 #include "picture/paper/leaflet.h"
 
+#include "picture/paper/cairo_calls.h"
 #include "picture/paper/draw.h"
 
 #include <stdarg.h>
@@ -30,7 +31,7 @@ bool leaflet_allowed(const char *file, Asker asker, bool force, Status *status)
     const char *dot = strrchr(file, '.');
     if (!dot || strcasecmp(dot, ".pdf") != 0)
         return status_refuse(status, "%.200s: not a file of pages (FILE.pdf)", file);
-    return paper_has_cairo(status) && output_may_begin(file, asker, force, status);
+    return cairo_load(status) && output_may_begin(file, asker, force, status);
 }
 
 bool leaflet_open(Leaflet *leaflet, Asker asker, const char *file, bool force, const char *title,

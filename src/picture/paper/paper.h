@@ -58,9 +58,6 @@ Paper *paper_svg(FILE *, double width, double height, const char *title, Status 
 Paper *paper_pdf(FILE *, double width, double height, const char *title, Status *);
 Paper *paper_png(FILE *, double width, double height, Status *);
 
-/* Whether PDF and PNG can be written; if not, the status names what is missing. */
-bool paper_has_cairo(Status *);
-
 /* Ends the file and frees the paper. */
 bool paper_finish(Paper *, Status *);
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* PDF and PNG through cairo. */
+#include "picture/paper/cairo_calls.h"
 #include "picture/paper/paper.h"
 
 #include <errno.h>
@@ -8,8 +9,6 @@
 
 #ifdef HAVE_CAIRO
 
-#include <cairo-pdf.h>
-#include <cairo.h>
 #include <math.h>
 
 #define DOTS_PER_POINT (300.0 / 72) /* of a PNG: what a printer makes of it */
@@ -21,12 +20,6 @@ typedef struct CairoPaper {
     bool image;
 } CairoPaper;
 
-bool paper_has_cairo(Status *status)
-{
-    (void)status;
-    return true;
-}
-
 static cairo_t *cairo_of(Paper *paper)
 {
     return ((CairoPaper *)paper)->cairo;
@@ -34,15 +27,15 @@ static cairo_t *cairo_of(Paper *paper)
 
 static void set_colour(cairo_t *cairo, Colour colour)
 {
-    cairo_set_source_rgb(cairo, (colour >> 16 & 0xff) / 255.0, (colour >> 8 & 0xff) / 255.0,
-                         (colour & 0xff) / 255.0);
+    CAIRO(set_source_rgb)
+    (cairo, (colour >> 16 & 0xff) / 255.0, (colour >> 8 & 0xff) / 255.0, (colour & 0xff) / 255.0);
 }
 
 static void trace(cairo_t *cairo, const double *points, size_t count)
 {
-    cairo_new_path(cairo);
+    CAIRO(new_path)(cairo);
     for (size_t i = 0; i < count; i++)
-        cairo_line_to(cairo, points[2 * i], points[2 * i + 1]);
+        CAIRO(line_to)(cairo, points[2 * i], points[2 * i + 1]);
 }
 
 static void stroke(cairo_t *cairo, const Pencil *pencil)
@@ -51,11 +44,11 @@ static void stroke(cairo_t *cairo, const Pencil *pencil)
     while (n_dashes < 4 && pencil->dashes[n_dashes] > 0)
         n_dashes++;
     set_colour(cairo, pencil->colour);
-    cairo_set_line_width(cairo, pencil->width);
-    cairo_set_line_cap(cairo, pencil->round ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
-    cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
-    cairo_set_dash(cairo, pencil->dashes, n_dashes, 0);
-    cairo_stroke(cairo);
+    CAIRO(set_line_width)(cairo, pencil->width);
+    CAIRO(set_line_cap)(cairo, pencil->round ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
+    CAIRO(set_line_join)(cairo, CAIRO_LINE_JOIN_ROUND);
+    CAIRO(set_dash)(cairo, pencil->dashes, n_dashes, 0);
+    CAIRO(stroke)(cairo);
 }
 
 static void draw_line(Paper *paper, const double *points, size_t count, const Pencil *pencil)
@@ -68,30 +61,31 @@ static void draw_fill(Paper *paper, const double *points, size_t count, Colour c
 {
     cairo_t *cairo = cairo_of(paper);
     trace(cairo, points, count);
-    cairo_close_path(cairo);
+    CAIRO(close_path)(cairo);
     set_colour(cairo, colour);
-    cairo_fill(cairo);
+    CAIRO(fill)(cairo);
 }
 
 static void draw_disc(Paper *paper, double x, double y, double radius, Colour colour, const Pencil *edge)
 {
     cairo_t *cairo = cairo_of(paper);
-    cairo_new_path(cairo);
-    cairo_arc(cairo, x, y, radius, 0, 2 * M_PI);
+    CAIRO(new_path)(cairo);
+    CAIRO(arc)(cairo, x, y, radius, 0, 2 * M_PI);
     set_colour(cairo, colour);
     if (!edge) {
-        cairo_fill(cairo);
+        CAIRO(fill)(cairo);
         return;
     }
-    cairo_fill_preserve(cairo);
+    CAIRO(fill_preserve)(cairo);
     stroke(cairo, edge);
 }
 
 static void set_type(cairo_t *cairo, const Type *type)
 {
-    cairo_select_font_face(cairo, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
-                           type->bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
-    cairo_set_font_size(cairo, type->size);
+    CAIRO(select_font_face)
+    (cairo, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
+     type->bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+    CAIRO(set_font_size)(cairo, type->size);
     set_colour(cairo, type->colour);
 }
 
@@ -99,7 +93,7 @@ static double width_of(Paper *paper, const char *text, const Type *type)
 {
     cairo_text_extents_t extents;
     set_type(cairo_of(paper), type);
-    cairo_text_extents(cairo_of(paper), text, &extents);
+    CAIRO(text_extents)(cairo_of(paper), text, &extents);
     return extents.x_advance;
 }
 
@@ -107,32 +101,29 @@ static void draw_text(Paper *paper, double x, double y, const char *text, const 
 {
     cairo_t *cairo = cairo_of(paper);
     const double width = width_of(paper, text, type);
-    cairo_save(cairo);
-    cairo_translate(cairo, x, y);
+    CAIRO(save)(cairo);
+    CAIRO(translate)(cairo, x, y);
     if (type->upwards)
-        cairo_rotate(cairo, -M_PI / 2);
-    cairo_move_to(cairo,
-                  type->align == ALIGN_LEFT     ? 0
-                  : type->align == ALIGN_CENTRE ? -width / 2
-                                                : -width,
-                  0);
-    cairo_show_text(cairo, text);
-    cairo_restore(cairo);
+        CAIRO(rotate)(cairo, -M_PI / 2);
+    const double left = type->align == ALIGN_LEFT ? 0 : type->align == ALIGN_CENTRE ? -width / 2 : -width;
+    CAIRO(move_to)(cairo, left, 0);
+    CAIRO(show_text)(cairo, text);
+    CAIRO(restore)(cairo);
 }
 
 static void draw_clip(Paper *paper, const Box *box)
 {
     cairo_t *cairo = cairo_of(paper);
-    cairo_reset_clip(cairo);
+    CAIRO(reset_clip)(cairo);
     if (!box)
         return;
-    cairo_rectangle(cairo, box->x, box->y, box->width, box->height);
-    cairo_clip(cairo);
+    CAIRO(rectangle)(cairo, box->x, box->y, box->width, box->height);
+    CAIRO(clip)(cairo);
 }
 
 static void turn_page(Paper *paper)
 {
-    cairo_show_page(cairo_of(paper));
+    CAIRO(show_page)(cairo_of(paper));
 }
 
 static cairo_status_t write_bytes(void *stream, const unsigned char *bytes, unsigned length)
@@ -143,19 +134,19 @@ static cairo_status_t write_bytes(void *stream, const unsigned char *bytes, unsi
 static bool finish(Paper *paper, Status *status)
 {
     CairoPaper *page = (CairoPaper *)paper;
-    cairo_status_t result = cairo_status(page->cairo);
-    cairo_destroy(page->cairo);
+    cairo_status_t result = CAIRO(status)(page->cairo);
+    CAIRO(destroy)(page->cairo);
     if (result == CAIRO_STATUS_SUCCESS && page->image)
-        result = cairo_surface_write_to_png_stream(page->surface, write_bytes, paper->stream);
-    cairo_surface_finish(page->surface);
+        result = CAIRO(surface_write_to_png_stream)(page->surface, write_bytes, paper->stream);
+    CAIRO(surface_finish)(page->surface);
     if (result == CAIRO_STATUS_SUCCESS)
-        result = cairo_surface_status(page->surface);
-    cairo_surface_destroy(page->surface);
+        result = CAIRO(surface_status)(page->surface);
+    CAIRO(surface_destroy)(page->surface);
     free(page);
     if (result == CAIRO_STATUS_WRITE_ERROR)
         return status_fail(status, "the figure could not be written: %s", strerror(errno));
     return result == CAIRO_STATUS_SUCCESS ||
-           status_fail(status, "the figure could not be drawn: %s", cairo_status_to_string(result));
+           status_fail(status, "the figure could not be drawn: %s", CAIRO(status_to_string)(result));
 }
 
 static const PaperKind cairo_kind = {draw_line, draw_fill, draw_disc, draw_text,
@@ -164,58 +155,51 @@ static const PaperKind cairo_kind = {draw_line, draw_fill, draw_disc, draw_text,
 static Paper *open_paper(FILE *stream, cairo_surface_t *surface, bool image, Status *status)
 {
     CairoPaper *page = calloc(1, sizeof *page);
-    const cairo_status_t result = cairo_surface_status(surface);
+    const cairo_status_t result = CAIRO(surface_status)(surface);
     if (!page || result != CAIRO_STATUS_SUCCESS) {
         status_fail(status, "no figure can be drawn: %s",
-                    cairo_status_to_string(page ? result : CAIRO_STATUS_NO_MEMORY));
-        cairo_surface_destroy(surface);
+                    CAIRO(status_to_string)(page ? result : CAIRO_STATUS_NO_MEMORY));
+        CAIRO(surface_destroy)(surface);
         free(page);
         return NULL;
     }
-    *page = (CairoPaper){{&cairo_kind, stream}, surface, cairo_create(surface), image};
+    *page = (CairoPaper){{&cairo_kind, stream}, surface, CAIRO(create)(surface), image};
     return &page->paper;
 }
 
 Paper *paper_pdf(FILE *stream, double width, double height, const char *title, Status *status)
 {
-    cairo_surface_t *surface = cairo_pdf_surface_create_for_stream(write_bytes, stream, width, height);
-#if CAIRO_VERSION >= CAIRO_VERSION_ENCODE(1, 16, 0)
-    cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_TITLE, title);
+    if (!cairo_load(status))
+        return NULL;
+    cairo_surface_t *surface = CAIRO(pdf_surface_create_for_stream)(write_bytes, stream, width, height);
+    CAIRO(pdf_surface_set_metadata)(surface, CAIRO_PDF_METADATA_TITLE, title);
     /* the same figure gives the same bytes on every day */
-    cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
-#else
-    (void)title;
-#endif
+    CAIRO(pdf_surface_set_metadata)(surface, CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
     return open_paper(stream, surface, false, status);
 }
 
 Paper *paper_png(FILE *stream, double width, double height, Status *status)
 {
-    cairo_surface_t *surface = cairo_image_surface_create(
+    if (!cairo_load(status))
+        return NULL;
+    cairo_surface_t *surface = CAIRO(image_surface_create)(
         CAIRO_FORMAT_RGB24, (int)ceil(width * DOTS_PER_POINT), (int)ceil(height * DOTS_PER_POINT));
     Paper *paper = open_paper(stream, surface, true, status);
     if (!paper)
         return NULL;
-    cairo_font_options_t *options = cairo_font_options_create();
-    cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
-    cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
-    cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
-    cairo_set_font_options(cairo_of(paper), options);
-    cairo_font_options_destroy(options);
-    cairo_scale(cairo_of(paper), DOTS_PER_POINT, DOTS_PER_POINT);
+    cairo_font_options_t *options = CAIRO(font_options_create)();
+    CAIRO(font_options_set_antialias)(options, CAIRO_ANTIALIAS_GRAY);
+    CAIRO(font_options_set_hint_style)(options, CAIRO_HINT_STYLE_NONE);
+    CAIRO(font_options_set_hint_metrics)(options, CAIRO_HINT_METRICS_OFF);
+    CAIRO(set_font_options)(cairo_of(paper), options);
+    CAIRO(font_options_destroy)(options);
+    CAIRO(scale)(cairo_of(paper), DOTS_PER_POINT, DOTS_PER_POINT);
     set_colour(cairo_of(paper), 0xffffff);
-    cairo_paint(cairo_of(paper));
+    CAIRO(paint)(cairo_of(paper));
     return paper;
 }
 
 #else
-
-bool paper_has_cairo(Status *status)
-{
-    return status_refuse(
-        status, "PDF and PNG need cairo, which this program was built without (an SVG needs nothing; "
-                "Debian package libcairo2-dev)");
-}
 
 Paper *paper_pdf(FILE *stream, double width, double height, const char *title, Status *status)
 {
@@ -226,7 +210,7 @@ Paper *paper_pdf(FILE *stream, double width, double height, const char *title, S
 Paper *paper_png(FILE *stream, double width, double height, Status *status)
 {
     (void)stream, (void)width, (void)height;
-    paper_has_cairo(status);
+    cairo_load(status);
     return NULL;
 }
 
