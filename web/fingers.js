@@ -42,11 +42,11 @@ function show_fingers() {
 	show_keys();
 }
 
-// A field is underlined where its cursor stands: in the last row it takes words, else a number.
+// A field is underlined where its cursor stands: in the last row it takes words, but where the row above asks for a number.
 function typing() {
 	const {cursorX, cursorY, viewportY} = term.buffer.active, line = term.buffer.active.getLine(viewportY + cursorY);
 	if (!line || ![cursorX, cursorX - 1].some((x) => x >= 0 && line.getCell(x) && line.getCell(x).isUnderline())) return '';
-	return cursorY === term.rows - 1 ? 'words' : 'number';
+	return cursorY === term.rows - 1 && !/^ a number/.test(term.buffer.active.getLine(viewportY + cursorY - 1).translateToString()) ? 'words' : 'number';
 }
 
 let offered = '', asked_for = '';
@@ -84,19 +84,20 @@ function show_keys() {
 
 // What a finger has selected is copied by a button: a selection of the terminal is none of the browser's.
 function offer_copy() {
-	notice('Selected: ', word_button('copy', async () => {
+	const leave = () => {
+		term.clearSelection();
+		element('selected').hidden = true;
+	};
+	element('selected').replaceChildren(word_button('copy', async () => {
 		try {
 			await navigator.clipboard.writeText(term.getSelection());
 		} catch (error) {
 			term.focus();
 			document.execCommand('copy');
 		}
-		term.clearSelection();
-		notice('');
-	}), ' ', word_button('leave it', () => {
-		term.clearSelection();
-		notice('');
-	}));
+		leave();
+	}), ' ', word_button('leave it', leave));
+	element('selected').hidden = false;
 }
 
 // Two fingers change the type's size, one scrolls what is under it as a wheel does; held still for LONG it selects a word, and from
@@ -124,6 +125,7 @@ function listen_to_fingers(screen) {
 		at = event.touches[0].clientY;
 		clearTimeout(timer);
 		from = null;
+		element('selected').hidden = true;
 		const touch = event.touches[0];
 		if (event.touches.length === 1)
 			timer = setTimeout(() => {

@@ -235,6 +235,8 @@ function listen() {
 	});
 }
 
+const COLUMNS_LEAST = 56, TYPE_LEAST = 10; // on a telephone, as far as one can read it
+
 async function main() {
 	if (typeof WebAssembly !== 'object' || typeof DecompressionStream !== 'function')
 		return give_up('This browser is too old for this page: it has no WebAssembly. A newer Firefox, Chrome, Edge or Safari has.');
@@ -245,6 +247,12 @@ async function main() {
 		document.fonts.load('15px "Cascadia Mono"', '│')]);
 	term.loadAddon(fit);
 	term.open(element('screen'));
+	fit.fit();
+	// with fewer columns a lesson shows its text or its plot
+	while (term.cols < COLUMNS_LEAST && term.options.fontSize > TYPE_LEAST) {
+		term.options.fontSize--;
+		fit.fit();
+	}
 	listen();
 	program = await load_program();
 	loading(2);

@@ -75,7 +75,9 @@ const vectors = {
 		if (++this.drawn < DRAWINGS) return;
 		if (this.cost / this.drawn > COSTLY) {
 			this.turn(false);
-			notice('Lines are drawn as characters: as lines a picture takes more than ' + COSTLY + ' ms here (F9 has them again).');
+			const why = 'Lines are drawn as characters: as lines a picture takes more than ' + COSTLY + ' ms here (F9 has them again).';
+			notice(why);
+			setTimeout(() => { if (element('notice').textContent === why) notice(''); }, 10000);
 		}
 		this.cost = this.drawn = 0;
 	},

@@ -548,9 +548,9 @@ async function selecting() {
 	await page.evaluate(() => term.clearSelection());
 	await fingers([await place(column + 1, row)], [await place(column + 7, row)], 800);
 	result('and from there to where the finger goes', (await selection()) === 'cell siz', await selection());
-	result('which a button copies', /Selected: copy/.test(await notice_of()), await notice_of());
+	result('which a button copies', /^copy leave it/.test(await text_of('#selected')) && await page.$eval('#selected', (part) => !part.hidden), await text_of('#selected'));
 	await page.evaluate(() => { window.copied = ''; navigator.clipboard.writeText = async (text) => { window.copied = text; }; });
-	await page.click('#notice button');
+	await page.click('#selected button');
 	await pause(200);
 	result('all of it', (await page.evaluate(() => window.copied)) === 'cell siz');
 	await fingers([await place(column + 1, row)], null, 50);
@@ -715,6 +715,30 @@ async function telephone() {
 	await page.setViewport({width: 915, height: 412, isMobile: true, hasTouch: true});
 	await shows('another size when it is turned', (text) => text.split('\n').length < 30 && has('Space')(text));
 	await shot('phone-turned');
+}
+
+async function lesson_on_a_telephone() {
+	await open(one + '?lesson=late', {width: 390, height: 844}, true);
+	await until('', (text) => /1 of \d+|1\/\d+/.test(text));
+	await tap_button('n next');
+	await shows('a lesson on a narrow telephone has its text and its plot', (text) => /2\/11/.test(text) && /v_cm/.test(text));
+	await shot('phone-lesson');
+}
+
+async function answer_by_taps() {
+	await open(one + '?lesson=homework-late&name=Ada&id=7', {width: 412, height: 915}, true);
+	await until('', (text) => /1 of \d+|1\/\d+/.test(text));
+	await tap_button('n next');
+	await until('', (text) => /2 of \d+|2\/\d+/.test(text));
+	await tap_button('n next');
+	await until('', (text) => /3 of \d+|3\/\d+/.test(text));
+	await tap_button('Enter');
+	await until('', has('your answer'));
+	const pad = await page.waitForFunction(() => /^1234567890/.test(document.getElementById('keys').textContent), {timeout: patience}).then(() => true, () => false);
+	result('an answer has a pad of numbers', pad, await text_of('#keys'));
+	for (const key of ['4', '2']) await tap_button(key);
+	await shows('which enters it', (text) => /your answer +42/.test(text));
+	await page.evaluate(() => localStorage.clear());
 }
 
 async function files_of_any_kind() {
@@ -998,7 +1022,7 @@ async function main() {
 	}).listen(0, '127.0.0.1');
 	await new Promise((done) => server.on('listening', done));
 	served = `http://127.0.0.1:${server.address().port}/`;
-	const cases = {first_picture, keys_and_size, edit_and_stages, export_of_a_run, dropped_scenario, dropped_series, lesson_by_taps, sheets_by_taps, cell_by_taps, homework, homework_is_kept, address, size_of_type, selecting, browser_keys, sandboxed, files_of_any_kind, lines, telephone,
+	const cases = {first_picture, keys_and_size, edit_and_stages, export_of_a_run, dropped_scenario, dropped_series, lesson_by_taps, sheets_by_taps, cell_by_taps, homework, homework_is_kept, address, size_of_type, selecting, browser_keys, sandboxed, files_of_any_kind, lines, telephone, lesson_on_a_telephone, answer_by_taps,
 		plain_words, slow_terminal, computing, hostile_links, hostile_files, hostile_storage,
 		failing_storage, crash, end_of_the_program, without_webassembly, from_a_server};
 	const wanted = process.argv.slice(2);
