@@ -67,6 +67,12 @@ if [ -n "$python" ]; then
 		expect "a mistake by ${stepping%%:*}" 1 supported-beam $(settings_of beam) np.csv
 		result "is named in that scheme" grep -q -F "Mistake: horizon_as_diameter ($scheme" out
 	done
+	for mistake in counted_twice ${MATVIB_WIDE:+one_way force_not_reset}; do # the bar by bonds
+		"$python" -B "$MATVIB_SRCDIR/tests/independent/mistakes.py" --mistake $mistake bar_bonds_euler 30 >np.csv
+		# shellcheck disable=SC2046
+		expect "a bar of bonds by euler, $mistake" 1 mode5 $(settings_of bar_bonds) np.csv
+		result "is named in that scheme" grep -q "^  $mistake: " out
+	done
 else
 	skip "codes of numpy" "no python3 with numpy"
 fi

@@ -193,8 +193,7 @@ class WrongBody(bonds.Body):
 
     def half_kick(self):
         self.v_before = self.v
-        shares = {"verlet": 1 / 2, "euler": 1, "leapfrog": 1, "euler_position": 0, "leapfrog_ahead": 0}
-        share = shares[self.stepping]
+        share = STEPPINGS[self.stepping][0]
         if self.stepping.startswith("leapfrog") and self.step_number == 0:
             share = 1 / 2
         if self.mistake == "no_first_force" and self.step_number == 0:
@@ -244,18 +243,86 @@ class WrongBody(bonds.Body):
             self.f = np.array([self.families(p * at_i, -p * at_j) for p in pull])
 
     def second_kick(self):
-        shares = {"verlet": 1 / 2, "euler": 0, "leapfrog": 0, "euler_position": 1, "leapfrog_ahead": 1}
         if self.mistake not in ("euler_forward", "no_second_kick"):
-            self.v = self.v + shares[self.stepping] * self.dt * self.f / self.rho
+            self.v = self.v + STEPPINGS[self.stepping][1] * self.dt * self.f / self.rho
         self.hold(self.step_number + 1)
 
     def told(self):
         return {"v_probe": self.v[1, self.probe].mean()}
 
 
+STEPPINGS = {"verlet": (1 / 2, 1 / 2), "euler": (1, 0), "euler_position": (0, 1), "leapfrog": (1, 0),
+             "leapfrog_ahead": (0, 1)}
+
+
+class WrongRod:
+    """The bar, fixed at the left and free at the right, by bonds: each node asks all others; a fixed end is a mirror."""
+
+    def __init__(self, mistake, stepping, mode, speed, L, E, rho, h, dt, surface, volume):
+        self.mistake, self.stepping, self.rho, self.dt, self.number = mistake, stepping, rho, dt, 0
+        n, delta = round(L / h), 3 * h
+        reach = {"horizon_strict": delta * (1 - 1e-9), "horizon_as_diameter": delta / 2}.get(mistake, delta) * (1 + 1e-12)
+        self.X = (np.arange(n) + 0.5) * h
+        place = np.concatenate([-self.X[::-1], self.X])  # those left of 0 are the images
+        self.xi = place[None, :] - self.X[:, None]
+        far = abs(self.xi)
+        bond = (far > h / 2) & (far <= reach)
+        if mistake == "horizon_strict":
+            bond &= far < delta - h / 2
+        w = np.ones_like(far)
+        if volume == "partial" and mistake != "no_volume_factor":
+            w = np.clip((delta + h / 2 - far) / h, 0, 1)
+        c = 2 * E / delta ** 2
+        held = (c * w * h * far / 4 * bond).sum(1)
+        g = np.ones(n) if surface == "none" or mistake == "no_surface_factor" else E / 2 / held
+        both = np.concatenate([g[::-1], g])
+        self.k = np.where(bond, c * w * h * (g[:, None] + both[None, :]) / 2, 0)
+        self.u, self.f = np.zeros(n), np.zeros(n)
+        self.v = speed * np.sin((mode - 0.5) * np.pi / L * self.X)
+        self.bonds()
+
+    def bonds(self):
+        whole = np.concatenate([-self.u[::-1], self.u])
+        now = self.xi + whole[None, :] - self.u[:, None]
+        rest = abs(np.where(self.k > 0, self.xi, 1))
+        eta = now - self.xi
+        lengthening = np.where(self.k > 0, eta * (2 * self.xi + eta) / (abs(now) + rest), 0)
+        over = {"stretch_of_current": np.where(self.k > 0, abs(now), 1), "stretch_without_length": 1}.get(self.mistake, rest)
+        factor = {"counted_twice": 2, "bond_sign": -1, "half_bond": 0.5}.get(self.mistake, 1)
+        if self.mistake == "one_way":
+            factor = self.xi > 0
+        f = (factor * self.k * lengthening / over * np.sign(now)).sum(1)
+        self.f = self.f + f if self.mistake == "force_not_reset" else f
+
+    def step(self):
+        first, second = STEPPINGS[self.stepping]
+        if self.stepping.startswith("leapfrog") and self.number == 0:
+            first = 1 / 2
+        if self.mistake == "euler_forward":
+            self.u, self.v = self.u + self.dt * self.v, self.v + self.dt * self.f / self.rho
+            first = second = 0
+        else:
+            if self.mistake != "no_first_force" or self.number > 0:
+                self.v = self.v + first * self.dt * self.f / self.rho
+            self.u = self.u + (2 if self.mistake == "u_added_twice" else 1) * self.dt * self.v
+        self.bonds()
+        if self.mistake != "no_second_kick":
+            self.v = self.v + second * self.dt * self.f / self.rho
+        self.number += 1
+
+    def told(self):
+        return {"v_cm": self.v.mean()}
+
+
 def code_of(given, mistake):
     """A code of one's own at its start, made from the settings of a case."""
     number = lambda *keys: [float(given[key]) for key in keys]
+    if given.get("scenario.method") == "pd":
+        L, E, rho, dx, courant = number("bar.length", "bar.youngs_modulus", "bar.density", "mesh.cell_size",
+                                        "time.courant")
+        return WrongRod(mistake, given.get("pd.stepping", "verlet"), int(given["initial.mode"]),
+                        float(given["initial.velocity"]), L, E, rho, dx / int(given["mesh.particles_per_cell"]),
+                        courant * dx / np.sqrt(E / rho), given["pd.surface_correction"], given["pd.volume_correction"])
     if "bar.length" in given:
         L, E, rho, dx, courant = number("bar.length", "bar.youngs_modulus", "bar.density", "mesh.cell_size",
                                         "time.courant")
@@ -295,7 +362,7 @@ def compare(name, case):
 
 def write_rows(mistake, name, steps):
     code = code_of(golden.settings(dict(golden.cases("mistakes.txt"))[name]), mistake)
-    column = "v_cm" if isinstance(code, bar.Bar) else "vy"
+    column = "v_cm" if isinstance(code, (bar.Bar, WrongRod)) else "vy"
     print(f"step,time,{column}")
     for step in range(steps + 1):
         if step:

@@ -51,6 +51,9 @@ typedef struct PdBarDef {
     const ForceTerm *forces; /* beside body force and traction, as force densities; NULL: none */
 
     double dt; /* > 0 */
+    Stepping stepping;
+    int mistake, mistake_beside; /* as of BeamDef, but for those that a line has not */
+    bool conceals_mistake;
 
     Patience patience; /* asked while the bar is being built, with share 0 first */
 
@@ -76,7 +79,7 @@ bool pd_bar_check(const PdBarDef *definition, Status *status);
  * acceleration; bonds pull energy.
  *
  * Series: v_cm x_cm kinetic strain work total (total = kinetic + strain; less the work it keeps its value).
- * Live parameters: load.body_force, load.traction. They belong to the state.
+ * Live parameters: load.body_force, load.traction, pd.mistake. They belong to the state.
  *
  * A run fails, with particle, step and time in its status, when a node comes a whole spacing nearer to its
  * neighbour (at a fixed end: its own image), or as much further away: beyond the critical time step that is

@@ -5,6 +5,7 @@
 #include "methods/bonds/line/pd_bar_internal.h"
 #include "methods/axial.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,11 +17,32 @@ static size_t state_size(const Simulation *sim)
     return ((const PdBar *)sim)->state_size;
 }
 
+/* What the code of the state does; loads and mistakes word its stages. */
+static void follow_state(PdBar *bar)
+{
+    bar->mistake = bonds_mistake_of(bar->head->mistake, bar->def.mistake_beside, &bar->both);
+    pd_bar_set_stages(bar);
+}
+
 static void load(Simulation *sim, const void *bytes)
 {
     PdBar *bar = (PdBar *)sim;
     memcpy(bar->head, bytes, bar->state_size);
-    pd_bar_set_stages(bar); /* loads came back with it */
+    follow_state(bar);
+}
+
+static bool check_mistake(const PdBarDef *, Status *);
+
+static bool change_mistake(PdBar *bar, double value, Status *status)
+{
+    PdBarDef def = bar->def;
+    def.mistake = value >= 0 && value == floor(value) && value < INT_MAX ? (int)value : -1;
+    if (!check_mistake(&def, status) ||
+        !bonds_mistake_may_change(bar->head->mistake, def.mistake, def.conceals_mistake, status))
+        return false;
+    bar->head->mistake = def.mistake;
+    follow_state(bar);
+    return true;
 }
 
 static bool change(Simulation *sim, const char *key, double value, Status *status)
@@ -30,14 +52,17 @@ static bool change(Simulation *sim, const char *key, double value, Status *statu
     double *live = strcmp(key, "load.body_force") == 0 ? &bar->head->body_force
                    : strcmp(key, "load.traction") == 0 ? &bar->head->traction
                                                        : NULL;
+    if (strcmp(key, "pd.mistake") == 0)
+        return change_mistake(bar, value, status);
     if (!live)
-        return status_refuse(status, "%s: cannot change in mid-run (load.body_force and load.traction can)",
-                             key);
+        return status_refuse(
+            status, "%s: cannot change in mid-run (load.body_force, load.traction and pd.mistake can)", key);
     if (!isfinite(value))
         return status_refuse(status, "%s: %g is not allowed (a number)", key, value);
     *live = value;
-    pd_bar_set_stages(bar);
-    pd_bar_forces(bar); /* the coming half kick takes the force of the new load */
+    follow_state(bar);
+    if (!mistake_does(bar->mistake, BONDS_WRONG_FORCE_STAYS)) /* which would add it once more */
+        pd_bar_forces(bar); /* the coming half kick takes the force of the new load */
     return true;
 }
 
@@ -97,7 +122,8 @@ static bool begin(PdBar *bar, Status *status)
     const PdBarDef *def = &bar->def;
     bar->head->body_force = def->body_force;
     bar->head->traction = def->traction;
-    pd_bar_set_stages(bar);
+    bar->head->mistake = def->mistake;
+    follow_state(bar);
     for (int i = 0; i < bar->lattice.n && def->initial_velocity; i++) {
         if (i % NODES_A_QUESTION == 0 && !patience_lasts(&def->patience, (double)i / bar->lattice.n))
             return status_fail(status, "the building of the bar was cancelled");
@@ -163,6 +189,25 @@ static bool check_numbers(const PdBarDef *def, Status *status)
     return true;
 }
 
+static bool check_mistake(const PdBarDef *def, Status *status)
+{
+    const BeamDef alike = {.spacing = def->spacing,
+                           .horizon = def->horizon,
+                           .volume_correction = def->volume_correction,
+                           .influence = def->influence,
+                           .stepping = def->stepping,
+                           .mistake = def->mistake,
+                           .mistake_beside = def->mistake_beside,
+                           .conceals_mistake = def->conceals_mistake};
+    BondsMistake both;
+    if (!bonds_check_mistake(&alike, status))
+        return false;
+    const BondsMistake *mistake = bonds_mistake_of(def->mistake, def->mistake_beside, &both);
+    return !mistake_does(mistake, BONDS_WRONG_IN_PLANE) ||
+           status_refuse(status, "pd.mistake: %s is defined for beams and plates only",
+                         def->conceals_mistake ? "?" : mistake->id);
+}
+
 bool pd_bar_check(const PdBarDef *def, Status *status)
 {
     enum { NODES_MAX = 2000000 }; /* of 64 bytes with the least horizon, 248 with the largest */
@@ -190,5 +235,6 @@ bool pd_bar_check(const PdBarDef *def, Status *status)
                              def->horizon, def->length);
     if (def->surface_correction == SURFACE_VOLUME)
         return status_refuse(status, "pd.surface_correction: volume is for beams (on a bar: none | energy)");
-    return axial_check_layer(def->traction_layer, def->spacing, def->length, status);
+    return check_mistake(def, status) &&
+           axial_check_layer(def->traction_layer, def->spacing, def->length, status);
 }

@@ -31,21 +31,30 @@ static const Stage stage_table[PD_BAR_STAGES] = {
 void pd_bar_set_stages(PdBar *bar)
 {
     const ForceTerms forces = pd_bar_terms(bar);
+    _Static_assert((int)PD_BAR_BONDS == (int)STAGE_BONDS && (int)PD_BAR_SECOND_KICK == (int)STAGE_SECOND_KICK,
+                   "lines of mistakes are of the stage of that number");
     memcpy(bar->stages, stage_table, sizeof bar->stages);
+    bonds_word_kicks(bar->stages, bar->def.stepping);
+    bonds_word_mistake(bar->stages, bar->def.conceals_mistake ? NULL : bar->mistake);
     forces_word_stage(&forces, &bar->force_words, &bar->stages[PD_BAR_LOAD]);
     bar->sim.stages = bar->stages;
     bar->sim.n_stages = PD_BAR_STAGES;
 }
 
-static void explain_kick(const PdBar *bar, Calculation *calculation, int i, const void *before)
+static void explain_kick(const PdBar *bar, Calculation *calculation, int i, bool second, const void *before)
 {
+    const double share = bonds_kick_share(bar->def.stepping, bar->mistake, second, bar->sim.step);
+    if (share == 0) {
+        calculation_value(calculation, "v stays ", bar->v[i]);
+        return;
+    }
     CalculationSum sum = {.label = "a = f/ρ = ", .result = bar->f[i] / bar->def.density};
     calculation_add(&sum, 1, bar->f[i], 0, 0)->divisor = bar->def.density;
     calculation_sum(calculation, &sum);
     if (before)
-        calculation_change(calculation,
-                           "v = v + Δt/2 a = ", calculation_before(bar->head, &bar->v[i], before),
-                           bar->sim.dt / 2, sum.result, bar->v[i], NULL);
+        calculation_change(calculation, share == 1 ? "v = v + Δt a = " : "v = v + Δt/2 a = ",
+                           calculation_before(bar->head, &bar->v[i], before), share * bar->sim.dt, sum.result,
+                           bar->v[i], NULL);
     else
         calculation_value(calculation, "v = ", bar->v[i]);
 }
@@ -53,9 +62,17 @@ static void explain_kick(const PdBar *bar, Calculation *calculation, int i, cons
 static void explain_drift(const PdBar *bar, Calculation *calculation, int i, const void *before)
 {
     const double *u = &bar->u[pd_bar_at(&bar->lattice, i)];
-    if (before)
+    const bool twice = mistake_does(bar->mistake, BONDS_WRONG_DRIFTS_TWICE);
+    if (before && mistake_does(bar->mistake, BONDS_WRONG_KICKS_LATE)) {
+        const double v = calculation_before(bar->head, &bar->v[i], before);
         calculation_change(calculation, "u = u + Δt v = ", calculation_before(bar->head, u, before),
-                           bar->sim.dt, bar->v[i], *u, NULL);
+                           bar->sim.dt, v, *u, NULL);
+        calculation_change(calculation, "v = v + Δt/ρ f = ", v, bar->sim.dt / bar->def.density, bar->f[i],
+                           bar->v[i], NULL);
+    } else if (before)
+        calculation_change(calculation, twice ? "u = u + 2 Δt v = " : "u = u + Δt v = ",
+                           calculation_before(bar->head, u, before), (twice ? 2 : 1) * bar->sim.dt, bar->v[i],
+                           *u, NULL);
     else
         calculation_value(calculation, "u = ", *u);
 }
@@ -92,10 +109,16 @@ static void explain_bonds(const PdBar *bar, Calculation *calculation, int i)
             const double stiffness = pd_bar_stiffness(bar, k, m), elongation = pd_bar_elongation(bar, k, m);
             if (!(stiffness > 0))
                 continue;
-            const double length = m * lattice->h;
-            calculation_add(&sum, 2, side * stiffness * length, elongation / length, 0);
-            sum.result += side * stiffness * elongation;
+            const double stretch = elongation / (m * lattice->h), pull = pd_bar_pull(bar, i, side * m);
+            calculation_add(&sum, 2, stretch != 0 ? pull / stretch : side * stiffness * m * lattice->h,
+                            stretch, 0);
+            sum.result += pull;
         }
+    if (mistake_does(bar->mistake, BONDS_WRONG_FORCE_STAYS)) {
+        sum.has_base = true;
+        sum.base = bar->f[i] - sum.result;
+        sum.result = bar->f[i];
+    }
     calculation_write(calculation, "nearest bonds first: ");
     const char *comma = "";
     for (int side = -1; side <= 1; side += 2) {
@@ -153,7 +176,7 @@ void pd_bar_explain(const Simulation *sim, int stage, int set, size_t index, con
     switch (stage) {
     case PD_BAR_HALF_KICK:
     case PD_BAR_SECOND_KICK:
-        explain_kick(bar, &text, i, before);
+        explain_kick(bar, &text, i, stage == PD_BAR_SECOND_KICK, before);
         break;
     case PD_BAR_DRIFT:
         explain_drift(bar, &text, i, before);

@@ -4,6 +4,7 @@
 #define METHODS_BONDS_LINE_PD_BAR_INTERNAL_H
 
 #include "methods/bonds/line/pd_bar.h"
+#include "methods/bonds/plane/bonds_mistakes.h"
 
 /* The stages of a step (velocity Verlet, paper P, eqs. 9 to 11). */
 enum {
@@ -41,6 +42,7 @@ typedef struct PdBarLattice {
 typedef struct PdBarHead {
     double work;
     double body_force, traction;
+    int mistake;
 } PdBarHead;
 
 typedef struct PdBar {
@@ -52,8 +54,10 @@ typedef struct PdBar {
     ForceWords force_words;
     Quantity series[PD_BAR_SERIES]; /* those that are not left out, and which each of them is */
     int series_entry[PD_BAR_SERIES];
-    void *memory;    /* factors and stiffnesses */
-    PdBarHead *head; /* the state: head, then u (padded), v, f */
+    const BondsMistake *mistake; /* NULL: none */
+    BondsMistake both;           /* what is wrong in two places */
+    void *memory;                /* factors and stiffnesses */
+    PdBarHead *head;             /* the state: head, then u (padded), v, f */
     double *u, *v, *f;
     size_t state_size;
     void *backup; /* the state when a batch of steps began */
@@ -89,7 +93,8 @@ static inline double pd_bar_stiffness(const PdBar *bar, int k, int m)
     return bar->lattice.stiffness[m - 1][pd_bar_at(&bar->lattice, k)];
 }
 
-/* pd_bar_step.c */
+/* pd_bar_step.c; what the bond to node i + m, m of either sign, pulls at node i, as a force density. */
+double pd_bar_pull(const PdBar *bar, int i, int m);
 bool pd_bar_stage(Simulation *sim, int stage, size_t first, size_t end, Status *status);
 bool pd_bar_steps(Simulation *sim, long count, double *rows, long *done, Status *status);
 void pd_bar_forces(PdBar *bar); /* mirrored nodes, bonds and loads of the present displacements */

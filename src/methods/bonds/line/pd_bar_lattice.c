@@ -40,9 +40,19 @@ static double micromodulus(const PdBarDef *def, const PdBarLattice *lattice)
     return def->youngs_modulus / (lattice->h * lattice->h * sum);
 }
 
+static bool does(const PdBarDef *def, unsigned wrong)
+{
+    BondsMistake both;
+    return mistake_does(bonds_mistake_of(def->mistake, def->mistake_beside, &both), wrong);
+}
+
 /* A cone binds nothing beyond the horizon. */
 static int reach_of(const PdBarDef *def)
 {
+    if (does(def, BONDS_WRONG_WITHIN_HORIZON))
+        return (int)floor(def->horizon * (1 - 1e-9) / def->spacing);
+    if (does(def, BONDS_WRONG_HALF_HORIZON))
+        return (int)floor(def->horizon / 2 * (1 + 1e-9) / def->spacing);
     const VolumeCorrection how =
         def->influence == INFLUENCE_CONICAL ? VOLUME_PARTIAL : def->volume_correction;
     return (int)floor(volume_reach(how, def->horizon, def->spacing) / def->spacing);
@@ -66,7 +76,9 @@ static void make_factors(const PdBarDef *def, PdBarLattice *lattice)
 {
     for (int i = 0; i < lattice->n; i++)
         lattice->factor[pd_bar_at(lattice, i)] =
-            def->surface_correction == SURFACE_ENERGY ? energy_factor(def, lattice, i) : 1;
+            def->surface_correction == SURFACE_ENERGY && !does(def, BONDS_WRONG_NO_SURFACE_FACTOR)
+                ? energy_factor(def, lattice, i)
+                : 1;
     for (int k = -lattice->reach; k < 0; k++)
         lattice->factor[pd_bar_at(lattice, k)] =
             lattice->factor[pd_bar_at(lattice, pd_bar_partner(lattice, k))];
@@ -100,7 +112,9 @@ void *pd_bar_lattice(const PdBarDef *def, PdBarLattice *lattice)
     lattice->factor = memory;
     for (int m = 1; m <= lattice->reach; m++) {
         lattice->weight[m - 1] =
-            volume_factor(def->volume_correction, def->horizon, lattice->h, m * lattice->h);
+            does(def, BONDS_WRONG_NO_VOLUME_FACTOR)
+                ? 1
+                : volume_factor(def->volume_correction, def->horizon, lattice->h, m * lattice->h);
         lattice->influence[m - 1] =
             def->influence == INFLUENCE_CONICAL ? fmax(0, 1 - m * lattice->h / def->horizon) : 1;
         lattice->stiffness[m - 1] = memory + (size_t)m * lattice->padded;
@@ -156,6 +170,7 @@ static PdBarDef shorter(const PdBarDef *def)
 {
     enum { NODES = 2000 };
     PdBarDef part = *def;
+    part.mistake = part.mistake_beside = 0; /* a wrong code is run with the step of the right one */
     if (part.length > NODES * part.spacing)
         part.length = NODES * part.spacing, part.traction_layer = 0;
     return part;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* One time step of the bar by peridynamics, velocity Verlet (paper P, eqs. 9 to 11):
+/* One time step of the bar by peridynamics, velocity Verlet (paper P, eqs. 9 to 11; other steppings as of the
+ * beam, bonds_step.c in bonds/plane):
  *
  *     v_i += dt/(2 rho) f_i                               half kick
  *     u_i += dt v_i                                       drift
@@ -67,12 +68,22 @@ double pd_bar_load(const PdBar *bar, int i)
 
 /* --- what the stages do to nodes [first, end) --- */
 
-/* v += dt/(2 rho) f of nodes [first, end): eqs. 9 and 11, each half of a step. */
-static void kick(PdBar *bar, int first, int end)
+/* v += share dt/rho f of nodes [first, end): eqs. 9 and 11, each half of a step. */
+static void kick(PdBar *bar, int first, int end, double share)
 {
-    const double factor = bar->sim.dt / (2 * bar->def.density);
-    for (int i = first; i < end; i++)
+    const double factor = share * bar->sim.dt / bar->def.density;
+    for (int i = first; share != 0 && i < end; i++)
         bar->v[i] += factor * bar->f[i];
+}
+
+static void first_kick(PdBar *bar, int first, int end)
+{
+    kick(bar, first, end, bonds_kick_share(bar->def.stepping, bar->mistake, false, bar->sim.step));
+}
+
+static void second_kick(PdBar *bar, int first, int end)
+{
+    kick(bar, first, end, bonds_kick_share(bar->def.stepping, bar->mistake, true, bar->sim.step));
 }
 
 /* u += dt v, eq. 10. The load's work is sum f_load h v^{n+1/2} dt: with the velocity at the middle of the
@@ -80,17 +91,19 @@ static void kick(PdBar *bar, int first, int end)
  * less work keeps its value. */
 static void drift(PdBar *bar, int first, int end)
 {
-    const double dt = bar->sim.dt;
+    const double dt = bar->sim.dt, way = mistake_does(bar->mistake, BONDS_WRONG_DRIFTS_TWICE) ? 2 * dt : dt;
     const ForceTerms forces = pd_bar_terms(bar);
     double *u = bar->u + bar->lattice.reach;
     for (int i = first; i < end; i++) {
         const double before = forces.count > 0 ? forces_on(&forces, &bar->sim, (size_t)i, 0) : 0;
-        u[i] += dt * bar->v[i];
+        u[i] += way * bar->v[i];
         if (forces.count == 0)
             continue;
         const double load = (before + forces_on(&forces, &bar->sim, (size_t)i, 0)) / 2;
         bar->head->work += load * bar->lattice.h * bar->v[i] * dt;
     }
+    if (mistake_does(bar->mistake, BONDS_WRONG_KICKS_LATE))
+        kick(bar, first, end, 1);
 }
 
 /* A support holds the point half a spacing beyond the last node. Continued as an odd function, u(-1 - i) =
@@ -105,6 +118,16 @@ static void mirror(PdBar *bar, int first, int end)
         u[2 * n - 1 - i] = -u[i];
 }
 
+/* k (|xi + eta| - |xi|) sign(xi + eta): of a wrong code nodes may pass each other. */
+double pd_bar_pull(const PdBar *bar, int i, int m)
+{
+    const int left = m < 0 ? i + m : i, distance = m < 0 ? -m : m, side = m < 0 ? -1 : 1;
+    const double elongation = pd_bar_elongation(bar, left, distance), rest = distance * bar->lattice.h;
+    const double now = rest + elongation, pull = now > 0 ? elongation : now + rest;
+    const BondEnd end = {m > 0, m > 0, rest, fabs(now)};
+    return side * pd_bar_stiffness(bar, left, distance) * pull * mistake_share(bar->mistake, &end);
+}
+
 /* f_i = sum_m [k_{i,i+m} (u_{i+m} - u_i) - k_{i-m,i} (u_i - u_{i-m})], linear in u; k per bond from
  * pd_bar_lattice.c, 0 where a free end leaves no partner. Each node adds up its own family, so the bits do
  * not depend on where a stage is cut, and every bond is computed twice. */
@@ -112,9 +135,12 @@ static void bonds(PdBar *bar, int first, int end)
 {
     const double *u = bar->u + bar->lattice.reach;
     double *f = bar->f;
-    for (int i = first; i < end; i++)
+    for (int i = first; i < end && !mistake_does(bar->mistake, BONDS_WRONG_FORCE_STAYS); i++)
         f[i] = 0;
-    for (int m = 1; m <= bar->lattice.reach; m++) {
+    for (int i = first; i < end && bar->mistake; i++)
+        for (int m = 1; m <= bar->lattice.reach; m++)
+            f[i] += pd_bar_pull(bar, i, m) + pd_bar_pull(bar, i, -m);
+    for (int m = 1; !bar->mistake && m <= bar->lattice.reach; m++) {
         const double *stiffness = bar->lattice.stiffness[m - 1] + bar->lattice.reach;
         for (int i = first; i < end; i++)
             f[i] += stiffness[i] * (u[i + m] - u[i]) - stiffness[i - m] * (u[i] - u[i - m]);
@@ -132,24 +158,30 @@ static void load(PdBar *bar, int first, int end)
 typedef void RangeStage(PdBar *bar, int first, int end);
 
 static RangeStage *const range_stages[PD_BAR_STAGES] = {
-    [PD_BAR_HALF_KICK] = kick, [PD_BAR_DRIFT] = drift, [PD_BAR_MIRROR] = mirror,
-    [PD_BAR_BONDS] = bonds,    [PD_BAR_LOAD] = load,   [PD_BAR_SECOND_KICK] = kick,
+    [PD_BAR_HALF_KICK] = first_kick, [PD_BAR_DRIFT] = drift, [PD_BAR_MIRROR] = mirror,
+    [PD_BAR_BONDS] = bonds,          [PD_BAR_LOAD] = load,   [PD_BAR_SECOND_KICK] = second_kick,
 };
 
 /* Fails unless |u_{i+1} - u_i| < h for all neighbours: a spacing nearer, two nodes have met, and the stretch
  * is no longer linear in u. At a fixed end the neighbour is the node's own mirror image, which it meets at
- * the support. Beyond the critical step this is where a run ends. Written so that a NaN fails too. */
+ * the support. Beyond the critical step this is where a run ends. Written so that a NaN fails too. A wrong
+ * code goes on as long as there are numbers. */
 static bool check_gaps(PdBar *bar, int first, int end, Status *status)
 {
-    const double *u = bar->u + bar->lattice.reach, h = bar->lattice.h;
+    const double *u = bar->u + bar->lattice.reach, most = bar->mistake ? INFINITY : bar->lattice.h;
     const int neighbours_end = bar->def.right_fixed ? bar->lattice.n : bar->lattice.n - 1;
-    int wrong = first == 0 && bar->def.left_fixed && !(fabs(u[0] - u[-1]) < h) ? 0 : -1;
+    int wrong = first == 0 && bar->def.left_fixed && !(fabs(u[0] - u[-1]) < most) ? 0 : -1;
     for (int i = first; wrong < 0 && i < end && i < neighbours_end; i++)
-        if (!(fabs(u[i + 1] - u[i]) < h))
+        if (!(fabs(u[i + 1] - u[i]) < most))
             wrong = i;
     if (wrong < 0)
         return true;
     const long step = bar->sim.step + 1;
+    if (bar->mistake)
+        return simulation_fail(
+            &bar->sim, status,
+            "unstable: the place of particle %d is not a number any more in step %ld, t = %.6g", wrong, step,
+            (double)step * bar->sim.dt);
     return simulation_fail(&bar->sim, status,
                            "unstable: particle %d has met or lost its neighbour in step %ld, t = %.6g (a "
                            "smaller time.courant, initial.velocity or load)",

@@ -55,11 +55,10 @@ static const KickWords kick_words[][2] = {
                                   "The new force carries the velocity from half step to half step."}},
 };
 
-static void word_kicks(Beam *beam)
+void bonds_word_kicks(Stage *stages, Stepping stepping)
 {
-    const Stepping stepping = beam->def.stepping;
     for (int k = 0; k < 2 && stepping != STEPPING_VERLET; k++) {
-        Stage *stage = &beam->stages[k == 0 ? STAGE_HALF_KICK : STAGE_SECOND_KICK];
+        Stage *stage = &stages[k == 0 ? STAGE_HALF_KICK : STAGE_SECOND_KICK];
         const KickWords *words = kick_words[stepping][k].equation ? &kick_words[stepping][k] : &no_kick;
         stage->name = k == 0 ? "first kick" : "second kick";
         stage->equation = words->equation;
@@ -68,9 +67,20 @@ static void word_kicks(Beam *beam)
         stage->source = "in words";
     }
     if (stepping != STEPPING_VERLET) {
-        beam->stages[STAGE_DRIFT].equation = "u(n+1) = u(n) + Δt v";
-        beam->stages[STAGE_DRIFT].ascii = "u(n+1) = u(n) + dt v";
-        beam->stages[STAGE_DRIFT].sentence = "Every node moves on with the velocity that it has now.";
+        stages[STAGE_DRIFT].equation = "u(n+1) = u(n) + Δt v";
+        stages[STAGE_DRIFT].ascii = "u(n+1) = u(n) + dt v";
+        stages[STAGE_DRIFT].sentence = "Every node moves on with the velocity that it has now.";
+    }
+}
+
+void bonds_word_mistake(Stage *stages, const BondsMistake *mistake)
+{
+    for (int k = 0; mistake && k < MISTAKE_LINES && mistake->lines[k].equation; k++) {
+        Stage *stage = &stages[mistake->lines[k].stage];
+        stage->equation = mistake->lines[k].equation;
+        stage->ascii = mistake->lines[k].ascii;
+        stage->source = mistake->id;
+        stage->sentence = mistake->sentence;
     }
 }
 
@@ -114,19 +124,12 @@ void beam_set_stages(Beam *beam)
                 "The last force adds half a step's worth of velocity, and damping takes its share: of "
                 "vx what differs from v0.";
     }
-    word_kicks(beam);
+    bonds_word_kicks(beam->stages, beam->def.stepping);
     if (beam->n_loads == 0)
         beam->stages[STAGE_BODY_FORCE].reads = "fy";
     const ForceTerms forces = beam_terms(beam);
     forces_word_stage(&forces, &beam->force_words, &beam->stages[STAGE_BODY_FORCE]);
-    const BondsMistake *mistake = beam->def.conceals_mistake ? NULL : bonds_mistake(beam);
-    for (int k = 0; mistake && k < MISTAKE_LINES && mistake->lines[k].equation; k++) {
-        Stage *stage = &beam->stages[mistake->lines[k].stage];
-        stage->equation = mistake->lines[k].equation;
-        stage->ascii = mistake->lines[k].ascii;
-        stage->source = mistake->id;
-        stage->sentence = mistake->sentence;
-    }
+    bonds_word_mistake(beam->stages, beam->def.conceals_mistake ? NULL : bonds_mistake(beam));
     beam->sim.stages = beam->stages;
     beam->sim.n_stages = N_STAGES;
 }
@@ -199,10 +202,9 @@ static void explain_damped(const Beam *beam, Calculation *calculation, bool seco
 static void explain_kick(const Beam *beam, Calculation *calculation, bool second, const NodeNow *now,
                          const NodeNow *was)
 {
-    const double share = beam_kick_share(beam, second, beam->sim.step);
+    const double share = bonds_kick_share(beam->def.stepping, bonds_mistake(beam), second, beam->sim.step);
     const double factor = share * beam->sim.dt / beam->def.density;
-    if (share == 0 || bonds_does(beam, second ? BONDS_WRONG_KICKS_LATE | BONDS_WRONG_KICKS_BEFORE
-                                              : BONDS_WRONG_KICKS_LATE)) {
+    if (share == 0) {
         write_pair(calculation, "vx, vy stay ", now->vx, now->vy, "m/s");
     } else if (was && beam->damping > 0) {
         explain_damped(beam, calculation, second, now, was);

@@ -91,11 +91,9 @@ bool bonds_mistakes_join(int one, int other, BondsMistake *out)
     return true;
 }
 
-const BondsMistake *bonds_mistake_of(const BeamDef *def, BondsMistake *room)
+const BondsMistake *bonds_mistake_of(int mistake, int beside, BondsMistake *room)
 {
-    return def->mistake_beside && bonds_mistakes_join(def->mistake, def->mistake_beside, room)
-               ? room
-               : row_of(def->mistake);
+    return beside && bonds_mistakes_join(mistake, beside, room) ? room : row_of(mistake);
 }
 
 const BondsMistake *bonds_mistake(const Beam *beam)
@@ -103,25 +101,25 @@ const BondsMistake *bonds_mistake(const Beam *beam)
     return beam->both ? beam->both : row_of(beam->head->mistake);
 }
 
-static bool does(const BondsMistake *mistake, unsigned wrong)
+bool mistake_does(const BondsMistake *mistake, unsigned wrong)
 {
     return mistake && (mistake->does & wrong) != 0;
 }
 
 bool bonds_does(const Beam *beam, unsigned wrong)
 {
-    return does(bonds_mistake(beam), wrong);
+    return mistake_does(bonds_mistake(beam), wrong);
 }
 
 bool bonds_does_by(const BeamDef *def, unsigned wrong)
 {
     BondsMistake room;
-    return does(bonds_mistake_of(def, &room), wrong);
+    return mistake_does(bonds_mistake_of(def->mistake, def->mistake_beside, &room), wrong);
 }
 
 bool beam_mistake_is_of_start(int mistake)
 {
-    return does(row_of(mistake), BONDS_WRONG_OF_START);
+    return mistake_does(row_of(mistake), BONDS_WRONG_OF_START);
 }
 
 const char *beam_mistake_sentence(int mistake)
@@ -137,15 +135,17 @@ bool bonds_check_mistake(const BeamDef *def, Status *status)
         return status_refuse(status, "pd.mistake: these two are no two mistakes");
     if (def->mistake == 0)
         return true;
-    const BondsMistake *row = bonds_mistake_of(def, &both);
+    const BondsMistake *row = bonds_mistake_of(def->mistake, def->mistake_beside, &both);
     if (!row)
         return status_refuse(status, "pd.mistake: %d is no choice (0 to %d)", def->mistake, MISTAKES);
     const bool hhb = def->volume_correction == VOLUME_HHB &&
-                     does(row, BONDS_WRONG_WITHIN_HORIZON | BONDS_WRONG_NO_VOLUME_FACTOR);
-    const bool stepped =
-        def->stepping != STEPPING_VERLET && does(row, BONDS_WRONG_KICKS_LATE | BONDS_WRONG_KICKS_BEFORE);
-    const bool first = def->stepping == STEPPING_EULER_POSITION && does(row, BONDS_WRONG_NO_FIRST_FORCE);
-    const bool near = def->horizon < 2 * def->spacing * (1 - 1e-9) && does(row, BONDS_WRONG_HALF_HORIZON);
+                     mistake_does(row, BONDS_WRONG_WITHIN_HORIZON | BONDS_WRONG_NO_VOLUME_FACTOR);
+    const bool stepped = def->stepping != STEPPING_VERLET &&
+                         mistake_does(row, BONDS_WRONG_KICKS_LATE | BONDS_WRONG_KICKS_BEFORE);
+    const bool first =
+        def->stepping == STEPPING_EULER_POSITION && mistake_does(row, BONDS_WRONG_NO_FIRST_FORCE);
+    const bool near =
+        def->horizon < 2 * def->spacing * (1 - 1e-9) && mistake_does(row, BONDS_WRONG_HALF_HORIZON);
     const char *other = def->influence != INFLUENCE_CONSTANT          ? "pd.influence = constant"
                         : def->critical_stretch != 0                  ? "pd.critical_stretch = 0"
                         : def->damping != 0 || def->critically_damped ? "damping.rate = 0"
@@ -158,17 +158,28 @@ bool bonds_check_mistake(const BeamDef *def, Status *status)
                                    def->conceals_mistake ? "?" : row->id, other);
 }
 
-double beam_kick_share(const Beam *beam, bool second, long step)
+bool bonds_mistake_may_change(int from, int to, bool conceals, Status *status)
+{
+    const int of_start = beam_mistake_is_of_start(to) ? to : from;
+    return from == to || !beam_mistake_is_of_start(of_start) ||
+           status_refuse(status, "pd.mistake: %s is made at the start and holds for the whole run",
+                         conceals ? "?" : beam_mistake_words[of_start]);
+}
+
+double bonds_kick_share(Stepping stepping, const BondsMistake *mistake, bool second, long step)
 {
     static const double shares[][2] = {[STEPPING_VERLET] = {0.5, 0.5},
                                        [STEPPING_EULER] = {1, 0},
                                        [STEPPING_EULER_POSITION] = {0, 1},
                                        [STEPPING_LEAPFROG] = {1, 0},
                                        [STEPPING_LEAPFROG_AHEAD] = {0, 1}};
-    if (!second && step == 0 && bonds_does(beam, BONDS_WRONG_NO_FIRST_FORCE))
+    const unsigned missing = BONDS_WRONG_KICKS_LATE | (second      ? BONDS_WRONG_KICKS_BEFORE
+                                                       : step == 0 ? BONDS_WRONG_NO_FIRST_FORCE
+                                                                   : 0);
+    if (mistake_does(mistake, missing))
         return 0;
-    const bool leaps = beam->def.stepping >= STEPPING_LEAPFROG;
-    return leaps && !second && step == 0 ? 0.5 : shares[beam->def.stepping][second];
+    const bool leaps = stepping >= STEPPING_LEAPFROG;
+    return leaps && !second && step == 0 ? 0.5 : shares[stepping][second];
 }
 
 /* --- bonds ------------------------------------------------------------------------------------------ */
@@ -177,6 +188,16 @@ double beam_kick_share(const Beam *beam, bool second, long step)
 static bool owner_is_left(const Offset *offset)
 {
     return offset->p > 0 || (offset->p == 0 && offset->q > 0);
+}
+
+double mistake_share(const BondsMistake *mistake, const BondEnd *end)
+{
+    double (*const shares[])(const BondEnd *) = {mistake ? mistake->share : NULL,
+                                                 mistake ? mistake->share_beside : NULL};
+    double product = 1;
+    for (size_t i = 0; i < 2; i++)
+        product *= shares[i] ? shares[i](end) : 1;
+    return product;
 }
 
 BondsPull bonds_pull(const Beam *beam, const Offset *offset, double coefficient, double ex, double ey)
@@ -188,17 +209,12 @@ BondsPull bonds_pull(const Beam *beam, const Offset *offset, double coefficient,
     const bool left = owner_is_left(offset);
     const BondEnd own = {left, true, offset->length, length}, other = {!left, false, offset->length, length};
     BondsPull pull = {x / length, y / length, whole, whole, whole * stretch};
-    if (does(mistake, BONDS_WRONG_ALONG_REST)) {
+    if (mistake_does(mistake, BONDS_WRONG_ALONG_REST)) {
         pull.x = offset->x / offset->length;
         pull.y = offset->y / offset->length;
     }
-    double (*const shares[])(const BondEnd *) = {mistake ? mistake->share : NULL,
-                                                 mistake ? mistake->share_beside : NULL};
-    for (size_t i = 0; i < 2; i++)
-        if (shares[i]) {
-            pull.own *= shares[i](&own);
-            pull.other *= shares[i](&other);
-        }
+    pull.own *= mistake_share(mistake, &own);
+    pull.other *= mistake_share(mistake, &other);
     return pull;
 }
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A beam as it is computed by a code that is wrong in one place, or in two. For the files of this folder
+/* A beam or a bar as it is computed by a code that is wrong in one place, or in two. For the folders of bonds
  * only.
  *
  * A mistake is a row of bonds_mistake_rows.inc: its id, one sentence, the stage that it is in with the
@@ -32,11 +32,12 @@ enum {
     BONDS_WRONG_ALONG_REST = 1 << 5,  /* a bond pulls along xi */
     BONDS_WRONG_KICKS_LATE =
         1 << 6, /* u += dt v, then v += dt a by the force of the old place; no half kicks */
-    BONDS_WRONG_KICKS_BEFORE = 1 << 7,   /* the second half kick is missing */
-    BONDS_WRONG_DRIFTS_TWICE = 1 << 8,   /* u += 2 dt v */
-    BONDS_WRONG_HALF_HORIZON = 1 << 9,   /* the family lies within delta/2; c and w are those of delta */
-    BONDS_WRONG_FORCE_STAYS = 1 << 10,   /* f is never set to zero */
-    BONDS_WRONG_NO_FIRST_FORCE = 1 << 11 /* the first kick of the run is missing */
+    BONDS_WRONG_KICKS_BEFORE = 1 << 7,    /* the second half kick is missing */
+    BONDS_WRONG_DRIFTS_TWICE = 1 << 8,    /* u += 2 dt v */
+    BONDS_WRONG_HALF_HORIZON = 1 << 9,    /* the family lies within delta/2; c and w are those of delta */
+    BONDS_WRONG_FORCE_STAYS = 1 << 10,    /* f is never set to zero */
+    BONDS_WRONG_NO_FIRST_FORCE = 1 << 11, /* the first kick of the run is missing */
+    BONDS_WRONG_IN_PLANE = 1 << 12        /* on a line it is nothing, or the same as another one */
 };
 
 /* An end of a bond, as its share of the pull may depend on it. */
@@ -61,18 +62,30 @@ typedef struct BondsMistake {
 const BondsMistake *bonds_mistake(const Beam *);
 bool bonds_does(const Beam *, unsigned wrong);
 
-/* The share of dt of the first or second kick of a step, by the stepping. */
-double beam_kick_share(const Beam *, bool second, long step);
+/* The share of dt of the first or second kick of a step, by the stepping and what such a code does. */
+double bonds_kick_share(Stepping, const BondsMistake *, bool second, long step);
 
-/* That of a definition; `room` holds what is wrong in two places, worded as the first of them. */
-const BondsMistake *bonds_mistake_of(const BeamDef *, BondsMistake *room);
+/* That of a number and a second one (0: none); `room` holds what is wrong in two places, worded as the first
+ * of them. Whether it does that. */
+const BondsMistake *bonds_mistake_of(int mistake, int beside, BondsMistake *room);
+bool mistake_does(const BondsMistake *, unsigned wrong);
 bool bonds_does_by(const BeamDef *, unsigned wrong);
+
+/* Of the pull of a bond what an end gets: 1 by the right code. */
+double mistake_share(const BondsMistake *, const BondEnd *);
 
 /* A code that is wrong in two places. False: no such two mistakes go together. */
 bool bonds_mistakes_join(int one, int other, BondsMistake *);
 
 /* Whether these are what mistakes are defined for; else the status names the key. */
 bool bonds_check_mistake(const BeamDef *, Status *);
+
+/* Whether a run may go from one to the other. */
+bool bonds_mistake_may_change(int from, int to, bool conceals, Status *);
+
+/* bonds_explain.c: words the kicks of a stepping, and a mistake's lines. */
+void bonds_word_kicks(Stage *stages, Stepping);
+void bonds_word_mistake(Stage *stages, const BondsMistake *);
 
 /* What a bond of this direction pulls at its owner and at its other end, with that coefficient and these
  * differences of displacements: in this code's words or, without a mistake, the right ones. */

@@ -93,10 +93,8 @@ static bool change_mistake(Beam *beam, double value, Status *status)
     def.mistake = value >= 0 && value == floor(value) && value < INT_MAX ? (int)value : -1;
     if (!bonds_check_mistake(&def, status))
         return false;
-    const int of_start = beam_mistake_is_of_start(def.mistake) ? def.mistake : beam->head->mistake;
-    if (def.mistake != beam->head->mistake && beam_mistake_is_of_start(of_start))
-        return status_refuse(status, "pd.mistake: %s is made at the start and holds for the whole run",
-                             def.conceals_mistake ? "?" : beam_mistake_words[of_start]);
+    if (!bonds_mistake_may_change(beam->head->mistake, def.mistake, def.conceals_mistake, status))
+        return false;
     beam->head->mistake = def.mistake;
     beam_set_stages(beam);
     return true;

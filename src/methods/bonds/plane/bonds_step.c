@@ -84,7 +84,7 @@ static void kick(Beam *beam, int j, double share)
 static void half_kick(Beam *beam, int j, long step)
 {
     beam_brake_first(beam, j);
-    kick(beam, j, beam_kick_share(beam, false, step));
+    kick(beam, j, bonds_kick_share(beam->def.stepping, bonds_mistake(beam), false, step));
     constrain_velocity(beam, j, (double)step * beam->sim.dt);
 }
 
@@ -121,7 +121,7 @@ static void body_force(Beam *beam, int j, long step)
 /* Eq. 11. */
 static void second_kick(Beam *beam, int j, long step)
 {
-    kick(beam, j, beam_kick_share(beam, true, step));
+    kick(beam, j, bonds_kick_share(beam->def.stepping, bonds_mistake(beam), true, step));
     beam_brake_second(beam, j);
     constrain_velocity(beam, j, (double)(step + 1) * beam->sim.dt);
     beam_note_reaction(beam, j);
@@ -148,11 +148,6 @@ static void drift_twice(Beam *beam, int j, long step)
     beam->kernels->add(beam->nodes.ux + row, beam->nodes.vx + row, beam->sim.dt, count);
     beam->kernels->add(beam->nodes.uy + row, beam->nodes.vy + row, beam->sim.dt, count);
     drift(beam, j, step);
-}
-
-static void nothing(Beam *beam, int j, long step)
-{
-    (void)beam, (void)j, (void)step;
 }
 
 /* Enters the bonds that broke into the list of the run. False: a bond is beyond all bounds, or memory was
@@ -191,18 +186,13 @@ static RowStage *const row_stages[N_STAGES] = {
     [STAGE_CONSTRAINTS] = constraints, [STAGE_BODY_FORCE] = body_force,
     [STAGE_SECOND_KICK] = second_kick,
 };
-static RowStage *const late_stages[N_STAGES] = {
-    [STAGE_HALF_KICK] = nothing,     [STAGE_DRIFT] = drift_and_kick, [STAGE_CONSTRAINTS] = constraints,
-    [STAGE_BODY_FORCE] = body_force, [STAGE_SECOND_KICK] = nothing,
-};
 
 static RowStage *stage_of(const Beam *beam, int stage)
 {
-    if (stage == STAGE_SECOND_KICK && bonds_does(beam, BONDS_WRONG_KICKS_BEFORE))
-        return nothing;
     if (stage == STAGE_DRIFT && bonds_does(beam, BONDS_WRONG_DRIFTS_TWICE))
         return drift_twice;
-    return (bonds_does(beam, BONDS_WRONG_KICKS_LATE) ? late_stages : row_stages)[stage];
+    return stage == STAGE_DRIFT && bonds_does(beam, BONDS_WRONG_KICKS_LATE) ? drift_and_kick
+                                                                            : row_stages[stage];
 }
 
 /* Damage where bonds broke, and whether the motion is at rest. */

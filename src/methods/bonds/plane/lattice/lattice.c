@@ -316,7 +316,7 @@ bool lattice_measure(Lattice *lattice, const BeamDef *def, Status *status)
     if (def->influence == INFLUENCE_CONICAL)
         lattice->micromodulus *= 4;
     BondsMistake room;
-    const BondsMistake *mistake = bonds_mistake_of(def, &room);
+    const BondsMistake *mistake = bonds_mistake_of(def->mistake, def->mistake_beside, &room);
     if (mistake && mistake->micromodulus)
         lattice->micromodulus = mistake->micromodulus(def);
     if (bonds_does_by(def, BONDS_WRONG_NO_SURFACE_FACTOR))
