@@ -419,6 +419,47 @@ START_TEST(terms_in_the_plane_are_the_methods)
 }
 END_TEST
 
+/* At nodes that two bodies share: the normal has length 1, and what one body gives is what its momentum has
+ * lost and that of the other has gained. */
+START_TEST(contact_is_drawn)
+{
+    Drawing drawing;
+    open_drawing(&drawing, "two-discs 132x43 190 stage 2 upper cell particle 191");
+    const Picture *picture = &drawing.picture;
+    const Experiment *experiment = drawing.screen->experiment;
+    int shared = 0, given = 0, normals = 0, keys = 0;
+    for (int i = 0; i < picture->n_labels; i++) {
+        const char *text = picture->labels[i].text, *bar = strstr(text, " | "),
+                   *gives = strstr(text, "gives ");
+        if (!bar)
+            continue;
+        const size_t node[2] = {strtoul(text, NULL, 10), strtoul(bar + 3, NULL, 10)};
+        double n[2], impulse[2] = {0, 0}, most = 1e-30;
+        shared++;
+        ck_assert_int_eq(sscanf(strstr(text, "\nn ") + 3, "%lf %lf", &n[0], &n[1]), 2);
+        ck_assert_double_eq_tol(n[0] * n[0] + n[1] * n[1], 1, 1e-2);
+        given += sscanf(gives + 6, "%lf %lf", &impulse[0], &impulse[1]) == 2;
+        for (int k = 0; k < 2; k++)
+            for (int d = 0; d < 2; d++) {
+                double before;
+                const int field = simulation_find_field(drawing.sim, 1, d ? "py" : "px");
+                const double now = simulation_value(drawing.sim, field, node[k]);
+                ck_assert(experiment_field_before(experiment, field, node[k], 1, &before));
+                most = fmax(most, fabs(now) + fabs(before));
+                ck_assert_double_eq_tol(now - before, k ? impulse[d] : -impulse[d], 1e-3 * most);
+            }
+    }
+    for (int a = 0; a < picture->n_arrows; a++)
+        normals += strstr(picture->arrows[a].told, ": n = ") != NULL;
+    for (int k = 0; k < picture->n_keys; k++)
+        keys += strcmp(picture->keys[k].name, "left") == 0 || strcmp(picture->keys[k].name, "right") == 0;
+    ck_assert_int_gt(given, 0);
+    ck_assert_int_eq(normals, shared);
+    ck_assert_int_eq(keys, 2);
+    close_drawing(&drawing);
+}
+END_TEST
+
 START_TEST(mouse_chooses_what_is_drawn)
 {
     Drawing drawing;
@@ -452,6 +493,7 @@ void add_cases(Suite *suite)
     tcase_add_test(cases, bonds_are_those_of_the_box);
     tcase_add_test(cases, shares_in_the_plane_add_up);
     tcase_add_test(cases, terms_in_the_plane_are_the_methods);
+    tcase_add_test(cases, contact_is_drawn);
     tcase_add_test(cases, mouse_chooses_what_is_drawn);
     suite_add_tcase(suite, cases);
 }

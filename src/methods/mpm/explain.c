@@ -310,9 +310,17 @@ static void touch_node(const Subject *subject)
         calculation_write(subject->to, "no wall and no other body here: its momentum stays\n");
 }
 
-static void idle_particle(const Subject *subject)
+/* At the node of which the particle has the largest share. */
+static void touch_particle(const Subject *subject)
 {
-    calculation_write(subject->to, "nothing changes here: this stage is of nodes\n");
+    size_t most = 0;
+    for (size_t i = 1; i < subject->n_links; i++)
+        most = subject->links[i].weight > subject->links[most].weight ? i : most;
+    Subject node = *subject;
+    node.set = MPM_NODES;
+    node.index = (int)subject->links[most].index;
+    calculation_write(subject->to, "at node %d: ", node.index);
+    touch_node(&node);
 }
 
 /* A node's value over its mass, or that it is inactive. */
@@ -427,7 +435,7 @@ static void integrate_particle(const Subject *subject)
 {
     const Mpm *mpm = subject->mpm;
     if (mpm->dim == 2)
-        idle_particle(subject);
+        calculation_write(subject->to, "nothing changes here: this stage is of nodes\n");
     for (size_t i = 0; mpm->dim == 1 && i < subject->n_links; i++)
         if (subject->links[i].weight != 0.0)
             write_integrated(subject, (int)subject->links[i].index);
@@ -558,7 +566,7 @@ static void (*const others[OP_COUNT][MPM_SETS])(const Subject *) = {
     [OP_FORCE] = {force_particle, force_node},
     [OP_FIX_FORCE] = {fix_particle, fix_force_node},
     [OP_INTEGRATE] = {integrate_particle, integrate_node},
-    [OP_FIX_MOVED] = {idle_particle, touch_node},
+    [OP_FIX_MOVED] = {touch_particle, touch_node},
     [OP_UPDATE] = {update_particle, update_node},
     [OP_MAP_AGAIN] = {NULL, again_node},
     [OP_FIX_AGAIN] = {fix_particle, fix_node},
