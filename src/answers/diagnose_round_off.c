@@ -64,7 +64,7 @@ static bool disturb(Settings *settings)
 static size_t growth(const DiagnoseTable *table, size_t moments, const double *one, const double *other,
                      double *grown)
 {
-    enum { MARGIN = 100 }; /* one run stands for all */
+    const double margin = table->noise < 1e-8 ? 100 : 10 / DBL_EPSILON * FLT_EPSILON; /* one run for all */
     const size_t wide = (size_t)table->n_columns;
     double size[DIAGNOSE_COLUMNS_MAX] = {0}, most[DIAGNOSE_COLUMNS_MAX] = {0};
     for (size_t m = 0; m < moments; m++) {
@@ -72,7 +72,7 @@ static size_t growth(const DiagnoseTable *table, size_t moments, const double *o
             for (int c = 0; c < table->n_columns; c++) {
                 const DiagnoseColumn *column = &table->columns[c];
                 const size_t at = (table->moments[m].first + k) * wide + (size_t)c;
-                const double apart = MARGIN * fabs(one[at] - other[at]);
+                const double apart = margin * fabs(one[at] - other[at]);
                 if (column->silent || isnan(apart))
                     continue;
                 size[column->group] = fmax(size[column->group], fmax(column->natural, fabs(one[at])));

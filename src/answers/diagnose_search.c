@@ -153,8 +153,12 @@ static bool try_again(Search *search, const Settings *wrong, Walk *walk, bool *a
     return !stopped || status_fail(search->status, "interrupted");
 }
 
-/* So many moments beyond the right run's departure are no chance. */
-enum { LEAST_BEYOND = 5 };
+/* So many moments beyond the right run's departure are no chance; of many digits fewer. */
+static size_t least_beyond(const Search *search)
+{
+    enum { MOMENTS = 5, OF_MANY = 2, MANY_DIGITS = 8 };
+    return diagnose_digits_written(search->table) < MANY_DIGITS ? MOMENTS : OF_MANY;
+}
 
 /* False: it was given up. */
 static bool try_one(Search *search, const Candidate *candidate, Walk *walk, Settings *wrong, bool *agrees)
@@ -176,10 +180,10 @@ static bool try_one(Search *search, const Candidate *candidate, Walk *walk, Sett
     const bool departs = search->walk.departure.is;
     const size_t shown = departs ? search->walk.departure.moment : 0;
     *agrees = !walk->departure.is && walk->entries > 0 &&
-              (departs ? walk->compared > shown + (walk->failed ? LEAST_BEYOND : 0)
+              (departs ? walk->compared > shown + (walk->failed ? least_beyond(search) : 0)
                        : walk->compared >= search->walk.compared);
     return *agrees || !departs || candidate->kind != DIAGNOSE_MISTAKE ||
-           walk->departure.moment < shown + LEAST_BEYOND || try_again(search, wrong, walk, agrees);
+           walk->departure.moment < shown + least_beyond(search) || try_again(search, wrong, walk, agrees);
 }
 
 static bool has_value(const Diagnosis *found, const Parameter *parameter)
@@ -469,6 +473,20 @@ static bool judge_readings(Search *search, const DiagnoseReading *readings, int 
     return true;
 }
 
+/* What each step adds to the round-off of single precision, as a share of that of a number: a place in the
+ * bar has lost the digits of a place in its cell, so weights and forces have, of which a step takes the share
+ * C. */
+static double single_growth(const Settings *settings, double dt)
+{
+    const Parameter *length = parameter_find("bar.length"), *cell = parameter_find("mesh.cell_size");
+    if (!parameter_applies_to(settings, length) || !parameter_applies_to(settings, cell))
+        return 0.1;
+    const Material *material = settings_material(settings);
+    const double wide = settings_number(settings, cell);
+    return fmax(0.1, 0.3 * settings_number(settings, length) / wide * dt / wide *
+                         sqrt(material->youngs_modulus / material->density));
+}
+
 /* Numbers of single precision are judged by its round-off; where no code agrees to double precision, by what
  * 12 digits have lost, or by single precision where no more digits are written. */
 static bool judge_by_noise(Search *search, const DiagnoseReading *readings, int count)
@@ -479,7 +497,7 @@ static bool judge_by_noise(Search *search, const DiagnoseReading *readings, int 
     const DiagnoseTable as_read = *table;
     search->found->single = diagnose_is_single(table);
     if (search->found->single)
-        table->noise = single, table->noise_growth = 0.1;
+        table->noise = single, table->noise_growth = single_growth(&search->right, table->dt);
     if (!judge_readings(search, readings, count))
         return false;
     const int digits = diagnose_digits_written(table);
@@ -493,7 +511,7 @@ static bool judge_by_noise(Search *search, const DiagnoseReading *readings, int 
         return true;
     *table = as_read;
     table->noise = noise;
-    table->noise_growth = noise == single ? 0.1 : 1e-2;
+    table->noise_growth = noise == single ? single_growth(&search->right, table->dt) : 1e-2;
     *search->found = begun;
     search->found->single = noise == single;
     if (!judge_readings(search, readings, count))

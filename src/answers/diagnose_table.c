@@ -27,25 +27,25 @@ static const struct {
     const char *ours, *others;
 } synonyms[] = {
     {"step", "nstep n_step step_number timestep iteration iter it n schritt"},
-    {"time", "t zeit times t_n tn temps"},
+    {"time", "t ta zeit times t_n tn temps"},
     {"stage", "stage_number"},
     {"stage_id", "stage_name"},
     {"particle", "particle_id particle_index pid point id index"},
     {"node", "node_id node_index nid id index"},
-    {"v_cm",
-     "vcm v_com vcom com_velocity mean_velocity v_mean velocity v vel geschwindigkeit speed v_tip vtip v_end "
-     "momentum p p_cm"},
-    {"x_cm", "xcm x_com xcom com_position mean_position x_mean position x pos u displacement disp "
+    {"v_cm", "vcm v_com vcom com_velocity mean_velocity v_mean velocity v va vel geschwindigkeit speed v_tip "
+             "vtip v_end "
+             "momentum p p_cm"},
+    {"x_cm", "xcm x_com xcom com_position mean_position x_mean position x xa pos u ua displacement disp "
              "verschiebung u_tip utip x_tip"},
     {"v_probe", "vy v velocity v_y vel"},
     {"u_probe", "uy u displacement deflection u_y disp w"},
-    {"kinetic", "kinetic_energy e_kin ekin ek ke"},
-    {"strain", "strain_energy e_strain estrain potential_energy epot se pe"},
+    {"kinetic", "kinetic_energy e_kin ekin ek ke ka"},
+    {"strain", "strain_energy e_strain estrain potential_energy epot ep se pe sa internal_energy"},
     {"total", "total_energy energy e_tot e_total etot te e"},
     {"work", "external_work w_ext"},
-    {"x", "position pos xp x_tip"},
-    {"u", "displacement disp up verschiebung u_tip utip"},
-    {"v", "velocity vel vp speed geschwindigkeit v_tip vtip v_end"},
+    {"x", "position pos xp xa x_tip"},
+    {"u", "displacement disp up ua verschiebung u_tip utip"},
+    {"v", "velocity vel vp va speed geschwindigkeit v_tip vtip v_end"},
     {"velocity", "v vel"},
     {"momentum", "p mv"},
     {"stress", "sigma sig s"},
@@ -165,9 +165,10 @@ static void find_kinds(const char *name, char *out, size_t size)
         out[0] = '\0';
 }
 
-/* A name without the unit behind it, "time (s)" and "v [m/s]", its words joined. */
+/* A name without the unit behind it, "time (s)", "v [m/s]" and "t_ms", its words joined. */
 static void clean_name(char name[OVERLAY_NAME_MAX])
 {
+    static const char *const units[] = {"_ms", "_s", "_sec", "_mm", "_mm_s"};
     const size_t length = strcspn(name, "([");
     if (length > 0)
         name[length] = '\0';
@@ -178,6 +179,11 @@ static void clean_name(char name[OVERLAY_NAME_MAX])
         name[end - 1] = '\0';
     for (char *c = name; *c; c++)
         *c = *c == ' ' ? '_' : *c;
+    for (size_t i = 0; i < sizeof units / sizeof *units; i++) {
+        const size_t end = strlen(name), wide = strlen(units[i]);
+        if (end > wide && strcmp(name + end - wide, units[i]) == 0)
+            name[end - wide] = '\0';
+    }
 }
 
 /* --- words in cells ------------------------------------------------------------------------------------- */
@@ -271,17 +277,25 @@ static void add_unknown(DiagnoseTable *table, const Names *names, const bool *ta
     }
 }
 
+/* Whether a column counts rows or steps, from 0 or 1 on. */
+static bool does_count(const OverlayColumn *column, size_t count)
+{
+    const double *values = column->values;
+    bool counts = count > 1 && (values[0] == 0 || values[0] == 1) && values[count - 1] > values[0];
+    for (size_t r = 1; r < count && counts; r++)
+        counts = values[r] == values[r - 1] || values[r] == values[r - 1] + 1;
+    return counts;
+}
+
 /* Columns without names: steps, times, or both come first. */
 static void find_unnamed(const Overlay *file, Heads *heads)
 {
     for (int c = 0; c < 2 && c < file->n_columns - 1; c++) {
         const double *values = file->columns[c].values;
-        bool rises = file->count > 1 && values[0] >= 0, counts = rises && (values[0] == 0 || values[0] == 1);
-        for (size_t r = 1; r < file->count; r++) {
+        bool rises = file->count > 1 && values[0] >= 0;
+        for (size_t r = 1; r < file->count; r++)
             rises = rises && values[r] >= values[r - 1];
-            counts = counts && (values[r] == values[r - 1] || values[r] == values[r - 1] + 1);
-        }
-        if (c == 0 && counts && values[file->count - 1] > values[0])
+        if (c == 0 && does_count(&file->columns[c], file->count))
             heads->step = c;
         else if (rises && heads->time < 0 && values[file->count - 1] > values[0] &&
                  (c == 0 || (heads->step == 0 && fabs(values[1] - values[0] -
@@ -317,6 +331,8 @@ static bool find_columns(DiagnoseTable *table, const Names *names, Simulation *s
     for (size_t i = 0; i < sizeof of_row / sizeof *of_row; i++)
         if (of_row[i] >= 0)
             taken[of_row[i]] = true;
+    for (int c = 0; c < file->n_columns && named_any; c++) /* row numbers, as pandas writes them */
+        taken[c] = taken[c] || (!*file->columns[c].name && does_count(&file->columns[c], file->count));
     table->of_stages = heads->stage >= 0 || heads->stage_id >= 0;
     const int count = table->set < 0 ? sim->n_series : sim->n_fields;
     for (int pass = 0; pass < 2; pass++) /* by our names first: another's word must not take the place */

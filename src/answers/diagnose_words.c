@@ -21,6 +21,12 @@ const Explanation *diagnosis_acquits(const Diagnosis *found)
     return NULL;
 }
 
+/* By how many steps the times of rows are off: a node's velocity is of the step that begins with its row. */
+static long shift_of(const DiagnoseTable *table)
+{
+    return table->shift == -1 && strncmp(table->columns[0].point, "node ", 5) == 0 ? 0 : table->shift;
+}
+
 /* How right numbers are written otherwise than the scenario's; "": no such thing. */
 static void tell_but(const Diagnosis *found, const DiagnoseTable *table, char *out, size_t size)
 {
@@ -33,8 +39,8 @@ static void tell_but(const Diagnosis *found, const DiagnoseTable *table, char *o
     const struct {
         bool is;
         const char *words;
-    } all[] = {{table->shift > 0, "labelled a step early"},
-               {table->shift < 0, "labelled a step late"},
+    } all[] = {{shift_of(table) > 0, "labelled a step early"},
+               {shift_of(table) < 0, "labelled a step late"},
                {table->half, "labelled with half steps"},
                {unit, "in another unit"},
                {sign, "with the other sign"},
@@ -259,9 +265,9 @@ void diagnosis_read_as(const DiagnoseTable *table, char *out, size_t size)
     }
     if (*names)
         text_append(out, size, "%s; ", names);
-    if (table->shift == 1)
+    if (shift_of(table) == 1)
         text_append(out, size, "rows carry the time before their step; ");
-    else if (table->shift == -1)
+    else if (shift_of(table) == -1)
         text_append(out, size, "rows carry the time after their step; ");
     if (table->half)
         text_append(out, size, "times of half steps; ");

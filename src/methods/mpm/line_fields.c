@@ -28,6 +28,7 @@ enum FieldIndex {
     N_MASS_3,
     N_ACTIVE,
     N_FIXED,
+    N_VELOCITY_NEW,
     FIELDS
 };
 _Static_assert((int)FIELDS <= (int)MPM_FIELDS, "there is room for the fields");
@@ -63,6 +64,8 @@ static const Field fields[FIELDS] = {
     [N_MASS_3] = ROW_OF_MASSES("mass_3", "M(i,i+3)", "shared with the next node but two"),
     [N_ACTIVE] = FIELD_ROW(MPM_NODES, false, true, "active", "active", "1", "1: the node has mass"),
     [N_FIXED] = FIELD_ROW(MPM_NODES, false, true, "fixed", "fixed", "1", "1: a support holds the node"),
+    [N_VELOCITY_NEW] = FIELD_ROW(MPM_NODES, false, false, "velocity_new", "new velocity", "length/time",
+                                 "velocity after the force has acted: it moves the particles"),
 };
 
 /* The slope C is a column of the table with APIC, the acceleration where masses are not lumped; their matrix
@@ -169,6 +172,10 @@ static double node_field(const Mpm *mpm, int field, int i)
         return mapped ? mpm->momentum[0][i] : 0.0;
     case N_VELOCITY:
         return mapped ? mpm_node_velocity(mpm, 0, i) : 0.0;
+    case N_VELOCITY_NEW: /* (p_i + dt f_i)/m_i */
+        if (!mapped || !forced || mpm_has_done(mpm, OP_INTEGRATE))
+            return mapped ? mpm_node_velocity(mpm, 0, i) : 0.0;
+        return mpm_node_velocity(mpm, 0, i) + mpm->dt * mpm_node_acceleration(mpm, 0, i);
     case N_F_INT:
         return forced ? mpm->force[0][i] : 0.0;
     case N_F_EXT:
