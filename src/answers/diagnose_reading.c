@@ -202,7 +202,13 @@ static bool find_sources(const DiagnoseTable *table, const DiagnoseColumn *colum
 /* --- one trial --------------------------------------------------------------------------------------------
  */
 
-enum { MOMENTS_MAX = 150, TRIAL_STEPS_MAX = 20000, TRIALS_MAX = 64, MISTAKEN_ROWS_LEAST = 5 };
+enum {
+    MOMENTS_MAX = 150,
+    TRIAL_STEPS_MAX = 20000,
+    TRIALS_MAX = 64,
+    PLAIN_TIMES_MAX = 12,
+    MISTAKEN_ROWS_LEAST = 5
+};
 #define TOLERANCE 2e-6 /* a reading is told from another by more than single precision */
 
 typedef struct Trial {
@@ -219,7 +225,9 @@ typedef struct Trials {
     int count;
     Sources sources[DIAGNOSE_COLUMNS_MAX];
     double *row, *field[FIELDS_MAX];
-    bool nodes;   /* a velocity is one of a node */
+    bool nodes;                             /* a velocity is one of a node */
+    DiagnoseReading times[PLAIN_TIMES_MAX]; /* the plain ones, with columns as the file has them */
+    int n_times;
     double doubt; /* of few digits: the step of the rows, with which no right code agrees, as one does with
                      another */
     double *size, *most; /* of the unit of fields and series at the start; of themselves so far */
@@ -347,8 +355,10 @@ static void keep_best(const Trials *trials, const Simulation *sim, Trial *trial)
         DiagnoseColumn *column = &trial->reading.columns[c];
         if (!best || !is_given(table, c))
             continue;
-        if (strcmp(column->name, "?") == 0 && !is_evidence(table, c, best))
+        if ((trials->nodes || strcmp(column->name, "?") == 0) && !is_evidence(table, c, best)) {
+            trial->throughout = trial->throughout && !trials->nodes;
             continue;
+        }
         trial->throughout = trial->throughout && !best->over && best->agreed > 0;
         trial->agreed += best->agreed;
         trial->firsts += best->first;
@@ -450,6 +460,8 @@ static bool try_times(Trials *trials, double factor, double dt, bool plain, bool
     for (size_t s = 0; s < sizeof shifts / sizeof *shifts && !*found; s++) {
         reading.shift = shifts[s];
         reading.last = (double)problem_last_step(dt, settings_time(right)->end);
+        if (plain && !trials->nodes && trials->n_times < PLAIN_TIMES_MAX)
+            trials->times[trials->n_times++] = reading;
         for (int i = -1; i < (ordered ? parameter_choices(order, right->problem) : 0) && !*found; i++) {
             Settings settings = *right;
             if (i == (int)settings_number(right, order) && ordered)
@@ -472,19 +484,11 @@ static bool try_mistakes(Trials *trials, bool *found)
 {
     const Settings *right = trials->search->task->settings;
     const Parameter *order = parameter_find("mpm.algorithm"), *mistake = parameter_find("mpm.mistake");
-    const int plain = trials->count;
     if (!parameter_applies_to(right, order) || !parameter_applies_to(right, mistake))
         return true;
-    for (int i = 0; i < plain && !*found; i++) {
-        bool before = false;
-        for (int k = 0; k < i; k++)
-            before = before || (trials->all[k].reading.dt == trials->all[i].reading.dt &&
-                                trials->all[k].reading.time_factor == trials->all[i].reading.time_factor &&
-                                trials->all[k].reading.shift == trials->all[i].reading.shift);
-        DiagnoseReading reading = trials->all[i].reading;
-        memcpy(reading.columns, trials->search->table->columns, sizeof reading.columns);
-        reading.n_columns = trials->search->table->n_columns;
-        for (int m = 1; m < parameter_choices(mistake, right->problem) && !before && !*found; m++)
+    for (int i = 0; i < trials->n_times && !*found; i++) {
+        DiagnoseReading reading = trials->times[i];
+        for (int m = 1; m < parameter_choices(mistake, right->problem) && !*found; m++)
             for (int a = 0; a < parameter_choices(order, right->problem) && !*found; a++) {
                 Settings settings = *right;
                 settings_put(&settings, order, a);
