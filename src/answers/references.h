@@ -89,6 +89,7 @@ struct Readout {
         decay_exact; /* of a damped swing, amplitude ~ exp(-decay t), 1/s; NAN: not known */
     double by_zeros; /* a beam's period once more, from the zeros of its swing; NAN: fewer than two */
     bool drifting;   /* the period itself changes: the three numbers and `late` are those of the last zeros */
+    bool faded;      /* the record does not end with that oscillation: `late` is not known */
     const char *column;      /* the series it was measured on */
     double times;            /* which swings so many times as fast */
     int mode;                /* of a bar: the number of the mode that it is; 0: none */

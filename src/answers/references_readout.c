@@ -96,6 +96,26 @@ static double liveliness(const double *rows, size_t n_rows, int n_columns, int c
     return sqrt(squares / (double)n_rows);
 }
 
+/* Whether the last quarter of the record crosses zero (strain energy and displacements: their mean) so often
+ * as the measured frequency lets it: half to twice as often. What has decayed, or ends in other modes, does
+ * not. */
+static bool oscillates_to_the_end(const References *refs, const Readout *readout, const double *rows,
+                                  size_t n_rows, int n_columns)
+{
+    const int column = plan_find(refs, readout->column);
+    const size_t width = (size_t)n_columns, first = n_rows - n_rows / 4;
+    const double omega =
+        readout->times * (readout->is_period ? 2 * M_PI / readout->measured : readout->measured);
+    double mean = 0, crossings = 0;
+    for (size_t i = first; i < n_rows && (readout->times > 1 || readout->is_period); i++)
+        mean += rows[i * width + (size_t)column] / (double)(n_rows - first);
+    for (size_t i = first + 1; i < n_rows; i++)
+        crossings +=
+            (rows[i * width + (size_t)column] > mean) != (rows[(i - 1) * width + (size_t)column] > mean);
+    const double expected = omega * (rows[(n_rows - 1) * width + 1] - rows[first * width + 1]) / M_PI;
+    return crossings >= expected / 2 - 1 && crossings <= 2 * expected + 1;
+}
+
 /* What has come to rest long before the end swings no more than a little in the last quarter of its record.
  */
 static const char *why_unmeasured(const References *refs, const Readout *readout, const double *rows,
@@ -170,12 +190,14 @@ void references_readout(const References *refs, const double *rows, size_t n_row
         double ratio = readout->predicted / readout->exact;
         readout->predicted_error_frequency = 100 * ((period ? 1 / ratio : ratio) - 1);
     }
+    readout->faded = readout->measured_known && !readout->drifting &&
+                     !oscillates_to_the_end(refs, readout, rows, n_rows, n_columns);
     readout->late = readout_late(readout, readout->time);
 }
 
 double readout_late(const Readout *readout, double time)
 {
-    if (!readout->measured_known || !readout->exact_known)
+    if (!readout->measured_known || !readout->exact_known || readout->faded)
         return NAN;
     if (readout->drifting)
         return readout->late;

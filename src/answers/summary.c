@@ -243,8 +243,10 @@ static void add_readout(Writer *writer, const Readout *readout, const char *answ
         add(writer, "  (frequency predicted %+.4g %%)", readout->predicted_error_frequency);
     if (readout->predicted_known && readout->overlap < READOUT_PURE)
         add(writer, "  (a mixture of modes: overlap %.3g with the one predicted)", readout->overlap);
-    add(writer, "\n%s by %.3g periods%s\n", readout->late < 0 ? "early" : "late", fabs(readout->late),
-        strcmp(readout->column, "strain") == 0 ? " (measured on the strain energy)" : "");
+    add(writer, "\n");
+    if (isfinite(readout->late))
+        add(writer, "%s by %.3g periods%s\n", readout->late < 0 ? "early" : "late", fabs(readout->late),
+            strcmp(readout->column, "strain") == 0 ? " (measured on the strain energy)" : "");
 }
 
 /* How fast a damped swing dies, and how fast it swings meanwhile. */

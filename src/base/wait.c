@@ -3,6 +3,28 @@
  * from the list and read back into it. */
 #include "base/wait.h"
 
+#include <stdbool.h>
+#include <unistd.h>
+
+void wait_look(void (*look)(int))
+{
+#if defined _POSIX_TIMERS && _POSIX_TIMERS > 0
+    static timer_t timer;
+    static bool made;
+    struct sigevent event = {.sigev_notify = SIGEV_SIGNAL, .sigev_signo = SIGURG};
+    const struct timespec half = {.tv_nsec = 500000000};
+    const struct itimerspec each = {half, half}, never = {{0, 0}, {0, 0}};
+    struct sigaction action = {.sa_handler = look, .sa_flags = SA_RESTART};
+    made = made || timer_create(CLOCK_MONOTONIC, &event, &timer) == 0;
+    if (look)
+        sigaction(SIGURG, &action, NULL);
+    if (made)
+        timer_settime(timer, 0, look ? &each : &never, NULL);
+#else
+    (void)look;
+#endif
+}
+
 #ifdef HAVE_PPOLL
 
 int wait_for(struct pollfd *files, int count, const struct timespec *timeout, const sigset_t *mask)

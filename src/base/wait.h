@@ -12,4 +12,8 @@
  * a signal or an error. A negative descriptor is passed over. Descriptors must be less than FD_SETSIZE. */
 int wait_for(struct pollfd *files, int count, const struct timespec *timeout, const sigset_t *mask);
 
+/* From half a second on, and each half second, `look` is called as a handler of SIGURG; NULL: no more. Where
+ * there are no timers, as in a web page, never. */
+void wait_look(void (*look)(int number));
+
 #endif

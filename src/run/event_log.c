@@ -158,7 +158,7 @@ static void watch_energy(EnergyWatch *watch, const Experiment *experiment, const
 static double lag_per_time(const Readout *readout)
 {
     Readout steady = *readout;
-    if (!readout->measured_known || !readout->exact_known || readout->drifting)
+    if (!readout->measured_known || !readout->exact_known || readout->drifting || readout->faded)
         return 0;
     if (readout->predicted_known && fabs(readout->measured / readout->predicted - 1) < 0.01)
         steady.measured = readout->predicted;

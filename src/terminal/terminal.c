@@ -75,7 +75,11 @@ static void send_some(Terminal *terminal)
 static bool wait_for_room(int output)
 {
     struct pollfd screen = {.fd = output, .events = POLLOUT};
-    return poll(&screen, 1, PATIENCE_MS) > 0;
+    int ready;
+    do
+        ready = poll(&screen, 1, PATIENCE_MS);
+    while (ready < 0 && errno == EINTR);
+    return ready > 0;
 }
 
 static bool has_bytes(const Terminal *terminal)
@@ -170,6 +174,45 @@ static void on_crash(int number)
 {
     say_farewell();
     signals_end_at_once(number);
+}
+
+/* What was typed while something is computed that never asks for keys. The terminal makes no signal of ^C:
+ * the first one waits here for terminal_key(), and the second one ends the program. */
+static struct {
+    char bytes[KEYS_ROOM];
+    size_t count;
+    bool interrupted;
+} unread;
+
+static void look_for_interrupt(int number)
+{
+    (void)number;
+    const int errno_before = errno;
+    char bytes[KEYS_ROOM];
+    ssize_t got = opened ? read(opened->input, bytes, sizeof bytes) : 0;
+    const bool again = unread.interrupted;
+    for (ssize_t i = 0; i < got; i++) {
+        if (unread.count < KEYS_ROOM)
+            unread.bytes[unread.count++] = bytes[i];
+        unread.interrupted |= bytes[i] == '\003';
+        if (again && bytes[i] == '\003') {
+            say_farewell();
+            signals_end_at_once(SIGINT);
+        }
+    }
+    errno = errno_before;
+}
+
+/* What has come, KEYS_ROOM bytes at most. */
+static ssize_t read_keys(const Terminal *terminal, char *bytes)
+{
+    const size_t count = unread.count;
+    if (count == 0)
+        return read(terminal->input, bytes, KEYS_ROOM);
+    memcpy(bytes, unread.bytes, count);
+    unread.count = 0;
+    unread.interrupted = false;
+    return (ssize_t)count;
 }
 
 static void on_signal(int number)
@@ -350,6 +393,7 @@ Terminal *terminal_open(const TerminalOptions *options, Status *status)
     grid_resize(&terminal->grid, terminal->width, terminal->height);
     opened = terminal;
     take_screen(terminal);
+    wait_look(look_for_interrupt);
     return terminal;
 }
 
@@ -357,6 +401,7 @@ void terminal_close(Terminal *terminal)
 {
     if (!terminal)
         return;
+    wait_look(NULL);
     give_screen_back(terminal);
     opened = NULL;
     grid_close(&terminal->grid);
@@ -432,10 +477,12 @@ static void answer_signals(Terminal *terminal)
 void terminal_wait(Terminal *terminal, double seconds)
 {
     sigset_t ours;
+    wait_look(NULL);
     signals_block(&ours); /* none is lost between looking and sleeping */
     if (signals_ended_by() || signal_resized || signal_stop || signal_continued) {
         sigprocmask(SIG_SETMASK, &ours, NULL);
         answer_signals(terminal); /* it came through terminal_signal() */
+        wait_look(look_for_interrupt);
         return;
     }
     const double due = keys_due(&terminal->keys);
@@ -446,6 +493,8 @@ void terminal_wait(Terminal *terminal, double seconds)
     const double report_left = report_due(terminal) - clock_seconds();
     if (report_left > 0)
         seconds = seconds < 0 ? report_left : fmin(seconds, report_left);
+    if (unread.count > 0)
+        seconds = 0;
     struct timespec time = {.tv_sec = (time_t)seconds};
     time.tv_nsec = (long)((seconds - (double)time.tv_sec) * 1e9);
     struct pollfd files[] = {
@@ -459,27 +508,30 @@ void terminal_wait(Terminal *terminal, double seconds)
     if (ready > 0 && files[1].revents)
         send_some(terminal);
     answer_signals(terminal);
+    wait_look(look_for_interrupt);
 }
 
 bool terminal_has_input(const Terminal *terminal)
 {
     struct pollfd keyboard = {.fd = terminal->input, .events = POLLIN};
     const struct timespec at_once = {0, 0};
-    return wait_for(&keyboard, 1, &at_once, NULL) > 0;
+    return unread.count > 0 || wait_for(&keyboard, 1, &at_once, NULL) > 0;
 }
 
 bool terminal_key(Terminal *terminal, Key *key)
 {
     KeyReader *keys = &terminal->keys;
     bool any;
+    wait_look(NULL);
     while (!(any = keys_next(keys, key))) {
         char bytes[KEYS_ROOM];
-        const ssize_t got = read(terminal->input, bytes, sizeof bytes);
+        const ssize_t got = read_keys(terminal, bytes);
         if (got <= 0)
             break;
         keys_feed(keys, bytes, (size_t)got, clock_seconds());
     }
     count_reports(terminal);
+    wait_look(look_for_interrupt);
     any = any || keys_silence(keys, clock_seconds(), key);
     if (keys->answered && !terminal->grid.synchronised)
         grid_synchronise(&terminal->grid);

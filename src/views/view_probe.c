@@ -245,8 +245,9 @@ static void frequency_lines(const Screen *screen, bool narrow, char first[READOU
         /* of what dies its decay is told, if not everything can be */
         if (!narrow || !(readout->kept_predicted < READOUT_UNDAMPED)) {
             text_append(second, READOUT_TEXT, "  T %+.*f %%", decimals, readout->error_period);
-            text_append(second, READOUT_TEXT, narrow ? "  %s %.2f T" : "  %s by %.2f periods",
-                        readout->late < 0 ? "early" : "late", fabs(readout->late));
+            if (isfinite(readout->late))
+                text_append(second, READOUT_TEXT, narrow ? "  %s %.2f T" : "  %s by %.2f periods",
+                            readout->late < 0 ? "early" : "late", fabs(readout->late));
         }
         if (predicted && readout->overlap < READOUT_PURE)
             text_append(second, READOUT_TEXT, narrow ? "  mixture %.2f" : "  mixture of modes, overlap %.3f",

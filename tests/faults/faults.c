@@ -5,6 +5,7 @@
  *     MATVIB_FAULT=memory:N    the N-th allocation from main on finds no memory
  *     MATVIB_FAULT=disk:N      the N-th call that writes, makes or renames a file finds the disk full
  *     MATVIB_FAULT=thread:N    the N-th thread is not started
+ *     MATVIB_FAULT=hang:N      the N-th new file is waited for without an end
  *     MATVIB_FAULT_COUNT=FILE  how many there were, written at the end (N = 0: none fails)
  *
  * The functions named malloc and so on go before those of the C library, for the libraries too. Writes fail
@@ -34,7 +35,7 @@ enum { COUNT_FD = 900 };
 
 static long fails_at;
 static atomic_long n_calls;
-static atomic_bool memory_fails, thread_fails;
+static atomic_bool memory_fails, thread_fails, hangs;
 
 /* --- memory ------------------------------------------------------------------------------------------ */
 
@@ -202,6 +203,16 @@ int pthread_create(pthread_t *restrict thread, const pthread_attr_t *restrict at
     return create(thread, attributes, start, argument);
 }
 
+/* --- what never ends --------------------------------------------------------------------------------- */
+
+int link(const char *before, const char *after)
+{
+    if (hangs && ++n_calls == fails_at)
+        for (;;)
+            continue;
+    return linkat(AT_FDCWD, before, AT_FDCWD, after, 0);
+}
+
 /* --- the beginning and the end ------------------------------------------------------------------------- */
 
 static void write_count(void)
@@ -229,6 +240,8 @@ __attribute__((constructor)) static void begin(void)
         memory_fails = true;
     else if (strcmp(kind, "thread") == 0)
         thread_fails = true;
+    else if (strcmp(kind, "hang") == 0)
+        hangs = true;
     else if (!watch_disk()) {
         fprintf(stderr, "faults: the kernel takes no filter: %s\n", strerror(errno));
         _exit(77);

@@ -9,9 +9,13 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 enum { ARGUMENTS_MAX = 6, KEYS_MAX = 8 };
+
+static const int ends[] = {SIGINT, SIGTERM, SIGHUP};
+enum { ENDS = sizeof ends / sizeof *ends };
 
 /* What is opened, and what is done then; "resize" makes the terminal larger. */
 typedef struct Visit {
@@ -27,12 +31,13 @@ static const Visit visits[] = {
 };
 enum { VISITS = sizeof visits / sizeof *visits };
 
-static void open_visit(Session *session, const Visit *visit, const char *folder, long fails_at)
+static void open_visit(Session *session, const Visit *visit, const char *folder, const char *kind,
+                       long fails_at)
 {
     const char *build = getenv("MATVIB_BUILDDIR");
     char program[512], fault[64], count[128], state[128];
     snprintf(program, sizeof program, "%s/matvib_faults", build ? build : ".");
-    snprintf(fault, sizeof fault, "MATVIB_FAULT=memory:%ld", fails_at);
+    snprintf(fault, sizeof fault, "MATVIB_FAULT=%s:%ld", kind, fails_at);
     snprintf(count, sizeof count, "MATVIB_FAULT_COUNT=%s/count", folder);
     snprintf(state, sizeof state, "XDG_STATE_HOME=%s/state", folder);
     const char *command[ARGUMENTS_MAX + 1] = {program};
@@ -100,13 +105,13 @@ START_TEST(no_memory_on_a_terminal)
     char folder[] = "/tmp/matvib-XXXXXX", command[64];
     Session session;
     ck_assert_ptr_nonnull(mkdtemp(folder));
-    open_visit(&session, &visits[_i], folder, 0);
+    open_visit(&session, &visits[_i], folder, "memory", 0);
     ck_assert_int_eq(play(&session, &visits[_i]), 0);
     session_check_restored(&session);
     session_close(&session);
     const long count = count_of(folder), stride = count / places + 1;
     for (long place = 1 + count % stride; place <= count; place += stride) {
-        open_visit(&session, &visits[_i], folder, place);
+        open_visit(&session, &visits[_i], folder, "memory", place);
         const int status = play(&session, &visits[_i]);
         const bool excused = crashed_in_library(&session, status);
         ck_assert_msg(status <= 2 || excused, "allocation %ld of %ld: exit status %d", place, count, status);
@@ -120,9 +125,47 @@ START_TEST(no_memory_on_a_terminal)
 }
 END_TEST
 
+/* A file waits for its name for ever, so that nothing looks for keys or signals any more: the first ^C, TERM
+ * or HUP is not answered, and a later one ends the program. */
+START_TEST(the_second_signal_ends_what_hangs)
+{
+    const Visit visit = {{"mode1", "--paused"}, {NULL}};
+    char folder[] = "/tmp/matvib-XXXXXX", command[128], answer[128];
+    Session session;
+    ck_assert_ptr_nonnull(mkdtemp(folder));
+    open_visit(&session, &visit, folder, "hang", 1);
+    session_idle(&session);
+    snprintf(answer, sizeof answer, ":figure probe %s/f.svg\r", folder);
+    session_send(&session, answer);
+    snprintf(command, sizeof command, "ls %s/*.part >/dev/null 2>&1", folder);
+    for (int i = 0; i < 1200 && system(command) != 0; i++)
+        usleep(50000);
+    siginfo_t info = {0};
+    int sent = 0;
+    for (int i = 0; i < 120 && info.si_pid == 0; i++) {
+        if (ends[_i] == SIGINT)
+            session_send(&session, "\003");
+        else
+            kill(session.child, ends[_i]);
+        sent++;
+        usleep(1200000);
+        ck_assert_int_eq(waitid(P_PID, (id_t)session.child, &info, WEXITED | WNOHANG | WNOWAIT), 0);
+    }
+    ck_assert_int_ge(sent, 2); /* it did hang */
+    ck_assert_int_eq(session_exit(&session), 128 + ends[_i]);
+    session_check_restored(&session);
+    session_close(&session);
+    snprintf(command, sizeof command, "test -z \"$(ls %s/*.part 2>/dev/null)\" && rm -r %s", folder, folder);
+    ck_assert_int_eq(system(command), 0);
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("terminal faults");
     tcase_add_loop_test(tcase, no_memory_on_a_terminal, 0, VISITS);
+    suite_add_tcase(suite, tcase);
+    tcase = tcase_create("hanging");
+    tcase_add_loop_test(tcase, the_second_signal_ends_what_hangs, 0, ENDS);
     suite_add_tcase(suite, tcase);
 }
