@@ -64,9 +64,10 @@ function show_address(same = false) {
 // What was opened and changed in the program itself; of a lesson that is the lesson's. Browsers let an address change
 // a few times a second.
 const FOLLOWS = 300; // milliseconds
-let followed = '', following = 0;
+let followed = null, following = 0; // null: what is told is the program's before this one
 
 function follow({large, name, sets}) {
+	if (followed === null) return;
 	enlarge(large);
 	const now = JSON.stringify([name, sets]), first = followed === '';
 	if (opened.kind === 'lesson' || now === followed) return;

@@ -21,9 +21,11 @@ function begin(words, {files = [], input = ''} = {}) {
 	term.options.theme = themes[look()]; // the program's colours are for one ground until it ends
 	resize();
 	answers = false;
-	followed = '';
+	followed = null;
 	clearTimeout(following);
-	worker = new Worker(worker_address());
+	const begun = worker = new Worker(worker_address());
+	// what the program before has still to say comes before this
+	term.write('', () => { if (worker === begun) followed = ''; });
 	worker.onmessage = ({data}) => {
 		const here = worker;
 		answers = answers || Boolean(data.out);
