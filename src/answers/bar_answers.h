@@ -66,7 +66,7 @@ int bar_findings(const References *, const Simulation *, Finding out[FINDINGS_MA
 /* Whether the courant number is stable, by the material point method (Solver.limit). */
 bool bar_limit(const Settings *, char *advice, size_t size, Status *);
 
-/* The parameters that answers of the bar account for, by what they are about (Understanding). */
+/* The parameters that answers of the bar account for, by what they are about (Validity). */
 #define BAR_KEYS                                                                                             \
     "bar.length", "bar.youngs_modulus", "bar.density", "bar.supports", "initial.mode", "initial.velocity",   \
         "initial.overtones", "load.body_force", "load.traction", "load.traction_layer", "scenario.method",   \

@@ -346,7 +346,7 @@ bool beam_prepare_moving(References *refs, const Settings *settings, const Simul
     double end = (double)problem_last_step(sim->dt, settings_time(settings)->end) * sim->dt;
     BeamTheory asking = beam->theory;
     asking.from_tip = body->from_tip;
-    asking.patience = settings->patience;
+    asking.cancel = settings->cancel;
     beam->moving =
         moving_cantilever_solve(&asking, settings_motion(settings)->speed, fmax(end, sim->dt), status);
     if (!beam->moving)

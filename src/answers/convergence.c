@@ -344,11 +344,10 @@ bool convergence_lacks(const Convergence *convergence, const Settings *settings,
 }
 
 /* The point behind those that are known, by convergence_point(). */
-bool convergence_next(Convergence *convergence, const ConvergenceStudy *study, Patience patience,
-                      Status *status)
+bool convergence_next(Convergence *convergence, const ConvergenceStudy *study, Cancel cancel, Status *status)
 {
     const int i = index_of(convergence, study);
-    convergence->base.patience = patience;
+    convergence->base.cancel = cancel;
     if (!convergence_point(study, &convergence->base, convergence->known[i],
                            &convergence->points[i][convergence->known[i]], status))
         return false;

@@ -13,7 +13,7 @@
 #define ANSWERS_CONVERGENCE_H
 
 #include "scenario/settings.h"
-#include "base/patience.h"
+#include "base/cancel.h"
 #include "problems/problem.h"
 
 enum { CONVERGENCE_POINTS_MAX = 12, CONVERGENCE_LINES_MAX = 3 };
@@ -88,6 +88,6 @@ int convergence_known(const Convergence *, const Settings *, const ConvergenceSt
 bool convergence_lacks(const Convergence *, const Settings *, const ConvergenceStudy *);
 
 /* Works out the next one, of settings that convergence_begin() was given. False: as convergence_point(). */
-bool convergence_next(Convergence *, const ConvergenceStudy *, Patience, Status *);
+bool convergence_next(Convergence *, const ConvergenceStudy *, Cancel, Status *);
 
 #endif

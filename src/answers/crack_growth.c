@@ -34,7 +34,7 @@ bool crack_facts(const Simulation *sim, CrackFacts *facts)
     return true;
 }
 
-static bool cost_of_fronts(const Simulation *sim, const CrackFronts *fronts, const Patience *patience,
+static bool cost_of_fronts(const Simulation *sim, const CrackFronts *fronts, const Cancel *cancel,
                            CrackCost *cost)
 {
     CrackPath paths[CRACK_FRONTS_MAX * CRACK_PATHS_MAX];
@@ -42,15 +42,15 @@ static bool cost_of_fronts(const Simulation *sim, const CrackFronts *fronts, con
     for (int f = 0; f < fronts->count; f++)
         for (int k = 0; k < fronts->fronts[f].n_paths; k++)
             paths[count++] = fronts->fronts[f].paths[k];
-    return crack_cost_along(sim, paths, count, fronts->length, patience, cost);
+    return crack_cost_along(sim, paths, count, fronts->length, cancel, cost);
 }
 
 bool crack_price(const Simulation *sim, const Settings *settings, const CrackFronts *fronts,
-                 const Patience *patience, CrackPrice *price)
+                 const Cancel *cancel, CrackPrice *price)
 {
     price->critical_energy = settings_bonds(settings)->critical_energy;
-    const bool known = fronts ? cost_of_fronts(sim, fronts, patience, &price->cost)
-                              : crack_cost(sim, patience, &price->cost);
+    const bool known =
+        fronts ? cost_of_fronts(sim, fronts, cancel, &price->cost) : crack_cost(sim, cancel, &price->cost);
     return known && price->cost.area > 0;
 }
 

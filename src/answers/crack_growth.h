@@ -36,7 +36,7 @@ typedef struct CrackPrice {
 /* Of the notched beam's crack or, where fronts are given, of theirs. False: there is no crack as yet, s0 was
  * changed on the way, or it was given up. It looks at every broken bond: for a table or a summary, not for
  * every row of a run. */
-bool crack_price(const Simulation *, const Settings *, const CrackFronts *, const Patience *, CrackPrice *);
+bool crack_price(const Simulation *, const Settings *, const CrackFronts *, const Cancel *, CrackPrice *);
 
 /* What the cracks of a plate are judged by: the one that runs fastest, and the first that branched. */
 typedef struct FrontsFacts {

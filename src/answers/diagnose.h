@@ -8,7 +8,7 @@
 #ifndef ANSWERS_DIAGNOSE_H
 #define ANSWERS_DIAGNOSE_H
 
-#include "base/patience.h"
+#include "base/cancel.h"
 #include "methods/method.h"
 #include "run/overlay.h"
 #include "scenario/assignment.h"
@@ -144,7 +144,7 @@ typedef struct DiagnoseTask {
     int threads;
     bool pairs;     /* two mistakes at once are tried in the plane too, where that takes long */
     double seconds; /* no other code is tried after so many; 0: all are */
-    Patience patience;
+    Cancel cancel;
 } DiagnoseTask;
 
 /* False: it was given up, there is no memory, or the scenario itself cannot be run. */

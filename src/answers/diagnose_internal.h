@@ -31,7 +31,7 @@ typedef struct Walk {
 } Walk;
 
 /* False: the walk was given up, or the run cannot be made; the status says why. */
-bool diagnose_walk(Walk *, const Settings *, int threads, Patience, Status *);
+bool diagnose_walk(Walk *, const Settings *, int threads, Cancel, Status *);
 
 /* A unit of the last digit with which a number of a column of the file is written. */
 double diagnose_last_digit(const OverlayColumn *, double number);

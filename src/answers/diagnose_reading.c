@@ -318,7 +318,7 @@ static bool go_along(Trials *trials, Simulation *sim)
     const size_t most = table->n_moments < MOMENTS_MAX ? table->n_moments : MOMENTS_MAX;
     size_t m = 0;
     for (bool any = true; m < most && any && table->moments[m].step <= TRIAL_STEPS_MAX; m++) {
-        if (!patience_lasts(&trials->search->task->patience, 0))
+        if (cancel_requested(&trials->search->task->cancel, 0))
             return false;
         if (diagnose_time_is_up(trials->search) ||
             !simulation_steps(sim, table->moments[m].step - sim->step, NULL, NULL, NULL))

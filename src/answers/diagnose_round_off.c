@@ -99,7 +99,7 @@ double *diagnose_grown(const Search *search, const Settings *settings, size_t *m
         for (size_t k = 0; k < entries; k++)
             values[i][k] = NAN;
         Walk one = {.table = table, .moments = SIZE_MAX, .to_end = true, .values = values[i]};
-        diagnose_walk(&one, both[i], search->task->threads, search->task->patience, NULL);
+        diagnose_walk(&one, both[i], search->task->threads, search->task->cancel, NULL);
         *stopped = *stopped || one.stopped;
         *moments = one.compared < *moments ? one.compared : *moments;
         known = !one.stopped && one.compared > 0;

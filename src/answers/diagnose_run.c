@@ -234,7 +234,7 @@ static bool go(Walker *walker, Run *run, Status *status)
     if (!run->settings->problem->end_matters || last < run->last)
         run->last = last;
     if (run_start(run, sink, status) && run_to_end(run, sink, status) && !walker->done)
-        walk->stopped = walk->stopped || !patience_lasts(&run->patience, 1);
+        walk->stopped = walk->stopped || cancel_requested(&run->cancel, 1);
     else
         walk->stopped = walk->stopped || !(run->failed || walker->done);
     walk->failed = run->failed;
@@ -249,7 +249,7 @@ static bool make_room(Walker *walker, const Simulation *sim, Status *status)
     return (walker->row && walker->field) || status_fail(status, "out of memory");
 }
 
-bool diagnose_walk(Walk *walk, const Settings *settings, int threads, Patience patience, Status *status)
+bool diagnose_walk(Walk *walk, const Settings *settings, int threads, Cancel cancel, Status *status)
 {
     Settings asked = *settings;
     Run run;
@@ -270,7 +270,7 @@ bool diagnose_walk(Walk *walk, const Settings *settings, int threads, Patience p
             text_list_add(settings_edit_output(&asked)->columns, sizeof settings_output(&asked)->columns,
                           walk->table->columns[c].name);
     bool sound = run_open(&run, &asked, problem_simulate(&asked, threads, status), status);
-    run.patience = patience;
+    run.cancel = cancel;
     if (sound && find_columns(&walker, run.sim))
         sound = make_room(&walker, run.sim, status) && go(&walker, &run, status);
     else if (sound)

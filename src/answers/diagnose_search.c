@@ -29,7 +29,7 @@ static bool walk_right(Search *search)
                           .to_end = true,
                           .values = search->values,
                           .grown = search->grown};
-    return diagnose_walk(&search->walk, &search->right, search->task->threads, search->task->patience,
+    return diagnose_walk(&search->walk, &search->right, search->task->threads, search->task->cancel,
                          search->status);
 }
 
@@ -144,7 +144,7 @@ static bool try_again(Search *search, const Settings *wrong, Walk *walk, bool *a
     double *grown = diagnose_grown(search, wrong, &moments, &stopped);
     if (grown && moments > walk->departure.moment) {
         *walk = (Walk){.table = search->table, .moments = moments, .grown = grown};
-        diagnose_walk(walk, wrong, search->task->threads, search->task->patience, NULL);
+        diagnose_walk(walk, wrong, search->task->threads, search->task->cancel, NULL);
         stopped = walk->stopped;
         *agrees = !stopped && !walk->departure.is;
         walk->grown = NULL;
@@ -169,7 +169,7 @@ static bool try_one(Search *search, const Candidate *candidate, Walk *walk, Sett
         return true;
     Status why = {STATUS_DONE, ""};
     search->found->tried++;
-    if (!diagnose_walk(walk, wrong, search->task->threads, search->task->patience, &why) && walk->stopped) {
+    if (!diagnose_walk(walk, wrong, search->task->threads, search->task->cancel, &why) && walk->stopped) {
         if (search->status)
             *search->status = why;
         return false;
@@ -225,7 +225,7 @@ static bool try_value(Search *search, const Parameter *parameter, const TimeSett
 {
     Candidate candidate = {diagnose_kind(parameter), parameter, 0, 0, own_step};
     const DiagnoseTask task = {
-        .settings = &search->right, .threads = search->task->threads, .patience = search->task->patience};
+        .settings = &search->right, .threads = search->task->threads, .cancel = search->task->cancel};
     Settings wrong;
     Walk walk;
     bool agrees;
@@ -233,7 +233,7 @@ static bool try_value(Search *search, const Parameter *parameter, const TimeSett
         return true;
     if (!diagnose_find_value(&task, search->table, &search->walk.departure, parameter, own_step,
                              &candidate.value, &search->found->tried))
-        return patience_lasts(&search->task->patience, 0) || status_fail(search->status, "interrupted");
+        return !cancel_requested(&search->task->cancel, 0) || status_fail(search->status, "interrupted");
     const double now = settings_number(&search->right, parameter);
     const double factor = now != 0 ? candidate.value / now : candidate.value;
     if ((now != 0 && fabs(factor - 1) < 1e-5) || /* of another time step, or of fewer digits */

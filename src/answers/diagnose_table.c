@@ -212,10 +212,10 @@ static bool take_word(const char *column, const char *cell, double *value, void 
 /* --- columns -------------------------------------------------------------------------------------------- */
 
 /* Which columns of the file say of what its rows are. */
-typedef struct Heads {
+typedef struct ColumnMap {
     int step, time, stage, stage_id, thing, i, j;
     double time_factor;
-} Heads;
+} ColumnMap;
 
 double diagnose_size_at_start(Simulation *sim, const char *unit, const double *row)
 {
@@ -249,7 +249,7 @@ static void add_column(DiagnoseTable *table, int theirs, const Quantity *ours, d
 }
 
 /* The set whose things the rows are of. A series has a column that is the series' alone, or no index. */
-static int set_of(const Overlay *file, const Names *names, const Simulation *sim, Heads *heads)
+static int set_of(const Overlay *file, const Names *names, const Simulation *sim, ColumnMap *heads)
 {
     const bool none[OVERLAY_COLUMNS_MAX] = {false};
     double factor;
@@ -288,7 +288,7 @@ static bool does_count(const OverlayColumn *column, size_t count)
 }
 
 /* Columns without names: steps, times, or both come first. */
-static void find_unnamed(const Overlay *file, Heads *heads)
+static void find_unnamed(const Overlay *file, ColumnMap *heads)
 {
     for (int c = 0; c < 2 && c < file->n_columns - 1; c++) {
         const double *values = file->columns[c].values;
@@ -305,7 +305,7 @@ static void find_unnamed(const Overlay *file, Heads *heads)
     }
 }
 
-static bool find_columns(DiagnoseTable *table, const Names *names, Simulation *sim, Heads *heads,
+static bool find_columns(DiagnoseTable *table, const Names *names, Simulation *sim, ColumnMap *heads,
                          Status *status)
 {
     const Overlay *file = &table->file;
@@ -315,7 +315,7 @@ static bool find_columns(DiagnoseTable *table, const Names *names, Simulation *s
     if (!row)
         return status_fail(status, "out of memory");
     simulation_row(sim, row);
-    *heads = (Heads){.thing = -1, .i = -1, .j = -1};
+    *heads = (ColumnMap){.thing = -1, .i = -1, .j = -1};
     heads->step = column_of(file, names, "step", taken, &factor);
     heads->time = column_of(file, names, "time", taken, &heads->time_factor);
     heads->stage = column_of(file, names, "stage", taken, &factor);
@@ -402,7 +402,7 @@ static bool whole_number(double value, double most, long *out)
 }
 
 /* A unit of the last digit with which the time of a row is written, in our units. */
-static double time_bound(const Overlay *file, const Heads *heads, size_t row)
+static double time_bound(const Overlay *file, const ColumnMap *heads, size_t row)
 {
     const OverlayColumn *column = &file->columns[heads->time];
     const double written = column->values[row];
@@ -410,7 +410,7 @@ static double time_bound(const Overlay *file, const Heads *heads, size_t row)
 }
 
 /* The time step of times beside steps. */
-static void time_step_of_steps(DiagnoseTable *table, const Heads *heads, double dt)
+static void time_step_of_steps(DiagnoseTable *table, const ColumnMap *heads, double dt)
 {
     const Overlay *file = &table->file;
     const double *times = file->columns[heads->time].values, *steps = file->columns[heads->step].values;
@@ -434,7 +434,7 @@ static void time_step_of_steps(DiagnoseTable *table, const Heads *heads, double 
 
 /* The time step of times alone: the scenario's where rows are a multiple of it apart, else that of the rows.
  */
-static bool time_step_of_times(DiagnoseTable *table, const Heads *heads, Status *status)
+static bool time_step_of_times(DiagnoseTable *table, const ColumnMap *heads, Status *status)
 {
     const Overlay *file = &table->file;
     const double *times = file->columns[heads->time].values;
@@ -503,8 +503,8 @@ static Ends *ends_of(const Simulation *sim, int set)
 }
 
 /* Of which thing a row is. */
-static bool thing_of(const DiagnoseTable *table, const Heads *heads, const Simulation *sim, const Ends *ends,
-                     size_t row, size_t *thing, Status *status)
+static bool thing_of(const DiagnoseTable *table, const ColumnMap *heads, const Simulation *sim,
+                     const Ends *ends, size_t row, size_t *thing, Status *status)
 {
     const Overlay *file = &table->file;
     const size_t count = sim->counts[table->set];
@@ -531,8 +531,8 @@ static bool thing_of(const DiagnoseTable *table, const Heads *heads, const Simul
     return true;
 }
 
-static bool place_of(const DiagnoseTable *table, const Heads *heads, const Simulation *sim, const Ends *ends,
-                     size_t row, Place *place, Status *status)
+static bool place_of(const DiagnoseTable *table, const ColumnMap *heads, const Simulation *sim,
+                     const Ends *ends, size_t row, Place *place, Status *status)
 {
     const Overlay *file = &table->file;
     long stage = 0;
@@ -582,7 +582,7 @@ static bool take_moments(DiagnoseTable *table, const Place *places, Status *stat
     return true;
 }
 
-static bool place_rows(DiagnoseTable *table, const Heads *heads, const Simulation *sim, Status *status)
+static bool place_rows(DiagnoseTable *table, const ColumnMap *heads, const Simulation *sim, Status *status)
 {
     const size_t count = table->file.count;
     const bool by_ends_alone = table->set >= 0 && heads->thing < 0;
@@ -630,7 +630,7 @@ static bool find_lost(DiagnoseTable *table, size_t things, Status *status)
     return sound;
 }
 
-static void say_what_is_odd(DiagnoseTable *table, const Heads *heads, const Simulation *sim)
+static void say_what_is_odd(DiagnoseTable *table, const ColumnMap *heads, const Simulation *sim)
 {
     const Overlay *file = &table->file;
     size_t gaps = 0;
@@ -766,7 +766,7 @@ static bool lengthen(Overlay *file, const Simulation *sim, Status *status)
 static bool read_rows(DiagnoseTable *table, const Settings *settings, const char *map, Simulation *sim,
                       Status *status)
 {
-    Heads heads;
+    ColumnMap heads;
     Names *names = calloc(1, sizeof *names);
     if (!names)
         return status_fail(status, "out of memory");

@@ -33,7 +33,7 @@ static bool walk_with(Seek *seek, double value, Walk *walk)
         return false;
     ++*seek->tried;
     return diagnose_settings_of(&candidate, seek->task->settings, seek->table, &settings) &&
-           diagnose_walk(walk, &settings, seek->task->threads, seek->task->patience, &ignored);
+           diagnose_walk(walk, &settings, seek->task->threads, seek->task->cancel, &ignored);
 }
 
 /* The change of the value that least squares of the entries asks for; NAN: they do not depend on it. Each

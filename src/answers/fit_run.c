@@ -62,7 +62,7 @@ static bool follow_to_end(Search *search, Run *run, Trace *to)
                              search->task->column);
     /* the data may end long before the run would, or after */
     run->last = to->count > 0 ? problem_last_step(run->sim->dt, to->times[to->count - 1]) + 1 : 0;
-    run->patience = search->task->patience;
+    run->cancel = search->task->cancel;
     if (!run_start(run, &sink, &search->why) || !run_to_end(run, &sink, &search->why)) {
         search->interrupted = !run->failed;
         return false;

@@ -345,7 +345,7 @@ bool fit_solve(const FitTask *task, FitResult *result, Status *status)
     }
     const size_t m = (size_t)task->n_keys;
     gsl_multifit_nlinear_parameters options = gsl_multifit_nlinear_default_parameters();
-    quiet_begin();
+    gsl_errors_off();
     Space space = {.work = gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &options, task->count, m),
                    .start = gsl_vector_alloc(m),
                    .slopes = malloc(task->count * m * sizeof(double)),
@@ -362,7 +362,7 @@ bool fit_solve(const FitTask *task, FitResult *result, Status *status)
     free(space.slopes);
     free(space.left);
     free(search);
-    quiet_end();
+    gsl_errors_on();
     return sound;
 }
 

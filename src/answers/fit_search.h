@@ -17,7 +17,7 @@
 #define ANSWERS_FIT_SEARCH_H
 
 #include "scenario/settings.h"
-#include "base/patience.h"
+#include "base/cancel.h"
 #include "problems/problem.h"
 #include "theory/noise.h"
 
@@ -31,7 +31,7 @@ typedef struct FitTask {
     const double *times, *values; /* the data, `count` of each; times ascend from 0 on */
     size_t count;
     int threads;
-    Patience patience;
+    Cancel cancel;
 } FitTask;
 
 /* What is left between run and data. */

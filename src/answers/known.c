@@ -26,7 +26,7 @@ static bool is_at_work(const Settings *settings, const Parameter *parameter)
 }
 
 /* NULL: the reference does not exist. */
-static const Understanding *understanding(const Settings *settings, Reference reference)
+static const Validity *understanding(const Settings *settings, Reference reference)
 {
     const Solver *solver = problem_solver(settings->problem, settings->method);
     return solver && solver->understands[reference].keys ? &solver->understands[reference] : NULL;
@@ -34,7 +34,7 @@ static const Understanding *understanding(const Settings *settings, Reference re
 
 const char *known_unaccounted_now(const Settings *settings, Reference reference)
 {
-    const Understanding *known = understanding(settings, reference);
+    const Validity *known = understanding(settings, reference);
     for (int i = 0; known && i < n_parameters; i++)
         if (!is_among(known->keys, parameters[i].key) && is_at_work(settings, &parameters[i]))
             return parameters[i].key;
@@ -42,9 +42,9 @@ const char *known_unaccounted_now(const Settings *settings, Reference reference)
     return solver && solver->unaccounted ? solver->unaccounted(settings, reference) : NULL;
 }
 
-const char *known_unaccounted(const Settings *settings, Reference reference)
+const char *answer_invalid_because(const Settings *settings, Reference reference)
 {
-    const Understanding *known = understanding(settings, reference);
+    const Validity *known = understanding(settings, reference);
     for (int i = 0; known && i < settings->n_changes; i++)
         if (!is_among(known->changes, settings->changes[i].to.key)) {
             const Parameter *parameter = parameter_find(settings->changes[i].to.key);
@@ -59,7 +59,7 @@ bool known_text(const Settings *settings, char out[KNOWN_TEXT_MAX], long *step)
     const char *unaccounted = NULL;
     out[0] = '\0';
     for (int i = 0; i < REFERENCES; i++) {
-        const char *key = known_unaccounted(settings, (Reference)i);
+        const char *key = answer_invalid_because(settings, (Reference)i);
         unaccounted = unaccounted ? unaccounted : key;
         if (key && strcmp(key, unaccounted) == 0)
             text_list_add(out, KNOWN_TEXT_MAX, names[i]);

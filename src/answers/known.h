@@ -8,7 +8,7 @@
 
 /* The key of a parameter that is at work in these settings (not at its neutral value, or changed in mid-run)
  * and that the reference does not account for; NULL: it knows the run, or there is no such reference. */
-const char *known_unaccounted(const Settings *, Reference);
+const char *answer_invalid_because(const Settings *, Reference);
 
 /* The same of the values alone, whatever changes on the way. */
 const char *known_unaccounted_now(const Settings *, Reference);

@@ -27,7 +27,7 @@ References *references_create(const Settings *settings, const Simulation *sim, S
     Quantity time = {"time", "t", settings->problem->unit_of_time, "step * dt"};
     refs->solver = solver;
     for (int i = 0; i < REFERENCES; i++)
-        refs->unaccounted[i] = known_unaccounted(settings, (Reference)i);
+        refs->unaccounted[i] = answer_invalid_because(settings, (Reference)i);
     refs->dt = sim->dt;
     plan_answer(refs, &step, COLUMN_MEASURED, NULL, NULL);
     plan_answer(refs, &time, COLUMN_MEASURED, NULL, NULL);

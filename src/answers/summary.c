@@ -121,7 +121,7 @@ void summary_crack(RunSummary *summary, const Simulation *sim, const Settings *s
         crack_fronts_facts(&fronts, &summary->fronts);
     summary->price_known = (summary->crack_known || summary->fronts_known) &&
                            crack_price(sim, settings, summary->fronts_known ? &fronts : NULL,
-                                       &settings->patience, &summary->price);
+                                       &settings->cancel, &summary->price);
     crack_fronts_free(&fronts);
     if (summary->crack_known || summary->fronts_known)
         summary->rayleigh_speed = crack_rayleigh_speed(settings);

@@ -57,7 +57,7 @@ static void work(void *context, int chunk, int worker)
                                .threads = all->threads,
                                .pairs = all->options->pairs,
                                .seconds = all->seconds,
-                               .patience = {show_share, all}};
+                               .cancel = {show_share, all}};
     for (;;) {
         pthread_mutex_lock(&all->lock);
         const int next = all->next++;

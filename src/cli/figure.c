@@ -30,7 +30,7 @@ static bool advance_to(Experiment *experiment, long step, double behind, double 
                        Status *status)
 {
     const long first = experiment_step(experiment),
-               slice = simulation_steps_a_question(experiment_simulation(experiment));
+               slice = simulation_steps_per_poll(experiment_simulation(experiment));
     while (experiment_step(experiment) < step && !experiment_at_end(experiment)) {
         const long left = step - experiment_step(experiment);
         if (!experiment_advance(experiment, left < slice ? left : slice, status))
@@ -44,7 +44,7 @@ static bool advance_to(Experiment *experiment, long step, double behind, double 
 
 static bool work_off(Experiment *experiment, double behind, double part, Progress *progress, Status *status)
 {
-    const long slice = simulation_steps_a_question(experiment_simulation(experiment));
+    const long slice = simulation_steps_per_poll(experiment_simulation(experiment));
     long left, all = 0;
     while (experiment_pending(experiment, &left)) {
         all = left > all ? left : all;
@@ -183,9 +183,9 @@ static bool refine(Convergence *convergence, const Screen *screen, const View *v
     if (!study)
         return true;
     convergence_begin(convergence, settings);
-    const Patience patience = {progress_show, progress};
+    const Cancel cancel = {progress_show, progress};
     while (convergence_lacks(convergence, settings, study))
-        if (!convergence_next(convergence, study, patience, status))
+        if (!convergence_next(convergence, study, cancel, status))
             return false;
     return true;
 }
@@ -246,9 +246,9 @@ int cli_figure(Options *options, Status *status)
         return (int)status->code;
     Progress progress;
     progress_begin(&progress, options->quiet);
-    settings.patience = (Patience){progress_show, &progress};
+    settings.cancel = (Cancel){progress_show, &progress};
     for (int i = 0; i < OPTION_LIST_MAX; i++)
-        others[i].patience = settings.patience;
+        others[i].cancel = settings.cancel;
     Screen screen;
     screen_default(&screen);
     screen.scenario = options->words[0];

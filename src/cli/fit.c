@@ -201,7 +201,7 @@ static bool solve(const Options *options, Settings *settings, Data *data, FitTas
     task->values = data->taken.values;
     task->count = data->taken.count;
     task->threads = progress_threads(options->threads);
-    task->patience = (Patience){progress_show, progress};
+    task->cancel = (Cancel){progress_show, progress};
     return fit_solve(task, result, status);
 }
 

@@ -380,7 +380,7 @@ int cli_grade(Options *options, Status *status)
     progress_begin(&marking.progress, options->quiet);
     marking.task.lesson = options->words[0];
     marking.task.threads = progress_threads(options->threads);
-    marking.task.patience = (Patience){go_on, &marking};
+    marking.task.cancel = (Cancel){go_on, &marking};
     bool sound = write_all(&marking, options, status);
     progress_end(&marking.progress);
     lesson_free(&marking.lesson);

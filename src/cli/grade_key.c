@@ -90,7 +90,7 @@ int cli_grade_key(const Options *options, Status *status)
     const GradingTask task = {.lesson = name,
                               .threads = progress_threads(options->threads),
                               .seconds = SECONDS,
-                              .patience = {go_on, &progress}};
+                              .cancel = {go_on, &progress}};
     Grades *grades = malloc(sizeof *grades);
     const bool sound =
         grades ? grading_key(&task, student, grades, status) : status_fail(status, "out of memory");

@@ -107,7 +107,7 @@ static int film(const Options *options, LaboratoryOptions *laboratory, Camera *c
         return (int)status->code;
     progress_begin(&progress, options->quiet);
     camera->stream = file.stream;
-    camera->patience = (Patience){progress_show, &progress};
+    camera->cancel = (Cancel){progress_show, &progress};
     char title[TITLE_BYTES]; /* players show it */
     visible_text(title, sizeof title, laboratory->scenario);
     camera->look.title = title;

@@ -156,7 +156,7 @@ int cli_run(Options *options, Status *status)
                                status);
     Progress progress;
     progress_begin(&progress, options->quiet);
-    settings.patience = (Patience){progress_show, &progress};
+    settings.cancel = (Cancel){progress_show, &progress};
     RunSummary summary;
     bool done = export_run(&settings, &options->outputs, progress_threads(options->threads), progress_show,
                            &progress, &summary, status);

@@ -159,7 +159,7 @@ int cli_sound(Options *options, Status *status)
         return (int)status->code;
     Progress progress;
     progress_begin(&progress, options->quiet);
-    settings.patience = (Patience){progress_show, &progress};
+    settings.cancel = (Cancel){progress_show, &progress};
     RunSummary summary;
     Tones tones = {0};
     bool sound = export_run(&settings, &(Outputs){0}, progress_threads(options->threads), progress_show,

@@ -123,7 +123,7 @@ static bool sum_up(const Export *export, RunSummary *summary, Status *status)
                  invariant);
     summary->n_derived = problem_derived(export->settings, export->run.sim, summary->derived);
     summary_crack(summary, export->run.sim, export->settings);
-    if (!patience_lasts(&export->settings->patience, 1)) /* the cost of many broken bonds takes its time */
+    if (cancel_requested(&export->settings->cancel, 1)) /* the cost of many broken bonds takes its time */
         return status_fail(status, "interrupted");
     return errno != ENOMEM || status_fail(status, "not enough memory to sum the run up");
 }
@@ -223,7 +223,7 @@ static bool go(Export *export, RunSummary *summary, Status *status)
     summary->failure = run->failure;
     if ((run->failed || run->sim->at_rest) && !end_early(export, status))
         return false;
-    return run->failed || patience_lasts(&run->patience, 1) || status_fail(status, "interrupted");
+    return run->failed || !cancel_requested(&run->cancel, 1) || status_fail(status, "interrupted");
 }
 
 static void close_all(Export *export)
@@ -248,7 +248,7 @@ bool export_run(const Settings *settings, const Outputs *outputs, int threads, R
         status = &why;
     *summary = (RunSummary){0};
     bool written = prepare(&export, threads, status);
-    export.run.patience = (Patience){progress, context};
+    export.run.cancel = (Cancel){progress, context};
     written = written && go(&export, summary, status) && export_finish_files(&export, status) &&
               export_commit_files(&export, status) && sum_up(&export, summary, status);
     close_all(&export);

@@ -105,7 +105,7 @@ static bool take_table_names(Names *names, const char *name, Status *status)
     return good;
 }
 
-static bool take_vtk_names(Names *names, const char *name, size_t frames, const Patience *patience,
+static bool take_vtk_names(Names *names, const char *name, size_t frames, const Cancel *cancel,
                            Status *status)
 {
     if (!name)
@@ -117,7 +117,7 @@ static bool take_vtk_names(Names *names, const char *name, size_t frames, const 
         char *one = i < frames ? vtk_frame_name(name, i, frames) : vtk_collection_name(name);
         good = one ? take_name(names, one, status) : status_fail(status, "not enough memory for file names");
         free(one);
-        if (good && i % NAMES_A_QUESTION == 0 && !patience_lasts(patience, (double)i / (double)frames))
+        if (good && i % NAMES_A_QUESTION == 0 && cancel_requested(cancel, (double)i / (double)frames))
             good = status_fail(status, "the export was cancelled");
     }
     return good;
@@ -132,7 +132,7 @@ bool export_check_names(const Export *export, Status *status)
     for (int i = 0; good && i < TABLES; i++)
         good = take_table_names(&names, table_name(outputs, i), status);
     good = good &&
-           take_vtk_names(&names, outputs->vtk, export->frames.count, &export->settings->patience, status) &&
+           take_vtk_names(&names, outputs->vtk, export->frames.count, &export->settings->cancel, status) &&
            all_differ(&names, status);
     for (size_t i = 0; i < names.count; i++)
         free(names.real[i]);

@@ -38,7 +38,7 @@ static bool begin(Camera *camera, Status *status)
 
 bool camera_goes_on(const Camera *camera)
 {
-    return patience_lasts(&camera->patience, camera->share);
+    return !cancel_requested(&camera->cancel, camera->share);
 }
 
 bool camera_look(Camera *camera, const Canvas *canvas, const CameraMoment *moment, Status *status)

@@ -3,7 +3,7 @@
 #ifndef FILM_CAMERA_H
 #define FILM_CAMERA_H
 
-#include "base/patience.h"
+#include "base/cancel.h"
 #include "film/film.h"
 
 #define CAMERA_LAST_SECONDS 2.0 /* for that long the last picture stands */
@@ -12,12 +12,12 @@ typedef struct Camera {
     /* Given by who films. */
     const FilmFormat *format;
     FILE *stream;
-    FilmLook look;     /* its width and height are those of the largest picture that can come */
-    double fps;        /* pictures a second at most */
-    double speed;      /* seconds of the laboratory in a second of the film */
-    double idle;       /* nothing stands still for longer, seconds of the film */
-    double from, to;   /* time of the run between which is filmed */
-    Patience patience; /* told the share of the run that is done */
+    FilmLook look;   /* its width and height are those of the largest picture that can come */
+    double fps;      /* pictures a second at most */
+    double speed;    /* seconds of the laboratory in a second of the film */
+    double idle;     /* nothing stands still for longer, seconds of the film */
+    double from, to; /* time of the run between which is filmed */
+    Cancel cancel;   /* told the share of the run that is done */
 
     /* Kept between pictures. */
     Film *film;

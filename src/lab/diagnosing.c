@@ -62,7 +62,7 @@ bool diagnosing_answer(Laboratory *lab, const char *words)
     const DiagnoseTask task = {.settings = &settings,
                                .threads = lab->options.threads > 0 ? lab->options.threads : 1,
                                .pairs = take_pairs(path),
-                               .patience = {wait_for_it, &waiting}};
+                               .cancel = {wait_for_it, &waiting}};
     DiagnoseTable *table = calloc(1, sizeof *table);
     player_pause(lab);
     const bool sound = *path ? ((table && found) || status_fail(&status, "out of memory")) &&

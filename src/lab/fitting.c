@@ -63,7 +63,7 @@ static bool solve(Laboratory *lab, FitTask *task, Settings *settings, Status *st
 {
     FitResult result = {0};
     Waiting waiting = {lab, task, 0};
-    task->patience = (Patience){wait_for_fit, &waiting};
+    task->cancel = (Cancel){wait_for_fit, &waiting};
     bool sound = fit_solve(task, &result, status);
     for (int i = 0; i < task->n_keys && sound; i++)
         fit_put(settings, task->keys[i], result.values[i]);
@@ -95,7 +95,7 @@ bool fitting_answer(Laboratory *lab, const char *words)
     player_pause(lab);
     bool sound = fit_data_keys(list, &task, &status);
     for (int i = 0; i < task.n_keys && sound; i++) {
-        sound = settings_meant_key(&settings, task.keys[i], keys[i], &status);
+        sound = settings_resolve_key(&settings, task.keys[i], keys[i], &status);
         task.keys[i] = keys[i];
     }
     sound = sound && fit_data_take(&data, &lab->overlay, y, &status) && fit_data_end(&data, &begun, &status);

@@ -41,11 +41,11 @@ typedef struct Host {
 } Host;
 
 /* What keys before this one have left behind. */
-typedef struct Held {
+typedef struct InputState {
     enum { DRAG_NOTHING, DRAG_VALUE, DRAG_TIME } drag; /* what the pressed mouse holds */
     int drag_x;                                        /* where it was nudged last */
     bool pasted_line; /* a pasted line has ended; what is pasted behind it is another word */
-} Held;
+} InputState;
 
 struct Laboratory {
     Screen screen;
@@ -69,7 +69,7 @@ struct Laboratory {
     Homework homework;
     Exporting exporting;
     Refining refining;
-    Held held;
+    InputState held;
     /* what the screen points at, with what belongs to player, prompts and lessons */
     ParametersShown parameters;
     HelpShown help;

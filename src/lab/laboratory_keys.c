@@ -215,7 +215,7 @@ static bool take_offer(Laboratory *lab, const Key *key)
 /* What was refused is read as a message: a key that does something else goes on, Enter and the keys of an
  * editor mend the answer. But a user who is asked for the name of a file, or by an exercise, types another
  * one. Pasted text never comes here. */
-static void leave_refused(Laboratory *lab, const char *key)
+static void dismiss_error(Laboratory *lab, const char *key)
 {
     const Prompt *prompt = &lab->prompting.shown;
     const bool is_character = !key[1] || strcmp(key, "Space") == 0;
@@ -242,7 +242,7 @@ static void take_key(Laboratory *lab, const Key *key)
     lab->held.pasted_line = false;
     if (take_offer(lab, key))
         return;
-    leave_refused(lab, key->name);
+    dismiss_error(lab, key->name);
     if (command && is_for_everywhere(command->id))
         laboratory_command(lab, command->id);
     else if (mouse_key(lab, key) || (!lab->prompting.shown.open && row_edit_key(lab, key->name)))

@@ -110,7 +110,7 @@ static bool show_building(double share, void *context)
 
 void opening_show_progress(Laboratory *lab, Settings *settings)
 {
-    settings->patience = (Patience){show_building, lab};
+    settings->cancel = (Cancel){show_building, lab};
 }
 
 Experiment *opening_experiment(const Laboratory *lab, const Settings *settings, Status *status)

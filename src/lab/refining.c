@@ -63,8 +63,8 @@ void refining_work(Laboratory *lab)
     waiting.point = 1 + convergence_known(&lab->refining.convergence, settings, waiting.study, &points);
     waiting.count = convergence_count(waiting.study, settings);
     waiting.begun = lab->host.now(lab->host.context);
-    const Patience patience = {wait_for_point, &waiting};
-    if (convergence_next(&lab->refining.convergence, waiting.study, patience, &status)) {
+    const Cancel cancel = {wait_for_point, &waiting};
+    if (convergence_next(&lab->refining.convergence, waiting.study, cancel, &status)) {
         if (lab->message.kind == MESSAGE_INFO && waiting.point == waiting.count)
             laboratory_say(lab, MESSAGE_NONE, "%s", "");
     } else if (waiting.stopped) {

@@ -36,7 +36,7 @@ bool second_run_answer(Laboratory *lab, const char *words)
     const int n_keys = duel_read_keys(words, keys, &status);
     for (int i = 0; i < n_keys; i++) {
         const Assignment typed = keys[i];
-        if (!settings_meant_key(experiment_settings(laboratory_run(lab)), typed.key, keys[i].key, &status))
+        if (!settings_resolve_key(experiment_settings(laboratory_run(lab)), typed.key, keys[i].key, &status))
             return prompt_refuse(&lab->prompting, status.text);
     }
     if (n_keys == 0)

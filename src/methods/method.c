@@ -113,7 +113,7 @@ bool simulation_stage(Simulation *sim, Status *status)
 
 /* As many steps as a hundredth of a second or so takes: how often a long run is asked whether it is still
  * wanted. */
-long simulation_steps_a_question(const Simulation *sim)
+long simulation_steps_per_poll(const Simulation *sim)
 {
     enum { ITEMS = 400000, STEPS_MAX = 4096 };
     size_t largest = 1;

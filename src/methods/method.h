@@ -315,7 +315,7 @@ bool simulation_steps(Simulation *, long count, double *rows, long *done, Status
 
 /* How many whole steps may be done before somebody is asked whether to go on: some ten milliseconds of work,
  * whatever the size. Steps of very large models take longer than that each. */
-long simulation_steps_a_question(const Simulation *);
+long simulation_steps_per_poll(const Simulation *);
 
 /* The series at the present state; between steps only. */
 void simulation_row(Simulation *, double *row);

@@ -49,7 +49,7 @@ static BarMesh bar_mesh_of(const Settings *settings, double dt)
                      .consistent = 1 - bar_mass_blend_of(settings),
                      .fmpm_order = mpm->transfer == MPM_FMPM ? mpm->fmpm_order : 0,
                      .dt = dt,
-                     .patience = settings->patience};
+                     .cancel = settings->cancel};
 }
 
 BarDef bar_mpm_definition(const Settings *settings)
@@ -79,7 +79,7 @@ BarDef bar_mpm_definition(const Settings *settings)
         .conceals_mistake = settings->concealed,
         .mistake_beside = settings_transfer(settings)->mistake_beside,
         .courant = settings_time(settings)->courant,
-        .patience = settings->patience,
+        .cancel = settings->cancel,
     };
 }
 

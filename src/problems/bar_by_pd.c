@@ -38,7 +38,7 @@ PdBarDef bar_pd_definition(const Settings *settings)
         .mistake = settings_lattice(settings)->mistake,
         .mistake_beside = settings_lattice(settings)->mistake_beside,
         .conceals_mistake = settings->concealed,
-        .patience = settings->patience,
+        .cancel = settings->cancel,
     };
 }
 
@@ -52,7 +52,7 @@ static PdBarTheory bar_lattice_of(const Settings *settings)
                          .energy_correction =
                              settings_lattice(settings)->surface_correction == SURFACE_ENERGY,
                          .dt = bar_time_step(settings),
-                         .patience = settings->patience};
+                         .cancel = settings->cancel};
 }
 
 static bool check(const Settings *settings, Status *status)

@@ -43,7 +43,7 @@ static PlaneDef definition(const Settings *settings, int threads)
         .courant = settings_time(settings)->courant,
         .end = settings_time(settings)->end,
         .threads = threads,
-        .patience = settings->patience,
+        .cancel = settings->cancel,
     };
 }
 

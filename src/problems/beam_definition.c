@@ -145,6 +145,6 @@ BeamDef beam_definition(const Settings *settings, int threads)
         .dt = settings_time(settings)->step,
         .end = settings_time(settings)->end,
         .threads = threads,
-        .patience = settings->patience,
+        .cancel = settings->cancel,
     };
 }

@@ -68,7 +68,7 @@ static BodiesDef definition(const Settings *settings, int threads)
         .damping = settings_damping(settings)->rate,
         .courant = settings_time(settings)->courant,
         .threads = threads,
-        .patience = settings->patience,
+        .cancel = settings->cancel,
     };
     for (int row = 0; row < def.n_bodies; row++)
         def.bodies[row] = body_of(settings, row);

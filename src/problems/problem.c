@@ -67,7 +67,7 @@ int problem_derived(const Settings *settings, const Simulation *sim, Derived out
     const int all = solver && solver->derived ? solver->derived(settings, sim, out) : 0;
     int count = 0;
     for (int i = 0; i < all; i++)
-        if (!out[i].by_reference || !known_unaccounted(settings, out[i].reference))
+        if (!out[i].by_reference || !answer_invalid_because(settings, out[i].reference))
             out[count++] = out[i];
     return count;
 }

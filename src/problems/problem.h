@@ -71,10 +71,10 @@ typedef enum Reference {
  * where that is not at its neutral value the reference leaves by itself (known.h), with its column, curve and
  * verdict. So a new parameter is named by those references that were made to account for it, and by no
  * others. */
-typedef struct Understanding {
+typedef struct Validity {
     const char *const *keys;    /* ended by NULL; NULL: there is no such reference */
     const char *const *changes; /* those of them that may change in mid-run; NULL: none */
-} Understanding;
+} Validity;
 
 /* What a run of some settings is to show, known without it; periods in s (beams) or radians per unit time
  * (bar).
@@ -89,7 +89,7 @@ typedef struct Prediction {
 /* A problem by a method. What is NULL there is not. */
 typedef struct Solver {
     MethodKind method;
-    Understanding understands[REFERENCES];
+    Validity understands[REFERENCES];
     /* A parameter that the reference accounts for, but not together with others as they are; NULL: none. */
     const char *(*unaccounted)(const Settings *, Reference);
 

@@ -25,7 +25,7 @@ static long least(long a, long b)
 
 bool run_open(Run *run, const Settings *settings, Simulation *sim, Status *status)
 {
-    *run = (Run){.settings = settings, .sim = sim, .patience = settings->patience};
+    *run = (Run){.settings = settings, .sim = sim, .cancel = settings->cancel};
     if (!sim)
         return false;
     run->last = problem_last_step(sim->dt, settings_time(settings)->end);
@@ -130,8 +130,8 @@ static long next_place(const Run *run, const Sink *sinks, long steps, bool *rows
     const long step = run->sim->step, change = changes_next(run->settings, step);
     long place = least(run->last, steps < LONG_MAX - step ? step + steps : LONG_MAX);
     place = least(place, change);
-    if (run->patience.go_on)
-        place = least(place, step + simulation_steps_a_question(run->sim));
+    if (run->cancel.go_on)
+        place = least(place, step + simulation_steps_per_poll(run->sim));
     *rows = false;
     for (const Sink *sink = sinks; sink; sink = sink->beside) {
         const long from = sink->from > step ? sink->from : step + 1;
@@ -210,7 +210,7 @@ static double share_done(const Run *run)
 
 static bool goes_on(const Run *run, Status *status)
 {
-    return patience_lasts(&run->patience, share_done(run)) || status_fail(status, "interrupted");
+    return !cancel_requested(&run->cancel, share_done(run)) || status_fail(status, "interrupted");
 }
 
 bool run_start(Run *run, const Sink *sinks, Status *status)

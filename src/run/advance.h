@@ -10,7 +10,7 @@
 
 #include "base/status.h"
 #include "methods/method.h"
-#include "base/patience.h"
+#include "base/cancel.h"
 #include "scenario/assignment.h"
 
 #include <stdbool.h>
@@ -18,7 +18,7 @@
 typedef struct Run {
     const Settings *settings; /* the values at t = 0 and the changes in mid-run, the caller's */
     Simulation *sim;          /* the run's own */
-    Patience patience;        /* asked between blocks of steps, with the share done */
+    Cancel cancel;            /* asked between blocks of steps, with the share done */
     long last;                /* the step at which it ends: that of time.end, or at which it came to rest */
     bool failed; /* run_advance() came to where the simulation goes no further; `failure` says why */
     Status failure;

@@ -117,7 +117,7 @@ int experiment_derived(const Experiment *experiment, Derived out[DERIVED_MAX])
 {
     if (experiment->worked->n_derived == 0 ||
         memcmp(&experiment->worked->derived_for, &experiment->now, sizeof experiment->now) != 0)
-        experiment_derive(experiment, (Patience){0}); /* a picture is not interrupted */
+        experiment_derive(experiment, (Cancel){0}); /* a picture is not interrupted */
     memcpy(out, experiment->worked->derived, (size_t)experiment->worked->n_derived * sizeof *out);
     return experiment->worked->n_derived;
 }

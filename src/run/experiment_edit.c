@@ -54,7 +54,7 @@ static bool replace_run(Experiment *experiment, const Settings *settings, bool k
     } else if (keep_ghost && experiment_is_pinned(experiment)) {
         experiment_drop_unpinned(experiment);
     } else if (keep_ghost && experiment_has_curve(experiment)) {
-        Remains remains = experiment_remains(experiment);
+        GhostData remains = experiment_remains(experiment);
         experiment_make_ghost(experiment, false, &experiment->record, &remains);
     }
     /* what outlives a run */
@@ -95,7 +95,7 @@ static void rewind_run(Experiment *experiment, bool keep_ghost)
 {
     Record old;
     const bool kept = keep_ghost && experiment_has_curve(experiment);
-    Remains remains = {0};
+    GhostData remains = {0};
     if (kept)
         remains = experiment_remains(experiment);
     experiment_rewind(experiment, &old);
@@ -133,7 +133,7 @@ static bool end_matters(const Settings *now, const Settings *wanted)
 {
     bool matters = now->problem->end_matters;
     for (Reference r = 0; r < REFERENCES; r++)
-        matters = matters || !known_unaccounted(now, r) != !known_unaccounted(wanted, r);
+        matters = matters || !answer_invalid_because(now, r) != !answer_invalid_because(wanted, r);
     return matters && settings_time(now)->end != settings_time(wanted)->end;
 }
 
@@ -230,7 +230,7 @@ static bool edit_live(Experiment *experiment, const Settings *wanted, Status *st
             return false;
     }
     Record old = {0};
-    Remains remains = {0};
+    GhostData remains = {0};
     if (experiment->newest > step && !record_copy(&old, &experiment->record))
         return status_fail(status, "not enough memory to keep the curves");
     if (old.count > 0)
@@ -307,7 +307,7 @@ bool experiment_rerun(Experiment *experiment, const Settings *wanted, Status *st
 void experiment_become_ghost(Experiment *experiment, Experiment *heir)
 {
     if (experiment_has_curve(experiment)) {
-        Remains remains = experiment_remains(experiment);
+        GhostData remains = experiment_remains(experiment);
         experiment_make_ghost(heir, false, &experiment->record, &remains);
         experiment_write_legends(heir);
     }

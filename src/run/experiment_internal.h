@@ -82,7 +82,7 @@ bool experiment_open(Experiment *, const Settings *, size_t history, int threads
 void experiment_close(Experiment *);
 
 /* Works out the derived numbers of the settings as they are now; what is given up is asked for again. */
-void experiment_derive(const Experiment *, Patience);
+void experiment_derive(const Experiment *, Cancel);
 
 /* Back to t = 0, as if nothing had been computed. The record so far is handed over. */
 void experiment_rewind(Experiment *, Record *old);
@@ -113,7 +113,7 @@ void experiment_set_end(Experiment *, double end);
 /* --- ghosts: ghosts.c --------------------------------------------------------------------------------- */
 
 /* What a run leaves behind besides its record. */
-typedef struct Remains {
+typedef struct GhostData {
     Settings base;
     Column columns[COLUMNS_MAX];
     int n_columns;
@@ -121,15 +121,15 @@ typedef struct Remains {
     Profile profile; /* empty where memory is short */
     CrackLine crack;
     struct Follow *names; /* of followed columns: simulation_hold_names() */
-} Remains;
+} GhostData;
 
-void experiment_drop_remains(Remains *);
+void experiment_drop_remains(GhostData *);
 
-Remains experiment_remains(const Experiment *);
+GhostData experiment_remains(const Experiment *);
 
 /* Record and remains are handed over, not copied. The unpinned ghost has its place for itself. False: all
  * places for pinned ones are taken. */
-bool experiment_make_ghost(Experiment *, bool pinned, Record *, Remains *);
+bool experiment_make_ghost(Experiment *, bool pinned, Record *, GhostData *);
 void experiment_drop_ghost(Ghost *);
 void experiment_drop_unpinned(Experiment *);
 

@@ -77,10 +77,10 @@ static void sinks_of(Experiment *experiment, Sink sinks[2])
 
 /* They do not depend on the state, and take searches for eigenvalues: once for all pictures that have the
  * same settings. */
-void experiment_derive(const Experiment *experiment, Patience patience)
+void experiment_derive(const Experiment *experiment, Cancel cancel)
 {
     Settings settings = experiment->now;
-    settings.patience = patience;
+    settings.cancel = cancel;
     const int before = shortage_begin();
     experiment->worked->n_derived =
         problem_derived(&settings, experiment->run.sim, experiment->worked->derived);
@@ -93,7 +93,7 @@ void experiment_derive(const Experiment *experiment, Patience patience)
 
 static bool goes_on(const Settings *settings, Status *status)
 {
-    return patience_lasts(&settings->patience, 0) ||
+    return !cancel_requested(&settings->cancel, 0) ||
            status_fail(status, "the building of the run was cancelled");
 }
 
@@ -126,12 +126,12 @@ bool experiment_open(Experiment *experiment, const Settings *settings, size_t hi
     strcpy(settings_edit_output(&shown)->columns, "all");
     if (!run_open(&experiment->run, &experiment->base, problem_simulate(&shown, threads, status), status))
         return false;
-    experiment->run.patience = (Patience){0}; /* the caller does a little at a time */
+    experiment->run.cancel = (Cancel){0}; /* the caller does a little at a time */
     experiment->run.sim->whole_rows = WHOLE_ROWS;
     experiment->refs = references_create(settings, experiment->run.sim, status);
     if (!experiment->refs || !begin(experiment, history, status))
         return false;
-    experiment_derive(experiment, settings->patience);
+    experiment_derive(experiment, settings->cancel);
     return true;
 }
 
@@ -369,7 +369,7 @@ static bool write_rows_again(const Experiment *experiment, References *refs, con
  * those that a run from t = 0 would have. */
 static bool renew_references(Experiment *experiment, long step, Status *status)
 {
-    if (!patience_lasts(&experiment->base.patience, 0))
+    if (cancel_requested(&experiment->base.cancel, 0))
         return status_fail(status, "the change was cancelled");
     References *refs = references_create(&experiment->base, experiment->run.sim, status);
     if (!refs)
@@ -445,7 +445,7 @@ bool experiment_change(Experiment *experiment, long step, const Settings *change
     }
     cut(experiment, step);
     note_now(experiment);
-    experiment_derive(experiment, experiment->base.patience);
+    experiment_derive(experiment, experiment->base.cancel);
     experiment->run.failed = false; /* what stopped the run may not stop the changed one */
     Simulation *sim = experiment->run.sim;
     if (!here)

@@ -38,9 +38,9 @@ static Readout read_whole(const Experiment *experiment)
     return readout;
 }
 
-Remains experiment_remains(const Experiment *experiment)
+GhostData experiment_remains(const Experiment *experiment)
 {
-    Remains remains = {
+    GhostData remains = {
         .base = experiment->base, .n_columns = experiment->n_columns, .readout = read_whole(experiment)};
     memcpy(remains.columns, experiment->columns, sizeof remains.columns);
     profile_take(&remains.profile, experiment->run.sim, NULL);
@@ -52,7 +52,7 @@ Remains experiment_remains(const Experiment *experiment)
     return remains;
 }
 
-void experiment_drop_remains(Remains *remains)
+void experiment_drop_remains(GhostData *remains)
 {
     profile_close(&remains->profile);
     simulation_release_names(remains->names);
@@ -76,7 +76,7 @@ static Ghost *find_place(Experiment *experiment, bool pinned)
     return pinned && n_pinned == GHOSTS_MAX - 1 ? NULL : found;
 }
 
-bool experiment_make_ghost(Experiment *experiment, bool pinned, Record *record, Remains *remains)
+bool experiment_make_ghost(Experiment *experiment, bool pinned, Record *record, GhostData *remains)
 {
     Ghost *ghost = find_place(experiment, pinned);
     Settings *settings = ghost ? malloc(sizeof *settings) : NULL;
@@ -139,7 +139,7 @@ bool experiment_pin(Experiment *experiment, Status *status)
     Record copy;
     if (!record_copy(&copy, &experiment->record))
         return status_fail(status, "not enough memory to pin the curves");
-    Remains remains = experiment_remains(experiment);
+    GhostData remains = experiment_remains(experiment);
     experiment_make_ghost(experiment, true, &copy, &remains);
     experiment_write_legends(experiment);
     return true;

@@ -130,7 +130,7 @@ const TextKey *text_key_find(const char *key);
 /* The key that is meant by its whole, by its end ("cell_size", "modulus") or by the words beside its field on
  * screen ("cell size"), among those that these settings have. False: there are several such, and the status
  * names them. What is called so nowhere is handed back as it is. */
-bool settings_meant_key(const Settings *, const char *words, char key[KEY_MAX], Status *);
+bool settings_resolve_key(const Settings *, const char *words, char key[KEY_MAX], Status *);
 
 /* The known key of this problem nearest to a wrong one, for "did you mean"; NULL: nothing is near. */
 const char *parameter_nearest(const Problem *problem, const char *key);

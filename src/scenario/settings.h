@@ -8,7 +8,7 @@
 #ifndef SCENARIO_SETTINGS_H
 #define SCENARIO_SETTINGS_H
 
-#include "base/patience.h"
+#include "base/cancel.h"
 #include "base/status.h"
 #include "scenario/assignment.h"
 #include "scenario/rows/rows.h"
@@ -29,7 +29,7 @@ struct Settings {
 
     bool concealed; /* its mistake is made, but not told: "?" */
 
-    Patience patience; /* asked while the simulation and its references are being made */
+    Cancel cancel; /* asked while the simulation and its references are being made */
 
     char question[KEY_MAX]; /* what `t` toggles */
     Assignment duel[DUEL_MAX];

@@ -105,7 +105,7 @@ static bool is_called(const char *key, const char *label, const char *words, Cal
     return label && same_words(label, words);
 }
 
-bool settings_meant_key(const Settings *settings, const char *words, char key[KEY_MAX], Status *status)
+bool settings_resolve_key(const Settings *settings, const char *words, char key[KEY_MAX], Status *status)
 {
     const char *found = NULL;
     char list[120] = "";

@@ -59,7 +59,7 @@ bool bar_motion_resolve(BarMotion *motion, gsl_matrix *s, const double *start, c
     ASSERT_INT(s->size2, ==, motion->count);
     static const double rounding = 1e-13; /* of the largest omega^2: such a mode does not move */
     const size_t n = (size_t)motion->count;
-    quiet_begin();
+    gsl_errors_off();
     gsl_matrix *vectors = gsl_matrix_alloc(n, n);
     gsl_vector *squares = gsl_vector_alloc(n);
     gsl_eigen_symmv_workspace *work = gsl_eigen_symmv_alloc(n);
@@ -82,7 +82,7 @@ bool bar_motion_resolve(BarMotion *motion, gsl_matrix *s, const double *start, c
     gsl_eigen_symmv_free(work);
     gsl_vector_free(squares);
     gsl_matrix_free(vectors);
-    quiet_end();
+    gsl_errors_on();
     return sound;
 }
 

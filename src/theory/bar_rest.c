@@ -220,9 +220,9 @@ bool bar_rest_solve_mass(const BarRest *rest, double share, double *x)
         for (size_t d = 0; d <= width; d++)
             band.rows[i * (width + 1) + d] =
                 share * rest->consistent[i * (width + 1) + d] + (d == 0 ? (1 - share) * rest->mass[i] : 0);
-    const bool good = cholesky_factor(&band, &(Patience){0}) == CHOLESKY_DONE;
+    const bool good = cholesky_factor(&band, &(Cancel){0}) == CHOLESKY_DONE;
     if (good)
-        cholesky_solve(&band, x, &(Patience){0});
+        cholesky_solve(&band, x, &(Cancel){0});
     free(band.rows);
     return good;
 }

@@ -207,7 +207,7 @@ static bool integrate_motion(const Modes *modes, const BeamTheory *beam, MovingC
     for (size_t k = 0; sound && k < solution->count; k++) {
         const double next = solution->step * (double)k, amplitude = beam->amplitude;
         if (k % SAMPLES_A_QUESTION == 0 &&
-            !patience_lasts(&beam->patience, (double)k / (double)solution->count)) {
+            cancel_requested(&beam->cancel, (double)k / (double)solution->count)) {
             gsl_odeiv2_driver_free(driver);
             return status_fail(status, "the solving of the cantilever's motion was cancelled");
         }
@@ -286,9 +286,9 @@ MovingCantilever *moving_cantilever_solve(const BeamTheory *beam, double speed, 
 {
     if (!check_definition(beam, speed, end, status))
         return NULL;
-    quiet_begin();
+    gsl_errors_off();
     MovingCantilever *solution = solve(beam, speed, end, status);
-    quiet_end();
+    gsl_errors_on();
     return solution;
 }
 

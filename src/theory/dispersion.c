@@ -203,7 +203,7 @@ static double refined_minimum(Endless *endless, const double angles[3], const do
 {
     double least = values[1];
     gsl_function function = {limit_of_angle, endless};
-    quiet_begin();
+    gsl_errors_off();
     gsl_min_fminimizer *search = gsl_min_fminimizer_alloc(gsl_min_fminimizer_brent);
     if (search) {
         int status = gsl_min_fminimizer_set_with_values(search, &function, angles[1], values[1], angles[0],
@@ -213,7 +213,7 @@ static double refined_minimum(Endless *endless, const double angles[3], const do
         least = fmin(least, gsl_min_fminimizer_f_minimum(search));
         gsl_min_fminimizer_free(search);
     }
-    quiet_end();
+    gsl_errors_on();
     return least;
 }
 

@@ -7,7 +7,7 @@
 #define THEORY_ELASTIC_BAR_H
 
 #include "base/kinds.h"
-#include "base/patience.h"
+#include "base/cancel.h"
 
 #include <stdbool.h>
 
@@ -77,7 +77,7 @@ typedef struct BarMesh {
     double consistent; /* share of consistent mass in M = consistent M_c + (1 - consistent) M_l: 1 - mu */
     int fmpm_order;    /* 0: no FMPM */
     double dt;
-    Patience patience; /* asked while the mode of a step is looked for */
+    Cancel cancel; /* asked while the mode of a step is looked for */
 } BarMesh;
 
 /* Discrete frequency and decay of one wave number in an endless mesh. */

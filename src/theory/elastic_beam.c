@@ -221,7 +221,7 @@ int beam_thickness_modes(const double *stiffness, int rows, double density, doub
     if (rows < 3 || !(density > 0) || !(dt > 0))
         return 0;
     const size_t n = (size_t)rows;
-    quiet_begin();
+    gsl_errors_off();
     gsl_matrix *matrix = gsl_matrix_alloc(n, n), *modes = gsl_matrix_alloc(n, n);
     gsl_vector *squares = gsl_vector_alloc(n);
     gsl_eigen_symmv_workspace *work = gsl_eigen_symmv_alloc(n);
@@ -239,6 +239,6 @@ int beam_thickness_modes(const double *stiffness, int rows, double density, doub
     gsl_vector_free(squares);
     gsl_matrix_free(modes);
     gsl_matrix_free(matrix);
-    quiet_end();
+    gsl_errors_on();
     return count;
 }

@@ -4,17 +4,17 @@
 #ifndef THEORY_ELASTIC_BEAM_H
 #define THEORY_ELASTIC_BEAM_H
 
-#include "base/patience.h"
+#include "base/cancel.h"
 #include "base/status.h"
 
 typedef struct BeamTheory {
     double length, height; /* m */
     double youngs_modulus, density;
-    double poisson;    /* 1/3 with bonds; Euler-Bernoulli's beam knows none */
-    double amplitude;  /* U */
-    double damping;    /* rate alpha: the acceleration is that of the forces less alpha v */
-    double from_tip;   /* of a moving cantilever: the point that is looked at, so far before its tip, m */
-    Patience patience; /* asked while a motion is being solved */
+    double poisson;   /* 1/3 with bonds; Euler-Bernoulli's beam knows none */
+    double amplitude; /* U */
+    double damping;   /* rate alpha: the acceleration is that of the forces less alpha v */
+    double from_tip;  /* of a moving cantilever: the point that is looked at, so far before its tip, m */
+    Cancel cancel;    /* asked while a motion is being solved */
 } BeamTheory;
 
 /* What damping makes of a period: 2 pi/sqrt((2 pi/T)^2 - alpha^2/4); NAN: it does not swing any more. */

@@ -562,7 +562,7 @@ bool frequency_fit_lines(const double *values, size_t count, double t0, double d
     if (!measure_record(&record, status))
         return false;
     double unknowns[UNKNOWNS_MAX];
-    quiet_begin();
+    gsl_errors_off();
     bool done = fit_record(&record, dt * (double)(count - 1) / 2, start, unknowns, status);
     if (record.short_of_memory) { /* another fit would have been better, perhaps */
         done = status_fail(status, "not enough memory to fit %zu samples", count);
@@ -570,6 +570,6 @@ bool frequency_fit_lines(const double *values, size_t count, double t0, double d
     }
     if (done)
         fill_fit(&record, unknowns, t0, dt, fit);
-    quiet_end();
+    gsl_errors_on();
     return done;
 }

@@ -182,7 +182,7 @@ double pd_bar_frequency(const BarTheory *bar, const PdBarTheory *lattice, int nu
         return NAN;
     }
     const Band matrix = {(size_t)n, width, band.rows};
-    const double square = band_eigenvalue(&matrix, (size_t)place, &lattice->patience);
+    const double square = band_eigenvalue(&matrix, (size_t)place, &lattice->cancel);
     free(band.rows);
     return isnan(square) ? NAN : bar_motion_frequency(sqrt(fmax(0, square)), lattice->dt);
 }
@@ -214,9 +214,9 @@ static void put_in_matrix(void *into, int row, int column, double value)
 static bool take_vectors(BarMotion *motion, const BarTheory *bar, const PdBarTheory *lattice, int n)
 {
     const size_t size = (size_t)n;
-    quiet_begin();
+    gsl_errors_off();
     gsl_matrix *matrix = gsl_matrix_calloc(size, size);
-    quiet_end();
+    gsl_errors_on();
     double *start = malloc(2 * size * sizeof *start);
     bool sound = matrix && start && write_matrix(bar, lattice, n, put_in_matrix, matrix);
     for (int i = 0; sound && i < n; i++) {

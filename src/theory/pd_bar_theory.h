@@ -34,7 +34,7 @@
 #ifndef THEORY_PD_BAR_THEORY_H
 #define THEORY_PD_BAR_THEORY_H
 
-#include "base/patience.h"
+#include "base/cancel.h"
 #include "theory/bar_motion.h"
 #include "theory/elastic_bar.h"
 #include "theory/pd_waves.h"
@@ -45,7 +45,7 @@ typedef struct PdBarTheory {
     bool conical;             /* c falls to 0 at the horizon, and is scaled so that the sum gives E */
     bool energy_correction;   /* bonds near a free end are scaled by the energy of their families */
     double dt;
-    Patience patience; /* asked while an eigenvalue is found */
+    Cancel cancel; /* asked while an eigenvalue is found */
 } PdBarTheory;
 
 /* A wave far from the ends. known: the step is within the stability limit of this wave; decay 0, filter 1. */

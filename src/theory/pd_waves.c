@@ -78,9 +78,9 @@ double pd_waves_plane(Influence shape, bool transverse, double z)
     const double longest = transverse ? 3.0 / 8 : 9.0 / 8;
     if (!(z > 0))
         return z == 0 ? 1 : NAN;
-    quiet_begin();
+    gsl_errors_off();
     gsl_integration_glfixed_table *table = gsl_integration_glfixed_table_alloc(POINTS);
-    quiet_end();
+    gsl_errors_on();
     if (!table)
         return NAN;
     const int pieces = 1 + (int)fmin(z / 4, 1000);

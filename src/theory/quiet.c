@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Counts the callers between quiet_begin() and quiet_end() (quiet.h): the first turns GSL's error handler
- * off, the last puts the previous one back. */
+/* Counts the callers between gsl_errors_off() and gsl_errors_on() (quiet.h): the first turns GSL's error
+ * handler off, the last puts the previous one back. */
 #include "theory/quiet.h"
 
 #include <gsl/gsl_errno.h>
@@ -12,7 +12,7 @@ static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
 static int users;
 static gsl_error_handler_t *before;
 
-void quiet_begin(void)
+void gsl_errors_off(void)
 {
     pthread_mutex_lock(&lock);
     if (users++ == 0)
@@ -20,7 +20,7 @@ void quiet_begin(void)
     pthread_mutex_unlock(&lock);
 }
 
-void quiet_end(void)
+void gsl_errors_on(void)
 {
     pthread_mutex_lock(&lock);
     if (--users == 0)

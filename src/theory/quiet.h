@@ -2,16 +2,16 @@
 /* Keeps GSL from ending the program.
  *
  * GSL's default error handler calls abort(); here errors are Status values. The handler belongs to the whole
- * process, so this is the one place that touches it: between quiet_begin() and quiet_end() it is off, and
- * when the last of several threads has left, the handler that was there before is back. */
+ * process, so this is the one place that touches it: between gsl_errors_off() and gsl_errors_on() it is off,
+ * and when the last of several threads has left, the handler that was there before is back. */
 #ifndef THEORY_QUIET_H
 #define THEORY_QUIET_H
 
 #include <gsl/gsl_matrix.h>
 #include <stdbool.h>
 
-void quiet_begin(void);
-void quiet_end(void);
+void gsl_errors_off(void);
+void gsl_errors_on(void);
 
 /* Whether gsl_eigen_symm() and gsl_eigen_symmv() come to an end with a matrix. They go on until an entry
  * beside the diagonal is below eps of its neighbours there, which never comes where eps times these

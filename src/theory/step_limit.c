@@ -87,7 +87,7 @@ double step_limit_with_ends(const BarTheory *bar, const BarMesh *mesh)
     BarRest rest;
     Workspace work;
     double limit = NAN;
-    quiet_begin();
+    gsl_errors_off();
     if (bar_rest_make(&rest, bar, mesh, kept)) {
         if (reserve(&work, (size_t)rest.nodes))
             limit = sqrt(2 / largest_eigenvalue(&rest, mesh, &work)) * bar_fastest_speed(bar) /
@@ -97,7 +97,7 @@ double step_limit_with_ends(const BarTheory *bar, const BarMesh *mesh)
         limit = INFINITY;
     }
     bar_rest_free(&rest);
-    quiet_end();
+    gsl_errors_on();
     return limit;
 }
 
@@ -161,9 +161,9 @@ static bool resolve(BarMotion *motion, const BarRest *rest, const BarTheory *bar
     const double rate = bar_wave_speed(bar) / mesh->cell_size;
     double *room = calloc(n * (2 + nodes), sizeof *room);
     Particles all = {(int)n, room, room ? room + n : NULL, room ? room + 2 * n : NULL};
-    quiet_begin();
+    gsl_errors_off();
     gsl_matrix *s = gsl_matrix_alloc(n, n);
-    quiet_end();
+    gsl_errors_on();
     bool good = room && s && map_particles(rest, bar, mesh, &all);
     for (size_t p = 0; good && p < n; p++)
         for (size_t q = 0; q <= p; q++) {

@@ -173,7 +173,7 @@ typedef struct Step {
     double courant, alpha;
     double usf, usl, musl; /* 1 for the algorithm at hand */
     bool of_momenta;       /* unknowns are p and f, not v and a */
-    Patience patience;
+    Cancel cancel;
 } Step;
 
 static double symmetric(const BarRest *rest, const double *band, int i, int j)
@@ -318,7 +318,7 @@ static void normalise(double complex *x, int n)
 
 static bool go_on(const Step *step, double share)
 {
-    if (patience_lasts(&step->patience, share))
+    if (!cancel_requested(&step->cancel, share))
         return true;
     errno = ECANCELED;
     return false;
@@ -537,11 +537,11 @@ static StepMode find_mode(Search *search, int number, double complex mu)
         mode = read_mode(search, mu);
     if (mode.known && (mode.overlap >= nearly_pure || search->step.rest.cells > CELLS_MOST_DENSE))
         return mode;
-    quiet_begin();
+    gsl_errors_off();
     if (search->step.rest.cells <= CELLS_MOST_DENSE && choose_among_all(search, &mu) &&
         iterate(&search->step, &search->band, &mu, search->x, search->y))
         mode = read_mode(search, mu);
-    quiet_end();
+    gsl_errors_on();
     return mode;
 }
 
@@ -602,7 +602,7 @@ StepMode step_mode(const BarTheory *bar, const BarMesh *mesh, int number)
                          .usl = mesh->algorithm == MPM_USL,
                          .musl = mesh->algorithm == MPM_MUSL,
                          .of_momenta = mesh->fmpm_order > 0,
-                         .patience = mesh->patience};
+                         .cancel = mesh->cancel};
     if (make_step(&search.step, bar, mesh, (int)cells)) {
         const size_t n = 2 * (size_t)search.step.rest.nodes;
         ComplexBand *band = &search.band;

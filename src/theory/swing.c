@@ -47,10 +47,10 @@ static bool least_squares(const double *values, size_t stride, size_t count, siz
     }
     gsl_matrix_view view = gsl_matrix_view_array(matrix, UNKNOWNS, UNKNOWNS);
     gsl_vector_view vector = gsl_vector_view_array(x, UNKNOWNS);
-    quiet_begin();
+    gsl_errors_off();
     const bool solved = gsl_linalg_cholesky_decomp1(&view.matrix) == GSL_SUCCESS &&
                         gsl_linalg_cholesky_svx(&view.matrix, &vector.vector) == GSL_SUCCESS;
-    quiet_end();
+    gsl_errors_on();
     return solved;
 }
 

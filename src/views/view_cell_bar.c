@@ -25,7 +25,7 @@ enum { SHOWN_MAX = 8 };
 
 /* --- what is there --------------------------------------------------------------------------------- */
 
-typedef struct Near {
+typedef struct CellView {
     const Screen *screen;
     const Simulation *sim;
     int stage;
@@ -37,25 +37,25 @@ typedef struct Near {
     MassRow row; /* of the mass matrix */
     double low, high, spacing;
     double *node_masses, *momenta, most_mass, most_momentum; /* of all nodes, in one block */
-} Near;
+} CellView;
 
-static double node_at(const Near *near, size_t node)
+static double node_at(const CellView *near, size_t node)
 {
     return simulation_named(near->sim, 1, "x", node);
 }
 
-static double particle_at(const Near *near, size_t particle)
+static double particle_at(const CellView *near, size_t particle)
 {
     return simulation_value(near->sim, near->sim->position[0], particle) +
            simulation_value(near->sim, near->sim->displacement[0], particle);
 }
 
-static double place_of(const Near *near, int set, size_t index)
+static double place_of(const CellView *near, int set, size_t index)
 {
     return set ? node_at(near, index) : particle_at(near, index);
 }
 
-static bool is_link(const Near *near, int set, size_t index)
+static bool is_link(const CellView *near, int set, size_t index)
 {
     for (size_t i = 0; i < near->terms.n_links && set != near->terms.set; i++)
         if (near->terms.links[i].index == index)
@@ -64,7 +64,7 @@ static bool is_link(const Near *near, int set, size_t index)
 }
 
 /* From beyond the first to beyond the last link, two or three cells of a hat. */
-static void find_sides(Near *near)
+static void find_sides(CellView *near)
 {
     const size_t nodes = near->sim->counts[1], middle = nodes / 2;
     const double own = place_of(near, near->terms.set, near->terms.index);
@@ -94,7 +94,7 @@ static void find_sides(Near *near)
 
 /* The row of the chosen node, or of the one that the chosen particle gives most to; lumped, all is its own.
  */
-static void take_masses(Near *near)
+static void take_masses(CellView *near)
 {
     if (near->terms.set == 0) {
         size_t most = 0;
@@ -113,10 +113,10 @@ static void take_masses(Near *near)
 }
 
 /* False: no memory. */
-static bool look_near(Near *near, const Screen *screen, bool masses)
+static bool look_near(CellView *near, const Screen *screen, bool masses)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
-    *near = (Near){
+    *near = (CellView){
         .screen = screen, .sim = sim, .terms = {.sim = sim, .set = screen->chosen.is_node}, .masses = masses};
     const size_t chosen = near->terms.set ? screen->chosen.node : screen->chosen.particle,
                  count = sim->counts[near->terms.set];
@@ -141,12 +141,12 @@ static bool look_near(Near *near, const Screen *screen, bool masses)
 }
 
 /* The line of the grid, and how high a bar on it can be: higher where nothing passes below. */
-static double grid_row(const Near *near)
+static double grid_row(const CellView *near)
 {
     return near->masses ? 4.4 : 8.5;
 }
 
-static double bars_height(const Near *near)
+static double bars_height(const CellView *near)
 {
     return near->masses ? 6.2 : 2.4;
 }
@@ -163,7 +163,7 @@ static bool names(const char *words, const char *name)
     return false;
 }
 
-static bool writes(const Near *near, const char *name)
+static bool writes(const CellView *near, const char *name)
 {
     return near->done && !near->wiped && names(near->sim->stages[near->stage].writes, name);
 }
@@ -174,12 +174,12 @@ static const struct {
     const char *field, *label;
 } node_values[] = {{"mass", "m"}, {"momentum", "p"}, {"f", "f"}};
 
-static bool is_in_row(const Near *near, size_t node)
+static bool is_in_row(const CellView *near, size_t node)
 {
     return near->has_row && node >= near->row.first && node < near->row.first + near->row.count;
 }
 
-static double sum_of_row(const Near *near)
+static double sum_of_row(const CellView *near)
 {
     double sum = 0;
     for (size_t k = 0; k < near->row.count; k++)
@@ -187,7 +187,7 @@ static double sum_of_row(const Near *near)
     return sum;
 }
 
-static Writing writing_of_row(const Near *near)
+static Writing writing_of_row(const CellView *near)
 {
     return writing_of(near->row.masses, near->row.count, 0, sum_of_row(near), CELL_TERM_WIDTH);
 }
@@ -200,7 +200,7 @@ static const char *last_word(const char *words)
 }
 
 /* What a node has to do with the stage: what the stage writes of it or what it gives in it. */
-static void node_numbers(const Near *near, size_t node, char *out, size_t size)
+static void node_numbers(const CellView *near, size_t node, char *out, size_t size)
 {
     const bool made = near->terms.n_flows > 0; /* again, by terms that are seen */
     const bool in_row = is_in_row(near, node);
@@ -230,26 +230,26 @@ static void node_numbers(const Near *near, size_t node, char *out, size_t size)
     }
 }
 
-static Style style_of_masses(const Near *near)
+static Style style_of_masses(const CellView *near)
 {
     return writes(near, "mass") || near->has_row ? STYLE_SECOND : STYLE_FAINT;
 }
 
 /* What the bar of a node stands for: its mass or, of a row, what it shares with the chosen one. */
-static double mass_beside(const Near *near, size_t node)
+static double mass_beside(const CellView *near, size_t node)
 {
     if (is_in_row(near, node))
         return near->row.masses[node - near->row.first];
     return near->masses ? 0 : near->node_masses[node];
 }
 
-static Style style_of_momenta(const Near *near)
+static Style style_of_momenta(const CellView *near)
 {
     return writes(near, "momentum") ? STYLE_PREDICTED : STYLE_FAINT;
 }
 
 /* A bar of so much of its band, beside the node. */
-static void add_bar(const Near *near, Picture *picture, double x, double width, double share, Style style,
+static void add_bar(const CellView *near, Picture *picture, double x, double width, double share, Style style,
                     char letter, int fill)
 {
     if (!(share > 1e-6))
@@ -260,7 +260,7 @@ static void add_bar(const Near *near, Picture *picture, double x, double width, 
 }
 
 /* The vector at the nodes that the stage makes, or goes by. */
-static const char *vector_of(const Near *near)
+static const char *vector_of(const CellView *near)
 {
     const Stage *stage = &near->sim->stages[near->stage];
     if (!near->done || near->wiped)
@@ -271,7 +271,7 @@ static const char *vector_of(const Near *near)
 }
 
 /* To the side that it pulls or moves to, the longest of all nodes a little less than half a cell. */
-static void add_vector(const Near *near, Picture *picture, size_t node, double most)
+static void add_vector(const CellView *near, Picture *picture, size_t node, double most)
 {
     const double value = vector_of(near) ? simulation_named(near->sim, 1, vector_of(near), node) : 0;
     const double x = node_at(near, node), share = most > 0 ? value / most : 0;
@@ -283,7 +283,7 @@ static void add_vector(const Near *near, Picture *picture, size_t node, double m
     picture_arrow(picture, &arrow);
 }
 
-static void add_support(const Near *near, Picture *picture, size_t node)
+static void add_support(const CellView *near, Picture *picture, size_t node)
 {
     if (!(simulation_named(near->sim, 1, "fixed", node) > 0))
         return;
@@ -292,7 +292,7 @@ static void add_support(const Near *near, Picture *picture, size_t node)
                 (double[]){0.5, grid_row(near)}, (Pen){LINE_SOLID, '%', STYLE_FRAME, RANK_BAND, 1});
 }
 
-static void add_node(const Near *near, Picture *picture, size_t node, double most)
+static void add_node(const CellView *near, Picture *picture, size_t node, double most)
 {
     const double x = node_at(near, node);
     const bool own = near->terms.set == 1 && node == near->terms.index, linked = is_link(near, 1, node);
@@ -322,7 +322,7 @@ static void add_node(const Near *near, Picture *picture, size_t node, double mos
 
 /* --- particles ------------------------------------------------------------------------------------- */
 
-static void add_particle(const Near *near, Picture *picture, size_t particle)
+static void add_particle(const CellView *near, Picture *picture, size_t particle)
 {
     const bool own = near->terms.set == 0 && particle == near->terms.index,
                linked = is_link(near, 0, particle);
@@ -350,7 +350,7 @@ static void add_particle(const Near *near, Picture *picture, size_t particle)
 
 /* --- what passes ----------------------------------------------------------------------------------- */
 
-static void add_arrow(const Near *near, Picture *picture, size_t link)
+static void add_arrow(const CellView *near, Picture *picture, size_t link)
 {
     const size_t other = near->terms.links[link].index;
     const size_t particle = near->terms.set ? other : near->terms.index,
@@ -368,7 +368,7 @@ static void add_arrow(const Near *near, Picture *picture, size_t link)
 }
 
 /* M v = p at the chosen node: what each node of the row brings in. */
-static void add_row(const Near *near, Picture *picture)
+static void add_row(const CellView *near, Picture *picture)
 {
     double terms[2 * MASSES_BESIDE_MAX + 1], sum = 0;
     for (size_t k = 0; k < near->row.count; k++)
@@ -395,7 +395,7 @@ static void add_row(const Near *near, Picture *picture)
 }
 
 /* "0.1875 + 0.625 + 0.1875 = 1" */
-static void tell_row(const Near *near, Picture *picture)
+static void tell_row(const CellView *near, Picture *picture)
 {
     PictureLabel label = {.x = node_at(near, near->terms.index), .y = 3.2, .style = STYLE_CHANGED};
     const NumberText sum = text_fitted(sum_of_row(near), 5, 10);
@@ -412,7 +412,7 @@ static void tell_row(const Near *near, Picture *picture)
 }
 
 /* The weaker ones as one number. */
-static void tell_rest(const Near *near, Picture *picture)
+static void tell_rest(const CellView *near, Picture *picture)
 {
     char text[sizeof(PictureLabel){0}.text];
     cell_terms_rest(&near->terms, text, sizeof text);
@@ -426,7 +426,7 @@ static void tell_rest(const Near *near, Picture *picture)
 
 /* --- words ----------------------------------------------------------------------------------------- */
 
-static void name_of(const Near *near, char out[PICTURE_TEXT_MAX])
+static void name_of(const CellView *near, char out[PICTURE_TEXT_MAX])
 {
     const Simulation *sim = near->sim;
     snprintf(out, PICTURE_TEXT_MAX, "%s %zu", sim->sets[near->terms.set].name, near->terms.index);
@@ -458,7 +458,7 @@ static void add_spare(Picture *picture, const char *text)
 }
 
 /* The equation of the stage and its sums, where no box has them. */
-static void add_sums(const Near *near, Picture *picture)
+static void add_sums(const CellView *near, Picture *picture)
 {
     enum { SUMS_MAX = 4096, LINES_MAX = 3 };
     const Simulation *sim = near->sim;
@@ -479,7 +479,7 @@ static void add_sums(const Near *near, Picture *picture)
 
 /* --- the whole ------------------------------------------------------------------------------------- */
 
-static void describe_near(const Near *near, Picture *picture)
+static void describe_near(const CellView *near, Picture *picture)
 {
     const Simulation *sim = near->sim;
     const int vector = vector_of(near) ? simulation_find_field(sim, 1, vector_of(near)) : -1;
@@ -523,7 +523,7 @@ static void describe_near(const Near *near, Picture *picture)
 
 void cell_bar_describe(const Screen *screen, int variant, Picture *picture)
 {
-    Near near;
+    CellView near;
     if (look_near(&near, screen, variant == 1))
         describe_near(&near, picture);
     free(near.node_masses);

@@ -260,7 +260,7 @@ static void describe_cost(const Screen *screen, Picture *picture)
 {
     CrackPrice price;
     int asked = 0;
-    const Patience quickly = {is_quick, &asked};
+    const Cancel quickly = {is_quick, &asked};
     if (!crack_price(experiment_simulation(screen->experiment), experiment_settings(screen->experiment),
                      experiment_fronts(screen->experiment), &quickly, &price)) {
         picture_say(

@@ -186,12 +186,12 @@ static bool ask(double share, void *context)
     return ++given->asked <= given->most;
 }
 
-static bool export(Patience patience, char *series, Status *status)
+static bool export(Cancel cancel, char *series, Status *status)
 {
     RunSummary summary;
     snprintf(series, 96, "%s/s.csv", folder);
     const Outputs outputs = {.asker = ASKER_COMMAND_LINE, .series = series};
-    return export_run(&settings, &outputs, 1, patience.go_on, patience.context, &summary, status);
+    return export_run(&settings, &outputs, 1, cancel.go_on, cancel.context, &summary, status);
 }
 
 START_TEST(the_export_is_one_of_them)
@@ -200,7 +200,7 @@ START_TEST(the_export_is_one_of_them)
     Status status = {0};
     long step = 0, rows = 0;
     open_case(_i);
-    ck_assert_msg(export((Patience){0}, series, &status) == !cases[_i].fails, "%s", status.text);
+    ck_assert_msg(export((Cancel){0}, series, &status) == !cases[_i].fails, "%s", status.text);
     FILE *stream = fopen(series, "r");
     ck_assert_ptr_nonnull(fgets(line, sizeof line, stream));
     int column = 0;
@@ -225,7 +225,7 @@ START_TEST(the_export_is_one_of_them)
 }
 END_TEST
 
-static bool fit(int k, Patience patience, double *values, Status *status)
+static bool fit(int k, Cancel cancel, double *values, Status *status)
 {
     static double times[ROWS_MAX];
     FitResult result = {0};
@@ -241,7 +241,7 @@ static bool fit(int k, Patience patience, double *values, Status *status)
                           .times = times,
                           .count = count,
                           .threads = 1,
-                          .patience = patience};
+                          .cancel = cancel};
     Search search = {.task = &task, .result = &result};
     const bool sound = fit_run(&search, &settings, times, values, count);
     *status = search.why;
@@ -254,7 +254,7 @@ START_TEST(the_fit_is_one_of_them)
     Status status;
     open_case(_i);
     /* it ends at its last datum, and knows nothing of what would fail behind it */
-    ck_assert_msg(fit(_i, (Patience){0}, values, &status) || cases[_i].fails, "%s", status.text);
+    ck_assert_msg(fit(_i, (Cancel){0}, values, &status) || cases[_i].fails, "%s", status.text);
     for (long step = 0; step < last + !cases[_i].fails; step++)
         ck_assert_msg(values[step] == expected[step], "step %ld: %.17g, by hand %.17g", step, values[step],
                       expected[step]);
@@ -268,7 +268,7 @@ START_TEST(the_verification_is_one_of_them)
 {
     VerifyRun run;
     open_case(_i);
-    ck_assert(verify_run_open(&run, file, 1, (Patience){0}) == !cases[_i].fails);
+    ck_assert(verify_run_open(&run, file, 1, (Cancel){0}) == !cases[_i].fails);
     if (!cases[_i].fails) {
         const double *column = verify_column(&run, cases[_i].column);
         ck_assert_uint_eq(run.count, (size_t)(last / settings_output(&settings)->every) + 1);
@@ -291,16 +291,16 @@ START_TEST(all_can_be_given_up)
         char series[96];
         Status status = {0};
         Given given = {0, most};
-        ck_assert(!export((Patience){ask, &given}, series, &status));
+        ck_assert(!export((Cancel){ask, &given}, series, &status));
         ck_assert_str_eq(status.text, "interrupted");
         ck_assert_int_eq(given.asked, most + 1);
         given = (Given){0, most};
-        ck_assert(!fit(0, (Patience){ask, &given}, values, &status));
+        ck_assert(!fit(0, (Cancel){ask, &given}, values, &status));
         ck_assert_str_eq(status.text, "interrupted");
         ck_assert_int_eq(given.asked, most + 1);
         VerifyRun run;
         given = (Given){0, most};
-        ck_assert(!verify_run_open(&run, file, 1, (Patience){ask, &given}));
+        ck_assert(!verify_run_open(&run, file, 1, (Cancel){ask, &given}));
         ck_assert_int_eq(given.asked, most + 1);
         verify_run_close(&run);
     }

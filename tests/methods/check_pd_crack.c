@@ -59,7 +59,7 @@ START_TEST(the_crack_goes_as_the_paper_says)
     ck_assert_double_eq_tol(crack.fastest, 879, 0.02 * 879);
     /* G0 = 35.68: what the path's own bonds take lies below it, what is dissipated above */
     CrackCost cost;
-    ck_assert(crack_cost(sim, &(Patience){0}, &cost));
+    ck_assert(crack_cost(sim, &(Cancel){0}, &cost));
     ck_assert_double_eq_tol(cost.plane / 35.68, 0.9537, 2e-4);
     ck_assert_double_eq_tol(cost.total / cost.area, 40.8, 0.5);
     ck_assert_double_eq_tol(cost.through / cost.area, 31.2, 1);
@@ -98,15 +98,15 @@ START_TEST(a_cost_can_be_given_up)
     const CrackPath path = {PIECES, x, y};
     CrackCost alone, cost;
     Asked asked = {0, INT_MAX, 0};
-    ck_assert(crack_cost_along(sim, &path, 1, 0.03, &(Patience){0}, &alone));
-    ck_assert(crack_cost_along(sim, &path, 1, 0.03, &(Patience){goes_on, &asked}, &cost));
+    ck_assert(crack_cost_along(sim, &path, 1, 0.03, &(Cancel){0}, &alone));
+    ck_assert(crack_cost_along(sim, &path, 1, 0.03, &(Cancel){goes_on, &asked}, &cost));
     ck_assert_mem_eq(&alone, &cost, sizeof cost);
     ck_assert_double_gt(cost.far, 0);
     ck_assert_msg(asked.count > 3 && asked.count > 0.7 * pairs / CRACK_COST_PAIRS_A_QUESTION,
                   "asked %d times over %g pairs", asked.count, pairs);
     for (int most = 0; most < 3; most++) {
         asked = (Asked){0, most, 0};
-        ck_assert(!crack_cost_along(sim, &path, 1, 0.03, &(Patience){goes_on, &asked}, &cost));
+        ck_assert(!crack_cost_along(sim, &path, 1, 0.03, &(Cancel){goes_on, &asked}, &cost));
         ck_assert_int_eq(asked.count, most + 1);
     }
     simulation_destroy(sim);
@@ -126,7 +126,7 @@ START_TEST(beside_is_within_a_horizon)
         for (int k = 0; k < 2; k++) {
             const double level = row * def.spacing / 2 - (k == 0 ? 1.004 : 1.02) * def.horizon;
             double x[2] = {-1, 1}, y[2] = {level, level};
-            ck_assert(crack_cost_along(sim, &(CrackPath){2, x, y}, 1, 0.03, &(Patience){0}, &cost[k]));
+            ck_assert(crack_cost_along(sim, &(CrackPath){2, x, y}, 1, 0.03, &(Cancel){0}, &cost[k]));
         }
         ck_assert_double_eq(cost[0].beside, cost[1].beside);
         ck_assert_double_eq(cost[0].far, cost[1].far);
@@ -163,7 +163,7 @@ START_TEST(half_the_step_is_off_by_a_quarter)
         def.dt /= k + 1;
         Simulation *sim = beam_case_create(&def, NULL);
         advance(sim, 900 * (k + 1));
-        ck_assert(crack_cost(sim, &(Patience){0}, &cost));
+        ck_assert(crack_cost(sim, &(Cancel){0}, &cost));
         ck_assert_double_gt(cost.through, 0);
         ck_assert_double_eq_tol(cost.through + cost.beside + cost.far, series_now(sim, "dissipated"),
                                 1e-12 * cost.total);
@@ -192,7 +192,7 @@ START_TEST(similar_beams_crack_alike)
         Crack crack;
         CrackCost cost;
         advance(sim, 900);
-        ck_assert(crack_measure(sim, &crack) && crack.begun && crack_cost(sim, &(Patience){0}, &cost));
+        ck_assert(crack_measure(sim, &crack) && crack.begun && crack_cost(sim, &(Cancel){0}, &cost));
         if (k == 0) {
             angle = crack_angle(sim, INFINITY);
             length = crack.length;

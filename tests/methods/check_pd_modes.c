@@ -26,8 +26,8 @@ START_TEST(band_is_solved)
         rows[3 * i + 1] = -1;
     }
     x[10] = 1;
-    ck_assert_int_eq(cholesky_factor(&band, &(Patience){0}), CHOLESKY_DONE);
-    ck_assert(cholesky_solve(&band, x, &(Patience){0}));
+    ck_assert_int_eq(cholesky_factor(&band, &(Cancel){0}), CHOLESKY_DONE);
+    ck_assert(cholesky_solve(&band, x, &(Cancel){0}));
     for (int i = 0; i < N; i++) {
         const double exact = i <= 10 ? (i + 1) * (N - 10.0) / (N + 1) : 11 * (N - (double)i) / (N + 1);
         ck_assert_double_eq_tol(x[i], exact, 1e-13);
@@ -39,7 +39,7 @@ START_TEST(singular_is_told)
 {
     double rows[] = {1, 0, 2, -1, 1, -1}; /* three masses on two springs: nothing holds them */
     CholeskyBand band = {3, 1, rows};
-    ck_assert_int_eq(cholesky_factor(&band, &(Patience){0}), CHOLESKY_SINGULAR);
+    ck_assert_int_eq(cholesky_factor(&band, &(Cancel){0}), CHOLESKY_SINGULAR);
 }
 END_TEST
 
@@ -138,7 +138,7 @@ START_TEST(can_be_given_up)
     BeamDef def = golden_beam(0.2, 1, "energy", "partial");
     Status status = {0};
     double period;
-    def.patience.go_on = never;
+    def.cancel.go_on = never;
     ck_assert(!beam_predicted_period(&def, &period, NULL, NULL, &status));
     ck_assert_str_ne(status.text, "");
 }

@@ -156,7 +156,7 @@ static bool never(double share, void *context)
 START_TEST(a_point_can_be_given_up)
 {
     Settings settings = beam(0.25e-3, SURFACE_ENERGY);
-    settings.patience.go_on = never;
+    settings.cancel.go_on = never;
     ConvergencePoint point;
     Status status = {STATUS_DONE, ""};
     ck_assert(!convergence_point(study_of(&settings, "m"), &settings, 3, &point, &status));

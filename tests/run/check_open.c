@@ -189,7 +189,7 @@ START_TEST(answers_leave_where_a_stranger_comes_on_the_way)
 {
     Settings settings = load("planted", NULL, NULL);
     ck_assert(changes_add(&settings, 1000, "mpm.damping", "0.5", NULL));
-    ck_assert_str_eq(known_unaccounted(&settings, REFERENCE_EXACT), "mpm.damping");
+    ck_assert_str_eq(answer_invalid_because(&settings, REFERENCE_EXACT), "mpm.damping");
     ck_assert_ptr_null(known_unaccounted_now(&settings, REFERENCE_EXACT));
     long step;
     char text[KNOWN_TEXT_MAX];
@@ -209,7 +209,7 @@ START_TEST(keys_are_those_of_parameters)
     for (int p = 0; problems[p]; p++)
         for (int s = 0; problems[p]->solvers[s]; s++)
             for (int r = 0; r < REFERENCES; r++) {
-                const Understanding *known = &problems[p]->solvers[s]->understands[r];
+                const Validity *known = &problems[p]->solvers[s]->understands[r];
                 for (int i = 0; known->keys && known->keys[i]; i++)
                     ck_assert_msg(parameter_find(known->keys[i]) != NULL, "%s", known->keys[i]);
                 for (int i = 0; known->changes && known->changes[i]; i++) {

@@ -230,18 +230,18 @@ END_TEST
 
 /* --- sizes ---------------------------------------------------------------------------------------- */
 
-typedef struct Patience {
+typedef struct Cancel {
     int calls, most;
     double share;
-} Patience;
+} Cancel;
 
 static bool wait_for(double share, void *context)
 {
-    Patience *patience = context;
-    ck_assert_double_ge(share, patience->share);
+    Cancel *cancel = context;
+    ck_assert_double_ge(share, cancel->share);
     ck_assert_double_le(share, 1);
-    patience->share = share;
-    return ++patience->calls < patience->most;
+    cancel->share = share;
+    return ++cancel->calls < cancel->most;
 }
 
 START_TEST(a_million_rows_are_fine_and_can_be_given_up)
@@ -256,10 +256,10 @@ START_TEST(a_million_rows_are_fine_and_can_be_given_up)
     fclose(file);
     Overlay overlay;
     Status status = {STATUS_DONE, ""};
-    Patience patience = {.most = 1000};
-    ck_assert_msg(overlay_load(&overlay, path, wait_for, &patience, &status), "%s", status.text);
-    ck_assert_int_gt(patience.calls, 20);
-    ck_assert_double_gt(patience.share, 0.9);
+    Cancel cancel = {.most = 1000};
+    ck_assert_msg(overlay_load(&overlay, path, wait_for, &cancel, &status), "%s", status.text);
+    ck_assert_int_gt(cancel.calls, 20);
+    ck_assert_double_gt(cancel.share, 0.9);
     ck_assert(overlay_choose(&overlay, NULL, NULL, "v_cm", "u", &status));
     ck_assert_uint_eq(overlay.count, ROWS);
     for (int i = 0; i < ROWS; i++)
@@ -267,8 +267,8 @@ START_TEST(a_million_rows_are_fine_and_can_be_given_up)
     ck_assert_double_eq(overlay.columns[1].values[777777], 1000);
     ck_assert_double_eq(overlay.columns[1].largest, 1000);
     overlay_close(&overlay);
-    patience = (Patience){.most = 3};
-    ck_assert(!overlay_load(&overlay, path, wait_for, &patience, &status));
+    cancel = (Cancel){.most = 3};
+    ck_assert(!overlay_load(&overlay, path, wait_for, &cancel, &status));
     ck_assert_ptr_nonnull(strstr(status.text, "not read to its end"));
     unlink(path);
 }

@@ -245,7 +245,7 @@ START_TEST(keys_are_meant_by_end_and_label)
     Status status = {STATUS_DONE, ""};
     const char *wanted = meanings[_i].key;
     settings_default(&settings, problem_find(meanings[_i].problem));
-    const bool one = settings_meant_key(&settings, meanings[_i].words, key, &status);
+    const bool one = settings_resolve_key(&settings, meanings[_i].words, key, &status);
     ck_assert_int_eq(one, !wanted || *wanted);
     if (one)
         ck_assert_str_eq(key, wanted ? wanted : meanings[_i].words);

@@ -44,7 +44,7 @@ static Listening build(Settings *settings, long most, Experiment **experiment)
 {
     Status status = {0};
     Listening listening = {.most = most, .last = processor_seconds()};
-    settings->patience = (Patience){listen, &listening};
+    settings->cancel = (Cancel){listen, &listening};
     *experiment = settings_check(settings, &status) ? experiment_create(settings, 1000000, 1, &status) : NULL;
     return listening;
 }

@@ -506,7 +506,7 @@ START_TEST(a_plane_through_a_low_plate_is_what_is_there)
     const double c = 9 * settings_material(&settings)->youngs_modulus / (M_PI * pow(4e-3, 3)),
                  expected = c * 1e-3 * 1e-3 * lengths * 1e-12 / 2 / settings_geometry(&settings)->height;
     CrackCost cost;
-    ck_assert(crack_cost_along(sim, NULL, 0, 1, &(Patience){0}, &cost));
+    ck_assert(crack_cost_along(sim, NULL, 0, 1, &(Cancel){0}, &cost));
     expect_near("plane", cost.plane, expected, 1e-12 * expected);
     free(from);
     free(to);

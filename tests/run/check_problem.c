@@ -724,7 +724,7 @@ START_TEST(an_offset_is_known)
     static const char *const beside[] = {"initial.offset", "-0.4", "initial.velocity", "1e-4", NULL};
     Settings settings = loaded("mode5", beside);
     for (int r = 0; r < REFERENCES; r++)
-        ck_assert_ptr_null(known_unaccounted(&settings, (Reference)r));
+        ck_assert_ptr_null(answer_invalid_because(&settings, (Reference)r));
     const Readout readout = read_out(&settings);
     ck_assert_double_eq_tol(readout.measured, readout.predicted, 1e-3);
     ck_assert_double_eq_tol(readout.exact, 5.654866776461628, 1e-12);
@@ -739,8 +739,8 @@ START_TEST(an_offset_is_known)
     set(&settings, "initial.offset", "-0.4");
     set(&settings, "mpm.algorithm", "usf");
     set(&settings, "mpm.shape", "gimp");
-    ck_assert_str_eq(known_unaccounted(&settings, REFERENCE_PREDICTED), "initial.offset");
-    ck_assert_ptr_null(known_unaccounted(&settings, REFERENCE_EXACT));
+    ck_assert_str_eq(answer_invalid_because(&settings, REFERENCE_PREDICTED), "initial.offset");
+    ck_assert_ptr_null(answer_invalid_because(&settings, REFERENCE_EXACT));
     ck_assert(!settings_set(&settings, "mpm.mass_blend", "auto", NULL) || !settings_check(&settings, NULL));
     ck_assert(!settings_set(&settings, "initial.offset", "0.5", NULL));
 }
@@ -784,14 +784,14 @@ START_TEST(two_materials_have_a_frequency)
         ck_assert_msg(!has_column(&other, "v_cm_predicted"), "%s", unpredicted[i][0]);
     }
     settings_edit_time(&settings)->end = 1e4; /* for ever */
-    ck_assert_ptr_null(known_unaccounted(&settings, REFERENCE_EXACT));
+    ck_assert_ptr_null(answer_invalid_because(&settings, REFERENCE_EXACT));
     set(&settings, "initial.shape", "sine");
-    ck_assert_str_eq(known_unaccounted(&settings, REFERENCE_EXACT), "bar2.joint");
+    ck_assert_str_eq(answer_invalid_because(&settings, REFERENCE_EXACT), "bar2.joint");
     settings_edit_time(&settings)->end = 100;
-    ck_assert_ptr_null(known_unaccounted(&settings, REFERENCE_EXACT));
+    ck_assert_ptr_null(answer_invalid_because(&settings, REFERENCE_EXACT));
     set(&settings, "load.body_force", "0.01");
-    ck_assert_str_eq(known_unaccounted(&settings, REFERENCE_EXACT), "bar2.joint");
-    ck_assert_ptr_null(known_unaccounted(&settings, REFERENCE_FREQUENCY));
+    ck_assert_str_eq(answer_invalid_because(&settings, REFERENCE_EXACT), "bar2.joint");
+    ck_assert_ptr_null(answer_invalid_because(&settings, REFERENCE_FREQUENCY));
     /* between equals nothing is changed */
     static const char *const equals[] = {"mesh.cell_size", "0.5", "bar2.joint", "12.5", NULL};
     Settings joined = loaded("mode5", equals), one = loaded("mode5", equals);

@@ -360,7 +360,7 @@ START_TEST(a_long_motion_can_be_given_up)
 {
     int asked = 0;
     BeamTheory beam = paper;
-    beam.patience = (Patience){a_few_times, &asked};
+    beam.cancel = (Cancel){a_few_times, &asked};
     expect_refused(beam, 1e-6, 1, "cancelled");
     ck_assert_int_eq(asked, 5);
 }
@@ -376,7 +376,7 @@ static bool at_once(double share, void *context)
 START_TEST(a_motion_has_a_bound)
 {
     BeamTheory beam = paper;
-    beam.patience = (Patience){at_once, NULL};
+    beam.cancel = (Cancel){at_once, NULL};
     const double fastest =
         sqrt(beam.youngs_modulus / (12 * beam.density)) * beam.height * pow(9.5 * M_PI / beam.length, 2);
     const double most = 1e7 * 2 * M_PI / fastest / 16;

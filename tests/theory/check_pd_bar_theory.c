@@ -272,7 +272,7 @@ START_TEST(eigenvalues_of_a_band)
     gsl_sort_vector(values);
     const Band band = {SIZE, WIDTH, rows};
     for (size_t k = 0; k < SIZE; k++)
-        ck_assert_double_eq_tol(band_eigenvalue(&band, k, &(Patience){0}), gsl_vector_get(values, k), 1e-13);
+        ck_assert_double_eq_tol(band_eigenvalue(&band, k, &(Cancel){0}), gsl_vector_get(values, k), 1e-13);
     gsl_eigen_symm_free(work);
     gsl_vector_free(values);
     gsl_matrix_free(matrix);

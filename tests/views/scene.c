@@ -211,7 +211,7 @@ static bool refine(Scene *scene, const Plan *plan, Status *status)
 {
     const Settings *settings = experiment_settings(scene->screen.experiment);
     const ConvergenceStudy *study = view_study(scene->screen.views.lower, &scene->screen);
-    const Patience forever = {NULL, NULL};
+    const Cancel forever = {NULL, NULL};
     scene->screen.convergence = &scene->convergence;
     convergence_begin(&scene->convergence, settings);
     for (int i = 0; study && convergence_lacks(&scene->convergence, settings, study); i++)

@@ -34,7 +34,7 @@ static double reach_of(const Band *band)
 
 /* How far a search has come, for its patience. */
 typedef struct Search {
-    const Patience *patience;
+    const Cancel *cancel;
     double share;
     bool given_up;
 } Search;
@@ -53,7 +53,7 @@ static size_t count_below(const Band *band, double x, double least, Search *sear
     for (size_t i = 0; i < band->size; i++) {
         double *row = lower[place], pivot = entry(band, i, 0) - x;
         const size_t left = i < width ? i : width;
-        if (i % rows_a_question == 0 && !patience_lasts(search->patience, search->share)) {
+        if (i % rows_a_question == 0 && cancel_requested(search->cancel, search->share)) {
             search->given_up = true;
             return 0;
         }
@@ -77,14 +77,14 @@ static size_t count_below(const Band *band, double x, double least, Search *sear
 }
 
 /* Bisection between the bounds; ends at a quarter of their rounding, or where no double lies between. */
-double band_eigenvalue(const Band *band, size_t number, const Patience *patience)
+double band_eigenvalue(const Band *band, size_t number, const Cancel *cancel)
 {
     ASSERT_INDEX(number, band->size);
     ASSERT_INT(band->width, <=, BAND_WIDTH_MAX);
     enum { HALVINGS = 56 }; /* of 2 to eps/4, about */
     double high = reach_of(band), low = -high;
     const double rounding = DBL_EPSILON * high;
-    Search search = {.patience = patience};
+    Search search = {.cancel = cancel};
     for (int k = 0; high - low > rounding / 4; k++) {
         double middle = low + (high - low) / 2;
         if (!(middle > low && middle < high))

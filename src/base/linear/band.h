@@ -8,7 +8,7 @@
 #ifndef BASE_LINEAR_BAND_H
 #define BASE_LINEAR_BAND_H
 
-#include "base/patience.h"
+#include "base/cancel.h"
 
 #include <stddef.h>
 
@@ -21,8 +21,8 @@ typedef struct Band {
     const double *rows;
 } Band;
 
-/* Eigenvalue number 0 (the least) to size - 1, to the rounding of the largest one's size. `patience` is asked
+/* Eigenvalue number 0 (the least) to size - 1, to the rounding of the largest one's size. `cancel` is asked
  * every few milliseconds, with shares above 0. NAN: given up, errno is ECANCELED. */
-double band_eigenvalue(const Band *band, size_t number, const Patience *patience);
+double band_eigenvalue(const Band *band, size_t number, const Cancel *cancel);
 
 #endif

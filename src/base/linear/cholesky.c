@@ -29,7 +29,7 @@ static double dot(const double *a, const double *b, size_t count)
 
 /* L(i,j) = (K(i,j) - sum_k<j L(i,k) L(j,k)) / L(j,j),  L(i,i)^2 = K(i,i) - sum_k<i L(i,k)^2,
  * row by row: with distances d = i - k from the diagonal both rows are read forwards. */
-CholeskyEnd cholesky_factor(CholeskyBand *band, const Patience *patience)
+CholeskyEnd cholesky_factor(CholeskyBand *band, const Cancel *cancel)
 {
     const size_t width = band->width, stride = width + 1;
     size_t products = 0;
@@ -48,7 +48,7 @@ CholeskyEnd cholesky_factor(CholeskyBand *band, const Patience *patience)
         products += left * left / 2;
         if (products > PRODUCTS_BETWEEN_QUESTIONS) {
             products = 0;
-            if (!patience_lasts(patience, (double)i / (double)band->size))
+            if (cancel_requested(cancel, (double)i / (double)band->size))
                 return CHOLESKY_GIVEN_UP;
         }
     }
@@ -56,12 +56,12 @@ CholeskyEnd cholesky_factor(CholeskyBand *band, const Patience *patience)
 }
 
 /* L y = x forwards, L^T x = y backwards. */
-bool cholesky_solve(const CholeskyBand *band, double *x, const Patience *patience)
+bool cholesky_solve(const CholeskyBand *band, double *x, const Cancel *cancel)
 {
     ASSERT(band->rows);
     const size_t width = band->width, stride = width + 1, rows_a_question = PRODUCTS_OF_SOLUTION / stride + 1;
     for (size_t i = 0; i < band->size; i++) {
-        if (i % rows_a_question == 0 && !patience_lasts(patience, 1))
+        if (i % rows_a_question == 0 && cancel_requested(cancel, 1))
             return false;
         const double *row = band->rows + i * stride;
         const size_t left = i < width ? i : width;
@@ -71,7 +71,7 @@ bool cholesky_solve(const CholeskyBand *band, double *x, const Patience *patienc
         x[i] = sum / row[0];
     }
     for (size_t i = band->size; i-- > 0;) {
-        if (i % rows_a_question == 0 && !patience_lasts(patience, 1))
+        if (i % rows_a_question == 0 && cancel_requested(cancel, 1))
             return false;
         const double *row = band->rows + i * stride;
         const size_t left = i < width ? i : width;

@@ -7,7 +7,7 @@
 #ifndef BASE_LINEAR_CHOLESKY_H
 #define BASE_LINEAR_CHOLESKY_H
 
-#include "base/patience.h"
+#include "base/cancel.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -22,13 +22,13 @@ typedef struct CholeskyBand {
 typedef enum CholeskyEnd {
     CHOLESKY_DONE,
     CHOLESKY_SINGULAR, /* a pivot below 1e-14 of its diagonal: not positive definite to rounding */
-    CHOLESKY_GIVEN_UP  /* by its Patience */
+    CHOLESKY_GIVEN_UP  /* by its Cancel */
 } CholeskyEnd;
 
-/* In place. `patience` is called now and then. */
-CholeskyEnd cholesky_factor(CholeskyBand *, const Patience *);
+/* In place. `cancel` is called now and then. */
+CholeskyEnd cholesky_factor(CholeskyBand *, const Cancel *);
 
 /* x <- K^-1 x, after cholesky_factor(). False: given up, and x is of no use. */
-bool cholesky_solve(const CholeskyBand *, double *x, const Patience *);
+bool cholesky_solve(const CholeskyBand *, double *x, const Cancel *);
 
 #endif

@@ -303,7 +303,7 @@ static void run_combination(Sweep *sweep, int combination)
     if (sweep->options->steps > 0 &&
         !sweep_plan_load(&sweep->plan, sweep->options, combination, true, &settings, why))
         return;
-    settings.patience = (Patience){show_share, &run};
+    settings.cancel = (Cancel){show_share, &run};
     double began = clock_seconds();
     if (export_run(&settings, &(Outputs){0}, sweep->threads, show_share, &run, &summary, why))
         sweep_result_of(&summary, &settings, clock_seconds() - began, result);

@@ -49,7 +49,7 @@ double quantity_longer_than(VerifyRun *run, const VerifyRow *row)
 {
     VerifyRun shorter;
     double percent = NAN;
-    if (verify_run_open(&shorter, row->other, run->threads, run->settings.patience))
+    if (verify_run_open(&shorter, row->other, run->threads, run->settings.cancel))
         percent = 100 * (run->readout.measured / shorter.readout.measured - 1);
     verify_run_close(&shorter);
     return percent;
@@ -217,7 +217,7 @@ static void try_starts(VerifyRun *run, const VerifyRow *row)
         VerifyRun other;
         snprintf(scenario, sizeof scenario, "%s initial.velocity=%.17g", run->scenario,
                  settings_start(&run->settings)->velocity * (1 + off));
-        if (verify_run_open(&other, scenario, run->threads, run->settings.patience))
+        if (verify_run_open(&other, scenario, run->threads, run->settings.cancel))
             run->starts[run->n_starts++] = quantity_energy_left(&other, row);
         verify_run_close(&other);
     }
@@ -367,7 +367,7 @@ double quantity_plane_energy(VerifyRun *run, const VerifyRow *row)
 {
     (void)row;
     CrackCost cost;
-    return crack_cost(run->passing.sim, &(Patience){0}, &cost) ? cost.plane : NAN;
+    return crack_cost(run->passing.sim, &(Cancel){0}, &cost) ? cost.plane : NAN;
 }
 
 typedef enum FrontNumber { BRANCH_X, BRANCH_TIME, HALF_ANGLE, FASTEST, ANGLE } FrontNumber;

@@ -2,7 +2,7 @@
 /* Verdicts on a number. */
 #include "cli/verify/verify_row.h"
 #include "scenario/concern_output.h"
-#include "base/patience.h"
+#include "base/cancel.h"
 #include "scenario/parameters.h"
 #include "scenario/scenario.h"
 
@@ -125,13 +125,13 @@ static bool fill_rows(VerifyRun *run, Status *status)
     return true;
 }
 
-bool verify_run_open(VerifyRun *run, const char *scenario, int threads, Patience patience)
+bool verify_run_open(VerifyRun *run, const char *scenario, int threads, Cancel cancel)
 {
     Status *status = &run->failure;
     *run = (VerifyRun){.scenario = scenario, .threads = threads};
     if (!verify_settings(scenario, &run->settings, status))
         return false;
-    run->settings.patience = patience;
+    run->settings.cancel = cancel;
     if (!run_open(&run->passing, &run->settings, problem_simulate(&run->settings, threads, status), status))
         return false;
     run->refs = references_create(&run->settings, run->passing.sim, status);

@@ -6,7 +6,7 @@
 #define CLI_VERIFY_VERIFY_ROW_H
 
 #include "scenario/settings.h"
-#include "base/patience.h"
+#include "base/cancel.h"
 #include "problems/problem.h"
 #include "answers/references.h"
 #include "run/advance.h"
@@ -38,7 +38,7 @@ typedef struct VerifyRun {
 
 /* Runs a scenario: its name and KEY=VALUE ... behind, parted by spaces; rows every output.every steps. False:
  * the run's failure says why. The run is closed in any case by verify_run_close(). */
-bool verify_run_open(VerifyRun *, const char *scenario, int threads, Patience);
+bool verify_run_open(VerifyRun *, const char *scenario, int threads, Cancel);
 void verify_run_close(VerifyRun *);
 
 /* The settings alone. */

@@ -4,7 +4,7 @@
  */
 #include "cli/verify/verify_runner.h"
 
-#include "base/patience.h"
+#include "base/cancel.h"
 #include "base/math/functions.h"
 
 #include <string.h>
@@ -163,8 +163,8 @@ static void run_row(Verify *verify, const VerifyCheck *check, const VerifyRow *r
     VerifyRun *run = &verify->run;
     if (!(run->scenario && strcmp(run->scenario, scenario) == 0)) {
         verify_run_close(run);
-        const Patience patience = {verify->progress ? show_progress : NULL, verify};
-        verify_run_open(run, scenario, verify->threads, patience);
+        const Cancel cancel = {verify->progress ? show_progress : NULL, verify};
+        verify_run_open(run, scenario, verify->threads, cancel);
     }
     const VerifyNumbers numbers = verify_numbers(run->failure.code == STATUS_DONE ? run : NULL, row);
     if (progress_signal())

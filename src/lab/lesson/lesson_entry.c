@@ -412,7 +412,7 @@ static bool is_back(const Laboratory *lab, const LessonPart *part)
 }
 
 /* Whether the run is just what this page leaves to the next one. */
-static bool is_left_well(const Laboratory *lab, const LessonPage *page, const LessonPage *next)
+static bool page_state_reusable(const Laboratory *lab, const LessonPage *page, const LessonPage *next)
 {
     const Experiment *experiment = laboratory_run(lab);
     const LessonPlay *play = &lab->play;
@@ -444,7 +444,7 @@ static void queue_page(Laboratory *lab, int page)
     const LessonPage *pages = shown->lesson->pages;
     LessonPlay *play = &lab->play;
     const bool goes_on = shown->page >= 0 && page == shown->page + 1 &&
-                         is_left_well(lab, lesson_entry_page(lab), &pages[page]);
+                         page_state_reusable(lab, lesson_entry_page(lab), &pages[page]);
     play->n_queue = play->next = 0;
     for (int i = goes_on ? page : first_needed(shown->lesson, page); i < page; i++) {
         queue_part(play, &pages[i].first, false);

@@ -74,7 +74,7 @@ bool lesson_judge_run(Laboratory *lab, const Settings *of, RunSummary *summary, 
 {
     Settings settings = *of;
     Waiting waiting = {lab, lab->host.now(lab->host.context)};
-    settings.patience = (Patience){wait_for_run, &waiting};
+    settings.cancel = (Cancel){wait_for_run, &waiting};
     return export_run(&settings, &(Outputs){0}, lab->options.threads > 0 ? lab->options.threads : 1,
                       wait_for_run, &waiting, summary, status);
 }

@@ -96,7 +96,7 @@ static void offer_values(Completion *completion, const Settings *settings, const
     const Problem *problem = settings->problem;
     snprintf(name, sizeof name, "%.*s", (int)length, key);
     const Parameter *parameter =
-        settings_meant_key(settings, name, whole, NULL) ? parameter_find(whole) : NULL;
+        settings_resolve_key(settings, name, whole, NULL) ? parameter_find(whole) : NULL;
     if (!parameter)
         return;
     for (int i = 0; parameter->type == PARAMETER_CHOICE && i < parameter_choices(parameter, problem); i++)

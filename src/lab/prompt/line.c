@@ -68,7 +68,7 @@ static bool means_key(const Laboratory *lab, const char *words, size_t length)
     char called[KEY_MAX], key[KEY_MAX];
     snprintf(called, sizeof called, "%.*s", (int)length, words);
     return length < sizeof called &&
-           (!settings_meant_key(experiment_settings(laboratory_run(lab)), called, key, NULL) ||
+           (!settings_resolve_key(experiment_settings(laboratory_run(lab)), called, key, NULL) ||
             parameter_find(key) || text_key_find(key));
 }
 
@@ -100,7 +100,7 @@ static bool set(Laboratory *lab, const char *words)
     if (length == 0 || length >= sizeof called || !*value)
         return prompt_refuse(&lab->prompting, "a key and a value are wanted, as in set initial.mode 5");
     snprintf(called, sizeof called, "%.*s", (int)length, words);
-    return settings_meant_key(experiment_settings(laboratory_run(lab)), called, key, &status)
+    return settings_resolve_key(experiment_settings(laboratory_run(lab)), called, key, &status)
                ? assign(lab, key, value)
                : prompt_refuse(&lab->prompting, status.text);
 }

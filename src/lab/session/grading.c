@@ -68,7 +68,7 @@ static void worked(void *context, long steps)
 static bool go_on(void *context)
 {
     Grader *grader = context;
-    if (!patience_lasts(&grader->task->patience, grader->share))
+    if (cancel_requested(&grader->task->cancel, grader->share))
         grader->given_up = true;
     return !grader->given_up && !is_spent(grader);
 }

@@ -7,14 +7,14 @@
 #ifndef LAB_SESSION_GRADING_H
 #define LAB_SESSION_GRADING_H
 
-#include "base/patience.h"
+#include "base/cancel.h"
 #include "lessons/lesson.h"
 
 typedef struct GradingTask {
     const char *lesson; /* by name or path */
     int threads;
-    double seconds;    /* that a session may take */
-    Patience patience; /* asked now and then; the share is that of the keys */
+    double seconds; /* that a session may take */
+    Cancel cancel;  /* asked now and then; the share is that of the keys */
 } GradingTask;
 
 /* An exercise of the lesson and what became of it. */

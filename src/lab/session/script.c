@@ -34,7 +34,7 @@ struct Script {
     double rate; /* steps per second; 0: without limit */
     /* Real seconds that an instruction may take for work that is not cut into frames; 0: as long as it
      * takes. */
-    double patience;
+    double cancel;
     double begun;                /* when the instruction began */
     char scene[80];              /* of a lecture, under way; "": none */
     int scene_keys;              /* that it has cost */
@@ -48,7 +48,7 @@ static bool go_on(void *context)
     const Script *script = context;
     if (script->camera && !camera_goes_on(script->camera))
         return false;
-    return script->patience == 0 || clock_seconds() - script->begun < script->patience;
+    return script->cancel == 0 || clock_seconds() - script->begun < script->cancel;
 }
 
 /* Whatever waits for the clock waits no longer when the camera is told to stop, or patience is at its end. */
@@ -227,7 +227,7 @@ static bool do_rate(Script *script, char *rest, Status *status)
 static bool do_patience(Script *script, char *rest, Status *status)
 {
     char end;
-    if (sscanf(rest, "%lf%c", &script->patience, &end) != 1 || !(script->patience >= 0))
+    if (sscanf(rest, "%lf%c", &script->cancel, &end) != 1 || !(script->cancel >= 0))
         return status_refuse(status, "patience: not a number of seconds: %s", rest);
     return true;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The laboratory without a terminal: keys from a file, screens to standard output, a clock that only frames
- * and steps move (but for the instruction `patience`). The same script gives the same screens, always.
+ * and steps move (but for the instruction `cancel`). The same script gives the same screens, always.
  *
  * One instruction a line, as the table below has them; empty lines and lines that begin with # are skipped.
  * The first instruction that misses ends the script: "FILE:LINE: ..." and exit status 1. */

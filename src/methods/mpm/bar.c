@@ -217,7 +217,7 @@ static bool begin(Mpm *mpm, Status *status)
     }
     double moment = 0.0;
     for (int p = 0; p < mpm->n_particles; p++) {
-        if (p % PARTICLES_A_QUESTION == 0 && !patience_lasts(&def->patience, (double)p / mpm->n_particles))
+        if (p % PARTICLES_A_QUESTION == 0 && cancel_requested(&def->cancel, (double)p / mpm->n_particles))
             return status_fail(status, "the building of the bar was cancelled");
         const double x = at_centres ? (p / P + 0.5) * mpm->dx : mpm_rest(mpm, 0, p);
         mpm->rest[0][p] = p / P + (mpm->origin + mpm->edge + (p % P + 0.5 + def->offset) / P);

@@ -204,7 +204,7 @@ static bool begin(Mpm *mpm, Status *status)
                            .flip_fraction = def->flip_fraction,
                            .mass_blend = 1};
     for (int k = 0; k < def->n_bodies; k++) {
-        if (!patience_lasts(&def->patience, (double)k / def->n_bodies))
+        if (cancel_requested(&def->cancel, (double)k / def->n_bodies))
             return status_fail(status, "the building of the bodies was cancelled");
         each_particle(mpm, &def->bodies[k], place, mpm, bodies->first[k]);
         for (int p = bodies->first[k]; p < bodies->first[k + 1]; p++)

@@ -10,7 +10,7 @@
 #define METHODS_MPM_BODIES_H
 
 #include "base/kinds.h"
-#include "base/patience.h"
+#include "base/cancel.h"
 #include "methods/method.h"
 
 enum { BODIES_MAX = 16, BODY_NAME_MAX = 24 };
@@ -50,7 +50,7 @@ typedef struct BodiesDef {
     double damping;    /* rate at which momentum fades, 1/time */
     double courant;    /* dt = courant dx/c, c = sqrt(D_11/rho) */
     int threads;
-    Patience patience; /* asked while the bodies are being built */
+    Cancel cancel; /* asked while the bodies are being built */
 } BodiesDef;
 
 /* Is the definition sound? Else the status names the key as in a scenario file, what is wrong, what is

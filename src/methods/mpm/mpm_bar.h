@@ -7,7 +7,7 @@
 #define METHODS_MPM_MPM_BAR_H
 
 #include "base/kinds.h"
-#include "base/patience.h"
+#include "base/cancel.h"
 #include "methods/forces.h"
 
 /* What a bar is made of and how it is discretised. */
@@ -43,7 +43,7 @@ typedef struct BarDef {
 
     double courant; /* dt = courant * dx / c, c = sqrt(E / rho) (eq. 21), of two materials the larger c */
 
-    Patience patience; /* asked while the bar is being built, with share 0 first */
+    Cancel cancel; /* asked while the bar is being built, with share 0 first */
 
     /* The particle velocity at t = 0 (eq. 19 and its overtones); NULL: at rest. */
     double (*initial_velocity)(double x, const void *context);

@@ -133,7 +133,7 @@ static bool begin(Mpm *mpm, Status *status)
     }
     for (int p = 0; p < mpm->n_particles; p++) {
         if (p % PARTICLES_A_QUESTION == 0 &&
-            !patience_lasts(&mpm->plane.patience, (double)p / mpm->n_particles))
+            cancel_requested(&mpm->plane.cancel, (double)p / mpm->n_particles))
             return status_fail(status, "the building of the beam was cancelled");
         place(mpm, p);
         sound = sound && mpm->volume[p] > 0;

@@ -10,7 +10,7 @@
 #define METHODS_MPM_PLANE_H
 
 #include "base/kinds.h"
-#include "base/patience.h"
+#include "base/cancel.h"
 #include "methods/method.h"
 #include "methods/mpm/mpm_bar.h"
 #include "methods/bonds/plane/bonds_plane.h"
@@ -43,7 +43,7 @@ typedef struct PlaneDef {
     double end;     /* s; a fixed grid reaches as far as a cantilever comes until then */
     int threads;    /* at least 1 */
 
-    Patience patience; /* asked while the beam is being built */
+    Cancel cancel; /* asked while the beam is being built */
 } PlaneDef;
 
 /* Is the definition sound? Else the status names the key as in a scenario file, what is wrong, what is

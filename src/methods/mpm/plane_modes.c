@@ -116,7 +116,7 @@ static bool assemble(Lattice2 *lattice)
             lattice->held[at + 1] = held & HELD_Y;
         }
     for (int i = 0; i + 1 < lattice->columns; i++) {
-        if (!patience_lasts(&model->plane.patience, (double)i / lattice->columns))
+        if (cancel_requested(&model->plane.cancel, (double)i / lattice->columns))
             return false;
         for (int j = 0; j + 1 < lattice->rows; j++)
             for (int k = 0; k < P * P; k++)
@@ -186,7 +186,7 @@ static void clear_held(const Lattice2 *lattice, double *x)
 
 static bool factor(CholeskyBand *band, const PlaneDef *def, bool *sound, Status *status)
 {
-    const CholeskyEnd end = cholesky_factor(band, &def->patience);
+    const CholeskyEnd end = cholesky_factor(band, &def->cancel);
     *sound = end == CHOLESKY_DONE;
     return end != CHOLESKY_GIVEN_UP || given_up(status);
 }
@@ -198,7 +198,7 @@ static bool factor(CholeskyBand *band, const PlaneDef *def, bool *sound, Status 
  * factors. False: given up. */
 static bool lowest_mode(Lattice2 *lattice, double *omega2, double *lumped2, Status *status)
 {
-    const Patience *patience = &lattice->model.plane.patience;
+    const Cancel *cancel = &lattice->model.plane.cancel;
     const size_t n = lattice->size;
     double *x = lattice->work, *y = x + n, *z = y + n;
     for (size_t u = 0; u < n; u++)
@@ -211,13 +211,13 @@ static bool lowest_mode(Lattice2 *lattice, double *omega2, double *lumped2, Stat
         const double before = *omega2, length = sqrt(dot(x, x, n));
         for (size_t u = 0; u < n; u++)
             y[u] = lattice->lumped[u] * (x[u] /= length);
-        if (!cholesky_solve(&lattice->mass, y, patience))
+        if (!cholesky_solve(&lattice->mass, y, cancel))
             return given_up(status);
         for (size_t u = 0; u < n; u++)
             z[u] = y[u] *= lattice->lumped[u];
         clear_held(lattice, y);
         clear_held(lattice, z);
-        if (!cholesky_solve(&lattice->stiffness, z, patience))
+        if (!cholesky_solve(&lattice->stiffness, z, cancel))
             return given_up(status);
         double lumped = 0;
         for (size_t u = 0; u < n; u++)
@@ -295,7 +295,7 @@ static bool apply(const Lattice2 *lattice, const CholeskyBand *blend, double *x,
     for (size_t u = 0; u < n; u++)
         x[u] = lattice->held[u] ? 0 : x[u] / lattice->lumped[u];
     multiply(&lattice->mass, x, out);
-    if (!cholesky_solve(blend, out, &lattice->model.plane.patience))
+    if (!cholesky_solve(blend, out, &lattice->model.plane.cancel))
         return false;
     for (size_t u = 0; u < n; u++)
         out[u] = lattice->model.plane.algorithm == MPM_USL ? x[u] - out[u] : out[u];
@@ -307,7 +307,7 @@ static bool apply(const Lattice2 *lattice, const CholeskyBand *blend, double *x,
 static double largest(const double *rows, size_t size)
 {
     const Band band = {size, 1, rows};
-    return band_eigenvalue(&band, size - 1, &(Patience){0}); /* small */
+    return band_eigenvalue(&band, size - 1, &(Cancel){0}); /* small */
 }
 
 /* Lanczos' method with products x'K y: v of length 1, u = K v, w the next. False: given up. */

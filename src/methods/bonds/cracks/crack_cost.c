@@ -111,7 +111,7 @@ static double plane_energy(const Beam *beam)
 /* Each broken bond is held against each piece of the paths; the patience is asked after so many pairs, some
  * milliseconds. */
 bool crack_cost_along(const Simulation *sim, const CrackPath *paths, int n_paths, double length,
-                      const Patience *patience, CrackCost *cost)
+                      const Cancel *cancel, CrackCost *cost)
 {
     ASSERT_INT(n_paths, >=, 0);
     ASSERT_REAL(length, >=, 0);
@@ -119,7 +119,7 @@ bool crack_cost_along(const Simulation *sim, const CrackPath *paths, int n_paths
     const Lattice *lattice = &beam->lattice;
     const size_t bytes = lattice_slots(lattice) / 8;
     size_t pieces = 1, pairs = 0;
-    if (beam->head->critical_stretch != beam->def.critical_stretch || !patience_lasts(patience, 0))
+    if (beam->head->critical_stretch != beam->def.critical_stretch || cancel_requested(cancel, 0))
         return false;
     for (const CrackPath *path = paths; path < paths + n_paths; path++)
         pieces += path->count;
@@ -131,7 +131,7 @@ bool crack_cost_along(const Simulation *sim, const CrackPath *paths, int n_paths
                 pairs += pieces;
             }
         if (++pairs >= CRACK_COST_PAIRS_A_QUESTION) {
-            if (!patience_lasts(patience, (double)byte / (double)bytes))
+            if (cancel_requested(cancel, (double)byte / (double)bytes))
                 return false;
             pairs = 0;
         }
@@ -144,7 +144,7 @@ bool crack_cost_along(const Simulation *sim, const CrackPath *paths, int n_paths
 }
 
 /* The path begins at the notch's end. */
-bool crack_cost(const Simulation *sim, const Patience *patience, CrackCost *cost)
+bool crack_cost(const Simulation *sim, const Cancel *cancel, CrackCost *cost)
 {
     Crack crack;
     if (!crack_measure(sim, &crack))
@@ -152,5 +152,5 @@ bool crack_cost(const Simulation *sim, const Patience *patience, CrackCost *cost
     const Beam *beam = (const Beam *)sim;
     double x[PATH_MAX_ROWS + 1] = {beam->def.notch_position}, y[PATH_MAX_ROWS + 1] = {beam->def.notch_depth};
     const CrackPath path = {1 + crack_path(sim, x + 1, y + 1, PATH_MAX_ROWS), x, y};
-    return crack_cost_along(sim, &path, 1, crack.length, patience, cost);
+    return crack_cost_along(sim, &path, 1, crack.length, cancel, cost);
 }

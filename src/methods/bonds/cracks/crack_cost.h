@@ -9,7 +9,7 @@
 #ifndef METHODS_BONDS_CRACKS_CRACK_COST_H
 #define METHODS_BONDS_CRACKS_CRACK_COST_H
 
-#include "base/patience.h"
+#include "base/cancel.h"
 #include "methods/method.h"
 
 /* Straight pieces from place to place, m. */
@@ -32,11 +32,11 @@ enum { CRACK_COST_PAIRS_A_QUESTION = 262144 };
 
 /* False: the simulation has no notch that a crack could begin at, s0 was changed on the way (then no bond's
  * share is known), or it was given up. */
-bool crack_cost(const Simulation *beam, const Patience *, CrackCost *cost);
+bool crack_cost(const Simulation *beam, const Cancel *, CrackCost *cost);
 
 /* The same of any body by peridynamics in the plane whose cracks run along these paths and are of that length
  * (m) together. False: s0 was changed on the way, or it was given up. */
-bool crack_cost_along(const Simulation *, const CrackPath *paths, int n_paths, double length,
-                      const Patience *, CrackCost *);
+bool crack_cost_along(const Simulation *, const CrackPath *paths, int n_paths, double length, const Cancel *,
+                      CrackCost *);
 
 #endif

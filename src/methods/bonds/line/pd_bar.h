@@ -55,7 +55,7 @@ typedef struct PdBarDef {
     int mistake, mistake_beside; /* as of BeamDef, but for those that a line has not */
     bool conceals_mistake;
 
-    Patience patience; /* asked while the bar is being built, with share 0 first */
+    Cancel cancel; /* asked while the bar is being built, with share 0 first */
 
     /* The velocity of the nodes at t = 0; NULL: at rest. */
     double (*initial_velocity)(double x, const void *context);

@@ -125,7 +125,7 @@ static bool begin(PdBar *bar, Status *status)
     bar->head->mistake = def->mistake;
     follow_state(bar);
     for (int i = 0; i < bar->lattice.n && def->initial_velocity; i++) {
-        if (i % NODES_A_QUESTION == 0 && !patience_lasts(&def->patience, (double)i / bar->lattice.n))
+        if (i % NODES_A_QUESTION == 0 && cancel_requested(&def->cancel, (double)i / bar->lattice.n))
             return status_fail(status, "the building of the bar was cancelled");
         double x = pd_bar_position(&bar->lattice, i);
         bar->v[i] = def->initial_velocity(x, def->initial_context);

@@ -156,7 +156,7 @@ static double critical_step(const PdBarDef *def, const PdBarLattice *lattice, St
                 row[i - j] += j == i + m ? -k : k;
         }
     const Band band = {n, lattice->reach, rows};
-    const double largest = band_eigenvalue(&band, n - 1, &def->patience), step = 2 / sqrt(largest);
+    const double largest = band_eigenvalue(&band, n - 1, &def->cancel), step = 2 / sqrt(largest);
     const bool cancelled = isnan(largest) && errno == ECANCELED;
     free(rows);
     if (!isfinite(step))

@@ -175,6 +175,6 @@ double beam_strain(Beam *beam)
 bool beam_go_on(Beam *beam, double share, Status *status)
 {
     if (!beam->given_up)
-        beam->given_up = !patience_lasts(&beam->def.patience, share);
+        beam->given_up = cancel_requested(&beam->def.cancel, share);
     return !beam->given_up || status_fail(status, "the building of the beam was cancelled");
 }

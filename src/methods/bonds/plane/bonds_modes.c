@@ -57,7 +57,7 @@ typedef struct Model {
     int n_supports, held_columns;
     double density;
     bool half_wave; /* what is known of its lowest vibration */
-    const Patience *patience;
+    const Cancel *cancel;
 } Model;
 
 /* One bond's share of K in the components that are free, k n n^T in four blocks, k = c G w V/|xi| in N/m^4.
@@ -96,7 +96,7 @@ static bool assemble(CholeskyBand *stiffness, const Model *model, const bool *he
     size_t number = 0;
     for (BondPlace bond = lattice_next_bond(lattice, (BondPlace){0, 0, -1}); bond.j < lattice->ny;
          bond = lattice_next_bond(lattice, bond), number++) {
-        if (number % LATTICE_BONDS_A_QUESTION == 0 && !patience_lasts(model->patience, share))
+        if (number % LATTICE_BONDS_A_QUESTION == 0 && cancel_requested(model->cancel, share))
             return false;
         add_bond(stiffness, model, bond, held);
     }
@@ -148,7 +148,7 @@ static bool lowest_eigenvalue(const CholeskyBand *factor, const Model *model, co
         const double length = sqrt(dot(x, x, n)), before = lambda;
         for (size_t i = 0; i < n; i++)
             y[i] = x[i] /= length;
-        if (!cholesky_solve(factor, y, model->patience))
+        if (!cholesky_solve(factor, y, model->cancel))
             return false;
         lambda = 1 / dot(x, y, n);
         for (size_t i = 0; i < n; i++)
@@ -166,7 +166,7 @@ static bool find_sag(const CholeskyBand *factor, const Model *model, const bool 
 {
     for (size_t i = 0; i < factor->size; i++)
         u[i] = i % 2 == 1 && !held[i] ? model->density : 0;
-    if (!cholesky_solve(factor, u, model->patience))
+    if (!cholesky_solve(factor, u, model->cancel))
         return false;
     *sag = 0;
     for (int b = 0; b < 2; b++)
@@ -207,7 +207,7 @@ static bool solve(const Model *model, const Probe *probe, BeamLinear *out, Statu
     if (done) {
         hold(model, held);
         const CholeskyEnd end =
-            assemble(&band, model, held) ? cholesky_factor(&band, model->patience) : CHOLESKY_GIVEN_UP;
+            assemble(&band, model, held) ? cholesky_factor(&band, model->cancel) : CHOLESKY_GIVEN_UP;
         double lambda = NAN;
         done = end == CHOLESKY_SINGULAR ||
                (end == CHOLESKY_DONE &&
@@ -232,7 +232,7 @@ bool beam_linear(const Simulation *sim, BeamLinear *out, Status *status)
                          .held_columns = beam_held_columns(beam, 0),
                          .density = beam->def.density,
                          .half_wave = beam->def.problem == BEAM_SIMPLY_SUPPORTED,
-                         .patience = &beam->def.patience};
+                         .cancel = &beam->def.cancel};
     const Probe probe = {{beam->probe_i[0], beam->probe_i[1]}, {beam->probe_j[0], beam->probe_j[1]}};
     return solve(&model, &probe, out, status);
 }
@@ -257,7 +257,7 @@ bool beam_predicted_period(const BeamDef *definition, double *period, double *sp
                          .n_supports = 2,
                          .density = definition->density,
                          .half_wave = true,
-                         .patience = &definition->patience};
+                         .cancel = &definition->cancel};
     BeamLinear linear;
     const bool done = solve(&model, NULL, &linear, status);
     *period = linear.period;

@@ -8,7 +8,7 @@
 #define METHODS_BONDS_PLANE_BONDS_PLANE_H
 
 #include "base/kinds.h"
-#include "base/patience.h"
+#include "base/cancel.h"
 #include "methods/forces.h"
 #include "methods/bonds/plane/lattice/volume.h"
 #include "methods/bonds/plane/plate/plate.h"
@@ -58,7 +58,7 @@ typedef struct BeamDef {
     double end;  /* s: the channel must hold the beam until then; moving cantilever */
     int threads; /* at least 1 */
 
-    Patience patience; /* asked while the beam is being built, with share 0 first */
+    Cancel cancel; /* asked while the beam is being built, with share 0 first */
 } BeamDef;
 
 /* The names of the steppings: "symplectic Euler (kick first)"; NULL: velocity Verlet. */

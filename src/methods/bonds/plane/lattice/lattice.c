@@ -129,7 +129,7 @@ static double family_area(const Lattice *lattice, const BeamDef *def, int i, int
 /* Asks BeamDef.patience; the share is that of the whole building of a beam. False: to be given up. */
 static bool lattice_go_on(const BeamDef *def, double share, Status *status)
 {
-    return patience_lasts(&def->patience, share) ||
+    return !cancel_requested(&def->cancel, share) ||
            status_fail(status, "the building of the beam was cancelled");
 }
 

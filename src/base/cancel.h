@@ -2,20 +2,20 @@
 /* Long work that can be watched and stopped: it calls back every few milliseconds with the share that is
  * done, and stops when the answer is false. Behind the callback are a progress bar on standard error, a line
  * of the laboratory, ^C, Esc and signals. */
-#ifndef BASE_PATIENCE_H
-#define BASE_PATIENCE_H
+#ifndef BASE_CANCEL_H
+#define BASE_CANCEL_H
 
 #include <stdbool.h>
 
-typedef struct Patience {
-    /* `share` of the work is done, from 0 to 1; false: give up. NULL: it always goes on. */
+typedef struct Cancel {
+    /* `share` of the work is done, from 0 to 1; false: stop. NULL: it always goes on. */
     bool (*go_on)(double share, void *context);
     void *context;
-} Patience;
+} Cancel;
 
-static inline bool patience_lasts(const Patience *patience, double share)
+static inline bool cancel_requested(const Cancel *cancel, double share)
 {
-    return !patience->go_on || patience->go_on(share, patience->context);
+    return cancel->go_on && !cancel->go_on(share, cancel->context);
 }
 
 #endif
