@@ -78,8 +78,10 @@ static void add_values(List *list, const Settings *right, const Parameter *param
 
 bool diagnose_is_tried(const Settings *right, const Parameter *parameter)
 {
+    /* mpm.rotation = none is the mistake no_rotation */
     return !parameter->output && parameter->type != PARAMETER_TEXT &&
-           parameter_applies_to(right, parameter) && strncmp(parameter->key, "time.", 5) != 0;
+           strcmp(parameter->key, "mpm.rotation") != 0 && parameter_applies_to(right, parameter) &&
+           strncmp(parameter->key, "time.", 5) != 0;
 }
 
 int diagnose_candidates(const Settings *right, bool values, Candidate out[CANDIDATES_MAX])
@@ -147,9 +149,10 @@ static bool take_way(Settings *settings, const char *way)
         snprintf(text, sizeof text, "%.*s", (int)wide, way + length + 1);
         const Parameter *parameter = parameter_find(key);
         const double before = settings_number(settings, parameter);
-        if (!parameter_applies_to(settings, parameter) || !settings_change(settings, key, text, NULL))
+        const bool applies = parameter_applies_to(settings, parameter); /* bodies have no start of slopes */
+        if (applies && !settings_change(settings, key, text, NULL))
             return false;
-        changes = changes || settings_number(settings, parameter) != before;
+        changes = changes || (applies && settings_number(settings, parameter) != before);
         way += length + 1 + wide + (way[length + 1 + wide] == ',');
     }
     return changes;

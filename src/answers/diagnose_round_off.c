@@ -43,12 +43,15 @@ int diagnose_digits_written(const DiagnoseTable *table)
  * throughout, that of places too. */
 static bool disturb(Settings *settings)
 {
-    static const char *const keys[] = {"bar.youngs_modulus", "beam.youngs_modulus", "mesh.cell_size"};
+    static const char *const keys[] = {"bar.youngs_modulus", "beam.youngs_modulus", "material.youngs_modulus",
+                                       "mesh.cell_size"};
     bool other = false;
     for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
         const Parameter *parameter = parameter_find(keys[i]);
         const Settings before = *settings;
-        if (!parameter_applies_to(settings, parameter))
+        /* a box is whole cells, and particles lie in bodies to the last digit */
+        if (!parameter_applies_to(settings, parameter) ||
+            (other && settings->problem->concerns & CONCERN_BODIES))
             continue;
         settings_put(settings, parameter, settings_number(settings, parameter) * (1 + 2 * DBL_EPSILON));
         if (settings_check(settings, NULL))

@@ -217,9 +217,25 @@ typedef struct ColumnMap {
     double time_factor;
 } ColumnMap;
 
+/* What sums over bodies may cancel to 0 of: their terms in these units. P = sqrt(2 K M), L = P times the
+ * extent, spin = P/(M extent). */
+static double size_of_terms(Simulation *sim, const char *unit, const double *row)
+{
+    static const char *const units[] = {"mass*length/time", "mass*length^2/time", "rad/time"};
+    int k = 0;
+    while (k < 3 && strcmp(unit, units[k]) != 0)
+        k++;
+    const int kinetic = simulation_find_series(sim, "kinetic");
+    if (k == 3 || kinetic < 0 || simulation_find_series(sim, "angular") < 0)
+        return 0;
+    const double mass = (double)sim->counts[0] * simulation_named(sim, 0, "mass", 0);
+    const double extent = diagnose_size_at_start(sim, "length", row), P = sqrt(2 * row[kinetic] * mass);
+    return k == 0 ? P : k == 1 ? P * extent : P / (mass * extent);
+}
+
 double diagnose_size_at_start(Simulation *sim, const char *unit, const double *row)
 {
-    double size = 0, value;
+    double size = size_of_terms(sim, unit, row), value;
     for (int i = 0; i < sim->n_series; i++)
         if (strcmp(sim->series[i].unit, unit) == 0 && isfinite(row[i]))
             size = fmax(size, fabs(row[i]));

@@ -28,6 +28,7 @@ typedef struct Transfer {
     AffineStart affine_start;
     BodyRotation rotation;
     int mistake;        /* of a code that is wrong in one place; 0: none */
+    int body_mistake;   /* the same of a code for bodies */
     int mistake_beside; /* and in another one: of a code that is sought, no scenario has it */
 } Transfer;
 

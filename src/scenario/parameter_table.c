@@ -2,6 +2,7 @@
 /* The parameter table: nothing but its rows. */
 #include "scenario/parameter_table.h"
 #include "methods/bonds/plane/bonds_plane.h"
+#include "methods/mpm/bodies.h"
 #include "methods/mpm/mpm_bar.h"
 
 const Parameter parameters[] = {

@@ -22,7 +22,7 @@ const char *const parameter_colour_words[] = {
 bool parameter_colour_is_there(const Settings *settings, const char *word)
 {
     static const char *const of_one_method[][6] = {
-        [METHOD_MPM] = {"stress_xx", "stress_yy", "stress_xy", "mises", "kinetic"},
+        [METHOD_MPM] = {"mises", "kinetic"},
         [METHOD_PD] = {"damage", "family", "surface_factor"},
     };
     static const char *const of_bodies[] = {"body", "speed", "pressure", "det_f", NULL};

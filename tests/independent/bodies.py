@@ -128,8 +128,18 @@ class Bodies:
                 for i in np.flatnonzero(self.heavy[a * G:(a + 1) * G] & self.heavy[b * G:(b + 1) * G]):
                     self.meet(q, a * G + i, b * G + i, 2 * near)
 
+    def normal(self, a, b):
+        return self.n[:, a] - self.n[:, b]
+
+    def turned(self, L):
+        angle = 2 * np.arctan((L[2] - L[1]) / 4)
+        c, s = np.cos(angle), np.sin(angle)
+        xx, yy, xy = self.s
+        return (c * c * xx + s * s * yy - 2 * c * s * xy, s * s * xx + c * c * yy + 2 * c * s * xy,
+                c * s * (xx - yy) + (c * c - s * s) * xy)
+
     def meet(self, q, a, b, near):
-        n = self.n[:, a] - self.n[:, b]
+        n = self.normal(a, b)
         length = np.hypot(*n)
         if not length > 0:
             return
@@ -145,6 +155,9 @@ class Bodies:
         J = self.mass[a] * (vn * n + (min(1, self.value["mu"] * vn / size) if size > 0 else 1) * t)
         q[:, a] -= J
         q[:, b] += J
+
+    def first_fix(self, q):
+        self.fix(q)
 
     def strain(self, q):
         velocity = q * self.inverse
@@ -162,12 +175,7 @@ class Bodies:
                                self.G * (F[0] * F[2] + F[1] * F[3])]) / J
             self.V = J * self.V0
             return
-        xx, yy, xy = self.s
-        if self.text["law"] == "hypo":
-            angle = 2 * np.arctan((L[2] - L[1]) / 4)
-            c, s = np.cos(angle), np.sin(angle)
-            xx, yy, xy = (c * c * xx + s * s * yy - 2 * c * s * xy, s * s * xx + c * c * yy + 2 * c * s * xy,
-                          c * s * (xx - yy) + (c * c - s * s) * xy)
+        xx, yy, xy = self.turned(L) if self.text["law"] == "hypo" else self.s
         self.s = np.array([xx + self.D11 * L[0] + self.D12 * L[3], yy + self.D12 * L[0] + self.D11 * L[3],
                            xy + self.G * (L[1] + L[2])])
         self.V = self.V * (1 + L[0] + L[3])
@@ -182,7 +190,7 @@ class Bodies:
         self.r = np.array([self.onto(self.m * self.N * self.x[k]) for k in range(2)])
         q = self.mapped()
         self.q0 = q.copy()
-        self.fix(q)
+        self.first_fix(q)
         if algorithm == "usf":
             self.strain(q)
         xx, yy, xy = self.s
@@ -235,6 +243,7 @@ def compare(name, case):
     what.tell()
 
 
-for name, case in golden.cases("bodies.txt"):
-    compare(name, case)
-golden.end()
+if __name__ == "__main__":
+    for name, case in golden.cases("bodies.txt"):
+        compare(name, case)
+    golden.end()

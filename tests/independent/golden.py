@@ -28,7 +28,7 @@ def cases(name):
 
 def settings(case):
     """The lines "set KEY VALUE" of a case."""
-    return {words[1]: words[2] for words in case if words[0] == "set"}
+    return {words[1]: " ".join(words[2:]) for words in case if words[0] == "set"}
 
 
 def numbers(words):

@@ -2,7 +2,8 @@
 """Codes of one's own that are wrong in one place: the bar (bar.py) and the beam (beams.py) with a mistake.
 
 mistakes.py                          against tests/golden/mistakes.txt
-mistakes.py --mistake ID [CASE] [N]  N rows of a case (bar_A, bar_B, beam, beam_plain) as CSV: step, time, v_cm or vy
+mistakes.py --mistake ID [CASE] [N]  N rows of a case (bar_A, bar_B, beam, beam_plain, bodies) as CSV: step, time, v_cm
+                                     or vy; of bodies energies and momenta
 
 Besides the mistakes ID may be right, and naive_stretch: a beam's |y| - |xi| as it stands.
 """
@@ -12,6 +13,7 @@ import numpy as np
 
 import bar
 import beams
+import bodies
 import bonds
 import golden
 
@@ -314,6 +316,66 @@ class WrongRod:
         return {"v_cm": self.v.mean()}
 
 
+class WrongBodies(bodies.Bodies):
+    def __init__(self, mistake, given):
+        words = {"hypoelastic": "hypo", "neo-hookean": "neo"}
+        of = lambda key, other: given.get(key, other)
+        case = [["set", short, words.get(of(key, other), of(key, other))] for short, key, other in (
+            ("E", "material.youngs_modulus", "1000"), ("nu", "material.poisson", "0.3"), ("rho", "material.density", "1000"),
+            ("dx", "mesh.cell_size", "0.05"), ("P", "mesh.particles_per_cell", "2"), ("courant", "time.courant", "0.2"),
+            ("W", "domain.width", "1"), ("H", "domain.height", "1"), ("left", "domain.left", "open"),
+            ("right", "domain.right", "open"), ("bottom", "domain.bottom", "open"), ("top", "domain.top", "open"),
+            ("muw", "domain.wall_friction", "0"), ("mu", "contact.friction", "0"), ("near", "contact.gap", "0.4"),
+            ("law", "material.law", "hypo"), ("plane", "material.plane", "strain"), ("shape", "mpm.shape", "gimp"),
+            ("algo", "mpm.algorithm", "usf"), ("alpha", "mpm.flip_fraction", "1"))]
+        case += [["set", "apic", "1" if of("mpm.transfer", "flip") == "apic" else "0"], ["set", "contact", "1"],
+                 ["set", "gx", "0"], ["set", "gy", "-" + of("load.gravity", "0")]]
+        self.names = [key[7:] for key in given if key.startswith("bodies.")]
+        for name in self.names:  # KIND SIZE... [velocity VX VY] [spin W]
+            kind, *rest = given["bodies." + name].split()
+            sizes = [w for w in rest[:4 if kind != "disc" else 3]]
+            behind = lambda word, n: rest[rest.index(word) + 1:][:n] if word in rest else ["0"] * n
+            case.append(["body", kind, *sizes, *behind("velocity", 2), *behind("spin", 1)])
+        self.mistake = mistake
+        super().__init__(case)
+
+    def turned(self, L):
+        if self.mistake == "no_rotation":
+            return self.s
+        return super().turned([L[0], L[2], L[1], L[3]] if self.mistake == "spin_sign" else L)
+
+    def normal(self, a, b):
+        return self.n[:, a] if self.mistake == "normal_of_one" else super().normal(a, b)
+
+    def first_fix(self, q):
+        if self.mistake != "no_first_fix":
+            self.fix(q)
+        if self.mistake == "start_after_contact":
+            self.q0 = q.copy()
+
+    def strain(self, q):
+        G, V = self.G, self.V
+        self.G = G / 2 if self.mistake == "tensor_shear" else G
+        super().strain(q)
+        self.G = G
+        if self.mistake == "body_volume_kept":
+            self.V = V
+
+    def told(self):
+        last = self.field == self.n_fields - 1
+        return {f"{self.names[-1]}.vx": self.v[0, last].mean(), "kinetic": self.sums()[0]}
+
+    def series(self):
+        """What --mistake writes besides."""
+        kinetic, potential, px, py = self.sums()
+        middle = np.array([self.value["W"], self.value["H"]]) / 2
+        x = self.x - middle[:, None]
+        turn = self.m * (x[0] * self.v[1] - x[1] * self.v[0]).sum()
+        if self.value["apic"]:
+            turn += self.m * (self.B[2] - self.B[1]).sum()
+        return {"kinetic": kinetic, "potential": potential, "momentum_x": px, "momentum_y": py, "angular": turn}
+
+
 def code_of(given, mistake):
     """A code of one's own at its start, made from the settings of a case."""
     number = lambda *keys: [float(given[key]) for key in keys]
@@ -323,6 +385,8 @@ def code_of(given, mistake):
         return WrongRod(mistake, given.get("pd.stepping", "verlet"), int(given["initial.mode"]),
                         float(given["initial.velocity"]), L, E, rho, dx / int(given["mesh.particles_per_cell"]),
                         courant * dx / np.sqrt(E / rho), given["pd.surface_correction"], given["pd.volume_correction"])
+    if any(key.startswith("bodies.") for key in given):
+        return WrongBodies(mistake, given)
     if "bar.length" in given:
         L, E, rho, dx, courant = number("bar.length", "bar.youngs_modulus", "bar.density", "mesh.cell_size",
                                         "time.courant")
@@ -362,12 +426,14 @@ def compare(name, case):
 
 def write_rows(mistake, name, steps):
     code = code_of(golden.settings(dict(golden.cases("mistakes.txt"))[name]), mistake)
-    column = "v_cm" if isinstance(code, (bar.Bar, WrongRod)) else "vy"
+    several = isinstance(code, WrongBodies)
+    column = "v_cm" if isinstance(code, (bar.Bar, WrongRod)) else ",".join(code.series()) if several else "vy"
     print(f"step,time,{column}")
     for step in range(steps + 1):
         if step:
             code.step()
-        print(f"{step},{step * code.dt:.17g},{next(iter(code.told().values())):.17g}")
+        told = list(code.series().values()) if several else [next(iter(code.told().values()))]
+        print(f"{step},{step * code.dt:.17g}," + ",".join("%.17g" % value for value in told))
 
 
 if __name__ == "__main__":

@@ -61,6 +61,11 @@ static void derive(Mpm *mpm)
         mpm->high[axis] = BODIES_PADDING + (axis ? bodies->rows : bodies->columns) + 2.5 + mpm->edge;
     }
     bodies->shear = mpm->shear = E / (2 * (1 + nu));
+    bodies->turn = def->rotation == ROTATION_NONE || bodies_does(bodies, BODIES_NO_ROTATION) ? 0
+                   : bodies_does(bodies, BODIES_SPIN_SIGN)                                   ? -0.25
+                                                                                             : 0.25;
+    bodies->slide = bodies->shear * (bodies_does(bodies, BODIES_TENSOR_SHEAR) ? 0.5 : 1);
+    bodies->keeps_volume = bodies_does(bodies, BODIES_VOLUME_KEPT);
     bodies->lambda = E * nu / ((1 + nu) * (1 - 2 * nu));
     bodies->D11 = def->plane == PLANE_STRESS ? E / (1 - nu * nu) : bodies->lambda + 2 * bodies->shear;
     bodies->D12 = def->plane == PLANE_STRESS ? nu * bodies->D11 : bodies->lambda;

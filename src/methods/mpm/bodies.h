@@ -49,9 +49,27 @@ typedef struct BodiesDef {
     double gravity[2]; /* acceleration */
     double damping;    /* rate at which momentum fades, 1/time */
     double courant;    /* dt = courant dx/c, c = sqrt(D_11/rho) */
+    int mistake,
+        mistake_beside;    /* of a code that is wrong in one place, or in two: bodies_mistake_words; 0 */
+    bool conceals_mistake; /* its stages do not tell it */
     int threads;
     Cancel cancel; /* asked while the bodies are being built */
 } BodiesDef;
+
+/* What a wrong code does. */
+enum {
+    BODIES_RIGHT,
+    BODIES_SPIN_SIGN,
+    BODIES_NO_ROTATION,
+    BODIES_TENSOR_SHEAR,
+    BODIES_VOLUME_KEPT,
+    BODIES_NORMAL_OF_ONE,
+    BODIES_START_AFTER_CONTACT,
+    BODIES_NO_FIRST_FIX,
+    BODIES_MISTAKES
+};
+extern const char *const bodies_mistake_words[BODIES_MISTAKES + 1];
+const char *bodies_mistake_sentence(int mistake); /* NULL: none */
 
 /* Is the definition sound? Else the status names the key as in a scenario file, what is wrong, what is
  * allowed. bodies_create() is given what is. */

@@ -203,6 +203,8 @@ bool bodies_check(const BodiesDef *def, Status *status)
         !(cells[0] * cells[1] * P * P <= 4.0 * PARTICLES_MAX))
         return status_refuse(status, "mesh.cell_size: %g makes more than %d nodes of all fields",
                              def->cell_size, NODES_MAX);
+    if (!bodies_mistake_check(def, status))
+        return false;
     for (int k = 0; k < def->n_bodies; k++)
         if (!check_body(def, &def->bodies[k], status))
             return false;

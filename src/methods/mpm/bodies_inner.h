@@ -19,7 +19,9 @@ typedef struct Bodies {
     int columns, rows;      /* cells of the box */
     double D11, D12, shear; /* stress = D strain; shear: G */
     double lambda;          /* of Lame */
-    double volume;          /* of a particle at t = 0 */
+    double turn, slide; /* dw of a half angle over dt (dv/dx - du/dy), 0: no rotation; G of the shear step */
+    bool keeps_volume;  /* a mistake */
+    double volume;      /* of a particle at t = 0 */
     int first[BODIES_MAX + 1];
     char column_names[BODIES_MAX][BODY_COLUMNS][BODY_NAME_MAX + 8];
     char column_meanings[BODIES_MAX][BODY_COLUMNS][BODY_NAME_MAX + 48];
@@ -29,6 +31,14 @@ static inline bool bodies_are_neo(const Mpm *mpm)
 {
     return mpm->bodies && mpm->bodies->def.law == LAW_NEO_HOOKEAN;
 }
+
+/* Whether the code makes a mistake of bodies_mistakes.c. */
+static inline bool bodies_does(const Bodies *bodies, int mistake)
+{
+    return bodies->def.mistake == mistake || bodies->def.mistake_beside == mistake;
+}
+bool bodies_mistake_check(const BodiesDef *, Status *);
+void bodies_write_wrongly(const Mpm *, MpmOp, Stage *);
 
 /* The velocity of a node by which a particle is strained: its own where the node is light. */
 static inline double bodies_velocity_for(const Mpm *mpm, int axis, int node, int p)

@@ -114,8 +114,8 @@ MPM_INLINE double strain_hypoelastic(Mpm *mpm, const double *L, int p)
 {
     const Bodies *bodies = mpm->bodies;
     double xx = mpm->stress[0][p], yy = mpm->stress[1][p], xy = mpm->stress[2][p];
-    if (bodies->def.rotation == ROTATION_JAUMANN) {
-        const double half = 0.25 * (L[2] - L[1]), whole = 1.0 / (1.0 + half * half);
+    if (bodies->turn != 0.0) {
+        const double half = bodies->turn * (L[2] - L[1]), whole = 1.0 / (1.0 + half * half);
         const double c = (1.0 - half * half) * whole, s = 2.0 * half * whole;
         const double turn = 2.0 * c * s * xy, X = c * c * xx + s * s * yy - turn;
         xy = c * s * (xx - yy) + (c * c - s * s) * xy;
@@ -124,8 +124,9 @@ MPM_INLINE double strain_hypoelastic(Mpm *mpm, const double *L, int p)
     }
     mpm->stress[0][p] = xx + (bodies->D11 * L[0] + bodies->D12 * L[3]);
     mpm->stress[1][p] = yy + (bodies->D12 * L[0] + bodies->D11 * L[3]);
-    mpm->stress[2][p] = xy + bodies->shear * (L[1] + L[2]);
-    return mpm->volume[p] *= 1.0 + (L[0] + L[3]);
+    mpm->stress[2][p] = xy + bodies->slide * (L[1] + L[2]);
+    const double left = 1.0 + (L[0] + L[3]);
+    return mpm->volume[p] *= bodies->keeps_volume && left > 0.0 ? 1.0 : left;
 }
 
 /* Neo-Hookean: F <- (I + dt L) F, J = det F, stress = (G (F F^T - I) + lambda ln J I)/J, V = J V0. */

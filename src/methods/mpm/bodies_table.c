@@ -135,6 +135,8 @@ void bodies_list_stages(Mpm *mpm)
     const MpmSchedule *schedule = bodies_schedule(mpm->head);
     for (int i = 0; i < schedule->count; i++)
         mpm->stages[i] = *stage_of(mpm, schedule->ops[i]);
+    for (int i = 0; i < schedule->count; i++)
+        bodies_write_wrongly(mpm, schedule->ops[i], &mpm->stages[i]);
     mpm->sets[MPM_PARTICLES] = (Set){"particle", "particles", 0};
     mpm->sets[MPM_NODES] = (Set){"node", "nodes", schedule->nodes_ready};
     mpm->sim.stages = mpm->stages;

@@ -18,6 +18,7 @@
 #include "methods/mpm/bodies_inner.h"
 
 #include <math.h>
+#include <string.h>
 
 /* A wall is at `place` in cells along `axis`, and out of the box is the direction `out`. Returns the energy
  * that friction takes. */
@@ -70,8 +71,9 @@ Meeting bodies_meet(const Mpm *mpm, int node, int a, int b, const double q[2][2]
     double *const n = meeting.normal, v[2], length = 0.0;
     if (!(m[0] > mpm->floor && m[1] > mpm->floor))
         return meeting;
+    const double other = bodies_does(mpm->bodies, BODIES_NORMAL_OF_ONE) ? 0.0 : 1.0;
     for (int axis = 0; axis < 2; axis++) {
-        n[axis] = mpm->normal[axis][at[0]] - mpm->normal[axis][at[1]];
+        n[axis] = mpm->normal[axis][at[0]] - other * mpm->normal[axis][at[1]];
         length += n[axis] * n[axis];
     }
     if (!(length > 0.0))
@@ -140,6 +142,7 @@ static void find_velocities(Mpm *mpm, MpmOp op, int first, int end)
 
 void bodies_fix(Mpm *mpm, MpmOp op, int first, int end)
 {
+    const bool idle = op == OP_FIX && bodies_does(mpm->bodies, BODIES_NO_FIRST_FIX);
     for (int i = first; op == OP_FIX && i < end; i++)
         mpm->lost[i] = 0.0, mpm->touched[i] = 0;
     for (int field = 0; field < mpm->bodies->n_fields; field++)
@@ -151,11 +154,17 @@ void bodies_fix(Mpm *mpm, MpmOp op, int first, int end)
                 for (int axis = 0; axis < 2; axis++)
                     mpm->start[axis][node] = mpm->momentum[axis][node];
             }
-            if (mass > mpm->floor)
+            if (mass > mpm->floor && !idle)
                 hold_walls(mpm, node, i);
         }
-    for (int i = first; mpm->bodies->n_fields > 1 && i < end; i++)
+    for (int i = first; mpm->bodies->n_fields > 1 && !idle && i < end; i++)
         touch(mpm, i);
+    const bool late = op == OP_FIX && bodies_does(mpm->bodies, BODIES_START_AFTER_CONTACT);
+    for (int field = 0; late && field < mpm->bodies->n_fields; field++)
+        for (int axis = 0; axis < 2; axis++)
+            memcpy(mpm->start[axis] + field * mpm->grid_nodes + first,
+                   mpm->momentum[axis] + field * mpm->grid_nodes + first,
+                   (size_t)(end - first) * sizeof(double));
     for (int field = 0; field < mpm->bodies->n_fields; field++)
         find_velocities(mpm, op, field * mpm->grid_nodes + first, field * mpm->grid_nodes + end);
 }

@@ -37,6 +37,9 @@ typedef enum FieldIndex {
     F_LOADED,
     F_PROBE,
     F_PROTECTED,
+    F_SXX,
+    F_SYY,
+    F_SXY,
     F_I,
     F_J,
     F_XI,
@@ -85,6 +88,9 @@ static const Field fields[N_FIELDS] = {
     [F_LOADED] = PARTICLE("loaded", "loaded", "1", "1: the load acts on the node", false, true),
     [F_PROBE] = PARTICLE("probe", "probe", "1", "1: the probe is the mean of such nodes", false, true),
     [F_PROTECTED] = PARTICLE("protected", "protected", "1", "1: bonds of the node never break", false, true),
+    [F_SXX] = PARTICLE("sxx", "stress xx", "Pa", "stress along x by the bonds' forces", false, false),
+    [F_SYY] = PARTICLE("syy", "stress yy", "Pa", "stress along y by the bonds' forces", false, false),
+    [F_SXY] = PARTICLE("sxy", "stress xy", "Pa", "shear stress by the bonds' forces", false, false),
     [F_I] = BOND("i", "i", "1", "particle at one end", true, true),
     [F_J] = BOND("j", "j", "1", "particle at the other end", true, true),
     [F_XI] = BOND("x_i", "x_i", "m", "reference position of particle i along x", true, false),
@@ -116,6 +122,24 @@ static double family_size(const Beam *beam, int i, int j)
         return 2 * lattice->n_offsets;
     BondPlace family[FAMILY_MAX];
     return (double)beam_family(beam, i, j, family);
+}
+
+/* Stress as the virial of the bonds' forces (Lehoucq, Silling 2008), y = x + u; near a surface it is that of
+ * the family that is left:
+ *
+ *     sigma_ab(i) = 1/2 sum_j f_ij,a (y_j - y_i)_b V_j */
+static double stress(const Beam *beam, int field, int i, int j)
+{
+    BondPlace family[FAMILY_MAX];
+    const size_t count = beam_family(beam, i, j, family);
+    double sum = 0;
+    for (size_t k = 0; k < count; k++) {
+        const BondNow bond = beam_bond(beam, family[k]);
+        const double x = bond.direction_x, y = bond.direction_y;
+        const double length = beam->lattice.offsets[family[k].offset].length * (1 + bond.stretch);
+        sum += bond.pull * length * (field == F_SXX ? x * x : field == F_SYY ? y * y : x * y);
+    }
+    return 0.5 * sum;
 }
 
 /* At present: a column leaves the channel as time goes on. */
@@ -185,6 +209,10 @@ static double node_field(const Beam *beam, int field, size_t node)
     case F_PROBE:
         return (i == beam->probe_i[0] || i == beam->probe_i[1]) &&
                (j == beam->probe_j[0] || j == beam->probe_j[1]);
+    case F_SXX:
+    case F_SYY:
+    case F_SXY:
+        return stress(beam, field, i, j);
     case F_PROTECTED:
         return beam->unbreakable[node];
     default:
