@@ -57,7 +57,8 @@ static void write_numbers(FILE *stream, Dialect dialect, const double *row, int 
 void csv_begin(FILE *stream, Dialect dialect, const double *row, int count, const char *word)
 {
     write_numbers(stream, dialect, row, count);
-    fputc(separator(dialect), stream);
+    if (count > 0)
+        fputc(separator(dialect), stream);
     if (word)
         fprintf(stream, "%s%c", word, separator(dialect));
 }

@@ -209,4 +209,6 @@ refuse "two ends" '--vary: time.end: --steps says when the run ends (one of them
 refuse "a plan" '--plan: is gone (a shell loop over matvib run SCENARIO --set KEY=VALUE does it)' mode1 --vary initial.mode=1,2 --plan
 refuse "metadata of a sweep" '--crate: is gone (FILE.csv.ini beside a table says what it holds and makes it again)' mode1 --vary initial.mode=1,2 --crate
 
+expect "a gap that is off" 0 two-discs --vary contact.gap=.4,off --end 0.1 --output gap.csv --force
+result "is written so" sh -c 'sed -n 3p gap.csv | grep -q "^off,"'
 echo "1..$number"

@@ -72,21 +72,6 @@ static void row_of(const SweepTable *table, int combination, double row[TABLE_CO
             row[n++] = table->results[combination].cells[column];
 }
 
-static void sweep_table_write_csv(const SweepTable *table, Dialect dialect, FILE *stream)
-{
-    const char *names[TABLE_COLUMNS_MAX];
-    double row[TABLE_COLUMNS_MAX];
-    int n = names_of(table, names);
-    csv_header(stream, dialect, names, n);
-    for (int i = 0; i < table->plan->n_combinations; i++)
-        if (table->results[i].done) {
-            row_of(table, i, row);
-            csv_row(stream, dialect, row, n);
-        }
-}
-
-/* --- aligned -------------------------------------------------------------------------------------- */
-
 static const char *word_of(const Parameter *parameter, const Problem *problem, double value)
 {
     static const char *const flags[] = {"no", "yes"};
@@ -98,6 +83,38 @@ static const char *word_of(const Parameter *parameter, const Problem *problem, d
         return flags[value != 0];
     return value == parameter->automatic_value ? parameter_automatic(parameter, problem) : NULL;
 }
+
+/* What a key is called that is no number to compute with: contact.gap = off; choices are their places. */
+static const char *word_in_csv(const SweepTable *table, int column, double value)
+{
+    const Parameter *parameter = column < table->plan->n_keys ? table->plan->keys[column].parameter : NULL;
+    return parameter && parameter->automatic_value < 0 && value == parameter->automatic_value
+               ? word_of(parameter, table->problem, value)
+               : NULL;
+}
+
+static void sweep_table_write_csv(const SweepTable *table, Dialect dialect, FILE *stream)
+{
+    const char *names[TABLE_COLUMNS_MAX];
+    double row[TABLE_COLUMNS_MAX];
+    int n = names_of(table, names);
+    csv_header(stream, dialect, names, n);
+    for (int i = 0; i < table->plan->n_combinations; i++)
+        if (table->results[i].done) {
+            int from = 0;
+            row_of(table, i, row);
+            for (int column = 0; column < table->plan->n_keys; column++) {
+                const char *word = word_in_csv(table, column, row[column]);
+                if (!word)
+                    continue;
+                csv_begin(stream, dialect, row + from, column - from, word);
+                from = column + 1;
+            }
+            csv_row(stream, dialect, row + from, n - from);
+        }
+}
+
+/* --- aligned -------------------------------------------------------------------------------------- */
 
 static void cell_text(const SweepTable *table, int column, double value, char out[VALUE_MAX])
 {
@@ -157,7 +174,8 @@ static void describe_key(const SweepTable *table, const SweepKey *key, FILE *str
     if (parameter->type == PARAMETER_FLAG)
         fputs(" (0 = no, 1 = yes)", stream);
     else if (parameter_automatic(parameter, table->problem))
-        fprintf(stream, " (0 = %s)", parameter_automatic(parameter, table->problem));
+        fprintf(stream, parameter->automatic_value < 0 ? " (or %s)" : " (0 = %s)",
+                parameter_automatic(parameter, table->problem));
     for (int i = 0; parameter->type == PARAMETER_CHOICE && parameter->choices[i]; i++)
         fprintf(stream, "%s%d = %s%s", i ? ", " : " (", i, parameter->choices[i],
                 parameter->choices[i + 1] ? "" : ")");

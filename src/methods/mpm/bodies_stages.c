@@ -301,7 +301,7 @@ void bodies_note_tear(Mpm *mpm)
 {
     MpmHead *head = mpm->head;
     int at = 0;
-    char text[120];
+    char text[200];
     if (head->torn > 0)
         return;
     const double stretch = bodies_largest_stretch(mpm, &at);
@@ -309,8 +309,11 @@ void bodies_note_tear(Mpm *mpm)
         return;
     head->torn = mpm->sim.step + 1;
     head->torn_at = at;
-    snprintf(text, sizeof text, "torn: particle %d and its neighbour are %.3g times as far apart as at first",
-             at, stretch);
+    snprintf(text, sizeof text,
+             "torn: particle %d at (%.3g, %.3g), its neighbour is %.3g times as far as at first (%smore "
+             "particles)",
+             at, mpm->at[0][at] + mpm->u[0][at], mpm->at[1][at] + mpm->u[1][at], stretch,
+             mpm->shape == MPM_HAT ? "gimp or " : "");
     batch_report(&mpm->sim, EVENT_BREAK, text);
 }
 

@@ -28,7 +28,11 @@ bool mpm_fail_particle(Mpm *mpm, Status *status, int particle, const char *what)
 {
     const bool light = mpm->dim == 1 && bar_feels_light_nodes(&mpm->bar, mpm->head->transfer);
     char text[200];
-    snprintf(text, sizeof text, "%s%s", what, light ? " (" BAR_LIGHT_NODES ")" : "");
+    char where[60] = "";
+    if (mpm->bodies)
+        snprintf(where, sizeof where, " at (%.4g, %.4g)", mpm->at[0][particle] + mpm->u[0][particle],
+                 mpm->at[1][particle] + mpm->u[1][particle]);
+    snprintf(text, sizeof text, "%s%s%s", what, where, light ? " (" BAR_LIGHT_NODES ")" : "");
     return batch_fail_particle(&mpm->sim, status, particle, text, mpm->dim == 2 && !mpm->bodies ? " s" : "");
 }
 
