@@ -159,8 +159,7 @@ async function keys_and_size() {
 async function edit_and_stages() {
 	await open(one + '?scenario=mode5');
 	await until('', has('Space pause'));
-	await page.keyboard.press(' ');
-	await until('', has('Space run'));
+	await halt();
 	await type('mesh.cell_size=0.5'.replace(/^/, ':') + '\r');
 	await shows('a parameter is edited', (text) => /cell size +0\.5/.test(text) && /tries cell size 1/.test(text));
 	await page.keyboard.press(']');
@@ -170,8 +169,7 @@ async function edit_and_stages() {
 async function export_of_a_run() {
 	await open(one + '?scenario=mode5&set=mesh.cell_size=0.5');
 	await shows('a link opens its scenario', has('Space pause'));
-	await page.keyboard.press(' ');
-	await until('', has('Space run'));
+	await halt();
 	await type(':goto #300\r');
 	await shows('it goes to a step', has('t 1.500'));
 	await type(':export page\r');
@@ -214,8 +212,7 @@ async function dropped_scenario() {
 async function dropped_series() {
 	await open(one + '?scenario=mode5&set=mesh.cell_size=0.5');
 	await until('', has('Space pause'));
-	await page.keyboard.press(' ');
-	await until('', has('Space run'));
+	await halt();
 	await (await page.$('#bring')).uploadFile(path.join(scratch, 'native.csv'));
 	await new Promise((done) => setTimeout(done, 1000));
 	result('a diagnosis of a series is offered', /which code made its numbers/.test(await notice_of()), await notice_of());
@@ -474,6 +471,7 @@ async function address() {
 	await page.goBack().catch(() => {});
 	await shows('Back goes to the one before', (text) => /cell size +0\.5/.test(text));
 	// output of the program before that the terminal has still to read
+	const before = await page.evaluate(() => history.length);
 	await page.evaluate(() => {
 		term.write(new Uint8Array(400000).fill(32));
 		term.write('\x1b]7770;P0;T0;Ncrossing\x07');
@@ -481,7 +479,8 @@ async function address() {
 	});
 	await pause(2000);
 	await until('', (text) => /cell size +0\.5/.test(text));
-	result('what the program before tells late is not followed', (await where()) === '?scenario=mode5&set=mesh.cell_size:0.5&sheet=full', await where());
+	result('what the program before tells late is not followed', (await where()) === '?scenario=mode5&set=mesh.cell_size:0.5&sheet=full' &&
+		(await page.evaluate(() => history.length)) === before, await where());
 	const comes = (wanted) => page.waitForFunction((wanted) => location.search === wanted, {timeout: patience}, wanted).then(() => true, () => false);
 	await halt();
 	await type(':initial.mode=3\r');
@@ -535,8 +534,7 @@ async function fingers(from, to, still = 0) {
 async function selecting() {
 	await open(one + '?scenario=mode5');
 	await until('', has('Space pause'));
-	await page.keyboard.press(' ');
-	await until('', has('Space run'));
+	await halt();
 	const place = (column, row) => page.evaluate((column, row) => {
 		const box = document.querySelector('.xterm-screen').getBoundingClientRect();
 		return [box.left + (column + .5) * box.width / term.cols, box.top + (row + .5) * box.height / term.rows];
@@ -649,8 +647,7 @@ async function lines() {
 		await open(one + '?scenario=' + scenario);
 		await until('', has('Space pause'));
 		await pause(1500);
-		await page.keyboard.press(' ');
-		await until('', has('Space run'));
+		await halt();
 		await page.evaluate(() => vectors.turn(true)); // a slow machine may have turned it off
 		await pause(500);
 		const found = await page.evaluate(() => vectors.areas.map((area) => area.strokes.length + (area.map ? ' map' : '')));
@@ -668,8 +665,7 @@ async function lines() {
 	}
 	await open(one + '?scenario=two-discs');
 	await until('', has('Space pause'));
-	await page.keyboard.press(' ');
-	await until('', has('Space run'));
+	await halt();
 	await page.evaluate(() => vectors.turn(true));
 	await pause(500);
 	const bodies = await page.evaluate(() => {
@@ -683,8 +679,7 @@ async function lines() {
 	await open(one + '?scenario=mode5&sheet=full');
 	await until('', has('Space pause'));
 	await pause(1000);
-	await page.keyboard.press(' ');
-	await until('', has('Space run'));
+	await halt();
 	await page.keyboard.press(']'); // the bar with its cells
 	await until('', has('Stage 1'));
 	await page.evaluate(() => vectors.turn(true));
