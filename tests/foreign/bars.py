@@ -36,6 +36,7 @@ class Bar:
         self.rho_p = [float(rho)] * n
         self.before = list(self.s)
         self.steps = 0
+        self.node_v = []
         self.nodes = round(L / dx) + 2 * pad + 1
         self.held = pad + (1 if mistake == "fix_next_node" else 0)
         self.kept = [[0.0] * self.nodes, [0.0] * self.nodes]
@@ -155,6 +156,7 @@ class Bar:
                 self.fix(new_p)
         if self.scheme != "usf":
             self.strain(new_p, m_i)
+        self.node_v = new_v
         self.steps += 1
 
     def told(self):
@@ -168,7 +170,7 @@ class Bar:
         out["total"] = out["kinetic"] + out["strain"]
         out = {k: self.r(x) if k != "step" else x for k, x in out.items()}
         out["v"], out["u"] = list(self.v), [x - x0 for x, x0 in zip(self.x, self.x0)]
-        out["x"], out["sigma"] = list(self.x), list(self.s)
+        out["x"], out["sigma"], out["node"] = list(self.x), list(self.s), self.node_v
         return out
 
     def run(self, steps):

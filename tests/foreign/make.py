@@ -89,6 +89,20 @@ def noisy(rows):
     return table(["t", "v_cm"], [[r["time"], r["v_cm"] + draw.uniform(-1e-13, 1e-13)] for r in rows], form="%.15g")
 
 
+def node(rows):
+    """A node's velocity as a step leaves it: 6 cells from the support, behind 4 of padding."""
+    return table(["t", "v_node"], [[r["time"], r["node"][10]] for r in rows[1:]])
+
+
+def arrays(rows):
+    return table(["ta", "va"], [[one["time"], two["v"][-1]] for one, two in zip(rows, rows[1:])])
+
+
+def numbered(rows):
+    """As pandas writes a table, its row numbers without a name."""
+    return table(["", "t_ms", "v_cm"], [[i, 1000 * r["time"], r["v_cm"]] for i, r in enumerate(rows)])
+
+
 energies = columns("time kinetic strain total")
 plain = columns("step v_cm x_cm kinetic strain", form="%.12g")
 vcm = columns("time v_cm")
@@ -165,6 +179,16 @@ for mistake, scheme, writer, how in (
 
 case("right", "USL", columns("time v_cm", form="%.6g"), scheme="usl", rho=7.0, sets=("bar.density=7",), steps=100)
 case("right", "MUSL", columns("time v_cm", form="%.5g"), scheme="musl", rho=7.0, sets=("bar.density=7",), steps=600)
+
+case("right", "USL", node, scheme="usl", steps=80)
+case("right", "MUSL", node, scheme="musl", sets=soft_sets, steps=40, **soft)
+case("right but", "MUSL", arrays, scheme="musl", courant=0.2)
+case("right but", "USL", numbered, scheme="usl", steps=50)
+case("right but", "USL", tip, scheme="usl", sets=soft_sets, steps=80, rounded=True, **soft)
+for mistake, scheme, writer, how in (
+        ("mode_of_fixed_fixed", "usl", tip, {}), ("start_at_centres", "musl", tip, stiff), ("mass_for_volume", "usl", middle, stiff),
+        ("stress_of_next", "usl", node, {}), ("force_sign", "usl", nine, dict(rounded=True))):
+    case("mistake", mistake, writer, scheme=scheme, mistake=mistake, **how)
 
 names, lines = {}, []
 for number, (verdict, what, writer, steps, scenario, sets, bar) in enumerate(cases, 1):
