@@ -485,6 +485,18 @@ static bool write_about_numbers(const char *unused)
     return true;
 }
 
+/* What each value of a parameter of mistakes does. */
+static bool write_mistakes(const char *key)
+{
+    const Parameter *parameter = parameter_find(key);
+    for (int i = 1; parameter && parameter->choice_help && parameter->choices[i]; i++) {
+        fputs(".TP\n.B ", stdout);
+        say_line(parameter->choices[i]);
+        say_line(parameter->choice_help(i));
+    }
+    return parameter && parameter->wrong;
+}
+
 /* --- stages ---------------------------------------------------------------------------------------- */
 
 /* The simulation of "SCENARIO KEY=VALUE ...": the caller destroys it. */
@@ -611,6 +623,7 @@ static const struct {
     {"texts", write_texts},
     {"stages", write_stages},
     {"order", write_order},
+    {"mistakes", write_mistakes},
     {"changed-stages", write_changed_stages},
 };
 

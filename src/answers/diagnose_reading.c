@@ -207,7 +207,7 @@ enum {
     TRIAL_STEPS_MAX = 20000,
     TRIALS_MAX = 64,
     PLAIN_TIMES_MAX = 12,
-    MISTAKEN_ROWS_LEAST = 5
+    OTHERS_ROWS_LEAST = 5
 };
 #define TOLERANCE 2e-6 /* a reading is told from another by more than single precision */
 
@@ -478,29 +478,54 @@ static bool try_times(Trials *trials, double factor, double dt, bool plain, bool
     return true;
 }
 
-/* Beside codes with one mistake, the readings that were plain: the start may be wrong, or what a column is
- * may show only later, as of two particles that begin alike. */
+/* A plain reading beside another code. False: it was given up, or there is no memory. */
+static bool try_code(Trials *trials, const DiagnoseReading *reading, const Settings *settings, bool *found)
+{
+    const int count = trials->count;
+    if (!try_reading(trials, reading, settings, false))
+        return false;
+    *found = trials->count > count && trials->all[count].agreed >= OTHERS_ROWS_LEAST;
+    trials->count = *found ? trials->count : count;
+    return true;
+}
+
+/* Beside right codes of all schemes, which a file without its start does not tell. */
+static bool try_schemes(Trials *trials, bool *found)
+{
+    const Settings *right = trials->search->task->settings;
+    bool sound = true;
+    for (int i = 0; i < trials->n_times && sound && !*found; i++) {
+        DiagnoseScheme *schemes;
+        Settings held = *right;
+        const int count = diagnose_hold_step(&held, trials->times[i].dt, NULL)
+                              ? diagnose_schemes(&held, trials->search->table, &schemes)
+                              : 0;
+        for (int s = 0; s < count && sound && !*found; s++)
+            sound = try_code(trials, &trials->times[i], &schemes[s].settings, found);
+        if (count > 0)
+            free(schemes);
+    }
+    return sound;
+}
+
+/* Beside codes with one mistake: the start may be wrong, or what a column is may show only later, as of two
+ * particles that begin alike. */
 static bool try_mistakes(Trials *trials, bool *found)
 {
     const Settings *right = trials->search->task->settings;
     const Parameter *order = parameter_find("mpm.algorithm"), *mistake = parameter_find("mpm.mistake");
+    bool sound = true;
     if (!parameter_applies_to(right, order) || !parameter_applies_to(right, mistake))
         return true;
-    for (int i = 0; i < trials->n_times && !*found; i++) {
-        DiagnoseReading reading = trials->times[i];
-        for (int m = 1; m < parameter_choices(mistake, right->problem) && !*found; m++)
-            for (int a = 0; a < parameter_choices(order, right->problem) && !*found; a++) {
+    for (int i = 0; i < trials->n_times; i++)
+        for (int m = 1; m < parameter_choices(mistake, right->problem); m++)
+            for (int a = 0; a < parameter_choices(order, right->problem) && sound && !*found; a++) {
                 Settings settings = *right;
                 settings_put(&settings, order, a);
                 settings_put(&settings, mistake, m);
-                const int count = trials->count;
-                if (!try_reading(trials, &reading, &settings, false))
-                    return false;
-                *found = trials->count > count && trials->all[count].agreed >= MISTAKEN_ROWS_LEAST;
-                trials->count = *found ? trials->count : count;
+                sound = try_code(trials, &trials->times[i], &settings, found);
             }
-    }
-    return true;
+    return sound;
 }
 
 /* The units of times in the order in which they are likely: rows far apart may be in ms. */
@@ -630,12 +655,12 @@ int diagnose_readings(const Search *search, DiagnoseReading out[READINGS_MAX])
         const bool of_bar = !(search->task->settings->problem->concerns & CONCERN_PLANE);
         const int ways = 1 + (of_bar && begun.n_columns == 1 && may_be(begun.columns[0].kinds, "v"));
         bool sound = true;
-        for (int i = 0; i < 2 * ways && sound && !found; i++) { /* right codes first */
+        for (int i = 0; i < (of_bar ? 3 : 1) * ways && sound && !found; i++) { /* right codes first */
             trials->nodes = i % ways;
             if (i < ways)
                 sound = try_all_times(trials, &found);
-            else if (of_bar && trials->doubt == 0)
-                sound = try_mistakes(trials, &found);
+            else if (trials->doubt == 0)
+                sound = (i < 2 * ways ? try_schemes : try_mistakes)(trials, &found);
         }
         count = sound ? choose(trials, out) : -1;
         for (int f = 0; f < FIELDS_MAX; f++)

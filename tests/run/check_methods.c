@@ -2,6 +2,7 @@
 /* One bar by two methods: which keys each has, how a scenario changes from one to the other, and what stands
  * beside a run by peridynamics. */
 #include "answers/bar_theory.h"
+#include "scenario/parameters.h"
 #include "scenario/concern_bonds.h"
 #include "scenario/concern_cells.h"
 #include "scenario/settings.h"
@@ -367,6 +368,21 @@ static void expect_stages(const char *page, const Settings *settings, const char
     simulation_destroy(sim);
 }
 
+START_TEST(the_manual_has_every_mistake)
+{
+    char *page = page_of_equations();
+    for (int p = 0; p < n_parameters; p++)
+        for (int i = 1; parameters[p].wrong && parameters[p].choices[i]; i++) {
+            char entry[512];
+            snprintf(entry, sizeof entry, ".B %s\n%s\n", parameters[p].choices[i],
+                     parameters[p].choice_help(i));
+            ck_assert_msg(strstr(page, entry), "matvib-equations(7) does not define %s",
+                          parameters[p].choices[i]);
+        }
+    free(page);
+}
+END_TEST
+
 /* Made from the same tables, but by a frame that names each wording; so a new one is missed here. */
 START_TEST(the_manual_has_every_stage)
 {
@@ -453,6 +469,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, derived_numbers_of_the_lattice);
     tcase_add_test(tcase, a_change_of_the_load_is_taken_back);
     tcase_add_test(tcase, the_manual_has_every_stage);
+    tcase_add_test(tcase, the_manual_has_every_mistake);
     tcase_add_test(tcase, the_manual_has_the_numbers_of_the_program);
     suite_add_tcase(suite, tcase);
 }
