@@ -399,10 +399,13 @@ static bool make_room(Trials *trials, const Simulation *sim)
         for (size_t i = 0; i < trials->sources[c].count; i++)
             if (trials->sources[c].all[i].field >= 0)
                 trials->wanted[trials->sources[c].all[i].field] = true;
-    for (int f = 0; f < FIELDS_MAX && sound; f++)
-        if (trials->wanted[f] && !trials->field[f])
+    for (int f = 0; f < FIELDS_MAX && sound; f++) { /* another scheme has others */
+        free(trials->field[f]);
+        trials->field[f] = NULL;
+        if (trials->wanted[f])
             sound =
                 (trials->field[f] = malloc((sim->counts[sim->fields[f].set] + 1) * sizeof(double))) != NULL;
+    }
     free(trials->row);
     free(trials->size);
     free(trials->most);
