@@ -19,15 +19,21 @@ for file in README.md CONTRIBUTING.md doc/*.md; do
 done
 
 # version, date and addresses are those of release.conf
-named="README.md man/matvib.1.in CITATION.cff codemeta.json data/org.example.matvib.metainfo.xml
+named="README.md NEWS man/matvib.1.in CITATION.cff codemeta.json data/org.example.matvib.metainfo.xml
 	$(test ! -d debian || echo debian/changelog debian/control debian/copyright debian/watch)"
 mkdir "$scratch/named" && tar -chf - release.conf $named | tar -xf - -C "$scratch/named"
 result "make addresses has been run" sh -c "tools/addresses '$scratch/named' && for file in $(echo $named); do diff \$file '$scratch/named/'\$file || exit 1; done"
 sed 's/@.*/@host.test/; s/^date=.*/date=2030-01-02/; s/^tag=.*/tag=/; s|//[^/]*|//host.test|' release.conf >"$scratch/named/release.conf"
 tools/addresses "$scratch/named"
-for file in $named; do
+for file in $(echo $named | sed 's/ NEWS / /'); do
 	result "$file: no other address is left" sh -c "grep -q host.test '$scratch/named/$file' && ! grep '@example\|//example\|2026-11-23' '$scratch/named/$file'"
 done
+
+if command -v codespell >/dev/null 2>&1; then
+	result "no word is misspelt" codespell -L "$(tr '\n' ',' <tests/words)" src man/*.in data README.md NEWS CONTRIBUTING.md doc tools python
+else
+	skip "no word is misspelt" "no codespell"
+fi
 
 for lesson in data/lessons/*.lesson; do
 	name=$(basename "$lesson" .lesson)
