@@ -279,6 +279,7 @@ static void release(void *own)
 {
     BarAnswers *bar = own;
     bar_motion_free(bar->motion);
+    step_modes_free(bar->modes);
 }
 
 BarAnswers *bar_answers_create(References *refs, const Settings *settings, Status *status)

@@ -6,6 +6,7 @@
 
 #include "answers/dispersion_curves.h"
 #include "answers/bar_theory.h"
+#include "answers/step_modes.h"
 #include "problems/solver.h"
 #include "theory/bar_motion.h"
 #include "theory/frequency.h"
@@ -29,7 +30,8 @@ typedef struct BarWatch {
 typedef struct BarAnswers {
     BarTheory theory;
     BarMesh mesh;      /* by the material point method */
-    BarMotion *motion; /* v_cm as a sum of modes; NULL: by a formula, or not predicted */
+    StepModes *modes;  /* v_cm by the engine's own step; NULL: not predicted so */
+    BarMotion *motion; /* by peridynamics */
     BarWatch watch;
 } BarAnswers;
 

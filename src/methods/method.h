@@ -221,6 +221,11 @@ typedef struct Method {
     size_t (*state_size)(const Simulation *);
     void (*load)(Simulation *, const void *bytes);
 
+    /* The state of a motion so small that no place changes, as a vector x: sqrt(m) v and `unit` times
+     * sqrt(V/E) stress of each thing, so that |x|^2 is twice the energy where unit is 1. It is read, or put
+     * as the state between steps; x NULL: neither. Returns how many numbers. NULL: not known. */
+    size_t (*small)(Simulation *, double *x, double unit, bool put);
+
     /* Changes a parameter that may change in mid-run, between steps: key as in a scenario file, value as
      * number (the index for a choice). False: not a live parameter of this method, or a bad value. */
     bool (*change)(Simulation *, const char *key, double value, Status *);

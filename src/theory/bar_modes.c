@@ -155,13 +155,3 @@ double bar_modes_share(const BarTheory *bar, const BarMode *mode, double beta, d
     }
     return both / own;
 }
-
-/* rho omega^2 r^2/2 at every place, of which sin^2 and cos^2 are the one kind of energy and the other. */
-double bar_modes_energy_beyond(const BarTheory *bar, const BarMode *mode)
-{
-    double energy[2];
-    for (int i = 0; i < 2; i++)
-        energy[i] = density_of(bar, i) * mode->part[i].size * mode->part[i].size *
-                    (end_of(bar, i) - mode->part[i].from);
-    return energy[1] / (energy[0] + energy[1]);
-}

@@ -37,7 +37,4 @@ double bar_modes_mean(const BarTheory *, const BarMode *);
 /* int rho phi s dx / int rho phi^2 dx for s = sin(phase + beta x). */
 double bar_modes_share(const BarTheory *, const BarMode *, double beta, double phase);
 
-/* The share of the mode's energy that is in the second material. */
-double bar_modes_energy_beyond(const BarTheory *, const BarMode *);
-
 #endif

@@ -11,8 +11,8 @@
 
 struct BarMotion {
     int count;
-    double *frequency, *share; /* v_cm = sum share cos(frequency (step + lead) dt)/cos(frequency lead dt) */
-    double dt, lead;
+    double *frequency, *share; /* v_cm = sum share cos(frequency step dt) */
+    double dt;
 };
 
 /* y^n = exp(i Omega n dt) gives 2 - 2 cos(Omega dt) = (omega dt)^2. */
@@ -23,14 +23,14 @@ double bar_motion_frequency(double omega, double dt)
     return half <= 1 ? 2 * math_asin(half) / dt : NAN;
 }
 
-BarMotion *bar_motion_create(int count, double dt, double lead)
+BarMotion *bar_motion_create(int count, double dt)
 {
     ASSERT_INT(count, >=, 0);
     BarMotion *motion = calloc(1, sizeof *motion);
     if (!motion)
         return NULL;
     *motion = (BarMotion){count, calloc((size_t)count + 1, sizeof(double)),
-                          calloc((size_t)count + 1, sizeof(double)), dt, lead};
+                          calloc((size_t)count + 1, sizeof(double)), dt};
     if (motion->frequency && motion->share)
         return motion;
     bar_motion_free(motion);
@@ -49,7 +49,7 @@ void bar_motion_free(BarMotion *motion)
 void bar_motion_set(BarMotion *motion, int k, double share, double frequency)
 {
     ASSERT_INT(k, <, motion->count);
-    motion->share[k] = share / math_cos(frequency * motion->lead * motion->dt);
+    motion->share[k] = share;
     motion->frequency[k] = frequency;
 }
 
@@ -93,8 +93,7 @@ double bar_motion_centre_velocity(const BarMotion *motion, long step)
     for (int k = 0; k < motion->count; k++)
         sum += motion->frequency[k] == 0
                    ? motion->share[k]
-                   : motion->share[k] *
-                         math_cos(motion->frequency[k] * ((double)step + motion->lead) * motion->dt);
+                   : motion->share[k] * math_cos(motion->frequency[k] * (double)step * motion->dt);
     return sum;
 }
 

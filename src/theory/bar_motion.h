@@ -6,9 +6,8 @@
  *
  *     y_{k+1} - 2 y_k + y_{k-1} = -dt^2 S y_k
  *
- * An eigenvector e of S, S e = omega^2 e, therefore swings as cos(Omega (k + lead) dt), sin(Omega dt/2) =
- * omega dt/2, where `lead` says between which velocities the first step begins: 0 of velocity Verlet, 1/2
- * where the force acts that is new in the step, -1/2 where the old one does. This is the scheme's own answer,
+ * An eigenvector e of S, S e = omega^2 e, therefore swings as cos(Omega k dt), sin(Omega dt/2) =
+ * omega dt/2, by velocity Verlet. This is the scheme's own answer,
  * not an approximation of it. */
 #ifndef THEORY_BAR_MOTION_H
 #define THEORY_BAR_MOTION_H
@@ -22,7 +21,7 @@ typedef struct BarMotion BarMotion;
 double bar_motion_frequency(double omega, double dt);
 
 /* A sum of so many cosines, all 0. NULL: not enough memory. */
-BarMotion *bar_motion_create(int count, double dt, double lead);
+BarMotion *bar_motion_create(int count, double dt);
 void bar_motion_free(BarMotion *); /* NULL is allowed */
 
 /* Cosine k: share of v_cm at t = 0, and its frequency, which may be 0. */

@@ -7,7 +7,7 @@
  * They follow from four functions of the angle:
  *
  *     K        stiffness: (c/dx)^2 K is the square of the frequency of lumped finite elements
- *     T, W, g  of the transfer: bar_mesh_response()
+ *     T, W, g  of the transfer: Response below
  *     z = (c dt/dx)^2 K
  *     USF, MUSL:  trace = g + 1 - z W,  determinant = g
  *     USL:        trace = g + 1 - z T,  determinant = g (1 - z T) + z W
@@ -18,7 +18,6 @@
  * Omega = acos(trace / (2 sqrt(determinant)))/dt, decay = -log(determinant)/(2 dt). */
 #include "base/assertion.h"
 #include "theory/elastic_bar.h"
-#include "theory/bar_rest.h"
 #include "theory/quiet.h"
 #include "base/math/functions.h"
 
@@ -26,41 +25,95 @@
 #include <gsl/gsl_min.h>
 #include <math.h>
 
+/* --- shape functions ------------------------------------------------------------------------------ */
+
+/* Of an endless mesh, by x/dx from the middle of the function. The hat is (1 - |x|)+; uGIMP's is its mean
+ * over a particle's box, the quadratic B-spline that over a cell; the cubic one is ((2 - |x|)+^3 - 4 (1 -
+ * |x|)+^3)/6. Physics computes the same functions in another way; neither knows the other. */
+static double hat(double x)
+{
+    return fmax(0, 1 - fabs(x));
+}
+
+/* int hat from -1 to x */
+static double hat_sum(double x)
+{
+    const double near = fmin(1, fabs(x)), half = near - near * near / 2;
+    return x < 0 ? 0.5 - half : 0.5 + half;
+}
+
+static double cube(double x, int power)
+{
+    double far = fmax(0, 2 - fabs(x)), near = fmax(0, 1 - fabs(x)), a = 1, b = 1;
+    for (int k = 0; k < power; k++)
+        a *= far, b *= near;
+    return a - 4 * b;
+}
+
+static double shape_of(const BarMesh *mesh, double x, double *slope)
+{
+    const double half = mesh->shape == MPM_BSPLINE2 ? 0.5 : 0.5 / mesh->particles_per_cell;
+    switch (mesh->shape) {
+    case MPM_HAT:
+        *slope = fabs(x) >= 1 ? 0 : x < 0 ? 1 : -1;
+        return hat(x);
+    case MPM_BSPLINE3:
+        *slope = (x < 0 ? 1 : -1) * cube(x, 2) / 2;
+        return cube(x, 3) / 6;
+    default:
+        *slope = (hat(x + half) - hat(x - half)) / (2 * half);
+        return (hat_sum(x + half) - hat_sum(x - half)) / (2 * half);
+    }
+}
+
+/* --- rows ----------------------------------------------------------------------------------------- */
+
+/* What a step does to a motion that the filter particle -> node -> particle multiplies by F:
+ *
+ *     T  nodal velocity over p / m
+ *     W  nodal velocity that comes back through the particles, over p / m
+ *     g  what is left of the grid's velocity when it has gone to the particles and back without force
+ *
+ *                                                T      W        g
+ *     FLIP, PIC                                  1      F        alpha + (1 - alpha) F
+ *     mass blend mu, Mh = (1 - mu) F + mu        1/Mh   F/Mh^2   alpha + (1 - alpha) F/Mh
+ *     FMPM(k), R = 1 - (1 - F)^k                 R/F    R^2/F    R
+ *     APIC, F being Fa                           1      Fa       Fa */
 typedef struct Response {
-    double stiffness;  /* K */
-    double filter;     /* F */
-    MeshResponse step; /* T, W, g */
+    double stiffness, filter;    /* K, F */
+    double moves, returns, kept; /* T, W, g */
 } Response;
 
-/* K, F and Fa of any shape. In an endless mesh every row of the matrices of bar_rest.h is the same, b(-p) ..
- * b(p), and a wave is multiplied by b(0) + 2 sum b(d) cos(d theta). Rows of M add up to 1, those of K to 0,
- * which leaves
+/* K, F and Fa of any shape. In an endless mesh every row of M and K is the same, b(-p) .. b(p), and a wave is
+ * multiplied by b(0) + 2 sum b(d) cos(d theta). Rows of M add up to 1, those of K to 0, which leaves
  *
  *     F = 1 - 4 sum M(d) sin^2(d theta/2),   K = -4 sum K(d) sin^2(d theta/2) */
+enum { REACH = 3 };
 typedef struct Rows {
-    double consistent[REST_SUPPORT_MAX], stiffness[REST_SUPPORT_MAX]; /* by d */
+    double consistent[REACH + 1], stiffness[REACH + 1]; /* by d */
 } Rows;
 
 static Rows rows_of(const BarMesh *mesh)
 {
-    enum { FAR = 3 }; /* cells to each end */
-    const BarRest endless = {.per_cell = mesh->particles_per_cell,
-                             .offset = mesh->offset,
-                             .degree = bar_rest_degree(mesh->shape),
-                             .mesh_cells = 2 * FAR + 1};
+    enum { NODES = 2 * REACH + 1 };
+    /* nodes of quadratic B-splines are the middles of cells */
+    const double first = (mesh->shape == MPM_BSPLINE2 ? 0.5 : 0) - REACH;
     Rows rows = {.consistent = {0}};
-    for (int j = 0; j < endless.per_cell; j++) {
-        double n[REST_SUPPORT_MAX], slope[REST_SUPPORT_MAX], arm[REST_SUPPORT_MAX], spread = 0;
-        bar_rest_weights(&endless, FAR, j, n, slope, arm);
-        for (int a = 0; a <= endless.degree; a++)
+    for (int j = 0; j < mesh->particles_per_cell; j++) {
+        const double x = (j + 0.5 + mesh->offset) / mesh->particles_per_cell;
+        double n[NODES], slope[NODES], arm[NODES], spread = 0;
+        for (int a = 0; a < NODES; a++) {
+            arm[a] = first + a - x;
+            n[a] = shape_of(mesh, -arm[a], &slope[a]);
             spread += n[a] * arm[a] * arm[a];
-        for (int a = 0; a <= endless.degree; a++)
-            for (int b = 0; b < a; b++) {
+        }
+        for (int a = 0; a < NODES; a++)
+            for (int b = a - REACH < 0 ? 0 : a - REACH; b < a; b++) {
                 const double lean = mesh->apic ? n[a] * arm[a] * n[b] * arm[b] / spread : 0;
                 /* hats with APIC: M = M_l exactly, so that no rounding is kept */
-                if (!mesh->apic || endless.degree > 1)
-                    rows.consistent[a - b] += (n[a] * n[b] + lean) / endless.per_cell;
-                rows.stiffness[a - b] += slope[a] * slope[b] / endless.per_cell;
+                if (!mesh->apic || mesh->shape != MPM_HAT)
+                    rows.consistent[a - b] += (n[a] * n[b] + lean) / mesh->particles_per_cell;
+                rows.stiffness[a - b] += slope[a] * slope[b] / mesh->particles_per_cell;
             }
     }
     return rows;
@@ -68,13 +121,23 @@ static Rows rows_of(const BarMesh *mesh)
 
 static Response response_of(const BarMesh *mesh, const Rows *rows, double theta)
 {
-    double filter = 1, stiffness = 0;
-    for (int d = 1; d < REST_SUPPORT_MAX; d++) {
+    double filter = 1, stiffness = 0, moves = 1, power = 1;
+    for (int d = 1; d <= REACH; d++) {
         const double s = math_sin(d * theta / 2);
         filter -= 4 * s * s * rows->consistent[d];
         stiffness -= 4 * s * s * rows->stiffness[d];
     }
-    return (Response){.stiffness = stiffness, .filter = filter, .step = bar_mesh_response(mesh, filter)};
+    if (mesh->fmpm_order > 0)
+        for (int j = 1; j < mesh->fmpm_order; j++)
+            moves += power *= 1 - filter;
+    else
+        moves = 1 / (mesh->consistent * filter + (1 - mesh->consistent));
+    const double alpha = mesh->apic || mesh->fmpm_order > 0 ? 0 : mesh->flip_fraction;
+    return (Response){.stiffness = stiffness,
+                      .filter = filter,
+                      .moves = moves,
+                      .returns = filter * moves * moves,
+                      .kept = alpha + (1 - alpha) * (filter * moves)};
 }
 
 Dispersion dispersion_of_bar(const BarTheory *bar, const BarMesh *mesh, double wave_number)
@@ -88,14 +151,13 @@ Dispersion dispersion_of_bar(const BarTheory *bar, const BarMesh *mesh, double w
     if (!(theta <= M_PI * (1 + 1e-12)))
         return wave;
     const Rows rows = rows_of(mesh);
-    const Response response = response_of(mesh, &rows, theta);
+    const Response step = response_of(mesh, &rows, theta);
     double rate = bar_wave_speed(bar) / mesh->cell_size;
-    const MeshResponse step = response.step;
-    wave.filter = response.filter;
+    wave.filter = step.filter;
     wave.moves = step.moves;
-    wave.space_only = rate * sqrt(fmax(0, step.returns * response.stiffness));
+    wave.space_only = rate * sqrt(fmax(0, step.returns * step.stiffness));
 
-    double z = response.stiffness * rate * rate * mesh->dt * mesh->dt, g = step.kept;
+    double z = step.stiffness * rate * rate * mesh->dt * mesh->dt, g = step.kept;
     bool last = mesh->algorithm == MPM_USL;
     double pull = last ? step.moves * z : step.returns * z;       /* trace = g + 1 - pull */
     double loss = last ? (g * step.moves - step.returns) * z : 0; /* determinant = g - loss */
@@ -118,66 +180,6 @@ Dispersion dispersion_of_bar(const BarTheory *bar, const BarMesh *mesh, double w
     return wave;
 }
 
-bool dispersion_predicts_centre_velocity(const BarTheory *bar, const BarMesh *mesh)
-{
-    bool supports = bar->left_fixed && !bar->right_fixed;
-    bool method = mesh->shape == MPM_HAT && mesh->offset == 0 && bar_mesh_flip(mesh) == 1 &&
-                  (mesh->algorithm == MPM_USF || mesh->algorithm == MPM_MUSL);
-    if (!supports || !method || bar->body_force != 0 || bar->traction != 0 || bar->pulse.velocity != 0 ||
-        bar_is_layered(bar))
-        return false;
-    for (int i = 0; i < bar->n_modes; i++)
-        if (!dispersion_of_bar(bar, mesh, bar_wave_number(bar, bar->modes[i].number)).known)
-            return false;
-    return true;
-}
-
-/* One mode's v_cm at step k for unit velocity: hat, fixed-free, FLIP, USF or MUSL.
- *
- *     v_cm(t_k) = (v_cm(0) - A) + A cos(Omega (k +- 1/2) dt)/cos(Omega dt/2),    + for USF, - for MUSL
- *     A = g0 S/F,   g0 = (2/P) sum_j (1 - xi_j) cos(theta xi_j),   S = dx/2L cot(theta/2)
- *     v_cm(0) = (d/L)/(2 sin(beta d/2)),   d = dx/P,   xi_j = (j + 1/2)/P
- *
- * g0 maps the particles' wave to a node, S is the mean of that wave over the nodes. The nodes' velocity, T
- * g0, changes by dt W f in a step and the particles' by dt N T f, so that T^2/W = 1/F brings it back, with
- * any mass blend. */
-static double predicted_mode(const BarTheory *bar, const BarMesh *mesh, int number, long k)
-{
-    double beta = bar_wave_number(bar, number);
-    double theta = beta * mesh->cell_size;
-    Dispersion wave = dispersion_of_bar(bar, mesh, beta);
-    if (!(beta > 0))
-        return 0;
-
-    /* g0 */
-    double to_nodes = 0;
-    for (int j = 0; j < mesh->particles_per_cell; j++) {
-        double xi = (j + 0.5) / mesh->particles_per_cell;
-        to_nodes += 2 * (1 - xi) * math_cos(theta * xi) / mesh->particles_per_cell;
-    }
-    double node_sum = mesh->cell_size / (2 * bar->length) / math_tan(theta / 2);
-    double amplitude = to_nodes * node_sum / wave.filter;
-
-    /* the part of the particles' velocity in the null space of the grid never changes: the offset */
-    double particle_size = mesh->cell_size / mesh->particles_per_cell;
-    double start = particle_size / bar->length / (2 * math_sin(beta * particle_size / 2));
-    double offset = start - amplitude;
-
-    /* velocity and stress are known half a step apart; which is ahead depends on the algorithm */
-    double half = mesh->algorithm == MPM_MUSL ? -0.5 : 0.5;
-    double angle = wave.frequency * mesh->dt;
-    return offset + amplitude * math_cos(angle * ((double)k + half)) / math_cos(angle / 2);
-}
-
-double dispersion_centre_velocity(const BarTheory *bar, const BarMesh *mesh, long k)
-{
-    ASSERT(dispersion_predicts_centre_velocity(bar, mesh));
-    double sum = 0;
-    for (int i = 0; i < bar->n_modes; i++)
-        sum += bar->modes[i].velocity * predicted_mode(bar, mesh, bar->modes[i].number, k);
-    return sum;
-}
-
 /* The square of the courant number at which the wave of this angle begins to grow: there the trace comes to
  * -(1 + determinant), that is an eigenvalue to -1. The determinant alone never passes 1, as W <= g T and g
  * <= 1. */
@@ -191,11 +193,9 @@ static double limit_of_angle(double theta, void *context)
     const Endless *endless = context;
     const BarMesh *mesh = &endless->mesh;
     const Response r = response_of(mesh, &endless->rows, theta);
-    const MeshResponse *step = &r.step;
     const double drive =
-        r.stiffness *
-        (mesh->algorithm == MPM_USL ? (1 + step->kept) * step->moves - step->returns : step->returns);
-    return drive > 0 ? 2 * (1 + step->kept) / drive : INFINITY;
+        r.stiffness * (mesh->algorithm == MPM_USL ? (1 + r.kept) * r.moves - r.returns : r.returns);
+    return drive > 0 ? 2 * (1 + r.kept) / drive : INFINITY;
 }
 
 /* Brent's method from three angles of which the middle one is the lowest; that one where memory is short. */

@@ -7,7 +7,6 @@
 #define THEORY_ELASTIC_BAR_H
 
 #include "base/kinds.h"
-#include "base/cancel.h"
 
 #include <stdbool.h>
 
@@ -67,9 +66,7 @@ double bar_centre_velocity(const BarTheory *bar, double t); /* v_cm, eq. 20 */
 typedef struct BarMesh {
     double cell_size;
     int particles_per_cell;
-    double
-        offset;  /* of particles from the middle of their share of a cell, in such shares: hats, B-splines */
-    int padding; /* cells beyond each free end */
+    double offset; /* of particles from the middle of their share of a cell, in such shares */
     MpmAlgorithm algorithm;
     MpmShape shape; /* CPDI is GIMP: at rest they are the same */
     bool apic;
@@ -77,7 +74,6 @@ typedef struct BarMesh {
     double consistent; /* share of consistent mass in M = consistent M_c + (1 - consistent) M_l: 1 - mu */
     int fmpm_order;    /* 0: no FMPM */
     double dt;
-    Cancel cancel; /* asked while the mode of a step is looked for */
 } BarMesh;
 
 /* Discrete frequency and decay of one wave number in an endless mesh. */
@@ -92,15 +88,8 @@ typedef struct Dispersion {
 
 Dispersion dispersion_of_bar(const BarTheory *bar, const BarMesh *mesh, double wave_number);
 
-/* Whether v_cm(t) is predicted whole: hat, fixed-free, flip_fraction 1, FLIP, any mass blend, USF or MUSL,
- * no load, one material, particles in the middle of their shares. */
-bool dispersion_predicts_centre_velocity(const BarTheory *bar, const BarMesh *mesh);
-
-/* The predicted v_cm at step k (t = k dt), summed over the modes. */
-double dispersion_centre_velocity(const BarTheory *bar, const BarMesh *mesh, long k);
-
 /* The largest courant number dt c / dx at which no wave of the endless mesh grows: the least over the angles
- * of the mesh's dispersion relation. mesh->dt does not matter. (Of a bar with its ends: step_limit.h.) */
+ * of the mesh's dispersion relation. mesh->dt does not matter. (Of a bar with its ends: step_modes.h.) */
 double dispersion_endless_courant(const BarMesh *mesh);
 
 #endif

@@ -236,7 +236,7 @@ BarMotion *pd_bar_motion(const BarTheory *bar, const PdBarTheory *lattice)
     if (bar->body_force != 0 || bar->traction != 0 || n < 1 || reach_of(lattice) > n ||
         (!sines && n > PD_BAR_MOTION_MAX))
         return NULL;
-    BarMotion *motion = bar_motion_create(sines ? bar->n_modes : n, lattice->dt, 0);
+    BarMotion *motion = bar_motion_create(sines ? bar->n_modes : n, lattice->dt);
     if (!motion || (sines ? take_sines : take_vectors)(motion, bar, lattice, n))
         return motion;
     bar_motion_free(motion);

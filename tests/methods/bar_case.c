@@ -61,3 +61,23 @@ Simulation *bar_case_create(const BarCase *which)
     ck_assert_msg(sim != NULL, "%s", status.text);
     return sim;
 }
+
+StepModes *bar_case_modes(const BarCase *which)
+{
+    Simulation *sim = bar_case_create(which);
+    StepModes *modes = step_modes_create(sim, true, (Cancel){0});
+    simulation_destroy(sim);
+    ck_assert_ptr_nonnull(modes);
+    return modes;
+}
+
+double bar_case_limit(const BarCase *which)
+{
+    BarCase still = {.def = which->def}, moving = {.def = which->def};
+    still.def.courant = 0x1p-60, moving.def.courant = 1;
+    Simulation *one = bar_case_create(&still), *other = bar_case_create(&moving);
+    const double limit = step_modes_limit(one, other) / other->dt;
+    simulation_destroy(one);
+    simulation_destroy(other);
+    return limit;
+}

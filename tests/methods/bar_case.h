@@ -3,6 +3,7 @@
 #ifndef TESTS_BAR_CASE_H
 #define TESTS_BAR_CASE_H
 
+#include "answers/step_modes.h"
 #include "methods/mpm/mpm_bar.h"
 #include "methods/run_case.h"
 
@@ -28,5 +29,9 @@ double bar_case_wave_number(const BarCase *which, int mode);
 
 /* The simulation; stops the test if it cannot be made. */
 Simulation *bar_case_create(const BarCase *which);
+
+/* What its step predicts from its start; the largest stable courant number. */
+StepModes *bar_case_modes(const BarCase *which);
+double bar_case_limit(const BarCase *which);
 
 #endif

@@ -4,7 +4,6 @@
 #include "methods/default_defs.h"
 #include "suite.h"
 #include "theory/elastic_bar.h"
-#include "theory/step_limit.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -190,7 +189,6 @@ static void expect_wave(MpmAlgorithm algorithm, bool gimp, int order, double ble
     fit_wave(&bar, mode, &trace, &determinant);
     const BarMesh mesh = {.cell_size = 1,
                           .particles_per_cell = 2,
-                          .padding = 4,
                           .algorithm = algorithm,
                           .shape = MPM_HAT,
                           .flip_fraction = alpha,
@@ -275,7 +273,6 @@ static bool blows_up(BarCase *bar, double courant, long steps)
 
 START_TEST(limits_of_any_parameters)
 {
-    static const MpmShape shapes[] = {MPM_HAT, MPM_GIMP, MPM_BSPLINE2, MPM_BSPLINE3, MPM_GIMP};
     for (int set = 0; set < (suite_wide() ? 1000 : 300); set++) {
         BarCase bar = bar_case(1, 1e-9);
         bar.def.length = draw(5, 14);
@@ -292,21 +289,7 @@ START_TEST(limits_of_any_parameters)
         bar.def.flip_fraction = transfer != 1 && transfer != 2 && draw(0, 1) ? draw(0, 99) / 100.0 : 1;
         bar.def.fmpm_order = draw(1, FMPM_ORDER_MAX);
         const BarSupports ends = bar.def.supports;
-        const BarTheory theory = {.length = bar.def.length,
-                                  .youngs_modulus = 100,
-                                  .density = 1,
-                                  .left_fixed = ends == BAR_FIXED_FREE || ends == BAR_FIXED_FIXED,
-                                  .right_fixed = ends == BAR_FREE_FIXED || ends == BAR_FIXED_FIXED};
-        const BarMesh mesh = {.cell_size = 1,
-                              .particles_per_cell = bar.def.particles_per_cell,
-                              .padding = bar.def.padding,
-                              .algorithm = (MpmAlgorithm)bar.def.algorithm,
-                              .shape = shapes[bar.def.shape],
-                              .apic = transfer == 1,
-                              .flip_fraction = bar.def.flip_fraction,
-                              .consistent = 1 - bar.def.mass_blend,
-                              .fmpm_order = transfer == 2 ? bar.def.fmpm_order : 0};
-        const double limit = step_limit_with_ends(&theory, &mesh);
+        const double limit = bar_case_limit(&bar);
         ck_assert(limit > 0.1 && limit < 4);
         const char *const words =
             "set %d (shape %d, algorithm %d, transfer %d, P %d, supports %d, mu %g, alpha "
@@ -396,7 +379,6 @@ static double predicted_error(double cell, double courant, double blend, double 
 {
     const BarMesh mesh = {.cell_size = cell,
                           .particles_per_cell = 2,
-                          .padding = 4,
                           .shape = MPM_HAT,
                           .flip_fraction = 1,
                           .consistent = 1 - blend,

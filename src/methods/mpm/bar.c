@@ -112,6 +112,7 @@ static const Method method = {
     .explain = mpm_explain,
     .state_size = mpm_state_size,
     .load = mpm_load,
+    .small = mpm_small,
     .change = change,
 };
 

@@ -374,6 +374,10 @@ MPM_INLINE void mpm_line_velocities(const MpmShape shape, const double *of, cons
         v[1] = v[0];
 }
 
+/* --- small.c ---------------------------------------------------------------------------------------- */
+
+size_t mpm_small(Simulation *, double *x, double unit, bool put);
+
 /* --- mass.c: velocities where masses are not lumped ------------------------------------------------- */
 
 void mpm_factor(Mpm *);
