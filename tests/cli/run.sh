@@ -342,4 +342,11 @@ result "and leaves nothing" nothing_else
 # a bar is for people: a log gets none, however long the run
 expect "a run of some seconds" 0 notched-beam --steps 500 --threads 1
 result "no bar where standard error is no terminal" test ! -s err
+
+# the stress of bonds at rest has the mean that the loads ask for: sum V syy = sum y F, y as it is pulled
+expect "a plate at rest" 0 pulled-plate --set pd.critical_energy=1e6 --set damping.rate=5e4 --end 1e-3 --set pd.spacing=1e-3 \
+	--set pd.horizon=4e-3 --set time.step=2e-7 --columns sxx,syy,sxy --particles pulled.csv --quiet
+result "its stress is in balance with its loads" awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
+	{ n++; sxx += $at["sxx"]; syy += $at["syy"] } $at["y0"] > .039 { top += $at["uy"]; k++ } $at["y0"] < .001 { low += $at["uy"] }
+	END { right = 6e6 * (.039 + (top - low) / k) / .04; exit !(k == 100 && (syy / n / right - 1) ^ 2 < 1e-16 && (sxx / n) ^ 2 < 1) }' pulled.csv
 echo "1..$number"
