@@ -136,8 +136,8 @@ static void plain_step(Plain *plain)
         xx *= rate;
         yy *= rate;
         xy *= rate;
-        p->sxx += plane->lambda * (xx + nu * yy);
-        p->syy += plane->lambda * (yy + nu * xx);
+        p->sxx += plane->D11 * (xx + nu * yy);
+        p->syy += plane->D11 * (yy + nu * xx);
         p->sxy += plane->shear * xy;
         p->volume *= 1 + xx + yy;
         const double scale = p->volume / plane->dx;

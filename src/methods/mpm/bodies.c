@@ -61,14 +61,14 @@ static void derive(Mpm *mpm)
         mpm->high[axis] = BODIES_PADDING + (axis ? bodies->rows : bodies->columns) + 2.5 + mpm->edge;
     }
     bodies->shear = mpm->shear = E / (2 * (1 + nu));
-    bodies->turn = def->rotation == ROTATION_NONE || bodies_does(bodies, BODIES_NO_ROTATION) ? 0
-                   : bodies_does(bodies, BODIES_SPIN_SIGN)                                   ? -0.25
-                                                                                             : 0.25;
-    bodies->slide = bodies->shear * (bodies_does(bodies, BODIES_TENSOR_SHEAR) ? 0.5 : 1);
-    bodies->keeps_volume = bodies_does(bodies, BODIES_VOLUME_KEPT);
+    mpm->turn = def->rotation == ROTATION_NONE || bodies_does(bodies, BODIES_NO_ROTATION) ? 0
+                : bodies_does(bodies, BODIES_SPIN_SIGN)                                   ? -0.25
+                                                                                          : 0.25;
+    mpm->slide = bodies->shear * (bodies_does(bodies, BODIES_TENSOR_SHEAR) ? 0.5 : 1);
+    mpm->keeps_volume = bodies_does(bodies, BODIES_VOLUME_KEPT);
     bodies->lambda = E * nu / ((1 + nu) * (1 - 2 * nu));
-    bodies->D11 = def->plane == PLANE_STRESS ? E / (1 - nu * nu) : bodies->lambda + 2 * bodies->shear;
-    bodies->D12 = def->plane == PLANE_STRESS ? nu * bodies->D11 : bodies->lambda;
+    mpm->D11 = def->plane == PLANE_STRESS ? E / (1 - nu * nu) : bodies->lambda + 2 * bodies->shear;
+    mpm->D12 = def->plane == PLANE_STRESS ? nu * mpm->D11 : bodies->lambda;
     for (int k = 0; k < def->n_bodies; k++)
         bodies->first[k + 1] = each_particle(mpm, &def->bodies[k], NULL, NULL, bodies->first[k]);
     mpm->joint = mpm->n_particles = bodies->first[def->n_bodies];
@@ -161,7 +161,8 @@ static void set_moving(Mpm *mpm, BodiesField *field, const void *context, int p)
         const int axis = k % 2;
         MpmWeights w;
         shape_at(mpm->shape, mpm->half, 1 << 20, 2, mpm->s[axis][p], w.n[axis], w.dn[axis]);
-        mpm->rate[k][p] = gradient[k] * (mpm->dx * mpm->dx) * bodies_spread(mpm, mpm->s[axis][p], w.n[axis]);
+        mpm->rate[k][p] =
+            gradient[k] * (mpm->dx * mpm->dx) * mpm_spread(mpm->shape, mpm->edge, mpm->s[axis][p], w.n[axis]);
     }
 }
 

@@ -15,13 +15,11 @@ enum {
 /* The constants of some bodies. */
 typedef struct Bodies {
     BodiesDef def;
-    int n_fields;           /* 1, or one for each body */
-    int columns, rows;      /* cells of the box */
-    double D11, D12, shear; /* stress = D strain; shear: G */
-    double lambda;          /* of Lame */
-    double turn, slide; /* dw of a half angle over dt (dv/dx - du/dy), 0: no rotation; G of the shear step */
-    bool keeps_volume;  /* a mistake */
-    double volume;      /* of a particle at t = 0 */
+    int n_fields;      /* 1, or one for each body */
+    int columns, rows; /* cells of the box */
+    double shear;      /* G */
+    double lambda;     /* of Lame */
+    double volume;     /* of a particle at t = 0 */
     int first[BODIES_MAX + 1];
     char column_names[BODIES_MAX][BODY_COLUMNS][BODY_NAME_MAX + 8];
     char column_meanings[BODIES_MAX][BODY_COLUMNS][BODY_NAME_MAX + 48];
@@ -52,10 +50,6 @@ int bodies_body_of(const Mpm *, int particle);
 /* Whether the place lies in the body: an open set. */
 bool bodies_hold(const BodyDef *, double x, double y);
 
-/* bodies_stages.c: what the stages do; bodies_walls.c: walls and contact on nodes [first, end) of the grid.
- */
-int bodies_do_particles(Mpm *, MpmOp, MpmSpan *, int first, int end);
-void bodies_do_nodes(Mpm *, MpmOp, int first, int end);
 /* What both `fix` of a step did, behind the second one; and whether neighbours have parted, behind the step.
  */
 void bodies_note_contact(Mpm *);
@@ -63,9 +57,7 @@ void bodies_note_tear(Mpm *);
 void bodies_note_spin(Mpm *); /* and the sums over steps of a disc that spins alone */
 /* The largest distance of neighbours over that at t = 0, and the particle that it begins at. */
 double bodies_largest_stretch(const Mpm *, int *at);
-/* D of APIC along one axis in cells squared: sum N (x_i - x)^2. */
-double bodies_spread(const Mpm *, double s, const double *n);
-
+/* Walls and contact on nodes [first, end) of the grid. */
 void bodies_fix(Mpm *, MpmOp, int first, int end);
 
 enum { TOUCHED_BODY = 1, TOUCHED_WALL = 2 };

@@ -25,9 +25,64 @@ double bodies_strain_at(const Mpm *mpm, int p)
         return bodies->volume * (0.5 * G * (trace - 2.0) - G * swell + 0.5 * bodies->lambda * swell * swell);
     }
     const double xx = mpm->stress[0][p], yy = mpm->stress[1][p], xy = mpm->stress[2][p];
-    const double whole = bodies->D11 * bodies->D11 - bodies->D12 * bodies->D12;
-    const double direct = (bodies->D11 * (xx * xx + yy * yy) - 2.0 * bodies->D12 * (xx * yy)) / whole;
+    const double whole = mpm->D11 * mpm->D11 - mpm->D12 * mpm->D12;
+    const double direct = (mpm->D11 * (xx * xx + yy * yy) - 2.0 * mpm->D12 * (xx * yy)) / whole;
     return 0.5 * mpm->volume[p] * (direct + xy * xy / G);
+}
+
+/* Neighbours whose distance grows over d lambda may share no node any more, and nothing holds them together
+ * then: hats from lambda = P on, boxes from P + 1, splines from 2 P. */
+static double torn_stretch(const Mpm *mpm)
+{
+    const int P = mpm->bodies->def.particles_per_cell;
+    return mpm->shape == MPM_HAT ? P : mpm->shape == MPM_GIMP ? P + 1 : 2 * P;
+}
+
+/* Squared distance over d^2 of a particle and its neighbour to the right or above; 0: it has none. */
+static double squared_stretch(const Mpm *mpm, int p, bool above)
+{
+    const double d = mpm->spacing;
+    const int q = above ? mpm->above[p] : p + 1;
+    if (q < 0 || q >= mpm->n_particles ||
+        (!above && (mpm->at[1][q] != mpm->at[1][p] || !(fabs(mpm->at[0][q] - mpm->at[0][p] - d) < 0.5 * d))))
+        return 0.0;
+    const double x = mpm->at[0][q] + mpm->u[0][q] - (mpm->at[0][p] + mpm->u[0][p]);
+    const double y = mpm->at[1][q] + mpm->u[1][q] - (mpm->at[1][p] + mpm->u[1][p]);
+    return (x * x + y * y) / (d * d);
+}
+
+double bodies_largest_stretch(const Mpm *mpm, int *at)
+{
+    double most = 0.0;
+    for (int p = 0; p < mpm->n_particles; p++)
+        for (int above = 0; above < 2; above++) {
+            const double squared = squared_stretch(mpm, p, above);
+            if (squared > most) {
+                most = squared;
+                *at = p;
+            }
+        }
+    return sqrt(most);
+}
+
+void bodies_note_tear(Mpm *mpm)
+{
+    MpmHead *head = mpm->head;
+    int at = 0;
+    char text[200];
+    if (head->torn > 0)
+        return;
+    const double stretch = bodies_largest_stretch(mpm, &at);
+    if (!(stretch > torn_stretch(mpm)))
+        return;
+    head->torn = mpm->sim.step + 1;
+    head->torn_at = at;
+    snprintf(text, sizeof text,
+             "torn: particle %d at (%.3g, %.3g), its neighbour is %.3g times as far as at first (%smore "
+             "particles)",
+             at, mpm->at[0][at] + mpm->u[0][at], mpm->at[1][at] + mpm->u[1][at], stretch,
+             mpm->shape == MPM_HAT ? "gimp or " : "");
+    batch_report(&mpm->sim, EVENT_BREAK, text);
 }
 
 /* Sums over some particles. */

@@ -5,7 +5,7 @@
  *     USL    map  fix          force  integrate  fix  update                  strain
  *     MUSL   map  fix          force  integrate  fix  update  map again  fix  strain
  *
- * The work of a stage is in bodies_stages.c and bodies_walls.c. */
+ * The work of a stage is in stages.c and bodies_walls.c. */
 #include "methods/mpm/bodies_inner.h"
 
 #define FIX_EQUATION                                                                                         \

@@ -166,7 +166,11 @@ typedef struct Mpm {
     /* of a beam: columns and rows of particles, d, the grid's first node at t = 0, plane stress, probe */
     PlaneDef plane;
     int nxp, nyp, probe[4];
-    double spacing, xmin, ymin, lambda, shear;
+    double spacing, xmin, ymin;
+    /* of the plane: stress = D strain, G of the shear step (slide); of the turn of the stress with its
+     * particle (eq. 6) the half angle over dt (dv/dx - du/dy), 0: none; and a mistake */
+    double D11, D12, shear, slide, turn;
+    bool keeps_volume;
     /* of bodies (bodies_inner.h); NULL: it is a beam or a bar. Each field of velocities has nodes of its own,
      * one grid after the other: those of field f begin at f grid_nodes. */
     struct Bodies *bodies;
@@ -308,6 +312,18 @@ MPM_INLINE void mpm_weights(const Mpm *mpm, const int dim, const MpmShape shape,
 {
     for (int axis = 0; axis < dim; axis++)
         shape_at(shape, half, mpm->cells, base, s[axis], w->n[axis], w->dn[axis]);
+}
+
+/* D/dx^2 of APIC along an axis in the plane, sum N (x_i - x)^2: of hats s (1 - s), of splines 1/4 everywhere.
+ */
+MPM_INLINE double mpm_spread(const MpmShape shape, double edge, double s, const double *n)
+{
+    double sum = 0.0;
+    if (shape == MPM_BSPLINE2)
+        return 0.25;
+    for (int a = 0; a < shape_support(shape); a++)
+        sum += n[a] * (a - (s - edge)) * (a - (s - edge));
+    return sum;
 }
 
 /* The column or row of cells of a place, from its first node along an axis. */

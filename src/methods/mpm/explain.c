@@ -501,7 +501,7 @@ static void strain_particle(const Subject *subject)
     for (int k = 0; k < (line ? 1 : MPM_STRESSES); k++) {
         const double *stress = &mpm->stress[k][p];
         const double rate = line || k == 2 ? e[k] : e[k] + mpm->plane.poisson * e[1 - k];
-        const double factor = line ? mpm_modulus(mpm, p) : k == 2 ? mpm->shear : mpm->lambda;
+        const double factor = line ? mpm_modulus(mpm, p) : k == 2 ? mpm->shear : mpm->D11;
         const bool newest = line && mpm_does(mpm, WRONG_ONLY_NEWEST);
         if (mpm->bodies || !mpm_has_done(mpm, OP_STRAIN))
             write_change(subject, names[k], stress);

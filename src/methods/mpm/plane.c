@@ -112,8 +112,8 @@ static void place(Mpm *mpm, int p)
     mpm->u[1][p] = bent.w;
     const Strain strain =
         def->stress == PLANE_EXACT ? (Strain){-Y * bent.curvature, 0, 0} : strain_of_nodes(mpm, p);
-    mpm->stress[0][p] = mpm->lambda * (strain.xx + def->poisson * strain.yy);
-    mpm->stress[1][p] = mpm->lambda * (strain.yy + def->poisson * strain.xx);
+    mpm->stress[0][p] = mpm->D11 * (strain.xx + def->poisson * strain.yy);
+    mpm->stress[1][p] = mpm->D11 * (strain.yy + def->poisson * strain.xx);
     mpm->stress[2][p] = mpm->shear * strain.xy;
     mpm->volume[p] *= 1 + strain.xx + strain.yy;
 }

@@ -49,8 +49,10 @@ void plane_derive(Mpm *mpm)
     mpm->high[1] = mpm->gy - 1 - box;
     mpm->xmin = -def->channel - def->padding * mpm->dx;
     mpm->ymin = -def->height / 2 - def->padding * mpm->dx;
-    mpm->lambda = def->youngs_modulus / (1 - def->poisson * def->poisson);
+    mpm->D11 = def->youngs_modulus / (1 - def->poisson * def->poisson);
+    mpm->D12 = def->poisson * mpm->D11;
     mpm->shear = def->youngs_modulus / (2 * (1 + def->poisson));
+    mpm->slide = mpm->shear;
     mpm->speed = def->speed;
     set_probe(mpm);
 }

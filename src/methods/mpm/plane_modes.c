@@ -79,10 +79,10 @@ static void add_particle(Lattice2 *lattice, int i, int j, double sx, double sy)
             const double px = dnx[a / 2] * ny[a % 2] / dx, py = nx[a / 2] * dny[a % 2] / dx;
             const double qx = dnx[b / 2] * ny[b % 2] / dx, qy = nx[b / 2] * dny[b % 2] / dx;
             const double k[2][2] = {
-                {model->lambda * (px * qx) + model->shear * (py * qy),
-                 model->lambda * (nu * (px * qy)) + model->shear * (py * qx)},
-                {model->lambda * (nu * (py * qx)) + model->shear * (px * qy),
-                 model->lambda * (py * qy) + model->shear * (px * qx)},
+                {model->D11 * (px * qx) + model->shear * (py * qy),
+                 model->D11 * (nu * (px * qy)) + model->shear * (py * qx)},
+                {model->D11 * (nu * (py * qx)) + model->shear * (px * qy),
+                 model->D11 * (py * qy) + model->shear * (px * qx)},
             };
             for (int r = 0; r < 2; r++) {
                 for (int c = 0; c < 2; c++)

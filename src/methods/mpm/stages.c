@@ -14,8 +14,21 @@
  *
  *     sxx += lambda (exx + nu eyy)    syy += lambda (eyy + nu exx)    sxy += G gxy,   lambda = E/(1 - nu^2).
  *
- * Lengths, masses and forces of a line are per unit cross-section, those of the plane per unit thickness. */
+ * Lengths, masses and forces of a line are per unit cross-section, those of the plane per unit thickness.
+ *
+ * Bodies have a field of velocities each; their `fix` is walls and contact (bodies_walls.c), done once more
+ * behind `integrate`, which has damping:
+ *
+ *     map         also n_i = sum m grad N_i, r_i = sum m N_i x
+ *     strain      L = sum v_i grad N_i, which turns the stress too; or F <- (I + dt L) F
+ *     force       f_i = sum (m N_i g - V stress . grad N_i)
+ *     integrate   q_i += dt (f_i - damping q_i)
+ *     update      v += sum N_i (q_i - q0_i)/m_i with q0 as mapped; APIC: v = sum N_i q_i/m_i,
+ *                 B = sum N_i (q_i/m_i) (x_i - x)^T
+ *
+ * A node with m <= 1e-12 rho dx^2 is light: fix and update leave it out. */
 #include "base/assertion.h"
+#include "base/math/functions.h"
 #include "methods/mpm/bodies_inner.h"
 #include "methods/mpm/mistakes.h"
 
@@ -77,34 +90,39 @@ void mpm_report_crossings(Mpm *mpm)
 #define NODE_OF(at, dim, base) ((base) + ((dim) == 2 ? b * (at).gx : 0) + a)
 #define N_OF(w, dim)           ((dim) == 2 ? (w).n[0][a] * (w).n[1][b] : (w).n[0][a])
 
-/* Does what is said with dimension and shape as constants, and whether this is the step of paper M without
- * more: FLIP, lumped masses, one material, no mistake. */
-#define WITH(mpm, the_dim, the_shape, ...)                                                                   \
-    if ((mpm)->dim == (the_dim) && (mpm)->shape == (the_shape)) {                                            \
+/* What a run is to the loops: the step of paper M without more (FLIP, lumped masses, one material, no
+ * mistake), any other one of a bar or a beam, one of bodies. */
+typedef enum Kind { PLAIN, OTHER, BODIES } Kind;
+
+static Kind kind_of(const Mpm *mpm)
+{
+    const bool plain = mpm->head->transfer == MPM_FLIP && mpm->head->flip_fraction == 1.0 &&
+                       mpm_is_lumped(mpm) && !mpm_mistake(mpm) && mpm->joint == mpm->n_particles;
+    return mpm->bodies ? BODIES : plain ? PLAIN : OTHER;
+}
+
+/* Does what is said with dimension, shape and kind as constants. */
+#define WITH(mpm, the_dim, the_shape, the_kind, ...)                                                         \
+    if ((mpm)->dim == (the_dim) && (mpm)->shape == (the_shape) && kind_of(mpm) == (the_kind)) {              \
         const int dim = the_dim;                                                                             \
         const MpmShape shape = the_shape;                                                                    \
-        if (is_ordinary(mpm)) {                                                                              \
-            const bool ordinary = true;                                                                      \
-            __VA_ARGS__;                                                                                     \
-        } else {                                                                                             \
-            const bool ordinary = false;                                                                     \
-            __VA_ARGS__;                                                                                     \
-        }                                                                                                    \
+        const Kind kind = the_kind;                                                                          \
+        __VA_ARGS__;                                                                                         \
     }
+#define WITH_BOTH(mpm, the_dim, the_shape, ...)                                                              \
+    WITH(mpm, the_dim, the_shape, PLAIN, __VA_ARGS__)                                                        \
+    WITH(mpm, the_dim, the_shape, OTHER, __VA_ARGS__)
 #define BY_SHAPE(mpm, ...)                                                                                   \
-    WITH(mpm, 1, MPM_HAT, __VA_ARGS__)                                                                       \
-    WITH(mpm, 1, MPM_GIMP, __VA_ARGS__)                                                                      \
-    WITH(mpm, 1, MPM_CPDI, __VA_ARGS__)                                                                      \
-    WITH(mpm, 1, MPM_BSPLINE2, __VA_ARGS__)                                                                  \
-    WITH(mpm, 1, MPM_BSPLINE3, __VA_ARGS__)                                                                  \
-    WITH(mpm, 2, MPM_HAT, __VA_ARGS__)                                                                       \
-    WITH(mpm, 2, MPM_GIMP, __VA_ARGS__)
-
-static bool is_ordinary(const Mpm *mpm)
-{
-    return mpm->head->transfer == MPM_FLIP && mpm->head->flip_fraction == 1.0 && mpm_is_lumped(mpm) &&
-           !mpm_mistake(mpm) && mpm->joint == mpm->n_particles;
-}
+    WITH_BOTH(mpm, 1, MPM_HAT, __VA_ARGS__)                                                                  \
+    WITH_BOTH(mpm, 1, MPM_GIMP, __VA_ARGS__)                                                                 \
+    WITH_BOTH(mpm, 1, MPM_CPDI, __VA_ARGS__)                                                                 \
+    WITH_BOTH(mpm, 1, MPM_BSPLINE2, __VA_ARGS__)                                                             \
+    WITH_BOTH(mpm, 1, MPM_BSPLINE3, __VA_ARGS__)                                                             \
+    WITH_BOTH(mpm, 2, MPM_HAT, __VA_ARGS__)                                                                  \
+    WITH_BOTH(mpm, 2, MPM_GIMP, __VA_ARGS__)                                                                 \
+    WITH(mpm, 2, MPM_HAT, BODIES, __VA_ARGS__)                                                               \
+    WITH(mpm, 2, MPM_GIMP, BODIES, __VA_ARGS__)                                                              \
+    WITH(mpm, 2, MPM_BSPLINE2, BODIES, __VA_ARGS__)
 
 /* What a loop over particles asks of the engine, read once. */
 typedef struct Places {
@@ -122,43 +140,59 @@ MPM_INLINE Places places_of(const Mpm *mpm)
 MPM_INLINE MpmWeights weights_at(const Places *at, const int dim, const MpmShape shape, int p)
 {
     MpmWeights w;
-    for (int axis = 0; axis < dim; axis++)
-        shape_at(shape, shape == MPM_CPDI ? at->domain[p] : at->half, at->cells, at->base[p], at->s[axis][p],
-                 w.n[axis], w.dn[axis]);
+    for (int axis = 0; axis < dim; axis++) /* in the plane B-splines stay as they are at the grid's ends */
+        shape_at(shape, shape == MPM_CPDI ? at->domain[p] : at->half, dim == 2 ? 1 << 20 : at->cells,
+                 dim == 2 ? 2 : at->base[p], at->s[axis][p], w.n[axis], w.dn[axis]);
     return w;
 }
 
 /* --- map ------------------------------------------------------------------------------------------ */
 
-/* Eqs. 2, 3: m_i = sum m N, p_i = sum m v N, with APIC v + C (x_i - x) in place of v (Jiang et al. 2015); of
- * masses that are not lumped also the couplings M_c(i, i + d) = sum m N_i N_(i+d). MUSL's second map has the
- * same masses. */
-MPM_INLINE void map(Mpm *mpm, const int dim, const MpmShape shape, const bool ordinary, const bool again,
+/* Eqs. 2, 3: m_i = sum m N, p_i = sum m v N, with APIC v + C (x_i - x) in place of v (Jiang et al. 2015), in
+ * the plane C = B D^-1; of masses that are not lumped also the couplings M_c(i, i + d) = sum m N_i N_(i+d).
+ * MUSL's second map has the same masses. */
+MPM_INLINE void map(Mpm *mpm, const int dim, const MpmShape shape, const Kind kind, const bool again,
                     int first, int end)
 {
     const Places at = places_of(mpm);
-    const bool affine = !ordinary && mpm->head->transfer == MPM_APIC;
-    const bool couples = !ordinary && !again && !mpm_is_lumped(mpm);
+    const bool affine = kind != PLAIN && mpm->head->transfer == MPM_APIC;
+    const bool couples = kind == OTHER && !again && !mpm_is_lumped(mpm);
     double *const mass = mpm->node_mass, *const momentum[MPM_AXES] = {mpm->momentum[0], mpm->momentum[1]};
     const double *const velocity[MPM_AXES] = {mpm->v[0], mpm->v[1]}, of_all = mpm->mass[0];
+    const double edge = mpm->edge, dx = mpm->dx;
     for (int p = first; p < end; p++) {
         const MpmWeights w = weights_at(&at, dim, shape, p);
         const int base = at.base[p];
-        const double m = ordinary ? of_all : mpm_mass(mpm, p);
-        double v[MPM_AXES] = {0}, spin = affine ? mpm->affine[p] * mpm->dx : 0.0;
+        const double m = kind != OTHER ? of_all : mpm_mass(mpm, p);
+        double v[MPM_AXES] = {0}, C[4] = {affine && dim == 1 ? mpm->affine[p] * dx : 0.0}; /* times dx */
         for (int axis = 0; axis < dim; axis++)
             v[axis] = velocity[axis][p];
+        for (int axis = 0; affine && dim == 2 && axis < dim; axis++) {
+            const double D = mpm_spread(shape, edge, at.s[axis][p], w.n[axis]) * dx;
+            C[axis] = D > 0.0 ? mpm->rate[axis][p] / D : 0.0;
+            C[2 + axis] = D > 0.0 ? mpm->rate[2 + axis][p] / D : 0.0;
+        }
         EACH_NODE(dim, shape)
         {
             const int i = NODE_OF(at, dim, base);
             const double share = m * N_OF(w, dim);
+            double arm[MPM_AXES] = {0};
             if (!again)
                 mass[i] += share;
-            double arm = 0.0;
-            if (affine)
-                arm = spin * (shape_node_offset(shape, at.half, at.cells, base, a) - at.s[0][p]);
+            if (affine && dim == 1)
+                arm[0] = shape_node_offset(shape, at.half, at.cells, base, a) - at.s[0][p];
+            else if (affine)
+                arm[0] = a - (at.s[0][p] - edge), arm[1] = b - (at.s[1][p] - edge);
             for (int axis = 0; axis < dim; axis++)
-                momentum[axis][i] += share * (affine ? v[axis] + arm : v[axis]);
+                momentum[axis][i] +=
+                    share * (affine ? v[axis] + (dim == 1 ? C[0] * arm[0]
+                                                          : C[2 * axis] * arm[0] + C[2 * axis + 1] * arm[1])
+                                    : v[axis]);
+            for (int axis = 0; kind == BODIES && !again && axis < dim; axis++) {
+                const double slope = axis == 0 ? w.dn[0][a] * w.n[1][b] : w.n[0][a] * w.dn[1][b];
+                mpm->normal[axis][i] += m / dx * slope;
+                mpm->moment[axis][i] += share * (mpm->at[axis][p] + mpm->u[axis][p]);
+            }
         }
         for (int d = 1; couples && d < shape_support(shape); d++)
             for (int a = 0; a + d < shape_support(shape); a++)
@@ -192,49 +226,98 @@ static void fix(Mpm *mpm, bool holds, int first, int end)
 
 /* --- strain and stress ---------------------------------------------------------------------------- */
 
-/* Eqs. 5, 7, 8, 9. Returns the first particle with 1 + tr de <= 0, whose density would turn negative; -1:
- * there is none. */
-MPM_INLINE int strain(Mpm *mpm, const int dim, const MpmShape shape, const bool ordinary, int first, int end)
+/* Eqs. 6 to 9 in the plane, hypoelastic (the turn of Hughes, Winget 1980, where it is asked for), with eps =
+ * dt sym L and D of plane strain or plane stress:
+ *
+ *     dw = dt (dv/dx - du/dy)/2,   tan(theta/2) = dw/2,   Q = [c -s; s c]
+ *     stress <- Q stress Q^T + D eps,   V <- V (1 + tr eps) */
+MPM_INLINE double strain_hypoelastic(Mpm *mpm, const double *L, int p)
+{
+    double xx = mpm->stress[0][p], yy = mpm->stress[1][p], xy = mpm->stress[2][p];
+    if (mpm->turn != 0.0) {
+        const double half = mpm->turn * (L[2] - L[1]), whole = 1.0 / (1.0 + half * half);
+        const double c = (1.0 - half * half) * whole, s = 2.0 * half * whole;
+        const double turn = 2.0 * c * s * xy, X = c * c * xx + s * s * yy - turn;
+        xy = c * s * (xx - yy) + (c * c - s * s) * xy;
+        yy = s * s * xx + c * c * yy + turn;
+        xx = X;
+    }
+    mpm->stress[0][p] = xx + (mpm->D11 * L[0] + mpm->D12 * L[3]);
+    mpm->stress[1][p] = yy + (mpm->D12 * L[0] + mpm->D11 * L[3]);
+    mpm->stress[2][p] = xy + mpm->slide * (L[1] + L[2]);
+    const double left = 1.0 + (L[0] + L[3]);
+    return mpm->volume[p] *= mpm->keeps_volume && left > 0.0 ? 1.0 : left;
+}
+
+/* Neo-Hookean: F <- (I + dt L) F, J = det F, stress = (G (F F^T - I) + lambda ln J I)/J, V = J V0. */
+MPM_INLINE double strain_neo_hookean(Mpm *mpm, const double *L, int p)
+{
+    const double G = mpm->shear;
+    double *const F[4] = {mpm->deformation[0] + p, mpm->deformation[1] + p, mpm->deformation[2] + p,
+                          mpm->deformation[3] + p};
+    for (int column = 0; column < 2; column++) {
+        const double x = *F[column], y = *F[2 + column];
+        *F[column] = x + (L[0] * x + L[1] * y);
+        *F[2 + column] = y + (L[2] * x + L[3] * y);
+    }
+    const double J = *F[0] * *F[3] - *F[1] * *F[2];
+    mpm->volume[p] = J * mpm->bodies->volume;
+    if (!(J > 0.0))
+        return J;
+    const double swell = mpm->bodies->lambda * math_log(J), inverse = 1.0 / J;
+    mpm->stress[0][p] = (G * (*F[0] * *F[0] + *F[1] * *F[1] - 1.0) + swell) * inverse;
+    mpm->stress[1][p] = (G * (*F[2] * *F[2] + *F[3] * *F[3] - 1.0) + swell) * inverse;
+    mpm->stress[2][p] = G * (*F[0] * *F[2] + *F[1] * *F[3]) * inverse;
+    return J;
+}
+
+/* Eqs. 5, 7, 8, 9: dt L, L = sum v_i grad N, and what it makes of the stress; along a line de = dt L. A light
+ * node of bodies moves as the particle itself does: at rest it would make v/dx out of nothing. Returns the
+ * first particle whose volume is not positive any more; -1: there is none. */
+MPM_INLINE int strain(Mpm *mpm, const int dim, const MpmShape shape, const Kind kind, int first, int end)
 {
     const Places at = places_of(mpm);
-    const BarMistake *mistake = ordinary ? NULL : mpm_mistake(mpm);
-    const bool newest = !ordinary && mpm_does(mpm, WRONG_ONLY_NEWEST);
-    const bool late = !ordinary && mpm_does(mpm, WRONG_VOLUME_LATE);
+    const BarMistake *mistake = kind == OTHER ? mpm_mistake(mpm) : NULL;
+    const bool newest = kind == OTHER && mpm_does(mpm, WRONG_ONLY_NEWEST);
+    const bool late = kind == OTHER && mpm_does(mpm, WRONG_VOLUME_LATE);
+    const bool neo = kind == BODIES && bodies_are_neo(mpm);
     const double rate = mpm_strain_span(mpm) * mpm_slope_scale(mpm, OP_STRAIN), of_all = mpm->modulus[0];
-    const double nu = mpm->plane.poisson, lambda = mpm->lambda, shear = mpm->shear;
     const double *const vx = mpm->velocity[0], *const vy = mpm->velocity[1], *const inverse = mpm->inverse;
     double *const stress = mpm->stress[0], *const volume = mpm->volume, *const kept = mpm->kept_volume;
-    double *const syy = mpm->stress[1], *const sxy = mpm->stress[2];
     int crushed = -1;
     for (int p = first; p < end; p++) {
         const MpmWeights w = weights_at(&at, dim, shape, p);
         const int base = at.base[p];
-        double xx = 0.0, yy = 0.0, xy = 0.0, v[SHAPE_SUPPORT_MAX];
+        double L[4] = {0}, v[SHAPE_SUPPORT_MAX], left; /* L: xx, xy, yx, yy */
         if (dim == 1)
             mpm_line_velocities(shape, vx, inverse, base, v);
         EACH_NODE(dim, shape)
         {
             const int i = NODE_OF(at, dim, base);
-            const double bx = dim == 2 ? w.dn[0][a] * w.n[1][b] : w.dn[0][a];
-            xx += bx * (dim == 2 ? vx[i] : v[a]);
-            if (dim == 1)
+            if (dim == 1) {
+                L[0] += w.dn[0][a] * v[a];
                 continue;
-            const double by = w.n[0][a] * w.dn[1][b];
-            yy += by * vy[i];
-            xy += by * vx[i] + bx * vy[i];
+            }
+            const double bx = w.dn[0][a] * w.n[1][b], by = w.n[0][a] * w.dn[1][b];
+            const bool light = kind == BODIES && !(inverse[i] > 0.0);
+            const double x = light ? mpm->v[0][p] : vx[i], y = light ? mpm->v[1][p] : vy[i];
+            L[0] += x * bx;
+            L[1] += x * by;
+            L[2] += y * bx;
+            L[3] += y * by;
         }
-        xx *= rate, yy *= rate, xy *= rate;
-        const double stretch = 1.0 + (dim == 2 ? xx + yy : xx);
-        if (dim == 2) {
-            stress[p] += lambda * (xx + nu * yy);
-            syy[p] += lambda * (yy + nu * xx);
-            sxy[p] += shear * xy;
-        } else
-            stress[p] = (newest ? 0.0 : stress[p]) + (ordinary ? of_all : mpm_modulus(mpm, p)) * xx;
+        for (int k = 0; k < dim * dim; k++)
+            L[k] *= rate;
         if (late)
             kept[p] = volume[p];
-        volume[p] = mistake && mistake->thinned ? mistake->thinned(volume[p], stretch) : volume[p] * stretch;
-        if (!(stretch > 0.0) && crushed < 0)
+        if (dim == 2)
+            left = neo ? strain_neo_hookean(mpm, L, p) : strain_hypoelastic(mpm, L, p);
+        else {
+            left = 1.0 + L[0];
+            stress[p] = (newest ? 0.0 : stress[p]) + (kind != OTHER ? of_all : mpm_modulus(mpm, p)) * L[0];
+            volume[p] = mistake && mistake->thinned ? mistake->thinned(volume[p], left) : volume[p] * left;
+        }
+        if (!(left > 0.0) && crushed < 0)
             crushed = p;
     }
     return crushed;
@@ -245,7 +328,7 @@ MPM_INLINE int strain(Mpm *mpm, const int dim, const MpmShape shape, const bool 
 /* Eq. 10: f_i = -sum stress . grad N_i V, the same grad N that makes the strain: what forces do to nodes is
  * what stress does in particles. With USF stress and volume are those of this step, with USL and MUSL the old
  * ones. Eq. 11: each particle's load goes to its nodes by N. */
-MPM_INLINE void force(Mpm *mpm, const int dim, const MpmShape shape, const bool ordinary, int first, int end)
+MPM_INLINE void force(Mpm *mpm, const int dim, const MpmShape shape, const Kind kind, int first, int end)
 {
     const Places at = places_of(mpm);
     const bool loaded = dim == 1 && mpm_is_loaded(mpm);
@@ -254,6 +337,7 @@ MPM_INLINE void force(Mpm *mpm, const int dim, const MpmShape shape, const bool 
     const double *const stress = mpm->stress[0], *const volume = mpm->volume;
     const double *const syy = mpm->stress[1], *const sxy = mpm->stress[2];
     double *const fx = mpm->force[0], *const fy = mpm->force[1];
+    const double *const g = kind == BODIES ? mpm->bodies->def.gravity : NULL, m = mpm->mass[0];
     for (int p = first; p < end; p++) {
         const MpmWeights w = weights_at(&at, dim, shape, p);
         const int base = at.base[p];
@@ -263,13 +347,14 @@ MPM_INLINE void force(Mpm *mpm, const int dim, const MpmShape shape, const bool 
             {
                 const double bx = w.dn[0][a] * w.n[1][b], by = w.n[0][a] * w.dn[1][b];
                 const int i = NODE_OF(at, dim, base);
-                fx[i] += bx * xx + by * xy;
-                fy[i] += bx * xy + by * yy;
+                const double share = kind == BODIES ? m * N_OF(w, dim) : 0.0;
+                fx[i] += kind == BODIES ? share * g[0] + (bx * xx + by * xy) : bx * xx + by * xy;
+                fy[i] += kind == BODIES ? share * g[1] + (bx * xy + by * yy) : bx * xy + by * yy;
             }
             continue;
         }
-        const double pull =
-            scale * (ordinary ? stress[p] * volume[p] : mpm_force_stress(mpm, p) * mpm_force_volume(mpm, p));
+        const double pull = scale * (kind != OTHER ? stress[p] * volume[p]
+                                                   : mpm_force_stress(mpm, p) * mpm_force_volume(mpm, p));
         EACH_NODE(dim, shape)
         fx[NODE_OF(at, dim, base)] += w.dn[0][a] * pull;
         if (!loaded)
@@ -338,6 +423,19 @@ static void integrate(Mpm *mpm, int first, int end)
     }
 }
 
+/* Of bodies: q += dt (f - damping q); `fix` finds what particles take. */
+static void integrate_bodies(Mpm *mpm, int first, int end)
+{
+    const double dt = mpm->dt, damping = mpm->bodies->def.damping;
+    for (int axis = 0; axis < 2; axis++) {
+        double *const q = mpm->momentum[axis];
+        const double *const f = mpm->force[axis];
+#pragma omp simd
+        for (int i = first; i < end; i++)
+            q[i] += dt * (f[i] - damping * q[i]);
+    }
+}
+
 /* The work of the loads, sum f_ext dx_i, with the velocity by which particles move. */
 static void add_work(Mpm *mpm)
 {
@@ -371,38 +469,47 @@ MPM_INLINE double slope_of(const Mpm *mpm, const MpmShape shape, int p, const Mp
  *
  *     FLIP   v += sum N kick                                     x += dt sum N carry
  *     blend  v = alpha (v + sum N kick) + (1 - alpha) sum N carry
- *     APIC   v = sum N carry, C of slope_of()
+ *     APIC   v = sum N carry, C of slope_of(); in the plane B = sum N carry (x_i - x)^T
  *     FMPM   v = sum N carry                                     x += dt (v before + v)/2
  *
  * FLIP leaves in v whatever the grid cannot see; PIC's share and FMPM take it away in each step. x moves with
  * the nodes' velocity (eq. 15), not with the particle's own: neighbours cannot overtake each other, as the
  * grid's velocity is continuous. */
-MPM_INLINE void update(Mpm *mpm, const int dim, const MpmShape shape, const bool ordinary, int first, int end)
+MPM_INLINE void update(Mpm *mpm, const int dim, const MpmShape shape, const Kind kind, int first, int end)
 {
     const Places at = places_of(mpm);
-    const double alpha = ordinary ? 1.0 : mpm->head->flip_fraction, dt = mpm->dt;
-    const MpmTransfer transfer = ordinary ? MPM_FLIP : mpm->head->transfer;
-    const BarMoves moves = ordinary ? MOVES_WITH_NODES : mpm_moves_by(mpm);
+    const double alpha = kind == PLAIN ? 1.0 : mpm->head->flip_fraction, dt = mpm->dt;
+    const MpmTransfer transfer = kind == PLAIN ? MPM_FLIP : mpm->head->transfer;
+    const BarMoves moves = kind == OTHER ? mpm_moves_by(mpm) : MOVES_WITH_NODES;
     const bool as_nodes = moves == MOVES_WITH_NODES || moves == MOVES_BY_ITSELF;
-    const bool new_weights = !ordinary && mpm_does(mpm, WRONG_NEW_WEIGHTS);
+    const bool affine = dim == 2 && transfer == MPM_APIC;
+    const double edge = mpm->edge, dx = mpm->dx;
+    const bool new_weights = kind == OTHER && mpm_does(mpm, WRONG_NEW_WEIGHTS);
     double *const us[MPM_AXES] = {mpm->u[0], mpm->u[1]}, *const vs[MPM_AXES] = {mpm->v[0], mpm->v[1]};
     const double *const kick[MPM_AXES] = {mpm->kick[0], mpm->kick[1]};
     const double *const carry[MPM_AXES] = {mpm->carry[0], mpm->carry[1]};
     for (int p = first; p < end; p++) {
         const MpmWeights w = weights_at(&at, dim, shape, p);
         const int base = at.base[p];
-        double dv[MPM_AXES] = {0}, now[MPM_AXES] = {0}, other = 0.0;
+        double dv[MPM_AXES] = {0}, now[MPM_AXES] = {0}, B[4] = {0}, other = 0.0;
         EACH_NODE(dim, shape)
         {
             const int i = NODE_OF(at, dim, base);
             for (int axis = 0; axis < dim; axis++) {
                 dv[axis] += N_OF(w, dim) * kick[axis][i];
-                now[axis] += N_OF(w, dim) * carry[axis][i];
+                const double share = N_OF(w, dim) * carry[axis][i];
+                now[axis] += share;
+                if (affine) {
+                    B[2 * axis] += share * (a - (at.s[0][p] - edge));
+                    B[2 * axis + 1] += share * (b - (at.s[1][p] - edge));
+                }
             }
             if (!as_nodes)
                 other += N_OF(w, dim) * mpm_moving_velocity(mpm, p, i);
         }
-        if (transfer == MPM_APIC)
+        for (int k = 0; affine && k < 4; k++)
+            mpm->rate[k][p] = B[k] * dx;
+        if (dim == 1 && transfer == MPM_APIC)
             mpm->affine[p] = slope_of(mpm, shape, p, &w);
         for (int axis = 0; axis < dim; axis++) {
             const double v = vs[axis][p], u = us[axis][p];
@@ -425,8 +532,8 @@ MPM_INLINE void update(Mpm *mpm, const int dim, const MpmShape shape, const bool
 /* The grid is forgotten: where the particles lie on that of the next step. All must be on it, and along a
  * line in their order; the first time that one enters another cell is noted. CPDI's domains are as long as
  * the particles are then: the volume of a unit of cross-section is a length. */
-MPM_INLINE int settle(Mpm *mpm, const int dim, const MpmShape shape, double shift, MpmSpan *span, int first,
-                      int end)
+MPM_INLINE int settle(Mpm *mpm, const int dim, const MpmShape shape, const Kind kind, double shift,
+                      MpmSpan *span, int first, int end)
 {
     const double edge = shape == MPM_GIMP ? mpm->edge : 0.0, inverse = 1.0 / mpm->dx;
     double before = -INFINITY; /* the end before a chunk is looked at when all have moved */
@@ -437,6 +544,8 @@ MPM_INLINE int settle(Mpm *mpm, const int dim, const MpmShape shape, double shif
         const double r = dim == 1 ? mpm->base[p] + mpm->s[0][p] : 0.0;
         if (!inside || (dim == 1 && !(r >= before)))
             return p;
+        if (kind == BODIES)
+            continue;
         before = r;
         bool same = mpm->base[p] == old;
         for (int axis = 0; axis < dim; axis++)
@@ -496,27 +605,24 @@ void mpm_begin_stage(Mpm *mpm, MpmOp op, long step)
 int mpm_do_particles(Mpm *mpm, MpmTask task, MpmSpan *span, int first, int end)
 {
     int bad = -1;
-    if (mpm->bodies)
-        return bodies_do_particles(mpm, task.op, span, first, end);
     switch (task.op) {
     case OP_MAP:
-        BY_SHAPE(mpm, map(mpm, dim, shape, ordinary, false, first, end))
+        BY_SHAPE(mpm, map(mpm, dim, shape, kind, false, first, end))
         break;
     case OP_MAP_AGAIN:
-        BY_SHAPE(mpm, map(mpm, dim, shape, ordinary, true, first, end))
+        BY_SHAPE(mpm, map(mpm, dim, shape, kind, true, first, end))
         break;
     case OP_STRAIN:
-        BY_SHAPE(mpm, bad = strain(mpm, dim, shape, ordinary, first, end))
+        BY_SHAPE(mpm, bad = strain(mpm, dim, shape, kind, first, end))
         break;
     case OP_FORCE:
-        BY_SHAPE(mpm, force(mpm, dim, shape, ordinary, first, end))
+        BY_SHAPE(mpm, force(mpm, dim, shape, kind, first, end))
         break;
     case OP_UPDATE:
-        BY_SHAPE(mpm, update(mpm, dim, shape, ordinary, first, end))
+        BY_SHAPE(mpm, update(mpm, dim, shape, kind, first, end))
         break;
     case OP_FORGET:
-        BY_SHAPE(mpm, (void)ordinary;
-                 bad = settle(mpm, dim, shape, mpm_shift(mpm, task.step + 1), span, first, end))
+        BY_SHAPE(mpm, bad = settle(mpm, dim, shape, kind, mpm_shift(mpm, task.step + 1), span, first, end))
         break;
     default:
         break;
@@ -526,8 +632,11 @@ int mpm_do_particles(Mpm *mpm, MpmTask task, MpmSpan *span, int first, int end)
 
 void mpm_do_nodes(Mpm *mpm, MpmOp op, int first, int end)
 {
-    if (mpm->bodies)
-        bodies_do_nodes(mpm, op, first, end);
+    if (mpm->bodies && op != OP_INTEGRATE)
+        bodies_fix(mpm, op, first, end);
+    else if (mpm->bodies)
+        for (int field = 0; field < mpm->bodies->n_fields; field++)
+            integrate_bodies(mpm, field * mpm->grid_nodes + first, field * mpm->grid_nodes + end);
     else if (op == OP_INTEGRATE)
         integrate(mpm, first, end);
     else if (op == OP_FIX_FORCE)

@@ -173,7 +173,7 @@ static double given_velocity(const Mpm *mpm, int axis, int p, const int at[2], c
         return v + mpm->affine[p] * (mpm->dx * arm);
     }
     for (int k = 0; k < 2; k++) {
-        const double D = bodies_spread(mpm, mpm->s[k][p], w->n[k]) * mpm->dx;
+        const double D = mpm_spread(mpm->shape, mpm->edge, mpm->s[k][p], w->n[k]) * mpm->dx;
         v += D > 0.0 ? mpm->rate[2 * axis + k][p] / D * (at[k] - (mpm->s[k][p] - mpm->edge)) : 0.0;
     }
     return v;
