@@ -15,7 +15,7 @@
 #include "base/math/functions.h"
 #include "base/text.h"
 #include "scenario/parameters.h"
-#include "theory/quiet.h"
+#include "theory/gsl_errors.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_multifit_nlinear.h>

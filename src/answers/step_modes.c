@@ -15,7 +15,7 @@
 
 #include "base/assertion.h"
 #include "base/math/functions.h"
-#include "theory/quiet.h"
+#include "theory/gsl_errors.h"
 
 #include <errno.h>
 #include <gsl/gsl_blas.h>
@@ -237,21 +237,21 @@ static bool look(Space *space, StepModes *modes, double sums[2][VECTORS_MOST])
     const size_t m = (size_t)space->count;
     const gsl_matrix_view h = gsl_matrix_submatrix(space->h, 0, 0, m, m);
     gsl_matrix *copy = gsl_matrix_alloc(m, m);
-    gsl_matrix_complex *w = gsl_matrix_complex_alloc(m, m), *lu = gsl_matrix_complex_alloc(m, m);
+    gsl_matrix_complex *w = gsl_matrix_complex_alloc(m, m), *qr = gsl_matrix_complex_alloc(m, m);
     gsl_vector_complex *mu = gsl_vector_complex_alloc(m), *c = gsl_vector_complex_calloc(m);
+    gsl_vector_complex *tau = gsl_vector_complex_alloc(m);
     gsl_eigen_nonsymmv_workspace *work = gsl_eigen_nonsymmv_alloc(m);
-    gsl_permutation *order = gsl_permutation_alloc(m);
-    int sign;
-    bool good = copy && w && lu && mu && c && work && order;
+    bool good = copy && w && qr && mu && c && tau && work;
     if (good) {
         gsl_matrix_memcpy(copy, &h.matrix);
-        good = quiet_converges(copy) && gsl_eigen_nonsymmv(copy, mu, w, work) == GSL_SUCCESS;
+        good = gsl_can_converge(copy) && gsl_eigen_nonsymmv(copy, mu, w, work) == GSL_SUCCESS;
     }
     if (good) {
-        gsl_matrix_complex_memcpy(lu, w);
+        gsl_matrix_complex_memcpy(
+            qr, w); /* GSL's LU takes memory of its own and does not look whether it got it */
         gsl_vector_complex_set(c, 0, gsl_complex_rect(space->length, 0));
-        good = gsl_linalg_complex_LU_decomp(lu, order, &sign) == GSL_SUCCESS &&
-               gsl_linalg_complex_LU_svx(lu, order, c) == GSL_SUCCESS;
+        good = gsl_linalg_complex_QR_decomp(qr, tau) == GSL_SUCCESS &&
+               gsl_linalg_complex_QR_svx(qr, tau, c) == GSL_SUCCESS;
     }
     modes->count = 0;
     for (size_t k = 0; good && k < m; k++) {
@@ -275,11 +275,11 @@ static bool look(Space *space, StepModes *modes, double sums[2][VECTORS_MOST])
             gsl_matrix_complex_column(w, (size_t)modes->parts[modes->largest].column);
         good = find_overlap(space, modes, &vector.vector);
     }
-    gsl_permutation_free(order);
     gsl_eigen_nonsymmv_free(work);
+    gsl_vector_complex_free(tau);
     gsl_vector_complex_free(c);
     gsl_vector_complex_free(mu);
-    gsl_matrix_complex_free(lu);
+    gsl_matrix_complex_free(qr);
     gsl_matrix_complex_free(w);
     gsl_matrix_free(copy);
     return good;
@@ -447,7 +447,7 @@ static double largest_eigenvalue(Space *space)
     gsl_eigen_nonsymm_workspace *work = gsl_eigen_nonsymm_alloc(m);
     double largest = NAN;
     if (copy && values && work && gsl_matrix_memcpy(copy, &h.matrix) == GSL_SUCCESS &&
-        quiet_converges(copy) && gsl_eigen_nonsymm(copy, values, work) == GSL_SUCCESS) {
+        gsl_can_converge(copy) && gsl_eigen_nonsymm(copy, values, work) == GSL_SUCCESS) {
         largest = 0;
         for (size_t k = 0; k < m; k++) {
             const gsl_complex value = gsl_vector_complex_get(values, k);

@@ -128,6 +128,7 @@ static BarDef right_definition(const Settings *settings)
     def.mistake = def.mistake_beside = 0;
     def.body_force = def.traction = 0;
     def.padding = def.padding < 2 ? def.padding : 2;
+    def.cancel = (Cancel){0}; /* the steps ask */
     return def;
 }
 
@@ -250,9 +251,12 @@ static bool prepare(References *refs, const Settings *settings, const Simulation
     if (has_whole_motion(&bar->theory, &bar->mesh) && !refs->unaccounted[REFERENCE_PREDICTED])
         bar->modes = modes_from(settings, &bar->theory, true);
     const bool whole = bar->modes && step_modes_are_whole(bar->modes);
-    bar_prepare(refs, settings, sim, predicted_frequency, whole ? predicted_v_cm : NULL,
-                "velocity of the centre of mass predicted for this mesh");
-    const StepMode found = step_mode(settings, &bar->theory, bar->watch.mode);
+    StepMode found = {0};
+    if (errno != ECANCELED)
+        bar_prepare(refs, settings, sim, predicted_frequency, whole ? predicted_v_cm : NULL,
+                    "velocity of the centre of mass predicted for this mesh");
+    if (errno != ECANCELED)
+        found = step_mode(settings, &bar->theory, bar->watch.mode);
     if (bar->watch.mode > 0 && found.known) {
         bar->watch.overlap = found.overlap;
         bar->watch.kept = found.frequency > 0 ? swing_kept(found.decay, bar->watch.exact) : NAN;

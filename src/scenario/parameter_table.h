@@ -4,6 +4,9 @@
 #ifndef SCENARIO_PARAMETER_TABLE_H
 #define SCENARIO_PARAMETER_TABLE_H
 
+#include "methods/bonds/plane/bonds_plane.h"
+#include "methods/mpm/bodies.h"
+#include "methods/mpm/mpm_bar.h"
 #include "scenario/settings_values.h"
 #include "scenario/parameters.h"
 

@@ -118,7 +118,7 @@ static int read_numbers(const char *text, int *numbers, int most)
 }
 
 /* The end of "Esc [ text final". What is not known is swallowed. */
-static bool end_csi(KeyReader *reader, char final, Key *key)
+static bool read_csi(KeyReader *reader, char final, Key *key)
 {
     const char *text = reader->text;
     int numbers[3];
@@ -154,6 +154,17 @@ static bool end_csi(KeyReader *reader, char final, Key *key)
     if (final == '~')
         return count > 0 && give_row(reader, key, modifiers, 0, numbers[0]);
     return (count == 0 || numbers[0] == 1) && give_row(reader, key, modifiers, final, 0);
+}
+
+/* A report of the terminal or of its mouse goes with no Alt: an Esc right before it was pressed by itself. */
+static bool end_csi(KeyReader *reader, char final, Key *key)
+{
+    const bool any = read_csi(reader, final, key);
+    if (!reader->alt || reader->pasting)
+        return any;
+    if (any)
+        return key->x < 0 || give_behind_escape(reader, key);
+    return final != '~' && give(reader, key, 0, "Esc");
 }
 
 /* The last byte is one of @ to ~, of rxvt's keys a $ behind a number. */

@@ -2,7 +2,7 @@
 #include "theory/bar_motion.h"
 #include "base/assertion.h"
 #include "base/math/functions.h"
-#include "theory/quiet.h"
+#include "theory/gsl_errors.h"
 
 #include <gsl/gsl_eigen.h>
 #include <gsl/gsl_errno.h>
@@ -63,7 +63,7 @@ bool bar_motion_resolve(BarMotion *motion, gsl_matrix *s, const double *start, c
     gsl_matrix *vectors = gsl_matrix_alloc(n, n);
     gsl_vector *squares = gsl_vector_alloc(n);
     gsl_eigen_symmv_workspace *work = gsl_eigen_symmv_alloc(n);
-    bool sound = vectors && squares && work && quiet_converges(s) &&
+    bool sound = vectors && squares && work && gsl_can_converge(s) &&
                  gsl_eigen_symmv(s, squares, vectors, work) == GSL_SUCCESS;
     const double largest = sound ? gsl_vector_max(squares) : 0;
     for (size_t k = 0; sound && k < n; k++) {

@@ -16,7 +16,7 @@
  * that the quintic between two of them is as good as the solver; beside it the q_n, from which bending moment
  * and shear force of a section follow, M = E I w'' and Q = E I w'''. */
 #include "theory/elastic_beam.h"
-#include "theory/quiet.h"
+#include "theory/gsl_errors.h"
 #include "base/math/functions.h"
 
 #include <gsl/gsl_errno.h>

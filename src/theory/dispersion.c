@@ -18,7 +18,7 @@
  * Omega = acos(trace / (2 sqrt(determinant)))/dt, decay = -log(determinant)/(2 dt). */
 #include "base/assertion.h"
 #include "theory/elastic_bar.h"
-#include "theory/quiet.h"
+#include "theory/gsl_errors.h"
 #include "base/math/functions.h"
 
 #include <gsl/gsl_errno.h>

@@ -8,7 +8,7 @@
 
 #include "base/assertion.h"
 #include "base/math/functions.h"
-#include "theory/quiet.h"
+#include "theory/gsl_errors.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -230,7 +230,7 @@ int beam_thickness_modes(const double *stiffness, int rows, double density, doub
         for (size_t j = 0; j < n; j++)
             for (size_t k = 0; k < n; k++)
                 gsl_matrix_set(matrix, j, k, (stiffness[j * n + k] + stiffness[k * n + j]) / 2);
-        if (quiet_converges(matrix) && gsl_eigen_symmv(matrix, squares, modes, work) == GSL_SUCCESS) {
+        if (gsl_can_converge(matrix) && gsl_eigen_symmv(matrix, squares, modes, work) == GSL_SUCCESS) {
             gsl_eigen_symmv_sort(squares, modes, GSL_EIGEN_SORT_VAL_ASC);
             count = take_modes(squares, modes, density, dt, frequencies, most);
         }

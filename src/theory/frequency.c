@@ -10,7 +10,7 @@
  * taken. */
 #include "theory/frequency.h"
 #include "base/assertion.h"
-#include "theory/quiet.h"
+#include "theory/gsl_errors.h"
 #include "base/math/functions.h"
 
 #include <errno.h>

@@ -8,7 +8,7 @@
 #include "base/assertion.h"
 #include "base/linear/band.h"
 #include "base/math/functions.h"
-#include "theory/quiet.h"
+#include "theory/gsl_errors.h"
 
 #include <float.h>
 #include <gsl/gsl_matrix.h>

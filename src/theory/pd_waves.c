@@ -18,7 +18,7 @@
 
 #include "base/assertion.h"
 #include "base/math/functions.h"
-#include "theory/quiet.h"
+#include "theory/gsl_errors.h"
 
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_sf_bessel.h>

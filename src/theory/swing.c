@@ -15,7 +15,7 @@
 #include "theory/swing.h"
 
 #include "base/assertion.h"
-#include "theory/quiet.h"
+#include "theory/gsl_errors.h"
 #include "base/math/functions.h"
 
 #include <gsl/gsl_errno.h>

@@ -288,6 +288,17 @@ START_TEST(control_c_drops_what_came_with_it)
 }
 END_TEST
 
+START_TEST(a_report_swallows_no_escape)
+{
+    expect("\033\033[0nq", "Esc q"); /* the status of a terminal that has drawn a picture */
+    expect("\033\033\033[0n", "Esc Esc");
+    expect("\033\033[?2026;2$y", "Esc");
+    expect("\033\033[<0;12;5M", "Esc Click");
+    expect("\033\033[<35;12;5M", "Esc"); /* the mouse moved */
+    expect("\033\033[A", "M-Up");
+}
+END_TEST
+
 START_TEST(what_is_not_known_is_swallowed_whole)
 {
     expect("\033[Iq\033[Oq", "q q"); /* focus in and out */
@@ -445,6 +456,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, modifiers_are_told);
     tcase_add_test(tcase, escape_stands_alone_after_silence);
     tcase_add_test(tcase, what_is_pasted_is_no_key);
+    tcase_add_test(tcase, a_report_swallows_no_escape);
     tcase_add_test(tcase, what_is_not_known_is_swallowed_whole);
     tcase_add_test(tcase, a_cut_sequence_does_not_eat_the_next_key);
     tcase_add_test(tcase, bad_utf8_is_dropped);

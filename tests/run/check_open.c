@@ -8,8 +8,6 @@
 #include "answers/dispersion_curves.h"
 #include "scenario/concern_loads.h"
 #include "scenario/concern_time.h"
-#include "methods/bonds/plane/bonds_plane.h"
-#include "methods/mpm/mpm_bar.h"
 #include "answers/invariant.h"
 #include "answers/summary.h"
 #include "run/lab_case.h"

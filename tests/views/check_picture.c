@@ -200,7 +200,7 @@ END_TEST
 START_TEST(drawing_is_to_scale)
 {
     Drawing drawing;
-    open_drawing(&drawing, "notched-beam-coarse 80x24 3 variant 7", "beam", 0);
+    open_drawing(&drawing, "notched-beam-coarse 80x24 3 variant 10", "beam", 0);
     const Picture *picture = &drawing.picture;
     ck_assert(picture->has_axes && picture->bare);
     ck_assert_str_eq(picture->time, "t 0.0000 ms");

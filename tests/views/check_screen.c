@@ -216,8 +216,8 @@ static const Screenshot pictures[] = {
     {"family", "notched-beam-coarse 80x24 1300 upper 8 variant 4 inspect focus 5 particle 6367 stage 5"},
     {"family-large-ascii",
      "notched-beam-coarse 132x43 1300 upper 8 variant 4 inspect focus 5 particle 5947 ascii"},
-    {"drawing-notched", "notched-beam-coarse 80x24 0 upper 8 variant 7 focus 2 zoom"},
-    {"drawing-cantilever-ascii", "moving-cantilever-coarse 60x18 0 upper 8 focus 2 zoom variant 7 ascii"},
+    {"drawing-notched", "notched-beam-coarse 80x24 0 upper 8 variant 10 focus 2 zoom"},
+    {"drawing-cantilever-ascii", "moving-cantilever-coarse 60x18 0 upper 8 focus 2 zoom variant 10 ascii"},
     {"plain", "mode5 80x24 1234 running bare"},
     {"plain-ascii", "mode5 80x24 1234 running bare ascii"},
     {"plain-small", "mode5 60x18 1234 bare"},
@@ -232,9 +232,9 @@ static const Screenshot pictures[] = {
     {"plain-plate", "branching-coarse 60x18 200 upper beam bare"},
     {"lecture", "mode5 80x24 1310 running lecture"},
     {"lecture-stage-large", "mode5 132x43 1310 stage 3 lecture focus 2"},
-    {"drawing-plate", "branching-coarse 80x24 0 upper 8 focus 2 zoom variant 7"},
-    {"drawing-plate-struck", "kalthoff-coarse 60x18 0 upper 8 focus 2 zoom variant 7"},
-    {"drawing-beam", "supported-beam-coarse 132x43 0 upper 8 focus 2 zoom variant 7"},
+    {"drawing-plate", "branching-coarse 80x24 0 upper 8 focus 2 zoom variant 10"},
+    {"drawing-plate-struck", "kalthoff-coarse 60x18 0 upper 8 focus 2 zoom variant 10"},
+    {"drawing-beam", "supported-beam-coarse 132x43 0 upper 8 focus 2 zoom variant 10"},
 };
 
 static void compare(const Screenshot *picture, const Canvas *canvas)

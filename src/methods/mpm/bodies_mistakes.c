@@ -40,8 +40,8 @@ static const BodiesMistakeRow mistakes[BODIES_MISTAKES] = {
     [BODIES_NORMAL_OF_ONE] = {"The normal of contact is that of one body alone.", OP_FIX,
                               "contact: n = n_a/|n_a|»  , not of n_a - n_b«",
                               "contact: n = n_a/|n_a|>>  , not of n_a - n_b<<", ONLY_CONTACT},
-    [BODIES_START_AFTER_CONTACT] = {"The momentum from which particles take the change is that behind the "
-                                    "first fix: they never hear of its impulse.",
+    [BODIES_START_AFTER_CONTACT] = {"Particles take their change from p behind the first fix: "
+                                    "they never hear of its impulse.",
                                     OP_FIX, "q0 = q »behind walls and contact«",
                                     "q0 = q >>behind walls and contact<<", ONLY_PLAIN_FLIP},
     [BODIES_NO_FIRST_FIX] = {"Walls and contact act behind the force alone.", OP_FIX,

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Counts the callers between gsl_errors_off() and gsl_errors_on() (quiet.h): the first turns GSL's error
+/* Counts the callers between gsl_errors_off() and gsl_errors_on() (gsl_errors.h): the first turns GSL's error
  * handler off, the last puts the previous one back. */
-#include "theory/quiet.h"
+#include "theory/gsl_errors.h"
 
 #include <gsl/gsl_errno.h>
 #include <math.h>
@@ -28,7 +28,7 @@ void gsl_errors_on(void)
     pthread_mutex_unlock(&lock);
 }
 
-bool quiet_converges(const gsl_matrix *matrix)
+bool gsl_can_converge(const gsl_matrix *matrix)
 {
     for (size_t i = 0; i < matrix->size1; i++)
         for (size_t j = 0; j < matrix->size2; j++) {
