@@ -137,9 +137,10 @@ static Simulation *start_of(const Settings *settings, const BarTheory *theory)
     return create(right_definition(settings), settings, theory, NULL);
 }
 
+/* Between shortage_begin() and shortage_end(): once cancelled, the modes that follow are not asked about. */
 static StepModes *modes_from(const Settings *settings, const BarTheory *theory, bool whole)
 {
-    Simulation *sim = start_of(settings, theory);
+    Simulation *sim = errno == ECANCELED ? NULL : start_of(settings, theory);
     StepModes *modes = sim ? step_modes_create(sim, whole, settings->cancel) : NULL;
     simulation_destroy(sim);
     return modes;
@@ -216,12 +217,13 @@ static bool predict(const Settings *settings, Prediction *out, Status *status)
     BarTheory theory;
     if (!bar_theory_of(settings, &theory, status))
         return false;
-    const int mode = bar_watched_mode(&theory);
+    const int mode = bar_watched_mode(&theory), before = shortage_begin();
     *out = (Prediction){NAN, NAN, NAN, NAN};
     if (mode > 0) {
         out->theory = out->real_size = bar_frequency(&theory, mode);
         out->predicted = predicted_frequency(settings, &theory, bar_time_step(settings), mode);
     }
+    shortage_end(before);
     return true;
 }
 
@@ -251,12 +253,9 @@ static bool prepare(References *refs, const Settings *settings, const Simulation
     if (has_whole_motion(&bar->theory, &bar->mesh) && !refs->unaccounted[REFERENCE_PREDICTED])
         bar->modes = modes_from(settings, &bar->theory, true);
     const bool whole = bar->modes && step_modes_are_whole(bar->modes);
-    StepMode found = {0};
-    if (errno != ECANCELED)
-        bar_prepare(refs, settings, sim, predicted_frequency, whole ? predicted_v_cm : NULL,
-                    "velocity of the centre of mass predicted for this mesh");
-    if (errno != ECANCELED)
-        found = step_mode(settings, &bar->theory, bar->watch.mode);
+    bar_prepare(refs, settings, sim, predicted_frequency, whole ? predicted_v_cm : NULL,
+                "velocity of the centre of mass predicted for this mesh");
+    const StepMode found = step_mode(settings, &bar->theory, bar->watch.mode);
     if (bar->watch.mode > 0 && found.known) {
         bar->watch.overlap = found.overlap;
         bar->watch.kept = found.frequency > 0 ? swing_kept(found.decay, bar->watch.exact) : NAN;
@@ -276,6 +275,7 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
     double cells = round(settings_geometry(settings)->length / settings_mesh(settings)->cell_size);
     if (!bar_theory_of(settings, &theory, NULL))
         return 0;
+    const int before = shortage_begin();
     bar_derived_step(out, &n, bar_wave_speed(&theory), dt);
     bar_derived_wave(out, &n, settings, &theory, predicted_frequency, dt);
     int mode = bar_watched_mode(&theory);
@@ -296,6 +296,7 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
     const double largest = largest_courant(settings);
     if (isfinite(largest))
         derived_add_answer(out, &n, REFERENCE_PREDICTED, "largest_courant", "courant limit", "1", largest);
+    shortage_end(before);
     return n;
 }
 
