@@ -24,6 +24,9 @@ function words_of_link(search) {
 		if (name && is_builtin(kind, name)) found[kind] = name;
 		else if (name) wrong.push('there is no ' + kind + ' "' + plainly(name) + '"');
 	}
+	if (found.lesson && (wish.has('scenario') || wish.has('set'))) wrong.push('a lesson has no scenario and no "set" beside it');
+	if (found.lesson) sets.length = 0;
+	if (wish.getAll('set').length > WORDS_MOST) wrong.push('more than ' + WORDS_MOST + ' parameters');
 	for (const key of new Set(wish.keys()))
 		if (!['lesson', 'scenario', 'set', 'name', 'id', 'plain', 'sheet'].includes(key)) wrong.push('"' + plainly(key) + '" is unknown');
 	return found;

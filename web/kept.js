@@ -155,17 +155,17 @@ function hand_in_row(name) {
 function show_whose() {
 	const all = sessions(), name = opened.recording || (all.length > 0 && all[all.length - 1].name);
 	const last = all.find((session) => session.name === name), runs = Boolean(worker);
-	const hers = !runs ? [] : opened.whose ? ['homework of ' + opened.whose + ' '] : opened.looks ? ['only looking: nothing is kept '] : [];
-	put('whose', JSON.stringify([hers, runs, opened.recording, last && [last.name, last.whole], all.length, opened.looks]), () => {
-		if (!last || (runs && opened.looks)) return hers;
-		if (runs && opened.whose && !last.whole) return [...hers, word_button('hand in', () => element('hand-sheet').showModal())];
+	const whose = !runs ? [] : opened.whose ? ['homework of ' + opened.whose + ' '] : opened.looks ? ['only looking: nothing is kept '] : [];
+	put('whose', JSON.stringify([whose, runs, opened.recording, last && [last.name, last.whole], all.length, opened.looks]), () => {
+		if (!last || (runs && opened.looks)) return whose;
+		if (runs && opened.whose && !last.whole) return [...whose, word_button('hand in', () => element('hand-sheet').showModal())];
 		const cut = all.filter((session) => !session.whole);
-		if (last.whole) return [...hers, 'kept here: ', word_button('hand in ' + last.name, () => show_end('This homework is whole.', ''))];
-		if (cut.length > 1) return [...hers, word_button('homework kept here (' + cut.length + ')', async () => {
+		if (last.whole) return [...whose, 'kept here: ', word_button('hand in ' + last.name, () => show_end('This homework is whole.', ''))];
+		if (cut.length > 1) return [...whose, word_button('homework kept here (' + cut.length + ')', async () => {
 			const {go} = await ask_go_on('') || {};
 			if (go) go_on(go);
 		})];
-		return [...hers, 'kept here: ', word_button(go_on_words(last), () => go_on(last.name))];
+		return [...whose, 'kept here: ', word_button(go_on_words(last), () => go_on(last.name))];
 	});
 }
 

@@ -95,7 +95,7 @@ function type_size(step) {
 const ENLARGED = 1.4;
 
 function enlarge(large) {
-	if (large === sizes.before > 0) return;
+	if (large === (sizes.before > 0)) return;
 	const now = term.options.fontSize, room = Math.min(ENLARGED, Math.max(1, Math.min(term.cols / 80, term.rows / 24)));
 	term.options.fontSize = large ? Math.floor(now * room) : sizes.before;
 	sizes.before = large ? now : 0;

@@ -8,6 +8,7 @@ const FRAME = 2; // STYLE_FRAME
 
 const RULE = 0x2502, UPRIGHT = 0x7c, POINT = 0xb7, CROSS = 0x2b, DISC = 0x25cf, RING = 0x25cb, SQUARE = 0x25a0, SHAPES = [RULE, CROSS, DISC, RING, SQUARE];
 const RADIUS = .42; // of a disc, in cells
+const MAP_MOST = 4e6; // pixels
 const COSTLY = 4, DRAWINGS = 40; // milliseconds a picture, on the mean of so many
 
 const vectors = {
@@ -24,8 +25,8 @@ const vectors = {
 			else if (head[0] === 'N') told.name = command.slice(1);
 			else if (head[0] === 'K') told.sets.push(command.slice(1));
 			else if (!area) continue;
-			else if (head[0] === 'M') area.map = {columns: numbers[0], rows: numbers[1], styles: points[0] || ''};
-			else if (head[0] === 'S') [UPRIGHT, POINT, ...SHAPES].includes(numbers[1]) && area.marks.push({style: numbers[0], glyph: numbers[1], at: points[0].split(',').map((value) => value / 16)});
+			else if (head[0] === 'M') area.map = numbers[0] > 0 && numbers[1] > 0 && numbers[0] * numbers[1] <= MAP_MOST ? {columns: numbers[0], rows: numbers[1], styles: points[0] || ''} : null;
+			else if (head[0] === 'S') points[0] && [UPRIGHT, POINT, ...SHAPES].includes(numbers[1]) && area.marks.push({style: numbers[0], glyph: numbers[1], at: points[0].split(',').map((value) => value / 16)});
 			else area.strokes.push({kind: head[0], style: numbers[0], line: numbers[1], rank: numbers[2], points: points.map((point) => (point === '-' ? null : point.split(',').map((value) => value / 16)))});
 		}
 		for (const area of this.areas) area.strokes.sort((a, b) => a.rank - b.rank);

@@ -279,7 +279,8 @@ static void release(void *own)
 {
     BarAnswers *bar = own;
     bar_motion_free(bar->motion);
-    step_modes_free(bar->modes);
+    for (int k = 0; k < BAR_MODES_MAX; k++)
+        step_modes_free(bar->modes[k]);
 }
 
 BarAnswers *bar_answers_create(References *refs, const Settings *settings, Status *status)

@@ -29,9 +29,9 @@ typedef struct BarWatch {
 /* What References.own is of a bar. */
 typedef struct BarAnswers {
     BarTheory theory;
-    BarMesh mesh;      /* by the material point method */
-    StepModes *modes;  /* v_cm by the engine's own step; NULL: not predicted so */
-    BarMotion *motion; /* by peridynamics */
+    BarMesh mesh;                    /* by the material point method */
+    StepModes *modes[BAR_MODES_MAX]; /* v_cm of each mode of the start by the engine's own step */
+    BarMotion *motion;               /* by peridynamics */
     BarWatch watch;
 } BarAnswers;
 

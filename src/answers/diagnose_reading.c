@@ -497,7 +497,7 @@ static bool try_schemes(Trials *trials, bool *found)
 {
     const Settings *right = trials->search->task->settings;
     bool sound = true;
-    for (int i = 0; i < trials->n_times && sound && !*found; i++) {
+    for (int i = 0; i < trials->n_times && sound && !*found && !diagnose_time_is_up(trials->search); i++) {
         DiagnoseScheme *schemes;
         Settings held = *right;
         const int count = diagnose_hold_step(&held, trials->times[i].dt, NULL)
@@ -520,8 +520,9 @@ static bool try_mistakes(Trials *trials, bool *found)
     bool sound = true;
     if (!parameter_applies_to(right, order) || !parameter_applies_to(right, mistake))
         return true;
-    for (int i = 0; i < trials->n_times; i++)
-        for (int m = 1; m < parameter_choices(mistake, right->problem); m++)
+    for (int i = 0; i < trials->n_times && sound && !*found; i++)
+        for (int m = 1;
+             m < parameter_choices(mistake, right->problem) && !diagnose_time_is_up(trials->search); m++)
             for (int a = 0; a < parameter_choices(order, right->problem) && sound && !*found; a++) {
                 Settings settings = *right;
                 settings_put(&settings, order, a);

@@ -168,7 +168,7 @@ static void find_kinds(const char *name, char *out, size_t size)
 /* A name without the unit behind it, "time (s)", "v [m/s]" and "t_ms", its words joined. */
 static void clean_name(char name[OVERLAY_NAME_MAX])
 {
-    static const char *const units[] = {"_ms", "_s", "_sec", "_mm", "_mm_s"};
+    static const char *const units[] = {"_mm_s", "_m_s", "_ms", "_sec", "_s", "_mm"};
     const size_t length = strcspn(name, "([");
     if (length > 0)
         name[length] = '\0';
@@ -181,8 +181,10 @@ static void clean_name(char name[OVERLAY_NAME_MAX])
         *c = *c == ' ' ? '_' : *c;
     for (size_t i = 0; i < sizeof units / sizeof *units; i++) {
         const size_t end = strlen(name), wide = strlen(units[i]);
-        if (end > wide && strcmp(name + end - wide, units[i]) == 0)
+        if (end > wide && strcmp(name + end - wide, units[i]) == 0) {
             name[end - wide] = '\0';
+            break;
+        }
     }
 }
 

@@ -144,8 +144,10 @@ static bool grow(Space *space, bool *ended)
     space->next = gsl_blas_dnrm2(&next.vector);
     const gsl_matrix_view h = gsl_matrix_submatrix(space->h, 0, 0, (size_t)m + 1, (size_t)m + 1);
     const double largest = fmax(gsl_matrix_max(&h.matrix), -gsl_matrix_min(&h.matrix));
-    /* what rounding in x_1 - x_0 has left of other modes is not looked for */
-    *ended = space->next <= fmax(closed * largest, 4e-16 / space->length);
+    /* what rounding in x_1 - x_0 has left of other modes is not looked for: it is eps/|y| of y, and as much
+     * over |y| again of the second vector of a mode */
+    const double left = 4e-16 / space->length;
+    *ended = space->next <= fmax(closed * largest, left * fmax(1, 0.25 / space->length));
     if (!*ended) {
         gsl_vector_scale(&next.vector, 1 / space->next);
         if (m + 1 < space->most)
@@ -461,7 +463,7 @@ static double largest_eigenvalue(Space *space)
     return largest;
 }
 
-double step_modes_limit(Simulation *still, Simulation *moving)
+double step_modes_limit(Simulation *still, Simulation *moving, Cancel cancel)
 {
     Space space = {.sim = moving, .still = still, .map = of_limit};
     const size_t n = moving->method->small(moving, NULL, 1, false);
@@ -479,8 +481,11 @@ double step_modes_limit(Simulation *still, Simulation *moving)
         space.length = good ? gsl_blas_dnrm2(&first.vector) : 0;
         if (space.length > 0) {
             gsl_vector_scale(&first.vector, 1 / space.length);
-            while (good && !ended && space.count < space.most)
-                good = grow(&space, &ended);
+            while (good && !ended && space.count < space.most) {
+                good = !cancel_requested(&cancel, (double)space.count / space.most);
+                errno = good ? errno : ECANCELED;
+                good = good && grow(&space, &ended);
+            }
         }
         if (good)
             limit = space.length > 0 ? sqrt(1 / largest_eigenvalue(&space)) : INFINITY;

@@ -116,7 +116,7 @@ void cli_print_help(const CliCommand *command)
     }
     printf("usage: matvib [SCENARIO] [OPTION]...\n"
            "       matvib COMMAND [ARGUMENT]... [OPTION]...\n\n"
-           "A laboratory in a terminal: the material point method and peridynamics, on bar and beams.\n"
+           "A laboratory in a terminal for the material point method and bond-based peridynamics.\n"
            "SCENARIO is a name from `matvib list`, the path of a file, or - for standard input; without one\n"
            "it is mode5.\n\n"
            "Commands:\n");

@@ -150,7 +150,7 @@ static StepModes *modes_from(const Settings *settings, const BarTheory *theory, 
  * too large for that the wave of an endless mesh. */
 static StepMode step_mode(const Settings *settings, const BarTheory *theory, int number)
 {
-    enum { CELLS_MOST = 20000 };
+    const int cells_most = bar_is_layered(theory) ? 20000 : 2000;
     const BarMesh mesh = bar_mesh_of(settings, bar_time_step(settings));
     StepMode mode = {.known = number == 0, .overlap = 1};
     BarTheory pure = *theory;
@@ -162,7 +162,7 @@ static StepMode step_mode(const Settings *settings, const BarTheory *theory, int
     if (number == 0 || bar_largest_wave_number(theory, number) * mesh.cell_size > M_PI * (1 + 1e-12))
         return mode;
     StepModes *modes =
-        theory->length > CELLS_MOST * mesh.cell_size ? NULL : modes_from(settings, &pure, false);
+        theory->length > cells_most * mesh.cell_size ? NULL : modes_from(settings, &pure, false);
     if (modes)
         mode = step_modes_largest(modes);
     if (mode.known && theory->of_sines) {
@@ -199,7 +199,8 @@ static double largest_courant(const Settings *settings)
     Simulation *moving = bar_create(&def, NULL);
     def.courant = 0x1p-60;
     Simulation *still = bar_create(&def, NULL);
-    const double limit = still && moving ? step_modes_limit(still, moving) / moving->dt : NAN;
+    const double limit =
+        still && moving ? step_modes_limit(still, moving, settings->cancel) / moving->dt : NAN;
     simulation_destroy(still);
     simulation_destroy(moving);
     return isnan(limit) ? NAN : fmin(limit, dispersion_endless_courant(&mesh));
@@ -230,7 +231,11 @@ static bool predict(const Settings *settings, Prediction *out, Status *status)
 static double predicted_v_cm(References *refs, long step, double time, const double *row)
 {
     (void)time, (void)row;
-    return step_modes_v_cm(bar_answers(refs)->modes, step);
+    const BarAnswers *bar = bar_answers(refs);
+    double sum = 0;
+    for (int k = 0; k < bar->theory.n_modes; k++)
+        sum += step_modes_v_cm(bar->modes[k], step);
+    return sum;
 }
 
 /* Whether v_cm is predicted from the first step to the last: as long as particles keep their places the grid
@@ -250,9 +255,15 @@ static bool prepare(References *refs, const Settings *settings, const Simulation
         return false;
     bar->mesh = bar_mesh_of(settings, sim->dt);
     const int before = shortage_begin();
-    if (has_whole_motion(&bar->theory, &bar->mesh) && !refs->unaccounted[REFERENCE_PREDICTED])
-        bar->modes = modes_from(settings, &bar->theory, true);
-    const bool whole = bar->modes && step_modes_are_whole(bar->modes);
+    bool whole = has_whole_motion(&bar->theory, &bar->mesh) && !refs->unaccounted[REFERENCE_PREDICTED];
+    /* mode by mode: the space of each closes soon, where that of all would drown in rounding */
+    for (int k = 0; k < bar->theory.n_modes && whole; k++) {
+        BarTheory one = bar->theory;
+        one.modes[0] = one.modes[k];
+        one.n_modes = 1;
+        bar->modes[k] = modes_from(settings, &one, true);
+        whole = bar->modes[k] && step_modes_are_whole(bar->modes[k]);
+    }
     bar_prepare(refs, settings, sim, predicted_frequency, whole ? predicted_v_cm : NULL,
                 "velocity of the centre of mass predicted for this mesh");
     const StepMode found = step_mode(settings, &bar->theory, bar->watch.mode);
@@ -350,8 +361,9 @@ bool bar_limit(const Settings *settings, char *text, size_t size, Status *status
     const double courant = settings_time(settings)->courant;
     const int before = shortage_begin();
     const double largest = largest_courant(settings);
+    const bool known = errno != ENOMEM;
     shortage_end(before);
-    if (isnan(largest))
+    if (!known)
         return status_fail(status, "not enough memory for the largest stable time step");
     if (courant > largest && !settings_time(settings)->unstable)
         return status_refuse(

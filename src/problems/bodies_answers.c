@@ -359,7 +359,7 @@ bool bodies_prepare(References *refs, const BodiesDef *def, const Simulation *si
     }
     find_touches(answers);
     find_slide(answers);
-    answers->falls = find_fall(def);
+    answers->falls = !refs->unaccounted[REFERENCE_EXACT] && find_fall(def);
     plan_rest_of_method(refs, sim);
     if (answers->free > 0) {
         plan_answer(refs, &px, COLUMN_EXACT, "momentum_x", exact_px);

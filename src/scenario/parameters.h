@@ -184,7 +184,7 @@ bool settings_set(Settings *, const char *key, const char *text, Status *);
 bool settings_change(Settings *, const char *key, const char *text, Status *);
 
 /* Sets the method alone, where it is among the keys: which of the others there are depends on it, so it comes
- * first wherever it stands. */
+ * first wherever it stands. A mistake that this method does not know is none. */
 bool settings_set_method(Settings *, const Assignment *keys, int n_keys, Status *);
 
 /* Puts a number that is known to be allowed. */

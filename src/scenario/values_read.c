@@ -201,5 +201,9 @@ bool settings_set_method(Settings *settings, const Assignment *keys, int n_keys,
         if (strcmp(keys[i].key, "scenario.method") == 0 &&
             !settings_set(settings, keys[i].key, keys[i].value, status))
             return false;
+    for (int i = 0; i < n_parameters; i++)
+        if (parameters[i].wrong && parameter_applies(&parameters[i], settings->problem) &&
+            !parameter_applies_to(settings, &parameters[i]))
+            settings_put(settings, &parameters[i], parameters[i].neutral);
     return true;
 }

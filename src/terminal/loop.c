@@ -62,9 +62,18 @@ static void announce(Loop *loop)
     (void)written; /* unread frames are dropped */
 }
 
+/* A name from a file may hold what parts the commands. */
+static void add_word(FILE *stream, const char *word)
+{
+    for (; *word; word++)
+        if (*word != ';')
+            fputc(*word, stream);
+}
+
 static void add_assignment(void *context, const char *key, const char *value)
 {
-    fprintf(context, ";K%s=%s", key, value);
+    fprintf(context, ";K%s=", key);
+    add_word(context, value);
 }
 
 /* Behind the picture, for a page whose address follows what is opened and changed: ";T1" where all is larger,
@@ -84,7 +93,8 @@ static void describe_address(Loop *loop)
             return;
         memcpy(&loop->told_settings, settings, sizeof *settings);
         changes_in_force(settings, LONG_MAX, &now);
-        fprintf(stream, ";N%s", loop->lab.scenario);
+        fputs(";N", stream);
+        add_word(stream, loop->lab.scenario);
         scenario_assignments(loop->lab.scenario, &now, add_assignment, stream);
         fclose(stream);
     }

@@ -126,9 +126,9 @@ static const char *name_of_body(const Screen *screen, int body)
 static bool find_other(const Simulation *sim, size_t node, size_t *other)
 {
     for (*other = 0; *other < sim->counts[1]; ++*other)
-        if (body_of(sim, 1, *other) != body_of(sim, 1, node) &&
-            node_at(sim, 0, *other) == node_at(sim, 0, node) &&
+        if (node_at(sim, 0, *other) == node_at(sim, 0, node) &&
             node_at(sim, 1, *other) == node_at(sim, 1, node) &&
+            body_of(sim, 1, *other) != body_of(sim, 1, node) &&
             simulation_named(sim, 1, "active", *other) > 0)
             return true;
     return false;

@@ -349,4 +349,10 @@ expect "a plate at rest" 0 pulled-plate --set pd.critical_energy=1e6 --set dampi
 result "its stress is in balance with its loads" awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
 	{ n++; sxx += $at["sxx"]; syy += $at["syy"] } $at["y0"] > .039 { top += $at["uy"]; k++ } $at["y0"] < .001 { low += $at["uy"] }
 	END { right = 6e6 * (.039 + (top - low) / k) / .04; exit !(k == 100 && (syy / n / right - 1) ^ 2 < 1e-16 && (sxx / n) ^ 2 < 1) }' pulled.csv
+expect "v_cm of a fine mesh is predicted" 0 mode5 --set mesh.cell_size=0.025 --set initial.velocity=1e-7 \
+	--set initial.overtones=3:3e-8,7:1e-8 --end 0.5 --series fine.csv --columns v_cm,v_cm_predicted --quiet
+result "to the size of its strain" awk -F, 'NR > 1 { d = $3 - $4; if (d * d > 1e-30) bad = 1; n++ } END { exit bad || n < 1000 }' fine.csv
+expect "a bar of bonds whose second run is another method" 0 mode5-peridynamics --set pd.mistake=one_way --steps 2
+result "may be wrong" says out 'with a mistake: one_way'
+expect "a mistake of contact where nothing touches" 2 spinning-disc --set mpm.body_mistake=no_first_fix --steps 1
 echo "1..$number"

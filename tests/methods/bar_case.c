@@ -76,7 +76,7 @@ double bar_case_limit(const BarCase *which)
     BarCase still = {.def = which->def}, moving = {.def = which->def};
     still.def.courant = 0x1p-60, moving.def.courant = 1;
     Simulation *one = bar_case_create(&still), *other = bar_case_create(&moving);
-    const double limit = step_modes_limit(one, other) / other->dt;
+    const double limit = step_modes_limit(one, other, (Cancel){0}) / other->dt;
     simulation_destroy(one);
     simulation_destroy(other);
     return limit;

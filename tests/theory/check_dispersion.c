@@ -203,6 +203,4 @@ void add_cases(Suite *suite)
     TCase *limits = tcase_create("limits");
     tcase_add_test(limits, largest_courant);
     suite_add_tcase(suite, limits);
-    TCase *centre = tcase_create("centre");
-    suite_add_tcase(suite, centre);
 }

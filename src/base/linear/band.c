@@ -32,7 +32,7 @@ static double reach_of(const Band *band)
     return most;
 }
 
-/* How far a search has come, for its patience. */
+/* How far a search has come, for who may cancel it. */
 typedef struct Search {
     const Cancel *cancel;
     double share;

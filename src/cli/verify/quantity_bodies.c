@@ -21,9 +21,8 @@ static Simulation *moved(VerifyRun *run, const Settings *settings, BodiesField *
         return NULL;
     bodies_begin_with(sim, field, context);
     if (steps == 0)
-        steps = (long)ceil(settings_time(settings)->end / sim->dt - 1e-9);
-    long done;
-    if (simulation_steps(sim, steps, NULL, &done, &run->failure))
+        steps = problem_last_step(sim->dt, settings_time(settings)->end);
+    if (simulation_steps(sim, steps, NULL, NULL, &run->failure))
         return sim;
     simulation_destroy(sim);
     return NULL;

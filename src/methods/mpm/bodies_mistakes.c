@@ -4,7 +4,7 @@
 #include "methods/mpm/bodies_inner.h"
 
 /* What a mistake is defined for. */
-enum { ONLY_TURNING = 1, ONLY_HYPOELASTIC = 2, ONLY_CONTACT = 4, ONLY_PLAIN_FLIP = 8 };
+enum { ONLY_TURNING = 1, ONLY_HYPOELASTIC = 2, ONLY_CONTACT = 4, ONLY_PLAIN_FLIP = 8, ONLY_TOUCHING = 16 };
 
 typedef struct BodiesMistakeRow {
     const char *sentence;
@@ -43,15 +43,23 @@ static const BodiesMistakeRow mistakes[BODIES_MISTAKES] = {
     [BODIES_START_AFTER_CONTACT] = {"Particles take their change from p behind the first fix: "
                                     "they never hear of its impulse.",
                                     OP_FIX, "q0 = q »behind walls and contact«",
-                                    "q0 = q >>behind walls and contact<<", ONLY_PLAIN_FLIP},
+                                    "q0 = q >>behind walls and contact<<", ONLY_PLAIN_FLIP | ONLY_TOUCHING},
     [BODIES_NO_FIRST_FIX] = {"Walls and contact act behind the force alone.", OP_FIX,
                              "q ← »q«,   walls and contact »behind the force only«",
-                             "q <- >>q<<,   walls and contact >>behind the force only<<", 0},
+                             "q <- >>q<<,   walls and contact >>behind the force only<<", ONLY_TOUCHING},
 };
 
 const char *bodies_mistake_sentence(int mistake)
 {
     return mistake > 0 && mistake < BODIES_MISTAKES ? mistakes[mistake].sentence : NULL;
+}
+
+static bool touches(const BodiesDef *def)
+{
+    bool any = def->n_bodies > 1;
+    for (int wall = 0; wall < WALLS; wall++)
+        any = any || def->walls[wall] != WALL_OPEN;
+    return any;
 }
 
 static const char *missing_for(const BodiesDef *def, unsigned only)
@@ -61,6 +69,7 @@ static const char *missing_for(const BodiesDef *def, unsigned only)
            : only & ONLY_TURNING && def->rotation != ROTATION_JAUMANN ? "mpm.rotation = jaumann"
            : only & ONLY_CONTACT && !(def->fields == FIELDS_EACH && def->n_bodies > 1)
                ? "contact.fields = each and two bodies"
+           : only & ONLY_TOUCHING && !touches(def)               ? "walls or two bodies"
            : only & ONLY_PLAIN_FLIP && def->transfer != MPM_FLIP ? "mpm.transfer = flip"
                                                                  : NULL;
 }

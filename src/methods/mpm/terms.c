@@ -5,8 +5,10 @@
  * tests/methods/check_mpm_terms.c holds the loops of stages.c to them. In the plane "@" is x and y.
  *
  *     m N_i                               mass                        (2)
- *     m v N_i                             momentum                    (3), APIC: v + C (x_i - x) in place of
- * v -grad N_i . stress V                internal force              (10), V = m/rho; of bodies with weight
+ *     m v N_i                             momentum                    (3), APIC: v + C (x_i - x) for v
+ *
+ *     -grad N_i . stress V                internal force              (10), V = m/rho; of bodies with weight
+ *
  *     N_i (m b + t V/h)                   external force of a line    (11)
  *     dt grad N_i v_i                     strain increment            (5), v_i = p_i/m_i (4)
  *     dt N_i f_i/m_i                      velocity                    (14)
