@@ -180,11 +180,10 @@ BarWatch bar_watch(const BarTheory *theory)
 }
 
 /* With what is predicted beside it. */
-static BarWatch predicted_watch(const Settings *settings, const BarTheory *theory, BarFrequency *frequency,
-                                double dt)
+static BarWatch predicted_watch(const Settings *settings, const BarTheory *theory, BarFrequency *frequency)
 {
     BarWatch watch = bar_watch(theory);
-    watch.predicted = watch.moving && frequency ? frequency(settings, theory, dt, watch.mode) : NAN;
+    watch.predicted = watch.moving && frequency ? frequency(settings, theory, watch.mode) : NAN;
     watch.predicted_known = watch.predicted > 0;
     return watch;
 }
@@ -248,16 +247,16 @@ static int modes_shown(const BarTheory *theory, const BarWatch *watch, int modes
  * beside, at the frequencies that the mesh gives them, else the continuum. The strain energy swings twice as
  * fast as each mode, and under a load as fast as it too. */
 static void set_lines(BarWatch *watch, const Settings *settings, const BarTheory *theory,
-                      BarFrequency *frequency, double dt)
+                      BarFrequency *frequency)
 {
     int modes[MODES_FITTED];
     const int n_modes = modes_shown(theory, watch, modes);
     const bool squares = strcmp(watch->column, "strain") == 0;
     if (n_modes == 1 && !is_loaded(theory))
         return;
-    const double of_mesh = frequency(settings, theory, dt, watch->mode);
+    const double of_mesh = frequency(settings, theory, watch->mode);
     for (int i = 0; i < n_modes; i++) {
-        double ratio = of_mesh > 0 ? frequency(settings, theory, dt, modes[i]) / of_mesh
+        double ratio = of_mesh > 0 ? frequency(settings, theory, modes[i]) / of_mesh
                                    : bar_frequency(theory, modes[i]) / watch->exact;
         for (int times = 1; times <= 2; times++) {
             const bool swings = squares ? times == 2 || is_loaded(theory) : times == 1;
@@ -304,10 +303,10 @@ void bar_prepare(References *refs, const Settings *settings, const Simulation *s
                  Answer *predicted, const char *meaning)
 {
     BarAnswers *bar = refs->own;
-    bar->watch = predicted_watch(settings, &bar->theory,
-                                 refs->unaccounted[REFERENCE_PREDICTED] ? NULL : frequency, sim->dt);
+    bar->watch =
+        predicted_watch(settings, &bar->theory, refs->unaccounted[REFERENCE_PREDICTED] ? NULL : frequency);
     if (bar->watch.moving)
-        set_lines(&bar->watch, settings, &bar->theory, frequency, sim->dt);
+        set_lines(&bar->watch, settings, &bar->theory, frequency);
 
     static const Quantity exact = {"v_cm_exact", "exact", "length/time",
                                    "velocity of the centre of mass of the continuum (eq. 20)"};
@@ -396,7 +395,7 @@ void bar_derived_wave(Derived out[DERIVED_MAX], int *n, const Settings *settings
                       BarFrequency *frequency, double dt)
 {
     ASSERT_REAL(dt, >, 0);
-    const BarWatch watch = predicted_watch(settings, theory, frequency, dt);
+    const BarWatch watch = predicted_watch(settings, theory, frequency);
     if (!watch.moving)
         return;
     if (bar_is_layered(theory)) {

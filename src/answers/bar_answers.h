@@ -52,8 +52,8 @@ int bar_watched_mode(const BarTheory *);
 /* Which column shows the frequency, and the exact one; what is predicted is not known yet. */
 BarWatch bar_watch(const BarTheory *);
 
-/* The frequency predicted for a mode as a run of time step `dt` shows it; NAN: not known. */
-typedef double BarFrequency(const Settings *, const BarTheory *, double dt, int mode);
+/* The frequency predicted for a mode as a run of the settings shows it; NAN: not known. */
+typedef double BarFrequency(const Settings *, const BarTheory *, int mode);
 
 /* Plans v_cm with its references. `predicted` v_cm, NULL: not known; `meaning` of that column. */
 void bar_prepare(References *, const Settings *, const Simulation *, BarFrequency *, Answer *predicted,

@@ -206,9 +206,8 @@ static double largest_courant(const Settings *settings)
     return isnan(limit) ? NAN : fmin(limit, dispersion_endless_courant(&mesh));
 }
 
-static double predicted_frequency(const Settings *settings, const BarTheory *theory, double dt, int mode)
+static double predicted_frequency(const Settings *settings, const BarTheory *theory, int mode)
 {
-    (void)dt; /* the settings tell it */
     const StepMode found = step_mode(settings, theory, mode);
     return found.known ? found.frequency : NAN;
 }
@@ -222,7 +221,7 @@ static bool predict(const Settings *settings, Prediction *out, Status *status)
     *out = (Prediction){NAN, NAN, NAN, NAN};
     if (mode > 0) {
         out->theory = out->real_size = bar_frequency(&theory, mode);
-        out->predicted = predicted_frequency(settings, &theory, bar_time_step(settings), mode);
+        out->predicted = predicted_frequency(settings, &theory, mode);
     }
     shortage_end(before);
     return true;

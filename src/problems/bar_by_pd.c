@@ -78,10 +78,9 @@ static Simulation *simulate(const Settings *settings, int threads, Status *statu
     return pd_bar_create(&def, status);
 }
 
-static double predicted_frequency(const Settings *settings, const BarTheory *theory, double dt, int mode)
+static double predicted_frequency(const Settings *settings, const BarTheory *theory, int mode)
 {
     const PdBarTheory lattice = bar_lattice_of(settings);
-    (void)dt; /* the lattice knows it */
     return pd_bar_frequency(theory, &lattice, mode);
 }
 

@@ -52,11 +52,6 @@ static double speed_beyond(const BarTheory *bar)
     return bar->joint > 0 ? sqrt(bar->joint_modulus / bar->joint_density) : bar_wave_speed(bar);
 }
 
-double bar_fastest_speed(const BarTheory *bar)
-{
-    return fmax(bar_wave_speed(bar), speed_beyond(bar));
-}
-
 /* beta_n: (2n - 1) pi/2L with one free end, n pi/L with two equal ends; paper M's eq. 17 with L as a
  * length. */
 double bar_wave_number(const BarTheory *bar, int number)

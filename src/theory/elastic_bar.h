@@ -38,7 +38,6 @@ double bar_modulus_at(const BarTheory *bar, double x); /* E and rho at a place *
 double bar_density_at(const BarTheory *bar, double x);
 
 double bar_wave_speed(const BarTheory *bar);              /* c = sqrt(E / rho), of the first material */
-double bar_fastest_speed(const BarTheory *bar);           /* the greater of both materials' */
 double bar_wave_number(const BarTheory *bar, int number); /* beta_n, eq. 17, of a bar of one material */
 double bar_largest_wave_number(const BarTheory *bar, int number); /* omega_n over the slower speed */
 double bar_frequency(const BarTheory *bar, int number);           /* omega_n, eq. 18, radians per unit time */
