@@ -319,6 +319,28 @@ START_TEST(a_first_start_offers_the_first_lesson)
 }
 END_TEST
 
+/* What a page is told behind a picture: a name that holds what parts the commands adds none. */
+START_TEST(a_name_writes_no_command_of_the_page)
+{
+    char folder[] = "/tmp/matvib-page-XXXXXX", path[64], command[200];
+    ck_assert_ptr_nonnull(mkdtemp(folder));
+    snprintf(path, sizeof path, "%s/x;M9999,9999 @9.ini", folder);
+    snprintf(command, sizeof command, "\"%s\" show mode1 > \"%s\"", matvib(), path);
+    ck_assert_int_eq(system(command), 0);
+    Session session;
+    session_open(&session, 80, 24, (const char *const[]){"MATVIB_VECTORS=1", NULL},
+                 (const char *const[]){matvib(), path, "--paused", "--set", "mesh.cell_size=0.5", NULL});
+    session_idle(&session);
+    ck_assert(session_wrote(&session, ";Kmesh.cell_size=0.5"));
+    ck_assert(session_wrote(&session, "/xM9999,9999 @9.ini;K"));
+    snprintf(command, sizeof command, ";N%s/x;", folder);
+    ck_assert(!session_wrote(&session, command));
+    session_close(&session);
+    ck_assert_int_eq(unlink(path), 0);
+    ck_assert_int_eq(rmdir(folder), 0);
+}
+END_TEST
+
 START_TEST(control_c_leaves)
 {
     Session session;
@@ -711,6 +733,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, a_homework_is_each_student_s_own);
     tcase_add_test(tcase, a_recorded_session_is_the_last_one_too);
     tcase_add_test(tcase, a_first_start_offers_the_first_lesson);
+    tcase_add_test(tcase, a_name_writes_no_command_of_the_page);
     tcase_add_test(tcase, control_c_leaves);
     tcase_add_test(tcase, escape_is_told_from_a_sequence);
     tcase_add_test(tcase, a_torn_arrow_is_no_command);
