@@ -13,6 +13,8 @@
 #include <string.h>
 
 enum { TEXT_MAX = 24000, LINES_MAX = 400 };
+/* keys, curves, what is solved, and where the papers are silent, if something is said of that */
+enum { HELP_PAGES = 4 };
 
 /* Lines of text with a style each. Too many: the last ones are left out. */
 typedef struct HelpLines {
@@ -210,6 +212,14 @@ static void write_solved(HelpLines *written, const Screen *screen, int width, co
 
 /* --- where the papers are silent ------------------------------------------------------------------- */
 
+static bool has_choices(const Settings *settings)
+{
+    const Choice *choice = choices;
+    while (choice < choices + n_choices && !choice_is_about(choice, settings->problem, settings->method))
+        choice++;
+    return choice < choices + n_choices;
+}
+
 static void write_choices(HelpLines *written, const Settings *settings, int width)
 {
     put_text(written, STYLE_HEADING, width, 0,
@@ -226,15 +236,21 @@ static void write_choices(HelpLines *written, const Settings *settings, int widt
     }
 }
 
-static int page_of(const HelpShown *help)
+int help_pages(const Screen *screen)
 {
-    return help->page < 0 ? 0 : help->page >= HELP_PAGES ? HELP_PAGES - 1 : help->page;
+    return has_choices(experiment_settings(screen->experiment)) ? HELP_PAGES : HELP_PAGES - 1;
+}
+
+static int page_of(const Screen *screen)
+{
+    const int page = screen->help->page, count = help_pages(screen);
+    return page < 0 ? 0 : page >= count ? count - 1 : page;
 }
 
 /* The lines of the page that is open, for a screen of this width. */
 static void write_page(HelpLines *written, const Screen *screen, int screen_width)
 {
-    const int width = screen_width - 2 < 100 ? screen_width - 2 : 100, page = page_of(screen->help);
+    const int width = screen_width - 2 < 100 ? screen_width - 2 : 100, page = page_of(screen);
     const HelpText *text = help_text_of(experiment_simulation(screen->experiment));
     written->used = 0;
     written->count = 0;
@@ -251,11 +267,6 @@ static void write_page(HelpLines *written, const Screen *screen, int screen_widt
         write_choices(written, experiment_settings(screen->experiment), width);
 }
 
-int help_pages(void)
-{
-    return HELP_PAGES;
-}
-
 int help_most(const Screen *screen, int width, int height)
 {
     HelpLines written;
@@ -270,7 +281,7 @@ void help_draw(const Screen *screen, Area area)
 {
     static const char *const names[HELP_PAGES] = {"this scenario, the keys", "the curves", "what is solved",
                                                   "where the paper is silent"};
-    const int page = page_of(screen->help), room = area.rect.height - 1;
+    const int page = page_of(screen), room = area.rect.height - 1;
     HelpLines written;
     write_page(&written, screen, area.rect.width);
 
@@ -280,7 +291,7 @@ void help_draw(const Screen *screen, Area area)
     if (first < 0)
         first = 0;
     char heading[96];
-    snprintf(heading, sizeof heading, "Help %d of %d: %s", page + 1, HELP_PAGES, names[page]);
+    snprintf(heading, sizeof heading, "Help %d of %d: %s", page + 1, help_pages(screen), names[page]);
     area_rule(area, 0, heading, STYLE_FOCUS);
     if (written.count > room) {
         snprintf(heading, sizeof heading, " lines %d-%d of %d ", first + 1,

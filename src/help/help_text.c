@@ -149,6 +149,34 @@ static const HelpWord plane_words[] = {
      ":show convergence: cells, particles, methods. An order of 2: half the cell, a quarter of the error."},
 };
 
+static const HelpWord bodies_words[] = {
+    {"exact",
+     "without mesh and time step, dotted: free flight until a wall is met, the momenta, the first touch, "
+     "and what is known of a disc that spins, slides or rolls."},
+    {"L", "the velocity gradient that a particle takes from its nodes, Σ v_i ⊗ ∇N_i: its symmetric part "
+          "strains the particle, the other part turns it."},
+    {"det F", "volume of a particle over that at t = 0: above 1 it is expanded, below 1 compressed."},
+    {"first touch",
+     "the time at which two bodies push each other first. On a grid it is known to a fraction of "
+     "a cell."},
+    {"restitution", "the speed at which two bodies part over the speed at which they met: 1 where no energy "
+                    "goes into oscillations or is lost."},
+    {"torn",
+     "two neighbouring particles of a body are so far apart that no node takes mass from both, so "
+     "nothing holds them together: numerical fracture, which no law of the material asked for. A wider "
+     "shape function or more particles per cell delay it."},
+    {"angular mom.", "angular momentum about the middle of the box. Contact keeps it. With flip it decreases "
+                     "as bodies turn, with apic it is kept."},
+    {"spin", "angular momentum of a body over its moment of inertia, both about its centre of mass: radians "
+             "per unit of time, counterclockwise positive."},
+    {"friction",
+     "the energy that walls and contact took by friction; it belongs to the total. The hypoelastic "
+     "law has no potential, so the total is nearly kept only."},
+    {"mesh",
+     ":magnify 16, or Z and + : the cells under the particles, bars of mass and momentum on the nodes "
+     "while a step is under way, arrows from who gives to who takes."},
+};
+
 /* --- what is solved -------------------------------------------------------------------------------- */
 
 static const HelpPassage bar_before[] = {
@@ -243,6 +271,47 @@ static const HelpPassage plane_before[] = {
             "(relaxed); else it rings through its height."},
 };
 
+static const HelpPassage bodies_before[] = {
+    {true, "What is solved: the momentum balance of elastic bodies, by the material point method"},
+    {false, "ρ dv/dt = div σ + ρ g      dx/dt = v      dρ/dt = -ρ tr L      L = ∇v"},
+    {false,
+     "Each particle carries mass, velocity, stress and volume. In each step they are mapped to the nodes of "
+     "square cells, N = N_x N_y; the nodes feel forces and move; the particles take the change, and the mesh "
+     "is "
+     "reset."},
+    {true, "Stress and large rotation"},
+    {false, "dσ/dt = D sym L + W σ - σ W      W = (L - Lᵀ)/2"},
+    {false,
+     "Hypoelastic law: the stress turns with the particle (eq. 6, Jaumann's rate). In a step it turns by θ, "
+     "tan(θ/2) = Δt (dv/dx - du/dy)/4, and takes the strain after that; rotation = none leaves it "
+     "unturned."},
+    {false, "Neo-Hookean law, from the deformation gradient F, with dF/dt = L F and J = det F:"},
+    {false, "σ = (G (F Fᵀ - I) + λ ln J I)/J"},
+    {true, "Walls and contact"},
+    {false, "n_i = Σ m ∇N points out of a body;  n = (n_a - n_b)/|n_a - n_b|    vₙ = (v_a - v)·n    "
+            "v = (q_a + q_b)/(m_a + m_b)"},
+    {false,
+     "Two bodies a and b that give mass to one node act on each other where they are near, (r_b - r_a)·n ≤ 2 "
+     "gap cells with r the mean place of each one's particles, and approach, vₙ > 0. The impulse "
+     "m_a (vₙ n + min(1, μ vₙ/|vₜ|) vₜ) goes from a to b: it stops the approach, and friction slows the "
+     "sliding vₜ. Momentum is kept exactly."},
+    {false,
+     "A wall takes the momentum that goes out of the box where the body is within gap; with friction also at "
+     "most μ times that of the momentum along it; clamp takes all. With contact.fields = one all bodies "
+     "share "
+     "one velocity field: they neither slide nor need to be near to meet."},
+};
+
+static const HelpPassage bodies_after[] = {
+    {true, "The right answers"},
+    {false,
+     "Momentum p = p₀ + M g t and angular momentum, until a wall acts; first touch of two round bodies "
+     "|D + V t| = R_a + R_b, with D and V the distance and velocity between their centres."},
+    {false,
+     "Spinning disc: mean σ_xx = ρω²R²/4. On an incline of angle φ it slides with g (sin φ - μ cos φ) where "
+     "tan φ > 3μ, else it rolls with ⅔ g sin φ."},
+};
+
 static const HelpPassage plane_after[] = {
     {true, "The right answers"},
     {false, "(k² + q²)² tanh(ph/2) = 4k²pq tanh(qh/2)    p² = k² - ω²/c²    q² = k² - ω²ρ/G    k = π/L"},
@@ -300,10 +369,14 @@ const HelpText *help_text_of(const Simulation *sim)
         "One time step (velocity Verlet)", LIST(plate_words), LIST(beam_before), NULL, 0, LIST(plate_after)};
     static const HelpText plane = {"One time step",  LIST(plane_words), LIST(plane_before), NULL, 0,
                                    LIST(plane_after)};
+    static const HelpText bodies = {"One time step",   LIST(bodies_words), LIST(bodies_before), NULL, 0,
+                                    LIST(bodies_after)};
+    static const HelpText other = {.step = "One time step"};
     static const struct {
         unsigned has;
         const HelpText *text;
-    } texts[] = {{HAS_PLANE | HAS_MESH, &plane},
+    } texts[] = {{HAS_BODIES, &bodies},
+                 {HAS_PLANE | HAS_MESH, &plane},
                  {HAS_LINE | HAS_MESH, &bar},
                  {HAS_LINE | HAS_BONDS, &pd_bar},
                  {HAS_PLANE | HAS_BONDS | HAS_ROWS, &plate},
@@ -311,5 +384,5 @@ const HelpText *help_text_of(const Simulation *sim)
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
         if (simulation_has(sim, texts[i].has))
             return texts[i].text;
-    return &beam;
+    return &other;
 }

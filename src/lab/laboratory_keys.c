@@ -17,7 +17,7 @@
 
 static void turn_page(Laboratory *lab, int direction)
 {
-    int pages = help_pages();
+    int pages = help_pages(&lab->screen);
     lab->help.page = (lab->help.page + direction + pages) % pages;
     lab->help.scroll = 0;
 }

@@ -37,8 +37,7 @@ int screen_lesson_count(void);
 int screen_lesson_at(const Screen *, int width, int height, int x, int y);
 
 /* How many pages the help has, and how far the open one can be scrolled. */
-enum { HELP_PAGES = 4 }; /* keys, curves, what is solved, where the papers are silent */
-int help_pages(void);
+int help_pages(const Screen *);
 int help_most(const Screen *, int width, int height);
 
 /* The step of a bookmark in the run as it is now. */

@@ -468,7 +468,7 @@ static void tell_help(Plain *plain)
         say(plain, "help all tells all keys and commands, help WORD one of them, a view or a parameter.");
         return;
     }
-    for (*page = 0; *page < help_pages(); ++*page)
+    for (*page = 0; *page < help_pages(screen); ++*page)
         tell_part(screen, TELL_HELP, &words);
     *page = open;
     put_words(plain, &words);

@@ -67,7 +67,7 @@ END_TEST
 START_TEST(help_is_shown_whole)
 {
     static const char *const scenarios[] = {"mode5", "mode5-peridynamics", "supported-beam-coarse",
-                                            "notched-beam-coarse"};
+                                            "notched-beam-coarse", "two-discs"};
     char words[128];
     Scene scene;
     Status status = {STATUS_DONE, ""};
@@ -75,7 +75,7 @@ START_TEST(help_is_shown_whole)
     ck_assert_msg(scene_open(&scene, words, &status), "%s", status.text);
     scene.help.open = true;
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
-        for (int page = 0; page < HELP_PAGES; page++) {
+        for (int page = 0; page < help_pages(&scene.screen); page++) {
             const int width = sizes[i][0], height = sizes[i][1];
             scene.help.page = page;
             const int most = help_most(&scene.screen, width, height);
@@ -85,6 +85,47 @@ START_TEST(help_is_shown_whole)
                 check_whole(&scene, (Rect){0, 0, width, height}, "the help");
             }
         }
+    scene_close(&scene);
+}
+END_TEST
+
+/* The help explains the method that runs, and has no page without content. */
+START_TEST(help_is_of_the_method)
+{
+    static const struct {
+        unsigned has;
+        const char *said, *other; /* on the page of what is solved, and what belongs to others */
+    } rows[] = {
+        {HAS_BODIES, "Walls and contact", "horizon"},
+        {HAS_BODIES, "momentum balance", "velocity Verlet"},
+        {HAS_BODIES, "turns with the particle (eq. 6", "Euler-Bernoulli"},
+        {HAS_LINE | HAS_MESH, "axial vibration of a bar", "horizon"},
+        {HAS_LINE | HAS_BONDS, "by bonds", "uGIMP"},
+        {HAS_PLANE | HAS_MESH, "a beam in plane stress", "horizon"},
+        {HAS_PLANE | HAS_BONDS, "points that pull at each other", "uGIMP"},
+    };
+    char words[128];
+    Scene scene;
+    Status status = {STATUS_DONE, ""};
+    snprintf(words, sizeof words, "%s 132x120 1", builtin_scenarios[_i].name);
+    ck_assert_msg(scene_open(&scene, words, &status), "%s", status.text);
+    scene.help.open = true;
+    for (scene.help.page = 0; scene.help.page < help_pages(&scene.screen); scene.help.page++) {
+        draw_at(&scene, 132, 120);
+        char *text = canvas_dump(&scene.canvas);
+        const char *content = strstr(text, "\n── Help");
+        ck_assert_ptr_nonnull(content);
+        content = strchr(content + 1, '\n');
+        int lines = 0;
+        for (const char *line = content; *line; line++)
+            lines += line[0] == '\n' && line[1] != '\n' && line[1] != '\0';
+        ck_assert_msg(lines > 4, "%s, page %d is empty:\n%s", words, scene.help.page, text);
+        for (size_t i = 0; i < sizeof rows / sizeof *rows && scene.help.page == 2; i++)
+            if (simulation_has(experiment_simulation(scene.screen.experiment), rows[i].has))
+                ck_assert_msg(strstr(content, rows[i].said) && !strstr(content, rows[i].other), "%s:\n%s",
+                              words, text);
+        free(text);
+    }
     scene_close(&scene);
 }
 END_TEST
@@ -207,7 +248,8 @@ void add_cases(Suite *suite)
         count++;
     TCase *texts = tcase_create("texts");
     tcase_add_loop_test(texts, captions_are_shown_whole, 0, count);
-    tcase_add_loop_test(texts, help_is_shown_whole, 0, 4);
+    tcase_add_loop_test(texts, help_is_shown_whole, 0, 5);
+    tcase_add_loop_test(texts, help_is_of_the_method, 0, count);
     tcase_add_test(texts, what_matters_has_room);
     tcase_add_loop_test(texts, the_number_stands_in_large_digits, 0, (int)(sizeof numbers / sizeof *numbers));
     tcase_add_loop_test(texts, the_map_grows_with_the_screen, 0, 5);
