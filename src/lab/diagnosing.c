@@ -19,9 +19,7 @@ static bool wait_for_it(double share, void *context)
 {
     Waiting *waiting = context;
     (void)share; /* of one run; how many it takes nobody knows */
-    laboratory_say(waiting->lab, MESSAGE_INFO, "trying other codes, %ld so far   ^C stops",
-                   waiting->found->tried);
-    return laboratory_go_on(waiting->lab);
+    return laboratory_work(waiting->lab, "trying other codes, %ld so far   ^C stops", waiting->found->tried);
 }
 
 /* Their curve in the place of what lay over the plots. */
@@ -73,8 +71,7 @@ bool diagnosing_answer(Laboratory *lab, const char *words)
         diagnosis_sum_up(found, table, lab->diagnosis, sizeof lab->diagnosis);
         lay_over(lab, table);
         laboratory_say(lab, MESSAGE_INFO, "%s", lab->diagnosis);
-    } else
-        laboratory_say(lab, MESSAGE_NONE, "%s", "");
+    }
     if (table)
         diagnose_close(table);
     free(table);

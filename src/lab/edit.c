@@ -148,7 +148,6 @@ bool edit_change(Laboratory *lab, const Settings *settings, DuelChange verb, Sta
         lab->editing.anchor_time = 2 * settings_time(&old)->end;
     Status said = {STATUS_DONE, ""};
     bool taken = edit_change_runs(lab, settings, verb, &said);
-    laboratory_say(lab, MESSAGE_NONE, "%s", ""); /* in place of how far the building had come */
     if (!taken)
         return status_take(status, &said);
     if (same && experiment_pending(laboratory_run(lab), NULL)) {

@@ -34,12 +34,10 @@ typedef struct Waiting {
 static bool wait_for_fit(double share, void *context)
 {
     Waiting *waiting = context;
-    Laboratory *lab = waiting->lab;
     (void)share; /* of one run; how many it takes nobody knows */
-    laboratory_say(lab, MESSAGE_INFO, "fitting %d parameter%s to %zu data, %ld blocks of steps   ^C stops",
-                   waiting->task->n_keys, waiting->task->n_keys == 1 ? "" : "s", waiting->task->count,
-                   ++waiting->asked);
-    return laboratory_go_on(lab);
+    return laboratory_work(waiting->lab, "fitting %d parameter%s to %zu data, %ld blocks of steps   ^C stops",
+                           waiting->task->n_keys, waiting->task->n_keys == 1 ? "" : "s", waiting->task->count,
+                           ++waiting->asked);
 }
 
 /* "bar.density 1.02 +- 0.01, ...; residuals 3e-3, before 2e-2: they look like noise; correlation 0.4" */
@@ -70,8 +68,6 @@ static bool solve(Laboratory *lab, FitTask *task, Settings *settings, Status *st
     sound = sound && edit_change(lab, settings, experiment_rerun, status);
     if (sound)
         say_result(lab, task, &result);
-    else
-        laboratory_say(lab, MESSAGE_NONE, "%s", "");
     fit_free(&result);
     return sound;
 }

@@ -123,6 +123,9 @@ bool laboratory_frame(Laboratory *, double deadline);
  * to be given up. */
 bool laboratory_go_on(Laboratory *);
 
+/* Likewise, with these words in the key line meanwhile; the message of before comes back. */
+bool laboratory_work(Laboratory *, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
 /* Draws on a canvas of this size. */
 bool laboratory_draw(Laboratory *, Canvas *, int width, int height);
 

@@ -4,6 +4,9 @@
 #include "lab/laboratory.h"
 #include "lab/session/session.h"
 
+#include <stdarg.h>
+#include <stdio.h>
+
 bool laboratory_go_on(Laboratory *lab)
 {
     if (lab->given_up || lab->host.go_on(lab->host.context))
@@ -12,4 +15,20 @@ bool laboratory_go_on(Laboratory *lab)
     if (lab->recording)
         session_note_stop(lab->recording, lab);
     return false;
+}
+
+bool laboratory_work(Laboratory *lab, const char *format, ...)
+{
+    const Message before = lab->message;
+    const double said_at = lab->said_at;
+    char text[sizeof before.text];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    laboratory_say(lab, MESSAGE_INFO, "%s", text);
+    const bool goes_on = laboratory_go_on(lab);
+    lab->message = before;
+    lab->said_at = said_at;
+    return goes_on;
 }

@@ -103,9 +103,8 @@ static bool show_building(double share, void *context)
     if (!lab->given_up && now < lab->built_at + BUILDING_SECONDS)
         return true;
     /* before there is a screen the terminal hands on ^C alone */
-    laboratory_say(lab, MESSAGE_INFO, "building the run: %d %%   %s gives up", (int)(100 * share),
-                   laboratory_run(lab) ? "Esc" : "^C");
-    return laboratory_go_on(lab);
+    return laboratory_work(lab, "building the run: %d %%   %s gives up", (int)(100 * share),
+                           laboratory_run(lab) ? "Esc" : "^C");
 }
 
 void opening_show_progress(Laboratory *lab, Settings *settings)
@@ -136,7 +135,6 @@ static bool open_scenario(Laboratory *lab, const char *name, Status *status)
         /* checked before, for this may take long */
         opening_show_progress(lab, &settings);
         experiment = opening_experiment(lab, &settings, status);
-        laboratory_say(lab, MESSAGE_NONE, "%s", "");
         if (!experiment)
             scenario_blame(name, NULL, 0, status);
     }

@@ -11,7 +11,6 @@
 static bool begin(Laboratory *lab, const Assignment *keys, int n_keys, Status *status)
 {
     const bool sound = duel_start(&lab->player.duel, keys, n_keys, status);
-    laboratory_say(lab, MESSAGE_NONE, "%s", ""); /* in place of how far the building had come */
     if (!sound)
         return false;
     player_forget_rates(&lab->player);

@@ -79,9 +79,7 @@ static void default_name(const Laboratory *lab, char name[NAME_MAX_BYTES])
 
 static bool show_progress(double share, void *context)
 {
-    Laboratory *lab = context;
-    laboratory_say(lab, MESSAGE_INFO, "exporting %d %%   ^C cancels", (int)(100 * share));
-    return laboratory_go_on(lab);
+    return laboratory_work(context, "exporting %d %%   ^C cancels", (int)(100 * share));
 }
 
 /* The stages of a step of a run that is looked into; 0: it stands between steps, or is written to its end. */
@@ -315,8 +313,7 @@ static bool write_figure(Laboratory *lab, bool force)
     Figure figure;
     if (!writing_allowed(lab, lab->exporting.name))
         return true;
-    laboratory_say(lab, MESSAGE_INFO, "drawing %s", lab->exporting.name); /* a large map takes a moment */
-    if (!laboratory_go_on(lab)) {
+    if (!laboratory_work(lab, "drawing %s", lab->exporting.name)) { /* a large map takes a moment */
         laboratory_say(lab, MESSAGE_INFO, "cancelled");
         return true;
     }

@@ -58,8 +58,7 @@ static bool wait_for_run(double share, void *context)
     Laboratory *lab = waiting->lab;
     if (!lab->given_up && lab->host.now(lab->host.context) < waiting->begun + patient_seconds)
         return true;
-    laboratory_say(lab, MESSAGE_INFO, "looking at your answer: %d %%   ^C gives up", (int)(100 * share));
-    return laboratory_go_on(lab);
+    return laboratory_work(lab, "looking at your answer: %d %%   ^C gives up", (int)(100 * share));
 }
 
 /* The numbers of a run before it begins, for words behind "was". */
