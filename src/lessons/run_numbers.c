@@ -157,13 +157,26 @@ static double finding(const RunSummary *run, const char *word)
     return NAN;
 }
 
+static double exact_of(const RunSummary *run, const char *word)
+{
+    for (int i = 0; i < run->n_findings; i++)
+        if (strcmp(run->findings[i].name, word) == 0)
+            return run->findings[i].exact;
+    return NAN;
+}
+
 static double acceleration_exact(const RunSummary *run, const char *word)
 {
     (void)word;
-    for (int i = 0; i < run->n_findings; i++)
-        if (strcmp(run->findings[i].name, "acceleration") == 0)
-            return run->findings[i].exact;
-    return NAN;
+    return exact_of(run, "acceleration");
+}
+
+/* |u - u_ref|/|u_ref| */
+static double tip_error(const RunSummary *run, const char *word)
+{
+    (void)word;
+    const double x = exact_of(run, "tip_x"), y = exact_of(run, "tip_y"), size = hypot(x, y);
+    return size > 0 ? hypot(finding(run, "tip_x") - x, finding(run, "tip_y") - y) / size : NAN;
 }
 
 /* What a scenario can be about: how it is called in large digits, of a negative one the other way round. */
@@ -247,6 +260,10 @@ const RunNumber run_numbers[] = {
      .label = NULL},
     {"bounce_height", "height to which a body flies up from a floor", finding,
      ABOUT("", "height of the bounce", NULL), .part = SUMMARY_FINDINGS, .of_moment = true},
+    {"tip_error",
+     "distance of a falling beam's end from that by finite elements, as a share of its displacement",
+     tip_error, ABOUT_IN("%", 100, "error of the end"), .part = SUMMARY_FINDINGS, .of_moment = true,
+     .judged = true},
     {"stretch", "largest distance of neighbours, as a share of that at the start", finding,
      ABOUT("", "largest stretch", NULL), .part = SUMMARY_FINDINGS, .of_moment = true},
     {"torn", "time at which neighbours of a body parted", finding, ABOUT("", "torn at", NULL),

@@ -303,6 +303,15 @@ static bool lay_out_wide(const Screen *screen, int width, int height, Layout *la
     return true;
 }
 
+/* Beside a lesson: in a lecture, and of bodies once it is known, for no plot has it. */
+static int lesson_number_rows(const Screen *screen, int width, int height)
+{
+    char digits[NUMBER_DIGITS_MAX], words[NUMBER_WORDS_MAX];
+    const bool bodies = simulation_has(experiment_simulation(screen->experiment), HAS_BODIES);
+    const bool shown = screen->panes.lecture || (bodies && screen_number(screen, digits, words));
+    return shown && screen->lesson->lesson ? pane_number_rows(screen, width, height) : 0;
+}
+
 static void lay_out_lesson(const Screen *screen, int width, int height, Layout *layout)
 {
     if (lay_out_wide(screen, width, height, layout))
@@ -310,11 +319,10 @@ static void lay_out_lesson(const Screen *screen, int width, int height, Layout *
     const int strip = strip_rows(screen, height), box = box_rows(screen, height, false);
     const int top = 1 + strip, middle = height - 2 - strip - box;
     const int text = layout_lesson_width(width), left = text + 1;
-    const int number =
-        screen->panes.lecture && screen->lesson->lesson ? pane_number_rows(screen, width, height) : 0;
+    const int number = lesson_number_rows(screen, width, height);
     layout->panes[PANE_MESH] = (Rect){0, 1, strip ? width : 0, strip};
     layout->panes[PANE_PARAMETERS] = (Rect){0, top, text, middle};
-    if (number && middle - number >= PICTURE_LEAST)
+    if (number && middle - number >= (screen->panes.lecture ? 1 : 3) * PICTURE_LEAST)
         layout->number = (Rect){left, top + middle - number, width - left, number};
     lay_out_picture(screen, (Rect){left, top, width - left, middle - layout->number.height}, layout);
     layout->panes[PANE_BOX] = (Rect){0, top + middle, box ? width : 0, box};
