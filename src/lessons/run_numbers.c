@@ -253,7 +253,7 @@ const RunNumber run_numbers[] = {
     {"angular_kept", "angular momentum of bodies, as a share of the exact one", finding,
      ABOUT_IN("%", 100, "of angular momentum"), .part = SUMMARY_FINDINGS, .of_moment = true, .judged = true},
     {"body_spin", "spin of the second of two bodies, radians per time", finding,
-     ABOUT("", "spin of the second", NULL), .part = SUMMARY_FINDINGS, .of_moment = true},
+     ABOUT("", "spin of body 2", NULL), .part = SUMMARY_FINDINGS, .of_moment = true},
     {"acceleration", "speed down an incline, per time", finding, ABOUT("", "acceleration so far", NULL),
      .part = SUMMARY_FINDINGS, .of_moment = true},
     {"acceleration_exact", "the same by the formula for sliding or rolling", acceleration_exact,

@@ -489,10 +489,12 @@ static void check_small_answer(Bench *bench, int count)
 /* --- what the pages look like ------------------------------------------------------------------------ */
 
 /* Sizes at which the screens of every page are kept: tests/golden/lessons/NAME-SIZE.txt. After a change that
- * is meant, write them anew and look at the difference:
+ * is meant, write them again and look at the difference:
  *
  *     make -C build tests/lab/check_lessons &&
- *     MATVIB_WIDE=1 MATVIB_REGENERATE=1 MATVIB_SRCDIR=. build/tests/lab/check_lessons own && git diff */
+ *     MATVIB_WIDE=1 MATVIB_REGENERATE=1 MATVIB_SRCDIR=. build/tests/lab/check_lessons own && git diff
+ *
+ * MATVIB_LESSON=NAME takes one lesson alone, MATVIB_TELL=1 lists its numbers that want a reason. */
 enum { N_KEPT = 2 };
 
 static const struct {
@@ -578,7 +580,9 @@ static bool read_page(Bench *bench, const char *name, SeenNumbers *seen)
  * who does something else on each page and goes on. */
 START_TEST(every_page_is_entered_in_one_state)
 {
-    const char *name = builtin_lessons[_i].name;
+    const char *name = builtin_lessons[_i].name, *wanted = getenv("MATVIB_LESSON");
+    if (wanted && strcmp(wanted, name) != 0)
+        return;
     Bench *bench = open_lesson(name);
     const LessonShown *shown = bench->lab.screen.lesson;
     const int count = shown->lesson->n_pages;

@@ -3,8 +3,9 @@
 #include "lab/lesson_numbers.h"
 
 #include "panes/panes.h"
-#include "suite.h"
 #include "panes/screen_places.h"
+#include "panes/screen_runs.h"
+#include "suite.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -12,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { QUOTED_MAX = 64, NUMBER_BYTES = 32 };
+enum { NUMBER_BYTES = 32, WIDTH = 80, HEIGHT = 24 };
 
 /* The next number of a text without its sign, and behind it; NULL: there is none. A digit behind a letter is
  * part of a name (T2, c1). */
@@ -39,9 +40,21 @@ static const char *next_number(const char *text, char number[NUMBER_BYTES])
     return NULL;
 }
 
+/* What stands in large digits, of each run that is shown. */
+static void see_large(const Screen *screen, SeenNumbers *seen)
+{
+    char digits[NUMBER_DIGITS_MAX], words[NUMBER_WORDS_MAX];
+    if (layout_make(screen, WIDTH, HEIGHT).number.width == 0)
+        return;
+    for (int side = 0; side < (screen_is_shared(screen) ? 2 : 1) && seen->count < SEEN_MAX; side++) {
+        const Screen one = side ? screen_of_side(screen, SIDE_B) : *screen;
+        if (screen_number(&one, digits, words))
+            seen->values[seen->count++] = strtod(digits, NULL);
+    }
+}
+
 void lesson_numbers_see(Bench *bench, SeenNumbers *seen)
 {
-    enum { WIDTH = 80, HEIGHT = 24 };
     char number[NUMBER_BYTES];
     ck_assert(laboratory_draw(&bench->lab, &bench->canvas, WIDTH, HEIGHT));
     const Rect page = screen_pane(&bench->lab.screen, WIDTH, HEIGHT, PANE_PARAMETERS);
@@ -53,6 +66,7 @@ void lesson_numbers_see(Bench *bench, SeenNumbers *seen)
     for (const char *at = dump; (at = next_number(at, number)) && seen->count < SEEN_MAX;)
         seen->values[seen->count++] = strtod(number, NULL);
     free(dump);
+    see_large(&bench->lab.screen, seen);
 }
 
 /* As many decimals as the text has are enough: 4 % of -4.23. */
