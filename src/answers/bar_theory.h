@@ -6,7 +6,7 @@
 
 #include "methods/mpm/mpm_bar.h"
 #include "scenario/assignment.h"
-#include "methods/bonds/line/pd_bar.h"
+#include "methods/bonds/plane/bonds_plane.h"
 #include "theory/elastic_bar.h"
 
 /* The bar with its modes and loads. False: its overtones cannot be read. */
@@ -16,7 +16,7 @@ bool bar_theory_of(const Settings *, BarTheory *, Status *);
 BarDef bar_mpm_definition(const Settings *);
 
 /* The same bar on a lattice of bonded nodes. */
-PdBarDef bar_pd_definition(const Settings *);
+BeamDef bar_pd_definition(const Settings *);
 
 /* dt = courant * dx / c, eq. 21. */
 double bar_time_step(const Settings *);

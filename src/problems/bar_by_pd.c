@@ -9,17 +9,18 @@
 #include "scenario/settings.h"
 #include "methods/mpm/mpm_bar.h"
 #include "problems/solvers.h"
-#include "methods/bonds/line/pd_bar.h"
+#include "methods/bonds/plane/bonds_plane.h"
 #include "theory/pd_bar_theory.h"
 #include "theory/pd_waves.h"
 
 #include <math.h>
 #include <stdio.h>
 
-PdBarDef bar_pd_definition(const Settings *settings)
+BeamDef bar_pd_definition(const Settings *settings)
 {
     const BarSupports ends = settings_supports(settings)->ends;
-    return (PdBarDef){
+    return (BeamDef){
+        .problem = BEAM_BAR,
         .length = settings_geometry(settings)->length,
         .youngs_modulus = settings_material(settings)->youngs_modulus,
         .density = settings_material(settings)->density,
@@ -60,8 +61,8 @@ static bool check(const Settings *settings, Status *status)
     /* the mesh is checked too: the nodes lie where its particles would, and its cells make the time step */
     BarDef mesh = bar_mpm_definition(settings);
     mesh.mistake_beside = 0; /* it is one of bonds */
-    const PdBarDef def = bar_pd_definition(settings);
-    return bar_check(&mesh, status) && pd_bar_check(&def, status) &&
+    const BeamDef def = bar_pd_definition(settings);
+    return bar_check(&mesh, status) && beam_check(&def, status) &&
            bar_check_modes(settings, round(def.length / def.spacing), status) &&
            problem_check_steps(settings_time(settings)->end, def.dt, status);
 }
@@ -72,10 +73,10 @@ static Simulation *simulate(const Settings *settings, int threads, Status *statu
     BarTheory theory;
     if (!bar_theory_of(settings, &theory, status))
         return NULL;
-    PdBarDef def = bar_pd_definition(settings);
+    BeamDef def = bar_pd_definition(settings);
     def.initial_velocity = bar_start;
     def.initial_context = &theory;
-    return pd_bar_create(&def, status);
+    return beam_create(&def, status);
 }
 
 static double predicted_frequency(const Settings *settings, const BarTheory *theory, int mode)
@@ -122,8 +123,8 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
     derived_add(out, &n, "lattice_horizon", "horizon delta", "length", lattice_horizon(settings), false);
     if (!sim)
         return n;
-    PdBarFacts facts;
-    pd_bar_facts(sim, &facts);
+    BeamFacts facts;
+    beam_facts(sim, &facts);
     derived_add(out, &n, "family", "bonds of a node", "1", (double)facts.family, true);
     derived_add(out, &n, "micromodulus", "micromodulus c", "force/length^4", facts.micromodulus, false);
     derived_add(out, &n, "modulus_of_bonds", "E of the bonds", "force/area", facts.modulus, false);
@@ -136,10 +137,10 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
 
 static bool limit(const Settings *settings, char *text, size_t size, Status *status)
 {
-    const PdBarDef def = bar_pd_definition(settings);
+    const BeamDef def = bar_pd_definition(settings);
     const double courant = settings_time(settings)->courant;
     double critical;
-    if (!pd_bar_critical(&def, &critical, status))
+    if (!bonds_line_critical_step(&def, &critical, status))
         return false;
     if (def.dt > critical)
         return status_refuse(status,

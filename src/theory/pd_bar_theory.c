@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Predicted frequencies of the bar by peridynamics; pd_bar.h derives the equations. First a wave on an
- * endless lattice, in closed form; then the lattice with its ends, as eigenvalues of the matrix that its
- * families make, A u = omega^2 u, a band (band_eigenvalue) for one frequency and dense where all eigenvectors
- * are needed for v_cm(t). */
+/* Predicted frequencies of the bar by peridynamics; lattice.c in methods/bonds has the equations. First a
+ * wave on an endless lattice, in closed form; then the lattice with its ends, as eigenvalues of the matrix
+ * that its families make, A u = omega^2 u, a band (band_eigenvalue) for one frequency and dense where all
+ * eigenvectors are needed for v_cm(t). */
 #include "theory/pd_bar_theory.h"
 
 #include "base/assertion.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The bar by peridynamics against plain double loops over all pairs of points, and what must hold of it. */
-#include "methods/bonds/line/pd_bar.h"
+#include "methods/bonds/plane/bonds_plane.h"
 #include "methods/run_case.h"
 #include "suite.h"
 #include "sums.h"
@@ -18,27 +18,28 @@ static double wave(double x, const void *context)
     return 0.1 * sin(4.5 * M_PI * x / *length) + 0.03 * cos(2 * M_PI * x / *length) + 0.01 * x / *length;
 }
 
-static PdBarDef standard(bool left, bool right)
+static BeamDef standard(bool left, bool right)
 {
     static const double length = 25;
-    return (PdBarDef){.length = length,
-                      .youngs_modulus = 100,
-                      .density = 1,
-                      .left_fixed = left,
-                      .right_fixed = right,
-                      .spacing = 0.5,
-                      .horizon = 1.5,
-                      .surface_correction = SURFACE_ENERGY,
-                      .volume_correction = VOLUME_PARTIAL,
-                      .dt = 0.01,
-                      .initial_velocity = wave,
-                      .initial_context = &length};
+    return (BeamDef){.problem = BEAM_BAR,
+                     .length = length,
+                     .youngs_modulus = 100,
+                     .density = 1,
+                     .left_fixed = left,
+                     .right_fixed = right,
+                     .spacing = 0.5,
+                     .horizon = 1.5,
+                     .surface_correction = SURFACE_ENERGY,
+                     .volume_correction = VOLUME_PARTIAL,
+                     .dt = 0.01,
+                     .initial_velocity = wave,
+                     .initial_context = &length};
 }
 
-static Simulation *create(const PdBarDef *def)
+static Simulation *create(const BeamDef *def)
 {
     Status status = {0};
-    Simulation *sim = pd_bar_create(def, &status);
+    Simulation *sim = beam_create(def, &status);
     ck_assert_msg(sim != NULL, "%s", status.text);
     return sim;
 }
@@ -61,7 +62,7 @@ typedef struct Cloud {
     int image_of[POINTS_MAX]; /* -1: a point of the bar */
 } Cloud;
 
-static double share(const PdBarDef *def, double distance)
+static double share(const BeamDef *def, double distance)
 {
     if (distance > def->horizon * (1 + 1e-9) &&
         !(def->volume_correction == VOLUME_HHB && distance < def->horizon + def->spacing / 2))
@@ -79,7 +80,7 @@ static void add_point(Cloud *cloud, double place, int image_of)
     cloud->place[cloud->count++] = place;
 }
 
-static void make_cloud(const PdBarDef *def, Cloud *cloud)
+static void make_cloud(const BeamDef *def, Cloud *cloud)
 {
     memset(cloud, 0, sizeof *cloud);
     int n = (int)round(def->length / def->spacing);
@@ -108,7 +109,7 @@ static void make_cloud(const PdBarDef *def, Cloud *cloud)
 }
 
 /* The force density on point i and the energy density of its bonds, half of each bond's. */
-static double pair_forces(const PdBarDef *def, Cloud *cloud, int i, double *energy)
+static double pair_forces(const BeamDef *def, Cloud *cloud, int i, double *energy)
 {
     double sum = 0, c = 2 * def->youngs_modulus / (def->horizon * def->horizon);
     *energy = 0;
@@ -126,7 +127,7 @@ static double pair_forces(const PdBarDef *def, Cloud *cloud, int i, double *ener
     return sum;
 }
 
-static void compare_with_cloud(const PdBarDef *def)
+static void compare_with_cloud(const BeamDef *def)
 {
     enum { STEPS = 400 };
     static Cloud cloud;
@@ -168,7 +169,7 @@ START_TEST(every_pair)
     for (int ends = 0; ends < 4; ends++)
         for (int correction = SURFACE_NONE; correction <= SURFACE_ENERGY; correction++)
             for (int volume = VOLUME_NONE; volume <= VOLUME_HHB; volume++) {
-                PdBarDef def = standard(ends & 1, ends & 2);
+                BeamDef def = standard(ends & 1, ends & 2);
                 def.surface_correction = (SurfaceCorrection)correction;
                 def.volume_correction = (VolumeCorrection)volume;
                 def.horizon = correction ? 1.5 : 1.4; /* whole spacings, and not */
@@ -191,14 +192,14 @@ START_TEST(uniform_strain)
 {
     for (int volume = VOLUME_NONE; volume <= VOLUME_PARTIAL; volume++)
         for (int correction = SURFACE_NONE; correction <= SURFACE_ENERGY; correction++) {
-            PdBarDef def = standard(true, false);
+            BeamDef def = standard(true, false);
             def.initial_velocity = stretch_of;
             def.surface_correction = (SurfaceCorrection)correction;
             def.volume_correction = (VolumeCorrection)volume;
             Simulation *sim = create(&def);
             advance(sim, 1);
-            PdBarFacts facts;
-            pd_bar_facts(sim, &facts);
+            BeamFacts facts;
+            beam_facts(sim, &facts);
             double e = 1e-3 * def.dt, modulus = volume ? 100 : 100 * (1 + 1.0 / 3);
             ck_assert_double_eq_tol(facts.modulus, modulus, 1e-10);
             /* the energy correction also repairs the sum over the family */
@@ -227,7 +228,7 @@ END_TEST
 
 START_TEST(free_bar_keeps_momentum)
 {
-    PdBarDef def = standard(false, false);
+    BeamDef def = standard(false, false);
     Simulation *sim = create(&def);
     double before = series_now(sim, "v_cm");
     advance(sim, 3000);
@@ -241,7 +242,7 @@ END_TEST
 
 static double largest_error_of_energy(double dt)
 {
-    PdBarDef def = standard(true, false);
+    BeamDef def = standard(true, false);
     def.dt = dt;
     Simulation *sim = create(&def);
     double start = series_now(sim, "total"), most = 0;
@@ -263,7 +264,7 @@ END_TEST
 
 START_TEST(work_of_loads)
 {
-    PdBarDef def = standard(true, false);
+    BeamDef def = standard(true, false);
     def.initial_velocity = NULL;
     def.body_force = 1e-3;
     def.traction = 2e-2;
@@ -316,7 +317,7 @@ START_TEST(stages_say_what_acts)
                                          .on = pull_back,
                                          .context = &stiffness},
                                         {0}};
-    PdBarDef def = standard(false, false);
+    BeamDef def = standard(false, false);
     def.forces = springs;
     def.initial_velocity = constant;
     def.initial_context = &speed;
@@ -352,7 +353,7 @@ END_TEST
 
 static bool survives(double dt, char *why)
 {
-    PdBarDef def = standard(true, false);
+    BeamDef def = standard(true, false);
     def.dt = dt;
     Simulation *sim = create(&def);
     Status status = {0};
@@ -373,10 +374,10 @@ static bool survives(double dt, char *why)
 
 START_TEST(critical_step)
 {
-    PdBarDef def = standard(true, false);
+    BeamDef def = standard(true, false);
     double critical;
     char why[sizeof((Status *)NULL)->text] = "";
-    ck_assert(pd_bar_critical(&def, &critical, NULL));
+    ck_assert(bonds_line_critical_step(&def, &critical, NULL));
     ck_assert_double_eq_tol(critical, 0.08802, 1e-5); /* by a dense eigenvalue solver */
     ck_assert(survives(0.999 * critical, why));
     ck_assert(!survives(1.01 * critical, why));
@@ -384,18 +385,18 @@ START_TEST(critical_step)
     /* without free ends: the largest frequency of the endless lattice, here at theta = pi */
     def = standard(true, true);
     const double largest = sqrt(8 * 100 / (1.5 * 1.5) * (1 + 0.5 / 3));
-    ck_assert(pd_bar_critical(&def, &critical, NULL));
+    ck_assert(bonds_line_critical_step(&def, &critical, NULL));
     ck_assert_double_eq_tol(critical, 2 / largest, 1e-9);
     /* a long bar is judged by a part of it */
     Simulation *sim = create(&def);
-    PdBarFacts facts;
-    pd_bar_facts(sim, &facts);
+    BeamFacts facts;
+    beam_facts(sim, &facts);
     ck_assert_double_eq(facts.critical_step, critical);
-    ck_assert_uint_eq(facts.nodes, 50);
+    ck_assert_int_eq(facts.nx, 50);
     ck_assert_uint_eq(facts.family, 6);
     simulation_destroy(sim);
     def.spacing = 0.005, def.horizon = 0.015;
-    ck_assert(pd_bar_critical(&def, &critical, NULL));
+    ck_assert(bonds_line_critical_step(&def, &critical, NULL));
     ck_assert_double_eq_tol(critical * 100, 2 / largest, 1e-6);
 }
 END_TEST
@@ -417,7 +418,7 @@ static bool same_bits(const Simulation *a, const Simulation *b)
 START_TEST(rewound_sliced_or_whole)
 {
     Status status = {0};
-    PdBarDef def = standard(true, false);
+    BeamDef def = standard(true, false);
     def.body_force = 1e-3;
     def.traction = 0.01;
     Simulation *whole = create(&def), *sliced = create(&def);
@@ -467,7 +468,7 @@ END_TEST
 
 START_TEST(links_and_bonds)
 {
-    PdBarDef def = standard(true, false);
+    BeamDef def = standard(true, false);
     Simulation *sim = create(&def);
     Link links[16];
     advance(sim, 40);
@@ -523,7 +524,7 @@ static void expect_sums(const char *text)
 
 START_TEST(stages_explain_themselves)
 {
-    PdBarDef def = standard(true, false);
+    BeamDef def = standard(true, false);
     Simulation *sim = create(&def);
     Status status = {0};
     char text[512];
@@ -557,11 +558,11 @@ END_TEST
 /* One node between two walls has no other neighbour than its images. */
 START_TEST(a_lonely_node_bursts_too)
 {
-    PdBarDef def = standard(true, true);
+    BeamDef def = standard(true, true);
     def.length = def.spacing = def.horizon = 0.5;
     double step;
     Status status = {0};
-    ck_assert(pd_bar_critical(&def, &step, &status));
+    ck_assert(bonds_line_critical_step(&def, &step, &status));
     def.dt = 1.1 * step;
     Simulation *sim = create(&def);
     long done;
@@ -581,33 +582,33 @@ START_TEST(refusals)
         double value;
         const char *says;
     } wrong[] = {
-        {offsetof(PdBarDef, spacing), 0.7, "pd.spacing: the length 25 is"},
-        {offsetof(PdBarDef, spacing), 0, "pd.spacing: 0 is not allowed"},
-        {offsetof(PdBarDef, horizon), 0.4, "pd.horizon: 0.4 is below the spacing"},
-        {offsetof(PdBarDef, horizon), 13, "pd.horizon: 13 is 26 spacings (at most 24"},
-        {offsetof(PdBarDef, traction_layer), 26, "load.traction_layer: 26 is out of range"},
-        {offsetof(PdBarDef, traction_layer), 0.25,
+        {offsetof(BeamDef, spacing), 0.7, "pd.spacing: the length 25 is"},
+        {offsetof(BeamDef, spacing), 0, "pd.spacing: 0 is not allowed"},
+        {offsetof(BeamDef, horizon), 0.4, "pd.horizon: 0.4 is below the spacing"},
+        {offsetof(BeamDef, horizon), 13, "pd.horizon: 13 is 26 spacings (at most 24"},
+        {offsetof(BeamDef, traction_layer), 26, "load.traction_layer: 26 is out of range"},
+        {offsetof(BeamDef, traction_layer), 0.25,
          "load.traction_layer: 0.25 holds no particle (more than 0.25, or 0"},
-        {offsetof(PdBarDef, spacing), 1e-6,
+        {offsetof(BeamDef, spacing), 1e-6,
          "pd.spacing: the length 25 is 2.5e+07 spacings of 1e-06 (a whole number, at most"},
-        {offsetof(PdBarDef, length), -1, "bar.length: -1 is not allowed"},
-        {offsetof(PdBarDef, dt), 0, "time.courant: 0 is not allowed"},
+        {offsetof(BeamDef, length), -1, "bar.length: -1 is not allowed"},
+        {offsetof(BeamDef, dt), 0, "time.courant: 0 is not allowed"},
     };
     for (size_t k = 0; k < sizeof wrong / sizeof *wrong; k++) {
-        PdBarDef def = standard(true, false);
+        BeamDef def = standard(true, false);
         Status status = {0};
         memcpy((char *)&def + wrong[k].offset, &wrong[k].value, sizeof(double));
-        ck_assert(!pd_bar_check(&def, &status));
+        ck_assert(!beam_check(&def, &status));
         ck_assert_msg(strstr(status.text, wrong[k].says) == status.text, "%s", status.text);
     }
-    PdBarDef def = standard(true, false);
+    BeamDef def = standard(true, false);
     Status status = {0};
     def.surface_correction = SURFACE_VOLUME;
-    ck_assert(!pd_bar_check(&def, &status));
+    ck_assert(!beam_check(&def, &status));
     ck_assert(strstr(status.text, "pd.surface_correction: volume is for beams") == status.text);
     def = standard(true, false);
     def.length = 1;
-    ck_assert(!pd_bar_check(&def, &status));
+    ck_assert(!beam_check(&def, &status));
     ck_assert(strstr(status.text, "pd.horizon: 1.5 reaches beyond the whole bar") == status.text);
 }
 END_TEST

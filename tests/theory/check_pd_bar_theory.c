@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The lattice's prediction against the engine, and what counts eigenvalues against a dense solver. */
 #include "base/linear/band.h"
-#include "methods/bonds/line/pd_bar.h"
+#include "methods/bonds/plane/bonds_plane.h"
 #include "suite.h"
 #include "theory/frequency.h"
 #include "theory/pd_bar_theory.h"
@@ -36,21 +36,22 @@ static double velocity(double x, const void *context)
 
 static Simulation *lattice_bar(const BarTheory *bar, const PdBarTheory *on)
 {
-    PdBarDef def = {.length = bar->length,
-                    .youngs_modulus = bar->youngs_modulus,
-                    .density = bar->density,
-                    .left_fixed = bar->left_fixed,
-                    .right_fixed = bar->right_fixed,
-                    .spacing = on->spacing,
-                    .horizon = on->horizon,
-                    .surface_correction = on->energy_correction ? SURFACE_ENERGY : SURFACE_NONE,
-                    .volume_correction = (VolumeCorrection)on->volumes,
-                    .influence = on->conical ? INFLUENCE_CONICAL : INFLUENCE_CONSTANT,
-                    .dt = on->dt,
-                    .initial_velocity = velocity,
-                    .initial_context = bar};
+    BeamDef def = {.problem = BEAM_BAR,
+                   .length = bar->length,
+                   .youngs_modulus = bar->youngs_modulus,
+                   .density = bar->density,
+                   .left_fixed = bar->left_fixed,
+                   .right_fixed = bar->right_fixed,
+                   .spacing = on->spacing,
+                   .horizon = on->horizon,
+                   .surface_correction = on->energy_correction ? SURFACE_ENERGY : SURFACE_NONE,
+                   .volume_correction = (VolumeCorrection)on->volumes,
+                   .influence = on->conical ? INFLUENCE_CONICAL : INFLUENCE_CONSTANT,
+                   .dt = on->dt,
+                   .initial_velocity = velocity,
+                   .initial_context = bar};
     Status status = {0};
-    Simulation *sim = pd_bar_create(&def, &status);
+    Simulation *sim = beam_create(&def, &status);
     ck_assert_msg(sim != NULL, "%s", status.text);
     return sim;
 }
@@ -132,8 +133,8 @@ START_TEST(a_cone_runs_as_predicted)
         on.conical = true;
         ck_assert_double_lt(furthest(&bar, &on, 1000), 1e-11);
         Simulation *sim = lattice_bar(&bar, &on);
-        PdBarFacts facts;
-        pd_bar_facts(sim, &facts);
+        BeamFacts facts;
+        beam_facts(sim, &facts);
         ck_assert_double_eq_tol(facts.modulus, 100, 1e-11);
         simulation_destroy(sim);
     }

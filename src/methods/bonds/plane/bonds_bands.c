@@ -27,8 +27,8 @@ void beam_run(Beam *beam, PoolWork *work, int chunks)
 /* Column 0 of a halo row: `row` rows above the band's end, component 0 (fx) or 1 (fy). */
 static double *halo_row(const Beam *beam, int band, int component, int row)
 {
-    size_t reach = (size_t)beam->lattice.reach, stride = beam->lattice.stride;
-    return beam->halo + (((size_t)band * 2 + (size_t)component) * reach + (size_t)row) * stride +
+    size_t rise = (size_t)beam->lattice.rise, stride = beam->lattice.stride;
+    return beam->halo + (((size_t)band * 2 + (size_t)component) * rise + (size_t)row) * stride +
            LATTICE_BLOCK;
 }
 
@@ -41,7 +41,7 @@ static void clear_band(Beam *beam, int band)
         memset(beam->nodes.fx + (size_t)first * stride, 0, (size_t)rows * bytes);
         memset(beam->nodes.fy + (size_t)first * stride, 0, (size_t)rows * bytes);
     }
-    memset(halo_row(beam, band, 0, 0) - LATTICE_BLOCK, 0, 2 * (size_t)beam->lattice.reach * bytes);
+    memset(halo_row(beam, band, 0, 0) - LATTICE_BLOCK, 0, 2 * (size_t)beam->lattice.rise * bytes);
 }
 
 /* Adds to f what the bonds give that node row j owns, those to the same row rightwards and to the `reach`
@@ -54,7 +54,7 @@ void beam_bonds_of_row(Beam *beam, int j, BondLog *log, bool with_energy)
     if (j == beam->band_first[band])
         clear_band(beam, band);
     double *fx[LATTICE_REACH_MAX + 1], *fy[LATTICE_REACH_MAX + 1];
-    for (int q = 0; q <= beam->lattice.reach; q++) {
+    for (int q = 0; q <= beam->lattice.rise; q++) {
         bool inside = j + q < end;
         size_t at = inside ? lattice_at(&beam->lattice, 0, j + q) : 0;
         fx[q] = inside ? beam->nodes.fx + at : halo_row(beam, band, 0, j + q - end);
@@ -73,10 +73,10 @@ void beam_add_halos(Beam *beam, int j)
 {
     ASSERT_INDEX(j, beam->lattice.ny);
     size_t row = lattice_at(&beam->lattice, 0, j), count = beam->lattice.columns;
-    int own = beam->band_of_row[j], reach = beam->lattice.reach;
-    for (int band = j > reach ? beam->band_of_row[j - reach] : 0; band < own; band++) {
+    int own = beam->band_of_row[j], rise = beam->lattice.rise;
+    for (int band = j > rise ? beam->band_of_row[j - rise] : 0; band < own; band++) {
         int above = j - beam->band_first[band + 1];
-        if (above >= reach)
+        if (above >= rise)
             continue;
         beam->kernels->add(beam->nodes.fx + row, halo_row(beam, band, 0, above), 1, count);
         beam->kernels->add(beam->nodes.fy + row, halo_row(beam, band, 1, above), 1, count);
@@ -141,6 +141,7 @@ void beam_keep_strain(Beam *beam)
     beam->strain = 0;
     for (int j = 0; j < beam->lattice.ny; j++)
         beam->strain += beam->row_energy[j];
+    beam->strain -= bonds_line_energy_of_images(beam);
     beam->strain_known = true;
 }
 
@@ -176,5 +177,6 @@ bool beam_go_on(Beam *beam, double share, Status *status)
 {
     if (!beam->given_up)
         beam->given_up = cancel_requested(&beam->def.cancel, share);
-    return !beam->given_up || status_fail(status, "the building of the beam was cancelled");
+    return !beam->given_up ||
+           status_fail(status, "the building of the %s was cancelled", beam->lattice.line ? "bar" : "beam");
 }

@@ -3,6 +3,7 @@
 #include "methods/bonds/plane/bonds_mistakes.h"
 
 #include "methods/bonds/plane/plate/patches.h"
+#include "methods/axial.h"
 #include "base/math/functions.h"
 
 #include <math.h>
@@ -109,9 +110,12 @@ static bool is_bounded(const Bound *bound)
 
 static bool check_bounds(const BeamDef *def, Status *status)
 {
+    const bool line = def->problem == BEAM_BAR;
     const Bound of_body[] = {
-        {"length", def->length, true},       {"height", def->height, true},
-        {"thickness", def->thickness, true}, {"youngs_modulus", def->youngs_modulus, true},
+        {"length", def->length, true},
+        {"height", line ? 1 : def->height, true},
+        {"thickness", line ? 1 : def->thickness, true},
+        {"youngs_modulus", def->youngs_modulus, true},
         {"density", def->density, true},
     };
     const Bound bounds[] = {
@@ -119,7 +123,7 @@ static bool check_bounds(const BeamDef *def, Status *status)
         {"pd.horizon", def->horizon, true},
         {"pd.critical_stretch", def->critical_stretch, false},
         {"pd.protected", def->protected_depth, false},
-        {"time.step", def->dt, false},
+        {line ? "time.courant" : "time.step", def->dt, line},
         {"load.ramp", def->load_ramp, false},
         {"damping.rate", def->damping, false},
     };
@@ -133,14 +137,17 @@ static bool check_bounds(const BeamDef *def, Status *status)
                                  bounds[k].positive ? "greater than 0" : "0 or more");
     if (!isfinite(def->body_force))
         return status_refuse(status, "load.body_force: %g is not a number", def->body_force);
-    if (def->threads < 1)
+    if (!isfinite(def->traction))
+        return status_refuse(status, "load.traction: %g is not a number", def->traction);
+    if (def->threads < 1 && !line)
         return status_refuse(status, "--threads: %d is not allowed (1 or more)", def->threads);
     return true;
 }
 
 static bool check_lattice(const BeamDef *def, Status *status)
 {
-    double ratio = def->horizon / def->spacing;
+    const double ratio = def->horizon / def->spacing;
+    const int most = def->problem == BEAM_BAR ? LATTICE_LINE_REACH_MAX : LATTICE_REACH_MAX;
     if (ratio < 1 - 1e-9)
         return status_refuse(status, "pd.horizon: %g is below the spacing (at least pd.spacing = %g)",
                              def->horizon, def->spacing);
@@ -150,13 +157,33 @@ static bool check_lattice(const BeamDef *def, Status *status)
             "pd.influence: conical leaves bonds as long as the horizon nothing, and pd.horizon "
             "is %.3g spacings (at least 1.5, or constant)",
             ratio);
-    if (ratio > LATTICE_REACH_MAX * (1 + 1e-9))
-        return status_refuse(status, "pd.horizon: %g is %.3g spacings (at most %d times pd.spacing)",
-                             def->horizon, ratio, LATTICE_REACH_MAX);
+    if (ratio > most * (1 + 1e-9))
+        return status_refuse(status, "pd.horizon: %g is %.4g spacings (at most %d times pd.spacing)",
+                             def->horizon, ratio, most);
     if (!(def->critical_stretch < 0.5))
         return status_refuse(status, "pd.critical_stretch: %g is not allowed (0 to below 0.5)",
                              def->critical_stretch);
     return true;
+}
+
+static bool check_nodes_of_bar(const BeamDef *def, Status *status)
+{
+    enum { NODES_MAX = 2000000 };
+    const double nodes = def->length / def->spacing;
+    return (fabs(nodes - round(nodes)) <= 1e-6 * fmax(1, nodes) && nodes >= 0.5 && nodes <= NODES_MAX) ||
+           status_refuse(status,
+                         "pd.spacing: the length %g is %g spacings of %g (a whole number, at most %d)",
+                         def->length, nodes, def->spacing, NODES_MAX);
+}
+
+static bool check_bar(const BeamDef *def, Status *status)
+{
+    if (def->horizon > def->length * (1 + 1e-9))
+        return status_refuse(status, "pd.horizon: %g reaches beyond the whole bar (at most bar.length = %g)",
+                             def->horizon, def->length);
+    if (def->surface_correction == SURFACE_VOLUME)
+        return status_refuse(status, "pd.surface_correction: volume is for beams (on a bar: none | energy)");
+    return axial_check_layer(def->traction_layer, def->spacing, def->length, status);
 }
 
 static bool check_vibrating(const BeamDef *def, Status *status)
@@ -235,10 +262,11 @@ bool beam_check(const BeamDef *def, Status *status)
         [BEAM_MOVING_CANTILEVER] = check_moving,
         [BEAM_NOTCHED] = check_notched,
         [BEAM_PLATE] = NULL, /* what it has is looked at on its lattice */
+        [BEAM_BAR] = check_bar,
     };
     Lattice measured;
-    return check_bounds(def, status) && check_lattice(def, status) && check_stepping(def, status) &&
-           bonds_check_mistake(def, status) &&
+    return check_bounds(def, status) && (def->problem != BEAM_BAR || check_nodes_of_bar(def, status)) &&
+           check_lattice(def, status) && check_stepping(def, status) && bonds_check_mistake(def, status) &&
            (!of_problem[def->problem] || of_problem[def->problem](def, status)) &&
            (def->dt == 0 || beam_check_damping(def->damping, def->dt, status)) &&
            lattice_measure(&measured, def, status) &&

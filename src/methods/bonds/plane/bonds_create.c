@@ -90,7 +90,7 @@ static bool allocate(Beam *beam, Status *status)
         return beam_go_on(beam, BUILDING_BONDS, status) &&
                status_fail(status, "not enough memory for %d rows (pd.spacing)", lattice->ny);
     cut_into_bands(beam);
-    size_t bands = (size_t)beam->n_bands, reach = (size_t)lattice->reach;
+    size_t bands = (size_t)beam->n_bands, rise = (size_t)lattice->rise;
 
     beam->coefficient = zeroed(beam, slots * sizeof *beam->coefficient);
     beam->notched = zeroed(beam, slots / 8);
@@ -102,7 +102,7 @@ static bool allocate(Beam *beam, Status *status)
     beam->damage = zeroed(beam, nodes * sizeof *beam->damage);
     beam->dirty = zeroed(beam, nodes * sizeof *beam->dirty);
     beam->is_dirty = zeroed(beam, nodes);
-    beam->halo = zeroed(beam, bands * 2 * reach * lattice->stride * sizeof *beam->halo);
+    beam->halo = zeroed(beam, bands * 2 * rise * lattice->stride * sizeof *beam->halo);
     beam->row_energy = zeroed(beam, (size_t)lattice->ny * sizeof *beam->row_energy);
     beam->row_work = zeroed(beam, 2 * (size_t)lattice->ny * sizeof *beam->row_work);
     beam->row_speeds = zeroed(beam, 2 * (size_t)lattice->ny * sizeof *beam->row_speeds);
@@ -122,7 +122,7 @@ static bool allocate(Beam *beam, Status *status)
         *each[k] = arrays_at + k * beam->array;
     beam->head = beam->state;
     beam->broken = (uint8_t *)beam->state + head + arrays;
-    beam->head->load_stress = beam->def.load_stress;
+    beam->head->load_stress = beam->lattice.line ? beam->def.traction : beam->def.load_stress;
     beam->head->critical_stretch = beam->def.critical_stretch;
     beam->head->body_force = beam->def.body_force;
     beam->head->mistake = beam->def.mistake;
@@ -139,6 +139,10 @@ static bool allocate(Beam *beam, Status *status)
 static bool set_time_step(Beam *beam, Status *status)
 {
     double critical;
+    if (beam->lattice.line) { /* which runs beyond it, to where it bursts */
+        beam->sim.dt = beam->def.dt;
+        return bonds_line_critical_step(&beam->def, &beam->facts.critical_step, status);
+    }
     if (beam->def.mistake != 0) { /* a wrong code is run with the step of the right one */
         BeamDef right = beam->def;
         right.mistake = right.mistake_beside = 0;
@@ -188,7 +192,8 @@ static bool start(Beam *beam, Status *status)
     return true;
 }
 
-static const char *const on_request[] = {"momentum_x", "momentum_y", "reaction_x", "reaction_y", NULL};
+static const char *const on_request[] = {"momentum",   "reaction",   "momentum_x", "momentum_y",
+                                         "reaction_x", "reaction_y", NULL};
 
 static const Method beam_method = {
     .name = "pd",
@@ -221,7 +226,6 @@ static bool join_mistakes(Beam *beam, Status *status)
  * set; the first force comes last, when what is held already stands where it should. */
 static bool build(Beam *beam, const BeamOptions *options, Status *status)
 {
-    ASSERT(beam_check(&beam->def, NULL));
     if (!join_mistakes(beam, status) || !lattice_init(&beam->lattice, &beam->def, status) ||
         !allocate(beam, status) || !beam_set_bonds(beam, status))
         return false;
@@ -234,13 +238,15 @@ static bool build(Beam *beam, const BeamOptions *options, Status *status)
     const Lattice *lattice = &beam->lattice;
     beam->facts.micromodulus = lattice->micromodulus;
     beam->facts.damping = beam->damping;
-    beam->facts.nx = lattice->nx;
+    beam->facts.nx = lattice_wide(lattice);
     beam->facts.ny = lattice->ny;
     beam->facts.real_height = lattice->ny * lattice->spacing;
     if (beam->def.problem == BEAM_MOVING_CANTILEVER)
         beam->facts.real_span = beam->def.length;
     beam->facts.family = 2 * (size_t)lattice->n_offsets;
     beam->facts.bonds = lattice_bonds(lattice);
+    if (lattice->line)
+        bonds_line_set_facts(beam);
     beam_set_stages(beam);
     beam->sim.stage_items = (size_t)lattice->ny;
     beam_set_series(beam);
@@ -249,6 +255,7 @@ static bool build(Beam *beam, const BeamOptions *options, Status *status)
 
 Simulation *beam_create_with(const BeamDef *definition, const BeamOptions *options, Status *status)
 {
+    ASSERT(beam_check(definition, NULL));
     Beam *beam = calloc(1, sizeof *beam);
     if (!beam) {
         status_fail(status, "not enough memory");
@@ -256,6 +263,8 @@ Simulation *beam_create_with(const BeamDef *definition, const BeamOptions *optio
     }
     beam->sim.method = &beam_method;
     beam->def = *definition;
+    if (definition->problem == BEAM_BAR)
+        bonds_line_complete(&beam->def);
     beam->free_body = options && options->free_body;
     beam->kernels = bond_kernels(options && options->force_level ? options->level : bonds_cpu_best());
     if (!beam->kernels || !build(beam, options, status)) {

@@ -128,7 +128,7 @@ void beam_note_speeds(Beam *beam, int j)
     if (beam->head->body_force == 0)
         return;
     for (size_t i = 0; i < nx; i++)
-        sum += vy[i];
+        sum += (beam->lattice.line ? vx : vy)[i];
     beam->row_speeds[2 * j + 1] = sum;
 }
 
@@ -146,14 +146,14 @@ void beam_weigh(Beam *beam, int j)
 {
     ASSERT_INDEX(j, beam->lattice.ny);
     const double force = beam->def.density * beam->head->body_force;
-    const size_t row = lattice_at(&beam->lattice, 0, j), nx = (size_t)beam->lattice.nx;
-    double *fx = beam->nodes.fx + row, *fy = beam->nodes.fy + row;
-    for (size_t i = 0; force != 0 && i < nx; i++)
-        fy[i] += force;
-    for (size_t i = 0; beam->def.forces && i < nx; i++) {
-        fx[i] += forces_of_definition(beam->def.forces, &beam->sim, (size_t)j * nx + i, 0);
-        fy[i] += forces_of_definition(beam->def.forces, &beam->sim, (size_t)j * nx + i, 1);
-    }
+    const size_t row = lattice_at(&beam->lattice, beam->lattice.images[0], j);
+    const size_t wide = (size_t)lattice_wide(&beam->lattice);
+    double *f[2] = {beam->nodes.fx + row, beam->nodes.fy + row};
+    for (size_t i = 0; force != 0 && i < wide; i++)
+        f[!beam->lattice.line][i] += force;
+    for (size_t i = 0; beam->def.forces && i < wide; i++)
+        for (int axis = 0; axis < beam->sim.dimensions; axis++)
+            f[axis][i] += forces_of_definition(beam->def.forces, &beam->sim, (size_t)j * wide + i, axis);
 }
 
 static void come_to_rest(Beam *beam, long step)

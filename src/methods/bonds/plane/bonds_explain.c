@@ -34,6 +34,29 @@ static const Stage stage_table[N_STAGES] = {
                       "damage"},
 };
 
+/* Of a bar; nothing of it breaks. */
+static const Stage line_stages[STAGE_DAMAGE] = {
+    [STAGE_HALF_KICK] = VERLET_HALF_KICK("v force acceleration", "v"),
+    [STAGE_DRIFT] = VERLET_DRIFT("u v", "u x"),
+    [STAGE_CONSTRAINTS] =
+        {"mirror", "mirrored ends", "fixed end at 0:  u(−X) = −u(X),   so u(0) = 0",
+         "fixed end at 0:  u(-X) = -u(X),   so u(0) = 0", "odd reflection",
+         "Beyond a fixed end the bar goes on as its own mirror image; a free end has nothing there.", "u",
+         "u"},
+    [STAGE_BONDS] = {"bonds", "bond forces",
+                     "s = (|ξ+η| − |ξ|)/|ξ|,   c = c(|ξ|)\n"
+                     "f(i) = Σ c G w s V sign(ξ+η)",
+                     "s = (|xi+eta| - |xi|)/|xi|,   c = c(|xi|)\n"
+                     "f(i) = sum c G w s V sign(xi+eta)",
+                     "eqs. 2, 3, 8",
+                     "Each bond pulls as much as it is stretched; a node feels the sum of its family.",
+                     "u family surface_factor", "force stress strain density strain_energy"},
+    [STAGE_BODY_FORCE] = {"load", "loads", NULL, NULL, "eq. 8", NULL, "load force",
+                          "force"}, /* by its terms */
+    [STAGE_SECOND_KICK] =
+        VERLET_SECOND_KICK("The new force completes the step's velocity.", "v force acceleration", "v"),
+};
+
 /* The kicks of the steppings other than velocity Verlet, before the drift and after it. */
 typedef struct KickWords {
     const char *equation, *ascii, *sentence;
@@ -55,7 +78,7 @@ static const KickWords kick_words[][2] = {
                                   "The new force carries the velocity from half step to half step."}},
 };
 
-void bonds_word_kicks(Stage *stages, Stepping stepping)
+static void word_kicks(Stage *stages, Stepping stepping)
 {
     for (int k = 0; k < 2 && stepping != STEPPING_VERLET; k++) {
         Stage *stage = &stages[k == 0 ? STAGE_HALF_KICK : STAGE_SECOND_KICK];
@@ -73,7 +96,7 @@ void bonds_word_kicks(Stage *stages, Stepping stepping)
     }
 }
 
-void bonds_word_mistake(Stage *stages, const BondsMistake *mistake)
+static void word_mistake(Stage *stages, const BondsMistake *mistake)
 {
     for (int k = 0; mistake && k < MISTAKE_LINES && mistake->lines[k].equation; k++) {
         Stage *stage = &stages[mistake->lines[k].stage];
@@ -86,7 +109,10 @@ void bonds_word_mistake(Stage *stages, const BondsMistake *mistake)
 
 void beam_set_stages(Beam *beam)
 {
-    memcpy(beam->stages, stage_table, sizeof beam->stages);
+    if (beam->lattice.line)
+        memcpy(beam->stages, line_stages, sizeof line_stages);
+    else
+        memcpy(beam->stages, stage_table, sizeof stage_table);
     if (beam->def.problem == BEAM_MOVING_CANTILEVER) {
         Stage *constraints = &beam->stages[STAGE_CONSTRAINTS];
         constraints->name = "clamp";
@@ -124,118 +150,144 @@ void beam_set_stages(Beam *beam)
                 "The last force adds half a step's worth of velocity, and damping takes its share: of "
                 "vx what differs from v0.";
     }
-    bonds_word_kicks(beam->stages, beam->def.stepping);
-    if (beam->n_loads == 0)
+    word_kicks(beam->stages, beam->def.stepping);
+    if (beam->n_loads == 0 && !beam->lattice.line)
         beam->stages[STAGE_BODY_FORCE].reads = "fy";
     const ForceTerms forces = beam_terms(beam);
     forces_word_stage(&forces, &beam->force_words, &beam->stages[STAGE_BODY_FORCE]);
-    bonds_word_mistake(beam->stages, beam->def.conceals_mistake ? NULL : bonds_mistake(beam));
+    word_mistake(beam->stages, beam->def.conceals_mistake ? NULL : bonds_mistake(beam));
     beam->sim.stages = beam->stages;
-    beam->sim.n_stages = N_STAGES;
+    beam->sim.n_stages = beam->lattice.line ? STAGE_DAMAGE : N_STAGES;
 }
 
 /* A node, now and before the stage. */
 typedef struct NodeNow {
     size_t at; /* in padded arrays */
-    double ux, uy, vx, vy, fx, fy;
+    double u[2], v[2], f[2];
 } NodeNow;
 
-static NodeNow node_now(const Beam *beam, size_t index)
+/* Its six numbers of the state, six arrays one behind the other; `before` as in the saved state, or NULL. */
+static NodeNow node_at(const Beam *beam, size_t index, const void *before)
 {
-    size_t nx = (size_t)beam->lattice.nx;
-    size_t at = lattice_at(&beam->lattice, (int)(index % nx), (int)(index / nx));
-    const NodeArrays *nodes = &beam->nodes;
-    return (NodeNow){at,           nodes->ux[at], nodes->uy[at], nodes->vx[at], nodes->vy[at], nodes->fx[at],
-                     nodes->fy[at]};
+    const int row = (int)(index / (size_t)lattice_wide(&beam->lattice));
+    NodeNow node = {.at = lattice_at(&beam->lattice, lattice_column(&beam->lattice, index), row)};
+    double *const values[3] = {node.u, node.v, node.f};
+    for (size_t k = 0; k < 6; k++) {
+        const double *now = beam->nodes.ux + k * beam->array + node.at;
+        values[k / 2][k % 2] = before ? calculation_before(beam->state, now, before) : *now;
+    }
+    return node;
 }
 
-/* The same numbers as they were before the stage, from the saved state: six arrays, one behind the other. */
-static NodeNow node_before(const Beam *beam, size_t at, const void *before)
+/* A form of words in a direction: of "v@" vx, vy or, along a bar, v. */
+typedef struct Label {
+    char text[120];
+} Label;
+
+static Label label(const Beam *beam, const char *form, int axis)
 {
-    double value[6];
-    for (size_t k = 0; k < 6; k++)
-        value[k] = calculation_before(beam->state, beam->nodes.ux + k * beam->array + at, before);
-    return (NodeNow){at, value[0], value[1], value[2], value[3], value[4], value[5]};
+    Label out = {""};
+    for (size_t used = 0; *form && used + 1 < sizeof out.text; form++)
+        if (*form != '@')
+            out.text[used++] = *form;
+        else if (!beam->lattice.line)
+            out.text[used++] = axis ? 'y' : 'x';
+    return out;
+}
+
+/* The units of a bar are anybody's. */
+static const char *unit_of(const Beam *beam, const char *unit)
+{
+    return beam->lattice.line ? NULL : unit;
 }
 
 /* "vx = 0.1 + 2e-11 × 5 = 0.2 m/s" */
-static void write_change(Calculation *calculation, const char *label, double was, double factor, double rate,
-                         double now, const char *unit)
+static void write_change(const Beam *beam, Calculation *calculation, Label label, double was, double factor,
+                         double rate, double now, const char *unit)
 {
     if (fabs(was + factor * rate - now) > 1e-9 * fmax(fabs(was), fabs(factor * rate))) {
-        calculation_number(calculation, label, now);
-        calculation_write(calculation, " %s: the node is held\n", unit);
+        calculation_number(calculation, label.text, now);
+        calculation_write(calculation, "%s%s: the node is held\n", beam->lattice.line ? "" : " ",
+                          beam->lattice.line ? "" : unit);
         return;
     }
-    calculation_change(calculation, label, was, factor, rate, now, unit);
+    calculation_change(calculation, label.text, was, factor, rate, now, unit_of(beam, unit));
 }
 
-static void write_pair(Calculation *calculation, const char *words, double x, double y, const char *unit)
+/* "vx, vy = 0.1, 0.2 m/s", along a bar "v = 0.1". */
+static void write_vector(const Beam *beam, Calculation *calculation, const char *words, const char *along,
+                         const double value[2], const char *unit)
 {
-    calculation_number(calculation, words, x);
-    calculation_number(calculation, ", ", y);
+    if (beam->lattice.line) {
+        calculation_value(calculation, along, value[0]);
+        return;
+    }
+    calculation_number(calculation, words, value[0]);
+    calculation_number(calculation, ", ", value[1]);
     calculation_write(calculation, " %s\n", unit);
 }
 
-/* The same with damping, both halves as v = v + h (f/rho - alpha v): h = dt/2 in the first, that over 1 +
- * alpha dt/2 in the second. */
-static void explain_damped(const Beam *beam, Calculation *calculation, bool second, const NodeNow *now,
-                           const NodeNow *was)
-{
-    const double half = beam->sim.dt / 2, alpha = beam->damping, density = beam->def.density;
-    const double factor = second ? half / (1 + alpha * half) : half;
-    const double ahead = beam->def.problem == BEAM_MOVING_CANTILEVER ? beam->def.speed : 0;
-    const char *along =
-        second ? "vx = vx + Δt/2/(1 + α Δt/2) (fx/ρ − α vx) = " : "vx = vx + Δt/2 (fx/ρ − α vx) = ";
-    if (beam->def.problem == BEAM_MOVING_CANTILEVER)
-        along = second ? "vx = vx + Δt/2/(1 + α Δt/2) (fx/ρ − α (vx − v0)) = "
-                       : "vx = vx + Δt/2 (fx/ρ − α (vx − v0)) = ";
-    write_change(calculation, along, was->vx, factor, was->fx / density - alpha * (was->vx - ahead), now->vx,
-                 "m/s");
-    write_change(calculation,
-                 second ? "vy = vy + Δt/2/(1 + α Δt/2) (fy/ρ − α vy) = " : "vy = vy + Δt/2 (fy/ρ − α vy) = ",
-                 was->vy, factor, was->fy / density - alpha * was->vy, now->vy, "m/s");
-}
-
 /* Eqs. 9 and 11, each half of a step, or a whole kick: v = v + dt/(2 rho) f, from the velocity before the
- * stage. */
+ * stage. With damping both halves as v = v + h (f/rho - alpha v): h = dt/2 in the first, that over 1 + alpha
+ * dt/2 in the second. */
 static void explain_kick(const Beam *beam, Calculation *calculation, bool second, const NodeNow *now,
                          const NodeNow *was)
 {
     const double share = bonds_kick_share(beam->def.stepping, bonds_mistake(beam), second, beam->sim.step);
-    const double factor = share * beam->sim.dt / beam->def.density;
-    if (share == 0) {
-        write_pair(calculation, "vx, vy stay ", now->vx, now->vy, "m/s");
-    } else if (was && beam->damping > 0) {
-        explain_damped(beam, calculation, second, now, was);
-    } else if (was) {
-        write_change(calculation, share == 1 ? "vx = vx + Δt/ρ fx = " : "vx = vx + Δt/(2ρ) fx = ", was->vx,
-                     factor, was->fx, now->vx, "m/s");
-        write_change(calculation, share == 1 ? "vy = vy + Δt/ρ fy = " : "vy = vy + Δt/(2ρ) fy = ", was->vy,
-                     factor, was->fy, now->vy, "m/s");
-    } else {
-        write_pair(calculation, "vx, vy = ", now->vx, now->vy, "m/s");
+    const double density = beam->def.density, half = beam->sim.dt / 2, alpha = beam->damping;
+    if (share == 0)
+        write_vector(beam, calculation, "vx, vy stay ", "v stays ", now->v, "m/s");
+    else if (!was)
+        write_vector(beam, calculation, "vx, vy = ", "v = ", now->v, "m/s");
+    for (int d = 0; share != 0 && was && d < beam->sim.dimensions; d++) {
+        const bool moving = d == 0 && beam->def.problem == BEAM_MOVING_CANTILEVER;
+        const char *form = share == 1 ? "v@ = v@ + Δt/ρ f@ = " : "v@ = v@ + Δt/(2ρ) f@ = ";
+        double factor = share * beam->sim.dt / density, rate = was->f[d];
+        if (alpha > 0) {
+            factor = second ? half / (1 + alpha * half) : half;
+            rate = was->f[d] / density - alpha * (was->v[d] - (moving ? beam->def.speed : 0));
+            form = moving   ? second ? "v@ = v@ + Δt/2/(1 + α Δt/2) (f@/ρ − α (v@ − v0)) = "
+                                     : "v@ = v@ + Δt/2 (f@/ρ − α (v@ − v0)) = "
+                   : second ? "v@ = v@ + Δt/2/(1 + α Δt/2) (f@/ρ − α v@) = "
+                            : "v@ = v@ + Δt/2 (f@/ρ − α v@) = ";
+        }
+        write_change(beam, calculation, label(beam, form, d), was->v[d], factor, rate, now->v[d], "m/s");
     }
 }
 
 /* Eq. 10: u = u + dt v. */
 static void explain_drift(const Beam *beam, Calculation *calculation, const NodeNow *now, const NodeNow *was)
 {
-    const double kick = beam->sim.dt / beam->def.density;
-    const bool twice = bonds_does(beam, BONDS_WRONG_DRIFTS_TWICE);
-    const double dt = twice ? 2 * beam->sim.dt : beam->sim.dt;
-    if (was) {
-        write_change(calculation, twice ? "ux = ux + 2 Δt vx = " : "ux = ux + Δt vx = ", was->ux, dt, was->vx,
-                     now->ux, "m");
-        write_change(calculation, twice ? "uy = uy + 2 Δt vy = " : "uy = uy + Δt vy = ", was->uy, dt, was->vy,
-                     now->uy, "m");
-        if (bonds_does(beam, BONDS_WRONG_KICKS_LATE)) {
-            write_change(calculation, "vx = vx + Δt/ρ fx = ", was->vx, kick, was->fx, now->vx, "m/s");
-            write_change(calculation, "vy = vy + Δt/ρ fy = ", was->vy, kick, was->fy, now->vy, "m/s");
+    const bool twice = bonds_does(beam, BONDS_WRONG_DRIFTS_TWICE),
+               late = bonds_does(beam, BONDS_WRONG_KICKS_LATE);
+    const double dt = twice ? 2 * beam->sim.dt : beam->sim.dt, kick = beam->sim.dt / beam->def.density;
+    if (!was)
+        write_vector(beam, calculation, "ux, uy = ", "u = ", now->u, "m");
+    for (int d = 0; was && d < beam->sim.dimensions; d++)
+        write_change(beam, calculation, label(beam, twice ? "u@ = u@ + 2 Δt v@ = " : "u@ = u@ + Δt v@ = ", d),
+                     was->u[d], dt, was->v[d], now->u[d], "m");
+    for (int d = 0; was && late && d < beam->sim.dimensions; d++)
+        write_change(beam, calculation, label(beam, "v@ = v@ + Δt/ρ f@ = ", d), was->v[d], kick, was->f[d],
+                     now->v[d], "m/s");
+}
+
+/* At a bar's fixed ends: where the image of a node lies, and how it moves. */
+static void explain_mirror(const Beam *beam, Calculation *calculation, size_t index, const NodeNow *now)
+{
+    const Lattice *lattice = &beam->lattice;
+    const size_t nodes = lattice_nodes(lattice), from_end[2] = {index, nodes - 1 - index};
+    const double place = lattice_x(lattice, lattice_column(lattice, index));
+    bool any = false;
+    for (int side = 0; side < 2; side++)
+        if (from_end[side] < (size_t)lattice->images[side]) {
+            calculation_number(calculation,
+                               "the mirror image at X = ", side ? 2 * beam->def.length - place : -place);
+            calculation_value(calculation, " moves by ", -now->u[0]);
+            any = true;
         }
-    } else {
-        write_pair(calculation, "ux, uy = ", now->ux, now->uy, "m");
-    }
+    if (!any)
+        calculation_write(calculation,
+                          "no fixed end within the horizon: this node has no mirror image that matters\n");
 }
 
 /* Eqs. 12, 13, or the channel: which components are given, at the time that the step ends. */
@@ -243,18 +295,22 @@ static void explain_constraints(const Beam *beam, Calculation *calculation, size
 {
     size_t nx = (size_t)beam->lattice.nx;
     double time = (double)(beam->sim.step + 1) * beam->sim.dt;
+    if (beam->lattice.line) {
+        explain_mirror(beam, calculation, index, now);
+        return;
+    }
     if ((int)(index % nx) < beam_held_columns(beam, time)) {
         if (beam->def.clamp == CLAMP_FULL)
-            calculation_number(calculation, "in the channel: uy = 0, ux = v0 t = ", now->ux);
+            calculation_number(calculation, "in the channel: uy = 0, ux = v0 t = ", now->u[0]);
         else
-            calculation_number(calculation, "in the channel: uy = 0, free to slide: ux = ", now->ux);
+            calculation_number(calculation, "in the channel: uy = 0, free to slide: ux = ", now->u[0]);
         calculation_write(calculation, " m\n");
         return;
     }
     for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++)
         if (patch_has(&s->patch, (int)(index % nx), (int)(index / nx))) {
             if (s->vx != 0 || s->vy != 0)
-                write_pair(calculation, "moved by a support: vx, vy = ", now->vx, now->vy, "m/s");
+                write_vector(beam, calculation, "moved by a support: vx, vy = ", NULL, now->v, "m/s");
             else
                 calculation_write(calculation, "at a support: %s\n",
                                   s->x && s->y ? "ux = uy = 0"
@@ -288,17 +344,55 @@ static void write_lost(const Beam *beam, Calculation *calculation, const BondPla
                           beam->def.problem == BEAM_NOTCHED ? " by the notch" : " from the start");
 }
 
+/* The sum of what bonds pull; by a code that does not reset f, on top of what that was. */
+static void write_force(const Beam *beam, Calculation *calculation, CalculationSum *sum, double now)
+{
+    if (bonds_does(beam, BONDS_WRONG_FORCE_STAYS)) {
+        sum->has_base = true;
+        sum->base = now - sum->result;
+        sum->result = now;
+    }
+    calculation_sum(calculation, sum);
+}
+
+/* f = Σ c G w V s of a bar, the nearest bonds first, left before right. */
+static void explain_line_bonds(const Beam *beam, Calculation *calculation, const BondPlace *family, size_t n,
+                               size_t index, const NodeNow *now)
+{
+    CalculationSum sum = {.label = "f = Σ (c G w V) s = "};
+    calculation_write(calculation, "nearest bonds first: ");
+    for (int o = 0; o < beam->lattice.n_offsets; o++)
+        for (size_t k = 0; k < n; k++) {
+            if (family[k].offset != o)
+                continue;
+            const BondNow bond = bonds_seen_from(beam, family[k], index);
+            const double pull = bond.pull * bond.direction_x;
+            const double whole = beam->coefficient[lattice_slot(&beam->lattice, family[k])];
+            const int other = bond.owned ? family[k].i + o + 1 : family[k].i;
+            calculation_add(&sum, 2, bond.stretch != 0 ? pull / bond.stretch : bond.direction_x * whole,
+                            bond.stretch, 0);
+            sum.result += pull;
+            if (o == 0)
+                calculation_write(calculation, "to %sp%zu, ",
+                                  lattice_is_image(&beam->lattice, other) ? "the mirror of " : "", bond.b);
+        }
+    calculation_write(calculation, "and so on\n");
+    write_force(beam, calculation, &sum, now->f[0]);
+}
+
 /* The strongest bonds first, the rest as one number. */
 static void explain_bonds(const Beam *beam, Calculation *calculation, size_t index, const NodeNow *now)
 {
-    size_t nx = (size_t)beam->lattice.nx;
     BondPlace family[FAMILY_MAX];
     BondNow bonds[FAMILY_MAX];
-    size_t n = beam_family(beam, (int)(index % nx), (int)(index / nx), family);
+    size_t n = beam_family_of(beam, index, family);
     CalculationSum sums[2] = {{.label = "fx = ", .unit = "N/m³"}, {.label = "fy = ", .unit = "N/m³"}};
-    for (size_t k = 0; k < n; k++) {
-        bonds[k] = bonds_seen_from(beam, family[k], index);
+    if (beam->lattice.line) {
+        explain_line_bonds(beam, calculation, family, n, index, now);
+        return;
     }
+    for (size_t k = 0; k < n; k++)
+        bonds[k] = bonds_seen_from(beam, family[k], index);
     qsort(bonds, n, sizeof *bonds, by_pull);
     write_lost(beam, calculation, family, n);
     if (n > 0 && bonds[0].stretch != 0) {
@@ -312,36 +406,27 @@ static void explain_bonds(const Beam *beam, Calculation *calculation, size_t ind
     }
     for (size_t k = 0; k < n; k++) {
         const double parts[2] = {bonds[k].direction_x, bonds[k].direction_y};
-        for (int d = 0; d < 2; d++) {
-            if (bonds[k].pull == 0)
-                continue;
+        for (int d = 0; bonds[k].pull != 0 && d < 2; d++) {
             sums[d].result += bonds[k].pull * parts[d];
             calculation_add(&sums[d], 2, bonds[k].pull, parts[d], 0);
         }
     }
-    const double f[2] = {now->fx, now->fy};
-    for (int d = 0; d < 2; d++) {
-        if (bonds_does(beam, BONDS_WRONG_FORCE_STAYS)) {
-            sums[d].has_base = true;
-            sums[d].base = f[d] - sums[d].result;
-            sums[d].result = f[d];
-        }
-        calculation_sum(calculation, &sums[d]);
-    }
+    for (int d = 0; d < 2; d++)
+        write_force(beam, calculation, &sums[d], now->f[d]);
 }
 
 /* The terms of eq. 8's b that act on the node; what the bonds had left in f is solved for. */
 static void explain_body_force(const Beam *beam, Calculation *calculation, size_t index, const NodeNow *now)
 {
     const ForceTerms forces = beam_terms(beam);
-    const double f[2] = {now->fx, now->fy};
     bool loaded = false;
-    for (int d = 0; d < 2; d++) {
-        CalculationSum sum = {.label = d == 0 ? "fx = fx + b = " : "fy = fy + b = ",
+    for (int d = 0; d < beam->sim.dimensions; d++) {
+        const Label words = label(beam, "f@ = f@ + b = ", d);
+        CalculationSum sum = {.label = words.text,
                               .has_base = true,
-                              .base = f[d] - forces_on(&forces, &beam->sim, index, d),
-                              .result = f[d],
-                              .unit = "N/m³"};
+                              .base = now->f[d] - forces_on(&forces, &beam->sim, index, d),
+                              .result = now->f[d],
+                              .unit = unit_of(beam, "N/m³")};
         for (int k = 0; k < forces.count; k++) {
             const double force = forces.terms[k]->on(&beam->sim, index, d, forces.terms[k]->context);
             if (force != 0)
@@ -352,15 +437,15 @@ static void explain_body_force(const Beam *beam, Calculation *calculation, size_
         loaded = loaded || sum.count > 0;
     }
     if (!loaded)
-        write_pair(calculation, "no load on this node: f stays ", now->fx, now->fy, "N/m³");
+        write_vector(beam, calculation, "no load on this node: f stays ", "no load on this node: f stays ",
+                     now->f, "N/m³");
 }
 
 /* Eq. 5 by weights w, all areas being equal: broken over all. */
 static void explain_damage(const Beam *beam, Calculation *calculation, size_t index)
 {
-    size_t nx = (size_t)beam->lattice.nx;
     BondPlace family[FAMILY_MAX];
-    size_t n = beam_family(beam, (int)(index % nx), (int)(index / nx), family);
+    size_t n = beam_family_of(beam, index, family);
     double all = 0, broken = 0;
     for (size_t k = 0; k < n; k++) {
         double weight = beam->lattice.offsets[family[k].offset].weight;
@@ -389,8 +474,8 @@ static void explain_bond(const Beam *beam, Calculation *calculation, size_t inde
         return;
     }
     calculation_number(calculation, ", pull ", bond.pull);
-    calculation_number(calculation, " N/m³, energy ", bond.energy);
-    calculation_write(calculation, " J\n");
+    calculation_number(calculation, beam->lattice.line ? ", energy " : " N/m³, energy ", bond.energy);
+    calculation_write(calculation, beam->lattice.line ? " per unit cross-section\n" : " J\n");
 }
 
 void beam_explain(const Simulation *sim, int stage, int set, size_t index, const void *before, int terms,
@@ -405,11 +490,8 @@ void beam_explain(const Simulation *sim, int stage, int set, size_t index, const
         explain_bond(beam, &text, index);
         return;
     }
-    NodeNow now = node_now(beam, index), earlier, *was = NULL;
-    if (before) {
-        earlier = node_before(beam, now.at, before);
-        was = &earlier;
-    }
+    const NodeNow now = node_at(beam, index, NULL), earlier = node_at(beam, index, before);
+    const NodeNow *was = before ? &earlier : NULL;
     switch (stage) {
     case STAGE_HALF_KICK:
     case STAGE_SECOND_KICK:

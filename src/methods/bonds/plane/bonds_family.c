@@ -21,17 +21,18 @@ BondNow beam_bond(const Beam *beam, BondPlace place)
     const Offset *offset = &lattice->offsets[place.offset];
     size_t own = lattice_at(lattice, place.i, place.j);
     size_t other = lattice_at(lattice, place.i + offset->p, place.j + offset->q);
-    size_t slot = lattice_slot(lattice, place), nx = (size_t)lattice->nx;
+    size_t slot = lattice_slot(lattice, place);
     double ex = beam->nodes.ux[other] - beam->nodes.ux[own], ey = beam->nodes.uy[other] - beam->nodes.uy[own];
     double rx = offset->x + ex, ry = offset->y + ey, length = sqrt(rx * rx + ry * ry);
     BondNow bond = {
-        .a = (size_t)place.j * nx + (size_t)place.i,
-        .b = (size_t)(place.j + offset->q) * nx + (size_t)(place.i + offset->p),
+        .a = lattice_node(lattice, place.i, place.j),
+        .b = lattice_node(lattice, place.i + offset->p, place.j + offset->q),
         .stretch = offset_stretch(offset, ex, ey),
         .direction_x = length > 0 ? rx / length : 0,
         .direction_y = length > 0 ? ry / length : 0,
         .broken = beam_bit(beam->broken, slot),
         .notch = beam_bit(beam->notched, slot),
+        .owned = true,
     };
     bond.pull = beam->coefficient[slot] * bond.stretch;
     bond.energy = bond.pull * bond.stretch * offset->length * beam->system.energy_scale;
@@ -42,7 +43,7 @@ BondNow bonds_seen_from(const Beam *beam, BondPlace place, size_t index)
 {
     ASSERT_INDEX(place.offset, beam->lattice.n_offsets);
     BondNow bond = beam_bond(beam, place);
-    const bool own = bond.a == index;
+    const bool own = bond.a == index && !lattice_is_image(&beam->lattice, place.i);
     ASSERT(own || bond.b == index);
     if (bonds_mistake(beam)) {
         const Offset *offset = &beam->lattice.offsets[place.offset];
@@ -60,6 +61,7 @@ BondNow bonds_seen_from(const Beam *beam, BondPlace place, size_t index)
     bond.direction_x = -bond.direction_x;
     bond.direction_y = -bond.direction_y;
     bond.b = bond.a;
+    bond.owned = false;
     return bond;
 }
 
@@ -71,7 +73,7 @@ size_t beam_family(const Beam *beam, int i, int j, BondPlace *out)
     const Lattice *lattice = &beam->lattice;
     size_t n = 0;
     /* the bonds that others own, then its own: so the other ends come row by row, column by column */
-    for (int q = lattice->reach; q >= 0; q--)
+    for (int q = lattice->rise; q >= 0; q--)
         for (int o = lattice->first[q + 1] - 1; o >= lattice->first[q]; o--)
             if (lattice_has(lattice, i - lattice->offsets[o].p, j - q))
                 out[n++] = (BondPlace){i - lattice->offsets[o].p, j - q, o};
@@ -79,6 +81,12 @@ size_t beam_family(const Beam *beam, int i, int j, BondPlace *out)
         if (lattice_has(lattice, i + lattice->offsets[o].p, j + lattice->offsets[o].q))
             out[n++] = (BondPlace){i, j, o};
     return n;
+}
+
+size_t beam_family_of(const Beam *beam, size_t node, BondPlace *out)
+{
+    const Lattice *lattice = &beam->lattice;
+    return beam_family(beam, lattice_column(lattice, node), (int)(node / (size_t)lattice_wide(lattice)), out);
 }
 
 /* A bond as one of its ends sees it. */
@@ -93,8 +101,12 @@ static Link link_from(const Beam *beam, BondPlace place, size_t end)
                   .pull = bond.pull * beam_volume(beam),
                   .broken = bond.broken,
                   .broken_at = bond.broken ? beam->broken_at[lattice_slot(lattice, place)] : 0,
+                  .length = !lattice->line ? 0
+                            : bond.owned   ? offset->length
+                                           : -offset->length,
+                  .stiffness = lattice->line ? lattice_coefficient(lattice, place) : 0,
                   .factors = {lattice->micromodulus * offset->influence, lattice_correction(lattice, place),
-                              offset->weight, lattice->spacing * lattice->spacing}};
+                              offset->weight, beam_volume(beam)}};
 }
 
 /* Of a bond its two ends, each as the other sees it; of a node its family. Pull in N/m: force
@@ -112,9 +124,8 @@ size_t beam_links(const Simulation *sim, int set, size_t index, Link *out, size_
             out[k] = link_from(beam, place, others[k]);
         return n;
     }
-    size_t nx = (size_t)beam->lattice.nx;
     BondPlace family[FAMILY_MAX];
-    size_t n = beam_family(beam, (int)(index % nx), (int)(index / nx), family);
+    size_t n = beam_family_of(beam, index, family);
     n = n < max ? n : max;
     for (size_t k = 0; k < n; k++)
         out[k] = link_from(beam, family[k], index);

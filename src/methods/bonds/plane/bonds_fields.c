@@ -6,6 +6,7 @@
 #include "base/assertion.h"
 #include "methods/bonds/plane/bonds_internal.h"
 #include "base/math/functions.h"
+#include "methods/axial.h"
 
 #include <string.h>
 
@@ -55,7 +56,15 @@ typedef enum FieldIndex {
     F_MICROMODULUS,
     F_CORRECTION,
     F_WEIGHT,
-    N_FIELDS
+    N_FIELDS, /* of beams and plates; those of a bar alone: */
+    F_X = N_FIELDS,
+    F_STRESS,
+    F_STRAIN,
+    F_DENSITY,
+    F_MASS,
+    F_LOAD,
+    F_ACCELERATION,
+    N_VALUES
 } FieldIndex;
 
 #define PARTICLE(name, label, unit, meaning, table, whole)                                                   \
@@ -110,6 +119,56 @@ static const Field fields[N_FIELDS] = {
     [F_WEIGHT] = BOND("w", "w", "1", "share w of the other end's volume that counts", false, false),
 };
 
+/* Of a bar, and which of the above each is. */
+static const Field line_fields[] = {
+    AXIAL_FIELD_ROWS("force of all bonds through a section, mean of the sections beside the node",
+                     "mean stretch of the node's bonds, weighted with length"),
+    PARTICLE("strain_energy", "strain energy", "force/length", "half of the energy of the node's bonds", true,
+             false),
+    PARTICLE("surface_factor", "surface factor", "1", "surface correction g of the node", true, false),
+    PARTICLE("force", "force", "force/length^3", "force density: of the bonds, then with the loads", false,
+             false),
+    PARTICLE("load", "load", "force/length^3", "force density of all loads", false, false),
+    PARTICLE("stretch", "stretch", "1", "largest stretch of the node's bonds", false, false),
+    PARTICLE("family", "family", "1", "number of bonds, those to mirrored nodes included", false, true),
+    PARTICLE("acceleration", "acceleration", "length/time^2", "force density over density", false, false),
+    BOND("i", "i", "1", "particle at the left end", true, true),
+    BOND("j", "j", "1", "particle at the right end", true, true),
+    BOND("x_i", "x_i", "length", "position of particle i at the start", true, false),
+    BOND("x_j", "x_j", "length", "position of particle j at the start", true, false),
+    BOND("stretch", "stretch", "1", "stretch s between the two particles", true, false),
+    BOND("pull", "pull", "force/length^3", "force density on its ends, positive in tension", false, false),
+    BOND("energy", "energy", "force/length", "strain energy of the bond", false, false),
+    BOND("c", "c", "force/length^4", "stiffness c of the bond", false, false),
+    BOND("G", "G", "1", "surface correction G of the bond", false, false),
+    BOND("w", "w", "1", "share w of the other end's volume that counts", false, false),
+};
+static const FieldIndex line_index[] = {F_X0,
+                                        F_X,
+                                        F_UX,
+                                        F_VX,
+                                        F_STRESS,
+                                        F_STRAIN,
+                                        F_DENSITY,
+                                        F_MASS,
+                                        F_STRAIN_ENERGY,
+                                        F_SURFACE,
+                                        F_FX,
+                                        F_LOAD,
+                                        F_STRETCH,
+                                        F_FAMILY,
+                                        F_ACCELERATION,
+                                        F_I,
+                                        F_J,
+                                        F_XI,
+                                        F_XJ,
+                                        F_BOND_STRETCH,
+                                        F_PULL,
+                                        F_BOND_ENERGY,
+                                        F_MICROMODULUS,
+                                        F_CORRECTION,
+                                        F_WEIGHT};
+
 /* --- what fills them ------------------------------------------------------------------------------ */
 
 /* Bonds of a node at rest, broken ones included. */
@@ -118,7 +177,7 @@ static double family_size(const Beam *beam, int i, int j)
     const Lattice *lattice = &beam->lattice;
     const int reach = lattice->reach;
     /* far from the surface every family is whole: no need to count, as views read this in every frame */
-    if (i >= reach && j >= reach && i < lattice->nx - reach && j < lattice->ny - reach)
+    if (i >= reach && j >= lattice->rise && i < lattice->nx - reach && j < lattice->ny - lattice->rise)
         return 2 * lattice->n_offsets;
     BondPlace family[FAMILY_MAX];
     return (double)beam_family(beam, i, j, family);
@@ -163,7 +222,7 @@ static bool is_loaded(const Beam *beam, int i, int j)
 static const double *array_of(const Beam *beam, int field)
 {
     const NodeArrays *nodes = &beam->nodes;
-    const double *const arrays[N_FIELDS] = {[F_UX] = nodes->ux, [F_UY] = nodes->uy, [F_VX] = nodes->vx,
+    const double *const arrays[N_VALUES] = {[F_UX] = nodes->ux, [F_UY] = nodes->uy, [F_VX] = nodes->vx,
                                             [F_VY] = nodes->vy, [F_FX] = nodes->fx, [F_FY] = nodes->fy};
     return arrays[field];
 }
@@ -171,11 +230,12 @@ static const double *array_of(const Beam *beam, int field)
 /* Views read these of all nodes in every frame: row by row. */
 static void copy_array(const Beam *beam, const double *array, size_t first, size_t count, double *out)
 {
-    const size_t nx = (size_t)beam->lattice.nx;
+    const size_t wide = (size_t)lattice_wide(&beam->lattice);
     for (size_t node = first, part; node < first + count; node += part) {
-        const size_t i = node % nx, left = first + count - node;
-        part = nx - i < left ? nx - i : left;
-        memcpy(out + (node - first), array + lattice_at(&beam->lattice, (int)i, (int)(node / nx)),
+        const size_t beside = wide - node % wide, left = first + count - node;
+        const int i = lattice_column(&beam->lattice, node);
+        part = beside < left ? beside : left;
+        memcpy(out + (node - first), array + lattice_at(&beam->lattice, i, (int)(node / wide)),
                part * sizeof *out);
     }
 }
@@ -185,7 +245,7 @@ static double node_field(const Beam *beam, int field, size_t node)
 {
     const Lattice *lattice = &beam->lattice;
     const NodeArrays *nodes = &beam->nodes;
-    const int i = (int)(node % (size_t)lattice->nx), j = (int)(node / (size_t)lattice->nx);
+    const int i = lattice_column(lattice, node), j = (int)(node / (size_t)lattice_wide(lattice));
     const size_t at = lattice_at(lattice, i, j);
     switch (field) {
     case F_X0:
@@ -215,6 +275,22 @@ static double node_field(const Beam *beam, int field, size_t node)
         return stress(beam, field, i, j);
     case F_PROTECTED:
         return beam->unbreakable[node];
+    case F_X:
+        return lattice_x(lattice, i) + nodes->ux[at];
+    case F_STRESS:
+        return bonds_line_stress(beam, i);
+    case F_STRAIN:
+        return bonds_line_strain(beam, i);
+    case F_DENSITY:
+        return beam->def.density / (1 + bonds_line_strain(beam, i));
+    case F_MASS:
+        return beam->def.density * lattice->spacing;
+    case F_LOAD: {
+        const ForceTerms forces = beam_terms(beam);
+        return forces_on(&forces, &beam->sim, node, 0);
+    }
+    case F_ACCELERATION:
+        return nodes->fx[at] / beam->def.density;
     default:
         return 0;
     }
@@ -266,7 +342,10 @@ void beam_field(const Simulation *sim, int field, size_t first, size_t count, do
 {
     const Beam *beam = (const Beam *)sim;
     ASSERT_INT(field, <, sim->n_fields);
-    ASSERT_INT(first + count, <=, sim->counts[fields[field].set]);
+    ASSERT_INT(first + count, <=, sim->counts[sim->fields[field].set]);
+    const bool of_node = sim->fields[field].set == SET_PARTICLE;
+    if (beam->lattice.line)
+        field = (int)line_index[field];
     if (count == 0)
         return;
     if (field == F_STRAIN_ENERGY) {
@@ -285,7 +364,7 @@ void beam_field(const Simulation *sim, int field, size_t first, size_t count, do
         memcpy(out, beam->damage + first, count * sizeof *out);
         return;
     }
-    if (fields[field].set == SET_PARTICLE) {
+    if (of_node) {
         for (size_t k = 0; k < count; k++)
             out[k] = node_field(beam, field, first + k);
         return;
@@ -304,6 +383,12 @@ void beam_set_fields(Beam *beam)
     sim->n_sets = N_SETS;
     sim->counts[SET_PARTICLE] = lattice_nodes(&beam->lattice);
     sim->counts[SET_BOND] = lattice_bonds(&beam->lattice);
+    if (beam->lattice.line) {
+        sim->fields = line_fields;
+        sim->n_fields = sizeof line_fields / sizeof *line_fields;
+        axial_set_motion(sim, HAS_BONDS | HAS_STRETCH, beam->lattice.spacing);
+        return;
+    }
     sim->fields = fields;
     sim->n_fields = N_FIELDS;
     sim->common_speed = beam->def.problem == BEAM_MOVING_CANTILEVER ? beam->def.speed : 0;

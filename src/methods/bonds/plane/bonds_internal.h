@@ -24,13 +24,13 @@ enum {
 /* See bonds_fields.c. */
 enum { SET_PARTICLE, SET_BOND, N_SETS };
 
-enum { BEAM_SERIES_MAX = 20 };
+enum { BEAM_SERIES_MAX = 20, BAR_SERIES = 8 };
 
 /* The head of the state: single numbers that change. */
 enum { CRACK_TIPS = 64 };
 typedef struct StateHead {
     double work, dissipated, damped;      /* J */
-    double load_stress, critical_stretch; /* live parameters */
+    double load_stress, critical_stretch; /* live parameters; of a bar its traction */
     double body_force;                    /* likewise */
     double most_kinetic;                  /* the largest kinetic energy so far, where rest is looked for, J */
     double kinetic_left;                  /* the newest of these over it */
@@ -142,6 +142,17 @@ typedef struct BeamOptions {
 
 Simulation *beam_create_with(const BeamDef *definition, const BeamOptions *options, Status *status);
 
+/* bonds_line.c: what a bar has alone. */
+void bonds_line_complete(
+    BeamDef *); /* what does not count, and a spacing of which the length is a multiple */
+void bonds_line_set_facts(Beam *);
+void bonds_line_set_loads(Beam *);
+void bonds_line_mirror(Beam *); /* u of mirrored nodes, u(-X) = -u(X) */
+double bonds_line_energy_of_images(
+    const Beam *); /* half of that of the bonds to them: the other half is theirs, J */
+double bonds_line_strain(const Beam *, int i); /* at the node in column i */
+double bonds_line_stress(const Beam *, int i);
+
 /* bonds_critical.c: 2 / omega_max of the body as if nothing held it; the displacements and forces are zero
  * afterwards. */
 bool beam_critical_step(Beam *beam, double *step, Status *status);
@@ -149,7 +160,7 @@ bool beam_critical_step(Beam *beam, double *step, Status *status);
 /* The section of its sizes in a scenario file, and what it is called. */
 static inline const char *beam_word(const BeamDef *def)
 {
-    return def->problem == BEAM_PLATE ? "plate" : "beam";
+    return def->problem == BEAM_PLATE ? "plate" : def->problem == BEAM_BAR ? "bar" : "beam";
 }
 
 /* bonds_problem.c */
@@ -250,12 +261,14 @@ typedef struct BondNow {
     double pull;                     /* force density, N/m^3: positive in tension, 0 when broken */
     double energy;                   /* J; 0 when broken */
     bool broken, notch;
+    bool owned; /* a is its owner, and so sees it to the right */
 } BondNow;
 
 BondNow beam_bond(const Beam *beam, BondPlace place);
 
 /* The bonds of a node, by the row of the other end and then by its column; returns how many there are. */
 size_t beam_family(const Beam *beam, int i, int j, BondPlace *out);
+size_t beam_family_of(const Beam *beam, size_t node, BondPlace *out);
 enum { FAMILY_MAX = 2 * LATTICE_OFFSETS_MAX };
 size_t beam_links(const Simulation *sim, int set, size_t index, Link *out, size_t max);
 
@@ -272,7 +285,7 @@ static inline bool beam_bit(const uint8_t *bits, size_t slot)
 
 static inline double beam_volume(const Beam *beam)
 {
-    return beam->lattice.spacing * beam->lattice.spacing;
+    return beam->lattice.spacing * beam->lattice.depth;
 }
 
 #endif

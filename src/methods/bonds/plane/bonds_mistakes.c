@@ -154,6 +154,9 @@ bool bonds_check_mistake(const BeamDef *def, Status *status)
                         : near    ? "pd.horizon = 2 spacings or more"
                         : stepped ? "pd.stepping = verlet"
                                   : NULL;
+    if (def->problem == BEAM_BAR && mistake_does(row, BONDS_WRONG_IN_PLANE))
+        return status_refuse(status, "pd.mistake: %s is defined for beams and plates only",
+                             def->conceals_mistake ? "?" : row->id);
     return !other || status_refuse(status, "pd.mistake: %s is defined for %s only",
                                    def->conceals_mistake ? "?" : row->id, other);
 }

@@ -83,10 +83,6 @@ bool bonds_check_mistake(const BeamDef *, Status *);
 /* Whether a run may go from one to the other. */
 bool bonds_mistake_may_change(int from, int to, bool conceals, Status *);
 
-/* bonds_explain.c: words the kicks of a stepping, and a mistake's lines. */
-void bonds_word_kicks(Stage *stages, Stepping);
-void bonds_word_mistake(Stage *stages, const BondsMistake *);
-
 /* What a bond of this direction pulls at its owner and at its other end, with that coefficient and these
  * differences of displacements: in this code's words or, without a mistake, the right ones. */
 typedef struct BondsPull {

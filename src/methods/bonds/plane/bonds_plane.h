@@ -1,9 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Bond-based peridynamics on beams and plates, two-dimensional (plane stress, Poisson's ratio 1/3).
+/* Bond-based peridynamics on beams and plates, two-dimensional (plane stress, Poisson's ratio 1/3), and on a
+ * bar, which is a lattice of one row (axial vibration).
  *
  * Source: Chen, Liu, Yang, "The application of peridynamics in predicting beam vibration and impact damage"
  * (2015; paper P); equation numbers are its. SI units; forces and energies are those of the beam, that is per
- * unit thickness times the thickness. */
+ * unit thickness times the thickness; those of a bar, in any consistent system of units, per unit
+ * cross-section.
+ *
+ * On a line |xi + eta| - |xi| is eta sign(xi + eta) itself, so the stretch is linear in the displacements as
+ * long as no node overtakes another. A fixed end is the middle between its first node and that node's mirror
+ * image: beyond it lie mirrored nodes, u(-X) = -u(X), whose bonds are like all others. So the end itself
+ * stays at rest, no node lacks partners there, and sin(n pi X / L) is an exact mode of the bar that is fixed
+ * at both ends. A free end has nothing beyond it: its nodes lack partners and are too soft. */
 #ifndef METHODS_BONDS_PLANE_BONDS_PLANE_H
 #define METHODS_BONDS_PLANE_BONDS_PLANE_H
 
@@ -17,7 +25,8 @@ typedef enum BeamProblem {
     BEAM_SIMPLY_SUPPORTED,
     BEAM_MOVING_CANTILEVER,
     BEAM_NOTCHED,
-    BEAM_PLATE
+    BEAM_PLATE,
+    BEAM_BAR /* height, thickness and threads do not count */
 } BeamProblem;
 typedef struct BeamDef {
     BeamProblem problem;
@@ -42,8 +51,14 @@ typedef struct BeamDef {
     double support_left, support_right;
     bool pinned; /* ux of the left support is fixed too */
 
-    PlateDef plate;          /* what a plate has */
-    double body_force;       /* on every node from t = 0 on, upwards, m/s^2; -9.81: weight */
+    bool left_fixed, right_fixed; /* bar, of a whole number of spacings */
+    double traction;              /* at each free end, outwards positive */
+    double traction_layer;        /* depth over which it is spread; 0: a spacing, the last node */
+    double (*initial_velocity)(double x, const void *context); /* of its nodes at t = 0; NULL: at rest */
+    const void *initial_context;                               /* used during beam_create() only */
+
+    PlateDef plate;    /* what a plate has */
+    double body_force; /* on every node from t = 0 on, upwards, m/s^2; -9.81: weight; on a bar along x */
     const ForceTerm *forces; /* beside weight and loads, as force densities, along x and y; NULL: none */
     double damping; /* rate alpha, 1/s: the acceleration is f/rho - alpha v (bonds_damping.c); 0: none */
     bool critically_damped; /* alpha is twice the lowest frequency of the lattice instead */
@@ -54,7 +69,7 @@ typedef struct BeamDef {
     bool conceals_mistake; /* its stages are worded as the right ones */
     int mistake_beside;    /* what it does besides, in another place; it stays to the end */
 
-    double dt;   /* s; 0: half the critical time step */
+    double dt;   /* s; 0: half the critical time step, but not on a bar */
     double end;  /* s: the channel must hold the beam until then; moving cantilever */
     int threads; /* at least 1 */
 
@@ -96,6 +111,15 @@ int beam_outer_cut(const BeamDef *definition);
  * kinetic + strain + dissipated + damped; less the work it keeps its value. broken_bonds leaves out the
  * notch's. Live parameters: load.stress, load.body_force, pd.critical_stretch, pd.mistake.
  *
+ * Of a bar: particles x0 x u v stress strain density mass as on the bar by the material point method, then
+ * strain_energy surface_factor, and force load stretch family acceleration; bonds (those between two nodes of
+ * the bar, not those to mirrored nodes) i j x_i x_j stretch. Stress is the force of all bonds through a
+ * section, the mean of the sections on both sides of the node; strain is the mean stretch of the node's
+ * bonds, weighted with their lengths and volumes. Series: v_cm x_cm kinetic strain work total momentum
+ * reaction. Live parameters: load.body_force, load.traction, pd.mistake. A run fails when a node comes nearly
+ * a spacing nearer to its neighbour (at a fixed end: its own image), or a spacing further away: beyond the
+ * critical time step that is where it ends.
+ *
  * The crack as the paper speaks of it (first break, tip, angle, arrival): methods/bonds/cracks/crack.h.
  */
 Simulation *beam_create(const BeamDef *definition, Status *status);
@@ -103,17 +127,22 @@ Simulation *beam_create(const BeamDef *definition, Status *status);
 /* What the lattice came to; for the read-only rows and the tables. */
 typedef struct BeamFacts {
     double micromodulus;  /* c of eq. 4, N/m^5: of a plane, so per unit thickness; conical: of |xi| = 0 */
+    double modulus;       /* of a bar: E that a uniform strain finds far from the ends */
+    double end_factor;    /* of a bar: g of the last node at a free end; 1: no correction, or no free end */
     int nx, ny;           /* columns and rows of nodes */
     double real_height;   /* ny dx */
     double real_span;     /* distance of the supports as the nodes lie */
     size_t family;        /* bonds of a node in the bulk */
     size_t bonds;         /* each counted once, before the notch */
     size_t notch_bonds;   /* of these cut by the notch, or by the cuts of a plate */
-    double critical_step; /* 2 / omega_max by power iteration with no node held, s */
+    double critical_step; /* 2 / omega_max, s: of a bar as its ends are, else with no node held */
     double damping;       /* alpha in use, 1/s */
 } BeamFacts;
 
 void beam_facts(const Simulation *beam, BeamFacts *facts);
+
+/* The critical step of a bar before there is a simulation. False: memory is short, or given up. */
+bool bonds_line_critical_step(const BeamDef *definition, double *step, Status *status);
 
 /* What holds and what loads its nodes, with the pressure of now; returns how many there are. The channel of a
  * moving cantilever is not among them. */

@@ -60,6 +60,13 @@ bool beam_set_bonds(Beam *beam, Status *status)
             beam->coefficient[slot] = lattice_coefficient(lattice, bond);
         }
     }
+    /* those to mirrored nodes are in no table */
+    for (int i = 0; i < lattice->nx && (lattice->images[0] > 0 || lattice->images[1] > 0); i++)
+        for (int o = 0; o < lattice->n_offsets && i + lattice->offsets[o].p < lattice->nx; o++)
+            if (lattice_is_image(lattice, i) != lattice_is_image(lattice, i + lattice->offsets[o].p)) {
+                const BondPlace bond = {i, 0, o};
+                beam->coefficient[lattice_slot(lattice, bond)] = lattice_coefficient(lattice, bond);
+            }
     beam->system = (BondSystem){
         .lattice = lattice,
         .ux = beam->nodes.ux,
@@ -212,6 +219,10 @@ bool beam_set_problem(Beam *beam, Status *status)
     int nx = lattice->nx, ny = lattice->ny;
     if (beam->def.problem == BEAM_PLATE)
         return set_plate(beam, status);
+    if (lattice->line) {
+        bonds_line_set_loads(beam);
+        return true;
+    }
     beam->probe_j[0] = (ny - 1) / 2;
     beam->probe_j[1] = ny / 2;
     beam->probe_i[0] = beam->probe_i[1] = nx - 1;
@@ -292,6 +303,11 @@ bool beam_set_motion(Beam *beam, const BeamOptions *options, Status *status)
             if (beam->def.problem == BEAM_MOVING_CANTILEVER) {
                 bend_cantilever(beam, x, y, u);
                 v[0] = beam->def.speed;
+            }
+            if (beam->def.initial_velocity && !lattice_is_image(lattice, i)) {
+                v[0] = beam->def.initial_velocity(x, beam->def.initial_context);
+                if (!isfinite(v[0]))
+                    return status_refuse(status, "initial.velocity: no finite number at x = %g", x);
             }
             if (options && options->initial)
                 options->initial(x, y, u, v, options->context);

@@ -16,6 +16,7 @@
 #include "base/assertion.h"
 #include "methods/bonds/plane/bonds_internal.h"
 #include "methods/bonds/cracks/crack.h"
+#include "methods/axial.h"
 
 /* The mean over the up to four nodes around the probe, which an even number of rows or columns puts between
  * nodes; where it lies on one, the same node counts four times. */
@@ -162,6 +163,32 @@ static double reaction_y(Beam *beam)
     return force[1];
 }
 
+/* Of a bar, whose nodes all have the same mass: sum v/n, L/2 + sum u/n. */
+static double v_cm(Beam *beam)
+{
+    return momentum_x(beam) / (beam->def.density * beam->def.length);
+}
+
+static double x_cm(Beam *beam)
+{
+    const int n = lattice_wide(&beam->lattice);
+    const double *u = beam->nodes.ux + lattice_at(&beam->lattice, beam->lattice.images[0], 0);
+    double moved = 0;
+    for (int i = 0; i < n; i++)
+        moved += u[i];
+    return beam->def.length / 2 + moved / n;
+}
+
+static const Quantity line_series[BAR_SERIES] = {
+    AXIAL_SERIES_BEGIN,
+    AXIAL_SERIES_KINETIC,
+    {"strain", "strain", "force/length", "strain energy of the bonds"},
+    AXIAL_SERIES_END,
+    AXIAL_SERIES_MOMENTUM(""),
+};
+static double (*const line_values[BAR_SERIES])(Beam *) = {v_cm, x_cm,  beam_kinetic, beam_strain,
+                                                          work, total, momentum_x,   reaction_x};
+
 typedef struct SeriesEntry {
     Quantity quantity;
     double (*value)(Beam *beam);
@@ -212,15 +239,22 @@ void beam_row(Simulation *sim, double *out)
 {
     ASSERT_INT(sim->stage, ==, 0);
     Beam *beam = (Beam *)sim;
-    for (int k = 0; k < sim->n_series; k++)
-        out[k] = series[beam->series_entry[k]].value(beam);
+    for (int k = 0; k < sim->n_series; k++) {
+        const int entry = beam->series_entry[k];
+        out[k] = beam->lattice.line ? line_values[entry](beam) : series[entry].value(beam);
+    }
 }
 
 void beam_set_series(Beam *beam)
 {
     Simulation *sim = &beam->sim;
     const bool held = beam->n_supports > 0 || beam_held_columns(beam, 0) > 0;
-    for (int k = 0; k < BEAM_SERIES_MAX; k++)
+    for (int k = 0; beam->lattice.line && k < BAR_SERIES; k++)
+        if (line_values[k] != reaction_x || beam->def.left_fixed || beam->def.right_fixed) {
+            beam->series_entry[sim->n_series] = k;
+            beam->series[sim->n_series++] = line_series[k];
+        }
+    for (int k = 0; !beam->lattice.line && k < BEAM_SERIES_MAX; k++)
         if ((series[k].problems >> beam->def.problem & 1) &&
             (series[k].value != damped || beam->damping > 0) &&
             (held || (series[k].value != reaction_x && series[k].value != reaction_y))) {

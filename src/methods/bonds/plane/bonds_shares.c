@@ -23,11 +23,12 @@ typedef struct RowSlice {
 /* The part of row j that lies in [first, first + count). */
 static RowSlice row_slice(const Beam *beam, int j, size_t first, size_t count, double *out)
 {
-    size_t nx = (size_t)beam->lattice.nx, start = (size_t)j * nx, stop = start + nx;
+    const size_t wide = (size_t)lattice_wide(&beam->lattice), start = (size_t)j * wide, stop = start + wide;
     size_t low = start > first ? start : first, high = stop < first + count ? stop : first + count;
     if (low >= high)
         return (RowSlice){0, 0, NULL};
-    return (RowSlice){(int)(low - start), (int)(high - start), out + (low - first)};
+    const int before = beam->lattice.images[0];
+    return (RowSlice){before + (int)(low - start), before + (int)(high - start), out + (low - first)};
 }
 
 static int smaller(int a, int b)
@@ -85,11 +86,11 @@ static void family_field(const Beam *beam, FamilyValue what, size_t first, size_
     const RowSlice none = {0, 0, NULL};
     for (size_t k = 0; k < count; k++)
         out[k] = what == BOND_ENERGY ? 0 : BONDS_NO_STRETCH;
-    size_t nx = (size_t)lattice->nx;
-    int last = (int)((first + count - 1) / nx);
-    for (int j = larger(0, (int)(first / nx) - lattice->reach); j <= last; j++) {
+    const size_t wide = (size_t)lattice_wide(lattice);
+    int last = (int)((first + count - 1) / wide);
+    for (int j = larger(0, (int)(first / wide) - lattice->rise); j <= last; j++) {
         RowSlice owners = row_slice(beam, j, first, count, out);
-        for (int q = 0; q <= lattice->reach && j + q < lattice->ny; q++) {
+        for (int q = 0; q <= lattice->rise && j + q < lattice->ny; q++) {
             RowSlice others = row_slice(beam, j + q, first, count, out);
             for (int o = lattice->first[q]; o < lattice->first[q + 1]; o++) {
                 /* within a row one end after the other, or the order would depend on where tiles and slices

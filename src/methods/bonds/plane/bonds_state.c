@@ -64,7 +64,7 @@ typedef struct LiveParameter {
 
 static bool any_stress(const Beam *beam, double value)
 {
-    return beam->def.problem == BEAM_NOTCHED && isfinite(value);
+    return (beam->def.problem == BEAM_NOTCHED || beam->lattice.line) && isfinite(value);
 }
 
 static bool any_stretch(const Beam *beam, double value)
@@ -79,10 +79,16 @@ static bool any_weight(const Beam *beam, double value)
     return isfinite(value);
 }
 
+static const LiveParameter live_on_line[] = {
+    {"load.body_force", offsetof(StateHead, body_force), any_weight, "a number"},
+    {"load.traction", offsetof(StateHead, load_stress), any_stress, "a number"},
+    {NULL},
+};
 static const LiveParameter live_parameters[] = {
     {"load.body_force", offsetof(StateHead, body_force), any_weight, "a number in m/s^2"},
     {"load.stress", offsetof(StateHead, load_stress), any_stress, "a stress in Pa, on the notched beam"},
     {"pd.critical_stretch", offsetof(StateHead, critical_stretch), any_stretch, "0 to below 0.5"},
+    {NULL},
 };
 
 /* Of those that are no matter of the start or of a factor. */
@@ -100,14 +106,25 @@ static bool change_mistake(Beam *beam, double value, Status *status)
     return true;
 }
 
+/* The forces of the displacements as they are: the half kick that comes takes those of the new load. */
+static void find_forces(Beam *beam)
+{
+    beam_bond_forces(beam, false);
+    for (int j = 0; j < beam->lattice.ny; j++) {
+        beam_add_halos(beam, j);
+        beam_weigh(beam, j);
+        beam_add_loads(beam, j, simulation_time(&beam->sim));
+    }
+}
+
 bool beam_change(Simulation *sim, const char *key, double value, Status *status)
 {
     ASSERT_INT(sim->stage, ==, 0);
     Beam *beam = (Beam *)sim;
     if (strcmp(key, "pd.mistake") == 0)
         return change_mistake(beam, value, status);
-    for (size_t k = 0; k < sizeof live_parameters / sizeof *live_parameters; k++) {
-        const LiveParameter *live = &live_parameters[k];
+    const bool line = beam->lattice.line;
+    for (const LiveParameter *live = line ? live_on_line : live_parameters; live->key; live++) {
         if (strcmp(live->key, key) != 0)
             continue;
         if (bonds_mistake(beam) && live->offset == offsetof(StateHead, critical_stretch) && value != 0)
@@ -123,10 +140,11 @@ bool beam_change(Simulation *sim, const char *key, double value, Status *status)
         beam->head->kinetic_left = sim->kinetic_left = beam->def.to_rest ? 1 : 0;
         beam->head->rested = sim->at_rest = false;
         beam_set_stages(beam);
+        if (line && !bonds_does(beam, BONDS_WRONG_FORCE_STAYS)) /* which would add it once more */
+            find_forces(beam);
         return true;
     }
-    return status_refuse(
-        status,
-        "%s: cannot change in mid-run (load.stress, load.body_force, pd.critical_stretch and pd.mistake can)",
-        key);
+    return status_refuse(status, "%s: cannot change in mid-run (%s and pd.mistake can)", key,
+                         line ? "load.body_force, load.traction"
+                              : "load.stress, load.body_force, pd.critical_stretch");
 }

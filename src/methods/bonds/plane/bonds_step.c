@@ -31,7 +31,8 @@
 
 /* --- what the stages do to one row; `step` is the number of whole steps before this one --- */
 
-/* At held columns (clamp = full: vx = v0 too, clamp = guide: vx free) and at supports. Called after each half
+/* At held columns (clamp = full: vx = v0 too, clamp = guide: vx free), at supports, and at a bar's mirrored
+ * nodes, whose displacements follow those of others. Called after each half
  * kick and after the drift with the time that this part of the step has reached: after the first half kick a
  * column counts as held if it was at t^n, from the drift on if it is at t^{n+1}. Taking one time for all
  * would shift each release by a step. */
@@ -45,6 +46,9 @@ static void constrain_velocity(Beam *beam, int j, double time)
         if (beam->def.clamp == CLAMP_FULL)
             nodes->vx[i] = beam->def.speed;
     }
+    for (int side = 0; side < 2; side++)
+        for (int k = 0; k < beam->lattice.images[side]; k++)
+            nodes->vx[row + (size_t)(side ? beam->lattice.nx - 1 - k : k)] = 0;
     for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++) {
         if (!patch_has_row(&s->patch, j))
             continue;
@@ -108,6 +112,7 @@ static void constraints(Beam *beam, int j, long step)
 {
     double time = (double)(step + 1) * beam->sim.dt;
     constrain_displacement(beam, j, time);
+    bonds_line_mirror(beam);
     constrain_velocity(beam, j, time);
 }
 
@@ -158,18 +163,18 @@ static bool take_log(Beam *beam, BondLog *log, long step, Status *status)
     if (log->unstable) {
         log->unstable = false;
         BondPlace place = lattice_slot_place(&beam->lattice, log->unstable_slot);
-        if (bonds_mistake(beam)) /* which goes on as long as there are numbers */
-            return simulation_fail(
-                &beam->sim, status,
-                "unstable: at node %zu a bond's pull is not a number any more in step %ld, t = %.6g s",
-                (size_t)place.j * (size_t)beam->lattice.nx + (size_t)place.i, step + 1,
-                (double)(step + 1) * beam->sim.dt);
-        return simulation_fail(
-            &beam->sim, status,
-            "unstable: at node %zu a bond has doubled its length or collapsed in step %ld, "
-            "t = %.6g s (a smaller time.step or a smaller load)",
-            (size_t)place.j * (size_t)beam->lattice.nx + (size_t)place.i, step + 1,
-            (double)(step + 1) * beam->sim.dt);
+        const size_t node = lattice_node(&beam->lattice, place.i, place.j);
+        const bool line = beam->lattice.line,
+                   wrong = bonds_mistake(beam); /* goes on while there are numbers */
+        return simulation_fail(&beam->sim, status, "unstable: %s %zu %s in step %ld, t = %.6g%s%s",
+                               line ? wrong ? "the place of particle" : "particle" : "at node", node,
+                               line    ? wrong ? "is not a number any more" : "has met or lost its neighbour"
+                               : wrong ? "a bond's pull is not a number any more"
+                                       : "a bond has doubled its length or collapsed",
+                               step + 1, (double)(step + 1) * beam->sim.dt, line ? "" : " s",
+                               wrong  ? ""
+                               : line ? " (a smaller time.courant, initial.velocity or load)"
+                                      : " (a smaller time.step or a smaller load)");
     }
     if (!written)
         return simulation_fail(&beam->sim, status,

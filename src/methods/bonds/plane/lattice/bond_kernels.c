@@ -6,7 +6,8 @@
  * other end at v[i], coefficient c G w V at coefficient[i], no list of indices. A tile is a piece of a row
  * with all its directions to one row distance q; its forces go into two padded arrays first, a row for each
  * direction, and are then added to the owners and subtracted, p columns on, from the other ends (p the
- * direction's columns).
+ * direction's columns). On a bar, whose bonds reach farther than a block, the directions of a tile are taken
+ * a block at a time.
  *
  * The file is compiled once for each CpuLevel. Blocks are always eight columns, and every sum keeps eight
  * partial sums, so that the width of the vectors leaves no trace. Units: m, N/m^3 for forces, J for energies.
@@ -43,6 +44,7 @@ typedef struct Parts {
     double *x, *y;
     int n; /* directions */
     const Offset *offsets;
+    int beyond; /* columns from an owner to the one about which the other ends lie, a block to either side */
     size_t count;
 } Parts;
 
@@ -67,7 +69,7 @@ KERNEL_INLINE void subtract_other(const Parts *parts, int n, double *restrict fx
     const double *restrict px = parts->x, *restrict py = parts->y;
     ptrdiff_t shift[2 * LATTICE_REACH_MAX + 1];
     for (int o = 0; o < n; o++)
-        shift[o] = o * BONDS_SPAN + BONDS_MARGIN - LATTICE_BLOCK - parts->offsets[o].p;
+        shift[o] = o * BONDS_SPAN + BONDS_MARGIN - LATTICE_BLOCK - (parts->offsets[o].p - parts->beyond);
     for (size_t i = 0; i < parts->count + 2 * LATTICE_BLOCK; i += LANES) {
         Vector x = vector_load(fx + i - LATTICE_BLOCK), y = vector_load(fy + i - LATTICE_BLOCK);
         for (int o = 0; o < n; o++) {
@@ -121,14 +123,21 @@ static void clear_margins(double *scratch, int n, size_t count)
         }
 }
 
-/* All bonds from columns [from, from + count) of row j to row j + q. */
-KERNEL_INLINE double tile(const BondSystem *system, int j, int q, size_t from, size_t count,
-                          double *const *fx, double *const *fy, BondLog *log, bool with_energy)
+/* The directions from `first` on that are taken together: all of a row distance, on a bar a block at most. */
+static int last_together(const Lattice *lattice, int q, int first)
+{
+    const int end = lattice->first[q + 1];
+    return lattice->line && end - first > LATTICE_BLOCK ? first + LATTICE_BLOCK : end;
+}
+
+/* Bonds from columns [from, from + count) of row j to row j + q, of the directions [first, end). */
+KERNEL_INLINE double tile(const BondSystem *system, int j, int q, int first, int end, size_t from,
+                          size_t count, double *const *fx, double *const *fy, BondLog *log, bool with_energy)
 {
     const Lattice *lattice = system->lattice;
-    const int first = lattice->first[q];
-    const Parts parts = {log->scratch, log->scratch + BONDS_SCRATCH / 2, lattice->first[q + 1] - first,
-                         lattice->offsets + first, count};
+    const int beyond = lattice->line ? lattice->offsets[first].p - 1 : 0;
+    const Parts parts = {
+        log->scratch, log->scratch + BONDS_SCRATCH / 2, end - first, lattice->offsets + first, beyond, count};
     double *coefficient = system->coefficient + lattice_slot(lattice, (BondPlace){(int)from, j, first});
     double energy = 0, sums[LATTICE_BLOCK];
 
@@ -139,7 +148,7 @@ KERNEL_INLINE double tile(const BondSystem *system, int j, int q, size_t from, s
         if (with_energy)
             energy += sum_lanes(sums) * segment.direction->length * system->energy_scale;
     }
-    gather_parts(&parts, fx[0] + from, fy[0] + from, fx[q] + from, fy[q] + from);
+    gather_parts(&parts, fx[0] + from, fy[0] + from, fx[q] + from + beyond, fy[q] + from + beyond);
     return energy;
 }
 
@@ -147,7 +156,7 @@ KERNEL_INLINE double tile(const BondSystem *system, int j, int q, size_t from, s
 static int rows_above(const Lattice *lattice, int j)
 {
     int above = lattice->ny - 1 - j;
-    return above < lattice->reach ? above : lattice->reach;
+    return above < lattice->rise ? above : lattice->rise;
 }
 
 /* All bonds that row j owns, tile by tile, so that the rows which a tile reaches stay in the cache while all
@@ -160,12 +169,16 @@ static void forces(const BondSystem *system, int j, double *const *fx, double *c
     for (size_t t = 0, before = 0; t < lattice->n_tiles; t++) {
         size_t from = lattice_tile(lattice, t), count = lattice_tile(lattice, t + 1) - from;
         if (count != before)
-            clear_margins(log->scratch, 2 * lattice->reach + 1, before = count);
+            clear_margins(log->scratch, 2 * lattice->rise + (lattice->line ? LATTICE_BLOCK : 1),
+                          before = count);
         for (int q = 0; q <= rows_above(lattice, j); q++)
-            if (energy)
-                sum += tile(system, j, q, from, count, fx, fy, log, true);
-            else
-                tile(system, j, q, from, count, fx, fy, log, false);
+            for (int o = lattice->first[q], end; o < lattice->first[q + 1]; o = end) {
+                end = last_together(lattice, q, o);
+                if (energy)
+                    sum += tile(system, j, q, o, end, from, count, fx, fy, log, true);
+                else
+                    tile(system, j, q, o, end, from, count, fx, fy, log, false);
+            }
     }
     if (energy)
         *energy = sum;
@@ -182,7 +195,9 @@ static double energy_of_row(const BondSystem *system, int j)
             double part = 0, sums[LATTICE_BLOCK];
             double *coefficient =
                 system->coefficient + lattice_slot(lattice, (BondPlace){(int)from, j, lattice->first[q]});
-            for (int o = lattice->first[q]; o < lattice->first[q + 1]; o++, coefficient += count) {
+            for (int o = lattice->first[q], end = o; o < lattice->first[q + 1]; o++, coefficient += count) {
+                if (o == end)
+                    sum += part, part = 0, end = last_together(lattice, q, o);
                 Segment segment = segment_of(system, j, o, from, count, coefficient);
                 segment_energy(system, &segment, sums);
                 part += sum_lanes(sums) * segment.direction->length * system->energy_scale;

@@ -227,7 +227,7 @@ static bool block_by_root(const BondSystem *system, const Segment *segment, size
             continue;
         Bond bond = bond_at(segment, i);
         BondPlace place = {segment->first.i + (int)i, segment->first.j, segment->first.offset};
-        if (bond.d >= segment->break_limit && may_break(system, place)) {
+        if (bond.d >= segment->break_limit && isfinite(bond.d) && may_break(system, place)) {
             size_t slot = lattice_slot(system->lattice, place);
             segment->coefficient[i] = 0;
             system->broken[slot / 8] = (uint8_t)(system->broken[slot / 8] | 1u << slot % 8);

@@ -13,7 +13,17 @@
  *     volume   G = 2 pi delta^2/(V_i + V_j),  V_i = sum_j w V of all members
  *
  * (9/16) E is the energy density of a unit uniaxial strain at nu = 1/3 in plane stress, E/(2 (1 - nu^2)); the
- * sum below it is what the family of node i stores. */
+ * sum below it is what the family of node i stores.
+ *
+ * On a bar (V = h per unit cross-section, n = 1; S. A. Silling, M. Zimmermann, R. Abeyaratne, Deformation of
+ * a peridynamic bar, 2003) the energy density is E/2, so that
+ *
+ *     constant   c = 2 E/delta^2,      conical   c = E/(h^2 sum_m (1 - m h/delta) w_m m)
+ *
+ * With partial volumes the sum over a family gives E back exactly where delta is a whole number of spacings,
+ * and g = 1 far from the ends; the integral over a cone would be off by 1 - (h/delta)^2 as a sum. Beyond a
+ * fixed end lie as many mirrored nodes as a family reaches, so that no node lacks partners there; a free end
+ * has nothing beyond it. */
 #include "methods/bonds/plane/lattice/lattice.h"
 
 #include "base/assertion.h"
@@ -80,23 +90,25 @@ static void add_offsets(Lattice *lattice, const BeamDef *def)
     const double dx = lattice->spacing,
                  limit = def->influence == INFLUENCE_CONICAL ? def->horizon * (1 - 1e-9) : reach_of(def);
     lattice->reach = (int)(limit / dx);
-    for (int q = 0; q <= lattice->reach; q++) {
+    lattice->rise = lattice->line ? 0 : lattice->reach;
+    for (int q = 0; q <= lattice->rise; q++) {
         lattice->first[q] = lattice->n_offsets;
         for (int p = q == 0 ? 1 : -lattice->reach; p <= lattice->reach; p++)
             if (math_hypot(p * dx, q * dx) <= limit)
                 add_offset(lattice, def, p, q);
     }
-    lattice->first[lattice->reach + 1] = lattice->n_offsets;
+    lattice->first[lattice->rise + 1] = lattice->n_offsets;
 }
 
-/* g_x and g_y of node (i, j), 1: (9/16) E over the energy density that its family stores at a unit strain
- * along x, or y, where a bond is stretched by s = n_x^2 (n_y^2) and half of its energy c s^2 |xi| w V/2 is
- * the node's. `ends`: how many of its two bonds in directions xi and -xi exist. The notch is ignored: the
- * correction is that of the body without it. In the bulk g is not 1 either (1.1398 at delta = 4 dx,
- * partial): it repairs the sum over nodes too, which is less than the integral. */
+/* g_x and g_y of node (i, j), 1: (9/16) E, of a bar E/2, over the energy density that its family stores at a
+ * unit strain along x, or y, where a bond is stretched by s = n_x^2 (n_y^2) and half of its energy c s^2 |xi|
+ * w V/2 is the node's. `ends`: how many of its two bonds in directions xi and -xi exist. The notch is
+ * ignored: the correction is that of the body without it. In the bulk g is not 1 either (1.1398 at delta = 4
+ * dx, partial): it repairs the sum over nodes too, which is less than the integral. */
 static void energy_factors(const Lattice *lattice, int i, int j, double *factor_x, double *factor_y)
 {
-    double volume = lattice->spacing * lattice->spacing, sum_x = 0, sum_y = 0;
+    double volume = lattice->spacing * lattice->depth, sum_x = 0, sum_y = 0;
+    const double density = (lattice->line ? 0.5 : 9.0 / 16) * lattice->youngs_modulus;
     for (int o = 0; o < lattice->n_offsets; o++) {
         const Offset *offset = &lattice->offsets[o];
         int ends = lattice_has(lattice, i + offset->p, j + offset->q) +
@@ -107,8 +119,8 @@ static void energy_factors(const Lattice *lattice, int i, int j, double *factor_
         sum_x += nx * nx * nx * nx * share;
         sum_y += ny * ny * ny * ny * share;
     }
-    *factor_x = 9.0 / 16 * lattice->youngs_modulus / sum_x;
-    *factor_y = 9.0 / 16 * lattice->youngs_modulus / sum_y;
+    *factor_x = density / sum_x;
+    *factor_y = lattice->line ? *factor_x : density / sum_y;
 }
 
 /* V_i = sum w V over the nodes that are there, m^2: less than pi delta^2 near the surface. */
@@ -130,7 +142,8 @@ static double family_area(const Lattice *lattice, const BeamDef *def, int i, int
 static bool lattice_go_on(const BeamDef *def, double share, Status *status)
 {
     return !cancel_requested(&def->cancel, share) ||
-           status_fail(status, "the building of the beam was cancelled");
+           status_fail(status, "the building of the %s was cancelled",
+                       def->problem == BEAM_BAR ? "bar" : "beam");
 }
 
 /* The factors of all nodes, before the coefficients of bonds are made of them. False: interrupted. */
@@ -139,7 +152,8 @@ static bool set_factors(Lattice *lattice, const BeamDef *def, Status *status)
     const double nodes = (double)lattice_nodes(lattice);
     size_t node = 0;
     for (int j = 0; j < lattice->ny; j++) {
-        for (int i = 0; i < lattice->nx; i++, node++) {
+        for (int k = 0; k < lattice_wide(lattice); k++, node++) {
+            const int i = lattice->images[0] + k;
             const double share = 0.5 + 0.5 * (double)node / nodes;
             if (node % LATTICE_NODES_A_QUESTION == 0 && !lattice_go_on(def, BUILDING_BONDS * share, status))
                 return false;
@@ -154,6 +168,15 @@ static bool set_factors(Lattice *lattice, const BeamDef *def, Status *status)
     return true;
 }
 
+/* Whether the other end is a node; bonds to mirrored ones are not counted. */
+static bool exists(const Lattice *lattice, BondPlace bond)
+{
+    const Offset *offset = &lattice->offsets[bond.offset];
+    const int other = bond.i + offset->p;
+    return lattice_has(lattice, other, bond.j + offset->q) && !lattice_is_image(lattice, other) &&
+           !lattice_is_image(lattice, bond.i);
+}
+
 /* The number of the first bond that each node owns, in the order of nodes and then of offsets: what a table
  * counts. */
 static bool number_bonds(Lattice *lattice, const BeamDef *def, Status *status)
@@ -162,13 +185,13 @@ static bool number_bonds(Lattice *lattice, const BeamDef *def, Status *status)
     size_t node = 0;
     uint32_t number = 0;
     for (int j = 0; j < lattice->ny; j++)
-        for (int i = 0; i < lattice->nx; i++) {
+        for (int k = 0; k < lattice_wide(lattice); k++) {
             const double share = 0.5 * (double)node / nodes;
             if (node % LATTICE_NODES_A_QUESTION == 0 && !lattice_go_on(def, BUILDING_BONDS * share, status))
                 return false;
             lattice->first_bond[node++] = number;
             for (int o = 0; o < lattice->n_offsets; o++)
-                number += lattice_has(lattice, i + lattice->offsets[o].p, j + lattice->offsets[o].q);
+                number += exists(lattice, (BondPlace){lattice->images[0] + k, j, o});
         }
     lattice->first_bond[node] = number;
     return true;
@@ -182,8 +205,8 @@ double lattice_correction(const Lattice *lattice, BondPlace bond)
     ASSERT(lattice_has(lattice, bond.i, bond.j));
     ASSERT_INDEX(bond.offset, lattice->n_offsets);
     const Offset *offset = &lattice->offsets[bond.offset];
-    size_t a = (size_t)bond.j * (size_t)lattice->nx + (size_t)bond.i;
-    size_t b = (size_t)(bond.j + offset->q) * (size_t)lattice->nx + (size_t)(bond.i + offset->p);
+    const size_t a = lattice_node(lattice, bond.i, bond.j),
+                 b = lattice_node(lattice, bond.i + offset->p, bond.j + offset->q);
     if (lattice->correction == SURFACE_ENERGY) {
         double nx = offset->x / offset->length, ny = offset->y / offset->length;
         double x = nx / ((lattice->factor_x[a] + lattice->factor_x[b]) / 2);
@@ -201,7 +224,7 @@ double lattice_coefficient(const Lattice *lattice, BondPlace bond)
 {
     const Offset *offset = &lattice->offsets[bond.offset];
     return lattice->micromodulus * offset->influence * lattice_correction(lattice, bond) * offset->weight *
-           lattice->spacing * lattice->spacing;
+           lattice->spacing * lattice->depth;
 }
 
 /* The bond of a slot. Slots go by rows of nodes, in these by tiles of columns, in a tile by offsets and then
@@ -214,12 +237,6 @@ BondPlace lattice_slot_place(const Lattice *lattice, size_t slot)
     size_t from = lattice_tile(lattice, tile), count = lattice_tile(lattice, tile + 1) - from;
     within -= from * n_offsets;
     return (BondPlace){(int)(from + within % count), (int)(slot / row), (int)(within / count)};
-}
-
-static bool exists(const Lattice *lattice, BondPlace bond)
-{
-    const Offset *offset = &lattice->offsets[bond.offset];
-    return lattice_has(lattice, bond.i + offset->p, bond.j + offset->q);
 }
 
 BondPlace lattice_next_bond(const Lattice *lattice, BondPlace bond)
@@ -249,7 +266,7 @@ BondPlace lattice_bond_place(const Lattice *lattice, size_t number)
         else
             high = middle;
     }
-    BondPlace bond = {(int)(low % (size_t)lattice->nx), (int)(low / (size_t)lattice->nx), -1};
+    BondPlace bond = {lattice_column(lattice, low), (int)(low / (size_t)lattice_wide(lattice)), -1};
     for (size_t left = number - lattice->first_bond[low] + 1; left > 0; left--)
         bond = lattice_next_bond(lattice, bond);
     return bond;
@@ -263,6 +280,14 @@ static bool count_nodes(Lattice *lattice, const BeamDef *def, Status *status)
     double dx = def->spacing, length = def->length;
     double columns, rows;
     lattice->x0 = 0;
+    if (lattice->line) {
+        lattice->images[0] = def->left_fixed ? lattice->reach : 0;
+        lattice->images[1] = def->right_fixed ? lattice->reach : 0;
+        lattice->nx = (int)round(length / dx) + lattice->images[0] + lattice->images[1];
+        lattice->ny = 1;
+        lattice->x0 = -lattice->images[0] * dx;
+        return true;
+    }
     if (def->problem == BEAM_MOVING_CANTILEVER) {
         lattice->x0 = -def->channel;
         length += def->channel;
@@ -301,19 +326,31 @@ static bool count_nodes(Lattice *lattice, const BeamDef *def, Status *status)
     return true;
 }
 
+double lattice_moment(const Lattice *lattice)
+{
+    double sum = 0;
+    for (const Offset *o = lattice->offsets; o < lattice->offsets + lattice->n_offsets; o++)
+        sum += o->influence * o->weight * o->p;
+    return lattice->spacing * lattice->spacing * sum;
+}
+
 /* c = 6 E/(pi delta^3 (1 - nu)), eq. 4: such that a plane under a uniform strain stores what elasticity says;
  * there |xi| dA c is under the integral, and with c_1 (1 - |xi|/delta) it comes to a quarter.
  * One constant for each bond leaves room for one elastic constant only, so nu = 1/3 in plane stress, always.
  */
 bool lattice_measure(Lattice *lattice, const BeamDef *def, Status *status)
 {
-    *lattice = (Lattice){.spacing = def->spacing,
+    const double delta = def->horizon;
+    const bool line = def->problem == BEAM_BAR, cone = def->influence == INFLUENCE_CONICAL;
+    *lattice = (Lattice){.line = line,
+                         .spacing = def->spacing,
+                         .depth = line ? 1 : def->spacing,
                          .horizon = def->horizon,
                          .youngs_modulus = def->youngs_modulus,
                          .correction = def->surface_correction};
-    lattice->micromodulus =
-        6 * def->youngs_modulus / (M_PI * def->horizon * def->horizon * def->horizon * (1 - 1.0 / 3));
-    if (def->influence == INFLUENCE_CONICAL)
+    lattice->micromodulus = line ? 2 * def->youngs_modulus / (delta * delta)
+                                 : 6 * def->youngs_modulus / (M_PI * delta * delta * delta * (1 - 1.0 / 3));
+    if (cone && !line)
         lattice->micromodulus *= 4;
     BondsMistake room;
     const BondsMistake *mistake = bonds_mistake_of(def->mistake, def->mistake_beside, &room);
@@ -322,6 +359,8 @@ bool lattice_measure(Lattice *lattice, const BeamDef *def, Status *status)
     if (bonds_does_by(def, BONDS_WRONG_NO_SURFACE_FACTOR))
         lattice->correction = SURFACE_NONE;
     add_offsets(lattice, def);
+    if (cone && line)
+        lattice->micromodulus = def->youngs_modulus / lattice_moment(lattice);
     return count_nodes(lattice, def, status);
 }
 
@@ -336,7 +375,8 @@ bool lattice_init(Lattice *lattice, const BeamDef *def, Status *status)
            blocks = lattice->columns / LATTICE_BLOCK;
     lattice->tile_columns = (blocks + tiles - 1) / tiles * LATTICE_BLOCK;
     lattice->n_tiles = (lattice->columns + lattice->tile_columns - 1) / lattice->tile_columns;
-    lattice->stride = lattice->columns + 2 * LATTICE_BLOCK;
+    lattice->stride = lattice->columns + 2 * LATTICE_BLOCK +
+                      (lattice->line ? (size_t)lattice->reach / LATTICE_BLOCK * LATTICE_BLOCK : 0);
     if (lattice->stride % 512 == 0)
         lattice->stride += LATTICE_BLOCK; /* rows a page apart would share their places in the cache */
 

@@ -2,11 +2,12 @@
 /* The square lattice of nodes and its families of bonds; nothing here changes during a run.
  *
  * Node (i, j) has the identifier j nx + i and lies at X = x0 + (i + 1/2) dx, Y = y0 + (j + 1/2) dx; it stands
- * for the area dx^2. Every bond is kept once, by the end that comes first: by its owner (i, j) and an offset
- * (p, q) with q > 0, or q = 0 and p > 0. A row of owners is cut into tiles; the bonds of a tile have a place
- * (slot) each, direction by direction and in a direction column by column, so that a bond needs no index and
- * the whole row is read from front to back. Slots whose other end is no node stay empty. Source: paper P,
- * eqs. 4 and 8, and the text between them. */
+ * for the area dx^2. A bar is one row, whose nodes stand for dx per unit cross-section; before and behind
+ * them lie the mirrored nodes of its fixed ends, which have no identifier. Every bond is kept once, by the
+ * end that comes first: by its owner (i, j) and an offset (p, q) with q > 0, or q = 0 and p > 0. A row of
+ * owners is cut into tiles; the bonds of a tile have a place (slot) each, direction by direction and in a
+ * direction column by column, so that a bond needs no index and the whole row is read from front to back.
+ * Slots whose other end is no node stay empty. Source: paper P, eqs. 4 and 8, and the text between them. */
 #ifndef METHODS_BONDS_PLANE_LATTICE_LATTICE_H
 #define METHODS_BONDS_PLANE_LATTICE_LATTICE_H
 
@@ -22,8 +23,9 @@ enum {
     LATTICE_TILE = 128,    /* columns of a tile at most: what a sweep needs stays in the first-level cache */
     LATTICE_BLOCK = 8,     /* columns are padded to whole blocks, whatever the vector width */
     LATTICE_REACH_MAX = 8, /* horizon / spacing at most */
-    LATTICE_OFFSETS_MAX = 112, /* half a family of that reach and half a spacing */
-    LATTICE_SERIES = 6,        /* terms of the force's series, see bonds.h */
+    LATTICE_LINE_REACH_MAX = 24, /* likewise of a bar */
+    LATTICE_OFFSETS_MAX = 112,   /* half a family of that reach and half a spacing */
+    LATTICE_SERIES = 6,          /* terms of the force's series, see bonds.h */
     /* some milliseconds of building lie between two questions of its patience */
     LATTICE_NODES_A_QUESTION = 4096,
     LATTICE_BONDS_A_QUESTION = 65536
@@ -48,15 +50,20 @@ static inline double offset_stretch(const Offset *offset, double eta_x, double e
 }
 
 typedef struct Lattice {
-    int nx, ny, reach; /* reach: the largest offset in either direction */
+    int nx, ny;      /* columns with those of mirrored nodes, rows */
+    int images[2];   /* columns of mirrored nodes before and behind the others */
+    int reach, rise; /* the largest offset in columns, in rows */
+    bool line;       /* a bar */
     double spacing, x0, y0;
-    double micromodulus; /* c, eq. 4, N/m^5; conical: of |xi| = 0 */
+    double depth;        /* a node stands for spacing times this: dx, or 1 of a bar */
+    double micromodulus; /* c, eq. 4, N/m^5, of a bar N/m^4; conical: of |xi| = 0 */
     double horizon, youngs_modulus;
 
     size_t columns;      /* nx padded to whole blocks */
     size_t n_tiles;      /* of a row */
     size_t tile_columns; /* whole blocks; the last tile may have fewer */
-    size_t stride;       /* doubles from one row of a node array to the next: a block, columns, a block */
+    size_t stride; /* doubles from one row of a node array to the next: a block, columns, as many as a bond
+                      reaches beyond them */
 
     int n_offsets;
     int first[LATTICE_REACH_MAX + 2]; /* the offsets of row distance q are first[q] .. first[q + 1] - 1 */
@@ -81,9 +88,33 @@ bool lattice_measure(Lattice *lattice, const BeamDef *definition, Status *status
 bool lattice_init(Lattice *lattice, const BeamDef *definition, Status *status);
 void lattice_free(Lattice *lattice);
 
+/* Nodes of a row, without the mirrored ones. */
+static inline int lattice_wide(const Lattice *lattice)
+{
+    return lattice->nx - lattice->images[0] - lattice->images[1];
+}
+
 static inline size_t lattice_nodes(const Lattice *lattice)
 {
-    return (size_t)lattice->nx * (size_t)lattice->ny;
+    return (size_t)lattice_wide(lattice) * (size_t)lattice->ny;
+}
+
+/* The identifier of the node in column i of row j; of a mirrored one that of the node whose image it is. */
+static inline size_t lattice_node(const Lattice *lattice, int i, int j)
+{
+    const int wide = lattice_wide(lattice), k = i - lattice->images[0];
+    return (size_t)j * (size_t)wide + (size_t)(k < 0 ? -1 - k : k >= wide ? 2 * wide - 1 - k : k);
+}
+
+/* The column of a node. */
+static inline int lattice_column(const Lattice *lattice, size_t node)
+{
+    return lattice->images[0] + (int)(node % (size_t)lattice_wide(lattice));
+}
+
+static inline bool lattice_is_image(const Lattice *lattice, int i)
+{
+    return i < lattice->images[0] || i >= lattice->nx - lattice->images[1];
 }
 
 static inline double lattice_x(const Lattice *lattice, int i)
@@ -147,6 +178,10 @@ static inline size_t lattice_bonds(const Lattice *lattice)
 
 /* G of a bond: its surface correction, made of those of its ends; 1 without. */
 double lattice_correction(const Lattice *lattice, BondPlace bond);
+
+/* Of a bar: the modulus of a whole family without surface correction over c, h^2 sum w m with the influence.
+ */
+double lattice_moment(const Lattice *lattice);
 
 /* c G w V of a whole bond, N/m^3: its force density per unit stretch. */
 double lattice_coefficient(const Lattice *lattice, BondPlace bond);

@@ -17,10 +17,10 @@
 
 #include <string.h>
 
-/* The pressure on the notched beam is live, p > 0 downwards. */
+/* The pressure on the notched beam is live, p > 0 downwards, and the traction on a bar. */
 static double load_scale(const Beam *beam)
 {
-    return beam->def.problem == BEAM_NOTCHED ? beam->head->load_stress : 1;
+    return beam->def.problem == BEAM_NOTCHED || beam->lattice.line ? beam->head->load_stress : 1;
 }
 
 int beam_supports(const Simulation *sim, Support out[PLATE_ROWS_MAX])
@@ -54,7 +54,7 @@ static double weight(const Simulation *sim, size_t node, int axis, const void *c
 {
     (void)node, (void)context;
     const Beam *beam = (const Beam *)sim;
-    return axis == 1 ? beam->def.density * beam->head->body_force : 0;
+    return axis == !beam->lattice.line ? beam->def.density * beam->head->body_force : 0;
 }
 
 /* Of all loads on a node at the end of the step under way. */
@@ -62,7 +62,8 @@ static double tractions(const Simulation *sim, size_t node, int axis, const void
 {
     (void)context;
     const Beam *beam = (const Beam *)sim;
-    const int i = (int)(node % (size_t)beam->lattice.nx), j = (int)(node / (size_t)beam->lattice.nx);
+    const int i = lattice_column(&beam->lattice, node),
+              j = (int)(node / (size_t)lattice_wide(&beam->lattice));
     double sum = 0;
     for (const Load *load = beam->loads; load < beam->loads + beam->n_loads; load++) {
         double force[2];
@@ -95,13 +96,29 @@ static const ForceTerm of_tractions = {.name = "tractions",
                                            "The tractions act on the one layer of nodes along their edges.",
                                        .on = tractions};
 
+static const ForceTerm of_body = {.name = "body force",
+                                  .equation = "ρ b",
+                                  .ascii = "rho b",
+                                  .load = "rho b",
+                                  .sentence = "The body force acts on every node.",
+                                  .on = weight};
+static const ForceTerm of_ends = {.name = "traction",
+                                  .equation = "(±t/h in the layer at a free end)",
+                                  .ascii = "(+-t/h in the layer at a free end)",
+                                  .load = "t/h",
+                                  .sentence = "The traction acts on the last nodes at a free end.",
+                                  .on = tractions};
+
 ForceTerms beam_terms(const Beam *beam)
 {
+    const bool line = beam->lattice.line;
     ForceTerms forces = {0};
     if (beam->head->body_force != 0)
-        forces_add(&forces, &of_weight);
-    if (beam->n_loads > 0)
-        forces_add(&forces, beam->def.problem == BEAM_NOTCHED ? &of_pressure : &of_tractions);
+        forces_add(&forces, line ? &of_body : &of_weight);
+    if (line ? beam->head->load_stress != 0 : beam->n_loads > 0)
+        forces_add(&forces, line                                ? &of_ends
+                            : beam->def.problem == BEAM_NOTCHED ? &of_pressure
+                                                                : &of_tractions);
     forces_add_all(&forces, beam->def.forces);
     return forces;
 }
@@ -109,13 +126,14 @@ ForceTerms beam_terms(const Beam *beam)
 double beam_own_power(const Beam *beam, int j)
 {
     ASSERT_INDEX(j, beam->lattice.ny);
-    const size_t row = lattice_at(&beam->lattice, 0, j), nx = (size_t)beam->lattice.nx;
+    const size_t row = lattice_at(&beam->lattice, beam->lattice.images[0], j);
+    const size_t wide = (size_t)lattice_wide(&beam->lattice);
+    const double *const v[2] = {beam->nodes.vx + row, beam->nodes.vy + row};
     double power = 0;
-    for (size_t i = 0; beam->def.forces && i < nx; i++) {
-        const size_t node = (size_t)j * nx + i;
-        power += forces_of_definition(beam->def.forces, &beam->sim, node, 0) * beam->nodes.vx[row + i];
-        power += forces_of_definition(beam->def.forces, &beam->sim, node, 1) * beam->nodes.vy[row + i];
-    }
+    for (size_t i = 0; beam->def.forces && i < wide; i++)
+        for (int axis = 0; axis < beam->sim.dimensions; axis++)
+            power +=
+                forces_of_definition(beam->def.forces, &beam->sim, (size_t)j * wide + i, axis) * v[axis][i];
     return power;
 }
 
@@ -166,6 +184,9 @@ void beam_reaction(const Beam *beam, double force[2])
             x -= beam->def.clamp == CLAMP_FULL ? nodes->fx[i] : 0;
             y -= nodes->fy[i];
         }
+        for (int side = 0; side < 2; side++)
+            for (int k = 0; k < beam->lattice.images[side]; k++)
+                x -= nodes->fx[row + (size_t)(side ? beam->lattice.nx - 1 - k : k)];
         for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++)
             for (int k = 0; patch_has_row(&s->patch, j) && k < s->patch.columns; k++) {
                 const size_t i = row + (size_t)(s->patch.i + k);

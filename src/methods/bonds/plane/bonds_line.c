@@ -1,0 +1,171 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What a bar has alone, a lattice of one row (bonds_plane.h): its ends, loads, sections and critical step.
+ * With k = c G w V/|xi| the stiffness of a bond, e its elongation and h the spacing, per unit cross-section:
+ *
+ *     u(-1 - i) = -u_i and likewise at the right                          mirrored nodes of a fixed end
+ *     strain of a node    sum_j w e / sum_j w |xi|
+ *     stress of a node    mean over the two sections beside it of h sum k e, all bonds through the section
+ *     energy              sum of k e^2 h/2; of a bond to a mirrored node half: the other half is the image's
+ *     dt_crit = 2/omega_max                                               of velocity Verlet */
+#include "methods/bonds/plane/bonds_internal.h"
+
+#include "base/assertion.h"
+#include "base/linear/band.h"
+#include "methods/axial.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+
+_Static_assert((int)LATTICE_LINE_REACH_MAX <= (int)BAND_WIDTH_MAX, "the matrix of the lattice fits a band");
+
+void bonds_line_complete(BeamDef *def)
+{
+    def->height = def->thickness = 1;
+    def->threads = 1; /* a bar is too small to be shared */
+    def->spacing = def->length / round(def->length / def->spacing);
+}
+
+void bonds_line_set_facts(Beam *beam)
+{
+    const Lattice *lattice = &beam->lattice;
+    const size_t last = beam->def.right_fixed ? 0 : lattice_nodes(lattice) - 1;
+    beam->facts.modulus = lattice->micromodulus * lattice_moment(lattice);
+    beam->facts.end_factor = lattice->factor_x[last];
+}
+
+/* t/layer in the layer at each free end, outwards; a short bar's node may lie in both. t is live. */
+void bonds_line_set_loads(Beam *beam)
+{
+    const Lattice *lattice = &beam->lattice;
+    const double h = lattice->spacing, layer = beam->def.traction_layer > 0 ? beam->def.traction_layer : h;
+    const int wide = lattice_wide(lattice), deep = axial_particles_in_layer(layer, h, wide);
+    const bool fixed[2] = {beam->def.left_fixed, beam->def.right_fixed};
+    for (int side = 0; side < 2; side++)
+        if (!fixed[side])
+            beam->loads[beam->n_loads++] = (Load){{lattice->images[0] + side * (wide - deep), 0, deep, 1},
+                                                  (2 * side - 1) * h / layer,
+                                                  0,
+                                                  0,
+                                                  INFINITY};
+}
+
+void bonds_line_mirror(Beam *beam)
+{
+    const Lattice *lattice = &beam->lattice;
+    double *first = beam->nodes.ux + lattice_at(lattice, lattice->images[0], 0);
+    double *behind = first + lattice_wide(lattice);
+    for (int k = 0; k < lattice->images[0]; k++)
+        first[-1 - k] = -first[k];
+    for (int k = 0; k < lattice->images[1]; k++)
+        behind[k] = -behind[-1 - k];
+}
+
+/* e and k of a bond from column i in direction o; k is 0 where there is none. */
+static double elongation(const Beam *beam, int i, int o)
+{
+    const double *u = beam->nodes.ux + lattice_at(&beam->lattice, i, 0);
+    return u[beam->lattice.offsets[o].p] - u[0];
+}
+
+static double stiffness(const Beam *beam, int i, int o)
+{
+    const Lattice *lattice = &beam->lattice;
+    if (i < 0 || i + lattice->offsets[o].p >= lattice->nx)
+        return 0;
+    return beam->coefficient[lattice_slot(lattice, (BondPlace){i, 0, o})] / lattice->offsets[o].length;
+}
+
+double bonds_line_energy_of_images(const Beam *beam)
+{
+    const Lattice *lattice = &beam->lattice;
+    const int ends[2] = {0, lattice->nx - lattice->images[1] - lattice->reach};
+    double sum = 0;
+    for (int side = 0; side < 2; side++)
+        for (int i = ends[side]; lattice->images[side] > 0 && i < ends[side] + lattice->reach; i++)
+            for (int o = 0; o < lattice->n_offsets; o++)
+                if (lattice_is_image(lattice, i) || lattice_is_image(lattice, i + lattice->offsets[o].p))
+                    sum += beam_bond(beam, (BondPlace){i, 0, o}).energy / 2;
+    return sum;
+}
+
+/* For a uniform strain it is that strain, also at a free end where half of the family is missing. */
+double bonds_line_strain(const Beam *beam, int i)
+{
+    const Lattice *lattice = &beam->lattice;
+    double stretched = 0, length = 0;
+    for (int o = 0; o < lattice->n_offsets; o++)
+        for (int from = i - lattice->offsets[o].p; from <= i; from += lattice->offsets[o].p)
+            if (stiffness(beam, from, o) > 0) {
+                stretched += lattice->offsets[o].weight * elongation(beam, from, o);
+                length += lattice->offsets[o].weight * lattice->offsets[o].length;
+            }
+    return length > 0 ? stretched / length : 0;
+}
+
+/* The section behind column i lies between it and the next one. */
+double bonds_line_stress(const Beam *beam, int i)
+{
+    const Lattice *lattice = &beam->lattice;
+    double sum = 0;
+    for (int section = i - 1; section <= i; section++)
+        for (int o = 0; o < lattice->n_offsets; o++)
+            for (int from = section - lattice->offsets[o].p + 1; from <= section; from++)
+                if (stiffness(beam, from, o) > 0)
+                    sum += stiffness(beam, from, o) * elongation(beam, from, o);
+    return sum * lattice->spacing / 2;
+}
+
+/* omega_max^2 is the largest eigenvalue of K/rho, K the band matrix of f = -K u: K_ii = sum k, K_ij = -k. A
+ * bond to a mirrored node, u = -u_j, adds +k to K_ij instead; its partner j lies nearer to the end than the
+ * horizon, so the matrix stays a band of half-width `reach`. NAN: not enough memory, or given up; the status
+ * says which. */
+static double largest_eigenvalue(const BeamDef *def, const Lattice *lattice, Status *status)
+{
+    const size_t n = lattice_nodes(lattice), width = (size_t)lattice->reach;
+    double *rows = calloc(n * (width + 1), sizeof *rows);
+    if (!rows) {
+        status_fail(status, "not enough memory for the lattice of the bar");
+        return NAN;
+    }
+    for (size_t a = 0; a < n; a++)
+        for (int m = -lattice->reach; m <= lattice->reach; m++) {
+            const int i = lattice_column(lattice, a), other = i + m;
+            if (m == 0 || !lattice_has(lattice, other, 0))
+                continue;
+            const BondPlace bond = {m < 0 ? other : i, 0, abs(m) - 1};
+            const double k =
+                lattice_coefficient(lattice, bond) / lattice->offsets[bond.offset].length / def->density;
+            const size_t b = lattice_node(lattice, other, 0);
+            double *row = rows + a * (width + 1);
+            row[0] += k;
+            if (b <= a)
+                row[a - b] += lattice_is_image(lattice, other) ? k : -k;
+        }
+    const Band band = {n, lattice->reach, rows};
+    const double largest = band_eigenvalue(&band, n - 1, &def->cancel);
+    const bool cancelled = isnan(largest) && errno == ECANCELED;
+    free(rows);
+    if (!(largest > 0))
+        status_fail(status, cancelled ? "the building of the bar was cancelled"
+                                      : "the search for the critical time step did not converge");
+    return largest;
+}
+
+/* The largest frequency of a long bar is that of 2000 nodes with the same ends, to 1e-6. */
+bool bonds_line_critical_step(const BeamDef *def, double *step, Status *status)
+{
+    enum { NODES = 2000 };
+    ASSERT(beam_check(def, NULL));
+    Lattice lattice;
+    BeamDef part = *def;
+    bonds_line_complete(&part);
+    part.mistake = part.mistake_beside = 0; /* a wrong code is run with the step of the right one */
+    if (part.length > NODES * part.spacing)
+        part.length = NODES * part.spacing;
+    if (!lattice_init(&lattice, &part, status))
+        return false;
+    *step = 2 / sqrt(largest_eigenvalue(&part, &lattice, status));
+    lattice_free(&lattice);
+    return isfinite(*step);
+}
