@@ -244,11 +244,13 @@ static void layout_small(const Screen *screen, int width, int height, Layout *la
 enum {
     PLAIN_WIDTH = 60,
     PLAIN_HEIGHT = 18,
-    STACKED_WIDTH = 80,      /* below it a screen that is high, as a telephone's, has one column */
-    STACKED_LEAST = 36,      /* columns */
-    STACKED_HEIGHT = 30,     /* of one that could have two */
+    STACKED_WIDTH = 80,  /* below it a screen that is high, as a telephone's, has one column */
+    STACKED_LEAST = 36,  /* columns */
+    STACKED_HEIGHT = 30, /* of one that could have two */
+    BESIDE_WIDTH = 80, /* from here on a screen too low for one, a telephone's on its side, has two columns */
     LESSON_LEAST_WIDTH = 80, /* a text wants a column of its own */
-    LESSON_LEAST_HEIGHT = 20,
+    LESSON_LEAST_HEIGHT = 16,
+    LESSON_STRIP_HEIGHT = 20,
     ASKED_WIDTH = 34,
     ASKED_MOST = 40,
     DRAWING_ROWS = 15 /* with the sums of a stage below it */
@@ -316,7 +318,8 @@ static void lay_out_lesson(const Screen *screen, int width, int height, Layout *
 {
     if (lay_out_wide(screen, width, height, layout))
         return;
-    const int strip = strip_rows(screen, height), box = box_rows(screen, height, false);
+    const int strip = height < LESSON_STRIP_HEIGHT ? 0 : strip_rows(screen, height),
+              box = box_rows(screen, height, false);
     const int top = 1 + strip, middle = height - 2 - strip - box;
     const int text = layout_lesson_width(width), left = text + 1;
     const int number = lesson_number_rows(screen, width, height);
@@ -386,6 +389,23 @@ static void lay_out_stacked(const Screen *screen, int width, int height, Layout 
     layout->panes[PANE_PARAMETERS] = (Rect){0, end + box + number, asked ? width : 0, asked};
 }
 
+/* In two columns: the bar and the picture at the left, the number and the parameters beside them, what is
+ * asked above. */
+static void lay_out_beside(const Screen *screen, int width, int height, Layout *layout)
+{
+    const int question = pane_question_rows(screen, width), box = box_rows(screen, height, false);
+    const int top = 1 + question, middle = height - 2 - question - box, left = width - ASKED_WIDTH - 1;
+    const int strip = middle < 2 * PICTURE_LEAST ? 0 : strip_rows(screen, height);
+    const int asked = pane_asked_rows(screen), number = pane_number_rows(screen, width, height);
+    const int over = number + asked > middle ? 0 : number; /* the parameters are what is changed */
+    layout->question = (Rect){0, 1, question ? width : 0, question};
+    layout->panes[PANE_MESH] = (Rect){0, top, strip ? left : 0, strip};
+    lay_out_picture(screen, (Rect){0, top + strip, left, middle - strip}, layout);
+    layout->number = (Rect){left + 1, top, over ? ASKED_WIDTH : 0, over};
+    layout->panes[PANE_PARAMETERS] = (Rect){left + 1, top + over, ASKED_WIDTH, middle - over};
+    layout->panes[PANE_BOX] = (Rect){0, top + middle, box ? width : 0, box};
+}
+
 static bool layout_plain(const Screen *screen, int width, int height, Layout *layout)
 {
     const bool lesson = screen->lesson->open;
@@ -393,6 +413,11 @@ static bool layout_plain(const Screen *screen, int width, int height, Layout *la
         height >= (width < PLAIN_WIDTH ? PLAIN_HEIGHT : STACKED_HEIGHT)) {
         layout->kind = LAYOUT_FULL;
         lay_out_stacked(screen, width, height, layout);
+        return true;
+    }
+    if (!lesson && width >= BESIDE_WIDTH && height < PLAIN_HEIGHT) {
+        layout->kind = LAYOUT_FULL;
+        lay_out_beside(screen, width, height, layout);
         return true;
     }
     if (width < (lesson ? LESSON_LEAST_WIDTH : PLAIN_WIDTH) ||

@@ -229,6 +229,8 @@ static const Screenshot pictures[] = {
     {"stacked", "mode5 58x55 1234 bare"},
     {"stacked-crack", "notched-beam-coarse 58x55 1677 upper beam bare"},
     {"stacked-low", "mode5 40x20 100 bare"},
+    {"beside", "mode5 93x16 1234 bare"},
+    {"beside-crack", "notched-beam-coarse 93x12 1677 upper beam bare"},
     {"plain-plate", "branching-coarse 60x18 200 upper beam bare"},
     {"lecture", "mode5 80x24 1310 running lecture"},
     {"lecture-stage-large", "mode5 132x43 1310 stage 3 lecture focus 2"},
