@@ -14,6 +14,11 @@ utf8proc = $(work)/utf8proc/libutf8proc.a
 npm = $(work)/node_modules/.installed
 parts = index.html matvib.css terminal.js vectors.js plain.js address.js kept.js files.js fingers.js page.js worker.js host.js offline.js licences.txt
 
+# at most four at a time, where nobody says how many
+ifeq ($(filter -j% --jobserver%,$(MAKEFLAGS)),)
+MAKEFLAGS += -j$(shell n=$$(nproc 2>/dev/null || echo 2); echo $$((n < 4 ? n : 4)))
+endif
+
 all: $(web_page)/index.html matvib.html
 
 # --- tools ------------------------------------------------------------------------------------
@@ -84,7 +89,8 @@ $(work)/gsl-source/gsl/.linked: $(work)/gsl-source/.unpacked $(web)/gsl-config.h
 	cp $(web)/gsl-config.h $(work)/gsl-source/config.h
 	cd $(work)/gsl-source && for header in gsl_*.h */gsl_*.h; do ln -sf ../$$header gsl/; done
 	touch $@
-$(gsl_objects): $(work)/gsl/%.o: $(work)/gsl-source/gsl/.linked
+# one after the other, as the percents go
+$(gsl_objects): $(work)/gsl/%.o: $(work)/gsl-source/gsl/.linked | $(ncurses)
 	@mkdir -p $(@D)
 	$(eval gsl_done += $@)
 	@expr '(' 20 '*' $(words $(gsl_done)) - 20 ')' / $(words $(gsl_objects)) = 20 '*' $(words $(gsl_done)) / $(words $(gsl_objects)) >/dev/null || \
@@ -102,7 +108,9 @@ $(utf8proc): $(work)/utf8proc-source/.unpacked
 # --- the program ------------------------------------------------------------------------------
 here := $(abspath $(work))
 program = $(work)/program/matvib.js
-link = -O2 -sASYNCIFY -sASYNCIFY_IMPORTS=web_wait -sASYNCIFY_STACK_SIZE=262144 -sALLOW_MEMORY_GROWTH -sMAXIMUM_MEMORY=2147483648 \
+# QUICK=1 while the program is worked on: linked in seconds, and twice as large
+level = $(if $(QUICK),-O1,-O2)
+link = $(level) -sASYNCIFY -sASYNCIFY_IMPORTS=web_wait -sASYNCIFY_STACK_SIZE=262144 -sALLOW_MEMORY_GROWTH -sMAXIMUM_MEMORY=2147483648 \
 	-sINITIAL_MEMORY=33554432 -sTOTAL_STACK=4194304 -sMODULARIZE -sEXPORT_NAME=createMatvib -sENVIRONMENT=worker,node \
 	-sEXIT_RUNTIME -sFORCE_FILESYSTEM -sEXPORTED_RUNTIME_METHODS=FS,ENV -sDYNAMIC_EXECUTION=0 \
 	--js-library $(abspath $(web)/library.js)
@@ -115,10 +123,10 @@ $(work)/program/Makefile: $(web_source)/configure $(ncurses) $(gsl) $(utf8proc) 
 		GSL_CFLAGS="-I$(here)/gsl-source" GSL_LIBS="$(here)/gsl/libgsl.a" \
 		UTF8PROC_CFLAGS="-I$(here)/utf8proc-source -DUTF8PROC_STATIC" UTF8PROC_LIBS="$(here)/utf8proc/libutf8proc.a"
 # its own makefile knows what is out of date
-jobs = $(if $(filter -j%,$(MAKEFLAGS)),,-j$(shell n=$$(nproc 2>/dev/null || echo 2); echo $$((n < 4 ? n : 4))))
-build_program = $(MAKE) -s -C $(work)/program $(jobs) EXEEXT=.js CC='$(compiler)' CCLD=emcc matvib.js LDFLAGS='$(link)'
+build_program = $(MAKE) -s -C $(work)/program EXEEXT=.js CC='$(compiler)' CCLD=emcc matvib.js LDFLAGS='$(link)'
 .PHONY: program
 program: $(work)/program/Makefile
+	@[ "$$(cat $(work)/level 2>/dev/null)" = $(level) ] || { rm -f $(program) && echo $(level) >$(work)/level; }
 	+@$(call counted,45,90,$$($(build_program) --dry-run 2>/dev/null | grep -c 'echo "  CC  '),$(build_program))
 	$(call say,99)
 $(program): program
