@@ -135,15 +135,11 @@ async function bring(files) {
 			while (worker && !answers) await new Promise((done) => setTimeout(done, 50));
 			if (!worker) return;
 			worker.postMessage({put: {name, bytes}});
-			const enter = async (line, open) => {
-				// out of whatever is being typed; on the screen time makes it a key of its own
-				if (open) {
-					press(plain.on ? 'Esc\n' : '\x1b');
-					await new Promise((done) => setTimeout(done, 200));
-				}
+			const enter = (line, open) => {
+				if (open) press(plain.on ? 'Esc\n' : '\x1b'); // out of whatever is being typed
 				plain.on ? plain.enter(line) : press(line + '\r');
 			};
-			await enter((kind === 'csv' ? ':overlay ' : ':open ') + name, !fresh);
+			enter((kind === 'csv' ? ':overlay ' : ':open ') + name, !fresh);
 			if (kind === 'csv') notice(name + ' is drawn over the curves. ', word_button('which code made its numbers?', () => {
 				notice('');
 				enter(':diagnose ' + name, true);

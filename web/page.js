@@ -237,8 +237,6 @@ function listen() {
 	});
 }
 
-const COLUMNS_LEAST = 56, TYPE_LEAST = 10; // on a telephone, as far as one can read it
-
 async function main() {
 	if (typeof WebAssembly !== 'object' || typeof DecompressionStream !== 'function')
 		return give_up('This browser is too old for this page: it has no WebAssembly. A newer Firefox, Chrome, Edge or Safari has.');
@@ -249,12 +247,9 @@ async function main() {
 		document.fonts.load('15px "Cascadia Mono"', '│')]);
 	term.loadAddon(fit);
 	term.open(element('screen'));
-	fit.fit();
-	// with fewer columns a lesson shows its text or its plot
-	while (term.cols < COLUMNS_LEAST && term.options.fontSize > TYPE_LEAST) {
-		term.options.fontSize--;
-		fit.fit();
-	}
+	term.element.querySelector('.xterm-rows').removeAttribute('aria-hidden'); // they are read aloud where somebody asks for them
+	show_fingers();
+	fit_type();
 	listen();
 	program = await load_program();
 	loading(2);

@@ -33,7 +33,7 @@ const themes = {
 const look = () => (dark.matches ? 'dark' : 'light');
 
 const term = new Terminal({
-	fontFamily: '"Cascadia Mono", monospace', fontSize: innerWidth < 600 ? 12 : 15, lineHeight: 1,
+	fontFamily: '"Cascadia Mono", monospace', lineHeight: 1,
 	theme: themes[look()], scrollback: 0, cursorBlink: false, allowProposedApi: true,
 });
 
@@ -45,11 +45,28 @@ function send(bytes) {
 	if (worker) worker.postMessage({keys: bytes});
 }
 
-const press = (text) => send(encoder.encode(text));
+// Esc with a sequence that is no key's behind it: alone the program would wait for more, and take the next key for Alt's.
+const press = (text) => send(encoder.encode(text === '\x1b' ? '\x1b\x1b[u' : text));
+
+// The size of the type: at first and when a telephone is turned (`width` changes), whether it is
+// a person's own, and as it was before L.
+const COLUMNS_LEAST = 56, ROWS_LEAST = 16; // with fewer columns a lesson shows its text or its plot
+const TYPE_LEAST = 10; // as far as one can read it on a telephone
+const sizes = {width: 0, own: false, before: 0};
+
+function fit_type() {
+	sizes.width = innerWidth;
+	term.options.fontSize = innerWidth < 600 ? 12 : 15;
+	fit.fit();
+	while ((term.cols < COLUMNS_LEAST || term.rows < ROWS_LEAST) && term.options.fontSize > TYPE_LEAST) {
+		term.options.fontSize--;
+		fit.fit();
+	}
+}
 
 function resize() {
 	if (plain.on) return;
-	fit.fit();
+	innerWidth === sizes.width || sizes.own || sizes.before ? fit.fit() : fit_type();
 	if (worker) worker.postMessage({size: [term.cols, term.rows]});
 }
 
@@ -83,11 +100,10 @@ function is_ours(event) {
 }
 
 // Steps of the type's size; 0: as it was at first.
-const sizes = {first: 0, before: 0};
-
 function type_size(step) {
-	sizes.first = sizes.first || term.options.fontSize;
-	term.options.fontSize = step === 0 ? sizes.first : Math.max(6, Math.min(48, Math.round(term.options.fontSize * (step > 0 ? 1.12 : 1 / 1.12) + step * .4)));
+	sizes.own = step !== 0;
+	if (!sizes.own) fit_type();
+	else term.options.fontSize = Math.max(6, Math.min(48, Math.round(term.options.fontSize * (step > 0 ? 1.12 : 1 / 1.12) + step * .4)));
 	resize();
 }
 

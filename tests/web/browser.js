@@ -5,12 +5,14 @@
 // MATVIB_FIREFOX (firefox-esr), MATVIB_SHOTS (a folder for screenshots).
 'use strict';
 const fs = require('fs'), os = require('os'), path = require('path'), http = require('http');
+const {createHash} = require('crypto');
 const {execFileSync, spawnSync} = require('child_process');
 const {createRequire} = require('module');
 const built = process.env.MATVIB_BUILDDIR;
 const puppeteer = createRequire(path.join(built, 'web-work', 'x.js'))('puppeteer-core');
 const scratch = fs.mkdtempSync(path.join(os.tmpdir(), 'matvib-page-'));
 const patience = 30000;
+const asked = []; // of the server
 let number = 0, broken = false, away = false, browser, page, served, engine;
 
 function result(name, holds, told = '') {
@@ -92,6 +94,7 @@ const engines = {
 };
 
 const one = 'file://' + path.join(built, 'matvib.html');
+const endless = one + '?scenario=mode5&set=time.end:1e4'; // for what is done while a run goes on, however slow the machine is
 let touching = false;
 async function with_fingers(touch) {
 	if (browser && (touch === touching || engine === engines.Chromium)) return;
@@ -135,6 +138,8 @@ async function first_picture() {
 }
 
 async function keys_and_size() {
+	await open(endless);
+	await until('', has('Space pause'));
 	await page.keyboard.press(' ');
 	note(`a key is answered in ${await shows('a key pauses', has('Space run'))} ms`);
 	const columns = await page.evaluate(() => term.cols);
@@ -167,7 +172,8 @@ async function edit_and_stages() {
 }
 
 async function export_of_a_run() {
-	await open(one + '?scenario=mode5&set=mesh.cell_size=0.5');
+	// to the end: a run that has gone further is asked about
+	await open(one + '?scenario=mode5&set=mesh.cell_size=0.5&set=time.end=1.5');
 	await shows('a link opens its scenario', has('Space pause'));
 	await halt();
 	await type(':goto #300\r');
@@ -178,7 +184,7 @@ async function export_of_a_run() {
 	result('an export is offered at once, by a button', (await page.$eval('#latest', (span) => span.textContent)) === 'save page-series.csv',
 		await page.$eval('#latest', (span) => span.textContent));
 	fs.writeFileSync(path.join(scratch, 'export.script'), 'key Space\ntype :goto #300\nkey Enter\ntype :export page\nkey Enter\n');
-	spawnSync(process.env.MATVIB, ['mode5', '--set', 'mesh.cell_size=0.5', '--script', 'export.script'], {cwd: scratch});
+	spawnSync(process.env.MATVIB, ['mode5', '--set', 'mesh.cell_size=0.5', '--set', 'time.end=1.5', '--script', 'export.script'], {cwd: scratch});
 	const native = fs.readdirSync(scratch).filter((name) => /^page-.*(csv|ini)$/.test(name));
 	for (const name of native) result(`${name} has the native bytes`, fs.readFileSync(path.join(scratch, name)).equals((await file(name)) || Buffer.alloc(0)));
 	result('all of its files', native.length === 6 && (await page.evaluate(() => written.size)) === 6, native.join());
@@ -217,7 +223,7 @@ async function dropped_series() {
 	await new Promise((done) => setTimeout(done, 1000));
 	result('a diagnosis of a series is offered', /which code made its numbers/.test(await notice_of()), await notice_of());
 	await page.click('#notice button');
-	await shows('and it is told whose numbers they are', has("the right code's numbers"));
+	await shows('and it is told whose numbers they are', has('Right, USF, to 16 digits'));
 	await page.keyboard.press('Escape');
 	await type(':fit bar.youngs_modulus\r');
 	await shows('and what fits them', (text) => /fitted: bar\.youngs_modulus 100 /.test(text));
@@ -275,7 +281,7 @@ async function lesson_by_taps() {
 	await tap_button('b back');
 	await shows('and one back', (text) => new RegExp(`\\b${pages - 1} of \\d+|\\b${pages - 1}/\\d+`).test(text));
 	result('no keyboard comes by itself', await page.evaluate(() => term.textarea.inputMode === 'none'));
-	await open(one, {width: 1024, height: 768}, true);
+	await open(endless, {width: 1024, height: 768}, true);
 	await until('', has('Space pause'));
 	await shot('1024x768');
 	await tap_word('pause');
@@ -284,7 +290,7 @@ async function lesson_by_taps() {
 
 // from the plain sheet to the full one and back, and into a step, without a keyboard
 async function sheets_by_taps() {
-	await open(one, {width: 1024, height: 768}, true);
+	await open(endless, {width: 1024, height: 768}, true);
 	await until('', has('Space pause'));
 	await tap_word('pause');
 	await until('', has('Space run'));
@@ -550,7 +556,7 @@ async function selecting() {
 	await page.keyboard.up('Shift');
 	result('dragging with Shift selects', (await selection()).length >= 19 && first.includes((await selection()).trim()), await selection());
 	if (engine !== engines.Chromium) return;
-	await open(one, {width: 1024, height: 768}, true);
+	await open(endless, {width: 1024, height: 768}, true);
 	await until('', has('Space pause'));
 	await tap_word('pause');
 	await until('', has('Space run'));
@@ -606,6 +612,8 @@ async function browser_keys() {
 		term.textarea.dispatchEvent(new ClipboardEvent('paste', {clipboardData: clip, dataType: 'text/plain', data: clip.getData('text/plain'), bubbles: true, cancelable: true}));
 	});
 	await shows('a scenario that is pasted is opened', has('Pasted as text'));
+	await page.evaluate(() => { press('\x1b'); press(':mesh'); press('\x1b'); press(':behind\r'); });
+	await shows('a key right behind Esc is a key of its own', has('behind'));
 	const focus = () => page.evaluate(() => document.activeElement.id || document.activeElement.className);
 	await page.keyboard.press('F6');
 	const left = await focus();
@@ -613,6 +621,7 @@ async function browser_keys() {
 	result('F6 leaves the program and comes back', left === 'chooser' && /xterm/.test(await focus()), left + ' ' + await focus());
 	const marks = await page.evaluate(() => ['header', 'main', 'nav', 'h1', '#skip'].every((mark) => document.querySelector(mark)) && /F6/.test(term.textarea.getAttribute('aria-label')));
 	result('landmarks, a heading, a skip link, and F6 told', marks);
+	result('what the screen shows can be read aloud', await page.$eval('.xterm-rows', (rows) => !rows.closest('[aria-hidden]') && /Space/.test(rows.textContent)));
 }
 
 // A frame that forbids forms, downloads and storage.
@@ -697,7 +706,7 @@ async function lines() {
 }
 
 async function telephone() {
-	await open(one + '?scenario=mode5', {width: 412, height: 915}, true);
+	await open(endless, {width: 412, height: 915}, true);
 	await until('', has('Space pause'));
 	await shot('phone');
 	const stacked = await screen();
@@ -721,9 +730,24 @@ async function telephone() {
 	for (let i = 0; i < 4; i++) await tap_button('⌫');
 	for (const key of ['0', '.', '2', 'Enter']) await tap_button(key);
 	await shows('which enters a number', (text) => /courant number +0\.2\b/.test(text));
+	if (engine === engines.Chromium) {
+		await tap_button('?');
+		const help = (await until('', (text) => !/courant number +0\.2/.test(text))).text;
+		await fingers([[200, 600]], [[200, 200]]);
+		await shows('a swipe scrolls the help', (text) => text !== help && text.split('\n')[0] === help.split('\n')[0]);
+		await tap_button('Esc');
+		await until('', (text) => /courant number +0\.2/.test(text));
+	}
 	await page.setViewport({width: 915, height: 412, isMobile: true, hasTouch: true});
 	await shows('another size when it is turned', (text) => text.split('\n').length < 30 && has('Space')(text));
 	await shot('phone-turned');
+	for (const scenario of ['notched-beam-coarse', 'branching-coarse']) {
+		await open(one + '?scenario=' + scenario, {width: 844, height: 390}, true);
+		await shows(`${scenario}: on its side a telephone has the number and what is asked`, (text) => /Space pause/.test(text) && /crit\./.test(text) && /t tries/.test(text));
+		result('beside the map', await page.evaluate(() => vectors.areas.some(({map, rect}) => map && rect[2] >= 40 && rect[3] >= 8)), await screen());
+		result('over the row of keys', await page.$eval('#keys', (keys) => !keys.hidden && keys.getBoundingClientRect().bottom <= innerHeight));
+		await shot('phone-on-its-side-' + scenario);
+	}
 }
 
 async function lesson_on_a_telephone() {
@@ -806,7 +830,7 @@ async function plain_words() {
 
 // output waits for a terminal that stands still, and no key is lost
 async function slow_terminal() {
-	await open(one + '?scenario=mode5');
+	await open(endless);
 	await until('', has('Space pause'));
 	await page.evaluate(() => {
 		const write = term.write.bind(term), held = [];
@@ -827,7 +851,7 @@ async function slow_terminal() {
 	result('a terminal that stands still is sent no more than it has room for', bytes > 1000 && bytes < 131072, `${bytes} bytes`);
 	await shows('and no key is lost', (text) => /cell size +0\.5/.test(text));
 	if (engine !== engines.Chromium) return;
-	await open(one + '?scenario=mode5');
+	await open(endless);
 	await until('', has('Space pause'));
 	await page.emulateCPUThrottling(6);
 	await page.keyboard.press(' ');
@@ -1007,6 +1031,39 @@ async function without_webassembly() {
 	result('a browser without WebAssembly is told so in a sentence', /^This browser is too old for this page: it has no WebAssembly\./.test(await notice_of()), await notice_of());
 }
 
+// The page's own policy: its scripts, by their hashes or from its folder, and nothing from elsewhere.
+async function policy() {
+	const read = (...parts) => fs.readFileSync(path.join(built, ...parts), 'utf8');
+	const told = (text) => /http-equiv="Content-Security-Policy" content="([^"]*)"/.exec(text)[1].replace(/ +;/g, ';');
+	const of = (script, style, more) => `default-src 'none'; script-src ${script} 'wasm-unsafe-eval'; style-src 'unsafe-inline'${style}; font-src data:; img-src data:;` +
+		` ${more}; base-uri 'none'; form-action 'none'`;
+	const all = read('matvib.html'), scripts = [...all.matchAll(/<script>([^]*?)<\/script>/g)].map(([, text]) => `'sha256-${createHash('sha256').update(text).digest('base64')}'`);
+	result('the policy of the one file', told(all) === of(scripts.join(' '), '', 'worker-src blob:'), told(all));
+	result('the policy of the folder', told(read('web', 'index.html')) === of("'self'", " 'self'", "connect-src 'self'; worker-src 'self'"), told(read('web', 'index.html')));
+	const outside = /(?:src|href)\s*=\s*["']?(?:https?:)?\/\/[^"'\s>]*|url\(\s*["']?(?!data:)[^)]*|@import[^;]*/;
+	const names = ['matvib.html', ...fs.readdirSync(path.join(built, 'web')).filter((name) => /\.(html|css|js)$/.test(name)).map((name) => path.join('web', name))];
+	const found = names.map((name) => outside.exec(read(name))).filter(Boolean);
+	result('nothing names what would be loaded from elsewhere', names.length > 10 && found.length === 0, found.join('\n'));
+	asked.length = 0;
+	await open(one);
+	await until('', has('Space pause'));
+	const refused = await page.evaluate(async (elsewhere) => {
+		const found = new Set();
+		document.addEventListener('securitypolicyviolation', ({effectiveDirective}) => found.add(effectiveDirective.replace(/-elem$/, '')));
+		const add = (kind, parts) => document.body.append(Object.assign(document.createElement(kind), parts));
+		add('img', {src: elsewhere + 'x.png'});
+		add('iframe', {src: elsewhere + 'x.html'});
+		add('link', {rel: 'stylesheet', href: elsewhere + 'x.css'});
+		add('script', {textContent: 'document.title = "harmed"'});
+		add('script', {src: elsewhere + 'x.js'});
+		await fetch(elsewhere + 'x').catch(() => {});
+		await new Promise((done) => setTimeout(done, 1000));
+		return [...found].sort().join(' ');
+	}, served);
+	result('the browser refuses what the policy does not allow', refused === 'connect-src frame-src img-src script-src style-src', refused);
+	result('and asks for none of it', asked.length === 0 && !/harmed/.test(await page.title()), asked.join(' '));
+}
+
 async function from_a_server() {
 	await open(served + 'index.html?scenario=mode1');
 	await shows('the folder works on a server without headers of its own', has('Space pause'));
@@ -1017,15 +1074,21 @@ async function from_a_server() {
 	await page.reload().catch(() => {});
 	await shows('and without the server, once it was there', has('Space pause'));
 	away = false;
+	await open(served + 'strict.html');
+	await page.waitForFunction(() => !document.getElementById('notice').hidden, {timeout: patience}).catch(() => {});
+	result('a server whose policy forbids WebAssembly is named as the reason', /^The policy of this server .* forbids WebAssembly/.test(await notice_of()), await notice_of());
 }
 
 async function main() {
 	const types = {'.html': 'text/html', '.js': 'text/javascript', '.wasm': 'application/wasm', '.css': 'text/css'};
 	const server = http.createServer((request, answer) => {
+		asked.push(request.url);
 		const name = path.basename(new URL(request.url, 'http://x').pathname), where = name === 'matvib.html' ? path.join(built, name) : path.join(built, 'web', name);
 		if (name === 'frame.html')
 			return answer.writeHead(200, {'content-type': 'text/html'}).end('<iframe src="matvib.html" sandbox="allow-scripts" width="900" height="600"></iframe>');
 		if (away) return request.socket.destroy();
+		if (name === 'strict.html')
+			return answer.writeHead(200, {'content-type': 'text/html', 'content-security-policy': "script-src 'self'"}).end(fs.readFileSync(path.join(built, 'web', 'index.html')));
 		if (!fs.existsSync(where)) return answer.writeHead(404).end();
 		answer.writeHead(200, {'content-type': types[path.extname(name)] || 'application/octet-stream'}).end(fs.readFileSync(where));
 	}).listen(0, '127.0.0.1');
@@ -1033,7 +1096,7 @@ async function main() {
 	served = `http://127.0.0.1:${server.address().port}/`;
 	const cases = {first_picture, keys_and_size, edit_and_stages, export_of_a_run, dropped_scenario, dropped_series, lesson_by_taps, sheets_by_taps, cell_by_taps, homework, homework_is_kept, address, size_of_type, selecting, browser_keys, sandboxed, files_of_any_kind, lines, telephone, lesson_on_a_telephone, answer_by_taps,
 		plain_words, slow_terminal, computing, hostile_links, hostile_files, hostile_storage,
-		failing_storage, crash, end_of_the_program, without_webassembly, from_a_server};
+		failing_storage, crash, end_of_the_program, without_webassembly, policy, from_a_server};
 	const wanted = process.argv.slice(2);
 	for (const [name, one_engine] of Object.entries(engines)) {
 		engine = Object.assign(one_engine, {name});
