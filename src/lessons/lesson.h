@@ -13,7 +13,7 @@
  *     @choice TEXT          @right TEXT
  *     @reveal               what follows waits: text and @do for the answer,
  *                           text for the goal of a page that asks nothing
- *     @until CONDITION      the goal: step N | time T | end | crossing | break | event | rest |
+ *     @until CONDITION      the goal: step N | time T | end | crossing | break | touch | event | rest |
  *                           stage N | command NAME | value KEY VALUE
  *     @variant KEY from A to B   sets a parameter to a value of the student's own; "{KEY}" in a text is that
  *     @variant KEY from WORD, WORD ...   the same of a choice; a mistake is made, but not told

@@ -360,9 +360,10 @@ static bool read_until(Reader *reader, const char *text)
             (until->kind != UNTIL_VALUE || parameter_find(one)))
             return true;
     }
-    return status_refuse(reader->status,
-                         "until what? (step N | time T | stage N | end | crossing | break | event | rest | "
-                         "command NAME | value KEY VALUE)");
+    return status_refuse(
+        reader->status,
+        "until what? (step N | time T | stage N | end | crossing | break | touch | event | rest | "
+        "command NAME | value KEY VALUE)");
 }
 
 typedef enum Wants { WANTS_NOTHING, WANTS_TEXT } Wants;

@@ -146,6 +146,9 @@ static inline int exchange_three(double factors[EXCHANGE_FACTORS_MAX], double a,
 typedef enum EventKind {
     EVENT_CROSSING, /* a particle entered another cell */
     EVENT_BREAK,    /* a bond broke (the first, the twentieth, ... : not every one) */
+    EVENT_TOUCH,    /* two bodies, or a body and a wall, push each other for the first time */
+    EVENT_PART,     /* and two bodies first do no more */
+    EVENT_TEAR,     /* neighbouring particles of a body have parted */
     EVENT_ENERGY,   /* the energy left the range that the method promises */
     EVENT_CHANGE,   /* a live parameter was changed */
     EVENT_REST,     /* the motion has come to an end */

@@ -13,23 +13,24 @@
 /* How events are marked; where several share a cell the one further down is seen. */
 static const struct {
     EventKind kind;
-    char letter;
+    const char *letter;
     Style style;
     const char *word; /* for the legend */
 } marks[] = {
-    {EVENT_CROSSING, 'x', STYLE_NORMAL, "crossing"}, {EVENT_BREAK, 'b', STYLE_NORMAL, "break"},
-    {EVENT_LATE, 'L', STYLE_NORMAL, "late"},         {EVENT_ENERGY, 'E', STYLE_WARNING, "energy"},
-    {EVENT_CHANGE, 'c', STYLE_CHANGED, "change"},    {EVENT_REST, 'R', STYLE_NORMAL, "rest"},
-    {EVENT_FAILURE, '!', STYLE_ERROR, "stopped"},
+    {EVENT_CROSSING, "x", STYLE_NORMAL, "crossing"}, {EVENT_BREAK, "b", STYLE_NORMAL, "break"},
+    {EVENT_TOUCH, "t", STYLE_NORMAL, "touch"},       {EVENT_PART, "p", STYLE_NORMAL, "parting"},
+    {EVENT_TEAR, "T", STYLE_WARNING, "torn"},        {EVENT_LATE, "L", STYLE_NORMAL, "late"},
+    {EVENT_ENERGY, "E", STYLE_WARNING, "energy"},    {EVENT_CHANGE, "c", STYLE_CHANGED, "change"},
+    {EVENT_REST, "R", STYLE_NORMAL, "rest"},         {EVENT_FAILURE, "!", STYLE_ERROR, "stopped"},
 };
 enum { MARKS = sizeof marks / sizeof *marks };
 
-char pane_timeline_letter(EventKind kind)
+const char *pane_timeline_letter(EventKind kind)
 {
     for (int i = 0; i < MARKS; i++)
         if (marks[i].kind == kind)
             return marks[i].letter;
-    return ' ';
+    return " ";
 }
 
 /* Where the line lies in a timeline of so many columns: the first cell is t = 0, the last one the end. */
@@ -79,7 +80,7 @@ static void draw_marks(const Bookmarks *bookmarks, Area area, int x, const bool 
         legend[n++] = (Legend){.style = STYLE_KEY, .name = "bookmark", .key = "m "};
     for (size_t m = 0; m < MARKS; m++)
         if (seen[m]) {
-            snprintf(keys[m], sizeof keys[m], "%c ", marks[m].letter);
+            snprintf(keys[m], sizeof keys[m], "%s ", marks[m].letter);
             legend[n++] = (Legend){.style = marks[m].style, .name = marks[m].word, .key = keys[m]};
         }
     legend_draw(area, x, 1, legend, n);
@@ -106,8 +107,8 @@ void pane_timeline(const Screen *screen, Area area)
         for (int i = 0; i < count; i++)
             if (events[i].kind == marks[m].kind) {
                 seen[m] = true;
-                area_put(area, cell_of(screen, &line, events[i].step), 0,
-                         (uint32_t)(unsigned char)marks[m].letter, marks[m].style);
+                area_put(area, cell_of(screen, &line, events[i].step), 0, (uint32_t)marks[m].letter[0],
+                         marks[m].style);
             }
     for (int i = 0; i < screen->bookmarks->count; i++)
         area_put(area, cell_of(screen, &line, screen_bookmark_step(screen, i)), 0, 'm', STYLE_KEY);

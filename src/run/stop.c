@@ -20,9 +20,17 @@ static const struct {
     const char *told;  /* what is waited for */
     const char *lacking;
 } kinds[] = {
-    {1u << EVENT_CROSSING, {HAS_MESH, HAS_MESH}, "a crossing", "there are no cells to cross in this run"},
+    {1u << EVENT_CROSSING,
+     {HAS_MESH | HAS_LINE, HAS_MESH | HAS_PLANE},
+     "a crossing",
+     "crossings of cells are not told in this run"},
     {1u << EVENT_BREAK, {HAS_BREAKING, HAS_BREAKING}, "a break", "no bond can break in this run"},
-    {1u << EVENT_CROSSING | 1u << EVENT_BREAK | 1u << EVENT_ENERGY,
+    {1u << EVENT_TOUCH,
+     {HAS_BODIES, HAS_BODIES},
+     "a touch",
+     "there are no bodies that can touch in this run"},
+    {1u << EVENT_CROSSING | 1u << EVENT_BREAK | 1u << EVENT_TOUCH | 1u << EVENT_PART | 1u << EVENT_TEAR |
+         1u << EVENT_ENERGY,
      {HAS_MESH, HAS_BREAKING},
      "an event",
      "nothing of the kind happens in this run"},
@@ -31,8 +39,8 @@ static const struct {
      "rest",
      "nothing comes to rest without damping (damping.rate, or time.rest = yes)"},
 };
-const char *const stop_event_words[] = {"crossing", "break", "event", "rest", NULL};
-enum { REST_WORD = 3 };
+const char *const stop_event_words[] = {"crossing", "break", "touch", "event", "rest", NULL};
+enum { REST_WORD = 4 };
 #define REST_KINETIC 1e-10
 #define REST_SPAN    0.1 /* of the time */
 
@@ -116,7 +124,8 @@ bool stop_read(Stop *stop, const char *text, const Experiment *experiment, Statu
     } else if (read_event(stop, next ? next : text, experiment, &sound, status))
         return sound;
     return status_refuse(
-        status, "until what? (t TIME | step N | end | crossing | break | event | rest, first or next)");
+        status,
+        "until what? (t TIME | step N | end | crossing | break | touch | event | rest, first or next)");
 }
 
 void stop_words(const Stop *stop, char out[STOP_WORDS_MAX])

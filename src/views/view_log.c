@@ -31,6 +31,7 @@ static Style style_of(const Event *event)
         return STYLE_ERROR;
     case EVENT_ADVICE:
     case EVENT_ENERGY:
+    case EVENT_TEAR:
         return STYLE_WARNING;
     default:
         return STYLE_NORMAL;
@@ -96,7 +97,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     if (log.count == 0)
         picture_note(picture, STYLE_FAINT, "nothing out of the ordinary so far");
     if (log.beyond > 0) {
-        snprintf(text, sizeof text, "and %ld more crossings or breaks that are not kept", log.beyond);
+        snprintf(text, sizeof text, "and %ld more events that are not kept", log.beyond);
         picture_note(picture, STYLE_FAINT, text);
     }
     if (!list)
@@ -113,7 +114,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
         *picture_cell(list, 0, i) =
             (PictureCell){.letter = entry->run, .style = entry->run == 'B' ? STYLE_SECOND : STYLE_MEASURED};
         *picture_cell(list, both, i) =
-            (PictureCell){.letter = pane_timeline_letter(entry->event->kind), .style = style};
+            (PictureCell){.letter = pane_timeline_letter(entry->event->kind)[0], .style = style};
         *picture_cell(list, both + 1, i) = (PictureCell){.words = entry->event->text, .style = style};
     }
 }

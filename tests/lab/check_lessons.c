@@ -105,11 +105,11 @@ static const struct {
      "@right | @reveal | @until | @variant | @answer | @words | @goal | @solve | @points)"},
     {"@title x\n@page y\n@field mesh.size\n", "my.lesson:3: mesh.size is no parameter (see: matvib params)"},
     {"@title x\n@page y\n@until then\n", "my.lesson:3: until what? (step N | time T | stage N | end | "
-                                         "crossing | break | event | rest | command NAME "
+                                         "crossing | break | touch | event | rest | command NAME "
                                          "| value KEY VALUE)"},
-    {"@title x\n@page y\n@until step -1\n",
-     "my.lesson:3: until what? (step N | time T | stage N | end | crossing | break | event | rest | command "
-     "NAME | value KEY VALUE)"},
+    {"@title x\n@page y\n@until step -1\n", "my.lesson:3: until what? (step N | time T | stage N | end | "
+                                            "crossing | break | touch | event | rest | command "
+                                            "NAME | value KEY VALUE)"},
     {"@title x\n@page y\n@ask a\nb?\n",
      "my.lesson:4: a question is one line (text comes before @ask, or after @reveal)"},
     {"@title x\n@page y\n@choice a\n", "my.lesson:3: a choice comes after its question (@ask)"},

@@ -60,8 +60,6 @@ double bodies_largest_stretch(const Mpm *, int *at);
 /* Walls and contact on nodes [first, end) of the grid. */
 void bodies_fix(Mpm *, MpmOp, int first, int end);
 
-enum { TOUCHED_BODY = 1, TOUCHED_WALL = 2 };
-
 /* What contact does at a node of the grid between the fields a and b, whose momenta there are q. */
 typedef struct Meeting {
     double normal[2];  /* common, from a to b; 0 0: there is none */

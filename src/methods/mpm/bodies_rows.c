@@ -82,7 +82,7 @@ void bodies_note_tear(Mpm *mpm)
              "particles)",
              at, mpm->at[0][at] + mpm->u[0][at], mpm->at[1][at] + mpm->u[1][at], stretch,
              mpm->shape == MPM_HAT ? "gimp or " : "");
-    batch_report(&mpm->sim, EVENT_BREAK, text);
+    batch_report(&mpm->sim, EVENT_TEAR, text);
 }
 
 /* Sums over some particles. */

@@ -18,27 +18,28 @@
 #include "methods/mpm/bodies_inner.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
-/* A wall is at `place` in cells along `axis`, and out of the box is the direction `out`. Returns the energy
- * that friction takes. */
-static double hold(Mpm *mpm, int node, int grid_node, BodyWall wall, int axis, double out, double place)
+/* A wall is at `place` in cells. Returns the energy that friction takes. */
+static double hold(Mpm *mpm, int node, int wall, double place)
 {
+    const int axis = wall / 2;
     double *const normal = &mpm->momentum[axis][node], *const along = &mpm->momentum[1 - axis][node];
     const BodiesDef *def = &mpm->bodies->def;
-    if (wall == WALL_CLAMP) {
+    if (def->walls[wall] == WALL_CLAMP) {
         *normal = *along = 0.0;
         mpm->start[0][node] = mpm->start[1][node] = 0.0;
         return 0.0;
     }
     const double mass = mpm->node_mass[node];
-    if (!(*normal * out > 0.0) ||
+    if (!(wall % 2 ? *normal > 0.0 : *normal < 0.0) ||
         !(fabs(mpm->moment[axis][node] / mass - place * mpm->dx) <= def->gap * mpm->dx))
         return 0.0;
-    mpm->touched[grid_node] |= TOUCHED_WALL;
+    mpm->touched[node] |= 1u << (BODIES_MAX + wall);
     const double most = def->wall_friction * fabs(*normal), before = fabs(*along);
     *normal = 0.0;
-    if (wall != WALL_FRICTION || !(most > 0.0))
+    if (def->walls[wall] != WALL_FRICTION || !(most > 0.0))
         return 0.0;
     const double after = before > most ? before - most : 0.0;
     *along = *along > 0.0 ? after : -after;
@@ -56,7 +57,7 @@ static void hold_walls(Mpm *mpm, int node, int grid_node)
         const BodyWall kind = bodies->def.walls[wall];
         if (kind == WALL_OPEN || !(far ? at[axis] >= cells[axis] : at[axis] <= 0))
             continue;
-        const double more = hold(mpm, node, grid_node, kind, axis, far ? 1.0 : -1.0, far ? cells[axis] : 0.0);
+        const double more = hold(mpm, node, wall, far ? cells[axis] : 0.0);
         lost = kind == WALL_CLAMP ? 0.0
                                   : lost + more; /* in a corner a clamp takes what friction took before it */
     }
@@ -119,7 +120,7 @@ static void touch(Mpm *mpm, int node)
             }
             mpm->lost[node] += meeting.lost;
             if (meeting.impulse[0] != 0.0 || meeting.impulse[1] != 0.0)
-                mpm->touched[node] |= TOUCHED_BODY;
+                mpm->touched[i] |= 1u << there[b];
         }
 }
 
@@ -144,12 +145,13 @@ void bodies_fix(Mpm *mpm, MpmOp op, int first, int end)
 {
     const bool idle = op == OP_FIX && bodies_does(mpm->bodies, BODIES_NO_FIRST_FIX);
     for (int i = first; op == OP_FIX && i < end; i++)
-        mpm->lost[i] = 0.0, mpm->touched[i] = 0;
+        mpm->lost[i] = 0.0;
     for (int field = 0; field < mpm->bodies->n_fields; field++)
         for (int i = first; i < end; i++) {
             const int node = field * mpm->grid_nodes + i;
             const double mass = mpm->node_mass[node];
             if (op == OP_FIX) {
+                mpm->touched[node] = 0;
                 mpm->inverse[node] = mass > mpm->floor ? 1.0 / mass : 0.0;
                 for (int axis = 0; axis < 2; axis++)
                     mpm->start[axis][node] = mpm->momentum[axis][node];
@@ -169,20 +171,62 @@ void bodies_fix(Mpm *mpm, MpmOp op, int first, int end)
         find_velocities(mpm, op, field * mpm->grid_nodes + first, field * mpm->grid_nodes + end);
 }
 
-/* What both `fix` of a step took from particles; MUSL's third one is for the strain alone. */
-void bodies_note_contact(Mpm *mpm)
+/* An event of the step going on: where is the middle of the nodes at which they push each other. */
+static void report_touch(Mpm *mpm, int field, int other)
+{
+    static const char *const walls[WALLS] = {"left", "right", "bottom", "top"};
+    const Bodies *bodies = mpm->bodies;
+    const uint32_t *const touched = mpm->touched + field * mpm->grid_nodes;
+    double x = 0.0, y = 0.0, count = 0.0;
+    char text[120], wall[24];
+    for (int i = 0; i < mpm->grid_nodes; i++)
+        if (touched[i] >> other & 1) {
+            x += mpm->xmin + i % mpm->gx * mpm->dx;
+            y += mpm->ymin + i / mpm->gx * mpm->dx;
+            count++;
+        }
+    if (other >= BODIES_MAX)
+        snprintf(wall, sizeof wall, "the %s wall", walls[other - BODIES_MAX]);
+    snprintf(text, sizeof text, "%s touches %s at (%.3g, %.3g)",
+             bodies->n_fields > 1 || bodies->def.n_bodies == 1 ? bodies->def.bodies[field].name : "a body",
+             other < BODIES_MAX ? bodies->def.bodies[other].name : wall, x / count, y / count);
+    batch_report(&mpm->sim, EVENT_TOUCH, text);
+}
+
+/* What a field pushes for the first time in the step going on, and what it first pushes no more. */
+static void note_pushes(Mpm *mpm, int field)
 {
     MpmHead *head = mpm->head;
-    const long step = mpm->sim.step + 1;
+    const uint32_t *const touched = mpm->touched + field * mpm->grid_nodes;
+    uint32_t now = 0;
+    char text[120];
+    for (int i = 0; i < mpm->grid_nodes; i++)
+        now |= touched[i];
+    const uint32_t first = now & ~head->met_by[field],
+                   ended = head->met_by[field] & ~now & ~head->parted_from[field];
+    for (int other = 0; first && other < BODIES_MAX + WALLS; other++)
+        if (first >> other & 1) {
+            long *const met = other < BODIES_MAX ? &head->met : &head->hit;
+            *met = *met > 0 ? *met : mpm->sim.step + 1;
+            report_touch(mpm, field, other);
+        }
+    for (int other = 0; ended && other < BODIES_MAX; other++)
+        if (ended >> other & 1) {
+            snprintf(text, sizeof text, "%s and %s part", mpm->bodies->def.bodies[field].name,
+                     mpm->bodies->def.bodies[other].name);
+            batch_report(&mpm->sim, EVENT_PART, text);
+        }
+    head->met_by[field] |= first;
+    head->parted_from[field] |= ended;
+}
+
+/* What both `fix` of a step did to particles; MUSL's third one is for the strain alone. */
+void bodies_note_contact(Mpm *mpm)
+{
     double sum = 0.0;
-    unsigned touched = 0;
-    for (int i = 0; i < mpm->grid_nodes; i++) {
-        touched |= mpm->touched[i];
+    for (int i = 0; i < mpm->grid_nodes; i++)
         sum += mpm->lost[i];
-    }
-    head->friction += sum;
-    if (head->met == 0 && touched & TOUCHED_BODY)
-        head->met = step;
-    if (head->hit == 0 && touched & TOUCHED_WALL)
-        head->hit = step;
+    mpm->head->friction += sum;
+    for (int field = 0; field < mpm->bodies->n_fields; field++)
+        note_pushes(mpm, field);
 }

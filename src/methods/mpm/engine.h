@@ -20,6 +20,7 @@
 #define METHODS_MPM_ENGINE_H
 
 #include "methods/batch.h"
+#include "methods/mpm/bodies.h"
 #include "methods/mpm/mpm_bar.h"
 #include "methods/mpm/plane.h"
 #include "methods/mpm/shape.h"
@@ -97,7 +98,8 @@ typedef struct MpmHead {
     double friction;                   /* energy that friction of bodies has taken so far */
     double inertia, pull; /* of a disc that spins, summed over steps: I, and sum V (sxx + syy)/2 */
     long met, hit; /* the step in which two bodies pushed each other first, and one a wall; 0: not yet */
-    long torn;     /* that in which neighbours parted first, and the one of them that comes first */
+    uint32_t met_by[BODIES_MAX], parted_from[BODIES_MAX]; /* of fields, since t = 0: bits of `touched` */
+    long torn; /* that in which neighbours parted first, and the one of them that comes first */
     int torn_at;
     Growth growth; /* what the energy check has seen */
 } MpmHead;
@@ -182,8 +184,9 @@ typedef struct Mpm {
     double *start[MPM_AXES], *normal[MPM_AXES],
         *moment[MPM_AXES]; /* of nodes: p as mapped, sum m grad N, sum m N x */
     int32_t *above;        /* of a particle, its neighbour above at t = 0; -1: it has none */
-    uint8_t *touched;      /* of a node of the grid: TOUCHED_... in this step */
-    double *lost;          /* of a node of the grid: the energy that friction took in this step */
+    /* of a node, what its field pushed there in this step: bit b a field behind it, BODIES_MAX + w a wall */
+    uint32_t *touched;
+    double *lost; /* of a node of the grid: the energy that friction took in this step */
     /* of a bar */
     int fixed_left, fixed_right; /* nodes [0, fixed_left) and the last fixed_right ones are held */
     int layer_left,

@@ -67,7 +67,7 @@ static size_t lay_out(Mpm *mpm, unsigned char *block)
         ARRAY(mpm->normal[axis], nodes);
         ARRAY(mpm->moment[axis], nodes);
     }
-    ARRAY(mpm->touched, mpm->bodies ? (size_t)mpm->grid_nodes : 0);
+    ARRAY(mpm->touched, mpm->bodies ? nodes : 0);
     ARRAY(mpm->lost, mpm->bodies ? (size_t)mpm->grid_nodes : 0);
     ARRAY(mpm->pivot, mpm->dim == 1 ? nodes : 0);
     for (int d = 1; mpm->dim == 1 && d < mpm->support; d++) {

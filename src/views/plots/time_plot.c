@@ -34,14 +34,17 @@ void time_plot_window(const Screen *screen, double *from, double *to)
     *to = *from + window;
 }
 
-static void mark_breaks(const Screen *screen, Picture *picture)
+/* What changes the motion at once is marked in plots too. */
+static void mark_events(const Screen *screen, Picture *picture)
 {
     const double dt = experiment_simulation(screen->experiment)->dt;
     int count;
     const Event *events = experiment_events(screen->experiment, &count);
     for (int i = 0; i < count; i++)
-        if (events[i].kind == EVENT_BREAK)
-            picture_rule(picture, dt * (double)events[i].step, STYLE_FAINT, "b");
+        if (1u << events[i].kind &
+            (1u << EVENT_BREAK | 1u << EVENT_TOUCH | 1u << EVENT_PART | 1u << EVENT_TEAR))
+            picture_rule(picture, dt * (double)events[i].step, STYLE_FAINT,
+                         pane_timeline_letter(events[i].kind));
 }
 
 static void mark_now(const Screen *screen, Picture *picture)
@@ -64,7 +67,7 @@ void time_plot_axes(const Screen *screen, Picture *picture, Axis y, const char *
     Axis x = axis_make(from, from + window);
     x.moves = true;
     picture_axes(picture, x, "t", facts->si ? facts->unit_of_time : "", y, name, unit);
-    mark_breaks(screen, picture);
+    mark_events(screen, picture);
     mark_now(screen, picture);
 }
 

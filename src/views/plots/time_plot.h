@@ -14,8 +14,8 @@ typedef struct Curve {
 } Curve;
 
 /* Axes over time, y with its name and unit. The window begins at a whole cell, so that curves shift by whole
- * cells and do not shimmer. Rules mark when bonds broke that were told of, the present if it is not the
- * newest time, and the cursor. */
+ * cells and do not shimmer. Rules mark breaks, touches, partings and tears that were told of, the present if
+ * it is not the newest time, and the cursor. */
 void time_plot_axes(const Screen *, Picture *, Axis y, const char *name, const char *unit);
 
 /* The time at the left and right end of the time plots, as drawn at present. */
