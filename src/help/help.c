@@ -150,7 +150,7 @@ static void write_curves(HelpLines *written, int width, const HelpText *text)
         {"timeline",
          "under the plots, from 0 to the end of the run: the line is what has been computed, the "
          "dot is where we are. x: a particle crossed into another cell; b: bonds broke; t: two bodies, or a "
-         "body and a wall, touched for the first time; p: two bodies parted; T: a body is torn, as "
+         "body and a wall, touched for the first time; p: they parted; T: a body is torn, as "
          "neighbouring particles have parted (b, t, p and T in the plots over time too); L: late or early by "
          "half a period, by whole ones; E: the energy left "
          "its range; c: a "

@@ -438,8 +438,9 @@ bool simulation_asks(const char *names, const char *column)
 
 bool simulation_is_on_request(const Simulation *sim, const char *column)
 {
+    const char *part = strchr(column, '.');
     for (const char *const *name = sim->method->on_request; name && *name; name++)
-        if (strcmp(*name, column) == 0)
+        if (strcmp(*name, **name == '.' && part ? part : column) == 0)
             return true;
     return false;
 }

@@ -147,7 +147,7 @@ typedef enum EventKind {
     EVENT_CROSSING, /* a particle entered another cell */
     EVENT_BREAK,    /* a bond broke (the first, the twentieth, ... : not every one) */
     EVENT_TOUCH,    /* two bodies, or a body and a wall, push each other for the first time */
-    EVENT_PART,     /* and two bodies first do no more */
+    EVENT_PART,     /* and first do so no more */
     EVENT_TEAR,     /* neighbouring particles of a body have parted */
     EVENT_ENERGY,   /* the energy left the range that the method promises */
     EVENT_CHANGE,   /* a live parameter was changed */
@@ -192,7 +192,7 @@ typedef struct Method {
     void (*row)(Simulation *, double *row);
 
     /* The columns of the series that are there only where somebody asks for them, ended by NULL: those that
-     * cost more than the step does, and forces and momenta. NULL: there is none. */
+     * cost more than the step does, and forces and momenta; ".touching": of each body. NULL: there is none. */
     const char *const *on_request;
 
     /* Values [first, first + count) of a field at the present stage. */

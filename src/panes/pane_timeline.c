@@ -10,29 +10,6 @@
 #include <math.h>
 #include <stdio.h>
 
-/* How events are marked; where several share a cell the one further down is seen. */
-static const struct {
-    EventKind kind;
-    const char *letter;
-    Style style;
-    const char *word; /* for the legend */
-} marks[] = {
-    {EVENT_CROSSING, "x", STYLE_NORMAL, "crossing"}, {EVENT_BREAK, "b", STYLE_NORMAL, "break"},
-    {EVENT_TOUCH, "t", STYLE_NORMAL, "touch"},       {EVENT_PART, "p", STYLE_NORMAL, "parting"},
-    {EVENT_TEAR, "T", STYLE_WARNING, "torn"},        {EVENT_LATE, "L", STYLE_NORMAL, "late"},
-    {EVENT_ENERGY, "E", STYLE_WARNING, "energy"},    {EVENT_CHANGE, "c", STYLE_CHANGED, "change"},
-    {EVENT_REST, "R", STYLE_NORMAL, "rest"},         {EVENT_FAILURE, "!", STYLE_ERROR, "stopped"},
-};
-enum { MARKS = sizeof marks / sizeof *marks };
-
-const char *pane_timeline_letter(EventKind kind)
-{
-    for (int i = 0; i < MARKS; i++)
-        if (marks[i].kind == kind)
-            return marks[i].letter;
-    return " ";
-}
-
 /* Where the line lies in a timeline of so many columns: the first cell is t = 0, the last one the end. */
 typedef struct Line {
     int first, cells;
@@ -70,18 +47,19 @@ long screen_bookmark_step(const Screen *screen, int index)
 }
 
 /* What the marks are that there are. */
-static void draw_marks(const Bookmarks *bookmarks, Area area, int x, const bool seen[MARKS])
+static void draw_marks(const Bookmarks *bookmarks, Area area, int x, const bool seen[SCREEN_MARKS])
 {
-    Legend legend[MARKS + 2];
-    char keys[MARKS][3];
+    Legend legend[SCREEN_MARKS + 2];
+    char keys[SCREEN_MARKS][3];
     int n = 0;
     legend[n++] = (Legend){.style = STYLE_FOCUS, .name = "here", .key = "● "};
     if (bookmarks->count > 0)
         legend[n++] = (Legend){.style = STYLE_KEY, .name = "bookmark", .key = "m "};
-    for (size_t m = 0; m < MARKS; m++)
+    for (size_t m = 0; m < SCREEN_MARKS; m++)
         if (seen[m]) {
-            snprintf(keys[m], sizeof keys[m], "%s ", marks[m].letter);
-            legend[n++] = (Legend){.style = marks[m].style, .name = marks[m].word, .key = keys[m]};
+            snprintf(keys[m], sizeof keys[m], "%s ", screen_marks[m].letter);
+            legend[n++] =
+                (Legend){.style = screen_marks[m].style, .name = screen_marks[m].word, .key = keys[m]};
         }
     legend_draw(area, x, 1, legend, n);
 }
@@ -101,14 +79,14 @@ void pane_timeline(const Screen *screen, Area area)
     area_put(area, newest, 0, 0x2524, STYLE_NORMAL);
 
     int count;
-    bool seen[MARKS] = {false};
+    bool seen[SCREEN_MARKS] = {false};
     const Event *events = experiment_events(screen->experiment, &count);
-    for (size_t m = 0; m < MARKS; m++)
+    for (size_t m = 0; m < SCREEN_MARKS; m++)
         for (int i = 0; i < count; i++)
-            if (events[i].kind == marks[m].kind) {
+            if (events[i].kind == screen_marks[m].kind) {
                 seen[m] = true;
-                area_put(area, cell_of(screen, &line, events[i].step), 0, (uint32_t)marks[m].letter[0],
-                         marks[m].style);
+                area_put(area, cell_of(screen, &line, events[i].step), 0, (uint32_t)screen_marks[m].letter[0],
+                         screen_marks[m].style);
             }
     for (int i = 0; i < screen->bookmarks->count; i++)
         area_put(area, cell_of(screen, &line, screen_bookmark_step(screen, i)), 0, 'm', STYLE_KEY);

@@ -206,3 +206,19 @@ void screen_unit_text(const Screen *screen, const Field *field, char *out, size_
     const bool none = !screen_problem(screen)->si || strcmp(unit, "1") == 0;
     snprintf(out, size, "%s%s", none ? "" : " ", none ? "" : unit);
 }
+
+const EventMark screen_marks[SCREEN_MARKS] = {
+    {EVENT_CROSSING, "x", STYLE_NORMAL, "crossing"}, {EVENT_BREAK, "b", STYLE_NORMAL, "break"},
+    {EVENT_TOUCH, "t", STYLE_NORMAL, "touch"},       {EVENT_PART, "p", STYLE_NORMAL, "parting"},
+    {EVENT_TEAR, "T", STYLE_WARNING, "torn"},        {EVENT_LATE, "L", STYLE_NORMAL, "late"},
+    {EVENT_ENERGY, "E", STYLE_WARNING, "energy"},    {EVENT_CHANGE, "c", STYLE_CHANGED, "change"},
+    {EVENT_REST, "R", STYLE_NORMAL, "rest"},         {EVENT_FAILURE, "!", STYLE_ERROR, "stopped"},
+};
+
+const char *screen_event_letter(EventKind kind)
+{
+    for (int i = 0; i < SCREEN_MARKS; i++)
+        if (screen_marks[i].kind == kind)
+            return screen_marks[i].letter;
+    return " ";
+}

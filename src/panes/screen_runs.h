@@ -4,6 +4,7 @@
 #define PANES_SCREEN_RUNS_H
 
 #include "panes/screen.h"
+#include "picture/style.h"
 
 /* One picture, one number and few parameters: by the sheet, or for a lecture. */
 bool screen_is_plain(const Screen *);
@@ -16,8 +17,16 @@ bool screen_question(const Screen *, char *out, size_t size);
 enum { NUMBER_DIGITS_MAX = 16, NUMBER_WORDS_MAX = 80 };
 bool screen_number(const Screen *, char digits[NUMBER_DIGITS_MAX], char words[NUMBER_WORDS_MAX]);
 
-/* The mark of an event in the timeline; ' ': it has none. */
-char pane_timeline_letter(EventKind);
+/* How events are marked in timelines and plots; where several share a cell the one further down is seen. */
+typedef struct EventMark {
+    EventKind kind;
+    const char *letter;
+    Style style;
+    const char *word; /* for the legend */
+} EventMark;
+enum { SCREEN_MARKS = 10 };
+extern const EventMark screen_marks[SCREEN_MARKS];
+const char *screen_event_letter(EventKind); /* " ": it has none */
 
 /* The second run of a duel; NULL: there is none. */
 const Experiment *screen_second_run(const Screen *);

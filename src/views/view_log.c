@@ -114,7 +114,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
         *picture_cell(list, 0, i) =
             (PictureCell){.letter = entry->run, .style = entry->run == 'B' ? STYLE_SECOND : STYLE_MEASURED};
         *picture_cell(list, both, i) =
-            (PictureCell){.letter = pane_timeline_letter(entry->event->kind)[0], .style = style};
+            (PictureCell){.letter = screen_event_letter(entry->event->kind)[0], .style = style};
         *picture_cell(list, both + 1, i) = (PictureCell){.words = entry->event->text, .style = style};
     }
 }

@@ -25,6 +25,7 @@ talk one-step lesson one-step
 talk lecture-bar mode5
 talk inspect-mesh mode5 --set mpm.mass_blend=auto --paused
 talk inspect-family notched-beam-coarse --paused
+talk touch two-discs --paused
 
 printf '%s\n' ']' i ':figure inspector.svg' | "$MATVIB" mode1 --plain --paused >out
 result "what the inspector shows is drawn on paper" says inspector.svg '>0\.50000<'

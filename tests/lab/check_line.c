@@ -144,7 +144,7 @@ START_TEST(tab_completes_words_keys_values_and_files)
         {"tra", "tra", "mpm.transfer  load.traction  load.traction_layer"},
         {"cell_size=", "cell_size=", "> 0: size dx"},
         {"set algorithm us", "set algorithm us", "usf  usl"},
-        {"until ", "until ", "crossing  break  event  rest  t   end  first"},
+        {"until ", "until ", "crossing  break  touch  event  rest  t   end  first"},
         {"until first c", "until first crossing", ""},
         {"tell whe", "tell where", ""},
         {"tell prob", "tell probe", ""},

@@ -71,6 +71,43 @@ START_TEST(a_run_stops_at_the_step_of_its_event)
 }
 END_TEST
 
+/* Bodies: the step of the touch, then that of the parting; on the way back both are there, as marks and for keys. */
+START_TEST(a_run_stops_where_bodies_touch)
+{
+    Bench *bench = open_bench("two-discs", true);
+    bench->lab.player.playback.pace = 50;
+    enter_line(bench, "until touch");
+    run_until_paused(bench);
+    const long touch = step_of(bench);
+    ck_assert_double_eq_tol(experiment_time(bench->lab.screen.experiment), 1.5858, .04);
+    ck_assert_ptr_nonnull(strstr(bench->lab.screen.message->text, "left touches right"));
+    enter_line(bench, "until event");
+    run_until_paused(bench);
+    const long parting = step_of(bench);
+    ck_assert_ptr_nonnull(strstr(bench->lab.screen.message->text, "left leaves right"));
+    enter_line(bench, "goto 0");
+    press(bench, "}");
+    ck_assert_int_eq(step_of(bench), touch);
+    press(bench, "}");
+    ck_assert_int_eq(step_of(bench), parting);
+    for (int i = 0; i < 4; i++) /* stage by stage over the touch, back and forth */
+        press(bench, i == 0 ? "{" : ",");
+    for (int i = 0; i < 40; i++)
+        press(bench, i < 10 ? "[" : "]");
+    int count;
+    const Event *events = experiment_events(bench->lab.screen.experiment, &count);
+    ck_assert_int_eq(count, 2);
+    ck_assert(events[0].step == touch && events[1].step == parting);
+    enter_line(bench, "open mode1");
+    enter_line(bench, "until touch");
+    ck_assert(shows(bench, "there are no bodies that can touch in this run"));
+    enter_line(bench, "open two-discs");
+    enter_line(bench, "until crossing");
+    ck_assert(shows(bench, "crossings of cells are not told in this run"));
+    close_bench(bench);
+}
+END_TEST
+
 /* Those of which the run keeps no more than their number. */
 START_TEST(a_run_stops_at_an_event_that_is_not_kept)
 {
@@ -249,6 +286,7 @@ void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("until");
     tcase_add_loop_test(tcase, a_run_stops_at_the_step_of_its_event, 0, sizeof hunts / sizeof *hunts);
+    tcase_add_test(tcase, a_run_stops_where_bodies_touch);
     tcase_add_test(tcase, a_run_stops_at_an_event_that_is_not_kept);
     tcase_add_loop_test(tcase, a_damped_run_stops_at_rest, 0,
                         suite_wide() ? sizeof rests / sizeof *rests : 1);

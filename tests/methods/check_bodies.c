@@ -211,6 +211,91 @@ START_TEST(what_is_seen)
 }
 END_TEST
 
+/* The two discs of science B8: they touch 1.5858 (exact) within the width of the gap, and part once; the column
+ * says the same at each step. Stage by stage, rewound and with rows the events are the same ones. */
+START_TEST(touches_are_events)
+{
+    BodiesDef def = two_discs();
+    Status status;
+    def.height = 1;
+    def.bodies[0] = (BodyDef){"left", BODY_DISC, {.2, .2, .2}, {.1, .1}, 0};
+    def.bodies[1] = (BodyDef){"right", BODY_DISC, {.8, .8, .2}, {-.1, -.1}, 0};
+    def.cell_size = .05;
+    def.courant = .2;
+    Simulation *sim = create(&def), *rows = create(&def);
+    unsigned char *before = NULL;
+    long touched = 0, parted = 0;
+    double vx[400]; /* nothing pushes the right disc before and behind */
+    while (sim->step < 400) {
+        vx[sim->step] = series_now(sim, "right.vx");
+        if (bodies_seen(sim).met > 0 && touched == 0)
+            touched = sim->step;
+        if (touched > 0 && parted == 0 && series_now(sim, "left.touching") == 0)
+            parted = sim->step;
+        ck_assert_double_eq(series_now(sim, "left.touching"), touched > 0 && parted == 0);
+        ck_assert_double_eq(series_now(sim, "right.touching"), touched > 0 && parted == 0);
+        if (sim->step == 150)
+            before = snapshot_now(sim);
+        do
+            ck_assert(simulation_stage(sim, &status));
+        while (sim->stage > 0);
+    }
+    ck_assert_double_eq_tol(vx[touched - 1], -.1, 1e-12);
+    ck_assert_double_gt(vx[touched], -.1 + 1e-6);
+    ck_assert_double_eq_tol(vx[parted - 1], vx[399], 1e-12);
+    ck_assert_double_lt(vx[parted - 2], vx[399] - 1e-9);
+    for (int again = 0; again < 2; again++) {
+        ck_assert_int_eq(sim->n_events, 2);
+        ck_assert_int_eq(sim->events[0].kind, EVENT_TOUCH);
+        ck_assert_int_eq(sim->events[0].step, touched);
+        ck_assert_str_eq(sim->events[0].text, "left touches right at (0.5, 0.5)");
+        ck_assert_int_eq(sim->events[1].kind, EVENT_PART);
+        ck_assert_int_eq(sim->events[1].step, parted);
+        ck_assert_str_eq(sim->events[1].text, "left leaves right");
+        ck_assert_double_eq_tol((double)touched * sim->dt, 1.5858, .04);
+        simulation_restore(sim, before);
+        advance(sim, 250);
+    }
+    free(before);
+    double *row = malloc(400 * (size_t)rows->n_series * sizeof *row);
+    ck_assert(simulation_steps(rows, 400, row, NULL, &status));
+    const int column = simulation_find_series(rows, "right.touching");
+    for (long step = 1; step <= 400; step++)
+        ck_assert_double_eq(row[(step - 1) * rows->n_series + column], step >= touched && step < parted);
+    ck_assert_int_eq(rows->n_events, 2);
+    free(row);
+    simulation_destroy(sim), simulation_destroy(rows);
+    /* bodies in one field share their momentum: there is no such push, and no column of it */
+    def.fields = FIELDS_ONE;
+    sim = create(&def);
+    ck_assert_int_lt(simulation_find_series(sim, "left.touching"), 0);
+    simulation_destroy(sim);
+}
+END_TEST
+
+/* A disc that falls and bounces touches a wall and leaves it: science B6 has .3584. */
+START_TEST(a_wall_is_touched_and_left)
+{
+    BodiesDef def = two_discs();
+    def.cell_size = .05;
+    def.n_bodies = 1;
+    def.height = 1;
+    def.bodies[0] = (BodyDef){"ball", BODY_DISC, {.5, .6, .2}, {0, 0}, 0};
+    def.walls[WALL_BOTTOM] = WALL_SLIP;
+    def.gravity[1] = -10;
+    def.youngs_modulus = 2e5;
+    Simulation *sim = create(&def);
+    while (simulation_time(sim) < .4)
+        advance(sim, 8);
+    ck_assert_int_eq(sim->n_events, 2);
+    ck_assert_str_eq(sim->events[0].text, "ball touches the bottom wall at (0.5, 0)");
+    ck_assert_str_eq(sim->events[1].text, "ball leaves the bottom wall");
+    ck_assert_double_eq_tol((double)sim->events[0].step * sim->dt, .28284, .003);
+    ck_assert_double_eq_tol((double)sim->events[1].step * sim->dt, .3584, .003);
+    simulation_destroy(sim);
+}
+END_TEST
+
 /* A soft cantilever with hats tears at t = .43 (science B7), and is told of. */
 START_TEST(a_tear_is_told)
 {
@@ -231,7 +316,7 @@ START_TEST(a_tear_is_told)
     bool told = false;
     for (int i = 0; i < sim->n_events; i++)
         told =
-            told || (strstr(sim->events[i].text, "torn: particle") &&
+            told || (sim->events[i].kind == EVENT_TEAR && strstr(sim->events[i].text, "torn: particle") &&
                      strstr(sim->events[i].text, " at (0.") && strstr(sim->events[i].text, "more particles"));
     ck_assert(told);
     simulation_destroy(sim);
@@ -450,6 +535,8 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(test, x_and_y_are_alike, 0, 18);
     tcase_add_loop_test(test, free_flight_makes_no_stress, 0, 9);
     tcase_add_test(test, what_is_seen);
+    tcase_add_test(test, touches_are_events);
+    tcase_add_test(test, a_wall_is_touched_and_left);
     tcase_add_test(test, a_tear_is_told);
     tcase_add_loop_test(test, contact_is_written_out, 0, 2);
     tcase_add_loop_test(test, rewound_and_sliced, 0, 18);

@@ -251,6 +251,8 @@ static bool change(Simulation *sim, const char *key, double value, Status *statu
     return true;
 }
 
+static const char *const on_request[] = {".touching", NULL};
+
 static const Method method = {
     .name = "mpm",
     .title = "material point method",
@@ -258,6 +260,7 @@ static const Method method = {
     .stage = mpm_stage,
     .steps = mpm_steps,
     .row = mpm_row,
+    .on_request = on_request,
     .field = bodies_field,
     .links = mpm_links,
     .shapes = mpm_shapes,

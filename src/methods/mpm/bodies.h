@@ -81,7 +81,7 @@ double bodies_step(const BodiesDef *);
 /* Builds the simulation at t = 0. NULL: the status says why not. Particles: by body, rows from below, in a
  * row from the left; fields x y x0 y0 vx vy sxx syy sxy density mass body (the CSV columns), then what only
  * the screen shows. Series: kinetic strain potential friction total momentum_x momentum_y angular, then of
- * each body NAME.x NAME.y NAME.vx NAME.vy NAME.spin.
+ * each body NAME.x NAME.y NAME.vx NAME.vy NAME.spin, and where it is asked for NAME.touching.
  *
  * A run fails, with particle, step and time in its status, when a particle is more than 2.5 cells outside the
  * box, when det F <= 0 for one, and when the energy is more than 1e4 times that of the start.
@@ -98,7 +98,8 @@ typedef struct BodiesSeen {
 } BodiesSeen;
 BodiesSeen bodies_seen(const Simulation *);
 
-/* The row of the series at present, by these places; from BODIES_X on five of each body. */
+/* The row of the series at present, by these places; from BODIES_X on five of each body, and no column that
+ * is there on request. */
 enum {
     BODIES_KINETIC,
     BODIES_STRAIN,

@@ -9,7 +9,8 @@
 enum {
     BODIES_PADDING = 4,     /* empty cells all around the box */
     BODIES_CHUNK_CELLS = 4, /* rows of cells whose particles are worked on together */
-    BODY_COLUMNS = 5        /* of the series, for each body */
+    BODY_COLUMNS = 5,       /* of the series, for each body; then, to ask for: */
+    BODY_TOUCHING = BODY_COLUMNS
 };
 
 /* The constants of some bodies. */
@@ -21,8 +22,8 @@ typedef struct Bodies {
     double lambda;     /* of Lame */
     double volume;     /* of a particle at t = 0 */
     int first[BODIES_MAX + 1];
-    char column_names[BODIES_MAX][BODY_COLUMNS][BODY_NAME_MAX + 8];
-    char column_meanings[BODIES_MAX][BODY_COLUMNS][BODY_NAME_MAX + 48];
+    char column_names[BODIES_MAX][BODY_TOUCHING + 1][BODY_NAME_MAX + 8];
+    char column_meanings[BODIES_MAX][BODY_TOUCHING + 1][BODY_NAME_MAX + 64];
 } Bodies;
 
 static inline bool bodies_are_neo(const Mpm *mpm)

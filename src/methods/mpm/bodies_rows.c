@@ -12,6 +12,7 @@
 #include "methods/mpm/bodies_inner.h"
 
 #include <stdio.h>
+#include <string.h>
 
 double bodies_strain_at(const Mpm *mpm, int p)
 {
@@ -195,29 +196,40 @@ static const Quantity quantities[BODIES_X] = {
                         "angular momentum about the middle of the box"},
 };
 
-void bodies_set_series(Mpm *mpm)
+static void add_column(Mpm *mpm, int body, int k)
 {
     static const struct {
         const char *name, *unit, *meaning;
-    } of_body[BODY_COLUMNS] = {{"x", "length", "x of the centre of mass"},
-                               {"y", "length", "y of the centre of mass"},
-                               {"vx", "length/time", "mean velocity along x"},
-                               {"vy", "length/time", "mean velocity along y"},
-                               {"spin", "rad/time", "angular momentum over moment of inertia"}};
+    } of_body[] = {{"x", "length", "x of the centre of mass of "},
+                   {"y", "length", "y of the centre of mass of "},
+                   {"vx", "length/time", "mean velocity along x of "},
+                   {"vy", "length/time", "mean velocity along y of "},
+                   {"spin", "rad/time", "angular momentum over moment of inertia of "},
+                   {"touching", "1", "1: a wall or another body is pushed in the step by "}};
     Bodies *bodies = mpm->bodies;
+    char *name = bodies->column_names[body][k], *meaning = bodies->column_meanings[body][k];
+    char of[BODY_NAME_MAX]; /* or gcc fears that the text overlaps itself */
+    memcpy(of, bodies->def.bodies[body].name, sizeof of);
+    snprintf(name, sizeof bodies->column_names[body][k], "%s.%s", of, of_body[k].name);
+    snprintf(meaning, sizeof bodies->column_meanings[body][k], "%s%s", of_body[k].meaning, of);
+    mpm->series_entry[mpm->sim.n_series] = mpm->sim.n_series;
+    mpm->series[mpm->sim.n_series++] = (Quantity){name, name, of_body[k].unit, meaning};
+}
+
+void bodies_set_series(Mpm *mpm)
+{
+    const int n = mpm->bodies->def.n_bodies;
     Simulation *sim = &mpm->sim;
     for (int k = 0; k < BODIES_X; k++)
         mpm->series[sim->n_series++] = quantities[k];
-    for (int body = 0; body < bodies->def.n_bodies; body++)
-        for (int k = 0; k < BODY_COLUMNS; k++) {
-            char *name = bodies->column_names[body][k], *meaning = bodies->column_meanings[body][k];
-            snprintf(name, sizeof bodies->column_names[body][k], "%s.%s", bodies->def.bodies[body].name,
-                     of_body[k].name);
-            snprintf(meaning, sizeof bodies->column_meanings[body][k], "%s of %s", of_body[k].meaning,
-                     bodies->def.bodies[body].name);
-            mpm->series[sim->n_series++] = (Quantity){name, name, of_body[k].unit, meaning};
-        }
-    sim->series = mpm->series;
+    for (int body = 0; body < n; body++)
+        for (int k = 0; k < BODY_COLUMNS; k++)
+            add_column(mpm, body, k);
+    /* of bodies in one field nothing tells which of them pushes */
+    for (int body = 0; body < n && (n == 1 || mpm->bodies->n_fields > 1); body++)
+        add_column(mpm, body, BODY_TOUCHING);
+    sim->series = sim->series_asked = mpm->series;
+    sim->series_entry = mpm->series_entry;
 }
 
 /* Of a body: its centre, its mean velocity, its spin. */
@@ -230,8 +242,18 @@ static void write_body(const Sums *sum, double count, double *out)
     out[4] = inertia > 0.0 ? turn / inertia : 0.0;
 }
 
-void bodies_write_row(const Mpm *mpm, double *row)
+static bool is_touching(const Mpm *mpm, int body)
 {
+    const uint32_t *const touching = mpm->head->touching;
+    bool any = touching[body] != 0;
+    for (int other = 0; other < body; other++)
+        any = any || touching[other] >> body & 1;
+    return any;
+}
+
+void bodies_row(const Simulation *sim, double *row)
+{
+    const Mpm *mpm = mpm_of_const(sim);
     const Bodies *bodies = mpm->bodies;
     const BodiesDef *def = &bodies->def;
     const double m = mpm->mass[0];
@@ -257,7 +279,10 @@ void bodies_write_row(const Mpm *mpm, double *row)
         row[BODIES_KINETIC] + row[BODIES_STRAIN] + row[BODIES_POTENTIAL] + row[BODIES_FRICTION];
 }
 
-void bodies_row(const Simulation *sim, double *row)
+void bodies_write_row(const Mpm *mpm, double *row)
 {
-    bodies_write_row(mpm_of_const(sim), row);
+    const int first = BODIES_X + mpm->bodies->def.n_bodies * BODY_COLUMNS;
+    bodies_row(&mpm->sim, row);
+    for (int k = first; k < mpm->sim.n_series; k++)
+        row[k] = is_touching(mpm, mpm->series_entry[k] - first);
 }

@@ -171,26 +171,37 @@ void bodies_fix(Mpm *mpm, MpmOp op, int first, int end)
         find_velocities(mpm, op, field * mpm->grid_nodes + first, field * mpm->grid_nodes + end);
 }
 
-/* An event of the step going on: where is the middle of the nodes at which they push each other. */
-static void report_touch(Mpm *mpm, int field, int other)
+/* The middle of the nodes at which a field pushes another one, or a wall, in the step going on. */
+static void meeting_place(const Mpm *mpm, int field, int other, double at[2])
 {
-    static const char *const walls[WALLS] = {"left", "right", "bottom", "top"};
-    const Bodies *bodies = mpm->bodies;
     const uint32_t *const touched = mpm->touched + field * mpm->grid_nodes;
     double x = 0.0, y = 0.0, count = 0.0;
-    char text[120], wall[24];
     for (int i = 0; i < mpm->grid_nodes; i++)
         if (touched[i] >> other & 1) {
             x += mpm->xmin + i % mpm->gx * mpm->dx;
             y += mpm->ymin + i / mpm->gx * mpm->dx;
             count++;
         }
-    if (other >= BODIES_MAX)
+    at[0] = x / count, at[1] = y / count;
+}
+
+static void report_push(Mpm *mpm, int field, int other, EventKind kind)
+{
+    static const char *const walls[WALLS] = {"left", "right", "bottom", "top"};
+    const Bodies *bodies = mpm->bodies;
+    const bool touches = kind == EVENT_TOUCH, is_wall = other >= BODIES_MAX;
+    double at[2];
+    char text[120], where[48] = "", wall[24];
+    if (is_wall)
         snprintf(wall, sizeof wall, "the %s wall", walls[other - BODIES_MAX]);
-    snprintf(text, sizeof text, "%s touches %s at (%.3g, %.3g)",
+    if (touches) {
+        meeting_place(mpm, field, other, at);
+        snprintf(where, sizeof where, " at (%.3g, %.3g)", at[0], at[1]);
+    }
+    snprintf(text, sizeof text, "%s %s %s%s",
              bodies->n_fields > 1 || bodies->def.n_bodies == 1 ? bodies->def.bodies[field].name : "a body",
-             other < BODIES_MAX ? bodies->def.bodies[other].name : wall, x / count, y / count);
-    batch_report(&mpm->sim, EVENT_TOUCH, text);
+             touches ? "touches" : "leaves", is_wall ? wall : bodies->def.bodies[other].name, where);
+    batch_report(&mpm->sim, kind, text);
 }
 
 /* What a field pushes for the first time in the step going on, and what it first pushes no more. */
@@ -199,23 +210,18 @@ static void note_pushes(Mpm *mpm, int field)
     MpmHead *head = mpm->head;
     const uint32_t *const touched = mpm->touched + field * mpm->grid_nodes;
     uint32_t now = 0;
-    char text[120];
     for (int i = 0; i < mpm->grid_nodes; i++)
         now |= touched[i];
     const uint32_t first = now & ~head->met_by[field],
                    ended = head->met_by[field] & ~now & ~head->parted_from[field];
-    for (int other = 0; first && other < BODIES_MAX + WALLS; other++)
+    for (int other = 0; (first | ended) && other < BODIES_MAX + WALLS; other++)
         if (first >> other & 1) {
             long *const met = other < BODIES_MAX ? &head->met : &head->hit;
             *met = *met > 0 ? *met : mpm->sim.step + 1;
-            report_touch(mpm, field, other);
-        }
-    for (int other = 0; ended && other < BODIES_MAX; other++)
-        if (ended >> other & 1) {
-            snprintf(text, sizeof text, "%s and %s part", mpm->bodies->def.bodies[field].name,
-                     mpm->bodies->def.bodies[other].name);
-            batch_report(&mpm->sim, EVENT_PART, text);
-        }
+            report_push(mpm, field, other, EVENT_TOUCH);
+        } else if (ended >> other & 1)
+            report_push(mpm, field, other, EVENT_PART);
+    head->touching[field] = now;
     head->met_by[field] |= first;
     head->parted_from[field] |= ended;
 }

@@ -34,7 +34,7 @@ enum {
     MPM_STRESSES = 3, /* of a line one; in the plane xx, yy, xy */
     MPM_REACH_MAX = SHAPE_SUPPORT_MAX - 1,
     MPM_FIELDS = 36,
-    MPM_SERIES = 96
+    MPM_SERIES = 112
 };
 
 enum { MPM_PARTICLES, MPM_NODES, MPM_SETS };
@@ -98,7 +98,8 @@ typedef struct MpmHead {
     double friction;                   /* energy that friction of bodies has taken so far */
     double inertia, pull; /* of a disc that spins, summed over steps: I, and sum V (sxx + syy)/2 */
     long met, hit; /* the step in which two bodies pushed each other first, and one a wall; 0: not yet */
-    uint32_t met_by[BODIES_MAX], parted_from[BODIES_MAX]; /* of fields, since t = 0: bits of `touched` */
+    uint32_t met_by[BODIES_MAX], parted_from[BODIES_MAX], /* of fields, since t = 0: bits of `touched` */
+        touching[BODIES_MAX];                             /* and in the last step */
     long torn; /* that in which neighbours parted first, and the one of them that comes first */
     int torn_at;
     Growth growth; /* what the energy check has seen */

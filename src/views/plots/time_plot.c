@@ -44,7 +44,7 @@ static void mark_events(const Screen *screen, Picture *picture)
         if (1u << events[i].kind &
             (1u << EVENT_BREAK | 1u << EVENT_TOUCH | 1u << EVENT_PART | 1u << EVENT_TEAR))
             picture_rule(picture, dt * (double)events[i].step, STYLE_FAINT,
-                         pane_timeline_letter(events[i].kind));
+                         screen_event_letter(events[i].kind));
 }
 
 static void mark_now(const Screen *screen, Picture *picture)
