@@ -71,7 +71,8 @@ START_TEST(a_run_stops_at_the_step_of_its_event)
 }
 END_TEST
 
-/* Bodies: the step of the touch, then that of the parting; on the way back both are there, as marks and for keys. */
+/* Bodies: the step of the touch, then that of the parting; on the way back both are there, as marks and for
+ * keys. */
 START_TEST(a_run_stops_where_bodies_touch)
 {
     Bench *bench = open_bench("two-discs", true);

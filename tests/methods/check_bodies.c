@@ -211,8 +211,8 @@ START_TEST(what_is_seen)
 }
 END_TEST
 
-/* The two discs of science B8: they touch 1.5858 (exact) within the width of the gap, and part once; the column
- * says the same at each step. Stage by stage, rewound and with rows the events are the same ones. */
+/* The two discs of science B8: they touch 1.5858 (exact) within the width of the gap, and part once; the
+ * column says the same at each step. Stage by stage, rewound and with rows the events are the same ones. */
 START_TEST(touches_are_events)
 {
     BodiesDef def = two_discs();
