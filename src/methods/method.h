@@ -192,7 +192,8 @@ typedef struct Method {
     void (*row)(Simulation *, double *row);
 
     /* The columns of the series that are there only where somebody asks for them, ended by NULL: those that
-     * cost more than the step does, and forces and momenta; ".touching": of each body. NULL: there is none. */
+     * cost more than the step does, and forces and momenta; ".touching": of each body. NULL: there is none.
+     */
     const char *const *on_request;
 
     /* Values [first, first + count) of a field at the present stage. */
