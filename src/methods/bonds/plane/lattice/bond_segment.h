@@ -19,24 +19,13 @@
  * number it never holds. A file that includes this is compiled once for each instruction set, and calls its
  * table of functions KERNELS(name). */
 
-#ifdef __SSE2__
-#include <immintrin.h>
-#endif
-
 /* Eight doubles at once with AVX-512, four with AVX, else two. */
 #if defined __AVX512F__
 enum { VECTOR_WIDTH = 8 };
-#define VECTOR_ROOT(x)       _mm512_sqrt_pd((__m512d)(x))
-#define VECTOR_IS_ZERO(bits) (_mm512_test_epi64_mask((__m512i)(bits), (__m512i)(bits)) == 0)
 #elif defined __AVX__
 enum { VECTOR_WIDTH = 4 };
-#define VECTOR_ROOT(x)       _mm256_sqrt_pd((__m256d)(x))
-#define VECTOR_IS_ZERO(bits) (_mm256_testz_si256((__m256i)(bits), (__m256i)(bits)) != 0)
 #else
 enum { VECTOR_WIDTH = 2 };
-#ifdef __SSE2__
-#define VECTOR_ROOT(x) _mm_sqrt_pd((__m128d)(x))
-#endif
 #endif
 
 /* KERNEL_LEVEL is given where a file is compiled: plain, avx2 or avx512 (bonds.h). */
@@ -66,25 +55,17 @@ KERNEL_INLINE void vector_store(double *to, Vector value)
 
 KERNEL_INLINE Vector vector_root(Vector x)
 {
-#ifdef VECTOR_ROOT
-    return (Vector)VECTOR_ROOT(x);
-#else
     for (int lane = 0; lane < VECTOR_WIDTH; lane++)
         x[lane] = __builtin_sqrt(x[lane]);
     return x;
-#endif
 }
 
 KERNEL_INLINE bool vector_is_zero(VectorMask bits)
 {
-#ifdef VECTOR_IS_ZERO
-    return VECTOR_IS_ZERO(bits);
-#else
     int64_t any = 0;
     for (int lane = 0; lane < VECTOR_WIDTH; lane++)
         any |= bits[lane];
     return any == 0;
-#endif
 }
 
 KERNEL_INLINE Vector vector_absolute(Vector x)
