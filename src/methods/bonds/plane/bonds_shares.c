@@ -14,6 +14,8 @@
 
 typedef enum FamilyValue { BOND_ENERGY, LARGEST_STRETCH } FamilyValue;
 
+static const double no_stretch = -1; /* what no live bond has */
+
 /* The wanted nodes of one row: columns from .. end - 1, and where their values go. */
 typedef struct RowSlice {
     int from, end;
@@ -42,15 +44,34 @@ static int larger(int a, int b)
 }
 
 /* Gives the values of `count` bonds to their ends, of which the first is in column `first`. */
-static void share(const Beam *beam, FamilyValue what, const double *values, int first, int count,
-                  RowSlice slice)
+static void share(FamilyValue what, const double *values, int first, int count, RowSlice slice)
 {
-    int from = larger(first, slice.from), end = smaller(first + count, slice.end);
-    if (from >= end)
-        return;
+    const int from = larger(first, slice.from), end = smaller(first + count, slice.end);
     double *out = slice.out + (from - slice.from);
-    (what == BOND_ENERGY ? beam->kernels->accumulate : beam->kernels->raise_to)(out, values + (from - first),
-                                                                                (size_t)(end - from));
+    values += from - first;
+    for (int i = 0; what == BOND_ENERGY && i < end - from; i++)
+        out[i] += values[i];
+    for (int i = 0; what == LARGEST_STRETCH && i < end - from; i++)
+        out[i] = values[i] > out[i] ? values[i] : out[i];
+}
+
+/* s of `count` bonds side by side, no_stretch of a broken one; or c G w V s^2 |xi|/2, 0 of a broken one:
+ * times V and the thickness it is in J. */
+static void find_values(const Beam *beam, FamilyValue what, BondPlace first, int count, double *values)
+{
+    const Offset *offset = &beam->lattice.offsets[first.offset];
+    const size_t own = lattice_at(&beam->lattice, first.i, first.j);
+    const size_t other = lattice_at(&beam->lattice, first.i + offset->p, first.j + offset->q);
+    const double *const ux = beam->nodes.ux, *const uy = beam->nodes.uy;
+    const double *const k = beam->coefficient + lattice_slot(&beam->lattice, first);
+#pragma omp simd
+    for (int i = 0; i < count; i++)
+        values[i] = offset_stretch(offset, ux[other + (size_t)i] - ux[own + (size_t)i],
+                                   uy[other + (size_t)i] - uy[own + (size_t)i]);
+    for (int i = 0; what == BOND_ENERGY && i < count; i++)
+        values[i] = k[i] * values[i] * values[i] * offset->length * 0.5;
+    for (int i = 0; what == LARGEST_STRETCH && i < count; i++)
+        values[i] = k[i] != 0 ? values[i] : no_stretch;
 }
 
 /* The bonds from row j in direction o that end in a slice. */
@@ -69,12 +90,10 @@ static void share_direction(const Beam *beam, FamilyValue what, int j, int o, Ro
     end = smaller(end, smaller(lattice->nx, lattice->nx - p));
     while (from < end) {
         int stop = smaller(end, (from / tile_columns + 1) * tile_columns);
-        BondPlace place = {from, j, o};
         double values[LATTICE_TILE];
-        (what == BOND_ENERGY ? beam->kernels->energies
-                             : beam->kernels->stretches)(&beam->system, place, (size_t)(stop - from), values);
-        share(beam, what, values, from, stop - from, owners);
-        share(beam, what, values, from + p, stop - from, others);
+        find_values(beam, what, (BondPlace){from, j, o}, stop - from, values);
+        share(what, values, from, stop - from, owners);
+        share(what, values, from + p, stop - from, others);
         from = stop;
     }
 }
@@ -85,7 +104,7 @@ static void family_field(const Beam *beam, FamilyValue what, size_t first, size_
     const Lattice *lattice = &beam->lattice;
     const RowSlice none = {0, 0, NULL};
     for (size_t k = 0; k < count; k++)
-        out[k] = what == BOND_ENERGY ? 0 : BONDS_NO_STRETCH;
+        out[k] = what == BOND_ENERGY ? 0 : no_stretch;
     const size_t wide = (size_t)lattice_wide(lattice);
     int last = (int)((first + count - 1) / wide);
     for (int j = larger(0, (int)(first / wide) - lattice->rise); j <= last; j++) {
@@ -118,6 +137,6 @@ void beam_largest_stretches(const Beam *beam, size_t first, size_t count, double
     ASSERT_INT(first + count, <=, lattice_nodes(&beam->lattice));
     family_field(beam, LARGEST_STRETCH, first, count, out);
     for (size_t k = 0; k < count; k++)
-        if (out[k] <= BONDS_NO_STRETCH)
+        if (out[k] <= no_stretch)
             out[k] = 0;
 }

@@ -208,77 +208,6 @@ static double energy_of_row(const BondSystem *system, int j)
     return sum;
 }
 
-static Segment segment_at(const BondSystem *system, BondPlace first, size_t count)
-{
-    double *coefficient = system->coefficient + lattice_slot(system->lattice, first);
-    return segment_of(system, first.j, first.offset, (size_t)first.i, count, coefficient);
-}
-
-/* The stretches of bonds that stand side by side, by the root, and their coefficients. */
-KERNEL_INLINE Vector stretches_at(const Segment *segment, size_t i, Vector *k)
-{
-    const double x = segment->direction->x, y = segment->direction->y, whole = segment->direction->length;
-    const Vector ex = vector_load(segment->vx + i) - vector_load(segment->ux + i),
-                 ey = vector_load(segment->vy + i) - vector_load(segment->uy + i);
-    const Vector rx = x + ex, ry = y + ey;
-    const Vector d = ex * (x + rx) + ey * (y + ry);
-    __builtin_prefetch(segment->coefficient + i + AHEAD);
-    *k = vector_load(segment->coefficient + i);
-    return d / (whole * (vector_root(rx * rx + ry * ry) + whole));
-}
-
-static void stretches(const BondSystem *system, BondPlace first, size_t count, double *restrict out)
-{
-    const Segment segment = segment_at(system, first, count);
-    size_t i = 0;
-    for (; i + LANES <= count; i += LANES) {
-        Vector k;
-        const Vector s = stretches_at(&segment, i, &k), none = (Vector){0} + BONDS_NO_STRETCH;
-        const VectorMask live = k != 0;
-        vector_store(out + i, (Vector)(((VectorMask)s & live) | ((VectorMask)none & ~live)));
-    }
-    for (; i < count; i++)
-        out[i] = segment.coefficient[i] != 0 ? bond_at(&segment, i).stretch : BONDS_NO_STRETCH;
-}
-
-/* c G w V s^2 |xi|/2; a broken bond has the coefficient zero. */
-static void energies(const BondSystem *system, BondPlace first, size_t count, double *restrict out)
-{
-    const Segment segment = segment_at(system, first, count);
-    const double whole = segment.direction->length;
-    size_t i = 0;
-    for (; i + LANES <= count; i += LANES) {
-        Vector k;
-        const Vector s = stretches_at(&segment, i, &k);
-        vector_store(out + i, k * s * s * whole * 0.5);
-    }
-    for (; i < count; i++) {
-        const double s = bond_at(&segment, i).stretch;
-        out[i] = segment.coefficient[i] * s * s * whole * 0.5;
-    }
-}
-
-static void accumulate(double *restrict y, const double *restrict x, size_t count)
-{
-    size_t i = 0;
-    for (; i + LANES <= count; i += LANES)
-        vector_store(y + i, vector_load(y + i) + vector_load(x + i));
-    for (; i < count; i++)
-        y[i] += x[i];
-}
-
-static void raise_to(double *restrict y, const double *restrict x, size_t count)
-{
-    size_t i = 0;
-    for (; i + LANES <= count; i += LANES) {
-        const Vector a = vector_load(x + i), b = vector_load(y + i);
-        const VectorMask more = a > b;
-        vector_store(y + i, (Vector)(((VectorMask)a & more) | ((VectorMask)b & ~more)));
-    }
-    for (; i < count; i++)
-        y[i] = x[i] > y[i] ? x[i] : y[i];
-}
-
 /* y += factor x; count is a multiple of a block, padding included. */
 static void add(double *y, const double *x, double factor, size_t count)
 {
@@ -306,10 +235,6 @@ extern const BondKernels KERNELS(bond_kernels);
 const BondKernels KERNELS(bond_kernels) = {
     .forces = forces,
     .energy = energy_of_row,
-    .stretches = stretches,
-    .energies = energies,
-    .accumulate = accumulate,
-    .raise_to = raise_to,
     .add = add,
     .dot = dot,
 };

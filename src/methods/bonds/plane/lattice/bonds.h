@@ -71,8 +71,6 @@ enum {
     BONDS_SCRATCH = 2 * (2 * LATTICE_REACH_MAX + 1) * BONDS_SPAN
 };
 
-#define BONDS_NO_STRETCH (-1.0) /* what no live bond has */
-
 typedef struct BondKernels {
     /* Adds the force densities of all bonds that row j owns: fx[q], fy[q] are padded rows (their column 0)
      * that take what belongs to row j + q. With `energy` also the strain energy of these bonds, J. */
@@ -81,17 +79,6 @@ typedef struct BondKernels {
 
     /* The strain energy alone; nothing breaks. The same bits as from `forces`. */
     double (*energy)(const BondSystem *system, int j);
-
-    /* The stretches of `count` bonds of one direction, by the root: of `first` and of the owners in the
-     * columns that follow it. Of a broken one BONDS_NO_STRETCH. */
-    void (*stretches)(const BondSystem *system, BondPlace first, size_t count, double *out);
-
-    /* Likewise c G w V s^2 |xi|/2, zero where a bond is broken; times V and the thickness it is in J. */
-    void (*energies)(const BondSystem *system, BondPlace first, size_t count, double *out);
-
-    /* y += x, and y = max(x, y), any number of them. */
-    void (*accumulate)(double *y, const double *x, size_t count);
-    void (*raise_to)(double *y, const double *x, size_t count);
 
     /* y += factor x, and x.y, over whole blocks. */
     void (*add)(double *y, const double *x, double factor, size_t count);
