@@ -44,7 +44,7 @@ static const HelpWord pd_bar_words[] = {
              "lattice with its ends, and each swings at its own frequency."},
     {"lattice",
      "view 5, the error of w far from the ends: bonds forgive short waves. free end: what the nodes "
-     "there add, which lack partners, or were stiffened to make up for it. The curve leaves it out."},
+     "there add, which lack neighbours, or were stiffened to make up for it. The curve leaves it out."},
     {"stress",
      "the force of all bonds through a section, the mean of the sections beside a node. At a free end "
      "half of it is missing: beyond the last node no bond goes through."},

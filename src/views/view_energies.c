@@ -287,8 +287,8 @@ static void energy_phrases(const Screen *screen, const Stack *stack, const Axis 
     const double kept = known ? sharp / first : shared ? now[total] / start[total] : 1;
     if (shares && fabs(1 - kept) < KEPT_SHARE)
         text_append(out, 320,
-                    wide ? "  the ripple is staggering (v and stress half a step apart), not loss"
-                         : "  the ripple is staggering, not loss");
+                    wide ? "  the ripple comes from v and stress half a step apart; no energy is lost"
+                         : "  ripple: v, stress half a step apart");
 }
 
 /* What the balance lacks: kinetic + strain + dissipated less the start and the work of the load, against the
