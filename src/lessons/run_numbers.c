@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The table of a run's numbers (run_numbers.h). */
 #include "lessons/run_numbers.h"
+#include "base/math/functions.h"
 
 #include "problems/problem.h"
 #include "scenario/concern_output.h"
@@ -175,8 +176,8 @@ static double acceleration_exact(const RunSummary *run, const char *word)
 static double tip_error(const RunSummary *run, const char *word)
 {
     (void)word;
-    const double x = exact_of(run, "tip_x"), y = exact_of(run, "tip_y"), size = hypot(x, y);
-    return size > 0 ? hypot(finding(run, "tip_x") - x, finding(run, "tip_y") - y) / size : NAN;
+    const double x = exact_of(run, "tip_x"), y = exact_of(run, "tip_y"), size = math_hypot(x, y);
+    return size > 0 ? math_hypot(finding(run, "tip_x") - x, finding(run, "tip_y") - y) / size : NAN;
 }
 
 /* What a scenario can be about: how it is called in large digits, of a negative one the other way round. */
