@@ -12,12 +12,14 @@
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "base/kinds.h"
+#include "lessons/run_numbers.h"
 #include "answers/dispersion_curves.h"
 #include "scenario/parameters.h"
 #include "base/math/functions.h"
 
 #include <math.h>
 #include <stddef.h>
+#include <string.h>
 
 /* --- the studies ---------------------------------------------------------------------------------- */
 
@@ -77,6 +79,14 @@ static bool refine_cells(const Settings *base, int k, Settings *out)
     *out = *base;
     settings_edit_mesh(out)->cell_size *= cells_by_halves[k];
     return true;
+}
+
+/* From twice the cell size down: each point takes eight times as long as the one before. */
+static bool refine_bodies(const Settings *base, int k, Settings *out)
+{
+    if (k >= LENGTH_OF(cells_by_halves) - 1)
+        return false;
+    return refine_cells(base, k, out);
 }
 
 /* An even number of cells in the height: a row of nodes lies in the middle. */
@@ -168,35 +178,38 @@ enum { BEAM_OF_CELLS = CONCERN_BEAM | CONCERN_SECTIONS, BEAM_OF_BOTH = BEAM_OF_C
 #define BOTH_METHODS(by)                                                                                     \
     {                                                                                                        \
         "methods", "cells or horizon smaller", "cell or horizon", BEAM_OF_BOTH, by, refine_methods, NULL,    \
-            size_by_method, method_lines, SIZES_OF_METHOD, NULL                                              \
+            size_by_method, method_lines, SIZES_OF_METHOD, NULL, false                                       \
     }
 
 static const ConvergenceStudy studies[] = {
+    {"cells", "cells smaller", "cell size", CONCERN_BODIES, METHOD_MPM, refine_bodies, NULL, cell_size_of,
+     NULL, 0, NULL, true},
     {"cells", "cells smaller", "cell size", CONCERN_BAR | CONCERN_MESH, METHOD_MPM, refine_cells, NULL,
-     cell_size_of, NULL, 0, NULL},
+     cell_size_of, NULL, 0, NULL, false},
     {"cells", "cells smaller", "cell size", BEAM_OF_CELLS, METHOD_MPM, refine_plane_cells, NULL, cell_size_of,
-     NULL, 0, NULL},
+     NULL, 0, NULL, false},
     {"particles", "cells smaller, more particles", "cell size", BEAM_OF_CELLS, METHOD_MPM, refine_particles,
-     NULL, cell_size_of, particle_lines, CELLS_IN_LINE, NULL},
+     NULL, cell_size_of, particle_lines, CELLS_IN_LINE, NULL, false},
     {"delta", "horizon smaller, m kept", "horizon", VIBRATING_LATTICE, METHOD_PD, refine_horizon, NULL,
-     horizon_of, NULL, 0, limit_of_horizon},
+     horizon_of, NULL, 0, limit_of_horizon, false},
     {"m", "m larger, horizon kept", "spacing", VIBRATING_LATTICE, METHOD_PD, refine_spacing, NULL, spacing_of,
-     NULL, 0, NULL},
+     NULL, 0, NULL, false},
     {"table", "Table 1 of paper P", "horizon", VIBRATING_LATTICE, METHOD_PD, take_from_table,
-     printed_in_table, horizon_of, NULL, 0, NULL},
+     printed_in_table, horizon_of, NULL, 0, NULL, false},
     BOTH_METHODS(METHOD_MPM),
     BOTH_METHODS(METHOD_PD),
 };
 
-/* A study needs a predicted answer that knows all parameters at work (known.h). */
+/* A study without runs needs a predicted answer that knows all parameters at work (known.h). */
 int convergence_studies(const Settings *settings, const ConvergenceStudy *out[CONVERGENCE_STUDIES_MAX])
 {
     const Problem *problem = settings->problem;
     const Solver *solver = problem_solver(problem, settings->method);
     int count = 0;
     const bool predicts = solver && solver->predict && !known_unaccounted_now(settings, REFERENCE_PREDICTED);
-    for (int i = 0; i < LENGTH_OF(studies) && predicts; i++)
-        if ((problem->concerns & studies[i].concerns) == studies[i].concerns &&
+    for (int i = 0; i < LENGTH_OF(studies); i++)
+        if ((studies[i].by_run || predicts) &&
+            (problem->concerns & studies[i].concerns) == studies[i].concerns &&
             settings->method == studies[i].method)
             out[count++] = &studies[i];
     return count;
@@ -213,6 +226,53 @@ int convergence_count(const ConvergenceStudy *study, const Settings *settings)
 
 /* --- points --------------------------------------------------------------------------------------- */
 
+/* 100 (value/right - 1), or 100 value of what should be 0. False: no number of the run has a right answer
+ * now; the value itself may come later. */
+static bool compare(const Experiment *run, ConvergencePoint *out)
+{
+    static const char *const words[] = {NULL,          "tip_error",  "angular_kept",
+                                        "first_touch", "wall_touch", "acceleration"};
+    double right = NAN;
+    RunSummary summary;
+    summary_now(run, SUMMARY_FINDINGS, &summary);
+    for (int i = 0; i < LENGTH_OF(words) && !isfinite(right); i++) {
+        const RunNumber *number =
+            words[i] ? run_number_find(words[i]) : run_number_about(experiment_settings(run));
+        const double value = number->value(&summary, number->word);
+        right = number->judged && isfinite(value) ? 0 : NAN;
+        out->of = number->label;
+        for (int k = 0; k < summary.n_findings; k++)
+            if (strcmp(summary.findings[k].name, number->word) == 0) {
+                out->of = summary.findings[k].label;
+                right = summary.findings[k].exact;
+            }
+        out->prediction.predicted = value;
+        out->prediction.real_size = right;
+        out->error = 100 * (right == 0 ? value : value / right - 1);
+    }
+    return isfinite(right);
+}
+
+/* A run that has nothing to compare, or does not come to its end, gives a point that is not known. */
+static bool point_by_run(const Settings *settings, ConvergencePoint *out, Status *status)
+{
+    const size_t history = 0;
+    Status why = {STATUS_DONE, ""};
+    Experiment *run = experiment_create(settings, history, 1, &why);
+    if (!run)
+        return why.code == STATUS_USAGE || status_fail(status, "%s", why.text);
+    const long last = experiment_last_step(run),
+               steps = simulation_steps_per_poll(experiment_simulation(run));
+    bool going = experiment_advance(run, 1, &why) && compare(run, out), kept = true;
+    while (going && kept && !experiment_at_end(run)) {
+        kept = !cancel_requested(&settings->cancel, (double)experiment_step(run) / (double)last);
+        going = kept && experiment_advance(run, steps, &why);
+    }
+    out->known = going && compare(run, out) && isfinite(out->error);
+    experiment_destroy(run);
+    return kept || status_fail(status, "given up");
+}
+
 /* Point k, by predicted answers alone: 100 (predicted/real size - 1) in percent over the size of the lattice
  * or the mesh, and nodes in a horizon or cells in the bar. Settings that cannot be solved give a point that
  * is not known; false: memory was short or it was given up. */
@@ -228,13 +288,17 @@ bool convergence_point(const ConvergenceStudy *study, const Settings *settings, 
         return true;
     const Solver *solver = problem_solver(refined.problem, refined.method);
     const bool lattice = refined.method == METHOD_PD;
+    out->of_mesh = !lattice;
+    out->size = study->size_of(&refined);
+    if (study->by_run) {
+        out->nodes = settings_geometry(&refined)->length / out->size;
+        return point_by_run(&refined, out, status);
+    }
     settings_edit_time(&refined)->step = 0;     /* each lattice has its own critical step */
     settings_edit_time(&refined)->rest = false; /* and its own period, however it is braked */
     settings_edit_damping(&refined)->rate = 0;
-    out->size = study->size_of(&refined);
     if (study->paper)
         out->paper = study->paper(k);
-    out->of_mesh = !lattice;
     out->nodes = lattice ? settings_lattice(&refined)->horizon / settings_lattice(&refined)->spacing
                          : settings_geometry(&refined)->length / settings_mesh(&refined)->cell_size;
     if (!solver->check(&refined, &why))

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What becomes of the error when a mesh or a lattice is refined: predicted answers beside theory, a point at
- * a time, without a run.
+ * a time, without a run. Bodies have no prediction: a point is a run to its end, and its error that of the
+ * number that the scenario is about, or of the first one with an exact or reference answer.
  *
  * A study keeps everything but one thing: the cells of a bar grow smaller; the horizon of a beam grows
  * smaller and the nodes in it stay as many (delta-convergence, m = horizon/spacing kept); the nodes within
@@ -31,6 +32,7 @@ typedef struct ConvergenceStudy {
     const char *const *lines;          /* of several: their names, ended by NULL; else NULL */
     int line_points;                   /* of several: so many points in each, one line after the other */
     double (*limit)(const Settings *); /* convergence_limit(); NULL: it is not known */
+    bool by_run;
 } ConvergenceStudy;
 
 typedef struct ConvergencePoint {
@@ -39,8 +41,10 @@ typedef struct ConvergencePoint {
     double nodes; /* within the horizon: m; of a mesh cells in the length */
     bool of_mesh;
     Prediction prediction;
-    double error; /* percent: of the frequency (bar), of the period at the real size (beam) */
-    double paper; /* the period that paper P prints for it, s; NAN: none */
+    double
+        error; /* percent: of the frequency (bar), of the period at the real size (beam), of `of` (bodies) */
+    const char *of; /* by a run: what is measured, with its value and what it should be in `prediction` */
+    double paper;   /* the period that paper P prints for it, s; NAN: none */
 } ConvergencePoint;
 
 /* The studies that these settings allow; returns how many. `out` has room for CONVERGENCE_STUDIES_MAX. */

@@ -141,7 +141,7 @@ static void point_line(const Study *study, int k, bool brief, char out[200])
     else if (!brief)
         text_append(out, 200, point->of_mesh ? ", %.0f cells" : ", m %.3g", point->nodes);
     if (!point->known) {
-        text_append(out, 200, ": none can be made");
+        text_append(out, 200, study->of->by_run ? ": no answer" : ": none can be made");
         return;
     }
     text_append(out, 200, ": %+.2f %%", point->error);
@@ -149,6 +149,12 @@ static void point_line(const Study *study, int k, bool brief, char out[200])
         in_line > 0 && !study->of->paper ? convergence_order(&study->points[k - 1], point) : NAN;
     if (isfinite(order))
         text_append(out, 200, ", order %.2f", order);
+    if (study->of->by_run) {
+        text_append(out, 200, "  %s %.4g", point->of, is->predicted);
+        if (is->real_size != 0)
+            text_append(out, 200, " (exact %.4g)", is->real_size);
+        return;
+    }
     text_append(out, 200, "  %s %.4f", study->of->paper ? "T" : "predicted", shown(study, is->predicted));
     if (study->of->paper)
         text_append(out, 200, "  paper %.3f", point->paper / 1e-3);
@@ -185,7 +191,10 @@ static void describe_errors(Picture *picture, const Study *study)
     for (int line = 0; line < study->lines && study->of->lines; line++)
         picture_name(picture, pens[line], study->of->lines[line]);
     picture_key(picture, (PictureKey){LINE_SOLID, 'O', STYLE_PREDICTED,
-                                      study->periods ? "T above theory" : "ω above", 0x25cf, 0});
+                                      study->of->by_run ? "above"
+                                      : study->periods  ? "T above theory"
+                                                        : "ω above",
+                                      0x25cf, 0});
     picture_key(picture, (PictureKey){LINE_SOLID, 'o', STYLE_PREDICTED, "below", 0x25cb, 0});
     for (int k = 0; k < study->known; k++) {
         const ConvergencePoint *point = &study->points[k];
@@ -265,7 +274,10 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     const Study study = study_on(screen, of);
     verdict_of(screen, &study, line);
     if (known_points(&study) < 2) {
-        picture_say(picture, of->title, line);
+        picture_say(picture, of->title,
+                    of->by_run && study.known == study.count
+                        ? "No number of these runs has an exact or reference answer."
+                        : line);
         return;
     }
     if (of->paper)
@@ -284,8 +296,8 @@ static void describe(const Screen *screen, int variant, Picture *picture)
 const View view_convergence = {
     .word = "convergence",
     .brief = "converge",
-    .help = "convergence: the predicted error as cells, horizon or spacing grow smaller, particles more; "
-            "both methods; Table 1",
+    .help = "convergence: the error as cells, horizon or spacing grow smaller, particles more: predicted, "
+            "of bodies by runs; both methods; Table 1",
     .home = PANE_LOWER,
     .describe = describe,
     .variant_word = word_of,

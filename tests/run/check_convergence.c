@@ -4,6 +4,7 @@
 #include "scenario/concern_bonds.h"
 #include "scenario/concern_loads.h"
 #include "scenario/concern_time.h"
+#include "scenario/scenario.h"
 #include "scenario/settings.h"
 #include "base/kinds.h"
 #include "scenario/parameters.h"
@@ -175,6 +176,56 @@ START_TEST(what_cannot_converge_has_no_study)
 }
 END_TEST
 
+static Settings scenario_of(const char *name)
+{
+    Settings settings;
+    Status status = {STATUS_DONE, ""};
+    ck_assert_msg(scenario_load(name, &settings, &status), "%s", status.text);
+    return settings;
+}
+
+/* L/L0 of FLIP after two turns on cells of 0.2, 0.1 and 0.05, by tests/independent/bodies.py. */
+START_TEST(bodies_converge_by_runs)
+{
+    static const double kept[] = {0.4938747308256237, 0.6806062430296479, 0.9412420177802643};
+    const Settings settings = scenario_of("spinning-disc");
+    const ConvergenceStudy *study = study_of(&settings, "cells");
+    ConvergencePoint points[3];
+    ck_assert_int_eq(convergence_count(study, &settings), 4);
+    for (int k = 0; k < 3; k++) {
+        points[k] = point_of(study, &settings, k);
+        ck_assert(points[k].known);
+        ck_assert_double_eq(points[k].nodes, 5 << k);
+        ck_assert_double_eq_tol(points[k].error, 100 * (kept[k] - 1), 1e-6);
+    }
+    ck_assert_double_eq_tol(convergence_order(&points[1], &points[2]), 2.442, 1e-3);
+}
+END_TEST
+
+/* Of the number that it is about nothing is known there: the first that has a right answer. */
+START_TEST(bodies_take_a_number_that_has_an_answer)
+{
+    static const struct {
+        const char *scenario, *of;
+        double end;
+    } cases[] = {{"falling-beam", "error of the end", 0.05},
+                 {"two-discs", "first touch", 1.8},
+                 {"bouncing-disc", "first touch of a wall", 0.3},
+                 {"roll-or-slide", "mean acceleration", 0.5}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        Settings settings = scenario_of(cases[i].scenario);
+        settings_edit_time(&settings)->end = cases[i].end;
+        const ConvergencePoint point = point_of(study_of(&settings, "cells"), &settings, 1);
+        ck_assert_msg(point.known, "%s", cases[i].scenario);
+        ck_assert_str_eq(point.of, cases[i].of);
+        ck_assert_msg(fabs(point.error) < 10, "%s: %g", cases[i].scenario, point.error);
+    }
+    Settings settings = scenario_of("roll-or-slide"); /* up to the end of the floor: no answer behind it */
+    const ConvergencePoint point = point_of(study_of(&settings, "cells"), &settings, 0);
+    ck_assert(!point.known);
+}
+END_TEST
+
 void add_cases(Suite *suite)
 {
     TCase *studies = tcase_create("studies");
@@ -183,6 +234,8 @@ void add_cases(Suite *suite)
     tcase_add_test(studies, more_nodes_in_the_horizon);
     tcase_add_test(studies, table_1_and_its_layers);
     tcase_add_test(studies, cells_of_a_bar_are_of_second_order);
+    tcase_add_test(studies, bodies_converge_by_runs);
+    tcase_add_test(studies, bodies_take_a_number_that_has_an_answer);
     tcase_add_test(studies, a_point_can_be_given_up);
     tcase_add_test(studies, what_cannot_converge_has_no_study);
     suite_add_tcase(suite, studies);

@@ -160,6 +160,7 @@ static const Screenshot pictures[] = {
     {"study-begun", "supported-beam-mpm-coarse 80x24 0 lower convergence points 4 variant 1 focus 3 zoom"},
     {"study-methods", "supported-beam-mpm-coarse 132x43 0 lower convergence refined variant 2 focus 3 zoom"},
     {"study-table", "supported-beam-coarse 132x43 0 lower convergence refined variant 2 focus 3 zoom"},
+    {"study-bodies", "spinning-disc 80x24 0 time.end=6 lower convergence refined focus 3 zoom"},
     {"study-waits", "supported-beam-coarse 80x24 20 lower convergence running"},
     {"study-none", "notched-beam-coarse 80x24 0 lower convergence"},
     {"crack-speed", "notched-beam-coarse 80x24 2400 lower 2 variant 3 pd.spacing=2e-3 pd.horizon=6.5e-3 "
