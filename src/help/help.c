@@ -249,10 +249,10 @@ static int page_of(const Screen *screen)
     return page < 0 ? 0 : page >= count ? count - 1 : page;
 }
 
-/* The lines of the page that is open, for a screen of this width. */
-static void write_page(HelpLines *written, const Screen *screen, int screen_width)
+/* The lines of a page, for a screen of this width. */
+static void write_page(HelpLines *written, const Screen *screen, int page, int screen_width)
 {
-    const int width = screen_width - 2 < 100 ? screen_width - 2 : 100, page = page_of(screen);
+    const int width = screen_width - 2 < 100 ? screen_width - 2 : 100;
     const HelpText *text = help_text_of(experiment_simulation(screen->experiment));
     written->used = 0;
     written->count = 0;
@@ -274,9 +274,38 @@ int help_most(const Screen *screen, int width, int height)
     HelpLines written;
     if (layout_make(screen, width, height).kind == LAYOUT_TOO_SMALL)
         return 0; /* nothing of it is shown, and its lines need some width */
-    write_page(&written, screen, width);
+    write_page(&written, screen, page_of(screen), width);
     const int room = height - 3; /* without title, heading and bar */
     return written.count > room ? written.count - room : 0;
+}
+
+/* Words may be broken at the end of the line. */
+static bool begins_in_line(const HelpLines *written, int line, const char *words)
+{
+    const char *own = written->text + written->lines[line].at;
+    const char *next = line + 1 < written->count ? written->text + written->lines[line + 1].at : "";
+    char joined[1024];
+    snprintf(joined, sizeof joined, "%s %s", own, next + strspn(next, " "));
+    const char *at = strcasestr(joined, words);
+    return at && (size_t)(at - joined) < strlen(own);
+}
+
+bool help_search(const Screen *screen, int width, const char *words, HelpShown *at)
+{
+    const int pages = help_pages(screen), first = page_of(screen);
+    for (int turn = 0; turn <= pages; turn++) {
+        HelpLines written;
+        const int page = (first + turn) % pages;
+        write_page(&written, screen, page, width);
+        for (int y = turn > 0 ? 0 : at->found ? at->found : at->scroll; y < written.count; y++)
+            if (begins_in_line(&written, y, words)) {
+                at->page = page;
+                at->scroll = y;
+                at->found = y + 1;
+                return true;
+            }
+    }
+    return false;
 }
 
 void help_draw(const Screen *screen, Area area)
@@ -285,7 +314,7 @@ void help_draw(const Screen *screen, Area area)
                                                   "where the paper is silent"};
     const int page = page_of(screen), room = area.rect.height - 1;
     HelpLines written;
-    write_page(&written, screen, area.rect.width);
+    write_page(&written, screen, page, area.rect.width);
 
     int first = screen->help->scroll;
     if (first > written.count - room)
@@ -302,5 +331,6 @@ void help_draw(const Screen *screen, Area area)
             area_text_right(area, area.rect.width - 2, 0, heading, STYLE_FAINT);
     }
     for (int y = 0; y < room && first + y < written.count; y++)
-        area_text(area, 1, 1 + y, written.text + written.lines[first + y].at, written.lines[first + y].style);
+        area_text(area, 1, 1 + y, written.text + written.lines[first + y].at,
+                  first + y + 1 == screen->help->found ? STYLE_SELECTED : written.lines[first + y].style);
 }

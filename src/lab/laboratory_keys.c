@@ -19,7 +19,7 @@ static void turn_page(Laboratory *lab, int direction)
 {
     int pages = help_pages(&lab->screen);
     lab->help.page = (lab->help.page + direction + pages) % pages;
-    lab->help.scroll = 0;
+    lab->help.scroll = lab->help.found = 0;
 }
 
 static void scroll_help(Laboratory *lab, int lines)
@@ -27,10 +27,25 @@ static void scroll_help(Laboratory *lab, int lines)
     int most = help_most(&lab->screen, lab->width, lab->height);
     int to = lab->help.scroll + lines;
     lab->help.scroll = to < 0 ? 0 : to > most ? most : to;
+    lab->help.found = 0;
+}
+
+static bool answer_search(Laboratory *lab, const char *text)
+{
+    HelpShown *help = &lab->help;
+    if (!*text)
+        return true;
+    snprintf(help->sought, sizeof help->sought, "%s", text);
+    if (!help_search(&lab->screen, lab->width, text, help))
+        return prompt_refuse(&lab->prompting, "the help does not have these words");
+    const int most = help_most(&lab->screen, lab->width, lab->height);
+    help->scroll = help->scroll < most ? help->scroll : most;
+    return true;
 }
 
 static void help_command(Laboratory *lab, CommandId id)
 {
+    static const Typing retyped = {.retyped = true};
     int page = lab->height > 6 ? lab->height - 5 : 1;
     switch (id) {
     case COMMAND_UP:
@@ -45,6 +60,10 @@ static void help_command(Laboratory *lab, CommandId id)
     case COMMAND_PAGE_DOWN:
     case COMMAND_RUN_PAUSE: /* Space, as in a pager */
         scroll_help(lab, page);
+        break;
+    case COMMAND_FILTER:
+        prompt_ask(&lab->prompting, answer_search, false, lab->help.sought, "search the help");
+        lab->prompting.typing = &retyped;
         break;
     case COMMAND_RIGHT:
     case COMMAND_NEXT_PANE:

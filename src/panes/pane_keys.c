@@ -51,13 +51,15 @@ static const Offers ended_keys = {{KEY(RUN_PAUSE), KEY(EXPORT), KEY(STEP_BACK), 
                                    KEY(HELP), KEY(QUIT), KEY(REFERENCES), KEY(PIN), KEY(QUESTION),
                                    KEY(ZOOM)}};
 static const Offers computing_keys = {{AS(INTERRUPT, "stop here"), AS(CANCEL, "stop here")}};
-static const Offers help_keys = {{PAIR(LEFT, RIGHT, "page"), PAIR(UP, DOWN, "scroll"), AS(CANCEL, "back")}};
+static const Offers help_keys = {
+    {PAIR(LEFT, RIGHT, "page"), PAIR(UP, DOWN, "scroll"), AS(CANCEL, "back"), AS(FILTER, "search")}};
 static const Offers editing_keys = {{AS(ENTER, "take it"), AS(CANCEL, "leave it")}};
 static const Offers lesson_keys = {{PAIR(PAGE_UP, PAGE_DOWN, "page"), KEY(RUN_PAUSE), KEY(STEP_FORWARD),
                                     KEY(STAGE_FORWARD), AS(LESSONS, "close"), KEY(HELP), KEY(QUIT),
                                     KEY(SHEET), KEY(NEXT_PANE)}};
 static const Offers lessons_keys = {{PAIR(UP, DOWN, "choose"), AS(ENTER, "open"), AS(LESSONS, "close"),
-                                     KEY(RUN_PAUSE), KEY(HELP), KEY(QUIT), KEY(NEXT_PANE)}};
+                                     KEY(RUN_PAUSE), KEY(HELP), KEY(QUIT), AS(FILTER, "search"),
+                                     KEY(NEXT_PANE)}};
 static const Offers lesson_fields_keys = {{PAIR(PAGE_UP, PAGE_DOWN, "page"), PAIR(LEFT, RIGHT, "change"),
                                            KEY(RUN_PAUSE), AS(LESSONS, "close"), KEY(HELP), KEY(QUIT),
                                            KEY(STEP_FORWARD), KEY(SHEET), KEY(NEXT_PANE)}};

@@ -135,7 +135,7 @@ void pane_lesson_footer(const Screen *screen, char *out, size_t size)
     const LessonShown *shown = screen->lesson;
     const LessonPage *page = shown->lesson ? &shown->lesson->pages[shown->page] : NULL;
     if (!page) {
-        snprintf(out, size, "1-9, Enter   T closes");
+        snprintf(out, size, "1-%d, Enter   T closes", screen_lesson_count());
         return;
     }
     const LessonUntil *until = &page->until;

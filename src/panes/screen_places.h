@@ -40,6 +40,10 @@ int screen_lesson_at(const Screen *, int width, int height, int x, int y);
 int help_pages(const Screen *);
 int help_most(const Screen *, int width, int height);
 
+/* Finds the next line with these words, in any case, behind the last one found, through all pages and around.
+ * False: there is none, and `at` stays as it is. */
+bool help_search(const Screen *, int width, const char *words, HelpShown *at);
+
 /* The step of a bookmark in the run as it is now. */
 long screen_bookmark_step(const Screen *, int index);
 

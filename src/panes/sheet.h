@@ -42,6 +42,8 @@ typedef struct PanesShown {
 typedef struct HelpShown {
     bool open;
     int page, scroll;
+    int found; /* the line of the page that a search found, from 1; 0: none */
+    char sought[64];
 } HelpShown;
 
 #endif

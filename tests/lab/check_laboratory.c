@@ -754,6 +754,32 @@ START_TEST(quitting_asks_once_after_a_change)
 }
 END_TEST
 
+/* Through all pages and around, also over the end of a line; at 80x24. */
+START_TEST(slash_searches_the_help)
+{
+    static const char *const words = "s p e c t r u m Enter";
+    Bench *bench = open_bench("mode1", true);
+    press_all(bench, "? /");
+    press_all(bench, words);
+    ck_assert_int_eq(bench->lab.help.page, 0); /* the key of a view tells it */
+    const int first = bench->lab.help.found;
+    press_all(bench, "/ Enter");
+    ck_assert_int_eq(bench->lab.help.page, 1);
+    ck_assert(shows(bench, "how large each sine in the record is"));
+    press_all(bench, "/ Enter");
+    ck_assert(bench->lab.help.page == 0 && bench->lab.help.found == first);
+    press_all(bench, "/ w h i l e Space t h e Space r u n Space g Enter"); /* parted by the end of a line */
+    ck_assert(!bench->lab.prompting.shown.open && shows(bench, "A number with ~"));
+    press_all(bench, "/ z z z Enter");
+    ck_assert(bench->lab.prompting.shown.open && shows(bench, "the help does not have these words"));
+    press_all(bench, "f r a c t u r Enter");
+    ck_assert(bench->lab.prompting.shown.open);
+    press_all(bench, "Esc Up");
+    ck_assert(bench->lab.help.open && bench->lab.help.found == 0);
+    close_bench(bench);
+}
+END_TEST
+
 START_TEST(quitting_closes_what_is_open_first)
 {
     Bench *bench = open_bench("mode1", true);
@@ -977,6 +1003,7 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(tcase, a_click_into_the_strip_chooses, 0, 2);
     tcase_add_test(tcase, bookmarks_are_kept_in_the_order_of_the_run);
     tcase_add_test(tcase, quitting_asks_once_after_a_change);
+    tcase_add_test(tcase, slash_searches_the_help);
     tcase_add_test(tcase, quitting_closes_what_is_open_first);
     tcase_add_test(tcase, export_writes_and_does_not_overwrite);
     tcase_add_test(tcase, a_full_disk_costs_nothing_that_was_there);

@@ -840,6 +840,36 @@ START_TEST(the_last_page_says_what_one_can_tell)
 }
 END_TEST
 
+START_TEST(the_list_takes_two_digits_pages_and_words)
+{
+    const int last = screen_lesson_count() - 1;
+    Bench *bench = open_bench("mode1", true);
+    const LessonShown *shown = bench->lab.screen.lesson;
+    ck_assert_int_gt(last, 12);
+    press_all(bench, "T PageDown");
+    ck_assert_int_eq(shown->chosen, 5);
+    for (int i = 0; i < last; i++)
+        press(bench, "PageDown");
+    ck_assert_int_eq(shown->chosen, last);
+    press_all(bench, "PageUp 1");
+    ck_assert(!shown->lesson && shown->chosen == 0);
+    press(bench, "2");
+    ck_assert_str_eq(bench->lab.play.name, builtin_lessons[11].name);
+    press_all(bench, "T T 1 Down 4"); /* another key parts two numbers */
+    ck_assert_str_eq(bench->lab.play.name, builtin_lessons[3].name);
+    press_all(bench, "T T / c o u r a n t Enter");
+    ck_assert(!shown->lesson && shows(bench, "on page "));
+    const int first = shown->chosen;
+    press_all(bench, "/ Enter");
+    ck_assert_int_ne(shown->chosen, first);
+    press_all(bench, "/ q q q Enter");
+    ck_assert(shows(bench, "no lesson has these words"));
+    press_all(bench, "Esc Enter");
+    ck_assert(shown->lesson);
+    close_bench(bench);
+}
+END_TEST
+
 /* The list has its groups, the sentence of the lesson that is chosen, and says how many are below; a title
  * opens its lesson wherever it stands. */
 START_TEST(the_list_has_groups_and_says_how_many_more)
@@ -891,6 +921,7 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(format, what_is_wrong_is_told_with_its_line, 0, (int)(sizeof wrong / sizeof *wrong));
     tcase_add_loop_test(own, every_page_is_entered_in_one_state, 0, count);
     tcase_add_loop_test(turning, few_keys_lead_through, 0, 2 * count);
+    tcase_add_test(turning, the_list_takes_two_digits_pages_and_words);
     tcase_add_test(turning, arrows_choose_an_answer);
     tcase_add_test(turning, a_turned_page_is_not_waited_for);
     tcase_add_test(turning, a_page_can_be_left_out);

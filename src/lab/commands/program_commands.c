@@ -11,6 +11,10 @@ void command_export(Laboratory *lab)
 
 void command_filter(Laboratory *lab)
 {
+    if (lab->play.shown.open && !lab->play.shown.lesson) {
+        lesson_play_search(lab);
+        return;
+    }
     if (lab->screen.panes.inspecting)
         command_close_inspector(&lab->screen);
     lab->screen.panes.focus = PANE_PARAMETERS;
@@ -21,7 +25,7 @@ void command_filter(Laboratory *lab)
 void command_help_pages(Laboratory *lab)
 {
     lab->help.open = true;
-    lab->help.page = lab->help.scroll = 0;
+    lab->help.page = lab->help.scroll = lab->help.found = 0;
 }
 
 static bool answer_quit(Laboratory *lab, const char *text)

@@ -38,6 +38,7 @@ typedef struct LessonPlay {
     long step;    /* where the page leaves the run, its goal apart */
     int stage;
     CommandSet used;   /* since the page was opened */
+    int digit;         /* in the list, the first of two that was typed; 0: none */
     bool warned;       /* that the page still waits */
     int resumes;       /* the page, from 1 on, that is opened because the reader had come to it; 0: none */
     Asker asker;       /* who turned to the page */

@@ -294,6 +294,79 @@ bool lesson_play_turn(Laboratory *lab, int direction)
     return true;
 }
 
+/* In the list. Of two digits the first one chooses, where more lessons begin with it. */
+static bool list_key(Laboratory *lab, const char *key)
+{
+    enum { JUMP = 5 };
+    LessonShown *shown = &lab->play.shown;
+    const int count = screen_lesson_count(), before = lab->play.digit;
+    lab->play.digit = 0;
+    if (strcmp(key, "PageDown") == 0 || strcmp(key, "PageUp") == 0) {
+        lesson_play_move(lab, 0, key[4] == 'D' ? JUMP : -JUMP);
+        return true;
+    }
+    if (key[0] < (before ? '0' : '1') || key[0] > '9' || key[1])
+        return false;
+    const int digit = key[0] - '0', both = 10 * before + digit, number = both <= count ? both : digit;
+    if (10 * number > count) {
+        open_from_list(lab, number - 1);
+    } else {
+        shown->chosen = number - 1;
+        lab->play.digit = number;
+        laboratory_say(lab, MESSAGE_INFO, "Enter opens lesson %d; a second digit: %d to %d", number,
+                       10 * number, 10 * number + 9 < count ? 10 * number + 9 : count);
+    }
+    return true;
+}
+
+static bool holds(const char *text, const char *words)
+{
+    return text && strcasestr(text, words);
+}
+
+/* The first page with these words, from 1; 0: none. The title and the sentence of the list belong to page 1.
+ */
+static int page_with(const char *name, const char *words)
+{
+    Lesson lesson = {0};
+    Status ignored = {STATUS_DONE, ""};
+    if (!lesson_load(name, command_line_for_lessons, &lesson, &ignored))
+        return 0;
+    int found = holds(lesson.title, words) || holds(lesson.about, words);
+    for (int i = 0; i < lesson.n_pages && !found; i++) {
+        const LessonPage *page = &lesson.pages[i];
+        if (holds(page->title, words) || holds(page->first.text, words) ||
+            holds(page->revealed.text, words) || holds(page->question, words))
+            found = i + 1;
+    }
+    lesson_free(&lesson);
+    return found;
+}
+
+static bool answer_search(Laboratory *lab, const char *text)
+{
+    LessonShown *shown = &lab->play.shown;
+    const int count = screen_lesson_count();
+    snprintf(lab->help.sought, sizeof lab->help.sought, "%s", text);
+    for (int turn = 1; turn <= count && *text; turn++) {
+        const int lesson = (shown->chosen + turn) % count,
+                  page = page_with(builtin_lessons[lesson].name, text);
+        if (page > 0) {
+            shown->chosen = lesson;
+            laboratory_say(lab, MESSAGE_INFO, "on page %d; / Enter searches on", page);
+            return true;
+        }
+    }
+    return !*text || prompt_refuse(&lab->prompting, "no lesson has these words");
+}
+
+void lesson_play_search(Laboratory *lab)
+{
+    static const Typing retyped = {.retyped = true};
+    prompt_ask(&lab->prompting, answer_search, false, lab->help.sought, "search the lessons");
+    lab->prompting.typing = &retyped;
+}
+
 bool lesson_play_key(Laboratory *lab, const Key *key)
 {
     static const struct {
@@ -306,12 +379,8 @@ bool lesson_play_key(Laboratory *lab, const Key *key)
     const int digit = key->name[0] >= '1' && key->name[0] <= '9' && !key->name[1] ? key->name[0] - '1' : -1;
     if (!shown->open)
         return false;
-    if (!page && digit >= 0) {
-        open_from_list(lab, digit);
-        return true;
-    }
     if (!page)
-        return false;
+        return list_key(lab, key->name);
     /* while a question is open a digit answers it, and changes no view even where it is no choice */
     if (page->n_choices > 0 && shown->answer < 0 && digit >= 0) {
         if (digit < page->n_choices)

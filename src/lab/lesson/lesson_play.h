@@ -11,6 +11,7 @@ void lesson_play_close(Laboratory *);
 void lesson_play_toggle(Laboratory *);
 bool lesson_play_turn(Laboratory *, int direction); /* false: the keys are not those of a page */
 bool lesson_play_key(Laboratory *, const Key *);    /* false: it is not for the lesson */
+void lesson_play_search(Laboratory *);              /* asks for words; in the list */
 void lesson_play_move(Laboratory *, int x, int y);
 void lesson_play_enter(Laboratory *);               /* opens the chosen one, serves the page, or goes on */
 bool lesson_play_click(Laboratory *, int x, int y); /* false: there is none in that cell */
