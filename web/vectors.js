@@ -45,9 +45,9 @@ const vectors = {
 		this.cost = this.drawn = 0;
 		this.draw();
 	},
+	colour(style) { return this.ink(this.colours[style]); },
 	// of the 256 numbers of a terminal
-	colour(style) {
-		const number = this.colours[style];
+	ink(number) {
 		if (!(number >= 16)) return number >= 0 && number < 8 ? ['#000000', '#cd3131', '#0dbc79', '#e5e510', '#2472c8', '#bc3fbc', '#11a8cd', '#e5e5e5'][number] : term.options.theme.foreground;
 		if (number >= 232) return 'rgb(' + Array(3).fill(8 + 10 * (number - 232)) + ')';
 		return 'rgb(' + [36, 6, 1].map((part) => { const step = Math.floor((number - 16) / part) % 6; return step && 55 + 40 * step; }) + ')';
@@ -71,6 +71,7 @@ const vectors = {
 		pen.clearRect(0, 0, canvas.width, canvas.height);
 		if (!this.on || term.hasSelection()) return;
 		const across = canvas.width / term.cols, down = canvas.height / term.rows;
+		this.draw_blocks(pen, across, down);
 		for (const area of this.areas) this.draw_area(pen, area, across, down);
 		this.cost += performance.now() - begin;
 		if (++this.drawn < DRAWINGS) return;
@@ -130,6 +131,22 @@ const vectors = {
 			for (let x = 0; x < columns; x++)
 				if (blank[y * columns + x] && (near(x - 1, y) || near(x + 1, y) || near(x, y - 1) || near(x, y + 1))) found[y * columns + x] = 2;
 		return found;
+	},
+	// large digits and scales, in whose blocks a font leaves seams
+	draw_blocks(pen, across, down) {
+		const buffer = term.buffer.active;
+		let cell;
+		for (let y = 0; y < term.rows; y++) {
+			const line = buffer.getLine(buffer.viewportY + y);
+			for (let x = 0; line && x < term.cols; x++) {
+				cell = line.getCell(x, cell);
+				const code = cell.getCode();
+				if (![0x2580, 0x2584, 0x2588].includes(code) || cell.isInverse()) continue;
+				const x0 = Math.round(x * across), y0 = Math.round((y + (code === 0x2584 ? .5 : 0)) * down), y1 = Math.round((y + (code === 0x2580 ? .5 : 1)) * down);
+				pen.fillStyle = this.ink(cell.isFgPalette() ? cell.getFgColor() : -1);
+				pen.fillRect(x0, y0, Math.round((x + 1) * across) - x0, y1 - y0);
+			}
+		}
 	},
 	draw_area(pen, area, across, down) {
 		const {rect: [left, top, columns, rows], strokes, marks, map} = area;

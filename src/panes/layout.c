@@ -247,7 +247,8 @@ enum {
     STACKED_WIDTH = 80,  /* below it a screen that is high, as a telephone's, has one column */
     STACKED_LEAST = 36,  /* columns */
     STACKED_HEIGHT = 30, /* of one that could have two */
-    BESIDE_WIDTH = 80, /* from here on a screen too low for one, a telephone's on its side, has two columns */
+    BESIDE_WIDTH = 80,   /* from here on a low screen, a telephone's on its side, has two columns */
+    BESIDE_HEIGHT = 22,
     LESSON_LEAST_WIDTH = 80, /* a text wants a column of its own */
     LESSON_LEAST_HEIGHT = 16,
     LESSON_STRIP_HEIGHT = 20,
@@ -415,7 +416,7 @@ static bool layout_plain(const Screen *screen, int width, int height, Layout *la
         lay_out_stacked(screen, width, height, layout);
         return true;
     }
-    if (!lesson && width >= BESIDE_WIDTH && height < PLAIN_HEIGHT) {
+    if (!lesson && width >= BESIDE_WIDTH && height < BESIDE_HEIGHT) {
         layout->kind = LAYOUT_FULL;
         lay_out_beside(screen, width, height, layout);
         return true;
