@@ -52,6 +52,7 @@ function show_address(same = false) {
 	const here = data[opened.kind + 's'].find(({name}) => name === opened.name);
 	document.title = (here ? here.title : opened.name) + ' - matvib';
 	if (!is_known()) return;
+	element('chooser').value = opened.kind + ' ' + opened.name;
 	const wish = new URLSearchParams(location.search), sign = opened.kind + ' ' + opened.name;
 	const who = ['name', 'id'].map((key) => (opened.kind === 'lesson' && wish.get('lesson') === opened.name && wish.get(key) ?
 		'&' + key + '=' + encodeURIComponent(wish.get(key)) : '')).join('');
@@ -78,10 +79,7 @@ function follow({large, name, sets}) {
 	Object.assign(opened, {name, sets});
 	clearTimeout(following);
 	// what opens in its coarse form is the same one
-	following = setTimeout(() => {
-		if (is_known()) element('chooser').value = 'scenario ' + name;
-		show_address(first);
-	}, first ? 0 : FOLLOWS);
+	following = setTimeout(() => show_address(first), first ? 0 : FOLLOWS);
 }
 
 function fill_chooser() {

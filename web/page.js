@@ -77,6 +77,7 @@ async function open_one({scenario, lesson, sets = [], name = '', id = '', sheet 
 	const about = {kind: lesson || words && words[0] === 'lesson' ? 'lesson' : 'scenario', name: lesson || scenario || (given ? given.name : 'mode5'),
 		sets, sheet, whose: '', looks: false, recording: null, instead_of: null};
 	offered = '';
+	if (!given) element('chooser').value = about.kind + ' ' + about.name;
 	const options = {files: given ? [given] : []};
 	let all = words || (lesson ? ['lesson', lesson] : [scenario || 'mode5'].concat(...sets.map((set) => ['--set', set])));
 	if (solve || (lesson && data.lessons.some((row) => row.name === lesson && row.solve))) {
@@ -97,7 +98,6 @@ async function open_one({scenario, lesson, sets = [], name = '', id = '', sheet 
 		about.looks = !name;
 	}
 	Object.assign(opened, about);
-	if (!given) element('chooser').value = opened.kind + ' ' + opened.name;
 	show_address();
 	begin(all, options);
 }

@@ -4,7 +4,7 @@
 // browser.js CASE...: these alone. TAP; run by `make check-web`. Environment: MATVIB, MATVIB_BUILDDIR, MATVIB_BROWSER (chromium),
 // MATVIB_FIREFOX (firefox-esr), MATVIB_SHOTS (a folder for screenshots).
 'use strict';
-const fs = require('fs'), os = require('os'), path = require('path'), http = require('http');
+const fs = require('fs'), os = require('os'), path = require('path'), http = require('http'), zlib = require('zlib');
 const {createHash} = require('crypto');
 const {execFileSync, spawnSync} = require('child_process');
 const {createRequire} = require('module');
@@ -399,6 +399,7 @@ async function homework_is_kept() {
 	await page.reload();
 	await is_open('kept-sheet');
 	result('a reload offers to go on', /^go on with Eve's \(\d\d:\d\d\)start againit was somebody else$/.test(await text_of('#kept')), await text_of('#kept'));
+	result('of the lesson that is chosen above', (await page.$eval('#chooser', (chooser) => chooser.value)) === 'lesson homework-late');
 	await shot('go-on');
 	await page.click('#kept button');
 	await shows('and goes on where it was', (text) => /[23] of \d+|[23]\/\d+/.test(text));
@@ -1035,6 +1036,8 @@ async function policy() {
 	const names = ['matvib.html', ...fs.readdirSync(path.join(built, 'web')).filter((name) => /\.(html|css|js)$/.test(name)).map((name) => path.join('web', name))];
 	const found = names.map((name) => outside.exec(read(name))).filter(Boolean);
 	result('nothing names what would be loaded from elsewhere', names.length > 10 && found.length === 0, found.join('\n'));
+	const packed = zlib.gzipSync(all, {level: 9}).length;
+	result('the one file has at most 1.5 MB as a server packs it', packed <= 1.5e6, packed);
 	asked.length = 0;
 	await open(one);
 	await until('', has('Space pause'));
