@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The bar by peridynamics: settings to simulation, exact and predicted answers beside. */
 #include "answers/bar_answers.h"
+#include "answers/bar_lattice.h"
 #include "base/shortage.h"
 #include "scenario/concern_body.h"
 #include "scenario/concern_bonds.h"
@@ -10,7 +11,6 @@
 #include "methods/mpm/mpm_bar.h"
 #include "problems/solvers.h"
 #include "methods/bonds/plane/bonds_plane.h"
-#include "theory/pd_bar_theory.h"
 #include "theory/pd_waves.h"
 
 #include <math.h>
@@ -43,17 +43,12 @@ BeamDef bar_pd_definition(const Settings *settings)
     };
 }
 
-/* The same for its theory. */
-static PdBarTheory bar_lattice_of(const Settings *settings)
+/* Of a right code. */
+static BeamDef right_definition(const Settings *settings)
 {
-    return (PdBarTheory){.spacing = lattice_spacing(settings),
-                         .horizon = lattice_horizon(settings),
-                         .volumes = settings_lattice(settings)->volume_correction,
-                         .conical = settings_lattice(settings)->influence == INFLUENCE_CONICAL,
-                         .energy_correction =
-                             settings_lattice(settings)->surface_correction == SURFACE_ENERGY,
-                         .dt = bar_time_step(settings),
-                         .cancel = settings->cancel};
+    BeamDef def = bar_pd_definition(settings);
+    def.mistake = def.mistake_beside = 0;
+    return def;
 }
 
 static bool check(const Settings *settings, Status *status)
@@ -81,8 +76,8 @@ static Simulation *simulate(const Settings *settings, int threads, Status *statu
 
 static double predicted_frequency(const Settings *settings, const BarTheory *theory, int mode)
 {
-    const PdBarTheory lattice = bar_lattice_of(settings);
-    return pd_bar_frequency(theory, &lattice, mode);
+    const BeamDef lattice = right_definition(settings);
+    return bar_lattice_frequency(theory, &lattice, mode);
 }
 
 static double predicted_v_cm(References *refs, long step, double time, const double *row)
@@ -96,11 +91,11 @@ static bool prepare(References *refs, const Settings *settings, const Simulation
     BarAnswers *bar = bar_answers_create(refs, settings, status);
     if (!bar)
         return false;
-    const PdBarTheory lattice = bar_lattice_of(settings);
+    const BeamDef lattice = right_definition(settings);
     const int before = shortage_begin();
     /* with one kick a step v is half a step off, and the frequency the same */
     if (!refs->unaccounted[REFERENCE_PREDICTED] && settings_lattice(settings)->stepping == STEPPING_VERLET)
-        bar->motion = pd_bar_motion(&bar->theory, &lattice);
+        bar->motion = bar_lattice_motion(&bar->theory, &lattice);
     bar_prepare(refs, settings, sim, predicted_frequency, bar->motion ? predicted_v_cm : NULL,
                 "velocity of the centre of mass predicted for this lattice");
     return bar_prediction_is_whole(before, round(settings_geometry(settings)->length / lattice.spacing),
@@ -161,8 +156,9 @@ static int modes(const Settings *settings)
 
 static Dispersion wave_on_lattice(const Settings *settings, const BarTheory *theory, double wave_number)
 {
-    const PdBarTheory lattice = bar_lattice_of(settings);
-    return pd_bar_dispersion(theory, &lattice, wave_number);
+    const BeamDef lattice = right_definition(settings);
+    (void)theory;
+    return bar_lattice_dispersion(&lattice, wave_number);
 }
 
 static void lattice_factors(const Dispersion *wave, ModeOnMesh *mode)
@@ -197,12 +193,12 @@ static const char *other_way(const Settings *settings, int which, int number, do
     BarTheory theory;
     if (which >= (int)(sizeof names / sizeof *names) || !bar_theory_of(settings, &theory, NULL))
         return NULL;
-    PdBarTheory lattice = bar_lattice_of(settings);
+    BeamDef lattice = right_definition(settings);
     const double wave = bar_wave_number(&theory, number);
-    lattice.conical = which % 2 == 1;
-    const Influence shape = lattice.conical ? INFLUENCE_CONICAL : INFLUENCE_CONSTANT;
+    const Influence shape = which % 2 ? INFLUENCE_CONICAL : INFLUENCE_CONSTANT;
+    lattice.influence = shape;
     *frequency = which < 2
-                     ? pd_bar_dispersion(&theory, &lattice, wave).frequency
+                     ? bar_lattice_dispersion(&lattice, wave).frequency
                      : wave * bar_wave_speed(&theory) * sqrt(pd_waves_line(shape, wave * lattice.horizon));
     return names[which];
 }

@@ -9,12 +9,13 @@
  *     dt_crit = 2/omega_max                                               of velocity Verlet */
 #include "methods/bonds/plane/bonds_internal.h"
 
-#include "base/assertion.h"
 #include "base/linear/band.h"
+#include "base/math/functions.h"
 #include "methods/axial.h"
 
 #include <errno.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 
 _Static_assert((int)LATTICE_LINE_REACH_MAX <= (int)BAND_WIDTH_MAX, "the matrix of the lattice fits a band");
@@ -116,56 +117,107 @@ double bonds_line_stress(const Beam *beam, int i)
     return sum * lattice->spacing / 2;
 }
 
-/* omega_max^2 is the largest eigenvalue of K/rho, K the band matrix of f = -K u: K_ii = sum k, K_ij = -k. A
- * bond to a mirrored node, u = -u_j, adds +k to K_ij instead; its partner j lies nearer to the end than the
- * horizon, so the matrix stays a band of half-width `reach`. NAN: not enough memory, or given up; the status
- * says which. */
-static double largest_eigenvalue(const BeamDef *def, const Lattice *lattice, Status *status)
+/* With the stiffness k_m of bonds at distance m h and theta = k h (bar_lattice.h in answers)
+ *
+ *     rho omega^2 = 4 G sum_m k_m sin^2(m theta/2),   G = 1, or with the energy correction E/(c h^2 sum_m w_m
+ * m)
+ */
+double bonds_line_wave(const BeamDef *def, double wave_number)
 {
-    const size_t n = lattice_nodes(lattice), width = (size_t)lattice->reach;
-    double *rows = calloc(n * (width + 1), sizeof *rows);
-    if (!rows) {
-        status_fail(status, "not enough memory for the lattice of the bar");
+    Lattice lattice;
+    BeamDef whole = *def;
+    const double ratio = def->horizon / def->spacing;
+    double sum = 0;
+    if (!(ratio >= 1 - 1e-9 && ratio <= LATTICE_LINE_REACH_MAX * (1 + 1e-9)))
         return NAN;
+    bonds_line_complete(&whole);
+    lattice_find_families(&lattice, &whole);
+    for (const Offset *o = lattice.offsets; o < lattice.offsets + lattice.n_offsets; o++) {
+        const double sine = math_sin(wave_number * o->length / 2);
+        sum += 4 * o->influence * o->weight / o->p * sine * sine;
     }
-    for (size_t a = 0; a < n; a++)
+    if (lattice.correction == SURFACE_ENERGY)
+        sum *= def->youngs_modulus / (lattice.micromodulus * lattice_moment(&lattice));
+    return sqrt(lattice.micromodulus * sum / def->density);
+}
+
+/* K_ii = sum k, K_ij = -k of the band matrix of f = -K u. A bond to a mirrored node, u = -u_j, adds +k to
+ * K_ij instead; its partner j lies nearer to the end than the horizon, so the matrix stays a band of
+ * half-width `reach`. */
+static void put_matrix(const Lattice *lattice, double density, BondsPut *put, void *into)
+{
+    for (size_t a = 0; a < lattice_nodes(lattice); a++)
         for (int m = -lattice->reach; m <= lattice->reach; m++) {
             const int i = lattice_column(lattice, a), other = i + m;
             if (m == 0 || !lattice_has(lattice, other, 0))
                 continue;
             const BondPlace bond = {m < 0 ? other : i, 0, abs(m) - 1};
             const double k =
-                lattice_coefficient(lattice, bond) / lattice->offsets[bond.offset].length / def->density;
-            const size_t b = lattice_node(lattice, other, 0);
-            double *row = rows + a * (width + 1);
-            row[0] += k;
-            if (b <= a)
-                row[a - b] += lattice_is_image(lattice, other) ? k : -k;
+                lattice_coefficient(lattice, bond) / lattice->offsets[bond.offset].length / density;
+            put(into, a, a, k);
+            put(into, a, lattice_node(lattice, other, 0), lattice_is_image(lattice, other) ? k : -k);
         }
-    const Band band = {n, lattice->reach, rows};
-    const double largest = band_eigenvalue(&band, n - 1, &def->cancel);
-    const bool cancelled = isnan(largest) && errno == ECANCELED;
-    free(rows);
-    if (!(largest > 0))
-        status_fail(status, cancelled ? "the building of the bar was cancelled"
-                                      : "the search for the critical time step did not converge");
-    return largest;
+}
+
+bool bonds_line_matrix(const BeamDef *def, BondsPut *put, void *into, Status *status)
+{
+    Lattice lattice;
+    BeamDef whole = *def;
+    bonds_line_complete(&whole);
+    if (!lattice_init(&lattice, &whole, status))
+        return false;
+    put_matrix(&lattice, def->density, put, into);
+    lattice_free(&lattice);
+    return true;
+}
+
+typedef struct BandRows {
+    double *rows;
+    size_t width;
+} BandRows;
+
+/* The lower half, row by row from the diagonal to the left. */
+static void put_in_band(void *into, size_t row, size_t column, double value)
+{
+    BandRows *band = into;
+    if (column <= row)
+        band->rows[row * (band->width + 1) + row - column] += value;
+}
+
+double bonds_line_eigenvalue(const BeamDef *def, size_t number, Status *status)
+{
+    Lattice lattice;
+    BeamDef whole = *def;
+    double value = NAN;
+    bonds_line_complete(&whole);
+    if (!lattice_init(&lattice, &whole, status))
+        return NAN;
+    const size_t n = lattice_nodes(&lattice), width = (size_t)lattice.reach;
+    BandRows band = {calloc(n * (width + 1), sizeof(double)), width};
+    if (band.rows) {
+        put_matrix(&lattice, def->density, put_in_band, &band);
+        const Band matrix = {n, lattice.reach, band.rows};
+        value = band_eigenvalue(&matrix, number < n ? number : n - 1, &def->cancel);
+        if (isnan(value))
+            status_fail(status, errno == ECANCELED
+                                    ? "the building of the bar was cancelled"
+                                    : "the search for the critical time step did not converge");
+    } else
+        status_fail(status, "not enough memory for the lattice of the bar");
+    free(band.rows);
+    lattice_free(&lattice);
+    return value;
 }
 
 /* The largest frequency of a long bar is that of 2000 nodes with the same ends, to 1e-6. */
 bool bonds_line_critical_step(const BeamDef *def, double *step, Status *status)
 {
     enum { NODES = 2000 };
-    ASSERT(beam_check(def, NULL));
-    Lattice lattice;
     BeamDef part = *def;
     bonds_line_complete(&part);
     part.mistake = part.mistake_beside = 0; /* a wrong code is run with the step of the right one */
     if (part.length > NODES * part.spacing)
         part.length = NODES * part.spacing;
-    if (!lattice_init(&lattice, &part, status))
-        return false;
-    *step = 2 / sqrt(largest_eigenvalue(&part, &lattice, status));
-    lattice_free(&lattice);
+    *step = 2 / sqrt(bonds_line_eigenvalue(&part, SIZE_MAX, status));
     return isfinite(*step);
 }

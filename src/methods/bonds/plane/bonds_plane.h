@@ -144,6 +144,15 @@ void beam_facts(const Simulation *beam, BeamFacts *facts);
 /* The critical step of a bar before there is a simulation. False: memory is short, or given up. */
 bool bonds_line_critical_step(const BeamDef *definition, double *step, Status *status);
 
+/* Small motion of a bar before time is cut into steps: the frequency of a wave far from its ends, NAN: the
+ * horizon is not sound; K/rho of u'' = -K u/rho, handed over entry by entry in the order of nodes, those
+ * of one place to be added; and an eigenvalue of it, omega^2, 0 the least, any number beyond the last the
+ * largest, NAN: no memory (errno ENOMEM), given up (ECANCELED). */
+double bonds_line_wave(const BeamDef *, double wave_number);
+double bonds_line_eigenvalue(const BeamDef *, size_t number, Status *);
+typedef void BondsPut(void *into, size_t row, size_t column, double value);
+bool bonds_line_matrix(const BeamDef *, BondsPut *, void *into, Status *);
+
 /* What holds and what loads its nodes, with the pressure of now; returns how many there are. The channel of a
  * moving cantilever is not among them. */
 int beam_supports(const Simulation *beam, Support out[PLATE_ROWS_MAX]);

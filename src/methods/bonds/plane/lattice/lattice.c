@@ -338,7 +338,7 @@ double lattice_moment(const Lattice *lattice)
  * there |xi| dA c is under the integral, and with c_1 (1 - |xi|/delta) it comes to a quarter.
  * One constant for each bond leaves room for one elastic constant only, so nu = 1/3 in plane stress, always.
  */
-bool lattice_measure(Lattice *lattice, const BeamDef *def, Status *status)
+void lattice_find_families(Lattice *lattice, const BeamDef *def)
 {
     const double delta = def->horizon;
     const bool line = def->problem == BEAM_BAR, cone = def->influence == INFLUENCE_CONICAL;
@@ -361,6 +361,11 @@ bool lattice_measure(Lattice *lattice, const BeamDef *def, Status *status)
     add_offsets(lattice, def);
     if (cone && line)
         lattice->micromodulus = def->youngs_modulus / lattice_moment(lattice);
+}
+
+bool lattice_measure(Lattice *lattice, const BeamDef *def, Status *status)
+{
+    lattice_find_families(lattice, def);
     return count_nodes(lattice, def, status);
 }
 

@@ -80,8 +80,9 @@ typedef struct Lattice {
 #define BUILDING_CRITICAL 0.35
 #define BUILDING_START    0.98
 
-/* The families and the numbers of rows and columns alone: no memory is taken. False: the beam is too coarse
+/* The families alone; with the numbers of rows and columns. No memory is taken. False: the beam is too coarse
  * to be one, or too fine for memory. */
+void lattice_find_families(Lattice *lattice, const BeamDef *definition);
 bool lattice_measure(Lattice *lattice, const BeamDef *definition, Status *status);
 
 /* All of it: with the padding, factors and bond numbers. False: as above, or memory is short. */

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The lattice's prediction against the engine, and what counts eigenvalues against a dense solver. */
+#include "answers/bar_lattice.h"
 #include "base/linear/band.h"
-#include "methods/bonds/plane/bonds_plane.h"
 #include "suite.h"
 #include "theory/frequency.h"
-#include "theory/pd_bar_theory.h"
 #include "theory/pd_waves.h"
 
 #include <gsl/gsl_eigen.h>
@@ -23,10 +22,37 @@ static BarTheory theory(bool left, bool right, int mode)
                        .modes = {{mode, 0.1}}};
 }
 
-static PdBarTheory lattice(double spacing, double horizon, VolumeCorrection volumes, bool energy, double dt)
+/* Of the bars of theory() once on_bar() has given it ends. */
+static BeamDef lattice(double spacing, double horizon, VolumeCorrection volumes, bool energy, double dt)
 {
-    return (PdBarTheory){
-        .spacing = spacing, .horizon = horizon, .volumes = volumes, .energy_correction = energy, .dt = dt};
+    return (BeamDef){.problem = BEAM_BAR,
+                     .length = 25,
+                     .youngs_modulus = 100,
+                     .density = 1,
+                     .spacing = spacing,
+                     .horizon = horizon,
+                     .volume_correction = volumes,
+                     .surface_correction = energy ? SURFACE_ENERGY : SURFACE_NONE,
+                     .dt = dt};
+}
+
+static BeamDef on_bar(const BarTheory *bar, const BeamDef *on)
+{
+    BeamDef def = *on;
+    def.left_fixed = bar->left_fixed, def.right_fixed = bar->right_fixed;
+    return def;
+}
+
+static double frequency(const BarTheory *bar, const BeamDef *on, int number)
+{
+    const BeamDef def = on_bar(bar, on);
+    return bar_lattice_frequency(bar, &def, number);
+}
+
+static BarMotion *motion(const BarTheory *bar, const BeamDef *on)
+{
+    const BeamDef def = on_bar(bar, on);
+    return bar_lattice_motion(bar, &def);
 }
 
 static double velocity(double x, const void *context)
@@ -34,22 +60,11 @@ static double velocity(double x, const void *context)
     return bar_initial_velocity(context, x);
 }
 
-static Simulation *lattice_bar(const BarTheory *bar, const PdBarTheory *on)
+static Simulation *lattice_bar(const BarTheory *bar, const BeamDef *on)
 {
-    BeamDef def = {.problem = BEAM_BAR,
-                   .length = bar->length,
-                   .youngs_modulus = bar->youngs_modulus,
-                   .density = bar->density,
-                   .left_fixed = bar->left_fixed,
-                   .right_fixed = bar->right_fixed,
-                   .spacing = on->spacing,
-                   .horizon = on->horizon,
-                   .surface_correction = on->energy_correction ? SURFACE_ENERGY : SURFACE_NONE,
-                   .volume_correction = (VolumeCorrection)on->volumes,
-                   .influence = on->conical ? INFLUENCE_CONICAL : INFLUENCE_CONSTANT,
-                   .dt = on->dt,
-                   .initial_velocity = velocity,
-                   .initial_context = bar};
+    BeamDef def = on_bar(bar, on);
+    def.initial_velocity = velocity;
+    def.initial_context = bar;
     Status status = {0};
     Simulation *sim = beam_create(&def, &status);
     ck_assert_msg(sim != NULL, "%s", status.text);
@@ -57,7 +72,7 @@ static Simulation *lattice_bar(const BarTheory *bar, const PdBarTheory *on)
 }
 
 /* The frequency of a node's velocity by least squares over 2000 steps. */
-static double measured(const BarTheory *bar, const PdBarTheory *on, double start)
+static double measured(const BarTheory *bar, const BeamDef *on, double start)
 {
     enum { STEPS = 2000 };
     static double record[STEPS];
@@ -85,18 +100,18 @@ START_TEST(fixed_ends)
                 const VolumeCorrection volumes = (VolumeCorrection)(flags / 2);
                 const bool energy = flags % 2;
                 const BarTheory bar = theory(true, true, modes[m]);
-                const PdBarTheory on = lattice(0.5, horizons[h], volumes, energy, 0.01);
-                const double predicted = pd_bar_frequency(&bar, &on, modes[m]);
+                const BeamDef on = lattice(0.5, horizons[h], volumes, energy, 0.01);
+                const double predicted = frequency(&bar, &on, modes[m]);
                 ck_assert_double_eq_tol(measured(&bar, &on, predicted) / predicted, 1, 1e-9);
             }
 }
 END_TEST
 
 /* v_cm of the run at every step, to the rounding of what it starts with. */
-static double furthest(const BarTheory *bar, const PdBarTheory *on, int steps)
+static double furthest(const BarTheory *bar, const BeamDef *on, int steps)
 {
     Simulation *sim = lattice_bar(bar, on);
-    BarMotion *modes = pd_bar_motion(bar, on);
+    BarMotion *modes = motion(bar, on);
     ck_assert(modes != NULL);
     const int v_cm = simulation_find_series(sim, "v_cm");
     double row[16], most = 0;
@@ -117,7 +132,7 @@ START_TEST(centre_of_mass)
             BarTheory bar = theory(ends & 1, ends & 2, 5);
             bar.n_modes = 2;
             bar.modes[1].number = 3, bar.modes[1].velocity = 0.02;
-            const PdBarTheory on = lattice(0.5, 1.5, VOLUME_PARTIAL, energy, 0.03);
+            const BeamDef on = lattice(0.5, 1.5, VOLUME_PARTIAL, energy, 0.03);
             ck_assert_double_lt(furthest(&bar, &on, 3000), 1e-11);
         }
 }
@@ -129,8 +144,8 @@ START_TEST(a_cone_runs_as_predicted)
 {
     for (int ends = 0; ends < 4; ends++) {
         BarTheory bar = theory(ends & 1, ends & 2, 5);
-        PdBarTheory on = lattice(0.5, 1.5, VOLUME_PARTIAL, true, 0.03);
-        on.conical = true;
+        BeamDef on = lattice(0.5, 1.5, VOLUME_PARTIAL, true, 0.03);
+        on.influence = INFLUENCE_CONICAL;
         ck_assert_double_lt(furthest(&bar, &on, 1000), 1e-11);
         Simulation *sim = lattice_bar(&bar, &on);
         BeamFacts facts;
@@ -139,16 +154,16 @@ START_TEST(a_cone_runs_as_predicted)
         simulation_destroy(sim);
     }
     const BarTheory bar = theory(true, true, 1);
-    PdBarTheory fine = lattice(0.01, 0.2, VOLUME_PARTIAL, false, 1e-6);
-    fine.conical = true;
+    BeamDef fine = lattice(0.01, 0.2, VOLUME_PARTIAL, false, 1e-6);
+    fine.influence = INFLUENCE_CONICAL;
     for (double z = 0.5; z < 8; z += 0.5) {
-        const double w = pd_bar_dispersion(&bar, &fine, z / 0.2).space_only, c = bar_wave_speed(&bar);
+        const double w = bar_lattice_dispersion(&fine, z / 0.2).space_only, c = bar_wave_speed(&bar);
         ck_assert_double_eq_tol(pow(w / (c * z / 0.2), 2), pd_waves_line(INFLUENCE_CONICAL, z), 4e-3);
     }
     /* as the help has it: the weights of the sum, and long waves */
     for (int volumes = VOLUME_NONE; volumes <= VOLUME_HHB; volumes++) {
-        PdBarTheory on = lattice(0.5, 1.5, (VolumeCorrection)volumes, false, 1e-6);
-        on.conical = true;
+        BeamDef on = lattice(0.5, 1.5, (VolumeCorrection)volumes, false, 1e-6);
+        on.influence = INFLUENCE_CONICAL;
         const double theta = 0.3, ratio = 3, w[] = {1, 1, 0.5}, c = bar_wave_speed(&bar), beta = theta / 0.5;
         double sum = 0, all = 0;
         for (int m = 1; m <= 3; m++) {
@@ -157,10 +172,10 @@ START_TEST(a_cone_runs_as_predicted)
             all += cone * m;
         }
         sum *= 8 * pow(c / 1.5, 2) * ratio * ratio / (2 * all);
-        const double omega = pd_bar_dispersion(&bar, &on, beta).space_only;
+        const double omega = bar_lattice_dispersion(&on, beta).space_only;
         ck_assert_double_eq_tol(omega, sqrt(sum), 1e-12 * omega);
         const double slow = beta / 100, falls = slow * slow * (1.5 * 1.5 - 2.0 / 3 * 0.5 * 0.5) / 80;
-        ck_assert_double_eq_tol((1 - pd_bar_dispersion(&bar, &on, slow).space_only / (slow * c)) / falls, 1,
+        ck_assert_double_eq_tol((1 - bar_lattice_dispersion(&on, slow).space_only / (slow * c)) / falls, 1,
                                 1e-4);
     }
 }
@@ -185,12 +200,11 @@ START_TEST(free_end)
         const BarTheory bar = theory(true, false, cases[k].mode);
         const double exact = bar_frequency(&bar, cases[k].mode);
         /* so small a step that time adds nothing */
-        const PdBarTheory on =
+        const BeamDef on =
             lattice(cases[k].spacing, 3 * cases[k].spacing, VOLUME_PARTIAL, cases[k].energy, 1e-5);
-        const double endless = pd_bar_dispersion(&bar, &on, bar_wave_number(&bar, cases[k].mode)).frequency;
+        const double endless = bar_lattice_dispersion(&on, bar_wave_number(&bar, cases[k].mode)).frequency;
         ck_assert_double_eq_tol(100 * (endless / exact - 1), cases[k].endless, 6e-5);
-        ck_assert_double_eq_tol(100 * (pd_bar_frequency(&bar, &on, cases[k].mode) / exact - 1), cases[k].ends,
-                                6e-5);
+        ck_assert_double_eq_tol(100 * (frequency(&bar, &on, cases[k].mode) / exact - 1), cases[k].ends, 6e-5);
     }
 }
 END_TEST
@@ -200,9 +214,9 @@ END_TEST
 START_TEST(free_end_measured)
 {
     const BarTheory bar = theory(true, false, 5);
-    const PdBarTheory on = lattice(0.5, 1.5, VOLUME_PARTIAL, true, 0.01);
-    const double predicted = pd_bar_frequency(&bar, &on, 5), found = measured(&bar, &on, predicted);
-    const double endless = pd_bar_dispersion(&bar, &on, bar_wave_number(&bar, 5)).frequency;
+    const BeamDef on = lattice(0.5, 1.5, VOLUME_PARTIAL, true, 0.01);
+    const double predicted = frequency(&bar, &on, 5), found = measured(&bar, &on, predicted);
+    const double endless = bar_lattice_dispersion(&on, bar_wave_number(&bar, 5)).frequency;
     ck_assert_double_lt(fabs(found / predicted - 1), 2e-4);
     ck_assert_double_gt(fabs(endless / predicted - 1), 4e-3);
 }
@@ -210,45 +224,44 @@ END_TEST
 
 START_TEST(long_waves_and_time)
 {
-    const BarTheory bar = theory(true, true, 1);
     const double k = 1e-2;
     for (int reach = 1; reach <= 6; reach++) {
         const double h = 0.5, delta = reach * h;
-        PdBarTheory on = lattice(h, delta, true, false, 1e-6);
-        const double lag = 1 - pd_bar_dispersion(&bar, &on, k).frequency / (10 * k);
+        BeamDef on = lattice(h, delta, VOLUME_PARTIAL, false, 1e-6);
+        const double lag = 1 - bar_lattice_dispersion(&on, k).frequency / (10 * k);
         ck_assert_double_eq_tol(lag / (k * k * (delta * delta + h * h) / 48), 1, 1e-3);
         on.dt = 0.02;
-        const Dispersion wave = pd_bar_dispersion(&bar, &on, 2);
+        const Dispersion wave = bar_lattice_dispersion(&on, 2);
         ck_assert(wave.known);
         ck_assert_double_eq_tol(sin(wave.frequency * on.dt / 2), wave.space_only * on.dt / 2, 1e-15);
         on.dt = 2.0001 / wave.space_only;
-        ck_assert(!pd_bar_dispersion(&bar, &on, 2).known);
-        ck_assert(!pd_bar_dispersion(&bar, &on, 1.001 * M_PI / h).known);
+        ck_assert(!bar_lattice_dispersion(&on, 2).known);
+        ck_assert(!bar_lattice_dispersion(&on, 1.001 * M_PI / h).known);
     }
     /* a reach of one is the chain of springs */
-    const PdBarTheory on = lattice(0.5, 0.5, VOLUME_NONE, true, 1e-6);
-    ck_assert_double_eq_tol(pd_bar_dispersion(&bar, &on, 2).space_only, 10 / 0.5 * 2 * sin(0.5), 1e-12);
+    const BeamDef on = lattice(0.5, 0.5, VOLUME_NONE, true, 1e-6);
+    ck_assert_double_eq_tol(bar_lattice_dispersion(&on, 2).space_only, 10 / 0.5 * 2 * sin(0.5), 1e-12);
 }
 END_TEST
 
 START_TEST(not_predicted)
 {
     BarTheory bar = theory(true, false, 1);
-    PdBarTheory on = lattice(0.05, 0.15, VOLUME_PARTIAL, true, 1e-3);
-    ck_assert(pd_bar_motion(&bar, &on) == NULL); /* 500 nodes with a free end */
-    ck_assert(isfinite(pd_bar_frequency(&bar, &on, 1)));
-    const PdBarTheory finest = lattice(0.0005, 0.0015, VOLUME_PARTIAL, true, 1e-5);
-    ck_assert(isnan(pd_bar_frequency(&bar, &finest, 1))); /* 50,000 nodes: lost in rounding */
+    BeamDef on = lattice(0.05, 0.15, VOLUME_PARTIAL, true, 1e-3);
+    ck_assert(motion(&bar, &on) == NULL); /* 500 nodes with a free end */
+    ck_assert(isfinite(frequency(&bar, &on, 1)));
+    const BeamDef finest = lattice(0.0005, 0.0015, VOLUME_PARTIAL, true, 1e-5);
+    ck_assert(isnan(frequency(&bar, &finest, 1))); /* 50,000 nodes: lost in rounding */
     bar.right_fixed = true;
-    BarMotion *modes = pd_bar_motion(&bar, &on);
+    BarMotion *modes = motion(&bar, &on);
     ck_assert(modes != NULL);
     bar_motion_free(modes);
     bar.body_force = 1;
-    ck_assert(pd_bar_motion(&bar, &on) == NULL);
+    ck_assert(motion(&bar, &on) == NULL);
     bar.body_force = 0;
     on.dt = 10;
-    ck_assert(pd_bar_motion(&bar, &on) == NULL);
-    ck_assert(isnan(pd_bar_frequency(&bar, &on, 0)) && isnan(pd_bar_frequency(&bar, &on, 501)));
+    ck_assert(motion(&bar, &on) == NULL);
+    ck_assert(isnan(frequency(&bar, &on, 0)) && isnan(frequency(&bar, &on, 501)));
     bar_motion_free(NULL);
 }
 END_TEST
