@@ -44,11 +44,21 @@ static bool layout_has_caption(const Screen *screen)
             (screen->playback->state == STATE_COMPUTING && screen->playback->goes_on));
 }
 
+/* In a step, or right behind its last stage. */
+static bool is_inside(const Screen *screen)
+{
+    return experiment_stage(screen->experiment) > 0 || experiment_before(screen->experiment);
+}
+
 /* While a run goes on no more than the words need where there is a map: it takes the rest. */
 static int layout_box_rows(const Screen *screen, int height, bool map)
 {
     if (layout_has_caption(screen))
         return height < 27 ? 3 : height < 30 ? 4 : height < 40 || map ? 5 : 6;
+    /* sums of the plane are of two directions */
+    if (height < 30 && is_inside(screen) &&
+        simulation_has(experiment_simulation(screen->experiment), HAS_BODIES))
+        return 7;
     return height < 22 ? 4 : height < 27 ? 5 : height < 30 ? 6 : height < 40 ? 9 : 10;
 }
 
@@ -275,8 +285,8 @@ static int strip_rows(const Screen *screen, int height)
 /* A drawing of one thing has the terms of its stage by itself. */
 static int box_rows(const Screen *screen, int height, bool wide)
 {
-    const bool inside = experiment_stage(screen->experiment) > 0 || experiment_before(screen->experiment);
-    const bool speaks = (inside && !wide) || screen->playback->state == STATE_FAILED || screen->diagnosis[0];
+    const bool speaks =
+        (is_inside(screen) && !wide) || screen->playback->state == STATE_FAILED || screen->diagnosis[0];
     return speaks ? layout_box_rows(screen, height, false) : 0;
 }
 
@@ -338,11 +348,15 @@ static void lay_out_scenario(const Screen *screen, int width, int height, Layout
     const int wanted = width / 2, fields = wanted < ASKED_WIDTH  ? ASKED_WIDTH
                                            : wanted > ASKED_MOST ? ASKED_MOST
                                                                  : wanted;
-    const int below = asked > number ? asked : number, question = pane_question_rows(screen, width);
+    const int question = pane_question_rows(screen, width);
+    int below = asked > number ? asked : number;
     int strip = strip_rows(screen, height), box = box_rows(screen, height, false);
     int middle = height - 2 - strip - box - question - below;
-    if (middle < PICTURE_LEAST) /* in a step its numbers are worth more than the picture of all particles */
+    /* in a step its numbers are worth more than the picture of all particles, and what is asked */
+    if (middle < PICTURE_LEAST)
         middle += strip, strip = 0;
+    if (middle < PICTURE_LEAST && box > 0)
+        middle += below, below = 0;
     if (middle < PICTURE_LEAST)
         middle += box, box = 0;
     const int top = 1 + strip, end = top + middle + box;

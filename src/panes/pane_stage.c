@@ -172,24 +172,48 @@ static int sums_on(const Area *area, int width, int y, const char *sums)
     return used;
 }
 
-/* The sums with as many terms as there are rows for. Returns the rows. */
+/* Puts each line behind the one before where both have room in one row. */
+static void join_lines(char *sums, int width)
+{
+    int used = 0; /* columns of the row so far */
+    for (char *line = sums, *end; *line; line = end + 1) {
+        end = line + strcspn(line, "\n");
+        const char kept = *end;
+        *end = '\0';
+        const int columns = glyphs_columns(line);
+        *end = kept;
+        if (line > sums && used + 3 + columns <= width) {
+            memmove(line + 2, line, strlen(line) + 1);
+            memcpy(line - 1, "   ", 3);
+            end += 2;
+            used += 3 + columns;
+        } else
+            used = columns;
+        if (!kept)
+            return;
+    }
+}
+
+/* The sums with as many terms as there are rows for, where not even two do in lines that share rows. Returns
+ * the rows. */
 static int choose_sums(const Subject *subject, int width, int rows, char sums[SUMS_MAX])
 {
     static const int terms[] = {0, 24, 16, 12, 8, 6, 5, 4, 3, 2};
     enum { CHOICES = sizeof terms / sizeof *terms };
     const Simulation *sim = subject->sim;
-    int lines = 0;
+    int lines = rows + 1;
     sums[0] = '\0';
     if (!subject->done || !sim->method->explain)
         return 0;
-    for (int i = 0; i < CHOICES; i++) {
-        char text[SUMS_MAX];
+    for (int i = 0; i < 2 * CHOICES && lines > rows; i++) {
+        char text[SUMS_MAX / 2]; /* joined it is longer */
         sim->method->explain(sim, subject->stage, subject->set, subject->index,
-                             experiment_before(subject->screen->experiment), terms[i], text, sizeof text);
+                             experiment_before(subject->screen->experiment), terms[i % CHOICES], text,
+                             sizeof text);
         glyphs_plain(subject->screen->look.glyphs, text, sums, SUMS_MAX);
+        if (i >= CHOICES)
+            join_lines(sums, width);
         lines = sums_on(NULL, width, 0, sums);
-        if (lines <= rows)
-            break;
     }
     return lines;
 }

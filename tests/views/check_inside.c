@@ -453,6 +453,47 @@ START_TEST(no_box_is_cut)
 }
 END_TEST
 
+/* At 80x24 the box of bodies in contact has the equation of each stage and the end of all its sums, on both
+ * sheets, of a particle and of a node that both bodies share; at 60x18 there is a box. */
+START_TEST(the_box_of_bodies_is_whole)
+{
+    Scene scene;
+    Status status = {STATUS_DONE, ""};
+    Screen *screen = &scene.screen;
+    ck_assert_msg(scene_open(&scene, _i ? "two-discs 80x24 185 bare" : "two-discs 80x24 185", &status), "%s",
+                  status.text);
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    screen->chosen.node =
+        14 * 29 + 14; /* of the left disc at (0.5, 0.5), four nodes around a box of 20 cells */
+    for (int stage = 0; stage < sim->n_stages; stage++) {
+        ck_assert_msg(duel_next_stage(&scene.duel, &status), "%s", status.text);
+        for (int set = 0; set < 2; set++) {
+            char text[4096], all[8192] = "";
+            screen->chosen.is_node = set == 1;
+            ck_assert(canvas_open(&scene.canvas, 80, 24, &status));
+            screen_draw(screen, &scene.canvas);
+            const Rect box = screen_pane(screen, 80, 24, PANE_BOX);
+            Lines lines = lines_of(&scene.canvas);
+            for (int y = box.y; y < box.y + box.height; y++)
+                snprintf(all + strlen(all), sizeof all - strlen(all), "%s\n", lines.line[y]);
+            free(lines.text);
+            snprintf(text, sizeof text, "%.12s", sim->stages[stage].equation);
+            ck_assert_msg(strstr(all, text), "stage %d, set %d: no %s in\n%s", stage + 1, set, text, all);
+            sim->method->explain(sim, stage, set, set ? screen->chosen.node : screen->chosen.particle,
+                                 experiment_before(screen->experiment), 2, text, sizeof text);
+            text[strlen(text) - 1] = '\0';
+            char *last = strrchr(text, '\n') ? strrchr(text, '\n') + 1 : text;
+            last[strcspn(last, ":=")] = '\0';
+            ck_assert_msg(strstr(all, last), "stage %d, set %d: no %s in\n%s", stage + 1, set, last, all);
+            ck_assert(canvas_open(&scene.canvas, 60, 18, &status));
+            screen_draw(screen, &scene.canvas);
+            ck_assert_int_eq(screen_pane(screen, 60, 18, PANE_BOX).height, _i ? 7 : 0);
+        }
+    }
+    scene_close(&scene);
+}
+END_TEST
+
 /* --- the list of stages ------------------------------------------------------------------------------ */
 
 static int line_with(const char *words, const char *text)
@@ -501,6 +542,7 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(sums, columns_of_the_inspector_add_up, 0, 12);
     tcase_add_loop_test(sums, forces_of_bonds_add_up, 0, 2);
     tcase_add_loop_test(sums, no_box_is_cut, 0, sizeof everything / sizeof *everything);
+    tcase_add_loop_test(sums, the_box_of_bodies_is_whole, 0, 2);
     tcase_add_test(sums, strain_moves_in_the_list);
     suite_add_tcase(suite, sums);
 }

@@ -190,6 +190,8 @@ static const Screenshot pictures[] = {
     {"discs", "two-discs 80x24 190 bare upper 8"},
     {"discs-ascii", "two-discs 80x24 190 bare upper 8 ascii"},
     {"discs-plain", "two-discs-off-centre 132x43 120 bare upper 8 plain"},
+    {"discs-contact", "two-discs 80x24 185 stage 2 bare upper cell focus 2"},
+    {"discs-small", "two-discs 60x18 185 stage 2 bare upper 8"},
     {"discs-stress", "two-discs 80x24 220 upper 8 variant 8"},
     {"speed-one-way", "roll-or-slide 80x24 800 bare upper 2 variant 5"},
     {"weight-energies", "roll-or-slide 80x24 300 upper 4 lower 3"},

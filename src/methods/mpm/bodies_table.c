@@ -8,12 +8,16 @@
  * The work of a stage is in stages.c and bodies_walls.c. */
 #include "methods/mpm/bodies_inner.h"
 
+#include <string.h>
+
+#define WALL_EQUATION "wall: d ≤ gap, q·n > 0: q·n → 0, |qₜ| falls by ≤ μ q·n"
+#define WALL_ASCII    "wall: d <= gap, q.n > 0: q.n -> 0, |qt| falls by <= mu q.n"
 #define FIX_EQUATION                                                                                         \
-    "wall: d ≤ gap, q·n > 0: q·n → 0, |qₜ| falls by ≤ μ q·n      vₙ = (v_a - v)·n\n"          \
-    "contact: d ≤ 2 gap, vₙ > 0: a gives b m_a (vₙ n + min(1, μ vₙ/|vₜ|) vₜ)"
+    "contact: d ≤ 2 gap, vₙ > 0: a gives b m_a (vₙ n + min(1, μ vₙ/|vₜ|) vₜ)\n" WALL_EQUATION                \
+    "      vₙ = (v_a - v)·n"
 #define FIX_ASCII                                                                                            \
-    "wall: d <= gap, q.n > 0: q.n -> 0, |qt| falls by <= mu q.n   vn = (v_a - v).n\n"                        \
-    "contact: d <= 2 gap, vn > 0: a gives b m_a (vn n + min(1, mu vn/|vt|) vt)"
+    "contact: d <= 2 gap, vn > 0: a gives b m_a (vn n + min(1, mu vn/|vt|) vt)\n" WALL_ASCII                 \
+    "   vn = (v_a - v).n"
 #define STRAIN_ROW(equation, ascii, source)                                                                  \
     {                                                                                                        \
         "strain", "strain and stress", equation, ascii, source,                                              \
@@ -34,10 +38,9 @@ static const Stage rows[OP_COUNT] = {
          "Walls take the momentum that goes out of the box; where two bodies share a node and approach each "
          "other, one gives the other the impulse that stops it.",
          "mass px py nx ny", "px py vx vy"},
-    [OP_STRAIN] =
-        STRAIN_ROW("v_i = q_i/m_i    L = Σ v_i ⊗ ∇N_i    σ ← Q σ Qᵀ + D Δt sym L    V ← V (1 + Δt tr L)",
-                   "v_i = q_i/m_i   L = sum v_i grad N_i   s <- Q s Q^T + D dt sym L   V <- V (1 + dt tr L)",
-                   "Hughes, Winget 1980"),
+    [OP_STRAIN] = STRAIN_ROW("L = Σ (q_i/m_i) ⊗ ∇N_i    σ ← Q σ Qᵀ + D Δt sym L    V ← V (1 + Δt tr L)",
+                             "L = sum (q_i/m_i) grad N_i  s <- Q s Q^T + D dt sym L  V <- V (1 + dt tr L)",
+                             "Hughes, Winget 1980"),
     [OP_FORCE] = {"force", "nodal forces", "f_i = Σ (m_p g N_i - V_p σ_p · ∇N_i)",
                   "f_i = sum (m_p g N_i - V_p s_p . grad N_i)", "Sulsky, Chen, Schreyer 1994",
                   "Weight and the stress of the particles pull at their nodes.", "sxx syy sxy density mass",
@@ -66,12 +69,12 @@ static const Stage rows[OP_COUNT] = {
 };
 
 static const Stage strain_without_rotation =
-    STRAIN_ROW("v_i = q_i/m_i      L = Σ v_i ⊗ ∇N_i      σ ← σ + D Δt sym L      V ← V (1 + Δt tr L)",
-               "v_i = q_i/m_i    L = sum v_i grad N_i    s <- s + D dt sym L    V <- V (1 + dt tr L)",
+    STRAIN_ROW("L = Σ (q_i/m_i) ⊗ ∇N_i      σ ← σ + D Δt sym L      V ← V (1 + Δt tr L)",
+               "L = sum (q_i/m_i) grad N_i    s <- s + D dt sym L    V <- V (1 + dt tr L)",
                "the stress does not turn with the body");
 static const Stage strain_neo_hookean =
-    STRAIN_ROW("L = Σ v_i ⊗ ∇N_i   F ← (I + Δt L) F   J = det F   σ = (G (F Fᵀ - I) + λ ln J I)/J",
-               "L = sum v_i grad N_i  F <- (I + dt L) F  J = det F  s = (G (F F^T - I) + l ln J I)/J",
+    STRAIN_ROW("L = Σ v_i ⊗ ∇N_i  F ← (I + Δt L) F  J = det F  σ = (G (FFᵀ - I) + λ ln J I)/J",
+               "L = sum v_i grad N_i  F <- F + dt L F  J = det F  s = (G (FF^T-I) + l ln J I)/J",
                "compressible neo-Hookean law");
 
 static const Stage blended_update = {
@@ -133,10 +136,12 @@ static const Stage *stage_of(const Mpm *mpm, MpmOp op)
 void bodies_list_stages(Mpm *mpm)
 {
     const MpmSchedule *schedule = bodies_schedule(mpm->head);
-    for (int i = 0; i < schedule->count; i++)
+    for (int i = 0; i < schedule->count; i++) {
         mpm->stages[i] = *stage_of(mpm, schedule->ops[i]);
-    for (int i = 0; i < schedule->count; i++)
+        if (mpm->bodies->n_fields == 1 && strcmp(mpm->stages[i].equation, FIX_EQUATION) == 0)
+            mpm->stages[i].equation = WALL_EQUATION, mpm->stages[i].ascii = WALL_ASCII;
         bodies_write_wrongly(mpm, schedule->ops[i], &mpm->stages[i]);
+    }
     mpm->sets[MPM_PARTICLES] = (Set){"particle", "particles", 0};
     mpm->sets[MPM_NODES] = (Set){"node", "nodes", schedule->nodes_ready};
     mpm->sim.stages = mpm->stages;

@@ -273,18 +273,24 @@ static bool write_meeting(const Subject *subject, int a, int b)
     const double sign = own == a ? 1.0 : -1.0;
     if (!isfinite(meeting.distance))
         return false;
-    calculation_write(to, "with %s: ", mpm->bodies->def.bodies[own == a ? b : a].name);
+    const char *other = mpm->bodies->def.bodies[own == a ? b : a].name;
+    const double most = 2.0 * mpm->bodies->def.gap;
     calculation_number(to, "n = (", sign * meeting.normal[0]);
     calculation_number(to, ", ", sign * meeting.normal[1]);
-    calculation_value(to, ")   gap in cells = ", meeting.distance);
-    calculation_value(to, "vₙ = (v - v_common)·n = ",
-                      meeting.approach * (own == a ? 1.0 : mpm->node_mass[at[0]] / mpm->node_mass[at[1]]));
+    calculation_number(to, ")   d = ", meeting.distance);
+    if (isfinite(most)) {
+        calculation_write(to, meeting.distance > most ? " >" : " ≤");
+        calculation_number(to, " 2 gap = ", most);
+    }
+    calculation_value(
+        to, "   vₙ = ", meeting.approach * (own == a ? 1.0 : mpm->node_mass[at[0]] / mpm->node_mass[at[1]]));
     if (meeting.impulse[0] == 0.0 && meeting.impulse[1] == 0.0) {
-        calculation_write(to, meeting.approach > 0.0 ? "too far apart: nothing is given\n"
-                                                     : "they part: nothing is given\n");
+        calculation_write(to, "it gives %s nothing: %s\n", other,
+                          meeting.approach > 0.0 ? "d > 2 gap" : "vₙ ≤ 0, they part");
         return true;
     }
-    calculation_number(to, "this body gives it (", sign * meeting.impulse[0]);
+    calculation_write(to, "it gives %s", other);
+    calculation_number(to, " (", sign * meeting.impulse[0]);
     calculation_number(to, ", ", sign * meeting.impulse[1]);
     calculation_write(to, ")\n");
     return true;

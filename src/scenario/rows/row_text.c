@@ -58,7 +58,11 @@ static int option_of(const RowKind *kind, const char *word)
 /* "5 mm" and "50 %" are one value: a unit goes with the number before it. */
 static bool goes_with(const RowKind *kind, const char *last, const char *word)
 {
-    const bool unit = *word == '%' || isalpha((unsigned char)*word) || (unsigned char)*word >= 0x80;
+    bool has_units = false; /* bodies have none: a word behind a number is another value */
+    for (int i = 0; i < kind->n_columns; i++)
+        has_units = has_units || *kind->columns[i].unit;
+    const bool unit =
+        *word == '%' || (has_units && (isalpha((unsigned char)*word) || (unsigned char)*word >= 0x80));
     const char end = last[strlen(last) - 1];
     return unit && option_of(kind, word) < 0 && index_of(row_words(kind->columns[0].value), word) < 0 &&
            (isdigit((unsigned char)end) || end == '.' || end == ')') &&
@@ -108,7 +112,7 @@ static bool read_number(const RowColumn *column, const char *word, bool share, d
     snprintf(number, sizeof number, "%.*s", (int)(strlen(word) - share), word);
     const bool place = is_place(column->value), bare = !*column->unit;
     if (!share && strchr(word, '%'))
-        snprintf(why, sizeof why, place ? "is no share" : "is a share, which only a place can be");
+        snprintf(why, sizeof why, place ? "is not a share" : "is a share, which only a place can be");
     else if (quantity_read(number, share ? "" : column->unit, value, why))
         return true;
     return status_refuse(status, "%s: %s: %s %s (%s%s%s%s)", about, column->word, word, why,
@@ -139,9 +143,13 @@ bool row_read_value(const RowKind *kind, int index, const char *word, Row *row, 
         char allowed[64] = "";
         value = index_of(words, word);
         for (int i = 0; words[i]; i++)
-            text_or(allowed, sizeof allowed, words[i]);
+            text_append(allowed, sizeof allowed, "%s%s",
+                        i == 0         ? ""
+                        : words[i + 1] ? ", "
+                                       : " or ",
+                        words[i]);
         if (value < 0)
-            return status_refuse(status, "%s: %.60s is no %s (%s)", about, word, column->word, allowed);
+            return status_refuse(status, "%s: unknown %s %.60s: %s", about, column->word, word, allowed);
     } else if (strlen(word) >= WORD_MAX) {
         return status_refuse(status, "%s: %s: the value is too long (at most %d bytes)", about, column->word,
                              WORD_MAX - 1);
@@ -193,9 +201,9 @@ bool row_read(const RowKind *kind, const char *text, Row *row, const char *about
         const char *word = words.all[at];
         const int option = option_of(kind, word);
         if (option < 0)
-            snprintf(what, sizeof what, "%s is too much", word);
+            snprintf(what, sizeof what, "unexpected %s", word);
         else if (read.given >> option & 1)
-            snprintf(what, sizeof what, "%s stands twice", word);
+            snprintf(what, sizeof what, "%s is given twice", word);
         else {
             int last = option, value = option;
             while (last + 1 < kind->n_columns && kind->columns[last + 1].follows)
