@@ -610,6 +610,15 @@ START_TEST(refusals)
     def.length = 1;
     ck_assert(!beam_check(&def, &status));
     ck_assert(strstr(status.text, "pd.horizon: 1.5 reaches beyond the whole bar") == status.text);
+    /* of bars, beams and plates alike: without a bond there is no lattice */
+    def = standard(true, false);
+    def.horizon = def.spacing;
+    ck_assert(beam_check(&def, &status));
+    while (strcmp(beam_mistake_words[def.mistake], "horizon_strict") != 0)
+        def.mistake++;
+    ck_assert(!beam_check(&def, &status));
+    ck_assert_str_eq(status.text,
+                     "pd.mistake: horizon_strict is defined for pd.horizon = more than 1 spacing only");
 }
 END_TEST
 

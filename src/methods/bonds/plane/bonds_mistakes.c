@@ -146,12 +146,15 @@ bool bonds_check_mistake(const BeamDef *def, Status *status)
         def->stepping == STEPPING_EULER_POSITION && mistake_does(row, BONDS_WRONG_NO_FIRST_FORCE);
     const bool near =
         def->horizon < 2 * def->spacing * (1 - 1e-9) && mistake_does(row, BONDS_WRONG_HALF_HORIZON);
+    const bool alone =
+        def->horizon < def->spacing * (1 + 1e-6) && mistake_does(row, BONDS_WRONG_WITHIN_HORIZON);
     const char *other = def->influence != INFLUENCE_CONSTANT          ? "pd.influence = constant"
                         : def->critical_stretch != 0                  ? "pd.critical_stretch = 0"
                         : def->damping != 0 || def->critically_damped ? "damping.rate = 0"
                         : hhb     ? "pd.volume_correction = partial or none"
                         : first   ? "pd.stepping = verlet, euler or leapfrog"
                         : near    ? "pd.horizon = 2 spacings or more"
+                        : alone   ? "pd.horizon = more than 1 spacing"
                         : stepped ? "pd.stepping = verlet"
                                   : NULL;
     if (def->problem == BEAM_BAR && mistake_does(row, BONDS_WRONG_IN_PLANE))
