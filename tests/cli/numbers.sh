@@ -585,17 +585,17 @@ claim $lesson/bond.lesson "this beam ripples by " 1 " %" ripple
 
 if [ -n "$MATVIB_WIDE" ]; then
 	run moving-cantilever-coarse --end 0.0024
-	claim $lesson/channel.lesson "its last swing took " 3 " % longer, and" period_error
+	claim $lesson/channel.lesson "its last period is " 3 " % longer, and" period_error
 	claim $lesson/channel.lesson "it is late by " 0.02 " periods" periods
-	result "$lesson/channel.lesson: A swings at 309 Hz" awk '$1 == "measured" { exit !($2 > 3.231e-3 && $2 < 3.2415e-3) }' measured
+	result "$lesson/channel.lesson: A vibrates at 309 Hz" awk '$1 == "measured" { exit !($2 > 3.231e-3 && $2 < 3.2415e-3) }' measured
 	result "a period that grows has an uncertainty and R2" awk '
 		$1 == "uncertainty" { known += $2 > 1e-6 && $2 < 2e-5 } $1 == "r2" { known += $2 > 0.999 } END { exit known != 2 }' measured
 	run moving-cantilever-coarse --end 0.0024 --set motion.clamp=guide
-	result "$lesson/channel.lesson: B swings at 293 Hz" awk '$1 == "measured" { exit !($2 > 3.407e-3 && $2 < 3.4188e-3) }' measured
+	result "$lesson/channel.lesson: B vibrates at 293 Hz" awk '$1 == "measured" { exit !($2 > 3.407e-3 && $2 < 3.4188e-3) }' measured
 fi
 last_row moving-cantilever-coarse --end 1e-7
-claim $lesson/channel.lesson "The journey at 10 m/s has " 0.52 " J" kinetic
-claim $lesson/channel.lesson "the swing " 0.2 " millionths" strain 1e6
+claim $lesson/channel.lesson "The travel at 10 m/s has " 0.52 " J" kinetic
+claim $lesson/channel.lesson "the vibration " 0.2 " millionths" strain 1e6
 
 last_row notched-beam-coarse --end 3.1e-6
 claim $lesson/crack.lesson "" 10 " bonds broke in the first 0.0031" broken_bonds
