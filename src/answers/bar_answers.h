@@ -102,7 +102,7 @@ bool bar_check_mesh(const Settings *, Status *);
 bool bar_check_modes(const Settings *, double particles, Status *);
 
 /* After a prediction that began with shortage_begin(), which gave `before`: what theory cannot predict is
- * left out; for want of memory or patience it must not be. False: the status says so, of a bar of `count`
+ * left out; for want of memory, or cancelled, it must not be. False: the status says so, of a bar of `count`
  * `parts`.
  */
 bool bar_prediction_is_whole(int before, double count, const char *parts, Status *);

@@ -54,7 +54,7 @@ int convergence_studies(const Settings *, const ConvergenceStudy *out[CONVERGENC
 /* How many points a study has with these settings; at most CONVERGENCE_POINTS_MAX. */
 int convergence_count(const ConvergenceStudy *, const Settings *);
 
-/* Works out point k, which takes from a millisecond to some seconds; Settings.patience is called on the way.
+/* Works out point k, which takes from a millisecond to some seconds; Settings.cancel is called on the way.
  * False: given up, or not enough memory. */
 bool convergence_point(const ConvergenceStudy *, const Settings *, int k, ConvergencePoint *out, Status *);
 

@@ -267,16 +267,16 @@ static void add_column(DiagnoseTable *table, int theirs, const Quantity *ours, d
 }
 
 /* The set whose things the rows are of. A series has a column that is the series' alone, or no index. */
-static int set_of(const Overlay *file, const Names *names, const Simulation *sim, ColumnMap *heads)
+static int set_of(const Overlay *file, const Names *names, const Simulation *sim, ColumnMap *columns)
 {
     const bool none[OVERLAY_COLUMNS_MAX] = {false};
     double factor;
     for (int s = 0; s < sim->n_sets; s++)
-        if ((heads->thing = column_of(file, names, sim->sets[s].name, none, &factor)) >= 0)
+        if ((columns->thing = column_of(file, names, sim->sets[s].name, none, &factor)) >= 0)
             return s;
-    heads->i = named(file, names, "i");
-    heads->j = named(file, names, "j");
-    for (int s = 0; s < sim->n_sets && heads->i >= 0 && heads->j >= 0; s++)
+    columns->i = named(file, names, "i");
+    columns->j = named(file, names, "j");
+    for (int s = 0; s < sim->n_sets && columns->i >= 0 && columns->j >= 0; s++)
         if (simulation_find_field(sim, s, "i") >= 0 && simulation_find_field(sim, s, "j") >= 0)
             return s;
     return -1;
@@ -306,7 +306,7 @@ static bool does_count(const OverlayColumn *column, size_t count)
 }
 
 /* Columns without names: steps, times, or both come first. */
-static void find_unnamed(const Overlay *file, ColumnMap *heads)
+static void find_unnamed(const Overlay *file, ColumnMap *columns)
 {
     for (int c = 0; c < 2 && c < file->n_columns - 1; c++) {
         const double *values = file->columns[c].values;
@@ -314,16 +314,16 @@ static void find_unnamed(const Overlay *file, ColumnMap *heads)
         for (size_t r = 1; r < file->count; r++)
             rises = rises && values[r] >= values[r - 1];
         if (c == 0 && does_count(&file->columns[c], file->count))
-            heads->step = c;
-        else if (rises && heads->time < 0 && values[file->count - 1] > values[0] &&
-                 (c == 0 || (heads->step == 0 && fabs(values[1] - values[0] -
-                                                      (values[file->count - 1] - values[file->count - 2])) <
-                                                     1e-6 * values[file->count - 1])))
-            heads->time = c;
+            columns->step = c;
+        else if (rises && columns->time < 0 && values[file->count - 1] > values[0] &&
+                 (c == 0 || (columns->step == 0 && fabs(values[1] - values[0] -
+                                                        (values[file->count - 1] - values[file->count - 2])) <
+                                                       1e-6 * values[file->count - 1])))
+            columns->time = c;
     }
 }
 
-static bool find_columns(DiagnoseTable *table, const Names *names, Simulation *sim, ColumnMap *heads,
+static bool find_columns(DiagnoseTable *table, const Names *names, Simulation *sim, ColumnMap *columns,
                          Status *status)
 {
     const Overlay *file = &table->file;
@@ -333,25 +333,25 @@ static bool find_columns(DiagnoseTable *table, const Names *names, Simulation *s
     if (!row)
         return status_fail(status, "out of memory");
     simulation_row(sim, row);
-    *heads = (ColumnMap){.thing = -1, .i = -1, .j = -1};
-    heads->step = column_of(file, names, "step", taken, &factor);
-    heads->time = column_of(file, names, "time", taken, &heads->time_factor);
-    heads->stage = column_of(file, names, "stage", taken, &factor);
-    heads->stage_id = column_of(file, names, "stage_id", taken, &factor);
+    *columns = (ColumnMap){.thing = -1, .i = -1, .j = -1};
+    columns->step = column_of(file, names, "step", taken, &factor);
+    columns->time = column_of(file, names, "time", taken, &columns->time_factor);
+    columns->stage = column_of(file, names, "stage", taken, &factor);
+    columns->stage_id = column_of(file, names, "stage_id", taken, &factor);
     bool named_any = names->n_mapped > 0;
     for (int i = 0; i < file->n_columns; i++)
         named_any = named_any || *file->columns[i].name;
     if (!named_any)
-        find_unnamed(file, heads);
-    table->set = set_of(file, names, sim, heads);
-    const int of_row[] = {heads->step,  heads->time, heads->stage, heads->stage_id,
-                          heads->thing, heads->i,    heads->j};
+        find_unnamed(file, columns);
+    table->set = set_of(file, names, sim, columns);
+    const int of_row[] = {columns->step,  columns->time, columns->stage, columns->stage_id,
+                          columns->thing, columns->i,    columns->j};
     for (size_t i = 0; i < sizeof of_row / sizeof *of_row; i++)
         if (of_row[i] >= 0)
             taken[of_row[i]] = true;
     for (int c = 0; c < file->n_columns && named_any; c++) /* row numbers, as pandas writes them */
         taken[c] = taken[c] || (!*file->columns[c].name && does_count(&file->columns[c], file->count));
-    table->of_stages = heads->stage >= 0 || heads->stage_id >= 0;
+    table->of_stages = columns->stage >= 0 || columns->stage_id >= 0;
     const int count = table->set < 0 ? sim->n_series : sim->n_fields;
     for (int pass = 0; pass < 2; pass++) /* by our names first: another's word must not take the place */
         for (int i = 0; i < count; i++) {
@@ -383,7 +383,7 @@ static bool find_columns(DiagnoseTable *table, const Names *names, Simulation *s
         if (!taken[names->mapped[i].theirs])
             return status_refuse(status, "--map: %.40s is no column of ours (step, time, %s)",
                                  names->mapped[i].ours, known);
-    if (heads->step < 0 && heads->time < 0)
+    if (columns->step < 0 && columns->time < 0)
         return status_refuse(status, "%s:1: no column step or time (--map 1=time names the first so)",
                              file->file);
     return table->n_columns > 0 ||
@@ -420,18 +420,18 @@ static bool whole_number(double value, double most, long *out)
 }
 
 /* A unit of the last digit with which the time of a row is written, in our units. */
-static double time_bound(const Overlay *file, const ColumnMap *heads, size_t row)
+static double time_bound(const Overlay *file, const ColumnMap *columns, size_t row)
 {
-    const OverlayColumn *column = &file->columns[heads->time];
+    const OverlayColumn *column = &file->columns[columns->time];
     const double written = column->values[row];
-    return fabs(heads->time_factor) * (diagnose_last_digit(column, written) + 1e-15 * fabs(written));
+    return fabs(columns->time_factor) * (diagnose_last_digit(column, written) + 1e-15 * fabs(written));
 }
 
 /* The time step of times beside steps. */
-static void time_step_of_steps(DiagnoseTable *table, const ColumnMap *heads, double dt)
+static void time_step_of_steps(DiagnoseTable *table, const ColumnMap *columns, double dt)
 {
     const Overlay *file = &table->file;
-    const double *times = file->columns[heads->time].values, *steps = file->columns[heads->step].values;
+    const double *times = file->columns[columns->time].values, *steps = file->columns[columns->step].values;
     size_t low = file->count, high = file->count;
     for (size_t r = 0; r < file->count; r++) {
         if (!isfinite(times[r]) || !isfinite(steps[r]))
@@ -441,9 +441,9 @@ static void time_step_of_steps(DiagnoseTable *table, const ColumnMap *heads, dou
     }
     if (low == file->count || steps[high] == steps[low])
         return;
-    const double t[2] = {times[low] * heads->time_factor, times[high] * heads->time_factor};
+    const double t[2] = {times[low] * columns->time_factor, times[high] * columns->time_factor};
     const double count = steps[high] - steps[low], own = (t[1] - t[0]) / count;
-    const double bound = 2 * fmax(time_bound(file, heads, low), time_bound(file, heads, high)) / count;
+    const double bound = 2 * fmax(time_bound(file, columns, low), time_bound(file, columns, high)) / count;
     table->dt_bound = bound;
     if (!(own > 0) || fabs(own - dt) <= bound + DIAGNOSE_SAME_STEP * dt)
         return;
@@ -452,16 +452,16 @@ static void time_step_of_steps(DiagnoseTable *table, const ColumnMap *heads, dou
 
 /* The time step of times alone: the scenario's where rows are a multiple of it apart, else that of the rows.
  */
-static bool time_step_of_times(DiagnoseTable *table, const ColumnMap *heads, Status *status)
+static bool time_step_of_times(DiagnoseTable *table, const ColumnMap *columns, Status *status)
 {
     const Overlay *file = &table->file;
-    const double *times = file->columns[heads->time].values;
+    const double *times = file->columns[columns->time].values;
     double first = INFINITY, last = -INFINITY, last_bound = 0, spacing = INFINITY, bound = 0, before = NAN;
     for (size_t r = 0; r < file->count; r++) {
         const double t = times[r];
         if (!isfinite(t))
             continue;
-        const double own_bound = time_bound(file, heads, r) / heads->time_factor;
+        const double own_bound = time_bound(file, columns, r) / columns->time_factor;
         if (t < -own_bound)
             return status_refuse(status, "%s: row %zu: a time below 0 (a run begins at 0)", file->file,
                                  r + 1);
@@ -477,14 +477,14 @@ static bool time_step_of_times(DiagnoseTable *table, const ColumnMap *heads, Sta
         return true;
     for (size_t r = 0; r < file->count; r++) { /* the farther from the first, the sharper */
         const double apart = times[r] - first, own_rows = round(apart / spacing);
-        const double own_bound = 2 * time_bound(file, heads, r) / heads->time_factor / own_rows;
+        const double own_bound = 2 * time_bound(file, columns, r) / columns->time_factor / own_rows;
         if (own_rows >= 1 && own_rows * bound < 0.3 * spacing && own_bound < bound)
             spacing = apart / own_rows, bound = own_bound;
     }
     const double rows = fmax(1, round((last - first) / spacing));
     table->spacing = (last - first) / rows;
     table->spacing_bound = (last_bound + 1e-9 * spacing) / rows;
-    table->dt_bound = table->spacing_bound * heads->time_factor;
+    table->dt_bound = table->spacing_bound * columns->time_factor;
     return true;
 }
 
@@ -521,14 +521,14 @@ static Ends *ends_of(const Simulation *sim, int set)
 }
 
 /* Of which thing a row is. */
-static bool thing_of(const DiagnoseTable *table, const ColumnMap *heads, const Simulation *sim,
+static bool thing_of(const DiagnoseTable *table, const ColumnMap *columns, const Simulation *sim,
                      const Ends *ends, size_t row, size_t *thing, Status *status)
 {
     const Overlay *file = &table->file;
     const size_t count = sim->counts[table->set];
     if (ends) {
         long i, j;
-        const double a = file->columns[heads->i].values[row], b = file->columns[heads->j].values[row];
+        const double a = file->columns[columns->i].values[row], b = file->columns[columns->j].values[row];
         const Ends key = whole_number(fmin(a, b), 1e15, &i) && whole_number(fmax(a, b), 1e15, &j)
                              ? (Ends){i, j, 0}
                              : (Ends){-1, -1, 0};
@@ -539,7 +539,7 @@ static bool thing_of(const DiagnoseTable *table, const ColumnMap *heads, const S
         *thing = found->bond;
         return true;
     }
-    const OverlayColumn *column = &file->columns[heads->thing];
+    const OverlayColumn *column = &file->columns[columns->thing];
     const double index = column->values[row] - (counted_from_one(column, count) ? 1 : 0);
     long number;
     if (!whole_number(index, (double)count - 1, &number))
@@ -549,32 +549,32 @@ static bool thing_of(const DiagnoseTable *table, const ColumnMap *heads, const S
     return true;
 }
 
-static bool place_of(const DiagnoseTable *table, const ColumnMap *heads, const Simulation *sim,
+static bool place_of(const DiagnoseTable *table, const ColumnMap *columns, const Simulation *sim,
                      const Ends *ends, size_t row, Place *place, Status *status)
 {
     const Overlay *file = &table->file;
     long stage = 0;
     *place = (Place){.row = row};
-    if (heads->step >= 0) {
-        if (!whole_number(file->columns[heads->step].values[row], 1e12, &place->step))
+    if (columns->step >= 0) {
+        if (!whole_number(file->columns[columns->step].values[row], 1e12, &place->step))
             return status_refuse(status, "%s: row %zu: step %g is no whole number from 0 on", file->file,
-                                 row + 1, file->columns[heads->step].values[row]);
+                                 row + 1, file->columns[columns->step].values[row]);
     } else {
-        const double time = file->columns[heads->time].values[row];
+        const double time = file->columns[columns->time].values[row];
         const double steps = table->spacing > 0 ? floor(time / table->spacing + 0.25) : 0; /* half ones too */
         if (!(steps >= -0.5 && steps <= 1e12))
             return status_refuse(status, "%s: row %zu: no time", file->file, row + 1);
         place->step = (long)steps; /* in order; which they are a reading says */
     }
     if (table->of_stages) {
-        const int column = heads->stage_id >= 0 ? heads->stage_id : heads->stage;
+        const int column = columns->stage_id >= 0 ? columns->stage_id : columns->stage;
         if (!whole_number(file->columns[column].values[row], table->n_stages, &stage) || stage < 1 ||
             place->step < 1)
             return status_refuse(status, "%s: row %zu: %s (1 to %d, of steps from 1 on)", file->file, row + 1,
                                  "no such stage", table->n_stages);
         place->stage = (int)stage;
     }
-    return table->set < 0 || thing_of(table, heads, sim, ends, row, &place->thing, status);
+    return table->set < 0 || thing_of(table, columns, sim, ends, row, &place->thing, status);
 }
 
 /* Places in order become moments. */
@@ -600,10 +600,10 @@ static bool take_moments(DiagnoseTable *table, const Place *places, Status *stat
     return true;
 }
 
-static bool place_rows(DiagnoseTable *table, const ColumnMap *heads, const Simulation *sim, Status *status)
+static bool place_rows(DiagnoseTable *table, const ColumnMap *columns, const Simulation *sim, Status *status)
 {
     const size_t count = table->file.count;
-    const bool by_ends_alone = table->set >= 0 && heads->thing < 0;
+    const bool by_ends_alone = table->set >= 0 && columns->thing < 0;
     Place *places = malloc(count * sizeof *places);
     Ends *ends = by_ends_alone ? ends_of(sim, table->set) : NULL;
     table->moments = malloc(count * sizeof *table->moments);
@@ -613,7 +613,7 @@ static bool place_rows(DiagnoseTable *table, const ColumnMap *heads, const Simul
                  status_fail(status, "not enough memory for %s", table->file.file);
     bool ordered = true;
     for (size_t r = 0; r < count && sound; r++) {
-        sound = place_of(table, heads, sim, ends, r, &places[r], status);
+        sound = place_of(table, columns, sim, ends, r, &places[r], status);
         ordered = ordered && (r == 0 || places[r].step >= places[r - 1].step);
     }
     if (sound && !ordered)
@@ -648,7 +648,7 @@ static bool find_lost(DiagnoseTable *table, size_t things, Status *status)
     return sound;
 }
 
-static void say_what_is_odd(DiagnoseTable *table, const ColumnMap *heads, const Simulation *sim)
+static void say_what_is_odd(DiagnoseTable *table, const ColumnMap *columns, const Simulation *sim)
 {
     const Overlay *file = &table->file;
     size_t gaps = 0;
@@ -657,8 +657,8 @@ static void say_what_is_odd(DiagnoseTable *table, const ColumnMap *heads, const 
                 table->moments[1].step - table->moments[0].step;
     if (gaps > 0)
         diagnose_note(table, "steps are missing (gaps: %zu); those that are there were compared", gaps);
-    if (table->set >= 0 && heads->thing >= 0 &&
-        counted_from_one(&file->columns[heads->thing], sim->counts[table->set]))
+    if (table->set >= 0 && columns->thing >= 0 &&
+        counted_from_one(&file->columns[columns->thing], sim->counts[table->set]))
         diagnose_note(table, "its %s are counted from 1: %s 1 is our %s 0", sim->sets[table->set].plural,
                       table->thing, table->thing);
     for (int c = 0; c < table->n_columns; c++) {
@@ -784,32 +784,32 @@ static bool lengthen(Overlay *file, const Simulation *sim, Status *status)
 static bool read_rows(DiagnoseTable *table, const Settings *settings, const char *map, Simulation *sim,
                       Status *status)
 {
-    ColumnMap heads;
+    ColumnMap columns;
     Names *names = calloc(1, sizeof *names);
     if (!names)
         return status_fail(status, "out of memory");
     const bool sound =
-        read_map(names, &table->file, map, status) && find_columns(table, names, sim, &heads, status);
+        read_map(names, &table->file, map, status) && find_columns(table, names, sim, &columns, status);
     free(names);
     if (!sound)
         return false;
     snprintf(table->thing, sizeof table->thing, "%s", table->set < 0 ? "" : sim->sets[table->set].name);
-    table->stages_by_id = heads.stage_id >= 0;
+    table->stages_by_id = columns.stage_id >= 0;
     table->of_next = !table->of_stages && table->set >= 0 && sim->sets[table->set].ready_after > 0;
     table->noise_growth = 1e-2;
     table->noise = simulation_has(sim, HAS_BONDS) || simulation_has(sim, HAS_PLANE) ? 1e-9 : 1e-13;
     table->dt = table->scenario_dt = sim->dt;
-    table->time_factor = heads.time >= 0 ? heads.time_factor : 1;
-    table->timed = heads.time >= 0;
-    table->time_column = heads.time >= 0 ? heads.time : heads.step;
-    table->step_column = heads.step;
-    if (table->timed && heads.step >= 0)
-        time_step_of_steps(table, &heads, sim->dt);
-    if ((table->timed && heads.step < 0 && !time_step_of_times(table, &heads, status)) ||
-        !place_rows(table, &heads, sim, status) ||
+    table->time_factor = columns.time >= 0 ? columns.time_factor : 1;
+    table->timed = columns.time >= 0;
+    table->time_column = columns.time >= 0 ? columns.time : columns.step;
+    table->step_column = columns.step;
+    if (table->timed && columns.step >= 0)
+        time_step_of_steps(table, &columns, sim->dt);
+    if ((table->timed && columns.step < 0 && !time_step_of_times(table, &columns, status)) ||
+        !place_rows(table, &columns, sim, status) ||
         !find_lost(table, table->set < 0 ? 1 : sim->counts[table->set], status))
         return false;
-    say_what_is_odd(table, &heads, sim);
+    say_what_is_odd(table, &columns, sim);
     return cut(table, problem_last_step(sim->dt, settings_time(settings)->end), status);
 }
 

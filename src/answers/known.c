@@ -26,15 +26,15 @@ static bool is_at_work(const Settings *settings, const Parameter *parameter)
 }
 
 /* NULL: the reference does not exist. */
-static const Validity *understanding(const Settings *settings, Reference reference)
+static const Validity *validity_of(const Settings *settings, Reference reference)
 {
     const Solver *solver = problem_solver(settings->problem, settings->method);
-    return solver && solver->understands[reference].keys ? &solver->understands[reference] : NULL;
+    return solver && solver->validity[reference].keys ? &solver->validity[reference] : NULL;
 }
 
 const char *known_unaccounted_now(const Settings *settings, Reference reference)
 {
-    const Validity *known = understanding(settings, reference);
+    const Validity *known = validity_of(settings, reference);
     for (int i = 0; known && i < n_parameters; i++)
         if (!is_among(known->keys, parameters[i].key) && is_at_work(settings, &parameters[i]))
             return parameters[i].key;
@@ -44,7 +44,7 @@ const char *known_unaccounted_now(const Settings *settings, Reference reference)
 
 const char *answer_invalid_because(const Settings *settings, Reference reference)
 {
-    const Validity *known = understanding(settings, reference);
+    const Validity *known = validity_of(settings, reference);
     for (int i = 0; known && i < settings->n_changes; i++)
         if (!is_among(known->changes, settings->changes[i].to.key)) {
             const Parameter *parameter = parameter_find(settings->changes[i].to.key);

@@ -36,14 +36,14 @@ typedef struct Waiting {
 
 static bool wait_for_point(double share, void *context)
 {
-    const double patient_seconds = 0.15; /* what takes no longer is not worth a picture */
+    const double quiet_seconds = 0.15; /* what takes no longer is not worth a picture */
     Waiting *waiting = context;
     Laboratory *lab = waiting->lab;
     const Host *host = &lab->host;
     waiting->for_key = host->key_waits && host->key_waits(host->context);
     if (waiting->for_key)
         return false;
-    if (host->now(host->context) < waiting->begun + patient_seconds)
+    if (host->now(host->context) < waiting->begun + quiet_seconds)
         return true;
     laboratory_say(lab, MESSAGE_INFO, "%s: point %d of %d, %d %%   ^C stops", waiting->study->title,
                    waiting->point, waiting->count, (int)(100 * share));

@@ -490,10 +490,10 @@ static const char *const energy_changes[] = {
 
 const Solver bar_by_mpm = {
     .method = METHOD_MPM,
-    .understands = {[REFERENCE_EXACT] = {known, method_changes},
-                    [REFERENCE_PREDICTED] = {known, of_mistakes},
-                    [REFERENCE_FREQUENCY] = {known, all_changes},
-                    [REFERENCE_ENERGY] = {of_energy, energy_changes}},
+    .validity = {[REFERENCE_EXACT] = {known, method_changes},
+                 [REFERENCE_PREDICTED] = {known, of_mistakes},
+                 [REFERENCE_FREQUENCY] = {known, all_changes},
+                 [REFERENCE_ENERGY] = {of_energy, energy_changes}},
     .unaccounted = unaccounted,
     .check = check,
     .simulate = simulate,

@@ -205,9 +205,9 @@ static const char *other_way(const Settings *settings, int which, int number, do
 
 const Solver bar_by_pd = {
     .method = METHOD_PD,
-    .understands = {[REFERENCE_EXACT] = {of_continuum, changes},
-                    [REFERENCE_PREDICTED] = {of_continuum, changes},
-                    [REFERENCE_FREQUENCY] = {of_continuum, load_changes}},
+    .validity = {[REFERENCE_EXACT] = {of_continuum, changes},
+                 [REFERENCE_PREDICTED] = {of_continuum, changes},
+                 [REFERENCE_FREQUENCY] = {of_continuum, load_changes}},
     .check = check,
     .simulate = simulate,
     .limit = limit,

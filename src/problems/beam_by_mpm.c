@@ -211,10 +211,10 @@ static const char *const changes[] = {"mpm.algorithm", "mpm.flip_fraction", NULL
 #define ALIKE                                                                                                \
     .method = METHOD_MPM, .check = check, .simulate = simulate, .derived = derived, .limit = limit,          \
     .advice = advice, .damping = damping, .invariant = invariant, .invariant_kept = invariant_kept,          \
-    .understands = {[REFERENCE_EXACT] = {of_motion, changes},                                                \
-                    [REFERENCE_PREDICTED] = {of_any_start, NULL},                                            \
-                    [REFERENCE_FREQUENCY] = {of_any_start, changes},                                         \
-                    [REFERENCE_ENERGY] = {of_any_start, changes}}
+    .validity = {[REFERENCE_EXACT] = {of_motion, changes},                                                   \
+                 [REFERENCE_PREDICTED] = {of_any_start, NULL},                                               \
+                 [REFERENCE_FREQUENCY] = {of_any_start, changes},                                            \
+                 [REFERENCE_ENERGY] = {of_any_start, changes}}
 
 const Solver beam_by_mpm_supported = {
     ALIKE,

@@ -245,18 +245,18 @@ static const char *const of_supported[] = {"scenario.method",
 static const char *const of_changes[] = {"pd.mistake", NULL};
 
 #define UNDERSTAND_BEAMS                                                                                     \
-    .understands = {[REFERENCE_EXACT] = {of_beam, of_changes},                                               \
-                    [REFERENCE_PREDICTED] = {of_beam, of_changes},                                           \
-                    [REFERENCE_FREQUENCY] = {of_beam, of_changes}}
+    .validity = {[REFERENCE_EXACT] = {of_beam, of_changes},                                                  \
+                 [REFERENCE_PREDICTED] = {of_beam, of_changes},                                              \
+                 [REFERENCE_FREQUENCY] = {of_beam, of_changes}}
 
 #define BY_PD_ALIKE                                                                                          \
     .method = METHOD_PD, .check = check, .simulate = simulate, .derived = derived, .advice = advice
 
 const Solver beam_by_pd_supported = {
     BY_PD_ALIKE,
-    .understands = {[REFERENCE_EXACT] = {of_supported, of_changes},
-                    [REFERENCE_PREDICTED] = {of_supported, of_changes},
-                    [REFERENCE_FREQUENCY] = {of_supported, of_changes}},
+    .validity = {[REFERENCE_EXACT] = {of_supported, of_changes},
+                 [REFERENCE_PREDICTED] = {of_supported, of_changes},
+                 [REFERENCE_FREQUENCY] = {of_supported, of_changes}},
     .findings = beam_find_rest,
     .predict = predict,
     .prepare = prepare_supported,

@@ -149,7 +149,7 @@ static const Solver bodies_by_mpm = {
     .check = check,
     .simulate = simulate,
     .derived = derived,
-    .understands = {[REFERENCE_EXACT] = {of_motion, changes}},
+    .validity = {[REFERENCE_EXACT] = {of_motion, changes}},
     .prepare = prepare,
     .findings = bodies_findings,
 };

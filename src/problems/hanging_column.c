@@ -117,7 +117,7 @@ static const char *const changes[] = {"mpm.algorithm", "mpm.transfer", "mpm.flip
 
 static const Solver hanging_column_by_mpm = {
     .method = METHOD_MPM,
-    .understands = {[REFERENCE_EXACT] = {of_rest, changes}},
+    .validity = {[REFERENCE_EXACT] = {of_rest, changes}},
     .check = bar_check_mesh,
     .simulate = simulate,
     .limit = bar_limit,

@@ -175,7 +175,7 @@ static const char *const of_motion[] = {
 
 static const Solver one_particle_by_mpm = {
     .method = METHOD_MPM,
-    .understands = {[REFERENCE_EXACT] = {of_motion, NULL}, [REFERENCE_FREQUENCY] = {of_motion, NULL}},
+    .validity = {[REFERENCE_EXACT] = {of_motion, NULL}, [REFERENCE_FREQUENCY] = {of_motion, NULL}},
     .unaccounted = unaccounted,
     .check = check,
     .simulate = simulate,

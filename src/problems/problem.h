@@ -89,7 +89,7 @@ typedef struct Prediction {
 /* A problem by a method. What is NULL there is not. */
 typedef struct Solver {
     MethodKind method;
-    Validity understands[REFERENCES];
+    Validity validity[REFERENCES];
     /* A parameter that the reference accounts for, but not together with others as they are; NULL: none. */
     const char *(*unaccounted)(const Settings *, Reference);
 

@@ -54,8 +54,8 @@ static bool replace_run(Experiment *experiment, const Settings *settings, bool k
     } else if (keep_ghost && experiment_is_pinned(experiment)) {
         experiment_drop_unpinned(experiment);
     } else if (keep_ghost && experiment_has_curve(experiment)) {
-        GhostData remains = experiment_remains(experiment);
-        experiment_make_ghost(experiment, false, &experiment->record, &remains);
+        GhostData ghost_data = experiment_ghost_data(experiment);
+        experiment_make_ghost(experiment, false, &experiment->record, &ghost_data);
     }
     /* what outlives a run */
     memcpy(fresh->ghosts, experiment->ghosts, sizeof fresh->ghosts);
@@ -95,13 +95,13 @@ static void rewind_run(Experiment *experiment, bool keep_ghost)
 {
     Record old;
     const bool kept = keep_ghost && experiment_has_curve(experiment);
-    GhostData remains = {0};
+    GhostData ghost_data = {0};
     if (kept)
-        remains = experiment_remains(experiment);
+        ghost_data = experiment_ghost_data(experiment);
     experiment_rewind(experiment, &old);
     if (kept && old.count > 0)
-        experiment_make_ghost(experiment, false, &old, &remains);
-    experiment_drop_remains(&remains);
+        experiment_make_ghost(experiment, false, &old, &ghost_data);
+    experiment_drop_ghost_data(&ghost_data);
     record_close(&old);
     experiment->pending = false;
     forget_answers(experiment);
@@ -230,19 +230,19 @@ static bool edit_live(Experiment *experiment, const Settings *wanted, Status *st
             return false;
     }
     Record old = {0};
-    GhostData remains = {0};
+    GhostData ghost_data = {0};
     if (experiment->newest > step && !record_copy(&old, &experiment->record))
         return status_fail(status, "not enough memory to keep the curves");
     if (old.count > 0)
-        remains = experiment_remains(experiment);
+        ghost_data = experiment_ghost_data(experiment);
     if (!experiment_change(experiment, step, &changed, status)) {
         record_close(&old);
-        experiment_drop_remains(&remains);
+        experiment_drop_ghost_data(&ghost_data);
         return false;
     }
     memcpy(experiment->advice, advice, sizeof advice);
     if (old.count > 0)
-        experiment_make_ghost(experiment, false, &old, &remains);
+        experiment_make_ghost(experiment, false, &old, &ghost_data);
     record_close(&old);
     forget_answers(experiment);
     experiment_write_legends(experiment);
@@ -307,8 +307,8 @@ bool experiment_rerun(Experiment *experiment, const Settings *wanted, Status *st
 void experiment_become_ghost(Experiment *experiment, Experiment *heir)
 {
     if (experiment_has_curve(experiment)) {
-        GhostData remains = experiment_remains(experiment);
-        experiment_make_ghost(heir, false, &experiment->record, &remains);
+        GhostData ghost_data = experiment_ghost_data(experiment);
+        experiment_make_ghost(heir, false, &experiment->record, &ghost_data);
         experiment_write_legends(heir);
     }
     experiment_destroy(experiment);

@@ -123,11 +123,11 @@ typedef struct GhostData {
     struct Follow *names; /* of followed columns: simulation_hold_names() */
 } GhostData;
 
-void experiment_drop_remains(GhostData *);
+void experiment_drop_ghost_data(GhostData *);
 
-GhostData experiment_remains(const Experiment *);
+GhostData experiment_ghost_data(const Experiment *);
 
-/* Record and remains are handed over, not copied. The unpinned ghost has its place for itself. False: all
+/* Record and data are handed over, not copied. The unpinned ghost has its place for itself. False: all
  * places for pinned ones are taken. */
 bool experiment_make_ghost(Experiment *, bool pinned, Record *, GhostData *);
 void experiment_drop_ghost(Ghost *);

@@ -38,25 +38,25 @@ static Readout read_whole(const Experiment *experiment)
     return readout;
 }
 
-GhostData experiment_remains(const Experiment *experiment)
+GhostData experiment_ghost_data(const Experiment *experiment)
 {
-    GhostData remains = {
+    GhostData ghost_data = {
         .base = experiment->base, .n_columns = experiment->n_columns, .readout = read_whole(experiment)};
-    memcpy(remains.columns, experiment->columns, sizeof remains.columns);
-    profile_take(&remains.profile, experiment->run.sim, NULL);
+    memcpy(ghost_data.columns, experiment->columns, sizeof ghost_data.columns);
+    profile_take(&ghost_data.profile, experiment->run.sim, NULL);
     const CrackFronts *fronts = crack_fronts_update(&experiment->worked->fronts, experiment->run.sim)
                                     ? &experiment->worked->fronts
                                     : NULL;
-    crack_line_keep(experiment->run.sim, &experiment->base, fronts, &remains.crack);
-    remains.names = simulation_hold_names(experiment->run.sim);
-    return remains;
+    crack_line_keep(experiment->run.sim, &experiment->base, fronts, &ghost_data.crack);
+    ghost_data.names = simulation_hold_names(experiment->run.sim);
+    return ghost_data;
 }
 
-void experiment_drop_remains(GhostData *remains)
+void experiment_drop_ghost_data(GhostData *ghost_data)
 {
-    profile_close(&remains->profile);
-    simulation_release_names(remains->names);
-    memset(remains, 0, sizeof *remains);
+    profile_close(&ghost_data->profile);
+    simulation_release_names(ghost_data->names);
+    memset(ghost_data, 0, sizeof *ghost_data);
 }
 
 /* A place for a ghost; the unpinned one has its place for itself. NULL: all are taken. */
@@ -76,7 +76,7 @@ static Ghost *find_place(Experiment *experiment, bool pinned)
     return pinned && n_pinned == GHOSTS_MAX - 1 ? NULL : found;
 }
 
-bool experiment_make_ghost(Experiment *experiment, bool pinned, Record *record, GhostData *remains)
+bool experiment_make_ghost(Experiment *experiment, bool pinned, Record *record, GhostData *ghost_data)
 {
     Ghost *ghost = find_place(experiment, pinned);
     Settings *settings = ghost ? malloc(sizeof *settings) : NULL;
@@ -86,18 +86,18 @@ bool experiment_make_ghost(Experiment *experiment, bool pinned, Record *record, 
     ghost->used = true;
     ghost->pinned = pinned;
     ghost->letter = (char)('a' + (ghost - experiment->ghosts));
-    *settings = remains->base;
+    *settings = ghost_data->base;
     ghost->settings = settings;
     ghost->record = *record;
-    memcpy(ghost->columns, remains->columns, sizeof ghost->columns);
-    ghost->n_columns = remains->n_columns;
-    ghost->readout = remains->readout;
-    ghost->profile = remains->profile;
-    ghost->crack = remains->crack;
-    ghost->names = remains->names;
+    memcpy(ghost->columns, ghost_data->columns, sizeof ghost->columns);
+    ghost->n_columns = ghost_data->n_columns;
+    ghost->readout = ghost_data->readout;
+    ghost->profile = ghost_data->profile;
+    ghost->crack = ghost_data->crack;
+    ghost->names = ghost_data->names;
     ghost->spectra = calloc(SPECTRUM_SPANS, sizeof *ghost->spectra);
     memset(record, 0, sizeof *record);
-    memset(remains, 0, sizeof *remains);
+    memset(ghost_data, 0, sizeof *ghost_data);
     return true;
 }
 
@@ -139,8 +139,8 @@ bool experiment_pin(Experiment *experiment, Status *status)
     Record copy;
     if (!record_copy(&copy, &experiment->record))
         return status_fail(status, "not enough memory to pin the curves");
-    GhostData remains = experiment_remains(experiment);
-    experiment_make_ghost(experiment, true, &copy, &remains);
+    GhostData ghost_data = experiment_ghost_data(experiment);
+    experiment_make_ghost(experiment, true, &copy, &ghost_data);
     experiment_write_legends(experiment);
     return true;
 }

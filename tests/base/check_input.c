@@ -61,7 +61,7 @@ START_TEST(a_file_has_a_size)
     fclose(file);
     file = input_open(in_folder("file"), 10, &status);
     ck_assert_msg(file != NULL, "%s", status.text);
-    ck_assert_msg((fcntl(fileno(file), F_GETFL) & O_NONBLOCK) == 0, "reading may fail for want of patience");
+    ck_assert_msg((fcntl(fileno(file), F_GETFL) & O_NONBLOCK) == 0, "reading may fail for want of bytes");
     fclose(file);
     ck_assert_int_eq(truncate(in_folder("file"), 11), 0);
     refused(in_folder("file"), ": is too large (at most 0 kB)", 0);

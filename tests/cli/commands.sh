@@ -173,7 +173,7 @@ result "it is mode5" says out 'mode5 '
 
 printf 'zebra\n' >keys
 refuse "a script with an unknown instruction" \
-	'keys:1: unknown instruction: zebra (key | type | click | drag | scene | wait | size | rate | patience | screen | styles | expect | reject | closed)' \
+	'keys:1: unknown instruction: zebra (key | type | click | drag | scene | wait | size | rate | cancel-after | screen | styles | expect | reject | closed)' \
 	--script keys
 
 printf '[scenario]\nproblem = bar\n[mesh]\n cell_size = 0.5\n' >bad.ini

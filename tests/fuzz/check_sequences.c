@@ -264,7 +264,7 @@ static void draw_sequence(uint64_t seed, Sequence *sequence)
 
 static void write_sequence(const Sequence *sequence, FILE *out)
 {
-    fprintf(out, "rate 500\npatience 0.5\n");
+    fprintf(out, "rate 500\ncancel-after 0.5\n");
     for (int i = 0; i < sequence->count; i++)
         fputs(sequence->actions[i].text, out);
 }

@@ -16,14 +16,14 @@
 /* --- expressions ------------------------------------------------------------------------------------ */
 
 /* A run of mode 5 that came to these numbers, beside the same with cells of 2. */
-typedef struct Held {
+typedef struct HeldRun {
     Settings settings, was_settings;
     RunSummary summary, before;
-} Held;
+} HeldRun;
 
-static Held *held(void)
+static HeldRun *held(void)
 {
-    static Held run;
+    static HeldRun run;
     Status status = {STATUS_DONE, ""};
     ck_assert_msg(scenario_load("mode5", &run.settings, &status), "%s", status.text);
     run.was_settings = run.settings;
@@ -41,7 +41,7 @@ static Held *held(void)
 
 static double value_of(const char *text, ExpressionKind kind)
 {
-    const Held *run = held();
+    const HeldRun *run = held();
     Expression expression;
     Status status = {STATUS_DONE, ""};
     ck_assert_msg(expression_read(text, kind, &expression, &status), "%s: %s", text, status.text);
@@ -271,7 +271,7 @@ END_TEST
 /* The first thing that is missing is told with what it is. */
 START_TEST(why_a_goal_is_missed_is_told)
 {
-    const Held *run = held();
+    const HeldRun *run = held();
     const ExpressionRun now = {&run->settings, &run->summary}, was = {&run->was_settings, &run->before};
     Exercise exercise;
     char why[ANSWER_MAX];
@@ -293,7 +293,7 @@ END_TEST
 /* A cell of 25/55 and a courant number of .22: dt is 0.01 but for its last bit. */
 START_TEST(numbers_are_compared_as_they_are_told)
 {
-    Held run = *held();
+    HeldRun run = *held();
     const ExpressionRun now = {&run.settings, &run.summary}, was = {&run.was_settings, &run.before};
     Exercise exercise;
     char why[ANSWER_MAX];

@@ -207,7 +207,7 @@ START_TEST(keys_are_those_of_parameters)
     for (int p = 0; problems[p]; p++)
         for (int s = 0; problems[p]->solvers[s]; s++)
             for (int r = 0; r < REFERENCES; r++) {
-                const Validity *known = &problems[p]->solvers[s]->understands[r];
+                const Validity *known = &problems[p]->solvers[s]->validity[r];
                 for (int i = 0; known->keys && known->keys[i]; i++)
                     ck_assert_msg(parameter_find(known->keys[i]) != NULL, "%s", known->keys[i]);
                 for (int i = 0; known->changes && known->changes[i]; i++) {

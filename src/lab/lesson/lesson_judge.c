@@ -53,10 +53,10 @@ typedef struct Waiting {
 
 static bool wait_for_run(double share, void *context)
 {
-    const double patient_seconds = 0.15; /* what takes no longer is not worth a picture */
+    const double quiet_seconds = 0.15; /* what takes no longer is not worth a picture */
     const Waiting *waiting = context;
     Laboratory *lab = waiting->lab;
-    if (!lab->given_up && lab->host.now(lab->host.context) < waiting->begun + patient_seconds)
+    if (!lab->given_up && lab->host.now(lab->host.context) < waiting->begun + quiet_seconds)
         return true;
     return laboratory_work(lab, "looking at your answer: %d %%   ^C gives up", (int)(100 * share));
 }

@@ -42,7 +42,7 @@ typedef struct Grader {
     long steps;
     double share;
     double begun;
-    bool given_up; /* by the patience */
+    bool given_up; /* cancelled */
 } Grader;
 
 /* --- the host --------------------------------------------------------------------------------------- */

@@ -43,7 +43,7 @@ typedef struct GradingOrigin {
 
 void grading_origin(const Lesson *, const char *file, GradingOrigin *);
 
-/* Marks one session. What is wrong with it is the remark; false: given up by the patience, no memory, or the
+/* Marks one session. What is wrong with it is the remark; false: cancelled, no memory, or the
  * lesson cannot be read, and the status says so. */
 bool grading_session(const GradingTask *, const char *file, Grades *, Status *);
 

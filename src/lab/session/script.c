@@ -51,7 +51,8 @@ static bool go_on(void *context)
     return script->cancel == 0 || clock_seconds() - script->begun < script->cancel;
 }
 
-/* Whatever waits for the clock waits no longer when the camera is told to stop, or patience is at its end. */
+/* Whatever waits for the clock waits no longer when the camera is told to stop, or its time to cancel has
+ * come. */
 static double now(void *context)
 {
     const Script *script = context;
@@ -224,11 +225,11 @@ static bool do_rate(Script *script, char *rest, Status *status)
     return true;
 }
 
-static bool do_patience(Script *script, char *rest, Status *status)
+static bool do_cancel_after(Script *script, char *rest, Status *status)
 {
     char end;
     if (sscanf(rest, "%lf%c", &script->cancel, &end) != 1 || !(script->cancel >= 0))
-        return status_refuse(status, "patience: not a number of seconds: %s", rest);
+        return status_refuse(status, "cancel-after: not a number of seconds: %s", rest);
     return true;
 }
 
@@ -302,9 +303,9 @@ const ScriptInstruction script_instructions[] = {
     {"size", "WIDTHxHEIGHT", "resizes the screen", do_size},
     {"rate", "STEPS", "the engine does that many steps in a second; 0, as at first: as many as are asked for",
      do_rate},
-    {"patience", "SECONDS",
+    {"cancel-after", "SECONDS",
      "work that is not cut into frames is given up after so long, as by ^C; 0, as at first: never",
-     do_patience},
+     do_cancel_after},
     {"screen", "[NAME]", "prints the screen, under a line with the name", do_screen},
     {"styles", "[NAME]", "prints its styles, one letter a cell", do_styles},
     {"expect", "TEXT", "the text is on the screen, within one line", do_expect},

@@ -14,8 +14,8 @@ enum { NUMBER_WIDTH = 10, NAME_WIDTH = 9, DIGITS = 5, SIDE_WIDTH = 20 };
 
 /* What is seen of it. */
 typedef struct Sight {
-    int heads, room; /* rows above the first one, and for rows */
-    int names;       /* columns of the rows' names */
+    int heading_rows, room; /* room: of rows */
+    int names;              /* columns of the rows' names */
     int first_column, end_column;
     int words, width; /* where words begin, and how wide they are */
     size_t first;
@@ -93,8 +93,8 @@ static size_t first_thing(const PictureList *list, size_t room)
 static Sight sight_of(const Picture *picture, int width, int height)
 {
     const PictureList *list = picture->list;
-    Sight sight = {.heads = 1 + (list->what[0] != '\0'), .names = names_width(list)};
-    sight.room = height - sight.heads - (list->count > 0 ? picture->n_notes : 0);
+    Sight sight = {.heading_rows = 1 + (list->what[0] != '\0'), .names = names_width(list)};
+    sight.room = height - sight.heading_rows - (list->count > 0 ? picture->n_notes : 0);
     while (sight.first_column < list->chosen_column &&
            last_that_fits(list, sight.first_column, sight.names, width) <= list->chosen_column)
         sight.first_column++;
@@ -152,7 +152,8 @@ static int draw_column(const PictureList *list, const Sight *sight, Area area, i
         format = format_in_sight(list, column, sight->first, rows);
     if (list->what[0])
         area_text_right(area, end - 1, 1, head->name, here ? STYLE_FOCUS : STYLE_HEADING);
-    for (size_t i = 0, y = (size_t)sight->heads; i < rows && y < (size_t)(sight->heads + sight->room); i++) {
+    for (size_t i = 0, y = (size_t)sight->heading_rows;
+         i < rows && y < (size_t)(sight->heading_rows + sight->room); i++) {
         const size_t row = sight->first + i;
         const PictureCell *cell = picture_cell(list, column, row - list->first);
         const bool marked = row == list->chosen && (list->set >= 0 || heading == STYLE_FOCUS);
@@ -173,7 +174,7 @@ static int draw_column(const PictureList *list, const Sight *sight, Area area, i
 /* Its name and its words; of the chosen one the ground, an event's with a pointer. */
 static void draw_row(const PictureList *list, const Sight *sight, Area area, size_t row, int y, bool marked)
 {
-    const int lines = lines_of(list, sight, row), end = sight->heads + sight->room;
+    const int lines = lines_of(list, sight, row), end = sight->heading_rows + sight->room;
     const PictureCell *words = words_of(list, row);
     for (int i = 0; i < lines && marked && y + i < end; i++)
         for (int x = 0; x < area.rect.width; x++)
@@ -193,13 +194,13 @@ void cells_list(const Picture *picture, Area area, Style heading)
     if (list->what[0] && sight.room < 1)
         return;
     draw_heading(picture, &sight, area, heading);
-    const int below = list->count > 0 ? sight.heads + sight.room : sight.heads;
+    const int below = list->count > 0 ? sight.heading_rows + sight.room : sight.heading_rows;
     for (int i = 0; i < picture->n_notes; i++)
         area_text(area, 1, below + i, picture->notes[i].text, picture->notes[i].style);
     if (list->what[0])
         area_text_right(area, sight.names - 1, 1, list->what, STYLE_HEADING);
-    int y = sight.heads;
-    for (size_t row = sight.first; row < list->count && y < sight.heads + sight.room; row++) {
+    int y = sight.heading_rows;
+    for (size_t row = sight.first; row < list->count && y < sight.heading_rows + sight.room; row++) {
         draw_row(list, &sight, area, row, y,
                  row == list->chosen && (list->set >= 0 || heading == STYLE_FOCUS));
         y += lines_of(list, &sight, row);
@@ -214,7 +215,7 @@ long cells_row(const Picture *picture, Rect rect, int x, int y)
 {
     const PictureList *list = picture->list;
     const Sight sight = sight_of(picture, rect.width, rect.height);
-    int at = y - rect.y - sight.heads;
+    int at = y - rect.y - sight.heading_rows;
     if (x < rect.x || x >= rect.x + rect.width || at < 0 || at >= sight.room)
         return -1;
     for (size_t row = sight.first; row < list->count; row++)

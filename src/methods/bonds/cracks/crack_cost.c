@@ -108,7 +108,7 @@ static double plane_energy(const Beam *beam)
     return sum / (lattice->spacing * beam->def.thickness);
 }
 
-/* Each broken bond is held against each piece of the paths; the patience is asked after so many pairs, some
+/* Each broken bond is held against each piece of the paths; cancel is asked after so many pairs, some
  * milliseconds. */
 bool crack_cost_along(const Simulation *sim, const CrackPath *paths, int n_paths, double length,
                       const Cancel *cancel, CrackCost *cost)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A beam from its definition: lattice and bonds (the model), memory, state at t = 0, critical time step, and
- * the table of functions through which a driver runs it (method.h). Long work calls BeamDef.patience and may
+ * the table of functions through which a driver runs it (method.h). Long work calls BeamDef.cancel and may
  * be stopped by it; on any failure nothing is left allocated. */
 #include "base/assertion.h"
 #include "base/text.h"

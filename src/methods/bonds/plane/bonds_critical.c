@@ -72,7 +72,7 @@ static double largest(const double *diagonal, const double *beside, int n)
     return high;
 }
 
-/* omega_max^2 in 1/s^2; -1: interrupted by BeamDef.patience, or not converged. A = K/rho: a displacement tiny
+/* omega_max^2 in 1/s^2; -1: interrupted by BeamDef.cancel, or not converged. A = K/rho: a displacement tiny
  * q gives the force density -tiny rho A q. v is q_k, previous q_{k-1}, each of 2 `array` doubles; f becomes A
  * q_k less its parts along both, so that its length is beta_k. The Lanczos vectors are not made orthogonal
  * again: that only repeats eigenvalues that have converged, and the largest stays right. */

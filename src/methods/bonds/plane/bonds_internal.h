@@ -128,7 +128,7 @@ typedef struct Beam {
     Pool *pool;         /* NULL: one thread */
     void *backup;       /* the state when a batch of steps began */
     double built;       /* share of the building that is done, for forces meanwhile; see beam_ask_forces() */
-    _Atomic bool given_up; /* by BeamDef.patience */
+    _Atomic bool given_up; /* by BeamDef.cancel */
 } Beam;
 
 /* For tests: a kernel level by force, a body that nothing holds or loads, and any initial motion. */
@@ -171,7 +171,7 @@ int beam_held_columns(const Beam *beam, double time);            /* columns insi
 bool beam_set_motion(Beam *beam, const BeamOptions *options, Status *status); /* false: interrupted */
 
 /* bonds_bands.c */
-/* Asks BeamDef.patience. False: the building is to be given up, from now on. */
+/* Asks BeamDef.cancel. False: the building is to be given up, from now on. */
 bool beam_go_on(Beam *beam, double share, Status *status);
 void beam_run(Beam *beam, PoolWork *work, int chunks); /* context: the beam */
 void beam_bonds_of_row(Beam *beam, int j, BondLog *log, bool with_energy);

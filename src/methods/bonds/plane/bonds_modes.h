@@ -15,7 +15,7 @@ enum { BEAM_MODES_NUMBERS_MAX = 1 << 25 };
  * stiffness would not fit (BEAM_MODES_NUMBERS_MAX), and for other problems, which have none. `span` and
  * `height` (NULL: not wanted): the distance of the supports and the height as the nodes lie, m. It takes n
  * B^2 products, n twice the number of nodes and B twice the nodes of a column times the reach: a tenth of a
- * second at 400 x 20 nodes, seconds at 800 x 40. BeamDef.patience is asked on the way. False: the status says
+ * second at 400 x 20 nodes, seconds at 800 x 40. BeamDef.cancel is asked on the way. False: the status says
  * why (a definition that is no beam, no memory, given up). */
 bool beam_predicted_period(const BeamDef *definition, double *period, double *span, double *height,
                            Status *status);
@@ -27,7 +27,7 @@ typedef struct BeamLinear {
     double sag;    /* of the probe at rest under a body force of 1 m/s^2 upwards, m */
 } BeamLinear;
 
-/* False: no memory, or given up by BeamDef.patience; the status says which. */
+/* False: no memory, or given up by BeamDef.cancel; the status says which. */
 bool beam_linear(const Simulation *beam, BeamLinear *, Status *);
 
 #endif

@@ -138,7 +138,7 @@ static double family_area(const Lattice *lattice, const BeamDef *def, int i, int
     return area;
 }
 
-/* Asks BeamDef.patience; the share is that of the whole building of a beam. False: to be given up. */
+/* Asks BeamDef.cancel; the share is that of the whole building of a beam. False: to be given up. */
 static bool lattice_go_on(const BeamDef *def, double share, Status *status)
 {
     return !cancel_requested(&def->cancel, share) ||

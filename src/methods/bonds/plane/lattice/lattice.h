@@ -26,7 +26,7 @@ enum {
     LATTICE_LINE_REACH_MAX = 24, /* likewise of a bar */
     LATTICE_OFFSETS_MAX = 112,   /* half a family of that reach and half a spacing */
     LATTICE_SERIES = 6,          /* terms of the force's series, see bonds.h */
-    /* some milliseconds of building lie between two questions of its patience */
+    /* some milliseconds of building lie between two polls of its cancel */
     LATTICE_NODES_A_QUESTION = 4096,
     LATTICE_BONDS_A_QUESTION = 65536
 };
