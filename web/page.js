@@ -141,7 +141,7 @@ function loading(share) {
 }
 
 function why_not(error) {
-	if (/wasm-unsafe-eval|unsafe-eval|Content.Security.Policy/i.test(error.message))
+	if (/unsafe-eval|Content.Security.Policy|CSP/i.test(error.message))
 		return 'The policy of this server (Content-Security-Policy) forbids WebAssembly: it has to allow script-src \'wasm-unsafe-eval\'. Saved to a disk, the file opens all the same.';
 	return 'The page could not be begun: ' + error.message;
 }
