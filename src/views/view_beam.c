@@ -183,6 +183,8 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     picture_heading(picture, map_meaning(&map));
     map_add_bonds(&map);
     map_add_box(&map);
+    if (shown(screen, variant) == MAP_SPEED)
+        map_add_velocities(&map);
     map_add_mesh(&map);
     map_add_lines(&map);
     map_add_signs(&map);

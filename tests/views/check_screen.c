@@ -190,6 +190,8 @@ static const Screenshot pictures[] = {
     {"discs", "two-discs 80x24 190 bare upper 8"},
     {"discs-ascii", "two-discs 80x24 190 bare upper 8 ascii"},
     {"discs-plain", "two-discs-off-centre 132x43 120 bare upper 8 plain"},
+    {"discs-velocities", "two-discs 80x24 100 bare upper 8 variant 10"},
+    {"discs-velocities-ascii", "roll-or-slide 80x24 300 bare upper 8 variant 10 ascii plain"},
     {"discs-contact", "two-discs 80x24 185 stage 2 bare upper cell focus 2"},
     {"discs-small", "two-discs 60x18 185 stage 2 bare upper 8"},
     {"discs-stress", "two-discs 80x24 220 upper 8 variant 8"},

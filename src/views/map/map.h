@@ -114,7 +114,8 @@ int map_cracks_before(const Map *, ShownRun[RUNS_MAX]);
 
 /* The parts of the picture, in the order in which they are drawn. */
 void map_add_bonds(Map *);
-void map_add_box(Map *); /* of bodies: cells of the grid, walls, gravity */
+void map_add_box(Map *);        /* of bodies: cells of the grid, walls, gravity */
+void map_add_velocities(Map *); /* of bodies coloured by their speed: an arrow on some of the particles */
 void map_add_mesh(Map *);
 void map_add_lines(Map *);     /* channel, notch, protected zones, crack */
 void map_add_rows(Map *);      /* what a plate has by rows, and its cracks; by map_add_lines() */

@@ -13,6 +13,10 @@
 
 enum { RANK_CELLS, RANK_BOX, RANK_HATCH };
 
+enum { MOVERS_MAX = 28 }; /* particles that show their velocity */
+#define MOVER_COLUMNS 5.0 /* from one to the next at least, and the longest arrow */
+#define MOVER_ROWS    2.5
+
 #define CELL_COLUMNS  3.0 /* narrower cells are not drawn */
 #define CROSS_ARM     0.06
 #define GRAVITY_WORDS 2.0 /* columns from the tail of its arrow to its number */
@@ -106,6 +110,53 @@ static void add_gravity(Map *map)
         picture_label(map->picture, &label);
         return;
     }
+}
+
+/* The particles that show their velocity: at t = 0 no two of them in one block of so many columns and rows.
+ * Returns how many they are, at most one more than MOST. */
+static int choose_movers(const Map *map, const double apart[2], size_t movers[MOVERS_MAX + 1])
+{
+    int count = 0;
+    for (size_t k = 0; k < map->body.count && count <= MOVERS_MAX; k++) {
+        bool free = true;
+        for (int i = 0; i < count && free; i++) {
+            const double x = map->drawn->x[k] - map->ux[k] - map->drawn->x[movers[i]] + map->ux[movers[i]];
+            const double y = map->drawn->y[k] - map->uy[k] - map->drawn->y[movers[i]] + map->uy[movers[i]];
+            free = fabs(x) * map->drawn->scale[0] >= apart[0] || fabs(y) * map->drawn->scale[1] >= apart[1];
+        }
+        if (free)
+            movers[count++] = k;
+    }
+    return count;
+}
+
+void map_add_velocities(Map *map)
+{
+    size_t movers[MOVERS_MAX + 1];
+    double fastest = 0, apart[2] = {MOVER_COLUMNS, MOVER_ROWS};
+    int count = MOVERS_MAX + 1;
+    for (size_t k = 0; k < map->body.count; k++)
+        fastest = fmax(fastest, map->drawn->value[k]);
+    while (count > MOVERS_MAX && apart[0] < 1e3) {
+        count = choose_movers(map, apart, movers);
+        apart[0] *= 1.25, apart[1] *= 1.25;
+    }
+    if (!(fastest > 0) || count > MOVERS_MAX)
+        return;
+    const double stretch = MOVER_COLUMNS / map->drawn->scale[0] / fastest;
+    for (int i = 0; i < count; i++) {
+        const double at[2] = {map->drawn->x[movers[i]], map->drawn->y[movers[i]]};
+        PictureArrow arrow = {.style = STYLE_HEADING};
+        for (int d = 0; d < 2; d++) {
+            arrow.from[d] = at[d];
+            arrow.to[d] = at[d] + stretch * simulation_named(map->sim, 0, d ? "vy" : "vx", movers[i]);
+        }
+        if (picture_in_sight(map->picture, at[0], at[1], 0))
+            picture_arrow(map->picture, &arrow);
+    }
+    char text[64] = "arrows: velocity, the longest";
+    text_append(text, sizeof text, " %s", text_rounded(fastest, 3).text);
+    picture_note(map->picture, STYLE_FAINT, text);
 }
 
 void map_add_box(Map *map)
