@@ -31,11 +31,6 @@ function key_button(label, text) {
 	// the terminal keeps the focus, so that a keyboard stays as it is
 	button.addEventListener('pointerdown', (event) => event.preventDefault());
 	button.addEventListener('click', () => press(text));
-	// a finger that stays for longer makes no click
-	button.addEventListener('contextmenu', (event) => {
-		event.preventDefault();
-		press(text);
-	});
 	return button;
 }
 

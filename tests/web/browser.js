@@ -254,7 +254,7 @@ async function tap_text(text, into = 0) {
 	const rows = (await screen()).split('\n'), row = rows.findIndex((line) => line.includes(text));
 	await tap_at(row < 0 ? 0 : rows[row].indexOf(text) + into, row < 0 ? 0 : row);
 }
-async function tap_button(label, tap = engine.tap) {
+async function tap_button(label) {
 	// the row is made new when the key line changes: a button is tapped once it has stayed where it is
 	for (let i = 0, before = ''; i < 200; i++) {
 		const box = await page.evaluate((label) => {
@@ -264,7 +264,7 @@ async function tap_button(label, tap = engine.tap) {
 			const {x, y, width, height} = button.getBoundingClientRect();
 			return {x: x + width / 2, y: y + height / 2};
 		}, label);
-		if (box && JSON.stringify(box) === before) return tap(box.x, box.y);
+		if (box && JSON.stringify(box) === before) return engine.tap(box.x, box.y);
 		before = JSON.stringify(box);
 		await pause(100);
 	}
@@ -720,9 +720,7 @@ async function telephone() {
 		(pad) => /^1 2 3 4 5 6 7 8 9 0 \. - \/ e ⌫ Enter Esc/.test(pad) && !/sheet|next/.test(pad));
 	await shot('phone-pad');
 	for (let i = 0; i < 4; i++) await tap_button('⌫');
-	for (const key of ['0', '.']) await tap_button(key);
-	await tap_button('2', engine === engines.Chromium ? (x, y) => fingers([[x, y]], null, 1000) : engine.tap); // held for long
-	await tap_button('Enter');
+	for (const key of ['0', '.', '2', 'Enter']) await tap_button(key);
 	await shows('which enters a number', (text) => /courant number +0\.2\b/.test(text));
 	if (engine === engines.Chromium) {
 		await tap_button('?');
