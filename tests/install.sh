@@ -23,6 +23,7 @@ cat >"$scratch/wanted" <<'END'
 ./share/doc/matvib/doc/page.md
 ./share/doc/matvib/doc/teaching.md
 ./share/doc/matvib/doc/words.md
+./share/fish/vendor_completions.d/matvib.fish
 ./share/man/man1/matvib.1
 ./share/man/man5/matvib.5
 ./share/man/man7/matvib-checks.7

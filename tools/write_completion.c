@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Completion of the command line: write_completion bash | zsh > FILE. What can be completed comes from the
- * program's own tables, so that no shell knows an option that the program does not.
+/* Completion of the command line: write_completion bash | zsh | fish > FILE. What can be completed comes from
+ * the program's own tables, so that no shell knows an option that the program does not.
  *
- * Both files begin with the same functions, which answer from the tables; the rest is each shell's own way of
+ * All files begin with the same functions, which answer from the tables; the rest is each shell's own way of
  * asking them. */
 #include "cli/cli.h"
 #include "cli/options.h"
@@ -13,7 +13,42 @@
 #include <stdio.h>
 #include <string.h>
 
-/* --- the tables as functions that both shells read ------------------------------------------------ */
+/* --- the tables as functions that a shell reads ---------------------------------------------------- */
+
+static bool fish; /* a syntax of its own; bash and zsh share one */
+
+/* A function of its arguments, or one without. */
+static void begin_choice(const char *name, const char *arguments, const char *sh)
+{
+    printf(fish ? "function %s # %s\n    switch \"$argv\"\n" : "%s() { # %s\n", name, arguments);
+    if (!fish)
+        printf("    case %s in\n", sh);
+}
+
+static void begin_case(const char *of, const char *and)
+{
+    printf(fish ? "    case '%s%s%s'\n        echo '" : "    '%s%s%s') echo '", of, *and? " " : "", and);
+}
+
+static void end_case(void)
+{
+    puts(fish ? "'" : "' ;;");
+}
+
+static void end_choice(void)
+{
+    puts(fish ? "    end\nend\n" : "    esac\n}\n");
+}
+
+static void begin_words(const char *name)
+{
+    printf(fish ? "function %s\n    echo '" : "%s() { echo '", name);
+}
+
+static void end_words(void)
+{
+    puts(fish ? "'\nend\n" : "'; }\n");
+}
 
 static const char *command_name(int i) /* the laboratory is "open"; NULL: there are no more */
 {
@@ -29,15 +64,16 @@ static bool takes(const Option *option, const char *command)
 
 static void write_options(void)
 {
-    puts("_matvib_options() { # COMMAND\n    case $1 in");
+    begin_choice("_matvib_options", "COMMAND", "$1");
     for (int c = 0; command_name(c); c++) {
-        printf("    %s) echo '", command_name(c));
+        begin_case(command_name(c), "");
         for (int i = 0; i < n_options; i++)
             if (takes(&options_table[i], command_name(c)))
                 printf("%s ", options_table[i].name);
-        puts("--help' ;;");
+        fputs("--help", stdout);
+        end_case();
     }
-    puts("    esac\n}\n");
+    end_choice();
 }
 
 /* What stands behind an option: a list of words, or one of @file, @folder, @key, @none. */
@@ -58,16 +94,15 @@ static void write_argument(const Option *option)
 
 static void write_arguments(void)
 {
-    puts("_matvib_argument() { # COMMAND OPTION: nothing where the option has no argument\n"
-         "    case \"$1 $2\" in");
+    begin_choice("_matvib_argument", "COMMAND OPTION: nothing where the option has no argument", "\"$1 $2\"");
     for (int c = 0; command_name(c); c++)
         for (int i = 0; i < n_options; i++)
             if (takes(&options_table[i], command_name(c)) && options_table[i].argument) {
-                printf("    '%s %s') echo '", command_name(c), options_table[i].name);
+                begin_case(command_name(c), options_table[i].name);
                 write_argument(&options_table[i]);
-                puts("' ;;");
+                end_case();
             }
-    puts("    esac\n}\n");
+    end_choice();
 }
 
 enum { IN_LINE = 6 }; /* names in a line of a long list */
@@ -75,14 +110,14 @@ enum { IN_LINE = 6 }; /* names in a line of a long list */
 /* The words of a command that are no options. */
 static void write_words(void)
 {
-    fputs("_matvib_scenarios() { echo '", stdout);
+    begin_words("_matvib_scenarios");
     for (int i = 0; builtin_scenarios[i].name; i++)
         printf("%s%s", !i ? "" : i % IN_LINE ? " " : "\n    ", builtin_scenarios[i].name);
-    puts("'; }\n");
-    puts("_matvib_words() { # COMMAND\n    case $1 in");
+    end_words();
+    begin_choice("_matvib_words", "COMMAND", "$1");
     for (int c = 0; command_name(c); c++) {
         const char *synopsis = c ? cli_commands[c - 1].synopsis : "SCENARIO";
-        printf("    %s) echo '", command_name(c));
+        begin_case(command_name(c), "");
         if (strcmp(synopsis, "SCENARIO") == 0 || strstr(synopsis, "SCENARIO]"))
             printf("%s'\"$(_matvib_scenarios)\"'", strstr(synopsis, "COMMAND") ? "" : "@file ");
         if (strstr(synopsis, "[COMMAND")) {
@@ -99,40 +134,41 @@ static void write_words(void)
             for (int i = 0; builtin_lessons[i].name; i++)
                 printf(" %s", builtin_lessons[i].name);
         }
-        puts("' ;;");
+        end_case();
     }
-    puts("    esac\n}\n");
+    end_choice();
 }
 
 static void write_keys(void)
 {
-    fputs("_matvib_keys() { echo '", stdout);
+    begin_words("_matvib_keys");
     for (int i = 0; i < n_parameters; i++)
         printf("%s%s", !i ? "" : i % IN_LINE ? " " : "\n    ", parameters[i].key);
-    puts("'; }\n");
-    puts("_matvib_values() { # KEY\n    case $1 in");
+    end_words();
+    begin_choice("_matvib_values", "KEY", "$1");
     for (int i = 0; i < n_parameters; i++) {
         const Parameter *parameter = &parameters[i];
         if (parameter->type != PARAMETER_CHOICE && parameter->type != PARAMETER_FLAG && !parameter->automatic)
             continue;
-        printf("    %s) echo '", parameter->key);
+        begin_case(parameter->key, "");
         for (int k = 0; parameter->type == PARAMETER_CHOICE && parameter->choices[k]; k++)
             printf("%s%s", k ? " " : "", parameter->choices[k]);
         if (parameter->type == PARAMETER_FLAG)
             fputs("yes no", stdout);
         if (parameter->automatic)
             fputs(parameter->automatic, stdout);
-        puts("' ;;");
+        end_case();
     }
-    puts("    esac\n}\n");
+    end_choice();
 }
 
 static void write_commands(void)
 {
-    fputs("_matvib_commands() { echo '", stdout);
+    begin_words("_matvib_commands");
     for (const CliCommand *command = cli_commands; command->name; command++)
         printf("%s ", command->name);
-    puts("--version'; }\n");
+    fputs("--version", stdout);
+    end_words();
 }
 
 /* --- each shell's own ----------------------------------------------------------------------------- */
@@ -216,20 +252,65 @@ static const char zsh_part[] =
     "}\n"
     "_matvib \"$@\"\n";
 
+static const char fish_part[] =
+    "function _matvib\n"
+    "    set -l words (commandline -opc)\n"
+    "    set -l current (commandline -ct)\n"
+    "    set -l previous $words[-1]\n"
+    "    set -l command open\n"
+    "    set -l strip\n"
+    "    if test (count $words) -gt 1; and contains -- $words[2] (_matvib_commands | string split -n ' ')\n"
+    "        set command $words[2]\n"
+    "    end\n"
+    "    if string match -q -- '--*=*' $current\n"
+    "        set -l parts (string split -m 1 = -- $current)\n"
+    "        set previous $parts[1]\n"
+    "        set strip $previous=\n"
+    "        set current $parts[2]\n"
+    "    end\n"
+    "    set -l kind (_matvib_argument $command $previous | string split -n ' ')\n"
+    "    if test -z \"$kind\"; and string match -q -- '-*' $current\n"
+    "        set kind (_matvib_options $command | string split -n ' ')\n"
+    "    else if test -z \"$kind\"\n"
+    "        set kind (_matvib_words $command | string split -n ' ')\n"
+    "        if test (count $words) -eq 1\n"
+    "            set -a kind (_matvib_commands | string split -n ' ')\n"
+    "        end\n"
+    "    end\n"
+    "    if test \"$kind[1]\" = @key; and string match -q -- '*=*' $current\n"
+    "        set -l key (string split -m 1 = -- $current)[1]\n"
+    "        printf '%s\\n' \"$strip$key=\"(_matvib_values $key | string split -n ' ')\n"
+    "    else if test \"$kind[1]\" = @key\n"
+    "        printf '%s\\n' \"$strip\"(_matvib_keys | string split -n ' ')=\n"
+    "    else if test \"$kind[1]\" = @folder\n"
+    "        __fish_complete_directories $current\n"
+    "    else if test \"$kind[1]\" != @none\n"
+    "        printf '%s\\n' \"$strip\"(string match -v @file -- $kind)\n"
+    "        contains -- @file $kind; and __fish_complete_path $current\n"
+    "    end\n"
+    "end\n"
+    "complete -c matvib -f -a '(_matvib)'\n";
+
 int main(int count, char **arguments)
 {
-    bool zsh = count == 2 && strcmp(arguments[1], "zsh") == 0;
-    if (count != 2 || (!zsh && strcmp(arguments[1], "bash") != 0)) {
-        fputs("usage: write_completion bash | zsh\n", stderr);
+    static const struct {
+        const char *shell, *first, *part;
+    } shells[] = {{"bash", "", bash_part}, {"zsh", "#compdef matvib\n", zsh_part}, {"fish", "", fish_part}};
+    int s = 0;
+    while (s < 3 && (count != 2 || strcmp(arguments[1], shells[s].shell) != 0))
+        s++;
+    if (s == 3) {
+        fputs("usage: write_completion bash | zsh | fish\n", stderr);
         return 2;
     }
-    printf("%s# Completion of matvib for %s, made from the program's tables.\n\n",
-           zsh ? "#compdef matvib\n" : "", arguments[1]);
+    fish = s == 2;
+    printf("%s# Completion of matvib for %s, made from the program's tables.\n\n", shells[s].first,
+           arguments[1]);
     write_commands();
     write_options();
     write_arguments();
     write_words();
     write_keys();
-    fputs(zsh ? zsh_part : bash_part, stdout);
+    fputs(shells[s].part, stdout);
     return ferror(stdout) || fflush(stdout) != 0;
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Completion: what bash offers for a line, in step with the program; zsh only reads the file.
+# Completion: what bash offers for a line, in step with the program, and fish the same; zsh only reads the file.
 # shellcheck source=tests/common.sh
 . "$MATVIB_SRCDIR/tests/common.sh"
 folder=$MATVIB_SRCDIR/completion
@@ -48,5 +48,18 @@ for command in $("$MATVIB" --help | awk '/^  matvib/ && $2 !~ /^\[/ { print $2 }
 done
 if command -v zsh >/dev/null 2>&1; then
 	result "zsh can read its file" zsh -n "$folder/_matvib"
+fi
+if command -v fish >/dev/null 2>&1; then
+	by_fish() { # LINE WORDS: what it offers, and nothing else
+		offered=$(HOME=$scratch fish --no-config -c "source '$folder/matvib.fish'; complete -C '$1'" | tr '\n' ' ')
+		test "$offered" = "$2 " || { echo "$offered" && false; }
+	}
+	result "fish: a command" by_fish 'matvib ver' verify
+	result "fish: the choices of an option" by_fish 'matvib mode5 --glyphs br' braille
+	result "fish: the choices behind its sign" by_fish 'matvib mode5 --glyphs=as' --glyphs=ascii
+	result "fish: a key" by_fish 'matvib run mode5 --set mesh.cell' mesh.cell_size=
+	result "fish: the values of a key" by_fish 'matvib run mode5 --set mpm.algorithm=us' 'mpm.algorithm=usf mpm.algorithm=usl'
+	result "fish: an option of a command" by_fish 'matvib mode5 --pau' --paused
+	result "fish: a file too" by_fish 'matvib run mine' mine.ini
 fi
 echo "1..$number"
