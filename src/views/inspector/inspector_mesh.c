@@ -276,8 +276,7 @@ static void describe(const Screen *screen, Picture *picture)
     if (subject.n_links == 0)
         picture_note(picture, STYLE_NORMAL, "no particle is near: this node is empty");
     else if (sim->stage > 0 && !passes_any(&subject, latest, true) && !passes_any(&subject, latest, false)) {
-        snprintf(text, sizeof text,
-                 "stage %d, %s: nothing passes between particles and nodes; before that:", sim->stage,
+        snprintf(text, sizeof text, "stage %d, %s: no particle-node exchange; before that:", sim->stage,
                  sim->stages[latest].name);
         PictureNote *note = picture_note(picture, STYLE_NORMAL, text);
         snprintf(note->brief, sizeof note->brief, "stage %d: no exchange; before that:", sim->stage);
