@@ -272,14 +272,22 @@ static void compare_sources(Trials *trials, const Simulation *sim, size_t moment
     }
 }
 
+/* Fields come first, then series. */
+static const char *unit_of(const Simulation *sim, int i)
+{
+    return i < sim->n_fields ? sim->fields[i].quantity.unit : sim->series[i - sim->n_fields].unit;
+}
+
 /* What numbers of a unit are at most when the run begins. */
 static void find_sizes(Trials *trials, Simulation *sim)
 {
     simulation_row(sim, trials->row);
     for (int i = 0; i < sim->n_fields + sim->n_series; i++) {
-        const Quantity *quantity =
-            i < sim->n_fields ? &sim->fields[i].quantity : &sim->series[i - sim->n_fields];
-        trials->size[i] = diagnose_size_at_start(sim, quantity->unit, trials->row);
+        int alike = 0;
+        while (strcmp(unit_of(sim, alike), unit_of(sim, i)) != 0)
+            alike++;
+        trials->size[i] =
+            alike < i ? trials->size[alike] : diagnose_size_at_start(sim, unit_of(sim, i), trials->row);
     }
 }
 

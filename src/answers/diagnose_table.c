@@ -237,16 +237,19 @@ static double size_of_terms(Simulation *sim, const char *unit, const double *row
 
 double diagnose_size_at_start(Simulation *sim, const char *unit, const double *row)
 {
-    double size = size_of_terms(sim, unit, row), value;
+    enum { BLOCK = 1024 }; /* one by one each bond would be looked for */
+    double size = size_of_terms(sim, unit, row), values[BLOCK];
     for (int i = 0; i < sim->n_series; i++)
         if (strcmp(sim->series[i].unit, unit) == 0 && isfinite(row[i]))
             size = fmax(size, fabs(row[i]));
     for (int f = 0; f < sim->n_fields; f++)
         if (strcmp(sim->fields[f].quantity.unit, unit) == 0 && !sim->fields[f].integer)
-            for (size_t k = 0; k < sim->counts[sim->fields[f].set]; k++) {
-                sim->method->field(sim, f, k, 1, &value);
-                if (isfinite(value))
-                    size = fmax(size, fabs(value));
+            for (size_t k = 0, all = sim->counts[sim->fields[f].set]; k < all; k += BLOCK) {
+                const size_t count = all - k < BLOCK ? all - k : BLOCK;
+                sim->method->field(sim, f, k, count, values);
+                for (size_t i = 0; i < count; i++)
+                    if (isfinite(values[i]))
+                        size = fmax(size, fabs(values[i]));
             }
     return size;
 }
