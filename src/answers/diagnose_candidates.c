@@ -118,7 +118,8 @@ int diagnose_pairs(const Settings *right, Candidate out[CANDIDATES_MAX])
 enum { AXES_OF_A_SCHEME = 5, WAYS_MAX = 8 };
 static const char *const mpm_axes[AXES_OF_A_SCHEME][WAYS_MAX] = {
     {"mpm.algorithm=usf", "mpm.algorithm=usl", "mpm.algorithm=musl"},
-    {"mpm.shape=hat", "mpm.shape=gimp", "mpm.shape=bspline2", "mpm.shape=bspline3"},
+    {"mpm.shape=hat", "mpm.shape=gimp", "mpm.shape=bspline2", "mpm.shape=bspline3",
+     "mpm.shape=bspline2_uniform", "mpm.shape=bspline3_uniform"},
     {"mpm.transfer=flip,mpm.flip_fraction=1", "mpm.transfer=flip,mpm.flip_fraction=0",
      "mpm.transfer=apic,mpm.affine_start=gradient", "mpm.transfer=apic,mpm.affine_start=zero"},
 };
@@ -186,6 +187,9 @@ int diagnose_schemes(const Settings *right, const DiagnoseTable *table, Diagnose
         for (int s = 0, before = schemes.count; s < before; s++)
             for (int way = 0; sound && way < WAYS_MAX && axes[axis][way]; way++) {
                 Settings other = schemes.all[s].settings;
+                /* who says that boxes are meant has no splines: of twice the length they are the same */
+                if (settings_transfer(right)->shape == MPM_GIMP && strstr(axes[axis][way], "_uniform"))
+                    continue;
                 if (take_way(&other, axes[axis][way]) && diagnose_hold_step(&other, table->dt, NULL))
                     sound = add_scheme(&schemes, &other, schemes.all[s].choices + 1);
             }

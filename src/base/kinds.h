@@ -14,7 +14,15 @@ typedef enum MpmAlgorithm {
     MPM_MUSL /* modified USL: the nodal velocity for the strain is mapped again */
 } MpmAlgorithm;
 
-typedef enum MpmShape { MPM_HAT, MPM_GIMP, MPM_BSPLINE2, MPM_BSPLINE3, MPM_CPDI } MpmShape;
+typedef enum MpmShape {
+    MPM_HAT,
+    MPM_GIMP,
+    MPM_BSPLINE2,
+    MPM_BSPLINE3,
+    MPM_CPDI,
+    MPM_UNIFORM2, /* of a bar: B-splines about its nodes, the same at its ends as inside */
+    MPM_UNIFORM3
+} MpmShape;
 
 typedef enum MpmTransfer { MPM_FLIP, MPM_APIC, MPM_FMPM } MpmTransfer;
 

@@ -40,7 +40,9 @@ static BarMesh bar_mesh_of(const Settings *settings, double dt)
                      .particles_per_cell = settings_mesh(settings)->particles_per_cell,
                      .offset = settings_start(settings)->offset,
                      .algorithm = mpm->algorithm,
-                     .shape = mpm->shape == MPM_CPDI ? MPM_GIMP : mpm->shape,
+                     .shape = mpm->shape == MPM_CPDI       ? MPM_GIMP
+                              : mpm->shape == MPM_UNIFORM3 ? MPM_BSPLINE3
+                                                           : mpm->shape,
                      .apic = mpm->transfer == MPM_APIC,
                      .flip_fraction = mpm->flip_fraction,
                      .consistent = 1 - bar_mass_blend_of(settings),

@@ -52,7 +52,8 @@ static double cube(double x, int power)
 
 static double shape_of(const BarMesh *mesh, double x, double *slope)
 {
-    const double half = mesh->shape == MPM_BSPLINE2 ? 0.5 : 0.5 / mesh->particles_per_cell;
+    const bool quadratic = mesh->shape == MPM_BSPLINE2 || mesh->shape == MPM_UNIFORM2;
+    const double half = quadratic ? 0.5 : 0.5 / mesh->particles_per_cell;
     switch (mesh->shape) {
     case MPM_HAT:
         *slope = fabs(x) >= 1 ? 0 : x < 0 ? 1 : -1;

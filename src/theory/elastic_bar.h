@@ -67,7 +67,7 @@ typedef struct BarMesh {
     int particles_per_cell;
     double offset; /* of particles from the middle of their share of a cell, in such shares */
     MpmAlgorithm algorithm;
-    MpmShape shape; /* CPDI is GIMP: at rest they are the same */
+    MpmShape shape; /* CPDI is GIMP: at rest they are the same; UNIFORM3 is BSPLINE3 */
     bool apic;
     double flip_fraction;
     double consistent; /* share of consistent mass in M = consistent M_c + (1 - consistent) M_l: 1 - mu */

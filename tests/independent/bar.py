@@ -48,6 +48,16 @@ def spline(s, degree, cells):
     return np.array(n).T, np.array(slope).T, greville
 
 
+def spline_of_node(r, degree):
+    """The B-spline about a node, and its slope; r in cells."""
+    a = abs(r)
+    if degree == 2:
+        return (np.where(a < 0.5, 0.75 - r * r, np.maximum(1.5 - a, 0) ** 2 / 2),
+                np.where(a < 0.5, -2 * r, -np.sign(r) * np.maximum(1.5 - a, 0)))
+    return (np.where(a < 1, 2 / 3 - r * r + a ** 3 / 2, np.maximum(2 - a, 0) ** 3 / 6),
+            np.where(a < 1, -2 * r + 1.5 * r * a, -np.sign(r) * np.maximum(2 - a, 0) ** 2 / 2))
+
+
 class Bar:
     def __init__(self, L=25.0, E=100.0, rho=1.0, supports="fixed-free", modes=((1, 0.1),), dx=1.0, P=2, padding=4,
                  algorithm="usf", shape="hat", transfer="flip", alpha=1.0, mu=1.0, order=2, affine_start="gradient",
@@ -77,8 +87,9 @@ class Bar:
     def shapes(self):
         """N and N' of every particle at every node, at the places of now."""
         s = (self.x - self.xmin) / self.dx
-        ends = 1 if self.shape in ("gimp", "cpdi") else 0
-        if self.shape.startswith("bspline"):
+        uniform = self.shape.endswith("_uniform")
+        ends = 1 if self.shape in ("gimp", "cpdi") or uniform else 0
+        if self.shape.startswith("bspline") and not uniform:
             self.N, slope, where = spline(s, int(self.shape[-1]), self.cells)
         else:
             where = np.arange(-ends, self.cells + 1 + ends, dtype=float)
@@ -87,6 +98,8 @@ class Bar:
                 self.N, slope = hat(r)
             elif self.shape == "gimp":
                 self.N, slope = hat_mean(r, self.half)
+            elif uniform:
+                self.N, slope = spline_of_node(r, int(self.shape[7]))
             else:
                 self.N, slope = hat_of_ends(r, (self.m / self.rho / (2 * self.dx))[:, None])
         self.dN = slope / self.dx

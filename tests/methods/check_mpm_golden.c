@@ -16,8 +16,8 @@ enum { SAMPLES_MAX = 16, PARTICLES_MAX = 512, SPOTS_MAX = 64 };
 static const struct {
     const char *path;
     int count;
-} files[] = {{"tests/golden/mpm.txt", 13}, {"tests/golden/cures.txt", 12}};
-enum { CASES = 25 };
+} files[] = {{"tests/golden/mpm.txt", 13}, {"tests/golden/cures.txt", 14}};
+enum { CASES = 27 };
 
 typedef struct Golden {
     char name[40];
@@ -52,7 +52,8 @@ static void set(Golden *golden, const char *key, const char *value)
 {
     static const char *const supports[] = {"fixed-free", "free-fixed", "fixed-fixed", "free-free", NULL};
     static const char *const algorithms[] = {"usf", "usl", "musl", NULL};
-    static const char *const shapes[] = {"hat", "gimp", "bspline2", "bspline3", "cpdi", NULL};
+    static const char *const shapes[] = {"hat", "gimp", "bspline2", "bspline3", "cpdi",
+                                         "bspline2_uniform", "bspline3_uniform", NULL};
     static const char *const transfers[] = {"flip", "apic", "fmpm", NULL};
     static const char *const affine_starts[] = {"gradient", "zero", NULL};
     BarDef *def = &golden->bar.def;

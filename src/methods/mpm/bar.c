@@ -133,19 +133,23 @@ static void derive(Mpm *mpm)
     const int P = def->particles_per_cell, places = (int)round(def->length / def->cell_size);
     const BarMistake *mistake = mpm_mistake_if(mpm, def->mistake);
     mpm->dim = 1;
-    mpm->shape = def->shape;
+    /* a quadratic B-spline about a node is the hat's mean over a cell */
+    const bool mean = def->shape == MPM_UNIFORM2, uniform = mean || def->shape == MPM_UNIFORM3;
+    mpm->shape = mean ? MPM_GIMP : uniform ? MPM_BSPLINE3 : def->shape;
     mpm->n_particles = places * P;
-    mpm->origin = left ? 0 : def->padding;
-    mpm->cells = places + mpm->origin + (right ? 0 : def->padding);
-    mpm->support = shape_support(def->shape);
+    /* cells whose splines differ lie beyond the bar; of these all nodes are held, as that of the end */
+    const int behind = uniform ? shape_end_cells(mpm->shape) : 0;
+    mpm->origin = left ? behind : def->padding + behind;
+    mpm->cells = places + mpm->origin + (right ? behind : def->padding + behind);
+    mpm->support = shape_support(mpm->shape);
     /* uGIMP and CPDI have a ghost node beyond each end, which is held as well */
-    const bool ghosts = def->shape == MPM_GIMP || def->shape == MPM_CPDI;
-    mpm->n_nodes = mpm->gx = mpm->cells + mpm->support - 1 + (def->shape == MPM_GIMP);
+    const int ghosts = mpm->shape == MPM_GIMP || mpm->shape == MPM_CPDI ? 1 : behind > 0 ? behind + 1 : 0;
+    mpm->n_nodes = mpm->gx = mpm->cells + mpm->support - 1 + (mpm->shape == MPM_GIMP);
     mpm->fixed_left = left ? 1 + ghosts : 0;
     mpm->fixed_right = right ? 1 + ghosts : 0;
     mpm->stays = mistake && (mistake->does & WRONG_STAYS_IN_CELL);
-    mpm->half = 0.5 / P * (mistake && mistake->box > 0 ? mistake->box : 1);
-    mpm->edge = def->shape == MPM_GIMP ? 1.0 - mpm->half : 0.0;
+    mpm->half = mean ? 0.5 : 0.5 / P * (mistake && mistake->box > 0 ? mistake->box : 1);
+    mpm->edge = mpm->shape == MPM_GIMP ? 1.0 - mpm->half : 0.0;
     mpm->low[0] = mpm->edge;
     mpm->high[0] = mpm->cells + mpm->edge;
     mpm->n_chunks = (mpm->n_particles + CHUNK - 1) / CHUNK;

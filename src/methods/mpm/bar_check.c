@@ -52,10 +52,11 @@ double bar_mass_blend_auto(MpmShape shape, int particles_per_cell, double couran
     ASSERT_INT(particles_per_cell, >=, 1);
     const double twelfth = 1.0 / (12.0 * particles_per_cell * particles_per_cell);
     double filter = 1.0 / 6.0 + twelfth, stiffness = 1.0 / 12.0; /* A, B */
-    if (shape == MPM_BSPLINE2) {
+    if (shape == MPM_BSPLINE2 || shape == MPM_UNIFORM2) {
         filter = 1.0 / 4.0;
-        stiffness = 1.0 / 4.0 + twelfth;
-    } else if (shape == MPM_BSPLINE3)
+        /* about the nodes an odd number has a particle at a knot */
+        stiffness = 1.0 / 4.0 + (shape == MPM_UNIFORM2 && particles_per_cell % 2 == 1 ? -2.0 : 1.0) * twelfth;
+    } else if (shape == MPM_BSPLINE3 || shape == MPM_UNIFORM3)
         filter = stiffness = 1.0 / 3.0;
     return fmin(1.0, 0.5 - (stiffness - courant * courant / 12.0) / (2.0 * filter));
 }
@@ -105,7 +106,7 @@ bool bar_check(const BarDef *def, Status *status)
         whole(def->padding, 0, CELLS_MAX, "mesh.padding", status) &&
         whole((int)def->supports, BAR_FIXED_FREE, BAR_FREE_FREE, "bar.supports", status) &&
         whole((int)def->algorithm, MPM_USF, MPM_MUSL, "mpm.algorithm", status) &&
-        whole((int)def->shape, MPM_HAT, MPM_CPDI, "mpm.shape", status) &&
+        whole((int)def->shape, MPM_HAT, MPM_UNIFORM3, "mpm.shape", status) &&
         whole((int)def->transfer, MPM_FLIP, MPM_FMPM, "mpm.transfer", status) &&
         whole(def->fmpm_order, 1, FMPM_ORDER_MAX, "mpm.fmpm_order", status) &&
         finite_number(def->body_force, "load.body_force", status) &&

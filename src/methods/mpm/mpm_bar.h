@@ -67,6 +67,8 @@ typedef struct BarDef {
  *     B-spline 2:        A = 1/4,  B = 1/4 + 1/(12 P^2):   mu* = (C^2 - 1/P^2)/6
  *     B-spline 3:        A = B = 1/3:                      mu* = C^2/8
  *
+ * Of uniform B-splines 2 and odd P, which have a particle at a knot, B = 1/4 - 1/(6 P^2).
+ *
  * Of B-splines it is mostly below what is allowed: bar_check() refuses it then. "Mass blend" and mu* are
  * words of our own; blends of lumped and consistent mass are as old as finite elements. */
 double bar_mass_blend_auto(MpmShape shape, int particles_per_cell, double courant);

@@ -101,6 +101,8 @@ MPM_INLINE void shape_at(MpmShape shape, double half, int cells, int first, doub
         dn[2] = r * (2.0 - 1.5 * r);
         dn[3] = 0.5 * ss;
         return;
+    default: /* a bar makes MPM_GIMP and MPM_BSPLINE3 of the uniform ones */
+        return;
     }
 }
 
