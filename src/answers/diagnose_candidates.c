@@ -115,13 +115,15 @@ int diagnose_pairs(const Settings *right, Candidate out[CANDIDATES_MAX])
 /* --- schemes -------------------------------------------------------------------------------------------- */
 
 /* What a scheme is chosen of: one of each axis. */
-enum { AXES_OF_A_SCHEME = 5, WAYS_MAX = 8 };
+enum { AXES_OF_A_SCHEME = 5, WAYS_MAX = 10 };
 static const char *const mpm_axes[AXES_OF_A_SCHEME][WAYS_MAX] = {
     {"mpm.algorithm=usf", "mpm.algorithm=usl", "mpm.algorithm=musl"},
     {"mpm.shape=hat", "mpm.shape=gimp", "mpm.shape=bspline2", "mpm.shape=bspline3",
      "mpm.shape=bspline2_uniform", "mpm.shape=bspline3_uniform"},
     {"mpm.transfer=flip,mpm.flip_fraction=1", "mpm.transfer=flip,mpm.flip_fraction=0",
-     "mpm.transfer=apic,mpm.affine_start=gradient", "mpm.transfer=apic,mpm.affine_start=zero"},
+     "mpm.transfer=apic,mpm.affine_start=gradient", "mpm.transfer=apic,mpm.affine_start=zero",
+     "mpm.transfer=flip,mpm.flip_fraction=0.99", "mpm.transfer=flip,mpm.flip_fraction=0.95",
+     "mpm.transfer=flip,mpm.flip_fraction=0.9", "mpm.transfer=flip,mpm.flip_fraction=0.5"},
 };
 static const char *const pd_axes[AXES_OF_A_SCHEME][WAYS_MAX] = {
     {"pd.stepping=verlet", "pd.stepping=euler", "pd.stepping=euler_position", "pd.stepping=leapfrog",

@@ -214,6 +214,7 @@ enum {
 typedef struct Trial {
     DiagnoseReading reading;
     bool plain;      /* it is kept where none agrees */
+    bool denied;     /* its row of step 0 is not the start */
     int firsts;      /* columns that agree in the first row */
     size_t agreed;   /* rows, the sum of all columns */
     bool throughout; /* all of them to the end */
@@ -368,6 +369,7 @@ static void keep_best(const Trials *trials, const Simulation *sim, Trial *trial)
             continue;
         }
         trial->throughout = trial->throughout && !best->over && best->agreed > 0;
+        trial->denied = trial->denied || (table->moments[0].step == 0 && best->agreed == 0);
         trial->agreed += best->agreed;
         trial->firsts += best->first;
         if (best->agreed == 0)
@@ -500,43 +502,33 @@ static bool try_code(Trials *trials, const DiagnoseReading *reading, const Setti
     return true;
 }
 
-/* Beside right codes of all schemes, which a file without its start does not tell. */
-static bool try_schemes(Trials *trials, bool *found)
+/* Beside right codes of all schemes, which a file without its start does not tell; or beside each with one
+ * mistake: the start may be wrong, or what a column is may show only later, as of two particles that begin
+ * alike. */
+static bool try_codes(Trials *trials, bool wrong, bool *found)
 {
     const Settings *right = trials->search->task->settings;
+    const Parameter *mistake = parameter_find("mpm.mistake");
+    const int mistakes =
+        wrong && parameter_applies_to(right, mistake) ? parameter_choices(mistake, right->problem) : 1;
     bool sound = true;
-    for (int i = 0; i < trials->n_times && sound && !*found && !diagnose_time_is_up(trials->search); i++) {
+    for (int i = 0; i < trials->n_times && sound && !*found; i++) {
         DiagnoseScheme *schemes;
         Settings held = *right;
         const int count = diagnose_hold_step(&held, trials->times[i].dt, NULL)
                               ? diagnose_schemes(&held, trials->search->table, &schemes)
                               : 0;
-        for (int s = 0; s < count && sound && !*found; s++)
-            sound = try_code(trials, &trials->times[i], &schemes[s].settings, found);
+        for (int s = 0; s < count; s++)
+            for (int m = wrong; m < mistakes && sound && !*found && !diagnose_time_is_up(trials->search);
+                 m++) {
+                Settings settings = schemes[s].settings;
+                if (wrong)
+                    settings_put(&settings, mistake, m);
+                sound = try_code(trials, &trials->times[i], &settings, found);
+            }
         if (count > 0)
             free(schemes);
     }
-    return sound;
-}
-
-/* Beside codes with one mistake: the start may be wrong, or what a column is may show only later, as of two
- * particles that begin alike. */
-static bool try_mistakes(Trials *trials, bool *found)
-{
-    const Settings *right = trials->search->task->settings;
-    const Parameter *order = parameter_find("mpm.algorithm"), *mistake = parameter_find("mpm.mistake");
-    bool sound = true;
-    if (!parameter_applies_to(right, order) || !parameter_applies_to(right, mistake))
-        return true;
-    for (int i = 0; i < trials->n_times && sound && !*found; i++)
-        for (int m = 1;
-             m < parameter_choices(mistake, right->problem) && !diagnose_time_is_up(trials->search); m++)
-            for (int a = 0; a < parameter_choices(order, right->problem) && sound && !*found; a++) {
-                Settings settings = *right;
-                settings_put(&settings, order, a);
-                settings_put(&settings, mistake, m);
-                sound = try_code(trials, &trials->times[i], &settings, found);
-            }
     return sound;
 }
 
@@ -627,7 +619,9 @@ static int choose(const Trials *trials, DiagnoseReading out[READINGS_MAX])
         int best = -1;
         for (int i = 0; i < trials->count; i++)
             if (!taken[i] && trials->all[i].plain && trials->all[i].firsts == most &&
-                (best < 0 || trials->all[i].agreed > trials->all[best].agreed))
+                (best < 0 || trials->all[i].denied < trials->all[best].denied ||
+                 (trials->all[i].denied == trials->all[best].denied &&
+                  trials->all[i].agreed > trials->all[best].agreed)))
                 best = i;
         if (best < 0)
             break;
@@ -672,7 +666,7 @@ int diagnose_readings(const Search *search, DiagnoseReading out[READINGS_MAX])
             if (i < ways)
                 sound = try_all_times(trials, &found);
             else if (trials->doubt == 0)
-                sound = (i < 2 * ways ? try_schemes : try_mistakes)(trials, &found);
+                sound = try_codes(trials, i >= 2 * ways, &found);
         }
         count = sound ? choose(trials, out) : -1;
         for (int f = 0; f < FIELDS_MAX; f++)

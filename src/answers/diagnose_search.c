@@ -22,15 +22,20 @@
 
 /* --- the right run -------------------------------------------------------------------------------------- */
 
+/* It may end by itself, as the file's run does by another scheme. */
 static bool walk_right(Search *search)
 {
+    Status why = {STATUS_DONE, ""};
     search->walk = (Walk){.table = search->table,
                           .moments = SIZE_MAX,
                           .to_end = true,
                           .values = search->values,
                           .grown = search->grown};
-    return diagnose_walk(&search->walk, &search->right, search->task->threads, search->task->cancel,
-                         search->status);
+    const bool sound = diagnose_walk(&search->walk, &search->right, search->task->threads,
+                                     search->task->cancel, &why);
+    if (!sound && search->status)
+        *search->status = why;
+    return sound;
 }
 
 /* Where the file departs it may do so by no more than round-off does that grows, as at a node that hardly has
@@ -182,7 +187,7 @@ static bool try_one(Search *search, const Candidate *candidate, Walk *walk, Sett
     *agrees = !walk->departure.is && walk->entries > 0 &&
               (departs ? walk->compared > shown + (walk->failed ? least_beyond(search) : 0)
                        : walk->compared >= search->walk.compared);
-    return *agrees || !departs || candidate->kind != DIAGNOSE_MISTAKE ||
+    return *agrees || !departs || candidate->kind == DIAGNOSE_VALUE ||
            walk->departure.moment < shown + least_beyond(search) || try_again(search, wrong, walk, agrees);
 }
 

@@ -487,6 +487,19 @@ static bool time_step_of_times(DiagnoseTable *table, const ColumnMap *columns, S
     const double rows = fmax(1, round((last - first) / spacing));
     table->spacing = (last - first) / rows;
     table->spacing_bound = (last_bound + 1e-9 * spacing) / rows;
+    double low = 0, high = INFINITY; /* what every row allows, each by its own digits */
+    for (size_t r = 0; r < file->count; r++) {
+        const double apart = times[r] - first, own_rows = round(apart / table->spacing);
+        const double own_bound = 0.51 * time_bound(file, columns, r) / columns->time_factor;
+        if (!(own_rows >= 1))
+            continue;
+        low = fmax(low, (apart - own_bound) / own_rows);
+        high = fmin(high, (apart + own_bound) / own_rows);
+    }
+    if (first == 0 && low < high) {
+        table->spacing = (low + high) / 2;
+        table->spacing_bound = (high - low) / 2 + 1e-9 * spacing / rows;
+    }
     table->dt_bound = table->spacing_bound * columns->time_factor;
     return true;
 }

@@ -56,9 +56,16 @@ class WrongBar(bar.Bar):
         return np.where(self.active, p / np.where(self.active, self.mass, 1), 0)
 
     def map(self):
-        left = (self.mass, self.p) if self.mistake == "keep_grid" and self.made else (0, 0)
+        left = (0, 0)
+        if self.mistake.startswith("keep_grid") and self.made:
+            left = self.mass, self.p_integrated if self.mistake == "keep_grid_integrated" else self.p
         super().map()
         self.mass, self.p = self.mass + left[0], self.p + left[1]
+
+    def map_momentum(self):
+        super().map_momentum()
+        if self.mistake == "keep_grid_twice" and self.stage == "map_again":
+            self.p = self.p + self.p_integrated
 
     def fix(self):
         held = self.free.copy()
@@ -124,6 +131,7 @@ class WrongBar(bar.Bar):
             self.p[~self.free] = 0
             self.new = self.velocity_of(self.p)
             self.u = self.u if self.algorithm == "usf" else self.new
+        self.p_integrated = self.p
 
     def update(self):
         before = self.v
@@ -228,7 +236,7 @@ class WrongBody(bonds.Body):
         elif self.mistake in ("counted_twice", "bond_sign", "half_bond"):
             self.f = {"counted_twice": 2, "bond_sign": -1, "half_bond": 0.5}[self.mistake] * self.f
         elif self.mistake in ("one_way", "one_way_row_major", "stretch_of_current", "stretch_without_length",
-                              "direction_of_reference"):
+                              "direction_of_reference", "first_neighbour", "last_neighbour"):
             now = self.xi + self.u[:, self.j] - self.u[:, self.i]
             length = np.hypot(*now)
             pull = self.k * self.s * now / length
@@ -242,7 +250,16 @@ class WrongBody(bonds.Body):
             if self.mistake == "one_way_row_major":
                 first = self.i < self.j
             at_i, at_j = (first, ~first) if self.mistake.startswith("one_way") else (1, 1)
+            if self.mistake.endswith("_neighbour"):  # of each node's list, by numbers, one end is left out
+                all_of, out = np.maximum if self.mistake == "last_neighbour" else np.minimum, np.arange(self.nx * self.ny)
+                out = out * 0 + (-1 if self.mistake == "last_neighbour" else len(out))
+                all_of.at(out, self.i, self.j)
+                all_of.at(out, self.j, self.i)
+                at_i, at_j = out[self.i] != self.j, out[self.j] != self.i
             self.f = np.array([self.families(p * at_i, -p * at_j) for p in pull])
+
+    def load(self, step):
+        return super().load(step) * (self.b if self.mistake == "weight_by_thickness" else 1)
 
     def second_kick(self):
         if self.mistake not in ("euler_forward", "no_second_kick"):
@@ -275,10 +292,14 @@ class WrongRod:
         if volume == "partial" and mistake != "no_volume_factor":
             w = np.clip((delta + h / 2 - far) / h, 0, 1)
         c = 2 * E / delta ** 2
+        if mistake in ("first_neighbour", "last_neighbour"):  # after the factors of the whole family
+            self.left_out = [np.flatnonzero(row)[0 if mistake == "first_neighbour" else -1] for row in bond]
         held = (c * w * h * far / 4 * bond).sum(1)
         g = np.ones(n) if surface == "none" or mistake == "no_surface_factor" else E / 2 / held
         both = np.concatenate([g[::-1], g])
         self.k = np.where(bond, c * w * h * (g[:, None] + both[None, :]) / 2, 0)
+        if mistake in ("first_neighbour", "last_neighbour"):
+            self.k[np.arange(n), self.left_out] = 0
         self.u, self.f = np.zeros(n), np.zeros(n)
         self.v = speed * np.sin((mode - 0.5) * np.pi / L * self.X)
         self.bonds()
@@ -400,6 +421,12 @@ def code_of(given, mistake):
                                 E=E, rho=rho, thickness=thickness, dt=dt, surface=given["pd.surface_correction"],
                                 volume=given["pd.volume_correction"])
     beams.Body, body.u_given = right, body.u.copy()
+    body.weight = float(given.get("load.body_force", 0))
+    left, slide = np.arange(body.ny) * body.nx, None
+    if mistake == "support_edges":
+        body.supports = [(left, (0, 0)), (left + body.nx - 1, (slide, 0))]
+    elif mistake == "supports_pinned":
+        body.supports = [(nodes, (0, 0)) for nodes, _ in body.supports]
     body.start()
     return body
 

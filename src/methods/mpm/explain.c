@@ -64,7 +64,8 @@ static bool has_slope(MpmTerm term)
 /* Whether a wrong code has added to what the grid had. */
 static bool keeps(const Mpm *mpm, const MpmExchange *of)
 {
-    return of->op == OP_MAP && mpm_does(mpm, WRONG_KEEPS_GRID);
+    return (of->op == OP_MAP && mpm_does(mpm, WRONG_KEEPS_GRID)) ||
+           (of->op == OP_MAP_AGAIN && mpm_does(mpm, WRONG_KEEPS_TWICE));
 }
 
 /* "p13 = 0.5 × (0.2 × 0.3 + ...) = 0.1": what the subject is given; mass and time step, which are those of

@@ -41,7 +41,9 @@ enum {
     WRONG_STRESS_OF_NEXT = 1 << 14, /* the force takes the stress of the next particle */
     WRONG_NO_SECOND_FIX = 1 << 15,
     WRONG_PLAIN_KINETIC = 1 << 16, /* the kinetic energy is without that of C */
-    WRONG_STAYS_IN_CELL = 1 << 17  /* a particle's nodes are for ever those of its first cell */
+    WRONG_STAYS_IN_CELL = 1 << 17, /* a particle's nodes are for ever those of its first cell */
+    WRONG_KEEPS_INTEGRATED = 1 << 18, /* MUSL: what stays of momenta is from before the second map, */
+    WRONG_KEEPS_TWICE = 1 << 19       /* or the second map adds to it */
 };
 
 /* What a mistake is defined for. */

@@ -667,6 +667,8 @@ bool mpm_end_stage(Mpm *mpm, MpmOp op, Status *status)
     case OP_MAP_AGAIN:
         if (mpm->dim == 2)
             return true; /* supports have a stage of their own */
+        for (int i = 0; mpm_does(mpm, WRONG_KEEPS_TWICE) && i < mpm->n_nodes; i++)
+            mpm->momentum[0][i] += mpm->kept_momentum[i];
         fix(mpm, !mpm_does(mpm, WRONG_NO_SECOND_FIX), 0, mpm->n_nodes);
         for (int p = 0; mpm_moves_by(mpm) == MOVES_WITH_MAPPED && p < mpm->n_particles; p++)
             mpm->u[0][p] += mpm->dt * mpm_mapped_velocity(mpm, p);
@@ -687,6 +689,8 @@ bool mpm_end_stage(Mpm *mpm, MpmOp op, Status *status)
     case OP_INTEGRATE:
         if (mpm->dim == 1)
             add_work(mpm);
+        if (mpm_does(mpm, WRONG_KEEPS_INTEGRATED | WRONG_KEEPS_TWICE))
+            memcpy(mpm->kept_momentum, mpm->momentum[0], bytes);
         return true;
     case OP_FORGET:
         for (int k = 0; mpm->dim == 1 && k < mpm->n_chunks; k++) {
@@ -697,7 +701,8 @@ bool mpm_end_stage(Mpm *mpm, MpmOp op, Status *status)
         mpm_report_crossings(mpm);
         if (kept) {
             memcpy(mpm->kept_mass, mpm->node_mass, bytes);
-            memcpy(mpm->kept_momentum, mpm->momentum[0], bytes);
+            if (!mpm_does(mpm, WRONG_KEEPS_INTEGRATED))
+                memcpy(mpm->kept_momentum, mpm->momentum[0], bytes);
         }
         return true;
     default:

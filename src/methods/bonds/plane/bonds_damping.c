@@ -145,7 +145,7 @@ void beam_add_speeds(Beam *beam)
 void beam_weigh(Beam *beam, int j)
 {
     ASSERT_INDEX(j, beam->lattice.ny);
-    const double force = beam->def.density * beam->head->body_force;
+    const double force = beam_weight(beam);
     const size_t row = lattice_at(&beam->lattice, beam->lattice.images[0], j);
     const size_t wide = (size_t)lattice_wide(&beam->lattice);
     double *f[2] = {beam->nodes.fx + row, beam->nodes.fy + row};

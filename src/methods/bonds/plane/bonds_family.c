@@ -50,7 +50,7 @@ BondNow bonds_seen_from(const Beam *beam, BondPlace place, size_t index)
         const size_t at = lattice_at(&beam->lattice, place.i, place.j);
         const size_t to = lattice_at(&beam->lattice, place.i + offset->p, place.j + offset->q);
         const BondsPull pull =
-            bonds_pull(beam, offset, beam->coefficient[lattice_slot(&beam->lattice, place)],
+            bonds_pull(beam, place, beam->coefficient[lattice_slot(&beam->lattice, place)],
                        beam->nodes.ux[to] - beam->nodes.ux[at], beam->nodes.uy[to] - beam->nodes.uy[at]);
         bond.pull = own ? pull.own : pull.other;
         bond.direction_x = pull.x;

@@ -47,6 +47,16 @@ static double to_both_by_half(const BondEnd *end)
     return 0.5;
 }
 
+static double but_to_the_first(const BondEnd *end)
+{
+    return end->to_first ? 0 : 1;
+}
+
+static double but_to_the_last(const BondEnd *end)
+{
+    return end->to_last ? 0 : 1;
+}
+
 static double over_the_length_now(const BondEnd *end)
 {
     return end->rest / end->now;
@@ -148,6 +158,8 @@ bool bonds_check_mistake(const BeamDef *def, Status *status)
         def->horizon < 2 * def->spacing * (1 - 1e-9) && mistake_does(row, BONDS_WRONG_HALF_HORIZON);
     const bool alone =
         def->horizon < def->spacing * (1 + 1e-6) && mistake_does(row, BONDS_WRONG_WITHIN_HORIZON);
+    const bool held = def->problem != BEAM_SIMPLY_SUPPORTED &&
+                      mistake_does(row, BONDS_WRONG_HOLDS_EDGES | BONDS_WRONG_HOLDS_BOTH);
     const char *other = def->influence != INFLUENCE_CONSTANT          ? "pd.influence = constant"
                         : def->critical_stretch != 0                  ? "pd.critical_stretch = 0"
                         : def->damping != 0 || def->critically_damped ? "damping.rate = 0"
@@ -156,6 +168,7 @@ bool bonds_check_mistake(const BeamDef *def, Status *status)
                         : near    ? "pd.horizon = 2 spacings or more"
                         : alone   ? "pd.horizon = more than 1 spacing"
                         : stepped ? "pd.stepping = verlet"
+                        : held    ? "simply supported beams"
                                   : NULL;
     if (def->problem == BEAM_BAR && mistake_does(row, BONDS_WRONG_IN_PLANE))
         return status_refuse(status, "pd.mistake: %s is defined for beams and plates only",
@@ -196,6 +209,30 @@ static bool owner_is_left(const Offset *offset)
     return offset->p > 0 || (offset->p == 0 && offset->q > 0);
 }
 
+/* The partner that comes first (way -1) or last (1) in the list of node (i, j), by rows; offsets are in that
+ * order. */
+static void partner_at_end(const Lattice *lattice, int i, int j, int way, int *p, int *q)
+{
+    for (int turn = 0; turn < 2; turn++, way = -way) /* then those on the other side, the nearest first */
+        for (int k = 0; k < lattice->n_offsets; k++) {
+            const Offset *offset = &lattice->offsets[turn == 0 ? lattice->n_offsets - 1 - k : k];
+            *p = way * offset->p;
+            *q = way * offset->q;
+            if (lattice_has(lattice, i + *p, j + *q))
+                return;
+        }
+}
+
+/* Of the end of a bond at (i, j) whose partner is (p, q) away. */
+static void find_in_list(const Lattice *lattice, int i, int j, int p, int q, BondEnd *end)
+{
+    int x, y;
+    partner_at_end(lattice, i, j, -1, &x, &y);
+    end->to_first = x == p && y == q;
+    partner_at_end(lattice, i, j, 1, &x, &y);
+    end->to_last = x == p && y == q;
+}
+
 double mistake_share(const BondsMistake *mistake, const BondEnd *end)
 {
     double (*const shares[])(const BondEnd *) = {mistake ? mistake->share : NULL,
@@ -206,14 +243,20 @@ double mistake_share(const BondsMistake *mistake, const BondEnd *end)
     return product;
 }
 
-BondsPull bonds_pull(const Beam *beam, const Offset *offset, double coefficient, double ex, double ey)
+BondsPull bonds_pull(const Beam *beam, BondPlace place, double coefficient, double ex, double ey)
 {
-    ASSERT_REAL(offset->length, >, 0);
+    ASSERT_INDEX(place.offset, beam->lattice.n_offsets);
+    const Offset *offset = &beam->lattice.offsets[place.offset];
     const BondsMistake *mistake = bonds_mistake(beam);
     const double x = offset->x + ex, y = offset->y + ey, length = sqrt(x * x + y * y);
     const double stretch = offset_stretch(offset, ex, ey), whole = coefficient * stretch;
     const bool left = owner_is_left(offset);
-    const BondEnd own = {left, true, offset->length, length}, other = {!left, false, offset->length, length};
+    BondEnd own = {.left = left, .owner = true, .rest = offset->length, .now = length};
+    BondEnd other = {.left = !left, .rest = offset->length, .now = length};
+    if (mistake_does(mistake, BONDS_WRONG_BY_LIST)) {
+        find_in_list(&beam->lattice, place.i, place.j, offset->p, offset->q, &own);
+        find_in_list(&beam->lattice, place.i + offset->p, place.j + offset->q, -offset->p, -offset->q, &other);
+    }
     BondsPull pull = {x / length, y / length, whole, whole, whole * stretch};
     if (mistake_does(mistake, BONDS_WRONG_ALONG_REST)) {
         pull.x = offset->x / offset->length;
@@ -241,7 +284,7 @@ void bonds_forces_of_row(Beam *beam, int j, double *const *fx, double *const *fy
             if (beam->coefficient[slot] == 0)
                 continue;
             const BondsPull pull =
-                bonds_pull(beam, offset, beam->coefficient[slot], nodes->ux[other] - nodes->ux[own],
+                bonds_pull(beam, (BondPlace){i, j, o}, beam->coefficient[slot], nodes->ux[other] - nodes->ux[own],
                            nodes->uy[other] - nodes->uy[own]);
             fx[0][i] += pull.own * pull.x;
             fy[0][i] += pull.own * pull.y;

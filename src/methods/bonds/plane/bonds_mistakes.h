@@ -37,7 +37,11 @@ enum {
     BONDS_WRONG_HALF_HORIZON = 1 << 9,    /* the family lies within delta/2; c and w are those of delta */
     BONDS_WRONG_FORCE_STAYS = 1 << 10,    /* f is never set to zero */
     BONDS_WRONG_NO_FIRST_FORCE = 1 << 11, /* the first kick of the run is missing */
-    BONDS_WRONG_IN_PLANE = 1 << 12        /* on a line it is nothing, or the same as another one */
+    BONDS_WRONG_IN_PLANE = 1 << 12,       /* on a line it is nothing, or the same as another one */
+    BONDS_WRONG_BY_LIST = 1 << 13,        /* it asks for the place of a partner in its node's list */
+    BONDS_WRONG_WEIGHT_BY_THICKNESS = 1 << 14, /* the body force is times the thickness */
+    BONDS_WRONG_HOLDS_EDGES = 1 << 15,         /* supports hold all rows of an end */
+    BONDS_WRONG_HOLDS_BOTH = 1 << 16           /* the right support holds ux too */
 };
 
 /* An end of a bond, as its share of the pull may depend on it. */
@@ -45,6 +49,7 @@ typedef struct BondEnd {
     bool left;        /* the left one, of upright bonds the lower */
     bool owner;       /* the earlier one, nodes numbered by rows from below */
     double rest, now; /* the bond's lengths, m */
+    bool to_first, to_last; /* the partner is the first, the last one of this end, nodes numbered by rows */
 } BondEnd;
 
 typedef struct BondsMistake {
@@ -83,14 +88,14 @@ bool bonds_check_mistake(const BeamDef *, Status *);
 /* Whether a run may go from one to the other. */
 bool bonds_mistake_may_change(int from, int to, bool conceals, Status *);
 
-/* What a bond of this direction pulls at its owner and at its other end, with that coefficient and these
+/* What a bond pulls at its owner and at its other end, with that coefficient and these
  * differences of displacements: in this code's words or, without a mistake, the right ones. */
 typedef struct BondsPull {
     double x, y; /* the direction from the one to the other */
     double own, other;
     double energy; /* over V |xi|/2 and the thickness */
 } BondsPull;
-BondsPull bonds_pull(const Beam *, const Offset *, double coefficient, double ex, double ey);
+BondsPull bonds_pull(const Beam *, BondPlace, double coefficient, double ex, double ey);
 
 /* bonds_family.c. A bond as one of its ends, node `index`, meets it: seen from there, with what this code
  * lets it pull. */

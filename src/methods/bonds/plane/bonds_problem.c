@@ -95,6 +95,9 @@ void beam_simple_supports(const Lattice *lattice, Support supports[2])
 static void set_simple_supports(Beam *beam)
 {
     beam_simple_supports(&beam->lattice, beam->supports);
+    for (int end = 0; end < 2 && bonds_does(beam, BONDS_WRONG_HOLDS_EDGES); end++)
+        beam->supports[end].patch = (Patch){end * (beam->lattice.nx - 1), 0, 1, beam->lattice.ny};
+    beam->supports[1].x = bonds_does(beam, BONDS_WRONG_HOLDS_BOTH);
     beam->n_supports = 2;
     beam->facts.real_span = (beam->lattice.nx - 1) * beam->lattice.spacing;
 }

@@ -13,7 +13,7 @@
  * times the thickness, one half of it in each half of the step, when f^n and f^{n+1} are at hand. Each row
  * notes its own work, and the rows are added in their order: the number of threads leaves no trace. */
 #include "base/assertion.h"
-#include "methods/bonds/plane/bonds_internal.h"
+#include "methods/bonds/plane/bonds_mistakes.h"
 
 #include <string.h>
 
@@ -50,11 +50,17 @@ void beam_load_force(const Beam *beam, const Load *load, double time, double for
     force[1] = load->sy * scale * share / dx;
 }
 
+double beam_weight(const Beam *beam)
+{
+    const double force = beam->def.density * beam->head->body_force;
+    return bonds_does(beam, BONDS_WRONG_WEIGHT_BY_THICKNESS) ? force * beam->def.thickness : force;
+}
+
 static double weight(const Simulation *sim, size_t node, int axis, const void *context)
 {
     (void)node, (void)context;
     const Beam *beam = (const Beam *)sim;
-    return axis == !beam->lattice.line ? beam->def.density * beam->head->body_force : 0;
+    return axis == !beam->lattice.line ? beam_weight(beam) : 0;
 }
 
 /* Of all loads on a node at the end of the step under way. */
