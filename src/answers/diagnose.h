@@ -103,6 +103,7 @@ typedef struct Explanation {
     char stage[24];       /* and the stage's id */
     char scheme[64];      /* of that code: "USL, gimp" */
     char apart[160]; /* the run that tells it from the first explanation, or the right code; "": none of */
+    char set[2 * KEY_MAX]; /* "mesh.cell_size=0.5", with which that is; "": no other setting is needed */
     int compared;    /* that were made of both */
     int digits;
     size_t rows; /* over which it agrees */
@@ -171,8 +172,9 @@ DiagnoseWord diagnosis_word(const Diagnosis *, const DiagnoseTable *);
 /* The explanation that acquits the file, a right code by another scheme; NULL: none does. */
 const Explanation *diagnosis_acquits(const Diagnosis *);
 
-/* What it came to, in lines of ASCII. */
-void diagnosis_tell(const Diagnosis *, const DiagnoseTable *, FILE *);
+/* What it came to, in lines of ASCII. `scenario`: with its settings, as in a command, "mode5 --set
+ * bar.density=2". */
+void diagnosis_tell(const Diagnosis *, const DiagnoseTable *, const char *scenario, FILE *);
 
 /* The same in a few sentences; what does not fit is cut. */
 void diagnosis_sum_up(const Diagnosis *, const DiagnoseTable *, char *out, size_t size);

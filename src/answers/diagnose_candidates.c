@@ -556,7 +556,8 @@ void diagnose_tell_apart(const Settings *a, const Settings *b, const DiagnoseTab
             out->compared++;
             if (!differ(&others[0], &others[1], table, true, name))
                 continue;
-            text_append(out->apart, size, "--set %s=%s tells", parameter->key, value);
+            text_append(out->set, sizeof out->set, "%s=%s", parameter->key, value);
+            text_append(out->apart, size, "--set %s tells", out->set);
             return;
         }
     }

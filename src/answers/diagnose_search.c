@@ -259,7 +259,8 @@ static bool try_values(Search *search, bool shares)
     const DiagnoseTable *table = search->table;
     const bool simpler = shares || search->found->n_explanations > 0,
                open = table->dt_bound > 1e-12 * table->dt;
-    if (search->walk.departing < ENTRIES_LEAST)
+    const double a_slip = 1e-8; /* less is round-off, which any value fits */
+    if (search->walk.departing < ENTRIES_LEAST || search->walk.farthest < a_slip)
         return true;
     for (int by_value = 0; by_value <= (open && !simpler); by_value++)
         for (int i = 0; i < n_parameters; i++)
@@ -493,7 +494,7 @@ static double single_growth(const Settings *settings, double dt)
 }
 
 /* Numbers of single precision are judged by its round-off; where no code agrees to double precision, by what
- * 12 digits have lost, or by single precision where no more digits are written. */
+ * 8 digits and more have lost, or by single precision where no more digits are written. */
 static bool judge_by_noise(Search *search, const DiagnoseReading *readings, int count)
 {
     DiagnoseTable *table = search->table;
@@ -506,12 +507,11 @@ static bool judge_by_noise(Search *search, const DiagnoseReading *readings, int 
     if (!judge_readings(search, readings, count))
         return false;
     const int digits = diagnose_digits_written(table);
-    if (search->found->verdict != DIAGNOSE_UNKNOWN || search->found->single || digits < 5 ||
-        (digits > 7 && digits < 12))
+    if (search->found->verdict != DIAGNOSE_UNKNOWN || search->found->single || digits < 5)
         return true;
     const Diagnosis before = *search->found;
     const DiagnoseTable as_before = *table;
-    const double noise = digits >= 12 ? rounded : single;
+    const double noise = digits > 7 ? rounded : single;
     if (noise <= as_read.noise)
         return true;
     *table = as_read;

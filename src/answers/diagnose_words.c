@@ -156,7 +156,8 @@ static void tell_explanation(const Explanation *explanation, FILE *out)
         visible_print(out, "  %s\n", explanation->where);
 }
 
-static void tell_explanations(const Diagnosis *found, const DiagnoseTable *table, FILE *out)
+static void tell_explanations(const Diagnosis *found, const DiagnoseTable *table, const char *scenario,
+                              FILE *out)
 {
     if (table->otherwise > 0)
         visible_print(
@@ -175,9 +176,12 @@ static void tell_explanations(const Diagnosis *found, const DiagnoseTable *table
         const Explanation *rival = &found->explanations[i];
         visible_print(out, i == 1 ? "This file cannot tell it from:\n" : "or\n");
         tell_explanation(rival, out);
-        if (*rival->apart)
-            visible_print(out, "  (%s them apart)\n", rival->apart);
-        else
+        if (*rival->apart) {
+            visible_print(out, "  (%s them apart: %s, then\n", rival->apart,
+                          *rival->set ? "let your code run so" : "let your code write it");
+            visible_print(out, "  matvib diagnose %s%s%s %s)\n", scenario, *rival->set ? " --set " : "",
+                          rival->set, table->file.file);
+        } else
             visible_print(out, "  (none of %d runs of both tells them apart)\n", rival->compared);
     }
     const int more = found->more + found->n_explanations - DIAGNOSE_NAMED_MAX;
@@ -206,7 +210,8 @@ static void tell_hidden(const Diagnosis *found, FILE *out)
         visible_print(out, "  and %d more\n", more);
 }
 
-static void tell_nothing_found(const Diagnosis *found, const DiagnoseTable *table, FILE *out)
+static void tell_nothing_found(const Diagnosis *found, const DiagnoseTable *table, const char *scenario,
+                               FILE *out)
 {
     const Departure *departure = &found->departure;
     visible_print(
@@ -226,8 +231,7 @@ static void tell_nothing_found(const Diagnosis *found, const DiagnoseTable *tabl
         const long step = departure->step + table->of_next;
         visible_print(
             out, "Look into step %ld: compare your numbers after each of its stages with those of\n", step);
-        visible_print(out, "  matvib run SCENARIO --stages %ld:%ld --particles p.csv (and your --set)\n",
-                      step, step);
+        visible_print(out, "  matvib run %s --stages %ld:%ld --particles p.csv\n", scenario, step, step);
     } else
         visible_print(out, "Look at what stage %d (%s) does with what the stages before it gave.\n",
                       departure->stage, departure->stage_id);
@@ -283,7 +287,7 @@ void diagnosis_read_as(const DiagnoseTable *table, char *out, size_t size)
         text_append(out, size, ", a row every %ld steps", every);
 }
 
-void diagnosis_tell(const Diagnosis *found, const DiagnoseTable *table, FILE *out)
+void diagnosis_tell(const Diagnosis *found, const DiagnoseTable *table, const char *scenario, FILE *out)
 {
     char read_as[400], verdict[400];
     diagnosis_read_as(table, read_as, sizeof read_as);
@@ -311,9 +315,9 @@ void diagnosis_tell(const Diagnosis *found, const DiagnoseTable *table, FILE *ou
     if (right)
         tell_hidden(found, out);
     else if (found->verdict == DIAGNOSE_EXPLAINED)
-        tell_explanations(found, table, out);
+        tell_explanations(found, table, scenario, out);
     else
-        tell_nothing_found(found, table, out);
+        tell_nothing_found(found, table, scenario, out);
     if (found->compared == 1 && found->verdict == DIAGNOSE_RIGHT)
         fputs("One row is little: it tells of one moment alone.\n", out);
     else if (found->compared < found->rows)

@@ -263,10 +263,24 @@ static bool write_table(const Files *all, Status *status)
     return output_end(&file, true, status);
 }
 
+/* The scenario with its settings, as a shell reads them. */
+static void write_scenario(const Options *options, char *out, size_t size)
+{
+    out[0] = '\0';
+    text_append(out, size, "%s", options->words[0]);
+    for (int i = 0; i < options->n_overrides; i++) {
+        const Override *one = &options->overrides[i];
+        const char *quote = strpbrk(one->value, " '*$") ? "\"" : "";
+        text_append(out, size, " --set %s%s=%s%s", quote, one->key, one->value, quote);
+    }
+}
+
 /* One that cannot be read is an error; of many it is one at the end. */
 static bool tell(const Files *all, Status *status)
 {
+    char scenario[1000];
     int unread = 0;
+    write_scenario(all->options, scenario, sizeof scenario);
     for (int i = 0; i < all->count; i++)
         unread += all->files[i].failure.code != STATUS_DONE;
     if (all->count == 1 && unread > 0) {
@@ -276,7 +290,7 @@ static bool tell(const Files *all, Status *status)
     if (all->options->json)
         tell_json(all);
     else if (all->count == 1)
-        diagnosis_tell(&all->files[0].found, &all->files[0].table, stdout);
+        diagnosis_tell(&all->files[0].found, &all->files[0].table, scenario, stdout);
     else
         tell_lines(all);
     if (all->options->output && !write_table(all, status))

@@ -138,7 +138,8 @@ make vol.csv mode5 --steps 50 --set mpm.mistake=volume_of_cell
 digits 6 step,v_cm <vol.csv >vol6.csv
 expect "rivals" 1 mode5 vol6.csv
 result "are all named" sh -c 'grep -q "^  volume_of_cell: " out && grep -q "^  bar.youngs_modulus=200: another value, the scenario.s 100 times 2 = P" out'
-result "with the column that tells" says out '^  (the column strain tells them apart)$'
+result "with the column that tells" says out '^  (the column strain tells them apart: let your code write it, then$'
+result "and the command" says out '^  matvib diagnose mode5 vol6.csv)$'
 result "and the factor" says out 'by the right amount times 2 = P, the particles in a cell$'
 make start.csv mode5 --steps 50 --set mpm.mistake=mode_of_fixed_fixed
 expect "a wrong start" 1 mode5 start.csv
