@@ -329,9 +329,14 @@ static bool go_along(Trials *trials, Simulation *sim)
     for (bool any = true; m < most && any && table->moments[m].step <= TRIAL_STEPS_MAX; m++) {
         if (cancel_requested(&trials->search->task->cancel, 0))
             return false;
-        if (diagnose_time_is_up(trials->search) ||
-            !simulation_steps(sim, table->moments[m].step - sim->step, NULL, NULL, NULL))
+        if (diagnose_time_is_up(trials->search))
             break;
+        if (!simulation_steps(sim, table->moments[m].step - sim->step, NULL, NULL, NULL)) {
+            for (int c = 0; c < table->n_columns; c++) /* the file's run goes on */
+                for (size_t i = 0; i < trials->sources[c].count; i++)
+                    trials->sources[c].all[i].over = true;
+            break;
+        }
         if (!read_now(trials, sim))
             return false;
         compare_sources(trials, sim, m);

@@ -22,7 +22,7 @@
 
 /* --- the right run -------------------------------------------------------------------------------------- */
 
-/* It may end by itself, as the file's run does by another scheme. */
+/* It may end by itself; numbers of the file that go on depart there. */
 static bool walk_right(Search *search)
 {
     Status why = {STATUS_DONE, ""};
@@ -35,6 +35,23 @@ static bool walk_right(Search *search)
                                      search->task->cancel, &why);
     if (!sound && search->status)
         *search->status = why;
+    const DiagnoseTable *table = search->table;
+    Walk *walk = &search->walk;
+    if (sound && walk->failed && !walk->departure.is && walk->compared < table->n_moments) {
+        const DiagnoseMoment *next = &table->moments[walk->compared];
+        const double theirs = diagnose_theirs(table, &table->columns[0], next->first);
+        if (isfinite(theirs))
+            walk->departure = (Departure){.is = true,
+                                          .moment = walk->compared,
+                                          .row = next->first,
+                                          .step = next->step,
+                                          .stage = next->stage,
+                                          .thing = table->things[next->first],
+                                          .theirs = theirs,
+                                          .ours = NAN,
+                                          .theirs_before = NAN,
+                                          .ours_before = NAN};
+    }
     return sound;
 }
 
