@@ -104,7 +104,7 @@ typedef struct Explanation {
     char scheme[64];      /* of that code: "USL, gimp" */
     char apart[160]; /* the run that tells it from the first explanation, or the right code; "": none of */
     char set[2 * KEY_MAX]; /* "mesh.cell_size=0.5", with which that is; "": no other setting is needed */
-    int compared;    /* that were made of both */
+    int compared;          /* that were made of both */
     int digits;
     size_t rows; /* over which it agrees */
     bool grown;  /* no farther, since round-off grows in such a run */

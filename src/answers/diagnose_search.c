@@ -31,8 +31,8 @@ static bool walk_right(Search *search)
                           .to_end = true,
                           .values = search->values,
                           .grown = search->grown};
-    const bool sound = diagnose_walk(&search->walk, &search->right, search->task->threads,
-                                     search->task->cancel, &why);
+    const bool sound =
+        diagnose_walk(&search->walk, &search->right, search->task->threads, search->task->cancel, &why);
     if (!sound && search->status)
         *search->status = why;
     const DiagnoseTable *table = search->table;

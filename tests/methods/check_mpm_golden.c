@@ -52,8 +52,8 @@ static void set(Golden *golden, const char *key, const char *value)
 {
     static const char *const supports[] = {"fixed-free", "free-fixed", "fixed-fixed", "free-free", NULL};
     static const char *const algorithms[] = {"usf", "usl", "musl", NULL};
-    static const char *const shapes[] = {"hat", "gimp", "bspline2", "bspline3", "cpdi",
-                                         "bspline2_uniform", "bspline3_uniform", NULL};
+    static const char *const shapes[] = {
+        "hat", "gimp", "bspline2", "bspline3", "cpdi", "bspline2_uniform", "bspline3_uniform", NULL};
     static const char *const transfers[] = {"flip", "apic", "fmpm", NULL};
     static const char *const affine_starts[] = {"gradient", "zero", NULL};
     BarDef *def = &golden->bar.def;

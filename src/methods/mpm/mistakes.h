@@ -40,8 +40,8 @@ enum {
     WRONG_VOLUME_LATE = 1 << 13,    /* the force takes the volume from before the newest strain */
     WRONG_STRESS_OF_NEXT = 1 << 14, /* the force takes the stress of the next particle */
     WRONG_NO_SECOND_FIX = 1 << 15,
-    WRONG_PLAIN_KINETIC = 1 << 16, /* the kinetic energy is without that of C */
-    WRONG_STAYS_IN_CELL = 1 << 17, /* a particle's nodes are for ever those of its first cell */
+    WRONG_PLAIN_KINETIC = 1 << 16,    /* the kinetic energy is without that of C */
+    WRONG_STAYS_IN_CELL = 1 << 17,    /* a particle's nodes are for ever those of its first cell */
     WRONG_KEEPS_INTEGRATED = 1 << 18, /* MUSL: what stays of momenta is from before the second map, */
     WRONG_KEEPS_TWICE = 1 << 19       /* or the second map adds to it */
 };

@@ -255,7 +255,8 @@ BondsPull bonds_pull(const Beam *beam, BondPlace place, double coefficient, doub
     BondEnd other = {.left = !left, .rest = offset->length, .now = length};
     if (mistake_does(mistake, BONDS_WRONG_BY_LIST)) {
         find_in_list(&beam->lattice, place.i, place.j, offset->p, offset->q, &own);
-        find_in_list(&beam->lattice, place.i + offset->p, place.j + offset->q, -offset->p, -offset->q, &other);
+        find_in_list(&beam->lattice, place.i + offset->p, place.j + offset->q, -offset->p, -offset->q,
+                     &other);
     }
     BondsPull pull = {x / length, y / length, whole, whole, whole * stretch};
     if (mistake_does(mistake, BONDS_WRONG_ALONG_REST)) {
@@ -284,8 +285,8 @@ void bonds_forces_of_row(Beam *beam, int j, double *const *fx, double *const *fy
             if (beam->coefficient[slot] == 0)
                 continue;
             const BondsPull pull =
-                bonds_pull(beam, (BondPlace){i, j, o}, beam->coefficient[slot], nodes->ux[other] - nodes->ux[own],
-                           nodes->uy[other] - nodes->uy[own]);
+                bonds_pull(beam, (BondPlace){i, j, o}, beam->coefficient[slot],
+                           nodes->ux[other] - nodes->ux[own], nodes->uy[other] - nodes->uy[own]);
             fx[0][i] += pull.own * pull.x;
             fy[0][i] += pull.own * pull.y;
             fx[offset->q][i + offset->p] -= pull.other * pull.x;

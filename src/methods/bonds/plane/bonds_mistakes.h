@@ -46,9 +46,9 @@ enum {
 
 /* An end of a bond, as its share of the pull may depend on it. */
 typedef struct BondEnd {
-    bool left;        /* the left one, of upright bonds the lower */
-    bool owner;       /* the earlier one, nodes numbered by rows from below */
-    double rest, now; /* the bond's lengths, m */
+    bool left;              /* the left one, of upright bonds the lower */
+    bool owner;             /* the earlier one, nodes numbered by rows from below */
+    double rest, now;       /* the bond's lengths, m */
     bool to_first, to_last; /* the partner is the first, the last one of this end, nodes numbered by rows */
 } BondEnd;
 
