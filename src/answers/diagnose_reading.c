@@ -554,7 +554,7 @@ static bool try_all_times(Trials *trials, bool *found)
             if (!try_times(trials, 1, steps[i] * dt, false, found))
                 return false;
             else if (*found && diagnose_digits_written(table) <= ENOUGH_DIGITS)
-                trials->doubt = table->dt; /* or by a wrong code with the scenario's */
+                trials->doubt = dt; /* or by a wrong code with the scenario's */
         return true;
     }
     for (int pass = 0; pass < 2; pass++) /* the plain ones first */
