@@ -130,10 +130,11 @@ static void lay_out_full(const Screen *screen, int width, int height, Layout *la
     /* a beam that is in a plot pane is not drawn twice */
     const bool drawn = simulation_has_map(experiment_simulation(screen->experiment)) &&
                        (screen->views.upper->is_map || screen->views.lower->is_map);
-    const bool bodies = drawn && simulation_has(experiment_simulation(screen->experiment), HAS_BODIES) &&
-                        !screen_second_run(screen);
+    /* nor are bodies in a strip, which is one body at its height at rest */
+    const bool has_bodies = simulation_has(experiment_simulation(screen->experiment), HAS_BODIES);
+    const bool bodies = drawn && has_bodies && !screen_second_run(screen);
     const int box = layout_box_rows(screen, height, drawn);
-    const int mesh = drawn ? 0 : layout_strip_rows(height);
+    const int mesh = drawn || has_bodies ? 0 : layout_strip_rows(height);
     const int top = 1 + mesh, middle = height - 2 - box - mesh;
     const int fields = screen->lesson->open ? layout_lesson_width(width)
                        : width < WIDER      ? PARAMETERS_WIDTH

@@ -159,7 +159,8 @@ static void add_vector(Picture *picture, const double at[2], const double vector
     picture_arrow(picture, &arrow);
 }
 
-/* What contact does at a node that another body shares; `named`: its arrows are. False: none shares it. */
+/* What contact does at a node that another body shares; `named`: its arrows are. False: none shares it, or a
+ * wall acts there too, so that what a body loses is not what it gives. */
 static bool add_contact(Picture *picture, const Screen *screen, size_t node, bool named)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
@@ -167,7 +168,8 @@ static bool add_contact(Picture *picture, const Screen *screen, size_t node, boo
     const double at[2] = {node_at(sim, 0, node), node_at(sim, 1, node)};
     double v[2][2], given[2], n[2], before[2], now[2], fastest = 0;
     size_t both[2] = {node, 0};
-    if (!(simulation_named(sim, 1, "active", node) > 0) || !find_other(sim, node, &both[1]))
+    if (!(simulation_named(sim, 1, "active", node) > 0) || simulation_named(sim, 1, "fixed", node) > 0 ||
+        !find_other(sim, node, &both[1]))
         return false;
     for (int k = 0; k < 2; k++) {
         momenta_of(screen, both[k], before, now);
