@@ -605,7 +605,7 @@ static const struct {
      "protected.a: holds no node (at least pd.spacing = 0.001 both ways)"},
     {"supports.b", "0 0 2mm 2mm ux 1",
      "supports.b: moves nodes that supports.there moves or holds (regions apart)"},
-    {"pd.spacing", "1um", "pd.horizon: 0.003 is 3e+03 spacings (at most 8 times pd.spacing)"},
+    {"pd.spacing", "1um", "pd.horizon: 0.003 is 3000 spacings (at most 8 times pd.spacing)"},
     {"plate.length", "20m", "pd.spacing: 2e+06 nodes with 14 bonds each are too many"},
     {"plate.height", "1mm", "pd.spacing: the plate is only 1 nodes high (at least 2; plate.height is 0.001)"},
     {"impulses.a", "0 0 1mm 1mm 3301 -4401",
