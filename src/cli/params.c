@@ -12,6 +12,8 @@
 #include <stdio.h>
 #include <string.h>
 
+enum { RANGE_WIDTH = 66 }; /* of 120 columns */
+
 static void print_parameter(const Settings *settings, const Parameter *parameter)
 {
     char value[LIST_MAX], assignment[96], range[160];
@@ -26,7 +28,9 @@ static void print_parameter(const Settings *settings, const Parameter *parameter
              *unit ? " " : "", unit);
     static const char *const methods[] = {[BY_EVERY_METHOD] = "", [BY_MPM] = "  [mpm]", [BY_PD] = "  [pd]"};
     const bool choice = settings->problem->concerns & CONCERN_METHODS;
-    printf("  %-42s %s%s%s\n      %s\n", assignment, range, parameter->live ? "  [live]" : "",
+    const bool wide = strlen(range) > RANGE_WIDTH; /* has a line of its own */
+    printf("  %-*s%s%s%s%s\n      %s\n", wide ? 0 : 43, assignment, wide ? "\n      " : "", range,
+           parameter->live ? "  [live]" : "",
            choice ? methods[parameter_methods(parameter, settings->problem)] : "",
            parameter_help(parameter, settings->problem));
     for (int i = 1; parameter->choice_help && i < parameter_choices(parameter, settings->problem); i++)
