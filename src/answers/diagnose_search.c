@@ -328,6 +328,12 @@ static bool try_listed(Search *search, bool values, bool mistakes_only)
     return sound;
 }
 
+/* A few numbers do not single out one of thousands of codes, and each of the plane is built for them. */
+static bool of_few_numbers(const Search *search)
+{
+    return search->right.problem->concerns & CONCERN_PLANE && search->walk.departing <= ENTRIES_LEAST;
+}
+
 /* Right codes of all schemes; where one agrees also the mistakes that the file cannot show, in the first of
  * them and in the scenario's. */
 static bool try_schemes(Search *search, const DiagnoseScheme *schemes, int count)
@@ -348,7 +354,8 @@ static bool try_schemes(Search *search, const DiagnoseScheme *schemes, int count
         }
     }
     bool sound = true;
-    for (int s = 0; s < count && sound && search->found->n_explanations == 0; s++) {
+    for (int s = 0; s < (of_few_numbers(search) ? 1 : count) && sound && search->found->n_explanations == 0;
+         s++) {
         search->right = schemes[s].settings;
         sound = try_values(search, true);
     }
@@ -365,7 +372,8 @@ static bool try_schemes(Search *search, const DiagnoseScheme *schemes, int count
  * value of any size, and two mistakes, by each algorithm. */
 static bool try_product(Search *search, const DiagnoseScheme *schemes, int count)
 {
-    const int most = schemes[count - 1].choices;
+    const bool few = search->walk.departing < ENTRIES_LEAST;
+    const int most = of_few_numbers(search) ? 0 : schemes[count - 1].choices;
     bool sound = true;
     for (int choices = 0; choices <= most && sound && search->found->n_explanations == 0; choices++) {
         for (int s = 0; s < count && sound; s++) {
@@ -377,7 +385,6 @@ static bool try_product(Search *search, const DiagnoseScheme *schemes, int count
         search->right = search->given;
         sound = sound && (choices > 0 || try_values(search, false));
     }
-    const bool few = search->walk.departing < ENTRIES_LEAST;
     for (int s = 0; s < count && sound && !few && search->found->n_explanations == 0; s++)
         if (s == 0 || (schemes[s].choices == 1 && settings_transfer(&schemes[s].settings)->algorithm !=
                                                       settings_transfer(&search->given)->algorithm)) {
