@@ -104,6 +104,19 @@ static bool close_program(Program *program, struct rusage *usage)
     return ended;
 }
 
+/* Reads a piece of what is drawn, and answers as terminals do: without it each picture waits for a time-out.
+ */
+static ssize_t take_output(const Program *program)
+{
+    static const char query[] = "\033[5n", answer[] = "\033[0n";
+    char text[65536];
+    const ssize_t got = read(program->master, text, sizeof text);
+    if (got > 0 && memmem(text, (size_t)got, query, sizeof query - 1) &&
+        write(program->master, answer, sizeof answer - 1) < 0)
+        return -1;
+    return got;
+}
+
 static int measure(const char *words, double seconds, Cost *cost)
 {
     Program program;
@@ -117,8 +130,7 @@ static int measure(const char *words, double seconds, Cost *cost)
         if (poll(both, 2, (int)(1e3 * left) + 1) < 0 && errno != EINTR)
             break;
         if (both[0].revents & POLLIN) {
-            char text[65536];
-            ssize_t got = read(program.master, text, sizeof text);
+            const ssize_t got = take_output(&program);
             cost->bytes += got > 0 ? got : 0;
             cost->pieces++;
         }
@@ -145,7 +157,7 @@ static bool listen_until(const Program *program, double until, bool idle)
                                  {.fd = program->frames, .events = POLLIN}};
         if (poll(both, 2, (int)(1e3 * left) + 1) < 0 && errno != EINTR)
             return false;
-        if (both[0].revents & POLLIN && read(program->master, text, sizeof text) < 0)
+        if (both[0].revents & POLLIN && take_output(program) < 0)
             return false;
         if (both[1].revents & POLLIN) {
             ssize_t got = read(program->frames, text, sizeof text - 1);
