@@ -11,7 +11,7 @@
 #include "cli/sweep/sweep_result.h"
 #include "answers/choices.h"
 #include "lessons/lesson.h"
-#include "lessons/run_numbers.h"
+#include "answers/run_numbers.h"
 #include "scenario/parameters.h"
 #include "answers/references.h"
 #include "lab/session/script.h"

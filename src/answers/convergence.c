@@ -12,7 +12,7 @@
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "base/kinds.h"
-#include "lessons/run_numbers.h"
+#include "answers/run_numbers.h"
 #include "answers/dispersion_curves.h"
 #include "scenario/parameters.h"
 #include "base/math/functions.h"

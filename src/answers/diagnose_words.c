@@ -177,10 +177,12 @@ static void tell_explanations(const Diagnosis *found, const DiagnoseTable *table
         visible_print(out, i == 1 ? "This file cannot tell it from:\n" : "or\n");
         tell_explanation(rival, out);
         if (*rival->apart) {
+            char file[sizeof table->file.file * 4 + 3] = "";
+            text_append_shell(file, sizeof file, table->file.file);
             visible_print(out, "  (%s them apart: %s, then\n", rival->apart,
                           *rival->set ? "let your code run so" : "let your code write it");
             visible_print(out, "  matvib diagnose %s%s%s %s)\n", scenario, *rival->set ? " --set " : "",
-                          rival->set, table->file.file);
+                          rival->set, file);
         } else
             visible_print(out, "  (none of %d runs of both tells them apart)\n", rival->compared);
     }

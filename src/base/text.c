@@ -190,6 +190,19 @@ void text_append(char *out, size_t size, const char *format, ...)
     va_end(arguments);
 }
 
+void text_append_shell(char *out, size_t size, const char *word)
+{
+    static const char plain[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./=,:+%@-";
+    if (*word && word[strspn(word, plain)] == '\0') {
+        text_append(out, size, "%s", word);
+        return;
+    }
+    text_append(out, size, "'");
+    for (; *word; word++)
+        text_append(out, size, *word == '\'' ? "'\\''" : "%c", *word);
+    text_append(out, size, "'");
+}
+
 void text_or(char *out, size_t size, const char *word)
 {
     text_append(out, size, "%s%s", *out ? " | " : "", word);

@@ -267,11 +267,12 @@ static bool write_table(const Files *all, Status *status)
 static void write_scenario(const Options *options, char *out, size_t size)
 {
     out[0] = '\0';
-    text_append(out, size, "%s", options->words[0]);
+    text_append_shell(out, size, options->words[0]);
     for (int i = 0; i < options->n_overrides; i++) {
-        const Override *one = &options->overrides[i];
-        const char *quote = strpbrk(one->value, " '*$") ? "\"" : "";
-        text_append(out, size, " --set %s%s=%s%s", quote, one->key, one->value, quote);
+        char word[VALUE_MAX + KEY_MAX] = "";
+        text_append(word, sizeof word, "%s=%s", options->overrides[i].key, options->overrides[i].value);
+        text_append(out, size, " --set ");
+        text_append_shell(out, size, word);
     }
 }
 

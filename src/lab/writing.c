@@ -5,6 +5,7 @@
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "base/output.h"
+#include "base/text.h"
 #include "scenario/scenario.h"
 
 #include <stdio.h>
@@ -46,8 +47,11 @@ static bool write_scenario(Laboratory *lab, const char *name)
                        scenario_write(file.stream, &settings, NULL, &status);
     if (!output_end(&file, sound, &status))
         laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
-    else
-        laboratory_say(lab, MESSAGE_INFO, "wrote %s; open it with: matvib %s", name, name);
+    else {
+        char word[sizeof lab->message.text] = "";
+        text_append_shell(word, sizeof word, name);
+        laboratory_say(lab, MESSAGE_INFO, "wrote %s; open it with: matvib %s", name, word);
+    }
     return true;
 }
 

@@ -17,7 +17,7 @@
 #ifndef LESSONS_EXPRESSION_H
 #define LESSONS_EXPRESSION_H
 
-#include "lessons/run_numbers.h"
+#include "answers/run_numbers.h"
 #include "scenario/parameters.h"
 
 enum { EXPRESSION_MAX = 240, EXPRESSION_STEPS_MAX = 96, EXPRESSION_CLAIMS_MAX = 8 };

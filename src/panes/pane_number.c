@@ -2,7 +2,7 @@
 /* The plain sheet: the number that the scenario is about in large digits, what it is called below them, and
  * what is asked above it. */
 #include "panes/panes.h"
-#include "lessons/run_numbers.h"
+#include "answers/run_numbers.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -142,7 +142,7 @@ struct Problem {
     bool si; /* numbers are in SI units; else in units of one's own that fit each other */
     const char *unit_of_time;
     const char *answer; /* what the answer beside a run is called: "exact", "beam theory" */
-    const char *about;  /* what a scenario that does not say is about: a word of lessons/run_numbers.h */
+    const char *about;  /* what a scenario that does not say is about: a word of answers/run_numbers.h */
     double shown_time;  /* a time is shown as so many of these */
     const char *shown_time_unit; /* with a space before it; "": a bare number */
     bool end_matters;            /* another time.end is another run from the start on */

@@ -21,7 +21,7 @@ typedef struct ViewSettings {
     char upper[VALUE_MAX], lower[VALUE_MAX], window[VALUE_MAX], pace[VALUE_MAX];
     char colour[VALUE_MAX], exaggeration[VALUE_MAX], references[VALUE_MAX];
     char sheet[VALUE_MAX]; /* how much of the screen there is: one of parameter_sheet_words */
-    char about[VALUE_MAX]; /* the number that it is about: a word of run_numbers (lessons/run_numbers.h) */
+    char about[VALUE_MAX]; /* the number that it is about: a word of run_numbers (answers/run_numbers.h) */
     char ask[LIST_MAX];    /* keys of the parameters that it asks about: settings_asked() */
 } ViewSettings;
 

@@ -3,7 +3,7 @@
 #include "views/view.h"
 #include "scenario/concern_output.h"
 #include "base/text.h"
-#include "lessons/run_numbers.h"
+#include "answers/run_numbers.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -71,6 +71,22 @@ START_TEST(distance_counts_edits)
 }
 END_TEST
 
+/* A name from outside does nothing in a command that is pasted. */
+START_TEST(words_are_quoted_for_a_shell)
+{
+    static const char *const words[][2] = {{"mode5", "mode5"},
+                                           {"mesh.cell_size=0.5", "mesh.cell_size=0.5"},
+                                           {"", "''"},
+                                           {"my bar.ini", "'my bar.ini'"},
+                                           {"a;rm b", "'a;rm b'"},
+                                           {"$(id)`id`", "'$(id)`id`'"},
+                                           {"it's", "'it'\\''s'"}};
+    char text[40] = "";
+    text_append_shell(text, sizeof text, words[_i][0]);
+    ck_assert_str_eq(text, words[_i][1]);
+}
+END_TEST
+
 START_TEST(symbols_are_spelled)
 {
     static const char *const pairs[][2] = {
@@ -104,5 +120,6 @@ void add_cases(Suite *suite)
     TCase *words = tcase_create("words");
     tcase_add_test(words, distance_counts_edits);
     tcase_add_test(words, symbols_are_spelled);
+    tcase_add_loop_test(words, words_are_quoted_for_a_shell, 0, 7);
     suite_add_tcase(suite, words);
 }

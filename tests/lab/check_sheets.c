@@ -4,7 +4,7 @@
 #include "suite.h"
 #include "lab/tui_case.h"
 #include "lab/session/state_file.h"
-#include "lessons/run_numbers.h"
+#include "answers/run_numbers.h"
 #include "panes/panes.h"
 #include "scenario/scenario.h"
 #include "scenario/concern_output.h"

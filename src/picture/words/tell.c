@@ -7,7 +7,7 @@
 #include "scenario/rows/rows.h"
 #include "answers/dispersion_curves.h"
 #include "base/text.h"
-#include "lessons/run_numbers.h"
+#include "answers/run_numbers.h"
 #include "panes/panes.h"
 #include "views/views.h"
 #include "panes/key_line.h"

@@ -2,8 +2,8 @@
 /* The numbers of a run that an exercise may speak of, and that a scenario may be about: words for what the
  * readout, the energy, the findings and the crack come to. One row a word; the manual for writers of lessons
  * and scenarios is made from them. */
-#ifndef LESSONS_RUN_NUMBERS_H
-#define LESSONS_RUN_NUMBERS_H
+#ifndef ANSWERS_RUN_NUMBERS_H
+#define ANSWERS_RUN_NUMBERS_H
 
 #include "answers/summary.h"
 

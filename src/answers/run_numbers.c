@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The table of a run's numbers (run_numbers.h). */
-#include "lessons/run_numbers.h"
+#include "answers/run_numbers.h"
 #include "base/math/functions.h"
 
 #include "problems/problem.h"
