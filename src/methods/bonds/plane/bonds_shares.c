@@ -47,6 +47,8 @@ static int larger(int a, int b)
 static void share(FamilyValue what, const double *values, int first, int count, RowSlice slice)
 {
     const int from = larger(first, slice.from), end = smaller(first + count, slice.end);
+    if (from >= end) /* a slice may be empty, and have no values */
+        return;
     double *out = slice.out + (from - slice.from);
     values += from - first;
     for (int i = 0; what == BOND_ENERGY && i < end - from; i++)
