@@ -200,46 +200,6 @@ static double axis_length(const Axis *axis)
     return axis_place(axis, axis->high) - axis_place(axis, axis->low);
 }
 
-/* From 0 outwards, each far enough from the one before. */
-static int root_ticks(const Axis *axis, double ticks[TICKS_MAX])
-{
-    static const double ladder[] = {1, 5, 20, 50};
-    const double least = axis->step * axis_length(axis) * (1 - 1e-9);
-    double below[TICKS_MAX];
-    int n_below = 0, count = 0;
-    for (int sign = -1; sign <= 1; sign += 2) {
-        const double end = sign < 0 ? -axis->low : axis->high;
-        double before = 0;
-        if (!(end > 0))
-            continue;
-        for (int decade = decade_of(end) / 2 * 2 - 6; decade <= decade_of(end) + 2; decade += 2)
-            for (int i = 0; i < 4; i++) {
-                const double value = ladder[i] * power_of_ten(decade), place = sqrt(value);
-                if (value > end * (1 + 1e-9) || place - before < least)
-                    continue;
-                before = place;
-                if (sign < 0 && n_below < TICKS_MAX / 2 - 1)
-                    below[n_below++] = -value;
-                else if (sign > 0 && count < TICKS_MAX / 2)
-                    ticks[n_below + 1 + count++] = value;
-            }
-    }
-    for (int i = 0; i < n_below; i++)
-        ticks[i] = below[n_below - 1 - i];
-    ticks[n_below] = 0;
-    return n_below + 1 + count;
-}
-
-static int log_ticks(const Axis *axis, double ticks[TICKS_MAX])
-{
-    const int first = decade_of(axis->low), last = decade_of(axis->high), step = (int)axis->step;
-    int count = 0;
-    for (int decade = first; decade <= last && count < TICKS_MAX; decade++)
-        if ((last - decade) % step == 0)
-            ticks[count++] = power_of_ten(decade);
-    return count;
-}
-
 double axis_enlargement(double reach, double room)
 {
     if (!(reach > 0))
@@ -251,10 +211,42 @@ double axis_enlargement(double reach, double room)
 
 int axis_ticks(const Axis *axis, double ticks[TICKS_MAX])
 {
-    if (axis->scale == SCALE_ROOT)
-        return root_ticks(axis, ticks);
-    if (axis->scale == SCALE_LOG)
-        return log_ticks(axis, ticks);
+    if (axis->scale == SCALE_ROOT) {
+        /* From 0 outwards, each far enough from the one before. */
+        static const double ladder[] = {1, 5, 20, 50};
+        const double least = axis->step * axis_length(axis) * (1 - 1e-9);
+        double below[TICKS_MAX];
+        int n_below = 0, count = 0;
+        for (int sign = -1; sign <= 1; sign += 2) {
+            const double end = sign < 0 ? -axis->low : axis->high;
+            double before = 0;
+            if (end <= 0)
+                continue;
+            for (int decade = decade_of(end) / 2 * 2 - 6; decade <= decade_of(end) + 2; decade += 2)
+                for (int i = 0; i < 4; i++) {
+                    const double value = ladder[i] * power_of_ten(decade), place = sqrt(value);
+                    if (value > end * (1 + 1e-9) || place - before < least)
+                        continue;
+                    before = place;
+                    if (sign < 0 && n_below < TICKS_MAX / 2 - 1)
+                        below[n_below++] = -value;
+                    else if (sign > 0 && count < TICKS_MAX / 2)
+                        ticks[n_below + 1 + count++] = value;
+                }
+        }
+        for (int i = 0; i < n_below; i++)
+            ticks[i] = below[n_below - 1 - i];
+        ticks[n_below] = 0;
+        return n_below + 1 + count;
+    }
+    if (axis->scale == SCALE_LOG) {
+        const int first = decade_of(axis->low), last = decade_of(axis->high), step = (int)axis->step;
+        int count = 0;
+        for (int decade = first; decade <= last && count < TICKS_MAX; decade++)
+            if ((last - decade) % step == 0)
+                ticks[count++] = power_of_ten(decade);
+        return count;
+    }
     double slack = 1e-9 * (axis->high - axis->low);
     double first = ceil((axis->low - slack) / axis->step);
     int count = ticks_within(axis->low, axis->high, axis->step);

@@ -72,28 +72,6 @@ static Axis axis_in_millimetres(double low, double high, int most)
     return axis;
 }
 
-/* What is seen: as much as on the screen; a body that is pressed fills the picture, but for its supports. */
-static void lay_axes(Picture *picture, const BodyRoom *room)
-{
-    const PictureMap *map = picture->map;
-    double low[2], high[2];
-    for (int d = 0; d < 2; d++) {
-        const double half = picture->body[d] / 2.0 / map->scale[d],
-                     margin = (d == 0 ? 0.01 : 0.1) * room->size[d];
-        const bool fills = room->pressed && !map->is_part;
-        low[d] = fills ? room->low[d] - margin : map->middle[d] - half;
-        high[d] = fills ? room->low[d] + room->size[d] + margin : map->middle[d] + half;
-    }
-    if (room->in_box) {
-        picture_axes(picture, axis_with_limits(low[0], high[0], picture->body[0] / 9), "x", "",
-                     axis_with_limits(low[1], high[1], 5), "y", "");
-        return;
-    }
-    const Axis x = axis_in_millimetres(low[0], high[0], picture->body[0] / 9),
-               y = axis_in_millimetres(low[1], high[1], 5);
-    picture_axes(picture, x, "x", "m", y, "y", "m");
-}
-
 void picture_lay_body(Picture *picture, const BodyRoom *room)
 {
     PictureMap *map = picture->map;
@@ -125,7 +103,24 @@ void picture_lay_body(Picture *picture, const BodyRoom *room)
         map->keys_at = columns + 2;
         map->middle[0] += (width - columns - 1) / 2.0 / map->scale[0];
     }
-    lay_axes(picture, room);
+    /* What is seen: as much as on the screen; a body that is pressed fills the picture, but for its
+     * supports. */
+    double low[2], high[2];
+    for (int d = 0; d < 2; d++) {
+        const double half = picture->body[d] / 2.0 / map->scale[d],
+                     margin = (d == 0 ? 0.01 : 0.1) * room->size[d];
+        const bool fills = room->pressed && !map->is_part;
+        low[d] = fills ? room->low[d] - margin : map->middle[d] - half;
+        high[d] = fills ? room->low[d] + room->size[d] + margin : map->middle[d] + half;
+    }
+    if (room->in_box) {
+        picture_axes(picture, axis_with_limits(low[0], high[0], picture->body[0] / 9), "x", "",
+                     axis_with_limits(low[1], high[1], 5), "y", "");
+        return;
+    }
+    const Axis x = axis_in_millimetres(low[0], high[0], picture->body[0] / 9),
+               y = axis_in_millimetres(low[1], high[1], 5);
+    picture_axes(picture, x, "x", "m", y, "y", "m");
 }
 
 bool picture_in_sight(const Picture *picture, double x, double y, double margin)
@@ -212,39 +207,31 @@ void picture_lay_row(const Picture *picture, StripRow *row)
 
 enum { MARGIN_RIGHT = 11, DRAWN_LEAST = 3, COLUMNS_LEAST = 20, WORDS_ROW = 1 };
 
-/* In rows below the heading. False: there are too few. */
-static bool lay_whole(const Picture *picture, DrawingRoom *room)
-{
-    const int most = picture->rows - 1 - 2 * room->around;
-    while (room->lengths > 1 && room->lengths + DRAWN_LEAST > most - 1)
-        room->lengths--;
-    const int rows = most - room->lengths - (most > room->lengths + DRAWN_LEAST ? WORDS_ROW : 0);
-    const double wanted = room->size[1] * room->scale / 2;
-    if (wanted > rows - 1 && wanted * WORTH_IT < rows - 1)
-        room->scale *= (rows - 1) / wanted;
-    room->top = -1 - room->around;
-    room->bottom = room->top - fmin(fmax(round(room->size[1] * room->scale / 2), DRAWN_LEAST - 1), rows - 1);
-    room->apart = 1;
-    return rows >= DRAWN_LEAST;
-}
-
-/* With as much height as it takes. */
-static void lay_free(DrawingRoom *room)
-{
-    room->top = -room->around - 0.5;
-    room->bottom = room->top - fmax(room->size[1] * room->scale / 2, DRAWN_LEAST - 1);
-    room->apart = APART;
-}
-
 bool picture_lay_drawing(Picture *picture, DrawingRoom *room)
 {
     const int columns = picture->columns - 2 - MARGIN_RIGHT;
     room->scale = columns / room->size[0];
     bool fits = columns >= COLUMNS_LEAST;
-    if (fits && picture->whole)
-        fits = lay_whole(picture, room);
-    else if (fits)
-        lay_free(room);
+    if (fits && picture->whole) {
+        /* In rows below the heading. False: there are too few. */
+        const int most = picture->rows - 1 - 2 * room->around;
+        while (room->lengths > 1 && room->lengths + DRAWN_LEAST > most - 1)
+            room->lengths--;
+        const int rows = most - room->lengths - (most > room->lengths + DRAWN_LEAST ? WORDS_ROW : 0);
+        const double wanted = room->size[1] * room->scale / 2;
+        if (wanted > rows - 1 && wanted * WORTH_IT < rows - 1)
+            room->scale *= (rows - 1) / wanted;
+        room->top = -1 - room->around;
+        room->bottom =
+            room->top - fmin(fmax(round(room->size[1] * room->scale / 2), DRAWN_LEAST - 1), rows - 1);
+        room->apart = 1;
+        fits = rows >= DRAWN_LEAST;
+    } else if (fits) {
+        /* With as much height as it takes. */
+        room->top = -room->around - 0.5;
+        room->bottom = room->top - fmax(room->size[1] * room->scale / 2, DRAWN_LEAST - 1);
+        room->apart = APART;
+    }
     if (!fits) {
         picture_say(picture, "drawing",
                     picture->whole ? "z gives the drawing the room that it needs" : "it needs a wider page");

@@ -104,20 +104,6 @@ void canvas_put(Canvas *canvas, int x, int y, uint32_t glyph, Style style)
         *next = (Cell){.glyph = CELL_FOLLOWS, .style = (uint16_t)style};
 }
 
-/* Half a number is worse than none: the ellipsis takes the place of all of it. */
-static void drop_cut_number(Canvas *canvas, int x, int y, int ellipsis, Style style)
-{
-    if (y < 0 || y >= canvas->height)
-        return;
-    const Cell *row = canvas->cells + (size_t)y * (size_t)canvas->width;
-    int at = ellipsis;
-    while (at > x && at <= canvas->width && row[at - 1].glyph < 0x80 &&
-           strchr("0123456789.", (int)row[at - 1].glyph))
-        at--;
-    for (int i = at; i <= ellipsis && at < ellipsis; i++)
-        canvas_put(canvas, i, y, i == at ? ELLIPSIS : ' ', style);
-}
-
 int canvas_text(Canvas *canvas, int x, int y, int width, const char *text, Style style)
 {
     int used = 0;
@@ -129,8 +115,19 @@ int canvas_text(Canvas *canvas, int x, int y, int width, const char *text, Style
         cut = used + columns > width || (used + columns == width && *text != '\0');
         canvas_put(canvas, x + used, y, cut ? ELLIPSIS : glyph, style);
         used += cut ? 1 : columns;
-        if (cut)
-            drop_cut_number(canvas, x, y, x + used - 1, style);
+        if (cut) {
+            /* Half a number is worse than none: the ellipsis takes the place of all of it. */
+            const int ellipsis = x + used - 1;
+            if (y >= 0 && y < canvas->height) {
+                const Cell *row = canvas->cells + (size_t)y * (size_t)canvas->width;
+                int at = ellipsis;
+                while (at > x && at <= canvas->width && row[at - 1].glyph < 0x80 &&
+                       strchr("0123456789.", (int)row[at - 1].glyph))
+                    at--;
+                for (int i = at; i <= ellipsis && at < ellipsis; i++)
+                    canvas_put(canvas, i, y, i == at ? ELLIPSIS : ' ', style);
+            }
+        }
     }
     return used;
 }

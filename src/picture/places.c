@@ -155,16 +155,6 @@ static int write_arrows(Places *places, const Picture *picture, bool brief)
     return written;
 }
 
-/* Where in full one of them has no room, the first one says what the numbers of the others are. */
-static void write_on_arrows(Places *places, const Picture *picture)
-{
-    Places tried = *places;
-    tried.write = write_nothing;
-    const int in_full = write_arrows(&tried, picture, false);
-    tried.n_taken = places->n_taken;
-    write_arrows(places, picture, write_arrows(&tried, picture, true) > in_full);
-}
-
 /* Beside its thing, the first as a bare number: drawings of many arrows name in their heading what it is. */
 static void write_side_words(Places *places, const Picture *picture, bool below)
 {
@@ -206,7 +196,12 @@ void places_write(Places *places, const Picture *picture)
     }
     write_labels(places, picture, false, false);
     write_side_words(places, picture, false);
-    write_on_arrows(places, picture);
+    /* Where in full one of them has no room, the first one says what the numbers of the others are. */
+    Places tried = *places;
+    tried.write = write_nothing;
+    const int in_full = write_arrows(&tried, picture, false);
+    tried.n_taken = places->n_taken;
+    write_arrows(places, picture, write_arrows(&tried, picture, true) > in_full);
     write_side_words(places, picture, true);
     write_labels(places, picture, false, true);
     write_labels(places, picture, true, false);

@@ -182,15 +182,6 @@ static void draw_line(const Plot *plot, const Stroke *stroke, Raster *raster)
     }
 }
 
-static void draw_dots(const Plot *plot, const Stroke *stroke, Raster *raster)
-{
-    for (size_t i = 0; i < stroke->count; i++) {
-        Place here = place_of(plot, raster, stroke->first + i);
-        if (fabs(here.x) < 1e6 && fabs(here.y) < 1e6)
-            put_dot(raster, stroke, dot_of(here.x), dot_of(here.y));
-    }
-}
-
 static bool band_lit(int fill, int x, int y)
 {
     switch (fill) {
@@ -246,26 +237,6 @@ static uint32_t glyph_of(const Raster *raster, const Spot *spot)
     return halves[spot->dots & 3];
 }
 
-/* The strokes as they are, finer than any cell. */
-static void describe(const Plot *plot, const Raster *raster, Area area)
-{
-    canvas_vector(area.canvas, ";A%d,%d,%d,%d", area.rect.x, area.rect.y, area.rect.width, area.rect.height);
-    for (int i = 0; i < plot->n_strokes && area.canvas->vectored; i++) {
-        const Stroke *stroke = &plot->strokes[i];
-        const bool band = stroke->kind == STROKE_BAND;
-        canvas_vector(area.canvas, ";%c%d,%d,%d", "LDB"[stroke->kind], (int)stroke -> style,
-                      band ? stroke -> fill : (int)stroke -> line, stroke -> rank);
-        for (size_t k = 0; k < stroke->count; k++) {
-            const Place here = place_of(plot, raster, stroke->first + k);
-            if (fabs(here.x) < VECTOR_FAR && fabs(here.y) < VECTOR_FAR)
-                canvas_vector(area.canvas, " %ld,%ld", lround(16 * here.x / raster->across),
-                              lround(16 * here.y / raster->down));
-            else if (!band)
-                canvas_vector(area.canvas, " -");
-        }
-    }
-}
-
 static Raster raster_of(Area area)
 {
     return (Raster){
@@ -300,9 +271,13 @@ void plot_draw(const Plot *plot, Area area)
         const Stroke *stroke = &plot->strokes[i];
         if (stroke->kind == STROKE_LINE)
             draw_line(plot, stroke, &raster);
-        else if (stroke->kind == STROKE_DOTS)
-            draw_dots(plot, stroke, &raster);
-        else
+        else if (stroke->kind == STROKE_DOTS) {
+            for (size_t j = 0; j < stroke->count; j++) {
+                Place here = place_of(plot, &raster, stroke->first + j);
+                if (fabs(here.x) < 1e6 && fabs(here.y) < 1e6)
+                    put_dot(&raster, stroke, dot_of(here.x), dot_of(here.y));
+            }
+        } else
             draw_band(plot, stroke, &raster);
     }
     for (int y = 0; y < raster.rows; y++)
@@ -311,7 +286,22 @@ void plot_draw(const Plot *plot, Area area)
             if (spot->rank >= 0 && (spot->dots || spot->glyph))
                 area_put(area, x, y, glyph_of(&raster, spot), (Style)spot->style);
         }
-    describe(plot, &raster, area);
+    /* The strokes as they are, finer than any cell. */
+    canvas_vector(area.canvas, ";A%d,%d,%d,%d", area.rect.x, area.rect.y, area.rect.width, area.rect.height);
+    for (int i = 0; i < plot->n_strokes && area.canvas->vectored; i++) {
+        const Stroke *stroke = &plot->strokes[i];
+        const bool band = stroke->kind == STROKE_BAND;
+        canvas_vector(area.canvas, ";%c%d,%d,%d", "LDB"[stroke->kind], (int)stroke -> style,
+                      band ? stroke -> fill : (int)stroke -> line, stroke -> rank);
+        for (size_t k = 0; k < stroke->count; k++) {
+            const Place here = place_of(plot, &raster, stroke->first + k);
+            if (fabs(here.x) < VECTOR_FAR && fabs(here.y) < VECTOR_FAR)
+                canvas_vector(area.canvas, " %ld,%ld", lround(16 * here.x / raster.across),
+                              lround(16 * here.y / raster.down));
+            else if (!band)
+                canvas_vector(area.canvas, " -");
+        }
+    }
     free(raster.spots);
 }
 

@@ -70,12 +70,6 @@ static int rows_under(const Picture *picture, int columns, int rows)
     return wanted < room ? wanted : room;
 }
 
-/* Of an axis that moves there are fewer, for its labels may become longer. */
-static int ticks_along(const Picture *picture)
-{
-    return (picture->across + (picture->plot.x.moves ? 0 : GUTTER + 1)) / TICK_COLUMNS;
-}
-
 static int ticks_up(const Axis *axis, int rows)
 {
     if (axis->scale == SCALE_ROOT) /* which leaves out most of them itself */
@@ -87,7 +81,9 @@ void cells_fit(Picture *picture, int rows)
 {
     ASSERT_INT(rows, >=, 0);
     const int plot = rows - 2 - rows_under(picture, picture->columns, rows);
-    picture_ticks(picture, ticks_along(picture), ticks_up(&picture->plot.y, plot));
+    /* Of an axis that moves there are fewer, for its labels may become longer. */
+    picture_ticks(picture, (picture->across + (picture->plot.x.moves ? 0 : GUTTER + 1)) / TICK_COLUMNS,
+                  ticks_up(&picture->plot.y, plot));
 }
 
 /* --- legend ---------------------------------------------------------------------------------------- */
@@ -182,30 +178,6 @@ static void draw_rules(const Picture *picture, Area inner)
     }
 }
 
-/* A letter is beside its dot, on the side where there is room; those of dots on one place in a row. */
-static void draw_letter(const Picture *picture, Area inner, size_t mark, int column, int row)
-{
-    const Plot *plot = &picture->plot;
-    int apart = 2;
-    for (size_t i = 0; i < mark; i++)
-        apart += 2 * (picture->marks[i].letter &&
-                      axis_column(&plot->x, picture->marks[i].x, inner.rect.width) == column &&
-                      axis_row(&plot->y, picture->marks[i].y, inner.rect.height) == row);
-    area_put(inner, column + apart < inner.rect.width ? column + apart : column - apart, row,
-             (uint32_t)(unsigned char)picture->marks[mark].letter, picture->marks[mark].style);
-}
-
-/* Of a dot of braille the half in which it lies, upright if it is a line; it joins what is there. */
-static uint32_t fine_glyph(const PictureMark *mark, const Axis *x, Area inner, int column, int row)
-{
-    enum { BLANK = 0x2800, LEFT_HALF = 0x47, UPRIGHT = 0xff, MIDDLE = 0x36 };
-    const double place = (mark->x - x->low) / (x->high - x->low) * inner.rect.width;
-    const uint32_t before = area_cell(inner, column, row)->glyph,
-                   half = place - column < 0.5 - 1e-9 ? 0 : 0xff;
-    const uint32_t dots = (mark->glyph == '|' ? UPRIGHT : MIDDLE) & (half ^ LEFT_HALF);
-    return dots | (before >= BLANK && before <= BLANK + 0xff ? before : BLANK);
-}
-
 static void draw_marks(const Picture *picture, Area inner)
 {
     for (size_t i = 0; i < picture->n_marks; i++) {
@@ -220,35 +192,39 @@ static void draw_marks(const Picture *picture, Area inner)
         uint32_t glyph = inner.glyphs == GLYPHS_ASCII && mark->ascii ? (uint32_t)mark->ascii : mark->glyph;
         if (mark->kind == MARK_BAR)
             glyph = area_bar(inner, mark->share);
-        else if (mark->kind == MARK_FINE && inner.glyphs == GLYPHS_BRAILLE)
-            glyph = fine_glyph(mark, &picture->plot.x, inner, column, row);
+        else if (mark->kind == MARK_FINE && inner.glyphs == GLYPHS_BRAILLE) {
+            /* Of a dot of braille the half in which it lies, upright if it is a line; it joins what is
+             * there. */
+            const Axis *x = &picture->plot.x;
+            enum { BLANK = 0x2800, LEFT_HALF = 0x47, UPRIGHT = 0xff, MIDDLE = 0x36 };
+            const double place = (mark->x - x->low) / (x->high - x->low) * inner.rect.width;
+            const uint32_t before = area_cell(inner, column, row)->glyph,
+                           half = place - column < 0.5 - 1e-9 ? 0 : 0xff;
+            const uint32_t dots = (mark->glyph == '|' ? UPRIGHT : MIDDLE) & (half ^ LEFT_HALF);
+            glyph = dots | (before >= BLANK && before <= BLANK + 0xff ? before : BLANK);
+        }
         const bool beside = mark->kind == MARK_BESIDE, shifted = beside || mark->kind == MARK_BAR;
         Area around = inner;
         around.rect.width += beside; /* a wall is in the margin */
         area_put(around, column + (shifted ? mark->side[0] : 0), row, glyph, mark->style);
         if (!shifted)
             plot_describe_mark(&picture->plot, inner, mark->x, mark->y, mark->glyph, mark->style);
-        if (mark->letter)
-            draw_letter(picture, inner, i, column, row);
+        if (mark->letter) {
+            /* A letter is beside its dot, on the side where there is room; those of dots on one place in a
+             * row. */
+            const Plot *plot = &picture->plot;
+            int apart = 2;
+            for (size_t j = 0; j < i; j++)
+                apart += 2 * (picture->marks[j].letter &&
+                              axis_column(&plot->x, picture->marks[j].x, inner.rect.width) == column &&
+                              axis_row(&plot->y, picture->marks[j].y, inner.rect.height) == row);
+            area_put(inner, column + apart < inner.rect.width ? column + apart : column - apart, row,
+                     (uint32_t)(unsigned char)picture->marks[i].letter, picture->marks[i].style);
+        }
     }
 }
 
 /* --- words ----------------------------------------------------------------------------------------- */
-
-static void draw_note(const PictureNote *note, Area area, int x, int y, int rows)
-{
-    char text[PICTURE_TEXT_MAX];
-    if (note->sign) {
-        area_put(area, x, y, note->sign, note->sign_style);
-        x += 2;
-    }
-    const bool is_long = note->brief[0] && area_rows_of_phrases(note->text, area.rect.width - x) > rows;
-    glyphs_plain(area.glyphs, is_long ? note->brief : note->text, text, sizeof text);
-    if (glyphs_columns(text) <= area.rect.width - x)
-        area_text(area, x, y, text, note->style);
-    else
-        area_phrases(area, x, y, area.rect.width - x, rows, text, note->style);
-}
 
 /* Each on rows of its own; what joins goes on behind the one before where lines are long or rows are few. */
 static void draw_notes(const Picture *picture, Area area)
@@ -259,7 +235,18 @@ static void draw_notes(const Picture *picture, Area area)
         PictureNote line;
         i = line_of_notes(picture, i, area.rect.width, joined, &line);
         const int given = line.rows < rows - y ? line.rows : rows - y;
-        draw_note(&line, area, 1, y, given);
+        int x = 1;
+        char text[PICTURE_TEXT_MAX];
+        if (line.sign) {
+            area_put(area, x, y, line.sign, line.sign_style);
+            x += 2;
+        }
+        const bool is_long = line.brief[0] && area_rows_of_phrases(line.text, area.rect.width - x) > given;
+        glyphs_plain(area.glyphs, is_long ? line.brief : line.text, text, sizeof text);
+        if (glyphs_columns(text) <= area.rect.width - x)
+            area_text(area, x, y, text, line.style);
+        else
+            area_phrases(area, x, y, area.rect.width - x, given, text, line.style);
         y += given;
     }
 }
@@ -282,13 +269,6 @@ static void write_words(const Places *places, double left, double top, const cha
     area_text(*inner, (int)left, (int)top, plain, style);
 }
 
-static uint32_t head_of(const Places *places, const Picture *picture, const PictureArrow *arrow)
-{
-    return glyph_arrow(
-        places_across(places, picture, arrow->to[0]) - places_across(places, picture, arrow->from[0]),
-        places_down(places, picture, arrow->to[1]) - places_down(places, picture, arrow->from[1]));
-}
-
 static void draw_drawing(const Picture *picture, Area inner)
 {
     Places places = {.width = inner.rect.width,
@@ -303,7 +283,11 @@ static void draw_drawing(const Picture *picture, Area inner)
     for (int i = 0; i < picture->n_arrows; i++) {
         const PictureArrow *arrow = &picture->arrows[i];
         area_put(inner, (int)places_across(&places, picture, arrow->to[0]),
-                 (int)places_down(&places, picture, arrow->to[1]), head_of(&places, picture, arrow),
+                 (int)places_down(&places, picture, arrow->to[1]),
+                 glyph_arrow(places_across(&places, picture, arrow->to[0]) -
+                                 places_across(&places, picture, arrow->from[0]),
+                             places_down(&places, picture, arrow->to[1]) -
+                                 places_down(&places, picture, arrow->from[1])),
                  arrow->style);
     }
     draw_marks(picture, inner);
@@ -318,15 +302,6 @@ static Rect strip_rect(const Picture *picture, Rect rect)
     return (Rect){rect.x + 1, rect.y + (picture->heading[0] != '\0'), picture->body[0], picture->body[1]};
 }
 
-/* What its bars are. */
-static void name_bars(const Picture *picture, Area words, int y)
-{
-    for (int i = 0, x = 0; i < picture->n_keys; i++, x += 2) {
-        area_put(words, x, y, area_bar(words, 1), picture->keys[i].style);
-        x += 2 + area_text(words, x + 2, y, picture->keys[i].name, STYLE_NORMAL);
-    }
-}
-
 static void draw_strip(const Picture *picture, Area area, Style heading)
 {
     const Rect body = strip_rect(picture, (Rect){0});
@@ -338,7 +313,12 @@ static void draw_strip(const Picture *picture, Area area, Style heading)
     draw_marks(picture, inner);
     for (int i = 0; i < 2 && i < picture->n_notes - (picture->n_keys > 0); i++)
         area_text(words, 0, i * (body.height - 1), picture->notes[i].text, picture->notes[i].style);
-    name_bars(picture, words, body.height - 1);
+    /* What its bars are. */
+    const int y = body.height - 1;
+    for (int i = 0, x = 0; i < picture->n_keys; i++, x += 2) {
+        area_put(words, x, y, area_bar(words, 1), picture->keys[i].style);
+        x += 2 + area_text(words, x + 2, y, picture->keys[i].name, STYLE_NORMAL);
+    }
     for (int i = 0; i < picture->n_labels; i++)
         area_phrases(area, 1, body.y + body.height + 1 + i, area.rect.width - 2, 1, picture->labels[i].text,
                      picture->labels[i].style);

@@ -26,14 +26,6 @@ static void add_arms(Area area, int x, int y, int arms, Style style)
         area_put(area, x, y, frames[arms | arms_of(area_cell(area, x, y)->glyph)], style);
 }
 
-/* A tick lies within a cell, on one side of its middle or on both. */
-static int tick_arms(double from_x, double from_y, double to_x, double to_y, int x, int y)
-{
-    const double least = 0.01;
-    return (fmin(from_x, to_x) < x - least ? LEFT : 0) | (fmax(from_x, to_x) > x + least ? RIGHT : 0) |
-           (fmin(from_y, to_y) < y - least ? UP : 0) | (fmax(from_y, to_y) > y + least ? DOWN : 0);
-}
-
 static void draw_line(Area area, double from_x, double from_y, double to_x, double to_y, Style style)
 {
     const double across = to_x - from_x, down = to_y - from_y, count = round(fmax(fabs(across), fabs(down)));
@@ -41,7 +33,12 @@ static void draw_line(Area area, double from_x, double from_y, double to_x, doub
         from_x == round(from_x) && to_x == round(to_x) && from_y == round(from_y) && to_y == round(to_y);
     if (!whole && fabs(across) + fabs(down) <= 1) {
         const int x = (int)round((from_x + to_x) / 2 - 0.01), y = (int)round((from_y + to_y) / 2);
-        add_arms(area, x, y, tick_arms(from_x, from_y, to_x, to_y, x, y), style);
+        /* A tick lies within a cell, on one side of its middle or on both. */
+        const double least = 0.01;
+        add_arms(area, x, y,
+                 (fmin(from_x, to_x) < x - least ? LEFT : 0) | (fmax(from_x, to_x) > x + least ? RIGHT : 0) |
+                     (fmin(from_y, to_y) < y - least ? UP : 0) | (fmax(from_y, to_y) > y + least ? DOWN : 0),
+                 style);
         return;
     }
     const bool lies = fabs(across) > 3 * fabs(down), stands = fabs(down) > 2 * fabs(across);
@@ -63,9 +60,24 @@ static void draw_line(Area area, double from_x, double from_y, double to_x, doub
     }
 }
 
-/* An arm that meets none is a line of its own. */
-static void lengthen(Area area)
+void cells_drawing(const Picture *picture, Area area, Style heading)
 {
+    char title[2 * PICTURE_TEXT_MAX + 2], scale[PICTURE_TEXT_MAX];
+    const int lowest = area.rect.height - 1;
+    for (int i = 0; i < picture->plot.n_strokes; i++) {
+        const Stroke *stroke = &picture->plot.strokes[i];
+        const double *points = picture->plot.points + 2 * stroke->first;
+        if (stroke->kind == STROKE_BAND && stroke->count >= 4) {
+            /* A wall beside an edge: half a row, the one that is nearer to it. */
+            const double near = -points[1], far = -points[3];
+            for (int x = (int)round(points[0]); x <= (int)round(points[4]); x++)
+                area_put(area, x, (int)round(far), far > near ? 0x2580 : 0x2584, stroke->style);
+        }
+        for (size_t j = 1; j < stroke->count && stroke->kind == STROKE_LINE; j++)
+            draw_line(area, points[2 * j - 2], -points[2 * j - 1], points[2 * j], -points[2 * j + 1],
+                      stroke->style);
+    }
+    /* An arm that meets none is a line of its own. */
     for (int y = 0; y < area.rect.height; y++)
         for (int x = 0; x < area.rect.width; x++) {
             const Cell *cell = area_cell(area, x, y);
@@ -73,58 +85,26 @@ static void lengthen(Area area)
             if (arms == LEFT || arms == RIGHT || arms == UP || arms == DOWN)
                 area_put(area, x, y, arms == LEFT || arms == RIGHT ? 0x2500 : 0x2502, (Style)cell->style);
         }
-}
-
-/* A wall beside an edge: half a row, the one that is nearer to it. */
-static void draw_band(Area area, const double *points, Style style)
-{
-    const double near = -points[1], far = -points[3];
-    for (int x = (int)round(points[0]); x <= (int)round(points[4]); x++)
-        area_put(area, x, (int)round(far), far > near ? 0x2580 : 0x2584, style);
-}
-
-static void draw_stroke(const Picture *picture, Area area, const Stroke *stroke)
-{
-    const double *points = picture->plot.points + 2 * stroke->first;
-    if (stroke->kind == STROKE_BAND && stroke->count >= 4)
-        draw_band(area, points, stroke->style);
-    for (size_t i = 1; i < stroke->count && stroke->kind == STROKE_LINE; i++)
-        draw_line(area, points[2 * i - 2], -points[2 * i - 1], points[2 * i], -points[2 * i + 1],
-                  stroke->style);
-}
-
-/* A load as wide as it is. */
-static void draw_mark(Area area, const PictureMark *mark)
-{
-    const bool beside = mark->kind != MARK_PLACE;
-    const int y = (int)round(-mark->y) - (beside ? mark->side[1] : 0);
-    for (double x = mark->x - mark->half; x <= mark->x + mark->half; x++)
-        area_put(area, (int)round(x) + (beside ? mark->side[0] : 0), y, mark->glyph, mark->style);
-}
-
-/* Words keep a space from lines that they break, beside a line of their own where there is no room. */
-static void draw_label(Area area, const PictureLabel *label)
-{
-    char text[sizeof label->text + 2];
-    snprintf(text, sizeof text, label->is_size ? " %s " : "%s", label->text);
-    const int columns = glyphs_columns(text), y = (int)round(-label->y);
-    const int from = label->side > 0   ? (int)label->x
-                     : label->side < 0 ? (int)label->x - columns
-                                       : ((int)(2 * label->x) + 1 - columns) / 2;
-    area_text(area, from, y, text, label->style);
-}
-
-void cells_drawing(const Picture *picture, Area area, Style heading)
-{
-    char title[2 * PICTURE_TEXT_MAX + 2], scale[PICTURE_TEXT_MAX];
-    const int lowest = area.rect.height - 1;
-    for (int i = 0; i < picture->plot.n_strokes; i++)
-        draw_stroke(picture, area, &picture->plot.strokes[i]);
-    lengthen(area);
-    for (size_t i = 0; i < picture->n_marks; i++)
-        draw_mark(area, &picture->marks[i]);
-    for (int i = 0; i < picture->n_labels; i++)
-        draw_label(area, &picture->labels[i]);
+    for (size_t i = 0; i < picture->n_marks; i++) {
+        /* A load as wide as it is. */
+        const PictureMark *mark = &picture->marks[i];
+        const bool beside = mark->kind != MARK_PLACE;
+        const int y = (int)round(-mark->y) - (beside ? mark->side[1] : 0);
+        for (double x = mark->x - mark->half; x <= mark->x + mark->half; x++)
+            area_put(area, (int)round(x) + (beside ? mark->side[0] : 0), y, mark->glyph, mark->style);
+    }
+    for (int i = 0; i < picture->n_labels; i++) {
+        /* Words keep a space from lines that they break, beside a line of their own where there is no room.
+         */
+        const PictureLabel *label = &picture->labels[i];
+        char text[sizeof label->text + 2];
+        snprintf(text, sizeof text, label->is_size ? " %s " : "%s", label->text);
+        const int columns = glyphs_columns(text), y = (int)round(-label->y);
+        const int from = label->side > 0   ? (int)label->x
+                         : label->side < 0 ? (int)label->x - columns
+                                           : ((int)(2 * label->x) + 1 - columns) / 2;
+        area_text(area, from, y, text, label->style);
+    }
     cells_plain_factors(picture->notes[0].text, scale);
     snprintf(title, sizeof title, "%s  %s", picture->heading, scale);
     area_rule(area, 0, title, heading);

@@ -111,18 +111,6 @@ static Sight sight_of(const Picture *picture, int width, int height)
 
 /* --- drawing ----------------------------------------------------------------------------------------- */
 
-/* Which columns there are stands behind the heading. */
-static void draw_heading(const Picture *picture, const Sight *sight, Area area, Style heading)
-{
-    char more[64] = "";
-    area_rule(area, 0, picture->heading, heading);
-    if (picture->list->what[0] && sight->end_column - sight->first_column < picture->list->n_columns)
-        snprintf(more, sizeof more, " ← → columns %d-%d of %d ", sight->first_column + 1, sight->end_column,
-                 picture->list->n_columns);
-    heading_hint(area, 5 + glyphs_columns(picture->heading),
-                 area.rect.width + 1 - (picture->of_side ? SIDE_WIDTH : 2), more);
-}
-
 static Style style_on(Style style, bool marked)
 {
     return marked && style != STYLE_CHANGED ? STYLE_SELECTED : style;
@@ -171,29 +159,20 @@ static int draw_column(const PictureList *list, const Sight *sight, Area area, i
     return end;
 }
 
-/* Its name and its words; of the chosen one the ground, an event's with a pointer. */
-static void draw_row(const PictureList *list, const Sight *sight, Area area, size_t row, int y, bool marked)
-{
-    const int lines = lines_of(list, sight, row), end = sight->heading_rows + sight->room;
-    const PictureCell *words = words_of(list, row);
-    for (int i = 0; i < lines && marked && y + i < end; i++)
-        for (int x = 0; x < area.rect.width; x++)
-            area_put(area, x, y + i, ' ', STYLE_SELECTED);
-    if (marked && list->set < 0)
-        area_put(area, 0, y, '>', STYLE_SELECTED);
-    area_text_right(area, sight->names - 1, y, list->names[row - list->first], style_on(STYLE_FAINT, marked));
-    if (words)
-        area_paragraph(area, sight->words, y, sight->width, end - y, words->words,
-                       style_on(words->style, marked));
-}
-
 void cells_list(const Picture *picture, Area area, Style heading)
 {
     const PictureList *list = picture->list;
     const Sight sight = sight_of(picture, area.rect.width, area.rect.height);
     if (list->what[0] && sight.room < 1)
         return;
-    draw_heading(picture, &sight, area, heading);
+    /* Which columns there are stands behind the heading. */
+    char more[64] = "";
+    area_rule(area, 0, picture->heading, heading);
+    if (picture->list->what[0] && sight.end_column - sight.first_column < picture->list->n_columns)
+        snprintf(more, sizeof more, " ← → columns %d-%d of %d ", sight.first_column + 1, sight.end_column,
+                 picture->list->n_columns);
+    heading_hint(area, 5 + glyphs_columns(picture->heading),
+                 area.rect.width + 1 - (picture->of_side ? SIDE_WIDTH : 2), more);
     const int below = list->count > 0 ? sight.heading_rows + sight.room : sight.heading_rows;
     for (int i = 0; i < picture->n_notes; i++)
         area_text(area, 1, below + i, picture->notes[i].text, picture->notes[i].style);
@@ -201,8 +180,20 @@ void cells_list(const Picture *picture, Area area, Style heading)
         area_text_right(area, sight.names - 1, 1, list->what, STYLE_HEADING);
     int y = sight.heading_rows;
     for (size_t row = sight.first; row < list->count && y < sight.heading_rows + sight.room; row++) {
-        draw_row(list, &sight, area, row, y,
-                 row == list->chosen && (list->set >= 0 || heading == STYLE_FOCUS));
+        /* Its name and its words; of the chosen one the ground, an event's with a pointer. */
+        const bool marked = row == list->chosen && (list->set >= 0 || heading == STYLE_FOCUS);
+        const int lines = lines_of(list, &sight, row), end = sight.heading_rows + sight.room;
+        const PictureCell *words = words_of(list, row);
+        for (int i = 0; i < lines && marked && y + i < end; i++)
+            for (int x = 0; x < area.rect.width; x++)
+                area_put(area, x, y + i, ' ', STYLE_SELECTED);
+        if (marked && list->set < 0)
+            area_put(area, 0, y, '>', STYLE_SELECTED);
+        area_text_right(area, sight.names - 1, y, list->names[row - list->first],
+                        style_on(STYLE_FAINT, marked));
+        if (words)
+            area_paragraph(area, sight.words, y, sight.width, end - y, words->words,
+                           style_on(words->style, marked));
         y += lines_of(list, &sight, row);
     }
     for (int c = sight.first_column, x = sight.names; c < sight.end_column && sight.room > 0; c++)

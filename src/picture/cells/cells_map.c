@@ -170,37 +170,6 @@ static int step_of(const Sheet *sheet, const Pixel *pixel)
     return is_body(pixel) ? step_in(sheet->map, (double)(pixel->sum / pixel->count)) : NOTHING;
 }
 
-static void draw_colours(const Sheet *sheet, int x, int y)
-{
-    const int upper = step_of(sheet, pixel_of(sheet, x, 2 * y));
-    const int lower = step_of(sheet, pixel_of(sheet, x, 2 * y + 1));
-    if (upper == NOTHING && lower == NOTHING)
-        return;
-    const Style above = style_of(sheet->map, upper == NOTHING ? lower : upper),
-                below = style_of(sheet->map, lower == NOTHING ? upper : lower);
-    if (lower == NOTHING)
-        area_put(sheet->area, x, y, 0x2580, above);
-    else if (upper == NOTHING)
-        area_put(sheet->area, x, y, 0x2584, below);
-    else
-        area_put_back(sheet->area, x, y, 0x2580, above, below);
-}
-
-/* The step of a whole cell, from all of its pixels. */
-static int cell_step(const Sheet *sheet, int x, int y)
-{
-    Pixel all = {0, 0, 0};
-    for (int row = 0; row < sheet->down; row++)
-        for (int column = 0; column < sheet->across; column++) {
-            const Pixel *pixel = pixel_of(sheet, x * sheet->across + column, y * sheet->down + row);
-            if (!is_body(pixel))
-                continue;
-            all.sum = sheet->map->kinds ? pixel->sum : all.sum + pixel->sum / pixel->count;
-            all.count = sheet->map->kinds ? 1 : all.count + 1;
-        }
-    return step_of(sheet, &all);
-}
-
 /* Braille: each of the eight dots is set where the value is above the dot's own threshold, so that more ink
  * is more; every other body has fewer dots where no colour tells it. What covers a part of a cell still has a
  * dot. */
@@ -228,42 +197,57 @@ static uint32_t dots_of(const Sheet *sheet, int x, int y)
     return dots == 0x2800 ? dots | any : dots;
 }
 
-/* The colours in pixels of half a cell across and a quarter down. */
-static void describe_heat(const Sheet *sheet)
-{
-    const Area area = sheet->area;
-    Sheet fine = *sheet;
-    fine.across = 2, fine.down = 4;
-    const int columns = area.rect.width * fine.across, rows = area.rect.height * fine.down;
-    fine.pixels = area.canvas->vectored ? calloc((size_t)columns * (size_t)rows, sizeof *fine.pixels) : NULL;
-    if (!fine.pixels)
-        return;
-    cover_all(&fine);
-    canvas_vector(area.canvas, ";M%d,%d ", columns, rows);
-    for (int i = 0, run = 1; i < columns * rows; i++, run++) {
-        const int step = step_of(&fine, &fine.pixels[i]);
-        if (i + 1 < columns * rows && step_of(&fine, &fine.pixels[i + 1]) == step)
-            continue;
-        canvas_vector(area.canvas, "%c", step == NOTHING ? '.' : '@' + (int)style_of(sheet->map, step));
-        if (run > 1)
-            canvas_vector(area.canvas, "%d", run);
-        run = 0;
-    }
-    free(fine.pixels);
-}
-
 static void draw_heat(const Sheet *sheet)
 {
     const Area area = sheet->area;
     cover_all(sheet);
-    describe_heat(sheet);
+    /* The colours in pixels of half a cell across and a quarter down. */
+    Sheet fine = *sheet;
+    fine.across = 2, fine.down = 4;
+    const int columns = area.rect.width * fine.across, rows = area.rect.height * fine.down;
+    fine.pixels = area.canvas->vectored ? calloc((size_t)columns * (size_t)rows, sizeof *fine.pixels) : NULL;
+    if (fine.pixels) {
+        cover_all(&fine);
+        canvas_vector(area.canvas, ";M%d,%d ", columns, rows);
+        for (int i = 0, run = 1; i < columns * rows; i++, run++) {
+            const int step = step_of(&fine, &fine.pixels[i]);
+            if (i + 1 < columns * rows && step_of(&fine, &fine.pixels[i + 1]) == step)
+                continue;
+            canvas_vector(area.canvas, "%c", step == NOTHING ? '.' : '@' + (int)style_of(sheet->map, step));
+            if (run > 1)
+                canvas_vector(area.canvas, "%d", run);
+            run = 0;
+        }
+        free(fine.pixels);
+    }
     for (int y = 0; y < area.rect.height; y++)
         for (int x = 0; x < area.rect.width; x++) {
             if (sheet->coloured) {
-                draw_colours(sheet, x, y);
+                const int upper = step_of(sheet, pixel_of(sheet, x, 2 * y));
+                const int lower = step_of(sheet, pixel_of(sheet, x, 2 * y + 1));
+                if (upper != NOTHING || lower != NOTHING) {
+                    const Style above = style_of(sheet->map, upper == NOTHING ? lower : upper),
+                                below = style_of(sheet->map, lower == NOTHING ? upper : lower);
+                    if (lower == NOTHING)
+                        area_put(sheet->area, x, y, 0x2580, above);
+                    else if (upper == NOTHING)
+                        area_put(sheet->area, x, y, 0x2584, below);
+                    else
+                        area_put_back(sheet->area, x, y, 0x2580, above, below);
+                }
                 continue;
             }
-            const int step = cell_step(sheet, x, y);
+            /* The step of a whole cell, from all of its pixels. */
+            Pixel all = {0, 0, 0};
+            for (int row = 0; row < sheet->down; row++)
+                for (int column = 0; column < sheet->across; column++) {
+                    const Pixel *pixel = pixel_of(sheet, x * sheet->across + column, y * sheet->down + row);
+                    if (!is_body(pixel))
+                        continue;
+                    all.sum = sheet->map->kinds ? pixel->sum : all.sum + pixel->sum / pixel->count;
+                    all.count = sheet->map->kinds ? 1 : all.count + 1;
+                }
+            const int step = step_of(sheet, &all);
             const bool dots = area.glyphs == GLYPHS_BRAILLE;
             const uint32_t glyph = step == NOTHING ? ' '
                                    : dots          ? dots_of(sheet, x, y)
@@ -344,20 +328,6 @@ static void draw_wall(const Sheet *sheet, double from[2], double to[2], const St
     draw_line(sheet, to, (double[]){to[0], to[1] - 0.6 * pen->wall}, pen);
 }
 
-static void draw_stroke(const Sheet *sheet, const Stroke *stroke)
-{
-    const double *points = sheet->picture->plot.points + 2 * stroke->first;
-    for (size_t i = 1; i < stroke->count; i++) {
-        const double *a = points + 2 * i - 2, *b = points + 2 * i;
-        double from[2], to[2];
-        if (isnan(a[0]) || isnan(b[0]))
-            continue;
-        place(sheet, a[0], a[1], &from[0], &from[1]);
-        place(sheet, b[0], b[1], &to[0], &to[1]);
-        (stroke->wall ? draw_wall(sheet, from, to, stroke) : draw_line(sheet, from, to, stroke));
-    }
-}
-
 /* Over a colour what is seen on it. */
 static void show_crossings(const Sheet *sheet)
 {
@@ -429,43 +399,12 @@ static void mark_place(const Sheet *sheet, const PictureMark *mark, double *colu
     }
 }
 
-static void draw_marks(const Sheet *sheet)
-{
-    for (size_t i = 0; i < sheet->picture->n_marks; i++) {
-        const PictureMark *mark = &sheet->picture->marks[i];
-        double column, row;
-        mark_place(sheet, mark, &column, &row);
-        if (!is_inside(sheet, column, row))
-            continue;
-        area_put(sheet->area, (int)column, (int)row,
-                 mark->kind == MARK_BAR ? area_bar(sheet->area, mark->share) : mark->glyph, mark->style);
-        if (mark->kind == MARK_PLACE || mark->kind == MARK_CHOSEN)
-            canvas_mark(sheet->area.canvas, column, row, mark->glyph, mark->style);
-    }
-}
-
 static bool is_blank(Area area, int x, int y, int width)
 {
     for (int i = x; i < x + width && i < area.rect.width; i++)
         if (area_cell(area, i, y)->glyph > ' ')
             return false;
     return true;
-}
-
-/* To the right of its sign, or above that where there is room. */
-static void draw_label(const Sheet *sheet, const PictureLabel *label)
-{
-    enum { BEHIND = 2, FREE = 14 };
-    const PictureMark at = {.x = label->x, .y = label->y, .kind = MARK_STANDS, .side = {0, 1}};
-    double column, row;
-    mark_place(sheet, &at, &column, &row);
-    const int x = (int)floor(column) + BEHIND;
-    int y = (int)row;
-    if (x < 0)
-        return;
-    while (y > 0 && !is_blank(sheet->area, x, y, FREE))
-        y--;
-    area_text_whole(sheet->area, x, y, sheet->area.rect.width - x, label->text, label->style);
 }
 
 /* --- words ------------------------------------------------------------------------------------------ */
@@ -524,27 +463,6 @@ void cells_plain_factors(const char *text, char *out)
         else
             *out++ = *text;
     *out = '\0';
-}
-
-/* How the body is drawn, phrase by phrase as far as each has room; its field in full where all of them have.
- */
-static void draw_title(const Picture *picture, Area area, Style heading)
-{
-    const int room = area.rect.width - 6;
-    char title[PICTURE_TEXT_MAX] = "", phrases[PICTURE_TEXT_MAX];
-    cells_plain_factors(picture->notes[0].text, phrases);
-    const int columns = glyphs_columns(picture->heading) + (phrases[0] ? 2 + glyphs_columns(phrases) : 0);
-    text_append(title, sizeof title, "%s", columns <= room ? picture->heading : picture->map->brief);
-    for (char *part = phrases, *next; part && *part; part = next) {
-        next = strstr(part, "  ");
-        if (next) {
-            *next = '\0';
-            next += 2;
-        }
-        if (glyphs_columns(title) + 2 + glyphs_columns(part) <= room)
-            text_append(title, sizeof title, "  %s", part);
-    }
-    area_rule(area, 0, title, heading);
 }
 
 enum { HALF_RAMP = RAMP_STEPS / 2 };
@@ -656,16 +574,50 @@ void cells_map_body(const Picture *picture, Area area, int colours)
     canvas_vector(area.canvas, ";A%d,%d,%d,%d", area.rect.x, area.rect.y, area.rect.width, area.rect.height);
     if (!picture->map->is_near)
         draw_heat(&sheet);
-    for (int i = 0; i < picture->plot.n_strokes; i++)
-        draw_stroke(&sheet, &picture->plot.strokes[i]);
+    for (int i = 0; i < picture->plot.n_strokes; i++) {
+        const Stroke *stroke = &picture->plot.strokes[i];
+        const double *points = sheet.picture->plot.points + 2 * stroke->first;
+        for (size_t j = 1; j < stroke->count; j++) {
+            const double *a = points + 2 * j - 2, *b = points + 2 * j;
+            double from[2], to[2];
+            if (isnan(a[0]) || isnan(b[0]))
+                continue;
+            place(&sheet, a[0], a[1], &from[0], &from[1]);
+            place(&sheet, b[0], b[1], &to[0], &to[1]);
+            (stroke->wall ? draw_wall(&sheet, from, to, stroke) : draw_line(&sheet, from, to, stroke));
+        }
+    }
     draw_arrows(&sheet, false);
     show_crossings(&sheet);
     if (picture->map->is_near)
         draw_dots(&sheet);
-    draw_marks(&sheet);
+    for (size_t i = 0; i < sheet.picture->n_marks; i++) {
+        const PictureMark *mark = &sheet.picture->marks[i];
+        double column, row;
+        mark_place(&sheet, mark, &column, &row);
+        if (!is_inside(&sheet, column, row))
+            continue;
+        area_put(sheet.area, (int)column, (int)row,
+                 mark->kind == MARK_BAR ? area_bar(sheet.area, mark->share) : mark->glyph, mark->style);
+        if (mark->kind == MARK_PLACE || mark->kind == MARK_CHOSEN)
+            canvas_mark(sheet.area.canvas, column, row, mark->glyph, mark->style);
+    }
     draw_arrows(&sheet, true);
-    for (int i = 0; i < picture->n_labels; i++)
-        draw_label(&sheet, &picture->labels[i]);
+    for (int i = 0; i < picture->n_labels; i++) {
+        /* To the right of its sign, or above that where there is room. */
+        const PictureLabel *label = &picture->labels[i];
+        enum { BEHIND = 2, FREE = 14 };
+        const PictureMark at = {.x = label->x, .y = label->y, .kind = MARK_STANDS, .side = {0, 1}};
+        double column, row;
+        mark_place(&sheet, &at, &column, &row);
+        const int x = (int)floor(column) + BEHIND;
+        int y = (int)row;
+        if (x >= 0) {
+            while (y > 0 && !is_blank(sheet.area, x, y, FREE))
+                y--;
+            area_text_whole(sheet.area, x, y, sheet.area.rect.width - x, label->text, label->style);
+        }
+    }
     name_lines(&sheet);
     free(sheet.pixels);
 }
@@ -678,7 +630,23 @@ static Area body_part(Area area)
 void cells_map(const Picture *picture, Area area, Style heading, int colours)
 {
     cells_map_body(picture, body_part(area), colours);
-    draw_title(picture, area, heading);
+    /* How the body is drawn, phrase by phrase as far as each has room; its field in full where all of them
+     * have. */
+    const int room = area.rect.width - 6;
+    char title[PICTURE_TEXT_MAX] = "", phrases[PICTURE_TEXT_MAX];
+    cells_plain_factors(picture->notes[0].text, phrases);
+    const int columns = glyphs_columns(picture->heading) + (phrases[0] ? 2 + glyphs_columns(phrases) : 0);
+    text_append(title, sizeof title, "%s", columns <= room ? picture->heading : picture->map->brief);
+    for (char *part = phrases, *next; part && *part; part = next) {
+        next = strstr(part, "  ");
+        if (next) {
+            *next = '\0';
+            next += 2;
+        }
+        if (glyphs_columns(title) + 2 + glyphs_columns(part) <= room)
+            text_append(title, sizeof title, "  %s", part);
+    }
+    area_rule(area, 0, title, heading);
     draw_scale(picture, area, colours, area.rect.height - 1);
 }
 

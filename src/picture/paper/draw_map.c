@@ -77,49 +77,22 @@ static void add_point(double *points, size_t *count, double x, double y)
     ++*count;
 }
 
-/* Neighbours in a row with the same colour are one area: its upper edge there, its lower edge back. It
- * reaches a little under the next one to the right and over the row below, so that no white shows between
- * them. */
-static void draw_run(Paper *paper, const PictureMap *map, int row, int first, int end, const Place *place,
-                     double *points)
-{
-    size_t count = 0;
-    for (int side = 0; side < 2; side++)
-        for (int i = 0; i <= end - first; i++) {
-            const int at = side == 0 ? first + i : end - i; /* the corner left of column `at` */
-            const bool last = at == end;
-            double x, y;
-            corner_of(map, last ? at - 1 : at, row, last, side == 0, &x, &y);
-            if (last && end < map->nx)
-                x += OVERLAP * map->size;
-            if (side == 1 && row > 0)
-                y -= OVERLAP * map->size;
-            add_point(points, &count, place->x0 + x * place->scale_x, place->y0 + y * place->scale_y);
-        }
-    paper->kind->fill(paper, points, count,
-                      colour_of(map, level_of(map, (size_t)row * (size_t)map->nx + (size_t)first)));
-}
-
-/* Seen one by one: a disc each, with the colour of its value. */
-static void draw_discs(Paper *paper, const PictureMap *map, const Place *place)
-{
-    const size_t count = (size_t)map->nx * (size_t)map->ny;
-    const double radius =
-        fmin(4, (map->is_near ? 0.35 : 0.5) * map->size * fabs(place->scale_x)); /* a body has no gaps */
-    for (size_t k = 0; k < count; k++) {
-        const double x = place->x0 + map->x[k] * place->scale_x, y = place->y0 + map->y[k] * place->scale_y;
-        const int level = level_in(map, map->value[k]); /* bonds that are gone tell of damage */
-        if (level >= 0 && x > place->seen.x - radius && x < place->seen.x + place->seen.width + radius &&
-            y > place->seen.y - radius && y < place->seen.y + place->seen.height + radius)
-            paper->kind->disc(paper, x, y, radius, colour_of(map, level),
-                              map->is_near ? &(Pencil){.colour = BLACK, .width = 0.4} : NULL);
-    }
-}
-
 void draw_heat(Paper *paper, const PictureMap *map, const Place *place)
 {
     if (map->is_near || map->is_cloud) {
-        draw_discs(paper, map, place);
+        /* Seen one by one: a disc each, with the colour of its value. */
+        const size_t count = (size_t)map->nx * (size_t)map->ny;
+        const double radius =
+            fmin(4, (map->is_near ? 0.35 : 0.5) * map->size * fabs(place->scale_x)); /* a body has no gaps */
+        for (size_t k = 0; k < count; k++) {
+            const double x = place->x0 + map->x[k] * place->scale_x,
+                         y = place->y0 + map->y[k] * place->scale_y;
+            const int level = level_in(map, map->value[k]); /* bonds that are gone tell of damage */
+            if (level >= 0 && x > place->seen.x - radius && x < place->seen.x + place->seen.width + radius &&
+                y > place->seen.y - radius && y < place->seen.y + place->seen.height + radius)
+                paper->kind->disc(paper, x, y, radius, colour_of(map, level),
+                                  map->is_near ? &(Pencil){.colour = BLACK, .width = 0.4} : NULL);
+        }
         return;
     }
     double *points = malloc(((size_t)map->nx + 1) * 4 * sizeof *points);
@@ -131,8 +104,28 @@ void draw_heat(Paper *paper, const PictureMap *map, const Place *place)
             const int level = level_of(map, begin + (size_t)first);
             for (end = first + 1; end < map->nx && level_of(map, begin + (size_t)end) == level;)
                 end++;
-            if (level >= 0)
-                draw_run(paper, map, row, first, end, place, points);
+            if (level >= 0) {
+                /* Neighbours in a row with the same colour are one area: its upper edge there, its lower
+                 * edge back. It reaches a little under the next one to the right and over the row below, so
+                 * that no white shows between them. */
+                size_t count = 0;
+                for (int side = 0; side < 2; side++)
+                    for (int i = 0; i <= end - first; i++) {
+                        const int at = side == 0 ? first + i : end - i; /* the corner left of column `at` */
+                        const bool last = at == end;
+                        double x, y;
+                        corner_of(map, last ? at - 1 : at, row, last, side == 0, &x, &y);
+                        if (last && end < map->nx)
+                            x += OVERLAP * map->size;
+                        if (side == 1 && row > 0)
+                            y -= OVERLAP * map->size;
+                        add_point(points, &count, place->x0 + x * place->scale_x,
+                                  place->y0 + y * place->scale_y);
+                    }
+                paper->kind->fill(
+                    paper, points, count,
+                    colour_of(map, level_of(map, (size_t)row * (size_t)map->nx + (size_t)first)));
+            }
         }
     }
     free(points);
@@ -140,57 +133,37 @@ void draw_heat(Paper *paper, const PictureMap *map, const Place *place)
 
 /* --- the bar ---------------------------------------------------------------------------------------- */
 
-/* "strain energy density ×10³ J/m³": what the colours tell, and in what. */
-static void bar_name(const Picture *picture, const Axis *axis, char *out, size_t size)
-{
-    const char *unit = picture->map->unit;
-    char scale[TICK_TEXT_MAX];
-    axis_scale_text(axis, unit, scale);
-    if (*unit && (!*scale || *scale == 'x') && !strstr(scale, unit))
-        snprintf(out, size, "%s%s%s, %s", picture->heading, *scale ? " " : "", scale, unit);
-    else
-        snprintf(out, size, "%s%s%s", picture->heading, *scale == 'x' ? " " : *scale ? ", " : "", scale);
-}
-
-static void draw_ramp(Paper *paper, const PictureMap *map, Box box)
-{
-    for (int i = 0; i < BAR_PIECES; i++) {
-        const double x0 = box.x + box.width * i / BAR_PIECES, x1 = box.x + box.width * (i + 1) / BAR_PIECES;
-        const double next = i + 1 < BAR_PIECES ? x1 + 0.3 : x1, bottom = box.y + box.height;
-        const double corners[] = {x0, box.y, next, box.y, next, bottom, x0, bottom};
-        paper->kind->fill(paper, corners, 4, ink_heat((i + 0.5) / BAR_PIECES, map->is_signed));
-    }
-    const double right = box.x + box.width, bottom = box.y + box.height;
-    const double frame[] = {box.x, box.y, right, box.y, right, bottom, box.x, bottom, box.x, box.y};
-    paper->kind->line(paper, frame, 5, &(Pencil){.colour = BLACK, .width = 0.5});
-}
-
-/* Of things a dot with its name each. */
-static double draw_kinds(Paper *paper, const PictureMap *map, Box box)
-{
-    const Type words = {.size = SIZE_WORDS};
-    const double radius = 3;
-    double x = box.x + 8;
-    for (int i = 0; paper && i < map->kinds; i++) {
-        paper->kind->disc(paper, x, box.y + BAR_HEIGHT - radius, radius, ink_of(picture_kind_style(i)), NULL);
-        draw_words(paper, x + 3 * radius, box.y + BAR_HEIGHT, map->kind_names[i], &words);
-        x += 7 * radius + draw_words_width(map->kind_names[i], &words);
-    }
-    return BAR_HEIGHT + SIZE_TICKS;
-}
-
 /* The name is beside the bar or, where that would leave it too short, above it. */
 double draw_heat_bar(Paper *paper, const Picture *picture, Box box)
 {
     const PictureMap *map = picture->map;
     if (!map)
         return 0;
-    if (map->kinds)
-        return draw_kinds(paper, map, box);
+    if (map->kinds) {
+        /* Of things a dot with its name each. */
+        const Type words = {.size = SIZE_WORDS};
+        const double radius = 3;
+        double x = box.x + 8;
+        for (int i = 0; paper && i < map->kinds; i++) {
+            paper->kind->disc(paper, x, box.y + BAR_HEIGHT - radius, radius, ink_of(picture_kind_style(i)),
+                              NULL);
+            draw_words(paper, x + 3 * radius, box.y + BAR_HEIGHT, map->kind_names[i], &words);
+            x += 7 * radius + draw_words_width(map->kind_names[i], &words);
+        }
+        return BAR_HEIGHT + SIZE_TICKS;
+    }
     const Type words = {.size = SIZE_WORDS}, numbers = {.size = SIZE_TICKS, .align = ALIGN_CENTRE};
     Axis axis = axis_with_ticks(axis_make(map->low, map->high), 7);
     char name[PICTURE_TEXT_MAX + 2 * TICK_TEXT_MAX], text[TICK_TEXT_MAX];
-    bar_name(picture, &axis, name, sizeof name);
+    /* "strain energy density ×10³ J/m³": what the colours tell, and in what. */
+    const size_t size = sizeof name;
+    const char *unit = picture->map->unit;
+    char scale[TICK_TEXT_MAX];
+    axis_scale_text(&axis, unit, scale);
+    if (*unit && (!*scale || *scale == 'x') && !strstr(scale, unit))
+        snprintf(name, size, "%s%s%s, %s", picture->heading, *scale ? " " : "", scale, unit);
+    else
+        snprintf(name, size, "%s%s%s", picture->heading, *scale == 'x' ? " " : *scale ? ", " : "", scale);
     const double beside = draw_words_width(name, &words) + 18;
     const bool above = box.width - beside < 140;
     const double down = above ? LINE_HEIGHT * SIZE_WORDS : 0;
@@ -200,7 +173,15 @@ double draw_heat_bar(Paper *paper, const Picture *picture, Box box)
     draw_words(paper, box.x, box.y + BAR_HEIGHT, name, &words);
     Box bar = {above ? box.x + 8 : box.x + beside, box.y + down, 0, BAR_HEIGHT};
     bar.width = above ? 0.7 * box.width : fmin(0.45 * box.width, box.x + box.width - bar.x - 12);
-    draw_ramp(paper, map, bar);
+    for (int i = 0; i < BAR_PIECES; i++) {
+        const double x0 = bar.x + bar.width * i / BAR_PIECES, x1 = bar.x + bar.width * (i + 1) / BAR_PIECES;
+        const double next = i + 1 < BAR_PIECES ? x1 + 0.3 : x1, bottom = bar.y + bar.height;
+        const double corners[] = {x0, bar.y, next, bar.y, next, bottom, x0, bottom};
+        paper->kind->fill(paper, corners, 4, ink_heat((i + 0.5) / BAR_PIECES, map->is_signed));
+    }
+    const double right = bar.x + bar.width, bottom = bar.y + bar.height;
+    const double frame[] = {bar.x, bar.y, right, bar.y, right, bottom, bar.x, bottom, bar.x, bar.y};
+    paper->kind->line(paper, frame, 5, &(Pencil){.colour = BLACK, .width = 0.5});
     double ticks[TICKS_MAX];
     const int count = axis_ticks(&axis, ticks);
     for (int i = 0; i < count; i++) {

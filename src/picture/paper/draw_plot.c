@@ -82,18 +82,6 @@ static void tick_label(const Axis *axis, double tick, char *out, size_t size)
     ink_words(text, out, size);
 }
 
-static double widest_label(const Axis *axis, const Type *type)
-{
-    double ticks[TICKS_MAX], widest = 0;
-    const int count = axis_ticks(axis, ticks);
-    for (int i = 0; i < count; i++) {
-        char text[64];
-        tick_label(axis, ticks[i], text, sizeof text);
-        widest = fmax(widest, draw_words_width(text, type));
-    }
-    return widest;
-}
-
 static void draw_grid(const Frame *frame)
 {
     const Plot *plot = &frame->picture->plot;
@@ -193,78 +181,10 @@ static void draw_wall(const Frame *frame, const Stroke *stroke, const Pencil *pe
     }
 }
 
-static void draw_line(const Frame *frame, const Stroke *stroke, const Pencil *pencil, double *places)
-{
-    const double *points = frame->picture->plot.points + 2 * stroke->first;
-    size_t count = 0;
-    for (size_t i = 0; i <= stroke->count; i++) {
-        if (i < stroke->count && isfinite(points[2 * i]) && isfinite(points[2 * i + 1])) {
-            places[2 * count] = bounded(x_of(frame, points[2 * i]), frame->box.x, frame->box.width);
-            places[2 * count + 1] = bounded(y_of(frame, points[2 * i + 1]), frame->box.y, frame->box.height);
-            count++;
-            continue;
-        }
-        if (count > 1)
-            frame->paper->kind->line(frame->paper, places, count, pencil);
-        count = 0;
-    }
-}
-
-/* Lower edge there and upper edge back. */
-static void draw_band(const Frame *frame, const Stroke *stroke, double *places)
-{
-    const double *points = frame->picture->plot.points + 2 * stroke->first;
-    const size_t pairs = stroke->count / 2;
-    size_t last = 2 * pairs;
-    for (size_t i = 0; i < 2 * pairs; i++) {
-        const size_t at = i % 2 == 0 ? i / 2 : last - 1 - i / 2;
-        places[2 * at] = bounded(x_of(frame, points[2 * i]), frame->box.x, frame->box.width);
-        places[2 * at + 1] = bounded(y_of(frame, points[2 * i + 1]), frame->box.y, frame->box.height);
-    }
-    if (pairs < 2)
-        return;
-    frame->paper->kind->fill(frame->paper, places, 2 * pairs, ink_fill(stroke->style, stroke->fill));
-    frame->paper->kind->line(frame->paper, places + 2 * pairs, pairs,
-                             &(Pencil){.colour = ink_of(stroke->style), .width = 0.5});
-}
-
-static void draw_rules(const Frame *frame)
-{
-    const Picture *picture = frame->picture;
-    const Box *box = &frame->box;
-    for (size_t i = 0; i < picture->n_marks; i++) {
-        const PictureMark *mark = &picture->marks[i];
-        const double x = x_of(frame, mark->x);
-        if (mark->kind != MARK_RULE)
-            continue;
-        straight(frame->paper, x, box->y, x, box->y + box->height, ink_of(mark->style), 0.5);
-        if (mark->word && mark->word[1])
-            draw_words(frame->paper, x + GAP, box->y + SIZE_TICKS + 1, mark->word,
-                       &(Type){.size = SIZE_TICKS, .colour = ink_of(mark->style)});
-    }
-}
-
-/* A curve that swings so fast that it fills an area would hide all others: it lies behind them, and paler. */
-static bool is_noise(const Frame *frame, const Stroke *stroke)
-{
-    const double *points = frame->picture->plot.points + 2 * stroke->first;
-    double way = 0;
-    for (size_t i = 1; i < stroke->count && stroke->kind == STROKE_LINE; i++) {
-        const double up = fabs(y_of(frame, points[2 * i + 1]) - y_of(frame, points[2 * i - 1]));
-        way += isfinite(up) ? fmin(up, frame->box.height) : 0;
-    }
-    return way > NOISE * frame->box.width;
-}
-
 static Pencil pencil_of(const Frame *frame, int index)
 {
     const Stroke *stroke = &frame->picture->plot.strokes[index];
     return ink_pencil(stroke->style, stroke->line, letter_of(frame->picture, index));
-}
-
-static bool is_broken(const Frame *frame, int index)
-{
-    return frame->picture->plot.strokes[index].kind == STROKE_LINE && pencil_of(frame, index).dashes[0] > 0;
 }
 
 static void draw_stroke(const Frame *frame, int index, bool noise, double *places)
@@ -278,10 +198,37 @@ static void draw_stroke(const Frame *frame, int index, bool noise, double *place
         pencil.width *= noise ? 0.5 : 0.7;
     if (stroke->wall)
         draw_wall(frame, stroke, &pencil);
-    else if (stroke->kind == STROKE_LINE)
-        draw_line(frame, stroke, &pencil, places);
-    else if (stroke->kind == STROKE_BAND)
-        draw_band(frame, stroke, places);
+    else if (stroke->kind == STROKE_LINE) {
+        const double *points = frame->picture->plot.points + 2 * stroke->first;
+        size_t count = 0;
+        for (size_t i = 0; i <= stroke->count; i++) {
+            if (i < stroke->count && isfinite(points[2 * i]) && isfinite(points[2 * i + 1])) {
+                places[2 * count] = bounded(x_of(frame, points[2 * i]), frame->box.x, frame->box.width);
+                places[2 * count + 1] =
+                    bounded(y_of(frame, points[2 * i + 1]), frame->box.y, frame->box.height);
+                count++;
+                continue;
+            }
+            if (count > 1)
+                frame->paper->kind->line(frame->paper, places, count, &pencil);
+            count = 0;
+        }
+    } else if (stroke->kind == STROKE_BAND) {
+        /* Lower edge there and upper edge back. */
+        const double *points = frame->picture->plot.points + 2 * stroke->first;
+        const size_t pairs = stroke->count / 2;
+        size_t last = 2 * pairs;
+        for (size_t i = 0; i < 2 * pairs; i++) {
+            const size_t at = i % 2 == 0 ? i / 2 : last - 1 - i / 2;
+            places[2 * at] = bounded(x_of(frame, points[2 * i]), frame->box.x, frame->box.width);
+            places[2 * at + 1] = bounded(y_of(frame, points[2 * i + 1]), frame->box.y, frame->box.height);
+        }
+        if (pairs >= 2) {
+            frame->paper->kind->fill(frame->paper, places, 2 * pairs, ink_fill(stroke->style, stroke->fill));
+            frame->paper->kind->line(frame->paper, places + 2 * pairs, pairs,
+                                     &(Pencil){.colour = ink_of(stroke->style), .width = 0.5});
+        }
+    }
     for (size_t k = stroke->first; stroke->kind == STROKE_DOTS && k < stroke->first + stroke->count; k++)
         frame->paper->kind->disc(frame->paper, x_of(frame, plot->points[2 * k]),
                                  y_of(frame, plot->points[2 * k + 1]), 1.2, pencil.colour, NULL);
@@ -295,14 +242,37 @@ static void draw_strokes(const Frame *frame)
     bool noise[STROKES_MAX];
     if (!places)
         return;
-    for (int i = 0; i < plot->n_strokes; i++)
-        noise[i] = is_noise(frame, &plot->strokes[i]);
+    for (int i = 0; i < plot->n_strokes; i++) {
+        /* A curve that swings so fast that it fills an area would hide all others: it lies behind them, and
+         * paler. */
+        const Stroke *stroke = &plot->strokes[i];
+        const double *points = frame->picture->plot.points + 2 * stroke->first;
+        double way = 0;
+        for (size_t j = 1; j < stroke->count && stroke->kind == STROKE_LINE; j++) {
+            const double up = fabs(y_of(frame, points[2 * j + 1]) - y_of(frame, points[2 * j - 1]));
+            way += isfinite(up) ? fmin(up, frame->box.height) : 0;
+        }
+        noise[i] = way > NOISE * frame->box.width;
+    }
     frame->paper->kind->clip(frame->paper, &frame->box);
-    draw_rules(frame);
+    const Picture *picture = frame->picture;
+    const Box *box = &frame->box;
+    for (size_t i = 0; i < picture->n_marks; i++) {
+        const PictureMark *mark = &picture->marks[i];
+        const double x = x_of(frame, mark->x);
+        if (mark->kind != MARK_RULE)
+            continue;
+        straight(frame->paper, x, box->y, x, box->y + box->height, ink_of(mark->style), 0.5);
+        if (mark->word && mark->word[1])
+            draw_words(frame->paper, x + GAP, box->y + SIZE_TICKS + 1, mark->word,
+                       &(Type){.size = SIZE_TICKS, .colour = ink_of(mark->style)});
+    }
     for (int broken = 0; broken <= 1; broken++)
         for (int rank = RANK_BAND - 1; rank <= RANK_MARK; rank++)
             for (int i = 0; i < plot->n_strokes; i++)
-                if (plot->strokes[i].count > 0 && !plot->strokes[i].coarse && broken == is_broken(frame, i) &&
+                if (plot->strokes[i].count > 0 && !plot->strokes[i].coarse &&
+                    broken == (frame->picture->plot.strokes[i].kind == STROKE_LINE &&
+                               pencil_of(frame, i).dashes[0] > 0) &&
                     rank == (noise[i] ? RANK_BAND - 1 : plot->strokes[i].rank))
                     draw_stroke(frame, i, noise[i], places);
     frame->paper->kind->clip(frame->paper, NULL);
@@ -329,17 +299,6 @@ static void draw_arrow(const Frame *frame, uint32_t glyph, double x, double y, d
                            neck_y + wide * way[0], neck_x - wide * way[1], neck_y - wide * way[0]};
     frame->paper->kind->line(frame->paper, shaft, 2, &(Pencil){.colour = BLACK, .width = 1.1 * size});
     frame->paper->kind->fill(frame->paper, head, 3, BLACK);
-}
-
-/* A letter on white, so that it is read on any colour. */
-static void draw_letter_sign(const Frame *frame, const PictureMark *mark, double x, double y, double size)
-{
-    const char text[2] = {(char)mark->glyph, '\0'};
-    const Type type = {
-        .size = SIZE_TICKS, .bold = true, .align = ALIGN_CENTRE, .colour = ink_of(mark->style)};
-    frame->paper->kind->disc(frame->paper, x, y, 4.2 * size, WHITE,
-                             &(Pencil){.colour = type.colour, .width = 0.7 * size});
-    frame->paper->kind->text(frame->paper, x, y + 2.7, text, &type);
 }
 
 static void draw_cross(const Frame *frame, double x, double y, double size)
@@ -369,45 +328,12 @@ static void draw_node(const Frame *frame, const PictureMark *mark, double x, dou
     }
 }
 
-/* Supports hang below their place, loads of beams stand above it. */
-static void draw_sign(const Frame *frame, const PictureMark *mark, double x, double y)
-{
-    const uint32_t glyph = mark->glyph;
-    const double size = frame->box.width < SMALL ? 0.7 : 1;
-    const double away = size * (glyph == SIGN_LOAD ? -6 : 6), half = 3.2 * size;
-    const double corners[] = {x, y, x - half, y + away, x + half, y + away};
-    if (glyph == SIGN_DOT)
-        frame->paper->kind->disc(frame->paper, x, y, 2.4 * size, ink_of(mark->style), NULL);
-    else if (glyph == SIGN_ROLLER)
-        frame->paper->kind->disc(frame->paper, x, y + 2.8 * size, 2.6 * size, WHITE,
-                                 &(Pencil){.colour = BLACK, .width = 0.9 * size});
-    else if (glyph == SIGN_SUPPORT || glyph == SIGN_LOAD)
-        frame->paper->kind->fill(frame->paper, corners, 3, BLACK);
-    else if (glyph >= SIGN_LEFT && glyph < SIGN_LEFT + 4)
-        draw_arrow(frame, glyph, x, y, size);
-    else if (glyph == SIGN_PROBE)
-        draw_cross(frame, x, y, size);
-    else if (mark->kind == MARK_BAR || glyph == SIGN_NODE || glyph == SIGN_PLACE || glyph == SIGN_GIVEN)
-        draw_node(frame, mark, x, y, size);
-    else
-        draw_letter_sign(frame, mark, x, y, size);
-}
-
 /* Supports of nodes beside each other are one sign, in their middle, as loads are; of other signs each means
  * a place. */
 static bool is_shared(const Picture *picture, const PictureMark *a, const PictureMark *b)
 {
     const bool spreads = a->glyph == SIGN_SUPPORT || a->glyph == SIGN_ROLLER || a->glyph == SIGN_LOAD;
     return a->glyph == b->glyph && spreads && fabs(a->x - b->x) <= NEAR * range_of(&picture->plot.x);
-}
-
-/* How wide a load is that stands a row above its place. */
-static void draw_width(const Frame *frame, const PictureMark *mark)
-{
-    const double y = y_of(frame, mark->y + 1), x = x_of(frame, mark->x);
-    straight(frame->paper, x_of(frame, mark->x - mark->half), y, x_of(frame, mark->x + mark->half), y, BLACK,
-             1.1);
-    straight(frame->paper, x, y, x, y_of(frame, mark->y + 0.5), BLACK, 1.1);
 }
 
 static size_t draw_signs(const Frame *frame, size_t first)
@@ -427,10 +353,43 @@ static size_t draw_signs(const Frame *frame, size_t first)
         sum_x += x_of(frame, picture->marks[end].x + right);
         sum_y += y_of(frame, picture->marks[end].y + up);
         end++;
-        if (begin->half > 0)
-            draw_width(frame, begin);
+        if (begin->half > 0) {
+            /* How wide a load is that stands a row above its place. */
+            const double y = y_of(frame, begin->y + 1), x = x_of(frame, begin->x);
+            straight(frame->paper, x_of(frame, begin->x - begin->half), y,
+                     x_of(frame, begin->x + begin->half), y, BLACK, 1.1);
+            straight(frame->paper, x, y, x, y_of(frame, begin->y + 0.5), BLACK, 1.1);
+        }
     } while (end < picture->n_marks && is_shared(picture, begin, &picture->marks[end]));
-    draw_sign(frame, begin, sum_x / (double)(end - first), sum_y / (double)(end - first));
+    /* Supports hang below their place, loads of beams stand above it. */
+    const double x = sum_x / (double)(end - first);
+    const double y = sum_y / (double)(end - first);
+    const uint32_t glyph = begin->glyph;
+    const double size = frame->box.width < SMALL ? 0.7 : 1;
+    const double away = size * (glyph == SIGN_LOAD ? -6 : 6), half = 3.2 * size;
+    const double corners[] = {x, y, x - half, y + away, x + half, y + away};
+    if (glyph == SIGN_DOT)
+        frame->paper->kind->disc(frame->paper, x, y, 2.4 * size, ink_of(begin->style), NULL);
+    else if (glyph == SIGN_ROLLER)
+        frame->paper->kind->disc(frame->paper, x, y + 2.8 * size, 2.6 * size, WHITE,
+                                 &(Pencil){.colour = BLACK, .width = 0.9 * size});
+    else if (glyph == SIGN_SUPPORT || glyph == SIGN_LOAD)
+        frame->paper->kind->fill(frame->paper, corners, 3, BLACK);
+    else if (glyph >= SIGN_LEFT && glyph < SIGN_LEFT + 4)
+        draw_arrow(frame, glyph, x, y, size);
+    else if (glyph == SIGN_PROBE)
+        draw_cross(frame, x, y, size);
+    else if (begin->kind == MARK_BAR || glyph == SIGN_NODE || glyph == SIGN_PLACE || glyph == SIGN_GIVEN)
+        draw_node(frame, begin, x, y, size);
+    else {
+        /* A letter on white, so that it is read on any colour. */
+        const char text[2] = {(char)begin->glyph, '\0'};
+        const Type type = {
+            .size = SIZE_TICKS, .bold = true, .align = ALIGN_CENTRE, .colour = ink_of(begin->style)};
+        frame->paper->kind->disc(frame->paper, x, y, 4.2 * size, WHITE,
+                                 &(Pencil){.colour = type.colour, .width = 0.7 * size});
+        frame->paper->kind->text(frame->paper, x, y + 2.7, text, &type);
+    }
     return end;
 }
 
@@ -525,22 +484,6 @@ static void draw_head(const Frame *frame, const PictureArrow *arrow)
     frame->paper->kind->fill(frame->paper, corners, 3, ink_of(arrow->style));
 }
 
-static void draw_drawing(const Frame *frame)
-{
-    const double row = frame->box.height / range_of(&frame->picture->plot.y);
-    Places places = {.width = frame->box.width,
-                     .height = frame->box.height,
-                     .row = LINE_HEIGHT * fmin(SIZE_WORDS, row / LINE_HEIGHT),
-                     .gap = 6,
-                     .columns = columns_of,
-                     .write = write_words,
-                     .back_end = frame};
-    for (int i = 0; i < frame->picture->n_arrows; i++)
-        draw_head(frame, &frame->picture->arrows[i]);
-    draw_marks(frame);
-    places_write(&places, frame->picture);
-}
-
 /* --- the whole --------------------------------------------------------------------------------------- */
 
 /* What stands around the box of the curves. */
@@ -550,7 +493,15 @@ typedef struct Margins {
 
 static Margins margins_of(const Picture *picture)
 {
-    const double labels = widest_label(&picture->plot.y, &(Type){.size = SIZE_TICKS});
+    const Type *type = &(Type){.size = SIZE_TICKS};
+    double ticks[TICKS_MAX], widest = 0;
+    const int count = axis_ticks(&picture->plot.y, ticks);
+    for (int i = 0; i < count; i++) {
+        char text[64];
+        tick_label(&picture->plot.y, ticks[i], text, sizeof text);
+        widest = fmax(widest, draw_words_width(text, type));
+    }
+    const double labels = widest;
     if (picture->bare)
         return (Margins){0, 0, 0, 0};
     return (Margins){SIZE_WORDS + 5 + labels + GAP + TICK, 12, 4, TICK + SIZE_TICKS + 14};
@@ -563,15 +514,6 @@ double draw_plot_height(const Picture *picture, double width)
     const Margins margins = margins_of(picture);
     const double scale = (width - margins.left - margins.right) / range_of(&picture->plot.x);
     return margins.above + scale * picture->stretch * range_of(&picture->plot.y) + margins.below;
-}
-
-/* A map or drawing keeps its scale: the box shrinks one way. */
-static void fit(const Picture *picture, Box *box)
-{
-    const double x = range_of(&picture->plot.x), y = picture->stretch * range_of(&picture->plot.y);
-    const double scale = fmin(box->width / x, box->height / y);
-    box->width = scale * x;
-    box->height = scale * y;
 }
 
 static void draw_body(const Frame *frame)
@@ -605,12 +547,27 @@ void draw_plot(Paper *paper, const Picture *picture, Box box)
     const bool of_body = picture->stretch > 0; /* its marks are signs */
     if (picture->kind == PICTURE_DRAWING) {
         draw_strokes(&frame);
-        draw_drawing(&frame);
+        const double row = frame.box.height / range_of(&frame.picture->plot.y);
+        Places places = {.width = frame.box.width,
+                         .height = frame.box.height,
+                         .row = LINE_HEIGHT * fmin(SIZE_WORDS, row / LINE_HEIGHT),
+                         .gap = 6,
+                         .columns = columns_of,
+                         .write = write_words,
+                         .back_end = &frame};
+        for (int i = 0; i < frame.picture->n_arrows; i++)
+            draw_head(&frame, &frame.picture->arrows[i]);
+        draw_marks(&frame);
+        places_write(&places, frame.picture);
         return;
     }
-    if (of_body)
-        fit(picture, &frame.box);
-    else
+    if (of_body) {
+        /* A map or drawing keeps its scale: the box shrinks one way. */
+        const double x = range_of(&picture->plot.x), y = picture->stretch * range_of(&picture->plot.y);
+        const double scale = fmin(frame.box.width / x, frame.box.height / y);
+        frame.box.width = scale * x;
+        frame.box.height = scale * y;
+    } else
         draw_grid(&frame);
     const bool is_near = picture->map && picture->map->is_near; /* bonds lie under their nodes */
     if (picture->map && !is_near)

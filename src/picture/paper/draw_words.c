@@ -14,30 +14,6 @@
 #define BEHIND  4.0  /* between it and its name */
 #define BETWEEN 14.0 /* two entries */
 
-/* Nobody knows with which font an SVG will be shown: DejaVu Sans is among the wide ones, so what is laid out
- * for it does not collide, and a page is laid out in the same way in every kind of file. Hundredths of the
- * size, from the space to the tilde. */
-static double width_of(const char *text, size_t length, const Type *type)
-{
-    static const unsigned char advances[] = {
-        32, 40, 46, 84, 64, 95, 78, 27, 39,  39, 50, 84, 32, 36, 32, 34, 64, 64, 64, 64, 64, 64, 64, 64,
-        64, 64, 34, 34, 84, 84, 84, 53, 100, 68, 69, 70, 77, 63, 58, 77, 75, 29, 29, 66, 56, 86, 75, 79,
-        60, 79, 69, 63, 61, 73, 68, 99, 69,  61, 69, 39, 34, 39, 84, 50, 50, 61, 63, 55, 63, 62, 35, 63,
-        63, 28, 28, 58, 28, 97, 63, 61, 63,  63, 41, 52, 39, 63, 59, 82, 59, 59, 52, 64, 34, 64, 84};
-    enum { RAISED = 40, TIMES = 84, OTHER = 66 };
-    int sum = 0;
-    for (const char *end = text + length; text < end;) {
-        const uint32_t c = glyph_next(&text);
-        if (c >= ' ' && c <= '~')
-            sum += advances[c - ' '];
-        else
-            sum += (c >= 0x2070 && c <= 0x2079) || c == 0xb9 || c == 0xb2 || c == 0xb3 ? RAISED
-                   : c == 0xd7 || c == 0x2212                                          ? TIMES
-                                                                                       : OTHER;
-    }
-    return sum / 100.0 * type->size * (type->bold ? 1.1 : 1);
-}
-
 /* Bytes before the next index, as of v_cm: one letter, a line, letters. */
 static size_t before_index(const char *text)
 {
@@ -73,7 +49,27 @@ static double set_words(Paper *paper, double x, double y, const char *words, con
         if (paper && length > 0)
             paper->kind->text(paper, x + (type->upwards ? down : along), y + (type->upwards ? -along : down),
                               piece, &part);
-        along += width_of(piece, length, &part);
+        /* Nobody knows with which font an SVG will be shown: DejaVu Sans is among the wide ones, so what is
+         * laid out for it does not collide, and a page is laid out in the same way in every kind of file.
+         * Hundredths of the size, from the space to the tilde. */
+        const char *text = piece;
+        static const unsigned char advances[] = {
+            32, 40, 46, 84, 64, 95, 78, 27, 39,  39, 50, 84, 32, 36, 32, 34, 64, 64, 64, 64, 64, 64, 64, 64,
+            64, 64, 34, 34, 84, 84, 84, 53, 100, 68, 69, 70, 77, 63, 58, 77, 75, 29, 29, 66, 56, 86, 75, 79,
+            60, 79, 69, 63, 61, 73, 68, 99, 69,  61, 69, 39, 34, 39, 84, 50, 50, 61, 63, 55, 63, 62, 35, 63,
+            63, 28, 28, 58, 28, 97, 63, 61, 63,  63, 41, 52, 39, 63, 59, 82, 59, 59, 52, 64, 34, 64, 84};
+        enum { RAISED = 40, TIMES = 84, OTHER = 66 };
+        int sum = 0;
+        for (const char *end = text + length; text < end;) {
+            const uint32_t c = glyph_next(&text);
+            if (c >= ' ' && c <= '~')
+                sum += advances[c - ' '];
+            else
+                sum += (c >= 0x2070 && c <= 0x2079) || c == 0xb9 || c == 0xb2 || c == 0xb3 ? RAISED
+                       : c == 0xd7 || c == 0x2212                                          ? TIMES
+                                                                                           : OTHER;
+        }
+        along += sum / 100.0 * part.size * (part.bold ? 1.1 : 1);
         words += length;
     }
     return along;
@@ -102,13 +98,6 @@ void draw_words(Paper *paper, double x, double y, const char *text, const Type *
 
 /* --- phrases --------------------------------------------------------------------------------------- */
 
-/* The bytes of the next piece: a phrase up to two spaces or, where that is too long for a line, a word. */
-static size_t next_piece(const char *text, bool words)
-{
-    const char *end = strstr(text, words ? " " : "  ");
-    return end ? (size_t)(end - text) : strlen(text);
-}
-
 double draw_phrases(Paper *paper, const char *text, Box box, const Type *type)
 {
     const double line = LINE_HEIGHT * type->size, gap = type->size, space = 0.32 * type->size;
@@ -117,7 +106,10 @@ double draw_phrases(Paper *paper, const char *text, Box box, const Type *type)
     text += strspn(text, " ");
     while (*text) {
         char piece[FIGURE_WORDS_MAX];
-        size_t length = next_piece(text, in_phrase);
+        /* The bytes of the next piece: a phrase up to two spaces or, where that is too long for a line, a
+         * word. */
+        const char *end = strstr(text, in_phrase ? " " : "  ");
+        size_t length = end ? (size_t)(end - text) : strlen(text);
         length = length < sizeof piece - 1 ? length : sizeof piece - 1;
         memcpy(piece, text, length);
         piece[length] = '\0';
@@ -173,33 +165,6 @@ static void draw_sample(Paper *paper, const Picture *picture, const PictureKey *
         paper->kind->line(paper, ends, 2, &pencil);
 }
 
-/* Of an earlier run it is told what it was, "a: cell size 1", not what came after: "1 -> 0.5". */
-static void name_of(const PictureKey *key, char out[PICTURE_TEXT_MAX + 4])
-{
-    const char run = picture_run_of(key);
-    size_t used = run ? (size_t)sprintf(out, "%c: ", run) : 0;
-    for (const char *from = key->name; *from;) {
-        const char *arrow = run ? strstr(from, " -> ") : NULL;
-        const size_t length = arrow ? (size_t)(arrow - from) : strlen(from);
-        memcpy(out + used, from, length);
-        used += length;
-        from += length;
-        from += arrow ? strcspn(from, ",") : 0;
-    }
-    out[used] = '\0';
-}
-
-/* Of a body the lines that are there: earlier runs, and what is not told by its colours alone. */
-static bool has_line(const Picture *picture, const PictureKey *key)
-{
-    bool found = !picture->map || picture_run_of(key);
-    for (int i = 0; i < picture->plot.n_strokes && !found; i++) {
-        const Stroke *stroke = &picture->plot.strokes[i];
-        found = stroke->style == key->style && stroke->line == key->line && !stroke->coarse;
-    }
-    return found;
-}
-
 double draw_legend_rows(Paper *paper, const Picture *picture, Box box)
 {
     const Type type = {.size = SIZE_WORDS};
@@ -207,10 +172,27 @@ double draw_legend_rows(Paper *paper, const Picture *picture, Box box)
     double x = 0, y = 0;
     for (int i = 0; i < picture->n_keys; i++) {
         const PictureKey *key = &picture->keys[i];
-        if (!has_line(picture, key))
+        /* Of a body the lines that are there: earlier runs, and what is not told by its colours alone. */
+        bool found = !picture->map || picture_run_of(key);
+        for (int j = 0; j < picture->plot.n_strokes && !found; j++) {
+            const Stroke *stroke = &picture->plot.strokes[j];
+            found = stroke->style == key->style && stroke->line == key->line && !stroke->coarse;
+        }
+        if (!found)
             continue;
         char name[PICTURE_TEXT_MAX + 4];
-        name_of(key, name);
+        /* Of an earlier run it is told what it was, "a: cell size 1", not what came after: "1 -> 0.5". */
+        const char run = picture_run_of(key);
+        size_t used = run ? (size_t)sprintf(name, "%c: ", run) : 0;
+        for (const char *from = key->name; *from;) {
+            const char *arrow = run ? strstr(from, " -> ") : NULL;
+            const size_t length = arrow ? (size_t)(arrow - from) : strlen(from);
+            memcpy(name + used, from, length);
+            used += length;
+            from += length;
+            from += arrow ? strcspn(from, ",") : 0;
+        }
+        name[used] = '\0';
         const double width = SAMPLE + BEHIND + draw_words_width(name, &type);
         if (x > 0 && x + width > box.width) {
             x = 0;

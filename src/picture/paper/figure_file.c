@@ -83,11 +83,6 @@ static double draw_all_notes(Paper *paper, const Picture *picture, bool alone, B
     return results + (alone ? draw_notes(paper, picture, true, box) : 0);
 }
 
-static double margin_of(const Figure *figure)
-{
-    return figure->bare ? BARE_MARGIN : MARGIN;
-}
-
 /* What stands above and below the picture itself; `alone`: with a legend of its own. */
 static double height_around(const FigurePanel *panel, double width, bool alone)
 {
@@ -134,7 +129,7 @@ static int columns_of(const Figure *figure)
 
 static double panel_width(const Figure *figure, int count)
 {
-    const double inner = figure->width * MILLIMETRES - 2 * margin_of(figure);
+    const double inner = figure->width * MILLIMETRES - 2 * (figure->bare ? BARE_MARGIN : MARGIN);
     return count >= COLUMNS_MANY ? (inner - MARGIN) / 2 : inner;
 }
 
@@ -160,31 +155,27 @@ static double plot_height(const Figure *figure)
     return height > 0 ? height : usual_height(figure, figure->count);
 }
 
-/* Pictures alone, each with its axes and, beside others, its time. */
-static double lay_out_bare(Paper *paper, const Figure *figure, double height)
-{
-    const int columns = columns_of(figure), rows = (figure->count + columns - 1) / columns;
-    const double wide = panel_width(figure, figure->count);
-    const double caption = figure->count > 1 ? LINE_HEIGHT * SIZE_WORDS : 0;
-    double high = plot_height(figure) + caption;
-    if (height > 0)
-        high = (height - 2 * BARE_MARGIN - (rows - 1) * MARGIN) / rows;
-    for (int i = 0; i < figure->count && paper; i++) {
-        const double x = BARE_MARGIN + i % columns * (wide + MARGIN);
-        const double y = BARE_MARGIN + i / columns * (high + MARGIN);
-        const Type words = {.size = SIZE_WORDS, .bold = true};
-        if (caption > 0)
-            draw_words(paper, x, y + SIZE_WORDS, figure->panels[i]->caption, &words);
-        draw_plot(paper, &figure->panels[i]->picture, (Box){x, y + caption, wide, high - caption});
-    }
-    return 2 * BARE_MARGIN + rows * high + (rows - 1) * MARGIN;
-}
-
 /* Draws the page, or measures it if there is no paper: its height follows from what is on it. */
 static double lay_out(Paper *paper, const Figure *figure, double height)
 {
-    if (figure->bare)
-        return lay_out_bare(paper, figure, height);
+    if (figure->bare) {
+        /* Pictures alone, each with its axes and, beside others, its time. */
+        const int columns = columns_of(figure), rows = (figure->count + columns - 1) / columns;
+        const double wide = panel_width(figure, figure->count);
+        const double caption = figure->count > 1 ? LINE_HEIGHT * SIZE_WORDS : 0;
+        double high = plot_height(figure) + caption;
+        if (height > 0)
+            high = (height - 2 * BARE_MARGIN - (rows - 1) * MARGIN) / rows;
+        for (int i = 0; i < figure->count && paper; i++) {
+            const double x = BARE_MARGIN + i % columns * (wide + MARGIN);
+            const double y = BARE_MARGIN + i / columns * (high + MARGIN);
+            const Type words = {.size = SIZE_WORDS, .bold = true};
+            if (caption > 0)
+                draw_words(paper, x, y + SIZE_WORDS, figure->panels[i]->caption, &words);
+            draw_plot(paper, &figure->panels[i]->picture, (Box){x, y + caption, wide, high - caption});
+        }
+        return 2 * BARE_MARGIN + rows * high + (rows - 1) * MARGIN;
+    }
     const double width = figure->width * MILLIMETRES - 2 * MARGIN;
     const Picture *common = common_of(figure);
     const Type title = {.size = SIZE_TITLE, .bold = true};
@@ -311,20 +302,6 @@ void figure_names(const Screen *screen, FILE *stream)
 
 /* --- what stands around the panels ------------------------------------------------------------------ */
 
-/* "cuts: notch 0 50% 50% 50%;  loads: top top 0% 100% 0 1.2e7,  bottom ...". */
-static void tell_rows(const Settings *settings, char *out, size_t size)
-{
-    char text[ROW_TEXT_MAX];
-    for (int kind = 0; kind < ROW_KINDS; kind++)
-        for (int row = 0; settings_have_rows(settings, kind) && row < settings->rows[kind].count; row++) {
-            const char *name = settings->rows[kind].rows[row].name;
-            settings_row_show(settings, kind, row, text);
-            text_append(out, size, "%s%s%s%s%s", row > 0 ? ",  " : ";  ",
-                        row > 0 ? "" : row_kinds[kind].section, row > 0 ? "" : ": ", name, *name ? " " : "");
-            text_append(out, size, "%s", text);
-        }
-}
-
 /* All parameters of the run but where its files go: group by group, "Bar: length 25, density 1;  Start: mode
  * 5". */
 static void tell_parameters(const Settings *settings, char *out, size_t size)
@@ -354,7 +331,16 @@ static void tell_parameters(const Settings *settings, char *out, size_t size)
                                      unit[0] ? " " : "", unit);
         group = parameter->group;
     }
-    tell_rows(settings, out, size);
+    /* "cuts: notch 0 50% 50% 50%;  loads: top top 0% 100% 0 1.2e7,  bottom ...". */
+    char text[ROW_TEXT_MAX];
+    for (int kind = 0; kind < ROW_KINDS; kind++)
+        for (int row = 0; settings_have_rows(settings, kind) && row < settings->rows[kind].count; row++) {
+            const char *name = settings->rows[kind].rows[row].name;
+            settings_row_show(settings, kind, row, text);
+            text_append(out, size, "%s%s%s%s%s", row > 0 ? ",  " : ";  ",
+                        row > 0 ? "" : row_kinds[kind].section, row > 0 ? "" : ": ", name, *name ? " " : "");
+            text_append(out, size, "%s", text);
+        }
     text_append(out, size, ".  matvib " PACKAGE_VERSION);
 }
 
@@ -451,9 +437,12 @@ double figure_enlargement(const Figure *figure, bool *differ)
     return least;
 }
 
-/* What is compared is drawn to one measure. */
-static void share_ranges(Figure *figure)
+bool figure_write(Figure *figure, Asker asker, const char *name, bool force, Status *status)
 {
+    OutputFile file;
+    if (!figure_allowed(name, status) || !output_open(&file, asker, name, force, status))
+        return false;
+    /* What is compared is drawn to one measure. */
     double low = INFINITY, high = -INFINITY;
     for (int i = 0; i < figure->count; i++)
         if (figure->panels[i]->picture.map) {
@@ -465,14 +454,6 @@ static void share_ranges(Figure *figure)
             figure->panels[i]->picture.map->low = low;
             figure->panels[i]->picture.map->high = high;
         }
-}
-
-bool figure_write(Figure *figure, Asker asker, const char *name, bool force, Status *status)
-{
-    OutputFile file;
-    if (!figure_allowed(name, status) || !output_open(&file, asker, name, force, status))
-        return false;
-    share_ranges(figure);
     const double width = figure->width * MILLIMETRES,
                  height = figure->height > 0 ? figure->height * MILLIMETRES : lay_out(NULL, figure, 0);
     const Format format = format_of(name);

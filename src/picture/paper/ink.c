@@ -121,19 +121,6 @@ static bool begins_power(const char *text)
     return is_digit(text[*text == '-']);
 }
 
-/* Before a number or a quantity, and between two numbers. */
-static bool is_minus(const char *start, const char *text)
-{
-    if (text == start || text[-1] == ' ')
-        return is_digit(text[1]) || (text[1] >= 'a' && text[1] <= 'z') || text[1] == '.';
-    return is_digit(text[-1]) && is_digit(text[1]);
-}
-
-static bool is_end(char c)
-{
-    return c == '\0' || c == ' ' || c == ',' || c == '.' || c == ';' || c == ':';
-}
-
 /* What the terminal writes plainly, for its font may lack the sign: `plain` as a word of its own after a
  * number, or wherever it stands between spaces. */
 static const struct {
@@ -146,7 +133,9 @@ static size_t put_sign(const char *start, const char *text, char *out, size_t si
 {
     for (size_t i = 0; i < sizeof signs / sizeof *signs; i++) {
         const size_t length = strlen(signs[i].plain);
-        if (strncmp(text, signs[i].plain, length) != 0 || !is_end(text[length]))
+        const char c = text[length];
+        if (strncmp(text, signs[i].plain, length) != 0 ||
+            !(c == '\0' || c == ' ' || c == ',' || c == '.' || c == ';' || c == ':'))
             continue;
         if (signs[i].unit && (text - start < 2 || !(is_digit(text[-2]) || text[-2] == ')')))
             continue;
@@ -179,7 +168,11 @@ void ink_words(const char *text, char *out, size_t size)
         } else if (bound && *text == '~' && text[1] != ' ') {
             put(out, size, "∝ ");
             text++;
-        } else if (*text == '-' && is_minus(start, text)) {
+            /* Before a number or a quantity, and between two numbers. */
+        } else if (*text == '-' &&
+                   (text == start || text[-1] == ' '
+                        ? is_digit(text[1]) || (text[1] >= 'a' && text[1] <= 'z') || text[1] == '.'
+                        : is_digit(text[-1]) && is_digit(text[1]))) {
             put(out, size, "−");
             text++;
         } else if (*text == '^' && begins_power(text + 1)) {

@@ -80,27 +80,17 @@ static void draw_disc(Paper *paper, double x, double y, double radius, Colour co
     stroke(cairo, edge);
 }
 
-static void set_type(cairo_t *cairo, const Type *type)
+static void draw_text(Paper *paper, double x, double y, const char *text, const Type *type)
 {
+    cairo_t *cairo = cairo_of(paper);
+    cairo_text_extents_t extents;
     CAIRO(select_font_face)
     (cairo, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
      type->bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
     CAIRO(set_font_size)(cairo, type->size);
     set_colour(cairo, type->colour);
-}
-
-static double width_of(Paper *paper, const char *text, const Type *type)
-{
-    cairo_text_extents_t extents;
-    set_type(cairo_of(paper), type);
     CAIRO(text_extents)(cairo_of(paper), text, &extents);
-    return extents.x_advance;
-}
-
-static void draw_text(Paper *paper, double x, double y, const char *text, const Type *type)
-{
-    cairo_t *cairo = cairo_of(paper);
-    const double width = width_of(paper, text, type);
+    const double width = extents.x_advance;
     CAIRO(save)(cairo);
     CAIRO(translate)(cairo, x, y);
     if (type->upwards)

@@ -214,14 +214,6 @@ static void tell_row(const Settings *settings, const RowPlace *place, Words *wor
               about->usual ? "" : ", C copies, D deletes");
 }
 
-static void tell_derived(const Screen *screen, int index, Words *words)
-{
-    Derived derived[DERIVED_MAX];
-    experiment_derived(screen->experiment, derived);
-    words_say(words, 2, "%s: %s %s; it follows from the parameters.", derived[index].label,
-              text_rounded(derived[index].value, DIGITS).text, derived[index].unit);
-}
-
 static void tell_parameter(const Screen *screen, Words *words)
 {
     ParameterRow rows[PARAMETER_ROWS_MAX];
@@ -230,8 +222,13 @@ static void tell_parameter(const Screen *screen, Words *words)
     const ParameterRow *row = selected >= 0 && selected < count ? &rows[selected] : NULL;
     if (row && row->is_row)
         tell_row(settings, &row->place, words);
-    else if (row && row->derived >= 0)
-        tell_derived(screen, row->derived, words);
+    else if (row && row->derived >= 0) {
+        const int index = row->derived;
+        Derived derived[DERIVED_MAX];
+        experiment_derived(screen->experiment, derived);
+        words_say(words, 2, "%s: %s %s; it follows from the parameters.", derived[index].label,
+                  text_rounded(derived[index].value, DIGITS).text, derived[index].unit);
+    }
     if (!row || !row->parameter)
         return;
     char value[LIST_MAX], range[160];

@@ -203,32 +203,6 @@ static void say_curve(Words *words, const char *name, const Curve *curve, const 
     words_say(words, 4, "  %s: %s.", name, text);
 }
 
-/* How far the measured curve is from another one. */
-static void say_distance(Words *words, const char *name, const char *other_name, const Curve *curve,
-                         const Curve *other, const Measure *x, const Measure *y)
-{
-    double most = 0, at = NAN, end = NAN;
-    if (!ascends(curve) || !ascends(other))
-        return;
-    for (size_t i = curve->first; i <= curve->last; i++) {
-        const double away = y_at(curve, i) - value_at(other, x_at(curve, i));
-        if (!isfinite(away))
-            continue;
-        end = away;
-        if (isnan(at) || fabs(away) > most)
-            most = fabs(away), at = x_at(curve, i);
-    }
-    char a[NAME_MAX], b[NAME_MAX], c[NAME_MAX];
-    if (!isnan(at) && !(most > y->nothing))
-        words_say(words, 4, "  %s lies on %s.", name, other_name);
-    else if (!isnan(at))
-        words_say(words, 4, "  %s is away from %s by at most %s, at %s %s; at the end it is %s %s.", name,
-                  other_name, number(y, most, a), x->name, number(x, at, b), number(y, fabs(end), c),
-                  end > 0   ? "above"
-                  : end < 0 ? "below"
-                            : "beside");
-}
-
 static void say_band(Words *words, const char *name, const double *points, size_t count, const Measure *x,
                      const Measure *y)
 {
@@ -371,72 +345,74 @@ static void say_strokes(const Picture *picture, double cursor, Words *words)
             !look_at(plot->points + 2 * stroke->first, stroke->count, upright, &curve))
             continue;
         name_of(picture, i, name);
-        say_distance(words, whose, name, &measured, &curve, &x, &y);
+        /* How far the measured curve is from another one. */
+        double most = 0, at = NAN, end = NAN;
+        if (ascends(&measured) && ascends(&curve)) {
+            for (size_t j = measured.first; j <= measured.last; j++) {
+                const double away = y_at(&measured, j) - value_at(&curve, x_at(&measured, j));
+                if (!isfinite(away))
+                    continue;
+                end = away;
+                if (isnan(at) || fabs(away) > most)
+                    most = fabs(away), at = x_at(&measured, j);
+            }
+            char a[NAME_MAX], b[NAME_MAX], c[NAME_MAX];
+            if (!isnan(at) && !(most > y.nothing))
+                words_say(words, 4, "  %s lies on %s.", whose, name);
+            else if (!isnan(at))
+                words_say(words, 4, "  %s is away from %s by at most %s, at %s %s; at the end it is %s %s.",
+                          whose, name, number(&y, most, a), x.name, number(&x, at, b),
+                          number(&y, fabs(end), c),
+                          end > 0   ? "above"
+                          : end < 0 ? "below"
+                                    : "beside");
+        }
     }
 }
 
-static void say_rules(const Picture *picture, Words *words)
-{
-    const Measure x = measure_of(&picture->plot.x, picture->x_name);
-    char place[NAME_MAX];
-    for (size_t i = 0; i < picture->n_marks; i++)
-        if (picture->marks[i].kind == MARK_RULE && picture->marks[i].word && picture->marks[i].word[1])
-            words_say(words, 4, "  at %s %s: %s.", x.name, number(&x, picture->marks[i].x, place),
-                      picture->marks[i].word);
-}
-
 /* --- a map ------------------------------------------------------------------------------------------ */
-
-/* "37 % along, at the upper edge" */
-static void place_of(const PictureMap *map, size_t piece, char out[NAME_MAX])
-{
-    const int column = (int)(piece % (size_t)map->nx), row = (int)(piece / (size_t)map->nx);
-    const double along = map->nx > 1 ? 100.0 * column / (map->nx - 1) : 0;
-    if (map->is_cloud)
-        snprintf(out, NAME_MAX, "at %s, %s", text_rounded(map->x[piece], DIGITS).text,
-                 text_rounded(map->y[piece], DIGITS).text);
-    else if (row == 0 || row == map->ny - 1)
-        snprintf(out, NAME_MAX, "%.0f %% along, at the %s edge", along, row == 0 ? "lower" : "upper");
-    else
-        snprintf(out, NAME_MAX, "%.0f %% along, %.0f %% up", along, 100.0 * row / (map->ny - 1));
-}
 
 /* "greatest: 1.2 J/m^3, 37 % along, at the upper edge." */
 static void say_piece(Words *words, const char *what, const PictureMap *map, size_t piece)
 {
     char place[NAME_MAX];
-    place_of(map, piece, place);
+    /* "37 % along, at the upper edge" */
+    const int column = (int)(piece % (size_t)map->nx), row = (int)(piece / (size_t)map->nx);
+    const double along = map->nx > 1 ? 100.0 * column / (map->nx - 1) : 0;
+    if (map->is_cloud)
+        snprintf(place, NAME_MAX, "at %s, %s", text_rounded(map->x[piece], DIGITS).text,
+                 text_rounded(map->y[piece], DIGITS).text);
+    else if (row == 0 || row == map->ny - 1)
+        snprintf(place, NAME_MAX, "%.0f %% along, at the %s edge", along, row == 0 ? "lower" : "upper");
+    else
+        snprintf(place, NAME_MAX, "%.0f %% along, %.0f %% up", along, 100.0 * row / (map->ny - 1));
     words_say(words, 4, "  %s: %s%s%s, %s.", what, text_rounded(map->value[piece], DIGITS).text,
               map->unit[0] ? " " : "", map->unit, place);
-}
-
-/* Of each thing where it lies. */
-static void say_kinds(const PictureMap *map, Words *words)
-{
-    for (int kind = 0; kind < map->kinds; kind++) {
-        size_t count = 0;
-        double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
-        for (size_t i = 0; i < (size_t)map->nx; i++) {
-            const double place[2] = {map->x[i], map->y[i]};
-            if ((int)map->value[i] != kind)
-                continue;
-            count++;
-            for (int d = 0; d < 2; d++) {
-                low[d] = fmin(low[d], place[d]);
-                high[d] = fmax(high[d], place[d]);
-            }
-        }
-        words_say(words, 4, "  %s: %zu particles, x from %s to %s, y from %s to %s.", map->kind_names[kind],
-                  count, text_rounded(low[0], DIGITS).text, text_rounded(high[0], DIGITS).text,
-                  text_rounded(low[1], DIGITS).text, text_rounded(high[1], DIGITS).text);
-    }
 }
 
 static void say_map(const Picture *picture, Words *words)
 {
     const PictureMap *map = picture->map;
     if (map->kinds) {
-        say_kinds(map, words);
+        /* Of each thing where it lies. */
+        for (int kind = 0; kind < map->kinds; kind++) {
+            size_t count = 0;
+            double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+            for (size_t i = 0; i < (size_t)map->nx; i++) {
+                const double place[2] = {map->x[i], map->y[i]};
+                if ((int)map->value[i] != kind)
+                    continue;
+                count++;
+                for (int d = 0; d < 2; d++) {
+                    low[d] = fmin(low[d], place[d]);
+                    high[d] = fmax(high[d], place[d]);
+                }
+            }
+            words_say(words, 4, "  %s: %zu particles, x from %s to %s, y from %s to %s.",
+                      map->kind_names[kind], count, text_rounded(low[0], DIGITS).text,
+                      text_rounded(high[0], DIGITS).text, text_rounded(low[1], DIGITS).text,
+                      text_rounded(high[1], DIGITS).text);
+        }
         return;
     }
     const size_t count = (size_t)map->nx * (size_t)map->ny;
@@ -512,26 +488,6 @@ static void say_list(const Picture *picture, Words *words)
     }
 }
 
-/* The rows from above, as they lie. */
-static void say_around(const PictureAround *around, Words *words)
-{
-    const int side = 2 * around->reach + 1;
-    words_say(words, 4, "  around it, row by row from above, # is the node itself: %s", around->meaning);
-    for (int q = side - 1; q >= 0; q--) {
-        char text[16 * AROUND_SIDE] = "";
-        for (int p = 0; p < side; p++) {
-            const struct AroundPlace *place = &around->places[q][p];
-            char sign[8];
-            sign[glyph_put(sign, place->sign)] = '\0';
-            if (place->is_there && place->sign)
-                text_append(text, sizeof text, " %s", sign);
-            else if (place->is_there)
-                text_append(text, sizeof text, " %.0f", round(place->value) + 0.0);
-        }
-        words_say(words, 4, " %s", text);
-    }
-}
-
 /* Terms and sums as they add up on paper too, in the power of ten that stands at the head. */
 static void say_table(const PictureTable *table, Words *words)
 {
@@ -585,8 +541,14 @@ void tell_picture(const Picture *picture, double cursor, Words *words)
         say_strokes(picture, cursor, words);
     if (drawn || picture->bare || !picture->has_axes)
         words_say(words, 4, "  %s.", drawn ? picture->name : picture->heading);
-    else
-        say_rules(picture, words);
+    else {
+        const Measure x = measure_of(&picture->plot.x, picture->x_name);
+        char place[NAME_MAX];
+        for (size_t i = 0; i < picture->n_marks; i++)
+            if (picture->marks[i].kind == MARK_RULE && picture->marks[i].word && picture->marks[i].word[1])
+                words_say(words, 4, "  at %s %s: %s.", x.name, number(&x, picture->marks[i].x, place),
+                          picture->marks[i].word);
+    }
     if (picture->list)
         say_list(picture, words);
     for (int i = 0; i < picture->n_labels && picture->bare; i++)
@@ -597,8 +559,25 @@ void tell_picture(const Picture *picture, double cursor, Words *words)
     for (int i = 0; i < picture->n_notes; i++)
         if (picture->notes[i].text[strspn(picture->notes[i].text, " ")])
             words_say(words, 4, "  %s", picture->notes[i].text + strspn(picture->notes[i].text, " "));
-    if (picture->around)
-        say_around(picture->around, words);
+    if (picture->around) {
+        /* The rows from above, as they lie. */
+        const PictureAround *around = picture->around;
+        const int side = 2 * around->reach + 1;
+        words_say(words, 4, "  around it, row by row from above, # is the node itself: %s", around->meaning);
+        for (int q = side - 1; q >= 0; q--) {
+            char text[16 * AROUND_SIDE] = "";
+            for (int p = 0; p < side; p++) {
+                const struct AroundPlace *place = &around->places[q][p];
+                char sign[8];
+                sign[glyph_put(sign, place->sign)] = '\0';
+                if (place->is_there && place->sign)
+                    text_append(text, sizeof text, " %s", sign);
+                else if (place->is_there)
+                    text_append(text, sizeof text, " %.0f", round(place->value) + 0.0);
+            }
+            words_say(words, 4, " %s", text);
+        }
+    }
     for (int i = 0; i < picture->n_tables; i++)
         say_table(&picture->tables[i], words);
 }

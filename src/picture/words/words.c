@@ -91,25 +91,6 @@ static size_t frame_bytes(const char *line, const char *at)
     return alone && (bars == 1 || rule == TEXT_MOST || (rule == 1 && at == line)) ? bytes : 0;
 }
 
-/* Takes frames, rules, and the blanks at both ends that they leave; indentation stays. */
-static void strip(char *line)
-{
-    char *out = line;
-    for (const char *at = line; *at;) {
-        const size_t frame = frame_bytes(line, at);
-        if (frame == 0) {
-            *out++ = *at++;
-            continue;
-        }
-        at += frame;
-        if (out == line)
-            at += strspn(at, " ");
-    }
-    while (out > line && (out[-1] == ' ' || (out[-1] == '-' && out - line > 1 && out[-2] == ' ')))
-        out--;
-    *out = '\0';
-}
-
 static bool has_words(const char *line)
 {
     while (*line && !isalnum((unsigned char)*line) && (unsigned char)*line < 0x80)
@@ -125,7 +106,21 @@ void words_canvas(Words *words, const Canvas *canvas, bool numbered)
     for (char *line = dump, *end; line && (end = strchr(line, '\n')); line = end + 1) {
         char head[16] = "";
         *end = '\0';
-        strip(line);
+        /* Takes frames, rules, and the blanks at both ends that they leave; indentation stays. */
+        char *out = line;
+        for (const char *at = line; *at;) {
+            const size_t frame = frame_bytes(line, at);
+            if (frame == 0) {
+                *out++ = *at++;
+                continue;
+            }
+            at += frame;
+            if (out == line)
+                at += strspn(at, " ");
+        }
+        while (out > line && (out[-1] == ' ' || (out[-1] == '-' && out - line > 1 && out[-2] == ' ')))
+            out--;
+        *out = '\0';
         if (!has_words(line))
             continue;
         if (numbered)
