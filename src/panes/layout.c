@@ -225,28 +225,6 @@ static bool lay_out_page(const Screen *screen, int width, int height, Layout *la
     return true;
 }
 
-static void layout_small(const Screen *screen, int width, int height, Layout *layout)
-{
-    const PaneId given = screen->panes.focus < PANE_COUNT ? screen->panes.focus : PANE_PARAMETERS;
-    /* what is moved on the map is looked at there, though the keys go to the parameters */
-    const PaneId map = screen->views.upper->is_map ? PANE_UPPER : PANE_LOWER;
-    const PaneId focus = screen->parameters->rows.placing ? map : given;
-    const bool whole = screen->panes.zoomed, roomy = width >= BOX_WIDTH && height >= BOX_HEIGHT;
-    layout->kind = LAYOUT_ONE_PANE;
-    if (!whole && roomy && screen->lesson->open && screen->lesson->lesson &&
-        lay_out_page(screen, width, height, layout))
-        return;
-    const bool box = !whole && roomy && (is_plot(focus) || focus == PANE_MESH) && has_numbers(screen);
-    const int rows = height - 2 - (box ? BOX_ROWS : 0);
-    layout->panes[focus] = (Rect){0, 1, width, rows};
-    if (box)
-        layout->panes[PANE_BOX] = (Rect){0, 1 + rows, width, BOX_ROWS};
-    if (!whole && width >= PAIR_WIDTH && height >= PAIR_HEIGHT && is_plot(focus)) {
-        layout->panes[PANE_UPPER] = (Rect){0, 1, width, rows / 2};
-        layout->panes[PANE_LOWER] = (Rect){0, 1 + rows / 2, width, rows - rows / 2};
-    }
-}
-
 /* Where panes lie on the plain sheet: in one column below 80 columns; else one large picture, above it the
  * strip of particles, below it what is asked, the number that the scenario is about and the parameters that
  * it asks about. Beside a lesson the text and the picture; in the middle of a step, where a run has failed,
@@ -317,15 +295,6 @@ static bool lay_out_wide(const Screen *screen, int width, int height, Layout *la
     return true;
 }
 
-/* Beside a lesson: in a lecture, and of bodies once it is known, for no plot has it. */
-static int lesson_number_rows(const Screen *screen, int width, int height)
-{
-    char digits[NUMBER_DIGITS_MAX], words[NUMBER_WORDS_MAX];
-    const bool bodies = simulation_has(experiment_simulation(screen->experiment), HAS_BODIES);
-    const bool shown = screen->panes.lecture || (bodies && screen_number(screen, digits, words));
-    return shown && screen->lesson->lesson ? pane_number_rows(screen, width, height) : 0;
-}
-
 static void lay_out_lesson(const Screen *screen, int width, int height, Layout *layout)
 {
     if (lay_out_wide(screen, width, height, layout))
@@ -334,7 +303,11 @@ static void lay_out_lesson(const Screen *screen, int width, int height, Layout *
               box = box_rows(screen, height, false);
     const int top = 1 + strip, middle = height - 2 - strip - box;
     const int text = layout_lesson_width(width), left = text + 1;
-    const int number = lesson_number_rows(screen, width, height);
+    /* Beside a lesson: in a lecture, and of bodies once it is known, for no plot has it. */
+    char digits[NUMBER_DIGITS_MAX], words[NUMBER_WORDS_MAX];
+    const bool bodies = simulation_has(experiment_simulation(screen->experiment), HAS_BODIES);
+    const bool shown = screen->panes.lecture || (bodies && screen_number(screen, digits, words));
+    const int number = shown && screen->lesson->lesson ? pane_number_rows(screen, width, height) : 0;
     layout->panes[PANE_MESH] = (Rect){0, 1, strip ? width : 0, strip};
     layout->panes[PANE_PARAMETERS] = (Rect){0, top, text, middle};
     if (number && middle - number >= (screen->panes.lecture ? 1 : 3) * PICTURE_LEAST)
@@ -405,23 +378,6 @@ static void lay_out_stacked(const Screen *screen, int width, int height, Layout 
     layout->panes[PANE_PARAMETERS] = (Rect){0, end + box + number, asked ? width : 0, asked};
 }
 
-/* In two columns: the bar and the picture at the left, the number and the parameters beside them, what is
- * asked above. */
-static void lay_out_beside(const Screen *screen, int width, int height, Layout *layout)
-{
-    const int question = pane_question_rows(screen, width), box = box_rows(screen, height, false);
-    const int top = 1 + question, middle = height - 2 - question - box, left = width - ASKED_WIDTH - 1;
-    const int strip = middle < 2 * PICTURE_LEAST ? 0 : strip_rows(screen, height);
-    const int asked = pane_asked_rows(screen), number = pane_number_rows(screen, width, height);
-    const int over = number + asked > middle ? 0 : number; /* the parameters are what is changed */
-    layout->question = (Rect){0, 1, question ? width : 0, question};
-    layout->panes[PANE_MESH] = (Rect){0, top, strip ? left : 0, strip};
-    lay_out_picture(screen, (Rect){0, top + strip, left, middle - strip}, layout);
-    layout->number = (Rect){left + 1, top, over ? ASKED_WIDTH : 0, over};
-    layout->panes[PANE_PARAMETERS] = (Rect){left + 1, top + over, ASKED_WIDTH, middle - over};
-    layout->panes[PANE_BOX] = (Rect){0, top + middle, box ? width : 0, box};
-}
-
 static bool layout_plain(const Screen *screen, int width, int height, Layout *layout)
 {
     const bool lesson = screen->lesson->open;
@@ -433,7 +389,19 @@ static bool layout_plain(const Screen *screen, int width, int height, Layout *la
     }
     if (!lesson && width >= BESIDE_WIDTH && height < BESIDE_HEIGHT) {
         layout->kind = LAYOUT_FULL;
-        lay_out_beside(screen, width, height, layout);
+        /* In two columns: the bar and the picture at the left, the number and the parameters beside them,
+         * what is asked above. */
+        const int question = pane_question_rows(screen, width), box = box_rows(screen, height, false);
+        const int top = 1 + question, middle = height - 2 - question - box, left = width - ASKED_WIDTH - 1;
+        const int strip = middle < 2 * PICTURE_LEAST ? 0 : strip_rows(screen, height);
+        const int asked = pane_asked_rows(screen), number = pane_number_rows(screen, width, height);
+        const int over = number + asked > middle ? 0 : number; /* the parameters are what is changed */
+        layout->question = (Rect){0, 1, question ? width : 0, question};
+        layout->panes[PANE_MESH] = (Rect){0, top, strip ? left : 0, strip};
+        lay_out_picture(screen, (Rect){0, top + strip, left, middle - strip}, layout);
+        layout->number = (Rect){left + 1, top, over ? ASKED_WIDTH : 0, over};
+        layout->panes[PANE_PARAMETERS] = (Rect){left + 1, top + over, ASKED_WIDTH, middle - over};
+        layout->panes[PANE_BOX] = (Rect){0, top + middle, box ? width : 0, box};
         return true;
     }
     if (width < (lesson ? LESSON_LEAST_WIDTH : PLAIN_WIDTH) ||
@@ -457,7 +425,24 @@ Layout layout_make(const Screen *screen, int width, int height)
         lay_out_full(screen, width, height, &layout);
         return layout;
     }
-    layout_small(screen, width, height, &layout);
+    const PaneId given = screen->panes.focus < PANE_COUNT ? screen->panes.focus : PANE_PARAMETERS;
+    /* what is moved on the map is looked at there, though the keys go to the parameters */
+    const PaneId map = screen->views.upper->is_map ? PANE_UPPER : PANE_LOWER;
+    const PaneId focus = screen->parameters->rows.placing ? map : given;
+    const bool whole = screen->panes.zoomed, roomy = width >= BOX_WIDTH && height >= BOX_HEIGHT;
+    layout.kind = LAYOUT_ONE_PANE;
+    if (whole || !roomy || !screen->lesson->open || !screen->lesson->lesson ||
+        !lay_out_page(screen, width, height, &layout)) {
+        const bool box = !whole && roomy && (is_plot(focus) || focus == PANE_MESH) && has_numbers(screen);
+        const int rows = height - 2 - (box ? BOX_ROWS : 0);
+        layout.panes[focus] = (Rect){0, 1, width, rows};
+        if (box)
+            layout.panes[PANE_BOX] = (Rect){0, 1 + rows, width, BOX_ROWS};
+        if (!whole && width >= PAIR_WIDTH && height >= PAIR_HEIGHT && is_plot(focus)) {
+            layout.panes[PANE_UPPER] = (Rect){0, 1, width, rows / 2};
+            layout.panes[PANE_LOWER] = (Rect){0, 1 + rows / 2, width, rows - rows / 2};
+        }
+    }
     return layout;
 }
 

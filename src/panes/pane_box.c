@@ -81,14 +81,6 @@ static void draw_offers(const Screen *screen, Area area, int y, int begin)
         area_text_right(area, area.rect.width - 1, y, text, STYLE_NORMAL);
 }
 
-/* " (continuum)" behind the word "exact", and so on; beam theories have names of their own. */
-static const char *gloss_of(const char *label)
-{
-    return strcmp(label, "exact") == 0       ? " (continuum)"
-           : strcmp(label, "predicted") == 0 ? " (this mesh)"
-                                             : "";
-}
-
 /* "Solid measured, dotted exact (continuum)" as the plots over time draw them; in brief without what stands
  * in brackets. */
 static void line_words(const Screen *screen, bool brief, char *out, size_t size)
@@ -105,8 +97,12 @@ static void line_words(const Screen *screen, bool brief, char *out, size_t size)
         if (columns[i].kind == COLUMN_MEASURED || columns[i].of < 0 ||
             !time_plot_shows(screen, &columns[i]) || strstr(out, legend.name))
             continue;
+        /* " (continuum)" behind the word "exact", and so on; beam theories have names of their own. */
         text_append(out, size, ", %s %s%s", ascii ? letter : words[legend.line], legend.name,
-                    brief ? "" : gloss_of(legend.name));
+                    brief ? ""
+                          : (strcmp(legend.name, "exact") == 0       ? " (continuum)"
+                             : strcmp(legend.name, "predicted") == 0 ? " (this mesh)"
+                                                                     : ""));
     }
 }
 
@@ -139,17 +135,6 @@ static void drop_sentences(char *text, const char *word)
         to += length;
     }
     *to = '\0';
-}
-
-/* What a scenario says of itself, without what it says of lines that are not drawn: their answer may have
- * left, or be hidden. */
-static void about_text(const Screen *screen, char about[ABOUT_MAX])
-{
-    memcpy(about, experiment_settings(screen->experiment)->about, ABOUT_MAX);
-    if (!is_drawn(screen, LINE_DOTTED))
-        drop_sentences(about, "otted");
-    if (!is_drawn(screen, LINE_DASHED))
-        drop_sentences(about, "ashed");
 }
 
 /* Cuts a text to the whole sentences that fit; the help has all of it. */
@@ -232,37 +217,6 @@ static bool news_of(const Screen *screen, char *out, size_t size, Style *style)
     return out[0] != '\0';
 }
 
-static void draw_caption(const Screen *screen, Area area)
-{
-    const int width = area.rect.width - 2, rows = area.rect.height;
-    char lines[256], news[512], hint[160];
-    line_words(screen, false, lines, sizeof lines);
-    if (5 + glyphs_columns(lines) > area.rect.width)
-        line_words(screen, true, lines, sizeof lines);
-    const bool in_heading =
-        title_has_headline(screen, area.canvas->width) && 5 + glyphs_columns(lines) <= area.rect.width;
-    draw_caption_heading(screen, area, lines, in_heading);
-
-    int last = rows - 1, y = 1;
-    Style style;
-    const bool has_news = news_of(screen, news, sizeof news, &style);
-    const int needed = has_news ? area_paragraph_lines(width, news) : 0;
-    if (!screen->lesson->open && last > y && needed < last) { /* what happens is told whole before any hint */
-        hint_of(screen, hint, sizeof hint);
-        const int end = 1 + area_text(area, 1, last, hint, STYLE_FAINT);
-        draw_offers(screen, area, last--, hint[0] ? end : 0);
-    }
-    if (!in_heading && last - needed >= y)
-        y += area_paragraph(area, 1, y, width, last - needed - y + 1, lines, STYLE_NORMAL);
-    if (has_news)
-        last -= draw_from_below(area, y, last, news, style);
-    char about[ABOUT_MAX];
-    about_text(screen, about);
-    keep_sentences(about, width, last - y + 1);
-    if (about[0])
-        area_paragraph(area, 1, y, width, last - y + 1, about, STYLE_NORMAL);
-}
-
 /* --- summary -------------------------------------------------------------------------------------- */
 
 static void draw_summary(const Screen *screen, Area area)
@@ -320,35 +274,6 @@ static void draw_summary(const Screen *screen, Area area)
                  STYLE_NORMAL);
 }
 
-/* In the longest free piece of the box's upper edge. */
-static void draw_ghost_names(const Screen *screen, Area area)
-{
-    enum { RULE = 0x2500, LEAST = 6 };
-    const Canvas *canvas = area.canvas;
-    int begin = 0, columns = 0;
-    for (int x = 0, run = 0; x < area.rect.width; x++) {
-        const Cell *cell = &canvas->cells[area.rect.y * canvas->width + area.rect.x + x];
-        run = cell->glyph == RULE ? run + 1 : 0;
-        if (run > columns)
-            columns = run, begin = x + 1 - run;
-    }
-    char text[160];
-    runs_ghost_names(screen, columns - 4, text, sizeof text);
-    if (columns < LEAST || !text[0])
-        return;
-    const int end = begin + columns - 1, width = glyphs_columns(text);
-    area_text_right(area, end, 0, " ", STYLE_FRAME);
-    area_text_right(area, end - 1, 0, text, STYLE_NORMAL);
-    area_text_right(area, end - 1 - width, 0, " ", STYLE_FRAME);
-}
-
-/* It stays until the series beside it goes. */
-static void draw_diagnosis(const Screen *screen, Area area)
-{
-    area_rule(area, 0, "Your code beside the right one   :overlay takes it away", STYLE_HEADING);
-    area_paragraph(area, 1, 1, area.rect.width - 2, area.rect.height - 1, screen->diagnosis, STYLE_NORMAL);
-}
-
 /* True: the ghosts are named in it. */
 static bool draw_box(const Screen *screen, Area area)
 {
@@ -358,14 +283,50 @@ static bool draw_box(const Screen *screen, Area area)
     area = area_part(area, 0, table, area.rect.width, area.rect.height - table);
     if (table > 0 && area.rect.height < LEAST)
         return true;
-    if (screen->diagnosis[0] && between)
-        draw_diagnosis(screen, area);
-    else if (screen_second_run(screen) && between)
+    if (screen->diagnosis[0] && between) {
+        /* It stays until the series beside it goes. */
+        area_rule(area, 0, "Your code beside the right one   :overlay takes it away", STYLE_HEADING);
+        area_paragraph(area, 1, 1, area.rect.width - 2, area.rect.height - 1, screen->diagnosis,
+                       STYLE_NORMAL);
+    } else if (screen_second_run(screen) && between)
         pane_duel(screen, area);
-    else if (screen_is_running(screen) || screen->playback->state == STATE_COMPUTING)
-        draw_caption(screen, area);
-    else if ((screen->playback->state == STATE_ENDED || screen->playback->state == STATE_FAILED) &&
-             experiment_stage(screen->experiment) == 0)
+    else if (screen_is_running(screen) || screen->playback->state == STATE_COMPUTING) {
+        const int width = area.rect.width - 2, rows = area.rect.height;
+        char lines[256], news[512], hint[160];
+        line_words(screen, false, lines, sizeof lines);
+        if (5 + glyphs_columns(lines) > area.rect.width)
+            line_words(screen, true, lines, sizeof lines);
+        const bool in_heading =
+            title_has_headline(screen, area.canvas->width) && 5 + glyphs_columns(lines) <= area.rect.width;
+        draw_caption_heading(screen, area, lines, in_heading);
+
+        int last = rows - 1, y = 1;
+        Style style;
+        const bool has_news = news_of(screen, news, sizeof news, &style);
+        const int needed = has_news ? area_paragraph_lines(width, news) : 0;
+        if (!screen->lesson->open && last > y &&
+            needed < last) { /* what happens is told whole before any hint */
+            hint_of(screen, hint, sizeof hint);
+            const int end = 1 + area_text(area, 1, last, hint, STYLE_FAINT);
+            draw_offers(screen, area, last--, hint[0] ? end : 0);
+        }
+        if (!in_heading && last - needed >= y)
+            y += area_paragraph(area, 1, y, width, last - needed - y + 1, lines, STYLE_NORMAL);
+        if (has_news)
+            last -= draw_from_below(area, y, last, news, style);
+        char about[ABOUT_MAX];
+        /* What a scenario says of itself, without what it says of lines that are not drawn: their answer may
+         * have left, or be hidden. */
+        memcpy(about, experiment_settings(screen->experiment)->about, ABOUT_MAX);
+        if (!is_drawn(screen, LINE_DOTTED))
+            drop_sentences(about, "otted");
+        if (!is_drawn(screen, LINE_DASHED))
+            drop_sentences(about, "ashed");
+        keep_sentences(about, width, last - y + 1);
+        if (about[0])
+            area_paragraph(area, 1, y, width, last - y + 1, about, STYLE_NORMAL);
+    } else if ((screen->playback->state == STATE_ENDED || screen->playback->state == STATE_FAILED) &&
+               experiment_stage(screen->experiment) == 0)
         draw_summary(screen, area);
     else
         pane_stage(screen, area);
@@ -374,6 +335,24 @@ static bool draw_box(const Screen *screen, Area area)
 
 void pane_box(const Screen *screen, Area area)
 {
-    if (!draw_box(screen, area) && area.rect.height > 0)
-        draw_ghost_names(screen, area);
+    if (!draw_box(screen, area) && area.rect.height > 0) {
+        /* In the longest free piece of the box's upper edge. */
+        enum { RULE = 0x2500, LEAST = 6 };
+        const Canvas *canvas = area.canvas;
+        int begin = 0, columns = 0;
+        for (int x = 0, run = 0; x < area.rect.width; x++) {
+            const Cell *cell = &canvas->cells[area.rect.y * canvas->width + area.rect.x + x];
+            run = cell->glyph == RULE ? run + 1 : 0;
+            if (run > columns)
+                columns = run, begin = x + 1 - run;
+        }
+        char text[160];
+        runs_ghost_names(screen, columns - 4, text, sizeof text);
+        if (columns >= LEAST && text[0]) {
+            const int end = begin + columns - 1, width = glyphs_columns(text);
+            area_text_right(area, end, 0, " ", STYLE_FRAME);
+            area_text_right(area, end - 1, 0, text, STYLE_NORMAL);
+            area_text_right(area, end - 1 - width, 0, " ", STYLE_FRAME);
+        }
+    }
 }

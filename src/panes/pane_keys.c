@@ -78,23 +78,19 @@ static const Offers magnified_keys = {{PAIR(LEFT, RIGHT, "move"), PAIR(UP, DOWN,
                                        PAIR(FASTER, SLOWER, "size"), AS(CANCEL, "whole"), KEY(RUN_PAUSE),
                                        KEY(STEP_FORWARD), KEY(STAGE_FORWARD), KEY(ZOOM)}};
 
-static const Offers *offers_of_lesson(const LessonShown *shown)
-{
-    if (!shown->lesson)
-        return &lessons_keys;
-    const LessonPage *page = &shown->lesson->pages[shown->page];
-    if (page->n_fields > 0)
-        return &lesson_fields_keys;
-    return page->until.kind == UNTIL_STAGE || page->until.kind == UNTIL_STEP ? &lesson_stages_keys
-                                                                             : &lesson_keys;
-}
-
 /* Of the parameters' pane. */
 static const Offers *offers_of_fields(const Screen *screen)
 {
     RowPlace place;
-    if (screen->lesson->open)
-        return offers_of_lesson(screen->lesson);
+    if (screen->lesson->open) {
+        if (!screen->lesson->lesson)
+            return &lessons_keys;
+        const LessonPage *page = &screen->lesson->lesson->pages[screen->lesson->page];
+        if (page->n_fields > 0)
+            return &lesson_fields_keys;
+        return page->until.kind == UNTIL_STAGE || page->until.kind == UNTIL_STEP ? &lesson_stages_keys
+                                                                                 : &lesson_keys;
+    }
     if (screen_is_plain(screen) && screen->offers_lesson)
         return &plain_at_first_keys;
     if (screen_selected_row(screen, &place) && !place.value)

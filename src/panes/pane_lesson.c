@@ -34,80 +34,6 @@ static void write_paragraphs(Scribe *pen, const char *text, Style style)
     }
 }
 
-static void write_question(Scribe *pen, const LessonShown *lesson, const LessonPage *page)
-{
-    const bool chooses = page->n_choices > 0;
-    const int answer = lesson->answer, width = pen->area.rect.width - 2;
-    write_paragraphs(pen, page->question, STYLE_HEADING);
-    if (answer < 0 && chooses)
-        pen->y -= pen->gap; /* the choices stand close to it */
-    for (int i = 0; i < page->n_choices && answer < 0; i++) {
-        const int lines = area_paragraph_lines(width - 3, page->choices[i]);
-        const bool marked = i == lesson->marked;
-        for (int y = 0; y < lines && marked; y++)
-            for (int x = 1; x < width + 1; x++)
-                area_put(pen->area, x, pen->y + y, ' ', STYLE_SELECTED);
-        area_print(pen->area, 2, pen->y, marked ? STYLE_SELECTED : STYLE_KEY, "%d", i + 1);
-        area_paragraph(pen->area, 4, pen->y, width - 3, lines, page->choices[i],
-                       marked ? STYLE_SELECTED : STYLE_NORMAL);
-        pen->end = pen->y += lines;
-    }
-    if (answer < 0 || !chooses)
-        return;
-    char text[512];
-    if (answer == page->right)
-        snprintf(text, sizeof text, "Right: %.400s.", page->choices[answer]);
-    else
-        snprintf(text, sizeof text, "You said: %.200s. It is: %.200s.", page->choices[answer],
-                 page->choices[page->right]);
-    write_paragraphs(pen, text, answer == page->right ? STYLE_CHANGED : STYLE_WARNING);
-}
-
-static void write_page(Scribe *pen, const Screen *screen)
-{
-    const LessonPage *page = &screen->lesson->lesson->pages[screen->lesson->page];
-    write_paragraphs(pen, page->title, STYLE_HEADING);
-    write_paragraphs(pen, page->first.text, STYLE_NORMAL);
-    if (page->question)
-        write_question(pen, screen->lesson, page);
-    write_paragraphs(pen, screen->lesson->verdict,
-                     screen->lesson->verdict_right ? STYLE_CHANGED : STYLE_WARNING);
-    if (page->question ? screen->lesson->answer >= 0 : screen->lesson->met)
-        write_paragraphs(pen, page->revealed.text, STYLE_NORMAL);
-    ParameterRow rows[PARAMETER_ROWS_MAX];
-    const int count = page->n_fields ? screen_parameter_rows(screen, rows) : 0;
-    for (int i = 0; i < page->n_fields; i++) {
-        const Parameter *parameter = parameter_find(page->fields[i]);
-        const bool chosen = screen->parameters->selected >= 0 && screen->parameters->selected < count &&
-                            rows[screen->parameters->selected].parameter == parameter;
-        pane_parameter(screen, pen->area, pen->y++, parameter, chosen);
-        pen->end = pen->y;
-    }
-}
-
-static void write_title(Scribe *pen, const Screen *screen, int number)
-{
-    const BuiltinLesson *lesson = &builtin_lessons[number];
-    const bool chosen = number == screen->lesson->chosen;
-    const Style style = chosen ? STYLE_SELECTED : STYLE_NORMAL;
-    const int width = pen->area.rect.width;
-    char pages[24] = "";
-    for (int x = 1; chosen && x < width - 1; x++)
-        area_put(pen->area, x, pen->y, ' ', style);
-    if (screen->lesson->reached[number] > 0)
-        snprintf(pages, sizeof pages, "%d/%d", screen->lesson->reached[number], lesson->n_pages);
-    area_print(pen->area, 1, pen->y, chosen ? style : STYLE_KEY, "%2d", number + 1);
-    const int most = width - 5 - (*pages ? 1 + glyphs_columns(pages) : 0);
-    area_text(area_part(pen->area, 4, pen->y, most, 1), 0, 0, lesson->title, style);
-    area_text_right(pen->area, width - 1, pen->y++, pages, chosen ? style : STYLE_FAINT);
-    if (lesson->about && (chosen || pen->about)) {
-        const int lines = area_paragraph_lines(width - 5, lesson->about);
-        area_paragraph(pen->area, 4, pen->y, width - 5, lines, lesson->about, STYLE_FAINT);
-        pen->y += lines;
-    }
-    pen->end = pen->y;
-}
-
 /* In groups, each under its name. */
 static void write_list(Scribe *pen, const Screen *screen)
 {
@@ -118,15 +44,75 @@ static void write_list(Scribe *pen, const Screen *screen)
             area_text(pen->area, 1, pen->y++, group = own, STYLE_HEADING);
         if (pen->titles)
             pen->titles[i] = pen->y;
-        write_title(pen, screen, i);
+        const BuiltinLesson *lesson = &builtin_lessons[i];
+        const bool chosen = i == screen->lesson->chosen;
+        const Style style = chosen ? STYLE_SELECTED : STYLE_NORMAL;
+        const int width = pen->area.rect.width;
+        char pages[24] = "";
+        for (int x = 1; chosen && x < width - 1; x++)
+            area_put(pen->area, x, pen->y, ' ', style);
+        if (screen->lesson->reached[i] > 0)
+            snprintf(pages, sizeof pages, "%d/%d", screen->lesson->reached[i], lesson->n_pages);
+        area_print(pen->area, 1, pen->y, chosen ? style : STYLE_KEY, "%2d", i + 1);
+        const int most = width - 5 - (*pages ? 1 + glyphs_columns(pages) : 0);
+        area_text(area_part(pen->area, 4, pen->y, most, 1), 0, 0, lesson->title, style);
+        area_text_right(pen->area, width - 1, pen->y++, pages, chosen ? style : STYLE_FAINT);
+        if (lesson->about && (chosen || pen->about)) {
+            const int lines = area_paragraph_lines(width - 5, lesson->about);
+            area_paragraph(pen->area, 4, pen->y, width - 5, lines, lesson->about, STYLE_FAINT);
+            pen->y += lines;
+        }
+        pen->end = pen->y;
     }
 }
 
 static void write_all(Scribe *pen, const Screen *screen)
 {
-    if (screen->lesson->lesson)
-        write_page(pen, screen);
-    else
+    if (screen->lesson->lesson) {
+        const LessonPage *page = &screen->lesson->lesson->pages[screen->lesson->page];
+        write_paragraphs(pen, page->title, STYLE_HEADING);
+        write_paragraphs(pen, page->first.text, STYLE_NORMAL);
+        if (page->question) {
+            const bool chooses = page->n_choices > 0;
+            const int answer = screen->lesson->answer, width = pen->area.rect.width - 2;
+            write_paragraphs(pen, page->question, STYLE_HEADING);
+            if (answer < 0 && chooses)
+                pen->y -= pen->gap; /* the choices stand close to it */
+            for (int i = 0; i < page->n_choices && answer < 0; i++) {
+                const int lines = area_paragraph_lines(width - 3, page->choices[i]);
+                const bool marked = i == screen->lesson->marked;
+                for (int y = 0; y < lines && marked; y++)
+                    for (int x = 1; x < width + 1; x++)
+                        area_put(pen->area, x, pen->y + y, ' ', STYLE_SELECTED);
+                area_print(pen->area, 2, pen->y, marked ? STYLE_SELECTED : STYLE_KEY, "%d", i + 1);
+                area_paragraph(pen->area, 4, pen->y, width - 3, lines, page->choices[i],
+                               marked ? STYLE_SELECTED : STYLE_NORMAL);
+                pen->end = pen->y += lines;
+            }
+            if (answer >= 0 && chooses) {
+                char text[512];
+                if (answer == page->right)
+                    snprintf(text, sizeof text, "Right: %.400s.", page->choices[answer]);
+                else
+                    snprintf(text, sizeof text, "You said: %.200s. It is: %.200s.", page->choices[answer],
+                             page->choices[page->right]);
+                write_paragraphs(pen, text, answer == page->right ? STYLE_CHANGED : STYLE_WARNING);
+            }
+        }
+        write_paragraphs(pen, screen->lesson->verdict,
+                         screen->lesson->verdict_right ? STYLE_CHANGED : STYLE_WARNING);
+        if (page->question ? screen->lesson->answer >= 0 : screen->lesson->met)
+            write_paragraphs(pen, page->revealed.text, STYLE_NORMAL);
+        ParameterRow rows[PARAMETER_ROWS_MAX];
+        const int count = page->n_fields ? screen_parameter_rows(screen, rows) : 0;
+        for (int i = 0; i < page->n_fields; i++) {
+            const Parameter *parameter = parameter_find(page->fields[i]);
+            const bool chosen = screen->parameters->selected >= 0 && screen->parameters->selected < count &&
+                                rows[screen->parameters->selected].parameter == parameter;
+            pane_parameter(screen, pen->area, pen->y++, parameter, chosen);
+            pen->end = pen->y;
+        }
+    } else
         write_list(pen, screen);
 }
 
@@ -234,26 +220,6 @@ int pane_lesson_at(const Screen *screen, Area area, int row)
     return -1;
 }
 
-/* "── A title  1/7 ──": of a long title the end gives way, not the page. */
-static void draw_heading(const Screen *screen, Area area)
-{
-    const LessonShown *shown = screen->lesson;
-    const Style style = screen_is_focused(screen, PANE_PARAMETERS) ? STYLE_FOCUS : STYLE_HEADING;
-    char heading[160], page[32];
-    if (!shown->lesson) {
-        area_rule(area, 0, "Lessons", style);
-        return;
-    }
-    snprintf(page, sizeof page, "  %d/%d", shown->page + 1, shown->lesson->n_pages);
-    snprintf(heading, sizeof heading, "%.120s%s", shown->lesson->title, page);
-    area_rule(area, 0, heading, style);
-    if (4 + glyphs_columns(heading) <= area.rect.width)
-        return;
-    area_rule(area_part(area, 0, 0, area.rect.width - glyphs_columns(page), 1), 0, shown->lesson->title,
-              style);
-    area_text_right(area, area.rect.width, 0, page, style);
-}
-
 /* What is below the last row: of the list so many lessons. */
 static void say_more(const Screen *screen, Area area, int used, int above)
 {
@@ -279,7 +245,22 @@ void pane_lesson(const Screen *screen, Area area)
     const int rows = area.rect.height - MARGIN_ROWS, above = lines_above(screen, area);
     int titles[LESSONS_MAX + 1];
     char footer[192];
-    draw_heading(screen, area);
+    /* "── A title  1/7 ──": of a long title the end gives way, not the page. */
+    const LessonShown *shown = screen->lesson;
+    const Style style = screen_is_focused(screen, PANE_PARAMETERS) ? STYLE_FOCUS : STYLE_HEADING;
+    char heading[160], page[32];
+    if (!shown->lesson) {
+        area_rule(area, 0, "Lessons", style);
+        return;
+    }
+    snprintf(page, sizeof page, "  %d/%d", shown->page + 1, shown->lesson->n_pages);
+    snprintf(heading, sizeof heading, "%.120s%s", shown->lesson->title, page);
+    area_rule(area, 0, heading, style);
+    if (4 + glyphs_columns(heading) > area.rect.width) {
+        area_rule(area_part(area, 0, 0, area.rect.width - glyphs_columns(page), 1), 0, shown->lesson->title,
+                  style);
+        area_text_right(area, area.rect.width, 0, page, style);
+    }
     Scribe pen = {.area = area_part(area, 0, 1, area.rect.width, rows),
                   .y = -above,
                   .gap = lines_of(screen, area, 1) <= rows};

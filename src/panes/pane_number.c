@@ -63,30 +63,6 @@ int pane_number_rows(const Screen *screen, int width, int height)
     return digit_rows(size_of(screen, width, height)) + 1;
 }
 
-static int columns_of(const char *text, Size size)
-{
-    return (glyphs_columns(text) * (WIDE + GAP) - GAP) * size.columns;
-}
-
-static void draw_text(Area area, int x, const char *text, Size size, Style style)
-{
-    for (uint32_t glyph; (glyph = glyph_next(&text)) != 0; x += (WIDE + GAP) * size.columns) {
-        const unsigned rows = rows_of(glyph);
-        for (int y = 0; y < digit_rows(size); y++)
-            for (int i = 0; i < WIDE * size.columns; i++) {
-                const int column = i / size.columns;
-                const bool upper = is_set(rows, column, size.halves ? 2 * y : y / size.rows);
-                const bool lower = size.halves ? is_set(rows, column, 2 * y + 1) : upper;
-                if (upper || lower)
-                    area_put(area, x + i, y,
-                             upper && lower ? FULL_BLOCK
-                             : upper        ? UPPER_HALF
-                                            : LOWER_HALF,
-                             style);
-            }
-    }
-}
-
 static int common(const char *one, const char *other)
 {
     int same = 0;
@@ -136,9 +112,26 @@ static void draw_number(const Screen *screen, Area area, Size size, char run)
     char digits[NUMBER_DIGITS_MAX], words[NUMBER_WORDS_MAX];
     const bool known = screen_number(screen, digits, words);
     const Style style = !known ? STYLE_FAINT : run == 'B' ? STYLE_SECOND : STYLE_CHANGED;
-    while (columns_of(digits, size) > area.rect.width - 2 && size.columns > 1)
+    while (((glyphs_columns(digits) * (WIDE + GAP) - GAP) * size.columns) > area.rect.width - 2 &&
+           size.columns > 1)
         size.columns--;
-    draw_text(area, 2, digits, size, style);
+    int x = 2;
+    const char *text = digits;
+    for (uint32_t glyph; (glyph = glyph_next(&text)) != 0; x += (WIDE + GAP) * size.columns) {
+        const unsigned rows = rows_of(glyph);
+        for (int y = 0; y < digit_rows(size); y++)
+            for (int i = 0; i < WIDE * size.columns; i++) {
+                const int column = i / size.columns;
+                const bool upper = is_set(rows, column, size.halves ? 2 * y : y / size.rows);
+                const bool lower = size.halves ? is_set(rows, column, 2 * y + 1) : upper;
+                if (upper || lower)
+                    area_put(area, x + i, y,
+                             upper && lower ? FULL_BLOCK
+                             : upper        ? UPPER_HALF
+                                            : LOWER_HALF,
+                             style);
+            }
+    }
     area = area_part(area, 2, area.rect.height - 1, area.rect.width - 2, 1);
     const int name = run ? area_print(area, 0, 0, style, "%c: ", run) : 0;
     const char *last = words; /* of two runs the last words tell most: "A: late" */

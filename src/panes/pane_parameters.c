@@ -83,13 +83,6 @@ const Settings *screen_rows_shown(const Screen *screen, int *kind, int *row)
     return experiment_settings(screen->experiment);
 }
 
-/* Mistakes are looked for by a filter, or set by name; a row for none of them tells nobody anything. */
-static bool is_put_away(const Screen *screen, const Parameter *parameter)
-{
-    return parameter->wrong && !*screen->parameters->filter &&
-           !settings_are_at_work(experiment_settings(screen->experiment), parameter);
-}
-
 int screen_parameter_rows(const Screen *screen, ParameterRow rows[PARAMETER_ROWS_MAX])
 {
     const Settings *settings = experiment_settings(screen->experiment);
@@ -107,7 +100,11 @@ int screen_parameter_rows(const Screen *screen, ParameterRow rows[PARAMETER_ROWS
     }
     for (int i = 0; i < n_parameters && count + 2 < PARAMETER_ROWS_MAX; i++) {
         const Parameter *parameter = &parameters[i];
-        if (!parameter_applies_to(settings, parameter) || is_put_away(screen, parameter) ||
+        /* Mistakes are looked for by a filter, or set by name; a row for none of them tells nobody
+         * anything. */
+        if (!parameter_applies_to(settings, parameter) ||
+            (parameter->wrong && !*screen->parameters->filter &&
+             !settings_are_at_work(experiment_settings(screen->experiment), parameter)) ||
             !passes(screen->parameters, parameter->label, parameter->key))
             continue;
         if (strcmp(parameter->group, group) != 0)

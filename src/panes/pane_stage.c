@@ -53,31 +53,6 @@ typedef struct FieldPhrase {
     int columns;
 } FieldPhrase;
 
-static FieldPhrase phrase_of(const Subject *subject, int field)
-{
-    const Field *row = &subject->sim->fields[field];
-    FieldPhrase phrase = {.changed = false};
-    double value = NAN, before;
-    char arrow[4];
-    subject->sim->method->field(subject->sim, field, subject->index, 1, &value);
-    snprintf(phrase.label, sizeof phrase.label, "%s ", row->quantity.label);
-    screen_unit_text(subject->screen, row, phrase.unit, sizeof phrase.unit);
-    glyphs_plain(subject->screen->look.glyphs, "→", arrow, sizeof arrow);
-    phrase.changed =
-        subject->done &&
-        experiment_field_before(subject->screen->experiment, field, subject->index, 1, &before) &&
-        before != value && !(isnan(before) && isnan(value));
-    phrase.now = text_fitted(value, 5, 12);
-    if (phrase.changed) {
-        NumberText was;
-        pair_text(before, value, &was, &phrase.now);
-        snprintf(phrase.was, sizeof phrase.was, "%s %s ", was.text, arrow);
-    }
-    phrase.columns = glyphs_columns(phrase.label) + glyphs_columns(phrase.was) +
-                     glyphs_columns(phrase.now.text) + glyphs_columns(phrase.unit);
-    return phrase;
-}
-
 /* "particle 25  stress 0.41517 → 0.41152  strain ...": fields on as many lines as they take. With no area the
  * lines are only counted. */
 static int draw_fields(const Subject *subject, const Area *area, int width, int y, const int *fields,
@@ -89,7 +64,27 @@ static int draw_fields(const Subject *subject, const Area *area, int width, int 
     if (area)
         area_text(*area, 0, y, name, STYLE_HEADING);
     for (int i = 0; i < count; i++) {
-        const FieldPhrase phrase = phrase_of(subject, fields[i]);
+        const int field = fields[i];
+        const Field *row = &subject->sim->fields[field];
+        FieldPhrase phrase = {.changed = false};
+        double value = NAN, before;
+        char arrow[4];
+        subject->sim->method->field(subject->sim, field, subject->index, 1, &value);
+        snprintf(phrase.label, sizeof phrase.label, "%s ", row->quantity.label);
+        screen_unit_text(subject->screen, row, phrase.unit, sizeof phrase.unit);
+        glyphs_plain(subject->screen->look.glyphs, "→", arrow, sizeof arrow);
+        phrase.changed =
+            subject->done &&
+            experiment_field_before(subject->screen->experiment, field, subject->index, 1, &before) &&
+            before != value && !(isnan(before) && isnan(value));
+        phrase.now = text_fitted(value, 5, 12);
+        if (phrase.changed) {
+            NumberText was;
+            pair_text(before, value, &was, &phrase.now);
+            snprintf(phrase.was, sizeof phrase.was, "%s %s ", was.text, arrow);
+        }
+        phrase.columns = glyphs_columns(phrase.label) + glyphs_columns(phrase.was) +
+                         glyphs_columns(phrase.now.text) + glyphs_columns(phrase.unit);
         if (x + 2 + phrase.columns > width) {
             line++;
             x = 0;
@@ -359,18 +354,19 @@ static void labels_of(const Simulation *sim, const char *words, char *out, size_
     }
 }
 
-static void draw_heading_of(const Subject *subject, Area area)
+void pane_stage(const Screen *screen, Area area)
 {
-    const Simulation *sim = subject->sim;
-    const Stage *stage = &sim->stages[subject->stage];
+    const Subject subject = subject_of(screen);
+    const Simulation *sim = subject.sim;
+    const Stage *stage = &sim->stages[subject.stage];
     char text[128], reads[256], writes[256], flow[600], plain[600];
-    const bool both = screen_second_run(subject->screen) != NULL;
+    const bool both = screen_second_run(subject.screen) != NULL;
     snprintf(text, sizeof text, "%s%s %d of %d: %s", both ? "A: " : "",
-             !subject->done ? both ? "next, stage" : "Next: stage"
-             : both         ? "stage"
-                            : "Stage",
-             subject->stage + 1, sim->n_stages, stage->name);
-    area_rule(area, 0, text, screen_is_focused(subject->screen, PANE_BOX) ? STYLE_FOCUS : STYLE_HEADING);
+             !subject.done ? both ? "next, stage" : "Next: stage"
+             : both        ? "stage"
+                           : "Stage",
+             subject.stage + 1, sim->n_stages, stage->name);
+    area_rule(area, 0, text, screen_is_focused(subject.screen, PANE_BOX) ? STYLE_FOCUS : STYLE_HEADING);
     const int heading = 5 + glyphs_columns(text), source = glyphs_columns(stage->source) + 2;
     if (heading + source + 2 <= area.rect.width) {
         snprintf(text, sizeof text, " %s ", stage->source);
@@ -379,15 +375,9 @@ static void draw_heading_of(const Subject *subject, Area area)
     labels_of(sim, stage->reads, reads, sizeof reads);
     labels_of(sim, stage->writes, writes, sizeof writes);
     snprintf(flow, sizeof flow, " %s → %s ", reads, writes);
-    glyphs_plain(subject->screen->look.glyphs, flow, plain, sizeof plain);
+    glyphs_plain(subject.screen->look.glyphs, flow, plain, sizeof plain);
     if (heading + 1 + glyphs_columns(plain) + source + 2 <= area.rect.width)
         area_text(area, heading + 1, 0, plain, STYLE_FAINT);
-}
-
-void pane_stage(const Screen *screen, Area area)
-{
-    const Subject subject = subject_of(screen);
-    draw_heading_of(&subject, area);
     Area body = area_part(area, 0, 1, area.rect.width, area.rect.height - 1);
     const bool zoomed = screen->panes.zoomed && screen->panes.focus == PANE_BOX;
     const int stages = subject.sim->n_stages, width = body.rect.width;

@@ -46,24 +46,6 @@ long screen_bookmark_step(const Screen *screen, int index)
     return step < last ? step : last;
 }
 
-/* What the marks are that there are. */
-static void draw_marks(const Bookmarks *bookmarks, Area area, int x, const bool seen[SCREEN_MARKS])
-{
-    Legend legend[SCREEN_MARKS + 2];
-    char keys[SCREEN_MARKS][3];
-    int n = 0;
-    legend[n++] = (Legend){.style = STYLE_FOCUS, .name = "here", .key = "● "};
-    if (bookmarks->count > 0)
-        legend[n++] = (Legend){.style = STYLE_KEY, .name = "bookmark", .key = "m "};
-    for (size_t m = 0; m < SCREEN_MARKS; m++)
-        if (seen[m]) {
-            snprintf(keys[m], sizeof keys[m], "%s ", screen_marks[m].letter);
-            legend[n++] =
-                (Legend){.style = screen_marks[m].style, .name = screen_marks[m].word, .key = keys[m]};
-        }
-    legend_draw(area, x, 1, legend, n);
-}
-
 void pane_timeline(const Screen *screen, Area area)
 {
     const Line line = line_of(screen, area.rect.width);
@@ -91,8 +73,23 @@ void pane_timeline(const Screen *screen, Area area)
     for (int i = 0; i < screen->bookmarks->count; i++)
         area_put(area, cell_of(screen, &line, screen_bookmark_step(screen, i)), 0, 'm', STYLE_KEY);
     area_put(area, cell_of(screen, &line, experiment_step(screen->experiment)), 0, 0x25cf, STYLE_FOCUS);
-    if (area.rect.height > 1)
-        draw_marks(screen->bookmarks, area, line.first, seen);
+    if (area.rect.height > 1) {
+        /* What the marks are that there are. */
+        const int x = line.first;
+        Legend legend[SCREEN_MARKS + 2];
+        char keys[SCREEN_MARKS][3];
+        int n = 0;
+        legend[n++] = (Legend){.style = STYLE_FOCUS, .name = "here", .key = "● "};
+        if (screen->bookmarks->count > 0)
+            legend[n++] = (Legend){.style = STYLE_KEY, .name = "bookmark", .key = "m "};
+        for (size_t m = 0; m < SCREEN_MARKS; m++)
+            if (seen[m]) {
+                snprintf(keys[m], sizeof keys[m], "%s ", screen_marks[m].letter);
+                legend[n++] =
+                    (Legend){.style = screen_marks[m].style, .name = screen_marks[m].word, .key = keys[m]};
+            }
+        legend_draw(area, x, 1, legend, n);
+    }
 }
 
 long screen_timeline_nearest(const Screen *screen, int width, int height, int x)

@@ -31,55 +31,32 @@ static void draw_one(const View *view, const Screen *screen, Area area, Style he
     pane_view_variant(view, screen, area, heading, view_variant(view, screen));
 }
 
-/* Whose picture it is stands at the end of its heading, in as few words as there is room for. */
-static void name_side(const Duel *duel, DuelSide side, const char *note, Area area)
-{
-    const char letter = side == SIDE_A ? 'A' : 'B';
-    char names[3][DUEL_NAME_MAX + 32];
-    int end = area.rect.width - 1; /* the heading's words */
-    while (end > 0) {
-        const uint32_t glyph = area.canvas->cells[area.rect.y * area.canvas->width + area.rect.x + end].glyph;
-        if (glyph != 0x2500 && glyph != ' ' && glyph != '-')
-            break;
-        end--;
-    }
-    snprintf(names[0], sizeof names[0], " %c %s%s ", letter, duel->names[side == SIDE_B], note);
-    snprintf(names[1], sizeof names[1], " %c%s ", letter, note);
-    snprintf(names[2], sizeof names[2], " %c ", letter);
-    int form = 0;
-    while (form < 2 && end + glyphs_columns(names[form]) + 1 > area.rect.width - 1)
-        form++;
-    area_text_right(area, area.rect.width - 1, 0, names[form],
-                    side == SIDE_A ? STYLE_MEASURED : STYLE_SECOND);
-}
-
 /* The picture of one run of a duel. */
 static void draw_side(const View *view, const Screen *screen, DuelSide side, const char *note, Area area,
                       Style heading)
 {
     const Screen one = screen_of_side(screen, side);
     draw_one(view, &one, area, heading);
-    if (view->duel != DUEL_IN_AXES || view->names_run)
-        name_side(screen->duel, side, note, area);
-}
-
-static void draw_sides(const View *view, const Screen *screen, Area area, Style heading)
-{
-    enum { STACK_HEIGHT = 14 };
-    const int width = area.rect.width, height = area.rect.height;
-    const bool wide = area.canvas->width >= SIDE_BY_SIDE;
-    if (view->duel == DUEL_TOGETHER || (view->duel == DUEL_IN_AXES && !wide)) {
-        draw_one(view, screen, area, heading);
-    } else if (wide) {
-        const int left = (width - 1) / 2;
-        draw_side(view, screen, SIDE_A, "", area_part(area, 0, 0, left, height), heading);
-        draw_side(view, screen, SIDE_B, "", area_part(area, left + 1, 0, width - left - 1, height), heading);
-    } else if (height >= STACK_HEIGHT) {
-        draw_side(view, screen, SIDE_A, "", area_part(area, 0, 0, width, height / 2), heading);
-        draw_side(view, screen, SIDE_B, "", area_part(area, 0, height / 2, width, height - height / 2),
-                  heading);
-    } else {
-        draw_side(view, screen, SIDE_A, screen->panes.zoomed ? "" : ", z: and B", area, heading);
+    if (view->duel != DUEL_IN_AXES || view->names_run) {
+        /* Whose picture it is stands at the end of its heading, in as few words as there is room for. */
+        const char letter = side == SIDE_A ? 'A' : 'B';
+        char names[3][DUEL_NAME_MAX + 32];
+        int end = area.rect.width - 1; /* the heading's words */
+        while (end > 0) {
+            const uint32_t glyph =
+                area.canvas->cells[area.rect.y * area.canvas->width + area.rect.x + end].glyph;
+            if (glyph != 0x2500 && glyph != ' ' && glyph != '-')
+                break;
+            end--;
+        }
+        snprintf(names[0], sizeof names[0], " %c %s%s ", letter, screen->duel->names[side == SIDE_B], note);
+        snprintf(names[1], sizeof names[1], " %c%s ", letter, note);
+        snprintf(names[2], sizeof names[2], " %c ", letter);
+        int form = 0;
+        while (form < 2 && end + glyphs_columns(names[form]) + 1 > area.rect.width - 1)
+            form++;
+        area_text_right(area, area.rect.width - 1, 0, names[form],
+                        side == SIDE_A ? STYLE_MEASURED : STYLE_SECOND);
     }
 }
 
@@ -107,9 +84,25 @@ void pane_view(const View *view, const Screen *screen, Area area, bool focused)
     const Style heading = focused ? STYLE_FOCUS : STYLE_HEADING;
     if (area.rect.width < 1 || area.rect.height < 1)
         return;
-    if (screen_is_shared(screen))
-        draw_sides(view, screen, area, heading);
-    else
+    if (screen_is_shared(screen)) {
+        enum { STACK_HEIGHT = 14 };
+        const int width = area.rect.width, height = area.rect.height;
+        const bool wide = area.canvas->width >= SIDE_BY_SIDE;
+        if (view->duel == DUEL_TOGETHER || (view->duel == DUEL_IN_AXES && !wide)) {
+            draw_one(view, screen, area, heading);
+        } else if (wide) {
+            const int left = (width - 1) / 2;
+            draw_side(view, screen, SIDE_A, "", area_part(area, 0, 0, left, height), heading);
+            draw_side(view, screen, SIDE_B, "", area_part(area, left + 1, 0, width - left - 1, height),
+                      heading);
+        } else if (height >= STACK_HEIGHT) {
+            draw_side(view, screen, SIDE_A, "", area_part(area, 0, 0, width, height / 2), heading);
+            draw_side(view, screen, SIDE_B, "", area_part(area, 0, height / 2, width, height - height / 2),
+                      heading);
+        } else {
+            draw_side(view, screen, SIDE_A, screen->panes.zoomed ? "" : ", z: and B", area, heading);
+        }
+    } else
         draw_one(view, screen, area, heading);
 }
 

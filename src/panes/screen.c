@@ -67,16 +67,6 @@ static Area area_of(const ScreenLook *look, Canvas *canvas, Rect rect)
                      rect.width, rect.height);
 }
 
-static void draw_too_small(Canvas *canvas)
-{
-    char text[64];
-    snprintf(text, sizeof text, "matvib needs 40x12, this is %dx%d", canvas->width, canvas->height);
-    Area whole = {canvas, {0, 0, canvas->width, canvas->height}, GLYPHS_ASCII};
-    int lines = area_paragraph_lines(canvas->width, text), y = (canvas->height - lines) / 2;
-    y = y > 0 ? y : 0;
-    area_paragraph(whole, 0, y, canvas->width, canvas->height - y, text, STYLE_NORMAL);
-}
-
 static void draw_pane(const Screen *screen, PaneId pane, Area area)
 {
     if (area.rect.width < 1 || area.rect.height < 1)
@@ -116,7 +106,12 @@ void screen_draw(const Screen *screen, Canvas *canvas)
     canvas->large = screen->panes.lecture;
     const Layout layout = layout_make(screen, canvas->width, canvas->height);
     if (layout.kind == LAYOUT_TOO_SMALL) {
-        draw_too_small(canvas);
+        char text[64];
+        snprintf(text, sizeof text, "matvib needs 40x12, this is %dx%d", canvas->width, canvas->height);
+        Area whole = {canvas, {0, 0, canvas->width, canvas->height}, GLYPHS_ASCII};
+        int lines = area_paragraph_lines(canvas->width, text), y = (canvas->height - lines) / 2;
+        y = y > 0 ? y : 0;
+        area_paragraph(whole, 0, y, canvas->width, canvas->height - y, text, STYLE_NORMAL);
         if (screen->look.glyphs == GLYPHS_ASCII)
             canvas_to_ascii(canvas);
         return;
