@@ -52,20 +52,6 @@ static void crack_texts(const Map *map, char *tip, char *angle, size_t size)
         snprintf(angle, size, "whole path %.0f°", fabs(facts.angle));
 }
 
-/* What passes between the particles and a mesh that is seen. */
-static void flow_text(const Map *map, char *text, size_t size)
-{
-    static const char *const words[] = {[FLOW_NONE] = "",
-                                        [FLOW_TO_NODES] = "particles give to nodes",
-                                        [FLOW_TO_PARTICLES] = "particles take",
-                                        [FLOW_FORGET] = ""};
-    bool inside;
-    const Flow flow = stage_flow(map->screen, &inside);
-    snprintf(text, size, "%s", map_has_mesh(map) ? words[flow] : "");
-    if (map_has_mesh(map) && inside && experiment_stage(map->screen->experiment) == 0)
-        text_append(text, size, "%sthe grid is forgotten", text[0] ? ", " : "");
-}
-
 /* How it is drawn, in the order in which the phrases are worth their room: of a piece seen from near that it
  * is magnified comes first. */
 enum { FLOW, TIP, FIT, ENLARGED, MAGNIFIED, CROSS, STRETCHED, PARTS };
@@ -83,7 +69,17 @@ static void note_how(const Map *map)
                               settings_motion(map->settings)->speed * simulation_time(map->sim);
         snprintf(parts[TIP], sizeof parts[TIP], "length %.1f mm", 1e3 * length);
     }
-    flow_text(map, parts[FLOW], sizeof parts[FLOW]);
+    /* What passes between the particles and a mesh that is seen. */
+    const size_t size = sizeof parts[FLOW];
+    static const char *const words[] = {[FLOW_NONE] = "",
+                                        [FLOW_TO_NODES] = "particles give to nodes",
+                                        [FLOW_TO_PARTICLES] = "particles take",
+                                        [FLOW_FORGET] = ""};
+    bool inside;
+    const Flow flow = stage_flow(map->screen, &inside);
+    snprintf(parts[FLOW], size, "%s", map_has_mesh(map) ? words[flow] : "");
+    if (map_has_mesh(map) && inside && experiment_stage(map->screen->experiment) == 0)
+        text_append(parts[FLOW], size, "%sthe grid is forgotten", parts[FLOW][0] ? ", " : "");
     map_cross_text(map, parts[CROSS], sizeof parts[CROSS]);
     if (map->drawn->enlarged != 1)
         snprintf(parts[ENLARGED], sizeof parts[ENLARGED], "%s × %s", map->scene.leaves ? "uy" : "u",
@@ -99,26 +95,6 @@ static void note_how(const Map *map)
         if (parts[order[i]][0])
             text_append(text, sizeof text, "%s%s", text[0] ? "  " : "", parts[order[i]]);
     picture_note(map->picture, STYLE_NORMAL, text);
-}
-
-/* What its lines and bars are. */
-static void note_what(const Map *map)
-{
-    static const struct {
-        const char *text, *brief;
-    } notes[] = {{"bars: mass, |momentum - m v0|", "bars: m, |p - m v0|"},
-                 {"bars: mass, |momentum|", "bars: m, |p|"},
-                 {"lines: whole bonds to the nearest neighbours", "lines: whole bonds"},
-                 {"a through crack reads 0.4 to 0.5, not 1", "through: 0.4-0.5"},
-                 {"", ""}};
-    const bool damage = strcmp(map->colouring->field, "damage") == 0;
-    const int which = map_has_mesh(map)     ? fabs(map->sim->common_speed) > 0 ? 0 : 1
-                      : map->scene.bodies   ? 4
-                      : map->drawn->is_near ? 2
-                      : damage              ? 3
-                                            : 4;
-    PictureNote *note = picture_note(map->picture, STYLE_FAINT, notes[which].text);
-    snprintf(note->brief, sizeof note->brief, "%s", notes[which].brief);
 }
 
 /* Where the crack's tip is, and how much is broken: seen by who looks. */
@@ -189,7 +165,22 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     map_add_lines(&map);
     map_add_signs(&map);
     note_how(&map);
-    note_what(&map);
+    /* What its lines and bars are. */
+    static const struct {
+        const char *text, *brief;
+    } notes[] = {{"bars: mass, |momentum - m v0|", "bars: m, |p - m v0|"},
+                 {"bars: mass, |momentum|", "bars: m, |p|"},
+                 {"lines: whole bonds to the nearest neighbours", "lines: whole bonds"},
+                 {"a through crack reads 0.4 to 0.5, not 1", "through: 0.4-0.5"},
+                 {"", ""}};
+    const bool damage = strcmp(map.colouring->field, "damage") == 0;
+    const int which = map_has_mesh(&map)   ? fabs(map.sim->common_speed) > 0 ? 0 : 1
+                      : map.scene.bodies   ? 4
+                      : map.drawn->is_near ? 2
+                      : damage             ? 3
+                                           : 4;
+    PictureNote *note = picture_note(map.picture, STYLE_FAINT, notes[which].text);
+    snprintf(note->brief, sizeof note->brief, "%s", notes[which].brief);
     note_facts(&map);
     map_close(&map);
 }

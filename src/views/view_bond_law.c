@@ -85,19 +85,6 @@ static int count_nodes(const Axis *x, const Stretches *all, int *bins, int dots)
     return most;
 }
 
-/* The counts as logarithms: one alone is seen beside thousands. */
-static void add_counts(Picture *picture, const int *bins, int dots, int most)
-{
-    Plot *plot = &picture->plot;
-    const double floor_y = plot->y.low, room = (plot->y.high - plot->y.low) / 2;
-    plot_begin(plot, STROKE_BAND, (Pen){LINE_SOLID, '+', STYLE_SECOND, RANK_BAND, 1});
-    for (int i = 0; i < dots; i++) {
-        const double x = plot->x.low + (plot->x.high - plot->x.low) * (i + 0.25) / dots;
-        plot_point(plot, x, floor_y);
-        plot_point(plot, x, floor_y + room * math_log1p(bins[i]) / math_log1p(most));
-    }
-}
-
 /* `most`: the count at the end of the scale; 0: there is none. */
 static void law_lines(const Screen *screen, const Stretches *all, double s0, int most, char first[160],
                       char second[160])
@@ -123,28 +110,6 @@ static void law_lines(const Screen *screen, const Stretches *all, double s0, int
 
 static const Pen pen_limit = {LINE_DASHED, '-', STYLE_EXACT, RANK_EXACT, 0}; /* of what a bond bears */
 
-static void add_keys(const Screen *screen, Picture *picture, bool breaks)
-{
-    const bool conical =
-        settings_lattice(experiment_settings(screen->experiment))->influence == INFLUENCE_CONICAL;
-    picture_name(picture, pen_measured, conical ? "f = c1 s, shortest" : "f = c s");
-    if (breaks)
-        picture_name(picture, pen_limit, "s0");
-    picture_key(picture, (PictureKey){LINE_SOLID, '+', STYLE_SECOND, "nodes", SIGN_BAND, 1});
-}
-
-/* The law: it breaks off at s0. */
-static void add_law(Picture *picture, double stiffness, double s0)
-{
-    const Axis *x = &picture->plot.x;
-    const double end = s0 > 0 ? s0 : x->high;
-    picture_line(picture, x->low, stiffness * x->low, end, stiffness * end, pen_measured);
-    if (!(s0 > 0))
-        return;
-    picture_line(picture, s0, stiffness * s0, s0, 0, pen_limit);
-    picture_line(picture, s0, 0, x->high, 0, pen_measured);
-}
-
 void bond_law_describe(const Screen *screen, Picture *picture)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
@@ -162,15 +127,37 @@ void bond_law_describe(const Screen *screen, Picture *picture)
     picture_axes(picture, axis_make(-reach / 4, reach), "s", "",
                  axis_make(-stiffness * reach / 4, stiffness * reach),
                  !screen_problem(screen)->si ? "force of a bond" : "force, N/m^5", "");
-    add_keys(screen, picture, s0 > 0);
+    const bool breaks = s0 > 0;
+    const bool conical =
+        settings_lattice(experiment_settings(screen->experiment))->influence == INFLUENCE_CONICAL;
+    picture_name(picture, pen_measured, conical ? "f = c1 s, shortest" : "f = c s");
+    if (breaks)
+        picture_name(picture, pen_limit, "s0");
+    picture_key(picture, (PictureKey){LINE_SOLID, '+', STYLE_SECOND, "nodes", SIGN_BAND, 1});
     /* a bin has enough nodes to be counted, however fine the page is */
     const int dots = picture->dots < 2 * picture->across ? picture->dots : 2 * picture->across;
     int *bins = dots > 0 ? calloc((size_t)dots, sizeof *bins) : NULL;
     const int most = bins ? count_nodes(&picture->plot.x, &all, bins, dots) : 0;
-    if (most > 0)
-        add_counts(picture, bins, dots, most);
+    if (most > 0) {
+        /* The counts as logarithms: one alone is seen beside thousands. */
+        Plot *plot = &picture->plot;
+        const double floor_y = plot->y.low, room = (plot->y.high - plot->y.low) / 2;
+        plot_begin(plot, STROKE_BAND, (Pen){LINE_SOLID, '+', STYLE_SECOND, RANK_BAND, 1});
+        for (int i = 0; i < dots; i++) {
+            const double x = plot->x.low + (plot->x.high - plot->x.low) * (i + 0.25) / dots;
+            plot_point(plot, x, floor_y);
+            plot_point(plot, x, floor_y + room * math_log1p(bins[i]) / math_log1p(most));
+        }
+    }
     free(bins);
-    add_law(picture, stiffness, s0);
+    /* The law: it breaks off at s0. */
+    const Axis *x = &picture->plot.x;
+    const double end = s0 > 0 ? s0 : x->high;
+    picture_line(picture, x->low, stiffness * x->low, end, stiffness * end, pen_measured);
+    if ((s0 > 0)) {
+        picture_line(picture, s0, stiffness * s0, s0, 0, pen_limit);
+        picture_line(picture, s0, 0, x->high, 0, pen_measured);
+    }
     char lines[2][160];
     law_lines(screen, &all, s0, most, lines[0], lines[1]);
     if (all.foremost < all.count) {

@@ -40,22 +40,6 @@ static bool shows_start(const Screen *screen, int variant)
     return true;
 }
 
-static Study study_on(const Screen *screen, const ConvergenceStudy *of)
-{
-    const Settings *settings = experiment_settings(screen->experiment);
-    Study study = {.of = of,
-                   .count = convergence_count(of, settings),
-                   .periods = settings->problem->si,
-                   .limit = convergence_limit(of, settings)};
-    study.line_points = of->lines ? of->line_points : study.count;
-    while (of->lines && of->lines[study.lines])
-        study.lines++;
-    study.lines = study.lines ? study.lines : 1;
-    if (screen->convergence)
-        study.known = convergence_known(screen->convergence, settings, of, &study.points);
-    return study;
-}
-
 /* As it is shown: a beam's in millimetres and milliseconds. */
 static double shown(const Study *study, double value)
 {
@@ -63,25 +47,6 @@ static double shown(const Study *study, double value)
 }
 
 /* --- words ---------------------------------------------------------------------------------------- */
-
-static double last_order(const Study *study)
-{
-    const int n = study->known;
-    return n < 2 ? NAN
-           : isfinite(study->limit)
-               ? convergence_order_to(study->limit, &study->points[n - 2], &study->points[n - 1])
-               : convergence_order(&study->points[n - 2], &study->points[n - 1]);
-}
-
-/* The error does not vanish however small the horizon is: said, lest the curve be taken for one that does not
- * converge. */
-static void append_limit(const Study *study, double order, char out[160])
-{
-    text_append(out, 160, "  T tends to %.3f of theory, not to 1", study->limit);
-    if (isfinite(order))
-        text_append(out, 160, "  to that with order %.2f", order);
-    text_append(out, 160, "  without correction m has to grow too");
-}
 
 /* How many points of a line are known. */
 static int known_in_line(const Study *study, int line)
@@ -112,15 +77,26 @@ static void verdict_of(const Screen *screen, const Study *study, char out[160])
         snprintf(out, 160, "%d of %d points  they come while the run is paused", study->known, study->count);
         return;
     }
-    const double order = last_order(study), fitted = convergence_fitted_order(study->points, study->known);
+    const int n = study->known;
+    const double order =
+                     n < 2 ? NAN
+                     : isfinite(study->limit)
+                         ? convergence_order_to(study->limit, &study->points[n - 2], &study->points[n - 1])
+                         : convergence_order(&study->points[n - 2], &study->points[n - 1]),
+                 fitted = convergence_fitted_order(study->points, study->known);
     snprintf(out, 160, "%d of %d points", study->known, study->count);
     if (study->of->lines)
         append_orders(study, out);
     else if (study->of->paper)
         text_append(out, 160, "  the layers make the beam thinner: see its height");
-    else if (isfinite(study->limit))
-        append_limit(study, order, out);
-    else if (isfinite(fitted))
+    else if (isfinite(study->limit)) {
+        /* The error does not vanish however small the horizon is: said, lest the curve be taken for one
+         * that does not converge. */
+        text_append(out, 160, "  T tends to %.3f of theory, not to 1", study->limit);
+        if (isfinite(order))
+            text_append(out, 160, "  to that with order %.2f", order);
+        text_append(out, 160, "  without correction m has to grow too");
+    } else if (isfinite(fitted))
         text_append(out, 160, "  fitted order %.2f  the last two %.2f", fitted, order);
     else if (isfinite(order))
         text_append(out, 160, "  order of the last two %.2f  no one order", order);
@@ -255,14 +231,6 @@ static void describe_periods(Picture *picture, const Study *study)
                      shown(study, predicted_of(&study->points[k])), 0x25cf, STYLE_PREDICTED);
 }
 
-static int known_points(const Study *study)
-{
-    int count = 0;
-    for (int k = 0; k < study->known; k++)
-        count += study->points[k].known;
-    return count;
-}
-
 static void describe(const Screen *screen, int variant, Picture *picture)
 {
     const ConvergenceStudy *of = study_of(screen, variant);
@@ -271,9 +239,22 @@ static void describe(const Screen *screen, int variant, Picture *picture)
         picture_say(picture, "convergence", "There is no predicted answer here that could converge.");
         return;
     }
-    const Study study = study_on(screen, of);
+    const Settings *settings = experiment_settings(screen->experiment);
+    Study study = {.of = of,
+                   .count = convergence_count(of, settings),
+                   .periods = settings->problem->si,
+                   .limit = convergence_limit(of, settings)};
+    study.line_points = of->lines ? of->line_points : study.count;
+    while (of->lines && of->lines[study.lines])
+        study.lines++;
+    study.lines = study.lines ? study.lines : 1;
+    if (screen->convergence)
+        study.known = convergence_known(screen->convergence, settings, of, &study.points);
     verdict_of(screen, &study, line);
-    if (known_points(&study) < 2) {
+    int count = 0;
+    for (int k = 0; k < study.known; k++)
+        count += study.points[k].known;
+    if (count < 2) {
         picture_say(picture, of->title,
                     of->by_run && study.known == study.count
                         ? "No number of these runs has an exact or reference answer."

@@ -49,20 +49,6 @@ static void add_keys(const Screen *screen, Picture *picture, const ShownRun *run
     runs_add_keys(picture, runs, n_runs);
 }
 
-/* The path of an earlier run with its notch, as it was last on screen. */
-static void add_before(Picture *picture, const ShownRun *run)
-{
-    const CrackLine *crack = run->crack;
-    if (run->ghost < 0 || !run->shown || crack->count == 0)
-        return;
-    for (size_t i = 0; i < crack->count; i++) {
-        if (crack->begins[i])
-            runs_begin(picture, run);
-        plot_point(&picture->plot, crack->x[i], crack->y[i]);
-    }
-    runs_letter(picture, run, crack->x[crack->count - 1], crack->y[crack->count - 1], MARK_PLACE);
-}
-
 /* --- the path ------------------------------------------------------------------------------------- */
 
 static void describe_path(const Screen *screen, Picture *picture)
@@ -93,8 +79,19 @@ static void describe_path(const Screen *screen, Picture *picture)
         const double end = notch.x + towards * rise * math_tan(CRACK_PAPER_ANGLE * M_PI / 180);
         picture_line(picture, notch.x, notch.y, end, height, pen_exact);
     }
-    for (int r = 0; r < n_runs; r++)
-        add_before(picture, &runs[r]);
+    for (int r = 0; r < n_runs; r++) {
+        /* The path of an earlier run with its notch, as it was last on screen. */
+        const CrackLine *crack = runs[r].crack;
+        if (runs[r].ghost >= 0 && runs[r].shown && crack->count != 0) {
+            for (size_t i = 0; i < crack->count; i++) {
+                if (crack->begins[i])
+                    runs_begin(picture, &runs[r]);
+                plot_point(&picture->plot, crack->x[i], crack->y[i]);
+            }
+            runs_letter(picture, &runs[r], crack->x[crack->count - 1], crack->y[crack->count - 1],
+                        MARK_PLACE);
+        }
+    }
     const size_t most = (size_t)ceil(height / settings_lattice(settings)->spacing) + 1;
     double *path = malloc(2 * most * sizeof *path);
     const size_t count = path ? crack_line(sim, path, path + most, most) : 0;
@@ -138,18 +135,6 @@ static double tip_speed(const double *row, const void *context)
     return row[((const CrackColumns *)context)->speed];
 }
 
-static CrackColumns crack_columns(const ShownRun *run)
-{
-    return (CrackColumns){runs_column(run, "crack_x"),
-                          runs_column(run, "crack_y"),
-                          runs_column(run, "crack_length"),
-                          runs_column(run, "dissipated"),
-                          runs_column(run, "crack_speed"),
-                          notch_of(run->settings),
-                          settings_geometry(run->settings)->thickness,
-                          settings_lattice(run->settings)->horizon};
-}
-
 typedef struct CrackCurve {
     const char *name, *unit, *target_name;
     double (*value)(const double *row, const void *context);
@@ -164,7 +149,14 @@ static void describe_over_time(const Screen *screen, Picture *picture, const Cra
     const int n_runs = runs_with(runs, runs_of(screen, runs), "crack_x");
     double least = 0, most = curve->target;
     for (int r = 0; r < n_runs; r++) {
-        columns[r] = crack_columns(&runs[r]);
+        columns[r] = (CrackColumns){runs_column(&runs[r], "crack_x"),
+                                    runs_column(&runs[r], "crack_y"),
+                                    runs_column(&runs[r], "crack_length"),
+                                    runs_column(&runs[r], "dissipated"),
+                                    runs_column(&runs[r], "crack_speed"),
+                                    notch_of(runs[r].settings),
+                                    settings_geometry(runs[r].settings)->thickness,
+                                    settings_lattice(runs[r].settings)->horizon};
         for (size_t i = 0; i < runs[r].record->count; i += time_plot_stride(runs[r].record)) {
             const double value = curve->value(record_row(runs[r].record, i), &columns[r]);
             least = value < least ? value : least;
@@ -226,25 +218,6 @@ const char *crack_cost_variant_word(const Screen *screen, int variant)
 
 enum { PARTS = 3 };
 
-/* A bar a part, beside what theory and what a plane through this lattice would cost. */
-static void add_bars(const Screen *screen, Picture *picture, const double parts[PARTS],
-                     const CrackPrice *price)
-{
-    double most = fmax(price->critical_energy, price->cost.plane);
-    for (int i = 0; i < PARTS; i++)
-        most = fmax(most, parts[i]);
-    picture->kind = PICTURE_BARS;
-    picture_axes(picture, axis_count(PARTS + 1), "part", "", axis_make(0, axis_round_up(most * 1.02)),
-                 "where the energy went, J/m^2", "");
-    for (int i = 0; i < PARTS; i++)
-        picture_box(picture, (double[]){i + 0.7, i + 1.3}, (double[]){0, parts[i]},
-                    (Pen){LINE_SOLID, '#', STYLE_MEASURED, RANK_BAND, 0});
-    if (!screen_shows_exact(screen))
-        return;
-    picture_level(picture, price->critical_energy, pen_exact, "G0");
-    picture_level(picture, price->cost.plane, pen_predicted, "a plane of this lattice");
-}
-
 /* A picture takes no keys while it is drawn, so its work has a bound: so many questions, a quarter of a
  * second or so. */
 enum { QUESTIONS_MAX = 256 };
@@ -275,7 +248,20 @@ static void describe_cost(const Screen *screen, Picture *picture)
     const double parts[PARTS] = {cost->through / cost->area, cost->beside / cost->area,
                                  cost->far / cost->area};
     const double thickness = settings_geometry(experiment_settings(screen->experiment))->thickness;
-    add_bars(screen, picture, parts, &price);
+    /* A bar a part, beside what theory and what a plane through this lattice would cost. */
+    double most = fmax(price.critical_energy, price.cost.plane);
+    for (int i = 0; i < PARTS; i++)
+        most = fmax(most, parts[i]);
+    picture->kind = PICTURE_BARS;
+    picture_axes(picture, axis_count(PARTS + 1), "part", "", axis_make(0, axis_round_up(most * 1.02)),
+                 "where the energy went, J/m^2", "");
+    for (int i = 0; i < PARTS; i++)
+        picture_box(picture, (double[]){i + 0.7, i + 1.3}, (double[]){0, parts[i]},
+                    (Pen){LINE_SOLID, '#', STYLE_MEASURED, RANK_BAND, 0});
+    if (screen_shows_exact(screen)) {
+        picture_level(picture, price.critical_energy, pen_exact, "G0");
+        picture_level(picture, price.cost.plane, pen_predicted, "a plane of this lattice");
+    }
     const double whole = cost->total / cost->area, length = cost->area / thickness / 1e-3;
     char text[160], brief[160];
     snprintf(text, sizeof text, "all %.1f  G0 %.1f, a plane of this lattice %.1f  crack %.1f mm", whole,

@@ -46,22 +46,6 @@ static double integral(const Settings *settings, Influence influence, bool trans
                                      share * M_PI / settings_lattice(settings)->spacing);
 }
 
-static void add_curves(Picture *picture, const Settings *settings, bool transverse, int points)
-{
-    Plot *plot = &picture->plot;
-    for (int i = 0; i < CURVES; i++) {
-        plot_begin(plot, STROKE_LINE, curves[i].pen);
-        for (int k = 1; k <= points; k++)
-            plot_point(plot, (double)k / points, speed(settings, &curves[i], transverse, (double)k / points));
-    }
-    for (int shape = INFLUENCE_CONSTANT; shape <= INFLUENCE_CONICAL; shape++) {
-        plot_begin(plot, STROKE_LINE, pen_exact);
-        for (int k = 1; k <= points; k++)
-            plot_point(plot, (double)k / points,
-                       integral(settings, (Influence)shape, transverse, (double)k / points));
-    }
-}
-
 /* A wave of ten spacings in words, for the run's own shape. */
 static void tell(const Settings *settings, bool transverse, bool narrow, char out[160])
 {
@@ -96,7 +80,18 @@ static void waves_plane_describe(const Screen *screen, bool transverse, Picture 
                                       {LINE_DASHED, '-', STYLE_SECOND, "k at 45°", 0, 0}};
     for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
         picture_key(picture, keys[i]);
-    add_curves(picture, settings, transverse, POINTS);
+    Plot *plot = &picture->plot;
+    for (int i = 0; i < CURVES; i++) {
+        plot_begin(plot, STROKE_LINE, curves[i].pen);
+        for (int k = 1; k <= POINTS; k++)
+            plot_point(plot, (double)k / POINTS, speed(settings, &curves[i], transverse, (double)k / POINTS));
+    }
+    for (int shape = INFLUENCE_CONSTANT; shape <= INFLUENCE_CONICAL; shape++) {
+        plot_begin(plot, STROKE_LINE, pen_exact);
+        for (int k = 1; k <= POINTS; k++)
+            plot_point(plot, (double)k / POINTS,
+                       integral(settings, (Influence)shape, transverse, (double)k / POINTS));
+    }
     /* colour alone tells nobody apart: a letter stands on each curve along the rows */
     for (int i = 0; i < CURVES; i += 2)
         picture_mark(picture, letter_at, speed(settings, &curves[i], transverse, letter_at),
@@ -269,32 +264,6 @@ static int count_ways(const Settings *settings)
     return count;
 }
 
-/* A letter on each curve: colour alone tells nobody apart. */
-static void add_ways(Picture *picture, const Settings *settings, const char *letters, int n_ways, int last,
-                     int every)
-{
-    for (int i = 0; i < n_ways; i++) {
-        plot_begin(&picture->plot, STROKE_LINE, (Pen){LINE_SOLID, letters[i], way_styles[i], RANK_GHOST, 0});
-        for (int n = 1; n <= last; n += every)
-            plot_point(&picture->plot, n, error_by_way(settings, i, n));
-        const int n = 1 + (last - 1) * (3 + i) / 10;
-        const double error = error_by_way(settings, i, n);
-        if (isfinite(error))
-            picture_mark(picture, n, error, (uint32_t)(unsigned char)letters[i], way_styles[i]);
-    }
-}
-
-/* "l lumped  * mu*  c consistent" */
-static void name_ways(const Screen *screen, int n_ways, char out[160])
-{
-    out[0] = '\0';
-    for (int i = 0; i < n_ways; i++) {
-        double unused;
-        text_append(out, 160, "%s%c %s", i ? "  " : "", letters_of(screen)[i],
-                    dispersion_other_way(experiment_settings(screen->experiment), i, 1, &unused));
-    }
-}
-
 static int bar_dots(const Screen *screen, Dot dots[RUNS_MAX])
 {
     ShownRun runs[RUNS_MAX];
@@ -325,7 +294,13 @@ static void note_mode(const Screen *screen, Picture *picture, int n_ways)
     mode_lines(screen, false, whole[0], whole[1]);
     mode_lines(screen, true, brief[0], brief[1]);
     if (n_ways > 0) {
-        name_ways(screen, n_ways, ways);
+        /* "l lumped  * mu*  c consistent" */
+        ways[0] = '\0';
+        for (int i = 0; i < n_ways; i++) {
+            double unused;
+            text_append(ways, 160, "%s%c %s", i ? "  " : "", letters_of(screen)[i],
+                        dispersion_other_way(experiment_settings(screen->experiment), i, 1, &unused));
+        }
         picture_note(picture, STYLE_NORMAL, ways);
     }
     for (int i = 0; i < 2 - (n_ways > 0); i++)
@@ -373,7 +348,17 @@ static void describe_bar(const Screen *screen, int variant, bool with_ways, Pict
         picture_level(picture, 0, pen_exact, "exact");
     if (predicted)
         picture_name(picture, pen_predicted, "predicted");
-    add_ways(picture, settings, letters_of(screen), n_ways, last, every);
+    /* A letter on each curve: colour alone tells nobody apart. */
+    const char *letters = letters_of(screen);
+    for (int i = 0; i < n_ways; i++) {
+        plot_begin(&picture->plot, STROKE_LINE, (Pen){LINE_SOLID, letters[i], way_styles[i], RANK_GHOST, 0});
+        for (int n = 1; n <= last; n += every)
+            plot_point(&picture->plot, n, error_by_way(settings, i, n));
+        const int n = 1 + (last - 1) * (3 + i) / 10;
+        const double error = error_by_way(settings, i, n);
+        if (isfinite(error))
+            picture_mark(picture, n, error, (uint32_t)(unsigned char)letters[i], way_styles[i]);
+    }
     for (int i = 0; i < n_runs && predicted; i++)
         if (runs[i].experiment)
             add_predicted(picture, &runs[i], last, every);
@@ -442,64 +427,12 @@ static void period_lines(const Readout *readout, double height, double span, boo
     }
 }
 
-static void note_period(const Screen *screen, Picture *picture)
-{
-    const Readout *readout = experiment_readout(screen->experiment);
-    const double height = screen_derived(screen, "real_height"), span = screen_derived(screen, "real_span");
-    char whole[2][160], brief[2][160];
-    period_lines(readout, height, span, false, whole[0], whole[1]);
-    period_lines(readout, height, span, true, brief[0], brief[1]);
-    for (int i = 0; i < 2; i++)
-        memcpy(picture_note(picture, i == 0 ? STYLE_NORMAL : STYLE_FAINT, whole[i])->brief, brief[i],
-               sizeof brief[i]);
-}
-
-static void describe_beam(const Screen *screen, Picture *picture)
-{
-    const Readout *readout = experiment_readout(screen->experiment);
-    const Settings *settings = experiment_settings(screen->experiment);
-    const bool bonds = simulation_has(experiment_simulation(screen->experiment), HAS_BONDS);
-    const struct {
-        const char *name;
-        double value;
-        Pen pen;
-    } theories[] = {
-        {readout->drifting ? "modal" : "Euler",
-         readout->drifting ? 0 : milliseconds(screen_derived(screen, "period_euler")), pen_exact},
-        {"Timoshenko", readout->drifting ? NAN : milliseconds(screen_derived(screen, "period_timoshenko")),
-         (Pen){LINE_DASHED, '-', STYLE_THIRD, RANK_EXACT, 0}},
-    };
-    Dot dots[RUNS_MAX];
-    const int n_dots = beam_dots(screen, dots);
-    double least = INFINITY, most = -INFINITY, furthest = reach_of(screen, settings);
-    for (int i = 0; i < 2; i++)
-        widen(theories[i].value, &least, &most);
-    for (int i = 0; i < n_dots; i++) {
-        widen(dots[i].y, &least, &most);
-        furthest = fmax(furthest, dots[i].x);
-    }
-    picture_axes(picture, axis_make(0, axis_round_up(1.2 * furthest)), bonds ? "horizon" : "cell size", "m",
-                 readout->drifting ? axis_symmetric(fmax(fabs(least), fabs(most))) : axis_around(least, most),
-                 readout->drifting ? "error of the last swing, %" : "period, ms", "");
-    picture_key(picture, (PictureKey){LINE_SOLID, 'O', STYLE_MEASURED, "measured", 0x25cf, 0});
-    for (int i = 0; i < 2 && screen_shows_exact(screen); i++)
-        if (isfinite(theories[i].value))
-            picture_level(picture, theories[i].value, theories[i].pen, theories[i].name);
-    add_dots(picture, dots, n_dots);
-    note_period(screen, picture);
-}
-
 /* --- either --------------------------------------------------------------------------------------- */
-
-/* All modes, those near the present one if there are more, and all by the other ways of the method. */
-static bool has_near(const Screen *screen)
-{
-    return last_mode(screen->experiment, 1) < last_mode(screen->experiment, 0);
-}
 
 static bool shows_ways(const Screen *screen, int variant)
 {
-    return variant == 1 + has_near(screen);
+    /* All modes, those near the present one if there are more, and all by the other ways of the method. */
+    return variant == 1 + (last_mode(screen->experiment, 1) < last_mode(screen->experiment, 0));
 }
 
 /* The bonds of a plane carry waves that know its directions. */
@@ -535,8 +468,47 @@ static void describe(const Screen *screen, int variant, Picture *picture)
         picture_say(picture, "convergence", text);
     else if (!experiment_readout(screen->experiment)->moving)
         picture_say(picture, "convergence", "Nothing vibrates here: there is no period to measure.");
-    else
-        describe_beam(screen, picture);
+    else {
+        const Readout *readout = experiment_readout(screen->experiment);
+        const bool bonds = simulation_has(experiment_simulation(screen->experiment), HAS_BONDS);
+        const struct {
+            const char *name;
+            double value;
+            Pen pen;
+        } theories[] = {
+            {readout->drifting ? "modal" : "Euler",
+             readout->drifting ? 0 : milliseconds(screen_derived(screen, "period_euler")), pen_exact},
+            {"Timoshenko",
+             readout->drifting ? NAN : milliseconds(screen_derived(screen, "period_timoshenko")),
+             (Pen){LINE_DASHED, '-', STYLE_THIRD, RANK_EXACT, 0}},
+        };
+        Dot dots[RUNS_MAX];
+        const int n_dots = beam_dots(screen, dots);
+        double least = INFINITY, most = -INFINITY, furthest = reach_of(screen, settings);
+        for (int i = 0; i < 2; i++)
+            widen(theories[i].value, &least, &most);
+        for (int i = 0; i < n_dots; i++) {
+            widen(dots[i].y, &least, &most);
+            furthest = fmax(furthest, dots[i].x);
+        }
+        picture_axes(
+            picture, axis_make(0, axis_round_up(1.2 * furthest)), bonds ? "horizon" : "cell size", "m",
+            readout->drifting ? axis_symmetric(fmax(fabs(least), fabs(most))) : axis_around(least, most),
+            readout->drifting ? "error of the last swing, %" : "period, ms", "");
+        picture_key(picture, (PictureKey){LINE_SOLID, 'O', STYLE_MEASURED, "measured", 0x25cf, 0});
+        for (int i = 0; i < 2 && screen_shows_exact(screen); i++)
+            if (isfinite(theories[i].value))
+                picture_level(picture, theories[i].value, theories[i].pen, theories[i].name);
+        add_dots(picture, dots, n_dots);
+        const double height = screen_derived(screen, "real_height"),
+                     span = screen_derived(screen, "real_span");
+        char whole[2][160], brief[2][160];
+        period_lines(readout, height, span, false, whole[0], whole[1]);
+        period_lines(readout, height, span, true, brief[0], brief[1]);
+        for (int j = 0; j < 2; j++)
+            memcpy(picture_note(picture, j == 0 ? STYLE_NORMAL : STYLE_FAINT, whole[j])->brief, brief[j],
+                   sizeof brief[j]);
+    }
 }
 
 const View view_dispersion = {

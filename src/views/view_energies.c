@@ -205,21 +205,6 @@ static void add_stack(Picture *picture, const Stack *stack)
     }
 }
 
-/* Each band that is high enough to be read has its name in it: colours alone would not tell them apart. */
-static void name_bands(Picture *picture, const Stack *stack, double swing)
-{
-    const Axis *x = &picture->plot.x, *y = &picture->plot.y;
-    const double time = x->low + (x->high - x->low) / 16, least = (y->high - y->low) / 24;
-    for (int layer = 0; layer < stack->count && stack->record->count > 0; layer++) {
-        const double low = mean_height(stack, time, swing, layer);
-        const double high = mean_height(stack, time, swing, layer + 1);
-        PictureLabel label = {.x = time, .y = (low + high) / 2, .height = high - low, .side = 1};
-        snprintf(label.text, sizeof label.text, "%s", stack->layers[layer].name);
-        if (high - low > least)
-            picture_label(picture, &label);
-    }
-}
-
 /* The shares of the kinetic energy that the grid has not, over what the plot shows: what lumped masses make
  * too small, and the null space. False: not known. */
 static bool unseen_shares(const Screen *screen, const Record *record, const Axis *x, double *lumping,
@@ -291,21 +276,6 @@ static void energy_phrases(const Screen *screen, const Stack *stack, const Axis 
                          : "  ripple: v, stress half a step apart");
 }
 
-/* What the balance lacks: kinetic + strain + dissipated less the start and the work of the load, against the
- * largest work so far; of second order in the time step. */
-static void residual_phrases(const Screen *screen, double most_work, char out[320])
-{
-    const double *now = experiment_row(screen->experiment);
-    const int total = screen_column(screen, "total"), work = screen_column(screen, "work");
-    const Record *record = experiment_record(screen->experiment);
-    if (!now || !(most_work > 0) || work < 0 || total < 0 || record->count == 0)
-        return;
-    const double residual = now[total] - record_row(record, 0)[total] - now[work];
-    snprintf(out, 320, "residual %+.2f %% of the work", 100 * residual / most_work);
-    text_append(out, 320, "  total %s J  work %s J", text_fitted(now[total], 4, 9).text,
-                text_fitted(now[work], 4, 9).text);
-}
-
 static const char *word_of(const Screen *screen, int variant)
 {
     return variant > 0 ? crack_cost_variant_word(screen, variant - 1) : "stack";
@@ -318,8 +288,19 @@ static void note_run(const Screen *screen, Picture *picture, const char *run, do
     for (int wide = 0; wide < 2; wide++) {
         char *out = wide ? text : brief, phrases[320];
         energy_phrases(screen, &stack, &picture->plot.x, wide, phrases);
-        if (most_work > 0 && screen_column(screen, "kinetic_grid") < 0)
-            residual_phrases(screen, most_work, phrases);
+        if (most_work > 0 && screen_column(screen, "kinetic_grid") < 0) {
+            /* What the balance lacks: kinetic + strain + dissipated less the start and the work of the
+             * load, against the largest work so far; of second order in the time step. */
+            const double *now = experiment_row(screen->experiment);
+            const int total = screen_column(screen, "total"), work = screen_column(screen, "work");
+            const Record *record = experiment_record(screen->experiment);
+            if (now && (most_work > 0) && !(work < 0) && !(total < 0) && record->count != 0) {
+                const double residual = now[total] - record_row(record, 0)[total] - now[work];
+                snprintf(phrases, 320, "residual %+.2f %% of the work", 100 * residual / most_work);
+                text_append(phrases, 320, "  total %s J  work %s J", text_fitted(now[total], 4, 9).text,
+                            text_fitted(now[work], 4, 9).text);
+            }
+        }
         snprintf(out, sizeof text, "%s%s", run, phrases);
     }
     picture_note_brief(picture, STYLE_NORMAL, text, brief)->rows = rows;
@@ -386,7 +367,18 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     const double swing = swing_of(screen);
     if (swing > 0 && !is_fine(picture)) {
         add_means(picture, &stack, swing);
-        name_bands(picture, &stack, swing);
+        /* Each band that is high enough to be read has its name in it: colours alone would not tell them
+         * apart. */
+        const Axis *x = &picture->plot.x, *y = &picture->plot.y;
+        const double time = x->low + (x->high - x->low) / 16, least = (y->high - y->low) / 24;
+        for (int layer = 0; layer < stack.count && stack.record->count > 0; layer++) {
+            const double low = mean_height(&stack, time, swing, layer);
+            const double high = mean_height(&stack, time, swing, layer + 1);
+            PictureLabel label = {.x = time, .y = (low + high) / 2, .height = high - low, .side = 1};
+            snprintf(label.text, sizeof label.text, "%s", stack.layers[layer].name);
+            if (high - low > least)
+                picture_label(picture, &label);
+        }
     } else {
         add_stack(picture, &stack);
     }

@@ -36,39 +36,6 @@ static double largest(const CrackFronts *fronts, int variant)
     return most;
 }
 
-static void add_front(Plot *plot, const CrackFronts *fronts, const CrackFront *front, int variant)
-{
-    plot_begin(plot, STROKE_LINE, pen_measured);
-    for (size_t k = 0; k < fronts->n_samples; k++) {
-        const double value = variant == VARIANT_SPEED ? crack_speed_at(fronts, front, k) : front->advances[k];
-        if (isfinite(value))
-            plot_point(plot, (double)k * fronts->every, value);
-    }
-}
-
-/* Where there are several, a letter near the end of each curve that has risen: a, b, ... as in the legend.
- * They stand one behind the other, for cracks of one shape grow alike. */
-static void mark_front(Picture *picture, const CrackFronts *fronts, int front)
-{
-    enum { PLACES = SHOWN_MAX + 1 }; /* along a curve */
-    const Stroke *stroke = &picture->plot.strokes[picture->plot.n_strokes - 1];
-    if (fronts->count < 2 || !fronts->fronts[front].begun || stroke->count == 0)
-        return;
-    const size_t at = stroke->first + stroke->count - 1 - (size_t)front * stroke->count / PLACES;
-    picture_mark(picture, picture->plot.points[2 * at], picture->plot.points[2 * at + 1],
-                 (uint32_t)('a' + front), STYLE_MEASURED);
-}
-
-/* "a left", "b right": the cuts from whose ends they run; a lone one is measured, and goes without a name. */
-static void name_fronts(Picture *picture, const CrackFronts *fronts)
-{
-    char name[NAME_BYTES];
-    for (int f = 0; f < shown_of(fronts) && fronts->count > 1; f++) {
-        snprintf(name, sizeof name, "%c %s", 'a' + f, fronts->fronts[f].cut);
-        picture_name(picture, pen_measured, name);
-    }
-}
-
 static void describe(const Screen *screen, int variant, Picture *picture)
 {
     const CrackFronts *fronts = experiment_fronts(screen->experiment);
@@ -82,15 +49,35 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     char lines[2][160];
     time_plot_axes(screen, picture, axis_make(0, axis_round_up(most > 0 ? 1.02 * most : 1e-3)),
                    speeds ? "tips' speed" : "cracks' advance", speeds ? "m/s" : "m");
-    name_fronts(picture, fronts);
+    /* "a left", "b right": the cuts from whose ends they run; a lone one is measured, and goes without a
+     * name. */
+    char name[NAME_BYTES];
+    for (int f = 0; f < shown_of(fronts) && fronts->count > 1; f++) {
+        snprintf(name, sizeof name, "%c %s", 'a' + f, fronts->fronts[f].cut);
+        picture_name(picture, pen_measured, name);
+    }
     if (speeds && screen_shows_exact(screen))
         picture_level(picture, rayleigh, pen_exact, "Rayleigh's c_R");
     for (int f = 0; f < fronts->count; f++)
         if (fronts->fronts[f].branched)
             picture_rule(picture, fronts->fronts[f].branch_time, STYLE_FAINT, "branches");
     for (int f = 0; f < shown_of(fronts); f++) {
-        add_front(&picture->plot, fronts, &fronts->fronts[f], variant);
-        mark_front(picture, fronts, f);
+        plot_begin(&picture->plot, STROKE_LINE, pen_measured);
+        for (size_t k = 0; k < fronts->n_samples; k++) {
+            const double value = variant == VARIANT_SPEED ? crack_speed_at(fronts, &fronts->fronts[f], k)
+                                                          : fronts->fronts[f].advances[k];
+            if (isfinite(value))
+                plot_point(&picture->plot, (double)k * fronts->every, value);
+        }
+        /* Where there are several, a letter near the end of each curve that has risen: a, b, ... as in the
+         * legend. They stand one behind the other, for cracks of one shape grow alike. */
+        enum { PLACES = SHOWN_MAX + 1 }; /* along a curve */
+        const Stroke *stroke = &picture->plot.strokes[picture->plot.n_strokes - 1];
+        if (fronts->count >= 2 && fronts->fronts[f].begun && stroke->count != 0) {
+            const size_t at = stroke->first + stroke->count - 1 - (size_t)f * stroke->count / PLACES;
+            picture_mark(picture, picture->plot.points[2 * at], picture->plot.points[2 * at + 1],
+                         (uint32_t)('a' + f), STYLE_MEASURED);
+        }
     }
     beam_lines(screen, false, lines[0], lines[1]);
     picture_note(picture, STYLE_NORMAL, lines[0]);

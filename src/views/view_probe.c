@@ -81,25 +81,6 @@ static bool has_envelope(const Screen *screen, const char *name)
            isfinite(references_envelope(experiment_references(screen->experiment), name, 0));
 }
 
-/* How far a beam that grows would swing by its lengthening alone. */
-static void add_envelope(const Screen *screen, Picture *picture, const char *name)
-{
-    enum { PIECES = 24 }; /* single dots, which no curve is drawn with */
-    const References *refs = experiment_references(screen->experiment);
-    Plot *plot = &picture->plot;
-    if (!has_envelope(screen, name))
-        return;
-    picture_key(picture, (PictureKey){LINE_DOTTED, ',', STYLE_FAINT, name[0] == 'u' ? "~L^1/2" : "~L^-3/2",
-                                      SIGN_DOTS, 0});
-    for (int sign = -1; sign <= 1; sign += 2) {
-        plot_begin(plot, STROKE_DOTS, (Pen){LINE_DOTTED, ',', STYLE_FAINT, RANK_GHOST, 0});
-        for (int i = 0; i <= PIECES; i++) {
-            const double t = plot->x.low + (plot->x.high - plot->x.low) * i / PIECES;
-            plot_point(plot, t, sign * references_envelope(refs, name, t));
-        }
-    }
-}
-
 /* --- the curves of the picture -------------------------------------------------------------------- */
 
 /* What a run measures, or a reference for it. */
@@ -146,35 +127,6 @@ typedef struct Range {
     double reach, least, most;
     bool swings; /* around zero; what only grows has its own range */
 } Range;
-
-static void widen_range(const Screen *screen, const ShownRun *run, const char *name, Range *range)
-{
-    const int column = runs_column(run, name);
-    const Record *record = run->record;
-    Screen one = *screen;
-    double least[COLUMNS_MAX], most[COLUMNS_MAX];
-    bool asked = false;
-    /* a range is asked for of a screen, and each run of a duel has its own */
-    one.experiment = run->experiment;
-    range->reach = fmax(range->reach, time_plot_reach(record, column));
-    for (int i = 2; i < run->n_columns; i++) {
-        if (run->columns[i].of != column)
-            continue;
-        if (!asked)
-            time_plot_range_to_come(&one, least, most);
-        asked = range->swings = true;
-        if (run->columns[i].kind != COLUMN_MEASURED) {
-            range->reach = fmax(range->reach, fmax(-least[i], most[i]));
-            range->least = fmin(range->least, least[i]);
-            range->most = fmax(range->most, most[i]);
-        }
-    }
-    for (size_t i = 0; i < record->count; i += time_plot_stride(record)) {
-        const double value = record_row(record, i)[column];
-        range->least = value < range->least ? value : range->least;
-        range->most = value > range->most ? value : range->most;
-    }
-}
 
 /* --- lines under the plot ------------------------------------------------------------------------- */
 
@@ -301,30 +253,24 @@ static void note_both(const Screen *screen, Picture *picture)
     }
 }
 
-/* Every value is seen: with fewer digits and shorter words, else on two lines. */
-static void note_cursor(const Screen *screen, Picture *picture, const Line *lines, int n_lines,
-                        const char *curve)
-{
-    enum { MOST = 5, LEAST = 3 };
-    char text[160], brief[160];
-    int digits = MOST;
-    cursor_line(screen, lines, n_lines, curve, MOST, false, text);
-    do
-        cursor_line(screen, lines, n_lines, curve, digits, true, brief);
-    while (glyphs_columns(brief) > picture->columns - 2 && --digits >= LEAST);
-    PictureNote *note = picture_note_brief(picture, STYLE_SELECTED, text, brief);
-    note->rows = digits <= LEAST ? 2 : 1;
-}
-
 static void note_readout(const Screen *screen, Picture *picture, const Line *lines, int n_lines,
                          const char *curve)
 {
     char first[2][READOUT_TEXT], second[2][READOUT_TEXT];
     const bool cursor = isfinite(screen->time.cursor);
-    if (cursor)
-        note_cursor(screen, picture, lines, n_lines, curve);
-    else if (strcmp(experiment_readout(screen->experiment)->column, curve) != 0 &&
-             !screen_problem(screen)->si)
+    if (cursor) {
+        /* Every value is seen: with fewer digits and shorter words, else on two lines. */
+        enum { MOST = 5, LEAST = 3 };
+        char text[160], brief[160];
+        int digits = MOST;
+        cursor_line(screen, lines, n_lines, curve, MOST, false, text);
+        do
+            cursor_line(screen, lines, n_lines, curve, digits, true, brief);
+        while (glyphs_columns(brief) > picture->columns - 2 && --digits >= LEAST);
+        PictureNote *note = picture_note_brief(picture, STYLE_SELECTED, text, brief);
+        note->rows = digits <= LEAST ? 2 : 1;
+    } else if (strcmp(experiment_readout(screen->experiment)->column, curve) != 0 &&
+               !screen_problem(screen)->si)
         return;
     if (screen_is_shared(screen)) {
         if (!cursor)
@@ -345,8 +291,33 @@ static Axis value_axis(const Screen *screen, const ShownRun *runs, int n_runs, c
 {
     Range range = {.least = INFINITY, .most = -INFINITY};
     for (int i = n_runs - 1; i >= 0; i--)
-        if (runs[i].experiment)
-            widen_range(screen, &runs[i], quantity->name, &range);
+        if (runs[i].experiment) {
+            const int column = runs_column(&runs[i], quantity->name);
+            const Record *record = runs[i].record;
+            Screen one = *screen;
+            double least[COLUMNS_MAX], most[COLUMNS_MAX];
+            bool asked = false;
+            /* a range is asked for of a screen, and each run of a duel has its own */
+            one.experiment = runs[i].experiment;
+            range.reach = fmax(range.reach, time_plot_reach(record, column));
+            for (int j = 2; j < runs[i].n_columns; j++) {
+                if (runs[i].columns[j].of != column)
+                    continue;
+                if (!asked)
+                    time_plot_range_to_come(&one, least, most);
+                asked = range.swings = true;
+                if (runs[i].columns[j].kind != COLUMN_MEASURED) {
+                    range.reach = fmax(range.reach, fmax(-least[j], most[j]));
+                    range.least = fmin(range.least, least[j]);
+                    range.most = fmax(range.most, most[j]);
+                }
+            }
+            for (size_t j = 0; j < record->count; j += time_plot_stride(record)) {
+                const double value = record_row(record, j)[column];
+                range.least = value < range.least ? value : range.least;
+                range.most = value > range.most ? value : range.most;
+            }
+        }
     overlay_widen(screen, quantity->name, false, &range.least, &range.most);
     range.reach = fmax(range.reach, overlay_reach(screen, quantity->name, false));
     if (has_envelope(screen, quantity->name)) {
@@ -404,7 +375,21 @@ static void describe(const Screen *screen, int variant, Picture *picture)
         time_plot_curve(picture, &(Curve){lines[i].run->record, lines[i].column, NULL, NULL});
     }
     overlay_add(screen, picture, quantity->name, false);
-    add_envelope(screen, picture, quantity->name);
+    /* How far a beam that grows would swing by its lengthening alone. */
+    enum { PIECES = 24 }; /* single dots, which no curve is drawn with */
+    const References *refs = experiment_references(screen->experiment);
+    Plot *plot = &picture->plot;
+    if (has_envelope(screen, quantity->name)) {
+        picture_key(picture, (PictureKey){LINE_DOTTED, ',', STYLE_FAINT,
+                                          quantity->name[0] == 'u' ? "~L^1/2" : "~L^-3/2", SIGN_DOTS, 0});
+        for (int sign = -1; sign <= 1; sign += 2) {
+            plot_begin(plot, STROKE_DOTS, (Pen){LINE_DOTTED, ',', STYLE_FAINT, RANK_GHOST, 0});
+            for (int i = 0; i <= PIECES; i++) {
+                const double t = plot->x.low + (plot->x.high - plot->x.low) * i / PIECES;
+                plot_point(plot, t, sign * references_envelope(refs, quantity->name, t));
+            }
+        }
+    }
     runs_add_letters(picture, runs, n_ghosts, quantity->name); /* they come first */
     for (int i = 0; i < n_lines; i++)
         if (lines[i].own)

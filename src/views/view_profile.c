@@ -57,17 +57,6 @@ static double exact_reach(const ShownRun *run, const char *field, const double *
     return reach;
 }
 
-/* A displacement so much smaller than the body is long is nothing yet, not a curve to be looked at. */
-static double least_reach(const Simulation *sim, const char *field, const Profile *profile)
-{
-    const double rounding = 1e-15;
-    bool moves = false;
-    for (int d = 0; d < SIMULATION_DIMENSIONS_MAX; d++)
-        moves |=
-            sim->displacement[d] >= 0 && strcmp(sim->fields[sim->displacement[d]].quantity.name, field) == 0;
-    return moves ? rounding * fabs(profile->x[profile->count - 1] - profile->x[0]) : 0;
-}
-
 static Axis value_axis(const Screen *screen, const Simulation *sim, const char *field, const Curve *curves,
                        int n_curves)
 {
@@ -88,7 +77,14 @@ static Axis value_axis(const Screen *screen, const Simulation *sim, const char *
     double least = base, highest = base;
     overlay_widen(screen, field, true, &least, &highest);
     reach = fmax(reach, fmax(base - least, highest - base));
-    reach = fmax(reach, least_reach(sim, field, curves[n_curves - 1].profile));
+    /* A displacement so much smaller than the body is long is nothing yet, not a curve to be looked at. */
+    const Profile *profile = curves[n_curves - 1].profile;
+    const double rounding = 1e-15;
+    bool moves = false;
+    for (int d = 0; d < SIMULATION_DIMENSIONS_MAX; d++)
+        moves |=
+            sim->displacement[d] >= 0 && strcmp(sim->fields[sim->displacement[d]].quantity.name, field) == 0;
+    reach = fmax(reach, moves ? rounding * fabs(profile->x[profile->count - 1] - profile->x[0]) : 0);
     if (base != 0) {
         double end = reach > 0 ? axis_round_up(reach * 1.02) : 0.01 * base;
         return axis_make(base - end, base + end);
@@ -130,20 +126,6 @@ static void add_exact(const Experiment *experiment, Picture *picture, const char
     }
 }
 
-/* Particles that lie well apart are seen one by one. */
-static void add_particles(Picture *picture, const Curve *curve)
-{
-    const Profile *profile = curve->profile;
-    if (!curve->run->experiment || !picture_has_points(picture, profile->count))
-        return;
-    for (size_t i = 0; i < profile->count; i++)
-        picture_add_mark(picture, (PictureMark){.x = profile->x[i],
-                                                .y = curve->values[i],
-                                                .glyph = curve->run->line == LINE_DASHED ? 0x25cb : 0x25cf,
-                                                .ascii = curve->run->letter == 'B' ? 'x' : 'o',
-                                                .style = curve->run->style});
-}
-
 /* The run's letter at the end of its curve, and some on it. */
 static void add_letters(Picture *picture, const Curve *curve)
 {
@@ -160,19 +142,6 @@ static void add_letters(Picture *picture, const Curve *curve)
     }
 }
 
-/* What a ghost's letter stands for: its moment, where it is another one than the present, and what differs.
- */
-static void tell_moment(const Screen *screen, ShownRun *run)
-{
-    const double dt = experiment_simulation(screen->experiment)->dt;
-    char moment[48], word[LEGEND_MAX];
-    if (fabs(run->profile->time - experiment_time(screen->experiment)) < 0.51 * dt)
-        return;
-    screen_time_text(screen, run->profile->time, moment, sizeof moment);
-    snprintf(word, sizeof word, "%s", run->word);
-    snprintf(run->word, sizeof run->word, "at %s, %s", moment, word);
-}
-
 static void add_keys(const Screen *screen, Picture *picture, const Curve *curves, int n_curves, bool exact)
 {
     ShownRun runs[RUNS_MAX];
@@ -181,9 +150,17 @@ static void add_keys(const Screen *screen, Picture *picture, const Curve *curves
         if (runs[i].experiment && !runs[i].letter &&
             simulation_has(experiment_simulation(runs[i].experiment), HAS_PLANE))
             text_append(runs[i].word, sizeof runs[i].word, ", middle row");
-        if (runs[i].ghost >= 0)
-            tell_moment(screen, &runs[i]);
-        else if (runs[i].shown)
+        if (runs[i].ghost >= 0) {
+            /* What a ghost's letter stands for: its moment, where it is another one than the present, and
+             * what differs. */
+            const double dt = experiment_simulation(screen->experiment)->dt;
+            char moment[48], word[LEGEND_MAX];
+            if (fabs(runs[i].profile->time - experiment_time(screen->experiment)) >= 0.51 * dt) {
+                screen_time_text(screen, runs[i].profile->time, moment, sizeof moment);
+                snprintf(word, sizeof word, "%s", runs[i].word);
+                snprintf(runs[i].word, sizeof runs[i].word, "at %s, %s", moment, word);
+            }
+        } else if (runs[i].shown)
             picture_key(picture, runs_key(&runs[i]));
     }
     if (exact)
@@ -214,14 +191,6 @@ static const char *curve(const Screen *screen)
     const char *name =
         profile_field(experiment_simulation(screen->experiment), variant_shown(screen, variant));
     return name ? name : "";
-}
-
-/* On the page of a lesson this is the one picture: at its end what the run comes to stands below it. */
-static void note_findings(const Screen *screen, Picture *picture)
-{
-    if (screen->lesson->lesson && screen_is_plain(screen) && screen_shows_exact(screen) &&
-        experiment_at_end(screen->experiment))
-        runs_note_findings(screen, picture);
 }
 
 static void describe(const Screen *screen, int variant, Picture *picture)
@@ -268,12 +237,25 @@ static void describe(const Screen *screen, int variant, Picture *picture)
         runs_begin(picture, curves[k].run);
         for (size_t i = 0; i < curves[k].profile->count; i++)
             plot_point(&picture->plot, curves[k].profile->x[i], curves[k].values[i]);
-        add_particles(picture, &curves[k]);
+        /* Particles that lie well apart are seen one by one. */
+        const Profile *profile = curves[k].profile;
+        if (curves[k].run->experiment && picture_has_points(picture, profile->count)) {
+            for (size_t i = 0; i < profile->count; i++)
+                picture_add_mark(picture,
+                                 (PictureMark){.x = profile->x[i],
+                                               .y = curves[k].values[i],
+                                               .glyph = curves[k].run->line == LINE_DASHED ? 0x25cb : 0x25cf,
+                                               .ascii = curves[k].run->letter == 'B' ? 'x' : 'o',
+                                               .style = curves[k].run->style});
+        }
         add_letters(picture, &curves[k]);
     }
     if (!carried)
         overlay_add(screen, picture, name, true);
-    note_findings(screen, picture);
+    /* On the page of a lesson this is the one picture: at its end what the run comes to stands below it. */
+    if (screen->lesson->lesson && screen_is_plain(screen) && screen_shows_exact(screen) &&
+        experiment_at_end(screen->experiment))
+        runs_note_findings(screen, picture);
     close_curves(curves, n_curves);
 }
 

@@ -82,17 +82,6 @@ static void find_cell(Section *section)
         section->columns++;
 }
 
-/* What of a stress adds up over the height: force sum sxy dA, moment sum sxx y dA. */
-static void add_up(Section *section)
-{
-    const double area = section->body.spacing *
-                        settings_geometry(experiment_settings(section->screen->experiment))->thickness;
-    section->resultant = 0;
-    for (size_t j = 0; j < section->rows; j++)
-        section->resultant +=
-            section->mean[j] * math_pow(section->y[j] - section->middle, section->of->power) * area;
-}
-
 /* The line -y duy/dx by the slope over two spacings, one at an end; the stresses of theory as it knows the
  * run, or those that have the section's own moment M or force Q: M y/I, 3 Q/(2 A) (1 - (2 y/h)^2). */
 static double theory_at(const Section *section, double y, double time)
@@ -141,7 +130,13 @@ static bool take_section(Section *section, const Screen *screen, const SectionPa
         }
     }
     const double time = experiment_time(screen->experiment), slope = slope_of(section);
-    add_up(section);
+    /* What of a stress adds up over the height: force sum sxy dA, moment sum sxx y dA. */
+    const double area = section->body.spacing *
+                        settings_geometry(experiment_settings(section->screen->experiment))->thickness;
+    section->resultant = 0;
+    for (size_t j = 0; j < section->rows; j++)
+        section->resultant +=
+            section->mean[j] * math_pow(section->y[j] - section->middle, section->of->power) * area;
     section->known = of->resultant && isfinite(references_section(experiment_references(screen->experiment),
                                                                   of->field, section->x, 0, time));
     for (size_t j = 0; j < rows; j++) {
@@ -218,23 +213,6 @@ static void section_line(const Section *section, char out[160])
 
 /* --- the picture ------------------------------------------------------------------------------------- */
 
-/* So that the axis keeps still while the body swings: what theory reaches in the run too. */
-static double reach_of(const Section *section)
-{
-    enum { TIMES = 32, HEIGHTS = 2 };
-    const double end = settings_time(experiment_settings(section->screen->experiment))->end;
-    double reach = 0;
-    for (size_t j = 0; j < section->rows; j++) {
-        reach = fmax(reach, fabs(section->theory[j]));
-        for (size_t c = 0; c < section->columns; c++)
-            reach = fmax(reach, fabs(section->values[c][j]));
-    }
-    for (int i = 0; i <= TIMES && section->known; i++)
-        for (int k = 0; k <= HEIGHTS; k++)
-            reach = fmax(reach, fabs(theory_at(section, section->body.size[1] * k / 4, end * i / TIMES)));
-    return reach;
-}
-
 static void add_strokes(const Section *section, Plot *plot, bool theory)
 {
     const double bottom = section->body.low[1], height = section->body.size[1];
@@ -257,27 +235,6 @@ static void add_strokes(const Section *section, Plot *plot, bool theory)
     plot_begin(plot, STROKE_LINE, pen_measured);
     for (size_t j = 0; j < section->rows; j++)
         plot_point(plot, section->mean[j], section->y[j]);
-}
-
-static void describe_section(const Section *section, Picture *picture)
-{
-    const SectionPart *of = section->of;
-    const bool theory = screen_shows_exact(section->screen) && is_beam(section->screen);
-    const bool several = section->columns > 1;
-    const double bottom = section->body.low[1];
-    char line[160];
-    picture->kind = PICTURE_UPRIGHT;
-    picture->compares = true;
-    picture_axes(picture, axis_symmetric(reach_of(section)), of->field, of->unit,
-                 axis_make(bottom, bottom + section->body.size[1]), of->name, "m");
-    picture_name(picture, pen_measured, several ? "mean" : "measured");
-    if (several)
-        picture_name(picture, pen_second, "columns");
-    if (theory)
-        picture_name(picture, pen_exact, section->known || !of->resultant ? of->theory : of->own);
-    add_strokes(section, &picture->plot, theory);
-    section_line(section, line);
-    picture_note(picture, STYLE_NORMAL, line);
 }
 
 /* --- the view ---------------------------------------------------------------------------------------- */
@@ -303,9 +260,37 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     const SectionPart *part = part_of(screen, variant);
     Section section = {.y = NULL};
     if (part && simulation_has(experiment_simulation(screen->experiment), HAS_PLANE) &&
-        take_section(&section, screen, part))
-        describe_section(&section, picture);
-    else
+        take_section(&section, screen, part)) {
+        const SectionPart *of = section.of;
+        const bool theory = screen_shows_exact(section.screen) && is_beam(section.screen);
+        const bool several = section.columns > 1;
+        const double bottom = section.body.low[1];
+        char line[160];
+        picture->kind = PICTURE_UPRIGHT;
+        picture->compares = true;
+        /* So that the axis keeps still while the body swings: what theory reaches in the run too. */
+        enum { TIMES = 32, HEIGHTS = 2 };
+        const double end = settings_time(experiment_settings(section.screen->experiment))->end;
+        double reach = 0;
+        for (size_t j = 0; j < section.rows; j++) {
+            reach = fmax(reach, fabs(section.theory[j]));
+            for (size_t c = 0; c < section.columns; c++)
+                reach = fmax(reach, fabs(section.values[c][j]));
+        }
+        for (int i = 0; i <= TIMES && section.known; i++)
+            for (int k = 0; k <= HEIGHTS; k++)
+                reach = fmax(reach, fabs(theory_at(&section, section.body.size[1] * k / 4, end * i / TIMES)));
+        picture_axes(picture, axis_symmetric(reach), of->field, of->unit,
+                     axis_make(bottom, bottom + section.body.size[1]), of->name, "m");
+        picture_name(picture, pen_measured, several ? "mean" : "measured");
+        if (several)
+            picture_name(picture, pen_second, "columns");
+        if (theory)
+            picture_name(picture, pen_exact, section.known || !of->resultant ? of->theory : of->own);
+        add_strokes(&section, &picture->plot, theory);
+        section_line(&section, line);
+        picture_note(picture, STYLE_NORMAL, line);
+    } else
         picture_say(picture, "section",
                     "A bar has no height: only a body in the plane has a section to look at.");
     free(section.y);

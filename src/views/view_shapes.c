@@ -34,15 +34,6 @@ static double value_at(const Simulation *sim, double x, size_t node, bool slope,
     return count ? value : NAN;
 }
 
-static void say_why_none(const Simulation *sim, Picture *picture)
-{
-    picture_say(picture, "shape functions",
-                simulation_has(sim, HAS_MESH)
-                    ? "In the plane a shape function is the product of one along x and one along y, which "
-                      "the bar shows; i writes them out for the chosen particle."
-                    : "This method has no mesh: its points act on each other directly, through bonds.");
-}
-
 /* The nodes that a place sees; at most LINKS_MAX. */
 static size_t shapes_at(const Simulation *sim, double x, Link links[LINKS_MAX])
 {
@@ -76,7 +67,12 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     const bool is_line = simulation_has(sim, HAS_MESH | HAS_LINE);
     const size_t n_links = is_line ? shapes_at(sim, simulation_value(sim, position, chosen), links) : 0;
     if (n_links == 0) {
-        say_why_none(sim, picture);
+        picture_say(
+            picture, "shape functions",
+            simulation_has(sim, HAS_MESH)
+                ? "In the plane a shape function is the product of one along x and one along y, which "
+                  "the bar shows; i writes them out for the chosen particle."
+                : "This method has no mesh: its points act on each other directly, through bonds.");
         return;
     }
     /* the chosen particle's nodes and some on either side */

@@ -115,16 +115,6 @@ static size_t bins_within(const Scale *scale)
     return bins < (double)scale->spectrum->count ? (size_t)bins : scale->spectrum->count;
 }
 
-/* The same column of another run; NULL: it has too few rows. */
-static const Spectrum *spectrum_of_run(const Experiment *experiment, const ShownRun *run, const char *column,
-                                       SpectrumSpan span)
-{
-    const int at = runs_column(run, column);
-    return at < 0            ? NULL
-           : run->experiment ? experiment_spectrum(run->experiment, at, span)
-                             : experiment_ghost_spectrum(experiment, run->ghost, at, span);
-}
-
 static double largest_of(const Scale *scale)
 {
     double largest = 0;
@@ -200,18 +190,6 @@ static int peaks_of(const Scale *scale, bool fast, double peaks[PEAKS_MAX])
             peaks[k - 1] = held;
         }
     return count;
-}
-
-static void peak_line(const Screen *screen, const Scale *scale, bool fast, char out[160])
-{
-    double peaks[PEAKS_MAX];
-    const int count = peaks_of(scale, fast, peaks);
-    const double bin = scale->spectrum->step / scale->unit;
-    snprintf(out, 160, count == 0 ? "no peak stands out" : count == 1 ? "peak at" : "peaks at");
-    for (int i = 0; i < count; i++)
-        text_append(out, 160, "%s %s", i > 0 ? "," : "", text_fitted(peaks[i], 4, 8).text);
-    text_append(out, 160, "%s; a bin is %s", !screen_problem(screen)->si ? "" : " kHz",
-                text_fitted(bin, 2, 8).text);
 }
 
 /* Why there is no picture yet; false: there is one. */
@@ -294,7 +272,14 @@ static void add_run(Picture *picture, const Scale *scale, const ShownRun *run)
 static void note_peaks(const Screen *screen, Picture *picture, const Scale *scale, bool fast)
 {
     char text[160], line[168];
-    peak_line(screen, scale, fast, text);
+    double peaks[PEAKS_MAX];
+    const int count = peaks_of(scale, fast, peaks);
+    const double bin = scale->spectrum->step / scale->unit;
+    snprintf(text, 160, count == 0 ? "no peak stands out" : count == 1 ? "peak at" : "peaks at");
+    for (int i = 0; i < count; i++)
+        text_append(text, 160, "%s %s", i > 0 ? "," : "", text_fitted(peaks[i], 4, 8).text);
+    text_append(text, 160, "%s; a bin is %s", !screen_problem(screen)->si ? "" : " kHz",
+                text_fitted(bin, 2, 8).text);
     snprintf(line, sizeof line, "%s%s", screen_is_shared(screen) ? "A " : "", text);
     PictureNote *note = picture_note(picture, STYLE_NORMAL, line);
     line[strcspn(line, ";")] = '\0';
@@ -338,7 +323,12 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     double largest = 0;
     for (int i = 0; i < n_runs; i++) {
         of_run[i] = scale;
-        of_run[i].spectrum = spectrum_of_run(screen->experiment, &runs[i], quantity->name, span);
+        /* The same column of another run; NULL: it has too few rows. */
+        const int at = runs_column(&runs[i], quantity->name);
+        of_run[i].spectrum = at < 0 ? NULL
+                             : runs[i].experiment
+                                 ? experiment_spectrum(runs[i].experiment, at, span)
+                                 : experiment_ghost_spectrum(screen->experiment, runs[i].ghost, at, span);
         if (runs[i].experiment && of_run[i].spectrum)
             largest = fmax(largest, largest_of(&of_run[i]));
     }

@@ -221,22 +221,6 @@ static void add_links(const Bar *bar, Flow flow)
             (PictureMark){.glyph = 0x25a0, .style = STYLE_CHANGED});
 }
 
-static void note_bar(const Bar *bar, Flow flow)
-{
-    static const char *const flows[] = {[FLOW_TO_NODES] = "↑ particles give to nodes",
-                                        [FLOW_TO_PARTICLES] = "↓ particles take",
-                                        [FLOW_FORGET] = "the grid is put back"};
-    const StripRow *row = &bar->strip->row;
-    char text[96];
-    if (row->shown < row->pieces)
-        snprintf(text, sizeof text, "cells %ld-%ld of %ld", row->first, row->first + row->shown - 1,
-                 row->pieces);
-    else
-        snprintf(text, sizeof text, "%ld cell%s", row->pieces, row->pieces == 1 ? "" : "s");
-    picture_note(bar->strip->picture, flow ? STYLE_CHANGED : STYLE_FAINT, flow ? flows[flow] : text);
-    note_factor(bar->strip, "particles at x0", "u");
-}
-
 static void describe_bar(Strip *strip, const double *x0)
 {
     const Simulation *sim = strip->sim;
@@ -277,7 +261,18 @@ static void describe_bar(Strip *strip, const double *x0)
                           .is_target = true,
                           .index = i});
     add_links(&bar, flow);
-    note_bar(&bar, flow);
+    static const char *const flows[] = {[FLOW_TO_NODES] = "↑ particles give to nodes",
+                                        [FLOW_TO_PARTICLES] = "↓ particles take",
+                                        [FLOW_FORGET] = "the grid is put back"};
+    const StripRow *row = &bar.strip->row;
+    char text[96];
+    if (row->shown < row->pieces)
+        snprintf(text, sizeof text, "cells %ld-%ld of %ld", row->first, row->first + row->shown - 1,
+                 row->pieces);
+    else
+        snprintf(text, sizeof text, "%ld cell%s", row->pieces, row->pieces == 1 ? "" : "s");
+    picture_note(bar.strip->picture, flow ? STYLE_CHANGED : STYLE_FAINT, flow ? flows[flow] : text);
+    note_factor(bar.strip, "particles at x0", "u");
 }
 
 /* --- a bar of bonds ---------------------------------------------------------------------------------- */
@@ -303,19 +298,6 @@ static double node_column(const NodeRow *row, long node)
     return column_at(row, (double)node + (image != node ? -1 : 1) * row->moved * row->strip->u[image]);
 }
 
-static void add_nodes(const NodeRow *row)
-{
-    for (long k = row->first; k < row->end; k++) {
-        const bool mirrored = k < 0 || k >= row->nodes;
-        put(row->strip, node_column(row, k), row->strip->last,
-            (PictureMark){.glyph = mirrored ? 0x25cb : 0x00b7,
-                          .ascii = mirrored ? 0 : 'o',
-                          .style = mirrored ? STYLE_FAINT : STYLE_MEASURED,
-                          .is_target = !mirrored,
-                          .index = mirrored ? 0 : (size_t)k});
-    }
-}
-
 /* Once the bonds have pulled, where each node is drawn to: an arrow for what is at least a third of the
  * largest force, a smaller one for less, none for next to nothing. */
 static void add_forces(const NodeRow *row)
@@ -339,21 +321,6 @@ static void add_forces(const NodeRow *row)
     free(force);
 }
 
-/* A line over the family of the chosen node, with a tick at each partner. */
-static void add_bonds(const NodeRow *row, Style style)
-{
-    const long chosen = (long)row->strip->chosen, least = row->walls[0] ? -row->reach : 0,
-               most = row->nodes - 1 + (row->walls[1] ? row->reach : 0),
-               from = chosen - row->reach < least ? least : chosen - row->reach,
-               to = chosen + row->reach > most ? most : chosen + row->reach;
-    put_across(row->strip, column_at(row, (double)from), column_at(row, (double)to), style);
-    for (long k = from; k <= to; k++)
-        put(row->strip, column_at(row, (double)k), 0,
-            (PictureMark){.glyph = k == chosen ? 0x25cf : 0x252c, .style = style});
-    put(row->strip, node_column(row, chosen), row->strip->last,
-        (PictureMark){.glyph = 0x25cf, .style = STYLE_SECOND});
-}
-
 static void add_ends(const NodeRow *row)
 {
     const double ends[2] = {-0.5, (double)row->nodes - 0.5};
@@ -362,16 +329,6 @@ static void add_ends(const NodeRow *row)
         if (row->walls[side] && seen[side])
             put_upright(row->strip, column_at(row, ends[side]), 0, row->strip->last,
                         (PictureMark){.glyph = 0x2592, .style = STYLE_FRAME});
-}
-
-static void list_bonds(const Strip *strip)
-{
-    Link links[LINKS_MAX];
-    const size_t count = find_links(strip, links);
-    list(strip, STYLE_HEADING, "particle %zu and its bonds", strip->chosen);
-    for (size_t i = 0; i < count; i++)
-        list(strip, STYLE_NORMAL, "to %zu  stretch %s  pull %s", links[i].index,
-             text_fitted(links[i].stretch, 4, 10).text, text_fitted(links[i].pull, 4, 10).text);
 }
 
 static void note_nodes(const NodeRow *row, bool pulls, bool mirrors)
@@ -413,36 +370,42 @@ static void describe_bonds(Strip *strip)
     row.first = strip->row.first - before;
     row.end = row.first + strip->row.shown;
     open_axes(strip, strip->row.shown * strip->row.per + (row.first < 0) + (row.end > row.nodes));
-    add_nodes(&row);
+    for (long k = row.first; k < row.end; k++) {
+        const bool mirrored = k < 0 || k >= row.nodes;
+        put(row.strip, node_column(&row, k), row.strip->last,
+            (PictureMark){.glyph = mirrored ? 0x25cb : 0x00b7,
+                          .ascii = mirrored ? 0 : 'o',
+                          .style = mirrored ? STYLE_FAINT : STYLE_MEASURED,
+                          .is_target = !mirrored,
+                          .index = mirrored ? 0 : (size_t)k});
+    }
     if (pulls || (inside && strcmp(stage, "load") == 0))
         add_forces(&row);
-    if (strip->paused)
-        add_bonds(&row, pulls ? STYLE_CHANGED : STYLE_SECOND);
+    if (strip->paused) {
+        /* A line over the family of the chosen node, with a tick at each partner. */
+        const Style style = pulls ? STYLE_CHANGED : STYLE_SECOND;
+        const long chosen = (long)row.strip->chosen, least = row.walls[0] ? -row.reach : 0,
+                   most = row.nodes - 1 + (row.walls[1] ? row.reach : 0),
+                   from = chosen - row.reach < least ? least : chosen - row.reach,
+                   to = chosen + row.reach > most ? most : chosen + row.reach;
+        put_across(row.strip, column_at(&row, (double)from), column_at(&row, (double)to), style);
+        for (long k = from; k <= to; k++)
+            put(row.strip, column_at(&row, (double)k), 0,
+                (PictureMark){.glyph = k == chosen ? 0x25cf : 0x252c, .style = style});
+        put(row.strip, node_column(&row, chosen), row.strip->last,
+            (PictureMark){.glyph = 0x25cf, .style = STYLE_SECOND});
+    }
     add_ends(&row);
-    list_bonds(strip);
+    Link links[LINKS_MAX];
+    const size_t count = find_links(strip, links);
+    list(strip, STYLE_HEADING, "particle %zu and its bonds", strip->chosen);
+    for (size_t i = 0; i < count; i++)
+        list(strip, STYLE_NORMAL, "to %zu  stretch %s  pull %s", links[i].index,
+             text_fitted(links[i].stretch, 4, 10).text, text_fitted(links[i].pull, 4, 10).text);
     note_nodes(&row, pulls, inside && strcmp(stage, "mirror") == 0);
 }
 
 /* --- a beam ------------------------------------------------------------------------------------------ */
-
-/* The frame of the drawing, which it keeps while the beam swings; how much its height is squeezed there. */
-static double lay_beam(Strip *strip, const double low[2], const double high[2])
-{
-    Picture *picture = strip->picture;
-    const int most = (int)strip->sim->columns * picture->across / picture->dots;
-    /* no more dots across than the lattice has columns: else some stay dark */
-    if (most >= 4 && picture->body[0] > most)
-        picture->body[0] = most;
-    const double height = high[1] - low[1];
-    double top = high[1] + 0.8 * height, bottom = low[1] - 0.8 * height;
-    const double needed = (top - bottom) / (high[0] - low[0]) * picture->body[0] / 2;
-    if (needed < picture->body[1]) {
-        const double more = (top - bottom) * (picture->body[1] / needed - 1) / 2;
-        top += more, bottom -= more;
-    }
-    picture_axes(picture, axis_make(low[0], high[0] + 1e-9 * height), "", "", axis_make(bottom, top), "", "");
-    return needed > picture->body[1] ? picture->body[1] / needed : 1;
-}
 
 static void describe_beam(Strip *strip, const double *x, const double *y, const double *uy,
                           const double *damage)
@@ -462,7 +425,22 @@ static void describe_beam(Strip *strip, const double *x, const double *y, const 
     }
     if (strip->picture->body[0] < 4)
         return;
-    const double stretch = lay_beam(strip, low, high);
+    /* The frame of the drawing, which it keeps while the beam swings; how much its height is squeezed
+     * there. */
+    Picture *picture = strip->picture;
+    const int most = (int)strip->sim->columns * picture->across / picture->dots;
+    /* no more dots across than the lattice has columns: else some stay dark */
+    if (most >= 4 && picture->body[0] > most)
+        picture->body[0] = most;
+    const double height = high[1] - low[1];
+    double top = high[1] + 0.8 * height, bottom = low[1] - 0.8 * height;
+    const double needed = (top - bottom) / (high[0] - low[0]) * picture->body[0] / 2;
+    if (needed < picture->body[1]) {
+        const double more = (top - bottom) * (picture->body[1] / needed - 1) / 2;
+        top += more, bottom -= more;
+    }
+    picture_axes(picture, axis_make(low[0], high[0] + 1e-9 * height), "", "", axis_make(bottom, top), "", "");
+    const double stretch = needed > picture->body[1] ? picture->body[1] / needed : 1;
     const double reach = screen_field_reach(strip->screen, sim->displacement[1], uy, strip->count);
     strip->k = axis_enlargement(fmax(reach, moved), 0.75 * (high[1] - low[1]));
     plot_begin(plot, STROKE_DOTS, (Pen){LINE_SOLID, '#', STYLE_MEASURED, RANK_MEASURED, 0});

@@ -26,28 +26,6 @@ static int list_fields(const Simulation *sim, int set, int fields[FIELDS_MAX])
     return count;
 }
 
-static void describe_field(const Screen *screen, PictureList *list, int column, int index)
-{
-    const Simulation *sim = experiment_simulation(screen->experiment);
-    const Field *field = &sim->fields[index];
-    PictureColumn *head = &list->columns[column];
-    char unit[24];
-    screen_unit_text(screen, field, unit, sizeof unit);
-    head->kind = field->integer ? LIST_COUNT : LIST_NUMBER;
-    snprintf(head->name, sizeof head->name, "%.30s%s%s", field->quantity.label, *unit ? "," : "", unit);
-    double *values = malloc(2 * list->rows * sizeof *values), *before = values + list->rows;
-    if (!values)
-        return;
-    sim->method->field(sim, index, list->first, list->rows, values);
-    const bool known = experiment_field_before(screen->experiment, index, list->first, list->rows, before);
-    for (size_t i = 0; i < list->rows; i++) {
-        const bool changed = known && before[i] != values[i] && !(isnan(before[i]) && isnan(values[i]));
-        *picture_cell(list, column, i) =
-            (PictureCell){.value = values[i], .style = changed ? STYLE_CHANGED : STYLE_NORMAL};
-    }
-    free(values);
-}
-
 static void describe(const Screen *screen, int variant, Picture *picture)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
@@ -70,8 +48,28 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     snprintf(list->what, sizeof list->what, "%s", sim->sets[set].name);
     for (size_t i = 0; i < list->rows; i++)
         snprintf(list->names[i], sizeof list->names[i], "%zu", list->first + i);
-    for (int c = 0; c < n_fields; c++)
-        describe_field(screen, list, c, fields[c]);
+    for (int c = 0; c < n_fields; c++) {
+        const int index = fields[c];
+        const Field *field = &sim->fields[index];
+        PictureColumn *head = &list->columns[c];
+        char unit[24];
+        screen_unit_text(screen, field, unit, sizeof unit);
+        head->kind = field->integer ? LIST_COUNT : LIST_NUMBER;
+        snprintf(head->name, sizeof head->name, "%.30s%s%s", field->quantity.label, *unit ? "," : "", unit);
+        double *values = malloc(2 * list->rows * sizeof *values), *before = values + list->rows;
+        if (values) {
+            sim->method->field(sim, index, list->first, list->rows, values);
+            const bool known =
+                experiment_field_before(screen->experiment, index, list->first, list->rows, before);
+            for (size_t j = 0; j < list->rows; j++) {
+                const bool changed =
+                    known && before[j] != values[j] && !(isnan(before[j]) && isnan(values[j]));
+                *picture_cell(list, c, j) =
+                    (PictureCell){.value = values[j], .style = changed ? STYLE_CHANGED : STYLE_NORMAL};
+            }
+            free(values);
+        }
+    }
     const int chosen = screen->chosen.table_column;
     list->chosen_column = chosen < last ? chosen : last;
     if (n_fields > 0) /* else no field of the set is in a table */

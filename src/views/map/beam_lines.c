@@ -16,15 +16,6 @@ static double percent(double ratio)
     return 100 * (ratio - 1);
 }
 
-/* The periods of earlier runs, by the letters of their curves. */
-static void append_ghosts(const Experiment *experiment, char line[160])
-{
-    const Ghost *ghosts = experiment_ghosts(experiment);
-    for (int i = 0; i < GHOSTS_MAX; i++)
-        if (ghosts[i].used && ghosts[i].readout.is_period && ghosts[i].readout.measured_known)
-            text_append(line, 160, "  %c: %s", ghosts[i].letter, readout_text(&ghosts[i].readout, 4).text);
-}
-
 /* Of a code that is wrong in one place the answer of the right one is known. */
 static const char *predicted_word(const Screen *screen)
 {
@@ -53,52 +44,14 @@ static void supported_lines(const Screen *screen, bool narrow, char first[160], 
     if (isfinite(readout->by_zeros))
         text_append(second, 160, "%s%szeros %.4f ms", second[0] ? "  " : "", narrow ? "" : "by its ",
                     readout->by_zeros / 1e-3);
-    append_ghosts(screen->experiment, second);
+    /* The periods of earlier runs, by the letters of their curves. */
+    const Ghost *ghosts = experiment_ghosts(screen->experiment);
+    for (int i = 0; i < GHOSTS_MAX; i++)
+        if (ghosts[i].used && ghosts[i].readout.is_period && ghosts[i].readout.measured_known)
+            text_append(second, 160, "  %c: %s", ghosts[i].letter, readout_text(&ghosts[i].readout, 4).text);
     if (screen_shows_predicted(screen) && readout->predicted_known)
         text_append(second, 160, "%s%s %.4f ms", second[0] ? "  " : "", predicted_word(screen),
                     readout->predicted / 1e-3);
-}
-
-/* A swing that dies: how fast, and how fast it swings meanwhile, beside theory. */
-static void damped_lines(const Screen *screen, char first[160], char second[160])
-{
-    const Readout *readout = experiment_readout(screen->experiment);
-    const bool exact = screen_shows_exact(screen), measured = isfinite(readout->decay_measured);
-    snprintf(first, 160, measured ? "decay %.5g 1/s" : "decay measuring", readout->decay_measured);
-    if (exact)
-        text_append(first, 160, ", theory %.5g%s", readout->decay_exact, measured ? "" : " 1/s");
-    if (readout->measured_known) {
-        text_append(first, 160, "  T %s ms", readout_text(readout, 4).text);
-        snprintf(second, 160, "f %.1f Hz", 1 / readout->measured);
-    } else
-        snprintf(second, 160, "f measuring");
-    if (screen_shows_predicted(screen) && readout->predicted_known)
-        text_append(second, 160, ", %s %.1f", predicted_word(screen), 1 / readout->predicted);
-    if (exact)
-        text_append(second, 160, "  Timoshenko %.1f", 1 / readout->exact);
-}
-
-static void moving_lines(const Screen *screen, bool narrow, char first[160], char second[160])
-{
-    const Readout *readout = experiment_readout(screen->experiment);
-    const int length = screen_column(screen, "length");
-    const double *row = experiment_row(screen->experiment);
-    const double standing = references_standing_frequency(experiment_references(screen->experiment),
-                                                          experiment_time(screen->experiment));
-    if (length >= 0 && row)
-        snprintf(first, 160, narrow ? "length %.1f mm" : "length %.2f mm", row[length] / 1e-3);
-    if (readout->measured_known) {
-        text_append(first, 160, narrow ? "  f %.1f Hz" : "  f measured %.1f Hz", 1 / readout->measured);
-        if (screen_shows_exact(screen))
-            text_append(first, 160, "  modal %.1f", 1 / readout->exact);
-        if (screen_shows_exact(screen))
-            text_append(second, 160, "last swing T %+.2f %%  %s by %.3f T", readout->error_period,
-                        readout->late < 0 ? "early" : "late", fabs(readout->late));
-    } else {
-        text_append(first, 160, "  f measuring");
-    }
-    if (screen_shows_exact(screen))
-        text_append(second, 160, "%sat fixed length %.1f Hz", second[0] ? "  " : "", standing);
 }
 
 void beam_lines_tip_speed(const Crack *crack, double rayleigh, char out[160])
@@ -161,11 +114,43 @@ bool beam_lines(const Screen *screen, bool narrow, char first[160], char second[
         snprintf(first, 160, "nothing vibrates: no period to measure");
     else if (experiment_readout(screen->experiment)->unaccounted)
         snprintf(first, 160, "T: not known with %s", experiment_readout(screen->experiment)->unaccounted);
-    else if (isfinite(experiment_readout(screen->experiment)->decay_exact))
-        damped_lines(screen, first, second);
-    else if (leaves)
-        moving_lines(screen, narrow, first, second);
-    else
+    else if (isfinite(experiment_readout(screen->experiment)->decay_exact)) {
+        /* A swing that dies: how fast, and how fast it swings meanwhile, beside theory. */
+        const Readout *readout = experiment_readout(screen->experiment);
+        const bool exact = screen_shows_exact(screen), measured = isfinite(readout->decay_measured);
+        snprintf(first, 160, measured ? "decay %.5g 1/s" : "decay measuring", readout->decay_measured);
+        if (exact)
+            text_append(first, 160, ", theory %.5g%s", readout->decay_exact, measured ? "" : " 1/s");
+        if (readout->measured_known) {
+            text_append(first, 160, "  T %s ms", readout_text(readout, 4).text);
+            snprintf(second, 160, "f %.1f Hz", 1 / readout->measured);
+        } else
+            snprintf(second, 160, "f measuring");
+        if (screen_shows_predicted(screen) && readout->predicted_known)
+            text_append(second, 160, ", %s %.1f", predicted_word(screen), 1 / readout->predicted);
+        if (exact)
+            text_append(second, 160, "  Timoshenko %.1f", 1 / readout->exact);
+    } else if (leaves) {
+        const Readout *readout = experiment_readout(screen->experiment);
+        const int length = screen_column(screen, "length");
+        const double *row = experiment_row(screen->experiment);
+        const double standing = references_standing_frequency(experiment_references(screen->experiment),
+                                                              experiment_time(screen->experiment));
+        if (length >= 0 && row)
+            snprintf(first, 160, narrow ? "length %.1f mm" : "length %.2f mm", row[length] / 1e-3);
+        if (readout->measured_known) {
+            text_append(first, 160, narrow ? "  f %.1f Hz" : "  f measured %.1f Hz", 1 / readout->measured);
+            if (screen_shows_exact(screen))
+                text_append(first, 160, "  modal %.1f", 1 / readout->exact);
+            if (screen_shows_exact(screen))
+                text_append(second, 160, "last swing T %+.2f %%  %s by %.3f T", readout->error_period,
+                            readout->late < 0 ? "early" : "late", fabs(readout->late));
+        } else {
+            text_append(first, 160, "  f measuring");
+        }
+        if (screen_shows_exact(screen))
+            text_append(second, 160, "%sat fixed length %.1f Hz", second[0] ? "  " : "", standing);
+    } else
         supported_lines(screen, narrow, first, second);
     return true;
 }

@@ -23,48 +23,6 @@ enum { MOVERS_MAX = 28 }; /* particles that show their velocity */
 #define HATCH_COLUMNS 3.0 /* from one line of a wall's hatching to the next */
 #define HATCH_ROWS    0.75
 
-/* A small cross at each node: lines from edge to edge would hide the particles. */
-static void add_cells(Map *map, double cell)
-{
-    const Stroke pen = {.style = STYLE_FRAME, .rank = RANK_CELLS, .letter = '.'};
-    const long columns = lround(map->body.size[0] / cell), rows = lround(map->body.size[1] / cell);
-    const double arm = CROSS_ARM * cell;
-    if (cell * map->drawn->scale[0] < CELL_COLUMNS)
-        return;
-    for (long j = 1; j < rows; j++)
-        for (long i = 1; i < columns; i++) {
-            const double x = (double)i * cell, y = (double)j * cell;
-            if (!picture_in_sight(map->picture, x, y, 0))
-                continue;
-            picture_trace(map->picture, (double[]){x - arm, y}, (double[]){x + arm, y}, &pen);
-            picture_trace(map->picture, (double[]){x, y - arm}, (double[]){x, y + arm}, &pen);
-        }
-}
-
-/* One side of the box: `d` is the direction that it stands across, `high` its far end. */
-static void add_side(Map *map, int d, bool high, BodyWall wall)
-{
-    const double *size = map->body.size, *scale = map->drawn->scale;
-    const double out = high ? 1 : -1, depth = HATCH_ROWS / scale[1], apart = HATCH_COLUMNS / scale[0];
-    const Stroke edge = {.line = wall == WALL_OPEN ? LINE_DASHED : LINE_SOLID,
-                         .style = wall == WALL_OPEN ? STYLE_FRAME : STYLE_HEADING,
-                         .rank = RANK_BOX};
-    const Stroke hatch = {.style = STYLE_FRAME, .rank = RANK_HATCH, .letter = '/'};
-    double from[2] = {0, 0}, to[2] = {size[0], size[1]};
-    from[d] = to[d] = high ? size[d] : 0;
-    picture_trace(map->picture, from, to, &edge);
-    const int count = wall == WALL_OPEN ? 0 : (int)fmin(size[!d] / apart, 200);
-    for (int i = 0; i < count; i++) {
-        double near[2], far[2];
-        near[d] = from[d];
-        far[d] = from[d] + out * depth;
-        /* all lines rise to the right */
-        near[!d] = size[!d] * (i + 0.5) / count;
-        far[!d] = near[!d] + out * depth;
-        picture_trace(map->picture, near, far, &hatch);
-    }
-}
-
 /* Whether a piece lies in a rectangle. */
 static bool is_covered(const Map *map, const double low[2], const double high[2])
 {
@@ -165,9 +123,43 @@ void map_add_box(Map *map)
         return;
     const Domain *domain = settings_domain(map->settings);
     const BodyWall walls[2][2] = {{domain->left, domain->right}, {domain->bottom, domain->top}};
-    add_cells(map, settings_mesh(map->settings)->cell_size);
+    /* A small cross at each node: lines from edge to edge would hide the particles. */
+    const double cell = settings_mesh(map->settings)->cell_size;
+    const Stroke pen = {.style = STYLE_FRAME, .rank = RANK_CELLS, .letter = '.'};
+    const long columns = lround(map->body.size[0] / cell), rows = lround(map->body.size[1] / cell);
+    const double arm = CROSS_ARM * cell;
+    if (cell * map->drawn->scale[0] >= CELL_COLUMNS) {
+        for (long j = 1; j < rows; j++)
+            for (long i = 1; i < columns; i++) {
+                const double x = (double)i * cell, y = (double)j * cell;
+                if (!picture_in_sight(map->picture, x, y, 0))
+                    continue;
+                picture_trace(map->picture, (double[]){x - arm, y}, (double[]){x + arm, y}, &pen);
+                picture_trace(map->picture, (double[]){x, y - arm}, (double[]){x, y + arm}, &pen);
+            }
+    }
     for (int d = 0; d < 2; d++)
-        for (int high = 0; high < 2; high++)
-            add_side(map, d, high, walls[d][high]);
+        for (int high = 0; high < 2; high++) {
+            /* One side of the box: `d` is the direction that it stands across, `high` its far end. */
+            const double *size = map->body.size, *scale = map->drawn->scale;
+            const double out = high ? 1 : -1, depth = HATCH_ROWS / scale[1], apart = HATCH_COLUMNS / scale[0];
+            const Stroke edge = {.line = walls[d][high] == WALL_OPEN ? LINE_DASHED : LINE_SOLID,
+                                 .style = walls[d][high] == WALL_OPEN ? STYLE_FRAME : STYLE_HEADING,
+                                 .rank = RANK_BOX};
+            const Stroke hatch = {.style = STYLE_FRAME, .rank = RANK_HATCH, .letter = '/'};
+            double from[2] = {0, 0}, to[2] = {size[0], size[1]};
+            from[d] = to[d] = high ? size[d] : 0;
+            picture_trace(map->picture, from, to, &edge);
+            const int count = walls[d][high] == WALL_OPEN ? 0 : (int)fmin(size[!d] / apart, 200);
+            for (int i = 0; i < count; i++) {
+                double near[2], far[2];
+                near[d] = from[d];
+                far[d] = from[d] + out * depth;
+                /* all lines rise to the right */
+                near[!d] = size[!d] * (i + 0.5) / count;
+                far[!d] = near[!d] + out * depth;
+                picture_trace(map->picture, near, far, &hatch);
+            }
+        }
     add_gravity(map);
 }

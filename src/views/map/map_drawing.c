@@ -98,17 +98,6 @@ static void put(const Drawing *drawing, double x, double y, MarkKind kind, int u
 
 /* --- parts ------------------------------------------------------------------------------------------- */
 
-/* "├── 65 mm ──┤", or upright: with a tick at both ends. */
-static void add_length(const Drawing *drawing, const Length *length)
-{
-    const double from = column_of(drawing, length->from), to = column_of(drawing, length->to),
-                 y = drawing->room.bottom - 1 - drawing->room.around - drawing->room.apart * length->row;
-    const double places[][2] = {{from, y + 0.25}, {from, y - 0.25}, {from, y},
-                                {to, y},          {to, y + 0.25},   {to, y - 0.25}};
-    trace(drawing, STROKE_LINE, STYLE_FAINT, 6, places);
-    label_length(drawing, (from + to) / 2, y, 0, length->to - length->from);
-}
-
 static void add_outline(const Drawing *drawing)
 {
     const double left = column_of(drawing, drawing->body.low[0]), top = drawing->room.top,
@@ -120,35 +109,6 @@ static void add_outline(const Drawing *drawing)
     trace(drawing, STROKE_LINE, STYLE_NORMAL, 5, box);
     trace(drawing, STROKE_LINE, STYLE_FAINT, 6, rise);
     label_length(drawing, x + 1, row_of(drawing, 0.5), 1, settings_geometry(drawing->settings)->height);
-}
-
-/* The body behind the clamp goes through a channel with walls. */
-static void add_channel(const Drawing *drawing)
-{
-    const double from = column_of(drawing, -settings_motion(drawing->settings)->channel),
-                 to = column_of(drawing, 0);
-    for (int side = 1; side >= -1; side -= 2) {
-        const double edge = side > 0 ? drawing->room.top : drawing->room.bottom, near = edge + 0.15 * side,
-                     far = edge + 0.8 * side;
-        const double places[][2] = {{from, near}, {from, far}, {to, near}, {to, far}};
-        trace(drawing, STROKE_BAND, STYLE_FRAME, 4, places);
-    }
-    char text[48];
-    snprintf(text, sizeof text, "→ %s m/s", text_rounded(settings_motion(drawing->settings)->speed, 4).text);
-    label(drawing, from + 2, row_of(drawing, 0.5), 1, text, STYLE_HEADING);
-}
-
-/* A cut from below, seen in any case, with its depth. */
-static void add_notch(const Drawing *drawing)
-{
-    const Settings *settings = drawing->settings;
-    const double x = column_of(drawing, settings_notch(settings)->position),
-                 share = settings_notch(settings)->depth / settings_geometry(settings)->height,
-                 bottom = drawing->room.bottom,
-                 end = fmax(row_of(drawing, share), bottom + drawing->picture->whole);
-    const double places[][2] = {{x, bottom}, {x, end}};
-    trace(drawing, STROKE_LINE, STYLE_HEADING, 2, places);
-    label_length(drawing, x + 1, fmax(end, bottom + 1), 1, settings_notch(settings)->depth);
 }
 
 /* A load on a part of the top between two supports below. */
@@ -176,25 +136,6 @@ static void add_pressure(const Drawing *drawing)
         -1, 0x25cb);
 }
 
-static void add_probe(const Drawing *drawing)
-{
-    const double *probe = drawing->scene.probe;
-    const double x = column_of(drawing, drawing->body.low[0] + probe[0] * drawing->body.size[0]);
-    const int side = probe[1] >= 1 ? 1 : -1;
-    put(drawing, x, row_of(drawing, probe[1]), MARK_PLACE, 0, 0x25cf);
-    /* a line of cells makes room for words, a thin one does not */
-    label(drawing, x + side, row_of(drawing, probe[1]) - (side > 0 && !drawing->picture->whole), side,
-          "probe", STYLE_MEASURED);
-}
-
-/* The ends of a beam that vibrates are held at half its height. */
-static void add_supports(const Drawing *drawing)
-{
-    const double y = row_of(drawing, 0.5), low = drawing->body.low[0];
-    put(drawing, column_of(drawing, low), y, MARK_PLACE, 0, 0x25b2);
-    put(drawing, column_of(drawing, low + drawing->body.size[0]), y, MARK_PLACE, 0, 0x25cb);
-}
-
 /* --- what a plate has by rows -------------------------------------------------------------------------- */
 
 static void add_line(const Drawing *drawing, const double from[2], const double to[2], Style style)
@@ -203,29 +144,6 @@ static void add_line(const Drawing *drawing, const double from[2], const double 
     const double places[][2] = {{column_of(drawing, from[0]), row_of(drawing, from[1] / height)},
                                 {column_of(drawing, to[0]), row_of(drawing, to[1] / height)}};
     trace(drawing, STROKE_LINE, style, 2, places);
-}
-
-/* Arrows beside the edge, and the size of the traction where there is room. */
-static void add_traction(const Drawing *drawing, int row, double ends[2][2])
-{
-    const Settings *settings = drawing->settings;
-    const double sx = settings_row_value(settings, ROWS_LOADS, row, 3),
-                 sy = settings_row_value(settings, ROWS_LOADS, row, 4), height = drawing->body.size[1];
-    PictureMark arrow = {.glyph = glyph_arrow(2 * sx, -sy), .style = STYLE_HEADING, .kind = MARK_BESIDE};
-    map_row_side((int)settings_row_value(settings, ROWS_LOADS, row, 0), arrow.side);
-    const int right = arrow.side[0], up = arrow.side[1];
-    double places[2][2];
-    for (int i = 0; i < 2; i++) {
-        places[i][0] = column_of(drawing, ends[i][0]);
-        places[i][1] = row_of(drawing, ends[i][1] / height);
-    }
-    picture_spread(drawing->picture, places[0], places[1], (double[]){1, 1}, &arrow);
-    char text[NUMBER_TEXT_MAX + 8];
-    snprintf(text, sizeof text, "%s MPa", text_rounded(1e-6 * math_hypot(sx, sy), 4).text);
-    if (up)
-        label_size(drawing, fmax(places[0][0], places[1][0]) + 2, places[0][1] + up, 1, text);
-    else
-        label_size(drawing, places[0][0] - 2 * right, (places[0][1] + places[1][1]) / 2, -right, text);
 }
 
 static void add_rows(const Drawing *drawing)
@@ -241,7 +159,27 @@ static void add_rows(const Drawing *drawing)
             if (kind == ROWS_CUTS) {
                 add_line(drawing, a, c, STYLE_HEADING);
             } else if (kind == ROWS_LOADS) {
-                add_traction(drawing, row, ends);
+                /* Arrows beside the edge, and the size of the traction where there is room. */
+                const double sx = settings_row_value(settings, ROWS_LOADS, row, 3),
+                             sy = settings_row_value(settings, ROWS_LOADS, row, 4),
+                             height = drawing->body.size[1];
+                PictureMark arrow = {
+                    .glyph = glyph_arrow(2 * sx, -sy), .style = STYLE_HEADING, .kind = MARK_BESIDE};
+                map_row_side((int)settings_row_value(settings, ROWS_LOADS, row, 0), arrow.side);
+                const int right = arrow.side[0], up = arrow.side[1];
+                double places[2][2];
+                for (int i = 0; i < 2; i++) {
+                    places[i][0] = column_of(drawing, ends[i][0]);
+                    places[i][1] = row_of(drawing, ends[i][1] / height);
+                }
+                picture_spread(drawing->picture, places[0], places[1], (double[]){1, 1}, &arrow);
+                char text[NUMBER_TEXT_MAX + 8];
+                snprintf(text, sizeof text, "%s MPa", text_rounded(1e-6 * math_hypot(sx, sy), 4).text);
+                if (up)
+                    label_size(drawing, fmax(places[0][0], places[1][0]) + 2, places[0][1] + up, 1, text);
+                else
+                    label_size(drawing, places[0][0] - 2 * right, (places[0][1] + places[1][1]) / 2, -right,
+                               text);
             } else {
                 add_line(drawing, a, b, STYLE_FRAME);
                 add_line(drawing, b, c, STYLE_FRAME);
@@ -282,20 +220,60 @@ static void choose_lengths(Drawing *drawing)
 static void add_parts(const Drawing *drawing)
 {
     add_outline(drawing);
-    if (drawing->scene.notched)
-        add_notch(drawing);
+    if (drawing->scene.notched) {
+        /* A cut from below, seen in any case, with its depth. */
+        const Settings *settings = drawing->settings;
+        const double x = column_of(drawing, settings_notch(settings)->position),
+                     share = settings_notch(settings)->depth / settings_geometry(settings)->height,
+                     bottom = drawing->room.bottom,
+                     end = fmax(row_of(drawing, share), bottom + drawing->picture->whole);
+        const double places[][2] = {{x, bottom}, {x, end}};
+        trace(drawing, STROKE_LINE, STYLE_HEADING, 2, places);
+        label_length(drawing, x + 1, fmax(end, bottom + 1), 1, settings_notch(settings)->depth);
+    }
     if (drawing->scene.pressed)
         add_pressure(drawing);
-    else if (drawing->scene.leaves)
-        add_channel(drawing);
-    else if (drawing->scene.bent)
-        add_supports(drawing);
+    else if (drawing->scene.leaves) {
+        /* The body behind the clamp goes through a channel with walls. */
+        const double from = column_of(drawing, -settings_motion(drawing->settings)->channel),
+                     to = column_of(drawing, 0);
+        for (int side = 1; side >= -1; side -= 2) {
+            const double edge = side > 0 ? drawing->room.top : drawing->room.bottom,
+                         near = edge + 0.15 * side, far = edge + 0.8 * side;
+            const double places[][2] = {{from, near}, {from, far}, {to, near}, {to, far}};
+            trace(drawing, STROKE_BAND, STYLE_FRAME, 4, places);
+        }
+        char text[48];
+        snprintf(text, sizeof text, "→ %s m/s",
+                 text_rounded(settings_motion(drawing->settings)->speed, 4).text);
+        label(drawing, from + 2, row_of(drawing, 0.5), 1, text, STYLE_HEADING);
+    } else if (drawing->scene.bent) {
+        /* The ends of a beam that vibrates are held at half its height. */
+        const double y = row_of(drawing, 0.5), low = drawing->body.low[0];
+        put(drawing, column_of(drawing, low), y, MARK_PLACE, 0, 0x25b2);
+        put(drawing, column_of(drawing, low + drawing->body.size[0]), y, MARK_PLACE, 0, 0x25cb);
+    }
     if (drawing->scene.by_rows)
         add_rows(drawing);
-    add_probe(drawing);
+    const double *probe = drawing->scene.probe;
+    const double x = column_of(drawing, drawing->body.low[0] + probe[0] * drawing->body.size[0]);
+    const int side = probe[1] >= 1 ? 1 : -1;
+    put(drawing, x, row_of(drawing, probe[1]), MARK_PLACE, 0, 0x25cf);
+    /* a line of cells makes room for words, a thin one does not */
+    label(drawing, x + side, row_of(drawing, probe[1]) - (side > 0 && !drawing->picture->whole), side,
+          "probe", STYLE_MEASURED);
     for (int i = 0; i < drawing->n_lengths; i++)
-        if (drawing->lengths[i].row < drawing->room.lengths)
-            add_length(drawing, &drawing->lengths[i]);
+        if (drawing->lengths[i].row < drawing->room.lengths) {
+            /* "├── 65 mm ──┤", or upright: with a tick at both ends. */
+            const Length *length = &drawing->lengths[i];
+            const double from = column_of(drawing, length->from), to = column_of(drawing, length->to),
+                         y = drawing->room.bottom - 1 - drawing->room.around -
+                             drawing->room.apart * length->row;
+            const double places[][2] = {{from, y + 0.25}, {from, y - 0.25}, {from, y},
+                                        {to, y},          {to, y + 0.25},   {to, y - 0.25}};
+            trace(drawing, STROKE_LINE, STYLE_FAINT, 6, places);
+            label_length(drawing, (from + to) / 2, y, 0, length->to - length->from);
+        }
 }
 
 /* "to scale", or by how much the height is not; and "E 71 GPa  density 2700  thickness 5 mm  u(0) 3 µm". */

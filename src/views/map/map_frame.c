@@ -132,20 +132,6 @@ double map_reach(const Map *map, int field, const double *now)
     return reach;
 }
 
-/* Bodies are drawn as they are, in a box that stands still. */
-static void lay_box(Map *map)
-{
-    const MapEye *eye = &map->screen->eye;
-    BodyRoom room = {.spacing = map->body.spacing, .in_box = true, .magnified = eye->magnified};
-    for (int d = 0; d < 2; d++) {
-        room.low[d] = map->body.low[d];
-        room.size[d] = map->body.size[d];
-        room.eye[d] = room.low[d] + eye->centre[d] * room.size[d];
-    }
-    map->drawn->is_cloud = true;
-    picture_lay_body(map->picture, &room);
-}
-
 static void lay(Map *map)
 {
     const MapEye *eye = &map->screen->eye;
@@ -186,19 +172,6 @@ static void place_particles(Map *map)
     drawn->size = map->body.spacing;
 }
 
-static void place_nodes(Map *map)
-{
-    const Body *body = &map->body;
-    PictureMap *drawn = map->drawn;
-    size_t node = 0;
-    for (int j = 0; j < body->ny; j++)
-        for (int i = 0; i < body->nx; i++, node++) {
-            drawn->x[node] = body->first[0] + i * body->spacing + drawn->along * map->ux[node];
-            drawn->y[node] = body->first[1] + j * body->spacing + drawn->enlarged * map->uy[node];
-        }
-    drawn->size = body->spacing;
-}
-
 bool map_open(Map *map, const Screen *screen, Picture *picture)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
@@ -221,11 +194,28 @@ bool map_open(Map *map, const Screen *screen, Picture *picture)
     sim->method->field(sim, sim->displacement[0], 0, count, map->ux);
     sim->method->field(sim, sim->displacement[1], 0, count, map->uy);
     if (map->scene.bodies) {
-        lay_box(map);
+        /* Bodies are drawn as they are, in a box that stands still. */
+        const MapEye *eye = &map->screen->eye;
+        BodyRoom room = {.spacing = map->body.spacing, .in_box = true, .magnified = eye->magnified};
+        for (int d = 0; d < 2; d++) {
+            room.low[d] = map->body.low[d];
+            room.size[d] = map->body.size[d];
+            room.eye[d] = room.low[d] + eye->centre[d] * room.size[d];
+        }
+        map->drawn->is_cloud = true;
+        picture_lay_body(map->picture, &room);
         place_particles(map);
     } else {
         lay(map);
-        place_nodes(map);
+        const Body *body = &map->body;
+        PictureMap *drawn = map->drawn;
+        size_t node = 0;
+        for (int j = 0; j < body->ny; j++)
+            for (int i = 0; i < body->nx; i++, node++) {
+                drawn->x[node] = body->first[0] + i * body->spacing + drawn->along * map->ux[node];
+                drawn->y[node] = body->first[1] + j * body->spacing + drawn->enlarged * map->uy[node];
+            }
+        drawn->size = body->spacing;
     }
     return true;
 }

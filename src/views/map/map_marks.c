@@ -28,24 +28,6 @@ static void draw_zone(Map *map, double left, double right, double edge, double i
     map_body_line(map, (double[]){right, inner}, (double[]){right, edge}, pen);
 }
 
-static void draw_crack(Map *map)
-{
-    enum { ROWS_MAX = 512 };
-    double x[ROWS_MAX], y[ROWS_MAX];
-    const size_t count = crack_line(map->sim, x, y, ROWS_MAX);
-    /* on a page the damage itself is seen well enough, and the line would hide it */
-    const Stroke pen = {.style = STYLE_CHANGED,
-                        .rank = RANK_PATH,
-                        .letter = '*',
-                        .coarse = strcmp(map->colouring->field, "damage") == 0};
-    double from[2] = {settings_notch(map->settings)->position, settings_notch(map->settings)->depth};
-    for (size_t i = 0; i < count; i++) {
-        const double to[2] = {x[i], y[i]};
-        map_body_line(map, from, to, pen);
-        from[0] = to[0], from[1] = to[1];
-    }
-}
-
 int map_cracks_before(const Map *map, ShownRun runs[RUNS_MAX])
 {
     const int n_runs = runs_of(map->screen, runs);
@@ -54,25 +36,6 @@ int map_cracks_before(const Map *map, ShownRun runs[RUNS_MAX])
         if (runs[i].ghost >= 0 && runs[i].shown && runs[i].crack->count > 0)
             runs[count++] = runs[i];
     return count;
-}
-
-/* Notch or cuts and paths, dashed, where they were in the body; in pieces long enough for a gap. */
-static void draw_crack_before(Map *map, const ShownRun *run)
-{
-    enum { EVERY = 2, DOTS = 2 }; /* in the width of a cell */
-    const Stroke pen = {.line = LINE_DASHED, .style = run->style, .rank = RANK_BEFORE, .letter = '"'};
-    const CrackLine *crack = run->crack;
-    double from[2] = {0, 0};
-    for (size_t i = 0; i < crack->count; i++) {
-        const double to[2] = {crack->x[i], crack->y[i]};
-        const double dots = DOTS * math_hypot(to[0] - from[0], to[1] - from[1]) * map->drawn->scale[0];
-        const bool last = i + 1 == crack->count || crack->begins[i + 1];
-        if (!crack->begins[i] && dots < 2 * EVERY && !last)
-            continue;
-        if (!crack->begins[i])
-            map_body_line(map, from, to, pen);
-        from[0] = to[0], from[1] = to[1];
-    }
 }
 
 static void draw_notch(Map *map)
@@ -98,7 +61,20 @@ static void draw_notch(Map *map)
             (Stroke){.line = LINE_DOTTED, .style = STYLE_FAINT, .rank = RANK_ANGLE, .letter = '\''});
     map_body_line(map, (double[]){end[0], 0}, end,
                   (Stroke){.style = STYLE_HEADING, .rank = RANK_NOTCH, .letter = '|'});
-    draw_crack(map);
+    enum { ROWS_MAX = 512 };
+    double x[ROWS_MAX], y[ROWS_MAX];
+    const size_t count = crack_line(map->sim, x, y, ROWS_MAX);
+    /* on a page the damage itself is seen well enough, and the line would hide it */
+    const Stroke pen = {.style = STYLE_CHANGED,
+                        .rank = RANK_PATH,
+                        .letter = '*',
+                        .coarse = strcmp(map->colouring->field, "damage") == 0};
+    double from[2] = {settings_notch(map->settings)->position, settings_notch(map->settings)->depth};
+    for (size_t i = 0; i < count; i++) {
+        const double to[2] = {x[i], y[i]};
+        map_body_line(map, from, to, pen);
+        from[0] = to[0], from[1] = to[1];
+    }
 }
 
 static void name_cracks_before(Map *map)
@@ -116,44 +92,51 @@ static void name_cracks_before(Map *map)
     }
 }
 
-/* What the lines are. */
-static void name_lines(Map *map)
-{
-    Picture *picture = map->picture;
-    picture_key(picture, (PictureKey){LINE_SOLID, '*', STYLE_CHANGED, "crack's path", 0, 0});
-    name_cracks_before(map);
-    if (screen_shows_exact(map->screen))
-        picture_key(picture,
-                    (PictureKey){LINE_DOTTED, '\'', STYLE_FAINT, "30° from the notch (paper)", 0, 0});
-    picture_key(picture, (PictureKey){LINE_SOLID, '|', STYLE_HEADING, "notch", 0, 0});
-    picture_key(picture, (PictureKey){LINE_DASHED, '~', STYLE_FRAME, "protected", 0, 0});
-}
-
 /* --- the channel ---------------------------------------------------------------------------------- */
-
-/* Its walls stand still, above and below the beam. */
-static void draw_channel(Map *map)
-{
-    const double half = map->body.size[1] / 2, begin = -settings_motion(map->settings)->channel;
-    for (int side = 1; side >= -1; side -= 2)
-        picture_trace(map->picture, (double[]){begin, side * half}, (double[]){0, side * half},
-                      &(Stroke){.style = STYLE_HEADING, .rank = RANK_WALL, .letter = '=', .wall = side});
-}
 
 void map_add_lines(Map *map)
 {
-    if (map->scene.leaves)
-        draw_channel(map);
+    if (map->scene.leaves) {
+        /* Its walls stand still, above and below the beam. */
+        const double half = map->body.size[1] / 2, begin = -settings_motion(map->settings)->channel;
+        for (int side = 1; side >= -1; side -= 2)
+            picture_trace(map->picture, (double[]){begin, side * half}, (double[]){0, side * half},
+                          &(Stroke){.style = STYLE_HEADING, .rank = RANK_WALL, .letter = '=', .wall = side});
+    }
     ShownRun before[RUNS_MAX];
-    for (int i = map_cracks_before(map, before) - 1; i >= 0; i--)
-        draw_crack_before(map, &before[i]);
+    for (int i = map_cracks_before(map, before) - 1; i >= 0; i--) {
+        /* Notch or cuts and paths, dashed, where they were in the body; in pieces long enough for a gap. */
+        enum { EVERY = 2, DOTS = 2 }; /* in the width of a cell */
+        const Stroke pen = {
+            .line = LINE_DASHED, .style = before[i].style, .rank = RANK_BEFORE, .letter = '"'};
+        const CrackLine *crack = before[i].crack;
+        double from[2] = {0, 0};
+        for (size_t j = 0; j < crack->count; j++) {
+            const double to[2] = {crack->x[j], crack->y[j]};
+            const double dots = DOTS * math_hypot(to[0] - from[0], to[1] - from[1]) * map->drawn->scale[0];
+            const bool last = j + 1 == crack->count || crack->begins[j + 1];
+            if (!crack->begins[j] && dots < 2 * EVERY && !last)
+                continue;
+            if (!crack->begins[j])
+                map_body_line(map, from, to, pen);
+            from[0] = to[0], from[1] = to[1];
+        }
+    }
     if (map->scene.notched)
         draw_notch(map);
     if (!map->scene.bodies)
         map_add_rows(map);
-    if (map->scene.pressed)
-        name_lines(map);
-    else
+    if (map->scene.pressed) {
+        /* What the lines are. */
+        Picture *picture = map->picture;
+        picture_key(picture, (PictureKey){LINE_SOLID, '*', STYLE_CHANGED, "crack's path", 0, 0});
+        name_cracks_before(map);
+        if (screen_shows_exact(map->screen))
+            picture_key(picture,
+                        (PictureKey){LINE_DOTTED, '\'', STYLE_FAINT, "30° from the notch (paper)", 0, 0});
+        picture_key(picture, (PictureKey){LINE_SOLID, '|', STYLE_HEADING, "notch", 0, 0});
+        picture_key(picture, (PictureKey){LINE_DASHED, '~', STYLE_FRAME, "protected", 0, 0});
+    } else
         name_cracks_before(map);
 }
 
@@ -191,26 +174,30 @@ static void draw_supports(Map *map, int row)
                 SUPPORT_ROLLER);
 }
 
-/* Arrows on the loaded nodes; beside them how much of the load has come. */
-static void draw_load(Map *map)
+void map_add_signs(Map *map)
 {
-    const Settings *settings = map->settings;
-    const PictureMark *last = add_flagged(map, "loaded", map->body.ny - 1, 1, LOAD, LOAD);
-    if (!last)
-        return;
-    const double time = simulation_time(map->sim);
-    const double share =
-        settings_loads(settings)->ramp > 0 ? fmin(1, time / settings_loads(settings)->ramp) : 1;
-    PictureLabel label = {.x = last->x, .y = last->y, .side = 1, .style = STYLE_NORMAL};
-    text_append(label.text, sizeof label.text, "%s MPa",
-                text_fitted(settings_loads(settings)->stress * 1e-6, 4, 8).text);
-    if (share < 1)
-        text_append(label.text, sizeof label.text, " x %.2f", share);
-    picture_label(map->picture, &label);
-}
-
-static void add_chosen(Map *map)
-{
+    const bool by_rows = settings_have_rows(map->settings, ROWS_PROBE); /* loads and supports too */
+    if (!by_rows) {
+        /* Arrows on the loaded nodes; beside them how much of the load has come. */
+        const Settings *settings = map->settings;
+        const PictureMark *last = add_flagged(map, "loaded", map->body.ny - 1, 1, LOAD, LOAD);
+        if (last) {
+            const double time = simulation_time(map->sim);
+            const double share =
+                settings_loads(settings)->ramp > 0 ? fmin(1, time / settings_loads(settings)->ramp) : 1;
+            PictureLabel label = {.x = last->x, .y = last->y, .side = 1, .style = STYLE_NORMAL};
+            text_append(label.text, sizeof label.text, "%s MPa",
+                        text_fitted(settings_loads(settings)->stress * 1e-6, 4, 8).text);
+            if (share < 1)
+                text_append(label.text, sizeof label.text, " x %.2f", share);
+            picture_label(map->picture, &label);
+        }
+    }
+    if (!map->scene.leaves && !by_rows) {
+        draw_supports(map, 0);
+        draw_supports(map, (map->body.ny - 1) / 2);
+    }
+    map_add_row_signs(map);
     const Screen *screen = map->screen;
     const size_t node = screen->chosen.particle;
     if (node < map->body.count && !screen_is_running(screen))
@@ -219,17 +206,4 @@ static void add_chosen(Map *map)
                                                      .glyph = 0x25a0,
                                                      .style = STYLE_CHANGED,
                                                      .kind = MARK_CHOSEN});
-}
-
-void map_add_signs(Map *map)
-{
-    const bool by_rows = settings_have_rows(map->settings, ROWS_PROBE); /* loads and supports too */
-    if (!by_rows)
-        draw_load(map);
-    if (!map->scene.leaves && !by_rows) {
-        draw_supports(map, 0);
-        draw_supports(map, (map->body.ny - 1) / 2);
-    }
-    map_add_row_signs(map);
-    add_chosen(map);
 }

@@ -28,17 +28,6 @@ typedef struct MeshNodes {
 
 /* --- what the nodes have ---------------------------------------------------------------------------- */
 
-/* |p| from its components, without what the body's common speed gives to all nodes alike: it is hundreds of
- * times as much as the vibration. */
-static void take_momentum(const Map *map, const MeshNodes *mesh, double *spare)
-{
-    if (screen_node_values(map->screen, "px", mesh->put_back, mesh->momentum) < 0 ||
-        screen_node_values(map->screen, "py", mesh->put_back, spare) < 0)
-        return;
-    for (size_t i = 0; i < mesh->count; i++)
-        mesh->momentum[i] = math_hypot(mesh->momentum[i] - mesh->mass[i] * map->sim->common_speed, spare[i]);
-}
-
 /* False: no memory. mesh_close() in any case. */
 static bool mesh_open(const Map *map, MeshNodes *mesh)
 {
@@ -53,7 +42,15 @@ static bool mesh_open(const Map *map, MeshNodes *mesh)
     mesh->mass = mesh->y + mesh->count;
     mesh->momentum = mesh->mass + mesh->count;
     screen_node_values(map->screen, "mass", mesh->put_back, mesh->mass);
-    take_momentum(map, mesh, mesh->momentum + mesh->count);
+    /* |p| from its components, without what the body's common speed gives to all nodes alike: it is
+     * hundreds of times as much as the vibration. */
+    double *spare = mesh->momentum + mesh->count;
+    if (screen_node_values(map->screen, "px", mesh->put_back, mesh->momentum) >= 0 &&
+        !(screen_node_values(map->screen, "py", mesh->put_back, spare) < 0)) {
+        for (size_t i = 0; i < mesh->count; i++)
+            mesh->momentum[i] =
+                math_hypot(mesh->momentum[i] - mesh->mass[i] * map->sim->common_speed, spare[i]);
+    }
     map->sim->method->field(map->sim, simulation_find_field(map->sim, 1, "x"), 0, mesh->count, mesh->x);
     map->sim->method->field(map->sim, simulation_find_field(map->sim, 1, "y"), 0, mesh->count, mesh->y);
     while (mesh->across < mesh->count && mesh->y[mesh->across] <= mesh->y[0])
@@ -61,28 +58,7 @@ static bool mesh_open(const Map *map, MeshNodes *mesh)
     return true;
 }
 
-static void mesh_close(MeshNodes *mesh)
-{
-    free(mesh->x);
-}
-
 /* --- under the particles ------------------------------------------------------------------------------ */
-
-static void add_cells(Map *map, const MeshNodes *mesh)
-{
-    const Stroke pen = {.line = mesh->there ? LINE_DASHED : LINE_DOTTED,
-                        .style = STYLE_FRAME,
-                        .rank = RANK_GRID,
-                        .letter = mesh->there ? 0 : '.'};
-    const double margin = mesh->count > 1 ? mesh->x[1] - mesh->x[0] : 0;
-    for (size_t node = 0; node < mesh->count; node++) {
-        const double from[2] = {mesh->x[node], mesh->y[node]};
-        const size_t next[2] = {node + 1, node + mesh->across};
-        for (int d = 0; d < 2 && picture_in_sight(map->picture, from[0], from[1], margin); d++)
-            if (next[d] < mesh->count && !(d == 0 && next[d] % mesh->across == 0))
-                picture_trace(map->picture, from, (double[]){mesh->x[next[d]], mesh->y[next[d]]}, &pen);
-    }
-}
 
 /* The nodes with which the chosen particle exchanges. */
 static size_t chosen_links(const Map *map, Link links[LINKS_MAX])
@@ -192,47 +168,48 @@ static void add_bar(Map *map, const MeshNodes *mesh, PictureMark bar, double val
         picture_add_mark(map->picture, bar);
 }
 
-static void add_nodes(Map *map, const MeshNodes *mesh)
-{
-    /* of a body that only moves on no rounding is drawn */
-    const double heaviest = largest(mesh->mass, mesh->count);
-    const double fastest =
-        fmax(largest(mesh->momentum, mesh->count), 1e-9 * heaviest * fabs(map->sim->common_speed));
-    for (size_t node = 0; node < mesh->count; node++) {
-        const double x = mesh->x[node], y = mesh->y[node];
-        if (!picture_in_sight(map->picture, x, y, 0))
-            continue;
-        picture_mark(map->picture, x, y, mesh->there ? 0x253c : 0x00b7,
-                     mesh->there ? STYLE_NORMAL : STYLE_FRAME);
-        add_bar(map, mesh, (PictureMark){.x = x, .y = y, .style = STYLE_SECOND, .side = {1, 0}},
-                mesh->mass[node], heaviest);
-        add_bar(map, mesh, (PictureMark){.x = x, .y = y, .style = STYLE_PREDICTED, .side = {2, 0}},
-                mesh->momentum[node], fastest);
-    }
-}
-
-static void add_its_nodes(Map *map, const MeshNodes *mesh)
-{
-    Link links[LINKS_MAX];
-    const size_t count = chosen_links(map, links);
-    for (size_t i = 0; i < count; i++)
-        picture_mark(map->picture, mesh->x[links[i].index], mesh->y[links[i].index], 0x25c6,
-                     mesh->flow == FLOW_TO_NODES ? STYLE_CHANGED : STYLE_SECOND);
-}
-
 void map_add_mesh(Map *map)
 {
     MeshNodes mesh;
     if (!map_has_mesh(map))
         return;
     if (mesh_open(map, &mesh)) {
-        add_cells(map, &mesh);
+        const Stroke pen = {.line = mesh.there ? LINE_DASHED : LINE_DOTTED,
+                            .style = STYLE_FRAME,
+                            .rank = RANK_GRID,
+                            .letter = mesh.there ? 0 : '.'};
+        const double margin = mesh.count > 1 ? mesh.x[1] - mesh.x[0] : 0;
+        for (size_t node = 0; node < mesh.count; node++) {
+            const double from[2] = {mesh.x[node], mesh.y[node]};
+            const size_t next[2] = {node + 1, node + mesh.across};
+            for (int d = 0; d < 2 && picture_in_sight(map->picture, from[0], from[1], margin); d++)
+                if (next[d] < mesh.count && !(d == 0 && next[d] % mesh.across == 0))
+                    picture_trace(map->picture, from, (double[]){mesh.x[next[d]], mesh.y[next[d]]}, &pen);
+        }
         add_arrows(map, &mesh);
         add_cross(map);
-        add_nodes(map, &mesh);
-        add_its_nodes(map, &mesh);
+        /* of a body that only moves on no rounding is drawn */
+        const double heaviest = largest(mesh.mass, mesh.count);
+        const double fastest =
+            fmax(largest(mesh.momentum, mesh.count), 1e-9 * heaviest * fabs(map->sim->common_speed));
+        for (size_t node = 0; node < mesh.count; node++) {
+            const double x = mesh.x[node], y = mesh.y[node];
+            if (!picture_in_sight(map->picture, x, y, 0))
+                continue;
+            picture_mark(map->picture, x, y, mesh.there ? 0x253c : 0x00b7,
+                         mesh.there ? STYLE_NORMAL : STYLE_FRAME);
+            add_bar(map, &mesh, (PictureMark){.x = x, .y = y, .style = STYLE_SECOND, .side = {1, 0}},
+                    mesh.mass[node], heaviest);
+            add_bar(map, &mesh, (PictureMark){.x = x, .y = y, .style = STYLE_PREDICTED, .side = {2, 0}},
+                    mesh.momentum[node], fastest);
+        }
+        Link links[LINKS_MAX];
+        const size_t count = chosen_links(map, links);
+        for (size_t i = 0; i < count; i++)
+            picture_mark(map->picture, mesh.x[links[i].index], mesh.y[links[i].index], 0x25c6,
+                         mesh.flow == FLOW_TO_NODES ? STYLE_CHANGED : STYLE_SECOND);
     }
-    mesh_close(&mesh);
+    free(mesh.x);
 }
 
 /* Seen from near: the bonds of nodes to their nearest neighbours as lines. A broken bond is not drawn: a
@@ -242,29 +219,25 @@ enum { BONDS_MAX = 256 };
 
 #define NEAREST 1.5 /* bonds up to so many spacings are drawn: along the lattice and across it */
 
-static void add_bonds(Map *map, size_t node)
-{
-    Link links[BONDS_MAX];
-    const Body *body = &map->body;
-    const double from[2] = {map->drawn->x[node], map->drawn->y[node]};
-    const long nx = body->nx, i = (long)node % nx, j = (long)node / nx;
-    const size_t count = map->sim->method->links(map->sim, 0, node, links, BONDS_MAX);
-    for (size_t k = 0; k < count && k < BONDS_MAX; k++) {
-        const size_t other = links[k].index;
-        const double p = (double)((long)other % nx - i), q = (double)((long)other / nx - j);
-        if (other <= node || links[k].broken || math_hypot(p, q) > NEAREST)
-            continue;
-        const double to[2] = {map->drawn->x[other], map->drawn->y[other]};
-        picture_trace(map->picture, from, to, &(Stroke){.style = STYLE_FRAME});
-    }
-}
-
 void map_add_bonds(Map *map)
 {
     if (!map->drawn->is_near || !simulation_has(map->sim, HAS_BONDS))
         return;
     for (size_t node = 0; node < map->body.count; node++)
         if (picture_in_sight(map->picture, map->drawn->x[node], map->drawn->y[node],
-                             2 * NEAREST * map->body.spacing))
-            add_bonds(map, node);
+                             2 * NEAREST * map->body.spacing)) {
+            Link links[BONDS_MAX];
+            const Body *body = &map->body;
+            const double from[2] = {map->drawn->x[node], map->drawn->y[node]};
+            const long nx = body->nx, i = (long)node % nx, j = (long)node / nx;
+            const size_t count = map->sim->method->links(map->sim, 0, node, links, BONDS_MAX);
+            for (size_t k = 0; k < count && k < BONDS_MAX; k++) {
+                const size_t other = links[k].index;
+                const double p = (double)((long)other % nx - i), q = (double)((long)other / nx - j);
+                if (other <= node || links[k].broken || math_hypot(p, q) > NEAREST)
+                    continue;
+                const double to[2] = {map->drawn->x[other], map->drawn->y[other]};
+                picture_trace(map->picture, from, to, &(Stroke){.style = STYLE_FRAME});
+            }
+        }
 }

@@ -34,7 +34,7 @@ static ShownRun run_of_ghost(const Ghost *ghost, int index)
     return run;
 }
 
-static ShownRun run_of_experiment(const Experiment *experiment)
+static ShownRun present_run(const Experiment *experiment)
 {
     ShownRun run = {
         .settings = experiment_settings(experiment),
@@ -44,12 +44,6 @@ static ShownRun run_of_experiment(const Experiment *experiment)
         .ghost = -1,
     };
     run.columns = experiment_columns(experiment, &run.n_columns);
-    return run;
-}
-
-static ShownRun present_run(const Experiment *experiment)
-{
-    ShownRun run = run_of_experiment(experiment);
     run.line = LINE_SOLID;
     run.style = STYLE_MEASURED;
     run.rank = RANK_MEASURED;

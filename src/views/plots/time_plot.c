@@ -34,28 +34,6 @@ void time_plot_window(const Screen *screen, double *from, double *to)
     *to = *from + window;
 }
 
-/* What changes the motion at once is marked in plots too. */
-static void mark_events(const Screen *screen, Picture *picture)
-{
-    const double dt = experiment_simulation(screen->experiment)->dt;
-    int count;
-    const Event *events = experiment_events(screen->experiment, &count);
-    for (int i = 0; i < count; i++)
-        if (1u << events[i].kind &
-            (1u << EVENT_BREAK | 1u << EVENT_TOUCH | 1u << EVENT_PART | 1u << EVENT_TEAR))
-            picture_rule(picture, dt * (double)events[i].step, STYLE_FAINT,
-                         screen_event_letter(events[i].kind));
-}
-
-static void mark_now(const Screen *screen, Picture *picture)
-{
-    const Experiment *clock = screen_clock_run(screen);
-    if (experiment_newest(clock) > experiment_step(clock))
-        picture_rule(picture, experiment_time(clock), STYLE_FOCUS, NULL);
-    if (isfinite(screen->time.cursor))
-        picture_rule(picture, screen->time.cursor, STYLE_SELECTED, NULL);
-}
-
 void time_plot_axes(const Screen *screen, Picture *picture, Axis y, const char *name, const char *unit)
 {
     const Problem *facts = screen_problem(screen);
@@ -67,8 +45,20 @@ void time_plot_axes(const Screen *screen, Picture *picture, Axis y, const char *
     Axis x = axis_make(from, from + window);
     x.moves = true;
     picture_axes(picture, x, "t", facts->si ? facts->unit_of_time : "", y, name, unit);
-    mark_events(screen, picture);
-    mark_now(screen, picture);
+    /* What changes the motion at once is marked in plots too. */
+    const double dt = experiment_simulation(screen->experiment)->dt;
+    int count;
+    const Event *events = experiment_events(screen->experiment, &count);
+    for (int i = 0; i < count; i++)
+        if (1u << events[i].kind &
+            (1u << EVENT_BREAK | 1u << EVENT_TOUCH | 1u << EVENT_PART | 1u << EVENT_TEAR))
+            picture_rule(picture, dt * (double)events[i].step, STYLE_FAINT,
+                         screen_event_letter(events[i].kind));
+    const Experiment *clock = screen_clock_run(screen);
+    if (experiment_newest(clock) > experiment_step(clock))
+        picture_rule(picture, experiment_time(clock), STYLE_FOCUS, NULL);
+    if (isfinite(screen->time.cursor))
+        picture_rule(picture, screen->time.cursor, STYLE_SELECTED, NULL);
 }
 
 /* --- curves --------------------------------------------------------------------------------------- */
