@@ -17,16 +17,6 @@ struct Film {
     int width, height; /* of the picture before */
 };
 
-static void put_event(Film *film, double seconds)
-{
-    size_t count;
-    const char *bytes = grid_bytes(&film->grid, &count);
-    fprintf(film->stream, "[%.3f, \"o\", ", seconds);
-    text_put_json(film->stream, bytes, count);
-    fputs("]\n", film->stream);
-    grid_sent(&film->grid, count);
-}
-
 static Film *open_cast(FILE *stream, const FilmLook *look, Status *status)
 {
     const char *stand_in;
@@ -61,7 +51,12 @@ static bool add_to_cast(Film *film, const Canvas *canvas, double seconds, Status
     if (grid->why_lost)
         return status_fail(status, "a picture of the recording could not be drawn: %s",
                            strerror(grid->why_lost));
-    put_event(film, seconds);
+    size_t count;
+    const char *bytes = grid_bytes(&film->grid, &count);
+    fprintf(film->stream, "[%.3f, \"o\", ", seconds);
+    text_put_json(film->stream, bytes, count);
+    fputs("]\n", film->stream);
+    grid_sent(&film->grid, count);
     return true;
 }
 

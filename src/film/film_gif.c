@@ -112,26 +112,6 @@ static bool draw_shape(cairo_t *cairo, uint32_t glyph)
     return true;
 }
 
-static void draw_glyph(cairo_t *cairo, uint32_t glyph, unsigned attributes)
-{
-    char text[5] = "";
-    CAIRO(set_operator)(cairo, CAIRO_OPERATOR_CLEAR);
-    CAIRO(paint)(cairo);
-    CAIRO(set_operator)(cairo, CAIRO_OPERATOR_OVER);
-    if (!draw_shape(cairo, glyph)) {
-        glyph_put(text, glyph);
-        CAIRO(select_font_face)
-        (cairo, "monospace", CAIRO_FONT_SLANT_NORMAL,
-         attributes & LOOK_BOLD ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
-        CAIRO(move_to)(cairo, 0, BASELINE);
-        CAIRO(show_text)(cairo, text);
-    }
-    if (attributes & LOOK_UNDERLINE) {
-        CAIRO(rectangle)(cairo, 0, BASELINE + 2, 2 * CELL_WIDTH, 1);
-        CAIRO(fill)(cairo);
-    }
-}
-
 static void draw_cell(Film *film, int x, int y, const Cell *cell)
 {
     const Look look = theme_look(256, film->look.light, cell->style, cell->back);
@@ -141,7 +121,23 @@ static void draw_cell(Film *film, int x, int y, const Cell *cell)
     unsigned char numbers[LEVELS];
     for (int level = 0; level < LEVELS; level++)
         numbers[level] = number_of(film, blend(reversed ? paper : ink, reversed ? ink : paper, level));
-    draw_glyph(film->cairo, cell->glyph ? cell->glyph : ' ', look.attributes);
+    const uint32_t glyph = cell->glyph ? cell->glyph : ' ';
+    char text[5] = "";
+    CAIRO(set_operator)(film->cairo, CAIRO_OPERATOR_CLEAR);
+    CAIRO(paint)(film->cairo);
+    CAIRO(set_operator)(film->cairo, CAIRO_OPERATOR_OVER);
+    if (!draw_shape(film->cairo, glyph)) {
+        glyph_put(text, glyph);
+        CAIRO(select_font_face)
+        (film->cairo, "monospace", CAIRO_FONT_SLANT_NORMAL,
+         look.attributes & LOOK_BOLD ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+        CAIRO(move_to)(film->cairo, 0, BASELINE);
+        CAIRO(show_text)(film->cairo, text);
+    }
+    if (look.attributes & LOOK_UNDERLINE) {
+        CAIRO(rectangle)(film->cairo, 0, BASELINE + 2, 2 * CELL_WIDTH, 1);
+        CAIRO(fill)(film->cairo);
+    }
     CAIRO(surface_flush)(film->surface);
     const unsigned char *covered = CAIRO(image_surface_get_data)(film->surface);
     const int stride = CAIRO(image_surface_get_stride)(film->surface);
@@ -156,17 +152,6 @@ static void draw_cell(Film *film, int x, int y, const Cell *cell)
 
 /* --- pictures ------------------------------------------------------------------------------------ */
 
-static ColorMapObject *colour_map(const Film *film)
-{
-    GifColorType colours[COLOURS];
-    for (int i = 0; i < COLOURS; i++) {
-        const unsigned colour = i < film->n_colours ? film->colours[i] : 0;
-        colours[i] = (GifColorType){(GifByteType)(colour >> 16), (GifByteType)(colour >> 8 & 0xff),
-                                    (GifByteType)(colour & 0xff)};
-    }
-    return GifMakeMapObject(COLOURS, colours);
-}
-
 /* The picture that waits stands until `seconds`. Times are rounded where they are, so that they do not drift.
  */
 static bool write_waiting(Film *film, double seconds, Status *status)
@@ -178,7 +163,13 @@ static bool write_waiting(Film *film, double seconds, Status *status)
                                         NO_TRANSPARENT_COLOR};
     GifByteType bytes[4];
     EGifGCBToExtension(&block, bytes);
-    ColorMapObject *map = colour_map(film);
+    GifColorType colours[COLOURS];
+    for (int i = 0; i < COLOURS; i++) {
+        const unsigned colour = i < film->n_colours ? film->colours[i] : 0;
+        colours[i] = (GifColorType){(GifByteType)(colour >> 16), (GifByteType)(colour >> 8 & 0xff),
+                                    (GifByteType)(colour & 0xff)};
+    }
+    ColorMapObject *map = GifMakeMapObject(COLOURS, colours);
     bool sound = map && EGifPutExtension(film->gif, GRAPHICS_EXT_FUNC_CODE, 4, bytes) == GIF_OK &&
                  EGifPutImageDesc(film->gif, film->waiting.x, film->waiting.y, film->waiting.width,
                                   film->waiting.height, false, map) == GIF_OK;
@@ -191,12 +182,6 @@ static bool write_waiting(Film *film, double seconds, Status *status)
     return sound || fails(film, status);
 }
 
-static Cell cell_at(const Canvas *canvas, int x, int y)
-{
-    return x < canvas->width && y < canvas->height ? canvas->cells[y * canvas->width + x]
-                                                   : (Cell){.glyph = ' '};
-}
-
 static bool add_to_gif(Film *film, const Canvas *canvas, double seconds, Status *status)
 {
     if (!write_waiting(film, seconds, status))
@@ -204,7 +189,8 @@ static bool add_to_gif(Film *film, const Canvas *canvas, double seconds, Status 
     int left = film->look.width, right = -1, top = film->look.height, bottom = -1;
     for (int y = 0; y < film->look.height; y++)
         for (int x = 0; x < film->look.width; x++) {
-            const Cell cell = cell_at(canvas, x, y);
+            const Cell cell = x < canvas->width && y < canvas->height ? canvas->cells[y * canvas->width + x]
+                                                                      : (Cell){.glyph = ' '};
             Cell *before = &film->cells[y * film->look.width + x];
             if (film->waiting.any && memcmp(&cell, before, sizeof cell) == 0)
                 continue;
@@ -255,19 +241,6 @@ static void close_gif(Film *film)
     free(film);
 }
 
-/* It is played again and again, as browsers do it since Netscape's. */
-static bool put_head(Film *film)
-{
-    static const GifByteType for_ever[3] = {1, 0, 0};
-    EGifSetGifVersion(film->gif, true);
-    return EGifPutScreenDesc(film->gif, film->look.width * CELL_WIDTH, film->look.height * CELL_HEIGHT, 8, 0,
-                             NULL) == GIF_OK &&
-           EGifPutExtensionLeader(film->gif, APPLICATION_EXT_FUNC_CODE) == GIF_OK &&
-           EGifPutExtensionBlock(film->gif, 11, "NETSCAPE2.0") == GIF_OK &&
-           EGifPutExtensionBlock(film->gif, 3, for_ever) == GIF_OK &&
-           EGifPutExtensionTrailer(film->gif) == GIF_OK;
-}
-
 static Film *open_gif(FILE *stream, const FilmLook *look, Status *status)
 {
     int error = 0;
@@ -292,7 +265,15 @@ static Film *open_gif(FILE *stream, const FilmLook *look, Status *status)
         return NULL;
     }
     CAIRO(set_font_size)(film->cairo, FONT);
-    if (!put_head(film)) {
+    /* It is played again and again, as browsers do it since Netscape's. */
+    static const GifByteType for_ever[3] = {1, 0, 0};
+    EGifSetGifVersion(film->gif, true);
+    if (!(EGifPutScreenDesc(film->gif, film->look.width * CELL_WIDTH, film->look.height * CELL_HEIGHT, 8, 0,
+                            NULL) == GIF_OK &&
+          EGifPutExtensionLeader(film->gif, APPLICATION_EXT_FUNC_CODE) == GIF_OK &&
+          EGifPutExtensionBlock(film->gif, 11, "NETSCAPE2.0") == GIF_OK &&
+          EGifPutExtensionBlock(film->gif, 3, for_ever) == GIF_OK &&
+          EGifPutExtensionTrailer(film->gif) == GIF_OK)) {
         fails(film, status);
         close_gif(film);
         return NULL;

@@ -65,49 +65,6 @@ static bool alike(const Cell *a, const Cell *b)
            (kind != KIND_BLOCK || a->glyph == b->glyph);
 }
 
-static void put_block(const Film *film, uint32_t glyph, int x, int count, unsigned ink)
-{
-    const double from = glyph == 0x2584 ? CELL_HEIGHT / 2.0 : 0;
-    const double to = glyph == 0x2580 ? CELL_HEIGHT / 2.0 : CELL_HEIGHT;
-    put_rectangle(film, x * CELL_WIDTH, from, count * CELL_WIDTH, to - from, ink);
-}
-
-/* Each dot is a line without length, of which the round ends are left. */
-static void put_dots(const Film *film, const Cell *cells, int x, int count, unsigned ink)
-{
-    static const int column[8] = {0, 0, 0, 1, 1, 1, 0, 1}, row[8] = {0, 1, 2, 0, 1, 2, 3, 3};
-    fputs("<path stroke-width=\"2\" stroke-linecap=\"round\"", film->stream);
-    put_colour(film->stream, "stroke", ink);
-    fputs(" d=\"", film->stream);
-    for (int i = 0; i < count; i++)
-        for (int dot = 0; dot < 8; dot++)
-            if (cells[i].glyph >> dot & 1)
-                fprintf(film->stream, "M%d %dh0", (x + i) * CELL_WIDTH + 2 + 4 * column[dot],
-                        2 + 4 * row[dot]);
-    fputs("\"/>", film->stream);
-}
-
-static void put_words(const Film *film, const Cell *cells, int x, int count, const Look *look, unsigned ink)
-{
-    FILE *stream = film->stream;
-    fprintf(stream, "<text x=\"%d\" y=\"%d\" textLength=\"%d\"", x * CELL_WIDTH, BASELINE,
-            count * CELL_WIDTH);
-    put_colour(stream, "fill", ink);
-    if (look->attributes & LOOK_BOLD)
-        fputs(" font-weight=\"bold\"", stream);
-    if (look->attributes & LOOK_UNDERLINE)
-        fputs(" text-decoration=\"underline\"", stream);
-    fputc('>', stream);
-    for (int i = 0; i < count; i++) {
-        char bytes[5] = "";
-        if (cells[i].glyph != CELL_FOLLOWS) {
-            glyph_put(bytes, is_blank(&cells[i]) ? ' ' : cells[i].glyph);
-            text_put_xml(stream, bytes);
-        }
-    }
-    fputs("</text>", stream);
-}
-
 /* A stretch of cells that look alike, from column x on. */
 static void put_stretch(const Film *film, const Cell *cells, int x, int count)
 {
@@ -123,17 +80,47 @@ static void put_stretch(const Film *film, const Cell *cells, int x, int count)
     }
     if (papered)
         put_rectangle(film, x * CELL_WIDTH, 0, count * CELL_WIDTH, CELL_HEIGHT, paper);
-    if (kind_of(cells->glyph) == KIND_BLOCK)
-        put_block(film, cells->glyph, x, count, ink);
-    else if (kind_of(cells->glyph) == KIND_DOTS)
-        put_dots(film, cells, x, count, ink);
-    else {
+    if (kind_of(cells->glyph) == KIND_BLOCK) {
+        const uint32_t glyph = cells->glyph;
+        const double from = glyph == 0x2584 ? CELL_HEIGHT / 2.0 : 0;
+        const double to = glyph == 0x2580 ? CELL_HEIGHT / 2.0 : CELL_HEIGHT;
+        put_rectangle(film, x * CELL_WIDTH, from, count * CELL_WIDTH, to - from, ink);
+    } else if (kind_of(cells->glyph) == KIND_DOTS) {
+        /* Each dot is a line without length, of which the round ends are left. */
+        static const int column[8] = {0, 0, 0, 1, 1, 1, 0, 1}, row[8] = {0, 1, 2, 0, 1, 2, 3, 3};
+        fputs("<path stroke-width=\"2\" stroke-linecap=\"round\"", film->stream);
+        put_colour(film->stream, "stroke", ink);
+        fputs(" d=\"", film->stream);
+        for (int i = 0; i < count; i++)
+            for (int dot = 0; dot < 8; dot++)
+                if (cells[i].glyph >> dot & 1)
+                    fprintf(film->stream, "M%d %dh0", (x + i) * CELL_WIDTH + 2 + 4 * column[dot],
+                            2 + 4 * row[dot]);
+        fputs("\"/>", film->stream);
+    } else {
         while (count > 0 && is_blank(cells))
             cells++, x++, count--;
         while (count > 0 && is_blank(&cells[count - 1]))
             count--;
-        if (count > 0)
-            put_words(film, cells, x, count, &look, ink);
+        if (count > 0) {
+            FILE *stream = film->stream;
+            fprintf(stream, "<text x=\"%d\" y=\"%d\" textLength=\"%d\"", x * CELL_WIDTH, BASELINE,
+                    count * CELL_WIDTH);
+            put_colour(stream, "fill", ink);
+            if (look.attributes & LOOK_BOLD)
+                fputs(" font-weight=\"bold\"", stream);
+            if (look.attributes & LOOK_UNDERLINE)
+                fputs(" text-decoration=\"underline\"", stream);
+            fputc('>', stream);
+            for (int i = 0; i < count; i++) {
+                char bytes[5] = "";
+                if (cells[i].glyph != CELL_FOLLOWS) {
+                    glyph_put(bytes, is_blank(&cells[i]) ? ' ' : cells[i].glyph);
+                    text_put_xml(stream, bytes);
+                }
+            }
+            fputs("</text>", stream);
+        }
     }
 }
 
@@ -195,14 +182,6 @@ static bool make_room(Film *film, Status *status)
     return true;
 }
 
-/* What a picture has of row y; nothing beyond its edge. */
-static void read_row(const Film *film, const Canvas *canvas, int y, Cell *cells)
-{
-    for (int x = 0; x < film->look.width; x++)
-        cells[x] = x < canvas->width && y < canvas->height ? canvas->cells[y * canvas->width + x]
-                                                           : (Cell){.glyph = ' '};
-}
-
 static bool add_to_svg(Film *film, const Canvas *canvas, double seconds, Status *status)
 {
     const int height = film->look.height;
@@ -212,7 +191,10 @@ static bool add_to_svg(Film *film, const Canvas *canvas, double seconds, Status 
         return false;
     for (int y = 0; y < height; y++) {
         Row *row = &film->rows[y];
-        read_row(film, canvas, y, cells);
+        /* What a picture has of row y; nothing beyond its edge. */
+        for (int x = 0; x < film->look.width; x++)
+            cells[x] = x < canvas->width && y < canvas->height ? canvas->cells[y * canvas->width + x]
+                                                               : (Cell){.glyph = ' '};
         if (row->number == 0 || memcmp(cells, row->cells, bytes) != 0) {
             memcpy(row->cells, cells, bytes);
             define_row(film, row);

@@ -55,18 +55,6 @@ static void put_text(HelpLines *written, Style style, int width, int indent, con
 
 /* --- keys ----------------------------------------------------------------------------------------- */
 
-static void write_verbs(HelpLines *written, int width)
-{
-    put_line(written, STYLE_NORMAL, "");
-    put_line(written, STYLE_HEADING, "Behind :");
-    for (int i = 0; i < n_line_verbs; i++) {
-        char line[256];
-        snprintf(line, sizeof line, "  %s %s", line_verbs[i].name, line_verbs[i].arguments);
-        put_line(written, STYLE_NORMAL, line);
-        put_text(written, STYLE_NORMAL, width, 13 < width / 3 ? 13 : 4, line_verbs[i].help);
-    }
-}
-
 /* The keys, and what they do beside them or, on a narrow screen, below. */
 static void put_key(HelpLines *written, int width, const char *keys, const char *help)
 {
@@ -84,34 +72,6 @@ static void put_key(HelpLines *written, int width, const char *keys, const char 
     put_text(written, STYLE_NORMAL, width, beside ? COLUMN : 4, rest);
 }
 
-/* The five keys that matter. */
-static void write_first_keys(HelpLines *written, int width)
-{
-    static const struct {
-        const char *keys, *help;
-    } first[] = {
-        {"Space", "runs and pauses"},
-        {"]", "goes on by one stage of a time step, with its equation and numbers; [ goes back"},
-        {"Left Right", "change the marked parameter; Up and Down mark another one"},
-        {"T", "lessons, from the first time step on"},
-        {"o", "other scenarios"},
-    };
-    put_line(written, STYLE_HEADING, "Five keys to begin with");
-    for (size_t i = 0; i < sizeof first / sizeof *first; i++)
-        put_key(written, width, first[i].keys, first[i].help);
-    put_line(written, STYLE_NORMAL, "");
-}
-
-/* What there is to see: the caption has room for its first sentences only. */
-static void write_about(HelpLines *written, const Settings *settings, int width)
-{
-    put_text(written, STYLE_HEADING, width, 0,
-             settings->title[0] ? settings->title : settings->problem->title);
-    if (settings->about[0])
-        put_text(written, STYLE_NORMAL, width, 2, settings->about);
-    put_line(written, STYLE_NORMAL, "");
-}
-
 static void write_keys(HelpLines *written, int width)
 {
     const char *group = "";
@@ -124,7 +84,14 @@ static void write_keys(HelpLines *written, int width)
         if (command_help(&commands[i]))
             put_key(written, width, commands[i].keys, command_help(&commands[i]));
     }
-    write_verbs(written, width);
+    put_line(written, STYLE_NORMAL, "");
+    put_line(written, STYLE_HEADING, "Behind :");
+    for (int i = 0; i < n_line_verbs; i++) {
+        char line[256];
+        snprintf(line, sizeof line, "  %s %s", line_verbs[i].name, line_verbs[i].arguments);
+        put_line(written, STYLE_NORMAL, line);
+        put_text(written, STYLE_NORMAL, width, 13 < width / 3 ? 13 : 4, line_verbs[i].help);
+    }
 }
 
 /* --- curves --------------------------------------------------------------------------------------- */
@@ -193,54 +160,15 @@ static void write_passages(HelpLines *written, int width, Glyphs glyphs, const H
     }
 }
 
-static void write_solved(HelpLines *written, const Screen *screen, int width, const HelpText *text)
-{
-    const Simulation *sim = experiment_simulation(screen->experiment);
-    const Glyphs glyphs = screen->look.glyphs;
-    const HelpPassage step = {true, text->step};
-    write_passages(written, width, glyphs, text->before, text->n_before);
-    write_passages(written, width, glyphs, text->answers, text->n_answers);
-    write_passages(written, width, glyphs, &step, 1);
-    for (int i = 0; i < sim->n_stages; i++) {
-        const Stage *stage = &sim->stages[i];
-        char line[160];
-        snprintf(line, sizeof line, "%d %s   (%s)", i + 1, stage->name, stage->source);
-        put_text(written, STYLE_FOCUS, width, 2, line);
-        put_text(written, STYLE_NORMAL, width, 4, glyphs == GLYPHS_ASCII ? stage->ascii : stage->equation);
-        put_text(written, STYLE_FAINT, width, 4, stage->sentence);
-    }
-    write_passages(written, width, glyphs, text->after, text->n_after);
-}
-
 /* --- where the papers are silent ------------------------------------------------------------------- */
-
-static bool has_choices(const Settings *settings)
-{
-    const Choice *choice = choices;
-    while (choice < choices + n_choices && !choice_is_about(choice, settings->problem, settings->method))
-        choice++;
-    return choice < choices + n_choices;
-}
-
-static void write_choices(HelpLines *written, const Settings *settings, int width)
-{
-    put_text(written, STYLE_HEADING, width, 0,
-             "Where the paper is silent or does otherwise, and what is done here");
-    for (const Choice *choice = choices; choice < choices + n_choices; choice++) {
-        char line[512];
-        if (!choice_is_about(choice, settings->problem, settings->method))
-            continue;
-        put_text(written, STYLE_FOCUS, width, 0, choice->what);
-        snprintf(line, sizeof line, "paper: %s", choice->paper);
-        put_text(written, STYLE_FAINT, width, 4, line);
-        snprintf(line, sizeof line, "here: %s", choice->here);
-        put_text(written, STYLE_NORMAL, width, 4, line);
-    }
-}
 
 int help_pages(const Screen *screen)
 {
-    return has_choices(experiment_settings(screen->experiment)) ? HELP_PAGES : HELP_PAGES - 1;
+    const Settings *settings = experiment_settings(screen->experiment);
+    const Choice *choice = choices;
+    while (choice < choices + n_choices && !choice_is_about(choice, settings->problem, settings->method))
+        choice++;
+    return (choice < choices + n_choices) ? HELP_PAGES : HELP_PAGES - 1;
 }
 
 static int page_of(const Screen *screen)
@@ -257,16 +185,64 @@ static void write_page(HelpLines *written, const Screen *screen, int page, int s
     written->used = 0;
     written->count = 0;
     if (page == 0) {
-        write_first_keys(written, width);
-        write_about(written, experiment_settings(screen->experiment), width);
+        /* The five keys that matter. */
+        static const struct {
+            const char *keys, *help;
+        } first[] = {
+            {"Space", "runs and pauses"},
+            {"]", "goes on by one stage of a time step, with its equation and numbers; [ goes back"},
+            {"Left Right", "change the marked parameter; Up and Down mark another one"},
+            {"T", "lessons, from the first time step on"},
+            {"o", "other scenarios"},
+        };
+        put_line(written, STYLE_HEADING, "Five keys to begin with");
+        for (size_t i = 0; i < sizeof first / sizeof *first; i++)
+            put_key(written, width, first[i].keys, first[i].help);
+        put_line(written, STYLE_NORMAL, "");
+        /* What there is to see: the caption has room for its first sentences only. */
+        const Settings *settings = experiment_settings(screen->experiment);
+        put_text(written, STYLE_HEADING, width, 0,
+                 settings->title[0] ? settings->title : settings->problem->title);
+        if (settings->about[0])
+            put_text(written, STYLE_NORMAL, width, 2, settings->about);
+        put_line(written, STYLE_NORMAL, "");
         write_keys(written, width);
     }
     if (page == 1)
         write_curves(written, width, text);
-    if (page == 2)
-        write_solved(written, screen, width, text);
-    if (page == 3)
-        write_choices(written, experiment_settings(screen->experiment), width);
+    if (page == 2) {
+        const Simulation *sim = experiment_simulation(screen->experiment);
+        const Glyphs glyphs = screen->look.glyphs;
+        const HelpPassage step = {true, text->step};
+        write_passages(written, width, glyphs, text->before, text->n_before);
+        write_passages(written, width, glyphs, text->answers, text->n_answers);
+        write_passages(written, width, glyphs, &step, 1);
+        for (int i = 0; i < sim->n_stages; i++) {
+            const Stage *stage = &sim->stages[i];
+            char line[160];
+            snprintf(line, sizeof line, "%d %s   (%s)", i + 1, stage->name, stage->source);
+            put_text(written, STYLE_FOCUS, width, 2, line);
+            put_text(written, STYLE_NORMAL, width, 4,
+                     glyphs == GLYPHS_ASCII ? stage->ascii : stage->equation);
+            put_text(written, STYLE_FAINT, width, 4, stage->sentence);
+        }
+        write_passages(written, width, glyphs, text->after, text->n_after);
+    }
+    if (page == 3) {
+        const Settings *settings = experiment_settings(screen->experiment);
+        put_text(written, STYLE_HEADING, width, 0,
+                 "Where the paper is silent or does otherwise, and what is done here");
+        for (const Choice *choice = choices; choice < choices + n_choices; choice++) {
+            char line[512];
+            if (!choice_is_about(choice, settings->problem, settings->method))
+                continue;
+            put_text(written, STYLE_FOCUS, width, 0, choice->what);
+            snprintf(line, sizeof line, "paper: %s", choice->paper);
+            put_text(written, STYLE_FAINT, width, 4, line);
+            snprintf(line, sizeof line, "here: %s", choice->here);
+            put_text(written, STYLE_NORMAL, width, 4, line);
+        }
+    }
 }
 
 int help_most(const Screen *screen, int width, int height)

@@ -340,12 +340,6 @@ static void pass_time(Plain *plain)
     plain->seen_at = at;
 }
 
-/* Not to where a page of a lesson begins, for which keys wait. */
-static bool runs(const Laboratory *lab)
-{
-    return lab->player.playback.state == STATE_RUNNING && !lab->play.arriving;
-}
-
 /* Frames until nothing is under way: a run to where it stops, a stretch of time once, slow motion through one
  * time step. */
 static void let_it_work(Plain *plain)
@@ -367,8 +361,10 @@ static void let_it_work(Plain *plain)
         stage = experiment_stage(experiment);
         if (!go_on(plain)) {
             forget_interrupt(plain);
+            /* Not to where a page of a lesson begins, for which keys wait. */
             if (lab->play.arriving || laboratory_active(lab)) /* else ^C would mean the program */
-                press(plain, runs(lab) ? "Space" : "^C");
+                press(plain,
+                      (lab->player.playback.state == STATE_RUNNING && !lab->play.arriving) ? "Space" : "^C");
             return;
         }
         if ((came_back && lab->player.playback.state == STATE_RUNNING) ||
@@ -397,29 +393,6 @@ static void answer(Plain *plain, const char *line)
     }
 }
 
-/* Behind `:`; what is refused is told and leaves no question open. */
-static void command(Plain *plain, const char *line)
-{
-    const Prompt *prompt = &plain->lab.prompting.shown;
-    if (strlen(line) >= sizeof prompt->text) {
-        say(plain, "The line is too long for a command.");
-        return;
-    }
-    if (plain->lab.parameters.rows.placing) {
-        say(plain,
-            "A row is being moved: Left, Right, Up and Down do it, Tab takes its other end, Enter takes "
-            "it, Esc drops it.");
-        return;
-    }
-    press(plain, ":");
-    type(plain, line);
-    press(plain, "Enter");
-    if (!prompt->open || !prompt->problem[0])
-        return;
-    say(plain, prompt->problem);
-    press(plain, "Esc");
-}
-
 static void take(Plain *plain, const char *line)
 {
     const Screen *screen = &plain->lab.screen;
@@ -432,24 +405,31 @@ static void take(Plain *plain, const char *line)
         press(plain, "Enter");
     else if (keys_known(line) && strcmp(line, ":") != 0)
         press(plain, line);
-    else
-        command(plain, line);
+    else {
+        /* Behind `:`; what is refused is told and leaves no question open. */
+        const Prompt *prompt = &plain->lab.prompting.shown;
+        if (strlen(line) >= sizeof prompt->text) {
+            say(plain, "The line is too long for a command.");
+            return;
+        }
+        if (plain->lab.parameters.rows.placing) {
+            say(plain,
+                "A row is being moved: Left, Right, Up and Down do it, Tab takes its other end, Enter takes "
+                "it, Esc drops it.");
+            return;
+        }
+        press(plain, ":");
+        type(plain, line);
+        press(plain, "Enter");
+        if (prompt->open && prompt->problem[0]) {
+            say(plain, prompt->problem);
+            press(plain, "Esc");
+        }
+    }
     /* what is opened by hand waits to be looked at */
     if (laboratory_run(&plain->lab) != before && screen->playback->state == STATE_RUNNING &&
         !screen->lesson->lesson)
         press(plain, "Space");
-}
-
-/* So much of the help as a screen has: its first lines, up to a whole one. */
-static void cut_help(Words *words)
-{
-    char *end = words->text;
-    for (int lines = 0; end && *end && lines < HELP_LINES; lines++) {
-        end = strchr(end, '\n');
-        end += end != NULL;
-    }
-    if (end)
-        *end = '\0';
 }
 
 /* The help is told from its beginning, or whole, and closed again by the next line. */
@@ -463,7 +443,14 @@ static void tell_help(Plain *plain)
         *page = 0;
         tell_part(screen, TELL_HELP, &words);
         *page = open;
-        cut_help(&words);
+        /* So much of the help as a screen has: its first lines, up to a whole one. */
+        char *end = words.text;
+        for (int lines = 0; end && *end && lines < HELP_LINES; lines++) {
+            end = strchr(end, '\n');
+            end += end != NULL;
+        }
+        if (end)
+            *end = '\0';
         put_words(plain, &words);
         say(plain, "help all tells all keys and commands, help WORD one of them, a view or a parameter.");
         return;

@@ -237,14 +237,6 @@ static int count_colours(void)
 
 static FILE *curses_output, *curses_input; /* keys are read past curses */
 
-static bool open_files(Status *status)
-{
-    curses_output = open_memory();
-    curses_input = open_memory();
-    return (curses_output && curses_input) ||
-           status_fail(status, "not enough memory or files for the screen");
-}
-
 static void close_files(void)
 {
     if (curses_output)
@@ -261,21 +253,14 @@ static bool cannot_draw(const char *term, Status *status)
         term && *term ? term : "unset");
 }
 
-/* What pictures need, once curses knows the terminal. */
-static void prepare(Grid *grid)
-{
-    orig_colors = NULL; /* the user's palette is not to be reset */
-    grid->colours = count_colours();
-    grid->mouse = grid->mouse && capability("kmous")[0] != '\0';
-    typeahead(-1); /* whether a key waits is asked by who draws */
-    compose_farewell(grid);
-}
-
 bool grid_open(Grid *grid, const char *term, bool mouse, const char **stand_in, Status *status)
 {
     if (!term || !*term || strcmp(term, "dumb") == 0)
         return cannot_draw(term, status);
-    if (!open_files(status)) {
+    curses_output = open_memory();
+    curses_input = open_memory();
+    if (!curses_output || !curses_input) {
+        status_fail(status, "not enough memory or files for the screen");
         close_files();
         return false;
     }
@@ -290,7 +275,12 @@ bool grid_open(Grid *grid, const char *term, bool mouse, const char **stand_in, 
     else if (!capability("cup")[0])
         cannot_draw(term, status);
     else {
-        prepare(grid);
+        /* What pictures need, once curses knows the terminal. */
+        orig_colors = NULL; /* the user's palette is not to be reset */
+        grid->colours = count_colours();
+        grid->mouse = grid->mouse && capability("kmous")[0] != '\0';
+        typeahead(-1); /* whether a key waits is asked by who draws */
+        compose_farewell(grid);
         return true;
     }
     grid_close(grid);
@@ -353,13 +343,6 @@ void grid_synchronise(Grid *grid)
 
 /* --- cells ----------------------------------------------------------------------------------------- */
 
-static attr_t attributes_of(Look look)
-{
-    return (attr_t)((look.attributes & LOOK_BOLD ? A_BOLD : 0) | (look.attributes & LOOK_DIM ? A_DIM : 0) |
-                    (look.attributes & LOOK_UNDERLINE ? A_UNDERLINE : 0) |
-                    (look.attributes & LOOK_REVERSE ? A_REVERSE : 0));
-}
-
 /* The last word before the terminal: what the C library takes for wider, narrower or no character at all
  * than the canvas does would move all that stands behind it. */
 static wchar_t shown_glyph(const Grid *grid, uint32_t glyph)
@@ -379,44 +362,18 @@ static void put_cell(const Grid *grid, int x, int y, Cell cell)
     cchar_t character;
     const int count = text[0] == L'?' && glyph_columns(cell.glyph) == 2 ? 2 : 1;
     for (int i = 0; i < count; i++)
-        if (setcchar(&character, text, attributes_of(look), (short)(pair > 0 ? pair : 0), NULL) == OK)
+        if (setcchar(&character, text,
+                     (attr_t)((look.attributes & LOOK_BOLD ? A_BOLD : 0) |
+                              (look.attributes & LOOK_DIM ? A_DIM : 0) |
+                              (look.attributes & LOOK_UNDERLINE ? A_UNDERLINE : 0) |
+                              (look.attributes & LOOK_REVERSE ? A_REVERSE : 0)),
+                     (short)(pair > 0 ? pair : 0), NULL) == OK)
             mvadd_wch(y, x + i, &character);
 }
 
 static bool same_cell(const Cell *a, const Cell *b)
 {
     return a->glyph == b->glyph && a->style == b->style && a->back == b->back;
-}
-
-static void put_cursor(const Canvas *canvas)
-{
-    const bool visible =
-        canvas->cursor_x >= 0 && canvas->cursor_x < COLS && canvas->cursor_y >= 0 && canvas->cursor_y < LINES;
-    leaveok(stdscr, !visible);
-    if (visible)
-        move(canvas->cursor_y, canvas->cursor_x);
-    curs_set(visible);
-}
-
-/* What a terminal draws finer than cells (canvas_vector()), behind the colour numbers of all styles: an
- * operating system command of our own, which others leave alone. Sent where it is another one than before. */
-static void put_vectors(Grid *grid, const Canvas *canvas)
-{
-    static const char begin[] = "\033]7770;P", end[] = "\a";
-    Canvas *shown = &grid->shown;
-    if (!canvas->vectors || (shown->vectors && strcmp(shown->vectors, canvas->vectors) == 0))
-        return;
-    free(shown->vectors);
-    shown->vectors = strdup(canvas->vectors);
-    put(grid, begin, sizeof begin - 1);
-    for (unsigned style = 0; style < STYLE_COUNT; style++) {
-        char number[16];
-        const int length = snprintf(number, sizeof number, style ? ",%d" : "%d",
-                                    theme_look(grid->colours, grid->light, style, 0).foreground);
-        put(grid, number, (size_t)length);
-    }
-    put(grid, canvas->vectors, strlen(canvas->vectors));
-    put(grid, end, sizeof end - 1);
 }
 
 void grid_show(Grid *grid, const Canvas *canvas)
@@ -437,11 +394,32 @@ void grid_show(Grid *grid, const Canvas *canvas)
             if (cell->glyph != CELL_FOLLOWS && (fresh || !same_cell(cell, &shown->cells[at])))
                 put_cell(grid, x, y, *cell);
         }
-    put_cursor(canvas);
+    const bool visible =
+        canvas->cursor_x >= 0 && canvas->cursor_x < COLS && canvas->cursor_y >= 0 && canvas->cursor_y < LINES;
+    leaveok(stdscr, !visible);
+    if (visible)
+        move(canvas->cursor_y, canvas->cursor_x);
+    curs_set(visible);
     memcpy(shown->cells, canvas->cells, (size_t)canvas->width * (size_t)canvas->height * sizeof(Cell));
     const size_t began = grid->length;
     take(grid);
-    put_vectors(grid, canvas);
+    /* What a terminal draws finer than cells (canvas_vector()), behind the colour numbers of all styles: an
+     * operating system command of our own, which others leave alone. Sent where it is another one than
+     * before. */
+    static const char begin[] = "\033]7770;P", end[] = "\a";
+    if (canvas->vectors && (!shown->vectors || strcmp(shown->vectors, canvas->vectors) != 0)) {
+        free(shown->vectors);
+        shown->vectors = strdup(canvas->vectors);
+        put(grid, begin, sizeof begin - 1);
+        for (unsigned style = 0; style < STYLE_COUNT; style++) {
+            char number[16];
+            const int length = snprintf(number, sizeof number, style ? ",%d" : "%d",
+                                        theme_look(grid->colours, grid->light, style, 0).foreground);
+            put(grid, number, (size_t)length);
+        }
+        put(grid, canvas->vectors, strlen(canvas->vectors));
+        put(grid, end, sizeof end - 1);
+    }
     if (grid->length == began)
         grid->length = before; /* nothing changed */
     else if (grid->synchronised)

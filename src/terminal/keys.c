@@ -156,17 +156,6 @@ static bool read_csi(KeyReader *reader, char final, Key *key)
     return (count == 0 || numbers[0] == 1) && give_row(reader, key, modifiers, final, 0);
 }
 
-/* A report of the terminal or of its mouse goes with no Alt: an Esc right before it was pressed by itself. */
-static bool end_csi(KeyReader *reader, char final, Key *key)
-{
-    const bool any = read_csi(reader, final, key);
-    if (!reader->alt || reader->pasting)
-        return any;
-    if (any)
-        return key->x < 0 || give_behind_escape(reader, key);
-    return final != '~' && give(reader, key, 0, "Esc");
-}
-
 /* The last byte is one of @ to ~, of rxvt's keys a $ behind a number. */
 static bool take_csi(KeyReader *reader, int byte, Key *key)
 {
@@ -181,7 +170,15 @@ static bool take_csi(KeyReader *reader, int byte, Key *key)
         return begin(reader, KEYS_CONSOLE);
     if (reader->length == 0 && byte == 'M') /* the old report of the mouse */
         return begin(reader, KEYS_MOUSE);
-    return end_csi(reader, (char)byte, key);
+    /* A report of the terminal or of its mouse goes with no Alt: an Esc right before it was pressed by
+     * itself. */
+    const char final = (char)byte;
+    const bool any = read_csi(reader, final, key);
+    if (!reader->alt || reader->pasting)
+        return any;
+    if (any)
+        return key->x < 0 || give_behind_escape(reader, key);
+    return final != '~' && give(reader, key, 0, "Esc");
 }
 
 static bool take_ss3(KeyReader *reader, int byte, Key *key)
@@ -197,12 +194,6 @@ static bool take_ss3(KeyReader *reader, int byte, Key *key)
         return give(reader, key, reader->alt ? ALT : 0, "Enter");
     return keypad ? give_letter(reader, key, reader->alt ? ALT : 0, keypad_keys[keypad - keypad_letters])
                   : give_row(reader, key, 0, (char)byte, 0);
-}
-
-static bool take_console(KeyReader *reader, int byte, Key *key)
-{
-    begin(reader, KEYS_GROUND);
-    return byte >= 'A' && byte <= 'E' && !reader->pasting && give_row(reader, key, 0, 0, 11 + byte - 'A');
 }
 
 /* Three bytes, each with 32 added; places count from 1. */
@@ -222,18 +213,6 @@ static bool take_string(KeyReader *reader, int byte)
         begin(reader, KEYS_STRING_END);
     else if (byte == 0x07 || ++reader->length > STRING_MAX)
         begin(reader, KEYS_GROUND);
-    return false;
-}
-
-/* Bytes of UTF-8, in any locale; what is none is dropped. */
-static bool begin_character(KeyReader *reader, int byte)
-{
-    reader->wanted = byte >= 0xc2 && byte < 0xe0   ? 1
-                     : byte >= 0xe0 && byte < 0xf0 ? 2
-                     : byte >= 0xf0 && byte < 0xf5 ? 3
-                                                   : 0;
-    begin(reader, reader->wanted > 0 ? KEYS_CHARACTER : KEYS_GROUND);
-    reader->text[reader->length++] = (char)byte;
     return false;
 }
 
@@ -269,8 +248,16 @@ static bool take_ground(KeyReader *reader, int byte, Key *key)
         return begin(reader, KEYS_ESCAPE);
     if (byte < ' ' || byte == 0x7f)
         return take_control(reader, byte, key);
-    if (byte >= 0x80)
-        return begin_character(reader, byte);
+    if (byte >= 0x80) {
+        /* Bytes of UTF-8, in any locale; what is none is dropped. */
+        reader->wanted = byte >= 0xc2 && byte < 0xe0   ? 1
+                         : byte >= 0xe0 && byte < 0xf0 ? 2
+                         : byte >= 0xf0 && byte < 0xf5 ? 3
+                                                       : 0;
+        begin(reader, reader->wanted > 0 ? KEYS_CHARACTER : KEYS_GROUND);
+        reader->text[reader->length++] = (char)byte;
+        return false;
+    }
     return byte == ' ' ? give(reader, key, 0, "Space") : give_letter(reader, key, 0, byte);
 }
 
@@ -304,22 +291,18 @@ static bool take_escape(KeyReader *reader, int byte, Key *key)
     }
 }
 
-/* ^C is the way out of whatever has not ended. What came with it of a paste or a string is dropped, as a
- * terminal's driver does, for no rest of a text may become commands. */
-static bool interrupt(KeyReader *reader, Key *key)
-{
-    if (reader->pasting || reader->state == KEYS_STRING)
-        reader->next = reader->count;
-    reader->pasting = false;
-    return take_ground(reader, '\3', key);
-}
-
 static bool take_byte(KeyReader *reader, int byte, Key *key)
 {
     const bool in_sequence =
         reader->state == KEYS_CSI || reader->state == KEYS_SS3 || reader->state == KEYS_CONSOLE;
-    if (byte == '\3')
-        return interrupt(reader, key);
+    if (byte == '\3') {
+        /* ^C is the way out of whatever has not ended. What came with it of a paste or a string is dropped,
+         * as a terminal's driver does, for no rest of a text may become commands. */
+        if (reader->pasting || reader->state == KEYS_STRING)
+            reader->next = reader->count;
+        reader->pasting = false;
+        return take_ground(reader, '\3', key);
+    }
     if (reader->pasting && ++reader->n_pasted > PASTE_MAX)
         reader->pasting = false;
     /* a control byte or a letter of another script: the sequence was cut short, this begins again */
@@ -333,7 +316,8 @@ static bool take_byte(KeyReader *reader, int byte, Key *key)
     case KEYS_SS3:
         return take_ss3(reader, byte, key);
     case KEYS_CONSOLE:
-        return take_console(reader, byte, key);
+        begin(reader, KEYS_GROUND);
+        return byte >= 'A' && byte <= 'E' && !reader->pasting && give_row(reader, key, 0, 0, 11 + byte - 'A');
     case KEYS_MOUSE:
         return take_mouse(reader, byte, key);
     case KEYS_STRING:

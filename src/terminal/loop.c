@@ -50,18 +50,6 @@ static void worked(void *context, long steps)
     (void)steps;
 }
 
-static void announce(Loop *loop)
-{
-    char text[48];
-    loop->unannounced = false;
-    if (loop->frame_fd < 0)
-        return;
-    int length = snprintf(text, sizeof text, "frame %ld%s\n", loop->frames,
-                          laboratory_active(&loop->lab) || loop->more_keys ? "" : " idle");
-    ssize_t written = write(loop->frame_fd, text, (size_t)length);
-    (void)written; /* unread frames are dropped */
-}
-
 /* A name from a file may hold what parts the commands. */
 static void add_word(FILE *stream, const char *word)
 {
@@ -120,30 +108,19 @@ static void draw(Loop *loop)
     loop->draw_time = 0.8 * loop->draw_time + 0.2 * (loop->drawn_at - begin);
 }
 
-/* Before the screen is taken over, progress stands on the shell's last line, and ^C ends the program. */
-static void tell_opening(Loop *loop)
-{
-    if (!isatty(STDERR_FILENO) || now(NULL) - loop->drawn_at < PROGRESS_SECONDS)
-        return;
-    loop->drawn_at = now(NULL);
-    visible_progress(stderr, "%s", loop->lab.message.text);
-    loop->told = true;
-}
-
-static void forget_opening(Loop *loop)
-{
-    if (loop->told)
-        visible_progress(stderr, "%s", "");
-    loop->told = false;
-}
-
 static bool go_on(void *context)
 {
     Loop *loop = context;
     Key key;
     bool stop = false;
     if (!loop->terminal) {
-        tell_opening(loop);
+        /* Before the screen is taken over, progress stands on the shell's last line, and ^C ends the
+         * program. */
+        if (isatty(STDERR_FILENO) && !(now(NULL) - loop->drawn_at < PROGRESS_SECONDS)) {
+            loop->drawn_at = now(NULL);
+            visible_progress(stderr, "%s", loop->lab.message.text);
+            loop->told = true;
+        }
         return true;
     }
     terminal_wait(loop->terminal, 0);
@@ -180,7 +157,9 @@ static bool open_loop(Loop *loop, const LaboratoryOptions *options, Status *stat
     Host host = {now, worked, go_on, redraw, suspend, loop, key_waits, NULL};
     /* the laboratory first: what is wrong with a scenario is said where the shell can show it */
     bool open = laboratory_open(&loop->lab, options, &host, status);
-    forget_opening(loop);
+    if (loop->told)
+        visible_progress(stderr, "%s", "");
+    loop->told = false;
     if (!open)
         return false;
     loop->terminal = terminal_open(&how, status);
@@ -292,8 +271,16 @@ static void one_round(Loop *loop)
     }
     if (loop->stale && !terminal_is_behind(loop->terminal))
         draw(loop);
-    if (loop->unannounced && !terminal_is_behind(loop->terminal))
-        announce(loop);
+    if (loop->unannounced && !terminal_is_behind(loop->terminal)) {
+        char text[48];
+        loop->unannounced = false;
+        if (loop->frame_fd >= 0) {
+            int length = snprintf(text, sizeof text, "frame %ld%s\n", loop->frames,
+                                  laboratory_active(&loop->lab) || loop->more_keys ? "" : " idle");
+            ssize_t written = write(loop->frame_fd, text, (size_t)length);
+            (void)written; /* unread frames are dropped */
+        }
+    }
     if (is_replaying(loop)) {
         double left = replay_due(loop) - now(NULL), frame_left = loop->due - now(NULL);
         if (laboratory_active(lab) && left > frame_left)

@@ -89,13 +89,6 @@ static bool has_bytes(const Terminal *terminal)
     return left > 0;
 }
 
-static void send_all(Terminal *terminal)
-{
-    send_some(terminal);
-    for (int i = 0; i < PATIENCE_PIECES && has_bytes(terminal) && wait_for_room(terminal->output); i++)
-        send_some(terminal);
-}
-
 /* --- status reports: one picture under way ---------------------------------------------------------- */
 
 /* When it is not waited for any longer; 0: nothing is asked. */
@@ -126,26 +119,6 @@ static void count_reports(Terminal *terminal)
     terminal->reports = true;
     terminal->asked = keys->reports < terminal->asked ? terminal->asked - keys->reports : 0;
     keys->reports = 0;
-}
-
-/* Takes the answers that are still to come, byte by byte: what is typed behind them is the shell's. */
-static void await_reports(Terminal *terminal)
-{
-    const double latest = clock_seconds() + LAST_REPORT_SECONDS;
-    struct pollfd keyboard = {.fd = terminal->input, .events = POLLIN};
-    Key key;
-    char byte;
-    while (terminal->reports && terminal->asked > 0 && clock_seconds() < latest &&
-           poll(&keyboard, 1, PATIENCE_MS) >= 0 && !(keyboard.revents & (POLLHUP | POLLERR | POLLNVAL))) {
-        while (keys_next(&terminal->keys, &key))
-            continue;
-        if (keyboard.revents && read(terminal->input, &byte, 1) == 1)
-            keys_feed(&terminal->keys, &byte, 1, clock_seconds());
-        while (keys_next(&terminal->keys, &key))
-            continue;
-        count_reports(terminal);
-    }
-    terminal->asked = 0;
 }
 
 /* --- crashes ---------------------------------------------------------------------------------------- */
@@ -232,27 +205,6 @@ static void catch_signal(int number, void (*handler)(int), int flags, struct sig
     sigaction(number, &action, old);
 }
 
-/* What asks for a look at the terminal comes only while terminal_wait() sleeps; what asks for an end comes
- * also while something is computed, so that the second time it ends even what never looks. */
-static void catch_signals(Terminal *terminal)
-{
-    static char spare[32768]; /* for the handler when the stack is what has run out */
-    const stack_t stack = {.ss_sp = spare, .ss_size = sizeof spare};
-    sigset_t blocked;
-    signal_resized = signal_stop = signal_continued = 0;
-    signals_catch();
-    signals_farewell(say_farewell);
-    sigemptyset(&blocked);
-    for (int i = 0; i < N_OTHERS; i++)
-        sigaddset(&blocked, others[i]);
-    sigprocmask(SIG_BLOCK, &blocked, &terminal->mask_outside);
-    sigaltstack(&stack, NULL);
-    for (int i = 0; i < N_CRASHES; i++)
-        catch_signal(crashes[i], on_crash, SA_ONSTACK, &terminal->old_crashes[i]);
-    for (int i = 0; i < N_OTHERS; i++)
-        catch_signal(others[i], on_signal, 0, &terminal->old_others[i]);
-}
-
 static void release_signals(const Terminal *terminal)
 {
     for (int i = 0; i < N_CRASHES; i++)
@@ -317,8 +269,25 @@ static void take_screen(Terminal *terminal)
 static void give_screen_back(Terminal *terminal)
 {
     grid_leave(&terminal->grid);
-    send_all(terminal);
-    await_reports(terminal);
+    send_some(terminal);
+    for (int i = 0; i < PATIENCE_PIECES && has_bytes(terminal) && wait_for_room(terminal->output); i++)
+        send_some(terminal);
+    /* Takes the answers that are still to come, byte by byte: what is typed behind them is the shell's. */
+    const double latest = clock_seconds() + LAST_REPORT_SECONDS;
+    struct pollfd keyboard = {.fd = terminal->input, .events = POLLIN};
+    Key key;
+    char byte;
+    while (terminal->reports && terminal->asked > 0 && clock_seconds() < latest &&
+           poll(&keyboard, 1, PATIENCE_MS) >= 0 && !(keyboard.revents & (POLLHUP | POLLERR | POLLNVAL))) {
+        while (keys_next(&terminal->keys, &key))
+            continue;
+        if (keyboard.revents && read(terminal->input, &byte, 1) == 1)
+            keys_feed(&terminal->keys, &byte, 1, clock_seconds());
+        while (keys_next(&terminal->keys, &key))
+            continue;
+        count_reports(terminal);
+    }
+    terminal->asked = 0;
     tcsetattr(STDIN_FILENO, TCSANOW, &before);
 }
 
@@ -381,7 +350,23 @@ Terminal *terminal_open(const TerminalOptions *options, Status *status)
     terminal->output = STDOUT_FILENO;
     in_use = true;
     /* before curses, which installs handlers for signals that have none */
-    catch_signals(terminal);
+    /* What asks for a look at the terminal comes only while terminal_wait() sleeps; what asks for an end
+     * comes also while something is computed, so that the second time it ends even what never looks. */
+    static char spare[32768]; /* for the handler when the stack is what has run out */
+    const stack_t stack = {.ss_sp = spare, .ss_size = sizeof spare};
+    sigset_t blocked;
+    signal_resized = signal_stop = signal_continued = 0;
+    signals_catch();
+    signals_farewell(say_farewell);
+    sigemptyset(&blocked);
+    for (int i = 0; i < N_OTHERS; i++)
+        sigaddset(&blocked, others[i]);
+    sigprocmask(SIG_BLOCK, &blocked, &terminal->mask_outside);
+    sigaltstack(&stack, NULL);
+    for (int i = 0; i < N_CRASHES; i++)
+        catch_signal(crashes[i], on_crash, SA_ONSTACK, &terminal->old_crashes[i]);
+    for (int i = 0; i < N_OTHERS; i++)
+        catch_signal(others[i], on_signal, 0, &terminal->old_others[i]);
     if (!open_picture(terminal, options, status)) {
         release_signals(terminal);
         free_terminal(terminal);
