@@ -230,8 +230,8 @@ int convergence_count(const ConvergenceStudy *study, const Settings *settings)
  * now; the value itself may come later. */
 static bool compare(const Experiment *run, ConvergencePoint *out)
 {
-    static const char *const words[] = {NULL,          "tip_error",  "angular_kept",
-                                        "first_touch", "wall_touch", "acceleration"};
+    static const char *const words[] = {NULL,         "tip_error",    "angular_kept", "first_touch",
+                                        "wall_touch", "acceleration", "u_error"};
     double right = NAN;
     RunSummary summary;
     summary_now(run, SUMMARY_FINDINGS, &summary);

@@ -13,6 +13,8 @@
  * known. */
 typedef enum EnergyMeasure { ENERGY_NOT_KNOWN, ENERGY_INVARIANT, ENERGY_PERIOD, ENERGY_TENTH } EnergyMeasure;
 
+enum { SUMMARY_EVENTS_MAX = 40 };
+
 typedef struct RunSummary {
     const char *mistake; /* what a wrong code does in it; NULL: nothing is wrong */
     long steps;
@@ -20,6 +22,8 @@ typedef struct RunSummary {
     Readout readout;
     Finding findings[FINDINGS_MAX]; /* of the last step */
     int n_findings;
+    Event events[SUMMARY_EVENTS_MAX]; /* what the run reported but crossings, the first ones */
+    int n_events;
     EnergyMeasure energy_measure;
     bool energy_of_feed;  /* of the start's energy the motion that all of a body has in common is most */
     double energy_most;   /* per cent of the start: the largest change on the way; 0: not of the start */

@@ -103,7 +103,7 @@ static void print_json(const Options *options, const FitTask *task, const FitRes
     quantities_text(&list, "data", options->data);
     quantities_text(&list, "column", task->column);
     quantities_text(&list, "told", told);
-    quantities_begin(&list);
+    quantities_begin(&list, "quantities");
     for (int i = 0; i < task->n_keys; i++) {
         const Parameter *parameter = parameter_find(task->keys[i]);
         const char *unit = parameter ? parameter_unit(parameter, task->settings->problem) : NULL;

@@ -37,10 +37,11 @@ Quantities quantities_open(FILE *out, const char *command)
     return (Quantities){out, 0};
 }
 
-void quantities_begin(Quantities *list)
+void quantities_begin(Quantities *list, const char *key)
 {
-    put_key(list, "quantities");
+    put_key(list, key);
     fputc('[', list->out);
+    list->count = 0;
 }
 
 void quantities_add(Quantities *list, const char *name, double value, const char *unit)
@@ -51,9 +52,15 @@ void quantities_add(Quantities *list, const char *name, double value, const char
     quantities_text(list, "unit", unit);
 }
 
+void quantities_end(Quantities *list)
+{
+    fputs(list->count > 0 ? "}]" : "]", list->out);
+}
+
 void quantities_close(Quantities *list)
 {
-    fputs(list->count > 0 ? "}]}\n" : "]}\n", list->out);
+    quantities_end(list);
+    fputs("}\n", list->out);
 }
 
 void quantities_text(Quantities *list, const char *key, const char *text)

@@ -18,9 +18,10 @@ typedef struct Quantities {
 } Quantities;
 
 Quantities quantities_open(FILE *out, const char *command);
-void quantities_begin(Quantities *); /* the list, behind the object's own members */
+void quantities_begin(Quantities *, const char *key); /* a list, behind the object's own members */
 void quantities_add(Quantities *, const char *name, double value, const char *unit);
-void quantities_close(Quantities *);
+void quantities_end(Quantities *);   /* of a list that others follow */
+void quantities_close(Quantities *); /* of the last list, and of the object */
 
 /* A member of the object or, once the list has begun, of the last quantity. */
 void quantities_text(Quantities *, const char *key, const char *text); /* NULL: null */

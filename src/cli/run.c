@@ -44,6 +44,11 @@ static void print_files(FILE *to, const Outputs *outputs, size_t frames)
     free(vtk);
 }
 
+static const char *const event_words[EVENT_KINDS] = {
+    [EVENT_CROSSING] = "crossing", [EVENT_BREAK] = "break",   [EVENT_TOUCH] = "touch", [EVENT_PART] = "part",
+    [EVENT_TEAR] = "tear",         [EVENT_ENERGY] = "energy", [EVENT_REST] = "rest",
+};
+
 /* By the columns that a sweep has of a run: those that this one has an answer for. */
 static void print_json(const Options *options, const Settings *settings, const RunSummary *summary,
                        double took)
@@ -56,7 +61,15 @@ static void print_json(const Options *options, const Settings *settings, const R
     quantities_text(&list, "title", *settings->title ? settings->title : NULL);
     quantities_text(&list, "mistake", summary->mistake);
     quantities_text(&list, "failure", summary->failed ? summary->failure.text : NULL);
-    quantities_begin(&list);
+    quantities_begin(&list, "events");
+    for (int i = 0; i < summary->n_events; i++) {
+        const Event *event = &summary->events[i];
+        quantities_add(&list, event_words[event->kind], (double)event->step * summary->dt, unit_of_time);
+        quantities_number(&list, "step", (double)event->step);
+        quantities_text(&list, "text", event->text);
+    }
+    quantities_end(&list);
+    quantities_begin(&list, "quantities");
     quantities_add(&list, "time", summary->time, unit_of_time);
     quantities_add(&list, "dt", summary->dt, unit_of_time);
     const ResultColumn measured =

@@ -119,6 +119,9 @@ static bool sum_up(const Export *export, RunSummary *summary, Status *status)
     summary->readout.late = readout_late(&summary->readout, summary->time);
     const double invariant[2] = {export->invariant, invariant_of(export)};
     summary->n_findings = references_findings(export->refs, export->run.sim, summary->findings);
+    for (int i = 0; i < export->run.sim->n_events && summary->n_events < SUMMARY_EVENTS_MAX; i++)
+        if (export->run.sim->events[i].kind != EVENT_CROSSING)
+            summary->events[summary->n_events++] = export->run.sim->events[i];
     summary_rows(summary, export->run.sim, export->columns, export->n_columns, record->rows, record->count,
                  invariant);
     summary->n_derived = problem_derived(export->settings, export->run.sim, summary->derived);

@@ -22,7 +22,7 @@ static BodyDef body_of(const Settings *settings, int row)
 {
     static const int columns[][4] = {
         [BODY_DISC] = {1, 2, 3, 3}, [BODY_RING] = {1, 2, 4, 5}, [BODY_BLOCK] = {6, 7, 8, 9}};
-    enum { VX = 10, VY, SPIN };
+    enum { VX = 10, VY, SPIN, WAVE };
     _Static_assert((int)BODY_NAME_MAX == (int)ROW_NAME_MAX && (int)BODIES_MAX == (int)ROWS_OF_KIND_MAX,
                    "rows go over whole");
     BodyDef body = {.shape = (BodyShape)settings_row_value(settings, ROWS_BODIES, row, 0)};
@@ -32,6 +32,7 @@ static BodyDef body_of(const Settings *settings, int row)
     body.velocity[0] = settings_row_value(settings, ROWS_BODIES, row, VX);
     body.velocity[1] = settings_row_value(settings, ROWS_BODIES, row, VY);
     body.spin = settings_row_value(settings, ROWS_BODIES, row, SPIN);
+    body.wave = settings_row_value(settings, ROWS_BODIES, row, WAVE);
     return body;
 }
 

@@ -9,6 +9,8 @@
  *     rolls         a = (2/3) g sin, spin = -a t/R
  *     spins         mean (sxx + syy)/2 = rho w^2 R^2/4, I/I0 - 1 = rho w^2 R^2 (1 - n)(7 + n)/(12 E'),
  *                   n = nu/(1 - nu), E' = E/(1 - nu^2) in plane strain, n = nu, E' = E in plane stress
+ *     vibrates      u = V/(k c) sin(k x) sin(k c t), k = pi/W, c = sqrt(E/rho), sxx = E du/dx: a block with a
+ *                   small wave between two clamps, nu = 0
  *     falls         a block 5:1 clamped at its end: converged finite elements
  * (tests/independent/cantilever.py)
  *
@@ -36,6 +38,7 @@ typedef struct Answers {
     double rate, turns; /* with this acceleration, and so much spin in a unit of time */
     double until;       /* when the disc comes to the wall ahead; INFINITY: it is open */
     bool falls;         /* a clamped block that has a reference */
+    bool vibrates;      /* between two clamps */
     char names[OF_BODY][BODY_NAME_MAX + 24];
 } Answers;
 
@@ -211,6 +214,39 @@ static double fallen(const Answers *answers, int what, double time)
     return L * (b + 0.5 * s * (c - a + s * (2 * a - 5 * b + 4 * c - d + s * (3 * (b - c) + d - a))));
 }
 
+/* --- a block that vibrates between clamps ---------------------------------------------------------- */
+
+/* Along x alone: nothing moves across it. Small: the largest strain is wave/c. */
+static bool find_vibration(const BodiesDef *def)
+{
+    const BodyDef *body = &def->bodies[0];
+    return def->n_bodies == 1 && body->wave != 0 && body->size[0] == 0 &&
+           is_about(body->size[2], def->width) &&
+           fabs(body->wave) <= 1e-3 * sqrt(def->youngs_modulus / def->density) && body->velocity[0] == 0 &&
+           body->velocity[1] == 0 && body->spin == 0 && def->poisson == 0 && def->damping == 0 &&
+           def->gravity[0] == 0 && def->gravity[1] == 0 && def->walls[WALL_LEFT] == WALL_CLAMP &&
+           def->walls[WALL_RIGHT] == WALL_CLAMP && def->walls[WALL_BOTTOM] == WALL_OPEN &&
+           def->walls[WALL_TOP] == WALL_OPEN;
+}
+
+/* The root mean square of displacement, or of stress, less the exact one, over the largest of the motion. */
+static double vibration_error(const Answers *answers, const Simulation *sim, bool stress)
+{
+    const BodiesDef *def = &answers->def;
+    const double k = M_PI / def->width, c = sqrt(def->youngs_modulus / def->density);
+    const double largest = def->bodies[0].wave / (k * c) * (stress ? k * def->youngs_modulus : 1);
+    const double now = largest * math_sin(k * c * simulation_time(sim));
+    const int field = stress ? simulation_find_field(sim, 0, "sxx") : sim->displacement[0];
+    double sum = 0;
+    for (size_t p = 0; p < sim->counts[0]; p++) {
+        const double phase = k * simulation_value(sim, sim->position[0], p);
+        const double off =
+            simulation_value(sim, field, p) - now * (stress ? math_cos(phase) : math_sin(phase));
+        sum += off * off;
+    }
+    return sqrt(sum / (double)sim->counts[0]) / fabs(largest);
+}
+
 /* --- columns -------------------------------------------------------------------------------------- */
 
 static const Answers *answers_of(const References *refs)
@@ -360,6 +396,7 @@ bool bodies_prepare(References *refs, const BodiesDef *def, const Simulation *si
     find_touches(answers);
     find_slide(answers);
     answers->falls = !refs->unaccounted[REFERENCE_EXACT] && find_fall(def);
+    answers->vibrates = !refs->unaccounted[REFERENCE_EXACT] && find_vibration(def);
     plan_rest_of_method(refs, sim);
     if (answers->free > 0) {
         plan_answer(refs, &px, COLUMN_EXACT, "momentum_x", exact_px);
@@ -472,6 +509,10 @@ int bodies_findings(const References *refs, const Simulation *sim, Finding out[F
         add_spin(answers, &seen, out, &n);
     if (answers->falls)
         add_tip(answers, sim, out, &n);
+    if (answers->vibrates) {
+        add(out, &n, "u_error", "error of u", vibration_error(answers, sim, false), 0, NULL);
+        add(out, &n, "sxx_error", "error of sxx", vibration_error(answers, sim, true), 0, NULL);
+    }
     add(out, &n, "stretch", "largest stretch", seen.stretch, NAN, NULL);
     if (isfinite(seen.torn))
         add(out, &n, "torn", "torn at t =", seen.torn, NAN, NULL);

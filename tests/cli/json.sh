@@ -34,6 +34,12 @@ expect "too short a run" 0 run mode5 --steps 3 --json
 result "a number that is none is null" test "$(value out frequency_measured)" = null
 result "and why" says out '"why": "too short a run to measure it"'
 result "no nan" sh -c '! grep -i -w -e nan -e inf out'
+expect "bodies that meet" 0 run two-discs --json
+result "is JSON" is_json out
+result "has when they touch" test "$(value out touch)" = "$(value out first_touch)"
+result "in words, and when they part" says out '"text": "left leaves right"}'
+expect "a beam that tears" 0 run falling-beam --set mpm.shape=hat --json
+result "has when it tears" test "$(value out tear)" = "$(value out torn)"
 expect "a wrong code" 0 run mode5 --steps 3 --set mpm.mistake=keep_grid --json
 result "says so" says out '"mistake": "keep_grid"'
 expect "a run that fails" 1 run mode5 --set mpm.mistake=x_by_own_velocity --end 40 --json

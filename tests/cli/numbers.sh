@@ -42,6 +42,7 @@ run() { # SCENARIO OPTIONS...
 		/spin of the second / { after("second", "spin") }
 		/mean acceleration / { after("acceleration", "acceleration") }
 		/largest stretch / { after("stretch", "stretch") }
+		/^error of u / { after("u", "u_error") }
 		/^angle / { before("10", "angle10"); before("38", "angle38") }
 		/^tip.s speed / { after("=", "of_rayleigh") }
 		/^cracks / { after("fastest", "fastest"); after("=", "of_rayleigh") }
@@ -261,6 +262,14 @@ run two-discs-off-centre --set contact.fields=one
 claim $lesson/touching.lesson "with one field, it is " 0.42 ", and" spin
 run bouncing-disc
 claim $scenario/bouncing-disc.ini "It comes to " 0.457 ": the rest" bounce
+run vibrating-block
+claim $scenario/vibrating-block.ini "" 1.21 " % off" u_error 100
+run vibrating-block --set mesh.cell_size=.05
+claim $scenario/vibrating-block.ini "half the cell size " 0.32 " %" u_error 100
+run vibrating-block --set mpm.algorithm=usf
+claim $scenario/vibrating-block.ini "USF is " 2.49 " % off" u_error 100
+run vibrating-block --set mpm.algorithm=usf --set mesh.cell_size=.05
+claim $scenario/vibrating-block.ini "and then " 1.57 " %" u_error 100
 run spinning-disc --end 25
 claim $lesson/who-spins.lesson "At the end " 68 " % are left" angular 100
 run spinning-disc --end 25 --set mpm.flip_fraction=0.99

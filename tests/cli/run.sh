@@ -355,4 +355,6 @@ result "to the size of its strain" awk -F, 'NR > 1 { d = $3 - $4; if (d * d > 1e
 expect "a bar of bonds whose second run is another method" 0 mode5-peridynamics --set pd.mistake=one_way --steps 2
 result "may be wrong" says out 'with a mistake: one_way'
 expect "a mistake of contact where nothing touches" 2 spinning-disc --set mpm.body_mistake=no_first_fix --steps 1
+expect "a wave of a disc" 2 spinning-disc --set bodies.disc="disc .5 .5 .3 wave 1"
+result "says what has one" says err 'bodies.disc: wave is for a block'
 echo "1..$number"

@@ -259,8 +259,8 @@ START_TEST(the_list_of_scenarios_fits_a_small_screen)
     bench->width = 40;
     bench->height = 12;
     press_all(bench, "o PageDown PageDown PageDown PageDown PageDown PageDown");
-    expect_line(bench, "colliding-rings");
-    ck_assert(shows(bench, "Two rings collide"));
+    expect_line(bench, "vibrating-block");
+    ck_assert(shows(bench, "What does half a cell save"));
     press_all(bench, "PageUp PageUp PageUp PageUp PageUp PageUp");
     expect_line(bench, "mode1");
     ck_assert(shows(bench, "Where mesh and bar agree"));

@@ -969,6 +969,42 @@ START_TEST(a_bounce_is_told)
 }
 END_TEST
 
+/* After a fourth of a period all is at rest for a moment, sin(k c t) = 1, and every particle is as far as it
+ * goes. Where the formula does not hold nothing is told. */
+START_TEST(a_block_between_clamps_vibrates)
+{
+    static const char *const as_it_is[] = {NULL};
+    static const char *const others[][2] = {{"material.poisson", "0.1"},
+                                            {"domain.left", "slip"},
+                                            {"load.gravity", "1e-9"},
+                                            {"damping.rate", "0.1"},
+                                            {"bodies.block", "block 0 0.4 1 0.6 wave 1e-2"},
+                                            {"bodies.block", "block 0 0.4 0.8 0.6 wave 1e-5"},
+                                            {"bodies.block", "block 0 0.4 1 0.6 velocity 0 1e-6 wave 1e-5"}};
+    Settings settings = loaded("vibrating-block", as_it_is);
+    Experiment *run = at_time(&settings, 0.5);
+    const Simulation *sim = experiment_simulation(run);
+    double sum = 0;
+    for (size_t p = 0; p < sim->counts[0]; p++) {
+        const double x = simulation_named(sim, 0, "x0", p);
+        const double off = simulation_named(sim, 0, "x", p) - x - 1e-5 / M_PI * sin(M_PI * x);
+        sum += off * off;
+    }
+    const double rms = sqrt(sum / (double)sim->counts[0]) / (1e-5 / M_PI);
+    ck_assert_double_eq_tol(found(run, "u_error").measured, rms, 1e-9);
+    ck_assert(rms > 1e-4 && rms < 0.02);
+    ck_assert_double_eq(found(run, "u_error").exact, 0);
+    experiment_destroy(run);
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
+        settings = loaded("vibrating-block", as_it_is);
+        set(&settings, others[i][0], others[i][1]);
+        run = at_time(&settings, 0.1);
+        ck_assert_msg(!found(run, "u_error").name, "%s", others[i][1]);
+        experiment_destroy(run);
+    }
+}
+END_TEST
+
 START_TEST(a_spin_of_round_off_is_none)
 {
     static const char *const as_it_is[] = {NULL};
@@ -1021,5 +1057,6 @@ void add_cases(Suite *suite)
     tcase_add_test(bodies, an_incline_ends_at_its_wall);
     tcase_add_test(bodies, a_bounce_is_told);
     tcase_add_test(bodies, a_spin_of_round_off_is_none);
+    tcase_add_test(bodies, a_block_between_clamps_vibrates);
     suite_add_tcase(suite, bodies);
 }

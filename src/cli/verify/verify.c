@@ -97,7 +97,7 @@ int verify_main(int count, char **arguments, FILE *out, Status *status)
     Quantities json = {.out = out};
     if (options.json) {
         json = quantities_open(out, "verify");
-        quantities_begin(&json);
+        quantities_begin(&json, "quantities");
     }
     Verify verify = {.json = options.json ? &json : NULL,
                      .out = out,

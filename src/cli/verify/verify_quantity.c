@@ -2,6 +2,8 @@
 /* What a verification reads from a run: see verify_quantity.h. Times are those of rows. */
 #include "cli/verify/verify_quantity.h"
 
+#include "base/math/functions.h"
+#include "scenario/concern_cells.h"
 #include "scenario/concern_loads.h"
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
@@ -53,6 +55,19 @@ double quantity_longer_than(VerifyRun *run, const VerifyRow *row)
         percent = 100 * (run->readout.measured / shorter.readout.measured - 1);
     verify_run_close(&shorter);
     return percent;
+}
+
+/* log(e_a/e_b)/log(a/b) of a finding of this run and of another with smaller cells. */
+double quantity_finding_order(VerifyRun *run, const VerifyRow *row)
+{
+    VerifyRun finer;
+    double order = NAN;
+    if (verify_run_open(&finer, row->other, run->threads, run->settings.cancel))
+        order =
+            math_log(finding_of(run, row->column).measured / finding_of(&finer, row->column).measured) /
+            math_log(settings_mesh(&run->settings)->cell_size / settings_mesh(&finer.settings)->cell_size);
+    verify_run_close(&finer);
+    return order;
 }
 
 /* --- a column of the series ---------------------------------------------------------------------- */

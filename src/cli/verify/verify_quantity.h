@@ -12,6 +12,7 @@
 
 /* By how much the period is longer, percent; other: the scenario of the shorter one. */
 double quantity_longer_than(VerifyRun *, const VerifyRow *);
+double quantity_finding_order(VerifyRun *, const VerifyRow *);
 
 /* A column of the series: its amplitude in from..to, of other's value at t = 0; the largest |column - other|;
  * the relative L2 of both in from..to, percent; the frequency of its highest line in from..to (Hz); the time
@@ -51,8 +52,6 @@ double quantity_energy_after_steps(VerifyRun *, const VerifyRow *);
  * at the cell size `from`; its order between that and `to`. */
 double quantity_stretch_error(VerifyRun *, const VerifyRow *);
 double quantity_turn_error(VerifyRun *, const VerifyRow *);
-double quantity_vibration_error(VerifyRun *, const VerifyRow *);
-double quantity_vibration_order(VerifyRun *, const VerifyRow *);
 
 /* Of the bonds through a plane, stretched up to s0; J/m^2. */
 double quantity_plane_energy(VerifyRun *, const VerifyRow *);

@@ -4,6 +4,7 @@
  * of velocity, B = C D: with B = 0 a disc of three cells would lose a tenth of its spin in the first step.
  * The grid begins BODIES_PADDING cells before the box and ends as many behind it. */
 #include "base/assertion.h"
+#include "base/math/functions.h"
 #include "methods/mpm/bodies_inner.h"
 #include "methods/mpm/plane_inner.h"
 
@@ -134,8 +135,8 @@ static void place(Mpm *mpm, int p, double x, double y)
         mpm->deformation[k][p] = k == 0 || k == 3;
 }
 
-/* v = v0 + w x (X - c) */
-static void rigid(const double x[2], const void *context, double v[2], double gradient[4])
+/* v = v0 + w x (X - c), and of a block its wave along x */
+static void start_of(const double x[2], const void *context, double v[2], double gradient[4])
 {
     const BodyDef *body = context;
     double centre[2];
@@ -145,6 +146,11 @@ static void rigid(const double x[2], const void *context, double v[2], double gr
     gradient[0] = gradient[3] = 0;
     gradient[1] = -body->spin;
     gradient[2] = body->spin;
+    if (body->wave != 0) {
+        const double k = M_PI / (body->size[2] - body->size[0]), phase = k * (x[0] - body->size[0]);
+        v[0] += body->wave * math_sin(phase);
+        gradient[0] = body->wave * k * math_cos(phase);
+    }
 }
 
 /* With APIC also B = C D of the field's gradient C. */
@@ -222,7 +228,7 @@ static bool begin(Mpm *mpm, Status *status)
     mpm_find_all(mpm);
     for (int k = 0; k < def->n_bodies; k++)
         for (int p = bodies->first[k]; p < bodies->first[k + 1]; p++)
-            set_moving(mpm, rigid, &def->bodies[k], p);
+            set_moving(mpm, start_of, &def->bodies[k], p);
     note_energy(mpm);
     return isfinite(mpm->energy_start) ||
            status_refuse(status, "bodies: their energy is not a finite number");

@@ -22,7 +22,8 @@ typedef struct BodyDef {
     BodyShape shape;
     double size[4]; /* disc: cx cy r; ring: cx cy ri ro; block: x0 y0 x1 y1 */
     double velocity[2],
-        spin; /* spin about the centre given, of a block its middle; counterclockwise, rad/time */
+        spin;    /* spin about the centre given, of a block its middle; counterclockwise, rad/time */
+    double wave; /* of a block: its first mode between clamps, v_x = wave sin(pi (x - x0)/(x1 - x0)) */
 } BodyDef;
 
 typedef struct BodiesDef {

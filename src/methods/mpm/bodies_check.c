@@ -118,6 +118,8 @@ static bool check_body(const BodiesDef *def, const BodyDef *body, Status *status
                              size[3], size[2]);
     if (body->shape == BODY_BLOCK && !(size[2] > size[0] && size[3] > size[1]))
         return status_refuse(status, "bodies.%s: is empty (a block has x0 < x1 and y0 < y1)", body->name);
+    if (body->shape != BODY_BLOCK && body->wave != 0)
+        return status_refuse(status, "bodies.%s: wave is for a block (its first mode along x)", body->name);
     bodies_bounds(body, low, high);
     for (int axis = 0; axis < 2; axis++)
         if (!(low[axis] >= -close && high[axis] <= box[axis] + close))

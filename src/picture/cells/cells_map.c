@@ -20,6 +20,7 @@
 #define CLOUD_SHARE 0.7  /* of their own, where they have room to be seen apart */
 #define FAR         1e6  /* cells: a run that has become unstable has nodes anywhere and nowhere */
 #define BESIDE      0.9  /* cells between the end of an arrow and the thing */
+#define HEAD_LEAST  2    /* columns of an arrow that has a head */
 #define STANDS      0.75 /* rows from an edge to what stands below or above it */
 
 enum { NOTHING = -1, RANK_ARROW = 3, CLOUD_DOTS = 3, ALL_DOTS = 0x28ff, THIN_DOTS = 0x2895 };
@@ -355,32 +356,30 @@ static void show_crossings(const Sheet *sheet)
 
 /* --- arrows and signs ------------------------------------------------------------------------------- */
 
-/* Its ends in cells, a little short of both things; a cell is twice as high as wide. */
-static bool arrow_ends(const Sheet *sheet, const PictureArrow *arrow, double from[2], double to[2])
+/* Its ends in cells, between dots a little short of both, and its length in columns; a cell is twice as high
+ * as wide. */
+static double arrow_ends(const Sheet *sheet, const PictureArrow *arrow, double from[2], double to[2])
 {
     place(sheet, arrow->from[0], arrow->from[1], &from[0], &from[1]);
     place(sheet, arrow->to[0], arrow->to[1], &to[0], &to[1]);
     const double dx = to[0] - from[0], dy = to[1] - from[1], length = math_hypot(dx, 2 * dy);
-    if (length < 2.5 * BESIDE)
-        return false;
-    const double share = 1.5 * BESIDE / length;
+    const double share = sheet->map->is_near && length > 0 ? fmin(1.5 * BESIDE / length, 0.3) : 0;
     from[0] += share * dx, from[1] += share * dy;
     to[0] -= share * dx, to[1] -= share * dy;
-    return true;
+    return (1 - 2 * share) * length;
 }
 
-/* Shafts as lines, or the heads. */
+/* Shafts as lines, or the heads; a short one is a stroke without a head, or a dot. */
 static void draw_arrows(const Sheet *sheet, bool heads)
 {
     for (int i = 0; i < sheet->picture->n_arrows; i++) {
         const PictureArrow *arrow = &sheet->picture->arrows[i];
         const Stroke shaft = {.style = arrow->style, .rank = RANK_ARROW};
         double from[2], to[2];
-        if (!arrow_ends(sheet, arrow, from, to))
-            continue;
+        const double length = arrow_ends(sheet, arrow, from, to);
         if (!heads)
             draw_line(sheet, from, to, &shaft);
-        else if (is_inside(sheet, to[0], to[1]))
+        else if (length >= HEAD_LEAST && is_inside(sheet, to[0], to[1]))
             area_put(sheet->area, (int)to[0], (int)to[1], glyph_arrow(to[0] - from[0], to[1] - from[1]),
                      arrow->style);
     }

@@ -471,10 +471,10 @@ static void draw_head(const Frame *frame, const PictureArrow *arrow)
 {
     const double x = x_of(frame, arrow->to[0]), y = y_of(frame, arrow->to[1]);
     const double across = x - x_of(frame, arrow->from[0]), down = y - y_of(frame, arrow->from[1]);
-    const double length = math_hypot(across, down);
-    if (!(length > 0))
+    const double length = math_hypot(across, down), head = 6;
+    if (!(length > head)) /* a stroke is all there is room for */
         return;
-    const double way[] = {6 * across / length, 6 * down / length};
+    const double way[] = {head * across / length, head * down / length};
     const double corners[] = {x,
                               y,
                               x - way[0] + 0.4 * way[1],

@@ -366,9 +366,11 @@ const RowKind row_kinds[ROW_KINDS] = {
     [ROWS_BODIES] =
         {.section = "bodies",
          .one = "body",
-         .form = "disc CX CY R | ring CX CY RI RO | block X0 Y0 X1 Y1, then [velocity VX VY] [spin W]",
+         .form =
+             "disc CX CY R | ring CX CY RI RO | block X0 Y0 X1 Y1, then [velocity VX VY] [spin W] [wave V]",
          .fresh = "disc 50% 50% 0.1",
-         .help = "an elastic body with its velocity and its spin about its centre, counterclockwise",
+         .help = "an elastic body with its velocity and its spin about its centre, counterclockwise; wave: a "
+                 "block's velocity V sin(pi (x - X0)/(X1 - X0)) along x",
          .concern = CONCERN_BODIES,
          .plain_names = true,
          .columns = {{.word = "shape", .value = ROW_SHAPE, .unit = ""},
@@ -383,6 +385,7 @@ const RowKind row_kinds[ROW_KINDS] = {
                      OF_SHAPES("y1", ROW_ALONG_Y, BLOCK),
                      {.word = "vx", .value = ROW_NUMBER, .unit = "", .optional = true, .line = "velocity"},
                      {.word = "vy", .value = ROW_NUMBER, .unit = "", .optional = true, .follows = true},
-                     OPTION("spin", ROW_NUMBER, "", 0)},
-         .n_columns = 13},
+                     OPTION("spin", ROW_NUMBER, "", 0),
+                     OPTION("wave", ROW_NUMBER, "", 0)},
+         .n_columns = 14},
 };
