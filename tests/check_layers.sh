@@ -74,7 +74,7 @@ for folder in picture views panes help film plain terminal lab; do
 done
 # A view makes a picture and knows neither canvas nor page nor list of words.
 found=$(cd "${MATVIB_SRCDIR:-..}/src/views" && grep -rnE --include='*.[ch]' \
-	'#include "(picture/(area|canvas|heading|table|cells/|paper/|words/)|panes/panes)' .)
+	'#include "(picture/(canvas|table|cells/|paper/|words/)|panes/panes)' .)
 judge "src/views includes nothing that draws"
 # They ask a simulation what it has and a problem for its concerns, never which problem or method it is or how many
 # dimensions it has. verify alone speaks of named problems: it is about them.
@@ -106,7 +106,7 @@ found=$(cd "${MATVIB_SRCDIR:-..}/src" && find . -name '*.[ch]' -o -name '*.inc' 
 	END {
 		for (header in users) {
 			concern = header ~ /^scenario\/(concern_[a-z]*\.h|parameter_rows\.inc)$/
-			part = header ~ /^(panes\/key_line|lessons\/lesson_shown|run\/playback)\.h$/
+			part = header ~ /^(panes\/entry|lessons\/lesson_shown|run\/playback)\.h$/
 			if (!concern && !part) continue
 			concerns += concern
 			parts += part

@@ -10,10 +10,10 @@
 #include "base/visible.h"
 #include "lab/session/laboratory_main.h"
 #include "lab/session/script.h"
-#include "panes/sheet.h"
+#include "panes/screen.h"
 #include "problems/problem.h"
 #include "scenario/parameters.h"
-#include "film/camera.h"
+#include "film/film.h"
 
 #include <errno.h>
 #include <math.h>

@@ -8,7 +8,7 @@
 
 #include "picture/glyph.h"
 #include "picture/paper/cairo_calls.h"
-#include "terminal/theme.h"
+#include "terminal/grid.h"
 
 #include <errno.h>
 #include <gif_lib.h>

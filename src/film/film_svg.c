@@ -7,7 +7,7 @@
 #include "film/film.h"
 
 #include "base/text.h"
-#include "terminal/theme.h"
+#include "terminal/grid.h"
 #include "picture/glyph.h"
 
 #include <stdlib.h>

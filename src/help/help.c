@@ -2,12 +2,13 @@
 /* The help: keys by group, what the curves mean, and what is solved, with every equation and every slip of
  * the papers. */
 #include "answers/choices.h"
-#include "scenario/settings.h"
-#include "help/help_text.h"
-#include "picture/glyph.h"
-#include "panes/panes.h"
 #include "help/command.h"
-#include "panes/screen_places.h"
+#include "help/help_text.h"
+#include "panes/panes.h"
+#include "panes/screen.h"
+#include "picture/glyph.h"
+#include "scenario/settings.h"
+#include "views/view.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -309,4 +310,18 @@ void help_draw(const Screen *screen, Area area)
     for (int y = 0; y < room && first + y < written.count; y++)
         area_text(area, 1, 1 + y, written.text + written.lines[first + y].at,
                   first + y + 1 == screen->help->found ? STYLE_SELECTED : written.lines[first + y].style);
+}
+
+/* --- the words of a command ----------------------------------------------------------------------- */
+
+const char *command_brief(const Command *command)
+{
+    const View *view = view_of_digit(command_digit(command->id));
+    return view ? view->brief : command->brief;
+}
+
+const char *command_help(const Command *command)
+{
+    const View *view = view_of_digit(command_digit(command->id));
+    return view ? view->help : command->help;
 }

@@ -5,7 +5,7 @@
 
 #include "run/duel.h"
 #include "terminal/keys.h"
-#include "panes/parameters_shown.h"
+#include "panes/entry.h"
 #include "panes/screen.h"
 
 typedef struct Laboratory Laboratory;

@@ -4,7 +4,7 @@
 #include "scenario/settings.h"
 #include "lab/prompt/line.h"
 #include "lab/opening.h"
-#include "panes/screen_places.h"
+#include "panes/screen.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -6,7 +6,7 @@
 #include "base/visible.h"
 #include "lab/row_edit.h"
 #include "lab/session/session.h"
-#include "panes/screen_places.h"
+#include "panes/screen.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -2,7 +2,7 @@
 /* Opening the laboratory and other scenarios in it: what a run is begun with, and at which pace. */
 #include "lab/opening.h"
 #include "lab/laboratory.h"
-#include "panes/screen_runs.h"
+#include "panes/screen.h"
 #include "scenario/concern_output.h"
 #include "scenario/settings.h"
 #include "lab/commands/commands.h"

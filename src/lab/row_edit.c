@@ -7,7 +7,7 @@
 #include "scenario/rows/rows.h"
 #include "base/text.h"
 #include "views/view.h"
-#include "panes/screen_places.h"
+#include "panes/screen.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -7,7 +7,7 @@
 #include "scenario/settings.h"
 #include "views/view.h"
 #include "lessons/lesson_shown.h"
-#include "panes/screen_places.h"
+#include "panes/screen.h"
 #include "run/playback.h"
 
 #include <math.h>

@@ -4,7 +4,7 @@
 #include "panes/panes.h"
 #include "lessons/lesson_shown.h"
 #include "help/command.h"
-#include "panes/screen_places.h"
+#include "panes/screen.h"
 
 #include <stdio.h>
 #include <string.h>

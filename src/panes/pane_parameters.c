@@ -5,7 +5,7 @@
 #include "scenario/settings.h"
 #include "scenario/rows/rows.h"
 #include "base/text.h"
-#include "panes/key_line.h"
+#include "panes/entry.h"
 #include "lessons/lesson_shown.h"
 
 #include <ctype.h>
@@ -136,6 +136,19 @@ bool screen_selected_row(const Screen *screen, RowPlace *place)
         return false;
     *place = rows[selected].place;
     return true;
+}
+
+int screen_row_of(const Screen *screen, const Parameter *parameter)
+{
+    ParameterRow rows[PARAMETER_ROWS_MAX];
+    const int count = screen_parameter_rows(screen, rows);
+    int first = 0, found = -1;
+    while (first < count && rows[first].heading)
+        first++;
+    for (int i = first; i < count && found < 0; i++)
+        if (rows[i].parameter && rows[i].parameter == parameter)
+            found = i;
+    return found >= 0 ? found : first < count ? first : 0;
 }
 
 /* A size of a beam as the lattice has it, where that is another one than asked for; "" where it is not. */

@@ -3,7 +3,7 @@
  * particle or node with their numbers, and where there is room its sentence, the state of the thing, and the
  * list of all stages. */
 #include "panes/panes.h"
-#include "panes/stage_flow.h"
+#include "panes/screen.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -117,7 +117,7 @@ static int fields_of(const Subject *subject, const char *words, bool all, int fi
     int count = 0;
     char word[64];
     const bool named =
-        !all || subject->set == stage_flow_target(subject->sim, &subject->sim->stages[subject->stage]);
+        !all || subject->set == flow_target(subject->sim, &subject->sim->stages[subject->stage]);
     while (named && text_next_word(&words, word, sizeof word))
         add_field(fields, &count, simulation_find_field(subject->sim, subject->set, word));
     for (int i = 0; all && i < subject->sim->n_fields; i++)

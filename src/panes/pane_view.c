@@ -3,11 +3,10 @@
  * which the picture says, whichever view it is of. */
 #include "panes/panes.h"
 #include "picture/cells/cells.h"
-#include "picture/cells/cells_map.h"
 #include "views/inspector/inspector.h"
-#include "views/views.h"
+#include "views/view.h"
 #include "lessons/lesson_shown.h"
-#include "panes/screen_places.h"
+#include "panes/screen.h"
 #include "run/duel.h"
 #include "run/playback.h"
 

@@ -4,16 +4,16 @@
 #define PANES_PANES_H
 
 #include "base/text.h"
-#include "panes/parameters_shown.h"
-#include "picture/area.h"
+#include "panes/entry.h"
+#include "picture/canvas.h"
 #include "picture/axes.h"
-#include "picture/heading.h"
+#include "picture/cells/cells.h"
 #include "picture/plot.h"
-#include "panes/screen_runs.h"
+#include "panes/screen.h"
 
 /* --- where panes lie --- */
 
-typedef struct ScenarioList ScenarioList; /* panes/key_line.h */
+typedef struct ScenarioList ScenarioList; /* panes/entry.h */
 
 typedef enum LayoutKind { LAYOUT_TOO_SMALL, LAYOUT_ONE_PANE, LAYOUT_FULL } LayoutKind;
 

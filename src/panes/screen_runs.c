@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What panes and views ask of the runs on screen: which ones there are, what is known of them, how far their
  * fields reach, and their times and units as text. */
-#include "panes/screen_runs.h"
-#include "scenario/parameters.h"
+#include "panes/screen.h"
 
+#include "base/math/functions.h"
+#include "base/text.h"
+#include "panes/entry.h"
 #include "run/duel.h"
 #include "run/playback.h"
-
 #include "scenario/concern_time.h"
+#include "scenario/parameters.h"
 #include "scenario/settings.h"
-#include "base/math/functions.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -221,4 +222,67 @@ const char *screen_event_letter(EventKind kind)
         if (screen_marks[i].kind == kind)
             return screen_marks[i].letter;
     return " ";
+}
+
+/* --- what a stage hands on ------------------------------------------------------------------------ */
+
+/* How many of the names only this set has. */
+static int own_names(const Simulation *sim, const char *words, int set)
+{
+    char word[64];
+    int count = 0;
+    while (text_next_word(&words, word, sizeof word))
+        count += simulation_find_field(sim, set, word) >= 0 && simulation_find_field(sim, 1 - set, word) < 0;
+    return count;
+}
+
+int flow_target(const Simulation *sim, const Stage *stage)
+{
+    if (!simulation_has(sim, HAS_MESH))
+        return 0;
+    const int particles = own_names(sim, stage->writes, 0), nodes = own_names(sim, stage->writes, 1);
+    if (particles != nodes)
+        return nodes > particles;
+    /* only shared names: what it reads of the one it writes to the other */
+    return own_names(sim, stage->reads, 0) > 0;
+}
+
+Flow flow_of_stage(const Screen *screen, bool *inside)
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    const Stage *stage = &sim->stages[screen_box_stage(screen, inside)];
+    *inside = *inside && !screen_is_running(screen);
+    if (!*inside || !simulation_has(sim, HAS_MESH))
+        return FLOW_NONE;
+    if (strcmp(stage->id, "forget") == 0)
+        return FLOW_FORGET;
+    for (int i = 0; i < sim->n_exchanges; i++)
+        if (strcmp(sim->exchanges[i].stage, stage->id) == 0)
+            return sim->exchanges[i].to == 1 ? FLOW_TO_NODES : FLOW_TO_PARTICLES;
+    return FLOW_NONE;
+}
+
+/* --- what is chosen ------------------------------------------------------------------------------- */
+
+void selection_next(Selection *selection, const Simulation *sim, int direction, size_t by)
+{
+    const bool node = selection->is_node && sim->n_sets > 1;
+    size_t *chosen = node ? &selection->node : &selection->particle;
+    const size_t count = sim->counts[node ? 1 : 0];
+    if (count == 0)
+        return;
+    if (direction < 0)
+        *chosen = *chosen > by ? *chosen - by : 0;
+    else
+        *chosen = *chosen + by < count ? *chosen + by : count - 1;
+}
+
+size_t selection_middle(const Simulation *sim)
+{
+    return sim->columns > 0 ? sim->rows / 2 * sim->columns + sim->columns / 2 : sim->counts[0] / 2;
+}
+
+const View *screen_view_in(const Screen *screen, PaneId pane)
+{
+    return pane == PANE_UPPER ? screen->views.upper : pane == PANE_LOWER ? screen->views.lower : NULL;
 }

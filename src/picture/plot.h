@@ -9,7 +9,6 @@
 
 #include "picture/axes.h"
 #include "picture/glyph.h"
-#include "picture/style.h"
 
 #include <stddef.h>
 

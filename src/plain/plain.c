@@ -9,7 +9,7 @@
 #include "base/visible.h"
 #include "base/wait.h"
 #include "lab/session/session.h"
-#include "panes/screen_places.h"
+#include "panes/screen.h"
 
 #include <limits.h>
 #include <signal.h>

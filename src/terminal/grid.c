@@ -3,8 +3,6 @@
 
 #include "base/assertion.h"
 
-#include "terminal/theme.h"
-
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>

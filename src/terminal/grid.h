@@ -14,6 +14,26 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+/* --- colours -------------------------------------------------------------------------------------- */
+
+/* Attributes beside colour; they alone carry the meaning where there is no colour. */
+enum { LOOK_BOLD = 1, LOOK_UNDERLINE = 2, LOOK_REVERSE = 4, LOOK_DIM = 8 };
+
+enum { LOOK_DEFAULT = -1 }; /* the terminal's own colour */
+
+typedef struct Look {
+    int foreground, background; /* colour numbers, or LOOK_DEFAULT */
+    unsigned attributes;
+} Look;
+
+/* `colours` is 256, 8 or 0; `back` is a cell's: 0, or 1 + the style whose colour is its background. */
+Look theme_look(int colours, bool light, unsigned style, unsigned back);
+
+/* Whether the terminal has a light ground: "light", "dark", or "auto" (NULL) by COLORFGBG (may be NULL). */
+bool theme_is_light(const char *theme, const char *colorfgbg);
+
+/* --- the grid ------------------------------------------------------------------------------------- */
+
 typedef struct Grid {
     struct screen *curses;
     int memory;   /* what curses writes to, a descriptor */

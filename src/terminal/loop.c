@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "terminal/loop.h"
+#include "terminal/terminal.h"
 #include "base/clock.h"
 
 #include "base/visible.h"
@@ -8,7 +8,6 @@
 #include "scenario/changes.h"
 #include "scenario/scenario.h"
 #include "scenario/settings.h"
-#include "terminal/terminal.h"
 
 #include <limits.h>
 #include <stdio.h>

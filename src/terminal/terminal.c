@@ -5,7 +5,6 @@
 #include "base/signals.h"
 #include "base/wait.h"
 #include "terminal/grid.h"
-#include "terminal/theme.h"
 
 #include <errno.h>
 #include <fcntl.h>

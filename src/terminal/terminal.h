@@ -10,8 +10,10 @@
 #define TERMINAL_TERMINAL_H
 
 #include "base/status.h"
-#include "terminal/keys.h"
+#include "lab/session/laboratory_main.h"
+#include "lab/session/session.h"
 #include "picture/canvas.h"
+#include "terminal/keys.h"
 
 typedef struct TerminalOptions {
     const char *glyphs; /* "auto" (NULL), "braille", "block", "ascii" */
@@ -64,5 +66,13 @@ int terminal_signal(const Terminal *);
 
 /* Stops the program as the shell's job control wants it, and comes back on fg. */
 void terminal_suspend(Terminal *);
+
+/* --- the loop ------------------------------------------------------------------------------------- */
+
+/* Returns the exit status: 0, 128 + n after signal n, or the status's code.
+ *
+ * For tests: when the environment names a file descriptor in MATVIB_FRAME_FD, a line "frame N" is written to
+ * it after each picture, with " idle" behind when the loop now sleeps until something comes. */
+int loop_run(const LaboratoryOptions *, const Session *replay, Session *recording, Status *);
 
 #endif

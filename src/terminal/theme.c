@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "terminal/theme.h"
+#include "terminal/grid.h"
 
 #include <stdlib.h>
 #include <string.h>

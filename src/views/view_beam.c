@@ -5,7 +5,7 @@
 #include "scenario/parameters.h"
 #include "scenario/concern_body.h"
 #include "scenario/concern_loads.h"
-#include "views/views.h"
+#include "views/view.h"
 #include "base/math/functions.h"
 #include "base/text.h"
 #include "answers/crack_growth.h"
@@ -76,7 +76,7 @@ static void note_how(const Map *map)
                                         [FLOW_TO_PARTICLES] = "particles take",
                                         [FLOW_FORGET] = ""};
     bool inside;
-    const Flow flow = stage_flow(map->screen, &inside);
+    const Flow flow = flow_of_stage(map->screen, &inside);
     snprintf(parts[FLOW], size, "%s", map_has_mesh(map) ? words[flow] : "");
     if (map_has_mesh(map) && inside && experiment_stage(map->screen->experiment) == 0)
         text_append(parts[FLOW], size, "%sthe grid is forgotten", parts[FLOW][0] ? ", " : "");

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* View 4 of peridynamics: what a bond answers to its stretch, where it breaks, and where on that line the
  * nodes stand: each by its most stretched whole bond. */
-#include "panes/screen_runs.h"
+#include "panes/screen.h"
 #include "scenario/concern_bonds.h"
 #include "base/kinds.h"
-#include "views/views.h"
+#include "views/view.h"
 #include "base/math/functions.h"
 #include "base/text.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One cell or one bond from near: what a stage passes between the chosen thing and those beside it. */
-#include "views/views.h"
+#include "views/view.h"
 
 static void describe(const Screen *screen, int variant, Picture *picture)
 {

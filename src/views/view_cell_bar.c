@@ -3,10 +3,10 @@
  * pass between the chosen one and the others in the stage that the box speaks of, each on its arrow. What is
  * not of the stage is faint. The terms are the method's own (Simulation.exchanges), written so that they add
  * up as they stand. */
-#include "panes/screen_runs.h"
+#include "panes/screen.h"
 #include "views/cell_terms.h"
 #include "views/inspector/inspector.h"
-#include "views/views.h"
+#include "views/view.h"
 
 #include <math.h>
 #include <stdio.h>

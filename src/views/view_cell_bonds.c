@@ -3,8 +3,8 @@
  * pull and the factors of that; or the family, the strongest bonds one by one and the others as a sum. The
  * links are the method's (Method.links), in the order of the box: the strongest first. */
 #include "base/math/functions.h"
-#include "panes/screen_runs.h"
-#include "views/views.h"
+#include "panes/screen.h"
+#include "views/view.h"
 #include "base/text.h"
 
 #include <math.h>

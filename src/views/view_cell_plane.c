@@ -4,10 +4,10 @@
  * particles around it where they are now, those of each body in its colour. Where walls and contact act on
  * nodes, each that two bodies share has the common normal, both velocities before, and what one gives. */
 #include "base/math/functions.h"
-#include "panes/screen_runs.h"
+#include "panes/screen.h"
 #include "scenario/settings.h"
 #include "views/cell_terms.h"
-#include "views/views.h"
+#include "views/view.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -2,9 +2,9 @@
 /* What becomes of the error when mesh or lattice are refined: the predicted answers of a study beside theory,
  * as many of its points as are known, and the order with which the error falls. The lattices of paper P's
  * Table 1 are shown as periods, for what they differ in is the size that their layers give the beam. */
-#include "panes/screen_runs.h"
+#include "panes/screen.h"
 #include "scenario/settings.h"
-#include "views/views.h"
+#include "views/view.h"
 #include "answers/convergence.h"
 #include "base/text.h"
 

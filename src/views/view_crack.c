@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* More pictures of a beam that breaks: the crack's path with its angle, the angle over time, and what a piece
  * of crack has cost beside the fracture energy that it should cost. */
-#include "views/views.h"
+#include "views/view.h"
 #include "scenario/concern_body.h"
 #include "scenario/concern_bonds.h"
 #include "scenario/concern_loads.h"
-#include "views/plots/runs.h"
-#include "views/plots/time_plot.h"
+#include "views/plots/plots.h"
 #include "base/math/functions.h"
 #include "answers/crack_growth.h"
 
@@ -172,7 +171,7 @@ static void describe_over_time(const Screen *screen, Picture *picture, const Cra
         if (!runs[r].shown)
             continue;
         runs_begin(picture, &runs[r]);
-        time_plot_curve(picture, &(Curve){record, -1, curve->value, &columns[r]});
+        time_plot_curve(picture, &(TimeCurve){record, -1, curve->value, &columns[r]});
         if (record->count == 0)
             continue;
         const double *row = record_row(record, record_find(record, picture->plot.x.high));

@@ -3,14 +3,13 @@
  * paper's 5 % and 20 %. A beam: its period over the horizon, between the two beam theories. Earlier runs
  * leave their dot.
  */
-#include "views/plots/runs.h"
+#include "views/plots/plots.h"
 #include "scenario/concern_bonds.h"
 #include "scenario/concern_cells.h"
 #include "scenario/settings.h"
-#include "views/views.h"
+#include "views/view.h"
 #include "answers/dispersion_curves.h"
 #include "base/text.h"
-#include "views/view.h"
 #include "base/kinds.h"
 
 #include <math.h>

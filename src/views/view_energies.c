@@ -1,15 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The energies over time, stacked. */
-#include "views/plots/overlay_plot.h"
+#include "views/plots/plots.h"
 #include "scenario/concern_body.h"
 #include "scenario/concern_bonds.h"
 #include "scenario/concern_cells.h"
 #include "scenario/concern_loads.h"
 #include "scenario/settings.h"
 #include "base/kinds.h"
-#include "views/plots/runs.h"
-#include "views/plots/time_plot.h"
-#include "views/views.h"
+#include "views/view.h"
 #include "base/text.h"
 
 #include <math.h>
@@ -384,12 +382,12 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     }
     if (most_work > 0) {
         plot_begin(&picture->plot, STROKE_LINE, pen_predicted);
-        time_plot_curve(picture, &(Curve){record, work, NULL, NULL});
+        time_plot_curve(picture, &(TimeCurve){record, work, NULL, NULL});
     }
     runs_add_ghosts(picture, runs, n_runs, line);
     if (second) {
         runs_begin(picture, second);
-        time_plot_curve(picture, &(Curve){second->record, runs_column(second, line), NULL, NULL});
+        time_plot_curve(picture, &(TimeCurve){second->record, runs_column(second, line), NULL, NULL});
     }
     overlay_add(screen, picture, line, false);
     runs_add_letters(picture, runs, n_runs, line);

@@ -2,8 +2,8 @@
 /* What happened, in words, newest last, of both runs of a duel; one event can be chosen and gone to.
  */
 #include "run/event_log.h"
-#include "panes/screen_runs.h"
-#include "views/views.h"
+#include "panes/screen.h"
+#include "views/view.h"
 
 #include <math.h>
 #include <stdio.h>

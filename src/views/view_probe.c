@@ -1,13 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What is measured at the probe, over time, with the reference curves, earlier runs and the readout.
  */
-#include "views/plots/overlay_plot.h"
+#include "views/plots/plots.h"
 #include "scenario/parameters.h"
 #include "run/overlay.h"
 #include "scenario/concern_time.h"
-#include "views/plots/runs.h"
-#include "views/plots/time_plot.h"
-#include "views/views.h"
+#include "views/view.h"
 #include "run/duel.h"
 #include "base/text.h"
 
@@ -372,7 +370,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     for (int i = 0; i < n_lines; i++) {
         const PictureKey *key = &lines[i].key;
         plot_begin(&picture->plot, STROKE_LINE, (Pen){key->line, key->ascii, key->style, lines[i].rank, 0});
-        time_plot_curve(picture, &(Curve){lines[i].run->record, lines[i].column, NULL, NULL});
+        time_plot_curve(picture, &(TimeCurve){lines[i].run->record, lines[i].column, NULL, NULL});
     }
     overlay_add(screen, picture, quantity->name, false);
     /* How far a beam that grows would swing by its lengthening alone. */

@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A field of the particles along the bar, or along the middle of a beam, with the exact curve behind.
  */
-#include "views/plots/overlay_plot.h"
+#include "views/plots/plots.h"
 #include "scenario/concern_body.h"
 #include "scenario/concern_time.h"
-#include "views/plots/runs.h"
-#include "views/views.h"
+#include "views/view.h"
 #include "run/duel.h"
 #include "base/text.h"
 #include "lessons/lesson_shown.h"

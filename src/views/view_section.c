@@ -7,7 +7,7 @@
 #include "views/map/map.h"
 #include "scenario/concern_body.h"
 #include "scenario/concern_time.h"
-#include "views/views.h"
+#include "views/view.h"
 #include "base/math/functions.h"
 #include "base/text.h"
 

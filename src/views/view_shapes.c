@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The shape functions of the nodes around the chosen particle, or their slopes, with the particles on
  * them and the sum of all. */
-#include "views/views.h"
+#include "views/view.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The amplitude spectrum of the probe, with the predicted and the exact lines marked. The slow lines
  * on an even scale, or everything that the mesh can do on a logarithmic one. */
-#include "views/plots/runs.h"
+#include "views/plots/plots.h"
 #include "scenario/concern_loads.h"
-#include "views/views.h"
+#include "views/view.h"
 #include "base/math/functions.h"
 #include "answers/dispersion_curves.h"
 #include "base/text.h"

@@ -4,11 +4,10 @@
  * ones beyond a fixed end, and the bonds of the chosen one; a beam to the scale of the strip. */
 #include "answers/crack_growth.h"
 #include "base/text.h"
-#include "panes/screen_runs.h"
-#include "panes/stage_flow.h"
+#include "panes/screen.h"
 #include "scenario/concern_bonds.h"
 #include "scenario/concern_loads.h"
-#include "views/views.h"
+#include "views/view.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -243,7 +242,7 @@ static void describe_bar(Strip *strip, const double *x0)
     picture_lay_row(strip->picture, &strip->row);
     open_axes(strip, strip->row.shown * strip->row.per + (strip->row.shown <= strip->row.pieces));
     bool inside;
-    const Flow flow = stage_flow(strip->screen, &inside);
+    const Flow flow = flow_of_stage(strip->screen, &inside);
     const bool put_back = flow == FLOW_FORGET && !bar.there;
     add_grid(&bar);
     if (strip->paused && (bar.there || put_back)) {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Numbers of things, one row each; what the last stage changed is marked. The chosen thing and the chosen
  * column are together what Enter has followed over time. */
-#include "panes/screen_runs.h"
-#include "views/views.h"
+#include "panes/screen.h"
+#include "views/view.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -8,7 +8,7 @@
 #include "views/map/map.h"
 #include "views/view.h"
 #include "views/scene.h"
-#include "panes/screen_places.h"
+#include "panes/screen.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -4,7 +4,7 @@
 #include "suite.h"
 #include "scenario/concern_output.h"
 #include "lab/tui_case.h"
-#include "panes/screen_runs.h"
+#include "panes/screen.h"
 
 #include "export/export.h"
 #include "scenario/parameters.h"

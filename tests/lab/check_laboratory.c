@@ -8,7 +8,7 @@
 #include "lab/refining.h"
 #include "lab/tui_case.h"
 #include "lab/prompt/line.h"
-#include "panes/screen_places.h"
+#include "panes/screen.h"
 
 #include <dirent.h>
 #include <math.h>

@@ -7,7 +7,7 @@
 #include "lab/tui_case.h"
 #include "lab/prompt/line.h"
 #include "views/view.h"
-#include "panes/screen_places.h"
+#include "panes/screen.h"
 
 #include <math.h>
 #include <stdio.h>

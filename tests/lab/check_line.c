@@ -5,7 +5,7 @@
 #include "scenario/settings.h"
 #include "suite.h"
 #include "lab/tui_case.h"
-#include "views/plots/time_plot.h"
+#include "views/plots/plots.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -9,8 +9,8 @@
 #include "scenario/scenario.h"
 #include "help/command.h"
 #include "panes/panes.h"
-#include "views/views.h"
-#include "panes/screen_places.h"
+#include "views/view.h"
+#include "panes/screen.h"
 
 #include <stdio.h>
 #include <string.h>

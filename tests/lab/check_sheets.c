@@ -10,7 +10,7 @@
 #include "scenario/concern_output.h"
 #include "scenario/settings.h"
 #include "views/view.h"
-#include "panes/screen_places.h"
+#include "panes/screen.h"
 
 #include <stdio.h>
 #include <stdlib.h>

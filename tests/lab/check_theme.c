@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What styles look like: told apart by every eye, on every ground, with few colours and with none. */
 #include "suite.h"
-#include "terminal/theme.h"
+#include "terminal/grid.h"
 
 #include <math.h>
 

@@ -3,8 +3,7 @@
 #include "lab/lesson_numbers.h"
 
 #include "panes/panes.h"
-#include "panes/screen_places.h"
-#include "panes/screen_runs.h"
+#include "panes/screen.h"
 #include "suite.h"
 
 #include <ctype.h>

@@ -6,7 +6,7 @@
 #include "suite.h"
 #include "views/scene.h"
 #include "views/view.h"
-#include "panes/screen_places.h"
+#include "panes/screen.h"
 
 #include <math.h>
 #include <stdio.h>

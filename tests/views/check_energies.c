@@ -3,7 +3,7 @@
 #include "suite.h"
 #include "panes/panes.h"
 #include "views/scene.h"
-#include "panes/screen_places.h"
+#include "panes/screen.h"
 
 #include <math.h>
 #include <stdio.h>

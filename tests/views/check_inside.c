@@ -8,7 +8,7 @@
 #include "suite.h"
 #include "sums.h"
 #include "views/scene.h"
-#include "panes/screen_places.h"
+#include "panes/screen.h"
 #include "run/duel.h"
 
 #include <math.h>

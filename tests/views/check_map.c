@@ -8,10 +8,9 @@
 #include "views/inspector/inspector.h"
 #include "suite.h"
 #include "picture/cells/cells.h"
-#include "picture/cells/cells_map.h"
 #include "views/map/map.h"
 #include "views/scene.h"
-#include "panes/screen_places.h"
+#include "panes/screen.h"
 
 #include <limits.h>
 #include <math.h>

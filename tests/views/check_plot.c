@@ -2,7 +2,6 @@
 /* Ticks are round, labels agree with them, and a curve's column shows all that its samples do. */
 #include "picture/cells/cells.h"
 #include "suite.h"
-#include "picture/heading.h"
 #include "picture/plot.h"
 
 #include <math.h>

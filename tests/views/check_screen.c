@@ -11,11 +11,11 @@
 #include "panes/panes.h"
 #include "views/inspector/inspector.h"
 #include "views/scene.h"
-#include "views/views.h"
-#include "panes/key_line.h"
+#include "views/view.h"
+#include "panes/entry.h"
 #include "run/playback.h"
 #include "help/command.h"
-#include "panes/screen_places.h"
+#include "panes/screen.h"
 #include "answers/summary.h"
 
 #include <ctype.h>

@@ -6,7 +6,7 @@
 #include "panes/panes.h"
 #include "views/scene.h"
 #include "run/playback.h"
-#include "panes/screen_places.h"
+#include "panes/screen.h"
 
 #include <locale.h>
 #include <stdio.h>

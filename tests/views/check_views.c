@@ -9,7 +9,6 @@
 #include "panes/screen.h"
 #include "views/view.h"
 #include "run/playback.h"
-#include "panes/screen_places.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "views/scene.h"
 #include "views/view.h"
-#include "panes/screen_runs.h"
+#include "panes/screen.h"
 #include "scenario/settings.h"
 #include "scenario/scenario.h"
 #include "answers/summary.h"
 #include "run/playback.h"
-#include "panes/screen_places.h"
 #include "run/duel.h"
 
 #include <stdio.h>

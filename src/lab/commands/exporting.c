@@ -6,7 +6,7 @@
 #include "lab/writing.h"
 #include "base/text.h"
 #include "picture/paper/figure_file.h"
-#include "views/views.h"
+#include "views/view.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -8,7 +8,7 @@
 #include "base/math/functions.h"
 #include "base/text.h"
 #include "views/view.h"
-#include "panes/screen_places.h"
+#include "panes/screen.h"
 
 #include <math.h>
 #include <stdio.h>

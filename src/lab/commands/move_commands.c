@@ -3,9 +3,9 @@
 #include "lab/commands/commands.h"
 #include "lab/row_edit.h"
 #include "views/inspector/inspector.h"
-#include "views/views.h"
-#include "panes/screen_places.h"
-#include "views/plots/time_plot.h"
+#include "views/view.h"
+#include "panes/screen.h"
+#include "views/plots/plots.h"
 
 #include <math.h>
 #include <string.h>

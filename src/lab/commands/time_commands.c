@@ -3,7 +3,7 @@
 #include "lab/commands/commands.h"
 #include "scenario/concern_time.h"
 #include "base/text.h"
-#include "panes/screen_places.h"
+#include "panes/screen.h"
 
 #include <math.h>
 #include <string.h>

@@ -2,11 +2,10 @@
 /* The commands that choose what is shown, and how. */
 #include "lab/commands/commands.h"
 #include "scenario/settings.h"
-#include "panes/screen_runs.h"
+#include "panes/screen.h"
 #include "views/view.h"
 #include "lab/session/state_file.h"
-#include "panes/screen_places.h"
-#include "views/plots/time_plot.h"
+#include "views/plots/plots.h"
 
 #include <math.h>
 

@@ -4,7 +4,7 @@
 #include "panes/panes.h"
 #include "lab/prompt/line.h"
 #include "lab/lesson/lesson_progress.h"
-#include "panes/screen_places.h"
+#include "panes/screen.h"
 #include "base/text.h"
 
 #include <stdio.h>

@@ -5,7 +5,7 @@
 #define LAB_PROMPT_PROMPT_H
 
 #include "terminal/keys.h"
-#include "panes/key_line.h"
+#include "panes/entry.h"
 
 typedef struct Laboratory Laboratory;
 

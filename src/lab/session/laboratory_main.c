@@ -6,7 +6,7 @@
 #include "base/visible.h"
 #include "lab/laboratory.h"
 #include "lab/lesson/lesson_progress.h"
-#include "terminal/loop.h"
+#include "terminal/terminal.h"
 #include "lab/session/script.h"
 #include "lab/session/session.h"
 #include "lab/session/state_file.h"

@@ -8,9 +8,8 @@
 #include "base/text.h"
 #include "lab/laboratory.h"
 #include "lab/session/replay.h"
-#include "film/camera.h"
+#include "film/film.h"
 #include "terminal/grid.h"
-#include "terminal/theme.h"
 
 #include <langinfo.h>
 #include <math.h>

@@ -4,8 +4,6 @@
 
 #include "base/assertion.h"
 #include "base/text.h"
-#include "picture/cells/cells_map.h"
-#include "picture/heading.h"
 #include "picture/places.h"
 
 #include <math.h>

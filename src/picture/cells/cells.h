@@ -4,8 +4,9 @@
 #ifndef PICTURE_CELLS_CELLS_H
 #define PICTURE_CELLS_CELLS_H
 
-#include "picture/area.h"
+#include "picture/canvas.h"
 #include "picture/picture.h"
+#include "picture/plot.h"
 
 /* Opens one for a pane, or as much of a page, of so many columns and rows. */
 void cells_open(Picture *, int columns, int rows, Glyphs);
@@ -43,5 +44,55 @@ void axes_rule(Area inner, const Axis *x, double at_x, Style);
 void plot_draw(const Plot *, Area);
 /* Adds a mark of the plot that was drawn last to what its canvas describes (canvas_vector()). */
 void plot_describe_mark(const Plot *, Area, double x, double y, uint32_t glyph, Style);
+
+/* --- a body --------------------------------------------------------------------------------------- */
+
+void cells_map(const Picture *, Area, Style heading, int colours);
+void cells_map_body(const Picture *, Area, int colours); /* without words around it */
+
+/* One that is drawn with its dimensions: places in whole columns, and rows above 0. */
+void cells_drawing(const Picture *, Area, Style heading);
+
+/* In cells a factor is told by a letter: the sign for it is wide in some fonts. `out` has room for the text.
+ */
+void cells_plain_factors(const char *text, char *out);
+
+/* Where a place of the plot is drawn in the part `rect`. */
+void cells_place(const PictureMap *, Rect, double x, double y, double *column, double *row);
+
+/* In the pane `rect`: the piece drawn nearest to a cell of the screen, -1: none is near; and the place of the
+ * undeformed body in the cell's middle, false: it is outside. */
+long cells_map_piece(const Picture *, Rect, int x, int y);
+bool cells_map_place(const Picture *, Rect, int x, int y, double place[2]);
+
+/* --- legends and headings ------------------------------------------------------------------------- */
+
+/* One entry of a legend. */
+typedef struct Legend {
+    LineStyle line;
+    char letter;
+    Style style;
+    const char *name;
+    const char *key; /* what stands for it, 2 columns; NULL: a piece of the line */
+} Legend;
+
+/* Draws entries of a legend from column x on as far as there is room; returns how many. */
+int legend_draw(Area, int x, int y, const Legend *, int n_legend);
+
+enum { LEGENDS_MAX = 32 }; /* under one heading */
+
+/* The same with names that are shortened until there is room, of ghosts to their values; to the letter only
+ * where not even the first one has it. */
+int legend_draw_short(Area, int x, int y, const Legend *, int n_legend);
+
+/* Draws the heading line of a plot: name, scale, legend as far as there is room. Where it is short names are
+ * shortened first, then entries move together, then, if the legend does not go on below, ghosts keep their
+ * letter only; the first ones, whose curves are solid, are kept. Returns how many entries of the legend that
+ * were. */
+int heading_draw(Area, Style heading, const char *name, const char *scale, const Legend *, int n_legend,
+                 bool goes_on);
+
+/* Writes a hint into a heading line, up to column `end`; false: there is no room behind column `begin`. */
+bool heading_hint(Area, int begin, int end, const char *hint);
 
 #endif

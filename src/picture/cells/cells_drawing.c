@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A body with its dimensions in cells: lines are drawn with the characters of frames, whose arms meet where
  * lines do, and what lies at an angle with its own. Places are whole columns and rows. */
-#include "picture/cells/cells_map.h"
+#include "picture/cells/cells.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -3,11 +3,10 @@
  * it. Two colours are in a cell, one above the other; where colours are few the ramp is told by ink:
  * braille dots, shades or letters. Over it each cell gathers the dots of the lines that cross it, or the
  * letter that stands for their direction; signs and words come last. */
-#include "picture/cells/cells_map.h"
+#include "picture/cells/cells.h"
 
 #include "base/math/functions.h"
 #include "base/text.h"
-#include "picture/heading.h"
 
 #include <math.h>
 #include <stdio.h>

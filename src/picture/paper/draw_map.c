@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The heat map of a body, and the bar that tells its colours. */
-#include "picture/paper/draw.h"
+#include "picture/paper/paper.h"
 
 #include "base/math/functions.h"
 

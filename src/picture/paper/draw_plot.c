@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A picture with axes on paper: frame, ticks, strokes cut at the frame, marks, labels and legend. */
-#include "picture/paper/draw.h"
+#include "picture/paper/paper.h"
 #include "picture/places.h"
 
 #include "base/math/functions.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Words on paper: quantities with their indices, phrases broken into lines. */
-#include "picture/paper/draw.h"
+#include "picture/paper/paper.h"
 #include "picture/table.h"
 
 #include <ctype.h>

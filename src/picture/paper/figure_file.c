@@ -10,7 +10,6 @@
 #include "picture/paper/paper.h"
 #include "base/assertion.h"
 #include "picture/paper/cairo_calls.h"
-#include "picture/paper/draw.h"
 
 #include <errno.h>
 #include <math.h>

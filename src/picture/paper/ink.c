@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The colours of a figure: told apart by all kinds of colour vision. */
-#include "picture/paper/ink.h"
+#include "picture/paper/paper.h"
 
 #include "base/assertion.h"
 

@@ -3,7 +3,7 @@
 #include "picture/paper/leaflet.h"
 
 #include "picture/paper/cairo_calls.h"
-#include "picture/paper/draw.h"
+#include "picture/paper/paper.h"
 
 #include <stdarg.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The parts of the screen in words (tell.h). */
 #include "picture/words/tell.h"
-#include "panes/parameters_shown.h"
+#include "panes/entry.h"
 #include "scenario/concern_loads.h"
 #include "scenario/settings.h"
 #include "scenario/rows/rows.h"
@@ -9,8 +9,7 @@
 #include "base/text.h"
 #include "answers/run_numbers.h"
 #include "panes/panes.h"
-#include "views/views.h"
-#include "panes/key_line.h"
+#include "views/view.h"
 #include "lessons/lesson_shown.h"
 #include "run/playback.h"
 #include "run/duel.h"

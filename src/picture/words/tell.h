@@ -5,7 +5,28 @@
 #define PICTURE_WORDS_TELL_H
 
 #include "panes/screen.h"
-#include "picture/words/words.h"
+#include "picture/canvas.h"
+
+/* --- the text ------------------------------------------------------------------------------------- */
+
+enum { WORDS_WIDTH = 72 }; /* no line has more columns */
+
+typedef struct Words {
+    char *text; /* lines, each ended by '\n'; NULL: nothing has been said */
+    size_t used, room;
+    bool lost; /* memory was short */
+} Words;
+
+void words_close(Words *); /* also forgets what was said */
+
+/* One paragraph, broken at spaces, its further lines `indent` columns to the right. */
+void words_say(Words *, int indent, const char *format, ...) __attribute__((format(printf, 3, 4)));
+
+/* The rows of a canvas that hold words, as lines: of a heading's rule only the words stay, of frames and
+ * empty rows nothing. `numbered`: each line begins with its number. */
+void words_canvas(Words *, const Canvas *, bool numbered);
+
+/* --- the screen ----------------------------------------------------------------------------------- */
 
 /* The parts of the screen, in the order in which they are told. */
 typedef enum TellPart {

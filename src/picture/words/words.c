@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The buffer of what is told (words.h). */
-#include "picture/words/words.h"
+/* The buffer of what is told (tell.h). */
+#include "picture/words/tell.h"
 
 #include <ctype.h>
 #include <stdarg.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Which inspector a simulation has: one row for each, the first that fits is taken. */
 #include "views/inspector/inspector.h"
-#include "views/views.h"
+#include "views/view.h"
 
 static const Inspector *const inspectors[] = {&inspector_mesh, &inspector_bonds, &inspector_family};
 

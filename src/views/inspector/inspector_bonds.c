@@ -3,7 +3,7 @@
  * and the forces as they add up to the node's. */
 #include "views/inspector/inspector.h"
 #include "base/text.h"
-#include "panes/screen_runs.h"
+#include "panes/screen.h"
 #include "scenario/concern_bonds.h"
 
 #include <math.h>

@@ -3,7 +3,7 @@
  * link it to the others, and what they give each other, stage by stage, with sums that a pencil can check. */
 #include "views/inspector/inspector.h"
 #include "base/text.h"
-#include "panes/screen_runs.h"
+#include "panes/screen.h"
 
 #include <math.h>
 #include <stdio.h>

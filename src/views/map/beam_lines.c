@@ -2,9 +2,9 @@
 /* The lines under a beam's plots: what its run is judged by. Phrases are parted by two spaces, what matters
  * most first; what has no room is left out whole. */
 #include "base/text.h"
-#include "panes/screen_runs.h"
+#include "panes/screen.h"
 #include "scenario/settings.h"
-#include "views/views.h"
+#include "views/view.h"
 #include "scenario/parameters.h"
 #include "answers/crack_growth.h"
 

@@ -5,10 +5,9 @@
 #ifndef VIEWS_MAP_MAP_H
 #define VIEWS_MAP_MAP_H
 
-#include "panes/screen_runs.h"
+#include "panes/screen.h"
 #include "picture/picture.h"
-#include "panes/stage_flow.h"
-#include "views/plots/runs.h"
+#include "views/plots/plots.h"
 
 /* The lattice of nodes: node k lies in column k % nx and row k / nx, row 0 below. Particles anywhere are one
  * row, and `low` and `size` are of their box. */

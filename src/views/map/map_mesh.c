@@ -4,7 +4,7 @@
  * and between the chosen particle and its nodes arrows from who gives to who takes. The chosen particle has
  * its principal stresses on it as a cross. */
 #include "views/map/map.h"
-#include "panes/stage_flow.h"
+#include "panes/screen.h"
 
 #include "base/math/functions.h"
 #include "answers/stress.h"
@@ -32,7 +32,7 @@ typedef struct MeshNodes {
 static bool mesh_open(const Map *map, MeshNodes *mesh)
 {
     bool inside;
-    *mesh = (MeshNodes){.count = map->sim->counts[1], .flow = stage_flow(map->screen, &inside)};
+    *mesh = (MeshNodes){.count = map->sim->counts[1], .flow = flow_of_stage(map->screen, &inside)};
     mesh->there = experiment_stage(map->screen->experiment) > 0;
     mesh->put_back = inside && !mesh->there;
     mesh->x = calloc(5 * mesh->count, sizeof *mesh->x);

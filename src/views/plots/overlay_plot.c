@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A foreign series over the plots: which view it belongs to, its stroke, marks and part of the axes. */
-#include "views/plots/overlay_plot.h"
+#include "views/plots/plots.h"
 #include "run/overlay.h"
 
 #include "picture/picture.h"

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The runs of a picture: earlier ones as ghosts with letters, then the present one, or both of a duel. */
-#include "views/plots/runs.h"
+#include "views/plots/plots.h"
 
-#include "views/plots/time_plot.h"
 #include "run/duel.h"
 #include "base/text.h"
 
@@ -137,7 +136,7 @@ void runs_add_ghosts(Picture *picture, const ShownRun *runs, int n_runs, const c
         if (runs[i].ghost < 0 || !runs[i].shown)
             continue;
         runs_begin(picture, &runs[i]);
-        time_plot_curve(picture, &(Curve){runs[i].record, runs_column(&runs[i], column), NULL, NULL});
+        time_plot_curve(picture, &(TimeCurve){runs[i].record, runs_column(&runs[i], column), NULL, NULL});
     }
 }
 

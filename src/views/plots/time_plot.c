@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What plots over time have in common: the window, the mark of the present, how far references will reach. */
-#include "views/plots/time_plot.h"
+#include "views/plots/plots.h"
 
 #include <math.h>
 
@@ -65,13 +65,13 @@ void time_plot_axes(const Screen *screen, Picture *picture, Axis y, const char *
 
 static double curve_sample(const void *context, size_t index, double *x)
 {
-    const Curve *curve = context;
+    const TimeCurve *curve = context;
     const double *row = record_row(curve->record, index);
     *x = row[1];
     return curve->value ? curve->value(row, curve->context) : row[curve->column];
 }
 
-void time_plot_curve(Picture *picture, const Curve *curve)
+void time_plot_curve(Picture *picture, const TimeCurve *curve)
 {
     const Record *record = curve->record;
     Plot *plot = &picture->plot;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Legends and the heading line of a plot, which gives way by a fixed order where room is short. */
-#include "picture/heading.h"
+#include "picture/cells/cells.h"
 
 #include "base/assertion.h"
 #include <stdio.h>

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The runs that a picture shows: the present one, the second one of a duel, and the ghosts of earlier ones.
- * Every view draws this list, so that all of them tell the runs apart in the same way: by line, style, and a
- * letter at the end of the curve. */
-#ifndef VIEWS_PLOTS_RUNS_H
-#define VIEWS_PLOTS_RUNS_H
+/* What plots of runs share: which runs they show and how these are told apart, curves over time, and a
+ * foreign series beside them. */
+#ifndef VIEWS_PLOTS_PLOTS_H
+#define VIEWS_PLOTS_PLOTS_H
 
-#include "panes/screen_runs.h"
+#include "panes/screen.h"
 #include "picture/picture.h"
+
+/* --- the runs of a picture ------------------------------------------------------------------------ */
 
 enum { RUNS_MAX = GHOSTS_MAX + 2, RUN_WORD_MAX = LEGEND_MAX + 56, RUN_MARKS = 4 };
 
@@ -73,5 +74,54 @@ int runs_note_findings(const Screen *, Picture *);
 
 /* Legend entries of the ghosts among these runs. */
 void runs_add_keys(Picture *, const ShownRun *, int n_runs);
+
+/* --- over time ------------------------------------------------------------------------------------ */
+
+typedef struct TimeCurve {
+    const Record *record;
+    int column;
+    double (*value)(const double *row, const void *context); /* NULL, or the value is this of the row */
+    const void *context;
+} TimeCurve;
+
+/* Axes over time, y with its name and unit. The window begins at a whole cell, so that curves shift by whole
+ * cells and do not shimmer. Rules mark breaks, touches, partings and tears that were told of, the present if
+ * it is not the newest time, and the cursor. */
+void time_plot_axes(const Screen *, Picture *, Axis y, const char *name, const char *unit);
+
+/* The time at the left and right end of the time plots, as drawn at present. */
+void time_plot_window(const Screen *, double *from, double *to);
+
+/* Adds a curve's part in the window to the last stroke begun, extremes of each column of dots kept. */
+void time_plot_curve(Picture *, const TimeCurve *);
+
+/* The distance of rows at which a whole record is looked through for the range of an axis: a picture must not
+ * take longer because the run is long. Axes are rounded up, and swings have many rows. */
+size_t time_plot_stride(const Record *);
+
+/* The largest magnitude of a column in the whole record, so that the axis does not depend on the window. */
+double time_plot_reach(const Record *, int column);
+
+/* Between what the references among the columns will lie: asked for times to come, so that the axis is right
+ * from the start. */
+void time_plot_range_to_come(const Screen *, double least[COLUMNS_MAX], double most[COLUMNS_MAX]);
+
+/* How the column of a record is drawn that answers another one: with which line, under which name. */
+PictureKey time_plot_key(const Column *columns, int column);
+
+/* Whether the reference curves that are shown are such as this one. */
+bool time_plot_shows(const Screen *, const Column *);
+
+/* --- a foreign series ----------------------------------------------------------------------------- */
+
+/* Widens a range, or tells the largest magnitude (0: there is none), so that the axis of y holds it. */
+void overlay_widen(const Screen *, const char *curve, bool along, double *least, double *most);
+double overlay_reach(const Screen *, const char *curve, bool along);
+
+/* Adds its dots, the first, least, largest and last value of each column of them, with marks and a name. */
+void overlay_add(const Screen *, Picture *, const char *curve, bool along);
+
+/* Its value at a time or place, that of the nearest row; NAN: it has none there. */
+double overlay_value(const Screen *, const char *curve, bool along, double x);
 
 #endif
