@@ -189,6 +189,19 @@ void places_write(Places *places, const Picture *picture)
         if (mark->kind == MARK_PLACE)
             take(places, x - half, y - half, x + half + size, y + half + size);
     }
+    for (int i = 0; i < picture->plot.n_strokes; i++) { /* bars */
+        const Stroke *stroke = &picture->plot.strokes[i];
+        const double *points = picture->plot.points + 2 * stroke->first;
+        double low[2] = {points[0], points[1]}, high[2] = {points[0], points[1]};
+        for (size_t k = 1; k < stroke->count && stroke->kind == STROKE_BAND; k++)
+            for (int d = 0; d < 2; d++) {
+                low[d] = fmin(low[d], points[2 * k + (size_t)d]);
+                high[d] = fmax(high[d], points[2 * k + (size_t)d]);
+            }
+        if (stroke->kind == STROKE_BAND)
+            take(places, places_across(places, picture, low[0]), places_down(places, picture, high[1]),
+                 places_across(places, picture, high[0]) + size, places_down(places, picture, low[1]) + size);
+    }
     for (int i = 0; i < picture->n_arrows && places->whole; i++) {
         const double x = places_across(places, picture, picture->arrows[i].to[0]);
         const double y = places_down(places, picture, picture->arrows[i].to[1]);

@@ -144,14 +144,8 @@ void crack_describe(const Screen *, int variant, Picture *);
 const char *crack_cost_variant_word(const Screen *, int variant);
 void crack_cost_describe(const Screen *, int variant, Picture *);
 
-/* Two or three cells of a bar's mesh, with the terms of a stage, or (1) where the mass of a node sits. */
-void cell_bar_describe(const Screen *, int variant, Picture *);
-
 /* One bond with its two ends, or the strongest of a family, in the place of a cell where there is no mesh. */
 void cell_bonds_describe(const Screen *, int variant, Picture *);
-
-/* A cell of a plane mesh with its nodes. */
-void cell_plane_describe(const Screen *, Picture *);
 
 /* A bond's force over its stretch, in the place of shape functions where there is no mesh. */
 void bond_law_describe(const Screen *, Picture *);

@@ -1,28 +1,706 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* One cell or one bond from near: what a stage passes between the chosen thing and those beside it. */
+/* One cell of a mesh from near: the chosen particle or node, what it is linked with, and the terms that pass
+ * between them in the stage that the box speaks of, each on its arrow and written so that they add up as they
+ * are. The terms are the method's own (Simulation.exchanges). The nodes of a bar are drawn above its
+ * particles, with bars of mass and momentum; in the plane all is where it is now. Where contact acts, a node
+ * that two bodies share has the common normal, both velocities before, and what one gives. Of bonds:
+ * view_cell_bonds.c. */
+#include "base/math/functions.h"
+#include "panes/screen.h"
+#include "scenario/settings.h"
+#include "views/cell_terms.h"
+#include "views/inspector/inspector.h"
 #include "views/view.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SHOWN_OF_LINE = 8, SHOWN_OF_PLANE = 4 };
+
+/* Heights in the drawing of a bar, of which the numbers of nodes have the upper end. */
+#define ROWS       12.0
+#define NUMBER_ROW 11.8
+#define DOTS_ROW   1.6
+#define ENDS       0.14 /* of its way that an arrow leaves free at both ends */
+
+typedef struct CellView {
+    const Screen *screen;
+    const Simulation *sim;
+    const Stage *stage;
+    bool done, running;
+    bool wiped; /* the grid was put back in the last stage: what it held is drawn as it was */
+    bool line;  /* a bar */
+    double grid,
+        tall; /* of a bar: the row of its grid, and how high bars on it can be: more where nothing passes */
+    CellTerms terms;
+    bool masses; /* where the mass of the chosen node sits, not what the stage passes */
+    bool has_row;
+    MassRow row; /* of the mass matrix */
+    bool meets;  /* contact acts in the stage */
+    long met;    /* the node whose contact is drawn; -1: none */
+    double low[2], high[2], spacing;
+    int places[2];                                           /* fields of nodes: x, y */
+    double *node_masses, *momenta, most_mass, most_momentum; /* of all nodes of a bar, in one block */
+} CellView;
+
+static void place_of(const CellView *view, int set, size_t index, double at[2])
+{
+    const Simulation *sim = view->sim;
+    for (int d = 0; d < 2; d++)
+        at[d] = view->line && d == 1 ? (set ? view->grid : DOTS_ROW)
+                : set                ? simulation_value(sim, view->places[d], index)
+                                     : simulation_value(sim, sim->position[d], index) +
+                            simulation_value(sim, sim->displacement[d], index);
+}
+
+static bool is_own(const CellView *view, int set, size_t index)
+{
+    return set == view->terms.set && index == view->terms.index;
+}
+
+static bool is_link(const CellView *view, int set, size_t index)
+{
+    for (size_t i = 0; i < view->terms.n_links && set != view->terms.set; i++)
+        if (view->terms.links[i].index == index)
+            return true;
+    return is_own(view, set, index);
+}
+
+static bool is_in_row(const CellView *view, size_t node)
+{
+    return view->has_row && node >= view->row.first && node < view->row.first + view->row.count;
+}
+
+static bool is_in_sight(const CellView *view, const double at[2])
+{
+    return at[0] > view->low[0] && at[0] < view->high[0] && at[1] > view->low[1] && at[1] < view->high[1];
+}
+
+static void widen(CellView *view, int set, size_t index, double beside)
+{
+    double at[2];
+    place_of(view, set, index, at);
+    for (int d = 0; d < 2; d++) {
+        view->low[d] = fmin(view->low[d], at[d] - beside);
+        view->high[d] = fmax(view->high[d], at[d] + beside);
+    }
+}
+
+/* From beyond the first to beyond the last link; beyond the ends of a bar's mesh there is nothing. */
+static void find_sides(CellView *view)
+{
+    const bool node = view->terms.set == 1;
+    double ends[2][2];
+    place_of(view, 1, 0, ends[0]);
+    place_of(view, 1, 1, ends[1]);
+    view->spacing = ends[1][0] - ends[0][0];
+    view->low[0] = view->low[1] = HUGE_VAL;
+    view->high[0] = view->high[1] = -HUGE_VAL;
+    widen(view, view->terms.set, view->terms.index, node ? view->spacing : 0);
+    for (size_t i = 0; i < view->terms.n_links; i++)
+        widen(view, 1 - view->terms.set, view->terms.links[i].index, 0);
+    for (size_t k = 0; k < view->row.count && view->has_row; k++)
+        if (view->row.masses[k] != 0)
+            widen(view, 1, view->row.first + k, 0);
+    if (view->line) {
+        place_of(view, 1, view->sim->counts[1] - 1, ends[1]);
+        view->low[0] = fmax(view->low[0], ends[0][0]);
+        view->high[0] = fmin(view->high[0], ends[1][0]);
+    }
+    view->low[0] -= (node ? 0.2 : 0.7) * view->spacing, view->high[0] += (node ? 0.6 : 0.8) * view->spacing;
+    view->low[1] = view->line ? 0 : view->low[1] - 0.25 * view->spacing;
+    view->high[1] = view->line ? ROWS : view->high[1] + 0.25 * view->spacing;
+}
+
+static int body_of(const CellView *view, int set, size_t index)
+{
+    return (int)simulation_named(view->sim, set, "body", index);
+}
+
+static const char *name_of_body(const CellView *view, int body)
+{
+    return experiment_settings(view->screen->experiment)->rows[ROWS_BODIES].rows[body].name;
+}
+
+/* The node of another body at the same place, where both have mass and no wall acts, so that what one loses
+ * is what it gives; -1: there is none. */
+static long other_at(const CellView *view, size_t node)
+{
+    const Simulation *sim = view->sim;
+    const int body = simulation_find_field(sim, 1, "body"), active = simulation_find_field(sim, 1, "active");
+    if (!(simulation_value(sim, active, node) > 0) || simulation_named(sim, 1, "fixed", node) > 0)
+        return -1;
+    for (size_t other = 0; other < sim->counts[1]; other++)
+        if (simulation_value(sim, view->places[0], other) == simulation_value(sim, view->places[0], node) &&
+            simulation_value(sim, view->places[1], other) == simulation_value(sim, view->places[1], node) &&
+            simulation_value(sim, body, other) != simulation_value(sim, body, node) &&
+            simulation_value(sim, active, other) > 0)
+            return (long)other;
+    return -1;
+}
+
+/* The link with the largest share, of those nodes that two bodies share if `shared`; -1: there is none. */
+static long heaviest(const CellView *view, bool shared)
+{
+    long most = -1;
+    double weight = 0;
+    for (size_t i = 0; i < view->terms.n_links; i++)
+        if (view->terms.links[i].weight > weight &&
+            (!shared || other_at(view, view->terms.links[i].index) >= 0)) {
+            most = (long)view->terms.links[i].index;
+            weight = view->terms.links[i].weight;
+        }
+    return most;
+}
+
+/* The row of the chosen node, or of the one that the chosen particle gives most to; lumped, all is its own.
+ */
+static void take_masses(CellView *view)
+{
+    const long most = heaviest(view, false);
+    if (view->terms.set == 0 && most < 0)
+        return;
+    if (view->terms.set == 0) {
+        view->terms.set = 1;
+        view->terms.index = (size_t)most;
+        cell_terms_find(&view->terms, NULL, SHOWN_OF_LINE);
+    }
+    const double own = simulation_named(view->sim, 1, "mass", view->terms.index);
+    view->has_row = view->done && !view->wiped && own > 0;
+    if (view->has_row && !inspector_mass_row(view->sim, 1, view->terms.index, &view->row))
+        view->row = (MassRow){view->terms.index, 1, {own}};
+}
+
+/* False: no memory. */
+static bool look(CellView *view, const Screen *screen, bool masses)
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    const int set = screen->chosen.is_node;
+    const size_t chosen = set ? screen->chosen.node : screen->chosen.particle, count = sim->counts[set];
+    *view = (CellView){.screen = screen,
+                       .sim = sim,
+                       .line = simulation_has(sim, HAS_LINE),
+                       .running = screen_is_running(screen),
+                       .masses = masses,
+                       .grid = masses ? 4.4 : 8.5,
+                       .tall = masses ? 6.2 : 2.4,
+                       .met = -1,
+                       .terms = {.sim = sim, .set = set, .index = chosen < count ? chosen : count - 1},
+                       .places = {simulation_find_field(sim, 1, "x"), simulation_find_field(sim, 1, "y")}};
+    view->stage = &sim->stages[screen_box_stage(screen, &view->done)];
+    view->done &= !view->running;
+    view->wiped = view->done && experiment_stage(screen->experiment) == 0;
+    cell_terms_find(&view->terms, view->done && !masses ? view->stage : NULL,
+                    view->line ? SHOWN_OF_LINE : SHOWN_OF_PLANE);
+    if (masses)
+        take_masses(view);
+    else if (set == 1 && view->terms.n_flows == 0 && view->done && !view->wiped)
+        view->has_row = inspector_mass_row(sim, 1, view->terms.index, &view->row);
+    find_sides(view);
+    view->meets = view->done && simulation_has(sim, HAS_BODIES) && strncmp(view->stage->id, "fix", 3) == 0;
+    if (view->meets)
+        view->met = set == 0 ? heaviest(view, true) : other_at(view, chosen) >= 0 ? (long)chosen : -1;
+    view->node_masses = calloc(2 * sim->counts[1] + 1, sizeof *view->node_masses);
+    if (!view->node_masses)
+        return false;
+    view->momenta = view->node_masses + sim->counts[1];
+    view->most_mass = screen_node_values(screen, "mass", view->wiped, view->node_masses);
+    view->most_momentum = screen_node_values(screen, "momentum", view->wiped, view->momenta);
+    return true;
+}
+
+/* --- nodes ----------------------------------------------------------------------------------------- */
+
+/* Whether a stage names a field among those that it writes, or reads. */
+static bool names(const char *words, const char *name)
+{
+    char word[64];
+    while (text_next_word(&words, word, sizeof word))
+        if (strcmp(word, name) == 0)
+            return true;
+    return false;
+}
+
+static bool writes(const CellView *view, const char *name)
+{
+    return view->done && !view->wiped && names(view->stage->writes, name);
+}
+
+static double sum_of_row(const CellView *view)
+{
+    double sum = 0;
+    for (size_t k = 0; k < view->row.count; k++)
+        sum += view->row.masses[k];
+    return sum;
+}
+
+static Writing writing_of_row(const CellView *view)
+{
+    return writing_of(view->row.masses, view->row.count, 0, sum_of_row(view), CELL_TERM_WIDTH);
+}
+
+/* The last factor of an exchange: what the giver has. */
+static const char *last_word(const char *words)
+{
+    const char *space = strrchr(words, ' ');
+    return space ? space + 1 : words;
+}
+
+/* The velocity by which a node gives, of a bar; each once. */
+static void given_numbers(const CellView *view, size_t node, char *out, size_t size)
+{
+    const CellTerms *terms = &view->terms;
+    for (int f = 0; f < terms->n_flows && !terms->to_nodes && view->line; f++) {
+        const char *factor = last_word(terms->flows[f].exchange->factors);
+        bool told = f > 0 && strcmp(factor, last_word(terms->flows[0].exchange->factors)) == 0;
+        for (size_t i = 0; i < terms->n_links && !told; i++)
+            if (terms->set ? node == terms->index : terms->links[i].index == node) {
+                text_append(out, size, "\n%s %s", factor, text_fitted(terms->flows[f].last[i], 5, 10).text);
+                told = true;
+            }
+    }
+}
+
+/* What a node has to do with the stage: its share, what the stage writes of it or what it gives in it. */
+static void node_numbers(const CellView *view, size_t node, char *out, size_t size)
+{
+    static const struct {
+        const char *written, *field, *label;
+    } values[] = {{"mass", "mass", "m"},    {"momentum", "momentum", "p"},
+                  {"momentum", "px", "px"}, {"momentum", "py", "py"},
+                  {"f", "f", "f"},          {"f", "fx", "fx"},
+                  {"f", "fy", "fy"}};
+    const bool made = view->terms.n_flows > 0; /* again, by terms that are seen */
+    const bool over = view->done && view->stage == &view->sim->stages[view->sim->n_stages - 1];
+    if (is_in_row(view, node)) {
+        const double mass = view->row.masses[node - view->row.first];
+        text_append(out, size, "\nM %s", cell_term_text(mass, writing_of_row(view)).text);
+        if (!view->masses)
+            cell_value_add(view->screen, 1, node, "velocity", "v", false, out, size);
+    }
+    if (view->masses || (is_in_row(view, node) && node != view->terms.index))
+        return;
+    for (size_t i = 0; i < view->terms.n_links && view->terms.set == 0 && !view->running; i++)
+        if (view->terms.links[i].index == node && (view->line ? !view->done : !over && !view->meets))
+            text_append(out, size, "\nN %s", text_fitted(view->terms.links[i].weight, 5, 9).text);
+    for (size_t k = 0; k < sizeof values / sizeof *values && !view->meets; k++)
+        if (writes(view, values[k].written))
+            cell_value_add(view->screen, 1, node, values[k].field, values[k].label, !made, out, size);
+    given_numbers(view, node, out, size);
+}
+
+static Style style_of_masses(const CellView *view)
+{
+    return writes(view, "mass") || view->has_row ? STYLE_SECOND : STYLE_FAINT;
+}
+
+static Style style_of_momenta(const CellView *view)
+{
+    return writes(view, "momentum") ? STYLE_PREDICTED : STYLE_FAINT;
+}
+
+/* A bar of so much of its band at the left of the node, from so many spacings on; its words are at the right.
+ */
+static void add_bar(const CellView *view, Picture *picture, double x, double from, double share,
+                    PictureKey key)
+{
+    if (share > 1e-6)
+        picture_box(picture, (double[]){x + from * view->spacing, x + (from + 0.04) * view->spacing},
+                    (double[]){view->grid, view->grid + share * view->tall},
+                    (Pen){LINE_SOLID, key.ascii, key.style, RANK_BAND, key.fill});
+}
+
+/* What a node of a bar has: its support, its mass (of a row what it shares with the chosen one) and momentum,
+ * and the vector that the stage makes or goes by, the longest of all a little less than half a cell. */
+static void add_bars(const CellView *view, Picture *picture, size_t node, double x)
+{
+    const double mass = is_in_row(view, node) ? view->row.masses[node - view->row.first]
+                        : view->masses        ? 0
+                                              : view->node_masses[node];
+    const char *vector = !view->done || view->wiped                                          ? NULL
+                         : names(view->stage->writes, "f") || names(view->stage->reads, "f") ? "f"
+                         : names(view->stage->reads, "velocity")                             ? "velocity"
+                                                                                             : NULL;
+    const int field = vector && !view->masses ? simulation_find_field(view->sim, 1, vector) : -1;
+    double most = 0;
+    if (simulation_named(view->sim, 1, "fixed", node) > 0) {
+        const double side = node < view->sim->counts[1] / 2 ? -0.19 : 0.02;
+        picture_box(picture, (double[]){x + side * view->spacing, x + (side + 0.06) * view->spacing},
+                    (double[]){0.5, view->grid}, (Pen){LINE_SOLID, '%', STYLE_FRAME, RANK_BAND, 1});
+    }
+    add_bar(view, picture, x, -0.11, view->most_mass > 0 ? mass / view->most_mass : 0,
+            (PictureKey){.ascii = 'm', .style = style_of_masses(view)});
+    if (view->most_momentum > 0 && !view->masses)
+        add_bar(view, picture, x, -0.06, fabs(view->momenta[node]) / view->most_momentum,
+                (PictureKey){.ascii = 'p', .style = style_of_momenta(view), .fill = 1});
+    for (size_t i = 0; field >= 0 && i < view->sim->counts[1]; i++)
+        most = fmax(most, fabs(simulation_value(view->sim, field, i)));
+    const double share = most > 0 ? simulation_value(view->sim, field, node) / most : 0;
+    const double from = x - (share < 0 ? 0.13 * view->spacing : 0);
+    if (fabs(share) >= 0.02)
+        picture_arrow(picture,
+                      &(PictureArrow){.from = {from, view->grid + 0.7},
+                                      .to = {from + 0.35 * share * view->spacing, view->grid + 0.7},
+                                      .style = is_link(view, 1, node) ? STYLE_CHANGED : STYLE_NORMAL});
+}
+
+static void add_contact(const CellView *, Picture *, size_t node, PictureLabel *);
+
+static void add_node(const CellView *view, Picture *picture, size_t node)
+{
+    const bool own = is_own(view, 1, node), linked = is_link(view, 1, node), line = view->line;
+    const Style there = experiment_stage(view->screen->experiment) > 0 ? STYLE_NORMAL : STYLE_FAINT;
+    double at[2], beside[2];
+    place_of(view, 1, node, at);
+    place_of(view, view->terms.set, view->terms.index, beside);
+    PictureLabel label = {.x = at[0],
+                          .y = line ? NUMBER_ROW : at[1],
+                          .side = !line && at[0] < beside[0] ? -1 : 1,
+                          .style = own      ? STYLE_SELECTED
+                                   : linked ? STYLE_NORMAL
+                                            : STYLE_FAINT,
+                          .thing = "node",
+                          .says_thing = true};
+    snprintf(label.text, sizeof label.text, "%zu", node);
+    const Pen pen = {LINE_SOLID, '|', line ? there : STYLE_FRAME, RANK_GHOST, 0};
+    picture_line(picture, at[0], line ? view->grid - 0.4 : view->low[1], at[0],
+                 line ? view->grid + 0.4 : view->high[1], pen);
+    if (line)
+        add_bars(view, picture, node, at[0]);
+    else
+        picture_line(picture, view->low[0], at[1], view->high[0], at[1],
+                     (Pen){LINE_SOLID, '-', STYLE_FRAME, RANK_GHOST, 0});
+    if (view->meets)
+        add_contact(view, picture, node, &label);
+    node_numbers(view, node, label.text, sizeof label.text);
+    picture_label(picture, &label);
+    picture_thing(picture, at[0], at[1],
+                  own || (!line && linked) ? 0x25a0
+                  : linked                 ? 0x25cf
+                                           : 0x253c,
+                  own || (!line && linked) ? STYLE_CHANGED : there, (PictureThing){1, node});
+}
+
+/* --- contact ---------------------------------------------------------------------------------------- */
+
+/* From the node that is drawn, as long as its share of `length`. */
+static void add_vector(const CellView *view, Picture *picture, const double vector[2], double length,
+                       Style style, const char *name, const char *told)
+{
+    PictureArrow arrow = {.style = style, .place = 0.8};
+    place_of(view, 1, (size_t)view->met, arrow.from);
+    for (int d = 0; d < 2; d++)
+        arrow.to[d] = arrow.from[d] + length * vector[d];
+    snprintf(arrow.text[0], sizeof arrow.text[0], "%.40s", name);
+    snprintf(arrow.brief[0], sizeof arrow.brief[0], "%.30s", name);
+    snprintf(arrow.told, sizeof arrow.told, "%s: %s %s, %s", told, name, text_fitted(vector[0], 3, 8).text,
+             text_fitted(vector[1], 3, 8).text);
+    picture_arrow(picture, &arrow);
+}
+
+/* At a node that another body shares: its number too, the common normal and what contact gives; at the one
+ * that matters most to the chosen particle also as arrows, with both velocities before. */
+static void add_contact(const CellView *view, Picture *picture, size_t node, PictureLabel *label)
+{
+    static const char *const fields[3][2] = {{"px", "py"}, {"nx", "ny"}, {"mass", "mass"}};
+    const Simulation *sim = view->sim;
+    const long other = other_at(view, node);
+    if (other < 0)
+        return;
+    const size_t both[2] = {node, (size_t)other};
+    double v[2][2], gives[2], n[2] = {0, 0}, fastest = 0;
+    for (int k = 1; k >= 0; k--)
+        for (int d = 0; d < 2; d++) {
+            const int momentum = simulation_find_field(sim, 1, fields[0][d]);
+            const double now = simulation_value(sim, momentum, both[k]);
+            double before = now;
+            experiment_field_before(view->screen->experiment, momentum, both[k], 1, &before);
+            v[k][d] = before / simulation_named(sim, 1, "mass", both[k]);
+            gives[d] = before - now;
+            n[d] += (k ? -1 : 1) * simulation_named(sim, 1, fields[1][d], both[k]);
+            fastest = fmax(fastest, math_hypot(v[k][0], v[k][1]));
+        }
+    const double length = math_hypot(n[0], n[1]), size = math_hypot(gives[0], gives[1]);
+    text_append(label->text, sizeof label->text, " | %zu\nn %s", both[1],
+                text_fitted(n[0] / length, 3, 6).text);
+    text_append(label->text, sizeof label->text, " %s\n%s", text_fitted(n[1] / length, 3, 6).text,
+                size > 0 ? "gives " : "gives nothing");
+    if (size > 0)
+        text_append(label->text, sizeof label->text, "%s %s", text_fitted(gives[0], 4, 9).text,
+                    text_fitted(gives[1], 4, 9).text);
+    label->style = size > 0 ? STYLE_CHANGED : STYLE_NORMAL;
+    if ((long)node != view->met)
+        return;
+    char told[64];
+    snprintf(told, sizeof told, "node %zu", node);
+    add_vector(view, picture, (double[]){n[0] / length, n[1] / length}, 0.45 * view->spacing, STYLE_CHANGED,
+               "n", told);
+    for (int k = 0; k < 2; k++) {
+        const int body = body_of(view, 1, both[k]);
+        snprintf(told, sizeof told, "node %zu, %s", both[k], name_of_body(view, body));
+        add_vector(view, picture, v[k], fastest > 0 ? 0.4 * view->spacing / fastest : 0,
+                   picture_kind_style(body), "v", told);
+    }
+}
+
+/* --- particles, and what passes ---------------------------------------------------------------------- */
+
+static void add_particle(const CellView *view, Picture *picture, size_t particle)
+{
+    const bool own = is_own(view, 0, particle), linked = is_link(view, 0, particle);
+    const CellTerms *terms = &view->terms;
+    double at[2];
+    place_of(view, 0, particle, at);
+    PictureLabel label = {.x = at[0],
+                          .y = at[1],
+                          .side = 1,
+                          .spare = !own && !(view->line && linked),
+                          .style = own      ? STYLE_SELECTED
+                                   : linked ? STYLE_NORMAL
+                                            : STYLE_FAINT,
+                          .thing = "particle"};
+    const Style style = own ? STYLE_CHANGED
+                        : simulation_has(view->sim, HAS_BODIES)
+                            ? picture_kind_style(body_of(view, 0, particle))
+                        : linked ? STYLE_MEASURED
+                                 : STYLE_FAINT;
+    picture_thing(picture, at[0], at[1], own || (linked && terms->set) ? 0x25cf : 0x25cb, style,
+                  (PictureThing){0, particle});
+    snprintf(label.text, sizeof label.text, "%zu", particle);
+    if (own && view->line && (terms->to_nodes || terms->n_flows == 0))
+        cell_value_add(view->screen, 0, particle, "x", "x", false, label.text, sizeof label.text);
+    for (int f = 0; f < terms->n_flows && own && !terms->to_nodes; f++) {
+        const char *field = terms->flows[f].exchange->field;
+        const int index = simulation_find_field(view->sim, 0, field);
+        if (index >= 0)
+            cell_value_add(view->screen, 0, particle, field, view->sim->fields[index].quantity.label,
+                           view->line || terms->flows[f].exchange->adds, label.text, sizeof label.text);
+    }
+    if (own || !view->meets)
+        picture_label(picture, &label);
+}
+
+/* The way that the stage passes something, with the terms of the strongest; between steps to all links. */
+static void add_arrow(const CellView *view, Picture *picture, size_t rank)
+{
+    const CellTerms *terms = &view->terms;
+    const size_t link = terms->order[rank], other = terms->links[link].index;
+    const size_t particle = terms->set ? other : terms->index, node = terms->set ? terms->index : other;
+    const bool taken = terms->n_flows > 0 && !terms->to_nodes,
+               named = terms->n_flows > 0 && rank < terms->shown;
+    PictureArrow arrow = {.style = named ? STYLE_CHANGED : STYLE_FAINT};
+    double ends[2][2];
+    place_of(view, 0, particle, ends[taken]);
+    place_of(view, 1, node, ends[!taken]);
+    if (view->line) /* at the side of the tick from which it comes */
+        ends[!taken][0] += (ends[taken][0] < ends[!taken][0] ? -0.03 : 0.03) * view->spacing;
+    for (int d = 0; d < 2; d++) {
+        arrow.from[d] = ends[0][d] + ENDS * (ends[1][d] - ends[0][d]);
+        arrow.to[d] = ends[1][d] - ENDS * (ends[1][d] - ends[0][d]);
+    }
+    /* nearer to the other end, where arrows are apart; in the plane beside it */
+    arrow.place = (terms->set == 0) == terms->to_nodes ? 0.62 : 0.38;
+    if (named)
+        cell_terms_arrow(terms, link, &arrow);
+    if (named && !view->line) {
+        double own[2];
+        place_of(view, 1 - terms->set, other, arrow.at);
+        place_of(view, terms->set, terms->index, own);
+        arrow.side = arrow.at[0] < own[0] ? 1 : -1;
+        if (picture_is_low(picture))
+            arrow.text[1][0] = '\0';
+    }
+    picture_arrow(picture, &arrow);
+}
+
+/* M v = p at the chosen node: what each node of the row brings in. */
+static void add_row(const CellView *view, Picture *picture)
+{
+    double terms[2 * MASSES_BESIDE_MAX + 1], sum = 0, own[2], at[2];
+    place_of(view, 1, view->terms.index, own);
+    for (size_t k = 0; k < view->row.count; k++)
+        sum += terms[k] =
+            view->row.masses[k] * simulation_named(view->sim, 1, "velocity", view->row.first + k);
+    const Writing writing = writing_of(terms, view->row.count, 0, sum, CELL_TERM_WIDTH);
+    for (size_t k = 0; k < view->row.count; k++) {
+        const size_t node = view->row.first + k;
+        const double apart = fabs((double)node - (double)view->terms.index), y = view->grid - 1 - 1.2 * apart;
+        const double aside = apart > 0 ? (node < view->terms.index ? -0.06 : 0.06) * view->spacing : 0;
+        place_of(view, 1, node, at);
+        PictureArrow arrow = {.style = STYLE_CHANGED,
+                              .from = {at[0], apart > 0 ? y : DOTS_ROW + 1},
+                              .to = {own[0] + aside, y},
+                              .place = apart > 0 ? 0.4 : 0.5};
+        strcpy(arrow.brief[0], cell_term_text(terms[k], writing).text);
+        snprintf(arrow.text[0], sizeof arrow.text[0], "M v %.20s", arrow.brief[0]);
+        snprintf(arrow.told, sizeof arrow.told, "node %zu brings M v = %.20s into node %zu", node,
+                 arrow.brief[0], view->terms.index);
+        picture_arrow(picture, &arrow);
+    }
+}
+
+/* "0.1875 + 0.625 + 0.1875 = 1" */
+static void tell_row(const CellView *view, Picture *picture)
+{
+    PictureLabel label = {.y = 3.2, .style = STYLE_CHANGED};
+    const NumberText sum = text_fitted(sum_of_row(view), 5, 10);
+    double at[2];
+    place_of(view, 1, view->terms.index, at);
+    label.x = at[0];
+    if (view->row.count == 1)
+        snprintf(label.text, sizeof label.text, "lumped: all of %s\nis the node's own", sum.text);
+    else
+        for (size_t k = 0; k < view->row.count; k++)
+            text_append(label.text, sizeof label.text, "%s%s", k ? " + " : "",
+                        cell_term_text(view->row.masses[k], writing_of_row(view)).text);
+    if (view->row.count > 1)
+        text_append(label.text, sizeof label.text, " = %s", sum.text);
+    picture_label(picture, &label);
+}
+
+/* --- words ----------------------------------------------------------------------------------------- */
+
+static void name_of(const CellView *view, char out[PICTURE_TEXT_MAX])
+{
+    const Simulation *sim = view->sim;
+    const CellTerms *terms = &view->terms;
+    const double cell = simulation_named(sim, terms->set, "cell", terms->index);
+    snprintf(out, PICTURE_TEXT_MAX, "%s %zu", sim->sets[terms->set].name, terms->index);
+    if (terms->n_flows > 0 && !view->line) /* numbers of a plane have no words of their own */
+        text_append(out, PICTURE_TEXT_MAX, ", %s", terms->flows[0].exchange->factors);
+    if (view->masses)
+        text_append(out, PICTURE_TEXT_MAX,
+                    view->has_row ? ", its row of the mass matrix M" : ": masses are mapped in stage 1");
+    else if (!view->running)
+        text_append(out, PICTURE_TEXT_MAX, ", %sstage %d: %s", view->done ? "" : "next ",
+                    (int)(view->stage - sim->stages) + 1, view->stage->name);
+    if (simulation_has(sim, HAS_BODIES))
+        text_append(out, PICTURE_TEXT_MAX, ", of %s",
+                    name_of_body(view, body_of(view, terms->set, terms->index)));
+    if (!view->line && isfinite(cell))
+        text_append(out, PICTURE_TEXT_MAX, ", in cell %.0f", cell);
+}
+
+/* As many lines as it needs, broken where the box breaks it: not at a no-break space. */
+static void add_spare(Picture *picture, const char *text)
+{
+    while (*text) {
+        char plain[PICTURE_TEXT_MAX];
+        const char *rest;
+        size_t used = 0;
+        const char *end = text + glyphs_line(text, picture->columns - 2, &rest);
+        for (; text < end && used + 1 < sizeof plain; text++) {
+            const bool held = strncmp(text, "\u00a0", 2) == 0;
+            plain[used++] = held ? ' ' : *text;
+            text += held;
+        }
+        plain[used] = '\0';
+        picture_note(picture, STYLE_NORMAL, plain)->spare = true;
+        text = rest;
+    }
+}
+
+/* The equation of the stage and its sums, where no box has them. */
+static void add_sums(const CellView *view, Picture *picture)
+{
+    enum { SUMS_MAX = 4096, LINES_MAX = 4 };
+    const Simulation *sim = view->sim;
+    char sums[SUMS_MAX] = "", text[PICTURE_TEXT_MAX], *rest;
+    snprintf(text, sizeof text, "%.*s", (int)strcspn(view->stage->equation, "\n"), view->stage->equation);
+    add_spare(picture, text);
+    if (!view->done || !sim->method->explain)
+        return;
+    sim->method->explain(sim, (int)(view->stage - sim->stages), view->terms.set, view->terms.index,
+                         experiment_before(view->screen->experiment), picture->columns / 16, sums,
+                         sizeof sums);
+    int lines = 0;
+    for (char *line = strtok_r(sums, "\n", &rest); line && lines < LINES_MAX;
+         line = strtok_r(NULL, "\n", &rest), lines++)
+        add_spare(picture, line);
+}
+
+/* --- the whole ------------------------------------------------------------------------------------- */
+
+static void add_thing(const CellView *view, Picture *picture, int set, size_t index)
+{
+    (set ? add_node : add_particle)(view, picture, index);
+}
+
+/* The chosen one first, then what it is linked with: where there is little room it is named. Nodes of a plane
+ * that it is not linked with are left out, in a low pane particles too: the terms are there. */
+static void add_things(const CellView *view, Picture *picture)
+{
+    double at[2];
+    add_thing(view, picture, view->terms.set, view->terms.index);
+    for (int linked = 1; linked >= 0; linked--)
+        for (int set = 1; set >= 0; set--)
+            for (size_t i = 0; i < view->sim->counts[set]; i++) {
+                place_of(view, set, i, at);
+                if (!is_in_sight(view, at) || is_own(view, set, i) || is_link(view, set, i) != linked ||
+                    (!view->line && !linked && (set || (view->terms.n_flows > 0 && picture_is_low(picture)))))
+                    continue;
+                add_thing(view, picture, set, i);
+            }
+}
+
+static void describe_mesh(const CellView *view, Picture *picture)
+{
+    const CellTerms *terms = &view->terms;
+    const RowList *bodies = &experiment_settings(view->screen->experiment)->rows[ROWS_BODIES];
+    char name[PICTURE_TEXT_MAX];
+    PictureLabel rest = {
+        .x = view->low[0], .y = (view->low[1] + view->high[1]) / 2, .side = 1, .style = STYLE_CHANGED};
+    name_of(view, name);
+    picture->kind = PICTURE_DRAWING;
+    picture->bare = true;
+    picture_axes(picture, axis_make(view->low[0], view->high[0]), "x", "",
+                 axis_make(view->low[1], view->high[1]), name, "");
+    if (view->line)
+        picture_line(picture, view->low[0], view->grid, view->high[0], view->grid,
+                     (Pen){LINE_SOLID, '-', STYLE_FRAME, RANK_GHOST, 0});
+    add_things(view, picture);
+    for (size_t rank = 0; rank < (view->line ? terms->shown : terms->n_links); rank++)
+        if (terms->n_flows > 0 || (!view->done && !view->running && !view->masses))
+            add_arrow(view, picture, rank);
+    cell_terms_rest(terms, rest.text, sizeof rest.text);
+    if (rest.text[0])
+        picture_label(picture, &rest);
+    if (view->has_row)
+        (view->masses ? tell_row : add_row)(view, picture);
+    if (view->line)
+        picture_key(picture, (PictureKey){LINE_SOLID, 'm', style_of_masses(view), "mass", SIGN_BAND, 0});
+    if (view->line && !view->masses)
+        picture_key(picture,
+                    (PictureKey){LINE_SOLID, 'p', style_of_momenta(view), "|momentum|", SIGN_BAND, 1});
+    for (int body = 0; simulation_has(view->sim, HAS_BODIES) && body < bodies->count; body++)
+        picture_key(picture, (PictureKey){LINE_SOLID, 'o', picture_kind_style(body), bodies->rows[body].name,
+                                          0x25cb, 0});
+    if (!view->running && !view->masses)
+        add_sums(view, picture);
+}
 
 static void describe(const Screen *screen, int variant, Picture *picture)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
+    CellView view = {0};
     if (simulation_has(sim, HAS_BONDS))
         cell_bonds_describe(screen, variant, picture);
     else if (!simulation_has(sim, HAS_MESH) || sim->counts[0] < 1 || sim->counts[1] < 2)
         picture_say(picture, "one cell", "There is neither a mesh nor a bond.");
-    else if (simulation_has(sim, HAS_LINE))
-        cell_bar_describe(screen, variant, picture);
-    else
-        cell_plane_describe(screen, picture);
+    else if (look(&view, screen, variant == 1))
+        describe_mesh(&view, picture);
+    free(view.node_masses);
 }
 
 static const char *word_of(const Screen *screen, int variant)
 {
-    static const char *const bonds[] = {"bond", "family", NULL}, *const line[] = {"terms", "masses", NULL},
-                             *const plane[] = {"terms", NULL};
+    static const char *const words[][3] = {{"bond", "family"}, {"terms", "masses"}, {"terms"}};
     const Simulation *sim = experiment_simulation(screen->experiment);
-    return (simulation_has(sim, HAS_BONDS)             ? bonds
-            : simulation_has(sim, HAS_MESH | HAS_LINE) ? line
-                                                       : plane)[variant];
+    return words[simulation_has(sim, HAS_BONDS)             ? 0
+                 : simulation_has(sim, HAS_MESH | HAS_LINE) ? 1
+                                                            : 2][variant];
 }
 
 const View view_cell = {

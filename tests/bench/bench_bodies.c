@@ -42,8 +42,8 @@ int main(void)
         for (int k = 0; k < 3; k++) {
             const BodiesDef def = {.width = 1,
                                    .height = 1,
-                                   .bodies = {{"left", BODY_DISC, {.2, .2, .2}, {.1, .1}, 0},
-                                              {"right", BODY_DISC, {.8, .8, .2}, {-.1, -.1}, 0}},
+                                   .bodies = {{"left", BODY_DISC, {.2, .2, .2}, {.1, .1}, 0, 0},
+                                              {"right", BODY_DISC, {.8, .8, .2}, {-.1, -.1}, 0, 0}},
                                    .n_bodies = 2,
                                    .youngs_modulus = 1000,
                                    .density = 1000,

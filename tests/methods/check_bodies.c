@@ -15,8 +15,8 @@ static BodiesDef two_discs(void)
 {
     return (BodiesDef){.width = 1,
                        .height = 0.8,
-                       .bodies = {{"left", BODY_DISC, {.25, .3, .2}, {.2, 0}, 0},
-                                  {"right", BODY_DISC, {.75, .45, .2}, {-.2, 0}, 0}},
+                       .bodies = {{"left", BODY_DISC, {.25, .3, .2}, {.2, 0}, 0, 0},
+                                  {"right", BODY_DISC, {.75, .45, .2}, {-.2, 0}, 0, 0}},
                        .n_bodies = 2,
                        .youngs_modulus = 1000,
                        .density = 1000,
@@ -98,7 +98,7 @@ START_TEST(an_affine_block)
     static const double C[4] = {.1, .03, -.02, .05}, expected[3] = {1.408861281, 1.077364509, .033149677};
     BodiesDef def = two_discs();
     def.n_bodies = 1;
-    def.bodies[0] = (BodyDef){"block", BODY_BLOCK, {.3, .2, .8, .7}, {0, 0}, 0};
+    def.bodies[0] = (BodyDef){"block", BODY_BLOCK, {.3, .2, .8, .7}, {0, 0}, 0, 0};
     def.height = 1;
     def.algorithm = (MpmAlgorithm)(_i % 3);
     def.shape = shapes[_i / 3 % 3];
@@ -123,8 +123,8 @@ static BodiesDef scene(bool turned, int number)
     def.friction = .3;
     def.wall_friction = .4;
     def.gap = .4;
-    const BodyDef arm = {"arm", BODY_BLOCK, {0, 0, .5, .2}, {0, 0}, 0},
-                  ball = {"ball", BODY_DISC, {.3, .45, .2}, {.15, -.2}, 0};
+    const BodyDef arm = {"arm", BODY_BLOCK, {0, 0, .5, .2}, {0, 0}, 0, 0},
+                  ball = {"ball", BODY_DISC, {.3, .45, .2}, {.15, -.2}, 0, 0};
     def.bodies[0] = arm;
     def.bodies[1] = ball;
     def.walls[WALL_LEFT] = WALL_CLAMP;
@@ -134,8 +134,8 @@ static BodiesDef scene(bool turned, int number)
     if (!turned)
         return def;
     def.width = .8, def.height = 1;
-    def.bodies[0] = (BodyDef){"arm", BODY_BLOCK, {0, 0, .2, .5}, {0, 0}, 0};
-    def.bodies[1] = (BodyDef){"ball", BODY_DISC, {.45, .3, .2}, {-.2, .15}, 0};
+    def.bodies[0] = (BodyDef){"arm", BODY_BLOCK, {0, 0, .2, .5}, {0, 0}, 0, 0};
+    def.bodies[1] = (BodyDef){"ball", BODY_DISC, {.45, .3, .2}, {-.2, .15}, 0, 0};
     def.walls[WALL_BOTTOM] = WALL_CLAMP;
     def.walls[WALL_LEFT] = WALL_FRICTION;
     def.walls[WALL_RIGHT] = WALL_SLIP;
@@ -168,7 +168,7 @@ START_TEST(free_flight_makes_no_stress)
 {
     BodiesDef def = two_discs();
     def.n_bodies = 1;
-    def.bodies[0] = (BodyDef){"block", BODY_BLOCK, {.2, .2, .4, .4}, {.05, 0}, 0};
+    def.bodies[0] = (BodyDef){"block", BODY_BLOCK, {.2, .2, .4, .4}, {.05, 0}, 0, 0};
     def.shape = shapes[_i % 3];
     def.algorithm = (MpmAlgorithm)(_i / 3);
     def.cell_size = .05;
@@ -198,7 +198,7 @@ START_TEST(what_is_seen)
     simulation_destroy(sim);
     def.n_bodies = 1;
     def.height = 1;
-    def.bodies[0] = (BodyDef){"ball", BODY_DISC, {.5, .6, .2}, {0, 0}, 0};
+    def.bodies[0] = (BodyDef){"ball", BODY_DISC, {.5, .6, .2}, {0, 0}, 0, 0};
     def.walls[WALL_BOTTOM] = WALL_SLIP;
     def.gravity[1] = -10;
     def.youngs_modulus = 2e5;
@@ -218,8 +218,8 @@ START_TEST(touches_are_events)
     BodiesDef def = two_discs();
     Status status;
     def.height = 1;
-    def.bodies[0] = (BodyDef){"left", BODY_DISC, {.2, .2, .2}, {.1, .1}, 0};
-    def.bodies[1] = (BodyDef){"right", BODY_DISC, {.8, .8, .2}, {-.1, -.1}, 0};
+    def.bodies[0] = (BodyDef){"left", BODY_DISC, {.2, .2, .2}, {.1, .1}, 0, 0};
+    def.bodies[1] = (BodyDef){"right", BODY_DISC, {.8, .8, .2}, {-.1, -.1}, 0, 0};
     def.cell_size = .05;
     def.courant = .2;
     Simulation *sim = create(&def), *rows = create(&def);
@@ -280,7 +280,7 @@ START_TEST(a_wall_is_touched_and_left)
     def.cell_size = .05;
     def.n_bodies = 1;
     def.height = 1;
-    def.bodies[0] = (BodyDef){"ball", BODY_DISC, {.5, .6, .2}, {0, 0}, 0};
+    def.bodies[0] = (BodyDef){"ball", BODY_DISC, {.5, .6, .2}, {0, 0}, 0, 0};
     def.walls[WALL_BOTTOM] = WALL_SLIP;
     def.gravity[1] = -10;
     def.youngs_modulus = 2e5;
@@ -301,7 +301,7 @@ START_TEST(a_tear_is_told)
 {
     BodiesDef def = two_discs();
     def.n_bodies = 1;
-    def.bodies[0] = (BodyDef){"arm", BODY_BLOCK, {0, 2, 1, 2.2}, {0, 0}, 0};
+    def.bodies[0] = (BodyDef){"arm", BODY_BLOCK, {0, 2, 1, 2.2}, {0, 0}, 0, 0};
     def.width = 2, def.height = 3;
     def.walls[WALL_LEFT] = WALL_CLAMP;
     def.gravity[1] = -10;
@@ -435,7 +435,7 @@ static void less_wall_friction(BodiesDef *def)
 static void spin_in_clamp(BodiesDef *def)
 {
     def->walls[WALL_LEFT] = WALL_CLAMP;
-    def->bodies[0] = (BodyDef){"arm", BODY_BLOCK, {0, 0, .4, .2}, {0, 0}, 1};
+    def->bodies[0] = (BodyDef){"arm", BODY_BLOCK, {0, 0, .4, .2}, {0, 0}, 1, 0};
 }
 static void stress_of_neo(BodiesDef *def)
 {
@@ -451,11 +451,11 @@ static void none(BodiesDef *def)
 }
 static void ring_without_width(BodiesDef *def)
 {
-    def->bodies[0] = (BodyDef){"o", BODY_RING, {.3, .3, .2, .2}, {0, 0}, 0};
+    def->bodies[0] = (BodyDef){"o", BODY_RING, {.3, .3, .2, .2}, {0, 0}, 0, 0};
 }
 static void empty_block(BodiesDef *def)
 {
-    def->bodies[0] = (BodyDef){"b", BODY_BLOCK, {.3, .3, .2, .4}, {0, 0}, 0};
+    def->bodies[0] = (BodyDef){"b", BODY_BLOCK, {.3, .3, .2, .4}, {0, 0}, 0, 0};
 }
 static void no_gap(BodiesDef *def)
 {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One cell from near: the terms on its arrows are those of the written sums, they add up to what the receiver
  * has, and cells, paper and words have the same. */
+#include "picture/cells/cells.h"
 #include "picture/paper/figure_file.h"
 #include "picture/words/tell.h"
 #include "suite.h"
@@ -427,7 +428,7 @@ START_TEST(contact_is_drawn)
     open_drawing(&drawing, "two-discs 132x43 190 stage 2 upper cell particle 191");
     const Picture *picture = &drawing.picture;
     const Experiment *experiment = drawing.screen->experiment;
-    int shared = 0, given = 0, normals = 0, keys = 0;
+    int shared = 0, given = 0, normals = 0, velocities = 0, keys = 0;
     for (int i = 0; i < picture->n_labels; i++) {
         const char *text = picture->labels[i].text, *bar = strstr(text, " | "),
                    *gives = strstr(text, "gives ");
@@ -449,14 +450,54 @@ START_TEST(contact_is_drawn)
                 ck_assert_double_eq_tol(now - before, k ? impulse[d] : -impulse[d], 1e-3 * most);
             }
     }
-    for (int a = 0; a < picture->n_arrows; a++)
-        normals += strstr(picture->arrows[a].told, ": n = ") != NULL;
+    for (int a = 0; a < picture->n_arrows; a++) {
+        normals += strstr(picture->arrows[a].told, ": n ") != NULL;
+        velocities += strstr(picture->arrows[a].told, ": v ") != NULL;
+    }
     for (int k = 0; k < picture->n_keys; k++)
         keys += strcmp(picture->keys[k].name, "left") == 0 || strcmp(picture->keys[k].name, "right") == 0;
     ck_assert_int_gt(given, 0);
-    ck_assert_int_eq(normals, shared);
+    ck_assert_int_gt(shared, 1);
+    ck_assert_int_eq(normals, 1); /* of the node with most of the particle */
+    ck_assert_int_eq(velocities, 2);
+    ck_assert_ptr_nonnull(strstr(drawing.sums, "right: v = ("));
     ck_assert_int_eq(keys, 2);
     close_drawing(&drawing);
+}
+END_TEST
+
+/* No word is over a bar: the columns of bars are the same with the words as without them. */
+START_TEST(words_leave_bars_free)
+{
+    static const char *const words[] = {
+        "mode1 80x24 3 stage 1 upper cell focus 2 zoom", "mode1 60x18 3 stage 2 upper cell focus 2",
+        "mode5 80x24 700 stage 1 node upper cell", "mode5 80x24 700 stage 1 mpm.shape=bspline3 upper cell"};
+    static const int widths[] = {84, 44};
+    enum { ROWS = 25 };
+    for (size_t k = 0; k < 2 * sizeof words / sizeof *words; k++) {
+        const int width = widths[k % 2];
+        Drawing drawing;
+        Canvas with = {0}, without = {0};
+        Status status = {STATUS_DONE, ""};
+        int bars = 0;
+        open_drawing(&drawing, words[k / 2]);
+        Picture *picture = &drawing.picture;
+        picture_close(picture);
+        view_describe(view_named("cell"), drawing.screen, width, ROWS, picture);
+        ck_assert(canvas_open(&with, width, ROWS, &status) && canvas_open(&without, width, ROWS, &status));
+        cells_draw(picture, (Area){&with, {0, 0, width, ROWS}, GLYPHS_BRAILLE}, STYLE_NORMAL, 256);
+        picture->n_labels = 0;
+        cells_draw(picture, (Area){&without, {0, 0, width, ROWS}, GLYPHS_BRAILLE}, STYLE_NORMAL, 256);
+        for (int i = 0; i < width * ROWS; i++)
+            if (without.cells[i].style == STYLE_SECOND || without.cells[i].style == STYLE_PREDICTED) {
+                ck_assert_uint_eq(with.cells[i].glyph, without.cells[i].glyph);
+                bars++;
+            }
+        ck_assert_int_gt(bars, 2);
+        canvas_close(&with);
+        canvas_close(&without);
+        close_drawing(&drawing);
+    }
 }
 END_TEST
 
@@ -494,6 +535,7 @@ void add_cases(Suite *suite)
     tcase_add_test(cases, shares_in_the_plane_add_up);
     tcase_add_test(cases, terms_in_the_plane_are_the_methods);
     tcase_add_test(cases, contact_is_drawn);
+    tcase_add_test(cases, words_leave_bars_free);
     tcase_add_test(cases, mouse_chooses_what_is_drawn);
     suite_add_tcase(suite, cases);
 }

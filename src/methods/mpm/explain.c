@@ -258,6 +258,14 @@ static void fix_particle(const Subject *subject)
     calculation_write(subject->to, "none of its nodes is held: nothing changes here\n");
 }
 
+static void write_pair(Calculation *to, const char *label, double x, double y, const char *after)
+{
+    calculation_write(to, "%s(", label);
+    calculation_number(to, "", x);
+    calculation_number(to, ", ", y);
+    calculation_write(to, ")%s", after);
+}
+
 /* What contact does at the node between two fields, from the momenta before the stage; false: they do not
  * share the node. */
 static bool write_meeting(const Subject *subject, int a, int b)
@@ -276,25 +284,34 @@ static bool write_meeting(const Subject *subject, int a, int b)
         return false;
     const char *other = mpm->bodies->def.bodies[own == a ? b : a].name;
     const double most = 2.0 * mpm->bodies->def.gap;
-    calculation_number(to, "n = (", sign * meeting.normal[0]);
-    calculation_number(to, ", ", sign * meeting.normal[1]);
-    calculation_number(to, ")   d = ", meeting.distance);
+    write_pair(to, "n = ", sign * meeting.normal[0], sign * meeting.normal[1], "   ");
+    calculation_number(to, "d = ", meeting.distance);
     if (isfinite(most)) {
         calculation_write(to, meeting.distance > most ? " >" : " ≤");
         calculation_number(to, " 2 gap = ", most);
     }
     calculation_value(
         to, "   vₙ = ", meeting.approach * (own == a ? 1.0 : mpm->node_mass[at[0]] / mpm->node_mass[at[1]]));
+    for (int k = 0; k < 2; k++) { /* its own first */
+        const int field = k == (own == a) ? 1 : 0;
+        calculation_write(to, k ? "%s: " : "before, %s: ", mpm->bodies->def.bodies[field ? b : a].name);
+        write_pair(to, "v = ", q[field][0] / mpm->node_mass[at[field]],
+                   q[field][1] / mpm->node_mass[at[field]], k ? "\n" : "   ");
+    }
     if (meeting.impulse[0] == 0.0 && meeting.impulse[1] == 0.0) {
         calculation_write(to, "it gives %s nothing: %s\n", other,
                           meeting.approach > 0.0 ? "d > 2 gap" : "vₙ ≤ 0, they part");
         return true;
     }
-    calculation_write(to, "it gives %s", other);
-    calculation_number(to, " (", sign * meeting.impulse[0]);
-    calculation_number(to, ", ", sign * meeting.impulse[1]);
-    calculation_write(to, ")\n");
+    calculation_write(to, "it gives %s ", other);
+    write_pair(to, "", sign * meeting.impulse[0], sign * meeting.impulse[1], "\n");
     return true;
+}
+
+/* A momentum that the stage has taken away is 0, not what rounding leaves of it. */
+static double rounded(const Subject *subject, const double *now)
+{
+    return fabs(*now) < 1e-12 * fabs(was(subject, now)) ? 0 : *now;
 }
 
 /* Walls, and contact, which beside a wall begins with what the wall leaves. */
@@ -311,18 +328,35 @@ static void touch_node(const Subject *subject)
     for (int other = 0; !wall && other < mpm->bodies->n_fields; other++)
         if (other != own)
             any = write_meeting(subject, other < own ? other : own, other < own ? own : other) || any;
-    for (int axis = 0; any && axis < 2; axis++)
-        write_change(subject, axis ? "py" : "px", &mpm->momentum[axis][subject->index]);
+    const double *const p[2] = {&mpm->momentum[0][subject->index], &mpm->momentum[1][subject->index]};
+    if (any) {
+        write_pair(subject->to, "p: ", was(subject, p[0]), was(subject, p[1]), " → ");
+        write_pair(subject->to, "", rounded(subject, p[0]), rounded(subject, p[1]), "\n");
+    }
     if (!any)
         calculation_write(subject->to, "no wall and no other body here: its momentum stays\n");
 }
 
-/* At the node of which the particle has the largest share. */
+/* Two bodies share the node, and no wall acts on it. */
+static bool is_shared(const Mpm *mpm, int index)
+{
+    bool other = false;
+    for (int i = index % mpm->grid_nodes; i < mpm->n_nodes; i += mpm->grid_nodes)
+        other |= i != index && mpm->inverse[i] > 0.0;
+    return other && mpm->inverse[index] > 0.0 && !bodies_at_wall(mpm, index);
+}
+
+/* At the node of which the particle has the largest share; one that bodies share first. */
 static void touch_particle(const Subject *subject)
 {
     size_t most = 0;
-    for (size_t i = 1; i < subject->n_links; i++)
-        most = subject->links[i].weight > subject->links[most].weight ? i : most;
+    double largest = -1.0;
+    for (size_t i = 0; i < subject->n_links; i++) {
+        const double weight =
+            subject->links[i].weight + (is_shared(subject->mpm, (int)subject->links[i].index) ? 1.0 : 0.0);
+        most = weight > largest ? i : most;
+        largest = weight > largest ? weight : largest;
+    }
     Subject node = *subject;
     node.set = MPM_NODES;
     node.index = (int)subject->links[most].index;
