@@ -168,8 +168,8 @@ static bool go_on(double share, void *context)
 
 /* --- the table -------------------------------------------------------------------------------------- */
 
-static const char *const heads[] = {"name",  "exercise", "value",   "right_answer", "mark",
-                                    "tries", "time",     "session", "remark"};
+static const char *const columns[] = {"name",  "exercise", "value",   "right_answer", "mark",
+                                      "tries", "time",     "session", "remark"};
 enum { NAME, EXERCISE, VALUE, RIGHT_ANSWER, MARK, TRIES, TIME, SESSION, REMARK, CELLS };
 
 /* "3 Half a period": the number of its page and what is above it. */
@@ -284,7 +284,7 @@ static bool mark_all(Marking *marking, const Options *options, Status *status)
     bool sound = (grades && origins) || status_fail(status, "out of memory");
     for (int i = 0; i < marking->sessions && sound; i++)
         grading_origin(&marking->lesson, options->words[i + 1], &origins[i]);
-    csv_header(marking->table, marking->dialect, heads, CELLS);
+    csv_header(marking->table, marking->dialect, columns, CELLS);
     for (int i = 1; i < options->n_words && sound; i++) {
         marking->session = i - 1;
         sound = grading_session(&marking->task, options->words[i], grades, status);

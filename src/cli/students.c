@@ -101,8 +101,8 @@ static bool has_right(const Student *student, const Lesson *lesson, int page)
 
 enum { ID, NAME, GRADE, MAXIMUM, FEEDBACK, UNREAD, SESSIONS, REMARK, CELLS };
 enum { FEEDBACK_MAX = 8192 };
-static const char *const heads[CELLS] = {"ID number",         "Full name", "Grade",    "Maximum grade",
-                                         "Feedback comments", "To read",   "Sessions", "Remark"};
+static const char *const columns[CELLS] = {"ID number",         "Full name", "Grade",    "Maximum grade",
+                                           "Feedback comments", "To read",   "Sessions", "Remark"};
 
 static void write_student(const Students *students, const Student *student, const Lesson *lesson,
                           FILE *stream, Dialect dialect)
@@ -143,7 +143,7 @@ static void write_student(const Students *students, const Student *student, cons
 
 void students_write(const Students *students, const Lesson *lesson, FILE *stream, Dialect dialect)
 {
-    csv_header(stream, dialect, heads, CELLS);
+    csv_header(stream, dialect, columns, CELLS);
     for (int i = 0; i < students->count; i++)
         write_student(students, &students->list[i], lesson, stream, dialect);
 }

@@ -33,7 +33,7 @@ typedef struct Work {
     double *bands[2]; /* of each component; the second NULL if supports hold both alike: then one is enough */
     double *z[2];     /* momenta, over the nodes of the box */
     bool *out[2];     /* nodes that take no part */
-    int32_t *heads;   /* of each column of the grid: the first particle whose nodes begin there */
+    int32_t *firsts;  /* of each column of the grid: the first particle whose nodes begin there */
     int32_t *nexts;   /* of each particle: the next one; -1: there is none */
 } Work;
 
@@ -65,15 +65,15 @@ static double *column_of(const Work *work, int which, int column)
 
 /* Chains of the particles by the column in which their nodes begin, each in their order, and the box of all.
  */
-static Box sort(const Mpm *mpm, int32_t *heads, int32_t *nexts)
+static Box sort(const Mpm *mpm, int32_t *firsts, int32_t *nexts)
 {
     int left = mpm->gx, right = 0, low = mpm->gy, high = 0;
     for (int i = 0; i < mpm->gx; i++)
-        heads[i] = -1;
+        firsts[i] = -1;
     for (int p = mpm->n_particles - 1; p >= 0; p--) {
         const int j = mpm->base[p] / mpm->gx, i = mpm->base[p] - j * mpm->gx;
-        nexts[p] = heads[i];
-        heads[i] = p;
+        nexts[p] = firsts[i];
+        firsts[i] = p;
         left = i < left ? i : left;
         right = i > right ? i : right;
         low = j < low ? j : low;
@@ -86,8 +86,8 @@ static Box sort(const Mpm *mpm, int32_t *heads, int32_t *nexts)
  * momentum they have. */
 static Work prepare(const Mpm *mpm)
 {
-    Work work = {.heads = (int32_t *)mpm->null, .nexts = (int32_t *)mpm->null + mpm->gx};
-    const Box box = work.box = sort(mpm, work.heads, work.nexts);
+    Work work = {.firsts = (int32_t *)mpm->null, .nexts = (int32_t *)mpm->null + mpm->gx};
+    const Box box = work.box = sort(mpm, work.firsts, work.nexts);
     const int count = box.columns * box.rows;
     work.width = width_of(mpm, box.rows);
     work.stride = work.width + 1;
@@ -125,7 +125,7 @@ static bool takes_part(const Work *work, int column)
 static void assemble(const Mpm *mpm, const Work *work, int column)
 {
     const int n = mpm->support;
-    for (int p = work->heads[work->box.i + column]; p >= 0; p = work->nexts[p]) {
+    for (int p = work->firsts[work->box.i + column]; p >= 0; p = work->nexts[p]) {
         const MpmWeights w = mpm_weights_of(mpm, p);
         const int j = mpm->base[p] / mpm->gx - work->box.j;
         for (int a = 0; a < n; a++)
