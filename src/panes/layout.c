@@ -6,6 +6,7 @@
 #include "scenario/concern_body.h"
 #include "scenario/settings.h"
 #include "views/view.h"
+#include "views/views.h"
 #include "lessons/lesson_shown.h"
 #include "panes/screen.h"
 #include "run/playback.h"
@@ -243,7 +244,8 @@ enum {
     LESSON_STRIP_HEIGHT = 20,
     ASKED_WIDTH = 34,
     ASKED_MOST = 40,
-    DRAWING_ROWS = 15 /* with the sums of a stage below it */
+    PROFILE_HEIGHT = 30, /* from here on the displacement along a bar is above its plot */
+    DRAWING_ROWS = 15    /* with the sums of a stage below it */
 };
 
 /* The one picture: the plot that was looked at last. */
@@ -335,7 +337,15 @@ static void lay_out_scenario(const Screen *screen, int width, int height, Layout
         middle += box, box = 0;
     const int top = 1 + strip, end = top + middle + box;
     layout->panes[PANE_MESH] = (Rect){0, 1, strip ? width : 0, strip};
-    lay_out_picture(screen, (Rect){0, top, width, middle}, layout);
+    const bool both = height >= PROFILE_HEIGHT && middle >= 2 * PICTURE_LEAST && strip > 0 &&
+                      !screen->panes.lecture && !screen->panes.inspecting &&
+                      screen->views.upper == &view_profile && screen->views.lower->has_time_axis;
+    const int profile = both ? middle * 2 / 5 : 0;
+    if (both) {
+        layout->panes[PANE_UPPER] = (Rect){0, top, width, profile};
+        layout->panes[PANE_LOWER] = (Rect){0, top + profile, width, middle - profile};
+    } else
+        lay_out_picture(screen, (Rect){0, top, width, middle}, layout);
     layout->panes[PANE_BOX] = (Rect){0, top + middle, box ? width : 0, box};
     layout->question = (Rect){0, end, question ? width : 0, question};
     layout->number = (Rect){0, end + question, width - fields - 1, below};

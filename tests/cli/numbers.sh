@@ -365,6 +365,8 @@ last_row mode5 --set mpm.flip_fraction=0.99 --end 4
 claim $lesson/filters.lesson "left where it was " 81 " %" left
 last_row mode5 --set mpm.flip_fraction=0.99 --end 4 --set time.courant=0.05
 claim $lesson/filters.lesson "filters: " 64 " % are left" left
+run mode5 --set mpm.mass_blend=0.05 --end 13.1
+claim $lesson/cure.lesson "matrix left: " 1.4 " %" frequency_error
 run mode5 --set mpm.transfer=fmpm --set mpm.fmpm_order=4
 claim $lesson/filters.lesson "The mode is " 1.7 " % too early" predicted_error
 claim $lesson/cure.lesson "By " 1.7 " %. The lag has two parts" predicted_error

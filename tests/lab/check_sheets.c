@@ -27,16 +27,17 @@ static bool is_plain(const Bench *bench)
     return screen_is_plain(&bench->lab.screen);
 }
 
-/* One picture, one number, what is asked: no second plot, no table, no box, no timeline. */
+/* One picture, from 30 rows on the displacement along the bar above it, one number, what is asked: no table,
+ * no box, no timeline. */
 START_TEST(the_plain_sheet_has_one_of_each)
 {
-    static const int sizes[][2] = {{80, 24}, {132, 43}, {60, 18}, {200, 60}, {100, 20}};
+    static const int sizes[][2] = {{80, 24}, {132, 43}, {60, 18}, {200, 60}, {100, 20}, {80, 30}, {80, 29}};
     Bench *bench = open_bench("mode5", true);
     open_sheet(bench, "plain");
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
         const Layout layout = layout_make(&bench->lab.screen, sizes[i][0], sizes[i][1]);
         const int plots = (layout.panes[PANE_UPPER].width > 0) + (layout.panes[PANE_LOWER].width > 0);
-        ck_assert_int_eq(plots, 1);
+        ck_assert_int_eq(plots, sizes[i][1] < 30 ? 1 : 2);
         ck_assert_int_eq(layout.panes[PANE_BOX].width, 0);
         ck_assert_int_eq(layout.timeline.width, 0);
         ck_assert_int_eq(layout.sides[0].width + layout.sides[1].width, 0);
