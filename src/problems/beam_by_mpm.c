@@ -33,6 +33,9 @@ static PlaneDef definition(const Settings *settings, int threads)
         .algorithm = settings_transfer(settings)->algorithm,
         .shape = settings_transfer(settings)->shape,
         .flip_fraction = settings_transfer(settings)->flip_fraction,
+        .mistake = settings_transfer(settings)->mistake,
+        .conceals_mistake = settings->concealed,
+        .mistake_beside = settings_transfer(settings)->mistake_beside,
         .amplitude = settings_start(settings)->amplitude,
         .start = settings_start(settings)->start,
         .stress = settings_start(settings)->stress,
@@ -45,6 +48,14 @@ static PlaneDef definition(const Settings *settings, int threads)
         .threads = threads,
         .cancel = settings->cancel,
     };
+}
+
+/* Of what is known of a code without its mistake. */
+static PlaneDef right_definition(const Settings *settings)
+{
+    PlaneDef def = definition(settings, 1);
+    def.mistake = def.mistake_beside = 0;
+    return def;
 }
 
 static bool check(const Settings *settings, Status *status)
@@ -71,7 +82,7 @@ static double plane_period(const Settings *settings)
 
 static bool make_body(const Settings *settings, BeamBody *body, Status *status)
 {
-    const PlaneDef def = definition(settings, 1);
+    const PlaneDef def = right_definition(settings);
     *body = (BeamBody){.real = beam_theory_of(settings),
                        .plane = plane_period(settings),
                        .from_tip = def.cell_size / def.particles_per_cell / 2};
@@ -135,7 +146,7 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
 /* Below these courant numbers no mesh is near its limit, which is not worked out then. */
 static bool limit(const Settings *settings, char *text, size_t size, Status *status)
 {
-    const PlaneDef def = definition(settings, 1);
+    const PlaneDef def = right_definition(settings);
     double largest;
     if (def.courant < (def.algorithm == MPM_USL ? 0.6 : 1))
         return true;
@@ -203,18 +214,22 @@ static bool invariant_kept(const Settings *settings)
         "mpm.algorithm", "mpm.shape", "mpm.flip_fraction", "supports.ends", "initial.stress",                \
         "time.courant", "time.unstable", "time.end"
 
-/* The motion beside is that of a deflection let go; frequencies are those of any start. */
-static const char *const of_motion[] = {BEAM_KEYS, NULL};
-static const char *const of_any_start[] = {BEAM_KEYS, "initial.start", NULL};
-static const char *const changes[] = {"mpm.algorithm", "mpm.flip_fraction", NULL};
+/* The motion beside is that of a deflection let go, frequencies those of any start, both of the right code.
+ */
+static const char *const of_motion[] = {BEAM_KEYS, "mpm.mistake", NULL};
+static const char *const of_any_start[] = {BEAM_KEYS, "initial.start", "mpm.mistake", NULL};
+static const char *const of_energy[] = {BEAM_KEYS, "initial.start", NULL};
+static const char *const of_mistakes[] = {"mpm.mistake", NULL};
+static const char *const changes[] = {"mpm.algorithm", "mpm.flip_fraction", "mpm.mistake", NULL};
+static const char *const energy_changes[] = {"mpm.algorithm", "mpm.flip_fraction", NULL};
 
 #define ALIKE                                                                                                \
     .method = METHOD_MPM, .check = check, .simulate = simulate, .derived = derived, .limit = limit,          \
     .advice = advice, .damping = damping, .invariant = invariant, .invariant_kept = invariant_kept,          \
     .validity = {[REFERENCE_EXACT] = {of_motion, changes},                                                   \
-                 [REFERENCE_PREDICTED] = {of_any_start, NULL},                                               \
+                 [REFERENCE_PREDICTED] = {of_any_start, of_mistakes},                                        \
                  [REFERENCE_FREQUENCY] = {of_any_start, changes},                                            \
-                 [REFERENCE_ENERGY] = {of_any_start, changes}}
+                 [REFERENCE_ENERGY] = {of_energy, energy_changes}}
 
 const Solver beam_by_mpm_supported = {
     ALIKE,

@@ -16,6 +16,7 @@ import beams
 import bodies
 import bonds
 import golden
+import plane
 
 
 class WrongBar(bar.Bar):
@@ -337,6 +338,110 @@ class WrongRod:
         return {"v_cm": self.v.mean()}
 
 
+class WrongCells(plane.Beam):
+    """The supported beam by the material point method, each stage as plane.py has it but for the mistake."""
+
+    def __init__(self, mistake, given):
+        number = lambda key: float(given[key])
+        self.mistake, self.mass = mistake, 0
+        super().__init__(*(number("beam." + key) for key in ("length", "height", "thickness", "youngs_modulus", "density", "poisson")),
+                         number("mesh.cell_size"), int(given["mesh.particles_per_cell"]), number("initial.amplitude"),
+                         number("time.courant"), 2, False, given["mpm.shape"], given["mpm.algorithm"])
+        if mistake == "mass_of_cell":
+            self.m *= self.P ** 2
+        self.rho_before = self.rho
+
+    def shapes(self):
+        box = {"gimp_whole_length": 2, "gimp_half_of_half": 0.5}.get(self.mistake, 1)
+        self.P, P = self.P / box, self.P
+        super().shapes()
+        self.P = P
+
+    def slope(self, stage):
+        natural = self.mistake in ("natural_slope", "natural_slope_in_" + stage)
+        return self.dx if self.mistake == "gradient_without_h" else self.dx / 2 if natural else 1
+
+    def held(self, step):
+        if self.mistake != "fix_next_node":
+            return super().held(step)
+        x, y = self.nodes(step)
+        left, right = (abs(x - place) < 1e-6 * self.dx for place in (self.dx, self.L - self.dx))
+        return left & (abs(y) < 1e-6 * self.dx), left | right
+
+    def map(self):
+        mass, p = (self.mass, self.p_kept) if self.mistake.startswith("keep_grid") and self.step_number else (0, 0)
+        super().map()
+        self.mass, self.p = self.mass + mass, self.p + p
+
+    def hold(self):
+        if self.mistake in ("no_fix_momentum", "fix_after_strain", "fix_at_end"):
+            self.u = self.velocity()
+        else:
+            super().hold()
+        self.u_before = self.velocity()
+
+    def hold_again(self):
+        if self.mistake == "keep_grid_twice":
+            self.p = self.p + self.p_integrated
+        if self.mistake == "no_second_fix":
+            self.u = self.velocity()
+        else:
+            super().hold()
+        if self.mistake == "x_by_mapped_velocity":
+            self.x = self.x + self.dt * self.u @ self.N.T
+
+    def strain(self):
+        k, self.s_before, self.rho_before = self.mistake, self.s, self.rho
+        e = (1 if k == "strain_without_dt" else self.dt) * self.strain_by(self.u) * self.slope("strain")
+        self.s = (0 if k == "stress_not_added" else self.s) + self.stress_of(e)
+        left = 1 + e[0] + e[1]
+        self.rho = self.rho if k == "density_kept" else self.rho * left if k == "density_inverted" else self.rho / left
+        if k == "fix_after_strain":
+            along, across = self.held(self.step_number)
+            self.p[0, along] = self.p[1, across] = 0
+            self.u_before = self.velocity()
+
+    def force(self):
+        k, whole = self.mistake, np.ones_like(self.rho)
+        V = {"no_volume": whole, "mass_for_volume": self.m * whole, "volume_of_cell": self.P ** 2 * self.m / self.rho,
+             "volume_kept": self.dx ** 2 / self.P ** 2 * whole, "volume_late": self.m / self.rho_before}.get(k, self.m / self.rho)
+        s = self.s_before if k == "old_stress_new_start" else self.s
+        if k == "stress_of_next":
+            s = np.concatenate([s[:, 1:], s[:, -1:]], axis=1)
+        xx, yy, xy = (1 if k == "force_sign" else -1) * self.slope("force") * s * V
+        self.f = np.array([xx @ self.Nx + xy @ self.Ny, xy @ self.Nx + yy @ self.Ny])
+        if k == "half_first_kick" and self.step_number == 0:
+            self.f = self.f / 2
+
+    def hold_force(self):
+        self.pull = self.f.copy()
+        if self.mistake != "no_fix_force":
+            super().hold_force()
+        if self.mistake not in ("held_acceleration", "fix_at_end"):
+            self.pull = self.f
+
+    def integrate(self):
+        if self.mistake == "fix_at_end":
+            along, across = self.held(self.step_number)
+            self.p[0, along] = self.p[1, across] = 0
+        super().integrate()
+        self.p_integrated = self.p
+
+    def update(self):
+        move = {"x_by_own_velocity": None, "x_by_old_node_velocity": self.u_before, "x_by_half_step": (self.u_before + self.new) / 2,
+                "x_by_mapped_velocity": 0 * self.new}.get(self.mistake, self.new)
+        before, self.f = self.x, self.pull
+        super().update()
+        self.x = before + self.dt * (self.v if move is None else move @ self.N.T)
+
+    def step(self):
+        super().step()
+        self.p_kept = self.p_integrated if self.mistake == "keep_grid_integrated" else self.p
+
+    def told(self):
+        return {"v_probe": self.v[1, self.probe].mean()}
+
+
 class WrongBodies(bodies.Bodies):
     def __init__(self, mistake, given):
         words = {"hypoelastic": "hypo", "neo-hookean": "neo"}
@@ -414,6 +519,8 @@ def code_of(given, mistake):
         return WrongBar(mistake, int(given["initial.mode"]), float(given["initial.velocity"]), L=L, E=E, rho=rho, dx=dx,
                         P=int(given["mesh.particles_per_cell"]), courant=courant,
                         **{key: given[f"mpm.{key}"] for key in ("algorithm", "shape", "transfer") if f"mpm.{key}" in given})
+    if given.get("scenario.method") == "mpm":
+        return WrongCells(mistake, given)
     kind = type("WrongBeam", (WrongBody,), {"mistake": mistake, "stepping": given.get("pd.stepping", "verlet")})
     beams.Body, right = kind, beams.Body
     E, rho, thickness, dt = number("beam.youngs_modulus", "beam.density", "beam.thickness", "time.step")

@@ -52,26 +52,13 @@ static bool change_method(Mpm *mpm, const char *key, double value, Status *statu
         return status_refuse(status, "%s: cannot be changed in mid-run", key);
     if (!bar_check(&def, status))
         return false;
-    if (def.mistake != head->mistake &&
-        (bar_mistake_is_of_start(def.mistake) || bar_mistake_is_of_start(head->mistake)))
-        return status_refuse(
-            status, "%s: %s is made at the start and holds for the whole run", key,
-            def.conceals_mistake
-                ? "?"
-                : bar_mistake_words[bar_mistake_is_of_start(def.mistake) ? def.mistake : head->mistake]);
-    if (def.mistake != head->mistake) {
-        memset(mpm->kept_mass, 0, (size_t)mpm->n_nodes * sizeof(double));
-        memset(mpm->kept_momentum, 0, (size_t)mpm->n_nodes * sizeof(double));
-    }
+    if (!mpm_change_mistake(mpm, def.mistake, def.conceals_mistake, status))
+        return false;
     if (def.transfer != head->transfer)
         memset(mpm->affine, 0, (size_t)mpm->n_particles * sizeof(double));
     head->algorithm = def.algorithm;
     head->transfer = def.transfer;
     head->flip_fraction = def.flip_fraction;
-    const bool other = head->mistake != def.mistake;
-    head->mistake = def.mistake;
-    for (int p = 0; other && p < mpm->n_particles; p++)
-        mpm->kept_volume[p] = mpm_does(mpm, WRONG_VOLUME_LATE) ? mpm->volume[p] : 0.0;
     head->mass_blend = blend_of(&def, def.mass_blend);
     head->fmpm_order = def.fmpm_order;
     mpm_take_schedule(mpm);
@@ -257,10 +244,7 @@ Simulation *bar_create(const BarDef *definition, Status *status)
     Simulation *sim = &mpm->sim;
     sim->method = &method;
     mpm->bar = *definition;
-    mpm->both = definition->mistake_beside ? malloc(sizeof *mpm->both) : NULL;
-    if (definition->mistake_beside &&
-        (!mpm->both || !bar_mistakes_join(definition->mistake, definition->mistake_beside, mpm->both))) {
-        status_fail(status, "not enough memory for the bar");
+    if (!mpm_take_both(mpm, definition->mistake, definition->mistake_beside, status)) {
         mpm_destroy(sim);
         return NULL;
     }

@@ -136,7 +136,7 @@ bool bar_check(const BarDef *def, Status *status)
     if ((long)round(cells) * def->particles_per_cell > PARTICLES_MAX)
         return status_refuse(status, "mesh.particles_per_cell: more than %d particles are not possible",
                              PARTICLES_MAX);
-    return check_joint(def, status) && bar_mistake_check(def, status) &&
+    return check_joint(def, status) && bar_mistake_check(def, false, status) &&
            axial_check_layer(def->traction_layer, def->cell_size / def->particles_per_cell, def->length,
                              status);
 }

@@ -207,7 +207,7 @@ typedef struct Mpm {
     uint8_t *crossed; /* 1: has entered another cell once; 2: in this step */
     double *affine;   /* C of APIC */
     /* of wrong codes (mistakes.h): nodes that nobody empties, the volume before the newest strain */
-    double *kept_mass, *kept_momentum, *kept_volume;
+    double *kept_mass, *kept_momentum[MPM_AXES], *kept_volume;
     int32_t *base;
     double *s[MPM_AXES];
     double *domain;              /* half a CPDI particle's length over dx */

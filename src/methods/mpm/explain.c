@@ -528,25 +528,25 @@ static void strain_particle(const Subject *subject)
     static const char *const labels[] = {
         "σxx = σxx + E/(1 - ν²) (Δεxx + ν Δεyy) = ", "σyy = σyy + E/(1 - ν²) (Δεyy + ν Δεxx) = ",
         "σxy = σxy + G Δγxy = "};
+    static const char *const only_newest[] = {
+        "σxx = E/(1 - ν²) (Δεxx + ν Δεyy) = ", "σyy = E/(1 - ν²) (Δεyy + ν Δεxx) = ", "σxy = G Δγxy = "};
     const Mpm *mpm = subject->mpm;
     const int p = subject->index;
     const bool line = mpm->dim == 1;
     double e[MPM_STRESSES];
     for (int k = 0; k < (line ? 1 : MPM_STRESSES); k++)
         e[k] = simulation_named(&mpm->sim, MPM_PARTICLES, line ? "strain_increment" : strains[k], (size_t)p);
-    if (line && mpm_does(mpm, WRONG_ONLY_NEWEST)) {
-        CalculationSum newest = {.label = "σ = E Δε = ", .result = mpm->stress[0][p]};
-        calculation_add(&newest, 2, mpm_modulus(mpm, p), e[0], 0);
-        calculation_sum(subject->to, &newest);
-    }
     for (int k = 0; k < (line ? 1 : MPM_STRESSES); k++) {
         const double *stress = &mpm->stress[k][p];
         const double rate = line || k == 2 ? e[k] : e[k] + mpm->plane.poisson * e[1 - k];
         const double factor = line ? mpm_modulus(mpm, p) : k == 2 ? mpm->shear : mpm->D11;
-        const bool newest = line && mpm_does(mpm, WRONG_ONLY_NEWEST);
+        CalculationSum newest = {.label = line ? "σ = E Δε = " : only_newest[k], .result = *stress};
         if (mpm->bodies || !mpm_has_done(mpm, OP_STRAIN))
             write_change(subject, names[k], stress);
-        else if (!newest)
+        else if (mpm_does(mpm, WRONG_ONLY_NEWEST)) {
+            calculation_add(&newest, 2, factor, rate, 0);
+            calculation_sum(subject->to, &newest);
+        } else
             calculation_change(subject->to, line ? "σ = σ + E Δε = " : labels[k],
                                subject->before ? was(subject, stress) : *stress - factor * rate, factor, rate,
                                *stress, line ? NULL : "Pa");

@@ -219,18 +219,6 @@ static void take_unsaid(const char **member, const char *other)
         *member = other;
 }
 
-/* What a wrong code does in a stage of the right one. */
-static void write_wrongly(Stage *stage, const BarMistake *mistake, MpmOp op)
-{
-    const bool also = mistake->also_equation && op == mistake->also;
-    if (op != mistake->stage && !also)
-        return;
-    stage->equation = also ? mistake->also_equation : mistake->equation;
-    stage->ascii = also ? mistake->also_ascii : mistake->ascii;
-    stage->source = mistake->id;
-    stage->sentence = mistake->sentence;
-}
-
 static Stage stage_of(int transfer, MpmOp op)
 {
     Stage stage = wordings[transfer].stages[op];
@@ -286,8 +274,7 @@ void mpm_list_stages(Mpm *mpm)
         mpm->stages[i] = stage_of(transfer_of(mpm), schedule->ops[i]);
         if (schedule->ops[i] == OP_FORCE)
             mpm_word_forces(mpm, &mpm->stages[i]);
-        if (mpm_mistake(mpm) && !mpm->bar.conceals_mistake)
-            write_wrongly(&mpm->stages[i], mpm_mistake(mpm), schedule->ops[i]);
+        mpm_write_wrongly(mpm, &mpm->stages[i], schedule->ops[i]);
     }
     mpm->sets[MPM_PARTICLES] = (Set){"particle", "particles", 0};
     mpm->sets[MPM_NODES] = (Set){"node", "nodes", schedule->nodes_ready};

@@ -45,9 +45,9 @@ static size_t lay_out(Mpm *mpm, unsigned char *block)
     mpm->bytes_flip = size;
     ARRAY(mpm->affine, mpm->dim == 1 ? particles : 0);
     mpm->bytes_apic = size;
-    ARRAY(mpm->kept_mass, mpm->dim == 1 ? nodes : 0);
-    ARRAY(mpm->kept_momentum, mpm->dim == 1 ? nodes : 0);
-    ARRAY(mpm->kept_volume, mpm->dim == 1 ? particles : 0);
+    ARRAY(mpm->kept_mass, mpm->bodies ? 0 : nodes);
+    AXES(mpm->kept_momentum, mpm->bodies ? 0 : nodes);
+    ARRAY(mpm->kept_volume, mpm->bodies ? 0 : particles);
     mpm->bytes_kept = size;
     ARRAY(mpm->base, particles);
     AXES(mpm->s, particles);

@@ -4,13 +4,22 @@
 #include "base/assertion.h"
 
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 /* --- the rows --------------------------------------------------------------------------------------- */
+
+/* Particles in a cell. */
+static int in_a_cell(const Mpm *mpm)
+{
+    const int across = mpm->plane.particles_per_cell;
+    return mpm->dim == 1 ? mpm->bar.particles_per_cell : across * across;
+}
 
 static double volume_of_cell(const Mpm *mpm, int particle, double volume)
 {
     (void)particle;
-    return volume * mpm->bar.particles_per_cell;
+    return volume * in_a_cell(mpm);
 }
 
 static double mass_for_volume(const Mpm *mpm, int particle, double volume)
@@ -23,7 +32,7 @@ static double mass_for_volume(const Mpm *mpm, int particle, double volume)
 static double volume_at_start(const Mpm *mpm, int particle, double volume)
 {
     (void)particle, (void)volume;
-    return mpm->dx / mpm->bar.particles_per_cell;
+    return mpm->dx * (mpm->dim == 1 ? 1.0 : mpm->dx) / in_a_cell(mpm);
 }
 
 static double no_volume(const Mpm *mpm, int particle, double volume)
@@ -132,7 +141,7 @@ const BarMistake *mpm_mistake_if(const Mpm *mpm, int mistake)
 
 const BarMistake *mpm_mistake(const Mpm *mpm)
 {
-    return mpm_mistake_if(mpm, mpm->head->mistake);
+    return mpm->head ? mpm_mistake_if(mpm, mpm->head->mistake) : NULL; /* a lattice alone has no state */
 }
 
 static bool does(const BarMistake *mistake, unsigned wrong)
@@ -161,7 +170,7 @@ const char *bar_mistake_sentence(int mistake)
     return row ? row->sentence : NULL;
 }
 
-bool bar_mistake_check(const BarDef *def, Status *status)
+bool bar_mistake_check(const BarDef *def, bool in_plane, Status *status)
 {
     BarMistake both;
     if (def->mistake_beside != 0 && !bar_mistakes_join(def->mistake, def->mistake_beside, &both))
@@ -177,8 +186,10 @@ bool bar_mistake_check(const BarDef *def, Status *status)
                         : (only & ONLY_HAT) && def->shape != MPM_HAT       ? "mpm.shape = hat"
                         : (only & ONLY_GIMP) && def->shape != MPM_GIMP     ? "mpm.shape = gimp"
                         : (only & ONLY_FLIP) && def->transfer != MPM_FLIP  ? "mpm.transfer = flip"
-                        : (only & ONLY_APIC) && def->transfer != MPM_APIC  ? "mpm.transfer = apic"
-                        : def->transfer == MPM_FMPM                        ? "mpm.transfer = flip or apic"
+                        : (only & ONLY_APIC) && (in_plane || def->transfer != MPM_APIC)
+                            ? "mpm.transfer = apic"
+                        : (only & ONLY_LINE) && in_plane              ? "bars"
+                        : def->transfer == MPM_FMPM                   ? "mpm.transfer = flip or apic"
                         : row->box > 1 && def->particles_per_cell < 2 ? "mesh.particles_per_cell of 2 or more"
                         : def->mass_blend != 1.0                      ? "mpm.mass_blend = 1"
                         : def->joint > 0.0                            ? "bar2.joint = 0"
@@ -236,35 +247,49 @@ BarMoves mpm_moves_by(const Mpm *mpm)
     return mistake ? mistake->moves : MOVES_WITH_NODES;
 }
 
-double mpm_moving_velocity(const Mpm *mpm, int particle, int node)
+double mpm_moving_velocity(const Mpm *mpm, int axis, int particle, int node)
 {
     const BarMoves moves = mpm_moves_by(mpm);
-    const double kick = mpm->kick[0][node], carry = mpm->carry[0][node];
-    return moves == MOVES_BY_ITSELF        ? mpm->v[0][particle]
+    const double kick = mpm->kick[axis][node], carry = mpm->carry[axis][node];
+    return moves == MOVES_BY_ITSELF        ? mpm->v[axis][particle]
            : moves == MOVES_WITH_OLD_NODES ? carry - kick
            : moves == MOVES_WITH_MEAN      ? carry - 0.5 * kick
-           : moves == MOVES_WITH_MAPPED    ? mpm->velocity[0][node]
+           : moves == MOVES_WITH_MAPPED    ? mpm->velocity[axis][node]
                                            : carry;
 }
 
-/* The stress before this step's strain is the one after it less E de: the nodes still have the velocities
+/* The stress before this step's strain is the one after it less D de: the nodes still have the velocities
  * that strained. */
-double mpm_force_stress(const Mpm *mpm, int particle)
+void mpm_force_stress(const Mpm *mpm, int particle, double stress[MPM_STRESSES])
 {
-    MpmWeights w;
-    double v[SHAPE_SUPPORT_MAX];
     if (mpm_does(mpm, WRONG_STRESS_OF_NEXT) && particle + 1 < mpm->n_particles)
         particle++;
+    for (int k = 0; k < (mpm->dim == 1 ? 1 : MPM_STRESSES); k++)
+        stress[k] = mpm->stress[k][particle];
     if (!mpm_does(mpm, WRONG_STRESS_BEFORE))
-        return mpm->stress[0][particle];
+        return;
+    const MpmWeights w = mpm_weights_of(mpm, particle);
+    const double rate = mpm_strain_span(mpm) * mpm_slope_scale(mpm, OP_STRAIN);
     const int base = mpm->base[particle];
-    double slope = 0.0;
-    mpm_weights(mpm, 1, mpm->shape, mpm_half(mpm, particle), base, &mpm->s[0][particle], &w);
-    mpm_line_velocities(mpm->shape, mpm->velocity[0], mpm->inverse, base, v);
-    for (int a = 0; a < mpm->support; a++)
-        slope += w.dn[0][a] * v[a];
-    return mpm->stress[0][particle] -
-           mpm_modulus(mpm, particle) * (mpm_strain_span(mpm) * mpm_slope_scale(mpm, OP_STRAIN) * slope);
+    double v[SHAPE_SUPPORT_MAX], slope = 0.0, e[MPM_STRESSES] = {0};
+    if (mpm->dim == 1) {
+        mpm_line_velocities(mpm->shape, mpm->velocity[0], mpm->inverse, base, v);
+        for (int a = 0; a < mpm->support; a++)
+            slope += w.dn[0][a] * v[a];
+        stress[0] -= mpm_modulus(mpm, particle) * (rate * slope);
+        return;
+    }
+    for (int b = 0; b < mpm->support; b++)
+        for (int a = 0; a < mpm->support; a++) {
+            const int i = base + b * mpm->gx + a;
+            const double bx = rate * w.dn[0][a] * w.n[1][b], by = rate * w.n[0][a] * w.dn[1][b];
+            e[0] += mpm->velocity[0][i] * bx;
+            e[1] += mpm->velocity[1][i] * by;
+            e[2] += mpm->velocity[0][i] * by + mpm->velocity[1][i] * bx;
+        }
+    stress[0] -= mpm->D11 * e[0] + mpm->D12 * e[1];
+    stress[1] -= mpm->D12 * e[0] + mpm->D11 * e[1];
+    stress[2] -= mpm->slide * e[2];
 }
 
 void mpm_kick_weights(const Mpm *mpm, int particle, int *base, double n[SHAPE_SUPPORT_MAX])
@@ -289,11 +314,57 @@ double mpm_kick_at_new_place(const Mpm *mpm, int particle)
     return sum;
 }
 
-double mpm_mapped_velocity(const Mpm *mpm, int particle)
+void mpm_move_with_mapped(Mpm *mpm)
 {
-    const MpmWeights w = mpm_weights_of(mpm, particle);
-    double sum = 0.0;
-    for (int a = 0; a < mpm->support; a++)
-        sum += w.n[0][a] * mpm->velocity[0][mpm->base[particle] + a];
-    return sum;
+    for (int p = 0; mpm_moves_by(mpm) == MOVES_WITH_MAPPED && p < mpm->n_particles; p++) {
+        const MpmWeights w = mpm_weights_of(mpm, p);
+        for (int axis = 0; axis < mpm->dim; axis++) {
+            double sum = 0.0;
+            for (int b = 0; b < (mpm->dim == 1 ? 1 : mpm->support); b++)
+                for (int a = 0; a < mpm->support; a++)
+                    sum += w.n[0][a] * (mpm->dim == 1 ? 1.0 : w.n[1][b]) *
+                           mpm->velocity[axis][mpm->base[p] + b * mpm->gx + a];
+            mpm->u[axis][p] += mpm->dt * sum;
+        }
+    }
+}
+
+/* --- made and changed ------------------------------------------------------------------------------- */
+
+bool mpm_take_both(Mpm *mpm, int mistake, int beside, Status *status)
+{
+    mpm->both = beside ? malloc(sizeof *mpm->both) : NULL;
+    return !beside || (mpm->both && bar_mistakes_join(mistake, beside, mpm->both)) ||
+           status_fail(status, "not enough memory for two mistakes");
+}
+
+bool mpm_change_mistake(Mpm *mpm, int mistake, bool concealed, Status *status)
+{
+    const int before = mpm->head->mistake;
+    if (mistake == before)
+        return true;
+    if (bar_mistake_is_of_start(mistake) || bar_mistake_is_of_start(before))
+        return status_refuse(
+            status, "mpm.mistake: %s is made at the start and holds for the whole run",
+            concealed ? "?" : bar_mistake_words[bar_mistake_is_of_start(mistake) ? mistake : before]);
+    mpm->head->mistake = mistake;
+    memset(mpm->kept_mass, 0, (size_t)mpm->n_nodes * sizeof(double));
+    for (int axis = 0; axis < mpm->dim; axis++)
+        memset(mpm->kept_momentum[axis], 0, (size_t)mpm->n_nodes * sizeof(double));
+    for (int p = 0; p < mpm->n_particles; p++)
+        mpm->kept_volume[p] = mpm_does(mpm, WRONG_VOLUME_LATE) ? mpm->volume[p] : 0.0;
+    return true;
+}
+
+void mpm_write_wrongly(const Mpm *mpm, Stage *stage, MpmOp op)
+{
+    const BarMistake *mistake = mpm_mistake(mpm);
+    const bool also = mistake && mistake->also_equation && op == mistake->also;
+    if (!mistake || mpm->bar.conceals_mistake || mpm->plane.conceals_mistake ||
+        (op != mistake->stage && !also))
+        return;
+    stage->equation = also ? mistake->also_equation : mistake->equation;
+    stage->ascii = also ? mistake->also_ascii : mistake->ascii;
+    stage->source = mistake->id;
+    stage->sentence = mistake->sentence;
 }

@@ -29,7 +29,7 @@ enum {
     WRONG_STARTS_AS_HELD = 1 << 2,    /* they are modes of a bar whose right end is held as the left one is */
     WRONG_MASS_OF_CELL = 1 << 3,      /* a particle's mass is that of a cell */
     WRONG_KEEPS_GRID = 1 << 4,      /* the nodes' masses and momenta are added to those of the step before */
-    WRONG_HOLDS_NEXT = 1 << 5,      /* the nodes one further in are held */
+    WRONG_HOLDS_NEXT = 1 << 5,      /* the nodes one further in are held, and they alone */
     WRONG_HELD_YIELD = 1 << 6,      /* forces of held nodes are not taken away */
     WRONG_NO_SPAN = 1 << 7,         /* de = sum N' v, without dt */
     WRONG_ONLY_NEWEST = 1 << 8,     /* stress = E de */
@@ -53,7 +53,8 @@ enum {
     ONLY_HAT = 1 << 2,
     ONLY_GIMP = 1 << 3,
     ONLY_FLIP = 1 << 4, /* and shares of PIC */
-    ONLY_APIC = 1 << 5
+    ONLY_APIC = 1 << 5,
+    ONLY_LINE = 1 << 6 /* not in the plane */
 };
 
 typedef struct BarMistake {
@@ -86,8 +87,19 @@ bool mpm_does(const Mpm *, unsigned wrong);    /* whether its code does that (WR
 /* What a code does that makes two of them. False: they are one and the same thing done otherwise. */
 bool bar_mistakes_join(int one, int other, BarMistake *out);
 
-/* Whether these are what mistakes are defined for; else the status names the key. */
-bool bar_mistake_check(const BarDef *, Status *);
+/* Whether these are what mistakes are defined for; else the status names the key. A beam's are told as a
+ * bar's.
+ */
+bool bar_mistake_check(const BarDef *, bool in_plane, Status *);
+
+/* Takes up what the definition says that is made in two places. False: there is no memory. */
+bool mpm_take_both(Mpm *, int mistake, int beside, Status *);
+
+/* Between steps: another mistake from here on. False: one of them is made at the start. */
+bool mpm_change_mistake(Mpm *, int mistake, bool concealed, Status *);
+
+/* What a wrong code does in a stage of the right one. */
+void mpm_write_wrongly(const Mpm *, Stage *, MpmOp);
 
 /* The numbers that the stages of such a code take, or of any. */
 BarHolds mpm_holds(const Mpm *);
@@ -99,7 +111,7 @@ static inline bool mpm_holds_force(const Mpm *mpm, int axis, int node)
 double mpm_strain_span(const Mpm *);        /* dt */
 double mpm_slope_scale(const Mpm *, MpmOp); /* 1/dx: of dN/dx over dN/ds, in the strain or the force */
 double mpm_force_volume(const Mpm *, int particle); /* m/rho */
-double mpm_force_stress(const Mpm *, int particle);
+void mpm_force_stress(const Mpm *, int particle, double stress[MPM_STRESSES]);
 double mpm_force_share(const Mpm *); /* -1, by which f_int is N' stress volume; */
 double mpm_load_share(const Mpm *);  /* and 1, by which f_ext is the load */
 BarMoves mpm_moves_by(const Mpm *);
@@ -107,8 +119,8 @@ BarMoves mpm_moves_by(const Mpm *);
 void mpm_kick_weights(const Mpm *, int particle, int *base, double n[SHAPE_SUPPORT_MAX]);
 double mpm_kick_at_new_place(const Mpm *, int particle);
 /* The velocity of a node, or of the particle itself, by which it moves. */
-double mpm_moving_velocity(const Mpm *, int particle, int node);
-double mpm_mapped_velocity(const Mpm *,
-                           int particle); /* sum N v of the nodes as MUSL's second map leaves them */
+double mpm_moving_velocity(const Mpm *, int axis, int particle, int node);
+/* MUSL: x += dt sum N v of the nodes as the second map leaves them. */
+void mpm_move_with_mapped(Mpm *);
 
 #endif

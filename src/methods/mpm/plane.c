@@ -20,8 +20,10 @@ Particles at t = 0. The deflection is w(x), the beam's sections stay plane and s
  * (z/L)^2 h sqrt(E/(12 rho)), z = pi or that of the cantilever: the same swing a quarter of a period on. */
 #include "base/assertion.h"
 #include "base/math/functions.h"
+#include "methods/mpm/mistakes.h"
 #include "methods/mpm/plane_inner.h"
 
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -124,8 +126,10 @@ static bool begin(Mpm *mpm, Status *status)
     enum { PARTICLES_A_QUESTION = 4096 };
     const int P = mpm->plane.particles_per_cell, width = PLANE_CHUNK_CELLS * P;
     bool sound = true;
-    *mpm->head = (MpmHead){
-        .algorithm = mpm->plane.algorithm, .flip_fraction = mpm->plane.flip_fraction, .mass_blend = 1};
+    *mpm->head = (MpmHead){.algorithm = mpm->plane.algorithm,
+                           .flip_fraction = mpm->plane.flip_fraction,
+                           .mass_blend = 1,
+                           .mistake = mpm->plane.mistake};
     for (int k = 0; k < mpm->n_chunks; k++) { /* even ones first: engine.h */
         const int even = (mpm->n_chunks + 1) / 2, which = k < even ? 2 * k : 2 * (k - even) + 1;
         const int first = which * width, rest = mpm->nxp - first;
@@ -136,6 +140,7 @@ static bool begin(Mpm *mpm, Status *status)
             cancel_requested(&mpm->plane.cancel, (double)p / mpm->n_particles))
             return status_fail(status, "the building of the beam was cancelled");
         place(mpm, p);
+        mpm->kept_volume[p] = mpm_does(mpm, WRONG_VOLUME_LATE) ? mpm->volume[p] : 0;
         sound = sound && mpm->volume[p] > 0;
     }
     if (!mpm_find_all(mpm) || !sound)
@@ -162,6 +167,12 @@ static bool change(Simulation *sim, const char *key, double value, Status *statu
         if (!(value >= 0 && value <= 1))
             return status_refuse(status, "%s: %g is out of range (0 to 1)", key, value);
         mpm->head->flip_fraction = value;
+    } else if (strcmp(key, "mpm.mistake") == 0 && value >= 0 && value == floor(value) && value < INT_MAX) {
+        PlaneDef def = mpm->plane;
+        def.algorithm = mpm->head->algorithm;
+        def.mistake = (int)value;
+        if (!plane_check(&def, status) || !mpm_change_mistake(mpm, def.mistake, def.conceals_mistake, status))
+            return false;
     } else
         return status_refuse(status, "%s: cannot be changed in mid-run", key);
     mpm_take_schedule(mpm);
@@ -199,6 +210,10 @@ Simulation *plane_create(const PlaneDef *definition, Status *status)
     Simulation *sim = &mpm->sim;
     sim->method = &method;
     mpm->plane = *definition;
+    if (!mpm_take_both(mpm, definition->mistake, definition->mistake_beside, status)) {
+        mpm_destroy(sim);
+        return NULL;
+    }
     plane_derive(mpm);
     /* a step of fewer particles is over before another thread has heard of it */
     const int threads = mpm->n_particles < PARTICLES_TO_SHARE     ? 1

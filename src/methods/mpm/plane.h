@@ -31,6 +31,10 @@ typedef struct PlaneDef {
     MpmShape shape;       /* MPM_HAT or MPM_GIMP */
     double flip_fraction; /* 1 is FLIP, 0 is PIC */
 
+    int mistake; /* as of BarDef, of those that mean something in the plane */
+    bool conceals_mistake;
+    int mistake_beside;
+
     double amplitude; /* U, m; a cantilever's tip starts at 2 U */
     PlaneStart start;
     PlaneStress stress;
@@ -64,7 +68,7 @@ double plane_step(const PlaneDef *);
  * 1 + exx + eyy <= 0 for one in a step, and when the energy is more than 1e4 times that of the start: looked
  * at after each step that is a multiple of 64, where growth is reported too.
  *
- * Live parameters: mpm.algorithm, mpm.flip_fraction. */
+ * Live parameters: mpm.algorithm, mpm.flip_fraction, mpm.mistake. */
 Simulation *plane_create(const PlaneDef *, Status *);
 
 #endif

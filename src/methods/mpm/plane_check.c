@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The definition of a beam by the material point method: whether it is sound. Each line
  * names the key as in a scenario file, what is wrong and what is allowed. */
+#include "methods/mpm/mistakes.h"
 #include "methods/mpm/plane_inner.h"
 
 #include <math.h>
@@ -89,9 +90,22 @@ static bool check_channel(const PlaneDef *def, Status *status)
     return whole_cells(def->channel, def->cell_size, false, "channel", status);
 }
 
+static bool check_mistake(const PlaneDef *def, Status *status)
+{
+    const BarDef as_bar = {.mistake = def->mistake,
+                           .mistake_beside = def->mistake_beside,
+                           .conceals_mistake = def->conceals_mistake,
+                           .algorithm = def->algorithm,
+                           .shape = def->shape,
+                           .transfer = MPM_FLIP,
+                           .particles_per_cell = def->particles_per_cell,
+                           .mass_blend = 1};
+    return bar_mistake_check(&as_bar, true, status);
+}
+
 bool plane_check(const PlaneDef *def, Status *status)
 {
-    if (!check_numbers(def, status) || !check_shape(def, status) ||
+    if (!check_numbers(def, status) || !check_shape(def, status) || !check_mistake(def, status) ||
         !whole_cells(def->length, def->cell_size, false, "length", status) ||
         !whole_cells(def->height, def->cell_size, true, "height", status) || !check_channel(def, status))
         return false;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What front ends read of a beam: fields, links, shapes. Computed when read, from the state as it is in
  * mid-step too; a node's field is 0 before its stage. */
+#include "methods/mpm/mistakes.h"
 #include "methods/mpm/plane_inner.h"
 
 #include "base/assertion.h"
@@ -126,7 +127,10 @@ static double strain_step(const Mpm *mpm, int field, int p)
             yy += by * v[1];
             xy += by * v[0] + bx * v[1];
         }
-    return mpm->dt / mpm->dx * (field == P_EXX ? xx : field == P_EYY ? yy : xy);
+    return mpm_strain_span(mpm) * mpm_slope_scale(mpm, OP_STRAIN) *
+           (field == P_EXX   ? xx
+            : field == P_EYY ? yy
+                             : xy);
 }
 
 /* The value of one particle's field; m, m/s, Pa, J. */

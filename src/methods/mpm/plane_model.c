@@ -2,6 +2,7 @@
 /* The numbers of a beam that follow from its definition and stay: sizes of body and grid, m = rho d^2 with d
  * = dx/P, dt, the constants of plane stress, the probe; and what its supports hold. The grid has `padding`
  * cells all round, and on the right as many more as a cantilever gets ahead of it. */
+#include "methods/mpm/mistakes.h"
 #include "methods/mpm/plane_inner.h"
 
 /* The mean of the middle two rows: over the two columns beside mid-span, or in the last column. */
@@ -23,15 +24,17 @@ void plane_derive(Mpm *mpm)
         def->speed = def->channel = def->grid_velocity = 0;
     const int P = def->particles_per_cell, rows = (int)lround(def->height / def->cell_size);
     const int columns = (int)lround((def->length + def->channel) / def->cell_size);
+    const BarMistake *mistake = mpm_mistake_if(mpm, def->mistake);
     mpm->dim = 2;
     mpm->shape = def->shape;
     mpm->support = shape_support(def->shape);
     mpm->dx = def->height / rows;
     mpm->dt = plane_step(def);
     mpm->spacing = mpm->dx / P;
-    mpm->mass[0] = def->density * mpm->spacing * mpm->spacing;
+    mpm->mass[0] = def->density * mpm->spacing * mpm->spacing *
+                   (mistake && (mistake->does & WRONG_MASS_OF_CELL) ? P * P : 1);
     mpm->floor = 1e-12 * def->density * mpm->dx * mpm->dx;
-    mpm->half = 0.5 / P;
+    mpm->half = 0.5 / P * (mistake && mistake->box > 0 ? mistake->box : 1);
     mpm->nxp = columns * P;
     mpm->nyp = rows * P;
     mpm->joint = mpm->n_particles = mpm->nxp * mpm->nyp;
@@ -60,11 +63,13 @@ void plane_derive(Mpm *mpm)
 /* Places are compared with a tolerance of 1e-6 dx, as nodes lie exactly on the limits. Supported: uy = 0 at
  * the nodes of the end sections and beyond (`point`: on the mid-plane alone), ux = 0 at x <= 0 on the
  * mid-plane. Cantilever: nodes in the channel, x <= 0 in the laboratory, uy = 0 and, with the full clamp, ux
- * = v0 t. */
+ * = v0 t. A wrong code may hold the nodes one further in instead. */
 unsigned plane_held(const Mpm *mpm, long step, int i, int j)
 {
     const double x = mpm->xmin + mpm_shift(mpm, step) * mpm->dx + i * mpm->dx, close = 1e-6 * mpm->dx;
-    const bool left = x <= close, right = x >= mpm->plane.length - close;
+    const double in = mpm->dx, far = mpm->plane.length;
+    const bool next = mpm_does(mpm, WRONG_HOLDS_NEXT), left = next ? fabs(x - in) <= close : x <= close;
+    const bool right = next ? fabs(x - (far - in)) <= close : x >= far - close;
     const bool middle = fabs(mpm->ymin + j * mpm->dx) <= close;
     if (mpm->plane.leaves_channel)
         return (left ? HELD_Y : 0) | (left && mpm->plane.clamp == CLAMP_FULL ? HELD_X : 0);

@@ -9,6 +9,7 @@
  * The last stage of each forgets the grid. In the plane supports are a stage of their own on the force, for a
  * channel that draws the beam along does work there. Two forms of `update`: FLIP alone, or with a share of
  * PIC. The work of a stage is stages.c. */
+#include "methods/mpm/mistakes.h"
 #include "methods/mpm/plane_inner.h"
 
 /* With FLIP alone. */
@@ -95,6 +96,7 @@ void plane_list_stages(Mpm *mpm)
     for (int i = 0; i < schedule->count; i++) {
         const bool blended = schedule->ops[i] == OP_UPDATE && mpm->head->flip_fraction != 1;
         mpm->stages[i] = blended ? blended_update : flip[schedule->ops[i]];
+        mpm_write_wrongly(mpm, &mpm->stages[i], schedule->ops[i]);
     }
     mpm->sets[MPM_PARTICLES] = (Set){"particle", "particles", 0};
     mpm->sets[MPM_NODES] = (Set){"node", "nodes", schedule->nodes_ready};

@@ -231,9 +231,11 @@ static void fix(Mpm *mpm, bool holds, int first, int end)
  *
  *     dw = dt (dv/dx - du/dy)/2,   tan(theta/2) = dw/2,   Q = [c -s; s c]
  *     stress <- Q stress Q^T + D eps,   V <- V (1 + tr eps) */
-MPM_INLINE double strain_hypoelastic(Mpm *mpm, const double *L, int p)
+MPM_INLINE double strain_hypoelastic(Mpm *mpm, const double *L, int p, const bool newest,
+                                     const BarMistake *mistake)
 {
-    double xx = mpm->stress[0][p], yy = mpm->stress[1][p], xy = mpm->stress[2][p];
+    double xx = newest ? 0.0 : mpm->stress[0][p], yy = newest ? 0.0 : mpm->stress[1][p];
+    double xy = newest ? 0.0 : mpm->stress[2][p];
     if (mpm->turn != 0.0) {
         const double half = mpm->turn * (L[2] - L[1]), whole = 1.0 / (1.0 + half * half);
         const double c = (1.0 - half * half) * whole, s = 2.0 * half * whole;
@@ -246,6 +248,8 @@ MPM_INLINE double strain_hypoelastic(Mpm *mpm, const double *L, int p)
     mpm->stress[1][p] = yy + (mpm->D12 * L[0] + mpm->D11 * L[3]);
     mpm->stress[2][p] = xy + mpm->slide * (L[1] + L[2]);
     const double left = 1.0 + (L[0] + L[3]);
+    if (mistake && mistake->thinned)
+        return mpm->volume[p] = mistake->thinned(mpm->volume[p], left);
     return mpm->volume[p] *= mpm->keeps_volume && left > 0.0 ? 1.0 : left;
 }
 
@@ -311,7 +315,7 @@ MPM_INLINE int strain(Mpm *mpm, const int dim, const MpmShape shape, const Kind 
         if (late)
             kept[p] = volume[p];
         if (dim == 2)
-            left = neo ? strain_neo_hookean(mpm, L, p) : strain_hypoelastic(mpm, L, p);
+            left = neo ? strain_neo_hookean(mpm, L, p) : strain_hypoelastic(mpm, L, p, newest, mistake);
         else {
             left = 1.0 + L[0];
             stress[p] = (newest ? 0.0 : stress[p]) + (kind != OTHER ? of_all : mpm_modulus(mpm, p)) * L[0];
@@ -342,7 +346,11 @@ MPM_INLINE void force(Mpm *mpm, const int dim, const MpmShape shape, const Kind 
         const MpmWeights w = weights_at(&at, dim, shape, p);
         const int base = at.base[p];
         if (dim == 2) {
-            const double V = scale * volume[p], xx = stress[p] * V, yy = syy[p] * V, xy = sxy[p] * V;
+            const double V = scale * (kind != OTHER ? volume[p] : mpm_force_volume(mpm, p));
+            double of[MPM_STRESSES] = {stress[p], syy[p], sxy[p]};
+            if (kind == OTHER)
+                mpm_force_stress(mpm, p, of);
+            const double xx = of[0] * V, yy = of[1] * V, xy = of[2] * V;
             EACH_NODE(dim, shape)
             {
                 const double bx = w.dn[0][a] * w.n[1][b], by = w.n[0][a] * w.dn[1][b];
@@ -353,8 +361,10 @@ MPM_INLINE void force(Mpm *mpm, const int dim, const MpmShape shape, const Kind 
             }
             continue;
         }
-        const double pull = scale * (kind != OTHER ? stress[p] * volume[p]
-                                                   : mpm_force_stress(mpm, p) * mpm_force_volume(mpm, p));
+        double of[MPM_STRESSES] = {stress[p]};
+        if (kind == OTHER)
+            mpm_force_stress(mpm, p, of);
+        const double pull = scale * (of[0] * (kind != OTHER ? volume[p] : mpm_force_volume(mpm, p)));
         EACH_NODE(dim, shape)
         fx[NODE_OF(at, dim, base)] += w.dn[0][a] * pull;
         if (!loaded)
@@ -380,7 +390,7 @@ static void fix_force(Mpm *mpm, int first, int end)
 {
     for (int axis = 0; axis < mpm->dim; axis++)
         for (int i = first; i < end; i++)
-            mpm->force[axis][i] = mpm->free[axis][i] == 0.0 ? 0.0 : mpm->force[axis][i];
+            mpm->force[axis][i] = mpm_holds_force(mpm, axis, i) ? 0.0 : mpm->force[axis][i];
 }
 
 /* dt a with M a = f, or FMPM's series of dt f: it is linear, so that v(k) of p + dt f is the sum of both.
@@ -402,7 +412,8 @@ static void integrate(Mpm *mpm, int first, int end)
     const bool lumped = mpm_is_lumped(mpm), loaded = mpm_is_loaded(mpm),
                usf = mpm->head->algorithm == MPM_USF;
     const bool pulls = mpm_does(mpm, WRONG_HELD_PULL), all_free = pulls || mpm_does(mpm, WRONG_HELD_YIELD);
-    const double dt = mpm->dt, *const inverse = mpm->inverse, *const load = loaded ? mpm->load : NULL;
+    const double dt = mpm->dt, *const inverse = mpm->inverse, *const mass = mpm->node_mass,
+                 *const load = loaded ? mpm->load : NULL;
     for (int axis = 0; axis < mpm->dim; axis++) {
         const double speed = axis == 0 ? mpm->speed : 0.0, *const free = mpm->free[axis];
         double *const momentum = mpm->momentum[axis], *const force = mpm->force[axis];
@@ -412,7 +423,8 @@ static void integrate(Mpm *mpm, int first, int end)
         for (int i = first; i < end; i++) {
             const double f = load ? force[i] + load[i] : force[i];
             const double impulse = dt * (all_free ? f : f * free[i]);
-            const double sum = momentum[i] + impulse, after = pulls ? sum * free[i] : sum;
+            const double sum = momentum[i] + impulse;
+            const double after = pulls && free[i] == 0.0 ? mass[i] * speed : sum;
             momentum[i] = after;
             if (lumped)
                 kick[i] = impulse * inverse[i];
@@ -491,7 +503,7 @@ MPM_INLINE void update(Mpm *mpm, const int dim, const MpmShape shape, const Kind
     for (int p = first; p < end; p++) {
         const MpmWeights w = weights_at(&at, dim, shape, p);
         const int base = at.base[p];
-        double dv[MPM_AXES] = {0}, now[MPM_AXES] = {0}, B[4] = {0}, other = 0.0;
+        double dv[MPM_AXES] = {0}, now[MPM_AXES] = {0}, B[4] = {0}, other[MPM_AXES] = {0};
         EACH_NODE(dim, shape)
         {
             const int i = NODE_OF(at, dim, base);
@@ -505,7 +517,8 @@ MPM_INLINE void update(Mpm *mpm, const int dim, const MpmShape shape, const Kind
                 }
             }
             if (!as_nodes)
-                other += N_OF(w, dim) * mpm_moving_velocity(mpm, p, i);
+                for (int axis = 0; axis < dim; axis++)
+                    other[axis] += N_OF(w, dim) * mpm_moving_velocity(mpm, axis, p, i);
         }
         for (int k = 0; affine && k < 4; k++)
             mpm->rate[k][p] = B[k] * dx;
@@ -515,7 +528,7 @@ MPM_INLINE void update(Mpm *mpm, const int dim, const MpmShape shape, const Kind
             const double v = vs[axis][p], u = us[axis][p];
             const double mean = transfer == MPM_FMPM ? 0.5 * (v + now[axis]) : now[axis];
             if (moves != MOVES_WITH_MAPPED)
-                us[axis][p] = u + dt * (as_nodes ? mean : other);
+                us[axis][p] = u + dt * (as_nodes ? mean : other[axis]);
             if (new_weights)
                 dv[axis] = mpm_kick_at_new_place(mpm, p);
             vs[axis][p] = transfer != MPM_FLIP ? now[axis]
@@ -642,7 +655,8 @@ void mpm_do_nodes(Mpm *mpm, MpmOp op, int first, int end)
     else if (op == OP_FIX_FORCE)
         fix_force(mpm, first, end);
     else
-        fix(mpm, mpm_holds(mpm) == HOLDS_BEFORE_STRAIN, first, end);
+        fix(mpm, op == OP_FIX ? mpm_holds(mpm) == HOLDS_BEFORE_STRAIN : !mpm_does(mpm, WRONG_NO_SECOND_FIX),
+            first, end);
 }
 
 /* What takes all of its items, or must be seen in order. */
@@ -661,23 +675,29 @@ bool mpm_end_stage(Mpm *mpm, MpmOp op, Status *status)
     case OP_MAP:
         for (int i = 0; kept && i < mpm->n_nodes; i++) {
             mpm->node_mass[i] += mpm->kept_mass[i];
-            mpm->momentum[0][i] += mpm->kept_momentum[i];
+            for (int axis = 0; axis < mpm->dim; axis++)
+                mpm->momentum[axis][i] += mpm->kept_momentum[axis][i];
         }
         return true;
     case OP_MAP_AGAIN:
+        for (int i = 0; mpm_does(mpm, WRONG_KEEPS_TWICE) && i < mpm->n_nodes; i++)
+            for (int axis = 0; axis < mpm->dim; axis++)
+                mpm->momentum[axis][i] += mpm->kept_momentum[axis][i];
         if (mpm->dim == 2)
             return true; /* supports have a stage of their own */
-        for (int i = 0; mpm_does(mpm, WRONG_KEEPS_TWICE) && i < mpm->n_nodes; i++)
-            mpm->momentum[0][i] += mpm->kept_momentum[i];
         fix(mpm, !mpm_does(mpm, WRONG_NO_SECOND_FIX), 0, mpm->n_nodes);
-        for (int p = 0; mpm_moves_by(mpm) == MOVES_WITH_MAPPED && p < mpm->n_particles; p++)
-            mpm->u[0][p] += mpm->dt * mpm_mapped_velocity(mpm, p);
+        mpm_move_with_mapped(mpm);
         break;
+    case OP_FIX_AGAIN:
+        mpm_move_with_mapped(mpm);
+        return true;
     case OP_FIX:
         break;
     case OP_STRAIN:
         for (int i = 0; mpm_holds(mpm) == HOLDS_AFTER_STRAIN && i < mpm->n_nodes; i++)
-            mpm->momentum[0][i] *= mpm->free[0][i];
+            for (int axis = 0; axis < mpm->dim; axis++)
+                if (mpm->free[axis][i] == 0.0)
+                    mpm->momentum[axis][i] = axis == 0 ? mpm->node_mass[i] * mpm->speed : 0.0;
         for (int p = 0; mpm->shape == MPM_CPDI && p < mpm->n_particles; p++)
             if (!(mpm->volume[p] < 2.0 * mpm->dx))
                 return mpm_fail_particle(mpm, status, p, "was stretched over two cells");
@@ -690,7 +710,8 @@ bool mpm_end_stage(Mpm *mpm, MpmOp op, Status *status)
         if (mpm->dim == 1)
             add_work(mpm);
         if (mpm_does(mpm, WRONG_KEEPS_INTEGRATED | WRONG_KEEPS_TWICE))
-            memcpy(mpm->kept_momentum, mpm->momentum[0], bytes);
+            for (int axis = 0; axis < mpm->dim; axis++)
+                memcpy(mpm->kept_momentum[axis], mpm->momentum[axis], bytes);
         return true;
     case OP_FORGET:
         for (int k = 0; mpm->dim == 1 && k < mpm->n_chunks; k++) {
@@ -701,8 +722,8 @@ bool mpm_end_stage(Mpm *mpm, MpmOp op, Status *status)
         mpm_report_crossings(mpm);
         if (kept) {
             memcpy(mpm->kept_mass, mpm->node_mass, bytes);
-            if (!mpm_does(mpm, WRONG_KEEPS_INTEGRATED))
-                memcpy(mpm->kept_momentum, mpm->momentum[0], bytes);
+            for (int axis = 0; axis < mpm->dim && !mpm_does(mpm, WRONG_KEEPS_INTEGRATED); axis++)
+                memcpy(mpm->kept_momentum[axis], mpm->momentum[axis], bytes);
         }
         return true;
     default:

@@ -249,14 +249,15 @@ int mpm_exchange(const Simulation *sim, int exchange, size_t from, size_t to,
     case TERM_MOMENTUM:
         return exchange_three(factors, m, given_velocity(mpm, axis, p, at, &w), N);
     case TERM_STRESS: {
-        const double scale = mpm_slope_scale(mpm, OP_FORCE), V = mpm_force_volume(mpm, p);
+        const double scale = copysign(mpm_slope_scale(mpm, OP_FORCE), mpm_force_share(mpm));
+        const double V = mpm_force_volume(mpm, p);
+        double stress[MPM_STRESSES];
+        mpm_force_stress(mpm, p, stress);
         if (!plane)
-            return exchange_three(factors, copysign(scale, mpm_force_share(mpm)) * slope[0],
-                                  mpm_force_stress(mpm, p), V);
+            return exchange_three(factors, scale * slope[0], stress[0], V);
         const double weight = mpm->bodies ? m / V * N * mpm->bodies->def.gravity[axis] : 0.0;
-        return exchange_two(
-            factors,
-            weight - scale * (slope[axis] * mpm->stress[axis][p] + slope[1 - axis] * mpm->stress[2][p]), V);
+        return exchange_two(factors,
+                            weight + scale * (slope[axis] * stress[axis] + slope[1 - axis] * stress[2]), V);
     }
     case TERM_LOAD:
         return exchange_two(factors, N, mpm_load_on(mpm, p));
@@ -264,10 +265,10 @@ int mpm_exchange(const Simulation *sim, int exchange, size_t from, size_t to,
         return exchange_three(factors, mpm_strain_span(mpm), mpm_slope_scale(mpm, OP_STRAIN) * slope[axis],
                               straining_velocity(mpm, axis, p, node, at[0]));
     case TERM_SHEAR:
-        return exchange_two(factors, mpm->dt,
-                            (slope[1] * straining_velocity(mpm, 0, p, node, at[0]) +
-                             slope[0] * straining_velocity(mpm, 1, p, node, at[0])) /
-                                mpm->dx);
+        return exchange_two(factors, mpm_strain_span(mpm),
+                            mpm_slope_scale(mpm, OP_STRAIN) *
+                                (slope[1] * straining_velocity(mpm, 0, p, node, at[0]) +
+                                 slope[0] * straining_velocity(mpm, 1, p, node, at[0])));
     case TERM_VELOCITY:
         if (mpm->head->transfer != MPM_FLIP || mpm->head->flip_fraction == 0.0)
             return exchange_two(factors, N, mpm->carry[axis][node]);
@@ -280,8 +281,7 @@ int mpm_exchange(const Simulation *sim, int exchange, size_t from, size_t to,
             return exchange_three(factors, mpm->dt, N,
                                   0.5 *
                                       (2.0 * mpm_way(mpm, p) / mpm->dt - mpm->v[0][p] + mpm->carry[0][node]));
-        return exchange_three(factors, mpm->dt, N,
-                              axis == 0 ? mpm_moving_velocity(mpm, p, node) : mpm->carry[1][node]);
+        return exchange_three(factors, mpm->dt, N, mpm_moving_velocity(mpm, axis, p, node));
     }
     return 0;
 }
