@@ -172,9 +172,9 @@ DiagnoseWord diagnosis_word(const Diagnosis *, const DiagnoseTable *);
 /* The explanation that acquits the file, a right code by another scheme; NULL: none does. */
 const Explanation *diagnosis_acquits(const Diagnosis *);
 
-/* What it came to, in lines of ASCII. `scenario`: with its settings, as in a command, "mode5 --set
- * bar.density=2". */
-void diagnosis_tell(const Diagnosis *, const DiagnoseTable *, const char *scenario, FILE *);
+/* What it came to, in lines of ASCII. As in a command, `scenario`: with its settings, "mode5 --set
+ * bar.density=2"; `file`: with its map, "own/a.csv --map 1=time,2=v_cm". */
+void diagnosis_tell(const Diagnosis *, const DiagnoseTable *, const char *scenario, const char *file, FILE *);
 
 /* The same in a few sentences; what does not fit is cut. */
 void diagnosis_sum_up(const Diagnosis *, const DiagnoseTable *, char *out, size_t size);

@@ -49,8 +49,15 @@ double diagnose_theirs(const DiagnoseTable *, const DiagnoseColumn *, size_t row
 /* What is to be said of the table; more than it has room for is dropped. */
 void diagnose_note(DiagnoseTable *, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* What numbers of a unit are at most at the start; `row`: of the series there. */
-double diagnose_size_at_start(Simulation *, const char *unit, const double *row);
+/* What numbers like a quantity's are at most at the start; `row`: of the series there. Displacements are
+ * sized among themselves, but a code may have them as differences of places. */
+double diagnose_size_at_start(Simulation *, const Quantity *, const double *row);
+
+/* Whether numbers of these have one size: they have one unit, and both are displacements or none is. */
+bool diagnose_are_alike(const Quantity *, const Quantity *);
+
+/* The round-off of two right codes after a step, as a share of a column's size. */
+double diagnose_noise(const Simulation *);
 
 /* diagnose_candidates.c: what else could have made the numbers: up to two values other than the scenario's.
  */

@@ -206,7 +206,7 @@ enum {
     MOMENTS_MAX = 150,
     TRIAL_STEPS_MAX = 20000,
     TRIALS_MAX = 64,
-    PLAIN_TIMES_MAX = 12,
+    TRIAL_TIMES_MAX = 80,
     OTHERS_ROWS_LEAST = 5
 };
 #define TOLERANCE 2e-6 /* a reading is told from another by more than single precision */
@@ -220,14 +220,20 @@ typedef struct Trial {
     bool throughout; /* all of them to the end */
 } Trial;
 
+typedef struct TrialTimes {
+    double factor, dt;
+    long shift;
+    bool plain;
+} TrialTimes;
+
 typedef struct Trials {
     const Search *search;
     Trial all[TRIALS_MAX];
     int count;
     Sources sources[DIAGNOSE_COLUMNS_MAX];
     double *row, *field[FIELDS_MAX];
-    bool nodes;                             /* a velocity is one of a node */
-    DiagnoseReading times[PLAIN_TIMES_MAX]; /* the plain ones, with columns as the file has them */
+    bool nodes;                        /* a velocity is one of a node */
+    TrialTimes times[TRIAL_TIMES_MAX]; /* that were tried */
     int n_times;
     double doubt; /* of few digits: the step of the rows, with which no right code agrees, as one does with
                      another */
@@ -274,9 +280,9 @@ static void compare_sources(Trials *trials, const Simulation *sim, size_t moment
 }
 
 /* Fields come first, then series. */
-static const char *unit_of(const Simulation *sim, int i)
+static const Quantity *nth_quantity(const Simulation *sim, int i)
 {
-    return i < sim->n_fields ? sim->fields[i].quantity.unit : sim->series[i - sim->n_fields].unit;
+    return i < sim->n_fields ? &sim->fields[i].quantity : &sim->series[i - sim->n_fields];
 }
 
 /* What numbers of a unit are at most when the run begins. */
@@ -285,10 +291,10 @@ static void find_sizes(Trials *trials, Simulation *sim)
     simulation_row(sim, trials->row);
     for (int i = 0; i < sim->n_fields + sim->n_series; i++) {
         int alike = 0;
-        while (strcmp(unit_of(sim, alike), unit_of(sim, i)) != 0)
+        while (!diagnose_are_alike(nth_quantity(sim, alike), nth_quantity(sim, i)))
             alike++;
         trials->size[i] =
-            alike < i ? trials->size[alike] : diagnose_size_at_start(sim, unit_of(sim, i), trials->row);
+            alike < i ? trials->size[alike] : diagnose_size_at_start(sim, nth_quantity(sim, i), trials->row);
     }
 }
 
@@ -465,21 +471,32 @@ static bool is_whole(double number, double bound)
     return number >= 0.5 && fabs(number - round(number)) <= bound + DIAGNOSE_SAME_STEP * number;
 }
 
+/* A reading of times with columns as the file has them. */
+static DiagnoseReading reading_of(const Trials *trials, const TrialTimes *times)
+{
+    const DiagnoseTable *table = trials->search->table;
+    DiagnoseReading reading = {
+        .dt = times->dt,
+        .time_factor = times->factor,
+        .shift = times->shift,
+        .last = (double)problem_last_step(times->dt, settings_time(trials->search->task->settings)->end),
+        .n_columns = table->n_columns};
+    memcpy(reading.columns, table->columns, sizeof reading.columns);
+    return reading;
+}
+
 /* One reading of the times with each shift and each order of the stages; *found: one agrees throughout. */
 static bool try_times(Trials *trials, double factor, double dt, bool plain, bool *found)
 {
     static const long shifts[] = {0, 1, -1};
-    const DiagnoseTable *table = trials->search->table;
     const Settings *right = trials->search->task->settings;
     const Parameter *order = parameter_find("mpm.algorithm");
     const bool ordered = parameter_applies_to(right, order);
-    DiagnoseReading reading = {.dt = dt, .time_factor = factor, .n_columns = table->n_columns};
-    memcpy(reading.columns, table->columns, sizeof reading.columns);
     for (size_t s = 0; s < sizeof shifts / sizeof *shifts && !*found; s++) {
-        reading.shift = shifts[s];
-        reading.last = (double)problem_last_step(dt, settings_time(right)->end);
-        if (plain && !trials->nodes && trials->n_times < PLAIN_TIMES_MAX)
-            trials->times[trials->n_times++] = reading;
+        const TrialTimes times = {factor, dt, shifts[s], plain};
+        const DiagnoseReading reading = reading_of(trials, &times);
+        if (!trials->nodes && trials->n_times < TRIAL_TIMES_MAX)
+            trials->times[trials->n_times++] = times;
         for (int i = -1; i < (ordered ? parameter_choices(order, right->problem) : 0) && !*found; i++) {
             Settings settings = *right;
             if (i == (int)settings_number(right, order) && ordered)
@@ -512,29 +529,49 @@ static bool try_code(Trials *trials, const DiagnoseReading *reading, const Setti
  * alike. */
 static bool try_codes(Trials *trials, bool wrong, bool *found)
 {
+    enum { FEW_CHOICES = 1 };
     const Settings *right = trials->search->task->settings;
-    const Parameter *mistake = parameter_find("mpm.mistake");
+    const Parameter *mistake = parameter_find(right->method == METHOD_PD ? "pd.mistake" : "mpm.mistake");
     const int mistakes =
         wrong && parameter_applies_to(right, mistake) ? parameter_choices(mistake, right->problem) : 1;
     bool sound = true;
-    for (int i = 0; i < trials->n_times && sound && !*found; i++) {
-        DiagnoseScheme *schemes;
-        Settings held = *right;
-        const int count = diagnose_hold_step(&held, trials->times[i].dt, NULL)
-                              ? diagnose_schemes(&held, trials->search->table, &schemes)
-                              : 0;
-        for (int s = 0; s < count; s++)
-            for (int m = wrong; m < mistakes && sound && !*found && !diagnose_time_is_up(trials->search);
-                 m++) {
-                Settings settings = schemes[s].settings;
-                if (wrong)
-                    settings_put(&settings, mistake, m);
-                sound = try_code(trials, &trials->times[i], &settings, found);
-            }
-        if (count > 0)
+    /* times that are less likely with codes of few choices alone */
+    for (int pass = 0; pass < 3; pass++)
+        for (int i = 0; i < trials->n_times && sound && !*found; i++) {
+            const TrialTimes *times = &trials->times[i];
+            const DiagnoseReading reading = reading_of(trials, times);
+            DiagnoseScheme *schemes;
+            Settings held = *right;
+            if (times->plain != (pass != 1) || !diagnose_hold_step(&held, times->dt, NULL))
+                continue;
+            const int count = diagnose_schemes(&held, trials->search->table, &schemes);
+            for (int s = 0; s < count; s++)
+                for (int m = wrong;
+                     m < mistakes && sound && !*found && (schemes[s].choices > FEW_CHOICES) == (pass == 2) &&
+                     !diagnose_time_is_up(trials->search);
+                     m++) {
+                    Settings settings = schemes[s].settings;
+                    if (wrong)
+                        settings_put(&settings, mistake, m);
+                    sound = try_code(trials, &reading, &settings, found);
+                }
             free(schemes);
-    }
+        }
     return sound;
+}
+
+/* The roundest step that times of few digits allow: a round number, or one of a round Courant number. */
+static double roundest(double spacing, double bound, double dt)
+{
+    for (int digits = 1; digits <= 6; digits++)
+        for (int k = 0; k < 2; k++) {
+            const double unit = k == 0 ? dt : 1;
+            double rounded;
+            if (text_to_double(text_rounded(spacing / unit, digits).text, &rounded) &&
+                fabs(rounded * unit - spacing) <= bound)
+                return rounded * unit;
+        }
+    return spacing;
 }
 
 /* The units of times in the order in which they are likely: rows far apart may be in ms. */
@@ -560,7 +597,8 @@ static bool try_all_times(Trials *trials, bool *found)
     for (int pass = 0; pass < 2; pass++) /* the plain ones first */
         for (size_t f = 0; f < sizeof factors / sizeof *factors && !*found; f++) {
             const bool given = table->time_factor != 1;
-            const double factor = given ? table->time_factor : factors[f], spacing = table->spacing * factor;
+            const double factor = given ? table->time_factor : factors[f];
+            const double spacing = roundest(table->spacing * factor, table->spacing_bound * factor, dt);
             const bool likely = f == 0 || (f == 1 && far);
             if (given && f > 0)
                 continue;

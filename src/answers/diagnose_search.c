@@ -382,6 +382,13 @@ static bool try_product(Search *search, const DiagnoseScheme *schemes, int count
             search->right = schemes[s].settings;
             sound = try_listed(search, choices <= 1, false);
         }
+        /* half a kick at once is a kick of two halves without the second: such codes are one */
+        for (int s = 1; s < count && sound && choices == 0 && search->found->n_explanations > 0; s++)
+            if (schemes[s].choices == 1 && settings_lattice(&schemes[s].settings)->stepping !=
+                                               settings_lattice(&search->given)->stepping) {
+                search->right = schemes[s].settings;
+                sound = try_listed(search, false, true);
+            }
         search->right = search->given;
         sound = sound && (choices > 0 || try_values(search, false));
     }

@@ -224,6 +224,7 @@ typedef struct ColumnMap {
 static double size_of_terms(Simulation *sim, const char *unit, const double *row)
 {
     static const char *const units[] = {"mass*length/time", "mass*length^2/time", "rad/time"};
+    static const Quantity place = {"x", "length", "", ""};
     int k = 0;
     while (k < 3 && strcmp(unit, units[k]) != 0)
         k++;
@@ -231,19 +232,39 @@ static double size_of_terms(Simulation *sim, const char *unit, const double *row
     if (k == 3 || kinetic < 0 || simulation_find_series(sim, "angular") < 0)
         return 0;
     const double mass = (double)sim->counts[0] * simulation_named(sim, 0, "mass", 0);
-    const double extent = diagnose_size_at_start(sim, "length", row), P = sqrt(2 * row[kinetic] * mass);
+    const double extent = diagnose_size_at_start(sim, &place, row), P = sqrt(2 * row[kinetic] * mass);
     return k == 0 ? P : k == 1 ? P * extent : P / (mass * extent);
 }
 
-double diagnose_size_at_start(Simulation *sim, const char *unit, const double *row)
+static bool is_displacement(const Quantity *quantity)
 {
-    enum { BLOCK = 1024 }; /* one by one each bond would be looked for */
-    double size = size_of_terms(sim, unit, row), values[BLOCK];
+    return strncmp(quantity->name, "u", 1) == 0 && strchr("_xy", quantity->name[1]);
+}
+
+bool diagnose_are_alike(const Quantity *a, const Quantity *b)
+{
+    return strcmp(a->unit, b->unit) == 0 && is_displacement(a) == is_displacement(b);
+}
+
+double diagnose_noise(const Simulation *sim)
+{
+    return simulation_has(sim, HAS_BONDS) || simulation_has(sim, HAS_PLANE) ? 1e-9 : 1e-13;
+}
+
+double diagnose_size_at_start(Simulation *sim, const Quantity *like, const double *row)
+{
+    enum { BLOCK = 1024 };            /* one by one each bond would be looked for */
+    const double last_digits = 1e-14; /* of a place, as a share of the largest */
+    double size = size_of_terms(sim, like->unit, row), values[BLOCK];
+    if (is_displacement(like)) {
+        const Quantity place = {"x", like->unit, "", ""};
+        size = last_digits / diagnose_noise(sim) * diagnose_size_at_start(sim, &place, row);
+    }
     for (int i = 0; i < sim->n_series; i++)
-        if (strcmp(sim->series[i].unit, unit) == 0 && isfinite(row[i]))
+        if (diagnose_are_alike(&sim->series[i], like) && isfinite(row[i]))
             size = fmax(size, fabs(row[i]));
     for (int f = 0; f < sim->n_fields; f++)
-        if (strcmp(sim->fields[f].quantity.unit, unit) == 0 && !sim->fields[f].integer)
+        if (diagnose_are_alike(&sim->fields[f].quantity, like) && !sim->fields[f].integer)
             for (size_t k = 0, all = sim->counts[sim->fields[f].set]; k < all; k += BLOCK) {
                 const size_t count = all - k < BLOCK ? all - k : BLOCK;
                 sim->method->field(sim, f, k, count, values);
@@ -380,7 +401,8 @@ static bool find_columns(DiagnoseTable *table, const Names *names, Simulation *s
         }
     add_unknown(table, names, taken);
     for (int c = 0; c < table->n_columns; c++)
-        table->columns[c].natural = diagnose_size_at_start(sim, table->columns[c].unit, row);
+        table->columns[c].natural = diagnose_size_at_start(
+            sim, &(Quantity){table->columns[c].name, "", table->columns[c].unit, ""}, row);
     free(row);
     for (int i = 0; i < names->n_mapped; i++)
         if (!taken[names->mapped[i].theirs])
@@ -813,7 +835,7 @@ static bool read_rows(DiagnoseTable *table, const Settings *settings, const char
     table->stages_by_id = columns.stage_id >= 0;
     table->of_next = !table->of_stages && table->set >= 0 && sim->sets[table->set].ready_after > 0;
     table->noise_growth = 1e-2;
-    table->noise = simulation_has(sim, HAS_BONDS) || simulation_has(sim, HAS_PLANE) ? 1e-9 : 1e-13;
+    table->noise = diagnose_noise(sim);
     table->dt = table->scenario_dt = sim->dt;
     table->time_factor = columns.time >= 0 ? columns.time_factor : 1;
     table->timed = columns.time >= 0;

@@ -157,7 +157,7 @@ static void tell_explanation(const Explanation *explanation, FILE *out)
 }
 
 static void tell_explanations(const Diagnosis *found, const DiagnoseTable *table, const char *scenario,
-                              FILE *out)
+                              const char *file, FILE *out)
 {
     if (table->otherwise > 0)
         visible_print(
@@ -177,8 +177,6 @@ static void tell_explanations(const Diagnosis *found, const DiagnoseTable *table
         visible_print(out, i == 1 ? "This file cannot tell it from:\n" : "or\n");
         tell_explanation(rival, out);
         if (*rival->apart) {
-            char file[sizeof table->file.file * 4 + 3] = "";
-            text_append_shell(file, sizeof file, table->file.file);
             visible_print(out, "  (%s them apart: %s, then\n", rival->apart,
                           *rival->set ? "let your code run so" : "let your code write it");
             visible_print(out, "  matvib diagnose %s%s%s %s)\n", scenario, *rival->set ? " --set " : "",
@@ -289,7 +287,8 @@ void diagnosis_read_as(const DiagnoseTable *table, char *out, size_t size)
         text_append(out, size, ", a row every %ld steps", every);
 }
 
-void diagnosis_tell(const Diagnosis *found, const DiagnoseTable *table, const char *scenario, FILE *out)
+void diagnosis_tell(const Diagnosis *found, const DiagnoseTable *table, const char *scenario,
+                    const char *file, FILE *out)
 {
     char read_as[400], verdict[400];
     diagnosis_read_as(table, read_as, sizeof read_as);
@@ -304,7 +303,7 @@ void diagnosis_tell(const Diagnosis *found, const DiagnoseTable *table, const ch
     }
     if (found->verdict == DIAGNOSE_MUTE) {
         fputs("This file tells nothing: its columns are empty, or no more than round-off in the right run "
-              "too.\n",
+              "too.\nWrite an energy, or the velocity of one particle (--template).\n",
               out);
         return;
     }
@@ -317,7 +316,7 @@ void diagnosis_tell(const Diagnosis *found, const DiagnoseTable *table, const ch
     if (right)
         tell_hidden(found, out);
     else if (found->verdict == DIAGNOSE_EXPLAINED)
-        tell_explanations(found, table, scenario, out);
+        tell_explanations(found, table, scenario, file, out);
     else
         tell_nothing_found(found, table, scenario, out);
     if (found->compared == 1 && found->verdict == DIAGNOSE_RIGHT)

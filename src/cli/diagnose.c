@@ -279,9 +279,13 @@ static void write_scenario(const Options *options, char *out, size_t size)
 /* One that cannot be read is an error; of many it is one at the end. */
 static bool tell(const Files *all, Status *status)
 {
-    char scenario[1000];
+    char scenario[1000], file[1000] = "";
     int unread = 0;
     write_scenario(all->options, scenario, sizeof scenario);
+    text_append_shell(file, sizeof file, all->files[0].path);
+    text_append(file, sizeof file, all->options->map ? " --map " : "");
+    if (all->options->map)
+        text_append_shell(file, sizeof file, all->options->map);
     for (int i = 0; i < all->count; i++)
         unread += all->files[i].failure.code != STATUS_DONE;
     if (all->count == 1 && unread > 0) {
@@ -291,7 +295,7 @@ static bool tell(const Files *all, Status *status)
     if (all->options->json)
         tell_json(all);
     else if (all->count == 1)
-        diagnosis_tell(&all->files[0].found, &all->files[0].table, scenario, stdout);
+        diagnosis_tell(&all->files[0].found, &all->files[0].table, scenario, file, stdout);
     else
         tell_lines(all);
     if (all->options->output && !write_table(all, status))
