@@ -157,6 +157,13 @@ static void keep(Search *search, const Candidate *candidate, const Settings *wro
     diagnose_tell_apart(wrong, &search->by_first, search->table, explanation);
 }
 
+/* So many moments beyond the right run's departure are no chance; of many digits fewer. */
+static size_t least_beyond(const Search *search)
+{
+    enum { MOMENTS = 5, OF_MANY = 2, MANY_DIGITS = 8 };
+    return diagnose_digits_written(search->table) < MANY_DIGITS ? MOMENTS : OF_MANY;
+}
+
 /* A code that agrees for a while and then by less and less: compared again with what round-off grows to in
  * it. False: it was given up. */
 static bool try_again(Search *search, const Settings *wrong, Walk *walk, bool *agrees)
@@ -164,7 +171,7 @@ static bool try_again(Search *search, const Settings *wrong, Walk *walk, bool *a
     size_t moments;
     bool stopped = false;
     double *grown = diagnose_grown(search, wrong, &moments, &stopped);
-    if (grown && moments > walk->departure.moment) {
+    if (grown && moments > search->walk.departure.moment + least_beyond(search)) {
         *walk = (Walk){.table = search->table, .moments = moments, .grown = grown};
         diagnose_walk(walk, wrong, search->task->threads, search->task->cancel, NULL);
         stopped = walk->stopped;
@@ -173,13 +180,6 @@ static bool try_again(Search *search, const Settings *wrong, Walk *walk, bool *a
     }
     free(grown);
     return !stopped || status_fail(search->status, "interrupted");
-}
-
-/* So many moments beyond the right run's departure are no chance; of many digits fewer. */
-static size_t least_beyond(const Search *search)
-{
-    enum { MOMENTS = 5, OF_MANY = 2, MANY_DIGITS = 8 };
-    return diagnose_digits_written(search->table) < MANY_DIGITS ? MOMENTS : OF_MANY;
 }
 
 /* False: it was given up. */
@@ -368,6 +368,24 @@ static bool try_schemes(Search *search, const DiagnoseScheme *schemes, int count
     return sound && try_listed(search, false, true);
 }
 
+/* Half a kick at once is a kick of two halves without the second: such codes of bonds are one. */
+static bool try_other_steppings(Search *search)
+{
+    const Parameter *stepping = parameter_find("pd.stepping");
+    const int now = (int)settings_number(&search->of_first, stepping);
+    bool sound = true;
+    if (search->found->n_explanations == 0 || search->found->explanations[0].kind != DIAGNOSE_MISTAKE ||
+        !parameter_applies_to(&search->of_first, stepping))
+        return true;
+    for (int i = 0; sound && i < parameter_choices(stepping, search->right.problem); i++) {
+        search->right = search->of_first;
+        settings_put(&search->right, stepping, i);
+        sound = i == now || try_listed(search, false, true);
+    }
+    search->right = search->given;
+    return sound;
+}
+
 /* Where no right code agrees: what is wrong in one place, in codes of fewer choices first; then one wrong
  * value of any size, and two mistakes, by each algorithm. */
 static bool try_product(Search *search, const DiagnoseScheme *schemes, int count)
@@ -382,16 +400,10 @@ static bool try_product(Search *search, const DiagnoseScheme *schemes, int count
             search->right = schemes[s].settings;
             sound = try_listed(search, choices <= 1, false);
         }
-        /* half a kick at once is a kick of two halves without the second: such codes are one */
-        for (int s = 1; s < count && sound && choices == 0 && search->found->n_explanations > 0; s++)
-            if (schemes[s].choices == 1 && settings_lattice(&schemes[s].settings)->stepping !=
-                                               settings_lattice(&search->given)->stepping) {
-                search->right = schemes[s].settings;
-                sound = try_listed(search, false, true);
-            }
         search->right = search->given;
         sound = sound && (choices > 0 || try_values(search, false));
     }
+    sound = sound && try_other_steppings(search);
     for (int s = 0; s < count && sound && !few && search->found->n_explanations == 0; s++)
         if (s == 0 || (schemes[s].choices == 1 && settings_transfer(&schemes[s].settings)->algorithm !=
                                                       settings_transfer(&search->given)->algorithm)) {
