@@ -206,7 +206,7 @@ enum {
     MOMENTS_MAX = 150,
     TRIAL_STEPS_MAX = 20000,
     TRIALS_MAX = 64,
-    TRIAL_TIMES_MAX = 80,
+    TRIAL_TIMES_MAX = 40,
     OTHERS_ROWS_LEAST = 5
 };
 #define TOLERANCE 2e-6 /* a reading is told from another by more than single precision */
@@ -489,13 +489,17 @@ static DiagnoseReading reading_of(const Trials *trials, const TrialTimes *times)
 static bool try_times(Trials *trials, double factor, double dt, bool plain, bool *found)
 {
     static const long shifts[] = {0, 1, -1};
+    const DiagnoseTable *table = trials->search->table;
     const Settings *right = trials->search->task->settings;
     const Parameter *order = parameter_find("mpm.algorithm");
     const bool ordered = parameter_applies_to(right, order);
     for (size_t s = 0; s < sizeof shifts / sizeof *shifts && !*found; s++) {
         const TrialTimes times = {factor, dt, shifts[s], plain};
         const DiagnoseReading reading = reading_of(trials, &times);
-        if (!trials->nodes && trials->n_times < TRIAL_TIMES_MAX)
+        const bool told = fabs(table->spacing - table->scenario_dt) <= /* rows of the scenario's own steps */
+                          table->spacing_bound + DIAGNOSE_SAME_STEP * table->spacing;
+        if (!trials->nodes && trials->n_times < TRIAL_TIMES_MAX &&
+            (plain || (!told && times.shift == 0 && factor == trials->times[0].factor)))
             trials->times[trials->n_times++] = times;
         for (int i = -1; i < (ordered ? parameter_choices(order, right->problem) : 0) && !*found; i++) {
             Settings settings = *right;

@@ -68,8 +68,8 @@ static size_t growth(const DiagnoseTable *table, size_t moments, const double *o
                      double *grown)
 {
     /* one run for all; where a stretch is a difference of lengths a step may lose more than the last digit */
-    const double margin = table->noise < 1e-8 ? fmax(100, 1e-2 * table->noise / DBL_EPSILON)
-                                              : 10 / DBL_EPSILON * FLT_EPSILON;
+    const double margin =
+        table->noise < 1e-8 ? fmax(100, 1e-2 * table->noise / DBL_EPSILON) : 10 / DBL_EPSILON * FLT_EPSILON;
     const size_t wide = (size_t)table->n_columns;
     double size[DIAGNOSE_COLUMNS_MAX] = {0}, most[DIAGNOSE_COLUMNS_MAX] = {0};
     for (size_t m = 0; m < moments; m++) {

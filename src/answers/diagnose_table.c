@@ -298,6 +298,10 @@ static int set_of(const Overlay *file, const Names *names, const Simulation *sim
     for (int s = 0; s < sim->n_sets; s++)
         if ((columns->thing = column_of(file, names, sim->sets[s].name, none, &factor)) >= 0)
             return s;
+    /* nodes of a lattice, which are our particles */
+    if (!simulation_has(sim, HAS_MESH) &&
+        (columns->thing = column_of(file, names, "node", none, &factor)) >= 0)
+        return 0;
     columns->i = named(file, names, "i");
     columns->j = named(file, names, "j");
     for (int s = 0; s < sim->n_sets && columns->i >= 0 && columns->j >= 0; s++)
