@@ -3,7 +3,8 @@
  * mistake is named, alone or among those that the file cannot tell apart, or the file cannot show it. A wrong
  * name never stands alone, and right numbers are right.
  *
- *     MATVIB_DIAGNOSES=N  so many settings of a bar (3)   MATVIB_SEED=N  those of another draw */
+ *     MATVIB_DIAGNOSES=N  so many settings of a bar (3)   MATVIB_SEED=N  those of another draw
+ *     MATVIB_WIDE=1       every case of each kind */
 #include "run/lab_case.h"
 
 #include "answers/diagnose.h"
@@ -26,6 +27,12 @@
 static long number_of(const char *name, long otherwise)
 {
     return getenv(name) ? atol(getenv(name)) : otherwise;
+}
+
+/* Every case, and not some of each kind. */
+static bool is_wide(void)
+{
+    return getenv("MATVIB_DIAGNOSES") || getenv("MATVIB_WIDE");
 }
 
 static unsigned long chosen(unsigned long *state, const char *const *words)
@@ -165,13 +172,13 @@ static Settings any_bar(unsigned long *state)
     return settings;
 }
 
-/* Of the many cases of a setting every third in turn, unless all are asked for. */
+/* Each mistake once, in turn with each setting and number of digits, unless all are asked for. */
 START_TEST(a_bars_mistake_is_named)
 {
     static const int digits[] = {6, 9, 17};
     static const long steps[] = {3, 10, 40, 150, 400};
     const long settings_wanted = number_of("MATVIB_DIAGNOSES", 3);
-    const bool all = getenv("MATVIB_DIAGNOSES") != NULL;
+    const bool all = is_wide();
     unsigned long state = (unsigned long)number_of("MATVIB_SEED", 1) * 7919;
     for (long k = 0; k < settings_wanted; k++) {
         const Settings right = any_bar(&state);
@@ -179,7 +186,7 @@ START_TEST(a_bars_mistake_is_named)
         const long count = steps[draw(&state, 5)];
         for (int m = 0; bar_mistake_words[m]; m++)
             for (int d = 0; d < 3; d++)
-                if (all || (m + d + k) % 3 == 0)
+                if (all || (m % settings_wanted == k && (m / 3 + m) % 3 == d))
                     /* three numbers of six digits fit a mistake with another value too */
                     judge(&right, "mpm.mistake", m > 0 ? bar_mistake_words[m] : NULL,
                           digits[d] < 9 && count < 10 ? 10 : count, columns, digits[d]);
@@ -219,6 +226,8 @@ START_TEST(a_mistake_is_named_in_every_scheme)
     for (int s = 0; s < 5; s++)
         for (int m = 0; m < 5; m++) {
             Settings wrong = right;
+            if (!is_wide() && m > 0 && (m + s) % 4 != 0) /* each mistake, and each scheme with one */
+                continue;
             set(&wrong, "mpm.algorithm", schemes[s][0]);
             set(&wrong, "mpm.shape", schemes[s][1]);
             set(&wrong, "mpm.transfer", schemes[s][2]);
@@ -308,7 +317,7 @@ static bool judge_two(const Settings *right, const Settings *wrong, const char *
 START_TEST(two_mistakes_are_named)
 {
     static const char *const columns[] = {"v_cm", "kinetic", "strain", NULL};
-    const long wanted = getenv("MATVIB_DIAGNOSES") ? 60 : 12;
+    const long wanted = is_wide() ? 60 : 5;
     unsigned long state = (unsigned long)number_of("MATVIB_SEED", 1) * 104729;
     Settings right = bar_settings(3, 100);
     set(&right, "mesh.cell_size", "0.5");
@@ -353,7 +362,7 @@ START_TEST(two_mistakes_of_a_beam_are_named)
         {"no_volume_factor", "no_surface_factor"}, {"horizon_strict", "direction_of_reference"},
         {"micromodulus_3d", "start_unsupported"},  {"micromodulus_plane_strain", "one_way"}};
     const Settings right = small_beam("0.02", "0.002");
-    const int count = getenv("MATVIB_DIAGNOSES") ? 6 : 2;
+    const int count = is_wide() ? 6 : 2;
     int two = 0;
     for (int k = 0; k < count; k++) {
         Settings wrong = right;
@@ -373,7 +382,7 @@ END_TEST
 START_TEST(a_beams_mistake_is_named)
 {
     static const char *const sizes[][2] = {{"0.02", "0.002"}, {"0.03", "0.003"}, {"0.04", "0.002"}};
-    const bool all = getenv("MATVIB_DIAGNOSES") != NULL;
+    const bool all = is_wide();
     for (int s = 0; s < (all ? 3 : 1); s++)
         for (int m = 0; beam_mistake_words[m]; m++)
             for (int digits = 9; digits <= 17; digits += 8) {
@@ -383,6 +392,24 @@ START_TEST(a_beams_mistake_is_named)
                     judge(&right, "pd.mistake", m > 0 ? beam_mistake_words[m] : NULL, 12, columns_of_beam,
                           digits);
             }
+}
+END_TEST
+
+/* Of cells: those of a bar that mean something in the plane, in the scenario's scheme. */
+START_TEST(a_mistake_of_cells_is_named)
+{
+    static const char *const algorithms[] = {"usf", "usl", "musl", NULL};
+    for (int m = 0; bar_mistake_words[m]; m++) {
+        Settings right = small_beam("0.02", "0.005");
+        set(&right, "scenario.method", "mpm");
+        set(&right, "mesh.cell_size", "0.0025");
+        set(&right, "mesh.particles_per_cell", "3");
+        for (int i = 0; algorithms[i]; i++) {
+            set(&right, "mpm.algorithm", algorithms[i]);
+            if (is_wide() || m % 3 == i || strstr(bar_mistake_words[m], "keep_grid_"))
+                judge(&right, "mpm.mistake", m > 0 ? bar_mistake_words[m] : NULL, 30, columns_of_beam, 15);
+        }
+    }
 }
 END_TEST
 
@@ -421,6 +448,7 @@ void add_cases(Suite *suite)
     tcase_add_test(cases, a_mistake_that_is_another_scheme_is_named_with_it);
     tcase_add_test(cases, a_mistake_is_named_in_every_scheme);
     tcase_add_test(cases, a_beams_mistake_is_named);
+    tcase_add_test(cases, a_mistake_of_cells_is_named);
     tcase_add_test(cases, values_beside_the_right_one_are_tried);
     TCase *pairs = tcase_create("pairs");
     tcase_set_timeout(pairs, 1200);
