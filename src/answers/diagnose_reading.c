@@ -564,15 +564,21 @@ static bool try_codes(Trials *trials, bool wrong, bool *found)
     return sound;
 }
 
+static bool is_round_to(double number, int digits, double bound)
+{
+    double rounded;
+    return text_to_double(text_rounded(number, digits).text, &rounded) && fabs(rounded - number) <= bound;
+}
+
 /* The roundest step that times of few digits allow: a round number, or one of a round Courant number. */
 static double roundest(double spacing, double bound, double dt)
 {
+    double rounded = spacing;
     for (int digits = 1; digits <= 6; digits++)
         for (int k = 0; k < 2; k++) {
             const double unit = k == 0 ? dt : 1;
-            double rounded;
-            if (text_to_double(text_rounded(spacing / unit, digits).text, &rounded) &&
-                fabs(rounded * unit - spacing) <= bound)
+            if (is_round_to(spacing / unit, digits, bound / unit) &&
+                text_to_double(text_rounded(spacing / unit, digits).text, &rounded))
                 return rounded * unit;
         }
     return spacing;
@@ -622,6 +628,16 @@ static bool try_all_times(Trials *trials, bool *found)
                 !(multiple && fabs(spacing - dt) <= share * spacing + DIAGNOSE_SAME_STEP * dt) &&
                 !try_times(trials, factor, spacing, likely, found))
                 return false;
+            /* any part of the rows' time that is a round multiple of the scenario's step, the roundest first
+             */
+            for (int digits = 1; pass == 1 && digits <= 2; digits++)
+                for (int k = 2; k <= 100 && !*found; k++) {
+                    const double ratio = spacing / k / dt, bound = (share + DIAGNOSE_SAME_STEP) * ratio;
+                    if (ratio > 0.05 && ratio < 20 && is_round_to(ratio, digits, bound) &&
+                        (digits == 1 || !is_round_to(ratio, 1, bound)) &&
+                        !try_times(trials, factor, spacing / k, false, found))
+                        return false;
+                }
             for (size_t i = 0; pass == 1 && i < sizeof parts / sizeof *parts && !*found; i++)
                 if (spacing / parts[i] > dt / 20 && spacing / parts[i] < 20 * dt &&
                     !try_times(trials, factor, spacing / parts[i], false, found))
