@@ -6,7 +6,6 @@
 #include "scenario/concern_body.h"
 #include "scenario/settings.h"
 #include "views/view.h"
-#include "views/views.h"
 #include "lessons/lesson_shown.h"
 #include "panes/screen.h"
 #include "run/playback.h"

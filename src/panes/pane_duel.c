@@ -144,16 +144,16 @@ int pane_runs(const Screen *screen, Area area)
     area_rule(area, 0, "Runs in one picture",
               screen_is_focused(screen, PANE_BOX) ? STYLE_FOCUS : STYLE_HEADING);
     /* In the rule above the rows, a space on each side. */
-    const char *heads[] = {now->is_period ? "T meas, ms" : "ω measured", "predicted",
-                           screen_problem(screen)->answer, "off"};
+    const char *headings[] = {now->is_period ? "T meas, ms" : "ω measured", "predicted",
+                              screen_problem(screen)->answer, "off"};
     int x = 1 + NAME_COLUMNS;
     for (int i = 0; i < 4; i++) {
         if ((i == 1 && !predicted) || (i >= 2 && !exact))
             continue;
         x += VALUE_COLUMNS;
-        for (int column = x - glyphs_columns(heads[i]) - 1; column <= x; column++)
+        for (int column = x - glyphs_columns(headings[i]) - 1; column <= x; column++)
             area_put(area, column, 0, ' ', STYLE_NORMAL);
-        area_text_right(area, x, 0, heads[i], STYLE_NORMAL);
+        area_text_right(area, x, 0, headings[i], STYLE_NORMAL);
     }
     for (int i = 0; i < n_runs; i++) {
         char name[RUN_WORD_MAX + 4];
