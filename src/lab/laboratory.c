@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Opening, drawing and closing the laboratory. */
 #include "lab/laboratory.h"
+#include "views/view.h"
 #include "scenario/settings.h"
 #include "lab/prompt/line.h"
 #include "lab/opening.h"
@@ -77,16 +78,21 @@ void laboratory_close(Laboratory *lab)
 bool laboratory_draw(Laboratory *lab, Canvas *canvas, int width, int height)
 {
     player_drop_part(&lab->player);
-    /* a screen without room for all panes begins with the plot; Tab reaches the others */
+    /* a screen without room for all panes begins with the plot, of bodies with their map; Tab reaches the
+     * others */
+    const PaneId plot = lab->screen.views.upper->is_map &&
+                                simulation_has(experiment_simulation(lab->screen.experiment), HAS_BODIES)
+                            ? PANE_UPPER
+                            : PANE_LOWER;
     const bool was_whole = lab->width == 0 || screen_is_whole(&lab->screen, lab->width, lab->height);
     const bool is_whole = screen_is_whole(&lab->screen, width, height);
     if (was_whole && !is_whole && lab->screen.panes.focus == PANE_PARAMETERS && !lab->play.shown.open &&
         !lab->parameters.edit.open && !lab->prompting.shown.open) {
-        lab->screen.panes.focus = PANE_LOWER;
+        lab->screen.panes.focus = plot;
         lab->focus_lent = true;
     } else if (!was_whole && is_whole && lab->focus_lent) {
         /* the focus was only lent: Enter and the arrows mean the parameters again */
-        if (lab->screen.panes.focus == PANE_LOWER)
+        if (lab->screen.panes.focus == plot)
             lab->screen.panes.focus = PANE_PARAMETERS;
         lab->focus_lent = false;
     }

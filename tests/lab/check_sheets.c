@@ -392,6 +392,27 @@ START_TEST(every_scenario_has_a_number_and_questions)
 }
 END_TEST
 
+/* Where one pane has room: bodies begin with their map, others with the plot. */
+START_TEST(a_small_screen_begins_with_what_matters)
+{
+    static const struct {
+        const char *scenario, *seen;
+        PaneId pane;
+    } cases[] = {{"two-discs", "body  to scale", PANE_UPPER}, {"mode5", "v_cm", PANE_LOWER}};
+    Bench *bench = open_bench(cases[_i].scenario, true);
+    bench->width = 60;
+    bench->height = 18;
+    press(bench, "^L");
+    ck_assert_int_eq(bench->lab.screen.panes.focus, cases[_i].pane);
+    ck_assert(shows(bench, cases[_i].seen));
+    bench->width = 80;
+    bench->height = 24;
+    press(bench, "^L");
+    ck_assert_int_eq(bench->lab.screen.panes.focus, PANE_PARAMETERS);
+    close_bench(bench);
+}
+END_TEST
+
 /* The arrows and the field change what a plate asks of its rows, and u brings it back. */
 START_TEST(a_row_that_is_asked_about_is_changed)
 {
@@ -472,6 +493,7 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(students, a_student_comes_to_the_end, 0, 2 * n_lessons);
     tcase_add_test(sheets, a_scenario_opens_on_its_own_sheet);
     tcase_add_test(sheets, a_row_that_is_asked_about_is_changed);
+    tcase_add_loop_test(sheets, a_small_screen_begins_with_what_matters, 0, 2);
     tcase_add_loop_test(sheets, every_scenario_has_a_number_and_questions, 0, count);
     tcase_add_loop_test(sheets, the_number_of_a_scenario_is_known_at_its_end, 0, count);
     suite_add_tcase(suite, sheets);
