@@ -13,6 +13,7 @@
 
 #include <limits.h>
 #include <signal.h>
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
@@ -63,17 +64,17 @@ static void put_words(Plain *plain, Words *words)
     words_close(words);
 }
 
-static void say(Plain *plain, const char *text)
-{
-    Words words = {.text = NULL};
-    words_say(&words, 2, "%s", text);
-    put_words(plain, &words);
-}
+static void say(Plain *plain, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-static void echo(Plain *plain, const char *line)
+static void say(Plain *plain, const char *format, ...)
 {
     Words words = {.text = NULL};
-    words_say(&words, 2, "> %s", line);
+    char text[2048];
+    va_list values;
+    va_start(values, format);
+    vsnprintf(text, sizeof text, format, values);
+    va_end(values);
+    words_say(&words, 2, "%s", text);
     put_words(plain, &words);
 }
 
@@ -99,7 +100,7 @@ static bool go_on(void *context)
     if (plain->talks && clock_seconds() > plain->told_at + PROGRESS_SECONDS) {
         plain->told_at = clock_seconds();
         if (plain->lab.message.text[0])
-            say(plain, plain->lab.message.text);
+            say(plain, "%s", plain->lab.message.text);
         else if (laboratory_run(&plain->lab))
             tell_alone(plain, TELL_WHERE);
         fflush(plain->out);
@@ -257,7 +258,6 @@ static void tell_edits(Plain *plain)
     const Settings *settings = experiment_settings(experiment);
     for (int i = 0; i < n_parameters && experiment == plain->of; i++) {
         char was[LIST_MAX], is[LIST_MAX];
-        Words words = {.text = NULL};
         if (!parameter_applies_to(settings, &parameters[i]) ||
             !parameter_applies_to(&plain->settings, &parameters[i]))
             continue;
@@ -266,17 +266,13 @@ static void tell_edits(Plain *plain)
         if (strcmp(was, is) != 0) {
             show_value(&plain->settings, &parameters[i], was);
             show_value(settings, &parameters[i], is);
-            words_say(&words, 2, "%s (%s): %s, before: %s.", parameters[i].label, parameters[i].key, is, was);
+            say(plain, "%s (%s): %s, before: %s.", parameters[i].label, parameters[i].key, is, was);
         }
-        put_words(plain, &words);
     }
     char about[64], was[ROW_TEXT_MAX], is[ROW_TEXT_MAX];
     const bool both = experiment == plain->of && settings->problem == plain->settings.problem;
-    for (int i = 0; both && settings_rows_difference(settings, &plain->settings, i, about, is, was); i++) {
-        Words words = {.text = NULL};
-        words_say(&words, 2, "%s: %s, before: %s.", about, is, was);
-        put_words(plain, &words);
-    }
+    for (int i = 0; both && settings_rows_difference(settings, &plain->settings, i, about, is, was); i++)
+        say(plain, "%s: %s, before: %s.", about, is, was);
     plain->of = experiment;
     plain->settings = *settings;
 }
@@ -285,7 +281,7 @@ static void tell_message(Plain *plain)
 {
     Message *message = &plain->lab.message;
     if (message->kind != MESSAGE_NONE)
-        say(plain, message->text);
+        say(plain, "%s", message->text);
     message->kind = MESSAGE_NONE;
 }
 
@@ -422,7 +418,7 @@ static void take(Plain *plain, const char *line)
         type(plain, line);
         press(plain, "Enter");
         if (prompt->open && prompt->problem[0]) {
-            say(plain, prompt->problem);
+            say(plain, "%s", prompt->problem);
             press(plain, "Esc");
         }
     }
@@ -496,7 +492,7 @@ bool plain_line(Plain *plain, const char *typed, Status *status)
     for (char *tab = line; (tab = strchr(tab, '\t'));)
         *tab = ' ';
     if (plain->echo)
-        echo(plain, line);
+        say(plain, "> %s", line);
     plain->said = false;
     plain->lines = 0;
     const bool is_answer = plain->lab.prompting.shown.open || plain->lab.parameters.edit.open;

@@ -167,14 +167,12 @@ static bool open_loop(Loop *loop, const LaboratoryOptions *options, Status *stat
         return false;
     }
     Screen *screen = &loop->lab.screen;
-    screen->look.glyphs = terminal_glyphs(loop->terminal);
-    screen->look.colours = terminal_colours(loop->terminal);
-    screen->look.light = terminal_is_light(loop->terminal);
-    loop->lab.utf8 = terminal_is_utf8(loop->terminal);
-    const char *stand_in = terminal_stand_in(loop->terminal);
-    if (stand_in && !screen->message->text[0])
+    const TerminalLook look = terminal_look(loop->terminal);
+    screen->look = (ScreenLook){look.glyphs, look.colours, look.light};
+    loop->lab.utf8 = look.utf8;
+    if (look.stand_in && !screen->message->text[0])
         laboratory_say(&loop->lab, MESSAGE_INFO, "TERM=%.40s is not known here: drawn as on %s",
-                       getenv("TERM"), stand_in);
+                       getenv("TERM"), look.stand_in);
     return true;
 }
 

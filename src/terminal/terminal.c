@@ -399,29 +399,10 @@ void terminal_size(const Terminal *terminal, int *width, int *height)
     *height = terminal->height;
 }
 
-int terminal_colours(const Terminal *terminal)
+TerminalLook terminal_look(const Terminal *terminal)
 {
-    return terminal->grid.colours;
-}
-
-bool terminal_is_light(const Terminal *terminal)
-{
-    return terminal->grid.light;
-}
-
-bool terminal_is_utf8(const Terminal *terminal)
-{
-    return terminal->grid.utf8;
-}
-
-const char *terminal_stand_in(const Terminal *terminal)
-{
-    return terminal->stand_in;
-}
-
-Glyphs terminal_glyphs(const Terminal *terminal)
-{
-    return terminal->glyphs;
+    const Grid *grid = &terminal->grid;
+    return (TerminalLook){terminal->glyphs, grid->colours, grid->light, grid->utf8, terminal->stand_in};
 }
 
 /* --- pictures and keys ------------------------------------------------------------------------------ */

@@ -29,13 +29,14 @@ Terminal *terminal_open(const TerminalOptions *, Status *);
 void terminal_close(Terminal *); /* as it was before; NULL is allowed */
 
 void terminal_size(const Terminal *, int *width, int *height);
-int terminal_colours(const Terminal *); /* 256, 8 or 0 */
-bool terminal_is_light(const Terminal *);
-bool terminal_is_utf8(const Terminal *);
-Glyphs terminal_glyphs(const Terminal *);
 
-/* The known terminal as which one with an unknown TERM is treated; NULL: its own description is used. */
-const char *terminal_stand_in(const Terminal *);
+typedef struct TerminalLook {
+    Glyphs glyphs;
+    int colours; /* 256, 8 or 0 */
+    bool light, utf8;
+    const char *stand_in; /* the known terminal as which one with an unknown TERM is treated; NULL: none */
+} TerminalLook;
+TerminalLook terminal_look(const Terminal *);
 
 /* Shows a canvas: what differs from what was shown last is written; nothing, if nothing does. */
 void terminal_show(Terminal *, const Canvas *);
