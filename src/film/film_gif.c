@@ -6,7 +6,6 @@
 
 #if defined HAVE_CAIRO && defined HAVE_GIF
 
-#include "picture/glyph.h"
 #include "picture/paper/cairo_calls.h"
 #include "terminal/grid.h"
 

@@ -8,7 +8,6 @@
 
 #include "base/text.h"
 #include "terminal/grid.h"
-#include "picture/glyph.h"
 
 #include <stdlib.h>
 #include <string.h>

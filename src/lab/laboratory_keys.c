@@ -86,11 +86,6 @@ static void help_command(Laboratory *lab, CommandId id)
 
 /* --- the mouse --------------------------------------------------------------------------------------- */
 
-static bool holds(Rect rect, int x, int y)
-{
-    return x >= rect.x && x < rect.x + rect.width && y >= rect.y && y < rect.y + rect.height;
-}
-
 /* A key in the key line is pressed, a place of the timeline is gone to, a field is chosen (and, once
  * chosen, edited), a row of a table or of the log, a particle or a node is chosen, a pane takes the focus. */
 static void click(Laboratory *lab, int x, int y)
@@ -118,7 +113,7 @@ static void click(Laboratory *lab, int x, int y)
         return;
     }
     for (int pane = 0; pane < PANE_COUNT; pane++)
-        if (holds(screen_pane(screen, lab->width, lab->height, (PaneId)pane), x, y) &&
+        if (rect_holds(screen_pane(screen, lab->width, lab->height, (PaneId)pane), x, y) &&
             screen->panes.focus != (PaneId)pane) {
             screen->panes.focus = (PaneId)pane;
             screen->panes.followed = false;

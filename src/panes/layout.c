@@ -7,7 +7,6 @@
 #include "scenario/settings.h"
 #include "views/view.h"
 #include "lessons/lesson_shown.h"
-#include "panes/screen.h"
 #include "run/playback.h"
 
 #include <math.h>
@@ -70,23 +69,6 @@ static int layout_lesson_width(int width)
 static int layout_strip_rows(int height)
 {
     return height < 28 ? 2 : height < 40 ? 3 : 4;
-}
-
-/* The tables and the energies one below the other, in so many rows; the second table only where all three
- * have room. */
-static void lay_out_sides(const Screen *screen, Rect rect, Layout *layout)
-{
-    enum { LEAST_ROWS = 8 };
-    const int sets = experiment_simulation(screen->experiment)->n_sets > 1 ? 2 : 1;
-    /* beside a lesson energies would answer what is still to be asked: its pages show them */
-    const int first = screen->lesson->open ? 0 : 1;
-    const int tables = rect.height / (first + 2) >= LEAST_ROWS ? sets : 1;
-    const int energies = first == 0 ? 0 : tables == 2 ? rect.height - 2 * (rect.height / 3) : rect.height / 2;
-    const int rest = rect.height - energies;
-    layout->sides[0] = (Rect){rect.x, rect.y, energies ? rect.width : 0, energies};
-    layout->sides[1] = (Rect){rect.x, rect.y + energies, rect.width, tables == 2 ? rest / 2 : rest};
-    if (tables == 2)
-        layout->sides[2] = (Rect){rect.x, rect.y + energies + rest / 2, rect.width, rest - rest / 2};
 }
 
 /* Over the plots, and where its columns need the room over the fields too. */
@@ -173,7 +155,22 @@ static void lay_out_full(const Screen *screen, int width, int height, Layout *la
             layout->panes[PANE_LOWER] = (Rect){width - side_width, top, side_width, upper};
         } else if (above)
             layout->panes[PANE_UPPER].width = width - left;
-        lay_out_sides(screen, (Rect){width - side_width, top + above, side_width, middle - above}, layout);
+        /* The tables and the energies one below the other, in so many rows; the second table only where all
+         * three have room. */
+        const Rect rect = (Rect){width - side_width, top + above, side_width, middle - above};
+        enum { LEAST_ROWS = 8 };
+        const int sets = experiment_simulation(screen->experiment)->n_sets > 1 ? 2 : 1;
+        /* beside a lesson energies would answer what is still to be asked: its pages show them */
+        const int first = screen->lesson->open ? 0 : 1;
+        const int side_tables = rect.height / (first + 2) >= LEAST_ROWS ? sets : 1;
+        const int energies = first == 0         ? 0
+                             : side_tables == 2 ? rect.height - 2 * (rect.height / 3)
+                                                : rect.height / 2;
+        const int rest = rect.height - energies;
+        layout->sides[0] = (Rect){rect.x, rect.y, energies ? rect.width : 0, energies};
+        layout->sides[1] = (Rect){rect.x, rect.y + energies, rect.width, side_tables == 2 ? rest / 2 : rest};
+        if (side_tables == 2)
+            layout->sides[2] = (Rect){rect.x, rect.y + energies + rest / 2, rect.width, rest - rest / 2};
     } else if (bodies)
         lay_out_bodies(screen, (Rect){left, top, plots, middle - timeline}, layout);
 }

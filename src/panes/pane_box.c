@@ -10,7 +10,6 @@
 #include "base/math/functions.h"
 #include "lessons/lesson_shown.h"
 #include "run/playback.h"
-#include "help/command.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -18,24 +17,20 @@
 
 /* --- caption while running ------------------------------------------------------------------------ */
 
-/* "v_cm: velocity of the centre of mass": what the run is judged by, "" if nothing is. */
-static void gloss_text(const Screen *screen, char *out, size_t size)
-{
-    int n;
-    const Column *columns = experiment_columns(screen->experiment, &n);
-    const int column = screen_column(screen, experiment_readout(screen->experiment)->column);
-    out[0] = '\0';
-    if (column >= 0)
-        snprintf(out, size, "%s: %s", columns[column].quantity.label, columns[column].quantity.meaning);
-}
-
 /* A hint stands until its command was used, then the next one comes. */
 static void hint_of(const Screen *screen, char *out, size_t size)
 {
     char pictures[96], gloss[160], tried[120], question[200] = "";
     snprintf(pictures, sizeof pictures, "%d shows the energies, %d the fields; again: the next.",
              view_energies.digit, view_profile.digit);
-    gloss_text(screen, gloss, sizeof gloss);
+    /* "v_cm: velocity of the centre of mass": what the run is judged by, "" if nothing is. */
+    int n;
+    const Column *columns = experiment_columns(screen->experiment, &n);
+    const int column = screen_column(screen, experiment_readout(screen->experiment)->column);
+    gloss[0] = '\0';
+    if (column >= 0)
+        snprintf(gloss, sizeof gloss, "%s: %s", columns[column].quantity.label,
+                 columns[column].quantity.meaning);
     if (screen_question(screen, tried, sizeof tried))
         snprintf(question, sizeof question, "t tries %s, which this scenario asks about.", tried);
     const struct {

@@ -12,18 +12,6 @@
 
 enum { LABEL_LEAST = 12, VALUE_LEAST = 7, GROUPS_MAX = 3 };
 
-/* What may be told: no theory where a class is to guess. */
-static int rows_shown(const Screen *screen, Comparison rows[COMPARISONS_MAX])
-{
-    const int all = comparison_of_duel(screen->duel, rows);
-    int count = 0;
-    for (int i = 0; i < all; i++)
-        if (rows[i].kind == COLUMN_MEASURED || (rows[i].kind == COLUMN_EXACT && screen_shows_exact(screen)) ||
-            (rows[i].kind == COLUMN_PREDICTED && screen_shows_predicted(screen)))
-            rows[count++] = rows[i];
-    return count;
-}
-
 /* How wide the table of these rows is: the widest label and the widest value of each run. */
 static void measure(const Comparison *rows, int count, int *label, int values[2])
 {
@@ -37,24 +25,18 @@ static void measure(const Comparison *rows, int count, int *label, int values[2]
     }
 }
 
-/* A and B head their columns; where the words of the heading reach so far the first values have them. */
-static void draw_letters(Area area, const int ends[2], int heading, bool own_row)
-{
-    const Style styles[2] = {STYLE_MEASURED, STYLE_SECOND};
-    for (int run = 0; run < 2; run++) {
-        const char letter[] = {' ', "AB"[run], ' ', '\0'};
-        if (own_row || area.rect.x + ends[0] > heading + 1)
-            area_text_right(area, ends[run] + 2, own_row, letter, styles[run]);
-    }
-}
-
 static void draw_group(Area area, const Comparison *rows, int count, int heading, bool own_row)
 {
     int label, values[2];
     measure(rows, count, &label, values);
     const int ends[2] = {label + 1 + values[0], label + 1 + values[0] + 1 + values[1]};
     const Style styles[2] = {STYLE_MEASURED, STYLE_SECOND};
-    draw_letters(area, ends, heading, own_row);
+    /* A and B head their columns; where the words of the heading reach so far the first values have them. */
+    for (int run = 0; run < 2; run++) {
+        const char letter[] = {' ', "AB"[run], ' ', '\0'};
+        if (own_row || area.rect.x + ends[0] > heading + 1)
+            area_text_right(area, ends[run] + 2, own_row, letter, styles[run]);
+    }
     for (int y = 0; y < count; y++) {
         const int row = 1 + own_row + y;
         area_text(area, 1, row, rows[y].label, STYLE_NORMAL);
@@ -90,7 +72,13 @@ static bool name_values(Comparison *row, const int values[2])
 void pane_duel(const Screen *screen, Area area)
 {
     Comparison rows[COMPARISONS_MAX];
-    int count = rows_shown(screen, rows), label, values[2];
+    /* What may be told: no theory where a class is to guess. */
+    const int all = comparison_of_duel(screen->duel, rows);
+    int count = 0, label, values[2];
+    for (int i = 0; i < all; i++)
+        if (rows[i].kind == COLUMN_MEASURED || (rows[i].kind == COLUMN_EXACT && screen_shows_exact(screen)) ||
+            (rows[i].kind == COLUMN_PREDICTED && screen_shows_predicted(screen)))
+            rows[count++] = rows[i];
     const int height = area.rect.height - 1;
     const char *heading = heading_of(screen->experiment, area.rect.width);
     measure(rows, count, &label, values);
@@ -151,8 +139,7 @@ int pane_runs(const Screen *screen, Area area)
         if ((i == 1 && !predicted) || (i >= 2 && !exact))
             continue;
         x += VALUE_COLUMNS;
-        for (int column = x - glyphs_columns(headings[i]) - 1; column <= x; column++)
-            area_put(area, column, 0, ' ', STYLE_NORMAL);
+        area_blank(area, x - glyphs_columns(headings[i]) - 1, x + 1, 0, STYLE_NORMAL);
         area_text_right(area, x, 0, headings[i], STYLE_NORMAL);
     }
     for (int i = 0; i < n_runs; i++) {

@@ -1,10 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The key line: what can be done now, a message, or a question with what was typed. */
-#include "help/command.h"
 #include "lessons/lesson_shown.h"
-#include "panes/entry.h"
 #include "panes/panes.h"
-#include "panes/screen.h"
 #include "run/playback.h"
 #include "scenario/settings.h"
 
@@ -235,8 +232,7 @@ static int draw_notice(Area bar, int y, const char *text, Style style)
     rows = rows < last ? rows : last;
     Area area = {bar.canvas, {bar.rect.x, last - rows + 1, bar.rect.width, rows}, bar.glyphs};
     for (int row = 0; row < rows; row++)
-        for (int x = 0; x < bar.rect.width; x++)
-            area_put(area, x, row, ' ', style);
+        area_blank(area, 0, bar.rect.width, row, style);
     area_paragraph(area, 1, 0, width, rows, text, style);
     return rows;
 }
@@ -253,15 +249,6 @@ static void draw_prompt(const Screen *screen, Area area)
         area.canvas->cursor_y = area.rect.y;
         return;
     }
-    /* a long text moves left so that the cursor is seen */
-    int room = area.rect.width - x - 1, cursor = prompt->cursor;
-    const char *text = prompt->text;
-    for (; cursor >= room && *text; cursor--)
-        glyph_next(&text);
-    Area field = area_part(area, x, 0, room, 1);
-    for (int i = 0; i < room; i++)
-        area_put(field, i, 0, ' ', STYLE_EDIT);
-    area_text(field, 0, 0, text, STYLE_EDIT);
     const char *notice = prompt->problem[0] ? prompt->problem : prompt->hint;
     int above = area.rect.y;
     if (*notice)
@@ -270,8 +257,7 @@ static void draw_prompt(const Screen *screen, Area area)
         pane_scenarios(prompt->scenarios,
                        (Area){area.canvas, {area.rect.x, 0, area.rect.width, area.rect.y}, area.glyphs},
                        above);
-    area.canvas->cursor_x = area.rect.x + x + (cursor < room ? cursor : room - 1);
-    area.canvas->cursor_y = area.rect.y;
+    pane_field(area_part(area, x, 0, area.rect.width - x - 1, 1), prompt->text, prompt->cursor);
 }
 
 /* The keys; beside a field under edit, what it is and what it may be. */
@@ -304,8 +290,7 @@ void pane_keys(const Screen *screen, Area area)
         [MESSAGE_WARNING] = STYLE_WARNING,
         [MESSAGE_ERROR] = STYLE_ERROR,
     };
-    for (int x = 0; x < area.rect.width; x++)
-        area_put(area, x, 0, ' ', STYLE_TITLE);
+    area_blank(area, 0, area.rect.width, 0, STYLE_TITLE);
     if (screen->prompt->open)
         draw_prompt(screen, area);
     else if (screen->parameters->edit.open && screen->parameters->edit.problem[0])
@@ -333,12 +318,6 @@ static int widest(const ScenarioList *list, bool of_titles)
     return width;
 }
 
-static void fill(Area area, int y, Style style)
-{
-    for (int x = 0; x < area.rect.width; x++)
-        area_put(area, x, y, ' ', style);
-}
-
 void pane_scenarios(const ScenarioList *list, Area area, int bottom)
 {
     const int names = widest(list, false), width = area.rect.width;
@@ -355,7 +334,7 @@ void pane_scenarios(const ScenarioList *list, Area area, int bottom)
     for (int row = 0; row < rows; row++) {
         const int i = first + row, y = bottom - below - rows + row, entry = list->shown[i];
         const Style style = i == list->chosen ? STYLE_SELECTED : STYLE_TITLE;
-        fill(area, y, style);
+        area_blank(area, 0, width, y, style);
         area_text(area, 0, y, i == list->open ? ">" : "", style);
         area_text(area, 1, y, list->entries[entry].name, style);
         if (beside)
@@ -365,6 +344,6 @@ void pane_scenarios(const ScenarioList *list, Area area, int bottom)
             area_text_right(area, width - 1, y, more_above ? "↑" : "↓", style);
     }
     for (int y = bottom - below; y < bottom; y++)
-        fill(area, y, STYLE_TITLE);
+        area_blank(area, 0, width, y, STYLE_TITLE);
     area_paragraph(area, 1, bottom - below, width - 2, below, chosen, STYLE_TITLE);
 }

@@ -3,8 +3,6 @@
  * and in the last row what is to be done to go on. */
 #include "panes/panes.h"
 #include "lessons/lesson_shown.h"
-#include "help/command.h"
-#include "panes/screen.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -49,8 +47,8 @@ static void write_list(Scribe *pen, const Screen *screen)
         const Style style = chosen ? STYLE_SELECTED : STYLE_NORMAL;
         const int width = pen->area.rect.width;
         char pages[24] = "";
-        for (int x = 1; chosen && x < width - 1; x++)
-            area_put(pen->area, x, pen->y, ' ', style);
+        if (chosen)
+            area_blank(pen->area, 1, width - 1, pen->y, style);
         if (screen->lesson->reached[i] > 0)
             snprintf(pages, sizeof pages, "%d/%d", screen->lesson->reached[i], lesson->n_pages);
         area_print(pen->area, 1, pen->y, chosen ? style : STYLE_KEY, "%2d", i + 1);
@@ -82,8 +80,7 @@ static void write_all(Scribe *pen, const Screen *screen)
                 const int lines = area_paragraph_lines(width - 3, page->choices[i]);
                 const bool marked = i == screen->lesson->marked;
                 for (int y = 0; y < lines && marked; y++)
-                    for (int x = 1; x < width + 1; x++)
-                        area_put(pen->area, x, pen->y + y, ' ', STYLE_SELECTED);
+                    area_blank(pen->area, 1, width + 1, pen->y + y, STYLE_SELECTED);
                 area_print(pen->area, 2, pen->y, marked ? STYLE_SELECTED : STYLE_KEY, "%d", i + 1);
                 area_paragraph(pen->area, 4, pen->y, width - 3, lines, page->choices[i],
                                marked ? STYLE_SELECTED : STYLE_NORMAL);
@@ -220,26 +217,6 @@ int pane_lesson_at(const Screen *screen, Area area, int row)
     return -1;
 }
 
-/* What is below the last row: of the list so many lessons. */
-static void say_more(const Screen *screen, Area area, int used, int above)
-{
-    const int last = area.rect.height - 1, end = area.rect.width - 1, rows = last + 1 - MARGIN_ROWS;
-    char more[3][32] = {"↓ more below", "↓ more", "↓"};
-    if (!screen->lesson->lesson) {
-        int titles[LESSONS_MAX + 1], below = 0;
-        list_lines(screen, area, titles);
-        for (int i = 0; i < screen_lesson_count(); i++)
-            below += titles[i] - above >= rows;
-        snprintf(more[0], sizeof more[0], "↓ %d more lessons", below);
-        snprintf(more[1], sizeof more[1], "↓ %d more", below);
-    }
-    for (size_t i = 0; i < sizeof more / sizeof *more; i++)
-        if (used + glyphs_columns(more[i]) < end) {
-            area_text_right(area, end, last, more[i], STYLE_FAINT);
-            break;
-        }
-}
-
 void pane_lesson(const Screen *screen, Area area)
 {
     const int rows = area.rect.height - MARGIN_ROWS, above = lines_above(screen, area);
@@ -268,8 +245,24 @@ void pane_lesson(const Screen *screen, Area area)
     write_all(&pen, screen);
     pane_lesson_footer(screen, footer, sizeof footer);
     const int used = area_text(area, 1, area.rect.height - 1, footer, STYLE_KEY) + 2;
-    if (pen.end > rows)
-        say_more(screen, area, used, above);
+    if (pen.end > rows) {
+        /* What is below the last row: of the list so many lessons. */
+        const int last = area.rect.height - 1, end = area.rect.width - 1, more_rows = last + 1 - MARGIN_ROWS;
+        char more[3][32] = {"↓ more below", "↓ more", "↓"};
+        if (!screen->lesson->lesson) {
+            int more_titles[LESSONS_MAX + 1], below = 0;
+            list_lines(screen, area, more_titles);
+            for (int i = 0; i < screen_lesson_count(); i++)
+                below += more_titles[i] - above >= more_rows;
+            snprintf(more[0], sizeof more[0], "↓ %d more lessons", below);
+            snprintf(more[1], sizeof more[1], "↓ %d more", below);
+        }
+        for (size_t i = 0; i < sizeof more / sizeof *more; i++)
+            if (used + glyphs_columns(more[i]) < end) {
+                area_text_right(area, end, last, more[i], STYLE_FAINT);
+                break;
+            }
+    }
 }
 
 int pane_lesson_rows(const Screen *screen, int width, int most)

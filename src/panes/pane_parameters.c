@@ -5,7 +5,6 @@
 #include "scenario/settings.h"
 #include "scenario/rows/rows.h"
 #include "base/text.h"
-#include "panes/entry.h"
 #include "lessons/lesson_shown.h"
 
 #include <ctype.h>
@@ -178,20 +177,24 @@ int pane_parameters_first(const ParametersShown *shown, int count, int room)
     return first > 0 ? first : 0;
 }
 
+/* A long text moves left so that the cursor is seen. */
+void pane_field(Area field, const char *text, int cursor)
+{
+    const int room = field.rect.width;
+    for (; cursor >= room && *text; cursor--)
+        glyph_next(&text);
+    area_blank(field, 0, room, 0, STYLE_EDIT);
+    area_text(field, 0, 0, text, STYLE_EDIT);
+    field.canvas->cursor_x = field.rect.x + (cursor < room ? cursor : room - 1);
+    field.canvas->cursor_y = field.rect.y;
+}
+
 /* The field under edit, from column `from` on or, where that leaves too little, farther left. */
 static void draw_field(const Screen *screen, Area area, int y, int from)
 {
-    int room = area.rect.width - from < 12 ? 12 : area.rect.width - from,
-        cursor = screen->parameters->edit.cursor;
-    Area field = area_part(area, area.rect.width - room, y, room, 1);
-    const char *text = screen->parameters->edit.text;
-    for (; cursor >= room && *text; cursor--)
-        glyph_next(&text);
-    for (int x = 0; x < room; x++)
-        area_put(field, x, 0, ' ', STYLE_EDIT);
-    area_text(field, 0, 0, text, STYLE_EDIT);
-    area.canvas->cursor_x = field.rect.x + (cursor < room ? cursor : room - 1);
-    area.canvas->cursor_y = field.rect.y;
+    const int room = area.rect.width - from < 12 ? 12 : area.rect.width - from;
+    const FieldEdit *edit = &screen->parameters->edit;
+    pane_field(area_part(area, area.rect.width - room, y, room, 1), edit->text, edit->cursor);
 }
 
 /* A row of a plate: its name and its values; while it is edited both are in the field, as in a file. */
@@ -200,8 +203,8 @@ static void draw_row(const Screen *screen, Area area, int y, const ParameterRow 
     const Settings *settings = experiment_settings(screen->experiment);
     const bool focused = chosen && screen_is_focused(screen, PANE_PARAMETERS);
     const Style style = focused ? STYLE_SELECTED : row->place.row == ROW_NEW ? STYLE_FAINT : STYLE_NORMAL;
-    for (int x = 1; focused && x < area.rect.width; x++)
-        area_put(area, x, y, ' ', style);
+    if (focused)
+        area_blank(area, 1, area.rect.width, y, style);
     char name[64], value[ROW_TEXT_MAX] = "";
     if (row->place.row == ROW_NEW)
         snprintf(name, sizeof name, "+ %s", row_kinds[row->place.kind].one);
@@ -230,8 +233,8 @@ void pane_parameter(const Screen *screen, Area area, int y, const Parameter *par
     const bool focused = chosen && screen_is_focused(screen, PANE_PARAMETERS);
     const int width = area.rect.width;
     Style style = focused ? STYLE_SELECTED : STYLE_NORMAL;
-    for (int x = 1; focused && x < width; x++)
-        area_put(area, x, y, ' ', style);
+    if (focused)
+        area_blank(area, 1, width, y, style);
     const bool alone = screen_is_plain(screen) && !screen->lesson->open;
     char value[LIST_MAX], name[48];
     if (alone)
@@ -287,8 +290,8 @@ static void draw_derived(Area area, int y, const Derived *derived, bool chosen)
 {
     const Style style = chosen ? STYLE_SELECTED : STYLE_FAINT;
     char value[NUMBER_TEXT_MAX];
-    for (int x = 1; chosen && x < area.rect.width; x++)
-        area_put(area, x, y, ' ', style);
+    if (chosen)
+        area_blank(area, 1, area.rect.width, y, style);
     int label = area_text(area, 2, y, derived->label, style) + 2;
     if (derived->integer)
         snprintf(value, sizeof value, "%.0f", derived->value);

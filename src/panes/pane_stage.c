@@ -3,7 +3,6 @@
  * particle or node with their numbers, and where there is room its sentence, the state of the thing, and the
  * list of all stages. */
 #include "panes/panes.h"
-#include "panes/screen.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -5,7 +5,6 @@
 
 #include "base/assertion.h"
 #include "run/playback.h"
-#include "panes/screen.h"
 
 #include <math.h>
 #include <stdio.h>

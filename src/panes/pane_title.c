@@ -241,8 +241,7 @@ void pane_title(const Screen *screen, Area area)
 {
     const int width = area.rect.width;
     const Title title = title_of(screen, width);
-    for (int x = 0; x < width; x++)
-        area_put(area, x, 0, ' ', STYLE_TITLE);
+    area_blank(area, 0, width, 0, STYLE_TITLE);
     int right = width - 1;
     if (title.bar) {
         int full = (int)(screen->playback->work_share * BAR_CELLS + 0.5);

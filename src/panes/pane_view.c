@@ -6,7 +6,6 @@
 #include "views/inspector/inspector.h"
 #include "views/view.h"
 #include "lessons/lesson_shown.h"
-#include "panes/screen.h"
 #include "run/duel.h"
 #include "run/playback.h"
 
@@ -105,20 +104,6 @@ void pane_view(const View *view, const Screen *screen, Area area, bool focused)
         draw_one(view, screen, area, heading);
 }
 
-/* Where the node of a family lies: the whole beam, small, below it. */
-static void draw_place(const Screen *screen, Area area)
-{
-    static const Playback paused = {.state = STATE_PAUSED}; /* the node that is inspected is shown */
-    Screen whole = *screen;
-    whole.eye.magnified = 1;
-    whole.playback = &paused;
-    Picture picture;
-    cells_open(&picture, area.rect.width + 2, area.rect.height + 2, area.glyphs);
-    if (view_map_small(&whole, &picture))
-        cells_map_body(&picture, area, screen->look.colours);
-    picture_close(&picture);
-}
-
 void pane_inspector(const Screen *screen, Area area)
 {
     Picture picture;
@@ -127,8 +112,19 @@ void pane_inspector(const Screen *screen, Area area)
     cells_draw(&picture, area, screen_is_focused(screen, PANE_INSPECTOR) ? STYLE_FOCUS : STYLE_HEADING,
                screen->look.colours);
     const Rect below = cells_below(&picture, area.rect);
-    if (below.height > 0)
-        draw_place(screen, (Area){area.canvas, below, area.glyphs});
+    if (below.height > 0) {
+        /* Where the node of a family lies: the whole beam, small, below it. */
+        const Area small = {area.canvas, below, area.glyphs};
+        static const Playback paused = {.state = STATE_PAUSED}; /* the node that is inspected is shown */
+        Screen whole = *screen;
+        whole.eye.magnified = 1;
+        whole.playback = &paused;
+        Picture map;
+        cells_open(&map, small.rect.width + 2, small.rect.height + 2, small.glyphs);
+        if (view_map_small(&whole, &map))
+            cells_map_body(&map, small, screen->look.colours);
+        picture_close(&map);
+    }
     picture_close(&picture);
 }
 
@@ -191,11 +187,6 @@ long view_enter(const View *view, Screen *screen, char follow[FOLLOW_TEXT_MAX])
     return step;
 }
 
-static bool holds(Rect rect, int x, int y)
-{
-    return x >= rect.x && x < rect.x + rect.width && y >= rect.y && y < rect.y + rect.height;
-}
-
 /* What a picture shows in a cell of its pane; set -1: nothing. */
 static PictureThing thing_at(const Picture *picture, Rect rect, int x, int y)
 {
@@ -211,7 +202,7 @@ static PictureThing thing_at(const Picture *picture, Rect rect, int x, int y)
 bool view_click(const View *view, Screen *screen, Rect rect, int x, int y)
 {
     Picture picture;
-    if (!holds(rect, x, y))
+    if (!rect_holds(rect, x, y))
         return false;
     describe_in(view, screen, rect, &picture);
     const long row = picture.list ? cells_row(&picture, rect, x, y) : -1;
@@ -231,7 +222,7 @@ bool view_scroll(const View *view, Screen *screen, Rect rect, int x, int y, int 
 {
     Picture picture;
     size_t top;
-    if (!view->is_list || !holds(rect, x, y) || y == rect.y)
+    if (!view->is_list || !rect_holds(rect, x, y) || y == rect.y)
         return false;
     describe_in(view, screen, rect, &picture);
     const bool is_log = picture.list && picture.list->set < 0 && picture.list->count > 0;

@@ -78,6 +78,9 @@ void help_draw(const Screen *, Area);
 /* The scenarios to choose from, on as many rows as there are and fit, above row `bottom`. */
 void pane_scenarios(const ScenarioList *, Area, int bottom);
 
+/* A text under edit in its field, with the cursor of the terminal. */
+void pane_field(Area field, const char *text, int cursor);
+
 /* One parameter with its value, as a row of its own; `chosen`: the arrows change it. */
 void pane_parameter(const Screen *, Area, int y, const Parameter *, bool chosen);
 

@@ -3,9 +3,7 @@
 #include "panes/screen.h"
 
 #include "base/text.h"
-#include "help/command.h"
 #include "lessons/lesson_shown.h"
-#include "panes/entry.h"
 #include "panes/panes.h"
 #include "run/playback.h"
 #include "scenario/concern_output.h"
@@ -112,7 +110,7 @@ void screen_draw(const Screen *screen, Canvas *canvas)
         y = y > 0 ? y : 0;
         area_paragraph(whole, 0, y, canvas->width, canvas->height - y, text, STYLE_NORMAL);
         if (screen->look.glyphs == GLYPHS_ASCII)
-            canvas_to_ascii(canvas);
+            canvas_to_ascii(canvas, false);
         return;
     }
     if (screen->help->open) {
@@ -138,7 +136,7 @@ void screen_draw(const Screen *screen, Canvas *canvas)
     pane_title(screen, area_of(&screen->look, canvas, layout.title));
     pane_keys(screen, area_of(&screen->look, canvas, layout.keys));
     if (screen->look.glyphs == GLYPHS_ASCII)
-        canvas_to_ascii(canvas);
+        canvas_to_ascii(canvas, false);
 }
 
 /* --- views ------------------------------------------------------------------------------------------- */

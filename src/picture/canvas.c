@@ -13,6 +13,11 @@
 
 enum { REPLACEMENT = '?', ELLIPSIS = 0x2026 };
 
+bool rect_holds(Rect rect, int x, int y)
+{
+    return x >= rect.x && x < rect.x + rect.width && y >= rect.y && y < rect.y + rect.height;
+}
+
 bool canvas_open(Canvas *canvas, int width, int height, Status *status)
 {
     ASSERT_INT(width, >=, 1);
@@ -134,18 +139,13 @@ int canvas_text(Canvas *canvas, int x, int y, int width, const char *text, Style
     return used;
 }
 
-void canvas_to_ascii(Canvas *canvas)
+void canvas_to_ascii(Canvas *canvas, bool letters_stay)
 {
     const size_t count = (size_t)canvas->width * (size_t)canvas->height;
-    for (size_t i = 0; i < count; i++)
-        canvas->cells[i].glyph = glyph_ascii(canvas->cells[i].glyph);
-}
-
-void canvas_to_words(Canvas *canvas)
-{
-    const size_t count = (size_t)canvas->width * (size_t)canvas->height;
-    for (size_t i = 0; i < count; i++)
-        canvas->cells[i].glyph = glyph_told(canvas->cells[i].glyph);
+    for (size_t i = 0; i < count; i++) {
+        const uint32_t glyph = canvas->cells[i].glyph;
+        canvas->cells[i].glyph = letters_stay ? glyph_told(glyph) : glyph_ascii(glyph);
+    }
 }
 
 /* --- dumps --- */
@@ -354,6 +354,12 @@ int area_phrases(Area area, int x, int y, int width, int rows, const char *text,
         used = at.y + 1;
     }
     return used;
+}
+
+void area_blank(Area area, int from, int end, int y, Style style)
+{
+    for (int x = from; x < end; x++)
+        area_put(area, x, y, ' ', style);
 }
 
 void area_rule(Area area, int y, const char *heading, Style heading_style)

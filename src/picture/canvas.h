@@ -22,6 +22,7 @@ typedef struct Cell {
 typedef struct Rect {
     int x, y, width, height;
 } Rect;
+bool rect_holds(Rect, int x, int y);
 
 typedef struct Canvas {
     int width, height;
@@ -66,10 +67,10 @@ char *canvas_dump(const Canvas *);
 /* Likewise the styles, one letter per cell. */
 char *canvas_dump_styles(const Canvas *);
 
-/* Replaces what is not ASCII, one column for one column ('?' where nothing stands for it); for terminals
- * without UTF-8. */
-void canvas_to_ascii(Canvas *);
-void canvas_to_words(Canvas *); /* letters stay (glyph_told) */
+/* Replaces what is not ASCII, one column for one column, for terminals without UTF-8; what nothing stands for
+ * is
+ * '?' or, where letters stay, what it was. */
+void canvas_to_ascii(Canvas *, bool letters_stay);
 
 /* --- a part of it --------------------------------------------------------------------------------- */
 
@@ -107,6 +108,9 @@ int area_rows_of_phrases(const char *text, int width); /* that it takes; INT_MAX
 
 /* A bar that is in a cell, so much of it; at 0 as low as a bar can be. */
 uint32_t area_bar(Area, double share);
+
+/* Blanks from column `from` to end - 1. */
+void area_blank(Area, int from, int end, int y, Style);
 
 /* A horizontal line with a heading in it. */
 void area_rule(Area, int y, const char *heading, Style heading_style);

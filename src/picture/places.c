@@ -113,7 +113,7 @@ static bool write_on(Places *places, const Picture *picture, const PictureArrow 
     }
     if (!is_free(places, low, top, high, top + lines * places->row))
         return false;
-    for (int i = 0; i < lines; i++)
+    for (int i = 0; i < lines && places->write; i++)
         places->write(places, left[i], top + i * places->row, brief ? arrow->brief[i] : arrow->text[i],
                       arrow->style);
     take(places, low - places->gap / 2, top, high + places->gap / 2, top + lines * places->row);
@@ -135,11 +135,6 @@ static bool write_arrow(Places *places, const Picture *picture, const PictureArr
                     return true;
             }
     return most == 0;
-}
-
-static void write_nothing(const Places *places, double left, double top, const char *text, Style style)
-{
-    (void)places, (void)left, (void)top, (void)text, (void)style;
 }
 
 /* So many find room, the first in full and the others in brief or not. */
@@ -211,7 +206,7 @@ void places_write(Places *places, const Picture *picture)
     write_side_words(places, picture, false);
     /* Where in full one of them has no room, the first one says what the numbers of the others are. */
     Places tried = *places;
-    tried.write = write_nothing;
+    tried.write = NULL;
     const int in_full = write_arrows(&tried, picture, false);
     tried.n_taken = places->n_taken;
     write_arrows(places, picture, write_arrows(&tried, picture, true) > in_full);

@@ -18,8 +18,8 @@ struct Places {
     double gap; /* between the middle of a thing and the words beside it */
     bool whole; /* columns and rows are whole numbers */
     double (*columns)(const Places *, const char *text);
-    void (*write)(const Places *, double left, double top, const char *text, Style);
-    const void *back_end; /* its own */
+    void (*write)(const Places *, double left, double top, const char *text, Style); /* NULL: only tried */
+    const void *back_end;                                                            /* its own */
 
     struct {
         double left, top, right, bottom;

@@ -41,7 +41,7 @@ static void write_words(const Part *part, int column, int row, const char *text,
 {
     char plain[TEXT_MAX];
     glyphs_plain(part->sheet->glyphs, text, plain, sizeof plain);
-    if (row < part->sheet->rows)
+    if (row < part->sheet->rows && part->sheet->write)
         part->sheet->write(part->sheet, part->left + column, row, plain, style, to_end);
 }
 
@@ -289,18 +289,6 @@ static void write_terms(const Plan *plan, const Part *part, int c, int end, int 
                          table->totals[i].style);
 }
 
-static void write_factors(const Plan *plan, const Part *part, int c, int end, int y)
-{
-    double values[TABLE_ROWS_MAX + 1], sum;
-    char text[NUMBER_TEXT_MAX];
-    terms_of(plan, plan->columns[c], values, &sum);
-    const Format format = format_of(values, plan->shown, FACTOR_DIGITS, plan->widths[c] - 1);
-    for (size_t i = 0; i < plan->shown; i++) {
-        format_number(values[i], format, text);
-        write_words(part, end, y + (int)i, text, STYLE_NORMAL, true);
-    }
-}
-
 static void write_table(const Plan *plan, const Part *part, int y)
 {
     const PictureTable *table = plan->table;
@@ -313,8 +301,15 @@ static void write_table(const Plan *plan, const Part *part, int y)
         end += plan->widths[c];
         if (plan->columns[c]->adds)
             write_terms(plan, part, c, end - 1, y);
-        else
-            write_factors(plan, part, c, end - 1, y);
+        else {
+            double values[TABLE_ROWS_MAX + 1], sum;
+            terms_of(plan, plan->columns[c], values, &sum);
+            const Format format = format_of(values, plan->shown, FACTOR_DIGITS, plan->widths[c] - 1);
+            for (size_t j = 0; j < plan->shown; j++) {
+                format_number(values[j], format, text);
+                write_words(part, end - 1, y + (int)j, text, STYLE_NORMAL, true);
+            }
+        }
     }
     for (size_t i = 0; i < table->count; i++)
         if (table->rows[i].rank < plan->limit) {

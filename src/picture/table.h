@@ -14,7 +14,7 @@ typedef struct TableSheet TableSheet;
 struct TableSheet {
     int columns, rows;
     Glyphs glyphs;
-    /* Writes words that begin at a column or, `to_end`, end before it. */
+    /* Writes words that begin at a column or, `to_end`, end before it. NULL: nowhere. */
     void (*write)(const TableSheet *, int column, int row, const char *text, Style, bool to_end);
     /* So many columns stand for a thing. NULL: nobody asks. */
     void (*stand)(const TableSheet *, int column, int row, int width, PictureThing);

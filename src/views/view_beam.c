@@ -36,22 +36,6 @@ static bool shows_start(const Screen *screen, int variant)
 
 /* --- what is said of it ------------------------------------------------------------------------------ */
 
-/* "tip 66.5, 19.5 mm" and "fit 29°": where the crack is, and the slope of the straight line that
- * fits its whole path. */
-static void crack_texts(const Map *map, char *tip, char *angle, size_t size)
-{
-    CrackFacts facts;
-    tip[0] = angle[0] = '\0';
-    if (!crack_facts(map->sim, &facts))
-        return;
-    if (facts.measured.begun)
-        snprintf(tip, size, "tip %.1f, %.1f mm", 1e3 * facts.measured.x, 1e3 * facts.measured.y);
-    else
-        snprintf(tip, size, "no crack yet");
-    if (isfinite(facts.angle))
-        snprintf(angle, size, "whole path %.0f°", fabs(facts.angle));
-}
-
 /* How it is drawn, in the order in which the phrases are worth their room: of a piece seen from near that it
  * is magnified comes first. */
 enum { FLOW, TIP, FIT, ENLARGED, MAGNIFIED, CROSS, STRETCHED, PARTS };
@@ -63,7 +47,19 @@ static void note_how(const Map *map)
     const double magnified = map->screen->eye.magnified;
     const int *order = magnified > 1 ? near_order : whole_order;
     char text[PICTURE_TEXT_MAX] = "", parts[PARTS][64] = {""};
-    crack_texts(map, parts[TIP], parts[FIT], sizeof parts[TIP]);
+    /* "tip 66.5, 19.5 mm" and "fit 29°": where the crack is, and the slope of the straight line that fits
+     * its whole path. */
+    CrackFacts facts;
+    parts[TIP][0] = parts[FIT][0] = '\0';
+    if (crack_facts(map->sim, &facts)) {
+        if (facts.measured.begun)
+            snprintf(parts[TIP], sizeof parts[TIP], "tip %.1f, %.1f mm", 1e3 * facts.measured.x,
+                     1e3 * facts.measured.y);
+        else
+            snprintf(parts[TIP], sizeof parts[TIP], "no crack yet");
+        if (isfinite(facts.angle))
+            snprintf(parts[FIT], sizeof parts[TIP], "whole path %.0f°", fabs(facts.angle));
+    }
     if (map->scene.leaves) {
         const double length = settings_geometry(map->settings)->length +
                               settings_motion(map->settings)->speed * simulation_time(map->sim);

@@ -185,50 +185,41 @@ static void describe_errors(Picture *picture, const Study *study)
     }
 }
 
-static double predicted_of(const ConvergencePoint *point)
-{
-    return point->prediction.predicted;
-}
+enum { PREDICTED, THEORY, PAPER, PERIODS };
 
-static double theory_of(const ConvergencePoint *point)
+static double period_of(const ConvergencePoint *point, int curve)
 {
-    return point->prediction.real_size;
-}
-
-static double paper_of(const ConvergencePoint *point)
-{
-    return point->paper;
+    const double periods[PERIODS] = {point->prediction.predicted, point->prediction.real_size, point->paper};
+    return periods[curve];
 }
 
 /* The periods of Table 1 and what theory says of a beam of that height and span. */
 static void describe_periods(Picture *picture, const Study *study)
 {
     const struct {
-        double (*of)(const ConvergencePoint *);
         Pen pen;
         const char *name;
-    } curves[] = {{predicted_of, pen_predicted, "predicted"},
-                  {theory_of, pen_exact, "theory, real size"},
-                  {paper_of, {LINE_SOLID, 'p', STYLE_SECOND, RANK_SECOND, 0}, "paper"}};
-    enum { CURVES = sizeof curves / sizeof *curves };
+    } curves[PERIODS] = {[PREDICTED] = {pen_predicted, "predicted"},
+                         [THEORY] = {pen_exact, "theory, real size"},
+                         [PAPER] = {{LINE_SOLID, 'p', STYLE_SECOND, RANK_SECOND, 0}, "paper"}};
     double least = INFINITY, most = -INFINITY, largest = 0;
-    for (int i = 0; i < CURVES; i++)
+    for (int i = 0; i < PERIODS; i++)
         for (int k = 0; k < study->known; k++) {
-            widen(shown(study, curves[i].of(&study->points[k])), &least, &most);
+            widen(shown(study, period_of(&study->points[k], i)), &least, &most);
             largest = fmax(largest, shown(study, study->points[k].size));
         }
     picture_axes(picture, axis_make(0, axis_round_up(1.05 * largest)), "horizon, mm", "",
                  axis_around(least, most), "Table 1: T, ms", "");
-    for (int i = 0; i < CURVES; i++) {
+    for (int i = 0; i < PERIODS; i++) {
         picture_name(picture, curves[i].pen, curves[i].name);
         plot_begin(&picture->plot, STROKE_LINE, curves[i].pen);
         for (int k = 0; k < study->known; k++)
             plot_point(&picture->plot, shown(study, study->points[k].size),
-                       shown(study, curves[i].of(&study->points[k])));
+                       shown(study, period_of(&study->points[k], i)));
     }
     for (int k = 0; k < study->known; k++)
         picture_mark(picture, shown(study, study->points[k].size),
-                     shown(study, predicted_of(&study->points[k])), 0x25cf, STYLE_PREDICTED);
+                     shown(study, period_of(&study->points[k], PREDICTED)), 0x25cf, STYLE_PREDICTED);
 }
 
 static void describe(const Screen *screen, int variant, Picture *picture)

@@ -263,19 +263,6 @@ static int count_ways(const Settings *settings)
     return count;
 }
 
-static int bar_dots(const Screen *screen, Dot dots[RUNS_MAX])
-{
-    ShownRun runs[RUNS_MAX];
-    const int n_runs = runs_of(screen, runs);
-    int count = 0;
-    for (int i = 0; i < n_runs; i++) {
-        const Readout *readout = runs[i].readout;
-        if (readout->mode > 0 && readout->measured_known)
-            dots[count++] = dot_of(&runs[i], readout->mode, percent(readout->measured / readout->exact));
-    }
-    return count;
-}
-
 /* The modes that are shown: all that the mesh can carry or, as a variant, those around the present one. */
 static int last_mode(const Experiment *experiment, int variant)
 {
@@ -319,11 +306,16 @@ static void describe_bar(const Screen *screen, int variant, bool with_ways, Pict
     const int columns = picture->dots > 1 ? picture->dots : 2;
     const int every = last > columns ? (last + columns - 1) / columns : 1;
     Dot dots[RUNS_MAX];
-    const int n_dots = bar_dots(screen, dots);
-    double least = 0, most = 0;
-    ModeOnMesh mode;
     ShownRun runs[RUNS_MAX];
     const int n_runs = runs_of(screen, runs);
+    int n_dots = 0;
+    for (int i = 0; i < n_runs; i++) {
+        const Readout *readout = runs[i].readout;
+        if (readout->mode > 0 && readout->measured_known)
+            dots[n_dots++] = dot_of(&runs[i], readout->mode, percent(readout->measured / readout->exact));
+    }
+    double least = 0, most = 0;
+    ModeOnMesh mode;
     bool predicted = false;
     for (int i = 0; i < n_runs && screen_shows_predicted(screen); i++)
         for (int n = 1; n <= last && runs[i].experiment; n += every)

@@ -292,7 +292,7 @@ static void note_run(const Screen *screen, Picture *picture, const char *run, do
             const double *now = experiment_row(screen->experiment);
             const int total = screen_column(screen, "total"), work = screen_column(screen, "work");
             const Record *record = experiment_record(screen->experiment);
-            if (now && (most_work > 0) && !(work < 0) && !(total < 0) && record->count != 0) {
+            if (now && work >= 0 && total >= 0 && record->count > 0) {
                 const double residual = now[total] - record_row(record, 0)[total] - now[work];
                 snprintf(phrases, 320, "residual %+.2f %% of the work", 100 * residual / most_work);
                 text_append(phrases, 320, "  total %s J  work %s J", text_fitted(now[total], 4, 9).text,

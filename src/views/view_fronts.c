@@ -25,17 +25,6 @@ static const char *word_of(const Screen *screen, int variant)
     return words[variant];
 }
 
-static double largest(const CrackFronts *fronts, int variant)
-{
-    double most = 0;
-    for (int f = 0; f < fronts->count; f++) {
-        const CrackFront *front = &fronts->fronts[f];
-        const double value = variant == VARIANT_SPEED ? front->fastest : front->advance;
-        most = value > most ? value : most;
-    }
-    return most;
-}
-
 static void describe(const Screen *screen, int variant, Picture *picture)
 {
     const CrackFronts *fronts = experiment_fronts(screen->experiment);
@@ -45,7 +34,12 @@ static void describe(const Screen *screen, int variant, Picture *picture)
         return;
     }
     const double rayleigh = crack_rayleigh_speed(experiment_settings(screen->experiment));
-    const double most = fmax(largest(fronts, variant), speeds ? rayleigh : 0);
+    double most = speeds ? rayleigh : 0;
+    for (int f = 0; f < fronts->count; f++) {
+        const CrackFront *front = &fronts->fronts[f];
+        const double value = variant == VARIANT_SPEED ? front->fastest : front->advance;
+        most = fmax(most, value);
+    }
     char lines[2][160];
     time_plot_axes(screen, picture, axis_make(0, axis_round_up(most > 0 ? 1.02 * most : 1e-3)),
                    speeds ? "tips' speed" : "cracks' advance", speeds ? "m/s" : "m");

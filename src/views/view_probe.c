@@ -235,22 +235,6 @@ static void cursor_line(const Screen *screen, const Line *lines, int n_lines, co
                     text_fitted(foreign, digits, 12).text);
 }
 
-/* One line for each run of a duel: what matters most first. */
-static void note_both(const Screen *screen, Picture *picture)
-{
-    for (int run = 0; run < 2; run++) {
-        const Screen one = screen_of_side(screen, run == 0 ? SIDE_A : SIDE_B);
-        char text[2][PICTURE_TEXT_MAX];
-        for (int narrow = 0; narrow < 2; narrow++) {
-            char first[READOUT_TEXT], second[READOUT_TEXT];
-            frequency_lines(&one, narrow, first, second);
-            snprintf(text[narrow], sizeof *text, "%c %s", "AB"[run], first);
-            text_append(text[narrow], sizeof *text, "%s%s", second[0] ? "  " : "", second);
-        }
-        picture_note_brief(picture, STYLE_NORMAL, text[0], text[1]);
-    }
-}
-
 static void note_readout(const Screen *screen, Picture *picture, const Line *lines, int n_lines,
                          const char *curve)
 {
@@ -271,8 +255,20 @@ static void note_readout(const Screen *screen, Picture *picture, const Line *lin
                !screen_problem(screen)->si)
         return;
     if (screen_is_shared(screen)) {
-        if (!cursor)
-            note_both(screen, picture);
+        if (!cursor) {
+            /* One line for each run of a duel: what matters most first. */
+            for (int run = 0; run < 2; run++) {
+                const Screen one = screen_of_side(screen, run == 0 ? SIDE_A : SIDE_B);
+                char text[2][PICTURE_TEXT_MAX];
+                for (int narrow = 0; narrow < 2; narrow++) {
+                    char both_first[READOUT_TEXT], both_second[READOUT_TEXT];
+                    frequency_lines(&one, narrow, both_first, both_second);
+                    snprintf(text[narrow], sizeof *text, "%c %s", "AB"[run], both_first);
+                    text_append(text[narrow], sizeof *text, "%s%s", both_second[0] ? "  " : "", both_second);
+                }
+                picture_note_brief(picture, STYLE_NORMAL, text[0], text[1]);
+            }
+        }
         return;
     }
     if (!cursor && !experiment_readout(screen->experiment)->moving && runs_note_findings(screen, picture))

@@ -61,27 +61,6 @@ static double on_axis(const Section *section, const char *name, size_t column)
 
 /* --- what is there ---------------------------------------------------------------------------------- */
 
-/* The columns whose particles of the middle row lie in one cell of the mesh. */
-static void find_cell(Section *section)
-{
-    const Simulation *sim = section->sim;
-    section->first = section->chosen;
-    section->columns = 1;
-    if (!simulation_has(sim, HAS_MESH) || !section->of->resultant)
-        return;
-    const int node_x = simulation_find_field(sim, 1, "x");
-    const double from = simulation_value(sim, node_x, 0), cell = simulation_value(sim, node_x, 1) - from;
-    const size_t row = section->rows / 2;
-    const double own = floor((named_at(section, "x", row, section->chosen) - from) / cell);
-    while (section->first > 0 &&
-           floor((named_at(section, "x", row, section->first - 1) - from) / cell) == own)
-        section->first--;
-    const size_t nx = (size_t)section->body.nx;
-    while (section->first + section->columns < nx && section->columns < COLUMNS_MOST &&
-           floor((named_at(section, "x", row, section->first + section->columns) - from) / cell) == own)
-        section->columns++;
-}
-
 /* The line -y duy/dx by the slope over two spacings, one at an end; the stresses of theory as it knows the
  * run, or those that have the section's own moment M or force Q: M y/I, 3 Q/(2 A) (1 - (2 y/h)^2). */
 static double theory_at(const Section *section, double y, double time)
@@ -113,7 +92,22 @@ static bool take_section(Section *section, const Screen *screen, const SectionPa
     const size_t rows = section->rows = (size_t)section->body.ny;
     section->chosen = (screen->chosen.particle < count ? screen->chosen.particle : 0) % nx;
     section->middle = section->body.low[1] + section->body.size[1] / 2;
-    find_cell(section);
+    /* The columns whose particles of the middle row lie in one cell of the mesh. */
+    const Simulation *sim = section->sim;
+    section->first = section->chosen;
+    section->columns = 1;
+    if (simulation_has(sim, HAS_MESH) && section->of->resultant) {
+        const int node_x = simulation_find_field(sim, 1, "x");
+        const double from = simulation_value(sim, node_x, 0), cell = simulation_value(sim, node_x, 1) - from;
+        const size_t row = section->rows / 2;
+        const double own = floor((named_at(section, "x", row, section->chosen) - from) / cell);
+        while (section->first > 0 &&
+               floor((named_at(section, "x", row, section->first - 1) - from) / cell) == own)
+            section->first--;
+        while (section->first + section->columns < nx && section->columns < COLUMNS_MOST &&
+               floor((named_at(section, "x", row, section->first + section->columns) - from) / cell) == own)
+            section->columns++;
+    }
     section->y = calloc((3 + section->columns) * rows, sizeof *section->y);
     if (!section->y)
         return false;

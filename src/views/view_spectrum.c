@@ -253,22 +253,6 @@ static void add_marks(const Screen *screen, Picture *picture, const Scale *scale
         picture_name(picture, pen_predicted, "predicted");
 }
 
-/* A run's letter stands at its highest peak. */
-static void add_run(Picture *picture, const Scale *scale, const ShownRun *run)
-{
-    if (!run->shown || !scale->spectrum)
-        return;
-    runs_begin(picture, run);
-    plot_curve(&picture->plot, sample, scale, 0, bins_within(scale), picture->dots);
-    size_t best = 0;
-    for (size_t k = 1; k < bins_within(scale); k++)
-        if (best == 0 || scale->spectrum->amplitudes[k] > scale->spectrum->amplitudes[best])
-            best = k;
-    double x;
-    const double y = sample(scale, best, &x);
-    runs_letter(picture, run, x, y, MARK_PLACE);
-}
-
 static void note_peaks(const Screen *screen, Picture *picture, const Scale *scale, bool fast)
 {
     char text[160], line[168];
@@ -341,8 +325,20 @@ static void describe(const Screen *screen, int variant, Picture *picture)
             picture_key(picture, runs_key(&runs[i]));
     add_marks(screen, picture, &scale, marks, n_marks);
     runs_add_keys(picture, runs, n_runs);
-    for (int i = 0; i < n_runs; i++)
-        add_run(picture, &of_run[i], &runs[i]);
+    for (int i = 0; i < n_runs; i++) {
+        /* A run's letter stands at its highest peak. */
+        if (runs[i].shown && of_run[i].spectrum) {
+            runs_begin(picture, &runs[i]);
+            plot_curve(&picture->plot, sample, &of_run[i], 0, bins_within(&of_run[i]), picture->dots);
+            size_t best = 0;
+            for (size_t k = 1; k < bins_within(&of_run[i]); k++)
+                if (best == 0 || of_run[i].spectrum->amplitudes[k] > of_run[i].spectrum->amplitudes[best])
+                    best = k;
+            double x;
+            const double y = sample(&of_run[i], best, &x);
+            runs_letter(picture, &runs[i], x, y, MARK_PLACE);
+        }
+    }
     note_peaks(screen, picture, &scale, choice.fast);
 }
 

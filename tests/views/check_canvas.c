@@ -33,7 +33,7 @@ START_TEST(text_is_cut_with_an_ellipsis)
     char *styles = canvas_dump_styles(&canvas);
     ck_assert_str_eq(styles, "........\n.HHHH...\n........\n");
     free(styles);
-    canvas_to_ascii(&canvas);
+    canvas_to_ascii(&canvas, false);
     expect_dump(&canvas, "s <~\n abcd\n      xy\n");
     canvas_close(&canvas);
 }

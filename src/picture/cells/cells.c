@@ -121,8 +121,7 @@ static void name_foreign(const PictureKey *key, Area inner)
 {
     const int columns = 2 + glyphs_columns(key->name), room = inner.rect.width - columns - 1;
     const int x = room > 1 ? room : 1;
-    for (int i = -1; i <= columns; i++)
-        area_put(inner, x + i, 0, ' ', STYLE_NORMAL);
+    area_blank(inner, x - 1, x + columns + 1, 0, STYLE_NORMAL);
     area_put(inner, x, 0, key->sign, key->style);
     area_text(inner, x + 2, 0, key->name, STYLE_NORMAL);
 }

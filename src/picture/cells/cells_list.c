@@ -183,8 +183,7 @@ void cells_list(const Picture *picture, Area area, Style heading)
         const int lines = lines_of(list, &sight, row), end = sight.heading_rows + sight.room;
         const PictureCell *words = words_of(list, row);
         for (int i = 0; i < lines && marked && y + i < end; i++)
-            for (int x = 0; x < area.rect.width; x++)
-                area_put(area, x, y + i, ' ', STYLE_SELECTED);
+            area_blank(area, 0, area.rect.width, y + i, STYLE_SELECTED);
         if (marked && list->set < 0)
             area_put(area, 0, y, '>', STYLE_SELECTED);
         area_text_right(area, sight.names - 1, y, list->names[row - list->first],
@@ -283,12 +282,6 @@ typedef struct Sought {
     PictureThing found;
 } Sought;
 
-static void write_nowhere(const TableSheet *sheet, int column, int row, const char *text, Style style,
-                          bool to_end)
-{
-    (void)sheet, (void)column, (void)row, (void)text, (void)style, (void)to_end;
-}
-
 static void compare(const TableSheet *sheet, int column, int row, int width, PictureThing thing)
 {
     Sought *sought = sheet->back_end;
@@ -299,11 +292,8 @@ static void compare(const TableSheet *sheet, int column, int row, int width, Pic
 PictureThing cells_thing(const Picture *picture, Rect rect, int x, int y)
 {
     Sought sought = {x - rect.x, y - rect.y - 1, {.set = -1}};
-    const TableSheet sheet = {.columns = rect.width,
-                              .rows = rect.height - 1,
-                              .write = write_nowhere,
-                              .stand = compare,
-                              .back_end = &sought};
+    const TableSheet sheet = {
+        .columns = rect.width, .rows = rect.height - 1, .stand = compare, .back_end = &sought};
     tables_write(picture, &sheet);
     return sought.found;
 }

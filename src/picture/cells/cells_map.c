@@ -355,19 +355,6 @@ static void show_crossings(const Sheet *sheet)
 
 /* --- arrows and signs ------------------------------------------------------------------------------- */
 
-/* Its ends in cells, between dots a little short of both, and its length in columns; a cell is twice as high
- * as wide. */
-static double arrow_ends(const Sheet *sheet, const PictureArrow *arrow, double from[2], double to[2])
-{
-    place(sheet, arrow->from[0], arrow->from[1], &from[0], &from[1]);
-    place(sheet, arrow->to[0], arrow->to[1], &to[0], &to[1]);
-    const double dx = to[0] - from[0], dy = to[1] - from[1], length = math_hypot(dx, 2 * dy);
-    const double share = sheet->map->is_near && length > 0 ? fmin(1.5 * BESIDE / length, 0.3) : 0;
-    from[0] += share * dx, from[1] += share * dy;
-    to[0] -= share * dx, to[1] -= share * dy;
-    return (1 - 2 * share) * length;
-}
-
 /* Shafts as lines, or the heads; a short one is a stroke without a head, or a dot. */
 static void draw_arrows(const Sheet *sheet, bool heads)
 {
@@ -375,7 +362,15 @@ static void draw_arrows(const Sheet *sheet, bool heads)
         const PictureArrow *arrow = &sheet->picture->arrows[i];
         const Stroke shaft = {.style = arrow->style, .rank = RANK_ARROW};
         double from[2], to[2];
-        const double length = arrow_ends(sheet, arrow, from, to);
+        /* Its ends in cells, between dots a little short of both, and its length in columns; a cell is
+         * twice as high as wide. */
+        place(sheet, arrow->from[0], arrow->from[1], &from[0], &from[1]);
+        place(sheet, arrow->to[0], arrow->to[1], &to[0], &to[1]);
+        const double dx = to[0] - from[0], dy = to[1] - from[1], end_length = math_hypot(dx, 2 * dy);
+        const double share = sheet->map->is_near && end_length > 0 ? fmin(1.5 * BESIDE / end_length, 0.3) : 0;
+        from[0] += share * dx, from[1] += share * dy;
+        to[0] -= share * dx, to[1] -= share * dy;
+        const double length = (1 - 2 * share) * end_length;
         if (!heads)
             draw_line(sheet, from, to, &shaft);
         else if (length >= HEAD_LEAST && is_inside(sheet, to[0], to[1]))
@@ -650,11 +645,6 @@ void cells_map(const Picture *picture, Area area, Style heading, int colours)
 
 /* --- for keys and the mouse ------------------------------------------------------------------------- */
 
-static bool holds(Rect rect, int x, int y)
-{
-    return x >= rect.x && y >= rect.y && x < rect.x + rect.width && y < rect.y + rect.height;
-}
-
 long cells_map_piece(const Picture *picture, Rect rect, int x, int y)
 {
     const PictureMap *map = picture->map;
@@ -673,7 +663,7 @@ long cells_map_piece(const Picture *picture, Rect rect, int x, int y)
         }
     }
     const double reach = 2 + map->size * map->scale[0];
-    return holds(part, x, y) && least <= reach * reach ? nearest : -1;
+    return rect_holds(part, x, y) && least <= reach * reach ? nearest : -1;
 }
 
 bool cells_map_place(const Picture *picture, Rect rect, int x, int y, double out[2])
@@ -682,5 +672,5 @@ bool cells_map_place(const Picture *picture, Rect rect, int x, int y, double out
     const Rect part = body_part((Area){.rect = rect}).rect;
     out[0] = map->middle[0] + (x - part.x + 0.5 - part.width / 2.0) / map->scale[0];
     out[1] = map->middle[1] - (y - part.y + 0.5 - part.height / 2.0) / map->scale[1];
-    return holds(part, x, y);
+    return rect_holds(part, x, y);
 }

@@ -14,8 +14,7 @@ static int draw_entries(Area area, int x, int y, int gap, const Legend *legend, 
         const int columns = 3 + glyphs_columns(legend[i].name);
         if (x + columns + 1 > area.rect.width)
             return i;
-        for (int k = -1; k <= columns + 1; k++)
-            area_put(area, x + k, y, ' ', STYLE_FRAME);
+        area_blank(area, x - 1, x + columns + 2, y, STYLE_FRAME);
         const char *key =
             legend[i].key ? legend[i].key : plot_key(legend[i].line, legend[i].letter, area.glyphs);
         area_text(area, x, y, key, legend[i].style);

@@ -167,20 +167,6 @@ static char letter_of(const Picture *picture, int stroke)
     return 0;
 }
 
-/* Just outside the body, with a lip at its end. */
-static void draw_wall(const Frame *frame, const Stroke *stroke, const Pencil *pencil)
-{
-    const double *points = frame->picture->plot.points + 2 * stroke->first;
-    const double row = stroke->wall / frame->picture->map->scale[1];
-    for (size_t i = 1; i < stroke->count; i++) {
-        const double *from = points + 2 * i - 2, *to = points + 2 * i;
-        const double x = x_of(frame, to[0]), y = y_of(frame, to[1] + 0.3 * row);
-        const double places[] = {x_of(frame, from[0]), y, x, y, x, y_of(frame, to[1] + 0.9 * row)};
-        if (!isnan(from[0]) && !isnan(to[0]))
-            frame->paper->kind->line(frame->paper, places, 3, pencil);
-    }
-}
-
 static Pencil pencil_of(const Frame *frame, int index)
 {
     const Stroke *stroke = &frame->picture->plot.strokes[index];
@@ -196,9 +182,18 @@ static void draw_stroke(const Frame *frame, int index, bool noise, double *place
         pencil.colour = ink_pale(pencil.colour);
     if ((double)stroke->count > DENSE * frame->box.width)
         pencil.width *= noise ? 0.5 : 0.7;
-    if (stroke->wall)
-        draw_wall(frame, stroke, &pencil);
-    else if (stroke->kind == STROKE_LINE) {
+    if (stroke->wall) {
+        /* Just outside the body, with a lip at its end. */
+        const double *points = frame->picture->plot.points + 2 * stroke->first;
+        const double row = stroke->wall / frame->picture->map->scale[1];
+        for (size_t j = 1; j < stroke->count; j++) {
+            const double *from = points + 2 * j - 2, *to = points + 2 * j;
+            const double x = x_of(frame, to[0]), y = y_of(frame, to[1] + 0.3 * row);
+            const double corners[] = {x_of(frame, from[0]), y, x, y, x, y_of(frame, to[1] + 0.9 * row)};
+            if (!isnan(from[0]) && !isnan(to[0]))
+                frame->paper->kind->line(frame->paper, corners, 3, &pencil);
+        }
+    } else if (stroke->kind == STROKE_LINE) {
         const double *points = frame->picture->plot.points + 2 * stroke->first;
         size_t count = 0;
         for (size_t i = 0; i <= stroke->count; i++) {
@@ -281,13 +276,6 @@ static void draw_strokes(const Frame *frame)
 
 /* --- marks ----------------------------------------------------------------------------------------- */
 
-static void draw_letter(const Frame *frame, const PictureMark *mark, char letter, double x, double y)
-{
-    const char text[2] = {letter, '\0'};
-    const Type type = {.size = SIZE_TICKS, .bold = true, .colour = ink_of(mark->style)};
-    frame->paper->kind->text(frame->paper, x + 3, y + 2.5, text, &type);
-}
-
 /* Its middle is the place. */
 static void draw_arrow(const Frame *frame, uint32_t glyph, double x, double y, double size)
 {
@@ -299,14 +287,6 @@ static void draw_arrow(const Frame *frame, uint32_t glyph, double x, double y, d
                            neck_y + wide * way[0], neck_x - wide * way[1], neck_y - wide * way[0]};
     frame->paper->kind->line(frame->paper, shaft, 2, &(Pencil){.colour = BLACK, .width = 1.1 * size});
     frame->paper->kind->fill(frame->paper, head, 3, BLACK);
-}
-
-static void draw_cross(const Frame *frame, double x, double y, double size)
-{
-    const double half = 4 * size, across[] = {x - half, y, x + half, y}, up[] = {x, y - half, x, y + half};
-    const Pencil pencil = {.colour = ink_of(STYLE_MEASURED), .width = 1.6 * size};
-    frame->paper->kind->line(frame->paper, across, 2, &pencil);
-    frame->paper->kind->line(frame->paper, up, 2, &pencil);
 }
 
 /* Of a node of a mesh: where it is, or what it has as a bar beside it. */
@@ -377,9 +357,13 @@ static size_t draw_signs(const Frame *frame, size_t first)
         frame->paper->kind->fill(frame->paper, corners, 3, BLACK);
     else if (glyph >= SIGN_LEFT && glyph < SIGN_LEFT + 4)
         draw_arrow(frame, glyph, x, y, size);
-    else if (glyph == SIGN_PROBE)
-        draw_cross(frame, x, y, size);
-    else if (begin->kind == MARK_BAR || glyph == SIGN_NODE || glyph == SIGN_PLACE || glyph == SIGN_GIVEN)
+    else if (glyph == SIGN_PROBE) {
+        const double arm = 4 * size, across[] = {x - arm, y, x + arm, y},
+                     upright[] = {x, y - arm, x, y + arm};
+        const Pencil pencil = {.colour = ink_of(STYLE_MEASURED), .width = 1.6 * size};
+        frame->paper->kind->line(frame->paper, across, 2, &pencil);
+        frame->paper->kind->line(frame->paper, upright, 2, &pencil);
+    } else if (begin->kind == MARK_BAR || glyph == SIGN_NODE || glyph == SIGN_PLACE || glyph == SIGN_GIVEN)
         draw_node(frame, begin, x, y, size);
     else {
         /* A letter on white, so that it is read on any colour. */
@@ -424,7 +408,9 @@ static void draw_marks(const Frame *frame)
             shift = fabs(x - before_x) < 4 && fabs(y - before_y) < 4 ? shift + 6 : 0;
             before_x = x;
             before_y = y;
-            draw_letter(frame, mark, letter, x + shift, y);
+            const char text[2] = {letter, '\0'};
+            const Type type = {.size = SIZE_TICKS, .bold = true, .colour = ink_of(mark->style)};
+            frame->paper->kind->text(frame->paper, x + shift + 3, y + 2.5, text, &type);
         }
     }
 }

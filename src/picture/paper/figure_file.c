@@ -137,14 +137,6 @@ static double usual_height(const Figure *figure, int panels)
     return (panels == 1 ? 0.56 : 0.5) * panel_width(figure, panels);
 }
 
-/* How large one of so many panels is, counted in characters of its labels. */
-static void page_panel_cells(const Figure *figure, int panels, int *columns, int *rows)
-{
-    ASSERT_INT(panels, >=, 1);
-    *columns = (int)(panel_width(figure, panels) / (0.66 * SIZE_WORDS));
-    *rows = (int)(usual_height(figure, panels) / (1.3 * SIZE_WORDS));
-}
-
 static double plot_height(const Figure *figure)
 {
     double height = 0;
@@ -247,56 +239,49 @@ static void name_of(const Screen *screen, const View *view, int variant, char ou
         snprintf(out, NAME_MAX_BYTES, "%s%s%s", word, part ? ":" : "", part ? part : "");
 }
 
-static void list_names(const Screen *screen, char *out, size_t size)
+/* The next name that stands for a view here, of view *i and its variant, which begin at 0 and -1; false: no
+ * more. */
+static bool next_name(const Screen *screen, int *i, int *variant, char name[NAME_MAX_BYTES])
 {
-    char name[NAME_MAX_BYTES];
-    size_t used = 0;
-    out[0] = '\0';
-    for (int i = 0; i < n_views; i++)
-        for (int variant = 0; name_of(screen, views[i], variant, name), name[0]; variant++) {
-            /* the view is named once: profile:u|v|stress */
-            const char *part = variant > 0 ? strchr(name, ':') + 1 : name;
-            const char *gap = variant > 0 ? "|" : used > 0 ? " " : "";
-            if (used < size)
-                used += (size_t)snprintf(out + used, size - used, "%s%s", gap, part);
-            if (!strchr(name, ':'))
-                break;
-        }
+    for (++*variant; *i < n_views; ++*i, *variant = 0) {
+        name_of(screen, views[*i], *variant, name);
+        if (name[0])
+            return true;
+    }
+    return false;
 }
 
 bool figure_view(Screen *screen, const char *wanted, const View **view, Status *status)
 {
-    char name[NAME_MAX_BYTES], all[400];
+    char name[NAME_MAX_BYTES], all[400] = "";
     *view = view_named(wanted); /* by its digit */
     if (*view && view_is_on_paper(*view, screen))
         return true;
-    for (int i = 0; i < n_views; i++)
-        for (int variant = 0; name_of(screen, views[i], variant, name), name[0]; variant++) {
-            const char *colon = strchr(name, ':');
-            const bool whole = strcmp(name, wanted) == 0;
-            const bool bare = colon && strlen(wanted) == (size_t)(colon - name) &&
-                              strncmp(name, wanted, (size_t)(colon - name)) == 0;
-            *view = views[i];
-            if (whole)
-                view_choose_variant(*view, screen, variant);
-            if (whole || bare)
-                return true;
-            if (!colon)
-                break;
-        }
-    list_names(screen, all, sizeof all);
+    for (int i = 0, variant = -1; next_name(screen, &i, &variant, name);) {
+        const char *colon = strchr(name, ':');
+        const bool whole = strcmp(name, wanted) == 0;
+        const bool bare = colon && strlen(wanted) == (size_t)(colon - name) &&
+                          strncmp(name, wanted, (size_t)(colon - name)) == 0;
+        *view = views[i];
+        if (whole)
+            view_choose_variant(*view, screen, variant);
+        if (whole || bare)
+            return true;
+        /* the view is named once: profile:u|v|stress */
+        text_append(all, sizeof all, "%s%s",
+                    variant > 0 ? "|"
+                    : *all      ? " "
+                                : "",
+                    variant > 0 ? colon + 1 : name);
+    }
     return status_refuse(status, "%.60s: no such view here (%s)", wanted, all);
 }
 
 void figure_names(const Screen *screen, FILE *stream)
 {
     char name[NAME_MAX_BYTES];
-    for (int i = 0; i < n_views; i++)
-        for (int variant = 0; name_of(screen, views[i], variant, name), name[0]; variant++) {
-            fprintf(stream, "%s\n", name);
-            if (!strchr(name, ':'))
-                break;
-        }
+    for (int i = 0, variant = -1; next_name(screen, &i, &variant, name);)
+        fprintf(stream, "%s\n", name);
 }
 
 /* --- what stands around the panels ------------------------------------------------------------------ */
@@ -393,8 +378,10 @@ bool figure_add(Figure *figure, const Screen *screen, const View *view, int pane
     if (!panel)
         return no_memory(status);
     /* as many ticks as a pane of the terminal of that size has */
-    int columns, rows;
-    page_panel_cells(figure, panels, &columns, &rows);
+    /* How large one of so many panels is, counted in characters of its labels. */
+    ASSERT_INT(panels, >=, 1);
+    const int columns = (int)(panel_width(figure, panels) / (0.66 * SIZE_WORDS));
+    const int rows = (int)(usual_height(figure, panels) / (1.3 * SIZE_WORDS));
     errno = 0;
     view_describe(view, screen, columns, rows, &panel->picture);
     const Picture *picture = &panel->picture;

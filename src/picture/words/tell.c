@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The parts of the screen in words (tell.h). */
 #include "picture/words/tell.h"
-#include "panes/entry.h"
 #include "scenario/concern_loads.h"
 #include "scenario/settings.h"
 #include "scenario/rows/rows.h"
@@ -50,7 +49,7 @@ static void tell_drawn(const Screen *screen, void (*draw)(const Screen *, Area),
     words->lost |= !canvas_open(&canvas, all.width, rows, NULL);
     if (canvas.cells) {
         draw(&plain, (Area){&canvas, all, GLYPHS_ASCII});
-        canvas_to_words(&canvas);
+        canvas_to_ascii(&canvas, true);
         words_canvas(words, &canvas, numbered);
     }
     canvas_close(&canvas);

@@ -444,20 +444,6 @@ static void say_map(const Picture *picture, Words *words)
                       picture->keys[i].name);
 }
 
-/* Of a drawing a thing with the numbers that stand below its name, one without says nothing; and its words.
- */
-static void say_label(const PictureLabel *label, bool drawn, Words *words)
-{
-    if (drawn && label->thing && !strchr(label->text, '\n'))
-        return;
-    char text[2 * sizeof label->text];
-    size_t used = 0;
-    for (const char *here = label->text; *here; here++)
-        used += (size_t)snprintf(text + used, sizeof text - used, *here == '\n' ? ", " : "%c", *here);
-    words_say(words, 4, drawn ? "  %s%s%s." : "  in the drawing: %s%s%s", label->thing ? label->thing : "",
-              label->thing ? " " : "", text);
-}
-
 /* "particle: x; velocity" and below it "25: 12.75, 0.079968", or "t 5.1: bond 12-13 broke"; the chosen row
  * with those around it. */
 static void say_list(const Picture *picture, Words *words)
@@ -551,8 +537,20 @@ void tell_picture(const Picture *picture, double cursor, Words *words)
     }
     if (picture->list)
         say_list(picture, words);
-    for (int i = 0; i < picture->n_labels && picture->bare; i++)
-        say_label(&picture->labels[i], drawn || strip, words);
+    for (int i = 0; i < picture->n_labels && picture->bare; i++) {
+        /* Of a drawing a thing with the numbers that stand below its name, one without says nothing; and
+         * its words. */
+        const PictureLabel *label = &picture->labels[i];
+        const bool label_drawn = drawn || strip;
+        if (!label_drawn || !label->thing || strchr(label->text, '\n')) {
+            char text[2 * sizeof label->text];
+            size_t used = 0;
+            for (const char *here = label->text; *here; here++)
+                used += (size_t)snprintf(text + used, sizeof text - used, *here == '\n' ? ", " : "%c", *here);
+            words_say(words, 4, label_drawn ? "  %s%s%s." : "  in the drawing: %s%s%s",
+                      label->thing ? label->thing : "", label->thing ? " " : "", text);
+        }
+    }
     for (int i = 0; i < picture->n_arrows; i++)
         if (picture->arrows[i].told[0])
             words_say(words, 4, "  %s.", picture->arrows[i].told);

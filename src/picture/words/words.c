@@ -50,18 +50,6 @@ static size_t line_bytes(const char *text, size_t width)
     return word > 0 ? word : fit;
 }
 
-static void put_paragraph(Words *words, size_t indent, const char *text)
-{
-    static const char blanks[WORDS_WIDTH] =
-        "                                                                       ";
-    for (size_t lead = 0; *text; lead = indent) {
-        const size_t bytes = line_bytes(text, WORDS_WIDTH - lead);
-        put_line(words, blanks, lead, text, bytes);
-        text += bytes;
-        text += strspn(text, " ");
-    }
-}
-
 void words_say(Words *words, int indent, const char *format, ...)
 {
     char text[2048], spelled[2 * sizeof text], shown[4 * sizeof text];
@@ -74,7 +62,15 @@ void words_say(Words *words, int indent, const char *format, ...)
     for (const char *at = spelled; *at && length + 4 < sizeof shown;)
         length += glyph_put(shown + length, glyph_told(glyph_shown(glyph_next(&at))));
     shown[length] = '\0';
-    put_paragraph(words, (size_t)indent, shown);
+    static const char blanks[WORDS_WIDTH] =
+        "                                                                       ";
+    const char *rest = shown;
+    for (size_t lead = 0; *rest; lead = (size_t)indent) {
+        const size_t bytes = line_bytes(rest, WORDS_WIDTH - lead);
+        put_line(words, blanks, lead, rest, bytes);
+        rest += bytes;
+        rest += strspn(rest, " ");
+    }
 }
 
 /* --- what was drawn --------------------------------------------------------------------------------- */

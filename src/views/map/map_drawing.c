@@ -200,23 +200,6 @@ static void add(Drawing *drawing, double from, double to, int row)
     drawing->room.lengths = row + 1 > drawing->room.lengths ? row + 1 : drawing->room.lengths;
 }
 
-/* The most important lengths first: those that have no row are left out from the end. */
-static void choose_lengths(Drawing *drawing)
-{
-    const Settings *settings = drawing->settings;
-    const MapScene *scene = &drawing->scene;
-    int row = 0;
-    if (scene->leaves)
-        add(drawing, -settings_motion(settings)->channel, 0, row);
-    if (scene->notched)
-        add(drawing, 0, settings_notch(settings)->position, row++);
-    if (scene->pressed) {
-        add(drawing, 0, settings_loads(settings)->position, row++);
-        add(drawing, settings_supports(settings)->left, settings_supports(settings)->right, row++);
-    }
-    add(drawing, 0, settings_geometry(settings)->length, row);
-}
-
 static void add_parts(const Drawing *drawing)
 {
     add_outline(drawing);
@@ -307,7 +290,19 @@ void map_drawing(const Screen *screen, Picture *picture)
     drawing.room.around = drawing.scene.around;
     drawing.room.size[0] = drawing.body.size[0];
     drawing.room.size[1] = drawing.body.size[1];
-    choose_lengths(&drawing);
+    /* The most important lengths first: those that have no row are left out from the end. */
+    const MapScene *scene = &drawing.scene;
+    int row = 0;
+    if (scene->leaves)
+        add(&drawing, -settings_motion(drawing.settings)->channel, 0, row);
+    if (scene->notched)
+        add(&drawing, 0, settings_notch(drawing.settings)->position, row++);
+    if (scene->pressed) {
+        add(&drawing, 0, settings_loads(drawing.settings)->position, row++);
+        add(&drawing, settings_supports(drawing.settings)->left, settings_supports(drawing.settings)->right,
+            row++);
+    }
+    add(&drawing, 0, settings_geometry(drawing.settings)->length, row);
     if (!picture_lay_drawing(picture, &drawing.room))
         return;
     screen_time_text(screen, 0, picture->time, sizeof picture->time);

@@ -161,19 +161,6 @@ static void lay(Map *map)
     picture_lay_body(map->picture, &room);
 }
 
-static void place_particles(Map *map)
-{
-    const Simulation *sim = map->sim;
-    PictureMap *drawn = map->drawn;
-    sim->method->field(sim, sim->position[0], 0, map->body.count, drawn->x);
-    sim->method->field(sim, sim->position[1], 0, map->body.count, drawn->y);
-    for (size_t k = 0; k < map->body.count; k++) {
-        drawn->x[k] += map->ux[k];
-        drawn->y[k] += map->uy[k];
-    }
-    drawn->size = map->body.spacing;
-}
-
 bool map_open(Map *map, const Screen *screen, Picture *picture)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
@@ -206,7 +193,14 @@ bool map_open(Map *map, const Screen *screen, Picture *picture)
         }
         map->drawn->is_cloud = true;
         picture_lay_body(map->picture, &room);
-        place_particles(map);
+        PictureMap *drawn = map->drawn;
+        map->sim->method->field(map->sim, map->sim->position[0], 0, map->body.count, drawn->x);
+        map->sim->method->field(map->sim, map->sim->position[1], 0, map->body.count, drawn->y);
+        for (size_t k = 0; k < map->body.count; k++) {
+            drawn->x[k] += map->ux[k];
+            drawn->y[k] += map->uy[k];
+        }
+        drawn->size = map->body.spacing;
     } else {
         lay(map);
         const Body *body = &map->body;

@@ -31,18 +31,6 @@ double overlay_reach(const Screen *screen, const char *curve, bool along)
     return fmax(-least, most);
 }
 
-/* The rows that lie on the axis of x. */
-static void rows_within(const Overlay *overlay, const Axis *x, size_t *first, size_t *end)
-{
-    const double *values = overlay->columns[overlay->x].values;
-    *first = overlay_find(overlay, x->low);
-    *end = overlay_find(overlay, x->high);
-    *end = *end == overlay->count ? 0 : *end + 1;
-    *first = *first == overlay->count ? 0 : *first;
-    while (*first < *end && values[*first] < x->low)
-        ++*first;
-}
-
 typedef struct Samples {
     const double *x, *y;
 } Samples;
@@ -65,22 +53,27 @@ static void put_mark(Picture *picture, double x, double y)
 void overlay_add(const Screen *screen, Picture *picture, const char *curve, bool along)
 {
     const OverlayColumn *column = column_of(screen->overlay, curve, along);
+    const Overlay *overlay = screen->overlay;
     const Axis *axis = &picture->plot.x;
     const int width = picture->across;
-    size_t first, end;
     if (!column)
         return;
-    const double *x = screen->overlay->columns[screen->overlay->x].values;
+    const double *x = overlay->columns[overlay->x].values;
     const Samples samples = {x, column->values};
-    rows_within(screen->overlay, axis, &first, &end);
+    /* The rows that lie on the axis of x. */
+    size_t first = overlay_find(overlay, axis->low), end = overlay_find(overlay, axis->high);
+    end = end == overlay->count ? 0 : end + 1;
+    first = first == overlay->count ? 0 : first;
+    while (first < end && x[first] < axis->low)
+        first++;
     plot_begin(&picture->plot, STROKE_DOTS, (Pen){LINE_SOLID, '+', STYLE_THIRD, RANK_SECOND, 0});
     plot_curve(&picture->plot, sample, &samples, first, end, picture->dots);
-    picture_key(picture, (PictureKey){LINE_SOLID, '+', STYLE_THIRD, screen->overlay->file, '+', 0});
+    picture_key(picture, (PictureKey){LINE_SOLID, '+', STYLE_THIRD, overlay->file, '+', 0});
     for (size_t row = first; row < end && end - first <= (size_t)width / 2; row++)
         put_mark(picture, x[row], column->values[row]);
     for (int cell = 0; cell < width && end - first > (size_t)width / 2; cell += MARK_EVERY) {
         const double at = axis->low + (axis->high - axis->low) * (cell + 0.5) / width;
-        const size_t row = overlay_find(screen->overlay, at);
+        const size_t row = overlay_find(overlay, at);
         if (row >= first && row < end)
             put_mark(picture, x[row], column->values[row]);
     }
