@@ -3,7 +3,8 @@
 # Completion: what bash offers for a line, in step with the program, and fish the same; zsh only reads the file.
 # shellcheck source=tests/common.sh
 . "$MATVIB_SRCDIR/tests/common.sh"
-folder=$MATVIB_SRCDIR/completion
+folder=$MATVIB_BUILDDIR/completion
+test -e "$folder/matvib" || folder=$MATVIB_SRCDIR/completion
 touch mine.ini
 
 # shellcheck disable=SC1091
