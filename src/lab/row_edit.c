@@ -3,6 +3,7 @@
 #include "lab/row_edit.h"
 #include "scenario/concern_body.h"
 #include "scenario/concern_bonds.h"
+#include "scenario/concern_cells.h"
 #include "scenario/settings.h"
 #include "scenario/rows/rows.h"
 #include "base/text.h"
@@ -221,6 +222,8 @@ static void columns_of_end(const Settings *settings, int kind, int row, int end,
     const bool lies = kind == ROWS_LOADS && settings_row_value(settings, kind, row, 0) <= ROW_BOTTOM;
     columns[0] = columns[1] = -1;
     for (int i = 0; i < row_kinds[kind].n_columns; i++) {
+        if (!row_has(&row_kinds[kind], &settings->rows[kind].rows[row], i))
+            continue;
         const RowValue value = row_kinds[kind].columns[i].value;
         const int axis = value == ROW_ALONG_X ? 0 : value == ROW_ALONG_Y ? 1 : lies ? 0 : 1;
         if (value != ROW_ALONG_X && value != ROW_ALONG_Y && value != ROW_ALONG_EDGE)
@@ -233,6 +236,14 @@ static void columns_of_end(const Settings *settings, int kind, int row, int end,
 static double extent(const Settings *settings, int axis)
 {
     return axis == 0 ? settings_geometry(settings)->length : settings_geometry(settings)->height;
+}
+
+/* From one node, or of bodies from one particle, to the next. */
+static double spacing_of(const Settings *settings, int kind)
+{
+    return kind == ROWS_BODIES
+               ? settings_mesh(settings)->cell_size / settings_mesh(settings)->particles_per_cell
+               : settings_lattice(settings)->spacing;
 }
 
 /* A place of an end, m; what was a share of the plate stays one. */
@@ -345,7 +356,7 @@ bool row_edit_key(Laboratory *lab, const char *key)
     RowsShown *shown = &lab->parameters.rows;
     if (!shown->placing)
         return false;
-    const double spacing = settings_lattice(lab->editing.draft)->spacing;
+    const double spacing = spacing_of(lab->editing.draft, shown->kind);
     for (size_t i = 0; i < sizeof moves / sizeof *moves; i++)
         if (strcmp(key, moves[i].keys[0]) == 0 || strcmp(key, moves[i].keys[1]) == 0) {
             shift(lab, (double[]){moves[i].x * moves[i].spacings * spacing,
@@ -376,11 +387,11 @@ void row_edit_point(Laboratory *lab, int x, int y)
     if (!shown->placing || !view_map_place(&lab->screen, lab->width, lab->height, x, y, place))
         return;
     columns_of_end(draft, shown->kind, shown->row, shown->end == ROW_SECOND_END, columns);
+    const double spacing = spacing_of(draft, shown->kind);
     for (int axis = 0; axis < 2; axis++)
         if (columns[axis] >= 0)
-            by[axis] =
-                settings_lattice(draft)->spacing * round(place[axis] / settings_lattice(draft)->spacing) -
-                settings_row_value(draft, shown->kind, shown->row, columns[axis]);
+            by[axis] = spacing * round(place[axis] / spacing) -
+                       settings_row_value(draft, shown->kind, shown->row, columns[axis]);
     shift(lab, by);
     say_place(lab);
 }
@@ -388,13 +399,15 @@ void row_edit_point(Laboratory *lab, int x, int y)
 /* --- commands
  * ------------------------------------------------------------------------------------------------ */
 
-static bool have_rows(Laboratory *lab)
+/* The first kind of which rows can be added: cuts, bodies. -1: there is none, and that is said. */
+static int first_kind(Laboratory *lab)
 {
-    const bool any = settings_have_rows(experiment_settings(laboratory_run(lab)), ROWS_CUTS);
-    if (!any)
-        laboratory_say(lab, MESSAGE_INFO,
-                       "there are no cuts, loads or supports to be edited here: a plate has");
-    return any;
+    for (int kind = 0; kind < ROW_KINDS; kind++)
+        if (row_kinds[kind].fresh && settings_have_rows(experiment_settings(laboratory_run(lab)), kind))
+            return kind;
+    laboratory_say(lab, MESSAGE_INFO,
+                   "only plates (cuts, loads, supports) and bodies have rows to be edited");
+    return -1;
 }
 
 /* A row that is there; false: none is chosen, and that is said. */
@@ -406,7 +419,7 @@ static bool chosen(Laboratory *lab, int *kind, int *row)
     if (any)
         *kind = place.kind, *row = place.row;
     if (!any) /* where it is not marked nobody sees which one it is */
-        laboratory_say(lab, MESSAGE_INFO, "choose a cut, load, support ... among the parameters first");
+        laboratory_say(lab, MESSAGE_INFO, "choose a cut, load, body ... among the parameters first");
     return any;
 }
 
@@ -426,10 +439,11 @@ static void place_new(Laboratory *lab, int kind, const char *values)
 void row_edit_add(Laboratory *lab)
 {
     RowPlace place;
-    if (!have_rows(lab))
+    const int first = first_kind(lab);
+    if (first < 0)
         return;
     const bool any = screen_selected_row(&lab->screen, &place) && row_kinds[place.kind].fresh;
-    const int kind = any ? place.kind : ROWS_CUTS;
+    const int kind = any ? place.kind : first;
     *lab->editing.draft = *experiment_settings(laboratory_run(lab));
     place_new(lab, kind, row_kinds[kind].fresh);
 }
@@ -438,7 +452,7 @@ void row_edit_copy(Laboratory *lab)
 {
     int kind, row;
     char values[ROW_TEXT_MAX];
-    if (!have_rows(lab) || !chosen(lab, &kind, &row))
+    if (first_kind(lab) < 0 || !chosen(lab, &kind, &row))
         return;
     if (!row_kinds[kind].fresh) {
         laboratory_say(lab, MESSAGE_INFO, "there is one %s only", row_kinds[kind].one);
@@ -453,7 +467,7 @@ void row_edit_delete(Laboratory *lab)
 {
     int kind, row;
     Status status = {STATUS_DONE, ""};
-    if (!have_rows(lab) || !chosen(lab, &kind, &row))
+    if (first_kind(lab) < 0 || !chosen(lab, &kind, &row))
         return;
     Settings settings = *experiment_settings(laboratory_run(lab));
     char name[ROW_NAME_MAX];
@@ -469,8 +483,9 @@ void row_edit_delete(Laboratory *lab)
 void row_edit_move(Laboratory *lab)
 {
     int kind, row;
-    if (!have_rows(lab) || !chosen(lab, &kind, &row))
+    if (first_kind(lab) < 0 || !chosen(lab, &kind, &row))
         return;
     *lab->editing.draft = *experiment_settings(laboratory_run(lab));
-    begin_placing(lab, kind, row, row_kinds[kind].usual ? ROW_BOTH_ENDS : ROW_FIRST_END);
+    begin_placing(lab, kind, row,
+                  row_kinds[kind].usual || kind == ROWS_BODIES ? ROW_BOTH_ENDS : ROW_FIRST_END);
 }

@@ -392,6 +392,34 @@ START_TEST(every_scenario_has_a_number_and_questions)
 }
 END_TEST
 
+/* Bodies are added, moved by particles, copied and deleted by the keys of cuts; one that does not fit stays
+ * in hand. */
+START_TEST(bodies_are_edited_by_keys)
+{
+    Bench *bench = open_bench("two-discs", true);
+    const RowList *rows;
+    char text[ROW_TEXT_MAX];
+    press_all(bench, "A Enter");
+    rows = &experiment_settings(bench->lab.player.duel.a)->rows[ROWS_BODIES];
+    ck_assert_int_eq(rows->count, 3);
+    press_all(bench, "p Right Right Up Enter");
+    rows = &experiment_settings(bench->lab.player.duel.a)->rows[ROWS_BODIES];
+    settings_row_show(experiment_settings(bench->lab.player.duel.a), ROWS_BODIES, 2, text);
+    ck_assert_str_eq(text, "disc 55% 52.5% 0.1"); /* a particle is a fortieth of the box */
+    press_all(bench, "C Enter");
+    ck_assert(bench->lab.parameters.rows.placing && shows(bench, "overlaps"));
+    press_all(bench, "PageDown Right Right Right Enter D");
+    rows = &experiment_settings(bench->lab.player.duel.a)->rows[ROWS_BODIES];
+    ck_assert(!bench->lab.parameters.rows.placing);
+    ck_assert_int_eq(rows->count, 3);
+    close_bench(bench);
+    bench = open_bench("mode1", true);
+    press(bench, "A");
+    ck_assert(shows(bench, "only plates (cuts, loads, supports) and bodies have rows"));
+    close_bench(bench);
+}
+END_TEST
+
 /* Where one pane has room: bodies begin with their map, others with the plot. */
 START_TEST(a_small_screen_begins_with_what_matters)
 {
@@ -494,6 +522,7 @@ void add_cases(Suite *suite)
     tcase_add_test(sheets, a_scenario_opens_on_its_own_sheet);
     tcase_add_test(sheets, a_row_that_is_asked_about_is_changed);
     tcase_add_loop_test(sheets, a_small_screen_begins_with_what_matters, 0, 2);
+    tcase_add_test(sheets, bodies_are_edited_by_keys);
     tcase_add_loop_test(sheets, every_scenario_has_a_number_and_questions, 0, count);
     tcase_add_loop_test(sheets, the_number_of_a_scenario_is_known_at_its_end, 0, count);
     suite_add_tcase(suite, sheets);

@@ -3,6 +3,8 @@
  * height stretched where the beam is too slender for the pane. */
 #include "base/math/functions.h"
 #include "base/text.h"
+#include "panes/entry.h"
+#include "panes/screen.h"
 #include "scenario/concern_body.h"
 #include "scenario/concern_cells.h"
 #include "scenario/concern_loads.h"
@@ -224,7 +226,7 @@ void map_close(Map *map)
 
 /* --- the box around bodies ------------------------------------------------------------------------ */
 
-enum { RANK_CELLS, RANK_BOX, RANK_HATCH };
+enum { RANK_CELLS, RANK_BOX, RANK_HATCH, RANK_MOVED };
 
 enum { MOVERS_MAX = 28 }; /* particles that show their velocity */
 #define MOVER_COLUMNS 5.0 /* from one to the next at least, and the longest arrow */
@@ -330,6 +332,30 @@ void map_add_velocities(Map *map)
     picture_note(map->picture, STYLE_FAINT, text);
 }
 
+/* The outline of the body that is being moved, of a round one its circle. */
+static void add_moved(Map *map)
+{
+    enum { SHAPE, CX, CY, R, RI, RO, X0, Y0, X1, Y1, PARTS = 48 };
+    int kind, row;
+    const Settings *draft = screen_rows_shown(map->screen, &kind, &row);
+    double value[ROW_VALUES_MAX], from[2], to[2] = {0, 0};
+    if (!map->screen->parameters->rows.placing || kind != ROWS_BODIES)
+        return;
+    for (int i = 0; i < row_kinds[kind].n_columns; i++)
+        value[i] = settings_row_value(draft, kind, row, i);
+    const double radius = value[SHAPE] == BODY_DISC ? value[R] : value[RO];
+    for (int i = 0; i <= PARTS; i++) {
+        const double angle = 2 * M_PI * i / PARTS;
+        const bool right = i * 4 / PARTS == 1 || i * 4 / PARTS == 2,
+                   up = i * 4 / PARTS == 2 || i * 4 / PARTS == 3;
+        memcpy(from, to, sizeof from);
+        to[0] = value[SHAPE] == BODY_BLOCK ? value[right ? X1 : X0] : value[CX] + radius * math_cos(angle);
+        to[1] = value[SHAPE] == BODY_BLOCK ? value[up ? Y1 : Y0] : value[CY] + radius * math_sin(angle);
+        if (i > 0)
+            picture_trace(map->picture, from, to, &(Stroke){.style = STYLE_CHANGED, .rank = RANK_MOVED});
+    }
+}
+
 void map_add_box(Map *map)
 {
     if (!map->scene.bodies)
@@ -375,4 +401,5 @@ void map_add_box(Map *map)
             }
         }
     add_gravity(map);
+    add_moved(map);
 }
