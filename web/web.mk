@@ -4,6 +4,7 @@
 
 cache = $(or $(MATVIB_WEB_CACHE),$(or $(XDG_CACHE_HOME),$(HOME)/.cache)/matvib-web)
 work = web-work
+here := $(abspath $(work))
 web = $(web_source)/web
 # Debian's emscripten with a node that is not Debian's
 export NODE_PATH := /usr/share/nodejs
@@ -63,6 +64,12 @@ $(npm): $(web)/package.json $(web)/package-lock.json | tools
 # is installed, files that did not change are not compiled again.
 compiler = $(eval compiler := $$(shell command -v ccache) $$(shell PYTHONPATH=$$$$(em-config EMSCRIPTEN_ROOT) python3 -c 'from tools import shared; print(shared.CLANG_CC)') $$(shell emcc --cflags))$(compiler)
 
+# For what a configure tries: to compile by itself, to link as emcc
+try = $(here)/cc
+$(try): | tools
+	@mkdir -p $(@D)
+	@printf '#!/bin/sh\nfor word; do case $$word in -c|-E) exec %s "$$@";; esac; done\nexec emcc "$$@"\n' '$(compiler)' >$@ && chmod +x $@
+
 # How far all of it has come, in percent: what is there already takes no time. counted FROM,TO,COUNT,COMMAND: of a command that
 # compiles so many files.
 say = @echo "make web: $(1) %"
@@ -70,16 +77,19 @@ counted = { $(4) 2>&1; echo $$? >$(work)/status; } | sh $(web)/progress $(1) $(2
 
 # --- libraries --------------------------------------------------------------------------------
 # Descriptions of terminals are read by ncurses, but none lies in the page: the program brings its own.
-$(ncurses): $(work)/ncurses-source/.unpacked
+# What its configure would find of Emscripten by a program for each, web/ncurses-answers says.
+$(ncurses): $(work)/ncurses-source/.unpacked $(web)/ncurses-answers | $(try)
 	$(call say,1)
 	@mkdir -p $(work)/ncurses
+	@cp $(web)/ncurses-answers $(work)/ncurses/config.cache
 	@cp $(web_source)/build-aux/config.sub $(work)/ncurses-source
 	@cd $(work)/ncurses && emconfigure ../ncurses-source/configure --host=wasm32-unknown-emscripten --build=$(web_build) \
 		--enable-widec --disable-db-install --disable-home-terminfo --disable-mixed-case \
 		--with-default-terminfo-dir=/none --with-terminfo-dirs=/none --without-cxx --without-cxx-binding --without-ada \
 		--without-tests --without-progs --without-manpages --without-debug --without-tack --disable-stripping \
-		--disable-pc-files --disable-lp64 --with-build-cc=cc CFLAGS=-O2 >configure.log 2>&1
-	@cd $(work)/ncurses && emmake $(MAKE) -C include >make.log 2>&1
+		--disable-pc-files --disable-lp64 --with-build-cc=cc --cache-file=config.cache \
+		CC=$(try) CPP='$(try) -E' CFLAGS=-O2 >configure.log 2>&1
+	@cd $(work)/ncurses && emmake $(MAKE) -C include CC='$(compiler)' >make.log 2>&1
 	$(call say,10)
 	@cd $(work)/ncurses && emmake $(MAKE) -C ncurses HOSTCC=cc CC='$(compiler)' >>make.log 2>&1
 
@@ -106,7 +116,6 @@ $(utf8proc): $(work)/utf8proc-source/.unpacked
 	@rm -f $@ && emar cr $@ $(@D)/utf8proc.o
 
 # --- the program ------------------------------------------------------------------------------
-here := $(abspath $(work))
 program = $(work)/program/matvib.js
 # QUICK=1 while the program is worked on: linked in seconds, and twice as large
 level = $(if $(QUICK),-O1,-O2)
@@ -114,11 +123,11 @@ link = $(level) -sASYNCIFY -sASYNCIFY_IMPORTS=web_wait -sASYNCIFY_STACK_SIZE=262
 	-sINITIAL_MEMORY=33554432 -sTOTAL_STACK=4194304 -sMODULARIZE -sEXPORT_NAME=createMatvib -sENVIRONMENT=worker,node \
 	-sEXIT_RUNTIME -sFORCE_FILESYSTEM -sEXPORTED_RUNTIME_METHODS=FS,ENV -sDYNAMIC_EXECUTION=0 \
 	--js-library $(abspath $(web)/library.js)
-$(work)/program/Makefile: $(web_source)/configure $(ncurses) $(gsl) $(utf8proc) $(web)/web.mk
+$(work)/program/Makefile: $(web_source)/configure $(ncurses) $(gsl) $(utf8proc) $(web)/web.mk | $(try)
 	$(call say,40)
 	@mkdir -p $(@D)
 	@cd $(@D) && emconfigure $(abspath $(web_source))/configure --quiet --host=wasm32-unknown-emscripten --build=$(web_build) \
-		--without-cairo --without-gif CFLAGS=-O2 LDFLAGS= PKG_CONFIG=false \
+		--without-cairo --without-gif CC=$(try) CFLAGS=-O2 LDFLAGS= PKG_CONFIG=false \
 		NCURSES_CFLAGS="-D_XOPEN_SOURCE_EXTENDED -DNCURSES_WIDECHAR=1 -I$(here)/ncurses/include" NCURSES_LIBS="$(here)/ncurses/lib/libncursesw.a" \
 		GSL_CFLAGS="-I$(here)/gsl-source" GSL_LIBS="$(here)/gsl/libgsl.a" \
 		UTF8PROC_CFLAGS="-I$(here)/utf8proc-source -DUTF8PROC_STATIC" UTF8PROC_LIBS="$(here)/utf8proc/libutf8proc.a"
