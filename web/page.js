@@ -166,6 +166,14 @@ function listen() {
 	addEventListener('paste', pasted, true);
 	addEventListener('popstate', () => open_link());
 	new ResizeObserver(resize).observe(element('screen'));
+	// a browser that lays its keyboard over the page: the page is what is left above it
+	for (const name of ['resize', 'scroll'])
+		visualViewport.addEventListener(name, () => {
+			const {height, scale} = visualViewport;
+			if (scale > 1.01) return;
+			document.body.style.height = height < innerHeight - 1 ? height + 'px' : '';
+			scrollTo(0, 0);
+		});
 	coarse.addEventListener('change', show_fingers);
 	plain.listen();
 	listen_to_fingers(element('screen'));

@@ -64,8 +64,15 @@ function fit_type() {
 	}
 }
 
+// Where a soft keyboard leaves too few rows the program keeps its size, and the row of its cursor is in sight.
 function resize() {
 	if (plain.on) return;
+	const screen = element('screen'), room = fit.proposeDimensions();
+	if (coarse.matches && innerWidth === sizes.width && room && room.rows < ROWS_LEAST && term.rows >= ROWS_LEAST) {
+		screen.scrollTop = (term.buffer.active.cursorY + 1) * term.element.querySelector('.xterm-screen').clientHeight / term.rows - screen.clientHeight;
+		return;
+	}
+	screen.scrollTop = 0;
 	innerWidth === sizes.width || sizes.own || sizes.before ? fit.fit() : fit_type();
 	if (worker) worker.postMessage({size: [term.cols, term.rows]});
 }

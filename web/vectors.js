@@ -78,7 +78,7 @@ const vectors = {
 		if (this.cost / this.drawn > COSTLY) {
 			this.turn(false);
 			const why = 'Lines are drawn as characters: as lines a picture takes more than ' + COSTLY + ' ms here (F9 has them again).';
-			notice(why);
+			if (element('notice').hidden) notice(why); // what a person has still to read stays
 			setTimeout(() => { if (element('notice').textContent === why) notice(''); }, 10000);
 		}
 		this.cost = this.drawn = 0;
