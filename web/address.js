@@ -70,9 +70,10 @@ function show_address(same = false) {
 const FOLLOWS = 300; // milliseconds
 let followed = null, following = 0; // null: what is told is the program's before this one
 
-function follow({large, name, sets}) {
+function follow({large, answered, name, sets}) {
 	if (followed === null) return;
 	enlarge(large);
+	if (opened.recording && opened.answered !== answered) store.write('answered', opened.recording, encoder.encode(String(opened.answered = answered)));
 	const now = JSON.stringify([name, sets]), first = followed === '';
 	if (opened.kind === 'lesson' || now === followed) return;
 	followed = now;

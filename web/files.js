@@ -97,8 +97,7 @@ function take_file({file, kept, bytes}) {
 	const before = written.get(opened.instead_of);
 	if (file === opened.recording && before && bytes.length >= before.length) {
 		written.delete(opened.instead_of);
-		store.remove('work', opened.instead_of);
-		store.remove('when', opened.instead_of);
+		for (const kind of ['work', 'when', 'answered']) store.remove(kind, opened.instead_of);
 	}
 	show_files();
 }

@@ -5,8 +5,9 @@
 const KEPT_MOST = 2e6; // bytes of a file
 const BEAT = 2000; // milliseconds: how often a tab says that it keeps a homework
 
-// Files as latin-1 strings by 'matvib/work/NAME' (sessions; 'matvib/when/NAME': their time) and 'matvib/state/NAME', of a student
-// 'matvib/state:STUDENT/NAME': what one has reached is not the next one's. 'matvib/tab' is who keeps a homework.
+// Files as latin-1 strings: sessions by 'matvib/work/NAME' ('matvib/when/NAME': their time, 'matvib/answered/NAME': how many exercises
+// have an answer), what was reached by 'matvib/state/NAME' and, of a student, 'matvib/state:STUDENT/NAME': it is not the next one's.
+// 'matvib/tab' is who keeps a homework.
 const state_kind = () => 'state' + (opened.whose ? ':' + opened.whose : '');
 
 const store = {
@@ -114,14 +115,15 @@ function about_session(name) {
 
 const sessions = () => [...written.keys()].filter((name) => name.endsWith('.session')).map(about_session);
 
-function time_of(name) {
-	const when = new Date(Number(store.text('when', name)));
-	if (!(when > 0)) return '';
-	const clock = when.toTimeString().slice(0, 5);
-	return ' (' + (Date.now() - when < 20 * 3600e3 ? clock : when.toLocaleDateString() + ' ' + clock) + ')';
+// How far it is and from when, as far as that is known.
+function state_of(name) {
+	const when = new Date(Number(store.text('when', name))), answered = Number(store.text('answered', name)), known = [];
+	if (answered > 0) known.push(answered === 1 ? '1 answer' : answered + ' answers');
+	if (when > 0) known.push((Date.now() - when < 20 * 3600e3 ? '' : when.toLocaleDateString() + ' ') + when.toTimeString().slice(0, 5));
+	return known.length > 0 ? ' (' + known.join(', ') + ')' : '';
 }
 
-const go_on_words = ({name, student}) => 'go on with ' + (student ? student + "'s" : name) + time_of(name);
+const go_on_words = ({name, student}) => 'go on with ' + (student ? student + "'s" : name) + state_of(name);
 
 // What a session lacks that was cut off, its end, it gets by being done again, and then it goes on.
 function go_on(name) {
@@ -130,7 +132,7 @@ function go_on(name) {
 	let number = 1;
 	while (written.has(base + '-go' + number + '.session')) number++;
 	const {student, lesson} = about_session(name);
-	Object.assign(opened, {kind: 'lesson', name: lesson, whose: student, sets: [], recording: base + '-go' + number + '.session', instead_of: name});
+	Object.assign(opened, {kind: 'lesson', name: lesson, whose: student, sets: [], recording: base + '-go' + number + '.session', instead_of: name, answered: 0});
 	begin(['--replay', name, '--fast', '--record', opened.recording]);
 	show_address();
 }

@@ -17,11 +17,11 @@ const vectors = {
 		const [colours, ...commands] = text.split(';');
 		this.colours = colours.slice(1).split(',').map(Number);
 		this.areas = [];
-		const told = {large: false, name: '', sets: []};
+		const told = {large: false, answered: 0, name: '', sets: []};
 		for (const command of commands) {
 			const [head, ...points] = command.split(' '), numbers = head.slice(1).split(',').map(Number), area = this.areas[this.areas.length - 1];
 			if (head[0] === 'A') this.areas.push({rect: numbers, strokes: [], marks: [], map: null});
-			else if (head[0] === 'T') told.large = numbers[0] === 1;
+			else if (head[0] === 'T') [told.large, told.answered] = [numbers[0] === 1, numbers[1]];
 			else if (head[0] === 'N') told.name = command.slice(1);
 			else if (head[0] === 'K') told.sets.push(command.slice(1));
 			else if (!area) continue;

@@ -64,7 +64,7 @@ static void add_assignment(void *context, const char *key, const char *value)
 }
 
 /* Behind the picture, for a page whose address follows what is opened and changed: ";T1" where all is larger,
- * ";N" and the scenario's name, ";K" and each KEY=VALUE. */
+ * behind it how many exercises have an answer, ";N" and the scenario's name, ";K" and each KEY=VALUE. */
 static void describe_address(Loop *loop)
 {
     const Settings *settings = experiment_settings(laboratory_run(&loop->lab));
@@ -85,7 +85,10 @@ static void describe_address(Loop *loop)
         scenario_assignments(loop->lab.scenario, &now, add_assignment, stream);
         fclose(stream);
     }
-    canvas_vector(&loop->canvas, ";T%d", loop->canvas.large);
+    int answered = 0;
+    for (int i = 0; i < LESSON_PAGES_MAX; i++)
+        answered += loop->lab.homework.marks[i].tries > 0;
+    canvas_vector(&loop->canvas, ";T%d,%d", loop->canvas.large, answered);
     enum { PIECE = 400 };
     for (size_t at = 0; loop->address && at < strlen(loop->address); at += PIECE)
         canvas_vector(&loop->canvas, "%.*s", PIECE, loop->address + at);
