@@ -77,6 +77,16 @@ function resize() {
 	if (worker) worker.postMessage({size: [term.cols, term.rows]});
 }
 
+// The terminal lays every new letter out to know its width, which is most of the work of a first picture: a canvas only measures it.
+function measure_letters() {
+	const {value: {_widthCache: widths} = {}} = term._core._renderService._renderer, pen = document.createElement('canvas').getContext('2d');
+	if (!widths || !widths._measure) return;
+	widths._measure = (letters, look) => { // 1: bold, 2: slanted
+		pen.font = (look & 2 ? 'italic ' : '') + (look & 1 ? 'bold ' : '') + term.options.fontSize + 'px ' + term.options.fontFamily;
+		return pen.measureText(letters).width;
+	};
+}
+
 // A frame takes the keys of the page around it only when it is asked to.
 function focus_program() {
 	if (window !== window.top && !document.hasFocus()) return;
