@@ -105,7 +105,7 @@ function offer_copy() {
 const LONG = 500; // milliseconds
 
 function listen_to_fingers(screen) {
-	let apart = 0, at = 0, timer = 0, from = null;
+	let apart = 0, at = 0, timer = 0, from = null, began = 0;
 	const cell_at = ({clientX, clientY}) => {
 		const box = term.element.querySelector('.xterm-screen').getBoundingClientRect(), place = (share, count) => Math.max(0, Math.min(count - 1, Math.floor(share * count)));
 		return place((clientY - box.top) / box.height, term.rows) * term.cols + place((clientX - box.left) / box.width, term.cols);
@@ -123,6 +123,7 @@ function listen_to_fingers(screen) {
 	screen.addEventListener('touchstart', (event) => {
 		apart = event.touches.length === 2 ? distance(event.touches) : 0;
 		at = event.touches[0].clientY;
+		began = event.timeStamp;
 		clearTimeout(timer);
 		from = null;
 		element('selected').hidden = true;
@@ -136,8 +137,9 @@ function listen_to_fingers(screen) {
 	screen.addEventListener('touchend', (event) => {
 		clearTimeout(timer);
 		if (!from || event.touches.length > 0) return;
-		event.preventDefault(); // no click follows
 		from = null;
+		if (event.timeStamp - began < LONG) return term.clearSelection(); // a short touch that a busy page hears of late
+		event.preventDefault(); // no click follows
 		offer_copy();
 	}, {passive: false});
 	screen.addEventListener('contextmenu', (event) => coarse.matches && event.preventDefault());
