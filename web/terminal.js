@@ -51,6 +51,7 @@ const press = (text) => send(encoder.encode(text === '\x1b' ? '\x1b\x1b[u' : tex
 // The size of the type: at first and when a telephone is turned (`width` changes), whether it is
 // a person's own, and as it was before L.
 const COLUMNS_LEAST = 56, ROWS_LEAST = 16; // with fewer columns a lesson shows its text or its plot
+const ROWS_KEPT = 12; // with fewer there is no room for a question and its answer
 const TYPE_LEAST = 10; // as far as one can read it on a telephone
 const sizes = {width: 0, own: false, before: 0};
 
@@ -68,7 +69,7 @@ function fit_type() {
 function resize() {
 	if (plain.on) return;
 	const screen = element('screen'), room = fit.proposeDimensions();
-	if (coarse.matches && innerWidth === sizes.width && room && room.rows < ROWS_LEAST && term.rows >= ROWS_LEAST) {
+	if (coarse.matches && innerWidth === sizes.width && room && room.rows < ROWS_KEPT && term.rows >= ROWS_KEPT) {
 		screen.scrollTop = (term.buffer.active.cursorY + 1) * term.element.querySelector('.xterm-screen').clientHeight / term.rows - screen.clientHeight;
 		return;
 	}
@@ -81,8 +82,10 @@ function resize() {
 function measure_letters() {
 	const {value: {_widthCache: widths} = {}} = term._core._renderService._renderer, pen = document.createElement('canvas').getContext('2d');
 	if (!widths || !widths._measure) return;
+	let set = '';
 	widths._measure = (letters, look) => { // 1: bold, 2: slanted
-		pen.font = (look & 2 ? 'italic ' : '') + (look & 1 ? 'bold ' : '') + term.options.fontSize + 'px ' + term.options.fontFamily;
+		const font = (look & 2 ? 'italic ' : '') + (look & 1 ? 'bold ' : '') + term.options.fontSize + 'px ' + term.options.fontFamily;
+		if (font !== set) pen.font = set = font;
 		return pen.measureText(letters).width;
 	};
 }

@@ -82,7 +82,7 @@ const engines = {
 		}),
 		fingers: {isMobile: true, hasTouch: true},
 		darken: () => page.emulateMediaFeatures([{name: 'prefers-color-scheme', value: 'dark'}]),
-		tap: (x, y) => page.touchscreen.tap(x, y),
+		tap: (x, y) => fingers([[x, y]]),
 	},
 	Firefox: {
 		path: process.env.MATVIB_FIREFOX, package: 'firefox-esr',
@@ -565,14 +565,17 @@ async function size_of_type() {
 	await becomes('two fingers change it', size, (now) => now > before);
 }
 
-// Fingers of Chromium that go from where to where, held still before until `still` has come.
+// Fingers of Chromium that go from where to where, held still before until `still` has come; else for a twentieth of a second, by
+// the time of the events, however long a loaded machine takes for them.
 async function fingers(from, to, still) {
 	const client = await page.createCDPSession(), points = (list) => list.map(([x, y], id) => ({x, y, id}));
-	await client.send('Input.dispatchTouchEvent', {type: 'touchStart', touchPoints: points(from)});
+	const timestamp = Date.now() / 1000, end = still ? {} : {timestamp: timestamp + .05};
+	await client.send('Input.dispatchTouchEvent', {type: 'touchStart', touchPoints: points(from), timestamp});
 	if (still) await still();
 	for (let i = 1; i <= 10 && to; i++)
 		await client.send('Input.dispatchTouchEvent', {type: 'touchMove', touchPoints: points(from.map(([x, y], k) => [x + (to[k][0] - x) * i / 10, y + (to[k][1] - y) * i / 10]))});
-	await client.send('Input.dispatchTouchEvent', {type: 'touchEnd', touchPoints: []});
+	await client.send('Input.dispatchTouchEvent', Object.assign({type: 'touchEnd', touchPoints: []}, end));
+	await client.detach();
 }
 
 async function selecting() {
@@ -609,15 +612,12 @@ async function selecting() {
 	await page.evaluate(() => { window.copied = ''; navigator.clipboard.writeText = async (text) => { window.copied = text; }; });
 	await page.click('#selected button');
 	await becomes('all of it', () => page.evaluate(() => window.copied), (text) => text === 'cell siz');
-	await page.evaluate(() => { for (const name of ['touchstart', 'touchend']) addEventListener(name, (event) => { window[name] = event.timeStamp; }, true); });
-	let held = Infinity; // a loaded machine may make a short touch long
-	for (let i = 0; i < 20 && held > 300; i++) {
-		await page.evaluate(() => term.clearSelection());
-		await fingers([await place(column + 1, row)], null);
-		held = await page.evaluate(() => window.touchend - window.touchstart);
-	}
-	await pause(700);
-	result('a short one selects nothing', held > 300 || (await selection()) === '', held);
+	await page.evaluate(() => term.element.addEventListener('touchstart', () => { // so busy that it hears of the end late
+		for (const begin = performance.now(); performance.now() - begin < 800;);
+	}));
+	await fingers([await place(column + 1, row)], null);
+	await pause(1500);
+	result('a short one selects nothing, however busy the page is', (await selection()) === '', await selection());
 }
 
 // What a browser's keys are for stays so.
@@ -808,7 +808,7 @@ async function keyboard_on_its_side() {
 		const top = cells.top + term.buffer.active.cursorY * row, {bottom} = box(document.querySelector('header')), keys = box(element('keys')), whose = box(element('whose'));
 		const hidden = [...document.querySelectorAll('#keys button')].filter((button) => box(button).bottom > document.body.clientHeight + 1 || box(button).right > innerWidth + 1);
 		return [box(document.querySelector('header')).top >= 0, whose.height > 0 && whose.bottom <= bottom + 1, /homework of Ada/.test(element('whose').textContent), top >= bottom - 1,
-			top + row <= keys.top + 1, keys.bottom <= document.body.clientHeight + 1, hidden.length === 0, term.rows >= 16].map(Number).join('') + ' ' + term.rows + ' rows, ' + innerHeight;
+			top + row <= keys.top + 1, keys.bottom <= document.body.clientHeight + 1, hidden.length === 0, term.rows >= 12].map(Number).join('') + ' ' + term.rows + ' rows, ' + innerHeight;
 	});
 	const whole = (height) => (found) => found.startsWith('11111111 ') && found.endsWith(' ' + height);
 	await tap_button('Enter');
