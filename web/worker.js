@@ -33,7 +33,7 @@ function scan() {
 				continue;
 			}
 			const now = stat.size + ':' + stat.mtime.getTime();
-			if (!FS.isFile(stat.mode) || seen.get(path) === now || /(^|\/)\.[^/]*$/.test(path)) continue;
+			if (!FS.isFile(stat.mode) || seen.get(path) === now || /(^|\/)\.[^/]*$|\.\d+-\d+\.part$/.test(path)) continue; // nor one that is still written
 			seen.set(path, now);
 			const bytes = FS.readFile(path);
 			const short = path.slice((kept ? STATE : HERE).length + 1);

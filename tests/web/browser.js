@@ -209,8 +209,10 @@ async function export_of_a_run() {
 	await halt();
 	await type(':goto #300\r');
 	await shows('it goes to a step', has('t 1.500'));
+	await page.evaluate(() => { window.looking = setInterval(() => worker && worker.postMessage({look: true}), 1); }); // while they are written too
 	await type(':export page\r');
 	await written('page-series.csv');
+	await page.evaluate(() => clearInterval(window.looking));
 	await becomes('an export is offered at once, by a button', () => text_of('#latest'), (text) => text === 'save page-series.csv');
 	fs.writeFileSync(path.join(scratch, 'export.script'), 'key Space\ntype :goto #300\nkey Enter\ntype :export page\nkey Enter\n');
 	spawnSync(process.env.MATVIB, ['mode5', '--set', 'mesh.cell_size=0.5', '--set', 'time.end=1.5', '--script', 'export.script'], {cwd: scratch});
