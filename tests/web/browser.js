@@ -382,7 +382,8 @@ async function homework() {
 	// a session that was cut off has no end: it is done again, and goes on
 	result('what was cut off cannot be handed in', /^kept here: go on with Ada's \(1 answer, \d\d:\d\d\)$/.test(await text_of('#whose')), await text_of('#whose'));
 	await page.click('#whose button');
-	await sooner(() => file(name), (before) => before === null); // the one that goes on has all of it
+	await until('', has('the laboratory is yours'));
+	await page.keyboard.press(' ');
 	await page.waitForFunction(() => document.querySelector('#whose button').textContent === 'hand in').catch(() => {});
 	result('her name stays on the page', /^homework of Ada /.test(await text_of('#whose')), await text_of('#whose'));
 	await page.click('#whose button');
