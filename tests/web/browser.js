@@ -442,6 +442,9 @@ async function homework_is_kept() {
 	await shot('go-on');
 	await page.click('#kept button');
 	await shows('and goes on where it was', (text) => /[23] of \d+|[23]\/\d+/.test(text));
+	await until('', has('the laboratory is yours'));
+	await keys(' ', ' ');
+	await sooner(() => page.evaluate(() => Object.keys(localStorage).filter((key) => key.startsWith('matvib/work/')).length), (count) => count === 1); // the one before is left
 	const entries = async () => ((await kept()).match(/^at /gm) || []).length;
 	for (const [target, name] of [['document', 'visibilitychange'], ['document', 'freeze'], ['window', 'pagehide']]) {
 		const before = await sooner(entries, Boolean);
