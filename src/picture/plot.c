@@ -117,8 +117,6 @@ void plot_curve(Plot *plot, PlotSample *sample, const void *context, size_t firs
     flush(plot, &extent);
 }
 
-/* --- on cells ------------------------------------------------------------------------------------- */
-
 /* --- dots on cells --- */
 
 /* What the curves have left in one cell: only the dots of the highest rank. */
@@ -403,8 +401,9 @@ void plot_draw(const Plot *plot, Area area)
     for (int i = 0; i < plot->n_strokes && area.canvas->vectored; i++) {
         const Stroke *stroke = &plot->strokes[i];
         const bool band = stroke->kind == STROKE_BAND;
-        canvas_vector(area.canvas, ";%c%d,%d,%d", "LDB"[stroke->kind], (int)stroke -> style,
-                      band ? stroke -> fill : (int)stroke -> line, stroke -> rank);
+        const char kind = "LDB"[stroke->kind];
+        const int pattern = band ? stroke->fill : (int)stroke->line;
+        canvas_vector(area.canvas, ";%c%d,%d,%d", kind, (int)stroke->style, pattern, stroke->rank);
         for (size_t k = 0; k < stroke->count; k++) {
             const Place here = place_of(plot, &raster, stroke->first + k);
             if (fabs(here.x) < VECTOR_FAR && fabs(here.y) < VECTOR_FAR)

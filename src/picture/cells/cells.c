@@ -117,45 +117,6 @@ static bool is_foreign(const PictureKey *key)
     return key->sign == '+';
 }
 
-static void name_foreign(const PictureKey *key, Area inner)
-{
-    const int columns = 2 + glyphs_columns(key->name), room = inner.rect.width - columns - 1;
-    const int x = room > 1 ? room : 1;
-    area_blank(inner, x - 1, x + columns + 1, 0, STYLE_NORMAL);
-    area_put(inner, x, 0, key->sign, key->style);
-    area_text(inner, x + 2, 0, key->name, STYLE_NORMAL);
-}
-
-typedef struct Legends {
-    Legend entries[PICTURE_KEYS_MAX];
-    char signs[PICTURE_KEYS_MAX][4];
-    int count;
-} Legends;
-
-static void take_legend(const Picture *picture, Glyphs glyphs, bool solid, Legends *out)
-{
-    out->count = 0;
-    for (int i = 0; i < picture->n_keys; i++) {
-        const PictureKey *key = &picture->keys[i];
-        if (is_foreign(key))
-            continue;
-        const int fill = solid && glyphs != GLYPHS_ASCII ? 0 : key->fill;
-        out->entries[out->count] = (Legend){key->line, key->ascii, key->style, key->name,
-                                            sign_text(key->sign, fill, glyphs, out->signs[out->count])};
-        out->count++;
-    }
-}
-
-/* What is drawn without a name says nothing: of what the heading has no room for so many rows may stand below
- * it. In a low pane the curves are worth more, not the bands. */
-static int rows_of_legend(const Picture *picture, int rows)
-{
-    bool bands = false;
-    for (int i = 0; i < picture->n_keys; i++)
-        bands |= picture->keys[i].sign == SIGN_BAND;
-    return picture->kind == PICTURE_DRAWING ? 0 : rows >= LEGEND ? 2 : bands;
-}
-
 /* --- marks ----------------------------------------------------------------------------------------- */
 
 enum { RULE = 0x2502 }; /* as axes_rule() draws it */
@@ -350,22 +311,6 @@ const PictureMark *cells_target(const Picture *picture, Rect rect, int x, int y)
 
 /* --- the whole ------------------------------------------------------------------------------------- */
 
-static void say(const Picture *picture, Area area, Style heading)
-{
-    area_rule(area, 0, picture->heading, heading);
-    for (int i = 0, y = 1; i < picture->n_notes; i++)
-        y += area_paragraph(area, 1, y, area.rect.width - 2, area.rect.height - y, picture->notes[i].text,
-                            picture->notes[i].style);
-}
-
-static int count_bands(const Picture *picture)
-{
-    int count = 0;
-    for (int i = 0; i < picture->n_keys; i++)
-        count += picture->keys[i].sign == SIGN_BAND;
-    return count;
-}
-
 /* Names of bands, each in a row of its own, where colours alone would tell them apart. */
 static void draw_labels(const Picture *picture, Area inner)
 {
@@ -379,46 +324,31 @@ static void draw_labels(const Picture *picture, Area inner)
     }
 }
 
-void cells_draw(Picture *picture, Area area, Style heading, int colours)
+static void draw_plot(Picture *picture, Area area, Style heading, int colours)
 {
-    char scale[TICK_TEXT_MAX], x_name[PICTURE_TEXT_MAX];
-    Legends legends;
-    while (picture->n_notes > 0 && picture->notes[picture->n_notes - 1].told)
-        picture->n_notes--;
-    if (picture->list) {
-        cells_list(picture, area, heading);
-        return;
+    const bool drawing = picture->kind == PICTURE_DRAWING;
+    char scale[TICK_TEXT_MAX] = "", x_name[PICTURE_TEXT_MAX], signs[PICTURE_KEYS_MAX][4];
+    Legend legend[PICTURE_KEYS_MAX];
+    int n_legend = 0, bands = 0;
+    for (int i = 0; i < picture->n_keys; i++)
+        bands += picture->keys[i].sign == SIGN_BAND;
+    const bool solid = colours > 0 && bands > 1;
+    for (int i = 0; i < picture->n_keys; i++) {
+        const PictureKey *key = &picture->keys[i];
+        const int fill = solid && area.glyphs != GLYPHS_ASCII ? 0 : key->fill;
+        const char *sign = sign_text(key->sign, fill, area.glyphs, signs[i]);
+        if (!is_foreign(key))
+            legend[n_legend++] = (Legend){key->line, key->ascii, key->style, key->name, sign};
     }
-    if (picture->kind == PICTURE_TABLES) {
-        cells_tables(picture, area, heading);
-        return;
-    }
-    if (picture->map) {
-        cells_map(picture, area, heading, colours);
-        return;
-    }
-    if (picture->has_axes && picture->bare && picture->kind == PICTURE_MAP) {
-        cells_drawing(picture, area, heading);
-        return;
-    }
-    if (picture->kind == PICTURE_STRIP) {
-        draw_strip(picture, area, heading);
-        return;
-    }
-    if (!picture->has_axes) {
-        say(picture, area, heading);
-        return;
-    }
-    const bool solid = colours > 0 && count_bands(picture) > 1;
-    take_legend(picture, area.glyphs, solid, &legends);
     cells_fit(picture, area.rect.height);
-    axis_scale_text(&picture->plot.y, picture->unit, scale);
-    if (picture->kind == PICTURE_DRAWING)
-        scale[0] = '\0';
-    int more = rows_of_legend(picture, area.rect.height);
-    int named = heading_draw(area, heading, picture->name, scale, legends.entries, legends.count, more > 0);
-    for (; more > 0 && named < legends.count; more--) {
-        named += legend_draw_short(area, 2, 1, legends.entries + named, legends.count - named);
+    if (!drawing)
+        axis_scale_text(&picture->plot.y, picture->unit, scale);
+    /* What is drawn without a name says nothing: of what the heading has no room for so many rows may stand
+     * below it. In a low pane the curves are worth more, not the bands. */
+    int more = drawing ? 0 : area.rect.height >= LEGEND ? 2 : bands > 0;
+    int named = heading_draw(area, heading, picture->name, scale, legend, n_legend, more > 0);
+    for (; more > 0 && named < n_legend; more--) {
+        named += legend_draw_short(area, 2, 1, legend + named, n_legend - named);
         area = area_part(area, 0, 1, area.rect.width, area.rect.height - 1);
         cells_fit(picture, area.rect.height);
     }
@@ -426,21 +356,51 @@ void cells_draw(Picture *picture, Area area, Style heading, int colours)
         if (picture->plot.strokes[i].kind == STROKE_BAND)
             picture->plot.strokes[i].fill = 0;
     const int width = area.rect.width, height = area.rect.height, under = rows_under(picture, width, height);
-    if (picture->kind == PICTURE_DRAWING) {
-        draw_drawing(picture, area_part(area, 0, 1, width, height - 1 - under));
-        draw_notes(picture, area_part(area, 0, height - under, width, under));
-        return;
+    const Area plot = area_part(area, 0, 1, width, height - 1 - under);
+    if (drawing)
+        draw_drawing(picture, plot);
+    else {
+        glyphs_plain(area.glyphs, picture->x_name, x_name, sizeof x_name);
+        const Area inner = axes_draw(plot, &picture->plot.x, &picture->plot.y, x_name, GUTTER);
+        draw_rules(picture, inner);
+        plot_draw(&picture->plot, inner);
+        if (solid)
+            draw_labels(picture, inner);
+        draw_marks(picture, inner);
+        for (int i = 0; i < picture->n_keys; i++) {
+            const PictureKey *key = &picture->keys[i];
+            const int columns = 2 + glyphs_columns(key->name), room = inner.rect.width - columns - 1;
+            const int x = room > 1 ? room : 1;
+            if (!is_foreign(key))
+                continue;
+            area_blank(inner, x - 1, x + columns + 1, 0, STYLE_NORMAL);
+            area_put(inner, x, 0, key->sign, key->style);
+            area_text(inner, x + 2, 0, key->name, STYLE_NORMAL);
+        }
     }
-    glyphs_plain(area.glyphs, picture->x_name, x_name, sizeof x_name);
-    const Area inner = axes_draw(area_part(area, 0, 1, width, height - 1 - under), &picture->plot.x,
-                                 &picture->plot.y, x_name, GUTTER);
-    draw_rules(picture, inner);
-    plot_draw(&picture->plot, inner);
-    if (solid)
-        draw_labels(picture, inner);
-    draw_marks(picture, inner);
-    for (int i = 0; i < picture->n_keys; i++)
-        if (is_foreign(&picture->keys[i]))
-            name_foreign(&picture->keys[i], inner);
     draw_notes(picture, area_part(area, 0, height - under, width, under));
+}
+
+void cells_draw(Picture *picture, Area area, Style heading, int colours)
+{
+    while (picture->n_notes > 0 && picture->notes[picture->n_notes - 1].told)
+        picture->n_notes--;
+    if (picture->list)
+        cells_list(picture, area, heading);
+    else if (picture->kind == PICTURE_TABLES)
+        cells_tables(picture, area, heading);
+    else if (picture->map)
+        cells_map(picture, area, heading, colours);
+    else if (picture->has_axes && picture->bare && picture->kind == PICTURE_MAP)
+        cells_drawing(picture, area, heading);
+    else if (picture->kind == PICTURE_STRIP)
+        draw_strip(picture, area, heading);
+    else if (picture->has_axes)
+        draw_plot(picture, area, heading, colours);
+    else { /* there is nothing to draw, and the notes say why */
+        area_rule(area, 0, picture->heading, heading);
+        for (int i = 0, y = 1; i < picture->n_notes; i++)
+            y += area_paragraph(area, 1, y, area.rect.width - 2, area.rect.height - y, picture->notes[i].text,
+                                picture->notes[i].style);
+    }
 }
