@@ -61,21 +61,6 @@ bool input_take_standard(long most, Status *status)
     return !ferror(stdin) || cannot_read(input_standard_name, status);
 }
 
-static FILE *open_standard(long most, Status *status)
-{
-    if (standard.length > (size_t)most) {
-        errno = 0;
-        too_large(input_standard_name, most, status);
-        return NULL;
-    }
-    if (standard.length == 0)
-        return input_text("", input_standard_name, status);
-    FILE *stream = fmemopen(standard.text, standard.length, "r");
-    if (!stream)
-        cannot_read(input_standard_name, status);
-    return stream;
-}
-
 /* The names of what is read, as long as the program runs; a sweep reads on many threads. */
 static struct {
     pthread_mutex_t lock;
@@ -124,8 +109,19 @@ bool input_note(const char *name, Status *status)
 
 FILE *input_open(const char *name, long most, Status *status)
 {
-    if (standard.text && strcmp(name, input_standard_name) == 0)
-        return open_standard(most, status);
+    if (standard.text && strcmp(name, input_standard_name) == 0) {
+        if (standard.length > (size_t)most) {
+            errno = 0;
+            too_large(input_standard_name, most, status);
+            return NULL;
+        }
+        if (standard.length == 0)
+            return input_text("", input_standard_name, status);
+        FILE *stream = fmemopen(standard.text, standard.length, "r");
+        if (!stream)
+            cannot_read(input_standard_name, status);
+        return stream;
+    }
     const int descriptor = open(name, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
     if (descriptor < 0) {
         cannot_read(name, status);

@@ -150,25 +150,20 @@ static bool begins(const char *text, const char *with)
     return strncmp(text, with, strlen(with)) == 0;
 }
 
-/* The head of a file, its commas as they were before a dialect; false: it cannot be read. */
-static bool read_head(const char *name, char *head, size_t size)
-{
-    const int descriptor = open(name, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
-    const ssize_t length = descriptor < 0 ? -1 : read(descriptor, head, size - 1);
-    if (descriptor >= 0)
-        close(descriptor);
-    head[length > 0 ? length : 0] = '\0';
-    for (char *at = head; (at = strchr(at, ';'));)
-        *at++ = ',';
-    return length >= 0;
-}
-
 /* Whether this program wrote it, as far as its head tells; of one that is empty nothing is lost. */
 static bool is_own(const char *name)
 {
     static const char mark[] = "\xef\xbb\xbf", version[] = "# matvib ", xml[] = "<?xml ";
     char text[4096], *head = text;
-    if (!read_head(name, text, sizeof text))
+    /* The head of a file, its commas as they were before a dialect; false: it cannot be read. */
+    const int descriptor = open(name, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+    const ssize_t length = descriptor < 0 ? -1 : read(descriptor, text, sizeof text - 1);
+    if (descriptor >= 0)
+        close(descriptor);
+    text[length > 0 ? length : 0] = '\0';
+    for (char *at = text; (at = strchr(at, ';'));)
+        *at++ = ',';
+    if (length < 0)
         return false;
     head += begins(text, mark) ? strlen(mark) : 0;
     if (!*head || (begins(head, xml) && (strstr(head, "\n<svg ") || strstr(head, "\n<VTKFile "))))
@@ -269,16 +264,6 @@ static void remove_temporaries(void)
         unlink(one->name);
 }
 
-static void enter_list(Temporary *one)
-{
-    pthread_mutex_lock(&lock);
-    one->next = first;
-    if (first)
-        first->previous = one;
-    first = one;
-    pthread_mutex_unlock(&lock);
-}
-
 /* It is removed, or has another name. */
 static void leave_list(OutputFile *file)
 {
@@ -319,8 +304,14 @@ static bool open_temporary(OutputFile *file, mode_t rights, Status *status)
         if (descriptor < 0 && errno != EEXIST)
             break;
     }
-    if (descriptor >= 0)
-        enter_list(one);
+    if (descriptor >= 0) {
+        pthread_mutex_lock(&lock);
+        one->next = first;
+        if (first)
+            first->previous = one;
+        first = one;
+        pthread_mutex_unlock(&lock);
+    }
     if (descriptor >= 0 && rights)
         (void)!fchmod(descriptor, mode);
     if (descriptor >= 0)
@@ -334,17 +325,6 @@ static bool open_temporary(OutputFile *file, mode_t rights, Status *status)
     }
     leave_list(file);
     return false;
-}
-
-/* Opening a pipe without a reader would block for ever, with nothing on screen to show why. */
-static FILE *open_direct(Asker asker, const char *name)
-{
-    const int descriptor =
-        open(name, O_WRONLY | O_NOCTTY | O_CLOEXEC | (asker == ASKER_COMMAND_LINE ? 0 : O_NONBLOCK));
-    FILE *stream = descriptor < 0 ? NULL : fdopen(descriptor, "w");
-    if (!stream && descriptor >= 0)
-        close(descriptor);
-    return stream;
 }
 
 bool output_open(OutputFile *file, Asker asker, const char *name, bool force, Status *status)
@@ -361,7 +341,13 @@ bool output_open(OutputFile *file, Asker asker, const char *name, bool force, St
         file->stream = stdout;
         opened = true;
     } else if (output_is_direct(name)) {
-        file->stream = open_direct(asker, name);
+        /* Opening a pipe without a reader would block for ever, with nothing on screen to show why. */
+        const int descriptor =
+            open(name, O_WRONLY | O_NOCTTY | O_CLOEXEC | (asker == ASKER_COMMAND_LINE ? 0 : O_NONBLOCK));
+        FILE *stream = descriptor < 0 ? NULL : fdopen(descriptor, "w");
+        if (!stream && descriptor >= 0)
+            close(descriptor);
+        file->stream = stream;
         opened = file->stream || cannot_write(name, status);
     } else {
         file->target = output_real_name(name, status);

@@ -37,12 +37,6 @@ static bool is_alphanumeric(const char *text, size_t at)
     return isalnum((unsigned char)text[at]) != 0;
 }
 
-/* "d" of "dσ" and "Δσ" belongs to what is behind it, unless it ends a word or a product. */
-static bool ends_in_differential(const char *out, size_t used)
-{
-    return out[used - 1] == 'd' && (used == 1 || !is_alphanumeric(out, used - 2));
-}
-
 void spell_ascii(const char *text, char *out, size_t size)
 {
     size_t used = 0;
@@ -56,8 +50,10 @@ void spell_ascii(const char *text, char *out, size_t size)
             from = letter;
             text++;
         }
-        const bool apart = used > 0 && is_alphanumeric(out, used - 1) && is_alphanumeric(from, 0) &&
-                           (word || (symbol && !ends_in_differential(out, used)));
+        /* "d" of "dσ" and "Δσ" belongs to what is behind it, unless it ends a word or a product. */
+        const bool apart =
+            used > 0 && is_alphanumeric(out, used - 1) && is_alphanumeric(from, 0) &&
+            (word || (symbol && !(out[used - 1] == 'd' && (used == 1 || !is_alphanumeric(out, used - 2)))));
         if (used + apart + strlen(from) >= size)
             break;
         used += (size_t)snprintf(out + used, size - used, "%s%s", apart ? " " : "", from);

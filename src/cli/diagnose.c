@@ -202,29 +202,6 @@ static void tell_lines(const Files *all)
     }
 }
 
-static void put_json(FILE *out, const char *key, const char *cell, bool number)
-{
-    fprintf(out, ", \"%s\": ", key);
-    if (!*cell)
-        fputs("null", out);
-    else if (number)
-        fputs(cell, out);
-    else
-        text_put_json(out, cell, strlen(cell));
-}
-
-/* Words as a list. */
-static void put_list(FILE *out, const char *key, const char *words)
-{
-    char word[CELL_MAX];
-    fprintf(out, ", \"%s\": [", key);
-    for (bool first = true; text_next_word(&words, word, sizeof word); first = false) {
-        fputs(first ? "" : ", ", out);
-        text_put_json(out, word, strlen(word));
-    }
-    fputs("]", out);
-}
-
 static void tell_json(const Files *all)
 {
     char cells[CELLS][CELL_MAX];
@@ -234,10 +211,26 @@ static void tell_json(const Files *all)
         fputs("  {\"name\": ", stdout);
         text_put_json(stdout, cells[CELL_NAME], strlen(cells[CELL_NAME]));
         for (int c = 1; c < CELLS; c++)
-            if (c == CELL_MISTAKE)
-                put_list(stdout, columns[c].name, cells[c]);
-            else
-                put_json(stdout, columns[c].name, cells[c], columns[c].is_number);
+            if (c == CELL_MISTAKE) {
+                /* Words as a list. */
+                const char *words = cells[c];
+                char word[CELL_MAX];
+                fprintf(stdout, ", \"%s\": [", columns[c].name);
+                for (bool first = true; text_next_word(&words, word, sizeof word); first = false) {
+                    fputs(first ? "" : ", ", stdout);
+                    text_put_json(stdout, word, strlen(word));
+                }
+                fputs("]", stdout);
+            } else {
+                const char *cell = cells[c];
+                fprintf(stdout, ", \"%s\": ", columns[c].name);
+                if (!*cell)
+                    fputs("null", stdout);
+                else if (columns[c].is_number)
+                    fputs(cell, stdout);
+                else
+                    text_put_json(stdout, cell, strlen(cell));
+            }
         puts(i + 1 < all->count ? "}," : "}");
     }
     puts("]");
@@ -361,31 +354,23 @@ static const struct {
     const char *language, *lines;
 } templates[] = {TEMPLATE_LANGUAGES(TEMPLATE)};
 
-static int print_template(const char *language)
-{
-    for (size_t i = 0; i < sizeof templates / sizeof *templates; i++)
-        if (strcmp(templates[i].language, language) == 0)
-            fputs(templates[i].lines, stdout);
-    return STATUS_DONE;
-}
-
 /* --- the command ------------------------------------------------------------------------------------ */
-
-static bool may_write(const Options *options, Status *status)
-{
-    return !options->output || output_may_begin(options->output, ASKER_COMMAND_LINE, options->force, status);
-}
 
 int cli_diagnose(Options *options, Status *status)
 {
     Settings settings;
     double seconds = 0;
-    if (options->template)
-        return print_template(options->template);
+    if (options->template) {
+        for (size_t i = 0; i < sizeof templates / sizeof *templates; i++)
+            if (strcmp(templates[i].language, options->template) == 0)
+                fputs(templates[i].lines, stdout);
+        return STATUS_DONE;
+    }
     if (options->time_bound && !(text_to_double(options->time_bound, &seconds) && seconds > 0))
         status_refuse(status, "--time: not a number of seconds above 0: %.60s", options->time_bound);
     if (status->code != STATUS_DONE || !options_words(options, 2, WORDS_MAX, "SCENARIO FILE", status) ||
-        !options_load(options, options->words[0], &settings, status) || !may_write(options, status))
+        !options_load(options, options->words[0], &settings, status) ||
+        !(!options->output || output_may_begin(options->output, ASKER_COMMAND_LINE, options->force, status)))
         return (int)status->code;
     const int files = options->n_words - 1, threads = progress_threads(options->threads);
     Files all = {.options = options,

@@ -28,12 +28,6 @@ typedef struct Data {
     const char *column; /* of the series */
 } Data;
 
-static void close_data(Data *data)
-{
-    overlay_close(&data->table);
-    fit_data_free(&data->taken);
-}
-
 /* The column of the series: as asked for, or the first that the table has too. The name kept is not the
  * simulation's, which goes. */
 static bool choose_column(Data *data, const Options *options, const Settings *settings, Status *status)
@@ -236,7 +230,8 @@ int cli_fit(Options *options, Status *status)
     if (sound && options->figure && !options->json)
         printf("wrote %s\n", options->figure);
     fit_free(&result);
-    close_data(&data);
+    overlay_close(&data.table);
+    fit_data_free(&data.taken);
     free(keys);
     return progress_result(sound, status);
 }

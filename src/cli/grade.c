@@ -99,18 +99,6 @@ static const char *cell_of(const Roster *roster, Role role)
     return at >= 0 && at < roster->count ? roster->cells[at] : "";
 }
 
-static bool enrol(const Roster *roster, Students *students, Status *status)
-{
-    char whole[LINE_BYTES], name[STUDENT_MAX], id[STUDENT_MAX] = "";
-    snprintf(whole, sizeof whole, "%s %s %s", cell_of(roster, ROLE_NAME),
-             roster->at[ROLE_NAME] < 0 ? cell_of(roster, ROLE_FIRST) : "",
-             roster->at[ROLE_NAME] < 0 ? cell_of(roster, ROLE_LAST) : "");
-    return (variant_student(whole, name, status) &&
-            (!*cell_of(roster, ROLE_ID) || variant_student(cell_of(roster, ROLE_ID), id, status)) &&
-            students_enrol(students, name, id, status)) ||
-           status_prefix(status, "%s:%ld", roster->lines.name, roster->lines.number);
-}
-
 static bool read_head(Roster *roster, Status *status)
 {
     const InputGot got = read_row(roster, status);
@@ -136,8 +124,16 @@ static bool roster_read(const char *file, Students *students, Status *status)
     Roster roster = {.lines = {.stream = stream, .name = file}};
     InputGot got = INPUT_LINE;
     bool sound = read_head(&roster, status);
-    while (sound && (got = read_row(&roster, status)) == INPUT_LINE)
-        sound = enrol(&roster, students, status);
+    while (sound && (got = read_row(&roster, status)) == INPUT_LINE) {
+        char whole[LINE_BYTES], name[STUDENT_MAX], id[STUDENT_MAX] = "";
+        snprintf(whole, sizeof whole, "%s %s %s", cell_of(&roster, ROLE_NAME),
+                 roster.at[ROLE_NAME] < 0 ? cell_of(&roster, ROLE_FIRST) : "",
+                 roster.at[ROLE_NAME] < 0 ? cell_of(&roster, ROLE_LAST) : "");
+        sound = (variant_student(whole, name, status) &&
+                 (!*cell_of(&roster, ROLE_ID) || variant_student(cell_of(&roster, ROLE_ID), id, status)) &&
+                 students_enrol(students, name, id, status)) ||
+                status_prefix(status, "%s:%ld", roster.lines.name, roster.lines.number);
+    }
     fclose(stream);
     return sound && got != INPUT_WRONG;
 }
@@ -185,15 +181,6 @@ static const char *mark_text(const Lesson *lesson, const Grade *grade)
     if (is_words || (grade->mark.tries > 0 && !grade->mark.judged))
         return "";
     return grade->mark.right ? "1" : "0";
-}
-
-/* Of the list of the class, who handed in nothing. */
-static void write_missing(const Marking *marking)
-{
-    const char *name;
-    for (int at = 0; (name = students_missing(&marking->students, &at));)
-        csv_words(marking->table, marking->dialect,
-                  (const char *[CELLS]){name, "", "", "", "", "", "", "", "missing"}, CELLS);
 }
 
 static void write_rows(const Marking *marking, const char *file, const Grades *grades)
@@ -299,8 +286,13 @@ static bool mark_all(Marking *marking, const Options *options, Status *status)
         if (marking->sheets)
             write_sheet(marking, file, grades);
     }
-    if (sound)
-        write_missing(marking);
+    if (sound) {
+        /* Of the list of the class, who handed in nothing. */
+        const char *name;
+        for (int at = 0; (name = students_missing(&marking->students, &at));)
+            csv_words(marking->table, marking->dialect,
+                      (const char *[CELLS]){name, "", "", "", "", "", "", "", "missing"}, CELLS);
+    }
     free(grades);
     free(origins);
     return sound;

@@ -13,27 +13,6 @@
 
 #define SECONDS 3600.0 /* that the right answer of an exercise may take */
 
-static void print_variants(const Lesson *lesson)
-{
-    for (int i = 0; i < lesson->n_variants; i++) {
-        const LessonVariant *variant = &lesson->variants[i];
-        bool told = false;
-        for (int k = 0; k < i; k++)
-            told |= strcmp(lesson->variants[k].variant.key, variant->variant.key) == 0 &&
-                    strcmp(lesson->variants[k].value, variant->value) == 0;
-        if (!told)
-            printf("  %s = %s\n", variant->variant.key, variant_word(variant->value));
-    }
-}
-
-static void print_solution(const LessonPage *page, const char *reached)
-{
-    printf("   goal: %s\n   one way: ", page->exercise->expression.text);
-    for (int i = 0; i < page->solution.n_actions; i++)
-        printf("%s%s", i > 0 ? "; " : "", page->solution.actions[i]);
-    printf("   (%s)\n", reached);
-}
-
 static void print_answer(const Lesson *lesson, const Grade *grade)
 {
     const LessonPage *page = &lesson->pages[grade->page];
@@ -46,7 +25,10 @@ static void print_answer(const Lesson *lesson, const Grade *grade)
                page->exercise->relative ? " %" : "", page->exercise->expression.text);
         break;
     case EXERCISE_GOAL:
-        print_solution(page, grade->mark.value);
+        printf("   goal: %s\n   one way: ", page->exercise->expression.text);
+        for (int i = 0; i < page->solution.n_actions; i++)
+            printf("%s%s", i > 0 ? "; " : "", page->solution.actions[i]);
+        printf("   (%s)\n", grade->mark.value);
         break;
     case EXERCISE_WORDS:
         printf("   to be read by the teacher\n");
@@ -97,7 +79,15 @@ int cli_grade_key(const Options *options, Status *status)
     progress_end(&progress);
     if (sound) {
         printf("%s%s%s\n", lesson.title, *student ? "   for " : "", student);
-        print_variants(&lesson);
+        for (int i = 0; i < lesson.n_variants; i++) {
+            const LessonVariant *variant = &lesson.variants[i];
+            bool told = false;
+            for (int k = 0; k < i; k++)
+                told |= strcmp(lesson.variants[k].variant.key, variant->variant.key) == 0 &&
+                        strcmp(lesson.variants[k].value, variant->value) == 0;
+            if (!told)
+                printf("  %s = %s\n", variant->variant.key, variant_word(variant->value));
+        }
         for (int i = 0; i < grades->count; i++)
             print_answer(&lesson, &grades->grades[i]);
     }

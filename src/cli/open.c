@@ -68,14 +68,6 @@ static bool ask(const char *question, char out[STUDENT_MAX])
     }
 }
 
-static void ask_for_both(const char *title, HomeworkFile *homework)
-{
-    visible_print(stdout, "%s\n", title);
-    visible_print(stdout, "What you do is kept in a file for your teacher.\n");
-    if (ask("Your name (Enter alone: only look, nothing is kept):", homework->student))
-        ask("Your ID number or address, where you have one (Enter alone: none):", homework->id);
-}
-
 static bool exists(const char *file)
 {
     return access(file, F_OK) == 0;
@@ -119,8 +111,12 @@ static bool homework_begin(const Options *options, const char *lesson, HomeworkF
     if (!lesson || options->handout || options->script)
         return true;
     if (!options->name && isatty(STDIN_FILENO) && isatty(STDOUT_FILENO) &&
-        is_homework(lesson, title, sizeof title))
-        ask_for_both(title, homework);
+        is_homework(lesson, title, sizeof title)) {
+        visible_print(stdout, "%s\n", title);
+        visible_print(stdout, "What you do is kept in a file for your teacher.\n");
+        if (ask("Your name (Enter alone: only look, nothing is kept):", homework->student))
+            ask("Your ID number or address, where you have one (Enter alone: none):", homework->id);
+    }
     return !*homework->student || options->record || choose_file(lesson, homework, status);
 }
 

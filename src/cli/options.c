@@ -384,12 +384,6 @@ static bool take_option(const char *command, int count, char **arguments, int *a
     return take(option, value, options, status);
 }
 
-/* Each word may be a file that is read; a name of the program is none. */
-static bool note_word(const char *word, Status *status)
-{
-    return scenario_builtin(word) || lesson_builtin(word) || input_note(word, status);
-}
-
 bool options_asks_help(const char *argument)
 {
     return strcmp(argument, "--help") == 0 || strcmp(argument, "-h") == 0;
@@ -408,7 +402,8 @@ bool options_parse(const char *command, int count, char **arguments, Options *op
                 return false;
         } else if (options->n_words < WORDS_MAX) {
             options->words[options->n_words++] = argument;
-            if (!note_word(argument, status))
+            /* Each word may be a file that is read; a name of the program is none. */
+            if (!(scenario_builtin(argument) || lesson_builtin(argument) || input_note(argument, status)))
                 return false;
         } else {
             return status_refuse(status, "%.60s: too many arguments (at most %d)", argument, WORDS_MAX);

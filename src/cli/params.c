@@ -37,15 +37,6 @@ static void print_parameter(const Settings *settings, const Parameter *parameter
         printf("      %-22s %s\n", parameter->choices[i], parameter->choice_help(i));
 }
 
-static void print_indented(const char *text)
-{
-    while (*text) {
-        size_t n = strcspn(text, "\n");
-        printf("  %.*s\n", (int)n, text);
-        text += n + (text[n] == '\n');
-    }
-}
-
 static bool print_derived(Settings *settings, MethodKind method, Status *status)
 {
     char derived[DERIVED_TEXT_MAX];
@@ -53,7 +44,12 @@ static bool print_derived(Settings *settings, MethodKind method, Status *status)
     if (!derived_text(settings, derived, sizeof derived, status))
         return false;
     printf("\nFrom these (%s)\n", settings_method_words[method]);
-    print_indented(derived);
+    const char *text = derived;
+    while (*text) {
+        size_t n = strcspn(text, "\n");
+        printf("  %.*s\n", (int)n, text);
+        text += n + (text[n] == '\n');
+    }
     return true;
 }
 

@@ -12,18 +12,6 @@
 #include <stdio.h>
 #include <unistd.h>
 
-static void draw_bar(const Progress *progress, double share, double now)
-{
-    enum { WIDTH = 40 };
-    int full = (int)(share * WIDTH);
-    char line[WIDTH + 1];
-    for (int i = 0; i < WIDTH; i++)
-        line[i] = i < full ? '#' : '.';
-    line[WIDTH] = '\0';
-    double left = share > 0 ? (now - progress->began) * (1 - share) / share : 0;
-    visible_progress(stderr, "[%s] %3.0f %%  %.0f s left ", line, floor(100 * share), ceil(left));
-}
-
 void progress_begin(Progress *progress, bool quiet)
 {
     signals_catch();
@@ -36,7 +24,14 @@ bool progress_show(double share, void *context)
     double now = progress->visible ? clock_seconds() : 0;
     /* a run that takes no time needs no bar */
     if (progress->visible && now - progress->began > 0.5 && now - progress->shown > 0.1) {
-        draw_bar(progress, share, now);
+        enum { WIDTH = 40 };
+        int full = (int)(share * WIDTH);
+        char line[WIDTH + 1];
+        for (int i = 0; i < WIDTH; i++)
+            line[i] = i < full ? '#' : '.';
+        line[WIDTH] = '\0';
+        double left = share > 0 ? (now - progress->began) * (1 - share) / share : 0;
+        visible_progress(stderr, "[%s] %3.0f %%  %.0f s left ", line, floor(100 * share), ceil(left));
         progress->shown = now;
     }
     return signals_ended_by() == 0;

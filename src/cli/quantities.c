@@ -15,14 +15,6 @@ static void put_text(FILE *out, const char *text)
         fputs("null", out);
 }
 
-static void put_number(FILE *out, double value)
-{
-    if (isfinite(value))
-        fprintf(out, "%.17g", value);
-    else
-        fputs("null", out);
-}
-
 static void put_key(Quantities *list, const char *key)
 {
     fputs(", ", list->out);
@@ -72,5 +64,8 @@ void quantities_text(Quantities *list, const char *key, const char *text)
 void quantities_number(Quantities *list, const char *key, double value)
 {
     put_key(list, key);
-    put_number(list->out, value);
+    if (isfinite(value))
+        fprintf(list->out, "%.17g", value);
+    else
+        fputs("null", list->out);
 }

@@ -28,22 +28,6 @@ static bool writes_to_standard_output(const Outputs *outputs)
     return false;
 }
 
-/* What was written, of many frames for ParaView the file that names them. */
-static void print_files(FILE *to, const Outputs *outputs, size_t frames)
-{
-    char *vtk = outputs->vtk && frames > 0
-                    ? frames > 1 ? vtk_collection_name(outputs->vtk) : vtk_frame_name(outputs->vtk, 0, 1)
-                    : NULL;
-    const char *const names[] = {outputs->series, outputs->particles, outputs->nodes, outputs->bonds, vtk};
-    int printed = 0;
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-        if (names[i] && strcmp(names[i], "-") != 0)
-            fprintf(to, "%s%s", printed++ ? ", " : "wrote ", names[i]);
-    if (printed)
-        fputc('\n', to);
-    free(vtk);
-}
-
 static const char *const event_words[EVENT_KINDS] = {
     [EVENT_CROSSING] = "crossing", [EVENT_BREAK] = "break",   [EVENT_TOUCH] = "touch", [EVENT_PART] = "part",
     [EVENT_TEAR] = "tear",         [EVENT_ENERGY] = "energy", [EVENT_REST] = "rest",
@@ -112,7 +96,20 @@ static void print_summary(const Options *options, const Settings *settings, cons
     if (*advice)
         fprintf(to, "%s\n", advice);
     fprintf(to, "%swall time %.3g s\n", text, took);
-    print_files(to, &options->outputs, summary->frames);
+    /* What was written, of many frames for ParaView the file that names them. */
+    char *vtk = options->outputs.vtk && summary->frames > 0 ? summary->frames > 1
+                                                                  ? vtk_collection_name(options->outputs.vtk)
+                                                                  : vtk_frame_name(options->outputs.vtk, 0, 1)
+                                                            : NULL;
+    const char *const names[] = {options->outputs.series, options->outputs.particles, options->outputs.nodes,
+                                 options->outputs.bonds, vtk};
+    int printed = 0;
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        if (names[i] && strcmp(names[i], "-") != 0)
+            fprintf(to, "%s%s", printed++ ? ", " : "wrote ", names[i]);
+    if (printed)
+        fputc('\n', to);
+    free(vtk);
 }
 
 /* Times that no table is written at are a slip. Those of a scenario file wait for a run with tables. */

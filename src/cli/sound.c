@@ -54,19 +54,6 @@ static void put_sample(FILE *file, double frequency, double time, double seconds
     put_number(file, (uint32_t)(value & 0xffff), 2);
 }
 
-/* Pure tones of these frequencies, Hz, for so many seconds. They fade in and out over a fiftieth of a second,
- * so that nothing clicks. */
-static void wav_write(FILE *file, double left, double right, double seconds)
-{
-    const uint32_t samples = (uint32_t)lround(seconds * WAV_RATE);
-    put_head(file, samples);
-    for (uint32_t i = 0; i < samples; i++) {
-        const double time = (double)i / WAV_RATE;
-        put_sample(file, left, time, seconds);
-        put_sample(file, right, time, seconds);
-    }
-}
-
 #define SECONDS      6.0
 #define SECONDS_MOST 600.0
 #define PITCH        440.0 /* of what cannot be heard as it is, Hz */
@@ -87,12 +74,6 @@ static bool read_seconds(const char *text, double *seconds, Status *status)
     *seconds = SECONDS;
     return !text || (text_to_double(text, seconds) && *seconds >= 0.1 && *seconds <= SECONDS_MOST) ||
            status_refuse(status, "--seconds: not a number from 0.1 to %g: %.60s", SECONDS_MOST, text);
-}
-
-static bool read_pitch(const char *text, double *pitch, Status *status)
-{
-    return !text || (text_to_double(text, pitch) && *pitch >= 20 && *pitch <= 10000) ||
-           status_refuse(status, "--pitch: not a number from 20 to 10000: %.60s", text);
 }
 
 static double frequency(const Readout *readout, double number)
@@ -124,25 +105,20 @@ static bool tune(const Readout *readout, double pitch, Tones *tones, Status *sta
            status_refuse(status, "the measured tone would be too high to be heard (a lower --pitch)");
 }
 
-static void print_tones(const Tones *tones)
-{
-    const double cents = 1200 * math_log2(tones->measured / tones->exact);
-    const char *unit = tones->in_hertz ? " Hz" : " per unit of time";
-    printf("left: measured %.6g%s   right: exact %.6g%s   %.0f cents %s\n", tones->measured, unit,
-           tones->exact, unit, fabs(cents), cents < 0 ? "flat" : "sharp");
-    if (tones->times == 1)
-        printf("heard at their real pitch\n");
-    else
-        printf("heard %.6g times as high: %.6g and %.6g Hz\n", tones->times, tones->measured * tones->times,
-               tones->exact * tones->times);
-}
-
 static bool write_tones(const Options *options, const Tones *tones, double seconds, Status *status)
 {
     OutputFile file;
     if (!output_open(&file, ASKER_COMMAND_LINE, options->output, options->force, status))
         return false;
-    wav_write(file.stream, tones->measured * tones->times, tones->exact * tones->times, seconds);
+    /* Pure tones of these frequencies, Hz, for so many seconds. They fade in and out over a fiftieth of a
+     * second, so that nothing clicks. */
+    const uint32_t samples = (uint32_t)lround(seconds * WAV_RATE);
+    put_head(file.stream, samples);
+    for (uint32_t i = 0; i < samples; i++) {
+        const double time = (double)i / WAV_RATE;
+        put_sample(file.stream, tones->measured * tones->times, time, seconds);
+        put_sample(file.stream, tones->exact * tones->times, time, seconds);
+    }
     return output_end(&file, true, status);
 }
 
@@ -151,7 +127,9 @@ int cli_sound(Options *options, Status *status)
     Settings settings;
     double seconds, pitch = 0;
     if (!options_load(options, options->words[0], &settings, status) ||
-        !read_seconds(options->seconds, &seconds, status) || !read_pitch(options->pitch, &pitch, status))
+        !read_seconds(options->seconds, &seconds, status) ||
+        !(!options->pitch || (text_to_double(options->pitch, &pitch) && pitch >= 20 && pitch <= 10000) ||
+          status_refuse(status, "--pitch: not a number from 20 to 10000: %.60s", options->pitch)))
         return (int)status->code;
     if (!options->output)
         return progress_result(status_refuse(status, "sound: --output FILE is missing (FILE.wav)"), status);
@@ -172,7 +150,15 @@ int cli_sound(Options *options, Status *status)
     sound = sound && tune(&summary.readout, pitch, &tones, status) &&
             write_tones(options, &tones, seconds, status);
     if (sound && !options->quiet) {
-        print_tones(&tones);
+        const double cents = 1200 * math_log2(tones.measured / tones.exact);
+        const char *unit = tones.in_hertz ? " Hz" : " per unit of time";
+        printf("left: measured %.6g%s   right: exact %.6g%s   %.0f cents %s\n", tones.measured, unit,
+               tones.exact, unit, fabs(cents), cents < 0 ? "flat" : "sharp");
+        if (tones.times == 1)
+            printf("heard at their real pitch\n");
+        else
+            printf("heard %.6g times as high: %.6g and %.6g Hz\n", tones.times, tones.measured * tones.times,
+                   tones.exact * tones.times);
         printf("wrote %s\n", options->output);
     }
     return progress_result(sound, status);

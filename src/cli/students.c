@@ -93,12 +93,6 @@ bool students_add(Students *students, const Lesson *lesson, const Grades *grades
     return true;
 }
 
-static bool has_right(const Student *student, const Lesson *lesson, int page)
-{
-    const bool once = lesson_exercise(&lesson->pages[page]) == EXERCISE_CHOICE;
-    return student->right[page] && !(once && student->wrong[page]);
-}
-
 enum { ID, NAME, GRADE, MAXIMUM, FEEDBACK, UNREAD, SESSIONS, REMARK, CELLS };
 enum { FEEDBACK_MAX = 8192 };
 static const char *const columns[CELLS] = {"ID number",         "Full name", "Grade",    "Maximum grade",
@@ -113,7 +107,8 @@ static void write_student(const Students *students, const Student *student, cons
          to_read[NUMBER_TEXT_MAX], sessions[NUMBER_TEXT_MAX];
     for (int page = 0; page < lesson->n_pages; page++) {
         const double points = lesson_points(&lesson->pages[page]);
-        const bool right = has_right(student, lesson, page);
+        const bool once = lesson_exercise(&lesson->pages[page]) == EXERCISE_CHOICE;
+        const bool right = student->right[page] && !(once && student->wrong[page]);
         most += points;
         sum += right ? points : 0;
         unread += student->unread[page] ? points : 0;

@@ -52,18 +52,6 @@ static bool take_stage(void *owner, Run *run, long step, int stage, Status *stat
     return export_write_stage(owner, step, stage, status);
 }
 
-/* Series, frames, and the stages of some steps. */
-static void sinks_of(Export *export, Sink sinks[3])
-{
-    const long every = references_memory(export->refs) > 0 ? 1 : settings_output(export->settings)->every;
-    sinks[0] = (Sink){.every = every, .row = take_row, .owner = export, .beside = &sinks[1]};
-    sinks[1] = (Sink){.next = next_frame, .state = take_frame, .owner = export, .beside = &sinks[2]};
-    sinks[2] = (Sink){.stage = take_stage,
-                      .first = export->outputs->stages[0],
-                      .last = export->outputs->stages[1],
-                      .owner = export};
-}
-
 /* The run has failed, or come to rest: its last sound step is its last one, with a row, and with the frame
  * that takes the place of all that were to come. */
 static bool end_early(Export *export, Status *status)
@@ -138,11 +126,6 @@ bool export_writes(const Settings *settings, const Simulation *sim, int i, const
                                                 : !simulation_is_on_request(sim, column));
 }
 
-static bool writes_tables(const Outputs *outputs)
-{
-    return outputs->particles || outputs->nodes || outputs->bonds;
-}
-
 static bool is_field(const Simulation *sim, const char *name)
 {
     for (int i = 0; i < sim->n_fields; i++)
@@ -166,7 +149,8 @@ static bool choose_columns(Export *export, Status *status)
         bool found = strcmp(name, "all") == 0;
         for (int i = 0; i < export->n_columns; i++)
             found = found || strcmp(name, export->columns[i].quantity.name) == 0;
-        if (!found && !(writes_tables(export->outputs) && is_field(export->run.sim, name)))
+        if (!found && !((export->outputs->particles || export->outputs->nodes || export->outputs->bonds) &&
+                        is_field(export->run.sim, name)))
             return status_refuse(status, "output.columns: %.60s is no column of the series (%s)", name,
                                  known);
     }
@@ -219,7 +203,14 @@ static bool go(Export *export, RunSummary *summary, Status *status)
     export->invariant = invariant_of(export);
     if (errno == ENOMEM)
         return status_fail(status, "not enough memory for the energy at the start");
-    sinks_of(export, sinks);
+    /* Series, frames, and the stages of some steps. */
+    const long every = references_memory(export->refs) > 0 ? 1 : settings_output(export->settings)->every;
+    sinks[0] = (Sink){.every = every, .row = take_row, .owner = export, .beside = &sinks[1]};
+    sinks[1] = (Sink){.next = next_frame, .state = take_frame, .owner = export, .beside = &sinks[2]};
+    sinks[2] = (Sink){.stage = take_stage,
+                      .first = export->outputs->stages[0],
+                      .last = export->outputs->stages[1],
+                      .owner = export};
     if (!run_start(run, sinks, status) || (!run_to_end(run, sinks, status) && !run->failed))
         return false;
     summary->failed = run->failed;
@@ -227,16 +218,6 @@ static bool go(Export *export, RunSummary *summary, Status *status)
     if ((run->failed || run->sim->at_rest) && !end_early(export, status))
         return false;
     return run->failed || !cancel_requested(&run->cancel, 1) || status_fail(status, "interrupted");
-}
-
-static void close_all(Export *export)
-{
-    export_close_files(export);
-    free(export->vtk);
-    record_close(&export->record);
-    frames_free(&export->frames);
-    references_destroy(export->refs);
-    run_close(&export->run);
 }
 
 bool export_run(const Settings *settings, const Outputs *outputs, int threads, RunProgress progress,
@@ -254,7 +235,12 @@ bool export_run(const Settings *settings, const Outputs *outputs, int threads, R
     export.run.cancel = (Cancel){progress, context};
     written = written && go(&export, summary, status) && export_finish_files(&export, status) &&
               export_commit_files(&export, status) && sum_up(&export, summary, status);
-    close_all(&export);
+    export_close_files(&export);
+    free(export.vtk);
+    record_close(&export.record);
+    frames_free(&export.frames);
+    references_destroy(export.refs);
+    run_close(&export.run);
     if (written && summary->failed)
         status_take(status, &summary->failure);
     return written && !summary->failed;

@@ -84,12 +84,6 @@ static char *name_beside(const char *name)
     return asprintf(&out, "%s.ini", name) < 0 ? NULL : out;
 }
 
-/* Whether a scenario is beside a table: not beside what is no file. */
-static bool has_beside(const OutputFile *file)
-{
-    return file->target != NULL;
-}
-
 static bool take_table_names(Names *names, const char *name, Status *status)
 {
     if (!name)
@@ -140,13 +134,6 @@ bool export_check_names(const Export *export, Status *status)
     return good;
 }
 
-/* What a set's table has, more that is asked for, and all of it after stages. */
-static bool is_written(const Table *table, const Field *field, const char *asked)
-{
-    return field->set == table->set &&
-           (field->in_table || table->of_stages || simulation_asks(asked, field->quantity.name));
-}
-
 static bool find_set(Table *table, const Simulation *sim, const char *asked, int i, Status *status)
 {
     for (table->set = 0; table->set < sim->n_sets; table->set++)
@@ -155,7 +142,9 @@ static bool find_set(Table *table, const Simulation *sim, const char *asked, int
     if (table->set == sim->n_sets)
         return status_refuse(status, "--%s: the method %s has none", plurals[i], sim->method->name);
     for (int f = 0; f < sim->n_fields && table->n_fields < TABLE_FIELDS_MAX; f++)
-        if (is_written(table, &sim->fields[f], asked))
+        /* What a set's table has, more that is asked for, and all of it after stages. */
+        if (sim->fields[f].set == table->set && (sim->fields[f].in_table || table->of_stages ||
+                                                 simulation_asks(asked, sim->fields[f].quantity.name)))
             table->fields[table->n_fields++] = f;
     table->indexed = table->n_fields == 0 || !sim->fields[table->fields[0]].integer;
     return true;
@@ -163,7 +152,8 @@ static bool find_set(Table *table, const Simulation *sim, const char *asked, int
 
 static bool open_beside(OutputFile *beside, const OutputFile *file, const Outputs *outputs, Status *status)
 {
-    if (!has_beside(file))
+    /* a scenario is written beside files only */
+    if (file->target == NULL)
         return true;
     char *name = name_beside(file->name);
     bool opened = name ? output_open(beside, outputs->asker, name, outputs->force, status)
@@ -185,14 +175,6 @@ static void write_table_header(const Export *export, const Table *table)
     csv_header(table->file.stream, export->outputs->dialect, names, n);
 }
 
-static void write_series_header(const Export *export)
-{
-    const char *names[COLUMNS_MAX];
-    for (int i = 0; i < export->n_written; i++)
-        names[i] = export->columns[export->written[i]].quantity.name;
-    csv_header(export->series.stream, export->outputs->dialect, names, export->n_written);
-}
-
 bool export_open_files(Export *export, Status *status)
 {
     const Outputs *outputs = export->outputs;
@@ -200,7 +182,10 @@ bool export_open_files(Export *export, Status *status)
         if (!output_open(&export->series, outputs->asker, outputs->series, outputs->force, status) ||
             !open_beside(&export->series_beside, &export->series, outputs, status))
             return false;
-        write_series_header(export);
+        const char *names[COLUMNS_MAX];
+        for (int i = 0; i < export->n_written; i++)
+            names[i] = export->columns[export->written[i]].quantity.name;
+        csv_header(export->series.stream, export->outputs->dialect, names, export->n_written);
     }
     for (int i = 0; i < TABLES; i++) {
         Table *table = &export->tables[i];
@@ -351,40 +336,6 @@ static void describe(FILE *to, const Quantity *quantity)
     fprintf(to, "%s [%s]: %s\n", quantity->name, quantity->unit, quantity->meaning);
 }
 
-static void describe_series(const Export *export, FILE *to)
-{
-    for (int i = 0; i < export->n_written; i++)
-        describe(to, &export->columns[export->written[i]].quantity);
-}
-
-static void describe_table(const Export *export, const Table *table, FILE *to)
-{
-    const Simulation *sim = export->run.sim;
-    describe(to, &export->columns[0].quantity);
-    if (table->of_stages)
-        fprintf(to, "stage [1]: so many stages are done of the step that leads to `step`\n"
-                    "stage_id: the last of them\n");
-    else
-        describe(to, &export->columns[1].quantity);
-    if (table->indexed)
-        fprintf(to, "%s [1]: which one, counted from 0\n", sim->sets[table->set].name);
-    for (int i = 0; i < table->n_fields; i++)
-        describe(to, &sim->fields[table->fields[i]].quantity);
-}
-
-/* To which moment a row belongs. */
-static void tell_moment(const Export *export, const Table *table, FILE *to)
-{
-    const Simulation *sim = export->run.sim;
-    const int ready = sim->sets[table->set].ready_after;
-    if (table->of_stages)
-        fprintf(to, "written with --stages %ld:%ld, which no scenario holds: give it again for these bytes\n",
-                export->outputs->stages[0], export->outputs->stages[1]);
-    else if (ready > 0)
-        fprintf(to, "A row of step n has the values of the step that follows, after its stage %d (%s).\n",
-                ready, sim->stages[ready - 1].name);
-}
-
 /* `table`: NULL for the series. */
 static bool write_beside(const Export *export, const Settings *scenario, OutputFile *beside,
                          const Table *table, Status *status)
@@ -402,13 +353,36 @@ static bool write_beside(const Export *export, const Settings *scenario, OutputF
     if (export->outputs->dialect == DIALECT_SEMICOLON)
         fprintf(text,
                 "written with --dialect semicolon, which no scenario holds: give it again for these bytes\n");
-    if (table)
-        tell_moment(export, table, text);
+    if (table) {
+        /* To which moment a row belongs. */
+        const Simulation *sim = export->run.sim;
+        const int ready = sim->sets[table->set].ready_after;
+        if (table->of_stages)
+            fprintf(text,
+                    "written with --stages %ld:%ld, which no scenario holds: give it again for these bytes\n",
+                    export->outputs->stages[0], export->outputs->stages[1]);
+        else if (ready > 0)
+            fprintf(text,
+                    "A row of step n has the values of the step that follows, after its stage %d (%s).\n",
+                    ready, sim->stages[ready - 1].name);
+    }
     fprintf(text, "\nColumns:\n");
-    if (table)
-        describe_table(export, table, text);
-    else
-        describe_series(export, text);
+    if (table) {
+        const Simulation *sim = export->run.sim;
+        describe(text, &export->columns[0].quantity);
+        if (table->of_stages)
+            fprintf(text, "stage [1]: so many stages are done of the step that leads to `step`\n"
+                          "stage_id: the last of them\n");
+        else
+            describe(text, &export->columns[1].quantity);
+        if (table->indexed)
+            fprintf(text, "%s [1]: which one, counted from 0\n", sim->sets[table->set].name);
+        for (int i = 0; i < table->n_fields; i++)
+            describe(text, &sim->fields[table->fields[i]].quantity);
+    } else {
+        for (int i = 0; i < export->n_written; i++)
+            describe(text, &export->columns[export->written[i]].quantity);
+    }
     bool written = text_stream_close(text, &comment)
                        ? scenario_write(beside->stream, scenario, comment, status)
                        : status_fail(status, "not enough memory to write %s", beside->name);

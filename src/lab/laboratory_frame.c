@@ -188,21 +188,6 @@ static bool compute_frame(Laboratory *lab, double deadline)
     return true;
 }
 
-/* Slow motion: a stage, then a pause. */
-static bool slow_frame(Laboratory *lab)
-{
-    Status status = {STATUS_DONE, ""};
-    if (lab->player.slow_left-- > 0)
-        return false;
-    lab->player.slow_left = lab->player.slow_frames - 1;
-    if (experiment_stage(laboratory_run(lab)) == 0)
-        stop_look(&lab->player.stop, laboratory_run(lab));
-    duel_next_stage(&lab->player.duel, &status);
-    if (experiment_stage(laboratory_run(lab)) > 0 || !player_arrive(lab))
-        player_settle(lab);
-    return true;
-}
-
 static bool do_frame(Laboratory *lab, double deadline)
 {
     if (laboratory_message_left(lab) == 0)
@@ -211,8 +196,19 @@ static bool do_frame(Laboratory *lab, double deadline)
         return compute_frame(lab, deadline);
     if (lab->player.playback.state == STATE_RUNNING)
         return run_frame(lab, deadline);
-    if (lab->player.playback.slow)
-        return slow_frame(lab);
+    if (lab->player.playback.slow) {
+        /* Slow motion: a stage, then a pause. */
+        Status status = {STATUS_DONE, ""};
+        if (lab->player.slow_left-- > 0)
+            return false;
+        lab->player.slow_left = lab->player.slow_frames - 1;
+        if (experiment_stage(laboratory_run(lab)) == 0)
+            stop_look(&lab->player.stop, laboratory_run(lab));
+        duel_next_stage(&lab->player.duel, &status);
+        if (experiment_stage(laboratory_run(lab)) > 0 || !player_arrive(lab))
+            player_settle(lab);
+        return true;
+    }
     if (refining_is_due(lab))
         refining_work(lab);
     return true;

@@ -148,15 +148,6 @@ static void drag(Laboratory *lab, int x, int y)
     }
 }
 
-static void wheel(Laboratory *lab, int direction, int x, int y)
-{
-    enum { LINES = 3 };
-    if (lab->help.open)
-        scroll_help(lab, LINES * direction);
-    else if (!screen_scroll_view(&lab->screen, lab->width, lab->height, x, y, LINES * direction))
-        laboratory_command(lab, direction < 0 ? COMMAND_UP : COMMAND_DOWN);
-}
-
 /* False: not the mouse. In the middle of a field or a question the mouse does nothing. */
 static bool mouse_key(Laboratory *lab, const Key *key)
 {
@@ -170,22 +161,18 @@ static bool mouse_key(Laboratory *lab, const Key *key)
     } else if (drags) {
         drag(lab, key->x, key->y);
     } else if (strcmp(key->name, "WheelUp") == 0 || strcmp(key->name, "WheelDown") == 0) {
-        if (!busy)
-            wheel(lab, key->name[5] == 'U' ? -1 : 1, key->x, key->y);
+        if (!busy) {
+            const int direction = key->name[5] == 'U' ? -1 : 1;
+            enum { LINES = 3 };
+            if (lab->help.open)
+                scroll_help(lab, LINES * direction);
+            else if (!screen_scroll_view(&lab->screen, lab->width, lab->height, key->x, key->y,
+                                         LINES * direction))
+                laboratory_command(lab, direction < 0 ? COMMAND_UP : COMMAND_DOWN);
+        }
     } else
         return false;
     return true;
-}
-
-/* These work in a question and in a field too. */
-static bool is_for_everywhere(CommandId id)
-{
-    return id == COMMAND_INTERRUPT || id == COMMAND_REDRAW || id == COMMAND_SUSPEND;
-}
-
-static bool takes_text(const Laboratory *lab)
-{
-    return lab->parameters.edit.open || (lab->prompting.shown.open && !lab->prompting.shown.yes_no);
 }
 
 static void text_key(Laboratory *lab, const char *name)
@@ -203,7 +190,7 @@ static void text_key(Laboratory *lab, const char *name)
 static void take_pasted(Laboratory *lab, const char *what)
 {
     const bool ends_line = strcmp(what, "Enter") == 0;
-    if (!takes_text(lab)) {
+    if (!(lab->parameters.edit.open || (lab->prompting.shown.open && !lab->prompting.shown.yes_no))) {
         laboratory_say(lab, MESSAGE_INFO,
                        "pasted text goes into a field or a question only; : asks for a command");
         return;
@@ -257,7 +244,9 @@ static void take_key(Laboratory *lab, const Key *key)
     if (take_offer(lab, key))
         return;
     dismiss_error(lab, key->name);
-    if (command && is_for_everywhere(command->id))
+    /* These work in a question and in a field too. */
+    if (command &&
+        (command->id == COMMAND_INTERRUPT || command->id == COMMAND_REDRAW || command->id == COMMAND_SUSPEND))
         laboratory_command(lab, command->id);
     else if (mouse_key(lab, key) || (!lab->prompting.shown.open && row_edit_key(lab, key->name)))
         return;
@@ -277,14 +266,6 @@ static void take_key(Laboratory *lab, const Key *key)
         laboratory_say(lab, MESSAGE_INFO, "the key %s does nothing; ? tells what the others do", key->name);
 }
 
-/* Who hands in what is missing half of it should know at once. */
-static void tell_lost_recording(Laboratory *lab)
-{
-    Status why = {STATUS_DONE, ""};
-    if (lab->recording && session_is_lost(lab->recording, &why))
-        laboratory_say(lab, MESSAGE_ERROR, "this session is kept no further: %s", why.text);
-}
-
 void laboratory_key(Laboratory *lab, const Key *key)
 {
     if (!visible_is_clean(key->name))
@@ -293,7 +274,10 @@ void laboratory_key(Laboratory *lab, const Key *key)
         return;
     lesson_entry_note(lab, key);
     take_key(lab, key);
-    tell_lost_recording(lab);
+    /* Who hands in what is missing half of it should know at once. */
+    Status why = {STATUS_DONE, ""};
+    if (lab->recording && session_is_lost(lab->recording, &why))
+        laboratory_say(lab, MESSAGE_ERROR, "this session is kept no further: %s", why.text);
     lesson_play_continue(lab);
     lab->given_up = false;
 }

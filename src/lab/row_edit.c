@@ -23,16 +23,6 @@ static void select_row(Laboratory *lab, int kind, int row)
             lab->parameters.selected = i;
 }
 
-/* "cut1", or the first of these that is free. */
-static void new_name(const Settings *settings, int kind, char out[ROW_NAME_MAX])
-{
-    const char *one = row_kinds[kind].one;
-    int number = 1;
-    do
-        snprintf(out, ROW_NAME_MAX, "%.*s%d", (int)strcspn(one, " "), one, number++);
-    while (settings_row_find(settings, kind, out) >= 0);
-}
-
 /* --- as text ----------------------------------------------------------------------------------------------
  */
 
@@ -100,15 +90,6 @@ static void keep_digits(const Settings *settings, int kind, int row, const char 
     }
 }
 
-/* The last row of a kind comes to a place further up. */
-static void put_in_place(Settings *settings, int kind, int row)
-{
-    RowList *list = &settings->rows[kind];
-    const Row moved = list->rows[list->count - 1];
-    memmove(&list->rows[row + 1], &list->rows[row], (size_t)(list->count - 1 - row) * sizeof moved);
-    list->rows[row] = moved;
-}
-
 /* Under another name it is another row in the place of the old one. */
 static bool accept(Laboratory *lab, Status *status)
 {
@@ -131,8 +112,13 @@ static bool accept(Laboratory *lab, Status *status)
     if ((renamed && !settings_row_remove(&settings, kind, old, status)) ||
         !settings_row_set(&settings, kind, name, meant, status))
         return false;
-    if (renamed)
-        put_in_place(&settings, kind, row);
+    if (renamed) {
+        /* The last row of a kind comes to a place further up. */
+        RowList *list = &settings.rows[kind];
+        const Row moved = list->rows[list->count - 1];
+        memmove(&list->rows[row + 1], &list->rows[row], (size_t)(list->count - 1 - row) * sizeof moved);
+        list->rows[row] = moved;
+    }
     if (!apply(lab, &settings, status))
         return false;
     select_row(lab, kind, settings_row_find(experiment_settings(laboratory_run(lab)), kind, name));
@@ -165,26 +151,21 @@ static bool accept_value(Laboratory *lab, Status *status)
             apply(lab, &settings, status));
 }
 
-/* One value of a row; a first character replaces it. */
-static void open_value(Laboratory *lab, const RowPlace *place)
-{
-    FieldEdit *edit = &lab->parameters.edit;
-    const Settings *settings = experiment_settings(laboratory_run(lab));
-    text_shortest(edit->text, settings_row_value(settings, place->kind, place->row, place->value - 1));
-    edit->cursor = glyphs_count(edit->text);
-    edit->problem[0] = '\0';
-    edit->open = lab->editing.fresh = true;
-    lab->editing.accept = accept_value;
-}
-
 void row_edit_begin(Laboratory *lab)
 {
     RowPlace place;
     if (!screen_selected_row(&lab->screen, &place))
         return;
-    if (place.value)
-        open_value(lab, &place);
-    else if (place.row == ROW_NEW)
+    if (place.value) {
+        /* One value of a row; a first character replaces it. */
+        FieldEdit *edit = &lab->parameters.edit;
+        const Settings *settings = experiment_settings(laboratory_run(lab));
+        text_shortest(edit->text, settings_row_value(settings, place.kind, place.row, place.value - 1));
+        edit->cursor = glyphs_count(edit->text);
+        edit->problem[0] = '\0';
+        edit->open = lab->editing.fresh = true;
+        lab->editing.accept = accept_value;
+    } else if (place.row == ROW_NEW)
         row_edit_add(lab);
     else
         open_field(lab, place.kind, place.row);
@@ -306,20 +287,16 @@ static void say_place(Laboratory *lab)
                        "%s   arrows move it one spacing, ( ) PgUp PgDn ten   Enter take   Esc drop", values);
 }
 
-static void show_map(Laboratory *lab)
-{
-    char line[48];
-    snprintf(line, sizeof line, "show %s", view_of_map()->word);
-    lab->run_line(lab, line);
-}
-
 static void begin_placing(Laboratory *lab, int kind, int row, int end)
 {
     Screen *screen = &lab->screen;
     lab->parameters.rows =
         (RowsShown){.placing = true, .kind = kind, .row = row, .end = end, .draft = lab->editing.draft};
-    if (!screen->views.upper->is_map && !screen->views.lower->is_map)
-        show_map(lab);
+    if (!screen->views.upper->is_map && !screen->views.lower->is_map) {
+        char line[48];
+        snprintf(line, sizeof line, "show %s", view_of_map()->word);
+        lab->run_line(lab, line);
+    }
     screen->panes.focus = PANE_PARAMETERS;
     player_pause(lab);
     say_place(lab);
@@ -429,7 +406,12 @@ static void place_new(Laboratory *lab, int kind, const char *values)
     Settings *draft = lab->editing.draft;
     char name[ROW_NAME_MAX];
     Status status = {STATUS_DONE, ""};
-    new_name(draft, kind, name);
+    /* "cut1", or the first of these that is free. */
+    const char *one = row_kinds[kind].one;
+    int number = 1;
+    do
+        snprintf(name, ROW_NAME_MAX, "%.*s%d", (int)strcspn(one, " "), one, number++);
+    while (settings_row_find(draft, kind, name) >= 0);
     if (settings_row_set(draft, kind, name, values, &status))
         begin_placing(lab, kind, settings_row_find(draft, kind, name), ROW_BOTH_ENDS);
     else

@@ -75,19 +75,6 @@ static bool is_looked_into(const Sink *sinks, long step)
     return false;
 }
 
-/* After a stage. */
-static bool give_stage(Run *run, const Sink *sinks, Status *status)
-{
-    const Simulation *sim = run->sim;
-    const bool whole = sim->stage == 0;
-    const long step = whole ? sim->step : sim->step + 1;
-    for (const Sink *sink = sinks; sink; sink = sink->beside)
-        if (sink->stage && step >= sink->first && step <= sink->last &&
-            !sink->stage(sink->owner, run, step, whole ? sim->n_stages : sim->stage, status))
-            return false;
-    return true;
-}
-
 static bool fail(Run *run, const Status *why, Status *status)
 {
     run->failed = true;
@@ -179,7 +166,15 @@ static bool one_stage(Run *run, const Sink *sinks, Status *status)
     Status why = {0};
     if (!simulation_stage(run->sim, &why))
         return fail(run, &why, status);
-    return give_stage(run, sinks, status) && (run->sim->stage != 0 || end_step(run, sinks, status));
+    /* After a stage. */
+    const Simulation *sim = run->sim;
+    const bool whole = sim->stage == 0;
+    const long step = whole ? sim->step : sim->step + 1;
+    for (const Sink *sink = sinks; sink; sink = sink->beside)
+        if (sink->stage && step >= sink->first && step <= sink->last &&
+            !sink->stage(sink->owner, run, step, whole ? sim->n_stages : sim->stage, status))
+            return false;
+    return (run->sim->stage != 0 || end_step(run, sinks, status));
 }
 
 /* A whole step, stage by stage. */
@@ -192,25 +187,11 @@ static bool one_step(Run *run, const Sink *sinks, Status *status)
     return true;
 }
 
-static bool some_items(Run *run, const Sink *sinks, long items, Status *status)
-{
-    Status why = {0};
-    bool stage_done = false;
-    if (!simulation_slice(run->sim, (size_t)items, &stage_done, &why))
-        return fail(run, &why, status);
-    return !stage_done || run->sim->stage != 0 || end_step(run, sinks, status);
-}
-
 /* Towards rest it goes by the kinetic energy that is left, by powers of ten, and not by time. */
 static double share_done(const Run *run)
 {
     const double left = run->sim->kinetic_left, by_time = (double)run->sim->step / (double)run->last;
     return left > 0 ? fmax(by_time, fmin(1, -math_log10(left) / 10)) : by_time;
-}
-
-static bool goes_on(const Run *run, Status *status)
-{
-    return !cancel_requested(&run->cancel, share_done(run)) || status_fail(status, "interrupted");
 }
 
 bool run_start(Run *run, const Sink *sinks, Status *status)
@@ -233,10 +214,15 @@ bool run_advance(Run *run, RunUntil until, const Sink *sinks, Status *status)
         const bool whole = sim->stage == 0 && sim->item == 0;
         if (whole && before >= run->last)
             return true;
-        if (until.unit == RUN_ITEMS)
-            return some_items(run, sinks, left, status);
-        if (until.unit == RUN_STAGES               ? !one_stage(run, sinks, status)
-            : !goes_on(run, status)                ? true
+        if (until.unit == RUN_ITEMS) {
+            Status why = {0};
+            bool stage_done = false;
+            if (!simulation_slice(run->sim, (size_t)left, &stage_done, &why))
+                return fail(run, &why, status);
+            return !stage_done || run->sim->stage != 0 || end_step(run, sinks, status);
+        }
+        if (until.unit == RUN_STAGES ? !one_stage(run, sinks, status)
+            : !(!cancel_requested(&run->cancel, share_done(run)) || status_fail(status, "interrupted")) ? true
             : is_looked_into(sinks, sim->step + 1) ? !one_step(run, sinks, status)
                                                    : !one_block(run, sinks, left, status))
             return false;

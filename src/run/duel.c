@@ -63,11 +63,6 @@ static bool suggest(const Settings *settings, const Parameter *parameter, Assign
     return true;
 }
 
-static bool is_of_method(const Settings *settings, const Parameter *parameter)
-{
-    return strncmp(parameter->key, settings->method == METHOD_MPM ? "mpm." : "pd.", 3) == 0;
-}
-
 int duel_suggest(const Settings *settings, int which, Assignment keys[DUEL_MAX])
 {
     ASSERT_INT(which, >=, 0);
@@ -76,7 +71,9 @@ int duel_suggest(const Settings *settings, int which, Assignment keys[DUEL_MAX])
         return 1;
     for (int of_method = 1; of_method >= 0; of_method--)
         for (int i = 0; i < n_parameters; i++)
-            if (&parameters[i] != question && is_of_method(settings, &parameters[i]) == of_method &&
+            if (&parameters[i] != question &&
+                (strncmp(parameters[i].key, settings->method == METHOD_MPM ? "mpm." : "pd.", 3) == 0) ==
+                    of_method &&
                 suggest(settings, &parameters[i], keys) && which-- == 0)
                 return 1;
     return 0;

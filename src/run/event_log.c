@@ -39,15 +39,6 @@ static void add_advice(EventLog *log, const Settings *settings, long step, char 
         add(log->planned, &log->n_planned, EVENT_LOG_PLANNED_MAX, step, EVENT_ADVICE, advice);
 }
 
-/* Which references are left out, and because of which parameter. */
-static void add_unaccounted(EventLog *log, const Settings *settings)
-{
-    char text[KNOWN_TEXT_MAX];
-    long step;
-    if (known_text(settings, text, &step))
-        add(log->planned, &log->n_planned, EVENT_LOG_PLANNED_MAX, step, EVENT_ADVICE, text);
-}
-
 static void add_changes(EventLog *log, const Settings *settings)
 {
     char last[160] = "", text[KEY_MAX + VALUE_MAX + 8];
@@ -86,16 +77,6 @@ static bool crossed_before(const Experiment *experiment, long step)
     return false;
 }
 
-/* Why the energy drifts, as far as it is known. */
-static const char *cause_of(const Experiment *experiment, long step, bool gain)
-{
-    Settings then;
-    changes_in_force(&experiment->base, step, &then);
-    const Solver *solver = problem_solver(then.problem, then.method);
-    const char *damping = solver && solver->damping && !gain ? solver->damping(&then) : NULL;
-    return damping ? damping : crossed_before(experiment, step) ? "cell crossing" : "";
-}
-
 static void add_drift(EnergyWatch *watch, const Experiment *experiment, double drift)
 {
     const double least = fmin(fabs(drift), fabs(watch->before));
@@ -104,24 +85,18 @@ static void add_drift(EnergyWatch *watch, const Experiment *experiment, double d
     while (watch->level < LEVELS && least >= levels[watch->level])
         watch->level++;
     char text[120];
-    const char *cause = cause_of(experiment, watch->before_step, drift > 0);
+    /* Why the energy drifts, as far as it is known. */
+    Settings then;
+    changes_in_force(&experiment->base, watch->before_step, &then);
+    const Solver *solver = problem_solver(then.problem, then.method);
+    const char *damping = solver && solver->damping && !(drift > 0) ? solver->damping(&then) : NULL;
+    const char *cause = damping                                          ? damping
+                        : crossed_before(experiment, watch->before_step) ? "cell crossing"
+                                                                         : "";
     snprintf(text, sizeof text, "energy %s %% %s the start%s%s",
              text_rounded(100 * fabs(watch->before), 2).text, drift > 0 ? "above" : "below",
              *cause ? ": " : "", cause);
     add(watch->events, &watch->n_events, EVENT_LOG_DRIFTS_MAX, watch->before_step, EVENT_ENERGY, text);
-}
-
-static void end_block(EnergyWatch *watch, const Experiment *experiment, long step)
-{
-    const double mean = watch->sum / (double)watch->count;
-    if (watch->block == 0)
-        watch->first = mean;
-    const double drift = watch->first > 0 ? mean / watch->first - 1 : 0;
-    add_drift(watch, experiment, drift);
-    watch->before = drift;
-    watch->before_step = step;
-    watch->sum = 0;
-    watch->count = 0;
 }
 
 static void watch_energy(EnergyWatch *watch, const Experiment *experiment, const Readout *readout)
@@ -143,8 +118,17 @@ static void watch_energy(EnergyWatch *watch, const Experiment *experiment, const
     for (; watch->rows < rows; watch->rows++) {
         const double *row = record_row(record, watch->rows);
         const long block = (long)floor(row[1] / watch->period);
-        if (block != watch->block && watch->count > 0)
-            end_block(watch, experiment, (long)record_row(record, watch->rows - 1)[0]);
+        if (block != watch->block && watch->count > 0) {
+            const double mean = watch->sum / (double)watch->count;
+            if (watch->block == 0)
+                watch->first = mean;
+            const double drift = watch->first > 0 ? mean / watch->first - 1 : 0;
+            add_drift(watch, experiment, drift);
+            watch->before = drift;
+            watch->before_step = (long)record_row(record, watch->rows - 1)[0];
+            watch->sum = 0;
+            watch->count = 0;
+        }
         watch->block = block;
         watch->sum += row[total] - (work >= 0 ? row[work] : 0);
         watch->count++;
@@ -210,7 +194,11 @@ void event_log_update(EventLog *log, const Experiment *experiment, const Readout
     if (!log->begun) {
         *log = (EventLog){.begun = true, .newest = -1};
         add_changes(log, &experiment->base);
-        add_unaccounted(log, &experiment->base);
+        /* Which references are left out, and because of which parameter. */
+        char text[KNOWN_TEXT_MAX];
+        long step;
+        if (known_text(&experiment->base, text, &step))
+            add(log->planned, &log->n_planned, EVENT_LOG_PLANNED_MAX, step, EVENT_ADVICE, text);
     }
     const double late = lag_per_time(readout);
     if (log->newest == experiment->newest && log->failed == experiment->run.failed &&

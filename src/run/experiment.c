@@ -270,20 +270,15 @@ static bool keep_state(const Simulation *sim, unsigned char **bytes, size_t *roo
     return true;
 }
 
-static void note_before(Experiment *experiment)
-{
-    const Simulation *sim = experiment->run.sim;
-    Before *before = &experiment->before;
-    before->known = keep_state(sim, &before->bytes, &before->room);
-    before->head = simulation_snapshot_size(sim) - sim->method->state_size(sim);
-}
-
 static bool next_stage(Experiment *experiment, Status *status)
 {
     if (experiment_at_end(experiment))
         return true;
     experiment_row(experiment); /* in the middle of a step it could not be worked out */
-    note_before(experiment);
+    const Simulation *sim = experiment->run.sim;
+    Before *before = &experiment->before;
+    before->known = keep_state(sim, &before->bytes, &before->room);
+    before->head = simulation_snapshot_size(sim) - sim->method->state_size(sim);
     if (experiment_do_stage(experiment, status))
         return true;
     experiment->before.known = false;

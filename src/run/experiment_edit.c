@@ -23,20 +23,6 @@ static void forget_answers(Experiment *experiment)
         spectrum_close(&experiment->worked->spectra[i]);
 }
 
-static void exchange(Experiment *a, Experiment *b)
-{
-    enum { CHUNK = 4096 };
-    unsigned char *one = (unsigned char *)a, *other = (unsigned char *)b, chunk[CHUNK];
-    for (size_t left = sizeof *a, size; left > 0; left -= size, one += size, other += size) {
-        size = left < CHUNK ? left : CHUNK;
-        memcpy(chunk, one, size);
-        memcpy(one, other, size);
-        memcpy(other, chunk, size);
-    }
-    a->run.settings = &a->base;
-    b->run.settings = &b->base;
-}
-
 /* Another run takes the place of this one, and seeks the time that was on screen; the end, where that was the
  * end. */
 static bool replace_run(Experiment *experiment, const Settings *settings, bool keep_ghost, bool seek,
@@ -63,7 +49,16 @@ static bool replace_run(Experiment *experiment, const Settings *settings, bool k
     memcpy(fresh->given, experiment->given, sizeof fresh->given);
     fresh->n_given = experiment->n_given;
     fresh->flowing = experiment->flowing;
-    exchange(experiment, fresh);
+    enum { CHUNK = 4096 };
+    unsigned char *one = (unsigned char *)experiment, *other = (unsigned char *)fresh, chunk[CHUNK];
+    for (size_t left = sizeof *experiment, size; left > 0; left -= size, one += size, other += size) {
+        size = left < CHUNK ? left : CHUNK;
+        memcpy(chunk, one, size);
+        memcpy(one, other, size);
+        memcpy(other, chunk, size);
+    }
+    experiment->run.settings = &experiment->base;
+    fresh->run.settings = &fresh->base;
     experiment_destroy(fresh);
     experiment_write_legends(experiment);
     if (seek)
@@ -72,21 +67,17 @@ static bool replace_run(Experiment *experiment, const Settings *settings, bool k
     return true;
 }
 
-/* Copies the value of one parameter. */
-static void copy_value(Settings *to, const Settings *from, const Parameter *parameter)
-{
-    char text[LIST_MAX];
-    settings_get(from, parameter, text);
-    settings_set(to, parameter->key, text, NULL);
-}
-
 /* What changes in mid-run begins with its own first value, whatever is in force now. */
 static void begin_changed_ones(Settings *settings, const Settings *base)
 {
     for (int i = 0; i < settings->n_changes; i++) {
         const Parameter *parameter = parameter_find(settings->changes[i].to.key);
-        if (parameter)
-            copy_value(settings, base, parameter);
+        if (parameter) {
+            /* Copies the value of one parameter. */
+            char text[LIST_MAX];
+            settings_get(base, parameter, text);
+            settings_set(settings, parameter->key, text, NULL);
+        }
     }
 }
 
@@ -181,26 +172,23 @@ bool experiment_recomputes(const Experiment *experiment, const Settings *wanted)
     return difference.restart || difference.live;
 }
 
-/* Those that were made by hand become plain values; so does a given one that the new settings overrule. */
-static void take_given_changes(const Experiment *experiment, Settings *wanted)
-{
-    const Settings *now = &experiment->now;
-    wanted->n_changes = 0;
-    for (int i = 0; i < experiment->n_given; i++) {
-        const Parameter *parameter = parameter_find(experiment->given[i].to.key);
-        if (!parameter || !differs(now, wanted, parameter))
-            wanted->changes[wanted->n_changes++] = experiment->given[i];
-    }
-}
-
 static bool edit_from_start(Experiment *experiment, const Settings *wanted, bool live_from_start,
                             Status *status)
 {
     Settings settings = *wanted;
     experiment_drop_part(experiment);
     double dt = experiment->run.sim->dt, new_dt = dt;
-    if (live_from_start)
-        take_given_changes(experiment, &settings);
+    if (live_from_start) {
+        /* Those that were made by hand become plain values; so does a given one that the new settings
+         * overrule. */
+        const Settings *now = &experiment->now;
+        settings.n_changes = 0;
+        for (int i = 0; i < experiment->n_given; i++) {
+            const Parameter *parameter = parameter_find(experiment->given[i].to.key);
+            if (!parameter || !differs(now, &settings, parameter))
+                settings.changes[settings.n_changes++] = experiment->given[i];
+        }
+    }
     if (settings.problem == experiment->base.problem)
         begin_changed_ones(&settings, &experiment->base);
     if (!changes_keep_time(&settings, &new_dt, status) ||

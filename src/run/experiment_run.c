@@ -97,22 +97,6 @@ static bool goes_on(const Settings *settings, Status *status)
            status_fail(status, "the building of the run was cancelled");
 }
 
-/* The record and the first keyframe; of a large beam each takes as long as one asks to hear of it. */
-static bool begin(Experiment *experiment, size_t history, Status *status)
-{
-    Sink sinks[2];
-    experiment->n_columns = references_columns(experiment->refs, experiment->columns);
-    record_open(&experiment->record, experiment->n_columns, 1, record_budget);
-    sinks_of(experiment, sinks);
-    history_open(&experiment->history, history);
-    if (!goes_on(&experiment->base, status) || !run_start(&experiment->run, sinks, status) ||
-        !goes_on(&experiment->base, status))
-        return false;
-    copy_events(experiment);
-    changes_in_force(&experiment->base, 0, &experiment->now);
-    return true;
-}
-
 bool experiment_open(Experiment *experiment, const Settings *settings, size_t history, int threads,
                      Status *status)
 {
@@ -129,8 +113,20 @@ bool experiment_open(Experiment *experiment, const Settings *settings, size_t hi
     experiment->run.cancel = (Cancel){0}; /* the caller does a little at a time */
     experiment->run.sim->whole_rows = WHOLE_ROWS;
     experiment->refs = references_create(settings, experiment->run.sim, status);
-    if (!experiment->refs || !begin(experiment, history, status))
+    /* The record and the first keyframe; of a large beam each takes as long as one asks to hear of it. */
+    if (!experiment->refs)
         return false;
+
+    Sink sinks[2];
+    experiment->n_columns = references_columns(experiment->refs, experiment->columns);
+    record_open(&experiment->record, experiment->n_columns, 1, record_budget);
+    sinks_of(experiment, sinks);
+    history_open(&experiment->history, history);
+    if (!goes_on(&experiment->base, status) || !run_start(&experiment->run, sinks, status) ||
+        !goes_on(&experiment->base, status))
+        return false;
+    copy_events(experiment);
+    changes_in_force(&experiment->base, 0, &experiment->now);
     experiment_derive(experiment, settings->cancel);
     return true;
 }
@@ -192,14 +188,6 @@ static bool advance(Experiment *experiment, RunUnit unit, long count, Status *st
     return sound;
 }
 
-/* Up to a step, by what is known of the run. */
-static void replay(Experiment *experiment, long step)
-{
-    const Simulation *sim = experiment->run.sim;
-    if (sim->step < step)
-        advance(experiment, RUN_STEPS, step - sim->step, NULL);
-}
-
 /* Back to the last sound whole step; the record holds everything up to there. */
 static bool fail(Experiment *experiment, const Status *why, Status *status)
 {
@@ -208,7 +196,10 @@ static bool fail(Experiment *experiment, const Status *why, Status *status)
     run->failure = *why;
     if (run->sim->step != experiment->newest || !run_is_sound(run)) {
         simulation_restore(run->sim, history_nearest(&experiment->history, experiment->newest)->bytes);
-        replay(experiment, experiment->newest);
+        /* Up to a step, by what is known of the run. */
+        const Simulation *sim = experiment->run.sim;
+        if (sim->step < experiment->newest)
+            advance(experiment, RUN_STEPS, experiment->newest - sim->step, NULL);
     }
     note_now(experiment);
     return status_take(status, why);

@@ -317,16 +317,12 @@ static bool take_head(Reader *reader, Overlay *overlay)
     return true;
 }
 
-static double size_of(FILE *stream)
-{
-    struct stat file;
-    return fstat(fileno(stream), &file) == 0 && S_ISREG(file.st_mode) ? (double)file.st_size : 0;
-}
-
 static bool read_table(Reader *reader, Overlay *overlay, OverlayProgress go_on, void *context)
 {
     enum { LINES_A_TURN = 16384 };
-    const double size = size_of(reader->stream);
+    struct stat file;
+    const double size =
+        fstat(fileno(reader->stream), &file) == 0 && S_ISREG(file.st_mode) ? (double)file.st_size : 0;
     Got got = next_row(reader);
     if (got == GOT_END)
         return fail(reader, "holds no numbers");

@@ -41,28 +41,25 @@ void record_close(Record *record)
     *record = (Record){0};
 }
 
-/* Doubles the spacing and drops the rows that no longer are due; the newest is about to be followed. */
-static void thin(Record *record)
-{
-    size_t kept = 0;
-    record->spacing *= 2;
-    record->thinned = true;
-    for (size_t i = 0; i < record->count; i++)
-        if (is_due(record, row_at(record, i)[0])) {
-            if (kept != i)
-                memcpy(row_at(record, kept), row_at(record, i), bytes_of(record, 1));
-            kept++;
-        }
-    record->count = kept;
-}
-
 static bool make_room(Record *record)
 {
     if (record->count < record->room)
         return true;
     if (record->room == record->most) {
-        while (record->count == record->room)
-            thin(record);
+        while (record->count == record->room) {
+            /* Doubles the spacing and drops the rows that no longer are due; the newest is about to be
+             * followed. */
+            size_t kept = 0;
+            record->spacing *= 2;
+            record->thinned = true;
+            for (size_t i = 0; i < record->count; i++)
+                if (is_due(record, row_at(record, i)[0])) {
+                    if (kept != i)
+                        memcpy(row_at(record, kept), row_at(record, i), bytes_of(record, 1));
+                    kept++;
+                }
+            record->count = kept;
+        }
         return true;
     }
     size_t room = record->room ? 2 * record->room : 1024;

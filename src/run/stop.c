@@ -154,17 +154,6 @@ long stop_step(const Stop *stop, const Experiment *experiment)
                                         : -1;
 }
 
-/* How many of the events that it waits for there were; those that are not kept count too. */
-static long events_of(const Stop *stop, const Simulation *sim)
-{
-    long count = 0;
-    for (int i = 0; i < sim->n_events; i++)
-        count += stop->events >> sim->events[i].kind & 1;
-    for (EventKind kind = 0; kind < EVENT_KINDS; kind++)
-        count += stop->events >> kind & 1 ? sim->events_beyond.of[kind] : 0;
-    return count;
-}
-
 static int kinetic_column(const Experiment *experiment)
 {
     int count;
@@ -197,7 +186,14 @@ static bool is_at_rest(Stop *stop, const Experiment *experiment)
 
 void stop_look(Stop *stop, const Experiment *experiment)
 {
-    stop->seen = events_of(stop, experiment_simulation(experiment));
+    /* How many of the events that it waits for there were; those that are not kept count too. */
+    const Simulation *sim = experiment_simulation(experiment);
+    long count = 0;
+    for (int i = 0; i < sim->n_events; i++)
+        count += stop->events >> sim->events[i].kind & 1;
+    for (EventKind kind = 0; kind < EVENT_KINDS; kind++)
+        count += stop->events >> kind & 1 ? sim->events_beyond.of[kind] : 0;
+    stop->seen = count;
 }
 
 bool stop_happened(Stop *stop, const Experiment *experiment)

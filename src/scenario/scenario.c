@@ -123,13 +123,6 @@ static bool fill_assignment(Assignment *to, const char *key, const char *value, 
     return true;
 }
 
-static bool take_duel(const Entry *entry, Settings *settings, Status *status)
-{
-    if (settings->n_duel == DUEL_MAX)
-        return status_refuse(status, "duel: too many keys differ (at most %d)", DUEL_MAX);
-    return fill_assignment(&settings->duel[settings->n_duel++], entry->name, entry->value, status);
-}
-
 static bool take_change(const Entry *entry, Settings *settings, Status *status)
 {
     long step;
@@ -156,8 +149,11 @@ static bool take_change(const Entry *entry, Settings *settings, Status *status)
 
 static bool take_entry(const Entry *entry, Settings *settings, Status *status)
 {
-    if (strcmp(entry->section, "duel") == 0)
-        return take_duel(entry, settings, status);
+    if (strcmp(entry->section, "duel") == 0) {
+        if (settings->n_duel == DUEL_MAX)
+            return status_refuse(status, "duel: too many keys differ (at most %d)", DUEL_MAX);
+        return fill_assignment(&settings->duel[settings->n_duel++], entry->name, entry->value, status);
+    }
     if (strcmp(entry->section, "changes") == 0)
         return take_change(entry, settings, status);
     char key[80];
@@ -227,15 +223,6 @@ static bool is_about(const char *message, const char *key, bool at_start)
     return true;
 }
 
-/* As messages spell it. */
-static void spelled_key(const Entry *entry, char out[80])
-{
-    if (strcmp(entry->section, "duel") == 0)
-        snprintf(out, 80, "duel: %s", entry->name);
-    else
-        full_key(entry, out);
-}
-
 /* The status of a check gets its origin: the option or line that gave the key with which the message begins,
  * else one that gave another key of the message. False: neither. */
 static bool find_origin(const Source *source, Status *status)
@@ -249,7 +236,11 @@ static bool find_origin(const Source *source, Status *status)
         for (int i = 0; i < source->entries.count; i++) {
             const Entry *entry = &source->entries.all[i];
             char key[80];
-            spelled_key(entry, key);
+            /* As messages spell it. */
+            if (strcmp(entry->section, "duel") == 0)
+                snprintf(key, 80, "duel: %s", entry->name);
+            else
+                full_key(entry, key);
             if (!is_about(status->text, key, at_start))
                 continue;
             at_line(source, entry, status);

@@ -90,19 +90,6 @@ static bool clean_line(Reader *reader, char *raw)
     return fail(reader, "bytes that are no text", "UTF-8 without control characters");
 }
 
-/* Cuts the comment and the spaces at the end. */
-static void cut_comment(char *line)
-{
-    for (char *c = line; *c; c++)
-        if ((*c == '#' || *c == ';') && (c == line || c[-1] == ' ')) {
-            *c = '\0';
-            break;
-        }
-    size_t n = strlen(line);
-    while (n > 0 && line[n - 1] == ' ')
-        line[--n] = '\0';
-}
-
 /* --- what a line is ------------------------------------------------------------------------------- */
 
 static size_t word_length(const char *text)
@@ -110,23 +97,21 @@ static size_t word_length(const char *text)
     return strspn(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.-");
 }
 
-/* Whether a word is a key, or one without its section. */
-static bool is_key(const char *word)
+bool scenario_looks_like_key(const char *text)
 {
+    char word[KEY_MAX];
+    size_t n = word_length(text);
+    snprintf(word, sizeof word, "%.*s", (int)n, text);
+    /* Whether a word is a key, or one without its section. */
+    if (!(n > 0 && text[n + strspn(text + n, " ")] == '='))
+        return false;
+
     for (int i = 0; i < n_parameters + n_text_keys; i++) {
         const char *key = i < n_parameters ? parameters[i].key : text_keys[i - n_parameters].key;
         if (strcmp(key, word) == 0 || strcmp(strchr(key, '.') + 1, word) == 0)
             return true;
     }
     return strcmp(word, "problem") == 0 || strcmp(word, "method") == 0;
-}
-
-bool scenario_looks_like_key(const char *text)
-{
-    char word[KEY_MAX];
-    size_t n = word_length(text);
-    snprintf(word, sizeof word, "%.*s", (int)n, text);
-    return n > 0 && text[n + strspn(text + n, " ")] == '=' && is_key(word);
 }
 
 bool scenario_may_continue(const char *section, const char *name)
@@ -159,19 +144,6 @@ static bool add_entry(Reader *reader, const char *name, const char *value)
     snprintf(entry->section, sizeof entry->section, "%s", reader->section);
     snprintf(entry->name, sizeof entry->name, "%.*s", KEY_MAX - 1, name);
     snprintf(entry->value, sizeof entry->value, "%s", value);
-    return true;
-}
-
-/* Lines of a text are joined by a space, those of a list by nothing. */
-static bool add_more(Reader *reader, const char *text)
-{
-    Entry *entry = &reader->entries->all[reader->entries->count - 1];
-    size_t length = strlen(entry->value);
-    bool list = strcmp(entry->name, "about") != 0;
-    int n = snprintf(entry->value + length, sizeof entry->value - length, "%s%s", list || !length ? "" : " ",
-                     text);
-    if (n < 0 || (size_t)n >= sizeof entry->value - length)
-        return fail_about(reader, entry->name, "is too long (at most 1023 bytes)");
     return true;
 }
 
@@ -227,7 +199,15 @@ static bool accept_indented(Reader *reader, const char *text)
     if (!reader->may_continue)
         return fail(reader, "the indented line continues nothing",
                     "only scenario.about, initial.overtones and output.at go on in the next line");
-    return add_more(reader, text);
+    /* Lines of a text are joined by a space, those of a list by nothing. */
+    Entry *entry = &reader->entries->all[reader->entries->count - 1];
+    size_t length = strlen(entry->value);
+    bool list = strcmp(entry->name, "about") != 0;
+    int n = snprintf(entry->value + length, sizeof entry->value - length, "%s%s", list || !length ? "" : " ",
+                     text);
+    if (n < 0 || (size_t)n >= sizeof entry->value - length)
+        return fail_about(reader, entry->name, "is too long (at most 1023 bytes)");
+    return true;
 }
 
 static bool accept_line(Reader *reader, const char *line)
@@ -251,7 +231,15 @@ bool entries_read(Entries *entries, FILE *stream, const char *file, Status *stat
     while (raw_line(&reader, raw)) {
         if (!clean_line(&reader, raw))
             return false;
-        cut_comment(raw);
+        /* Cuts the comment and the spaces at the end. */
+        for (char *c = raw; *c; c++)
+            if ((*c == '#' || *c == ';') && (c == raw || c[-1] == ' ')) {
+                *c = '\0';
+                break;
+            }
+        size_t n = strlen(raw);
+        while (n > 0 && raw[n - 1] == ' ')
+            raw[--n] = '\0';
         if (!accept_line(&reader, raw))
             return false;
     }

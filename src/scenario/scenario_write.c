@@ -115,38 +115,7 @@ static bool write_parameter(FILE *stream, const Settings *settings, const Parame
     return true;
 }
 
-static bool write_duel(FILE *stream, const Settings *settings, Status *status)
-{
-    for (int i = 0; i < settings->n_duel; i++)
-        if (!write_text(stream, "duel", settings->duel[i].key, settings->duel[i].value, status))
-            return false;
-    return true;
-}
-
-/* The rows of a section, or the values of the one that has no name. */
-static void write_rows(FILE *stream, const Settings *settings, int kind)
-{
-    char text[ROW_TEXT_MAX], word[ROW_TEXT_MAX];
-    for (int row = 0; row < settings->rows[kind].count; row++) {
-        settings_row_get(settings, kind, row, text);
-        const char *rest = text;
-        if (!row_kinds[kind].usual)
-            fprintf(stream, "%s = %s\n", settings->rows[kind].rows[row].name, text);
-        else
-            for (int i = 0; text_next_word(&rest, word, sizeof word); i++)
-                fprintf(stream, "%s = %s\n", row_kinds[kind].columns[i].word, word);
-    }
-}
-
-static bool write_changes(FILE *stream, const Settings *settings)
-{
-    for (int i = 0; i < settings->n_changes; i++)
-        fprintf(stream, "%ld = %s=%s\n", settings->changes[i].step, settings->changes[i].to.key,
-                settings->changes[i].to.value);
-    return true;
-}
-
-static bool write_words(FILE *stream, const Settings *settings, const char *section, Status *status)
+static bool write_section(FILE *stream, const Settings *settings, const char *section, Status *status)
 {
     for (int i = 0; i < n_text_keys; i++) {
         const char *name = name_in(text_keys[i].key, section);
@@ -154,13 +123,6 @@ static bool write_words(FILE *stream, const Settings *settings, const char *sect
         if (name && (*text || strcmp(name, "title") == 0) && !write_text(stream, section, name, text, status))
             return false;
     }
-    return true;
-}
-
-static bool write_section(FILE *stream, const Settings *settings, const char *section, Status *status)
-{
-    if (!write_words(stream, settings, section, status))
-        return false;
     if (strcmp(section, "scenario") == 0)
         fprintf(stream, "problem = %s\nmethod = %s\n", settings->problem->word,
                 settings_method_words[settings->method]);
@@ -172,12 +134,31 @@ static bool write_section(FILE *stream, const Settings *settings, const char *se
             return false;
     }
     const int kind = row_kind_find(section);
-    if (kind >= 0 && settings_have_rows(settings, kind))
-        write_rows(stream, settings, kind);
-    if (strcmp(section, "duel") == 0)
-        return write_duel(stream, settings, status);
-    if (strcmp(section, "changes") == 0)
-        return write_changes(stream, settings);
+    if (kind >= 0 && settings_have_rows(settings, kind)) {
+        /* The rows of a section, or the values of the one that has no name. */
+        char text[ROW_TEXT_MAX], word[ROW_TEXT_MAX];
+        for (int row = 0; row < settings->rows[kind].count; row++) {
+            settings_row_get(settings, kind, row, text);
+            const char *rest = text;
+            if (!row_kinds[kind].usual)
+                fprintf(stream, "%s = %s\n", settings->rows[kind].rows[row].name, text);
+            else
+                for (int i = 0; text_next_word(&rest, word, sizeof word); i++)
+                    fprintf(stream, "%s = %s\n", row_kinds[kind].columns[i].word, word);
+        }
+    }
+    if (strcmp(section, "duel") == 0) {
+        for (int i = 0; i < settings->n_duel; i++)
+            if (!write_text(stream, "duel", settings->duel[i].key, settings->duel[i].value, status))
+                return false;
+        return true;
+    }
+    if (strcmp(section, "changes") == 0) {
+        for (int i = 0; i < settings->n_changes; i++)
+            fprintf(stream, "%ld = %s=%s\n", settings->changes[i].step, settings->changes[i].to.key,
+                    settings->changes[i].to.value);
+        return true;
+    }
     return true;
 }
 

@@ -73,14 +73,6 @@ bool settings_check_asked(const Settings *settings, Status *status)
 /* How a key may be called; each in turn, the first by which there is one. */
 typedef enum Call { CALL_WHOLE, CALL_NAME, CALL_END, CALL_LABEL, CALLS } Call;
 
-/* "CELL SIZE" is "cell size". */
-static bool same_words(const char *a, const char *b)
-{
-    while (*a && tolower((unsigned char)*a) == tolower((unsigned char)*b))
-        a++, b++;
-    return !*a && !*b;
-}
-
 /* Whether the word ends the key, behind a mark. */
 static bool ends_with(const char *key, const char *word, const char *marks)
 {
@@ -102,7 +94,15 @@ static bool is_called(const char *key, const char *label, const char *words, Cal
     case CALLS:
         break;
     }
-    return label && same_words(label, words);
+    /* "CELL SIZE" is "cell size". */
+    const char *a = label;
+    const char *b = words;
+    if (!label)
+        return false;
+
+    while (*a && tolower((unsigned char)*a) == tolower((unsigned char)*b))
+        a++, b++;
+    return !*a && !*b;
 }
 
 bool settings_resolve_key(const Settings *settings, const char *words, char key[KEY_MAX], Status *status)

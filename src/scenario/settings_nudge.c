@@ -57,17 +57,6 @@ static double as_typed(double value)
     return strtod(text, NULL);
 }
 
-/* Up and down the shares of a whole. */
-static double next_share(double value, int direction)
-{
-    static const double shares[] = {0, .1, .2, .5, .8, .9, .95, .98, .99, .995, .998, .999, 1};
-    enum { SHARES = sizeof shares / sizeof *shares };
-    int at = direction > 0 ? 0 : SHARES - 1;
-    while (at >= 0 && at < SHARES && (shares[at] - value) * direction <= 1e-12)
-        at += direction;
-    return at >= 0 && at < SHARES ? shares[at] : value;
-}
-
 /* One more or less in the second digit: 0.025 0.026, 70 71, 100 99. */
 static double next_digit(double value, int direction, double usual)
 {
@@ -77,13 +66,6 @@ static double next_digit(double value, int direction, double usual)
     const double next = as_typed(value + direction * math_pow(10, floor(math_log10(fabs(towards))) - 1));
     const double least = 1e-3 * math_pow(10, usual == 0 ? 0 : floor(math_log10(fabs(usual)) + 1e-9));
     return fabs(next) < fabs(value) && fabs(next) < least ? 0 : next;
-}
-
-/* A cell more or less in the bar. */
-static double next_cell_size(const Settings *settings, double value, int direction)
-{
-    const double cells = round(settings_geometry(settings)->length / value) - direction;
-    return cells >= 1 ? settings_geometry(settings)->length / cells : value;
 }
 
 /* Whole spacings more or less: what moves by a part of one cuts the same bonds. */
@@ -101,8 +83,11 @@ static double wide_step(const Settings *settings)
 
 static double nudged_finely(const Settings *settings, const Parameter *parameter, double value, int direction)
 {
-    if (parameter->offset == VALUE_OFFSET(mesh.cell_size))
-        return next_cell_size(settings, value, direction);
+    if (parameter->offset == VALUE_OFFSET(mesh.cell_size)) {
+        /* A cell more or less in the bar. */
+        const double cells = round(settings_geometry(settings)->length / value) - direction;
+        return cells >= 1 ? settings_geometry(settings)->length / cells : value;
+    }
     if (parameter->type == PARAMETER_INTEGER || parameter->nudge == NUDGE_ONE)
         return value + direction;
     if (parameter->nudge == NUDGE_SHARE)
@@ -127,8 +112,15 @@ static double nudged(const Settings *settings, const Parameter *parameter, doubl
         return direction > 0 ? value * 2 : value / 2;
     case NUDGE_1_2_5:
         return next_on_ladder(value, direction, usual, parameter->type == PARAMETER_INTEGER);
-    case NUDGE_SHARE:
-        return next_share(value, direction);
+    case NUDGE_SHARE: {
+        /* Up and down the shares of a whole. */
+        static const double shares[] = {0, .1, .2, .5, .8, .9, .95, .98, .99, .995, .998, .999, 1};
+        enum { SHARES = sizeof shares / sizeof *shares };
+        int at = direction > 0 ? 0 : SHARES - 1;
+        while (at >= 0 && at < SHARES && (shares[at] - value) * direction <= 1e-12)
+            at += direction;
+        return at >= 0 && at < SHARES ? shares[at] : value;
+    }
     case NUDGE_FIFTH:
         return as_typed(value + 0.2 * direction);
     case NUDGE_SPACING:

@@ -13,11 +13,6 @@
 #include <stdio.h>
 #include <string.h>
 
-static void *member(Settings *settings, size_t offset)
-{
-    return (char *)settings + offset;
-}
-
 static const void *member_of(const Settings *settings, size_t offset)
 {
     return (const char *)settings + offset;
@@ -25,49 +20,16 @@ static const void *member_of(const Settings *settings, size_t offset)
 
 /* --- critical stretch and critical energy --------------------------------------------------------- */
 
-/* G0 = 9 E delta s0^2 / (4 pi) and back (paper P, two dimensions), conical with 5 pi in place of 4 pi. The
- * one that was given stays as it is. */
-static void join_handles(Settings *settings)
-{
-    Bonds *bonds = settings_edit_bonds(settings);
-    const int quarters = settings_lattice(settings)->influence == INFLUENCE_CONICAL ? 5 : 4;
-    double stiffness = 9 * settings_material(settings)->youngs_modulus * settings_lattice(settings)->horizon /
-                       (quarters * M_PI);
-    if (bonds->energy_given)
-        bonds->critical_stretch = sqrt(bonds->critical_energy / stiffness);
-    else
-        bonds->critical_energy = stiffness * bonds->critical_stretch * bonds->critical_stretch;
-}
-
 static bool is_energy(const Parameter *parameter)
 {
     return parameter->offset == VALUE_OFFSET(bonds.critical_energy);
-}
-
-static bool is_stretch(const Parameter *parameter)
-{
-    return parameter->offset == VALUE_OFFSET(bonds.critical_stretch);
-}
-
-/* The usual gap at which bodies meet: a body that touches a wall on a row of nodes has its mean mapped place
- * so many cells from it, which is more for wider shape functions. */
-static bool is_gap(const Parameter *parameter)
-{
-    return parameter->offset == VALUE_OFFSET(contact.gap);
-}
-
-static void join_gap(Settings *settings)
-{
-    if (!settings_contact(settings)->gap_given)
-        settings_edit_contact(settings)->gap =
-            settings_transfer(settings)->shape == MPM_BSPLINE2 ? 0.45 : 0.4;
 }
 
 /* --- numbers into members and back ---------------------------------------------------------------- */
 
 void settings_put(Settings *settings, const Parameter *parameter, double value)
 {
-    void *at = member(settings, parameter->offset);
+    void *at = (char *)settings + parameter->offset;
     switch (parameter->type) {
     case PARAMETER_REAL:
         *(double *)at = value;
@@ -88,12 +50,25 @@ void settings_put(Settings *settings, const Parameter *parameter, double value)
         settings->concealed = false;
     if (is_energy(parameter))
         settings_edit_bonds(settings)->energy_given = true;
-    if (is_stretch(parameter))
+    if (parameter->offset == VALUE_OFFSET(bonds.critical_stretch))
         settings_edit_bonds(settings)->energy_given = false;
-    if (is_gap(parameter))
+    /* The usual gap at which bodies meet: a body that touches a wall on a row of nodes has its mean mapped
+     * place so many cells from it, which is more for wider shape functions. */
+    if (parameter->offset == VALUE_OFFSET(contact.gap))
         settings_edit_contact(settings)->gap_given = true;
-    join_handles(settings);
-    join_gap(settings);
+    /* G0 = 9 E delta s0^2 / (4 pi) and back (paper P, two dimensions), conical with 5 pi in place of 4 pi.
+     * The one that was given stays as it is. */
+    Bonds *bonds = settings_edit_bonds(settings);
+    const int quarters = settings_lattice(settings)->influence == INFLUENCE_CONICAL ? 5 : 4;
+    double stiffness = 9 * settings_material(settings)->youngs_modulus * settings_lattice(settings)->horizon /
+                       (quarters * M_PI);
+    if (bonds->energy_given)
+        bonds->critical_stretch = sqrt(bonds->critical_energy / stiffness);
+    else
+        bonds->critical_energy = stiffness * bonds->critical_stretch * bonds->critical_stretch;
+    if (!settings_contact(settings)->gap_given)
+        settings_edit_contact(settings)->gap =
+            settings_transfer(settings)->shape == MPM_BSPLINE2 ? 0.45 : 0.4;
 }
 
 double settings_number(const Settings *settings, const Parameter *parameter)

@@ -38,20 +38,6 @@ typedef struct SweepTable {
 
 enum { TABLE_COLUMNS_MAX = AXES_MAX + RESULT_COLUMNS };
 
-/* A column is written if a row has a number in it; a row that has none leaves its cell empty. */
-static void sweep_table_choose_columns(SweepTable *table)
-{
-    table->rows = 0;
-    for (int i = 0; i < table->plan->n_combinations; i++)
-        table->rows += table->results[i].done;
-    for (int column = 0; column < RESULT_COLUMNS; column++) {
-        table->has[column] = false;
-        for (int i = 0; i < table->plan->n_combinations; i++)
-            table->has[column] =
-                table->has[column] || (table->results[i].done && isfinite(table->results[i].cells[column]));
-    }
-}
-
 static int names_of(const SweepTable *table, const char *names[TABLE_COLUMNS_MAX])
 {
     int n = 0;
@@ -84,15 +70,6 @@ static const char *word_of(const Parameter *parameter, const Problem *problem, d
     return value == parameter->automatic_value ? parameter_automatic(parameter, problem) : NULL;
 }
 
-/* What a key is called that is no number to compute with: contact.gap = off; choices are their places. */
-static const char *word_in_csv(const SweepTable *table, int column, double value)
-{
-    const Parameter *parameter = column < table->plan->n_keys ? table->plan->keys[column].parameter : NULL;
-    return parameter && parameter->automatic_value < 0 && value == parameter->automatic_value
-               ? word_of(parameter, table->problem, value)
-               : NULL;
-}
-
 static void sweep_table_write_csv(const SweepTable *table, Dialect dialect, FILE *stream)
 {
     const char *names[TABLE_COLUMNS_MAX];
@@ -104,7 +81,14 @@ static void sweep_table_write_csv(const SweepTable *table, Dialect dialect, FILE
             int from = 0;
             row_of(table, i, row);
             for (int column = 0; column < table->plan->n_keys; column++) {
-                const char *word = word_in_csv(table, column, row[column]);
+                /* What a key is called that is no number to compute with: contact.gap = off; choices are
+                 * their places. */
+                const Parameter *parameter =
+                    column < table->plan->n_keys ? table->plan->keys[column].parameter : NULL;
+                const char *word =
+                    parameter && parameter->automatic_value < 0 && row[column] == parameter->automatic_value
+                        ? word_of(parameter, table->problem, row[column])
+                        : NULL;
                 if (!word)
                     continue;
                 csv_begin(stream, dialect, row + from, column - from, word);
@@ -180,18 +164,6 @@ static void describe_key(const SweepTable *table, const SweepKey *key, FILE *str
         fprintf(stream, "%s%d = %s%s", i ? ", " : " (", i, parameter->choices[i],
                 parameter->choices[i + 1] ? "" : ")");
     fputc('\n', stream);
-}
-
-/* A line for each column: name, unit, meaning; what the indices of choices stand for. */
-static void sweep_table_describe(const SweepTable *table, FILE *stream)
-{
-    for (int k = 0; k < table->plan->n_keys; k++)
-        describe_key(table, &table->plan->keys[k], stream);
-    for (int column = 0; column < RESULT_COLUMNS; column++)
-        if (table->has[column]) {
-            Quantity quantity = sweep_result_quantity((ResultColumn)column);
-            fprintf(stream, "%s [%s]: %s\n", quantity.name, quantity.unit, quantity.meaning);
-        }
 }
 
 typedef struct Sweep {
@@ -272,15 +244,6 @@ static bool prepare(Sweep *sweep, Status *status)
     sweep->at_once = threads < count ? threads : count;
     sweep->threads = threads / sweep->at_once;
     return check_combinations(sweep, status);
-}
-
-static void give_back(Sweep *sweep)
-{
-    sweep_plan_free(&sweep->plan);
-    free(sweep->numbers);
-    free(sweep->results);
-    free(sweep->keys);
-    pthread_mutex_destroy(&sweep->lock);
 }
 
 /* --- the runs, on any thread ---------------------------------------------------------------------- */
@@ -413,7 +376,14 @@ static bool write_beside(const Sweep *sweep, const SweepTable *table, OutputFile
         shell_quote(text, sweep->options->arguments[i]);
     }
     fputs("\n\nColumns:\n", text);
-    sweep_table_describe(table, text);
+    /* A line for each column: name, unit, meaning; what the indices of choices stand for. */
+    for (int k = 0; k < table->plan->n_keys; k++)
+        describe_key(table, &table->plan->keys[k], text);
+    for (int column = 0; column < RESULT_COLUMNS; column++)
+        if (table->has[column]) {
+            Quantity quantity = sweep_result_quantity((ResultColumn)column);
+            fprintf(text, "%s [%s]: %s\n", quantity.name, quantity.unit, quantity.meaning);
+        }
     fputs("\nThe first combination:\n", text);
     bool written = (text_stream_close(text, &comment) || no_memory(status)) &&
                    sweep_plan_load(&sweep->plan, sweep->options, 0, true, &settings, status) &&
@@ -447,7 +417,16 @@ static int write_all(Sweep *sweep, Status *status)
     const Options *options = sweep->options;
     SweepTable table = {
         .plan = &sweep->plan, .problem = sweep->problem, .keys = sweep->keys, .results = sweep->results};
-    sweep_table_choose_columns(&table);
+    /* A column is written if a row has a number in it; a row that has none leaves its cell empty. */
+    table.rows = 0;
+    for (int i = 0; i < table.plan->n_combinations; i++)
+        table.rows += table.results[i].done;
+    for (int column = 0; column < RESULT_COLUMNS; column++) {
+        table.has[column] = false;
+        for (int i = 0; i < table.plan->n_combinations; i++)
+            table.has[column] =
+                table.has[column] || (table.results[i].done && isfinite(table.results[i].cells[column]));
+    }
     int all = sweep->plan.n_combinations;
     if (table.rows == 0)
         return status_fail(status, "no combination has a row (%d left out)", all), STATUS_FAILED;
@@ -500,6 +479,10 @@ int cli_sweep(Options *options, Status *status)
     Sweep sweep = {.options = options};
     pthread_mutex_init(&sweep.lock, NULL);
     int result = sweep_through(&sweep, status);
-    give_back(&sweep);
+    sweep_plan_free(&sweep.plan);
+    free(sweep.numbers);
+    free(sweep.results);
+    free(sweep.keys);
+    pthread_mutex_destroy(&sweep.lock);
     return result;
 }

@@ -37,12 +37,6 @@ static bool is_known(const char *name, Status *status)
                          nearest->name);
 }
 
-static void list_checks(FILE *out)
-{
-    for (const VerifyCheck *check = verify_checks; check->name; check++)
-        fprintf(out, "%-12s %s%s\n", check->name, check->title, rows_to_run(check, false) ? "" : " (--full)");
-}
-
 static bool is_named(const Options *options, const VerifyCheck *check)
 {
     for (int i = 0; i < options->n_words; i++)
@@ -64,22 +58,6 @@ static bool is_whole(const Options *options, const VerifyCheck *check)
 
 /* --- running ------------------------------------------------------------------------------------- */
 
-/* What a run without --full did not do, so that it is not taken for the whole. */
-static void print_left_out(const Options *options, FILE *out)
-{
-    bool first = true;
-    for (const VerifyCheck *check = verify_checks; check->name; check++) {
-        int left_out = check->n_rows - rows_to_run(check, false);
-        /* a check that was asked for by name runs although it belongs to --full */
-        if (left_out == 0 || (options->n_words && (!is_named(options, check) || left_out == check->n_rows)))
-            continue;
-        if (first)
-            fputs("Left out without --full:\n", out);
-        first = false;
-        fprintf(out, "  %-12s %d of %d rows\n", check->name, left_out, check->n_rows);
-    }
-}
-
 int verify_main(int count, char **arguments, FILE *out, Status *status)
 {
     Options options;
@@ -89,7 +67,9 @@ int verify_main(int count, char **arguments, FILE *out, Status *status)
         if (!is_known(options.words[i], status))
             return STATUS_USAGE;
     if (options.list) {
-        list_checks(out);
+        for (const VerifyCheck *check = verify_checks; check->name; check++)
+            fprintf(out, "%-12s %s%s\n", check->name, check->title,
+                    rows_to_run(check, false) ? "" : " (--full)");
         return STATUS_DONE;
     }
     Progress progress;
@@ -109,7 +89,20 @@ int verify_main(int count, char **arguments, FILE *out, Status *status)
     for (const VerifyCheck *check = verify_checks; check->name && !ferror(out) && !progress_signal(); check++)
         if (is_wanted(&options, check))
             verify_check_run(&verify, check, is_whole(&options, check));
-    if (!options.full && !options.json && !progress_signal())
-        print_left_out(&options, out);
+    if (!options.full && !options.json && !progress_signal()) {
+        /* What a run without --full did not do, so that it is not taken for the whole. */
+        bool first = true;
+        for (const VerifyCheck *check = verify_checks; check->name; check++) {
+            int left_out = check->n_rows - rows_to_run(check, false);
+            /* a check that was asked for by name runs although it belongs to --full */
+            if (left_out == 0 ||
+                (options.n_words && (!is_named(&options, check) || left_out == check->n_rows)))
+                continue;
+            if (first)
+                fputs("Left out without --full:\n", out);
+            first = false;
+            fprintf(out, "  %-12s %d of %d rows\n", check->name, left_out, check->n_rows);
+        }
+    }
     return verify_end(&verify, status);
 }

@@ -11,13 +11,6 @@
 
 /* --- a row --------------------------------------------------------------------------------------- */
 
-static void print_number(char out[32], double value, int decimals)
-{
-    out[0] = '\0';
-    if (!isnan(value))
-        snprintf(out, 32, "%.*f", decimals, value);
-}
-
 /* "2..3", ">= 2", "<= 3", or "2" alone; where that is long, the middle and how far it may be off. */
 static void print_band(char out[64], Band band, int decimals)
 {
@@ -60,7 +53,9 @@ static void print_row(FILE *out, const VerifyRow *row, const VerifyNumbers *numb
     char texts[VERIFY_COLUMNS][32];
     const char *words[VERIFY_COLUMNS];
     for (int i = 0; i < VERIFY_COLUMNS; i++) {
-        print_number(texts[i], numbers->values[i], row->decimals);
+        texts[i][0] = '\0';
+        if (!isnan(numbers->values[i]))
+            snprintf(texts[i], 32, "%.*f", row->decimals, numbers->values[i]);
         words[i] = texts[i];
     }
     if (isnan(numbers->values[numbers->own]))

@@ -13,21 +13,6 @@ static bool is_second(const Laboratory *lab, const Settings *settings, const Par
            settings_number(settings, parameter) == settings_number(experiment_settings(second), parameter);
 }
 
-/* "cell size 1 -> 0.5, from t = 0 on; a: before" */
-static void say_answer(Laboratory *lab, const Parameter *parameter, const Settings *before)
-{
-    const Experiment *experiment = laboratory_run(lab);
-    const Ghost *ghosts = experiment_ghosts(experiment);
-    char from[LIST_MAX], to[LIST_MAX], ghost[24] = "";
-    settings_show(before, parameter, from);
-    settings_show(experiment_settings(experiment), parameter, to);
-    for (int i = 0; i < GHOSTS_MAX; i++)
-        if (ghosts[i].used && !ghosts[i].pinned)
-            snprintf(ghost, sizeof ghost, "; %c: before", ghosts[i].letter);
-    laboratory_say(lab, MESSAGE_INFO, "%s%s %.60s -> %.60s, from t = 0 on%s", lab->player.duel.b ? "A: " : "",
-                   parameter->label, from, to, ghost);
-}
-
 /* Another run beside this one: what the scenario asks about holds from t = 0 on. */
 void command_question(Laboratory *lab)
 {
@@ -42,8 +27,19 @@ void command_question(Laboratory *lab)
         laboratory_say(lab, MESSAGE_INFO, "both answers are on screen already; d ends the duel");
     else if (!edit_change(lab, &settings, experiment_rerun, &status))
         laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
-    else if (lab->message.kind == MESSAGE_NONE)
-        say_answer(lab, parameter, &before);
+    else if (lab->message.kind == MESSAGE_NONE) {
+        /* "cell size 1 -> 0.5, from t = 0 on; a: before" */
+        const Experiment *experiment = laboratory_run(lab);
+        const Ghost *ghosts = experiment_ghosts(experiment);
+        char from[LIST_MAX], to[LIST_MAX], ghost[24] = "";
+        settings_show(&before, parameter, from);
+        settings_show(experiment_settings(experiment), parameter, to);
+        for (int i = 0; i < GHOSTS_MAX; i++)
+            if (ghosts[i].used && !ghosts[i].pinned)
+                snprintf(ghost, sizeof ghost, "; %c: before", ghosts[i].letter);
+        laboratory_say(lab, MESSAGE_INFO, "%s%s %.60s -> %.60s, from t = 0 on%s",
+                       lab->player.duel.b ? "A: " : "", parameter->label, from, to, ghost);
+    }
 }
 
 static int pinned(const Experiment *experiment)

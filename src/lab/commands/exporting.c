@@ -297,14 +297,6 @@ bool exporting_ask(Laboratory *lab, const char *name)
 /* A view as a figure for paper: `:figure [VIEW] FILE`, or x and a name that ends in .svg, .pdf or .png;
  * without its word the focused one. */
 
-/* Where no plot has the focus it is the lower one, as for the cursor. */
-static const View *view_in_focus(const Screen *screen)
-{
-    if (screen->panes.inspecting && screen->panes.focus == PANE_INSPECTOR)
-        return &view_inspector;
-    return screen->panes.focus == PANE_UPPER ? screen->views.upper : screen->views.lower;
-}
-
 static bool write_figure(Laboratory *lab, bool force)
 {
     const Screen *screen = &lab->screen;
@@ -346,8 +338,12 @@ static const View *take_view(const Screen *screen, const char **words)
     if (length < sizeof word)
         snprintf(word, sizeof word, "%.*s", (int)length, *words);
     const View *named = view_named(word);
-    if (!named || !(*words)[length])
-        return view_in_focus(screen);
+    if (!named || !(*words)[length]) {
+        /* Where no plot has the focus it is the lower one, as for the cursor. */
+        if (screen->panes.inspecting && screen->panes.focus == PANE_INSPECTOR)
+            return &view_inspector;
+        return screen->panes.focus == PANE_UPPER ? screen->views.upper : screen->views.lower;
+    }
     *words += length + strspn(*words + length, " ");
     return named;
 }

@@ -18,14 +18,6 @@
 #define MOST_MAGNIFIED  1024.0
 #define STRIDE          0.2 /* of what is seen, for an arrow */
 
-/* The place of a node as shares of the beam's length and height. */
-static void look_at_node(MapEye *eye, const Simulation *simulation, size_t node)
-{
-    const size_t nx = simulation->columns, ny = simulation->rows;
-    eye->centre[0] = ((double)(node % nx) + 0.5) / (double)nx;
-    eye->centre[1] = ((double)(node / nx) + 0.5) / (double)ny;
-}
-
 /* The crack's tip is what there is to see of a beam that cracks; else the chosen node. */
 static void look_at_something(Screen *screen)
 {
@@ -40,8 +32,13 @@ static void look_at_something(Screen *screen)
     if (x >= 0 && y >= 0 && row) {
         screen->eye.centre[0] = row[x] / settings_geometry(settings)->length;
         screen->eye.centre[1] = row[y] / settings_geometry(settings)->height;
-    } else
-        look_at_node(&screen->eye, experiment_simulation(screen->experiment), screen->chosen.particle);
+    } else {
+        /* The place of a node as shares of the beam's length and height. */
+        const Simulation *simulation = experiment_simulation(screen->experiment);
+        const size_t nx = simulation->columns, ny = simulation->rows;
+        screen->eye.centre[0] = ((double)(screen->chosen.particle % nx) + 0.5) / (double)nx;
+        screen->eye.centre[1] = ((double)(screen->chosen.particle / nx) + 0.5) / (double)ny;
+    }
 }
 
 static double limited(double value, double least, double most)

@@ -127,16 +127,6 @@ void command_stage_back(Laboratory *lab)
         laboratory_say(lab, MESSAGE_INFO, "this is t = 0");
 }
 
-/* Twice as fast or half as fast: from four stages in a second to one in eight. */
-static void change_slowness(Laboratory *lab, int faster)
-{
-    enum { LEAST = 5, MOST = 8 * FRAMES_PER_SECOND };
-    int *frames = &lab->player.slow_frames;
-    const int wanted = faster > 0 ? *frames / 2 : *frames * 2;
-    *frames = wanted < LEAST ? LEAST : wanted > MOST ? MOST : wanted;
-    laboratory_say(lab, MESSAGE_INFO, "a stage every %.2g s", (double)*frames / FRAMES_PER_SECOND);
-}
-
 void command_pace(Laboratory *lab, int direction)
 {
     Screen *screen = &lab->screen;
@@ -145,7 +135,12 @@ void command_pace(Laboratory *lab, int direction)
         return;
     }
     if (lab->player.playback.slow) {
-        change_slowness(lab, direction);
+        /* Twice as fast or half as fast: from four stages in a second to one in eight. */
+        enum { LEAST = 5, MOST = 8 * FRAMES_PER_SECOND };
+        int *frames = &lab->player.slow_frames;
+        const int wanted = direction > 0 ? *frames / 2 : *frames * 2;
+        *frames = wanted < LEAST ? LEAST : wanted > MOST ? MOST : wanted;
+        laboratory_say(lab, MESSAGE_INFO, "a stage every %.2g s", (double)*frames / FRAMES_PER_SECOND);
         return;
     }
     double pace = player_next_125(lab->player.playback.pace, direction);

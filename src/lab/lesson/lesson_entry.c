@@ -59,19 +59,6 @@ static long goal_step(const Laboratory *lab, const LessonUntil *until)
     return step < last ? step : last;
 }
 
-static bool has_value(const Laboratory *lab, const LessonUntil *until)
-{
-    const Settings *now = experiment_settings(laboratory_run(lab));
-    const Parameter *parameter = parameter_find(until->word);
-    Settings wanted = *now;
-    char is[LIST_MAX], should_be[LIST_MAX];
-    if (!settings_set(&wanted, until->word, until->value, NULL))
-        return false;
-    settings_get(now, parameter, is);
-    settings_get(&wanted, parameter, should_be);
-    return strcmp(is, should_be) == 0;
-}
-
 static bool is_met(Laboratory *lab, const LessonUntil *until)
 {
     const Experiment *experiment = laboratory_run(lab);
@@ -88,8 +75,17 @@ static bool is_met(Laboratory *lab, const LessonUntil *until)
         return (double)experiment_stage(experiment) >= until->number;
     case UNTIL_COMMAND:
         return !command || command_set_has(&lab->play.used, command->id);
-    case UNTIL_VALUE:
-        return has_value(lab, until);
+    case UNTIL_VALUE: {
+        const Settings *now = experiment_settings(laboratory_run(lab));
+        const Parameter *parameter = parameter_find(until->word);
+        Settings wanted = *now;
+        char is[LIST_MAX], should_be[LIST_MAX];
+        if (!settings_set(&wanted, until->word, until->value, NULL))
+            return false;
+        settings_get(now, parameter, is);
+        settings_get(&wanted, parameter, should_be);
+        return strcmp(is, should_be) == 0;
+    }
     case UNTIL_GOAL:
         return lesson_judge_goal(lab);
     }
@@ -326,13 +322,6 @@ static bool is_move(const LessonAction *action)
     return line_meaning(action->line).kind == LINE_PLACE || strncmp(action->line, "goto ", 5) == 0;
 }
 
-static bool is_look(const LessonAction *action)
-{
-    return action->line &&
-           (strncmp(action->line, "show ", 5) == 0 || strncmp(action->line, "particle ", 9) == 0 ||
-            strncmp(action->line, "node ", 5) == 0);
-}
-
 /* A goal that a later one overtakes is left out; opening a scenario makes all before it void. */
 static void queue_action(LessonPlay *play, LessonAction action)
 {
@@ -344,38 +333,23 @@ static void queue_action(LessonPlay *play, LessonAction action)
         const bool stage = before->goal && before->goal->kind == UNTIL_STAGE;
         if (stage || (!in_step && is_move(before)))
             memmove(before, before + 1, (size_t)(--play->n_queue - i) * sizeof *before);
-        else if (!is_look(before))
+        else if (!(before->line &&
+                   (strncmp(before->line, "show ", 5) == 0 || strncmp(before->line, "particle ", 9) == 0 ||
+                    strncmp(before->line, "node ", 5) == 0)))
             break;
     }
     if (play->n_queue < LESSON_QUEUE_MAX)
         play->queue[play->n_queue++] = action;
 }
 
-/* Holds on its own page only. */
-static bool is_passing(const LessonAction *action)
-{
-    return is_run(action) || strncmp(action->line, "sheet", 5) == 0;
-}
-
 static void queue_part(LessonPlay *play, const LessonPart *part, bool own)
 {
     for (int i = 0; i < part->n_actions; i++) {
         const LessonAction action = {.line = part->actions[i]};
-        if (own || !is_passing(&action))
+        /* Holds on its own page only. */
+        if (own || !(is_run(&action) || strncmp(action.line, "sheet", 5) == 0))
             queue_action(play, action);
     }
-}
-
-/* Of what the reader finds himself the way that the lesson knows is gone, to the end of its run. */
-static void queue_goal(LessonPlay *play, const LessonPage *page)
-{
-    static const LessonUntil end = {.kind = UNTIL_END};
-    const LessonUntil *until = &page->until;
-    queue_part(play, &page->solution, false);
-    if (until->kind == UNTIL_GOAL)
-        until = &end;
-    if (until->kind != UNTIL_NOTHING && until->kind != UNTIL_COMMAND)
-        queue_action(play, (LessonAction){.goal = until});
 }
 
 static bool has_opening(const LessonPart *part)
@@ -449,7 +423,14 @@ static void queue_page(Laboratory *lab, int page)
     for (int i = goes_on ? page : first_needed(shown->lesson, page); i < page; i++) {
         queue_part(play, &pages[i].first, false);
         queue_part(play, &pages[i].revealed, false);
-        queue_goal(play, &pages[i]);
+        /* Of what the reader finds himself the way that the lesson knows is gone, to the end of its run. */
+        static const LessonUntil end = {.kind = UNTIL_END};
+        const LessonUntil *until = &pages[i].until;
+        queue_part(play, &pages[i].solution, false);
+        if (until->kind == UNTIL_GOAL)
+            until = &end;
+        if (until->kind != UNTIL_NOTHING && until->kind != UNTIL_COMMAND)
+            queue_action(play, (LessonAction){.goal = until});
     }
     queue_part(play, &pages[page].first, true);
 }

@@ -73,18 +73,6 @@ static bool take_number(Laboratory *lab, const char *text)
     return true;
 }
 
-/* Asks for the number or the words of the page. */
-static void lesson_exercise_ask(Laboratory *lab)
-{
-    static const Typing of_words = {.retyped = true}, of_number = {.retyped = true, .leaves = "nb"};
-    const bool words = lesson_exercise(lesson_entry_page(lab)) == EXERCISE_WORDS;
-    prompt_ask(&lab->prompting, words ? take_words : take_number, false, "", "%s",
-               words ? "your words" : "your answer");
-    snprintf(lab->prompting.shown.hint, sizeof lab->prompting.shown.hint, "%s",
-             words ? "one line for the teacher" : "a number, as 1.5");
-    lab->prompting.typing = words ? &of_words : &of_number;
-}
-
 /* Notes the choice that was taken; only the first one counts, for then the right one is told. */
 static void lesson_exercise_choose(Laboratory *lab, int choice)
 {
@@ -265,9 +253,16 @@ void lesson_play_enter(Laboratory *lab)
     else if (page->n_choices > 0 && shown->answer < 0)
         laboratory_say(lab, MESSAGE_INFO, "a number answers the question: 1 to %d; n goes on anyway",
                        page->n_choices);
-    else if (page->question && shown->answer < 0)
-        lesson_exercise_ask(lab);
-    else if (waits)
+    else if (page->question && shown->answer < 0) {
+        /* Asks for the number or the words of the page. */
+        static const Typing of_words = {.retyped = true}, of_number = {.retyped = true, .leaves = "nb"};
+        const bool words = lesson_exercise(lesson_entry_page(lab)) == EXERCISE_WORDS;
+        prompt_ask(&lab->prompting, words ? take_words : take_number, false, "", "%s",
+                   words ? "your words" : "your answer");
+        snprintf(lab->prompting.shown.hint, sizeof lab->prompting.shown.hint, "%s",
+                 words ? "one line for the teacher" : "a number, as 1.5");
+        lab->prompting.typing = words ? &of_words : &of_number;
+    } else if (waits)
         edit_begin(lab);
     else
         turn_page(lab, 1, false);

@@ -41,20 +41,6 @@ static int by_name(const struct dirent **a, const struct dirent **b)
     return strcmp((*a)->d_name, (*b)->d_name);
 }
 
-static void offer_files(ScenarioList *list)
-{
-    struct dirent **names;
-    Settings *settings = malloc(sizeof *settings);
-    const int count = settings ? scandir(".", &names, NULL, by_name) : -1;
-    for (int i = 0; i < count; i++) {
-        offer_file(list, names[i]->d_name, settings);
-        free(names[i]);
-    }
-    if (count >= 0)
-        free(names);
-    free(settings);
-}
-
 /* What is shown: whatever holds the text in its name or its title. */
 static void narrow(ScenarioList *list, const char *text, const char *open)
 {
@@ -131,7 +117,16 @@ void scenario_prompt_ask(Laboratory *lab)
         char title[TITLE_MAX];
         offer(list, builtin->name, scenario_title(builtin, title) ? title : "");
     }
-    offer_files(list);
+    struct dirent **names;
+    Settings *settings = malloc(sizeof *settings);
+    const int count = settings ? scandir(".", &names, NULL, by_name) : -1;
+    for (int i = 0; i < count; i++) {
+        offer_file(list, names[i]->d_name, settings);
+        free(names[i]);
+    }
+    if (count >= 0)
+        free(names);
+    free(settings);
     narrow(list, "", lab->scenario);
     prompt_ask(&lab->prompting, answer_scenario, false, "", "open scenario or file");
     lab->prompting.shown.scenarios = list;

@@ -129,17 +129,6 @@ static void begin_grades(const Lesson *lesson, Grades *grades)
             grades->grades[grades->count++] = (Grade){.page = page};
 }
 
-static void take_marks(const Grader *grader, double seconds, Grades *grades)
-{
-    for (int i = 0; i < grades->count; i++) {
-        Grade *grade = &grades->grades[i];
-        const ExerciseMark *mark = &grader->lab.homework.marks[grade->page];
-        if (mark->tries != grade->mark.tries)
-            grade->seconds = seconds;
-        grade->mark = *mark;
-    }
-}
-
 /* Presses the keys; true: all of them, in time. */
 static bool press_all(Grader *grader, const Session *session, Grades *grades, Status *status)
 {
@@ -165,7 +154,13 @@ static bool press_all(Grader *grader, const Session *session, Grades *grades, St
         } else {
             grader->time += FRAME_SECONDS;
         }
-        take_marks(grader, seconds, grades);
+        for (int i = 0; i < grades->count; i++) {
+            Grade *grade = &grades->grades[i];
+            const ExerciseMark *mark = &grader->lab.homework.marks[grade->page];
+            if (mark->tries != grade->mark.tries)
+                grade->seconds = seconds;
+            grade->mark = *mark;
+        }
     }
     return goes_on;
 }

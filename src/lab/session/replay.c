@@ -53,11 +53,6 @@ static bool approach(Replay *replay, Laboratory *lab, const SessionEvent *event,
     return true;
 }
 
-static bool takes_text(const Screen *screen)
-{
-    return screen->prompt->open || screen->parameters->edit.open || screen->help->open;
-}
-
 bool replay_go_on(Replay *replay, Laboratory *lab, double deadline)
 {
     const SessionEvent *event = replay_next(replay);
@@ -74,7 +69,8 @@ bool replay_go_on(Replay *replay, Laboratory *lab, double deadline)
     static const Key space = {.name = "Space", .x = -1, .y = -1};
     const Key *key = event->is_end ? &space : &event->key;
     /* opened again it is found paused; by a key, so that this too is recorded */
-    if (event->is_end && (lab->player.playback.state != STATE_RUNNING || takes_text(&lab->screen)))
+    if (event->is_end && (lab->player.playback.state != STATE_RUNNING || lab->screen.prompt->open ||
+                          lab->screen.parameters->edit.open || lab->screen.help->open))
         return true;
     /* a click means the cell of the screen that it was made on */
     if (event->key.x >= 0 && event->width > 0) {

@@ -145,14 +145,6 @@ static const struct {
                {"sheet ", read_sheet},    {"version ", read_version}, {"check ", read_check},
                {"reached ", read_reached}};
 
-/* What a key did depends neither on the size of the screen nor on when it was pressed. */
-static void note_key(Session *session, const SessionEvent *event)
-{
-    char text[sizeof event->key.name + 64];
-    const int length = snprintf(text, sizeof text, "%ld/%d %s", event->step, event->stage, event->key.name);
-    session->keys = hash_bytes(session->keys, text, (size_t)length + 1);
-}
-
 /* One line; those of the scenario go on to `scenario`. */
 static bool read_line(Session *session, char *line, FILE *scenario, Status *status)
 {
@@ -191,7 +183,10 @@ static bool read_line(Session *session, char *line, FILE *scenario, Status *stat
     if (!read_event(line + strlen(words[word]), word == AT, &event))
         return status_refuse(status, "not a place of a session (%sSTEP[/STAGE] SECONDS WIDTHxHEIGHT%s)",
                              words[word], word == AT ? " KEY [X Y]" : "");
-    note_key(session, &event);
+    /* What a key did depends neither on the size of the screen nor on when it was pressed. */
+    char text[sizeof event.key.name + 64];
+    const int length = snprintf(text, sizeof text, "%ld/%d %s", event.step, event.stage, event.key.name);
+    session->keys = hash_bytes(session->keys, text, (size_t)length + 1);
     event.is_stop = word == STOP;
     event.is_end = word == END;
     if (session->count && session->events[session->count - 1].is_end)
