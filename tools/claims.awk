@@ -8,7 +8,7 @@
 #     note words                     printed under its rows
 #     NAME | CELL | CELL ...         a row of that form; of the form "row" each cell is KEY=WORDS
 #
-# Keys are the members of VerifyRow (src/cli/verify/verify_row.h); one without words is left out. what: each ">"
+# Keys are the members of VerifyRow (src/cli/verify/verify.h); one without words is left out. what: each ">"
 # before it sets it in. Numbers may be constant expressions. reference, bound: "A +- B", "A .. B", or one number.
 # paper, also: "prints A: WORDS", "about A: WORDS" or "taken as A .. B: WORDS", and "// REMARK" behind.
 
@@ -107,7 +107,7 @@ function end_check()
 BEGIN {
     print "/* SPDX-License-Identifier: GPL-3.0-or-later */"
     print "/* Generated from data/verify by tools/claims.awk. */"
-    print "#include \"cli/verify/verify_quantity.h\""
+    print "#include \"cli/verify/verify.h\""
 }
 
 FNR == 1 { # names and forms are a file's own

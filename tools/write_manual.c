@@ -8,7 +8,7 @@
 #include "scenario/concern_output.h"
 #include "scenario/settings.h"
 #include "cli/options.h"
-#include "cli/sweep/sweep_result.h"
+#include "cli/sweep/sweep_plan.h"
 #include "answers/choices.h"
 #include "lessons/lesson.h"
 #include "answers/run_numbers.h"

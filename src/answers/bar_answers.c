@@ -4,7 +4,7 @@
 #include "answers/bar_answers.h"
 #include "theory/bar_waves.h"
 
-#include "base/shortage.h"
+#include "base/cancel.h"
 #include "base/assertion.h"
 #include "scenario/parameters.h"
 #include "methods/method.h"

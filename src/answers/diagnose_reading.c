@@ -8,7 +8,7 @@
 #include "answers/diagnose_internal.h"
 
 #include "base/assertion.h"
-#include "base/clock.h"
+#include "base/wait.h"
 #include "base/math/functions.h"
 #include "base/text.h"
 #include "problems/problem.h"

@@ -9,7 +9,7 @@
 #include "scenario/concern_loads.h"
 
 #include "answers/references.h"
-#include "base/clock.h"
+#include "base/wait.h"
 #include "base/math/functions.h"
 #include "base/text.h"
 #include "problems/problem.h"

@@ -3,7 +3,7 @@
 #include "problems/solver.h"
 
 #include "base/assertion.h"
-#include "base/shortage.h"
+#include "base/cancel.h"
 
 #include "theory/frequency.h"
 

@@ -405,23 +405,6 @@ static bool take_free_name(const OutputFile *file, Status *status)
     return rename(file->temporary->name, file->target) == 0 || cannot_write(file->name, status);
 }
 
-/* Brings a new name to the disk; without it the file may be gone after the computer stopped. */
-static bool sync_folder(const OutputFile *file, Status *status)
-{
-    char *copy = strdup(file->target);
-    if (!copy)
-        return no_memory(status);
-    const int folder = open(dirname(copy), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    free(copy);
-    /* some file systems, and folders without read permission, do not support it */
-    const bool arrived = folder < 0 || fsync(folder) == 0 || errno == EINVAL || errno == ENOTSUP;
-    const int why = errno;
-    if (folder >= 0)
-        close(folder);
-    errno = why;
-    return arrived || cannot_write(file->name, status);
-}
-
 bool output_commit(OutputFile *file, Status *status)
 {
     if (!file->temporary)
@@ -434,7 +417,19 @@ bool output_commit(OutputFile *file, Status *status)
     } else if (rename(file->temporary->name, file->target) != 0)
         return cannot_write(file->name, status);
     leave_list(file);
-    return sync_folder(file, status);
+    /* Brings a new name to the disk; without it the file may be gone after the computer stopped. */
+    char *copy = strdup(file->target);
+    if (!copy)
+        return no_memory(status);
+    const int folder = open(dirname(copy), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    free(copy);
+    /* some file systems, and folders without read permission, do not support it */
+    const bool arrived = folder < 0 || fsync(folder) == 0 || errno == EINVAL || errno == ENOTSUP;
+    const int why = errno;
+    if (folder >= 0)
+        close(folder);
+    errno = why;
+    return arrived || cannot_write(file->name, status);
 }
 
 bool output_publish(OutputFile *file, Status *status)

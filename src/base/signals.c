@@ -3,7 +3,7 @@
  * commands look at the note between steps. Which handlers stood before is kept, so that a signal can be
  * taken back before the process ends itself by it. */
 #include "base/signals.h"
-#include "base/clock.h"
+#include "base/wait.h"
 
 #include <stdbool.h>
 #include <stddef.h>

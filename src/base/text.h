@@ -79,4 +79,10 @@ void text_or(char *out, size_t size, const char *word);
 /* Where a word stands among words that end with a NULL; -1: nowhere. */
 int text_place_in(const char *word, const char *const words[]);
 
+/* Equations and labels in ASCII: one table for all of them. */
+
+/* "Δε = Δt Σ N′v" is "de = dt sum N'v"; a symbol that becomes a word is kept apart from letters and digits
+ * beside it: "nπ/L" is "n pi/L". What is not known stays. */
+void text_to_ascii(const char *utf8, char *out, size_t size);
+
 #endif

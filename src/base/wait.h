@@ -16,4 +16,13 @@ int wait_for(struct pollfd *files, int count, const struct timespec *timeout, co
  * there are no timers, as in a web page, never. */
 void wait_look(void (*look)(int number));
 
+/* The clock of those who wait for something, or say how long it took: seconds, only ever growing. */
+
+static inline double clock_seconds(void)
+{
+    struct timespec time;
+    clock_gettime(CLOCK_MONOTONIC, &time);
+    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
+}
+
 #endif

@@ -7,7 +7,7 @@
 #include "base/visible.h"
 #include "cli/cli.h"
 #include "cli/options.h"
-#include "cli/progress.h"
+#include "cli/common.h"
 #include "export/csv.h"
 #include "methods/pool.h"
 #include "scenario/settings.h"
@@ -185,23 +185,6 @@ static void fill(const File *file, char cells[CELLS][CELL_MAX])
     text_append(cells[CELL_RATIO_IS], CELL_MAX, "%s", departure->factors);
 }
 
-static void tell_lines(const Files *all)
-{
-    char cells[CELLS][CELL_MAX];
-    int wide = 4;
-    for (int i = 0; i < all->count; i++)
-        wide = (int)fmax(wide, fmin(48, (double)strlen(all->files[i].path)));
-    visible_print(stdout, "%-*s %-9s %6s  %-10s %s\n", wide, "name", "verdict", "digits", "scheme",
-                  "mistake, stage");
-    for (int i = 0; i < all->count; i++) {
-        fill(&all->files[i], cells);
-        visible_print(stdout, "%-*s %-9s %6s  %-10s %s%s%s\n", wide, cells[CELL_NAME], cells[CELL_VERDICT],
-                      cells[CELL_DIGITS], cells[CELL_SCHEME],
-                      *cells[CELL_ERROR] ? cells[CELL_ERROR] : cells[CELL_MISTAKE],
-                      *cells[CELL_STAGE] && *cells[CELL_MISTAKE] ? ", " : "", cells[CELL_STAGE]);
-    }
-}
-
 static void tell_json(const Files *all)
 {
     char cells[CELLS][CELL_MAX];
@@ -289,8 +272,21 @@ static bool tell(const Files *all, Status *status)
         tell_json(all);
     else if (all->count == 1)
         diagnosis_tell(&all->files[0].found, &all->files[0].table, scenario, file, stdout);
-    else
-        tell_lines(all);
+    else {
+        char cells[CELLS][CELL_MAX];
+        int wide = 4;
+        for (int i = 0; i < all->count; i++)
+            wide = (int)fmax(wide, fmin(48, (double)strlen(all->files[i].path)));
+        visible_print(stdout, "%-*s %-9s %6s  %-10s %s\n", wide, "name", "verdict", "digits", "scheme",
+                      "mistake, stage");
+        for (int i = 0; i < all->count; i++) {
+            fill(&all->files[i], cells);
+            visible_print(stdout, "%-*s %-9s %6s  %-10s %s%s%s\n", wide, cells[CELL_NAME],
+                          cells[CELL_VERDICT], cells[CELL_DIGITS], cells[CELL_SCHEME],
+                          *cells[CELL_ERROR] ? cells[CELL_ERROR] : cells[CELL_MISTAKE],
+                          *cells[CELL_STAGE] && *cells[CELL_MISTAKE] ? ", " : "", cells[CELL_STAGE]);
+        }
+    }
     if (all->options->output && !write_table(all, status))
         return false;
     if (all->options->output && !all->options->json)

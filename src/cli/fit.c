@@ -4,10 +4,8 @@
 #include "cli/cli.h"
 #include "scenario/concern_output.h"
 #include "scenario/settings.h"
-#include "cli/distinct.h"
 #include "cli/options.h"
-#include "cli/progress.h"
-#include "cli/quantities.h"
+#include "cli/common.h"
 #include "base/output.h"
 #include "base/text.h"
 #include "picture/paper/figure_file.h"
@@ -52,22 +50,6 @@ static bool choose_column(Data *data, const Options *options, const Settings *se
         return status_refuse(status, "--column: %.60s is no column of the series (%s)",
                              options->column ? options->column : "(none of the table)", known);
     return true;
-}
-
-static bool read_data(Data *data, const Options *options, const Settings *settings, Progress *progress,
-                      Status *status)
-{
-    if (!overlay_load(&data->table, options->data, progress_show, progress, status) ||
-        !choose_column(data, options, settings, status))
-        return false;
-    if (!overlay_choose(&data->table, NULL, NULL, data->column, "", status))
-        return false;
-    if (data->table.along || data->table.y < 0)
-        data->table.y = overlay_column_for(&data->table, data->column, false);
-    if (data->table.along || data->table.y < 0)
-        return status_refuse(status, "%s: no column of times with one of %s beside it", data->table.file,
-                             data->column);
-    return fit_data_take(&data->taken, &data->table, data->table.y, status);
 }
 
 static void print_result(const FitTask *task, const FitResult *result)
@@ -180,15 +162,26 @@ static bool may_write(const Options *options, Status *status)
            (!options->figure ||
             (figure_allowed(options->figure, status) &&
              output_may_begin(options->figure, ASKER_COMMAND_LINE, options->force, status))) &&
-           distinct_outputs(outputs, 2, status);
+           cli_outputs_differ(outputs, 2, status);
 }
 
 /* The run goes as far as the data do. */
 static bool solve(const Options *options, Settings *settings, Data *data, FitTask *task, FitResult *result,
                   Progress *progress, Status *status)
 {
-    if (!read_data(data, options, settings, progress, status) ||
-        !fit_data_end(&data->taken, settings, status))
+    if (!overlay_load(&data->table, options->data, progress_show, progress, status) ||
+        !choose_column(data, options, settings, status))
+        return false;
+    if (!overlay_choose(&data->table, NULL, NULL, data->column, "", status))
+        return false;
+    if (data->table.along || data->table.y < 0)
+        data->table.y = overlay_column_for(&data->table, data->column, false);
+    if (data->table.along || data->table.y < 0)
+        return status_refuse(status, "%s: no column of times with one of %s beside it", data->table.file,
+                             data->column);
+    if (!fit_data_take(&data->taken, &data->table, data->table.y, status))
+        return false;
+    if (!fit_data_end(&data->taken, settings, status))
         return false;
     task->column = data->column;
     task->times = data->taken.times;

@@ -2,9 +2,8 @@
 /* `matvib grade LESSON SESSION...`: sessions of homework are done again and marked, a row for each exercise
  * and, in another table, for each student. */
 #include "cli/cli.h"
-#include "cli/distinct.h"
 #include "cli/options.h"
-#include "cli/progress.h"
+#include "cli/common.h"
 #include "cli/students.h"
 
 #include "base/output.h"
@@ -42,24 +41,6 @@ typedef struct Roster {
     int at[ROLES]; /* columns; -1: none */
 } Roster;
 
-/* A cell without its quotes, in place; the end of it and its separator. NULL: a quote is not closed. */
-static char *take_cell(char *from, char separator)
-{
-    char *to = from, *at = from;
-    bool quoted = *at == '"';
-    for (at += quoted; *at && (quoted || *at != separator); at++) {
-        if (quoted && *at == '"' && at[1] != '"') {
-            quoted = false;
-            continue;
-        }
-        at += quoted && *at == '"';
-        *to++ = *at;
-    }
-    char *next = *at ? at + 1 : at;
-    *to = '\0';
-    return quoted ? NULL : next;
-}
-
 /* The cells of the next line that has any. */
 static InputGot read_row(Roster *roster, Status *status)
 {
@@ -75,7 +56,21 @@ static InputGot read_row(Roster *roster, Status *status)
     roster->count = 0;
     for (char *cell = roster->text; cell && cell < end && roster->count < CELLS_MAX;) {
         roster->cells[roster->count++] = cell;
-        cell = take_cell(cell, roster->separator);
+        /* A cell without its quotes, in place; the end of it and its separator. NULL: a quote is not closed.
+         */
+        char *to = cell, *at = cell;
+        bool quoted = *at == '"';
+        for (at += quoted; *at && (quoted || *at != roster->separator); at++) {
+            if (quoted && *at == '"' && at[1] != '"') {
+                quoted = false;
+                continue;
+            }
+            at += quoted && *at == '"';
+            *to++ = *at;
+        }
+        char *next = *at ? at + 1 : at;
+        *to = '\0';
+        cell = quoted ? NULL : next;
         if (!cell) {
             status_refuse(status, "%s:%ld: a quote is not closed", roster->lines.name, roster->lines.number);
             return INPUT_WRONG;
@@ -349,7 +344,7 @@ static bool may_write(const Options *options, Status *status)
            (!options->moodle ||
             output_may_begin(options->moodle, ASKER_COMMAND_LINE, options->force, status)) &&
            (!options->sheet || leaflet_allowed(options->sheet, ASKER_COMMAND_LINE, options->force, status)) &&
-           distinct_outputs(outputs, 3, status);
+           cli_outputs_differ(outputs, 3, status);
 }
 
 int cli_grade(Options *options, Status *status)
@@ -381,4 +376,86 @@ int cli_grade(Options *options, Status *status)
         sound = status_fail(status, "%d of %d sessions have no marks (see the remarks)", marking.refused,
                             marking.sessions);
     return progress_result(sound, status);
+}
+
+/* `matvib grade --key LESSON`: the right answers of a lesson's exercises, for the teacher. */
+
+#define KEY_SECONDS 3600.0 /* that the right answer of an exercise may take */
+
+static void print_answer(const Lesson *lesson, const Grade *grade)
+{
+    const LessonPage *page = &lesson->pages[grade->page];
+    printf("%d %s\n", grade->page + 1, page->title);
+    if (page->question)
+        printf("   %s\n", page->question);
+    switch (lesson_exercise(page)) {
+    case EXERCISE_NUMBER:
+        printf("   %s within %g%s   (%s)\n", grade->mark.right_answer, page->exercise->tolerance,
+               page->exercise->relative ? " %" : "", page->exercise->expression.text);
+        break;
+    case EXERCISE_GOAL:
+        printf("   goal: %s\n   one way: ", page->exercise->expression.text);
+        for (int i = 0; i < page->solution.n_actions; i++)
+            printf("%s%s", i > 0 ? "; " : "", page->solution.actions[i]);
+        printf("   (%s)\n", grade->mark.value);
+        break;
+    case EXERCISE_WORDS:
+        printf("   to be read by the teacher\n");
+        break;
+    default:
+        printf("   %s\n", grade->mark.right_answer);
+    }
+}
+
+/* What is about sessions and their tables. */
+static bool is_for_key(const Options *options, Status *status)
+{
+    const struct {
+        bool given;
+        const char *name;
+    } others[] = {{options->limit, "--limit"},   {options->output, "--output"}, {options->moodle, "--moodle"},
+                  {options->roster, "--roster"}, {options->sheet, "--sheet"},   {options->bom, "--bom"}};
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++)
+        if (others[i].given)
+            return status_refuse(status, "%s: does not go with --key", others[i].name);
+    return true;
+}
+
+int cli_grade_key(const Options *options, Status *status)
+{
+    const char *name = options->words[0];
+    char student[STUDENT_MAX] = "";
+    Lesson lesson;
+    Progress progress;
+    if (!is_for_key(options, status) || !options_words(options, 1, 1, "LESSON", status) ||
+        (options->name && !variant_student(options->name, student, status) &&
+         !status_prefix(status, "--name")) ||
+        !lesson_load_for(name, student, command_line_for_lessons, &lesson, status))
+        return (int)status->code;
+    progress_begin(&progress, options->quiet);
+    const GradingTask task = {.lesson = name,
+                              .threads = progress_threads(options->threads),
+                              .seconds = KEY_SECONDS,
+                              .cancel = {progress_show, &progress}};
+    Grades *grades = malloc(sizeof *grades);
+    const bool sound =
+        grades ? grading_key(&task, student, grades, status) : status_fail(status, "out of memory");
+    progress_end(&progress);
+    if (sound) {
+        printf("%s%s%s\n", lesson.title, *student ? "   for " : "", student);
+        for (int i = 0; i < lesson.n_variants; i++) {
+            const LessonVariant *variant = &lesson.variants[i];
+            bool told = false;
+            for (int k = 0; k < i; k++)
+                told |= strcmp(lesson.variants[k].variant.key, variant->variant.key) == 0 &&
+                        strcmp(lesson.variants[k].value, variant->value) == 0;
+            if (!told)
+                printf("  %s = %s\n", variant->variant.key, variant_word(variant->value));
+        }
+        for (int i = 0; i < grades->count; i++)
+            print_answer(&lesson, &grades->grades[i]);
+    }
+    free(grades);
+    lesson_free(&lesson);
+    return progress_result(sound && !progress_signal(), status);
 }

@@ -2,7 +2,7 @@
 /* `matvib lesson NAME --handout FILE.pdf`: a lesson's exercises on paper; `--print`: its text. */
 #include "cli/cli.h"
 #include "cli/options.h"
-#include "cli/progress.h"
+#include "cli/common.h"
 
 #include "picture/paper/leaflet.h"
 #include "lessons/lesson.h"
@@ -46,23 +46,6 @@ static void write_exercise(Leaflet *leaflet, const LessonPage *page)
     }
 }
 
-static void write_lesson(Leaflet *leaflet, const Lesson *lesson, const char *student)
-{
-    leaflet_line(leaflet, LEAFLET_TITLE, "%s", lesson->title);
-    if (lesson->about)
-        leaflet_line(leaflet, LEAFLET_TEXT, "%s", lesson->about);
-    if (*student)
-        leaflet_line(leaflet, LEAFLET_TEXT, "Name: %s", student);
-    else
-        leaflet_lines(leaflet, 1);
-    for (int i = 0; i < lesson->n_pages; i++) {
-        const LessonPage *page = &lesson->pages[i];
-        leaflet_line(leaflet, LEAFLET_HEADING, "%d   %s", i + 1, page->title);
-        write_paragraphs(leaflet, page->first.text);
-        write_exercise(leaflet, page);
-    }
-}
-
 int cli_lesson_handout(const Options *options, const char *student, Status *status)
 {
     if (options->n_words == 0)
@@ -77,7 +60,19 @@ int cli_lesson_handout(const Options *options, const char *student, Status *stat
     bool sound =
         leaflet_open(&leaflet, ASKER_COMMAND_LINE, options->handout, options->force, lesson.title, status);
     if (sound) {
-        write_lesson(&leaflet, &lesson, student);
+        leaflet_line(&leaflet, LEAFLET_TITLE, "%s", lesson.title);
+        if (lesson.about)
+            leaflet_line(&leaflet, LEAFLET_TEXT, "%s", lesson.about);
+        if (*student)
+            leaflet_line(&leaflet, LEAFLET_TEXT, "Name: %s", student);
+        else
+            leaflet_lines(&leaflet, 1);
+        for (int i = 0; i < lesson.n_pages; i++) {
+            const LessonPage *page = &lesson.pages[i];
+            leaflet_line(&leaflet, LEAFLET_HEADING, "%d   %s", i + 1, page->title);
+            write_paragraphs(&leaflet, page->first.text);
+            write_exercise(&leaflet, page);
+        }
         sound = leaflet_finish(&leaflet, status);
     }
     leaflet_close(&leaflet);

@@ -69,29 +69,25 @@ void csv_row(FILE *stream, Dialect dialect, const double *row, int count)
     fputc('\n', stream);
 }
 
-static void write_cell(FILE *stream, Dialect dialect, const char *text)
-{
-    double number;
-    const bool is_number = text_to_double(text, &number);
-    const bool formula = !is_number && *text && strchr("=+-@\t\r\n", *text);
-    const bool quoted = strpbrk(text, "\"\r\n,;") != NULL;
-    if (quoted)
-        fputc('"', stream);
-    if (formula)
-        fputc('\'', stream);
-    for (; *text; text++) {
-        if (*text == '"')
-            fputc('"', stream);
-        fputc(is_number && *text == '.' && dialect == DIALECT_SEMICOLON ? ',' : *text, stream);
-    }
-    if (quoted)
-        fputc('"', stream);
-}
-
 void csv_words(FILE *stream, Dialect dialect, const char *const *cells, int count)
 {
     for (int i = 0; i < count; i++) {
-        write_cell(stream, dialect, cells[i]);
+        const char *text = cells[i];
+        double number;
+        const bool is_number = text_to_double(text, &number);
+        const bool formula = !is_number && *text && strchr("=+-@\t\r\n", *text);
+        const bool quoted = strpbrk(text, "\"\r\n,;") != NULL;
+        if (quoted)
+            fputc('"', stream);
+        if (formula)
+            fputc('\'', stream);
+        for (; *text; text++) {
+            if (*text == '"')
+                fputc('"', stream);
+            fputc(is_number && *text == '.' && dialect == DIALECT_SEMICOLON ? ',' : *text, stream);
+        }
+        if (quoted)
+            fputc('"', stream);
         fputc(i + 1 < count ? separator(dialect) : '\n', stream);
     }
 }

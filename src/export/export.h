@@ -5,11 +5,29 @@
 #ifndef EXPORT_EXPORT_H
 #define EXPORT_EXPORT_H
 
-#include "export/vtk.h"
 #include "base/output.h"
 #include "base/status.h"
 #include "answers/run_summary.h"
 #include "scenario/assignment.h"
+#include "methods/method.h"
+
+#include <stdio.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+/* The steps at which tables of particles, nodes and bonds are written. */
+typedef struct Frames {
+    long *steps; /* ascending, none twice */
+    size_t count;
+} Frames;
+
+/* By output.frames (evenly from 0 to the last step), or output.at, or the last step alone. */
+bool frames_plan(Frames *, const Settings *, double dt, long last, Status *);
+void frames_free(Frames *);
+
+/* How the numbers of a frame are written: as text, or behind the XML as they are in memory (raw appended data
+ * of 64 bits), which is a third of the size and read much faster. */
+typedef enum VtkData { VTK_TEXT, VTK_RAW } VtkData;
 
 typedef enum Dialect { DIALECT_COMMA, DIALECT_SEMICOLON } Dialect;
 
@@ -35,5 +53,20 @@ typedef bool (*RunProgress)(double share, void *context);
  * its way still writes everything up to there, then returns false with the failure. */
 bool export_run(const Settings *, const Outputs *, int threads, RunProgress, void *context, RunSummary *,
                 Status *);
+
+/* Particles as XML point data for ParaView: one .vtu file for each frame, and a .pvd file that names them
+ * with their times. Points stand at their reference positions; "displacement" and "velocity" are vectors. */
+
+/* The name of frame `i` of `count` for what the user wrote ("beam", "beam.vtu", "beam.pvd"); free() it. With
+ * one frame there is "beam.vtu" alone. */
+char *vtk_frame_name(const char *name, size_t i, size_t count);
+char *vtk_collection_name(const char *name);
+
+/* False: not enough memory. */
+bool vtk_write_frame(FILE *, const Simulation *, VtkData);
+
+void vtk_begin_collection(FILE *);
+void vtk_add_to_collection(FILE *, const char *frame_name, double time);
+void vtk_end_collection(FILE *);
 
 #endif

@@ -9,7 +9,7 @@
 #include "export/export_internal.h"
 #include "scenario/parameters.h"
 #include "scenario/scenario.h"
-#include "export/vtk.h"
+#include "export/export.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -4,7 +4,6 @@
 #define EXPORT_EXPORT_INTERNAL_H
 
 #include "export/export.h"
-#include "export/frames.h"
 #include "run/advance.h"
 #include "run/record.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Writes .vtu and .pvd files (vtk.h) as XML, numbers as in CSV or as they are in memory. Nothing is kept
+/* Writes .vtu and .pvd files (export.h) as XML, numbers as in CSV or as they are in memory. Nothing is kept
  * between frames. */
-#include "export/vtk.h"
+#include "export/export.h"
 #include "base/text.h"
 
 #include <inttypes.h>

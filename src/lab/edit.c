@@ -3,7 +3,7 @@
 #include "lab/laboratory.h"
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
-#include "lab/prompt/line_edit.h"
+#include "lab/prompt/prompt.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -239,8 +239,8 @@ void edit_key(Laboratory *lab, const Key *key)
     } else if (strcmp(name, "Down") == 0 || strcmp(name, "Tab") == 0) {
         if (accept_edit(lab))
             edit_move(lab, 1);
-    } else if (line_edit_key(lab->parameters.edit.text, sizeof lab->parameters.edit.text,
-                             &lab->parameters.edit.cursor, name, lab->editing.fresh)) {
+    } else if (prompt_edit_line(lab->parameters.edit.text, sizeof lab->parameters.edit.text,
+                                &lab->parameters.edit.cursor, name, lab->editing.fresh)) {
         lab->editing.fresh = false;
         lab->parameters.edit.problem[0] = '\0';
     }

@@ -9,6 +9,11 @@
 #include "scenario/parameters.h"
 #include "lab/laboratory.h"
 #include "views/view.h"
+#include "answers/diagnose.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 /* The series of the run that the overlay is compared with: the one on screen, or else the first that it has.
  * Sets the overlay's column; NULL: there is none. */
@@ -40,23 +45,6 @@ static bool wait_for_fit(double share, void *context)
                            ++waiting->asked);
 }
 
-/* "bar.density 1.02 +- 0.01, ...; residuals 3e-3, before 2e-2: they look like noise; correlation 0.4" */
-static void say_result(Laboratory *lab, const FitTask *task, const FitResult *result)
-{
-    char text[sizeof lab->message.text] = "fitted:";
-    for (int i = 0; i < task->n_keys; i++)
-        text_append(text, sizeof text, "%s %s %s +- %s", i ? "," : "", task->keys[i],
-                    text_rounded(result->values[i], 6).text,
-                    text_rounded(result->noise.half_widths[i], 2).text);
-    text_append(text, sizeof text, " (95 %%); residuals %s, before %s: %s", text_rounded(result->rms, 3).text,
-                text_rounded(result->rms_before, 3).text, fit_verdict(result));
-    for (int i = 1; i < task->n_keys; i++)
-        for (int j = 0; j < i; j++)
-            text_append(text, sizeof text, "%s %.2f", i + j == 1 ? "; correlation" : ",",
-                        result->noise.correlations[i][j]);
-    laboratory_say(lab, MESSAGE_INFO, "%s; u: as before", text);
-}
-
 static bool solve(Laboratory *lab, FitTask *task, Settings *settings, Status *status)
 {
     FitResult result = {0};
@@ -66,8 +54,23 @@ static bool solve(Laboratory *lab, FitTask *task, Settings *settings, Status *st
     for (int i = 0; i < task->n_keys && sound; i++)
         fit_put(settings, task->keys[i], result.values[i]);
     sound = sound && edit_change(lab, settings, experiment_rerun, status);
-    if (sound)
-        say_result(lab, task, &result);
+    if (sound) {
+        /* "bar.density 1.02 +- 0.01, ...; residuals 3e-3, before 2e-2: they look like noise; correlation 0.4"
+         */
+        char text[sizeof lab->message.text] = "fitted:";
+        for (int i = 0; i < task->n_keys; i++)
+            text_append(text, sizeof text, "%s %s %s +- %s", i ? "," : "", task->keys[i],
+                        text_rounded(result.values[i], 6).text,
+                        text_rounded(result.noise.half_widths[i], 2).text);
+        text_append(text, sizeof text, " (95 %%); residuals %s, before %s: %s",
+                    text_rounded(result.rms, 3).text, text_rounded(result.rms_before, 3).text,
+                    fit_verdict(&result));
+        for (int i = 1; i < task->n_keys; i++)
+            for (int j = 0; j < i; j++)
+                text_append(text, sizeof text, "%s %.2f", i + j == 1 ? "; correlation" : ",",
+                            result.noise.correlations[i][j]);
+        laboratory_say(lab, MESSAGE_INFO, "%s; u: as before", text);
+    }
     fit_free(&result);
     return sound;
 }
@@ -100,5 +103,76 @@ bool fitting_answer(Laboratory *lab, const char *words)
     task.count = data.count;
     sound = sound && solve(lab, &task, &settings, &status);
     fit_data_free(&data);
+    return sound || prompt_refuse(&lab->prompting, status.text);
+}
+
+/* The diagnosis of somebody's own code in front of a screen that goes on answering (answers/diagnose.h). */
+
+typedef struct Diagnosing {
+    Laboratory *lab;
+    const Diagnosis *found;
+} Diagnosing;
+
+static bool wait_for_it(double share, void *context)
+{
+    Diagnosing *waiting = context;
+    (void)share; /* of one run; how many it takes nobody knows */
+    return laboratory_work(waiting->lab, "trying other codes, %ld so far   ^C stops", waiting->found->tried);
+}
+
+/* Their curve in the place of what lay over the plots. */
+static void lay_over(Laboratory *lab, DiagnoseTable *table)
+{
+    Overlay theirs;
+    if (!diagnose_overlay(table, &theirs))
+        return;
+    const char *curve = view_time_curve(&lab->screen);
+    if (!overlay_choose(&theirs, "time", NULL, curve, "", NULL) &&
+        !overlay_choose(&theirs, "time", table->columns[0].name, curve, "", NULL)) {
+        overlay_close(&theirs);
+        return;
+    }
+    overlay_close(&lab->overlay);
+    lab->overlay = theirs;
+    lab->screen.overlay = &lab->overlay;
+}
+
+/* Takes the word behind the file's name away. */
+static bool take_pairs(char *path)
+{
+    char *word = strrchr(path, ' ');
+    if (!word || strcmp(word, " pairs") != 0)
+        return false;
+    *word = '\0';
+    return true;
+}
+
+bool fitting_diagnose(Laboratory *lab, const char *words)
+{
+    char path[NAME_MAX_BYTES];
+    const Settings settings = *experiment_base(laboratory_run(lab));
+    Status status = {STATUS_DONE, ""};
+    snprintf(path, sizeof path, "%s", words + strspn(words, " "));
+    Diagnosis *found = calloc(1, sizeof *found);
+    Diagnosing waiting = {lab, found};
+    const DiagnoseTask task = {.settings = &settings,
+                               .threads = lab->options.threads > 0 ? lab->options.threads : 1,
+                               .pairs = take_pairs(path),
+                               .cancel = {wait_for_it, &waiting}};
+    DiagnoseTable *table = calloc(1, sizeof *table);
+    player_pause(lab);
+    const bool sound = *path ? ((table && found) || status_fail(&status, "out of memory")) &&
+                                   diagnose_read(table, path, &settings, NULL, &status) &&
+                                   diagnose(&task, table, found, &status)
+                             : status_refuse(&status, "a file is wanted: diagnose FILE.csv");
+    if (sound) {
+        diagnosis_sum_up(found, table, lab->diagnosis, sizeof lab->diagnosis);
+        lay_over(lab, table);
+        laboratory_say(lab, MESSAGE_INFO, "%s", lab->diagnosis);
+    }
+    if (table)
+        diagnose_close(table);
+    free(table);
+    free(found);
     return sound || prompt_refuse(&lab->prompting, status.text);
 }

@@ -13,4 +13,10 @@ typedef struct Laboratory Laboratory;
  */
 bool fitting_answer(Laboratory *, const char *words);
 
+/* `:diagnose FILE`: which code made the numbers of a file, as against the scenario on screen. */
+
+/* What is found is said in the box, and a series lies over the plots from then on. The run on screen stays as
+ * it is. False: refused, prompt.problem says why. */
+bool fitting_diagnose(Laboratory *, const char *words);
+
 #endif

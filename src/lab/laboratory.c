@@ -3,7 +3,7 @@
 #include "lab/laboratory.h"
 #include "views/view.h"
 #include "scenario/settings.h"
-#include "lab/prompt/line.h"
+#include "lab/prompt/prompt.h"
 #include "lab/opening.h"
 #include "panes/screen.h"
 

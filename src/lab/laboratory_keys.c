@@ -4,7 +4,7 @@
 #include "lab/laboratory.h"
 
 #include "base/visible.h"
-#include "lab/row_edit.h"
+#include "lab/edit.h"
 #include "lab/session/session.h"
 #include "panes/screen.h"
 
@@ -202,17 +202,6 @@ static void take_pasted(Laboratory *lab, const char *what)
     lab->held.pasted_line = ends_line;
 }
 
-/* At a first start one key begins the first lesson; any other key does what it always does. */
-static bool take_offer(Laboratory *lab, const Key *key)
-{
-    Status status = {STATUS_DONE, ""};
-    const bool taken = lab->screen.offers_lesson && strcmp(key->name, "Enter") == 0;
-    lab->screen.offers_lesson = false;
-    if (taken && !lesson_play_open(lab, builtin_lessons[0].name, &status))
-        laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
-    return taken;
-}
-
 /* What was refused is read as a message: a key that does something else goes on, Enter and the keys of an
  * editor mend the answer. But a user who is asked for the name of a file, or by an exercise, types another
  * one. Pasted text never comes here. */
@@ -241,7 +230,13 @@ static void take_key(Laboratory *lab, const Key *key)
         return;
     }
     lab->held.pasted_line = false;
-    if (take_offer(lab, key))
+    /* At a first start one key begins the first lesson; any other key does what it always does. */
+    Status status = {STATUS_DONE, ""};
+    const bool taken = lab->screen.offers_lesson && strcmp(key->name, "Enter") == 0;
+    lab->screen.offers_lesson = false;
+    if (taken && !lesson_play_open(lab, builtin_lessons[0].name, &status))
+        laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
+    if (taken)
         return;
     dismiss_error(lab, key->name);
     /* These work in a question and in a field too. */

@@ -26,4 +26,8 @@ bool opening_whole(Laboratory *, const char *text);
 /* Says that this is the coarse form of what was asked for. */
 void opening_tell_coarse(Laboratory *);
 
+/* Asks which scenario is opened, with a list to choose from. */
+
+void opening_ask(Laboratory *);
+
 #endif

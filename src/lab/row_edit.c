@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Rows of a plate: as text in their pane, and moved on the map (row_edit.h). */
-#include "lab/row_edit.h"
+/* Rows of a plate: as text in their pane, and moved on the map (edit.h). */
+#include "lab/laboratory.h"
 #include "scenario/concern_body.h"
 #include "scenario/concern_bonds.h"
 #include "scenario/concern_cells.h"

@@ -221,25 +221,6 @@ static void tell_limit(const Telling *telling, char *out, size_t size)
     }
 }
 
-/* The courant number with which a time step would be as long as it is to be; "": it does not come from one.
- */
-static void tell_cure(const Telling *telling, char *out, size_t size)
-{
-    enum { DIGITS = 5 };
-    const Parameter *courant = parameter_find("time.courant");
-    const ExpressionStep *step = left_of(telling);
-    if (step->kind != STEP_WORD || strcmp(step->word->word, "dt") != 0 ||
-        telling->goal->steps[telling->claim->end - 1].kind != STEP_NOT_LESS ||
-        !parameter_applies_to(telling->now->settings, courant))
-        return;
-    const double wanted =
-        settings_number(telling->now->settings, courant) * side(telling, true) / side(telling, false);
-    const double unit = math_pow(10, floor(math_log10(wanted)) - (DIGITS - 1));
-    if (isfinite(wanted) && wanted > 0)
-        text_append(out, size, " (Courant %s)",
-                    text_rounded(ceil(wanted / unit * (1 - 1e-9)) * unit, DIGITS).text);
-}
-
 static void tell_failing(const Telling *telling, char *out, size_t size)
 {
     tell_subject(telling, out, size);
@@ -256,8 +237,24 @@ static void tell_failing(const Telling *telling, char *out, size_t size)
     }
     text_append(out, size, ", must be ");
     tell_limit(telling, out, size);
-    if (isfinite(left))
-        tell_cure(telling, out, size);
+    if (isfinite(left)) {
+        /* The courant number with which a time step would be as long as it is to be; "": it does not come
+         * from one.
+         */
+        enum { DIGITS = 5 };
+        const Parameter *courant = parameter_find("time.courant");
+        const ExpressionStep *step = left_of(telling);
+        if (step->kind != STEP_WORD || strcmp(step->word->word, "dt") != 0 ||
+            telling->goal->steps[telling->claim->end - 1].kind != STEP_NOT_LESS ||
+            !parameter_applies_to(telling->now->settings, courant))
+            return;
+        const double wanted =
+            settings_number(telling->now->settings, courant) * side(telling, true) / side(telling, false);
+        const double unit = math_pow(10, floor(math_log10(wanted)) - (DIGITS - 1));
+        if (isfinite(wanted) && wanted > 0)
+            text_append(out, size, " (Courant %s)",
+                        text_rounded(ceil(wanted / unit * (1 - 1e-9)) * unit, DIGITS).text);
+    }
 }
 
 static Telling telling_of(const Expression *goal, int claim, const ExpressionRun *now,

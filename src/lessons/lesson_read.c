@@ -57,24 +57,6 @@ static bool read_group(Reader *reader, const char *text)
     return keep(reader, &reader->lesson->group, text);
 }
 
-/* Whoever has drawn whichever word, one choice is right. */
-static bool judge_conditions(const Reader *reader, const LessonPage *page, Status *status)
-{
-    const LessonVariant *drawn =
-        *page->if_key ? lesson_variant(reader->lesson, page->if_key, reader->lesson->n_pages) : NULL;
-    for (int i = 0; drawn && i < drawn->variant.n_words; i++) {
-        int right = 0;
-        for (int k = 0; k < page->n_choices; k++)
-            right += page->if_words[k] && variant_has_word(page->if_words[k], drawn->variant.words[i]);
-        if (right != 1)
-            return status_refuse(status, "page \"%.40s\" has %d right choices for %s = %s (one is wanted)",
-                                 page->title, right, page->if_key, drawn->variant.words[i]);
-    }
-    return !drawn || drawn->variant.n_words > 0 ||
-           status_refuse(status, "page \"%.40s\": %s has no words to be asked for", page->title,
-                         page->if_key);
-}
-
 /* What must and must not stand on one page. */
 static bool judge_page(const Reader *reader, const LessonPage *page, Status *status)
 {
@@ -108,7 +90,20 @@ static bool judge_page(const Reader *reader, const LessonPage *page, Status *sta
                              "page \"%.40s\" does something after its goal: only an "
                              "answer is followed by @do",
                              page->title);
-    return judge_conditions(reader, page, status);
+    /* Whoever has drawn whichever word, one choice is right. */
+    const LessonVariant *drawn =
+        *page->if_key ? lesson_variant(reader->lesson, page->if_key, reader->lesson->n_pages) : NULL;
+    for (int i = 0; drawn && i < drawn->variant.n_words; i++) {
+        int right = 0;
+        for (int k = 0; k < page->n_choices; k++)
+            right += page->if_words[k] && variant_has_word(page->if_words[k], drawn->variant.words[i]);
+        if (right != 1)
+            return status_refuse(status, "page \"%.40s\" has %d right choices for %s = %s (one is wanted)",
+                                 page->title, right, page->if_key, drawn->variant.words[i]);
+    }
+    return !drawn || drawn->variant.n_words > 0 ||
+           status_refuse(status, "page \"%.40s\": %s has no words to be asked for", page->title,
+                         page->if_key);
 }
 
 const char *lesson_opening(const char *line)

@@ -3,7 +3,7 @@
 #include "picture/glyph.h"
 
 #include "base/assertion.h"
-#include "base/spell.h"
+#include "base/text.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -130,7 +130,7 @@ int glyphs_columns(const char *utf8)
 }
 
 /* What stands for a character where only ASCII can be shown; one column for one column, so that nothing
- * moves. spell_ascii() has a better form of texts that have room for it, such as equations. */
+ * moves. text_to_ascii() has a better form of texts that have room for it, such as equations. */
 static const struct {
     uint32_t first, last;
     char ascii;
@@ -194,7 +194,7 @@ size_t glyphs_line(const char *text, int width, const char **rest)
 void glyphs_plain(Glyphs glyphs, const char *text, char *out, size_t size)
 {
     if (glyphs == GLYPHS_ASCII)
-        spell_ascii(text, out, size);
+        text_to_ascii(text, out, size);
     else
         snprintf(out, size, "%s", text);
 }

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The host of plain words: lines become keys, and what they changed is told. */
 #include "plain/plain.h"
-#include "base/clock.h"
 #include "scenario/settings.h"
 #include "scenario/rows/rows.h"
 #include "base/input.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The bar by the material point method: settings to simulation, exact and predicted answers beside. */
-#include "base/shortage.h"
+#include "base/cancel.h"
 #include "base/assertion.h"
 #include "base/text.h"
 #include "answers/bar_answers.h"

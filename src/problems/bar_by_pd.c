@@ -2,7 +2,7 @@
 /* The bar by peridynamics: settings to simulation, exact and predicted answers beside. */
 #include "answers/bar_answers.h"
 #include "answers/bar_lattice.h"
-#include "base/shortage.h"
+#include "base/cancel.h"
 #include "scenario/concern_body.h"
 #include "scenario/concern_bonds.h"
 #include "scenario/concern_loads.h"

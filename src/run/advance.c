@@ -221,8 +221,9 @@ bool run_advance(Run *run, RunUntil until, const Sink *sinks, Status *status)
                 return fail(run, &why, status);
             return !stage_done || run->sim->stage != 0 || end_step(run, sinks, status);
         }
-        if (until.unit == RUN_STAGES ? !one_stage(run, sinks, status)
-            : !(!cancel_requested(&run->cancel, share_done(run)) || status_fail(status, "interrupted")) ? true
+        if (until.unit != RUN_STAGES && cancel_requested(&run->cancel, share_done(run)))
+            return status_fail(status, "interrupted");
+        if (until.unit == RUN_STAGES               ? !one_stage(run, sinks, status)
             : is_looked_into(sinks, sim->step + 1) ? !one_step(run, sinks, status)
                                                    : !one_block(run, sinks, left, status))
             return false;

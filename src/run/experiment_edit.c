@@ -81,24 +81,6 @@ static void begin_changed_ones(Settings *settings, const Settings *base)
     }
 }
 
-/* The same run from its beginning; nothing has to be made again. */
-static void rewind_run(Experiment *experiment, bool keep_ghost)
-{
-    Record old;
-    const bool kept = keep_ghost && experiment_has_curve(experiment);
-    GhostData ghost_data = {0};
-    if (kept)
-        ghost_data = experiment_ghost_data(experiment);
-    experiment_rewind(experiment, &old);
-    if (kept && old.count > 0)
-        experiment_make_ghost(experiment, false, &old, &ghost_data);
-    experiment_drop_ghost_data(&ghost_data);
-    record_close(&old);
-    experiment->pending = false;
-    forget_answers(experiment);
-    experiment_write_legends(experiment);
-}
-
 bool experiment_restart(Experiment *experiment, bool keep_ghost, Status *status)
 {
     experiment_drop_part(experiment);
@@ -106,9 +88,22 @@ bool experiment_restart(Experiment *experiment, bool keep_ghost, Status *status)
     memcpy(settings.changes, experiment->given, sizeof settings.changes);
     settings.n_changes = experiment->n_given;
     begin_changed_ones(&settings, &experiment->base);
-    if (settings_same(&settings, &experiment->base))
-        rewind_run(experiment, keep_ghost);
-    else if (!replace_run(experiment, &settings, keep_ghost, false, status))
+    if (settings_same(&settings, &experiment->base)) {
+        /* The same run from its beginning; nothing has to be made again. */
+        Record old;
+        const bool kept = keep_ghost && experiment_has_curve(experiment);
+        GhostData ghost_data = {0};
+        if (kept)
+            ghost_data = experiment_ghost_data(experiment);
+        experiment_rewind(experiment, &old);
+        if (kept && old.count > 0)
+            experiment_make_ghost(experiment, false, &old, &ghost_data);
+        experiment_drop_ghost_data(&ghost_data);
+        record_close(&old);
+        experiment->pending = false;
+        forget_answers(experiment);
+        experiment_write_legends(experiment);
+    } else if (!replace_run(experiment, &settings, keep_ghost, false, status))
         return false;
     if (!keep_ghost)
         experiment_drop_unpinned(experiment);
@@ -151,8 +146,8 @@ static bool differs(const Settings *a, const Settings *b, const Parameter *param
 static Difference compare(const Settings *now, const Settings *wanted)
 {
     Difference difference = {false, false};
-    if (now->problem != wanted->problem || now->method != wanted->method || !changes_same(now, wanted) ||
-        !settings_rows_same(now, wanted))
+    if (now->problem != wanted->problem || now->method != wanted->method ||
+        !settings_changes_same(now, wanted) || !settings_rows_same(now, wanted))
         return (Difference){true, false};
     difference.restart = end_matters(now, wanted);
     for (int i = 0; i < n_parameters; i++)

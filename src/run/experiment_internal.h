@@ -7,7 +7,7 @@
 #include "run/advance.h"
 #include "run/experiment.h"
 #include "run/event_log.h"
-#include "run/history.h"
+#include "run/record.h"
 
 /* The state before the last stage. */
 typedef struct Before {

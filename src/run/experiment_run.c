@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The run itself: forwards by steps, stages and parts of a stage, back to a keyframe, on into another future.
  */
-#include "base/shortage.h"
+#include "base/cancel.h"
 #include "base/assertion.h"
 #include "run/experiment_internal.h"
 #include "base/status.h"

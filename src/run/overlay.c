@@ -142,21 +142,16 @@ static int cut_cells(Reader *reader)
     }
 }
 
-/* Nothing, or what C, Fortran and Windows print where a result is not finite: nan, -nan(ind),
- * Infinity, 1.#INF. */
-static bool is_missing(const char *cell)
-{
-    const char *word = cell + (*cell == '-' || *cell == '+');
-    const bool nan = strncasecmp(word, "nan", 3) == 0 && (!word[3] || word[3] == '(');
-    return !*cell || nan || strcasecmp(word, "na") == 0 || strcasecmp(word, "inf") == 0 ||
-           strcasecmp(word, "infinity") == 0 || strncmp(word, "1.#", 3) == 0;
-}
-
 /* False: neither a number nor a missing one. Fortran writes double precision as 4.85D-05. */
 static bool number_of(const Reader *reader, char *cell, double *value)
 {
     *value = NAN;
-    if (is_missing(cell))
+    /* Nothing, or what C, Fortran and Windows print where a result is not finite: nan, -nan(ind),
+     * Infinity, 1.#INF. */
+    const char *word = cell + (*cell == '-' || *cell == '+');
+    const bool nan = strncasecmp(word, "nan", 3) == 0 && (!word[3] || word[3] == '(');
+    if (!*cell || nan || strcasecmp(word, "na") == 0 || strcasecmp(word, "inf") == 0 ||
+        strcasecmp(word, "infinity") == 0 || strncmp(word, "1.#", 3) == 0)
         return true;
     char *comma = reader->decimal_comma && !strchr(cell, '.') ? strchr(cell, ',') : NULL;
     char *power = strpbrk(cell, "dD");
@@ -225,14 +220,6 @@ static void note_digits(OverlayColumn *column, const char *cell)
     column->places = places > column->places ? places : column->places;
 }
 
-/* Whether the reader knows what a cell that begins with a letter stands for. */
-static bool is_word(const Reader *reader, const char *column, const char *cell, double *value)
-{
-    const char first = cell[*cell == '-' || *cell == '+'];
-    return reader->word && ((first >= 'a' && first <= 'z') || (first >= 'A' && first <= 'Z')) &&
-           reader->word(column, cell, value, reader->context);
-}
-
 /* Takes the line that was cut; `cells` of them. */
 static bool take_row(Reader *reader, Overlay *overlay, int cells)
 {
@@ -247,7 +234,11 @@ static bool take_row(Reader *reader, Overlay *overlay, int cells)
     for (int i = 0; i < cells; i++) {
         OverlayColumn *column = &overlay->columns[i];
         double value;
-        if (is_word(reader, column->name, reader->cells[i], &value)) {
+        /* Whether the reader knows what a cell that begins with a letter stands for. */
+        const char *cell = reader->cells[i];
+        const char first = cell[*cell == '-' || *cell == '+'];
+        if (reader->word && ((first >= 'a' && first <= 'z') || (first >= 'A' && first <= 'Z')) &&
+            reader->word(column->name, cell, &value, reader->context)) {
             ;
         } else if (number_of(reader, reader->cells[i], &value)) {
             if (!isnan(value))

@@ -62,19 +62,6 @@ void changes_in_force(const Settings *settings, long step, Settings *out)
         settings_set(out, settings->changes[i].to.key, settings->changes[i].to.value, NULL);
 }
 
-bool changes_same(const Settings *a, const Settings *b)
-{
-    if (a->n_changes != b->n_changes)
-        return false;
-    for (int i = 0; i < a->n_changes; i++) {
-        const Change *one = &a->changes[i], *other = &b->changes[i];
-        if (one->step != other->step || strcmp(one->to.key, other->to.key) != 0 ||
-            strcmp(one->to.value, other->to.value) != 0)
-            return false;
-    }
-    return true;
-}
-
 bool changes_add(Settings *settings, long step, const char *key, const char *value, Status *status)
 {
     ASSERT_INT(step, >=, 0);

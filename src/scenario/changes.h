@@ -22,14 +22,14 @@ bool changes_advice(const Settings *, char *advice, size_t size, Status *);
  * the simulation is marked as failed. */
 bool changes_apply(const Settings *, Simulation *, Status *);
 
+/* Whether two settings have the same changes. */
+bool settings_changes_same(const Settings *, const Settings *);
+
 /* The next step later than this one at which something changes; LONG_MAX: none. */
 long changes_next(const Settings *, long step);
 
 /* The settings in force at a step: the values from the start and the changes up to and with this step. */
 void changes_in_force(const Settings *, long step, Settings *out);
-
-/* Whether two settings have the same changes. */
-bool changes_same(const Settings *, const Settings *);
 
 /* Adds a change, in the place of one of the same key and step; those of later steps are forgotten. False: the
  * whole makes no sense with it, and these settings are of no use. */

@@ -8,8 +8,10 @@
 
 #include "problems/problem.h"
 #include "scenario/rows/rows.h"
+#include "scenario/assignment.h"
 
 #include <stddef.h>
+#include <stdbool.h>
 
 typedef enum ParameterType {
     PARAMETER_REAL,
@@ -262,5 +264,13 @@ void settings_name_change(const Settings *from, const Settings *to, char *out, s
 
 /* A value as a title or legend spells it: "USL", "hat", "0.5". */
 void settings_spell(const Settings *, const Parameter *, char out[LIST_MAX]);
+
+/* Two sets of settings as against what somebody was to change; how they compare as a whole is in
+ * parameters.h. */
+
+/* Whether they differ in anything but the keys that are allowed; then `key` is the first of it. A key of a
+ * row allows all rows. What a run writes does not count. */
+bool settings_differ_beyond(const Settings *a, const Settings *b, const char (*allowed)[KEY_MAX],
+                            int n_allowed, char key[KEY_MAX]);
 
 #endif

@@ -1,10 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What no single value shows: does the whole make sense? Every refusal names the key to be changed. */
 #include "scenario/parameters.h"
+#include "scenario/changes.h"
 #include "scenario/concern_output.h"
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "problems/problem.h"
+#include "base/text.h"
+#include "scenario/settings_values.h"
+#include "scenario/rows/rows.h"
+
+#include <ctype.h>
+#include <stdio.h>
+#include <string.h>
 
 /* --- question, duel, changes ---------------------------------------------------------------------- */
 
@@ -17,27 +25,6 @@ static bool check_question(const Settings *settings, Status *status)
         return status_refuse(
             status, "question.key: %s cannot be toggled (a key of problem %s that has choices, or a size)",
             settings->question, settings->problem->word);
-    return true;
-}
-
-/* The settings of the other run must be as sound as those of the first. */
-static bool check_duel(const Settings *settings, Status *status)
-{
-    Settings other = *settings;
-    other.n_duel = other.n_changes = 0;
-    if (!settings_set_method(&other, settings->duel, settings->n_duel, status))
-        return status_prefix(status, "duel");
-    for (int i = 0; i < settings->n_duel; i++) {
-        const Parameter *parameter = parameter_find(settings->duel[i].key);
-        /* a file whose method was set from outside may speak of the other one */
-        if (parameter && parameter_applies(parameter, other.problem) &&
-            !parameter_applies_to(&other, parameter))
-            continue;
-        if (!settings_set(&other, settings->duel[i].key, settings->duel[i].value, status))
-            return status_prefix(status, "duel");
-    }
-    if (settings->n_duel > 0 && !settings_check(&other, status))
-        return status_prefix(status, "duel");
     return true;
 }
 
@@ -118,6 +105,289 @@ bool settings_check(const Settings *settings, Status *status)
                              times[n_times - 1], settings_time(settings)->end);
     if (n_times > 0 && settings_output(settings)->frames > 0)
         return status_refuse(status, "output.at: output.frames is given too (one of them)");
-    return check_question(settings, status) && settings_check_asked(settings, status) &&
-           check_duel(settings, status) && check_changes(settings, status);
+    /* The settings of the other run must be as sound as those of the first. */
+    if (!(check_question(settings, status) && settings_check_asked(settings, status)))
+        return false;
+
+    Settings other = *settings;
+    other.n_duel = other.n_changes = 0;
+    if (!settings_set_method(&other, settings->duel, settings->n_duel, status))
+        return status_prefix(status, "duel");
+    for (int i = 0; i < settings->n_duel; i++) {
+        const Parameter *parameter = parameter_find(settings->duel[i].key);
+        /* a file whose method was set from outside may speak of the other one */
+        if (parameter && parameter_applies(parameter, other.problem) &&
+            !parameter_applies_to(&other, parameter))
+            continue;
+        if (!settings_set(&other, settings->duel[i].key, settings->duel[i].value, status))
+            return status_prefix(status, "duel");
+    }
+    if (settings->n_duel > 0 && !settings_check(&other, status))
+        return status_prefix(status, "duel");
+    return check_changes(settings, status);
+}
+
+/* What a scenario asks about: the key of its question, and those of its screen. */
+
+const Parameter *settings_question(const Settings *settings)
+{
+    const Parameter *asked = parameter_find(settings->question);
+    if (!asked || !parameter_applies_to(settings, asked)) /* or it asks about the bar's other method */
+        asked = parameter_find(settings->method == METHOD_MPM ? "mpm.algorithm" : "pd.surface_correction");
+    return asked && parameter_applies_to(settings, asked) ? asked : NULL;
+}
+
+/* What is tried first where a scenario names nothing: the question, then of these what there is. */
+static const char *const usually_asked[] = {
+    "mesh.cell_size", "mesh.particles_per_cell", "time.courant", "pd.spacing", "pd.horizon", "load.stress",
+    "time.step"};
+
+int settings_asked(const Settings *settings, Asked out[ASKED_MAX])
+{
+    const char *list = settings_view(settings)->ask;
+    char key[KEY_MAX];
+    int n = 0;
+    while (n < ASKED_MAX && text_next_item(&list, key, sizeof key)) {
+        Asked *next = &out[n];
+        *next = (Asked){.parameter = parameter_find(key)};
+        if (next->parameter)
+            n += parameter_applies_to(settings, next->parameter);
+        else if (settings_row_is_key(settings, key) && settings_row_asked(settings, key, &next->place, NULL))
+            n += next->place.row >= 0;
+    }
+    const Parameter *question = settings_question(settings);
+    if (n == 0 && question)
+        out[n++] = (Asked){.parameter = question};
+    for (size_t i = 0;
+         !*settings_view(settings)->ask && n < ASKED_MAX && i < sizeof usually_asked / sizeof *usually_asked;
+         i++) {
+        const Parameter *parameter = parameter_find(usually_asked[i]);
+        if (parameter && parameter != question && parameter_applies_to(settings, parameter))
+            out[n++] = (Asked){.parameter = parameter};
+    }
+    return n;
+}
+
+bool settings_check_asked(const Settings *settings, Status *status)
+{
+    const char *list = settings_view(settings)->ask;
+    char key[KEY_MAX];
+    for (int n = 0; text_next_item(&list, key, sizeof key); n++) {
+        const Parameter *parameter = parameter_find(key);
+        RowPlace place;
+        if (!parameter && settings_row_is_key(settings, key)) {
+            if (!settings_row_asked(settings, key, &place, status))
+                return false;
+        } else if (!parameter || !parameter_applies(parameter, settings->problem))
+            return status_refuse(status,
+                                 "screen.ask: %s is no parameter of problem %s (see: matvib params %s)", key,
+                                 settings->problem->word, settings->problem->word);
+        if (n == ASKED_MAX)
+            return status_refuse(status, "screen.ask: names too many (at most %d)", ASKED_MAX);
+    }
+    return true;
+}
+
+/* Which key is meant by its end or by the words beside its field on screen. */
+
+/* How a key may be called; each in turn, the first by which there is one. */
+typedef enum Call { CALL_WHOLE, CALL_NAME, CALL_END, CALL_LABEL, CALLS } Call;
+
+/* Whether the word ends the key, behind a mark. */
+static bool ends_with(const char *key, const char *word, const char *marks)
+{
+    const size_t length = strlen(key), end = strlen(word);
+    return length > end && end > 0 && strchr(marks, key[length - end - 1]) &&
+           strcmp(key + length - end, word) == 0;
+}
+
+static bool is_called(const char *key, const char *label, const char *words, Call call)
+{
+    switch (call) {
+    case CALL_WHOLE:
+        return strcmp(key, words) == 0;
+    case CALL_NAME:
+        return ends_with(key, words, ".");
+    case CALL_END:
+        return ends_with(key, words, "_");
+    case CALL_LABEL:
+    case CALLS:
+        break;
+    }
+    /* "CELL SIZE" is "cell size". */
+    const char *a = label;
+    const char *b = words;
+    if (!label)
+        return false;
+
+    while (*a && tolower((unsigned char)*a) == tolower((unsigned char)*b))
+        a++, b++;
+    return !*a && !*b;
+}
+
+bool settings_resolve_key(const Settings *settings, const char *words, char key[KEY_MAX], Status *status)
+{
+    const char *found = NULL;
+    char list[120] = "";
+    int count = 0;
+    for (Call call = CALL_WHOLE; call < CALLS && count == 0; call++) {
+        for (int i = 0; i < n_parameters; i++)
+            if (parameter_applies_to(settings, &parameters[i]) &&
+                is_called(parameters[i].key, parameters[i].label, words, call)) {
+                found = parameters[i].key;
+                text_list_add(list, sizeof list, found);
+                count++;
+            }
+        for (int i = 0; i < n_text_keys; i++)
+            if (is_called(text_keys[i].key, NULL, words, call)) {
+                found = text_keys[i].key;
+                text_list_add(list, sizeof list, found);
+                count++;
+            }
+    }
+    if (count > 1)
+        return status_refuse(status, "%s: which one? (%s)", words, list);
+    /* what is none stays as it was typed, for the function that refuses it */
+    snprintf(key, KEY_MAX, "%s", found ? found : words);
+    return true;
+}
+
+/* What one set of settings is as against another. */
+
+/* What a run writes does not make it another run; of critical stretch and critical energy only the given one
+ * counts.
+ */
+static bool matters(const Settings *a, const Settings *b, const Parameter *parameter)
+{
+    if (parameter->output || !parameter_applies_to(a, parameter) || !parameter_applies_to(b, parameter))
+        return false;
+    bool by_energy = settings_bonds(a)->energy_given && settings_bonds(b)->energy_given;
+    if (parameter->offset == VALUE_OFFSET(bonds.critical_energy))
+        return by_energy;
+    return parameter->offset != VALUE_OFFSET(bonds.critical_stretch) || !by_energy;
+}
+
+static bool differ_in(const Settings *a, const Settings *b, const Parameter *parameter)
+{
+    char from[LIST_MAX], to[LIST_MAX];
+    if (!matters(a, b, parameter))
+        return false;
+    settings_get(a, parameter, from);
+    settings_get(b, parameter, to);
+    return strcmp(from, to) != 0;
+}
+
+bool settings_changes_same(const Settings *a, const Settings *b)
+{
+    if (a->n_changes != b->n_changes)
+        return false;
+    for (int i = 0; i < a->n_changes; i++) {
+        const Change *one = &a->changes[i], *other = &b->changes[i];
+        if (one->step != other->step || strcmp(one->to.key, other->to.key) != 0 ||
+            strcmp(one->to.value, other->to.value) != 0)
+            return false;
+    }
+    return true;
+}
+
+bool settings_same(const Settings *a, const Settings *b)
+{
+    for (int i = 0; i < n_parameters; i++)
+        if (differ_in(a, b, &parameters[i]))
+            return false;
+    return a->problem == b->problem && settings_rows_same(a, b) && settings_changes_same(a, b);
+}
+
+bool settings_differ_beyond(const Settings *a, const Settings *b, const char (*allowed)[KEY_MAX],
+                            int n_allowed, char key[KEY_MAX])
+{
+    bool rows_may = false;
+    if (a->problem != b->problem)
+        return snprintf(key, KEY_MAX, "scenario.problem") > 0;
+    for (int i = 0; i < n_parameters; i++) {
+        bool may = !differ_in(a, b, &parameters[i]);
+        for (int k = 0; k < n_allowed && !may; k++)
+            may = strcmp(allowed[k], parameters[i].key) == 0;
+        if (!may)
+            return snprintf(key, KEY_MAX, "%s", parameters[i].key) > 0;
+    }
+    char about[64], in_a[ROW_TEXT_MAX], in_b[ROW_TEXT_MAX];
+    for (int k = 0; k < n_allowed; k++)
+        rows_may = rows_may || settings_row_is_key(a, allowed[k]);
+    return !rows_may && settings_rows_difference(a, b, 0, about, in_a, in_b) &&
+           snprintf(key, KEY_MAX, "%s", about) > 0;
+}
+
+/* Those whose values are known by themselves. */
+static bool is_name(const Parameter *parameter)
+{
+    static const char *const keys[] = {"mpm.algorithm", "mpm.shape", "mpm.transfer", "scenario.method"};
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
+        if (strcmp(parameter->key, keys[i]) == 0)
+            return true;
+    return false;
+}
+
+void settings_spell(const Settings *settings, const Parameter *parameter, char out[LIST_MAX])
+{
+    settings_show(settings, parameter, out);
+    if (is_name(parameter) && strcmp(parameter->key, "mpm.shape") != 0)
+        for (char *c = out; *c; c++)
+            *c = (char)toupper((unsigned char)*c);
+}
+
+void settings_name(const Settings *a, const Settings *b, char *out, size_t size)
+{
+    *out = '\0';
+    if (a->problem != b->problem) {
+        text_list_add(out, size, a->problem->word);
+        return;
+    }
+    bool room = true;
+    for (int i = 0; i < n_parameters && room; i++) {
+        char value[LIST_MAX], item[LIST_MAX + 64];
+        if (!differ_in(a, b, &parameters[i]))
+            continue;
+        settings_spell(a, &parameters[i], value);
+        snprintf(item, sizeof item, "%s%s%s", is_name(&parameters[i]) ? "" : parameters[i].label,
+                 is_name(&parameters[i]) ? "" : " ", *value ? value : "none");
+        room = text_list_add(out, size, item);
+    }
+    char about[64], in_a[ROW_TEXT_MAX], in_b[ROW_TEXT_MAX];
+    for (int i = 0; room && settings_rows_difference(a, b, i, about, in_a, in_b); i++) {
+        char item[ROW_TEXT_MAX + 72];
+        snprintf(item, sizeof item, "%s %s", about, in_a);
+        room = text_list_add(out, size, item);
+    }
+    if (room && !settings_changes_same(a, b)) {
+        char item[48];
+        snprintf(item, sizeof item, a->n_changes == 0 ? "unchanged" : "%d changed in mid-run", a->n_changes);
+        text_list_add(out, size, item);
+    }
+    if (*out == '\0')
+        snprintf(out, size, "the same");
+}
+
+void settings_name_change(const Settings *from, const Settings *to, char *out, size_t size)
+{
+    *out = '\0';
+    bool room = from->problem == to->problem;
+    for (int i = 0; i < n_parameters && room; i++) {
+        char before[LIST_MAX], after[LIST_MAX], item[2 * LIST_MAX + 64];
+        if (!differ_in(from, to, &parameters[i]))
+            continue;
+        settings_spell(from, &parameters[i], before);
+        settings_spell(to, &parameters[i], after);
+        snprintf(item, sizeof item, "%s %s -> %s", parameters[i].label, *before ? before : "none",
+                 *after ? after : "none");
+        room = text_list_add(out, size, item);
+    }
+    char about[64], before[ROW_TEXT_MAX], after[ROW_TEXT_MAX];
+    for (int i = 0; room && settings_rows_difference(from, to, i, about, before, after); i++) {
+        char item[2 * ROW_TEXT_MAX + 72];
+        snprintf(item, sizeof item, "%s %s -> %s", about, before, after);
+        room = text_list_add(out, size, item);
+    }
+    if (*out == '\0')
+        snprintf(out, size, "a change in mid-run");
 }

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "terminal/terminal.h"
-#include "base/clock.h"
+#include "base/wait.h"
 
 #include "base/visible.h"
 #include "lab/laboratory.h"
-#include "lab/session/replay.h"
+#include "lab/session/session.h"
 #include "scenario/changes.h"
 #include "scenario/scenario.h"
 #include "scenario/settings.h"

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "terminal/terminal.h"
-#include "base/clock.h"
 
 #include "base/signals.h"
 #include "base/wait.h"

@@ -3,7 +3,7 @@
 #include "views/cell_terms.h"
 
 #include "base/math/functions.h"
-#include "base/spell.h"
+#include "base/text.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -105,7 +105,7 @@ void cell_terms_arrow(const CellTerms *terms, size_t link, PictureArrow *arrow)
         char words[32];
         strcpy(arrow->brief[f], cell_term_text(flow->terms[link], flow->writing).text);
         snprintf(arrow->text[f], sizeof arrow->text[f], "%s %.20s", flow->exchange->factors, arrow->brief[f]);
-        spell_ascii(flow->exchange->factors, words, sizeof words);
+        text_to_ascii(flow->exchange->factors, words, sizeof words);
         text_append(arrow->told, sizeof arrow->told, "%s %s = %.20s", f ? " and" : "", words,
                     arrow->brief[f]);
     }

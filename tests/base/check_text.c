@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Numbers survive the way through text; words are compared as a person would. */
-#include "base/spell.h"
 #include "base/text.h"
 #include "suite.h"
 
@@ -102,9 +101,9 @@ START_TEST(symbols_are_spelled)
     };
     for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++) {
         char out[80], little[8];
-        spell_ascii(pairs[i][0], out, sizeof out);
+        text_to_ascii(pairs[i][0], out, sizeof out);
         ck_assert_str_eq(out, pairs[i][1]);
-        spell_ascii(pairs[i][0], little, sizeof little); /* what does not fit is left out whole */
+        text_to_ascii(pairs[i][0], little, sizeof little); /* what does not fit is left out whole */
         ck_assert(strncmp(little, out, strlen(little)) == 0);
     }
 }

@@ -7,7 +7,7 @@
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "base/text.h"
-#include "cli/verify/verify_row.h"
+#include "cli/verify/verify.h"
 #include "export/export.h"
 #include "problems/problem.h"
 #include "run/lab_case.h"

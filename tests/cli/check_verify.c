@@ -2,8 +2,6 @@
 /* What verify says of a number in its two columns, and that it says so with its exit status. */
 #include "cli/verify/verify.h"
 #include "scenario/settings.h"
-#include "cli/verify/verify_quantity.h"
-#include "cli/verify/verify_runner.h"
 #include "suite.h"
 
 #include <math.h>

@@ -4,7 +4,7 @@
 
 #include "scenario/scenario.h"
 #include "lab/laboratory.h"
-#include "lab/writing.h"
+#include "lab/commands/exporting.h"
 #include "lab/opening.h"
 #include "terminal/keys.h"
 
@@ -43,7 +43,7 @@ static void nothing(void *context)
 static bool is_harmless(const Laboratory *lab, const Key *key)
 {
     return !(lab->screen.prompt->open && strcmp(key->name, "Enter") == 0 &&
-             (lab->prompting.answer == opening_answer || lab->prompting.answer == writing_answer ||
+             (lab->prompting.answer == opening_answer || lab->prompting.answer == exporting_scenario ||
               strpbrk(lab->screen.prompt->text, "/.") || strstr(lab->screen.prompt->question, "export")));
 }
 

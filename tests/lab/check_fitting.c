@@ -5,7 +5,6 @@
 #include "lab/tui_case.h"
 
 #include "scenario/parameters.h"
-#include "lab/session/replay.h"
 #include "lab/session/session.h"
 
 #include <math.h>

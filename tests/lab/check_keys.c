@@ -2,7 +2,7 @@
 /* Bytes become the keys that were meant, whatever terminal sent them, and nothing that was not meant. */
 #include "suite.h"
 #include "help/command.h"
-#include "lab/prompt/line_edit.h"
+#include "lab/prompt/prompt.h"
 #include "terminal/keys.h"
 
 #include <math.h>
@@ -397,7 +397,7 @@ static void expect_line(const char *keys, bool fresh, const char *text, int curs
     int at = 4;
     snprintf(list, sizeof list, "%s", keys);
     for (char *key = strtok(list, " "); key; key = strtok(NULL, " ")) {
-        line_edit_key(line, sizeof line, &at, key, fresh);
+        prompt_edit_line(line, sizeof line, &at, key, fresh);
         fresh = false;
     }
     ck_assert_str_eq(line, text);
@@ -426,9 +426,9 @@ START_TEST(named_keys_are_no_text)
 {
     char line[16] = "1";
     int at = 1;
-    ck_assert(!line_edit_key(line, sizeof line, &at, "F1", false));
-    ck_assert(!line_edit_key(line, sizeof line, &at, "M-x", false));
-    ck_assert(!line_edit_key(line, sizeof line, &at, "Up", false));
+    ck_assert(!prompt_edit_line(line, sizeof line, &at, "F1", false));
+    ck_assert(!prompt_edit_line(line, sizeof line, &at, "M-x", false));
+    ck_assert(!prompt_edit_line(line, sizeof line, &at, "Up", false));
     ck_assert_str_eq(line, "1");
 }
 END_TEST

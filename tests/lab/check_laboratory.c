@@ -7,7 +7,7 @@
 #include "views/view.h"
 #include "lab/refining.h"
 #include "lab/tui_case.h"
-#include "lab/prompt/line.h"
+#include "lab/prompt/prompt.h"
 #include "panes/screen.h"
 
 #include <dirent.h>

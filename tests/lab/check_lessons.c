@@ -5,7 +5,7 @@
 #include "lab/lesson_numbers.h"
 #include "scenario/settings.h"
 #include "lab/tui_case.h"
-#include "lab/prompt/line.h"
+#include "lab/prompt/prompt.h"
 #include "views/view.h"
 #include "panes/screen.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A force term added from outside, a spring that holds every particle to the ground: it acts, and the stage
  * box says so. Then what all stages say, held against what particles and nodes exchange. */
-#include "base/spell.h"
+#include "base/text.h"
 #include "methods/bar_case.h"
 #include "suite.h"
 
@@ -249,7 +249,7 @@ START_TEST(stages_say_what_is_exchanged)
                 ck_assert_msg(has_word(stage->writes, exchange->field, strlen(exchange->field)),
                               "%s writes %s, not %s", stage->id, stage->writes, exchange->field);
                 char words[64], *rest;
-                spell_ascii(exchange->factors, words, sizeof words);
+                text_to_ascii(exchange->factors, words, sizeof words);
                 for (char *word = strtok_r(words, " ", &rest); word; word = strtok_r(NULL, " ", &rest))
                     expect_factor(exchange, stage, word);
                 told++;

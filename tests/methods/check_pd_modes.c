@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The predicted period of the supported beam against an independent eigenvalue solver, and the factor behind.
  */
-#include "base/linear/cholesky.h"
+#include "base/linear.h"
 #include "methods/beam_case.h"
 #include "methods/default_defs.h"
 #include "methods/bonds/plane/bonds_modes.h"
@@ -20,7 +20,7 @@ START_TEST(band_is_solved)
 {
     enum { N = 41 };
     double rows[N * 3] = {0}, x[N] = {0};
-    CholeskyBand band = {N, 2, rows};
+    Cholesky band = {N, 2, rows};
     for (int i = 0; i < N; i++) {
         rows[3 * i] = 2;
         rows[3 * i + 1] = -1;
@@ -38,7 +38,7 @@ END_TEST
 START_TEST(singular_is_told)
 {
     double rows[] = {1, 0, 2, -1, 1, -1}; /* three masses on two springs: nothing holds them */
-    CholeskyBand band = {3, 1, rows};
+    Cholesky band = {3, 1, rows};
     ck_assert_int_eq(cholesky_factor(&band, &(Cancel){0}), CHOLESKY_SINGULAR);
 }
 END_TEST

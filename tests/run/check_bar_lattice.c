@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The lattice's prediction against the engine, and what counts eigenvalues against a dense solver. */
 #include "answers/bar_lattice.h"
-#include "base/linear/band.h"
+#include "base/linear.h"
 #include "suite.h"
 #include "theory/frequency.h"
 #include "theory/pd_waves.h"

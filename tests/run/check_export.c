@@ -9,7 +9,6 @@
 #include "scenario/settings.h"
 #include "export/csv.h"
 #include "export/export.h"
-#include "export/frames.h"
 #include "run/lab_case.h"
 #include "scenario/scenario.h"
 #include "suite.h"

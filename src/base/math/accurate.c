@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Elementary functions by numbers of 192 bits (accurate.h). Errors are below 2^-180 of the result where
+/* Elementary functions by numbers of 192 bits (double_double.h). Errors are below 2^-180 of the result where
  * nothing else is said; series end when a term is below 2^-200 of the sum. */
-#include "base/math/accurate.h"
+#include "base/math/double_double.h"
 #include "base/assertion.h"
 
 #include <math.h>

@@ -6,7 +6,6 @@
  * double-doubles and the rest, below 2^-14, doubles: their rounding is 2^-67 of the sum. */
 #include "base/math/functions.h"
 
-#include "base/math/accurate.h"
 #include "base/math/double_double.h"
 
 #include <stdbool.h>

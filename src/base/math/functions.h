@@ -5,7 +5,7 @@
  *
  * All are correctly rounded to nearest, so that there is one answer, on every machine: a double-double gives
  * the result to 2^-58 of itself or better and is rounded where its error cannot matter; else, about once in a
- * thousand, accurate.h decides with 192 bits (A. Ziv, ACM Transactions on Mathematical Software 17, 1991).
+ * thousand, accurate.c decides with 192 bits (A. Ziv, ACM Transactions on Mathematical Software 17, 1991).
  * + - * / and sqrt(), which IEEE 754 rounds in one way, are all that is used; no fused operation, no
  * extended precision. The rounding mode is to nearest.
  *

@@ -3,7 +3,7 @@
  * threads of a pool take one combination after the other; every run has its row's place from the start, so
  * that neither the table nor what is told depends on how many run side by side. */
 #include "base/hash.h"
-#include "base/clock.h"
+#include "base/wait.h"
 #include "base/input.h"
 #include "scenario/settings.h"
 #include "base/output.h"
@@ -11,10 +11,9 @@
 #include "base/visible.h"
 #include "cli/cli.h"
 #include "cli/options.h"
-#include "cli/progress.h"
+#include "cli/common.h"
 #include "cli/sweep/sweep_plan.h"
 #include "methods/pool.h"
-#include "cli/sweep/sweep_result.h"
 #include "scenario/rows/rows.h"
 #include "export/csv.h"
 

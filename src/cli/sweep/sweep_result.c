@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The columns of the result of a sweep: name, unit and meaning of each, and the numbers of a finished run.
  * A column is a bar's (frequency), a beam's (period) or of cracks. */
-#include "cli/sweep/sweep_result.h"
+#include "cli/sweep/sweep_plan.h"
 
 #include "scenario/concern_bonds.h"
 #include "scenario/settings.h"
@@ -116,9 +116,17 @@ static void put_readout(const RunSummary *summary, double cells[RESULT_COLUMNS])
     cells[RESULT_PERIOD_ERROR_EULER] = percent(cells[RESULT_PERIOD_MEASURED], cells[RESULT_PERIOD_EULER]);
 }
 
-/* The notched beam has one crack, a plate any number. */
-static void put_cracks(const RunSummary *summary, double cells[RESULT_COLUMNS])
+void sweep_result_of(const RunSummary *summary, const Settings *settings, double wall, SweepResult *result)
 {
+    double *cells = result->cells;
+    for (int i = 0; i < RESULT_COLUMNS; i++)
+        cells[i] = NAN;
+    put_readout(summary, cells);
+    cells[RESULT_REAL_HEIGHT] = derived_value(summary, "real_height");
+    cells[RESULT_REAL_SPAN] = derived_value(summary, "real_span");
+    if (settings->problem->concerns & CONCERN_BREAKING && settings_bonds(settings)->critical_stretch > 0)
+        cells[RESULT_BROKEN_BONDS] = summary->broken_bonds;
+    /* The notched beam has one crack, a plate any number. */
     const FrontsFacts *fronts = &summary->fronts;
     if (summary->crack_known) {
         cells[RESULT_FIRST_BREAK] = summary->crack.measured.first_break;
@@ -139,19 +147,6 @@ static void put_cracks(const RunSummary *summary, double cells[RESULT_COLUMNS])
     }
     if (summary->price_known)
         cells[RESULT_CRACK_COST] = summary->price.cost.total / summary->price.cost.area;
-}
-
-void sweep_result_of(const RunSummary *summary, const Settings *settings, double wall, SweepResult *result)
-{
-    double *cells = result->cells;
-    for (int i = 0; i < RESULT_COLUMNS; i++)
-        cells[i] = NAN;
-    put_readout(summary, cells);
-    cells[RESULT_REAL_HEIGHT] = derived_value(summary, "real_height");
-    cells[RESULT_REAL_SPAN] = derived_value(summary, "real_span");
-    if (settings->problem->concerns & CONCERN_BREAKING && settings_bonds(settings)->critical_stretch > 0)
-        cells[RESULT_BROKEN_BONDS] = summary->broken_bonds;
-    put_cracks(summary, cells);
     cells[RESULT_CRACK_LENGTH] = summary->crack_length;
     if (summary->energy_measure != ENERGY_NOT_KNOWN && !summary->energy_of_work)
         cells[RESULT_ENERGY_LEFT] = 1 + summary->energy_change / 100;

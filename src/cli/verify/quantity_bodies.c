@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a verification reads from bodies that begin with a velocity field which no scenario has. */
-#include "cli/verify/verify_quantity.h"
+#include "cli/verify/verify.h"
 
 #include "base/math/functions.h"
 #include "methods/mpm/bodies.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a verification reads from a run: see verify_quantity.h. Times are those of rows. */
-#include "cli/verify/verify_quantity.h"
+/* What a verification reads from a run: see verify.h. Times are those of rows. */
+#include "cli/verify/verify.h"
 
 #include "base/math/functions.h"
 #include "scenario/concern_cells.h"
@@ -224,26 +224,22 @@ static int by_size(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-static void try_starts(VerifyRun *run, const VerifyRow *row)
-{
-    for (int i = 0; i < VERIFY_STARTS; i++) {
-        const double off = 0.01 * (2.0 * i / (VERIFY_STARTS - 1) - 1);
-        char scenario[256];
-        VerifyRun other;
-        snprintf(scenario, sizeof scenario, "%s initial.velocity=%.17g", run->scenario,
-                 settings_start(&run->settings)->velocity * (1 + off));
-        if (verify_run_open(&other, scenario, run->threads, run->settings.cancel))
-            run->starts[run->n_starts++] = quantity_energy_left(&other, row);
-        verify_run_close(&other);
-    }
-    qsort(run->starts, (size_t)run->n_starts, sizeof *run->starts, by_size);
-    run->starts_known = true;
-}
-
 double quantity_energy_left_of_starts(VerifyRun *run, const VerifyRow *row)
 {
-    if (!run->starts_known)
-        try_starts(run, row);
+    if (!run->starts_known) {
+        for (int i = 0; i < VERIFY_STARTS; i++) {
+            const double off = 0.01 * (2.0 * i / (VERIFY_STARTS - 1) - 1);
+            char scenario[256];
+            VerifyRun other;
+            snprintf(scenario, sizeof scenario, "%s initial.velocity=%.17g", run->scenario,
+                     settings_start(&run->settings)->velocity * (1 + off));
+            if (verify_run_open(&other, scenario, run->threads, run->settings.cancel))
+                run->starts[run->n_starts++] = quantity_energy_left(&other, row);
+            verify_run_close(&other);
+        }
+        qsort(run->starts, (size_t)run->n_starts, sizeof *run->starts, by_size);
+        run->starts_known = true;
+    }
     return run->n_starts > VERIFY_STARTS / 2 ? run->starts[(int)(row->part * (run->n_starts - 1))] : NAN;
 }
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Verdicts on a number. */
-#include "cli/verify/verify_row.h"
+#include "cli/verify/verify.h"
 #include "scenario/concern_output.h"
 #include "base/cancel.h"
 #include "scenario/parameters.h"
@@ -107,24 +107,6 @@ static bool fill_row(void *owner, Run *passing, long step, const double *row, St
     return true;
 }
 
-/* Its rows, one for each `every`-th step up to its end, which may come before that of its time. */
-static bool fill_rows(VerifyRun *run, Status *status)
-{
-    const long every = settings_output(&run->settings)->every;
-    const Sink sink = {.every = references_memory(run->refs) ? 1 : every, .row = fill_row, .owner = run};
-    run->count = (size_t)(run->passing.last / every) + 1;
-    run->passing.last = (long)(run->count - 1) * every;
-    run->spacing = (double)every * run->passing.sim->dt;
-    run->rows = calloc(run->count * (size_t)run->n_columns, sizeof *run->rows);
-    if (!run->rows)
-        return status_fail(status, "not enough memory for the rows of a run");
-    references_reset(run->refs);
-    if (!run_start(&run->passing, &sink, status) || !run_to_end(&run->passing, &sink, status))
-        return false;
-    run->count = (size_t)(run->passing.last / every) + 1;
-    return true;
-}
-
 bool verify_run_open(VerifyRun *run, const char *scenario, int threads, Cancel cancel)
 {
     Status *status = &run->failure;
@@ -138,8 +120,19 @@ bool verify_run_open(VerifyRun *run, const char *scenario, int threads, Cancel c
     if (!run->refs)
         return false;
     run->n_columns = references_columns(run->refs, run->columns);
-    if (!fill_rows(run, status))
+    /* Its rows, one for each `every`-th step up to its end, which may come before that of its time. */
+    const long every = settings_output(&run->settings)->every;
+    const Sink sink = {.every = references_memory(run->refs) ? 1 : every, .row = fill_row, .owner = run};
+    run->count = (size_t)(run->passing.last / every) + 1;
+    run->passing.last = (long)(run->count - 1) * every;
+    run->spacing = (double)every * run->passing.sim->dt;
+    run->rows = calloc(run->count * (size_t)run->n_columns, sizeof *run->rows);
+    if (!run->rows)
+        return status_fail(status, "not enough memory for the rows of a run");
+    references_reset(run->refs);
+    if (!run_start(&run->passing, &sink, status) || !run_to_end(&run->passing, &sink, status))
         return false;
+    run->count = (size_t)(run->passing.last / every) + 1;
     references_readout(run->refs, run->rows, run->count, run->n_columns, &run->readout);
     if (run->readout.no_memory)
         return status_fail(status, "%s: %s", scenario, run->readout.unmeasured);

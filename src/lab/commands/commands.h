@@ -20,6 +20,8 @@ extern const int n_command_functions;
 #define COMMAND_BY(id, function, by, ...) void function(Laboratory *, int);
 #define DIGIT(n)
 #include "help/command_rows.inc"
+
+#include <stdbool.h>
 #undef COMMAND
 #undef DIGIT
 
@@ -43,11 +45,19 @@ void command_show_digit(Laboratory *, int digit); /* the view that has this key 
 
 void command_show_sheet(Laboratory *, Sheet); /* kept from start to start, but beside a lesson */
 
-/* map_commands.c: the map of a beam. */
+/* The map of a beam. */
 void command_map_whole(Screen *); /* ends it */
 void command_map_magnify(Screen *, int direction);
 void command_map_pan(Screen *, int x, int y);
 bool command_map_is_focused(const Screen *);
 void command_map_enlarge(Laboratory *, int direction); /* displacements; 0: automatic */
+
+/* A second run beside the first. */
+
+void command_second_open(Laboratory *); /* of a scenario that has keys for one */
+
+/* Begins with the scenario's keys, or ends; asks where there are no keys. */
+void command_second_toggle(Laboratory *);
+bool command_second_answer(Laboratory *, const char *words); /* "KEY=VALUE ..." */
 
 #endif

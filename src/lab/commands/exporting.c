@@ -3,10 +3,14 @@
 #include "lab/laboratory.h"
 #include "scenario/concern_output.h"
 #include "export/export.h"
-#include "lab/writing.h"
+#include "lab/commands/exporting.h"
 #include "base/text.h"
 #include "picture/paper/figure_file.h"
 #include "views/view.h"
+#include "scenario/concern_time.h"
+#include "scenario/settings.h"
+#include "base/output.h"
+#include "scenario/scenario.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -133,7 +137,7 @@ static void write_export(Laboratory *lab, bool force)
 {
     char paths[EXPORTS][PATH_BYTES];
     RunSummary first, second = {0};
-    if (!writing_allowed(lab, lab->exporting.name))
+    if (!exporting_allowed(lab, lab->exporting.name))
         return;
     const bool both = steps_of(lab, 1) > 0;
     if (!write_run(lab, 0, force, &first) || (both && !write_run(lab, 1, force, &second)))
@@ -177,7 +181,7 @@ static bool export_named(Laboratory *lab, const char *text)
     snprintf(name, sizeof name, "%.*s", (int)length, text); /* the text may be the name already */
     memcpy(lab->exporting.name, name, sizeof name);
     file_names(&lab->player.duel, 0, name, paths);
-    if (!writing_name_fits(lab, paths[0]))
+    if (!exporting_name_fits(lab, paths[0]))
         return false;
     find_existing(&lab->player.duel, lab->exporting.name, found);
     if (found[0])
@@ -303,7 +307,7 @@ static bool write_figure(Laboratory *lab, bool force)
     const View *view = lab->exporting.view;
     Status status = {STATUS_DONE, ""};
     Figure figure;
-    if (!writing_allowed(lab, lab->exporting.name))
+    if (!exporting_allowed(lab, lab->exporting.name))
         return true;
     if (!laboratory_work(lab, "drawing %s", lab->exporting.name)) { /* a large map takes a moment */
         laboratory_say(lab, MESSAGE_INFO, "cancelled");
@@ -358,7 +362,7 @@ bool exporting_figure(Laboratory *lab, const char *words)
         return prompt_refuse(&lab->prompting, "a file is wanted: FILE.svg, FILE.pdf or FILE.png");
     if (!figure_allowed(file, &status))
         return prompt_refuse(&lab->prompting, status.text);
-    if (!writing_name_fits(lab, file))
+    if (!exporting_name_fits(lab, file))
         return false;
     if (view_missing(view, screen))
         return prompt_refuse(&lab->prompting, view_missing(view, screen));
@@ -376,4 +380,78 @@ bool exporting_figure(Laboratory *lab, const char *words)
         return write_figure(lab, false);
     prompt_ask_replace(&lab->prompting, answer_replace_figure, name);
     return true;
+}
+
+/* Writing the scenario as a file, and what every answer that names a file is asked first. */
+
+bool exporting_allowed(Laboratory *lab, const char *name)
+{
+    Status status = {STATUS_DONE, ""};
+    if (output_allowed(lab->asker, name, &status))
+        return true;
+    laboratory_say(lab, MESSAGE_INFO, "%s", status.text);
+    return false;
+}
+
+bool exporting_name_fits(Laboratory *lab, const char *name)
+{
+    Status status = {STATUS_DONE, ""};
+    return output_may_begin(name, lab->asker, true, &status) || prompt_refuse(&lab->prompting, status.text);
+}
+
+/* The scenario as it was opened and edited, to its own end; not only what has been computed of it. */
+static bool write_scenario(Laboratory *lab, const char *name)
+{
+    const Experiment *experiment = laboratory_run(lab);
+    Status status = {STATUS_DONE, ""};
+    Settings settings;
+    experiment_scenario(experiment, true, &settings);
+    settings_edit_time(&settings)->end = settings_time(experiment_settings(experiment))->end;
+    settings_edit_time(&settings)->step = settings_time(experiment_settings(experiment))->step;
+    if (lab->player.duel.b) { /* opens as what is on screen */
+        memcpy(settings.duel, lab->player.duel.keys, sizeof settings.duel);
+        settings.n_duel = lab->player.duel.n_keys;
+    }
+    OutputFile file = {0};
+    if (!exporting_allowed(lab, name))
+        return true;
+    const bool sound = output_open(&file, lab->asker, name, true, &status) &&
+                       scenario_write(file.stream, &settings, NULL, &status);
+    if (!output_end(&file, sound, &status))
+        laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
+    else {
+        char word[sizeof lab->message.text] = "";
+        text_append_shell(word, sizeof word, name);
+        laboratory_say(lab, MESSAGE_INFO, "wrote %s; open it with: matvib %s", name, word);
+    }
+    return true;
+}
+
+static bool answer_replace_scenario(Laboratory *lab, const char *text)
+{
+    (void)text;
+    return write_scenario(lab, lab->exporting.name);
+}
+
+bool exporting_scenario(Laboratory *lab, const char *text)
+{
+    if (!text[0] || output_is_standard(text))
+        return prompt_refuse(&lab->prompting, "a file name is wanted");
+    if (!exporting_name_fits(lab, text))
+        return false;
+    if (access(text, F_OK) != 0 || output_is_direct(text))
+        return write_scenario(lab, text);
+    snprintf(lab->exporting.name, sizeof lab->exporting.name, "%s", text);
+    prompt_ask_replace(&lab->prompting, answer_replace_scenario, text);
+    return true;
+}
+
+static const Typing file_typing = {.offer = complete_files, .retyped = true};
+
+void exporting_scenario_ask(Laboratory *lab)
+{
+    char name[NAME_MAX_BYTES];
+    snprintf(name, sizeof name, "%.200s%s", lab->scenario, strchr(lab->scenario, '.') ? "" : ".ini");
+    prompt_ask(&lab->prompting, exporting_scenario, false, name, "write scenario to");
+    lab->prompting.typing = &file_typing;
 }

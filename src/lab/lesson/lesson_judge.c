@@ -5,7 +5,7 @@
 #include "export/export.h"
 #include "scenario/settings.h"
 #include "answers/summary.h"
-#include "scenario/settings_compare.h"
+#include "scenario/parameters.h"
 #include "lab/laboratory.h"
 
 #include <math.h>

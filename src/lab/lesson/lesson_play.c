@@ -2,8 +2,8 @@
 /* Lessons: pages beside the run, and what the laboratory does when one is opened. */
 #include "lab/laboratory.h"
 #include "panes/panes.h"
-#include "lab/prompt/line.h"
-#include "lab/lesson/lesson_progress.h"
+#include "lab/prompt/prompt.h"
+#include "lab/session/state_file.h"
 #include "panes/screen.h"
 #include "base/text.h"
 
@@ -138,7 +138,7 @@ void lesson_play_close(Laboratory *lab)
     /* of a laboratory that was not opened whole there is no run */
     const Parameter *chosen = laboratory_run(lab) ? edit_selected(&lab->screen) : NULL;
     if (lab->play.name[0])
-        lesson_progress_write(lab->play.asker, lab->play.shown.reached);
+        state_file_write_lessons(lab->play.asker, lab->play.shown.reached);
     if (lab->play.name[0] && lab->options.sheet)
         lab->screen.panes.sheet = (Sheet)lab->play.before;
     forget_lesson(lab);

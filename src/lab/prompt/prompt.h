@@ -7,6 +7,9 @@
 #include "terminal/keys.h"
 #include "panes/entry.h"
 
+#include <stdbool.h>
+#include <stddef.h>
+
 typedef struct Laboratory Laboratory;
 
 enum { LINE_HISTORY_MAX = 32 };
@@ -62,5 +65,18 @@ void complete_line(Completion *, const Laboratory *);
 void complete_assignments(Completion *, const Laboratory *); /* KEY=VALUE ... */
 void complete_scenarios(Completion *, const Laboratory *);
 void complete_files(Completion *, const Laboratory *);
+
+/* Editing one line of UTF-8 text; shared by fields and prompts. */
+
+/* Applies a key to a text of at most size - 1 bytes; the cursor counts characters. `fresh`: the first
+ * printing character replaces the whole text. False: not a key of an editor. */
+bool prompt_edit_line(char *text, size_t size, int *cursor, const char *key, bool fresh);
+
+/* The command line behind `:`: commands by name, KEY=VALUE, a time, and verbs that take arguments. */
+
+void line_ask(Laboratory *);
+
+/* Does what a line says, without remembering it. False: screen.prompt->problem says why not. */
+bool line_run(Laboratory *, const char *line);
 
 #endif

@@ -2,12 +2,11 @@
 /* Does sessions again on a host without a screen, whose clock goes on with the steps that are done and not
  * with the machine's, and notes what becomes of the exercises (grading.h). */
 #include "lab/session/grading.h"
-#include "base/clock.h"
+#include "base/wait.h"
 
 #include "scenario/settings.h"
 #include "scenario/scenario.h"
 #include "lab/laboratory.h"
-#include "lab/session/replay.h"
 #include "lab/session/script.h"
 #include "lab/session/session.h"
 #include "picture/canvas.h"
@@ -339,25 +338,6 @@ static bool differs_from_neighbours(Grader *grader, const Grade *grade, double r
     return true;
 }
 
-static bool answer_number(Grader *grader, Grade *grade, Status *status)
-{
-    const Settings *settings = &grader->lab.play.run.entered;
-    const Exercise *exercise = grader->lab.play.lesson.pages[grade->page].exercise;
-    double right;
-    if (!number_of(grader, settings, &right, status))
-        return false;
-    if (!isfinite(right))
-        return status_fail(status, "page %d: what is right is not known of its run", grade->page + 1);
-    exercise_write_number(right, grade->mark.right_answer);
-    const RunSummary *end = run_of(grader, settings, status);
-    const double start = end ? exercise_at_start(exercise, &(ExpressionRun){settings, end}) : NAN;
-    if (exercise_accepts(exercise, right, 0))
-        return may_not_take(grade, 0, "which anybody may guess", status);
-    if (isfinite(start) && exercise_accepts(exercise, right, start))
-        return may_not_take(grade, start, "which it is at the start", status);
-    return differs_from_neighbours(grader, grade, right, status);
-}
-
 /* The run that the page shows is not what it asks for. */
 static bool is_open(Grader *grader, const Grade *grade, Status *status)
 {
@@ -377,8 +357,23 @@ static bool answer_page(Grader *grader, Grade *grade, Status *status)
     case EXERCISE_CHOICE:
         snprintf(grade->mark.right_answer, sizeof grade->mark.right_answer, "%s", page->choices[page->right]);
         return true;
-    case EXERCISE_NUMBER:
-        return answer_number(grader, grade, status);
+    case EXERCISE_NUMBER: {
+        const Settings *settings = &grader->lab.play.run.entered;
+        const Exercise *exercise = grader->lab.play.lesson.pages[grade->page].exercise;
+        double right;
+        if (!number_of(grader, settings, &right, status))
+            return false;
+        if (!isfinite(right))
+            return status_fail(status, "page %d: what is right is not known of its run", grade->page + 1);
+        exercise_write_number(right, grade->mark.right_answer);
+        const RunSummary *end = run_of(grader, settings, status);
+        const double start = end ? exercise_at_start(exercise, &(ExpressionRun){settings, end}) : NAN;
+        if (exercise_accepts(exercise, right, 0))
+            return may_not_take(grade, 0, "which anybody may guess", status);
+        if (isfinite(start) && exercise_accepts(exercise, right, start))
+            return may_not_take(grade, start, "which it is at the start", status);
+        return differs_from_neighbours(grader, grade, right, status);
+    }
     case EXERCISE_GOAL:
         return is_open(grader, grade, status) && solve(grader, page, grade, status);
     default:

@@ -5,7 +5,6 @@
 #include "base/output.h"
 #include "base/visible.h"
 #include "lab/laboratory.h"
-#include "lab/lesson/lesson_progress.h"
 #include "terminal/terminal.h"
 #include "lab/session/script.h"
 #include "lab/session/session.h"
@@ -99,7 +98,7 @@ int laboratory_main(const LaboratoryOptions *given, Status *status)
     int result = STATUS_DONE, reached[LESSONS_MAX] = {0};
     /* a script gives the same screens always; a homework is each student's own, from its first page on */
     if (!is_unattended(&options) && !(options.student && *options.student))
-        lesson_progress_read(reached);
+        state_file_read_lessons(reached);
     options.reached = reached;
     options.first_start = is_first_start(&options);
     options.keeps_sheet = !is_unattended(&options) && !options.plain;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Presses the keys of a session again, each at the step of the run at which it was pressed. */
-#include "lab/session/replay.h"
+#include "lab/session/session.h"
 
 #include "lab/laboratory.h"
 

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The script player: a table of instructions over a laboratory with a virtual clock. */
 #include "lab/session/script.h"
-#include "base/clock.h"
+#include "base/wait.h"
 
 #include "scenario/concern_time.h"
 #include "base/input.h"
 #include "base/text.h"
 #include "lab/laboratory.h"
-#include "lab/session/replay.h"
+#include "lab/session/session.h"
 #include "film/film.h"
 #include "terminal/grid.h"
 

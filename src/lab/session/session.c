@@ -188,26 +188,6 @@ static void write_event(FILE *file, uint64_t *check, const SessionEvent *event)
         fprintf(file, "check %016" PRIx64 "\n", *check);
 }
 
-static void write_head_lines(FILE *file, const Session *session)
-{
-    fprintf(file, "# matvib session: matvib --replay FILE does it again\nscenario %s\n%s", session->scenario,
-            session->paused ? "paused\n" : "");
-    if (session->first)
-        fputs("first\n", file);
-    if (session->sheet)
-        fprintf(file, "sheet %s\n", session->sheet);
-    if (*session->lesson)
-        fprintf(file, "lesson %s\n", session->lesson);
-    if (*session->student)
-        fprintf(file, "student %s\n", session->student);
-    if (*session->id)
-        fprintf(file, "id %s\n", session->id);
-    fprintf(file, "version %016" PRIx64 " %s\n", session->version, session->program);
-    for (int i = 0; i < LESSONS_MAX && builtin_lessons[i].name; i++)
-        if (session->reached[i] > 0)
-            fprintf(file, "reached %s %d\n", builtin_lessons[i].name, session->reached[i]);
-}
-
 /* Behind its own lines those of the scenario, each marked. */
 static bool write_head(FILE *file, uint64_t *check, const Session *session, Status *status)
 {
@@ -217,7 +197,22 @@ static bool write_head(FILE *file, uint64_t *check, const Session *session, Stat
     long own = 0;
     if (!memory)
         return no_memory(status);
-    write_head_lines(memory, session);
+    fprintf(memory, "# matvib session: matvib --replay FILE does it again\nscenario %s\n%s",
+            session->scenario, session->paused ? "paused\n" : "");
+    if (session->first)
+        fputs("first\n", memory);
+    if (session->sheet)
+        fprintf(memory, "sheet %s\n", session->sheet);
+    if (*session->lesson)
+        fprintf(memory, "lesson %s\n", session->lesson);
+    if (*session->student)
+        fprintf(memory, "student %s\n", session->student);
+    if (*session->id)
+        fprintf(memory, "id %s\n", session->id);
+    fprintf(memory, "version %016" PRIx64 " %s\n", session->version, session->program);
+    for (int i = 0; i < LESSONS_MAX && builtin_lessons[i].name; i++)
+        if (session->reached[i] > 0)
+            fprintf(memory, "reached %s %d\n", builtin_lessons[i].name, session->reached[i]);
     own = ftell(memory);
     bool sound = scenario_write(memory, &session->settings, NULL, status);
     if (!text_stream_close(memory, &text) && sound)

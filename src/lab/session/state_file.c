@@ -7,6 +7,8 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <errno.h>
+#include <string.h>
 
 const char state_file_sheet[] = "sheet";
 
@@ -45,6 +47,51 @@ void state_file_put(Asker asker, const char *name, const char *word)
         output_make_own_folders(asker, path);
     if (path && output_open_own(&file, asker, path, &ignored)) {
         fprintf(file.stream, "%s\n", word);
+        output_end(&file, true, &ignored);
+    }
+    free(path);
+}
+
+/* Reads and writes how far one has come; lines that are no page of a lesson are skipped. */
+
+static const char *const progress_file = "lessons";
+
+bool state_file_read_lessons(int reached[LESSONS_MAX])
+{
+    char *path = state_file(progress_file), line[128];
+    FILE *file = path ? input_open(path, 1000000, NULL) : NULL;
+    bool known = file || (path && errno == ENOENT);
+    InputLines lines = {.stream = file, .name = path};
+    InputGot got = INPUT_END;
+    while (file && (got = input_line(&lines, line, sizeof line, NULL)) == INPUT_LINE) {
+        char *space = strchr(line, ' ');
+        long page;
+        if (!space || !text_to_long(space, &page) || page > LESSON_PAGES_MAX)
+            continue;
+        *space = '\0';
+        for (int i = 0; i < LESSONS_MAX && builtin_lessons[i].name; i++)
+            if (strcmp(builtin_lessons[i].name, line) == 0 && page > reached[i])
+                reached[i] = (int)page;
+    }
+    if (file)
+        fclose(file);
+    free(path);
+    return known && got == INPUT_END;
+}
+
+void state_file_write_lessons(Asker asker, const int shown[LESSONS_MAX])
+{
+    Status ignored = {0};
+    OutputFile file = {0};
+    int reached[LESSONS_MAX];
+    memcpy(reached, shown, sizeof reached);
+    char *path = state_file_read_lessons(reached) ? state_file(progress_file) : NULL;
+    if (path)
+        output_make_own_folders(asker, path);
+    if (path && output_open_own(&file, asker, path, &ignored)) {
+        for (int i = 0; i < LESSONS_MAX && builtin_lessons[i].name; i++)
+            if (reached[i] > 0)
+                fprintf(file.stream, "%s %d\n", builtin_lessons[i].name, reached[i]);
         output_end(&file, true, &ignored);
     }
     free(path);

@@ -4,6 +4,7 @@
 #define LAB_SESSION_STATE_FILE_H
 
 #include "base/output.h"
+#include "lessons/lesson_shown.h"
 
 /* The path of such a file. NULL: there is no home, or no memory; else free() it. */
 char *state_file(const char *name);
@@ -14,5 +15,16 @@ const char *state_file_word(const char *name, const char *const words[]);
 void state_file_put(Asker, const char *name, const char *word);
 
 extern const char state_file_sheet[]; /* the sheet that is wanted: one of parameter_sheet_words */
+
+/* How far one has come in each lesson, kept between two visits: a file with one line a lesson, NAME PAGE. */
+
+/* Raises the pages that were reached to those of the file. False: it may hold more than could be read, or
+ * there is no home. */
+bool state_file_read_lessons(int reached[LESSONS_MAX]);
+
+/* Another laboratory may have come further meanwhile, or a recorded session not as far: nothing is taken
+ * back, and where it is not known how far one came nothing is written. That it cannot be kept does no harm.
+ */
+void state_file_write_lessons(Asker, const int reached[LESSONS_MAX]);
 
 #endif

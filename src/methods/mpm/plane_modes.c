@@ -26,8 +26,7 @@
  * Symmetric Eigenvalue Problem (1998), chapters 4 and 13. */
 #include "methods/mpm/plane_modes.h"
 
-#include "base/linear/band.h"
-#include "base/linear/cholesky.h"
+#include "base/linear.h"
 #include "base/math/functions.h"
 #include "methods/mpm/plane_inner.h"
 
@@ -44,8 +43,8 @@ typedef struct Lattice2 {
     size_t size, width;
     bool *held;
     double *lumped;
-    CholeskyBand stiffness, mass; /* K and M_C; held unknowns stand alone */
-    double *work;                 /* 5 vectors */
+    Cholesky stiffness, mass; /* K and M_C; held unknowns stand alone */
+    double *work;             /* 5 vectors */
 } Lattice2;
 
 static void release(Lattice2 *lattice)
@@ -57,7 +56,7 @@ static void release(Lattice2 *lattice)
     free(lattice->work);
 }
 
-static double *entry(CholeskyBand *band, size_t row, size_t column)
+static double *entry(Cholesky *band, size_t row, size_t column)
 {
     return &band->rows[row * (band->width + 1) + (row - column)];
 }
@@ -141,10 +140,10 @@ static bool build(Lattice2 *lattice, const PlaneDef *def, bool *fits, Status *st
     *fits = 3 * (double)lattice->size * (double)(lattice->width + 1) <= NUMBERS_MAX;
     if (!*fits)
         return true;
-    lattice->stiffness = (CholeskyBand){lattice->size, lattice->width,
-                                        calloc(lattice->size * (lattice->width + 1), sizeof(double))};
-    lattice->mass = (CholeskyBand){lattice->size, lattice->width,
-                                   calloc(lattice->size * (lattice->width + 1), sizeof(double))};
+    lattice->stiffness = (Cholesky){lattice->size, lattice->width,
+                                    calloc(lattice->size * (lattice->width + 1), sizeof(double))};
+    lattice->mass = (Cholesky){lattice->size, lattice->width,
+                               calloc(lattice->size * (lattice->width + 1), sizeof(double))};
     lattice->held = calloc(lattice->size, sizeof *lattice->held);
     lattice->lumped = calloc(lattice->size, sizeof *lattice->lumped);
     lattice->work = calloc(5 * lattice->size, sizeof *lattice->work);
@@ -163,7 +162,7 @@ static double dot(const double *a, const double *b, size_t count)
 }
 
 /* y = A x, A symmetric. */
-static void multiply(const CholeskyBand *band, const double *x, double *y)
+static void multiply(const Cholesky *band, const double *x, double *y)
 {
     memset(y, 0, band->size * sizeof *y);
     for (size_t r = 0; r < band->size; r++) {
@@ -184,7 +183,7 @@ static void clear_held(const Lattice2 *lattice, double *x)
             x[u] = 0;
 }
 
-static bool factor(CholeskyBand *band, const PlaneDef *def, bool *sound, Status *status)
+static bool factor(Cholesky *band, const PlaneDef *def, bool *sound, Status *status)
 {
     const CholeskyEnd end = cholesky_factor(band, &def->cancel);
     *sound = end == CHOLESKY_DONE;
@@ -289,7 +288,7 @@ static double endless_limit(const PlaneDef *def)
 }
 
 /* out = W x or (M_L^-1 - W) x; `blend` is the factor of (1 + alpha) M_L + (1 - alpha) M_C; x is used up. */
-static bool apply(const Lattice2 *lattice, const CholeskyBand *blend, double *x, double *out)
+static bool apply(const Lattice2 *lattice, const Cholesky *blend, double *x, double *out)
 {
     const size_t n = lattice->size;
     for (size_t u = 0; u < n; u++)
@@ -311,8 +310,7 @@ static double largest(const double *rows, size_t size)
 }
 
 /* Lanczos' method with products x'K y: v of length 1, u = K v, w the next. False: given up. */
-static bool largest_eigenvalue(Lattice2 *lattice, const CholeskyBand *blend, double *eigenvalue,
-                               bool *converged)
+static bool largest_eigenvalue(Lattice2 *lattice, const Cholesky *blend, double *eigenvalue, bool *converged)
 {
     const size_t n = lattice->size;
     double *v = lattice->work, *before = v + n, *u = before + n, *w = u + n, *scratch = w + n;
@@ -365,13 +363,13 @@ static bool largest_eigenvalue(Lattice2 *lattice, const CholeskyBand *blend, dou
 bool plane_courant_limit(const PlaneDef *def, double *courant, Status *status)
 {
     Lattice2 lattice;
-    CholeskyBand blend = {0};
+    Cholesky blend = {0};
     bool fits, sound = false;
     *courant = 0.99 * endless_limit(def);
     bool good = build(&lattice, def, &fits, status);
     if (good && fits) {
         const size_t numbers = lattice.size * (lattice.width + 1);
-        blend = (CholeskyBand){lattice.size, lattice.width, malloc(numbers * sizeof(double))};
+        blend = (Cholesky){lattice.size, lattice.width, malloc(numbers * sizeof(double))};
         good = blend.rows || status_fail(status, "not enough memory for the largest step");
         for (size_t k = 0; good && k < numbers; k++)
             blend.rows[k] = (1 - def->flip_fraction) * lattice.mass.rows[k];

@@ -9,7 +9,7 @@
  *     dt_crit = 2/omega_max                                               of velocity Verlet */
 #include "methods/bonds/plane/bonds_internal.h"
 
-#include "base/linear/band.h"
+#include "base/linear.h"
 #include "base/math/functions.h"
 #include "methods/axial.h"
 

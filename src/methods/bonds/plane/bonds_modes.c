@@ -11,7 +11,7 @@
  * of inverse iteration, x <- K^-1 x, give lambda = x.x / x.K^-1 x to all digits that K has. The same factor
  * gives the beam at rest under its weight in one solution, K u = rho b. */
 #include "methods/bonds/plane/bonds_modes.h"
-#include "base/linear/cholesky.h"
+#include "base/linear.h"
 #include "methods/bonds/plane/bonds_internal.h"
 #include "base/math/functions.h"
 
@@ -38,7 +38,7 @@ static size_t half_width(const Lattice *lattice)
 }
 
 /* The band keeps the lower half only. */
-static void add(CholeskyBand *stiffness, size_t row, size_t column, double value)
+static void add(Cholesky *stiffness, size_t row, size_t column, double value)
 {
     if (column <= row)
         stiffness->rows[row * (stiffness->width + 1) + (row - column)] += value;
@@ -62,7 +62,7 @@ typedef struct Model {
 
 /* One bond's share of K in the components that are free, k n n^T in four blocks, k = c G w V/|xi| in N/m^4.
  * Rows and columns of held components are left out: they would only say that nothing moves there. */
-static void add_bond(CholeskyBand *stiffness, const Model *model, BondPlace bond, const bool *held)
+static void add_bond(Cholesky *stiffness, const Model *model, BondPlace bond, const bool *held)
 {
     const Lattice *lattice = model->lattice;
     const Offset *offset = &lattice->offsets[bond.offset];
@@ -89,7 +89,7 @@ static void add_bond(CholeskyBand *stiffness, const Model *model, BondPlace bond
 
 /* K from all bonds; a held component gets 1 on its diagonal and is coupled to nothing. False: to be given up.
  */
-static bool assemble(CholeskyBand *stiffness, const Model *model, const bool *held)
+static bool assemble(Cholesky *stiffness, const Model *model, const bool *held)
 {
     const Lattice *lattice = model->lattice;
     const double share = 0.01; /* of the whole: the factor takes most of the time */
@@ -137,7 +137,7 @@ static void fill(const Model *model, const bool *held, double *x)
  * lambda_1/lambda_2, 1/16 or less for a slender beam: a handful of turns; where two frequencies lie side by
  * side it takes more. The half wave's own quotient x . K x would be of no use (.79 ms in place of .85 at dx
  * .25 mm): it violates the point supports, and K punishes that. NAN: not converged. False: cancelled. */
-static bool lowest_eigenvalue(const CholeskyBand *factor, const Model *model, const bool *held, double *x,
+static bool lowest_eigenvalue(const Cholesky *factor, const Model *model, const bool *held, double *x,
                               double *y, double *eigenvalue)
 {
     const size_t n = factor->size;
@@ -161,7 +161,7 @@ static bool lowest_eigenvalue(const CholeskyBand *factor, const Model *model, co
 
 /* The displacement of a point under its own weight: K u = rho b with b = 1 m/s^2, upwards; mean over its four
  * nodes. False: given up. */
-static bool find_sag(const CholeskyBand *factor, const Model *model, const bool *held, const Probe *probe,
+static bool find_sag(const Cholesky *factor, const Model *model, const bool *held, const Probe *probe,
                      double *u, double *sag)
 {
     for (size_t i = 0; i < factor->size; i++)
@@ -194,7 +194,7 @@ static void hold(const Model *model, bool *held)
 static bool solve(const Model *model, const Probe *probe, BeamLinear *out, Status *status)
 {
     const Lattice *lattice = model->lattice;
-    CholeskyBand band = {.size = 2 * lattice_nodes(lattice), .width = half_width(lattice)};
+    Cholesky band = {.size = 2 * lattice_nodes(lattice), .width = half_width(lattice)};
     *out = (BeamLinear){NAN, NAN};
     if ((double)band.size * (double)(band.width + 1) > BEAM_MODES_NUMBERS_MAX)
         return true;

@@ -1,0 +1,210 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A progress bar with the time that is left, drawn ten times a second at most and only on a terminal; it
+ * also tells a long command to stop when a signal came (common.h). */
+#include "cli/common.h"
+#include "base/wait.h"
+
+#include "base/signals.h"
+#include "base/threads.h"
+#include "base/visible.h"
+#include "base/output.h"
+#include "base/cancel.h"
+#include "base/text.h"
+#include "problems/problem.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <unistd.h>
+#include <stdlib.h>
+#include <string.h>
+#include <errno.h>
+
+void progress_begin(Progress *progress, bool quiet)
+{
+    signals_catch();
+    *progress = (Progress){.visible = !quiet && isatty(STDERR_FILENO), .began = clock_seconds()};
+}
+
+bool progress_show(double share, void *context)
+{
+    Progress *progress = context;
+    double now = progress->visible ? clock_seconds() : 0;
+    /* a run that takes no time needs no bar */
+    if (progress->visible && now - progress->began > 0.5 && now - progress->shown > 0.1) {
+        enum { WIDTH = 40 };
+        int full = (int)(share * WIDTH);
+        char line[WIDTH + 1];
+        for (int i = 0; i < WIDTH; i++)
+            line[i] = i < full ? '#' : '.';
+        line[WIDTH] = '\0';
+        double left = share > 0 ? (now - progress->began) * (1 - share) / share : 0;
+        visible_progress(stderr, "[%s] %3.0f %%  %.0f s left ", line, floor(100 * share), ceil(left));
+        progress->shown = now;
+    }
+    return signals_ended_by() == 0;
+}
+
+void progress_end(const Progress *progress)
+{
+    if (progress->shown > 0)
+        visible_progress(stderr, "%s", "");
+}
+
+double progress_seconds(const Progress *progress)
+{
+    return clock_seconds() - progress->began;
+}
+
+int progress_signal(void)
+{
+    return signals_ended_by();
+}
+
+int progress_result(bool done, const Status *status)
+{
+    return done ? STATUS_DONE : progress_signal() ? 128 + progress_signal() : (int)status->code;
+}
+
+int progress_threads(long wanted)
+{
+    return wanted > 0 ? (int)wanted : threads_default(false);
+}
+
+static bool is_same(const char *real, const char *name)
+{
+    char *other = output_real_name(name, NULL);
+    const bool same = other && strcmp(real, other) == 0;
+    free(other);
+    return same;
+}
+
+static bool is_alone(const char *const *outputs, int which, Status *status)
+{
+    const char *name = outputs[which];
+    bool alone = true;
+    if (output_is_standard(name)) {
+        for (int i = 0; i < which && alone; i++)
+            alone = !outputs[i] || !output_is_standard(outputs[i]) ||
+                    status_refuse(status, "two outputs cannot both be standard output");
+        return alone;
+    }
+    char *real = output_real_name(name, status);
+    if (!real)
+        return false;
+    for (int i = 0; i < which && alone; i++)
+        if (outputs[i] && !output_is_standard(outputs[i]) && is_same(real, outputs[i]))
+            alone = status_refuse(status, "%s: two outputs cannot be the same file", name);
+    free(real);
+    return alone;
+}
+
+bool cli_outputs_differ(const char *const *outputs, int count, Status *status)
+{
+    for (int i = 0; i < count; i++)
+        if (outputs[i] && !is_alone(outputs, i, status))
+            return false;
+    return true;
+}
+
+static size_t add_line(char *out, size_t size, size_t used, const Derived *derived)
+{
+    char value[NUMBER_TEXT_MAX];
+    if (used >= size)
+        return used;
+    if (derived->integer)
+        snprintf(value, sizeof value, "%.0f", derived->value);
+    else
+        text_shortest(value, derived->value);
+    const char *unit = strcmp(derived->unit, "1") == 0 ? "" : derived->unit; /* a plain number */
+    int n = snprintf(out + used, size - used, "%s = %s%s%s\n", derived->name, value, *unit ? " " : "", unit);
+    return used + (n > 0 ? (size_t)n : 0);
+}
+
+bool cli_derived_text(const Settings *settings, char *out, size_t size, Status *status)
+{
+    char advice[240] = "";
+    Derived derived[DERIVED_MAX];
+    Simulation *simulation = problem_simulate(settings, 1, status);
+    if (!simulation)
+        return false;
+    const int before = shortage_begin();
+    int count = problem_derived(settings, simulation, derived);
+    const bool complete = errno != ENOMEM;
+    shortage_end(before);
+    simulation_destroy(simulation);
+    if (!complete)
+        return status_fail(status, "not enough memory for the numbers that follow from these");
+    size_t used = 0;
+    out[0] = '\0';
+    for (int i = 0; i < count; i++)
+        used = add_line(out, size, used, &derived[i]);
+    Status refusal = {0};
+    bool allowed = problem_advice(settings, advice, sizeof advice, &refusal);
+    if (used < size && (!allowed || *advice))
+        snprintf(out + used, size - used, "%s%s\n",
+                 allowed ? "" : "a run is refused: ", allowed ? advice : refusal.text);
+    return true;
+}
+
+static void put_text(FILE *out, const char *text)
+{
+    if (text)
+        text_put_json(out, text, strlen(text));
+    else
+        fputs("null", out);
+}
+
+static void put_key(Quantities *list, const char *key)
+{
+    fputs(", ", list->out);
+    put_text(list->out, key);
+    fputs(": ", list->out);
+}
+
+Quantities quantities_open(FILE *out, const char *command)
+{
+    fputs("{\"command\": ", out);
+    put_text(out, command);
+    return (Quantities){out, 0};
+}
+
+void quantities_begin(Quantities *list, const char *key)
+{
+    put_key(list, key);
+    fputc('[', list->out);
+    list->count = 0;
+}
+
+void quantities_add(Quantities *list, const char *name, double value, const char *unit)
+{
+    fputs(list->count++ > 0 ? "},\n  {\"name\": " : "\n  {\"name\": ", list->out);
+    put_text(list->out, name);
+    quantities_number(list, "value", value);
+    quantities_text(list, "unit", unit);
+}
+
+void quantities_end(Quantities *list)
+{
+    fputs(list->count > 0 ? "}]" : "]", list->out);
+}
+
+void quantities_close(Quantities *list)
+{
+    quantities_end(list);
+    fputs("}\n", list->out);
+}
+
+void quantities_text(Quantities *list, const char *key, const char *text)
+{
+    put_key(list, key);
+    put_text(list->out, text);
+}
+
+void quantities_number(Quantities *list, const char *key, double value)
+{
+    put_key(list, key);
+    if (isfinite(value))
+        fprintf(list->out, "%.17g", value);
+    else
+        fputs("null", list->out);
+}
