@@ -411,7 +411,7 @@ static void add_contact(const CellView *view, Picture *picture, size_t node, Pic
         return;
     const size_t both[2] = {node, (size_t)other};
     double v[2][2], gives[2], n[2] = {0, 0}, fastest = 0;
-    for (int k = 1; k >= 0; k--)
+    for (int k = 1; k >= 0; k--) {
         for (int d = 0; d < 2; d++) {
             const int momentum = simulation_find_field(sim, 1, fields[0][d]);
             const double now = simulation_value(sim, momentum, both[k]);
@@ -420,8 +420,9 @@ static void add_contact(const CellView *view, Picture *picture, size_t node, Pic
             v[k][d] = before / simulation_named(sim, 1, "mass", both[k]);
             gives[d] = before - now;
             n[d] += (k ? -1 : 1) * simulation_named(sim, 1, fields[1][d], both[k]);
-            fastest = fmax(fastest, math_hypot(v[k][0], v[k][1]));
         }
+        fastest = fmax(fastest, math_hypot(v[k][0], v[k][1]));
+    }
     const double length = math_hypot(n[0], n[1]), size = math_hypot(gives[0], gives[1]);
     text_append(label->text, sizeof label->text, " | %zu\nn %s", both[1],
                 text_fitted(n[0] / length, 3, 6).text);
