@@ -9,9 +9,9 @@
 enum { COMPARISONS_MAX = DUEL_MAX + 24, COMPARISON_TEXT_MAX = 28 };
 
 typedef struct Comparison {
-    char label[COMPARISON_TEXT_MAX + 8]; /* with its unit: "T measured, ms" */
-    char values[2][COMPARISON_TEXT_MAX]; /* of A and B; "-" where one has none */
-    ColumnKind kind;                     /* a number of theory can be hidden from a class that is to guess */
+    char label[COMPARISON_TEXT_MAX + 16]; /* with its unit: "T measured, ms" */
+    char values[2][COMPARISON_TEXT_MAX];  /* of A and B; "-" where one has none */
+    ColumnKind kind;                      /* a number of theory can be hidden from a class that is to guess */
 } Comparison;
 
 /* At the present step of each, which stand between steps. Rows that neither run has are left out. Returns how
