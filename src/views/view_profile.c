@@ -153,11 +153,11 @@ static void add_keys(const Screen *screen, Picture *picture, const Curve *curves
             /* What a ghost's letter stands for: its moment, where it is another one than the present, and
              * what differs. */
             const double dt = experiment_simulation(screen->experiment)->dt;
-            char moment[48], word[LEGEND_MAX];
+            char moment[48], word[RUN_WORD_MAX];
             if (fabs(runs[i].profile->time - experiment_time(screen->experiment)) >= 0.51 * dt) {
                 screen_time_text(screen, runs[i].profile->time, moment, sizeof moment);
                 snprintf(word, sizeof word, "%s", runs[i].word);
-                snprintf(runs[i].word, sizeof runs[i].word, "at %s, %s", moment, word);
+                snprintf(runs[i].word, sizeof runs[i].word, "at %s, %.*s", moment, RUN_WORD_MAX - 54, word);
             }
         } else if (runs[i].shown)
             picture_key(picture, runs_key(&runs[i]));

@@ -225,7 +225,8 @@ bool grading_session(const GradingTask *task, const char *file, Grades *grades, 
         const char *refused = why_refused(&facts, &lesson);
         sound = refused ? remark(grades, refused) : replay_session(task, session, grades, status);
     } else {
-        snprintf(grades->remark, sizeof grades->remark, "damaged: %s", why.text);
+        snprintf(grades->remark, sizeof grades->remark, "damaged: %.*s", (int)sizeof grades->remark - 10,
+                 why.text);
     }
     session_free(session);
     lesson_free(&lesson);
