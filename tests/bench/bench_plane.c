@@ -224,6 +224,7 @@ static int add_runner(Runner *runners, int *n, const PlaneDef *def, int threads,
         fprintf(stderr, "bench_plane: %s\n", status.text);
         exit(1);
     }
+    simulation_ask_columns(runner->sim, ""); /* the default rows */
     runner->rows = rows;
     snprintf(runner->name, sizeof runner->name, "%d thread%s%s", threads, threads > 1 ? "s" : "",
              rows ? ", a row each step" : "");

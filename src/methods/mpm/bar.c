@@ -107,7 +107,13 @@ static const Method method = {
  * sqrt(E/rho) (eq. 21; of two materials the faster), supports and the particles under traction (eq. 11). The
  * mesh has `padding` cells beyond each free end. A node that is not heavier than 1e-12 of a full cell is
  * inactive; a larger threshold would be seen in the results (1e-3 changes them visibly). */
-enum { CHUNK = 512 }; /* particles that are worked on together */
+/* Particles that are worked on together: some chunks for threads to share, each long enough to be read ahead.
+ */
+static int chunk_of(int particles)
+{
+    const int chunk = particles / 8;
+    return chunk < 512 ? 512 : chunk > 4096 ? 4096 : chunk;
+}
 
 static void derive(Mpm *mpm)
 {
@@ -139,7 +145,7 @@ static void derive(Mpm *mpm)
     mpm->edge = mpm->shape == MPM_GIMP ? 1.0 - mpm->half : 0.0;
     mpm->low[0] = mpm->edge;
     mpm->high[0] = mpm->cells + mpm->edge;
-    mpm->n_chunks = (mpm->n_particles + CHUNK - 1) / CHUNK;
+    mpm->n_chunks = (mpm->n_particles + chunk_of(mpm->n_particles) - 1) / chunk_of(mpm->n_particles);
 
     mpm->dx = def->length / places;
     double speed = sqrt(def->youngs_modulus / def->density), lightest = def->density;
@@ -202,10 +208,11 @@ static bool begin(Mpm *mpm, Status *status)
                            .mass_blend = blend_of(def, def->mass_blend),
                            .fmpm_order = def->fmpm_order,
                            .mistake = def->mistake};
+    const int chunk = chunk_of(mpm->n_particles);
     for (int k = 0; k < mpm->n_chunks; k++) { /* even ones first: engine.h */
         const int even = (mpm->n_chunks + 1) / 2, which = k < even ? 2 * k : 2 * (k - even) + 1;
-        const int first = which * CHUNK, rest = mpm->n_particles - first;
-        mpm->chunks[k] = (MpmChunk){first, rest < CHUNK ? rest : CHUNK, 1, 0};
+        const int first = which * chunk, rest = mpm->n_particles - first;
+        mpm->chunks[k] = (MpmChunk){first, rest < chunk ? rest : chunk, 1, 0};
     }
     double moment = 0.0;
     for (int p = 0; p < mpm->n_particles; p++) {

@@ -18,9 +18,12 @@ size_t mpm_lasting_bytes(const Mpm *mpm, const MpmHead *head)
 double mpm_sum_moment(const Mpm *mpm, const double *a, int which, int first, int end)
 {
     double moment[MPM_LANES] = {0};
-    for (int p = first; p < end; p += MPM_LANES)
-        for (int lane = 0; lane < MPM_LANES && p + lane < end; lane++)
+    int p = first;
+    for (; p + MPM_LANES <= end; p += MPM_LANES)
+        for (int lane = 0; lane < MPM_LANES; lane++)
             moment[lane] += a[p + lane];
+    for (int lane = 0; p + lane < end; lane++)
+        moment[lane] += a[p + lane];
     return mpm->mass[which] * mpm_fold(moment);
 }
 
@@ -67,28 +70,28 @@ bool mpm_has_done(const Mpm *mpm, MpmOp op)
 bool mpm_find_all(Mpm *mpm)
 {
     const double shift = mpm_shift(mpm, mpm->sim.step);
-    bool inside = true;
+    bool inside = true, unused;
     for (int k = 0; k < mpm->n_chunks; k++) {
         const MpmChunk *chunk = &mpm->chunks[k];
         mpm->spans[k] = (MpmSpan){INT_MAX, 0};
         for (int row = 0; row < chunk->rows; row++) {
-            const int first = chunk->first + row * chunk->stride;
-            for (int p = first; p < first + chunk->count; p++)
-                inside = mpm_set_place(mpm, mpm->dim, mpm->shape, 1.0 / mpm->dx, shift, p, &mpm->spans[k]) &&
-                         inside;
+            const int first = chunk->first + row * chunk->stride, end = first + chunk->count;
+            inside = mpm_set_places(mpm, mpm->dim, mpm->shape, shift, first, end, &mpm->spans[k], &unused) ==
+                         end &&
+                     inside;
         }
     }
     return inside;
 }
 
-bool mpm_crosses(const Mpm *mpm, int particle, int old, const double *s)
+bool mpm_crosses(const Mpm *mpm, int p)
 {
-    const int gx = mpm->dim == 2 ? mpm->gx : mpm->n_nodes, now = mpm->base[particle];
-    const int from[MPM_AXES] = {old % gx, old / gx}, to[MPM_AXES] = {now % gx, now / gx};
+    const int gx = mpm->dim == 2 ? mpm->gx : mpm->n_nodes,
+              node[MPM_AXES] = {mpm->base[p] % gx, mpm->base[p] / gx};
     bool crosses = false;
     for (int axis = 0; axis < mpm->dim; axis++)
-        crosses = crosses || mpm_cell(from[axis], s[axis], mpm->edge) !=
-                                 mpm_cell(to[axis], mpm->s[axis][particle], mpm->edge);
+        crosses = crosses ||
+                  floor(node[axis] + (mpm->s[axis][p] - mpm->edge)) != floor(mpm->rest[axis][p] - mpm->edge);
     return crosses;
 }
 

@@ -26,6 +26,7 @@
 #include "methods/mpm/shape.h"
 #include "methods/pool.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdint.h>
 
@@ -221,6 +222,7 @@ typedef struct Mpm {
     double *pivot; /* 1/D(i); 0 where the node is held or inactive */
 
     /* scratch */
+    bool notes_sums; /* moment, momentum and pushed of the head are taken: a row may be read after the step */
     double *free[MPM_AXES]; /* of each node: 0 where a support holds it, else 1; of the step below */
     bool held_known;
     long held_riding;
@@ -254,52 +256,64 @@ static inline double mpm_modulus(const Mpm *mpm, int particle)
     return mpm->modulus[particle >= mpm->joint];
 }
 
-/* Where a particle lies on the grid of a step, of which `shift` is the way: its first node's column and row,
- * and s; `inverse` is 1/dx. False: outside. */
-MPM_INLINE bool mpm_find(const Mpm *mpm, const int dim, double inverse, double shift, int p, int *node,
-                         double *s)
-{
-    bool inside = true;
-    for (int axis = 0; axis < dim; axis++) {
-        const double r = mpm->rest[axis][p] + (mpm->u[axis][p] * inverse - (axis == 0 ? shift : 0.0));
-        const bool within = r >= mpm->low[axis] && r < mpm->high[axis];
-        node[axis] = within ? (int)(dim == 1 && mpm->stays ? mpm->rest[axis][p] : r) : 0;
-        s[axis] = r - node[axis];
-        inside = inside && within;
-    }
-    return inside;
-}
-
-MPM_INLINE int32_t mpm_node_at(const Mpm *mpm, const int dim, const int *node)
-{
-    return (int32_t)(dim == 2 ? node[1] * mpm->gx + node[0] : node[0]);
-}
-
 /* The way of the grid in cells when so many steps are done. */
 static inline double mpm_shift(const Mpm *mpm, long step)
 {
     return mpm->dim == 2 ? mpm->plane.grid_velocity * ((double)step * mpm->dt) / mpm->dx : 0.0;
 }
 
-/* Takes it to be there, and CPDI's domain as long as the particle: the volume of a unit of cross-section is a
- * length. */
-MPM_INLINE bool mpm_set_place(Mpm *mpm, const int dim, const MpmShape shape, double inverse, double shift,
-                              int p, MpmSpan *span)
+/* The column or row of cells of a place, from its first node along an axis. */
+MPM_INLINE int mpm_cell(int first, double s, double edge)
 {
-    int node[MPM_AXES] = {0};
-    double s[MPM_AXES];
-    const bool inside = mpm_find(mpm, dim, inverse, shift, p, node, s);
-    mpm->base[p] = mpm_node_at(mpm, dim, node);
-    if (dim == 2 && mpm->field)
-        mpm->base[p] += mpm->field[p];
-    for (int axis = 0; axis < dim; axis++)
-        mpm->s[axis][p] = s[axis];
-    if (shape == MPM_CPDI)
-        mpm->domain[p] = 0.5 * mpm->volume[p] * inverse;
-    const int at = dim == 2 && mpm->field ? mpm->base[p] / mpm->gx : node[0];
-    span->low = at < span->low ? at : span->low;
-    span->high = at > span->high ? at : span->high;
-    return inside;
+    return first + (s - edge >= 1.0) - (s - edge < 0.0);
+}
+
+/* Finds the first node of each of some particles and its place s beside it on the grid of a step, of which
+ * `shift` is the way; CPDI's domain is as long as the particle: the volume of a unit of cross-section is a
+ * length. Widens the span of their first nodes, and says in *moved whether one may have come into another
+ * cell. Returns the first particle that is outside, which stays where it was, else `end`. */
+MPM_INLINE int mpm_set_places(Mpm *mpm, const int dim, const MpmShape shape, double shift, int first, int end,
+                              MpmSpan *span, bool *moved)
+{
+    const double inverse = 1.0 / mpm->dx, edge = shape == MPM_GIMP ? mpm->edge : 0.0;
+    const double left = mpm->low[0], right = mpm->high[0], below = mpm->low[1], top = mpm->high[1];
+    const double *const rest[MPM_AXES] = {mpm->rest[0], mpm->rest[1]};
+    const double *const u[MPM_AXES] = {mpm->u[0], mpm->u[1]};
+    double *const s[MPM_AXES] = {mpm->s[0], mpm->s[1]};
+    const bool stays = dim == 1 && mpm->stays;
+    const int32_t *const field = dim == 2 ? mpm->field : NULL, gx = mpm->gx;
+    int32_t *const base = mpm->base;
+    int p = first, low = span->low, high = span->high, changed = stays;
+    double least = left;
+    for (; p < end; p++) {
+        const double x = rest[0][p] + (u[0][p] * inverse - shift);
+        const double y = dim == 2 ? rest[1][p] + u[1][p] * inverse : 0.0;
+        if (!(x >= least && x < right) || (dim == 2 && !(y >= below && y < top)))
+            break;
+        if (dim == 1)
+            least = x;
+        const int column = (int)(stays ? rest[0][p] : x), row = dim == 2 ? (int)y : 0;
+        const int node = (field ? field[p] : 0) + row * gx + column;
+        const int at = field ? node / gx : column; /* of bodies spans are rows */
+        changed |= node ^ base[p];
+        if (shape == MPM_GIMP) /* a cell has two first nodes */
+            changed |= mpm_cell(0, x - column, edge) ^ mpm_cell(0, s[0][p], edge);
+        if (shape == MPM_GIMP && dim == 2)
+            changed |= mpm_cell(0, y - row, edge) ^ mpm_cell(0, s[1][p], edge);
+        if (dim == 2 || p == first || p + 1 == end) { /* those of a line are in order */
+            low = at < low ? at : low;
+            high = at > high ? at : high;
+        }
+        base[p] = node;
+        s[0][p] = x - column;
+        if (dim == 2)
+            s[1][p] = y - row;
+    }
+    for (int k = first; shape == MPM_CPDI && k < p; k++)
+        mpm->domain[k] = 0.5 * mpm->volume[k] * inverse;
+    *span = (MpmSpan){low, high};
+    *moved = changed != 0;
+    return p;
 }
 
 /* The places of all at the beginning of a step, when the state was put back. False: one is outside. */
@@ -330,14 +344,8 @@ MPM_INLINE double mpm_spread(const MpmShape shape, double edge, double s, const 
     return sum;
 }
 
-/* The column or row of cells of a place, from its first node along an axis. */
-MPM_INLINE int mpm_cell(int first, double s, double edge)
-{
-    return first + (s - edge >= 1.0) - (s - edge < 0.0);
-}
-
-/* Whether a particle lies in another cell than where `old` was its first node, and s its place beside it. */
-bool mpm_crosses(const Mpm *, int particle, int old, const double *s);
+/* Whether a particle lies in another cell than at t = 0. */
+bool mpm_crosses(const Mpm *, int particle);
 
 /* N and N' of a particle. */
 MpmWeights mpm_weights_of(const Mpm *, int particle);

@@ -97,6 +97,6 @@ size_t mpm_shapes(const Simulation *sim, const double *place, Link *out, size_t 
         node[axis] = (int)r - last;
         s[axis] = r - node[axis];
     }
-    const int base = mpm_node_at(mpm, mpm->dim, node);
+    const int base = node[1] * mpm->gx + node[0];
     return links_at(mpm, half_near(mpm, base, s[0]), base, s, out, max);
 }

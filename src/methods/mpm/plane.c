@@ -124,7 +124,7 @@ static void place(Mpm *mpm, int p)
 static bool begin(Mpm *mpm, Status *status)
 {
     enum { PARTICLES_A_QUESTION = 4096 };
-    const int P = mpm->plane.particles_per_cell, width = PLANE_CHUNK_CELLS * P;
+    const int P = mpm->plane.particles_per_cell, width = plane_chunk_cells(mpm->nxp / P) * P;
     bool sound = true;
     *mpm->head = (MpmHead){.algorithm = mpm->plane.algorithm,
                            .flip_fraction = mpm->plane.flip_fraction,

@@ -5,7 +5,13 @@
 
 #include "methods/mpm/engine.h"
 
-enum { PLANE_CHUNK_CELLS = 8 }; /* columns of cells whose particles are worked on together */
+/* Columns of cells whose particles are worked on together: some chunks for threads to share, each with rows
+ * long enough to be read ahead. */
+static inline int plane_chunk_cells(int columns)
+{
+    const int cells = columns / 8;
+    return cells < 8 ? 8 : cells > 64 ? 64 : cells;
+}
 
 void plane_derive(Mpm *); /* everything constant, from mpm->plane, which is sound */
 unsigned plane_held(const Mpm *, long step, int column, int row);

@@ -38,7 +38,7 @@ void plane_derive(Mpm *mpm)
     mpm->nxp = columns * P;
     mpm->nyp = rows * P;
     mpm->joint = mpm->n_particles = mpm->nxp * mpm->nyp;
-    mpm->n_chunks = (columns + PLANE_CHUNK_CELLS - 1) / PLANE_CHUNK_CELLS;
+    mpm->n_chunks = (columns + plane_chunk_cells(columns) - 1) / plane_chunk_cells(columns);
     const double steps = ceil(def->end * (1 - 1e-9) / mpm->dt);
     const double way = (def->speed - def->grid_velocity) * steps * mpm->dt / mpm->dx;
     mpm->gx = columns + 2 * def->padding + (int)ceil(way) + 1;

@@ -41,19 +41,26 @@ typedef struct Sums {
 /* Over particles [first, end) of one material: sum m v, sum m u, and energies. */
 static Sums sum_material(const Mpm *mpm, int which, int first, int end)
 {
-    double momentum[MPM_LANES] = {0}, squares[MPM_LANES] = {0}, strain[MPM_LANES] = {0};
-    const double *const v = mpm->v[0], *const stress = mpm->stress[0];
+    double momentum[MPM_LANES] = {0}, moment[MPM_LANES] = {0}, squares[MPM_LANES] = {0};
+    double strain[MPM_LANES] = {0};
+    const double *const u = mpm->u[0], *const v = mpm->v[0], *const stress = mpm->stress[0];
     const double *const volume = mpm->volume, m = mpm->mass[which];
-    for (int p = first; p < end; p += MPM_LANES) {
-        const int lanes = end - p < MPM_LANES ? end - p : MPM_LANES;
-        for (int lane = 0; lane < lanes; lane++) {
-            momentum[lane] += v[p + lane];
-            squares[lane] += v[p + lane] * v[p + lane];
-            strain[lane] += stress[p + lane] * stress[p + lane] * volume[p + lane];
-        }
-    }
-    return (Sums){m * mpm_fold(momentum), mpm_sum_moment(mpm, mpm->u[0], which, first, end),
-                  0.5 * m * mpm_fold(squares), mpm_fold(strain) / (2.0 * mpm->modulus[which])};
+#define ADD(lane, p)                                                                                         \
+    do {                                                                                                     \
+        momentum[lane] += v[p];                                                                              \
+        moment[lane] += u[p];                                                                                \
+        squares[lane] += v[p] * v[p];                                                                        \
+        strain[lane] += stress[p] * stress[p] * volume[p];                                                   \
+    } while (0)
+    int p = first;
+    for (; p + MPM_LANES <= end; p += MPM_LANES)
+        for (int lane = 0; lane < MPM_LANES; lane++)
+            ADD(lane, p + lane);
+    for (int lane = 0; p + lane < end; lane++)
+        ADD(lane, p + lane);
+#undef ADD
+    return (Sums){m * mpm_fold(momentum), m * mpm_fold(moment), 0.5 * m * mpm_fold(squares),
+                  mpm_fold(strain) / (2.0 * mpm->modulus[which])};
 }
 
 static Sums sum_particles(const Mpm *mpm)

@@ -103,7 +103,7 @@ static Kind kind_of(const Mpm *mpm)
 
 /* Does what is said with dimension, shape and kind as constants. */
 #define WITH(mpm, the_dim, the_shape, the_kind, ...)                                                         \
-    if ((mpm)->dim == (the_dim) && (mpm)->shape == (the_shape) && kind_of(mpm) == (the_kind)) {              \
+    if ((mpm)->dim == (the_dim) && (mpm)->shape == (the_shape) && kind_now == (the_kind)) {                  \
         const int dim = the_dim;                                                                             \
         const MpmShape shape = the_shape;                                                                    \
         const Kind kind = the_kind;                                                                          \
@@ -543,30 +543,17 @@ MPM_INLINE void update(Mpm *mpm, const int dim, const MpmShape shape, const Kind
 /* --- the end of the step ---------------------------------------------------------------------------- */
 
 /* The grid is forgotten: where the particles lie on that of the next step. All must be on it, and along a
- * line in their order; the first time that one enters another cell is noted. CPDI's domains are as long as
- * the particles are then: the volume of a unit of cross-section is a length. */
+ * line in their order; the first time that one enters another cell is noted. Returns the first particle that
+ * is not where it must be; -1: there is none. */
 MPM_INLINE int settle(Mpm *mpm, const int dim, const MpmShape shape, const Kind kind, double shift,
                       MpmSpan *span, int first, int end)
 {
-    const double edge = shape == MPM_GIMP ? mpm->edge : 0.0, inverse = 1.0 / mpm->dx;
-    double before = -INFINITY; /* the end before a chunk is looked at when all have moved */
-    for (int p = first; p < end; p++) {
-        const int old = mpm->base[p];
-        const double s[MPM_AXES] = {mpm->s[0][p], dim == 2 ? mpm->s[1][p] : 0.0};
-        const bool inside = mpm_set_place(mpm, dim, shape, inverse, shift, p, span);
-        const double r = dim == 1 ? mpm->base[p] + mpm->s[0][p] : 0.0;
-        if (!inside || (dim == 1 && !(r >= before)))
-            return p;
-        if (kind == BODIES)
-            continue;
-        before = r;
-        bool same = mpm->base[p] == old;
-        for (int axis = 0; axis < dim; axis++)
-            same = same && mpm_cell(0, mpm->s[axis][p], edge) == mpm_cell(0, s[axis], edge);
-        if (!same && !mpm->crossed[p] && mpm_crosses(mpm, p, old, s))
+    bool moved;
+    const int bad = mpm_set_places(mpm, dim, shape, shift, first, end, span, &moved);
+    for (int p = first; kind != BODIES && moved && p < bad; p++)
+        if (!mpm->crossed[p] && mpm_crosses(mpm, p))
             mpm->crossed[p] = 2;
-    }
-    return -1;
+    return bad < end ? bad : -1;
 }
 
 /* --- the stages by their name ----------------------------------------------------------------------- */
@@ -601,13 +588,13 @@ void mpm_begin_stage(Mpm *mpm, MpmOp op, long step)
             memset(mpm->force[axis], 0, bytes);
     if (op == OP_FORCE && mpm->dim == 1 && mpm_is_loaded(mpm))
         memset(mpm->load, 0, bytes);
-    if (op == OP_UPDATE && mpm->dim == 1) {
+    if (op == OP_UPDATE && mpm->dim == 1 && mpm->notes_sums) {
         mpm->head->moment = mpm_moment(mpm);
         mpm->head->pushed = 0.0;
         for (int i = 0; mpm_is_loaded(mpm) && i < mpm->n_nodes; i++)
             mpm->head->pushed += mpm->load[i];
     }
-    for (int axis = 0; op == OP_UPDATE && !mpm->bodies && axis < mpm->dim; axis++)
+    for (int axis = 0; op == OP_UPDATE && mpm->notes_sums && !mpm->bodies && axis < mpm->dim; axis++)
         mpm->head->momentum[axis] = mpm_momentum(mpm, axis);
     mpm_find_held(mpm, step);
     if (op == OP_FIX_FORCE)
@@ -617,6 +604,7 @@ void mpm_begin_stage(Mpm *mpm, MpmOp op, long step)
 /* Returns the first particle of [first, end) with which the run cannot go on; -1: there is none. */
 int mpm_do_particles(Mpm *mpm, MpmTask task, MpmSpan *span, int first, int end)
 {
+    const Kind kind_now = kind_of(mpm);
     int bad = -1;
     switch (task.op) {
     case OP_MAP:

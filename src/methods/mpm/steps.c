@@ -188,6 +188,7 @@ bool mpm_stage(Simulation *sim, int stage, size_t first, size_t end, Status *sta
     ASSERT_INDEX(stage, sim->n_stages);
     Mpm *mpm = mpm_of(sim);
     const MpmSchedule *schedule = mpm_schedule(mpm);
+    mpm->notes_sums = true;
     /* what a step that can be looked at has not written yet is 0, so that its snapshots are the same bytes
      * whatever ran before */
     if (stage == 0 && first == 0)
@@ -215,18 +216,29 @@ static void put_back(Simulation *sim)
     mpm_find_all(mpm);
 }
 
+/* Whether a row has a difference to the step before. */
+static bool asks_rates(const Simulation *sim)
+{
+    for (int k = 0; k < sim->n_series; k++)
+        if (strncmp(sim->series[k].name, "reaction", 8) == 0 || strcmp(sim->series[k].name, "x_cm_rate") == 0)
+            return true;
+    return false;
+}
+
 /* A row may need the grid after map and supports, which are also the first two stages of the next step: they
  * are done once for both, and the map goes with the stages before it. */
 static bool whole_steps(Simulation *sim, long count, double *rows, Status *status)
 {
     Mpm *mpm = mpm_of(sim);
     const MpmSchedule *schedule = mpm_schedule(mpm);
+    const bool rates = rows && asks_rates(sim);
     if (count > 0)
         mpm_map_and_fix(mpm);
     for (long n = 0; n < count; n++) {
-        const bool more = n + 1 < count || (rows && mpm_row_needs_grid(mpm));
+        const bool last = n + 1 == count, more = !last || (rows && mpm_row_needs_grid(mpm));
         MpmTask tasks[OP_COUNT + 2];
         int n_tasks = 0;
+        mpm->notes_sums = last || rates;
         for (int stage = 2; stage < schedule->count; stage++)
             tasks[n_tasks++] = (MpmTask){schedule->ops[stage], sim->step};
         if (mpm->dim == 2)
@@ -239,7 +251,7 @@ static bool whole_steps(Simulation *sim, long count, double *rows, Status *statu
         if (more && !do_all(mpm, &(MpmTask){OP_FIX, sim->step}, 1, status))
             return false;
         if (rows)
-            mpm_write_row(mpm, rows + n * sim->n_series, !sim->spares_rows || n + 1 == count);
+            mpm_write_row(mpm, rows + n * sim->n_series, !sim->spares_rows || last);
     }
     return true;
 }
