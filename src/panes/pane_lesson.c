@@ -225,15 +225,13 @@ void pane_lesson(const Screen *screen, Area area)
     /* "── A title  1/7 ──": of a long title the end gives way, not the page. */
     const LessonShown *shown = screen->lesson;
     const Style style = screen_is_focused(screen, PANE_PARAMETERS) ? STYLE_FOCUS : STYLE_HEADING;
-    char heading[160], page[32];
-    if (!shown->lesson) {
-        area_rule(area, 0, "Lessons", style);
-        return;
+    char heading[160] = "Lessons", page[32] = "";
+    if (shown->lesson) {
+        snprintf(page, sizeof page, "  %d/%d", shown->page + 1, shown->lesson->n_pages);
+        snprintf(heading, sizeof heading, "%.120s%s", shown->lesson->title, page);
     }
-    snprintf(page, sizeof page, "  %d/%d", shown->page + 1, shown->lesson->n_pages);
-    snprintf(heading, sizeof heading, "%.120s%s", shown->lesson->title, page);
     area_rule(area, 0, heading, style);
-    if (4 + glyphs_columns(heading) > area.rect.width) {
+    if (shown->lesson && 4 + glyphs_columns(heading) > area.rect.width) {
         area_rule(area_part(area, 0, 0, area.rect.width - glyphs_columns(page), 1), 0, shown->lesson->title,
                   style);
         area_text_right(area, area.rect.width, 0, page, style);

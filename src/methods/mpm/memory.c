@@ -45,9 +45,9 @@ static size_t lay_out(Mpm *mpm, unsigned char *block)
     mpm->bytes_flip = size;
     ARRAY(mpm->affine, mpm->dim == 1 ? particles : 0);
     mpm->bytes_apic = size;
-    ARRAY(mpm->kept_mass, mpm->bodies ? 0 : nodes);
-    AXES(mpm->kept_momentum, mpm->bodies ? 0 : nodes);
-    ARRAY(mpm->kept_volume, mpm->bodies ? 0 : particles);
+    ARRAY(mpm->kept_mass, mpm_can_keep(mpm) ? nodes : 0);
+    AXES(mpm->kept_momentum, mpm_can_keep(mpm) ? nodes : 0);
+    ARRAY(mpm->kept_volume, mpm_can_keep(mpm) ? particles : 0);
     mpm->bytes_kept = size;
     ARRAY(mpm->base, particles);
     AXES(mpm->s, particles);

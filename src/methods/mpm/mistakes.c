@@ -347,7 +347,13 @@ bool mpm_change_mistake(Mpm *mpm, int mistake, bool concealed, Status *status)
         return status_refuse(
             status, "mpm.mistake: %s is made at the start and holds for the whole run",
             concealed ? "?" : bar_mistake_words[bar_mistake_is_of_start(mistake) ? mistake : before]);
+    if (does(mistake_of(mistake), WRONG_KEEPS_GRID | WRONG_VOLUME_LATE) && !mpm_can_keep(mpm))
+        return status_refuse(status,
+                             "mpm.mistake: %s is made in mid-run only of a beam that begins with a mistake",
+                             concealed ? "?" : bar_mistake_words[mistake]);
     mpm->head->mistake = mistake;
+    if (!mpm_can_keep(mpm))
+        return true;
     memset(mpm->kept_mass, 0, (size_t)mpm->n_nodes * sizeof(double));
     for (int axis = 0; axis < mpm->dim; axis++)
         memset(mpm->kept_momentum[axis], 0, (size_t)mpm->n_nodes * sizeof(double));

@@ -87,6 +87,13 @@ bool mpm_does(const Mpm *, unsigned wrong);    /* whether its code does that (WR
 /* What a code does that makes two of them. False: they are one and the same thing done otherwise. */
 bool bar_mistakes_join(int one, int other, BarMistake *out);
 
+/* Whether there is room for what wrong codes keep from step to step: in the plane, where it would be a
+ * seventh of the memory, only of a run that begins with a mistake. */
+static inline bool mpm_can_keep(const Mpm *mpm)
+{
+    return mpm->dim == 1 || (!mpm->bodies && mpm->plane.mistake != 0);
+}
+
 /* Whether these are what mistakes are defined for; else the status names the key. A beam's are told as a
  * bar's.
  */

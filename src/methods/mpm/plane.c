@@ -140,7 +140,8 @@ static bool begin(Mpm *mpm, Status *status)
             cancel_requested(&mpm->plane.cancel, (double)p / mpm->n_particles))
             return status_fail(status, "the building of the beam was cancelled");
         place(mpm, p);
-        mpm->kept_volume[p] = mpm_does(mpm, WRONG_VOLUME_LATE) ? mpm->volume[p] : 0;
+        if (mpm_does(mpm, WRONG_VOLUME_LATE))
+            mpm->kept_volume[p] = mpm->volume[p];
         sound = sound && mpm->volume[p] > 0;
     }
     if (!mpm_find_all(mpm) || !sound)
