@@ -396,7 +396,8 @@ static bool chosen(Laboratory *lab, int *kind, int *row)
     if (any)
         *kind = place.kind, *row = place.row;
     if (!any) /* where it is not marked nobody sees which one it is */
-        laboratory_say(lab, MESSAGE_INFO, "choose a cut, load, body ... among the parameters first");
+        laboratory_say(lab, MESSAGE_INFO,
+                       "choose a row (cut, load, support, body) among the parameters first");
     return any;
 }
 

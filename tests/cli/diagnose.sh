@@ -180,13 +180,19 @@ make plain.csv supported-beam $small --steps 12 --set pd.surface_correction=none
 # shellcheck disable=SC2086
 expect "a plate without corrections" 0 supported-beam $small plain.csv
 result "is right, and what it leaves out is told" says out '^Right, no corrections\.$'
-for id in one_way_row_major no_second_kick u_added_twice stretch_without_length; do
+for id in one_way_row_major u_added_twice stretch_without_length; do
 	# shellcheck disable=SC2086
 	make wrong_$id.csv supported-beam $small --steps 12 --set pd.mistake=$id
 	# shellcheck disable=SC2086
 	expect "a plate with $id" 1 supported-beam $small wrong_$id.csv
 	result "is named: $id" says out "^Mistake: $id"
 done
+# half of each force by symplectic Euler is the same code
+# shellcheck disable=SC2086
+make wrong_kick.csv supported-beam $small --steps 12 --set pd.mistake=no_second_kick
+# shellcheck disable=SC2086
+expect "a plate without its second half kick" 1 supported-beam $small wrong_kick.csv
+result "has two names" says out "^One of: no_second_kick, half_bond"
 make dt.csv mode5 --steps 50 --set time.courant=0.07
 expect "another time step" 0 mode5 dt.csv
 result "is taken from the file" sh -c 'grep -q "; dt 0.007 (the scenario.s is 0.01)$" out && grep -q "those of the right code" out'

@@ -252,7 +252,7 @@ static bool check_stepping(const BeamDef *def, Status *status)
 {
     return def->stepping == STEPPING_VERLET || (def->damping == 0 && !def->critically_damped) ||
            status_refuse(status, "pd.stepping: %s is defined without damping only (damping.rate = 0)",
-                         beam_stepping_name(def->stepping));
+                         beam_stepping_name((int)def->stepping));
 }
 
 bool beam_check(const BeamDef *def, Status *status)

@@ -65,7 +65,7 @@ static const KickWords no_kick = {"nothing", "nothing", "One kick a step is enou
 static const KickWords kick_words[][2] = {
     [STEPPING_EULER] = {{"v(n+1) = v(n) + Δt a(n),   a = f/ρ", "v(n+1) = v(n) + dt a(n),   a = f/rho",
                          "The force of the last step gives every node its new velocity."}},
-    [STEPPING_EULER_POSITION] = {{NULL},
+    [STEPPING_EULER_POSITION] = {{NULL, NULL, NULL},
                                  {"v(n+1) = v(n) + Δt a(n+1)", "v(n+1) = v(n) + dt a(n+1)",
                                   "The new force gives every node its new velocity."}},
     [STEPPING_LEAPFROG] = {{"v(n+½) = v(n−½) + Δt a(n),   in step 1: v(½) = v(0) + Δt/2 a(0)",
