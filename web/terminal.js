@@ -80,7 +80,7 @@ function resize() {
 
 // The terminal lays every new letter out to know its width, which is most of the work of a first picture: a canvas only measures it.
 function measure_letters() {
-	const {value: {_widthCache: widths} = {}} = term._core._renderService._renderer, pen = document.createElement('canvas').getContext('2d');
+	const widths = term._core?._renderService?._renderer?.value?._widthCache, pen = document.createElement('canvas').getContext('2d');
 	if (!widths || !widths._measure) return;
 	let set = '';
 	widths._measure = (letters, look) => { // 1: bold, 2: slanted

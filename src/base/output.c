@@ -155,7 +155,7 @@ static bool is_own(const char *name)
 {
     static const char mark[] = "\xef\xbb\xbf", version[] = "# matvib ", xml[] = "<?xml ";
     char text[4096], *head = text;
-    /* The head of a file, its commas as they were before a dialect; false: it cannot be read. */
+    /* the head of the file, its commas as they were before a dialect */
     const int descriptor = open(name, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
     const ssize_t length = descriptor < 0 ? -1 : read(descriptor, text, sizeof text - 1);
     if (descriptor >= 0)

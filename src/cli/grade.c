@@ -56,8 +56,7 @@ static InputGot read_row(Roster *roster, Status *status)
     roster->count = 0;
     for (char *cell = roster->text; cell && cell < end && roster->count < CELLS_MAX;) {
         roster->cells[roster->count++] = cell;
-        /* A cell without its quotes, in place; the end of it and its separator. NULL: a quote is not closed.
-         */
+        /* The cell without its quotes, in place; NULL behind it where a quote is not closed. */
         char *to = cell, *at = cell;
         bool quoted = *at == '"';
         for (at += quoted; *at && (quoted || *at != roster->separator); at++) {

@@ -158,7 +158,7 @@ static void write_passages(HelpLines *written, int width, Glyphs glyphs, const H
     }
 }
 
-/* --- where the papers are silent ------------------------------------------------------------------- */
+/* --- the pages ------------------------------------------------------------------------------------- */
 
 int help_pages(const Screen *screen)
 {
@@ -166,7 +166,7 @@ int help_pages(const Screen *screen)
     const Choice *choice = choices;
     while (choice < choices + n_choices && !choice_is_about(choice, settings->problem, settings->method))
         choice++;
-    return (choice < choices + n_choices) ? HELP_PAGES : HELP_PAGES - 1;
+    return choice < choices + n_choices ? HELP_PAGES : HELP_PAGES - 1;
 }
 
 static int page_of(const Screen *screen)

@@ -211,7 +211,7 @@ static bool news_of(const Screen *screen, char *out, size_t size, Style *style)
     return out[0] != '\0';
 }
 
-/* --- summary -------------------------------------------------------------------------------------- */
+/* --- summary, and the box ------------------------------------------------------------------------- */
 
 static void draw_summary(const Screen *screen, Area area)
 {

@@ -112,7 +112,7 @@ static void draw_number(const Screen *screen, Area area, Size size, char run)
     char digits[NUMBER_DIGITS_MAX], words[NUMBER_WORDS_MAX];
     const bool known = screen_number(screen, digits, words);
     const Style style = !known ? STYLE_FAINT : run == 'B' ? STYLE_SECOND : STYLE_CHANGED;
-    while (((glyphs_columns(digits) * (WIDE + GAP) - GAP) * size.columns) > area.rect.width - 2 &&
+    while ((glyphs_columns(digits) * (WIDE + GAP) - GAP) * size.columns > area.rect.width - 2 &&
            size.columns > 1)
         size.columns--;
     int x = 2;

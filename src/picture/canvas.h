@@ -67,9 +67,8 @@ char *canvas_dump(const Canvas *);
 /* Likewise the styles, one letter per cell. */
 char *canvas_dump_styles(const Canvas *);
 
-/* Replaces what is not ASCII, one column for one column, for terminals without UTF-8; what nothing stands for
- * is
- * '?' or, where letters stay, what it was. */
+/* Replaces what is not ASCII, one column for one column, for terminals without UTF-8; a character without
+ * substitute becomes '?' or, where letters stay, remains. */
 void canvas_to_ascii(Canvas *, bool letters_stay);
 
 /* --- a part of it --------------------------------------------------------------------------------- */

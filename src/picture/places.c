@@ -186,16 +186,17 @@ void places_write(Places *places, const Picture *picture)
     }
     for (int i = 0; i < picture->plot.n_strokes; i++) { /* bars */
         const Stroke *stroke = &picture->plot.strokes[i];
+        if (stroke->kind != STROKE_BAND || stroke->count == 0)
+            continue;
         const double *points = picture->plot.points + 2 * stroke->first;
         double low[2] = {points[0], points[1]}, high[2] = {points[0], points[1]};
-        for (size_t k = 1; k < stroke->count && stroke->kind == STROKE_BAND; k++)
+        for (size_t k = 1; k < stroke->count; k++)
             for (int d = 0; d < 2; d++) {
                 low[d] = fmin(low[d], points[2 * k + (size_t)d]);
                 high[d] = fmax(high[d], points[2 * k + (size_t)d]);
             }
-        if (stroke->kind == STROKE_BAND)
-            take(places, places_across(places, picture, low[0]), places_down(places, picture, high[1]),
-                 places_across(places, picture, high[0]) + size, places_down(places, picture, low[1]) + size);
+        take(places, places_across(places, picture, low[0]), places_down(places, picture, high[1]),
+             places_across(places, picture, high[0]) + size, places_down(places, picture, low[1]) + size);
     }
     for (int i = 0; i < picture->n_arrows && places->whole; i++) {
         const double x = places_across(places, picture, picture->arrows[i].to[0]);

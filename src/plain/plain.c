@@ -356,8 +356,8 @@ static void let_it_work(Plain *plain)
         stage = experiment_stage(experiment);
         if (!go_on(plain)) {
             forget_interrupt(plain);
-            /* Not to where a page of a lesson begins, for which keys wait. */
             if (lab->play.arriving || laboratory_active(lab)) /* else ^C would mean the program */
+                /* not Space on the way to where a page of a lesson begins, for which keys wait */
                 press(plain,
                       (lab->player.playback.state == STATE_RUNNING && !lab->play.arriving) ? "Space" : "^C");
             return;
@@ -405,20 +405,18 @@ static void take(Plain *plain, const char *line)
         const Prompt *prompt = &plain->lab.prompting.shown;
         if (strlen(line) >= sizeof prompt->text) {
             say(plain, "The line is too long for a command.");
-            return;
-        }
-        if (plain->lab.parameters.rows.placing) {
+        } else if (plain->lab.parameters.rows.placing) {
             say(plain,
                 "A row is being moved: Left, Right, Up and Down do it, Tab takes its other end, Enter takes "
                 "it, Esc drops it.");
-            return;
-        }
-        press(plain, ":");
-        type(plain, line);
-        press(plain, "Enter");
-        if (prompt->open && prompt->problem[0]) {
-            say(plain, "%s", prompt->problem);
-            press(plain, "Esc");
+        } else {
+            press(plain, ":");
+            type(plain, line);
+            press(plain, "Enter");
+            if (prompt->open && prompt->problem[0]) {
+                say(plain, "%s", prompt->problem);
+                press(plain, "Esc");
+            }
         }
     }
     /* what is opened by hand waits to be looked at */

@@ -86,11 +86,17 @@ static double blocks_meet(const BodyDef *a, const BodyDef *b)
     return from < until ? from : INFINITY;
 }
 
+/* Whether each of its points has the same velocity at t = 0. */
+static bool moves_rigidly(const BodyDef *body)
+{
+    return body->spin == 0 && body->wave == 0;
+}
+
 static double pair_meets(const BodyDef *a, const BodyDef *b, double close)
 {
     double D[2], V[2], centre[2][2];
     if (!is_round(a) && !is_round(b))
-        return a->spin == 0 && b->spin == 0 ? blocks_meet(a, b) : NAN;
+        return moves_rigidly(a) && moves_rigidly(b) ? blocks_meet(a, b) : NAN;
     if (is_round(a) != is_round(b))
         return NAN;
     bodies_centre(a, centre[0]);
@@ -112,7 +118,7 @@ static double wall_meets(const BodiesDef *def, const BodyDef *body, int wall, do
     const double out = far ? 1 : -1;
     double low[2], high[2];
     bodies_bounds(body, low, high);
-    if (body->spin != 0 && !is_round(body))
+    if (!moves_rigidly(body) && !is_round(body))
         return NAN;
     const double distance = far ? (axis ? def->height : def->width) - high[axis] : low[axis];
     if (def->walls[wall] == WALL_CLAMP && distance <= close)
@@ -193,7 +199,7 @@ static bool find_fall(const BodiesDef *def)
     const BodyDef *body = &def->bodies[0];
     const double L = fall_length(def), g = -def->gravity[1];
     return def->n_bodies == 1 && body->shape == BODY_BLOCK && body->size[0] == 0 && body->velocity[0] == 0 &&
-           body->velocity[1] == 0 && body->spin == 0 && def->gravity[0] == 0 && g > 0 &&
+           body->velocity[1] == 0 && moves_rigidly(body) && def->gravity[0] == 0 && g > 0 &&
            def->law == LAW_NEO_HOOKEAN && def->damping == 0 && is_about(def->poisson, 0.3) &&
            is_about(L / (body->size[3] - body->size[1]), 5) &&
            is_about(def->youngs_modulus / (def->density * g * L), 50) &&

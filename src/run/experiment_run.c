@@ -113,10 +113,10 @@ bool experiment_open(Experiment *experiment, const Settings *settings, size_t hi
     experiment->run.cancel = (Cancel){0}; /* the caller does a little at a time */
     experiment->run.sim->whole_rows = WHOLE_ROWS;
     experiment->refs = references_create(settings, experiment->run.sim, status);
-    /* The record and the first keyframe; of a large beam each takes as long as one asks to hear of it. */
     if (!experiment->refs)
         return false;
 
+    /* The record and the first keyframe; of a large beam each takes as long as one asks to hear of it. */
     Sink sinks[2];
     experiment->n_columns = references_columns(experiment->refs, experiment->columns);
     record_open(&experiment->record, experiment->n_columns, 1, record_budget);

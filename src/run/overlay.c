@@ -234,7 +234,7 @@ static bool take_row(Reader *reader, Overlay *overlay, int cells)
     for (int i = 0; i < cells; i++) {
         OverlayColumn *column = &overlay->columns[i];
         double value;
-        /* Whether the reader knows what a cell that begins with a letter stands for. */
+        /* The reader may know what a cell that begins with a letter stands for. */
         const char *cell = reader->cells[i];
         const char first = cell[*cell == '-' || *cell == '+'];
         if (reader->word && ((first >= 'a' && first <= 'z') || (first >= 'A' && first <= 'Z')) &&

@@ -102,10 +102,9 @@ bool scenario_looks_like_key(const char *text)
     char word[KEY_MAX];
     size_t n = word_length(text);
     snprintf(word, sizeof word, "%.*s", (int)n, text);
-    /* Whether a word is a key, or one without its section. */
     if (!(n > 0 && text[n + strspn(text + n, " ")] == '='))
         return false;
-
+    /* whether the word is a key, or one without its section */
     for (int i = 0; i < n_parameters + n_text_keys; i++) {
         const char *key = i < n_parameters ? parameters[i].key : text_keys[i - n_parameters].key;
         if (strcmp(key, word) == 0 || strcmp(strchr(key, '.') + 1, word) == 0)

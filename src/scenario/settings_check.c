@@ -105,10 +105,10 @@ bool settings_check(const Settings *settings, Status *status)
                              times[n_times - 1], settings_time(settings)->end);
     if (n_times > 0 && settings_output(settings)->frames > 0)
         return status_refuse(status, "output.at: output.frames is given too (one of them)");
-    /* The settings of the other run must be as sound as those of the first. */
     if (!(check_question(settings, status) && settings_check_asked(settings, status)))
         return false;
 
+    /* The settings of the other run must be as sound as those of the first. */
     Settings other = *settings;
     other.n_duel = other.n_changes = 0;
     if (!settings_set_method(&other, settings->duel, settings->n_duel, status))

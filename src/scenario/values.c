@@ -52,8 +52,6 @@ void settings_put(Settings *settings, const Parameter *parameter, double value)
         settings_edit_bonds(settings)->energy_given = true;
     if (parameter->offset == VALUE_OFFSET(bonds.critical_stretch))
         settings_edit_bonds(settings)->energy_given = false;
-    /* The usual gap at which bodies meet: a body that touches a wall on a row of nodes has its mean mapped
-     * place so many cells from it, which is more for wider shape functions. */
     if (parameter->offset == VALUE_OFFSET(contact.gap))
         settings_edit_contact(settings)->gap_given = true;
     /* G0 = 9 E delta s0^2 / (4 pi) and back (paper P, two dimensions), conical with 5 pi in place of 4 pi.
@@ -66,6 +64,8 @@ void settings_put(Settings *settings, const Parameter *parameter, double value)
         bonds->critical_stretch = sqrt(bonds->critical_energy / stiffness);
     else
         bonds->critical_energy = stiffness * bonds->critical_stretch * bonds->critical_stretch;
+    /* The usual gap at which bodies meet: a body that touches a wall on a row of nodes has its mean mapped
+     * place so many cells from it, which is more for wider shape functions. */
     if (!settings_contact(settings)->gap_given)
         settings_edit_contact(settings)->gap =
             settings_transfer(settings)->shape == MPM_BSPLINE2 ? 0.45 : 0.4;

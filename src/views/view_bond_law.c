@@ -154,7 +154,7 @@ void bond_law_describe(const Screen *screen, Picture *picture)
     const Axis *x = &picture->plot.x;
     const double end = s0 > 0 ? s0 : x->high;
     picture_line(picture, x->low, stiffness * x->low, end, stiffness * end, pen_measured);
-    if ((s0 > 0)) {
+    if (s0 > 0) {
         picture_line(picture, s0, stiffness * s0, s0, 0, pen_limit);
         picture_line(picture, s0, 0, x->high, 0, pen_measured);
     }

@@ -424,9 +424,10 @@ static void add_contact(const CellView *view, Picture *picture, size_t node, Pic
         fastest = fmax(fastest, math_hypot(v[k][0], v[k][1]));
     }
     const double length = math_hypot(n[0], n[1]), size = math_hypot(gives[0], gives[1]);
-    text_append(label->text, sizeof label->text, " | %zu\nn %s", both[1],
-                text_fitted(n[0] / length, 3, 6).text);
-    text_append(label->text, sizeof label->text, " %s\n%s", text_fitted(n[1] / length, 3, 6).text,
+    for (int d = 0; d < 2; d++)
+        n[d] = length > 0 ? n[d] / length : 0; /* 0 0: there is none */
+    text_append(label->text, sizeof label->text, " | %zu\nn %s", both[1], text_fitted(n[0], 3, 6).text);
+    text_append(label->text, sizeof label->text, " %s\n%s", text_fitted(n[1], 3, 6).text,
                 size > 0 ? "gives " : "gives nothing");
     if (size > 0)
         text_append(label->text, sizeof label->text, "%s %s", text_fitted(gives[0], 4, 9).text,
@@ -436,8 +437,7 @@ static void add_contact(const CellView *view, Picture *picture, size_t node, Pic
         return;
     char told[64];
     snprintf(told, sizeof told, "node %zu", node);
-    add_vector(view, picture, (double[]){n[0] / length, n[1] / length}, 0.45 * view->spacing, STYLE_CHANGED,
-               "n", told);
+    add_vector(view, picture, (double[]){n[0], n[1]}, 0.45 * view->spacing, STYLE_CHANGED, "n", told);
     for (int k = 0; k < 2; k++) {
         const int body = body_of(view, 1, both[k]);
         snprintf(told, sizeof told, "node %zu, %s", both[k], name_of_body(view, body));

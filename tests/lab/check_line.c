@@ -260,7 +260,7 @@ START_TEST(the_list_of_scenarios_fits_a_small_screen)
     bench->height = 12;
     press_all(bench, "o PageDown PageDown PageDown PageDown PageDown PageDown");
     expect_line(bench, "vibrating-block");
-    ck_assert(shows(bench, "What does half a cell save"));
+    ck_assert(shows(bench, "What does half the cell size gain"));
     press_all(bench, "PageUp PageUp PageUp PageUp PageUp PageUp");
     expect_line(bench, "mode1");
     ck_assert(shows(bench, "Where mesh and bar agree"));

@@ -625,19 +625,22 @@ static void cells_of(Simulation *sim, int *cells)
     free(y);
 }
 
-/* The first crossing of each particle is an event, one a step, by every way through the steps. */
+/* The first crossing of each particle is an event, one a step, by every way through the steps. A supported
+ * beam begins bent by more than a cell. */
 START_TEST(crossings_are_told)
 {
     enum { STEPS = 90 };
-    PlaneDef def = plane_default(true);
+    const bool leaves = _i < 4;
+    PlaneDef def = plane_default(leaves);
     def.cell_size = 1.25e-3;
+    def.amplitude = leaves ? def.amplitude : 1.6e-3;
     def.length = .025;
-    def.channel = 5e-3;
-    def.speed = 40;
+    def.channel = leaves ? 5e-3 : 0;
+    def.speed = leaves ? 40 : 0;
     def.end = 1e-4;
     def.shape = _i % 2 ? MPM_GIMP : MPM_HAT;
     def.algorithm = _i < 2 ? MPM_USF : MPM_MUSL;
-    Simulation *sim = create(&def), *fast = create(&def), *riding;
+    Simulation *sim = create(&def), *fast = create(&def);
     const int n = mpm_of(sim)->n_particles;
     int *before = calloc((size_t)n, sizeof *before), *after = calloc((size_t)n, sizeof *after);
     bool *crossed = calloc((size_t)n, sizeof *crossed);
@@ -675,11 +678,13 @@ START_TEST(crossings_are_told)
     for (int k = 0; k < told; k++)
         ck_assert_str_eq(fast->events[k].text, sim->events[k].text);
     expect_same_state(sim, fast, "whole steps");
-    def.grid_velocity = def.speed;
-    riding = create(&def);
-    ck_assert(simulation_steps(riding, STEPS, NULL, NULL, &status));
-    ck_assert_int_eq(riding->n_events, 0);
-    simulation_destroy(riding);
+    if (leaves) {
+        def.grid_velocity = def.speed;
+        Simulation *riding = create(&def);
+        ck_assert(simulation_steps(riding, STEPS, NULL, NULL, &status));
+        ck_assert_int_eq(riding->n_events, 0);
+        simulation_destroy(riding);
+    }
     simulation_destroy(fast);
     simulation_destroy(sim);
     free(before);
@@ -890,7 +895,7 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(test, columns_that_are_left_out, 0, 2);
     tcase_add_loop_test(test, bits_of_a_bow, 0, 6);
     tcase_add_test(test, memory_of_a_beam);
-    tcase_add_loop_test(test, crossings_are_told, 0, 4);
+    tcase_add_loop_test(test, crossings_are_told, 0, 6);
     tcase_add_test(test, live_parameters);
     tcase_add_loop_test(test, stages_are_told, 0, VARIANTS + 6);
     tcase_add_test(test, runs_that_fail);

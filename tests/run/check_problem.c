@@ -908,6 +908,29 @@ START_TEST(momenta_are_exact_until_a_wall_can_act)
 }
 END_TEST
 
+/* A block that vibrates does not move rigidly: nobody knows when it reaches a wall. */
+START_TEST(a_wave_touches_at_no_known_time)
+{
+    static const char *const box[] = {"domain.left",
+                                      "slip",
+                                      "domain.right",
+                                      "slip",
+                                      "bodies.block",
+                                      "block 0.3 0.4 0.6 0.6 velocity 0.1 0 wave 0.3",
+                                      "time.end",
+                                      "2",
+                                      NULL};
+    Settings settings = loaded("vibrating-block", box);
+    Experiment *run = at_time(&settings, 1.6);
+    ck_assert(isnan(found(run, "wall_touch").exact));
+    experiment_destroy(run);
+    set(&settings, "bodies.block", "block 0.3 0.4 0.6 0.6 velocity 0.1 0");
+    run = at_time(&settings, 1.6);
+    ck_assert_double_eq_tol(found(run, "wall_touch").exact, 4, 1e-9);
+    experiment_destroy(run);
+}
+END_TEST
+
 /* a = g (sin - mu cos) as tan 30 > 3 mu; 2/3 g sin where it rolls. The wall ahead is 1.8 away. */
 START_TEST(an_incline_ends_at_its_wall)
 {
@@ -1054,6 +1077,7 @@ void add_cases(Suite *suite)
     TCase *bodies = tcase_create("bodies");
     tcase_set_timeout(bodies, 120);
     tcase_add_test(bodies, momenta_are_exact_until_a_wall_can_act);
+    tcase_add_test(bodies, a_wave_touches_at_no_known_time);
     tcase_add_test(bodies, an_incline_ends_at_its_wall);
     tcase_add_test(bodies, a_bounce_is_told);
     tcase_add_test(bodies, a_spin_of_round_off_is_none);

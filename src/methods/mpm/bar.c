@@ -107,8 +107,7 @@ static const Method method = {
  * sqrt(E/rho) (eq. 21; of two materials the faster), supports and the particles under traction (eq. 11). The
  * mesh has `padding` cells beyond each free end. A node that is not heavier than 1e-12 of a full cell is
  * inactive; a larger threshold would be seen in the results (1e-3 changes them visibly). */
-/* Particles that are worked on together: some chunks for threads to share, each long enough to be read ahead.
- */
+/* Particles that are worked on together, so many that they are read ahead where there are many. */
 static int chunk_of(int particles)
 {
     const int chunk = particles / 8;

@@ -70,28 +70,28 @@ bool mpm_has_done(const Mpm *mpm, MpmOp op)
 bool mpm_find_all(Mpm *mpm)
 {
     const double shift = mpm_shift(mpm, mpm->sim.step);
-    bool inside = true, unused;
+    bool inside = true;
     for (int k = 0; k < mpm->n_chunks; k++) {
         const MpmChunk *chunk = &mpm->chunks[k];
         mpm->spans[k] = (MpmSpan){INT_MAX, 0};
         for (int row = 0; row < chunk->rows; row++) {
             const int first = chunk->first + row * chunk->stride, end = first + chunk->count;
-            inside = mpm_set_places(mpm, mpm->dim, mpm->shape, shift, first, end, &mpm->spans[k], &unused) ==
-                         end &&
-                     inside;
+            inside =
+                mpm_set_places(mpm, mpm->dim, mpm->shape, shift, first, end, &mpm->spans[k], NULL) == end &&
+                inside;
         }
     }
     return inside;
 }
 
-bool mpm_crosses(const Mpm *mpm, int p)
+bool mpm_crosses(const Mpm *mpm, int particle, int old, const double *s)
 {
-    const int gx = mpm->dim == 2 ? mpm->gx : mpm->n_nodes,
-              node[MPM_AXES] = {mpm->base[p] % gx, mpm->base[p] / gx};
+    const int gx = mpm->dim == 2 ? mpm->gx : mpm->n_nodes, now = mpm->base[particle];
+    const int from[MPM_AXES] = {old % gx, old / gx}, to[MPM_AXES] = {now % gx, now / gx};
     bool crosses = false;
     for (int axis = 0; axis < mpm->dim; axis++)
-        crosses = crosses ||
-                  floor(node[axis] + (mpm->s[axis][p] - mpm->edge)) != floor(mpm->rest[axis][p] - mpm->edge);
+        crosses = crosses || mpm_cell(from[axis], s[axis], mpm->edge) !=
+                                 mpm_cell(to[axis], mpm->s[axis][particle], mpm->edge);
     return crosses;
 }
 

@@ -268,12 +268,16 @@ MPM_INLINE int mpm_cell(int first, double s, double edge)
     return first + (s - edge >= 1.0) - (s - edge < 0.0);
 }
 
+/* Whether a particle lies in another cell than where `old` was its first node, and s its place beside it. */
+bool mpm_crosses(const Mpm *, int particle, int old, const double *s);
+
 /* Finds the first node of each of some particles and its place s beside it on the grid of a step, of which
  * `shift` is the way; CPDI's domain is as long as the particle: the volume of a unit of cross-section is a
- * length. Widens the span of their first nodes, and says in *moved whether one may have come into another
- * cell. Returns the first particle that is outside, which stays where it was, else `end`. */
+ * length. Widens the span of their first nodes; crossed[p] becomes 2 where it was 0 and the particle has come
+ * into another cell (NULL: nobody asks). Returns the first particle that is outside, which stays where it
+ * was, else `end`. */
 MPM_INLINE int mpm_set_places(Mpm *mpm, const int dim, const MpmShape shape, double shift, int first, int end,
-                              MpmSpan *span, bool *moved)
+                              MpmSpan *span, uint8_t *crossed)
 {
     const double inverse = 1.0 / mpm->dx, edge = shape == MPM_GIMP ? mpm->edge : 0.0;
     const double left = mpm->low[0], right = mpm->high[0], below = mpm->low[1], top = mpm->high[1];
@@ -283,7 +287,7 @@ MPM_INLINE int mpm_set_places(Mpm *mpm, const int dim, const MpmShape shape, dou
     const bool stays = dim == 1 && mpm->stays;
     const int32_t *const field = dim == 2 ? mpm->field : NULL, gx = mpm->gx;
     int32_t *const base = mpm->base;
-    int p = first, low = span->low, high = span->high, changed = stays;
+    int p = first, low = span->low, high = span->high;
     double least = left;
     for (; p < end; p++) {
         const double x = rest[0][p] + (u[0][p] * inverse - shift);
@@ -295,11 +299,8 @@ MPM_INLINE int mpm_set_places(Mpm *mpm, const int dim, const MpmShape shape, dou
         const int column = (int)(stays ? rest[0][p] : x), row = dim == 2 ? (int)y : 0;
         const int node = (field ? field[p] : 0) + row * gx + column;
         const int at = field ? node / gx : column; /* of bodies spans are rows */
-        changed |= node ^ base[p];
-        if (shape == MPM_GIMP) /* a cell has two first nodes */
-            changed |= mpm_cell(0, x - column, edge) ^ mpm_cell(0, s[0][p], edge);
-        if (shape == MPM_GIMP && dim == 2)
-            changed |= mpm_cell(0, y - row, edge) ^ mpm_cell(0, s[1][p], edge);
+        const int old = base[p];
+        const double was[MPM_AXES] = {s[0][p], dim == 2 ? s[1][p] : 0.0};
         if (dim == 2 || p == first || p + 1 == end) { /* those of a line are in order */
             low = at < low ? at : low;
             high = at > high ? at : high;
@@ -308,11 +309,16 @@ MPM_INLINE int mpm_set_places(Mpm *mpm, const int dim, const MpmShape shape, dou
         s[0][p] = x - column;
         if (dim == 2)
             s[1][p] = y - row;
+        bool other = node != old || stays;
+        if (shape == MPM_GIMP) /* a cell has two first nodes */
+            other = other || mpm_cell(0, x - column, edge) != mpm_cell(0, was[0], edge) ||
+                    (dim == 2 && mpm_cell(0, y - row, edge) != mpm_cell(0, was[1], edge));
+        if (other && crossed && !crossed[p] && mpm_crosses(mpm, p, old, was))
+            crossed[p] = 2;
     }
     for (int k = first; shape == MPM_CPDI && k < p; k++)
         mpm->domain[k] = 0.5 * mpm->volume[k] * inverse;
     *span = (MpmSpan){low, high};
-    *moved = changed != 0;
     return p;
 }
 
@@ -343,9 +349,6 @@ MPM_INLINE double mpm_spread(const MpmShape shape, double edge, double s, const 
         sum += n[a] * (a - (s - edge)) * (a - (s - edge));
     return sum;
 }
-
-/* Whether a particle lies in another cell than at t = 0. */
-bool mpm_crosses(const Mpm *, int particle);
 
 /* N and N' of a particle. */
 MpmWeights mpm_weights_of(const Mpm *, int particle);

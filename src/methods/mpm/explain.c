@@ -226,7 +226,7 @@ static void fix_node(const Subject *subject)
         calculation_write(subject->to, "%s", label_of(mpm, "p", axis, i, "").text);
         if (!holds(mpm, axis, i)) {
             calculation_number(subject->to, " = ", *p);
-            calculation_write(subject->to, mpm->dim == 1 && mpm_held(mpm, mpm->sim.step, i)
+            calculation_write(subject->to, mpm_held(mpm, mpm->sim.step, i) & (unsigned)(HELD_X << axis)
                                                ? " stays, though a support holds the node\n"
                                                : " stays: no support holds the node\n");
             continue;
@@ -446,7 +446,11 @@ static void fix_force_node(const Subject *subject)
     const unsigned held = mpm_held(subject->mpm, subject->mpm->sim.step, subject->index);
     for (int axis = 0; axis < 2; axis++)
         if (held & (unsigned)(HELD_X << axis))
-            calculation_write(subject->to, "f%s → 0: the support bears it\n", axis ? "y" : "x");
+            calculation_write(subject->to,
+                              mpm_holds_force(subject->mpm, axis, subject->index)
+                                  ? "f%s → 0: the support bears it\n"
+                                  : "f%s stays, though a support holds the node\n",
+                              axis ? "y" : "x");
     if (held == 0)
         calculation_write(subject->to, "no support holds this node: its force stays\n");
 }

@@ -181,15 +181,14 @@ bool bar_mistake_check(const BarDef *def, bool in_plane, Status *status)
     if (!row)
         return status_refuse(status, "mpm.mistake: %d is no choice (0 to %d)", def->mistake, MISTAKES);
     const unsigned only = row->only;
-    const char *other = (only & ONLY_USF) && def->algorithm != MPM_USF     ? "mpm.algorithm = usf"
+    const char *other = (only & (ONLY_LINE | ONLY_APIC)) && in_plane       ? "bars"
+                        : (only & ONLY_USF) && def->algorithm != MPM_USF   ? "mpm.algorithm = usf"
                         : (only & ONLY_MUSL) && def->algorithm != MPM_MUSL ? "mpm.algorithm = musl"
                         : (only & ONLY_HAT) && def->shape != MPM_HAT       ? "mpm.shape = hat"
                         : (only & ONLY_GIMP) && def->shape != MPM_GIMP     ? "mpm.shape = gimp"
                         : (only & ONLY_FLIP) && def->transfer != MPM_FLIP  ? "mpm.transfer = flip"
-                        : (only & ONLY_APIC) && (in_plane || def->transfer != MPM_APIC)
-                            ? "mpm.transfer = apic"
-                        : (only & ONLY_LINE) && in_plane              ? "bars"
-                        : def->transfer == MPM_FMPM                   ? "mpm.transfer = flip or apic"
+                        : (only & ONLY_APIC) && def->transfer != MPM_APIC  ? "mpm.transfer = apic"
+                        : def->transfer == MPM_FMPM                        ? "mpm.transfer = flip or apic"
                         : row->box > 1 && def->particles_per_cell < 2 ? "mesh.particles_per_cell of 2 or more"
                         : def->mass_blend != 1.0                      ? "mpm.mass_blend = 1"
                         : def->joint > 0.0                            ? "bar2.joint = 0"
@@ -348,8 +347,7 @@ bool mpm_change_mistake(Mpm *mpm, int mistake, bool concealed, Status *status)
             status, "mpm.mistake: %s is made at the start and holds for the whole run",
             concealed ? "?" : bar_mistake_words[bar_mistake_is_of_start(mistake) ? mistake : before]);
     if (does(mistake_of(mistake), WRONG_KEEPS_GRID | WRONG_VOLUME_LATE) && !mpm_can_keep(mpm))
-        return status_refuse(status,
-                             "mpm.mistake: %s is made in mid-run only of a beam that begins with a mistake",
+        return status_refuse(status, "mpm.mistake: %s cannot begin in mid-run here: set it at the start",
                              concealed ? "?" : bar_mistake_words[mistake]);
     mpm->head->mistake = mistake;
     if (!mpm_can_keep(mpm))
@@ -369,8 +367,10 @@ void mpm_write_wrongly(const Mpm *mpm, Stage *stage, MpmOp op)
     if (!mistake || mpm->bar.conceals_mistake || mpm->plane.conceals_mistake ||
         (op != mistake->stage && !also))
         return;
-    stage->equation = also ? mistake->also_equation : mistake->equation;
-    stage->ascii = also ? mistake->also_ascii : mistake->ascii;
     stage->source = mistake->id;
     stage->sentence = mistake->sentence;
+    if (mpm->dim == 2) /* the wrong line is that of a bar */
+        return;
+    stage->equation = also ? mistake->also_equation : mistake->equation;
+    stage->ascii = also ? mistake->also_ascii : mistake->ascii;
 }

@@ -9,7 +9,7 @@
  * long enough to be read ahead. */
 static inline int plane_chunk_cells(int columns)
 {
-    const int cells = columns / 8;
+    const int cells = columns / 16;
     return cells < 8 ? 8 : cells > 64 ? 64 : cells;
 }
 

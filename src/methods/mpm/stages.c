@@ -548,11 +548,8 @@ MPM_INLINE void update(Mpm *mpm, const int dim, const MpmShape shape, const Kind
 MPM_INLINE int settle(Mpm *mpm, const int dim, const MpmShape shape, const Kind kind, double shift,
                       MpmSpan *span, int first, int end)
 {
-    bool moved;
-    const int bad = mpm_set_places(mpm, dim, shape, shift, first, end, span, &moved);
-    for (int p = first; kind != BODIES && moved && p < bad; p++)
-        if (!mpm->crossed[p] && mpm_crosses(mpm, p))
-            mpm->crossed[p] = 2;
+    const int bad =
+        mpm_set_places(mpm, dim, shape, shift, first, end, span, kind == BODIES ? NULL : mpm->crossed);
     return bad < end ? bad : -1;
 }
 

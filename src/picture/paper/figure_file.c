@@ -377,8 +377,7 @@ bool figure_add(Figure *figure, const Screen *screen, const View *view, int pane
     FigurePanel *panel = calloc(1, sizeof *panel);
     if (!panel)
         return no_memory(status);
-    /* as many ticks as a pane of the terminal of that size has */
-    /* How large one of so many panels is, counted in characters of its labels. */
+    /* as many ticks as a pane of the terminal has that is as large, counted in characters of the labels */
     ASSERT_INT(panels, >=, 1);
     const int columns = (int)(panel_width(figure, panels) / (0.66 * SIZE_WORDS));
     const int rows = (int)(usual_height(figure, panels) / (1.3 * SIZE_WORDS));

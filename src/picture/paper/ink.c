@@ -133,9 +133,7 @@ static size_t put_sign(const char *start, const char *text, char *out, size_t si
 {
     for (size_t i = 0; i < sizeof signs / sizeof *signs; i++) {
         const size_t length = strlen(signs[i].plain);
-        const char c = text[length];
-        if (strncmp(text, signs[i].plain, length) != 0 ||
-            !(c == '\0' || c == ' ' || c == ',' || c == '.' || c == ';' || c == ':'))
+        if (strncmp(text, signs[i].plain, length) != 0 || (text[length] && !strchr(" ,.;:", text[length])))
             continue;
         if (signs[i].unit && (text - start < 2 || !(is_digit(text[-2]) || text[-2] == ')')))
             continue;
@@ -168,11 +166,11 @@ void ink_words(const char *text, char *out, size_t size)
         } else if (bound && *text == '~' && text[1] != ' ') {
             put(out, size, "∝ ");
             text++;
-            /* Before a number or a quantity, and between two numbers. */
         } else if (*text == '-' &&
                    (text == start || text[-1] == ' '
                         ? is_digit(text[1]) || (text[1] >= 'a' && text[1] <= 'z') || text[1] == '.'
                         : is_digit(text[-1]) && is_digit(text[1]))) {
+            /* before a number or a quantity, and between two numbers */
             put(out, size, "−");
             text++;
         } else if (*text == '^' && begins_power(text + 1)) {

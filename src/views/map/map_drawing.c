@@ -155,7 +155,7 @@ static void add_rows(const Drawing *drawing)
             map_row_ends(settings, kind, row, ends);
             const double *a = ends[0], *c = ends[1], b[2] = {c[0], a[1]}, d[2] = {a[0], c[1]};
             if (kind == ROWS_PROBE)
-                continue; /* add_probe() */
+                continue; /* add_parts() has it */
             if (kind == ROWS_CUTS) {
                 add_line(drawing, a, c, STYLE_HEADING);
             } else if (kind == ROWS_LOADS) {

@@ -28,7 +28,7 @@ typedef struct MeshNodes {
 
 /* --- what the nodes have ---------------------------------------------------------------------------- */
 
-/* False: no memory. mesh_close() in any case. */
+/* False: no memory. free(mesh->x) in any case. */
 static bool mesh_open(const Map *map, MeshNodes *mesh)
 {
     bool inside;
