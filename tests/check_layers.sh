@@ -90,7 +90,7 @@ done)
 judge "src includes files of src only"
 
 # A new parameter is a member of one concern of a scenario and a row of the table: what is compiled anew then are the files
-# that see that concern's header, directly or through others. 40 at most, of nearly 400. Of what the laboratory shows of
+# that see that concern's header, directly or through others. 40 at most, of about 320. Of what the laboratory shows of
 # questions, lessons and the player, which the laboratory itself owns: 60.
 found=$(cd "${MATVIB_SRCDIR:-..}/src" && find . -name '*.[ch]' -o -name '*.inc' | xargs grep -oE '^#include "[^"]+"' | awk '
 	{

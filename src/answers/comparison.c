@@ -112,16 +112,6 @@ static bool fill_digits(const Standing *run, char *label, char *value)
 /* --- energy ---------------------------------------------------------------------------------------- */
 
 /* The column of a run's series by its name; -1: it has none. */
-static int column_of(const Standing *run, const char *name)
-{
-    int n;
-    const Column *columns = experiment_columns(run->experiment, &n);
-    for (int i = 0; i < n; i++)
-        if (strcmp(columns[i].quantity.name, name) == 0)
-            return i;
-    return -1;
-}
-
 /* 100 (E* now over E* at the start, - 1) %: the loss without the ripple of staggered velocities and stresses,
  * where E* is kept (invariant.h). */
 static bool fill_loss(const Standing *run, char *label, char *value)
@@ -135,7 +125,7 @@ static bool fill_loss(const Standing *run, char *label, char *value)
 /* kinetic + strain over their sum at the start, where there is no E* to tell more. */
 static bool fill_total(const Standing *run, char *label, char *value)
 {
-    const int total = column_of(run, "total");
+    const int total = experiment_column(run->experiment, "total");
     const double *row = experiment_row(run->experiment);
     const Record *record = experiment_record(run->experiment);
     double now, start;
@@ -153,8 +143,9 @@ typedef double HiddenPart(double kinetic, double grid, double null);
 
 static bool fill_part(const Standing *run, const char *word, HiddenPart *part, char *label, char *value)
 {
-    const int kinetic = column_of(run, "kinetic"), grid = column_of(run, "kinetic_grid");
-    const int null = column_of(run, "kinetic_null");
+    const int kinetic = experiment_column(run->experiment, "kinetic"),
+              grid = experiment_column(run->experiment, "kinetic_grid");
+    const int null = experiment_column(run->experiment, "kinetic_null");
     const Record *record = experiment_record(run->experiment);
     const double to = experiment_time(run->experiment),
                  span = settings_time(experiment_settings(run->experiment))->end / 10;
@@ -214,7 +205,7 @@ static bool fill_crossing(const Standing *run, char *label, char *value)
     const Simulation *sim = experiment_simulation(run->experiment);
     const Event *events = experiment_events(run->experiment, &count);
     snprintf(label, COMPARISON_TEXT_MAX, "first crossing");
-    if (column_of(run, "kinetic_grid") < 0)
+    if (experiment_column(run->experiment, "kinetic_grid") < 0)
         return false; /* there is no grid */
     for (int i = 0; i < count; i++)
         if (events[i].kind == EVENT_CROSSING && events[i].step <= sim->step)
@@ -278,7 +269,7 @@ static bool fill_tip_y(const Standing *run, char *label, char *value)
 
 static bool fill_work(const Standing *run, char *label, char *value)
 {
-    const int work = column_of(run, "work");
+    const int work = experiment_column(run->experiment, "work");
     const double *row = experiment_row(run->experiment);
     snprintf(label, COMPARISON_TEXT_MAX, "work of the load");
     return work >= 0 && !simulation_has(experiment_simulation(run->experiment), HAS_RELATIVE_ENERGY) && row &&

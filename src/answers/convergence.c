@@ -261,16 +261,15 @@ static bool point_by_run(const Settings *settings, ConvergencePoint *out, Status
     Experiment *run = experiment_create(settings, history, 1, &why);
     if (!run)
         return why.code == STATUS_USAGE || status_fail(status, "%s", why.text);
-    const long last = experiment_last_step(run),
-               steps = simulation_steps_per_poll(experiment_simulation(run));
-    bool going = experiment_advance(run, 1, &why) && compare(run, out), kept = true;
-    while (going && kept && !experiment_at_end(run)) {
-        kept = !cancel_requested(&settings->cancel, (double)experiment_step(run) / (double)last);
-        going = kept && experiment_advance(run, steps, &why);
+    bool going = experiment_advance(run, 1, &why) && compare(run, out);
+    if (going) {
+        experiment_seek(run, experiment_last_step(run), 0);
+        going = experiment_work_off(run, settings->cancel, &why);
     }
+    const bool kept = !experiment_pending(run, NULL); /* else it was cancelled */
     out->known = going && compare(run, out) && isfinite(out->error);
     experiment_destroy(run);
-    return kept || status_fail(status, "given up");
+    return kept || status_fail(status, "%s", why.text);
 }
 
 /* Point k, by predicted answers alone: 100 (predicted/real size - 1) in percent over the size of the lattice

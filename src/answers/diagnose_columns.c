@@ -3,10 +3,8 @@
  * (diagnose_internal.h): their sizes, and those that tell nothing, for they are empty, zero,
  * copied, or no numbers. */
 #include "answers/diagnose_internal.h"
-#include "base/assertion.h"
 
 #include "answers/references.h"
-#include "base/math/functions.h"
 #include "problems/problem.h"
 
 #include <math.h>

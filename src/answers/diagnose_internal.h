@@ -57,7 +57,6 @@ double diagnose_size_at_start(Simulation *, const Quantity *, const double *row)
 bool diagnose_are_alike(const Quantity *, const Quantity *);
 
 /* The round-off of two right codes after a step, as a share of a column's size. */
-double diagnose_noise(const Simulation *);
 
 /* diagnose_candidates.c: what else could have made the numbers: up to two values other than the scenario's.
  */

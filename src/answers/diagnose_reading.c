@@ -9,7 +9,6 @@
 
 #include "base/assertion.h"
 #include "base/wait.h"
-#include "base/math/functions.h"
 #include "base/text.h"
 #include "problems/problem.h"
 #include "scenario/concern_output.h"

@@ -9,7 +9,6 @@
 
 #include "base/assertion.h"
 #include "base/input.h"
-#include "base/math/functions.h"
 #include "base/text.h"
 #include "problems/problem.h"
 
@@ -246,7 +245,7 @@ bool diagnose_are_alike(const Quantity *a, const Quantity *b)
     return strcmp(a->unit, b->unit) == 0 && is_displacement(a) == is_displacement(b);
 }
 
-double diagnose_noise(const Simulation *sim)
+static double noise_of(const Simulation *sim)
 {
     return simulation_has(sim, HAS_BONDS) || simulation_has(sim, HAS_PLANE) ? 1e-9 : 1e-13;
 }
@@ -258,7 +257,7 @@ double diagnose_size_at_start(Simulation *sim, const Quantity *like, const doubl
     double size = size_of_terms(sim, like->unit, row), values[BLOCK];
     if (is_displacement(like)) {
         const Quantity place = {"x", like->unit, "", ""};
-        size = last_digits / diagnose_noise(sim) * diagnose_size_at_start(sim, &place, row);
+        size = last_digits / noise_of(sim) * diagnose_size_at_start(sim, &place, row);
     }
     for (int i = 0; i < sim->n_series; i++)
         if (diagnose_are_alike(&sim->series[i], like) && isfinite(row[i]))
@@ -839,7 +838,7 @@ static bool read_rows(DiagnoseTable *table, const Settings *settings, const char
     table->stages_by_id = columns.stage_id >= 0;
     table->of_next = !table->of_stages && table->set >= 0 && sim->sets[table->set].ready_after > 0;
     table->noise_growth = 1e-2;
-    table->noise = diagnose_noise(sim);
+    table->noise = noise_of(sim);
     table->dt = table->scenario_dt = sim->dt;
     table->time_factor = columns.time >= 0 ? columns.time_factor : 1;
     table->timed = columns.time >= 0;

@@ -302,8 +302,8 @@ void diagnosis_tell(const Diagnosis *found, const DiagnoseTable *table, const ch
         return;
     }
     if (found->verdict == DIAGNOSE_MUTE) {
-        fputs("This file tells nothing: its columns are empty, or no more than round-off in the right run "
-              "too.\nWrite an energy, or the velocity of one particle (--template).\n",
+        fputs("This file tells nothing: its columns are empty, or are only round-off even in the right "
+              "run.\nWrite an energy, or the velocity of one particle (--template).\n",
               out);
         return;
     }

@@ -10,6 +10,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 References *references_create(const Settings *settings, const Simulation *sim, Status *status)
 {
@@ -55,6 +56,14 @@ int references_columns(const References *refs, Column columns[COLUMNS_MAX])
     for (int i = 0; i < refs->n_columns; i++)
         columns[i] = refs->plan[i].column;
     return refs->n_columns;
+}
+
+int references_column(const Column *columns, int count, const char *name)
+{
+    for (int i = 0; i < count; i++)
+        if (strcmp(columns[i].quantity.name, name) == 0)
+            return i;
+    return -1;
 }
 
 long references_memory(const References *refs)

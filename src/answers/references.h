@@ -25,6 +25,9 @@ void references_destroy(References *);
  * are depends on the settings (no prediction: no such column). Returns how many. */
 int references_columns(const References *, Column columns[COLUMNS_MAX]);
 
+/* Which of them has that name; -1: none. */
+int references_column(const Column *columns, int count, const char *name);
+
 /* Completes a row: `method_row` is what the simulation gave at this step, `row` takes one number for every
  * column. Columns that need the past (a filter) are kept inside: rows come in order; reset() before the
  * first. */

@@ -10,67 +10,25 @@
 #include <math.h>
 #include <string.h>
 
-static double measured(const RunSummary *run, const char *word)
-{
-    (void)word;
-    return run->readout.measured_known ? run->readout.measured : NAN;
-}
+/* A number that is a formula of the summary. */
+#define NUMBER(name, formula)                                                                                \
+    static double name(const RunSummary *run, const char *word)                                              \
+    {                                                                                                        \
+        (void)word;                                                                                          \
+        return formula;                                                                                      \
+    }
 
-static double predicted(const RunSummary *run, const char *word)
-{
-    (void)word;
-    return run->readout.predicted_known ? run->readout.predicted : NAN;
-}
-
-static double exact(const RunSummary *run, const char *word)
-{
-    (void)word;
-    return run->readout.exact_known ? run->readout.exact : NAN;
-}
-
-static double error(const RunSummary *run, const char *word)
-{
-    (void)word;
-    return run->readout.error_frequency;
-}
-
-static double period_error(const RunSummary *run, const char *word)
-{
-    (void)word;
-    return run->readout.error_period;
-}
-
-static double predicted_error(const RunSummary *run, const char *word)
-{
-    (void)word;
-    return run->readout.predicted_error_frequency;
-}
-
-static double late(const RunSummary *run, const char *word)
-{
-    (void)word;
-    return run->readout.late;
-}
-
-static double energy_change(const RunSummary *run, const char *word)
-{
-    (void)word;
-    return run->energy_measure == ENERGY_NOT_KNOWN ? NAN : run->energy_change;
-}
-
-static double last_time(const RunSummary *run, const char *word)
-{
-    (void)word;
-    return run->time;
-}
-
-static double steps(const RunSummary *run, const char *word)
-{
-    (void)word;
-    return (double)run->steps;
-}
-
-static double derived(const RunSummary *run, const char *word)
+NUMBER(measured, run->readout.measured_known ? run->readout.measured : NAN)
+NUMBER(predicted, run->readout.predicted_known ? run->readout.predicted : NAN)
+NUMBER(exact, run->readout.exact_known ? run->readout.exact : NAN)
+NUMBER(error, run->readout.error_frequency)
+NUMBER(period_error, run->readout.error_period)
+NUMBER(predicted_error, run->readout.predicted_error_frequency)
+NUMBER(late, run->readout.late)
+NUMBER(energy_change, run->energy_measure == ENERGY_NOT_KNOWN ? NAN : run->energy_change)
+NUMBER(last_time, run->time)
+NUMBER(steps, (double)run->steps)
+double run_summary_derived(const RunSummary *run, const char *word)
 {
     for (int i = 0; i < run->n_derived; i++)
         if (strcmp(run->derived[i].name, word) == 0)
@@ -89,67 +47,23 @@ static double either(const RunSummary *run, double of_crack, double of_fronts)
     return run->fronts_known ? of_fronts : crack(run, of_crack);
 }
 
-static double crack_start(const RunSummary *run, const char *word)
-{
-    (void)word;
-    return crack(run, run->crack.measured.first_break);
-}
-
-static double crack_angle_all(const RunSummary *run, const char *word)
-{
-    (void)word;
-    return either(run, run->crack.angle, run->fronts.angle);
-}
-
-static double crack_length(const RunSummary *run, const char *word)
-{
-    (void)word;
-    return crack(run, run->crack.measured.length);
-}
-
-static double crack_speed(const RunSummary *run, const char *word)
-{
-    (void)word;
-    return either(run, run->crack.measured.fastest, run->fronts.fastest);
-}
-
-static double broken_bonds(const RunSummary *run, const char *word)
-{
-    (void)word;
-    return run->crack_known || run->fronts_known
-               ? either(run, (double)run->crack.measured.broken, (double)run->fronts.broken)
-               : run->broken_bonds;
-}
+NUMBER(crack_start, crack(run, run->crack.measured.first_break))
+NUMBER(crack_angle_all, either(run, run->crack.angle, run->fronts.angle))
+NUMBER(crack_length, crack(run, run->crack.measured.length))
+NUMBER(crack_speed, either(run, run->crack.measured.fastest, run->fronts.fastest))
+NUMBER(broken_bonds, run->crack_known || run->fronts_known
+                         ? either(run, (double)run->crack.measured.broken, (double)run->fronts.broken)
+                         : run->broken_bonds)
 
 static double of_branch(const RunSummary *run, double value)
 {
     return run->fronts_known && run->fronts.branched ? value : NAN;
 }
 
-static double branch_time(const RunSummary *run, const char *word)
-{
-    (void)word;
-    return of_branch(run, run->fronts.branch_time);
-}
-
-static double branch_angle(const RunSummary *run, const char *word)
-{
-    (void)word;
-    return of_branch(run, run->fronts.half_angle);
-}
-
-static double crack_tips(const RunSummary *run, const char *word)
-{
-    (void)word;
-    return run->fronts_known ? (double)run->fronts.n_tips : NAN;
-}
-
-static double crack_cost_of(const RunSummary *run, const char *word)
-{
-    (void)word;
-    return run->price_known ? run->price.cost.total / run->price.cost.area : NAN;
-}
-
+NUMBER(branch_time, of_branch(run, run->fronts.branch_time))
+NUMBER(branch_angle, of_branch(run, run->fronts.half_angle))
+NUMBER(crack_tips, run->fronts_known ? (double)run->fronts.n_tips : NAN)
+NUMBER(crack_cost_of, run->price_known ? run->price.cost.total / run->price.cost.area : NAN)
 static double finding(const RunSummary *run, const char *word)
 {
     for (int i = 0; i < run->n_findings; i++)
@@ -166,11 +80,7 @@ static double exact_of(const RunSummary *run, const char *word)
     return NAN;
 }
 
-static double acceleration_exact(const RunSummary *run, const char *word)
-{
-    (void)word;
-    return exact_of(run, "acceleration");
-}
+NUMBER(acceleration_exact, exact_of(run, "acceleration"))
 
 /* |u - u_ref|/|u_ref| */
 static double tip_error(const RunSummary *run, const char *word)
@@ -201,16 +111,17 @@ const RunNumber run_numbers[] = {
      ABOUT("%", "energy gained", "energy lost"), .part = SUMMARY_ENERGY},
     {"end", "the time at the end", last_time, .label = NULL},
     {"steps", "steps to the end", steps, .label = NULL},
-    {"dt", "the time step", derived, .beforehand = true, .called = "time step"},
-    {"cells", "cells of the mesh", derived, .beforehand = true},
-    {"particles", "particles or lattice points", derived, .beforehand = true},
-    {"cells_per_wave", "cells to a wave length", derived, .beforehand = true},
-    {"wave_speed", "speed of waves", derived, .beforehand = true},
-    {"family", "neighbours of a lattice point inside the body", derived, .beforehand = true},
-    {"bonds", "bonds of the lattice", derived, .beforehand = true},
-    {"real_height", "height that a beam has on its lattice, m", derived, .beforehand = true},
-    {"critical_energy", "energy that an area of crack should cost, J/m^2", derived, .beforehand = true},
-    {"rayleigh_speed", "speed of Rayleigh's wave, m/s", derived, .beforehand = true},
+    {"dt", "the time step", run_summary_derived, .beforehand = true, .called = "time step"},
+    {"cells", "cells of the mesh", run_summary_derived, .beforehand = true},
+    {"particles", "particles or lattice points", run_summary_derived, .beforehand = true},
+    {"cells_per_wave", "cells to a wave length", run_summary_derived, .beforehand = true},
+    {"wave_speed", "speed of waves", run_summary_derived, .beforehand = true},
+    {"family", "neighbours of a lattice point inside the body", run_summary_derived, .beforehand = true},
+    {"bonds", "bonds of the lattice", run_summary_derived, .beforehand = true},
+    {"real_height", "height that a beam has on its lattice, m", run_summary_derived, .beforehand = true},
+    {"critical_energy", "energy that an area of crack should cost, J/m^2", run_summary_derived,
+     .beforehand = true},
+    {"rayleigh_speed", "speed of Rayleigh's wave, m/s", run_summary_derived, .beforehand = true},
     {"crack_start", "time of the first break at the notch, s", crack_start,
      ABOUT_IN("µs", 1e6, "to the first break"), .part = SUMMARY_CRACK, .of_moment = true},
     {"crack_angle",
@@ -266,8 +177,9 @@ const RunNumber run_numbers[] = {
      .judged = true},
     {"u_error", "error of the displacement of a vibrating block, root mean square over the amplitude",
      finding, ABOUT_IN("%", 100, "error of u"), .part = SUMMARY_FINDINGS, .of_moment = true, .judged = true},
-    {"sxx_error", "likewise of its stress", finding, ABOUT_IN("%", 100, "error of sxx"),
-     .part = SUMMARY_FINDINGS, .of_moment = true, .judged = true},
+    {"sxx_error", "error of the stress sxx of a vibrating block, root mean square over the amplitude",
+     finding, ABOUT_IN("%", 100, "error of sxx"), .part = SUMMARY_FINDINGS, .of_moment = true,
+     .judged = true},
     {"stretch", "largest distance of neighbours, as a share of that at the start", finding,
      ABOUT("", "largest stretch", NULL), .part = SUMMARY_FINDINGS, .of_moment = true},
     {"torn", "time at which neighbours of a body parted", finding, ABOUT("", "torn at", NULL),

@@ -20,40 +20,22 @@
 
 enum { HISTORY = 64 << 20 };
 
-static bool interrupted(Status *status)
-{
-    return status_fail(status, "interrupted");
-}
+/* The part of the bar that some work takes, which begins at `behind`. */
+typedef struct Part {
+    double behind, part;
+    Progress *progress;
+} Part;
 
-/* Goes on to a step in slices; the bar goes from `behind` to `behind` + `part`. */
-static bool advance_to(Experiment *experiment, long step, double behind, double part, Progress *progress,
-                       Status *status)
+static bool show_part(double share, void *context)
 {
-    const long first = experiment_step(experiment),
-               slice = simulation_steps_per_poll(experiment_simulation(experiment));
-    while (experiment_step(experiment) < step && !experiment_at_end(experiment)) {
-        const long left = step - experiment_step(experiment);
-        if (!experiment_advance(experiment, left < slice ? left : slice, status))
-            return false;
-        const double share = (double)(experiment_step(experiment) - first) / (double)(step - first);
-        if (!progress_show(behind + part * share, progress))
-            return interrupted(status);
-    }
-    return true;
+    const Part *part = context;
+    return progress_show(part->behind + part->part * share, part->progress);
 }
 
 static bool work_off(Experiment *experiment, double behind, double part, Progress *progress, Status *status)
 {
-    const long slice = simulation_steps_per_poll(experiment_simulation(experiment));
-    long left, all = 0;
-    while (experiment_pending(experiment, &left)) {
-        all = left > all ? left : all;
-        if (!experiment_work(experiment, slice, status))
-            return false;
-        if (!progress_show(behind + part * (1 - (double)left / (double)(all > 0 ? all : 1)), progress))
-            return interrupted(status);
-    }
-    return true;
+    Part shown = {behind, part, progress};
+    return experiment_work_off(experiment, (Cancel){show_part, &shown}, status);
 }
 
 /* The other runs first, of which the experiment is the first one; their curves stay behind those of the run
@@ -62,7 +44,8 @@ static bool run_against(Experiment *experiment, const Settings *others, int n_ot
                         const Settings *settings, long step, Progress *progress, Status *status)
 {
     const double part = 1.0 / (n_others + 1);
-    bool sound = advance_to(experiment, step, 0, part, progress, status);
+    experiment_seek(experiment, step, 0);
+    bool sound = work_off(experiment, 0, part, progress, status);
     for (int i = 0; i < n_others && sound; i++)
         sound = (n_others == 1 || experiment_pin(experiment, status)) &&
                 experiment_rerun(experiment, i + 1 < n_others ? &others[i + 1] : settings, status) &&
@@ -81,13 +64,8 @@ static bool take_frames(Figure *figure, Experiment *experiment, Screen *screen, 
         const long step = frames->steps[i];
         const double here = (double)(i > 0 ? frames->steps[i - 1] : 0) / last;
         const double there = (double)step / last;
-        if (step > experiment_newest(experiment)) {
-            sound = advance_to(experiment, step, here, there - here, progress, status);
-        } else if (step != experiment_step(experiment)) {
-            experiment_seek(experiment, step, 0);
-            sound = work_off(experiment, here, there - here, progress, status);
-        }
-        experiment_rest(experiment);
+        experiment_seek(experiment, step, 0);
+        sound = work_off(experiment, here, there - here, progress, status);
         sound = sound && figure_add(figure, screen, view, count, status);
     }
     return sound;
@@ -122,7 +100,7 @@ static bool draw_frames(Experiment *experiment, Screen *screen, const View *view
     figure.bare = options->bare;
     const bool sound = take_frames(&figure, experiment, screen, view, frames, progress, status) &&
                        take_alike(&figure, experiment, screen, view, frames, progress, status) &&
-                       (progress_show(1, progress) || interrupted(status)) &&
+                       (progress_show(1, progress) || status_fail(status, "interrupted")) &&
                        figure_write(&figure, ASKER_COMMAND_LINE, options->output, options->force, status);
     figure_close(&figure);
     return sound;

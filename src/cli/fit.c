@@ -17,7 +17,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { HISTORY = 64 << 20, SLICE = 200 };
+enum { HISTORY = 64 << 20 };
 
 /* The data that are there, in order. */
 typedef struct Data {
@@ -114,17 +114,6 @@ static bool write_table(const Options *options, const FitTask *task, const FitRe
     return output_end(&file, true, status);
 }
 
-static bool run_fitted(Experiment *experiment, Progress *progress, Status *status)
-{
-    while (!experiment_at_end(experiment)) {
-        if (!experiment_advance(experiment, SLICE, status))
-            return false;
-        if (!progress_show(1, progress))
-            return status_fail(status, "interrupted");
-    }
-    return true;
-}
-
 /* The data over the curve of the run with the parameters that were found. */
 static bool draw(const Options *options, Data *data, const FitResult *result, Progress *progress,
                  Status *status)
@@ -144,8 +133,9 @@ static bool draw(const Options *options, Data *data, const FitResult *result, Pr
     screen.time.window = data->taken.times[data->taken.count - 1];
     snprintf(name, sizeof name, "probe:%s", data->column);
     figure_open(&figure, options->size[0], options->size[1]);
+    experiment_seek(experiment, experiment_last_step(experiment), 0);
     const bool sound =
-        run_fitted(experiment, progress, status) &&
+        experiment_work_off(experiment, (Cancel){progress_show, progress}, status) &&
         (figure_view(&screen, name, &view, NULL) || figure_view(&screen, "probe", &view, status)) &&
         figure_add(&figure, &screen, view, 1, status) &&
         figure_write(&figure, ASKER_COMMAND_LINE, options->figure, options->force, status);

@@ -297,7 +297,7 @@ void help_draw(const Screen *screen, Area area)
         first = 0;
     char heading[96];
     snprintf(heading, sizeof heading, "Help %d of %d: %s", page + 1, help_pages(screen), names[page]);
-    area_rule(area, 0, heading, STYLE_FOCUS);
+    area_rule(area, heading, STYLE_FOCUS);
     if (written.count > room) {
         snprintf(heading, sizeof heading, " lines %d-%d of %d ", first + 1,
                  first + room < written.count ? first + room : written.count, written.count);

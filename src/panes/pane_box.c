@@ -26,7 +26,7 @@ static void hint_of(const Screen *screen, char *out, size_t size)
     /* "v_cm: velocity of the centre of mass": what the run is judged by, "" if nothing is. */
     int n;
     const Column *columns = experiment_columns(screen->experiment, &n);
-    const int column = screen_column(screen, experiment_readout(screen->experiment)->column);
+    const int column = experiment_column(screen->experiment, experiment_readout(screen->experiment)->column);
     gloss[0] = '\0';
     if (column >= 0)
         snprintf(gloss, sizeof gloss, "%s: %s", columns[column].quantity.label,
@@ -173,7 +173,7 @@ static void draw_caption_heading(const Screen *screen, Area area, const char *li
 {
     const Settings *settings = experiment_settings(screen->experiment);
     const char *text = has_headline ? lines : settings->title[0] ? settings->title : settings->problem->title;
-    area_rule(area, 0, text, STYLE_HEADING);
+    area_rule(area, text, STYLE_HEADING);
     char rate[64];
     for (int brief = 0; brief < 2; brief++) {
         rate_text(screen, brief, rate, sizeof rate);
@@ -219,8 +219,7 @@ static void draw_summary(const Screen *screen, Area area)
     const RunSummary *summary = screen->summary;
     const Readout *readout = experiment_readout(screen->experiment);
     const int rows = area.rect.height;
-    area_rule(area, 0, failed ? "The run stopped" : "The run is complete",
-              failed ? STYLE_ERROR : STYLE_HEADING);
+    area_rule(area, failed ? "The run stopped" : "The run is complete", failed ? STYLE_ERROR : STYLE_HEADING);
     int y = 1;
     Status status = {STATUS_DONE, ""};
     if (experiment_failed(screen->experiment, &status) && y < rows)
@@ -279,7 +278,7 @@ static bool draw_box(const Screen *screen, Area area)
         return true;
     if (screen->diagnosis[0] && between) {
         /* It stays until the series beside it goes. */
-        area_rule(area, 0, "Your code beside the right one   :overlay takes it away", STYLE_HEADING);
+        area_rule(area, "Your code beside the right one   :overlay takes it away", STYLE_HEADING);
         area_paragraph(area, 1, 1, area.rect.width - 2, area.rect.height - 1, screen->diagnosis,
                        STYLE_NORMAL);
     } else if (screen_second_run(screen) && between)

@@ -88,7 +88,7 @@ void pane_duel(const Screen *screen, Area area)
     const bool own_row = count <= groups * (height - 1);
     if (!own_row && (count < 1 || !name_values(&rows[0], values)))
         heading = "Duel";
-    area_rule(area, 0, heading, screen_is_focused(screen, PANE_BOX) ? STYLE_FOCUS : STYLE_HEADING);
+    area_rule(area, heading, screen_is_focused(screen, PANE_BOX) ? STYLE_FOCUS : STYLE_HEADING);
     if (height < 1)
         return;
     const int each = height - own_row;
@@ -129,8 +129,7 @@ int pane_runs(const Screen *screen, Area area)
         return 0;
     const bool predicted = screen_shows_predicted(screen), exact = screen_shows_exact(screen);
     const double unit = now->is_period ? 1e-3 : 1; /* periods are told in ms */
-    area_rule(area, 0, "Runs in one picture",
-              screen_is_focused(screen, PANE_BOX) ? STYLE_FOCUS : STYLE_HEADING);
+    area_rule(area, "Runs in one picture", screen_is_focused(screen, PANE_BOX) ? STYLE_FOCUS : STYLE_HEADING);
     /* In the rule above the rows, a space on each side. */
     const char *headings[] = {now->is_period ? "T meas, ms" : "ω measured", "predicted",
                               screen_problem(screen)->answer, "off"};

@@ -230,9 +230,9 @@ void pane_lesson(const Screen *screen, Area area)
         snprintf(page, sizeof page, "  %d/%d", shown->page + 1, shown->lesson->n_pages);
         snprintf(heading, sizeof heading, "%.120s%s", shown->lesson->title, page);
     }
-    area_rule(area, 0, heading, style);
+    area_rule(area, heading, style);
     if (shown->lesson && 4 + glyphs_columns(heading) > area.rect.width) {
-        area_rule(area_part(area, 0, 0, area.rect.width - glyphs_columns(page), 1), 0, shown->lesson->title,
+        area_rule(area_part(area, 0, 0, area.rect.width - glyphs_columns(page), 1), shown->lesson->title,
                   style);
         area_text_right(area, area.rect.width, 0, page, style);
     }

@@ -365,7 +365,7 @@ void pane_stage(const Screen *screen, Area area)
              : both        ? "stage"
                            : "Stage",
              subject.stage + 1, sim->n_stages, stage->name);
-    area_rule(area, 0, text, screen_is_focused(subject.screen, PANE_BOX) ? STYLE_FOCUS : STYLE_HEADING);
+    area_rule(area, text, screen_is_focused(subject.screen, PANE_BOX) ? STYLE_FOCUS : STYLE_HEADING);
     const int heading = 5 + glyphs_columns(text), source = glyphs_columns(stage->source) + 2;
     if (heading + source + 2 <= area.rect.width) {
         snprintf(text, sizeof text, " %s ", stage->source);
@@ -388,7 +388,7 @@ void pane_stage(const Screen *screen, Area area)
     } else if (zoomed && body.rect.height >= stages + 1 + LEAST_BODY) {
         /* above the sums, which need the whole width */
         draw_list(&subject, area_part(body, 0, 0, width, stages));
-        area_rule(area_part(body, 0, stages, width, 1), 0, "", STYLE_FRAME);
+        area_rule(area_part(body, 0, stages, width, 1), "", STYLE_FRAME);
         body = area_part(body, 0, stages + 1, width, body.rect.height);
     }
     draw_body(&subject, area_part(body, 1, 0, body.rect.width - 2, body.rect.height));

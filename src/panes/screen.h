@@ -209,7 +209,6 @@ void screen_time_text(const Screen *, double time, char *out, size_t size);
 double screen_field_reach(const Screen *, int field, const double *now, size_t count);
 
 /* The column of the record by name; -1: there is none. */
-int screen_column(const Screen *, const char *name);
 
 /* A derived number by name; NAN: there is none. */
 double screen_derived(const Screen *, const char *name);

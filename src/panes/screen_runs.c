@@ -99,16 +99,6 @@ void screen_time_text(const Screen *screen, double time, char *out, size_t size)
     snprintf(out, size, "t %.*f%s", decimals, time / unit, facts->shown_time_unit);
 }
 
-int screen_column(const Screen *screen, const char *name)
-{
-    int count;
-    const Column *columns = experiment_columns(screen->experiment, &count);
-    for (int i = 0; i < count; i++)
-        if (strcmp(columns[i].quantity.name, name) == 0)
-            return i;
-    return -1;
-}
-
 double screen_derived(const Screen *screen, const char *name)
 {
     Derived derived[DERIVED_MAX];

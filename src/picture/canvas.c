@@ -362,14 +362,14 @@ void area_blank(Area area, int from, int end, int y, Style style)
         area_put(area, x, y, ' ', style);
 }
 
-void area_rule(Area area, int y, const char *heading, Style heading_style)
+void area_rule(Area area, const char *heading, Style heading_style)
 {
     for (int x = 0; x < area.rect.width; x++)
-        area_put(area, x, y, 0x2500, STYLE_FRAME);
+        area_put(area, x, 0, 0x2500, STYLE_FRAME);
     if (heading[0] != '\0' && area.rect.width > 4) {
-        int used = area_text(area_part(area, 2, y, area.rect.width - 3, 1), 1, 0, heading, heading_style);
-        area_put(area, 2, y, ' ', STYLE_FRAME);
-        area_put(area, 3 + used, y, ' ', STYLE_FRAME);
+        int used = area_text(area_part(area, 2, 0, area.rect.width - 3, 1), 1, 0, heading, heading_style);
+        area_put(area, 2, 0, ' ', STYLE_FRAME);
+        area_put(area, 3 + used, 0, ' ', STYLE_FRAME);
     }
 }
 

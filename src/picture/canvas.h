@@ -111,7 +111,7 @@ uint32_t area_bar(Area, double share);
 /* Blanks from column `from` to end - 1. */
 void area_blank(Area, int from, int end, int y, Style);
 
-/* A horizontal line with a heading in it. */
-void area_rule(Area, int y, const char *heading, Style heading_style);
+/* A horizontal line with a heading in it, in the first row. */
+void area_rule(Area, const char *heading, Style heading_style);
 
 #endif

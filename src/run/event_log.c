@@ -61,14 +61,6 @@ static void add_changes(EventLog *log, const Settings *settings)
 static const double levels[] = {.01, .02, .05, .1, .2, .5, 1, 2, 5, 10, 100, 1000};
 enum { LEVELS = sizeof levels / sizeof *levels };
 
-static int column_of(const Experiment *experiment, const char *name)
-{
-    for (int i = 0; i < experiment->n_columns; i++)
-        if (strcmp(experiment->columns[i].quantity.name, name) == 0)
-            return i;
-    return -1;
-}
-
 static bool crossed_before(const Experiment *experiment, long step)
 {
     for (int i = 0; i < experiment->n_events; i++)
@@ -102,7 +94,8 @@ static void add_drift(EnergyWatch *watch, const Experiment *experiment, double d
 static void watch_energy(EnergyWatch *watch, const Experiment *experiment, const Readout *readout)
 {
     const Record *record = &experiment->record;
-    const int total = column_of(experiment, "total"), work = column_of(experiment, "work");
+    const int total = references_column(experiment->columns, experiment->n_columns, "total");
+    const int work = references_column(experiment->columns, experiment->n_columns, "work");
     const size_t rows = record->count - (record->loose_last && record->count > 0);
     if (rows < watch->rows || record->spacing != watch->spacing) {
         /* the period that the run really has is the mesh's own: it holds whole ripples */

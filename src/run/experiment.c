@@ -113,6 +113,11 @@ const Event *experiment_events(const Experiment *experiment, int *count)
     return experiment->worked->log.events;
 }
 
+int experiment_column(const Experiment *experiment, const char *name)
+{
+    return references_column(experiment->columns, experiment->n_columns, name);
+}
+
 int experiment_derived(const Experiment *experiment, Derived out[DERIVED_MAX])
 {
     if (experiment->worked->n_derived == 0 ||
@@ -391,6 +396,20 @@ bool experiment_pending(const Experiment *experiment, long *steps_left)
     }
     if (steps_left)
         *steps_left = experiment->goal_step - from;
+    return true;
+}
+
+bool experiment_work_off(Experiment *experiment, Cancel cancel, Status *status)
+{
+    const long slice = simulation_steps_per_poll(experiment->run.sim);
+    long left, all = 1;
+    while (experiment_pending(experiment, &left)) {
+        all = left > all ? left : all;
+        if (!experiment_work(experiment, slice, status))
+            return false;
+        if (cancel_requested(&cancel, 1 - (double)left / (double)all))
+            return status_fail(status, "interrupted");
+    }
     return true;
 }
 

@@ -49,8 +49,9 @@ const Simulation *experiment_simulation(const Experiment *);
 References *experiment_references(const Experiment *);
 const Record *experiment_record(const Experiment *);
 const Column *experiment_columns(const Experiment *, int *count);
-const Ghost *experiment_ghosts(const Experiment *); /* GHOSTS_MAX of them */
-const char *experiment_advice(const Experiment *);  /* "" or a line to be shown */
+int experiment_column(const Experiment *, const char *name); /* -1: there is none */
+const Ghost *experiment_ghosts(const Experiment *);          /* GHOSTS_MAX of them */
+const char *experiment_advice(const Experiment *);           /* "" or a line to be shown */
 /* The cracks of a plate up to the present step, NULL: there are none. */
 const CrackFronts *experiment_fronts(const Experiment *);
 const Readout *experiment_readout(const Experiment *); /* see experiment_rest() */
@@ -122,6 +123,9 @@ bool experiment_explain_beside(const Experiment *, const Experiment *other, int 
 void experiment_seek(Experiment *, long step, int stage);
 bool experiment_pending(const Experiment *, long *steps_left);
 bool experiment_work(Experiment *, long steps, Status *);
+/* Works until nothing is pending, in slices that keep a caller responsive. False: also where it was
+ * cancelled, which is a failure "interrupted". */
+bool experiment_work_off(Experiment *, Cancel, Status *);
 void experiment_goal(const Experiment *, long *step,
                      int *stage);     /* of work that is pending, or the present */
 void experiment_cancel(Experiment *); /* stay where the work has come to */

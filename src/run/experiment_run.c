@@ -308,18 +308,10 @@ static void refill_references(Experiment *experiment, long step)
                      (void *)&span);
 }
 
-static int find_column(const Experiment *experiment, const char *name)
-{
-    for (int i = 0; i < experiment->n_columns; i++)
-        if (strcmp(experiment->columns[i].quantity.name, name) == 0)
-            return i;
-    return -1;
-}
-
 static bool same_columns(const Experiment *experiment, const Column *columns, int n_columns)
 {
     for (int i = 0; i < n_columns && n_columns == experiment->n_columns; i++)
-        if (find_column(experiment, columns[i].quantity.name) != i)
+        if (references_column(experiment->columns, experiment->n_columns, columns[i].quantity.name) != i)
             return false;
     return n_columns == experiment->n_columns;
 }
@@ -334,7 +326,7 @@ static bool write_rows_again(const Experiment *experiment, References *refs, con
     for (int i = 0; i < experiment->n_columns; i++)
         series[i] = simulation_find_series(experiment->run.sim, experiment->columns[i].quantity.name);
     for (int i = 0; i < n_columns; i++)
-        kept[i] = find_column(experiment, columns[i].quantity.name);
+        kept[i] = references_column(experiment->columns, experiment->n_columns, columns[i].quantity.name);
     const bool memory = references_memory(refs) > 0;
     record_open(out, n_columns, experiment->record.spacing, record_budget);
     out->thinned = experiment->record.thinned;

@@ -6,7 +6,6 @@
 #include "scenario/concern_body.h"
 #include "scenario/concern_loads.h"
 #include "views/view.h"
-#include "base/math/functions.h"
 #include "base/text.h"
 #include "answers/crack_growth.h"
 
@@ -106,7 +105,7 @@ static void note_facts(const Map *map)
     const double *row = experiment_row(map->screen->experiment);
     char text[PICTURE_TEXT_MAX];
     for (size_t i = 0; i < sizeof told / sizeof *told; i++) {
-        const int column = screen_column(map->screen, told[i].column);
+        const int column = experiment_column(map->screen->experiment, told[i].column);
         if (column < 0 || !isfinite(row[column]))
             continue;
         snprintf(text, sizeof text, "%s %s%s.", told[i].name,

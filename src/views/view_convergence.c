@@ -110,8 +110,9 @@ static void point_line(const Study *study, int k, bool brief, char out[200])
     const ConvergencePoint *point = &study->points[k];
     const Prediction *is = &point->prediction;
     const int line = k / study->line_points, in_line = k % study->line_points;
-    snprintf(out, 200, "%s %.4g%s", study->of->lines ? study->of->lines[line] : study->of->size,
-             shown(study, point->size), study->periods ? " mm" : "");
+    const char *name = study->of->lines ? study->of->lines[line] : brief ? "" : study->of->size;
+    snprintf(out, 200, "%s%s%.4g%s", name, *name ? " " : "", shown(study, point->size),
+             study->periods ? " mm" : "");
     if (study->of->paper)
         text_append(out, 200, ", %.1f high", is->real_height / 1e-3);
     else if (!brief)

@@ -24,7 +24,7 @@ static Notch notch_of(const Settings *settings)
 
 static bool has_crack(const Screen *screen)
 {
-    return screen_column(screen, "crack_x") >= 0;
+    return experiment_column(screen->experiment, "crack_x") >= 0;
 }
 
 /* The same two lines as under other plots of it. `first`: what this one tells beside them; "": nothing. */

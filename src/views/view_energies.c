@@ -74,18 +74,19 @@ static double rigid_energy(const Experiment *experiment)
 static int null_column(const Screen *screen)
 {
     const bool apic = settings_transfer(experiment_settings(screen->experiment))->transfer == MPM_APIC;
-    return apic ? -1 : screen_column(screen, "kinetic_null");
+    return apic ? -1 : experiment_column(screen->experiment, "kinetic_null");
 }
 
 static Stack stack_of(const Screen *screen)
 {
     Stack stack = {.record = experiment_record(screen->experiment)};
     if (rigid_energy(screen->experiment) > 0) {
-        add_layer(&stack, "strain, for travel dwarfs the rest", screen_column(screen, "strain"), -1,
-                  STYLE_EXACT);
+        add_layer(&stack, "strain, for travel dwarfs the rest",
+                  experiment_column(screen->experiment, "strain"), -1, STYLE_EXACT);
         return stack;
     }
-    const int kinetic = screen_column(screen, "kinetic"), grid = screen_column(screen, "kinetic_grid");
+    const int kinetic = experiment_column(screen->experiment, "kinetic"),
+              grid = experiment_column(screen->experiment, "kinetic_grid");
     const int null = null_column(screen);
     if (grid >= 0) {
         add_layer(&stack, "grid", grid, -1, STYLE_MEASURED);
@@ -97,17 +98,17 @@ static Stack stack_of(const Screen *screen)
     } else {
         add_layer(&stack, "kinetic", kinetic, -1, STYLE_MEASURED);
     }
-    add_layer(&stack, "strain", screen_column(screen, "strain"), -1, STYLE_EXACT);
-    if (screen_column(screen, "kinetic_grid") >= 0 || breaks(screen->experiment))
-        add_layer(&stack, "dissipated", screen_column(screen, "dissipated"), -1, STYLE_THIRD);
+    add_layer(&stack, "strain", experiment_column(screen->experiment, "strain"), -1, STYLE_EXACT);
+    if (experiment_column(screen->experiment, "kinetic_grid") >= 0 || breaks(screen->experiment))
+        add_layer(&stack, "dissipated", experiment_column(screen->experiment, "dissipated"), -1, STYLE_THIRD);
     /* on a tilted floor it has no least value */
     const Settings *settings = experiment_settings(screen->experiment);
     const Loads *loads = settings_loads(settings);
     if (loads->gravity > 0 && loads->incline == 0)
-        add_layer(&stack, "potential", screen_column(screen, "potential"), -1, STYLE_SECOND);
+        add_layer(&stack, "potential", experiment_column(screen->experiment, "potential"), -1, STYLE_SECOND);
     if (settings_contact(settings)->friction > 0 || settings_domain(settings)->friction > 0)
-        add_layer(&stack, "friction", screen_column(screen, "friction"), -1, STYLE_THIRD);
-    add_layer(&stack, "damped", screen_column(screen, "damped"), -1, STYLE_SECOND);
+        add_layer(&stack, "friction", experiment_column(screen->experiment, "friction"), -1, STYLE_THIRD);
+    add_layer(&stack, "damped", experiment_column(screen->experiment, "damped"), -1, STYLE_SECOND);
     return stack;
 }
 
@@ -208,7 +209,8 @@ static void add_stack(Picture *picture, const Stack *stack)
 static bool unseen_shares(const Screen *screen, const Record *record, const Axis *x, double *lumping,
                           double *hidden)
 {
-    const int kinetic = screen_column(screen, "kinetic"), grid = screen_column(screen, "kinetic_grid");
+    const int kinetic = experiment_column(screen->experiment, "kinetic"),
+              grid = experiment_column(screen->experiment, "kinetic_grid");
     const int null = null_column(screen);
     double all = 0, seen = 0, blind = 0;
     if (kinetic < 0 || grid < 0 || record->count == 0)
@@ -233,7 +235,7 @@ static void energy_phrases(const Screen *screen, const Stack *stack, const Axis 
 {
     const Record *record = stack->record;
     const double *now = experiment_row(screen->experiment), *start = record_row(record, 0);
-    const int total = screen_column(screen, "total");
+    const int total = experiment_column(screen->experiment, "total");
     out[0] = '\0';
     if (record->count == 0 || !now || total < 0)
         return;
@@ -286,11 +288,12 @@ static void note_run(const Screen *screen, Picture *picture, const char *run, do
     for (int wide = 0; wide < 2; wide++) {
         char *out = wide ? text : brief, phrases[320];
         energy_phrases(screen, &stack, &picture->plot.x, wide, phrases);
-        if (most_work > 0 && screen_column(screen, "kinetic_grid") < 0) {
+        if (most_work > 0 && experiment_column(screen->experiment, "kinetic_grid") < 0) {
             /* What the balance lacks: kinetic + strain + dissipated less the start and the work of the
              * load, against the largest work so far; of second order in the time step. */
             const double *now = experiment_row(screen->experiment);
-            const int total = screen_column(screen, "total"), work = screen_column(screen, "work");
+            const int total = experiment_column(screen->experiment, "total"),
+                      work = experiment_column(screen->experiment, "work");
             const Record *record = experiment_record(screen->experiment);
             if (now && work >= 0 && total >= 0 && record->count > 0) {
                 const double residual = now[total] - record_row(record, 0)[total] - now[work];
@@ -323,7 +326,7 @@ static void add_keys(Picture *picture, const Stack *stack, const ShownRun *runs,
 static void note_runs(const Screen *screen, Picture *picture, bool both, double most_work)
 {
     /* of velocities and stresses half a step apart there is more to say; velocity Verlet has none */
-    const bool staggered = screen_column(screen, "kinetic_grid") >= 0;
+    const bool staggered = experiment_column(screen->experiment, "kinetic_grid") >= 0;
     const bool more = staggered || most_work > 0 || rigid_energy(screen->experiment) > 0;
     const int rows = 1 + more + (staggered || breaks(screen->experiment));
     for (int run = 0; run < 2 && both; run++) {
@@ -343,7 +346,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     const Stack stack = stack_of(screen);
     const Record *record = stack.record;
     const bool apart = simulation_has(experiment_simulation(screen->experiment), HAS_RELATIVE_ENERGY);
-    const int work = apart ? -1 : screen_column(screen, "work");
+    const int work = apart ? -1 : experiment_column(screen->experiment, "work");
     double most = 0, most_work = 0;
     for (size_t i = 0; i < record->count; i += time_plot_stride(record)) {
         most = fmax(most, stack_height(&stack, i, stack.count));

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The cracks that grow from the cuts of a plate, over time: how fast beside Rayleigh's speed, and how far.
  * Where a crack has branched its curve is that of the leading branch, and a rule marks the time. */
-#include "views/map/map.h"
 #include "views/plots/plots.h"
 #include "views/view.h"
 

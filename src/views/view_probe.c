@@ -31,7 +31,8 @@ static int probe_columns(const Screen *screen, int out[COLUMNS_MAX])
     const Column *columns = experiment_columns(screen->experiment, &n);
     const bool cracks = crack_variants(screen) > 0;
     const bool breaks = simulation_has(experiment_simulation(screen->experiment), HAS_BREAKING);
-    const int broken = screen_column(screen, "broken_bonds"), speed = screen_column(screen, "crack_speed");
+    const int broken = experiment_column(screen->experiment, "broken_bonds"),
+              speed = experiment_column(screen->experiment, "crack_speed");
     if (cracks && broken >= 0)
         out[count++] = broken;
     for (int i = 2; i < n; i++) {

@@ -38,11 +38,11 @@ static Choice choice_of(const Screen *screen, int variant)
 {
     if (!screen_problem(screen)->si) {
         const Readout *readout = experiment_readout(screen->experiment);
-        const int column = screen_column(screen, readout->moving ? readout->column : "v_cm");
+        const int column = experiment_column(screen->experiment, readout->moving ? readout->column : "v_cm");
         return (Choice){column, variant % 2 == 1};
     }
     /* a beam swings a few times only in a run: what it does at once is its thickness modes */
-    return (Choice){screen_column(screen, variant < 2 ? "v_probe" : "u_probe"), variant == 0};
+    return (Choice){experiment_column(screen->experiment, variant < 2 ? "v_probe" : "u_probe"), variant == 0};
 }
 
 static const char *word_of(const Screen *screen, int variant)

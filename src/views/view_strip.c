@@ -2,7 +2,6 @@
 /* The strip: the body as it lies, in a few rows across the screen. Of a bar with a mesh the grid above, the
  * particles at x0 + k u below, and in each stage who gives to whom; of one without its nodes, the mirrored
  * ones beyond a fixed end, and the bonds of the chosen one; a beam to the scale of the strip. */
-#include "answers/crack_growth.h"
 #include "base/text.h"
 #include "panes/screen.h"
 #include "scenario/concern_bonds.h"

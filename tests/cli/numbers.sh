@@ -263,9 +263,9 @@ claim $lesson/touching.lesson "with one field, it is " 0.42 ", and" spin
 run bouncing-disc
 claim $scenario/bouncing-disc.ini "It comes to " 0.457 ": the rest" bounce
 run vibrating-block
-claim $scenario/vibrating-block.ini "" 1.21 " % off" u_error 100
+claim $scenario/vibrating-block.ini "error of u is " 1.21 " %" u_error 100
 run vibrating-block --set mesh.cell_size=.05
-claim $scenario/vibrating-block.ini "half the cell size " 0.32 " %" u_error 100
+claim $scenario/vibrating-block.ini "on ten cells and " 0.32 " %" u_error 100
 run vibrating-block --set mpm.algorithm=usf
 claim $scenario/vibrating-block.ini "USF is " 2.49 " % off" u_error 100
 run vibrating-block --set mpm.algorithm=usf --set mesh.cell_size=.05
@@ -366,7 +366,7 @@ claim $lesson/filters.lesson "left where it was " 81 " %" left
 last_row mode5 --set mpm.flip_fraction=0.99 --end 4 --set time.courant=0.05
 claim $lesson/filters.lesson "filters: " 64 " % are left" left
 run mode5 --set mpm.mass_blend=0.05 --end 13.1
-claim $lesson/cure.lesson "matrix left: " 1.4 " %" frequency_error
+claim $lesson/cure.lesson "blend that runs: " 1.4 " %" frequency_error
 run mode5 --set mpm.transfer=fmpm --set mpm.fmpm_order=4
 claim $lesson/filters.lesson "The mode is " 1.7 " % too early" predicted_error
 claim $lesson/cure.lesson "By " 1.7 " %. The lag has two parts" predicted_error

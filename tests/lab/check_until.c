@@ -269,7 +269,7 @@ START_TEST(a_damped_run_stops_at_rest)
         frame(bench);
     const double time = experiment_time(lab->screen.experiment);
     ck_assert_msg(time >= rests[_i].from && time <= rests[_i].to, "%s: %g", rests[_i].line, time);
-    const int kinetic = screen_column(&lab->screen, "kinetic");
+    const int kinetic = experiment_column(lab->screen.experiment, "kinetic");
     double most = 0;
     const Record *record = experiment_record(lab->screen.experiment);
     for (size_t i = 0; i < record->count; i++)

@@ -80,14 +80,6 @@ Quantity sweep_result_quantity(ResultColumn column)
     return (Quantity){texts[column].name, texts[column].name, texts[column].unit, texts[column].meaning};
 }
 
-static double derived_value(const RunSummary *summary, const char *name)
-{
-    for (int i = 0; i < summary->n_derived; i++)
-        if (strcmp(summary->derived[i].name, name) == 0)
-            return summary->derived[i].value;
-    return NAN;
-}
-
 static double percent(double value, double reference)
 {
     return 100 * (value / reference - 1);
@@ -112,7 +104,7 @@ static void put_readout(const RunSummary *summary, double cells[RESULT_COLUMNS])
     six[5] = percent(six[0], six[4]);
     cells[RESULT_KEPT_MEASURED] = readout->kept_measured;
     cells[RESULT_KEPT_PREDICTED] = readout->kept_predicted;
-    cells[RESULT_PERIOD_EULER] = derived_value(summary, "period_euler");
+    cells[RESULT_PERIOD_EULER] = run_summary_derived(summary, "period_euler");
     cells[RESULT_PERIOD_ERROR_EULER] = percent(cells[RESULT_PERIOD_MEASURED], cells[RESULT_PERIOD_EULER]);
 }
 
@@ -122,8 +114,8 @@ void sweep_result_of(const RunSummary *summary, const Settings *settings, double
     for (int i = 0; i < RESULT_COLUMNS; i++)
         cells[i] = NAN;
     put_readout(summary, cells);
-    cells[RESULT_REAL_HEIGHT] = derived_value(summary, "real_height");
-    cells[RESULT_REAL_SPAN] = derived_value(summary, "real_span");
+    cells[RESULT_REAL_HEIGHT] = run_summary_derived(summary, "real_height");
+    cells[RESULT_REAL_SPAN] = run_summary_derived(summary, "real_span");
     if (settings->problem->concerns & CONCERN_BREAKING && settings_bonds(settings)->critical_stretch > 0)
         cells[RESULT_BROKEN_BONDS] = summary->broken_bonds;
     /* The notched beam has one crack, a plate any number. */

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The definition of bodies: whether it is sound, and which particles it makes. Each line names the key as in
  * a scenario file, what is wrong and what is allowed. */
-#include "base/math/functions.h"
 #include "methods/mpm/bodies_inner.h"
 
 #include <string.h>

@@ -15,7 +15,8 @@ size_t mpm_lasting_bytes(const Mpm *mpm, const MpmHead *head)
     return head->transfer == MPM_APIC ? mpm->bytes_apic : mpm->bytes_flip;
 }
 
-double mpm_sum_moment(const Mpm *mpm, const double *a, int which, int first, int end)
+/* sum m a over particles [first, end) of one material */
+static double sum_moment(const Mpm *mpm, const double *a, int which, int first, int end)
 {
     double moment[MPM_LANES] = {0};
     int p = first;
@@ -29,8 +30,8 @@ double mpm_sum_moment(const Mpm *mpm, const double *a, int which, int first, int
 
 static double sum_moments(const Mpm *mpm, const double *a)
 {
-    const double first = mpm_sum_moment(mpm, a, 0, 0, mpm->joint);
-    return mpm->joint < mpm->n_particles ? first + mpm_sum_moment(mpm, a, 1, mpm->joint, mpm->n_particles)
+    const double first = sum_moment(mpm, a, 0, 0, mpm->joint);
+    return mpm->joint < mpm->n_particles ? first + sum_moment(mpm, a, 1, mpm->joint, mpm->n_particles)
                                          : first;
 }
 

@@ -473,8 +473,6 @@ static inline double mpm_fold(const double *lanes)
     return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
 }
 
-/* sum m a over particles [first, end) of one material */
-double mpm_sum_moment(const Mpm *, const double *a, int which, int first, int end);
 double mpm_moment(const Mpm *); /* sum m u along a line */
 double mpm_momentum(const Mpm *, int axis);
 double mpm_reaction(const Mpm *, int axis, double momentum); /* momentum: that of now */
@@ -483,6 +481,7 @@ void mpm_row(Simulation *, double *row);
  * kinetic_null. */
 void mpm_write_row(Mpm *, double *row, bool whole);
 bool mpm_row_needs_grid(const Mpm *);
+bool mpm_row_has_rates(const Mpm *); /* a column is a difference to the step before */
 void mpm_set_series(Mpm *);
 extern const char *const mpm_on_request[];
 double mpm_line_null_energy(const Mpm *); /* null.c */

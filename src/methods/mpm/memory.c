@@ -2,7 +2,6 @@
 /* The engine's memory and state: one block of arrays, of which a snapshot between steps is the first part,
  * the particles, in the middle of a step all of it. Then what is asked of the state in mid-step, whatever the
  * order of the stages: for what front ends read; the stages themselves need little of it. */
-#include "base/assertion.h"
 #include "methods/mpm/bodies_inner.h"
 #include "methods/mpm/mistakes.h"
 #include "methods/mpm/plane_inner.h"

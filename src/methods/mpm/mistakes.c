@@ -367,9 +367,9 @@ void mpm_write_wrongly(const Mpm *mpm, Stage *stage, MpmOp op)
     if (!mistake || mpm->bar.conceals_mistake || mpm->plane.conceals_mistake ||
         (op != mistake->stage && !also))
         return;
-    stage->source = mistake->id;
     stage->sentence = mistake->sentence;
-    if (mpm->dim == 2) /* the wrong line is that of a bar */
+    stage->source = mpm->dim == 2 ? "the right code's line" : mistake->id;
+    if (mpm->dim == 2) /* the wrong one is that of a bar */
         return;
     stage->equation = also ? mistake->also_equation : mistake->equation;
     stage->ascii = also ? mistake->also_ascii : mistake->ascii;

@@ -14,10 +14,11 @@
  * problems/ is the sum without ripple). stress^2/2E is the energy of small strains; where particles cross
  * cells, strains are large enough to tell it from E (e exp(e) - exp(e) + 1), e = stress/E, which is what the
  * updates of stress and density really store. */
-#include "base/assertion.h"
 #include "methods/mpm/bodies_inner.h"
 #include "methods/mpm/mistakes.h"
 #include "methods/mpm/plane_inner.h"
+
+#include <string.h>
 
 /* sum m D C^2 / 2 with D = sum N_i d_i^2, d_i = x_i - x: the energy of APIC's affine motion. */
 static double affine_energy(const Mpm *mpm, int p)
@@ -152,6 +153,16 @@ bool mpm_row_needs_grid(const Mpm *mpm)
     if (mpm->dim == 2)
         return plane_row_needs_grid(mpm);
     return has(mpm, KINETIC_GRID) || has(mpm, KINETIC_NULL) || (has(mpm, X_CM_RATE) && mpm->sim.step == 0);
+}
+
+bool mpm_row_has_rates(const Mpm *mpm)
+{
+    for (int k = 0; k < mpm->sim.n_series; k++) {
+        const char *name = mpm->sim.series[k].name;
+        if (strcmp(name, "x_cm_rate") == 0 || strncmp(name, "reaction", 8) == 0)
+            return true;
+    }
+    return false;
 }
 
 void mpm_write_row(Mpm *mpm, double *row, bool whole)

@@ -27,7 +27,6 @@
  *                 B = sum N_i (q_i/m_i) (x_i - x)^T
  *
  * A node with m <= 1e-12 rho dx^2 is light: fix and update leave it out. */
-#include "base/assertion.h"
 #include "base/math/functions.h"
 #include "methods/mpm/bodies_inner.h"
 #include "methods/mpm/mistakes.h"

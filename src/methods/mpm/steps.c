@@ -216,22 +216,13 @@ static void put_back(Simulation *sim)
     mpm_find_all(mpm);
 }
 
-/* Whether a row has a difference to the step before. */
-static bool asks_rates(const Simulation *sim)
-{
-    for (int k = 0; k < sim->n_series; k++)
-        if (strncmp(sim->series[k].name, "reaction", 8) == 0 || strcmp(sim->series[k].name, "x_cm_rate") == 0)
-            return true;
-    return false;
-}
-
 /* A row may need the grid after map and supports, which are also the first two stages of the next step: they
  * are done once for both, and the map goes with the stages before it. */
 static bool whole_steps(Simulation *sim, long count, double *rows, Status *status)
 {
     Mpm *mpm = mpm_of(sim);
     const MpmSchedule *schedule = mpm_schedule(mpm);
-    const bool rates = rows && asks_rates(sim);
+    const bool rates = rows && mpm_row_has_rates(mpm);
     if (count > 0)
         mpm_map_and_fix(mpm);
     for (long n = 0; n < count; n++) {

@@ -266,7 +266,7 @@ static void draw_strip(const Picture *picture, Area area, Style heading)
     const Area inner = area_part(area, body.x, body.y, body.width, body.height),
                words = area_part(area, body.x + body.width + 1, body.y, area.rect.width, body.height);
     if (picture->heading[0])
-        area_rule(area, 0, picture->heading, heading);
+        area_rule(area, picture->heading, heading);
     plot_draw(&picture->plot, inner);
     draw_marks(picture, inner);
     for (int i = 0; i < 2 && i < picture->n_notes - (picture->n_keys > 0); i++)
@@ -398,7 +398,7 @@ void cells_draw(Picture *picture, Area area, Style heading, int colours)
     else if (picture->has_axes)
         draw_plot(picture, area, heading, colours);
     else { /* there is nothing to draw, and the notes say why */
-        area_rule(area, 0, picture->heading, heading);
+        area_rule(area, picture->heading, heading);
         for (int i = 0, y = 1; i < picture->n_notes; i++)
             y += area_paragraph(area, 1, y, area.rect.width - 2, area.rect.height - y, picture->notes[i].text,
                                 picture->notes[i].style);

@@ -107,7 +107,7 @@ void cells_drawing(const Picture *picture, Area area, Style heading)
     }
     cells_plain_factors(picture->notes[0].text, scale);
     snprintf(title, sizeof title, "%s  %s", picture->heading, scale);
-    area_rule(area, 0, title, heading);
+    area_rule(area, title, heading);
     if (-picture->plot.y.low <= lowest)
         area_phrases(area, 1, lowest, area.rect.width - 2, 1, picture->notes[1].text, STYLE_FAINT);
 }

@@ -2,7 +2,6 @@
 /* Lists and tables in cells. Of a list as many rows and columns as there is room for are seen, the chosen
  * ones among them. Things stand still while one goes from one to the next, with the chosen one in the middle;
  * events stay as they were left and follow the newest. */
-#include "base/assertion.h"
 #include "picture/cells/cells.h"
 #include "picture/table.h"
 
@@ -165,7 +164,7 @@ void cells_list(const Picture *picture, Area area, Style heading)
         return;
     /* Which columns there are stands behind the heading. */
     char more[64] = "";
-    area_rule(area, 0, picture->heading, heading);
+    area_rule(area, picture->heading, heading);
     if (picture->list->what[0] && sight.end_column - sight.first_column < picture->list->n_columns)
         snprintf(more, sizeof more, " ← → columns %d-%d of %d ", sight.first_column + 1, sight.end_column,
                  picture->list->n_columns);
@@ -252,7 +251,7 @@ static void draw_heading(const Picture *picture, Area area, Style style)
         const int begin = 5 + glyphs_columns(headings[i]);
         if (!headings[i][0])
             return;
-        area_rule(area, 0, headings[i], style);
+        area_rule(area, headings[i], style);
         for (int k = 0; k < 2; k++) {
             const char *hint = parted ? picture->turn_hint : picture->hints[k];
             if (hint[0] && heading_hint(area, begin, area.rect.width - 1, hint))

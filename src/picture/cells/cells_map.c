@@ -639,7 +639,7 @@ void cells_map(const Picture *picture, Area area, Style heading, int colours)
         if (glyphs_columns(title) + 2 + glyphs_columns(part) <= room)
             text_append(title, sizeof title, "  %s", part);
     }
-    area_rule(area, 0, title, heading);
+    area_rule(area, title, heading);
     draw_scale(picture, area, colours, area.rect.height - 1);
 }
 

@@ -142,7 +142,7 @@ int heading_draw(Area area, Style heading, const char *name, const char *scale, 
         if (legend_columns(shown, n_legend, gap) <= room)
             break;
     }
-    area_rule(area, 0, text, heading);
+    area_rule(area, text, heading);
     return draw_entries(area, x, 0, gap, shown, n_legend);
 }
 

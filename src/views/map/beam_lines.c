@@ -132,7 +132,7 @@ bool beam_lines(const Screen *screen, bool narrow, char first[160], char second[
             text_append(second, 160, "  Timoshenko %.1f", 1 / readout->exact);
     } else if (leaves) {
         const Readout *readout = experiment_readout(screen->experiment);
-        const int length = screen_column(screen, "length");
+        const int length = experiment_column(screen->experiment, "length");
         const double *row = experiment_row(screen->experiment);
         const double standing = references_standing_frequency(experiment_references(screen->experiment),
                                                               experiment_time(screen->experiment));

@@ -124,7 +124,7 @@ double map_reach(const Map *map, int field, const double *now)
         if (strcmp(map->sim->fields[field].quantity.name, probes[i][0]) != 0)
             continue;
         /* what the probe did, and what theory says that it will do */
-        const int column = screen_column(map->screen, probes[i][1]);
+        const int column = experiment_column(map->screen->experiment, probes[i][1]);
         References *refs = experiment_references(map->screen->experiment);
         const double envelope = references_envelope(refs, probes[i][1], settings_time(map->settings)->end);
         if (column >= 0)

@@ -153,11 +153,6 @@ double bonds_line_eigenvalue(const BeamDef *, size_t number, Status *);
 typedef void BondsPut(void *into, size_t row, size_t column, double value);
 bool bonds_line_matrix(const BeamDef *, BondsPut *, void *into, Status *);
 
-/* What holds and what loads its nodes, with the pressure of now; returns how many there are. The channel of a
- * moving cantilever is not among them. */
-int beam_supports(const Simulation *beam, Support out[PLATE_ROWS_MAX]);
-int beam_loads(const Simulation *beam, Load out[PLATE_ROWS_MAX]);
-
 /* The motion is at rest when the kinetic energy is below this share of its largest; looked for every so many
  * steps. */
 enum { BEAM_REST_EVERY = 16 };

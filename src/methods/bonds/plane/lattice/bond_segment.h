@@ -68,11 +68,6 @@ KERNEL_INLINE bool vector_is_zero(VectorMask bits)
     return any == 0;
 }
 
-KERNEL_INLINE Vector vector_absolute(Vector x)
-{
-    return (Vector)((VectorMask)x & INT64_MAX);
-}
-
 enum { LANES = VECTOR_WIDTH, PARTS = LATTICE_BLOCK / LANES };
 enum {
     AHEAD = 256

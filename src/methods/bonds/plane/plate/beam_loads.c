@@ -15,30 +15,10 @@
 #include "base/assertion.h"
 #include "methods/bonds/plane/bonds_mistakes.h"
 
-#include <string.h>
-
 /* The pressure on the notched beam is live, p > 0 downwards, and the traction on a bar. */
 static double load_scale(const Beam *beam)
 {
     return beam->def.problem == BEAM_NOTCHED || beam->lattice.line ? beam->head->load_stress : 1;
-}
-
-int beam_supports(const Simulation *sim, Support out[PLATE_ROWS_MAX])
-{
-    const Beam *beam = (const Beam *)sim;
-    memcpy(out, beam->supports, sizeof beam->supports);
-    return beam->n_supports;
-}
-
-int beam_loads(const Simulation *sim, Load out[PLATE_ROWS_MAX])
-{
-    const Beam *beam = (const Beam *)sim;
-    memcpy(out, beam->loads, sizeof beam->loads);
-    for (Load *load = out; load < out + beam->n_loads; load++) {
-        load->sx *= load_scale(beam);
-        load->sy *= load_scale(beam);
-    }
-    return beam->n_loads;
 }
 
 void beam_load_force(const Beam *beam, const Load *load, double time, double force[2])
