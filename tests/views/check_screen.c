@@ -195,6 +195,7 @@ static const Screenshot pictures[] = {
     {"discs-contact", "two-discs 80x24 185 stage 2 bare upper cell focus 2"},
     {"discs-small", "two-discs 60x18 185 stage 2 bare upper 8"},
     {"discs-stress", "two-discs 80x24 220 upper 8 variant 8"},
+    {"discs-inspect", "two-discs 80x24 191 stage 3 inspect particle 208"},
     {"speed-one-way", "roll-or-slide 80x24 800 bare upper 2 variant 5"},
     {"weight-energies", "roll-or-slide 80x24 300 upper 4 lower 3"},
     {"falling-narrow", "falling-beam 80x24 400 bare upper 8 variant 8"},

@@ -35,7 +35,7 @@ static Subject subject_of(const Screen *screen)
     const size_t chosen = subject.set ? screen->chosen.node : screen->chosen.particle;
     const size_t count = subject.sim->counts[subject.set];
     subject.index = chosen < count ? chosen : count - 1;
-    subject.shapes = simulation_has(subject.sim, HAS_PLANE) ? 3 : 2;
+    subject.shapes = simulation_has_map(subject.sim) ? 3 : 2;
     subject.n_links =
         subject.sim->method->links(subject.sim, subject.set, subject.index, subject.links, TABLE_ROWS_MAX);
     return subject;
