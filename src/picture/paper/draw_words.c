@@ -138,12 +138,12 @@ double draw_phrases(Paper *paper, const char *text, Box box, const Type *type)
 
 /* --- legend ---------------------------------------------------------------------------------------- */
 
-/* What stands for an entry is what was drawn in its style. */
+/* What stands for an entry is what was drawn in its style, or its own sign where nothing was. */
 static void draw_sample(Paper *paper, const Picture *picture, const PictureKey *key, double x, double y)
 {
     const double ends[] = {x, y, x + SAMPLE, y};
     const Pencil pencil = ink_pencil(key->style, key->line, picture_run_of(key));
-    bool lined = false, marked = false; /* dots are marks too */
+    bool lined = false, marked = key->sign >= 0x80 && key->sign < SIGN_DOTS; /* dots are marks too */
     for (int i = 0; i < picture->plot.n_strokes; i++) {
         const Stroke *stroke = &picture->plot.strokes[i];
         if (stroke->style != key->style)
