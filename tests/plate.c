@@ -47,10 +47,10 @@ static const Quantity series[] = {
 };
 
 static const Stage stages[N_STAGES] = {
-    {"kick", "half kick", "v += dt/2 f", "v += dt/2 f", "", "Half of the force's pull.", "force", "vy"},
-    {"drift", "drift", "u += dt v", "u += dt v", "", "Nodes move.", "vy", "uy"},
-    {"force", "force", "f = Σ (u' - u)", "f = sum (u' - u)", "", "Neighbours pull.", "uy", "force"},
-    {"kick2", "half kick", "v += dt/2 f", "v += dt/2 f", "", "The other half.", "force", "vy"},
+    {"kick", "half kick", "v += dt/2 f", "", "Half of the force's pull.", "force", "vy"},
+    {"drift", "drift", "u += dt v", "", "Nodes move.", "vy", "uy"},
+    {"force", "force", "f = Σ (u' - u)", "", "Neighbours pull.", "uy", "force"},
+    {"kick2", "half kick", "v += dt/2 f", "", "The other half.", "force", "vy"},
 };
 
 static bool is_held(const Plate *plate, int i, int j)

@@ -3,6 +3,7 @@
  *
  * A line "@name argument" of the frame stands for a table; @VERSION@ for the version anywhere. What the
  * tables say is what the program does, so a page cannot fall behind it. */
+#include "base/text.h"
 #include "cli/cli.h"
 #include "scenario/rows/rows.h"
 #include "scenario/concern_output.h"
@@ -524,7 +525,9 @@ static void write_stage(const Stage *stage)
 {
     enum { PAGE = 80, INDENT = 7 };
     size_t widest = 0;
-    for (const char *line = stage->ascii; *line; line += strspn(line, "\n")) {
+    char equation[512];
+    text_to_ascii(stage->equation, equation, sizeof equation);
+    for (const char *line = equation; *line; line += strspn(line, "\n")) {
         const size_t length = strcspn(line, "\n");
         widest = length > widest ? length : widest;
         line += length;
@@ -538,7 +541,7 @@ static void write_stage(const Stage *stage)
     puts(".PP\n.nf");
     if (widest > PAGE - INDENT) /* it stands further out than the text */
         printf(".in %zun\n", widest < PAGE ? PAGE - widest : 0);
-    for (const char *line = stage->ascii; *line; line += strspn(line, "\n")) {
+    for (const char *line = equation; *line; line += strspn(line, "\n")) {
         char one[128];
         const size_t length = strcspn(line, "\n");
         snprintf(one, sizeof one, "%.*s", (int)length, line);
@@ -577,7 +580,7 @@ static bool write_changed_stages(const char *argument)
     for (int i = 0; changed && usual && i < changed->n_stages; i++) {
         const Stage *stage = &changed->stages[i];
         const int other = simulation_find_stage(usual, stage->id);
-        if (other < 0 || strcmp(usual->stages[other].ascii, stage->ascii) != 0 ||
+        if (other < 0 || strcmp(usual->stages[other].equation, stage->equation) != 0 ||
             strcmp(usual->stages[other].sentence, stage->sentence) != 0)
             write_stage(stage);
     }

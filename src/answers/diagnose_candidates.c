@@ -324,13 +324,14 @@ static void say_where(const Settings *wrong, char *out, size_t size, char stage[
     Simulation *sim = problem_simulate(wrong, 1, NULL);
     out[0] = '\0';
     for (int i = 0; sim && i < sim->n_stages && !*out; i++) {
-        const char *line = sim->stages[i].ascii;
-        if (!strstr(line, STAGE_WRONG_OPEN_ASCII))
+        char line[512];
+        if (!strstr(sim->stages[i].equation, STAGE_WRONG_OPEN))
             continue;
+        text_to_ascii(sim->stages[i].equation, line, sizeof line);
         text_append(out, size, "stage %d, %s:  ", i + 1, sim->stages[i].name);
         snprintf(stage, 24, "%s", sim->stages[i].id);
-        for (; *line; line++)
-            text_append(out, size, *line == '\n' ? "    " : "%c", *line);
+        for (const char *c = line; *c; c++)
+            text_append(out, size, *c == '\n' ? "    " : "%c", *c);
     }
     simulation_destroy(sim);
 }

@@ -217,11 +217,11 @@ static void write_page(HelpLines *written, const Screen *screen, int page, int s
         write_passages(written, width, glyphs, &step, 1);
         for (int i = 0; i < sim->n_stages; i++) {
             const Stage *stage = &sim->stages[i];
-            char line[160];
+            char line[512];
             snprintf(line, sizeof line, "%d %s   (%s)", i + 1, stage->name, stage->source);
             put_text(written, STYLE_FOCUS, width, 2, line);
-            put_text(written, STYLE_NORMAL, width, 4,
-                     glyphs == GLYPHS_ASCII ? stage->ascii : stage->equation);
+            glyphs_plain(glyphs, stage->equation, line, sizeof line);
+            put_text(written, STYLE_NORMAL, width, 4, line);
             put_text(written, STYLE_FAINT, width, 4, stage->sentence);
         }
         write_passages(written, width, glyphs, text->after, text->n_after);

@@ -45,7 +45,6 @@ void forces_word(const ForceTerms *forces, ForceWords *words)
         const ForceTerm *term = forces->terms[i];
         const char *plus = i > 0 ? " + " : "";
         text_append(words->equation, sizeof words->equation, "%s%s", plus, term->equation);
-        text_append(words->ascii, sizeof words->ascii, "%s%s", plus, term->ascii);
         text_append(words->load, sizeof words->load, "%s%s", i > 0 ? plus : "load = ", term->load);
         text_append(words->meaning, sizeof words->meaning, "%s%s", i > 0 ? " and " : "", term->name);
         if (term->sentence)
@@ -60,15 +59,13 @@ void forces_word_stage(const ForceTerms *forces, ForceWords *words, Stage *stage
     forces_word(forces, &of);
     *words = of;
     if (forces->count == 0) {
-        stage->equation = stage->ascii = "no load acts: f(i) stays";
+        stage->equation = "no load acts: f(i) stays";
         stage->sentence = "Without loads the bonds' force is all that a node feels.";
         return;
     }
-    words->equation[0] = words->ascii[0] = '\0';
+    words->equation[0] = '\0';
     text_append(words->equation, sizeof words->equation, "f(i) += %s", of.equation);
-    text_append(words->ascii, sizeof words->ascii, "f(i) += %s", of.ascii);
     stage->equation = words->equation;
-    stage->ascii = words->ascii;
     stage->sentence =
         *words->sentence ? words->sentence : "What acts from outside is added to the bonds' force.";
 }

@@ -8,10 +8,10 @@
 #include "methods/method.h"
 
 typedef struct ForceTerm {
-    const char *name;             /* "spring to the ground" */
-    const char *equation, *ascii; /* as the stage has it: "Σ N_i m_p b", "sum N_i m b" */
-    const char *load;             /* of one particle, in ASCII: "m b" */
-    const char *sentence;         /* what it does; NULL: the name says it */
+    const char *name;     /* "spring to the ground" */
+    const char *equation; /* as the stage has it: "Σ N_i m_p b" */
+    const char *load;     /* of one particle, in ASCII: "m b" */
+    const char *sentence; /* what it does; NULL: the name says it */
 
     /* The same as a number, along an axis (0 is x), in the method's unit of a particle's load: a force per
      * unit cross-section, of bonds a force density. Called of the simulation as it is. */
@@ -39,8 +39,7 @@ double forces_of_definition(const ForceTerm *, const Simulation *, size_t partic
 
 /* "A + B" of their equations and loads, "force of a and b", and their sentences; words for none too. */
 typedef struct ForceWords {
-    char equation[FORCE_WORDS_MAX], ascii[FORCE_WORDS_MAX], load[120], meaning[160],
-        sentence[FORCE_WORDS_MAX];
+    char equation[FORCE_WORDS_MAX], load[120], meaning[160], sentence[FORCE_WORDS_MAX];
 } ForceWords;
 
 void forces_word(const ForceTerms *, ForceWords *);

@@ -54,7 +54,7 @@ typedef struct Field {
     }
 
 /* In the equation of a stage that a wrong code does, what differs from the right one stands between these
- * marks; the second pair is that of the line in ASCII. */
+ * marks; text_to_ascii() makes the second pair of them. */
 #define STAGE_WRONG_OPEN        "»"
 #define STAGE_WRONG_CLOSE       "«"
 #define STAGE_WRONG_OPEN_ASCII  ">>"
@@ -65,7 +65,6 @@ typedef struct Stage {
     const char *id;       /* "map", "strain": stable, for scripts and tests */
     const char *name;     /* "map to nodes" */
     const char *equation; /* as shown on screen, UTF-8, at most 76 columns a line, lines parted by '\n' */
-    const char *ascii;    /* the same in ASCII */
     const char *source;   /* "eqs. 2, 3" */
     const char *sentence; /* what happens, in one sentence for a student */
     const char *reads;    /* names of fields, separated by spaces */

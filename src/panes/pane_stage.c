@@ -277,8 +277,7 @@ static void draw_body(const Subject *subject, Area area)
     const Stage *stage = &subject->sim->stages[subject->stage];
     const int width = area.rect.width, rows = area.rect.height;
     char sums[SUMS_MAX], equation[512];
-    snprintf(equation, sizeof equation, "%s",
-             subject->screen->look.glyphs == GLYPHS_ASCII ? stage->ascii : stage->equation);
+    glyphs_plain(subject->screen->look.glyphs, stage->equation, equation, sizeof equation);
     int sum_rows = choose_sums(subject, width, rows - 1, sums);
     const bool beside = screen_second_run(subject->screen) != NULL; /* a line for B at least */
     if (sum_rows + area_paragraph_lines(width, equation) + beside >
@@ -328,10 +327,9 @@ static void draw_list(const Subject *subject, Area area)
         const bool here = i == subject->stage;
         const Style style = here ? STYLE_SELECTED : i < subject->stage ? STYLE_NORMAL : STYLE_FAINT;
         area_print(area, 1, i, style, "%s%d %s", here ? "> " : "  ", i + 1, sim->stages[i].name);
-        const char *equation =
-            subject->screen->look.glyphs == GLYPHS_ASCII ? sim->stages[i].ascii : sim->stages[i].equation;
-        char line[160];
-        snprintf(line, sizeof line, "%.*s", (int)strcspn(equation, "\n"), equation);
+        char line[512];
+        glyphs_plain(subject->screen->look.glyphs, sim->stages[i].equation, line, sizeof line);
+        line[strcspn(line, "\n")] = '\0';
         const char *gap = strstr(line, "  ");
         Area rest = area_part(area, LIST_WIDTH + 2, i, area.rect.width, 1);
         if (glyphs_columns(line) <= rest.rect.width || (gap && gap - line <= rest.rect.width))

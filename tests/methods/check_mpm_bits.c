@@ -372,12 +372,11 @@ START_TEST(words_fit)
     Simulation *sim = bar_case_create(&bar);
     advance(sim, 20);
     for (int stage = 0; stage < sim->n_stages; stage++) {
-        for (const char *text = sim->stages[stage].ascii;;) {
-            size_t length = strcspn(text, "\n");
-            ck_assert_uint_le(length, 76);
-            if (text[length] == '\0')
-                break;
-            text += length + 1;
+        for (const char *line = sim->stages[stage].equation; *line; line += *line == '\n') {
+            int columns = 0;
+            for (; *line && *line != '\n'; line++)
+                columns += ((unsigned char)*line & 0xc0) != 0x80;
+            ck_assert_int_le(columns, 76);
         }
     }
     for (size_t p = 0; p < sim->counts[0]; p++) {

@@ -396,13 +396,13 @@ START_TEST(a_stage_tells_of_the_weight)
     Settings settings = small_plate();
     set(&settings, "loads.a", "top 0 100% 0 1");
     Simulation *sim = simulation_of(&settings, 1);
-    ck_assert(!strstr(body_force_of(sim)->ascii, "rho b"));
+    ck_assert(!strstr(body_force_of(sim)->equation, "ρ b"));
     unsigned char *before = snapshot_now(sim);
     ck_assert(sim->method->change(sim, "load.body_force", -9.81, NULL));
-    ck_assert_str_eq(body_force_of(sim)->ascii,
-                     "f(i) += rho b on every node + (sx, sy) min(1, t/t0)/dx on loaded nodes");
+    ck_assert_str_eq(body_force_of(sim)->equation,
+                     "f(i) += ρ b on every node + (sx, sy) min(1, t/t0)/dx on loaded nodes");
     simulation_restore(sim, before);
-    ck_assert(!strstr(body_force_of(sim)->ascii, "rho b"));
+    ck_assert(!strstr(body_force_of(sim)->equation, "ρ b"));
     free(before);
     simulation_destroy(sim);
 }

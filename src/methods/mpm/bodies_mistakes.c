@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The mistakes of a code for bodies, one a row: what differs stands between » and «, in ASCII between >> and
- * <<. What each does is asked by the stages (bodies_does). */
+/* The mistakes of a code for bodies, one a row: what differs stands between » and «. What each does is asked
+ * by the stages (bodies_does). */
 #include "methods/mpm/bodies_inner.h"
 
 /* What a mistake is defined for. */
@@ -9,7 +9,7 @@ enum { ONLY_TURNING = 1, ONLY_HYPOELASTIC = 2, ONLY_CONTACT = 4, ONLY_PLAIN_FLIP
 typedef struct BodiesMistakeRow {
     const char *sentence;
     MpmOp stage;
-    const char *equation, *ascii;
+    const char *equation;
     unsigned only;
 } BodiesMistakeRow;
 
@@ -26,27 +26,21 @@ const char *const bodies_mistake_words[BODIES_MISTAKES + 1] = {
 
 static const BodiesMistakeRow mistakes[BODIES_MISTAKES] = {
     [BODIES_SPIN_SIGN] = {"The stress is turned against the way that the body turns.", OP_STRAIN,
-                          "Δω = Δt »(∂u/∂y - ∂v/∂x)«/2      σ ← Q σ Qᵀ + D Δt sym L",
-                          "dw = dt >>(du/dy - dv/dx)<</2      s <- Q s Q^T + D dt sym L", ONLY_TURNING},
+                          "Δω = Δt »(∂u/∂y - ∂v/∂x)«/2      σ ← Q σ Qᵀ + D Δt sym L", ONLY_TURNING},
     [BODIES_NO_ROTATION] = {"The stress does not turn with the body.", OP_STRAIN,
-                            "L = Σ v_i ⊗ ∇N_i      σ ← »σ« + D Δt sym L",
-                            "L = sum v_i grad N_i      s <- >>s<< + D dt sym L", ONLY_TURNING},
+                            "L = Σ v_i ⊗ ∇N_i      σ ← »σ« + D Δt sym L", ONLY_TURNING},
     [BODIES_TENSOR_SHEAR] = {"G is multiplied with the tensor's shear strain, half of the angle.", OP_STRAIN,
-                             "σ_xy ← σ_xy + G Δt (∂u/∂y + ∂v/∂x)»/2«",
-                             "sxy <- sxy + G dt (du/dy + dv/dx)>>/2<<", ONLY_HYPOELASTIC},
+                             "σ_xy ← σ_xy + G Δt (∂u/∂y + ∂v/∂x)»/2«", ONLY_HYPOELASTIC},
     [BODIES_VOLUME_KEPT] = {"A particle keeps the volume that it had at the start.", OP_STRAIN,
-                            "σ ← Q σ Qᵀ + D Δt sym L      V ← »V«",
-                            "s <- Q s Q^T + D dt sym L      V <- >>V<<", ONLY_HYPOELASTIC},
+                            "σ ← Q σ Qᵀ + D Δt sym L      V ← »V«", ONLY_HYPOELASTIC},
     [BODIES_NORMAL_OF_ONE] = {"The normal of contact is that of one body alone.", OP_FIX,
-                              "contact: n = n_a/|n_a|»  , not of n_a - n_b«",
-                              "contact: n = n_a/|n_a|>>  , not of n_a - n_b<<", ONLY_CONTACT},
+                              "contact: n = n_a/|n_a|»  , not of n_a - n_b«", ONLY_CONTACT},
     [BODIES_START_AFTER_CONTACT] = {"Particles take their change from p behind the first fix: "
                                     "they never hear of its impulse.",
                                     OP_FIX, "q0 = q »behind walls and contact«",
-                                    "q0 = q >>behind walls and contact<<", ONLY_PLAIN_FLIP | ONLY_TOUCHING},
+                                    ONLY_PLAIN_FLIP | ONLY_TOUCHING},
     [BODIES_NO_FIRST_FIX] = {"Walls and contact act behind the force alone.", OP_FIX,
-                             "q ← »q«,   walls and contact »behind the force only«",
-                             "q <- >>q<<,   walls and contact >>behind the force only<<", ONLY_TOUCHING},
+                             "q ← »q«,   walls and contact »behind the force only«", ONLY_TOUCHING},
 };
 
 const char *bodies_mistake_sentence(int mistake)
@@ -98,7 +92,6 @@ void bodies_write_wrongly(const Mpm *mpm, MpmOp op, Stage *stage)
     if (mistake == 0 || mpm->bodies->def.conceals_mistake || mistakes[mistake].stage != op)
         return;
     stage->equation = mistakes[mistake].equation;
-    stage->ascii = mistakes[mistake].ascii;
     stage->source = bodies_mistake_words[mistake];
     stage->sentence = mistakes[mistake].sentence;
 }

@@ -11,16 +11,12 @@
 #include <string.h>
 
 #define WALL_EQUATION "wall: d ≤ gap, q·n > 0: q·n → 0, |qₜ| falls by ≤ μ q·n"
-#define WALL_ASCII    "wall: d <= gap, q.n > 0: q.n -> 0, |qt| falls by <= mu q.n"
 #define FIX_EQUATION                                                                                         \
     "contact: d ≤ 2 gap, vₙ > 0: a gives b m_a (vₙ n + min(1, μ vₙ/|vₜ|) vₜ)\n" WALL_EQUATION                \
     "      vₙ = (v_a - v)·n"
-#define FIX_ASCII                                                                                            \
-    "contact: d <= 2 gap, vn > 0: a gives b m_a (vn n + min(1, mu vn/|vt|) vt)\n" WALL_ASCII                 \
-    "   vn = (v_a - v).n"
-#define STRAIN_ROW(equation, ascii, source)                                                                  \
+#define STRAIN_ROW(equation, source)                                                                         \
     {                                                                                                        \
-        "strain", "strain and stress", equation, ascii, source,                                              \
+        "strain", "strain and stress", equation, source,                                                     \
             "Where neighbouring nodes move apart, slide past each other or turn, the particles between "     \
             "them are "                                                                                      \
             "strained and turned, and their stress follows.",                                                \
@@ -30,58 +26,50 @@
 static const Stage rows[OP_COUNT] = {
     [OP_MAP] =
         {"map", "map to nodes", "m_i = Σ m_p N_i      q_i = Σ m_p v_p N_i      N_i = N_x N_y",
-         "m_i = sum m_p N_i      q_i = sum m_p v_p N_i      N_i = N_x N_y", "Sulsky, Chen, Schreyer 1994",
+         "Sulsky, Chen, Schreyer 1994",
          "Every particle gives its mass and its momentum to the nodes around it, each body to its own field.",
          "x y mass vx vy", "mass px py nx ny"},
     [OP_FIX] =
-        {"fix", "walls and contact", FIX_EQUATION, FIX_ASCII, "Bardenhagen, Brackbill, Sulsky 2000",
+        {"fix", "walls and contact", FIX_EQUATION, "Bardenhagen, Brackbill, Sulsky 2000",
          "Walls take the momentum that goes out of the box; where two bodies share a node and approach each "
          "other, one gives the other the impulse that stops it.",
          "mass px py nx ny", "px py vx vy"},
     [OP_STRAIN] = STRAIN_ROW("L = Σ (q_i/m_i) ⊗ ∇N_i    σ ← Q σ Qᵀ + D Δt sym L    V ← V (1 + Δt tr L)",
-                             "L = sum (q_i/m_i) grad N_i  s <- Q s Q^T + D dt sym L  V <- V (1 + dt tr L)",
                              "Hughes, Winget 1980"),
     [OP_FORCE] = {"force", "nodal forces", "f_i = Σ (m_p g N_i - V_p σ_p · ∇N_i)",
-                  "f_i = sum (m_p g N_i - V_p s_p . grad N_i)", "Sulsky, Chen, Schreyer 1994",
+                  "Sulsky, Chen, Schreyer 1994",
                   "Weight and the stress of the particles pull at their nodes.", "sxx syy sxy density mass",
                   "fx fy"},
-    [OP_INTEGRATE] = {"integrate", "integrate momentum", "q_i ← q_i + Δt (f_i - α q_i)",
-                      "q_i <- q_i + dt (f_i - a q_i)", "Newton",
+    [OP_INTEGRATE] = {"integrate", "integrate momentum", "q_i ← q_i + Δt (f_i - α q_i)", "Newton",
                       "In one time step the force changes the momentum of a node.", "px py fx fy",
                       "px py vx vy"},
-    [OP_FIX_MOVED] = {"fix_moved", "walls and contact", FIX_EQUATION, FIX_ASCII,
-                      "Bardenhagen, Brackbill, Sulsky 2000",
+    [OP_FIX_MOVED] = {"fix_moved", "walls and contact", FIX_EQUATION, "Bardenhagen, Brackbill, Sulsky 2000",
                       "What forces have pushed into a wall or into another body is stopped as before.",
                       "mass px py nx ny", "px py vx vy"},
     [OP_UPDATE] = {"update", "update particles",
-                   "v_p ← v_p + Σ N_i (q_i - q0_i)/m_i      x_p ← x_p + Δt Σ N_i q_i/m_i",
-                   "v_p <- v_p + sum N_i (q_i - q0_i)/m_i      x_p <- x_p + dt sum N_i q_i/m_i", "FLIP",
+                   "v_p ← v_p + Σ N_i (q_i - q0_i)/m_i      x_p ← x_p + Δt Σ N_i q_i/m_i", "FLIP",
                    "A particle takes the change of its nodes' velocity since the map, and moves with them.",
                    "px py vx vy", "vx vy x y ux uy"},
     [OP_MAP_AGAIN] =
-        {"map_again", "map again", "q_i = Σ m_p v_p N_i", "q_i = sum m_p v_p N_i", "MUSL",
+        {"map_again", "map again", "q_i = Σ m_p v_p N_i", "MUSL",
          "The nodes take their momentum from the particles' new velocities, so that the strain is "
          "made of what the particles now do.",
          "mass vx vy", "px py"},
-    [OP_FIX_AGAIN] = {"fix_again", "walls and contact", FIX_EQUATION, FIX_ASCII,
-                      "Bardenhagen, Brackbill, Sulsky 2000", "What was mapped again is held again.",
-                      "mass px py nx ny", "px py vx vy"},
+    [OP_FIX_AGAIN] = {"fix_again", "walls and contact", FIX_EQUATION, "Bardenhagen, Brackbill, Sulsky 2000",
+                      "What was mapped again is held again.", "mass px py nx ny", "px py vx vy"},
 };
 
 static const Stage strain_without_rotation =
     STRAIN_ROW("L = Σ (q_i/m_i) ⊗ ∇N_i      σ ← σ + D Δt sym L      V ← V (1 + Δt tr L)",
-               "L = sum (q_i/m_i) grad N_i    s <- s + D dt sym L    V <- V (1 + dt tr L)",
                "the stress does not turn with the body");
 static const Stage strain_neo_hookean =
     STRAIN_ROW("L = Σ v_i ⊗ ∇N_i  F ← (I + Δt L) F  J = det F  σ = (G (FFᵀ - I) + λ ln J I)/J",
-               "L = sum v_i grad N_i  F <- F + dt L F  J = det F  s = (G (FF^T-I) + l ln J I)/J",
                "compressible neo-Hookean law");
 
 static const Stage blended_update = {
     "update",
     "update particles",
     "v_p ← α (v_p + Σ N_i (q_i - q0_i)/m_i) + (1 - α) Σ N_i q_i/m_i\nx_p ← x_p + Δt Σ N_i q_i/m_i",
-    "v_p <- a (v_p + sum N_i (q_i - q0_i)/m_i) + (1 - a) sum N_i q_i/m_i\nx_p <- x_p + dt sum N_i q_i/m_i",
     "FLIP with a share of PIC",
     "A particle takes part of its velocity from its nodes, which wipes out what the grid cannot see.",
     "px py vx vy",
@@ -90,7 +78,6 @@ static const Stage affine_update = {
     "update",
     "update particles",
     "v_p ← Σ N_i q_i/m_i      B_p ← Σ N_i (q_i/m_i) (x_i - x_p)ᵀ      x_p ← x_p + Δt v_p",
-    "v_p <- sum N_i q_i/m_i     B_p <- sum N_i (q_i/m_i) (x_i - x_p)^T     x_p <- x_p + dt v_p",
     "Jiang et al. 2015",
     "A particle takes the velocity of its nodes and the gradient of it, so that turning is not lost.",
     "px py vx vy",
@@ -99,7 +86,6 @@ static const Stage affine_map = {
     "map",
     "map to nodes",
     "m_i = Σ m_p N_i      q_i = Σ m_p N_i (v_p + B_p D⁻¹ (x_i - x_p))      N_i = N_x N_y",
-    "m_i = sum m_p N_i     q_i = sum m_p N_i (v_p + B_p D^-1 (x_i - x_p))     N_i = N_x N_y",
     "Jiang et al. 2015",
     "Every particle gives its mass and its momentum, with its gradient, to the nodes around it.",
     "x y mass vx vy",
@@ -139,7 +125,7 @@ void bodies_list_stages(Mpm *mpm)
     for (int i = 0; i < schedule->count; i++) {
         mpm->stages[i] = *stage_of(mpm, schedule->ops[i]);
         if (mpm->bodies->n_fields == 1 && strcmp(mpm->stages[i].equation, FIX_EQUATION) == 0)
-            mpm->stages[i].equation = WALL_EQUATION, mpm->stages[i].ascii = WALL_ASCII;
+            mpm->stages[i].equation = WALL_EQUATION;
         bodies_write_wrongly(mpm, schedule->ops[i], &mpm->stages[i]);
     }
     mpm->sets[MPM_PARTICLES] = (Set){"particle", "particles", 0};

@@ -20,7 +20,6 @@ static const Stage flip[OP_COUNT] = {
     [OP_MAP] = {.id = "map",
                 .name = "map to nodes",
                 .equation = "m_i = Σ m_p N_i      p_i = Σ m_p v_p N_i",
-                .ascii = "m_i = sum m_p N_i      p_i = sum m_p v_p N_i",
                 .source = "eqs. 2, 3",
                 .sentence = "Every particle gives its mass and its momentum to the nodes around it, "
                             "each node its share N.",
@@ -29,7 +28,6 @@ static const Stage flip[OP_COUNT] = {
     [OP_FIX] = {.id = "fix",
                 .name = "boundary conditions",
                 .equation = "p_i = 0 at fixed nodes",
-                .ascii = "p_i = 0 at fixed nodes",
                 .source = "paper M, step 2",
                 .sentence = "A node at a support cannot move: its momentum is taken away, its mass stays.",
                 .reads = "momentum",
@@ -37,7 +35,6 @@ static const Stage flip[OP_COUNT] = {
     [OP_STRAIN] = {.id = "strain",
                    .name = "strain and stress",
                    .equation = "v_i = p_i/m_i    Δε = Δt Σ N_i′ v_i    σ ← σ + E Δε    ρ ← ρ/(1 + Δε)",
-                   .ascii = "v_i = p_i/m_i   de = dt sum N_i' v_i   s <- s + E de   rho <- rho/(1 + de)",
                    .source = "eqs. 4, 5, 7, 8, 9",
                    .sentence = "Where neighbouring nodes move apart the bar is stretched: "
                                "the stress of the particles there grows, their density falls.",
@@ -46,7 +43,6 @@ static const Stage flip[OP_COUNT] = {
     [OP_FORCE] = {.id = "force",
                   .name = "nodal forces",
                   .equation = "f_i = f_int + f_ext,   f_i = 0 at fixed nodes",
-                  .ascii = "f_i = f_int + f_ext,   f_i = 0 at fixed nodes",
                   .source = "eqs. 10, 11, 12",
                   .sentence = "The stress of the particles pulls at their nodes, one way at the left, "
                               "the other way at the right.",
@@ -56,7 +52,6 @@ static const Stage flip[OP_COUNT] = {
         {.id = "integrate",
          .name = "integrate momentum",
          .equation = "p_i ← p_i + Δt f_i",
-         .ascii = "p_i <- p_i + dt f_i",
          .source = "eq. 13",
          .sentence = "Newton's law on the grid: in one time step the force changes the momentum of a node.",
          .reads = "momentum f",
@@ -64,7 +59,6 @@ static const Stage flip[OP_COUNT] = {
     [OP_UPDATE] = {.id = "update",
                    .name = "update particles",
                    .equation = "v_p ← v_p + Δt Σ N_i f_i/m_i      x_p ← x_p + Δt Σ N_i p_i/m_i",
-                   .ascii = "v_p <- v_p + dt sum N_i f_i/m_i    x_p <- x_p + dt sum N_i p_i/m_i",
                    .source = "eqs. 14, 15",
                    .sentence = "A particle takes the acceleration of its nodes for its velocity, "
                                "and moves with the velocity of the nodes.",
@@ -73,7 +67,6 @@ static const Stage flip[OP_COUNT] = {
     [OP_MAP_AGAIN] = {.id = "map_again",
                       .name = "map again",
                       .equation = "p_i = Σ m_p v_p N_i,   p_i = 0 at fixed nodes",
-                      .ascii = "p_i = sum m_p v_p N_i,   p_i = 0 at fixed nodes",
                       .source = "eq. 3 with the new v_p",
                       .sentence = "The nodes take their momentum from the particles' new velocities, "
                                   "so that the strain is made of what the particles now do.",
@@ -82,7 +75,6 @@ static const Stage flip[OP_COUNT] = {
     [OP_FORGET] = {.id = "forget",
                    .name = "forget the grid",
                    .equation = "m_i, p_i, f_i are dropped; the mesh is where it was",
-                   .ascii = "m_i, p_i, f_i are dropped; the mesh is where it was",
                    .source = "paper M, after eq. 15",
                    .sentence = "The particles keep everything; the mesh is put back empty, "
                                "so it never gets tangled.",
@@ -94,8 +86,6 @@ static const Stage flip[OP_COUNT] = {
 static const Stage blend[OP_COUNT] = {
     [OP_UPDATE] = {.equation = "v_p ← α (v_p + Δt Σ N_i f_i/m_i) + (1 - α) Σ N_i p_i/m_i\n"
                                "x_p ← x_p + Δt Σ N_i p_i/m_i",
-                   .ascii = "v_p <- a (v_p + dt sum N_i f_i/m_i) + (1 - a) sum N_i p_i/m_i\n"
-                            "x_p <- x_p + dt sum N_i p_i/m_i",
                    .source = "eqs. 14, 15 with PIC",
                    .sentence = "A particle takes part of its velocity from its nodes, "
                                "which wipes out what the grid cannot see."},
@@ -104,20 +94,17 @@ static const Stage blend[OP_COUNT] = {
 /* APIC with hats. */
 static const Stage apic_hat[OP_COUNT] = {
     [OP_MAP] = {.equation = "m_i = Σ m_p N_i      p_i = Σ m_p (v_p + C_p (x_i - x_p)) N_i",
-                .ascii = "m_i = sum m_p N_i      p_i = sum m_p (v_p + C_p (x_i - x_p)) N_i",
                 .source = "eqs. 2, 3 with APIC",
                 .sentence = "Every particle gives its mass and its momentum to the nodes around it; "
                             "C says how its velocity changes along it.",
                 .reads = "x mass v affine"},
     [OP_UPDATE] = {.equation = "v_p = Σ N_i v_i    C_p = Σ N_i′ v_i    x_p ← x_p + Δt Σ N_i p_i/m_i",
-                   .ascii = "v_p = sum N_i v_i    C_p = sum N_i' v_i    x_p <- x_p + dt sum N_i p_i/m_i",
                    .source = "APIC, eq. 15",
                    .sentence = "A particle takes its velocity from its nodes, "
                                "and the slope of the velocity with it.",
                    .reads = "mass momentum velocity",
                    .writes = "v affine x u"},
     [OP_MAP_AGAIN] = {.equation = "p_i = Σ m_p (v_p + C_p (x_i - x_p)) N_i,   p_i = 0 at fixed nodes",
-                      .ascii = "p_i = sum m_p (v_p + C_p (x_i - x_p)) N_i,   p_i = 0 at fixed nodes",
                       .source = "eq. 3 with the new v_p and C_p",
                       .reads = "mass v affine"},
 };
@@ -125,46 +112,35 @@ static const Stage apic_hat[OP_COUNT] = {
 /* APIC with other shapes. */
 static const Stage apic[OP_COUNT] = {
     [OP_UPDATE] = {.equation = "v_p = Σ N_i v_i    C_p = Σ N_i v_i d_i / Σ N_i d_i²    d_i = x_i - x_p\n"
-                               "x_p ← x_p + Δt Σ N_i p_i/m_i",
-                   .ascii = "v_p = sum N_i v_i   C_p = sum N_i v_i d_i / sum N_i d_i^2   d_i = x_i - x_p\n"
-                            "x_p <- x_p + dt sum N_i p_i/m_i"},
+                               "x_p ← x_p + Δt Σ N_i p_i/m_i"},
 };
 
 /* FLIP with blended masses, M = (1 - mu) M_c + mu M_l. */
 static const Stage mass[OP_COUNT] = {
     [OP_FIX] = {.equation = "p_i = 0 at fixed nodes      M v = p\n"
                             "M = (1 - μ) M_c + μ M_l      M_c = Σ m_p N_i N_j",
-                .ascii = "p_i = 0 at fixed nodes      M v = p\n"
-                         "M = (1 - mu) M_c + mu M_l      M_c = sum m_p N_i N_j",
                 .source = "paper M, step 2, with a mass blend",
                 .sentence = "A node at a support cannot move; the velocities of all others follow together, "
                             "as neighbouring nodes share the mass between them."},
     [OP_STRAIN] = {.equation = "M v = p    Δε = Δt Σ N_i′ v_i    σ ← σ + E Δε    ρ ← ρ/(1 + Δε)",
-                   .ascii = "M v = p   de = dt sum N_i' v_i   s <- s + E de   rho <- rho/(1 + de)",
                    .source = "eqs. 5, 7, 8, 9"},
     [OP_FORCE] = {.equation = "M a = f,   f_i = f_int + f_ext,   no a_i at fixed nodes",
-                  .ascii = "M a = f,   f_i = f_int + f_ext,   no a_i at fixed nodes",
                   .sentence = "The stress of the particles pulls at their nodes; "
                               "how the nodes yield to it follows for all of them together."},
     [OP_INTEGRATE] =
         {.equation = "p_i ← p_i + Δt f_i      v_i ← v_i + Δt a_i,   so that M v = p",
-         .ascii = "p_i <- p_i + dt f_i      v_i <- v_i + dt a_i,   so that M v = p",
          .sentence = "Newton's law on the grid: in one time step the force changes the momentum of a node, "
                      "the acceleration its velocity.",
          .reads = "momentum f acceleration"},
     [OP_UPDATE] = {.equation = "v_p ← v_p + Δt Σ N_i a_i      x_p ← x_p + Δt Σ N_i v_i",
-                   .ascii = "v_p <- v_p + dt sum N_i a_i    x_p <- x_p + dt sum N_i v_i",
                    .reads = "acceleration velocity"},
-    [OP_MAP_AGAIN] = {.equation = "p_i = Σ m_p v_p N_i,   p_i = 0 at fixed nodes      M v = p",
-                      .ascii = "p_i = sum m_p v_p N_i,   p_i = 0 at fixed nodes      M v = p"},
+    [OP_MAP_AGAIN] = {.equation = "p_i = Σ m_p v_p N_i,   p_i = 0 at fixed nodes      M v = p"},
 };
 
 /* Blended masses and a share of PIC. */
 static const Stage mass_blend[OP_COUNT] = {
     [OP_UPDATE] = {.equation = "v_p ← α (v_p + Δt Σ N_i a_i) + (1 - α) Σ N_i v_i\n"
                                "x_p ← x_p + Δt Σ N_i v_i",
-                   .ascii = "v_p <- a (v_p + dt sum N_i a_i) + (1 - a) sum N_i v_i\n"
-                            "x_p <- x_p + dt sum N_i v_i",
                    .source = "eqs. 14, 15 with PIC",
                    .sentence = "A particle takes part of its velocity from its nodes, "
                                "which wipes out what the grid cannot see."},
@@ -174,30 +150,23 @@ static const Stage mass_blend[OP_COUNT] = {
 static const Stage series[OP_COUNT] = {
     [OP_FIX] = {.equation = "p_i = 0 at fixed nodes      v = d_1 + ... + d_k,  d_1 = p/m\n"
                             "d_j+1 = d_j - Σ m_p N_i (Σ N_n d_j)/m_i,   0 at fixed nodes",
-                .ascii = "p_i = 0 at fixed nodes      v = d_1 + ... + d_k,  d_1 = p/m\n"
-                         "d_j+1 = d_j - sum m_p N_i (sum N_n d_j)/m_i,   0 at fixed nodes",
                 .source = "paper M, step 2, with FMPM(k)",
                 .sentence =
                     "A node at a support cannot move; each term of the series puts right what the particles "
                     "would not give back of the terms before.",
                 .reads = "momentum mass"},
-    [OP_STRAIN] = {.equation = "v of FMPM(k)    Δε = Δt Σ N_i′ v_i    σ ← σ + E Δε    ρ ← ρ/(1 + Δε)",
-                   .ascii = "v of FMPM(k)   de = dt sum N_i' v_i   s <- s + E de   rho <- rho/(1 + de)"},
+    [OP_STRAIN] = {.equation = "v of FMPM(k)    Δε = Δt Σ N_i′ v_i    σ ← σ + E Δε    ρ ← ρ/(1 + Δε)"},
     [OP_FORCE] = {.equation = "a: the series of f_i = f_int + f_ext,   no a_i at fixed nodes",
-                  .ascii = "a: the series of f_i = f_int + f_ext,   no a_i at fixed nodes",
                   .sentence = "The stress of the particles pulls at their nodes; "
                               "their accelerations follow from the forces as velocities do from momenta."},
-    [OP_INTEGRATE] = {.equation = "p_i ← p_i + Δt f_i      v_i ← v_i + Δt a_i: the series of the new p",
-                      .ascii = "p_i <- p_i + dt f_i      v_i <- v_i + dt a_i: the series of the new p"},
+    [OP_INTEGRATE] = {.equation = "p_i ← p_i + Δt f_i      v_i ← v_i + Δt a_i: the series of the new p"},
     [OP_UPDATE] = {.equation = "v_p = Σ N_i v_i      x_p ← x_p + Δt (v_p before + v_p)/2",
-                   .ascii = "v_p = sum N_i v_i      x_p <- x_p + dt (v_p before + v_p)/2",
                    .source = "FMPM",
                    .sentence =
                        "A particle takes its velocity from its nodes, nothing that they cannot see stays, "
                        "and moves with the mean of both.",
                    .reads = "velocity v"},
-    [OP_MAP_AGAIN] = {.equation = "p_i = Σ m_p v_p N_i,   p_i = 0 at fixed nodes      v of FMPM(k)",
-                      .ascii = "p_i = sum m_p v_p N_i,   p_i = 0 at fixed nodes      v of FMPM(k)"},
+    [OP_MAP_AGAIN] = {.equation = "p_i = Σ m_p v_p N_i,   p_i = 0 at fixed nodes      v of FMPM(k)"},
 };
 
 /* What a transfer changes: its rows, in which a member that is not said is as with the transfer that it is
@@ -228,7 +197,6 @@ static Stage stage_of(int transfer, MpmOp op)
         take_unsaid(&stage.id, other->id);
         take_unsaid(&stage.name, other->name);
         take_unsaid(&stage.equation, other->equation);
-        take_unsaid(&stage.ascii, other->ascii);
         take_unsaid(&stage.source, other->source);
         take_unsaid(&stage.sentence, other->sentence);
         take_unsaid(&stage.reads, other->reads);

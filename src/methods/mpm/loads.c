@@ -28,12 +28,9 @@ static double traction(const Simulation *sim, size_t particle, int axis, const v
 }
 
 static const ForceTerm of_body = {
-    .name = "body force", .equation = "Σ N_i m_p b", .ascii = "sum N_i m b", .load = "m b", .on = body_force};
-static const ForceTerm of_traction = {.name = "traction",
-                                      .equation = "Σ N_i t m_p/(ρ_p h)",
-                                      .ascii = "sum N_i t m/(rho h)",
-                                      .load = "t V/h",
-                                      .on = traction};
+    .name = "body force", .equation = "Σ N_i m_p b", .load = "m b", .on = body_force};
+static const ForceTerm of_traction = {
+    .name = "traction", .equation = "Σ N_i t m_p/(ρ_p h)", .load = "t V/h", .on = traction};
 
 ForceTerms mpm_forces(const Mpm *mpm)
 {
@@ -91,5 +88,4 @@ void mpm_word_forces(Mpm *mpm, Stage *stage)
     *words = terms;
     stage->equation =
         equation_of(words->equation, "f_int = -Σ N_i′ σ_p m_p/ρ_p", terms.equation, stage->equation);
-    stage->ascii = equation_of(words->ascii, "f_int = -sum N_i' s m/rho", terms.ascii, stage->ascii);
 }

@@ -77,8 +77,8 @@ static double affine_undivided(const Mpm *mpm, const MpmWeights *w, int particle
 }
 
 static const BarMistake mistakes[] = {
-#define MISTAKE(name, op, words, line, plain, ...)                                                           \
-    {.id = name, .sentence = words, .stage = op, .equation = line, .ascii = plain, __VA_ARGS__},
+#define MISTAKE(name, op, words, line, ...)                                                                  \
+    {.id = name, .sentence = words, .stage = op, .equation = line, __VA_ARGS__},
 #include "methods/mpm/mistake_rows.inc"
 #undef MISTAKE
 };
@@ -118,7 +118,6 @@ bool bar_mistakes_join(int one, int other, BarMistake *out)
     if (!out->also_equation && b->stage != a->stage) {
         out->also = b->stage;
         out->also_equation = b->equation;
-        out->also_ascii = b->ascii;
     }
     out->does = a->does | b->does;
     out->only = a->only | b->only;
@@ -372,5 +371,4 @@ void mpm_write_wrongly(const Mpm *mpm, Stage *stage, MpmOp op)
     if (mpm->dim == 2) /* the wrong one is that of a bar */
         return;
     stage->equation = also ? mistake->also_equation : mistake->equation;
-    stage->ascii = also ? mistake->also_ascii : mistake->ascii;
 }

@@ -61,9 +61,9 @@ typedef struct BarMistake {
     const char *id, *sentence;
     MpmOp stage;
     /* the lines of the stage as this code has it, what differs between marks (STAGE_WRONG in method.h) */
-    const char *equation, *ascii;
+    const char *equation;
     MpmOp also; /* another stage that has it too, with its line; equation NULL: none */
-    const char *also_equation, *also_ascii;
+    const char *also_equation;
 
     /* What this code does; what is not said it does as it should be done. */
     unsigned does, only; /* WRONG_..., ONLY_... */

@@ -15,50 +15,41 @@
 /* With FLIP alone. */
 static const Stage flip[OP_COUNT] = {
     [OP_MAP] = {"map", "map to nodes", "m_i = Σ m_p N_i      p_i = Σ m_p v_p N_i      N_i = N_x N_y",
-                "m_i = sum m_p N_i      p_i = sum m_p v_p N_i      N_i = N_x N_y",
                 "paper M, eqs. 2, 3, in the plane",
                 "Every particle gives its mass and its momentum to the nodes around it, "
                 "each node its share N.",
                 "x y mass vx vy", "mass px py"},
-    [OP_FIX] = {"hold", "supports", "held: p_x = m_i v₀,  p_y = 0", "held: p_x = m_i v0,  p_y = 0",
-                "paper M, step 2; paper P, eqs. 12, 13",
+    [OP_FIX] = {"hold", "supports", "held: p_x = m_i v₀,  p_y = 0", "paper M, step 2; paper P, eqs. 12, 13",
                 "A node that a support or the channel holds moves with it, and with nothing else.",
                 "mass px py", "px py vx vy"},
     [OP_STRAIN] = {"strain", "strain and stress",
                    "v_i = p_i/m_i    Δε = Δt sym(Σ ∇N_i v_i)    σ ← σ + D Δε    ρ ← ρ/(1 + tr Δε)",
-                   "v_i = p_i/m_i   de = dt sym(sum grad N_i v_i)   s <- s + D de   rho <- rho/(1 + tr de)",
                    "paper M, eqs. 4 to 9, plane stress",
                    "Where neighbouring nodes move apart or slide past each other the beam is strained, "
                    "and the stress of the particles there follows.",
                    "vx vy sxx syy sxy density", "exx eyy gxy sxx syy sxy density"},
-    [OP_FORCE] = {"force", "nodal forces", "f_i = -Σ σ_p · ∇N_i m_p/ρ_p",
-                  "f_i = -sum s_p . grad N_i m_p/rho_p", "paper M, eq. 10, in the plane",
+    [OP_FORCE] = {"force", "nodal forces", "f_i = -Σ σ_p · ∇N_i m_p/ρ_p", "paper M, eq. 10, in the plane",
                   "The stress of the particles pulls at their nodes along and across the beam.",
                   "sxx syy sxy density mass", "fx fy"},
     [OP_FIX_FORCE] = {"hold_force", "supports on the force", "held: work ← work - f_x v₀ Δt,  then f = 0",
-                      "held: work <- work - f_x v0 dt,  then f = 0", "paper M, step 5",
+                      "paper M, step 5",
                       "Supports take the force of the nodes that they hold; "
                       "a channel that draws the beam along does work.",
                       "fx fy", "fx fy ax ay"},
-    [OP_INTEGRATE] = {"integrate", "integrate momentum", "p_i ← p_i + Δt f_i", "p_i <- p_i + dt f_i",
-                      "paper M, eq. 13",
+    [OP_INTEGRATE] = {"integrate", "integrate momentum", "p_i ← p_i + Δt f_i", "paper M, eq. 13",
                       "Newton's law on the grid: in one time step the force changes the momentum of a node.",
                       "px py fx fy", "px py vx vy"},
     [OP_UPDATE] = {"update", "update particles",
-                   "v_p ← v_p + Δt Σ N_i f_i/m_i      x_p ← x_p + Δt Σ N_i p_i/m_i",
-                   "v_p <- v_p + dt sum N_i f_i/m_i    x_p <- x_p + dt sum N_i p_i/m_i",
-                   "paper M, eqs. 14, 15",
+                   "v_p ← v_p + Δt Σ N_i f_i/m_i      x_p ← x_p + Δt Σ N_i p_i/m_i", "paper M, eqs. 14, 15",
                    "A particle takes the acceleration of its nodes and moves with their velocity; "
                    "then the grid is forgotten.",
                    "ax ay vx vy", "vx vy x y ux uy"},
-    [OP_MAP_AGAIN] = {"map_again", "map again", "p_i = Σ m_p v_p N_i", "p_i = sum m_p v_p N_i",
-                      "paper M, eq. 3 with the new v_p",
+    [OP_MAP_AGAIN] = {"map_again", "map again", "p_i = Σ m_p v_p N_i", "paper M, eq. 3 with the new v_p",
                       "The nodes take their momentum from the particles' new velocities, "
                       "so that the strain is made of what the particles now do.",
                       "mass vx vy", "px py"},
-    [OP_FIX_AGAIN] = {"hold_again", "supports again", "held: p_x = m_i v₀,  p_y = 0",
-                      "held: p_x = m_i v0,  p_y = 0", "as before", "What was mapped again is held again.",
-                      "mass px py", "px py vx vy"},
+    [OP_FIX_AGAIN] = {"hold_again", "supports again", "held: p_x = m_i v₀,  p_y = 0", "as before",
+                      "What was mapped again is held again.", "mass px py", "px py vx vy"},
 };
 
 /* With a share of PIC. */
@@ -67,8 +58,6 @@ static const Stage blended_update = {
     "update particles",
     "v_p ← α (v_p + Δt Σ N_i f_i/m_i) + (1 - α) Σ N_i p_i/m_i\n"
     "x_p ← x_p + Δt Σ N_i p_i/m_i",
-    "v_p <- a (v_p + dt sum N_i f_i/m_i) + (1 - a) sum N_i p_i/m_i\n"
-    "x_p <- x_p + dt sum N_i p_i/m_i",
     "paper M, eqs. 14, 15 with PIC",
     "A particle takes part of its velocity from its nodes, which wipes out what the "
     "grid cannot see; then the grid is forgotten.",

@@ -14,24 +14,21 @@ static const Stage stage_table[N_STAGES] = {
     [STAGE_HALF_KICK] = VERLET_HALF_KICK("vx vy fx fy", "vx vy"),
     [STAGE_DRIFT] = VERLET_DRIFT("ux uy vx vy", "ux uy"),
     [STAGE_CONSTRAINTS] = {"constraints", "supports", "uy = 0 at the supports, ux = 0 at the left one",
-                           "uy = 0 at the supports, ux = 0 at the left one", "eqs. 12, 13",
-                           "Supported nodes stay where they are.", "ux uy vx vy held", "ux uy vx vy"},
+                           "eqs. 12, 13", "Supported nodes stay where they are.", "ux uy vx vy held",
+                           "ux uy vx vy"},
     [STAGE_BONDS] =
         {"bonds", "bond forces",
          "s = (|ξ+η| − |ξ|)/|ξ|,   s ≥ s0: broken for ever\n"
          "f(i) = Σ c G w s V (ξ+η)/|ξ+η|",
-         "s = (|xi+eta| - |xi|)/|xi|,   s >= s0: broken for ever\n"
-         "f(i) = sum c G w s V (xi+eta)/|xi+eta|",
          "eqs. 2, 3, 6, 8",
          "Each bond pulls as much as it is stretched, or breaks; a node feels the sum of its family.",
          "ux uy", "fx fy stretch broken broken_at"},
-    [STAGE_BODY_FORCE] = {"body-force", "body force", NULL, NULL, "eq. 8", NULL, "loaded fy",
+    [STAGE_BODY_FORCE] = {"body-force", "body force", NULL, "eq. 8", NULL, "loaded fy",
                           "fy"}, /* by its terms */
     [STAGE_SECOND_KICK] = VERLET_SECOND_KICK(
         "The new force completes the step's velocity; supports hold again.", "vx vy fx fy held", "vx vy"),
-    [STAGE_DAMAGE] = {"damage", "damage", "φ(i) = 1 − Σ μ w V / Σ w V", "phi(i) = 1 - sum mu w V / sum w V",
-                      "eqs. 5, 6", "Damage of a node is the share of its family that it has lost.", "broken",
-                      "damage"},
+    [STAGE_DAMAGE] = {"damage", "damage", "φ(i) = 1 − Σ μ w V / Σ w V", "eqs. 5, 6",
+                      "Damage of a node is the share of its family that it has lost.", "broken", "damage"},
 };
 
 /* Of a bar; nothing of it breaks. */
@@ -39,42 +36,36 @@ static const Stage line_stages[STAGE_DAMAGE] = {
     [STAGE_HALF_KICK] = VERLET_HALF_KICK("v force acceleration", "v"),
     [STAGE_DRIFT] = VERLET_DRIFT("u v", "u x"),
     [STAGE_CONSTRAINTS] =
-        {"mirror", "mirrored ends", "fixed end at 0:  u(−X) = −u(X),   so u(0) = 0",
-         "fixed end at 0:  u(-X) = -u(X),   so u(0) = 0", "odd reflection",
+        {"mirror", "mirrored ends", "fixed end at 0:  u(−X) = −u(X),   so u(0) = 0", "odd reflection",
          "Beyond a fixed end the bar goes on as its own mirror image; a free end has nothing there.", "u",
          "u"},
     [STAGE_BONDS] = {"bonds", "bond forces",
                      "s = (|ξ+η| − |ξ|)/|ξ|,   c = c(|ξ|)\n"
                      "f(i) = Σ c G w s V sign(ξ+η)",
-                     "s = (|xi+eta| - |xi|)/|xi|,   c = c(|xi|)\n"
-                     "f(i) = sum c G w s V sign(xi+eta)",
                      "eqs. 2, 3, 8",
                      "Each bond pulls as much as it is stretched; a node feels the sum of its family.",
                      "u family surface_factor", "force stress strain density strain_energy"},
-    [STAGE_BODY_FORCE] = {"load", "loads", NULL, NULL, "eq. 8", NULL, "load force",
-                          "force"}, /* by its terms */
+    [STAGE_BODY_FORCE] = {"load", "loads", NULL, "eq. 8", NULL, "load force", "force"}, /* by its terms */
     [STAGE_SECOND_KICK] =
         VERLET_SECOND_KICK("The new force completes the step's velocity.", "v force acceleration", "v"),
 };
 
 /* The kicks of the steppings other than velocity Verlet, before the drift and after it. */
 typedef struct KickWords {
-    const char *equation, *ascii, *sentence;
+    const char *equation, *sentence;
 } KickWords;
-static const KickWords no_kick = {"nothing", "nothing", "One kick a step is enough."};
+static const KickWords no_kick = {"nothing", "One kick a step is enough."};
 static const KickWords kick_words[][2] = {
-    [STEPPING_EULER] = {{"v(n+1) = v(n) + Δt a(n),   a = f/ρ", "v(n+1) = v(n) + dt a(n),   a = f/rho",
+    [STEPPING_EULER] = {{"v(n+1) = v(n) + Δt a(n),   a = f/ρ",
                          "The force of the last step gives every node its new velocity."}},
-    [STEPPING_EULER_POSITION] = {{NULL, NULL, NULL},
-                                 {"v(n+1) = v(n) + Δt a(n+1)", "v(n+1) = v(n) + dt a(n+1)",
+    [STEPPING_EULER_POSITION] = {{NULL, NULL},
+                                 {"v(n+1) = v(n) + Δt a(n+1)",
                                   "The new force gives every node its new velocity."}},
     [STEPPING_LEAPFROG] = {{"v(n+½) = v(n−½) + Δt a(n),   in step 1: v(½) = v(0) + Δt/2 a(0)",
-                            "v(n+1/2) = v(n-1/2) + dt a(n),   in step 1: v(1/2) = v(0) + dt/2 a(0)",
                             "The force of the last step carries the velocity from half step to half step."}},
     [STEPPING_LEAPFROG_AHEAD] = {{"in step 1 alone: v(½) = v(0) + Δt/2 a(0)",
-                                  "in step 1 alone: v(1/2) = v(0) + dt/2 a(0)",
                                   "Before the first step a half kick sets the velocity half a step ahead."},
-                                 {"v(n+3/2) = v(n+½) + Δt a(n+1)", "v(n+3/2) = v(n+1/2) + dt a(n+1)",
+                                 {"v(n+3/2) = v(n+½) + Δt a(n+1)",
                                   "The new force carries the velocity from half step to half step."}},
 };
 
@@ -85,13 +76,11 @@ static void word_kicks(Stage *stages, Stepping stepping)
         const KickWords *words = kick_words[stepping][k].equation ? &kick_words[stepping][k] : &no_kick;
         stage->name = k == 0 ? "first kick" : "second kick";
         stage->equation = words->equation;
-        stage->ascii = words->ascii;
         stage->sentence = words->sentence;
         stage->source = "in words";
     }
     if (stepping != STEPPING_VERLET) {
         stages[STAGE_DRIFT].equation = "u(n+1) = u(n) + Δt v";
-        stages[STAGE_DRIFT].ascii = "u(n+1) = u(n) + dt v";
         stages[STAGE_DRIFT].sentence = "Every node moves on with the velocity that it has now.";
     }
 }
@@ -101,7 +90,6 @@ static void word_mistake(Stage *stages, const BondsMistake *mistake)
     for (int k = 0; mistake && k < MISTAKE_LINES && mistake->lines[k].equation; k++) {
         Stage *stage = &stages[mistake->lines[k].stage];
         stage->equation = mistake->lines[k].equation;
-        stage->ascii = mistake->lines[k].ascii;
         stage->source = mistake->id;
         stage->sentence = mistake->sentence;
     }
@@ -117,7 +105,6 @@ void beam_set_stages(Beam *beam)
         Stage *constraints = &beam->stages[STAGE_CONSTRAINTS];
         constraints->name = "clamp";
         constraints->equation = "in the channel uy = 0, with a full clamp ux = v0t";
-        constraints->ascii = "in the channel uy = 0, with a full clamp ux = v0 t";
         constraints->source = "in words";
         constraints->sentence = "The channel guides the nodes inside it.";
         beam->stages[STAGE_SECOND_KICK].sentence =
@@ -127,12 +114,11 @@ void beam_set_stages(Beam *beam)
         Stage *constraints = &beam->stages[STAGE_CONSTRAINTS];
         constraints->source = "in words";
         if (!beam->def.pinned)
-            constraints->equation = constraints->ascii = "uy = 0 at the supports, ux is free";
+            constraints->equation = "uy = 0 at the supports, ux is free";
     }
     if (beam->def.problem == BEAM_PLATE) {
         Stage *constraints = &beam->stages[STAGE_CONSTRAINTS], *force = &beam->stages[STAGE_BODY_FORCE];
         constraints->equation = "v = V in the directions that a support gives; V = 0 holds";
-        constraints->ascii = constraints->equation;
         constraints->source = "in words";
         constraints->sentence = "Supports keep their velocity, whatever the bonds pull.";
         force->reads = "loaded fx fy";
@@ -141,10 +127,8 @@ void beam_set_stages(Beam *beam)
     if (beam->damping > 0) {
         Stage *first = &beam->stages[STAGE_HALF_KICK], *second = &beam->stages[STAGE_SECOND_KICK];
         first->equation = "v(n+½) = (1 − α Δt/2) v(n) + Δt/2 f/ρ";
-        first->ascii = "v(n+1/2) = (1 - alpha dt/2) v(n) + dt/2 f/rho";
         first->sentence = "The last force adds half a step's worth of velocity, and damping takes its share.";
         second->equation = "v(n+1) = (v(n+½) + Δt/2 f/ρ)/(1 + α Δt/2)";
-        second->ascii = "v(n+1) = (v(n+1/2) + dt/2 f/rho)/(1 + alpha dt/2)";
         if (beam->def.problem == BEAM_MOVING_CANTILEVER)
             first->sentence =
                 "The last force adds half a step's worth of velocity, and damping takes its share: of "

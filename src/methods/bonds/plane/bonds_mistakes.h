@@ -19,7 +19,7 @@ enum { MISTAKE_LINES = 3 };
 /* A line of a stage as a wrong code has it, what differs between marks (STAGE_WRONG in method.h). */
 typedef struct MistakeLine {
     int stage;
-    const char *equation, *ascii; /* NULL: no further line */
+    const char *equation; /* NULL: no further line */
 } MistakeLine;
 
 /* What else such a code does. */

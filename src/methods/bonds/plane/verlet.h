@@ -6,22 +6,21 @@
 
 #define VERLET_HALF_KICK(fields_read, fields_written)                                                        \
     {                                                                                                        \
-        "half-kick", "half kick", "v(n+½) = v(n) + Δt/2 a(n),   a = f/ρ",                                    \
-            "v(n+1/2) = v(n) + dt/2 a(n),   a = f/rho", "eq. 9",                                             \
+        "half-kick", "half kick", "v(n+½) = v(n) + Δt/2 a(n),   a = f/ρ", "eq. 9",                           \
             "The force of the last step gives every node half a step's worth of new velocity.", fields_read, \
             fields_written                                                                                   \
     }
 
 #define VERLET_DRIFT(fields_read, fields_written)                                                            \
     {                                                                                                        \
-        "drift", "drift", "u(n+1) = u(n) + Δt v(n+½)", "u(n+1) = u(n) + dt v(n+1/2)", "eq. 10",              \
+        "drift", "drift", "u(n+1) = u(n) + Δt v(n+½)", "eq. 10",                                             \
             "Every node moves on with its half-step velocity.", fields_read, fields_written                  \
     }
 
 #define VERLET_SECOND_KICK(says, fields_read, fields_written)                                                \
     {                                                                                                        \
-        "second-kick", "second half kick", "v(n+1) = v(n+½) + Δt/2 a(n+1)",                                  \
-            "v(n+1) = v(n+1/2) + dt/2 a(n+1)", "eq. 11", says, fields_read, fields_written                   \
+        "second-kick", "second half kick", "v(n+1) = v(n+½) + Δt/2 a(n+1)", "eq. 11", says, fields_read,     \
+            fields_written                                                                                   \
     }
 
 #endif

@@ -63,20 +63,17 @@ static double tractions(const Simulation *sim, size_t node, int axis, const void
 
 static const ForceTerm of_weight = {.name = "weight",
                                     .equation = "ρ b on every node",
-                                    .ascii = "rho b on every node",
                                     .load = "rho b",
                                     .sentence = "The weight pulls at every node alike.",
                                     .on = weight};
 static const ForceTerm of_pressure = {.name = "pressure",
                                       .equation = "−p min(1, t/t0)/Δx on loaded nodes",
-                                      .ascii = "-p min(1, t/t0)/dx on loaded nodes",
                                       .load = "-p/dx",
                                       .sentence =
                                           "The load pushes the nodes of the top row that it rests on.",
                                       .on = tractions};
 static const ForceTerm of_tractions = {.name = "tractions",
                                        .equation = "(sx, sy) min(1, t/t0)/Δx on loaded nodes",
-                                       .ascii = "(sx, sy) min(1, t/t0)/dx on loaded nodes",
                                        .load = "(sx, sy)/dx",
                                        .sentence =
                                            "The tractions act on the one layer of nodes along their edges.",
@@ -84,13 +81,11 @@ static const ForceTerm of_tractions = {.name = "tractions",
 
 static const ForceTerm of_body = {.name = "body force",
                                   .equation = "ρ b",
-                                  .ascii = "rho b",
                                   .load = "rho b",
                                   .sentence = "The body force acts on every node.",
                                   .on = weight};
 static const ForceTerm of_ends = {.name = "traction",
                                   .equation = "(±t/h in the layer at a free end)",
-                                  .ascii = "(+-t/h in the layer at a free end)",
                                   .load = "t/h",
                                   .sentence = "The traction acts on the last nodes at a free end.",
                                   .on = tractions};
