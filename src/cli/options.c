@@ -490,7 +490,7 @@ bool options_load(const Options *options, const char *scenario, Settings *settin
     if (!load_run(options, scenario, settings, status))
         return false;
     /* which views there are no scenario file knows */
-    if (view_check(settings_view(settings), status))
+    if (view_check(settings, status))
         return true;
     options_blame(options, scenario, status);
     return false;

@@ -33,6 +33,7 @@ static PlaneDef definition(const Settings *settings, int threads)
         .algorithm = settings_transfer(settings)->algorithm,
         .shape = settings_transfer(settings)->shape,
         .flip_fraction = settings_transfer(settings)->flip_fraction,
+        .rotation = settings_transfer(settings)->rotation,
         .mistake = settings_transfer(settings)->mistake,
         .conceals_mistake = settings->concealed,
         .mistake_beside = settings_transfer(settings)->mistake_beside,
@@ -211,8 +212,8 @@ static bool invariant_kept(const Settings *settings)
     "scenario.method", "beam.length", "beam.height", "beam.thickness", "beam.youngs_modulus",                \
         "beam.density", "beam.poisson", "initial.amplitude", "motion.speed", "motion.channel",               \
         "motion.clamp", "mesh.cell_size", "mesh.particles_per_cell", "mesh.padding", "mesh.velocity",        \
-        "mpm.algorithm", "mpm.shape", "mpm.flip_fraction", "supports.ends", "initial.stress",                \
-        "time.courant", "time.unstable", "time.end"
+        "mpm.algorithm", "mpm.shape", "mpm.flip_fraction", "mpm.rotation", "supports.ends",                  \
+        "initial.stress", "time.courant", "time.unstable", "time.end"
 
 /* The motion beside is that of a deflection let go, frequencies those of any start, both of the right code.
  */

@@ -15,7 +15,8 @@
         {USE("mesh.particles_per_cell", 2), .methods = BY_MPM,                                               \
          .help = "particles along each side of a cell at t = 0: P x P in all"},                              \
         {USE("mesh.padding", 2), .help = "empty cells all around the beam"},                                 \
-        {USE("mpm.shape", MPM_GIMP), .choices = 2, .others = "is for bars"},                                 \
+        {USE("mpm.shape", MPM_GIMP), .choices = 3, .others = "is for bars"},                                 \
+        {USE("mpm.rotation", ROTATION_NONE)},                                                                \
     {                                                                                                        \
         USE("time.courant", 0.5), .methods = BY_MPM                                                          \
     }

@@ -89,9 +89,9 @@ const char *view_profile_curve(const Screen *);
 /* The view that is a map; NULL: there is none. */
 const View *view_of_map(void);
 
-/* Whether the views and the number that a scenario names exist; false: the status says which and what there
- * is. */
-bool view_check(const ViewSettings *, Status *);
+/* Whether the views with their variants and the number that a scenario names exist; false: the status says
+ * which and what there is. */
+bool view_check(const Settings *, Status *);
 
 /* --- one view on one screen -------------------------------------------------------------------------- */
 

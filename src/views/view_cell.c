@@ -622,6 +622,20 @@ static void add_sums(const CellView *view, Picture *picture)
         add_spare(picture, line);
 }
 
+/* What a picture of a plane without terms means; NULL: it has terms. */
+static const char *note_of(const CellView *view)
+{
+    const bool over = view->stage == &view->sim->stages[view->sim->n_stages - 1];
+    return view->line || view->running ? NULL
+           : view->terms.n_links == 0
+               ? (view->terms.set ? "no particle is near: this node is empty" : "this particle sees no nodes")
+           : !view->done || view->terms.n_flows > 0 ? NULL
+           : over           ? "the step is over: the particles are where it has moved them"
+           : view->met >= 0 ? "n from this body to the other; v of each before; what it gives the other"
+           : view->meets    ? "no other body shares these nodes"
+                            : "nothing passes between particles and nodes in this stage";
+}
+
 /* --- the whole ------------------------------------------------------------------------------------- */
 
 static void add_thing(const CellView *view, Picture *picture, int set, size_t index)
@@ -678,6 +692,8 @@ static void describe_mesh(const CellView *view, Picture *picture)
     for (int body = 0; simulation_has(view->sim, HAS_BODIES) && body < bodies->count; body++)
         picture_key(picture, (PictureKey){LINE_SOLID, 'o', picture_kind_style(body), bodies->rows[body].name,
                                           0x25cb, 0});
+    if (note_of(view))
+        picture_note(picture, STYLE_FAINT, note_of(view));
     if (!view->running && !view->masses)
         add_sums(view, picture);
 }

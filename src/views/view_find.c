@@ -4,6 +4,7 @@
 #include "scenario/concern_output.h"
 #include "base/text.h"
 #include "answers/run_numbers.h"
+#include "run/experiment.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -71,16 +72,52 @@ static const View *view_of_name(const char *name)
     return view_named(word);
 }
 
-bool view_check(const ViewSettings *view, Status *status)
+/* Which variant "profile:v" names on a screen; -1: there is none. */
+static int variant_of_name(const View *view, const Screen *screen, const char *name)
 {
+    for (int i = 0; i < view_variants(view, screen); i++) {
+        const char *word = view_variant_word(view, screen, i);
+        if (word && strcmp(word, name + strcspn(name, ":") + 1) == 0)
+            return i;
+    }
+    return -1;
+}
+
+/* Variants are of the run: the first of it is made to ask for them. */
+static bool check_variant(const Settings *settings, const View *view, const char *key, const char *name,
+                          Status *status)
+{
+    char known[600] = "";
+    Screen screen;
+    screen_default(&screen);
+    Experiment *experiment = experiment_create(settings, 0, 1, status);
+    if (!experiment)
+        return false;
+    screen.experiment = experiment;
+    const char *missing = view_missing(view, &screen), *word;
+    for (int i = 0; !missing && (word = view_variant_word(view, &screen, i)) != NULL; i++)
+        text_append(known, sizeof known, "%s%s", i ? ", " : "", word);
+    const bool sound = missing || variant_of_name(view, &screen, name) >= 0;
+    experiment_destroy(experiment);
+    return sound || status_refuse(status, "%s: %.60s is not allowed (%s%s%s)", key, name, view->word,
+                                  known[0] ? " with one of " : " alone", known);
+}
+
+bool view_check(const Settings *settings, Status *status)
+{
+    static const char *const keys[2] = {"view.upper", "view.lower"};
+    const ViewSettings *view = settings_view(settings);
     const char *const names[2] = {view->upper, view->lower};
     char known[320];
-    for (int i = 0; i < 2; i++)
-        if (names[i][0] && !view_of_name(names[i])) {
+    for (int i = 0; i < 2; i++) {
+        const View *named = view_of_name(names[i]);
+        if (names[i][0] && !named) {
             view_names(known, sizeof known);
-            return status_refuse(status, "view.%s: %.60s is not allowed (%s)", i == 0 ? "upper" : "lower",
-                                 names[i], known);
+            return status_refuse(status, "%s: %.60s is not allowed (%s)", keys[i], names[i], known);
         }
+        if (strchr(names[i], ':') && !check_variant(settings, named, keys[i], names[i], status))
+            return false;
+    }
     const RunNumber *about = view->about[0] ? run_number_find(view->about) : NULL;
     if (view->about[0] && (!about || !about->label)) {
         known[0] = '\0';
@@ -96,14 +133,11 @@ bool view_check(const ViewSettings *view, Status *status)
 static const View *open_named(Screen *screen, const char *name, PaneId home)
 {
     const View *view = view_of_name(name);
-    const char *variant = strchr(name, ':');
     if (!view || view_missing(view, screen))
         return view_at_home(home, experiment_simulation(screen->experiment));
-    for (int i = 0; variant && i < view_variants(view, screen); i++) {
-        const char *word = view_variant_word(view, screen, i);
-        if (word && strcmp(word, variant + 1) == 0)
-            view_choose_variant(view, screen, i);
-    }
+    const int variant = strchr(name, ':') ? variant_of_name(view, screen, name) : -1;
+    if (variant >= 0)
+        view_choose_variant(view, screen, variant);
     return view;
 }
 

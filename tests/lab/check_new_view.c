@@ -136,9 +136,12 @@ END_TEST
 START_TEST(scenarios_help_and_figures_know_it)
 {
     Status status = {STATUS_DONE, ""};
-    ViewSettings wanted = {.lower = "new-view"};
+    Settings wanted;
+    ck_assert(scenario_load("mode1", &wanted, &status) &&
+              settings_set(&wanted, "view.upper", "profile", &status) &&
+              settings_set(&wanted, "view.lower", "new-view", &status));
     ck_assert_msg(view_check(&wanted, &status), "%s", status.text);
-    strcpy(wanted.lower, "log"); /* known to the program, not to this list */
+    ck_assert(settings_set(&wanted, "view.lower", "log", &status)); /* of the program, not of this list */
     ck_assert(!view_check(&wanted, &status));
     ck_assert_str_eq(
         status.text,

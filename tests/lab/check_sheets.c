@@ -203,7 +203,7 @@ static bool read_screen(const char *line, Settings *settings, Status *status)
     ck_assert_ptr_nonnull(stream);
     *status = (Status){STATUS_DONE, ""};
     const bool sound = scenario_read(stream, "my.ini", settings, status) &&
-                       settings_check(settings, status) && view_check(settings_view(settings), status);
+                       settings_check(settings, status) && view_check(settings, status);
     fclose(stream);
     return sound;
 }

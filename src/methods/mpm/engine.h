@@ -279,7 +279,8 @@ bool mpm_crosses(const Mpm *, int particle, int old, const double *s);
 MPM_INLINE int mpm_set_places(Mpm *mpm, const int dim, const MpmShape shape, double shift, int first, int end,
                               MpmSpan *span, uint8_t *crossed)
 {
-    const double inverse = 1.0 / mpm->dx, edge = shape == MPM_GIMP ? mpm->edge : 0.0;
+    const bool shifted = shape == MPM_GIMP || (dim == 2 && shape == MPM_BSPLINE2);
+    const double inverse = 1.0 / mpm->dx, edge = shifted ? mpm->edge : 0.0;
     const double left = mpm->low[0], right = mpm->high[0], below = mpm->low[1], top = mpm->high[1];
     const double *const rest[MPM_AXES] = {mpm->rest[0], mpm->rest[1]};
     const double *const u[MPM_AXES] = {mpm->u[0], mpm->u[1]};
@@ -310,7 +311,7 @@ MPM_INLINE int mpm_set_places(Mpm *mpm, const int dim, const MpmShape shape, dou
         if (dim == 2)
             s[1][p] = y - row;
         bool other = node != old || stays;
-        if (shape == MPM_GIMP) /* a cell has two first nodes */
+        if (shifted) /* a cell has two first nodes */
             other = other || mpm_cell(0, x - column, edge) != mpm_cell(0, was[0], edge) ||
                     (dim == 2 && mpm_cell(0, y - row, edge) != mpm_cell(0, was[1], edge));
         if (other && crossed && !crossed[p] && mpm_crosses(mpm, p, old, was))

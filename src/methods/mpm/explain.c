@@ -524,8 +524,8 @@ static void write_density(const Subject *subject, double density, double stretch
     calculation_sum(subject->to, &thin);
 }
 
-/* Eqs. 7 and 8, of beams with D of plane stress; of bodies, whose stress is turned too, and where the strain
- * was that of a step that is over, the stress before and after. */
+/* Eqs. 7 and 8, of beams with D of plane stress; where the stress is turned too, and where the strain was
+ * that of a step that is over, the stress before and after. */
 static void strain_particle(const Subject *subject)
 {
     static const char *const names[] = {"σxx", "σyy", "σxy"}, *const strains[] = {"exx", "eyy", "gxy"};
@@ -545,7 +545,7 @@ static void strain_particle(const Subject *subject)
         const double rate = line || k == 2 ? e[k] : e[k] + mpm->plane.poisson * e[1 - k];
         const double factor = line ? mpm_modulus(mpm, p) : k == 2 ? mpm->shear : mpm->D11;
         CalculationSum newest = {.label = line ? "σ = E Δε = " : only_newest[k], .result = *stress};
-        if (mpm->bodies || !mpm_has_done(mpm, OP_STRAIN))
+        if (mpm->bodies || mpm->turn != 0 || !mpm_has_done(mpm, OP_STRAIN))
             write_change(subject, names[k], stress);
         else if (mpm_does(mpm, WRONG_ONLY_NEWEST)) {
             calculation_add(&newest, 2, factor, rate, 0);

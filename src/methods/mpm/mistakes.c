@@ -257,7 +257,7 @@ double mpm_moving_velocity(const Mpm *mpm, int axis, int particle, int node)
 }
 
 /* The stress before this step's strain is the one after it less D de: the nodes still have the velocities
- * that strained. */
+ * that strained. In the plane it has turned. */
 void mpm_force_stress(const Mpm *mpm, int particle, double stress[MPM_STRESSES])
 {
     if (mpm_does(mpm, WRONG_STRESS_OF_NEXT) && particle + 1 < mpm->n_particles)

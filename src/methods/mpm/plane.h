@@ -28,8 +28,9 @@ typedef struct PlaneDef {
     double grid_velocity;   /* of the whole grid, along the beam, m/s; 0 to the speed */
 
     MpmAlgorithm algorithm;
-    MpmShape shape;       /* MPM_HAT or MPM_GIMP */
+    MpmShape shape;       /* MPM_HAT, MPM_GIMP or MPM_BSPLINE2 */
     double flip_fraction; /* 1 is FLIP, 0 is PIC */
+    BodyRotation rotation;
 
     int mistake; /* as of BarDef, of those that mean something in the plane */
     bool conceals_mistake;

@@ -65,8 +65,8 @@ static bool check_numbers(const PlaneDef *def, Status *status)
 
 static bool check_shape(const PlaneDef *def, Status *status)
 {
-    if (def->shape != MPM_HAT && def->shape != MPM_GIMP)
-        return status_refuse(status, "mpm.shape: is not for beams (hat, gimp)");
+    if (def->shape != MPM_HAT && def->shape != MPM_GIMP && def->shape != MPM_BSPLINE2)
+        return status_refuse(status, "mpm.shape: is not for beams (hat, gimp, bspline2)");
     if (def->shape == MPM_GIMP && def->particles_per_cell < 2)
         return status_refuse(
             status, "mesh.particles_per_cell: 1 is not enough for gimp (at least 2 along each side)");

@@ -44,9 +44,9 @@ void plane_derive(Mpm *mpm)
     mpm->gx = columns + 2 * def->padding + (int)ceil(way) + 1;
     mpm->gy = rows + 2 * def->padding + 1;
     mpm->n_nodes = mpm->gx * mpm->gy;
-    mpm->cells = mpm->gx - 1;
-    /* a box begins half of it before its middle, and lies on the grid whole */
-    const double box = def->shape == MPM_GIMP ? 2 * mpm->half : 0;
+    mpm->cells = 1 << 30; /* no spline is an end's */
+    /* a box, of a spline a cell, begins half of it before its middle, and lies on the grid whole */
+    const double box = def->shape == MPM_GIMP ? 2 * mpm->half : def->shape == MPM_BSPLINE2 ? 1 : 0;
     mpm->edge = -box / 2;
     mpm->high[0] = mpm->gx - 1 - box;
     mpm->high[1] = mpm->gy - 1 - box;
@@ -56,6 +56,7 @@ void plane_derive(Mpm *mpm)
     mpm->D12 = def->poisson * mpm->D11;
     mpm->shear = def->youngs_modulus / (2 * (1 + def->poisson));
     mpm->slide = mpm->shear;
+    mpm->turn = def->rotation == ROTATION_JAUMANN ? 0.25 : 0;
     mpm->speed = def->speed;
     set_probe(mpm);
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Small motion about the undeformed lattice, on which hats and boxes are the same numbers. With the nodal
+/* Small motion about the undeformed lattice, on which hats and boxes are the same numbers; of B-splines there
+ * is a column or row of nodes more all round. With the nodal
  * masses M_L (lumped) and M_C = sum m N_i N_j (consistent) and the stiffness K = sum V B'D B, a step maps
  * what the grid sees as
  *
@@ -39,7 +40,8 @@ enum { NUMBERS_MAX = 1 << 25, ITERATIONS_MAX = 60, LANCZOS_MAX = 400 };
 /* Unknown 2 (i rows + j) + component: nodes by columns. */
 typedef struct Lattice2 {
     Mpm model;
-    int columns, rows; /* of nodes */
+    MpmShape shape;
+    int ghosts, columns, rows; /* of nodes, those beyond the body's ends included */
     size_t size, width;
     bool *held;
     double *lumped;
@@ -62,21 +64,27 @@ static double *entry(Cholesky *band, size_t row, size_t column)
 }
 
 /* One particle's share of K = sum V B'D B and of M_C, at s in the cell whose first node is (i, j): per unit
- * thickness, N/m^2 and kg/m. Hats only: on the undeformed lattice boxes are the same numbers. */
+ * thickness, N/m^2 and kg/m. A spline's first node is the one nearest to it less one. */
 static void add_particle(Lattice2 *lattice, int i, int j, double sx, double sy)
 {
     const Mpm *model = &lattice->model;
     const double area = model->spacing * model->spacing, nu = model->plane.poisson, dx = model->dx;
+    const MpmShape shape = lattice->shape;
+    const int S = shape_support(shape);
     double nx[SHAPE_SUPPORT_MAX], ny[SHAPE_SUPPORT_MAX], dnx[SHAPE_SUPPORT_MAX], dny[SHAPE_SUPPORT_MAX];
-    shape_at(MPM_HAT, 0, 0, 0, sx, nx, dnx);
-    shape_at(MPM_HAT, 0, 0, 0, sy, ny, dny);
-    for (int a = 0; a < 4; a++)
-        for (int b = 0; b < 4; b++) {
-            const size_t row = 2 * (size_t)((i + a / 2) * lattice->rows + j + a % 2);
-            const size_t column = 2 * (size_t)((i + b / 2) * lattice->rows + j + b % 2);
-            const double n = nx[a / 2] * ny[a % 2], m = nx[b / 2] * ny[b % 2];
-            const double px = dnx[a / 2] * ny[a % 2] / dx, py = nx[a / 2] * dny[a % 2] / dx;
-            const double qx = dnx[b / 2] * ny[b % 2] / dx, qy = nx[b / 2] * dny[b % 2] / dx;
+    if (shape == MPM_BSPLINE2) {
+        i += sx >= 0.5, j += sy >= 0.5;
+        sx += sx < 0.5 ? 0.5 : -0.5, sy += sy < 0.5 ? 0.5 : -0.5;
+    }
+    shape_at(shape, 0, model->cells, 2, sx, nx, dnx);
+    shape_at(shape, 0, model->cells, 2, sy, ny, dny);
+    for (int a = 0; a < S * S; a++)
+        for (int b = 0; b < S * S; b++) {
+            const size_t row = 2 * (size_t)((i + a / S) * lattice->rows + j + a % S);
+            const size_t column = 2 * (size_t)((i + b / S) * lattice->rows + j + b % S);
+            const double n = nx[a / S] * ny[a % S], m = nx[b / S] * ny[b % S];
+            const double px = dnx[a / S] * ny[a % S] / dx, py = nx[a / S] * dny[a % S] / dx;
+            const double qx = dnx[b / S] * ny[b % S] / dx, qy = nx[b / S] * dny[b % S] / dx;
             const double k[2][2] = {
                 {model->D11 * (px * qx) + model->shear * (py * qy),
                  model->D11 * (nu * (px * qy)) + model->shear * (py * qx)},
@@ -106,7 +114,8 @@ static bool given_up(Status *status)
 static bool assemble(Lattice2 *lattice)
 {
     const Mpm *model = &lattice->model;
-    const int P = model->plane.particles_per_cell, padding = model->plane.padding;
+    const int P = model->plane.particles_per_cell, padding = model->plane.padding - lattice->ghosts;
+    const int cells[2] = {model->nxp / P, model->nyp / P};
     for (int i = 0; i < lattice->columns; i++)
         for (int j = 0; j < lattice->rows; j++) {
             const unsigned held = plane_held(model, 0, i + padding, j + padding);
@@ -114,10 +123,10 @@ static bool assemble(Lattice2 *lattice)
             lattice->held[at] = held & HELD_X;
             lattice->held[at + 1] = held & HELD_Y;
         }
-    for (int i = 0; i + 1 < lattice->columns; i++) {
+    for (int i = 0; i < cells[0]; i++) {
         if (cancel_requested(&model->plane.cancel, (double)i / lattice->columns))
             return false;
-        for (int j = 0; j + 1 < lattice->rows; j++)
+        for (int j = 0; j < cells[1]; j++)
             for (int k = 0; k < P * P; k++)
                 add_particle(lattice, i, j, (k % P + 0.5) / P, (k / P + 0.5) / P);
     }
@@ -133,10 +142,12 @@ static bool build(Lattice2 *lattice, const PlaneDef *def, bool *fits, Status *st
     *lattice = (Lattice2){.model = {.plane = *def}};
     plane_derive(&lattice->model);
     const int P = def->particles_per_cell;
-    lattice->columns = lattice->model.nxp / P + 1;
-    lattice->rows = lattice->model.nyp / P + 1;
+    lattice->shape = def->shape == MPM_BSPLINE2 ? MPM_BSPLINE2 : MPM_HAT;
+    lattice->ghosts = def->shape == MPM_BSPLINE2 ? 1 : 0;
+    lattice->columns = lattice->model.nxp / P + 1 + 2 * lattice->ghosts;
+    lattice->rows = lattice->model.nyp / P + 1 + 2 * lattice->ghosts;
     lattice->size = 2 * (size_t)lattice->columns * (size_t)lattice->rows;
-    lattice->width = 2 * (size_t)(lattice->rows + 1) + 1;
+    lattice->width = 2 * (size_t)((lattice->rows + 1) * (shape_support(lattice->shape) - 1)) + 1;
     *fits = 3 * (double)lattice->size * (double)(lattice->width + 1) <= NUMBERS_MAX;
     if (!*fits)
         return true;
@@ -244,14 +255,14 @@ static double period_of(const PlaneDef *def, double dt, double omega2, double lu
     return 2 * M_PI * dt / math_acos(trace / (2 * sqrt(det)));
 }
 
-/* *period in s; NAN where the band would take more than NUMBERS_MAX numbers, and for the cantilever, which
- * has none. */
+/* *period in s; NAN where the band would take more than NUMBERS_MAX numbers, for the cantilever, which has
+ * none, and of B-splines: S K has lower modes there, of nodes at the corners that particles hardly see. */
 bool plane_predicted_period(const PlaneDef *def, double *period, Status *status)
 {
     Lattice2 lattice;
     bool fits, sound, good;
     *period = NAN;
-    if (def->leaves_channel)
+    if (def->leaves_channel || def->shape == MPM_BSPLINE2)
         return true;
     good = build(&lattice, def, &fits, status);
     if (good && fits) {

@@ -7,7 +7,8 @@
 #include "methods/mpm/plane.h"
 
 /* The predicted period of a supported beam, s, for small motion about the lattice on which its particles
- * start, with its time step, algorithm and flip fraction; NAN for a cantilever, whose length changes, and
+ * start, with its time step, algorithm and flip fraction; NAN for a cantilever, whose length changes, of
+ * B-splines, and
  * where the mesh is so fine that its matrices would take more than a quarter of a gigabyte. PlaneDef.cancel
  * is asked on the way. False: the status says why (no memory, given up). */
 bool plane_predicted_period(const PlaneDef *, double *period, Status *);

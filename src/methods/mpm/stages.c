@@ -119,6 +119,7 @@ static Kind kind_of(const Mpm *mpm)
     WITH_BOTH(mpm, 1, MPM_BSPLINE3, __VA_ARGS__)                                                             \
     WITH_BOTH(mpm, 2, MPM_HAT, __VA_ARGS__)                                                                  \
     WITH_BOTH(mpm, 2, MPM_GIMP, __VA_ARGS__)                                                                 \
+    WITH_BOTH(mpm, 2, MPM_BSPLINE2, __VA_ARGS__)                                                             \
     WITH(mpm, 2, MPM_HAT, BODIES, __VA_ARGS__)                                                               \
     WITH(mpm, 2, MPM_GIMP, BODIES, __VA_ARGS__)                                                              \
     WITH(mpm, 2, MPM_BSPLINE2, BODIES, __VA_ARGS__)
