@@ -129,7 +129,7 @@ refuse "a word that names none" '--set: view.lower: bogus is not allowed (profil
 refuse "a picture of a view that is none" \
 	'--set: view.upper: shapes:zzz is not allowed (shapes with one of values, slopes)' show mode1 --set view.upper=shapes:zzz
 refuse "a picture of a view that has one" '--set: view.upper: beam:zzz is not allowed (beam alone)' show mode1 --set view.upper=beam:zzz
-refuse "a colour of a beam that is none" '--set: view.upper: beam:zzz is not allowed (beam with one of ' show supported-beam --set view.upper=beam:zzz
+refuse "a colour of a beam that is none" '--set: view.upper: beam:zzz is not allowed (beam with one of uy, ux, velocity, energy, damage, family, surface_factor, stress_xx, stress_yy, stress_xy, drawing)' show supported-beam --set view.upper=beam:zzz
 expect "a view by its word" 0 show mode1 --set view.upper=energies
 expect "a view, a window, curves" 0 show mode1 --set view.upper=3 --set view.window=20 --set view.references=exact
 result "they are in the scenario" says out '^references = exact$'

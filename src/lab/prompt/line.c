@@ -54,8 +54,7 @@ static bool assign(Laboratory *lab, const char *key, const char *value)
 {
     Settings settings = *experiment_settings(laboratory_run(lab));
     Status status = {STATUS_DONE, ""};
-    return (settings_change(&settings, key, value, &status) &&
-            view_check(&settings, &status) &&
+    return (settings_change(&settings, key, value, &status) && view_check(&settings, &status) &&
             edit_change(lab, &settings, experiment_edit, &status)) ||
            prompt_refuse(&lab->prompting, status.text);
 }
