@@ -30,7 +30,7 @@ typedef struct CellView {
     const Simulation *sim;
     const Stage *stage;
     bool done, running;
-    bool wiped; /* the grid was put back in the last stage: what it held is drawn as it was */
+    bool wiped; /* the last stage reset the grid: its nodes hold nothing */
     bool line;  /* a bar */
     double grid,
         tall; /* of a bar: the row of its grid, and how high bars on it can be: more where nothing passes */
@@ -206,8 +206,8 @@ static bool look(CellView *view, const Screen *screen, bool masses)
     if (!view->node_masses)
         return false;
     view->momenta = view->node_masses + sim->counts[1];
-    view->most_mass = screen_node_values(screen, "mass", view->wiped, view->node_masses);
-    view->most_momentum = screen_node_values(screen, "momentum", view->wiped, view->momenta);
+    view->most_mass = screen_node_values(screen, "mass", false, view->node_masses);
+    view->most_momentum = screen_node_values(screen, "momentum", false, view->momenta);
     return true;
 }
 
