@@ -115,17 +115,24 @@ static NumberText number_of(double value)
 
 /* --- one bond --------------------------------------------------------------------------------------- */
 
-/* "c G w V s = 133.3 × 1 × 0.5 × 0.5 × -0.0073 = -0.32": the factors as a product. */
-static void write_product(const NearBonds *bonds, const Link *link, char out[2][160])
+/* "c G w V s = 133.3 × 1 × 0.5 × 0.5 × -0.0073 = -0.32": the factors by name, with the words of method.h
+ * where they fit, and as a product. */
+static void write_product(const NearBonds *bonds, const Link *link, int columns, char out[2][160])
 {
     static const char *const names[LINK_FACTORS] = {
         [LINK_C] = "c", [LINK_G] = "G", [LINK_W] = "w", [LINK_V] = "V"};
+    static const char *const words[LINK_FACTORS] = {
+        [LINK_C] = "micromodulus ", [LINK_G] = "surface ", [LINK_W] = "share ", [LINK_V] = "volume "};
+    char brief[160] = "";
     out[0][0] = out[1][0] = '\0';
     for (int f = 0; f < LINK_FACTORS; f++) {
         const NumberText factor = number_of(link->factors[f]);
-        text_append(out[0], 160, "%s%s %s", f ? "  " : "", names[f], factor.text);
+        text_append(brief, sizeof brief, "%s%s %s", f ? "  " : "", names[f], factor.text);
+        text_append(out[0], 160, "%s%s%s %s", f ? "  " : "", words[f], names[f], factor.text);
         text_append(out[1], 160, "%s × ", factor.text);
     }
+    if (glyphs_columns(out[0]) + 2 > columns)
+        snprintf(out[0], 160, "%s", brief);
     text_append(out[1], 160, "%s = ", number_of(link->stretch).text);
     text_append(out[1], 160, "%s%s", number_of(density_of(link)).text, bonds->unit);
 }
@@ -179,7 +186,7 @@ static void describe_bond(const NearBonds *bonds, const Stage *stage, Picture *p
     snprintf(text, sizeof text, "now: s %s", number_of(link->stretch).text);
     text_append(text, sizeof text, ", drawn %s times", text_factor(factor).text);
     add_label(picture, 0.5, 8.2, 0, STYLE_CHANGED, text);
-    write_product(bonds, link, product);
+    write_product(bonds, link, picture->columns, product);
     snprintf(text, sizeof text, "%s %s%s at each end", link->stretch < 0 ? "pushes" : "pulls",
              number_of(density_of(link)).text, bonds->unit);
     add_label(picture, 0.5, 4.6, 0, STYLE_CHANGED, text);

@@ -290,10 +290,14 @@ START_TEST(bonds_are_those_of_the_box)
         open_drawing(&drawing, words[k]);
         const Picture *picture = &drawing.picture;
         const char *product = NULL;
-        for (int i = 0; i < picture->n_labels; i++)
+        bool named = false;
+        for (int i = 0; i < picture->n_labels; i++) {
             product =
                 strncmp(picture->labels[i].text, "c G w V s = ", 12) == 0 ? picture->labels[i].text : product;
+            named |= strncmp(picture->labels[i].text, "micromodulus c ", 15) == 0;
+        }
         ck_assert_ptr_nonnull(product);
+        ck_assert_msg(named, "%s: the factors have no words", words[k]);
         double factors = 1;
         for (const char *at = product + 12; at;
              at = strstr(at, "× ") ? strstr(at, "× ") + strlen("× ") : NULL)
