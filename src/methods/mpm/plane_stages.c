@@ -53,8 +53,7 @@ static const Stage flip[OP_COUNT] = {
 };
 
 /* Where the stress turns. */
-#define TURNED       "L = Σ (p_i/m_i) ⊗ ∇N_i    σ ← Q σ Qᵀ + D Δt sym L    ρ ← ρ/(1 + Δt tr L)"
-#define TURNED_ASCII "L = sum (p_i/m_i) grad N_i  s <- Q s Q^T + D dt sym L  rho <- rho/(1 + dt tr L)"
+#define TURNED "L = Σ (p_i/m_i) ⊗ ∇N_i    σ ← Q σ Qᵀ + D Δt sym L    ρ ← ρ/(1 + Δt tr L)"
 
 /* With a share of PIC. */
 static const Stage blended_update = {
@@ -89,9 +88,10 @@ void plane_list_stages(Mpm *mpm)
     for (int i = 0; i < schedule->count; i++) {
         const bool blended = schedule->ops[i] == OP_UPDATE && mpm->head->flip_fraction != 1;
         mpm->stages[i] = blended ? blended_update : flip[schedule->ops[i]];
-        if (schedule->ops[i] == OP_STRAIN && mpm->turn != 0)
-            mpm->stages[i].equation = TURNED, mpm->stages[i].ascii = TURNED_ASCII,
+        if (schedule->ops[i] == OP_STRAIN && mpm->turn != 0) {
+            mpm->stages[i].equation = TURNED;
             mpm->stages[i].source = "paper M, eqs. 4 to 9; Hughes, Winget 1980";
+        }
         mpm_write_wrongly(mpm, &mpm->stages[i], schedule->ops[i]);
     }
     mpm->sets[MPM_PARTICLES] = (Set){"particle", "particles", 0};
