@@ -34,6 +34,20 @@ if command -v codespell >/dev/null 2>&1; then
 else
 	skip "no word is misspelt" "no codespell"
 fi
+# British spelling (doc/words.md): prose without code, literals, names in capitals and short words
+prose() {
+	sed -E 's/`[^`]*`/ /g; s/\]\([^)]*\)/ /g; s/"[^"]*"/ /g' README.md NEWS CONTRIBUTING.md doc/*.md
+	sed -E '/^\.(nf|EX|de)/,/^\.(fi|EE|\.)/d; /^\.\\"/d; /^\.(TH|B|BI|BR|ft) /d; s/\\f[BI][^\\]*\\f[RP]/ /g; s/\\\(..//g' man/*.in
+	sed '/^@\(do\|until\|keys\|set\|key\|goal\)/d' data/lessons/*.lesson
+	sed -n 's/^\(about\|title\) = //p; /^    /p' data/scenarios/*.ini
+}
+if echo colour | hunspell -d en_GB -l >"$scratch/unknown" 2>&1 && ! test -s "$scratch/unknown"; then
+	prose | hunspell -d en_GB -p /dev/null -l | sed "s/'s$//" | grep -vE "[A-Z].*[A-Z]|[^A-Za-z']|^.{1,3}$" |
+		LC_ALL=C sort -u | LC_ALL=C comm -23 - tests/spelling >"$scratch/unknown"
+	result "every word is in the dictionary or in tests/spelling:$(sed 's/^/ /' "$scratch/unknown" | tr -d '\n')" test ! -s "$scratch/unknown"
+else
+	skip "every word is in the dictionary or in tests/spelling" "no hunspell with en_GB"
+fi
 
 for lesson in data/lessons/*.lesson; do
 	name=$(basename "$lesson" .lesson)
