@@ -35,12 +35,19 @@ else
 	result "and nothing is written into it" diff before after
 fi
 
-# bare: no sudo, no ps, nothing but what bootstrap installs
-if [ "$(id -u)" != 0 ] || ! command -v debootstrap >/dev/null 2>&1 || [ -z "${MATVIB_DEBIAN-}" ]; then
-	skip "a bare Debian" "needs root, debootstrap and MATVIB_DEBIAN=SUITE, e.g. stable, with a network"
+# bare: no sudo, no ps, nothing but what bootstrap installs; processes and terminals as a container has them, in mounts that end
+# with it. Of another mirror than debootstrap's own: MATVIB_MIRROR=URL
+bare() {
+	# shellcheck disable=SC2016 # it is for the shell inside
+	unshare --mount sh -c 'mount -t proc proc "$0/proc" && mount -t devpts -o newinstance,ptmxmode=0666 devpts "$0/dev/pts" && exec chroot "$0" "$@"' \
+		"$scratch/bare" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root ${http_proxy:+"http_proxy=$http_proxy"} "$@"
+}
+if [ "$(id -u)" != 0 ] || ! command -v debootstrap >/dev/null 2>&1 || [ -z "${MATVIB_DEBIAN-}" ] ||
+	! git -C "$MATVIB_SRCDIR" rev-parse --git-dir >/dev/null 2>&1; then
+	skip "a bare Debian" "needs root, debootstrap, a checkout and MATVIB_DEBIAN=SUITE, e.g. stable, with a network (and MATVIB_MIRROR)"
 else
-	result "a bare Debian is unpacked" debootstrap --variant=minbase "$MATVIB_DEBIAN" "$scratch/bare"
+	result "a bare Debian is unpacked" debootstrap --variant=minbase "$MATVIB_DEBIAN" "$scratch/bare" ${MATVIB_MIRROR:+"$MATVIB_MIRROR"}
 	mkdir "$scratch/bare/matvib" && (cd "$MATVIB_SRCDIR" && git archive HEAD) | tar -xf - -C "$scratch/bare/matvib"
-	result "bootstrap and make check" chroot "$scratch/bare" sh -c "cd /matvib && ./bootstrap && make -C build check"
+	result "bootstrap and make check" bare sh -c "cd /matvib && ./bootstrap && make -C build check"
 fi
 echo "1..$number"
