@@ -74,6 +74,29 @@ int cli_show(Options *options, Status *status)
 
 enum { RANGE_WIDTH = 66 }; /* of 120 columns */
 
+enum { LINE_WIDTH = 120, CHOICE_INDENT = 29 };
+
+/* A choice that this problem refuses whatever else is set is marked with what it is defined for. */
+static void print_choice(const Settings *settings, const Parameter *parameter, int choice)
+{
+    static const char defined[] = " is defined for ";
+    Settings other = *settings;
+    Status why = {STATUS_DONE, ""};
+    const char *word = parameter->choices[choice], *sentence = parameter->choice_help(choice), *mark = NULL;
+    const int methods = (int)parameter_methods(parameter, settings->problem);
+    if (methods != BY_EVERY_METHOD)
+        other.method = methods == BY_MPM ? METHOD_MPM : METHOD_PD;
+    if (settings_set(&other, parameter->key, word, &why) && !settings_check(&other, &why))
+        mark = strstr(why.text, defined);
+    printf("      %-22s %s", word, sentence);
+    if (mark && !strchr(mark, '=')) {
+        mark += strlen(defined);
+        const bool wide = CHOICE_INDENT + strlen(sentence) + strlen(mark) + 4 > LINE_WIDTH;
+        printf("%s%*s[%s]", wide ? "\n" : "", wide ? CHOICE_INDENT : 2, "", mark);
+    }
+    putchar('\n');
+}
+
 static void print_parameter(const Settings *settings, const Parameter *parameter)
 {
     char value[LIST_MAX], assignment[96], range[160];
@@ -94,7 +117,7 @@ static void print_parameter(const Settings *settings, const Parameter *parameter
            choice ? methods[parameter_methods(parameter, settings->problem)] : "",
            parameter_help(parameter, settings->problem));
     for (int i = 1; parameter->choice_help && i < parameter_choices(parameter, settings->problem); i++)
-        printf("      %-22s %s\n", parameter->choices[i], parameter->choice_help(i));
+        print_choice(settings, parameter, i);
 }
 
 static bool print_derived(Settings *settings, MethodKind method, Status *status)

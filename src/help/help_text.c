@@ -5,46 +5,49 @@
 /* --- words of the curves --------------------------------------------------------------------------- */
 
 static const HelpWord bar_words[] = {
-    {"exact", "the continuum's exact answer, without mesh and time step: dotted."},
+    {"exact", "solution of the continuum, without mesh and time step: dotted."},
     {"w", "the frequency in radians per time, by least squares of cosine, sine and offset. T is the period: "
           "its error has the other sign."},
-    {"late", "by how many periods the run is behind the exact answer now: a small error of frequency grows "
-             "into a large lag."},
+    {"late",
+     "phase lag: by how many periods the run is behind the exact solution now. A small error of frequency "
+     "adds up to a large lag."},
     {"v_cm", "the momentum of the particles over their mass. They move with the nodes' velocities, so x_cm "
              "moves at another rate (column x_cm_rate); the two part as energy goes to velocities that the "
              "grid cannot see, and the amplitude of v_cm falls while the energy is still there."},
-    {"lumping",
-     "kinetic energy that the grid has, but counts too small, because each node carries its mass alone. It "
-     "is there from the start and is not lost. The shares below the energies are means over what the plot "
-     "shows."},
-    {"null space",
-     "kinetic energy of motions that no velocities of the nodes can give to the particles: the grid cannot "
-     "see them, and nothing pulls them back. It grows where particles move far within their cells."},
-    {"ripple",
-     "velocities and stresses are known half a step apart, so their sum ripples by about half of "
-     "w times the time step. It is no loss: E* takes velocity and stress where they belong together, and "
-     "does not ripple. What E* loses is lost."},
+    {"lumping", "kinetic energy of motion that the grid sees, but counts too small by its lumped mass "
+                "matrix. It is there "
+                "from the start and is not lost. The shares below the energies are means over what the plot "
+                "shows."},
+    {"null space", "kinetic energy of particle motion that no nodal velocities can represent: the grid does "
+                   "not see it, and "
+                   "no force acts on it. It grows where particles move far within their cells."},
+    {"ripple", "velocities and stresses are known half a step apart, so their sum ripples by about half of "
+               "w times the time step. It is no loss: the time-centred energy E* takes velocity and stress "
+               "at the same time "
+               "and does not ripple. A loss of E* is a loss of energy."},
     {"K and F",
      "view 5, the error of w. The lag has two parts, both from lumped masses: mapping to nodes and back is a "
      "filter (F), and the linear elements are too slow (K). apic removes F; smaller cells reduce both; with "
      "consistent masses the factor is 1/F, and a mass blend cancels both. The axis goes by square roots: an "
      "error that grows like the square of n is a straight line."},
     {"R, T",
-     "of a pulse that meets a joint: what is sent back of its velocity, and what is let on, while each is "
+     "of a pulse that meets a joint: the reflected and the transmitted part of its velocity, while each is "
      "in one piece. Of two materials mode n is their own n-th; a sine is a mixture of them."},
 };
 
 static const HelpWord pd_bar_words[] = {
-    {"exact", "the continuum's exact answer, without mesh and time step: dotted."},
+    {"exact", "solution of the continuum, without mesh and time step: dotted."},
     {"w", "the frequency in radians per time, by least squares of cosine, sine and offset. T is the period: "
           "its error has the other sign."},
-    {"late", "by how many periods the run is behind the exact answer now: a small error of frequency grows "
-             "into a large lag."},
+    {"late",
+     "phase lag: by how many periods the run is behind the exact solution now. A small error of frequency "
+     "adds up to a large lag."},
     {"v_cm", "the velocity of the centre of mass. Predicted: the start is resolved into all modes of the "
-             "lattice with its ends, and each swings at its own frequency."},
+             "lattice with its ends, and each oscillates at its own frequency."},
     {"lattice",
-     "view 5, the error of w far from the ends: bonds forgive short waves. free end: what the nodes "
-     "there add, which lack neighbours, or were stiffened to make up for it. The curve leaves it out."},
+     "view 5, the error of w far from the ends: the lattice is too soft for short waves. free end: the "
+     "effect of "
+     "the nodes there, which lack neighbours or have stiffer bonds instead. The curve does not include it."},
     {"stress",
      "the force of all bonds through a section, the mean of the sections beside a node. At a free end "
      "half of it is missing: beyond the last node no bond goes through."},
@@ -60,14 +63,14 @@ static const HelpWord pd_bar_words[] = {
 static const char of_force[] =
     "view 4: what a bond answers to its stretch s, and s0 where it breaks. Nodes stand where their most "
     "stretched bond is; heights are logarithms of how many.";
-static const char of_cost[] =
-    "the energy that a crack should cost for its area, and s0 follow from each other: edit either. View 3, "
-    "again: what the crack has cost so far.";
+static const char of_cost[] = "fracture energy, the energy of a crack for its area. It and s0 follow from "
+                              "each other: edit either. View 3, "
+                              "again: the energy of the crack so far.";
 static const char of_residual[] =
     "kinetic + strain + dissipated energy less the work of the load: 0 but for the time step: with half of "
     "it a quarter is left.";
 static const char of_damage[] =
-    "the share of a node's bonds that is broken. A crack right through reads 0.4 to 0.5, not 1.";
+    "the fraction of a node's bonds that are broken. A crack right through reads 0.4 to 0.5, not 1.";
 
 static const HelpWord beam_words[] = {
     {"beam theory",
@@ -80,23 +83,23 @@ static const HelpWord beam_words[] = {
      "the period, by least squares. Predicted: that of the lowest vibration of this very lattice with its "
      "supports and its surface correction. Theory at its real size: Timoshenko's, for the lattice makes "
      "the beam a little thinner and shorter than asked for."},
-    {"zeros", "the same period from the zeros of the swing alone: where the two differ the record is short "
-              "or no pure sine."},
+    {"zeros", "the same period from the zeros of the oscillation alone: where the two differ the record is "
+              "short or no pure sine."},
     {"modal", "the moving cantilever by its first bending modes on the growing length. Filtered: the end of "
               "the straight line through the last 0.1 ms, which has no thickness modes."},
-    {"~L^1/2", "how far a swing reaches as the beam grows slowly: the displacement as the root of its "
-               "length, the velocity as L^-3/2, for energy over frequency is kept."},
+    {"~L^1/2",
+     "amplitude of a beam that grows slowly: that of the displacement goes as the square root of its "
+     "length, that of the velocity as L^-3/2, because energy over frequency is kept."},
     {"section", ":show section: the displacement along the beam through its height at the chosen "
-                "particle. On the line -y duy/dx sections stay plane and upright."},
+                "particle. On the line -y duy/dx sections stay plane and normal to the axis."},
     {"force", of_force},
     {"G0", of_cost},
     {"residual", of_residual},
-    {"height", "view 6: the predicted lines are rows of the lattice that ring against each other through "
-               "the beam's height."},
+    {"height", "view 6: the predicted lines are modes of the lattice through the height of the beam."},
     {"damage", of_damage},
     {"horizon",
-     "view 5: the period over the reach of the bonds, with the two beam theories. Each earlier run with "
-     "another horizon leaves its dot."},
+     "view 5: the period over the horizon, with the two beam theories. Each earlier run with another "
+     "horizon has a dot."},
 };
 
 static const HelpWord plate_words[] = {
@@ -104,7 +107,7 @@ static const HelpWord plate_words[] = {
      "cuts, loads, supports, impulses, protected regions and the probe, each a line among the parameters. "
      "Enter edits it as text, p moves it on the map, Tab takes its other end; A adds one, C copies, D "
      "deletes."},
-    {"probe", "the node at the place that the row of that name gives. Its curves have no theory."},
+    {"probe", "the node at the place that the row of that name gives. There is no theory for its curves."},
     {"cracks",
      ":show cracks: how fast the tip of each crack runs, again: how far it has come. One is followed "
      "from each end of a cut inside the plate; where there are several each curve ends in a letter."},
@@ -112,8 +115,9 @@ static const HelpWord plate_words[] = {
     {"deg",
      "from the cut: the angle between the cut and the straight line through its crack. Half angle: half "
      "of that between two branches, over a quarter of the plate behind the place where the crack split."},
-    {"surface", "made / length: as many metres of cut as the broken bonds would make, over the length of the "
-                "cracks. 1 is as clean as a cut; what is more broke beside the crack."},
+    {"surface",
+     "made / length: the length of a straight cut with as many broken bonds, over the length of the "
+     "cracks. 1 is a straight cut; above 1 bonds broke beside the crack too."},
     {"force", of_force},
     {"G0", of_cost},
     {"residual", of_residual},
@@ -126,25 +130,25 @@ static const HelpWord plane_words[] = {
      "mesh and time step: dotted. They have names of their own."},
     {"plane",
      "the exact answer of the plane problem with its ends held as whole sections: Rayleigh and Lamb's "
-     "bending wave. What smaller and smaller cells go to."},
-    {"T", "the period, by least squares. Predicted: the lowest eigenvalue of this very mesh, of what "
-          "stiffness and "
-          "masses become on the way from particles to nodes and back."},
+     "bending wave. Smaller cells converge to it."},
+    {"T", "the period, by least squares. Predicted: the lowest eigenvalue of this mesh, with "
+          "stiffness and masses mapped from particles to nodes and back."},
     {"modal", "the moving cantilever by its first bending modes on the growing length."},
-    {"~L^1/2", "how far a swing reaches as the beam grows slowly: the displacement as the root of its "
-               "length, the velocity as L^-3/2, for energy over frequency is kept."},
+    {"~L^1/2",
+     "amplitude of a beam that grows slowly: that of the displacement goes as the square root of its "
+     "length, that of the velocity as L^-3/2, because energy over frequency is kept."},
     {"section",
      ":show section, again: displacement, bending stress and shear through the height at the chosen "
-     "particle. Dashed are the columns of particles of its cell, solid their mean: what is between the "
-     "columns is the false shear of a cell that cannot bend."},
+     "particle. Dashed are the columns of particles of its cell, solid their mean: the difference of the "
+     "columns is the false shear of a cell in bending."},
     {"mesh",
      ":magnify 16, or Z and + : the cells under the particles, bars of mass and momentum on the nodes while "
-     "a step is under way, arrows from who gives to who takes; of a beam that leaves its channel its common "
-     "speed v0 is no part of the momentum's bars. The cross on the chosen particle: its principal stresses, "
-     "dotted where they press."},
+     "a step is under way, arrows from giver to receiver; for a beam that leaves its channel the bars of "
+     "momentum are without its common speed v0. The cross on the chosen particle: its principal stresses, "
+     "dotted in compression."},
     {"null space",
-     "view 3: motion of the particles that no node feels. Lumping: what the nodes' masses, taken as "
-     "single points, leave out."},
+     "view 3: kinetic energy of particle motion that the grid does not see. Lumping: kinetic energy that the "
+     "lumped mass matrix leaves out."},
     {"order",
      ":show convergence: cells, particles, methods. An order of 2: half the cell, a quarter of the error."},
 };
@@ -157,7 +161,7 @@ static const HelpWord bodies_words[] = {
           "strains the particle, the other part turns it."},
     {"det F", "volume of a particle over that at t = 0: above 1 it is expanded, below 1 compressed."},
     {"first touch",
-     "the time at which two bodies push each other first. On a grid it is known to a fraction of "
+     "the time at which two bodies first act on each other. On a grid it is known to a fraction of "
      "a cell."},
     {"restitution", "the speed at which two bodies part over the speed at which they met: 1 where no energy "
                     "goes into oscillations or is lost."},
@@ -174,7 +178,7 @@ static const HelpWord bodies_words[] = {
      "law has no potential, so the total is nearly kept only."},
     {"mesh",
      ":magnify 16, or Z and + : the cells under the particles, bars of mass and momentum on the nodes "
-     "while a step is under way, arrows from who gives to who takes."},
+     "while a step is under way, arrows from giver to receiver."},
 };
 
 /* --- what is solved -------------------------------------------------------------------------------- */
@@ -206,7 +210,7 @@ static const HelpPassage pd_bar_before[] = {
 };
 
 static const HelpPassage bar_exact[] = {
-    {true, "The exact answer"},
+    {true, "The exact solution"},
     {false, "v = A φ(x) cos ωt    u = A/ω φ(x) sin ωt    ω = β c,  c = √(E/ρ)"},
     {false,
      "φ = sin βx if the left end is held, cos βx if it is free; β = (2n-1)π/2L with one free end, nπ/L "
@@ -244,19 +248,19 @@ static const HelpPassage pd_bar_after[] = {
 };
 
 static const HelpPassage beam_before[] = {
-    {true, "What is solved: points that pull at each other"},
+    {true, "What is solved: nodes joined by bonds"},
     {false, "ρ d²u/dt² = Σ c G w s V (ξ+η)/|ξ+η| + b      s = (|ξ+η| - |ξ|)/|ξ|"},
-    {false,
-     "The sum runs over the family: all points nearer than the horizon δ. ξ is where the other lies at "
-     "first, η how far the two have moved apart; c = 6E/(πδ³(1-ν)) with ν = 1/3, the only value that "
-     "this theory has in two dimensions."},
+    {false, "The sum runs over the family: all nodes nearer than the horizon δ. ξ is where the other lies at "
+            "first, η how far the two have moved apart; c = 6E/(πδ³(1-ν)) with ν = 1/3, the only value that "
+            "this theory has in two dimensions."},
     {false, "Conical influence: c₁ (1 - |ξ|/δ) in place of c, c₁ = 4c."},
     {false,
-     "w makes points near the horizon count less and less, from 1 at |ξ| = δ - Δx/2 along (δ + Δx/2 - "
+     "w makes nodes near the horizon count less and less, from 1 at |ξ| = δ - Δx/2 along (δ + Δx/2 - "
      "|ξ|)/Δx: partial leaves out those beyond δ, hhb goes on to 0. It is not the share of their area. G "
      "makes up for what bonds near a surface lack (surface correction)."},
     {false, "A bond breaks for ever at the critical stretch: s₀ = √(4πG₀/(9Eδ)), conical √(5πG₀/(9Eδ))."},
-    {false, "There is no contact: broken bonds do not push, so where a crack closes its faces may overlap."},
+    {false, "There is no contact: broken bonds have no force in compression either, so the faces of a crack "
+            "that closes may overlap."},
 };
 
 static const HelpPassage plane_before[] = {
@@ -264,11 +268,11 @@ static const HelpPassage plane_before[] = {
     {false, "ρ dv/dt = div σ      dσ/dt = D dε/dt      D: Young's modulus E and Poisson's ratio ν"},
     {false,
      "Each particle carries mass, velocity and stress. In each step they are mapped to the nodes of square "
-     "cells, N = N_x N_y; the nodes feel forces and move; the particles take the change and the mesh is put "
-     "back."},
+     "cells, N = N_x N_y; the nodes feel forces and move; the particles take the change and the mesh is "
+     "reset."},
     {false, "Small strains: the stress is not turned with the particle."},
-    {false, "The stress at the start is the one that the bent beam has when its sections may get thinner "
-            "(relaxed); else it rings through its height."},
+    {false, "The stress at the start is that of the bent beam with lateral contraction (relaxed); without it "
+            "the beam vibrates through its height."},
 };
 
 static const HelpPassage bodies_before[] = {
@@ -303,7 +307,7 @@ static const HelpPassage bodies_before[] = {
 };
 
 static const HelpPassage bodies_after[] = {
-    {true, "The right answers"},
+    {true, "Reference solutions"},
     {false,
      "Momentum p = p₀ + M g t and angular momentum, until a wall acts; first touch of two round bodies "
      "|D + V t| = R_a + R_b, with D and V the distance and velocity between their centres."},
@@ -313,7 +317,7 @@ static const HelpPassage bodies_after[] = {
 };
 
 static const HelpPassage plane_after[] = {
-    {true, "The right answers"},
+    {true, "Reference solutions"},
     {false, "(k² + q²)² tanh(ph/2) = 4k²pq tanh(qh/2)    p² = k² - ω²/c²    q² = k² - ω²ρ/G    k = π/L"},
     {false, "Moving cantilever: bending modes of the length outside the channel, L(t) = L0 + v0 t."},
     {true, "What this mesh makes of it"},
@@ -321,13 +325,13 @@ static const HelpPassage plane_after[] = {
     {false,
      "K adds up over the particles, so it is stiffer the further they lie from the middle of their cells: "
      "three along a side lock more than two."},
-    {false,
-     "A particle that enters another cell jumps from one slope of a hat to the next. The jump feeds stress "
-     "that no node feels, and the energy grows: uGIMP, or a mesh that rides along (mesh.velocity)."},
+    {false, "A particle that enters another cell jumps from one slope of a hat to the next. The jump feeds "
+            "null-space "
+            "stress, and the energy grows. Remedies: uGIMP, or a mesh that moves along (mesh.velocity)."},
 };
 
 static const HelpPassage plate_after[] = {
-    {true, "What a crack is held against"},
+    {true, "What a crack is compared with"},
     {false, "c_R = c_s √(2 - 2/√3)    c_s = √(3E/(8ρ))"},
     {false,
      "Rayleigh's speed in plane stress at ν = 1/3. A speed is taken over the time in which that wave goes "
@@ -337,12 +341,12 @@ static const HelpPassage plate_after[] = {
 };
 
 static const HelpPassage beam_after[] = {
-    {true, "The right answers"},
+    {true, "Reference solutions"},
     {false,
      "Euler-Bernoulli: T = 2L²/π / √(Eh²/(12ρ)). Timoshenko: the same with shear and rotation, κ = 5/6."},
     {false,
      "Moving cantilever: bending modes of the length outside the channel, L(t) = L0 + v0 t; its amplitude "
-     "grows and it swings ever more slowly."},
+     "and its period grow."},
     {true, "Slips of the paper, and what is done instead"},
     {false, "Before eq. 9: \"Eq. (5)\" means eq. 8."},
     {false, "ν = .33 of the notched beam is 1/3."},

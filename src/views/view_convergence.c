@@ -129,7 +129,7 @@ static void point_line(const Study *study, int k, bool brief, char out[200])
     if (study->of->by_run) {
         text_append(out, 200, "  %s %.4g", point->of, is->predicted);
         if (is->real_size != 0)
-            text_append(out, 200, " (exact %.4g)", is->real_size);
+            text_append(out, 200, " (reference %.4g)", is->real_size);
         return;
     }
     text_append(out, 200, "  %s %.4f", study->of->paper ? "T" : "predicted", shown(study, is->predicted));

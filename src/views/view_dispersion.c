@@ -179,7 +179,7 @@ static void mode_lines(const Screen *screen, bool brief, char first[160], char s
     if (!found || isnan(mode.predicted)) {
         const bool has_waves = dispersion_modes(experiment_settings(screen->experiment)) > 0;
         snprintf(second, 160, "%s",
-                 found       ? "such a wave does not swing with this time step"
+                 found       ? "such a wave does not oscillate with this time step"
                  : has_waves ? "too short a wave for this mesh"
                              : "its modes are no waves of one length here");
         if (!has_waves && readout->predicted_known)
@@ -364,9 +364,8 @@ static double milliseconds(double seconds)
     return seconds / 1e-3;
 }
 
-/* A supported beam has a period; that of a moving one grows, so what is told is how far its last swing is
- * off.
- */
+/* A supported beam has a period; that of a moving one grows, so what is told is the error of its last
+ * period. */
 static double beam_answer(const Readout *readout)
 {
     return readout->drifting ? readout->error_period : milliseconds(readout->measured);
@@ -403,8 +402,8 @@ static void period_lines(const Readout *readout, double height, double span, boo
         snprintf(first, 160, "T measuring");
     } else if (readout->drifting) {
         snprintf(first, 160,
-                 brief ? "last swing %.4f ms, %+.2f %% of modal"
-                       : "the last swing took %.4f ms, %+.2f %% of the modal one's",
+                 brief ? "last period %.4f ms, %+.2f %% of modal"
+                       : "the last period was %.4f ms, %+.2f %% of the modal one's",
                  milliseconds(readout->measured), readout->error_period);
     } else {
         snprintf(first, 160,
@@ -485,7 +484,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
         picture_axes(
             picture, axis_make(0, axis_round_up(1.2 * furthest)), bonds ? "horizon" : "cell size", "m",
             readout->drifting ? axis_symmetric(fmax(fabs(least), fabs(most))) : axis_around(least, most),
-            readout->drifting ? "error of the last swing, %" : "period, ms", "");
+            readout->drifting ? "error of the last period, %" : "period, ms", "");
         picture_key(picture, (PictureKey){LINE_SOLID, 'O', STYLE_MEASURED, "measured", 0x25cf, 0});
         for (int i = 0; i < 2 && screen_shows_exact(screen); i++)
             if (isfinite(theories[i].value))

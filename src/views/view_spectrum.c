@@ -209,7 +209,7 @@ static bool wants_time(const Screen *screen, const Spectrum *spectrum, Choice ch
     if (choice.fast)
         return false;
     if (n_marks == 0) {
-        snprintf(out, 160, "needs more time: no swing is known yet");
+        snprintf(out, 160, "needs more time: no period is known yet");
         return true;
     }
     const double needed = PERIODS_LEAST * 2 * M_PI / marks[0].frequency;

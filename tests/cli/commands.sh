@@ -96,6 +96,9 @@ result "params fits 120 columns" test -z "$(awk 'length > 120' out)"
 for name in pulse two-materials hanging-beam two-discs mode5-peridynamics; do
 	expect "params of $name" 0 params $name
 done
+expect "params of beams in cells" 0 params simply-supported-beam
+result "a mistake of bars alone is marked" says out '^      cells_kept  .*  \[bars only\]$'
+result "one of both is not" says out '^      force_sign  .*sign\.$'
 expect "params of one problem" 0 params notched-beam
 result "its parameters" says out '^  load.stress = 6e7 Pa .*\[live\]$'
 result "and what follows from them" says out '^  bonds = 1388854$'
@@ -159,7 +162,7 @@ refuse "laboratory: wrong threads" '--threads: 0 is not allowed (a whole number,
 refuse "laboratory: too many threads" '--threads: 100000 are too many (1 to 1024)' --threads 100000
 
 expect "list of a scenario" 0 list mode5
-result "list SCENARIO tells what it is about" says out '^Solid is what the mesh makes'
+result "list SCENARIO tells what it is about" says out '^Solid is the fifth mode on this mesh'
 expect "help on a scenario" 0 help pulse
 result "help SCENARIO tells its title" says out '^pulse: A pulse comes back$'
 expect "params of a scenario" 0 params mode10

@@ -102,7 +102,7 @@ START_TEST(help_is_of_the_method)
         {HAS_LINE | HAS_MESH, "axial vibration of a bar", "horizon"},
         {HAS_LINE | HAS_BONDS, "by bonds", "uGIMP"},
         {HAS_PLANE | HAS_MESH, "a beam in plane stress", "horizon"},
-        {HAS_PLANE | HAS_BONDS, "points that pull at each other", "uGIMP"},
+        {HAS_PLANE | HAS_BONDS, "nodes joined by bonds", "uGIMP"},
     };
     char words[128];
     Scene scene;

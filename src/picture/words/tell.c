@@ -175,7 +175,7 @@ static void tell_why(const Screen *screen, Words *words)
     for (int i = 0; i < on_mesh.n_factors; i++)
         text_append(text, sizeof text, "%s %s %s", i ? " times" : "", on_mesh.factors[i].name,
                     text_rounded(on_mesh.factors[i].value, DIGITS).text);
-    words_say(words, 2, "Mode %d swings on this mesh at %s of the exact frequency:%s.", mode,
+    words_say(words, 2, "Mode %d oscillates on this mesh at %s of the exact frequency:%s.", mode,
               text_rounded(on_mesh.predicted / on_mesh.exact, DIGITS).text, text);
 }
 

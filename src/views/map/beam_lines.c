@@ -143,7 +143,7 @@ bool beam_lines(const Screen *screen, bool narrow, char first[160], char second[
             if (screen_shows_exact(screen))
                 text_append(first, 160, "  modal %.1f", 1 / readout->exact);
             if (screen_shows_exact(screen))
-                text_append(second, 160, "last swing T %+.2f %%  %s by %.3f T", readout->error_period,
+                text_append(second, 160, "last period %+.2f %%  %s by %.3f T", readout->error_period,
                             readout->late < 0 ? "early" : "late", fabs(readout->late));
         } else {
             text_append(first, 160, "  f measuring");
