@@ -353,7 +353,8 @@ START_TEST(the_number_is_told_and_curves_wait)
     said = line(talk, "until t 10");
     ck_assert_msg(strstr(said, "The number: 0.38 periods late.") && !strstr(said, "measured"), "%s", said);
     said = line(talk, "why");
-    ck_assert_msg(strstr(said, "11 cells to a wave") && strstr(said, "Mode 5 oscillates on this mesh at 0.957"),
+    ck_assert_msg(strstr(said, "11 cells to a wave") &&
+                      strstr(said, "Mode 5 oscillates on this mesh at 0.957"),
                   "%s", said);
     says(talk, "more", "measured is away from exact");
     says(talk, "show energies", "View energies");
