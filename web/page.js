@@ -130,9 +130,15 @@ async function load_program() {
 		return answer.headers.get('content-type') === 'application/wasm' ? WebAssembly.compileStreaming(counting) : WebAssembly.compile(await counting.arrayBuffer());
 	}
 	loading(.5);
-	const text = atob(inlined.textContent), packed = new Uint8Array(text.length);
-	for (let i = 0; i < text.length; i++) packed[i] = text.charCodeAt(i); // many times faster than Uint8Array.from()
-	return WebAssembly.compile(await new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer());
+	return new Promise((done, fail) => {
+		const unpacking = new Worker(worker_address());
+		unpacking.onmessage = ({data}) => {
+			unpacking.terminate();
+			data.program ? done(data.program) : fail(new Error(data.text));
+		};
+		unpacking.onerror = (event) => fail(new Error(event.message || 'its worker could not be begun'));
+		unpacking.postMessage({unpack: inlined.textContent});
+	});
 }
 
 function loading(share) {
@@ -250,6 +256,8 @@ async function main() {
 	if (typeof WebAssembly !== 'object' || typeof DecompressionStream !== 'function')
 		return give_up('This browser is too old for this page: it has no WebAssembly. A newer Firefox, Chrome, Edge or Safari has.');
 	loading(0);
+	const comes = load_program(); // while the terminal is made
+	comes.catch(() => {}); // is told where it is waited for
 	element('licences').textContent = data.licences;
 	fill_chooser();
 	await Promise.all([document.fonts.load('15px "Cascadia Mono"', 'matvib'), document.fonts.load('15px "Cascadia Mono"', '⣿'),
@@ -261,7 +269,7 @@ async function main() {
 	show_fingers();
 	fit_type();
 	listen();
-	program = await load_program();
+	program = await comes;
 	loading(2);
 	plain.turn(words_of_link(location.search).plain);
 	await open_link();

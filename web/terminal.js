@@ -82,11 +82,16 @@ function resize() {
 function measure_letters() {
 	const widths = term._core?._renderService?._renderer?.value?._widthCache, pen = document.createElement('canvas').getContext('2d');
 	if (!widths || !widths._measure) return;
-	let set = '';
+	const known = new Map();
+	// of the page's own font letters have one width, and so have lines and dots
+	const like = (letters) => (/^[!-~]$/.test(letters) ? 'W' : /^[\u2500-\u257f]$/.test(letters) ? '│' : /^[\u2801-\u28ff]$/.test(letters) ? '⣿' : letters);
 	widths._measure = (letters, look) => { // 1: bold, 2: slanted
-		const font = (look & 2 ? 'italic ' : '') + (look & 1 ? 'bold ' : '') + term.options.fontSize + 'px ' + term.options.fontFamily;
-		if (font !== set) pen.font = set = font;
-		return pen.measureText(letters).width;
+		const font = (look & 2 ? 'italic ' : '') + (look & 1 ? 'bold ' : '') + term.options.fontSize + 'px ' + term.options.fontFamily, one = like(letters), key = one + font;
+		if (!known.has(key)) {
+			pen.font = font;
+			known.set(key, pen.measureText(one).width);
+		}
+		return known.get(key);
 	};
 }
 

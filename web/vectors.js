@@ -54,7 +54,7 @@ const vectors = {
 	},
 	draw() {
 		const screen = term.element && term.element.querySelector('.xterm-screen');
-		if (!screen) return;
+		if (!screen || this.colours.length === 0) return; // nothing has been told yet
 		if (!this.canvas) {
 			this.canvas = document.createElement('canvas');
 			this.canvas.id = 'vectors';

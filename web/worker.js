@@ -96,10 +96,19 @@ function start(message) {
 	createMatvib(settings).catch((error) => ended(134, String(error)));
 }
 
+// The program as the one file holds it, compiled for every start.
+async function unpack(packed) {
+	const text = atob(packed), bytes = new Uint8Array(text.length);
+	for (let i = 0; i < text.length; i++) bytes[i] = text.charCodeAt(i); // many times faster than Uint8Array.from()
+	const whole = await new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
+	postMessage({program: await WebAssembly.compile(whole)});
+}
+
 self.addEventListener('unhandledrejection', (event) => ended(134, String(event.reason)));
 self.addEventListener('error', (event) => ended(134, String(event.message)));
 onmessage = ({data}) => {
 	if (data.start) start(data.start);
+	else if (data.unpack) unpack(data.unpack).catch((error) => ended(134, error.message));
 	else if (data.keys) host.keys(data.keys);
 	else if (data.size) host.size(data.size[0], data.size[1]);
 	else if (data.drawn) host.drawn(data.drawn);
