@@ -106,12 +106,14 @@ const vectors = {
 	},
 	// cells of the area: 1 those with dots or blocks, 2 blank ones beside them, into which a line may lean
 	free({rect: [left, top, columns, rows], marks, crossed}, rules) {
-		// what a mark has in its cells; of a rule in all of its column. Its place is rounded, and a disc may lean into the next cell.
+		// what a mark has in its cells; of a rule in all of its column. Its place is rounded, and a disc may lean into the next cell and row.
 		const marked = new Map();
 		for (const {glyph, at: [x, y]} of marks) {
-			const reach = glyph !== RULE && SHAPES.includes(glyph) ? RADIUS : 1 / 16, row = Math.floor(y);
+			const reach = glyph !== RULE && SHAPES.includes(glyph) ? RADIUS : 1 / 16;
+			const [from, to] = glyph === RULE ? [0, rows - 1] : [Math.max(0, Math.floor(y - reach / 2)), Math.min(rows - 1, Math.floor(y + reach / 2))];
 			for (let i = Math.max(0, Math.floor(x - reach)); i <= Math.min(columns - 1, Math.floor(x + reach)); i++)
-				for (let j = glyph === RULE ? 0 : row; j < (glyph === RULE ? rows : row + 1); j++) marked.set(j * columns + i, glyph);
+				for (let j = from; j <= to; j++)
+					if (glyph === RULE || (i === Math.floor(x) && j === Math.floor(y)) || !marked.has(j * columns + i)) marked.set(j * columns + i, glyph);
 		}
 		const buffer = term.buffer.active, found = new Uint8Array(columns * rows), blank = new Uint8Array(columns * rows);
 		for (let y = 0; y < rows; y++) {

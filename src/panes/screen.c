@@ -72,7 +72,8 @@ static void draw_pane(const Screen *screen, PaneId pane, Area area)
     case PANE_PARAMETERS:
         if (screen->lesson->open)
             pane_lesson(screen, area);
-        else if (screen_is_plain(screen) && area.rect.width < area.canvas->width)
+        else if (screen_is_plain(screen) &&
+                 (area.rect.width < area.canvas->width || area.rect.height <= pane_asked_rows(screen)))
             pane_asked(screen, area);
         else
             pane_parameters(screen, area);
