@@ -293,11 +293,7 @@ BarAnswers *bar_answers_create(References *refs, const Settings *settings, Statu
     return bar;
 }
 
-static double exact_v_cm(References *refs, long step, double time, const double *row)
-{
-    (void)step, (void)row;
-    return bar_waves_centre_velocity(&bar_answers(refs)->theory, time);
-}
+ANSWER(exact_v_cm, bar_waves_centre_velocity(&bar_answers(refs)->theory, time))
 
 void bar_prepare(References *refs, const Settings *settings, const Simulation *sim, BarFrequency *frequency,
                  Answer *predicted, const char *meaning)

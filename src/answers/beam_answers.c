@@ -78,55 +78,17 @@ static Zeros find_zeros(const double *rows, size_t n_rows, int n_columns, int co
 
 /* --- simply supported ----------------------------------------------------------------------------- */
 
-static double u_euler(References *refs, long step, double time, const double *row)
-{
-    (void)step, (void)row;
-    return beam_midpoint(&own(refs)->theory, own(refs)->euler, time);
-}
-
-static double v_euler(References *refs, long step, double time, const double *row)
-{
-    (void)step, (void)row;
-    return beam_midpoint_velocity(&own(refs)->theory, own(refs)->euler, time);
-}
-
-static double u_timoshenko(References *refs, long step, double time, const double *row)
-{
-    (void)step, (void)row;
-    return beam_midpoint(&own(refs)->theory, own(refs)->timoshenko, time);
-}
-
-static double v_timoshenko(References *refs, long step, double time, const double *row)
-{
-    (void)step, (void)row;
-    return beam_midpoint_velocity(&own(refs)->theory, own(refs)->timoshenko, time);
-}
-
-static double u_plane(References *refs, long step, double time, const double *row)
-{
-    (void)step, (void)row;
-    return beam_midpoint(&own(refs)->theory, own(refs)->body.plane, time);
-}
-
-static double v_plane(References *refs, long step, double time, const double *row)
-{
-    (void)step, (void)row;
-    return beam_midpoint_velocity(&own(refs)->theory, own(refs)->body.plane, time);
-}
+ANSWER(u_euler, beam_midpoint(&own(refs)->theory, own(refs)->euler, time))
+ANSWER(v_euler, beam_midpoint_velocity(&own(refs)->theory, own(refs)->euler, time))
+ANSWER(u_timoshenko, beam_midpoint(&own(refs)->theory, own(refs)->timoshenko, time))
+ANSWER(v_timoshenko, beam_midpoint_velocity(&own(refs)->theory, own(refs)->timoshenko, time))
+ANSWER(u_plane, beam_midpoint(&own(refs)->theory, own(refs)->body.plane, time))
+ANSWER(v_plane, beam_midpoint_velocity(&own(refs)->theory, own(refs)->body.plane, time))
 
 /* Under a weight that is there from t = 0 on the state of rest is beside the run, whatever the way to it.
  */
-static double u_rest(References *refs, long step, double time, const double *row)
-{
-    (void)step, (void)time, (void)row;
-    return beam_sag(&own(refs)->body.real, own(refs)->body.weight);
-}
-
-static double u_solved(References *refs, long step, double time, const double *row)
-{
-    (void)step, (void)time, (void)row;
-    return own(refs)->body.solved;
-}
+ANSWER(u_rest, beam_sag(&own(refs)->body.real, own(refs)->body.weight))
+ANSWER(u_solved, own(refs)->body.solved)
 
 static void plan_rest(References *refs, const Simulation *sim)
 {
@@ -291,17 +253,8 @@ void beam_read_supported(const References *refs, const double *rows, size_t n_ro
 
 /* --- axially moving cantilever -------------------------------------------------------------------- */
 
-static double u_modal(References *refs, long step, double time, const double *row)
-{
-    (void)step, (void)row;
-    return moving_cantilever_tip(own(refs)->moving, time);
-}
-
-static double v_modal(References *refs, long step, double time, const double *row)
-{
-    (void)step, (void)row;
-    return moving_cantilever_tip_velocity(own(refs)->moving, time);
-}
+ANSWER(u_modal, moving_cantilever_tip(own(refs)->moving, time))
+ANSWER(v_modal, moving_cantilever_tip_velocity(own(refs)->moving, time))
 
 /* The straight line v = a + b k through the velocities of the last 0.1 ms by least squares, read at its
  * newest end, k = 0, going back:

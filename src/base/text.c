@@ -259,8 +259,9 @@ void text_put_xml(FILE *stream, const char *text)
         }
 }
 
-void text_put_escaped(FILE *stream, const char *bytes, size_t count)
+void text_put_json(FILE *stream, const char *bytes, size_t count)
 {
+    fputc('"', stream);
     for (size_t i = 0; i < count; i++) {
         const unsigned char byte = (unsigned char)bytes[i];
         if (byte == '"' || byte == '\\')
@@ -270,12 +271,6 @@ void text_put_escaped(FILE *stream, const char *bytes, size_t count)
         else
             fputc(byte, stream);
     }
-}
-
-void text_put_json(FILE *stream, const char *bytes, size_t count)
-{
-    fputc('"', stream);
-    text_put_escaped(stream, bytes, count);
     fputc('"', stream);
 }
 

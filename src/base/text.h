@@ -44,8 +44,7 @@ bool text_stream_close(FILE *stream, char *const *text);
 /* Writes a text as XML has it, in an element or an attribute; a control character becomes a space. */
 void text_put_xml(FILE *stream, const char *text);
 
-/* Writes bytes as a string of JSON has them; and with its quotes. */
-void text_put_escaped(FILE *stream, const char *bytes, size_t count);
+/* Writes bytes as a string of JSON has them, with its quotes. */
 void text_put_json(FILE *stream, const char *bytes, size_t count);
 
 /* The number of edits (insert, delete, replace, swap neighbours) between two words; for "did you mean". */

@@ -359,23 +359,15 @@ static double stable_courant(const Settings *settings, double largest)
 
 bool bar_limit(const Settings *settings, char *text, size_t size, Status *status)
 {
-    const double courant = settings_time(settings)->courant;
     const int before = shortage_begin();
     const double largest = largest_courant(settings);
     const bool known = errno != ENOMEM;
     shortage_end(before);
     if (!known)
         return status_fail(status, "not enough memory for the largest stable time step");
-    if (courant > largest && !settings_time(settings)->unstable)
-        return status_refuse(
-            status, "time.courant: %.6g is unstable on this mesh (at most %s, or time.unstable = yes)",
-            courant, text_limit(stable_courant(settings, largest), 5).text);
-    if (courant > largest)
-        snprintf(text, size, "courant %.4g is beyond the largest stable one, %.5g: this run will blow up",
-                 courant, largest);
-    else if (courant > 0.9 * largest)
-        snprintf(text, size, "courant %.4g is near the largest stable one, %.5g", courant, largest);
-    return true;
+    const bool refused = settings_time(settings)->courant > largest && !settings_time(settings)->unstable;
+    return problem_limit_courant(settings, largest, refused ? stable_courant(settings, largest) : largest,
+                                 text, size, status);
 }
 
 /* --- every mode on the mesh ----------------------------------------------------------------------- */

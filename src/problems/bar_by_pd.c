@@ -80,11 +80,7 @@ static double predicted_frequency(const Settings *settings, const BarTheory *the
     return bar_lattice_frequency(theory, &lattice, mode);
 }
 
-static double predicted_v_cm(References *refs, long step, double time, const double *row)
-{
-    (void)time, (void)row;
-    return bar_motion_centre_velocity(bar_answers(refs)->motion, step);
-}
+ANSWER(predicted_v_cm, bar_motion_centre_velocity(bar_answers(refs)->motion, step))
 
 static bool prepare(References *refs, const Settings *settings, const Simulation *sim, Status *status)
 {

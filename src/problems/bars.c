@@ -25,15 +25,11 @@ static const Solver *const solvers[] = {&bar_by_mpm, &bar_by_pd, NULL};
 const Problem problem_bar = {
     .word = "bar",
     .body = "bar",
-    .answer = "exact",
     .title = "axial vibration of a bar",
     .about = "late",
     .concerns = CONCERN_BAR | CONCERN_MODES | CONCERN_MESH | CONCERN_METHODS | CONCERN_LATTICE |
                 CONCERN_PULL | CONCERN_WAVES,
-    .uses = uses,
-    .n_uses = sizeof uses / sizeof *uses,
+    USES(uses),
     .solvers = solvers,
-    .unit_of_time = "time",
-    .shown_time = 1,
-    .shown_time_unit = "",
+    IN_OWN_UNITS,
 };

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Beams by the material point method: settings to simulation, derived numbers, the largest step, answers. */
 #include "answers/beam_answers.h"
-#include "base/text.h"
 #include "scenario/concern_body.h"
 #include "scenario/concern_cells.h"
 #include "scenario/concern_loads.h"
@@ -153,16 +152,7 @@ static bool limit(const Settings *settings, char *text, size_t size, Status *sta
         return true;
     if (!plane_courant_limit(&def, &largest, status))
         return false;
-    if (def.courant > largest && !settings_time(settings)->unstable)
-        return status_refuse(
-            status, "time.courant: %.6g is unstable on this mesh (at most %s, or time.unstable = yes)",
-            def.courant, text_limit(largest, 5).text);
-    if (def.courant > largest)
-        snprintf(text, size, "courant %.4g is beyond the largest stable one, %.5g: this run will blow up",
-                 def.courant, largest);
-    else if (def.courant > 0.9 * largest)
-        snprintf(text, size, "courant %.4g is near the largest stable one, %.5g", def.courant, largest);
-    return true;
+    return problem_limit_courant(settings, largest, largest, text, size, status);
 }
 
 /* Hats on a mesh that stays behind: each cell that a particle enters makes its strain rate jump. */

@@ -197,66 +197,30 @@ static bool advice_plate(const Settings *settings, char *text, size_t size, Stat
     return true;
 }
 
-/* Theory's beam is whole: it knows nothing of bonds that break. */
-static const char *const of_beam[] = {"scenario.method",
-                                      "beam.length",
-                                      "beam.height",
-                                      "beam.thickness",
-                                      "beam.youngs_modulus",
-                                      "beam.density",
-                                      "initial.amplitude",
-                                      "motion.speed",
-                                      "motion.channel",
-                                      "motion.clamp",
-                                      "pd.spacing",
-                                      "pd.horizon",
-                                      "pd.surface_correction",
-                                      "pd.volume_correction",
-                                      "pd.influence",
-                                      "pd.stepping",
-                                      "pd.mistake",
-                                      "time.step",
-                                      "time.end",
-                                      NULL};
+#define BEAM_KEYS                                                                                            \
+    "scenario.method", "beam.length", "beam.height", "beam.thickness", "beam.youngs_modulus",                \
+        "beam.density", "initial.amplitude", "pd.spacing", "pd.horizon", "pd.surface_correction",            \
+        "pd.volume_correction", "pd.influence", "pd.stepping", "pd.mistake", "time.step", "time.end"
 
-/* That of the supported beam is braked, and may hang. */
-static const char *const of_supported[] = {"scenario.method",
-                                           "beam.length",
-                                           "beam.height",
-                                           "beam.thickness",
-                                           "beam.youngs_modulus",
-                                           "beam.density",
-                                           "initial.amplitude",
-                                           "load.body_force",
-                                           "damping.rate",
-                                           "pd.spacing",
-                                           "pd.horizon",
-                                           "pd.surface_correction",
-                                           "pd.volume_correction",
-                                           "pd.influence",
-                                           "pd.stepping",
-                                           "pd.mistake",
-                                           "time.step",
-                                           "time.end",
-                                           "time.rest",
-                                           NULL};
+/* Theory's beam is whole: it knows nothing of bonds that break. That of the supported beam is braked, and may
+ * hang. */
+static const char *const of_beam[] = {BEAM_KEYS, "motion.speed", "motion.channel", "motion.clamp", NULL};
+static const char *const of_supported[] = {BEAM_KEYS, "load.body_force", "damping.rate", "time.rest", NULL};
 
 /* They are those of the right code, whatever is done instead. */
 static const char *const of_changes[] = {"pd.mistake", NULL};
 
-#define UNDERSTAND_BEAMS                                                                                     \
-    .validity = {[REFERENCE_EXACT] = {of_beam, of_changes},                                                  \
-                 [REFERENCE_PREDICTED] = {of_beam, of_changes},                                              \
-                 [REFERENCE_FREQUENCY] = {of_beam, of_changes}}
+#define UNDERSTAND(keys)                                                                                     \
+    .validity = {[REFERENCE_EXACT] = {keys, of_changes},                                                     \
+                 [REFERENCE_PREDICTED] = {keys, of_changes},                                                 \
+                 [REFERENCE_FREQUENCY] = {keys, of_changes}}
 
-#define BY_PD_ALIKE                                                                                          \
-    .method = METHOD_PD, .check = check, .simulate = simulate, .derived = derived, .advice = advice
+#define BY_PD_ALIKE .method = METHOD_PD, .check = check, .simulate = simulate, .derived = derived
 
 const Solver beam_by_pd_supported = {
     BY_PD_ALIKE,
-    .validity = {[REFERENCE_EXACT] = {of_supported, of_changes},
-                 [REFERENCE_PREDICTED] = {of_supported, of_changes},
-                 [REFERENCE_FREQUENCY] = {of_supported, of_changes}},
+    .advice = advice,
+    UNDERSTAND(of_supported),
     .findings = beam_find_rest,
     .predict = predict,
     .prepare = prepare_supported,
@@ -267,7 +231,8 @@ const Solver beam_by_pd_supported = {
 
 const Solver beam_by_pd_moving = {
     BY_PD_ALIKE,
-    UNDERSTAND_BEAMS,
+    .advice = advice,
+    UNDERSTAND(of_beam),
     .prepare = prepare_moving,
     .readout = beam_read_moving,
     .envelope = beam_moving_envelope,
@@ -277,15 +242,13 @@ const Solver beam_by_pd_moving = {
 
 const Solver beam_by_pd_notched = {
     BY_PD_ALIKE,
+    .advice = advice,
     .prepare = beam_prepare_notched,
     .readout = beam_read_nothing,
 };
 
 const Solver beam_by_pd_plate = {
-    .method = METHOD_PD,
-    .check = check,
-    .simulate = simulate,
-    .derived = derived,
+    BY_PD_ALIKE,
     .advice = advice_plate,
     .prepare = beam_prepare_notched,
     .readout = beam_read_nothing,

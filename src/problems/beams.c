@@ -23,7 +23,6 @@
 #define BEAM_COMMON                                                                                          \
     .body = "beam", .answer = "beam theory", .si = true, .unit_of_time = "s", .shown_time = 1e-3,            \
     .shown_time_unit = " ms"
-#define USES(rows) .uses = rows, .n_uses = sizeof rows / sizeof *rows
 
 /* --- simply supported ----------------------------------------------------------------------------- */
 

@@ -285,23 +285,9 @@ static double angular(const Answers *answers, double time)
            0.5 * fall * time * time;
 }
 
-static double exact_px(References *refs, long step, double time, const double *row)
-{
-    (void)step, (void)row;
-    return momentum(answers_of(refs), 0, time);
-}
-
-static double exact_py(References *refs, long step, double time, const double *row)
-{
-    (void)step, (void)row;
-    return momentum(answers_of(refs), 1, time);
-}
-
-static double exact_angular(References *refs, long step, double time, const double *row)
-{
-    (void)step, (void)row;
-    return angular(answers_of(refs), time);
-}
+ANSWER(exact_px, momentum(answers_of(refs), 0, time))
+ANSWER(exact_py, momentum(answers_of(refs), 1, time))
+ANSWER(exact_angular, angular(answers_of(refs), time))
 
 /* Of the only body. */
 static double motion(const Answers *answers, int what, double time)
@@ -325,17 +311,8 @@ static double motion(const Answers *answers, int what, double time)
                         : NAN;
 }
 
-static double reference_x(References *refs, long step, double time, const double *row)
-{
-    (void)step, (void)row;
-    return answers_of(refs)->start[BODIES_X + X] + fallen(answers_of(refs), CENTRE, time);
-}
-
-static double reference_y(References *refs, long step, double time, const double *row)
-{
-    (void)step, (void)row;
-    return answers_of(refs)->start[BODIES_X + Y] + fallen(answers_of(refs), CENTRE + 1, time);
-}
+ANSWER(reference_x, answers_of(refs)->start[BODIES_X + X] + fallen(answers_of(refs), CENTRE, time))
+ANSWER(reference_y, answers_of(refs)->start[BODIES_X + Y] + fallen(answers_of(refs), CENTRE + 1, time))
 
 #define MOTION(name, what)                                                                                   \
     static double name(References *refs, long step, double time, const double *row)                          \

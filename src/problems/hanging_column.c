@@ -33,11 +33,7 @@ static const HangingColumn *own_column(const References *refs)
     return refs->own;
 }
 
-static double exact_x_cm(References *refs, long step, double time, const double *row)
-{
-    (void)step, (void)time, (void)row;
-    return bar_column_centre(own_column(refs));
-}
+ANSWER(exact_x_cm, bar_column_centre(own_column(refs)))
 
 static bool prepare(References *refs, const Settings *settings, const Simulation *sim, Status *status)
 {
@@ -148,14 +144,10 @@ static const Solver *const solvers[] = {&hanging_column_by_mpm, NULL};
 const Problem problem_hanging_column = {
     .word = "hanging-column",
     .body = "column",
-    .answer = "exact",
     .title = "a bar that hangs at rest",
     .about = "late",
     .concerns = CONCERN_BAR | CONCERN_MESH | CONCERN_WEIGHT,
-    .uses = uses,
-    .n_uses = sizeof uses / sizeof *uses,
+    USES(uses),
     .solvers = solvers,
-    .unit_of_time = "time",
-    .shown_time = 1,
-    .shown_time_unit = "",
+    IN_OWN_UNITS,
 };

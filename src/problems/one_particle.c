@@ -203,14 +203,10 @@ static const Solver *const solvers[] = {&one_particle_by_mpm, NULL};
 const Problem problem_one_particle = {
     .word = "one-particle",
     .body = "particle",
-    .answer = "exact",
     .title = "one particle in one cell",
     .about = "late",
     .concerns = CONCERN_POINT | CONCERN_MESH,
-    .uses = uses,
-    .n_uses = sizeof uses / sizeof *uses,
+    USES(uses),
     .solvers = solvers,
-    .unit_of_time = "time",
-    .shown_time = 1,
-    .shown_time_unit = "",
+    IN_OWN_UNITS,
 };

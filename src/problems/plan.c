@@ -3,7 +3,10 @@
 #include "problems/solver.h"
 
 #include "base/assertion.h"
+#include "base/text.h"
+#include "scenario/concern_time.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -26,6 +29,22 @@ void derived_add_answer(Derived out[DERIVED_MAX], int *count, Reference referenc
         out[before].by_reference = true;
         out[before].reference = reference;
     }
+}
+
+bool problem_limit_courant(const Settings *settings, double largest, double allowed, char *text, size_t size,
+                           Status *status)
+{
+    const double courant = settings_time(settings)->courant;
+    if (courant > largest && !settings_time(settings)->unstable)
+        return status_refuse(
+            status, "time.courant: %.6g is unstable on this mesh (at most %s, or time.unstable = yes)",
+            courant, text_limit(allowed, 5).text);
+    if (courant > largest)
+        snprintf(text, size, "courant %.4g is beyond the largest stable one, %.5g: this run will blow up",
+                 courant, largest);
+    else if (courant > 0.9 * largest)
+        snprintf(text, size, "courant %.4g is near the largest stable one, %.5g", courant, largest);
+    return true;
 }
 
 int plan_find(const References *refs, const char *column)

@@ -9,6 +9,14 @@
 /* A column of the series: a number of the method's row, or an answer worked out beside it. */
 typedef double Answer(References *, long step, double time, const double *row);
 
+/* One that is an expression of refs, step, time and row. */
+#define ANSWER(name, value)                                                                                  \
+    static double name(References *refs, long step, double time, const double *row)                          \
+    {                                                                                                        \
+        (void)refs, (void)step, (void)time, (void)row;                                                       \
+        return value;                                                                                        \
+    }
+
 typedef struct PlannedColumn {
     Column column;
     int from_method; /* index into the method's row; -1: not from there */
@@ -55,6 +63,10 @@ bool plan_window(References *, const Simulation *, const char *series, long rows
  * `times` and `is_period` say what it is of the line; nothing: not yet. */
 void readout_fit(const double *rows, size_t n_rows, int n_columns, int column, double start,
                  const double *ratios, int n_lines, Readout *);
+
+/* A Solver's limit where the largest stable courant number is known; `allowed`: what a refusal says of it. */
+bool problem_limit_courant(const Settings *, double largest, double allowed, char *text, size_t size,
+                           Status *);
 
 /* Appends a derived number; that of a reference is left out where the reference is not known. */
 void derived_add_answer(Derived out[DERIVED_MAX], int *count, Reference, const char *name, const char *label,

@@ -336,6 +336,35 @@ void settings_spell(const Settings *settings, const Parameter *parameter, char o
             *c = (char)toupper((unsigned char)*c);
 }
 
+/* What `a` has of its own, "USL, cell size 1", or, of a change, "Algorithm USF -> USL, cell size 0.25 -> 1".
+ * False: there is no room for more. */
+static bool name_values(const Settings *a, const Settings *b, bool change, char *out, size_t size)
+{
+    bool room = true;
+    for (int i = 0; i < n_parameters && room; i++) {
+        const Parameter *parameter = &parameters[i];
+        const bool bare = !change && is_name(parameter);
+        char own[LIST_MAX], other[LIST_MAX], item[2 * LIST_MAX + 64];
+        if (!differ_in(a, b, parameter))
+            continue;
+        settings_spell(a, parameter, own);
+        settings_spell(b, parameter, other);
+        snprintf(item, sizeof item, "%s%s%s%s%s", bare ? "" : parameter->label, bare ? "" : " ",
+                 *own ? own : "none", change ? " -> " : "",
+                 !change  ? ""
+                 : *other ? other
+                          : "none");
+        room = text_list_add(out, size, item);
+    }
+    char about[64], own[ROW_TEXT_MAX], other[ROW_TEXT_MAX];
+    for (int i = 0; room && settings_rows_difference(a, b, i, about, own, other); i++) {
+        char item[2 * ROW_TEXT_MAX + 72];
+        snprintf(item, sizeof item, "%s %s%s%s", about, own, change ? " -> " : "", change ? other : "");
+        room = text_list_add(out, size, item);
+    }
+    return room;
+}
+
 void settings_name(const Settings *a, const Settings *b, char *out, size_t size)
 {
     *out = '\0';
@@ -343,23 +372,7 @@ void settings_name(const Settings *a, const Settings *b, char *out, size_t size)
         text_list_add(out, size, a->problem->word);
         return;
     }
-    bool room = true;
-    for (int i = 0; i < n_parameters && room; i++) {
-        char value[LIST_MAX], item[LIST_MAX + 64];
-        if (!differ_in(a, b, &parameters[i]))
-            continue;
-        settings_spell(a, &parameters[i], value);
-        snprintf(item, sizeof item, "%s%s%s", is_name(&parameters[i]) ? "" : parameters[i].label,
-                 is_name(&parameters[i]) ? "" : " ", *value ? value : "none");
-        room = text_list_add(out, size, item);
-    }
-    char about[64], in_a[ROW_TEXT_MAX], in_b[ROW_TEXT_MAX];
-    for (int i = 0; room && settings_rows_difference(a, b, i, about, in_a, in_b); i++) {
-        char item[ROW_TEXT_MAX + 72];
-        snprintf(item, sizeof item, "%s %s", about, in_a);
-        room = text_list_add(out, size, item);
-    }
-    if (room && !settings_changes_same(a, b)) {
+    if (name_values(a, b, false, out, size) && !settings_changes_same(a, b)) {
         char item[48];
         snprintf(item, sizeof item, a->n_changes == 0 ? "unchanged" : "%d changed in mid-run", a->n_changes);
         text_list_add(out, size, item);
@@ -371,23 +384,8 @@ void settings_name(const Settings *a, const Settings *b, char *out, size_t size)
 void settings_name_change(const Settings *from, const Settings *to, char *out, size_t size)
 {
     *out = '\0';
-    bool room = from->problem == to->problem;
-    for (int i = 0; i < n_parameters && room; i++) {
-        char before[LIST_MAX], after[LIST_MAX], item[2 * LIST_MAX + 64];
-        if (!differ_in(from, to, &parameters[i]))
-            continue;
-        settings_spell(from, &parameters[i], before);
-        settings_spell(to, &parameters[i], after);
-        snprintf(item, sizeof item, "%s %s -> %s", parameters[i].label, *before ? before : "none",
-                 *after ? after : "none");
-        room = text_list_add(out, size, item);
-    }
-    char about[64], before[ROW_TEXT_MAX], after[ROW_TEXT_MAX];
-    for (int i = 0; room && settings_rows_difference(from, to, i, about, before, after); i++) {
-        char item[2 * ROW_TEXT_MAX + 72];
-        snprintf(item, sizeof item, "%s %s -> %s", about, before, after);
-        room = text_list_add(out, size, item);
-    }
+    if (from->problem == to->problem)
+        name_values(from, to, true, out, size);
     if (*out == '\0')
         snprintf(out, size, "a change in mid-run");
 }

@@ -19,53 +19,23 @@ static double of_plane_strain(const BeamDef *def)
     return 48 * def->youngs_modulus / (5 * M_PI * delta * delta * delta);
 }
 
-static double to_the_left_one(const BondEnd *end)
-{
-    return end->left ? 1 : 0;
-}
+/* Of a bond's pull the share that an end gets. */
+#define SHARE(name, value)                                                                                   \
+    static double name(const BondEnd *end)                                                                   \
+    {                                                                                                        \
+        (void)end;                                                                                           \
+        return value;                                                                                        \
+    }
 
-static double to_the_owner(const BondEnd *end)
-{
-    return end->owner ? 1 : 0;
-}
-
-static double to_both_twice(const BondEnd *end)
-{
-    (void)end;
-    return 2;
-}
-
-static double to_the_other_side(const BondEnd *end)
-{
-    (void)end;
-    return -1;
-}
-
-static double to_both_by_half(const BondEnd *end)
-{
-    (void)end;
-    return 0.5;
-}
-
-static double but_to_the_first(const BondEnd *end)
-{
-    return end->to_first ? 0 : 1;
-}
-
-static double but_to_the_last(const BondEnd *end)
-{
-    return end->to_last ? 0 : 1;
-}
-
-static double over_the_length_now(const BondEnd *end)
-{
-    return end->rest / end->now;
-}
-
-static double over_no_length(const BondEnd *end)
-{
-    return end->rest;
-}
+SHARE(to_the_left_one, end->left ? 1 : 0)
+SHARE(to_the_owner, end->owner ? 1 : 0)
+SHARE(to_both_twice, 2)
+SHARE(to_the_other_side, -1)
+SHARE(to_both_by_half, 0.5)
+SHARE(but_to_the_first, end->to_first ? 0 : 1)
+SHARE(but_to_the_last, end->to_last ? 0 : 1)
+SHARE(over_the_length_now, end->rest / end->now)
+SHARE(over_no_length, end->rest)
 
 #define LINES(...) __VA_ARGS__
 static const BondsMistake mistakes[] = {

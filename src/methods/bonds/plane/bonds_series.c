@@ -29,25 +29,17 @@ static double probe(const Beam *beam, const double *array)
     return sum / 4;
 }
 
-static double u_probe(Beam *beam)
-{
-    return probe(beam, beam->nodes.uy);
-}
+/* A column that is one expression of the beam. */
+#define COLUMN(name, value)                                                                                  \
+    static double name(Beam *beam)                                                                           \
+    {                                                                                                        \
+        return value;                                                                                        \
+    }
 
-static double v_probe(Beam *beam)
-{
-    return probe(beam, beam->nodes.vy);
-}
-
-static double ux_probe(Beam *beam)
-{
-    return probe(beam, beam->nodes.ux);
-}
-
-static double vx_probe(Beam *beam)
-{
-    return probe(beam, beam->nodes.vx);
-}
+COLUMN(u_probe, probe(beam, beam->nodes.uy))
+COLUMN(v_probe, probe(beam, beam->nodes.vy))
+COLUMN(ux_probe, probe(beam, beam->nodes.ux))
+COLUMN(vx_probe, probe(beam, beam->nodes.vx))
 
 /* sum rho |v|^2/2 V b, row by row in a fixed order: the same bits with any vector width and thread. */
 double beam_kinetic(Beam *beam)
@@ -66,38 +58,17 @@ double beam_kinetic(Beam *beam)
     return beam->kinetic;
 }
 
-static double work(Beam *beam)
-{
-    return beam->head->work;
-}
-
-static double dissipated(Beam *beam)
-{
-    return beam->head->dissipated;
-}
+COLUMN(work, beam->head->work)
+COLUMN(dissipated, beam->head->dissipated)
 
 /* Less the work this is what the scheme keeps, to second order in dt; it oscillates at twice the frequency.
  */
-static double total(Beam *beam)
-{
-    return beam_kinetic(beam) + beam_strain(beam) + beam->head->dissipated + beam->head->damped;
-}
-
-static double damped(Beam *beam)
-{
-    return beam->head->damped;
-}
-
-static double broken_bonds(Beam *beam)
-{
-    return (double)beam->head->broken;
-}
+COLUMN(total, beam_kinetic(beam) + beam_strain(beam) + beam->head->dissipated + beam->head->damped)
+COLUMN(damped, beam->head->damped)
+COLUMN(broken_bonds, (double)beam->head->broken)
 
 /* L(t) = L0 + v0 t, what has left the channel. */
-static double length(Beam *beam)
-{
-    return beam->def.length + beam->def.speed * simulation_time(&beam->sim);
-}
+COLUMN(length, beam->def.length + beam->def.speed * simulation_time(&beam->sim))
 
 /* The tip as the damage shows it, looked for once however many columns ask for it. */
 static const CrackCache *crack(Beam *beam)
@@ -108,25 +79,10 @@ static const CrackCache *crack(Beam *beam)
     return &beam->crack;
 }
 
-static double crack_x(Beam *beam)
-{
-    return crack(beam)->x;
-}
-
-static double crack_y(Beam *beam)
-{
-    return crack(beam)->y;
-}
-
-static double crack_length(Beam *beam)
-{
-    return beam->head->crack_length;
-}
-
-static double crack_speed_of(Beam *beam)
-{
-    return crack_speed_now(beam);
-}
+COLUMN(crack_x, crack(beam)->x)
+COLUMN(crack_y, crack(beam)->y)
+COLUMN(crack_length, beam->head->crack_length)
+COLUMN(crack_speed_of, crack_speed_now(beam))
 
 static double momentum(const Beam *beam, const double *speed)
 {
@@ -139,15 +95,8 @@ static double momentum(const Beam *beam, const double *speed)
     return sum * beam->def.density * beam_volume(beam) * beam->def.thickness;
 }
 
-static double momentum_x(Beam *beam)
-{
-    return momentum(beam, beam->nodes.vx);
-}
-
-static double momentum_y(Beam *beam)
-{
-    return momentum(beam, beam->nodes.vy);
-}
+COLUMN(momentum_x, momentum(beam, beam->nodes.vx))
+COLUMN(momentum_y, momentum(beam, beam->nodes.vy))
 
 static double reaction_x(Beam *beam)
 {
@@ -164,10 +113,7 @@ static double reaction_y(Beam *beam)
 }
 
 /* Of a bar, whose nodes all have the same mass: sum v/n, L/2 + sum u/n. */
-static double v_cm(Beam *beam)
-{
-    return momentum_x(beam) / (beam->def.density * beam->def.length);
-}
+COLUMN(v_cm, momentum_x(beam) / (beam->def.density * beam->def.length))
 
 static double x_cm(Beam *beam)
 {
