@@ -14,7 +14,7 @@ const built = process.env.MATVIB_BUILDDIR;
 const puppeteer = createRequire(path.join(built, 'web-work', 'x.js'))('puppeteer-core');
 const scratch = process.env.MATVIB_ENGINE && fs.mkdtempSync(path.join(os.tmpdir(), 'matvib-page-'));
 const patience = 300000; // for whatever is waited for: a machine may be loaded
-const PICTURE_MOST = 1.8; // processor time of the first picture, in that of 20 million steps of a generator
+const PICTURE_MOST = 2; // processor time of the first picture, in that of 20 million steps of a generator; 1.4 to 1.7, and from 2.07 on before it was unpacked in a worker
 const asked = []; // of the server
 let away = false, held = null, browser, context, page, served, engine;
 
@@ -172,10 +172,10 @@ async function first_picture_of_a_slow_machine() {
 		const took = await busy();
 		if (took / loop > least) continue;
 		least = took / loop;
-		told = `first picture after ${Math.round(took)} ms of a processor, ${Math.round(6 * took)} ms of one six times as slow`;
+		told = `first picture after ${Math.round(took)} ms of a processor, ${Math.round(6 * took)} ms of one six times as slow; ${least.toFixed(2)} times a loop`;
 	}
 	note(told);
-	result('the first picture takes no more of a processor than it did', least <= PICTURE_MOST, `${least.toFixed(2)} times the loop, at most ${PICTURE_MOST}`);
+	result('the first picture takes no more of a processor than it did', least <= PICTURE_MOST, `at most ${PICTURE_MOST} times the loop`);
 }
 
 async function keys_and_size() {
